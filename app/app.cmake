@@ -1,0 +1,44 @@
+file(GLOB app_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/app/*.cpp)
+file(GLOB preset_files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/presets/*.json)
+set(embedded_presets ${PROJECT_BINARY_DIR}/embedded_presets.cpp)
+add_custom_command(
+  OUTPUT ${embedded_presets}
+  COMMAND ${CMAKE_COMMAND} -DOUT=${embedded_presets} "-DPRESETS=${preset_files}"
+          -P ${PROJECT_SOURCE_DIR}/app/embed_presets.cmake
+  DEPENDS ${preset_files} ${PROJECT_SOURCE_DIR}/app/embed_presets.cmake
+  VERBATIM)
+
+# Everything but main, so that tests can call it.
+list(REMOVE_ITEM app_sources ${PROJECT_SOURCE_DIR}/app/main.cpp)
+add_library(airlight_app STATIC ${app_sources} ${embedded_presets})
+target_link_libraries(airlight_app PUBLIC airlight_gpu airlight_scene airlight_output airlight_measure
+                                   PRIVATE CLI11::CLI11)
+target_compile_definitions(airlight_app PUBLIC AIRLIGHT_VERSION="${PROJECT_VERSION}")
+add_executable(airlight ${PROJECT_SOURCE_DIR}/app/main.cpp)
+target_link_libraries(airlight PRIVATE airlight_app)
+
+set(libraries)
+foreach(library IN ITEMS OpenEXR OpenColorIO OpenImageIO nlohmann_json CLI11 PNG Vulkan)
+  set(version ${${library}_VERSION})
+  if(library STREQUAL OpenColorIO AND NOT version)
+    set(version ${OCIO_VERSION})  # by pkg-config
+  elseif(library STREQUAL PNG)
+    set(version ${PNG_VERSION_STRING})
+  endif()
+  string(APPEND libraries "  ${library} ${version}\\n")
+endforeach()
+set_source_files_properties(${PROJECT_SOURCE_DIR}/app/version.cpp PROPERTIES
+                            COMPILE_DEFINITIONS "AIRLIGHT_LIBRARIES=\"${libraries}\"")
+
+# The manual page, made by the program itself.
+set(manual ${PROJECT_BINARY_DIR}/airlight.1)
+add_custom_command(
+  OUTPUT ${manual}
+  COMMAND airlight man > ${manual}
+  DEPENDS airlight
+  VERBATIM)
+add_custom_target(airlight_manual ALL DEPENDS ${manual})
+
+include(GNUInstallDirs)
+install(TARGETS airlight RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(FILES ${manual} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)

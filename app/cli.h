@@ -1,0 +1,107 @@
+#pragma once
+// Commands as data. From one definition come parsing, --help, shell completion and the man page; the library that
+// splits the command line (CLI11, 14 s of compile a file) is known to cli.cpp alone.
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace airlight::cli {
+
+// Where a value goes. A bool is a flag; an optional tells "not given" from any value; a vector takes every repetition
+// (of an option) or every word (of the last positional). Anything else may be given once.
+using Target = std::variant<bool*, int*, double*, std::string*, std::optional<int>*, std::optional<double>*,
+                            std::optional<std::string>*, std::vector<std::string>*, std::vector<double>*>;
+
+// What the shell offers while the value is typed.
+enum class Completes { nothing, file, folder };
+
+struct Range {
+  double minimum = 0.0;
+  double maximum = 0.0;
+};
+
+struct Option {
+  std::string names;    // "-o,--output": short first, the last one is the name in messages
+  std::string metavar;  // what the value is called: "FILE.exr"; empty for a flag
+  std::string help;     // one sentence without a full stop; the range, the choices and "repeatable" are added to it
+  Target target = {};
+  Completes completes = Completes::nothing;
+  std::optional<Range> range = {};        // of a number, both ends allowed
+  std::vector<std::string> choices = {};  // the only values allowed
+  std::vector<std::string> offers = {};   // values that the shell offers besides, not enforced
+};
+
+struct Positional {
+  std::string metavar;  // "PRESET"
+  std::string help;
+  Target target = {};  // an optional or a vector may be left out unless `required`
+  bool required = true;
+  Completes completes = Completes::file;
+  std::vector<std::string> choices = {};
+  std::vector<std::string> offers = {};
+};
+
+struct Example {
+  std::string line;     // as typed, starting with "airlight"
+  std::string meaning;  // what it does
+};
+
+struct Command {
+  std::string name;
+  std::string summary;      // one line, for the list of commands
+  std::string description;  // paragraphs for the command's own help, separated by "\n\n"; may be empty
+  std::vector<Example> examples = {};
+  std::vector<Positional> positionals = {};
+  std::vector<Option> options = {};  // --help is added to each command
+  std::function<int()> run = {};     // returns the exit code; called after the targets are filled
+};
+
+struct EnvironmentVariable {
+  std::string name;
+  std::string meaning;
+};
+
+struct Tool {
+  std::string name;
+  std::string version;
+  std::string summary;
+  std::vector<Command> commands = {};
+  Command root;  // the options before any command, e.g. --version; run when no command is given
+  std::vector<EnvironmentVariable> environment = {};
+};
+
+// Fills the targets of the command named by the arguments and runs it. Throws InputError for bad usage, one line that
+// names the nearest known command or option.
+int run_tool(const Tool& tool, int argc, const char* const* argv);
+
+// People's help for the whole tool or one command; `bold` marks the headings for a terminal.
+std::string help_text(const Tool& tool, bool bold);
+std::string help_text(const Tool& tool, const Command& command, bool bold);
+
+// A completion script for "bash", "zsh" or "fish".
+std::string completion_script(const Tool& tool, std::string_view shell);
+
+// The manual page, section 1, in roff's man macros.
+std::string manual_page(const Tool& tool);
+
+// --- Helpers of the files above -----------------------------------------------------------------------------------
+
+std::vector<std::string> option_names(const Option& option);  // "-o,--output" -> {"-o", "--output"}
+bool is_flag(const Option& option);
+bool is_repeatable(const Target& target);
+// The help sentence with range, choices and repetition added.
+std::string full_help(const Option& option);
+std::string usage_line(const Tool& tool, const Command& command);
+// The option that every command has; its flag is handled by run_tool.
+const Option& help_option();
+
+// Converts the words given for a target and stores them. Throws InputError: "PLACE: ...", where PLACE names command
+// and option.
+void store(const Target& target, const std::vector<std::string>& words, const std::string& place,
+           const std::optional<Range>& range, const std::vector<std::string>& choices);
+
+}  // namespace airlight::cli

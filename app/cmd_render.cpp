@@ -1,0 +1,261 @@
+#include <filesystem>
+#include <memory>
+
+#include "app/commands.h"
+#include "app/picture_files.h"
+#include "app/preset_source.h"
+#include "app/progress.h"
+#include "app/publish.h"
+#include "app/render_report.h"
+#include "app/sampling_options.h"
+#include "app/scene_options.h"
+#include "app/stopwatch.h"
+#include "app/table_files.h"
+#include "app/terminal.h"
+#include "app/validity.h"
+#include "core/error.h"
+#include "core/output/atomic_file.h"
+#include "core/output/display.h"
+#include "core/scene/json_format.h"
+#include "core/scene/preset.h"
+#include "core/scene/resolve.h"
+
+namespace airlight::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kDefaultFolder = "out";
+
+struct Given {
+  SceneOptions scene;
+  SamplingOptions sampling;
+  std::optional<std::string> exr;
+  std::optional<std::string> png;
+  std::optional<std::string> tables;
+  std::string ocio_config;
+  std::optional<std::string> display;
+  std::optional<std::string> view;
+  int bits = 8;
+  bool full_float = false;
+  bool timings = false;
+  bool json = false;
+  bool dry_run = false;
+  bool quiet = false;
+  bool verbose = false;
+};
+
+void require_ending(const std::string& file, const std::string& option, const std::string& ending) {
+  const bool device = file.rfind("/dev/", 0) == 0;
+  if (!device && fs::path(file).extension() != ending) {
+    throw InputError("render: " + option + ": '" + file + "' does not end in " + ending + ", which is what it writes");
+  }
+}
+
+Targets choose_targets(const Given& given) {
+  if (given.exr || given.png) {
+    return {given.exr.value_or(""), given.png.value_or(""), given.tables.value_or("")};
+  }
+  const fs::path name = fs::path(kDefaultFolder) / picture_name(given.scene.preset);
+  return {name.string() + ".exr", name.string() + ".png", given.tables.value_or("")};
+}
+
+// Everything that can be known to fail is said before anything is rendered.
+void check_targets(const Given& given, const Targets& targets) {
+  if (!given.exr && !given.png) {
+    make_folder(kDefaultFolder);
+  }
+  if (!targets.exr.empty()) {
+    require_ending(targets.exr, "-o", ".exr");
+    require_writable(targets.exr);
+  }
+  if (!targets.png.empty()) {
+    require_ending(targets.png, "--png", ".png");
+    require_writable(targets.png);
+  }
+  if (!targets.tables.empty()) {
+    require_folder(targets.tables);
+  }
+}
+
+Scene scene_of(const Given& given) {
+  std::vector<std::string> further = overrides(given.sampling);
+  if (given.display) {
+    further.push_back("/display/display=" + json_string(*given.display));
+  }
+  if (given.view) {
+    further.push_back("/display/view=" + json_string(*given.view));
+  }
+  return load_scene(given.scene, further);
+}
+
+bool is_ocio_view(const std::string& view) {
+  return view != kGpuView && view != kDiagnosticView;
+}
+
+std::optional<DisplayTransform> display_transform(const Given& given, const Scene& scene) {
+  if (!is_ocio_view(scene.display.view)) {
+    return std::nullopt;
+  }
+  DisplaySettings settings;
+  settings.config = given.ocio_config;
+  settings.display = scene.display.display;
+  settings.view = scene.display.view;
+  settings.pixels.bits = given.bits;
+  settings.pixels.alpha = scene.camera.projection == Projection::fisheye;
+  return DisplayTransform(settings);
+}
+
+RenderRequest request_of(const Scene& scene, const Targets& targets) {
+  RenderRequest request;
+  const bool shown = !targets.png.empty() && scene.display.view != kDiagnosticView;
+  request.bloom = shown || (scene.bloom.in_exr && !targets.exr.empty());
+  request.gpu_tone = shown && scene.display.view == kGpuView;
+  request.tables = !targets.tables.empty();
+  return request;
+}
+
+int dry_run(const Scene& scene, const Targets& targets) {
+  print(describe(scene) + plan_text(plan_for(scene, request_of(scene, targets))));
+  return 0;
+}
+
+void tell_people(const Given& given, const RenderReport& report) {
+  if (!given.quiet) {
+    for (const std::string& warning : report.exr ? exr_warnings(*report.exr) : std::vector<std::string>()) {
+      complain("warning: " + warning);
+    }
+    for (const std::string& file : report.files) {
+      tell(file + "\n");
+    }
+  }
+  if (given.verbose) {
+    tell(details(report));
+  }
+  if (given.timings) {
+    tell(timings_table(report));
+  }
+}
+
+// From a checked scene to files on disk.
+void render_and_publish(const Given& given, const Scene& scene, const Targets& targets,
+                        const std::optional<DisplayTransform>& transform, Stopwatch& watch) {
+  RenderRequest request = request_of(scene, targets);
+  request.host = host_options(given.sampling, given.quiet);
+  std::unique_ptr<Executor> executor;
+  const Rendering rendering = render(device_on_demand(given.scene, executor), scene, request);
+  clear_progress();
+  watch.lap("render");
+  require_valid_vulkan();
+  const std::optional<DeviceInfo> device = executor ? std::optional(executor->device()) : std::nullopt;
+  const PictureContext context{
+      scene,
+      rendering,
+      {to_json(scene), scene.render.method, AIRLIGHT_VERSION, device ? device->name : "the processor"}};
+  const Published done =
+      publish(context, {targets, given.scene.preset, !given.full_float, given.bits}, transform, watch);
+  const Plan plan = plan_for(scene, request);
+  RenderReport report{scene, rendering, plan, device, done.files, done.exr, {}, {}, watch};
+  report.exr_format = given.full_float ? "float" : "half";
+  if (!targets.png.empty()) {
+    report.view = transform ? transform->display() + " / " + transform->view() : scene.display.view;
+  }
+  tell_people(given, report);
+  if (given.json) {
+    print(json_report(report));
+  }
+}
+
+int run_render(const Given& given) {
+  Stopwatch watch;
+  const Scene scene = scene_of(given);
+  const Targets targets = choose_targets(given);
+  if (given.dry_run) {
+    return dry_run(scene, targets);
+  }
+  check_targets(given, targets);
+  watch.lap("preset and checks");
+  std::optional<DisplayTransform> transform;
+  if (!targets.png.empty()) {
+    transform = display_transform(given, scene);
+    watch.lap("OCIO config");
+  }
+  if (!given.quiet) {
+    const std::string warning = validity_warning(scene);
+    if (!warning.empty()) {
+      complain("warning: " + warning);
+    }
+    if (transform && !transform->warning().empty()) {
+      complain("warning: " + transform->warning());
+    }
+  }
+  render_and_publish(given, scene, targets, transform, watch);
+  return 0;
+}
+
+std::vector<Option> render_options(Given& given) {
+  std::vector<Option> options = {
+      {"-o,--output", "FILE.exr", "Write the scene-linear EXR here; then no PNG unless --png asks for it", &given.exr,
+       Completes::file},
+      {"--png", "FILE.png", "Write the picture for people here; then no EXR unless -o asks for it", &given.png,
+       Completes::file},
+      {"--luts", "DIR", "Also write every table into this folder, as 'airlight luts' does", &given.tables,
+       Completes::folder},
+      size_option(given.scene)};
+  for (Option& option : scene_options(given.scene)) {
+    options.push_back(std::move(option));
+  }
+  for (Option& option : sampling_options(given.sampling)) {
+    options.push_back(std::move(option));
+  }
+  const std::vector<Option> rest = {
+      {"--float", "", "32-bit floats in the EXR instead of 16-bit ones", &given.full_float},
+      {"--ocio-config", "FILE", "OpenColorIO config for the PNG; else $OCIO, else the built-in one", &given.ocio_config,
+       Completes::file},
+      {"--display", "NAME", "Display of the OCIO config; short for --set /display/display=NAME", &given.display},
+      {"--view",
+       "NAME",
+       "View of the OCIO display, or gpu for the GPU tone curve, or diagnostic for a picture that colours NaN, "
+       "infinite, negative, zero and other numbers apart; short for --set /display/view=NAME",
+       &given.view,
+       Completes::nothing,
+       {},
+       {},
+       {kGpuView, kDiagnosticView}},
+      {"--bits", "N", "Bits of a channel in the PNG; 8 are dithered", &given.bits, Completes::nothing, {}, {"8", "16"}},
+      {"--timings", "", "Tell where the time went, every millisecond by name", &given.timings},
+      {"--json", "", "Print one JSON object about the render on standard output", &given.json},
+      {"--dry-run", "", "Print the resolved scene and the passes; open no device, write nothing", &given.dry_run},
+      {"-q,--quiet", "", "Say nothing but errors", &given.quiet},
+      {"-v,--verbose", "", "Say more: device, exposure, what was left out", &given.verbose}};
+  options.insert(options.end(), rest.begin(), rest.end());
+  return options;
+}
+
+}  // namespace
+
+Command render_command() {
+  const auto given = std::make_shared<Given>();
+  Command command;
+  command.name = "render";
+  command.summary = "Render a preset to a scene-linear EXR and a PNG";
+  command.description =
+      "Without -o and --png the files are out/NAME.exr and out/NAME.png, NAME being the preset's; the folder out is "
+      "made "
+      "if need be.\n\n"
+      "Every file appears whole or not at all. A result with a NaN, an infinity or a negative value is not written: "
+      "the command fails and says where it is.\n\n"
+      "An EXR of airlight's carries its whole preset: rendering the EXR renders the same picture again.";
+  command.examples = {{"airlight render earth-sunset", "Write out/earth-sunset.exr and out/earth-sunset.png"},
+                      {"airlight render my-sky.json -o sky.exr --png sky.png --sun-elevation 2 --size 1920x1080",
+                       "A preset of one's own, with a lower sun and a larger picture"},
+                      {"airlight render earth-noon --set /camera/pitch_deg=20 --png up.png --view gpu",
+                       "Look up, and show the picture by the GPU tone curve"},
+                      {"airlight render sky.exr -o again.exr", "Render the picture of an EXR again"}};
+  command.positionals = {preset_positional(given->scene)};
+  command.options = render_options(*given);
+  command.run = [given] { return run_render(*given); };
+  return command;
+}
+
+}  // namespace airlight::cli

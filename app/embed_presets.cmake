@@ -1,0 +1,20 @@
+# cmake -DOUT=FILE.cpp -DPRESETS="a.json;b.json" -P embed_presets.cmake
+# The presets' texts as a table in C++, so that the program finds them wherever it runs.
+set(table)
+foreach(file IN LISTS PRESETS)
+  get_filename_component(name ${file} NAME)
+  file(READ ${file} text)
+  string(APPEND table "    {\"${name}\", R\"preset(${text})preset\"},\n")
+endforeach()
+file(WRITE ${OUT} "#include \"app/embedded_presets.h\"
+
+namespace airlight::cli {
+
+const BundledPresets& embedded_presets() {
+  static const BundledPresets presets = {
+${table}  };
+  return presets;
+}
+
+}  // namespace airlight::cli
+")

@@ -1,0 +1,86 @@
+// Registers the commands; the only place that turns an error into an exit code.
+#include <exception>
+#include <memory>
+#include <new>
+
+#include "app/commands.h"
+#include "app/terminal.h"
+#include "core/error.h"
+#include "core/output/atomic_file.h"
+
+namespace airlight::cli {
+namespace {
+
+constexpr int kFailed = 1;
+constexpr int kBadUsage = 2;
+
+Command root_command(Tool& tool) {
+  struct Given {
+    bool version = false;
+    bool verbose = false;
+  };
+  const auto given = std::make_shared<Given>();
+  Command command;
+  command.name = tool.name;
+  command.summary = tool.summary;
+  command.description =
+      "airlight computes the sky of a planet from a preset, a JSON file that describes air, sun, camera and method, on "
+      "any Vulkan device or on the processor alone, without a display. It writes scene-linear radiance as OpenEXR and "
+      "a picture for people as PNG.\n\n"
+      "What another program may read goes to standard output, everything for people to standard error.";
+  command.examples = {{"airlight render earth-sunset", "Write out/earth-sunset.exr and out/earth-sunset.png"},
+                      {"airlight presets", "List the presets that the program brings along"}};
+  command.options = {
+      {"--version", "", "Print the version; with -v also the libraries'", &given->version, {}, {}, {}, {}},
+      {"-v,--verbose", "", "With --version: more detail", &given->verbose, {}, {}, {}, {}}};
+  command.run = [given, &tool] {
+    if (given->version) {
+      print(tool.name + " " + tool.version + "\n" + (given->verbose ? library_versions() : ""));
+      return 0;
+    }
+    tell(help_text(tool, colour_on_stderr()));
+    complain("no command given");
+    return kBadUsage;
+  };
+  return command;
+}
+
+int run(int argc, char** argv) {
+  Tool tool;
+  tool.name = "airlight";
+  tool.version = AIRLIGHT_VERSION;
+  tool.summary = "physically based skies from a JSON preset to EXR and PNG";
+  tool.commands = {render_command(),  luts_command(),    probe_command(), check_command(),          methods_command(),
+                   devices_command(), presets_command(), diff_command(),  completion_command(tool), man_command(tool)};
+  tool.root = root_command(tool);
+  tool.environment = {
+      {"AIRLIGHT_DEVICE", "Part of the name of the Vulkan device to use when --device is not given"},
+      {"AIRLIGHT_VALIDATION", "1 loads the Vulkan validation layer; any message of it makes the run fail"},
+      {"OCIO", "The OpenColorIO configuration to use when --ocio-config is not given"},
+      {"NO_COLOR", "Any value but an empty one keeps colour off the terminal"}};
+  const int code = run_tool(tool, argc, argv);
+  finish_stdout();
+  return code;
+}
+
+}  // namespace
+}  // namespace airlight::cli
+
+int main(int argc, char** argv) {
+  using namespace airlight;
+  cli::ignore_broken_pipes();
+  remove_temporary_files_on_signals();
+  try {
+    return cli::run(argc, argv);
+  } catch (const InputError& error) {
+    cli::complain(error.what());
+    return cli::kBadUsage;
+  } catch (const RunError& error) {
+    cli::complain(error.what());
+  } catch (const std::bad_alloc&) {
+    cli::complain("out of memory; ask for a smaller picture with --size");
+  } catch (const std::exception& error) {
+    cli::complain(std::string("internal error: ") + error.what());
+  }
+  return cli::kFailed;
+}

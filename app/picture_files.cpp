@@ -1,0 +1,135 @@
+#include "app/picture_files.h"
+
+#include <array>
+#include <cmath>
+
+#include "core/output/png.h"
+#include "core/output/quantize.h"
+#include "core/physics/scene_data.h"
+
+namespace airlight::cli {
+namespace {
+
+bool has_outside(const Scene& scene) {
+  return scene.camera.projection == Projection::fisheye;
+}
+
+Axis axis(const physics::vec3& v) {
+  return {v.x, v.y, v.z};
+}
+
+ExrOptions exr_options(const PictureContext& context, bool half) {
+  const Scene& scene = context.scene;
+  ExrOptions options;
+  options.half = half;
+  options.latlong = scene.camera.projection == Projection::equirectangular;
+  const CameraBasis basis = camera_basis(scene.camera);
+  options.world_to_camera =
+      world_to_camera(axis(basis.right), axis(basis.up), axis(basis.forward), scene.camera.altitude);
+  options.comments = scene.name + (scene.name.empty() || scene.description.empty() ? "" : ": ") + scene.description;
+  options.provenance = context.provenance;
+  options.numbers["airlight:exposure"] = static_cast<float>(context.rendering.exposure);
+  return options;
+}
+
+// The GPU tone curve's 16-bit picture as floats, so that 8 bits are dithered as those of any other view.
+RadianceImage gpu_picture(const PictureContext& context) {
+  const RadianceImage& radiance = context.rendering.radiance;
+  RadianceImage picture{radiance.width, radiance.height, {}};
+  picture.rgba.reserve(context.rendering.encoded.size());
+  for (const std::uint16_t value : context.rendering.encoded) {
+    picture.rgba.push_back(static_cast<float>(value) / 65535.0F);
+  }
+  return picture;
+}
+
+struct NumberKind {
+  const char* words;
+  std::array<float, 3> colour;  // display-encoded
+  bool (*holds)(float value);
+};
+
+// In the order of precedence; the last holds for everything.
+const std::array<NumberKind, 5>& number_kinds() {
+  static const std::array<NumberKind, 5> kinds{{
+      {"NaN magenta", {1.0F, 0.0F, 1.0F}, [](float v) { return std::isnan(v); }},
+      {"infinity yellow", {1.0F, 1.0F, 0.0F}, [](float v) { return std::isinf(v); }},
+      {"negative blue", {0.0F, 0.0F, 1.0F}, [](float v) { return v < 0.0F; }},
+      {"finite light grey", {0.8F, 0.8F, 0.8F}, [](float v) { return v > 0.0F; }},
+      {"zero black", {0.0F, 0.0F, 0.0F}, [](float) { return true; }},
+  }};
+  return kinds;
+}
+
+const std::array<float, 3>& diagnostic_colour(const float* rgb) {
+  for (const NumberKind& kind : number_kinds()) {
+    if (kind.holds(rgb[0]) || kind.holds(rgb[1]) || kind.holds(rgb[2])) {
+      return kind.colour;
+    }
+  }
+  return number_kinds().back().colour;
+}
+
+PngOptions png_options(const PictureContext& context, bool srgb) {
+  PngOptions options;
+  options.srgb = srgb;
+  options.texts["Software"] = "airlight " + context.provenance.version;
+  if (!context.scene.description.empty()) {
+    options.texts["Description"] = context.scene.description;
+  }
+  return options;
+}
+
+}  // namespace
+
+ExrFile picture_exr(const PictureContext& context, bool half) {
+  const Rendering& rendering = context.rendering;
+  std::vector<ExrChannel> channels;
+  add_channels(channels, "", rendering.radiance, has_outside(context.scene));
+  if (context.scene.bloom.in_exr && rendering.bloom) {
+    add_channels(channels, "bloom", *rendering.bloom);
+  }
+  if (rendering.standard_error) {
+    add_channels(channels, "standard_error", *rendering.standard_error);
+  }
+  return encode_exr(rendering.radiance.width, rendering.radiance.height, channels, exr_options(context, half));
+}
+
+std::vector<std::byte> picture_png(const PictureContext& context, const std::optional<DisplayTransform>& transform,
+                                   int bits) {
+  const Rendering& rendering = context.rendering;
+  if (transform) {
+    AddedLight glow;
+    if (rendering.bloom) {
+      glow.rgba = rendering.bloom->rgba.data();
+      glow.intensity = static_cast<float>(context.scene.bloom.intensity);
+    }
+    const PixelImage pixels = transform->apply(rendering.radiance, glow, static_cast<float>(rendering.exposure));
+    return encode_png(pixels, png_options(context, transform->is_srgb()));
+  }
+  const bool diagnostic = context.scene.display.view == kDiagnosticView;
+  const QuantizeOptions options{bits, !diagnostic, has_outside(context.scene)};
+  const PixelImage pixels =
+      quantize(diagnostic ? diagnostic_picture(rendering.radiance) : gpu_picture(context), options);
+  return encode_png(pixels, png_options(context, true));
+}
+
+RadianceImage diagnostic_picture(const RadianceImage& radiance) {
+  RadianceImage picture{radiance.width, radiance.height, {}};
+  picture.rgba.reserve(radiance.rgba.size());
+  for (std::size_t i = 0; i < radiance.rgba.size(); i += 4) {
+    const std::array<float, 3>& colour = diagnostic_colour(&radiance.rgba[i]);
+    picture.rgba.insert(picture.rgba.end(), {colour[0], colour[1], colour[2], 1.0F});
+  }
+  return picture;
+}
+
+std::string diagnostic_legend() {
+  std::string text;
+  for (const NumberKind& kind : number_kinds()) {
+    text += (text.empty() ? "" : ", ") + std::string(kind.words);
+  }
+  return text;
+}
+
+}  // namespace airlight::cli

@@ -1,0 +1,38 @@
+#pragma once
+// A rendering as files in memory: the scene-linear EXR, and the PNG for people.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/output/display.h"
+#include "core/output/exr.h"
+#include "core/render/render.h"
+
+namespace airlight::cli {
+
+// Views of `--view` that no OCIO config knows.
+inline constexpr const char* kGpuView = "gpu";                // the GPU tone curve
+inline constexpr const char* kDiagnosticView = "diagnostic";  // what kind of number each pixel holds
+
+struct PictureContext {
+  const Scene& scene;
+  const Rendering& rendering;
+  Provenance provenance;
+};
+
+ExrFile picture_exr(const PictureContext& context, bool half);
+
+// `transform`: none for the two views above.
+std::vector<std::byte> picture_png(const PictureContext& context, const std::optional<DisplayTransform>& transform,
+                                   int bits);
+
+// Colours NaN magenta, infinity yellow, negative blue, finite light grey and zero black. In a pixel of several kinds
+// the first of this list wins.
+RadianceImage diagnostic_picture(const RadianceImage& radiance);
+
+// What the colours mean, for the message that goes with such a picture.
+std::string diagnostic_legend();
+
+}  // namespace airlight::cli

@@ -1,0 +1,20 @@
+#pragma once
+// What the user may write where a preset is expected: a file, an EXR of ours, a built-in preset's name, or "-".
+
+#include <string>
+#include <vector>
+
+#include "core/scene/preset.h"
+
+namespace airlight::cli {
+
+// Throws InputError: no such file or name (with the nearest), an EXR without our preset, and whatever reading finds.
+Preset find_preset(const std::string& argument);
+
+// The built-in presets' names, in order, without ".json".
+std::vector<std::string> built_in_names();
+
+// What a picture of this preset is called unless the user says: the file's or preset's name without folder and ending.
+std::string picture_name(const std::string& argument);
+
+}  // namespace airlight::cli

@@ -1,0 +1,68 @@
+#include "app/sampling_options.h"
+
+#include <charconv>
+#include <limits>
+
+#include "app/progress.h"
+#include "core/error.h"
+#include "core/output/atomic_file.h"
+#include "core/scene/json_format.h"
+
+namespace airlight::cli {
+namespace {
+
+// "0.5%" or "0.005".
+double relative_error(const std::string& text) {
+  const bool percent = text.ends_with('%');
+  const char* last = text.data() + text.size() - (percent ? 1 : 0);
+  double value = 0.0;
+  const auto parsed = std::from_chars(text.data(), last, value);
+  if (parsed.ec != std::errc() || parsed.ptr != last || !(value > 0.0)) {
+    throw InputError("render: --target-error: '" + text + "' is no relative error; write for example 0.5% or 0.005");
+  }
+  return percent ? value / 100.0 : value;
+}
+
+}  // namespace
+
+std::vector<Option> sampling_options(SamplingOptions& options) {
+  constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+  return {{"--samples", "N", "Samples a pixel, of a method that samples; short for --set /render/samples=N",
+           &options.samples, Completes::nothing, Range{1.0, 2147483647.0}},
+          {"--time-limit", "SECONDS", "Stop sampling after so long; short for --set /render/time_limit_s=SECONDS",
+           &options.time_limit, Completes::nothing, Range{0.0, kNoLimit}},
+          {"--target-error", "ERROR",
+           "Stop sampling when the mean standard error is this small, e.g. 0.5%; short for --set "
+           "/render/target_error=0.005",
+           &options.target_error},
+          {"--checkpoint", "FILE", "Keep the samples in this file, and go on from it when it is there",
+           &options.checkpoint, Completes::file}};
+}
+
+std::vector<std::string> overrides(const SamplingOptions& options) {
+  std::vector<std::string> assignments;
+  if (options.samples) {
+    assignments.push_back("/render/samples=" + std::to_string(*options.samples));
+  }
+  if (options.time_limit) {
+    assignments.push_back("/render/time_limit_s=" + format_number(*options.time_limit));
+  }
+  if (options.target_error) {
+    assignments.push_back("/render/target_error=" + format_number(relative_error(*options.target_error)));
+  }
+  return assignments;
+}
+
+HostOptions host_options(const SamplingOptions& options, bool quiet) {
+  HostOptions host;
+  if (!options.checkpoint.empty()) {
+    require_writable(options.checkpoint);
+    host.checkpoint = options.checkpoint;
+  }
+  if (!quiet) {
+    host.report = terminal_progress();
+  }
+  return host;
+}
+
+}  // namespace airlight::cli

@@ -1,0 +1,29 @@
+#pragma once
+// The options of a method that samples: when to stop, and a file to go on from.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/cli.h"
+#include "core/methods/method.h"
+
+namespace airlight::cli {
+
+struct SamplingOptions {
+  std::optional<int> samples;
+  std::optional<double> time_limit;
+  std::optional<std::string> target_error;
+  std::string checkpoint;
+};
+
+std::vector<Option> sampling_options(SamplingOptions& options);
+
+// As overrides of the preset, "POINTER=JSON". Throws InputError when the target is no number or percentage.
+std::vector<std::string> overrides(const SamplingOptions& options);
+
+// How the method runs: its checkpoint, and a line on the terminal that tells how far it is unless `quiet`. Throws
+// InputError when the checkpoint cannot be written.
+HostOptions host_options(const SamplingOptions& options, bool quiet);
+
+}  // namespace airlight::cli

@@ -1,0 +1,28 @@
+#pragma once
+// Standard output and standard error: colour only where a person looks, and a closed pipe is no disaster.
+
+#include <string>
+#include <string_view>
+
+namespace airlight::cli {
+
+// True when the stream is a terminal, NO_COLOR is unset or empty and TERM is not "dumb".
+bool colour_on_stdout();
+bool colour_on_stderr();
+
+// Writes to standard output: what the user asked for, and what another program may read.
+void print(std::string_view text);
+
+// Writes one or more lines to standard error, each prefixed with the tool's name.
+void complain(std::string_view lines);
+
+// Writes to standard error without a prefix: progress, timings, notes for people.
+void tell(std::string_view text);
+
+// A write to a closed pipe fails instead of killing the process, so that files being written are finished or removed.
+void ignore_broken_pipes();
+
+// Flushes standard output. Throws RunError when something printed was lost, except into a pipe whose reader left.
+void finish_stdout();
+
+}  // namespace airlight::cli

@@ -1,0 +1,19 @@
+#pragma once
+// Whether a method's own claim covers a scene.
+
+#include <string>
+#include <vector>
+
+#include "core/methods/method.h"
+#include "core/scene/scene.h"
+
+namespace airlight::cli {
+
+// "a sun below -2 degrees (it is at -4)": each limit that the scene exceeds; empty where the claim holds.
+std::vector<std::string> exceeded_limits(const Validity& validity, const Scene& scene);
+
+// One line for the user when the scene's method does not claim it: why, what it leaves out, which methods do. Empty
+// where it does.
+std::string validity_warning(const Scene& scene);
+
+}  // namespace airlight::cli

@@ -1,0 +1,22 @@
+# Debian 12's libraries, with two packaging quirks worked around.
+find_package(OpenEXR CONFIG REQUIRED)
+find_package(CLI11 CONFIG REQUIRED)
+find_package(nlohmann_json CONFIG REQUIRED)
+find_package(PNG REQUIRED)
+find_package(OpenImageIO CONFIG REQUIRED)
+# libopenimageio-dev's target names an OpenCV include directory that only libopencv-dev ships.
+get_target_property(oiio_includes OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)
+set(oiio_existing)
+foreach(directory IN LISTS oiio_includes)
+  if(EXISTS "${directory}")
+    list(APPEND oiio_existing "${directory}")
+  endif()
+endforeach()
+set_target_properties(OpenImageIO::OpenImageIO PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${oiio_existing}")
+# libopencolorio-dev installs its config where find_package does not look.
+find_package(OpenColorIO CONFIG QUIET)
+if(NOT OpenColorIO_FOUND)
+  find_package(PkgConfig REQUIRED)
+  pkg_check_modules(OCIO REQUIRED IMPORTED_TARGET OpenColorIO)
+  add_library(OpenColorIO::OpenColorIO ALIAS PkgConfig::OCIO)
+endif()

@@ -1,0 +1,19 @@
+#pragma once
+// The two ways the outside world goes wrong. Thrown with the place and the remedy, caught in app/main.cpp alone.
+
+#include <stdexcept>
+#include <string>
+
+namespace airlight {
+
+// A preset, an option or a file given by the user is wrong: exit code 2. May hold several lines, one problem each.
+struct InputError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// Something that worked on paper failed while running (device, memory, disk): exit code 1.
+struct RunError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace airlight

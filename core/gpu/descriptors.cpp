@@ -1,0 +1,69 @@
+#include "core/gpu/descriptors.h"
+
+namespace airlight {
+
+DescriptorCounts count_descriptors(std::span<const Step> steps) {
+  DescriptorCounts counts;
+  for (const Step& step : steps) {
+    ++counts.sets;
+    for (const ShaderBinding& binding : step.program->info.bindings) {
+      switch (binding.kind) {
+        case BindingKind::uniform_block:
+          ++counts.uniform_blocks;
+          break;
+        case BindingKind::sampled_image:
+          ++counts.sampled_images;
+          break;
+        case BindingKind::storage_image:
+          ++counts.storage_images;
+          break;
+        case BindingKind::storage_buffer:
+          ++counts.storage_buffers;
+          break;
+      }
+    }
+  }
+  return counts;
+}
+
+void write_descriptors(const Device& device, const Plan& plan, const RunResources& resources, VkSampler sampler,
+                       const Step& step) {
+  const std::size_t count = step.program->info.bindings.size();
+  std::vector<VkDescriptorImageInfo> images;
+  std::vector<VkDescriptorBufferInfo> buffers;
+  images.reserve(count);  // the writes point into them
+  buffers.reserve(count);
+  std::vector<VkWriteDescriptorSet> writes;
+  const auto add = [&](const ShaderBinding& binding) -> VkWriteDescriptorSet& {
+    return writes.emplace_back(VkWriteDescriptorSet{.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
+                                                    .pNext = nullptr,
+                                                    .dstSet = step.set,
+                                                    .dstBinding = binding.binding,
+                                                    .dstArrayElement = 0,
+                                                    .descriptorCount = 1,
+                                                    .descriptorType = descriptor_type(binding.kind),
+                                                    .pImageInfo = nullptr,
+                                                    .pBufferInfo = nullptr,
+                                                    .pTexelBufferView = nullptr});
+  };
+  for (const MatchedBinding& bound : step.matched.bindings) {
+    const Resource& resource = resources.at(bound.resource);
+    if (resource.buffer) {
+      const BufferDesc& desc = plan.buffers()[std::get<BufferId>(bound.resource).index];
+      buffers.push_back({resource.buffer->get(), 0, desc.bytes});
+      add(bound.binding).pBufferInfo = &buffers.back();
+    } else {
+      const bool is_sampled = bound.binding.kind == BindingKind::sampled_image;
+      images.push_back({is_sampled ? sampler : nullptr, resource.image->view(), VK_IMAGE_LAYOUT_GENERAL});
+      add(bound.binding).pImageInfo = &images.back();
+    }
+  }
+  for (const ShaderBinding& binding : step.program->info.bindings) {
+    if (binding.kind != BindingKind::uniform_block) continue;
+    buffers.push_back({resources.scene()->buffer->get(), 0, plan.scene_data.size()});
+    add(binding).pBufferInfo = &buffers.back();
+  }
+  vkUpdateDescriptorSets(device.get(), static_cast<std::uint32_t>(writes.size()), writes.data(), 0, nullptr);
+}
+
+}  // namespace airlight

@@ -1,0 +1,83 @@
+#pragma once
+// Runs a Plan on a device, reads results back, times each pass.
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/gpu/embedded_shaders.h"
+#include "core/plan/plan.h"
+
+namespace airlight {
+
+struct DeviceInfo {
+  std::string name;
+  std::string driver;       // driver name and version as text
+  std::string api_version;  // "1.3.230"
+  bool is_cpu = false;
+  std::vector<std::string> missing;  // features that airlight needs and the device lacks; empty: usable
+};
+
+struct DeviceOptions {
+  std::string name_substring = {};  // empty: $AIRLIGHT_DEVICE, else the software device, else the first usable one
+  // Load the validation layer; every message is counted and printed to stderr. AIRLIGHT_VALIDATION=1 does the same.
+  bool validation = false;
+  std::size_t kept_bytes_max = std::size_t{1} << 30;  // kept resources beyond it go, the least recently used first
+};
+
+struct PassTiming {
+  std::string name;
+  double milliseconds = 0.0;  // by device timestamps
+};
+
+// Host work inside the executor: "instance", "device" (in the first run's result only), "pipelines", "record",
+// "execute" (submission to completion), "readback".
+struct Milestone {
+  std::string name;
+  double milliseconds = 0.0;
+};
+
+struct RunResult {
+  std::vector<PassTiming> passes;  // in order; a skipped pass (kept outputs) is left out
+  std::vector<Milestone> host;
+  // Contents of a host-readable buffer; valid until the executor's next run or its end.
+  std::span<const std::byte> contents(BufferId id) const { return buffers[id.index]; }
+  std::vector<std::span<const std::byte>> buffers;  // by BufferId, empty where not host-readable
+};
+
+struct MemoryUse {  // images and buffers that an executor holds on the device
+  std::size_t resources = 0;
+  std::size_t bytes = 0;
+  std::size_t kept_bytes = 0;  // of these, kept by key
+};
+
+class Executor {
+ public:
+  // Opens the device. Throws RunError: no Vulkan loader or device (names the Debian package that brings one), no
+  // device of that name (lists the names), a device that lacks features (lists each).
+  // `extra_shaders` stand beside airlight's own and win where names meet; they must outlive the executor.
+  explicit Executor(const DeviceOptions& options, std::span<const EmbeddedShader> extra_shaders = {});
+  ~Executor();
+  Executor(const Executor&) = delete;
+  Executor& operator=(const Executor&) = delete;
+
+  // Checks the plan, builds what is missing, runs it and waits. Throws RunError when the device runs out of memory
+  // (says what was asked for) or fails; std::logic_error when a binding name does not match its shader (names both).
+  RunResult run(const Plan& plan);
+
+  const DeviceInfo& device() const;
+  MemoryUse memory_use() const;
+  // Validation messages seen so far by any executor of this process.
+  static int validation_message_count();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+// Every Vulkan device of the machine, usable or not. Throws RunError when there is no Vulkan loader or none at all.
+std::vector<DeviceInfo> list_devices();
+
+}  // namespace airlight

@@ -1,0 +1,53 @@
+#pragma once
+// What one run in flight needs for itself: command buffer, fence, descriptor sets, timestamp queries. All of it is used
+// again by the next run.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/gpu/device.h"
+#include "core/gpu/handle.h"
+
+namespace airlight {
+
+// Descriptors of each kind that a run's passes have together.
+struct DescriptorCounts {
+  std::uint32_t sets = 0;
+  std::uint32_t uniform_blocks = 0;
+  std::uint32_t sampled_images = 0;
+  std::uint32_t storage_images = 0;
+  std::uint32_t storage_buffers = 0;
+
+  bool fits_in(const DescriptorCounts& other) const;
+};
+
+class Frame {
+ public:
+  explicit Frame(const Device& device);
+
+  // Opens the command buffer; what earlier runs recorded and allocated is gone.
+  VkCommandBuffer begin(const DescriptorCounts& descriptors, std::uint32_t timestamps);
+  // Closes it, submits it and waits for its end. Throws RunError when the device fails.
+  void submit_and_wait();
+
+  VkDescriptorSet descriptor_set(VkDescriptorSetLayout layout);
+  VkQueryPool timestamps() const { return timestamps_.get(); }
+  // Ticks of the first `count` timestamps of the run.
+  std::vector<std::uint64_t> read_timestamps(std::uint32_t count) const;
+
+ private:
+  void reserve_descriptors(const DescriptorCounts& wanted);
+  void reserve_timestamps(std::uint32_t wanted);
+
+  const Device& device_;
+  CommandPoolHandle command_pool_;
+  VkCommandBuffer commands_ = nullptr;  // the pool's
+  FenceHandle fence_;
+  DescriptorPoolHandle descriptor_pool_;
+  DescriptorCounts descriptor_room_;
+  QueryPoolHandle timestamps_;
+  std::uint32_t timestamp_room_ = 0;
+};
+
+}  // namespace airlight

@@ -1,0 +1,75 @@
+#include "core/gpu/image.h"
+
+#include <algorithm>
+
+#include "core/error.h"
+
+namespace airlight {
+namespace {
+
+VkFormat vulkan_format(Format format) {
+  return format == Format::rgba32f ? VK_FORMAT_R32G32B32A32_SFLOAT : VK_FORMAT_R16G16B16A16_SFLOAT;
+}
+
+void check_sides(const Device& device, const ImageDesc& desc, const std::string& what) {
+  const std::uint32_t limit = desc.extent.depth > 1 ? device.limits().image_side_3d : device.limits().image_side_2d;
+  const std::uint32_t longest = std::max({desc.extent.width, desc.extent.height, desc.extent.depth});
+  if (longest > limit) {
+    throw RunError(what + " is too large: the device " + device.info().name + " takes at most " +
+                   std::to_string(limit) + " texels a side");
+  }
+}
+
+}  // namespace
+
+std::string describe_shape(const ImageDesc& desc) {
+  std::string text = std::to_string(desc.extent.width) + "x" + std::to_string(desc.extent.height);
+  if (desc.extent.depth > 1) text += "x" + std::to_string(desc.extent.depth);
+  return text + (desc.format == Format::rgba32f ? " rgba32f" : " rgba16f");
+}
+
+Image::Image(const Device& device, const ImageDesc& desc) : extent_(desc.extent) {
+  const std::string what = "image " + desc.name + ", " + describe_shape(desc);
+  check_sides(device, desc, what);
+  device.check_size(desc.bytes(), what);
+  const bool is_3d = desc.extent.depth > 1;
+  const VkImageCreateInfo image_info{
+      .sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
+      .pNext = nullptr,
+      .flags = 0,
+      .imageType = is_3d ? VK_IMAGE_TYPE_3D : VK_IMAGE_TYPE_2D,
+      .format = vulkan_format(desc.format),
+      .extent = {desc.extent.width, desc.extent.height, desc.extent.depth},
+      .mipLevels = 1,
+      .arrayLayers = 1,
+      .samples = VK_SAMPLE_COUNT_1_BIT,
+      .tiling = VK_IMAGE_TILING_OPTIMAL,
+      .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
+      .sharingMode = VK_SHARING_MODE_EXCLUSIVE,
+      .queueFamilyIndexCount = 0,
+      .pQueueFamilyIndices = nullptr,
+      .initialLayout = VK_IMAGE_LAYOUT_UNDEFINED};
+  VkImage image = nullptr;
+  check(vkCreateImage(device.get(), &image_info, nullptr, &image), "make " + what);
+  image_ = {device.get(), image};
+
+  VkMemoryRequirements needs{};
+  vkGetImageMemoryRequirements(device.get(), image, &needs);
+  bytes_ = needs.size;
+  memory_ = device.allocate(needs, MemoryPlace::device, what);
+  check(vkBindImageMemory(device.get(), image, memory_.get(), 0), "place " + what);
+
+  const VkImageViewCreateInfo view_info{.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
+                                        .pNext = nullptr,
+                                        .flags = 0,
+                                        .image = image,
+                                        .viewType = is_3d ? VK_IMAGE_VIEW_TYPE_3D : VK_IMAGE_VIEW_TYPE_2D,
+                                        .format = image_info.format,
+                                        .components = {},
+                                        .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1}};
+  VkImageView view = nullptr;
+  check(vkCreateImageView(device.get(), &view_info, nullptr, &view), "view " + what);
+  view_ = {device.get(), view};
+}
+
+}  // namespace airlight

@@ -1,0 +1,152 @@
+#include "core/gpu/match.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace airlight {
+namespace {
+
+class Matcher {
+ public:
+  Matcher(const Plan& plan, const PassDesc& pass, const ShaderInfo& shader)
+      : plan_(plan), pass_(pass), shader_(shader) {}
+
+  MatchedPass run() const {
+    MatchedPass matched;
+    for (const Binding& read : pass_.reads) matched.bindings.push_back(match_binding(read, false));
+    for (const Binding& write : pass_.writes) matched.bindings.push_back(match_binding(write, true));
+    check_nothing_left_out();
+    check_blocks();
+    match_constants(matched);
+    match_grid(matched);
+    return matched;
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& problem) const {
+    throw std::logic_error("pass " + pass_name(pass_) + ", shader " + shader_.name + ": " + problem);
+  }
+
+  // "it has a, b": the uniform block is not the pass's to bind.
+  std::string known_bindings() const {
+    std::string text;
+    for (const ShaderBinding& binding : shader_.bindings) {
+      if (binding.kind != BindingKind::uniform_block) text += (text.empty() ? "it has " : ", ") + binding.name;
+    }
+    return text.empty() ? "it has none" : text;
+  }
+
+  std::string known_constants() const {
+    std::string text;
+    for (const SpecializationConstant& constant : shader_.constants) {
+      text += (text.empty() ? "it has " : ", ") + constant.name;
+    }
+    return text.empty() ? "it has none" : text;
+  }
+
+  MatchedBinding match_binding(const Binding& bound, bool writes) const {
+    const auto found = std::find_if(shader_.bindings.begin(), shader_.bindings.end(), [&](const ShaderBinding& b) {
+      return b.name == bound.name && b.kind != BindingKind::uniform_block;
+    });
+    if (found == shader_.bindings.end()) {
+      refuse("the shader has no binding named " + bound.name + "; " + known_bindings());
+    }
+    const std::string what = bound.name + " is " + std::string(describe(found->kind)) + " in the shader";
+    const std::string bound_to = describe(plan_, bound.resource);
+    const bool is_buffer = found->kind == BindingKind::storage_buffer;
+    if (is_buffer != std::holds_alternative<BufferId>(bound.resource)) {
+      refuse(what + " and is bound to " + bound_to);
+    }
+    if (writes && !found->writable) refuse(what + " that is only read; the pass lists it among its writes");
+    if (!writes && found->writable) {
+      refuse(what + " that may be written; declare it readonly there, or list it among the writes");
+    }
+    if (is_buffer) {
+      check_buffer(*found, bound, what + " and is bound to " + bound_to);
+    } else {
+      check_image(*found, bound, what + " and is bound to " + bound_to);
+    }
+    return {*found, bound.resource};
+  }
+
+  void check_image(const ShaderBinding& binding, const Binding& bound, const std::string& what) const {
+    const ImageDesc& image = plan_.images()[std::get<ImageId>(bound.resource).index];
+    if (binding.is_3d != (image.extent.depth > 1)) {
+      refuse(what + ": one of them is 3-D and the other is not");
+    }
+    if (binding.format && *binding.format != image.format) refuse(what + ": their formats differ");
+  }
+
+  void check_buffer(const ShaderBinding& binding, const Binding& bound, const std::string& what) const {
+    const BufferDesc& buffer = plan_.buffers()[std::get<BufferId>(bound.resource).index];
+    if (buffer.bytes < binding.block_bytes) {
+      refuse(what + " of " + std::to_string(buffer.bytes) + " bytes; the shader's block has " +
+             std::to_string(binding.block_bytes));
+    }
+  }
+
+  void check_nothing_left_out() const {
+    for (const ShaderBinding& binding : shader_.bindings) {
+      const auto is_it = [&](const Binding& bound) { return bound.name == binding.name; };
+      if (binding.kind != BindingKind::uniform_block && std::none_of(pass_.reads.begin(), pass_.reads.end(), is_it) &&
+          std::none_of(pass_.writes.begin(), pass_.writes.end(), is_it)) {
+        refuse("the pass binds nothing to " + binding.name + ", " + std::string(describe(binding.kind)));
+      }
+    }
+  }
+
+  void check_blocks() const {
+    for (const ShaderBinding& binding : shader_.bindings) {
+      if (binding.kind == BindingKind::uniform_block && plan_.scene_data.size() < binding.block_bytes) {
+        refuse("the uniform block " + binding.name + " has " + std::to_string(binding.block_bytes) +
+               " bytes, the plan's scene data " + std::to_string(plan_.scene_data.size()));
+      }
+    }
+    const std::size_t pushed = pass_.push_constants.size() * sizeof(std::uint32_t);
+    if (pushed != shader_.push_constant_bytes) {
+      refuse("the push constants have " + std::to_string(shader_.push_constant_bytes) + " bytes in the shader and " +
+             std::to_string(pushed) + " in the pass");
+    }
+  }
+
+  void match_constants(MatchedPass& matched) const {
+    for (const Specialization& wanted : pass_.specialization) {
+      const auto found = std::find_if(shader_.constants.begin(), shader_.constants.end(),
+                                      [&](const SpecializationConstant& c) { return c.name == wanted.name; });
+      if (found == shader_.constants.end()) {
+        refuse("the shader has no specialization constant named " + wanted.name + "; " + known_constants());
+      }
+      const auto is_it = [&](const ConstantValue& constant) { return constant.id == found->id; };
+      if (std::any_of(matched.constants.begin(), matched.constants.end(), is_it)) {
+        refuse("specialization constant " + wanted.name + " is set twice");
+      }
+      matched.constants.push_back({found->id, wanted.value});
+    }
+    std::sort(matched.constants.begin(), matched.constants.end());
+  }
+
+  void match_grid(MatchedPass& matched) const {
+    const std::array<std::uint32_t, 3> grid = {pass_.grid.width, pass_.grid.height, pass_.grid.depth};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      std::uint32_t size = shader_.workgroup_size[axis];
+      for (const ConstantValue& constant : matched.constants) {
+        if (constant.id == shader_.workgroup_size_ids[axis]) size = constant.value;
+      }
+      if (size == 0) refuse("a side of the workgroup is 0");
+      matched.workgroup_size[axis] = size;
+      matched.workgroups[axis] = (grid[axis] - 1) / size + 1;
+    }
+  }
+
+  const Plan& plan_;
+  const PassDesc& pass_;
+  const ShaderInfo& shader_;
+};
+
+}  // namespace
+
+MatchedPass match(const Plan& plan, const PassDesc& pass, const ShaderInfo& shader) {
+  return Matcher(plan, pass, shader).run();
+}
+
+}  // namespace airlight

@@ -1,0 +1,36 @@
+#pragma once
+// A pass against its shader: what the plan names and what the shader declares, brought together. No Vulkan in here.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/gpu/shader.h"
+#include "core/plan/plan.h"
+
+namespace airlight {
+
+struct MatchedBinding {
+  ShaderBinding binding;
+  ResourceId resource;
+};
+
+struct ConstantValue {
+  std::uint32_t id = 0;
+  std::uint32_t value = 0;
+  auto operator<=>(const ConstantValue&) const = default;
+};
+
+struct MatchedPass {
+  std::vector<MatchedBinding> bindings;  // without the uniform block
+  std::vector<ConstantValue> constants;  // sorted; those that the pass sets
+  std::array<std::uint32_t, 3> workgroup_size{1, 1, 1};
+  std::array<std::uint32_t, 3> workgroups{1, 1, 1};
+};
+
+// Throws std::logic_error naming pass, shader and name: a binding or constant that the shader lacks, a binding of the
+// shader that the pass leaves out, another kind, dimension or format, something only read that the shader may write,
+// another count of push constants, too little scene data.
+MatchedPass match(const Plan& plan, const PassDesc& pass, const ShaderInfo& shader);
+
+}  // namespace airlight

@@ -1,0 +1,182 @@
+#include "core/gpu/pipeline.h"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <stdexcept>
+#include <thread>
+
+#include "core/error.h"
+
+namespace airlight {
+namespace {
+
+ShaderModuleHandle make_module(const Device& device, const ShaderInfo& info, std::span<const std::uint32_t> spirv) {
+  const VkShaderModuleCreateInfo module_info{.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
+                                             .pNext = nullptr,
+                                             .flags = 0,
+                                             .codeSize = spirv.size_bytes(),
+                                             .pCode = spirv.data()};
+  VkShaderModule module = nullptr;
+  check(vkCreateShaderModule(device.get(), &module_info, nullptr, &module), "load the shader " + info.name);
+  return {device.get(), module};
+}
+
+DescriptorSetLayoutHandle make_set_layout(const Device& device, const ShaderInfo& info) {
+  std::vector<VkDescriptorSetLayoutBinding> bindings;
+  for (const ShaderBinding& binding : info.bindings) {
+    bindings.push_back({.binding = binding.binding,
+                        .descriptorType = descriptor_type(binding.kind),
+                        .descriptorCount = 1,
+                        .stageFlags = VK_SHADER_STAGE_COMPUTE_BIT,
+                        .pImmutableSamplers = nullptr});
+  }
+  const VkDescriptorSetLayoutCreateInfo layout_info{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
+                                                    .pNext = nullptr,
+                                                    .flags = 0,
+                                                    .bindingCount = static_cast<std::uint32_t>(bindings.size()),
+                                                    .pBindings = bindings.data()};
+  VkDescriptorSetLayout layout = nullptr;
+  check(vkCreateDescriptorSetLayout(device.get(), &layout_info, nullptr, &layout),
+        "lay out the bindings of " + info.name);
+  return {device.get(), layout};
+}
+
+PipelineLayoutHandle make_layout(const Device& device, const ShaderInfo& info, VkDescriptorSetLayout set_layout) {
+  if (info.push_constant_bytes > device.limits().push_constant_bytes) {
+    throw RunError("shader " + info.name + " has " + std::to_string(info.push_constant_bytes) +
+                   " bytes of push constants; the device " + device.info().name + " takes at most " +
+                   std::to_string(device.limits().push_constant_bytes));
+  }
+  const VkPushConstantRange range{.stageFlags = VK_SHADER_STAGE_COMPUTE_BIT,
+                                  .offset = 0,
+                                  .size = static_cast<std::uint32_t>(info.push_constant_bytes)};
+  const VkPipelineLayoutCreateInfo layout_info{.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
+                                               .pNext = nullptr,
+                                               .flags = 0,
+                                               .setLayoutCount = 1,
+                                               .pSetLayouts = &set_layout,
+                                               .pushConstantRangeCount = range.size > 0 ? 1U : 0U,
+                                               .pPushConstantRanges = &range};
+  VkPipelineLayout layout = nullptr;
+  check(vkCreatePipelineLayout(device.get(), &layout_info, nullptr, &layout), "lay out the shader " + info.name);
+  return {device.get(), layout};
+}
+
+// Runs tasks 0 to count - 1 on up to one thread a core; the first exception is thrown again here.
+template <class Task>
+void in_parallel(std::size_t count, const Task& task) {
+  std::atomic<std::size_t> next = 0;
+  std::mutex mutex;
+  std::exception_ptr failure;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < count; i = next++) {
+      try {
+        task(i);
+      } catch (...) {
+        const std::scoped_lock lock(mutex);
+        if (!failure) failure = std::current_exception();
+      }
+    }
+  };
+  const std::size_t threads = std::min<std::size_t>(count, std::max(1U, std::thread::hardware_concurrency()));
+  std::vector<std::jthread> others;
+  for (std::size_t i = 1; i < threads; ++i) others.emplace_back(work);
+  work();
+  others.clear();
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace
+
+VkDescriptorType descriptor_type(BindingKind kind) {
+  switch (kind) {
+    case BindingKind::uniform_block:
+      return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+    case BindingKind::sampled_image:
+      return VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+    case BindingKind::storage_image:
+      return VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+    case BindingKind::storage_buffer:
+      return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+  }
+  return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+}
+
+PipelineCache::PipelineCache(const Device& device, std::span<const EmbeddedShader> extra) : device_(device) {
+  for (const EmbeddedShader& shader : embedded_shaders()) shaders_[std::string(shader.name)] = shader.spirv;
+  for (const EmbeddedShader& shader : extra) shaders_[std::string(shader.name)] = shader.spirv;
+}
+
+const ShaderProgram& PipelineCache::program(const std::string& shader) {
+  if (const auto found = programs_.find(shader); found != programs_.end()) return *found->second;
+  const auto spirv = shaders_.find(shader);
+  if (spirv == shaders_.end()) {
+    std::string names;
+    for (const auto& known : shaders_) names += (names.empty() ? "" : ", ") + known.first;
+    throw std::logic_error("no shader is named " + shader + "; there are: " + names);
+  }
+  auto program = std::make_unique<ShaderProgram>();
+  program->info = reflect(shader, spirv->second);
+  program->spirv = spirv->second;
+  program->module = make_module(device_, program->info, program->spirv);
+  program->set_layout = make_set_layout(device_, program->info);
+  program->layout = make_layout(device_, program->info, program->set_layout.get());
+  return *programs_.emplace(shader, std::move(program)).first->second;
+}
+
+PipelineHandle PipelineCache::compile(const Request& request) const {
+  std::vector<VkSpecializationMapEntry> entries;
+  std::vector<std::uint32_t> values;
+  for (const ConstantValue& constant : request.constants) {
+    entries.push_back({.constantID = constant.id,
+                       .offset = static_cast<std::uint32_t>(values.size() * sizeof(std::uint32_t)),
+                       .size = sizeof(std::uint32_t)});
+    values.push_back(constant.value);
+  }
+  const VkSpecializationInfo specialization{.mapEntryCount = static_cast<std::uint32_t>(entries.size()),
+                                            .pMapEntries = entries.data(),
+                                            .dataSize = values.size() * sizeof(std::uint32_t),
+                                            .pData = values.data()};
+  const ShaderInfo& info = request.program->info;
+  const VkPipelineShaderStageCreateInfo stage{.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
+                                              .pNext = nullptr,
+                                              .flags = 0,
+                                              .stage = VK_SHADER_STAGE_COMPUTE_BIT,
+                                              .module = request.program->module.get(),
+                                              .pName = info.entry_point.c_str(),
+                                              .pSpecializationInfo = &specialization};
+  const VkComputePipelineCreateInfo pipeline_info{.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
+                                                  .pNext = nullptr,
+                                                  .flags = 0,
+                                                  .stage = stage,
+                                                  .layout = request.program->layout.get(),
+                                                  .basePipelineHandle = nullptr,
+                                                  .basePipelineIndex = -1};
+  VkPipeline pipeline = nullptr;
+  check(vkCreateComputePipelines(device_.get(), nullptr, 1, &pipeline_info, nullptr, &pipeline),
+        "compile the shader " + info.name);
+  return {device_.get(), pipeline};
+}
+
+std::vector<VkPipeline> PipelineCache::pipelines(const std::vector<Request>& requests) {
+  std::vector<const Request*> missing;
+  std::vector<PipelineHandle*> places;
+  const auto key = [](const Request& request) { return Key(request.program->info.name, request.constants); };
+  for (const Request& request : requests) {
+    const auto [place, is_new] = pipelines_.try_emplace(key(request));
+    if (!is_new && place->second) continue;
+    if (std::find(places.begin(), places.end(), &place->second) != places.end()) continue;
+    missing.push_back(&request);
+    places.push_back(&place->second);
+  }
+  in_parallel(missing.size(), [&](std::size_t i) { *places[i] = compile(*missing[i]); });
+
+  std::vector<VkPipeline> found;
+  found.reserve(requests.size());
+  for (const Request& request : requests) found.push_back(pipelines_.at(key(request)).get());
+  return found;
+}
+
+}  // namespace airlight

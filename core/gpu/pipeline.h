@@ -1,0 +1,54 @@
+#pragma once
+// Compute pipelines by shader and specialization, made once for an executor's life.
+
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/gpu/device.h"
+#include "core/gpu/embedded_shaders.h"
+#include "core/gpu/match.h"
+#include "core/gpu/shader.h"
+
+namespace airlight {
+
+// What all pipelines of one shader share.
+struct ShaderProgram {
+  ShaderInfo info;
+  std::span<const std::uint32_t> spirv;
+  ShaderModuleHandle module;
+  DescriptorSetLayoutHandle set_layout;
+  PipelineLayoutHandle layout;
+};
+
+VkDescriptorType descriptor_type(BindingKind kind);
+
+class PipelineCache {
+ public:
+  // Shaders by name: those of airlight and `extra`, which wins where names meet.
+  PipelineCache(const Device& device, std::span<const EmbeddedShader> extra);
+
+  // Throws std::logic_error listing the names that exist.
+  const ShaderProgram& program(const std::string& shader);
+
+  struct Request {
+    const ShaderProgram* program;
+    std::vector<ConstantValue> constants;
+  };
+  // One pipeline for each request, in order; what is missing is compiled on all the machine's threads.
+  std::vector<VkPipeline> pipelines(const std::vector<Request>& requests);
+
+ private:
+  using Key = std::pair<std::string, std::vector<ConstantValue>>;
+  PipelineHandle compile(const Request& request) const;
+
+  const Device& device_;
+  std::map<std::string, std::span<const std::uint32_t>, std::less<>> shaders_;
+  std::map<std::string, std::unique_ptr<ShaderProgram>, std::less<>> programs_;
+  std::map<Key, PipelineHandle> pipelines_;
+};
+
+}  // namespace airlight

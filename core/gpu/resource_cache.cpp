@@ -1,0 +1,102 @@
+#include "core/gpu/resource_cache.h"
+
+#include <utility>
+
+namespace airlight {
+namespace {
+
+// A tool alternates a few plans (picture, bloom, tone curve) frame by frame: their resources outlive one round of them.
+constexpr std::uint64_t kIdleRuns = 4;
+
+constexpr VkBufferUsageFlags kUsage = VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
+                                      VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+
+// vkCmdFillBuffer leaves a tail that is no whole word.
+std::size_t whole_words(std::size_t bytes) {
+  return (bytes + 3) / 4 * 4;
+}
+
+std::string shape_of(const BufferDesc& desc, MemoryPlace place) {
+  return std::to_string(desc.bytes) + " bytes at " + std::to_string(static_cast<int>(place));
+}
+
+}  // namespace
+
+void ResourceCache::end_run() {
+  std::erase_if(resources_, [&](const Resource& r) { return r.key.empty() && r.last_run + kIdleRuns <= run_; });
+}
+
+Resource* ResourceCache::find(const std::string& shape, const std::string& key) {
+  for (Resource& resource : resources_) {
+    const bool is_free = !key.empty() || resource.last_run != run_;
+    if (is_free && resource.shape == shape && resource.key == key) {
+      resource.last_run = run_;
+      return &resource;
+    }
+  }
+  return nullptr;
+}
+
+Resource& ResourceCache::add(Resource resource) {
+  resource.last_run = run_;
+  resources_.push_back(std::move(resource));
+  return resources_.back();
+}
+
+Resource& ResourceCache::image(const ImageDesc& desc) {
+  if (Resource* found = find(describe_shape(desc), desc.key)) return *found;
+  if (!desc.key.empty()) make_room(desc.bytes());
+  Resource resource;
+  resource.shape = describe_shape(desc);
+  resource.key = desc.key;
+  resource.image.emplace(device_, desc);
+  return add(std::move(resource));
+}
+
+Resource& ResourceCache::buffer(const BufferDesc& desc, MemoryPlace place) {
+  if (Resource* found = find(shape_of(desc, place), desc.key)) return *found;
+  if (!desc.key.empty()) make_room(desc.bytes);
+  Resource resource;
+  resource.shape = shape_of(desc, place);
+  resource.key = desc.key;
+  resource.buffer.emplace(device_, whole_words(desc.bytes), kUsage, place, "buffer " + desc.name);
+  return add(std::move(resource));
+}
+
+bool ResourceCache::holds(const ImageDesc& desc) {
+  const Resource* found = find(describe_shape(desc), desc.key);
+  return found != nullptr && found->has_contents;
+}
+
+bool ResourceCache::holds(const BufferDesc& desc, MemoryPlace place) {
+  const Resource* found = find(shape_of(desc, place), desc.key);
+  return found != nullptr && found->has_contents;
+}
+
+void ResourceCache::make_room(std::size_t bytes) {
+  while (kept_bytes() + bytes > kept_limit_) {
+    auto oldest = resources_.end();
+    for (auto it = resources_.begin(); it != resources_.end(); ++it) {
+      const bool may_go = !it->key.empty() && it->last_run != run_;
+      if (may_go && (oldest == resources_.end() || it->last_run < oldest->last_run)) oldest = it;
+    }
+    if (oldest == resources_.end()) return;
+    resources_.erase(oldest);
+  }
+}
+
+std::size_t ResourceCache::kept_bytes() const {
+  return memory_use().kept_bytes;
+}
+
+MemoryUse ResourceCache::memory_use() const {
+  MemoryUse use;
+  for (const Resource& resource : resources_) {
+    ++use.resources;
+    use.bytes += resource.bytes();
+    if (!resource.key.empty()) use.kept_bytes += resource.bytes();
+  }
+  return use;
+}
+
+}  // namespace airlight

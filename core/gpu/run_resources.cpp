@@ -1,0 +1,117 @@
+#include "core/gpu/run_resources.h"
+
+#include <algorithm>
+#include <cstring>
+#include <stdexcept>
+
+namespace airlight {
+
+RunResources::RunResources(const Device& device, ResourceCache& cache, const Plan& plan)
+    : plan_(plan),
+      cache_(cache),
+      buffer_place_(device.is_unified() ? MemoryPlace::shared : MemoryPlace::device),
+      images_(plan.images().size()),
+      buffers_(plan.buffers().size()),
+      downloads_(plan.buffers().size()) {
+  for (std::uint32_t i = 0; i < images_.size(); ++i) {
+    const ImageDesc& image = plan.images()[i];
+    if (!image.key.empty() && cache.holds(image)) held_.insert(ImageId{i});
+  }
+  for (std::uint32_t i = 0; i < buffers_.size(); ++i) {
+    const BufferDesc& buffer = plan.buffers()[i];
+    if (!buffer.key.empty() && cache.holds(buffer, buffer_place_)) held_.insert(BufferId{i});
+  }
+}
+
+Resource& RunResources::at(ResourceId id) const {
+  if (const auto* image = std::get_if<ImageId>(&id)) return *images_[image->index];
+  return *buffers_[std::get<BufferId>(id).index];
+}
+
+Resource& RunResources::acquire(ResourceId id) {
+  if (const auto* image = std::get_if<ImageId>(&id)) {
+    Resource*& place = images_[image->index];
+    if (place == nullptr) place = &cache_.image(plan_.images()[image->index]);
+    return *place;
+  }
+  const BufferId buffer = std::get<BufferId>(id);
+  Resource*& place = buffers_[buffer.index];
+  if (place == nullptr) {
+    // A readback's buffer is written by the copy alone: no shader sees it.
+    const bool is_readback = std::any_of(plan_.readbacks().begin(), plan_.readbacks().end(),
+                                         [&](const Plan::Readback& readback) { return readback.buffer == buffer; });
+    place = &cache_.buffer(plan_.buffers()[buffer.index], is_readback ? MemoryPlace::readback : buffer_place_);
+  }
+  return *place;
+}
+
+void RunResources::acquire(std::span<const Step> steps) {
+  for (const Step& step : steps) {
+    for (const MatchedBinding& bound : step.matched.bindings) acquire(bound.resource);
+  }
+  acquire_for_host();
+  check_kept_are_made(steps);
+  write_scene();
+}
+
+void RunResources::acquire_for_host() {
+  for (const Plan::Readback& readback : plan_.readbacks()) acquire(readback.image);
+  for (std::uint32_t i = 0; i < buffers_.size(); ++i) {
+    const BufferDesc& desc = plan_.buffers()[i];
+    if (!desc.host_readable || !acquire(BufferId{i}).buffer->mapped().empty()) continue;
+    downloads_[i] = &cache_.buffer({.name = desc.name + " for the host", .bytes = desc.bytes}, MemoryPlace::readback);
+  }
+}
+
+void RunResources::write_scene() {
+  const std::vector<std::byte>& data = plan_.scene_data;
+  if (data.empty()) return;
+  scene_ = &cache_.buffer({.name = "scene data", .bytes = data.size()}, MemoryPlace::upload);
+  std::memcpy(scene_->buffer->mapped().data(), data.data(), data.size());
+}
+
+const Buffer& RunResources::upload(const BufferDesc& of) {
+  const Buffer& buffer =
+      *cache_.buffer({.name = "upload of " + of.name, .bytes = of.bytes}, MemoryPlace::upload).buffer;
+  std::memcpy(buffer.mapped().data(), of.contents.data(), of.bytes);
+  return buffer;
+}
+
+const std::string& RunResources::key(ResourceId id) const {
+  if (const auto* image = std::get_if<ImageId>(&id)) return plan_.images()[image->index].key;
+  return plan_.buffers()[std::get<BufferId>(id).index].key;
+}
+
+bool RunResources::has_contents(ResourceId id) const {
+  const auto* buffer = std::get_if<BufferId>(&id);
+  return buffer != nullptr && !plan_.buffers()[buffer->index].contents.empty();
+}
+
+void RunResources::check_kept_are_made(std::span<const Step> steps) const {
+  std::set<ResourceId> made = held_;
+  const auto require = [&](ResourceId id, const std::string& who) {
+    if (key(id).empty() || has_contents(id) || made.contains(id)) return;
+    throw std::logic_error(who + " reads " + describe(plan_, id) + ", kept as \"" + key(id) +
+                           "\", but nothing has made it so far");
+  };
+  for (const Step& step : steps) {
+    for (const Binding& read : step.pass->reads) require(read.resource, "pass " + pass_name(*step.pass));
+    for (const Binding& write : step.pass->writes) made.insert(write.resource);
+  }
+  for (const Plan::Readback& readback : plan_.readbacks()) require(readback.image, "the host");
+}
+
+void RunResources::remember(std::span<const Step> steps) {
+  for (Resource* image : images_) {
+    if (image != nullptr) image->has_layout = true;
+  }
+  const auto keep = [&](ResourceId id) { at(id).has_contents = !key(id).empty(); };
+  for (const Step& step : steps) {
+    for (const Binding& write : step.pass->writes) keep(write.resource);
+  }
+  for (std::uint32_t i = 0; i < buffers_.size(); ++i) {
+    if (buffers_[i] != nullptr && has_contents(BufferId{i})) keep(BufferId{i});
+  }
+}
+
+}  // namespace airlight

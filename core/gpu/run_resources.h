@@ -1,0 +1,59 @@
+#pragma once
+// The images and buffers of one run of one plan, out of the cache.
+
+#include <set>
+#include <span>
+#include <vector>
+
+#include "core/gpu/resource_cache.h"
+#include "core/gpu/step.h"
+#include "core/plan/plan.h"
+
+namespace airlight {
+
+class RunResources {
+ public:
+  RunResources(const Device& device, ResourceCache& cache, const Plan& plan);
+
+  // Whether a resource with a key holds what the key promises. Asked once for all of them, before anything is
+  // allocated, so that nothing of this plan is given up for something else of it.
+  bool is_kept(ResourceId id) const { return held_.contains(id); }
+
+  // Allocates what the steps and the host need. Throws std::logic_error when something kept is read that nobody has
+  // made, RunError when the device is out of memory.
+  void acquire(std::span<const Step> steps);
+
+  Resource& at(ResourceId id) const;
+  // Null where the run has no use for it.
+  Resource* image(std::size_t index) const { return images_[index]; }
+  Resource* buffer(std::size_t index) const { return buffers_[index]; }
+  // Where the host reads a buffer that it cannot reach; null where it can, or need not.
+  Resource* download(std::size_t index) const { return downloads_[index]; }
+  // Holds the plan's scene data; null when there is none.
+  const Resource* scene() const { return scene_; }
+  // A buffer for this run that the host fills with the contents of another.
+  const Buffer& upload(const BufferDesc& of);
+
+  // To be called once the run has come to its end: what it made is there.
+  void remember(std::span<const Step> steps);
+
+ private:
+  Resource& acquire(ResourceId id);
+  void acquire_for_host();
+  void write_scene();
+  const std::string& key(ResourceId id) const;
+  bool has_contents(ResourceId id) const;
+  void check_kept_are_made(std::span<const Step> steps) const;
+
+  const Plan& plan_;
+  ResourceCache& cache_;
+  // One place for all buffers that shaders see, so that a kept one is found whatever else a plan says of it.
+  MemoryPlace buffer_place_;
+  std::set<ResourceId> held_;
+  std::vector<Resource*> images_;
+  std::vector<Resource*> buffers_;
+  std::vector<Resource*> downloads_;
+  Resource* scene_ = nullptr;
+};
+
+}  // namespace airlight

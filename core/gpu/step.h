@@ -1,0 +1,24 @@
+#pragma once
+// A pass that runs, with all that its recording needs.
+
+#include "core/gpu/match.h"
+#include "core/gpu/pipeline.h"
+#include "core/plan/plan.h"
+
+namespace airlight {
+
+struct Step {
+  const PassDesc* pass = nullptr;
+  const ShaderProgram* program = nullptr;
+  MatchedPass matched;
+  bool barrier = false;
+  VkPipeline pipeline = nullptr;
+  VkDescriptorSet set = nullptr;
+
+  bool writes(ResourceId id) const;
+};
+
+// Throws RunError naming pass, limit and what was asked for when the step is more than the device takes.
+void check_limits(const Plan& plan, const Step& step, const Device& device);
+
+}  // namespace airlight

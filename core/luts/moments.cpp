@@ -1,0 +1,189 @@
+#include "core/luts/moments.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+#include <string>
+
+#include "core/luts/luts.h"
+#include "core/physics/scene_data.h"
+
+namespace airlight {
+namespace {
+
+struct Nodes {
+  std::vector<double> x;  // 0 to 1
+  std::vector<double> w;
+};
+
+// Gauss-Legendre on 0 to 1, by Newton's method on the Legendre polynomial.
+Nodes gauss_legendre(int n) {
+  Nodes nodes;
+  for (int i = 0; i < n; ++i) {
+    double z = std::cos(std::numbers::pi * (i + 0.75) / (n + 0.5));
+    double slope = 1.0;
+    for (int iteration = 0; iteration < 20; ++iteration) {
+      double p = 1.0;
+      double before = 0.0;
+      for (int j = 1; j <= n; ++j) {
+        const double older = before;
+        before = p;
+        p = ((2.0 * j - 1.0) * z * before - (j - 1.0) * older) / j;
+      }
+      slope = n * (z * p - before) / (z * z - 1.0);
+      z -= p / slope;
+    }
+    nodes.x.push_back(0.5 * (1.0 - z));
+    nodes.w.push_back(1.0 / ((1.0 - z * z) * slope * slope));
+  }
+  return nodes;
+}
+
+// Directions over half the sphere (the other half mirrors it), as orders_bake.comp reads them. Zenith nodes stand at
+// squares of Gauss nodes, dense at the horizon.
+std::vector<float> direction_nodes(int up, int down, int half_azimuths) {
+  std::vector<float> nodes;
+  for (const bool upward : {true, false}) {
+    const Nodes gauss = gauss_legendre(upward ? up : down);
+    for (std::size_t i = 0; i < gauss.x.size(); ++i) {
+      for (int j = 0; j < half_azimuths; ++j) {
+        nodes.push_back(static_cast<float>(gauss.x[i] * gauss.x[i]));
+        nodes.push_back(static_cast<float>(2.0 * gauss.x[i] * gauss.w[i] * 2.0 * std::numbers::pi / half_azimuths));
+        nodes.push_back(static_cast<float>(std::cos(std::numbers::pi * (j + 0.5) / half_azimuths)));
+        nodes.push_back(upward ? 1.0f : -1.0f);
+      }
+    }
+  }
+  return nodes;
+}
+
+struct OrderQuadrature {
+  int up;
+  int down;
+  int half_azimuths;
+  int steps;
+};
+
+// Sunlight scattered once is the least smooth; what follows needs fewer directions.
+constexpr OrderQuadrature kFirstOrder{12, 6, 8, 16};
+constexpr OrderQuadrature kNextOrders{8, 4, 3, 8};
+
+BufferId add_nodes(Plan& plan, const std::string& name, const OrderQuadrature& q) {
+  const std::vector<float> nodes = direction_nodes(q.up, q.down, q.half_azimuths);
+  std::vector<std::byte> bytes(nodes.size() * sizeof(float));
+  std::memcpy(bytes.data(), nodes.data(), bytes.size());
+  const std::size_t size = bytes.size();
+  return plan.add_buffer(
+      {.name = name, .bytes = size, .host_readable = false, .contents = std::move(bytes), .key = {}});
+}
+
+int block_count(const MomentSettings& s) {
+  return (s.degree + 1) * (s.degree + 2) / 2 + 1;
+}
+
+Extent atlas_extent(const MomentSettings& s) {
+  return {static_cast<std::uint32_t>(s.size[0] * block_count(s)), static_cast<std::uint32_t>(s.size[1]), 1};
+}
+
+// Vertical optical depths of scattering, the largest channel.
+struct ScatteringDepths {
+  double forward = 0.0;    // by media that scatter mostly forward
+  double transport = 0.0;  // by all, what is scattered straight on left out: the sum of (1 - first moment) tau
+};
+
+ScatteringDepths scattering_depths(const Scene& scene) {
+  physics::Physics p = make_physics(scene);
+  constexpr int kLayers = 400;
+  ScatteringDepths depths;
+  for (physics::uint i = 0; i < p.media; ++i) {
+    const physics::MediumData& m = p.scene.media[i];
+    double column = 0.0;
+    for (int k = 0; k < kLayers; ++k) {
+      const double h = scene.planet.atmosphere_height * (k + 0.5) / kLayers;
+      column += p.density(p.density_profile(i), m, h) * scene.planet.atmosphere_height / kLayers;
+    }
+    const double depth = column * std::max({m.scattering.x, m.scattering.y, m.scattering.z});
+    depths.forward += m.legendre1 > 0.3 ? depth : 0.0;
+    depths.transport += depth * (1.0 - m.legendre1);
+  }
+  return depths;
+}
+
+}  // namespace
+
+MomentSettings moment_settings(const Scene& scene, int degree, int orders, TableSize size) {
+  constexpr double kThick = 0.02;
+  constexpr int kMostOrders = 40;
+  MomentSettings settings;
+  const ScatteringDepths depths = scattering_depths(scene);
+  const bool thick = depths.forward > kThick;
+  settings.degree = degree >= 0 ? degree : (thick ? 4 : 2);
+  settings.delta = thick;
+  settings.orders =
+      orders > 0 ? std::max(orders, 2) : 3 + static_cast<int>(std::min(3.0 * depths.transport, kMostOrders - 3.0));
+  settings.size = size;
+  return settings;
+}
+
+void add_moment_constants(std::vector<Specialization>& constants, const MomentSettings& settings) {
+  constants.push_back({"kMomentDegree", static_cast<std::uint32_t>(settings.degree)});
+  constants.push_back({"kDeltaScaled", settings.delta ? 1u : 0u});
+  constants.push_back({"kMomentColumns", static_cast<std::uint32_t>(settings.size[0])});
+  constants.push_back({"kMomentRows", static_cast<std::uint32_t>(settings.size[1])});
+}
+
+ImageId add_moments(Plan& plan, const Scene& scene, ImageId transmittance, const MomentSettings& settings) {
+  const Extent atlas = atlas_extent(settings);
+  std::vector<Specialization> constants = sunlight_specialization(plan, scene, transmittance);
+  add_moment_constants(constants, settings);
+  const BufferId sums = plan.add_buffer({.name = "moment_sums",
+                                         .bytes = std::size_t{atlas.width} * atlas.height * 4 * sizeof(float),
+                                         .host_readable = false,
+                                         .contents = {},
+                                         .key = {}});
+  const BufferId first_nodes = add_nodes(plan, "first_order_directions", kFirstOrder);
+  const BufferId next_nodes = add_nodes(plan, "order_directions", kNextOrders);
+  std::vector<ImageId> orders;
+  for (int order = 1; order <= settings.orders; ++order) {
+    const bool first = order == 1;
+    const OrderQuadrature& q = first ? kFirstOrder : kNextOrders;
+    const ImageId out = plan.add_image(
+        {.name = "order" + std::to_string(order), .extent = atlas, .format = Format::rgba32f, .key = {}});
+    std::vector<Specialization> mine = constants;
+    mine.push_back({"kFirstOrder", first ? 1u : 0u});
+    plan.add_pass(
+        {.name = "order" + std::to_string(order),
+         .shader = "orders_bake",
+         .reads = {{"transmittance_lut", transmittance},
+                   {"moments_lut", first ? transmittance : orders.back()},  // the first order reads none
+                   {"nodes", first ? first_nodes : next_nodes}},
+         .writes = {{"order_out", out}, {"sums", sums}},
+         .grid = {64, static_cast<std::uint32_t>(settings.size[0]), static_cast<std::uint32_t>(settings.size[1])},
+         .push_constants = {static_cast<std::uint32_t>((q.up + q.down) * q.half_azimuths),
+                            static_cast<std::uint32_t>(q.steps)},
+         .specialization = mine});
+    orders.push_back(out);
+  }
+  const std::string key = "degree " + std::to_string(settings.degree) + " delta " + std::to_string(settings.delta) +
+                          " orders " + std::to_string(settings.orders);
+  const Extent sources[] = {plan.images()[transmittance.index].extent};
+  const ImageId moments = plan.add_image({.name = "moments",
+                                          .extent = atlas,
+                                          .format = Format::rgba32f,
+                                          .key = table_key(scene, "moments " + key, settings.size, sources)});
+  std::vector<Specialization> shape;
+  add_moment_constants(shape, settings);
+  plan.add_pass({.name = "orders_sum",
+                 .shader = "orders_sum",
+                 .reads = {{"last_order", orders.back()},
+                           {"order_before", orders[orders.size() >= 2 ? orders.size() - 2 : 0]},
+                           {"sums", sums}},
+                 .writes = {{"moments_out", moments}},
+                 .grid = atlas,
+                 .push_constants = {},
+                 .specialization = shape});
+  return moments;
+}
+
+}  // namespace airlight

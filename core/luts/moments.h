@@ -1,0 +1,31 @@
+#pragma once
+// The table of radiance moments by successive orders of scattering (shaders/physics/moments.glsl), for a sun of
+// irradiance 1. It depends on the air and the planet alone: a whole day uses one bake.
+
+#include <cstdint>
+#include <vector>
+
+#include "core/plan/plan.h"
+#include "core/scene/scene.h"
+
+namespace airlight {
+
+struct MomentSettings {
+  int degree = 2;          // highest harmonic kept, 0 to 4
+  bool delta = false;      // forward peaks as unscattered light [W76]
+  int orders = 3;          // computed one by one; the rest is a geometric series
+  TableSize size{48, 12};  // sun elevations x altitudes
+};
+
+// What this air needs: degree 2, or 4 with delta-scaling where forward-peaked media are thick (`degree` -1 chooses);
+// three orders before the tail in thin air, more with the transport optical depth (`orders` 0 chooses).
+MomentSettings moment_settings(const Scene& scene, int degree, int orders, TableSize size);
+
+// Bakes all orders; the image holds log M_00, the ratios M_lm / M_00 and the log of the ground's irradiance, in blocks
+// of size[0] columns side by side.
+ImageId add_moments(Plan& plan, const Scene& scene, ImageId transmittance, const MomentSettings& settings);
+
+// kMomentDegree, kDeltaScaled, kMomentColumns, kMomentRows.
+void add_moment_constants(std::vector<Specialization>& constants, const MomentSettings& settings);
+
+}  // namespace airlight

@@ -1,0 +1,211 @@
+#include "core/measure/analyse.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace airlight::measure {
+namespace {
+
+// A plane without a standard error is exact there (alpha, which no sample touches): idiff's threshold, else infinite.
+constexpr float kExactTolerance = 1e-6F;
+
+struct PlaneErrors {
+  std::string name;
+  const std::vector<float>* a = nullptr;
+  const std::vector<float>* b = nullptr;
+  const std::vector<float>* sigma = nullptr;  // null: none
+  std::vector<float> absolute;
+  std::vector<float> relative;
+  std::vector<float> sigmas;  // empty: none
+};
+
+// Planes laid end to end, so that one index tells plane and pixel.
+struct Group {
+  std::string name;
+  std::vector<const PlaneErrors*> members;
+};
+
+PlaneErrors errors_of(const std::string& name, const std::vector<float>& a, const std::vector<float>& b,
+                      const std::vector<float>& sigma, NonfiniteRule rule) {
+  PlaneErrors errors;
+  errors.name = name;
+  errors.a = &a;
+  errors.b = &b;
+  errors.sigma = sigma.empty() ? nullptr : &sigma;
+  errors.absolute = absolute_errors(a, b, rule);
+  errors.relative = relative_errors(a, b, mean_magnitude(b), rule);
+  if (!sigma.empty()) errors.sigmas = sigma_errors(a, b, sigma, rule);
+  return errors;
+}
+
+PixelReport place(const PicturePair& pair, const Group& group, std::size_t index) {
+  const std::size_t pixels = group.members.front()->absolute.size();
+  const PlaneErrors& plane = *group.members[index / pixels];
+  const std::size_t pixel = index % pixels;
+  const int column = static_cast<int>(pixel % static_cast<std::size_t>(pair.frame.columns));
+  const int row = static_cast<int>(pixel / static_cast<std::size_t>(pair.frame.columns));
+  PixelReport report;
+  report.x = pair.frame.left + column;
+  report.y = pair.frame.top + row;
+  report.a = static_cast<double>((*plane.a)[pixel]);
+  report.b = static_cast<double>((*plane.b)[pixel]);
+  report.channel = plane.name;
+  if (!pair.viewpoint) return report;
+  if (const auto look = look_direction(*pair.viewpoint, pair.frame, column, row)) {
+    report.elevation_deg = look->elevation / kDegree;
+    report.azimuth_deg = look->azimuth / kDegree;
+  }
+  return report;
+}
+
+std::vector<float> joined(const Group& group, std::vector<float> PlaneErrors::*errors) {
+  std::vector<float> all;
+  for (const PlaneErrors* plane : group.members) {
+    all.insert(all.end(), (plane->*errors).begin(), (plane->*errors).end());
+  }
+  return all;
+}
+
+ErrorSummary summarize_group(const Group& group, std::vector<float> PlaneErrors::*errors, const Area& area) {
+  if (group.members.size() == 1) return summarize(group.members.front()->*errors, area);
+  return summarize(joined(group, errors), area);
+}
+
+ChannelReport report_group(const PicturePair& pair, const Group& group, const Area& area, const Limits& limits) {
+  ChannelReport report;
+  report.name = group.name;
+  report.absolute = summarize_group(group, &PlaneErrors::absolute, area);
+  report.relative = summarize_group(group, &PlaneErrors::relative, area);
+  const bool has_sigma = std::all_of(group.members.begin(), group.members.end(),
+                                     [](const PlaneErrors* plane) { return plane->sigma != nullptr; });
+  if (has_sigma) {
+    report.sigma = summarize_group(group, &PlaneErrors::sigmas, area);
+    report.chi_square.emplace();
+  }
+  for (const PlaneErrors* plane : group.members) {
+    report.deviation += deviation(*plane->a, *plane->b, area, pair.nonfinite);
+    if (has_sigma) *report.chi_square += chi_square(*plane->a, *plane->b, *plane->sigma, area, pair.nonfinite);
+    const std::vector<float>& judged = has_sigma ? plane->sigmas : plane->absolute;
+    if (pair.in_sigmas && !has_sigma) continue;
+    if (limits.fail) report.over_fail += count_over(judged, *limits.fail, area);
+    if (limits.warn) report.over_warn += count_over(judged, *limits.warn, area);
+  }
+  if (report.absolute.count > 0) {
+    report.worst_absolute = place(pair, group, report.absolute.worst);
+    report.worst_relative = place(pair, group, report.relative.worst);
+  }
+  return report;
+}
+
+// What each pixel is judged by: the largest over the planes.
+std::vector<float> judged_pixels(const PicturePair& pair, const std::vector<PlaneErrors>& planes) {
+  std::vector<float> largest(planes.front().absolute.size(), 0.0F);
+  for (const PlaneErrors& plane : planes) {
+    const bool exact = pair.in_sigmas && plane.sigma == nullptr;
+    const std::vector<float>& errors = plane.sigma != nullptr ? plane.sigmas : plane.absolute;
+    for (std::size_t i = 0; i < largest.size(); ++i) {
+      const float error = !exact                         ? errors[i]
+                          : errors[i] <= kExactTolerance ? 0.0F
+                                                         : std::numeric_limits<float>::infinity();
+      largest[i] = std::max(largest[i], error);
+    }
+  }
+  return largest;
+}
+
+std::vector<float> largest_relative(const std::vector<PlaneErrors>& planes) {
+  std::vector<float> largest = planes.front().relative;
+  for (const PlaneErrors& plane : planes) {
+    for (std::size_t i = 0; i < largest.size(); ++i) largest[i] = std::max(largest[i], plane.relative[i]);
+  }
+  return largest;
+}
+
+std::size_t unequal_nonfinite_pixels(const std::vector<PlaneErrors>& planes) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < planes.front().absolute.size(); ++i) {
+    const bool any = std::any_of(planes.begin(), planes.end(), [&](const PlaneErrors& plane) {
+      return std::isinf(plane.absolute[i]) && (!std::isfinite((*plane.a)[i]) || !std::isfinite((*plane.b)[i]));
+    });
+    if (any) ++count;
+  }
+  return count;
+}
+
+std::vector<Group> groups_of(const std::vector<PlaneErrors>& planes, const std::vector<std::size_t>& colours,
+                             const PlaneErrors* luminance_errors) {
+  std::vector<Group> groups;
+  for (const PlaneErrors& plane : planes) groups.push_back({plane.name, {&plane}});
+  if (luminance_errors != nullptr) groups.push_back({luminance_errors->name, {luminance_errors}});
+  Group pooled{"pooled", {}};
+  for (const std::size_t index : colours) pooled.members.push_back(&planes[index]);
+  groups.push_back(std::move(pooled));
+  return groups;
+}
+
+void report_areas(const PicturePair& pair, const std::vector<Group>& groups, const Limits& limits,
+                  ComparisonReport& report) {
+  const auto add = [&](std::string_view name, const Area& area, std::size_t pixels) {
+    AreaReport& entry = report.areas.emplace_back();
+    entry.name = name;
+    entry.pixels = pixels;
+    for (const Group& group : groups) entry.channels.push_back(report_group(pair, group, area, limits));
+  };
+  add("picture", {}, report.pixels);
+  if (!pair.viewpoint) return;
+  const std::vector<RegionBits> bits = classify(*pair.viewpoint, pair.frame);
+  for (const auto& [region, name] : kRegions) {
+    const auto pixels = std::count_if(bits.begin(), bits.end(), [&](RegionBits b) { return (b & region) != 0; });
+    if (pixels > 0) add(name, {.bits = bits, .wanted = region}, static_cast<std::size_t>(pixels));
+  }
+}
+
+}  // namespace
+
+std::vector<std::size_t> colour_planes(const std::vector<Plane>& planes) {
+  std::vector<std::size_t> colours;
+  for (const char* name : {"R", "G", "B"}) {
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+      if (planes[i].name == name) colours.push_back(i);
+    }
+  }
+  if (colours.size() == 3) return colours;
+  colours.clear();
+  for (std::size_t i = 0; i < planes.size(); ++i) colours.push_back(i);
+  return colours;
+}
+
+std::vector<float> analyse(const PicturePair& pair, const Limits& limits, ComparisonReport& report) {
+  report.width = pair.frame.width;
+  report.height = pair.frame.height;
+  std::vector<PlaneErrors> planes;
+  planes.reserve(pair.planes.size());
+  for (const Plane& plane : pair.planes) {
+    report.channels.push_back(plane.name);
+    planes.push_back(errors_of(plane.name, plane.a, plane.b, plane.sigma, pair.nonfinite));
+  }
+  report.pixels = planes.front().absolute.size();
+  report.unequal_nonfinite = unequal_nonfinite_pixels(planes);
+
+  const std::vector<std::size_t> colours = colour_planes(pair.planes);
+  const bool has_colour = colours.size() == 3 && pair.planes[colours[0]].name == "R";
+  Plane luminance_plane{.name = "luminance", .a = {}, .b = {}, .sigma = {}};
+  PlaneErrors luminance_errors;
+  if (has_colour) {
+    const Plane& r = pair.planes[colours[0]];
+    const Plane& g = pair.planes[colours[1]];
+    const Plane& b = pair.planes[colours[2]];
+    luminance_plane.a = luminance(r.a, g.a, b.a, pair.luminance_weights);
+    luminance_plane.b = luminance(r.b, g.b, b.b, pair.luminance_weights);
+    luminance_errors = errors_of(luminance_plane.name, luminance_plane.a, luminance_plane.b, {}, pair.nonfinite);
+  }
+  report_areas(pair, groups_of(planes, colours, has_colour ? &luminance_errors : nullptr), limits, report);
+
+  const std::vector<float> judged = judged_pixels(pair, planes);
+  report.largest = static_cast<double>(*std::max_element(judged.begin(), judged.end()));
+  if (limits.fail) report.pixels_over_fail = count_over(judged, *limits.fail);
+  if (limits.warn) report.pixels_over_warn = count_over(judged, *limits.warn);
+  return pair.in_sigmas ? judged : largest_relative(planes);
+}
+
+}  // namespace airlight::measure

@@ -1,0 +1,46 @@
+#include "core/measure/compare_module.h"
+
+#include <dlfcn.h>
+
+#include <filesystem>
+
+#include "core/error.h"
+
+namespace airlight::measure {
+namespace {
+
+constexpr const char* kModuleFile = "airlight_compare.so";
+
+std::filesystem::path find_module() {
+  std::error_code problem;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", problem);
+  if (problem)
+    throw RunError("/proc/self/exe: " + problem.message() + "; /proc must be mounted to find " + kModuleFile);
+  const std::filesystem::path beside = program.parent_path() / kModuleFile;
+  const std::filesystem::path installed = program.parent_path().parent_path() / "lib" / "airlight" / kModuleFile;
+  for (const std::filesystem::path& candidate : {beside, installed}) {
+    if (std::filesystem::exists(candidate, problem)) return candidate;
+  }
+  throw RunError(std::string(kModuleFile) + ": is neither at " + beside.string() + " nor at " + installed.string() +
+                 "; build the target airlight_compare or install it with the program");
+}
+
+CompareFunction open_module() {
+  const std::filesystem::path file = find_module();
+  void* const handle = dlopen(file.c_str(), RTLD_LAZY | RTLD_LOCAL);
+  if (handle == nullptr) {
+    throw RunError(std::string(dlerror()) + "; it needs OpenImageIO's library (Debian: libopenimageio2.4)");
+  }
+  void* const entry = dlsym(handle, kCompareEntry);
+  if (entry == nullptr) throw RunError(file.string() + ": has no entry " + kCompareEntry + "; build it again");
+  return reinterpret_cast<CompareFunction>(entry);
+}
+
+}  // namespace
+
+CompareFunction load_compare() {
+  static const CompareFunction compare = open_module();
+  return compare;
+}
+
+}  // namespace airlight::measure

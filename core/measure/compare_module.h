@@ -1,0 +1,12 @@
+#pragma once
+// Loads the module that compares.
+
+#include "core/measure/compare.h"
+
+namespace airlight::measure {
+
+// Looks beside the running program, then in ../lib/airlight from there. Loaded once, kept for the life of the process.
+// Throws RunError when it is missing or does not load.
+CompareFunction load_compare();
+
+}  // namespace airlight::measure

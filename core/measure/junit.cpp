@@ -1,0 +1,103 @@
+#include <algorithm>
+
+#include "core/measure/report.h"
+#include "core/measure/words.h"
+
+namespace airlight::measure {
+namespace {
+
+constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  // U+FFFD
+
+bool follows(std::string_view text, std::size_t at) {
+  return at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U;
+}
+
+// Bytes of the valid UTF-8 character at `at` that XML 1.0 allows; 0 where there is none.
+std::size_t character_length(std::string_view text, std::size_t at) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned int>(static_cast<unsigned char>(text[i])); };
+  const unsigned int first = byte(at);
+  if (first < 0x80U) return first >= 0x20U || first == '\t' || first == '\n' || first == '\r' ? 1 : 0;
+  if (first >= 0xC2U && first < 0xE0U) return follows(text, at + 1) ? 2 : 0;
+  if (first >= 0xE0U && first < 0xF0U && follows(text, at + 1) && follows(text, at + 2)) {
+    const unsigned int code = (first & 0x0FU) << 12U | (byte(at + 1) & 0x3FU) << 6U | (byte(at + 2) & 0x3FU);
+    const bool allowed = code >= 0x800U && (code < 0xD800U || code > 0xDFFFU) && code < 0xFFFEU;
+    return allowed ? 3 : 0;
+  }
+  if (first >= 0xF0U && first < 0xF5U && follows(text, at + 1) && follows(text, at + 2) && follows(text, at + 3)) {
+    const unsigned int high = (first & 0x07U) << 6U | (byte(at + 1) & 0x3FU);
+    return high >= 0x10U && high < 0x110U ? 4 : 0;
+  }
+  return 0;
+}
+
+std::string_view entity(char letter) {
+  switch (letter) {
+    case '&':
+      return "&amp;";
+    case '<':
+      return "&lt;";
+    case '>':
+      return "&gt;";
+    case '"':
+      return "&quot;";
+    case '\'':
+      return "&apos;";
+    default:
+      return "";
+  }
+}
+
+std::string joined(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += (text.empty() ? "" : "; ") + line;
+  return text;
+}
+
+std::string case_xml(const NamedReport& entry) {
+  const ComparisonReport& report = entry.report;
+  std::string xml = "  <testcase classname=\"airlight.diff\" name=\"" + xml_escaped(entry.name) + "\">\n";
+  const std::string body = xml_escaped(describe_briefly(entry));
+  if (report.verdict == Verdict::differ) {
+    xml +=
+        "    <failure type=\"differ\" message=\"" + xml_escaped(joined(report.reasons)) + "\">" + body + "</failure>\n";
+  } else if (report.verdict == Verdict::cannot_compare) {
+    xml += "    <error type=\"cannot compare\" message=\"" + xml_escaped(report.problem) + "\">" + body + "</error>\n";
+  } else {
+    xml += "    <system-out>" + body + "</system-out>\n";
+  }
+  return xml + "  </testcase>\n";
+}
+
+}  // namespace
+
+std::string xml_escaped(std::string_view text) {
+  std::string escaped;
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = character_length(text, i);
+    if (length == 0) {
+      escaped += kReplacement;
+      ++i;
+    } else if (const std::string_view named = entity(text[i]); !named.empty()) {
+      escaped += named;
+      ++i;
+    } else {
+      escaped += text.substr(i, length);
+      i += length;
+    }
+  }
+  return escaped;
+}
+
+std::string junit_xml(const std::vector<NamedReport>& entries) {
+  const auto count = [&](Verdict verdict) {
+    return std::to_string(std::count_if(entries.begin(), entries.end(),
+                                        [&](const NamedReport& entry) { return entry.report.verdict == verdict; }));
+  };
+  std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"airlight diff\" tests=\"" +
+                    std::to_string(entries.size()) + "\" failures=\"" + count(Verdict::differ) + "\" errors=\"" +
+                    count(Verdict::cannot_compare) + "\">\n";
+  for (const NamedReport& entry : entries) xml += case_xml(entry);
+  return xml + "</testsuite>\n";
+}
+
+}  // namespace airlight::measure

@@ -1,0 +1,239 @@
+// The module's entry: two files and a request -> a report.
+#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imagebufalgo.h>
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+
+#include "core/error.h"
+#include "core/measure/analyse.h"
+#include "core/measure/compare.h"
+#include "core/measure/error_picture.h"
+#include "core/measure/judge.h"
+#include "core/measure/module_exr.h"
+#include "core/measure/module_png.h"
+#include "core/measure/words.h"
+
+namespace airlight::measure {
+namespace {
+
+std::string size_words(const PixelFrame& frame) {
+  return std::to_string(frame.width) + "x" + std::to_string(frame.height);
+}
+
+std::string window_words(const PixelFrame& frame) {
+  return std::to_string(frame.columns) + "x" + std::to_string(frame.rows) + " pixels stored from (" +
+         std::to_string(frame.left) + ", " + std::to_string(frame.top) + ")";
+}
+
+std::string listed(const std::vector<std::string>& names, const char* between) {
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : between) + name;
+  return list;
+}
+
+void require_same_frame(const std::string& file_a, const PixelFrame& a, const std::string& file_b,
+                        const PixelFrame& b) {
+  if (a.width != b.width || a.height != b.height) {
+    throw InputError("sizes differ: " + file_a + " is " + size_words(a) + ", " + file_b + " is " + size_words(b));
+  }
+  if (a.left != b.left || a.top != b.top || a.columns != b.columns || a.rows != b.rows) {
+    throw InputError("data windows differ: " + file_a + " has " + window_words(a) + ", " + file_b + " has " +
+                     window_words(b));
+  }
+}
+
+std::optional<std::size_t> place_of(const ExrLayer& layer, const std::string& channel) {
+  const auto found = std::find(layer.channels.begin(), layer.channels.end(), channel);
+  if (found == layer.channels.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - layer.channels.begin());
+}
+
+std::vector<std::size_t> places_of(const ExrHeader& header, const ExrLayer& layer,
+                                   const std::vector<std::string>& channels) {
+  std::vector<std::size_t> places;
+  for (const std::string& channel : channels) {
+    const auto place = place_of(layer, channel);
+    if (!place) {
+      throw InputError(header.file + ": has no channel '" + channel + "'; it has " + listed(layer.channels, ", "));
+    }
+    places.push_back(*place);
+  }
+  return places;
+}
+
+// The channels to compare: those asked for, else all, which must be the same in both.
+std::vector<std::string> choose_channels(const ComparisonRequest& request, const ExrLayer& a, const ExrLayer& b) {
+  if (!request.channels.empty()) return request.channels;
+  std::vector<std::string> sorted_a = a.channels;
+  std::vector<std::string> sorted_b = b.channels;
+  std::sort(sorted_a.begin(), sorted_a.end());
+  std::sort(sorted_b.begin(), sorted_b.end());
+  if (sorted_a == sorted_b) return a.channels;
+  std::vector<std::string> common;
+  for (const std::string& channel : a.channels) {
+    if (place_of(b, channel)) common.push_back(channel);
+  }
+  std::string message = "channels differ: " + request.a + " has " + listed(a.channels, " ") + ", " + request.b +
+                        " has " + listed(b.channels, " ");
+  if (!common.empty()) message += "; compare what both have with --channels " + listed(common, ",");
+  throw InputError(message);
+}
+
+// The layer of a standard-error file: by name, or the one that is called so, or the main picture.
+const ExrLayer& find_sigma_layer(const ExrHeader& header, const std::string& name) {
+  if (!name.empty()) return find_layer(header, name);
+  for (const char* usual : {"standard_error", "standard-error", "stderr"}) {
+    for (const ExrLayer& layer : header.layers) {
+      if (layer.name == usual) return layer;
+    }
+  }
+  return find_layer(header, "");
+}
+
+// Adds one file's standard errors in quadrature; alpha may be absent from it.
+void add_standard_error(const ComparisonRequest& request, const std::string& file, PicturePair& pair) {
+  const ExrHeader header = read_exr_header(file);
+  const ExrLayer& layer = find_sigma_layer(header, request.standard_error_layer);
+  require_same_frame(request.a, pair.frame, file, layer.frame);
+  std::vector<std::string> channels;
+  std::vector<Plane*> planes;
+  for (Plane& plane : pair.planes) {
+    if (plane.name == "A" && !place_of(layer, "A")) continue;
+    channels.push_back(plane.name);
+    planes.push_back(&plane);
+  }
+  if (channels.empty()) throw InputError(file + ": holds no standard error of the channels compared");
+  const std::vector<std::vector<float>> values = read_exr_channels(header, layer, places_of(header, layer, channels));
+  for (std::size_t k = 0; k < planes.size(); ++k) {
+    planes[k]->sigma.resize(values[k].size(), 0.0F);
+    for (std::size_t i = 0; i < values[k].size(); ++i) {
+      if (!(values[k][i] >= 0.0F) || !std::isfinite(values[k][i])) {
+        throw InputError(file + ": channel " + channels[k] + " holds " + number(static_cast<double>(values[k][i])) +
+                         ", which is no standard error; expected numbers from 0");
+      }
+      planes[k]->sigma[i] = std::hypot(planes[k]->sigma[i], values[k][i]);
+    }
+  }
+}
+
+PicturePair read_pair(const ComparisonRequest& request, const ExrHeader& a, const ExrHeader& b) {
+  const ExrLayer& layer_a = find_layer(a, request.layer);
+  const ExrLayer& layer_b = find_layer(b, request.layer);
+  require_same_frame(a.file, layer_a.frame, b.file, layer_b.frame);
+  const std::vector<std::string> channels = choose_channels(request, layer_a, layer_b);
+  PicturePair pair;
+  pair.frame = layer_a.frame;
+  pair.luminance_weights = luminance_weights(b.chromaticities);
+  pair.nonfinite = request.allow_nonfinite ? NonfiniteRule::equal_to_same : NonfiniteRule::never_equal;
+  pair.in_sigmas = !request.standard_errors.empty();
+  std::vector<std::vector<float>> values_a = read_exr_channels(a, layer_a, places_of(a, layer_a, channels));
+  std::vector<std::vector<float>> values_b = read_exr_channels(b, layer_b, places_of(b, layer_b, channels));
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    pair.planes.push_back({channels[i], std::move(values_a[i]), std::move(values_b[i]), {}});
+  }
+  for (const std::string& file : request.standard_errors) add_standard_error(request, file, pair);
+  return pair;
+}
+
+// From where the pictures were taken: what the request says, else the reference's own preset, else A's.
+void find_viewpoint(const ComparisonRequest& request, const ExrHeader& a, const ExrHeader& b, PicturePair& pair,
+                    ComparisonReport& report) {
+  if (!request.view_preset.empty()) {
+    pair.viewpoint = viewpoint_from_preset(request.view_preset);
+    return;
+  }
+  const ExrHeader& teller = b.preset ? b : a;
+  if (!teller.preset) return;
+  try {
+    pair.viewpoint = viewpoint_from_preset(*teller.preset);
+  } catch (const InputError& problem) {
+    report.notes.push_back(teller.file + ": " + problem.what() + "; no regions");
+  }
+}
+
+void compare_presets(const ExrHeader& a, const ExrHeader& b, ComparisonReport& report) {
+  if (!a.preset || !b.preset) return;
+  try {
+    report.preset_keys = preset_difference(*a.preset, *b.preset);
+    report.presets_known = true;
+  } catch (const InputError& problem) {
+    report.notes.push_back(std::string("presets not compared: ") + problem.what());
+  }
+}
+
+void note_other_layers(const ComparisonRequest& request, const ExrHeader& header, ComparisonReport& report) {
+  std::vector<std::string> others;
+  const std::string& compared = find_layer(header, request.layer).name;
+  for (const ExrLayer& layer : header.layers) {
+    if (layer.name != compared) others.push_back(layer.name.empty() ? "the main picture" : layer.name);
+  }
+  if (!others.empty()) report.notes.push_back(header.file + ": not compared: " + listed(others, ", "));
+}
+
+void count_nonfinite(const PicturePair& pair, ComparisonReport& report) {
+  const auto count = [&](const std::vector<float>& values, std::size_t& nan, std::size_t& infinite) {
+    // Only read from: ImageBuf wraps memory that it may write to.
+    float* const pixels = const_cast<float*>(values.data());
+    const OIIO::ImageBuf buffer(OIIO::ImageSpec(pair.frame.columns, pair.frame.rows, 1, OIIO::TypeFloat), pixels);
+    const OIIO::ImageBufAlgo::PixelStats stats = OIIO::ImageBufAlgo::computePixelStats(buffer);
+    nan = static_cast<std::size_t>(stats.nancount[0]);
+    infinite = static_cast<std::size_t>(stats.infcount[0]);
+  };
+  for (const Plane& plane : pair.planes) {
+    NonfiniteCount entry;
+    entry.channel = plane.name;
+    count(plane.a, entry.nan_a, entry.infinite_a);
+    count(plane.b, entry.nan_b, entry.infinite_b);
+    if (entry.nan_a + entry.infinite_a + entry.nan_b + entry.infinite_b > 0) report.nonfinite.push_back(entry);
+  }
+}
+
+void draw(const ComparisonRequest& request, const PicturePair& pair, const std::vector<float>& errors,
+          ComparisonReport& report) {
+  if (!request.heatmap && !request.side_by_side) return;
+  const ErrorScale scale = scale_for(errors, pair.in_sigmas, request.heatmap_max);
+  const PictureSize size{pair.frame.columns, pair.frame.rows};
+  if (request.heatmap) report.heatmap_png = encode_png(draw_heatmap(errors, size, scale));
+  if (!request.side_by_side) return;
+  const std::vector<std::size_t> colours = colour_planes(pair.planes);
+  const bool grey = colours.size() != 3;
+  const Plane& red = pair.planes[colours[0]];
+  const Plane& green = pair.planes[grey ? colours[0] : colours[1]];
+  const Plane& blue = pair.planes[grey ? colours[0] : colours[2]];
+  report.side_by_side_png =
+      encode_png(draw_side_by_side({red.a, green.a, blue.a}, {red.b, green.b, blue.b}, errors, size, scale));
+}
+
+void compare(const ComparisonRequest& request, ComparisonReport& report) {
+  const ExrHeader a = read_exr_header(request.a);
+  const ExrHeader b = read_exr_header(request.b);
+  compare_presets(a, b, report);
+  PicturePair pair = read_pair(request, a, b);
+  find_viewpoint(request, a, b, pair, report);
+  note_other_layers(request, a, report);
+  note_other_layers(request, b, report);
+  count_nonfinite(pair, report);
+  const Limits limits = limits_in_force(request.limits, pair.in_sigmas);
+  const std::vector<float> errors = analyse(pair, limits, report);
+  judge(limits, pair.in_sigmas, report);
+  draw(request, pair, errors, report);
+}
+
+}  // namespace
+}  // namespace airlight::measure
+
+extern "C" __attribute__((visibility("default"))) void airlight_compare(
+    const airlight::measure::ComparisonRequest& request, airlight::measure::ComparisonReport& report) {
+  using airlight::measure::one_line;
+  try {
+    airlight::measure::compare(request, report);
+    return;
+  } catch (const std::bad_alloc&) {
+    report.problem = request.a + ", " + request.b + ": not enough memory to compare them";
+  } catch (const std::exception& problem) {
+    report.problem = one_line(problem.what());
+  }
+  report.verdict = airlight::measure::Verdict::cannot_compare;
+}

@@ -1,0 +1,42 @@
+#pragma once
+// EXR files through OpenImageIO, as the comparison needs them. Only the module sees this header.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/measure/luminance.h"
+#include "core/measure/view_geometry.h"
+
+namespace airlight::measure {
+
+// Channels of one layer in one part. A layer is what stands before the last dot of a channel's name; channels without a
+// dot belong to the main picture in the first part, and to a layer of the part's name in the others.
+struct ExrLayer {
+  std::string name;       // empty: the main picture
+  std::string part_name;  // empty: the part has none
+  int part = 0;
+  PixelFrame frame;
+  std::vector<std::string> channels;  // "R"
+  std::vector<int> indexes;           // in the part
+  std::vector<float> units;           // what the values read are multiplied by
+};
+
+struct ExrHeader {
+  std::string file;
+  std::vector<ExrLayer> layers;
+  Chromaticities chromaticities = kBt709;
+  std::optional<std::string> preset;
+};
+
+// Throws InputError: missing, a directory, not an EXR, damaged, deep data.
+ExrHeader read_exr_header(const std::string& file);
+
+// Throws InputError that lists the layers there are. An empty name means the main picture, or the only layer.
+const ExrLayer& find_layer(const ExrHeader& header, const std::string& name);
+
+// Channels of the layer by their places there. Throws InputError when the file is damaged or cut short.
+std::vector<std::vector<float>> read_exr_channels(const ExrHeader& header, const ExrLayer& layer,
+                                                  const std::vector<std::size_t>& places);
+
+}  // namespace airlight::measure

@@ -1,0 +1,19 @@
+#pragma once
+// Numbers and verdicts as people read them.
+
+#include <string>
+
+#include "core/measure/compare.h"
+
+namespace airlight::measure {
+
+// Four significant digits, shortest form: "0.0123", "1.5e-07", "inf".
+std::string number(double value);
+
+// "pass", "pass with warnings", "differ", "cannot compare".
+std::string verdict_words(Verdict verdict);
+
+// One line: what libraries say over several.
+std::string one_line(std::string text);
+
+}  // namespace airlight::measure

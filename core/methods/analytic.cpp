@@ -1,0 +1,71 @@
+// `analytic`: closed-form skies, no march and no table.
+
+#include <array>
+
+#include "core/luts/luts.h"
+#include "core/methods/analytic_sky.h"
+#include "core/methods/methods.h"
+#include "core/methods/sky_pass.h"
+
+namespace airlight {
+namespace {
+
+constexpr std::array<std::string_view, 2> kVariants{"zenith-density", "exponential"};
+
+const std::array<ParameterInfo, 1> kParameters{{
+    {"variant", ParameterKind::choice, 0, 0, std::string("exponential"), kVariants,
+     "zenith-density: one even layer, its density along a ray a fit in the zenith cosine; exponential: each medium's "
+     "own column, in-scattering and aerial perspective by exponentials"},
+}};
+
+std::uint32_t scattering_media(physics::Physics& p) {
+  std::uint32_t bits = 0;
+  for (unsigned int i = 0; i < p.medium_count(); ++i) {
+    bits |= p.scatters(i) ? 1u << i : 0u;
+  }
+  return bits;
+}
+
+SkyPasses add_analytic(Plan& plan, const Scene& scene, const View& view) {
+  const SkyTarget target = add_sky_target(plan, scene, view);
+  physics::Physics p = make_analytic_physics(scene);
+  std::vector<std::byte> bytes = analytic_bytes(p.analytic);
+  const std::size_t size = bytes.size();
+  const BufferId data = plan.add_buffer(
+      {.name = "analytic", .bytes = size, .host_readable = false, .contents = std::move(bytes), .key = {}});
+  std::vector<Specialization> constants = medium_specialization(scene);
+  constants.push_back({"kProjection", target.projection});
+  constants.push_back({"kVariant", scene.render.get<std::string>("variant") == "exponential"
+                                       ? physics::kAnalyticExponential
+                                       : physics::kAnalyticZenithDensity});
+  constants.push_back({"kScatteringMedia", scattering_media(p)});
+  plan.add_pass({.name = "sky",
+                 .shader = "sky_analytic",
+                 .reads = {{"analytic", data}, {"directions", target.directions}},
+                 .writes = {{"radiance_out", target.radiance}},
+                 .grid = target.grid,
+                 .push_constants = {target.grid.width, target.grid.height},
+                 .specialization = std::move(constants)});
+  return {target.radiance, {}};
+}
+
+Quality with_variant(std::string_view name) {
+  return {name, {{"variant", std::string(name)}}};
+}
+
+}  // namespace
+
+SkyMethod analytic_method() {
+  SkyMethod method;
+  method.info = {"analytic", "closed-form sky: no march, no table", kParameters};
+  method.validity.sun_elevation_min = 0.0;
+  method.validity.altitude_max = 10.0;
+  method.validity.optical_depth_max = 1.0;
+  method.validity.leaves_out =
+      "the density profiles' shapes beyond mean and spread, the direction of light scattered more than once, twilight";
+  method.sweep = {with_variant("zenith-density"), with_variant("exponential")};
+  method.add_passes = add_analytic;
+  return method;
+}
+
+}  // namespace airlight

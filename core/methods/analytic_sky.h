@@ -1,0 +1,18 @@
+#pragma once
+// The numbers that the closed-form skies need beside the scene (shaders/shared/analytic.h), by quadrature in double.
+
+#include <cstddef>
+#include <vector>
+
+#include "core/physics/physics.h"
+#include "core/scene/scene.h"
+
+namespace airlight {
+
+// The scene's physics with its AnalyticData filled in.
+physics::Physics make_analytic_physics(const Scene& scene);
+
+// The same data in float, as the shader reads it.
+std::vector<std::byte> analytic_bytes(const physics::AnalyticData& data);
+
+}  // namespace airlight

@@ -1,0 +1,41 @@
+// `march`: the view ray is marched on tables of transmittance and isotropic multiple scattering [H20].
+
+#include <array>
+
+#include "core/methods/march_passes.h"
+#include "core/methods/methods.h"
+
+namespace airlight {
+namespace {
+
+const std::array<ParameterInfo, 6> kParameters{steps_parameter(32),
+                                               step_distribution_parameter(),
+                                               transmittance_lut_parameter(),
+                                               multiple_scattering_lut_parameter(),
+                                               multiple_scattering_scale_parameter(),
+                                               sun_fade_parameter()};
+
+SkyPasses add_march(Plan& plan, const Scene& scene, const View& view) {
+  const SkyTarget target = add_sky_target(plan, scene, view);
+  const MarchTables tables = add_march_tables(plan, scene);
+  add_march_pass(plan, scene, tables, target);
+  return {target.radiance, tables.list()};
+}
+
+Quality with_steps(std::string_view label, int steps) {
+  return {label, {{"steps", steps}}};
+}
+
+}  // namespace
+
+SkyMethod march_method() {
+  SkyMethod method;
+  method.info = {"march", "view march on transmittance and isotropic multiple-scattering tables [H20]", kParameters};
+  method.validity.leaves_out = "the direction of light scattered more than once";
+  method.sweep = {with_steps("8", 8),   with_steps("16", 16),   with_steps("32", 32),
+                  with_steps("64", 64), with_steps("128", 128), with_steps("512", 512)};
+  method.add_passes = add_march;
+  return method;
+}
+
+}  // namespace airlight

@@ -1,0 +1,120 @@
+#include "core/methods/march_passes.h"
+
+#include <array>
+#include <limits>
+
+#include "core/luts/luts.h"
+#include "core/physics/scene_data.h"
+
+namespace airlight {
+namespace {
+
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+constexpr std::array<std::string_view, 2> kDistributions{"uniform", "quadratic"};
+
+}  // namespace
+
+ParameterInfo steps_parameter(int default_steps) {
+  return {"steps", ParameterKind::integer, 1, 4096, default_steps, {}, "steps along the view ray"};
+}
+
+ParameterInfo step_distribution_parameter() {
+  return {"step_distribution",
+          ParameterKind::choice,
+          0,
+          0,
+          std::string("quadratic"),
+          kDistributions,
+          "where the steps along the view ray stand: evenly, or dense toward the ray's lowest point"};
+}
+
+ParameterInfo transmittance_lut_parameter() {
+  return {"transmittance_lut",          ParameterKind::table_size, 2, 4096, TableSize{256, 64}, {},
+          "transmittance table, mu x h"};
+}
+
+ParameterInfo multiple_scattering_lut_parameter() {
+  return {"multiple_scattering_lut",
+          ParameterKind::table_size,
+          2,
+          4096,
+          TableSize{32, 32},
+          {},
+          "multiple-scattering table, mu_sun x h"};
+}
+
+ParameterInfo multiple_scattering_scale_parameter() {
+  return {"multiple_scattering_scale",
+          ParameterKind::number,
+          0,
+          kNoLimit,
+          1.0,
+          {},
+          "1: physics; 0: single scattering alone; 4 pi: a published lesson's"};
+}
+
+ParameterInfo sun_fade_parameter() {
+  return {"sun_fade",
+          ParameterKind::sun_fade,
+          -kNoLimit,
+          kNoLimit,
+          std::monostate{},
+          {},
+          "a published lesson's clamp(scale mu_sun + bias, 0, 1) on direct light; absent: the planet's shadow alone"};
+}
+
+std::vector<ImageId> MarchTables::list() const {
+  std::vector<ImageId> tables{transmittance, multiple_scattering};
+  if (reflects) {
+    tables.push_back(ground_irradiance);
+  }
+  return tables;
+}
+
+MarchTables add_march_tables(Plan& plan, const Scene& scene) {
+  const RenderSettings& settings = scene.render;
+  MarchTables tables;
+  tables.transmittance = add_transmittance(plan, scene, settings.get<TableSize>("transmittance_lut"));
+  tables.multiple_scattering =
+      add_multiple_scattering(plan, scene, tables.transmittance, settings.get<TableSize>("multiple_scattering_lut"));
+  tables.reflects = ground_reflects(scene);
+  tables.ground_irradiance = tables.reflects
+                                 ? add_ground_irradiance(plan, scene, tables.transmittance, tables.multiple_scattering)
+                                 : tables.multiple_scattering;
+  return tables;
+}
+
+std::uint32_t step_distribution_code(const Scene& scene) {
+  return scene.render.get<std::string>("step_distribution") == "uniform" ? physics::kStepsUniform
+                                                                         : physics::kStepsQuadratic;
+}
+
+std::vector<Specialization> march_specialization(const Plan& plan, const Scene& scene, const MarchTables& tables) {
+  std::vector<Specialization> constants = sunlight_specialization(plan, scene, tables.transmittance);
+  add_scattering_size(constants, plan, tables.multiple_scattering);
+  constants.push_back({"kStepDistribution", step_distribution_code(scene)});
+  return constants;
+}
+
+std::vector<Binding> march_reads(const MarchTables& tables) {
+  return {{"transmittance_lut", tables.transmittance}, {"multiple_scattering_lut", tables.multiple_scattering}};
+}
+
+void add_march_pass(Plan& plan, const Scene& scene, const MarchTables& tables, const SkyTarget& target) {
+  std::vector<Specialization> constants = march_specialization(plan, scene, tables);
+  constants.push_back({"kProjection", target.projection});
+  constants.push_back({"kGroundReflects", tables.reflects ? 1u : 0u});
+  std::vector<Binding> reads = march_reads(tables);
+  reads.push_back({"ground_irradiance_lut", tables.ground_irradiance});
+  reads.push_back({"directions", target.directions});
+  plan.add_pass({.name = "sky",
+                 .shader = "sky_march",
+                 .reads = std::move(reads),
+                 .writes = {{"radiance_out", target.radiance}},
+                 .grid = target.grid,
+                 .push_constants = {target.grid.width, target.grid.height,
+                                    static_cast<std::uint32_t>(scene.render.get<int>("steps"))},
+                 .specialization = std::move(constants)});
+}
+
+}  // namespace airlight

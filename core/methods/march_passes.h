@@ -1,0 +1,42 @@
+#pragma once
+// What the methods share that march on the tables of transmittance and multiple scattering: parameters, tables, pass.
+
+#include <vector>
+
+#include "core/methods/method.h"
+#include "core/methods/sky_pass.h"
+
+namespace airlight {
+
+// Parameters by the keys that add_march_tables() and add_march_pass() read.
+ParameterInfo steps_parameter(int default_steps);
+ParameterInfo step_distribution_parameter();
+ParameterInfo transmittance_lut_parameter();
+ParameterInfo multiple_scattering_lut_parameter();
+ParameterInfo multiple_scattering_scale_parameter();
+ParameterInfo sun_fade_parameter();
+
+struct MarchTables {
+  ImageId transmittance;
+  ImageId multiple_scattering;
+  ImageId ground_irradiance;  // the multiple-scattering table under a black ground, which fetches nothing
+  bool reflects = false;
+
+  std::vector<ImageId> list() const;
+};
+
+MarchTables add_march_tables(Plan& plan, const Scene& scene);
+
+// The value of kStepDistribution that the scene asks for.
+std::uint32_t step_distribution_code(const Scene& scene);
+
+// The specialisation constants of a pass that marches on these tables.
+std::vector<Specialization> march_specialization(const Plan& plan, const Scene& scene, const MarchTables& tables);
+
+// The tables by the names that such a pass gives them.
+std::vector<Binding> march_reads(const MarchTables& tables);
+
+// The pass that marches every pixel or listed direction.
+void add_march_pass(Plan& plan, const Scene& scene, const MarchTables& tables, const SkyTarget& target);
+
+}  // namespace airlight

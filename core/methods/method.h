@@ -1,0 +1,91 @@
+#pragma once
+// What a rendering method is. A new one is one .cpp, its shaders and one line in registry.cpp; the command line, the
+// help, the tests and the chart loop over the registry.
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/plan/plan.h"
+#include "core/radiance_image.h"
+#include "core/scene/method_info.h"
+#include "core/scene/scene.h"
+
+namespace airlight {
+
+// A view direction by its angles in the preset's frame, radians; azimuth clockwise from north.
+struct Direction {
+  double elevation = 0.0;
+  double azimuth = 0.0;
+};
+
+// What to render: the camera's picture, or listed directions from the camera's place (without the sun's disc).
+struct View {
+  std::span<const Direction> directions;  // empty: the camera's picture
+};
+
+// Where a method claims to hold; outside, the command line warns once. Radians, km, vertical optical depth.
+struct Validity {
+  double sun_elevation_min = -1.5707963267948966;
+  double altitude_max = 1e9;
+  double optical_depth_max = 1e9;
+  std::string_view leaves_out;  // what it does not model, for `airlight methods` and the warning
+};
+
+// One point that the method contributes to the chart: parameters over the scene's own.
+struct Quality {
+  std::string_view label;
+  std::vector<std::pair<std::string_view, ParameterValue>> parameters;
+};
+
+// The passes of a GPU method, added to a plan. `radiance` holds a vec4 for each pixel, rows from the top (alpha 0
+// outside a fisheye's circle); for listed directions two vec4s each: radiance, then transmittance along the ray.
+// `tables` are the images that the method baked, for the dump and the check of their values; the first, if any, is
+// always the transmittance to the top of the atmosphere, which the sun's disc is seen through.
+struct SkyPasses {
+  BufferId radiance;
+  std::vector<ImageId> tables;
+};
+
+// How a host method runs: nothing here changes what a given number of samples yields.
+struct HostOptions {
+  // Called a few times a second with done in 0 to 1; returns false to stop early with what there is. Empty: nobody
+  // listens.
+  std::function<bool(double done)> report = {};
+  // A file that keeps the state of a method that samples: read when it exists, written now and then and at the end.
+  // Empty: none.
+  std::string checkpoint = {};
+  double checkpoint_interval_s = 60.0;
+  unsigned int threads = 0;  // 0: as many as the machine has
+};
+
+struct HostPicture {
+  RadianceImage radiance;        // for listed directions: width = their count, height 1
+  RadianceImage transmittance;   // listed directions only
+  RadianceImage standard_error;  // empty for a deterministic method
+  std::uint64_t samples = 0;     // a pixel, of a method that samples
+};
+
+struct SkyMethod {
+  MethodInfo info;
+  Validity validity;
+  std::vector<Quality> sweep;
+  // Exactly one of the two.
+  SkyPasses (*add_passes)(Plan&, const Scene&, const View&) = nullptr;
+  HostPicture (*render_on_host)(const Scene&, const View&, const HostOptions&) = nullptr;
+};
+
+// All methods, in the order of the help text.
+std::span<const SkyMethod> methods();
+
+// Null when there is none of that name.
+const SkyMethod* find_method(std::string_view name);
+
+// Their parameters, for resolve().
+std::span<const MethodInfo> method_infos();
+
+}  // namespace airlight

@@ -1,0 +1,67 @@
+// `nested`: the view march with a sun march inside it; single scattering, no tables [N93, O05].
+
+#include <array>
+#include <string>
+
+#include "core/error.h"
+#include "core/luts/luts.h"
+#include "core/methods/march_passes.h"
+#include "core/methods/methods.h"
+
+namespace airlight {
+namespace {
+
+const std::array<ParameterInfo, 4> kParameters{
+    steps_parameter(16),
+    ParameterInfo{
+        "sun_steps", ParameterKind::integer, 1, 4096, 8, {}, "steps toward the sun from each step of the view ray"},
+    step_distribution_parameter(), sun_fade_parameter()};
+
+// The software device (Mesa's llvmpipe) ends a shader's loops, without a word, after 65535 turns of all of them.
+constexpr long long kMostTurns = 65535;
+
+void refuse_too_many_turns(long long steps, long long sun_steps) {
+  if (steps * (sun_steps + 1) > kMostTurns) {
+    throw InputError("render: nested takes steps x (sun_steps + 1) up to " + std::to_string(kMostTurns) + ", not " +
+                     std::to_string(steps) + " x " + std::to_string(sun_steps + 1) + "; lower either");
+  }
+}
+
+SkyPasses add_nested(Plan& plan, const Scene& scene, const View& view) {
+  const RenderSettings& settings = scene.render;
+  refuse_too_many_turns(settings.get<int>("steps"), settings.get<int>("sun_steps"));
+  const SkyTarget target = add_sky_target(plan, scene, view);
+  std::vector<Specialization> constants = medium_specialization(scene);
+  constants.push_back({"kSunFade", std::holds_alternative<SunFade>(settings.parameters.at("sun_fade")) ? 1u : 0u});
+  constants.push_back({"kProjection", target.projection});
+  constants.push_back({"kGroundReflects", ground_reflects(scene) ? 1u : 0u});
+  constants.push_back({"kStepDistribution", step_distribution_code(scene)});
+  plan.add_pass(
+      {.name = "sky",
+       .shader = "sky_nested",
+       .reads = {{"directions", target.directions}},
+       .writes = {{"radiance_out", target.radiance}},
+       .grid = target.grid,
+       .push_constants = {target.grid.width, target.grid.height, static_cast<std::uint32_t>(settings.get<int>("steps")),
+                          static_cast<std::uint32_t>(settings.get<int>("sun_steps"))},
+       .specialization = constants});
+  return {target.radiance, {}};
+}
+
+Quality with_steps(std::string_view label, int steps, int sun_steps) {
+  return {label, {{"steps", steps}, {"sun_steps", sun_steps}}};
+}
+
+}  // namespace
+
+SkyMethod nested_method() {
+  SkyMethod method;
+  method.info = {"nested", "view march with a sun march inside, single scattering, no tables [N93, O05]", kParameters};
+  method.validity.leaves_out = "light scattered more than once, and the sky's light on the ground";
+  method.sweep = {with_steps("8 x 4", 8, 4), with_steps("16 x 8", 16, 8), with_steps("32 x 8", 32, 8),
+                  with_steps("64 x 32", 64, 32)};
+  method.add_passes = add_nested;
+  return method;
+}
+
+}  // namespace airlight

@@ -1,0 +1,164 @@
+// `orders`: full multiple scattering from a small table of radiance moments found by successive orders of scattering,
+// and the picture from a table of smooth factors multiplied by the phase functions at the pixel.
+
+#include <array>
+#include <limits>
+
+#include "core/luts/luts.h"
+#include "core/luts/moments.h"
+#include "core/methods/methods.h"
+#include "core/methods/sky_pass.h"
+#include "core/physics/scene_data.h"
+
+namespace airlight {
+namespace {
+
+constexpr std::array<std::string_view, 6> kDegrees{"auto", "0", "1", "2", "3", "4"};
+constexpr std::array<std::string_view, 3> kTabulate{"auto", "always", "never"};
+
+const std::array<ParameterInfo, 7> kParameters{{
+    {"steps", ParameterKind::integer, 4, 4096, 48, {}, "steps along a view ray, apart at the planet's shadow"},
+    {"transmittance_lut", ParameterKind::table_size, 2, 4096, TableSize{256, 64}, {}, "transmittance table, mu x h"},
+    {"moments_lut",
+     ParameterKind::table_size,
+     2,
+     1024,
+     TableSize{48, 12},
+     {},
+     "table of radiance moments, sun elevations x altitudes"},
+    {"degree", ParameterKind::choice, 0, 0, std::string("auto"), kDegrees,
+     "highest spherical harmonic kept; auto: 2, or 4 where forward-peaked media are thick"},
+    {"orders",
+     ParameterKind::integer,
+     0,
+     64,
+     0,
+     {},
+     "orders of scattering computed one by one before a geometric tail, at least 2; 0: as many as the air needs"},
+    {"sky_lut",
+     ParameterKind::table_size,
+     8,
+     2048,
+     TableSize{24, 48},
+     {},
+     "table of the picture's light, azimuths x rows above level; limb and ground get 3/4 and 1/2 as many"},
+    {"tabulate", ParameterKind::choice, 0, 0, std::string("auto"), kTabulate,
+     "whether the picture's light is tabulated over view directions; auto: inside the air, from 16384 pixels on"},
+}};
+
+// The picture's own table of factors, as shaders/shared/sky_table.glsl is told of it.
+struct FactorTable {
+  std::uint32_t columns;
+  std::uint32_t ground_rows;
+  std::uint32_t limb_rows;
+  std::uint32_t sky_rows;
+  std::uint32_t scattering_media;  // bit i
+  std::uint32_t blocks;
+
+  std::uint32_t rows() const { return ground_rows + limb_rows + sky_rows; }
+};
+
+FactorTable factor_table(const Scene& scene) {
+  const TableSize size = scene.render.get<TableSize>("sky_lut");
+  const auto sky = static_cast<std::uint32_t>(size[1]);
+  FactorTable table{static_cast<std::uint32_t>(size[0]), sky / 2, 3 * sky / 4, sky, 0, 1};
+  for (std::size_t i = 0; i < scene.media.size(); ++i) {
+    const Spectrum& s = scene.media[i].scattering;
+    if (s[0] > 0.0 || s[1] > 0.0 || s[2] > 0.0) {
+      table.scattering_media |= 1u << i;
+      ++table.blocks;
+    }
+  }
+  return table;
+}
+
+void add_table_constants(std::vector<Specialization>& constants, const FactorTable& table) {
+  constants.push_back({"kSkyColumns", table.columns});
+  constants.push_back({"kGroundRows", table.ground_rows});
+  constants.push_back({"kLimbRows", table.limb_rows});
+  constants.push_back({"kSkyRows", table.sky_rows});
+  constants.push_back({"kScatteringMedia", table.scattering_media});
+}
+
+bool tabulates(const Scene& scene, const View& view) {
+  const std::string& choice = scene.render.get<std::string>("tabulate");
+  const bool holds = view.directions.empty() && scene.camera.altitude <= scene.planet.atmosphere_height;
+  const bool pays = scene.image.width * static_cast<long long>(scene.image.height) >= 16384;
+  return holds && (choice == "always" || (choice == "auto" && pays));
+}
+
+MomentSettings settings_of(const Scene& scene) {
+  const std::string& degree = scene.render.get<std::string>("degree");
+  return moment_settings(scene, degree == "auto" ? -1 : degree.front() - '0', scene.render.get<int>("orders"),
+                         scene.render.get<TableSize>("moments_lut"));
+}
+
+void add_factor_passes(Plan& plan, const Scene& scene, const SkyTarget& target, ImageId transmittance, ImageId moments,
+                       const std::vector<Specialization>& light_constants) {
+  const FactorTable table = factor_table(scene);
+  const ImageId factors = plan.add_image({.name = "sky_factors",
+                                          .extent = {table.columns * table.blocks, table.rows(), 1},
+                                          .format = Format::rgba32f,
+                                          .key = {}});
+  std::vector<Specialization> constants = light_constants;
+  add_table_constants(constants, table);
+  plan.add_pass({.name = "sky_factors",
+                 .shader = "sky_factors",
+                 .reads = {{"transmittance_lut", transmittance}, {"moments_lut", moments}},
+                 .writes = {{"factors_out", factors}},
+                 .grid = {table.columns, table.rows(), 1},
+                 .push_constants = {static_cast<std::uint32_t>(scene.render.get<int>("steps"))},
+                 .specialization = constants});
+  constants = medium_specialization(scene);
+  constants.push_back({"kProjection", target.projection});
+  add_table_constants(constants, table);
+  plan.add_pass({.name = "sky",
+                 .shader = "sky_from_factors",
+                 .reads = {{"factors_lut", factors}, {"directions", target.directions}},
+                 .writes = {{"radiance_out", target.radiance}},
+                 .grid = target.grid,
+                 .push_constants = {target.grid.width, target.grid.height},
+                 .specialization = constants});
+}
+
+SkyPasses add_orders(Plan& plan, const Scene& scene, const View& view) {
+  const SkyTarget target = add_sky_target(plan, scene, view);
+  const ImageId transmittance = add_transmittance(plan, scene, scene.render.get<TableSize>("transmittance_lut"));
+  const MomentSettings settings = settings_of(scene);
+  const ImageId moments = add_moments(plan, scene, transmittance, settings);
+  std::vector<Specialization> constants = sunlight_specialization(plan, scene, transmittance);
+  add_moment_constants(constants, settings);
+  if (tabulates(scene, view)) {
+    add_factor_passes(plan, scene, target, transmittance, moments, constants);
+  } else {
+    constants.push_back({"kProjection", target.projection});
+    plan.add_pass(
+        {.name = "sky",
+         .shader = "sky_orders",
+         .reads = {{"transmittance_lut", transmittance}, {"moments_lut", moments}, {"directions", target.directions}},
+         .writes = {{"radiance_out", target.radiance}},
+         .grid = target.grid,
+         .push_constants = {target.grid.width, target.grid.height,
+                            static_cast<std::uint32_t>(scene.render.get<int>("steps"))},
+         .specialization = constants});
+  }
+  return {target.radiance, {transmittance}};
+}
+
+}  // namespace
+
+SkyMethod orders_method() {
+  SkyMethod method;
+  method.info = {"orders", "successive orders of scattering as spherical-harmonic moments; near truth", kParameters};
+  method.validity.leaves_out = "harmonics above the degree kept";
+  method.sweep = {
+      {"degree 0", {{"degree", std::string("0")}}},
+      {"16 steps", {{"steps", 16}}},
+      {"default", {}},
+      {"96 steps, 48x96", {{"steps", 96}, {"sky_lut", TableSize{48, 96}}}},
+      {"degree 4, 128 steps", {{"degree", std::string("4")}, {"steps", 128}, {"tabulate", std::string("never")}}}};
+  method.add_passes = add_orders;
+  return method;
+}
+
+}  // namespace airlight

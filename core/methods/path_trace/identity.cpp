@@ -1,0 +1,88 @@
+#include <cstdio>
+
+#include "core/methods/path_trace/checkpoint.h"
+#include "core/methods/path_trace/walk.h"
+
+namespace airlight {
+namespace {
+
+// Raised whenever the same seed no longer means the same samples.
+constexpr int kSampler = 1;
+
+// Collects `POINTER value` lines. 17 digits bring a double back to the bit.
+class Lines {
+ public:
+  void add(const std::string& pointer, double value) {
+    char digits[40];
+    std::snprintf(digits, sizeof digits, "%.17g", value);
+    text_ += pointer + " " + digits + "\n";
+  }
+  void add(const std::string& pointer, const Spectrum& value) {
+    for (std::size_t c = 0; c < value.size(); ++c) {
+      add(pointer + "/" + std::to_string(c), value[c]);
+    }
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+void add_medium(Lines& lines, const std::string& at, const Medium& medium) {
+  lines.add(at + "/scattering_per_km", medium.scattering);
+  lines.add(at + "/absorption_per_km", medium.absorption);
+  const Density& density = medium.density;
+  lines.add(at + "/density/profile", static_cast<int>(density.profile));
+  lines.add(at + "/density/scale_height_km", density.scale_height);
+  lines.add(at + "/density/center_km", density.center);
+  lines.add(at + "/density/half_width_km", density.half_width);
+  lines.add(at + "/density/below_km", density.below);
+  for (std::size_t k = 0; k < density.layers.size(); ++k) {
+    lines.add(at + "/density/layers/" + std::to_string(k) + "/0", density.layers[k].altitude);
+    lines.add(at + "/density/layers/" + std::to_string(k) + "/1", density.layers[k].density);
+  }
+  lines.add(at + "/phase/function", static_cast<int>(medium.phase));
+  lines.add(at + "/phase/g", medium.phase_g);
+}
+
+void add_camera(Lines& lines, const Scene& scene) {
+  lines.add("/camera/altitude_km", scene.camera.altitude);
+  lines.add("/camera/projection", static_cast<int>(scene.camera.projection));
+  lines.add("/camera/azimuth (rad)", scene.camera.azimuth);
+  lines.add("/camera/pitch (rad)", scene.camera.pitch);
+  lines.add("/camera/roll (rad)", scene.camera.roll);
+  lines.add("/camera/vertical_fov (rad)", scene.camera.vertical_fov);
+  lines.add("/image/width", scene.image.width);
+  lines.add("/image/height", scene.image.height);
+}
+
+}  // namespace
+
+std::string checkpoint_identity(const Scene& scene, const View& view) {
+  Lines lines;
+  lines.add("sampler", kSampler);
+  lines.add("batch", kBatch);
+  lines.add("/render/seed", scene.render.get<int>("seed"));
+  lines.add("/render/max_orders", scene.render.get<int>("max_orders"));
+  lines.add("/planet/radius_km", scene.planet.ground_radius);
+  lines.add("/planet/atmosphere_height_km", scene.planet.atmosphere_height);
+  lines.add("/planet/ground_albedo", scene.planet.ground_albedo);
+  lines.add("/media/-", static_cast<double>(scene.media.size()));
+  for (std::size_t i = 0; i < scene.media.size(); ++i) {
+    add_medium(lines, "/media/" + std::to_string(i), scene.media[i]);
+  }
+  lines.add("/sun/elevation (rad)", scene.sun.elevation);
+  lines.add("/sun/azimuth (rad)", scene.sun.azimuth);
+  if (view.directions.empty()) {
+    add_camera(lines, scene);
+    return lines.text();
+  }
+  lines.add("/camera/altitude_km", scene.camera.altitude);
+  for (std::size_t k = 0; k < view.directions.size(); ++k) {
+    lines.add("direction " + std::to_string(k) + " elevation (rad)", view.directions[k].elevation);
+    lines.add("direction " + std::to_string(k) + " azimuth (rad)", view.directions[k].azimuth);
+  }
+  return lines.text();
+}
+
+}  // namespace airlight

@@ -1,0 +1,194 @@
+#include "core/methods/path_trace/optical_depth.h"
+
+#include <array>
+#include <cmath>
+
+namespace airlight {
+
+using physics::MediumData;
+using physics::uint;
+using physics::vec3;
+
+namespace {
+
+constexpr int kMostNodes = 12;
+// Scale heights after which an exponential medium is over: exp(-18) = 1.5e-8 of it is left out.
+constexpr double kOver = 18.0;
+
+}  // namespace
+
+OpticalDepth::OpticalDepth(physics::Physics& physics) : physics_(physics), plain_(1), falling_(1) {
+  for (int n = 1; n <= kMostNodes; ++n) {
+    plain_.push_back(gauss_legendre(n));
+    falling_.push_back(gauss_falling(n));
+  }
+  for (uint i = 0; i < physics_.medium_count(); ++i) {
+    const vec3 extinction = physics_.medium(i).scattering + physics_.medium(i).absorption;
+    if (extinction.x > 0.0 || extinction.y > 0.0 || extinction.z > 0.0) {
+      add_pieces(i);
+    }
+  }
+}
+
+void OpticalDepth::add_piece(Shape shape, uint i, MediumData medium, double low, double high) {
+  const double top = physics_.scene.planet.atmosphere_height;
+  low = std::max(low, 0.0);
+  high = std::min(high, top);
+  if (low < high) {
+    const vec3 extinction = physics_.medium(i).scattering + physics_.medium(i).absorption;
+    pieces_.push_back({shape, physics_.density_profile(i), medium, extinction, low, high});
+  }
+}
+
+void OpticalDepth::add_pieces(uint i) {
+  const MediumData m = physics_.medium(i);
+  const double top = physics_.scene.planet.atmosphere_height;
+  switch (physics_.density_profile(i)) {
+    case physics::kDensityExponential:
+      add_piece(Shape::falling, i, m, 0.0, top);
+      break;
+    case physics::kDensityConstant:
+      add_piece(Shape::constant, i, m, 0.0, m.below);
+      break;
+    case physics::kDensityTent:
+      add_piece(Shape::linear, i, m, m.center - m.half_width, m.center);
+      add_piece(Shape::linear, i, m, m.center, m.center + m.half_width);
+      break;
+    case physics::kDensityLorentzian:
+      add_lorentzian(i, m);
+      break;
+    default:
+      add_layers(i, m);
+      break;
+  }
+}
+
+// Narrow around the peak, whose poles lie at half_width above and below the real axis; nowhere more than two scale
+// heights.
+void OpticalDepth::add_lorentzian(uint i, const MediumData& m) {
+  const double top = physics_.scene.planet.atmosphere_height;
+  double low = 0.0;
+  while (low < top) {
+    const double off = std::abs(low - m.center);
+    const double nearest = low < m.center ? std::max(0.5 * off, m.half_width) : m.half_width + 0.5 * off;
+    const double high = low + std::min({nearest, 2.0 * m.scale_height, top});
+    add_piece(Shape::smooth, i, m, low, high);
+    low = high;
+  }
+}
+
+// Each segment as layers of its own, so that a look-up does not walk through all of them.
+void OpticalDepth::add_layers(uint i, const MediumData& m) {
+  const double top = physics_.scene.planet.atmosphere_height;
+  const auto altitude = [&](uint k) { return physics_.density_layer(m.first_layer + k).x; };
+  MediumData part = m;
+  part.layer_count = 1;
+  add_piece(Shape::constant, i, part, 0.0, altitude(0));
+  for (uint k = 0; k + 1 < m.layer_count; ++k) {
+    part.first_layer = m.first_layer + k;
+    part.layer_count = 2;
+    add_piece(Shape::linear, i, part, altitude(k), altitude(k + 1));
+  }
+  part.first_layer = m.first_layer + m.layer_count - 1;
+  part.layer_count = 1;
+  add_piece(Shape::constant, i, part, altitude(m.layer_count - 1), top);
+}
+
+vec3 OpticalDepth::to_top(double h, double mu) const {
+  const physics::PlanetData& planet = physics_.scene.planet;
+  const double top = planet.atmosphere_height;
+  if (mu >= 0.0) {
+    return climb(h, mu, physics_.distance_to_top(planet, h, mu), top);
+  }
+  return along(h, mu, physics_.distance_to_top(planet, h, mu));
+}
+
+vec3 OpticalDepth::along(double h, double mu, double distance) const {
+  const physics::Physics::Ray ray{h, mu, 0.0, 0.0, distance, false};
+  const physics::PlanetData& planet = physics_.scene.planet;
+  const physics::Physics::RayPoint end = physics_.point_on_ray(planet, ray, distance);
+  if (mu >= 0.0) {
+    return climb(h, mu, distance, end.h);
+  }
+  const double to_lowest = -(planet.ground_radius + h) * mu;
+  if (distance <= to_lowest) {
+    return climb(end.h, std::max(-end.mu, 0.0), distance, h);
+  }
+  const double lowest = physics_.point_on_ray(planet, ray, to_lowest).h;
+  return climb(lowest, 0.0, to_lowest, h) + climb(lowest, 0.0, distance - to_lowest, end.h);
+}
+
+vec3 OpticalDepth::climb(double h, double mu, double length, double h_end) const {
+  const double r = physics_.scene.planet.ground_radius + h;
+  const Climb path{h, r, r * mu, length, std::max(h_end, h)};
+  vec3 depth(0.0);
+  for (const Piece& piece : pieces_) {
+    depth = depth + piece.extinction * column(piece, path);
+  }
+  return depth;
+}
+
+// Integral of the piece's density over the part of the path inside it, km.
+double OpticalDepth::column(const Piece& piece, const Climb& path) const {
+  const double low = std::max(piece.low, path.h);
+  double high = std::min(piece.high, path.h_end);
+  if (piece.shape == Shape::falling) {
+    high = std::min(high, low + kOver * piece.medium.scale_height);
+  }
+  if (low >= high) {
+    // A level path inside the piece has no height but has length.
+    const bool inside = path.h == path.h_end && path.h >= piece.low && path.h < piece.high;
+    return inside ? panel(piece, path, 0.0, path.length) : 0.0;
+  }
+  const auto distance = [&](double altitude) {
+    const double c = (altitude - path.h) * (path.r + path.r + altitude - path.h);
+    return c / (path.r_mu + std::sqrt(path.r_mu * path.r_mu + c));
+  };
+  double from = low > path.h ? distance(low) : 0.0;
+  const double to = high < path.h_end ? distance(high) : path.length;
+  if (piece.shape == Shape::constant) {
+    return (to - from) * physics_.density(piece.profile, piece.medium, 0.5 * (low + high));
+  }
+  // On a small planet altitude bends sharply along the ray: panels no longer than twice the radius where they begin.
+  double sum = 0.0;
+  double r = physics_.scene.planet.ground_radius + low;
+  while (to - from > 2.0 * r) {
+    sum += panel(piece, path, from, from + 2.0 * r);
+    from += 2.0 * r;
+    r = std::sqrt(path.r * path.r + from * (2.0 * path.r_mu + from));
+  }
+  return sum + panel(piece, path, from, to);
+}
+
+// `fall`: scale heights between the ends.
+const GaussRule& OpticalDepth::rule_for(const Piece& piece, double r, double length, double fall) const {
+  if (piece.shape == Shape::linear) {
+    return plain_[length < 0.1 * r ? 3 : 10];
+  }
+  if (piece.shape == Shape::smooth) {
+    return plain_[kMostNodes];
+  }
+  if (fall < 0.1 && length < 0.1 * r) {
+    return plain_[3];
+  }
+  if (fall < 2.0 && length < 0.1 * r) {
+    return plain_[6];
+  }
+  return falling_[kMostNodes];
+}
+
+double OpticalDepth::panel(const Piece& piece, const Climb& path, double from, double to) const {
+  const double length = to - from;
+  const double rise = length * (2.0 * path.r_mu + from + to) / (2.0 * path.r);
+  const GaussRule& rule = rule_for(piece, path.r, length, rise / piece.medium.scale_height);
+  double sum = 0.0;
+  for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
+    const double t = from + length * rule.nodes[k];
+    const double q = t * (2.0 * path.r_mu + t);
+    const double h = path.h + q / (std::sqrt(path.r * path.r + q) + path.r);
+    sum += rule.weights[k] * physics_.density(piece.profile, piece.medium, h);
+  }
+  return length * sum;
+}
+
+}  // namespace airlight

@@ -1,0 +1,60 @@
+#pragma once
+// Optical depth along any ray of the air by Gauss quadrature of each medium's density, in double. Error at most 1e-7 of
+// the medium's depth: far below what any number of samples can see.
+
+#include <vector>
+
+#include "core/methods/path_trace/gauss.h"
+#include "core/physics/physics.h"
+
+namespace airlight {
+
+class OpticalDepth {
+ public:
+  // `physics` is read only (its functions are GLSL's and know no const) and must live as long as this.
+  explicit OpticalDepth(physics::Physics& physics);
+
+  // From altitude h along zenith cosine mu over a distance that stays inside the atmosphere and above the ground.
+  physics::vec3 along(double h, double mu, double distance) const;
+
+  // To the top of the atmosphere; the ground must not be in the way.
+  physics::vec3 to_top(double h, double mu) const;
+
+ private:
+  enum class Shape { constant, linear, falling, smooth };
+
+  // An altitude range in which one medium's density is analytic.
+  struct Piece {
+    Shape shape;
+    physics::uint profile;
+    physics::MediumData medium;
+    physics::vec3 extinction;  // at density 1
+    double low;                // km
+    double high;               // km
+  };
+
+  // A ray that climbs from its start to its end.
+  struct Climb {
+    double h;
+    double r;
+    double r_mu;  // r times the zenith cosine at the start, >= 0
+    double length;
+    double h_end;
+  };
+
+  void add_pieces(physics::uint i);
+  void add_piece(Shape shape, physics::uint i, physics::MediumData medium, double low, double high);
+  void add_lorentzian(physics::uint i, const physics::MediumData& medium);
+  void add_layers(physics::uint i, const physics::MediumData& medium);
+  physics::vec3 climb(double h, double mu, double length, double h_end) const;
+  double column(const Piece& piece, const Climb& climb) const;
+  double panel(const Piece& piece, const Climb& climb, double from, double to) const;
+  const GaussRule& rule_for(const Piece& piece, double r, double length, double fall) const;
+
+  physics::Physics& physics_;
+  std::vector<Piece> pieces_;
+  std::vector<GaussRule> plain_;    // by number of nodes
+  std::vector<GaussRule> falling_;  // by number of nodes
+};
+
+}  // namespace airlight

@@ -1,0 +1,161 @@
+// `path-trace`: an unbiased estimate of every order of scattering on the processor, with its standard error. It shares
+// the medium and the phase functions with the shaders, and nothing else: no march, no segment integral, no table.
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "core/methods/methods.h"
+#include "core/methods/path_trace/sampling.h"
+#include "core/methods/path_trace/tracer.h"
+
+namespace airlight {
+namespace {
+
+using physics::vec3;
+
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+constexpr double kMostInt = std::numeric_limits<int>::max();
+constexpr int kUsualSamples = 64;
+
+const std::array<ParameterInfo, 5> kParameters{{
+    {"samples",
+     ParameterKind::integer,
+     0,
+     kMostInt,
+     0,
+     {},
+     "samples a pixel, in batches of 16, at least 32; 0: 64, or as many as time_limit_s and target_error ask for"},
+    {"time_limit_s",
+     ParameterKind::number,
+     0,
+     kNoLimit,
+     0.0,
+     {},
+     "stop after so many seconds, the first 32 samples of each pixel taken; 0: no limit"},
+    {"target_error",
+     ParameterKind::number,
+     0,
+     kNoLimit,
+     0.0,
+     {},
+     "stop when the mean over pixels of standard error / radiance is this small (0.005 is half a percent); 0: no "
+     "target"},
+    {"seed",
+     ParameterKind::integer,
+     0,
+     kMostInt,
+     1,
+     {},
+     "of the random numbers: one seed gives one picture, whatever the number of threads"},
+    {"max_orders",
+     ParameterKind::integer,
+     0,
+     kMostInt,
+     0,
+     {},
+     "scatterings and ground reflections on a path, at most; 1: single scattering, without noise; 0: no limit"},
+}};
+
+StopRules rules_of(const RenderSettings& settings) {
+  StopRules rules;
+  rules.time_limit_s = settings.get<double>("time_limit_s");
+  rules.target_error = settings.get<double>("target_error");
+  int samples = settings.get<int>("samples");
+  if (samples == 0 && rules.time_limit_s == 0.0 && rules.target_error == 0.0) {
+    samples = kUsualSamples;
+  }
+  const auto batches = (static_cast<std::uint64_t>(samples) + kBatch - 1) / kBatch;
+  rules.batches = samples == 0 ? 0 : std::max<std::uint64_t>(batches, 2);
+  return rules;
+}
+
+RadianceImage blank(int width, int height) {
+  return {width, height, std::vector<float>(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))};
+}
+
+void set_pixel(RadianceImage& image, std::size_t k, vec3 value) {
+  image.rgba[4 * k + 0] = static_cast<float>(value.x);
+  image.rgba[4 * k + 1] = static_cast<float>(value.y);
+  image.rgba[4 * k + 2] = static_cast<float>(value.z);
+  image.rgba[4 * k + 3] = 1.0f;
+}
+
+// What to sample: `ids` are places in the picture.
+struct Targets {
+  int width = 0;
+  int height = 1;
+  std::vector<Pixel> pixels;
+  std::vector<std::uint64_t> ids;
+
+  void add(std::uint64_t id, vec3 direction) {
+    pixels.push_back({.direction = direction});
+    ids.push_back(id);
+  }
+};
+
+Targets targets_of(const PathTracer& tracer, const Scene& scene, const View& view) {
+  Targets targets;
+  if (!view.directions.empty()) {
+    targets.width = static_cast<int>(view.directions.size());
+    for (std::uint64_t id = 0; id < view.directions.size(); ++id) {
+      targets.add(id, tracer.direction(view.directions[id].elevation, view.directions[id].azimuth));
+    }
+    return targets;
+  }
+  targets.width = scene.image.width;
+  targets.height = scene.image.height;
+  std::uint64_t id = 0;
+  for (int y = 0; y < scene.image.height; ++y) {
+    for (int x = 0; x < scene.image.width; ++x, ++id) {
+      const auto ray = tracer.pixel_ray(x, y);
+      if (ray.inside) {
+        targets.add(id, ray.direction);
+      }
+    }
+  }
+  return targets;
+}
+
+HostPicture render(const Scene& scene, const View& view, const HostOptions& options) {
+  const RenderSettings& settings = scene.render;
+  const PathTracer tracer(scene, static_cast<std::uint64_t>(settings.get<int>("seed")),
+                          settings.get<int>("max_orders"));
+  Targets targets = targets_of(tracer, scene, view);
+  HostPicture picture;
+  picture.radiance = blank(targets.width, targets.height);
+  picture.standard_error = blank(targets.width, targets.height);
+  if (!view.directions.empty()) {
+    picture.transmittance = blank(targets.width, targets.height);
+    for (std::size_t k = 0; k < targets.pixels.size(); ++k) {
+      set_pixel(picture.transmittance, k, tracer.transmittance(tracer.start(targets.pixels[k].direction)));
+    }
+  }
+  Sampling sampling(tracer, rules_of(settings), options, std::move(targets.pixels), targets.ids,
+                    checkpoint_identity(scene, view));
+  sampling.run();
+  const vec3 irradiance(scene.sun.irradiance[0], scene.sun.irradiance[1], scene.sun.irradiance[2]);
+  for (std::size_t k = 0; k < targets.ids.size(); ++k) {
+    set_pixel(picture.radiance, targets.ids[k], sampling.radiance(k) * irradiance);
+    set_pixel(picture.standard_error, targets.ids[k], sampling.standard_error(k) * irradiance);
+  }
+  picture.samples = sampling.fewest_batches() * kBatch;
+  return picture;
+}
+
+Quality with_samples(std::string_view label, int samples) {
+  return {label, {{"samples", samples}}};
+}
+
+}  // namespace
+
+SkyMethod path_trace_method() {
+  SkyMethod method;
+  method.info = {"path-trace", "unbiased Monte Carlo of all orders on the processor, with standard error", kParameters};
+  method.validity.leaves_out = "the sun's disc in the picture";
+  method.sweep = {with_samples("32", 32), with_samples("128", 128), with_samples("512", 512)};
+  method.render_on_host = render;
+  return method;
+}
+
+}  // namespace airlight

@@ -1,0 +1,251 @@
+#include "core/methods/path_trace/sampling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+#include "core/error.h"
+
+namespace airlight {
+
+using physics::vec3;
+
+namespace {
+
+constexpr std::uint64_t kFewest = 2;  // batches
+constexpr std::size_t kPixelsATurn = 8;
+constexpr std::chrono::milliseconds kGlance{100};
+
+// Batches at which all pixels meet: 2, 3, ... 16, then an eighth more each time. They depend on nothing but the number
+// reached, so that a run that was interrupted stops where an uninterrupted one does.
+std::uint64_t goal_after(std::uint64_t batches) {
+  std::uint64_t goal = kFewest;
+  while (goal <= batches) {
+    goal += std::max<std::uint64_t>(1, goal / 8);
+  }
+  return goal;
+}
+
+bool is_goal(std::uint64_t batches) {
+  return batches >= kFewest && goal_after(batches - 1) == batches;
+}
+
+std::uint64_t next_goal(std::uint64_t batches, std::uint64_t limit) {
+  const std::uint64_t goal = goal_after(batches);
+  return limit > 0 ? std::min(goal, limit) : goal;
+}
+
+}  // namespace
+
+Sampling::Sampling(const PathTracer& tracer, const StopRules& rules, const HostOptions& options,
+                   std::vector<Pixel> pixels, std::vector<std::uint64_t> ids, std::string identity)
+    : tracer_(tracer),
+      rules_(rules),
+      options_(options),
+      pixels_(std::move(pixels)),
+      sums_(pixels_.size()),
+      ids_(std::move(ids)),
+      identity_(std::move(identity)) {}
+
+void Sampling::run() {
+  const bool keeps = !options_.checkpoint.empty();
+  if (keeps && !read_checkpoint(options_.checkpoint, identity_, sums_)) {
+    keep();  // fails now rather than after an hour if it cannot be written
+  }
+  do {
+    pass(tracer_.has_higher_orders() ? next_goal(fewest_batches(), rules_.batches) : 0);
+    if (keeps && keep_is_due()) {
+      keep();
+    }
+    error_ = relative_error();
+  } while (!stop_ && !enough());
+  if (keeps) {
+    keep();
+  }
+  if (!all_at(tracer_.has_higher_orders() ? kFewest : 0)) {
+    throw RunError("path-trace: stopped before each pixel had its first " + std::to_string(kFewest * kBatch) +
+                   " samples: there is no picture yet" +
+                   (keeps ? "; run again with " + options_.checkpoint + " to go on" : "; give it more time"));
+  }
+}
+
+void Sampling::keep() {
+  write_checkpoint(options_.checkpoint, identity_, sums_);
+  kept_ = Clock::now();
+}
+
+double Sampling::seconds() const {
+  return std::chrono::duration<double>(Clock::now() - began_).count();
+}
+
+std::uint64_t Sampling::fewest_batches() const {
+  std::uint64_t fewest = sums_.empty() ? kFewest : sums_.front().batches;
+  for (const PixelSums& sum : sums_) {
+    fewest = std::min(fewest, sum.batches);
+  }
+  return fewest;
+}
+
+bool Sampling::keep_is_due() const {
+  return std::chrono::duration<double>(Clock::now() - kept_).count() >= options_.checkpoint_interval_s;
+}
+
+// Whether every pixel is prepared and has at least so many.
+bool Sampling::all_at(std::uint64_t batches) const {
+  return fewest_batches() >= batches &&
+         std::all_of(pixels_.begin(), pixels_.end(), [](const Pixel& p) { return p.prepared; });
+}
+
+bool Sampling::enough() const {
+  if (!tracer_.has_higher_orders()) {
+    return all_at(0);
+  }
+  if (!all_at(kFewest)) {
+    return false;
+  }
+  const std::uint64_t fewest = fewest_batches();
+  const bool met = std::all_of(sums_.begin(), sums_.end(), [&](const PixelSums& s) { return s.batches == fewest; });
+  return (rules_.batches > 0 && fewest >= rules_.batches) ||
+         (rules_.target_error > 0.0 && met && is_goal(fewest) && error_ <= rules_.target_error);
+}
+
+// One batch after another, so that a pixel's sums are added in one order.
+void Sampling::bring_forward(std::size_t k, std::uint64_t goal, FlightPlan& scratch) {
+  Pixel& pixel = pixels_[k];
+  PixelSums& sums = sums_[k];
+  if (pixel.prepared && sums.batches >= goal) {
+    return;
+  }
+  const WalkStart start = tracer_.start(pixel.direction);
+  if (!pixel.prepared) {
+    pixel.single = tracer_.single(start);
+    pixel.prepared = true;
+  }
+  while (sums.batches < goal && !pause_.load(std::memory_order_relaxed)) {
+    const vec3 mean = tracer_.batch(start, ids_[k], sums.batches, scratch);
+    const std::array<double, 3> values{mean.x, mean.y, mean.z};
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double x = values[c];
+      sums.sum[c] += x;
+      sums.squares[c] += x * x;
+    }
+    ++sums.batches;
+  }
+}
+
+void Sampling::work(std::uint64_t goal) {
+  FlightPlan scratch;
+  while (!pause_) {
+    const std::size_t first = next_.fetch_add(kPixelsATurn);
+    if (first >= pixels_.size()) {
+      return;
+    }
+    for (std::size_t k = first; k < std::min(first + kPixelsATurn, pixels_.size()) && !pause_; ++k) {
+      bring_forward(k, goal, scratch);
+    }
+  }
+}
+
+double Sampling::fraction_done(std::uint64_t from, std::uint64_t goal) const {
+  const double share =
+      std::min(1.0, static_cast<double>(next_) / static_cast<double>(std::max<std::size_t>(1, pixels_.size())));
+  double done = tracer_.has_higher_orders() ? 0.0 : share;
+  if (rules_.batches > 0) {
+    done = (static_cast<double>(from) + static_cast<double>(goal - from) * share) / static_cast<double>(rules_.batches);
+  }
+  if (rules_.time_limit_s > 0.0) {
+    done = std::max(done, seconds() / rules_.time_limit_s);
+  }
+  if (rules_.target_error > 0.0 && error_ > 0.0) {
+    done = std::max(done, rules_.target_error * rules_.target_error / (error_ * error_));
+  }
+  return std::min(done, 1.0);
+}
+
+// Between glances of the main thread: who wants the workers back?
+void Sampling::look_around(std::uint64_t from, std::uint64_t goal) {
+  stop_ = stop_ || (options_.report && !options_.report(fraction_done(from, goal)));
+  stop_ = stop_ || (from >= kFewest && rules_.time_limit_s > 0.0 && seconds() >= rules_.time_limit_s);
+  pause_ = stop_ || (!options_.checkpoint.empty() && keep_is_due());
+}
+
+// Brings every pixel to the goal; comes back early to stop, or to write the checkpoint.
+void Sampling::pass(std::uint64_t goal) {
+  const std::uint64_t from = std::min(fewest_batches(), goal);
+  next_ = 0;
+  pause_ = false;
+  look_around(from, goal);
+  std::mutex mutex;
+  std::condition_variable came_home;
+  std::exception_ptr failure;
+  unsigned int away = options_.threads > 0 ? options_.threads : std::max(1u, std::thread::hardware_concurrency());
+  std::vector<std::jthread> workers;
+  for (unsigned int i = away; i > 0; --i) {
+    workers.emplace_back([&] {
+      std::exception_ptr thrown;
+      try {
+        work(goal);
+      } catch (...) {
+        thrown = std::current_exception();
+        pause_ = true;
+      }
+      const std::lock_guard lock(mutex);
+      failure = thrown ? thrown : failure;
+      --away;
+      came_home.notify_one();
+    });
+  }
+  std::unique_lock lock(mutex);
+  while (!came_home.wait_for(lock, kGlance, [&] { return away == 0; })) {
+    lock.unlock();
+    look_around(from, goal);
+    lock.lock();
+  }
+  lock.unlock();
+  workers.clear();
+  if (failure) {
+    std::rethrow_exception(failure);
+  }
+}
+
+vec3 Sampling::radiance(std::size_t k) const {
+  const PixelSums& sums = sums_[k];
+  const vec3& single = pixels_[k].single;
+  if (sums.batches == 0) {
+    return single;
+  }
+  return single + vec3(sums.sum[0], sums.sum[1], sums.sum[2]) / static_cast<double>(sums.batches);
+}
+
+vec3 Sampling::standard_error(std::size_t k) const {
+  const PixelSums& sums = sums_[k];
+  const auto n = static_cast<double>(sums.batches);
+  std::array<double, 3> error{};
+  for (std::size_t c = 0; c < 3 && sums.batches > 1; ++c) {
+    const double variance = (sums.squares[c] - sums.sum[c] * sums.sum[c] / n) / (n - 1.0);
+    error[c] = std::sqrt(std::max(variance, 0.0) / n);
+  }
+  return {error[0], error[1], error[2]};
+}
+
+double Sampling::relative_error() const {
+  vec3 mean(0.0);
+  for (std::size_t k = 0; k < pixels_.size(); ++k) {
+    mean = mean + radiance(k) / static_cast<double>(pixels_.size());
+  }
+  const vec3 floor = mean * 1e-3;
+  double sum = 0.0;
+  for (std::size_t k = 0; k < pixels_.size(); ++k) {
+    const vec3 value = max(radiance(k), floor);
+    const vec3 error = standard_error(k);
+    sum += value.x > 0.0 ? error.x / value.x : 0.0;
+    sum += value.y > 0.0 ? error.y / value.y : 0.0;
+    sum += value.z > 0.0 ? error.z / value.z : 0.0;
+  }
+  return pixels_.empty() ? 0.0 : sum / (3.0 * static_cast<double>(pixels_.size()));
+}
+
+}  // namespace airlight

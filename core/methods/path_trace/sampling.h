@@ -1,0 +1,80 @@
+#pragma once
+// Rounds of samples over all pixels, on all threads, until enough is known: the same sums whatever the threads, the
+// interruptions and the resumptions.
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/methods/method.h"
+#include "core/methods/path_trace/checkpoint.h"
+#include "core/methods/path_trace/tracer.h"
+
+namespace airlight {
+
+// When to stop: at the first of those that are set. Two batches are always taken, or there would be no standard error.
+struct StopRules {
+  std::uint64_t batches = 0;  // a pixel; 0: no such limit
+  double time_limit_s = 0.0;  // 0: no such limit
+  double target_error = 0.0;  // mean relative standard error; 0: no such limit
+};
+
+// A pixel's direction, and all that is known of it.
+struct Pixel {
+  physics::vec3 direction;
+  physics::vec3 single{};  // the first order
+  bool prepared = false;   // `single` is known
+};
+
+class Sampling {
+ public:
+  // `pixels` without those that show nothing; numbers of the random streams are their places in `ids`.
+  Sampling(const PathTracer& tracer, const StopRules& rules, const HostOptions& options, std::vector<Pixel> pixels,
+           std::vector<std::uint64_t> ids, std::string identity);
+
+  // Throws InputError (a foreign checkpoint), RunError (stopped before two batches, or the checkpoint's disk failed).
+  void run();
+
+  const std::vector<Pixel>& pixels() const { return pixels_; }
+
+  // Of pixel k, for a sun of irradiance 1.
+  physics::vec3 radiance(std::size_t k) const;
+  physics::vec3 standard_error(std::size_t k) const;
+
+  // Mean over pixels and channels of standard error / max(radiance, 1e-3 mean radiance).
+  double relative_error() const;
+
+  std::uint64_t fewest_batches() const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  bool enough() const;
+  bool all_at(std::uint64_t batches) const;
+  void pass(std::uint64_t goal);
+  void work(std::uint64_t goal);
+  void bring_forward(std::size_t k, std::uint64_t goal, FlightPlan& scratch);
+  void look_around(std::uint64_t from, std::uint64_t goal);
+  double fraction_done(std::uint64_t from, std::uint64_t goal) const;
+  double seconds() const;
+  bool keep_is_due() const;
+  void keep();
+
+  const PathTracer& tracer_;
+  StopRules rules_;
+  const HostOptions& options_;
+  std::vector<Pixel> pixels_;
+  std::vector<PixelSums> sums_;
+  std::vector<std::uint64_t> ids_;
+  std::string identity_;
+  Clock::time_point began_ = Clock::now();
+  Clock::time_point kept_ = Clock::now();
+  std::atomic<std::size_t> next_ = 0;  // the pixel that a worker takes up next
+  std::atomic<bool> pause_ = false;    // workers finish their batch and come home
+  bool stop_ = false;                  // the listener, or the time limit
+  double error_ = 0.0;                 // when all pixels last met; 0: not known
+};
+
+}  // namespace airlight

@@ -1,0 +1,35 @@
+#pragma once
+// Sunlight that meets the air or the ground once, by adaptive quadrature along the ray: no noise, error 1e-6.
+
+#include <vector>
+
+#include "core/methods/path_trace/gauss.h"
+#include "core/methods/path_trace/optical_depth.h"
+
+namespace airlight {
+
+class SingleScattering {
+ public:
+  SingleScattering(physics::Physics& physics, const OpticalDepth& depth,
+                   std::vector<double> edges);  // altitudes at which the air is not smooth, km
+
+  // Radiance for a sun of irradiance 1: scattered once in the air, or reflected once by the ground at the ray's end.
+  physics::vec3 radiance(const physics::Physics::Ray& ray) const;
+
+  // Direct sunlight at altitude h on a plane that faces the sun; zero in the planet's shadow.
+  physics::vec3 sunlight(double h, double mu_sun) const;
+
+ private:
+  struct Integrand;
+  std::vector<double> corners(const physics::Physics::Ray& ray) const;
+  physics::vec3 panel(const Integrand& f, double from, double to) const;
+  physics::vec3 refine(const Integrand& f, double from, double to, physics::vec3 whole, physics::vec3& total,
+                       int levels) const;
+
+  physics::Physics& physics_;
+  const OpticalDepth& depth_;
+  std::vector<double> edges_;
+  GaussRule rule_;
+};
+
+}  // namespace airlight

@@ -1,0 +1,40 @@
+#include "core/methods/path_trace/tracer.h"
+
+#include "core/physics/scene_data.h"
+
+namespace airlight {
+
+using physics::vec3;
+
+PathTracer::PathTracer(const Scene& scene, std::uint64_t seed, int max_orders)
+    : physics_(make_physics(scene)),
+      depth_(physics_),
+      flight_(physics_, depth_),
+      guide_(physics_, flight_),
+      single_(physics_, depth_, flight_.corners()),
+      walk_(physics_, depth_, single_, flight_, guide_, max_orders),
+      seed_(seed),
+      max_orders_(max_orders),
+      projection_(projection_code(scene.camera.projection)) {}
+
+vec3 PathTracer::batch(const WalkStart& start, std::uint64_t pixel, std::uint64_t batch, FlightPlan& scratch) const {
+  vec3 sum(0.0);
+  for (int k = 0; k < kBatch; ++k) {
+    WalkNumbers numbers(seed_, pixel, batch, k);
+    sum = sum + walk_.sample(start, numbers, scratch);
+  }
+  return sum / kBatch;
+}
+
+vec3 PathTracer::transmittance(const WalkStart& start) const {
+  if (!(start.ray.length_ > 0.0)) {
+    return vec3(1.0);
+  }
+  return exp(-depth_.along(start.ray.h, start.ray.mu, start.ray.length_));
+}
+
+physics::Physics::ViewRay PathTracer::pixel_ray(int x, int y) const {
+  return physics_.view_ray(physics_.scene.camera, projection_, x + 0.5, y + 0.5);
+}
+
+}  // namespace airlight

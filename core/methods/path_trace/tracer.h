@@ -1,0 +1,50 @@
+#pragma once
+// A scene ready to be traced: one estimate of a direction's radiance at a time, all for a sun of irradiance 1.
+
+#include <cstdint>
+
+#include "core/methods/path_trace/walk.h"
+#include "core/scene/scene.h"
+
+namespace airlight {
+
+class PathTracer {
+ public:
+  PathTracer(const Scene& scene, std::uint64_t seed, int max_orders);
+  PathTracer(const PathTracer&) = delete;
+  PathTracer& operator=(const PathTracer&) = delete;
+
+  WalkStart start(physics::vec3 direction) const { return walk_.start(direction); }
+
+  // The first order: exact.
+  physics::vec3 single(const WalkStart& start) const { return single_.radiance(start.ray); }
+
+  // Whether there are further orders to sample.
+  bool has_higher_orders() const { return max_orders_ != 1; }
+
+  // The higher orders: mean of kBatch samples, one independent estimate. `scratch` is overwritten.
+  physics::vec3 batch(const WalkStart& start, std::uint64_t pixel, std::uint64_t batch, FlightPlan& scratch) const;
+
+  // From the camera to the ray's end, 1 where it misses the air.
+  physics::vec3 transmittance(const WalkStart& start) const;
+
+  physics::vec3 direction(double elevation, double azimuth) const {
+    return physics_.direction_from_angles(elevation, azimuth);
+  }
+
+  // Of the picture's pixel centre; not `inside` outside a fisheye's circle.
+  physics::Physics::ViewRay pixel_ray(int x, int y) const;
+
+ private:
+  mutable physics::Physics physics_;  // GLSL's functions know no const; none of them writes
+  OpticalDepth depth_;
+  Flight flight_;
+  SkyGuide guide_;
+  SingleScattering single_;
+  Walk walk_;
+  std::uint64_t seed_;
+  int max_orders_;
+  std::uint32_t projection_;
+};
+
+}  // namespace airlight

@@ -1,0 +1,308 @@
+#include "core/methods/path_trace/walk.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "core/methods/path_trace/phase_sampling.h"
+
+namespace airlight {
+
+using physics::uint;
+using physics::vec3;
+
+namespace {
+
+// Shares of the directions at a vertex: around the sun where a peaked medium scatters (its light was scattered forward
+// before), by the sky guide, and the rest by the phase functions around the path. Chosen by trial for least variance.
+constexpr double kTowardSun = 0.3;  // times the share of peaked media
+constexpr double kTowardSky = 0.8;
+constexpr double kTowardSkyPeaked = 0.2;
+constexpr double kTowardSkyGround = 0.8;
+constexpr double kPeaked = 0.3;  // |g| from which a medium counts as peaked
+
+// Vertices up to this order are guided. Later ones go by physics alone, where collisions and phase functions leave
+// weights nearly equal: over the dozens of orders that thick air needs even a good guide's errors would multiply, and
+// where peaked media are thick the guide, which knows no peaks, is not that good.
+int guided_orders(double forward_depth) {
+  return forward_depth < 0.4 ? 8 : 2;
+}
+
+// A path goes on for certain while its worth is this share of what it began with.
+constexpr double kSurvival = 0.5;
+
+constexpr int kEvenDimensions = 9;  // three a vertex
+
+Channels channels_of(vec3 v) {
+  return {v.x, v.y, v.z};
+}
+
+double largest_ratio(vec3 a, vec3 b) {
+  double ratio = 0.0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double below = channels_of(b)[c];
+    ratio = below > 0.0 ? std::max(ratio, channels_of(a)[c] / below) : ratio;
+  }
+  return ratio;
+}
+
+bool is_peaked(uint kind, double g) {
+  return kind != physics::kPhaseRayleigh && kind != physics::kPhaseIsotropic && std::abs(g) > kPeaked;
+}
+
+}  // namespace
+
+WalkNumbers::WalkNumbers(std::uint64_t seed, std::uint64_t pixel, std::uint64_t batch, int index)
+    : shifts_(~seed, pixel, batch),
+      random_(seed, pixel, batch * kBatch + static_cast<std::uint64_t>(index)),
+      index_(index) {}
+
+// Kronecker's sequence on powers of the root of x^10 = x + 1, shifted at random as a whole for each batch.
+double WalkNumbers::next() {
+  if (dimension_ >= kEvenDimensions) {
+    return random_.uniform();
+  }
+  static const std::array<double, kEvenDimensions> steps = [] {
+    double root = 1.0;
+    for (int k = 0; k < 60; ++k) {
+      root = std::pow(1.0 + root, 1.0 / (kEvenDimensions + 1));
+    }
+    std::array<double, kEvenDimensions> list;
+    for (std::size_t d = 0; d < list.size(); ++d) {
+      list[d] = std::pow(root, -static_cast<double>(d + 1));
+    }
+    return list;
+  }();
+  const double x = shifts_.uniform() + index_ * steps[static_cast<std::size_t>(dimension_)];
+  ++dimension_;
+  return x - std::floor(x);
+}
+
+struct Walk::State {
+  double h;
+  vec3 up;
+  vec3 direction;
+  double mu_sun;
+  bool at_ground = false;
+  vec3 carry = vec3(1.0);  // transmittances and coefficients so far over the density of their choice
+  std::array<vec3, physics::kMaxMedia> scattering;  // of each medium here, 1/km
+};
+
+Walk::Walk(physics::Physics& physics, const OpticalDepth& depth, const SingleScattering& single, const Flight& flight,
+           const SkyGuide& guide, int max_orders)
+    : physics_(physics),
+      depth_(depth),
+      single_(single),
+      flight_(flight),
+      guide_(guide),
+      max_orders_(max_orders),
+      guided_orders_(guided_orders(flight.forward_depth())) {}
+
+WalkStart Walk::start(vec3 direction) const {
+  const physics::PlanetData& planet = physics_.scene.planet;
+  const vec3 sun = physics_.scene.sun.direction;
+  WalkStart start;
+  start.direction = direction;
+  start.up = vec3(0.0, 1.0, 0.0);
+  const double h = physics_.scene.camera.altitude;
+  start.ray = physics_.ray_in_atmosphere(planet, h, direction.y, sun.y, dot(direction, sun));
+  if (h > planet.atmosphere_height && start.ray.length_ >= 0.0) {
+    const double r = planet.ground_radius + h;
+    const double entry = (planet.ground_radius + planet.atmosphere_height) * start.ray.mu - r * direction.y;
+    start.up = normalize(start.up * r + direction * entry);
+  }
+  flight_.plan_guided(start.ray, 0.0, start.plan);
+  return start;
+}
+
+// To the next vertex; false where there is none.
+bool Walk::fly(State& state, const FlightPlan& plan, double u) const {
+  const Collision collision = Flight::choose(plan, channels_of(state.carry), u);
+  if (!collision.happens) {
+    return false;
+  }
+  const physics::PlanetData& planet = physics_.scene.planet;
+  const vec3 sun = physics_.scene.sun.direction;
+  const double mu = dot(state.up, state.direction);
+  const physics::Physics::Ray ray{state.h, mu, dot(state.up, sun), dot(state.direction, sun), plan.length, false};
+  const physics::Physics::RayPoint point = physics_.point_on_ray(planet, ray, collision.distance);
+  const vec3 passed = exp(-depth_.along(state.h, mu, collision.distance));
+  state.carry = state.carry * passed / collision.density;
+  state.up = normalize(state.up * (planet.ground_radius + state.h) + state.direction * collision.distance);
+  state.h = collision.at_ground ? 0.0 : point.h;
+  state.mu_sun = point.mu_sun;
+  state.at_ground = collision.at_ground;
+  for (uint i = 0; i < physics_.medium_count(); ++i) {
+    const physics::MediumData m = physics_.medium(i);
+    state.scattering[i] = m.scattering * physics_.density(physics_.density_profile(i), m, state.h);
+  }
+  return true;
+}
+
+// Sunlight that the vertex sends back along the path.
+vec3 Walk::from_sun(const State& state) const {
+  const vec3 arrives = state.carry * single_.sunlight(state.h, state.mu_sun);
+  if (state.at_ground) {
+    return arrives * physics_.scene.planet.ground_albedo * (std::max(state.mu_sun, 0.0) / std::numbers::pi);
+  }
+  const double nu = dot(state.direction, physics_.scene.sun.direction);
+  vec3 scattered(0.0);
+  for (uint i = 0; i < physics_.medium_count(); ++i) {
+    scattered = scattered + state.scattering[i] * physics_.phase_value(physics_.phase_of(i), physics_.medium(i).g, nu);
+  }
+  return arrives * scattered;
+}
+
+// Directions that a vertex may send a path on to, and how dense each is.
+class Walk::Lobes {
+ public:
+  // Without `guided` the phase functions alone, or the cosine.
+  Lobes(physics::Physics& physics, const SkyGuide& guide, const State& state, bool guided)
+      : physics_(physics), guide_(guide), state_(state), frame_(physics, state.h, state.up, state.at_ground) {
+    if (state.at_ground) {
+      toward_sky_ = guided ? kTowardSkyGround : 0.0;
+      weight_ = channels_of(state.carry * physics.scene.planet.ground_albedo);
+      return;
+    }
+    vec3 scattering(0.0);
+    double peaked = 0.0;
+    double all = 0.0;
+    for (uint i = 0; i < count(); ++i) {
+      along_path_[i] = dot(state.carry, state.scattering[i]);
+      scattering = scattering + state.scattering[i];
+      all += along_path_[i];
+      peaked += is_peaked(physics.phase_of(i), physics.medium(i).g) ? along_path_[i] : 0.0;
+    }
+    weight_ = channels_of(state.carry * scattering);
+    peaked /= all;
+    const double toward_sun = guided ? kTowardSun * peaked : 0.0;
+    toward_sky_ = guided ? kTowardSky * (1.0 - peaked) + kTowardSkyPeaked * peaked : 0.0;
+    for (uint i = 0; i < count(); ++i) {
+      mix_[i] = along_path_[i] / all;
+      const bool guides = is_peaked(physics.phase_of(i), physics.medium(i).g);
+      around_sun_[i] = guides ? mix_[i] / peaked * toward_sun : 0.0;
+      along_path_[i] *= (1.0 - toward_sun - toward_sky_) / all;
+    }
+  }
+
+  vec3 draw_direction(double u, double turn, Random& random) const {
+    if (state_.at_ground) {
+      if (u < toward_sky_) {
+        return guide_.draw_direction(frame_, weight_, u / toward_sky_, turn);
+      }
+      return around(state_.up, std::sqrt((1.0 - u) / (1.0 - toward_sky_)), turn);
+    }
+    const uint n = count();
+    const auto weight = [&](std::size_t k) {
+      return k == 0 ? toward_sky_ : k <= n ? along_path_[k - 1] : around_sun_[k - 1 - n];
+    };
+    const std::size_t lobe = draw(2 * n + 1, weight, u);
+    if (lobe == 0) {
+      return guide_.draw_direction(frame_, weight_, u, turn);
+    }
+    const uint chosen = static_cast<uint>(lobe - 1) % n;
+    const double nu = sample_phase(physics_, physics_.phase_of(chosen), physics_.medium(chosen).g, u, random);
+    return around(lobe <= n ? state_.direction : physics_.scene.sun.direction, nu, turn);
+  }
+
+  struct Choice {
+    vec3 scattered;     // coefficient times phase function back along the path, or the ground's counterpart
+    double density;     // 1/sr
+    double sun_weight;  // phase function from there to the sun, 1 for isotropic
+  };
+
+  Choice judge(vec3 direction) const {
+    const double to_sun = std::clamp(dot(direction, physics_.scene.sun.direction), -1.0, 1.0);
+    const double from_sky = toward_sky_ > 0.0 ? guide_.density(frame_, weight_, direction) : 0.0;
+    if (state_.at_ground) {
+      const double cosine = std::max(dot(direction, state_.up), 0.0) / std::numbers::pi;
+      return {physics_.scene.planet.ground_albedo * cosine, toward_sky_ * from_sky + (1.0 - toward_sky_) * cosine, 1.0};
+    }
+    const double turned = std::clamp(dot(direction, state_.direction), -1.0, 1.0);
+    Choice choice{vec3(0.0), toward_sky_ * from_sky, 0.0};
+    for (uint i = 0; i < count(); ++i) {
+      const uint kind = physics_.phase_of(i);
+      const double g = physics_.medium(i).g;
+      const double phase = physics_.phase_value(kind, g, turned);
+      const double toward_sun = physics_.phase_value(kind, g, to_sun);
+      choice.density += along_path_[i] * phase + around_sun_[i] * toward_sun;
+      choice.scattered = choice.scattered + state_.scattering[i] * phase;
+      choice.sun_weight += mix_[i] * toward_sun * 4.0 * std::numbers::pi;
+    }
+    return choice;
+  }
+
+ private:
+  uint count() const { return physics_.medium_count(); }
+
+  physics::Physics& physics_;
+  const SkyGuide& guide_;
+  const State& state_;
+  SkyFrame frame_;
+  Channels weight_;
+  double toward_sky_ = 0.0;
+  std::array<double, physics::kMaxMedia> along_path_{};
+  std::array<double, physics::kMaxMedia> around_sun_{};
+  std::array<double, physics::kMaxMedia> mix_{};
+};
+
+// Chooses a direction and plans the flight along it; false where the path ends.
+bool Walk::turn(State& state, bool guided, WalkNumbers& numbers, FlightPlan& plan) const {
+  const Lobes lobes(physics_, guide_, state, guided);
+  const double u = numbers.next();
+  const vec3 next = lobes.draw_direction(u, numbers.next(), numbers.random());
+  const Lobes::Choice choice = lobes.judge(next);
+  if (!(choice.density > 0.0)) {
+    return false;
+  }
+  state.direction = next;
+  state.carry = state.carry * choice.scattered / choice.density;
+  const vec3 sun = physics_.scene.sun.direction;
+  const physics::Physics::Ray ray = physics_.ray_in_atmosphere(
+      physics_.scene.planet, state.h, dot(state.up, state.direction), dot(state.up, sun), dot(state.direction, sun));
+  if (guided) {
+    flight_.plan_guided(ray, choice.sun_weight, plan);
+  } else {
+    flight_.plan_plain(ray, plan);
+  }
+  return true;
+}
+
+vec3 Walk::sample(const WalkStart& start, WalkNumbers& numbers, FlightPlan& plan) const {
+  State state;
+  state.h = start.ray.h;
+  state.up = start.up;
+  state.direction = start.direction;
+  vec3 sum(0.0);
+  if (!fly(state, start.plan, numbers.next())) {
+    return sum;
+  }
+  vec3 whole(0.0);  // what the path was worth when its standing was 1
+  double standing = 1.0;
+  for (int order = 2; max_orders_ == 0 || order <= max_orders_; ++order) {
+    const bool guided = order <= guided_orders_;
+    if (!turn(state, guided, numbers, plan)) {
+      break;
+    }
+    const vec3 worth = state.carry * vec3(plan.total[0], plan.total[1], plan.total[2]);
+    if (order == 2 || order == guided_orders_ + 1) {
+      whole = worth / standing;
+    }
+    standing = largest_ratio(worth, whole);
+    if (standing < kSurvival) {
+      if (!(numbers.random().uniform() * kSurvival < standing)) {
+        break;
+      }
+      state.carry = state.carry * (kSurvival / standing);
+      standing = kSurvival;
+    }
+    if (!fly(state, plan, numbers.next())) {
+      break;
+    }
+    sum = sum + from_sun(state);
+  }
+  return sum;
+}
+
+}  // namespace airlight

@@ -1,0 +1,65 @@
+#pragma once
+// Light of all higher orders: random walks from the camera, each vertex lit by the sun.
+
+#include <cstdint>
+
+#include "core/methods/path_trace/flight.h"
+#include "core/methods/path_trace/random.h"
+#include "core/methods/path_trace/single_scattering.h"
+#include "core/methods/path_trace/sky_guide.h"
+
+namespace airlight {
+
+inline constexpr int kBatch = 16;  // samples that share one even spread
+
+// A camera ray, ready to be walked from many times.
+struct WalkStart {
+  physics::vec3 up;         // unit, away from the planet's centre, where the ray enters the air
+  physics::vec3 direction;  // unit
+  physics::Physics::Ray ray;
+  FlightPlan plan;
+};
+
+// The first numbers of a walk, spread evenly over a batch of samples; the rest come from the sample's own stream.
+class WalkNumbers {
+ public:
+  WalkNumbers(std::uint64_t seed, std::uint64_t pixel, std::uint64_t batch, int index);
+  double next();
+  Random& random() { return random_; }
+
+ private:
+  Random shifts_;  // the batch's, equal for each of its samples
+  Random random_;
+  int index_;
+  int dimension_ = 0;
+};
+
+class Walk {
+ public:
+  // `max_orders`: scatterings and reflections of a path, at most; 0: no limit.
+  Walk(physics::Physics& physics, const OpticalDepth& depth, const SingleScattering& single, const Flight& flight,
+       const SkyGuide& guide, int max_orders);
+
+  WalkStart start(physics::vec3 direction) const;
+
+  // One estimate of the radiance from two scatterings or reflections on, for a sun of irradiance 1. `plan` is room to
+  // work in.
+  physics::vec3 sample(const WalkStart& start, WalkNumbers& numbers, FlightPlan& plan) const;
+
+ private:
+  struct State;
+  class Lobes;
+  bool fly(State& state, const FlightPlan& plan, double u) const;
+  physics::vec3 from_sun(const State& state) const;
+  bool turn(State& state, bool guided, WalkNumbers& numbers, FlightPlan& plan) const;
+
+  physics::Physics& physics_;
+  const OpticalDepth& depth_;
+  const SingleScattering& single_;
+  const Flight& flight_;
+  const SkyGuide& guide_;
+  int max_orders_;
+  int guided_orders_;
+};
+
+}  // namespace airlight

@@ -1,0 +1,256 @@
+#include "core/output/atomic_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <string>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+#include "core/error.h"
+
+namespace airlight {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMaxPath = 4096;  // Linux PATH_MAX
+constexpr std::size_t kMaxName = 255;   // NAME_MAX of every common file system
+constexpr std::size_t kMaxTemporaries = 32;
+
+// Temporary names that a signal handler may read at any moment: fixed storage, published by the state's store.
+struct TemporaryName {
+  enum State { free, reserved, live };
+  std::atomic<int> state = free;
+  std::array<char, kMaxPath> path{};
+};
+static_assert(std::atomic<int>::is_always_lock_free, "a signal handler reads it");
+std::array<TemporaryName, kMaxTemporaries> temporaries;
+
+// Registers a name for its life, and unlinks the file unless it was renamed.
+class Temporary {
+ public:
+  explicit Temporary(const std::string& path) {
+    if (path.size() >= kMaxPath) {
+      throw RunError(path + ": " + std::strerror(ENAMETOOLONG));
+    }
+    while (slot_ == nullptr) {
+      for (TemporaryName& slot : temporaries) {
+        int expected = TemporaryName::free;
+        if (slot.state.compare_exchange_strong(expected, TemporaryName::reserved)) {
+          slot_ = &slot;
+          break;
+        }
+      }
+      if (slot_ == nullptr) {  // more writers at once than slots: wait for one of them
+        std::this_thread::yield();
+      }
+    }
+    std::memcpy(slot_->path.data(), path.c_str(), path.size() + 1);
+    slot_->state.store(TemporaryName::live);
+  }
+  Temporary(const Temporary&) = delete;
+  Temporary& operator=(const Temporary&) = delete;
+  ~Temporary() {
+    if (!renamed_) {
+      ::unlink(path());
+    }
+    slot_->state.store(TemporaryName::free);
+  }
+
+  const char* path() const { return slot_->path.data(); }
+  bool rename_to(const std::string& target) {
+    renamed_ = ::rename(path(), target.c_str()) == 0;
+    return renamed_;
+  }
+
+ private:
+  TemporaryName* slot_ = nullptr;
+  bool renamed_ = false;
+};
+
+class Descriptor {
+ public:
+  explicit Descriptor(int fd) : fd_(fd) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (fd_ >= 0) {
+      ::close(fd_);
+    }
+  }
+  int get() const { return fd_; }
+  bool close() { return ::close(std::exchange(fd_, -1)) == 0; }  // NFS and quotas report a full disk here
+
+ private:
+  int fd_;
+};
+
+[[noreturn]] void fail(const std::string& file, const char* doing, int error) {
+  std::string hint;
+  if (error == ENOSPC || error == EDQUOT) {
+    hint = "; free some space or write elsewhere";
+  } else if (error == EACCES || error == EPERM || error == EROFS) {
+    hint = "; write to a folder of your own";
+  }
+  throw RunError(file + ": cannot " + doing + ": " + std::strerror(error) + hint);
+}
+
+void write_all(int fd, std::span<const std::byte> contents, const std::string& file) {
+  while (!contents.empty()) {
+    const ssize_t count = ::write(fd, contents.data(), contents.size());
+    if (count < 0 && errno == EINTR) {
+      continue;
+    }
+    if (count < 0) {
+      fail(file, "write", errno);
+    }
+    contents = contents.subspan(static_cast<std::size_t>(count));
+  }
+}
+
+// A descriptor of this process by name: even when it is a regular file, it is the caller's and stays where it is.
+bool names_descriptor(const fs::path& file) {
+  const std::string name = file.lexically_normal().string();
+  return name == "/dev/stdout" || name == "/dev/stderr" || name.starts_with("/dev/fd/") || name.starts_with("/proc/");
+}
+
+// A pipe, a device, /dev/stdout: nothing that a rename could replace.
+bool is_special(const fs::path& file) {
+  struct stat status {};
+  return names_descriptor(file) || (::stat(file.c_str(), &status) == 0 && !S_ISREG(status.st_mode));
+}
+
+// What a symbolic link points to, so that the rename replaces that file and not the link.
+fs::path behind_links(const fs::path& file) {
+  std::error_code error;
+  fs::path target = fs::canonical(file, error);
+  return error ? file : target;
+}
+
+fs::path folder_of(const fs::path& file) {
+  return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+std::string temporary_name(const fs::path& file) {
+  const std::string suffix = ".part-" + std::to_string(::getpid());
+  const std::string name = file.filename().string().substr(0, kMaxName - suffix.size());
+  return (file.parent_path() / (name + suffix)).string();
+}
+
+void write_in_place(const std::string& file, std::span<const std::byte> contents) {
+  Descriptor out(::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+  if (out.get() < 0) {
+    fail(file, "open", errno);
+  }
+  write_all(out.get(), contents, file);
+  if (!out.close()) {
+    fail(file, "close", errno);
+  }
+}
+
+void end_on_signal(int signal_number) {
+  remove_temporary_files();
+  ::signal(signal_number, SIG_DFL);
+  ::raise(signal_number);
+}
+
+}  // namespace
+
+void require_writable(const fs::path& file) {
+  const std::string name = file.string();
+  if (name.empty()) {
+    throw InputError("output file: the name is empty; give one such as sky.exr");
+  }
+  struct stat status {};
+  const bool exists = ::stat(file.c_str(), &status) == 0;
+  if (exists && S_ISDIR(status.st_mode)) {
+    throw InputError(name + ": is a directory; name a file in it, such as " + (file / "sky.exr").string());
+  }
+  if (!file.has_filename()) {
+    throw InputError(name + ": names a directory, not a file; create it and name a file in it");
+  }
+  if (exists && ::access(file.c_str(), W_OK) != 0) {
+    throw InputError(name + ": cannot be written (" + std::strerror(errno) +
+                     "); make it writable or choose another file");
+  }
+  if (is_special(file)) {
+    return;
+  }
+  const fs::path folder = folder_of(behind_links(file));
+  if (::stat(folder.c_str(), &status) != 0) {
+    const int reason = errno;
+    if (reason == ENOENT) {
+      throw InputError(name + ": the directory " + folder.string() + " does not exist; create it with: mkdir -p " +
+                       folder.string());
+    }
+    throw InputError(name + ": the directory " + folder.string() + " cannot be reached (" + std::strerror(reason) +
+                     "); choose another");
+  }
+  if (!S_ISDIR(status.st_mode)) {
+    throw InputError(name + ": " + folder.string() + " is a file, not a directory; choose another place");
+  }
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) {
+    throw InputError(name + ": the directory " + folder.string() + " cannot be written (" + std::strerror(errno) +
+                     "); choose a folder of your own");
+  }
+}
+
+void write_file(const fs::path& file, std::span<const std::byte> contents) {
+  const std::string name = file.string();
+  if (is_special(file)) {
+    write_in_place(name, contents);
+    return;
+  }
+  const fs::path target = behind_links(file);
+  Temporary temporary(temporary_name(target));
+  ::unlink(temporary.path());  // left by a killed process that had this number
+  Descriptor out(::open(temporary.path(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+  if (out.get() < 0) {
+    fail(name, "create", errno);
+  }
+  struct stat older {};
+  if (::stat(target.c_str(), &older) == 0 && ::fchmod(out.get(), older.st_mode & 07777) != 0) {
+    fail(name, "keep the permissions", errno);
+  }
+  write_all(out.get(), contents, name);
+  if (::fsync(out.get()) != 0) {
+    fail(name, "write", errno);
+  }
+  if (!out.close()) {
+    fail(name, "close", errno);
+  }
+  if (!temporary.rename_to(target.string())) {
+    fail(name, "replace", errno);
+  }
+}
+
+void remove_temporary_files() noexcept {
+  for (const TemporaryName& slot : temporaries) {
+    if (slot.state.load() == TemporaryName::live) {
+      ::unlink(slot.path.data());
+    }
+  }
+}
+
+void remove_temporary_files_on_signals() {
+  struct sigaction action {};
+  action.sa_handler = end_on_signal;
+  sigemptyset(&action.sa_mask);
+  for (const int signal_number : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction before {};
+    ::sigaction(signal_number, nullptr, &before);
+    if (before.sa_handler != SIG_IGN) {  // as nohup sets SIGHUP
+      ::sigaction(signal_number, &action, nullptr);
+    }
+  }
+}
+
+}  // namespace airlight

@@ -1,0 +1,24 @@
+#pragma once
+// Files that appear whole or not at all: written under a temporary name in the same folder, synced, then renamed.
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+
+namespace airlight {
+
+// To be called before long work. Throws InputError: empty name, target a directory, folder missing or not writable,
+// existing file not writable.
+void require_writable(const std::filesystem::path& file);
+
+// Pipes, devices and names of open descriptors (/dev/stdout) are written in place. Throws RunError with the path and
+// the system's reason; no temporary file is left behind and an older file of that name stays as it was.
+void write_file(const std::filesystem::path& file, std::span<const std::byte> contents);
+
+// Unlinks the temporary files of every write_file() now running. Async-signal-safe.
+void remove_temporary_files() noexcept;
+
+// From now on SIGINT, SIGTERM and SIGHUP unlink the temporary files, then end the process as they would have done.
+void remove_temporary_files_on_signals();
+
+}  // namespace airlight

@@ -1,0 +1,51 @@
+#pragma once
+// From scene-linear radiance to what a screen shows, through OpenColorIO.
+
+#include <memory>
+#include <string>
+
+#include "core/output/quantize.h"
+#include "core/radiance_image.h"
+
+namespace airlight {
+
+struct DisplaySettings {
+  std::string config;   // path of an OCIO config; empty: $OCIO, or the one built in
+  std::string display;  // empty: the config's default
+  std::string view;     // empty: the display's default
+  QuantizeOptions pixels;
+  // Transform every pixel by OpenColorIO itself. Otherwise an 8-bit picture is interpolated between transformed colours
+  // wherever that stays within half a code (about 5 times cheaper); 16 bits are always exact.
+  bool exact = false;
+};
+
+// Light to be added to the picture before the display transform.
+struct AddedLight {
+  const float* rgba = nullptr;  // of the picture's size; null: none
+  float intensity = 0.0F;
+};
+
+// The config read, its names checked: made before rendering, so that a wrong name costs no render.
+class DisplayTransform {
+ public:
+  // Throws InputError: config missing or broken, unknown display or view (with the choices and the nearest).
+  explicit DisplayTransform(const DisplaySettings& settings);
+  ~DisplayTransform();
+  DisplayTransform(DisplayTransform&&) noexcept;
+  DisplayTransform& operator=(DisplayTransform&&) noexcept;
+
+  const std::string& display() const;
+  const std::string& view() const;
+  const std::string& config() const;   // the path, or "the built-in config"
+  const std::string& warning() const;  // what had to be assumed about the config; mostly empty
+  bool is_srgb() const;                // whether a PNG of it may say that it is sRGB
+
+  // (image + intensity * light) * exposure, transformed. Alpha passes unchanged.
+  PixelImage apply(const RadianceImage& image, const AddedLight& light, float exposure) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace airlight

@@ -1,0 +1,94 @@
+#pragma once
+// Scene-linear EXR files. Equal pictures give equal bytes: no date, owner or host is written.
+
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/output/provenance.h"
+#include "core/radiance_image.h"
+
+namespace airlight {
+
+enum class ExrCompression { none, zips, zip, piz, pxr24 };
+
+// "none", "zips", "zip", "piz", "pxr24", for options and their help.
+std::span<const std::string> exr_compression_names();
+std::optional<ExrCompression> exr_compression(std::string_view name);
+
+// One channel of the picture, read where it lies: `first` is the sample of the top left pixel.
+struct ExrChannel {
+  std::string name;  // "R", or "LAYER.R"
+  const float* first = nullptr;
+  std::size_t stride = 4;  // floats from a pixel to the next; rows follow without a gap
+};
+
+// R, G, B and perhaps A of a picture, under a layer's name; empty for the beauty. The picture must outlive them.
+void add_channels(std::vector<ExrChannel>& channels, std::string_view layer, const RadianceImage& image,
+                  bool with_alpha = false);
+
+struct ExrOptions {
+  bool half = true;  // else 32-bit float
+  ExrCompression compression = ExrCompression::zip;
+  bool latlong = false;                  // an equirectangular picture: tagged as an environment map
+  std::optional<float> white_luminance;  // cd/m2 of radiance (1, 1, 1)
+  std::optional<std::array<float, 16>> world_to_camera;
+  std::string comments;
+  std::optional<Provenance> provenance;
+  std::map<std::string, std::string> strings;  // further attributes
+  std::map<std::string, float> numbers;
+};
+
+// Samples that the file could not hold, or should not have been given; alpha is not counted.
+struct ExrCounts {
+  std::size_t samples = 0;
+  std::size_t clamped = 0;      // above 65504 (infinity too), stored as 65504; half only
+  std::size_t underflowed = 0;  // not zero but below 2^-14, where a half loses its digits; half only
+  std::size_t negative = 0;
+  std::size_t nan = 0;
+};
+
+struct ExrFile {
+  std::vector<std::byte> bytes;
+  ExrCounts counts;
+};
+
+// The whole file in memory, for write_file().
+ExrFile encode_exr(int width, int height, std::span<const ExrChannel> channels, const ExrOptions& options);
+
+ExrCounts write_exr(const std::filesystem::path& file, int width, int height, std::span<const ExrChannel> channels,
+                    const ExrOptions& options);
+
+// For worldToCamera: 16 numbers by rows, for row vectors (p_camera = p_world * M, as OpenEXR's M44f). World: the
+// preset's frame, km, origin on the ground below the camera. Camera space: x right, y up, looking down -z.
+// The three axes are orthonormal directions in the world; right x up = -forward.
+using Axis = std::array<double, 3>;
+std::array<float, 16> world_to_camera(const Axis& right, const Axis& up, const Axis& forward, double altitude);
+
+// An axis of a table: what its texels stand for, in words, with the unit.
+struct TableAxis {
+  std::string name;     // "altitude"
+  std::string unit;     // "km"
+  std::string mapping;  // how a texel's centre becomes the quantity
+};
+
+// A table as a float EXR: attributes `airlight:axis:x`, `:y` ("NAME [UNIT]: MAPPING") and `airlight:quantity`.
+// A table of depth n is stored as n slices side by side, with `airlight:axis:z` and `airlight:slices`.
+struct Table {
+  int width = 0;  // of the whole picture, all slices together
+  int height = 0;
+  int slices = 1;
+  const float* rgba = nullptr;
+  std::string quantity;  // "transmittance to the top of the atmosphere [1]"
+  TableAxis x, y, z;     // z where there is more than one slice
+};
+void write_table_exr(const std::filesystem::path& file, const Table& table,
+                     const std::optional<Provenance>& provenance);
+
+}  // namespace airlight

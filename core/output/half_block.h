@@ -1,0 +1,20 @@
+#pragma once
+// Floats to IEEE halves for the EXR, counting what a half cannot hold.
+
+#include <cstddef>
+#include <cstdint>
+
+#include "core/output/exr.h"
+
+namespace airlight {
+
+// Converts `count` samples, `stride` floats apart, rounding to nearest even; above 65504 becomes 65504 (NaN stays).
+void convert_to_half(const float* samples, std::size_t stride, std::size_t count, std::uint16_t* halves,
+                     ExrCounts& counts);
+
+// The counts that do not depend on the format: samples, negative, nan.
+void count_samples(const float* samples, std::size_t stride, std::size_t count, ExrCounts& counts);
+
+void add_counts(ExrCounts& total, const ExrCounts& part);
+
+}  // namespace airlight

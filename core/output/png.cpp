@@ -1,0 +1,133 @@
+#include "core/output/png.h"
+
+#include <png.h>
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <csetjmp>
+#include <string>
+#include <utility>
+
+#include "core/error.h"
+#include "core/output/atomic_file.h"
+
+namespace airlight {
+namespace {
+
+// Measured on a dithered 1080p sky, CPU-ms and MB: level 1 with SUB 38 and 0.86, with UP 50 and 1.1, with all filters
+// at level 6 177 and 0.43; a sky's rows are smoother along than across.
+constexpr int kZlibLevel = 1;
+constexpr int kFilter = PNG_FILTER_SUB;
+constexpr std::size_t kIdatBytes = 1U << 18;
+
+// Everything that libpng's callbacks reach; nothing with a destructor may live in a frame that longjmp leaves.
+struct Sink {
+  std::vector<std::byte> bytes;
+  std::string error;
+};
+
+void append(png_structp png, png_bytep data, png_size_t size) {
+  Sink& sink = *static_cast<Sink*>(png_get_io_ptr(png));
+  const std::byte* const first = reinterpret_cast<const std::byte*>(data);
+  sink.bytes.insert(sink.bytes.end(), first, first + size);
+}
+
+[[noreturn]] void leave(png_structp png, png_const_charp message) {
+  static_cast<Sink*>(png_get_error_ptr(png))->error = message;
+  png_longjmp(png, 1);
+}
+
+void ignore_warning(png_structp, png_const_charp) {}
+
+class Writer {
+ public:
+  explicit Writer(Sink& sink) : png_(png_create_write_struct(PNG_LIBPNG_VER_STRING, &sink, leave, ignore_warning)) {
+    if (png_ != nullptr) {
+      info_ = png_create_info_struct(png_);
+    }
+    if (info_ == nullptr) {
+      png_destroy_write_struct(&png_, nullptr);
+      throw RunError("PNG: cannot start the encoder: out of memory");
+    }
+    png_set_write_fn(png_, &sink, append, nullptr);
+  }
+  Writer(const Writer&) = delete;
+  Writer& operator=(const Writer&) = delete;
+  ~Writer() { png_destroy_write_struct(&png_, &info_); }
+  png_structp png() { return png_; }
+  png_infop info() { return info_; }
+
+ private:
+  png_structp png_ = nullptr;
+  png_infop info_ = nullptr;
+};
+
+void add_texts(Writer& writer, const std::map<std::string, std::string>& texts) {
+  for (const auto& [key, value] : texts) {
+    const bool ascii = std::all_of(value.begin(), value.end(), [](char c) { return static_cast<signed char>(c) >= 0; });
+    png_text text{};
+    text.compression = ascii ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
+    text.key = const_cast<char*>(key.c_str());  // libpng copies both
+    text.text = const_cast<char*>(value.c_str());
+    text.text_length = ascii ? value.size() : 0;
+    text.itxt_length = ascii ? 0 : value.size();
+    png_set_text(writer.png(), writer.info(), &text, 1);
+  }
+}
+
+void write_rows(Writer& writer, const PixelImage& image) {
+  const std::size_t samples = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.channels);
+  for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y) {
+    if (image.bits == 8) {
+      png_write_row(writer.png(), image.bytes.data() + y * samples);
+    } else {
+      png_write_row(writer.png(), reinterpret_cast<png_const_bytep>(image.words.data() + y * samples));
+    }
+  }
+}
+
+// False when libpng gave up; Sink::error says why.
+bool encode(Writer& writer, const PixelImage& image, const PngOptions& options) {
+  if (setjmp(png_jmpbuf(writer.png())) != 0) {
+    return false;
+  }
+  png_set_user_limits(writer.png(), 0x7fffffff, 0x7fffffff);
+  png_set_compression_level(writer.png(), kZlibLevel);
+  png_set_compression_buffer_size(writer.png(), kIdatBytes);
+  png_set_filter(writer.png(), PNG_FILTER_TYPE_BASE, kFilter);
+  png_set_IHDR(writer.png(), writer.info(), static_cast<png_uint_32>(image.width),
+               static_cast<png_uint_32>(image.height), image.bits,
+               image.channels == 4 ? PNG_COLOR_TYPE_RGBA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  if (options.srgb) {
+    png_set_sRGB(writer.png(), writer.info(), PNG_sRGB_INTENT_RELATIVE);
+  }
+  add_texts(writer, options.texts);
+  png_write_info(writer.png(), writer.info());
+  if (image.bits == 16 && std::endian::native == std::endian::little) {
+    png_set_swap(writer.png());
+  }
+  write_rows(writer, image);
+  png_write_end(writer.png(), writer.info());
+  return true;
+}
+
+}  // namespace
+
+std::vector<std::byte> encode_png(const PixelImage& image, const PngOptions& options) {
+  assert(image.width > 0 && image.height > 0 && (image.channels == 3 || image.channels == 4));
+  assert(image.bits == 8 || image.bits == 16);
+  Sink sink;
+  Writer writer(sink);
+  if (!encode(writer, image, options)) {
+    throw RunError("PNG: cannot encode the picture: " + sink.error);
+  }
+  return std::move(sink.bytes);
+}
+
+void write_png(const std::filesystem::path& file, const PixelImage& image, const PngOptions& options) {
+  write_file(file, encode_png(image, options));
+}
+
+}  // namespace airlight

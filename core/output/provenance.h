@@ -1,0 +1,25 @@
+#pragma once
+// What made a picture: kept in the EXR's header, so that the file alone is enough to render it again.
+
+#include <filesystem>
+#include <string>
+
+namespace airlight {
+
+struct Provenance {
+  std::string preset_json;  // the whole resolved scene
+  std::string method;
+  std::string version;  // of airlight
+  std::string device;
+
+  bool operator==(const Provenance&) const = default;
+};
+
+// By the first four bytes; false for a file that is missing or cannot be read.
+bool is_exr(const std::filesystem::path& file);
+
+// Reads the header alone: a file cut short after it still tells how it was made.
+// Throws InputError: missing, not an EXR, header damaged, not written by airlight.
+Provenance read_provenance(const std::filesystem::path& file);
+
+}  // namespace airlight

@@ -1,0 +1,11 @@
+#pragma once
+// Names of our EXR attributes, written by exr.cpp and read by provenance.cpp.
+
+namespace airlight {
+
+inline constexpr const char* kPresetKey = "airlight:preset";
+inline constexpr const char* kMethodKey = "airlight:method";
+inline constexpr const char* kVersionKey = "airlight:version";
+inline constexpr const char* kDeviceKey = "airlight:device";
+
+}  // namespace airlight

@@ -1,0 +1,18 @@
+#pragma once
+// The scene's uniform block as the device reads it: shaders/shared/scene.h on float, scalar layout.
+
+namespace airlight::device {
+
+using real = float;
+using uint = unsigned int;
+
+struct vec2 {
+  float x = 0.0f, y = 0.0f;
+};
+struct vec3 {
+  float x = 0.0f, y = 0.0f, z = 0.0f;
+};
+
+#include "shaders/shared/scene.h"
+
+}  // namespace airlight::device

@@ -1,0 +1,101 @@
+#pragma once
+// shaders/physics compiled as C++ on double: the same text that the device runs in float.
+
+#include <cstddef>
+#include <vector>
+
+#include "core/physics/vector.h"
+
+namespace airlight::physics {
+
+// In the order of their needs.
+// clang-format off
+#include "shaders/shared/scene.h"
+#include "shaders/shared/tables.h"
+#include "shaders/shared/analytic.h"
+// clang-format on
+
+// A two-dimensional table with the device's sampling: bilinear between texel centres, clamped at the edges.
+struct HostTable {
+  int width = 0;
+  int height = 0;
+  std::vector<vec3> texels;  // row by row
+
+  vec3 fetch(real u, real v) const;       // texture coordinates, 0 to 1 over the whole table
+  vec3 fetch_unit(real x, real y) const;  // unit range over the texel centres
+};
+
+struct Physics {
+  SceneData scene;
+  uint media = 0;
+  uint density_profiles = 0;  // four bits a medium
+  uint phase_functions = 0;   // four bits a medium
+  bool fade = false;
+  HostTable transmittance_lut;
+  HostTable multiple_scattering_lut;
+  HostTable ground_irradiance_lut;
+  HostTable moments_lut;  // blocks of moment_columns side by side (physics/moments.glsl)
+  uint moment_columns = 0;
+  uint degree = 2;
+  bool delta = false;
+  AnalyticData analytic;
+
+  uint medium_count() const { return media; }
+  uint density_profile(uint i) const { return (density_profiles >> (kBitsPerMedium * i)) & 15u; }
+  uint phase_of(uint i) const { return (phase_functions >> (kBitsPerMedium * i)) & 15u; }
+  MediumData medium(uint i) const { return scene.media[i]; }
+  vec2 density_layer(uint k) const { return scene.layers[k]; }
+  bool sun_fade_enabled() const { return fade; }
+  bool ground_reflects() const { return ground_irradiance_lut.width > 0; }
+  vec3 fetch_transmittance(real x, real y) const { return transmittance_lut.fetch_unit(x, y); }
+  vec3 fetch_multiple_scattering(real x, real y) const { return multiple_scattering_lut.fetch_unit(x, y); }
+  vec3 fetch_ground_irradiance(real x) const { return ground_irradiance_lut.fetch_unit(x, 0.5); }
+  uint moment_degree() const { return degree; }
+  bool delta_scaled() const { return delta; }
+  AnalyticMedium analytic_medium(uint i) const { return analytic.media[i]; }
+  AnalyticDiffuse analytic_diffuse() const { return analytic.diffuse; }
+  real share_above(uint i, uint j) const { return analytic.above[i * kMaxMedia + j]; }
+  real share_below(uint i, uint j) const { return analytic.below[i * kMaxMedia + j]; }
+  vec3 horizon_mass() const { return analytic.horizon_mass; }
+  real lit_height() const { return analytic.lit_height; }
+  bool scatters(uint i) const {
+    const vec3 s = scene.media[i].scattering;
+    return s.x > 0.0 || s.y > 0.0 || s.z > 0.0;
+  }
+  vec3 fetch_moment(uint k, real x, real y) const {
+    return moments_lut.fetch((k * moment_columns + 0.5 + x * (moment_columns - 1.0)) / moments_lut.width,
+                             (0.5 + y * (moments_lut.height - 1)) / moments_lut.height);
+  }
+
+// In the order of their needs.
+// clang-format off
+#include "shaders/physics/phase.glsl"
+#include "shaders/physics/geometry.glsl"
+#include "shaders/physics/camera.glsl"
+#include "shaders/physics/medium.glsl"
+#include "shaders/physics/segment.glsl"
+#include "shaders/physics/quadrature.glsl"
+#include "shaders/physics/lut_mapping.glsl"
+#include "shaders/physics/transmittance.glsl"
+#include "shaders/physics/transmittance_lut.glsl"
+  uint sun_steps = 0;  // 0: sunlight from the table; else by a march of so many steps, as `nested` has it
+  vec3 transmittance_to_top(PlanetData planet, real h, real mu) {
+    return sun_steps > 0 ? exp(-optical_depth_to_top(planet, h, mu, sun_steps)) : table_transmittance(planet, h, mu);
+  }
+#include "shaders/physics/sunlight.glsl"
+#include "shaders/physics/march.glsl"
+#include "shaders/physics/multiple_scattering.glsl"
+#include "shaders/physics/sky_view_mapping.glsl"
+#include "shaders/physics/columns.glsl"
+#include "shaders/physics/analytic.glsl"
+#include "shaders/physics/zenith_density.glsl"
+#include "shaders/physics/irradiance.glsl"
+#include "shaders/physics/moments.glsl"
+#include "shaders/physics/orders.glsl"
+#include "shaders/physics/order_tail.glsl"
+#include "shaders/physics/sky_factors.glsl"
+#include "shaders/physics/sky_table.glsl"
+  // clang-format on
+};
+
+}  // namespace airlight::physics

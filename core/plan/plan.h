@@ -1,0 +1,124 @@
+#pragma once
+// A list of compute passes as plain data: no Vulkan types, nothing opened, testable without a device.
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace airlight {
+
+enum class Format { rgba32f, rgba16f };
+
+struct Extent {
+  std::uint32_t width = 1;
+  std::uint32_t height = 1;
+  std::uint32_t depth = 1;  // > 1: a 3-D image
+};
+
+// `key` not empty: the contents depend on nothing but what the key says, and they are kept by the executor for later
+// plans; passes that would only make again what is kept are skipped (see passes_to_run).
+struct ImageDesc {
+  std::string name = {};
+  Extent extent = {};
+  Format format = Format::rgba32f;
+  std::string key = {};
+  std::size_t bytes() const;  // tightly packed
+};
+
+struct BufferDesc {
+  std::string name = {};
+  std::size_t bytes = 0;
+  bool host_readable = false;
+  std::vector<std::byte> contents = {};  // empty: starts as zeros; else exactly `bytes` long
+  std::string key = {};
+  // With a key: kept, but made anew by every plan that has a pass for it; a later plan without one reads what is there.
+  bool carried = false;
+  bool zeroed = true;  // false: starts undefined, for a buffer that its pass writes whole (33 MB of zeros cost ms)
+};
+
+struct ImageId {
+  std::uint32_t index = 0;
+  auto operator<=>(const ImageId&) const = default;
+};
+struct BufferId {
+  std::uint32_t index = 0;
+  auto operator<=>(const BufferId&) const = default;
+};
+using ResourceId = std::variant<ImageId, BufferId>;
+
+struct Binding {
+  std::string name;  // as the shader spells it
+  ResourceId resource;
+};
+
+struct Specialization {
+  std::string name;  // as the shader spells the constant
+  std::uint32_t value = 0;
+};
+
+struct PassDesc {
+  std::string name = {};    // for timings and errors; the shader's name when empty
+  std::string shader = {};  // file name in shaders/passes without .comp
+  std::vector<Binding> reads = {};
+  std::vector<Binding> writes = {};  // a resource read and written stands here only
+  Extent grid = {};                  // in threads; workgroups are rounded up
+  std::vector<std::uint32_t> push_constants = {};
+  std::vector<Specialization> specialization = {};
+};
+
+class Plan {
+ public:
+  // The one uniform block, `scene` in every shader that declares it.
+  std::vector<std::byte> scene_data;
+
+  ImageId add_image(ImageDesc desc);
+  BufferId add_buffer(BufferDesc desc);
+  void add_pass(PassDesc desc);
+  // Copies an image to a new host-readable buffer after the last pass, tightly packed, rows from the top.
+  BufferId add_readback(ImageId image);
+
+  const std::vector<ImageDesc>& images() const { return images_; }
+  const std::vector<BufferDesc>& buffers() const { return buffers_; }
+  const std::vector<PassDesc>& passes() const { return passes_; }
+  struct Readback {
+    ImageId image;
+    BufferId buffer;
+  };
+  const std::vector<Readback>& readbacks() const { return readbacks_; }
+
+ private:
+  std::vector<ImageDesc> images_;
+  std::vector<BufferDesc> buffers_;
+  std::vector<PassDesc> passes_;
+  std::vector<Readback> readbacks_;
+};
+
+std::size_t bytes_per_texel(Format format);
+
+// "image transmittance", for messages.
+std::string describe(const Plan& plan, ResourceId id);
+
+// The pass's name, or its shader's when it has none.
+const std::string& pass_name(const PassDesc& pass);
+
+// Throws std::logic_error naming pass and resource: something read that no earlier pass wrote (and that has neither
+// contents nor a key), something both read and written in one pass, an empty grid, an unknown id, a repeated name.
+void check(const Plan& plan);
+
+// Tells whether what a kept resource's key promises is already there.
+using IsKept = std::function<bool(ResourceId)>;
+
+// One flag a pass: false where running it would only make again what is kept, or what nobody but such passes reads. A
+// kept resource that some pass must write after all is made from its first writer on.
+std::vector<bool> passes_to_run(const Plan& plan, const IsKept& is_kept);
+
+// One flag a pass: whether a memory barrier must stand before it, that is, whether it touches something written, or
+// overwrites something read, since the last barrier. Passes that do not run (flag false in `runs`) touch nothing.
+std::vector<bool> barriers_before(const Plan& plan);
+std::vector<bool> barriers_before(const Plan& plan, const std::vector<bool>& runs);
+
+}  // namespace airlight

@@ -1,0 +1,114 @@
+// Which passes of a plan run, and where barriers go.
+
+#include <algorithm>
+
+#include "core/plan/plan.h"
+
+namespace airlight {
+namespace {
+
+std::size_t slot(const Plan& plan, ResourceId id) {
+  if (const auto* image = std::get_if<ImageId>(&id)) return image->index;
+  return plan.images().size() + std::get<BufferId>(id).index;
+}
+
+std::size_t slot_count(const Plan& plan) {
+  return plan.images().size() + plan.buffers().size();
+}
+
+// By slot: whether the host or a later plan gets to see it, so that it must hold its contents after the run.
+std::vector<bool> seen_afterwards(const Plan& plan) {
+  std::vector<bool> seen(slot_count(plan), false);
+  for (std::size_t i = 0; i < plan.buffers().size(); ++i) {
+    seen[plan.images().size() + i] = plan.buffers()[i].host_readable || plan.buffers()[i].carried;
+  }
+  for (const Plan::Readback& readback : plan.readbacks()) seen[slot(plan, readback.image)] = true;
+  return seen;
+}
+
+// By slot, for the passes gone through backwards so far: who touches a resource after this point.
+struct Later {
+  std::vector<bool> touched;         // by any pass
+  std::vector<bool> touched_in_run;  // by a pass that runs
+};
+
+bool must_run(const Plan& plan, const PassDesc& pass, const std::vector<bool>& kept, const std::vector<bool>& seen,
+              const Later& later) {
+  return std::any_of(pass.writes.begin(), pass.writes.end(), [&](const Binding& write) {
+    const std::size_t s = slot(plan, write.resource);
+    if (kept[s]) return false;
+    const bool only_for_skipped_passes = later.touched[s] && !later.touched_in_run[s];
+    return seen[s] || !only_for_skipped_passes;
+  });
+}
+
+std::vector<bool> run_flags(const Plan& plan, const std::vector<bool>& kept, const std::vector<bool>& seen) {
+  std::vector<bool> runs(plan.passes().size());
+  Later later{std::vector<bool>(slot_count(plan)), std::vector<bool>(slot_count(plan))};
+  for (std::size_t i = plan.passes().size(); i-- > 0;) {
+    const PassDesc& pass = plan.passes()[i];
+    runs[i] = must_run(plan, pass, kept, seen, later);
+    const auto touch = [&](const Binding& binding) {
+      later.touched[slot(plan, binding.resource)] = true;
+      if (runs[i]) later.touched_in_run[slot(plan, binding.resource)] = true;
+    };
+    std::for_each(pass.reads.begin(), pass.reads.end(), touch);
+    std::for_each(pass.writes.begin(), pass.writes.end(), touch);
+  }
+  return runs;
+}
+
+}  // namespace
+
+std::vector<bool> passes_to_run(const Plan& plan, const IsKept& is_kept) {
+  const std::vector<bool> seen = seen_afterwards(plan);
+  std::vector<bool> kept(slot_count(plan));
+  for (std::uint32_t i = 0; i < plan.images().size(); ++i) {
+    kept[i] = !plan.images()[i].key.empty() && is_kept(ImageId{i});
+  }
+  for (std::uint32_t i = 0; i < plan.buffers().size(); ++i) {
+    const BufferDesc& buffer = plan.buffers()[i];
+    kept[plan.images().size() + i] = !buffer.key.empty() && !buffer.carried && is_kept(BufferId{i});
+  }
+  while (true) {
+    std::vector<bool> runs = run_flags(plan, kept, seen);
+    bool unchanged = true;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      if (!runs[i]) continue;
+      // Written again in place, perhaps on top of what an earlier pass made: that one has to run as well.
+      for (const Binding& write : plan.passes()[i].writes) {
+        const std::size_t s = slot(plan, write.resource);
+        if (kept[s]) unchanged = false;
+        kept[s] = false;
+      }
+    }
+    if (unchanged) return runs;
+  }
+}
+
+std::vector<bool> barriers_before(const Plan& plan) {
+  return barriers_before(plan, std::vector<bool>(plan.passes().size(), true));
+}
+
+std::vector<bool> barriers_before(const Plan& plan, const std::vector<bool>& runs) {
+  std::vector<bool> written(slot_count(plan));  // since the last barrier
+  std::vector<bool> read(slot_count(plan));
+  std::vector<bool> barriers(plan.passes().size());
+  for (std::size_t i = 0; i < plan.passes().size(); ++i) {
+    if (!runs[i]) continue;
+    const PassDesc& pass = plan.passes()[i];
+    const auto was_written = [&](const Binding& b) { return written[slot(plan, b.resource)]; };
+    const auto was_touched = [&](const Binding& b) { return was_written(b) || read[slot(plan, b.resource)]; };
+    barriers[i] = std::any_of(pass.reads.begin(), pass.reads.end(), was_written) ||
+                  std::any_of(pass.writes.begin(), pass.writes.end(), was_touched);
+    if (barriers[i]) {
+      written.assign(written.size(), false);
+      read.assign(read.size(), false);
+    }
+    for (const Binding& b : pass.reads) read[slot(plan, b.resource)] = true;
+    for (const Binding& b : pass.writes) written[slot(plan, b.resource)] = true;
+  }
+  return barriers;
+}
+
+}  // namespace airlight

@@ -1,0 +1,162 @@
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "core/physics/physics.h"
+#include "core/post/post.h"
+
+namespace airlight {
+namespace {
+
+// The chain's finest grid: 720 lines over 60 degrees.
+constexpr double kBaseTexelAngle = std::numbers::pi / 3.0 / 720.0;
+
+std::uint32_t bits(double x) {
+  return std::bit_cast<std::uint32_t>(static_cast<float>(x));
+}
+
+// Angle of a pixel at the picture's centre, radians.
+double pixel_angle(const Scene& scene) {
+  switch (scene.camera.projection) {
+    case Projection::perspective:
+      return scene.camera.vertical_fov / scene.image.height;
+    case Projection::equirectangular:
+      return std::numbers::pi / scene.image.height;
+    case Projection::fisheye:
+      return scene.camera.vertical_fov / std::min(scene.image.width, scene.image.height);
+  }
+  return kBaseTexelAngle;
+}
+
+// Every device that airlight runs on takes images of this many texels a side.
+constexpr double kMostTexels = 16384.0;
+
+// A level of the chain: what a texel spans, in pixels of the picture, and the image, which is never finer than the
+// picture or larger than a device takes.
+struct Level {
+  double texel = 1.0;
+  Extent extent;
+  ImageId image;
+  bool coarsened = false;  // the image's texels are larger than `texel`
+};
+
+Level level_of(const Picture& picture, double texel) {
+  const double coarsest = std::max({texel, 1.0, std::max(picture.width, picture.height) / kMostTexels});
+  const auto side = [&](std::uint32_t pixels) {
+    return static_cast<std::uint32_t>(std::max(1.0, std::floor(pixels / coarsest + 1e-9)));
+  };
+  return {texel, {side(picture.width), side(picture.height), 1}, {}, coarsest > texel};
+}
+
+struct Taps {
+  double x = 0.0;
+  double y = 0.0;
+};
+
+// One texel of a level in texture coordinates: as the level's size was rounded, or by angle where the image is coarser.
+Taps taps_of(const Picture& picture, const Level& level) {
+  if (level.coarsened) {
+    return {level.texel / picture.width, level.texel / picture.height};
+  }
+  return {1.0 / level.extent.width, 1.0 / level.extent.height};
+}
+
+ImageId add_level(Plan& plan, const char* kind, int level, Extent extent) {
+  return plan.add_image({.name = kind + std::to_string(level), .extent = extent, .format = Format::rgba32f, .key = {}});
+}
+
+std::uint32_t wrap(const Scene& scene) {
+  return scene.camera.projection == Projection::equirectangular ? 1u : 0u;
+}
+
+// The downsampled levels 1 to n, finest first.
+std::vector<Level> add_levels(Plan& plan, const Scene& scene, const Picture& picture, double exposure) {
+  const double base_texel = kBaseTexelAngle / pixel_angle(scene);  // in pixels
+  Level source = level_of(picture, base_texel);
+  source.image = add_level(plan, "bloom_base", 0, source.extent);
+  plan.add_pass({.name = "bloom_base",
+                 .shader = "bloom_base",
+                 .reads = {{"picture", picture.buffer}},
+                 .writes = {{"base_out", source.image}},
+                 .grid = source.extent,
+                 .push_constants = {picture.width, picture.height},
+                 .specialization = {}});
+  std::vector<Level> levels;
+  for (int level = 1; level <= scene.bloom.levels; ++level) {
+    Level out = level_of(picture, base_texel * std::exp2(level));
+    out.image = add_level(plan, "bloom_down", level, out.extent);
+    const Taps taps =
+        level == 1 ? Taps{base_texel / picture.width, base_texel / picture.height} : taps_of(picture, source);
+    plan.add_pass({.name = "bloom_down" + std::to_string(level),
+                   .shader = "bloom_down",
+                   .reads = {{"source", source.image}},
+                   .writes = {{"level_out", out.image}},
+                   .grid = out.extent,
+                   .push_constants = {bits(taps.x), bits(taps.y), bits(scene.bloom.threshold), bits(exposure)},
+                   .specialization = {{"kWrap", wrap(scene)}, {"kFirst", level == 1 ? 1u : 0u}}});
+    levels.push_back(out);
+    source = out;
+  }
+  return levels;
+}
+
+}  // namespace
+
+BufferId add_bloom(Plan& plan, const Scene& scene, const Picture& picture, double exposure) {
+  const std::vector<Level> levels = add_levels(plan, scene, picture, exposure);
+  ImageId sum = levels.back().image;
+  for (std::size_t i = levels.size() - 1; i-- > 0;) {
+    const Taps taps = taps_of(picture, levels[i + 1]);
+    const ImageId out = add_level(plan, "bloom_up", static_cast<int>(i) + 1, levels[i].extent);
+    plan.add_pass({.name = "bloom_up" + std::to_string(i + 1),
+                   .shader = "bloom_up",
+                   .reads = {{"coarser", sum}, {"level", levels[i].image}},
+                   .writes = {{"sum_out", out}},
+                   .grid = levels[i].extent,
+                   .push_constants = {bits(taps.x), bits(taps.y)},
+                   .specialization = {{"kWrap", wrap(scene)}}});
+    sum = out;
+  }
+  const BufferId bloom = plan.add_buffer(
+      {.name = "bloom",
+       .bytes = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height) * 4 * sizeof(float),
+       .host_readable = true,
+       .contents = {},
+       .key = {},
+       .zeroed = false});
+  plan.add_pass({.name = "bloom_resolve",
+                 .shader = "bloom_resolve",
+                 .reads = {{"chain", sum}},
+                 .writes = {{"bloom_out", bloom}},
+                 .grid = {picture.width, picture.height, 1},
+                 .push_constants = {picture.width, picture.height},
+                 .specialization = {{"kWrap", wrap(scene)}}});
+  return bloom;
+}
+
+BufferId add_tonemap(Plan& plan, const Scene& scene, const Picture& picture, std::optional<BufferId> bloom,
+                     double exposure) {
+  constexpr std::uint32_t kCurves[] = {
+      physics::kToneAces,        physics::kToneReinhard, physics::kToneReinhardLuminance,
+      physics::kToneExponential, physics::kToneClamp,    physics::kToneNone};
+  const BufferId encoded =
+      plan.add_buffer({.name = "encoded",
+                       .bytes = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height) * 8,
+                       .host_readable = true,
+                       .contents = {},
+                       .key = {},
+                       .zeroed = false});
+  plan.add_pass({.name = "tonemap",
+                 .shader = "tonemap",
+                 .reads = {{"picture", picture.buffer}, {"bloom", bloom.value_or(picture.buffer)}},
+                 .writes = {{"encoded_out", encoded}},
+                 .grid = {picture.width, picture.height, 1},
+                 .push_constants = {picture.width, picture.height, bits(exposure), bits(scene.bloom.intensity)},
+                 .specialization = {{"kCurve", kCurves[static_cast<std::size_t>(scene.display.tonemap)]},
+                                    {"kBloom", bloom ? 1u : 0u}}});
+  return encoded;
+}
+
+}  // namespace airlight

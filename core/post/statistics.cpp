@@ -1,0 +1,83 @@
+#include <cmath>
+#include <cstring>
+
+#include "core/post/post.h"
+
+namespace airlight {
+namespace {
+
+using real = float;
+using uint = std::uint32_t;
+#include "shaders/shared/statistics.h"
+
+constexpr double kMiddleGrey = 0.18;
+
+BufferId add_rows(Plan& plan, std::string name, std::uint32_t height, std::string key) {
+  return plan.add_buffer({.name = std::move(name),
+                          .bytes = height * sizeof(RowStatistics),
+                          .host_readable = true,
+                          .contents = {},
+                          .key = std::move(key),
+                          .zeroed = false});
+}
+
+}  // namespace
+
+BufferId add_picture_statistics(Plan& plan, const Picture& picture) {
+  const BufferId rows = add_rows(plan, "picture_statistics", picture.height, {});
+  plan.add_pass({.name = "picture_statistics",
+                 .shader = "picture_statistics",
+                 .reads = {{"picture", picture.buffer}},
+                 .writes = {{"rows_out", rows}},
+                 .grid = {64, picture.height, 1},
+                 .push_constants = {picture.width, picture.height},
+                 .specialization = {}});
+  return rows;
+}
+
+BufferId add_table_statistics(Plan& plan, ImageId table) {
+  const ImageDesc& image = plan.images()[table.index];
+  const std::string name = image.name + "_statistics";
+  const BufferId rows = add_rows(plan, name, image.extent.height, image.key.empty() ? "" : image.key + " statistics");
+  plan.add_pass({.name = name,
+                 .shader = "table_statistics",
+                 .reads = {{"table", table}},
+                 .writes = {{"rows_out", rows}},
+                 .grid = {64, image.extent.height, 1},
+                 .push_constants = {image.extent.width, image.extent.height},
+                 .specialization = {}});
+  return rows;
+}
+
+Statistics summarize(std::span<const std::byte> rows, std::uint32_t width) {
+  Statistics all;
+  double log_sum = 0.0;
+  for (std::size_t y = 0; y < rows.size() / sizeof(RowStatistics); ++y) {
+    RowStatistics row;
+    std::memcpy(&row, rows.data() + y * sizeof row, sizeof row);
+    if (all.sound() && row.first_bad < width) {
+      all.first_bad_x = row.first_bad;
+      all.first_bad_y = static_cast<std::uint32_t>(y);
+    }
+    log_sum += static_cast<double>(row.log_luminance_sum);
+    all.lit += static_cast<std::uint64_t>(row.lit);
+    all.max_luminance = std::max(all.max_luminance, static_cast<double>(row.max_luminance));
+    all.not_finite += row.not_finite;
+    all.negative += row.negative;
+  }
+  all.log_average_luminance = all.lit == 0 ? 0.0 : std::exp(log_sum / static_cast<double>(all.lit));
+  return all;
+}
+
+double exposure_for(const Display& display, const Statistics& statistics) {
+  if (display.exposure) {
+    return *display.exposure;
+  }
+  return statistics.log_average_luminance > 0.0 ? kMiddleGrey / statistics.log_average_luminance : 1.0;
+}
+
+bool bloom_glows(const Bloom& bloom, const Statistics& statistics, double exposure) {
+  return bloom.enabled && bloom.intensity > 0.0 && statistics.max_luminance * exposure > bloom.threshold;
+}
+
+}  // namespace airlight

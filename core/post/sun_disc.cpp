@@ -1,0 +1,155 @@
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "core/luts/luts.h"
+#include "core/physics/scene_data.h"
+#include "core/post/post.h"
+
+namespace airlight {
+namespace {
+
+using physics::vec3;
+
+constexpr TableSize kDiscTransmittance{256, 64};  // of a method without a table
+
+// The disc's bounding box in pixels from the upper left corner. Across a round picture's seam it goes on beyond 0 or
+// the width.
+struct Box {
+  double low_x = 0.0;
+  double low_y = 0.0;
+  double high_x = 0.0;
+  double high_y = 0.0;
+};
+
+// The pixels that the box may touch.
+struct Rectangle {
+  std::uint32_t left = 0;
+  std::uint32_t top = 0;
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+};
+
+Box whole_picture(const Scene& scene) {
+  return {0.0, 0.0, static_cast<double>(scene.image.width), static_cast<double>(scene.image.height)};
+}
+
+// Two directions at right angles to the axis and to one another.
+std::array<vec3, 2> across(const vec3& axis) {
+  const vec3 any = std::abs(axis.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0);
+  const vec3 a = physics::normalize(any - axis * physics::dot(any, axis));
+  return {a, vec3(axis.y * a.z - axis.z * a.y, axis.z * a.x - axis.x * a.z, axis.x * a.y - axis.y * a.x)};
+}
+
+// Nothing: the disc is behind the camera.
+std::optional<Box> rim_box(physics::Physics& p, const Scene& scene) {
+  constexpr int kRim = 720;
+  const physics::uint projection = projection_code(scene.camera.projection);
+  const bool round = scene.camera.projection == Projection::equirectangular;
+  const vec3 sun = p.scene.sun.direction;
+  const auto [a, b] = across(sun);
+  const double radius = scene.sun.disc.angular_radius;
+  const double width = scene.image.width;
+  const double middle = p.pixel_of(p.scene.camera, projection, sun).x;
+  Box box{1e300, 1e300, -1e300, -1e300};
+  int behind = 0;
+  for (int i = 0; i < kRim; ++i) {
+    const double t = 2.0 * std::numbers::pi * i / kRim;
+    const vec3 rim = sun * std::cos(radius) + (a * std::cos(t) + b * std::sin(t)) * std::sin(radius);
+    const auto at = p.pixel_of(p.scene.camera, projection, rim);
+    const double x = round ? middle + std::remainder(at.x - middle, width) : at.x;
+    behind += at.in_front ? 0 : 1;
+    box = {std::min(box.low_x, x), std::min(box.low_y, at.y), std::max(box.high_x, x), std::max(box.high_y, at.y)};
+  }
+  if (behind == kRim) {
+    return std::nullopt;
+  }
+  return behind > 0 ? whole_picture(scene) : box;
+}
+
+std::optional<Box> disc_box(physics::Physics& p, const Scene& scene) {
+  std::optional<Box> box = rim_box(p, scene);
+  if (!box) {
+    return box;
+  }
+  const double radius = scene.sun.disc.angular_radius;
+  if (scene.camera.projection == Projection::equirectangular &&
+      std::abs(scene.sun.elevation) + radius > 0.5 * std::numbers::pi) {
+    // Over a pole: every column, from the pole to the rim.
+    const bool zenith = scene.sun.elevation > 0.0;
+    box = Box{0.0, zenith ? 0.0 : box->low_y, static_cast<double>(scene.image.width),
+              zenith ? box->high_y : static_cast<double>(scene.image.height)};
+    box->low_x -= box->high_x;
+    box->high_x *= 2.0;
+  }
+  if (scene.camera.projection == Projection::fisheye &&
+      physics::dot(p.scene.sun.direction, p.scene.camera.forward) < -std::cos(radius)) {
+    return whole_picture(scene);  // around the point straight behind
+  }
+  // The rim's points are joined by chords, and the device computes in floats.
+  const double slack_x = 1e-4 + 1e-3 * (box->high_x - box->low_x);
+  const double slack_y = 1e-4 + 1e-3 * (box->high_y - box->low_y);
+  return Box{box->low_x - slack_x, box->low_y - slack_y, box->high_x + slack_x, box->high_y + slack_y};
+}
+
+// Width 0: the box lies outside the picture.
+Rectangle pixels_of(const Scene& scene, const Box& box) {
+  const double width = scene.image.width;
+  const double height = scene.image.height;
+  const bool seam = scene.camera.projection == Projection::equirectangular && (box.low_x < 0.0 || box.high_x > width);
+  const double left = seam ? 0.0 : std::clamp(std::floor(box.low_x), 0.0, width);
+  const double right = seam ? width : std::clamp(std::ceil(box.high_x), 0.0, width);
+  const double top = std::clamp(std::floor(box.low_y), 0.0, height);
+  const double bottom = std::clamp(std::ceil(box.high_y), 0.0, height);
+  if (right <= left || bottom <= top) {
+    return {};
+  }
+  return {static_cast<std::uint32_t>(left), static_cast<std::uint32_t>(top), static_cast<std::uint32_t>(right - left),
+          static_cast<std::uint32_t>(bottom - top)};
+}
+
+// Samples along one side of a pixel: many where the whole disc falls into a few.
+std::uint32_t samples_for(double extent) {
+  return extent < 3.0 ? 24 : 8;
+}
+
+std::uint32_t bits(double x) {
+  return std::bit_cast<std::uint32_t>(static_cast<float>(x));
+}
+
+bool wholly_set(physics::Physics& p, const Scene& scene) {
+  const double horizon = std::asin(p.horizon_mu(p.scene.planet, scene.camera.altitude));
+  return scene.sun.elevation + scene.sun.disc.angular_radius < horizon;
+}
+
+}  // namespace
+
+bool add_sun_disc(Plan& plan, const Scene& scene, std::optional<ImageId> transmittance, const Picture& picture) {
+  physics::Physics p = make_physics(scene);
+  if (!scene.sun.disc.visible || scene.sun.disc.radiance_scale == 0.0 || wholly_set(p, scene)) {
+    return false;
+  }
+  const std::optional<Box> box = disc_box(p, scene);
+  const Rectangle rectangle = box ? pixels_of(scene, *box) : Rectangle{};
+  if (rectangle.width == 0) {
+    return false;
+  }
+  const ImageId table = transmittance ? *transmittance : add_transmittance(plan, scene, kDiscTransmittance);
+  std::vector<Specialization> constants = sunlight_specialization(plan, scene, table);
+  constants.push_back({"kProjection", projection_code(scene.camera.projection)});
+  plan.add_pass({.name = "sun_disc",
+                 .shader = "sun_disc",
+                 .reads = {{"transmittance_lut", table}},
+                 .writes = {{"radiance_out", picture.buffer}},
+                 .grid = {rectangle.width, rectangle.height, 1},
+                 .push_constants = {rectangle.left, rectangle.top, rectangle.width, rectangle.height,
+                                    samples_for(box->high_x - box->low_x), samples_for(box->high_y - box->low_y),
+                                    bits(box->low_x), bits(box->low_y), bits(box->high_x), bits(box->high_y)},
+                 .specialization = constants});
+  return true;
+}
+
+}  // namespace airlight

@@ -1,0 +1,244 @@
+#include "core/render/render.h"
+
+#include <cassert>
+#include <cstring>
+#include <span>
+#include <utility>
+
+#include "core/methods/sky_pass.h"
+#include "core/physics/scene_data.h"
+
+namespace airlight {
+namespace {
+
+struct Frame {
+  Plan plan;
+  Picture picture;
+  BufferId rows;
+  std::vector<BufferId> table_rows;
+  std::vector<ImageId> tables;
+  std::vector<BufferId> dumps;
+  std::vector<std::string> left_out;
+};
+
+Picture picture_of(const Scene& scene, BufferId buffer) {
+  return {buffer, static_cast<std::uint32_t>(scene.image.width), static_cast<std::uint32_t>(scene.image.height)};
+}
+
+const SkyMethod& method_of(const Scene& scene) {
+  const SkyMethod* method = find_method(scene.render.method);
+  assert(method != nullptr);  // resolve() refuses unknown names
+  return *method;
+}
+
+void add_disc(Frame& frame, const Scene& scene, std::optional<ImageId> transmittance) {
+  if (!add_sun_disc(frame.plan, scene, transmittance, frame.picture)) {
+    frame.left_out.push_back("sun disc: switched off, outside the picture or behind the planet");
+  }
+}
+
+// Sky, disc and statistics: everything before the exposure is known.
+Frame sky_frame(const Scene& scene, const RenderRequest& request) {
+  Frame frame;
+  frame.plan.scene_data = device_scene_bytes(scene);
+  const SkyPasses sky = method_of(scene).add_passes(frame.plan, scene, View{});
+  frame.picture = picture_of(scene, sky.radiance);
+  frame.tables = sky.tables;
+  const std::optional<ImageId> transmittance = sky.tables.empty() ? std::nullopt : std::optional(sky.tables.front());
+  add_disc(frame, scene, transmittance);
+  for (const ImageId table : sky.tables) {
+    frame.table_rows.push_back(add_table_statistics(frame.plan, table));
+    if (request.tables) {
+      frame.dumps.push_back(frame.plan.add_readback(table));
+    }
+  }
+  frame.rows = add_picture_statistics(frame.plan, frame.picture);
+  return frame;
+}
+
+// Uploads what a method rendered on the host, so that the passes after it are the same.
+Frame host_frame(const Scene& scene, const RadianceImage& radiance) {
+  Frame frame;
+  frame.plan.scene_data = device_scene_bytes(scene);
+  std::vector<std::byte> bytes(radiance.rgba.size() * sizeof(float));
+  std::memcpy(bytes.data(), radiance.rgba.data(), bytes.size());
+  const std::size_t size = bytes.size();
+  frame.picture = picture_of(
+      scene, frame.plan.add_buffer(
+                 {.name = "radiance", .bytes = size, .host_readable = true, .contents = std::move(bytes), .key = {}}));
+  add_disc(frame, scene, std::nullopt);
+  frame.rows = add_picture_statistics(frame.plan, frame.picture);
+  return frame;
+}
+
+struct PostFrame {
+  Plan plan;
+  std::optional<BufferId> bloom;
+  std::optional<BufferId> encoded;
+};
+
+void add_post(PostFrame& post, const Scene& scene, const Picture& picture, bool bloom, bool gpu_tone, double exposure) {
+  if (bloom) {
+    post.bloom = add_bloom(post.plan, scene, picture, exposure);
+  }
+  if (gpu_tone) {
+    post.encoded = add_tonemap(post.plan, scene, picture, post.bloom, exposure);
+  }
+}
+
+RadianceImage image_from(std::span<const std::byte> bytes, int width, int height) {
+  RadianceImage image{width, height, {}};
+  image.rgba.resize(bytes.size() / sizeof(float));
+  std::memcpy(image.rgba.data(), bytes.data(), bytes.size());
+  return image;
+}
+
+void take_timings(Rendering& out, RunResult& result) {
+  out.passes.insert(out.passes.end(), result.passes.begin(), result.passes.end());
+  out.host.insert(out.host.end(), result.host.begin(), result.host.end());
+}
+
+void take_tables(Rendering& out, const Frame& frame, const RunResult& result) {
+  for (std::size_t i = 0; i < frame.tables.size(); ++i) {
+    const ImageDesc& image = frame.plan.images()[frame.tables[i].index];
+    out.tables_statistics.push_back({image.name, summarize(result.contents(frame.table_rows[i]), image.extent.width)});
+    if (!frame.dumps.empty()) {
+      const auto width = static_cast<int>(image.extent.width);
+      const auto height = static_cast<int>(image.extent.height);
+      out.tables.push_back(
+          {image.name, width, height, image_from(result.contents(frame.dumps[i]), width, height).rgba});
+    }
+  }
+}
+
+// Bloom and tone curve of the picture that the first plan left on the device.
+void run_post(Executor& executor, const Scene& scene, const RenderRequest& request, const Plan& first,
+              const Picture& picture, Rendering& out) {
+  const bool wants_bloom = request.bloom && scene.bloom.enabled;
+  const bool glows = wants_bloom && bloom_glows(scene.bloom, out.picture, out.exposure);
+  if (wants_bloom && !glows) {
+    out.left_out.push_back("bloom: nothing is brighter than its threshold");
+  }
+  if (!glows && !request.gpu_tone) {
+    return;
+  }
+  PostFrame post;
+  BufferDesc carried = first.buffers()[picture.buffer.index];
+  const bool kept = !carried.key.empty();
+  if (kept) {
+    carried.contents.clear();
+  }
+  const Picture again = picture_of(scene, post.plan.add_buffer(std::move(carried)));
+  add_post(post, scene, again, glows, request.gpu_tone, out.exposure);
+  RunResult result = executor.run(post.plan);
+  take_timings(out, result);
+  if (post.bloom) {
+    out.bloom = image_from(result.contents(*post.bloom), scene.image.width, scene.image.height);
+  }
+  if (post.encoded) {
+    const std::span<const std::byte> bytes = result.contents(*post.encoded);
+    out.encoded.resize(bytes.size() / sizeof(std::uint16_t));
+    std::memcpy(out.encoded.data(), bytes.data(), bytes.size());
+  }
+}
+
+std::string fault_line(const std::string& name, const Statistics& s) {
+  return (name == "picture" ? std::string("the picture") : "the table " + name) + " holds " +
+         std::to_string(s.not_finite) + " non-finite and " + std::to_string(s.negative) +
+         " negative values, the first at column " + std::to_string(s.first_bad_x) + ", row " +
+         std::to_string(s.first_bad_y);
+}
+
+}  // namespace
+
+std::string Rendering::fault() const {
+  for (const NamedStatistics& table : tables_statistics) {
+    if (!table.statistics.sound()) {
+      return fault_line(table.name, table.statistics);
+    }
+  }
+  return picture.sound() ? std::string() : fault_line("picture", picture);
+}
+
+Rendering render(const DeviceOnDemand& device, const Scene& scene, const RenderRequest& request) {
+  Rendering out;
+  const SkyMethod& method = method_of(scene);
+  Frame frame;
+  if (method.render_on_host != nullptr) {
+    HostPicture host = method.render_on_host(scene, View{}, request.host);
+    frame = host_frame(scene, host.radiance);
+    if (!host.standard_error.rgba.empty()) {
+      out.standard_error = std::move(host.standard_error);
+    }
+  } else {
+    frame = sky_frame(scene, request);
+  }
+  Executor& executor = device();
+  RunResult result = executor.run(frame.plan);
+  take_timings(out, result);
+  take_tables(out, frame, result);
+  out.left_out = std::move(frame.left_out);
+  out.picture = summarize(result.contents(frame.rows), frame.picture.width);
+  out.exposure = exposure_for(scene.display, out.picture);
+  out.radiance = image_from(result.contents(frame.picture.buffer), scene.image.width, scene.image.height);
+  if (out.fault().empty()) {
+    run_post(executor, scene, request, frame.plan, frame.picture, out);
+  }
+  return out;
+}
+
+Plan plan_for(const Scene& scene, const RenderRequest& request) {
+  Frame frame = method_of(scene).render_on_host != nullptr
+                    ? host_frame(scene, {scene.image.width, scene.image.height,
+                                         std::vector<float>(4 * static_cast<std::size_t>(scene.image.width) *
+                                                            static_cast<std::size_t>(scene.image.height))})
+                    : sky_frame(scene, request);
+  PostFrame post{std::move(frame.plan), {}, {}};
+  add_post(post, scene, frame.picture, request.bloom && scene.bloom.enabled, request.gpu_tone, 1.0);
+  return std::move(post.plan);
+}
+
+std::vector<ProbeResult> probe(const DeviceOnDemand& device, const Scene& scene,
+                               const std::vector<Direction>& directions) {
+  std::vector<ProbeResult> results;
+  if (directions.empty()) {
+    return results;
+  }
+  const SkyMethod& method = method_of(scene);
+  const View view{directions};
+  RadianceImage pairs;  // radiance and transmittance in turn
+  if (method.render_on_host != nullptr) {
+    const HostPicture host = method.render_on_host(scene, view, {});
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      for (const RadianceImage* image : {&host.radiance, &host.transmittance}) {
+        pairs.rgba.insert(pairs.rgba.end(), image->at(static_cast<int>(i), 0), image->at(static_cast<int>(i), 0) + 4);
+      }
+    }
+  } else {
+    Plan plan;
+    plan.scene_data = device_scene_bytes(scene);
+    const SkyPasses sky = method.add_passes(plan, scene, view);
+    const RunResult result = device().run(plan);
+    pairs = image_from(result.contents(sky.radiance), static_cast<int>(2 * directions.size()), 1);
+  }
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    ProbeResult r;
+    r.direction = directions[i];
+    for (std::size_t c = 0; c < 3; ++c) {
+      r.radiance[c] = static_cast<double>(pairs.rgba[8 * i + c]);
+      r.transmittance[c] = static_cast<double>(pairs.rgba[8 * i + 4 + c]);
+    }
+    results.push_back(r);
+  }
+  return results;
+}
+
+std::vector<TableDump> bake_tables(const DeviceOnDemand& device, const Scene& scene) {
+  Scene one_pixel = scene;
+  one_pixel.image = {1, 1};
+  RenderRequest request;
+  request.tables = true;
+  return render(device, one_pixel, request).tables;
+}
+
+}  // namespace airlight

@@ -1,0 +1,77 @@
+#pragma once
+// A scene rendered from end to end on a device: tables, sky, disc, statistics, bloom, tone curve. Knows no files.
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/gpu/executor.h"
+#include "core/methods/method.h"
+#include "core/post/post.h"
+#include "core/radiance_image.h"
+#include "core/scene/scene.h"
+
+namespace airlight {
+
+// Opens the device on first use: a method on the host alone needs none.
+using DeviceOnDemand = std::function<Executor&()>;
+
+struct RenderRequest {
+  bool bloom = false;     // compute bloom where the scene asks for it and anything exceeds the threshold
+  bool gpu_tone = false;  // also run the GPU tone curve
+  bool tables = false;    // read the tables back
+  HostOptions host;       // of a method on the host
+};
+
+struct TableDump {
+  std::string name;
+  int width = 0;
+  int height = 0;
+  std::vector<float> rgba;  // row by row, first row first
+};
+
+struct NamedStatistics {
+  std::string name;  // of a table, or "picture"
+  Statistics statistics;
+};
+
+struct Rendering {
+  RadianceImage radiance;
+  std::optional<RadianceImage> standard_error;  // of a method that samples
+  std::optional<RadianceImage> bloom;           // before intensity; absent where nothing glows
+  std::vector<std::uint16_t> encoded;           // gpu_tone: RGBA, sRGB-encoded, 0 to 65535
+  double exposure = 1.0;
+  Statistics picture;
+  std::vector<NamedStatistics> tables_statistics;
+  std::vector<TableDump> tables;
+  std::vector<std::string> left_out;  // what this picture did not need, with the reason
+  std::vector<PassTiming> passes;
+  std::vector<Milestone> host;
+
+  // Empty, or one line that names the first table or the picture that holds a NaN, an infinity or a negative value,
+  // and where.
+  std::string fault() const;
+};
+
+// Throws RunError when the device fails; a poisoned result is returned, not thrown: see Rendering::fault().
+Rendering render(const DeviceOnDemand& device, const Scene& scene, const RenderRequest& request);
+
+// Every pass that render() would run at most, and the tables' sizes; opens no device.
+Plan plan_for(const Scene& scene, const RenderRequest& request);
+
+struct ProbeResult {
+  Direction direction;
+  std::array<double, 3> radiance{};       // without the sun's disc
+  std::array<double, 3> transmittance{};  // to the ground or to space
+};
+
+// The scene's method in listed directions from the camera's place.
+std::vector<ProbeResult> probe(const DeviceOnDemand& device, const Scene& scene,
+                               const std::vector<Direction>& directions);
+
+// The tables alone.
+std::vector<TableDump> bake_tables(const DeviceOnDemand& device, const Scene& scene);
+
+}  // namespace airlight

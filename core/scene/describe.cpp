@@ -1,0 +1,138 @@
+// describe: a scene as people read it, one value a line with its unit.
+
+#include <algorithm>
+
+#include "core/scene/angle.h"
+#include "core/scene/json_format.h"
+#include "core/scene/render_settings.h"
+#include "core/scene/resolve.h"
+#include "core/scene/rules.h"
+
+namespace airlight {
+namespace {
+
+class Lines {
+ public:
+  Lines& heading(std::string_view name) {
+    text_ += std::string(name) + "\n";
+    return *this;
+  }
+  Lines& line(std::string_view name, std::string_view value) {
+    constexpr std::size_t kValueColumn = 28;
+    std::string row = "  " + std::string(name);
+    row.resize(std::max(row.size() + 1, kValueColumn), ' ');
+    text_ += row + std::string(value) + "\n";
+    return *this;
+  }
+  Lines& number(std::string_view name, double value, std::string_view unit = {}) {
+    return line(name, with_unit(format_number(value), unit));
+  }
+  Lines& angle(std::string_view name, double radians) { return number(name, degrees_from_radians(radians), "degrees"); }
+  Lines& spectrum(std::string_view name, const Spectrum& value, std::string_view unit = {}) {
+    return line(
+        name, with_unit(format_number(value[0]) + " " + format_number(value[1]) + " " + format_number(value[2]), unit));
+  }
+  const std::string& str() const { return text_; }
+
+  static std::string with_unit(std::string text, std::string_view unit) {
+    return unit.empty() ? text : text + " " + std::string(unit);
+  }
+
+ private:
+  std::string text_;
+};
+
+std::string density_text(const Density& density) {
+  const auto km = [](double value) { return format_number(value) + " km"; };
+  switch (density.profile) {
+    case DensityProfile::exponential:
+      return "exponential, scale height " + km(density.scale_height);
+    case DensityProfile::tent:
+      return "tent, center " + km(density.center) + ", half width " + km(density.half_width);
+    case DensityProfile::lorentzian:
+      return "lorentzian, center " + km(density.center) + ", half width " + km(density.half_width) + ", scale height " +
+             km(density.scale_height);
+    case DensityProfile::constant:
+      return "constant below " + km(density.below);
+    case DensityProfile::layers: {
+      std::string text = "layers";
+      for (const DensityLayer& layer : density.layers) {
+        text += (text == "layers" ? " " : ", ") + km(layer.altitude) + ": " + format_number(layer.density);
+      }
+      return text;
+    }
+  }
+  return {};
+}
+
+void describe_medium(Lines& lines, const Medium& medium) {
+  const bool has_asymmetry = medium.phase != PhaseFunction::rayleigh && medium.phase != PhaseFunction::isotropic;
+  lines.heading("medium " + medium.name)
+      .spectrum("scattering", medium.scattering, "per km")
+      .spectrum("absorption", medium.absorption, "per km")
+      .line("density", density_text(medium.density))
+      .line("phase", std::string(kPhaseNames.at(static_cast<std::size_t>(medium.phase))) +
+                         (has_asymmetry ? ", g " + format_number(medium.phase_g) : ""));
+}
+
+void describe_camera(Lines& lines, const Camera& camera, const ImageSize& image) {
+  lines.heading("camera")
+      .number("altitude", camera.altitude, "km")
+      .angle("azimuth", camera.azimuth)
+      .angle("pitch", camera.pitch)
+      .angle("roll", camera.roll)
+      .line("projection", kProjectionNames.at(static_cast<std::size_t>(camera.projection)));
+  if (camera.projection != Projection::equirectangular) {
+    lines.angle("vertical field of view", camera.vertical_fov);
+  }
+  lines.line("image", std::to_string(image.width) + " x " + std::to_string(image.height) + " pixels");
+}
+
+void describe_render(Lines& lines, const RenderSettings& render) {
+  lines.heading("render").line("method", render.method);
+  for (const auto& [key, value] : render.parameters) {
+    const std::string text = json_text(value);
+    lines.line(key, text.empty() ? "absent" : text);
+  }
+}
+
+}  // namespace
+
+std::string describe(const Scene& scene) {
+  Lines lines;
+  if (!scene.name.empty()) {
+    lines.heading(scene.name + (scene.description.empty() ? "" : ": " + scene.description));
+  }
+  lines.heading("planet")
+      .number("radius", scene.planet.ground_radius, "km")
+      .number("atmosphere height", scene.planet.atmosphere_height, "km")
+      .spectrum("ground albedo", scene.planet.ground_albedo);
+  for (const Medium& medium : scene.media) {
+    describe_medium(lines, medium);
+  }
+  lines.heading("sun")
+      .angle("elevation", scene.sun.elevation)
+      .angle("azimuth", scene.sun.azimuth)
+      .spectrum("irradiance", scene.sun.irradiance)
+      .line("disc", scene.sun.disc.visible ? "visible" : "hidden")
+      .angle("disc angular radius", scene.sun.disc.angular_radius)
+      .number("disc limb darkening", scene.sun.disc.limb_darkening)
+      .number("disc radiance scale", scene.sun.disc.radiance_scale);
+  describe_camera(lines, scene.camera, scene.image);
+  describe_render(lines, scene.render);
+  lines.heading("bloom")
+      .line("enabled", scene.bloom.in_exr    ? "yes, with a layer in the EXR"
+                       : scene.bloom.enabled ? "yes"
+                                             : "no")
+      .number("threshold", scene.bloom.threshold)
+      .number("intensity", scene.bloom.intensity)
+      .number("levels", scene.bloom.levels);
+  lines.heading("display")
+      .line("exposure", scene.display.exposure ? format_number(*scene.display.exposure) : "auto")
+      .line("display", scene.display.display.empty() ? "the config's default" : scene.display.display)
+      .line("view", scene.display.view.empty() ? "the config's default" : scene.display.view)
+      .line("tone curve", kToneCurveNames.at(static_cast<std::size_t>(scene.display.tonemap)));
+  return lines.str();
+}
+
+}  // namespace airlight

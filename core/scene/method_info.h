@@ -1,0 +1,43 @@
+#pragma once
+// What a rendering method takes under `render.*`: plain data, so that the preset's rules, `airlight methods`,
+// the schema and the documentation all read the same list.
+
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+
+namespace airlight {
+
+// clamp(scale mu_sun + bias, 0, 1) on direct sunlight: the published lesson's fade around the local horizon.
+struct SunFade {
+  double scale = 0.0;
+  double bias = 0.0;
+  bool operator==(const SunFade&) const = default;
+};
+
+using TableSize = std::array<int, 2>;  // width, height in texels
+
+// monostate: absent, for a parameter whose absence has a meaning (render.sun_fade).
+using ParameterValue = std::variant<std::monostate, bool, int, double, std::string, TableSize, SunFade>;
+
+enum class ParameterKind { boolean, integer, number, choice, table_size, sun_fade };
+
+struct ParameterInfo {
+  std::string_view key;  // without "render."
+  ParameterKind kind = ParameterKind::number;
+  double minimum = 0.0;  // of an integer, a number, each side of a table size
+  double maximum = 0.0;  // infinity: no upper limit
+  ParameterValue default_value;
+  std::span<const std::string_view> choices = {};
+  std::string_view meaning;
+};
+
+struct MethodInfo {
+  std::string_view name;     // typed after --method
+  std::string_view summary;  // one line for --help and the chart's legend
+  std::span<const ParameterInfo> parameters;
+};
+
+}  // namespace airlight

@@ -1,0 +1,112 @@
+// "POINTER=JSON" from the command line, applied to a parsed preset.
+
+#include <charconv>
+#include <span>
+
+#include "core/error.h"
+#include "core/scene/json_format.h"
+#include "core/scene/json_text.h"
+#include "core/scene/preset.h"
+
+namespace airlight {
+namespace {
+
+// The keys of an RFC 6901 pointer, unescaped.
+std::vector<std::string> split_pointer(std::string_view pointer, const std::string& source) {
+  if (!pointer.starts_with('/')) {
+    throw InputError(source + ": " + json_string(pointer) +
+                     " is not a JSON pointer; expected a path such as /camera/pitch_deg");
+  }
+  std::vector<std::string> keys;
+  for (std::size_t i = 0; i < pointer.size(); ++i) {
+    const char c = pointer[i];
+    if (c == '/') {
+      keys.emplace_back();
+    } else if (c == '~') {
+      const char escaped = i + 1 < pointer.size() ? pointer[i + 1] : '\0';
+      if (escaped != '0' && escaped != '1') {
+        throw InputError(source + ": " + json_string(pointer) +
+                         " has a lone ~; expected ~0 for ~ and ~1 for / in a JSON pointer");
+      }
+      keys.back() += escaped == '0' ? '~' : '/';
+      ++i;
+    } else {
+      keys.back() += c;
+    }
+  }
+  return keys;
+}
+
+PresetValue& element(PresetArray& array, const std::string& key, const std::string& place) {
+  std::size_t index = 0;
+  const auto end = std::from_chars(key.data(), key.data() + key.size(), index);
+  const bool is_index =
+      end.ec == std::errc{} && end.ptr == key.data() + key.size() && (key.size() == 1 || !key.starts_with('0'));
+  if (!is_index || index >= array.size()) {
+    const std::string range =
+        array.empty() ? "none: it is empty" : "an index from 0 to " + std::to_string(array.size() - 1);
+    throw InputError(place + ": there is no element " + json_string(key) + "; expected " + range);
+  }
+  return array[index];
+}
+
+// What the pointer leads to; keys that are not there yet are made, so that a preset may be silent about an object.
+PresetValue& descend(PresetValue& root, std::span<const std::string> keys, const std::string& source) {
+  PresetValue* at = &root;
+  std::string pointer;
+  for (const std::string& key : keys) {
+    const std::string parent = pointer;
+    pointer = pointer_below(pointer, key);
+    if (auto* object = std::get_if<PresetObject>(&at->data)) {
+      const auto [place, is_new] = object->try_emplace(key);
+      if (is_new) {
+        place->second.data = PresetObject{};
+        place->second.source = source;
+      }
+      at = &place->second;
+    } else if (auto* array = std::get_if<PresetArray>(&at->data)) {
+      at = &element(*array, key, source + ": " + pointer);
+    } else {
+      throw InputError(source + ": " + pointer + ": " + (parent.empty() ? "the preset" : parent) +
+                       " is a single value and has no keys; expected a pointer to a key of format 1");
+    }
+  }
+  return *at;
+}
+
+// Another method chosen on the command line builds on the file as `extends` does: what the file says for its own
+// method is not held against it.
+void release_render_keys(Preset& preset) {
+  auto& render = std::get<PresetObject>(std::get<PresetObject>(preset.root.data).at("render").data);
+  for (auto& [key, value] : render) {
+    value.inherited = value.inherited || value.line > 0;
+  }
+}
+
+}  // namespace
+
+void apply_override(Preset& preset, std::string_view assignment) {
+  const std::string source = "--set " + std::string(assignment);
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string_view::npos) {
+    throw InputError(source + ": no '='; expected POINTER=JSON, e.g. /camera/pitch_deg=20");
+  }
+  const std::string_view pointer = assignment.substr(0, equals);
+  const std::string_view text = assignment.substr(equals + 1);
+  const std::vector<std::string> keys = split_pointer(pointer, source);
+  PresetValue value;
+  if (std::optional<PresetValue> parsed = try_parse_json_value(text, source)) {
+    value = *std::move(parsed);
+  } else if (try_parse_json_value(json_string(text), source)) {
+    value.data = std::string(text);
+    value.source = source;
+  } else {
+    throw InputError(source + ": the value is neither JSON nor UTF-8 text; expected POINTER=JSON");
+  }
+  descend(preset.root, keys, source) = std::move(value);
+  if (pointer == "/render/method") {
+    release_render_keys(preset);
+  }
+}
+
+}  // namespace airlight

@@ -1,0 +1,219 @@
+#include "core/scene/preset.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+#include "core/error.h"
+#include "core/scene/json_format.h"
+#include "core/scene/json_text.h"
+
+namespace airlight {
+namespace {
+
+namespace fs = std::filesystem;
+
+// No preset is near this size: a device or a picture given by mistake is refused before it fills the memory.
+constexpr std::size_t kLargestFile = std::size_t{16} << 20U;
+
+// A file's text, or why there is none.
+struct FileText {
+  std::string text;
+  std::string problem;
+};
+
+FileText read_file(const fs::path& file) {
+  std::error_code error;
+  if (fs::is_directory(file, error)) {
+    return {.text = {}, .problem = "is a directory"};
+  }
+  errno = 0;
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) {
+    return {.text = {}, .problem = std::strerror(errno != 0 ? errno : ENOENT)};
+  }
+  std::string text(kLargestFile + 1, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (stream.bad()) {
+    return {.text = {}, .problem = std::strerror(errno != 0 ? errno : EIO)};
+  }
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  if (text.size() > kLargestFile) {
+    return {.text = {}, .problem = "is larger than 16 MiB"};
+  }
+  return {.text = std::move(text), .problem = {}};
+}
+
+std::string place_of(const PresetValue& value) {
+  std::string place = value.source;
+  if (value.line > 0) {
+    place.append(":").append(std::to_string(value.line));
+  }
+  return place;
+}
+
+PresetValue parse_root(std::string_view text, std::string_view source) {
+  PresetValue root = parse_json_text(text, source);
+  if (!std::holds_alternative<PresetObject>(root.data)) {
+    throw InputError(place_of(root) + ": not an object; expected {\"airlight\": 1, ...}");
+  }
+  return root;
+}
+
+void mark_inherited(PresetValue& value) {
+  value.inherited = true;
+  if (auto* array = std::get_if<PresetArray>(&value.data)) {
+    std::ranges::for_each(*array, mark_inherited);
+  } else if (auto* object = std::get_if<PresetObject>(&value.data)) {
+    for (auto& [key, child] : *object) {
+      mark_inherited(child);
+    }
+  }
+}
+
+void merge_object(PresetValue& base, PresetValue&& over);
+
+// A density with a profile of its own replaces the inherited one whole: the old profile's keys would be strays.
+bool replaces_whole(std::string_view key, const PresetValue& over) {
+  const auto* object = std::get_if<PresetObject>(&over.data);
+  return object == nullptr || (key == "density" && object->contains("profile"));
+}
+
+const std::string* medium_name(const PresetValue& medium) {
+  const auto* object = std::get_if<PresetObject>(&medium.data);
+  if (object == nullptr) {
+    return nullptr;
+  }
+  const auto name = object->find("name");
+  return name == object->end() ? nullptr : std::get_if<std::string>(&name->second.data);
+}
+
+// Media of the same name merge, the others are added in order. A name's second entry in `over` is added as well, so
+// that resolve() finds the duplicate.
+void merge_media(PresetArray& base, PresetArray&& over) {
+  std::vector<bool> merged(base.size(), false);
+  for (PresetValue& medium : over) {
+    const std::string* name = medium_name(medium);
+    const auto same = std::ranges::find_if(base, [&](const PresetValue& inherited) {
+      const std::string* inherited_name = medium_name(inherited);
+      return name != nullptr && inherited_name != nullptr && *name == *inherited_name;
+    });
+    const auto index = static_cast<std::size_t>(same - base.begin());
+    if (index < merged.size() && !merged[index]) {
+      merged[index] = true;
+      merge_object(*same, std::move(medium));
+    } else {
+      base.push_back(std::move(medium));
+    }
+  }
+}
+
+// A file of another format stays an error in the file that builds on it.
+bool is_foreign_version(std::string_view key, const PresetValue& base) {
+  const auto* version = std::get_if<double>(&base.data);
+  return key == "airlight" && (version == nullptr || *version != 1.0);
+}
+
+void merge_object(PresetValue& base, PresetValue&& over) {
+  auto& base_object = std::get<PresetObject>(base.data);
+  base.source = over.source;
+  base.line = over.line;
+  base.inherited = over.inherited;
+  for (auto& [key, value] : std::get<PresetObject>(over.data)) {
+    const auto [place, is_new] = base_object.try_emplace(key);
+    PresetValue& target = place->second;
+    if (!is_new && is_foreign_version(key, target)) {
+      continue;
+    }
+    const bool both_objects =
+        std::holds_alternative<PresetObject>(target.data) && std::holds_alternative<PresetObject>(value.data);
+    const bool both_arrays =
+        std::holds_alternative<PresetArray>(target.data) && std::holds_alternative<PresetArray>(value.data);
+    if (!is_new && both_objects && !replaces_whole(key, value)) {
+      merge_object(target, std::move(value));
+    } else if (!is_new && both_arrays && key == "media") {
+      merge_media(std::get<PresetArray>(target.data), std::move(std::get<PresetArray>(value.data)));
+      target.source = value.source;
+      target.line = value.line;
+      target.inherited = value.inherited;
+    } else {
+      target = std::move(value);
+    }
+  }
+}
+
+// The file of a chain that `root` builds on. Takes the key out when it is one; a wrong type is resolve()'s to refuse.
+struct Extension {
+  std::string name;
+  std::string place;  // FILE:LINE: /extends
+};
+
+bool take_extension(PresetValue& root, Extension& extension) {
+  auto& object = std::get<PresetObject>(root.data);
+  const auto key = object.find("extends");
+  if (key == object.end() || !std::holds_alternative<std::string>(key->second.data)) {
+    return false;
+  }
+  extension.name = std::get<std::string>(key->second.data);
+  extension.place = place_of(key->second) + ": /extends: " + json_string(extension.name);
+  object.erase(key);
+  return true;
+}
+
+fs::path identity(const fs::path& file) {
+  std::error_code error;
+  fs::path canonical = fs::weakly_canonical(file, error);
+  return error ? file.lexically_normal() : canonical;
+}
+
+// Follows `extends` from the user's text to the file that builds on nothing, then merges back.
+Preset load_chain(std::string_view text, std::string_view source, fs::path folder, std::vector<fs::path> seen,
+                  const BundledPresets& bundled) {
+  std::vector<PresetValue> chain;
+  chain.push_back(parse_root(text, source));
+  std::string route(source);
+  Extension extension;
+  while (take_extension(chain.back(), extension)) {
+    const fs::path file = (folder / extension.name).lexically_normal();
+    route += " -> " + file.string();
+    const fs::path id = identity(file);
+    if (std::ranges::find(seen, id) != seen.end()) {
+      throw InputError(extension.place + " makes a circle (" + route + "); a preset cannot build on itself");
+    }
+    seen.push_back(id);
+    const auto known = bundled.find(file.string());
+    const FileText read =
+        known != bundled.end() ? FileText{.text = std::string(known->second), .problem = {}} : read_file(file);
+    if (!read.problem.empty()) {
+      throw InputError(extension.place + " cannot be read: " + file.string() + ": " + read.problem +
+                       "; expected a preset, by a path relative to the file that names it");
+    }
+    chain.push_back(parse_root(read.text, file.string()));
+    folder = file.parent_path();
+  }
+  PresetValue root = std::move(chain.back());
+  for (std::size_t i = chain.size() - 1; i > 0; --i) {
+    mark_inherited(root);
+    merge_object(root, std::move(chain[i - 1]));
+  }
+  return {.source = std::string(source), .root = std::move(root)};
+}
+
+}  // namespace
+
+Preset load_preset(const fs::path& file) {
+  const FileText read = read_file(file);
+  if (!read.problem.empty()) {
+    throw InputError(file.string() + ": cannot be read: " + read.problem + "; expected a preset (a JSON file)");
+  }
+  return load_chain(read.text, file.string(), file.parent_path(), {identity(file)}, {});
+}
+
+Preset parse_preset(std::string_view text, std::string_view source, const fs::path& base,
+                    const BundledPresets& bundled) {
+  return load_chain(text, source, base, {}, bundled);
+}
+
+}  // namespace airlight

@@ -1,0 +1,51 @@
+#pragma once
+// JSON text <-> Preset: a tree of values that remember where they came from. The only part that knows the JSON library.
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "core/scene/scene.h"
+
+namespace airlight {
+
+struct PresetValue;
+using PresetArray = std::vector<PresetValue>;
+using PresetObject = std::map<std::string, PresetValue, std::less<>>;
+
+struct PresetValue {
+  std::variant<std::monostate, bool, double, std::string, PresetArray, PresetObject> data;
+  std::string source;      // file name, or the option that set it
+  int line = 0;            // 0: no line (an option)
+  bool inherited = false;  // came from a file named by `extends`
+};
+
+struct Preset {
+  std::string source;  // as the user named it
+  PresetValue root;
+};
+
+// Reads a file and everything it extends; `media` merge by name, other objects key by key.
+// Throws InputError: missing file, syntax (line and column), duplicate key, `extends` cycle.
+Preset load_preset(const std::filesystem::path& file);
+
+// Presets that are not on disk: path -> text.
+using BundledPresets = std::map<std::string, std::string_view, std::less<>>;
+
+// The same from text; `base` is the folder that `extends` is relative to. What it names is looked for in `bundled`
+// before the disk.
+Preset parse_preset(std::string_view text, std::string_view source, const std::filesystem::path& base,
+                    const BundledPresets& bundled = {});
+
+// Applies "POINTER=JSON" (RFC 6901 pointer, e.g. /camera/pitch_deg=20). A value that is not JSON is taken as a string.
+// Throws InputError when the pointer is malformed or leads through something that is not an object or array.
+void apply_override(Preset& preset, std::string_view assignment);
+
+// The whole scene as a preset of format 1, every key written out, so that resolving it again gives the same scene.
+std::string to_json(const Scene& scene);
+
+}  // namespace airlight

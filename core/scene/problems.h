@@ -1,0 +1,32 @@
+#pragma once
+// Collects what is wrong with a preset, so that all of it is reported at once.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/scene/preset.h"
+
+namespace airlight {
+
+class Problems {
+ public:
+  // `at` gives file and line; for something missing, the object that lacks it.
+  void add(const PresetValue& at, std::string_view pointer, std::string_view message);
+
+  // Throws InputError with one line for each problem, by file and line; returns when there is none.
+  void throw_if_any();
+
+ private:
+  struct Problem {
+    std::string source;
+    int line = 0;
+    std::string text;
+  };
+  std::vector<Problem> problems_;
+};
+
+// How a message quotes a value: 1.2, "tall" (shortened), true, null, an array of 3, an object.
+std::string quoted(const PresetValue& value);
+
+}  // namespace airlight

@@ -1,0 +1,270 @@
+#include "core/scene/resolve.h"
+
+#include <cmath>
+#include <map>
+
+#include "core/scene/angle.h"
+#include "core/scene/json_format.h"
+#include "core/scene/json_text.h"
+#include "core/scene/problems.h"
+#include "core/scene/render_settings.h"
+#include "core/scene/section.h"
+
+namespace airlight {
+namespace {
+
+Planet read_planet(const Section& root) {
+  const Section planet = root.child("planet");
+  planet.refuse_unknown_keys();
+  return {.ground_radius = planet.number("radius_km"),
+          .atmosphere_height = planet.number("atmosphere_height_km"),
+          .ground_albedo = planet.spectrum("ground_albedo")};
+}
+
+// One [altitude, density] pair after the one before it.
+void read_layer(const Site& layers, std::size_t index, std::vector<DensityLayer>& out) {
+  const PresetValue& value = std::get<PresetArray>(layers.value.data)[index];
+  const std::string pointer = pointer_below(layers.pointer, std::to_string(index));
+  const auto* pair = std::get_if<PresetArray>(&value.data);
+  if (pair == nullptr || pair->size() != 2) {
+    layers.problems.add(value, pointer, quoted(value) + " is not a layer; expected [altitude_km, density]");
+    return;
+  }
+  const Rule altitude{.key = {}, .range = kLayerAltitude, .unit = "km"};
+  DensityLayer layer;
+  read_number({layers.problems, (*pair)[0], pointer_below(pointer, "0"), altitude}, layer.altitude);
+  read_number({layers.problems, (*pair)[1], pointer_below(pointer, "1"), layers.rule}, layer.density);
+  if (!out.empty() && layer.altitude <= out.back().altitude) {
+    layers.problems.add((*pair)[0], pointer_below(pointer, "0"),
+                        format_number(layer.altitude) + " is not above the layer before it (" +
+                            format_number(out.back().altitude) + " km); expected ascending altitudes");
+  }
+  out.push_back(layer);
+}
+
+std::vector<DensityLayer> read_layers(const Section& density) {
+  const PresetValue* value = density.value_of("layers");
+  if (value == nullptr) {
+    return {};
+  }
+  const Site site = density.site("layers", *value);
+  const auto* array = std::get_if<PresetArray>(&value->data);
+  if (array == nullptr || array->empty()) {
+    site.complain((array == nullptr ? quoted(*value) + " is not an array" : "empty") + "; expected " +
+                  expectation(site.rule));
+    return {};
+  }
+  std::vector<DensityLayer> layers;
+  for (std::size_t i = 0; i < array->size(); ++i) {
+    read_layer(site, i, layers);
+  }
+  return layers;
+}
+
+Density read_density(const Section& medium) {
+  Section section = medium.child("density");
+  section.refuse_unknown_keys();
+  const auto profile = section.choice("profile");
+  Density density;
+  if (!profile) {
+    return density;
+  }
+  density.profile = static_cast<DensityProfile>(*profile);
+  section.choose(kProfileNames[*profile]);
+  switch (density.profile) {
+    case DensityProfile::exponential:
+      density.scale_height = section.number("scale_height_km");
+      break;
+    case DensityProfile::tent:
+      density.center = section.number("center_km");
+      density.half_width = section.number("half_width_km");
+      break;
+    case DensityProfile::lorentzian:
+      density.scale_height = section.number("scale_height_km");
+      density.center = section.number("center_km");
+      density.half_width = section.number("half_width_km");
+      break;
+    case DensityProfile::constant:
+      density.below = section.number("below_km");
+      break;
+    case DensityProfile::layers:
+      density.layers = read_layers(section);
+      break;
+  }
+  return density;
+}
+
+Medium read_medium(const Section& section) {
+  section.refuse_unknown_keys();
+  Medium medium;
+  medium.name = section.text("name");
+  medium.scattering = section.spectrum("scattering_per_km");
+  medium.absorption = section.spectrum("absorption_per_km");
+  medium.density = read_density(section);
+  const Section phase = section.child("phase");
+  phase.refuse_unknown_keys();
+  medium.phase = static_cast<PhaseFunction>(phase.choice("function").value_or(0));
+  medium.phase_g = phase.number("g");
+  return medium;
+}
+
+std::vector<Medium> read_media(const Section& root) {
+  const PresetValue* value = root.find("media");
+  if (value == nullptr) {
+    root.problems().add(root.context(), "/media",
+                        "missing; expected an array of 1 to 8 media: write \"media\": [...] or build on a preset that "
+                        "has it, e.g. \"extends\": \"earth.json\"");
+    return {};
+  }
+  const auto* array = std::get_if<PresetArray>(&value->data);
+  const Rule& rule = root.rule("media");
+  if (array == nullptr || !rule.range.contains(static_cast<double>(array->size()))) {
+    root.complain("media", *value, quoted(*value) + " is no list of media; expected " + expectation(rule));
+    return {};
+  }
+  std::vector<Medium> media;
+  std::map<std::string, std::size_t, std::less<>> seen;
+  std::size_t layer_count = 0;
+  for (std::size_t i = 0; i < array->size(); ++i) {
+    const Section section = root.element("media", *array, i);
+    media.push_back(read_medium(section));
+    const std::string& name = media.back().name;
+    const auto [first, is_new] = seen.emplace(name, i);
+    if (!name.empty() && !is_new) {
+      section.complain("name", *section.find("name"),
+                       json_string(name) + " is taken by /media/" + std::to_string(first->second) +
+                           "; expected a name of its own for each medium");
+    }
+    layer_count += media.back().density.layers.size();
+  }
+  if (layer_count > static_cast<std::size_t>(kMaxDensityLayers)) {
+    root.complain("media", *value,
+                  std::to_string(layer_count) + " density layers in all; expected at most " +
+                      std::to_string(kMaxDensityLayers) + " over all media");
+  }
+  return media;
+}
+
+Sun read_sun(const Section& root) {
+  const Section section = root.child("sun");
+  section.refuse_unknown_keys();
+  const Section disc = section.child("disc");
+  disc.refuse_unknown_keys();
+  Sun sun;
+  sun.elevation = radians_from_degrees(section.number("elevation_deg"));
+  sun.azimuth = radians_from_degrees(section.number("azimuth_deg"));
+  sun.irradiance = section.spectrum("irradiance");
+  sun.disc = {.visible = disc.boolean("visible"),
+              .angular_radius = radians_from_degrees(disc.number("angular_radius_deg")),
+              .limb_darkening = disc.number("limb_darkening"),
+              .radiance_scale = disc.number("radiance_scale")};
+  return sun;
+}
+
+// An equirectangular picture is the whole sphere in its upright frame; a tilt would have to be thrown away.
+void refuse_tilt(const Section& camera, std::string_view key) {
+  const PresetValue* value = camera.find(key);
+  const auto* degrees = value == nullptr ? nullptr : std::get_if<double>(&value->data);
+  if (degrees != nullptr && *degrees != 0.0) {
+    camera.complain(key, *value,
+                    format_number(*degrees) + " is not 0; an equirectangular picture cannot be tilted: set it to 0");
+  }
+}
+
+Camera read_camera(const Section& root) {
+  Section section = root.child("camera");
+  section.refuse_unknown_keys();
+  Camera camera;
+  camera.altitude = section.number("altitude_km");
+  camera.azimuth = radians_from_degrees(section.number("azimuth_deg"));
+  camera.pitch = radians_from_degrees(section.number("pitch_deg"));
+  camera.roll = radians_from_degrees(section.number("roll_deg"));
+  const auto projection = section.choice("projection");
+  if (!projection) {
+    return camera;
+  }
+  camera.projection = static_cast<Projection>(*projection);
+  section.choose(kProjectionNames[*projection]);
+  const double field_of_view = radians_from_degrees(section.number("vertical_fov_deg"));
+  if (camera.projection == Projection::equirectangular) {
+    refuse_tilt(section, "pitch_deg");
+    refuse_tilt(section, "roll_deg");
+  } else {
+    camera.vertical_fov = field_of_view;
+  }
+  return camera;
+}
+
+ImageSize read_image(const Section& root) {
+  const Section section = root.child("image");
+  section.refuse_unknown_keys();
+  return {.width = section.integer("width"), .height = section.integer("height")};
+}
+
+Bloom read_bloom(const Section& root) {
+  const Section section = root.child("bloom");
+  section.refuse_unknown_keys();
+  Bloom bloom;
+  bloom.enabled = section.boolean("enabled");
+  bloom.in_exr = bloom.enabled && section.find("enabled") != nullptr;
+  bloom.threshold = section.number("threshold");
+  bloom.intensity = section.number("intensity");
+  bloom.levels = section.integer("levels");
+  return bloom;
+}
+
+Display read_display(const Section& root) {
+  const Section section = root.child("display");
+  section.refuse_unknown_keys();
+  Display display;
+  const PresetValue* exposure = section.find("exposure");
+  const auto* word = exposure == nullptr ? nullptr : std::get_if<std::string>(&exposure->data);
+  if (exposure != nullptr && (word == nullptr || *word != "auto")) {
+    read_number(section.site("exposure", *exposure), display.exposure.emplace());
+  }
+  display.display = section.text("display");
+  display.view = section.text("view");
+  display.tonemap = static_cast<ToneCurve>(section.choice("tonemap").value_or(0));
+  return display;
+}
+
+void check_root(const Section& root) {
+  root.refuse_unknown_keys();
+  if (const PresetValue* version = root.value_of("airlight")) {
+    const auto* number = std::get_if<double>(&version->data);
+    if (number == nullptr || *number != 1.0) {
+      root.complain("airlight", *version,
+                    quoted(*version) + " is no format that this program reads; expected 1, the format's version");
+    }
+  }
+  // Loading a file takes the key out once it has been followed.
+  if (const PresetValue* extends = root.find("extends")) {
+    const bool is_text = std::holds_alternative<std::string>(extends->data);
+    root.complain("extends", *extends,
+                  quoted(*extends) + (is_text ? " comes too late; `extends` is followed in a preset's file only"
+                                              : " is not a string; expected a file name"));
+  }
+}
+
+}  // namespace
+
+Scene resolve(const Preset& preset, std::span<const MethodInfo> methods) {
+  Problems problems;
+  const Section root(problems, &preset.root, preset.root, "", "");
+  check_root(root);
+  Scene scene;
+  scene.name = root.text("name");
+  scene.description = root.text("description");
+  scene.planet = read_planet(root);
+  scene.media = read_media(root);
+  scene.sun = read_sun(root);
+  scene.camera = read_camera(root);
+  scene.image = read_image(root);
+  scene.render = read_render_settings(root, methods);
+  scene.bloom = read_bloom(root);
+  scene.display = read_display(root);
+  problems.throw_if_any();
+  return scene;
+}
+
+}  // namespace airlight

@@ -1,0 +1,20 @@
+#pragma once
+// Preset -> Scene: every rule of the format in one place.
+
+#include <span>
+#include <string>
+
+#include "core/scene/method_info.h"
+#include "core/scene/preset.h"
+#include "core/scene/scene.h"
+
+namespace airlight {
+
+// Throws InputError with every problem found, one line each:
+//   FILE: POINTER: what is wrong; what was expected; what to do
+Scene resolve(const Preset& preset, std::span<const MethodInfo> methods);
+
+// People's text: every value with its unit, for `check -v` and `--dry-run`.
+std::string describe(const Scene& scene);
+
+}  // namespace airlight

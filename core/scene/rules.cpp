@@ -1,0 +1,325 @@
+#include "core/scene/rules.h"
+
+#include "core/scene/json_format.h"
+#include "core/scene/scene.h"
+
+namespace airlight {
+namespace {
+
+// Where the format says only "> 0" or ">= 0", these are what the 32-bit arithmetic of the shaders holds with squares
+// and ratios to spare: a millimetre, seven times the distance to the Sun.
+constexpr Range kLength{.minimum = 1e-6, .maximum = 1e9};
+constexpr Range kAltitude = kLayerAltitude;
+constexpr Range kCoefficient{.minimum = 0.0, .maximum = 1e6};
+constexpr Range kIrradiance{.minimum = 0.0, .maximum = 1e9};
+constexpr Range kUnit{.minimum = 0.0, .maximum = 1.0};
+constexpr Range kRightAngle{.minimum = -90.0, .maximum = 90.0};
+constexpr Range kAnyAngle{.minimum = -1e6, .maximum = 1e6};
+constexpr Range kImageSide{.minimum = 1.0, .maximum = 65536.0};
+// 1e-4 degrees at irradiance 1e9 is a radiance of 1e20, far inside a 32-bit float.
+constexpr Range kDiscRadius{.minimum = 1e-4, .maximum = 10.0};
+
+constexpr std::array<std::string_view, 2> kScaled = {"exponential", "lorentzian"};
+constexpr std::array<std::string_view, 2> kCentered = {"tent", "lorentzian"};
+constexpr std::array<std::string_view, 1> kConstant = {"constant"};
+constexpr std::array<std::string_view, 1> kLayered = {"layers"};
+constexpr std::array<std::string_view, 1> kPerspective = {"perspective"};
+constexpr std::array<std::string_view, 1> kFisheye = {"fisheye"};
+constexpr std::array<std::string_view, 1> kEquirectangular = {"equirectangular"};
+
+constexpr auto kRules = std::to_array<Rule>({
+    {.key = "airlight", .type = RuleType::version, .required = true, .meaning = "the format's version, 1"},
+    {.key = "name", .type = RuleType::text, .meaning = "for people; written into the EXR"},
+    {.key = "description", .type = RuleType::text, .meaning = "for people; written into the EXR"},
+    {.key = "extends",
+     .type = RuleType::extends,
+     .meaning = "the preset that this one builds on, by a path relative to this file: merged key by key, `media` by "
+                "`name`; a `density` with a `profile` of its own replaces the inherited one whole"},
+
+    {.key = "planet.radius_km",
+     .range = kLength,
+     .unit = "km",
+     .default_text = "6360",
+     .meaning = "radius of the ground sphere"},
+    {.key = "planet.atmosphere_height_km",
+     .range = kLength,
+     .unit = "km",
+     .default_text = "100",
+     .meaning = "top of the atmosphere above the ground"},
+    {.key = "planet.ground_albedo",
+     .type = RuleType::spectrum,
+     .range = kUnit,
+     .default_text = "0",
+     .meaning = "Lambertian reflectance of the ground"},
+
+    {.key = "media",
+     .type = RuleType::media,
+     .range = {.minimum = 1, .maximum = kMaxMedia},
+     .required = true,
+     .meaning = "what the air is made of; written here or inherited"},
+    {.key = "media[].name", .type = RuleType::name, .required = true, .meaning = "unique among the media"},
+    {.key = "media[].scattering_per_km",
+     .type = RuleType::spectrum,
+     .range = kCoefficient,
+     .unit = "per km",
+     .default_text = "0",
+     .meaning = "scattering coefficient where the density is 1"},
+    {.key = "media[].absorption_per_km",
+     .type = RuleType::spectrum,
+     .range = kCoefficient,
+     .unit = "per km",
+     .default_text = "0",
+     .meaning = "absorption coefficient where the density is 1"},
+    {.key = "media[].density.profile",
+     .type = RuleType::choice,
+     .required = true,
+     .choices = kProfileNames,
+     .meaning = "density over the altitude h"},
+    {.key = "media[].density.scale_height_km",
+     .range = kLength,
+     .unit = "km",
+     .required = true,
+     .only_for = kScaled,
+     .meaning = "H: `exponential` is exp(-h/H), `lorentzian` exp(-h/H) / (1 + ((c - h)/w)^2)"},
+    {.key = "media[].density.center_km",
+     .range = kAltitude,
+     .unit = "km",
+     .required = true,
+     .only_for = kCentered,
+     .meaning = "c: `tent` is max(0, 1 - abs(h - c)/w), `lorentzian` as above"},
+    {.key = "media[].density.half_width_km",
+     .range = kLength,
+     .unit = "km",
+     .required = true,
+     .only_for = kCentered,
+     .meaning = "w, see `center_km`"},
+    {.key = "media[].density.below_km",
+     .range = kLength,
+     .unit = "km",
+     .required = true,
+     .only_for = kConstant,
+     .meaning = "the density is 1 below this altitude and 0 above"},
+    {.key = "media[].density.layers",
+     .type = RuleType::layers,
+     .range = kCoefficient,
+     .required = true,
+     .only_for = kLayered,
+     .meaning = "pairs [altitude_km, density], altitudes ascending from 0 or above; linear between, constant outside; "
+                "at most 256 over all media"},
+    {.key = "media[].phase.function",
+     .type = RuleType::choice,
+     .default_text = "isotropic",
+     .choices = kPhaseNames,
+     .meaning = "how the medium spreads what it scatters"},
+    {.key = "media[].phase.g",
+     .range = {.minimum = -0.99, .maximum = 0.99},
+     .default_text = "0.8",
+     .meaning = "asymmetry, positive = forward; not used by `rayleigh` and `isotropic`"},
+
+    {.key = "sun.elevation_deg",
+     .range = kRightAngle,
+     .unit = "degrees",
+     .default_text = "30",
+     .meaning = "of the sun's centre above the horizontal plane"},
+    {.key = "sun.azimuth_deg",
+     .range = kAnyAngle,
+     .unit = "degrees",
+     .default_text = "0",
+     .meaning = "clockwise from north, 90 = east"},
+    {.key = "sun.irradiance",
+     .type = RuleType::spectrum,
+     .range = kIrradiance,
+     .default_text = "1",
+     .meaning = "at the top of the atmosphere on a plane that faces the sun; radiance comes out in the same unit per "
+                "steradian"},
+    {.key = "sun.disc.visible",
+     .type = RuleType::boolean,
+     .default_text = "true",
+     .meaning = "whether the picture shows the disc"},
+    {.key = "sun.disc.angular_radius_deg",
+     .range = kDiscRadius,
+     .unit = "degrees",
+     .default_text = "0.2666",
+     .meaning = "half the disc's angular diameter"},
+    {.key = "sun.disc.limb_darkening", .range = kUnit, .default_text = "0.6", .meaning = "u in I(mu) = 1 - u (1 - mu)"},
+    {.key = "sun.disc.radiance_scale",
+     .range = kCoefficient,
+     .default_text = "1",
+     .meaning = "1: the disc's mean radiance is irradiance / solid angle"},
+
+    {.key = "camera.altitude_km",
+     .range = kAltitude,
+     .unit = "km",
+     .default_text = "0.001",
+     .meaning = "above the ground; above the atmosphere is allowed",
+     .hint = "below 0 the camera is inside the planet"},
+    {.key = "camera.azimuth_deg",
+     .range = kAnyAngle,
+     .unit = "degrees",
+     .default_text = "0",
+     .meaning = "where the picture's centre looks, clockwise from north"},
+    {.key = "camera.pitch_deg",
+     .range = kRightAngle,
+     .unit = "degrees",
+     .default_text = "0",
+     .meaning = "elevation of the picture's centre; 0 for `equirectangular`"},
+    {.key = "camera.roll_deg",
+     .range = kAnyAngle,
+     .unit = "degrees",
+     .default_text = "0",
+     .meaning = "about the view direction; 0 for `equirectangular`"},
+    {.key = "camera.projection",
+     .type = RuleType::choice,
+     .default_text = "perspective",
+     .choices = kProjectionNames,
+     .meaning = "how directions fall on the picture"},
+    {.key = "camera.vertical_fov_deg",
+     .range = {.minimum = 0.0, .maximum = 180.0, .minimum_excluded = true, .maximum_excluded = true},
+     .unit = "degrees",
+     .default_text = "60",
+     .only_for = kPerspective,
+     .meaning = "angle from the lower to the upper edge",
+     .hint = "a wider view needs the projection \"fisheye\""},
+    {.key = "camera.vertical_fov_deg",
+     .range = {.minimum = 0.0, .maximum = 360.0, .minimum_excluded = true},
+     .unit = "degrees",
+     .default_text = "180",
+     .only_for = kFisheye,
+     .meaning = "angle that the shorter side spans"},
+    {.key = "camera.vertical_fov_deg",
+     .range = {.minimum = 0.0, .maximum = 360.0, .minimum_excluded = true},
+     .unit = "degrees",
+     .only_for = kEquirectangular,
+     .meaning = "not used: the picture is the whole sphere"},
+
+    {.key = "image.width",
+     .type = RuleType::integer,
+     .range = kImageSide,
+     .unit = "pixels",
+     .default_text = "1280",
+     .meaning = "columns"},
+    {.key = "image.height",
+     .type = RuleType::integer,
+     .range = kImageSide,
+     .unit = "pixels",
+     .default_text = "720",
+     .meaning = "rows"},
+
+    {.key = "render.method",
+     .type = RuleType::method,
+     .default_text = "march",
+     .meaning = "a method's name, see `airlight methods`"},
+
+    {.key = "bloom.enabled",
+     .type = RuleType::boolean,
+     .default_text = "true",
+     .meaning = "glow around what is brighter than the threshold, in the PNG; stated true, it becomes a layer of the "
+                "EXR as well"},
+    {.key = "bloom.threshold",
+     .range = kIrradiance,
+     .default_text = "1",
+     .meaning = "luminance after exposure from which a pixel glows"},
+    {.key = "bloom.intensity",
+     .range = {.minimum = 0.0, .maximum = 100.0},
+     .default_text = "0.04",
+     .meaning = "factor on the glow as it is added"},
+    {.key = "bloom.levels",
+     .type = RuleType::integer,
+     .range = {.minimum = 1.0, .maximum = 16.0},
+     .default_text = "5",
+     .meaning = "halvings of the picture: each doubles the widest glow"},
+
+    {.key = "display.exposure",
+     .type = RuleType::exposure,
+     .range = {.minimum = 1e-9, .maximum = 1e9},
+     .default_text = "auto",
+     .meaning = "linear factor before the display transform or tone curve; \"auto\" brings the log-average luminance "
+                "to 0.18; never touches the EXR"},
+    {.key = "display.display",
+     .type = RuleType::text,
+     .meaning = "a display of the OCIO config in force; \"\" is the config's default"},
+    {.key = "display.view",
+     .type = RuleType::text,
+     .meaning = "a view of that display; \"\" is the config's default, \"gpu\" the tone curve below"},
+    {.key = "display.tonemap",
+     .type = RuleType::choice,
+     .default_text = "aces",
+     .choices = kToneCurveNames,
+     .meaning = "the tone curve of the view \"gpu\""},
+});
+
+std::string with_unit(std::string text, std::string_view unit) {
+  return unit.empty() ? text : text + " " + std::string(unit);
+}
+
+}  // namespace
+
+bool Range::contains(double value) const {
+  const bool above = minimum_excluded ? value > minimum : value >= minimum;
+  const bool below = maximum_excluded ? value < maximum : value <= maximum;
+  return above && below;
+}
+
+std::span<const Rule> rules() {
+  return kRules;
+}
+
+std::string range_text(const Range& range, std::string_view unit) {
+  const bool has_minimum = range.minimum > -std::numeric_limits<double>::infinity();
+  const bool has_maximum = range.maximum < std::numeric_limits<double>::infinity();
+  if (!has_minimum && !has_maximum) {
+    return "any";
+  }
+  if (has_minimum && has_maximum && !range.minimum_excluded && !range.maximum_excluded) {
+    return with_unit(format_number(range.minimum) + " to " + format_number(range.maximum), unit);
+  }
+  std::string text;
+  if (has_minimum) {
+    text = (range.minimum_excluded ? "above " : "at least ") + format_number(range.minimum);
+  }
+  if (has_maximum) {
+    text += (has_minimum ? " and " : "") + std::string(range.maximum_excluded ? "below " : "at most ") +
+            format_number(range.maximum);
+  }
+  return with_unit(text, unit);
+}
+
+std::string expectation(const Rule& rule) {
+  const std::string range = range_text(rule.range, rule.unit);
+  switch (rule.type) {
+    case RuleType::version:
+      return "1";
+    case RuleType::extends:
+      return "a file name";
+    case RuleType::text:
+      return "a string";
+    case RuleType::name:
+      return "a string of at least one character";
+    case RuleType::boolean:
+      return "true or false";
+    case RuleType::integer:
+      return "a whole number, " + range;
+    case RuleType::number:
+      return "a number, " + range;
+    case RuleType::spectrum:
+      return "a number or an array of three, " + range;
+    case RuleType::choice: {
+      std::string text = "one of";
+      for (std::size_t i = 0; i < rule.choices.size(); ++i) {
+        text += (i == 0 ? " " : ", ") + json_string(rule.choices[i]);
+      }
+      return text;
+    }
+    case RuleType::method:
+      return "the name of a method";
+    case RuleType::exposure:
+      return "a number, " + range + ", or \"auto\"";
+    case RuleType::media:
+      return "an array of " + range + " media";
+    case RuleType::layers:
+      return "an array of [altitude_km, density], altitudes ascending";
+  }
+  return {};
+}
+
+}  // namespace airlight

@@ -1,0 +1,72 @@
+#pragma once
+// The rules of preset format 1 as one table: resolve() reads by it, and tests hold presets/README.md and the JSON
+// Schema to it. What a method takes under `render.*` stands in its MethodInfo instead.
+
+#include <array>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace airlight {
+
+struct Range {
+  double minimum = -std::numeric_limits<double>::infinity();
+  double maximum = std::numeric_limits<double>::infinity();
+  bool minimum_excluded = false;
+  bool maximum_excluded = false;
+
+  bool contains(double value) const;
+};
+
+// Of a layer; of all other altitudes too.
+inline constexpr Range kLayerAltitude{.minimum = 0.0, .maximum = 1e9};
+
+enum class RuleType {
+  version,   // the number 1
+  extends,   // a file name; gone once a file is loaded
+  text,      // any string
+  name,      // a string with at least one character
+  boolean,   // true or false
+  integer,   // a number without fraction
+  number,    // a finite number
+  spectrum,  // a number or three
+  choice,    // one of the listed strings; default_text without quotes
+  method,    // the name of a method
+  exposure,  // a number or "auto"
+  media,     // an array of media
+  layers,    // an array of [altitude, density], altitudes ascending; the range is the density's
+};
+
+struct Rule {
+  std::string_view key;  // "media[].phase.g"
+  RuleType type = RuleType::number;
+  Range range = {};
+  std::string_view unit = {};
+  std::string_view default_text = {};  // empty: none
+  bool required = false;
+  std::span<const std::string_view> choices = {};
+  // Only where the neighbouring choice is one of these, e.g. where `density.profile` is "tent"; empty: always.
+  std::span<const std::string_view> only_for = {};
+  std::string_view meaning = {};
+  std::string_view hint = {};  // ends the message about a number out of range
+};
+
+std::span<const Rule> rules();
+
+// "-90 to 90 degrees", "at least 0 per km", "above 0 and below 180 degrees".
+std::string range_text(const Range& range, std::string_view unit);
+
+// What a value of the rule looks like: "a whole number, 1 to 65536 pixels".
+std::string expectation(const Rule& rule);
+
+// The names of the enums in scene.h, in their order.
+inline constexpr std::array<std::string_view, 5> kProfileNames = {"exponential", "tent", "lorentzian", "constant",
+                                                                  "layers"};
+inline constexpr std::array<std::string_view, 5> kPhaseNames = {"rayleigh", "henyey-greenstein", "cornette-shanks",
+                                                                "schlick", "isotropic"};
+inline constexpr std::array<std::string_view, 3> kProjectionNames = {"perspective", "equirectangular", "fisheye"};
+inline constexpr std::array<std::string_view, 6> kToneCurveNames = {"aces",        "reinhard", "reinhard-luminance",
+                                                                    "exponential", "clamp",    "none"};
+
+}  // namespace airlight

@@ -1,0 +1,123 @@
+#pragma once
+// A validated scene in internal units: km, radians, spectra in the linear working space. Made by resolve(), then read
+// only. ../shared rules of the preset format stand in presets/README.md.
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/scene/method_info.h"
+
+namespace airlight {
+
+using Spectrum = std::array<double, 3>;
+
+inline constexpr int kMaxMedia = 8;
+inline constexpr int kMaxDensityLayers = 256;  // over all media of a scene
+
+enum class DensityProfile { exponential, tent, lorentzian, constant, layers };
+enum class PhaseFunction { rayleigh, henyey_greenstein, cornette_shanks, schlick, isotropic };
+enum class Projection { perspective, equirectangular, fisheye };
+enum class ToneCurve { aces, reinhard, reinhard_luminance, exponential, clamp, none };
+
+struct DensityLayer {
+  double altitude = 0.0;  // km
+  double density = 0.0;   // 1
+};
+
+struct Density {
+  DensityProfile profile = DensityProfile::exponential;
+  double scale_height = 1.0;  // km
+  double center = 0.0;        // km
+  double half_width = 1.0;    // km
+  double below = 1.0;         // km
+  std::vector<DensityLayer> layers;
+};
+
+struct Medium {
+  std::string name;
+  Spectrum scattering{};  // 1/km at density 1
+  Spectrum absorption{};  // 1/km at density 1
+  Density density;
+  PhaseFunction phase = PhaseFunction::isotropic;
+  double phase_g = 0.8;
+};
+
+struct Planet {
+  double ground_radius = 6360.0;     // km
+  double atmosphere_height = 100.0;  // km
+  Spectrum ground_albedo{};
+};
+
+struct SunDisc {
+  bool visible = true;
+  double angular_radius = 0.0;  // rad
+  double limb_darkening = 0.6;
+  double radiance_scale = 1.0;
+};
+
+struct Sun {
+  double elevation = 0.0;  // rad
+  double azimuth = 0.0;    // rad, clockwise from north
+  Spectrum irradiance{1.0, 1.0, 1.0};
+  SunDisc disc;
+};
+
+struct Camera {
+  double altitude = 0.001;  // km
+  double azimuth = 0.0;     // rad
+  double pitch = 0.0;       // rad
+  double roll = 0.0;        // rad
+  Projection projection = Projection::perspective;
+  double vertical_fov = 0.0;  // rad; unused by equirectangular
+};
+
+struct ImageSize {
+  int width = 1280;
+  int height = 720;
+};
+
+// The chosen method and every parameter that it takes, defaults filled in. A parameter inherited through `extends`
+// that the method does not take is left out.
+struct RenderSettings {
+  std::string method = "march";
+  std::map<std::string, ParameterValue, std::less<>> parameters;
+
+  // The named parameter; asking for one that the method does not declare, or with another type, is a mistake of ours.
+  template <class T>
+  const T& get(std::string_view key) const {
+    return std::get<T>(parameters.find(key)->second);
+  }
+};
+
+struct Bloom {
+  bool enabled = true;
+  bool in_exr = false;     // the preset asks for bloom itself: it becomes a layer of the EXR
+  double threshold = 1.0;  // on exposed luminance
+  double intensity = 0.04;
+  int levels = 5;
+};
+
+struct Display {
+  std::optional<double> exposure;  // absent: auto
+  std::string display;             // empty: the OCIO config's default
+  std::string view;                // empty: the OCIO config's default; "gpu": the GPU tone curve
+  ToneCurve tonemap = ToneCurve::aces;
+};
+
+struct Scene {
+  std::string name;
+  std::string description;
+  Planet planet;
+  std::vector<Medium> media;
+  Sun sun;
+  Camera camera;
+  ImageSize image;
+  RenderSettings render;
+  Bloom bloom;
+  Display display;
+};
+
+}  // namespace airlight

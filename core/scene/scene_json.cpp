@@ -1,0 +1,167 @@
+// to_json: a scene as a preset of format 1.
+
+#include <algorithm>
+#include <optional>
+
+#include "core/scene/angle.h"
+#include "core/scene/json_format.h"
+#include "core/scene/preset.h"
+#include "core/scene/render_settings.h"
+#include "core/scene/rules.h"
+
+namespace airlight {
+namespace {
+
+// Objects within objects, one key a line.
+class JsonObject {
+ public:
+  explicit JsonObject(int depth = 1) : depth_(depth) {}
+
+  JsonObject& add(std::string_view key, const std::string& json) {
+    text_ += (text_.empty() ? "" : ",") + indent(depth_) + json_string(key) + ": " + json;
+    return *this;
+  }
+  JsonObject& number(std::string_view key, double value) { return add(key, format_number(value)); }
+  JsonObject& degrees(std::string_view key, double radians) { return number(key, degrees_from_radians(radians)); }
+  JsonObject& text(std::string_view key, std::string_view value) { return add(key, json_string(value)); }
+  JsonObject& boolean(std::string_view key, bool value) { return add(key, value ? "true" : "false"); }
+  JsonObject& spectrum(std::string_view key, const Spectrum& value) {
+    return add(key,
+               "[" + format_number(value[0]) + ", " + format_number(value[1]) + ", " + format_number(value[2]) + "]");
+  }
+  std::string str() const { return "{" + text_ + indent(depth_ - 1) + "}"; }
+
+  static std::string indent(int depth) { return "\n" + std::string(2 * static_cast<std::size_t>(depth), ' '); }
+
+ private:
+  int depth_;
+  std::string text_;
+};
+
+template <class Enum, std::size_t N>
+std::string_view name_of(Enum value, const std::array<std::string_view, N>& names) {
+  return names.at(static_cast<std::size_t>(value));
+}
+
+std::string density_json(const Density& density) {
+  JsonObject object(4);
+  object.text("profile", name_of(density.profile, kProfileNames));
+  const bool has_center = density.profile == DensityProfile::tent || density.profile == DensityProfile::lorentzian;
+  if (has_center) {
+    object.number("center_km", density.center).number("half_width_km", density.half_width);
+  }
+  if (density.profile == DensityProfile::exponential || density.profile == DensityProfile::lorentzian) {
+    object.number("scale_height_km", density.scale_height);
+  }
+  if (density.profile == DensityProfile::constant) {
+    object.number("below_km", density.below);
+  }
+  if (density.profile == DensityProfile::layers) {
+    std::string layers;
+    for (const DensityLayer& layer : density.layers) {
+      layers +=
+          (layers.empty() ? "[" : ", [") + format_number(layer.altitude) + ", " + format_number(layer.density) + "]";
+    }
+    object.add("layers", "[" + layers + "]");
+  }
+  return object.str();
+}
+
+std::string media_json(const std::vector<Medium>& media) {
+  std::string text;
+  for (const Medium& medium : media) {
+    JsonObject object(3);
+    object.text("name", medium.name)
+        .spectrum("scattering_per_km", medium.scattering)
+        .spectrum("absorption_per_km", medium.absorption)
+        .add("density", density_json(medium.density))
+        .add("phase",
+             JsonObject(4).text("function", name_of(medium.phase, kPhaseNames)).number("g", medium.phase_g).str());
+    text += (text.empty() ? "" : ",") + JsonObject::indent(2) + object.str();
+  }
+  return "[" + text + JsonObject::indent(1) + "]";
+}
+
+std::string sun_json(const Sun& sun) {
+  return JsonObject(2)
+      .degrees("elevation_deg", sun.elevation)
+      .degrees("azimuth_deg", sun.azimuth)
+      .spectrum("irradiance", sun.irradiance)
+      .add("disc", JsonObject(3)
+                       .boolean("visible", sun.disc.visible)
+                       .degrees("angular_radius_deg", sun.disc.angular_radius)
+                       .number("limb_darkening", sun.disc.limb_darkening)
+                       .number("radiance_scale", sun.disc.radiance_scale)
+                       .str())
+      .str();
+}
+
+std::string camera_json(const Camera& camera) {
+  JsonObject object(2);
+  object.number("altitude_km", camera.altitude)
+      .degrees("azimuth_deg", camera.azimuth)
+      .degrees("pitch_deg", camera.pitch)
+      .degrees("roll_deg", camera.roll)
+      .text("projection", name_of(camera.projection, kProjectionNames));
+  if (camera.projection != Projection::equirectangular) {
+    object.degrees("vertical_fov_deg", camera.vertical_fov);
+  }
+  return object.str();
+}
+
+std::string render_json(const RenderSettings& render) {
+  JsonObject object(2);
+  object.text("method", render.method);
+  for (const auto& [key, value] : render.parameters) {
+    if (!std::holds_alternative<std::monostate>(value)) {
+      object.add(key, json_text(value));
+    }
+  }
+  return object.str();
+}
+
+// Bloom that is on by default is not stated: stated, it would ask for a layer in the EXR.
+std::string bloom_json(const Bloom& bloom) {
+  JsonObject object(2);
+  if (!bloom.enabled || bloom.in_exr) {
+    object.boolean("enabled", bloom.enabled);
+  }
+  return object.number("threshold", bloom.threshold)
+      .number("intensity", bloom.intensity)
+      .number("levels", bloom.levels)
+      .str();
+}
+
+std::string display_json(const Display& display) {
+  return JsonObject(2)
+      .add("exposure", display.exposure ? format_number(*display.exposure) : json_string("auto"))
+      .text("display", display.display)
+      .text("view", display.view)
+      .text("tonemap", name_of(display.tonemap, kToneCurveNames))
+      .str();
+}
+
+}  // namespace
+
+std::string to_json(const Scene& scene) {
+  return JsonObject(1)
+             .number("airlight", 1)
+             .text("name", scene.name)
+             .text("description", scene.description)
+             .add("planet", JsonObject(2)
+                                .number("radius_km", scene.planet.ground_radius)
+                                .number("atmosphere_height_km", scene.planet.atmosphere_height)
+                                .spectrum("ground_albedo", scene.planet.ground_albedo)
+                                .str())
+             .add("media", media_json(scene.media))
+             .add("sun", sun_json(scene.sun))
+             .add("camera", camera_json(scene.camera))
+             .add("image", JsonObject(2).number("width", scene.image.width).number("height", scene.image.height).str())
+             .add("render", render_json(scene.render))
+             .add("bloom", bloom_json(scene.bloom))
+             .add("display", display_json(scene.display))
+             .str() +
+         "\n";
+}
+
+}  // namespace airlight

@@ -1,0 +1,233 @@
+#include "core/scene/section.h"
+
+#include <algorithm>
+#include <charconv>
+#include <set>
+#include <stdexcept>
+#include <vector>
+
+#include "core/scene/json_format.h"
+#include "core/scene/json_text.h"
+
+namespace airlight {
+namespace {
+
+double default_number(const Rule& rule) {
+  double value = 0.0;
+  std::from_chars(rule.default_text.data(), rule.default_text.data() + rule.default_text.size(), value);
+  return value;
+}
+
+bool holds_for(const Rule& rule, std::string_view choice) {
+  return rule.only_for.empty() || std::ranges::find(rule.only_for, choice) != rule.only_for.end();
+}
+
+// The key of the object `prefix` that a rule belongs to: "phase" for "media[].phase.g" in "media[]"; empty: none.
+std::string_view key_in(const Rule& rule, std::string_view prefix) {
+  std::string_view rest = rule.key;
+  if (!prefix.empty()) {
+    if (!rest.starts_with(prefix) || rest.size() <= prefix.size() || rest[prefix.size()] != '.') {
+      return {};
+    }
+    rest.remove_prefix(prefix.size() + 1);
+  }
+  return rest.substr(0, rest.find_first_of(".["));
+}
+
+std::vector<std::string> known_keys(std::string_view prefix) {
+  std::set<std::string> keys;
+  for (const Rule& rule : rules()) {
+    if (const std::string_view key = key_in(rule, prefix); !key.empty()) {
+      keys.emplace(key);
+    }
+  }
+  return {keys.begin(), keys.end()};
+}
+
+// Where else a key of this very name lives: "/sun/elevation_deg" for one written a level too high.
+std::string place_elsewhere(std::string_view key) {
+  for (const Rule& rule : rules()) {
+    if (rule.key.ends_with("." + std::string(key))) {
+      return std::string(rule.key);
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+Section::Section(Problems& problems, const PresetValue* value, const PresetValue& context, std::string pointer,
+                 std::string prefix)
+    : problems_(problems),
+      context_(value != nullptr ? value : &context),
+      pointer_(std::move(pointer)),
+      prefix_(std::move(prefix)) {
+  if (value == nullptr) {
+    return;
+  }
+  object_ = std::get_if<PresetObject>(&value->data);
+  if (object_ == nullptr) {
+    broken_ = true;
+    problems_.add(*value, pointer_, quoted(*value) + " is not an object; expected {...}");
+  }
+}
+
+Section Section::child(std::string_view key) const {
+  const std::string prefix = prefix_.empty() ? std::string(key) : prefix_ + "." + std::string(key);
+  Section section(problems_, find(key), *context_, pointer_to(key), prefix);
+  section.broken_ = section.broken_ || broken_;
+  return section;
+}
+
+Section Section::element(std::string_view key, const PresetArray& array, std::size_t index) const {
+  return {problems_, &array[index], *context_, pointer_below(pointer_to(key), std::to_string(index)),
+          std::string(key) + "[]"};
+}
+
+void Section::refuse_unknown_keys() const {
+  if (object_ == nullptr) {
+    return;
+  }
+  const std::vector<std::string> known = known_keys(prefix_);
+  for (const auto& [key, value] : *object_) {
+    if (std::ranges::find(known, key) != known.end()) {
+      continue;
+    }
+    std::string message = "unknown key" + did_you_mean(key, known);
+    if (message.ends_with('?')) {
+      complain(key, value, message);
+      continue;
+    }
+    if (const std::string elsewhere = place_elsewhere(key); !elsewhere.empty()) {
+      message += "; did you mean " + elsewhere + "?";
+    } else {
+      message += "; expected one of ";
+      for (const std::string& name : known) {
+        message += (name == known.front() ? "" : ", ") + name;
+      }
+    }
+    complain(key, value, message);
+  }
+}
+
+void Section::choose(std::string_view choice) {
+  choice_ = choice;
+  if (object_ == nullptr) {
+    return;
+  }
+  for (const auto& [key, value] : *object_) {
+    if (find_rule(key) != nullptr) {
+      continue;
+    }
+    std::string others;
+    for (const Rule& rule : rules()) {
+      if (key_in(rule, prefix_) == key) {
+        for (const std::string_view other : rule.only_for) {
+          others += (others.empty() ? "" : ", ") + std::string(other);
+        }
+      }
+    }
+    if (!others.empty()) {
+      complain(key, value, "not a key of " + json_string(choice) + "; it belongs to " + others + ": remove it");
+    }
+  }
+}
+
+const Rule* Section::find_rule(std::string_view key) const {
+  const std::string name = prefix_.empty() ? std::string(key) : prefix_ + "." + std::string(key);
+  const auto found = std::ranges::find_if(
+      rules(), [&](const Rule& candidate) { return candidate.key == name && holds_for(candidate, choice_); });
+  return found == rules().end() ? nullptr : &*found;
+}
+
+const Rule& Section::rule(std::string_view key) const {
+  const Rule* found = find_rule(key);
+  if (found == nullptr) {
+    throw std::logic_error("no rule for " + prefix_ + "." + std::string(key));
+  }
+  return *found;
+}
+
+const PresetValue* Section::find(std::string_view key) const {
+  if (object_ == nullptr) {
+    return nullptr;
+  }
+  const auto found = object_->find(key);
+  return found == object_->end() ? nullptr : &found->second;
+}
+
+std::string Section::pointer_to(std::string_view key) const {
+  return pointer_below(pointer_, key);
+}
+
+Site Section::site(std::string_view key, const PresetValue& value) const {
+  return {problems_, value, pointer_to(key), rule(key)};
+}
+
+void Section::complain(std::string_view key, const PresetValue& value, std::string_view message) const {
+  problems_.add(value, pointer_to(key), message);
+}
+
+const PresetValue* Section::value_of(std::string_view key) const {
+  const PresetValue* value = find(key);
+  const Rule& expected = rule(key);
+  if (value == nullptr && expected.required && !broken_) {
+    const std::string owner = choice_.empty() || expected.only_for.empty() ? "" : " for " + json_string(choice_);
+    problems_.add(*context_, pointer_to(key), "missing" + owner + "; expected " + expectation(expected));
+  }
+  return value;
+}
+
+double Section::number(std::string_view key) const {
+  double result = default_number(rule(key));
+  if (const PresetValue* value = value_of(key)) {
+    read_number(site(key, *value), result);
+  }
+  return result;
+}
+
+int Section::integer(std::string_view key) const {
+  int result = static_cast<int>(default_number(rule(key)));
+  if (const PresetValue* value = value_of(key)) {
+    read_integer(site(key, *value), result);
+  }
+  return result;
+}
+
+bool Section::boolean(std::string_view key) const {
+  bool result = rule(key).default_text == "true";
+  if (const PresetValue* value = value_of(key)) {
+    read_boolean(site(key, *value), result);
+  }
+  return result;
+}
+
+std::string Section::text(std::string_view key) const {
+  std::string result(rule(key).default_text);
+  if (const PresetValue* value = value_of(key)) {
+    read_text(site(key, *value), result);
+  }
+  return result;
+}
+
+Spectrum Section::spectrum(std::string_view key) const {
+  const double fallback = default_number(rule(key));
+  Spectrum result{fallback, fallback, fallback};
+  if (const PresetValue* value = value_of(key)) {
+    read_spectrum(site(key, *value), result);
+  }
+  return result;
+}
+
+std::optional<std::size_t> Section::choice(std::string_view key) const {
+  const std::span<const std::string_view> choices = rule(key).choices;
+  const auto fallback = static_cast<std::size_t>(std::ranges::find(choices, rule(key).default_text) - choices.begin());
+  const PresetValue* value = value_of(key);
+  if (value == nullptr) {
+    return fallback < choices.size() ? std::optional(fallback) : std::nullopt;
+  }
+  std::size_t result = 0;
+  return read_choice(site(key, *value), result) ? std::optional(result) : std::nullopt;
+}
+
+}  // namespace airlight

@@ -1,0 +1,65 @@
+#pragma once
+// Reads one object of a preset by the table of rules: what is absent gets its default, what is wrong is reported and
+// gets it too, so that reading goes on and finds the next problem.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/scene/preset.h"
+#include "core/scene/problems.h"
+#include "core/scene/rules.h"
+#include "core/scene/scene.h"
+#include "core/scene/value_reader.h"
+
+namespace airlight {
+
+class Section {
+ public:
+  // `value`: the object, or null where the preset is silent. `context`: the nearest thing that is there, for messages.
+  // `prefix`: the rules' name of the object, e.g. "media[]"; "" is the preset itself.
+  Section(Problems& problems, const PresetValue* value, const PresetValue& context, std::string pointer,
+          std::string prefix);
+
+  Section child(std::string_view key) const;
+  // An element of the array `key`, an object.
+  Section element(std::string_view key, const PresetArray& array, std::size_t index) const;
+
+  // Reports every key that has no rule here, with the nearest that has.
+  void refuse_unknown_keys() const;
+  // From here on rules that hold for some choices only are those of `choice`; reports keys of the other choices.
+  void choose(std::string_view choice);
+
+  double number(std::string_view key) const;
+  int integer(std::string_view key) const;
+  bool boolean(std::string_view key) const;
+  std::string text(std::string_view key) const;
+  Spectrum spectrum(std::string_view key) const;
+  // The index of the choice in the rule's list; nothing when it is required and missing, or unknown.
+  std::optional<std::size_t> choice(std::string_view key) const;
+
+  const PresetValue* find(std::string_view key) const;
+  const PresetObject* object() const { return object_; }
+  const PresetValue& context() const { return *context_; }
+  std::string pointer_to(std::string_view key) const;
+  Problems& problems() const { return problems_; }
+  const Rule& rule(std::string_view key) const;
+  // The value of `key`; reports it where it is required and missing.
+  const PresetValue* value_of(std::string_view key) const;
+  Site site(std::string_view key, const PresetValue& value) const;
+  void complain(std::string_view key, const PresetValue& value, std::string_view message) const;
+
+ private:
+  const Rule* find_rule(std::string_view key) const;
+
+  Problems& problems_;
+  const PresetValue* context_;
+  const PresetObject* object_ = nullptr;
+  std::string pointer_;
+  std::string prefix_;
+  std::string choice_;
+  bool broken_ = false;  // there, but no object: reported once, and nothing in it is missing
+};
+
+}  // namespace airlight

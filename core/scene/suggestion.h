@@ -1,0 +1,15 @@
+#pragma once
+// "Did you mean": the nearest known name to a misspelt one.
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace airlight {
+
+// The candidate with the fewest typing slips (letters added, lost, changed or swapped), or that the name is a part of;
+// nothing when all are far.
+std::optional<std::string> nearest_name(std::string_view name, std::span<const std::string> candidates);
+
+}  // namespace airlight

@@ -1,0 +1,39 @@
+#pragma once
+// Reads one value by one rule. What is wrong is reported, and `out` keeps what it held.
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "core/scene/preset.h"
+#include "core/scene/problems.h"
+#include "core/scene/rules.h"
+#include "core/scene/scene.h"
+
+namespace airlight {
+
+// Where a value stands and what is expected there.
+struct Site {
+  Problems& problems;
+  const PresetValue& value;
+  std::string pointer;
+  const Rule& rule;
+
+  void complain(std::string_view message) const { problems.add(value, pointer, message); }
+};
+
+void read_number(const Site& site, double& out);
+void read_integer(const Site& site, int& out);
+void read_boolean(const Site& site, bool& out);
+void read_text(const Site& site, std::string& out);
+void read_spectrum(const Site& site, Spectrum& out);
+// The index in the rule's choices; false when the value is none of them.
+bool read_choice(const Site& site, std::size_t& out);
+
+// "1.2 is outside -0.99 to 0.99", "180 is not above 0 and below 180 degrees".
+std::string out_of_range(double value, const Rule& rule);
+
+// "; did you mean \"march\"?", or nothing when no name is near.
+std::string did_you_mean(std::string_view typed, std::span<const std::string> names);
+
+}  // namespace airlight

@@ -1,0 +1,70 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Moments of one order of scattering at each node of the table: one workgroup a node, threads share the directions.
+// Writes the order's own table (log form, the next order reads it) and adds the order to the sums.
+#include "shared/device.glsl"
+#include "shared/tables.glsl"
+#include "shared/moment_table.glsl"
+#include "physics/orders.glsl"
+
+layout(local_size_x = 64) in;
+layout(constant_id = 15) const uint kFirstOrder = 0u;
+layout(set = 0, binding = 4, rgba32f) uniform writeonly image2D order_out;
+// z in 0 to 1 from the horizon; weight; cosine of the azimuth; +1 above the horizon, -1 below.
+layout(scalar, set = 0, binding = 5) readonly buffer Nodes { vec4 values[]; } nodes;
+layout(scalar, set = 0, binding = 6) buffer Sums { vec4 values[]; } sums;
+layout(push_constant, scalar) uniform Push {
+  uint directions;
+  uint steps;
+};
+
+const uint kThreads = 64u;
+shared vec3 partial[kThreads];
+
+void main() {
+  uvec2 node = gl_WorkGroupID.yz;
+  uint lane = gl_LocalInvocationID.x;
+  MomentState state = moment_state(scene.moments, float(node.x) / float(kMomentColumns - 1u),
+                                   float(node.y) / float(kMomentRows - 1u));
+  vec3 moments[kMaxMoments];
+  for (uint k = 0u; k < kMaxMoments; k++) {
+    moments[k] = vec3(0.0);
+  }
+  vec3 irradiance = vec3(0.0);
+  float sin_sun = sqrt(max(1.0 - state.mu_sun * state.mu_sun, 0.0));
+  for (uint d = lane; d < directions; d += kThreads) {
+    vec4 q = nodes.values[d];
+    bool upward = q.w > 0.0;
+    float mu = gather_mu(scene.planet, state.h, q.x, upward);
+    float nu = mu * state.mu_sun + sqrt(max(1.0 - mu * mu, 0.0)) * sin_sun * q.z;
+    Ray ray = ray_in_atmosphere(scene.planet, state.h, mu, state.mu_sun, nu);
+    float weight = q.y * gather_range(scene.planet, state.h, upward);
+    vec3 radiance = order_radiance(scene.planet, scene.moments, ray, steps, kFirstOrder != 0u) * weight;
+    Harmonics y = harmonics(mu, q.z);
+    for (uint k = 0u; k < kMaxMoments; k++) {
+      moments[k] += radiance * (k < moment_count() ? y.of[k] : 0.0);
+    }
+    irradiance += radiance * (upward ? mu : 0.0);
+  }
+  vec3 isotropic = vec3(1.0);
+  for (uint k = 0u; k <= moment_count(); k++) {
+    barrier();
+    partial[lane] = k < moment_count() ? moments[min(k, kMaxMoments - 1u)] : irradiance;
+    barrier();
+    if (lane == 0u) {
+      vec3 sum = vec3(0.0);
+      for (uint i = 0u; i < kThreads; i++) {
+        sum += partial[i];
+      }
+      uvec2 at = uvec2(k * kMomentColumns + node.x, node.y);
+      uint index = at.y * (moment_count() + 1u) * kMomentColumns + at.x;
+      sums.values[index] += vec4(sum, 0.0);
+      if (k == 0u) {
+        isotropic = max(sum, vec3(1e-30));
+      }
+      bool logarithm = k == 0u || k == moment_count();
+      vec3 stored = logarithm ? log(max(sum, vec3(1e-30))) : sum / isotropic;
+      imageStore(order_out, ivec2(at), vec4(stored, 1.0));
+    }
+  }
+}

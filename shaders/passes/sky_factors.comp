@@ -1,0 +1,58 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// The picture's light over view directions, factor by factor (physics/sky_table.glsl): one thread a direction.
+#include "shared/device.glsl"
+#include "shared/tables.glsl"
+#include "shared/moment_table.glsl"
+#include "shared/sky_table.glsl"
+#include "physics/orders.glsl"
+#include "physics/sky_factors.glsl"
+#include "physics/sky_table.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(set = 0, binding = 4, rgba32f) uniform writeonly image2D factors_out;
+layout(push_constant, scalar) uniform Push { uint steps; };
+
+Ray table_ray(SkyTableState state, uint section) {
+  float h = scene.camera.altitude;
+  float mu_sun = scene.sun.direction.y;
+  float s = sqrt(max((1.0 - state.mu * state.mu) * (1.0 - mu_sun * mu_sun), 0.0));
+  Ray ray = ray_in_atmosphere(scene.planet, h, state.mu, mu_sun, state.mu * mu_sun + s * state.cos_azimuth);
+  if (section == kSectionGround) {
+    ray.at_ground = true;
+    ray.length_ = state.length_;
+  } else {
+    ray.at_ground = false;
+    ray.length_ = distance_to_top(scene.planet, h, state.mu);
+  }
+  return ray;
+}
+
+void store_single(uint i, SkyFactors factors, uvec2 texel) {
+  if (scatters(i)) {
+    ivec2 at = ivec2(single_block(i) * kSkyColumns + texel.x, texel.y);
+    imageStore(factors_out, at, vec4(factors.single[i] * scene.sun.irradiance, 1.0));
+  }
+}
+
+void main() {
+  uvec2 texel = gl_GlobalInvocationID.xy;
+  if (texel.x >= kSkyColumns || texel.y >= kGroundRows + kLimbRows + kSkyRows) {
+    return;
+  }
+  uint section = texel.y < kGroundRows ? kSectionGround : texel.y < kGroundRows + kLimbRows ? kSectionLimb : kSectionSky;
+  float y = float(texel.y - section_first(section)) / float(section_rows(section) - 1u);
+  SkyTableState state =
+      sky_table_state(scene.planet, scene.camera.altitude, float(texel.x) / float(kSkyColumns - 1u), section, y);
+  SkyFactors factors = sky_factors(scene.planet, scene.moments, table_ray(state, section), steps);
+  store_single(0u, factors, texel);
+  store_single(1u, factors, texel);
+  store_single(2u, factors, texel);
+  store_single(3u, factors, texel);
+  store_single(4u, factors, texel);
+  store_single(5u, factors, texel);
+  store_single(6u, factors, texel);
+  store_single(7u, factors, texel);
+  imageStore(factors_out, ivec2(diffuse_block() * kSkyColumns + texel.x, texel.y),
+             vec4(factors.diffuse * scene.sun.irradiance, 1.0));
+}

@@ -1,0 +1,70 @@
+// A picture's light tabulated over view directions, for a camera inside the atmosphere. Three sections stacked in y,
+// each with the true horizon exactly at its edge, so that no cell straddles it: ground, limb (from the true horizon up
+// to level, where a ray dips before it rises) and sky. x is the azimuth from the sun's over pi.
+
+const uint kSectionGround = 0u;
+const uint kSectionLimb = 1u;
+const uint kSectionSky = 2u;
+
+struct SkyTableRows {
+  uint ground;
+  uint limb;
+  uint sky;
+};
+
+struct SkyTableCoordinate {
+  real x;
+  uint section;
+  real y;  // unit range within the section
+};
+
+struct SkyTableState {
+  real mu;
+  real cos_azimuth;
+  real length_;  // of a ray to the ground
+};
+
+// Ground: y from the logarithm of the distance, so that light gathered over metres and over kilometres both resolve.
+real ground_row(real h, real horizon, real path) {
+  real scale = max(h, 1e-5);
+  return clamp(log(1.0 + (path - h) / scale) / max(log(1.0 + (horizon - h) / scale), 1e-6), 0.0, 1.0);
+}
+
+real ground_path(real h, real horizon, real y) {
+  real scale = max(h, 1e-5);
+  return h + scale * (exp(y * log(1.0 + (horizon - h) / scale)) - 1.0);
+}
+
+SkyTableCoordinate sky_table_coordinate(PlanetData planet, real h, real mu, real azimuth) {
+  SkyTableCoordinate c;
+  c.x = azimuth / kPi;
+  real horizon = horizon_mu(planet, h);
+  if (mu >= 0.0) {
+    c.section = kSectionSky;
+    c.y = sqrt(clamp(atan(mu, sqrt(max(1.0 - mu * mu, 0.0))) * (2.0 / kPi), 0.0, 1.0));
+  } else {
+    bool ground = mu < horizon;
+    real limb = sqrt(clamp(1.0 - mu / min(horizon, -1e-9), 0.0, 1.0));
+    real path = distance_to_ground(planet, h, min(mu, horizon));
+    c.section = ground ? kSectionGround : kSectionLimb;
+    c.y = ground ? ground_row(h, horizon_distance(planet, h), path) : limb;
+  }
+  return c;
+}
+
+SkyTableState sky_table_state(PlanetData planet, real h, real x, uint section, real y) {
+  SkyTableState s;
+  s.cos_azimuth = cos(kPi * x);
+  s.length_ = -1.0;
+  if (section == kSectionSky) {
+    s.mu = sin(0.5 * kPi * y * y);
+  } else if (section == kSectionLimb) {
+    s.mu = horizon_mu(planet, h) * (1.0 - y * y);
+  } else {
+    s.length_ = ground_path(h, horizon_distance(planet, h), y);
+    real d = max(s.length_, 1e-9);
+    s.mu = h > 0.0 ? max(-(h * (2.0 * planet.ground_radius + h) + d * d) / (2.0 * (planet.ground_radius + h) * d), -1.0)
+                   : -y;
+  }
+  return s;
+}

@@ -1,0 +1,20 @@
+// Optical depth to the top of the atmosphere by quadrature: what the transmittance table holds.
+
+// Along mu from altitude h, never clipped by the ground, `steps` midpoints (dense toward the lowest point).
+vec3 optical_depth_to_top(PlanetData planet, real h, real mu, uint steps) {
+  Ray ray;
+  ray.h = h;
+  ray.mu = mu;
+  ray.mu_sun = mu;
+  ray.nu = 1.0;
+  ray.length_ = distance_to_top(planet, h, mu);
+  ray.at_ground = false;
+  real falling = -(planet.ground_radius + h) * mu;
+  uint before = falling_steps(falling, ray.length_, steps);
+  vec3 depth = vec3(0.0);
+  for (uint i = 0u; i < steps; i++) {
+    Step s = ray_step(kStepsQuadratic, falling, ray.length_, before, i, steps);
+    depth = depth + extinction_at(point_on_ray(planet, ray, s.t).h) * s.width;
+  }
+  return depth;
+}

@@ -1,0 +1,58 @@
+# GLSL -> SPIR-V -> validated -> optimised -> validated -> embedded as C++ arrays.
+find_program(GLSLANG glslangValidator REQUIRED)
+find_program(SPIRV_OPT spirv-opt REQUIRED)
+find_program(SPIRV_VAL spirv-val REQUIRED)
+# Kept by name, so that a plan's bindings answer to the GLSL as written and not to what the optimiser finds in use.
+set(AIRLIGHT_SPIRV_OPT_FLAGS -O --preserve-bindings --preserve-spec-constants)
+
+# A static library TARGET that defines `std::span<const EmbeddedShader> FUNCTION()` in namespace airlight: every source
+# given, by file name without extension. Includes are looked up in shaders/.
+function(airlight_embed_shaders target function)
+  set(directory ${PROJECT_BINARY_DIR}/embedded/${target})
+  file(MAKE_DIRECTORY ${directory})
+  set(arrays)
+  set(declarations)
+  set(entries)
+  foreach(source IN LISTS ARGN)
+    get_filename_component(name ${source} NAME_WE)
+    set(base ${directory}/${name})
+    # .spv first: glslang names it in the depfile, and Ninja insists on the first output.
+    add_custom_command(
+      OUTPUT ${base}.spv ${base}.cpp
+      COMMAND ${GLSLANG} --quiet -V --target-env vulkan1.2 -I${PROJECT_SOURCE_DIR}/shaders --depfile ${base}.d
+              -o ${base}.spv ${source}
+      COMMAND ${SPIRV_VAL} --target-env vulkan1.2 --scalar-block-layout ${base}.spv
+      COMMAND ${SPIRV_OPT} ${AIRLIGHT_SPIRV_OPT_FLAGS} --target-env=vulkan1.2 --scalar-block-layout ${base}.spv
+              -o ${base}.opt.spv
+      COMMAND ${SPIRV_VAL} --target-env vulkan1.2 --scalar-block-layout ${base}.opt.spv
+      COMMAND ${CMAKE_COMMAND} -DIN=${base}.opt.spv -DOUT=${base}.cpp -DNAME=${name}
+              -P ${PROJECT_SOURCE_DIR}/shaders/embed.cmake
+      DEPENDS ${source} ${PROJECT_SOURCE_DIR}/shaders/embed.cmake
+      DEPFILE ${base}.d
+      COMMENT "Shader ${name}"
+      VERBATIM)
+    list(APPEND arrays ${base}.cpp)
+    string(APPEND declarations "extern const EmbeddedShader kShader_${name};\n")
+    string(APPEND entries " kShader_${name},")
+  endforeach()
+  list(LENGTH ARGN count)
+  # Written at once, and left alone when it already says so: no rebuild on every configure.
+  file(CONFIGURE OUTPUT ${directory}/table.cpp @ONLY CONTENT "#include <array>
+
+#include \"core/gpu/embedded_shaders.h\"
+
+namespace airlight {
+@declarations@
+std::span<const EmbeddedShader> @function@();
+std::span<const EmbeddedShader> @function@() {
+  static const std::array<EmbeddedShader, @count@> shaders{@entries@};
+  return shaders;
+}
+}  // namespace airlight
+")
+  add_library(${target} STATIC ${directory}/table.cpp ${arrays})
+  target_link_libraries(${target} PUBLIC airlight_flags)
+endfunction()
+
+file(GLOB shader_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/shaders/passes/*.comp)
+airlight_embed_shaders(airlight_shaders embedded_shaders ${shader_sources})

@@ -1,0 +1,31 @@
+// What every pass that computes light includes: the scene block, the specialisation constants, the physics in float.
+#extension GL_EXT_scalar_block_layout : require
+#define real float
+#include "shared/scene.h"
+#include "shared/tables.h"
+
+layout(constant_id = 0) const uint kMediumCount = 3u;
+layout(constant_id = 1) const uint kDensityProfiles = 0u;
+layout(constant_id = 2) const uint kPhaseFunctions = 0u;
+layout(constant_id = 3) const uint kSunFade = 0u;
+
+layout(scalar, set = 0, binding = 0) uniform SceneBlock { SceneData scene; };
+
+uint medium_count() { return kMediumCount; }
+uint density_profile(uint i) { return (kDensityProfiles >> (kBitsPerMedium * i)) & 15u; }
+uint phase_of(uint i) { return (kPhaseFunctions >> (kBitsPerMedium * i)) & 15u; }
+// Taken out of the block once, at the start of main: loaded again at each step they were a quarter of a march's time on
+// the software device.
+MediumData loaded_media[kMaxMedia] = scene.media;
+MediumData medium(uint i) { return loaded_media[i]; }
+vec2 density_layer(uint k) { return scene.layers[k]; }
+bool sun_fade_enabled() { return kSunFade != 0u; }
+
+#include "physics/phase.glsl"
+#include "physics/geometry.glsl"
+#include "physics/camera.glsl"
+#include "physics/medium.glsl"
+#include "physics/segment.glsl"
+#include "physics/quadrature.glsl"
+#include "physics/lut_mapping.glsl"
+#include "physics/transmittance.glsl"

@@ -1,0 +1,68 @@
+// The scene as the shaders see it: one uniform block in scalar layout, the same text in C++ (core/physics).
+// Lengths in km, angles in radians, coefficients in 1/km, directions in the preset's frame: x east, y up, -z north.
+// No include guard: C++ includes it once with real = float (the block) and once with real = double (the tests).
+
+const uint kMaxMedia = 8u;
+const uint kMaxDensityLayers = 256u;
+
+struct PlanetData {
+  real ground_radius;
+  real atmosphere_height;
+  vec3 ground_albedo;
+};
+
+struct MediumData {
+  vec3 scattering;  // at density 1
+  vec3 absorption;  // at density 1
+  real scale_height;
+  real center;
+  real half_width;
+  real below;
+  real g;
+  uint first_layer;
+  uint layer_count;
+  real legendre1;  // moments of the phase function: integral of p(nu) P_l(nu) over the sphere
+  real legendre2;
+  real legendre3;
+  real legendre4;
+  real legendre5;
+};
+
+struct SunData {
+  vec3 direction;   // to the sun
+  vec3 irradiance;  // on a plane that faces the sun, above the air
+  real angular_radius;
+  real limb_darkening;
+  vec3 disc_radiance;  // at the disc's centre, above the air
+  real fade_scale;     // published lesson's fade, used when kSunFade is set
+  real fade_bias;
+};
+
+// Axes of the table of radiance moments (physics/moments.glsl), from the planet and the air alone.
+struct MomentTableData {
+  real top;              // altitude of the highest row: hardly any scattering stands above
+  real elevation_scale;  // sun elevation = elevation_scale sinh(v)
+  real v_low;
+  real v_high;
+};
+
+struct CameraData {
+  real altitude;
+  vec3 right;
+  vec3 up;
+  vec3 forward;
+  real azimuth;
+  real half_fov;  // of the height (perspective), of the shorter side (fisheye)
+  uint width;
+  uint height;
+};
+
+struct SceneData {
+  PlanetData planet;
+  SunData sun;
+  CameraData camera;
+  real multiple_scattering_scale;
+  MomentTableData moments;
+  MediumData media[kMaxMedia];
+  vec2 layers[kMaxDensityLayers];  // altitude, density
+};

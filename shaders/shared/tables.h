@@ -1,0 +1,38 @@
+// Codes and sizes that host and shaders share: specialisation-constant values and workgroup shapes.
+
+const uint kDensityExponential = 0u;
+const uint kDensityTent = 1u;
+const uint kDensityLorentzian = 2u;
+const uint kDensityConstant = 3u;
+const uint kDensityLayers = 4u;
+
+const uint kPhaseRayleigh = 0u;
+const uint kPhaseHenyeyGreenstein = 1u;
+const uint kPhaseCornetteShanks = 2u;
+const uint kPhaseSchlick = 3u;
+const uint kPhaseIsotropic = 4u;
+
+const uint kProjectionPerspective = 0u;
+const uint kProjectionEquirectangular = 1u;
+const uint kProjectionFisheye = 2u;
+const uint kProjectionListed = 3u;  // directions from a buffer
+
+const uint kStepsUniform = 0u;
+const uint kStepsQuadratic = 1u;
+
+const uint kToneAces = 0u;
+const uint kToneReinhard = 1u;
+const uint kToneReinhardLuminance = 2u;
+const uint kToneExponential = 3u;
+const uint kToneClamp = 4u;
+const uint kToneNone = 5u;
+
+// Four bits a medium: which density profile, which phase function.
+const uint kBitsPerMedium = 4u;
+
+const uint kMultipleScatteringDirections = 64u;  // 8 zenith cosines x 8 azimuths
+const uint kMultipleScatteringSteps = 20u;
+const uint kTransmittanceSteps = 40u;
+const uint kGroundIrradianceDirections = 64u;  // 8 zenith cosines x 8 azimuths
+const uint kGroundIrradianceSize = 64u;
+const uint kMaxMoments = 15u;  // up to degree 4

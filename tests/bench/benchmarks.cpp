@@ -1,0 +1,190 @@
+#include "tests/bench/benchmarks.h"
+
+#include <benchmark/benchmark.h>
+#include <sys/resource.h>
+
+#include <array>
+#include <exception>
+#include <functional>
+#include <map>
+#include <numbers>
+#include <set>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/luts/luts.h"
+#include "core/render/render.h"
+#include "tests/bench/scenes.h"
+
+namespace airlight::bench {
+namespace {
+
+constexpr std::array<ImageSize, 3> kSizes{{{1280, 720}, {1920, 1080}, {3840, 2160}}};
+
+// Seconds of table passes, in place of --benchmark_min_time: on a GPU they are a hundredth of what an iteration takes.
+constexpr double kTablesMinTime = 0.02;
+
+// User and system time of all threads so far: on a software device, what the picture really costs.
+double cpu_milliseconds() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto milliseconds = [](const timeval& t) {
+    return 1e3 * static_cast<double>(t.tv_sec) + 1e-3 * static_cast<double>(t.tv_usec);
+  };
+  return milliseconds(usage.ru_utime) + milliseconds(usage.ru_stime);
+}
+
+// The same passes with nothing copied to the host: that copy is no part of a pass, yet at 3840x2160 takes longer than
+// most of them.
+Plan without_readback(const Plan& plan) {
+  Plan out;
+  out.scene_data = plan.scene_data;
+  for (const ImageDesc& image : plan.images()) out.add_image(image);
+  for (BufferDesc buffer : plan.buffers()) {
+    buffer.host_readable = false;
+    out.add_buffer(std::move(buffer));
+  }
+  for (const PassDesc& pass : plan.passes()) out.add_pass(pass);
+  return out;
+}
+
+// The passes that make what is kept from picture to picture, by name.
+std::set<std::string> table_passes(const Plan& plan) {
+  const std::vector<bool> runs = passes_to_run(plan, [](ResourceId) { return true; });
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (!runs[i]) names.insert(pass_name(plan.passes()[i]));
+  }
+  return names;
+}
+
+using PassFilter = std::function<bool(const std::string& pass)>;
+
+// Each iteration runs the next plan in turn; counts the passes that the filter lets through.
+void time_plans(benchmark::State& state, Executor& executor, std::span<const Plan> plans, const PassFilter& counted) {
+  std::map<std::string, double> milliseconds;
+  double cpu = 0.0;
+  std::size_t turn = 0;
+  for ([[maybe_unused]] const auto iteration : state) {
+    const double cpu_before = cpu_milliseconds();
+    const RunResult result = executor.run(plans[turn]);
+    cpu += cpu_milliseconds() - cpu_before;
+    turn = (turn + 1) % plans.size();
+    double all = 0.0;
+    for (const PassTiming& pass : result.passes) {
+      if (!counted(pass.name)) continue;
+      milliseconds[pass.name] += pass.milliseconds;
+      all += pass.milliseconds;
+    }
+    state.SetIterationTime(1e-3 * all);
+  }
+  for (const auto& [pass, sum] : milliseconds) {
+    state.counters[pass + "_ms"] = benchmark::Counter(sum, benchmark::Counter::kAvgIterations);
+  }
+  state.counters["cpu_ms"] = benchmark::Counter(cpu, benchmark::Counter::kAvgIterations);
+}
+
+void time_picture(benchmark::State& state, Executor& executor, const Scene& scene, bool whole_frame, bool& warm) {
+  RenderRequest request;
+  request.bloom = whole_frame;
+  request.gpu_tone = whole_frame;
+  const std::array plans{without_readback(plan_for(scene, request))};
+  if (!warm) {
+    executor.run(plans[0]);  // pipelines and tables
+    warm = true;
+  }
+  time_plans(state, executor, plans, [](const std::string&) { return true; });
+}
+
+// The plan's picture shows no disc, which may bring a table of its own, and is seen from space, where every method
+// works pixel by pixel: uncounted work that holds a GPU's clock up. Tables alone leave it idle between two runs, and it
+// clocks down by a factor of two and more. A software device has no use for that, and gets one pixel.
+Scene for_tables(const SkyMethod& method, const Scene& from, bool is_cpu) {
+  Scene scene = rendered_by(method, from, is_cpu ? ImageSize{1, 1} : kSizes.back());
+  scene.sun.disc.visible = false;
+  scene.camera.altitude = 2.0 * scene.planet.atmosphere_height;
+  scene.camera.pitch = -0.25 * std::numbers::pi;
+  return scene;
+}
+
+// Two planets in turn, whose grounds differ by a hair: an executor that keeps nothing else has to make all tables anew.
+void time_tables(benchmark::State& state, Executor& executor, const SkyMethod& method, const Scene& from, bool& warm) {
+  const Scene scene = for_tables(method, from, executor.device().is_cpu);
+  Scene other = scene;
+  other.planet.ground_albedo[0] += 1e-4;
+  const std::array plans{without_readback(plan_for(scene, {})), without_readback(plan_for(other, {}))};
+  const std::set<std::string> names = table_passes(plans[0]);
+  if (!warm) executor.run(plans[0]);
+  warm = true;
+  executor.run(plans[1]);  // throws out the first one's, whatever ran last
+  time_plans(state, executor, plans, [&](const std::string& pass) { return names.contains(pass); });
+}
+
+// `body(state)`; its failure becomes this benchmark's and the session's.
+template <class Body>
+benchmark::internal::Benchmark& register_one(Session& session, const std::string& name, Body body) {
+  return *benchmark::RegisterBenchmark(name.c_str(),
+                                       [&session, body](benchmark::State& state) mutable {
+                                         try {
+                                           body(state);
+                                         } catch (const std::exception& error) {
+                                           session.failed = true;
+                                           state.SkipWithError(error.what());
+                                         }
+                                       })
+              ->UseManualTime()
+              ->MeasureProcessCPUTime()
+              ->Unit(benchmark::kMillisecond);
+}
+
+void register_picture(Session& session, const SkyMethod& method, const NamedScene& named, bool whole_frame) {
+  for (const ImageSize size : kSizes) {
+    const std::string name = std::string(whole_frame ? "frame/" : "sky/") + std::string(method.info.name) + '/' +
+                             std::string(named.name) + '/' + std::to_string(size.width) + 'x' +
+                             std::to_string(size.height);
+    const Scene scene = rendered_by(method, named.scene, size);
+    register_one(session, name, [&session, scene, whole_frame, warm = false](benchmark::State& state) mutable {
+      time_picture(state, session.pictures(), scene, whole_frame, warm);
+    });
+  }
+}
+
+void register_tables(Session& session, const SkyMethod& method) {
+  std::set<std::string> airs;
+  for (const NamedScene& named : scenes()) {
+    const Scene scene = for_tables(method, named.scene, true);
+    const bool is_new = airs.insert(table_key(scene, "air", {1, 1})).second;
+    if (!is_new || table_passes(plan_for(scene, {})).empty()) continue;
+    const std::string name = "tables/" + std::string(method.info.name) + '/' + std::string(named.name);
+    register_one(session, name, [&session, &method, &named, warm = false](benchmark::State& state) mutable {
+      time_tables(state, session.tables(), method, named.scene, warm);
+    }).MinTime(kTablesMinTime);
+  }
+}
+
+}  // namespace
+
+Executor& Session::pictures() {
+  if (!pictures_) pictures_.emplace(DeviceOptions{});
+  return *pictures_;
+}
+
+Executor& Session::tables() {
+  if (!tables_) tables_.emplace(DeviceOptions{.kept_bytes_max = 0});
+  return *tables_;
+}
+
+void register_benchmarks(Session& session) {
+  for (const SkyMethod& method : methods()) {
+    if (method.add_passes == nullptr) continue;
+    for (const NamedScene& named : scenes()) register_picture(session, method, named, false);
+    register_picture(session, method, scenes().front(), true);
+  }
+  for (const SkyMethod& method : methods()) {
+    if (method.add_passes != nullptr) register_tables(session, method);
+  }
+}
+
+}  // namespace airlight::bench

@@ -1,0 +1,28 @@
+#pragma once
+// What is timed, as Google Benchmark's registrations; the time of each is the sum of its passes' device timestamps.
+
+#include <optional>
+
+#include "core/gpu/executor.h"
+
+namespace airlight::bench {
+
+// The devices' state, opened on first use. `failed`: a benchmark could not run.
+class Session {
+ public:
+  Executor& pictures();  // keeps tables, as the tool does
+  Executor& tables();    // keeps none that the plan at hand does not name
+  bool failed = false;
+
+ private:
+  std::optional<Executor> pictures_;
+  std::optional<Executor> tables_;
+};
+
+// For every method of the device:
+//   sky/METHOD/SCENE/SIZE   sky, disc and statistics of one picture; the tables are there already
+//   frame/METHOD/SCENE/SIZE the same with bloom and the tone curve, for the first scene
+//   tables/METHOD/SCENE     every table from nothing, for each different air
+void register_benchmarks(Session& session);
+
+}  // namespace airlight::bench

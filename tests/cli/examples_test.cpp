@@ -1,0 +1,92 @@
+// The commands that the README and the commands' own help show must run as shown.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "tests/cli/process.h"
+
+namespace airlight::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Names = std::vector<std::string>;
+
+// A folder as the examples assume it: the presets, a preset of one's own, a list of directions, and the tool on PATH.
+class Examples : public testing::Test {
+ protected:
+  void SetUp() override {
+    const fs::path& folder = scratch_.path();
+    fs::create_directory_symlink(fs::path(AIRLIGHT_SOURCE_DIR) / "presets", folder / "presets");
+    for (const char* name : {".zfunc", ".config/fish/completions"}) {
+      fs::create_directories(folder / name);
+    }
+    scratch_.write("my-sky.json", small_preset());
+    scratch_.write("directions.csv", "90,0\n10,180\n");
+    airlight(folder, {"render", "my-sky.json", "-q", "-o", "sky.exr"});
+  }
+
+  Outcome shell(const std::string& line) const {
+    Start start;
+    start.environment["PATH"] = fs::path(AIRLIGHT_BINARY).parent_path().string() + ":" + std::getenv("PATH");
+    start.environment["HOME"] = scratch_.path().string();
+    return run(scratch_.path(), {"bash", "-c", line}, start);
+  }
+
+  Scratch scratch_;
+};
+
+bool is_command(const std::string& line) {
+  return line.rfind("airlight ", 0) == 0;
+}
+
+// The lines of a Markdown text's code blocks that start with the tool's name, a prompt cut off, comments left in.
+Names readme_commands(const fs::path& file) {
+  std::ifstream stream(file);
+  Names found;
+  bool inside = false;
+  for (std::string line; std::getline(stream, line);) {
+    if (line.rfind("```", 0) == 0) {
+      inside = !inside;
+      continue;
+    }
+    if (line.rfind("$ ", 0) == 0) {
+      line = line.substr(2);
+    }
+    if (inside && is_command(line)) {
+      found.push_back(line);
+    }
+  }
+  return found;
+}
+
+TEST_F(Examples, OfTheReadmeRun) {
+  const Names lines = readme_commands(fs::path(AIRLIGHT_SOURCE_DIR) / "README.md");
+  EXPECT_FALSE(lines.empty()) << "README.md shows no command";
+  for (const std::string& line : lines) {
+    const Outcome outcome = shell(line);
+    EXPECT_EQ(outcome.exit_code, 0) << line << "\n" << outcome.err;
+  }
+}
+
+TEST_F(Examples, OfEveryHelpTextRun) {
+  // diff's examples compare pictures that only a user has; tests/diff runs that command.
+  for (const char* command :
+       {"render", "luts", "probe", "check", "methods", "devices", "presets", "completion", "man"}) {
+    const Outcome help = airlight(scratch_.path(), {command, "--help"});
+    int examples = 0;
+    for (const std::string& line : lines_of(help.out.substr(help.out.find("Examples:")))) {
+      const std::string text = line.rfind("  ", 0) == 0 ? line.substr(2) : line;
+      if (is_command(text) || text.rfind("source <(airlight", 0) == 0) {
+        ++examples;
+        const Outcome outcome = shell(text);
+        EXPECT_EQ(outcome.exit_code, 0) << text << "\n" << outcome.err;
+      }
+    }
+    EXPECT_GT(examples, 0) << command;
+  }
+}
+
+}  // namespace
+}  // namespace airlight::test

@@ -1,0 +1,55 @@
+#pragma once
+// The tool as a process, in a folder of its own.
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace airlight::test {
+
+struct Outcome {
+  int exit_code = -1;  // -1: ended by `signal`
+  int signal = 0;
+  std::string out;
+  std::string err;
+};
+
+struct Start {
+  std::string input;                               // on standard input
+  std::map<std::string, std::string> environment;  // added to the test's own
+  int kill_signal = 0;                             // sent after kill_after_ms; 0: none
+  int kill_after_ms = 0;
+  std::string kill_at_file;   // instead: as soon as a file with this in its name is in the folder
+  bool close_output = false;  // nobody reads standard output
+};
+
+// Runs a program with its arguments and waits. The working folder is `folder`.
+Outcome run(const std::filesystem::path& folder, const std::vector<std::string>& words, const Start& start = {});
+
+// The tool under test with these arguments.
+Outcome airlight(const std::filesystem::path& folder, std::vector<std::string> arguments, const Start& start = {});
+
+// A fresh folder, removed with everything in it.
+class Scratch {
+ public:
+  Scratch();
+  ~Scratch();
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path write(const std::string& name, const std::string& text) const;
+  std::string read(const std::string& name) const;
+  std::vector<std::string> files() const;  // of the whole tree, relative, sorted; folders left out
+
+ private:
+  std::filesystem::path path_;
+};
+
+std::vector<std::string> lines_of(const std::string& text);
+
+// A valid preset that renders in no time.
+std::string small_preset();
+
+}  // namespace airlight::test

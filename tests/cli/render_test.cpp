@@ -1,0 +1,405 @@
+// render, luts, probe, check: the files they write, what they print, and what they refuse.
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/process.h"
+
+namespace airlight::test {
+namespace {
+
+using Json = nlohmann::json;
+using Names = std::vector<std::string>;
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+Start with_environment(const std::map<std::string, std::string>& environment) {
+  Start start;
+  start.environment = environment;
+  return start;
+}
+
+Start with_input(const std::string& text) {
+  Start start;
+  start.input = text;
+  return start;
+}
+
+class Cli : public testing::Test {
+ protected:
+  void SetUp() override { scratch_.write("sky.json", small_preset()); }
+  Outcome tool(const Names& arguments, const Start& start = {}) const {
+    return airlight(scratch_.path(), arguments, start);
+  }
+  Scratch scratch_;
+};
+
+TEST_F(Cli, DefaultFilesGoToTheFolderOut) {
+  const Outcome outcome = tool({"render", "sky.json"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(outcome.err, "out/sky.exr\nout/sky.png\n");
+  EXPECT_EQ(scratch_.files(), (Names{"out/sky.exr", "out/sky.png", "sky.json"}));
+  EXPECT_EQ(scratch_.read("out/sky.exr").substr(0, 4), "\x76\x2f\x31\x01");
+  EXPECT_EQ(scratch_.read("out/sky.png").substr(1, 3), "PNG");
+}
+
+TEST_F(Cli, OnlyTheFilesAskedFor) {
+  EXPECT_EQ(tool({"render", "sky.json", "-q", "-o", "a.exr"}).err, "");
+  EXPECT_EQ(scratch_.files(), (Names{"a.exr", "sky.json"}));
+  EXPECT_EQ(tool({"render", "sky.json", "-q", "--png", "b.png"}).err, "");
+  EXPECT_EQ(scratch_.files(), (Names{"a.exr", "b.png", "sky.json"}));
+}
+
+TEST_F(Cli, AnExrRendersItselfAgain) {
+  ASSERT_EQ(
+      tool({"render", "sky.json", "-o", "a.exr", "--sun-elevation", "3", "--set", "/camera/pitch_deg=5"}).exit_code, 0);
+  ASSERT_EQ(tool({"render", "a.exr", "-o", "b.exr"}).exit_code, 0);
+  EXPECT_EQ(scratch_.read("a.exr"), scratch_.read("b.exr"));
+  ASSERT_EQ(tool({"render", "sky.json", "-o", "c.exr"}).exit_code, 0);
+  EXPECT_NE(scratch_.read("a.exr"), scratch_.read("c.exr"));
+}
+
+TEST_F(Cli, BuiltInPresetsAndStandardInput) {
+  EXPECT_EQ(tool({"render", "earth-sunset", "--size", "16x9", "-o", "a.exr"}).exit_code, 0);
+  const Outcome outcome = tool({"render", "-", "-o", "b.exr"}, with_input(small_preset()));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(scratch_.files(), (Names{"a.exr", "b.exr", "sky.json"}));
+}
+
+TEST_F(Cli, EveryBuiltInPresetIsGoodAndDescribed) {
+  const Outcome list = tool({"presets"});
+  ASSERT_EQ(list.exit_code, 0) << list.err;
+  std::size_t on_disk = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(AIRLIGHT_SOURCE_DIR "/presets")) {
+    on_disk += entry.path().extension() == ".json" ? 1U : 0U;
+  }
+  const Names lines = lines_of(list.out);
+  EXPECT_EQ(lines.size(), on_disk);
+  for (const std::string& line : lines) {
+    const std::string name = line.substr(0, line.find(' '));
+    EXPECT_GT(line.size(), name.size() + 10) << "no description: " << line;
+    const Outcome printed = tool({"presets", name});
+    EXPECT_EQ(printed.exit_code, 0) << printed.err;
+    const Outcome checked = tool({"check", "-"}, with_input(printed.out));
+    EXPECT_EQ(checked.exit_code, 0) << name << ": " << checked.err;
+  }
+}
+
+TEST_F(Cli, JsonTellsWhatWasDone) {
+  const Outcome outcome = tool({"render", "sky.json", "-o", "a.exr", "--png", "a.png", "--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json json = Json::parse(outcome.out);
+  EXPECT_EQ(json["files"], (Json{"a.exr", "a.png"}));
+  EXPECT_EQ(json["method"], "march");
+  EXPECT_EQ(json["width"], 32);
+  EXPECT_EQ(json["height"], 18);
+  EXPECT_EQ(json["non_finite"], 0);
+  EXPECT_EQ(json["negative"], 0);
+  EXPECT_FALSE(json["device"].get<std::string>().empty());
+  ASSERT_FALSE(json["passes"].empty());
+  for (const Json& pass : json["passes"]) {
+    EXPECT_FALSE(pass["name"].get<std::string>().empty());
+    EXPECT_GE(pass["milliseconds"].get<double>(), 0.0);
+  }
+  ASSERT_FALSE(json["tables"].empty());
+  EXPECT_EQ(json["tables"][0]["name"], "transmittance");
+  EXPECT_EQ(json["tables"][0]["width"], 256);
+  EXPECT_EQ(json["tables"][0]["height"], 64);
+  EXPECT_GT(json["total"]["milliseconds"].get<double>(), 0.0);
+}
+
+TEST_F(Cli, TimingsNameEveryPartAndAddUp) {
+  const Outcome outcome = tool({"render", "sky.json", "-o", "a.exr", "--png", "a.png", "--timings", "--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* name : {"process start", "preset", "instance", "device", "pipelines", "pass transmittance",
+                           "pass sky", "readback", "OCIO", "EXR", "PNG", "total", "peak resident MiB"}) {
+    EXPECT_TRUE(contains(outcome.err, name)) << name << " is missing in\n" << outcome.err;
+  }
+  const Json json = Json::parse(outcome.out);
+  double sum = 0.0;
+  for (const Json& lap : json["laps"]) {
+    sum += lap["milliseconds"].get<double>();
+  }
+  EXPECT_NEAR(sum, json["total"]["milliseconds"].get<double>(), 1e-6);
+}
+
+TEST_F(Cli, DryRunOpensNoDeviceAndWritesNothing) {
+  // Without any driver: a device would not open.
+  const Outcome outcome = tool({"render", "sky.json", "--dry-run"},
+                               with_environment({{"VK_ICD_FILENAMES", "/nowhere"}, {"VK_DRIVER_FILES", "/nowhere"}}));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* part : {"8 km", "degrees", "transmittance, 256x64 threads", "sky_march"}) {
+    EXPECT_TRUE(contains(outcome.out, part)) << outcome.out;
+  }
+  EXPECT_EQ(scratch_.files(), Names{"sky.json"});
+}
+
+TEST_F(Cli, NoVulkanDeviceNamesThePackage) {
+  const Outcome outcome = tool({"render", "sky.json", "-o", "a.exr"},
+                               with_environment({{"VK_ICD_FILENAMES", "/nowhere"}, {"VK_DRIVER_FILES", "/nowhere"}}));
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_TRUE(contains(outcome.err, "mesa-vulkan-drivers")) << outcome.err;
+  EXPECT_EQ(scratch_.files(), Names{"sky.json"});
+}
+
+TEST_F(Cli, AnUnknownDeviceListsTheKnownOnes) {
+  const Outcome outcome = tool({"render", "sky.json", "-o", "a.exr", "--device", "no-such-device"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_TRUE(contains(outcome.err, "no-such-device")) << outcome.err;
+  const std::string known = lines_of(tool({"devices"}).out).at(0);
+  EXPECT_TRUE(contains(outcome.err, known)) << outcome.err;
+}
+
+TEST_F(Cli, ViewsAndBits) {
+  const auto bit_depth = [&](const Names& options) {
+    Names arguments = {"render", "sky.json", "-q", "--png", "v.png"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = tool(arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return static_cast<int>(scratch_.read("v.png").at(24));  // IHDR: bit depth
+  };
+  EXPECT_EQ(bit_depth({}), 8);
+  const std::string by_ocio = scratch_.read("v.png");
+  EXPECT_EQ(bit_depth({"--bits", "16"}), 16);
+  EXPECT_EQ(bit_depth({"--view", "gpu"}), 8);
+  EXPECT_NE(scratch_.read("v.png"), by_ocio);
+  EXPECT_EQ(bit_depth({"--view", "gpu", "--bits", "16"}), 16);
+  EXPECT_EQ(bit_depth({"--view", "diagnostic"}), 8);
+}
+
+TEST_F(Cli, FloatExrHoldsMore) {
+  ASSERT_EQ(tool({"render", "sky.json", "-q", "-o", "half.exr"}).exit_code, 0);
+  ASSERT_EQ(tool({"render", "sky.json", "-q", "-o", "float.exr", "--float"}).exit_code, 0);
+  EXPECT_NE(scratch_.read("half.exr"), scratch_.read("float.exr"));
+}
+
+TEST_F(Cli, ValuesTooLargeForHalfAreCountedInAWarning) {
+  const Outcome outcome = tool({"render", "sky.json", "-o", "a.exr", "--set", "/sun/irradiance=1e7"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "warning: ")) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "65504")) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "--float")) << outcome.err;
+}
+
+TEST_F(Cli, SamplingStopsAndGoesOnFromACheckpoint) {
+  const Names common = {"render", "sky.json", "-q", "--size", "8x4", "--method", "path-trace", "--json"};
+  const auto with = [&](const Names& more) {
+    Names arguments = common;
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return tool(arguments);
+  };
+  EXPECT_EQ(with({"--samples", "64", "-o", "whole.exr"}).exit_code, 0);
+  EXPECT_EQ(with({"--samples", "32", "--checkpoint", "state", "-o", "half.exr"}).exit_code, 0);
+  EXPECT_EQ(with({"--samples", "64", "--checkpoint", "state", "-o", "rest.exr"}).exit_code, 0);
+  EXPECT_NE(scratch_.read("half.exr"), scratch_.read("whole.exr"));
+  EXPECT_EQ(scratch_.read("rest.exr"), scratch_.read("whole.exr"));
+  EXPECT_EQ(with({"--target-error", "50%", "-o", "rough.exr"}).exit_code, 0);
+  const Outcome no_number = with({"--target-error", "small", "-o", "a.exr"});
+  EXPECT_EQ(no_number.exit_code, 2);
+  EXPECT_TRUE(contains(no_number.err, "0.5% or 0.005")) << no_number.err;
+  EXPECT_EQ(with({"--checkpoint", "no/where", "-o", "a.exr"}).exit_code, 2);
+  const Outcome not_sampling = tool({"render", "sky.json", "--samples", "8", "-o", "a.exr"});
+  EXPECT_EQ(not_sampling.exit_code, 2);
+  EXPECT_TRUE(contains(not_sampling.err, "/render/samples")) << not_sampling.err;
+}
+
+TEST_F(Cli, LutsWritesEveryTableTwice) {
+  const Outcome outcome = tool({"luts", "sky.json", "-o", "tables"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(scratch_.files(), (Names{"sky.json", "tables/multiple_scattering.exr", "tables/multiple_scattering.png",
+                                     "tables/transmittance.exr", "tables/transmittance.png"}));
+  for (const char* attribute : {"airlight:axis:x", "airlight:axis:y", "airlight:quantity"}) {
+    EXPECT_TRUE(contains(scratch_.read("tables/transmittance.exr"), attribute)) << attribute;
+  }
+  ASSERT_EQ(tool({"render", "sky.json", "-q", "-o", "a.exr", "--luts", "more"}).exit_code, 0);
+  EXPECT_EQ(scratch_.read("more/transmittance.exr"), scratch_.read("tables/transmittance.exr"));
+}
+
+TEST_F(Cli, ProbeByOptionsAndByCsvAgree) {
+  const Names pairs = {"probe", "sky.json",    "--json", "--elevation", "90", "--azimuth",
+                       "0",     "--elevation", "12.5",   "--azimuth",   "200"};
+  const Outcome by_options = tool(pairs);
+  ASSERT_EQ(by_options.exit_code, 0) << by_options.err;
+  const Json json = Json::parse(by_options.out);
+  ASSERT_EQ(json["probes"].size(), 2U);
+  const Json& zenith = json["probes"][0];
+  EXPECT_EQ(zenith["elevation_deg"], 90);
+  ASSERT_EQ(zenith["radiance"].size(), 3U);
+  EXPECT_GT(zenith["radiance"][2].get<double>(), zenith["radiance"][0].get<double>());  // the sky is blue
+  EXPECT_LT(zenith["transmittance"][2].get<double>(), zenith["transmittance"][0].get<double>());
+  scratch_.write("d.csv", "elevation,azimuth\n# a comment\n90, 0\n\n12.5,200\n");
+  EXPECT_EQ(tool({"probe", "sky.json", "--json", "--csv", "d.csv"}).out, by_options.out);
+  EXPECT_EQ(tool({"probe", "sky.json", "--json", "--csv", "-"}, with_input("90,0\n12.5,200\n")).out, by_options.out);
+  EXPECT_EQ(lines_of(tool({"probe", "sky.json", "--csv", "d.csv"}).out).size(), 3U);
+}
+
+TEST_F(Cli, BadCsvNamesTheLine) {
+  scratch_.write("d.csv", "90,0\n12.5;200\n");
+  const Outcome outcome = tool({"probe", "sky.json", "--csv", "d.csv"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_TRUE(contains(outcome.err, "d.csv:2")) << outcome.err;
+}
+
+TEST_F(Cli, CheckFindsEveryProblemOfEveryFile) {
+  scratch_.write("one.json", R"({"airlight": 1, "media": [], "camera": {"pitch_deg": 95, "pich": 1}})");
+  scratch_.write("two.json", R"({"airlight": 1,)");
+  const Outcome outcome = tool({"check", "one.json", "sky.json", "two.json"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_TRUE(contains(outcome.out, "sky.json: good")) << outcome.out;
+  for (const char* part : {"/media", "/camera/pitch_deg", "95", "-90 to 90", "/camera/pich", "two.json"}) {
+    EXPECT_TRUE(contains(outcome.err, part)) << part << " is missing in\n" << outcome.err;
+  }
+  EXPECT_GE(lines_of(outcome.err).size(), 4U);
+  const Outcome verbose = tool({"check", "-v", "sky.json"});
+  EXPECT_TRUE(contains(verbose.out, "scale height 8 km")) << verbose.out;
+}
+
+struct BadPreset {
+  const char* what;
+  std::string text;
+  Names parts;
+};
+
+// Each preset but for the one mistake is small_preset().
+std::vector<BadPreset> bad_presets() {
+  const auto with = [](const std::string& from, const std::string& to) {
+    std::string text = small_preset();
+    const std::size_t at = text.find(from);
+    return text.replace(at, from.size(), to);
+  };
+  return {
+      {"syntax", with("\"media\": [", "\"media\" ["), {"sky.json", "2"}},
+      {"unknown key", with("\"camera\"", "\"camra\""), {"/camra", "camera"}},
+      {"wrong type", with("\"pitch_deg\": 10", "\"pitch_deg\": \"up\""), {"/camera/pitch_deg", "up"}},
+      {"out of range", with("\"pitch_deg\": 10", "\"pitch_deg\": 91"), {"/camera/pitch_deg", "91", "-90 to 90"}},
+      {"NaN", with("\"pitch_deg\": 10", "\"pitch_deg\": NaN"), {"sky.json"}},
+      {"infinity", with("\"pitch_deg\": 10", "\"pitch_deg\": 1e999"), {"sky.json"}},
+      {"missing media", R"({"airlight": 1})", {"/media"}},
+      {"missing version", with("\"airlight\": 1,", ""), {"/airlight"}},
+      {"duplicate medium",
+       with("\"media\": [", R"("media": [{"name": "air", "density": {"profile": "constant", "below_km": 1}}, )"),
+       {"air"}},
+      {"duplicate key", with("\"camera\": {", "\"camera\": {\"pitch_deg\": 1, "), {"pitch_deg"}},
+      {"extends a missing file",
+       with("\"airlight\": 1,", "\"airlight\": 1, \"extends\": \"none.json\","),
+       {"none.json"}},
+      {"extends itself",
+       with("\"airlight\": 1,", "\"airlight\": 1, \"extends\": \"sky.json\","),
+       {"/extends", "sky.json"}},
+      {"inside the planet", with("\"pitch_deg\": 10", "\"altitude_km\": -1"), {"/camera/altitude_km", "-1"}},
+      {"field of view", with("\"pitch_deg\": 10", "\"vertical_fov_deg\": 180"), {"/camera/vertical_fov_deg", "180"}},
+      {"no picture", with("\"width\": 32", "\"width\": 0"), {"/image/width", "0", "65536"}},
+      {"large picture", with("\"width\": 32", "\"width\": 65537"), {"/image/width", "65537", "65536"}},
+      {"unknown method",
+       with("\"camera\"", "\"render\": {\"method\": \"marsh\"}, \"camera\""),
+       {"/render/method", "march"}},
+      {"unknown parameter", with("\"camera\"", "\"render\": {\"step\": 3}, \"camera\""), {"/render/step", "steps"}},
+      {"not a preset", "# Title\n", {"sky.json"}},
+      {"empty", "", {"sky.json"}},
+  };
+}
+
+TEST_F(Cli, ABadPresetIsOneLineAndNoFile) {
+  for (const BadPreset& bad : bad_presets()) {
+    scratch_.write("sky.json", bad.text);
+    const Outcome outcome = tool({"render", "sky.json"});
+    EXPECT_EQ(outcome.exit_code, 2) << bad.what << ": " << outcome.err;
+    EXPECT_EQ(lines_of(outcome.err).size(), 1U) << bad.what << ": " << outcome.err;
+    EXPECT_EQ(outcome.out, "") << bad.what;
+    for (const std::string& part : bad.parts) {
+      EXPECT_TRUE(contains(outcome.err, part)) << bad.what << ": no '" << part << "' in " << outcome.err;
+    }
+    EXPECT_EQ(scratch_.files(), Names{"sky.json"}) << bad.what;
+  }
+}
+
+TEST_F(Cli, AForeignOrDamagedExrIsRefused) {
+  scratch_.write("foreign.exr", "\x76\x2f\x31\x01 and then nothing of use");
+  EXPECT_EQ(tool({"render", "foreign.exr", "-o", "a.exr"}).exit_code, 2);
+  ASSERT_EQ(tool({"render", "sky.json", "-q", "-o", "ours.exr"}).exit_code, 0);
+  scratch_.write("cut.exr", scratch_.read("ours.exr").substr(0, 100));
+  const Outcome outcome = tool({"render", "cut.exr", "-o", "a.exr"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(lines_of(outcome.err).size(), 1U) << outcome.err;
+  EXPECT_EQ(scratch_.files(), (Names{"cut.exr", "foreign.exr", "ours.exr", "sky.json"}));
+}
+
+TEST_F(Cli, PlacesThatCannotBeWrittenAreSaidFirst) {
+  // Without a driver a render would exit 1: exit 2 shows that the place was looked at before.
+  const Start no_driver = with_environment({{"VK_ICD_FILENAMES", "/nowhere"}, {"VK_DRIVER_FILES", "/nowhere"}});
+  std::filesystem::create_directory(scratch_.path() / "folder.exr");
+  EXPECT_EQ(tool({"render", "sky.json", "-o", "folder.exr"}, no_driver).exit_code, 2);
+  EXPECT_EQ(tool({"render", "sky.json", "-o", "no/where.exr"}, no_driver).exit_code, 2);
+  EXPECT_EQ(tool({"render", "sky.json", "-o", "sky.json/a.exr"}, no_driver).exit_code, 2);
+  EXPECT_EQ(tool({"luts", "sky.json", "-o", "sky.json"}, no_driver).exit_code, 2);
+  scratch_.write("out", "a file where the folder should be");
+  EXPECT_EQ(tool({"render", "sky.json"}, no_driver).exit_code, 2);
+  if (::geteuid() != 0) {  // root may write anywhere
+    std::filesystem::create_directory(scratch_.path() / "locked");
+    std::filesystem::permissions(scratch_.path() / "locked", std::filesystem::perms::owner_read);
+    EXPECT_EQ(tool({"render", "sky.json", "-o", "locked/a.exr"}, no_driver).exit_code, 2);
+  }
+}
+
+TEST_F(Cli, AFullDiskLeavesNothing) {
+  const Outcome outcome = tool({"render", "sky.json", "-o", "/dev/full"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_TRUE(contains(outcome.err, "/dev/full")) << outcome.err;
+  EXPECT_EQ(scratch_.files(), Names{"sky.json"});
+}
+
+// Killed at many moments of its run, the tool leaves whole files or none, and no temporary ones where it can help it.
+TEST_F(Cli, AKilledRunLeavesNoHalfFile) {
+  const Names arguments = {"render", "earth-noon", "-q", "-o", "a.exr", "--png", "a.png", "--size", "320x180"};
+  ASSERT_EQ(tool(arguments).exit_code, 0);
+  const std::string whole_exr = scratch_.read("a.exr");
+  const std::string whole_png = scratch_.read("a.png");
+  int killed = 0;
+  for (int i = 0; i < 16; ++i) {
+    std::filesystem::remove(scratch_.path() / "a.exr");
+    std::filesystem::remove(scratch_.path() / "a.png");
+    Start start;
+    start.kill_signal = i % 2 == 0 ? SIGTERM : SIGKILL;
+    start.kill_after_ms = 10 + 25 * i;
+    const Outcome outcome = tool(arguments, start);
+    killed += outcome.signal == start.kill_signal ? 1 : 0;
+    for (const std::string& name : scratch_.files()) {
+      if (name == "a.exr") {
+        EXPECT_EQ(scratch_.read(name), whole_exr);
+      } else if (name == "a.png") {
+        EXPECT_EQ(scratch_.read(name), whole_png);
+      } else if (name != "sky.json") {
+        EXPECT_EQ(start.kill_signal, SIGKILL) << "left behind: " << name;
+        std::filesystem::remove(scratch_.path() / name);
+      }
+    }
+  }
+  EXPECT_GT(killed, 0) << "no run was slow enough to be killed";
+}
+
+// Ended in the middle of writing, as by Ctrl-C, the tool takes its temporary file along.
+TEST_F(Cli, ATerminatedWriteLeavesNoTemporaryFile) {
+  int ended_early = 0;
+  for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
+    Start start;
+    start.kill_signal = signal;
+    start.kill_at_file = ".part-";
+    const Outcome outcome = tool({"render", "sky.json", "-q", "-o", "a.exr", "--float", "--size", "1024x512"}, start);
+    ended_early += outcome.signal == signal ? 1 : 0;
+    for (const std::string& name : scratch_.files()) {
+      EXPECT_TRUE(name == "sky.json" || name == "a.exr") << "left behind: " << name;
+    }
+  }
+  EXPECT_GT(ended_early, 0);
+}
+
+}  // namespace
+}  // namespace airlight::test

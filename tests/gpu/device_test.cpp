@@ -1,0 +1,127 @@
+// Opening a device: what there is, what is refused and how it is said.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/gpu/executor.h"
+#include "core/gpu/physical_device.h"
+#include "tests/gpu/gpu_fixture.h"
+
+namespace airlight {
+namespace {
+
+// Some of what follows is known of the software device alone.
+bool has_software_device() {
+  const std::vector<DeviceInfo> devices = list_devices();
+  return std::any_of(devices.begin(), devices.end(), [](const DeviceInfo& device) { return device.is_cpu; });
+}
+
+std::string failure(const DeviceOptions& options) {
+  return message_of<RunError>([&] { Executor executor(options); });
+}
+
+TEST(Device, IsTheSoftwareDeviceUnlessAskedOtherwise) {
+  if (!has_software_device()) GTEST_SKIP() << "no software device";
+  const ScopedEnvironment none("AIRLIGHT_DEVICE", nullptr);
+  const Executor executor({});
+  EXPECT_TRUE(executor.device().is_cpu) << executor.device().name;
+  EXPECT_TRUE(executor.device().missing.empty());
+  EXPECT_FALSE(executor.device().driver.empty());
+  EXPECT_EQ(executor.device().api_version.substr(0, 2), "1.");
+}
+
+TEST(Device, IsChosenBySubstringThenByTheEnvironment) {
+  if (!has_software_device()) GTEST_SKIP() << "no software device";
+  const ScopedEnvironment environment("AIRLIGHT_DEVICE", "no such card");
+  EXPECT_NE(Executor({.name_substring = "LLVMpipe"}).device().name.find("llvmpipe"), std::string::npos);
+  const std::string message = failure({});
+  EXPECT_EQ(message.find("no Vulkan device is named \"no such card\"; there are: "), 0U) << message;
+  EXPECT_NE(message.find("llvmpipe"), std::string::npos) << message;
+  const ScopedEnvironment named("AIRLIGHT_DEVICE", "llvmpipe");
+  EXPECT_EQ(failure({}), "");
+}
+
+TEST(Device, ListsWhatTheMachineHas) {
+  const std::vector<DeviceInfo> devices = list_devices();
+  ASSERT_FALSE(devices.empty());
+  EXPECT_FALSE(devices[0].name.empty());
+}
+
+TEST(Device, SaysWhichPackageBringsADriver) {
+  const ScopedEnvironment no_validation("AIRLIGHT_VALIDATION", nullptr);  // it would count the loader's complaint
+  const ScopedEnvironment drivers("VK_DRIVER_FILES", "/nonexistent.json");
+  const ScopedEnvironment old_name("VK_ICD_FILENAMES", "/nonexistent.json");
+  const char* expected =
+      "no Vulkan device on this machine; install a driver, for the software device the package mesa-vulkan-drivers";
+  EXPECT_EQ(failure({}), expected);
+  EXPECT_EQ(message_of<RunError>([] { list_devices(); }), expected);
+}
+
+TEST(Device, SaysWhichPackageBringsTheValidationLayer) {
+  const ScopedEnvironment layers("VK_LAYER_PATH", "/nonexistent");
+  EXPECT_EQ(failure({.validation = true}),
+            "validation was asked for, but VK_LAYER_KHRONOS_validation is not installed; install the package "
+            "vulkan-validationlayers");
+}
+
+TEST(Device, ListsEachMissingFeature) {
+  PhysicalDevice old;
+  old.info = {.name = "Old Card", .driver = "", .api_version = "1.1.0", .is_cpu = false, .missing = {}};
+  old.info.missing = {"Vulkan 1.2 (it has 1.1.0)", "scalarBlockLayout", "timestamps on a compute queue"};
+  PhysicalDevice good;
+  good.info = {.name = "Good Card", .driver = "", .api_version = "1.3.0", .is_cpu = false, .missing = {}};
+  PhysicalDevice software = good;
+  software.info.name = "Software";
+  software.info.is_cpu = true;
+  const char* lacks = "Old Card, lacks Vulkan 1.2 (it has 1.1.0), scalarBlockLayout and timestamps on a compute queue";
+  EXPECT_EQ(message_of<RunError>([&] {
+              choose({old, good}, "old");
+            }),
+            std::string("the Vulkan device cannot be used: ") + lacks);
+  EXPECT_EQ(message_of<RunError>([&] { choose({old}, ""); }), std::string("no Vulkan device can be used: ") + lacks);
+  EXPECT_EQ(message_of<RunError>([&] {
+              choose({good, software}, "nvidia");
+            }),
+            "no Vulkan device is named \"nvidia\"; there are: Good Card; Software");
+  const std::vector<PhysicalDevice> all = {old, good, software};
+  EXPECT_EQ(choose(all, "").info.name, "Software");
+  EXPECT_EQ(choose(all, "good").info.name, "Good Card");
+  EXPECT_EQ(choose(all, "card").info.name, "Good Card");
+  const std::vector<PhysicalDevice> cards = {old, good};
+  EXPECT_EQ(choose(cards, "").info.name, "Good Card");
+}
+
+TEST(Device, NamesItsLimits) {
+  Executor executor({}, test_shaders());
+  if (!executor.device().is_cpu) GTEST_SKIP() << "the limits below are the software device's";
+  const auto refusal = [&](const Plan& plan) { return message_of<RunError>([&] { executor.run(plan); }); };
+  const std::string device = executor.device().name;
+
+  Plan large;
+  const ImageId image = large.add_image({.name = "sky", .extent = {16384, 16384}});
+  large.add_pass({.shader = "ramp", .writes = {{"ramp_out", image}}, .grid = {1, 1}, .push_constants = {1}});
+  EXPECT_EQ(refusal(large), "cannot allocate 4.0 GiB for image sky, 16384x16384 rgba32f: the device " + device +
+                                " takes at most 2.0 GiB at once");
+
+  Plan wide;
+  const ImageId strip = wide.add_image({.name = "strip", .extent = {20000, 1}});
+  wide.add_pass({.shader = "ramp", .writes = {{"ramp_out", strip}}, .grid = {1, 1}, .push_constants = {1}});
+  EXPECT_EQ(refusal(wide),
+            "image strip, 20000x1 rgba32f is too large: the device " + device + " takes at most 16384 texels a side");
+
+  Plan storage;
+  const BufferId numbers = storage.add_buffer({.name = "radiance", .bytes = std::size_t{200} << 20});
+  storage.add_pass({.shader = "accumulate", .writes = {{"numbers", numbers}}, .grid = {1, 1}, .push_constants = {1}});
+  EXPECT_EQ(refusal(storage), "pass accumulate: numbers (buffer radiance) has 200.0 MiB; the device " + device +
+                                  " takes at most 128.0 MiB in a storage buffer");
+
+  Plan grid;
+  const BufferId few = grid.add_buffer({.name = "few", .bytes = 4});
+  grid.add_pass({.shader = "accumulate", .writes = {{"numbers", few}}, .grid = {32 * 65536, 1}, .push_constants = {1}});
+  EXPECT_EQ(refusal(grid), "pass accumulate: its grid needs 65536 workgroups along one axis; the device " + device +
+                               " takes at most 65535");
+}
+
+}  // namespace
+}  // namespace airlight

@@ -1,0 +1,37 @@
+#pragma once
+// EXRs and small JSON files as the picture tests read them.
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/measure/view_geometry.h"
+#include "core/radiance_image.h"
+#include "core/scene/scene.h"
+
+namespace airlight::test {
+
+// R, G and B of a layer ("" for the picture itself) of a float EXR, alpha 1; absent where the file has no such layer.
+std::optional<RadianceImage> read_layer(const std::filesystem::path& file, std::string_view layer = "");
+
+// A preset resolved by the methods of the registry.
+Scene scene_from_file(const std::filesystem::path& file);
+
+// Numbers by their path in a JSON object of objects: "sky/median".
+std::map<std::string, double> numbers_in(const std::filesystem::path& file);
+
+struct RegionError {
+  std::string region;
+  std::size_t values = 0;  // pixels times channels
+  double median = 0.0;
+  double p95 = 0.0;
+  double max = 0.0;
+};
+
+// Relative errors as core/measure has them, channels pooled, for each region of the view that holds any pixel.
+std::vector<RegionError> region_errors(const Scene& scene, const RadianceImage& a, const RadianceImage& b);
+
+}  // namespace airlight::test

@@ -1,0 +1,67 @@
+// Scenes that nobody thought of: valid presets by a seed, each rendered small.
+
+#include "core/scene/preset.h"
+#include "core/scene/resolve.h"
+#include "tests/methods/render_fixture.h"
+#include "tests/scene/random_preset.h"
+
+namespace airlight::test {
+namespace {
+
+constexpr std::uint64_t kScenes = 200;
+// A new list of profiles and phase functions is a new set of pipelines, half a second of a software device's compiler:
+// eight scenes in a row share one.
+constexpr std::uint64_t kSameKinds = 8;
+#if defined(__SANITIZE_ADDRESS__)
+constexpr std::uint64_t kStride = 5;
+#else
+constexpr std::uint64_t kStride = 1;
+#endif
+
+Scene random_scene(std::uint64_t seed) {
+  return resolve(parse_preset(random_preset(seed), "random " + std::to_string(seed), {}), method_infos());
+}
+
+// Its own planet, sun, camera and coefficients, the kinds of media of the first of its eight.
+Scene scene_of(std::uint64_t seed) {
+  Scene scene = random_scene(seed);
+  const std::vector<Medium> own = scene.media;
+  scene.media = random_scene(seed - seed % kSameKinds).media;
+  for (std::size_t i = 0; i < scene.media.size(); ++i) {
+    const Medium& from = own[i % own.size()];
+    scene.media[i].scattering = from.scattering;
+    scene.media[i].absorption = from.absorption;
+    scene.media[i].phase_g = from.phase_g;
+  }
+  return scene;
+}
+
+TEST(RandomScenes, AreSoundByTheirOwnMethod) {
+  int lit = 0;
+  int rendered = 0;
+  for (std::uint64_t seed = 0; seed < kScenes; seed += kStride) {
+    Scene scene = scene_of(seed);
+    scene.image = {16, 9};
+    const Rendering rendering = render_now(scene);
+    expect_sound(rendering, "seed " + std::to_string(seed));
+    lit += greatest(rendering.radiance) > 0.0 ? 1 : 0;
+    ++rendered;
+  }
+  // Night, space and black ground leave some dark; most are not.
+  EXPECT_GT(lit, rendered / 2);
+}
+
+TEST(RandomScenes, AreSoundByEveryMethod) {
+  for (const SkyMethod& method : methods()) {
+    for (std::uint64_t seed = 1000; seed < 1012; seed += kStride) {
+      Scene scene = scene_of(seed);
+      scene.render.parameters.clear();
+      scene = with_method(scene, method, true);
+      scene.image = on_device(method) ? ImageSize{16, 9} : ImageSize{4, 3};
+      expect_sound(render_now(scene), std::string(method.info.name) + ", seed " + std::to_string(seed));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace airlight::test

@@ -1,0 +1,199 @@
+#include "core/output/atomic_file.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+#include <csignal>
+#include <span>
+
+#include "tests/output/files.h"
+
+namespace airlight {
+namespace {
+
+using test::contents_of;
+using test::Folder;
+using test::message_of;
+using testing::ExitedWithCode;
+using testing::KilledBySignal;
+
+std::span<const std::byte> bytes_of(const std::string& text) {
+  return std::as_bytes(std::span(text));
+}
+
+std::string refusal(const std::filesystem::path& file) {
+  return message_of<InputError>([&] { require_writable(file); });
+}
+
+TEST(WriteFile, NewFileHasTheContentsAndNothingIsLeftBeside) {
+  const Folder folder;
+  write_file(folder / "a.bin", bytes_of("hello"));
+  EXPECT_EQ(contents_of(folder / "a.bin"), "hello");
+  EXPECT_EQ(folder.names(), std::set<std::string>{"a.bin"});
+}
+
+TEST(WriteFile, ReplacesAnOlderFileAndKeepsItsPermissions) {
+  const Folder folder;
+  test::put(folder / "a.bin", "older and longer");
+  ASSERT_EQ(::chmod((folder / "a.bin").c_str(), 0640), 0);
+  write_file(folder / "a.bin", bytes_of("new"));
+  EXPECT_EQ(contents_of(folder / "a.bin"), "new");
+  struct stat status {};
+  ASSERT_EQ(::stat((folder / "a.bin").c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777, 0640U);
+}
+
+TEST(WriteFile, FollowsASymbolicLink) {
+  const Folder folder;
+  test::put(folder / "real.bin", "old");
+  std::filesystem::create_symlink("real.bin", folder / "link.bin");
+  write_file(folder / "link.bin", bytes_of("new"));
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.bin"));
+  EXPECT_EQ(contents_of(folder / "real.bin"), "new");
+}
+
+TEST(WriteFile, LongestNameOfTheFileSystem) {
+  const Folder folder;
+  const std::string name(255, 'n');
+  write_file(folder / name, bytes_of("x"));
+  EXPECT_EQ(folder.names(), std::set<std::string>{name});
+}
+
+TEST(WriteFile, AFullDeviceIsAnErrorWithItsReason) {
+  const std::string message = message_of<RunError>([] { write_file("/dev/full", bytes_of("x")); });
+  EXPECT_NE(message.find("/dev/full: cannot write: No space left on device; free some space"), std::string::npos)
+      << message;
+}
+
+TEST(WriteFile, NullDeviceIsWrittenInPlace) {
+  write_file("/dev/null", bytes_of("x"));
+  struct stat status {};
+  ASSERT_EQ(::stat("/dev/null", &status), 0);
+  EXPECT_TRUE(S_ISCHR(status.st_mode));
+}
+
+TEST(WriteFile, MissingFolderIsAnError) {
+  const Folder folder;
+  const std::string message = message_of<RunError>([&] { write_file(folder / "none" / "a.bin", bytes_of("x")); });
+  EXPECT_NE(message.find("cannot create: No such file or directory"), std::string::npos) << message;
+}
+
+// A write that fails half way, as on a full disk: the process may not write files above 4096 bytes.
+void limit_file_size(void (*on_signal)(int)) {
+  ::signal(SIGXFSZ, on_signal);
+  const rlimit limit{4096, 4096};
+  ::setrlimit(RLIMIT_FSIZE, &limit);
+}
+
+TEST(WriteFileDeathTest, AFailedWriteLeavesTheOlderFileAndNoTemporary) {
+  const Folder folder;
+  test::put(folder / "a.bin", "old");
+  EXPECT_EXIT(
+      {
+        limit_file_size(SIG_IGN);
+        const std::string big(100000, 'x');
+        const std::string message = message_of<RunError>([&] { write_file(folder / "a.bin", bytes_of(big)); });
+        std::exit(message.find("a.bin: cannot write: File too large") != std::string::npos ? 0 : 1);
+      },
+      ExitedWithCode(0), "");
+  EXPECT_EQ(contents_of(folder / "a.bin"), "old");
+  EXPECT_EQ(folder.names(), std::set<std::string>{"a.bin"});
+}
+
+TEST(WriteFileDeathTest, ASignalInTheMiddleLeavesNoTemporary) {
+  const Folder folder;
+  for (const int signal_number : {SIGINT, SIGTERM, SIGHUP}) {
+    static int raised = 0;
+    raised = signal_number;
+    EXPECT_EXIT(
+        {
+          ::signal(SIGHUP, SIG_DFL);  // nohup ignores it
+          ::signal(SIGINT, SIG_DFL);
+          remove_temporary_files_on_signals();
+          limit_file_size([](int) { ::raise(raised); });
+          write_file(folder / "a.bin", bytes_of(std::string(100000, 'x')));
+        },
+        KilledBySignal(signal_number), "");
+    EXPECT_EQ(folder.names(), std::set<std::string>{});
+  }
+}
+
+// As a user without rights, whoever runs the tests.
+void become_nobody() {
+  if (::getuid() == 0 && ::setuid(65534) != 0) {
+    std::exit(3);
+  }
+}
+
+// In a sticky folder one may create files, but not replace another user's.
+TEST(WriteFileDeathTest, AFailedReplacementIsAnErrorAndLeavesNoTemporary) {
+  if (::getuid() != 0) {
+    GTEST_SKIP() << "needs two users";
+  }
+  const Folder folder;
+  test::put(folder / "a.bin", "old");
+  ASSERT_EQ(::chmod((folder / "a.bin").c_str(), 0666), 0);
+  ASSERT_EQ(::chmod(folder.path().c_str(), 01777), 0);
+  EXPECT_EXIT(
+      {
+        become_nobody();
+        const std::string message = message_of<RunError>([&] { write_file(folder / "a.bin", bytes_of("new")); });
+        std::exit(message.find("a.bin: cannot replace: Operation not permitted") != std::string::npos ? 0 : 1);
+      },
+      ExitedWithCode(0), "");
+  EXPECT_EQ(contents_of(folder / "a.bin"), "old");
+  EXPECT_EQ(folder.names(), std::set<std::string>{"a.bin"});
+}
+
+TEST(RequireWritable, AcceptsANewFileAnOlderOneAndADevice) {
+  const Folder folder;
+  require_writable(folder / "new.exr");
+  test::put(folder / "old.exr", "x");
+  require_writable(folder / "old.exr");
+  require_writable("/dev/null");
+  require_writable("in-this-folder.exr");
+  EXPECT_EQ(folder.names(), std::set<std::string>{"old.exr"});
+}
+
+TEST(RequireWritable, NamesTheProblemAndTheRemedy) {
+  const Folder folder;
+  test::put(folder / "file", "x");
+  const std::string root = folder.path().string();
+  EXPECT_EQ(refusal(""), "output file: the name is empty; give one such as sky.exr");
+  EXPECT_EQ(refusal(root), root + ": is a directory; name a file in it, such as " + root + "/sky.exr");
+  EXPECT_EQ(refusal(root + "/none/a.exr"), root + "/none/a.exr: the directory " + root +
+                                               "/none does not exist; create it with: mkdir -p " + root + "/none");
+  EXPECT_NE(refusal(root + "/none/").find("names a directory, not a file"), std::string::npos);
+  EXPECT_NE(refusal(root + "/file/a.exr").find(root + "/file is a file, not a directory"), std::string::npos);
+}
+
+TEST(RequireWritableDeathTest, RefusesAFolderOrFileWithoutRights) {
+  const Folder folder;
+  const std::filesystem::path closed = folder / "closed";
+  std::filesystem::create_directory(closed);
+  test::put(folder / "old.exr", "x");
+  ASSERT_EQ(::chmod(folder.path().c_str(), 0755), 0);
+  ASSERT_EQ(::chmod(closed.c_str(), 0555), 0);
+  ASSERT_EQ(::chmod((folder / "old.exr").c_str(), 0444), 0);
+  EXPECT_EXIT(
+      {
+        become_nobody();
+        const std::string message = refusal(closed / "a.exr");
+        std::exit(message.find("cannot be written (Permission denied); choose a folder of your own") !=
+                          std::string::npos
+                      ? 0
+                      : 1);
+      },
+      ExitedWithCode(0), "");
+  EXPECT_EXIT(
+      {
+        become_nobody();
+        const std::string message = refusal(folder / "old.exr");
+        std::exit(message.find("old.exr: cannot be written (Permission denied)") != std::string::npos ? 0 : 1);
+      },
+      ExitedWithCode(0), "");
+}
+
+}  // namespace
+}  // namespace airlight

@@ -1,0 +1,171 @@
+#include "core/output/color_cube.h"
+
+#include <OpenColorIO/OpenColorIO.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <sstream>
+
+#include "core/output/embedded_config.h"
+
+namespace airlight {
+namespace {
+
+namespace ocio = OCIO_NAMESPACE;
+
+constexpr int kWidth = 768, kHeight = 512;
+
+ocio::ConstCPUProcessorRcPtr processor_of(const char* view) {
+  std::istringstream text(kEmbeddedConfig);
+  const ocio::ConstConfigRcPtr config = ocio::Config::CreateFromStream(text);
+  const auto transform = ocio::DisplayViewTransform::Create();
+  transform->setSrc("scene_linear");
+  transform->setDisplay("sRGB - Display");
+  transform->setView(view);
+  return config->getProcessor(transform)->getDefaultCPUProcessor();
+}
+
+ColorTransform transform_of(const ocio::ConstCPUProcessorRcPtr& processor) {
+  return [processor](std::span<float> rgba) {
+    ocio::PackedImageDesc pixels(rgba.data(), static_cast<long>(rgba.size() / 4), 1, 4);
+    processor->apply(pixels);
+  };
+}
+
+// A picture of sky-like colours: from 2^-6 to 2^5 across, from orange through grey to blue downwards.
+void sky_row(int y, std::span<float> rgba) {
+  const float tint = static_cast<float>(y) / kHeight - 0.5F;
+  for (int x = 0; x < kWidth; ++x) {
+    const float light = std::exp2(11.0F * static_cast<float>(x) / kWidth - 6.0F);
+    float* const pixel = &rgba[4 * static_cast<std::size_t>(x)];
+    pixel[0] = light * std::exp2(-5.0F * tint);
+    pixel[1] = light;
+    pixel[2] = light * std::exp2(5.0F * tint);
+    pixel[3] = 1.0F;
+  }
+}
+
+double worst_error(const char* view) {
+  const ColorTransform exact = transform_of(processor_of(view));
+  const std::optional<ColorCube> cube = ColorCube::make(kWidth, kHeight, sky_row, exact);
+  if (!cube) {
+    ADD_FAILURE() << "no cube was made";
+    return 1e9;
+  }
+  double worst = 0;
+  std::vector<float> fast(4 * kWidth), truth(4 * kWidth);
+  for (int y = 0; y < kHeight; ++y) {
+    sky_row(y, fast);
+    sky_row(y, truth);
+    cube->apply(fast, exact);
+    exact(truth);
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+      worst = std::max(worst, std::fabs(std::clamp(fast[i], 0.0F, 1.0F) - std::clamp(truth[i], 0.0F, 1.0F)) * 255.0);
+    }
+  }
+  return worst;
+}
+
+TEST(ColorCube, IsWithinHalfACodeOfTheAcesView) {
+  EXPECT_LT(worst_error("ACES 1.0 - SDR Video"), 0.5);
+}
+
+TEST(ColorCube, IsWithinHalfACodeOfThePlainView) {
+  EXPECT_LT(worst_error("Un-tone-mapped"), 0.2);
+}
+
+// Piecewise linear interpolation leaves a linear function as it is: positions, strides and weights are right.
+TEST(ColorCube, LeavesALinearTransformAlone) {
+  const ColorTransform mix = [](std::span<float> rgba) {
+    for (std::size_t i = 0; i < rgba.size(); i += 4) {
+      const float red = rgba[i], green = rgba[i + 1], blue = rgba[i + 2];
+      rgba[i] = 0.5F * red + 0.2F * green + 0.1F * blue + 0.3F;
+      rgba[i + 1] = 0.1F * red - 0.7F * green + 0.2F * blue;
+      rgba[i + 2] = 2.0F * blue - red;
+    }
+  };
+  const std::optional<ColorCube> cube = ColorCube::make(kWidth, kHeight, sky_row, mix);
+  ASSERT_TRUE(cube);
+  const auto inside = [](const float* rgb) { return std::max({rgb[0], rgb[1], rgb[2]}) < 63.0F; };
+  std::size_t compared = 0;
+  std::vector<float> fast(4 * kWidth), truth(4 * kWidth), source;
+  for (int y = 0; y < kHeight; ++y) {
+    sky_row(y, fast);
+    sky_row(y, truth);
+    source = truth;
+    cube->apply(fast, [](std::span<float>) {});
+    mix(truth);
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+      if (inside(&source[i / 4 * 4])) {
+        ASSERT_NEAR(fast[i], truth[i], 1e-5F * 64.0F) << y << ", " << i;
+        ++compared;
+      }
+    }
+  }
+  EXPECT_GT(compared, 4U * kWidth * kHeight / 2);
+}
+
+// A step inside a cell: interpolation would smear it.
+TEST(ColorCube, LeavesSharpBendsToTheTransform) {
+  const ColorTransform step = [](std::span<float> rgba) {
+    for (float& value : rgba) {
+      value = value > 0.53F ? 0.8F : 0.2F;
+    }
+  };
+  const std::optional<ColorCube> cube = ColorCube::make(kWidth, kHeight, sky_row, step);
+  ASSERT_TRUE(cube);
+  std::vector<float> fast(4 * kWidth), truth(4 * kWidth);
+  for (int y = 0; y < kHeight; ++y) {
+    sky_row(y, fast);
+    sky_row(y, truth);
+    cube->apply(fast, step);
+    step(truth);
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+      if (i % 4 != 3) {
+        ASSERT_NEAR(fast[i], truth[i], 1e-6F) << y << ", " << i;
+      }
+    }
+  }
+}
+
+TEST(ColorCube, SendsColoursOutsideTheGridThroughTheTransform) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const float infinity = std::numeric_limits<float>::infinity();
+  const std::vector<float> outside = {64.5F, 1, 1,        1, 1, -0.01F, 1, 1, 1,         1,
+                                      nan,   1, infinity, 1, 1, 1,      1, 1, -infinity, 1};
+  const auto row = [&](int, std::span<float> rgba) {
+    std::fill(rgba.begin(), rgba.end(), 0.5F);
+    std::copy(outside.begin(), outside.end(), rgba.begin());
+  };
+  const ColorTransform mark = [](std::span<float> rgba) { std::fill(rgba.begin(), rgba.end(), 7.0F); };
+  const std::optional<ColorCube> cube = ColorCube::make(kWidth, kHeight, row, mark);
+  ASSERT_TRUE(cube);
+  std::vector<float> rgba(4 * kWidth);
+  row(0, rgba);
+  std::atomic<std::size_t> exact = 0;
+  cube->apply(rgba, [&](std::span<float> pixels) {
+    exact += pixels.size() / 4;
+    std::fill(pixels.begin(), pixels.end(), 9.0F);
+  });
+  EXPECT_EQ(exact, outside.size() / 4);
+  EXPECT_EQ(rgba[0], 9.0F);
+  EXPECT_EQ(rgba[outside.size()], 7.0F);  // the first colour on the grid
+}
+
+TEST(ColorCube, DeclinesAPictureOfAllColours) {
+  const ColorTransform nothing = [](std::span<float>) {};
+  const auto noise = [](int y, std::span<float> rgba) {
+    std::mt19937 random(static_cast<unsigned>(y));
+    for (float& value : rgba) {
+      value = std::exp2(static_cast<float>(random() % 1500) / 100.0F - 10.0F);
+    }
+  };
+  EXPECT_FALSE(ColorCube::make(kWidth, kHeight, noise, nothing));
+}
+
+}  // namespace
+}  // namespace airlight

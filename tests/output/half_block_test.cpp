@@ -1,0 +1,86 @@
+#include "core/output/half_block.h"
+
+#include <gtest/gtest.h>
+#include <half.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace airlight {
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+std::vector<std::uint16_t> halves_of(const std::vector<float>& samples, ExrCounts& counts, std::size_t stride = 1) {
+  std::vector<std::uint16_t> halves(samples.size() / stride);
+  convert_to_half(samples.data(), stride, halves.size(), halves.data(), counts);
+  return halves;
+}
+
+// Imath's conversion is the truth, on a sweep that meets every exponent and, with an odd step, every rounding case.
+TEST(HalfBlock, AgreesWithImath) {
+  std::vector<float> samples;
+  for (std::uint64_t bits = 0; bits < (1ULL << 32); bits += 4099) {
+    const float sample = std::bit_cast<float>(static_cast<std::uint32_t>(bits));
+    if (!std::isnan(sample)) {
+      samples.push_back(sample);
+    }
+  }
+  for (std::uint32_t half_bits = 0; half_bits < 0x7bff; ++half_bits) {  // exact halves and the ties between them
+    const float low = Imath::half(Imath::half::FromBits, static_cast<std::uint16_t>(half_bits));
+    const float high = Imath::half(Imath::half::FromBits, static_cast<std::uint16_t>(half_bits + 1));
+    samples.insert(samples.end(), {low, 0.5F * (low + high)});
+  }
+  ExrCounts counts;
+  const std::vector<std::uint16_t> halves = halves_of(samples, counts);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const Imath::half truth = std::clamp(samples[i], -65504.0F, 65504.0F);
+    ASSERT_EQ(halves[i], truth.bits()) << samples[i];
+  }
+}
+
+TEST(HalfBlock, CountsWhatAHalfCannotHold) {
+  const std::vector<float> samples = {0.0F,    1.0F,   65504.0F, 65505.0F, 1e9F, kInfinity, 6.2e-5F,
+                                      6.0e-5F, 1e-10F, -1.0F,    -1e9F,    kNan, -0.0F,     -kInfinity};
+  ExrCounts counts;
+  const std::vector<std::uint16_t> halves = halves_of(samples, counts);
+  EXPECT_EQ(counts.samples, samples.size());
+  EXPECT_EQ(counts.clamped, 5U);  // 65505, 1e9, inf, -1e9, -inf
+  EXPECT_EQ(counts.underflowed, 2U);
+  EXPECT_EQ(counts.negative, 3U);
+  EXPECT_EQ(counts.nan, 1U);
+  EXPECT_EQ(halves[4], 0x7bff);  // 65504
+  EXPECT_TRUE(Imath::half(Imath::half::FromBits, halves[11]).isNan());
+}
+
+TEST(HalfBlock, ReadsStridedSamplesAcrossBlocks) {
+  std::vector<float> samples(4 * 3000);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    samples[i] = i % 4 == 0 ? static_cast<float>(i / 4) / 2048.0F : kNan;
+  }
+  ExrCounts counts;
+  const std::vector<std::uint16_t> halves = halves_of(samples, counts, 4);
+  EXPECT_EQ(counts.nan, 0U);
+  EXPECT_EQ(counts.samples, 3000U);
+  for (std::size_t i = 0; i < halves.size(); ++i) {
+    ASSERT_EQ(halves[i], Imath::half(samples[4 * i]).bits()) << i;
+  }
+}
+
+TEST(HalfBlock, CountsWithoutConversion) {
+  const std::vector<float> samples = {1e9F, 1e-9F, -1.0F, kNan};
+  ExrCounts counts;
+  count_samples(samples.data(), 1, samples.size(), counts);
+  EXPECT_EQ(counts.samples, 4U);
+  EXPECT_EQ(counts.clamped, 0U);
+  EXPECT_EQ(counts.underflowed, 0U);
+  EXPECT_EQ(counts.negative, 1U);
+  EXPECT_EQ(counts.nan, 1U);
+}
+
+}  // namespace
+}  // namespace airlight

@@ -1,0 +1,127 @@
+#include "core/output/png.h"
+
+#include <gtest/gtest.h>
+#include <png.h>
+
+#include <cstring>
+
+#include "tests/output/files.h"
+
+namespace airlight {
+namespace {
+
+using test::Folder;
+
+PixelImage numbered(int channels, int bits) {
+  PixelImage image{33, 17, channels, bits, {}, {}};
+  for (int i = 0; i < 33 * 17 * channels; ++i) {
+    if (bits == 8) {
+      image.bytes.push_back(static_cast<std::uint8_t>(i * 7));
+    } else {
+      image.words.push_back(static_cast<std::uint16_t>(i * 1009));
+    }
+  }
+  return image;
+}
+
+// Walks the chunks, so that the test does not believe the library that wrote them.
+std::vector<std::pair<std::string, std::string>> chunks_of(const std::string& png) {
+  std::vector<std::pair<std::string, std::string>> chunks;
+  for (std::size_t at = 8; at + 12 <= png.size();) {
+    std::size_t length = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      length = length << 8 | static_cast<std::uint8_t>(png[at + k]);
+    }
+    chunks.emplace_back(png.substr(at + 4, 4), png.substr(at + 8, length));
+    at += 12 + length;
+  }
+  return chunks;
+}
+
+std::string chunk(const std::string& png, const std::string& type) {
+  for (const auto& [name, data] : chunks_of(png)) {
+    if (name == type) {
+      return data;
+    }
+  }
+  return "absent";
+}
+
+TEST(Png, EightBitsComeBack) {
+  const Folder folder;
+  for (const int channels : {3, 4}) {
+    const PixelImage image = numbered(channels, 8);
+    write_png(folder / "a.png", image, {});
+    png_image read{};
+    read.version = PNG_IMAGE_VERSION;
+    ASSERT_NE(png_image_begin_read_from_file(&read, (folder / "a.png").c_str()), 0);
+    EXPECT_EQ(read.width, 33U);
+    EXPECT_EQ(read.height, 17U);
+    read.format = channels == 4 ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
+    std::vector<std::uint8_t> bytes(PNG_IMAGE_SIZE(read));
+    ASSERT_NE(png_image_finish_read(&read, nullptr, bytes.data(), 0, nullptr), 0);
+    EXPECT_EQ(bytes, image.bytes);
+  }
+}
+
+// The simplified reader knows no 16-bit sRGB: the plain one, with its bytes in file order (high byte first).
+TEST(Png, SixteenBitsComeBack) {
+  const Folder folder;
+  for (const int channels : {3, 4}) {
+    const PixelImage image = numbered(channels, 16);
+    write_png(folder / "a.png", image, {});
+    std::FILE* const file = std::fopen((folder / "a.png").c_str(), "rb");
+    ASSERT_NE(file, nullptr);
+    png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+    png_infop info = png_create_info_struct(png);
+    png_init_io(png, file);
+    png_read_png(png, info, PNG_TRANSFORM_IDENTITY, nullptr);
+    EXPECT_EQ(png_get_bit_depth(png, info), 16);
+    ASSERT_EQ(png_get_channels(png, info), channels);
+    const png_bytepp rows = png_get_rows(png, info);
+    std::size_t i = 0;
+    for (std::size_t y = 0; y < 17; ++y) {
+      for (std::size_t x = 0; x < 33 * static_cast<std::size_t>(channels); ++x, ++i) {
+        ASSERT_EQ(rows[y][2 * x] << 8 | rows[y][2 * x + 1], image.words[i]) << i;
+      }
+    }
+    png_destroy_read_struct(&png, &info, nullptr);
+    std::fclose(file);
+  }
+}
+
+TEST(Png, SaysSrgbAndNoGamma) {
+  const Folder folder;
+  write_png(folder / "a.png", numbered(3, 8), {.srgb = true, .texts = {}});
+  write_png(folder / "b.png", numbered(3, 8), {.srgb = false, .texts = {}});
+  EXPECT_EQ(chunk(test::contents_of(folder / "a.png"), "sRGB"), std::string(1, '\1'));  // relative colorimetric
+  EXPECT_EQ(chunk(test::contents_of(folder / "b.png"), "sRGB"), "absent");
+  for (const char* const name : {"a.png", "b.png"}) {
+    EXPECT_EQ(chunk(test::contents_of(folder / name), "gAMA"), "absent");
+    EXPECT_EQ(chunk(test::contents_of(folder / name), "tIME"), "absent");
+  }
+}
+
+TEST(Png, CarriesTextsAsciiAndNot) {
+  const Folder folder;
+  PngOptions options;
+  options.texts = {{"Software", "airlight 1.2.3"}, {"Description", "μ of the air"}};
+  write_png(folder / "a.png", numbered(3, 8), options);
+  const std::string png = test::contents_of(folder / "a.png");
+  EXPECT_EQ(chunk(png, "tEXt"), std::string("Software\0airlight 1.2.3", 23));
+  EXPECT_NE(chunk(png, "iTXt").find("μ of the air"), std::string::npos);
+}
+
+TEST(Png, EqualPicturesGiveEqualBytes) {
+  EXPECT_EQ(encode_png(numbered(3, 8), {}), encode_png(numbered(3, 8), {}));
+}
+
+TEST(Png, AnEncoderErrorIsOurs) {
+  PngOptions options;
+  options.texts = {{"", "a text without a keyword, which the format forbids"}};
+  EXPECT_NE(test::message_of<RunError>([&] { encode_png(numbered(3, 8), options); }).find("PNG: cannot encode"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace airlight

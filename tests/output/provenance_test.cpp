@@ -1,0 +1,103 @@
+#include "core/output/provenance.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "core/output/exr.h"
+#include "tests/output/files.h"
+
+namespace airlight {
+namespace {
+
+using test::Folder;
+using test::message_of;
+
+const Provenance kMade = {std::string(5000, '{') + "\u03bc", "march", "1.2.3", "llvmpipe (LLVM 15)"};
+
+void write_sky(const std::filesystem::path& file, const std::optional<Provenance>& provenance) {
+  RadianceImage image{40, 30, std::vector<float>(4 * 40 * 30, 0.25F)};
+  std::vector<ExrChannel> channels;
+  add_channels(channels, "", image);
+  ExrOptions options;
+  options.provenance = provenance;
+  write_exr(file, 40, 30, channels, options);
+}
+
+std::string refusal(const std::filesystem::path& file) {
+  return message_of<InputError>([&] { read_provenance(file); });
+}
+
+TEST(Provenance, ComesBackAsWritten) {
+  const Folder folder;
+  write_sky(folder / "a.exr", kMade);
+  EXPECT_TRUE(is_exr(folder / "a.exr"));
+  EXPECT_EQ(read_provenance(folder / "a.exr"), kMade);
+}
+
+TEST(Provenance, SaysWhatIsWrongWithAFile) {
+  const Folder folder;
+  write_sky(folder / "foreign.exr", std::nullopt);
+  test::put(folder / "text.exr", "{\"airlight\": 1}");
+  test::put(folder / "empty.exr", "");
+  EXPECT_NE(refusal(folder / "foreign.exr").find("was not written by airlight"), std::string::npos);
+  EXPECT_NE(refusal(folder / "text.exr").find("is not an EXR file"), std::string::npos);
+  EXPECT_NE(refusal(folder / "empty.exr").find("is not an EXR file"), std::string::npos);
+  EXPECT_NE(refusal(folder / "none.exr").find("no such file"), std::string::npos);
+  EXPECT_NE(refusal(folder.path()).find("is not a file"), std::string::npos);
+  EXPECT_FALSE(is_exr(folder / "text.exr"));
+  EXPECT_FALSE(is_exr(folder / "none.exr"));
+}
+
+// Cut anywhere: either the header is whole and says what it said, or there is one clear error.
+TEST(Provenance, CutShortIsRefusedUnlessTheHeaderIsWhole) {
+  const Folder folder;
+  write_sky(folder / "a.exr", kMade);
+  const std::string whole = test::contents_of(folder / "a.exr");
+  std::size_t read = 0, refused = 0;
+  for (std::size_t length = 4; length < whole.size(); length += length < 400 ? 1 : 37) {
+    test::put(folder / "cut.exr", whole.substr(0, length));
+    try {
+      EXPECT_EQ(read_provenance(folder / "cut.exr"), kMade) << length;
+      ++read;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("damaged or cut short"), std::string::npos) << error.what();
+      ++refused;
+    }
+  }
+  EXPECT_GT(read, 0U);
+  EXPECT_GT(refused, 400U);
+}
+
+TEST(Provenance, ADamagedSizeTakesNoMemory) {
+  const Folder folder;
+  const std::string start("\x76\x2f\x31\x01\x02\0\0\0airlight:preset\0string\0", 31);
+  for (const std::string size : {"\xff\xff\xff\x7f", "\xff\xff\xff\xff"}) {
+    test::put(folder / "a.exr", start + size + "{}");
+    EXPECT_NE(refusal(folder / "a.exr").find("longer than the file"), std::string::npos) << refusal(folder / "a.exr");
+  }
+}
+
+TEST(Provenance, GarbageNeverCrashes) {
+  const Folder folder;
+  write_sky(folder / "a.exr", kMade);
+  const std::string whole = test::contents_of(folder / "a.exr");
+  std::mt19937 random(1);
+  std::size_t refused = 0;
+  for (int round = 0; round < 300; ++round) {
+    std::string broken = whole;
+    for (int k = 0; k < 1 + round % 8; ++k) {
+      broken[4 + random() % (round % 2 == 0 ? 396 : broken.size() - 4)] = static_cast<char>(random());
+    }
+    test::put(folder / "broken.exr", broken);
+    try {
+      read_provenance(folder / "broken.exr");
+    } catch (const InputError&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 30U);
+}
+
+}  // namespace
+}  // namespace airlight

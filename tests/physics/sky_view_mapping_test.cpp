@@ -1,0 +1,116 @@
+// The sky-view table's map and its inverse: on every texel, at the horizon, at the sun's azimuth, straight up.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/physics/scenes.h"
+
+namespace airlight::test {
+namespace {
+
+using physics::Physics;
+using physics::vec3;
+
+constexpr double kSun = 25.0 * kDegree;
+constexpr int kWidth = 48;
+constexpr int kRows = 30;
+constexpr int kSkyRows = 20;
+
+vec3 direction(double elevation, double azimuth) {
+  const double c = std::cos(elevation);
+  return {std::sin(azimuth) * c, std::sin(elevation), -std::cos(azimuth) * c};
+}
+
+Physics::SkyViewCoordinate texel(Physics& p, int column, int row) {
+  Physics::SkyViewCoordinate c;
+  c.chord = p.even_from_texel((column + 0.5) / kWidth, kWidth);
+  c.ground = row >= kSkyRows;
+  c.height =
+      p.part_from_texel((row + 0.5) / kRows, c.ground ? kSkyRows : 0, c.ground ? kRows - kSkyRows : kSkyRows, kRows);
+  return c;
+}
+
+TEST(SkyViewMapping, RayAndCoordinateAreInverseOnEveryTexel) {
+  Physics p = make_physics(earth());
+  const physics::PlanetData& planet = p.scene.planet;
+  for (const double h : {1e-4, 0.001, 1.0, 10.0, 60.0, 99.9}) {
+    for (int row = 0; row < kRows; ++row) {
+      for (int column = 0; column < kWidth; ++column) {
+        const auto c = texel(p, column, row);
+        const Physics::Ray ray = p.sky_view_ray(planet, h, c, std::sin(kSun));
+        ASSERT_EQ(ray.at_ground, c.ground);
+        ASSERT_GE(ray.length_, 0.0);
+        // The horizon's own rows belong to both sides of it.
+        const bool horizon = row == 0 || row == kSkyRows;
+        const double elevation = std::atan2(ray.mu, std::sqrt(1.0 - ray.mu * ray.mu));
+        const vec3 view = direction(elevation, 0.7 + 2.0 * std::asin(c.chord));
+        ASSERT_NEAR(ray.nu, physics::dot(view, direction(kSun, 0.7)), 1e-9);
+        const auto back = p.sky_view_coordinate(planet, h, view, direction(kSun, 0.7));
+        ASSERT_NEAR(back.height, c.height, horizon ? 1e-4 : 1e-7) << h << " km, row " << row;
+        if (row != kSkyRows - 1 && row != kRows - 1) {  // every azimuth is the same straight up and down
+          ASSERT_NEAR(back.chord, c.chord, 1e-7);
+        }
+        if (!horizon) {
+          ASSERT_EQ(back.ground, c.ground);
+        }
+      }
+    }
+  }
+}
+
+TEST(SkyViewMapping, FirstRowsHoldTheTrueHorizon) {
+  Physics p = make_physics(earth());
+  const physics::PlanetData& planet = p.scene.planet;
+  for (const double h : {0.0, 1e-4, 0.5, 30.0}) {
+    const double tangent = p.horizon_mu(planet, h);
+    const Physics::Ray sky = p.sky_view_ray(planet, h, texel(p, 5, 0), 0.3);
+    const Physics::Ray ground = p.sky_view_ray(planet, h, texel(p, 5, kSkyRows), 0.3);
+    EXPECT_NEAR(sky.mu, tangent, 1e-9);
+    EXPECT_NEAR(ground.mu, tangent, 2e-9);
+    EXPECT_NEAR(ground.length_, p.horizon_distance(planet, h), 1e-3 + 1e-3 * p.horizon_distance(planet, h));
+    EXPECT_NEAR(sky.length_, p.horizon_distance(planet, h) + p.horizon_distance(planet, planet.atmosphere_height),
+                1e-3);
+  }
+}
+
+// A coordinate of either part falls between that part's own first and last texel centre: nothing mixes sky and ground.
+TEST(SkyViewMapping, NoFetchStraddlesTheHorizon) {
+  Physics p = make_physics(earth());
+  EXPECT_DOUBLE_EQ(p.texel_in_part(1.0, 0, kSkyRows, kRows), (kSkyRows - 0.5) / kRows);
+  EXPECT_DOUBLE_EQ(p.texel_in_part(0.0, kSkyRows, kRows - kSkyRows, kRows), (kSkyRows + 0.5) / kRows);
+  EXPECT_DOUBLE_EQ(p.texel_in_part(1.0, kSkyRows, kRows - kSkyRows, kRows), (kRows - 0.5) / kRows);
+}
+
+// Clamped at the edge, a fetch within half a texel of the sun's azimuth is the first column on either side: no crease.
+TEST(SkyViewMapping, IsEvenAndFlatAcrossTheSunsAzimuth) {
+  Physics p = make_physics(earth());
+  const physics::PlanetData& planet = p.scene.planet;
+  EXPECT_DOUBLE_EQ(p.texel_from_even(0.0, kWidth), 0.0);
+  EXPECT_DOUBLE_EQ(p.texel_from_even(1.0, kWidth), (kWidth - 0.5) / kWidth);
+  double before = -1.0;
+  for (double azimuth = 0.0; azimuth <= 180.0; azimuth += 1.5) {
+    const auto right =
+        p.sky_view_coordinate(planet, 0.1, direction(0.4, 0.7 + azimuth * kDegree), direction(kSun, 0.7));
+    const auto left = p.sky_view_coordinate(planet, 0.1, direction(0.4, 0.7 - azimuth * kDegree), direction(kSun, 0.7));
+    EXPECT_NEAR(right.chord, left.chord, 1e-9);
+    EXPECT_GT(right.chord, before);
+    before = right.chord;
+  }
+  EXPECT_NEAR(before, 1.0, 1e-12);
+}
+
+TEST(SkyViewMapping, HoldsStraightUpAndUnderASunStraightUp) {
+  Physics p = make_physics(earth());
+  const vec3 up{0.0, 1.0, 0.0};
+  for (const vec3& sun : {up, direction(kSun, 0.2)}) {
+    for (const vec3& view : {up, vec3{0.0, -1.0, 0.0}, direction(0.5, 1.0)}) {
+      const auto c = p.sky_view_coordinate(p.scene.planet, 0.2, view, sun);
+      EXPECT_TRUE(c.chord >= 0.0 && c.chord <= 1.0 && c.height >= 0.0 && c.height <= 1.0);
+    }
+  }
+  EXPECT_DOUBLE_EQ(p.sky_view_coordinate(p.scene.planet, 0.2, up, direction(kSun, 0.2)).height, 1.0);
+}
+
+}  // namespace
+}  // namespace airlight::test

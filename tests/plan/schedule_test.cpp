@@ -1,0 +1,147 @@
+// Where barriers go, and which passes kept resources spare.
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "core/plan/plan.h"
+
+namespace airlight {
+namespace {
+
+using Flags = std::vector<bool>;
+
+// Buffers by letter; a pass is written as what it reads and what it writes.
+class Letters {
+ public:
+  // "K" is kept, "h" is read by the host, "C" is carried; the others live for one run.
+  explicit Letters(const std::string& letters) {
+    for (const char letter : letters) {
+      BufferDesc desc{.name = std::string(1, letter), .bytes = 4};
+      if (letter == 'K' || letter == 'L') desc.key = desc.name;
+      if (letter == 'C') desc.key = "carried";
+      desc.carried = letter == 'C';
+      desc.host_readable = letter == 'h';
+      plan_.add_buffer(desc);
+    }
+    letters_ = letters;
+  }
+
+  Letters& pass(const std::string& reads, const std::string& writes) {
+    PassDesc pass{.shader = "any", .grid = {1, 1}};
+    for (const char letter : reads) pass.reads.push_back({std::string(1, letter), id(letter)});
+    for (const char letter : writes) pass.writes.push_back({std::string(1, letter), id(letter)});
+    plan_.add_pass(pass);
+    return *this;
+  }
+
+  Flags runs_with(const std::string& kept) const {
+    std::set<ResourceId> ids;
+    for (const char letter : kept) ids.insert(id(letter));
+    return passes_to_run(plan_, [&](ResourceId resource) { return ids.contains(resource); });
+  }
+
+  const Plan& plan() const { return plan_; }
+
+ private:
+  BufferId id(char letter) const { return {static_cast<std::uint32_t>(letters_.find(letter))}; }
+
+  std::string letters_;
+  Plan plan_;
+};
+
+TEST(Barriers, ReadAfterWrite) {
+  EXPECT_EQ(barriers_before(Letters("ab").pass("", "a").pass("a", "b").plan()), (Flags{false, true}));
+}
+
+TEST(Barriers, WriteAfterRead) {
+  EXPECT_EQ(barriers_before(Letters("abc").pass("", "a").pass("a", "b").pass("", "a").plan()),
+            (Flags{false, true, true}));
+}
+
+TEST(Barriers, WriteAfterWrite) {
+  EXPECT_EQ(barriers_before(Letters("a").pass("", "a").pass("", "a").plan()), (Flags{false, true}));
+}
+
+TEST(Barriers, NoneBetweenStrangersOrReaders) {
+  EXPECT_EQ(barriers_before(Letters("ab").pass("", "a").pass("", "b").plan()), (Flags{false, false}));
+  EXPECT_EQ(barriers_before(Letters("abc").pass("", "a").pass("a", "b").pass("a", "c").plan()),
+            (Flags{false, true, false}));
+}
+
+TEST(Barriers, OneCoversAllBeforeIt) {
+  // The barrier before the third pass also covers b.
+  EXPECT_EQ(barriers_before(Letters("abcd").pass("", "a").pass("", "b").pass("a", "c").pass("b", "d").plan()),
+            (Flags{false, false, true, false}));
+}
+
+TEST(Barriers, AnImageAndABufferOfOneIndexAreNotTheSame) {
+  Plan plan;
+  const ImageId image = plan.add_image({.name = "image"});
+  const BufferId buffer = plan.add_buffer({.name = "buffer", .bytes = 4});
+  ASSERT_EQ(image.index, buffer.index);
+  plan.add_pass({.shader = "one", .writes = {{"out", image}}, .grid = {1, 1}});
+  plan.add_pass({.shader = "two", .writes = {{"out", buffer}}, .grid = {1, 1}});
+  EXPECT_EQ(barriers_before(plan), (Flags{false, false}));
+}
+
+TEST(Barriers, PassesThatDoNotRunTouchNothing) {
+  const Letters letters = Letters("abc").pass("", "a").pass("a", "b").pass("a", "c");
+  EXPECT_EQ(barriers_before(letters.plan(), {true, false, true}), (Flags{false, false, true}));
+  EXPECT_EQ(barriers_before(letters.plan(), {false, true, true}), (Flags{false, false, false}));
+}
+
+TEST(Kept, AllRunWhileNothingIsThere) {
+  EXPECT_EQ(Letters("Kh").pass("", "K").pass("K", "h").runs_with(""), (Flags{true, true}));
+}
+
+TEST(Kept, ItsProducerIsSpared) {
+  EXPECT_EQ(Letters("Kh").pass("", "K").pass("K", "h").runs_with("K"), (Flags{false, true}));
+}
+
+TEST(Kept, APassWithAnotherOutputRuns) {
+  EXPECT_EQ(Letters("Kah").pass("", "Ka").pass("Ka", "h").runs_with("K"), (Flags{true, true}));
+}
+
+TEST(Kept, StepsThatLeadOnlyToItAreSpared) {
+  EXPECT_EQ(Letters("abKh").pass("", "a").pass("a", "b").pass("b", "K").pass("K", "h").runs_with("K"),
+            (Flags{false, false, false, true}));
+}
+
+TEST(Kept, AStepThatSomeoneElseReadsRuns) {
+  EXPECT_EQ(Letters("aKh").pass("", "a").pass("a", "K").pass("aK", "h").runs_with("K"), (Flags{true, false, true}));
+}
+
+TEST(Kept, WhatTheHostReadsIsMade) {
+  EXPECT_EQ(Letters("hK").pass("", "h").pass("h", "K").runs_with("K"), (Flags{true, false}));
+  Plan plan;
+  const ImageId image = plan.add_image({.name = "image"});
+  const BufferId kept = plan.add_buffer({.name = "kept", .bytes = 4, .key = "kept"});
+  plan.add_pass({.shader = "one", .writes = {{"out", image}}, .grid = {1, 1}});
+  plan.add_pass({.shader = "two", .reads = {{"in", image}}, .writes = {{"out", kept}}, .grid = {1, 1}});
+  const auto all_kept = [](ResourceId) { return true; };
+  EXPECT_EQ(passes_to_run(plan, all_kept), (Flags{false, false}));
+  plan.add_readback(image);
+  EXPECT_EQ(passes_to_run(plan, all_kept), (Flags{true, false}));
+}
+
+TEST(Kept, APassWithoutReadersRuns) {
+  EXPECT_EQ(Letters("a").pass("", "a").runs_with(""), (Flags{true}));
+}
+
+TEST(Kept, WrittenAgainItIsMadeFromTheStart) {
+  // The second pass adds to K and must run for h: K's first writer has to run as well, or K would be added to twice.
+  EXPECT_EQ(Letters("Kh").pass("", "K").pass("", "Kh").runs_with("K"), (Flags{true, true}));
+  // So has what only that first writer reads.
+  EXPECT_EQ(Letters("aKh").pass("", "a").pass("a", "K").pass("", "Kh").runs_with("K"), (Flags{true, true, true}));
+  // Two passes on K alone are both spared.
+  EXPECT_EQ(Letters("Kh").pass("", "K").pass("", "K").pass("K", "h").runs_with("K"), (Flags{false, false, true}));
+}
+
+TEST(Kept, CarriedIsMadeByEveryPlanThatCan) {
+  EXPECT_EQ(Letters("C").pass("", "C").runs_with("C"), (Flags{true}));
+  EXPECT_EQ(Letters("CK").pass("", "C").pass("C", "K").runs_with("CK"), (Flags{true, false}));
+}
+
+}  // namespace
+}  // namespace airlight

@@ -1,0 +1,188 @@
+// presets/README.md and the JSON Schema say what the rules say. AIRLIGHT_UPDATE_DOCS=1 rewrites them from the rules.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "core/methods/method.h"
+#include "core/scene/preset.h"
+#include "core/scene/resolve.h"
+#include "core/scene/rules.h"
+#include "tests/scene/random_preset.h"
+#include "tests/scene/rule_docs.h"
+#include "tests/scene/scene_fixture.h"
+#include "tests/scene/schema_check.h"
+
+namespace airlight::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+constexpr const char* kRemedy = "is not what the rules say; AIRLIGHT_UPDATE_DOCS=1 test_scene rewrites it";
+
+const fs::path& presets_folder() {
+  static const fs::path folder = fs::path(AIRLIGHT_SOURCE_DIR) / "presets";
+  return folder;
+}
+
+bool updating() {
+  return std::getenv("AIRLIGHT_UPDATE_DOCS") != nullptr;
+}
+
+std::string contents(const fs::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+// The part of the README between <!-- NAME: made from the rules --> and <!-- NAME: end -->.
+void expect_section(const std::string& name, const std::string& expected) {
+  const fs::path file = presets_folder() / "README.md";
+  std::string text = contents(file);
+  const std::string begin = "<!-- " + name + ": made from the rules -->\n";
+  const std::string end = "<!-- " + name + ": end -->";
+  const std::size_t from = text.find(begin);
+  const std::size_t to = text.find(end);
+  ASSERT_TRUE(from != std::string::npos && to != std::string::npos && from < to) << "no section " << name;
+  const std::size_t start = from + begin.size();
+  if (updating()) {
+    text.replace(start, to - start, expected);
+    std::ofstream(file, std::ios::binary) << text;
+  }
+  EXPECT_EQ(contents(file).substr(start, expected.size() + end.size()), expected + end)
+      << "presets/README.md, section " << name << ", " << kRemedy;
+}
+
+Json shipped_schema() {
+  return Json::parse(contents(presets_folder() / "schema" / "preset-1.schema.json"));
+}
+
+TEST(Readme, ListsEveryKey) {
+  expect_section("keys", key_table());
+}
+
+TEST(Readme, ListsWhatEachMethodTakes) {
+  expect_section("methods", parameter_table(method_infos()));
+}
+
+TEST(Readme, ListsThePresets) {
+  std::map<std::string, std::string> rows;
+  for (const auto& entry : fs::directory_iterator(presets_folder())) {
+    if (entry.path().extension() == ".json") {
+      const Scene scene = resolve(load_preset(entry.path()), method_infos());
+      rows[entry.path().stem()] = scene.description;
+    }
+  }
+  std::string table = "| preset | what it shows |\n|---|---|\n";
+  for (const auto& [name, description] : rows) {
+    table += "| `" + name + "` | " + description + " |\n";
+  }
+  expect_section("presets", table);
+}
+
+TEST(Schema, IsMadeFromTheRules) {
+  const fs::path file = presets_folder() / "schema" / "preset-1.schema.json";
+  const std::string expected = json_schema(method_infos());
+  if (updating()) {
+    std::ofstream(file, std::ios::binary) << expected;
+  }
+  EXPECT_EQ(contents(file), expected) << file << " " << kRemedy;
+}
+
+TEST(Schema, TakesEveryShippedPreset) {
+  const Json schema = shipped_schema();
+  for (const auto& entry : fs::directory_iterator(presets_folder())) {
+    if (entry.path().extension() == ".json") {
+      EXPECT_EQ(schema_problem(schema, Json::parse(contents(entry.path()), nullptr, true, true)), "") << entry.path();
+      const Scene scene = resolve(load_preset(entry.path()), method_infos());
+      EXPECT_EQ(schema_problem(schema, Json::parse(to_json(scene))), "") << entry.path();
+    }
+  }
+}
+
+TEST(Schema, TakesRandomPresets) {
+  const Json schema = shipped_schema();
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    EXPECT_EQ(schema_problem(schema, Json::parse(random_preset(seed))), "") << random_preset(seed);
+  }
+}
+
+// Whether the schema and resolve() both refuse the preset with one value changed.
+void expect_both(bool good, const std::string& pointer, const Json& value) {
+  static const Json schema = shipped_schema();
+  // The schema cannot know a projection that may be inherited: the file states it.
+  Json preset = Json::parse(with_one_medium(R"("camera": {"projection": "perspective"})"));
+  preset[Json::json_pointer(pointer)] = value;
+  EXPECT_EQ(schema_problem(schema, preset).empty(), good) << "schema, " << pointer << ": " << value;
+  bool resolves = true;
+  try {
+    resolve(parse_preset(preset.dump(), "test", {}), method_infos());
+  } catch (const std::runtime_error&) {
+    resolves = false;
+  }
+  EXPECT_EQ(resolves, good) << "resolve, " << pointer << ": " << value;
+}
+
+// At both ends of every range, just inside and just outside.
+TEST(Schema, HasTheRangesOfResolve) {
+  for (const Rule& rule : rules()) {
+    const bool is_number = rule.type == RuleType::number || rule.type == RuleType::integer ||
+                           rule.type == RuleType::spectrum || rule.type == RuleType::exposure;
+    const bool is_plain =
+        rule.only_for.empty() || rule.only_for.front() == "exponential" || rule.only_for.front() == "perspective";
+    if (!is_number || !is_plain) {
+      continue;
+    }
+    std::string pointer = "/" + std::string(rule.key);
+    std::ranges::replace(pointer, '.', '/');
+    if (const std::size_t element = pointer.find("[]"); element != std::string::npos) {
+      pointer.replace(element, 2, "/0");
+    }
+    const double step = rule.type == RuleType::integer ? 1.0 : 1e-7;
+    expect_both(!rule.range.minimum_excluded, pointer, rule.range.minimum);
+    expect_both(!rule.range.maximum_excluded, pointer, rule.range.maximum);
+    expect_both(false, pointer, rule.range.minimum - step);
+    expect_both(false, pointer, rule.range.maximum + std::max(step, 1e-9 * rule.range.maximum));
+    const double middle = 0.5 * (rule.range.minimum + rule.range.maximum);
+    expect_both(true, pointer, rule.type == RuleType::integer ? std::floor(middle) : middle);
+    expect_both(false, pointer, "word");
+    expect_both(false, pointer, nullptr);
+  }
+}
+
+TEST(Schema, RefusesWhatResolveRefuses) {
+  expect_both(false, "/airlight", 2);
+  expect_both(false, "/nonsense", 1);
+  expect_both(false, "/planet/radius", 1);
+  expect_both(false, "/media", Json::array());
+  expect_both(false, "/media/0/name", "");
+  expect_both(false, "/media/0/density/profile", "linear");
+  expect_both(false, "/media/0/density/below_km", 1);
+  expect_both(false, "/media/0/density", {{"profile", "tent"}, {"center_km", 2}});
+  expect_both(true, "/media/0/density", {{"profile", "tent"}, {"center_km", 2}, {"half_width_km", 1}});
+  expect_both(false, "/media/0/density", {{"profile", "layers"}, {"layers", {{1, 2, 3}}}});
+  expect_both(false, "/media/0/density", {{"profile", "layers"}, {"layers", {{-1, 2}}}});
+  expect_both(true, "/media/0/density", {{"profile", "layers"}, {"layers", {{1, 2}}}});
+  expect_both(false, "/media/0/phase/function", "mie");
+  expect_both(false, "/camera", {{"projection", "perspective"}, {"vertical_fov_deg", 180}});
+  expect_both(true, "/camera", {{"projection", "fisheye"}, {"vertical_fov_deg", 360}});
+  expect_both(false, "/camera", {{"projection", "equirectangular"}, {"pitch_deg", 1}});
+  expect_both(true, "/camera", {{"projection", "equirectangular"}, {"pitch_deg", 0}});
+  expect_both(false, "/render/method", "magic");
+  expect_both(false, "/render/stesp", 3);
+  expect_both(false, "/render", {{"method", "march"}, {"steps", 5000}});
+  expect_both(true, "/render", {{"method", "march"}, {"steps", 4096}});
+  expect_both(false, "/render/transmittance_lut", {1, 64});
+  expect_both(false, "/display/tonemap", "aess");
+  expect_both(true, "/display/exposure", "auto");
+  expect_both(false, "/display/exposure", "Auto");
+}
+
+}  // namespace
+}  // namespace airlight::test

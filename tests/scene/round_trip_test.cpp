@@ -1,0 +1,146 @@
+// A scene written as a preset and read again is the same scene, to the last bit.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "core/scene/angle.h"
+#include "core/scene/json_format.h"
+#include "tests/scene/random_preset.h"
+#include "tests/scene/scene_fixture.h"
+
+namespace airlight::test {
+namespace {
+
+TEST(Defaults, AreThoseOfTheFormat) {
+  const Scene scene = scene_from(with_one_medium(""));
+  EXPECT_EQ(scene.planet.ground_radius, 6360.0);
+  EXPECT_EQ(scene.planet.atmosphere_height, 100.0);
+  EXPECT_EQ(scene.planet.ground_albedo, (Spectrum{0, 0, 0}));
+  EXPECT_EQ(scene.media[0].scattering, (Spectrum{0, 0, 0}));
+  EXPECT_EQ(scene.media[0].phase, PhaseFunction::isotropic);
+  EXPECT_EQ(scene.media[0].phase_g, 0.8);
+  EXPECT_DOUBLE_EQ(scene.sun.elevation, 30 * M_PI / 180);
+  EXPECT_EQ(scene.sun.azimuth, 0.0);
+  EXPECT_EQ(scene.sun.irradiance, (Spectrum{1, 1, 1}));
+  EXPECT_TRUE(scene.sun.disc.visible);
+  EXPECT_DOUBLE_EQ(scene.sun.disc.angular_radius, 0.2666 * M_PI / 180);
+  EXPECT_EQ(scene.sun.disc.limb_darkening, 0.6);
+  EXPECT_EQ(scene.sun.disc.radiance_scale, 1.0);
+  EXPECT_EQ(scene.camera.altitude, 0.001);
+  EXPECT_EQ(scene.camera.projection, Projection::perspective);
+  EXPECT_DOUBLE_EQ(scene.camera.vertical_fov, M_PI / 3);
+  EXPECT_EQ(scene.image.width, 1280);
+  EXPECT_EQ(scene.image.height, 720);
+  EXPECT_EQ(scene.render.method, "march");
+  EXPECT_EQ(scene.render.get<int>("steps"), 32);
+  EXPECT_EQ(scene.render.get<TableSize>("transmittance_lut"), (TableSize{256, 64}));
+  EXPECT_EQ(scene.render.get<double>("multiple_scattering_scale"), 1.0);
+  EXPECT_TRUE(std::holds_alternative<std::monostate>(scene.render.parameters.at("sun_fade")));
+  EXPECT_TRUE(scene.bloom.enabled);
+  EXPECT_FALSE(scene.bloom.in_exr);
+  EXPECT_EQ(scene.bloom.threshold, 1.0);
+  EXPECT_EQ(scene.bloom.intensity, 0.04);
+  EXPECT_EQ(scene.bloom.levels, 5);
+  EXPECT_FALSE(scene.display.exposure.has_value());
+  EXPECT_EQ(scene.display.view, "");
+  EXPECT_EQ(scene.display.tonemap, ToneCurve::aces);
+}
+
+TEST(Defaults, AFisheyeSpansHalfTheSphere) {
+  EXPECT_DOUBLE_EQ(scene_from(with_one_medium(R"("camera": {"projection": "fisheye"})")).camera.vertical_fov, M_PI);
+}
+
+TEST(Bloom, BecomesALayerOnlyWhenStated) {
+  EXPECT_TRUE(scene_from(with_one_medium(R"("bloom": {"enabled": true})")).bloom.in_exr);
+  EXPECT_FALSE(scene_from(with_one_medium(R"("bloom": {"enabled": false})")).bloom.in_exr);
+  EXPECT_FALSE(scene_from(with_one_medium(R"("bloom": {"levels": 3})")).bloom.in_exr);
+}
+
+// Every value differs from its default: a key that is not written, or not read, is seen.
+TEST(RoundTrip, KeepsEveryValue) {
+  const Scene scene = scene_from(R"({
+    "airlight": 1, "name": "a \"name\"\n", "description": "é \\ \u0001",
+    "planet": {"radius_km": 3389.5, "atmosphere_height_km": 110.25, "ground_albedo": [0.1, 0.2, 0.3]},
+    "media": [
+      {"name": "a", "scattering_per_km": [1e-7, 2e-5, 0.3], "absorption_per_km": 0.1,
+       "density": {"profile": "lorentzian", "center_km": 25, "half_width_km": 5, "scale_height_km": 7},
+       "phase": {"function": "schlick", "g": -0.3}},
+      {"name": "b", "density": {"profile": "layers", "layers": [[0, 1], [0.1, 0.7], [12.5, 0]]}},
+      {"name": "c", "density": {"profile": "tent", "center_km": 3, "half_width_km": 2}},
+      {"name": "d", "density": {"profile": "constant", "below_km": 4}}],
+    "sun": {"elevation_deg": -12.34, "azimuth_deg": 1234.5, "irradiance": [1.5, 1.6, 1.7],
+            "disc": {"visible": false, "angular_radius_deg": 0.31, "limb_darkening": 0.1, "radiance_scale": 3}},
+    "camera": {"altitude_km": 12, "azimuth_deg": 33.3, "pitch_deg": -7.7, "roll_deg": 181.1, "projection": "fisheye",
+               "vertical_fov_deg": 123.4},
+    "image": {"width": 17, "height": 19},
+    "render": {"method": "march", "steps": 77, "transmittance_lut": [128, 32], "multiple_scattering_scale": 0,
+               "sun_fade": {"scale": 10, "bias": 0.1}, "color": "warm"},
+    "bloom": {"enabled": true, "threshold": 2, "intensity": 0.5, "levels": 3},
+    "display": {"exposure": 12.5, "display": "sRGB", "view": "gpu", "tonemap": "none"}
+  })");
+  EXPECT_EQ(scene.name, "a \"name\"\n");
+  EXPECT_EQ(scene.description, "é \\ \x01");
+  EXPECT_EQ(scene.media[0].density.center, 25.0);
+  EXPECT_EQ(scene.media[1].density.layers[2].altitude, 12.5);
+  EXPECT_EQ(scene.render.get<SunFade>("sun_fade"), (SunFade{10, 0.1}));
+  EXPECT_EQ(scene.display.tonemap, ToneCurve::none);
+  expect_same(scene, scene_from(to_json(scene)));
+}
+
+TEST(RoundTrip, KeepsTwoHundredRandomScenes) {
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const std::string text = random_preset(seed);
+    ASSERT_EQ(problems_of(text), "") << text;
+    const Scene scene = scene_from(text);
+    const std::string json = to_json(scene);
+    expect_same(scene, scene_from(json));
+    EXPECT_EQ(json, to_json(scene_from(json)));
+  }
+}
+
+TEST(RandomPreset, IsTheSameForASeedAndAnotherForAnother) {
+  EXPECT_EQ(random_preset(7), random_preset(7));
+  EXPECT_NE(random_preset(7), random_preset(8));
+}
+
+TEST(Angles, OfDegreesComeBackExactly) {
+  std::mt19937_64 random(5);
+  for (int i = 0; i < 20000; ++i) {
+    const double degrees = (static_cast<double>(random() >> 11U) * 0x1p-53 - 0.5) * 720.0;
+    const double radians = radians_from_degrees(degrees);
+    EXPECT_EQ(radians_from_degrees(degrees_from_radians(radians)), radians) << degrees;
+  }
+}
+
+TEST(Angles, AreWrittenAsTheyWereTyped) {
+  for (const double degrees : {0.0, 60.0, 180.0, 0.2666, -12.34, 30.1, 89.99, 359.9, 1e-4}) {
+    EXPECT_EQ(format_number(degrees_from_radians(radians_from_degrees(degrees))), format_number(degrees));
+  }
+}
+
+TEST(Numbers, AreShortAndReadBackTheSame) {
+  EXPECT_EQ(format_number(0.1), "0.1");
+  EXPECT_EQ(format_number(1280), "1280");
+  EXPECT_EQ(format_number(1e9), "1e9");
+  EXPECT_EQ(format_number(-8.5e-5), "-8.5e-5");
+  EXPECT_EQ(format_number(1.25e100), "1.25e100");
+  EXPECT_EQ(format_number(5e-324), "5e-324");
+  EXPECT_EQ(format_number(-0.0), "-0.0");
+}
+
+TEST(Description, HasEveryValueWithItsUnit) {
+  const std::string text = describe(scene_from(with_one_medium(R"("name": "A sky", "camera": {"altitude_km": 2})")));
+  EXPECT_NE(text.find("A sky\n"), std::string::npos);
+  EXPECT_NE(text.find("radius                    6360 km\n"), std::string::npos);
+  EXPECT_NE(text.find("altitude                  2 km\n"), std::string::npos);
+  EXPECT_NE(text.find("elevation                 30 degrees\n"), std::string::npos);
+  EXPECT_NE(text.find("density                   exponential, scale height 8 km\n"), std::string::npos);
+  EXPECT_NE(text.find("sun_fade                  absent\n"), std::string::npos);
+  EXPECT_NE(text.find("image                     1280 x 720 pixels\n"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace airlight::test

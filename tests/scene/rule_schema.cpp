@@ -1,0 +1,270 @@
+// The JSON Schema. It knows one file, not what the file inherits: a key that a profile or projection does not take is
+// refused where the file itself names the profile; what is required may be inherited where the file extends another.
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "core/scene/render_settings.h"
+#include "core/scene/rules.h"
+#include "core/scene/scene.h"
+#include "tests/scene/rule_docs.h"
+
+namespace airlight::test {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number_schema(const Range& range, std::string_view type = "number") {
+  Json schema = {{"type", type}};
+  schema[range.minimum_excluded ? "exclusiveMinimum" : "minimum"] = range.minimum;
+  schema[range.maximum_excluded ? "exclusiveMaximum" : "maximum"] = range.maximum;
+  return schema;
+}
+
+Json array_schema(const Json& items, int minimum, int maximum) {
+  return {{"type", "array"}, {"items", items}, {"minItems", minimum}, {"maxItems", maximum}};
+}
+
+Json strings(std::span<const std::string_view> names) {
+  Json list = Json::array();
+  for (const std::string_view name : names) {
+    list.push_back(name);
+  }
+  return list;
+}
+
+Json layers_schema(const Rule& rule) {
+  const Json pair = {{"type", "array"},
+                     {"prefixItems", {number_schema(kLayerAltitude), number_schema(rule.range)}},
+                     {"minItems", 2},
+                     {"maxItems", 2}};
+  return array_schema(pair, 1, kMaxDensityLayers);
+}
+
+Json type_schema(const Rule& rule) {
+  switch (rule.type) {
+    case RuleType::version:
+      return {{"const", 1}};
+    case RuleType::extends:
+    case RuleType::text:
+    case RuleType::method:
+      return {{"type", "string"}};
+    case RuleType::name:
+      return {{"type", "string"}, {"minLength", 1}};
+    case RuleType::boolean:
+      return {{"type", "boolean"}};
+    case RuleType::integer:
+      return number_schema(rule.range, "integer");
+    case RuleType::number:
+      return number_schema(rule.range);
+    case RuleType::spectrum:
+      return {{"anyOf", {number_schema(rule.range), array_schema(number_schema(rule.range), 3, 3)}}};
+    case RuleType::choice:
+      return {{"enum", strings(rule.choices)}};
+    case RuleType::exposure:
+      return {{"anyOf", {number_schema(rule.range), Json{{"const", "auto"}}}}};
+    case RuleType::media:
+      return {{"type", "array"}, {"minItems", rule.range.minimum}, {"maxItems", rule.range.maximum}};
+    case RuleType::layers:
+      return layers_schema(rule);
+  }
+  return {};
+}
+
+// Of several rules for one key, each for its own choices, what any of them allows.
+Rule widest(const Rule& rule) {
+  Rule all = rule;
+  for (const Rule& other : rules()) {
+    if (other.key != rule.key) {
+      continue;
+    }
+    const Range& range = other.range;
+    if (range.minimum < all.range.minimum || (range.minimum == all.range.minimum && !range.minimum_excluded)) {
+      all.range.minimum = range.minimum;
+      all.range.minimum_excluded = range.minimum_excluded;
+    }
+    if (range.maximum > all.range.maximum || (range.maximum == all.range.maximum && !range.maximum_excluded)) {
+      all.range.maximum = range.maximum;
+      all.range.maximum_excluded = range.maximum_excluded;
+    }
+  }
+  return all;
+}
+
+// The description ends with the unit; the default is what an editor fills in.
+Json annotated(Json schema, const Rule& rule) {
+  std::string text(rule.meaning);
+  if (!rule.unit.empty()) {
+    text += " [" + std::string(rule.unit) + "]";
+  }
+  schema["description"] = text;
+  if (!rule.default_text.empty() && rule.only_for.empty()) {
+    const Json value = Json::parse(rule.default_text, nullptr, false);
+    schema["default"] = value.is_discarded() ? Json(rule.default_text) : value;
+  }
+  return schema;
+}
+
+Json object_schema() {
+  return {{"type", "object"}, {"properties", Json::object()}, {"additionalProperties", false}};
+}
+
+// The schema of the object that holds a rule's key, made on the way: "media[].density" from the root.
+Json& owner_of(Json& root, std::string_view key) {
+  Json* at = &root;
+  for (std::size_t dot = key.find('.'); dot != std::string_view::npos; dot = key.find('.')) {
+    std::string name(key.substr(0, dot));
+    key.remove_prefix(dot + 1);
+    const bool is_array = name.ends_with("[]");
+    if (is_array) {
+      name.resize(name.size() - 2);
+    }
+    Json& property = (*at)["properties"][name];
+    Json& object = is_array ? property["items"] : property;
+    if (object.is_null()) {
+      object = object_schema();
+    }
+    at = &object;
+  }
+  return *at;
+}
+
+std::string last_part(std::string_view key) {
+  return std::string(key.substr(key.rfind('.') + 1));
+}
+
+// Rules that hold for some choices: within the file that states the choice, that choice's own rule and no other key.
+void add_choice(Json& root, const Rule& selector) {
+  Json& owner = owner_of(root, selector.key);
+  const std::string prefix(selector.key.substr(0, selector.key.rfind('.') + 1));
+  const std::string selector_name = last_part(selector.key);
+  for (const std::string_view choice : selector.choices) {
+    Json then = Json::object();
+    std::map<std::string, bool> taken;
+    for (const Rule& rule : rules()) {
+      if (!rule.key.starts_with(prefix) || rule.only_for.empty()) {
+        continue;
+      }
+      const std::string name = last_part(rule.key);
+      const bool mine = std::ranges::find(rule.only_for, choice) != rule.only_for.end();
+      taken[name] = taken[name] || mine;
+      if (mine) {
+        then["properties"][name] = type_schema(rule);
+        if (rule.required) {
+          then["required"].push_back(name);
+        }
+      }
+    }
+    for (const auto& [name, is_taken] : taken) {
+      if (!is_taken) {
+        then["properties"][name] = false;
+      }
+    }
+    if (!then.empty()) {
+      owner["allOf"].push_back(
+          {{"if", {{"properties", {{selector_name, {{"const", choice}}}}}, {"required", {selector_name}}}},
+           {"then", then}});
+    }
+  }
+}
+
+// An equirectangular picture cannot be tilted.
+void add_tilt(Json& root) {
+  for (Json& condition : root["properties"]["camera"]["allOf"]) {
+    if (condition["if"]["properties"]["projection"]["const"] == "equirectangular") {
+      condition["then"]["properties"]["pitch_deg"] = {{"const", 0}};
+      condition["then"]["properties"]["roll_deg"] = {{"const", 0}};
+    }
+  }
+}
+
+Json parameter_schema(const ParameterInfo& parameter) {
+  const Rule rule = rule_of(parameter);
+  switch (parameter.kind) {
+    case ParameterKind::table_size:
+      return array_schema(type_schema(rule), 2, 2);
+    case ParameterKind::sun_fade: {
+      Json schema = object_schema();
+      schema["properties"]["scale"] = number_schema(rule.range);
+      schema["properties"]["bias"] = number_schema(rule.range);
+      return schema;
+    }
+    default:
+      return type_schema(rule);
+  }
+}
+
+// A key that several methods take in different ranges is allowed what any of them allows; where the file itself names
+// the method, what that one allows, and no key of another.
+void add_methods(Json& root, std::span<const MethodInfo> methods) {
+  Json& render = root["properties"]["render"];
+  std::map<std::string, Json> variants;
+  std::map<std::string, std::string> meanings;
+  Json names = Json::array();
+  for (const MethodInfo& method : methods) {
+    names.push_back(method.name);
+    for (const ParameterInfo& parameter : method.parameters) {
+      const std::string key(parameter.key);
+      const Json schema = parameter_schema(parameter);
+      Json& known = variants[key];
+      if (std::ranges::find(known, schema) == known.end()) {
+        known.push_back(schema);
+      }
+      meanings.emplace(key, parameter.meaning);
+    }
+  }
+  for (const auto& [key, known] : variants) {
+    Json property = known.size() == 1 ? known[0] : Json{{"anyOf", known}};
+    property["description"] = meanings[key];
+    render["properties"][key] = property;
+  }
+  render["properties"]["method"].erase("type");
+  render["properties"]["method"]["enum"] = names;
+  for (const MethodInfo& method : methods) {
+    Json own = Json::object();
+    for (const auto& [key, known] : variants) {
+      own[key] = false;
+    }
+    for (const ParameterInfo& parameter : method.parameters) {
+      own[std::string(parameter.key)] = parameter_schema(parameter);
+    }
+    render["allOf"].push_back(
+        {{"if", {{"properties", {{"method", {{"const", method.name}}}}}, {"required", {"method"}}}},
+         {"then", {{"properties", own}}}});
+  }
+}
+
+}  // namespace
+
+std::string json_schema(std::span<const MethodInfo> methods) {
+  Json root = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+               {"title", "airlight preset, format 1"},
+               {"description", "Made from the rules in core/scene/rules.cpp and the methods' own lists."},
+               {"type", "object"},
+               {"properties", Json::object()},
+               {"additionalProperties", false},
+               {"anyOf", {{{"required", {"airlight", "media"}}}, {{"required", {"extends"}}}}}};
+  for (const Rule& rule : rules()) {
+    Json& property = owner_of(root, rule.key)["properties"][last_part(rule.key)];
+    if (property.is_null()) {
+      property = annotated(type_schema(widest(rule)), rule);
+    }
+  }
+  root["properties"]["media"]["items"]["required"] = {"name"};
+  for (const Rule& rule : rules()) {
+    if (rule.type == RuleType::choice) {
+      const std::string prefix(rule.key.substr(0, rule.key.rfind('.') + 1));
+      if (std::ranges::any_of(rules(), [&](const Rule& other) {
+            return !other.only_for.empty() && other.key.starts_with(prefix) && prefix.size() > 1;
+          })) {
+        add_choice(root, rule);
+      }
+    }
+  }
+  add_tilt(root);
+  add_methods(root, methods);
+  return root.dump(2) + "\n";
+}
+
+}  // namespace airlight::test

@@ -1,0 +1,53 @@
+find_package(GTest REQUIRED)
+include(GoogleTest)
+
+# Sanitized tests stand apart by name, since scripts/test runs both builds in one go.
+set(test_prefix)
+set(test_environment)
+if(AIRLIGHT_SANITIZE)
+  set(test_prefix sanitized.)
+  # The software device's LLVM keeps what it compiled until the process ends: tests/leaks.supp.
+  set(test_environment "ASAN_OPTIONS=detect_stack_use_after_return=1;UBSAN_OPTIONS=print_stacktrace=1"
+                       "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/leaks.supp:print_suppressions=0")
+endif()
+
+# Every tests/ROOM/*_test.cpp of the rooms listed; one executable a room, so that a change rebuilds little.
+function(airlight_test_room room)
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${room}/*.cpp)
+  if(NOT sources)
+    return()
+  endif()
+  add_executable(test_${room} ${sources})
+  target_link_libraries(test_${room} PRIVATE airlight_flags GTest::gtest GTest::gtest_main ${ARGN})
+  target_compile_definitions(test_${room} PRIVATE AIRLIGHT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  gtest_discover_tests(test_${room} TEST_PREFIX ${test_prefix}${room}. DISCOVERY_TIMEOUT 60
+                       PROPERTIES TIMEOUT 600 ENVIRONMENT "${test_environment}")
+endfunction()
+
+airlight_test_room(physics airlight_gpu)
+airlight_test_room(plan airlight_gpu)
+file(GLOB test_shaders CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/gpu/shaders/*.comp)
+airlight_embed_shaders(airlight_test_shaders test_shaders ${test_shaders})
+airlight_test_room(gpu airlight_gpu airlight_test_shaders Vulkan::Headers)
+airlight_test_room(scene airlight_scene airlight_gpu nlohmann_json::nlohmann_json)
+airlight_test_room(methods airlight_gpu airlight_scene airlight_output airlight_measure OpenEXR::OpenEXR)
+airlight_test_room(output airlight_output OpenEXR::OpenEXR OpenColorIO::OpenColorIO PNG::PNG)
+if(AIRLIGHT_TOOL)
+  airlight_test_room(measure airlight_measure airlight_output OpenEXR::OpenEXR)
+  airlight_test_room(cli airlight_app nlohmann_json::nlohmann_json)
+endif()
+if(TARGET test_cli)
+  add_dependencies(test_cli airlight)
+  target_compile_definitions(test_cli PRIVATE AIRLIGHT_BINARY="$<TARGET_FILE:airlight>")
+endif()
+if(TARGET test_measure)
+  add_dependencies(test_measure airlight_compare)
+endif()
+
+find_program(CLANG_FORMAT clang-format)
+if(CLANG_FORMAT AND NOT AIRLIGHT_SANITIZE)
+  file(GLOB_RECURSE formatted CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/app/*.h ${PROJECT_SOURCE_DIR}/app/*.cpp
+       ${PROJECT_SOURCE_DIR}/core/*.h ${PROJECT_SOURCE_DIR}/core/*.cpp ${PROJECT_SOURCE_DIR}/tests/*.h
+       ${PROJECT_SOURCE_DIR}/tests/*.cpp)
+  add_test(NAME format COMMAND ${CLANG_FORMAT} --dry-run -Werror ${formatted})
+endif()
