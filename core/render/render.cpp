@@ -163,6 +163,8 @@ std::string Rendering::fault() const {
 Rendering render(const DeviceOnDemand& device, const Scene& scene, const RenderRequest& request) {
   Rendering out;
   const SkyMethod& method = method_of(scene);
+  // Opened before a method on the host begins: hours of samples must not end in a machine that lacks a device.
+  Executor& executor = device();
   Frame frame;
   if (method.render_on_host != nullptr) {
     HostPicture host = method.render_on_host(scene, View{}, request.host);
@@ -173,7 +175,6 @@ Rendering render(const DeviceOnDemand& device, const Scene& scene, const RenderR
   } else {
     frame = sky_frame(scene, request);
   }
-  Executor& executor = device();
   RunResult result = executor.run(frame.plan);
   take_timings(out, result);
   take_tables(out, frame, result);
