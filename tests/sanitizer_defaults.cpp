@@ -1,0 +1,31 @@
+// What a sanitized build runs with, compiled into its programs so that it holds however they are started.
+
+extern "C" {
+
+const char* __asan_default_options();
+const char* __ubsan_default_options();
+const char* __lsan_default_options();
+const char* __lsan_default_suppressions();
+
+const char* __asan_default_options() {
+  return "detect_stack_use_after_return=1";
+}
+
+const char* __ubsan_default_options() {
+  return "print_stacktrace=1";
+}
+
+const char* __lsan_default_options() {
+  return "print_suppressions=0";
+}
+
+// The software device's compiler, the Vulkan loader and its validation layer keep memory until the process ends; none
+// of it is ours to free.
+const char* __lsan_default_suppressions() {
+  return "leak:libLLVM\n"
+         "leak:libvulkan_lvp\n"
+         "leak:libvulkan.so\n"
+         "leak:libVkLayer_khronos_validation\n";
+}
+
+}  // extern "C"
