@@ -229,6 +229,30 @@ TEST(PathTrace, ChannelsDoNotDisturbEachOther) {
   }
 }
 
+// A peaked medium that scatters nothing, everywhere or where the path is, must not end paths: its share of the light is
+// 0 of 0.
+TEST(PathTrace, AbsentMediaChangeNothing) {
+  Scene clear = earth(20, 2.0, 0.8);
+  clear.media.resize(1);
+  set(clear, "samples", 1024);
+  const std::vector<Direction> directions{{radians(40), 2.0}, {radians(-20), 1.0}};
+  const HostPicture expected = trace(clear, directions);
+  Scene vanishing = clear;
+  vanishing.media.push_back(medium(PhaseFunction::henyey_greenstein, 0.8, {0, 0, 0}, {0, 0, 0}, exponential(1.2)));
+  Scene below = clear;
+  below.media.push_back(medium(PhaseFunction::henyey_greenstein, 0.8, {1e-9, 1e-9, 1e-9}, {0, 0, 0}, constant(0.001)));
+  for (const Scene& scene : {vanishing, below}) {
+    const HostPicture found = trace(scene, directions);
+    for (std::size_t k = 0; k < directions.size(); ++k) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double error = std::hypot(standard_error(found, k)[c], standard_error(expected, k)[c]);
+        EXPECT_LT(error, 0.02 * radiance(expected, k)[c]);
+        EXPECT_NEAR(radiance(found, k)[c], radiance(expected, k)[c], 4.0 * error) << "view " << k << " channel " << c;
+      }
+    }
+  }
+}
+
 // Lengths times k and coefficients over k change nothing.
 TEST(PathTrace, ScalesWithItsUnits) {
   Scene scene = earth(10, 1.0, 0.3);

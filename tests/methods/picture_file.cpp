@@ -96,7 +96,7 @@ std::vector<RegionError> region_errors(const Scene& scene, const RadianceImage& 
   for (const measure::RegionName& region : measure::kRegions) {
     const measure::ErrorSummary s = measure::summarize(errors, {bits, region.region});
     if (s.count > 0) {
-      list.push_back({std::string(region.name), s.count, s.p50, s.p95, s.max});
+      list.push_back({std::string(region.name), s.count, s.mean, s.p50, s.p95, s.max});
     }
   }
   return list;

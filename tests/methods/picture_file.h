@@ -26,6 +26,7 @@ std::map<std::string, double> numbers_in(const std::filesystem::path& file);
 struct RegionError {
   std::string region;
   std::size_t values = 0;  // pixels times channels
+  double mean = 0.0;
   double median = 0.0;
   double p95 = 0.0;
   double max = 0.0;

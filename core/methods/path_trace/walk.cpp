@@ -180,7 +180,8 @@ class Walk::Lobes {
     toward_sky_ = guided ? kTowardSky * (1.0 - peaked) + kTowardSkyPeaked * peaked : 0.0;
     for (uint i = 0; i < count(); ++i) {
       mix_[i] = along_path_[i] / all;
-      const bool guides = is_peaked(physics.phase_of(i), physics.medium(i).g);
+      // Peaked media may be absent where the vertex lies.
+      const bool guides = peaked > 0.0 && is_peaked(physics.phase_of(i), physics.medium(i).g);
       around_sun_[i] = guides ? mix_[i] / peaked * toward_sun : 0.0;
       along_path_[i] *= (1.0 - toward_sun - toward_sky_) / all;
     }
