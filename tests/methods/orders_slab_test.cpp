@@ -1,0 +1,73 @@
+// `orders` on the level slabs of the radiative-transfer literature, against adding and doubling.
+
+#include <cstdio>
+#include <cstdlib>
+#include <ostream>
+
+#include "tests/methods/path_trace_scene.h"
+#include "tests/methods/render_fixture.h"
+#include "tests/methods/slab.h"
+
+namespace airlight::test {
+namespace {
+
+struct LevelCase {
+  const char* name;
+  double optical_depth;
+  double single_scattering_albedo;
+  double g;  // 0: Rayleigh
+};
+
+void PrintTo(const LevelCase& c, std::ostream* out) {
+  *out << c.name;
+}
+
+class OrdersSlab : public testing::TestWithParam<LevelCase> {};
+
+TEST_P(OrdersSlab, RadianceAtTopAndBottomMeetsAddingAndDoubling) {
+  const LevelCase& c = GetParam();
+  const bool rayleigh = c.g == 0.0;
+  for (const int sun : {4, 14, 22}) {
+    const Slab judge({c.optical_depth, c.single_scattering_albedo,
+                      rayleigh ? rayleigh_moments() : henyey_greenstein_moments(c.g, 48), 0.0},
+                     24, sun);
+    Scene scene = slab(c.optical_depth, c.single_scattering_albedo,
+                       rayleigh ? PhaseFunction::rayleigh : PhaseFunction::henyey_greenstein, c.g);
+    scene.sun.elevation = std::asin(judge.nodes()[static_cast<std::size_t>(sun)]);
+    scene = with_method(scene, *find_method("orders"));
+    for (const bool top : {true, false}) {
+      scene.camera.altitude = top ? 10.0 : 0.0;
+      std::vector<Direction> directions;
+      std::vector<double> expected;
+      for (const std::size_t node : {4U, 8U, 12U, 18U, 23U}) {
+        for (const double azimuth : {0.3, 1.5, 2.8}) {
+          directions.push_back({(top ? -1.0 : 1.0) * std::asin(judge.nodes()[node]), azimuth});
+          expected.push_back(top ? judge.reflected(node, azimuth) : judge.transmitted(node, azimuth));
+        }
+      }
+      const std::vector<ProbeResult> found = probe_now(scene, directions);
+      double mean = 0.0;
+      double worst = 0.0;
+      for (std::size_t i = 0; i < found.size(); ++i) {
+        const double error = std::abs(found[i].radiance[1] / expected[i] - 1.0);
+        mean += error / static_cast<double>(found.size());
+        worst = std::max(worst, error);
+      }
+      if (std::getenv("AIRLIGHT_FIGURES") != nullptr) {
+        std::printf("%s, sun %.2f, %s: mean %.2f %%, worst %.2f %%\n", c.name,
+                    judge.nodes()[static_cast<std::size_t>(sun)], top ? "top" : "bottom", 100 * mean, 100 * worst);
+      }
+      EXPECT_LT(worst, 0.03) << (top ? "top" : "bottom");
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Published, OrdersSlab,
+                         testing::Values(LevelCase{"rayleigh 0.2, albedo 0.5", 0.2, 0.5, 0},
+                                         LevelCase{"rayleigh 0.2, albedo 1", 0.2, 1, 0},
+                                         LevelCase{"rayleigh 5, albedo 0.5", 5, 0.5, 0},
+                                         LevelCase{"rayleigh 5, albedo 1", 5, 1, 0},
+                                         LevelCase{"HG 0.75, 1", 1, 1, 0.75}, LevelCase{"HG 0.75, 8", 8, 1, 0.75}));
+
+}  // namespace
+}  // namespace airlight::test
