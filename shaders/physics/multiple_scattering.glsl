@@ -25,8 +25,11 @@ ScatteringGather gather_scattering(PlanetData planet, SunData sun, Ray ray, uint
   uint before = falling_steps(falling, ray.length_, steps);
   vec3 transmittance = vec3(1.0);
   uint count = ray.length_ > 0.0 ? steps : 0u;
+  real start = 0.0;
   for (uint i = 0u; i < count; i++) {
-    Step s = ray_step(kStepsQuadratic, falling, ray.length_, before, i, steps);
+    real end = step_end(kStepsQuadratic, falling, ray.length_, before, i, steps);
+    Step s = step_between(start, end);
+    start = end;
     RayPoint point = point_on_ray(planet, ray, s.t);
     Air air = air_at(point.h, isotropic);
     vec3 step_depth = air.extinction * s.width;

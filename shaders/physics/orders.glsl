@@ -9,8 +9,11 @@ vec3 order_radiance(PlanetData planet, MomentTableData table, Ray ray, uint step
   vec3 radiance = vec3(0.0);
   vec3 transmittance = vec3(1.0);
   uint count = ray.length_ > 0.0 ? steps : 0u;
+  real start = 0.0;
   for (uint i = 0u; i < count; i++) {
-    Step s = ray_step(kStepsQuadratic, falling, ray.length_, before, i, steps);
+    real end = step_end(kStepsQuadratic, falling, ray.length_, before, i, steps);
+    Step s = step_between(start, end);
+    start = end;
     RayPoint point = point_on_ray(planet, ray, s.t);
     DiffuseAir air = diffuse_air_at(point.h, p);
     vec3 source;

@@ -29,10 +29,9 @@ uint falling_steps(real falling, real length_, uint n) {
   return uint(clamp(count, 1.0, real(n) - 1.0));
 }
 
-// Step i of n along a ray whose lowest point is at distance `falling` (<= 0: it rises from the start; >= length_: it
-// falls to its end).
-Step ray_step(uint distribution, real falling, real length_, uint before, uint i, uint n) {
-  Step s;
+// End of step i of n along a ray whose lowest point is at distance `falling` (<= 0: it rises from the start; >= length_:
+// it falls to its end). Step 0 starts at 0, any other where the one before ends.
+real step_end(uint distribution, real falling, real length_, uint before, uint i, uint n) {
   real first = 0.0;
   real leg = length_;
   real index = real(i);
@@ -45,9 +44,18 @@ Step ray_step(uint distribution, real falling, real length_, uint before, uint i
     index = rising ? real(i - before) : real(i);
     count = rising ? real(n - before) : real(before);
   }
-  real a = leg_edge(distribution, rising, leg, index, count);
-  real b = leg_edge(distribution, rising, leg, index + 1.0, count);
-  s.t = first + 0.5 * (a + b);
-  s.width = b - a;
+  return first + leg_edge(distribution, rising, leg, index + 1.0, count);
+}
+
+Step step_between(real start, real end) {
+  Step s;
+  s.t = 0.5 * (start + end);
+  s.width = end - start;
   return s;
+}
+
+// Step i alone; a loop over all of them does better to keep each one's end.
+Step ray_step(uint distribution, real falling, real length_, uint before, uint i, uint n) {
+  real start = i > 0u ? step_end(distribution, falling, length_, before, i - 1u, n) : 0.0;
+  return step_between(start, step_end(distribution, falling, length_, before, i, n));
 }

@@ -12,8 +12,11 @@ vec3 optical_depth_to_top(PlanetData planet, real h, real mu, uint steps) {
   real falling = -(planet.ground_radius + h) * mu;
   uint before = falling_steps(falling, ray.length_, steps);
   vec3 depth = vec3(0.0);
+  real start = 0.0;
   for (uint i = 0u; i < steps; i++) {
-    Step s = ray_step(kStepsQuadratic, falling, ray.length_, before, i, steps);
+    real end = step_end(kStepsQuadratic, falling, ray.length_, before, i, steps);
+    Step s = step_between(start, end);
+    start = end;
     depth = depth + extinction_at(point_on_ray(planet, ray, s.t).h) * s.width;
   }
   return depth;
