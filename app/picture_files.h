@@ -20,6 +20,7 @@ struct PictureContext {
   const Scene& scene;
   const Rendering& rendering;
   Provenance provenance;
+  std::string hash = {};  // of a sequence's frame, see app/frame_identity.h; empty: none is written
 };
 
 ExrFile picture_exr(const PictureContext& context, bool half);

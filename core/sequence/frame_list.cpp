@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <set>
 
 #include "core/error.h"
 #include "core/scene/json_format.h"
@@ -59,10 +60,7 @@ std::vector<double> value_at(const KeyFrames& sequence, const std::string& point
 
 Frame frame_of(const SunPath& path, std::size_t index) {
   Frame frame;
-  frame.number = static_cast<long>(index) + 1;
-  const Milliseconds utc = path.first + static_cast<Milliseconds>(index) * path.step;
-  frame.time = FrameTime{utc, offset_at(path.zone, utc)};
-  SunAngles sun = sun_angles(utc, path.place);
+  SunAngles sun = sun_angles(path.first + static_cast<Milliseconds>(index) * path.step, path.place);
   if (path.refraction) sun.elevation_deg += refraction_deg(sun.elevation_deg, *path.refraction);
   frame.keys = {{kElevation, {std::min(90.0, round_to_micro(sun.elevation_deg))}},
                 {kAzimuth, {round_to_micro(sun.azimuth_deg)}}};
@@ -71,18 +69,18 @@ Frame frame_of(const SunPath& path, std::size_t index) {
 
 Frame frame_of(const Sweep& sweep, std::size_t index) {
   const double elevation = sweep.first_deg + static_cast<double>(index) * sweep.step_deg;
-  return {static_cast<long>(index) + 1, {}, {{kElevation, {round_to_micro(elevation)}}}};
+  return {0, {}, {{kElevation, {round_to_micro(elevation)}}}};
 }
 
 Frame frame_of(const KeyFrames& sequence, std::size_t index) {
   Frame frame;
-  frame.number = sequence.frames.front().at + static_cast<long>(index);
+  const double at = static_cast<double>(sequence.frames.front().at) + static_cast<double>(index);
   std::set<std::string> pointers;
   for (const KeyFrame& key_frame : sequence.frames) {
     for (const auto& [pointer, values] : key_frame.values) pointers.insert(pointer);
   }
   for (const std::string& pointer : pointers) {
-    frame.keys.emplace_back(pointer, value_at(sequence, pointer, static_cast<double>(frame.number)));
+    frame.keys.emplace_back(pointer, value_at(sequence, pointer, at));
   }
   return frame;
 }
@@ -143,8 +141,23 @@ std::size_t frame_count(const FrameSource& source) {
   return std::get<SunPath>(source).count;
 }
 
+long frame_number(const FrameSource& source, std::size_t index) {
+  const auto* sequence = std::get_if<KeyFrames>(&source);
+  return static_cast<long>(index) + (sequence == nullptr ? 1 : sequence->frames.front().at);
+}
+
+std::optional<FrameTime> frame_time(const FrameSource& source, std::size_t index) {
+  const auto* path = std::get_if<SunPath>(&source);
+  if (path == nullptr) return std::nullopt;
+  const Milliseconds utc = path->first + static_cast<Milliseconds>(index) * path->step;
+  return FrameTime{utc, offset_at(path->zone, utc)};
+}
+
 Frame frame_at(const FrameSource& source, std::size_t index) {
-  return std::visit([&](const auto& of_its_kind) { return frame_of(of_its_kind, index); }, source);
+  Frame frame = std::visit([&](const auto& of_its_kind) { return frame_of(of_its_kind, index); }, source);
+  frame.number = frame_number(source, index);
+  frame.time = frame_time(source, index);
+  return frame;
 }
 
 Shard parse_shard(std::string_view text, const std::string& option) {

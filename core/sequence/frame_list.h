@@ -63,6 +63,10 @@ Sweep parse_sweep(std::string_view text, const std::string& option);
 
 std::size_t frame_count(const FrameSource& source);
 
+// Parts of a frame that cost nothing; `index` below frame_count().
+long frame_number(const FrameSource& source, std::size_t index);
+std::optional<FrameTime> frame_time(const FrameSource& source, std::size_t index);
+
 // `index` below frame_count(). Frames of a sun path and of a sweep are numbered from 1, key frames by their own `at`.
 Frame frame_at(const FrameSource& source, std::size_t index);
 
