@@ -29,8 +29,8 @@ ExrOptions exr_options(const PictureContext& context, bool half) {
       world_to_camera(axis(basis.right), axis(basis.up), axis(basis.forward), scene.camera.altitude);
   options.comments = scene.name + (scene.name.empty() || scene.description.empty() ? "" : ": ") + scene.description;
   options.provenance = context.provenance;
-  if (!context.hash.empty()) {
-    options.strings[kHashKey] = context.hash;
+  if (!context.exr_hash.empty()) {
+    options.strings[kHashKey] = context.exr_hash;
   }
   options.numbers["airlight:exposure"] = static_cast<float>(context.rendering.exposure);
   return options;
@@ -78,8 +78,8 @@ PngOptions png_options(const PictureContext& context, bool srgb) {
   PngOptions options;
   options.srgb = srgb;
   options.texts["Software"] = "airlight " + context.provenance.version;
-  if (!context.hash.empty()) {
-    options.texts[kHashKey] = context.hash;
+  if (!context.png_hash.empty()) {
+    options.texts[kHashKey] = context.png_hash;
   }
   if (!context.scene.description.empty()) {
     options.texts["Description"] = context.scene.description;

@@ -3,7 +3,6 @@
 #include "core/error.h"
 #include "core/methods/method.h"
 #include "core/output/frame_state.h"
-#include "core/scene/json_format.h"
 #include "core/scene/resolve.h"
 
 namespace airlight::cli {
@@ -41,28 +40,22 @@ Scene scene_of(const SequenceJob& job, const sequence::Frame& frame) {
   return resolve(preset, method_infos());
 }
 
-std::string frame_hash(const SequenceJob& job, const std::string& preset_json) {
-  const PictureOptions& picture = job.picture;
-  std::string text = preset_json + "airlight " + AIRLIGHT_VERSION;
-  text += job.exr && picture.full_float ? ", float" : "";
-  if (job.png) {
-    text += ", " + std::to_string(picture.bits) + " bits, OCIO " + json_string(picture.ocio_config);
-  }
-  return sequence::hash_text(text);
+FrameHashes hashes_of(const PictureOptions& options, const std::string& preset_json) {
+  const std::string common = preset_json + "airlight " + AIRLIGHT_VERSION;
+  return {sequence::hash_text(common + (options.full_float ? ", float" : ", half")),
+          sequence::hash_text(common + ", " + std::to_string(options.bits) + " bits, OCIO " + options.ocio_config)};
 }
 
-bool is_done(const FrameFiles& files, const std::string& hash, const std::string& preset_json) {
+bool is_done(const FrameFiles& files, const FrameHashes& hashes, const std::string& preset_json) {
   if (!files.exr.empty()) {
     const std::optional<FrameMark> mark = read_frame_mark(files.exr);
-    if (!mark || mark->hash != hash || mark->preset_json != preset_json) {
+    if (!mark || mark->hash != hashes.exr || mark->preset_json != preset_json) {
       return false;
     }
   }
   if (!files.png.empty()) {
     const std::optional<FrameMark> mark = read_frame_mark(files.png);
-    if (!mark || mark->hash != hash) {
-      return false;
-    }
+    return mark && mark->hash == hashes.png;
   }
   return true;
 }

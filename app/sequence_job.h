@@ -41,11 +41,15 @@ FrameFiles files_of(const SequenceJob& job, long frame_number);
 // The preset with the frame's keys put in, judged like any other. Throws InputError that names the frame.
 Scene scene_of(const SequenceJob& job, const sequence::Frame& frame);
 
-// A hash over all that decides what the frame's files hold: its preset, airlight's version, how pixels become files.
-// Not the device: pictures of two devices agree to rounding, and a farm may have several.
-std::string frame_hash(const SequenceJob& job, const std::string& preset_json);
+// A hash over all that decides what a file holds: the frame's preset, airlight's version, how pixels become files. Not
+// the device: pictures of two devices agree to rounding, and a farm may have several.
+struct FrameHashes {
+  std::string exr;
+  std::string png;
+};
+FrameHashes hashes_of(const PictureOptions& options, const std::string& preset_json);
 
-// Whether every file of the frame is there, whole, and of this hash and preset.
-bool is_done(const FrameFiles& files, const std::string& hash, const std::string& preset_json);
+// Whether every file of the frame is there, whole, and of its hash and preset.
+bool is_done(const FrameFiles& files, const FrameHashes& hashes, const std::string& preset_json);
 
 }  // namespace airlight::cli

@@ -51,6 +51,7 @@ struct Work {
   Scene scene;
   Rendering rendering;
   std::string preset_json;
+  FrameHashes hashes;
   FrameReport report;
 };
 
@@ -108,7 +109,8 @@ void Runner::encode(const Work& work) {
   const PictureContext context{work.scene,
                                work.rendering,
                                {work.preset_json, work.scene.render.method, AIRLIGHT_VERSION, device},
-                               work.report.hash};
+                               work.hashes.exr,
+                               work.hashes.png};
   const FrameFiles& files = work.report.files;
   Stopwatch laps;
   publish(context,
@@ -136,8 +138,9 @@ bool Runner::render_frame(std::size_t k, sequence::BoundedWorkers& encoders) {
   report.elevation_deg = degrees_from_radians(scene.sun.elevation);
   report.azimuth_deg = degrees_from_radians(scene.sun.azimuth);
   report.files = files_of(job_, frame.number);
-  report.hash = frame_hash(job_, work->preset_json);
-  if (!job_.overwrite && is_done(report.files, report.hash, work->preset_json)) {
+  work->hashes = hashes_of(job_.picture, work->preset_json);
+  report.hash = job_.exr ? work->hashes.exr : work->hashes.png;
+  if (!job_.overwrite && is_done(report.files, work->hashes, work->preset_json)) {
     finished(k, scene, report);
     return true;
   }

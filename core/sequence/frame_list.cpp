@@ -20,6 +20,14 @@ double round_to_micro(double value) {
   return std::round(value * 1e6) / 1e6 + 0.0;  // never -0
 }
 
+// To 15 digits: -1.6 and not -1.5999999999999996.
+double without_rounding_noise(double value) {
+  char text[40];
+  const auto written = std::to_chars(text, text + sizeof text, value, std::chars_format::general, 15);
+  std::from_chars(text, written.ptr, value);
+  return value;
+}
+
 Milliseconds utc_on_clock(const TimeZone& zone, Milliseconds local, const std::string& option) {
   const std::optional<Milliseconds> utc = utc_of(zone, local);
   if (!utc) {
@@ -52,7 +60,7 @@ std::vector<double> value_at(const KeyFrames& sequence, const std::string& point
   const double share = before == after ? 0.0 : (at - before->at) / (after->at - before->at);
   a.resize(std::max(a.size(), b.size()), a.front());
   for (std::size_t i = 0; i < a.size() && share > 0.0; ++i) {
-    a[i] += share * (b[b.size() == 1 ? 0 : i] - a[i]);
+    a[i] = without_rounding_noise(a[i] + share * (b[b.size() == 1 ? 0 : i] - a[i]));
   }
   if (sequence.whole.contains(pointer)) std::ranges::for_each(a, [](double& value) { value = std::round(value); });
   return a;
