@@ -44,6 +44,13 @@ if(TARGET test_measure)
   add_dependencies(test_measure airlight_compare)
 endif()
 
+# Only where Slurm is there anyhow: a cluster of one node for a quarter of a minute, most of it waiting.
+find_program(SBATCH sbatch)
+if(SBATCH AND AIRLIGHT_TOOL AND NOT AIRLIGHT_SANITIZE)
+  add_test(NAME slurm COMMAND ${PROJECT_SOURCE_DIR}/scripts/test-slurm $<TARGET_FILE:airlight>)
+  set_tests_properties(slurm PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 300)
+endif()
+
 find_program(CLANG_FORMAT clang-format)
 if(CLANG_FORMAT AND NOT AIRLIGHT_SANITIZE)
   file(GLOB_RECURSE formatted CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/app/*.h ${PROJECT_SOURCE_DIR}/app/*.cpp
