@@ -66,6 +66,7 @@ void make_contact_sheet(const std::string& file, const SequenceJob& job, const F
   }
   const measure::Raster sheet = sequence::contact_sheet(thumbnails);
   PngOptions options;
+  options.smallest = true;
   options.texts["Software"] = std::string("airlight ") + AIRLIGHT_VERSION;
   write_png(file, {sheet.width(), sheet.height(), 3, 8, sheet.rgb(), {}}, options);
 }

@@ -22,6 +22,24 @@ Span span_of(int pixel, int small, int large) {
   return {edge(pixel), std::max(edge(pixel) + 1, edge(pixel + 1))};
 }
 
+// Near 16:9, and rather a little off it than with holes in the last row.
+int column_count(int count, int cell_width, int cell_height) {
+  constexpr double kWeightOfShape = 0.3;  // 10 % off the shape are as bad as 3 % of the cells empty
+  const double ideal = std::sqrt(count * 16.0 / 9.0 * cell_height / cell_width);
+  int best = 1;
+  double least = 1e9;
+  for (int columns = 1; columns <= count; ++columns) {
+    const int cells = (count + columns - 1) / columns * columns;
+    const double cost =
+        static_cast<double>(cells - count) / cells + kWeightOfShape * std::abs(std::log(columns / ideal));
+    if (cost < least) {
+      least = cost;
+      best = columns;
+    }
+  }
+  return best;
+}
+
 }  // namespace
 
 std::vector<std::size_t> frames_shown(std::size_t frames, std::size_t most) {
@@ -71,9 +89,7 @@ measure::Raster contact_sheet(const std::vector<Thumbnail>& thumbnails) {
   }
   const int cell_width = width + kGap;
   const int cell_height = height + kLabelHeight + kGap;
-  const double count = static_cast<double>(thumbnails.size());
-  const double ideal = std::sqrt(count * 16.0 / 9.0 * cell_height / cell_width);
-  const int columns = std::clamp(static_cast<int>(std::lround(ideal)), 1, static_cast<int>(thumbnails.size()));
+  const int columns = column_count(static_cast<int>(thumbnails.size()), cell_width, cell_height);
   const int rows = (static_cast<int>(thumbnails.size()) + columns - 1) / columns;
   measure::Raster sheet(columns * cell_width + kGap, rows * cell_height + kGap, kBackground);
   for (std::size_t i = 0; i < thumbnails.size(); ++i) {
