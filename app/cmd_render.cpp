@@ -3,6 +3,7 @@
 
 #include "app/commands.h"
 #include "app/picture_files.h"
+#include "app/picture_options.h"
 #include "app/preset_source.h"
 #include "app/progress.h"
 #include "app/publish.h"
@@ -13,10 +14,7 @@
 #include "app/table_files.h"
 #include "app/terminal.h"
 #include "app/validity.h"
-#include "core/error.h"
 #include "core/output/atomic_file.h"
-#include "core/output/display.h"
-#include "core/scene/json_format.h"
 #include "core/scene/preset.h"
 #include "core/scene/resolve.h"
 
@@ -33,24 +31,13 @@ struct Given {
   std::optional<std::string> exr;
   std::optional<std::string> png;
   std::optional<std::string> tables;
-  std::string ocio_config;
-  std::optional<std::string> display;
-  std::optional<std::string> view;
-  int bits = 8;
-  bool full_float = false;
+  PictureOptions picture;
   bool timings = false;
   bool json = false;
   bool dry_run = false;
   bool quiet = false;
   bool verbose = false;
 };
-
-void require_ending(const std::string& file, const std::string& option, const std::string& ending) {
-  const bool device = file.rfind("/dev/", 0) == 0;
-  if (!device && fs::path(file).extension() != ending) {
-    throw InputError("render: " + option + ": '" + file + "' does not end in " + ending + ", which is what it writes");
-  }
-}
 
 Targets choose_targets(const Given& given) {
   if (given.exr || given.png) {
@@ -66,11 +53,11 @@ void check_targets(const Given& given, const Targets& targets) {
     make_folder(kDefaultFolder);
   }
   if (!targets.exr.empty()) {
-    require_ending(targets.exr, "-o", ".exr");
+    require_ending(targets.exr, "render: -o", ".exr");
     require_writable(targets.exr);
   }
   if (!targets.png.empty()) {
-    require_ending(targets.png, "--png", ".png");
+    require_ending(targets.png, "render: --png", ".png");
     require_writable(targets.png);
   }
   if (!targets.tables.empty()) {
@@ -80,37 +67,14 @@ void check_targets(const Given& given, const Targets& targets) {
 
 Scene scene_of(const Given& given) {
   std::vector<std::string> further = overrides(given.sampling);
-  if (given.display) {
-    further.push_back("/display/display=" + json_string(*given.display));
-  }
-  if (given.view) {
-    further.push_back("/display/view=" + json_string(*given.view));
+  for (std::string& assignment : overrides(given.picture)) {
+    further.push_back(std::move(assignment));
   }
   return load_scene(given.scene, further);
 }
 
-bool is_ocio_view(const std::string& view) {
-  return view != kGpuView && view != kDiagnosticView;
-}
-
-std::optional<DisplayTransform> display_transform(const Given& given, const Scene& scene) {
-  if (!is_ocio_view(scene.display.view)) {
-    return std::nullopt;
-  }
-  DisplaySettings settings;
-  settings.config = given.ocio_config;
-  settings.display = scene.display.display;
-  settings.view = scene.display.view;
-  settings.pixels.bits = given.bits;
-  settings.pixels.alpha = scene.camera.projection == Projection::fisheye;
-  return DisplayTransform(settings);
-}
-
 RenderRequest request_of(const Scene& scene, const Targets& targets) {
-  RenderRequest request;
-  const bool shown = !targets.png.empty() && scene.display.view != kDiagnosticView;
-  request.bloom = shown || (scene.bloom.in_exr && !targets.exr.empty());
-  request.gpu_tone = shown && scene.display.view == kGpuView;
+  RenderRequest request = request_for(scene, !targets.exr.empty(), !targets.png.empty());
   request.tables = !targets.tables.empty();
   return request;
 }
@@ -153,10 +117,10 @@ void render_and_publish(const Given& given, const Scene& scene, const Targets& t
       rendering,
       {to_json(scene), scene.render.method, AIRLIGHT_VERSION, device ? device->name : "the processor"}};
   const Published done =
-      publish(context, {targets, given.scene.preset, !given.full_float, given.bits}, transform, watch);
+      publish(context, {targets, given.scene.preset, !given.picture.full_float, given.picture.bits}, transform, watch);
   const Plan plan = plan_for(scene, request);
   RenderReport report{scene, rendering, plan, device, done.files, done.exr, {}, {}, watch};
-  report.exr_format = given.full_float ? "float" : "half";
+  report.exr_format = given.picture.full_float ? "float" : "half";
   if (!targets.png.empty()) {
     report.view = transform ? transform->display() + " / " + transform->view() : scene.display.view;
   }
@@ -177,7 +141,7 @@ int run_render(const Given& given) {
   watch.lap("preset and checks");
   std::optional<DisplayTransform> transform;
   if (!targets.png.empty()) {
-    transform = display_transform(given, scene);
+    transform = display_transform(given.picture, scene);
     watch.lap("OCIO config");
   }
   if (!given.quiet) {
@@ -208,21 +172,10 @@ std::vector<Option> render_options(Given& given) {
   for (Option& option : sampling_options(given.sampling)) {
     options.push_back(std::move(option));
   }
+  for (Option& option : picture_options(given.picture)) {
+    options.push_back(std::move(option));
+  }
   const std::vector<Option> rest = {
-      {"--float", "", "32-bit floats in the EXR instead of 16-bit ones", &given.full_float},
-      {"--ocio-config", "FILE", "OpenColorIO config for the PNG; else $OCIO, else the built-in one", &given.ocio_config,
-       Completes::file},
-      {"--display", "NAME", "Display of the OCIO config; short for --set /display/display=NAME", &given.display},
-      {"--view",
-       "NAME",
-       "View of the OCIO display, or gpu for the GPU tone curve, or diagnostic for a picture that colours NaN, "
-       "infinite, negative, zero and other numbers apart; short for --set /display/view=NAME",
-       &given.view,
-       Completes::nothing,
-       {},
-       {},
-       {kGpuView, kDiagnosticView}},
-      {"--bits", "N", "Bits of a channel in the PNG; 8 are dithered", &given.bits, Completes::nothing, {}, {"8", "16"}},
       {"--timings", "", "Tell where the time went, every millisecond by name", &given.timings},
       {"--json", "", "Print one JSON object about the render on standard output", &given.json},
       {"--dry-run", "", "Print the resolved scene and the passes; open no device, write nothing", &given.dry_run},

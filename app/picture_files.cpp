@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/output/png.h"
+#include "core/output/provenance_keys.h"
 #include "core/output/quantize.h"
 #include "core/physics/scene_data.h"
 
@@ -28,6 +29,9 @@ ExrOptions exr_options(const PictureContext& context, bool half) {
       world_to_camera(axis(basis.right), axis(basis.up), axis(basis.forward), scene.camera.altitude);
   options.comments = scene.name + (scene.name.empty() || scene.description.empty() ? "" : ": ") + scene.description;
   options.provenance = context.provenance;
+  if (!context.exr_hash.empty()) {
+    options.strings[kHashKey] = context.exr_hash;
+  }
   options.numbers["airlight:exposure"] = static_cast<float>(context.rendering.exposure);
   return options;
 }
@@ -74,6 +78,9 @@ PngOptions png_options(const PictureContext& context, bool srgb) {
   PngOptions options;
   options.srgb = srgb;
   options.texts["Software"] = "airlight " + context.provenance.version;
+  if (!context.png_hash.empty()) {
+    options.texts[kHashKey] = context.png_hash;
+  }
   if (!context.scene.description.empty()) {
     options.texts["Description"] = context.scene.description;
   }

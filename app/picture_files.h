@@ -20,6 +20,8 @@ struct PictureContext {
   const Scene& scene;
   const Rendering& rendering;
   Provenance provenance;
+  std::string exr_hash = {};  // of a sequence's frame, see app/sequence_job.h; empty: none is written
+  std::string png_hash = {};
 };
 
 ExrFile picture_exr(const PictureContext& context, bool half);

@@ -72,7 +72,7 @@ Option size_option(SceneOptions& options) {
           &options.size};
 }
 
-Scene load_scene(const SceneOptions& options, const std::vector<std::string>& further) {
+Preset chosen_preset(const SceneOptions& options, const std::vector<std::string>& further) {
   Preset preset = find_preset(options.preset);
   if (options.method) {
     apply_override(preset, "/render/method=" + json_string(*options.method));
@@ -92,7 +92,11 @@ Scene load_scene(const SceneOptions& options, const std::vector<std::string>& fu
   for (const std::string& assignment : options.set) {
     apply_override(preset, assignment);
   }
-  return resolve(preset, method_infos());
+  return preset;
+}
+
+Scene load_scene(const SceneOptions& options, const std::vector<std::string>& further) {
+  return resolve(chosen_preset(options, further), method_infos());
 }
 
 DeviceOnDemand device_on_demand(const SceneOptions& options, std::unique_ptr<Executor>& owner) {

@@ -9,6 +9,7 @@
 #include "app/cli.h"
 #include "core/gpu/executor.h"
 #include "core/render/render.h"
+#include "core/scene/preset.h"
 #include "core/scene/scene.h"
 
 namespace airlight::cli {
@@ -27,6 +28,9 @@ Positional preset_positional(SceneOptions& options);
 // --sun-elevation, --sun-azimuth, --method, --set, --device.
 std::vector<Option> scene_options(SceneOptions& options);
 Option size_option(SceneOptions& options);
+
+// The preset with the overrides and then `further` ones ("POINTER=JSON") applied, not yet judged. Throws InputError.
+Preset chosen_preset(const SceneOptions& options, const std::vector<std::string>& further = {});
 
 // The preset with the overrides and then `further` ones ("POINTER=JSON") applied. Throws InputError.
 Scene load_scene(const SceneOptions& options, const std::vector<std::string>& further = {});

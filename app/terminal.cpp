@@ -39,6 +39,12 @@ void print(std::string_view text) {
   }
 }
 
+void flush_stdout() {
+  if (std::fflush(stdout) != 0 && first_stdout_error == 0) {
+    first_stdout_error = errno;
+  }
+}
+
 void complain(std::string_view lines) {
   const std::string prefix = colour_on_stderr() ? "\033[1;31mairlight:\033[0m " : "airlight: ";
   std::string text;
@@ -60,9 +66,7 @@ void ignore_broken_pipes() {
 }
 
 void finish_stdout() {
-  if (std::fflush(stdout) != 0 && first_stdout_error == 0) {
-    first_stdout_error = errno;
-  }
+  flush_stdout();
   if (first_stdout_error != 0 && first_stdout_error != EPIPE) {
     throw RunError(std::string("cannot write standard output: ") + std::strerror(first_stdout_error));
   }

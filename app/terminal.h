@@ -13,6 +13,9 @@ bool colour_on_stderr();
 // Writes to standard output: what the user asked for, and what another program may read.
 void print(std::string_view text);
 
+// Hands on what was printed so far, for a reader that waits for each line.
+void flush_stdout();
+
 // Writes one or more lines to standard error, each prefixed with the tool's name.
 void complain(std::string_view lines);
 

@@ -33,6 +33,7 @@ airlight_test_room(methods airlight_gpu airlight_scene airlight_output airlight_
 airlight_test_room(output airlight_output OpenEXR::OpenEXR OpenColorIO::OpenColorIO PNG::PNG)
 if(AIRLIGHT_TOOL)
   airlight_test_room(measure airlight_measure airlight_output OpenEXR::OpenEXR)
+  airlight_test_room(sequence airlight_sequence)
   airlight_test_room(cli airlight_app nlohmann_json::nlohmann_json)
 endif()
 if(TARGET test_cli)
@@ -41,6 +42,13 @@ if(TARGET test_cli)
 endif()
 if(TARGET test_measure)
   add_dependencies(test_measure airlight_compare)
+endif()
+
+# Only where Slurm is there anyhow: a cluster of one node for a quarter of a minute, most of it waiting.
+find_program(SBATCH sbatch)
+if(SBATCH AND AIRLIGHT_TOOL AND NOT AIRLIGHT_SANITIZE)
+  add_test(NAME slurm COMMAND ${PROJECT_SOURCE_DIR}/scripts/test-slurm $<TARGET_FILE:airlight>)
+  set_tests_properties(slurm PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 300)
 endif()
 
 find_program(CLANG_FORMAT clang-format)

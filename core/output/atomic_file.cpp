@@ -1,6 +1,7 @@
 #include "core/output/atomic_file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -9,6 +10,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <ctime>
 #include <string>
 #include <system_error>
 #include <thread>
@@ -139,18 +141,36 @@ fs::path folder_of(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
+constexpr const char* kTemporaryMark = ".part-";
+
+// Unlike those of all other processes, on machines that share the folder too.
 std::string temporary_name(const fs::path& file) {
-  const std::string suffix = ".part-" + std::to_string(::getpid());
+  std::array<char, 65> host{};
+  ::gethostname(host.data(), host.size() - 1);
+  const std::string suffix = kTemporaryMark + std::string(host.data()) + "-" + std::to_string(::getpid());
   const std::string name = file.filename().string().substr(0, kMaxName - suffix.size());
   return (file.parent_path() / (name + suffix)).string();
 }
 
-void write_in_place(const std::string& file, std::span<const std::byte> contents) {
+using Pieces = std::function<std::span<const std::byte>()>;
+
+void write_pieces(int fd, const Pieces& next, const std::string& file) {
+  for (std::span<const std::byte> piece = next(); !piece.empty(); piece = next()) {
+    write_all(fd, piece, file);
+  }
+}
+
+// All of them at once.
+Pieces one_piece(std::span<const std::byte> contents) {
+  return [contents]() mutable { return std::exchange(contents, {}); };
+}
+
+void write_in_place(const std::string& file, const Pieces& next) {
   Descriptor out(::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
   if (out.get() < 0) {
     fail(file, "open", errno);
   }
-  write_all(out.get(), contents, file);
+  write_pieces(out.get(), next, file);
   if (!out.close()) {
     fail(file, "close", errno);
   }
@@ -204,9 +224,13 @@ void require_writable(const fs::path& file) {
 }
 
 void write_file(const fs::path& file, std::span<const std::byte> contents) {
+  write_file(file, one_piece(contents));
+}
+
+void write_file(const fs::path& file, const Pieces& next) {
   const std::string name = file.string();
   if (is_special(file)) {
-    write_in_place(name, contents);
+    write_in_place(name, next);
     return;
   }
   const fs::path target = behind_links(file);
@@ -216,11 +240,12 @@ void write_file(const fs::path& file, std::span<const std::byte> contents) {
   if (out.get() < 0) {
     fail(name, "create", errno);
   }
+  (void)::flock(out.get(), LOCK_EX | LOCK_NB);  // tells remove_abandoned_files() that somebody is at work
   struct stat older {};
   if (::stat(target.c_str(), &older) == 0 && ::fchmod(out.get(), older.st_mode & 07777) != 0) {
     fail(name, "keep the permissions", errno);
   }
-  write_all(out.get(), contents, name);
+  write_pieces(out.get(), next, name);
   if (::fsync(out.get()) != 0) {
     fail(name, "write", errno);
   }
@@ -229,6 +254,31 @@ void write_file(const fs::path& file, std::span<const std::byte> contents) {
   }
   if (!temporary.rename_to(target.string())) {
     fail(name, "replace", errno);
+  }
+}
+
+void remove_abandoned_files(const fs::path& folder,
+                            const std::function<bool(const std::string& name)>& is_target) noexcept {
+  try {
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+      const std::string name = entry.path().filename().string();
+      const std::size_t mark = name.rfind(kTemporaryMark);
+      if (mark == std::string::npos || !is_target(name.substr(0, mark))) {
+        continue;
+      }
+      const Descriptor left(::open(entry.path().c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
+      struct stat status {};
+      // An empty one may be a moment old, its writer about to lock it.
+      constexpr ::time_t kLongAgo = 600;
+      const bool abandoned = left.get() >= 0 && ::flock(left.get(), LOCK_EX | LOCK_NB) == 0 &&
+                             ::fstat(left.get(), &status) == 0 &&
+                             (status.st_size > 0 || ::time(nullptr) - status.st_mtime > kLongAgo);
+      if (abandoned) {
+        ::unlink(entry.path().c_str());
+      }
+    }
+  } catch (const std::exception&) {
+    return;  // the folder cannot be read, or changed meanwhile
   }
 }
 

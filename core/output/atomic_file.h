@@ -3,7 +3,9 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <span>
+#include <string>
 
 namespace airlight {
 
@@ -14,6 +16,15 @@ void require_writable(const std::filesystem::path& file);
 // Pipes, devices and names of open descriptors (/dev/stdout) are written in place. Throws RunError with the path and
 // the system's reason; no temporary file is left behind and an older file of that name stays as it was.
 void write_file(const std::filesystem::path& file, std::span<const std::byte> contents);
+
+// The same for a file made piece by piece: `next` gives one piece after the other, an empty one at the end.
+void write_file(const std::filesystem::path& file, const std::function<std::span<const std::byte>()>& next);
+
+// Removes what killed writers have left in a folder beside files whose name `is_target` accepts. Writers hold a lock on
+// their temporary file, so that those at work, here or on another machine, keep theirs. Never throws: what cannot be
+// removed stays.
+void remove_abandoned_files(const std::filesystem::path& folder,
+                            const std::function<bool(const std::string& name)>& is_target) noexcept;
 
 // Unlinks the temporary files of every write_file() now running. Async-signal-safe.
 void remove_temporary_files() noexcept;

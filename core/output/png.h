@@ -23,6 +23,7 @@ struct PixelImage {
 struct PngOptions {
   bool srgb = true;                          // pixels are sRGB: says so; false leaves the encoding unsaid
   std::map<std::string, std::string> texts;  // tEXt chunks such as Software, Description; UTF-8 becomes iTXt
+  bool smallest = false;                     // four times the work for a file to keep in a repository
 };
 
 std::vector<std::byte> encode_png(const PixelImage& image, const PngOptions& options);

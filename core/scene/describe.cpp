@@ -132,6 +132,12 @@ std::string describe(const Scene& scene) {
       .line("display", scene.display.display.empty() ? "the config's default" : scene.display.display)
       .line("view", scene.display.view.empty() ? "the config's default" : scene.display.view)
       .line("tone curve", kToneCurveNames.at(static_cast<std::size_t>(scene.display.tonemap)));
+  if (scene.sequence) {
+    lines.heading("sequence");
+    for (const KeyFrame& frame : scene.sequence->frames) {
+      lines.line("frame " + std::to_string(frame.at), std::to_string(frame.values.size()) + " keys");
+    }
+  }
   return lines.str();
 }
 

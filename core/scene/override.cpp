@@ -85,6 +85,10 @@ void release_render_keys(Preset& preset) {
 
 }  // namespace
 
+void put_value(Preset& preset, std::string_view pointer, PresetValue value, const std::string& source) {
+  descend(preset.root, split_pointer(pointer, source), source) = std::move(value);
+}
+
 void apply_override(Preset& preset, std::string_view assignment) {
   const std::string source = "--set " + std::string(assignment);
   const std::size_t equals = assignment.find('=');
@@ -93,7 +97,7 @@ void apply_override(Preset& preset, std::string_view assignment) {
   }
   const std::string_view pointer = assignment.substr(0, equals);
   const std::string_view text = assignment.substr(equals + 1);
-  const std::vector<std::string> keys = split_pointer(pointer, source);
+  split_pointer(pointer, source);  // a bad pointer is told before a bad value
   PresetValue value;
   if (std::optional<PresetValue> parsed = try_parse_json_value(text, source)) {
     value = *std::move(parsed);
@@ -103,7 +107,7 @@ void apply_override(Preset& preset, std::string_view assignment) {
   } else {
     throw InputError(source + ": the value is neither JSON nor UTF-8 text; expected POINTER=JSON");
   }
-  descend(preset.root, keys, source) = std::move(value);
+  put_value(preset, pointer, std::move(value), source);
   if (pointer == "/render/method") {
     release_render_keys(preset);
   }

@@ -45,6 +45,10 @@ Preset parse_preset(std::string_view text, std::string_view source, const std::f
 // Throws InputError when the pointer is malformed or leads through something that is not an object or array.
 void apply_override(Preset& preset, std::string_view assignment);
 
+// Puts a value where an RFC 6901 pointer leads, making the objects on the way. Throws InputError as apply_override
+// does; `source` says in messages who asks.
+void put_value(Preset& preset, std::string_view pointer, PresetValue value, const std::string& source);
+
 // The whole scene as a preset of format 1, every key written out, so that resolving it again gives the same scene.
 std::string to_json(const Scene& scene);
 

@@ -14,6 +14,8 @@ class Problems {
   // `at` gives file and line; for something missing, the object that lacks it.
   void add(const PresetValue& at, std::string_view pointer, std::string_view message);
 
+  bool any() const { return !problems_.empty(); }
+
   // Throws InputError with one line for each problem, by file and line; returns when there is none.
   void throw_if_any();
 

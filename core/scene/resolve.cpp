@@ -6,6 +6,7 @@
 #include "core/scene/angle.h"
 #include "core/scene/json_format.h"
 #include "core/scene/json_text.h"
+#include "core/scene/key_frame_reader.h"
 #include "core/scene/problems.h"
 #include "core/scene/render_settings.h"
 #include "core/scene/section.h"
@@ -246,11 +247,8 @@ void check_root(const Section& root) {
   }
 }
 
-}  // namespace
-
-Scene resolve(const Preset& preset, std::span<const MethodInfo> methods) {
-  Problems problems;
-  const Section root(problems, &preset.root, preset.root, "", "");
+// Everything but the key frames.
+Scene read_scene(const Section& root, std::span<const MethodInfo> methods) {
   check_root(root);
   Scene scene;
   scene.name = root.text("name");
@@ -263,6 +261,25 @@ Scene resolve(const Preset& preset, std::span<const MethodInfo> methods) {
   scene.render = read_render_settings(root, methods);
   scene.bloom = read_bloom(root);
   scene.display = read_display(root);
+  return scene;
+}
+
+// Each key frame's values in the preset: what is wrong then is wrong with them.
+void check_key_frames(const Preset& preset, std::span<const MethodInfo> methods, Problems& problems) {
+  for_each_key_frame(
+      preset, [&](const Preset& frame) { read_scene(Section(problems, &frame.root, frame.root, "", ""), methods); });
+}
+
+}  // namespace
+
+Scene resolve(const Preset& preset, std::span<const MethodInfo> methods) {
+  Problems problems;
+  const Section root(problems, &preset.root, preset.root, "", "");
+  Scene scene = read_scene(root, methods);
+  scene.sequence = read_key_frames(root, methods);
+  if (scene.sequence && !problems.any()) {
+    check_key_frames(preset, methods, problems);
+  }
   problems.throw_if_any();
   return scene;
 }

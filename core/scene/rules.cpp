@@ -246,6 +246,23 @@ constexpr auto kRules = std::to_array<Rule>({
      .default_text = "aces",
      .choices = kToneCurveNames,
      .meaning = "the tone curve of the view \"gpu\""},
+
+    {.key = "sequence.frames",
+     .type = RuleType::key_frames,
+     .required = true,
+     .meaning = "key frames for `airlight sequence`: each has `at` and, by JSON pointer, what keys are then, e.g. "
+                "`\"/sun/elevation_deg\": -6`; a number, or three of a spectrum"},
+    {.key = "sequence.frames[].at",
+     .type = RuleType::integer,
+     .range = {.minimum = 0.0, .maximum = 1e7},
+     .required = true,
+     .meaning = "the frame's number; ascending. There is a picture for every number from the first to the last"},
+    {.key = "sequence.interpolation",
+     .type = RuleType::choice,
+     .default_text = "linear",
+     .choices = kInterpolationNames,
+     .meaning = "of a key between the key frames that have it; before and after them it stays; keys that take whole "
+                "numbers are rounded"},
 });
 
 std::string with_unit(std::string text, std::string_view unit) {
@@ -318,6 +335,8 @@ std::string expectation(const Rule& rule) {
       return "an array of " + range + " media";
     case RuleType::layers:
       return "an array of [altitude_km, density], altitudes ascending";
+    case RuleType::key_frames:
+      return "an array of at least one {\"at\": NUMBER, \"/POINTER\": VALUE, ...}";
   }
   return {};
 }

@@ -23,19 +23,20 @@ struct Range {
 inline constexpr Range kLayerAltitude{.minimum = 0.0, .maximum = 1e9};
 
 enum class RuleType {
-  version,   // the number 1
-  extends,   // a file name; gone once a file is loaded
-  text,      // any string
-  name,      // a string with at least one character
-  boolean,   // true or false
-  integer,   // a number without fraction
-  number,    // a finite number
-  spectrum,  // a number or three
-  choice,    // one of the listed strings; default_text without quotes
-  method,    // the name of a method
-  exposure,  // a number or "auto"
-  media,     // an array of media
-  layers,    // an array of [altitude, density], altitudes ascending; the range is the density's
+  version,     // the number 1
+  extends,     // a file name; gone once a file is loaded
+  text,        // any string
+  name,        // a string with at least one character
+  boolean,     // true or false
+  integer,     // a number without fraction
+  number,      // a finite number
+  spectrum,    // a number or three
+  choice,      // one of the listed strings; default_text without quotes
+  method,      // the name of a method
+  exposure,    // a number or "auto"
+  media,       // an array of media
+  layers,      // an array of [altitude, density], altitudes ascending; the range is the density's
+  key_frames,  // an array of objects: a frame's number and what keys are then
 };
 
 struct Rule {
@@ -61,6 +62,7 @@ std::string range_text(const Range& range, std::string_view unit);
 std::string expectation(const Rule& rule);
 
 // The names of the enums in scene.h, in their order.
+inline constexpr std::array<std::string_view, 1> kInterpolationNames = {"linear"};
 inline constexpr std::array<std::string_view, 5> kProfileNames = {"exponential", "tent", "lorentzian", "constant",
                                                                   "layers"};
 inline constexpr std::array<std::string_view, 5> kPhaseNames = {"rayleigh", "henyey-greenstein", "cornette-shanks",

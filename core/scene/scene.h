@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/scene/key_frames.h"
 #include "core/scene/method_info.h"
 
 namespace airlight {
@@ -118,6 +119,7 @@ struct Scene {
   RenderSettings render;
   Bloom bloom;
   Display display;
+  std::optional<KeyFrames> sequence;  // absent: the preset has no key frames
 };
 
 }  // namespace airlight

@@ -141,27 +141,55 @@ std::string display_json(const Display& display) {
       .str();
 }
 
+std::string values_json(const std::vector<double>& values) {
+  if (values.size() == 1) {
+    return format_number(values[0]);
+  }
+  std::string text;
+  for (const double value : values) {
+    text += (text.empty() ? "[" : ", ") + format_number(value);
+  }
+  return text + "]";
+}
+
+std::string sequence_json(const KeyFrames& sequence) {
+  std::string frames;
+  for (const KeyFrame& frame : sequence.frames) {
+    std::string keys = "{\"at\": " + std::to_string(frame.at);
+    for (const auto& [pointer, values] : frame.values) {
+      keys += ", " + json_string(pointer) + ": " + values_json(values);
+    }
+    frames += (frames.empty() ? "" : ",") + JsonObject::indent(3) + keys + "}";
+  }
+  return JsonObject(2)
+      .add("frames", "[" + frames + JsonObject::indent(2) + "]")
+      .text("interpolation", kInterpolationNames.front())
+      .str();
+}
+
 }  // namespace
 
 std::string to_json(const Scene& scene) {
-  return JsonObject(1)
-             .number("airlight", 1)
-             .text("name", scene.name)
-             .text("description", scene.description)
-             .add("planet", JsonObject(2)
-                                .number("radius_km", scene.planet.ground_radius)
-                                .number("atmosphere_height_km", scene.planet.atmosphere_height)
-                                .spectrum("ground_albedo", scene.planet.ground_albedo)
-                                .str())
-             .add("media", media_json(scene.media))
-             .add("sun", sun_json(scene.sun))
-             .add("camera", camera_json(scene.camera))
-             .add("image", JsonObject(2).number("width", scene.image.width).number("height", scene.image.height).str())
-             .add("render", render_json(scene.render))
-             .add("bloom", bloom_json(scene.bloom))
-             .add("display", display_json(scene.display))
-             .str() +
-         "\n";
+  JsonObject object(1);
+  object.number("airlight", 1)
+      .text("name", scene.name)
+      .text("description", scene.description)
+      .add("planet", JsonObject(2)
+                         .number("radius_km", scene.planet.ground_radius)
+                         .number("atmosphere_height_km", scene.planet.atmosphere_height)
+                         .spectrum("ground_albedo", scene.planet.ground_albedo)
+                         .str())
+      .add("media", media_json(scene.media))
+      .add("sun", sun_json(scene.sun))
+      .add("camera", camera_json(scene.camera))
+      .add("image", JsonObject(2).number("width", scene.image.width).number("height", scene.image.height).str())
+      .add("render", render_json(scene.render))
+      .add("bloom", bloom_json(scene.bloom))
+      .add("display", display_json(scene.display));
+  if (scene.sequence) {
+    object.add("sequence", sequence_json(*scene.sequence));
+  }
+  return object.str() + "\n";
 }
 
 }  // namespace airlight

@@ -81,7 +81,7 @@ Section Section::child(std::string_view key) const {
 
 Section Section::element(std::string_view key, const PresetArray& array, std::size_t index) const {
   return {problems_, &array[index], *context_, pointer_below(pointer_to(key), std::to_string(index)),
-          std::string(key) + "[]"};
+          (prefix_.empty() ? std::string(key) : prefix_ + "." + std::string(key)) + "[]"};
 }
 
 void Section::refuse_unknown_keys() const {

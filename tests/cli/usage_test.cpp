@@ -12,8 +12,8 @@ namespace airlight::test {
 namespace {
 
 const std::vector<std::string>& commands() {
-  static const std::vector<std::string> names = {"render",  "luts",    "probe", "check",      "methods",
-                                                 "devices", "presets", "diff",  "completion", "man"};
+  static const std::vector<std::string> names = {"render",  "sequence", "luts", "probe",      "check", "methods",
+                                                 "devices", "presets",  "diff", "completion", "man"};
   return names;
 }
 
@@ -55,7 +55,8 @@ TEST(Usage, EveryCommandHasHelpWithAnExample) {
     EXPECT_TRUE(contains(outcome.out, "\nExamples:\n")) << outcome.out;
     EXPECT_TRUE(contains(outcome.out, "-h, --help")) << outcome.out;
     for (const std::string& line : lines_of(outcome.out)) {
-      EXPECT_LE(line.size(), 100U) << line;
+      const bool is_example = line.rfind("  airlight ", 0) == 0;  // to be copied: not broken
+      EXPECT_LE(line.size(), is_example ? 180U : 100U) << line;
     }
   }
 }

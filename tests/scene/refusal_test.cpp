@@ -117,10 +117,10 @@ INSTANTIATE_TEST_SUITE_P(
         Case{R"("image": {"zzzz": 3})", "/image/zzzz: unknown key; expected one of height, width"},
         Case{R"("a/b~c": 3)",
              "/a~1b~0c: unknown key; expected one of airlight, bloom, camera, description, display, extends, image, "
-             "media, name, planet, render, sun"},
+             "media, name, planet, render, sequence, sun"},
         Case{R"("": 3)",
              "/: unknown key; expected one of airlight, bloom, camera, description, display, extends, image, media, "
-             "name, planet, render, sun"}));
+             "name, planet, render, sequence, sun"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Methods, Refusal,
@@ -259,7 +259,7 @@ TEST(Refusals, ComeAllAtOnceInTheOrderOfTheLines) {
             "test:6: /media/1/phase/g: 2 is outside -0.99 to 0.99\n"
             "test:7: /media/1/density/below_km: 0 is outside 1e-6 to 1e9 km\n"
             "test:9: /colour: unknown key; expected one of airlight, bloom, camera, description, display, extends, "
-            "image, media, name, planet, render, sun");
+            "image, media, name, planet, render, sequence, sun");
 }
 
 TEST(Refusals, CountTheLayersOfAllMediaTogether) {

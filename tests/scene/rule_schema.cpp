@@ -68,6 +68,8 @@ Json type_schema(const Rule& rule) {
       return {{"type", "array"}, {"minItems", rule.range.minimum}, {"maxItems", rule.range.maximum}};
     case RuleType::layers:
       return layers_schema(rule);
+    case RuleType::key_frames:
+      return {{"type", "array"}, {"minItems", 1}};
   }
   return {};
 }
@@ -179,6 +181,16 @@ void add_tilt(Json& root) {
   }
 }
 
+// A key frame's other keys are pointers. What they lead to is resolve()'s to judge.
+void add_key_frames(Json& root) {
+  Json& sequence = root["properties"]["sequence"];
+  sequence["required"] = {"frames"};
+  Json& frame = sequence["properties"]["frames"]["items"];
+  frame["required"] = {"at"};
+  const Json number = {{"type", "number"}};
+  frame["patternProperties"]["^/"] = {{"anyOf", {number, array_schema(number, 3, 3)}}};
+}
+
 Json parameter_schema(const ParameterInfo& parameter) {
   const Rule rule = rule_of(parameter);
   switch (parameter.kind) {
@@ -263,6 +275,7 @@ std::string json_schema(std::span<const MethodInfo> methods) {
     }
   }
   add_tilt(root);
+  add_key_frames(root);
   add_methods(root, methods);
   return root.dump(2) + "\n";
 }

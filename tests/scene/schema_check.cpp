@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 #include <stdexcept>
+#include <vector>
 
 namespace airlight::test {
 namespace {
@@ -44,6 +46,20 @@ bool required_fits(const Json& names, const Json& value) {
          std::ranges::all_of(names, [&](const Json& name) { return value.contains(name.get<std::string>()); });
 }
 
+// The schemas of the patterns that a key matches.
+std::vector<Json> pattern_schemas(const Json& schema, const std::string& key) {
+  std::vector<Json> found;
+  const auto patterns = schema.find("patternProperties");
+  if (patterns != schema.end()) {
+    for (const auto& [pattern, value] : patterns->items()) {
+      if (std::regex_search(key, std::regex(pattern))) {
+        found.push_back(value);
+      }
+    }
+  }
+  return found;
+}
+
 // The keywords that look at the value itself.
 bool own_keyword_fits(const std::string& keyword, const Json& argument, const Json& value, const Json& schema) {
   if (keyword == "$schema" || keyword == "title" || keyword == "description" || keyword == "default" ||
@@ -76,7 +92,7 @@ bool own_keyword_fits(const std::string& keyword, const Json& argument, const Js
   }
   if (keyword == "additionalProperties") {
     return !value.is_object() || std::ranges::all_of(value.items(), [&](const auto& item) {
-      return schema["properties"].contains(item.key());
+      return schema["properties"].contains(item.key()) || !pattern_schemas(schema, item.key()).empty();
     });
   }
   throw std::logic_error("unknown schema keyword " + keyword);
@@ -89,6 +105,20 @@ std::string properties_problem(const Json& properties, const Json& value, const 
         if (std::string problem = schema_problem(schema, value[key], pointer + "/" + key); !problem.empty()) {
           return problem;
         }
+      }
+    }
+  }
+  return {};
+}
+
+std::string patterns_problem(const Json& schema, const Json& value, const std::string& pointer) {
+  if (!value.is_object()) {
+    return {};
+  }
+  for (const auto& [key, item] : value.items()) {
+    for (const Json& pattern : pattern_schemas(schema, key)) {
+      if (std::string problem = schema_problem(pattern, item, pointer + "/" + key); !problem.empty()) {
+        return problem;
       }
     }
   }
@@ -116,6 +146,8 @@ std::string schema_problem(const Json& schema, const Json& value, const std::str
     std::string problem;
     if (keyword == "properties") {
       problem = properties_problem(argument, value, pointer);
+    } else if (keyword == "patternProperties") {
+      problem = patterns_problem(schema, value, pointer);
     } else if (keyword == "items" || keyword == "prefixItems") {
       problem = items_problem(argument, keyword == "prefixItems", value, pointer);
     } else if (keyword == "if") {

@@ -1,0 +1,25 @@
+#pragma once
+// Ctrl-C and its like for a long run that wants to stop in good order: the first asks it to, the second ends it.
+
+#include <csignal>
+#include <string>
+#include <vector>
+
+namespace airlight::cli {
+
+// From its making on, the first SIGINT, SIGTERM or SIGHUP is noted, and the next does what it did before. One at a
+// time.
+class Interruption {
+ public:
+  Interruption();
+  ~Interruption();
+  Interruption(const Interruption&) = delete;
+  Interruption& operator=(const Interruption&) = delete;
+
+  // The signal's number; 0: none came. Any thread may ask.
+  static int signal();
+  // "SIGINT".
+  static std::string name(int signal_number);
+};
+
+}  // namespace airlight::cli

@@ -1,0 +1,80 @@
+#include "app/picture_options.h"
+
+#include <filesystem>
+
+#include "app/picture_files.h"
+#include "core/error.h"
+#include "core/scene/json_format.h"
+
+namespace airlight::cli {
+namespace {
+
+bool is_ocio_view(const std::string& view) {
+  return view != kGpuView && view != kDiagnosticView;
+}
+
+}  // namespace
+
+std::vector<Option> picture_options(PictureOptions& options) {
+  return {{"--float", "", "32-bit floats in the EXR instead of 16-bit ones", &options.full_float},
+          {"--ocio-config", "FILE", "OpenColorIO config for the PNG; else $OCIO, else the built-in one",
+           &options.ocio_config, Completes::file},
+          {"--display", "NAME", "Display of the OCIO config; short for --set /display/display=NAME", &options.display},
+          {"--view",
+           "NAME",
+           "View of the OCIO display, or gpu for the GPU tone curve, or diagnostic for a picture that colours NaN, "
+           "infinite, negative, zero and other numbers apart; short for --set /display/view=NAME",
+           &options.view,
+           Completes::nothing,
+           {},
+           {},
+           {kGpuView, kDiagnosticView}},
+          {"--bits",
+           "N",
+           "Bits of a channel in the PNG; 8 are dithered",
+           &options.bits,
+           Completes::nothing,
+           {},
+           {"8", "16"}}};
+}
+
+std::vector<std::string> overrides(const PictureOptions& options) {
+  std::vector<std::string> assignments;
+  if (options.display) {
+    assignments.push_back("/display/display=" + json_string(*options.display));
+  }
+  if (options.view) {
+    assignments.push_back("/display/view=" + json_string(*options.view));
+  }
+  return assignments;
+}
+
+std::optional<DisplayTransform> display_transform(const PictureOptions& options, const Scene& scene) {
+  if (!is_ocio_view(scene.display.view)) {
+    return std::nullopt;
+  }
+  DisplaySettings settings;
+  settings.config = options.ocio_config;
+  settings.display = scene.display.display;
+  settings.view = scene.display.view;
+  settings.pixels.bits = options.bits;
+  settings.pixels.alpha = scene.camera.projection == Projection::fisheye;
+  return DisplayTransform(settings);
+}
+
+RenderRequest request_for(const Scene& scene, bool exr, bool png) {
+  RenderRequest request;
+  const bool shown = png && scene.display.view != kDiagnosticView;
+  request.bloom = shown || (scene.bloom.in_exr && exr);
+  request.gpu_tone = shown && scene.display.view == kGpuView;
+  return request;
+}
+
+void require_ending(const std::string& file, const std::string& option, const std::string& ending) {
+  const bool device = file.rfind("/dev/", 0) == 0;
+  if (!device && std::filesystem::path(file).extension() != ending) {
+    throw InputError(option + ": '" + file + "' does not end in " + ending + ", which is what it writes");
+  }
+}
+
+}  // namespace airlight::cli

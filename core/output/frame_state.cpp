@@ -1,0 +1,135 @@
+#include "core/output/frame_state.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <stdexcept>
+
+#include "core/output/exr_header.h"
+#include "core/output/provenance_keys.h"
+
+namespace airlight {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Rows of a chunk by OpenEXR's code of the compression: none, RLE, ZIPS, ZIP, PIZ, PXR24, B44, B44A, DWAA, DWAB.
+constexpr std::array<std::int64_t, 10> kRowsOfChunk = {1, 1, 1, 16, 32, 16, 32, 32, 32, 256};
+
+std::int64_t little_endian_int(const std::string& bytes, std::size_t at) {
+  std::int32_t value = 0;
+  std::memcpy(&value, bytes.data() + at, sizeof value);  // EXR's order is that of every machine with Vulkan
+  return value;
+}
+
+// Chunks of a scan-line file; 0 when the header does not tell.
+std::int64_t chunk_count(const ExrHeader& header) {
+  const auto window = header.attributes.find("dataWindow");
+  const auto compression = header.attributes.find("compression");
+  if (header.flags > 0x400 || (header.flags & 0x200) != 0 || window == header.attributes.end() ||
+      compression == header.attributes.end() || window->second.value.size() != 16 ||
+      compression->second.value.size() != 1) {
+    return 0;
+  }
+  const auto code = static_cast<std::size_t>(static_cast<unsigned char>(compression->second.value[0]));
+  const std::int64_t rows =
+      little_endian_int(window->second.value, 12) - little_endian_int(window->second.value, 4) + 1;
+  if (code >= kRowsOfChunk.size() || rows < 1) {
+    return 0;
+  }
+  return (rows + kRowsOfChunk[code] - 1) / kRowsOfChunk[code];
+}
+
+// The last chunk ends where the file does, and none is missing from the table of places.
+bool is_whole_exr(std::istream& in, const ExrHeader& header, std::uint64_t file_size) {
+  const std::int64_t chunks = chunk_count(header);
+  if (chunks == 0 || header.end + 8 * static_cast<std::uint64_t>(chunks) > file_size) {
+    return false;
+  }
+  std::uint64_t last = 0;
+  for (std::int64_t i = 0; i < chunks; ++i) {
+    const std::uint64_t place = read_little_endian(in, 8);
+    if (place < header.end || place > file_size - 8) {
+      return false;
+    }
+    last = std::max(last, place);
+  }
+  in.seekg(static_cast<std::streamoff>(last + 4));  // behind the number of its first row
+  return last + 8 + read_little_endian(in, 4) == file_size;
+}
+
+std::optional<FrameMark> exr_mark(std::istream& in, std::uint64_t file_size) {
+  const ExrHeader header = read_exr_header(in, file_size);
+  if (!is_whole_exr(in, header, file_size)) {
+    return std::nullopt;
+  }
+  const auto text = [&](const char* key) {
+    const auto found = header.attributes.find(key);
+    return found == header.attributes.end() ? std::string() : found->second.value;
+  };
+  return FrameMark{text(kHashKey), text(kPresetKey)};
+}
+
+std::uint64_t big_endian(const char* bytes) {
+  std::uint64_t number = 0;
+  for (int i = 0; i < 4; ++i) {
+    number = number << 8U | static_cast<unsigned char>(bytes[i]);
+  }
+  return number;
+}
+
+// From chunk to chunk: length, type, data, check sum.
+std::optional<FrameMark> png_mark(std::istream& in, std::uint64_t file_size) {
+  constexpr std::uint64_t kSignature = 8;
+  FrameMark mark;
+  std::array<char, 8> head{};
+  for (std::uint64_t at = kSignature; in.seekg(static_cast<std::streamoff>(at)) && in.read(head.data(), head.size());) {
+    const std::uint64_t length = big_endian(head.data());
+    const std::string type(head.data() + 4, 4);
+    at += length + 12;
+    if (at > file_size) {
+      return std::nullopt;
+    }
+    if (type == "IEND") {
+      return at == file_size ? std::optional(mark) : std::nullopt;
+    }
+    if (type == "tEXt" && length < 256) {
+      std::string text(length, '\0');
+      in.read(text.data(), static_cast<std::streamsize>(length));
+      const std::string key = kHashKey;
+      if (text.starts_with(key) && text.size() > key.size() && text[key.size()] == '\0') {
+        mark.hash = text.substr(key.size() + 1);
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<FrameMark> read_frame_mark(const fs::path& file) {
+  constexpr std::array<char, 4> kExrMagic = {'\x76', '\x2f', '\x31', '\x01'};
+  constexpr std::array<char, 4> kPngMagic = {'\x89', 'P', 'N', 'G'};
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) {
+    return std::nullopt;
+  }
+  const std::uint64_t size = fs::file_size(file, error);
+  std::ifstream in(file, std::ios::binary);
+  std::array<char, 4> magic{};
+  if (error || !in.read(magic.data(), magic.size())) {
+    return std::nullopt;
+  }
+  try {
+    if (file.extension() == ".exr" && magic == kExrMagic) {
+      return exr_mark(in, size);
+    }
+    return file.extension() == ".png" && magic == kPngMagic ? png_mark(in, size) : std::nullopt;
+  } catch (const std::runtime_error&) {  // of read_exr_header: damaged
+    return std::nullopt;
+  }
+}
+
+}  // namespace airlight

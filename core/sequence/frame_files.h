@@ -1,0 +1,27 @@
+#pragma once
+// Names of a sequence's files: "sky.####.exr" and a frame's number.
+
+#include <string>
+
+#include "core/measure/frames.h"
+#include "core/sequence/frame_list.h"
+
+namespace airlight::sequence {
+
+using measure::FramePattern;
+
+// Throws InputError: no #, two runs of them, one in a folder's name, another ending. `option` is in messages.
+FramePattern require_pattern(const std::string& path, const std::string& ending, const std::string& option);
+
+// "day/sky.0007.exr"; a number with more digits than the pattern has keeps them all.
+std::string frame_file(const FramePattern& pattern, long number);
+
+// "day/sky.manifest.json", and "day/sky.manifest.3-of-16.json" of one shard of several.
+std::string manifest_file(const FramePattern& pattern, const Shard& shard);
+// The same for a name that the user chose: the shard goes before the ending.
+std::string manifest_file(const std::string& chosen, const Shard& shard);
+
+// A hash of 64 bits as 16 hexadecimal digits: FNV-1a, for telling files apart, not for keeping secrets.
+std::string hash_text(std::string_view text);
+
+}  // namespace airlight::sequence

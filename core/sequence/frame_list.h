@@ -1,0 +1,86 @@
+#pragma once
+// The frames of a sequence, made one by one as they are asked for: a million of them take no memory.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "core/scene/key_frames.h"
+#include "core/sequence/sun_position.h"
+#include "core/sequence/time_zone.h"
+
+namespace airlight::sequence {
+
+// The sun over a place, from `first` in equal steps.
+struct SunPath {
+  Place place;
+  TimeZone zone;
+  Milliseconds first = 0;  // UTC
+  Milliseconds step = 0;   // above 0
+  std::size_t count = 0;
+  std::optional<Air> refraction = {};  // absent: the true elevation
+};
+
+// The sun's elevation, from `first` in equal steps, either way.
+struct Sweep {
+  double first_deg = 0.0;
+  double step_deg = 1.0;
+  std::size_t count = 0;
+};
+
+using FrameSource = std::variant<SunPath, Sweep, KeyFrames>;
+
+struct FrameTime {
+  Milliseconds utc = 0;
+  int offset_seconds = 0;  // of the clocks there and then
+};
+
+struct Frame {
+  long number = 0;  // in its file's name
+  std::optional<FrameTime> time;
+  // By JSON pointer, what the preset's keys are: one number, or three of a spectrum.
+  std::vector<std::pair<std::string, std::vector<double>>> keys;
+};
+
+// What the command line says of a sun path; `option` names below are its options.
+struct SunPathOrder {
+  std::string date, from, to, step, zone;  // as typed; an empty zone is UTC
+  Place place;
+  std::optional<Air> refraction = {};
+};
+
+// Both ends count where the step meets them; a `to` before `from` is on the next day. Throws InputError: malformed, a
+// step of 0, an unknown zone, a time that the clocks of that day skip, a place that is none.
+SunPath make_sun_path(const SunPathOrder& order);
+
+// "-12:90:1" = FROM:TO:STEP in degrees. Throws InputError: malformed, outside -90 to 90, a step that does not lead from
+// one to the other.
+Sweep parse_sweep(std::string_view text, const std::string& option);
+
+std::size_t frame_count(const FrameSource& source);
+
+// Parts of a frame that cost nothing; `index` below frame_count().
+long frame_number(const FrameSource& source, std::size_t index);
+std::optional<FrameTime> frame_time(const FrameSource& source, std::size_t index);
+
+// `index` below frame_count(). Frames of a sun path and of a sweep are numbered from 1, key frames by their own `at`.
+Frame frame_at(const FrameSource& source, std::size_t index);
+
+// Every I-th of N: "3/16" are the frames 3, 19, 35, ... counted from 1.
+struct Shard {
+  std::size_t index = 1;  // 1 to count
+  std::size_t count = 1;
+};
+
+// Throws InputError.
+Shard parse_shard(std::string_view text, const std::string& option);
+
+// How many of `frames` the shard has, and which is its k-th, both from 0.
+std::size_t shard_size(const Shard& shard, std::size_t frames);
+std::size_t shard_frame(const Shard& shard, std::size_t k);
+
+}  // namespace airlight::sequence

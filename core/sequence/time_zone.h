@@ -1,0 +1,36 @@
+#pragma once
+// Clocks of a place: the system's time zone files (RFC 8536), or a fixed offset. Nothing global is touched.
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/sequence/civil_time.h"
+#include "core/sequence/zone_rule.h"
+
+namespace airlight::sequence {
+
+struct TimeZone {
+  std::string name;                        // "Europe/Paris", "+02:00", "UTC"
+  int first_offset = 0;                    // s east of UTC, before the first change
+  std::vector<std::int64_t> changes = {};  // s since 1970 UTC, ascending
+  std::vector<int> offsets = {};           // s, in force from each change on
+  std::optional<ZoneRule> rule = {};       // in force after the last change
+};
+
+inline constexpr const char* kZoneFolder = "/usr/share/zoneinfo";
+
+// "Europe/Paris", "UTC", "+02:00", "-0330", "+2". Throws InputError: no such zone in the folder (with the nearest), no
+// folder at all (names the package), a damaged file. `option` names the option in messages.
+TimeZone find_zone(std::string_view name, const std::string& option, const std::filesystem::path& folder = kZoneFolder);
+
+// Seconds east of UTC.
+int offset_at(const TimeZone& zone, Milliseconds utc);
+
+// The moment at which the clocks show this; the earlier one where they show it twice, none where they skip it.
+std::optional<Milliseconds> utc_of(const TimeZone& zone, Milliseconds local);
+
+}  // namespace airlight::sequence

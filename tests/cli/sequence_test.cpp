@@ -1,0 +1,391 @@
+// sequence as a process: what it writes, keeps and refuses; stopped, killed, resumed, shared.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "tests/cli/process.h"
+
+namespace airlight::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+using Names = std::vector<std::string>;
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+// Six frames of a morning over Paris.
+Names morning(Names more = {}) {
+  Names words = {"sequence", "sky.json", "--date", "2026-06-21", "--from", "06:00", "--to", "08:30",
+                 "--step",   "30m",      "--lat",  "48.85",      "--lon",  "2.35",  "--tz", "Europe/Paris"};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+class Sequence : public testing::Test {
+ protected:
+  void SetUp() override { scratch_.write("sky.json", small_preset()); }
+  Outcome tool(const Names& arguments, const Start& start = {}) const {
+    return airlight(scratch_.path(), arguments, start);
+  }
+  Outcome shell(const std::string& line) const {
+    return run(scratch_.path(), {"bash", "-c", "airlight=" AIRLIGHT_BINARY "\n" + line});
+  }
+  // Files of a folder by name, without its manifests, as they report times.
+  std::map<std::string, std::string> pictures(const std::string& folder) const {
+    std::map<std::string, std::string> found;
+    for (const std::string& name : scratch_.files()) {
+      if (name.starts_with(folder + "/") && !contains(name, "manifest")) {
+        found[name.substr(folder.size() + 1)] = scratch_.read(name);
+      }
+    }
+    return found;
+  }
+  void make_folder(const std::string& name) const { fs::create_directory(scratch_.path() / name); }
+  Scratch scratch_;
+};
+
+// "rendered" or "kept" of each frame of --json, by its number.
+Names statuses(const std::string& json_lines) {
+  std::map<int, std::string> found;
+  for (const std::string& line : lines_of(json_lines)) {
+    const Json json = Json::parse(line);
+    if (json.contains("status")) {
+      found[json["frame"]] = json["status"];
+    }
+  }
+  Names in_order;
+  for (const auto& [frame, status] : found) {
+    in_order.push_back(status);
+  }
+  return in_order;
+}
+
+TEST_F(Sequence, WritesFramesPicturesAndAManifest) {
+  const Outcome outcome = tool(morning({"-o", "sky.####.exr", "--png", "show.#.png"}));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(scratch_.files(), (Names{"show.1.png", "show.2.png", "show.3.png", "show.4.png", "show.5.png", "show.6.png",
+                                     "sky.0001.exr", "sky.0002.exr", "sky.0003.exr", "sky.0004.exr", "sky.0005.exr",
+                                     "sky.0006.exr", "sky.json", "sky.manifest.json"}));
+  const Json manifest = Json::parse(scratch_.read("sky.manifest.json"));
+  EXPECT_EQ(manifest["complete"], true);
+  EXPECT_EQ(manifest["place"]["time_zone"], "Europe/Paris");
+  EXPECT_EQ(manifest["place"]["refraction"], false);
+  ASSERT_EQ(manifest["frames"].size(), 6U);
+  const Json& last = manifest["frames"][5];
+  EXPECT_EQ(last["frame"], 6);
+  EXPECT_EQ(last["time"], "2026-06-21T08:30:00+02:00");
+  EXPECT_EQ(last["file"], "sky.0006.exr");
+  EXPECT_EQ(last["png"], "show.6.png");
+  EXPECT_EQ(last["hash"].get<std::string>().size(), 16U);
+  EXPECT_GT(last["milliseconds"].get<double>(), 0.0);
+  // Paris at 8:30 summer time on the solstice: 23 degrees high in the east by north (any almanac).
+  EXPECT_NEAR(last["sun_elevation_deg"].get<double>(), 23.5, 1.0);
+  EXPECT_NEAR(last["sun_azimuth_deg"].get<double>(), 81.0, 1.5);
+  // Plain lines where there is no terminal: one a frame, a summary, the manifest.
+  const Names lines = lines_of(outcome.err);
+  ASSERT_EQ(lines.size(), 8U) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "/6] sky.0003.exr 07:00: sun ")) << outcome.err;
+  EXPECT_TRUE(contains(lines[6], "6 frames rendered, 0 kept of 6")) << outcome.err;
+  EXPECT_FALSE(contains(outcome.err, "\033"));
+}
+
+TEST_F(Sequence, AFrameIsThePictureThatRenderMakes) {
+  ASSERT_EQ(tool({"sequence", "sky.json", "-q", "-o", "a.#.exr", "--sun-elevation", "4:5:1"}).exit_code, 0);
+  ASSERT_EQ(tool({"render", "sky.json", "-q", "-o", "b.exr", "--sun-elevation", "5"}).exit_code, 0);
+  const Outcome outcome = tool({"diff", "a.2.exr", "b.exr", "--fail", "0"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  EXPECT_TRUE(contains(tool({"diff", "a.1.exr", "b.exr"}).out, "/sun/elevation_deg"));
+}
+
+TEST_F(Sequence, KeyFramesAnimateAnyKeyAndNumberTheFiles) {
+  std::string preset = small_preset();
+  preset.insert(preset.rfind('}'), R"(, "sequence": {"frames": [{"at": 8, "/sun/elevation_deg": -2},
+      {"at": 11, "/sun/elevation_deg": 4, "/media/0/phase/g": 0.5}]})");
+  scratch_.write("keys.json", preset);
+  ASSERT_EQ(tool({"sequence", "keys.json", "-q", "-o", "k.##.exr"}).exit_code, 0);
+  EXPECT_EQ(scratch_.files(),
+            (Names{"k.08.exr", "k.09.exr", "k.10.exr", "k.11.exr", "k.manifest.json", "keys.json", "sky.json"}));
+  const Json manifest = Json::parse(scratch_.read("k.manifest.json"));
+  EXPECT_EQ(manifest["frames"][1]["frame"], 9);
+  EXPECT_EQ(manifest["frames"][1]["time"], nullptr);
+  EXPECT_EQ(manifest["frames"][1]["sun_elevation_deg"], 0.0);
+  // The frame's own preset has no key frames left, the preset rendered as it is keeps them.
+  EXPECT_EQ(tool({"sequence", "k.09.exr", "-o", "z.#.exr"}).exit_code, 2);
+  const Outcome other = tool({"sequence", "keys.json", "-o", "z.#.exr", "--sun-elevation", "1:2:1", "--dry-run"});
+  EXPECT_EQ(lines_of(other.out).size(), 2U);
+  EXPECT_TRUE(contains(other.err, "key frames are not used")) << other.err;
+}
+
+TEST_F(Sequence, ASecondRunKeepsWhatIsWholeAndOfThePreset) {
+  const Names words = morning({"-o", "s.#.exr", "--png", "s.#.png", "--json"});
+  const Outcome first = tool(words);
+  ASSERT_EQ(first.exit_code, 0) << first.err;
+  EXPECT_EQ(first.err, "");
+  EXPECT_EQ(statuses(first.out), Names(6, "rendered"));
+  const Json before = Json::parse(scratch_.read("s.manifest.json"));
+  const Outcome second = tool(words);
+  EXPECT_EQ(statuses(second.out), Names(6, "kept"));
+  EXPECT_EQ(Json::parse(scratch_.read("s.manifest.json")), before);  // milliseconds of the first run included
+  // Cut short, of another kind, missing, of another preset.
+  scratch_.write("s.2.exr", scratch_.read("s.2.exr").substr(0, scratch_.read("s.2.exr").size() - 1));
+  scratch_.write("s.3.png", scratch_.read("s.3.png").substr(0, 200));
+  fs::remove(scratch_.path() / "s.4.png");
+  fs::copy_file(scratch_.path() / "s.6.exr", scratch_.path() / "s.5.exr", fs::copy_options::overwrite_existing);
+  EXPECT_EQ(statuses(tool(words).out), (Names{"kept", "rendered", "rendered", "rendered", "rendered", "kept"}));
+  EXPECT_EQ(statuses(tool(words).out), Names(6, "kept"));
+  // Options that make other files, each with a hash of its own.
+  EXPECT_EQ(statuses(tool(morning({"--png", "s.#.png", "--json", "--bits", "16"})).out), Names(6, "rendered"));
+  EXPECT_EQ(statuses(tool(morning({"-o", "s.#.exr", "--json"})).out), Names(6, "kept"));
+  EXPECT_EQ(statuses(tool(morning({"-o", "s.#.exr", "--json", "--float"})).out), Names(6, "rendered"));
+  EXPECT_EQ(statuses(tool(morning({"-o", "s.#.exr", "--json", "--float", "--overwrite"})).out), Names(6, "rendered"));
+  EXPECT_EQ(statuses(tool(morning({"-o", "s.#.exr", "--json", "--set", "/camera/pitch_deg=11"})).out),
+            Names(6, "rendered"));
+}
+
+TEST_F(Sequence, KilledAndResumedIsTheSameAsUninterrupted) {
+  make_folder("whole");
+  make_folder("killed");
+  Names words = morning({"-q", "-o", "whole/s.#.exr", "--png", "whole/s.#.png", "--size", "192x108"});
+  ASSERT_EQ(tool(words).exit_code, 0);
+  const auto whole = pictures("whole");
+  ASSERT_EQ(whole.size(), 12U);
+  words = morning({"-q", "-o", "killed/s.#.exr", "--png", "killed/s.#.png", "--size", "192x108"});
+  int killed = 0;
+  for (const char* at : {".part-", "s.2.exr", "s.4.png"}) {
+    Start start;
+    start.kill_signal = SIGKILL;
+    start.kill_at_file = at;
+    Names in_folder = {"bash", "-c", "cd .. && exec \"$@\"", "-", AIRLIGHT_BINARY};  // where the file is watched for
+    in_folder.insert(in_folder.end(), words.begin(), words.end());
+    const Outcome outcome = run(scratch_.path() / "killed", in_folder, start);
+    killed += outcome.signal == SIGKILL ? 1 : 0;
+    for (const auto& [name, text] : pictures("killed")) {
+      EXPECT_TRUE(contains(name, ".part-") || whole.at(name) == text) << name;
+    }
+  }
+  EXPECT_GT(killed, 0) << "no run was slow enough to be killed";
+  const Outcome last = tool(words);
+  EXPECT_EQ(last.exit_code, 0) << last.err;
+  EXPECT_EQ(pictures("killed"), whole);  // what the kills left half written is gone, too
+  EXPECT_EQ(Json::parse(scratch_.read("killed/s.manifest.json"))["frames"].size(), 6U);
+}
+
+// The frame in hand comes to its end, the manifest says what there is, and the same command goes on.
+TEST_F(Sequence, StoppedBySignalsItLeavesWholeFramesAndSaysSo) {
+  Names words = morning({"-o", "s.#.exr", "--size", "192x108"});
+  words[9] = "1m";  // --step
+  int stopped = 0;
+  for (const int signal : {SIGINT, SIGTERM}) {
+    Start start;
+    start.kill_signal = signal;
+    start.kill_at_file = signal == SIGINT ? "s.1.exr" : "s.9.exr";
+    const Outcome outcome = tool(words, start);
+    if (outcome.exit_code == 0) {
+      continue;  // over before the signal came
+    }
+    ++stopped;
+    EXPECT_EQ(outcome.exit_code, 128 + signal) << outcome.err;
+    EXPECT_EQ(outcome.signal, 0);
+    EXPECT_TRUE(contains(outcome.err, "frames are whole; the same command goes on from there")) << outcome.err;
+    const Json manifest = Json::parse(scratch_.read("s.manifest.json"));
+    EXPECT_EQ(manifest["complete"], false);
+    std::size_t frames = 0;
+    for (const std::string& name : scratch_.files()) {
+      EXPECT_FALSE(contains(name, ".part-")) << name;
+      frames += name.ends_with(".exr") ? 1U : 0U;
+    }
+    EXPECT_EQ(manifest["frames"].size(), frames);
+    fs::remove(scratch_.path() / "s.9.exr");
+  }
+  EXPECT_GT(stopped, 0);
+}
+
+TEST_F(Sequence, ShardsAreTheWhole) {
+  make_folder("whole");
+  make_folder("shards");
+  ASSERT_EQ(tool(morning({"-q", "-o", "whole/s.#.exr"})).exit_code, 0);
+  for (const char* shard : {"1/4", "2/4", "3/4", "4/4"}) {
+    const Outcome outcome = tool(morning({"-q", "-o", "shards/s.#.exr", "--shard", shard}));
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  }
+  EXPECT_EQ(pictures("shards"), pictures("whole"));
+  EXPECT_EQ(Json::parse(scratch_.read("shards/s.manifest.2-of-4.json"))["frames"].size(), 2U);
+  // More machines than frames: nothing to do is no failure.
+  EXPECT_EQ(tool(morning({"-q", "-o", "shards/s.#.exr", "--shard", "9/9"})).exit_code, 0);
+  // One more run without --shard finds all of it.
+  EXPECT_EQ(statuses(tool(morning({"-o", "shards/s.#.exr", "--json"})).out), Names(6, "kept"));
+}
+
+TEST_F(Sequence, TwoRunsOnOneFolderLeaveWholeFrames) {
+  make_folder("whole");
+  make_folder("both");
+  ASSERT_EQ(tool(morning({"-q", "-o", "whole/s.#.exr"})).exit_code, 0);
+  Outcome outcomes[2];
+  std::thread other([&] { outcomes[1] = tool(morning({"-q", "-o", "both/s.#.exr"})); });
+  outcomes[0] = tool(morning({"-q", "-o", "both/s.#.exr"}));
+  other.join();
+  for (const Outcome& outcome : outcomes) {
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  }
+  EXPECT_EQ(pictures("both"), pictures("whole"));
+  EXPECT_EQ(Json::parse(scratch_.read("both/s.manifest.json"))["complete"], true);
+}
+
+// A limit on the size of files stands for a full disk: early frames are small, later ones are not.
+TEST_F(Sequence, AFullDiskKeepsTheFramesBefore) {
+  std::string preset = small_preset();
+  preset.insert(preset.rfind('}'), R"(, "sequence": {"frames": [{"at": 1, "/image/width": 16}, {"at": 6,
+      "/image/width": 2048}]})");
+  scratch_.write("keys.json", preset);
+  const Outcome outcome = shell("trap '' XFSZ; ulimit -f 64; exec $airlight sequence keys.json -q -o s.#.exr --float");
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  EXPECT_EQ(lines_of(outcome.err).size(), 1U) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "File too large")) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "of 6 frames are whole")) << outcome.err;
+  int whole = 0;
+  for (const std::string& name : scratch_.files()) {
+    EXPECT_FALSE(contains(name, ".part-")) << name;
+    if (name.ends_with(".exr")) {
+      ++whole;
+      EXPECT_EQ(tool({"diff", name, name}).exit_code, 0) << name;
+    }
+  }
+  EXPECT_GT(whole, 0);
+  EXPECT_LT(whole, 6);
+}
+
+struct BadSequence {
+  Names more;
+  Names parts;
+};
+
+TEST_F(Sequence, BadInputIsOneLineExitCodeTwoAndNoFile) {
+  const Names path = {"--date", "2026-06-21", "--from", "06:00", "--to",  "08:00",
+                      "--step", "1h",         "--lat",  "48",    "--lon", "2"};
+  const auto with = [&](Names more, const std::string& changed = "", const std::string& value = "") {
+    Names words = path;
+    if (const auto at = std::find(words.begin(), words.end(), changed); at != words.end()) {
+      *(at + 1) = value;
+    }
+    words.insert(words.begin(), {"-o", "s.####.exr"});
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  };
+  const std::vector<BadSequence> cases = {
+      {{"--sun-elevation", "0:1:1"}, {"no files to write", "sky.####.exr"}},
+      {{"-o", "s.exr", "--sun-elevation", "0:1:1"}, {"'s.exr' has no #", "s.####.exr"}},
+      {{"-o", "s.#.#.exr", "--sun-elevation", "0:1:1"}, {"# in two places"}},
+      {{"-o", "#/s.#.exr", "--sun-elevation", "0:1:1"}, {"folder's name"}},
+      {{"-o", "s.#.png", "--sun-elevation", "0:1:1"}, {"does not end in .exr"}},
+      {{"--png", "s.#.exr", "--sun-elevation", "0:1:1"}, {"does not end in .png"}},
+      {{"-o", "no/s.#.exr", "--sun-elevation", "0:1:1"}, {"does not exist", "mkdir -p"}},
+      {{"-o", "s.#.exr"}, {"nothing says what changes", "--sun-elevation", "--date"}},
+      {{"-o", "s.#.exr", "--date", "2026-06-21", "--lat", "3"}, {"needs --from, --to, --step, --lon"}},
+      {with({"--sun-elevation", "0:1:1"}), {"--sun-elevation and --date", "choose"}},
+      {with({"--sun-azimuth", "3"}), {"--sun-azimuth", "sun path"}},
+      {with({"--pressure", "900"}), {"belong to --refraction"}},
+      {with({}, "--step", "0m"), {"--step: '0m' never gets"}},
+      {with({}, "--step", "5"), {"--step: '5' is not a length of time"}},
+      {with({}, "--date", "2026-02-30"), {"--date", "the calendar has no day '2026-02-30'"}},
+      {with({}, "--date", "1582-10-04"), {"--date", "1582 is outside 1600 to 2400"}},
+      {with({}, "--from", "25:00"), {"--from: '25:00' is not a time of day"}},
+      {with({}, "--lat", "91"), {"--lat: 91 is outside -90 to 90"}},
+      {with({"--tz", "Europe/Pariss"}), {"no time zone 'Europe/Pariss'", "did you mean 'Europe/Paris'?"}},
+      {with({"--tz", "Europe/Paris"}, "--date", "1600-13-01"), {"--date"}},
+      {with({}, "--step", "0.001s"), {"7200001 frames", "--yes"}},
+      {with({"--shard", "5/4"}), {"--shard: '5/4' is not I/N"}},
+      {{"-o", "s.#.exr", "--sun-elevation", "0:10:0"}, {"steps of 0 never get"}},
+      {{"-o", "s.#.exr", "--sun-elevation", "5"}, {"is not FROM:TO:STEP"}},
+      {with({"--set", "/sun/azimut_deg=3"}), {"/sun/azimut_deg", "azimuth_deg"}},
+      {with({"--preview", "film.avi"}), {"'film.avi' ends neither in .mp4 nor in .gif"}},
+      {with({"--contact-sheet", "sheet.jpg"}), {"does not end in .png"}},
+      {with({"--contact-sheet", "sheet.png", "--shard", "1/2"}), {"one shard is not the whole sequence"}},
+      {with({"--contact-sheet", "sheet.png", "--view", "gpu"}), {"no view 'gpu'", "--png"}},
+      {with({"--manifest", "no/list.json"}), {"no/list.json", "does not exist"}},
+      {with({"--checkpoint", "x"}), {"unknown option '--checkpoint'"}},
+  };
+  for (const BadSequence& bad : cases) {
+    Names words = {"sequence", "sky.json"};
+    words.insert(words.end(), bad.more.begin(), bad.more.end());
+    const Outcome outcome = tool(words);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(lines_of(outcome.err).size(), 1U) << outcome.err;
+    for (const std::string& part : bad.parts) {
+      EXPECT_TRUE(contains(outcome.err, part)) << "expected '" << part << "' in: " << outcome.err;
+    }
+  }
+  EXPECT_EQ(scratch_.files(), Names{"sky.json"});
+}
+
+TEST_F(Sequence, PolarDaysNightsAndTheNineteenthCentury) {
+  const auto elevations = [&](const char* date, const char* latitude) {
+    std::vector<double> found;
+    const Outcome outcome =
+        tool({"sequence", "sky.json", "-o", "s.#.exr", "--dry-run", "--date", date, "--from", "00:00", "--to", "24:00",
+              "--step", "2h", "--lat", latitude, "--lon", "18.96", "--tz", "Europe/Oslo"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    for (const std::string& line : lines_of(outcome.out)) {
+      const std::string key = "/sun/elevation_deg=";
+      found.push_back(std::stod(line.substr(line.find(key) + key.size())));
+    }
+    return found;
+  };
+  for (const double day : elevations("2026-06-21", "69.65")) {
+    EXPECT_GT(day, 0.0);
+  }
+  for (const double night : elevations("2026-12-21", "69.65")) {
+    EXPECT_LT(night, 0.0);
+  }
+  EXPECT_EQ(elevations("1850-06-21", "90").size(), 13U);
+  EXPECT_EQ(scratch_.files(), Names{"sky.json"});
+}
+
+TEST_F(Sequence, PreviewAndContactSheetShowTheFrames) {
+  fs::create_directory(scratch_.path() / "empty");
+  Start nowhere;
+  nowhere.environment["PATH"] = (scratch_.path() / "empty").string();
+  const Outcome none = tool(morning({"-o", "s.#.exr", "--preview", "day.mp4"}), nowhere);
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_TRUE(contains(none.err, "ffmpeg is not installed")) << none.err;
+  EXPECT_EQ(scratch_.files(), Names{"sky.json"});
+  const bool has_ffmpeg = run(scratch_.path(), {"ffmpeg", "-version"}).exit_code == 0;
+  Names words = morning({"-q", "-o", "s.#.exr", "--contact-sheet", "sheet.png"});
+  if (has_ffmpeg) {
+    words.insert(words.end(), {"--preview", "day.gif"});
+  }
+  const Outcome outcome = tool(words);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::string sheet = scratch_.read("sheet.png");
+  ASSERT_GT(sheet.size(), 24U);
+  // Six pictures of 32x18 with their gaps and labels, and no rows too many.
+  const auto side = [&](std::size_t at) {
+    return static_cast<unsigned char>(sheet[at + 2]) * 256 + static_cast<unsigned char>(sheet[at + 3]);
+  };
+  EXPECT_EQ(side(16), 3 * 36 + 4);
+  EXPECT_EQ(side(20), 2 * (18 + 11 + 4) + 4);
+  if (has_ffmpeg) {
+    EXPECT_EQ(scratch_.read("day.gif").substr(0, 4), "GIF8");
+  }
+  for (const std::string& name : scratch_.files()) {
+    EXPECT_FALSE(contains(name, ".part-")) << name;
+  }
+}
+
+TEST_F(Sequence, QuietIsSilent) {
+  const Outcome outcome = tool({"sequence", "sky.json", "-q", "-o", "s.#.exr", "--sun-elevation", "1:2:1"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.out + outcome.err, "");
+}
+
+}  // namespace
+}  // namespace airlight::test
