@@ -85,6 +85,9 @@ std::span<const SkyMethod> methods();
 // Null when there is none of that name.
 const SkyMethod* find_method(std::string_view name);
 
+// The scene as this method renders it at this quality: the method's defaults, and the quality's parameters over them.
+Scene with_quality(Scene scene, const SkyMethod& method, const Quality& quality);
+
 // Their parameters, for resolve().
 std::span<const MethodInfo> method_infos();
 
