@@ -1,6 +1,7 @@
 #include "app/sampling_options.h"
 
 #include <charconv>
+#include <cmath>
 #include <limits>
 
 #include "app/progress.h"
@@ -9,21 +10,16 @@
 #include "core/scene/json_format.h"
 
 namespace airlight::cli {
-namespace {
-
-// "0.5%" or "0.005".
-double relative_error(const std::string& text) {
+double relative_error(const std::string& text, const std::string& place) {
   const bool percent = text.ends_with('%');
   const char* last = text.data() + text.size() - (percent ? 1 : 0);
   double value = 0.0;
   const auto parsed = std::from_chars(text.data(), last, value);
-  if (parsed.ec != std::errc() || parsed.ptr != last || !(value > 0.0)) {
-    throw InputError("render: --target-error: '" + text + "' is no relative error; write for example 0.5% or 0.005");
+  if (parsed.ec != std::errc() || parsed.ptr != last || !(value > 0.0) || !std::isfinite(value)) {
+    throw InputError(place + ": '" + text + "' is no relative error; write for example 0.5% or 0.005");
   }
   return percent ? value / 100.0 : value;
 }
-
-}  // namespace
 
 std::vector<Option> sampling_options(SamplingOptions& options) {
   constexpr double kNoLimit = std::numeric_limits<double>::infinity();
@@ -48,7 +44,8 @@ std::vector<std::string> overrides(const SamplingOptions& options) {
     assignments.push_back("/render/time_limit_s=" + format_number(*options.time_limit));
   }
   if (options.target_error) {
-    assignments.push_back("/render/target_error=" + format_number(relative_error(*options.target_error)));
+    assignments.push_back("/render/target_error=" +
+                          format_number(relative_error(*options.target_error, "render: --target-error")));
   }
   return assignments;
 }

@@ -17,6 +17,9 @@ struct SamplingOptions {
   std::string checkpoint;
 };
 
+// "0.5%" or "0.005" as a number. Throws InputError: "PLACE: ...".
+double relative_error(const std::string& text, const std::string& place);
+
 std::vector<Option> sampling_options(SamplingOptions& options);
 
 // As overrides of the preset, "POINTER=JSON". Throws InputError when the target is no number or percentage.
