@@ -28,6 +28,15 @@ ExrOptions exr_options(const PictureContext& context, bool half) {
       world_to_camera(axis(basis.right), axis(basis.up), axis(basis.forward), scene.camera.altitude);
   options.comments = scene.name + (scene.name.empty() || scene.description.empty() ? "" : ": ") + scene.description;
   options.provenance = context.provenance;
+  if (context.choice) {
+    options.strings["airlight:quality"] = context.choice->quality;
+    options.numbers["airlight:estimated_error"] = static_cast<float>(context.choice->error);
+    std::string left_out;
+    for (const std::string& line : context.rendering.left_out) {
+      left_out += (left_out.empty() ? "" : "\n") + line;
+    }
+    options.strings["airlight:left_out"] = left_out;
+  }
   options.numbers["airlight:exposure"] = static_cast<float>(context.rendering.exposure);
   return options;
 }

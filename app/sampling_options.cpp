@@ -2,8 +2,8 @@
 
 #include <charconv>
 #include <cmath>
-#include <limits>
 
+#include "app/choice_options.h"
 #include "app/progress.h"
 #include "core/error.h"
 #include "core/output/atomic_file.h"
@@ -22,11 +22,13 @@ double relative_error(const std::string& text, const std::string& place) {
 }
 
 std::vector<Option> sampling_options(SamplingOptions& options) {
-  constexpr double kNoLimit = std::numeric_limits<double>::infinity();
   return {{"--samples", "N", "Samples a pixel, of a method that samples; short for --set /render/samples=N",
            &options.samples, Completes::nothing, Range{1.0, 2147483647.0}},
-          {"--time-limit", "SECONDS", "Stop sampling after so long; short for --set /render/time_limit_s=SECONDS",
-           &options.time_limit, Completes::nothing, Range{0.0, kNoLimit}},
+          {"--time-limit", "TIME",
+           "E.g. 50ms, 2s, 1min, or seconds; choose the most accurate method and quality whose tables and picture take "
+           "the device no longer; with a method that samples: stop sampling after so long, short for --set "
+           "/render/time_limit_s=SECONDS",
+           &options.time_limit},
           {"--target-error", "ERROR",
            "Stop sampling when the mean standard error is this small, e.g. 0.5%; short for --set "
            "/render/target_error=0.005",
@@ -35,13 +37,14 @@ std::vector<Option> sampling_options(SamplingOptions& options) {
            &options.checkpoint, Completes::file}};
 }
 
-std::vector<std::string> overrides(const SamplingOptions& options) {
+std::vector<std::string> overrides(const SamplingOptions& options, bool samples) {
   std::vector<std::string> assignments;
   if (options.samples) {
     assignments.push_back("/render/samples=" + std::to_string(*options.samples));
   }
-  if (options.time_limit) {
-    assignments.push_back("/render/time_limit_s=" + format_number(*options.time_limit));
+  if (options.time_limit && samples) {
+    const double ms = milliseconds_from(*options.time_limit, "render: --time-limit");
+    assignments.push_back("/render/time_limit_s=" + format_number(1e-3 * ms));
   }
   if (options.target_error) {
     assignments.push_back("/render/target_error=" +

@@ -26,6 +26,8 @@ struct Direction {
 // What to render: the camera's picture, or listed directions from the camera's place (without the sun's disc).
 struct View {
   std::span<const Direction> directions;  // empty: the camera's picture
+  // Listed directions as pixels of the camera's picture would have them, by the same tables: transmittance is not told.
+  bool as_picture = false;
 };
 
 // Where a method claims to hold; outside, the command line warns once. Radians, km, vertical optical depth.

@@ -82,7 +82,8 @@ void add_table_constants(std::vector<Specialization>& constants, const FactorTab
 
 bool tabulates(const Scene& scene, const View& view) {
   const std::string& choice = scene.render.get<std::string>("tabulate");
-  const bool holds = view.directions.empty() && scene.camera.altitude <= scene.planet.atmosphere_height;
+  const bool holds =
+      (view.directions.empty() || view.as_picture) && scene.camera.altitude <= scene.planet.atmosphere_height;
   const bool pays = scene.image.width * static_cast<long long>(scene.image.height) >= 16384;
   return holds && (choice == "always" || (choice == "auto" && pays));
 }

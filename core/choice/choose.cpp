@@ -1,0 +1,145 @@
+#include "core/choice/choose.h"
+
+#include <algorithm>
+#include <map>
+
+#include "core/choice/leave_out.h"
+
+namespace airlight::choice {
+namespace {
+
+constexpr std::size_t kProbes = 256;
+constexpr double kFineBelow = 0.0095;  // tolerances that ask for the fine reference
+
+// What every choice begins with.
+struct Ground {
+  Lighter lighter;
+  Probes probes;
+  Candidate near_truth;
+  std::vector<float> truth;
+  double known_error = 0.0;  // of the reference and of what was left out
+
+  Ground(const Scene& scene, double tolerance, const ProbeFunction& probe)
+      : lighter(leave_out_media(scene, 0.25 * tolerance)),
+        probes(choose_probes(scene, kProbes)),
+        near_truth(reference(lighter.scene, tolerance < kFineBelow)) {
+    if (!probes.directions.empty()) {
+      truth = probe(near_truth.scene, probes);
+    }
+    known_error = reference_error(lighter.scene, tolerance < kFineBelow) + lighter.error;
+  }
+
+  double bound_of(const Candidate& candidate, const ProbeFunction& probe) const {
+    if (probes.directions.empty()) {
+      return 0.0;  // nothing of the planet is in the picture
+    }
+    return error_bound(measure::sample_error(probe(candidate.scene, probes), truth, probes.weights), known_error);
+  }
+
+  Choice begin() const {
+    Choice choice;
+    choice.probes = probes.directions.size();
+    choice.reference_error = known_error;
+    choice.left_out = lighter.reasons;
+    return choice;
+  }
+};
+
+void note(Choice& choice, const Tried& tried) {
+  choice.tried.push_back(tried);
+  if (!choice.best || tried.error < choice.best->error) {
+    choice.best = tried;
+  }
+}
+
+void settle(Choice& choice, const Candidate& candidate, const Tried& tried) {
+  choice.chosen = candidate;
+  choice.error = tried.error;
+  choice.ms = tried.ms;
+  choice.left_out.insert(choice.left_out.end(), candidate.left_out.begin(), candidate.left_out.end());
+}
+
+// Of each method the dearest qualities that should fit, by the time of its cheapest one and the predicted costs.
+std::vector<Candidate> likely_to_fit(const std::vector<Candidate>& all, double limit_ms, const TimeFunction& time,
+                                     std::map<std::string, double>& fastest) {
+  constexpr std::size_t kOfEach = 2;
+  std::map<std::string, double> ms_per_cost;
+  std::map<std::string, std::vector<Candidate>> fitting;
+  for (const Candidate& candidate : all) {
+    if (!ms_per_cost.contains(candidate.method)) {
+      const double ms = time(candidate.scene);
+      fastest[candidate.method] = ms;
+      ms_per_cost[candidate.method] = ms / std::max(candidate.cost.total(), 1.0);
+    }
+    if (ms_per_cost[candidate.method] * candidate.cost.total() <= limit_ms) {
+      fitting[candidate.method].push_back(candidate);
+    }
+  }
+  std::vector<Candidate> likely;
+  for (auto& [method, of_method] : fitting) {
+    const std::size_t count = std::min(kOfEach, of_method.size());
+    likely.insert(likely.end(), of_method.end() - static_cast<std::ptrdiff_t>(count), of_method.end());
+  }
+  return likely;
+}
+
+}  // namespace
+
+double error_bound(const measure::SampleError& measured, double reference_error) {
+  constexpr double kSpreads = 2.0;
+  constexpr double kSafety = 1.1;
+  return kSafety * (measured.mean + kSpreads * measured.spread) + reference_error;
+}
+
+double reference_error(const Scene& scene, bool fine) {
+  static_cast<void>(scene);
+  return fine ? 0.002 : 0.004;
+}
+
+Choice choose_for_tolerance(const Scene& scene, double tolerance, const std::string& only, const ProbeFunction& probe) {
+  const Ground ground(scene, tolerance, probe);
+  Choice choice = ground.begin();
+  for (const Candidate& candidate : candidates(ground.lighter.scene, tolerance, only, ground.near_truth)) {
+    const Tried tried{candidate.method, candidate.quality, candidate.cost.total(), ground.bound_of(candidate, probe),
+                      0.0};
+    note(choice, tried);
+    if (tried.error <= tolerance) {
+      settle(choice, candidate, tried);
+      break;
+    }
+  }
+  return choice;
+}
+
+Choice choose_for_time(const Scene& scene, double limit_ms, const std::string& only, const ProbeFunction& probe,
+                       const TimeFunction& time) {
+  constexpr double kClose = 0.01;  // how well errors are told apart
+  const Ground ground(scene, kClose, probe);
+  Choice choice = ground.begin();
+  std::map<std::string, double> fastest;
+  std::vector<std::pair<Tried, Candidate>> ranked;
+  const std::vector<Candidate> all = candidates(ground.lighter.scene, kClose, only, ground.near_truth);
+  for (const Candidate& candidate : likely_to_fit(all, limit_ms, time, fastest)) {
+    const Tried tried{candidate.method, candidate.quality, candidate.cost.total(), ground.bound_of(candidate, probe),
+                      0.0};
+    ranked.emplace_back(tried, candidate);
+  }
+  std::ranges::stable_sort(ranked, {}, [](const auto& entry) { return entry.first.error; });
+  for (auto& [tried, candidate] : ranked) {
+    tried.ms = time(candidate.scene);
+    note(choice, tried);
+    if (tried.ms <= limit_ms) {
+      settle(choice, candidate, tried);
+      return choice;
+    }
+  }
+  choice.best.reset();
+  for (const auto& [method, ms] : fastest) {
+    if (!choice.best || ms < choice.best->ms) {
+      choice.best = Tried{method, "its cheapest quality", 0.0, 0.0, ms};
+    }
+  }
+  return choice;
+}
+
+}  // namespace airlight::choice
