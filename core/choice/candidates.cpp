@@ -78,12 +78,14 @@ Candidate reference(const Scene& scene, bool fine) {
 }
 
 std::vector<Candidate> candidates(const Scene& scene, double tolerance, const std::string& only,
-                                  const Candidate& made) {
+                                  const std::vector<Candidate>& made) {
   std::set<std::string> keys;
-  const Plan made_plan = plan_of(made.scene);
-  for (const ImageDesc& image : made_plan.images()) {
-    if (!image.key.empty()) {
-      keys.insert(image.key);
+  for (const Candidate& candidate : made) {
+    const Plan plan = plan_of(candidate.scene);
+    for (const ImageDesc& image : plan.images()) {
+      if (!image.key.empty()) {
+        keys.insert(image.key);
+      }
     }
   }
   const OpticalDepths depths = vertical_depths(scene);

@@ -23,9 +23,10 @@ struct Candidate {
 Candidate reference(const Scene& scene, bool fine);
 
 // Every quality of every method on the device that claims to hold for the scene (of `only` alone where it is not
-// empty), by rising cost of tables and picture; tables that `made` makes cost nothing. Methods that tell single from
-// multiple scattering are there with single scattering alone too, where the air is thinner than the tolerance asks for
-// more.
-std::vector<Candidate> candidates(const Scene& scene, double tolerance, const std::string& only, const Candidate& made);
+// empty), by rising cost of tables and picture; tables that those in `made` make cost nothing. Methods that tell single
+// from multiple scattering are there with single scattering alone too, where the air is thinner than the tolerance asks
+// for more.
+std::vector<Candidate> candidates(const Scene& scene, double tolerance, const std::string& only,
+                                  const std::vector<Candidate>& made);
 
 }  // namespace airlight::choice

@@ -9,24 +9,46 @@ namespace airlight::choice {
 namespace {
 
 constexpr std::size_t kProbes = 256;
-constexpr double kFineBelow = 0.0095;  // tolerances that ask for the fine reference
+
+double mean_at_most(const measure::SampleError& measured) {
+  constexpr double kSpreads = 2.0;
+  return measured.mean + kSpreads * measured.spread;
+}
 
 // What every choice begins with.
 struct Ground {
   Lighter lighter;
   Probes probes;
-  Candidate near_truth;
+  std::vector<Candidate> made;  // their tables are there
   std::vector<float> truth;
   double known_error = 0.0;  // of the reference and of what was left out
 
   Ground(const Scene& scene, double tolerance, const ProbeFunction& probe)
-      : lighter(leave_out_media(scene, 0.25 * tolerance)),
-        probes(choose_probes(scene, kProbes)),
-        near_truth(reference(lighter.scene, tolerance < kFineBelow)) {
-    if (!probes.directions.empty()) {
-      truth = probe(near_truth.scene, probes);
+      : lighter(leave_out_media(scene, 0.25 * tolerance)), probes(choose_probes(scene, kProbes)) {
+    known_error = lighter.error;
+    made = {reference(lighter.scene, false)};
+    if (probes.directions.empty()) {
+      return;
     }
-    known_error = reference_error(lighter.scene, tolerance < kFineBelow) + lighter.error;
+    truth = probe(made.front().scene, probes);
+    const std::optional<double> known = plain_reference_error(lighter.scene);
+    constexpr double kShare = 0.5;  // of a tolerance, that the reference's own error may take up
+    if (known && *known <= kShare * tolerance) {
+      known_error += *known;
+    } else {
+      refine(probe);
+    }
+  }
+
+  // Both references' methods are the same but for the degree and the tables' sizes, four times the entries: what the
+  // fine one is still away from the limit is less than half of their distance.
+  void refine(const ProbeFunction& probe) {
+    constexpr double kRemains = 0.5;
+    constexpr double kLeast = 0.002;
+    made.push_back(reference(lighter.scene, true));
+    std::vector<float> better = probe(made.back().scene, probes);
+    known_error += kLeast + kRemains * mean_at_most(measure::sample_error(truth, better, probes.weights));
+    truth = std::move(better);
   }
 
   double bound_of(const Candidate& candidate, const ProbeFunction& probe) const {
@@ -86,20 +108,26 @@ std::vector<Candidate> likely_to_fit(const std::vector<Candidate>& all, double l
 }  // namespace
 
 double error_bound(const measure::SampleError& measured, double reference_error) {
-  constexpr double kSpreads = 2.0;
   constexpr double kSafety = 1.1;
-  return kSafety * (measured.mean + kSpreads * measured.spread) + reference_error;
+  return kSafety * mean_at_most(measured) + reference_error;
 }
 
-double reference_error(const Scene& scene, bool fine) {
-  static_cast<void>(scene);
-  return fine ? 0.002 : 0.004;
+std::optional<double> plain_reference_error(const Scene& scene) {
+  constexpr double kDegree = 0.017453292519943295;
+  const double scattering = vertical_depths(scene).scattering;
+  if (scene.sun.elevation >= kDegree && scattering <= 0.6) {
+    return 0.004;
+  }
+  if (scene.sun.elevation >= -7.0 * kDegree && scattering <= 0.4) {
+    return 0.012;
+  }
+  return std::nullopt;
 }
 
 Choice choose_for_tolerance(const Scene& scene, double tolerance, const std::string& only, const ProbeFunction& probe) {
   const Ground ground(scene, tolerance, probe);
   Choice choice = ground.begin();
-  for (const Candidate& candidate : candidates(ground.lighter.scene, tolerance, only, ground.near_truth)) {
+  for (const Candidate& candidate : candidates(ground.lighter.scene, tolerance, only, ground.made)) {
     const Tried tried{candidate.method, candidate.quality, candidate.cost.total(), ground.bound_of(candidate, probe),
                       0.0};
     note(choice, tried);
@@ -118,7 +146,7 @@ Choice choose_for_time(const Scene& scene, double limit_ms, const std::string& o
   Choice choice = ground.begin();
   std::map<std::string, double> fastest;
   std::vector<std::pair<Tried, Candidate>> ranked;
-  const std::vector<Candidate> all = candidates(ground.lighter.scene, kClose, only, ground.near_truth);
+  const std::vector<Candidate> all = candidates(ground.lighter.scene, kClose, only, ground.made);
   for (const Candidate& candidate : likely_to_fit(all, limit_ms, time, fastest)) {
     const Tried tried{candidate.method, candidate.quality, candidate.cost.total(), ground.bound_of(candidate, probe),
                       0.0};

@@ -46,7 +46,9 @@ Choice choose_for_time(const Scene& scene, double limit_ms, const std::string& o
 // The bound that a tolerance is held against, from what the probes say and what is known of the reference.
 double error_bound(const measure::SampleError& measured, double reference_error);
 
-// The mean error of reference() against path-trace, from the scene: calibrated by scripts/tolerance.
-double reference_error(const Scene& scene, bool fine);
+// What is known of the plain reference's mean error against path-trace without looking: nothing where the air is thick
+// or the sun far below the horizon. Then, and where the tolerance asks for better, the fine reference serves, and the
+// distance between the two says how well it is to be trusted. Calibrated by scripts/tolerance.
+std::optional<double> plain_reference_error(const Scene& scene);
 
 }  // namespace airlight::choice

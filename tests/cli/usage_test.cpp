@@ -12,8 +12,8 @@ namespace airlight::test {
 namespace {
 
 const std::vector<std::string>& commands() {
-  static const std::vector<std::string> names = {"render",  "luts",    "probe", "check",      "methods",
-                                                 "devices", "presets", "diff",  "completion", "man"};
+  static const std::vector<std::string> names = {"render",  "luts", "probe", "check",      "methods", "devices",
+                                                 "presets", "diff", "chart", "completion", "man"};
   return names;
 }
 
