@@ -19,17 +19,16 @@ bool contains(const std::string& text, const std::string& part) {
 class Chart : public testing::Test {
  protected:
   void SetUp() override { scratch_.write("sky.json", small_preset()); }
-  Outcome tool(const Names& arguments, std::map<std::string, std::string> environment = {}) const {
+  Outcome tool(const Names& arguments, const std::map<std::string, std::string>& environment = {}) const {
     Start start;
-    environment.emplace("XDG_CACHE_HOME", (scratch_.path() / "cache").string());
-    start.environment = std::move(environment);
+    start.environment = environment;
     return airlight(scratch_.path(), arguments, start);
   }
   // A rough truth: what is tested is not how good it is.
-  Outcome chart(std::map<std::string, std::string> environment = {}) const {
+  Outcome chart(const std::map<std::string, std::string>& environment = {}) const {
     return tool({"chart", "sky.json", "-o", "c", "--size", "32x18", "--method", "analytic", "--method", "nested",
-                 "--truth-error", "90%", "--json"},
-                std::move(environment));
+                 "--truth-error", "90%", "--truth", "truth", "--json"},
+                environment);
   }
   bool has(const std::string& file) const { return std::filesystem::exists(scratch_.path() / file); }
   Scratch scratch_;
@@ -87,8 +86,9 @@ TEST_F(Chart, WithoutGnuplotStillWritesItsData) {
 }
 
 TEST_F(Chart, GnuplotThatFailsLeavesNoPicture) {
-  const std::filesystem::path folder = scratch_.write("bin/gnuplot", "#!/bin/sh\necho no terminal here >&2\nexit 3\n");
-  std::filesystem::permissions(folder, std::filesystem::perms::owner_all);
+  std::filesystem::create_directory(scratch_.path() / "bin");
+  const std::filesystem::path program = scratch_.write("bin/gnuplot", "#!/bin/sh\necho no terminal here >&2\nexit 3\n");
+  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
   const Outcome outcome = chart({{"PATH", (scratch_.path() / "bin").string()}});
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_TRUE(contains(outcome.err, "gnuplot could not draw c/chart.gp: no terminal here")) << outcome.err;
