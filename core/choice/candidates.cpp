@@ -4,16 +4,15 @@
 #include <set>
 
 #include "core/choice/leave_out.h"
-#include "core/physics/scene_data.h"
 
 namespace airlight::choice {
 namespace {
 
 constexpr std::string_view kScale = "multiple_scattering_scale";
 
+// Its passes and tables; without the scene block it is not to be run.
 Plan plan_of(const Scene& scene) {
   Plan plan;
-  plan.scene_data = device_scene_bytes(scene);
   find_method(scene.render.method)->add_passes(plan, scene, View{});
   return plan;
 }

@@ -153,6 +153,19 @@ TEST(Candidates, LeaveMultipleScatteringOutOfThinAirAlone) {
   EXPECT_GT(single(thin), 0);
 }
 
+// By what is predicted, as no test may fail by the clock: near-truth tables and rays, against the march that they save.
+TEST(Probes, CostLessThanAFifthOfAMarchAtFullSize) {
+  const Scene scene = preset("earth-noon");
+  Scene rays = scene;
+  rays.image = {256, 1};
+  const double probing = reference(rays, false).cost.total();
+  for (const Candidate& candidate : candidates(scene, 0.01, "march", {})) {
+    if (candidate.quality == "32") {
+      EXPECT_LT(probing, 0.2 * candidate.cost.total());
+    }
+  }
+}
+
 TEST(Media, ThatChangeNothingAreLeftOut) {
   Scene scene = preset("earth-noon");
   EXPECT_TRUE(leave_out_media(scene, 0.0025).reasons.empty());

@@ -73,14 +73,5 @@ TEST(Honesty, OfScenesNobodyThoughtOf) {
   }
 }
 
-// A day on Earth costs no more to choose than a fifth of a march at full size: of what is predicted, as no test may
-// fail by the clock.
-TEST(Honesty, ProbesAreFewAgainstThePicture) {
-  Scene scene = honesty_scene(6);
-  scene.image = {1920, 1080};
-  const choice::Probes probes = choice::choose_probes(scene, 256);
-  EXPECT_LT(static_cast<double>(probes.directions.size()) * 192 * 2.5, 0.2 * 1920 * 1080 * 32);
-}
-
 }  // namespace
 }  // namespace airlight::test
