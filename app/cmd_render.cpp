@@ -1,6 +1,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "app/choice_options.h"
 #include "app/commands.h"
 #include "app/picture_files.h"
 #include "app/picture_options.h"
@@ -14,6 +15,7 @@
 #include "app/table_files.h"
 #include "app/terminal.h"
 #include "app/validity.h"
+#include "core/error.h"
 #include "core/output/atomic_file.h"
 #include "core/scene/preset.h"
 #include "core/scene/resolve.h"
@@ -28,6 +30,7 @@ constexpr const char* kDefaultFolder = "out";
 struct Given {
   SceneOptions scene;
   SamplingOptions sampling;
+  std::optional<std::string> tolerance;
   std::optional<std::string> exr;
   std::optional<std::string> png;
   std::optional<std::string> tables;
@@ -65,12 +68,50 @@ void check_targets(const Given& given, const Targets& targets) {
   }
 }
 
+bool samples(const Scene& scene) {
+  return find_method(scene.render.method)->render_on_host != nullptr;
+}
+
 Scene scene_of(const Given& given) {
-  std::vector<std::string> further = overrides(given.sampling);
-  for (std::string& assignment : overrides(given.picture)) {
-    further.push_back(std::move(assignment));
+  const std::vector<std::string> further = overrides(given.picture);
+  const auto with = [&](bool of_sampling) {
+    std::vector<std::string> all = overrides(given.sampling, of_sampling);
+    all.insert(all.end(), further.begin(), further.end());
+    return load_scene(given.scene, all);
+  };
+  Scene scene = with(false);
+  return samples(scene) && given.sampling.time_limit ? with(true) : scene;
+}
+
+// Nothing where method and quality are the preset's.
+std::optional<ChoiceWish> choice_wish(const Given& given, const Scene& scene) {
+  const bool by_time = given.sampling.time_limit && !samples(scene);
+  if (!given.tolerance && !by_time) {
+    return std::nullopt;
   }
-  return load_scene(given.scene, further);
+  const std::string option = given.tolerance ? "--tolerance" : "--time-limit";
+  if (given.tolerance && given.sampling.time_limit) {
+    throw InputError("render: --tolerance and --time-limit exclude each other; give one");
+  }
+  for (const std::string& assignment : given.scene.set) {
+    if (assignment.starts_with("/render/")) {
+      throw InputError("render: " + option + " chooses what stands under /render; leave out --set " + assignment);
+    }
+  }
+  ChoiceWish wish;
+  wish.method = given.scene.method.value_or("");
+  if (given.tolerance && find_method(wish.method) != nullptr && samples(scene)) {
+    throw InputError("render: --tolerance: " + wish.method + " samples until --target-error; give that instead");
+  }
+  if (given.tolerance) {
+    wish.tolerance = relative_error(*given.tolerance, "render: --tolerance");
+  } else {
+    wish.limit_ms = milliseconds_from(*given.sampling.time_limit, "render: --time-limit");
+    if (!(wish.limit_ms > 0.0)) {
+      throw InputError("render: --time-limit: nothing is rendered in no time; write for example 50ms");
+    }
+  }
+  return wish;
 }
 
 RenderRequest request_of(const Scene& scene, const Targets& targets) {
@@ -79,8 +120,9 @@ RenderRequest request_of(const Scene& scene, const Targets& targets) {
   return request;
 }
 
-int dry_run(const Scene& scene, const Targets& targets) {
-  print(describe(scene) + plan_text(plan_for(scene, request_of(scene, targets))));
+int dry_run(const Scene& scene, const Targets& targets, const std::optional<ChoiceReport>& choice) {
+  const std::string why = choice ? summary(*choice) + "\n" + explanation(*choice) : "";
+  print(why + describe(scene) + plan_text(plan_for(scene, request_of(scene, targets))));
   return 0;
 }
 
@@ -89,12 +131,13 @@ void tell_people(const Given& given, const RenderReport& report) {
     for (const std::string& warning : report.exr ? exr_warnings(*report.exr) : std::vector<std::string>()) {
       complain("warning: " + warning);
     }
+    tell(report.choice ? summary(*report.choice) + "\n" : "");
     for (const std::string& file : report.files) {
       tell(file + "\n");
     }
   }
   if (given.verbose) {
-    tell(details(report));
+    tell((report.choice ? explanation(*report.choice) : "") + details(report));
   }
   if (given.timings) {
     tell(timings_table(report));
@@ -103,23 +146,28 @@ void tell_people(const Given& given, const RenderReport& report) {
 
 // From a checked scene to files on disk.
 void render_and_publish(const Given& given, const Scene& scene, const Targets& targets,
-                        const std::optional<DisplayTransform>& transform, Stopwatch& watch) {
+                        const std::optional<DisplayTransform>& transform, const std::optional<ChoiceReport>& choice,
+                        std::unique_ptr<Executor>& executor, Stopwatch& watch) {
   RenderRequest request = request_of(scene, targets);
   request.host = host_options(given.sampling, given.quiet);
-  std::unique_ptr<Executor> executor;
-  const Rendering rendering = render(device_on_demand(given.scene, executor), scene, request);
+  Rendering rendering = render(device_on_demand(given.scene, executor), scene, request);
   clear_progress();
   watch.lap("render");
+  if (choice) {
+    rendering.left_out.insert(rendering.left_out.begin(), choice->choice.left_out.begin(),
+                              choice->choice.left_out.end());
+  }
   require_valid_vulkan();
   const std::optional<DeviceInfo> device = executor ? std::optional(executor->device()) : std::nullopt;
   const PictureContext context{
       scene,
       rendering,
-      {to_json(scene), scene.render.method, AIRLIGHT_VERSION, device ? device->name : "the processor"}};
+      {to_json(scene), scene.render.method, AIRLIGHT_VERSION, device ? device->name : "the processor"},
+      choice ? std::optional(ChoiceNote{choice->choice.chosen->quality, choice->choice.error}) : std::nullopt};
   const Published done =
       publish(context, {targets, given.scene.preset, !given.picture.full_float, given.picture.bits}, transform, watch);
   const Plan plan = plan_for(scene, request);
-  RenderReport report{scene, rendering, plan, device, done.files, done.exr, {}, {}, watch};
+  RenderReport report{scene, rendering, plan, device, done.files, done.exr, {}, {}, choice, watch};
   report.exr_format = given.picture.full_float ? "float" : "half";
   if (!targets.png.empty()) {
     report.view = transform ? transform->display() + " / " + transform->view() : scene.display.view;
@@ -132,13 +180,23 @@ void render_and_publish(const Given& given, const Scene& scene, const Targets& t
 
 int run_render(const Given& given) {
   Stopwatch watch;
-  const Scene scene = scene_of(given);
+  Scene scene = scene_of(given);
+  const std::optional<ChoiceWish> wish = choice_wish(given, scene);
   const Targets targets = choose_targets(given);
-  if (given.dry_run) {
-    return dry_run(scene, targets);
+  if (!given.dry_run) {
+    check_targets(given, targets);
   }
-  check_targets(given, targets);
   watch.lap("preset and checks");
+  std::unique_ptr<Executor> executor;
+  std::optional<ChoiceReport> choice;
+  if (wish) {
+    choice = choose_rendering(scene, *wish, device_on_demand(given.scene, executor));
+    scene = choice->choice.chosen->scene;
+    watch.lap("choice of method and quality");
+  }
+  if (given.dry_run) {
+    return dry_run(scene, targets, choice);
+  }
   std::optional<DisplayTransform> transform;
   if (!targets.png.empty()) {
     transform = display_transform(given.picture, scene);
@@ -153,7 +211,7 @@ int run_render(const Given& given) {
       complain("warning: " + transform->warning());
     }
   }
-  render_and_publish(given, scene, targets, transform, watch);
+  render_and_publish(given, scene, targets, transform, choice, executor, watch);
   return 0;
 }
 
@@ -169,6 +227,10 @@ std::vector<Option> render_options(Given& given) {
   for (Option& option : scene_options(given.scene)) {
     options.push_back(std::move(option));
   }
+  options.push_back({"--tolerance", "ERROR",
+                     "Choose the cheapest method and quality whose mean relative error stays below this, e.g. 1%, by "
+                     "probing this very picture; with --method among its qualities",
+                     &given.tolerance});
   for (Option& option : sampling_options(given.sampling)) {
     options.push_back(std::move(option));
   }
@@ -178,7 +240,11 @@ std::vector<Option> render_options(Given& given) {
   const std::vector<Option> rest = {
       {"--timings", "", "Tell where the time went, every millisecond by name", &given.timings},
       {"--json", "", "Print one JSON object about the render on standard output", &given.json},
-      {"--dry-run", "", "Print the resolved scene and the passes; open no device, write nothing", &given.dry_run},
+      {"--dry-run", "",
+       "Print the resolved scene and the passes; write nothing, and open no device unless --tolerance or --time-limit "
+       "has "
+       "to be explained",
+       &given.dry_run},
       {"-q,--quiet", "", "Say nothing but errors", &given.quiet},
       {"-v,--verbose", "", "Say more: device, exposure, what was left out", &given.verbose}};
   options.insert(options.end(), rest.begin(), rest.end());
@@ -198,12 +264,18 @@ Command render_command() {
       "if need be.\n\n"
       "Every file appears whole or not at all. A result with a NaN, an infinity or a negative value is not written: "
       "the command fails and says where it is.\n\n"
-      "An EXR of airlight's carries its whole preset: rendering the EXR renders the same picture again.";
+      "An EXR of airlight's carries its whole preset: rendering the EXR renders the same picture again.\n\n"
+      "--tolerance and --time-limit choose method and quality for this scene and picture, whatever the preset has "
+      "under "
+      "render: a few hundred of the picture's directions are computed by candidates and by a near-truth quality. The "
+      "choice, the error that it is sure to stay below and what it leaves out stand in the log, in --json and in the "
+      "EXR; -v and --dry-run tell what was tried. A tolerance that nothing reaches is refused, the best being named.";
   command.examples = {{"airlight render earth-sunset", "Write out/earth-sunset.exr and out/earth-sunset.png"},
                       {"airlight render my-sky.json -o sky.exr --png sky.png --sun-elevation 2 --size 1920x1080",
                        "A preset of one's own, with a lower sun and a larger picture"},
                       {"airlight render earth-noon --set /camera/pitch_deg=20 --png up.png --view gpu",
                        "Look up, and show the picture by the GPU tone curve"},
+                      {"airlight render my-sky.json --tolerance 1% -o sky.exr", "Model no more than 1 % asks for"},
                       {"airlight render sky.exr -o again.exr", "Render the picture of an EXR again"}};
   command.positionals = {preset_positional(given->scene)};
   command.options = render_options(*given);

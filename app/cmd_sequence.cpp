@@ -108,7 +108,8 @@ FrameSource source_of(const Given& given, const Scene& scene) {
 }
 
 SequenceJob job_of(const Given& given) {
-  std::vector<std::string> further = overrides(given.sampling);
+  // A time limit is a sampling method's here: no frame chooses its own method.
+  std::vector<std::string> further = overrides(given.sampling, true);
   for (std::string& assignment : overrides(given.picture)) {
     further.push_back(std::move(assignment));
   }

@@ -14,6 +14,7 @@ Command methods_command();
 Command devices_command();
 Command presets_command();
 Command diff_command();
+Command chart_command();
 // These describe the whole tool, which must outlive them.
 Command completion_command(const Tool& tool);
 Command man_command(const Tool& tool);

@@ -32,6 +32,15 @@ ExrOptions exr_options(const PictureContext& context, bool half) {
   if (!context.exr_hash.empty()) {
     options.strings[kHashKey] = context.exr_hash;
   }
+  if (context.choice) {
+    options.strings["airlight:quality"] = context.choice->quality;
+    options.numbers["airlight:estimated_error"] = static_cast<float>(context.choice->error);
+    std::string left_out;
+    for (const std::string& line : context.rendering.left_out) {
+      left_out += (left_out.empty() ? "" : "\n") + line;
+    }
+    options.strings["airlight:left_out"] = left_out;
+  }
   options.numbers["airlight:exposure"] = static_cast<float>(context.rendering.exposure);
   return options;
 }

@@ -16,10 +16,17 @@ namespace airlight::cli {
 inline constexpr const char* kGpuView = "gpu";                // the GPU tone curve
 inline constexpr const char* kDiagnosticView = "diagnostic";  // what kind of number each pixel holds
 
+// Of a method and quality that were chosen for the picture.
+struct ChoiceNote {
+  std::string quality;
+  double error = 0.0;  // bound on the mean relative error
+};
+
 struct PictureContext {
   const Scene& scene;
   const Rendering& rendering;
   Provenance provenance;
+  std::optional<ChoiceNote> choice = {};
   std::string exr_hash = {};  // of a sequence's frame, see app/sequence_job.h; empty: none is written
   std::string png_hash = {};
 };

@@ -111,6 +111,10 @@ std::string json_report(const RenderReport& report) {
     json.key("exr").begin_object().key("format").value(report.exr_format);
     json.key("clamped").value(report.exr->clamped).key("underflowed").value(report.exr->underflowed).end_object();
   }
+  if (report.choice) {
+    json.key("choice");
+    write_choice(json, *report.choice);
+  }
   json.key("left_out").begin_array();
   for (const std::string& reason : report.rendering.left_out) {
     json.value(reason);

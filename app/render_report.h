@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/choice_options.h"
 #include "app/stopwatch.h"
 #include "core/output/exr.h"
 #include "core/render/render.h"
@@ -18,8 +19,9 @@ struct RenderReport {
   std::optional<DeviceInfo> device;
   std::vector<std::string> files;
   std::optional<ExrCounts> exr;
-  std::string exr_format;  // "half" or "float"
-  std::string view;        // of the PNG: "DISPLAY / VIEW"; empty: no PNG
+  std::string exr_format;              // "half" or "float"
+  std::string view;                    // of the PNG: "DISPLAY / VIEW"; empty: no PNG
+  std::optional<ChoiceReport> choice;  // of --tolerance and --time-limit
   const Stopwatch& watch;
 };
 

@@ -12,15 +12,19 @@ namespace airlight::cli {
 
 struct SamplingOptions {
   std::optional<int> samples;
-  std::optional<double> time_limit;
+  std::optional<std::string> time_limit;  // of a method that samples; of the others app/choice_options.h
   std::optional<std::string> target_error;
   std::string checkpoint;
 };
 
+// "0.5%" or "0.005" as a number. Throws InputError: "PLACE: ...".
+double relative_error(const std::string& text, const std::string& place);
+
 std::vector<Option> sampling_options(SamplingOptions& options);
 
-// As overrides of the preset, "POINTER=JSON". Throws InputError when the target is no number or percentage.
-std::vector<std::string> overrides(const SamplingOptions& options);
+// As overrides of the preset, "POINTER=JSON"; `samples`: its method samples, so a time limit is its own. Throws
+// InputError when the target is no number or percentage, or the limit no time.
+std::vector<std::string> overrides(const SamplingOptions& options, bool samples);
 
 // How the method runs: its checkpoint, and a line on the terminal that tells how far it is unless `quiet`. Throws
 // InputError when the checkpoint cannot be written.

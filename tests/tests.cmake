@@ -32,6 +32,8 @@ airlight_test_room(scene airlight_scene airlight_gpu nlohmann_json::nlohmann_jso
 airlight_test_room(methods airlight_gpu airlight_scene airlight_output airlight_measure OpenEXR::OpenEXR)
 airlight_test_room(output airlight_output OpenEXR::OpenEXR OpenColorIO::OpenColorIO PNG::PNG)
 if(AIRLIGHT_TOOL)
+  airlight_test_room(choice airlight_choice airlight_chart airlight_scene)
+  airlight_test_room(chart airlight_chart)
   airlight_test_room(measure airlight_measure airlight_output OpenEXR::OpenEXR)
   airlight_test_room(sequence airlight_sequence)
   airlight_test_room(cli airlight_app nlohmann_json::nlohmann_json)

@@ -26,14 +26,27 @@ Quality with_steps(std::string_view label, int steps) {
   return {label, {{"steps", steps}}};
 }
 
+Quality with_tables(std::string_view label, int steps, TableSize transmittance, TableSize multiple_scattering) {
+  return {label,
+          {{"steps", steps}, {"transmittance_lut", transmittance}, {"multiple_scattering_lut", multiple_scattering}}};
+}
+
 }  // namespace
 
 SkyMethod march_method() {
   SkyMethod method;
   method.info = {"march", "view march on transmittance and isotropic multiple-scattering tables [H20]", kParameters};
   method.validity.leaves_out = "the direction of light scattered more than once";
-  method.sweep = {with_steps("8", 8),   with_steps("16", 16),   with_steps("32", 32),
-                  with_steps("64", 64), with_steps("128", 128), with_steps("512", 512)};
+  method.sweep = {with_steps("4", 4),
+                  with_tables("8, small tables", 8, {64, 16}, {8, 8}),
+                  with_steps("8", 8),
+                  with_steps("16", 16),
+                  with_tables("16, small tables", 16, {64, 16}, {8, 8}),
+                  with_steps("32", 32),
+                  with_steps("64", 64),
+                  with_steps("128", 128),
+                  with_tables("128, large tables", 128, {512, 128}, {64, 64}),
+                  with_steps("512", 512)};
   method.add_passes = add_march;
   return method;
 }

@@ -75,8 +75,10 @@ MarchTables add_march_tables(Plan& plan, const Scene& scene) {
   const RenderSettings& settings = scene.render;
   MarchTables tables;
   tables.transmittance = add_transmittance(plan, scene, settings.get<TableSize>("transmittance_lut"));
-  tables.multiple_scattering =
-      add_multiple_scattering(plan, scene, tables.transmittance, settings.get<TableSize>("multiple_scattering_lut"));
+  // Scaled by nothing, it need not be more than a table that can be bound.
+  const bool single = settings.get<double>("multiple_scattering_scale") == 0.0;
+  tables.multiple_scattering = add_multiple_scattering(
+      plan, scene, tables.transmittance, single ? TableSize{2, 2} : settings.get<TableSize>("multiple_scattering_lut"));
   tables.reflects = ground_reflects(scene);
   tables.ground_irradiance = tables.reflects
                                  ? add_ground_irradiance(plan, scene, tables.transmittance, tables.multiple_scattering)

@@ -26,6 +26,8 @@ struct Direction {
 // What to render: the camera's picture, or listed directions from the camera's place (without the sun's disc).
 struct View {
   std::span<const Direction> directions;  // empty: the camera's picture
+  // Listed directions as pixels of the camera's picture would have them, by the same tables: transmittance is not told.
+  bool as_picture = false;
 };
 
 // Where a method claims to hold; outside, the command line warns once. Radians, km, vertical optical depth.
@@ -84,6 +86,9 @@ std::span<const SkyMethod> methods();
 
 // Null when there is none of that name.
 const SkyMethod* find_method(std::string_view name);
+
+// The scene as this method renders it at this quality: the method's defaults, and the quality's parameters over them.
+Scene with_quality(Scene scene, const SkyMethod& method, const Quality& quality);
 
 // Their parameters, for resolve().
 std::span<const MethodInfo> method_infos();

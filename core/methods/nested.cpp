@@ -58,8 +58,8 @@ SkyMethod nested_method() {
   SkyMethod method;
   method.info = {"nested", "view march with a sun march inside, single scattering, no tables [N93, O05]", kParameters};
   method.validity.leaves_out = "light scattered more than once, and the sky's light on the ground";
-  method.sweep = {with_steps("8 x 4", 8, 4), with_steps("16 x 8", 16, 8), with_steps("32 x 8", 32, 8),
-                  with_steps("64 x 32", 64, 32)};
+  method.sweep = {with_steps("4 x 2", 4, 2), with_steps("8 x 4", 8, 4), with_steps("16 x 8", 16, 8),
+                  with_steps("32 x 8", 32, 8), with_steps("64 x 16", 64, 16)};
   method.add_passes = add_nested;
   return method;
 }

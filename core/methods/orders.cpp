@@ -82,7 +82,8 @@ void add_table_constants(std::vector<Specialization>& constants, const FactorTab
 
 bool tabulates(const Scene& scene, const View& view) {
   const std::string& choice = scene.render.get<std::string>("tabulate");
-  const bool holds = view.directions.empty() && scene.camera.altitude <= scene.planet.atmosphere_height;
+  const bool holds =
+      (view.directions.empty() || view.as_picture) && scene.camera.altitude <= scene.planet.atmosphere_height;
   const bool pays = scene.image.width * static_cast<long long>(scene.image.height) >= 16384;
   return holds && (choice == "always" || (choice == "auto" && pays));
 }
@@ -151,12 +152,26 @@ SkyMethod orders_method() {
   SkyMethod method;
   method.info = {"orders", "successive orders of scattering as spherical-harmonic moments; near truth", kParameters};
   method.validity.leaves_out = "harmonics above the degree kept";
+  const std::string never = "never";
   method.sweep = {
+      {"degree 0, 8 steps, 12 x 24", {{"degree", std::string("0")}, {"steps", 8}, {"sky_lut", TableSize{12, 24}}}},
+      {"8 steps, 12 x 24", {{"steps", 8}, {"sky_lut", TableSize{12, 24}}}},
+      {"16 steps, 16 x 32", {{"steps", 16}, {"sky_lut", TableSize{16, 32}}}},
       {"degree 0", {{"degree", std::string("0")}}},
+      {"degree 1", {{"degree", std::string("1")}}},
       {"16 steps", {{"steps", 16}}},
       {"default", {}},
-      {"96 steps, 48x96", {{"steps", 96}, {"sky_lut", TableSize{48, 96}}}},
-      {"degree 4, 128 steps", {{"degree", std::string("4")}, {"steps", 128}, {"tabulate", std::string("never")}}}};
+      {"96 steps, 48 x 96", {{"steps", 96}, {"sky_lut", TableSize{48, 96}}}},
+      {"degree 4, 96 steps, 48 x 96", {{"degree", std::string("4")}, {"steps", 96}, {"sky_lut", TableSize{48, 96}}}},
+      {"16 steps, each pixel", {{"steps", 16}, {"tabulate", never}}},
+      {"48 steps, each pixel", {{"steps", 48}, {"tabulate", never}}},
+      {"degree 4, 128 steps, each pixel", {{"degree", std::string("4")}, {"steps", 128}, {"tabulate", never}}},
+      {"degree 4, 128 steps, large tables, each pixel",
+       {{"degree", std::string("4")},
+        {"steps", 128},
+        {"tabulate", never},
+        {"moments_lut", TableSize{96, 24}},
+        {"transmittance_lut", TableSize{512, 128}}}}};
   method.add_passes = add_orders;
   return method;
 }

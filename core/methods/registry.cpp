@@ -1,3 +1,5 @@
+#include <cassert>
+
 #include "core/methods/methods.h"
 
 namespace airlight {
@@ -16,6 +18,19 @@ const SkyMethod* find_method(std::string_view name) {
     }
   }
   return nullptr;
+}
+
+Scene with_quality(Scene scene, const SkyMethod& method, const Quality& quality) {
+  scene.render.method = method.info.name;
+  scene.render.parameters.clear();
+  for (const ParameterInfo& parameter : method.info.parameters) {
+    scene.render.parameters.emplace(parameter.key, parameter.default_value);
+  }
+  for (const auto& [key, value] : quality.parameters) {
+    assert(scene.render.parameters.contains(key));  // a quality names parameters of its own method
+    scene.render.parameters.insert_or_assign(std::string(key), value);
+  }
+  return scene;
 }
 
 std::span<const MethodInfo> method_infos() {

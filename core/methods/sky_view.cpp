@@ -116,8 +116,12 @@ SkyMethod sky_view_method() {
   method.validity.leaves_out =
       "the direction of light scattered more than once, and detail finer than its table (an aureole sharper than g = "
       "0.9)";
-  method.sweep = {with_table("48 x 27, 16 steps", {48, 27}, 16), with_table("96 x 54", {96, 54}, 32),
-                  with_table("192 x 108", {192, 108}, 32), with_table("192 x 108, 128 steps", {192, 108}, 128),
+  method.sweep = {with_table("24 x 18, 8 steps", {24, 18}, 8),
+                  with_table("48 x 27, 16 steps", {48, 27}, 16),
+                  with_table("96 x 54, 16 steps", {96, 54}, 16),
+                  with_table("96 x 54", {96, 54}, 32),
+                  with_table("192 x 108", {192, 108}, 32),
+                  with_table("192 x 108, 128 steps", {192, 108}, 128),
                   with_table("384 x 216, 512 steps", {384, 216}, 512)};
   method.add_passes = add_sky_view;
   return method;

@@ -234,6 +234,33 @@ std::vector<ProbeResult> probe(const DeviceOnDemand& device, const Scene& scene,
   return results;
 }
 
+std::vector<float> probe_picture(const DeviceOnDemand& device, const Scene& scene,
+                                 const std::vector<Direction>& directions) {
+  if (directions.empty()) {
+    return {};
+  }
+  const SkyMethod& method = method_of(scene);
+  const View view{.directions = directions, .as_picture = true};
+  std::vector<float> rgb;
+  const auto append = [&](const float* pixel) { rgb.insert(rgb.end(), pixel, pixel + 3); };
+  if (method.render_on_host != nullptr) {
+    const HostPicture host = method.render_on_host(scene, view, {});
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      append(host.radiance.at(static_cast<int>(i), 0));
+    }
+    return rgb;
+  }
+  Plan plan;
+  plan.scene_data = device_scene_bytes(scene);
+  const SkyPasses sky = method.add_passes(plan, scene, view);
+  const RunResult result = device().run(plan);
+  const RadianceImage pairs = image_from(result.contents(sky.radiance), static_cast<int>(2 * directions.size()), 1);
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    append(pairs.at(static_cast<int>(2 * i), 0));
+  }
+  return rgb;
+}
+
 std::vector<TableDump> bake_tables(const DeviceOnDemand& device, const Scene& scene) {
   Scene one_pixel = scene;
   one_pixel.image = {1, 1};

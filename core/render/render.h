@@ -71,6 +71,10 @@ struct ProbeResult {
 std::vector<ProbeResult> probe(const DeviceOnDemand& device, const Scene& scene,
                                const std::vector<Direction>& directions);
 
+// RGB of listed directions as pixels of the scene's picture would have them, without the sun's disc.
+std::vector<float> probe_picture(const DeviceOnDemand& device, const Scene& scene,
+                                 const std::vector<Direction>& directions);
+
 // The tables alone.
 std::vector<TableDump> bake_tables(const DeviceOnDemand& device, const Scene& scene);
 

@@ -79,7 +79,8 @@ TEST_F(Cli, EveryBuiltInPresetIsGoodAndDescribed) {
   ASSERT_EQ(list.exit_code, 0) << list.err;
   std::size_t on_disk = 0;
   for (const auto& entry : std::filesystem::directory_iterator(AIRLIGHT_SOURCE_DIR "/presets")) {
-    on_disk += entry.path().extension() == ".json" ? 1U : 0U;
+    const bool is_list = entry.path().stem() == "chart";  // of presets
+    on_disk += entry.path().extension() == ".json" && !is_list ? 1U : 0U;
   }
   const Names lines = lines_of(list.out);
   EXPECT_EQ(lines.size(), on_disk);

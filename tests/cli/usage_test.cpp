@@ -12,8 +12,8 @@ namespace airlight::test {
 namespace {
 
 const std::vector<std::string>& commands() {
-  static const std::vector<std::string> names = {"render",  "sequence", "luts", "probe",      "check", "methods",
-                                                 "devices", "presets",  "diff", "completion", "man"};
+  static const std::vector<std::string> names = {"render",  "sequence", "luts", "probe", "check",      "methods",
+                                                 "devices", "presets",  "diff", "chart", "completion", "man"};
   return names;
 }
 
@@ -122,6 +122,20 @@ TEST(Usage, BadUsageIsOneLineAndExitCodeTwo) {
       {{"probe", "earth-noon", "--elevation", "91", "--azimuth", "0"}, {"'91' is not a number from -90 to 90"}},
       {{"probe", "earth-noon", "--csv", "none.csv"}, {"none.csv"}},
       {{"presets", "earth-non"}, {"no built-in preset 'earth-non'", "did you mean 'earth-noon'?"}},
+      {{"render", "earth-noon", "--tolerance", "much"}, {"--tolerance: 'much' is no relative error", "0.5%"}},
+      {{"render", "earth-noon", "--tolerance", "1%", "--time-limit", "1s"}, {"exclude each other"}},
+      {{"render", "earth-noon", "--tolerance", "1%", "--set", "/render/steps=8"}, {"leave out --set /render/steps=8"}},
+      {{"render", "earth-noon", "--tolerance", "1%", "--method", "path-trace"}, {"--target-error"}},
+      {{"render", "lesson26", "--tolerance", "1%"}, {"departs by /render/sun_fade"}},
+      {{"render", "earth-noon", "--time-limit", "5 parsec"}, {"--time-limit: '5 parsec' is no time", "50ms"}},
+      {{"render", "earth-noon", "--time-limit", "0"}, {"nothing is rendered in no time"}},
+      {{"chart"}, {"no folder given", "-o DIR"}},
+      {{"chart", "-o", "c", "--method", "marsh"}, {"no method 'marsh'", "did you mean 'march'?"}},
+      {{"chart", "earth-noon", "earth-noon", "-o", "c"}, {"'earth-noon' is named twice"}},
+      {{"chart", "earth-non", "-o", "c"}, {"no preset 'earth-non'"}},
+      {{"chart", "-o", "no/where"}, {"does not exist"}},
+      {{"chart", "-o", "c", "--truth-error", "0"}, {"--truth-error: '0' is no relative error"}},
+      {{"chart", "-o", "c", "--budget", "0"}, {"--budget"}},
       {{"completion", "tcsh"}, {"'tcsh' is not one of bash, zsh, fish"}},
       {{"--versoin"}, {"unknown option '--versoin'", "did you mean '--version'?"}},
   };

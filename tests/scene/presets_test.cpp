@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 std::vector<fs::path> shipped() {
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(fs::path(AIRLIGHT_SOURCE_DIR) / "presets")) {
-    if (entry.path().extension() == ".json") {
+    if (entry.path().extension() == ".json" && entry.path().stem() != "chart") {  // a list of presets, no preset
       files.push_back(entry.path());
     }
   }

@@ -1,0 +1,20 @@
+#pragma once
+// The picture of a chart as a gnuplot script, to be run beside chart.csv and restyled at will.
+
+#include <string>
+#include <vector>
+
+namespace airlight::chart {
+
+struct PlotText {
+  std::vector<std::string> scenes;   // one panel each, besides one over all of them where there are several
+  std::vector<std::string> methods;  // one colour each
+  std::string title;                 // device, version, sizes
+  std::string time_label;            // what the horizontal axis shows
+};
+
+// Reads chart.csv; writes OUT.svg and OUT.png, OUT being "chart" unless `gnuplot -e 'out="..."'` says otherwise.
+// Needs gnuplot 5.4.
+std::string gnuplot_script(const PlotText& text);
+
+}  // namespace airlight::chart

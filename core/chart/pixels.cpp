@@ -1,0 +1,77 @@
+#include "core/chart/pixels.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/measure/view_geometry.h"
+#include "core/physics/scene_data.h"
+
+namespace airlight::chart {
+namespace {
+
+int at(int i, int count, int size) {
+  return static_cast<int>((i + 0.5) * size / count);
+}
+
+bool in_sky(measure::RegionBits region) {
+  return (region & measure::kSky) != 0;
+}
+
+}  // namespace
+
+PixelSet lattice(const Scene& scene, int columns, int rows) {
+  columns = std::min(columns, scene.image.width);
+  rows = std::min(rows, scene.image.height);
+  physics::Physics physics = make_physics(scene);
+  const physics::uint projection = projection_code(scene.camera.projection);
+  PixelSet set;
+  for (int j = 0; j < rows; ++j) {
+    for (int i = 0; i < columns; ++i) {
+      const int x = at(i, columns, scene.image.width);
+      const int y = at(j, rows, scene.image.height);
+      const auto ray = physics.view_ray(physics.scene.camera, projection, x + 0.5, y + 0.5);
+      if (!ray.inside) {
+        continue;
+      }
+      const physics::vec3 d = ray.direction;
+      set.places.push_back(static_cast<std::size_t>(y) * static_cast<std::size_t>(scene.image.width) +
+                           static_cast<std::size_t>(x));
+      set.directions.push_back({std::atan2(d.y, std::hypot(d.x, d.z)), std::atan2(d.x, -d.z)});
+      const bool ground = physics.meets_ground(physics.scene.planet, physics.scene.camera.altitude, d.y);
+      set.regions.push_back(ground ? measure::kGround : measure::kSky);
+    }
+  }
+  return set;
+}
+
+bool judges_whole_picture(const Scene& scene, const PixelSet& pixels) {
+  return scene.camera.altitude > scene.planet.atmosphere_height || std::ranges::none_of(pixels.regions, in_sky);
+}
+
+PixelSet judged(const Scene& scene, const PixelSet& pixels) {
+  if (judges_whole_picture(scene, pixels)) {
+    return pixels;
+  }
+  PixelSet sky;
+  for (std::size_t i = 0; i < pixels.places.size(); ++i) {
+    if (in_sky(pixels.regions[i])) {
+      sky.places.push_back(pixels.places[i]);
+      sky.directions.push_back(pixels.directions[i]);
+      sky.regions.push_back(pixels.regions[i]);
+    }
+  }
+  return sky;
+}
+
+std::vector<float> values_at(std::span<const float> rgba, const PixelSet& pixels) {
+  std::vector<float> values;
+  values.reserve(3 * pixels.places.size());
+  for (const std::size_t place : pixels.places) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      values.push_back(rgba[4 * place + c]);
+    }
+  }
+  return values;
+}
+
+}  // namespace airlight::chart

@@ -1,0 +1,237 @@
+#include "core/chart/run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+#include "core/chart/truth.h"
+#include "core/choice/cost.h"
+#include "core/gpu/embedded_shaders.h"
+#include "core/measure/sample_error.h"
+#include "core/methods/method.h"
+#include "core/physics/scene_data.h"
+#include "core/scene/preset.h"
+
+namespace airlight::chart {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct SceneTruth {
+  PixelSet pixels;
+  Truth truth;
+  double noise = 0.0;
+};
+
+// One thing to measure.
+struct Task {
+  const SkyMethod* method = nullptr;
+  const Quality* quality = nullptr;
+  Scene scene;
+  std::string key;
+  double cost = 0.0;
+};
+
+// The code that runs on the device: a changed shader makes every point stale.
+std::string shader_text() {
+  std::string text;
+  for (const EmbeddedShader& shader : embedded_shaders()) {
+    text.append(reinterpret_cast<const char*>(shader.spirv.data()), shader.spirv.size_bytes());
+  }
+  return text;
+}
+
+double cost_of(const Scene& scene, const SkyMethod& method, const PixelSet& pixels) {
+  if (method.render_on_host != nullptr) {
+    constexpr double kSample = 500.0;  // 10 us
+    return kSample * static_cast<double>(pixels.places.size()) * scene.render.get<int>("samples");
+  }
+  Plan plan;
+  plan.scene_data = device_scene_bytes(scene);
+  method.add_passes(plan, scene, View{});
+  return choice::predicted_cost(plan).total();
+}
+
+// What a point takes in all, from what one picture takes.
+double measuring_s(double picture_s, const Task& task) {
+  const TimingRules rules;
+  if (task.method->render_on_host != nullptr) {
+    return picture_s;
+  }
+  const double timed = picture_s > rules.long_s ? picture_s : std::max(rules.enough_s, rules.fewest_runs * picture_s);
+  return picture_s + timed;
+}
+
+class ChartRun {
+ public:
+  explicit ChartRun(const RunOrder& order) : order_(order), shaders_(hash_name(shader_text())) {}
+
+  RunOutcome run() {
+    open();
+    out_.device = device_->device();
+    out_.cpu_time = out_.device.is_cpu;
+    find_truths();
+    for (std::size_t i = 0; i < order_.scenes.size(); ++i) {
+      measure_scene(i);
+    }
+    return std::move(out_);
+  }
+
+ private:
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - began_).count(); }
+  bool limited() const { return order_.budget_s > 0.0; }
+  void open() {
+    device_.reset();
+    device_ = order_.open_device();
+  }
+
+  void report(double done) {
+    if (order_.progress) {
+      order_.progress(limited() ? std::min(1.0, std::max(done, seconds() / order_.budget_s)) : done);
+    }
+  }
+
+  // A third of the work, as far as anybody can tell beforehand.
+  static constexpr double kTruthShare = 0.35;
+
+  void find_truths() {
+    const std::size_t count = order_.scenes.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      const Scene& scene = order_.scenes[i].scene;
+      SceneTruth found;
+      found.pixels = judged(scene, lattice(scene, order_.settings.compared_columns, order_.settings.compared_rows));
+      TruthRules rules;
+      rules.target_error = order_.settings.truth_error;
+      if (limited()) {
+        rules.time_limit_s = std::max(0.5, (0.5 * order_.budget_s - seconds()) / static_cast<double>(count - i));
+      }
+      const auto progress = [&](double done) {
+        report(kTruthShare * (static_cast<double>(i) + done) / static_cast<double>(count));
+        return true;
+      };
+      found.truth = find_truth(scene, found.pixels, order_.truth_folder, rules, progress);
+      found.noise = measure::sample_noise(found.truth.radiance, found.truth.standard_error);
+      truths_.push_back(std::move(found));
+    }
+  }
+
+  std::vector<Task> tasks_of(std::size_t i) const {
+    std::vector<Task> tasks;
+    for (const std::string& name : order_.methods) {
+      const SkyMethod& method = *find_method(name);
+      for (const Quality& quality : method.sweep) {
+        Task task;
+        task.method = &method;
+        task.quality = &quality;
+        task.scene = with_quality(order_.scenes[i].scene, method, quality);
+        task.cost = cost_of(task.scene, method, truths_[i].pixels);
+        task.key =
+            hash_name(to_json(task.scene) + truth_name(task.scene, truths_[i].pixels) + shaders_ + order_.version +
+                      out_.device.name + out_.device.driver + std::to_string(truths_[i].truth.samples));
+        tasks.push_back(std::move(task));
+      }
+    }
+    return tasks;
+  }
+
+  const Point* known(const std::string& scene, const Task& task) const {
+    for (const Point& point : order_.known) {
+      if (point.scene == scene && point.key == task.key) {
+        return &point;
+      }
+    }
+    return nullptr;
+  }
+
+  // By rising cost, so that a short budget charts the cheap end of every scene; one device for each method.
+  void measure_scene(std::size_t i) {
+    const std::string& name = order_.scenes[i].name;
+    std::vector<Task> tasks = tasks_of(i);
+    double total = 0.0;
+    for (const Task& task : tasks) {
+      total += task.cost;
+    }
+    const double began = seconds();
+    const double share = (order_.budget_s - began) / static_cast<double>(order_.scenes.size() - i);
+    double done = 0.0;
+    for (const std::string& method : order_.methods) {
+      std::vector<Task*> mine;
+      for (Task& task : tasks) {
+        if (task.method->info.name == method) {
+          mine.push_back(&task);
+        }
+      }
+      std::ranges::stable_sort(mine, {}, [](const Task* task) { return task->cost; });
+      bool fresh = false;
+      TableTimes tables;
+      std::optional<double> picture_s;  // per cost
+      double method_share = 0.0;
+      for (const Task* task : mine) {
+        method_share += task->cost;
+      }
+      // What other methods left over is there for this one; a method's dearest qualities go first when time is short.
+      const double limit = share * (done + method_share) / total;
+      for (const Task* task : mine) {
+        done += task->cost;
+        if (const Point* point = known(name, *task)) {
+          out_.points.push_back(*point);
+          ++out_.resumed;
+        } else if (limited() && picture_s && seconds() - began + measuring_s(*picture_s * task->cost, *task) > limit) {
+          out_.left_out.push_back(name + " " + method + " " + std::string(task->quality->label));
+        } else {
+          if (!fresh && task->method->render_on_host == nullptr) {
+            open();
+            fresh = true;
+          }
+          double wall_ms = 0.0;
+          out_.points.push_back(measure(i, *task, tables, wall_ms));
+          picture_s = 1e-3 * wall_ms / task->cost;
+          order_.keep(out_.points);
+        }
+        report(kTruthShare + (1.0 - kTruthShare) * (static_cast<double>(i) + done / total) /
+                                 static_cast<double>(order_.scenes.size()));
+      }
+    }
+  }
+
+  Point measure(std::size_t i, const Task& task, TableTimes& tables, double& wall_ms) {
+    const SceneTruth& truth = truths_[i];
+    const bool host = task.method->render_on_host != nullptr;
+    const Timing timing =
+        host ? time_on_host(task.scene, truth.pixels) : time_on_device(*device_, task.scene, truth.pixels, {}, tables);
+    const measure::SampleError error = measure::sample_error(timing.pixels, truth.truth.radiance);
+    wall_ms = timing.wall_ms;
+    Point point;
+    point.scene = order_.scenes[i].name;
+    point.method = task.method->info.name;
+    point.quality = task.quality->label;
+    point.cpu_ms = timing.cpu_ms;
+    point.device_ms = timing.device_ms;
+    point.time_ms = out_.cpu_time ? timing.cpu_ms : timing.device_ms;
+    point.tables_ms = timing.tables_ms;
+    point.first_ms = timing.first_ms;
+    point.runs = timing.runs;
+    point.share_timed = timing.share;
+    point.error_mean = error.mean;
+    point.error_p95 = error.p95;
+    point.floor = truth.noise;
+    point.key = task.key;
+    return point;
+  }
+
+  const RunOrder& order_;
+  std::string shaders_;
+  Clock::time_point began_ = Clock::now();
+  std::unique_ptr<Executor> device_;
+  std::vector<SceneTruth> truths_;
+  RunOutcome out_;
+};
+
+}  // namespace
+
+RunOutcome run_chart(const RunOrder& order) {
+  return ChartRun(order).run();
+}
+
+}  // namespace airlight::chart

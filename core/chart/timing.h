@@ -1,0 +1,47 @@
+#pragma once
+// One method at one quality, timed on a device.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/chart/pixels.h"
+#include "core/gpu/executor.h"
+#include "core/scene/scene.h"
+
+namespace airlight::chart {
+
+struct TimingRules {
+  int most_runs = 15;     // timed ones, after the first
+  int fewest_runs = 3;    // but one where a picture takes longer than `long_s`
+  double enough_s = 0.4;  // of timed runs
+  double long_s = 1.0;
+};
+
+struct Timing {
+  double cpu_ms = 0.0;     // of the process, all its threads, for a picture whose tables are there; median
+  double device_ms = 0.0;  // the same by device timestamps; of a method on the host by the clock
+  double tables_ms = 0.0;  // tables that are kept from picture to picture
+  double wall_ms = 0.0;    // one such run, by the clock; median
+  double first_ms = 0.0;   // what the first picture took beyond a later one, by the clock
+  int runs = 0;
+  double share = 1.0;         // of the picture's pixels that were computed; the times are scaled up
+  std::vector<float> pixels;  // RGB of the pixels asked for
+};
+
+// What tables cost, by everything they depend on: a method's qualities mostly share theirs.
+using TableTimes = std::map<std::string, double>;
+
+// The scene's method on the device: sky passes alone, without disc, statistics and bloom.
+Timing time_on_device(Executor& executor, const Scene& scene, const PixelSet& pixels, const TimingRules& rules,
+                      TableTimes& tables);
+
+// The scene's method on the host: the pixels asked for alone, once.
+Timing time_on_host(const Scene& scene, const PixelSet& pixels);
+
+// CPU time of this process so far, all threads, ms.
+double process_cpu_ms();
+
+double median(std::vector<double> values);  // of at least one
+
+}  // namespace airlight::chart

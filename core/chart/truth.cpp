@@ -1,0 +1,116 @@
+#include "core/chart/truth.h"
+
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <fstream>
+#include <iomanip>
+#include <optional>
+#include <span>
+#include <sstream>
+
+#include "core/error.h"
+#include "core/measure/sample_error.h"
+#include "core/methods/method.h"
+#include "core/methods/path_trace/checkpoint.h"
+#include "core/output/atomic_file.h"
+
+namespace airlight::chart {
+namespace {
+
+constexpr int kSeed = 2;
+
+Scene truth_scene(const Scene& scene, const TruthRules& rules) {
+  Scene truth = with_quality(scene, *find_method("path-trace"), {"truth", {{"seed", kSeed}}});
+  truth.render.parameters.insert_or_assign("target_error", rules.target_error);
+  truth.render.parameters.insert_or_assign("time_limit_s", rules.time_limit_s);
+  return truth;
+}
+
+void append_rgb(std::vector<float>& values, const RadianceImage& image) {
+  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+    values.insert(values.end(), {image.rgba[i], image.rgba[i + 1], image.rgba[i + 2]});
+  }
+}
+
+// A line of samples and target, then six numbers a pixel.
+std::string text_of(const Truth& truth) {
+  std::ostringstream out;
+  out << std::setprecision(9) << truth.samples << ' ' << truth.target_error << '\n';
+  for (std::size_t i = 0; i < truth.radiance.size(); i += 3) {
+    for (const std::vector<float>* values : {&truth.radiance, &truth.standard_error}) {
+      out << (*values)[i] << ' ' << (*values)[i + 1] << ' ' << (*values)[i + 2] << ' ';
+    }
+    out << '\n';
+  }
+  return out.str();
+}
+
+std::optional<Truth> read_truth(const std::filesystem::path& file, std::size_t pixels) {
+  std::ifstream in(file);
+  if (!in) {
+    return std::nullopt;
+  }
+  Truth truth;
+  in >> truth.samples >> truth.target_error;
+  for (std::size_t i = 0; i < pixels; ++i) {
+    for (std::vector<float>* values : {&truth.radiance, &truth.standard_error}) {
+      for (int c = 0; c < 3; ++c) {
+        float value = 0.0F;
+        in >> value;
+        values->push_back(value);
+      }
+    }
+  }
+  std::string more;
+  if (!in || in >> more) {
+    throw InputError(file.string() + ": is no truth of " + std::to_string(pixels) +
+                     " pixels, or damaged; remove it, and it is made again");
+  }
+  return truth;
+}
+
+}  // namespace
+
+std::string hash_name(std::string_view text) {
+  std::uint64_t hash = 0xcbf29ce484222325U;
+  for (const char c : text) {
+    hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+  }
+  std::array<char, 17> digits{};
+  std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(hash));
+  return digits.data();
+}
+
+std::string truth_name(const Scene& scene, const PixelSet& pixels) {
+  return hash_name(checkpoint_identity(truth_scene(scene, {}), View{.directions = pixels.directions}));
+}
+
+Truth find_truth(const Scene& scene, const PixelSet& pixels, const std::filesystem::path& folder,
+                 const TruthRules& rules, const std::function<bool(double)>& report) {
+  const std::filesystem::path samples = folder / truth_name(scene, pixels);
+  const std::filesystem::path finished = samples.string() + ".txt";
+  if (std::optional<Truth> known = read_truth(finished, pixels.places.size())) {
+    const double noise = measure::sample_noise(known->radiance, known->standard_error);
+    if (noise <= rules.target_error || known->target_error <= rules.target_error) {
+      return *std::move(known);
+    }
+  }
+  HostOptions options;
+  options.report = report;
+  options.checkpoint = samples.string();
+  options.checkpoint_interval_s = 10.0;
+  const HostPicture picture =
+      find_method("path-trace")
+          ->render_on_host(truth_scene(scene, rules), View{.directions = pixels.directions}, options);
+  Truth truth;
+  append_rgb(truth.radiance, picture.radiance);
+  append_rgb(truth.standard_error, picture.standard_error);
+  truth.samples = static_cast<double>(picture.samples);
+  truth.target_error = rules.target_error;
+  const std::string text = text_of(truth);
+  write_file(finished, std::as_bytes(std::span(text)));
+  return truth;
+}
+
+}  // namespace airlight::chart

@@ -1,0 +1,173 @@
+#include "core/choice/choose.h"
+
+#include <algorithm>
+#include <map>
+
+#include "core/choice/leave_out.h"
+
+namespace airlight::choice {
+namespace {
+
+constexpr std::size_t kProbes = 256;
+
+double mean_at_most(const measure::SampleError& measured) {
+  constexpr double kSpreads = 2.0;
+  return measured.mean + kSpreads * measured.spread;
+}
+
+// What every choice begins with.
+struct Ground {
+  Lighter lighter;
+  Probes probes;
+  std::vector<Candidate> made;  // their tables are there
+  std::vector<float> truth;
+  double known_error = 0.0;  // of the reference and of what was left out
+
+  Ground(const Scene& scene, double tolerance, const ProbeFunction& probe)
+      : lighter(leave_out_media(scene, 0.25 * tolerance)), probes(choose_probes(scene, kProbes)) {
+    known_error = lighter.error;
+    made = {reference(lighter.scene, false)};
+    if (probes.directions.empty()) {
+      return;
+    }
+    truth = probe(made.front().scene, probes);
+    const std::optional<double> known = plain_reference_error(lighter.scene);
+    constexpr double kShare = 0.5;  // of a tolerance, that the reference's own error may take up
+    if (known && *known <= kShare * tolerance) {
+      known_error += *known;
+    } else {
+      refine(probe);
+    }
+  }
+
+  // Both references' methods are the same but for the degree and the tables' sizes, four times the entries: what the
+  // fine one is still away from the limit is less than half of their distance.
+  void refine(const ProbeFunction& probe) {
+    constexpr double kRemains = 0.5;
+    constexpr double kLeast = 0.002;
+    made.push_back(reference(lighter.scene, true));
+    std::vector<float> better = probe(made.back().scene, probes);
+    known_error += kLeast + kRemains * mean_at_most(measure::sample_error(truth, better, probes.weights));
+    truth = std::move(better);
+  }
+
+  double bound_of(const Candidate& candidate, const ProbeFunction& probe) const {
+    if (probes.directions.empty()) {
+      return 0.0;  // nothing of the planet is in the picture
+    }
+    return error_bound(measure::sample_error(probe(candidate.scene, probes), truth, probes.weights), known_error);
+  }
+
+  Choice begin() const {
+    Choice choice;
+    choice.probes = probes.directions.size();
+    choice.reference_error = known_error;
+    choice.left_out = lighter.reasons;
+    return choice;
+  }
+};
+
+void note(Choice& choice, const Tried& tried) {
+  choice.tried.push_back(tried);
+  if (!choice.best || tried.error < choice.best->error) {
+    choice.best = tried;
+  }
+}
+
+void settle(Choice& choice, const Candidate& candidate, const Tried& tried) {
+  choice.chosen = candidate;
+  choice.error = tried.error;
+  choice.ms = tried.ms;
+  choice.left_out.insert(choice.left_out.end(), candidate.left_out.begin(), candidate.left_out.end());
+}
+
+// Of each method the dearest qualities that should fit, by the time of its cheapest one and the predicted costs.
+std::vector<Candidate> likely_to_fit(const std::vector<Candidate>& all, double limit_ms, const TimeFunction& time,
+                                     std::map<std::string, double>& fastest) {
+  constexpr std::size_t kOfEach = 2;
+  std::map<std::string, double> ms_per_cost;
+  std::map<std::string, std::vector<Candidate>> fitting;
+  for (const Candidate& candidate : all) {
+    if (!ms_per_cost.contains(candidate.method)) {
+      const double ms = time(candidate.scene);
+      fastest[candidate.method] = ms;
+      ms_per_cost[candidate.method] = ms / std::max(candidate.cost.total(), 1.0);
+    }
+    if (ms_per_cost[candidate.method] * candidate.cost.total() <= limit_ms) {
+      fitting[candidate.method].push_back(candidate);
+    }
+  }
+  std::vector<Candidate> likely;
+  for (auto& [method, of_method] : fitting) {
+    const std::size_t count = std::min(kOfEach, of_method.size());
+    likely.insert(likely.end(), of_method.end() - static_cast<std::ptrdiff_t>(count), of_method.end());
+  }
+  return likely;
+}
+
+}  // namespace
+
+double error_bound(const measure::SampleError& measured, double reference_error) {
+  constexpr double kSafety = 1.1;
+  return kSafety * mean_at_most(measured) + reference_error;
+}
+
+std::optional<double> plain_reference_error(const Scene& scene) {
+  constexpr double kDegree = 0.017453292519943295;
+  const double scattering = vertical_depths(scene).scattering;
+  if (scene.sun.elevation >= kDegree && scattering <= 0.6) {
+    return 0.004;
+  }
+  if (scene.sun.elevation >= -7.0 * kDegree && scattering <= 0.4) {
+    return 0.012;
+  }
+  return std::nullopt;
+}
+
+Choice choose_for_tolerance(const Scene& scene, double tolerance, const std::string& only, const ProbeFunction& probe) {
+  const Ground ground(scene, tolerance, probe);
+  Choice choice = ground.begin();
+  for (const Candidate& candidate : candidates(ground.lighter.scene, tolerance, only, ground.made)) {
+    const Tried tried{candidate.method, candidate.quality, candidate.cost.total(), ground.bound_of(candidate, probe),
+                      0.0};
+    note(choice, tried);
+    if (tried.error <= tolerance) {
+      settle(choice, candidate, tried);
+      break;
+    }
+  }
+  return choice;
+}
+
+Choice choose_for_time(const Scene& scene, double limit_ms, const std::string& only, const ProbeFunction& probe,
+                       const TimeFunction& time) {
+  constexpr double kClose = 0.01;  // how well errors are told apart
+  const Ground ground(scene, kClose, probe);
+  Choice choice = ground.begin();
+  std::map<std::string, double> fastest;
+  std::vector<std::pair<Tried, Candidate>> ranked;
+  const std::vector<Candidate> all = candidates(ground.lighter.scene, kClose, only, ground.made);
+  for (const Candidate& candidate : likely_to_fit(all, limit_ms, time, fastest)) {
+    const Tried tried{candidate.method, candidate.quality, candidate.cost.total(), ground.bound_of(candidate, probe),
+                      0.0};
+    ranked.emplace_back(tried, candidate);
+  }
+  std::ranges::stable_sort(ranked, {}, [](const auto& entry) { return entry.first.error; });
+  for (auto& [tried, candidate] : ranked) {
+    tried.ms = time(candidate.scene);
+    note(choice, tried);
+    if (tried.ms <= limit_ms) {
+      settle(choice, candidate, tried);
+      return choice;
+    }
+  }
+  choice.best.reset();
+  for (const auto& [method, ms] : fastest) {
+    if (!choice.best || ms < choice.best->ms) {
+      choice.best = Tried{method, "its cheapest quality", 0.0, 0.0, ms};
+    }
+  }
+  return choice;
+}
+
+}  // namespace airlight::choice

@@ -1,0 +1,54 @@
+#pragma once
+// The cheapest method and quality whose error stays below a tolerance, or the most accurate that fits a time: measured
+// at a few directions of the picture at hand.
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/choice/candidates.h"
+#include "core/choice/probes.h"
+#include "core/measure/sample_error.h"
+
+namespace airlight::choice {
+
+// RGB, three values a direction, of the scene's method as its picture would have them there.
+using ProbeFunction = std::function<std::vector<float>(const Scene& scene, const Probes& probes)>;
+
+struct Tried {
+  std::string method;
+  std::string quality;
+  double cost = 0.0;   // predicted, in steps of `march`
+  double error = 0.0;  // bound on the mean relative error of the picture
+  double ms = 0.0;     // measured, where a time limit asked for it
+};
+
+struct Choice {
+  std::optional<Candidate> chosen;  // none: nothing is within the tolerance or the time
+  double error = 0.0;               // of the chosen, as in Tried
+  double ms = 0.0;
+  double reference_error = 0.0;  // what of it is the reference's own, and what was left out of the air
+  std::vector<Tried> tried;      // in order
+  std::optional<Tried> best;     // of those: the smallest error
+  std::size_t probes = 0;
+  std::vector<std::string> left_out;
+};
+
+// A tolerance is of the mean relative error over the picture without the sun's disc; see measure::sample_error().
+Choice choose_for_tolerance(const Scene& scene, double tolerance, const std::string& only, const ProbeFunction& probe);
+
+// `time`: ms that the device takes for the scene's tables and picture.
+using TimeFunction = std::function<double(const Scene& scene)>;
+Choice choose_for_time(const Scene& scene, double limit_ms, const std::string& only, const ProbeFunction& probe,
+                       const TimeFunction& time);
+
+// The bound that a tolerance is held against, from what the probes say and what is known of the reference.
+double error_bound(const measure::SampleError& measured, double reference_error);
+
+// What is known of the plain reference's mean error against path-trace without looking: nothing where the air is thick
+// or the sun far below the horizon. Then, and where the tolerance asks for better, the fine reference serves, and the
+// distance between the two says how well it is to be trusted. Calibrated by scripts/tolerance.
+std::optional<double> plain_reference_error(const Scene& scene);
+
+}  // namespace airlight::choice

@@ -1,0 +1,24 @@
+#pragma once
+// What a plan will cost, from the plan alone: no clock, no device.
+
+#include <functional>
+
+#include "core/plan/plan.h"
+
+namespace airlight::choice {
+
+// In units of one step of `march` at one pixel, about 20 ns of one core of a software device.
+struct Cost {
+  double tables = 0.0;   // passes that make what is kept from picture to picture
+  double picture = 0.0;  // the others
+  double total() const { return tables + picture; }
+};
+
+// `is_there`: tables that are made already and cost nothing. Passes are threads x steps x a weight for each shader.
+Cost predicted_cost(
+    const Plan& plan, const IsKept& is_there = [](ResourceId) { return false; });
+
+// Whether a plan keeps this for later plans as a table (the frame's radiance, carried anew each time, is none).
+bool is_table(const Plan& plan, ResourceId id);
+
+}  // namespace airlight::choice

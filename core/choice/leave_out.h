@@ -1,0 +1,29 @@
+#pragma once
+// What of a scene's air a picture need not know of.
+
+#include <string>
+#include <vector>
+
+#include "core/scene/scene.h"
+
+namespace airlight::choice {
+
+struct Lighter {
+  Scene scene;                       // without the media below
+  std::vector<std::string> reasons;  // a line for each medium left out
+  double error = 0.0;                // at most what leaving them out changes, relative
+};
+
+// Leaves out the media that change no radiance by more than `allowed` together: their extinction along the longest ray
+// through the air and the sunlight's, and their scattering's share in that of all media at every altitude where any
+// matters, the phase functions' peaks counted. At least one medium stays.
+Lighter leave_out_media(const Scene& scene, double allowed);
+
+// Vertical optical depth of the whole air, the channel where it is largest.
+struct OpticalDepths {
+  double scattering = 0.0;
+  double extinction = 0.0;
+};
+OpticalDepths vertical_depths(const Scene& scene);
+
+}  // namespace airlight::choice

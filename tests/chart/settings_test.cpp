@@ -1,0 +1,122 @@
+// What a chart shows unless told otherwise, and the pixels that it compares.
+#include "core/chart/settings.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "core/chart/gnuplot.h"
+#include "core/chart/pixels.h"
+#include "core/chart/timing.h"
+#include "core/chart/truth.h"
+#include "core/error.h"
+#include "core/measure/view_geometry.h"
+
+namespace airlight::chart {
+namespace {
+
+std::string shipped() {
+  std::ifstream in(AIRLIGHT_SOURCE_DIR "/presets/chart.json");
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+std::string refusal(const std::string& text) {
+  try {
+    parse_settings(text, "chart.json");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Settings, ThatShipNameEightScenes) {
+  const Settings settings = parse_settings(shipped(), "presets/chart.json");
+  EXPECT_EQ(settings.scenes.size(), 8U);
+  EXPECT_EQ(settings.image.width, 1280);
+  EXPECT_GT(settings.compared_columns * settings.compared_rows, 1000);
+  EXPECT_LE(settings.truth_error, 0.002);
+}
+
+TEST(Settings, ThatAreWrongAreRefusedByKey) {
+  const std::string rest = R"(, "image": [64, 36], "compared_pixels": [4, 3], "truth_error": 0.01})";
+  EXPECT_EQ(refusal(R"({"scenes": ["earth-noon"])" + rest), "");
+  EXPECT_NE(refusal(R"({"scenes": [])" + rest).find("/scenes: expected an array"), std::string::npos);
+  EXPECT_NE(refusal(R"({"scenes": [3])" + rest).find("/scenes"), std::string::npos);
+  EXPECT_NE(refusal(R"({"scenes": ["a"], "colour": 1)" + rest).find("/colour"), std::string::npos);
+  EXPECT_NE(refusal(R"({"scenes": ["a"], "image": [64, 36], "compared_pixels": [4, 3]})").find("/truth_error"),
+            std::string::npos);
+  EXPECT_NE(refusal(R"({"scenes": ["a"], "image": [64.5, 36], "compared_pixels": [4, 3], "truth_error": 0.01})")
+                .find("/image: expected [width, height]"),
+            std::string::npos);
+  EXPECT_NE(refusal("[]").find("an object"), std::string::npos);
+}
+
+Scene wide_scene() {
+  Scene scene;
+  scene.image = {64, 36};
+  scene.camera.vertical_fov = 1.0;
+  scene.camera.pitch = 0.0;
+  return scene;
+}
+
+TEST(Lattice, StandsOnPixelsOfThePicture) {
+  const PixelSet set = lattice(wide_scene(), 8, 4);
+  ASSERT_EQ(set.places.size(), 32U);
+  EXPECT_EQ(set.places.front(), 4U * 64U + 4U);
+  EXPECT_EQ(set.places.back(), 31U * 64U + 60U);
+  EXPECT_EQ(lattice(wide_scene(), 1000, 1000).places.size(), 64U * 36U);
+}
+
+TEST(Lattice, JudgesTheSkyAloneWhereThereIsOne) {
+  const Scene scene = wide_scene();
+  const PixelSet all = lattice(scene, 64, 36);
+  EXPECT_EQ(judged(scene, all).places.size(), 64U * 18U);
+  EXPECT_FALSE(judges_whole_picture(scene, all));
+  Scene above = scene;
+  above.camera.altitude = 500.0;
+  EXPECT_EQ(judged(above, lattice(above, 64, 36)).places.size(), 64U * 36U);
+  Scene down = scene;
+  down.camera.pitch = -1.5;
+  EXPECT_TRUE(judges_whole_picture(down, lattice(down, 8, 4)));
+}
+
+TEST(Lattice, TakesThePicturesValues) {
+  PixelSet set;
+  set.places = {2, 0};
+  const std::vector<float> rgba{1, 2, 3, 9, 4, 5, 6, 9, 7, 8, 0.5F, 9};
+  EXPECT_EQ(values_at(rgba, set), (std::vector<float>{7, 8, 0.5F, 1, 2, 3}));
+}
+
+TEST(Truth, IsNamedByWhatItDependsOn) {
+  Scene scene = wide_scene();
+  scene.media.resize(1);
+  scene.media[0].scattering = {1e-2, 1e-2, 1e-2};
+  const PixelSet set = lattice(scene, 4, 3);
+  const std::string name = truth_name(scene, set);
+  EXPECT_EQ(name.size(), 16U);
+  EXPECT_EQ(name, truth_name(scene, set));
+  Scene exposed = scene;
+  exposed.display.exposure = 3.0;
+  exposed.render.method = "analytic";
+  EXPECT_EQ(name, truth_name(exposed, set)) << "what no radiance depends on makes no new truth";
+  Scene lower = scene;
+  lower.sun.elevation = 0.1;
+  EXPECT_NE(name, truth_name(lower, set));
+  EXPECT_NE(name, truth_name(scene, lattice(scene, 5, 3)));
+}
+
+TEST(Median, IsTheMiddle) {
+  EXPECT_EQ(median({3, 1, 2}), 2.0);
+  EXPECT_EQ(median({4, 1, 3, 2}), 2.5);
+  EXPECT_EQ(median({7}), 7.0);
+}
+
+TEST(Script, NamesScenesAndMethodsAsTheyAre) {
+  const std::string script = gnuplot_script({{"it's", "noon"}, {"march"}, "on a device", "ms"});
+  EXPECT_NE(script.find("['it''s', 'noon']"), std::string::npos) << script;
+  EXPECT_NE(script.find("heading = 'on a device'"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace airlight::chart

@@ -1,0 +1,236 @@
+// Which method and quality a picture gets, with probes that need no device.
+#include "core/choice/choose.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/choice/leave_out.h"
+#include "core/scene/preset.h"
+#include "core/scene/resolve.h"
+
+namespace airlight::choice {
+namespace {
+
+Scene preset(const std::string& name, ImageSize size = {1280, 720}) {
+  Scene scene = resolve(load_preset(AIRLIGHT_SOURCE_DIR "/presets/" + name + ".json"), method_infos());
+  scene.image = size;
+  return scene;
+}
+
+// Radiance 1 in each direction, wrong by what `error` says of the scene.
+ProbeFunction wrong_by(const std::function<double(const Scene&)>& error, int* calls = nullptr) {
+  return [=](const Scene& scene, const Probes& probes) {
+    if (calls != nullptr) {
+      ++*calls;
+    }
+    return std::vector<float>(3 * probes.directions.size(), static_cast<float>(1.0 + error(scene)));
+  };
+}
+
+// Four parts in a hundred for 8 steps, less in proportion.
+double by_steps(const Scene& scene) {
+  const auto steps = scene.render.parameters.find("steps");
+  const bool marches = steps != scene.render.parameters.end();
+  return marches ? 0.32 / std::get<int>(steps->second) : 0.5;
+}
+
+TEST(Tolerance, TakesTheFirstOfRisingCostThatIsWithinIt) {
+  const Scene scene = preset("earth-noon");
+  double cost = 0.0;
+  for (const double tolerance : {0.1, 0.03, 0.015}) {
+    const Choice choice = choose_for_tolerance(scene, tolerance, "", wrong_by(by_steps));
+    ASSERT_TRUE(choice.chosen) << tolerance;
+    EXPECT_LE(choice.error, tolerance);
+    for (const Tried& tried : choice.tried) {
+      EXPECT_LE(tried.cost, choice.chosen->cost.total());
+      EXPECT_EQ(tried.error <= tolerance, &tried == &choice.tried.back()) << tried.method << " " << tried.quality;
+    }
+    EXPECT_GE(choice.chosen->cost.total(), cost) << "a finer tolerance is no cheaper";
+    cost = choice.chosen->cost.total();
+  }
+}
+
+TEST(Tolerance, ThatNothingReachesNamesTheBest) {
+  const auto always = [](const Scene& scene) { return scene.render.get<int>("steps") == 192 ? 0.0 : 0.2; };
+  const Choice choice = choose_for_tolerance(preset("earth-noon"), 0.1, "march", wrong_by(always));
+  EXPECT_FALSE(choice.chosen);
+  ASSERT_TRUE(choice.best);
+  EXPECT_EQ(choice.best->method, "march");
+  EXPECT_GT(choice.best->error, 0.2);
+  EXPECT_EQ(choice.tried.size(), find_method("march")->sweep.size());
+}
+
+TEST(Tolerance, HoldsTheReferencesOwnErrorAgainstIt) {
+  const Choice exact = choose_for_tolerance(preset("earth-noon"), 0.02, "", wrong_by([](const Scene&) { return 0.0; }));
+  ASSERT_TRUE(exact.chosen);
+  EXPECT_GT(exact.error, 0.0);
+  EXPECT_EQ(exact.error, exact.reference_error);
+  const Choice never = choose_for_tolerance(preset("earth-noon"), 1e-5, "", wrong_by([](const Scene&) { return 0.0; }));
+  EXPECT_FALSE(never.chosen);
+}
+
+TEST(Tolerance, OfAPictureOfSpaceNeedsNoProbe) {
+  Scene scene = preset("orbit");
+  scene.camera.pitch = 1.5;
+  scene.camera.vertical_fov = 0.2;
+  int calls = 0;
+  const Choice choice = choose_for_tolerance(scene, 0.01, "", wrong_by(by_steps, &calls));
+  ASSERT_TRUE(choice.chosen);
+  EXPECT_EQ(choice.error, choice.reference_error);
+  EXPECT_EQ(calls, 0);
+}
+
+TEST(Tolerance, GivesMethodsNoSceneThatTheyDoNotClaim) {
+  const Choice choice =
+      choose_for_tolerance(preset("earth-twilight"), 0.01, "", wrong_by([](const Scene&) { return 0.5; }));
+  for (const Tried& tried : choice.tried) {
+    EXPECT_NE(tried.method, "analytic");
+    EXPECT_NE(tried.method, "path-trace");
+  }
+}
+
+TEST(TimeLimit, TakesTheMostAccurateThatFits) {
+  // A device of a nanosecond a step.
+  const auto error = [](const Scene& s) {
+    const bool near_truth = s.render.method == "orders" && s.render.get<int>("steps") == 192;
+    return near_truth ? 0.0 : s.render.method == "march" ? by_steps(s) : 0.4;
+  };
+  const TimeFunction time = [](const Scene& s) {
+    const auto steps = s.render.parameters.find("steps");
+    return s.render.method == "march" ? 1.0 * std::get<int>(steps->second) : 3.0;
+  };
+  const Choice choice = choose_for_time(preset("earth-noon"), 40.0, "", wrong_by(error), time);
+  ASSERT_TRUE(choice.chosen);
+  EXPECT_EQ(choice.chosen->method, "march");
+  EXPECT_EQ(choice.chosen->quality, "32");
+  EXPECT_EQ(choice.ms, 32.0);
+  const Choice none = choose_for_time(preset("earth-noon"), 2.0, "", wrong_by(error), time);
+  EXPECT_FALSE(none.chosen);
+  ASSERT_TRUE(none.best);
+  EXPECT_EQ(none.best->ms, 3.0);
+}
+
+TEST(Candidates, CostNothingForTablesThatAreMade) {
+  const Scene scene = preset("earth-noon");
+  const Candidate near_truth = reference(scene, false);
+  const Candidate fine = reference(scene, true);
+  const auto cost_of_default = [&](const Candidate& made) {
+    for (const Candidate& candidate : candidates(scene, 0.01, "orders", {made})) {
+      if (candidate.quality == "default") {
+        return candidate.cost;
+      }
+    }
+    return Cost{};
+  };
+  EXPECT_EQ(cost_of_default(near_truth).tables, 0.0);
+  EXPECT_GT(cost_of_default(fine).tables, 1e6);
+  EXPECT_EQ(cost_of_default(near_truth).picture, cost_of_default(fine).picture);
+}
+
+TEST(Candidates, ForASmallPictureNeedNoTables) {
+  const Scene small = preset("earth-noon", {16, 9});
+  const std::vector<Candidate> all = candidates(small, 0.1, "", {reference(small, true)});
+  EXPECT_EQ(all.front().cost.tables, 0.0);
+  const Scene large = preset("earth-noon", {3840, 2160});
+  EXPECT_EQ(candidates(large, 0.1, "", {reference(large, false)}).front().method, "orders");
+}
+
+TEST(Candidates, LeaveMultipleScatteringOutOfThinAirAlone) {
+  const auto single = [](const Scene& scene) {
+    const std::vector<Candidate> all = candidates(scene, 0.05, "march", {reference(scene, false)});
+    return std::ranges::count_if(all, [](const Candidate& c) { return c.quality.ends_with("single scattering"); });
+  };
+  Scene thin = preset("earth-noon");
+  EXPECT_EQ(single(thin), 0);
+  for (Medium& medium : thin.media) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      medium.scattering[c] *= 0.1;
+    }
+  }
+  EXPECT_GT(single(thin), 0);
+}
+
+// By what is predicted, as no test may fail by the clock: near-truth tables and rays, against the march that they save.
+TEST(Probes, CostLessThanAFifthOfAMarchAtFullSize) {
+  const Scene scene = preset("earth-noon");
+  Scene rays = scene;
+  rays.image = {256, 1};
+  const double probing = reference(rays, false).cost.total();
+  for (const Candidate& candidate : candidates(scene, 0.01, "march", {})) {
+    if (candidate.quality == "32") {
+      EXPECT_LT(probing, 0.2 * candidate.cost.total());
+    }
+  }
+}
+
+TEST(Media, ThatChangeNothingAreLeftOut) {
+  Scene scene = preset("earth-noon");
+  EXPECT_TRUE(leave_out_media(scene, 0.0025).reasons.empty());
+  Medium trace;
+  trace.name = "trace";
+  trace.scattering = {1e-9, 1e-9, 1e-9};
+  trace.density.scale_height = 8.0;
+  scene.media.push_back(trace);
+  const Lighter lighter = leave_out_media(scene, 0.0025);
+  ASSERT_EQ(lighter.reasons.size(), 1U);
+  EXPECT_NE(lighter.reasons[0].find("trace"), std::string::npos);
+  EXPECT_EQ(lighter.scene.media.size(), 3U);
+  EXPECT_GT(lighter.error, 0.0);
+  EXPECT_LT(lighter.error, 0.0025);
+}
+
+TEST(Media, ThatScatterWhereNothingElseDoesStay) {
+  Scene scene = preset("earth-noon");
+  Medium high;
+  high.name = "thin but alone up there";
+  high.scattering = {1e-9, 1e-9, 1e-9};
+  high.density.profile = DensityProfile::tent;
+  high.density.center = 95.0;
+  high.density.half_width = 4.0;
+  scene.media = {scene.media[1], high};
+  EXPECT_TRUE(leave_out_media(scene, 0.0025).reasons.empty() ||
+              leave_out_media(scene, 0.0025).scene.media.front().name == "aerosol");
+  scene.media = {high};
+  EXPECT_TRUE(leave_out_media(scene, 0.9).reasons.empty()) << "the last one always stays";
+}
+
+TEST(Probes, AreFewInsideThePictureAndTheSameAgain) {
+  const Scene scene = preset("earth-sunset");
+  const Probes probes = choose_probes(scene, 256);
+  EXPECT_NEAR(static_cast<double>(probes.directions.size()), 256.0, 16.0);
+  EXPECT_EQ(probes.directions.size(), probes.weights.size());
+  const Probes again = choose_probes(scene, 256);
+  ASSERT_EQ(again.directions.size(), probes.directions.size());
+  for (std::size_t i = 0; i < probes.directions.size(); ++i) {
+    EXPECT_EQ(again.directions[i].elevation, probes.directions[i].elevation);
+    EXPECT_LT(std::abs(probes.directions[i].elevation - scene.camera.pitch), 0.8);
+  }
+  const Probes all = choose_probes(preset("earth-sunset", {16, 9}), 256);
+  EXPECT_EQ(all.directions.size(), 144U);
+  EXPECT_EQ(std::set<double>(all.weights.begin(), all.weights.end()), std::set<double>{1.0});
+}
+
+TEST(Probes, AreDenserAtTheHorizonYetStandForAllPixelsAlike) {
+  const Scene scene = preset("earth-noon");
+  const Probes probes = choose_probes(scene, 256);
+  // The share of the picture within two degrees of the horizon, by weight; and of the probes.
+  double band = 0.0;
+  double total = 0.0;
+  double count = 0.0;
+  for (std::size_t i = 0; i < probes.directions.size(); ++i) {
+    const bool in_band = std::abs(probes.directions[i].elevation) < 2.0 * 0.01745;
+    band += in_band ? probes.weights[i] : 0.0;
+    count += in_band ? 1.0 : 0.0;
+    total += probes.weights[i];
+  }
+  const double share = count / static_cast<double>(probes.directions.size());
+  EXPECT_GT(share, 2.0 * band / total);
+  // 60 degrees high; a band of 4 degrees around the horizon, which crosses the picture 22 degrees below its middle.
+  EXPECT_NEAR(band / total, 0.06, 0.02);
+}
+
+}  // namespace
+}  // namespace airlight::choice
