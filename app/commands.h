@@ -13,6 +13,7 @@ Command methods_command();
 Command devices_command();
 Command presets_command();
 Command diff_command();
+Command stability_command();
 // These describe the whole tool, which must outlive them.
 Command completion_command(const Tool& tool);
 Command man_command(const Tool& tool);

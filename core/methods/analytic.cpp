@@ -64,6 +64,10 @@ SkyMethod analytic_method() {
   method.validity.leaves_out =
       "the density profiles' shapes beyond mean and spread, the direction of light scattered more than once, twilight";
   method.sweep = {with_variant("zenith-density"), with_variant("exponential")};
+  method.validity.error = 0.2;
+  method.converged = {
+      "march",
+      {{"steps", 1024}, {"transmittance_lut", TableSize{1024, 256}}, {"multiple_scattering_lut", TableSize{128, 128}}}};
   method.add_passes = add_analytic;
   return method;
 }

@@ -60,6 +60,7 @@ SkyMethod nested_method() {
   method.validity.leaves_out = "light scattered more than once, and the sky's light on the ground";
   method.sweep = {with_steps("8 x 4", 8, 4), with_steps("16 x 8", 16, 8), with_steps("32 x 8", 32, 8),
                   with_steps("64 x 32", 64, 32)};
+  method.converged = {"", {{"steps", 512}, {"sun_steps", 120}}};
   method.add_passes = add_nested;
   return method;
 }

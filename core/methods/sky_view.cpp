@@ -119,6 +119,9 @@ SkyMethod sky_view_method() {
   method.sweep = {with_table("48 x 27, 16 steps", {48, 27}, 16), with_table("96 x 54", {96, 54}, 32),
                   with_table("192 x 108", {192, 108}, 32), with_table("192 x 108, 128 steps", {192, 108}, 128),
                   with_table("384 x 216, 512 steps", {384, 216}, 512)};
+  method.converged = {
+      "march",
+      {{"steps", 1024}, {"transmittance_lut", TableSize{1024, 256}}, {"multiple_scattering_lut", TableSize{128, 128}}}};
   method.add_passes = add_sky_view;
   return method;
 }
