@@ -67,7 +67,7 @@ SkyMethod analytic_method() {
   method.validity.error = 0.2;
   method.converged = {
       "march",
-      {{"steps", 1024}, {"transmittance_lut", TableSize{1024, 256}}, {"multiple_scattering_lut", TableSize{128, 128}}}};
+      {{"steps", 1024}, {"transmittance_lut", TableSize{512, 128}}, {"multiple_scattering_lut", TableSize{128, 48}}}};
   method.add_passes = add_analytic;
   return method;
 }

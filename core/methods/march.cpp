@@ -36,7 +36,7 @@ SkyMethod march_method() {
                   with_steps("64", 64), with_steps("128", 128), with_steps("512", 512)};
   method.converged = {
       "",
-      {{"steps", 1024}, {"transmittance_lut", TableSize{1024, 256}}, {"multiple_scattering_lut", TableSize{128, 128}}}};
+      {{"steps", 1024}, {"transmittance_lut", TableSize{512, 128}}, {"multiple_scattering_lut", TableSize{128, 48}}}};
   method.add_passes = add_march;
   return method;
 }

@@ -158,7 +158,7 @@ SkyMethod orders_method() {
       {"96 steps, 48x96", {{"steps", 96}, {"sky_lut", TableSize{48, 96}}}},
       {"degree 4, 128 steps", {{"degree", std::string("4")}, {"steps", 128}, {"tabulate", std::string("never")}}}};
   method.converged = {
-      "", {{"steps", 1024}, {"transmittance_lut", TableSize{1024, 256}}, {"moments_lut", TableSize{144, 36}}}};
+      "", {{"steps", 1024}, {"transmittance_lut", TableSize{512, 128}}, {"moments_lut", TableSize{96, 24}}}};
   method.add_passes = add_orders;
   return method;
 }

@@ -121,7 +121,7 @@ SkyMethod sky_view_method() {
                   with_table("384 x 216, 512 steps", {384, 216}, 512)};
   method.converged = {
       "march",
-      {{"steps", 1024}, {"transmittance_lut", TableSize{1024, 256}}, {"multiple_scattering_lut", TableSize{128, 128}}}};
+      {{"steps", 1024}, {"transmittance_lut", TableSize{512, 128}}, {"multiple_scattering_lut", TableSize{128, 48}}}};
   method.add_passes = add_sky_view;
   return method;
 }
