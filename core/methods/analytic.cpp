@@ -4,6 +4,7 @@
 
 #include "core/luts/luts.h"
 #include "core/methods/analytic_sky.h"
+#include "core/methods/march_passes.h"
 #include "core/methods/methods.h"
 #include "core/methods/sky_pass.h"
 
@@ -65,9 +66,7 @@ SkyMethod analytic_method() {
       "the density profiles' shapes beyond mean and spread, the direction of light scattered more than once, twilight";
   method.sweep = {with_variant("zenith-density"), with_variant("exponential")};
   method.validity.error = 0.2;
-  method.converged = {
-      "march",
-      {{"steps", 1024}, {"transmittance_lut", TableSize{512, 128}}, {"multiple_scattering_lut", TableSize{128, 48}}}};
+  method.converged = converged_march();
   method.add_passes = add_analytic;
   return method;
 }

@@ -34,9 +34,9 @@ SkyMethod march_method() {
   method.validity.leaves_out = "the direction of light scattered more than once";
   method.sweep = {with_steps("8", 8),   with_steps("16", 16),   with_steps("32", 32),
                   with_steps("64", 64), with_steps("128", 128), with_steps("512", 512)};
-  method.converged = {
-      "",
-      {{"steps", 1024}, {"transmittance_lut", TableSize{512, 128}}, {"multiple_scattering_lut", TableSize{128, 48}}}};
+  method.validity.optical_depth_max = 5.0;
+  method.validity.known_failures = march_failures();
+  method.converged = converged_march();
   method.add_passes = add_march;
   return method;
 }

@@ -157,6 +157,28 @@ SkyMethod orders_method() {
       {"default", {}},
       {"96 steps, 48x96", {{"steps", 96}, {"sky_lut", TableSize{48, 96}}}},
       {"degree 4, 128 steps", {{"degree", std::string("4")}, {"steps", 128}, {"tabulate", std::string("never")}}}};
+  method.validity.optical_depth_max = 5.0;
+  method.validity.known_failures = {
+      {"EJ", {{Quantity::steps, 0, 16}}, "few steps"},
+      {"EJ", {{Quantity::table_size, 0, 40}}, "coarse tables"},
+      {"E",
+       {{Quantity::sun_elevation, -90, -15}},
+       "night: the last light of dusk comes from air that few of the table's altitudes stand in"},
+      {"EJ",
+       {{Quantity::sun_elevation, -90, 0}, {Quantity::optical_depth, 0, 0.2}},
+       "dusk in thin air: its light comes from a narrow rim that the table of moments does not resolve"},
+      {"EJ",
+       {{Quantity::sun_elevation, -90, 0}, {Quantity::planet_radius, 1e4, 1e9}},
+       "a planet so large that dusk passes within a degree: too few of the table's sun elevations stand in it"},
+      {"EJ",
+       {{Quantity::sun_elevation, -90, 0}, {Quantity::planet_radius, 0, 20}},
+       "a planet smaller than its air: the shadow's edge stands within the picture, sharper than its table"},
+      {"G",
+       {{Quantity::asymmetry, 0.7, 0.9}, {Quantity::optical_depth, 0.5, 1e9}},
+       "haze that absorbs nothing: the directions that gather the first order are too few for its peak"},
+      {"R",
+       {{Quantity::view, -0.003, 0.003}},
+       "a view so near the horizon that rounding decides between sky and ground"}};
   method.converged = {
       "", {{"steps", 1024}, {"transmittance_lut", TableSize{512, 128}}, {"moments_lut", TableSize{96, 24}}}};
   method.add_passes = add_orders;

@@ -119,9 +119,18 @@ SkyMethod sky_view_method() {
   method.sweep = {with_table("48 x 27, 16 steps", {48, 27}, 16), with_table("96 x 54", {96, 54}, 32),
                   with_table("192 x 108", {192, 108}, 32), with_table("192 x 108, 128 steps", {192, 108}, 128),
                   with_table("384 x 216, 512 steps", {384, 216}, 512)};
-  method.converged = {
-      "march",
-      {{"steps", 1024}, {"transmittance_lut", TableSize{512, 128}}, {"multiple_scattering_lut", TableSize{128, 48}}}};
+  method.validity.optical_depth_max = 5.0;
+  method.validity.known_failures = march_failures();
+  method.validity.known_failures.push_back(
+      {"EJ",
+       {{Quantity::view, -1, 0}, {Quantity::altitude, 0, 0.5}},
+       "near the ground, the rows beside the horizon: the ground's distance changes faster than they resolve; "
+       "render.ground_rays \"march\" mends it"});
+  method.validity.known_failures.push_back(
+      {"EJ", {{Quantity::asymmetry, -1, -0.9}}, "a glory sharper than the table's texels"});
+  method.validity.known_failures.push_back(
+      {"EJ", {{Quantity::asymmetry, 0.9, 1}}, "an aureole sharper than the table's texels"});
+  method.converged = converged_march();
   method.add_passes = add_sky_view;
   return method;
 }

@@ -20,17 +20,18 @@ constexpr double kExplainedBySlope = 0.5;  // of the converged radiance's own ch
 constexpr double kMostEnergy = 1.01;       // the quadrature over the globe is good to less than 1 %
 constexpr double kMostBrightness = 2.0;    // no air under one sun is brighter than that all round
 constexpr double kFloor = 1e-3;
+constexpr double kBlack = 1e-12;  // radiance under a sun of irradiance 1: starlight is brighter
 
 double channel(const vec3& v, std::size_t c) {
   return c == 0 ? v.x : c == 1 ? v.y : v.z;
 }
 
 double relative(double a, double b, double mean) {
-  return std::abs(a - b) / std::max(b, kFloor * mean);
+  return std::abs(a - b) / std::max({b, kFloor * mean, kBlack});
 }
 
-bool black(double a, double b, double mean) {
-  return !(a > 0.0) && !(b > 0.0 && mean > 0.0);
+bool black(double a, double b) {
+  return std::max(std::abs(a), std::abs(b)) < kBlack;
 }
 
 double mean_of(const std::vector<double>& values) {
@@ -94,10 +95,10 @@ void measure(Cell& cell, const std::vector<Look>& looks, double mean) {
       const double asked = channel(look.asked, c);
       const double converged = channel(look.converged, c);
       const double exact = channel(look.in_double, c);
-      if (!black(asked, converged, mean)) {
+      if (!black(asked, converged)) {
         errors.push_back(relative(asked, converged, mean));
       }
-      if (!std::isnan(exact) && !black(asked, exact, mean)) {
+      if (!std::isnan(exact) && !black(asked, exact)) {
         roundings.push_back(relative(asked, exact, mean));
       }
     }
@@ -115,9 +116,10 @@ double jump_between(const std::vector<Look>& a, const std::vector<Look>& b, doub
     for (std::size_t c = 0; c < 3; ++c) {
       const double asked = channel(b[i].asked, c) - channel(a[i].asked, c);
       const double converged = channel(b[i].converged, c) - channel(a[i].converged, c);
-      const double scale = std::max({channel(a[i].converged, c), channel(b[i].converged, c), 10.0 * kFloor * mean});
+      const double scale =
+          std::max({channel(a[i].converged, c), channel(b[i].converged, c), 10.0 * kFloor * mean, kBlack});
       const double unexplained = std::abs(asked - converged) - kExplainedBySlope * std::abs(converged);
-      most = scale > 0.0 ? std::max(most, unexplained / scale) : most;
+      most = std::max(most, unexplained / scale);
     }
   }
   return most;

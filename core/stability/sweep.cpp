@@ -192,7 +192,7 @@ std::vector<Sweep> sweeps(Form form) {
                   .title = "molecules that absorb nothing over a white ground, from 1 m",
                   .x = optical_depth,
                   .y = sun_elevation,
-                  .xs = quick ? powers(1e-4, 1e3, 1) : powers(1e-4, 1e3, per_decade),
+                  .xs = thinned(powers(1e-4, 1e3, per_decade), quick ? 3 : 1),
                   .ys = few,
                   .base = at(0.0, 0.001),
                   .energy = true});
@@ -201,17 +201,14 @@ std::vector<Sweep> sweeps(Form form) {
                   .x = asymmetry,
                   .y = optical_depth,
                   .xs = of_form(kAsymmetries, form, 6, 2),
-                  .ys = quick ? std::vector<double>{0.1, 1} : powers(0.01, 100.0, form == Form::full ? 2 : 1),
+                  .ys = quick ? std::vector<double>{1} : powers(0.01, 100.0, form == Form::full ? 2 : 1),
                   .base = at(30.0, 0.001),
                   .energy = true});
   list.push_back({.name = "planet-radius",
                   .title = "Earth's air, 100 km of it, on planets of every size, from 1 m",
                   .x = planet_radius,
                   .y = sun_elevation,
-                  .xs = powers(1.0, 1e6,
-                               quick                 ? 1
-                               : form == Form::brief ? 2
-                                                     : 4),
+                  .xs = quick ? std::vector<double>{1, 1e3, 6360, 1e6} : powers(1.0, 1e6, 2 * per_decade),
                   .ys = few,
                   .base = at(0.0, 0.001),
                   .energy = true});
@@ -226,7 +223,7 @@ std::vector<Sweep> sweeps(Form form) {
                   .title = "Earth's air from 1 m, the method's own steps, every table of the same greater side",
                   .x = table_size,
                   .y = sun_elevation,
-                  .xs = thinned(doublings(4.0, 512.0), quick ? 3 : 1),
+                  .xs = quick ? std::vector<double>{4, 32, 128} : doublings(4.0, 512.0),
                   .ys = of_form(kFewSuns, form, 4, 1),
                   .base = at(0.0, 0.001),
                   .energy = true});
