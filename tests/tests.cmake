@@ -33,6 +33,7 @@ airlight_test_room(methods airlight_gpu airlight_scene airlight_output airlight_
 airlight_test_room(output airlight_output OpenEXR::OpenEXR OpenColorIO::OpenColorIO PNG::PNG)
 if(AIRLIGHT_TOOL)
   airlight_test_room(measure airlight_measure airlight_output OpenEXR::OpenEXR)
+  airlight_test_room(stability airlight_stability)
   airlight_test_room(cli airlight_app nlohmann_json::nlohmann_json)
 endif()
 if(TARGET test_cli)
