@@ -72,9 +72,9 @@ std::vector<KnownFailure> march_failures() {
        {{optical_depth, 0.5, 1e9}},
        "thick air: steps stand by geometry, not by depth, and 32 leave much of it in one; more render.steps mend it"},
       {"EJ",
-       {{sun_elevation, -90, 2}},
-       "dusk: the table of multiple scattering is linear in the sun's cosine, and too coarse where light falls by a "
-       "factor a degree; a wider render.multiple_scattering_lut mends it"},
+       {{sun_elevation, -90, -2}},
+       "late dusk: the table of multiple scattering has too few columns where light falls by a factor a degree; a wider "
+       "render.multiple_scattering_lut mends it"},
       {"G",
        {{optical_depth, 0.02, 10}},
        "a white ground under air that absorbs nothing: multiple scattering takes the light as equal in all directions "

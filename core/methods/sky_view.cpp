@@ -2,6 +2,7 @@
 // Views from above the air march pixel by pixel.
 
 #include <array>
+#include <numbers>
 
 #include "core/luts/luts.h"
 #include "core/methods/march_passes.h"
@@ -119,6 +120,7 @@ SkyMethod sky_view_method() {
   method.sweep = {with_table("48 x 27, 16 steps", {48, 27}, 16), with_table("96 x 54", {96, 54}, 32),
                   with_table("192 x 108", {192, 108}, 32), with_table("192 x 108, 128 steps", {192, 108}, 128),
                   with_table("384 x 216, 512 steps", {384, 216}, 512)};
+  method.validity.sun_elevation_min = -6.0 * std::numbers::pi / 180.0;
   method.validity.optical_depth_max = 5.0;
   method.validity.known_failures = march_failures();
   method.validity.known_failures.push_back(
