@@ -73,7 +73,8 @@ std::vector<KnownFailure> march_failures() {
        "thick air: steps stand by geometry, not by depth, and 32 leave much of it in one; more render.steps mend it"},
       {"EJ",
        {{sun_elevation, -90, -2}},
-       "late dusk: the table of multiple scattering has too few columns where light falls by a factor a degree; a wider "
+       "late dusk: the table of multiple scattering has too few columns where light falls by a factor a degree; a "
+       "wider "
        "render.multiple_scattering_lut mends it"},
       {"G",
        {{optical_depth, 0.02, 10}},

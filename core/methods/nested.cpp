@@ -71,6 +71,7 @@ SkyMethod nested_method() {
       {"EJ",
        {{Quantity::sun_elevation, 2, 10}, {Quantity::planet_radius, 1e4, 1e9}},
        "a low sun over a large planet: 8 steps toward it do not resolve the air that it grazes"},
+      {"L", {{Quantity::optical_depth, 0.05, 1e9}}, "single scattering: what is scattered again is lost"},
       {"J",
        {{Quantity::view, -0.05, 1}, {Quantity::altitude, 1, 1e9}},
        "the limb from above: 16 steps do not resolve the air around the ray's lowest point"},

@@ -182,9 +182,11 @@ SkyMethod orders_method() {
       {"E",
        {{Quantity::sun_elevation, -15, 0}, {Quantity::altitude, 90, 101}},
        "dusk from beside the top of the air: the rim is thinner than the rows of the picture's table"},
-      {"G",
-       {{Quantity::asymmetry, 0.7, 0.9}, {Quantity::optical_depth, 0.5, 1e9}},
-       "haze that absorbs nothing: the directions that gather the first order are too few for its peak"},
+      {"GL",
+       {{Quantity::asymmetry, -1, 1}, {Quantity::optical_depth, 0.05, 1e9}},
+       "haze that absorbs nothing over a white ground: each order loses little else, and the few directions that "
+       "gather "
+       "it see a peaked phase function too large or too small"},
       {"R",
        {{Quantity::view, -0.003, 0.003}},
        "a view so near the horizon that rounding decides between sky and ground"}};

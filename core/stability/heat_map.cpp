@@ -35,6 +35,12 @@ std::string number(double value) {
   return text;
 }
 
+// Without what the raster's letters lack.
+std::string plain(std::string text) {
+  std::erase(text, '\'');
+  return text;
+}
+
 double fraction(double error) {
   return std::clamp(std::log(std::max(error, kLowError) / kLowError) / std::log(kHighError / kLowError), 0.0, 1.0);
 }
@@ -120,7 +126,7 @@ Raster heat_map(const Examination& examination, const Sweep& sweep) {
   constexpr int kStrideY = kTitle + kPanelHeight + kFoot + kMargin;
   Raster raster(across * kStrideX, kTitle + down * kStrideY + kScaleRow, kPaper);
   raster.write(kMargin, kMargin / 2, 1, kInk,
-               sweep.name + ": " + sweep.title + "; " + std::string(quantity_name(sweep.y)) + " upward");
+               plain(sweep.name + ": " + sweep.title + ", " + std::string(quantity_name(sweep.y)) + " upward"));
   for (std::size_t i = 0; i < shown.size(); ++i) {
     const int left = static_cast<int>(i) % across * kStrideX + kLeft;
     const int top = kTitle + static_cast<int>(i) / across * kStrideY + kTitle;

@@ -18,6 +18,8 @@ constexpr double kMostNarrowJump = 0.01;   // between directions a fortieth of a
 constexpr double kMostJump = 0.05;         // between cells of the coarse sweeps
 constexpr double kExplainedBySlope = 0.5;  // of the converged radiance's own change
 constexpr double kMostEnergy = 1.01;       // the quadrature over the globe is good to less than 1 %
+constexpr double kGlory = -0.9;            // an asymmetry as sharp as this sends light back within a few degrees
+constexpr double kLeastEnergy = 0.9;       // where nothing absorbs; the rim that light passes takes 0.03 of Earth
 constexpr double kMostBrightness = 2.0;    // no air under one sun is brighter than that all round
 constexpr double kFloor = 1e-3;
 constexpr double kBlack = 1e-12;  // radiance under a sun of irradiance 1: starlight is brighter
@@ -72,6 +74,8 @@ double number_behind(const Cell& cell, char symptom) {
       return cell.jump;
     case 'G':
       return std::isnan(cell.energy) ? cell.brightest : std::max(cell.energy, cell.brightest);
+    case 'L':
+      return cell.energy;
     case 'R':
       return cell.rounding;
     default:
@@ -137,6 +141,9 @@ std::string symptoms_of(const Cell& cell, const Sweep& sweep, const Validity& va
   add(cell.error > validity.error, 'E');
   add(cell.jump > (sweep.narrow ? kMostNarrowJump : std::max(kMostJump, 2.0 * validity.error)), 'J');
   add(cell.energy > kMostEnergy || cell.brightest > kMostBrightness, 'G');
+  const bool keeps_all = (sweep.x == Quantity::optical_depth || sweep.y == Quantity::optical_depth) &&
+                         !(sweep.x == Quantity::asymmetry && cell.x <= kGlory);
+  add(keeps_all && cell.energy < kLeastEnergy, 'L');
   add(cell.rounding > kMostRounding, 'R');
   return out;
 }
@@ -175,6 +182,7 @@ std::vector<Region> regions(const Block& block, const Sweep& sweep, const Subjec
       const Cell& seed = block.cells[first];
       Region region{block.subject, block.sweep, symptom.letter, causes[first], 0,  block.cells.size(),
                     seed.x,        seed.x,      seed.y,         seed.y,        0.0};
+      region.worst = number_behind(seed, symptom.letter);
       std::vector<std::size_t> stack{first};
       waiting[first] = false;
       while (!stack.empty()) {
@@ -186,7 +194,8 @@ std::vector<Region> regions(const Block& block, const Sweep& sweep, const Subjec
         region.x_high = std::max(region.x_high, cell.x);
         region.y_low = std::min(region.y_low, cell.y);
         region.y_high = std::max(region.y_high, cell.y);
-        region.worst = std::max(region.worst, number_behind(cell, symptom.letter));
+        const double number = number_behind(cell, symptom.letter);
+        region.worst = symptom.letter == 'L' ? std::min(region.worst, number) : std::max(region.worst, number);
         const auto visit = [&](bool inside, std::size_t j) {
           if (inside && waiting[j] && causes[j] == region.cause) {
             waiting[j] = false;

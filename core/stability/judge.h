@@ -37,8 +37,9 @@ struct Symptom {
   std::string_view name;
 };
 inline constexpr Symptom kSymptoms[] = {
-    {'F', "not finite"},    {'N', "negative"},      {'E', "error against the converged quality"},
-    {'J', "discontinuity"}, {'G', "energy gained"}, {'R', "rounding of 32 bits"},
+    {'F', "not finite"},          {'N', "negative"},      {'E', "error against the converged quality"},
+    {'J', "discontinuity"},       {'G', "energy gained"}, {'L', "energy lost"},
+    {'R', "rounding of 32 bits"},
 };
 std::string_view symptom_name(char letter);
 
@@ -50,6 +51,7 @@ void measure(Cell& cell, const std::vector<Look>& looks, double mean);
 double jump_between(const std::vector<Look>& a, const std::vector<Look>& b, double mean);
 
 // The cell's symptoms by its numbers and the error that the subject claims.
+// Energy that is lost is told only where nothing absorbs, and where no glory leaves between the directions that sum it.
 std::string symptoms_of(const Cell& cell, const Sweep& sweep, const Validity& validity);
 
 // Why a method shows a symptom at a place: that it claims nothing there, or a failure that is known; empty where it

@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <cstdio>
-#include <map>
+#include <utility>
 
 #include "core/stability/report.h"
 
@@ -27,59 +27,85 @@ std::string range(double low, double high) {
   return low == high ? number(low) : number(low) + " to " + number(high);
 }
 
-std::string worst_text(const Region& region) {
-  switch (region.symptom) {
-    case 'F':
-    case 'N':
-      return number(region.worst) + " values in a cell";
-    case 'G':
-      return number(region.worst) + " of what arrives";
-    default:
-      return percent(region.worst);
-  }
-}
-
 std::string short_name(Quantity q) {
   const std::string_view name = quantity_name(q);
   return std::string(name.substr(0, name.find(',')));
 }
 
-// Regions of one method, sweep, symptom and cause in one row of the page.
+std::string worst_text(char symptom, double worst) {
+  const std::string name(symptom_name(symptom));
+  switch (symptom) {
+    case 'F':
+    case 'N':
+      return name + " (" + number(worst) + " values in a cell)";
+    case 'G':
+    case 'L':
+      return name + " (" + number(worst) + " of what arrives)";
+    default:
+      return name + (worst < 10.0 ? " " + percent(worst) : " over 1000 %");
+  }
+}
+
+// What one cause explains, over all sweeps and symptoms: one row of the page.
 struct Row {
-  Region region;
-  std::size_t parts = 0;
+  std::string cause;
+  std::vector<std::pair<char, double>> worst;  // by symptom
+  std::vector<Region> where;                   // one a sweep
+  std::size_t cells = 0;
 };
 
-std::vector<Row> rows_of(const std::vector<Region>& regions) {
+void add_symptom(Row& row, const Region& region) {
+  const auto same =
+      std::find_if(row.worst.begin(), row.worst.end(), [&](const auto& one) { return one.first == region.symptom; });
+  if (same == row.worst.end()) {
+    row.worst.emplace_back(region.symptom, region.worst);
+  } else {
+    same->second = region.symptom == 'L' ? std::min(same->second, region.worst) : std::max(same->second, region.worst);
+  }
+}
+
+void add_place(Row& row, const Region& region) {
+  const auto same =
+      std::find_if(row.where.begin(), row.where.end(), [&](const Region& one) { return one.sweep == region.sweep; });
+  if (same == row.where.end()) {
+    row.where.push_back(region);
+    return;
+  }
+  same->x_low = std::min(same->x_low, region.x_low);
+  same->x_high = std::max(same->x_high, region.x_high);
+  same->y_low = std::min(same->y_low, region.y_low);
+  same->y_high = std::max(same->y_high, region.y_high);
+}
+
+std::vector<Row> rows_of(const std::vector<Region>& regions, const std::string& subject) {
   std::vector<Row> rows;
   for (const Region& region : regions) {
-    const auto same = std::find_if(rows.begin(), rows.end(), [&](const Row& row) {
-      return row.region.subject == region.subject && row.region.sweep == region.sweep &&
-             row.region.symptom == region.symptom && row.region.cause == region.cause;
-    });
-    if (same == rows.end()) {
-      rows.push_back({region, 1});
+    if (region.subject != subject) {
       continue;
     }
-    Region& all = same->region;
-    all.cells += region.cells;
-    all.x_low = std::min(all.x_low, region.x_low);
-    all.x_high = std::max(all.x_high, region.x_high);
-    all.y_low = std::min(all.y_low, region.y_low);
-    all.y_high = std::max(all.y_high, region.y_high);
-    all.worst = std::max(all.worst, region.worst);
-    ++same->parts;
+    auto row = std::find_if(rows.begin(), rows.end(), [&](const Row& one) { return one.cause == region.cause; });
+    if (row == rows.end()) {
+      row = rows.insert(rows.end(), Row{region.cause, {}, {}, 0});
+    }
+    add_symptom(*row, region);
+    add_place(*row, region);
+    row->cells += region.cells;
   }
   return rows;
 }
 
 std::string row_text(const Examination& e, const Row& row) {
-  const Region& r = row.region;
-  const Sweep& sweep = sweep_named(e, r.sweep);
-  return "| " + r.sweep + " | " + std::string(symptom_name(r.symptom)) + " | " + short_name(sweep.x) + " " +
-         range(r.x_low, r.x_high) + ", " + short_name(sweep.y) + " " + range(r.y_low, r.y_high) + " | " +
-         std::to_string(r.cells) + " of " + std::to_string(r.of) + " | " + worst_text(r) + " | " +
-         (r.cause.empty() ? "**not explained**" : r.cause) + " |\n";
+  std::string worst;
+  for (const auto& [symptom, value] : row.worst) {
+    worst += (worst.empty() ? "" : ", ") + worst_text(symptom, value);
+  }
+  std::string where;
+  for (const Region& r : row.where) {
+    const Sweep& sweep = sweep_named(e, r.sweep);
+    where += (where.empty() ? "" : "; ") + r.sweep + ": " + short_name(sweep.x) + " " + range(r.x_low, r.x_high) +
+             ", " + short_name(sweep.y) + " " + range(r.y_low, r.y_high);
+  }
+  return "| " + (row.cause.empty() ? "**not explained**" : row.cause) + " | " + worst + " | " + where + " |\n";
 }
 
 // The typical and the worst error of one subject, over the cells that do not fail.
@@ -117,12 +143,13 @@ std::vector<Region> all_regions(const Examination& e) {
 }
 
 std::string summary_text(const Examination& e) {
-  const std::vector<Row> rows = rows_of(all_regions(e));
-  const auto unexplained = std::count_if(rows.begin(), rows.end(), [](const Row& r) { return r.region.cause.empty(); });
+  const std::vector<Region> found = all_regions(e);
+  const auto unexplained = std::count_if(found.begin(), found.end(), [](const Region& r) { return r.cause.empty(); });
   std::string text = "# Where methods fail\n\n`airlight stability`, " + e.form + " form, " + e.version + " on " +
-                     e.device + ". Each cell of a sweep is looked at in many directions and compared with the same " +
-                     "method at a converged quality (`sky-view` and `analytic`: with `march`), and the device's 32 " +
-                     "bits with the same formulas in double. stability.csv has every number, SWEEP.png a map.\n\n";
+                     e.device + ". Each cell of a sweep is looked at in many directions and compared with a " +
+                     "converged quality of the same method (`sky-view` and `analytic`: of `march`), and the device's " +
+                     "32 bits with the same formulas in double. What a method leaves out by design is no failure " +
+                     "here; core/ARCHITECTURE.md has that.\n\n";
   text += unexplained == 0 ? "Every failing region has a known cause.\n"
                            : "**" + std::to_string(unexplained) + " failing regions are not explained.**\n";
   for (const Subject& subject : e.subjects) {
@@ -130,14 +157,14 @@ std::string summary_text(const Examination& e) {
     if (sound.empty()) {
       continue;
     }
-    text += "\n## " + subject.name + "\n\n" + sound + "; it fails where the error exceeds " +
+    text += "\n## " + subject.name + "\n\n" + sound + "; it fails where the mean error exceeds " +
             percent(subject.method->validity.error) + ".\n";
     std::string table;
-    for (const Row& row : rows) {
-      table += row.region.subject == subject.name ? row_text(e, row) : "";
+    for (const Row& row : rows_of(found, subject.name)) {
+      table += row_text(e, row);
     }
     if (!table.empty()) {
-      text += "\n| sweep | symptom | where | cells | worst | cause |\n|---|---|---|---|---|---|\n" + table;
+      text += "\n| cause | symptoms, the worst of each | where |\n|---|---|---|\n" + table;
     }
   }
   text += "\n## Sweeps\n\n";
