@@ -12,8 +12,8 @@ namespace airlight::test {
 namespace {
 
 const std::vector<std::string>& commands() {
-  static const std::vector<std::string> names = {"render",  "luts",    "probe", "check",      "methods",
-                                                 "devices", "presets", "diff",  "completion", "man"};
+  static const std::vector<std::string> names = {"render",  "luts", "probe",     "check",      "methods", "devices",
+                                                 "presets", "diff", "stability", "completion", "man"};
   return names;
 }
 
@@ -116,6 +116,10 @@ TEST(Usage, BadUsageIsOneLineAndExitCodeTwo) {
       {{"render", "earth-noon", "--png", "a.png", "--view", "filmic"}, {"filmic", "ACES"}},
       {{"render", "earth-noon", "--png", "a.png", "--ocio-config", "none.ocio"}, {"none.ocio"}},
       {{"luts", "earth-noon"}, {"no folder given", "-o DIR"}},
+      {{"stability"}, {"no folder given", "-o DIR"}},
+      {{"stability", "-o", "no/where"}, {"no/where", "does not exist", "mkdir -p"}},
+      {{"stability", "-o", "map", "--quick", "--full"}, {"exclude each other"}},
+      {{"stability", "-o", "map", "--sweep", "sun"}, {"'sun' is not one of sun-altitude"}},
       {{"probe", "earth-noon"}, {"no direction given"}},
       {{"probe", "earth-noon", "--elevation", "1"}, {"1 elevations but 0 azimuths", "in pairs"}},
       {{"probe", "earth-noon", "--elevation", "91", "--azimuth", "0"}, {"'91' is not a number from -90 to 90"}},
