@@ -15,6 +15,7 @@ Command devices_command();
 Command presets_command();
 Command diff_command();
 Command chart_command();
+Command stability_command();
 // These describe the whole tool, which must outlive them.
 Command completion_command(const Tool& tool);
 Command man_command(const Tool& tool);

@@ -4,6 +4,7 @@
 
 #include "core/luts/luts.h"
 #include "core/methods/analytic_sky.h"
+#include "core/methods/march_passes.h"
 #include "core/methods/methods.h"
 #include "core/methods/sky_pass.h"
 
@@ -64,6 +65,18 @@ SkyMethod analytic_method() {
   method.validity.leaves_out =
       "the density profiles' shapes beyond mean and spread, the direction of light scattered more than once, twilight";
   method.sweep = {with_variant("zenith-density"), with_variant("exponential")};
+  method.validity.error = 0.2;
+  method.validity.known_failures = {
+      {"R",
+       {{Quantity::view, -0.003, 0.003}},
+       "a view so near the horizon that rounding decides between sky and ground"},
+      {"GL", {{Quantity::optical_depth, 0.05, 1e9}}, "closed forms that no balance of energy ties together"},
+      {"J", {{Quantity::sun_elevation, 0, 4}}, "sunset: closed forms of the ground's shadow in place of the air's own"},
+      {"E", {{Quantity::planet_radius, 0, 5}}, "a planet smaller than its air: its columns are fits for thin shells"},
+      {"EJ",
+       {{Quantity::view, -1, 1}, {Quantity::altitude, 0.0005, 1e9}},
+       "the horizon from above the ground: a column across it is the difference of two fits"}};
+  method.converged = converged_march();
   method.add_passes = add_analytic;
   return method;
 }

@@ -1,6 +1,7 @@
 // `march`: the view ray is marched on tables of transmittance and isotropic multiple scattering [H20].
 
 #include <array>
+#include <numbers>
 
 #include "core/methods/march_passes.h"
 #include "core/methods/methods.h"
@@ -47,6 +48,10 @@ SkyMethod march_method() {
                   with_steps("128", 128),
                   with_tables("128, large tables", 128, {512, 128}, {64, 64}),
                   with_steps("512", 512)};
+  method.validity.sun_elevation_min = -6.0 * std::numbers::pi / 180.0;
+  method.validity.optical_depth_max = 5.0;
+  method.validity.known_failures = march_failures();
+  method.converged = converged_march();
   method.add_passes = add_march;
   return method;
 }

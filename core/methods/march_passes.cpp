@@ -63,6 +63,32 @@ ParameterInfo sun_fade_parameter() {
           "a published lesson's clamp(scale mu_sun + bias, 0, 1) on direct light; absent: the planet's shadow alone"};
 }
 
+std::vector<KnownFailure> march_failures() {
+  using enum Quantity;
+  return {
+      {"EJ", {{steps, 0, 16}}, "few steps"},
+      {"EJ", {{table_size, 0, 40}}, "coarse tables"},
+      {"EJ",
+       {{optical_depth, 0.5, 1e9}},
+       "thick air: steps stand by geometry, not by depth, and 32 leave much of it in one; more render.steps mend it"},
+      {"EJ",
+       {{sun_elevation, -90, -2}},
+       "late dusk: the table of multiple scattering has too few columns where light falls by a factor a degree; a "
+       "wider "
+       "render.multiple_scattering_lut mends it"},
+      {"G",
+       {{optical_depth, 0.02, 10}},
+       "a white ground under air that absorbs nothing: multiple scattering takes the light as equal in all directions "
+       "and heights, so that the ground sends up more than reaches it"},
+      {"R", {{view, -0.003, 0.003}}, "a view so near the horizon that rounding decides between sky and ground"}};
+}
+
+Converged converged_march() {
+  return {
+      "march",
+      {{"steps", 1024}, {"transmittance_lut", TableSize{512, 128}}, {"multiple_scattering_lut", TableSize{128, 48}}}};
+}
+
 std::vector<ImageId> MarchTables::list() const {
   std::vector<ImageId> tables{transmittance, multiple_scattering};
   if (reflects) {

@@ -30,12 +30,41 @@ struct View {
   bool as_picture = false;
 };
 
+// What a scene, a view of it and a quality are placed by where a method is known to fail.
+enum class Quantity {
+  sun_elevation,  // degrees
+  altitude,       // of the camera, km
+  view,           // elevation above the true horizon, degrees
+  optical_depth,  // of the whole air, straight up
+  asymmetry,      // g of the medium that scatters
+  planet_radius,  // km
+  steps,          // render.steps
+  table_size,     // greater side of the tables, texels
+};
+inline constexpr std::size_t kQuantities = 8;
+
+struct Limit {
+  Quantity quantity = Quantity::steps;
+  double minimum = 0.0;
+  double maximum = 0.0;
+};
+
+// A region in which the method is known to fail, all limits together, and why: what `airlight stability` finds must
+// stand here, in the claim below, or be mended.
+struct KnownFailure {
+  std::string_view symptoms;  // letters of core/stability/judge.h
+  std::vector<Limit> where;
+  std::string_view cause;
+};
+
 // Where a method claims to hold; outside, the command line warns once. Radians, km, vertical optical depth.
 struct Validity {
   double sun_elevation_min = -1.5707963267948966;
   double altitude_max = 1e9;
   double optical_depth_max = 1e9;
   std::string_view leaves_out;  // what it does not model, for `airlight methods` and the warning
+  double error = 0.02;          // mean relative error against its converged quality that it stays below
+  std::vector<KnownFailure> known_failures = {};
 };
 
 // One point that the method contributes to the chart: parameters over the scene's own.
@@ -72,10 +101,17 @@ struct HostPicture {
   std::uint64_t samples = 0;     // a pixel, of a method that samples
 };
 
+// The same sky without the error of steps and tables: a method, the method itself where empty, and its parameters.
+struct Converged {
+  std::string_view method;
+  std::vector<std::pair<std::string_view, ParameterValue>> parameters;
+};
+
 struct SkyMethod {
   MethodInfo info;
   Validity validity;
   std::vector<Quality> sweep;
+  Converged converged;
   // Exactly one of the two.
   SkyPasses (*add_passes)(Plan&, const Scene&, const View&) = nullptr;
   HostPicture (*render_on_host)(const Scene&, const View&, const HostOptions&) = nullptr;

@@ -60,6 +60,25 @@ SkyMethod nested_method() {
   method.validity.leaves_out = "light scattered more than once, and the sky's light on the ground";
   method.sweep = {with_steps("4 x 2", 4, 2), with_steps("8 x 4", 8, 4), with_steps("16 x 8", 16, 8),
                   with_steps("32 x 8", 32, 8), with_steps("64 x 16", 64, 16)};
+  method.validity.error = 0.05;
+  method.validity.optical_depth_max = 1.0;
+  method.validity.known_failures = {
+      {"EJ", {{Quantity::steps, 0, 16}}, "few steps"},
+      {"EJ",
+       {{Quantity::optical_depth, 0.5, 1e9}},
+       "thick air: steps stand by geometry, not by depth; more render.steps and render.sun_steps mend it"},
+      {"EJ", {{Quantity::sun_elevation, -90, 2}}, "dusk: 16 steps straddle the edge of the planet's shadow"},
+      {"EJ",
+       {{Quantity::sun_elevation, 2, 10}, {Quantity::planet_radius, 1e4, 1e9}},
+       "a low sun over a large planet: 8 steps toward it do not resolve the air that it grazes"},
+      {"L", {{Quantity::optical_depth, 0.05, 1e9}}, "single scattering: what is scattered again is lost"},
+      {"J",
+       {{Quantity::view, -0.05, 1}, {Quantity::altitude, 1, 1e9}},
+       "the limb from above: 16 steps do not resolve the air around the ray's lowest point"},
+      {"R",
+       {{Quantity::view, -0.003, 0.003}},
+       "a view so near the horizon that rounding decides between sky and ground"}};
+  method.converged = {"", {{"steps", 512}, {"sun_steps", 120}}};
   method.add_passes = add_nested;
   return method;
 }

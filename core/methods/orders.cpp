@@ -172,6 +172,41 @@ SkyMethod orders_method() {
         {"tabulate", never},
         {"moments_lut", TableSize{96, 24}},
         {"transmittance_lut", TableSize{512, 128}}}}};
+  method.validity.optical_depth_max = 5.0;
+  method.validity.known_failures = {
+      {"EJ", {{Quantity::steps, 0, 16}}, "few steps"},
+      {"EJ", {{Quantity::table_size, 0, 40}}, "coarse tables"},
+      {"E",
+       {{Quantity::sun_elevation, -90, -15}},
+       "night: the last light of dusk comes from air that few of the table's altitudes stand in"},
+      {"EJ",
+       {{Quantity::sun_elevation, -90, 0}, {Quantity::optical_depth, 0, 5}},
+       "dusk in air without ozone over a white ground: its light comes from a narrow rim that the table of moments "
+       "does not "
+       "resolve"},
+      {"EJ",
+       {{Quantity::sun_elevation, -90, 0}, {Quantity::planet_radius, 1e4, 1e9}},
+       "a planet so large that dusk passes within a degree: too few of the table's sun elevations stand in it"},
+      {"EJ",
+       {{Quantity::sun_elevation, -90, 0}, {Quantity::planet_radius, 0, 20}},
+       "a planet smaller than its air: the shadow's edge stands within the picture, sharper than its table"},
+      {"EJ",
+       {{Quantity::view, -0.02, 0.02}, {Quantity::altitude, 99, 101}},
+       "beside the top of the air at the true horizon: the tangent ray stands between two sections of the picture's "
+       "table"},
+      {"E",
+       {{Quantity::sun_elevation, -15, 0}, {Quantity::altitude, 90, 101}},
+       "dusk from beside the top of the air: the rim is thinner than the rows of the picture's table"},
+      {"GL",
+       {{Quantity::asymmetry, -1, 1}, {Quantity::optical_depth, 0.05, 1e9}},
+       "haze that absorbs nothing over a white ground: each order loses little else, and the few directions that "
+       "gather "
+       "it see a peaked phase function too large or too small"},
+      {"R",
+       {{Quantity::view, -0.003, 0.003}},
+       "a view so near the horizon that rounding decides between sky and ground"}};
+  method.converged = {
+      "", {{"steps", 1024}, {"transmittance_lut", TableSize{512, 128}}, {"moments_lut", TableSize{96, 24}}}};
   method.add_passes = add_orders;
   return method;
 }

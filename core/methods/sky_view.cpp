@@ -2,6 +2,7 @@
 // Views from above the air march pixel by pixel.
 
 #include <array>
+#include <numbers>
 
 #include "core/luts/luts.h"
 #include "core/methods/march_passes.h"
@@ -123,6 +124,19 @@ SkyMethod sky_view_method() {
                   with_table("192 x 108", {192, 108}, 32),
                   with_table("192 x 108, 128 steps", {192, 108}, 128),
                   with_table("384 x 216, 512 steps", {384, 216}, 512)};
+  method.validity.sun_elevation_min = -6.0 * std::numbers::pi / 180.0;
+  method.validity.optical_depth_max = 5.0;
+  method.validity.known_failures = march_failures();
+  method.validity.known_failures.push_back(
+      {"EJ",
+       {{Quantity::view, -1, 0}, {Quantity::altitude, 0, 0.5}},
+       "near the ground, the rows beside the horizon: the ground's distance changes faster than they resolve; "
+       "render.ground_rays \"march\" mends it"});
+  method.validity.known_failures.push_back(
+      {"EJ", {{Quantity::asymmetry, -1, -0.9}}, "a glory sharper than the table's texels"});
+  method.validity.known_failures.push_back(
+      {"EJ", {{Quantity::asymmetry, 0.9, 1}}, "an aureole sharper than the table's texels"});
+  method.converged = converged_march();
   method.add_passes = add_sky_view;
   return method;
 }

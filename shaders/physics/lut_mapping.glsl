@@ -55,7 +55,8 @@ struct ScatteringState {
 
 ScatteringCoordinate scattering_coordinate(PlanetData planet, real h, real mu_sun) {
   ScatteringCoordinate c;
-  c.x = clamp(0.5 + 0.5 * mu_sun, 0.0, 1.0);
+  real root = sqrt(abs(mu_sun));
+  c.x = clamp(0.5 + 0.5 * (mu_sun < 0.0 ? -root : root), 0.0, 1.0);
   c.y = clamp(h / planet.atmosphere_height, 0.0, 1.0);
   return c;
 }
@@ -63,6 +64,7 @@ ScatteringCoordinate scattering_coordinate(PlanetData planet, real h, real mu_su
 ScatteringState scattering_state(PlanetData planet, real x, real y) {
   ScatteringState s;
   s.h = y * planet.atmosphere_height;
-  s.mu_sun = 2.0 * x - 1.0;
+  real root = 2.0 * x - 1.0;
+  s.mu_sun = root * abs(root);
   return s;
 }

@@ -73,7 +73,7 @@ TEST_F(Examples, OfTheReadmeRun) {
 TEST_F(Examples, OfEveryHelpTextRun) {
   // diff's examples compare pictures that only a user has; tests/diff runs that command.
   for (const char* command : {"render", "sequence", "luts", "probe", "check", "methods", "devices", "presets", "chart",
-                              "completion", "man"}) {
+                              "stability", "completion", "man"}) {
     const Outcome help = airlight(scratch_.path(), {command, "--help"});
     int examples = 0;
     for (const std::string& line : lines_of(help.out.substr(help.out.find("Examples:")))) {

@@ -12,8 +12,9 @@ namespace airlight::test {
 namespace {
 
 const std::vector<std::string>& commands() {
-  static const std::vector<std::string> names = {"render",  "sequence", "luts", "probe", "check",      "methods",
-                                                 "devices", "presets",  "diff", "chart", "completion", "man"};
+  static const std::vector<std::string> names = {"render",    "sequence",   "luts",    "probe", "check",
+                                                 "methods",   "devices",    "presets", "diff",  "chart",
+                                                 "stability", "completion", "man"};
   return names;
 }
 
@@ -117,6 +118,10 @@ TEST(Usage, BadUsageIsOneLineAndExitCodeTwo) {
       {{"render", "earth-noon", "--png", "a.png", "--view", "filmic"}, {"filmic", "ACES"}},
       {{"render", "earth-noon", "--png", "a.png", "--ocio-config", "none.ocio"}, {"none.ocio"}},
       {{"luts", "earth-noon"}, {"no folder given", "-o DIR"}},
+      {{"stability"}, {"no folder given", "-o DIR"}},
+      {{"stability", "-o", "no/where"}, {"no/where", "does not exist", "mkdir -p"}},
+      {{"stability", "-o", "map", "--quick", "--full"}, {"exclude each other"}},
+      {{"stability", "-o", "map", "--sweep", "sun"}, {"'sun' is not one of sun-altitude"}},
       {{"probe", "earth-noon"}, {"no direction given"}},
       {{"probe", "earth-noon", "--elevation", "1"}, {"1 elevations but 0 azimuths", "in pairs"}},
       {{"probe", "earth-noon", "--elevation", "91", "--azimuth", "0"}, {"'91' is not a number from -90 to 90"}},

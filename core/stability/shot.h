@@ -1,0 +1,35 @@
+#pragma once
+// One place looked at by one method on the device, and the same formulas on the host in double.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/gpu/executor.h"
+#include "core/physics/physics.h"
+#include "core/render/render.h"
+#include "core/stability/sweep.h"
+
+namespace airlight::stability {
+
+struct Shot {
+  std::vector<physics::vec3> radiance;       // one a direction
+  std::vector<physics::vec3> transmittance;  // empty for a picture
+  // The tables by name as the device filled them, where they were asked for: what the formulas in double fetch from.
+  std::map<std::string, physics::HostTable> tables;
+  Plan plan;  // without its contents: for the constants that a host needs
+};
+
+struct ShotOptions {
+  bool as_picture = false;  // the scene's camera, else its pixels as listed directions
+  bool tables = false;
+};
+
+Shot shoot(const DeviceOnDemand& device, const Scene& scene, const std::vector<Direction>& directions,
+           const ShotOptions& options);
+
+// The radiance of the scene's method by its own formulas in double, from the device's tables, in the same directions
+// rounded to 32 bits as the device gets them. Empty where the method has no such form here.
+std::vector<physics::vec3> in_double(const Scene& scene, const Shot& shot, const std::vector<Direction>& directions);
+
+}  // namespace airlight::stability
