@@ -182,6 +182,11 @@ SkyMethod orders_method() {
       {"E",
        {{Quantity::sun_elevation, -15, 0}, {Quantity::altitude, 90, 101}},
        "dusk from beside the top of the air: the rim is thinner than the rows of the picture's table"},
+      {"EL",
+       {{Quantity::optical_depth, 1.5, 1e9}},
+       "thick air that absorbs nothing over a white ground: each order is gathered by a few steps that stand by "
+       "geometry, "
+       "not by depth, and loses light in all that follow"},
       {"GL",
        {{Quantity::asymmetry, -1, 1}, {Quantity::optical_depth, 0.05, 1e9}},
        "haze that absorbs nothing over a white ground: each order loses little else, and the few directions that "
