@@ -155,6 +155,8 @@ SkyMethod orders_method() {
       {"degree 0", {{"degree", std::string("0")}}},
       {"16 steps", {{"steps", 16}}},
       {"default", {}},
+      {"96 steps, 48x96", {{"steps", 96}, {"sky_lut", TableSize{48, 96}}}},
+      {"degree 4, 128 steps", {{"degree", std::string("4")}, {"steps", 128}, {"tabulate", std::string("never")}}}};
   method.validity.optical_depth_max = 5.0;
   method.validity.known_failures = {
       {"EJ", {{Quantity::steps, 0, 16}}, "few steps"},
