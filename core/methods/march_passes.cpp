@@ -76,6 +76,9 @@ std::vector<KnownFailure> march_failures() {
        "late dusk: the table of multiple scattering has too few columns where light falls by a factor a degree; a "
        "wider "
        "render.multiple_scattering_lut mends it"},
+      {"EJ",
+       {{sun_elevation, -90, 0}, {planet_radius, 1e4, 1e9}},
+       "a planet so large that dusk passes within a degree: too few of the table's columns stand in it"},
       {"G",
        {{optical_depth, 0.02, 10}},
        "a white ground under air that absorbs nothing: multiple scattering takes the light as equal in all directions "

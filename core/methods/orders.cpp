@@ -182,8 +182,7 @@ SkyMethod orders_method() {
       {"EJ",
        {{Quantity::sun_elevation, -90, 0}, {Quantity::optical_depth, 0, 5}},
        "dusk in air without ozone over a white ground: its light comes from a narrow rim that the table of moments "
-       "does not "
-       "resolve"},
+       "does not resolve"},
       {"EJ",
        {{Quantity::sun_elevation, -90, 0}, {Quantity::planet_radius, 1e4, 1e9}},
        "a planet so large that dusk passes within a degree: too few of the table's sun elevations stand in it"},
@@ -197,11 +196,14 @@ SkyMethod orders_method() {
       {"E",
        {{Quantity::sun_elevation, -15, 0}, {Quantity::altitude, 90, 101}},
        "dusk from beside the top of the air: the rim is thinner than the rows of the picture's table"},
+      {"EL",
+       {{Quantity::optical_depth, 1.5, 1e9}},
+       "thick air that absorbs nothing over a white ground: each order is gathered by a few steps that stand by "
+       "geometry, not by depth, and loses light in all that follow"},
       {"GL",
        {{Quantity::asymmetry, -1, 1}, {Quantity::optical_depth, 0.05, 1e9}},
        "haze that absorbs nothing over a white ground: each order loses little else, and the few directions that "
-       "gather "
-       "it see a peaked phase function too large or too small"},
+       "gather it see a peaked phase function too large or too small"},
       {"R",
        {{Quantity::view, -0.003, 0.003}},
        "a view so near the horizon that rounding decides between sky and ground"}};

@@ -133,6 +133,13 @@ SkyMethod sky_view_method() {
        "near the ground, the rows beside the horizon: the ground's distance changes faster than they resolve; "
        "render.ground_rays \"march\" mends it"});
   method.validity.known_failures.push_back(
+      {"EJ",
+       {{Quantity::sun_elevation, -90, 0}, {Quantity::planet_radius, 0, 20}},
+       "a planet smaller than its air: the shadow's edge stands within the picture, sharper than the table's texels"});
+  method.validity.known_failures.push_back({"EJ",
+                                            {{Quantity::sun_elevation, -90, 0}, {Quantity::table_size, 0, 80}},
+                                            "dusk: the shadow's edge is sharper than the texels of so coarse a table"});
+  method.validity.known_failures.push_back(
       {"EJ", {{Quantity::asymmetry, -1, -0.9}}, "a glory sharper than the table's texels"});
   method.validity.known_failures.push_back(
       {"EJ", {{Quantity::asymmetry, 0.9, 1}}, "an aureole sharper than the table's texels"});

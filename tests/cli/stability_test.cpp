@@ -24,7 +24,7 @@ TEST(StabilityCommand, LeavesNumbersPicturesAndAPage) {
             (std::vector<std::string>{"map/asymmetry.png", "map/stability.csv", "map/stability.md", "map/steps.png"}));
   const std::string csv = scratch.read("map/stability.csv");
   EXPECT_TRUE(contains(csv, "nested,steps,1,"));
-  EXPECT_TRUE(contains(csv, "nested,asymmetry,-0.99,"));
+  EXPECT_TRUE(contains(csv, "nested,asymmetry,-0.95,"));
   EXPECT_TRUE(csv.ends_with("# complete\n"));
   EXPECT_TRUE(contains(scratch.read("map/stability.md"), "few steps"));
 }
