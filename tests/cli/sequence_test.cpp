@@ -1,5 +1,7 @@
 // sequence as a process: what it writes, keeps and refuses; stopped, killed, resumed, shared.
 #include <gtest/gtest.h>
+#include <pty.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -8,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "app/sequence_report.h"
 #include "tests/cli/process.h"
 
 namespace airlight::test {
@@ -379,6 +382,52 @@ TEST_F(Sequence, PreviewAndContactSheetShowTheFrames) {
   for (const std::string& name : scratch_.files()) {
     EXPECT_FALSE(contains(name, ".part-")) << name;
   }
+}
+
+// What the tool prints to a terminal of that kind.
+std::string on_terminal(const fs::path& folder, const Names& arguments, const char* kind) {
+  int master = -1;
+  const pid_t child = ::forkpty(&master, nullptr, nullptr, nullptr);
+  if (child == 0) {
+    std::vector<char*> words = {const_cast<char*>(AIRLIGHT_BINARY)};
+    for (const std::string& argument : arguments) {
+      words.push_back(const_cast<char*>(argument.c_str()));
+    }
+    words.push_back(nullptr);
+    ::setenv("TERM", kind, 1);
+    if (::chdir(folder.c_str()) == 0) {
+      ::execv(words[0], words.data());
+    }
+    ::_exit(127);
+  }
+  std::string text;
+  char buffer[4096];
+  for (ssize_t count = 0; (count = ::read(master, buffer, sizeof buffer)) > 0;) {
+    text.append(buffer, static_cast<std::size_t>(count));
+  }
+  ::waitpid(child, nullptr, 0);
+  ::close(master);
+  return text;
+}
+
+TEST_F(Sequence, ABarOnATerminalThatCanDrawOne) {
+  const std::string bar = on_terminal(scratch_.path(), morning({"-o", "s.#.exr"}), "xterm");
+  EXPECT_TRUE(contains(bar, "[##############################] 100 %, 6 of 6 frames, ")) << bar;
+  EXPECT_TRUE(contains(bar, " a second, 0 s left")) << bar;
+  EXPECT_FALSE(contains(bar, "[3/6]")) << bar;
+  EXPECT_TRUE(contains(bar, "6 frames rendered, 0 kept of 6")) << bar;
+  const std::string lines = on_terminal(scratch_.path(), morning({"-o", "s.#.exr", "--overwrite"}), "dumb");
+  EXPECT_TRUE(contains(lines, "[3/6]")) << lines;
+  EXPECT_FALSE(contains(lines, "\033")) << lines;
+}
+
+TEST(SequenceBar, TellsHowFarHowFastAndHowLong) {
+  using cli::progress_text;
+  EXPECT_EQ(progress_text(0, 288, 0.0, 10), "[          ]   0 %, 0 of 288 frames");
+  EXPECT_EQ(progress_text(90, 288, 3.4, 10), "[###       ]  31 %, 90 of 288 frames, 3.4 a second, 58 s left");
+  EXPECT_EQ(progress_text(10, 1000, 0.05, 10), "[          ]   1 %, 10 of 1000 frames, 0.05 a second, 5.5 h left");
+  EXPECT_EQ(progress_text(287, 288, 0.01, 10), "[######### ]  99 %, 287 of 288 frames, 0.01 a second, 2 min left");
+  EXPECT_EQ(progress_text(0, 0, 0.0, 4), "[####] 100 %, 0 of 0 frames");
 }
 
 TEST_F(Sequence, QuietIsSilent) {
