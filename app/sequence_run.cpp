@@ -61,7 +61,12 @@ class Runner {
       : job_(job),
         report_(job),
         manifest_(job),
-        transform_(job.png ? display_transform(job.picture, job.scene) : std::nullopt) {}
+        transform_(job.png ? display_transform(job.picture, job.scene) : std::nullopt),
+        display_(transform_ ? transform_->config() + ", " + transform_->display() + ", " + transform_->view() : "") {
+    if (transform_ && !transform_->warning().empty() && !job.quiet) {
+      complain("warning: " + transform_->warning());
+    }
+  }
 
   SequenceOutcome run();
 
@@ -78,6 +83,7 @@ class Runner {
   SequenceManifest manifest_;
   std::mutex manifest_mutex_;
   std::optional<DisplayTransform> transform_;
+  std::string display_;  // config, display and view of the PNGs, wherever their names came from
   std::unique_ptr<Executor> executor_;
 };
 
@@ -138,7 +144,7 @@ bool Runner::render_frame(std::size_t k, sequence::BoundedWorkers& encoders) {
   report.elevation_deg = degrees_from_radians(scene.sun.elevation);
   report.azimuth_deg = degrees_from_radians(scene.sun.azimuth);
   report.files = files_of(job_, frame.number);
-  work->hashes = hashes_of(job_.picture, work->preset_json);
+  work->hashes = hashes_of(job_.picture, display_, work->preset_json);
   report.hash = job_.exr ? work->hashes.exr : work->hashes.png;
   if (!job_.overwrite && is_done(report.files, work->hashes, work->preset_json)) {
     finished(k, scene, report);
