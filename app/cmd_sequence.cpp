@@ -107,6 +107,19 @@ FrameSource source_of(const Given& given, const Scene& scene) {
       "--lon), a sweep (--sun-elevation -12:90:1), or a preset with key frames (\"sequence\")");
 }
 
+// What the frames set, nobody else can.
+void refuse_idle_overrides(const Given& given, const FrameSource& source) {
+  const sequence::Frame frame = sequence::frame_at(source, 0);
+  for (const std::string& assignment : given.scene.set) {
+    const std::string pointer = assignment.substr(0, assignment.find('='));
+    const bool is_moved =
+        std::any_of(frame.keys.begin(), frame.keys.end(), [&](const auto& key) { return key.first == pointer; });
+    if (is_moved) {
+      throw InputError("sequence: --set " + assignment + ": each frame has its own " + pointer + "; leave it out");
+    }
+  }
+}
+
 SequenceJob job_of(const Given& given) {
   // A time limit is a sampling method's here: no frame chooses its own method.
   std::vector<std::string> further = overrides(given.sampling, true);
@@ -132,6 +145,7 @@ SequenceJob job_of(const Given& given) {
   job.preset = chosen_preset(given.scene, further);
   job.scene = resolve(job.preset, method_infos());
   job.source = source_of(given, job.scene);
+  refuse_idle_overrides(given, job.source);
   std::get<PresetObject>(job.preset.root.data).erase("sequence");
   job.scene.sequence.reset();
   job.manifest = given.manifest ? sequence::manifest_file(*given.manifest, job.shard)
