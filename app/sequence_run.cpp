@@ -112,11 +112,11 @@ void Runner::finished(std::size_t k, const Scene& scene, const FrameReport& repo
 void Runner::encode(const Work& work) {
   const Clock::time_point start = Clock::now();
   const std::string device = executor_ ? executor_->device().name : "the processor";
-  const PictureContext context{work.scene,
-                               work.rendering,
-                               {work.preset_json, work.scene.render.method, AIRLIGHT_VERSION, device},
-                               work.hashes.exr,
-                               work.hashes.png};
+  const PictureContext context{.scene = work.scene,
+                               .rendering = work.rendering,
+                               .provenance = {work.preset_json, work.scene.render.method, AIRLIGHT_VERSION, device},
+                               .exr_hash = work.hashes.exr,
+                               .png_hash = work.hashes.png};
   const FrameFiles& files = work.report.files;
   Stopwatch laps;
   publish(context,
