@@ -107,12 +107,45 @@ FrameSource source_of(const Given& given, const Scene& scene) {
       "--lon), a sweep (--sun-elevation -12:90:1), or a preset with key frames (\"sequence\")");
 }
 
-SequenceJob job_of(const Given& given) {
-  // A time limit is a sampling method's here: no frame chooses its own method.
-  std::vector<std::string> further = overrides(given.sampling, true);
+// What the frames set, nobody else can.
+void refuse_idle_overrides(const Given& given, const FrameSource& source) {
+  const sequence::Frame frame = sequence::frame_at(source, 0);
+  for (const std::string& assignment : given.scene.set) {
+    const std::string pointer = assignment.substr(0, assignment.find('='));
+    const bool is_moved =
+        std::any_of(frame.keys.begin(), frame.keys.end(), [&](const auto& key) { return key.first == pointer; });
+    if (is_moved) {
+      throw InputError("sequence: --set " + assignment + ": each frame has its own " + pointer + "; leave it out");
+    }
+  }
+}
+
+// The options of sampling but the limit, of the look, and --set; then the limit, which only a method that samples
+// takes.
+Preset preset_of(const Given& given) {
+  std::vector<std::string> further = overrides(given.sampling, false);
   for (std::string& assignment : overrides(given.picture)) {
     further.push_back(std::move(assignment));
   }
+  Preset preset = chosen_preset(given.scene, further);
+  if (!given.sampling.time_limit) {
+    return preset;
+  }
+  const std::string method = resolve(preset, method_infos()).render.method;
+  if (find_method(method)->render_on_host == nullptr) {
+    throw InputError("sequence: --time-limit: " + method +
+                     " does not sample; 'airlight render PRESET --time-limit TIME --dry-run' finds a method and its "
+                     "quality for such a time: give those");
+  }
+  SamplingOptions limit;
+  limit.time_limit = given.sampling.time_limit;
+  for (const std::string& assignment : overrides(limit, true)) {
+    apply_override(preset, assignment);
+  }
+  return preset;
+}
+
+SequenceJob job_of(const Given& given) {
   SequenceJob job;
   job.scene_options = given.scene;
   job.picture = given.picture;
@@ -129,9 +162,10 @@ SequenceJob job_of(const Given& given) {
     job.png = sequence::require_pattern(*given.png, ".png", "sequence: --png");
   }
   job.shard = sequence::parse_shard(given.shard, "sequence: --shard");
-  job.preset = chosen_preset(given.scene, further);
+  job.preset = preset_of(given);
   job.scene = resolve(job.preset, method_infos());
   job.source = source_of(given, job.scene);
+  refuse_idle_overrides(given, job.source);
   std::get<PresetObject>(job.preset.root.data).erase("sequence");
   job.scene.sequence.reset();
   job.manifest = given.manifest ? sequence::manifest_file(*given.manifest, job.shard)
@@ -246,7 +280,11 @@ std::vector<Option> sequence_options(Given& given) {
   };
   append(frame_options(given), {});
   append(scene_options(given.scene), {"--sun-elevation", "--sun-azimuth"});
-  append(sampling_options(given.sampling), {"--checkpoint"});
+  append(sampling_options(given.sampling), {"--checkpoint", "--time-limit"});
+  // Unlike render's: one choice of method and quality would have to hold for all frames.
+  append({{"--time-limit", "TIME", "Of a method that samples: stop sampling a frame after so long, e.g. 50ms, 2s, 1min",
+           &given.sampling.time_limit}},
+         {});
   append(picture_options(given.picture), {});
   append(run_options(given), {});
   return options;

@@ -40,10 +40,10 @@ Scene scene_of(const SequenceJob& job, const sequence::Frame& frame) {
   return resolve(preset, method_infos());
 }
 
-FrameHashes hashes_of(const PictureOptions& options, const std::string& preset_json) {
+FrameHashes hashes_of(const PictureOptions& options, const std::string& display, const std::string& preset_json) {
   const std::string common = preset_json + "airlight " + AIRLIGHT_VERSION;
   return {sequence::hash_text(common + (options.full_float ? ", float" : ", half")),
-          sequence::hash_text(common + ", " + std::to_string(options.bits) + " bits, OCIO " + options.ocio_config)};
+          sequence::hash_text(common + ", " + std::to_string(options.bits) + " bits, " + display)};
 }
 
 bool is_done(const FrameFiles& files, const FrameHashes& hashes, const std::string& preset_json) {

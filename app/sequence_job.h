@@ -47,7 +47,8 @@ struct FrameHashes {
   std::string exr;
   std::string png;
 };
-FrameHashes hashes_of(const PictureOptions& options, const std::string& preset_json);
+// `display`: OCIO's config, display and view of the PNG; empty for the views that need none.
+FrameHashes hashes_of(const PictureOptions& options, const std::string& display, const std::string& preset_json);
 
 // Whether every file of the frame is there, whole, and of its hash and preset.
 bool is_done(const FrameFiles& files, const FrameHashes& hashes, const std::string& preset_json);

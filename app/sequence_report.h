@@ -32,7 +32,7 @@ struct SequenceTotals {
   double seconds = 0.0;
 };
 
-// "[=====     ]  31 %, 90 of 288 frames, 3.4 a second, 58 s left", without its brackets' ends of line.
+// "[###       ]  31 %, 90 of 288 frames, 3.4 a second, 58 s left"; the rate and what follows only where it is known.
 std::string progress_text(std::size_t done, std::size_t frames, double frames_a_second, int width);
 
 // Safe to call from several threads.

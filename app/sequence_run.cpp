@@ -61,7 +61,12 @@ class Runner {
       : job_(job),
         report_(job),
         manifest_(job),
-        transform_(job.png ? display_transform(job.picture, job.scene) : std::nullopt) {}
+        transform_(job.png ? display_transform(job.picture, job.scene) : std::nullopt),
+        display_(transform_ ? transform_->config() + ", " + transform_->display() + ", " + transform_->view() : "") {
+    if (transform_ && !transform_->warning().empty() && !job.quiet) {
+      complain("warning: " + transform_->warning());
+    }
+  }
 
   SequenceOutcome run();
 
@@ -78,6 +83,7 @@ class Runner {
   SequenceManifest manifest_;
   std::mutex manifest_mutex_;
   std::optional<DisplayTransform> transform_;
+  std::string display_;  // config, display and view of the PNGs, wherever their names came from
   std::unique_ptr<Executor> executor_;
 };
 
@@ -106,9 +112,11 @@ void Runner::finished(std::size_t k, const Scene& scene, const FrameReport& repo
 void Runner::encode(const Work& work) {
   const Clock::time_point start = Clock::now();
   const std::string device = executor_ ? executor_->device().name : "the processor";
-  const PictureContext context{
-      work.scene,   work.rendering,  {work.preset_json, work.scene.render.method, AIRLIGHT_VERSION, device},
-      std::nullopt, work.hashes.exr, work.hashes.png};
+  const PictureContext context{.scene = work.scene,
+                               .rendering = work.rendering,
+                               .provenance = {work.preset_json, work.scene.render.method, AIRLIGHT_VERSION, device},
+                               .exr_hash = work.hashes.exr,
+                               .png_hash = work.hashes.png};
   const FrameFiles& files = work.report.files;
   Stopwatch laps;
   publish(context,
@@ -136,7 +144,7 @@ bool Runner::render_frame(std::size_t k, sequence::BoundedWorkers& encoders) {
   report.elevation_deg = degrees_from_radians(scene.sun.elevation);
   report.azimuth_deg = degrees_from_radians(scene.sun.azimuth);
   report.files = files_of(job_, frame.number);
-  work->hashes = hashes_of(job_.picture, work->preset_json);
+  work->hashes = hashes_of(job_.picture, display_, work->preset_json);
   report.hash = job_.exr ? work->hashes.exr : work->hashes.png;
   if (!job_.overwrite && is_done(report.files, work->hashes, work->preset_json)) {
     finished(k, scene, report);

@@ -1,72 +1,21 @@
-// sequence as a process: what it writes, keeps and refuses; stopped, killed, resumed, shared.
+// sequence as a process: what it writes, shows and refuses.
 #include <gtest/gtest.h>
+#include <pty.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <csignal>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <thread>
 
-#include "tests/cli/process.h"
+#include "app/sequence_report.h"
+#include "tests/cli/sequence_fixture.h"
 
 namespace airlight::test {
 namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
-using Names = std::vector<std::string>;
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-// Six frames of a morning over Paris.
-Names morning(Names more = {}) {
-  Names words = {"sequence", "sky.json", "--date", "2026-06-21", "--from", "06:00", "--to", "08:30",
-                 "--step",   "30m",      "--lat",  "48.85",      "--lon",  "2.35",  "--tz", "Europe/Paris"};
-  words.insert(words.end(), more.begin(), more.end());
-  return words;
-}
-
-class Sequence : public testing::Test {
- protected:
-  void SetUp() override { scratch_.write("sky.json", small_preset()); }
-  Outcome tool(const Names& arguments, const Start& start = {}) const {
-    return airlight(scratch_.path(), arguments, start);
-  }
-  Outcome shell(const std::string& line) const {
-    return run(scratch_.path(), {"bash", "-c", "airlight=" AIRLIGHT_BINARY "\n" + line});
-  }
-  // Files of a folder by name, without its manifests, as they report times.
-  std::map<std::string, std::string> pictures(const std::string& folder) const {
-    std::map<std::string, std::string> found;
-    for (const std::string& name : scratch_.files()) {
-      if (name.starts_with(folder + "/") && !contains(name, "manifest")) {
-        found[name.substr(folder.size() + 1)] = scratch_.read(name);
-      }
-    }
-    return found;
-  }
-  void make_folder(const std::string& name) const { fs::create_directory(scratch_.path() / name); }
-  Scratch scratch_;
-};
-
-// "rendered" or "kept" of each frame of --json, by its number.
-Names statuses(const std::string& json_lines) {
-  std::map<int, std::string> found;
-  for (const std::string& line : lines_of(json_lines)) {
-    const Json json = Json::parse(line);
-    if (json.contains("status")) {
-      found[json["frame"]] = json["status"];
-    }
-  }
-  Names in_order;
-  for (const auto& [frame, status] : found) {
-    in_order.push_back(status);
-  }
-  return in_order;
-}
 
 TEST_F(Sequence, WritesFramesPicturesAndAManifest) {
   const Outcome outcome = tool(morning({"-o", "sky.####.exr", "--png", "show.#.png"}));
@@ -125,144 +74,6 @@ TEST_F(Sequence, KeyFramesAnimateAnyKeyAndNumberTheFiles) {
   EXPECT_TRUE(contains(other.err, "key frames are not used")) << other.err;
 }
 
-TEST_F(Sequence, ASecondRunKeepsWhatIsWholeAndOfThePreset) {
-  const Names words = morning({"-o", "s.#.exr", "--png", "s.#.png", "--json"});
-  const Outcome first = tool(words);
-  ASSERT_EQ(first.exit_code, 0) << first.err;
-  EXPECT_EQ(first.err, "");
-  EXPECT_EQ(statuses(first.out), Names(6, "rendered"));
-  const Json before = Json::parse(scratch_.read("s.manifest.json"));
-  const Outcome second = tool(words);
-  EXPECT_EQ(statuses(second.out), Names(6, "kept"));
-  EXPECT_EQ(Json::parse(scratch_.read("s.manifest.json")), before);  // milliseconds of the first run included
-  // Cut short, of another kind, missing, of another preset.
-  scratch_.write("s.2.exr", scratch_.read("s.2.exr").substr(0, scratch_.read("s.2.exr").size() - 1));
-  scratch_.write("s.3.png", scratch_.read("s.3.png").substr(0, 200));
-  fs::remove(scratch_.path() / "s.4.png");
-  fs::copy_file(scratch_.path() / "s.6.exr", scratch_.path() / "s.5.exr", fs::copy_options::overwrite_existing);
-  EXPECT_EQ(statuses(tool(words).out), (Names{"kept", "rendered", "rendered", "rendered", "rendered", "kept"}));
-  EXPECT_EQ(statuses(tool(words).out), Names(6, "kept"));
-  // Options that make other files, each with a hash of its own.
-  EXPECT_EQ(statuses(tool(morning({"--png", "s.#.png", "--json", "--bits", "16"})).out), Names(6, "rendered"));
-  EXPECT_EQ(statuses(tool(morning({"-o", "s.#.exr", "--json"})).out), Names(6, "kept"));
-  EXPECT_EQ(statuses(tool(morning({"-o", "s.#.exr", "--json", "--float"})).out), Names(6, "rendered"));
-  EXPECT_EQ(statuses(tool(morning({"-o", "s.#.exr", "--json", "--float", "--overwrite"})).out), Names(6, "rendered"));
-  EXPECT_EQ(statuses(tool(morning({"-o", "s.#.exr", "--json", "--set", "/camera/pitch_deg=11"})).out),
-            Names(6, "rendered"));
-}
-
-TEST_F(Sequence, KilledAndResumedIsTheSameAsUninterrupted) {
-  make_folder("whole");
-  make_folder("killed");
-  Names words = morning({"-q", "-o", "whole/s.#.exr", "--png", "whole/s.#.png", "--size", "192x108"});
-  ASSERT_EQ(tool(words).exit_code, 0);
-  const auto whole = pictures("whole");
-  ASSERT_EQ(whole.size(), 12U);
-  words = morning({"-q", "-o", "killed/s.#.exr", "--png", "killed/s.#.png", "--size", "192x108"});
-  int killed = 0;
-  for (const char* at : {".part-", "s.2.exr", "s.4.png"}) {
-    Start start;
-    start.kill_signal = SIGKILL;
-    start.kill_at_file = at;
-    Names in_folder = {"bash", "-c", "cd .. && exec \"$@\"", "-", AIRLIGHT_BINARY};  // where the file is watched for
-    in_folder.insert(in_folder.end(), words.begin(), words.end());
-    const Outcome outcome = run(scratch_.path() / "killed", in_folder, start);
-    killed += outcome.signal == SIGKILL ? 1 : 0;
-    for (const auto& [name, text] : pictures("killed")) {
-      EXPECT_TRUE(contains(name, ".part-") || whole.at(name) == text) << name;
-    }
-  }
-  EXPECT_GT(killed, 0) << "no run was slow enough to be killed";
-  const Outcome last = tool(words);
-  EXPECT_EQ(last.exit_code, 0) << last.err;
-  EXPECT_EQ(pictures("killed"), whole);  // what the kills left half written is gone, too
-  EXPECT_EQ(Json::parse(scratch_.read("killed/s.manifest.json"))["frames"].size(), 6U);
-}
-
-// The frame in hand comes to its end, the manifest says what there is, and the same command goes on.
-TEST_F(Sequence, StoppedBySignalsItLeavesWholeFramesAndSaysSo) {
-  Names words = morning({"-o", "s.#.exr", "--size", "192x108"});
-  words[9] = "1m";  // --step
-  int stopped = 0;
-  for (const int signal : {SIGINT, SIGTERM}) {
-    Start start;
-    start.kill_signal = signal;
-    start.kill_at_file = signal == SIGINT ? "s.1.exr" : "s.9.exr";
-    const Outcome outcome = tool(words, start);
-    if (outcome.exit_code == 0) {
-      continue;  // over before the signal came
-    }
-    ++stopped;
-    EXPECT_EQ(outcome.exit_code, 128 + signal) << outcome.err;
-    EXPECT_EQ(outcome.signal, 0);
-    EXPECT_TRUE(contains(outcome.err, "frames are whole; the same command goes on from there")) << outcome.err;
-    const Json manifest = Json::parse(scratch_.read("s.manifest.json"));
-    EXPECT_EQ(manifest["complete"], false);
-    std::size_t frames = 0;
-    for (const std::string& name : scratch_.files()) {
-      EXPECT_FALSE(contains(name, ".part-")) << name;
-      frames += name.ends_with(".exr") ? 1U : 0U;
-    }
-    EXPECT_EQ(manifest["frames"].size(), frames);
-    fs::remove(scratch_.path() / "s.9.exr");
-  }
-  EXPECT_GT(stopped, 0);
-}
-
-TEST_F(Sequence, ShardsAreTheWhole) {
-  make_folder("whole");
-  make_folder("shards");
-  ASSERT_EQ(tool(morning({"-q", "-o", "whole/s.#.exr"})).exit_code, 0);
-  for (const char* shard : {"1/4", "2/4", "3/4", "4/4"}) {
-    const Outcome outcome = tool(morning({"-q", "-o", "shards/s.#.exr", "--shard", shard}));
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  }
-  EXPECT_EQ(pictures("shards"), pictures("whole"));
-  EXPECT_EQ(Json::parse(scratch_.read("shards/s.manifest.2-of-4.json"))["frames"].size(), 2U);
-  // More machines than frames: nothing to do is no failure.
-  EXPECT_EQ(tool(morning({"-q", "-o", "shards/s.#.exr", "--shard", "9/9"})).exit_code, 0);
-  // One more run without --shard finds all of it.
-  EXPECT_EQ(statuses(tool(morning({"-o", "shards/s.#.exr", "--json"})).out), Names(6, "kept"));
-}
-
-TEST_F(Sequence, TwoRunsOnOneFolderLeaveWholeFrames) {
-  make_folder("whole");
-  make_folder("both");
-  ASSERT_EQ(tool(morning({"-q", "-o", "whole/s.#.exr"})).exit_code, 0);
-  Outcome outcomes[2];
-  std::thread other([&] { outcomes[1] = tool(morning({"-q", "-o", "both/s.#.exr"})); });
-  outcomes[0] = tool(morning({"-q", "-o", "both/s.#.exr"}));
-  other.join();
-  for (const Outcome& outcome : outcomes) {
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  }
-  EXPECT_EQ(pictures("both"), pictures("whole"));
-  EXPECT_EQ(Json::parse(scratch_.read("both/s.manifest.json"))["complete"], true);
-}
-
-// A limit on the size of files stands for a full disk: early frames are small, later ones are not.
-TEST_F(Sequence, AFullDiskKeepsTheFramesBefore) {
-  std::string preset = small_preset();
-  preset.insert(preset.rfind('}'), R"(, "sequence": {"frames": [{"at": 1, "/image/width": 16}, {"at": 6,
-      "/image/width": 2048}]})");
-  scratch_.write("keys.json", preset);
-  const Outcome outcome = shell("trap '' XFSZ; ulimit -f 64; exec $airlight sequence keys.json -q -o s.#.exr --float");
-  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
-  EXPECT_EQ(lines_of(outcome.err).size(), 1U) << outcome.err;
-  EXPECT_TRUE(contains(outcome.err, "File too large")) << outcome.err;
-  EXPECT_TRUE(contains(outcome.err, "of 6 frames are whole")) << outcome.err;
-  int whole = 0;
-  for (const std::string& name : scratch_.files()) {
-    EXPECT_FALSE(contains(name, ".part-")) << name;
-    if (name.ends_with(".exr")) {
-      ++whole;
-      EXPECT_EQ(tool({"diff", name, name}).exit_code, 0) << name;
-    }
-  }
-  EXPECT_GT(whole, 0);
-  EXPECT_LT(whole, 6);
-}
-
 struct BadSequence {
   Names more;
   Names parts;
@@ -305,12 +116,14 @@ TEST_F(Sequence, BadInputIsOneLineExitCodeTwoAndNoFile) {
       {with({"--shard", "5/4"}), {"--shard: '5/4' is not I/N"}},
       {{"-o", "s.#.exr", "--sun-elevation", "0:10:0"}, {"steps of 0 never get"}},
       {{"-o", "s.#.exr", "--sun-elevation", "5"}, {"is not FROM:TO:STEP"}},
+      {with({"--set", "/sun/azimuth_deg=3"}), {"each frame has its own /sun/azimuth_deg"}},
       {with({"--set", "/sun/azimut_deg=3"}), {"/sun/azimut_deg", "azimuth_deg"}},
       {with({"--preview", "film.avi"}), {"'film.avi' ends neither in .mp4 nor in .gif"}},
       {with({"--contact-sheet", "sheet.jpg"}), {"does not end in .png"}},
       {with({"--contact-sheet", "sheet.png", "--shard", "1/2"}), {"one shard is not the whole sequence"}},
       {with({"--contact-sheet", "sheet.png", "--view", "gpu"}), {"no view 'gpu'", "--png"}},
       {with({"--manifest", "no/list.json"}), {"no/list.json", "does not exist"}},
+      {with({"--time-limit", "1s"}), {"--time-limit: march does not sample"}},
       {with({"--checkpoint", "x"}), {"unknown option '--checkpoint'"}},
   };
   for (const BadSequence& bad : cases) {
@@ -379,6 +192,52 @@ TEST_F(Sequence, PreviewAndContactSheetShowTheFrames) {
   for (const std::string& name : scratch_.files()) {
     EXPECT_FALSE(contains(name, ".part-")) << name;
   }
+}
+
+// What the tool prints to a terminal of that kind.
+std::string on_terminal(const fs::path& folder, const Names& arguments, const char* kind) {
+  int master = -1;
+  const pid_t child = ::forkpty(&master, nullptr, nullptr, nullptr);
+  if (child == 0) {
+    std::vector<char*> words = {const_cast<char*>(AIRLIGHT_BINARY)};
+    for (const std::string& argument : arguments) {
+      words.push_back(const_cast<char*>(argument.c_str()));
+    }
+    words.push_back(nullptr);
+    ::setenv("TERM", kind, 1);
+    if (::chdir(folder.c_str()) == 0) {
+      ::execv(words[0], words.data());
+    }
+    ::_exit(127);
+  }
+  std::string text;
+  char buffer[4096];
+  for (ssize_t count = 0; (count = ::read(master, buffer, sizeof buffer)) > 0;) {
+    text.append(buffer, static_cast<std::size_t>(count));
+  }
+  ::waitpid(child, nullptr, 0);
+  ::close(master);
+  return text;
+}
+
+TEST_F(Sequence, ABarOnATerminalThatCanDrawOne) {
+  const std::string bar = on_terminal(scratch_.path(), morning({"-o", "s.#.exr"}), "xterm");
+  EXPECT_TRUE(contains(bar, "[##############################] 100 %, 6 of 6 frames, ")) << bar;
+  EXPECT_TRUE(contains(bar, " a second, 0 s left")) << bar;
+  EXPECT_FALSE(contains(bar, "[3/6]")) << bar;
+  EXPECT_TRUE(contains(bar, "6 frames rendered, 0 kept of 6")) << bar;
+  const std::string lines = on_terminal(scratch_.path(), morning({"-o", "s.#.exr", "--overwrite"}), "dumb");
+  EXPECT_TRUE(contains(lines, "[3/6]")) << lines;
+  EXPECT_FALSE(contains(lines, "\033")) << lines;
+}
+
+TEST(SequenceBar, TellsHowFarHowFastAndHowLong) {
+  using cli::progress_text;
+  EXPECT_EQ(progress_text(0, 288, 0.0, 10), "[          ]   0 %, 0 of 288 frames");
+  EXPECT_EQ(progress_text(90, 288, 3.4, 10), "[###       ]  31 %, 90 of 288 frames, 3.4 a second, 58 s left");
+  EXPECT_EQ(progress_text(10, 1000, 0.05, 10), "[          ]   1 %, 10 of 1000 frames, 0.05 a second, 5.5 h left");
+  EXPECT_EQ(progress_text(287, 288, 0.01, 10), "[######### ]  99 %, 287 of 288 frames, 0.01 a second, 2 min left");
+  EXPECT_EQ(progress_text(0, 0, 0.0, 4), "[####] 100 %, 0 of 0 frames");
 }
 
 TEST_F(Sequence, QuietIsSilent) {

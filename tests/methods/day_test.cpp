@@ -34,7 +34,7 @@ TEST(Day, BakesItsTablesOnce) {
     return render([&]() -> Executor& { return executor; }, scene_at(sun, haze, method), {});
   };
   for (const std::string_view method : {"march", "orders"}) {
-    const std::string table = method == "march" ? "multiple_scattering" : "orders_bake";
+    const std::string table = method == "march" ? "multiple_scattering" : "orders_sum";
     const Rendering first = picture(5, 0.004, method);
     EXPECT_TRUE(ran(first, table)) << method;
     for (int i = 0; i < 3; ++i) {

@@ -187,6 +187,15 @@ TEST(Schema, RefusesWhatResolveRefuses) {
   expect_both(false, "/display/tonemap", "aess");
   expect_both(true, "/display/exposure", "auto");
   expect_both(false, "/display/exposure", "Auto");
+  expect_both(false, "/sequence", Json::object());
+  expect_both(false, "/sequence/frames", Json::array());
+  expect_both(false, "/sequence", {{"frames", {{{"at", 0}}}}, {"interpolation", "cubic"}});
+  expect_both(true, "/sequence", {{"frames", {{{"at", 0}}}}, {"interpolation", "linear"}});
+  expect_both(true, "/sequence/frames/0", {{"at", 0}, {"/sun/elevation_deg", -6}, {"/sun/irradiance", {1, 2, 3}}});
+  expect_both(false, "/sequence/frames/0", {{"/sun/elevation_deg", -6}});
+  expect_both(false, "/sequence/frames/0", {{"at", 0}, {"sun", 1}});
+  expect_both(false, "/sequence/frames/0", {{"at", 0}, {"/sun/elevation_deg", "low"}});
+  expect_both(false, "/sequence/frames/0", {{"at", 0}, {"/sun/irradiance", {1, 2}}});
 }
 
 }  // namespace
