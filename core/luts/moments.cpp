@@ -69,6 +69,10 @@ struct OrderQuadrature {
 constexpr OrderQuadrature kFirstOrder{12, 6, 8, 16};
 constexpr OrderQuadrature kNextOrders{8, 4, 3, 8};
 
+// By shells, where the steps are the shells' and light from below counts as much as from above.
+constexpr OrderQuadrature kFirstShellOrder{12, 12, 8, 1};
+constexpr OrderQuadrature kNextShellOrders{8, 8, 5, 1};
+
 BufferId add_nodes(Plan& plan, const std::string& name, const OrderQuadrature& q) {
   const std::vector<float> nodes = direction_nodes(q.up, q.down, q.half_azimuths);
   std::vector<std::byte> bytes(nodes.size() * sizeof(float));
@@ -92,8 +96,7 @@ struct ScatteringDepths {
   double transport = 0.0;  // by all, what is scattered straight on left out: the sum of (1 - first moment) tau
 };
 
-ScatteringDepths scattering_depths(const Scene& scene) {
-  physics::Physics p = make_physics(scene);
+ScatteringDepths scattering_depths(const Scene& scene, physics::Physics& p) {
   constexpr int kLayers = 400;
   ScatteringDepths depths;
   for (physics::uint i = 0; i < p.media; ++i) {
@@ -116,13 +119,18 @@ MomentSettings moment_settings(const Scene& scene, int degree, int orders, Table
   constexpr double kThick = 0.02;
   constexpr int kMostOrders = 40;
   MomentSettings settings;
-  const ScatteringDepths depths = scattering_depths(scene);
+  physics::Physics p = make_physics(scene);
+  const ScatteringDepths depths = scattering_depths(scene, p);
   const bool thick = depths.forward > kThick;
   settings.degree = degree >= 0 ? degree : (thick ? 4 : 2);
   settings.delta = thick;
   settings.orders =
       orders > 0 ? std::max(orders, 2) : 3 + static_cast<int>(std::min(3.0 * depths.transport, kMostOrders - 3.0));
   settings.size = size;
+  settings.shells = p.scene.shell_rows > 0;
+  if (settings.shells) {
+    settings.size[1] = static_cast<int>(p.scene.shell_rows);
+  }
   return settings;
 }
 
@@ -131,23 +139,43 @@ void add_moment_constants(std::vector<Specialization>& constants, const MomentSe
   constants.push_back({"kDeltaScaled", settings.delta ? 1u : 0u});
   constants.push_back({"kMomentColumns", static_cast<std::uint32_t>(settings.size[0])});
   constants.push_back({"kMomentRows", static_cast<std::uint32_t>(settings.size[1])});
+  constants.push_back({"kShellRows", settings.shells ? static_cast<std::uint32_t>(settings.size[1]) : 0u});
 }
 
-ImageId add_moments(Plan& plan, const Scene& scene, ImageId transmittance, const MomentSettings& settings) {
+ImageId add_sun_table(Plan& plan, const Scene& scene, const MomentSettings& settings) {
+  const TableSize size{256, settings.size[1]};
+  const Extent extent{static_cast<std::uint32_t>(size[0]), static_cast<std::uint32_t>(size[1]), 1};
+  const ImageId out = plan.add_image(
+      {.name = "sun_table", .extent = extent, .format = Format::rgba32f, .key = table_key(scene, "sun_table", size)});
+  std::vector<Specialization> constants = medium_specialization(scene);
+  constants.push_back({"kShellRows", extent.height});
+  plan.add_pass({.name = "sun_table",
+                 .shader = "sun_table",
+                 .reads = {},
+                 .writes = {{"sun_table_out", out}},
+                 .grid = extent,
+                 .push_constants = {},
+                 .specialization = constants});
+  return out;
+}
+
+ImageId add_moments(Plan& plan, const Scene& scene, ImageId sunlight, const MomentSettings& settings) {
   const Extent atlas = atlas_extent(settings);
-  std::vector<Specialization> constants = sunlight_specialization(plan, scene, transmittance);
+  std::vector<Specialization> constants = sunlight_specialization(plan, scene, sunlight);
   add_moment_constants(constants, settings);
   const BufferId sums = plan.add_buffer({.name = "moment_sums",
                                          .bytes = std::size_t{atlas.width} * atlas.height * 4 * sizeof(float),
                                          .host_readable = false,
                                          .contents = {},
                                          .key = {}});
-  const BufferId first_nodes = add_nodes(plan, "first_order_directions", kFirstOrder);
-  const BufferId next_nodes = add_nodes(plan, "order_directions", kNextOrders);
+  const OrderQuadrature& first_order = settings.shells ? kFirstShellOrder : kFirstOrder;
+  const OrderQuadrature& next_orders = settings.shells ? kNextShellOrders : kNextOrders;
+  const BufferId first_nodes = add_nodes(plan, "first_order_directions", first_order);
+  const BufferId next_nodes = add_nodes(plan, "order_directions", next_orders);
   std::vector<ImageId> orders;
   for (int order = 1; order <= settings.orders; ++order) {
     const bool first = order == 1;
-    const OrderQuadrature& q = first ? kFirstOrder : kNextOrders;
+    const OrderQuadrature& q = first ? first_order : next_orders;
     const ImageId out = plan.add_image(
         {.name = "order" + std::to_string(order), .extent = atlas, .format = Format::rgba32f, .key = {}});
     std::vector<Specialization> mine = constants;
@@ -155,8 +183,8 @@ ImageId add_moments(Plan& plan, const Scene& scene, ImageId transmittance, const
     plan.add_pass(
         {.name = "order" + std::to_string(order),
          .shader = "orders_bake",
-         .reads = {{"transmittance_lut", transmittance},
-                   {"moments_lut", first ? transmittance : orders.back()},  // the first order reads none
+         .reads = {{"transmittance_lut", sunlight},
+                   {"moments_lut", first ? sunlight : orders.back()},  // the first order reads none
                    {"nodes", first ? first_nodes : next_nodes}},
          .writes = {{"order_out", out}, {"sums", sums}},
          .grid = {64, static_cast<std::uint32_t>(settings.size[0]), static_cast<std::uint32_t>(settings.size[1])},
@@ -167,7 +195,7 @@ ImageId add_moments(Plan& plan, const Scene& scene, ImageId transmittance, const
   }
   const std::string key = "degree " + std::to_string(settings.degree) + " delta " + std::to_string(settings.delta) +
                           " orders " + std::to_string(settings.orders);
-  const Extent sources[] = {plan.images()[transmittance.index].extent};
+  const Extent sources[] = {plan.images()[sunlight.index].extent};
   const ImageId moments = plan.add_image({.name = "moments",
                                           .extent = atlas,
                                           .format = Format::rgba32f,

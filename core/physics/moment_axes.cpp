@@ -74,4 +74,14 @@ physics::MomentTableData moment_axes(physics::Physics& p) {
   return table;
 }
 
+physics::MomentTableData shell_moment_axes(physics::Physics& p) {
+  physics::MomentTableData table;
+  table.top = p.scene.planet.atmosphere_height;
+  const double dip = -std::asin(p.horizon_mu(p.scene.planet, table.top));
+  table.elevation_scale = std::clamp(0.7 * dip, 0.05, 0.35);
+  table.v_high = std::asinh(0.5 * std::numbers::pi / table.elevation_scale);
+  table.v_low = -std::asinh(std::min(0.5 * std::numbers::pi, 5.0 * dip + 0.02) / table.elevation_scale);
+  return table;
+}
+
 }  // namespace airlight

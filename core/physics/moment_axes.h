@@ -14,4 +14,8 @@ std::array<double, 6> legendre_moments(physics::Physics& p, physics::uint phase_
 // sun elevations from nadir to zenith, densest around the horizon.
 physics::MomentTableData moment_axes(physics::Physics& p);
 
+// The same where the table's rows are edges of shells: up to the top of the atmosphere, and down to a sun so low that
+// light scattered twice no longer matters, as a flat planet's night needs no columns.
+physics::MomentTableData shell_moment_axes(physics::Physics& p);
+
 }  // namespace airlight

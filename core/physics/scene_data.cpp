@@ -1,12 +1,15 @@
 #include "core/physics/scene_data.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <numbers>
 #include <variant>
 
 #include "core/physics/moment_axes.h"
+#include "core/physics/shells.h"
 
 namespace airlight {
 namespace {
@@ -90,6 +93,9 @@ void fill_moments(Data& data, const physics::SceneData& from) {
   data.moments.elevation_scale = static_cast<Real>(from.moments.elevation_scale);
   data.moments.v_low = static_cast<Real>(from.moments.v_low);
   data.moments.v_high = static_cast<Real>(from.moments.v_high);
+  data.shell_rows = from.shell_rows;
+  std::transform(std::begin(from.shell_altitudes), std::end(from.shell_altitudes), std::begin(data.shell_altitudes),
+                 [](double h) { return static_cast<Real>(h); });
   for (std::size_t i = 0; i < static_cast<std::size_t>(kMaxMedia); ++i) {
     data.media[i].legendre1 = static_cast<Real>(from.media[i].legendre1);
     data.media[i].legendre2 = static_cast<Real>(from.media[i].legendre2);
@@ -171,6 +177,13 @@ physics::Physics make_physics(const Scene& scene) {
     m.legendre5 = moments[5];
   }
   p.scene.moments = moment_axes(p);
+  if (uses_shells(scene, p)) {
+    const std::vector<double> rows = shell_altitudes(scene, p);
+    assert(rows.size() <= static_cast<std::size_t>(physics::kMaxShellRows));
+    p.scene.shell_rows = static_cast<physics::uint>(rows.size());
+    std::copy(rows.begin(), rows.end(), std::begin(p.scene.shell_altitudes));
+    p.scene.moments = shell_moment_axes(p);
+  }
   return p;
 }
 

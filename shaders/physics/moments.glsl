@@ -5,11 +5,13 @@
 // The includer defines:
 //   uint moment_degree();  the highest l kept, 0 to 4
 //   bool delta_scaled();   whether forward peaks are taken as unscattered light [W76]
+//   uint shell_rows(), real shell_altitude(uint k);  rows at listed altitudes (shells.glsl); 0 rows: altitude = top y^2
 //   vec3 fetch_moment(uint k, real x, real y);  k = l(l+1)/2 + m; k = moment_count() is log of the ground's irradiance
 
 uint moment_count() { return (moment_degree() + 1u) * (moment_degree() + 2u) / 2u; }
 
-// Where (h, mu_sun) stands in the table, unit range: h = top x^2, sun elevation = scale sinh(v), v linear in the other.
+// Where (h, mu_sun) stands in the table, unit range: h = top y^2, sun elevation = scale sinh(v), v linear in x. With rows
+// at listed altitudes y is shell_coordinate()'s.
 struct MomentCoordinate {
   real x;  // sun
   real y;  // altitude
@@ -38,7 +40,7 @@ MomentState moment_state(MomentTableData table, real x, real y) {
   real v = table.v_low + (table.v_high - table.v_low) * x;
   real elevation = table.elevation_scale * 0.5 * (exp(v) - exp(-v));
   MomentState s;
-  s.h = table.top * y * y;
+  s.h = shell_rows() > 0u ? shell_altitude(uint(y * real(shell_rows() - 1u) + 0.5)) : table.top * y * y;
   s.mu_sun = sin(elevation);
   return s;
 }
@@ -142,8 +144,7 @@ DiffuseAir diffuse_air_at(real h, Phases p) {
 }
 
 // Light scattered into the direction (mu, azimuth) out of the field that the table holds, W/(m2 sr km).
-vec3 moment_source(MomentTableData table, DiffuseAir air, real h, real mu_sun, real mu, real cos_azimuth) {
-  MomentCoordinate c = moment_coordinate(table, h, mu_sun);
+vec3 moment_source_at(MomentCoordinate c, DiffuseAir air, real mu, real cos_azimuth) {
   Harmonics y = harmonics(mu, cos_azimuth);
   vec3 sum = air.degree0 * y.of[0];
   if (moment_degree() >= 1u) {
@@ -164,6 +165,10 @@ vec3 moment_source(MomentTableData table, DiffuseAir air, real h, real mu_sun, r
   }
   // Truncated at a low degree the field may dip below zero opposite to a strong peak.
   return max(sum, vec3(0.0)) * exp(fetch_moment(0u, c.x, c.y));
+}
+
+vec3 moment_source(MomentTableData table, DiffuseAir air, real h, real mu_sun, real mu, real cos_azimuth) {
+  return moment_source_at(moment_coordinate(table, h, mu_sun), air, mu, cos_azimuth);
 }
 
 // Irradiance on the ground by the light that the table holds.
