@@ -87,7 +87,7 @@ const ParameterValue* parameter(const Scene& scene, std::string_view key) {
 int wished_rows(const Scene& scene) {
   const ParameterValue* size = parameter(scene, "moments_lut");
   const int rows = size == nullptr ? 12 : std::get<TableSize>(*size)[1];
-  return std::clamp(2 * rows, 4, 48);
+  return std::clamp(3 * rows, 4, 48);
 }
 
 // How densely rows should stand: F rises from 0 to 1 over the column's samples, rows at equal steps of F. Half of it
@@ -102,7 +102,7 @@ std::vector<double> row_measure(const Column& column) {
     f.push_back(f.back() + (column.depth[i] - column.depth[i - 1]) * (1.0 / (end + 0.4) + 0.4));
   }
   const double scale = f.back() > 0.0 ? 1.0 / f.back() : 0.0;
-  const double share = scale > 0.0 ? 0.5 : 0.0;
+  const double share = scale > 0.0 ? std::max(0.5, total / (total + 1.0)) : 0.0;
   for (std::size_t i = 0; i < f.size(); ++i) {
     f[i] = share * f[i] * scale + (1.0 - share) * std::sqrt(column.h[i] / height);
   }

@@ -143,8 +143,9 @@ DiffuseAir diffuse_air_at(real h, Phases p) {
   return air;
 }
 
-// Light scattered into the direction (mu, azimuth) out of the field that the table holds, W/(m2 sr km).
-vec3 moment_source_at(MomentCoordinate c, DiffuseAir air, real mu, real cos_azimuth) {
+// Light scattered into the direction (mu, azimuth) out of the field that the table holds at c, W/(m2 sr km); its
+// moment M_00 is given.
+vec3 moment_source_of(vec3 isotropic, MomentCoordinate c, DiffuseAir air, real mu, real cos_azimuth) {
   Harmonics y = harmonics(mu, cos_azimuth);
   vec3 sum = air.degree0 * y.of[0];
   if (moment_degree() >= 1u) {
@@ -164,11 +165,12 @@ vec3 moment_source_at(MomentCoordinate c, DiffuseAir air, real mu, real cos_azim
                                fetch_moment(14u, c.x, c.y) * y.of[14]);
   }
   // Truncated at a low degree the field may dip below zero opposite to a strong peak.
-  return max(sum, vec3(0.0)) * exp(fetch_moment(0u, c.x, c.y));
+  return max(sum, vec3(0.0)) * isotropic;
 }
 
 vec3 moment_source(MomentTableData table, DiffuseAir air, real h, real mu_sun, real mu, real cos_azimuth) {
-  return moment_source_at(moment_coordinate(table, h, mu_sun), air, mu, cos_azimuth);
+  MomentCoordinate c = moment_coordinate(table, h, mu_sun);
+  return moment_source_of(exp(fetch_moment(0u, c.x, c.y)), c, air, mu, cos_azimuth);
 }
 
 // Irradiance on the ground by the light that the table holds.

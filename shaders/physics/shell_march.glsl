@@ -15,12 +15,20 @@ vec3 shell_sun_irradiance(PlanetData planet, real mu_sun) {
   return mu_sun > 0.0 ? exp(-sun_depth(planet, 0.0, 0.0, mu_sun)) * mu_sun : vec3(0.0);
 }
 
-// Light scattered into the ray by the diffuse field, W/(m2 sr km), at distance t in a known shell.
+// Light scattered into the ray by the diffuse field, W/(m2 sr km), at distance t in a known shell. Between two rows the
+// moments go linearly with the altitude, as they do deep in even air, not their logarithms: in air that absorbs nothing
+// each order repeats the error of the one before. The ratios are fetched where they weigh as much as the moments.
 vec3 shell_source(PlanetData planet, MomentTableData table, DiffuseAir air, Ray ray, uint shell, real t) {
   RayPoint point = point_on_ray(planet, ray, t);
   MomentCoordinate c = moment_coordinate(table, point.h, point.mu_sun);
-  c.y = shell_coordinate(shell, point.h);
-  return moment_source_at(c, air, point.mu, cos_azimuth_at(point, ray.nu));
+  real intervals = real(shell_rows() - 1u);
+  real part = shell_part(shell, point.h);
+  vec3 below = exp(fetch_moment(0u, c.x, real(shell) / intervals)) * (1.0 - part);
+  vec3 above = exp(fetch_moment(0u, c.x, real(shell + 1u) / intervals)) * part;
+  vec3 isotropic = below + above;
+  real weight = (above.x + above.y + above.z) / (isotropic.x + isotropic.y + isotropic.z);
+  c.y = (real(shell) + weight) / intervals;
+  return moment_source_of(isotropic, c, air, point.mu, cos_azimuth_at(point, ray.nu));
 }
 
 vec3 sun_depth_on_ray(PlanetData planet, Ray ray, uint shell, real t) {

@@ -27,12 +27,14 @@ uint shell_of(real h, bool rising) {
   return k;
 }
 
-// Where h stands between the rows, unit range over all of them, given its shell.
-real shell_coordinate(uint shell, real h) {
+// Where h stands in its shell, 0 to 1, and between the rows, unit range over all of them.
+real shell_part(uint shell, real h) {
   real low = shell_altitude(shell);
   real high = shell_altitude(shell + 1u);
-  return (real(shell) + clamp((h - low) / (high - low), 0.0, 1.0)) / real(shell_rows() - 1u);
+  return clamp((h - low) / (high - low), 0.0, 1.0);
 }
+
+real shell_coordinate(uint shell, real h) { return (real(shell) + shell_part(shell, h)) / real(shell_rows() - 1u); }
 
 // Steps of a ray, one after the other. No step crosses an edge, the lowest point or the planet's shadow.
 struct ShellWalk {
