@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <map>
 #include <numbers>
 #include <string>
 
@@ -69,9 +70,24 @@ struct OrderQuadrature {
 constexpr OrderQuadrature kFirstOrder{12, 6, 8, 16};
 constexpr OrderQuadrature kNextOrders{8, 4, 3, 8};
 
-// By shells, where the steps are the shells' and light from below counts as much as from above.
-constexpr OrderQuadrature kFirstShellOrder{16, 16, 12, 1};
-constexpr OrderQuadrature kNextShellOrders{6, 6, 0, 1};  // azimuths: as many as the degree asks for
+// By shells, where light from below counts as much as from above and the shells are the steps. Peaked sunlight wants
+// many directions in the first order: over a forward-scattering slab, the sun low, 12 x 8 a side leave 10 %, 20 x 16
+// leave 3. Later orders: more than 6 zenith nodes a side change nothing in a level slab of optical depth 5; azimuths
+// are exact for products of two harmonics.
+OrderQuadrature shell_quadrature(int order, int degree, bool peaked) {
+  if (order == 1) {
+    return peaked ? OrderQuadrature{24, 24, 16, 1} : OrderQuadrature{10, 10, 6, 1};
+  }
+  const int zeniths = degree > 4 ? 10 : 6;
+  return {zeniths, zeniths, degree + 1, 1};
+}
+
+// The degree that an order by shells takes from the one before and keeps: what a forward peak leaves in high harmonics
+// is spent after a few scatterings.
+int order_degree(int order, int degree) {
+  const int enough = order <= 2 ? 8 : order == 3 ? 6 : 4;
+  return std::min(degree, enough);
+}
 
 BufferId add_nodes(Plan& plan, const std::string& name, const OrderQuadrature& q) {
   const std::vector<float> nodes = direction_nodes(q.up, q.down, q.half_azimuths);
@@ -124,12 +140,12 @@ MomentSettings moment_settings(const Scene& scene, int degree, int orders, Table
   physics::Physics p = make_physics(scene);
   const ScatteringDepths depths = scattering_depths(scene, p, 4);
   const bool thick = depths.forward > kThick;
-  settings.degree = degree >= 0 ? degree : (thick ? 4 : 2);
+  settings.shells = p.scene.shell_rows > 0;
+  settings.degree = degree >= 0 ? degree : !thick ? 2 : settings.shells ? 8 : 4;
   settings.delta = thick;
   settings.orders =
       orders > 0 ? std::max(orders, 2) : 3 + static_cast<int>(std::min(3.0 * depths.transport, kMostOrders - 3.0));
   settings.size = size;
-  settings.shells = p.scene.shell_rows > 0;
   if (settings.shells) {
     // Until the orders fall alike everywhere: a level slab of optical depth 5 that absorbs nothing is off by 60 to 230
     // % at its foot with 12 orders, by 3 with 18, and no longer changes from 24 on.
@@ -174,27 +190,29 @@ ImageId add_moments(Plan& plan, const Scene& scene, ImageId sunlight, const Mome
                                          .host_readable = false,
                                          .contents = {},
                                          .key = {}});
-  const OrderQuadrature& first_order = settings.shells ? kFirstShellOrder : kFirstOrder;
-  OrderQuadrature next_orders = settings.shells ? kNextShellOrders : kNextOrders;
-  if (settings.shells) {
-    next_orders.half_azimuths = settings.degree + 1;  // exact for products of two harmonics
-  }
-  const BufferId first_nodes = add_nodes(plan, "first_order_directions", first_order);
-  const BufferId next_nodes = add_nodes(plan, "order_directions", next_orders);
+  std::map<std::string, BufferId> nodes;
   std::vector<ImageId> orders;
   for (int order = 1; order <= settings.orders; ++order) {
     const bool first = order == 1;
-    const OrderQuadrature& q = first ? first_order : next_orders;
+    const int kept = settings.shells ? order_degree(order, settings.degree) : settings.degree;
+    const OrderQuadrature q = settings.shells ? shell_quadrature(order, kept, settings.delta)
+                              : first         ? kFirstOrder
+                                              : kNextOrders;
+    const std::string directions = first ? "first_order_directions" : "directions of degree " + std::to_string(kept);
+    if (!nodes.contains(directions)) {
+      nodes.emplace(directions, add_nodes(plan, directions, q));
+    }
     const ImageId out = plan.add_image(
         {.name = "order" + std::to_string(order), .extent = atlas, .format = Format::rgba32f, .key = {}});
     std::vector<Specialization> mine = constants;
     mine.push_back({"kFirstOrder", first ? 1u : 0u});
+    mine.push_back({"kSourceDegree", static_cast<std::uint32_t>(kept)});
     plan.add_pass(
         {.name = "order" + std::to_string(order),
          .shader = "orders_bake",
          .reads = {{"transmittance_lut", sunlight},
                    {"moments_lut", first ? sunlight : orders.back()},  // the first order reads none
-                   {"nodes", first ? first_nodes : next_nodes}},
+                   {"nodes", nodes.at(directions)}},
          .writes = {{"order_out", out}, {"sums", sums}},
          .grid = {64, static_cast<std::uint32_t>(settings.size[0]), static_cast<std::uint32_t>(settings.size[1])},
          .push_constants = {static_cast<std::uint32_t>((q.up + q.down) * q.half_azimuths),

@@ -11,14 +11,15 @@
 namespace airlight {
 
 struct MomentSettings {
-  int degree = 2;          // highest harmonic kept, 0 to 4
+  int degree = 2;          // highest harmonic kept, 0 to 8
   bool delta = false;      // forward peaks as unscattered light [W76]
   int orders = 3;          // computed one by one; the rest is a geometric series
   TableSize size{48, 12};  // sun elevations x altitudes
   bool shells = false;     // rows at the edges of shells (core/physics/shells.h)
 };
 
-// What this air needs: degree 2, or 4 with delta-scaling where forward-peaked media are thick (`degree` -1 chooses);
+// What this air needs: degree 2, or 4 with delta-scaling where forward-peaked media are thick, 8 by shells
+// (`degree` -1 chooses);
 // three orders before the tail in thin air, more with the transport optical depth (`orders` 0 chooses).
 MomentSettings moment_settings(const Scene& scene, int degree, int orders, TableSize size);
 

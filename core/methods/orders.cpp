@@ -14,7 +14,7 @@
 namespace airlight {
 namespace {
 
-constexpr std::array<std::string_view, 6> kDegrees{"auto", "0", "1", "2", "3", "4"};
+constexpr std::array<std::string_view, 10> kDegrees{"auto", "0", "1", "2", "3", "4", "5", "6", "7", "8"};
 constexpr std::array<std::string_view, 3> kWhen{"auto", "always", "never"};
 
 const std::array<ParameterInfo, 8> kParameters{{
@@ -28,7 +28,7 @@ const std::array<ParameterInfo, 8> kParameters{{
      {},
      "table of radiance moments, sun elevations x altitudes"},
     {"degree", ParameterKind::choice, 0, 0, std::string("auto"), kDegrees,
-     "highest spherical harmonic kept; auto: 2, or 4 where forward-peaked media are thick"},
+     "highest spherical harmonic kept; auto: 2, or where forward-peaked media are thick 4, by shells 8"},
     {"orders",
      ParameterKind::integer,
      0,

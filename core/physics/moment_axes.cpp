@@ -30,9 +30,9 @@ std::vector<double> scattering_from_top(physics::Physics& p, int layers) {
 
 }  // namespace
 
-std::array<double, 6> legendre_moments(physics::Physics& p, physics::uint phase_code, double g) {
+std::array<double, 10> legendre_moments(physics::Physics& p, physics::uint phase_code, double g) {
   constexpr int kSamples = 4096;
-  std::array<double, 6> moments{};
+  std::array<double, 10> moments{};
   for (int i = 0; i < kSamples; ++i) {
     const double nu = peaked_cosine(g, (i + 0.5) / kSamples);
     const double weight =

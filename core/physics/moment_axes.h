@@ -7,8 +7,8 @@
 
 namespace airlight {
 
-// Moments 0 to 5 of a phase function: integral of p(nu) P_l(nu) over the sphere; to 1e-6.
-std::array<double, 6> legendre_moments(physics::Physics& p, physics::uint phase_code, double g);
+// Moments 0 to 9 of a phase function: integral of p(nu) P_l(nu) over the sphere; to 1e-6.
+std::array<double, 10> legendre_moments(physics::Physics& p, physics::uint phase_code, double g);
 
 // Axes of the moment table: the altitude under which all but 1.5e-4 of the vertical scattering optical depth lies, and
 // sun elevations from nadir to zenith, densest around the horizon.

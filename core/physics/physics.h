@@ -52,6 +52,7 @@ struct Physics {
   vec3 fetch_multiple_scattering(real x, real y) const { return multiple_scattering_lut.fetch_unit(x, y); }
   vec3 fetch_ground_irradiance(real x) const { return ground_irradiance_lut.fetch_unit(x, 0.5); }
   uint moment_degree() const { return degree; }
+  uint source_degree() const { return degree; }
   bool delta_scaled() const { return delta; }
   uint shell_rows() const { return scene.shell_rows; }
   real shell_altitude(uint k) const { return scene.shell_altitudes[k]; }

@@ -102,6 +102,10 @@ void fill_moments(Data& data, const physics::SceneData& from) {
     data.media[i].legendre3 = static_cast<Real>(from.media[i].legendre3);
     data.media[i].legendre4 = static_cast<Real>(from.media[i].legendre4);
     data.media[i].legendre5 = static_cast<Real>(from.media[i].legendre5);
+    data.media[i].legendre6 = static_cast<Real>(from.media[i].legendre6);
+    data.media[i].legendre7 = static_cast<Real>(from.media[i].legendre7);
+    data.media[i].legendre8 = static_cast<Real>(from.media[i].legendre8);
+    data.media[i].legendre9 = static_cast<Real>(from.media[i].legendre9);
   }
 }
 
@@ -169,12 +173,16 @@ physics::Physics make_physics(const Scene& scene) {
   p.fade = fade != scene.render.parameters.end() && std::holds_alternative<SunFade>(fade->second);
   for (physics::uint i = 0; i < p.media; ++i) {
     physics::MediumData& m = p.scene.media[i];
-    const std::array<double, 6> moments = legendre_moments(p, p.phase_of(i), m.g);
+    const std::array<double, 10> moments = legendre_moments(p, p.phase_of(i), m.g);
     m.legendre1 = moments[1];
     m.legendre2 = moments[2];
     m.legendre3 = moments[3];
     m.legendre4 = moments[4];
     m.legendre5 = moments[5];
+    m.legendre6 = moments[6];
+    m.legendre7 = moments[7];
+    m.legendre8 = moments[8];
+    m.legendre9 = moments[9];
   }
   p.scene.moments = moment_axes(p);
   if (uses_shells(scene, p)) {

@@ -29,7 +29,8 @@ void main() {
   MomentState state = moment_state(scene.moments, float(node.x) / float(kMomentColumns - 1u),
                                    float(node.y) / float(kMomentRows - 1u));
   vec3 moments[kMaxMoments];
-  for (uint k = 0u; k < kMaxMoments; k++) {
+  uint kept = (source_degree() + 1u) * (source_degree() + 2u) / 2u;
+  for (uint k = 0u; k < moment_count(); k++) {
     moments[k] = vec3(0.0);
   }
   vec3 irradiance = vec3(0.0);
@@ -48,8 +49,8 @@ void main() {
       radiance = order_radiance(scene.planet, scene.moments, ray, steps, kFirstOrder != 0u) * weight;
     }
     Harmonics y = harmonics(mu, q.z);
-    for (uint k = 0u; k < kMaxMoments; k++) {
-      moments[k] += radiance * (k < moment_count() ? y.of[k] : 0.0);
+    for (uint k = 0u; k < kept; k++) {
+      moments[k] += radiance * y.of[k];
     }
     irradiance += radiance * (upward ? mu : 0.0);
   }

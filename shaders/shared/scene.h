@@ -27,6 +27,10 @@ struct MediumData {
   real legendre3;
   real legendre4;
   real legendre5;
+  real legendre6;
+  real legendre7;
+  real legendre8;
+  real legendre9;
 };
 
 struct SunData {
