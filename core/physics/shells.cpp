@@ -84,10 +84,11 @@ const ParameterValue* parameter(const Scene& scene, std::string_view key) {
   return found == scene.render.parameters.end() ? nullptr : &found->second;
 }
 
-int wished_rows(const Scene& scene) {
+// Two to three times the rows of the table, the most where the air is thick.
+int wished_rows(const Scene& scene, double depth) {
   const ParameterValue* size = parameter(scene, "moments_lut");
   const int rows = size == nullptr ? 12 : std::get<TableSize>(*size)[1];
-  return std::clamp(3 * rows, 4, 48);
+  return static_cast<int>(std::lround(std::clamp(rows * (2.0 + std::min(0.5 * depth, 1.0)), 4.0, 48.0)));
 }
 
 // How densely rows should stand: F rises from 0 to 1 over the column's samples, rows at equal steps of F. Half of it
@@ -138,7 +139,7 @@ std::vector<double> shell_altitudes(const Scene& scene, physics::Physics& p) {
   const std::vector<double> breaks = breaks_of(scene, 14);
   const Column column = column_of(p, breaks);
   const std::vector<double> f = row_measure(column);
-  const int wished = wished_rows(scene) - 1;
+  const int wished = wished_rows(scene, column.depth.back()) - 1;
   std::vector<double> rows{0.0};
   std::size_t first = 0;
   for (std::size_t s = 0; s + 1 < breaks.size(); ++s) {

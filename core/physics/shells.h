@@ -13,9 +13,9 @@ namespace airlight {
 // parameter. `p`: formulas and media of the scene.
 bool uses_shells(const Scene& scene, physics::Physics& p);
 
-// Edges of the shells from 0 to the top of the atmosphere, rising, about three times as many as render.moments_lut has rows
-// and at most kMaxShellRows: every altitude where a density jumps or bends, and between them close where the optical
-// depth grows fast, closest next to the ends of the air, where the light field bends most.
+// Edges of the shells from 0 to the top of the atmosphere, rising, two to three times as many as render.moments_lut has
+// rows, and at most kMaxShellRows: every altitude where a density jumps or bends, and between them close where the
+// optical depth grows fast, closest next to the ends of the air, where the light field bends most.
 std::vector<double> shell_altitudes(const Scene& scene, physics::Physics& p);
 
 }  // namespace airlight
