@@ -84,11 +84,11 @@ const ParameterValue* parameter(const Scene& scene, std::string_view key) {
   return found == scene.render.parameters.end() ? nullptr : &found->second;
 }
 
-// Two to three times the rows of the table, the most where the air is thick.
+// Two to three times the rows of the table, the most from an optical depth of 1 on.
 int wished_rows(const Scene& scene, double depth) {
   const ParameterValue* size = parameter(scene, "moments_lut");
   const int rows = size == nullptr ? 12 : std::get<TableSize>(*size)[1];
-  return static_cast<int>(std::lround(std::clamp(rows * (2.0 + std::min(0.5 * depth, 1.0)), 4.0, 48.0)));
+  return static_cast<int>(std::lround(std::clamp(rows * (2.0 + std::min(depth, 1.0)), 4.0, 48.0)));
 }
 
 // How densely rows should stand: F rises from 0 to 1 over the column's samples, rows at equal steps of F. Half of it
