@@ -85,7 +85,7 @@ OrderQuadrature shell_quadrature(int order, int degree, bool peaked) {
 // The degree that an order by shells takes from the one before and keeps: what a forward peak leaves in high harmonics
 // is spent after a few scatterings.
 int order_degree(int order, int degree) {
-  const int enough = order <= 2 ? 8 : 4;
+  const int enough = order <= 2 ? 8 : order == 3 ? 6 : 4;
   return std::min(degree, enough);
 }
 

@@ -15,18 +15,29 @@ vec3 shell_sun_irradiance(PlanetData planet, real mu_sun) {
   return mu_sun > 0.0 ? exp(-sun_depth(planet, 0.0, 0.0, mu_sun)) * mu_sun : vec3(0.0);
 }
 
-// Light scattered into the ray by the diffuse field, W/(m2 sr km), at distance t in a known shell. Between two rows the
-// moments go linearly with the altitude, as they do deep in even air, not their logarithms: in air that absorbs nothing
-// each order repeats the error of the one before. The ratios are fetched where they weigh as much as the moments.
+// Between two rows whose logarithms are a and b: linear, as a diffuse field is deep in even air (in air that absorbs
+// nothing each order repeats the error of the one before), but exponential where it falls steeply, as below a low sun.
+vec3 between_rows(vec3 a, vec3 b, real part) {
+  vec3 low = exp(a);
+  vec3 high = exp(b);
+  vec3 q = (b - a) * (b - a) * (1.0 / 0.09);
+  vec3 steep = q * q / (q * q + vec3(1.0));
+  vec3 even = low * (1.0 - part) + high * part;
+  return even + (exp(a * (1.0 - part) + b * part) - even) * steep;
+}
+
+// Light scattered into the ray by the diffuse field, W/(m2 sr km), at distance t in a known shell. The ratios are fetched
+// where they weigh as much as the moments that they belong to.
 vec3 shell_source(PlanetData planet, MomentTableData table, DiffuseAir air, Ray ray, uint shell, real t) {
   RayPoint point = point_on_ray(planet, ray, t);
   MomentCoordinate c = moment_coordinate(table, point.h, point.mu_sun);
   real intervals = real(shell_rows() - 1u);
   real part = shell_part(shell, point.h);
-  vec3 below = exp(fetch_moment(0u, c.x, real(shell) / intervals)) * (1.0 - part);
-  vec3 above = exp(fetch_moment(0u, c.x, real(shell + 1u) / intervals)) * part;
-  vec3 isotropic = below + above;
-  real weight = (above.x + above.y + above.z) / (isotropic.x + isotropic.y + isotropic.z);
+  vec3 below = fetch_moment(0u, c.x, real(shell) / intervals);
+  vec3 above = fetch_moment(0u, c.x, real(shell + 1u) / intervals);
+  vec3 isotropic = between_rows(below, above, part);
+  real step_up = (above.x + above.y + above.z - below.x - below.y - below.z) / 3.0;
+  real weight = part / (part + (1.0 - part) * exp(-clamp(step_up, -20.0, 20.0)));
   c.y = (real(shell) + weight) / intervals;
   return moment_source_of(isotropic, c, air, point.mu, cos_azimuth_at(point, ray.nu));
 }
