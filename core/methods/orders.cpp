@@ -1,6 +1,7 @@
 // `orders`: full multiple scattering from a small table of radiance moments found by successive orders of scattering,
 // and the picture from a table of smooth factors multiplied by the phase functions at the pixel.
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -13,10 +14,10 @@
 namespace airlight {
 namespace {
 
-constexpr std::array<std::string_view, 6> kDegrees{"auto", "0", "1", "2", "3", "4"};
-constexpr std::array<std::string_view, 3> kTabulate{"auto", "always", "never"};
+constexpr std::array<std::string_view, 10> kDegrees{"auto", "0", "1", "2", "3", "4", "5", "6", "7", "8"};
+constexpr std::array<std::string_view, 3> kWhen{"auto", "always", "never"};
 
-const std::array<ParameterInfo, 7> kParameters{{
+const std::array<ParameterInfo, 8> kParameters{{
     {"steps", ParameterKind::integer, 4, 4096, 48, {}, "steps along a view ray, apart at the planet's shadow"},
     {"transmittance_lut", ParameterKind::table_size, 2, 4096, TableSize{256, 64}, {}, "transmittance table, mu x h"},
     {"moments_lut",
@@ -27,7 +28,7 @@ const std::array<ParameterInfo, 7> kParameters{{
      {},
      "table of radiance moments, sun elevations x altitudes"},
     {"degree", ParameterKind::choice, 0, 0, std::string("auto"), kDegrees,
-     "highest spherical harmonic kept; auto: 2, or 4 where forward-peaked media are thick"},
+     "highest spherical harmonic kept; auto: 2, or where forward-peaked media are thick 4, by shells 8"},
     {"orders",
      ParameterKind::integer,
      0,
@@ -42,8 +43,11 @@ const std::array<ParameterInfo, 7> kParameters{{
      TableSize{24, 48},
      {},
      "table of the picture's light, azimuths x rows above level; limb and ground get 3/4 and 1/2 as many"},
-    {"tabulate", ParameterKind::choice, 0, 0, std::string("auto"), kTabulate,
+    {"tabulate", ParameterKind::choice, 0, 0, std::string("auto"), kWhen,
      "whether the picture's light is tabulated over view directions; auto: inside the air, from 16384 pixels on"},
+    {"shells", ParameterKind::choice, 0, 0, std::string("auto"), kWhen,
+     "whether rays step through shells cut at the edges of the media; auto: where a medium that scatters ends abruptly "
+     "or the vertical optical depth of scattering is above 0.4"},
 }};
 
 // The picture's own table of factors, as shaders/shared/sky_table.glsl is told of it.
@@ -94,8 +98,15 @@ MomentSettings settings_of(const Scene& scene) {
                          scene.render.get<TableSize>("moments_lut"));
 }
 
-void add_factor_passes(Plan& plan, const Scene& scene, const SkyTarget& target, ImageId transmittance, ImageId moments,
-                       const std::vector<Specialization>& light_constants) {
+// What the sky passes take: steps along a ray, or parts of a shell, so many that a ray from the ground up has as many.
+std::uint32_t steps_of(const Scene& scene, const MomentSettings& settings) {
+  const int steps = scene.render.get<int>("steps");
+  const int shells = settings.size[1] - 1;
+  return static_cast<std::uint32_t>(settings.shells ? std::max((steps + shells / 2) / shells, 1) : steps);
+}
+
+void add_factor_passes(Plan& plan, const Scene& scene, const SkyTarget& target, ImageId sunlight, ImageId moments,
+                       const std::vector<Specialization>& light_constants, std::uint32_t steps) {
   const FactorTable table = factor_table(scene);
   const ImageId factors = plan.add_image({.name = "sky_factors",
                                           .extent = {table.columns * table.blocks, table.rows(), 1},
@@ -105,10 +116,10 @@ void add_factor_passes(Plan& plan, const Scene& scene, const SkyTarget& target, 
   add_table_constants(constants, table);
   plan.add_pass({.name = "sky_factors",
                  .shader = "sky_factors",
-                 .reads = {{"transmittance_lut", transmittance}, {"moments_lut", moments}},
+                 .reads = {{"transmittance_lut", sunlight}, {"moments_lut", moments}},
                  .writes = {{"factors_out", factors}},
                  .grid = {table.columns, table.rows(), 1},
-                 .push_constants = {static_cast<std::uint32_t>(scene.render.get<int>("steps"))},
+                 .push_constants = {steps},
                  .specialization = constants});
   constants = medium_specialization(scene);
   constants.push_back({"kProjection", target.projection});
@@ -126,21 +137,22 @@ SkyPasses add_orders(Plan& plan, const Scene& scene, const View& view) {
   const SkyTarget target = add_sky_target(plan, scene, view);
   const ImageId transmittance = add_transmittance(plan, scene, scene.render.get<TableSize>("transmittance_lut"));
   const MomentSettings settings = settings_of(scene);
-  const ImageId moments = add_moments(plan, scene, transmittance, settings);
-  std::vector<Specialization> constants = sunlight_specialization(plan, scene, transmittance);
+  const ImageId sunlight = settings.shells ? add_sun_table(plan, scene, settings) : transmittance;
+  const ImageId moments = add_moments(plan, scene, sunlight, settings);
+  std::vector<Specialization> constants = sunlight_specialization(plan, scene, sunlight);
   add_moment_constants(constants, settings);
+  const std::uint32_t steps = steps_of(scene, settings);
   if (tabulates(scene, view)) {
-    add_factor_passes(plan, scene, target, transmittance, moments, constants);
+    add_factor_passes(plan, scene, target, sunlight, moments, constants, steps);
   } else {
     constants.push_back({"kProjection", target.projection});
     plan.add_pass(
         {.name = "sky",
          .shader = "sky_orders",
-         .reads = {{"transmittance_lut", transmittance}, {"moments_lut", moments}, {"directions", target.directions}},
+         .reads = {{"transmittance_lut", sunlight}, {"moments_lut", moments}, {"directions", target.directions}},
          .writes = {{"radiance_out", target.radiance}},
          .grid = target.grid,
-         .push_constants = {target.grid.width, target.grid.height,
-                            static_cast<std::uint32_t>(scene.render.get<int>("steps"))},
+         .push_constants = {target.grid.width, target.grid.height, steps},
          .specialization = constants});
   }
   return {target.radiance, {transmittance}};

@@ -30,9 +30,9 @@ std::vector<double> scattering_from_top(physics::Physics& p, int layers) {
 
 }  // namespace
 
-std::array<double, 6> legendre_moments(physics::Physics& p, physics::uint phase_code, double g) {
+std::array<double, 10> legendre_moments(physics::Physics& p, physics::uint phase_code, double g) {
   constexpr int kSamples = 4096;
-  std::array<double, 6> moments{};
+  std::array<double, 10> moments{};
   for (int i = 0; i < kSamples; ++i) {
     const double nu = peaked_cosine(g, (i + 0.5) / kSamples);
     const double weight =
@@ -71,6 +71,16 @@ physics::MomentTableData moment_axes(physics::Physics& p) {
   table.elevation_scale = std::clamp(0.7 * dip, 0.01, 0.35);
   table.v_high = std::asinh(0.5 * std::numbers::pi / table.elevation_scale);
   table.v_low = -table.v_high;
+  return table;
+}
+
+physics::MomentTableData shell_moment_axes(physics::Physics& p) {
+  physics::MomentTableData table;
+  table.top = p.scene.planet.atmosphere_height;
+  const double dip = -std::asin(p.horizon_mu(p.scene.planet, table.top));
+  table.elevation_scale = std::clamp(0.7 * dip, 0.05, 0.35);
+  table.v_high = std::asinh(0.5 * std::numbers::pi / table.elevation_scale);
+  table.v_low = -std::asinh(std::min(0.5 * std::numbers::pi, 5.0 * dip + 0.02) / table.elevation_scale);
   return table;
 }
 

@@ -38,6 +38,7 @@ struct Physics {
   uint moment_columns = 0;
   uint degree = 2;
   bool delta = false;
+  HostTable sun_table;  // mean extinction to the top over the rows of shells (physics/shells.glsl)
   AnalyticData analytic;
 
   uint medium_count() const { return media; }
@@ -51,7 +52,11 @@ struct Physics {
   vec3 fetch_multiple_scattering(real x, real y) const { return multiple_scattering_lut.fetch_unit(x, y); }
   vec3 fetch_ground_irradiance(real x) const { return ground_irradiance_lut.fetch_unit(x, 0.5); }
   uint moment_degree() const { return degree; }
+  uint source_degree() const { return degree; }
   bool delta_scaled() const { return delta; }
+  uint shell_rows() const { return scene.shell_rows; }
+  real shell_altitude(uint k) const { return scene.shell_altitudes[k]; }
+  vec3 fetch_sun_table(real x, real y) const { return sun_table.fetch_unit(x, y); }
   AnalyticMedium analytic_medium(uint i) const { return analytic.media[i]; }
   AnalyticDiffuse analytic_diffuse() const { return analytic.diffuse; }
   real share_above(uint i, uint j) const { return analytic.above[i * kMaxMedia + j]; }
@@ -71,6 +76,7 @@ struct Physics {
 // clang-format off
 #include "shaders/physics/phase.glsl"
 #include "shaders/physics/geometry.glsl"
+#include "shaders/physics/shadow.glsl"
 #include "shaders/physics/camera.glsl"
 #include "shaders/physics/medium.glsl"
 #include "shaders/physics/segment.glsl"
@@ -94,6 +100,8 @@ struct Physics {
 #include "shaders/physics/orders.glsl"
 #include "shaders/physics/order_tail.glsl"
 #include "shaders/physics/sky_factors.glsl"
+#include "shaders/physics/shells.glsl"
+#include "shaders/physics/shell_march.glsl"
 #include "shaders/physics/sky_table.glsl"
   // clang-format on
 };

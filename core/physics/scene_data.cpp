@@ -1,12 +1,15 @@
 #include "core/physics/scene_data.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <numbers>
 #include <variant>
 
 #include "core/physics/moment_axes.h"
+#include "core/physics/shells.h"
 
 namespace airlight {
 namespace {
@@ -90,12 +93,19 @@ void fill_moments(Data& data, const physics::SceneData& from) {
   data.moments.elevation_scale = static_cast<Real>(from.moments.elevation_scale);
   data.moments.v_low = static_cast<Real>(from.moments.v_low);
   data.moments.v_high = static_cast<Real>(from.moments.v_high);
+  data.shell_rows = from.shell_rows;
+  std::transform(std::begin(from.shell_altitudes), std::end(from.shell_altitudes), std::begin(data.shell_altitudes),
+                 [](double h) { return static_cast<Real>(h); });
   for (std::size_t i = 0; i < static_cast<std::size_t>(kMaxMedia); ++i) {
     data.media[i].legendre1 = static_cast<Real>(from.media[i].legendre1);
     data.media[i].legendre2 = static_cast<Real>(from.media[i].legendre2);
     data.media[i].legendre3 = static_cast<Real>(from.media[i].legendre3);
     data.media[i].legendre4 = static_cast<Real>(from.media[i].legendre4);
     data.media[i].legendre5 = static_cast<Real>(from.media[i].legendre5);
+    data.media[i].legendre6 = static_cast<Real>(from.media[i].legendre6);
+    data.media[i].legendre7 = static_cast<Real>(from.media[i].legendre7);
+    data.media[i].legendre8 = static_cast<Real>(from.media[i].legendre8);
+    data.media[i].legendre9 = static_cast<Real>(from.media[i].legendre9);
   }
 }
 
@@ -163,14 +173,25 @@ physics::Physics make_physics(const Scene& scene) {
   p.fade = fade != scene.render.parameters.end() && std::holds_alternative<SunFade>(fade->second);
   for (physics::uint i = 0; i < p.media; ++i) {
     physics::MediumData& m = p.scene.media[i];
-    const std::array<double, 6> moments = legendre_moments(p, p.phase_of(i), m.g);
+    const std::array<double, 10> moments = legendre_moments(p, p.phase_of(i), m.g);
     m.legendre1 = moments[1];
     m.legendre2 = moments[2];
     m.legendre3 = moments[3];
     m.legendre4 = moments[4];
     m.legendre5 = moments[5];
+    m.legendre6 = moments[6];
+    m.legendre7 = moments[7];
+    m.legendre8 = moments[8];
+    m.legendre9 = moments[9];
   }
   p.scene.moments = moment_axes(p);
+  if (uses_shells(scene, p)) {
+    const std::vector<double> rows = shell_altitudes(scene, p);
+    assert(rows.size() <= static_cast<std::size_t>(physics::kMaxShellRows));
+    p.scene.shell_rows = static_cast<physics::uint>(rows.size());
+    std::copy(rows.begin(), rows.end(), std::begin(p.scene.shell_altitudes));
+    p.scene.moments = shell_moment_axes(p);
+  }
   return p;
 }
 

@@ -6,6 +6,8 @@
 #include "shared/tables.glsl"
 #include "shared/moment_table.glsl"
 #include "physics/orders.glsl"
+#include "physics/sky_factors.glsl"
+#include "shared/shell_table.glsl"
 
 layout(local_size_x = 64) in;
 layout(constant_id = 15) const uint kFirstOrder = 0u;
@@ -27,7 +29,8 @@ void main() {
   MomentState state = moment_state(scene.moments, float(node.x) / float(kMomentColumns - 1u),
                                    float(node.y) / float(kMomentRows - 1u));
   vec3 moments[kMaxMoments];
-  for (uint k = 0u; k < kMaxMoments; k++) {
+  uint kept = (source_degree() + 1u) * (source_degree() + 2u) / 2u;
+  for (uint k = 0u; k < moment_count(); k++) {
     moments[k] = vec3(0.0);
   }
   vec3 irradiance = vec3(0.0);
@@ -39,10 +42,15 @@ void main() {
     float nu = mu * state.mu_sun + sqrt(max(1.0 - mu * mu, 0.0)) * sin_sun * q.z;
     Ray ray = ray_in_atmosphere(scene.planet, state.h, mu, state.mu_sun, nu);
     float weight = q.y * gather_range(scene.planet, state.h, upward);
-    vec3 radiance = order_radiance(scene.planet, scene.moments, ray, steps, kFirstOrder != 0u) * weight;
+    vec3 radiance;
+    if (shell_rows() > 0u) {
+      radiance = shell_order_radiance(scene.planet, scene.moments, ray, 1u, kFirstOrder != 0u) * weight;
+    } else {
+      radiance = order_radiance(scene.planet, scene.moments, ray, steps, kFirstOrder != 0u) * weight;
+    }
     Harmonics y = harmonics(mu, q.z);
-    for (uint k = 0u; k < kMaxMoments; k++) {
-      moments[k] += radiance * (k < moment_count() ? y.of[k] : 0.0);
+    for (uint k = 0u; k < kept; k++) {
+      moments[k] += radiance * y.of[k];
     }
     irradiance += radiance * (upward ? mu : 0.0);
   }

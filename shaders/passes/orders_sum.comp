@@ -18,7 +18,7 @@ vec3 with_tail(uint k, uvec2 node, uint stride) {
   uint block = k == moment_count() ? moment_count() : 0u;
   ivec2 at = ivec2(block * kMomentColumns + node.x, node.y);
   vec3 last = exp(texelFetch(last_order, at, 0).rgb);
-  vec3 factor = tail_factor(last, exp(texelFetch(order_before, at, 0).rgb));
+  vec3 factor = tail_factor(last, exp(texelFetch(order_before, at, 0).rgb), kShellRows > 0u ? 0.99 : 0.9);
   vec3 mine = texelFetch(last_order, ivec2(k * kMomentColumns + node.x, node.y), 0).rgb;
   vec3 order = k == 0u || k == moment_count() ? exp(mine) : mine * last;
   return sums.values[node.y * stride + k * kMomentColumns + node.x].rgb + order * factor;

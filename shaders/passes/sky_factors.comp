@@ -7,6 +7,7 @@
 #include "shared/sky_table.glsl"
 #include "physics/orders.glsl"
 #include "physics/sky_factors.glsl"
+#include "shared/shell_table.glsl"
 #include "physics/sky_table.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -44,7 +45,7 @@ void main() {
   float y = float(texel.y - section_first(section)) / float(section_rows(section) - 1u);
   SkyTableState state =
       sky_table_state(scene.planet, scene.camera.altitude, float(texel.x) / float(kSkyColumns - 1u), section, y);
-  SkyFactors factors = sky_factors(scene.planet, scene.moments, table_ray(state, section), steps);
+  SkyFactors factors = scene_sky_factors(table_ray(state, section), steps);
   store_single(0u, factors, texel);
   store_single(1u, factors, texel);
   store_single(2u, factors, texel);

@@ -8,6 +8,7 @@
 #include "shared/sky_output.glsl"
 #include "physics/orders.glsl"
 #include "physics/sky_factors.glsl"
+#include "shared/shell_table.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(push_constant, scalar) uniform Push {
@@ -23,6 +24,6 @@ void main() {
   }
   ViewRay view = pixel_ray(pixel);
   Ray ray = air_ray(view.direction);
-  SkyFactors factors = sky_factors(scene.planet, scene.moments, ray, steps);
+  SkyFactors factors = scene_sky_factors(ray, steps);
   write_radiance(pixel, view.inside, phased(factors, phases(ray.nu)) * scene.sun.irradiance, factors.transmittance);
 }

@@ -3,13 +3,16 @@
 // so cosine harmonics suffice: M_lm = integral of L Y_lm, m >= 0, in the frame (up, sun's azimuth), orthonormal.
 // Stored: log M_00 and the ratios M_lm / M_00, which interpolate well over the many decades of a twilight.
 // The includer defines:
-//   uint moment_degree();  the highest l kept, 0 to 4
+//   uint moment_degree();  the highest l kept, 0 to 8
+//   uint source_degree();  the highest l of what is scattered again, at most as high
 //   bool delta_scaled();   whether forward peaks are taken as unscattered light [W76]
+//   uint shell_rows(), real shell_altitude(uint k);  rows at listed altitudes (shells.glsl); 0 rows: altitude = top y^2
 //   vec3 fetch_moment(uint k, real x, real y);  k = l(l+1)/2 + m; k = moment_count() is log of the ground's irradiance
 
 uint moment_count() { return (moment_degree() + 1u) * (moment_degree() + 2u) / 2u; }
 
-// Where (h, mu_sun) stands in the table, unit range: h = top x^2, sun elevation = scale sinh(v), v linear in the other.
+// Where (h, mu_sun) stands in the table, unit range: h = top y^2, sun elevation = scale sinh(v), v linear in x. With rows
+// at listed altitudes y is shell_coordinate()'s.
 struct MomentCoordinate {
   real x;  // sun
   real y;  // altitude
@@ -38,7 +41,7 @@ MomentState moment_state(MomentTableData table, real x, real y) {
   real v = table.v_low + (table.v_high - table.v_low) * x;
   real elevation = table.elevation_scale * 0.5 * (exp(v) - exp(-v));
   MomentState s;
-  s.h = table.top * y * y;
+  s.h = shell_rows() > 0u ? shell_altitude(uint(y * real(shell_rows() - 1u) + 0.5)) : table.top * y * y;
   s.mu_sun = sin(elevation);
   return s;
 }
@@ -56,6 +59,16 @@ Harmonics harmonics(real mu, real cos_azimuth) {
   real c2 = 2.0 * c1 * c1 - 1.0;
   real c3 = c1 * (2.0 * c2 - 1.0);
   real c4 = 2.0 * c2 * c2 - 1.0;
+  real c5 = 2.0 * c1 * c4 - c3;
+  real c6 = 2.0 * c3 * c3 - 1.0;
+  real c7 = 2.0 * c1 * c6 - c5;
+  real c8 = 2.0 * c4 * c4 - 1.0;
+  real s3 = s2 * s;
+  real s4 = s2 * s2;
+  real s5 = s4 * s;
+  real s6 = s4 * s2;
+  real s7 = s6 * s;
+  real s8 = s4 * s4;
   real mu2 = mu * mu;
   y.of[0] = 0.28209479177387814;
   y.of[1] = 0.48860251190291992 * mu;
@@ -72,6 +85,36 @@ Harmonics harmonics(real mu, real cos_azimuth) {
   y.of[12] = 0.47308734787878004 * s2 * (7.0 * mu2 - 1.0) * c2;
   y.of[13] = 1.7701307697799307 * mu * s2 * s * c3;
   y.of[14] = 0.62583573544917614 * s2 * s2 * c4;
+  y.of[15] = mu * ((7.367870314565687 * mu2 - 8.186522571739651) * mu2 + 1.754254836801354);
+  y.of[16] = s * c1 * ((9.511879675109636 * mu2 - 6.341253116739757) * mu2 + 0.45294665119569694);
+  y.of[17] = mu * s2 * c2 * (7.190305177459986 * mu2 - 2.396768392486662);
+  y.of[18] = s3 * c3 * (4.403144694917254 * mu2 - 0.4892382994352504);
+  y.of[19] = 2.0756623148810416 * mu * s4 * c4;
+  y.of[20] = 0.6563820568401701 * s5 * c5;
+  y.of[21] = ((14.684485723822165 * mu2 - 20.024298714302954) * mu2 + 6.674766238100984) * mu2 - 0.3178460113381421;
+  y.of[22] = mu * s * c1 * ((19.226504963118135 * mu2 - 17.478640875561943) * mu2 + 2.9131068125936572);
+  y.of[23] = s2 * c2 * ((15.199886781996238 * mu2 - 8.29084733563431) * mu2 + 0.46060262975746175);
+  y.of[24] = mu * s3 * c3 * (10.133257854664159 * mu2 - 2.7636157785447706);
+  y.of[25] = s4 * c4 * (5.550213908015966 * mu2 - 0.5045649007287242);
+  y.of[26] = 2.366619162231752 * mu * s5 * c5;
+  y.of[27] = 0.6831841051919143 * s6 * c6;
+  y.of[28] = mu * (((29.293954795250123 * mu2 - 47.32100390001943) * mu2 + 21.50954722728156) * mu2 - 2.3899496919201733);
+  y.of[29] = s * c1 * (((38.75225965289993 * mu2 - 44.714145753346074) * mu2 + 12.194767023639837) * mu2 - 0.4516580379125866);
+  y.of[30] = mu * s2 * c2 * ((31.64108750981626 * mu2 - 24.339298084474045) * mu2 + 3.31899519333737);
+  y.of[31] = s3 * c3 * ((22.37362754230805 * mu2 - 10.326289634911408) * mu2 + 0.46937680158688216);
+  y.of[32] = mu * s4 * c4 * (13.49180504672677 * mu2 - 3.113493472321562);
+  y.of[33] = s5 * c5 * (6.745902523363384 * mu2 - 0.5189155787202603);
+  y.of[34] = 2.6459606618019005 * mu * s6 * c6;
+  y.of[35] = 0.7071627325245963 * s7 * c7;
+  y.of[36] = (((58.47336811322075 * mu2 - 109.15028714467873) * mu2 + 62.97131950654543) * mu2 - 11.449330819371895) * mu2 + 0.31803696720477487;
+  y.of[37] = mu * s * c1 * (((77.96449081762768 * mu2 - 109.15028714467874) * mu2 + 41.98087967103029) * mu2 - 3.8164436064572986);
+  y.of[38] = s2 * c2 * (((65.22977295619205 * mu2 - 65.22977295619205) * mu2 + 15.053024528352012) * mu2 - 0.4561522584349095);
+  y.of[39] = mu * s3 * c3 * ((48.175380056526215 * mu2 - 32.116920037684146) * mu2 + 3.705798465886632);
+  y.of[40] = s4 * c4 * ((31.097074109356495 * mu2 - 12.438829643742599) * mu2 + 0.4784165247593307);
+  y.of[41] = mu * s5 * c5 * (17.24955311049054 * mu2 - 3.449910622098108);
+  y.of[42] = s6 * c6 * (7.9849914908931385 * mu2 - 0.5323327660595426);
+  y.of[43] = 2.9157066406993195 * mu * s7 * c7;
+  y.of[44] = 0.7289266601748299 * s8 * c8;
   return y;
 }
 
@@ -86,6 +129,10 @@ struct DiffuseAir {
   vec3 degree2;
   vec3 degree3;
   vec3 degree4;
+  vec3 degree5;
+  vec3 degree6;
+  vec3 degree7;
+  vec3 degree8;
 };
 
 real legendre_moment(MediumData m, uint l) {
@@ -101,7 +148,19 @@ real legendre_moment(MediumData m, uint l) {
   if (l == 3u) {
     return m.legendre3;
   }
-  return l == 4u ? m.legendre4 : m.legendre5;
+  if (l == 4u) {
+    return m.legendre4;
+  }
+  if (l == 5u) {
+    return m.legendre5;
+  }
+  if (l == 6u) {
+    return m.legendre6;
+  }
+  if (l == 7u) {
+    return m.legendre7;
+  }
+  return l == 8u ? m.legendre8 : m.legendre9;
 }
 
 DiffuseAir with_diffuse_medium(DiffuseAir air, uint i, real h, real phase) {
@@ -117,6 +176,10 @@ DiffuseAir with_diffuse_medium(DiffuseAir air, uint i, real h, real phase) {
     air.degree2 = air.degree2 + scattering * (m.legendre2 - f);
     air.degree3 = air.degree3 + scattering * (m.legendre3 - f);
     air.degree4 = air.degree4 + scattering * (m.legendre4 - f);
+    air.degree5 = air.degree5 + scattering * (m.legendre5 - f);
+    air.degree6 = air.degree6 + scattering * (m.legendre6 - f);
+    air.degree7 = air.degree7 + scattering * (m.legendre7 - f);
+    air.degree8 = air.degree8 + scattering * (m.legendre8 - f);
   }
   return air;
 }
@@ -130,6 +193,10 @@ DiffuseAir diffuse_air_at(real h, Phases p) {
   air.degree2 = vec3(0.0);
   air.degree3 = vec3(0.0);
   air.degree4 = vec3(0.0);
+  air.degree5 = vec3(0.0);
+  air.degree6 = vec3(0.0);
+  air.degree7 = vec3(0.0);
+  air.degree8 = vec3(0.0);
   air = with_diffuse_medium(air, 0u, h, p.of[0]);
   air = with_diffuse_medium(air, 1u, h, p.of[1]);
   air = with_diffuse_medium(air, 2u, h, p.of[2]);
@@ -141,29 +208,46 @@ DiffuseAir diffuse_air_at(real h, Phases p) {
   return air;
 }
 
-// Light scattered into the direction (mu, azimuth) out of the field that the table holds, W/(m2 sr km).
-vec3 moment_source(MomentTableData table, DiffuseAir air, real h, real mu_sun, real mu, real cos_azimuth) {
-  MomentCoordinate c = moment_coordinate(table, h, mu_sun);
+// Light scattered into the direction (mu, azimuth) out of the field that the table holds at c, W/(m2 sr km); its
+// moment M_00 is given.
+vec3 moment_source_of(vec3 isotropic, MomentCoordinate c, DiffuseAir air, real mu, real cos_azimuth) {
   Harmonics y = harmonics(mu, cos_azimuth);
   vec3 sum = air.degree0 * y.of[0];
-  if (moment_degree() >= 1u) {
+  if (source_degree() >= 1u) {
     sum = sum + air.degree1 * (fetch_moment(1u, c.x, c.y) * y.of[1] + fetch_moment(2u, c.x, c.y) * y.of[2]);
   }
-  if (moment_degree() >= 2u) {
+  if (source_degree() >= 2u) {
     sum = sum + air.degree2 * (fetch_moment(3u, c.x, c.y) * y.of[3] + fetch_moment(4u, c.x, c.y) * y.of[4] +
                                fetch_moment(5u, c.x, c.y) * y.of[5]);
   }
-  if (moment_degree() >= 3u) {
+  if (source_degree() >= 3u) {
     sum = sum + air.degree3 * (fetch_moment(6u, c.x, c.y) * y.of[6] + fetch_moment(7u, c.x, c.y) * y.of[7] +
                                fetch_moment(8u, c.x, c.y) * y.of[8] + fetch_moment(9u, c.x, c.y) * y.of[9]);
   }
-  if (moment_degree() >= 4u) {
+  if (source_degree() >= 4u) {
     sum = sum + air.degree4 * (fetch_moment(10u, c.x, c.y) * y.of[10] + fetch_moment(11u, c.x, c.y) * y.of[11] +
                                fetch_moment(12u, c.x, c.y) * y.of[12] + fetch_moment(13u, c.x, c.y) * y.of[13] +
                                fetch_moment(14u, c.x, c.y) * y.of[14]);
   }
+  if (source_degree() >= 5u) {
+    sum = sum + air.degree5 * (fetch_moment(15u, c.x, c.y) * y.of[15] + fetch_moment(16u, c.x, c.y) * y.of[16] + fetch_moment(17u, c.x, c.y) * y.of[17] + fetch_moment(18u, c.x, c.y) * y.of[18] + fetch_moment(19u, c.x, c.y) * y.of[19] + fetch_moment(20u, c.x, c.y) * y.of[20]);
+  }
+  if (source_degree() >= 6u) {
+    sum = sum + air.degree6 * (fetch_moment(21u, c.x, c.y) * y.of[21] + fetch_moment(22u, c.x, c.y) * y.of[22] + fetch_moment(23u, c.x, c.y) * y.of[23] + fetch_moment(24u, c.x, c.y) * y.of[24] + fetch_moment(25u, c.x, c.y) * y.of[25] + fetch_moment(26u, c.x, c.y) * y.of[26] + fetch_moment(27u, c.x, c.y) * y.of[27]);
+  }
+  if (source_degree() >= 7u) {
+    sum = sum + air.degree7 * (fetch_moment(28u, c.x, c.y) * y.of[28] + fetch_moment(29u, c.x, c.y) * y.of[29] + fetch_moment(30u, c.x, c.y) * y.of[30] + fetch_moment(31u, c.x, c.y) * y.of[31] + fetch_moment(32u, c.x, c.y) * y.of[32] + fetch_moment(33u, c.x, c.y) * y.of[33] + fetch_moment(34u, c.x, c.y) * y.of[34] + fetch_moment(35u, c.x, c.y) * y.of[35]);
+  }
+  if (source_degree() >= 8u) {
+    sum = sum + air.degree8 * (fetch_moment(36u, c.x, c.y) * y.of[36] + fetch_moment(37u, c.x, c.y) * y.of[37] + fetch_moment(38u, c.x, c.y) * y.of[38] + fetch_moment(39u, c.x, c.y) * y.of[39] + fetch_moment(40u, c.x, c.y) * y.of[40] + fetch_moment(41u, c.x, c.y) * y.of[41] + fetch_moment(42u, c.x, c.y) * y.of[42] + fetch_moment(43u, c.x, c.y) * y.of[43] + fetch_moment(44u, c.x, c.y) * y.of[44]);
+  }
   // Truncated at a low degree the field may dip below zero opposite to a strong peak.
-  return max(sum, vec3(0.0)) * exp(fetch_moment(0u, c.x, c.y));
+  return max(sum, vec3(0.0)) * isotropic;
+}
+
+vec3 moment_source(MomentTableData table, DiffuseAir air, real h, real mu_sun, real mu, real cos_azimuth) {
+  MomentCoordinate c = moment_coordinate(table, h, mu_sun);
+  return moment_source_of(exp(fetch_moment(0u, c.x, c.y)), c, air, mu, cos_azimuth);
 }
 
 // Irradiance on the ground by the light that the table holds.

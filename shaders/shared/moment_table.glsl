@@ -9,4 +9,6 @@ vec3 fetch_moment(uint k, float x, float y) {
   return textureLod(moments_lut, vec2(u, texel_from_unit(y, float(kMomentRows))), 0.0).rgb;
 }
 
+real shell_altitude(uint k) { return scene.shell_altitudes[k]; }
+
 #include "physics/moments.glsl"

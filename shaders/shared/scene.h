@@ -4,6 +4,7 @@
 
 const uint kMaxMedia = 8u;
 const uint kMaxDensityLayers = 256u;
+const uint kMaxShellRows = 64u;
 
 struct PlanetData {
   real ground_radius;
@@ -26,6 +27,10 @@ struct MediumData {
   real legendre3;
   real legendre4;
   real legendre5;
+  real legendre6;
+  real legendre7;
+  real legendre8;
+  real legendre9;
 };
 
 struct SunData {
@@ -65,4 +70,6 @@ struct SceneData {
   MomentTableData moments;
   MediumData media[kMaxMedia];
   vec2 layers[kMaxDensityLayers];  // altitude, density
+  uint shell_rows;                 // 0: this air is not gone through by shells (physics/shells.glsl)
+  real shell_altitudes[kMaxShellRows];
 };

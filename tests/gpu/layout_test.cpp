@@ -64,7 +64,13 @@ std::map<std::string, std::size_t> host_offsets() {
   AIRLIGHT_MEMBER(media[0].legendre3);
   AIRLIGHT_MEMBER(media[0].legendre4);
   AIRLIGHT_MEMBER(media[0].legendre5);
+  AIRLIGHT_MEMBER(media[0].legendre6);
+  AIRLIGHT_MEMBER(media[0].legendre7);
+  AIRLIGHT_MEMBER(media[0].legendre8);
+  AIRLIGHT_MEMBER(media[0].legendre9);
   AIRLIGHT_MEMBER(layers);
+  AIRLIGHT_MEMBER(shell_rows);
+  AIRLIGHT_MEMBER(shell_altitudes);
 #undef AIRLIGHT_MEMBER
   return offsets;
 }

@@ -1,0 +1,141 @@
+// The rays of `orders` through shells (shells.glsl): the same two integrals as order_radiance() and sky_factors(), with
+// steps from edge to edge, sunlight that falls exponentially within a step, and the diffuse source taken where the step
+// shines from on average.
+// The includer defines, beside what the moments ask for:
+//   vec3 fetch_sun_table(real x, real y);  mean extinction toward the sun over (sun_table_coordinate(), row), unit range
+
+// Optical depth toward the sun, the ground not in the way; `row`: shell_coordinate() of h.
+vec3 sun_depth(PlanetData planet, real h, real row, real mu_sun) {
+  real mu = max(mu_sun, horizon_mu(planet, h));
+  return fetch_sun_table(sun_table_coordinate(planet, h, mu), row) * distance_to_top(planet, h, mu);
+}
+
+// Irradiance of level ground by the sun itself, for a sun of irradiance 1.
+vec3 shell_sun_irradiance(PlanetData planet, real mu_sun) {
+  return mu_sun > 0.0 ? exp(-sun_depth(planet, 0.0, 0.0, mu_sun)) * mu_sun : vec3(0.0);
+}
+
+// Between two rows whose logarithms are a and b: linear, as a diffuse field is deep in even air (in air that absorbs
+// nothing each order repeats the error of the one before), but exponential where it falls steeply, as below a low sun.
+vec3 between_rows(vec3 a, vec3 b, real part) {
+  vec3 low = exp(a);
+  vec3 high = exp(b);
+  vec3 q = (b - a) * (b - a) * (1.0 / 0.09);
+  vec3 steep = q * q / (q * q + vec3(1.0));
+  vec3 even = low * (1.0 - part) + high * part;
+  return even + (exp(a * (1.0 - part) + b * part) - even) * steep;
+}
+
+// Light scattered into the ray by the diffuse field, W/(m2 sr km), at distance t in a known shell. The ratios are fetched
+// where they weigh as much as the moments that they belong to.
+vec3 shell_source(PlanetData planet, MomentTableData table, DiffuseAir air, Ray ray, uint shell, real t) {
+  RayPoint point = point_on_ray(planet, ray, t);
+  MomentCoordinate c = moment_coordinate(table, point.h, point.mu_sun);
+  real intervals = real(shell_rows() - 1u);
+  real part = shell_part(shell, point.h);
+  vec3 below = fetch_moment(0u, c.x, real(shell) / intervals);
+  vec3 above = fetch_moment(0u, c.x, real(shell + 1u) / intervals);
+  vec3 isotropic = between_rows(below, above, part);
+  real step_up = (above.x + above.y + above.z - below.x - below.y - below.z) / 3.0;
+  real weight = part / (part + (1.0 - part) * exp(-clamp(step_up, -20.0, 20.0)));
+  c.y = (real(shell) + weight) / intervals;
+  return moment_source_of(isotropic, c, air, point.mu, cos_azimuth_at(point, ray.nu));
+}
+
+vec3 sun_depth_on_ray(PlanetData planet, Ray ray, uint shell, real t) {
+  RayPoint point = point_on_ray(planet, ray, t);
+  return sun_depth(planet, point.h, shell_coordinate(shell, point.h), point.mu_sun);
+}
+
+// As order_radiance().
+vec3 shell_order_radiance(PlanetData planet, MomentTableData table, Ray ray, uint parts, bool first) {
+  Phases p = phases(ray.nu);
+  ShadowCrossings shadow = shadow_crossings(planet, ray);
+  ShellWalk walk = shell_walk(planet, ray);
+  vec3 radiance = vec3(0.0);
+  vec3 transmittance = vec3(1.0);
+  vec3 near = first ? sun_depth_on_ray(planet, ray, walk.shell, 0.0) : vec3(0.0);
+  uint count = most_steps(parts);
+  for (uint i = 0u; i < count; i++) {
+    walk = next_step(walk, planet, ray, shadow, parts);
+    if (walk.done || max(transmittance.x, max(transmittance.y, transmittance.z)) < 1e-4) {
+      break;
+    }
+    real width = walk.to - walk.from;
+    RayPoint point = point_on_ray(planet, ray, walk.from + 0.5 * width);
+    DiffuseAir air = diffuse_air_at(point.h, p);
+    vec3 step_depth = air.extinction * width;
+    SegmentTransfer segment = segment_transfer(step_depth);
+    if (first) {
+      vec3 far = sun_depth_on_ray(planet, ray, walk.shell, walk.to);
+      if (!meets_ground(planet, point.h, point.mu_sun)) {
+        radiance = radiance + transmittance * mean_sunlight3(near, far, step_depth) * air.phase_scattering * width;
+      }
+      near = far;
+    } else {
+      real place = walk.from + width * source_place((step_depth.x + step_depth.y + step_depth.z) / 3.0);
+      vec3 source = shell_source(planet, table, air, ray, walk.shell, place);
+      radiance = radiance + transmittance * segment.mean * source * width;
+    }
+    transmittance = transmittance * segment.through;
+  }
+  if (ray.at_ground) {
+    RayPoint end = point_on_ray(planet, ray, ray.length_);
+    vec3 irradiance;
+    if (first) {
+      irradiance = shell_sun_irradiance(planet, end.mu_sun);
+    } else {
+      irradiance = moment_ground_irradiance(table, end.mu_sun);
+    }
+    radiance = radiance + transmittance * planet.ground_albedo * irradiance / kPi;
+  }
+  return radiance;
+}
+
+// As sky_factors().
+SkyFactors shell_sky_factors(PlanetData planet, MomentTableData table, Ray ray, uint parts) {
+  SkyFactors factors;
+  for (uint i = 0u; i < kMaxMedia; i++) {
+    factors.single[i] = vec3(0.0);
+  }
+  factors.diffuse = vec3(0.0);
+  factors.transmittance = vec3(1.0);
+  Phases none = equal_phases(0.0);
+  ShadowCrossings shadow = shadow_crossings(planet, ray);
+  ShellWalk walk = shell_walk(planet, ray);
+  vec3 near = sun_depth_on_ray(planet, ray, walk.shell, 0.0);
+  uint count = most_steps(parts);
+  for (uint i = 0u; i < count; i++) {
+    walk = next_step(walk, planet, ray, shadow, parts);
+    if (walk.done) {
+      break;
+    }
+    real width = walk.to - walk.from;
+    RayPoint point = point_on_ray(planet, ray, walk.from + 0.5 * width);
+    DiffuseAir air = diffuse_air_at(point.h, none);
+    vec3 step_depth = air.extinction * width;
+    SegmentTransfer segment = segment_transfer(step_depth);
+    vec3 far = sun_depth_on_ray(planet, ray, walk.shell, walk.to);
+    real lit = meets_ground(planet, point.h, point.mu_sun) ? 0.0 : 1.0;
+    vec3 direct = factors.transmittance * mean_sunlight3(near, far, step_depth) * (width * lit);
+    near = far;
+    factors.single[0] = factors.single[0] + direct * medium_scattering(0u, point.h);
+    factors.single[1] = factors.single[1] + direct * medium_scattering(1u, point.h);
+    factors.single[2] = factors.single[2] + direct * medium_scattering(2u, point.h);
+    factors.single[3] = factors.single[3] + direct * medium_scattering(3u, point.h);
+    factors.single[4] = factors.single[4] + direct * medium_scattering(4u, point.h);
+    factors.single[5] = factors.single[5] + direct * medium_scattering(5u, point.h);
+    factors.single[6] = factors.single[6] + direct * medium_scattering(6u, point.h);
+    factors.single[7] = factors.single[7] + direct * medium_scattering(7u, point.h);
+    real place = walk.from + width * source_place((step_depth.x + step_depth.y + step_depth.z) / 3.0);
+    vec3 source = shell_source(planet, table, air, ray, walk.shell, place);
+    factors.diffuse = factors.diffuse + factors.transmittance * segment.mean * source * width;
+    factors.transmittance = factors.transmittance * segment.through;
+  }
+  if (ray.at_ground && ray.length_ >= 0.0) {
+    RayPoint end = point_on_ray(planet, ray, ray.length_);
+    vec3 irradiance = shell_sun_irradiance(planet, end.mu_sun) + moment_ground_irradiance(table, end.mu_sun);
+    factors.diffuse = factors.diffuse + factors.transmittance * planet.ground_albedo * irradiance / kPi;
+  }
+  return factors;
+}
