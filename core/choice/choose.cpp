@@ -22,9 +22,10 @@ double mean_at_most(const measure::SampleError& measured) {
 double common_error(const Scene& scene) {
   const Spectrum& spectrum = scene.planet.ground_albedo;
   const double albedo = std::max({spectrum[0], spectrum[1], spectrum[2]});
-  const double forward = vertical_depths(scene).forward;
+  const OpticalDepths depths = vertical_depths(scene);
   const bool low = scene.sun.elevation < kLowSun;
-  return 0.003 + (low ? 0.0195 : 0.0045) * albedo + 0.012 * std::min(1.0, forward / 0.04) + 0.01 * forward;
+  return 0.003 + (low ? 0.0195 : 0.0045) * albedo + 0.012 * std::min(1.0, depths.forward / 0.04) +
+         0.05 * depths.forward + 0.15 * std::min(1.0, depths.abrupt / 0.1);
 }
 
 // What every choice begins with.

@@ -128,11 +128,16 @@ OpticalDepths vertical_depths(const Scene& scene) {
   constexpr double kForward = 0.3;  // mean cosine
   Scene scattering = scene;
   Scene forward = scene;
+  Scene abrupt = scene;
   for (std::size_t i = 0; i < scene.media.size(); ++i) {
     scattering.media[i].absorption = {};
     forward.media[i].absorption = {};
+    abrupt.media[i].absorption = {};
     if (p.scene.media[i].legendre1 < kForward) {
       forward.media[i].scattering = {};
+    }
+    if (scene.media[i].density.profile != DensityProfile::constant) {
+      abrupt.media[i].scattering = {};
     }
   }
   const auto depth_of = [](const Scene& part) {
@@ -141,6 +146,7 @@ OpticalDepths vertical_depths(const Scene& scene) {
   };
   depths.scattering = depth_of(scattering);
   depths.forward = depth_of(forward);
+  depths.abrupt = depth_of(abrupt);
   return depths;
 }
 

@@ -24,6 +24,7 @@ struct OpticalDepths {
   double scattering = 0.0;
   double extinction = 0.0;
   double forward = 0.0;  // scattering by media that scatter mostly forward
+  double abrupt = 0.0;   // scattering by media of constant density, which ends at an edge
 };
 OpticalDepths vertical_depths(const Scene& scene);
 
