@@ -45,7 +45,7 @@ struct Ground {
     }
     truth = probe(made.front().scene, probes);
     const std::optional<double> known = plain_reference_error(lighter.scene);
-    constexpr double kShare = 0.5;  // of a tolerance, that the reference's own error may take up
+    constexpr double kShare = 0.65;  // of a tolerance, that the reference's own error may take up
     if (known && *known <= kShare * tolerance) {
       known_error += *known;
     } else {
