@@ -158,7 +158,8 @@ Choice choose_for_time(const Scene& scene, double limit_ms, const std::string& o
   Choice choice = ground.begin();
   std::map<std::string, double> fastest;
   std::vector<std::pair<Tried, Candidate>> ranked;
-  const std::vector<Candidate> all = candidates(ground.lighter.scene, kClose, only, ground.made);
+  // A picture's time holds its tables, whoever else has made them.
+  const std::vector<Candidate> all = candidates(ground.lighter.scene, kClose, only, {});
   for (const Candidate& candidate : likely_to_fit(all, limit_ms, time, fastest)) {
     const Tried tried{candidate.method, candidate.quality, candidate.cost.total(), ground.bound_of(candidate, probe),
                       0.0};
@@ -166,12 +167,16 @@ Choice choose_for_time(const Scene& scene, double limit_ms, const std::string& o
   }
   std::ranges::stable_sort(ranked, {}, [](const auto& entry) { return entry.first.error; });
   for (auto& [tried, candidate] : ranked) {
-    tried.ms = time(candidate.scene);
-    note(choice, tried);
-    if (tried.ms <= limit_ms) {
-      settle(choice, candidate, tried);
-      return choice;
+    if (!choice.chosen) {
+      tried.ms = time(candidate.scene);
     }
+    note(choice, tried);
+    if (!choice.chosen && tried.ms <= limit_ms) {
+      settle(choice, candidate, tried);
+    }
+  }
+  if (choice.chosen) {
+    return choice;
   }
   choice.best.reset();
   for (const auto& [method, ms] : fastest) {
