@@ -41,6 +41,7 @@ set datafile missing NaN
 constexpr std::string_view kBody = R"(
 is(name, value) = stringcolumn(name) eq value
 percent(name) = 100 * column(name)
+short(text) = text[1:longest]
 at(s, m, v) = is("scene", s) && is("method", m) ? v : NaN
 front(s, v) = is("scene", s) && column("frontier") == 1 ? v : NaN
 inside(s, v) = is("scene", s) ? v : NaN
@@ -61,13 +62,13 @@ panel = "plot \
   'chart.csv' using (inside(s, column('time_ms'))):(percent('floor')) with lines dt (8, 6) lw 1 lc rgb '#444444', \
   'chart.csv' using (front(s, column('time_ms'))):(percent('error_mean')) with lines lw 2 lc rgb '#000000', \
   for [m = 1:|methods|] 'chart.csv' using (at(s, methods[m], column('time_ms'))):(percent('error_mean')) with points pt 7 ps size lc rgb colours[m], \
-  'chart.csv' using (labelled(s, column('time_ms'))):(percent('error_mean')):(stringcolumn('label')) with labels left rotate by -25 offset 0.5,-0.3 font small noenhanced"
+  'chart.csv' using (labelled(s, column('time_ms'))):(percent('error_mean')):(short(stringcolumn('label'))) with labels left rotate by -25 offset 0.5,-0.3 font small noenhanced"
 
 do for [kind in "svg png"] {
   if (kind eq "svg") {
     set terminal svg size 1500,1500 font "Helvetica,14" background "#ffffff" dynamic
   } else {
-    set terminal pngcairo size 1350,1350 font "Sans,10"
+    set terminal pngcairo size 1200,1200 font "Sans,9"
   }
   set output out.".".kind
   small = kind eq "svg" ? ",10" : ",7"
@@ -96,7 +97,7 @@ std::string gnuplot_script(const PlotText& text) {
   script += array_of("methods", text.methods) + array_of("colours", colours);
   script += small.empty() ? "" : array_of("scenes", small);
   script += kBody;
-  script += "  labelled(s, v) = inside(s, v)\n  size = 0.9\n  set xlabel time_label\n";
+  script += "  labelled(s, v) = inside(s, v)\n  longest = 60\n  size = 0.8\n  set xlabel time_label\n";
   script += "  set ylabel 'mean relative error; bars to the 95th percentile'\n";
   script += "  set key outside right top\n";
   script += "  s = " + quoted(large) + "\n";
@@ -108,7 +109,8 @@ std::string gnuplot_script(const PlotText& text) {
 )";
   if (!small.empty()) {
     script += R"(  labelled(s, v) = front(s, v)
-  size = 0.6
+  longest = 16
+  size = 0.5
   unset key
   unset ylabel
   unset xlabel
