@@ -1,6 +1,6 @@
 #include "app/chart_files.h"
 
-#include <cstdio>
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <span>
@@ -85,11 +85,26 @@ std::string chart_json(const ChartFiles& files, const chart::RunOutcome& outcome
 }
 
 std::vector<std::string> write_chart(const ChartFiles& files, const chart::RunOutcome& outcome) {
-  write_points(files.folder, finished(outcome.points, files.scenes));
+  const std::vector<Point> points = finished(outcome.points, files.scenes);
+  write_points(files.folder, points);
   write_text(files.folder / "chart.json", chart_json(files, outcome));
-  const std::string time = outcome.cpu_time ? "CPU-ms of all threads" : "ms by device timestamps";
-  write_text(files.folder / "chart.gp", chart::gnuplot_script({files.scenes, files.methods, plot_title(files, outcome),
-                                                               time + " for a picture, its kept tables made before"}));
+  const auto with_points = [&](const std::vector<std::string>& names, std::string Point::*member) {
+    std::vector<std::string> kept;
+    for (const std::string& name : names) {
+      if (std::ranges::any_of(points, [&](const Point& p) { return p.*member == name; })) {
+        kept.push_back(name);
+      }
+    }
+    return kept;
+  };
+  chart::PlotText text;
+  text.scenes = with_points(files.scenes, &Point::scene);
+  text.methods = with_points(files.methods, &Point::method);
+  text.over_all = std::ranges::any_of(points, [](const Point& p) { return p.scene == chart::kAllScenes; });
+  text.title = plot_title(files, outcome);
+  text.time_label = std::string(outcome.cpu_time ? "CPU-ms of all threads" : "ms by device timestamps") +
+                    " for a picture, its kept tables made before";
+  write_text(files.folder / "chart.gp", chart::gnuplot_script(text));
   std::vector<std::string> names;
   for (const char* name : {"chart.csv", "chart.json", "chart.gp"}) {
     names.push_back((files.folder / name).string());

@@ -18,12 +18,14 @@ using choice::Tried;
 
 std::string short_number(double value) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
+  std::snprintf(text, sizeof text, "%.4g", value);
   return text;
 }
 
 std::string percent(double value) {
-  return short_number(100.0 * value) + " %";
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g %%", 100.0 * value);
+  return text;
 }
 
 void refuse_departures(const Scene& scene) {

@@ -41,12 +41,13 @@ set datafile missing NaN
 constexpr std::string_view kBody = R"(
 is(name, value) = stringcolumn(name) eq value
 percent(name) = 100 * column(name)
+short(text) = text[1:longest]
 at(s, m, v) = is("scene", s) && is("method", m) ? v : NaN
 front(s, v) = is("scene", s) && column("frontier") == 1 ? v : NaN
 inside(s, v) = is("scene", s) ? v : NaN
 
 set logscale xy
-set format x "%g"
+set format x "%.0s%c"
 set format y "%g %%"
 set grid xtics ytics mytics lc rgb "#dddddd", lc rgb "#eeeeee"
 set tics nomirror
@@ -61,16 +62,16 @@ panel = "plot \
   'chart.csv' using (inside(s, column('time_ms'))):(percent('floor')) with lines dt (8, 6) lw 1 lc rgb '#444444', \
   'chart.csv' using (front(s, column('time_ms'))):(percent('error_mean')) with lines lw 2 lc rgb '#000000', \
   for [m = 1:|methods|] 'chart.csv' using (at(s, methods[m], column('time_ms'))):(percent('error_mean')) with points pt 7 ps size lc rgb colours[m], \
-  'chart.csv' using (labelled(s, column('time_ms'))):(percent('error_mean')):(stringcolumn('quality')) with labels left offset 0.7,0.35 font small noenhanced"
+  'chart.csv' using (labelled(s, column('time_ms'))):(percent('error_mean')):(short(stringcolumn('label'))) with labels left rotate by -25 offset 0.5,-0.3 font small noenhanced"
 
 do for [kind in "svg png"] {
   if (kind eq "svg") {
     set terminal svg size 1500,1500 font "Helvetica,14" background "#ffffff" dynamic
   } else {
-    set terminal pngcairo size 1500,1500 font "Sans,11"
+    set terminal pngcairo size 1200,1200 font "Sans,9"
   }
   set output out.".".kind
-  small = kind eq "svg" ? ",10" : ",8"
+  small = kind eq "svg" ? ",10" : ",7"
   set multiplot title heading noenhanced
 )";
 
@@ -86,25 +87,30 @@ std::string gnuplot_script(const PlotText& text) {
   for (std::size_t i = 0; i < text.methods.size(); ++i) {
     colours.emplace_back(kColours[i % kColours.size()]);
   }
-  const bool several = text.scenes.size() > 1;
+  const std::string large = text.over_all ? std::string(kAllScenes) : text.scenes.front();
+  std::vector<std::string> small = text.scenes;
+  if (!text.over_all) {
+    small.erase(small.begin());
+  }
   std::string script(kHead);
   script += "heading = " + quoted(text.title) + "\ntime_label = " + quoted(text.time_label) + "\n";
-  script += array_of("scenes", text.scenes) + array_of("methods", text.methods) + array_of("colours", colours);
+  script += array_of("methods", text.methods) + array_of("colours", colours);
+  script += small.empty() ? "" : array_of("scenes", small);
   script += kBody;
-  script += "  labelled(s, v) = inside(s, v)\n  size = 0.9\n  set xlabel time_label\n";
+  script += "  labelled(s, v) = inside(s, v)\n  longest = 60\n  size = 0.8\n  set xlabel time_label\n";
   script += "  set ylabel 'mean relative error; bars to the 95th percentile'\n";
   script += "  set key outside right top\n";
-  script += "  s = " + quoted(several ? std::string(kAllScenes) : text.scenes.front()) + "\n";
-  script += "  set title " + quoted(several ? "all scenes, geometric means" : text.scenes.front()) +
-            " noenhanced font ',13'\n";
-  script += several ? "  set origin 0, 0.50\n  set size 1, 0.47\n" : "  set origin 0, 0\n  set size 1, 0.97\n";
+  script += "  s = " + quoted(large) + "\n";
+  script += "  set title " + quoted(text.over_all ? "all scenes, geometric means" : large) + " noenhanced font ',13'\n";
+  script += small.empty() ? "  set origin 0, 0\n  set size 1, 0.97\n" : "  set origin 0, 0.50\n  set size 1, 0.47\n";
   script += R"(  legend = ", for [m = 1:|methods|] NaN with points pt 7 ps 1 lc rgb colours[m] title methods[m]"
   legend = legend.", NaN with lines lw 2 lc rgb '#000000' title 'frontier', NaN with lines dt (8, 6) lc rgb '#444444' title 'noise of the truth'"
   eval(panel.legend)
 )";
-  if (several) {
+  if (!small.empty()) {
     script += R"(  labelled(s, v) = front(s, v)
-  size = 0.6
+  longest = 16
+  size = 0.5
   unset key
   unset ylabel
   unset xlabel

@@ -7,10 +7,11 @@
 namespace airlight::chart {
 
 struct PlotText {
-  std::vector<std::string> scenes;   // one panel each, besides one over all of them where there are several
+  std::vector<std::string> scenes;   // one panel each; every one has points
   std::vector<std::string> methods;  // one colour each
-  std::string title;                 // device, version, sizes
-  std::string time_label;            // what the horizontal axis shows
+  bool over_all = false;   // there are points of kAllScenes: a large panel; else the first scene is the large one
+  std::string title;       // device, version, sizes
+  std::string time_label;  // what the horizontal axis shows
 };
 
 // Reads chart.csv; writes OUT.svg and OUT.png, OUT being "chart" unless `gnuplot -e 'out="..."'` says otherwise.

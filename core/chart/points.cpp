@@ -75,6 +75,15 @@ const std::vector<Column>& columns() {
        }},
       number_column("share_timed", &Point::share_timed),
       text_column("key", &Point::key),
+      // For gnuplot, which cuts a quoted text at its first comma.
+      {"label",
+       [](const Point& p) {
+         std::string label = p.quality;
+         std::ranges::replace(label, ',', ';');
+         std::ranges::replace(label, '"', '\'');
+         return "\"" + label + "\"";
+       },
+       [](Point&, const std::string&) { return true; }},
   };
   return all;
 }

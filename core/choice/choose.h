@@ -21,7 +21,7 @@ struct Tried {
   std::string quality;
   double cost = 0.0;   // predicted, in steps of `march`
   double error = 0.0;  // bound on the mean relative error of the picture
-  double ms = 0.0;     // measured, where a time limit asked for it
+  double ms = 0.0;     // measured, where a time limit asked for it and nothing more accurate had fitted
 };
 
 struct Choice {

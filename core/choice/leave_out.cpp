@@ -125,12 +125,28 @@ OpticalDepths vertical_depths(const Scene& scene) {
   OpticalDepths depths;
   Physics p = make_physics(scene);
   depths.extinction = largest(p.optical_depth_to_top(p.scene.planet, 0.0, 1.0, kSteps));
+  constexpr double kForward = 0.3;  // mean cosine
   Scene scattering = scene;
-  for (Medium& medium : scattering.media) {
-    medium.absorption = {};
+  Scene forward = scene;
+  Scene abrupt = scene;
+  for (std::size_t i = 0; i < scene.media.size(); ++i) {
+    scattering.media[i].absorption = {};
+    forward.media[i].absorption = {};
+    abrupt.media[i].absorption = {};
+    if (p.scene.media[i].legendre1 < kForward) {
+      forward.media[i].scattering = {};
+    }
+    if (scene.media[i].density.profile != DensityProfile::constant) {
+      abrupt.media[i].scattering = {};
+    }
   }
-  Physics q = make_physics(scattering);
-  depths.scattering = largest(q.optical_depth_to_top(q.scene.planet, 0.0, 1.0, kSteps));
+  const auto depth_of = [](const Scene& part) {
+    Physics physics = make_physics(part);
+    return largest(physics.optical_depth_to_top(physics.scene.planet, 0.0, 1.0, kSteps));
+  };
+  depths.scattering = depth_of(scattering);
+  depths.forward = depth_of(forward);
+  depths.abrupt = depth_of(abrupt);
   return depths;
 }
 

@@ -113,9 +113,12 @@ TEST(Median, IsTheMiddle) {
 }
 
 TEST(Script, NamesScenesAndMethodsAsTheyAre) {
-  const std::string script = gnuplot_script({{"it's", "noon"}, {"march"}, "on a device", "ms"});
+  const std::string script = gnuplot_script({{"it's", "noon"}, {"march"}, true, "on a device", "ms"});
   EXPECT_NE(script.find("['it''s', 'noon']"), std::string::npos) << script;
   EXPECT_NE(script.find("heading = 'on a device'"), std::string::npos);
+  const std::string alone = gnuplot_script({{"noon"}, {"march"}, false, "on a device", "ms"});
+  EXPECT_NE(alone.find("s = 'noon'"), std::string::npos) << alone;
+  EXPECT_EQ(alone.find("array scenes"), std::string::npos) << alone;
 }
 
 }  // namespace
