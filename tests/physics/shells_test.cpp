@@ -148,7 +148,7 @@ TEST(Harmonics, AreOrthonormalUpToDegree8) {
             }
             return sum;
           },
-          -1.0, 1.0, 3);
+          -1.0, 1.0, 12);
       EXPECT_NEAR(product, a == b ? 1.0 : 0.0, 1e-9) << a << " " << b;
     }
   }
