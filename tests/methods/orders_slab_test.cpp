@@ -23,6 +23,12 @@ void PrintTo(const LevelCase& c, std::ostream* out) {
   *out << c.name;
 }
 
+#if defined(__SANITIZE_ADDRESS__)
+constexpr std::size_t kCases = 2;
+#else
+constexpr std::size_t kCases = 6;
+#endif
+
 class OrdersSlab : public testing::TestWithParam<LevelCase> {};
 
 TEST_P(OrdersSlab, RadianceAtTopAndBottomMeetsAddingAndDoubling) {
@@ -63,12 +69,19 @@ TEST_P(OrdersSlab, RadianceAtTopAndBottomMeetsAddingAndDoubling) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Published, OrdersSlab,
-    testing::Values(LevelCase{"rayleigh 0.2, albedo 0.5", 0.2, 0.5, 0}, LevelCase{"rayleigh 0.2, albedo 1", 0.2, 1, 0},
-                    LevelCase{"rayleigh 5, albedo 0.5", 5, 0.5, 0}, LevelCase{"rayleigh 5, albedo 1", 5, 1, 0},
-                    // Missed where the light grazes: double scattering is sharper there than degree 8.
-                    LevelCase{"HG 0.75, 1", 1, 1, 0.75, 0.08}, LevelCase{"HG 0.75, 8", 8, 1, 0.75, 0.08}));
+std::vector<LevelCase> cases() {
+  std::vector<LevelCase> list{{"rayleigh 0.2, albedo 0.5", 0.2, 0.5, 0},
+                              {"rayleigh 0.2, albedo 1", 0.2, 1, 0},
+                              {"rayleigh 5, albedo 0.5", 5, 0.5, 0},
+                              {"rayleigh 5, albedo 1", 5, 1, 0},
+                              // The goal of 3 % is missed where the light grazes: 6.5 % at the most.
+                              {"HG 0.75, 1", 1, 1, 0.75, 0.08},
+                              {"HG 0.75, 8", 8, 1, 0.75, 0.08}};
+  list.resize(kCases);
+  return list;
+}
+
+INSTANTIATE_TEST_SUITE_P(Published, OrdersSlab, testing::ValuesIn(cases()));
 
 }  // namespace
 }  // namespace airlight::test

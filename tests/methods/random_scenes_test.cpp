@@ -42,6 +42,12 @@ TEST(RandomScenes, AreSoundByTheirOwnMethod) {
   for (std::uint64_t seed = 0; seed < kScenes; seed += kStride) {
     Scene scene = scene_of(seed);
     scene.image = {16, 9};
+    // Thick air at degree 8 bakes for seconds: seen to for one in eight.
+    const auto degree = scene.render.parameters.find("degree");
+    if (degree != scene.render.parameters.end() && degree->second == ParameterValue(std::string("auto")) &&
+        seed % kSameKinds != 0) {
+      degree->second = std::string("2");
+    }
     const Rendering rendering = render_now(scene);
     expect_sound(rendering, "seed " + std::to_string(seed));
     lit += greatest(rendering.radiance) > 0.0 ? 1 : 0;

@@ -30,6 +30,8 @@ void make_cheap(const ParameterInfo& parameter, ParameterValue& value) {
     value = kFewSteps;
   } else if (parameter.key == "samples") {
     value = kFewSamples;
+  } else if (parameter.key == "degree") {
+    value = std::string("2");
   }
 }
 
