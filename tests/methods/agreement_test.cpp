@@ -80,6 +80,7 @@ TEST_P(Agreement, OfEveryMethodWithTheTruth) {
       note(name, method.info.name, error);
       const std::string key = std::string(method.info.name) + "/" + name + "/" + error.region;
       const auto bound = bounds.find(key);
+      EXPECT_TRUE(bound != bounds.end() || method.info.name != "orders") << "bounds.json has no " << key;
       if (bound != bounds.end()) {
         EXPECT_LE(error.mean, bound->second + noise.at(error.region)) << key;
       }
