@@ -84,11 +84,13 @@ const ParameterValue* parameter(const Scene& scene, std::string_view key) {
   return found == scene.render.parameters.end() ? nullptr : &found->second;
 }
 
-// Two to three times the rows of the table, the most from an optical depth of 1 on.
+// Two to five times the rows of the table, the most from an optical depth of 3 on: a forward-scattering slab of depth 8
+// is 4 % off where it should be at most 3 with three times, 2 % with five.
 int wished_rows(const Scene& scene, double depth) {
   const ParameterValue* size = parameter(scene, "moments_lut");
   const int rows = size == nullptr ? 12 : std::get<TableSize>(*size)[1];
-  return static_cast<int>(std::lround(std::clamp(rows * (2.0 + std::min(depth, 1.0)), 4.0, 48.0)));
+  const double more = 2.0 + std::clamp(depth, 0.0, 3.0);
+  return static_cast<int>(std::lround(std::clamp(rows * more, 4.0, 60.0)));
 }
 
 // How densely rows should stand: F rises from 0 to 1 over the column's samples, rows at equal steps of F. Half of it

@@ -1,5 +1,6 @@
 // The methods' formulas on the host in double: what the device's 32 bits are measured against.
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 
@@ -85,10 +86,14 @@ std::vector<vec3> by_moments(const Scene& scene, const Shot& shot, const std::ve
   p.moment_columns = constant_of(shot.plan, "kMomentColumns");
   p.degree = constant_of(shot.plan, "kMomentDegree");
   p.delta = constant_of(shot.plan, "kDeltaScaled") != 0;
+  p.sun_table = table_of(shot, "sun_table");
   const auto steps = static_cast<physics::uint>(scene.render.get<int>("steps"));
+  const physics::uint shells = p.shell_rows() > 0 ? p.shell_rows() - 1 : 0;
+  const physics::uint parts = shells > 0 ? std::max((steps + shells / 2) / shells, 1U) : 0;
   return along(p, directions, [&](const Physics::Ray& ray) {
-    return p.phased(p.sky_factors(p.scene.planet, p.scene.moments, ray, steps), p.phases(ray.nu)) *
-           p.scene.sun.irradiance;
+    const Physics::SkyFactors factors = shells > 0 ? p.shell_sky_factors(p.scene.planet, p.scene.moments, ray, parts)
+                                                   : p.sky_factors(p.scene.planet, p.scene.moments, ray, steps);
+    return p.phased(factors, p.phases(ray.nu)) * p.scene.sun.irradiance;
   });
 }
 

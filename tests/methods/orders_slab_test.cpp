@@ -74,9 +74,9 @@ std::vector<LevelCase> cases() {
                               {"rayleigh 0.2, albedo 1", 0.2, 1, 0},
                               {"rayleigh 5, albedo 0.5", 5, 0.5, 0},
                               {"rayleigh 5, albedo 1", 5, 1, 0},
-                              // The goal of 3 % is missed where the light grazes: 6.5 % at the most.
+                              // The goal of 3 % is missed where the light grazes: 6.5 and 3.7 %.
                               {"HG 0.75, 1", 1, 1, 0.75, 0.08},
-                              {"HG 0.75, 8", 8, 1, 0.75, 0.08}};
+                              {"HG 0.75, 8", 8, 1, 0.75, 0.04}};
   list.resize(kCases);
   return list;
 }
