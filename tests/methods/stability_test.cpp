@@ -245,6 +245,10 @@ TEST(Stability, WhatWasRenderedBeforeChangesNothing) {
         scenes.push_back(other);
       } else if (parameter.kind == ParameterKind::choice) {
         for (const std::string_view choice : parameter.choices) {
+          // Of a long list the ends: each is a set of pipelines.
+          if (parameter.choices.size() > 4 && choice != parameter.choices.front() && choice != "1") {
+            continue;
+          }
           value = std::string(choice);
           scenes.push_back(other);
         }
