@@ -4,13 +4,17 @@
 #include <numbers>
 
 #include "core/methods/march_passes.h"
+#include "core/methods/marched_picture.h"
 #include "core/methods/methods.h"
 
 namespace airlight {
 namespace {
 
-const std::array<ParameterInfo, 6> kParameters{steps_parameter(32),
+const std::array<ParameterInfo, 9> kParameters{steps_parameter(32),
                                                step_distribution_parameter(),
+                                               jitter_parameter(),
+                                               resolution_parameter(),
+                                               phase_parameter(),
                                                transmittance_lut_parameter(),
                                                multiple_scattering_lut_parameter(),
                                                multiple_scattering_scale_parameter(),

@@ -6,16 +6,21 @@
 #include "core/error.h"
 #include "core/luts/luts.h"
 #include "core/methods/march_passes.h"
+#include "core/methods/marched_picture.h"
 #include "core/methods/methods.h"
 
 namespace airlight {
 namespace {
 
-const std::array<ParameterInfo, 4> kParameters{
+const std::array<ParameterInfo, 7> kParameters{
     steps_parameter(16),
     ParameterInfo{
         "sun_steps", ParameterKind::integer, 1, 4096, 8, {}, "steps toward the sun from each step of the view ray"},
-    step_distribution_parameter(), sun_fade_parameter()};
+    step_distribution_parameter(),
+    jitter_parameter(),
+    resolution_parameter(),
+    phase_parameter(),
+    sun_fade_parameter()};
 
 // The software device (Mesa's llvmpipe) ends a shader's loops, without a word, after 65535 turns of all of them.
 constexpr long long kMostTurns = 65535;
@@ -33,18 +38,14 @@ SkyPasses add_nested(Plan& plan, const Scene& scene, const View& view) {
   const SkyTarget target = add_sky_target(plan, scene, view);
   std::vector<Specialization> constants = medium_specialization(scene);
   constants.push_back({"kSunFade", std::holds_alternative<SunFade>(settings.parameters.at("sun_fade")) ? 1u : 0u});
-  constants.push_back({"kProjection", target.projection});
   constants.push_back({"kGroundReflects", ground_reflects(scene) ? 1u : 0u});
   constants.push_back({"kStepDistribution", step_distribution_code(scene)});
-  plan.add_pass(
-      {.name = "sky",
-       .shader = "sky_nested",
-       .reads = {{"directions", target.directions}},
-       .writes = {{"radiance_out", target.radiance}},
-       .grid = target.grid,
-       .push_constants = {target.grid.width, target.grid.height, static_cast<std::uint32_t>(settings.get<int>("steps")),
-                          static_cast<std::uint32_t>(settings.get<int>("sun_steps"))},
-       .specialization = constants});
+  add_marched_picture(plan, scene,
+                      {.shader = "sky_nested",
+                       .push_constants = {static_cast<std::uint32_t>(settings.get<int>("steps")),
+                                          static_cast<std::uint32_t>(settings.get<int>("sun_steps"))},
+                       .specialization = std::move(constants)},
+                      target);
   return {target.radiance, {}};
 }
 
