@@ -25,16 +25,18 @@ const std::array<ParameterInfo, 7> kParameters{
 // The software device (Mesa's llvmpipe) ends a shader's loops, without a word, after 65535 turns of all of them.
 constexpr long long kMostTurns = 65535;
 
-void refuse_too_many_turns(long long steps, long long sun_steps) {
-  if (steps * (sun_steps + 1) > kMostTurns) {
-    throw InputError("render: nested takes steps x (sun_steps + 1) up to " + std::to_string(kMostTurns) + ", not " +
-                     std::to_string(steps) + " x " + std::to_string(sun_steps + 1) + "; lower either");
+void refuse_too_many_turns(long long steps, long long sun_steps, long long before) {
+  if (before + steps * (sun_steps + 1) > kMostTurns) {
+    throw InputError("render: nested takes steps x (sun_steps + 1) up to " + std::to_string(kMostTurns - before) +
+                     ", not " + std::to_string(steps) + " x " + std::to_string(sun_steps + 1) + "; lower either");
   }
 }
 
 SkyPasses add_nested(Plan& plan, const Scene& scene, const View& view) {
   const RenderSettings& settings = scene.render;
-  refuse_too_many_turns(settings.get<int>("steps"), settings.get<int>("sun_steps"));
+  const bool by_depth = step_distribution_code(scene) == physics::kStepsOpticalDepth;
+  refuse_too_many_turns(settings.get<int>("steps"), settings.get<int>("sun_steps"),
+                        by_depth ? 2 * physics::kOpticalPanels : 0);
   const SkyTarget target = add_sky_target(plan, scene, view);
   std::vector<Specialization> constants = medium_specialization(scene);
   constants.push_back({"kSunFade", std::holds_alternative<SunFade>(settings.parameters.at("sun_fade")) ? 1u : 0u});
