@@ -8,6 +8,7 @@
 #include "core/methods/march_passes.h"
 #include "core/methods/marched_picture.h"
 #include "core/methods/methods.h"
+#include "core/physics/physics.h"
 
 namespace airlight {
 namespace {
@@ -36,7 +37,7 @@ SkyPasses add_nested(Plan& plan, const Scene& scene, const View& view) {
   const RenderSettings& settings = scene.render;
   const bool by_depth = step_distribution_code(scene) == physics::kStepsOpticalDepth;
   refuse_too_many_turns(settings.get<int>("steps"), settings.get<int>("sun_steps"),
-                        by_depth ? 2 * physics::kOpticalPanels : 0);
+                        by_depth ? 2LL * physics::kOpticalPanels : 0);
   const SkyTarget target = add_sky_target(plan, scene, view);
   std::vector<Specialization> constants = medium_specialization(scene);
   constants.push_back({"kSunFade", std::holds_alternative<SunFade>(settings.parameters.at("sun_fade")) ? 1u : 0u});
