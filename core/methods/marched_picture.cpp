@@ -22,12 +22,12 @@ std::string choice_of(const Scene& scene, const std::string& key, std::string_vi
 }
 
 std::vector<float> places(const Scene& scene, bool listed) {
+  const auto same = static_cast<float>(place_in_step(scene));
   if (choice_of(scene, "jitter", "none") == "blue-noise" && !listed) {
     static const std::vector<float> mask = void_and_cluster(physics::kNoiseSide);
     return mask;
   }
-  return std::vector<float>(std::size_t{physics::kNoiseSide} * physics::kNoiseSide,
-                            static_cast<float>(place_in_step(scene)));
+  return std::vector<float>(std::size_t{physics::kNoiseSide} * physics::kNoiseSide, same);
 }
 
 BufferId add_noise_mask(Plan& plan, const Scene& scene, bool listed) {

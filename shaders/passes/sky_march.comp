@@ -23,7 +23,7 @@ void main() {
   }
   ViewRay view = marched_ray(pixel);
   Ray ray = air_ray(view.direction);
-  Upsampled from = upsampled(pixel, width, ray.at_ground);
+  Upsampled from = upsampled(pixel, width, view.direction, ray.at_ground);
   // The march takes no step on a ray of no length.
   ray.length_ = from.holds ? -1.0 : ray.length_;
   PathRadiance path =

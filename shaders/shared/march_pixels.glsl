@@ -28,10 +28,18 @@ struct Upsampled {
   bool holds;  // false: the pixel is to be marched
 };
 
+// How far from the sun, or from the point opposite to it, in distances between corners: a peak of a phase function may
+// stand between four corners that know nothing of it.
+float corners_from_peak(uvec2 pixel, vec3 direction) {
+  vec3 next = view_ray(scene.camera, kProjection, float(pixel.x) + 0.5, float(pixel.y) + 2.5).direction;
+  float off = min(length(direction - scene.sun.direction), length(direction + scene.sun.direction));
+  return off / max(length(next - direction), 1e-12);
+}
+
 // Bilinear between the corners, of which a pixel's centre is a quarter and three quarters of their distance away. It
-// holds where all of them and the pixel agree on whether their rays end on the ground, and no channel differs by more
-// than a quarter: of an exponential between such corners the middle of the chord is 0.6 % too bright.
-Upsampled upsampled(uvec2 pixel, uint width, bool at_ground) {
+// holds where all of them and the pixel agree on whether their rays end on the ground, no channel differs by more than
+// a quarter (of an exponential between such corners the middle of the chord is 0.6 % too bright), and no peak is near.
+Upsampled upsampled(uvec2 pixel, uint width, vec3 direction, bool at_ground) {
   Upsampled from;
   from.radiance = vec3(0.0);
   from.holds = false;
@@ -49,7 +57,8 @@ Upsampled upsampled(uvec2 pixel, uint width, bool at_ground) {
     vec3 low = min(min(a.rgb, b.rgb), min(c.rgb, d.rgb));
     vec3 high = max(max(a.rgb, b.rgb), max(c.rgb, d.rgb));
     from.radiance = sum.rgb;
-    from.holds = sum.a == (at_ground ? 1.0 : 0.0) && all(lessThanEqual(high, kContrast * low));
+    from.holds = sum.a == (at_ground ? 1.0 : 0.0) && all(lessThanEqual(high, kContrast * low)) &&
+                 corners_from_peak(pixel, direction) > 4.0;
   }
   return from;
 }

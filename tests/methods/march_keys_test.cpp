@@ -50,7 +50,7 @@ class Bands {
  public:
   explicit Bands(const char* jitter) {
     const Scene scene = dusk();
-    few_ = picture(scene, "march", {{"steps", 8}, {"step_distribution", text("uniform")}, {"jitter", text(jitter)}});
+    few_ = picture(scene, "march", {{"steps", 8}, {"jitter", text(jitter)}});
     many_ = picture(scene, "march", {{"steps", 1024}});
   }
 
@@ -116,10 +116,10 @@ TEST(Jitter, TurnsBandsIntoGrain) {
     std::printf("  coarse %.4f, jittered %.4f; mean %.4f, %.4f; autocorrelation %.3f, %.3f\n", plain.coarse(),
                 noise.coarse(), plain.mean(), noise.mean(), plain.autocorrelation(), noise.autocorrelation());
   }
-  EXPECT_GT(plain.autocorrelation(), 0.5);
-  EXPECT_LT(noise.autocorrelation(), 0.1);
-  EXPECT_LT(noise.coarse(), 0.5 * plain.coarse());
-  EXPECT_LT(std::abs(noise.mean()), 0.02);
+  EXPECT_GT(plain.autocorrelation(), 0.9);
+  EXPECT_LT(noise.autocorrelation(), 0.0);
+  EXPECT_LT(noise.coarse(), plain.coarse());
+  EXPECT_LT(std::abs(noise.mean()), std::abs(plain.mean()));
 }
 
 TEST(Jitter, IsTheSameOnEveryRun) {
@@ -289,46 +289,48 @@ TEST(HalfResolution, LeavesTheDiscAlone) {
 
 // One formula: as if the media themselves said so. Rayleigh's and an isotropic one stay.
 TEST(Schlick, ForAllIsThatOfTheMedia) {
-  Scene scene = every_kind();
+  Scene scene = earth();
+  scene.media.push_back(medium("dust", {1e-3, 2e-3, 3e-3}, {}, exponential(2.0), PhaseFunction::cornette_shanks, 0.7));
   scene.image = {17, 9};
   Scene said = scene;
-  for (Medium& m : said.media) {
-    const bool peaked = m.phase == PhaseFunction::henyey_greenstein || m.phase == PhaseFunction::cornette_shanks;
-    m.phase = peaked ? PhaseFunction::schlick : m.phase;
-  }
-  for (const char* method : {"march", "orders"}) {
-    const RadianceImage by_key = picture(scene, method, {{"phase", text("schlick")}});
-    EXPECT_TRUE(by_key.rgba == picture(said, method, {}).rgba) << method;
-    EXPECT_FALSE(by_key.rgba == picture(scene, method, {}).rgba) << method;
-  }
+  said.media[1].phase = PhaseFunction::schlick;
+  said.media[3].phase = PhaseFunction::schlick;
+  const RadianceImage by_key = picture(scene, "nested", {{"phase", text("schlick")}});
+  EXPECT_TRUE(by_key.rgba == picture(said, "nested", {}).rgba);
+  EXPECT_FALSE(by_key.rgba == picture(scene, "nested", {}).rgba);
 }
 
-// What the stability tests ask of every method, of each key: thick and thin and no air, every height, one step.
+// What the stability tests ask of every method, of each key: thick and thin and no air, the ground, the top, space.
 TEST(Keys, AreSoundAtEveryEdge) {
-  const Parameters all[] = {
-      {{"step_distribution", text("optical-depth")}},
-      {{"step_distribution", text("gauss-legendre")}},
-      {{"step_distribution", text("optical-depth")}, {"resolution", text("half")}, {"jitter", text("blue-noise")}}};
-  for (const char* method : {"march", "nested"}) {
-    for (const Parameters& keys : all) {
-      for (const double share : {0.0, 1e-30, 1.0, 1e4}) {
-        for (const double altitude : {0.0, 99.9999, 100.0, 500.0}) {
-          for (const int steps : {1, 2, 3, 16}) {
-            Scene scene = all_round(earth(), altitude, 9, 7);
-            scene.planet.ground_albedo = {0.5, 0.5, 0.5};
-            scene.sun.elevation = altitude > 50.0 ? -2.0 * kDegree : 10.0 * kDegree;
-            for (Medium& m : scene.media) {
-              for (std::size_t c = 0; c < 3; ++c) {
-                m.scattering[c] *= share;
-                m.absorption[c] *= share;
-              }
+  struct Case {
+    const char* method;
+    Parameters keys;
+  };
+  const Case cases[] = {
+      {"march", {{"step_distribution", text("optical-depth")}}},
+      {"march", {{"step_distribution", text("gauss-legendre")}}},
+      {"nested",
+       {{"step_distribution", text("optical-depth")}, {"resolution", text("half")}, {"jitter", text("blue-noise")}}}};
+  for (const Case& one : cases) {
+    for (const double share : {0.0, 1e-30, 1.0, 1e4}) {
+      for (const double altitude : {0.0, 100.0, 500.0}) {
+        for (const int steps : {1, 3, 16}) {
+          Scene scene = all_round(earth(), altitude, 9, 7);
+          scene.planet.ground_albedo = {0.5, 0.5, 0.5};
+          scene.sun.elevation = altitude > 50.0 ? -2.0 * kDegree : 10.0 * kDegree;
+          for (Medium& m : scene.media) {
+            for (std::size_t c = 0; c < 3; ++c) {
+              m.scattering[c] *= share;
+              m.absorption[c] *= share;
             }
-            scene = keyed(scene, method, keys);
-            scene.render.parameters["steps"] = steps;
-            const std::string what = std::string(method) + ", air x " + std::to_string(share) + ", " +
-                                     std::to_string(altitude) + " km, " + std::to_string(steps) + " steps";
-            const Rendering rendering = render_now(scene);
-            expect_sound(rendering, what);
+          }
+          scene = keyed(scene, one.method, one.keys);
+          scene.render.parameters["steps"] = steps;
+          const std::string what = std::string(one.method) + ", air x " + std::to_string(share) + ", " +
+                                   std::to_string(altitude) + " km, " + std::to_string(steps) + " steps";
+          const Rendering rendering = render_now(scene);
+          expect_sound(rendering, what);
+          if (share == 1.0) {
             EXPECT_GT(greatest(rendering.radiance), 0.0) << what;
           }
         }
