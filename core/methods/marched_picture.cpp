@@ -1,7 +1,10 @@
 #include "core/methods/marched_picture.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
+#include <numbers>
 #include <string>
 
 #include "core/error.h"
@@ -39,6 +42,28 @@ BufferId add_noise_mask(Plan& plan, const Scene& scene, bool listed) {
       {.name = "noise_mask", .bytes = size, .host_readable = false, .contents = std::move(bytes), .key = {}});
 }
 
+// Between corners further apart than twice this a sky is no longer nearly linear, and nothing would be saved.
+constexpr double kCoarsestPixel = 2.0 * std::numbers::pi / 180.0;
+
+// Greatest angle from a pixel to the next.
+double pixel_angle(const Scene& scene) {
+  const double width = scene.image.width;
+  const double height = scene.image.height;
+  switch (scene.camera.projection) {
+    case Projection::equirectangular:
+      return std::max(2.0 * std::numbers::pi / width, std::numbers::pi / height);
+    case Projection::fisheye:
+      return scene.camera.vertical_fov / std::min(width, height);
+    case Projection::perspective:
+      break;
+  }
+  return 2.0 * std::tan(0.5 * scene.camera.vertical_fov) / height;
+}
+
+bool halves(const Scene& scene) {
+  return choice_of(scene, "resolution", "full") == "half" && pixel_angle(scene) <= kCoarsestPixel;
+}
+
 PassDesc part_of(PassDesc pass, std::uint32_t part, Extent grid, BufferId out, BufferId corners) {
   pass.name = part == physics::kPartHalf ? "sky_half" : "sky";
   pass.grid = grid;
@@ -69,7 +94,8 @@ ParameterInfo resolution_parameter() {
           0,
           std::string("full"),
           kResolutions,
-          "half: march at every second pixel each way and go bilinearly between, but at edges and steep places"};
+          "half: march at every second pixel each way and go bilinearly between, but at edges, steep places and pixels "
+          "wider than 2 degrees"};
 }
 
 double place_in_step(const Scene& scene) {
@@ -90,7 +116,7 @@ void add_marched_picture(Plan& plan, const Scene& scene, PassDesc pass, const Sk
   pass.reads.push_back({"directions", target.directions});
   // Every buffer that the shader declares is bound, whether it looks or not.
   pass.reads.push_back({"noise_mask", jitters ? add_noise_mask(plan, scene, listed) : target.directions});
-  if (listed || choice_of(scene, "resolution", "full") == "full") {
+  if (listed || !halves(scene)) {
     plan.add_pass(part_of(std::move(pass), physics::kPartWhole, target.grid, target.radiance, target.directions));
     return;
   }
