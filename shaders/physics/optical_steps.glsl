@@ -1,5 +1,5 @@
-// Steps by optical depth: each brings an equal share of what the ray's air shows of itself, 1 - exp(-optical depth),
-// summed over the channels. In thin air that is the optical depth; thick air is divided as far as it is seen through.
+// Steps by optical depth: each brings an equal share of what the ray's air shows of itself, 1 - exp(-optical depth) of
+// the channels' mean. In thin air that is the optical depth; thick air is divided as far as it is seen through.
 
 // A quarter of the shares goes by the quadratic rule: a vacuum, what lies behind thick air, and the thin heights that
 // alone are lit in twilight keep their steps.
@@ -11,18 +11,18 @@ struct OpticalSteps {
 OpticalSteps optical_steps(PlanetData planet, Ray ray, real falling) {
   OpticalSteps o;
   o.before = falling_steps(falling, ray.length_, kOpticalPanels);
-  vec3 through = vec3(1.0);
+  real through = 1.0;
   real sum = 0.0;
   real start = 0.0;
   for (uint k = 0u; k < kOpticalPanels; k++) {
     real end = step_end(kStepsQuadratic, falling, ray.length_, o.before, k, kOpticalPanels);
     Step s = step_between(start, end);
     start = end;
-    vec3 depth = extinction_at(point_on_ray(planet, ray, s.t).h) * s.width;
-    SegmentTransfer segment = segment_transfer(depth);
-    vec3 seen = through * depth * segment.mean;
-    through = through * segment.through;
-    sum = sum + seen.x + seen.y + seen.z;
+    vec3 extinction = extinction_at(point_on_ray(planet, ray, s.t).h);
+    real depth = (extinction.x + extinction.y + extinction.z) * s.width / 3.0;
+    real seen = depth * mean_transmittance(depth);
+    sum = sum + through * seen;
+    through = max(through - through * seen, 0.0);
     o.share[k] = sum;
   }
   real even = sum > 1e-30 ? 0.25 : 1.0;
