@@ -7,6 +7,7 @@
 #include "core/output/provenance_keys.h"
 #include "core/output/quantize.h"
 #include "core/physics/scene_data.h"
+#include "core/scene/photometry.h"
 
 namespace airlight::cli {
 namespace {
@@ -29,6 +30,9 @@ ExrOptions exr_options(const PictureContext& context, bool half) {
       world_to_camera(axis(basis.right), axis(basis.up), axis(basis.forward), scene.camera.altitude);
   options.comments = scene.name + (scene.name.empty() || scene.description.empty() ? "" : ": ") + scene.description;
   options.provenance = context.provenance;
+  if (const std::optional<double> white = white_luminance(scene.sun.unit)) {
+    options.white_luminance = static_cast<float>(*white);
+  }
   if (!context.exr_hash.empty()) {
     options.strings[kHashKey] = context.exr_hash;
   }

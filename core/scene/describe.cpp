@@ -4,6 +4,7 @@
 
 #include "core/scene/angle.h"
 #include "core/scene/json_format.h"
+#include "core/scene/photometry.h"
 #include "core/scene/render_settings.h"
 #include "core/scene/resolve.h"
 #include "core/scene/rules.h"
@@ -113,7 +114,7 @@ std::string describe(const Scene& scene) {
   lines.heading("sun")
       .angle("elevation", scene.sun.elevation)
       .angle("azimuth", scene.sun.azimuth)
-      .spectrum("irradiance", scene.sun.irradiance)
+      .spectrum("irradiance", scene.sun.irradiance, irradiance_unit(scene.sun.unit))
       .line("disc", scene.sun.disc.visible ? "visible" : "hidden")
       .angle("disc angular radius", scene.sun.disc.angular_radius)
       .number("disc limb darkening", scene.sun.disc.limb_darkening)

@@ -155,6 +155,7 @@ Sun read_sun(const Section& root) {
   sun.elevation = radians_from_degrees(section.number("elevation_deg"));
   sun.azimuth = radians_from_degrees(section.number("azimuth_deg"));
   sun.irradiance = section.spectrum("irradiance");
+  sun.unit = static_cast<SunUnit>(section.choice("unit").value_or(0));
   sun.disc = {.visible = disc.boolean("visible"),
               .angular_radius = radians_from_degrees(disc.number("angular_radius_deg")),
               .limb_darkening = disc.number("limb_darkening"),

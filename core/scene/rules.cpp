@@ -132,6 +132,14 @@ constexpr auto kRules = std::to_array<Rule>({
      .default_text = "1",
      .meaning = "at the top of the atmosphere on a plane that faces the sun; radiance comes out in the same unit per "
                 "steradian"},
+    {.key = "sun.unit",
+     .type = RuleType::choice,
+     .default_text = "relative",
+     .choices = kSunUnitNames,
+     .meaning = "what `irradiance` is in: `relative` says nothing of the absolute; `lux`: its BT.709 luminance, "
+                "0.2126 R + 0.7152 G + 0.0722 B, is the illuminance in lux, and that of radiance is in cd/m2; `W/m2`: "
+                "R = G = B = E is white sunlight of E W/m2 over its whole spectrum, at 128 000 lux / 1361 W/m2 = 94.05 "
+                "lm/W"},
     {.key = "sun.disc.visible",
      .type = RuleType::boolean,
      .default_text = "true",

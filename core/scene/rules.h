@@ -68,6 +68,7 @@ inline constexpr std::array<std::string_view, 5> kProfileNames = {"exponential",
 inline constexpr std::array<std::string_view, 5> kPhaseNames = {"rayleigh", "henyey-greenstein", "cornette-shanks",
                                                                 "schlick", "isotropic"};
 inline constexpr std::array<std::string_view, 3> kProjectionNames = {"perspective", "equirectangular", "fisheye"};
+inline constexpr std::array<std::string_view, 3> kSunUnitNames = {"relative", "W/m2", "lux"};
 inline constexpr std::array<std::string_view, 6> kToneCurveNames = {"aces",        "reinhard", "reinhard-luminance",
                                                                     "exponential", "clamp",    "none"};
 

@@ -21,6 +21,7 @@ inline constexpr int kMaxDensityLayers = 256;  // over all media of a scene
 enum class DensityProfile { exponential, tent, lorentzian, constant, layers };
 enum class PhaseFunction { rayleigh, henyey_greenstein, cornette_shanks, schlick, isotropic };
 enum class Projection { perspective, equirectangular, fisheye };
+enum class SunUnit { relative, watts_per_square_metre, lux };
 enum class ToneCurve { aces, reinhard, reinhard_luminance, exponential, clamp, none };
 
 struct DensityLayer {
@@ -63,6 +64,7 @@ struct Sun {
   double elevation = 0.0;  // rad
   double azimuth = 0.0;    // rad, clockwise from north
   Spectrum irradiance{1.0, 1.0, 1.0};
+  SunUnit unit = SunUnit::relative;  // of irradiance; radiance is in the same per steradian
   SunDisc disc;
 };
 
