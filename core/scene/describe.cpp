@@ -83,7 +83,10 @@ void describe_camera(Lines& lines, const Camera& camera, const ImageSize& image)
       .angle("pitch", camera.pitch)
       .angle("roll", camera.roll)
       .line("projection", kProjectionNames.at(static_cast<std::size_t>(camera.projection)));
-  if (camera.projection != Projection::equirectangular) {
+  if (camera.projection == Projection::cube) {
+    lines.line("cube layout", kCubeLayoutNames.at(static_cast<std::size_t>(camera.cube_layout)));
+  }
+  if (!is_map(camera.projection)) {
     lines.angle("vertical field of view", camera.vertical_fov);
   }
   lines.line("image", std::to_string(image.width) + " x " + std::to_string(image.height) + " pixels");

@@ -25,7 +25,8 @@ constexpr std::array<std::string_view, 1> kConstant = {"constant"};
 constexpr std::array<std::string_view, 1> kLayered = {"layers"};
 constexpr std::array<std::string_view, 1> kPerspective = {"perspective"};
 constexpr std::array<std::string_view, 1> kFisheye = {"fisheye"};
-constexpr std::array<std::string_view, 1> kEquirectangular = {"equirectangular"};
+constexpr std::array<std::string_view, 3> kMaps = {"equirectangular", "cube", "octahedral"};
+constexpr std::array<std::string_view, 1> kCube = {"cube"};
 
 constexpr auto kRules = std::to_array<Rule>({
     {.key = "airlight", .type = RuleType::version, .required = true, .meaning = "the format's version, 1"},
@@ -170,12 +171,12 @@ constexpr auto kRules = std::to_array<Rule>({
      .range = kRightAngle,
      .unit = "degrees",
      .default_text = "0",
-     .meaning = "elevation of the picture's centre; 0 for `equirectangular`"},
+     .meaning = "elevation of the picture's centre; 0 for `equirectangular`, `cube` and `octahedral`"},
     {.key = "camera.roll_deg",
      .range = kAnyAngle,
      .unit = "degrees",
      .default_text = "0",
-     .meaning = "about the view direction; 0 for `equirectangular`"},
+     .meaning = "about the view direction; 0 for `equirectangular`, `cube` and `octahedral`"},
     {.key = "camera.projection",
      .type = RuleType::choice,
      .default_text = "perspective",
@@ -197,8 +198,16 @@ constexpr auto kRules = std::to_array<Rule>({
     {.key = "camera.vertical_fov_deg",
      .range = {.minimum = 0.0, .maximum = 360.0, .minimum_excluded = true},
      .unit = "degrees",
-     .only_for = kEquirectangular,
+     .only_for = kMaps,
      .meaning = "not used: the picture is the whole sphere"},
+    {.key = "camera.cube_layout",
+     .type = RuleType::choice,
+     .default_text = "stack",
+     .choices = kCubeLayoutNames,
+     .only_for = kCube,
+     .meaning =
+         "how the six faces stand: `stack`, OpenEXR's, is 1 x 6 of them from above, `strip` 6 x 1 from the left, "
+         "`cross` 3 x 4 as they hang together"},
 
     {.key = "image.width",
      .type = RuleType::integer,
@@ -222,7 +231,7 @@ constexpr auto kRules = std::to_array<Rule>({
      .type = RuleType::boolean,
      .default_text = "true",
      .meaning = "glow around what is brighter than the threshold, in the PNG; stated true, it becomes a layer of the "
-                "EXR as well"},
+                "EXR as well; false for `cube` and `octahedral`, where it would stop at the edges"},
     {.key = "bloom.threshold",
      .range = kIrradiance,
      .default_text = "1",

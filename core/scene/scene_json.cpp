@@ -108,7 +108,10 @@ std::string camera_json(const Camera& camera) {
       .degrees("pitch_deg", camera.pitch)
       .degrees("roll_deg", camera.roll)
       .text("projection", name_of(camera.projection, kProjectionNames));
-  if (camera.projection != Projection::equirectangular) {
+  if (camera.projection == Projection::cube) {
+    object.text("cube_layout", name_of(camera.cube_layout, kCubeLayoutNames));
+  }
+  if (!is_map(camera.projection)) {
     object.degrees("vertical_fov_deg", camera.vertical_fov);
   }
   return object.str();

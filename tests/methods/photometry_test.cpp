@@ -5,9 +5,10 @@
 // 87 direct, 15 sky, 102 in all. Zenith: Karayel, Navvab, Ne'eman and Selkowitz 1984 (Energy and Buildings 6, 283) fit
 // 2 to 8 kcd/m2 to measured clear skies of ordinary turbidity at that height of the sun.
 
+#include "core/scene/photometry.h"
+
 #include <cmath>
 
-#include "core/scene/photometry.h"
 #include "core/scene/preset.h"
 #include "core/scene/resolve.h"
 #include "tests/methods/render_fixture.h"
@@ -61,10 +62,10 @@ TEST(Photometry, TheSunAboveTheAirHas128000LuxOfABlackBodyAt5772K) {
   const double y = 0.2126 * r + 0.7152 * g + 0.0722 * b;
   const double z = 0.0193 * r + 0.1192 * g + 0.9505 * b;
   const double t = 5772.0;
-  const double u = (0.860117757 + 1.54118254e-4 * t + 1.28641212e-7 * t * t) /
-                   (1.0 + 8.42420235e-4 * t + 7.08145163e-7 * t * t);
-  const double v = (0.317398726 + 4.22806245e-5 * t + 4.20481691e-8 * t * t) /
-                   (1.0 - 2.89741816e-5 * t + 1.61456053e-7 * t * t);
+  const double u =
+      (0.860117757 + 1.54118254e-4 * t + 1.28641212e-7 * t * t) / (1.0 + 8.42420235e-4 * t + 7.08145163e-7 * t * t);
+  const double v =
+      (0.317398726 + 4.22806245e-5 * t + 4.20481691e-8 * t * t) / (1.0 - 2.89741816e-5 * t + 1.61456053e-7 * t * t);
   EXPECT_NEAR(4.0 * x / (x + 15.0 * y + 3.0 * z), u, 3e-4);
   EXPECT_NEAR(6.0 * y / (x + 15.0 * y + 3.0 * z), v, 3e-4);
 }

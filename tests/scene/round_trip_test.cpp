@@ -90,6 +90,18 @@ TEST(RoundTrip, KeepsEveryValue) {
   expect_same(scene, scene_from(to_json(scene)));
 }
 
+TEST(RoundTrip, KeepsEachLayoutOfACubeAndTheOctahedralMap) {
+  for (const char* picture :
+       {R"("camera": {"projection": "cube"}, "image": {"width": 4, "height": 24})",
+        R"("camera": {"projection": "cube", "cube_layout": "strip"}, "image": {"width": 24, "height": 4})",
+        R"("camera": {"projection": "cube", "cube_layout": "cross"}, "image": {"width": 12, "height": 16})",
+        R"("camera": {"projection": "octahedral"}, "image": {"width": 9, "height": 9})"}) {
+    const Scene scene = scene_from(with_one_medium(picture));
+    EXPECT_FALSE(scene.bloom.enabled) << picture;
+    expect_same(scene, scene_from(to_json(scene)));
+  }
+}
+
 TEST(RoundTrip, KeepsTwoHundredRandomScenes) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
