@@ -21,7 +21,7 @@ Vector times(const ColorMatrix& m, const Vector& v) {
 ColorMatrix times(const ColorMatrix& a, const ColorMatrix& b) {
   ColorMatrix out{};
   for (std::size_t column = 0; column < 3; ++column) {
-    const Vector v = times(a, {b[0][column], b[1][column], b[2][column]});
+    const Vector v = times(a, Vector{b[0][column], b[1][column], b[2][column]});
     for (std::size_t row = 0; row < 3; ++row) {
       out[row][column] = v[row];
     }
