@@ -11,8 +11,7 @@ namespace {
 
 using std::numbers::pi;
 
-// The sky that lighting is taken from: 1.9 degrees a pixel. Against 512 x 256 the map changes by less than 0.3 % of its
-// mean at noon and at sunset.
+// The sky that lighting is taken from: 1.9 degrees a pixel. A finer one changes no coefficient by 0.3 % of the first.
 constexpr ImageSize kSkySize{192, 96};
 
 struct Node {

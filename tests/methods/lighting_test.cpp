@@ -167,6 +167,22 @@ TEST(Lighting, ThePlanetCutsTheSun) {
   EXPECT_LT(cap, 0.1955);
 }
 
+// Against a sky of seven times as many pixels, where it is hardest: an aureole on the horizon.
+TEST(Lighting, TheSkyItIsTakenFromIsFineEnough) {
+  for (const double elevation : {1.0, 60.0}) {
+    Scene scene = scene_at(elevation);
+    const Lighting lighting = lighting_of([]() -> Executor& { return executor(); }, scene, {});
+    Scene fine = all_round(scene, scene.camera.altitude, 512, 256);
+    fine.camera.azimuth = 0.0;
+    fine.sun.disc.visible = false;
+    const RadianceImage sky = render_now(fine).radiance;
+    const ShRadiance sh = project_to_sh(sky, 0.0);
+    for (std::size_t k = 0; k < 9; ++k) {
+      EXPECT_NEAR(lighting.sh[k][1], sh[k][1], 0.003 * sh[0][1]) << elevation << ", " << k;
+    }
+  }
+}
+
 // The whole of it, on a real sky: map and harmonics agree, and the ground's own irradiance is what the map has for up.
 TEST(Lighting, MapAndHarmonicsOfASkyAgree) {
   Scene scene = scene_at(30.0);
