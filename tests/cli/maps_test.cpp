@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -56,6 +57,28 @@ TEST_F(Maps, ProbePrintsLuminanceWhereTheUnitAllows) {
   const Json watts = Json::parse(
       tool(zenith + Names{"--set", "/sun/unit=W/m2", "--set", "/sun/irradiance=[1e5, 2e5, 3e5]", "--json"}).out);
   EXPECT_NEAR(watts["probes"][0]["luminance_cd_per_m2"].get<double>() / sum, 128000.0 / 1361.0, 1e-6);
+}
+
+// OpenEXR's attribute, as it stands in the header: name, type, size, value.
+std::optional<float> white_luminance_in(const std::string& exr) {
+  using namespace std::string_literals;
+  const std::string start = "whiteLuminance\0float\0\4\0\0\0"s;
+  const std::size_t at = exr.find(start);
+  if (at == std::string::npos) {
+    return std::nullopt;
+  }
+  float value = 0.0F;
+  std::memcpy(&value, exr.data() + at + start.size(), sizeof value);
+  return value;
+}
+
+TEST_F(Maps, TheExrSaysHowBrightWhiteIs) {
+  render({"-o", "a.exr"});
+  EXPECT_FALSE(white_luminance_in(scratch_.read("a.exr")).has_value());
+  render({"-o", "b.exr", "--set", "/sun/unit=lux"});
+  EXPECT_EQ(white_luminance_in(scratch_.read("b.exr")), 1.0F);
+  render({"-o", "c.exr", "--set", "/sun/unit=W/m2"});
+  EXPECT_NEAR(white_luminance_in(scratch_.read("c.exr")).value_or(0.0F), 94.049F, 1e-3F);
 }
 
 // Pixel by pixel the matrix; the PNG byte by byte the same; diff names the spaces and stops.

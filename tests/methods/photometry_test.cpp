@@ -2,8 +2,8 @@
 //
 // Ground, sun at 60 degrees, clear sky. IES daylight availability (Gillette, Pierpoint and Treado 1984; IES RP-21):
 // direct normal 128 exp(-0.21 m) klx of a solar constant of 128 klx, sky 0.8 + 15.5 sqrt(sin 60) klx on the horizontal:
-// 87 direct, 15 sky, 102 in all. Zenith: Karayel, Navvab, Ne'eman and Selkowitz 1984 (Energy and Buildings 6, 283) fit
-// a few kcd/m2, 2 to 8 by turbidity, to measured clear skies of ordinary turbidity at that height of the sun.
+// 87 direct, 15 sky, 102 in all. Zenith: a few kcd/m2 at that height of the sun, by the fits to measured clear skies
+// that Karayel, Navvab, Ne'eman and Selkowitz 1984 compare (Energy and Buildings 6, 283); taken here as 2 to 8.
 
 #include "core/scene/photometry.h"
 
