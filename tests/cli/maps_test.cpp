@@ -113,10 +113,10 @@ TEST_F(Maps, ASequenceInAnotherSpaceIsDoneAgainAndShownTheSame) {
                         "s.##.exr", "--contact-sheet", "s.png"};
   ASSERT_EQ(tool(frames).exit_code, 0);
   const std::string sheet = scratch_.read("s.png");
-  const std::string first = scratch_.read("s.00.exr");
+  const std::string first = scratch_.read("s.01.exr");
   const Outcome again = tool(frames + Names{"--colorspace", "linear-rec2020", "--float"});
   ASSERT_EQ(again.exit_code, 0) << again.err;
-  EXPECT_NE(scratch_.read("s.00.exr"), first);
+  EXPECT_NE(scratch_.read("s.01.exr"), first);
   const PixelImage found = read_png_picture(scratch_.path() / "s.png");
   scratch_.write("before.png", sheet);
   const PixelImage before = read_png_picture(scratch_.path() / "before.png");

@@ -104,7 +104,8 @@ TEST(SunDisc, KeepsItsEnergyInCoarseEquirectangularPictures) {
   }
 }
 
-// Over a face's middle, its edge, a corner of three faces, a fold, a pole.
+// Over a face's middle, its edge, a corner of three faces, a fold, a pole. A pixel of 15 degrees across a fold has its
+// solid angle from four points to 2 %.
 TEST(SunDisc, KeepsItsEnergyInMapsThatAreCut) {
   const std::pair<Projection, ImageSize> maps[] = {{Projection::cube, {5, 30}},
                                                    {Projection::cube, {24, 32}},
@@ -127,7 +128,7 @@ TEST(SunDisc, KeepsItsEnergyInMapsThatAreCut) {
                         .cube_layout = size.width == 24 ? CubeLayout::cross : CubeLayout::stack};
         scene.image = size;
         scene = with_method(scene, any_method(), true);
-        EXPECT_NEAR(flux(scene, render_now(scene).radiance, 1), 1.0, 0.015)
+        EXPECT_NEAR(flux(scene, render_now(scene).radiance, 1), 1.0, 0.02)
             << radius << " degrees at " << elevation << ", " << azimuth << " in " << size.width << " x " << size.height;
       }
     }

@@ -1,4 +1,4 @@
-// Cube and octahedral maps by every method: each pixel is the sky in its direction.
+// Cube maps by every method on the device, and an octahedral one: each pixel is the sky in its direction.
 
 #include <cmath>
 
@@ -10,15 +10,20 @@ namespace {
 
 TEST(Maps, EachPixelIsTheSkyInItsDirection) {
   for (const SkyMethod& method : methods()) {
+    if (!on_device(method)) {
+      continue;  // its samples are random
+    }
     for (const Projection projection : {Projection::cube, Projection::octahedral}) {
+      // The rays are the same for every method; a pipeline costs.
+      if (projection == Projection::octahedral && method.info.name != "march") {
+        continue;
+      }
       Scene scene = with_method(earth(), method, true);
       scene.camera = {.azimuth = 0.6, .projection = projection, .cube_layout = CubeLayout::cross};
       scene.image = projection == Projection::cube ? ImageSize{9, 12} : ImageSize{6, 6};
       scene.sun.disc.visible = false;
       scene.bloom.enabled = false;
-      RenderRequest request;
-      request.gpu_tone = true;
-      const Rendering rendering = render_now(scene, request);
+      const Rendering rendering = render_now(scene);
       const std::string what =
           std::string(method.info.name) + ", projection " + std::to_string(static_cast<int>(projection));
       expect_sound(rendering, what);
@@ -37,12 +42,10 @@ TEST(Maps, EachPixelIsTheSkyInItsDirection) {
         }
       }
       EXPECT_EQ(directions.size(), projection == Projection::cube ? 54U : 36U) << what;
-      if (!on_device(method)) {
-        continue;  // its samples are random
-      }
+      const float dark = 1e-5F * static_cast<float>(greatest(rendering.radiance));
       const std::vector<float> sky = probe_picture([]() -> Executor& { return executor(); }, scene, directions);
       for (std::size_t i = 0; i < directions.size(); ++i) {
-        EXPECT_NEAR(pixels[i][1], sky[3 * i + 1], 1e-3F * sky[3 * i + 1]) << what << ", " << i;
+        EXPECT_NEAR(pixels[i][1], sky[3 * i + 1], 1e-3F * sky[3 * i + 1] + dark) << what << ", " << i;
       }
     }
   }
