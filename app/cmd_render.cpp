@@ -3,6 +3,8 @@
 
 #include "app/choice_options.h"
 #include "app/commands.h"
+#include "app/cube_faces.h"
+#include "app/lighting_files.h"
 #include "app/picture_files.h"
 #include "app/picture_options.h"
 #include "app/preset_source.h"
@@ -17,6 +19,7 @@
 #include "app/validity.h"
 #include "core/error.h"
 #include "core/output/atomic_file.h"
+#include "core/output/half_block.h"
 #include "core/scene/preset.h"
 #include "core/scene/resolve.h"
 
@@ -34,6 +37,8 @@ struct Given {
   std::optional<std::string> exr;
   std::optional<std::string> png;
   std::optional<std::string> tables;
+  std::optional<std::string> irradiance;
+  bool cube_faces = false;
   PictureOptions picture;
   bool timings = false;
   bool json = false;
@@ -65,6 +70,18 @@ void check_targets(const Given& given, const Targets& targets) {
   }
   if (!targets.tables.empty()) {
     require_folder(targets.tables);
+  }
+  if (given.irradiance) {
+    require_ending(*given.irradiance, "render: --irradiance", ".exr");
+    require_writable(*given.irradiance);
+    require_writable(lighting_json_file(*given.irradiance));
+    std::error_code ignored;
+    if (fs::equivalent(lighting_json_file(*given.irradiance), given.scene.preset, ignored)) {
+      throw InputError("render: --irradiance: '" + given.scene.preset + "' would be written over; give another name");
+    }
+    if (*given.irradiance == targets.exr) {
+      throw InputError("render: --irradiance: '" + targets.exr + "' is where -o writes; give a name of its own");
+    }
   }
 }
 
@@ -144,6 +161,33 @@ void tell_people(const Given& given, const RenderReport& report) {
   }
 }
 
+// One picture, or the six of a cube.
+Published publish_pictures(const Given& given, const PictureContext& context, const Targets& targets,
+                           const std::optional<DisplayTransform>& transform, Stopwatch& watch) {
+  const PublishOrder order{targets, given.scene.preset, !given.picture.full_float, given.picture.bits};
+  if (!given.cube_faces) {
+    return publish(context, order, transform, watch);
+  }
+  Published all;
+  for (const CubeFace& face : cube_faces(context.scene, context.rendering)) {
+    PublishOrder one = order;
+    one.targets = {face_file(targets.exr, face.name), face_file(targets.png, face.name), ""};
+    Provenance provenance = context.provenance;
+    provenance.preset_json = to_json(face.scene);
+    const PictureContext of_face{face.scene, face.rendering, provenance, context.choice, {}, {}, context.space};
+    const Published done = publish(of_face, one, transform, watch);
+    all.files.insert(all.files.end(), done.files.begin(), done.files.end());
+    if (done.exr) {
+      add_counts(all.exr ? *all.exr : all.exr.emplace(), *done.exr);
+    }
+  }
+  if (!targets.tables.empty()) {
+    const std::vector<std::string> tables = write_tables(targets.tables, context.rendering.tables, context.provenance);
+    all.files.insert(all.files.end(), tables.begin(), tables.end());
+  }
+  return all;
+}
+
 // From a checked scene to files on disk.
 void render_and_publish(const Given& given, const Scene& scene, const Targets& targets,
                         const std::optional<DisplayTransform>& transform, const std::optional<ChoiceReport>& choice,
@@ -157,15 +201,28 @@ void render_and_publish(const Given& given, const Scene& scene, const Targets& t
     rendering.left_out.insert(rendering.left_out.begin(), choice->choice.left_out.begin(),
                               choice->choice.left_out.end());
   }
+  std::optional<Lighting> lighting;
+  if (given.irradiance && rendering.fault().empty()) {
+    lighting = lighting_of(device_on_demand(given.scene, executor), scene, request.host);
+    clear_progress();
+    watch.lap("irradiance");
+  }
   require_valid_vulkan();
   const std::optional<DeviceInfo> device = executor ? std::optional(executor->device()) : std::nullopt;
   const PictureContext context{
       scene,
       rendering,
       {to_json(scene), scene.render.method, AIRLIGHT_VERSION, device ? device->name : "the processor"},
-      choice ? std::optional(ChoiceNote{choice->choice.chosen->quality, choice->choice.error}) : std::nullopt};
-  const Published done =
-      publish(context, {targets, given.scene.preset, !given.picture.full_float, given.picture.bits}, transform, watch);
+      choice ? std::optional(ChoiceNote{choice->choice.chosen->quality, choice->choice.error}) : std::nullopt,
+      {},
+      {},
+      working_space_of(given.picture)};
+  Published done = publish_pictures(given, context, targets, transform, watch);
+  if (lighting) {
+    const std::vector<std::string> files = write_lighting(*given.irradiance, *lighting, context);
+    done.files.insert(done.files.end(), files.begin(), files.end());
+    watch.lap("irradiance, writing");
+  }
   const Plan plan = plan_for(scene, request);
   RenderReport report{scene, rendering, plan, device, done.files, done.exr, {}, {}, choice, watch};
   report.exr_format = given.picture.full_float ? "float" : "half";
@@ -182,6 +239,9 @@ int run_render(const Given& given) {
   Stopwatch watch;
   Scene scene = scene_of(given);
   const std::optional<ChoiceWish> wish = choice_wish(given, scene);
+  if (given.cube_faces) {
+    require_cube_stack(scene);
+  }
   const Targets targets = choose_targets(given);
   if (!given.dry_run) {
     check_targets(given, targets);
@@ -223,6 +283,13 @@ std::vector<Option> render_options(Given& given) {
        Completes::file},
       {"--luts", "DIR", "Also write every table into this folder, as 'airlight luts' does", &given.tables,
        Completes::folder},
+      {"--irradiance", "FILE.exr",
+       "Also write what the sky gives a diffuse surface: a map over normals here, and in FILE.json beside it its 9 "
+       "spherical-harmonic coefficients and the sun as a directional light",
+       &given.irradiance, Completes::file},
+      {"--cube-faces", "",
+       "Write a cube map as six pictures instead of one: FILE.posx.exr, .negx, .posy, .negy, .posz, .negz",
+       &given.cube_faces},
       size_option(given.scene)};
   for (Option& option : scene_options(given.scene)) {
     options.push_back(std::move(option));
@@ -276,6 +343,9 @@ Command render_command() {
                       {"airlight render earth-noon --set /camera/pitch_deg=20 --png up.png --view gpu",
                        "Look up, and show the picture by the GPU tone curve"},
                       {"airlight render my-sky.json --tolerance 1% -o sky.exr", "Model no more than 1 % asks for"},
+                      {"airlight render my-sky.json --colorspace ACEScg -o sky.exr", "An EXR for an ACES pipeline"},
+                      {"airlight render my-sky.json --irradiance light.exr -o sky.exr",
+                       "Also light.exr and light.json, for image-based lighting"},
                       {"airlight render sky.exr -o again.exr", "Render the picture of an EXR again"}};
   command.positionals = {preset_positional(given->scene)};
   command.options = render_options(*given);

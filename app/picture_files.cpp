@@ -2,18 +2,16 @@
 
 #include <array>
 #include <cmath>
+#include <deque>
 
 #include "core/output/png.h"
 #include "core/output/provenance_keys.h"
 #include "core/output/quantize.h"
 #include "core/physics/scene_data.h"
+#include "core/scene/photometry.h"
 
 namespace airlight::cli {
 namespace {
-
-bool has_outside(const Scene& scene) {
-  return scene.camera.projection == Projection::fisheye;
-}
 
 Axis axis(const physics::vec3& v) {
   return {v.x, v.y, v.z};
@@ -23,12 +21,17 @@ ExrOptions exr_options(const PictureContext& context, bool half) {
   const Scene& scene = context.scene;
   ExrOptions options;
   options.half = half;
+  options.space = context.space;
   options.latlong = scene.camera.projection == Projection::equirectangular;
+  options.cube = scene.camera.projection == Projection::cube && scene.camera.cube_layout == CubeLayout::stack;
   const CameraBasis basis = camera_basis(scene.camera);
   options.world_to_camera =
       world_to_camera(axis(basis.right), axis(basis.up), axis(basis.forward), scene.camera.altitude);
   options.comments = scene.name + (scene.name.empty() || scene.description.empty() ? "" : ": ") + scene.description;
   options.provenance = context.provenance;
+  if (const std::optional<double> white = white_luminance(scene.sun.unit)) {
+    options.white_luminance = static_cast<float>(*white);
+  }
   if (!context.exr_hash.empty()) {
     options.strings[kHashKey] = context.exr_hash;
   }
@@ -101,12 +104,19 @@ PngOptions png_options(const PictureContext& context, bool srgb) {
 ExrFile picture_exr(const PictureContext& context, bool half) {
   const Rendering& rendering = context.rendering;
   std::vector<ExrChannel> channels;
-  add_channels(channels, "", rendering.radiance, has_outside(context.scene));
+  std::deque<RadianceImage> kept;  // the converted pictures, which the channels point into
+  const auto add_colours = [&](std::string_view layer, const RadianceImage& image, bool with_alpha = false) {
+    const bool ours = context.space == WorkingSpace::linear_rec709;
+    const RadianceImage& stored =
+        ours ? image : kept.emplace_back(converted(image, WorkingSpace::linear_rec709, context.space));
+    add_channels(channels, layer, stored, with_alpha);
+  };
+  add_colours("", rendering.radiance, has_outside(context.scene.camera));
   if (context.scene.bloom.in_exr && rendering.bloom) {
-    add_channels(channels, "bloom", *rendering.bloom);
+    add_colours("bloom", *rendering.bloom);
   }
   if (rendering.standard_error) {
-    add_channels(channels, "standard_error", *rendering.standard_error);
+    add_colours("standard_error", *rendering.standard_error);
   }
   return encode_exr(rendering.radiance.width, rendering.radiance.height, channels, exr_options(context, half));
 }
@@ -124,7 +134,7 @@ std::vector<std::byte> picture_png(const PictureContext& context, const std::opt
     return encode_png(pixels, png_options(context, transform->is_srgb()));
   }
   const bool diagnostic = context.scene.display.view == kDiagnosticView;
-  const QuantizeOptions options{bits, !diagnostic, has_outside(context.scene)};
+  const QuantizeOptions options{bits, !diagnostic, has_outside(context.scene.camera)};
   const PixelImage pixels =
       quantize(diagnostic ? diagnostic_picture(rendering.radiance) : gpu_picture(context), options);
   return encode_png(pixels, png_options(context, true));

@@ -29,6 +29,7 @@ struct PictureContext {
   std::optional<ChoiceNote> choice = {};
   std::string exr_hash = {};  // of a sequence's frame, see app/sequence_job.h; empty: none is written
   std::string png_hash = {};
+  WorkingSpace space = WorkingSpace::linear_rec709;  // of the EXR's colours
 };
 
 ExrFile picture_exr(const PictureContext& context, bool half);

@@ -16,26 +16,39 @@ bool is_ocio_view(const std::string& view) {
 }  // namespace
 
 std::vector<Option> picture_options(PictureOptions& options) {
-  return {{"--float", "", "32-bit floats in the EXR instead of 16-bit ones", &options.full_float},
-          {"--ocio-config", "FILE", "OpenColorIO config for the PNG; else $OCIO, else the built-in one",
-           &options.ocio_config, Completes::file},
-          {"--display", "NAME", "Display of the OCIO config; short for --set /display/display=NAME", &options.display},
-          {"--view",
-           "NAME",
-           "View of the OCIO display, or gpu for the GPU tone curve, or diagnostic for a picture that colours NaN, "
-           "infinite, negative, zero and other numbers apart; short for --set /display/view=NAME",
-           &options.view,
-           Completes::nothing,
-           {},
-           {},
-           {kGpuView, kDiagnosticView}},
-          {"--bits",
-           "N",
-           "Bits of a channel in the PNG; 8 are dithered",
-           &options.bits,
-           Completes::nothing,
-           {},
-           {"8", "16"}}};
+  return {
+      {"--float", "", "32-bit floats in the EXR instead of 16-bit ones", &options.full_float},
+      {"--colorspace",
+       "NAME",
+       "Linear space of the EXR's colours (default: linear-rec709); its chromaticities stand in the header, and the "
+       "PNG stays as it is",
+       &options.colorspace,
+       Completes::nothing,
+       {},
+       {working_space_names().begin(), working_space_names().end()}},
+      {"--ocio-config", "FILE", "OpenColorIO config for the PNG; else $OCIO, else the built-in one",
+       &options.ocio_config, Completes::file},
+      {"--display", "NAME", "Display of the OCIO config; short for --set /display/display=NAME", &options.display},
+      {"--view",
+       "NAME",
+       "View of the OCIO display, or gpu for the GPU tone curve, or diagnostic for a picture that colours NaN, "
+       "infinite, negative, zero and other numbers apart; short for --set /display/view=NAME",
+       &options.view,
+       Completes::nothing,
+       {},
+       {},
+       {kGpuView, kDiagnosticView}},
+      {"--bits",
+       "N",
+       "Bits of a channel in the PNG; 8 are dithered",
+       &options.bits,
+       Completes::nothing,
+       {},
+       {"8", "16"}}};
+}
+
+WorkingSpace working_space_of(const PictureOptions& options) {
+  return working_space(options.colorspace).value_or(WorkingSpace::linear_rec709);
 }
 
 std::vector<std::string> overrides(const PictureOptions& options) {
@@ -58,7 +71,7 @@ std::optional<DisplayTransform> display_transform(const PictureOptions& options,
   settings.display = scene.display.display;
   settings.view = scene.display.view;
   settings.pixels.bits = options.bits;
-  settings.pixels.alpha = scene.camera.projection == Projection::fisheye;
+  settings.pixels.alpha = has_outside(scene.camera);
   return DisplayTransform(settings);
 }
 

@@ -60,6 +60,7 @@ struct CameraData {
   real half_fov;  // of the height (perspective), of the shorter side (fisheye)
   uint width;
   uint height;
+  uint cube_layout;
 };
 
 struct SceneData {
