@@ -14,6 +14,7 @@
 #include "app/stopwatch.h"
 #include "app/table_files.h"
 #include "app/terminal.h"
+#include "app/tiled_picture.h"
 #include "app/validity.h"
 #include "core/error.h"
 #include "core/output/atomic_file.h"
@@ -34,6 +35,7 @@ struct Given {
   std::optional<std::string> exr;
   std::optional<std::string> png;
   std::optional<std::string> tables;
+  std::optional<std::string> tile;
   PictureOptions picture;
   bool timings = false;
   bool json = false;
@@ -144,38 +146,90 @@ void tell_people(const Given& given, const RenderReport& report) {
   }
 }
 
-// From a checked scene to files on disk.
-void render_and_publish(const Given& given, const Scene& scene, const Targets& targets,
-                        const std::optional<DisplayTransform>& transform, const std::optional<ChoiceReport>& choice,
-                        std::unique_ptr<Executor>& executor, Stopwatch& watch) {
-  RenderRequest request = request_of(scene, targets);
-  request.host = host_options(given.sampling, given.quiet);
-  Rendering rendering = render(device_on_demand(given.scene, executor), scene, request);
-  clear_progress();
-  watch.lap("render");
-  if (choice) {
-    rendering.left_out.insert(rendering.left_out.begin(), choice->choice.left_out.begin(),
-                              choice->choice.left_out.end());
-  }
-  require_valid_vulkan();
-  const std::optional<DeviceInfo> device = executor ? std::optional(executor->device()) : std::nullopt;
-  const PictureContext context{
-      scene,
-      rendering,
-      {to_json(scene), scene.render.method, AIRLIGHT_VERSION, device ? device->name : "the processor"},
-      choice ? std::optional(ChoiceNote{choice->choice.chosen->quality, choice->choice.error}) : std::nullopt};
-  const Published done =
-      publish(context, {targets, given.scene.preset, !given.picture.full_float, given.picture.bits}, transform, watch);
-  const Plan plan = plan_for(scene, request);
-  RenderReport report{scene, rendering, plan, device, done.files, done.exr, {}, {}, choice, watch};
+std::optional<ChoiceNote> note_of(const std::optional<ChoiceReport>& choice) {
+  return choice ? std::optional(ChoiceNote{choice->choice.chosen->quality, choice->choice.error}) : std::nullopt;
+}
+
+// What a picture is made with, beside the scene.
+struct Means {
+  const Given& given;
+  const Targets& targets;
+  const std::optional<DisplayTransform>& transform;
+  const std::optional<ChoiceReport>& choice;
+  std::unique_ptr<Executor>& executor;
+  Stopwatch& watch;
+};
+
+std::optional<DeviceInfo> device_of(const Means& means) {
+  return means.executor ? std::optional(means.executor->device()) : std::nullopt;
+}
+
+Provenance provenance_of(const Means& means, const Scene& scene) {
+  const std::optional<DeviceInfo> device = device_of(means);
+  return {to_json(scene), scene.render.method, AIRLIGHT_VERSION, device ? device->name : "the processor"};
+}
+
+void tell(const Means& means, RenderReport& report) {
+  const Given& given = means.given;
   report.exr_format = given.picture.full_float ? "float" : "half";
-  if (!targets.png.empty()) {
-    report.view = transform ? transform->display() + " / " + transform->view() : scene.display.view;
+  if (!means.targets.png.empty()) {
+    report.view =
+        means.transform ? means.transform->display() + " / " + means.transform->view() : report.scene.display.view;
   }
   tell_people(given, report);
   if (given.json) {
     print(json_report(report));
   }
+}
+
+// From a checked scene to files on disk.
+void render_and_publish(const Means& means, const Scene& scene) {
+  const Given& given = means.given;
+  RenderRequest request = request_of(scene, means.targets);
+  request.layers = given.picture.layers;
+  request.host = host_options(given.sampling, given.quiet);
+  Rendering rendering = render(device_on_demand(given.scene, means.executor), scene, request);
+  clear_progress();
+  means.watch.lap("render");
+  if (means.choice) {
+    const std::vector<std::string>& left_out = means.choice->choice.left_out;
+    rendering.left_out.insert(rendering.left_out.begin(), left_out.begin(), left_out.end());
+  }
+  require_valid_vulkan();
+  const PictureContext context{scene, rendering, provenance_of(means, scene), note_of(means.choice)};
+  const Published done =
+      publish(context, {means.targets, given.scene.preset, !given.picture.full_float, given.picture.bits},
+              means.transform, means.watch);
+  const Plan plan = plan_for(scene, request);
+  RenderReport report{scene,    rendering, plan, device_of(means), done.files,
+                      done.exr, {},        {},   means.choice,     means.watch};
+  tell(means, report);
+}
+
+void render_in_tiles(const Means& means, const Scene& scene, const ImageSize& tile) {
+  const Given& given = means.given;
+  const DeviceOnDemand device = device_on_demand(given.scene, means.executor);
+  device();  // its name stands in the header, before the first tile
+  const TiledOrder order{
+      .tile = tile,
+      .layers = given.picture.layers,
+      .half = !given.picture.full_float,
+      .file = means.targets.exr,
+      .source = given.scene.preset,
+      .provenance = provenance_of(means, scene),
+      .choice = note_of(means.choice),
+      .left_out = means.choice ? means.choice->choice.left_out : std::vector<std::string>(),
+      .report = host_options(given.sampling, given.quiet).report,
+  };
+  const TiledPicture done = write_tiled(device, scene, order);
+  clear_progress();
+  means.watch.lap("render, EXR, encoding and writing");
+  require_valid_vulkan();
+  const Plan plan = plan_for(scene, {});
+  RenderReport report{scene, done.rendering, plan,       device_of(means), {order.file}, done.counts, {},
+                      {},    means.choice,   means.watch};
+  report.tile = tile;
+  tell(means, report);
 }
 
 int run_render(const Given& given) {
@@ -186,32 +240,43 @@ int run_render(const Given& given) {
   if (!given.dry_run) {
     check_targets(given, targets);
   }
+  if (!wish) {
+    require_layers(given.picture, scene, !targets.exr.empty(), "render");
+  }
   watch.lap("preset and checks");
   std::unique_ptr<Executor> executor;
   std::optional<ChoiceReport> choice;
   if (wish) {
     choice = choose_rendering(scene, *wish, device_on_demand(given.scene, executor));
     scene = choice->choice.chosen->scene;
+    require_layers(given.picture, scene, !targets.exr.empty(), "render");
     watch.lap("choice of method and quality");
   }
   if (given.dry_run) {
     return dry_run(scene, targets, choice);
   }
+  const std::optional<ImageSize> tile = tile_for(given.tile, scene, targets, given.picture.layers);
   std::optional<DisplayTransform> transform;
   if (!targets.png.empty()) {
     transform = display_transform(given.picture, scene);
     watch.lap("OCIO config");
   }
   if (!given.quiet) {
-    const std::string warning = validity_warning(scene);
-    if (!warning.empty()) {
-      complain("warning: " + warning);
+    for (const std::string& warning : {validity_warning(scene), tile ? "" : untiled_warning(scene, targets)}) {
+      if (!warning.empty()) {
+        complain("warning: " + warning);
+      }
     }
     if (transform && !transform->warning().empty()) {
       complain("warning: " + transform->warning());
     }
   }
-  render_and_publish(given, scene, targets, transform, choice, executor, watch);
+  const Means means{given, targets, transform, choice, executor, watch};
+  if (tile) {
+    render_in_tiles(means, scene, *tile);
+  } else {
+    render_and_publish(means, scene);
+  }
   return 0;
 }
 
@@ -223,6 +288,11 @@ std::vector<Option> render_options(Given& given) {
        Completes::file},
       {"--luts", "DIR", "Also write every table into this folder, as 'airlight luts' does", &given.tables,
        Completes::folder},
+      {"--tile", "WxH",
+       "Render in tiles of this size, streamed into the EXR, in bounded memory; else in rows of tiles from 8388609 "
+       "pixels "
+       "on where neither PNG nor bloom needs the whole picture. The file is the same",
+       &given.tile},
       size_option(given.scene)};
   for (Option& option : scene_options(given.scene)) {
     options.push_back(std::move(option));
@@ -265,18 +335,31 @@ Command render_command() {
       "Every file appears whole or not at all. A result with a NaN, an infinity or a negative value is not written: "
       "the command fails and says where it is.\n\n"
       "An EXR of airlight's carries its whole preset: rendering the EXR renders the same picture again.\n\n"
+      "With --layers, NAME.R, .G and .B of each medium that scatters, of multiple, sun and ground sum up to R, G and "
+      "B. "
+      "transmittance is that to the ground or to space, depth.Z the distance in km to the ground or to where the ray "
+      "leaves the air (1e10 where it meets neither; always 32 bits), N.X, .Y and .Z the ground's normal, x east, y up, "
+      "z "
+      "south, 0 where there is no ground. Bloom, where the preset asks for it in the EXR, is a layer outside the "
+      "sum.\n\n"
       "--tolerance and --time-limit choose method and quality for this scene and picture, whatever the preset has "
       "under "
       "render: a few hundred of the picture's directions are computed by candidates and by a near-truth quality. The "
       "choice, the error that it is sure to stay below and what it leaves out stand in the log, in --json and in the "
       "EXR; -v and --dry-run tell what was tried. A tolerance that nothing reaches is refused, the best being named.";
-  command.examples = {{"airlight render earth-sunset", "Write out/earth-sunset.exr and out/earth-sunset.png"},
-                      {"airlight render my-sky.json -o sky.exr --png sky.png --sun-elevation 2 --size 1920x1080",
-                       "A preset of one's own, with a lower sun and a larger picture"},
-                      {"airlight render earth-noon --set /camera/pitch_deg=20 --png up.png --view gpu",
-                       "Look up, and show the picture by the GPU tone curve"},
-                      {"airlight render my-sky.json --tolerance 1% -o sky.exr", "Model no more than 1 % asks for"},
-                      {"airlight render sky.exr -o again.exr", "Render the picture of an EXR again"}};
+  command.examples = {
+      {"airlight render earth-sunset", "Write out/earth-sunset.exr and out/earth-sunset.png"},
+      {"airlight render my-sky.json -o sky.exr --png sky.png --sun-elevation 2 --size 1920x1080",
+       "A preset of one's own, with a lower sun and a larger picture"},
+      {"airlight render earth-noon --set /camera/pitch_deg=20 --png up.png --view gpu",
+       "Look up, and show the picture by the GPU tone curve"},
+      {"airlight render my-sky.json --tolerance 1% -o sky.exr", "Model no more than 1 % asks for"},
+      {"airlight render sky.exr -o again.exr", "Render the picture of an EXR again"},
+      {"airlight render earth-sunset --layers -o layers.exr --size 160x90",
+       "Rayleigh, mie, multiple, sun, ground, transmittance, depth and normals apart, for compositing"},
+      {"airlight render earth-noon --set /camera/projection=equirectangular --size 256x128 --tile 100x30 "
+       "-o tiles.exr",
+       "A picture of any size in bounded memory"}};
   command.positionals = {preset_positional(given->scene)};
   command.options = render_options(*given);
   command.run = [given] { return run_render(*given); };

@@ -16,6 +16,9 @@ namespace airlight::cli {
 inline constexpr const char* kGpuView = "gpu";                // the GPU tone curve
 inline constexpr const char* kDiagnosticView = "diagnostic";  // what kind of number each pixel holds
 
+// The attribute of an EXR that says what its PNG was exposed by.
+inline constexpr const char* kExposureKey = "airlight:exposure";
+
 // Of a method and quality that were chosen for the picture.
 struct ChoiceNote {
   std::string quality;
@@ -30,6 +33,10 @@ struct PictureContext {
   std::string exr_hash = {};  // of a sequence's frame, see app/sequence_job.h; empty: none is written
   std::string png_hash = {};
 };
+
+// The channels of an EXR of this context, read from its rendering: the beauty and what stands beside it.
+std::vector<ExrChannel> picture_channels(const PictureContext& context);
+ExrOptions exr_options(const PictureContext& context, bool half);
 
 ExrFile picture_exr(const PictureContext& context, bool half);
 

@@ -16,26 +16,31 @@ bool is_ocio_view(const std::string& view) {
 }  // namespace
 
 std::vector<Option> picture_options(PictureOptions& options) {
-  return {{"--float", "", "32-bit floats in the EXR instead of 16-bit ones", &options.full_float},
-          {"--ocio-config", "FILE", "OpenColorIO config for the PNG; else $OCIO, else the built-in one",
-           &options.ocio_config, Completes::file},
-          {"--display", "NAME", "Display of the OCIO config; short for --set /display/display=NAME", &options.display},
-          {"--view",
-           "NAME",
-           "View of the OCIO display, or gpu for the GPU tone curve, or diagnostic for a picture that colours NaN, "
-           "infinite, negative, zero and other numbers apart; short for --set /display/view=NAME",
-           &options.view,
-           Completes::nothing,
-           {},
-           {},
-           {kGpuView, kDiagnosticView}},
-          {"--bits",
-           "N",
-           "Bits of a channel in the PNG; 8 are dithered",
-           &options.bits,
-           Completes::nothing,
-           {},
-           {"8", "16"}}};
+  return {
+      {"--layers", "",
+       "Also write into the EXR: each medium's single scattering under its name, multiple, sun and ground, whose sum "
+       "is the picture, and transmittance, depth (km) and N, the ground's normal",
+       &options.layers},
+      {"--float", "", "32-bit floats in the EXR instead of 16-bit ones", &options.full_float},
+      {"--ocio-config", "FILE", "OpenColorIO config for the PNG; else $OCIO, else the built-in one",
+       &options.ocio_config, Completes::file},
+      {"--display", "NAME", "Display of the OCIO config; short for --set /display/display=NAME", &options.display},
+      {"--view",
+       "NAME",
+       "View of the OCIO display, or gpu for the GPU tone curve, or diagnostic for a picture that colours NaN, "
+       "infinite, negative, zero and other numbers apart; short for --set /display/view=NAME",
+       &options.view,
+       Completes::nothing,
+       {},
+       {},
+       {kGpuView, kDiagnosticView}},
+      {"--bits",
+       "N",
+       "Bits of a channel in the PNG; 8 are dithered",
+       &options.bits,
+       Completes::nothing,
+       {},
+       {"8", "16"}}};
 }
 
 std::vector<std::string> overrides(const PictureOptions& options) {
@@ -68,6 +73,19 @@ RenderRequest request_for(const Scene& scene, bool exr, bool png) {
   request.bloom = shown || (scene.bloom.in_exr && exr);
   request.gpu_tone = shown && scene.display.view == kGpuView;
   return request;
+}
+
+void require_layers(const PictureOptions& options, const Scene& scene, bool exr, const std::string& command) {
+  if (!options.layers) {
+    return;
+  }
+  if (!exr) {
+    throw InputError(command + ": --layers: layers stand in the EXR, and none is written; give -o FILE.exr too");
+  }
+  if (find_method(scene.render.method)->add_layer_passes == nullptr) {
+    throw InputError(command + ": --layers: " + scene.render.method +
+                     " does not tell its light apart; choose by --method one of " + methods_with_layers());
+  }
 }
 
 void require_ending(const std::string& file, const std::string& option, const std::string& ending) {

@@ -42,7 +42,8 @@ Scene scene_of(const SequenceJob& job, const sequence::Frame& frame) {
 
 FrameHashes hashes_of(const PictureOptions& options, const std::string& display, const std::string& preset_json) {
   const std::string common = preset_json + "airlight " + AIRLIGHT_VERSION;
-  return {sequence::hash_text(common + (options.full_float ? ", float" : ", half")),
+  const std::string exr = common + (options.full_float ? ", float" : ", half") + (options.layers ? ", layers" : "");
+  return {sequence::hash_text(exr),
           sequence::hash_text(common + ", " + std::to_string(options.bits) + " bits, " + display)};
 }
 

@@ -87,7 +87,8 @@ struct SkyPasses {
 };
 
 // The light of a picture apart by where it comes from. `planes`: floats, three planes a layer over the view's tile:
-// single scattering of each medium that scatters, multiple scattering, the ground, then the transmittance along the ray.
+// single scattering of each medium that scatters, multiple scattering, the ground, then the transmittance along the
+// ray.
 struct LayerPasses {
   BufferId planes;
   std::optional<ImageId> transmittance;  // the method's table, if it has one: the sun's disc is seen through it

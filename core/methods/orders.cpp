@@ -67,7 +67,11 @@ FactorTable factor_table(const Scene& scene) {
   const TableSize size = scene.render.get<TableSize>("sky_lut");
   const auto sky = static_cast<std::uint32_t>(size[1]);
   const std::uint32_t media = scattering_media(scene);
-  return {static_cast<std::uint32_t>(size[0]),           sky / 2, 3 * sky / 4, sky, media,
+  return {static_cast<std::uint32_t>(size[0]),
+          sky / 2,
+          3 * sky / 4,
+          sky,
+          media,
           static_cast<std::uint32_t>(std::popcount(media)) + 1};
 }
 

@@ -60,10 +60,8 @@ std::vector<Specialization> constants_of(const Plan& plan, const Scene& scene, c
 ImageId add_sky_view_table(Plan& plan, const Scene& scene, const View& view, const MarchTables& tables) {
   const TableSize size = scene.render.get<TableSize>("sky_view_lut");
   const Extent extent{static_cast<std::uint32_t>(size[0]), static_cast<std::uint32_t>(size[1]), 1};
-  const ImageId out = plan.add_image({.name = "sky_view",
-                                      .extent = extent,
-                                      .format = Format::rgba32f,
-                                      .key = picture_table_key(view, "sky_view")});
+  const ImageId out = plan.add_image(
+      {.name = "sky_view", .extent = extent, .format = Format::rgba32f, .key = picture_table_key(view, "sky_view")});
   plan.add_pass({.name = "sky_view",
                  .shader = "sky_view",
                  .reads = reads_of(tables),

@@ -111,6 +111,15 @@ Rectangle pixels_of(const Scene& scene, const Box& box) {
           static_cast<std::uint32_t>(bottom - top)};
 }
 
+// What of the rectangle lies in the tile.
+Rectangle within(const Rectangle& all, const Picture& tile) {
+  const std::uint32_t left = std::max(all.left, tile.x);
+  const std::uint32_t top = std::max(all.top, tile.y);
+  const std::uint32_t right = std::min(all.left + all.width, tile.x + tile.width);
+  const std::uint32_t bottom = std::min(all.top + all.height, tile.y + tile.height);
+  return right > left && bottom > top ? Rectangle{left, top, right - left, bottom - top} : Rectangle{};
+}
+
 // Samples along one side of a pixel: many where the whole disc falls into a few.
 std::uint32_t samples_for(double extent) {
   return extent < 3.0 ? 24 : 8;
@@ -127,13 +136,18 @@ bool wholly_set(physics::Physics& p, const Scene& scene) {
 
 }  // namespace
 
+Picture picture_of(BufferId buffer, const Tile& tile) {
+  const auto count = [](int n) { return static_cast<std::uint32_t>(n); };
+  return {buffer, count(tile.width), count(tile.height), count(tile.x), count(tile.y)};
+}
+
 bool add_sun_disc(Plan& plan, const Scene& scene, std::optional<ImageId> transmittance, const Picture& picture) {
   physics::Physics p = make_physics(scene);
   if (!scene.sun.disc.visible || scene.sun.disc.radiance_scale == 0.0 || wholly_set(p, scene)) {
     return false;
   }
   const std::optional<Box> box = disc_box(p, scene);
-  const Rectangle rectangle = box ? pixels_of(scene, *box) : Rectangle{};
+  const Rectangle rectangle = box ? within(pixels_of(scene, *box), picture) : Rectangle{};
   if (rectangle.width == 0) {
     return false;
   }

@@ -142,9 +142,15 @@ void run_post(Executor& executor, const Scene& scene, const RenderRequest& reque
   }
 }
 
+void add_layers(Rendering& out, Executor& executor, const Scene& scene) {
+  out.layers = render_layers(executor, scene, out.passes);
+  for (const Layer& layer : out.layers) {
+    out.layer_statistics.push_back({layer.name, layer_statistics(layer, scene.image.width)});
+  }
+}
+
 std::string fault_line(const std::string& name, const Statistics& s) {
-  return (name == "picture" ? std::string("the picture") : "the table " + name) + " holds " +
-         std::to_string(s.not_finite) + " non-finite and " + std::to_string(s.negative) +
+  return name + " holds " + std::to_string(s.not_finite) + " non-finite and " + std::to_string(s.negative) +
          " negative values, the first at column " + std::to_string(s.first_bad_x) + ", row " +
          std::to_string(s.first_bad_y);
 }
@@ -154,10 +160,18 @@ std::string fault_line(const std::string& name, const Statistics& s) {
 std::string Rendering::fault() const {
   for (const NamedStatistics& table : tables_statistics) {
     if (!table.statistics.sound()) {
-      return fault_line(table.name, table.statistics);
+      return fault_line("the table " + table.name, table.statistics);
     }
   }
-  return picture.sound() ? std::string() : fault_line("picture", picture);
+  if (!picture.sound()) {
+    return fault_line("the picture", picture);
+  }
+  for (const NamedStatistics& layer : layer_statistics) {
+    if (!layer.statistics.sound()) {
+      return fault_line("the layer " + layer.name, layer.statistics);
+    }
+  }
+  return {};
 }
 
 Rendering render(const DeviceOnDemand& device, const Scene& scene, const RenderRequest& request) {
@@ -184,6 +198,9 @@ Rendering render(const DeviceOnDemand& device, const Scene& scene, const RenderR
   out.radiance = image_from(result.contents(frame.picture.buffer), scene.image.width, scene.image.height);
   if (out.fault().empty()) {
     run_post(executor, scene, request, frame.plan, frame.picture, out);
+    if (request.layers) {
+      add_layers(out, executor, scene);
+    }
   }
   return out;
 }
