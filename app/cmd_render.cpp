@@ -347,19 +347,17 @@ Command render_command() {
       "render: a few hundred of the picture's directions are computed by candidates and by a near-truth quality. The "
       "choice, the error that it is sure to stay below and what it leaves out stand in the log, in --json and in the "
       "EXR; -v and --dry-run tell what was tried. A tolerance that nothing reaches is refused, the best being named.";
-  command.examples = {
-      {"airlight render earth-sunset", "Write out/earth-sunset.exr and out/earth-sunset.png"},
-      {"airlight render my-sky.json -o sky.exr --png sky.png --sun-elevation 2 --size 1920x1080",
-       "A preset of one's own, with a lower sun and a larger picture"},
-      {"airlight render earth-noon --set /camera/pitch_deg=20 --png up.png --view gpu",
-       "Look up, and show the picture by the GPU tone curve"},
-      {"airlight render my-sky.json --tolerance 1% -o sky.exr", "Model no more than 1 % asks for"},
-      {"airlight render sky.exr -o again.exr", "Render the picture of an EXR again"},
-      {"airlight render earth-sunset --layers -o layers.exr --size 160x90",
-       "Rayleigh, mie, multiple, sun, ground, transmittance, depth and normals apart, for compositing"},
-      {"airlight render earth-noon --set /camera/projection=equirectangular --size 256x128 --tile 100x30 "
-       "-o tiles.exr",
-       "A picture of any size in bounded memory"}};
+  command.examples = {{"airlight render earth-sunset", "Write out/earth-sunset.exr and out/earth-sunset.png"},
+                      {"airlight render my-sky.json -o sky.exr --png sky.png --sun-elevation 2 --size 1920x1080",
+                       "A preset of one's own, with a lower sun and a larger picture"},
+                      {"airlight render earth-noon --set /camera/pitch_deg=20 --png up.png --view gpu",
+                       "Look up, and show the picture by the GPU tone curve"},
+                      {"airlight render my-sky.json --tolerance 1% -o sky.exr", "Model no more than 1 % asks for"},
+                      {"airlight render sky.exr -o again.exr", "Render the picture of an EXR again"},
+                      {"airlight render earth-sunset --layers -o layers.exr --size 160x90",
+                       "Rayleigh, mie, multiple, sun, ground, transmittance, depth and normals apart, for compositing"},
+                      {"airlight render earth-noon --size 640x360 --tile 200x100 -o tiles.exr",
+                       "A picture of any size in bounded memory"}};
   command.positionals = {preset_positional(given->scene)};
   command.options = render_options(*given);
   command.run = [given] { return run_render(*given); };
