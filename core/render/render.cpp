@@ -1,6 +1,7 @@
 #include "core/render/render.h"
 
 #include <cassert>
+#include <chrono>
 #include <cstring>
 #include <span>
 #include <utility>
@@ -143,7 +144,10 @@ void run_post(Executor& executor, const Scene& scene, const RenderRequest& reque
 }
 
 void add_layers(Rendering& out, Executor& executor, const Scene& scene) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
   out.layers = render_layers(executor, scene, out.passes);
+  out.host.push_back({"layers", std::chrono::duration<double, std::milli>(Clock::now() - start).count()});
   for (const Layer& layer : out.layers) {
     out.layer_statistics.push_back({layer.name, layer_statistics(layer, scene.image.width)});
   }
@@ -157,14 +161,18 @@ std::string fault_line(const std::string& name, const Statistics& s) {
 
 }  // namespace
 
-std::string Rendering::fault() const {
+std::string Rendering::picture_fault() const {
   for (const NamedStatistics& table : tables_statistics) {
     if (!table.statistics.sound()) {
       return fault_line("the table " + table.name, table.statistics);
     }
   }
-  if (!picture.sound()) {
-    return fault_line("the picture", picture);
+  return picture.sound() ? std::string() : fault_line("the picture", picture);
+}
+
+std::string Rendering::fault() const {
+  if (std::string in_picture = picture_fault(); !in_picture.empty()) {
+    return in_picture;
   }
   for (const NamedStatistics& layer : layer_statistics) {
     if (!layer.statistics.sound()) {

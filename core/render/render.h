@@ -57,6 +57,7 @@ struct Rendering {
   // Empty, or one line that names the first table, layer or the picture that holds a NaN, an infinity or a negative
   // value, and where.
   std::string fault() const;
+  std::string picture_fault() const;  // the same without the layers
 };
 
 // Throws RunError when the device fails; a poisoned result is returned, not thrown: see Rendering::fault().
