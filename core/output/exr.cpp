@@ -20,6 +20,7 @@
 #include <cstring>
 #include <memory>
 #include <mutex>
+#include <stdexcept>
 #include <thread>
 #include <utility>
 
@@ -240,14 +241,16 @@ void encoding(const Work& work) {
   }
 }
 
-// Where the value of a float attribute stands in a header; nothing when it is not there.
-std::optional<std::size_t> place_of_number(std::span<const std::byte> head, const std::string& name) {
+// Where the value of a float attribute stands in a header.
+std::size_t place_of_number(std::span<const std::byte> head, const std::string& name) {
   using namespace std::string_literals;
-  const std::string mark = "\0"s + name + "\0float\0\4\0\0\0"s;
+  const std::string mark = name + "\0float\0\4\0\0\0"s;
   const auto found = std::search(head.begin(), head.end(), mark.begin(), mark.end(),
                                  [](std::byte b, char c) { return static_cast<char>(b) == c; });
-  return found == head.end() ? std::nullopt
-                             : std::optional(static_cast<std::size_t>(found - head.begin()) + mark.size());
+  if (found == head.end()) {
+    throw std::logic_error("EXR: the header has no number " + name + " to be set at the end");
+  }
+  return static_cast<std::size_t>(found - head.begin()) + mark.size();
 }
 
 }  // namespace
@@ -280,10 +283,9 @@ void ExrRows::add(int rows, std::span<const ExrChannel> channels) {
 ExrCounts ExrRows::finish(const std::map<std::string, float>& numbers) {
   state_->file.reset();  // writes the places of the rows
   for (const auto& [name, number] : numbers) {
-    const std::optional<std::size_t> place = place_of_number(state_->head, name);
-    assert(place);
+    const std::size_t place = place_of_number(state_->head, name);
     const auto bits = std::bit_cast<std::array<std::byte, sizeof number>>(number);  // little endian, as the file
-    state_->sink(*place, bits);
+    state_->sink(place, bits);
   }
   return state_->counts;
 }

@@ -116,6 +116,7 @@ TEST(Layers, SumUpToThePicture_Methods) {
   put(tabulated, "tabulate", std::string("always"));
   EXPECT_LT(greatest_gap(layered(tabulated)), kHalf) << "orders by a table";
   put(tabulated, "shells", std::string("always"));
+  put(tabulated, "orders", 2);
   EXPECT_LT(greatest_gap(layered(tabulated)), kHalf) << "orders by a table, by shells";
   Scene marched = named("sky-view", small_sky(2.0));
   put(marched, "ground_rays", std::string("march"));
