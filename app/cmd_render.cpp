@@ -223,7 +223,7 @@ void render_in_tiles(const Means& means, const Scene& scene, const ImageSize& ti
   };
   const TiledPicture done = write_tiled(device, scene, order);
   clear_progress();
-  means.watch.lap("render, EXR, encoding and writing");
+  means.watch.lap("render");
   require_valid_vulkan();
   const Plan plan = plan_for(scene, {});
   RenderReport report{scene, done.rendering, plan,       device_of(means), {order.file}, done.counts, {},
@@ -232,16 +232,29 @@ void render_in_tiles(const Means& means, const Scene& scene, const ImageSize& ti
   tell(means, report);
 }
 
+// The tile of a picture that is rendered in tiles. Throws InputError for layers and tiles that cannot be had.
+std::optional<ImageSize> tile_of(const Given& given, const Scene& scene, const Targets& targets) {
+  require_layers(given.picture, scene, !targets.exr.empty(), "render");
+  return tile_for(given.tile, scene, targets, given.picture.layers);
+}
+
+void warn(const Scene& scene, const Targets& targets, bool tiled, const std::optional<DisplayTransform>& transform) {
+  for (const std::string& warning :
+       {validity_warning(scene), tiled ? "" : untiled_warning(scene, targets), transform ? transform->warning() : ""}) {
+    if (!warning.empty()) {
+      complain("warning: " + warning);
+    }
+  }
+}
+
 int run_render(const Given& given) {
   Stopwatch watch;
   Scene scene = scene_of(given);
   const std::optional<ChoiceWish> wish = choice_wish(given, scene);
   const Targets targets = choose_targets(given);
+  std::optional<ImageSize> tile = wish ? std::nullopt : tile_of(given, scene, targets);
   if (!given.dry_run) {
     check_targets(given, targets);
-  }
-  if (!wish) {
-    require_layers(given.picture, scene, !targets.exr.empty(), "render");
   }
   watch.lap("preset and checks");
   std::unique_ptr<Executor> executor;
@@ -249,27 +262,19 @@ int run_render(const Given& given) {
   if (wish) {
     choice = choose_rendering(scene, *wish, device_on_demand(given.scene, executor));
     scene = choice->choice.chosen->scene;
-    require_layers(given.picture, scene, !targets.exr.empty(), "render");
+    tile = tile_of(given, scene, targets);
     watch.lap("choice of method and quality");
   }
   if (given.dry_run) {
     return dry_run(scene, targets, choice);
   }
-  const std::optional<ImageSize> tile = tile_for(given.tile, scene, targets, given.picture.layers);
   std::optional<DisplayTransform> transform;
   if (!targets.png.empty()) {
     transform = display_transform(given.picture, scene);
     watch.lap("OCIO config");
   }
   if (!given.quiet) {
-    for (const std::string& warning : {validity_warning(scene), tile ? "" : untiled_warning(scene, targets)}) {
-      if (!warning.empty()) {
-        complain("warning: " + warning);
-      }
-    }
-    if (transform && !transform->warning().empty()) {
-      complain("warning: " + transform->warning());
-    }
+    warn(scene, targets, tile.has_value(), transform);
   }
   const Means means{given, targets, transform, choice, executor, watch};
   if (tile) {

@@ -1,7 +1,9 @@
 #include "app/tiled_picture.h"
 
 #include <charconv>
+#include <chrono>
 #include <memory>
+#include <utility>
 
 #include "core/error.h"
 #include "core/methods/method.h"
@@ -80,13 +82,16 @@ std::string untiled_warning(const Scene& scene, const Targets& targets) {
 }
 
 TiledPicture write_tiled(const DeviceOnDemand& device, const Scene& scene, const TiledOrder& order) {
+  using Clock = std::chrono::steady_clock;
   FileInProgress file(order.file);
   std::unique_ptr<ExrRows> rows;
   TiledRequest request{.tile = order.tile, .layers = order.layers, .sink = {}, .report = order.report};
-  request.sink = [&](const Band& band) {
+  double writing_ms = 0.0;
+  request.sink = [&](Band& band) {
+    const Clock::time_point start = Clock::now();
     Rendering part;
-    part.radiance = band.radiance;
-    part.layers = band.layers;
+    part.radiance = std::move(band.radiance);
+    part.layers = std::move(band.layers);
     part.left_out = order.left_out;
     part.left_out.insert(part.left_out.end(), band.left_out.begin(), band.left_out.end());
     const PictureContext context{
@@ -99,7 +104,8 @@ TiledPicture write_tiled(const DeviceOnDemand& device, const Scene& scene, const
       rows = std::make_unique<ExrRows>(sink, scene.image.width, scene.image.height, channels,
                                        exr_options(context, order.half));
     }
-    rows->add(band.radiance.height, channels);
+    rows->add(part.radiance.height, channels);
+    writing_ms += std::chrono::duration<double, std::milli>(Clock::now() - start).count();
   };
   TiledPicture done{render_tiled(device, scene, request), {}};
   const std::string fault = done.rendering.fault();
@@ -108,6 +114,7 @@ TiledPicture write_tiled(const DeviceOnDemand& device, const Scene& scene, const
   }
   done.counts = rows->finish({{kExposureKey, static_cast<float>(done.rendering.exposure)}});
   file.commit();
+  done.rendering.host.push_back({"EXR, encoding and writing", writing_ms});
   done.rendering.left_out.insert(done.rendering.left_out.begin(), order.left_out.begin(), order.left_out.end());
   if (order.layers) {
     done.rendering.layers = layers_of(scene);

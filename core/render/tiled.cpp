@@ -100,6 +100,7 @@ void TiledRender::render_tile(Band& band, const Tile& tile) {
   const BufferId rows = whole_rows ? add_picture_statistics(plan, picture) : BufferId{};
   const RunResult result = executor_.run(plan);
   add_timings(out_.passes, result.passes);
+  add_timings(out_.host, result.host);
   if (first) {
     take_tables(plan, sky.tables, table_rows, result);
   }
@@ -124,6 +125,7 @@ void TiledRender::measure_rows(const RadianceImage& band) {
   const BufferId rows = add_picture_statistics(plan, picture_of(radiance, {0, 0, band.width, band.height}));
   const RunResult result = executor_.run(plan);
   add_timings(out_.passes, result.passes);
+  add_timings(out_.host, result.host);
   append_rows(result.contents(rows));
 }
 

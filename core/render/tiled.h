@@ -16,9 +16,9 @@ struct Band {
 };
 
 struct TiledRequest {
-  ImageSize tile;                         // its height is cut where a row of tiles would fill more than kBandBytes
-  bool layers = false;                    // of a method that has them
-  std::function<void(const Band&)> sink;  // from the top; what it throws is passed on
+  ImageSize tile;                   // its height is cut where a row of tiles would fill more than kBandBytes
+  bool layers = false;              // of a method that has them
+  std::function<void(Band&)> sink;  // from the top, to be emptied at will; what it throws is passed on
   std::function<bool(double done)> report = {};  // after each band, done in 0 to 1; empty: nobody listens
 };
 

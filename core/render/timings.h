@@ -1,5 +1,5 @@
 #pragma once
-// Times of passes that several plans of one picture have run.
+// Times of what several plans of one picture have run.
 
 #include <algorithm>
 #include <vector>
@@ -8,10 +8,11 @@
 
 namespace airlight {
 
-// Each pass once, with the sum of its times.
-inline void add_timings(std::vector<PassTiming>& all, const std::vector<PassTiming>& more) {
-  for (const PassTiming& timing : more) {
-    const auto same = [&](const PassTiming& other) { return other.name == timing.name; };
+// Each name once, with the sum of its times; of PassTiming or Milestone.
+template <class Timing>
+void add_timings(std::vector<Timing>& all, const std::vector<Timing>& more) {
+  for (const Timing& timing : more) {
+    const auto same = [&](const Timing& other) { return other.name == timing.name; };
     const auto found = std::find_if(all.begin(), all.end(), same);
     if (found == all.end()) {
       all.push_back(timing);

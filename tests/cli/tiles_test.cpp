@@ -60,6 +60,7 @@ TEST_F(Tiles, WhatNeedsTheWholePictureIsRefusedInOneLine) {
     words.insert(words.end(), more.begin(), more.end());
     return words;
   };
+  expect_refusal(with({}), "a PNG needs the whole picture");  // out/sky.png
   expect_refusal(with({"-o", "a.exr", "--png", "a.png"}), "a PNG needs the whole picture");
   expect_refusal(with({"-o", "a.exr", "--set", "/bloom/enabled=true"}), "bloom needs the whole picture");
   expect_refusal(with({"-o", "a.exr", "--method", "path-trace"}), "choose another --method");
@@ -123,6 +124,7 @@ TEST_F(Tiles, ASequenceHasLayersTooAndTellsFramesWithoutThemFromOthers) {
   const std::string plain = scratch_.read("f.1.exr");
   EXPECT_EQ(tool(layered).exit_code, 0);
   EXPECT_NE(scratch_.read("f.1.exr"), plain) << "a frame without layers was kept";
+  EXPECT_TRUE(contains(tool(layered).err, "0 frames rendered, 2 kept"));
   EXPECT_TRUE(contains(scratch_.read("f.2.exr"), "transmittance.R"));
   EXPECT_TRUE(contains(scratch_.read("f.2.exr"), "depth.Z"));
 }
