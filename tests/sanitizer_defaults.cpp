@@ -2,14 +2,9 @@
 
 extern "C" {
 
-const char* __asan_default_options();
 const char* __ubsan_default_options();
 const char* __lsan_default_options();
 const char* __lsan_default_suppressions();
-
-const char* __asan_default_options() {
-  return "detect_stack_use_after_return=1";
-}
 
 const char* __ubsan_default_options() {
   return "print_stacktrace=1";

@@ -12,6 +12,16 @@ if(AIRLIGHT_SANITIZE)
   set(test_properties_cli ${test_properties_measure})
 endif()
 
+# Tests are compiled for the compiler's sake: they spend their time in what they test.
+if(CMAKE_BUILD_TYPE STREQUAL "Release")
+  set(test_options -O1)
+endif()
+if(AIRLIGHT_PRECOMPILE)
+  airlight_precompiled(airlight_test_headers OFF ${airlight_standard_headers} <gtest/gtest.h>)
+  target_link_libraries(airlight_test_headers PRIVATE GTest::gtest)
+  target_compile_options(airlight_test_headers PRIVATE ${test_options})
+endif()
+
 # Every tests/ROOM/*_test.cpp of the rooms listed; one executable a room, so that a change rebuilds little.
 function(airlight_test_room room)
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${room}/*.cpp)
@@ -20,6 +30,10 @@ function(airlight_test_room room)
   endif()
   add_executable(test_${room} ${sources} ${AIRLIGHT_PROGRAM_SOURCES})
   target_link_libraries(test_${room} PRIVATE airlight_flags GTest::gtest GTest::gtest_main ${ARGN})
+  target_compile_options(test_${room} PRIVATE ${test_options})
+  if(AIRLIGHT_PRECOMPILE)
+    target_precompile_headers(test_${room} REUSE_FROM airlight_test_headers)
+  endif()
   target_compile_definitions(test_${room} PRIVATE AIRLIGHT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   gtest_discover_tests(test_${room} TEST_PREFIX ${test_prefix}${room}. DISCOVERY_TIMEOUT 60
                        PROPERTIES ${test_properties} ${test_properties_${room}})

@@ -230,7 +230,7 @@ TEST(Stability, WhatWasRenderedBeforeChangesNothing) {
       return;
     }
     std::vector<Scene> scenes;
-    Scene scene = small(every_kind(), method, 1.0);
+    Scene scene = small(earth(), method, 1.0);
     scene.sun.elevation = 3.0 * kDegree;
     scenes.push_back(scene);
     for (const ParameterInfo& parameter : method.info.parameters) {
@@ -245,8 +245,8 @@ TEST(Stability, WhatWasRenderedBeforeChangesNothing) {
         scenes.push_back(other);
       } else if (parameter.kind == ParameterKind::choice) {
         for (const std::string_view choice : parameter.choices) {
-          // Of a long list the ends: each is a set of pipelines.
-          if (parameter.choices.size() > 4 && choice != parameter.choices.front() && choice != "1") {
+          // Of a long list one: each is a set of pipelines.
+          if (parameter.choices.size() > 4 && choice != "1") {
             continue;
           }
           value = std::string(choice);
