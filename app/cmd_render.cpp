@@ -16,6 +16,7 @@
 #include "app/stopwatch.h"
 #include "app/table_files.h"
 #include "app/terminal.h"
+#include "app/tiled_picture.h"
 #include "app/validity.h"
 #include "core/error.h"
 #include "core/output/atomic_file.h"
@@ -39,6 +40,7 @@ struct Given {
   std::optional<std::string> tables;
   std::optional<std::string> irradiance;
   bool cube_faces = false;
+  std::optional<std::string> tile;
   PictureOptions picture;
   bool timings = false;
   bool json = false;
@@ -188,50 +190,140 @@ Published publish_pictures(const Given& given, const PictureContext& context, co
   return all;
 }
 
-// From a checked scene to files on disk.
-void render_and_publish(const Given& given, const Scene& scene, const Targets& targets,
-                        const std::optional<DisplayTransform>& transform, const std::optional<ChoiceReport>& choice,
-                        std::unique_ptr<Executor>& executor, Stopwatch& watch) {
-  RenderRequest request = request_of(scene, targets);
-  request.host = host_options(given.sampling, given.quiet);
-  Rendering rendering = render(device_on_demand(given.scene, executor), scene, request);
-  clear_progress();
-  watch.lap("render");
-  if (choice) {
-    rendering.left_out.insert(rendering.left_out.begin(), choice->choice.left_out.begin(),
-                              choice->choice.left_out.end());
-  }
-  std::optional<Lighting> lighting;
-  if (given.irradiance && rendering.fault().empty()) {
-    lighting = lighting_of(device_on_demand(given.scene, executor), scene, request.host);
-    clear_progress();
-    watch.lap("irradiance");
-  }
-  require_valid_vulkan();
-  const std::optional<DeviceInfo> device = executor ? std::optional(executor->device()) : std::nullopt;
-  const PictureContext context{
-      scene,
-      rendering,
-      {to_json(scene), scene.render.method, AIRLIGHT_VERSION, device ? device->name : "the processor"},
-      choice ? std::optional(ChoiceNote{choice->choice.chosen->quality, choice->choice.error}) : std::nullopt,
-      {},
-      {},
-      working_space_of(given.picture)};
-  Published done = publish_pictures(given, context, targets, transform, watch);
-  if (lighting) {
-    const std::vector<std::string> files = write_lighting(*given.irradiance, *lighting, context);
-    done.files.insert(done.files.end(), files.begin(), files.end());
-    watch.lap("irradiance, writing");
-  }
-  const Plan plan = plan_for(scene, request);
-  RenderReport report{scene, rendering, plan, device, done.files, done.exr, {}, {}, choice, watch};
+std::optional<ChoiceNote> note_of(const std::optional<ChoiceReport>& choice) {
+  return choice ? std::optional(ChoiceNote{choice->choice.chosen->quality, choice->choice.error}) : std::nullopt;
+}
+
+// What a picture is made with, beside the scene.
+struct Means {
+  const Given& given;
+  const Targets& targets;
+  const std::optional<DisplayTransform>& transform;
+  const std::optional<ChoiceReport>& choice;
+  std::unique_ptr<Executor>& executor;
+  Stopwatch& watch;
+};
+
+std::optional<DeviceInfo> device_of(const Means& means) {
+  return means.executor ? std::optional(means.executor->device()) : std::nullopt;
+}
+
+Provenance provenance_of(const Means& means, const Scene& scene) {
+  const std::optional<DeviceInfo> device = device_of(means);
+  return {to_json(scene), scene.render.method, AIRLIGHT_VERSION, device ? device->name : "the processor"};
+}
+
+void tell(const Means& means, RenderReport& report) {
+  const Given& given = means.given;
   report.exr_format = given.picture.full_float ? "float" : "half";
-  if (!targets.png.empty()) {
-    report.view = transform ? transform->display() + " / " + transform->view() : scene.display.view;
+  if (!means.targets.png.empty()) {
+    report.view =
+        means.transform ? means.transform->display() + " / " + means.transform->view() : report.scene.display.view;
   }
   tell_people(given, report);
   if (given.json) {
     print(json_report(report));
+  }
+}
+
+// What --irradiance asks for; nothing: it was not given.
+std::optional<Lighting> lighting_for(const Means& means, const Scene& scene) {
+  if (!means.given.irradiance) {
+    return std::nullopt;
+  }
+  const Lighting lighting = lighting_of(device_on_demand(means.given.scene, means.executor), scene,
+                                        host_options(means.given.sampling, means.given.quiet));
+  clear_progress();
+  means.watch.lap("irradiance");
+  return lighting;
+}
+
+void write_lighting_of(const Means& means, const PictureContext& context, const std::optional<Lighting>& lighting,
+                       std::vector<std::string>& files) {
+  if (lighting) {
+    const std::vector<std::string> written = write_lighting(*means.given.irradiance, *lighting, context);
+    files.insert(files.end(), written.begin(), written.end());
+    means.watch.lap("irradiance, writing");
+  }
+}
+
+// From a checked scene to files on disk.
+void render_and_publish(const Means& means, const Scene& scene) {
+  const Given& given = means.given;
+  RenderRequest request = request_of(scene, means.targets);
+  request.layers = given.picture.layers;
+  request.host = host_options(given.sampling, given.quiet);
+  Rendering rendering = render(device_on_demand(given.scene, means.executor), scene, request);
+  clear_progress();
+  means.watch.lap("render");
+  if (means.choice) {
+    const std::vector<std::string>& left_out = means.choice->choice.left_out;
+    rendering.left_out.insert(rendering.left_out.begin(), left_out.begin(), left_out.end());
+  }
+  const std::optional<Lighting> lighting = rendering.fault().empty() ? lighting_for(means, scene) : std::nullopt;
+  require_valid_vulkan();
+  const PictureContext context{scene, rendering, provenance_of(means, scene),    note_of(means.choice),
+                               {},    {},        working_space_of(given.picture)};
+  Published done = publish_pictures(given, context, means.targets, means.transform, means.watch);
+  write_lighting_of(means, context, lighting, done.files);
+  const Plan plan = plan_for(scene, request);
+  RenderReport report{scene,    rendering, plan, device_of(means), done.files,
+                      done.exr, {},        {},   means.choice,     means.watch};
+  tell(means, report);
+}
+
+void render_in_tiles(const Means& means, const Scene& scene, const ImageSize& tile) {
+  const Given& given = means.given;
+  const DeviceOnDemand device = device_on_demand(given.scene, means.executor);
+  device();  // its name stands in the header, before the first tile
+  const TiledOrder order{
+      .tile = tile,
+      .layers = given.picture.layers,
+      .half = !given.picture.full_float,
+      .file = means.targets.exr,
+      .source = given.scene.preset,
+      .provenance = provenance_of(means, scene),
+      .choice = note_of(means.choice),
+      .left_out = means.choice ? means.choice->choice.left_out : std::vector<std::string>(),
+      .report = host_options(given.sampling, given.quiet).report,
+      .space = working_space_of(given.picture),
+  };
+  const TiledPicture done = write_tiled(device, scene, order);
+  clear_progress();
+  means.watch.lap("render");
+  const std::optional<Lighting> lighting = lighting_for(means, scene);
+  require_valid_vulkan();
+  std::vector<std::string> files{order.file};
+  write_lighting_of(means,
+                    {.scene = scene, .rendering = done.rendering, .provenance = order.provenance, .space = order.space},
+                    lighting, files);
+  const Plan plan = plan_for(scene, {});
+  RenderReport report{scene, done.rendering, plan,       device_of(means), files, done.counts, {},
+                      {},    means.choice,   means.watch};
+  report.tile = tile;
+  tell(means, report);
+}
+
+// The tile of a picture that is rendered in tiles. Throws InputError for layers and tiles that cannot be had.
+std::optional<ImageSize> tile_of(const Given& given, const Scene& scene, const Targets& targets) {
+  require_layers(given.picture, scene, !targets.exr.empty(), "render");
+  if (given.cube_faces) {
+    if (given.tile || given.picture.layers) {
+      throw InputError(
+          std::string("render: --cube-faces cuts a picture that is there whole, without layers; leave out ") +
+          (given.tile ? "--tile" : "--layers") + ", or --cube-faces");
+    }
+    return std::nullopt;
+  }
+  return tile_for(given.tile, scene, targets, given.picture.layers);
+}
+
+void warn(const Scene& scene, const Targets& targets, bool tiled, const std::optional<DisplayTransform>& transform) {
+  for (const std::string& warning :
+       {validity_warning(scene), tiled ? "" : untiled_warning(scene, targets), transform ? transform->warning() : ""}) {
+    if (!warning.empty()) {
+      complain("warning: " + warning);
+    }
   }
 }
 
@@ -243,6 +335,7 @@ int run_render(const Given& given) {
     require_cube_stack(scene);
   }
   const Targets targets = choose_targets(given);
+  std::optional<ImageSize> tile = wish ? std::nullopt : tile_of(given, scene, targets);
   if (!given.dry_run) {
     check_targets(given, targets);
   }
@@ -252,6 +345,7 @@ int run_render(const Given& given) {
   if (wish) {
     choice = choose_rendering(scene, *wish, device_on_demand(given.scene, executor));
     scene = choice->choice.chosen->scene;
+    tile = tile_of(given, scene, targets);
     watch.lap("choice of method and quality");
   }
   if (given.dry_run) {
@@ -263,15 +357,14 @@ int run_render(const Given& given) {
     watch.lap("OCIO config");
   }
   if (!given.quiet) {
-    const std::string warning = validity_warning(scene);
-    if (!warning.empty()) {
-      complain("warning: " + warning);
-    }
-    if (transform && !transform->warning().empty()) {
-      complain("warning: " + transform->warning());
-    }
+    warn(scene, targets, tile.has_value(), transform);
   }
-  render_and_publish(given, scene, targets, transform, choice, executor, watch);
+  const Means means{given, targets, transform, choice, executor, watch};
+  if (tile) {
+    render_in_tiles(means, scene, *tile);
+  } else {
+    render_and_publish(means, scene);
+  }
   return 0;
 }
 
@@ -290,6 +383,10 @@ std::vector<Option> render_options(Given& given) {
       {"--cube-faces", "",
        "Write a cube map as six pictures instead of one: FILE.posx.exr, .negx, .posy, .negy, .posz, .negz",
        &given.cube_faces},
+      {"--tile", "WxH",
+       "Render in tiles of this size, streamed into the EXR, in bounded memory; else in rows of tiles from 8388609 "
+       "pixels on where neither PNG nor bloom needs the whole picture. The file is the same",
+       &given.tile},
       size_option(given.scene)};
   for (Option& option : scene_options(given.scene)) {
     options.push_back(std::move(option));
@@ -332,6 +429,11 @@ Command render_command() {
       "Every file appears whole or not at all. A result with a NaN, an infinity or a negative value is not written: "
       "the command fails and says where it is.\n\n"
       "An EXR of airlight's carries its whole preset: rendering the EXR renders the same picture again.\n\n"
+      "With --layers, NAME.R, .G and .B of each medium that scatters, of multiple, sun and ground sum up to R, G and "
+      "B. transmittance is that to the ground or to space, depth.Z the distance in km to the ground or to where the "
+      "ray leaves the air (1e10 where it meets neither; always 32 bits), N.X, .Y and .Z the ground's normal, x east, "
+      "y up, z south, 0 where there is no ground. Bloom, where the preset asks for it in the EXR, is a layer outside "
+      "the sum.\n\n"
       "--tolerance and --time-limit choose method and quality for this scene and picture, whatever the preset has "
       "under "
       "render: a few hundred of the picture's directions are computed by candidates and by a near-truth quality. The "
@@ -346,7 +448,11 @@ Command render_command() {
                       {"airlight render my-sky.json --colorspace ACEScg -o sky.exr", "An EXR for an ACES pipeline"},
                       {"airlight render my-sky.json --irradiance light.exr -o sky.exr",
                        "Also light.exr and light.json, for image-based lighting"},
-                      {"airlight render sky.exr -o again.exr", "Render the picture of an EXR again"}};
+                      {"airlight render sky.exr -o again.exr", "Render the picture of an EXR again"},
+                      {"airlight render earth-sunset --layers -o layers.exr --size 160x90",
+                       "Rayleigh, mie, multiple, sun, ground, transmittance, depth and normals apart, for compositing"},
+                      {"airlight render earth-noon --size 640x360 --tile 200x100 -o tiles.exr",
+                       "A picture of any size in bounded memory"}};
   command.positionals = {preset_positional(given->scene)};
   command.options = render_options(*given);
   command.run = [given] { return run_render(*given); };

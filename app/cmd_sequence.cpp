@@ -164,6 +164,7 @@ SequenceJob job_of(const Given& given) {
   job.shard = sequence::parse_shard(given.shard, "sequence: --shard");
   job.preset = preset_of(given);
   job.scene = resolve(job.preset, method_infos());
+  require_layers(given.picture, job.scene, given.exr.has_value(), "sequence");
   job.source = source_of(given, job.scene);
   refuse_idle_overrides(given, job.source);
   std::get<PresetObject>(job.preset.root.data).erase("sequence");

@@ -17,37 +17,6 @@ Axis axis(const physics::vec3& v) {
   return {v.x, v.y, v.z};
 }
 
-ExrOptions exr_options(const PictureContext& context, bool half) {
-  const Scene& scene = context.scene;
-  ExrOptions options;
-  options.half = half;
-  options.space = context.space;
-  options.latlong = scene.camera.projection == Projection::equirectangular;
-  options.cube = scene.camera.projection == Projection::cube && scene.camera.cube_layout == CubeLayout::stack;
-  const CameraBasis basis = camera_basis(scene.camera);
-  options.world_to_camera =
-      world_to_camera(axis(basis.right), axis(basis.up), axis(basis.forward), scene.camera.altitude);
-  options.comments = scene.name + (scene.name.empty() || scene.description.empty() ? "" : ": ") + scene.description;
-  options.provenance = context.provenance;
-  if (const std::optional<double> white = white_luminance(scene.sun.unit)) {
-    options.white_luminance = static_cast<float>(*white);
-  }
-  if (!context.exr_hash.empty()) {
-    options.strings[kHashKey] = context.exr_hash;
-  }
-  if (context.choice) {
-    options.strings["airlight:quality"] = context.choice->quality;
-    options.numbers["airlight:estimated_error"] = static_cast<float>(context.choice->error);
-    std::string left_out;
-    for (const std::string& line : context.rendering.left_out) {
-      left_out += (left_out.empty() ? "" : "\n") + line;
-    }
-    options.strings["airlight:left_out"] = left_out;
-  }
-  options.numbers["airlight:exposure"] = static_cast<float>(context.rendering.exposure);
-  return options;
-}
-
 // The GPU tone curve's 16-bit picture as floats, so that 8 bits are dithered as those of any other view.
 RadianceImage gpu_picture(const PictureContext& context) {
   const RadianceImage& radiance = context.rendering.radiance;
@@ -101,14 +70,45 @@ PngOptions png_options(const PictureContext& context, bool srgb) {
 
 }  // namespace
 
-ExrFile picture_exr(const PictureContext& context, bool half) {
+ExrOptions exr_options(const PictureContext& context, bool half) {
+  const Scene& scene = context.scene;
+  ExrOptions options;
+  options.half = half;
+  options.space = context.space;
+  options.latlong = scene.camera.projection == Projection::equirectangular;
+  options.cube = scene.camera.projection == Projection::cube && scene.camera.cube_layout == CubeLayout::stack;
+  const CameraBasis basis = camera_basis(scene.camera);
+  options.world_to_camera =
+      world_to_camera(axis(basis.right), axis(basis.up), axis(basis.forward), scene.camera.altitude);
+  options.comments = scene.name + (scene.name.empty() || scene.description.empty() ? "" : ": ") + scene.description;
+  options.provenance = context.provenance;
+  if (const std::optional<double> white = white_luminance(scene.sun.unit)) {
+    options.white_luminance = static_cast<float>(*white);
+  }
+  if (!context.exr_hash.empty()) {
+    options.strings[kHashKey] = context.exr_hash;
+  }
+  if (context.choice) {
+    options.strings["airlight:quality"] = context.choice->quality;
+    options.numbers["airlight:estimated_error"] = static_cast<float>(context.choice->error);
+    std::string left_out;
+    for (const std::string& line : context.rendering.left_out) {
+      left_out += (left_out.empty() ? "" : "\n") + line;
+    }
+    options.strings["airlight:left_out"] = left_out;
+  }
+  options.numbers[kExposureKey] = static_cast<float>(context.rendering.exposure);
+  return options;
+}
+
+PictureChannels picture_channels(const PictureContext& context) {
   const Rendering& rendering = context.rendering;
-  std::vector<ExrChannel> channels;
-  std::deque<RadianceImage> kept;  // the converted pictures, which the channels point into
+  PictureChannels result;
+  std::vector<ExrChannel>& channels = result.list;
   const auto add_colours = [&](std::string_view layer, const RadianceImage& image, bool with_alpha = false) {
     const bool ours = context.space == WorkingSpace::linear_rec709;
     const RadianceImage& stored =
-        ours ? image : kept.emplace_back(converted(image, WorkingSpace::linear_rec709, context.space));
+        ours ? image : result.kept.emplace_back(converted(image, WorkingSpace::linear_rec709, context.space));
     add_channels(channels, layer, stored, with_alpha);
   };
   add_colours("", rendering.radiance, has_outside(context.scene.camera));
@@ -118,7 +118,20 @@ ExrFile picture_exr(const PictureContext& context, bool half) {
   if (rendering.standard_error) {
     add_colours("standard_error", *rendering.standard_error);
   }
-  return encode_exr(rendering.radiance.width, rendering.radiance.height, channels, exr_options(context, half));
+  for (const Layer& layer : rendering.layers) {
+    const std::size_t plane = layer.planes.size() / layer.channels.size();
+    for (std::size_t c = 0; c < layer.channels.size(); ++c) {
+      // A half has no kilometre right beyond 2048.
+      const bool is_depth = layer.name == "depth";
+      channels.push_back({layer.name + "." + layer.channels[c], layer.planes.data() + c * plane, 1, is_depth});
+    }
+  }
+  return result;
+}
+
+ExrFile picture_exr(const PictureContext& context, bool half) {
+  const RadianceImage& radiance = context.rendering.radiance;
+  return encode_exr(radiance.width, radiance.height, picture_channels(context).list, exr_options(context, half));
 }
 
 std::vector<std::byte> picture_png(const PictureContext& context, const std::optional<DisplayTransform>& transform,

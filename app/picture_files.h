@@ -2,6 +2,7 @@
 // A rendering as files in memory: the scene-linear EXR, and the PNG for people.
 
 #include <cstddef>
+#include <deque>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,9 @@ namespace airlight::cli {
 // Views of `--view` that no OCIO config knows.
 inline constexpr const char* kGpuView = "gpu";                // the GPU tone curve
 inline constexpr const char* kDiagnosticView = "diagnostic";  // what kind of number each pixel holds
+
+// The attribute of an EXR that says what its PNG was exposed by.
+inline constexpr const char* kExposureKey = "airlight:exposure";
 
 // Of a method and quality that were chosen for the picture.
 struct ChoiceNote {
@@ -31,6 +35,16 @@ struct PictureContext {
   std::string png_hash = {};
   WorkingSpace space = WorkingSpace::linear_rec709;  // of the EXR's colours
 };
+
+// The channels of an EXR, which point into the rendering or into `kept`.
+struct PictureChannels {
+  std::vector<ExrChannel> list;
+  std::deque<RadianceImage> kept;  // what was converted into the working space
+};
+
+// The beauty and what stands beside it, in the working space of the context.
+PictureChannels picture_channels(const PictureContext& context);
+ExrOptions exr_options(const PictureContext& context, bool half);
 
 ExrFile picture_exr(const PictureContext& context, bool half);
 

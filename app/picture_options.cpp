@@ -9,6 +9,20 @@
 namespace airlight::cli {
 namespace {
 
+// A setting of the march that its layers know nothing of, "render.jitter \"fixed\""; empty: none is in force.
+std::string key_without_layers(const Scene& scene) {
+  for (const auto& [key, value] : scene.render.parameters) {
+    const auto* choice = std::get_if<std::string>(&value);
+    const bool apart = (key == "jitter" && choice != nullptr && *choice != "none") ||
+                       (key == "resolution" && choice != nullptr && *choice != "full") ||
+                       (key == "step_distribution" && (*choice == "optical-depth" || *choice == "gauss-legendre"));
+    if (apart) {
+      return "render." + std::string(key) + " \"" + *choice + "\"";
+    }
+  }
+  return {};
+}
+
 bool is_ocio_view(const std::string& view) {
   return view != kGpuView && view != kDiagnosticView;
 }
@@ -17,6 +31,10 @@ bool is_ocio_view(const std::string& view) {
 
 std::vector<Option> picture_options(PictureOptions& options) {
   return {
+      {"--layers", "",
+       "Also write into the EXR: each medium's single scattering under its name, multiple, sun and ground, whose sum "
+       "is the picture, and transmittance, depth (km) and N, the ground's normal",
+       &options.layers},
       {"--float", "", "32-bit floats in the EXR instead of 16-bit ones", &options.full_float},
       {"--colorspace",
        "NAME",
@@ -81,6 +99,28 @@ RenderRequest request_for(const Scene& scene, bool exr, bool png) {
   request.bloom = shown || (scene.bloom.in_exr && exr);
   request.gpu_tone = shown && scene.display.view == kGpuView;
   return request;
+}
+
+void require_layers(const PictureOptions& options, const Scene& scene, bool exr, const std::string& command) {
+  if (!options.layers) {
+    return;
+  }
+  if (!exr) {
+    throw InputError(command + ": --layers: layers stand in the EXR, and none is written; give -o FILE.exr too");
+  }
+  if (find_method(scene.render.method)->add_layer_passes == nullptr) {
+    throw InputError(command + ": --layers: " + scene.render.method +
+                     " does not tell its light apart; choose by --method one of " + methods_with_layers());
+  }
+  if (working_space_of(options) != WorkingSpace::linear_rec709) {
+    throw InputError(command +
+                     ": --layers: transmittance is of the channels of linear-rec709 and of no other space; "
+                     "leave out --colorspace");
+  }
+  const std::string key = key_without_layers(scene);
+  if (!key.empty()) {
+    throw InputError(command + ": --layers: " + key + " moves a picture away from the sum of its layers; leave it out");
+  }
 }
 
 void require_ending(const std::string& file, const std::string& option, const std::string& ending) {

@@ -15,6 +15,7 @@ namespace airlight::cli {
 
 struct PictureOptions {
   bool full_float = false;
+  bool layers = false;
   std::string ocio_config;
   std::optional<std::string> display;
   std::optional<std::string> view;
@@ -25,7 +26,7 @@ struct PictureOptions {
 // Of the EXR's colours.
 WorkingSpace working_space_of(const PictureOptions& options);
 
-// --float, --colorspace, --ocio-config, --display, --view, --bits.
+// --layers, --float, --colorspace, --ocio-config, --display, --view, --bits.
 std::vector<Option> picture_options(PictureOptions& options);
 
 // As overrides of the preset, "POINTER=JSON".
@@ -36,6 +37,10 @@ std::optional<DisplayTransform> display_transform(const PictureOptions& options,
 
 // What has to be rendered for the files wanted.
 RenderRequest request_for(const Scene& scene, bool exr, bool png);
+
+// For --layers. Throws InputError where they cannot be had: no EXR to hold them, or a
+// method that does not tell them apart (its name, and those that do). `command`: "render".
+void require_layers(const PictureOptions& options, const Scene& scene, bool exr, const std::string& command);
 
 // Throws InputError unless the name ends as it should; devices may be called anything. `option`: "render: --png".
 void require_ending(const std::string& file, const std::string& option, const std::string& ending);

@@ -9,6 +9,9 @@ namespace {
 
 [[noreturn]] void refuse(const PictureContext& context, const PublishOrder& order, const std::string& fault) {
   const std::string what = order.source + ": " + fault;
+  if (context.rendering.picture_fault().empty()) {
+    throw RunError(what + "; no picture was written");  // in a layer, which no PNG shows
+  }
   if (context.scene.display.view != kDiagnosticView || order.targets.png.empty()) {
     throw RunError(what + "; no picture was written; --png FILE --view diagnostic shows where");
   }

@@ -111,6 +111,17 @@ std::string json_report(const RenderReport& report) {
     json.key("exr").begin_object().key("format").value(report.exr_format);
     json.key("clamped").value(report.exr->clamped).key("underflowed").value(report.exr->underflowed).end_object();
   }
+  if (report.tile) {
+    json.key("tile").begin_object().key("width").value(report.tile->width);
+    json.key("height").value(report.tile->height).end_object();
+  }
+  if (!report.rendering.layers.empty()) {
+    json.key("layers").begin_array();
+    for (const Layer& layer : report.rendering.layers) {
+      json.value(layer.name);
+    }
+    json.end_array();
+  }
   if (report.choice) {
     json.key("choice");
     write_choice(json, *report.choice);

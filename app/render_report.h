@@ -23,6 +23,7 @@ struct RenderReport {
   std::string view;                    // of the PNG: "DISPLAY / VIEW"; empty: no PNG
   std::optional<ChoiceReport> choice;  // of --tolerance and --time-limit
   const Stopwatch& watch;
+  std::optional<ImageSize> tile = {};  // of a picture rendered in tiles
 };
 
 // One object with a line feed.

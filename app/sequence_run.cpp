@@ -39,8 +39,8 @@ struct Room {
   std::size_t waiting = 1;
 };
 
-Room room_for(const ImageSize& image) {
-  constexpr double kLargePixels = 32e6;  // 512 MB of floats
+Room room_for(const ImageSize& image, bool layers) {
+  const double kLargePixels = layers ? 6e6 : 32e6;  // 512 MB of floats
   const double pixels = static_cast<double>(image.width) * static_cast<double>(image.height);
   return pixels > kLargePixels ? Room{1, 0} : Room{};
 }
@@ -156,6 +156,7 @@ bool Runner::render_frame(std::size_t k, sequence::BoundedWorkers& encoders) {
   }
   const Clock::time_point start = Clock::now();
   RenderRequest request = request_for(scene, job_.exr.has_value(), job_.png.has_value());
+  request.layers = job_.picture.layers;
   request.host.report = [](double) { return Interruption::signal() == 0; };
   work->rendering = render(device_on_demand(job_.scene_options, executor_), scene, request);
   require_valid_vulkan();
@@ -171,7 +172,7 @@ bool Runner::render_frame(std::size_t k, sequence::BoundedWorkers& encoders) {
 
 void Runner::render_all() {
   const std::size_t frames = sequence::shard_size(job_.shard, sequence::frame_count(job_.source));
-  const Room room = room_for(job_.scene.image);
+  const Room room = room_for(job_.scene.image, job_.picture.layers);
   sequence::BoundedWorkers encoders(room.threads, room.waiting);
   for (std::size_t k = 0; k < frames && Interruption::signal() == 0; ++k) {
     if (!render_frame(k, encoders)) {

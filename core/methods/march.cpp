@@ -29,6 +29,10 @@ SkyPasses add_march(Plan& plan, const Scene& scene, const View& view) {
   return {target.radiance, tables.list()};
 }
 
+LayerPasses add_layers(Plan& plan, const Scene& scene, const View& view) {
+  return add_march_layers(plan, scene, view, add_march_tables(plan, scene));
+}
+
 Quality with_steps(std::string_view label, int steps) {
   return {label, {{"steps", steps}}};
 }
@@ -77,6 +81,7 @@ SkyMethod march_method() {
   method.validity.known_failures = march_failures();
   method.converged = converged_march();
   method.add_passes = add_march;
+  method.add_layer_passes = add_layers;
   return method;
 }
 

@@ -159,4 +159,23 @@ void add_march_pass(Plan& plan, const Scene& scene, const MarchTables& tables, c
                       target);
 }
 
+LayerPasses add_march_layers(Plan& plan, const Scene& scene, const View& view, const MarchTables& tables) {
+  const Extent grid = picture_grid(scene, view);
+  const BufferId planes = add_layer_planes(plan, scene, view);
+  std::vector<Specialization> constants = march_specialization(plan, scene, tables);
+  add_layer_constants(constants, scene);
+  constants.push_back({"kGroundReflects", tables.reflects ? 1u : 0u});
+  std::vector<Binding> reads = march_reads(tables);
+  reads.push_back({"ground_irradiance_lut", tables.ground_irradiance});
+  plan.add_pass(
+      {.name = "layers",
+       .shader = "layers_march",
+       .reads = std::move(reads),
+       .writes = {{"layers_out", planes}},
+       .grid = grid,
+       .push_constants = {grid.width, grid.height, static_cast<std::uint32_t>(scene.render.get<int>("steps"))},
+       .specialization = std::move(constants)});
+  return {planes, tables.transmittance};
+}
+
 }  // namespace airlight

@@ -45,4 +45,7 @@ std::vector<Binding> march_reads(const MarchTables& tables);
 // The pass that marches every pixel or listed direction.
 void add_march_pass(Plan& plan, const Scene& scene, const MarchTables& tables, const SkyTarget& target);
 
+// The pass of the same march that keeps its light apart.
+LayerPasses add_march_layers(Plan& plan, const Scene& scene, const View& view, const MarchTables& tables);
+
 }  // namespace airlight

@@ -54,6 +54,9 @@ double pixel_angle(const Scene& scene) {
       return std::max(2.0 * std::numbers::pi / width, std::numbers::pi / height);
     case Projection::fisheye:
       return scene.camera.vertical_fov / std::min(width, height);
+    case Projection::cube:
+    case Projection::octahedral:
+      return std::numbers::pi;  // cut into faces: beyond a cut the next corner is no neighbour
     case Projection::perspective:
       break;
   }
@@ -94,8 +97,8 @@ ParameterInfo resolution_parameter() {
           0,
           std::string("full"),
           kResolutions,
-          "half: march at every second pixel each way and go bilinearly between, but at edges, steep places and pixels "
-          "wider than 2 degrees"};
+          "half: march at every second pixel each way and go bilinearly between, but at edges, steep places, pixels "
+          "wider than 2 degrees, and cube and octahedral maps"};
 }
 
 double place_in_step(const Scene& scene) {
@@ -120,7 +123,7 @@ void add_marched_picture(Plan& plan, const Scene& scene, PassDesc pass, const Sk
     plan.add_pass(part_of(std::move(pass), physics::kPartWhole, target.grid, target.radiance, target.directions));
     return;
   }
-  const Extent corners{(target.grid.width + 1) / 2 + 1, (target.grid.height + 1) / 2 + 1, 1};
+  const Extent corners{target.grid.width / 2 + 2, target.grid.height / 2 + 2, 1};
   const BufferId half = plan.add_buffer({.name = "half_radiance",
                                          .bytes = std::size_t{corners.width} * corners.height * 4 * sizeof(float),
                                          .host_readable = false,

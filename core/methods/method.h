@@ -28,6 +28,10 @@ struct View {
   std::span<const Direction> directions;  // empty: the camera's picture
   // Listed directions as pixels of the camera's picture would have them, by the same tables: transmittance is not told.
   bool as_picture = false;
+  std::optional<Tile> tile = {};  // of the camera's picture: this much of it
+  // Not empty: the picture is rendered by several plans, and tables of its own are kept from one to the next under keys
+  // that begin so.
+  std::string kept_as = {};
 };
 
 // What a scene, a view of it and a quality are placed by where a method is known to fail.
@@ -85,6 +89,14 @@ struct SkyPasses {
   std::vector<ImageId> tables;
 };
 
+// The light of a picture apart by where it comes from. `planes`: floats, three planes a layer over the view's tile:
+// single scattering of each medium that scatters, multiple scattering, the ground, then the transmittance along the
+// ray.
+struct LayerPasses {
+  BufferId planes;
+  std::optional<ImageId> transmittance;  // the method's table, if it has one: the sun's disc is seen through it
+};
+
 // How a host method runs: nothing here changes what a given number of samples yields.
 struct HostOptions {
   // Called a few times a second with done in 0 to 1; returns false to stop early with what there is. Empty: nobody
@@ -118,6 +130,8 @@ struct SkyMethod {
   // Exactly one of the two.
   SkyPasses (*add_passes)(Plan&, const Scene&, const View&) = nullptr;
   HostPicture (*render_on_host)(const Scene&, const View&, const HostOptions&) = nullptr;
+  // Of the camera's picture alone. Null: the method does not tell them apart.
+  LayerPasses (*add_layer_passes)(Plan&, const Scene&, const View&) = nullptr;
 };
 
 // All methods, in the order of the help text.

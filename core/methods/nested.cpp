@@ -33,23 +33,44 @@ void refuse_too_many_turns(long long steps, long long sun_steps, long long befor
   }
 }
 
-SkyPasses add_nested(Plan& plan, const Scene& scene, const View& view) {
-  const RenderSettings& settings = scene.render;
-  const bool by_depth = step_distribution_code(scene) == physics::kStepsOpticalDepth;
-  refuse_too_many_turns(settings.get<int>("steps"), settings.get<int>("sun_steps"),
-                        by_depth ? 2LL * physics::kOpticalPanels : 0);
-  const SkyTarget target = add_sky_target(plan, scene, view);
+std::vector<Specialization> constants_of(const Scene& scene) {
   std::vector<Specialization> constants = medium_specialization(scene);
-  constants.push_back({"kSunFade", std::holds_alternative<SunFade>(settings.parameters.at("sun_fade")) ? 1u : 0u});
+  constants.push_back({"kSunFade", std::holds_alternative<SunFade>(scene.render.parameters.at("sun_fade")) ? 1u : 0u});
   constants.push_back({"kGroundReflects", ground_reflects(scene) ? 1u : 0u});
   constants.push_back({"kStepDistribution", step_distribution_code(scene)});
-  add_marched_picture(plan, scene,
-                      {.shader = "sky_nested",
-                       .push_constants = {static_cast<std::uint32_t>(settings.get<int>("steps")),
-                                          static_cast<std::uint32_t>(settings.get<int>("sun_steps"))},
-                       .specialization = std::move(constants)},
-                      target);
+  return constants;
+}
+
+std::vector<std::uint32_t> steps_of(const Scene& scene) {
+  const int steps = scene.render.get<int>("steps");
+  const int sun_steps = scene.render.get<int>("sun_steps");
+  const bool by_depth = step_distribution_code(scene) == physics::kStepsOpticalDepth;
+  refuse_too_many_turns(steps, sun_steps, by_depth ? 2LL * physics::kOpticalPanels : 0);
+  return {static_cast<std::uint32_t>(steps), static_cast<std::uint32_t>(sun_steps)};
+}
+
+SkyPasses add_nested(Plan& plan, const Scene& scene, const View& view) {
+  const SkyTarget target = add_sky_target(plan, scene, view);
+  add_marched_picture(
+      plan, scene, {.shader = "sky_nested", .push_constants = steps_of(scene), .specialization = constants_of(scene)},
+      target);
   return {target.radiance, {}};
+}
+
+LayerPasses add_layers(Plan& plan, const Scene& scene, const View& view) {
+  const Extent grid = picture_grid(scene, view);
+  const BufferId planes = add_layer_planes(plan, scene, view);
+  const std::vector<std::uint32_t> steps = steps_of(scene);
+  std::vector<Specialization> constants = constants_of(scene);
+  add_layer_constants(constants, scene);
+  plan.add_pass({.name = "layers",
+                 .shader = "layers_nested",
+                 .reads = {},
+                 .writes = {{"layers_out", planes}},
+                 .grid = grid,
+                 .push_constants = {grid.width, grid.height, steps[0], steps[1]},
+                 .specialization = std::move(constants)});
+  return {planes, std::nullopt};
 }
 
 Quality with_steps(std::string_view label, int steps, int sun_steps) {
@@ -84,6 +105,7 @@ SkyMethod nested_method() {
        "a view so near the horizon that rounding decides between sky and ground"}};
   method.converged = {"", {{"steps", 512}, {"sun_steps", 120}}};
   method.add_passes = add_nested;
+  method.add_layer_passes = add_layers;
   return method;
 }
 

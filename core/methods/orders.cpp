@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <limits>
 
 #include "core/luts/luts.h"
@@ -67,15 +68,13 @@ struct FactorTable {
 FactorTable factor_table(const Scene& scene) {
   const TableSize size = scene.render.get<TableSize>("sky_lut");
   const auto sky = static_cast<std::uint32_t>(size[1]);
-  FactorTable table{static_cast<std::uint32_t>(size[0]), sky / 2, 3 * sky / 4, sky, 0, 1};
-  for (std::size_t i = 0; i < scene.media.size(); ++i) {
-    const Spectrum& s = scene.media[i].scattering;
-    if (s[0] > 0.0 || s[1] > 0.0 || s[2] > 0.0) {
-      table.scattering_media |= 1u << i;
-      ++table.blocks;
-    }
-  }
-  return table;
+  const std::uint32_t media = scattering_media(scene);
+  return {static_cast<std::uint32_t>(size[0]),
+          sky / 2,
+          3 * sky / 4,
+          sky,
+          media,
+          static_cast<std::uint32_t>(std::popcount(media)) + 1};
 }
 
 void add_table_constants(std::vector<Specialization>& constants, const FactorTable& table) {
@@ -107,23 +106,53 @@ std::uint32_t steps_of(const Scene& scene, const MomentSettings& settings) {
   return static_cast<std::uint32_t>(settings.shells ? std::max((steps + shells / 2) / shells, 1) : steps);
 }
 
-void add_factor_passes(Plan& plan, const Scene& scene, const SkyTarget& target, ImageId sunlight, ImageId moments,
-                       const std::vector<Specialization>& light_constants, std::uint32_t steps) {
-  const FactorTable table = factor_table(scene);
-  const ImageId factors = plan.add_image({.name = "sky_factors",
-                                          .extent = {table.columns * table.blocks, table.rows(), 1},
+// What the passes over view rays read: the sun's light, the moments, and how they are told of them.
+struct Light {
+  ImageId transmittance;
+  ImageId sunlight;  // the table of transmittance or, by shells, of mean extinction
+  ImageId moments;
+  std::vector<Specialization> constants;
+  std::uint32_t steps;
+
+  std::vector<Binding> reads() const { return {{"transmittance_lut", sunlight}, {"moments_lut", moments}}; }
+};
+
+Light add_light(Plan& plan, const Scene& scene) {
+  Light light;
+  light.transmittance = add_transmittance(plan, scene, scene.render.get<TableSize>("transmittance_lut"));
+  const MomentSettings settings = settings_of(scene);
+  light.sunlight = settings.shells ? add_sun_table(plan, scene, settings) : light.transmittance;
+  light.moments = add_moments(plan, scene, light.sunlight, settings);
+  light.constants = sunlight_specialization(plan, scene, light.sunlight);
+  add_moment_constants(light.constants, settings);
+  light.steps = steps_of(scene, settings);
+  return light;
+}
+
+// `shader`: sky_factors, or layers_factors with one block more.
+ImageId add_factors(Plan& plan, const std::string& shader, const FactorTable& table, const View& view,
+                    const Light& light) {
+  const std::uint32_t blocks = table.blocks + (shader == "layers_factors" ? 1 : 0);
+  const ImageId factors = plan.add_image({.name = shader,
+                                          .extent = {table.columns * blocks, table.rows(), 1},
                                           .format = Format::rgba32f,
-                                          .key = {}});
-  std::vector<Specialization> constants = light_constants;
+                                          .key = picture_table_key(view, shader)});
+  std::vector<Specialization> constants = light.constants;
   add_table_constants(constants, table);
-  plan.add_pass({.name = "sky_factors",
-                 .shader = "sky_factors",
-                 .reads = {{"transmittance_lut", sunlight}, {"moments_lut", moments}},
+  plan.add_pass({.name = shader,
+                 .shader = shader,
+                 .reads = light.reads(),
                  .writes = {{"factors_out", factors}},
                  .grid = {table.columns, table.rows(), 1},
-                 .push_constants = {steps},
-                 .specialization = constants});
-  constants = medium_specialization(scene);
+                 .push_constants = {light.steps},
+                 .specialization = std::move(constants)});
+  return factors;
+}
+
+void add_tabulated_sky(Plan& plan, const Scene& scene, const View& view, const SkyTarget& target, const Light& light) {
+  const FactorTable table = factor_table(scene);
+  const ImageId factors = add_factors(plan, "sky_factors", table, view, light);
+  std::vector<Specialization> constants = medium_specialization(scene);
   constants.push_back({"kProjection", target.projection});
   add_table_constants(constants, table);
   plan.add_pass({.name = "sky",
@@ -132,32 +161,52 @@ void add_factor_passes(Plan& plan, const Scene& scene, const SkyTarget& target, 
                  .writes = {{"radiance_out", target.radiance}},
                  .grid = target.grid,
                  .push_constants = {target.grid.width, target.grid.height},
-                 .specialization = constants});
+                 .specialization = std::move(constants)});
 }
 
 SkyPasses add_orders(Plan& plan, const Scene& scene, const View& view) {
   const SkyTarget target = add_sky_target(plan, scene, view);
-  const ImageId transmittance = add_transmittance(plan, scene, scene.render.get<TableSize>("transmittance_lut"));
-  const MomentSettings settings = settings_of(scene);
-  const ImageId sunlight = settings.shells ? add_sun_table(plan, scene, settings) : transmittance;
-  const ImageId moments = add_moments(plan, scene, sunlight, settings);
-  std::vector<Specialization> constants = sunlight_specialization(plan, scene, sunlight);
-  add_moment_constants(constants, settings);
-  const std::uint32_t steps = steps_of(scene, settings);
+  Light light = add_light(plan, scene);
   if (tabulates(scene, view)) {
-    add_factor_passes(plan, scene, target, sunlight, moments, constants, steps);
+    add_tabulated_sky(plan, scene, view, target, light);
   } else {
-    constants.push_back({"kProjection", target.projection});
-    plan.add_pass(
-        {.name = "sky",
-         .shader = "sky_orders",
-         .reads = {{"transmittance_lut", sunlight}, {"moments_lut", moments}, {"directions", target.directions}},
-         .writes = {{"radiance_out", target.radiance}},
-         .grid = target.grid,
-         .push_constants = {target.grid.width, target.grid.height, steps},
-         .specialization = constants});
+    light.constants.push_back({"kProjection", target.projection});
+    std::vector<Binding> reads = light.reads();
+    reads.push_back({"directions", target.directions});
+    plan.add_pass({.name = "sky",
+                   .shader = "sky_orders",
+                   .reads = std::move(reads),
+                   .writes = {{"radiance_out", target.radiance}},
+                   .grid = target.grid,
+                   .push_constants = {target.grid.width, target.grid.height, light.steps},
+                   .specialization = light.constants});
   }
-  return {target.radiance, {transmittance}};
+  return {target.radiance, {light.transmittance}};
+}
+
+LayerPasses add_layers(Plan& plan, const Scene& scene, const View& view) {
+  const Light light = add_light(plan, scene);
+  const bool tabulated = tabulates(scene, view);
+  std::vector<Binding> reads = light.reads();
+  std::vector<Specialization> constants = light.constants;
+  if (tabulated) {
+    const FactorTable table = factor_table(scene);
+    reads.push_back({"factors_lut", add_factors(plan, "layers_factors", table, view, light)});
+    add_table_constants(constants, table);
+    constants.push_back({"kProjection", projection_code(scene.camera.projection)});
+  } else {
+    add_layer_constants(constants, scene);
+  }
+  const Extent grid = picture_grid(scene, view);
+  const BufferId planes = add_layer_planes(plan, scene, view);
+  plan.add_pass({.name = "layers",
+                 .shader = tabulated ? "layers_from_factors" : "layers_orders",
+                 .reads = std::move(reads),
+                 .writes = {{"layers_out", planes}},
+                 .grid = grid,
+                 .push_constants = {grid.width, grid.height, light.steps},
+                 .specialization = std::move(constants)});
+  return {planes, light.transmittance};
 }
 
 }  // namespace
@@ -224,6 +273,7 @@ SkyMethod orders_method() {
   method.converged = {
       "", {{"steps", 1024}, {"transmittance_lut", TableSize{512, 128}}, {"moments_lut", TableSize{96, 24}}}};
   method.add_passes = add_orders;
+  method.add_layer_passes = add_layers;
   return method;
 }
 

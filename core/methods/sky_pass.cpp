@@ -1,5 +1,6 @@
 #include "core/methods/sky_pass.h"
 
+#include <bit>
 #include <cmath>
 #include <cstring>
 
@@ -27,13 +28,36 @@ std::vector<std::byte> direction_bytes(const View& view) {
 
 }  // namespace
 
+Extent picture_grid(const Scene& scene, const View& view) {
+  const Tile tile = view.tile.value_or(Tile{0, 0, scene.image.width, scene.image.height});
+  return {static_cast<std::uint32_t>(tile.width), static_cast<std::uint32_t>(tile.height), 1};
+}
+
+std::string picture_table_key(const View& view, std::string_view table) {
+  return view.kept_as.empty() ? std::string() : view.kept_as + " " + std::string(table);
+}
+
+BufferId add_layer_planes(Plan& plan, const Scene& scene, const View& view) {
+  const Extent grid = picture_grid(scene, view);
+  const auto layers = static_cast<std::size_t>(std::popcount(scattering_media(scene))) + 3;
+  return plan.add_buffer({.name = "layers",
+                          .bytes = 3 * layers * grid.width * grid.height * sizeof(float),
+                          .host_readable = true,
+                          .contents = {},
+                          .key = {},
+                          .zeroed = false});
+}
+
+void add_layer_constants(std::vector<Specialization>& constants, const Scene& scene) {
+  constants.push_back({"kProjection", projection_code(scene.camera.projection)});
+  constants.push_back({"kScatteringMedia", scattering_media(scene)});
+}
+
 SkyTarget add_sky_target(Plan& plan, const Scene& scene, const View& view) {
   const bool listed = !view.directions.empty();
   const auto count = static_cast<std::uint32_t>(view.directions.size());
   SkyTarget target;
-  target.grid =
-      listed ? Extent{count, 1, 1}
-             : Extent{static_cast<std::uint32_t>(scene.image.width), static_cast<std::uint32_t>(scene.image.height), 1};
+  target.grid = listed ? Extent{count, 1, 1} : picture_grid(scene, view);
   target.projection = listed ? physics::kProjectionListed : projection_code(scene.camera.projection);
   const std::size_t vectors =
       static_cast<std::size_t>(target.grid.width) * static_cast<std::size_t>(target.grid.height) * (listed ? 2 : 1);
@@ -41,8 +65,8 @@ SkyTarget add_sky_target(Plan& plan, const Scene& scene, const View& view) {
                                      .bytes = vectors * 4 * sizeof(float),
                                      .host_readable = true,
                                      .contents = {},
-                                     .key = std::string(kRadianceKey),
-                                     .carried = true,
+                                     .key = std::string(view.tile ? "" : kRadianceKey),
+                                     .carried = !view.tile,
                                      .zeroed = false});
   std::vector<std::byte> directions = direction_bytes(view);
   const std::size_t direction_size = directions.size();

@@ -2,6 +2,7 @@
 // What every sky pass on the device shares: its output, its view rays, its size.
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -19,6 +20,16 @@ struct SkyTarget {
   Extent grid;
   std::uint32_t projection = 0;  // kProjection
 };
+
+// The grid of the camera's picture, or of its tile.
+Extent picture_grid(const Scene& scene, const View& view);
+
+// The key of a table that depends on the picture at hand; empty where no later plan needs it.
+std::string picture_table_key(const View& view, std::string_view table);
+
+// A buffer for LayerPasses::planes, and the constants beside the method's own that its pass takes.
+BufferId add_layer_planes(Plan& plan, const Scene& scene, const View& view);
+void add_layer_constants(std::vector<Specialization>& constants, const Scene& scene);
 
 // Adds the buffers that a sky pass writes and reads for this view.
 SkyTarget add_sky_target(Plan& plan, const Scene& scene, const View& view);

@@ -2,11 +2,13 @@
 // Views from above the air march pixel by pixel.
 
 #include <array>
+#include <bit>
 #include <numbers>
 
 #include "core/luts/luts.h"
 #include "core/methods/march_passes.h"
 #include "core/methods/methods.h"
+#include "core/physics/scene_data.h"
 
 namespace airlight {
 namespace {
@@ -56,10 +58,11 @@ std::vector<Specialization> constants_of(const Plan& plan, const Scene& scene, c
 }
 
 // It depends on the sun's elevation and the camera's altitude too, and is made anew for each picture.
-ImageId add_sky_view_table(Plan& plan, const Scene& scene, const MarchTables& tables) {
+ImageId add_sky_view_table(Plan& plan, const Scene& scene, const View& view, const MarchTables& tables) {
   const TableSize size = scene.render.get<TableSize>("sky_view_lut");
   const Extent extent{static_cast<std::uint32_t>(size[0]), static_cast<std::uint32_t>(size[1]), 1};
-  const ImageId out = plan.add_image({.name = "sky_view", .extent = extent, .format = Format::rgba32f, .key = {}});
+  const ImageId out = plan.add_image(
+      {.name = "sky_view", .extent = extent, .format = Format::rgba32f, .key = picture_table_key(view, "sky_view")});
   plan.add_pass({.name = "sky_view",
                  .shader = "sky_view",
                  .reads = reads_of(tables),
@@ -70,15 +73,21 @@ ImageId add_sky_view_table(Plan& plan, const Scene& scene, const MarchTables& ta
   return out;
 }
 
-void add_fetch_pass(Plan& plan, const Scene& scene, const MarchTables& tables, ImageId sky_view,
-                    const SkyTarget& target) {
-  const Extent extent = plan.images()[sky_view.index].extent;
+// Of a pass that fetches from such a table, or from one with blocks of its size.
+std::vector<Specialization> fetch_constants(const Plan& plan, const Scene& scene, const MarchTables& tables) {
+  const TableSize size = scene.render.get<TableSize>("sky_view_lut");
   std::vector<Specialization> constants = constants_of(plan, scene, tables);
-  constants.push_back({"kProjection", target.projection});
-  constants.push_back({"kSkyViewWidth", extent.width});
-  constants.push_back({"kSkyViewHeight", extent.height});
+  constants.push_back({"kSkyViewWidth", static_cast<std::uint32_t>(size[0])});
+  constants.push_back({"kSkyViewHeight", static_cast<std::uint32_t>(size[1])});
   constants.push_back({"kSkyViewSkyRows", sky_rows(scene)});
   constants.push_back({"kGroundMarches", ground_marches(scene) ? 1u : 0u});
+  return constants;
+}
+
+void add_fetch_pass(Plan& plan, const Scene& scene, const MarchTables& tables, ImageId sky_view,
+                    const SkyTarget& target) {
+  std::vector<Specialization> constants = fetch_constants(plan, scene, tables);
+  constants.push_back({"kProjection", target.projection});
   std::vector<Binding> reads = reads_of(tables);
   reads.push_back({"sky_view_lut", sky_view});
   reads.push_back({"directions", target.directions});
@@ -99,11 +108,57 @@ SkyPasses add_sky_view(Plan& plan, const Scene& scene, const View& view) {
   if (scene.camera.altitude >= scene.planet.atmosphere_height) {
     add_march_pass(plan, scene, tables, target);
   } else {
-    const ImageId sky_view = add_sky_view_table(plan, scene, tables);
+    const ImageId sky_view = add_sky_view_table(plan, scene, view, tables);
     add_fetch_pass(plan, scene, tables, sky_view, target);
     list.push_back(sky_view);
   }
   return {target.radiance, list};
+}
+
+// The same table with its light apart, in blocks side by side.
+ImageId add_layers_table(Plan& plan, const Scene& scene, const View& view, const MarchTables& tables) {
+  const TableSize size = scene.render.get<TableSize>("sky_view_lut");
+  const auto columns = static_cast<std::uint32_t>(size[0]);
+  const auto rows = static_cast<std::uint32_t>(size[1]);
+  const auto blocks = static_cast<std::uint32_t>(std::popcount(scattering_media(scene))) + 2;
+  const ImageId out = plan.add_image({.name = "layers_view",
+                                      .extent = {columns * blocks, rows, 1},
+                                      .format = Format::rgba32f,
+                                      .key = picture_table_key(view, "layers_view")});
+  std::vector<Specialization> constants = constants_of(plan, scene, tables);
+  constants.push_back({"kScatteringMedia", scattering_media(scene)});
+  plan.add_pass(
+      {.name = "layers_view",
+       .shader = "layers_view",
+       .reads = reads_of(tables),
+       .writes = {{"layers_view_out", out}},
+       .grid = {columns, rows, 1},
+       .push_constants = {columns, static_cast<std::uint32_t>(scene.render.get<int>("steps")), sky_rows(scene)},
+       .specialization = std::move(constants)});
+  return out;
+}
+
+LayerPasses add_layers(Plan& plan, const Scene& scene, const View& view) {
+  const MarchTables tables = add_march_tables(plan, scene);
+  if (scene.camera.altitude >= scene.planet.atmosphere_height) {
+    return add_march_layers(plan, scene, view, tables);
+  }
+  const ImageId table = add_layers_table(plan, scene, view, tables);
+  const Extent grid = picture_grid(scene, view);
+  const BufferId planes = add_layer_planes(plan, scene, view);
+  std::vector<Specialization> constants = fetch_constants(plan, scene, tables);
+  add_layer_constants(constants, scene);
+  std::vector<Binding> reads = reads_of(tables);
+  reads.push_back({"layers_view_lut", table});
+  plan.add_pass(
+      {.name = "layers",
+       .shader = "layers_from_view",
+       .reads = std::move(reads),
+       .writes = {{"layers_out", planes}},
+       .grid = grid,
+       .push_constants = {grid.width, grid.height, static_cast<std::uint32_t>(scene.render.get<int>("steps"))},
+       .specialization = std::move(constants)});
+  return {planes, tables.transmittance};
 }
 
 Quality with_table(std::string_view label, TableSize size, int steps) {
@@ -146,6 +201,7 @@ SkyMethod sky_view_method() {
       {"EJ", {{Quantity::asymmetry, 0.9, 1}}, "an aureole sharper than the table's texels"});
   method.converged = converged_march();
   method.add_passes = add_sky_view;
+  method.add_layer_passes = add_layers;
   return method;
 }
 

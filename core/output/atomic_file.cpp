@@ -228,32 +228,85 @@ void write_file(const fs::path& file, std::span<const std::byte> contents) {
 }
 
 void write_file(const fs::path& file, const Pieces& next) {
-  const std::string name = file.string();
   if (is_special(file)) {
-    write_in_place(name, next);
+    write_in_place(file.string(), next);
     return;
   }
-  const fs::path target = behind_links(file);
-  Temporary temporary(temporary_name(target));
-  ::unlink(temporary.path());  // left by a killed process that had this number
-  Descriptor out(::open(temporary.path(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-  if (out.get() < 0) {
-    fail(name, "create", errno);
+  FileInProgress out(file);
+  std::uint64_t position = 0;
+  for (std::span<const std::byte> piece = next(); !piece.empty(); piece = next()) {
+    out.write(position, piece);
+    position += piece.size();
   }
-  (void)::flock(out.get(), LOCK_EX | LOCK_NB);  // tells remove_abandoned_files() that somebody is at work
+  out.commit();
+}
+
+struct FileInProgress::State {
+  State(std::string name_given, const fs::path& target_file)
+      : name(std::move(name_given)),
+        target(target_file),
+        temporary(temporary_name(target)),
+        out(open_new(temporary.path(), name)) {}
+
+  // `path` may have been left by a killed process that had this number.
+  static int open_new(const char* path, const std::string& name) {
+    ::unlink(path);
+    const int fd = ::open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (fd < 0) {
+      fail(name, "create", errno);
+    }
+    return fd;
+  }
+
+  std::string name;
+  fs::path target;
+  Temporary temporary;
+  Descriptor out;
+  int error = 0;  // of the first write that failed
+};
+
+FileInProgress::FileInProgress(const fs::path& file) {
+  const std::string name = file.string();
+  if (is_special(file)) {
+    throw InputError(name + ": a picture in tiles needs a file in which one can go back; name one, such as sky.exr");
+  }
+  state_ = std::make_unique<State>(name, behind_links(file));
+  (void)::flock(state_->out.get(), LOCK_EX | LOCK_NB);  // tells remove_abandoned_files() that somebody is at work
   struct stat older {};
-  if (::stat(target.c_str(), &older) == 0 && ::fchmod(out.get(), older.st_mode & 07777) != 0) {
+  if (::stat(state_->target.c_str(), &older) == 0 && ::fchmod(state_->out.get(), older.st_mode & 07777) != 0) {
     fail(name, "keep the permissions", errno);
   }
-  write_pieces(out.get(), next, name);
-  if (::fsync(out.get()) != 0) {
-    fail(name, "write", errno);
+}
+
+FileInProgress::~FileInProgress() = default;
+
+void FileInProgress::write(std::uint64_t position, std::span<const std::byte> contents) {
+  while (!contents.empty()) {
+    const ssize_t count = ::pwrite(state_->out.get(), contents.data(), contents.size(), static_cast<off_t>(position));
+    if (count < 0 && errno == EINTR) {
+      continue;
+    }
+    if (count < 0) {
+      state_->error = errno;
+      fail(state_->name, "write", errno);
+    }
+    contents = contents.subspan(static_cast<std::size_t>(count));
+    position += static_cast<std::uint64_t>(count);
   }
-  if (!out.close()) {
-    fail(name, "close", errno);
+}
+
+void FileInProgress::commit() {
+  if (state_->error != 0) {
+    fail(state_->name, "write", state_->error);
   }
-  if (!temporary.rename_to(target.string())) {
-    fail(name, "replace", errno);
+  if (::fsync(state_->out.get()) != 0) {
+    fail(state_->name, "write", errno);
+  }
+  if (!state_->out.close()) {
+    fail(state_->name, "close", errno);
+  }
+  if (!state_->temporary.rename_to(state_->target.string())) {
+    fail(state_->name, "replace", errno);
   }
 }
 

@@ -2,8 +2,10 @@
 // Files that appear whole or not at all: written under a temporary name in the same folder, synced, then renamed.
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 
@@ -19,6 +21,26 @@ void write_file(const std::filesystem::path& file, std::span<const std::byte> co
 
 // The same for a file made piece by piece: `next` gives one piece after the other, an empty one at the end.
 void write_file(const std::filesystem::path& file, const std::function<std::span<const std::byte>()>& next);
+
+// A file of more than memory holds, written in any order and read by nobody before commit(). Without commit(), and when
+// the process is ended by a signal, nothing stays behind and an older file of that name stays as it was.
+class FileInProgress {
+ public:
+  // Throws RunError with the path and the system's reason; InputError for a pipe, device or open descriptor, in which
+  // one cannot go back.
+  explicit FileInProgress(const std::filesystem::path& file);
+  FileInProgress(const FileInProgress&) = delete;
+  FileInProgress& operator=(const FileInProgress&) = delete;
+  ~FileInProgress();
+
+  // At a byte position. Throws RunError, and then again in commit().
+  void write(std::uint64_t position, std::span<const std::byte> contents);
+  void commit();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
 
 // Removes what killed writers have left in a folder beside files whose name `is_target` accepts. Writers hold a lock on
 // their temporary file, so that those at work, here or on another machine, keep theirs. Never throws: what cannot be

@@ -13,12 +13,16 @@
 #include <OpenEXR/ImfThreading.h>
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <memory>
 #include <mutex>
+#include <stdexcept>
 #include <thread>
+#include <utility>
 
 #include "core/error.h"
 #include "core/output/atomic_file.h"
@@ -38,24 +42,30 @@ constexpr int kZipLevel = 4;
 
 const std::array<std::string, 5> kCompressionNames = {"none", "zips", "zip", "piz", "pxr24"};
 
-class MemoryStream : public imf::OStream {
+class SinkStream : public imf::OStream {
  public:
-  explicit MemoryStream(std::vector<std::byte>& bytes) : OStream("memory"), bytes_(bytes) {}
+  explicit SinkStream(ExrSink sink) : OStream("picture"), sink_(std::move(sink)) {}
   void write(const char data[], int size) override {
-    const std::size_t count = static_cast<std::size_t>(size);
-    if (position_ + count > bytes_.size()) {
-      bytes_.resize(position_ + count);
-    }
-    std::memcpy(bytes_.data() + position_, data, count);
-    position_ += count;
+    const std::span<const char> bytes(data, static_cast<std::size_t>(size));
+    sink_(position_, std::as_bytes(bytes));
+    position_ += bytes.size();
   }
   std::uint64_t tellp() override { return position_; }
   void seekp(std::uint64_t position) override { position_ = position; }
 
  private:
-  std::vector<std::byte>& bytes_;
-  std::size_t position_ = 0;
+  ExrSink sink_;
+  std::uint64_t position_ = 0;
 };
+
+ExrSink sink_into(std::vector<std::byte>& bytes) {
+  return [&bytes](std::uint64_t position, std::span<const std::byte> piece) {
+    if (position + piece.size() > bytes.size()) {
+      bytes.resize(position + piece.size());
+    }
+    std::copy(piece.begin(), piece.end(), bytes.begin() + static_cast<std::ptrdiff_t>(position));
+  };
+}
 
 imf::Compression imf_compression(ExrCompression compression) {
   switch (compression) {
@@ -136,45 +146,13 @@ bool is_alpha(const std::string& name) {
   return name == "A" || name.ends_with(".A");
 }
 
-void write_float(imf::OutputFile& file, int width, int height, std::span<const ExrChannel> channels,
-                 ExrCounts& counts) {
-  imf::FrameBuffer frame;
-  const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  for (const ExrChannel& channel : channels) {
-    const std::size_t step = channel.stride * sizeof(float);
-    // OpenEXR only reads through the pointer that it wants as char*.
-    frame.insert(channel.name, imf::Slice(imf::FLOAT, reinterpret_cast<char*>(const_cast<float*>(channel.first)), step,
-                                          step * static_cast<std::size_t>(width)));
-    if (!is_alpha(channel.name)) {
-      count_samples(channel.first, channel.stride, pixels, counts);
-    }
-  }
-  file.setFrameBuffer(frame);
-  file.writePixels(height);
-}
-
-void write_half(imf::OutputFile& file, int width, int height, std::span<const ExrChannel> channels, ExrCounts& counts) {
-  const std::size_t row = static_cast<std::size_t>(width);
-  const std::size_t block = row * static_cast<std::size_t>(std::min(kRowsAtOnce, height));
-  std::vector<std::uint16_t> halves(block * channels.size());
-  for (int y = 0; y < height; y += kRowsAtOnce) {
-    const int rows = std::min(kRowsAtOnce, height - y);
-    const std::size_t pixels = row * static_cast<std::size_t>(rows);
-    const std::size_t done = row * static_cast<std::size_t>(y);
-    imf::FrameBuffer frame;
-    for (std::size_t c = 0; c < channels.size(); ++c) {
-      const ExrChannel& channel = channels[c];
-      std::uint16_t* const plane = halves.data() + c * block;
-      ExrCounts found;
-      convert_to_half(channel.first + done * channel.stride, channel.stride, pixels, plane, found);
-      if (!is_alpha(channel.name)) {
-        add_counts(counts, found);
-      }
-      frame.insert(channel.name, imf::Slice::Make(imf::HALF, plane, Imath::V2i(0, y), width, rows));
-    }
-    file.setFrameBuffer(frame);
-    file.writePixels(rows);
-  }
+// Rows `y` and on of a channel that is stored as it lies.
+imf::Slice float_slice(const ExrChannel& channel, int width, int y) {
+  const std::size_t step = channel.stride * sizeof(float);
+  const std::size_t row = step * static_cast<std::size_t>(width);
+  // OpenEXR wants the place of row 0, and only reads through the pointer that it takes as char*.
+  const auto first = reinterpret_cast<std::uintptr_t>(channel.first) - row * static_cast<std::size_t>(y);
+  return imf::Slice(imf::FLOAT, reinterpret_cast<char*>(first), step, row);
 }
 
 std::string axis_text(const TableAxis& axis) {
@@ -204,25 +182,124 @@ void add_channels(std::vector<ExrChannel>& channels, std::string_view layer, con
   }
 }
 
-ExrFile encode_exr(int width, int height, std::span<const ExrChannel> channels, const ExrOptions& options) {
-  assert(width > 0 && height > 0 && !channels.empty());
-  start_threads();
-  ExrFile result;
-  try {
-    imf::Header header = make_header(width, height, options);
-    for (const ExrChannel& channel : channels) {
-      header.channels().insert(channel.name, imf::Channel(options.half ? imf::HALF : imf::FLOAT));
+struct ExrRows::State {
+  SinkStream stream;
+  ExrSink sink;
+  std::vector<std::byte> head;  // what was written before the first row
+  std::unique_ptr<imf::OutputFile> file;
+  int width = 0;
+  int y = 0;  // of the next row
+  bool half = true;
+  std::vector<std::uint16_t> halves;
+  ExrCounts counts;
+
+  State(ExrSink to, int columns, bool halves_wanted)
+      : stream([this](std::uint64_t position, std::span<const std::byte> bytes) { pass_on(position, bytes); }),
+        sink(std::move(to)),
+        width(columns),
+        half(halves_wanted) {}
+
+  void pass_on(std::uint64_t position, std::span<const std::byte> bytes) {
+    if (file == nullptr) {
+      sink_into(head)(position, bytes);
     }
-    MemoryStream stream(result.bytes);
-    imf::OutputFile file(stream, header);
-    if (options.half) {
-      write_half(file, width, height, channels, result.counts);
+    sink(position, bytes);
+  }
+  void add_block(int rows, std::size_t done, std::span<const ExrChannel> channels);
+};
+
+void ExrRows::State::add_block(int rows, std::size_t done, std::span<const ExrChannel> channels) {
+  const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(rows);
+  halves.resize(half ? pixels * channels.size() : 0);
+  imf::FrameBuffer frame;
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    ExrChannel channel = channels[c];
+    channel.first += done * channel.stride;
+    ExrCounts found;
+    if (half && !channel.full_float) {
+      std::uint16_t* const plane = halves.data() + c * pixels;
+      convert_to_half(channel.first, channel.stride, pixels, plane, found);
+      frame.insert(channel.name, imf::Slice::Make(imf::HALF, plane, Imath::V2i(0, y), width, rows));
     } else {
-      write_float(file, width, height, channels, result.counts);
+      count_samples(channel.first, channel.stride, pixels, found);
+      frame.insert(channel.name, float_slice(channel, width, y));
     }
+    if (!is_alpha(channel.name)) {
+      add_counts(counts, found);
+    }
+  }
+  file->setFrameBuffer(frame);
+  file->writePixels(rows);
+  y += rows;
+}
+
+namespace {
+
+template <class Work>
+void encoding(const Work& work) {
+  try {
+    work();
+  } catch (const RunError&) {  // the sink's: it has said what and where
+    throw;
   } catch (const std::exception& error) {
     throw RunError(std::string("EXR: cannot encode the picture: ") + error.what());
   }
+}
+
+// Where the value of a float attribute stands in a header.
+std::size_t place_of_number(std::span<const std::byte> head, const std::string& name) {
+  using namespace std::string_literals;
+  const std::string mark = name + "\0float\0\4\0\0\0"s;
+  const auto found = std::search(head.begin(), head.end(), mark.begin(), mark.end(),
+                                 [](std::byte b, char c) { return static_cast<char>(b) == c; });
+  if (found == head.end()) {
+    throw std::logic_error("EXR: the header has no number " + name + " to be set at the end");
+  }
+  return static_cast<std::size_t>(found - head.begin()) + mark.size();
+}
+
+}  // namespace
+
+ExrRows::ExrRows(ExrSink sink, int width, int height, std::span<const ExrChannel> channels, const ExrOptions& options)
+    : state_(std::make_unique<State>(std::move(sink), width, options.half)) {
+  assert(width > 0 && height > 0 && !channels.empty());
+  start_threads();
+  encoding([&] {
+    imf::Header header = make_header(width, height, options);
+    for (const ExrChannel& channel : channels) {
+      const bool half = options.half && !channel.full_float;
+      header.channels().insert(channel.name, imf::Channel(half ? imf::HALF : imf::FLOAT));
+    }
+    state_->file = std::make_unique<imf::OutputFile>(state_->stream, header);
+  });
+}
+
+ExrRows::~ExrRows() = default;
+
+void ExrRows::add(int rows, std::span<const ExrChannel> channels) {
+  encoding([&] {
+    for (int done = 0; done < rows; done += kRowsAtOnce) {
+      const std::size_t pixels = static_cast<std::size_t>(state_->width) * static_cast<std::size_t>(done);
+      state_->add_block(std::min(kRowsAtOnce, rows - done), pixels, channels);
+    }
+  });
+}
+
+ExrCounts ExrRows::finish(const std::map<std::string, float>& numbers) {
+  state_->file.reset();  // writes the places of the rows
+  for (const auto& [name, number] : numbers) {
+    const std::size_t place = place_of_number(state_->head, name);
+    const auto bits = std::bit_cast<std::array<std::byte, sizeof number>>(number);  // little endian, as the file
+    state_->sink(place, bits);
+  }
+  return state_->counts;
+}
+
+ExrFile encode_exr(int width, int height, std::span<const ExrChannel> channels, const ExrOptions& options) {
+  ExrFile result;
+  ExrRows rows(sink_into(result.bytes), width, height, channels, options);
+  rows.add(height, channels);
+  result.counts = rows.finish();
   return result;
 }
 

@@ -3,8 +3,11 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -27,7 +30,8 @@ std::optional<ExrCompression> exr_compression(std::string_view name);
 struct ExrChannel {
   std::string name;  // "R", or "LAYER.R"
   const float* first = nullptr;
-  std::size_t stride = 4;  // floats from a pixel to the next; rows follow without a gap
+  std::size_t stride = 4;   // floats from a pixel to the next; rows follow without a gap
+  bool full_float = false;  // 32 bits in a file of halves too
 };
 
 // R, G, B and perhaps A of a picture, under a layer's name; empty for the beauty. The picture must outlive them.
@@ -60,6 +64,30 @@ struct ExrCounts {
 struct ExrFile {
   std::vector<std::byte> bytes;
   ExrCounts counts;
+};
+
+// Takes bytes at a position: mostly at the end, once back to the beginning.
+using ExrSink = std::function<void(std::uint64_t position, std::span<const std::byte> bytes)>;
+
+// A file whose rows are given from the top, some at a time: the same bytes as encode_exr() makes of all of them. Throws
+// RunError, and what the sink throws.
+class ExrRows {
+ public:
+  // `channels`: names and formats; their samples are not read. `options` as of encode_exr().
+  ExrRows(ExrSink sink, int width, int height, std::span<const ExrChannel> channels, const ExrOptions& options);
+  ~ExrRows();
+  ExrRows(const ExrRows&) = delete;
+  ExrRows& operator=(const ExrRows&) = delete;
+
+  // The next rows; `channels` in the order given, `first` the sample at the left of the first of these rows.
+  void add(int rows, std::span<const ExrChannel> channels);
+
+  // After the last row. `numbers`: attributes of ExrOptions::numbers that are known only now.
+  ExrCounts finish(const std::map<std::string, float>& numbers = {});
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
 };
 
 // The whole file in memory, for write_file().

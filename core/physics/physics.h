@@ -94,6 +94,8 @@ struct Physics {
 #include "shaders/physics/sunlight.glsl"
 #include "shaders/physics/march.glsl"
 #include "shaders/physics/multiple_scattering.glsl"
+#include "shaders/physics/layers.glsl"
+#include "shaders/physics/march_layers.glsl"
 #include "shaders/physics/sky_view_mapping.glsl"
 #include "shaders/physics/columns.glsl"
 #include "shaders/physics/analytic.glsl"

@@ -147,6 +147,7 @@ Data fill(const Scene& scene) {
   data.camera.width = static_cast<unsigned int>(scene.image.width);
   data.camera.height = static_cast<unsigned int>(scene.image.height);
   data.camera.cube_layout = cube_layout_code(scene.camera.cube_layout);
+  data.tile.width = static_cast<unsigned int>(scene.image.width);
   data.multiple_scattering_scale = static_cast<Real>(scattering_scale_of(scene));
   fill_media(data, scene);
   return data;
@@ -220,7 +221,14 @@ device::SceneData device_scene(const Scene& scene) {
 }
 
 std::vector<std::byte> device_scene_bytes(const Scene& scene) {
-  const device::SceneData data = device_scene(scene);
+  return device_scene_bytes(scene, {0, 0, scene.image.width, scene.image.height});
+}
+
+std::vector<std::byte> device_scene_bytes(const Scene& scene, const Tile& tile) {
+  device::SceneData data = device_scene(scene);
+  data.tile.x = static_cast<unsigned int>(tile.x);
+  data.tile.y = static_cast<unsigned int>(tile.y);
+  data.tile.width = static_cast<unsigned int>(tile.width);
   std::vector<std::byte> bytes(sizeof data);
   std::memcpy(bytes.data(), &data, sizeof data);
   return bytes;
@@ -261,6 +269,15 @@ std::uint32_t phase_function_codes(const Scene& scene) {
     }
     return physics::kPhaseIsotropic;
   });
+}
+
+std::uint32_t scattering_media(const Scene& scene) {
+  std::uint32_t bits = 0;
+  for (std::size_t i = 0; i < scene.media.size(); ++i) {
+    const Spectrum& s = scene.media[i].scattering;
+    bits |= s[0] > 0.0 || s[1] > 0.0 || s[2] > 0.0 ? 1u << i : 0u;
+  }
+  return bits;
 }
 
 std::uint32_t projection_code(Projection projection) {

@@ -16,12 +16,16 @@ physics::Physics make_physics(const Scene& scene);
 
 device::SceneData device_scene(const Scene& scene);
 
-// The same as bytes, for Plan::scene_data.
+// The same as bytes, for Plan::scene_data; of a plan that renders one tile of the picture, or all of it.
 std::vector<std::byte> device_scene_bytes(const Scene& scene);
+std::vector<std::byte> device_scene_bytes(const Scene& scene, const Tile& tile);
 
 // Four bits a medium, as the specialisation constants kDensityProfiles and kPhaseFunctions hold them.
 std::uint32_t density_profile_codes(const Scene& scene);
 std::uint32_t phase_function_codes(const Scene& scene);
+
+// Bit i: medium i scatters.
+std::uint32_t scattering_media(const Scene& scene);
 
 std::uint32_t projection_code(Projection projection);
 

@@ -12,16 +12,20 @@
 
 namespace airlight {
 
-// A picture on the device: a vec4 for each pixel, rows from the top.
+// A picture on the device, or a tile of it: a vec4 for each pixel, rows from the top.
 struct Picture {
   BufferId buffer;
   std::uint32_t width = 0;
   std::uint32_t height = 0;
+  std::uint32_t x = 0;  // of a tile's upper left pixel
+  std::uint32_t y = 0;
 };
 
+Picture picture_of(BufferId buffer, const Tile& tile);
+
 // Adds the sun's disc where the camera can see it. Returns false, and adds nothing, where it cannot: switched off,
-// outside the picture, or wholly behind the planet. The disc is seen through the method's transmittance table, or
-// through one added here where the method has none.
+// outside the picture or tile, or wholly behind the planet. The disc is seen through the method's transmittance table,
+// or through one added here where the method has none.
 bool add_sun_disc(Plan& plan, const Scene& scene, std::optional<ImageId> transmittance, const Picture& picture);
 
 // Row statistics of a picture or a table, for summarize(). `key` as for any buffer of a plan.

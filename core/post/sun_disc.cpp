@@ -203,6 +203,15 @@ Rectangle pixels_of(const Scene& scene, const Box& box) {
           static_cast<std::uint32_t>(bottom - top)};
 }
 
+// What of the rectangle lies in the tile.
+Rectangle within(const Rectangle& all, const Picture& tile) {
+  const std::uint32_t left = std::max(all.left, tile.x);
+  const std::uint32_t top = std::max(all.top, tile.y);
+  const std::uint32_t right = std::min(all.left + all.width, tile.x + tile.width);
+  const std::uint32_t bottom = std::min(all.top + all.height, tile.y + tile.height);
+  return right > left && bottom > top ? Rectangle{left, top, right - left, bottom - top} : Rectangle{};
+}
+
 // Samples along one side of a pixel: many where the whole disc falls into a few.
 std::uint32_t samples_for(double extent) {
   return extent < 3.0 ? 24 : 8;
@@ -219,13 +228,18 @@ bool wholly_set(physics::Physics& p, const Scene& scene) {
 
 }  // namespace
 
+Picture picture_of(BufferId buffer, const Tile& tile) {
+  const auto count = [](int n) { return static_cast<std::uint32_t>(n); };
+  return {buffer, count(tile.width), count(tile.height), count(tile.x), count(tile.y)};
+}
+
 bool add_sun_disc(Plan& plan, const Scene& scene, std::optional<ImageId> transmittance, const Picture& picture) {
   physics::Physics p = make_physics(scene);
   if (!scene.sun.disc.visible || scene.sun.disc.radiance_scale == 0.0 || wholly_set(p, scene)) {
     return false;
   }
   std::vector<Box> boxes = disc_boxes(p, scene);
-  std::erase_if(boxes, [&](const Box& box) { return pixels_of(scene, box).width == 0; });
+  std::erase_if(boxes, [&](const Box& box) { return within(pixels_of(scene, box), picture).width == 0; });
   if (boxes.empty()) {
     return false;
   }
@@ -233,7 +247,7 @@ bool add_sun_disc(Plan& plan, const Scene& scene, std::optional<ImageId> transmi
   std::vector<Specialization> constants = sunlight_specialization(plan, scene, table);
   constants.push_back({"kProjection", projection_code(scene.camera.projection)});
   for (const Box& box : boxes) {
-    const Rectangle rectangle = pixels_of(scene, box);
+    const Rectangle rectangle = within(pixels_of(scene, box), picture);
     plan.add_pass({.name = "sun_disc",
                    .shader = "sun_disc",
                    .reads = {{"transmittance_lut", table}},

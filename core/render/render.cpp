@@ -1,6 +1,7 @@
 #include "core/render/render.h"
 
 #include <cassert>
+#include <chrono>
 #include <cstring>
 #include <span>
 #include <utility>
@@ -142,22 +143,43 @@ void run_post(Executor& executor, const Scene& scene, const RenderRequest& reque
   }
 }
 
+void add_layers(Rendering& out, Executor& executor, const Scene& scene) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  out.layers = render_layers(executor, scene, out.passes);
+  out.host.push_back({"layers", std::chrono::duration<double, std::milli>(Clock::now() - start).count()});
+  for (const Layer& layer : out.layers) {
+    out.layer_statistics.push_back({layer.name, layer_statistics(layer, scene.image.width)});
+  }
+}
+
 std::string fault_line(const std::string& name, const Statistics& s) {
-  return (name == "picture" ? std::string("the picture") : "the table " + name) + " holds " +
-         std::to_string(s.not_finite) + " non-finite and " + std::to_string(s.negative) +
+  return name + " holds " + std::to_string(s.not_finite) + " non-finite and " + std::to_string(s.negative) +
          " negative values, the first at column " + std::to_string(s.first_bad_x) + ", row " +
          std::to_string(s.first_bad_y);
 }
 
 }  // namespace
 
-std::string Rendering::fault() const {
+std::string Rendering::picture_fault() const {
   for (const NamedStatistics& table : tables_statistics) {
     if (!table.statistics.sound()) {
-      return fault_line(table.name, table.statistics);
+      return fault_line("the table " + table.name, table.statistics);
     }
   }
-  return picture.sound() ? std::string() : fault_line("picture", picture);
+  return picture.sound() ? std::string() : fault_line("the picture", picture);
+}
+
+std::string Rendering::fault() const {
+  if (std::string in_picture = picture_fault(); !in_picture.empty()) {
+    return in_picture;
+  }
+  for (const NamedStatistics& layer : layer_statistics) {
+    if (!layer.statistics.sound()) {
+      return fault_line("the layer " + layer.name, layer.statistics);
+    }
+  }
+  return {};
 }
 
 Rendering render(const DeviceOnDemand& device, const Scene& scene, const RenderRequest& request) {
@@ -184,6 +206,9 @@ Rendering render(const DeviceOnDemand& device, const Scene& scene, const RenderR
   out.radiance = image_from(result.contents(frame.picture.buffer), scene.image.width, scene.image.height);
   if (out.fault().empty()) {
     run_post(executor, scene, request, frame.plan, frame.picture, out);
+    if (request.layers) {
+      add_layers(out, executor, scene);
+    }
   }
   return out;
 }

@@ -11,6 +11,7 @@
 #include "core/methods/method.h"
 #include "core/post/post.h"
 #include "core/radiance_image.h"
+#include "core/render/layers.h"
 #include "core/scene/scene.h"
 
 namespace airlight {
@@ -22,6 +23,7 @@ struct RenderRequest {
   bool bloom = false;     // compute bloom where the scene asks for it and anything exceeds the threshold
   bool gpu_tone = false;  // also run the GPU tone curve
   bool tables = false;    // read the tables back
+  bool layers = false;    // of a method that has add_layer_passes
   HostOptions host;       // of a method on the host
 };
 
@@ -46,13 +48,16 @@ struct Rendering {
   Statistics picture;
   std::vector<NamedStatistics> tables_statistics;
   std::vector<TableDump> tables;
+  std::vector<Layer> layers;
+  std::vector<NamedStatistics> layer_statistics;
   std::vector<std::string> left_out;  // what this picture did not need, with the reason
   std::vector<PassTiming> passes;
   std::vector<Milestone> host;
 
-  // Empty, or one line that names the first table or the picture that holds a NaN, an infinity or a negative value,
-  // and where.
+  // Empty, or one line that names the first table, layer or the picture that holds a NaN, an infinity or a negative
+  // value, and where.
   std::string fault() const;
+  std::string picture_fault() const;  // the same without the layers
 };
 
 // Throws RunError when the device fails; a poisoned result is returned, not thrown: see Rendering::fault().

@@ -100,6 +100,14 @@ struct ImageSize {
   int height = 720;
 };
 
+// A rectangle of a picture's pixels; x, y of the upper left one.
+struct Tile {
+  int x = 0;
+  int y = 0;
+  int width = 0;
+  int height = 0;
+};
+
 // The chosen method and every parameter that it takes, defaults filled in. A parameter inherited through `extends`
 // that the method does not take is left out.
 struct RenderSettings {

@@ -9,25 +9,11 @@
 #include "physics/sky_factors.glsl"
 #include "shared/shell_table.glsl"
 #include "physics/sky_table.glsl"
+#include "shared/sky_table_ray.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = 4, rgba32f) uniform writeonly image2D factors_out;
 layout(push_constant, scalar) uniform Push { uint steps; };
-
-Ray table_ray(SkyTableState state, uint section) {
-  float h = scene.camera.altitude;
-  float mu_sun = scene.sun.direction.y;
-  float s = sqrt(max((1.0 - state.mu * state.mu) * (1.0 - mu_sun * mu_sun), 0.0));
-  Ray ray = ray_in_atmosphere(scene.planet, h, state.mu, mu_sun, state.mu * mu_sun + s * state.cos_azimuth);
-  if (section == kSectionGround) {
-    ray.at_ground = true;
-    ray.length_ = state.length_;
-  } else {
-    ray.at_ground = false;
-    ray.length_ = distance_to_top(scene.planet, h, state.mu);
-  }
-  return ray;
-}
 
 void store_single(uint i, SkyFactors factors, uvec2 texel) {
   if (scatters(i)) {
@@ -41,11 +27,7 @@ void main() {
   if (texel.x >= kSkyColumns || texel.y >= kGroundRows + kLimbRows + kSkyRows) {
     return;
   }
-  uint section = texel.y < kGroundRows ? kSectionGround : texel.y < kGroundRows + kLimbRows ? kSectionLimb : kSectionSky;
-  float y = float(texel.y - section_first(section)) / float(section_rows(section) - 1u);
-  SkyTableState state =
-      sky_table_state(scene.planet, scene.camera.altitude, float(texel.x) / float(kSkyColumns - 1u), section, y);
-  SkyFactors factors = scene_sky_factors(table_ray(state, section), steps);
+  SkyFactors factors = scene_sky_factors(table_ray(texel), steps);
   store_single(0u, factors, texel);
   store_single(1u, factors, texel);
   store_single(2u, factors, texel);

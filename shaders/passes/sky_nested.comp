@@ -3,24 +3,7 @@
 // The view march with a march to the sun at each of its steps [N93, O05], one pixel a thread: no table at all, hence
 // single scattering and a ground lit by the sun alone.
 #include "shared/device.glsl"
-
-layout(local_size_x = 8, local_size_y = 8) in;
-layout(constant_id = 5) const uint kGroundReflects = 0u;
-layout(constant_id = 6) const uint kStepDistribution = 1u;
-layout(push_constant, scalar) uniform Push {
-  uint width;
-  uint height;
-  uint steps;
-  uint sun_steps;
-};
-
-vec3 transmittance_to_top(PlanetData planet, real h, real mu) {
-  return exp(-optical_depth_to_top(planet, h, mu, sun_steps));
-}
-vec3 fetch_multiple_scattering(real x, real y) { return vec3(0.0); }
-bool ground_reflects() { return kGroundReflects != 0u; }
-vec3 fetch_ground_irradiance(real x) { return vec3(0.0); }
-
+#include "shared/nested_light.glsl"
 #include "physics/sunlight.glsl"
 #include "physics/march.glsl"
 #include "shared/march_pixels.glsl"

@@ -7,6 +7,7 @@
 #include "shared/ground_table.glsl"
 #include "physics/march.glsl"
 #include "physics/sky_view_mapping.glsl"
+#include "shared/sky_view_ray.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = 6) const uint kStepDistribution = 1u;
@@ -22,13 +23,7 @@ void main() {
   if (texel.x >= size.x || texel.y >= size.y) {
     return;
   }
-  SkyViewCoordinate c;
-  vec2 uv = (vec2(texel) + 0.5) / vec2(size);
-  c.chord = even_from_texel(uv.x, float(size.x));
-  c.ground = texel.y >= int(sky_rows);
-  c.height = part_from_texel(uv.y, c.ground ? float(sky_rows) : 0.0,
-                             c.ground ? float(size.y) - float(sky_rows) : float(sky_rows), float(size.y));
-  Ray ray = sky_view_ray(scene.planet, scene.camera.altitude, c, scene.sun.direction.y);
+  Ray ray = sky_view_texel_ray(texel, size, int(sky_rows));
   PathRadiance path = march(scene.planet, scene.sun, ray, steps, kStepDistribution, scene.multiple_scattering_scale);
   imageStore(sky_view_out, texel, vec4(path.radiance, 1.0));
 }

@@ -60,5 +60,6 @@ void main() {
   }
   float sample_area = size.x * size.y / float(samples.x * samples.y);
   vec3 mean = turns == 0u ? vec3(0.0) : sum * (sample_area / pixel_solid_angle(center));
-  radiance_out.values[pixel.y * scene.camera.width + pixel.x] += vec4(mean, 0.0);
+  uvec2 at = pixel - uvec2(scene.tile.x, scene.tile.y);
+  radiance_out.values[at.y * scene.tile.width + at.x] += vec4(mean, 0.0);
 }

@@ -31,6 +31,21 @@ real distance_to_ground(PlanetData planet, real h, real mu) {
   return c / (sqrt(max(r * r * mu * mu - c, 0.0)) - r * mu);
 }
 
+// Distance from altitude h, space allowed, to the ground or else to where the ray leaves the air; negative where it meets
+// neither.
+real distance_to_end(PlanetData planet, real h, real mu) {
+  if (meets_ground(planet, h, mu)) {
+    return distance_to_ground(planet, h, mu);
+  }
+  if (h <= planet.atmosphere_height) {
+    return distance_to_top(planet, h, mu);
+  }
+  real r = planet.ground_radius + h;
+  real c = (h - planet.atmosphere_height) * (r + planet.ground_radius + planet.atmosphere_height);
+  real discriminant = r * r * mu * mu - c;
+  return mu < 0.0 && discriminant > 0.0 ? sqrt(discriminant) - r * mu : -1.0;
+}
+
 // A ray inside the atmosphere: where it starts, where it looks, where the sun stands, and how far it runs.
 struct Ray {
   real h;         // altitude of the start

@@ -122,4 +122,11 @@ Air air_at(real h, Phases p) {
   return air;
 }
 
+vec3 medium_scattering(uint i, real h) {
+  if (i < medium_count()) {
+    return medium(i).scattering * density(density_profile(i), medium(i), h);
+  }
+  return vec3(0.0);
+}
+
 vec3 extinction_at(real h) { return air_at(h, equal_phases(0.0)).extinction; }

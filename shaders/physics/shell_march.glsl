@@ -92,8 +92,8 @@ vec3 shell_order_radiance(PlanetData planet, MomentTableData table, Ray ray, uin
   return radiance;
 }
 
-// As sky_factors().
-SkyFactors shell_sky_factors(PlanetData planet, MomentTableData table, Ray ray, uint parts) {
+// As air_factors().
+SkyFactors shell_air_factors(PlanetData planet, MomentTableData table, Ray ray, uint parts) {
   SkyFactors factors;
   for (uint i = 0u; i < kMaxMedia; i++) {
     factors.single[i] = vec3(0.0);
@@ -132,10 +132,21 @@ SkyFactors shell_sky_factors(PlanetData planet, MomentTableData table, Ray ray, 
     factors.diffuse = factors.diffuse + factors.transmittance * segment.mean * source * width;
     factors.transmittance = factors.transmittance * segment.through;
   }
+  return factors;
+}
+
+// As ground_light().
+vec3 shell_ground_light(PlanetData planet, MomentTableData table, Ray ray, vec3 transmittance) {
+  RayPoint end = point_on_ray(planet, ray, ray.length_);
+  vec3 irradiance = shell_sun_irradiance(planet, end.mu_sun) + moment_ground_irradiance(table, end.mu_sun);
+  return transmittance * planet.ground_albedo * irradiance / kPi;
+}
+
+// As sky_factors().
+SkyFactors shell_sky_factors(PlanetData planet, MomentTableData table, Ray ray, uint parts) {
+  SkyFactors factors = shell_air_factors(planet, table, ray, parts);
   if (ray.at_ground && ray.length_ >= 0.0) {
-    RayPoint end = point_on_ray(planet, ray, ray.length_);
-    vec3 irradiance = shell_sun_irradiance(planet, end.mu_sun) + moment_ground_irradiance(table, end.mu_sun);
-    factors.diffuse = factors.diffuse + factors.transmittance * planet.ground_albedo * irradiance / kPi;
+    factors.diffuse = factors.diffuse + shell_ground_light(planet, table, ray, factors.transmittance);
   }
   return factors;
 }

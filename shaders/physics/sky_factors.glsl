@@ -16,14 +16,8 @@ vec3 phased(SkyFactors factors, Phases p) {
   return sum;
 }
 
-vec3 medium_scattering(uint i, real h) {
-  if (i < medium_count()) {
-    return medium(i).scattering * density(density_profile(i), medium(i), h);
-  }
-  return vec3(0.0);
-}
-
-SkyFactors sky_factors(PlanetData planet, MomentTableData table, Ray ray, uint steps) {
+// Of the air alone: the ground, where the ray ends on it, is left out.
+SkyFactors air_factors(PlanetData planet, MomentTableData table, Ray ray, uint steps) {
   SkyFactors factors;
   for (uint i = 0u; i < kMaxMedia; i++) {
     factors.single[i] = vec3(0.0);
@@ -53,11 +47,21 @@ SkyFactors sky_factors(PlanetData planet, MomentTableData table, Ray ray, uint s
     factors.diffuse = factors.diffuse + weight * source;
     factors.transmittance = factors.transmittance * segment.through;
   }
+  return factors;
+}
+
+// Light of the ground where the ray ends on it, seen through air of this transmittance, for a sun of irradiance 1.
+vec3 ground_light(PlanetData planet, MomentTableData table, Ray ray, vec3 transmittance) {
+  RayPoint end = point_on_ray(planet, ray, ray.length_);
+  vec3 irradiance = transmittance_to_sun(planet, 0.0, end.mu_sun) * max(end.mu_sun, 0.0) +
+                    moment_ground_irradiance(table, end.mu_sun);
+  return transmittance * planet.ground_albedo * irradiance / kPi;
+}
+
+SkyFactors sky_factors(PlanetData planet, MomentTableData table, Ray ray, uint steps) {
+  SkyFactors factors = air_factors(planet, table, ray, steps);
   if (ray.at_ground && ray.length_ >= 0.0) {
-    RayPoint end = point_on_ray(planet, ray, ray.length_);
-    vec3 irradiance = transmittance_to_sun(planet, 0.0, end.mu_sun) * max(end.mu_sun, 0.0) +
-                      moment_ground_irradiance(table, end.mu_sun);
-    factors.diffuse = factors.diffuse + factors.transmittance * planet.ground_albedo * irradiance / kPi;
+    factors.diffuse = factors.diffuse + ground_light(planet, table, ray, factors.transmittance);
   }
   return factors;
 }

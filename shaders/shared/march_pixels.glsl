@@ -9,9 +9,14 @@ layout(scalar, set = 0, binding = 10) readonly buffer NoiseMask { float values[]
 // Radiance, and 1 where the ray ends on the ground.
 layout(scalar, set = 0, binding = 11) readonly buffer HalfRadiance { vec4 values[]; } half_radiance;
 
+// The pixel of the whole picture that a pixel of the tile at hand is.
+uvec2 whole_pixel(uvec2 pixel) { return pixel + uvec2(scene.tile.x, scene.tile.y); }
+
+// Pairs of pixels are those of the whole picture, whatever tile is at hand: its corners start at a pair's.
 ViewRay marched_ray(uvec2 pixel) {
   if (kPart == kPartHalf) {
-    return view_ray(scene.camera, kProjection, 2.0 * float(pixel.x), 2.0 * float(pixel.y));
+    return view_ray(scene.camera, kProjection, 2.0 * float(pixel.x + scene.tile.x / 2u),
+                    2.0 * float(pixel.y + scene.tile.y / 2u));
   }
   return pixel_ray(pixel);
 }
@@ -20,7 +25,8 @@ float place_in_step(uvec2 pixel) {
   if (kJitter == 0u) {
     return 0.5;
   }
-  return noise_mask.values[(pixel.y % kNoiseSide) * kNoiseSide + pixel.x % kNoiseSide];
+  uvec2 at = whole_pixel(pixel) % kNoiseSide;
+  return noise_mask.values[at.y * kNoiseSide + at.x];
 }
 
 struct Upsampled {
@@ -31,7 +37,8 @@ struct Upsampled {
 // How far from the sun, or from the point opposite to it, in distances between corners: a peak of a phase function may
 // stand between four corners that know nothing of it.
 float corners_from_peak(uvec2 pixel, vec3 direction) {
-  vec3 next = view_ray(scene.camera, kProjection, float(pixel.x) + 0.5, float(pixel.y) + 2.5).direction;
+  uvec2 at = whole_pixel(pixel);
+  vec3 next = view_ray(scene.camera, kProjection, float(at.x) + 0.5, float(at.y) + 2.5).direction;
   float off = min(length(direction - scene.sun.direction), length(direction + scene.sun.direction));
   return off / max(length(next - direction), 1e-12);
 }
@@ -45,14 +52,16 @@ Upsampled upsampled(uvec2 pixel, uint width, vec3 direction, bool at_ground) {
   from.holds = false;
   if (kPart == kPartUpsampled) {
     const float kContrast = 1.25;
-    uint row = (width + 1u) / 2u + 1u;
-    uint first = (pixel.y / 2u) * row + pixel.x / 2u;
+    uint row = width / 2u + 2u;
+    uvec2 at = whole_pixel(pixel);
+    uvec2 corner = at / 2u - uvec2(scene.tile.x, scene.tile.y) / 2u;
+    uint first = corner.y * row + corner.x;
     vec4 a = half_radiance.values[first];
     vec4 b = half_radiance.values[first + 1u];
     vec4 c = half_radiance.values[first + row];
     vec4 d = half_radiance.values[first + row + 1u];
-    float x = pixel.x % 2u == 0u ? 0.25 : 0.75;
-    float y = pixel.y % 2u == 0u ? 0.25 : 0.75;
+    float x = at.x % 2u == 0u ? 0.25 : 0.75;
+    float y = at.y % 2u == 0u ? 0.25 : 0.75;
     vec4 sum = mix(mix(a, b, x), mix(c, d, x), y);
     vec3 low = min(min(a.rgb, b.rgb), min(c.rgb, d.rgb));
     vec3 high = max(max(a.rgb, b.rgb), max(c.rgb, d.rgb));

@@ -63,6 +63,13 @@ struct CameraData {
   uint cube_layout;
 };
 
+// The rectangle of the picture that a plan renders: all of it, or a tile.
+struct TileData {
+  uint x;  // of its upper left pixel
+  uint y;
+  uint width;
+};
+
 struct SceneData {
   PlanetData planet;
   SunData sun;
@@ -73,4 +80,5 @@ struct SceneData {
   vec2 layers[kMaxDensityLayers];  // altitude, density
   uint shell_rows;                 // 0: this air is not gone through by shells (physics/shells.glsl)
   real shell_altitudes[kMaxShellRows];
+  TileData tile;
 };

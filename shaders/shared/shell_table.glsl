@@ -12,3 +12,27 @@ SkyFactors scene_sky_factors(Ray ray, uint steps) {
   }
   return sky_factors(scene.planet, scene.moments, ray, steps);
 }
+
+// The same light with the ground's apart.
+struct ApartFactors {
+  SkyFactors air;
+  vec3 ground;  // as the camera sees it
+};
+
+ApartFactors scene_apart_factors(Ray ray, uint steps) {
+  ApartFactors apart;
+  apart.ground = vec3(0.0);
+  bool sees_ground = ray.at_ground && ray.length_ >= 0.0;
+  if (shell_rows() > 0u) {
+    apart.air = shell_air_factors(scene.planet, scene.moments, ray, steps);
+    if (sees_ground) {
+      apart.ground = shell_ground_light(scene.planet, scene.moments, ray, apart.air.transmittance);
+    }
+  } else {
+    apart.air = air_factors(scene.planet, scene.moments, ray, steps);
+    if (sees_ground) {
+      apart.ground = ground_light(scene.planet, scene.moments, ray, apart.air.transmittance);
+    }
+  }
+  return apart;
+}

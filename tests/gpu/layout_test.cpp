@@ -72,6 +72,9 @@ std::map<std::string, std::size_t> host_offsets() {
   AIRLIGHT_MEMBER(layers);
   AIRLIGHT_MEMBER(shell_rows);
   AIRLIGHT_MEMBER(shell_altitudes);
+  AIRLIGHT_MEMBER(tile.x);
+  AIRLIGHT_MEMBER(tile.y);
+  AIRLIGHT_MEMBER(tile.width);
 #undef AIRLIGHT_MEMBER
   return offsets;
 }

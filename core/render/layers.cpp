@@ -1,0 +1,219 @@
+#include "core/render/layers.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <cstring>
+#include <set>
+
+#include "core/methods/method.h"
+#include "core/physics/scene_data.h"
+#include "core/render/picture_key.h"
+#include "core/render/timings.h"
+
+namespace airlight {
+namespace {
+
+using physics::vec3;
+
+// What the layers that no medium names are called, and channels of the EXR that stand beside them.
+const std::set<std::string>& taken_names() {
+  static const std::set<std::string> names{"multiple", "sun", "ground", "transmittance", "depth",         "N", "R",
+                                           "G",        "B",   "A",      "bloom",         "standard_error"};
+  return names;
+}
+
+constexpr std::size_t kLongestName = 200;  // a channel's is at most 255 bytes
+
+// A dot would begin a channel's name; what some program takes for an operator or a space becomes an underscore.
+std::string channel_name(const std::string& medium, std::size_t index) {
+  std::string name = medium.substr(0, kLongestName);
+  for (char& c : name) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+    c = plain ? c : '_';
+  }
+  return name.empty() ? "medium" + std::to_string(index + 1) : name;
+}
+
+std::string unlike(const std::set<std::string>& taken, const std::string& name) {
+  std::string other = name;
+  for (int i = 2; taken.contains(other); ++i) {
+    other = name + "_" + std::to_string(i);
+  }
+  return other;
+}
+
+std::size_t pixels_of(const Tile& tile) {
+  return static_cast<std::size_t>(tile.width) * static_cast<std::size_t>(tile.height);
+}
+
+Layer& find(std::vector<Layer>& layers, std::string_view name) {
+  const auto found = std::find_if(layers.begin(), layers.end(), [&](const Layer& layer) { return layer.name == name; });
+  assert(found != layers.end());
+  return *found;
+}
+
+std::vector<float> floats(std::span<const std::byte> bytes, std::size_t first, std::size_t count) {
+  std::vector<float> values(count);
+  std::memcpy(values.data(), bytes.data() + first * sizeof(float), count * sizeof(float));
+  return values;
+}
+
+// From the device's planes, which stand in the order of layers_of() but for the sun.
+void take_planes(std::vector<Layer>& layers, std::span<const std::byte> bytes, std::size_t pixels) {
+  std::size_t first = 0;
+  for (Layer& layer : layers) {
+    if ((layer.is_light && layer.name != "sun") || layer.name == "transmittance") {
+      layer.planes = floats(bytes, first, 3 * pixels);
+      first += 3 * pixels;
+    }
+  }
+  assert(first * sizeof(float) == bytes.size());
+}
+
+void take_disc(Layer& sun, std::span<const std::byte> bytes, std::size_t pixels) {
+  sun.planes.assign(3 * pixels, 0.0F);
+  if (bytes.empty()) {
+    return;
+  }
+  const std::vector<float> rgba = floats(bytes, 0, 4 * pixels);
+  for (std::size_t i = 0; i < pixels; ++i) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      sun.planes[c * pixels + i] = rgba[4 * i + c];
+    }
+  }
+}
+
+// Depth and normals in double, from the geometry alone.
+void add_geometry(std::vector<Layer>& layers, const Scene& scene, const Tile& tile) {
+  physics::Physics p = make_physics(scene);
+  const std::size_t pixels = pixels_of(tile);
+  std::vector<float>& depth = find(layers, "depth").planes;
+  std::vector<float>& normal = find(layers, "N").planes;
+  depth.assign(pixels, 0.0F);
+  normal.assign(3 * pixels, 0.0F);
+  const physics::PlanetData planet = p.scene.planet;
+  const double h = scene.camera.altitude;
+  const physics::uint projection = projection_code(scene.camera.projection);
+  for (std::size_t i = 0; i < pixels; ++i) {
+    const auto width = static_cast<std::size_t>(tile.width);
+    const auto ray = p.view_ray(p.scene.camera, projection, tile.x + 0.5 + static_cast<double>(i % width),
+                                tile.y + 0.5 + static_cast<double>(i / width));
+    if (!ray.inside) {
+      continue;
+    }
+    const double distance = p.distance_to_end(planet, h, ray.direction.y);
+    depth[i] = distance < 0.0 ? kNoDistance : static_cast<float>(distance);
+    if (p.meets_ground(planet, h, ray.direction.y)) {
+      const vec3 up = physics::normalize(ray.direction * distance + vec3(0.0, planet.ground_radius + h, 0.0));
+      normal[i] = static_cast<float>(up.x);
+      normal[pixels + i] = static_cast<float>(up.y);
+      normal[2 * pixels + i] = static_cast<float>(up.z);
+    }
+  }
+}
+
+// Rows of a band whose buffers on the device fill no more than kLayerBandBytes.
+int band_rows(const Scene& scene) {
+  const std::size_t layers = static_cast<std::size_t>(std::popcount(scattering_media(scene))) + 3;
+  const std::size_t row = (3 * layers + 4) * sizeof(float) * static_cast<std::size_t>(scene.image.width);
+  return static_cast<int>(
+      std::clamp<std::size_t>(kLayerBandBytes / row, 1, static_cast<std::size_t>(scene.image.height)));
+}
+
+void put_band(Layer& whole, const Layer& band, const Tile& tile, int height) {
+  const std::size_t plane = static_cast<std::size_t>(tile.width) * static_cast<std::size_t>(height);
+  const std::size_t first = static_cast<std::size_t>(tile.width) * static_cast<std::size_t>(tile.y);
+  const std::size_t pixels = pixels_of(tile);
+  whole.planes.resize(whole.channels.size() * plane);
+  for (std::size_t c = 0; c < whole.channels.size(); ++c) {
+    const float* from = band.planes.data() + c * pixels;
+    std::copy(from, from + pixels, whole.planes.data() + c * plane + first);
+  }
+}
+
+}  // namespace
+
+std::vector<Layer> layers_of(const Scene& scene) {
+  std::vector<Layer> layers;
+  std::set<std::string> taken = taken_names();
+  for (std::size_t i = 0; i < scene.media.size(); ++i) {
+    if ((scattering_media(scene) >> i & 1u) != 0) {
+      layers.push_back({unlike(taken, channel_name(scene.media[i].name, i)), "RGB", true});
+      taken.insert(layers.back().name);
+    }
+  }
+  layers.push_back({"multiple", "RGB", true});
+  layers.push_back({"ground", "RGB", true});
+  layers.push_back({"transmittance", "RGB"});
+  layers.push_back({"sun", "RGB", true});
+  layers.push_back({"depth", "Z"});
+  layers.push_back({"N", "XYZ"});
+  return layers;
+}
+
+std::string methods_with_layers() {
+  std::string names;
+  for (const SkyMethod& method : methods()) {
+    if (method.add_layer_passes != nullptr) {
+      names += (names.empty() ? "" : ", ") + std::string(method.info.name);
+    }
+  }
+  return names;
+}
+
+std::vector<Layer> render_layers(Executor& executor, const Scene& scene, const Tile& tile, const std::string& kept_as,
+                                 std::vector<PassTiming>& timings) {
+  const SkyMethod* method = find_method(scene.render.method);
+  assert(method != nullptr && method->add_layer_passes != nullptr);
+  Plan plan;
+  plan.scene_data = device_scene_bytes(scene, tile);
+  const LayerPasses passes =
+      method->add_layer_passes(plan, scene, {.directions = {}, .tile = tile, .kept_as = kept_as});
+  const std::size_t pixels = pixels_of(tile);
+  const BufferId disc = plan.add_buffer({.name = "disc", .bytes = 4 * pixels * sizeof(float), .host_readable = true});
+  const bool shines = add_sun_disc(plan, scene, passes.transmittance, picture_of(disc, tile));
+  const RunResult result = executor.run(plan);
+  add_timings(timings, result.passes);
+  std::vector<Layer> layers = layers_of(scene);
+  take_planes(layers, result.contents(passes.planes), pixels);
+  take_disc(find(layers, "sun"), shines ? result.contents(disc) : std::span<const std::byte>(), pixels);
+  add_geometry(layers, scene, tile);
+  return layers;
+}
+
+std::vector<Layer> render_layers(Executor& executor, const Scene& scene, std::vector<PassTiming>& timings) {
+  std::vector<Layer> layers = layers_of(scene);
+  const std::string key = picture_key();
+  const int rows = band_rows(scene);
+  for (int y = 0; y < scene.image.height; y += rows) {
+    const Tile tile{0, y, scene.image.width, std::min(rows, scene.image.height - y)};
+    const std::vector<Layer> band = render_layers(executor, scene, tile, key, timings);
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+      put_band(layers[i], band[i], tile, scene.image.height);
+    }
+  }
+  return layers;
+}
+
+Statistics layer_statistics(const Layer& layer, int width) {
+  Statistics found;
+  const bool is_signed = layer.name == "N";
+  const std::size_t pixels = layer.planes.size() / layer.channels.size();
+  for (std::size_t i = 0; i < layer.planes.size(); ++i) {
+    const float value = layer.planes[i];
+    const bool finite = std::isfinite(value);
+    if (finite && (value >= 0.0F || is_signed)) {
+      continue;
+    }
+    if (found.sound()) {
+      found.first_bad_x = static_cast<std::uint32_t>(i % pixels % static_cast<std::size_t>(width));
+      found.first_bad_y = static_cast<std::uint32_t>(i % pixels / static_cast<std::size_t>(width));
+    }
+    ++(finite ? found.negative : found.not_finite);
+  }
+  return found;
+}
+
+}  // namespace airlight

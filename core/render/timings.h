@@ -1,0 +1,25 @@
+#pragma once
+// Times of what several plans of one picture have run.
+
+#include <algorithm>
+#include <vector>
+
+#include "core/gpu/executor.h"
+
+namespace airlight {
+
+// Each name once, with the sum of its times; of PassTiming or Milestone.
+template <class Timing>
+void add_timings(std::vector<Timing>& all, const std::vector<Timing>& more) {
+  for (const Timing& timing : more) {
+    const auto same = [&](const Timing& other) { return other.name == timing.name; };
+    const auto found = std::find_if(all.begin(), all.end(), same);
+    if (found == all.end()) {
+      all.push_back(timing);
+    } else {
+      found->milliseconds += timing.milliseconds;
+    }
+  }
+}
+
+}  // namespace airlight

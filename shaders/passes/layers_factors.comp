@@ -1,0 +1,44 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// The picture's table of factors as sky_factors.comp makes it, but the ground in a block of its own.
+#include "shared/device.glsl"
+#include "shared/tables.glsl"
+#include "shared/moment_table.glsl"
+#include "shared/sky_table.glsl"
+#include "physics/orders.glsl"
+#include "physics/sky_factors.glsl"
+#include "shared/shell_table.glsl"
+#include "physics/sky_table.glsl"
+#include "shared/sky_table_ray.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(set = 0, binding = 4, rgba32f) uniform writeonly image2D factors_out;
+layout(push_constant, scalar) uniform Push { uint steps; };
+
+void store(uint block, uvec2 texel, vec3 light) {
+  imageStore(factors_out, ivec2(block * kSkyColumns + texel.x, texel.y), vec4(light * scene.sun.irradiance, 1.0));
+}
+
+void store_single(uint i, SkyFactors factors, uvec2 texel) {
+  if (scatters(i)) {
+    store(single_block(i), texel, factors.single[i]);
+  }
+}
+
+void main() {
+  uvec2 texel = gl_GlobalInvocationID.xy;
+  if (texel.x >= kSkyColumns || texel.y >= kGroundRows + kLimbRows + kSkyRows) {
+    return;
+  }
+  ApartFactors factors = scene_apart_factors(table_ray(texel), steps);
+  store_single(0u, factors.air, texel);
+  store_single(1u, factors.air, texel);
+  store_single(2u, factors.air, texel);
+  store_single(3u, factors.air, texel);
+  store_single(4u, factors.air, texel);
+  store_single(5u, factors.air, texel);
+  store_single(6u, factors.air, texel);
+  store_single(7u, factors.air, texel);
+  store(diffuse_block(), texel, factors.air.diffuse);
+  store(diffuse_block() + 1u, texel, factors.ground);
+}

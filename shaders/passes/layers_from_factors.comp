@@ -1,0 +1,44 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// The layers of a picture from its table of factors with the ground apart; the transmittance by a march of its own.
+#include "shared/device.glsl"
+#include "shared/tables.glsl"
+#include "shared/moment_table.glsl"
+#include "shared/sky_table.glsl"
+#include "shared/layer_output.glsl"
+#include "physics/orders.glsl"
+#include "physics/sky_factors.glsl"
+#include "shared/shell_table.glsl"
+#include "physics/sky_table.glsl"
+
+const uint kRestBlocks = 2u;
+#include "shared/factor_fetch.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(push_constant, scalar) uniform Push {
+  uint width;
+  uint height;
+  uint steps;
+};
+
+void main() {
+  uvec2 pixel = gl_GlobalInvocationID.xy;
+  if (pixel.x >= width || pixel.y >= height) {
+    return;
+  }
+  ViewRay view = picture_ray(pixel);
+  FactorPlace at = factor_place(view.direction);
+  LightLayers layers;
+  layers.single[0] = single_at(0u, at);
+  layers.single[1] = single_at(1u, at);
+  layers.single[2] = single_at(2u, at);
+  layers.single[3] = single_at(3u, at);
+  layers.single[4] = single_at(4u, at);
+  layers.single[5] = single_at(5u, at);
+  layers.single[6] = single_at(6u, at);
+  layers.single[7] = single_at(7u, at);
+  layers.multiple = fetch_factor(diffuse_block(), at);
+  layers.ground = fetch_factor(diffuse_block() + 1u, at);
+  layers.transmittance = scene_apart_factors(air_ray(view.direction), steps).air.transmittance;
+  write_layers(pixel, uvec2(width, height), view.inside, layers);
+}

@@ -1,0 +1,36 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// The layers of a picture by the view march on the table of moments, one pixel a thread.
+#include "shared/device.glsl"
+#include "shared/tables.glsl"
+#include "shared/moment_table.glsl"
+#include "shared/layer_output.glsl"
+#include "physics/orders.glsl"
+#include "physics/sky_factors.glsl"
+#include "shared/shell_table.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(push_constant, scalar) uniform Push {
+  uint width;
+  uint height;
+  uint steps;
+};
+
+void main() {
+  uvec2 pixel = gl_GlobalInvocationID.xy;
+  if (pixel.x >= width || pixel.y >= height) {
+    return;
+  }
+  ViewRay view = picture_ray(pixel);
+  Ray ray = air_ray(view.direction);
+  ApartFactors factors = scene_apart_factors(ray, steps);
+  Phases p = phases(ray.nu);
+  LightLayers layers;
+  for (uint i = 0u; i < kMaxMedia; i++) {
+    layers.single[i] = factors.air.single[i] * p.of[i] * scene.sun.irradiance;
+  }
+  layers.multiple = factors.air.diffuse * scene.sun.irradiance;
+  layers.ground = factors.ground * scene.sun.irradiance;
+  layers.transmittance = factors.air.transmittance;
+  write_layers(pixel, uvec2(width, height), view.inside, layers);
+}

@@ -1,0 +1,27 @@
+// The light of a ray apart by where it comes from: what `--layers` writes.
+
+struct LightLayers {
+  vec3 single[kMaxMedia];  // scattered once, by each medium, W/(m2 sr)
+  vec3 multiple;           // scattered more than once
+  vec3 ground;             // reflected by the ground and seen through the air
+  vec3 transmittance;      // from the camera to the ray's end
+};
+
+LightLayers no_layers() {
+  LightLayers layers;
+  for (uint i = 0u; i < kMaxMedia; i++) {
+    layers.single[i] = vec3(0.0);
+  }
+  layers.multiple = vec3(0.0);
+  layers.ground = vec3(0.0);
+  layers.transmittance = vec3(1.0);
+  return layers;
+}
+
+vec3 sum_of_layers(LightLayers layers) {
+  vec3 sum = layers.multiple + layers.ground;
+  for (uint i = 0u; i < kMaxMedia; i++) {
+    sum = sum + layers.single[i];
+  }
+  return sum;
+}

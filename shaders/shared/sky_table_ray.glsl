@@ -1,0 +1,24 @@
+// The view ray that a texel of the picture's table of factors stands for.
+
+Ray section_ray(SkyTableState state, uint section) {
+  float h = scene.camera.altitude;
+  float mu_sun = scene.sun.direction.y;
+  float s = sqrt(max((1.0 - state.mu * state.mu) * (1.0 - mu_sun * mu_sun), 0.0));
+  Ray ray = ray_in_atmosphere(scene.planet, h, state.mu, mu_sun, state.mu * mu_sun + s * state.cos_azimuth);
+  if (section == kSectionGround) {
+    ray.at_ground = true;
+    ray.length_ = state.length_;
+  } else {
+    ray.at_ground = false;
+    ray.length_ = distance_to_top(scene.planet, h, state.mu);
+  }
+  return ray;
+}
+
+Ray table_ray(uvec2 texel) {
+  uint section = texel.y < kGroundRows ? kSectionGround : texel.y < kGroundRows + kLimbRows ? kSectionLimb : kSectionSky;
+  float y = float(texel.y - section_first(section)) / float(section_rows(section) - 1u);
+  SkyTableState state =
+      sky_table_state(scene.planet, scene.camera.altitude, float(texel.x) / float(kSkyColumns - 1u), section, y);
+  return section_ray(state, section);
+}

@@ -1,0 +1,133 @@
+// --tile and --layers as a user meets them: the files, what is refused, and what is left behind.
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/process.h"
+
+namespace airlight::test {
+namespace {
+
+using Json = nlohmann::json;
+using Names = std::vector<std::string>;
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+class Tiles : public testing::Test {
+ protected:
+  void SetUp() override { scratch_.write("sky.json", small_preset()); }
+  Outcome tool(const Names& arguments, const Start& start = {}) const {
+    return airlight(scratch_.path(), arguments, start);
+  }
+  void expect_refusal(const Names& arguments, const std::string& part) const {
+    const Outcome outcome = tool(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+    EXPECT_EQ(lines_of(outcome.err).size(), 1U) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, part)) << outcome.err;
+    EXPECT_EQ(scratch_.files(), (Names{"sky.json"}));
+  }
+  Scratch scratch_;
+};
+
+TEST_F(Tiles, TheFileIsTheSameByteForByte) {
+  const Names base = {"render", "sky.json", "-q", "--size", "75x41", "--layers"};
+  const auto with = [&](const Names& more) {
+    Names words = base;
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome outcome = tool(words);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return outcome.out;
+  };
+  with({"-o", "whole.exr"});
+  EXPECT_EQ(Json::parse(with({"-o", "rows.exr", "--tile", "75x16", "--json"}))["tile"],
+            (Json{{"width", 75}, {"height", 16}}));
+  with({"-o", "odd.exr", "--tile", "19x7"});
+  EXPECT_EQ(scratch_.read("rows.exr"), scratch_.read("whole.exr"));
+  EXPECT_EQ(scratch_.read("odd.exr"), scratch_.read("whole.exr"));
+  with({"-o", "whole32.exr", "--float"});
+  with({"-o", "odd32.exr", "--float", "--tile", "19x7"});
+  EXPECT_EQ(scratch_.read("odd32.exr"), scratch_.read("whole32.exr"));
+}
+
+TEST_F(Tiles, WhatNeedsTheWholePictureIsRefusedInOneLine) {
+  const Names tile = {"render", "sky.json", "--tile", "8x8"};
+  const auto with = [&](const Names& more) {
+    Names words = tile;
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  };
+  expect_refusal(with({}), "a PNG needs the whole picture");  // out/sky.png
+  expect_refusal(with({"-o", "a.exr", "--png", "a.png"}), "a PNG needs the whole picture");
+  expect_refusal(with({"-o", "a.exr", "--set", "/bloom/enabled=true"}), "bloom needs the whole picture");
+  expect_refusal(with({"-o", "a.exr", "--method", "path-trace"}), "choose another --method");
+  expect_refusal({"render", "sky.json", "-o", "a.exr", "--tile", "8"}, "'8' is no size");
+  expect_refusal({"render", "sky.json", "-o", "a.exr", "--tile", "0x8"}, "'0x8' is no size");
+  expect_refusal({"render", "sky.json", "-o", "a.exr", "--size", "9000x9000", "--tile", "9000x9000"}, "8388608 pixels");
+  expect_refusal(with({"-o", "/dev/null"}), "a file in which one can go back");
+}
+
+TEST_F(Tiles, ADiskThatFillsUpLeavesNothing) {
+  // A file larger than allowed fails as one on a full disk does: in the middle of writing.
+  const std::string program = AIRLIGHT_BINARY;
+  const Outcome outcome =
+      run(scratch_.path(), {"sh", "-c",
+                            "trap '' XFSZ; ulimit -f 100; exec " + program +
+                                " render sky.json --float -o a.exr --size 512x256 --tile 512x32 --set "
+                                "/camera/projection=equirectangular --set /camera/pitch_deg=0"});
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  EXPECT_EQ(lines_of(outcome.err).size(), 1U) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "a.exr: cannot write")) << outcome.err;
+  EXPECT_EQ(scratch_.files(), (Names{"sky.json"}));
+}
+
+TEST_F(Tiles, AnEndInTheMiddleLeavesNoHalfFile) {
+  Start start;
+  start.kill_signal = SIGTERM;
+  start.kill_at_file = ".part-";
+  const Outcome outcome = tool({"render", "sky.json", "-o", "a.exr", "--size", "4096x2048", "--tile", "4096x8"}, start);
+  EXPECT_EQ(outcome.signal, SIGTERM) << outcome.err;
+  EXPECT_EQ(scratch_.files(), (Names{"sky.json"}));
+}
+
+TEST_F(Tiles, LayersAreNamedAndCompared) {
+  const Outcome made = tool({"render", "sky.json", "-o", "a.exr", "--layers", "--json", "--size", "64x36"});
+  EXPECT_EQ(made.exit_code, 0) << made.err;
+  const Json layers = Json::parse(made.out)["layers"];
+  EXPECT_EQ(layers.back(), "N");
+  EXPECT_EQ(tool({"render", "a.exr", "-o", "again.exr", "--layers", "-q"}).exit_code, 0);
+  EXPECT_EQ(scratch_.read("again.exr"), scratch_.read("a.exr"));
+  for (const Json& layer : layers) {
+    const Outcome same = tool({"diff", "a.exr", "again.exr", "--layer", layer.get<std::string>(), "--rel-max", "0"});
+    EXPECT_EQ(same.exit_code, 0) << layer << ": " << same.err << same.out;
+  }
+  EXPECT_EQ(Json::parse(tool({"render", "sky.json", "-o", "plain.exr", "--json"}).out).count("layers"), 0U);
+}
+
+TEST_F(Tiles, LayersThatCannotBeAreRefused) {
+  expect_refusal({"render", "sky.json", "--png", "a.png", "--layers"}, "give -o FILE.exr too");
+  for (const std::string method : {"analytic", "path-trace"}) {
+    expect_refusal(
+        {"render", "sky.json", "-o", "a.exr", "--layers", "--method", method},
+        method + " does not tell its light apart; choose by --method one of nested, march, sky-view, orders");
+  }
+}
+
+TEST_F(Tiles, ASequenceHasLayersTooAndTellsFramesWithoutThemFromOthers) {
+  const Names sweep = {"sequence", "sky.json", "-o", "f.#.exr", "--sun-elevation", "10:20:10", "--size", "16x9"};
+  Names layered = sweep;
+  layered.push_back("--layers");
+  EXPECT_EQ(tool(sweep).exit_code, 0);
+  const std::string plain = scratch_.read("f.1.exr");
+  EXPECT_EQ(tool(layered).exit_code, 0);
+  EXPECT_NE(scratch_.read("f.1.exr"), plain) << "a frame without layers was kept";
+  EXPECT_TRUE(contains(tool(layered).err, "0 frames rendered, 2 kept"));
+  EXPECT_TRUE(contains(scratch_.read("f.2.exr"), "transmittance.R"));
+  EXPECT_TRUE(contains(scratch_.read("f.2.exr"), "depth.Z"));
+}
+
+}  // namespace
+}  // namespace airlight::test

@@ -1,0 +1,117 @@
+// A picture in tiles is the picture, bit for bit, whatever the tiles.
+
+#include "core/render/tiled.h"
+
+#include "tests/methods/render_fixture.h"
+
+namespace airlight::test {
+namespace {
+
+struct Whole {
+  Rendering rendering;
+  std::vector<float> rgba;
+  std::vector<std::vector<float>> layers;  // bands one after the other
+};
+
+Whole in_tiles(const Scene& scene, ImageSize tile, bool layers = false) {
+  Whole whole;
+  TiledRequest request{.tile = tile, .layers = layers, .sink = {}};
+  request.sink = [&](const Band& band) {
+    EXPECT_EQ(static_cast<std::size_t>(band.y) * static_cast<std::size_t>(4 * scene.image.width), whole.rgba.size());
+    whole.rgba.insert(whole.rgba.end(), band.radiance.rgba.begin(), band.radiance.rgba.end());
+    whole.layers.resize(band.layers.size());
+    for (std::size_t i = 0; i < band.layers.size(); ++i) {
+      whole.layers[i].insert(whole.layers[i].end(), band.layers[i].planes.begin(), band.layers[i].planes.end());
+    }
+  };
+  whole.rendering = render_tiled([]() -> Executor& { return executor(); }, scene, request);
+  return whole;
+}
+
+Scene sky(const std::string& method, Projection projection) {
+  Scene scene = earth();
+  scene.camera.projection = projection;
+  scene.camera.vertical_fov = projection == Projection::fisheye ? 3.0 : 1.2;
+  scene.planet.ground_albedo = {0.3, 0.3, 0.3};
+  scene.sun.disc.angular_radius = 3.0 * kDegree;
+  scene.camera.pitch = 20.0 * kDegree;
+  scene.image = {41, 23};
+  return with_method(std::move(scene), *find_method(method), true);
+}
+
+void expect_the_same(const Scene& scene, const std::string& what) {
+  const Rendering whole = render_now(scene);
+  for (const ImageSize& tile : {ImageSize{41, 7}, ImageSize{13, 5}, ImageSize{1, 23}, ImageSize{64, 64}}) {
+    const Whole tiles = in_tiles(scene, tile);
+    const std::string which = what + " in " + std::to_string(tile.width) + "x" + std::to_string(tile.height);
+    EXPECT_EQ(tiles.rgba, whole.radiance.rgba) << which;
+    EXPECT_EQ(tiles.rendering.exposure, whole.exposure) << which;
+    EXPECT_EQ(tiles.rendering.picture.max_luminance, whole.picture.max_luminance) << which;
+    EXPECT_EQ(tiles.rendering.left_out, whole.left_out) << which;
+    EXPECT_EQ(tiles.rendering.tables_statistics.size(), whole.tables_statistics.size()) << which;
+  }
+}
+
+TEST(Tiled, IsThePictureInEveryProjection) {
+  for (const Projection projection : {Projection::perspective, Projection::equirectangular, Projection::fisheye}) {
+    expect_the_same(sky("march", projection), "projection " + std::to_string(static_cast<int>(projection)));
+  }
+}
+
+TEST(Tiled, IsThePictureByEveryMethod) {
+  for (const SkyMethod& method : methods()) {
+    if (method.add_passes != nullptr) {
+      expect_the_same(sky(std::string(method.info.name), Projection::equirectangular), std::string(method.info.name));
+    }
+  }
+  Scene tabulated = sky("orders", Projection::equirectangular);
+  tabulated.render.parameters.insert_or_assign("tabulate", std::string("always"));
+  expect_the_same(tabulated, "orders by a table");
+}
+
+// Two pictures after one another must not share what belongs to one of them.
+TEST(Tiled, TablesOfAPictureAreItsOwn) {
+  Scene scene = sky("sky-view", Projection::equirectangular);
+  in_tiles(scene, {41, 7});
+  scene.sun.elevation = 5.0 * kDegree;
+  expect_the_same(scene, "the second picture");
+}
+
+TEST(Tiled, LayersAreThoseOfThePicture) {
+  const Scene scene = sky("march", Projection::fisheye);
+  RenderRequest request;
+  request.layers = true;
+  const Rendering whole = render_now(scene, request);
+  const Whole bands = in_tiles(scene, {13, 23}, true);
+  ASSERT_EQ(bands.layers.size(), whole.layers.size());
+  for (std::size_t i = 0; i < whole.layers.size(); ++i) {
+    EXPECT_EQ(bands.layers[i], whole.layers[i].planes) << whole.layers[i].name;
+  }
+}
+
+TEST(Tiled, AFaultEndsItAndIsTold) {
+  Scene scene = sky("march", Projection::equirectangular);
+  scene.sun.irradiance = {1e38, 1e38, 1e38};
+  scene.sun.disc.radiance_scale = 1e30;
+  const Whole tiles = in_tiles(scene, {41, 7});
+  EXPECT_EQ(tiles.rendering.fault().substr(0, 17), "the picture holds");
+  EXPECT_LT(tiles.rgba.size(), 4U * 41 * 23);
+}
+
+// What nobody cut is cut so that neither device nor host holds much of it.
+TEST(Tiled, UsualTilesFillNoMoreThanTheirBudget) {
+  Scene scene = earth();
+  for (const ImageSize& size : {ImageSize{32768, 16384}, ImageSize{65536, 65536}, ImageSize{3, 65536}}) {
+    scene.image = size;
+    for (const bool layers : {false, true}) {
+      const ImageSize tile = usual_tile(scene, layers);
+      const auto pixels = static_cast<std::size_t>(tile.width) * static_cast<std::size_t>(tile.height);
+      EXPECT_GE(tile.height, 1);
+      EXPECT_LE(pixels * tile_pixel_bytes(scene, layers), kTileBytes);
+      EXPECT_LE(pixels * band_pixel_bytes(scene, layers), kBandBytes);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace airlight::test
