@@ -212,7 +212,8 @@ const Parameters kHalf{{"resolution", std::string("half")}, {"multiple_scatterin
 const Parameters kFull{{"multiple_scattering_scale", 0.0}};
 
 // From the ground, the air and space, odd and even, every projection, ground in sight: never further off than the
-// contrast that is let through (0.04, at the coarsest pixels, above the horizon from 12 km), ground and sky never mixed.
+// contrast that is let through (0.04, at the coarsest pixels, above the horizon from 12 km), ground and sky never
+// mixed.
 TEST(HalfResolution, IsCloseEverywhere) {
   struct Frame {
     Projection projection;
