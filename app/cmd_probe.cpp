@@ -14,6 +14,7 @@
 #include "app/validity.h"
 #include "core/error.h"
 #include "core/scene/angle.h"
+#include "core/scene/photometry.h"
 
 namespace airlight::cli {
 namespace {
@@ -109,29 +110,45 @@ void check_directions(const std::vector<ListedDirection>& directions) {
   }
 }
 
-std::string as_json(const std::vector<ListedDirection>& listed, const std::vector<ProbeResult>& results) {
+// cd/m2; none where the preset's sun has no absolute unit.
+std::optional<double> luminance_of(const Scene& scene, const ProbeResult& result) {
+  const std::optional<double> white = white_luminance(scene.sun.unit);
+  return white ? std::optional(*white * bt709_luminance(result.radiance)) : std::nullopt;
+}
+
+std::string as_json(const Scene& scene, const std::vector<ListedDirection>& listed,
+                    const std::vector<ProbeResult>& results) {
   JsonWriter json;
-  json.begin_object().key("probes").begin_array();
+  json.begin_object().key("radiance_unit").value(radiance_unit(scene.sun.unit)).key("probes").begin_array();
   for (std::size_t i = 0; i < results.size(); ++i) {
     json.begin_object();
     json.key("elevation_deg").value(listed[i].elevation_deg).key("azimuth_deg").value(listed[i].azimuth_deg);
     json.key("radiance").values(results[i].radiance);
+    if (const std::optional<double> luminance = luminance_of(scene, results[i])) {
+      json.key("luminance_cd_per_m2").value(*luminance);
+    }
     json.key("transmittance").values(results[i].transmittance);
     json.end_object();
   }
   return json.end_array().end_object().take();
 }
 
-std::string as_text(const std::vector<ListedDirection>& listed, const std::vector<ProbeResult>& results) {
-  std::string text =
-      "elevation_deg azimuth_deg     radiance R           G           B  transmittance R    G        B\n";
+std::string as_text(const Scene& scene, const std::vector<ListedDirection>& listed,
+                    const std::vector<ProbeResult>& results) {
+  std::string text = "elevation_deg azimuth_deg     radiance R           G           B  transmittance R    G        B";
+  text += white_luminance(scene.sun.unit) ? "  luminance cd/m2\n" : "\n";
   for (std::size_t i = 0; i < results.size(); ++i) {
     char line[160];
     const auto& l = results[i].radiance;
     const auto& t = results[i].transmittance;
-    std::snprintf(line, sizeof line, "%13.4f %11.4f %14.6e %11.6e %11.6e %13.6f %8.6f %8.6f\n", listed[i].elevation_deg,
+    std::snprintf(line, sizeof line, "%13.4f %11.4f %14.6e %11.6e %11.6e %13.6f %8.6f %8.6f", listed[i].elevation_deg,
                   listed[i].azimuth_deg, l[0], l[1], l[2], t[0], t[1], t[2]);
     text += line;
+    if (const std::optional<double> luminance = luminance_of(scene, results[i])) {
+      std::snprintf(line, sizeof line, " %16.6g", *luminance);
+      text += line;
+    }
+    text += "\n";
   }
   return text;
 }
@@ -169,7 +186,7 @@ int run_probe(const Given& given) {
   const std::vector<ProbeResult> results = probe(device_on_demand(given.scene, executor), scene, directions);
   require_valid_vulkan();
   require_sound(listed, results);
-  print(given.json ? as_json(listed, results) : as_text(listed, results));
+  print(given.json ? as_json(scene, listed, results) : as_text(scene, listed, results));
   return 0;
 }
 
@@ -183,11 +200,13 @@ Command probe_command() {
   command.description =
       "The sun's disc is left out: what is printed is the light of the sky, and of the ground where the direction "
       "meets "
-      "it. Transmittance is that along the direction, to the ground or to space.";
+      "it. Transmittance is that along the direction, to the ground or to space.\n\n"
+      "Luminance in cd/m2 is added where the preset's sun.unit is W/m2 or lux.";
   command.examples = {
       {"airlight probe earth-noon --elevation 90 --azimuth 0", "The zenith"},
       {"airlight probe earth-noon --elevation 10 --azimuth 0 --elevation 10 --azimuth 180 --json",
        "Two directions, as JSON"},
+      {"airlight probe earth-physical --elevation 90 --azimuth 0", "The zenith in cd/m2"},
       {"airlight probe earth-noon --csv directions.csv", "Directions from a file of ELEVATION,AZIMUTH lines"}};
   command.positionals = {preset_positional(given->scene)};
   command.options = {{"--elevation", "DEG", "Height of a direction above the horizon", &given->elevations,

@@ -3,6 +3,8 @@
 
 #include "app/choice_options.h"
 #include "app/commands.h"
+#include "app/cube_faces.h"
+#include "app/lighting_files.h"
 #include "app/picture_files.h"
 #include "app/picture_options.h"
 #include "app/preset_source.h"
@@ -18,6 +20,7 @@
 #include "app/validity.h"
 #include "core/error.h"
 #include "core/output/atomic_file.h"
+#include "core/output/half_block.h"
 #include "core/scene/preset.h"
 #include "core/scene/resolve.h"
 
@@ -36,6 +39,8 @@ struct Given {
   std::optional<std::string> png;
   std::optional<std::string> tables;
   std::optional<std::string> tile;
+  std::optional<std::string> irradiance;
+  bool cube_faces = false;
   PictureOptions picture;
   bool timings = false;
   bool json = false;
@@ -67,6 +72,18 @@ void check_targets(const Given& given, const Targets& targets) {
   }
   if (!targets.tables.empty()) {
     require_folder(targets.tables);
+  }
+  if (given.irradiance) {
+    require_ending(*given.irradiance, "render: --irradiance", ".exr");
+    require_writable(*given.irradiance);
+    require_writable(lighting_json_file(*given.irradiance));
+    std::error_code ignored;
+    if (fs::equivalent(lighting_json_file(*given.irradiance), given.scene.preset, ignored)) {
+      throw InputError("render: --irradiance: '" + given.scene.preset + "' would be written over; give another name");
+    }
+    if (*given.irradiance == targets.exr) {
+      throw InputError("render: --irradiance: '" + targets.exr + "' is where -o writes; give a name of its own");
+    }
   }
 }
 
@@ -146,6 +163,33 @@ void tell_people(const Given& given, const RenderReport& report) {
   }
 }
 
+// One picture, or the six of a cube.
+Published publish_pictures(const Given& given, const PictureContext& context, const Targets& targets,
+                           const std::optional<DisplayTransform>& transform, Stopwatch& watch) {
+  const PublishOrder order{targets, given.scene.preset, !given.picture.full_float, given.picture.bits};
+  if (!given.cube_faces) {
+    return publish(context, order, transform, watch);
+  }
+  Published all;
+  for (const CubeFace& face : cube_faces(context.scene, context.rendering)) {
+    PublishOrder one = order;
+    one.targets = {face_file(targets.exr, face.name), face_file(targets.png, face.name), ""};
+    Provenance provenance = context.provenance;
+    provenance.preset_json = to_json(face.scene);
+    const PictureContext of_face{face.scene, face.rendering, provenance, context.choice, {}, {}, context.space};
+    const Published done = publish(of_face, one, transform, watch);
+    all.files.insert(all.files.end(), done.files.begin(), done.files.end());
+    if (done.exr) {
+      add_counts(all.exr ? *all.exr : all.exr.emplace(), *done.exr);
+    }
+  }
+  if (!targets.tables.empty()) {
+    const std::vector<std::string> tables = write_tables(targets.tables, context.rendering.tables, context.provenance);
+    all.files.insert(all.files.end(), tables.begin(), tables.end());
+  }
+  return all;
+}
+
 std::optional<ChoiceNote> note_of(const std::optional<ChoiceReport>& choice) {
   return choice ? std::optional(ChoiceNote{choice->choice.chosen->quality, choice->choice.error}) : std::nullopt;
 }
@@ -195,11 +239,21 @@ void render_and_publish(const Means& means, const Scene& scene) {
     const std::vector<std::string>& left_out = means.choice->choice.left_out;
     rendering.left_out.insert(rendering.left_out.begin(), left_out.begin(), left_out.end());
   }
+  std::optional<Lighting> lighting;
+  if (given.irradiance && rendering.fault().empty()) {
+    lighting = lighting_of(device_on_demand(given.scene, means.executor), scene, request.host);
+    clear_progress();
+    means.watch.lap("irradiance");
+  }
   require_valid_vulkan();
-  const PictureContext context{scene, rendering, provenance_of(means, scene), note_of(means.choice)};
-  const Published done =
-      publish(context, {means.targets, given.scene.preset, !given.picture.full_float, given.picture.bits},
-              means.transform, means.watch);
+  const PictureContext context{scene, rendering, provenance_of(means, scene),    note_of(means.choice),
+                               {},    {},        working_space_of(given.picture)};
+  Published done = publish_pictures(given, context, means.targets, means.transform, means.watch);
+  if (lighting) {
+    const std::vector<std::string> files = write_lighting(*given.irradiance, *lighting, context);
+    done.files.insert(done.files.end(), files.begin(), files.end());
+    means.watch.lap("irradiance, writing");
+  }
   const Plan plan = plan_for(scene, request);
   RenderReport report{scene,    rendering, plan, device_of(means), done.files,
                       done.exr, {},        {},   means.choice,     means.watch};
@@ -218,6 +272,7 @@ void render_in_tiles(const Means& means, const Scene& scene, const ImageSize& ti
       .source = given.scene.preset,
       .provenance = provenance_of(means, scene),
       .choice = note_of(means.choice),
+      .space = working_space_of(given.picture),
       .left_out = means.choice ? means.choice->choice.left_out : std::vector<std::string>(),
       .report = host_options(given.sampling, given.quiet).report,
   };
@@ -232,10 +287,19 @@ void render_in_tiles(const Means& means, const Scene& scene, const ImageSize& ti
   tell(means, report);
 }
 
+// Why options beside the files' own need the whole picture; empty: they do not.
+std::string needs_whole(const Given& given) {
+  if (given.cube_faces) {
+    return "--cube-faces cuts the whole picture; render one face at a time, or the stack in one file";
+  }
+  return given.irradiance ? "--irradiance stands beside a whole picture; write it by a run of its own, of a small one"
+                          : "";
+}
+
 // The tile of a picture that is rendered in tiles. Throws InputError for layers and tiles that cannot be had.
 std::optional<ImageSize> tile_of(const Given& given, const Scene& scene, const Targets& targets) {
   require_layers(given.picture, scene, !targets.exr.empty(), "render");
-  return tile_for(given.tile, scene, targets, given.picture.layers);
+  return tile_for(given.tile, scene, targets, given.picture.layers, needs_whole(given));
 }
 
 void warn(const Scene& scene, const Targets& targets, bool tiled, const std::optional<DisplayTransform>& transform) {
@@ -251,6 +315,9 @@ int run_render(const Given& given) {
   Stopwatch watch;
   Scene scene = scene_of(given);
   const std::optional<ChoiceWish> wish = choice_wish(given, scene);
+  if (given.cube_faces) {
+    require_cube_stack(scene);
+  }
   const Targets targets = choose_targets(given);
   std::optional<ImageSize> tile = wish ? std::nullopt : tile_of(given, scene, targets);
   if (!given.dry_run) {
@@ -274,7 +341,7 @@ int run_render(const Given& given) {
     watch.lap("OCIO config");
   }
   if (!given.quiet) {
-    warn(scene, targets, tile.has_value(), transform);
+    warn(given, scene, targets, tile.has_value(), transform);
   }
   const Means means{given, targets, transform, choice, executor, watch};
   if (tile) {
@@ -298,6 +365,13 @@ std::vector<Option> render_options(Given& given) {
        "pixels "
        "on where neither PNG nor bloom needs the whole picture. The file is the same",
        &given.tile},
+      {"--irradiance", "FILE.exr",
+       "Also write what the sky gives a diffuse surface: a map over normals here, and in FILE.json beside it its 9 "
+       "spherical-harmonic coefficients and the sun as a directional light",
+       &given.irradiance, Completes::file},
+      {"--cube-faces", "",
+       "Write a cube map as six pictures instead of one: FILE.posx.exr, .negx, .posy, .negy, .posz, .negz",
+       &given.cube_faces},
       size_option(given.scene)};
   for (Option& option : scene_options(given.scene)) {
     options.push_back(std::move(option));
@@ -358,6 +432,9 @@ Command render_command() {
                       {"airlight render earth-noon --set /camera/pitch_deg=20 --png up.png --view gpu",
                        "Look up, and show the picture by the GPU tone curve"},
                       {"airlight render my-sky.json --tolerance 1% -o sky.exr", "Model no more than 1 % asks for"},
+                      {"airlight render my-sky.json --colorspace ACEScg -o sky.exr", "An EXR for an ACES pipeline"},
+                      {"airlight render my-sky.json --irradiance light.exr -o sky.exr",
+                       "Also light.exr and light.json, for image-based lighting"},
                       {"airlight render sky.exr -o again.exr", "Render the picture of an EXR again"},
                       {"airlight render earth-sunset --layers -o layers.exr --size 160x90",
                        "Rayleigh, mie, multiple, sun, ground, transmittance, depth and normals apart, for compositing"},

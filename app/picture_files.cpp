@@ -7,13 +7,10 @@
 #include "core/output/provenance_keys.h"
 #include "core/output/quantize.h"
 #include "core/physics/scene_data.h"
+#include "core/scene/photometry.h"
 
 namespace airlight::cli {
 namespace {
-
-bool has_outside(const Scene& scene) {
-  return scene.camera.projection == Projection::fisheye;
-}
 
 Axis axis(const physics::vec3& v) {
   return {v.x, v.y, v.z};
@@ -76,12 +73,17 @@ ExrOptions exr_options(const PictureContext& context, bool half) {
   const Scene& scene = context.scene;
   ExrOptions options;
   options.half = half;
+  options.space = context.space;
   options.latlong = scene.camera.projection == Projection::equirectangular;
+  options.cube = scene.camera.projection == Projection::cube && scene.camera.cube_layout == CubeLayout::stack;
   const CameraBasis basis = camera_basis(scene.camera);
   options.world_to_camera =
       world_to_camera(axis(basis.right), axis(basis.up), axis(basis.forward), scene.camera.altitude);
   options.comments = scene.name + (scene.name.empty() || scene.description.empty() ? "" : ": ") + scene.description;
   options.provenance = context.provenance;
+  if (const std::optional<double> white = white_luminance(scene.sun.unit)) {
+    options.white_luminance = static_cast<float>(*white);
+  }
   if (!context.exr_hash.empty()) {
     options.strings[kHashKey] = context.exr_hash;
   }
@@ -98,30 +100,57 @@ ExrOptions exr_options(const PictureContext& context, bool half) {
   return options;
 }
 
-std::vector<ExrChannel> picture_channels(const PictureContext& context) {
+void PictureChannels::add_colours(std::string_view layer, const RadianceImage& image, bool with_alpha) {
+  const bool ours = space_ == WorkingSpace::linear_rec709;
+  const RadianceImage& stored =
+      ours ? image : images_.emplace_back(converted(image, WorkingSpace::linear_rec709, space_));
+  add_channels(channels_, layer, stored, with_alpha);
+}
+
+void PictureChannels::add_layer(const Layer& layer) {
+  const std::size_t plane = layer.planes.size() / layer.channels.size();
+  const bool is_colour = layer.channels == "RGB";
+  const bool ours = !is_colour || space_ == WorkingSpace::linear_rec709;
+  const std::vector<float>& planes = ours ? layer.planes : planes_.emplace_back(converted_planes(layer.planes));
+  for (std::size_t c = 0; c < layer.channels.size(); ++c) {
+    // A half has no kilometre right beyond 2048.
+    const bool is_depth = layer.name == "depth";
+    channels_.push_back({layer.name + "." + layer.channels[c], planes.data() + c * plane, 1, is_depth});
+  }
+}
+
+std::vector<float> PictureChannels::converted_planes(const std::vector<float>& rgb) const {
+  const ColorMatrix matrix = from_rec709(space_);
+  const std::size_t plane = rgb.size() / 3;
+  std::vector<float> out(rgb.size());
+  for (std::size_t i = 0; i < rgb.size(); ++i) {
+    double sum = 0.0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      sum += matrix[i / plane][c] * static_cast<double>(rgb[c * plane + i % plane]);
+    }
+    out[i] = static_cast<float>(sum);
+  }
+  return out;
+}
+
+PictureChannels::PictureChannels(const PictureContext& context) : space_(context.space) {
   const Rendering& rendering = context.rendering;
-  std::vector<ExrChannel> channels;
-  add_channels(channels, "", rendering.radiance, has_outside(context.scene));
+  add_colours("", rendering.radiance, has_outside(context.scene.camera));
   if (context.scene.bloom.in_exr && rendering.bloom) {
-    add_channels(channels, "bloom", *rendering.bloom);
+    add_colours("bloom", *rendering.bloom);
   }
   if (rendering.standard_error) {
-    add_channels(channels, "standard_error", *rendering.standard_error);
+    add_colours("standard_error", *rendering.standard_error);
   }
   for (const Layer& layer : rendering.layers) {
-    const std::size_t plane = layer.planes.size() / layer.channels.size();
-    for (std::size_t c = 0; c < layer.channels.size(); ++c) {
-      // A half has no kilometre right beyond 2048.
-      const bool is_depth = layer.name == "depth";
-      channels.push_back({layer.name + "." + layer.channels[c], layer.planes.data() + c * plane, 1, is_depth});
-    }
+    add_layer(layer);
   }
-  return channels;
 }
 
 ExrFile picture_exr(const PictureContext& context, bool half) {
   const RadianceImage& radiance = context.rendering.radiance;
-  return encode_exr(radiance.width, radiance.height, picture_channels(context), exr_options(context, half));
+  const PictureChannels channels(context);
+  return encode_exr(radiance.width, radiance.height, channels.list(), exr_options(context, half));
 }
 
 std::vector<std::byte> picture_png(const PictureContext& context, const std::optional<DisplayTransform>& transform,
@@ -137,7 +166,7 @@ std::vector<std::byte> picture_png(const PictureContext& context, const std::opt
     return encode_png(pixels, png_options(context, transform->is_srgb()));
   }
   const bool diagnostic = context.scene.display.view == kDiagnosticView;
-  const QuantizeOptions options{bits, !diagnostic, has_outside(context.scene)};
+  const QuantizeOptions options{bits, !diagnostic, has_outside(context.scene.camera)};
   const PixelImage pixels =
       quantize(diagnostic ? diagnostic_picture(rendering.radiance) : gpu_picture(context), options);
   return encode_png(pixels, png_options(context, true));

@@ -2,8 +2,10 @@
 // A rendering as files in memory: the scene-linear EXR, and the PNG for people.
 
 #include <cstddef>
+#include <deque>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/output/display.h"
@@ -32,10 +34,31 @@ struct PictureContext {
   std::optional<ChoiceNote> choice = {};
   std::string exr_hash = {};  // of a sequence's frame, see app/sequence_job.h; empty: none is written
   std::string png_hash = {};
+  WorkingSpace space = WorkingSpace::linear_rec709;  // of the EXR's colours
 };
 
-// The channels of an EXR of this context, read from its rendering: the beauty and what stands beside it.
-std::vector<ExrChannel> picture_channels(const PictureContext& context);
+// The channels of an EXR of this context, read from its rendering, which must outlive them: the beauty and what stands
+// beside it. In another space than linear Rec.709 all light is converted, and the transmittance as the colour of white
+// seen through the air.
+class PictureChannels {
+ public:
+  explicit PictureChannels(const PictureContext& context);
+  PictureChannels(const PictureChannels&) = delete;
+  PictureChannels& operator=(const PictureChannels&) = delete;
+
+  const std::vector<ExrChannel>& list() const { return channels_; }
+
+ private:
+  void add_colours(std::string_view layer, const RadianceImage& image, bool with_alpha = false);
+  void add_layer(const Layer& layer);
+  std::vector<float> converted_planes(const std::vector<float>& rgb) const;
+
+  WorkingSpace space_;
+  std::deque<RadianceImage> images_;  // converted
+  std::deque<std::vector<float>> planes_;
+  std::vector<ExrChannel> channels_;
+};
+
 ExrOptions exr_options(const PictureContext& context, bool half);
 
 ExrFile picture_exr(const PictureContext& context, bool half);

@@ -22,6 +22,14 @@ std::vector<Option> picture_options(PictureOptions& options) {
        "is the picture, and transmittance, depth (km) and N, the ground's normal",
        &options.layers},
       {"--float", "", "32-bit floats in the EXR instead of 16-bit ones", &options.full_float},
+      {"--colorspace",
+       "NAME",
+       "Linear space of the EXR's colours (default: linear-rec709); its chromaticities stand in the header, and the "
+       "PNG stays as it is",
+       &options.colorspace,
+       Completes::nothing,
+       {},
+       {working_space_names().begin(), working_space_names().end()}},
       {"--ocio-config", "FILE", "OpenColorIO config for the PNG; else $OCIO, else the built-in one",
        &options.ocio_config, Completes::file},
       {"--display", "NAME", "Display of the OCIO config; short for --set /display/display=NAME", &options.display},
@@ -41,6 +49,10 @@ std::vector<Option> picture_options(PictureOptions& options) {
        Completes::nothing,
        {},
        {"8", "16"}}};
+}
+
+WorkingSpace working_space_of(const PictureOptions& options) {
+  return working_space(options.colorspace).value_or(WorkingSpace::linear_rec709);
 }
 
 std::vector<std::string> overrides(const PictureOptions& options) {
@@ -63,7 +75,7 @@ std::optional<DisplayTransform> display_transform(const PictureOptions& options,
   settings.display = scene.display.display;
   settings.view = scene.display.view;
   settings.pixels.bits = options.bits;
-  settings.pixels.alpha = scene.camera.projection == Projection::fisheye;
+  settings.pixels.alpha = has_outside(scene.camera);
   return DisplayTransform(settings);
 }
 

@@ -7,6 +7,7 @@
 
 #include "app/cli.h"
 #include "core/output/display.h"
+#include "core/output/working_space.h"
 #include "core/render/render.h"
 #include "core/scene/scene.h"
 
@@ -19,9 +20,13 @@ struct PictureOptions {
   std::optional<std::string> display;
   std::optional<std::string> view;
   int bits = 8;
+  std::string colorspace;  // empty: linear-rec709
 };
 
-// --layers, --float, --ocio-config, --display, --view, --bits.
+// Of the EXR's colours.
+WorkingSpace working_space_of(const PictureOptions& options);
+
+// --layers, --float, --colorspace, --ocio-config, --display, --view, --bits.
 std::vector<Option> picture_options(PictureOptions& options);
 
 // As overrides of the preset, "POINTER=JSON".

@@ -31,7 +31,12 @@ class FrameReader {
     if (job_.png) {
       return read_png_picture(files.png);
     }
-    const ExrPicture picture = read_exr_picture(files.exr);
+    ExrPicture picture = read_exr_picture(files.exr);
+    const WorkingSpace space = working_space_of(job_.picture);
+    picture.radiance = converted(std::move(picture.radiance), space, WorkingSpace::linear_rec709);
+    if (picture.bloom) {
+      picture.bloom = converted(std::move(*picture.bloom), space, WorkingSpace::linear_rec709);
+    }
     AddedLight glow;
     if (picture.bloom) {
       glow = {picture.bloom->rgba.data(), static_cast<float>(job_.scene.bloom.intensity)};

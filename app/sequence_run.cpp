@@ -116,7 +116,8 @@ void Runner::encode(const Work& work) {
                                .rendering = work.rendering,
                                .provenance = {work.preset_json, work.scene.render.method, AIRLIGHT_VERSION, device},
                                .exr_hash = work.hashes.exr,
-                               .png_hash = work.hashes.png};
+                               .png_hash = work.hashes.png,
+                               .space = working_space_of(job_.picture)};
   const FrameFiles& files = work.report.files;
   Stopwatch laps;
   publish(context,

@@ -50,7 +50,7 @@ airlight_test_room(output airlight_output OpenEXR::OpenEXR OpenColorIO::OpenColo
 if(AIRLIGHT_TOOL)
   airlight_test_room(choice airlight_choice airlight_chart airlight_scene)
   airlight_test_room(chart airlight_chart)
-  airlight_test_room(measure airlight_measure airlight_output OpenEXR::OpenEXR)
+  airlight_test_room(measure airlight_measure airlight_output OpenEXR::OpenEXR OpenImageIO::OpenImageIO)
   airlight_test_room(sequence airlight_sequence)
   airlight_test_room(stability airlight_stability)
   airlight_test_room(cli airlight_app nlohmann_json::nlohmann_json)
@@ -68,6 +68,13 @@ find_program(SBATCH sbatch)
 if(SBATCH AND AIRLIGHT_TOOL AND NOT AIRLIGHT_SANITIZE)
   add_test(NAME slurm COMMAND ${PROJECT_SOURCE_DIR}/scripts/test-slurm $<TARGET_FILE:airlight>)
   set_tests_properties(slurm PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 300)
+endif()
+
+# Likewise only where Blender is there: three pictures of a sphere, 10 seconds.
+find_program(BLENDER blender)
+if(BLENDER AND AIRLIGHT_TOOL AND NOT AIRLIGHT_SANITIZE)
+  add_test(NAME blender COMMAND ${PROJECT_SOURCE_DIR}/scripts/test-blender $<TARGET_FILE:airlight>)
+  set_tests_properties(blender PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 300)
 endif()
 
 find_program(CLANG_FORMAT clang-format)

@@ -118,11 +118,31 @@ void add_standard_error(const ComparisonRequest& request, const std::string& fil
   }
 }
 
+std::string words(const Chromaticities& c) {
+  return "red " + number(c[0]) + " " + number(c[1]) + ", green " + number(c[2]) + " " + number(c[3]) + ", blue " +
+         number(c[4]) + " " + number(c[5]) + ", white " + number(c[6]) + " " + number(c[7]);
+}
+
+// Numbers of two colour spaces are not to be compared. Chromaticities are printed with four or five digits.
+void require_same_colours(const ExrHeader& a, const ExrHeader& b, const std::vector<std::string>& channels) {
+  constexpr double kPrinted = 6e-5;
+  const bool colours = std::any_of(channels.begin(), channels.end(),
+                                   [](const std::string& name) { return name == "R" || name == "G" || name == "B"; });
+  for (std::size_t i = 0; colours && i < a.chromaticities.size(); ++i) {
+    if (std::abs(a.chromaticities[i] - b.chromaticities[i]) > kPrinted) {
+      throw InputError("colour spaces differ: " + a.file + " has " + words(a.chromaticities) + "; " + b.file + " has " +
+                       words(b.chromaticities) +
+                       ": render one of them again with the other's --colorspace, or convert it");
+    }
+  }
+}
+
 PicturePair read_pair(const ComparisonRequest& request, const ExrHeader& a, const ExrHeader& b) {
   const ExrLayer& layer_a = find_layer(a, request.layer);
   const ExrLayer& layer_b = find_layer(b, request.layer);
   require_same_frame(a.file, layer_a.frame, b.file, layer_b.frame);
   const std::vector<std::string> channels = choose_channels(request, layer_a, layer_b);
+  require_same_colours(a, b, channels);
   PicturePair pair;
   pair.frame = layer_a.frame;
   pair.luminance_weights = luminance_weights(b.chromaticities);

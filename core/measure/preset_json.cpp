@@ -22,7 +22,16 @@ Projection projection_of(const std::string& name) {
   if (name == "perspective") return Projection::perspective;
   if (name == "equirectangular") return Projection::equirectangular;
   if (name == "fisheye") return Projection::fisheye;
+  if (name == "cube") return Projection::cube;
+  if (name == "octahedral") return Projection::octahedral;
   throw InputError("the preset that it carries has the unknown projection '" + name + "'");
+}
+
+CubeLayout cube_layout_of(const std::string& name) {
+  if (name == "stack") return CubeLayout::stack;
+  if (name == "strip") return CubeLayout::strip;
+  if (name == "cross") return CubeLayout::cross;
+  throw InputError("the preset that it carries has the unknown cube layout '" + name + "'");
 }
 
 }  // namespace
@@ -35,7 +44,10 @@ Viewpoint viewpoint_from_preset(std::string_view resolved_preset) {
     viewpoint.camera.altitude = camera.at("altitude_km").get<double>();
     viewpoint.camera.projection = projection_of(camera.at("projection").get<std::string>());
     viewpoint.camera.azimuth = camera.at("azimuth_deg").get<double>() * kDegree;
-    if (viewpoint.camera.projection != Projection::equirectangular) {
+    if (viewpoint.camera.projection == Projection::cube) {
+      viewpoint.camera.cube_layout = cube_layout_of(camera.at("cube_layout").get<std::string>());
+    }
+    if (!is_map(viewpoint.camera.projection)) {
       viewpoint.camera.pitch = camera.at("pitch_deg").get<double>() * kDegree;
       viewpoint.camera.roll = camera.at("roll_deg").get<double>() * kDegree;
       viewpoint.camera.vertical_fov = camera.at("vertical_fov_deg").get<double>() * kDegree;

@@ -109,12 +109,17 @@ imf::Header make_header(int width, int height, const ExrOptions& options) {
   imf::Header header(width, height);
   header.compression() = imf_compression(options.compression);
   header.zipCompressionLevel() = kZipLevel;
-  imf::addChromaticities(header, imf::Chromaticities());  // the default is BT.709 with D65, our working space
+  const Chromaticities c = chromaticities_of(options.space);
+  imf::addChromaticities(header, imf::Chromaticities(Imath::V2f(c[0], c[1]), Imath::V2f(c[2], c[3]),
+                                                     Imath::V2f(c[4], c[5]), Imath::V2f(c[6], c[7])));
   if (options.white_luminance) {
     imf::addWhiteLuminance(header, *options.white_luminance);
   }
   if (options.latlong) {
     imf::addEnvmap(header, imf::ENVMAP_LATLONG);
+  }
+  if (options.cube) {
+    imf::addEnvmap(header, imf::ENVMAP_CUBE);
   }
   if (options.world_to_camera) {
     Imath::M44f matrix;

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "core/output/provenance.h"
+#include "core/output/working_space.h"
 #include "core/radiance_image.h"
 
 namespace airlight {
@@ -38,9 +39,11 @@ void add_channels(std::vector<ExrChannel>& channels, std::string_view layer, con
                   bool with_alpha = false);
 
 struct ExrOptions {
-  bool half = true;  // else 32-bit float
+  bool half = true;                                  // else 32-bit float
+  WorkingSpace space = WorkingSpace::linear_rec709;  // that the channels given are in
   ExrCompression compression = ExrCompression::zip;
   bool latlong = false;                  // an equirectangular picture: tagged as an environment map
+  bool cube = false;                     // OpenEXR's stack of six faces: tagged likewise
   std::optional<float> white_luminance;  // cd/m2 of radiance (1, 1, 1)
   std::optional<std::array<float, 16>> world_to_camera;
   std::string comments;

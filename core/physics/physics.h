@@ -77,6 +77,7 @@ struct Physics {
 #include "shaders/physics/phase.glsl"
 #include "shaders/physics/geometry.glsl"
 #include "shaders/physics/shadow.glsl"
+#include "shaders/physics/environment.glsl"
 #include "shaders/physics/camera.glsl"
 #include "shaders/physics/medium.glsl"
 #include "shaders/physics/segment.glsl"

@@ -109,6 +109,18 @@ void fill_moments(Data& data, const physics::SceneData& from) {
   }
 }
 
+std::uint32_t cube_layout_code(CubeLayout layout) {
+  switch (layout) {
+    case CubeLayout::stack:
+      return physics::kCubeStack;
+    case CubeLayout::strip:
+      return physics::kCubeStrip;
+    case CubeLayout::cross:
+      return physics::kCubeCross;
+  }
+  return physics::kCubeStack;
+}
+
 template <class Data>
 Data fill(const Scene& scene) {
   Data data{};
@@ -135,6 +147,7 @@ Data fill(const Scene& scene) {
   data.camera.width = static_cast<unsigned int>(scene.image.width);
   data.camera.height = static_cast<unsigned int>(scene.image.height);
   data.tile.width = static_cast<unsigned int>(scene.image.width);
+  data.camera.cube_layout = cube_layout_code(scene.camera.cube_layout);
   data.multiple_scattering_scale = static_cast<Real>(scattering_scale_of(scene));
   fill_media(data, scene);
   return data;
@@ -269,6 +282,10 @@ std::uint32_t projection_code(Projection projection) {
       return physics::kProjectionEquirectangular;
     case Projection::fisheye:
       return physics::kProjectionFisheye;
+    case Projection::cube:
+      return physics::kProjectionCube;
+    case Projection::octahedral:
+      return physics::kProjectionOctahedral;
   }
   return physics::kProjectionPerspective;
 }

@@ -26,6 +26,9 @@ double pixel_angle(const Scene& scene) {
       return std::numbers::pi / scene.image.height;
     case Projection::fisheye:
       return scene.camera.vertical_fov / std::min(scene.image.width, scene.image.height);
+    case Projection::cube:
+    case Projection::octahedral:
+      break;  // resolve() takes no bloom there
   }
   return kBaseTexelAngle;
 }

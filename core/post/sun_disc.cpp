@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <vector>
 
 #include "core/luts/luts.h"
 #include "core/physics/scene_data.h"
@@ -95,6 +96,97 @@ std::optional<Box> disc_box(physics::Physics& p, const Scene& scene) {
   return Box{box->low_x - slack_x, box->low_y - slack_y, box->high_x + slack_x, box->high_y + slack_y};
 }
 
+void extend(Box& box, const physics::vec2& at) {
+  box = {std::min(box.low_x, at.x), std::min(box.low_y, at.y), std::max(box.high_x, at.x), std::max(box.high_y, at.y)};
+}
+
+// A part of a map that is cut: a face of a cube, a quadrant of an octahedral map. `holds`: whether a direction, in the
+// axes of in_camera, falls on it; `pixel_of`: where, continued beyond its edges.
+template <class Holds, class PixelOf>
+std::optional<Box> part_box(physics::Physics& p, const Scene& scene, const Box& part, Holds holds, PixelOf pixel_of) {
+  constexpr int kRim = 720;
+  const vec3 sun = p.scene.sun.direction;
+  const auto [a, b] = across(sun);
+  const double radius = scene.sun.disc.angular_radius;
+  Box box{1e300, 1e300, -1e300, -1e300};
+  bool touched = holds(p.in_camera(p.scene.camera, sun));
+  for (int i = 0; i < kRim; ++i) {
+    const double t = 2.0 * std::numbers::pi * i / kRim;
+    const vec3 rim = sun * std::cos(radius) + (a * std::cos(t) + b * std::sin(t)) * std::sin(radius);
+    touched = touched || holds(p.in_camera(p.scene.camera, rim));
+  }
+  for (int i = 0; touched && i < kRim; ++i) {
+    const double t = 2.0 * std::numbers::pi * i / kRim;
+    const vec3 rim = sun * std::cos(radius) + (a * std::cos(t) + b * std::sin(t)) * std::sin(radius);
+    extend(box, pixel_of(p.in_camera(p.scene.camera, rim)));
+  }
+  const double slack_x = 1e-4 + 1e-3 * (box.high_x - box.low_x);
+  const double slack_y = 1e-4 + 1e-3 * (box.high_y - box.low_y);
+  box = {std::max(box.low_x - slack_x, part.low_x), std::max(box.low_y - slack_y, part.low_y),
+         std::min(box.high_x + slack_x, part.high_x), std::min(box.high_y + slack_y, part.high_y)};
+  return touched && box.low_x < box.high_x && box.low_y < box.high_y ? std::optional(box) : std::nullopt;
+}
+
+std::vector<Box> cube_boxes(physics::Physics& p, const Scene& scene) {
+  const double side = p.cube_side(p.scene.camera);
+  std::vector<Box> boxes;
+  for (physics::uint face = 0; face < 6; ++face) {
+    const auto cell = p.cube_cell(p.scene.camera, face);
+    const Box part{cell.column * side, cell.row * side, (cell.column + 1.0) * side, (cell.row + 1.0) * side};
+    const std::optional<Box> box = part_box(
+        p, scene, part, [&](const vec3& local) { return p.cube_face_of(local) == face; },
+        [&](const vec3& local) { return p.cube_pixel(p.scene.camera, p.cube_face_point(face, local)); });
+    if (box) {
+      boxes.push_back(*box);
+    }
+  }
+  return boxes;
+}
+
+// By quadrants, so that no two boxes overlap: each holds an octant of the upper half and one of the lower.
+std::vector<Box> octahedral_boxes(physics::Physics& p, const Scene& scene) {
+  const double half_width = 0.5 * scene.image.width;
+  const double half_height = 0.5 * scene.image.height;
+  std::vector<Box> boxes;
+  for (int quadrant = 0; quadrant < 4; ++quadrant) {
+    const double right = quadrant % 2;
+    const double lower = quadrant / 2;
+    const Box part{right * half_width, lower * half_height, (right + 1.0) * half_width, (lower + 1.0) * half_height};
+    std::optional<Box> both;
+    for (const double up : {1.0, -1.0}) {
+      const vec3 signs(2.0 * right - 1.0, up, 1.0 - 2.0 * lower);
+      const std::optional<Box> box = part_box(
+          p, scene, part, [&](const vec3& local) { return physics::length(p.octant_of(local) - signs) == 0.0; },
+          [&](const vec3& local) {
+            const physics::vec2 square = p.octahedral_point(local, signs);
+            return physics::vec2{(1.0 + square.x) * half_width, (1.0 + square.y) * half_height};
+          });
+      if (box && both) {
+        extend(*both, {box->low_x, box->low_y});
+        extend(*both, {box->high_x, box->high_y});
+      } else if (box) {
+        both = box;
+      }
+    }
+    if (both) {
+      boxes.push_back(*both);
+    }
+  }
+  return boxes;
+}
+
+// No two of them overlap.
+std::vector<Box> disc_boxes(physics::Physics& p, const Scene& scene) {
+  if (scene.camera.projection == Projection::cube) {
+    return cube_boxes(p, scene);
+  }
+  if (scene.camera.projection == Projection::octahedral) {
+    return octahedral_boxes(p, scene);
+  }
+  const std::optional<Box> box = disc_box(p, scene);
+  return box ? std::vector<Box>{*box} : std::vector<Box>();
+}
+
 // Width 0: the box lies outside the picture.
 Rectangle pixels_of(const Scene& scene, const Box& box) {
   const double width = scene.image.width;
@@ -146,23 +238,26 @@ bool add_sun_disc(Plan& plan, const Scene& scene, std::optional<ImageId> transmi
   if (!scene.sun.disc.visible || scene.sun.disc.radiance_scale == 0.0 || wholly_set(p, scene)) {
     return false;
   }
-  const std::optional<Box> box = disc_box(p, scene);
-  const Rectangle rectangle = box ? within(pixels_of(scene, *box), picture) : Rectangle{};
-  if (rectangle.width == 0) {
+  std::vector<Box> boxes = disc_boxes(p, scene);
+  std::erase_if(boxes, [&](const Box& box) { return within(pixels_of(scene, box), picture).width == 0; });
+  if (boxes.empty()) {
     return false;
   }
   const ImageId table = transmittance ? *transmittance : add_transmittance(plan, scene, kDiscTransmittance);
   std::vector<Specialization> constants = sunlight_specialization(plan, scene, table);
   constants.push_back({"kProjection", projection_code(scene.camera.projection)});
-  plan.add_pass({.name = "sun_disc",
-                 .shader = "sun_disc",
-                 .reads = {{"transmittance_lut", table}},
-                 .writes = {{"radiance_out", picture.buffer}},
-                 .grid = {rectangle.width, rectangle.height, 1},
-                 .push_constants = {rectangle.left, rectangle.top, rectangle.width, rectangle.height,
-                                    samples_for(box->high_x - box->low_x), samples_for(box->high_y - box->low_y),
-                                    bits(box->low_x), bits(box->low_y), bits(box->high_x), bits(box->high_y)},
-                 .specialization = constants});
+  for (const Box& box : boxes) {
+    const Rectangle rectangle = within(pixels_of(scene, box), picture);
+    plan.add_pass({.name = "sun_disc",
+                   .shader = "sun_disc",
+                   .reads = {{"transmittance_lut", table}},
+                   .writes = {{"radiance_out", picture.buffer}},
+                   .grid = {rectangle.width, rectangle.height, 1},
+                   .push_constants = {rectangle.left, rectangle.top, rectangle.width, rectangle.height,
+                                      samples_for(box.high_x - box.low_x), samples_for(box.high_y - box.low_y),
+                                      bits(box.low_x), bits(box.low_y), bits(box.high_x), bits(box.high_y)},
+                   .specialization = constants});
+  }
   return true;
 }
 

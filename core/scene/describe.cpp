@@ -4,6 +4,7 @@
 
 #include "core/scene/angle.h"
 #include "core/scene/json_format.h"
+#include "core/scene/photometry.h"
 #include "core/scene/render_settings.h"
 #include "core/scene/resolve.h"
 #include "core/scene/rules.h"
@@ -82,7 +83,10 @@ void describe_camera(Lines& lines, const Camera& camera, const ImageSize& image)
       .angle("pitch", camera.pitch)
       .angle("roll", camera.roll)
       .line("projection", kProjectionNames.at(static_cast<std::size_t>(camera.projection)));
-  if (camera.projection != Projection::equirectangular) {
+  if (camera.projection == Projection::cube) {
+    lines.line("cube layout", kCubeLayoutNames.at(static_cast<std::size_t>(camera.cube_layout)));
+  }
+  if (!is_map(camera.projection)) {
     lines.angle("vertical field of view", camera.vertical_fov);
   }
   lines.line("image", std::to_string(image.width) + " x " + std::to_string(image.height) + " pixels");
@@ -113,7 +117,7 @@ std::string describe(const Scene& scene) {
   lines.heading("sun")
       .angle("elevation", scene.sun.elevation)
       .angle("azimuth", scene.sun.azimuth)
-      .spectrum("irradiance", scene.sun.irradiance)
+      .spectrum("irradiance", scene.sun.irradiance, irradiance_unit(scene.sun.unit))
       .line("disc", scene.sun.disc.visible ? "visible" : "hidden")
       .angle("disc angular radius", scene.sun.disc.angular_radius)
       .number("disc limb darkening", scene.sun.disc.limb_darkening)

@@ -155,6 +155,7 @@ Sun read_sun(const Section& root) {
   sun.elevation = radians_from_degrees(section.number("elevation_deg"));
   sun.azimuth = radians_from_degrees(section.number("azimuth_deg"));
   sun.irradiance = section.spectrum("irradiance");
+  sun.unit = static_cast<SunUnit>(section.choice("unit").value_or(0));
   sun.disc = {.visible = disc.boolean("visible"),
               .angular_radius = radians_from_degrees(disc.number("angular_radius_deg")),
               .limb_darkening = disc.number("limb_darkening"),
@@ -162,13 +163,25 @@ Sun read_sun(const Section& root) {
   return sun;
 }
 
-// An equirectangular picture is the whole sphere in its upright frame; a tilt would have to be thrown away.
-void refuse_tilt(const Section& camera, std::string_view key) {
+std::string_view name_of_map(Projection projection) {
+  switch (projection) {
+    case Projection::cube:
+      return "a cube map";
+    case Projection::octahedral:
+      return "an octahedral map";
+    default:
+      return "an equirectangular picture";
+  }
+}
+
+// A map is the whole sphere in its upright frame; a tilt would have to be thrown away.
+void refuse_tilt(const Section& camera, std::string_view key, Projection projection) {
   const PresetValue* value = camera.find(key);
   const auto* degrees = value == nullptr ? nullptr : std::get_if<double>(&value->data);
   if (degrees != nullptr && *degrees != 0.0) {
     camera.complain(key, *value,
-                    format_number(*degrees) + " is not 0; an equirectangular picture cannot be tilted: set it to 0");
+                    format_number(*degrees) + " is not 0; " + std::string(name_of_map(projection)) +
+                        " cannot be tilted: set it to 0");
   }
 }
 
@@ -187,27 +200,65 @@ Camera read_camera(const Section& root) {
   camera.projection = static_cast<Projection>(*projection);
   section.choose(kProjectionNames[*projection]);
   const double field_of_view = radians_from_degrees(section.number("vertical_fov_deg"));
-  if (camera.projection == Projection::equirectangular) {
-    refuse_tilt(section, "pitch_deg");
-    refuse_tilt(section, "roll_deg");
+  if (camera.projection == Projection::cube) {
+    camera.cube_layout = static_cast<CubeLayout>(section.choice("cube_layout").value_or(0));
+  }
+  if (is_map(camera.projection)) {
+    refuse_tilt(section, "pitch_deg", camera.projection);
+    refuse_tilt(section, "roll_deg", camera.projection);
   } else {
     camera.vertical_fov = field_of_view;
   }
   return camera;
 }
 
-ImageSize read_image(const Section& root) {
-  const Section section = root.child("image");
-  section.refuse_unknown_keys();
-  return {.width = section.integer("width"), .height = section.integer("height")};
+// Empty where the size suits the projection, else what it should be, with the nearest that suits.
+std::string wanted_size(const Camera& camera, const ImageSize& image) {
+  if (!is_cut(camera.projection)) {
+    return {};
+  }
+  ImageSize cells{1, 1};
+  std::string what = "an octahedral map is square";
+  if (camera.projection == Projection::cube) {
+    const std::array<ImageSize, 3> layouts = {{{1, 6}, {6, 1}, {3, 4}}};
+    cells = layouts.at(static_cast<std::size_t>(camera.cube_layout));
+    what = "a cube's " + std::string(kCubeLayoutNames.at(static_cast<std::size_t>(camera.cube_layout))) + " is " +
+           std::to_string(cells.width) + " x " + std::to_string(cells.height) + " square faces";
+  }
+  const int side = std::max(1, std::min(image.width / cells.width, image.height / cells.height));
+  if (image.width == side * cells.width && image.height == side * cells.height) {
+    return {};
+  }
+  return what + ": give for example " + std::to_string(side * cells.width) + "x" + std::to_string(side * cells.height);
 }
 
-Bloom read_bloom(const Section& root) {
+ImageSize read_image(const Section& root, const Camera& camera) {
+  const Section section = root.child("image");
+  section.refuse_unknown_keys();
+  const ImageSize image{.width = section.integer("width"), .height = section.integer("height")};
+  if (const std::string wanted = wanted_size(camera, image); !wanted.empty()) {
+    const PresetValue* place = section.find("width") != nullptr ? section.find("width") : section.find("height");
+    root.problems().add(place != nullptr ? *place : root.context(), "/image",
+                        std::to_string(image.width) + "x" + std::to_string(image.height) + " does not fit; " + wanted);
+  }
+  return image;
+}
+
+Bloom read_bloom(const Section& root, const Camera& camera) {
   const Section section = root.child("bloom");
   section.refuse_unknown_keys();
   Bloom bloom;
   bloom.enabled = section.boolean("enabled");
   bloom.in_exr = bloom.enabled && section.find("enabled") != nullptr;
+  if (is_cut(camera.projection)) {
+    if (bloom.in_exr) {
+      section.complain("enabled", *section.find("enabled"),
+                       "true is not possible for " + std::string(name_of_map(camera.projection)) +
+                           ", where the glow would stop at the edges; set it to false");
+    }
+    bloom.enabled = false;
+    bloom.in_exr = false;
+  }
   bloom.threshold = section.number("threshold");
   bloom.intensity = section.number("intensity");
   bloom.levels = section.integer("levels");
@@ -257,9 +308,9 @@ Scene read_scene(const Section& root, std::span<const MethodInfo> methods) {
   scene.media = read_media(root);
   scene.sun = read_sun(root);
   scene.camera = read_camera(root);
-  scene.image = read_image(root);
+  scene.image = read_image(root, scene.camera);
   scene.render = read_render_settings(root, methods);
-  scene.bloom = read_bloom(root);
+  scene.bloom = read_bloom(root, scene.camera);
   scene.display = read_display(root);
   return scene;
 }

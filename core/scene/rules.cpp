@@ -25,7 +25,8 @@ constexpr std::array<std::string_view, 1> kConstant = {"constant"};
 constexpr std::array<std::string_view, 1> kLayered = {"layers"};
 constexpr std::array<std::string_view, 1> kPerspective = {"perspective"};
 constexpr std::array<std::string_view, 1> kFisheye = {"fisheye"};
-constexpr std::array<std::string_view, 1> kEquirectangular = {"equirectangular"};
+constexpr std::array<std::string_view, 3> kMaps = {"equirectangular", "cube", "octahedral"};
+constexpr std::array<std::string_view, 1> kCube = {"cube"};
 
 constexpr auto kRules = std::to_array<Rule>({
     {.key = "airlight", .type = RuleType::version, .required = true, .meaning = "the format's version, 1"},
@@ -132,6 +133,14 @@ constexpr auto kRules = std::to_array<Rule>({
      .default_text = "1",
      .meaning = "at the top of the atmosphere on a plane that faces the sun; radiance comes out in the same unit per "
                 "steradian"},
+    {.key = "sun.unit",
+     .type = RuleType::choice,
+     .default_text = "relative",
+     .choices = kSunUnitNames,
+     .meaning = "what `irradiance` is in: `relative` says nothing of the absolute; `lux`: its BT.709 luminance, "
+                "0.2126 R + 0.7152 G + 0.0722 B, is the illuminance in lux, and that of radiance is in cd/m2; `W/m2`: "
+                "R = G = B = E is white sunlight of E W/m2 over its whole spectrum, at 128 000 lux / 1361 W/m2 = 94.05 "
+                "lm/W"},
     {.key = "sun.disc.visible",
      .type = RuleType::boolean,
      .default_text = "true",
@@ -162,12 +171,12 @@ constexpr auto kRules = std::to_array<Rule>({
      .range = kRightAngle,
      .unit = "degrees",
      .default_text = "0",
-     .meaning = "elevation of the picture's centre; 0 for `equirectangular`"},
+     .meaning = "elevation of the picture's centre; 0 for `equirectangular`, `cube` and `octahedral`"},
     {.key = "camera.roll_deg",
      .range = kAnyAngle,
      .unit = "degrees",
      .default_text = "0",
-     .meaning = "about the view direction; 0 for `equirectangular`"},
+     .meaning = "about the view direction; 0 for `equirectangular`, `cube` and `octahedral`"},
     {.key = "camera.projection",
      .type = RuleType::choice,
      .default_text = "perspective",
@@ -189,8 +198,16 @@ constexpr auto kRules = std::to_array<Rule>({
     {.key = "camera.vertical_fov_deg",
      .range = {.minimum = 0.0, .maximum = 360.0, .minimum_excluded = true},
      .unit = "degrees",
-     .only_for = kEquirectangular,
+     .only_for = kMaps,
      .meaning = "not used: the picture is the whole sphere"},
+    {.key = "camera.cube_layout",
+     .type = RuleType::choice,
+     .default_text = "stack",
+     .choices = kCubeLayoutNames,
+     .only_for = kCube,
+     .meaning =
+         "how the six faces stand: `stack`, OpenEXR's, is 1 x 6 of them from above, `strip` 6 x 1 from the left, "
+         "`cross` 3 x 4 as they hang together"},
 
     {.key = "image.width",
      .type = RuleType::integer,
@@ -214,7 +231,7 @@ constexpr auto kRules = std::to_array<Rule>({
      .type = RuleType::boolean,
      .default_text = "true",
      .meaning = "glow around what is brighter than the threshold, in the PNG; stated true, it becomes a layer of the "
-                "EXR as well"},
+                "EXR as well; false for `cube` and `octahedral`, where it would stop at the edges"},
     {.key = "bloom.threshold",
      .range = kIrradiance,
      .default_text = "1",

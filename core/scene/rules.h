@@ -67,7 +67,10 @@ inline constexpr std::array<std::string_view, 5> kProfileNames = {"exponential",
                                                                   "layers"};
 inline constexpr std::array<std::string_view, 5> kPhaseNames = {"rayleigh", "henyey-greenstein", "cornette-shanks",
                                                                 "schlick", "isotropic"};
-inline constexpr std::array<std::string_view, 3> kProjectionNames = {"perspective", "equirectangular", "fisheye"};
+inline constexpr std::array<std::string_view, 5> kProjectionNames = {"perspective", "equirectangular", "fisheye",
+                                                                     "cube", "octahedral"};
+inline constexpr std::array<std::string_view, 3> kCubeLayoutNames = {"stack", "strip", "cross"};
+inline constexpr std::array<std::string_view, 3> kSunUnitNames = {"relative", "W/m2", "lux"};
 inline constexpr std::array<std::string_view, 6> kToneCurveNames = {"aces",        "reinhard", "reinhard-luminance",
                                                                     "exponential", "clamp",    "none"};
 

@@ -20,7 +20,9 @@ inline constexpr int kMaxDensityLayers = 256;  // over all media of a scene
 
 enum class DensityProfile { exponential, tent, lorentzian, constant, layers };
 enum class PhaseFunction { rayleigh, henyey_greenstein, cornette_shanks, schlick, isotropic };
-enum class Projection { perspective, equirectangular, fisheye };
+enum class Projection { perspective, equirectangular, fisheye, cube, octahedral };
+enum class CubeLayout { stack, strip, cross };
+enum class SunUnit { relative, watts_per_square_metre, lux };
 enum class ToneCurve { aces, reinhard, reinhard_luminance, exponential, clamp, none };
 
 struct DensityLayer {
@@ -63,6 +65,7 @@ struct Sun {
   double elevation = 0.0;  // rad
   double azimuth = 0.0;    // rad, clockwise from north
   Spectrum irradiance{1.0, 1.0, 1.0};
+  SunUnit unit = SunUnit::relative;  // of irradiance; radiance is in the same per steradian
   SunDisc disc;
 };
 
@@ -72,8 +75,25 @@ struct Camera {
   double pitch = 0.0;       // rad
   double roll = 0.0;        // rad
   Projection projection = Projection::perspective;
-  double vertical_fov = 0.0;  // rad; unused by equirectangular
+  double vertical_fov = 0.0;  // rad; of perspective and fisheye
+  CubeLayout cube_layout = CubeLayout::stack;
 };
+
+// The whole sphere, upright: pitch and roll are 0 and there is no field of view.
+constexpr bool is_map(Projection projection) {
+  return projection != Projection::perspective && projection != Projection::fisheye;
+}
+
+// A map whose edges are cut through the sky rather than laid around it.
+constexpr bool is_cut(Projection projection) {
+  return projection == Projection::cube || projection == Projection::octahedral;
+}
+
+// Whether some pixels look nowhere: black with alpha 0.
+constexpr bool has_outside(const Camera& camera) {
+  return camera.projection == Projection::fisheye ||
+         (camera.projection == Projection::cube && camera.cube_layout == CubeLayout::cross);
+}
 
 struct ImageSize {
   int width = 1280;

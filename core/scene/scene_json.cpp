@@ -82,11 +82,16 @@ std::string media_json(const std::vector<Medium>& media) {
   return "[" + text + JsonObject::indent(1) + "]";
 }
 
+// The default unit is not stated, so that EXRs of before and after the key carry the same preset.
 std::string sun_json(const Sun& sun) {
-  return JsonObject(2)
-      .degrees("elevation_deg", sun.elevation)
+  JsonObject object(2);
+  object.degrees("elevation_deg", sun.elevation)
       .degrees("azimuth_deg", sun.azimuth)
-      .spectrum("irradiance", sun.irradiance)
+      .spectrum("irradiance", sun.irradiance);
+  if (sun.unit != SunUnit::relative) {
+    object.text("unit", name_of(sun.unit, kSunUnitNames));
+  }
+  return object
       .add("disc", JsonObject(3)
                        .boolean("visible", sun.disc.visible)
                        .degrees("angular_radius_deg", sun.disc.angular_radius)
@@ -103,7 +108,10 @@ std::string camera_json(const Camera& camera) {
       .degrees("pitch_deg", camera.pitch)
       .degrees("roll_deg", camera.roll)
       .text("projection", name_of(camera.projection, kProjectionNames));
-  if (camera.projection != Projection::equirectangular) {
+  if (camera.projection == Projection::cube) {
+    object.text("cube_layout", name_of(camera.cube_layout, kCubeLayoutNames));
+  }
+  if (!is_map(camera.projection)) {
     object.degrees("vertical_fov_deg", camera.vertical_fov);
   }
   return object.str();

@@ -3,7 +3,7 @@
 
 struct ViewRay {
   vec3 direction;
-  bool inside;  // false outside a fisheye's circle
+  bool inside;  // false outside a fisheye's circle and in the corners of a cube's cross
 };
 
 vec3 direction_from_angles(real elevation, real azimuth) {
@@ -44,6 +44,23 @@ ViewRay fisheye_ray(CameraData camera, real x, real y) {
   return ray;
 }
 
+ViewRay cube_ray(CameraData camera, real x, real y) {
+  CubePoint point = cube_point_at(camera, x, y);
+  ViewRay ray;
+  ray.direction = normalize(from_camera(camera, cube_face_direction(point.face, point.u, point.v)));
+  ray.inside = point.face != kNoFace;
+  return ray;
+}
+
+ViewRay octahedral_ray(CameraData camera, real x, real y) {
+  real u = 2.0 * x / real(camera.width) - 1.0;
+  real v = 2.0 * y / real(camera.height) - 1.0;
+  ViewRay ray;
+  ray.direction = normalize(from_camera(camera, octahedral_direction(u, v)));
+  ray.inside = true;
+  return ray;
+}
+
 // x, y in pixels from the upper left corner; a pixel's centre is at a half.
 ViewRay view_ray(CameraData camera, uint projection, real x, real y) {
   if (projection == kProjectionEquirectangular) {
@@ -51,6 +68,12 @@ ViewRay view_ray(CameraData camera, uint projection, real x, real y) {
   }
   if (projection == kProjectionFisheye) {
     return fisheye_ray(camera, x, y);
+  }
+  if (projection == kProjectionCube) {
+    return cube_ray(camera, x, y);
+  }
+  if (projection == kProjectionOctahedral) {
+    return octahedral_ray(camera, x, y);
   }
   return perspective_ray(camera, x, y);
 }
@@ -72,9 +95,28 @@ PixelPoint equirectangular_point(CameraData camera, vec3 direction) {
   return point;
 }
 
+PixelPoint map_point(CameraData camera, uint projection, vec3 direction) {
+  vec3 local = in_camera(camera, direction);
+  PixelPoint point;
+  point.in_front = true;
+  if (projection == kProjectionCube) {
+    vec2 pixel = cube_pixel(camera, cube_face_point(cube_face_of(local), local));
+    point.x = pixel.x;
+    point.y = pixel.y;
+    return point;
+  }
+  vec2 square = octahedral_point(local, octant_of(local));
+  point.x = (0.5 + 0.5 * square.x) * real(camera.width);
+  point.y = (0.5 + 0.5 * square.y) * real(camera.height);
+  return point;
+}
+
 PixelPoint pixel_of(CameraData camera, uint projection, vec3 direction) {
   if (projection == kProjectionEquirectangular) {
     return equirectangular_point(camera, direction);
+  }
+  if (projection == kProjectionCube || projection == kProjectionOctahedral) {
+    return map_point(camera, projection, direction);
   }
   real along = dot(direction, camera.forward);
   real x = dot(direction, camera.right);
@@ -95,11 +137,31 @@ PixelPoint pixel_of(CameraData camera, uint projection, vec3 direction) {
   return point;
 }
 
+// Both maps project a plane, centrally: an area at the point p of a plane whose normal n has n.p = 1 spans 1/|p|^3 of
+// itself, the octahedron's (with |x| + |y| + |z| = 1) as the map shows it from above.
+real map_solid_angle_density(CameraData camera, uint projection, real x, real y) {
+  vec3 p;
+  real pixel;
+  if (projection == kProjectionCube) {
+    CubePoint point = cube_point_at(camera, x, y);
+    p = cube_face_direction(point.face, point.u, point.v);
+    pixel = 4.0 / (cube_side(camera) * cube_side(camera));
+  } else {
+    p = octahedral_direction(2.0 * x / real(camera.width) - 1.0, 2.0 * y / real(camera.height) - 1.0);
+    pixel = 4.0 / (real(camera.width) * real(camera.height));
+  }
+  real square = dot(p, p);
+  return pixel / (square * sqrt(square));
+}
+
 // Solid angle per square pixel at a point of the picture, sr.
 real solid_angle_density(CameraData camera, uint projection, real x, real y) {
   if (projection == kProjectionEquirectangular) {
     real pixels = real(camera.width) * real(camera.height);
     return 2.0 * kPi * kPi / pixels * cos(kPi * (0.5 - y / real(camera.height)));
+  }
+  if (projection == kProjectionCube || projection == kProjectionOctahedral) {
+    return map_solid_angle_density(camera, projection, x, y);
   }
   real u = x - 0.5 * real(camera.width);
   real v = y - 0.5 * real(camera.height);

@@ -24,6 +24,7 @@ bool sun_fade_enabled() { return kSunFade != 0u; }
 #include "physics/phase.glsl"
 #include "physics/geometry.glsl"
 #include "physics/shadow.glsl"
+#include "physics/environment.glsl"
 #include "physics/camera.glsl"
 #include "physics/medium.glsl"
 #include "physics/segment.glsl"

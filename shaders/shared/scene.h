@@ -60,6 +60,7 @@ struct CameraData {
   real half_fov;  // of the height (perspective), of the shorter side (fisheye)
   uint width;
   uint height;
+  uint cube_layout;
 };
 
 // The rectangle of the picture that a plan renders: all of it, or a tile.

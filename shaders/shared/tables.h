@@ -17,6 +17,13 @@ const uint kProjectionEquirectangular = 1u;
 const uint kProjectionFisheye = 2u;
 const uint kProjectionListed = 3u;  // directions from a buffer
 
+const uint kProjectionCube = 4u;
+const uint kProjectionOctahedral = 5u;
+
+const uint kCubeStack = 0u;  // OpenEXR's: six faces down
+const uint kCubeStrip = 1u;
+const uint kCubeCross = 2u;
+
 const uint kStepsUniform = 0u;
 const uint kStepsQuadratic = 1u;
 

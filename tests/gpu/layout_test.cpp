@@ -43,6 +43,7 @@ std::map<std::string, std::size_t> host_offsets() {
   AIRLIGHT_MEMBER(camera.forward);
   AIRLIGHT_MEMBER(camera.azimuth);
   AIRLIGHT_MEMBER(camera.half_fov);
+  AIRLIGHT_MEMBER(camera.cube_layout);
   AIRLIGHT_MEMBER(camera.width);
   AIRLIGHT_MEMBER(camera.height);
   AIRLIGHT_MEMBER(multiple_scattering_scale);

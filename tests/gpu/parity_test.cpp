@@ -331,16 +331,19 @@ TEST_F(Parity, SunDiscAndFade) {
 // desktop driver uses up: 2e-6 rad is a 30th of a pixel at 65536 columns.
 TEST_F(Parity, ViewRays) {
   Random random;
-  for (int k = 0; k < 12; ++k) {
+  const ImageSize cube_sizes[] = {{300, 1800}, {1536, 256}, {1023, 1364}};
+  for (int k = 0; k < 15; ++k) {
     Scene scene = vacuum();
-    scene.camera.projection = k % 3 == 0   ? Projection::perspective
-                              : k % 3 == 1 ? Projection::equirectangular
-                                           : Projection::fisheye;
+    scene.camera.projection = static_cast<Projection>(k % 5);
     scene.camera.azimuth = random.uniform(-3.1, 3.1);
-    scene.camera.pitch = scene.camera.projection == Projection::equirectangular ? 0.0 : random.uniform(-1.57, 1.57);
-    scene.camera.roll = scene.camera.projection == Projection::equirectangular ? 0.0 : random.uniform(-3.0, 3.0);
+    scene.camera.pitch = is_map(scene.camera.projection) ? 0.0 : random.uniform(-1.57, 1.57);
+    scene.camera.roll = is_map(scene.camera.projection) ? 0.0 : random.uniform(-3.0, 3.0);
     scene.camera.vertical_fov = random.uniform(0.1, 3.0);
     scene.image = {k < 6 ? 1920 : 333, k < 6 ? 1080 : 777};
+    if (scene.camera.projection == Projection::cube) {
+      scene.camera.cube_layout = static_cast<CubeLayout>(k / 5);
+      scene.image = cube_sizes[k / 5];
+    }
     std::vector<Inputs> inputs;
     const double side = 0.5 * std::min(scene.image.width, scene.image.height);
     for (int i = 0; i < 3000; ++i) {

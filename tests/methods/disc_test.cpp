@@ -104,6 +104,37 @@ TEST(SunDisc, KeepsItsEnergyInCoarseEquirectangularPictures) {
   }
 }
 
+// Over a face's middle, its edge, a corner of three faces, a fold, a pole. A pixel of 15 degrees across a fold has its
+// solid angle from four points to 2 %.
+TEST(SunDisc, KeepsItsEnergyInMapsThatAreCut) {
+  const std::pair<Projection, ImageSize> maps[] = {{Projection::cube, {5, 30}},
+                                                   {Projection::cube, {24, 32}},
+                                                   {Projection::octahedral, {12, 12}},
+                                                   {Projection::octahedral, {41, 41}}};
+  for (const auto& [projection, size] : maps) {
+    for (const double radius : {0.2666, 3.0}) {
+      for (const auto& [elevation, azimuth] : {std::pair{35.26, 45.0},
+                                               {45.0, 0.0},
+                                               {20.0, 44.9},
+                                               {60.0, 90.0},
+                                               {3.5, 180.0},
+                                               {89.9, 10.0},
+                                               {30.0, -17.0}}) {
+        Scene scene = vacuum();
+        scene.sun.elevation = elevation * kDegree;
+        scene.sun.azimuth = azimuth * kDegree;
+        scene.sun.disc.angular_radius = radius * kDegree;
+        scene.camera = {.projection = projection,
+                        .cube_layout = size.width == 24 ? CubeLayout::cross : CubeLayout::stack};
+        scene.image = size;
+        scene = with_method(scene, any_method(), true);
+        EXPECT_NEAR(flux(scene, render_now(scene).radiance, 1), 1.0, 0.02)
+            << radius << " degrees at " << elevation << ", " << azimuth << " in " << size.width << " x " << size.height;
+      }
+    }
+  }
+}
+
 // Published code shows the disc whole as long as its centre is up, and through the ground.
 TEST(SunDisc, IsCutByTheHorizonPixelByPixel) {
   for (const double altitude : {0.0, 0.001, 10.0, 500.0}) {

@@ -111,6 +111,26 @@ double solid_angle(const Scene& scene, int x, int y) {
     const auto sine = [&](double row) { return std::sin(std::numbers::pi * (0.5 - row / height)); };
     return 2.0 * std::numbers::pi / width * (sine(y) - sine(y + 1.0));
   }
+  if (is_cut(scene.camera.projection)) {
+    // By the triangles that a 4 x 4 grid of directions spans on the sphere (Van Oosterom and Strackee 1983).
+    physics::Physics p = make_physics(scene);
+    const auto at = [&](int i, int j) {
+      // Drawn in a hair: a corner may lie on a face's edge.
+      const auto inner = [](int k) { return std::clamp(0.25 * k, 1e-9, 1.0 - 1e-9); };
+      return p.view_ray(p.scene.camera, projection_code(scene.camera.projection), x + inner(i), y + inner(j)).direction;
+    };
+    double sum = 0.0;
+    for (int k = 0; k < 16; ++k) {
+      const physics::vec3 a = at(k % 4, k / 4);
+      const physics::vec3 c = at(k % 4 + 1, k / 4 + 1);
+      for (const physics::vec3& b : {at(k % 4 + 1, k / 4), at(k % 4, k / 4 + 1)}) {
+        const physics::vec3 across(b.y * c.z - b.z * c.y, b.z * c.x - b.x * c.z, b.x * c.y - b.y * c.x);
+        sum += 2.0 * std::atan2(std::abs(physics::dot(a, across)),
+                                1.0 + physics::dot(a, b) + physics::dot(b, c) + physics::dot(c, a));
+      }
+    }
+    return sum;
+  }
   // Flat pictures by 8 x 8 points: cos^3 of the angle over the squared distance to the picture's plane, and
   // sin(angle)/angle for the equidistant fisheye.
   const bool fisheye = scene.camera.projection == Projection::fisheye;

@@ -28,6 +28,14 @@ Scene view(Projection projection, double azimuth, double pitch, double roll, dou
   return scene;
 }
 
+Scene cube(CubeLayout layout, double azimuth, int side) {
+  const std::array<std::array<int, 2>, 3> cells = {{{1, 6}, {6, 1}, {3, 4}}};
+  const auto& [columns, rows] = cells.at(static_cast<std::size_t>(layout));
+  Scene scene = view(Projection::cube, azimuth, 0.0, 0.0, 0.0, columns * side, rows * side);
+  scene.camera.cube_layout = layout;
+  return scene;
+}
+
 physics::Physics::ViewRay ray_at(const Scene& scene, double x, double y) {
   auto p = make_physics(scene);
   return p.view_ray(p.scene.camera, projection_code(scene.camera.projection), x, y);
@@ -160,7 +168,12 @@ std::vector<Scene> every_view() {
           view(Projection::perspective, 200.0, -90.0, 0.0, 150.0, 20, 30),
           view(Projection::equirectangular, 75.0, 0.0, 0.0, 0.0, 32, 16),
           view(Projection::fisheye, 10.0, 60.0, -100.0, 180.0, 30, 20),
-          view(Projection::fisheye, 10.0, -5.0, 0.0, 350.0, 20, 20)};
+          view(Projection::fisheye, 10.0, -5.0, 0.0, 350.0, 20, 20),
+          cube(CubeLayout::stack, 75.0, 6),
+          cube(CubeLayout::strip, 200.0, 9),
+          cube(CubeLayout::cross, -10.0, 6),
+          view(Projection::octahedral, 130.0, 0.0, 0.0, 0.0, 21, 21),
+          view(Projection::octahedral, 0.0, 0.0, 0.0, 0.0, 15, 15)};
 }
 
 TEST(Camera, PixelsComeBackFromTheirDirections) {
@@ -191,8 +204,9 @@ TEST(Camera, SolidAngleIsTheAreaOnTheSphere) {
     physics::Physics p = make_physics(scene);
     const auto projection = projection_code(scene.camera.projection);
     const auto at = [&](double x, double y) { return p.view_ray(p.scene.camera, projection, x, y).direction; };
-    for (double y = 0.5; y < scene.image.height; y += 1.0) {
-      for (double x = 0.5; x < scene.image.width; x += 1.0) {
+    // Off the pixels' centres, some of which lie on a fold of the octahedral map.
+    for (double y = 0.4; y < scene.image.height; y += 1.0) {
+      for (double x = 0.4; x < scene.image.width; x += 1.0) {
         const vec3 a = at(x + kSide, y) - at(x - kSide, y);
         const vec3 b = at(x, y + kSide) - at(x, y - kSide);
         const vec3 area(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);

@@ -179,6 +179,10 @@ TEST(Schema, RefusesWhatResolveRefuses) {
   expect_both(true, "/camera", {{"projection", "fisheye"}, {"vertical_fov_deg", 360}});
   expect_both(false, "/camera", {{"projection", "equirectangular"}, {"pitch_deg", 1}});
   expect_both(true, "/camera", {{"projection", "equirectangular"}, {"pitch_deg", 0}});
+  expect_both(false, "/camera", {{"projection", "equirectangular"}, {"cube_layout", "strip"}});
+  expect_both(false, "/camera/cube_layout", "strip");
+  expect_both(false, "/sun/unit", "lumen");
+  expect_both(true, "/sun/unit", "lux");
   expect_both(false, "/render/method", "magic");
   expect_both(false, "/render/stesp", 3);
   expect_both(false, "/render", {{"method", "march"}, {"steps", 5000}});

@@ -92,15 +92,33 @@ INSTANTIATE_TEST_SUITE_P(
         Case{R"("sun": {"disc": {"visible": 1}})", "/sun/disc/visible: 1 is not a boolean; expected true or false"},
         Case{R"("sun": 30)", "/sun: 30 is not an object; expected {...}"},
         Case{R"("sun": {"disc": "big"})", "/sun/disc: \"big\" is not an object; expected {...}"},
+        Case{R"("camera": {"projection": "cube", "roll_deg": 3}, "image": {"width": 8, "height": 48})",
+             "/camera/roll_deg: 3 is not 0; a cube map cannot be tilted: set it to 0"},
+        Case{R"("camera": {"projection": "cube"})",
+             "/image: 1280x720 does not fit; a cube's stack is 1 x 6 square faces: give for example 120x720"},
+        Case{R"("camera": {"projection": "cube", "cube_layout": "cross"}, "image": {"width": 30, "height": 44})",
+             "/image: 30x44 does not fit; a cube's cross is 3 x 4 square faces: give for example 30x40"},
+        Case{R"("camera": {"projection": "cube", "cube_layout": "strip"}, "image": {"width": 5, "height": 1})",
+             "/image: 5x1 does not fit; a cube's strip is 6 x 1 square faces: give for example 6x1"},
+        Case{R"("camera": {"projection": "octahedral"}, "image": {"width": 64, "height": 63})",
+             "/image: 64x63 does not fit; an octahedral map is square: give for example 63x63"},
+        Case{
+            R"("camera": {"projection": "octahedral"}, "image": {"width": 8, "height": 8}, "bloom": {"enabled": true})",
+            "/bloom/enabled: true is not possible for an octahedral map, where the glow would stop at the edges; set "
+            "it to false"},
+        Case{R"("camera": {"projection": "fisheye", "cube_layout": "strip"})",
+             "/camera/cube_layout: not a key of \"fisheye\"; it belongs to cube: remove it"},
+        Case{R"("sun": {"unit": "lumen"})",
+             "/sun/unit: \"lumen\" is unknown; expected one of \"relative\", \"W/m2\", \"lux\""},
         Case{R"("camera": {"projection": "fish-eye"})",
              "/camera/projection: \"fish-eye\" is unknown; expected one of \"perspective\", \"equirectangular\", "
-             "\"fisheye\"; did you mean \"fisheye\"?"},
+             "\"fisheye\", \"cube\", \"octahedral\"; did you mean \"fisheye\"?"},
         Case{R"("camera": {"projection": "panini"})",
              "/camera/projection: \"panini\" is unknown; expected one of \"perspective\", \"equirectangular\", "
-             "\"fisheye\""},
+             "\"fisheye\", \"cube\", \"octahedral\""},
         Case{R"("camera": {"projection": 3})",
              "/camera/projection: 3 is not a string; expected one of \"perspective\", \"equirectangular\", "
-             "\"fisheye\""},
+             "\"fisheye\", \"cube\", \"octahedral\""},
         Case{R"("display": {"tonemap": "ACES"})",
              "/display/tonemap: \"ACES\" is unknown; expected one of \"aces\", \"reinhard\", \"reinhard-luminance\", "
              "\"exponential\", \"clamp\", \"none\"; did you mean \"aces\"?"},

@@ -24,6 +24,7 @@ TEST(Defaults, AreThoseOfTheFormat) {
   EXPECT_DOUBLE_EQ(scene.sun.elevation, 30 * M_PI / 180);
   EXPECT_EQ(scene.sun.azimuth, 0.0);
   EXPECT_EQ(scene.sun.irradiance, (Spectrum{1, 1, 1}));
+  EXPECT_EQ(scene.sun.unit, SunUnit::relative);
   EXPECT_TRUE(scene.sun.disc.visible);
   EXPECT_DOUBLE_EQ(scene.sun.disc.angular_radius, 0.2666 * M_PI / 180);
   EXPECT_EQ(scene.sun.disc.limb_darkening, 0.6);
@@ -70,7 +71,7 @@ TEST(RoundTrip, KeepsEveryValue) {
       {"name": "b", "density": {"profile": "layers", "layers": [[0, 1], [0.1, 0.7], [12.5, 0]]}},
       {"name": "c", "density": {"profile": "tent", "center_km": 3, "half_width_km": 2}},
       {"name": "d", "density": {"profile": "constant", "below_km": 4}}],
-    "sun": {"elevation_deg": -12.34, "azimuth_deg": 1234.5, "irradiance": [1.5, 1.6, 1.7],
+    "sun": {"elevation_deg": -12.34, "azimuth_deg": 1234.5, "irradiance": [1.5, 1.6, 1.7], "unit": "W/m2",
             "disc": {"visible": false, "angular_radius_deg": 0.31, "limb_darkening": 0.1, "radiance_scale": 3}},
     "camera": {"altitude_km": 12, "azimuth_deg": 33.3, "pitch_deg": -7.7, "roll_deg": 181.1, "projection": "fisheye",
                "vertical_fov_deg": 123.4},
@@ -87,6 +88,18 @@ TEST(RoundTrip, KeepsEveryValue) {
   EXPECT_EQ(scene.render.get<SunFade>("sun_fade"), (SunFade{10, 0.1}));
   EXPECT_EQ(scene.display.tonemap, ToneCurve::none);
   expect_same(scene, scene_from(to_json(scene)));
+}
+
+TEST(RoundTrip, KeepsEachLayoutOfACubeAndTheOctahedralMap) {
+  for (const char* picture :
+       {R"("camera": {"projection": "cube"}, "image": {"width": 4, "height": 24})",
+        R"("camera": {"projection": "cube", "cube_layout": "strip"}, "image": {"width": 24, "height": 4})",
+        R"("camera": {"projection": "cube", "cube_layout": "cross"}, "image": {"width": 12, "height": 16})",
+        R"("camera": {"projection": "octahedral"}, "image": {"width": 9, "height": 9})"}) {
+    const Scene scene = scene_from(with_one_medium(picture));
+    EXPECT_FALSE(scene.bloom.enabled) << picture;
+    expect_same(scene, scene_from(to_json(scene)));
+  }
 }
 
 TEST(RoundTrip, KeepsTwoHundredRandomScenes) {

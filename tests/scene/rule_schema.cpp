@@ -171,10 +171,11 @@ void add_choice(Json& root, const Rule& selector) {
   }
 }
 
-// An equirectangular picture cannot be tilted.
+// A map of the whole sphere cannot be tilted.
 void add_tilt(Json& root) {
   for (Json& condition : root["properties"]["camera"]["allOf"]) {
-    if (condition["if"]["properties"]["projection"]["const"] == "equirectangular") {
+    const Json& projection = condition["if"]["properties"]["projection"]["const"];
+    if (projection == "equirectangular" || projection == "cube" || projection == "octahedral") {
       condition["then"]["properties"]["pitch_deg"] = {{"const", 0}};
       condition["then"]["properties"]["roll_deg"] = {{"const", 0}};
     }

@@ -98,6 +98,7 @@ void expect_same(const Scene& a, const Scene& b) {
   EXPECT_EQ(a.sun.elevation, b.sun.elevation);
   EXPECT_EQ(a.sun.azimuth, b.sun.azimuth);
   EXPECT_EQ(a.sun.irradiance, b.sun.irradiance);
+  EXPECT_EQ(a.sun.unit, b.sun.unit);
   EXPECT_EQ(a.sun.disc.visible, b.sun.disc.visible);
   EXPECT_EQ(a.sun.disc.angular_radius, b.sun.disc.angular_radius);
   EXPECT_EQ(a.sun.disc.limb_darkening, b.sun.disc.limb_darkening);
@@ -107,6 +108,8 @@ void expect_same(const Scene& a, const Scene& b) {
   EXPECT_EQ(a.camera.pitch, b.camera.pitch);
   EXPECT_EQ(a.camera.roll, b.camera.roll);
   EXPECT_EQ(a.camera.projection, b.camera.projection);
+  EXPECT_EQ(a.camera.cube_layout, b.camera.cube_layout);
+  EXPECT_EQ(a.bloom.enabled, b.bloom.enabled);
   EXPECT_EQ(a.camera.vertical_fov, b.camera.vertical_fov);
   EXPECT_EQ(a.image.width, b.image.width);
   EXPECT_EQ(a.image.height, b.image.height);

@@ -48,6 +48,9 @@ void add_medium(Lines& lines, const std::string& at, const Medium& medium) {
 void add_camera(Lines& lines, const Scene& scene) {
   lines.add("/camera/altitude_km", scene.camera.altitude);
   lines.add("/camera/projection", static_cast<int>(scene.camera.projection));
+  if (scene.camera.projection == Projection::cube) {
+    lines.add("/camera/cube_layout", static_cast<int>(scene.camera.cube_layout));
+  }
   lines.add("/camera/azimuth (rad)", scene.camera.azimuth);
   lines.add("/camera/pitch (rad)", scene.camera.pitch);
   lines.add("/camera/roll (rad)", scene.camera.roll);

@@ -1,0 +1,62 @@
+#pragma once
+// A sky as image-based lighting takes it: what it gives a diffuse surface, as a map over normals and as spherical
+// harmonics [RH01], and the sun apart from it, so that no renderer has to find a tiny disc by chance.
+// Directions are in the preset's frame (x east, y up, -z north); colours in linear BT.709, in the unit of the sun's
+// irradiance.
+
+#include <array>
+
+#include "core/render/render.h"
+
+namespace airlight {
+
+using Vector3 = std::array<double, 3>;
+
+// Real orthonormal spherical harmonics up to degree 2 at a unit vector, without the Condon-Shortley sign:
+// 0.282095, 0.488603 (y, z, x), 1.092548 (xy, yz), 0.315392 (3zz - 1), 1.092548 xz, 0.546274 (xx - yy). [RH01] eq. 3.
+std::array<double, 9> sh_basis(const Vector3& direction);
+
+// RGB coefficients of radiance in that order: the integral of radiance x basis over the sphere, W/m2 and the like.
+using ShRadiance = std::array<Vector3, 9>;
+
+// Of an equirectangular picture whose centre looks at `azimuth` (radians): each pixel's radiance by the integral of the
+// basis over its solid angle.
+ShRadiance project_to_sh(const RadianceImage& latlong, double azimuth);
+
+// Irradiance of a surface with this unit normal: the sum over degrees l of A_l L_lm Y_lm, where A_0 = pi, A_1 = 2 pi/3,
+// A_2 = pi/4 are those of the clamped cosine. [RH01] eq. 9; within 1 % of the mean for most lights, and negative where
+// one small light stands alone.
+Vector3 irradiance_from_sh(const ShRadiance& radiance, const Vector3& normal);
+
+// Irradiance over normals as an equirectangular map whose centre is the normal toward `azimuth`: the sum of radiance x
+// cosine over the sphere, by the exact integral of the direction over each pixel of the sky.
+RadianceImage irradiance_map(const RadianceImage& latlong, double latlong_azimuth, int width, int height,
+                             double azimuth);
+
+// The sun as a directional light: what its disc, limb-darkened, dimmed by the air and cut by the planet, sends to the
+// camera's place. sun.disc.visible and radiance_scale, which are the picture's, do not change it.
+struct SunLight {
+  Vector3 direction{};          // to the disc's centre
+  double elevation = 0.0;       // radians
+  double azimuth = 0.0;         // radians
+  double angular_radius = 0.0;  // radians
+  Vector3 irradiance{};         // on a plane that faces it
+  Vector3 irradiance_above_air{};
+  double visible_share = 0.0;  // of the disc's light, before the air: what the planet leaves
+};
+SunLight sun_light(const DeviceOnDemand& device, const Scene& scene);
+
+inline constexpr int kIrradianceWidth = 64;
+inline constexpr int kIrradianceHeight = 32;
+
+struct Lighting {
+  RadianceImage irradiance;  // kIrradianceWidth x kIrradianceHeight, the centre toward the camera's azimuth
+  ShRadiance sh{};
+  SunLight sun;
+};
+
+// Of the whole sphere around the camera's place, ground included, whatever the camera looks at. The sky is rendered by
+// the scene's method into a picture of its own. Throws RunError where that holds a NaN, infinity or negative value.
+Lighting lighting_of(const DeviceOnDemand& device, const Scene& scene, const HostOptions& host);
+
+}  // namespace airlight

@@ -1,0 +1,30 @@
+#pragma once
+// From radiance in the linear working space (BT.709) to luminance, where `sun.unit` gives it an absolute size.
+//
+// Three channels are no spectrum: a medium's coefficients stand for wavelengths near 680, 550 and 440 nm, and luminance
+// is the BT.709 sum of the three, not an integral over V(lambda). For `W/m2` the efficacy is that of sunlight above the
+// air, whatever the light has gone through; that of blue sky alone is higher, that of a low red sun lower.
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "core/scene/scene.h"
+
+namespace airlight {
+
+// Luminance of linear BT.709, ITU-R BT.709-6 item 3.2. In the unit of the channels.
+double bt709_luminance(const Spectrum& rgb);
+
+// Solar illuminance constant of the IES, 128 klx, over the total solar irradiance of Kopp and Lean 2011, 1361 W/m2:
+// lm per W of sunlight above the air, its infrared included.
+inline constexpr double kSunlightEfficacy = 128000.0 / 1361.0;
+
+// Luminance in cd/m2 of the radiance (1, 1, 1), which is what OpenEXR's whiteLuminance holds; also lux per unit of
+// irradiance. None: the unit says nothing of it.
+std::optional<double> white_luminance(SunUnit unit);
+
+std::string_view irradiance_unit(SunUnit unit);  // "W/m2", "lux"; empty: relative
+std::string_view radiance_unit(SunUnit unit);    // "W/(m2 sr)", "cd/m2"; "sun irradiance unit / sr": relative
+
+}  // namespace airlight
