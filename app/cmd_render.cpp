@@ -362,8 +362,7 @@ std::vector<Option> render_options(Given& given) {
        Completes::folder},
       {"--tile", "WxH",
        "Render in tiles of this size, streamed into the EXR, in bounded memory; else in rows of tiles from 8388609 "
-       "pixels "
-       "on where neither PNG nor bloom needs the whole picture. The file is the same",
+       "pixels on where neither PNG nor bloom needs the whole picture. The file is the same",
        &given.tile},
       {"--irradiance", "FILE.exr",
        "Also write what the sky gives a diffuse surface: a map over normals here, and in FILE.json beside it its 9 "
@@ -415,12 +414,10 @@ Command render_command() {
       "the command fails and says where it is.\n\n"
       "An EXR of airlight's carries its whole preset: rendering the EXR renders the same picture again.\n\n"
       "With --layers, NAME.R, .G and .B of each medium that scatters, of multiple, sun and ground sum up to R, G and "
-      "B. "
-      "transmittance is that to the ground or to space, depth.Z the distance in km to the ground or to where the ray "
-      "leaves the air (1e10 where it meets neither; always 32 bits), N.X, .Y and .Z the ground's normal, x east, y up, "
-      "z "
-      "south, 0 where there is no ground. Bloom, where the preset asks for it in the EXR, is a layer outside the "
-      "sum.\n\n"
+      "B. transmittance is that to the ground or to space, depth.Z the distance in km to the ground or to where the "
+      "ray leaves the air (1e10 where it meets neither; always 32 bits), N.X, .Y and .Z the ground's normal, x east, "
+      "y up, z south, 0 where there is no ground. Bloom, where the preset asks for it in the EXR, is a layer outside "
+      "the sum.\n\n"
       "--tolerance and --time-limit choose method and quality for this scene and picture, whatever the preset has "
       "under "
       "render: a few hundred of the picture's directions are computed by candidates and by a near-truth quality. The "

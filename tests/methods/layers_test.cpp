@@ -121,9 +121,6 @@ TEST(Layers, SumUpToThePicture_Methods) {
   Scene marched = named("sky-view", small_sky(2.0));
   put(marched, "ground_rays", std::string("march"));
   EXPECT_LT(greatest_gap(layered(marched)), kHalf) << "sky-view with marched ground";
-  Scene uniform = named("march", small_sky(2.0));
-  put(uniform, "step_distribution", std::string("uniform"));
-  EXPECT_LT(greatest_gap(layered(uniform)), kHalf) << "march by uniform steps";
   Scene mixed = small_sky(2.0);
   mixed.media = every_kind().media;
   EXPECT_LT(greatest_gap(layered(named("nested", mixed))), kHalf) << "five media";
@@ -163,7 +160,7 @@ TEST(Layers, AMediumsLayerIsAWorldInWhichItAloneScatters) {
 TEST(Layers, NoAirLeavesGroundAndSun) {
   Scene scene = small_sky(0.001);
   scene.media = {};
-  const Rendering rendering = layered(named("march", scene));
+  const Rendering rendering = layered(named("nested", scene));
   std::vector<std::string> names;
   for (const Layer& l : rendering.layers) {
     names.push_back(l.name);
