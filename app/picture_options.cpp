@@ -98,6 +98,9 @@ void require_layers(const PictureOptions& options, const Scene& scene, bool exr,
     throw InputError(command + ": --layers: " + scene.render.method +
                      " does not tell its light apart; choose by --method one of " + methods_with_layers());
   }
+  if (const std::string refusal = layers_refusal(scene); !refusal.empty()) {
+    throw InputError(command + ": --layers: " + refusal);
+  }
 }
 
 void require_ending(const std::string& file, const std::string& option, const std::string& ending) {

@@ -102,6 +102,9 @@ std::vector<Candidate> candidates(const Scene& scene, double tolerance, const st
       continue;
     }
     for (const Quality& quality : method.sweep) {
+      if (!quality.by_direction) {
+        continue;
+      }
       const Scene with = with_quality(scene, method, quality);
       add(with, method, std::string(quality.label));
       if (with.render.parameters.contains(kScale) && depths.scattering < 2.0 * tolerance) {

@@ -1,7 +1,10 @@
 #include "core/choice/cost.h"
 
+#include <algorithm>
 #include <array>
 #include <string_view>
+
+#include "core/physics/physics.h"
 
 namespace airlight::choice {
 namespace {
@@ -30,6 +33,15 @@ double constant(const PassDesc& pass, std::size_t i) {
   return i < pass.push_constants.size() ? static_cast<double>(pass.push_constants[i]) : 0.0;
 }
 
+// What finding the optical depth of a ray costs, in steps.
+double steps_to_place_steps(const PassDesc& pass) {
+  constexpr double kPanels = physics::kOpticalPanels;
+  const bool by_depth = std::ranges::any_of(pass.specialization, [](const Specialization& constant) {
+    return constant.name == "kStepDistribution" && constant.value == physics::kStepsOpticalDepth;
+  });
+  return by_depth ? kPanels : 0.0;
+}
+
 // Steps of one thread.
 double steps_of(const PassDesc& pass) {
   if (pass.shader == "sky_nested") {
@@ -39,7 +51,7 @@ double steps_of(const PassDesc& pass) {
     return constant(pass, 0) * constant(pass, 1) / pass.grid.width;  // directions are shared by a row of threads
   }
   const bool first = pass.shader == "sky_view" || pass.shader == "sky_factors";
-  return constant(pass, first ? 0 : 2);
+  return constant(pass, first ? 0 : 2) + steps_to_place_steps(pass);
 }
 
 double cost_of(const PassDesc& pass) {

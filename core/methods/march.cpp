@@ -2,15 +2,21 @@
 
 #include <array>
 #include <numbers>
+#include <string>
+#include <utility>
 
 #include "core/methods/march_passes.h"
+#include "core/methods/marched_picture.h"
 #include "core/methods/methods.h"
 
 namespace airlight {
 namespace {
 
-const std::array<ParameterInfo, 6> kParameters{steps_parameter(32),
+const std::array<ParameterInfo, 9> kParameters{steps_parameter(32),
                                                step_distribution_parameter(),
+                                               jitter_parameter(),
+                                               resolution_parameter(),
+                                               phase_parameter(),
                                                transmittance_lut_parameter(),
                                                multiple_scattering_lut_parameter(),
                                                multiple_scattering_scale_parameter(),
@@ -36,6 +42,22 @@ Quality with_tables(std::string_view label, int steps, TableSize transmittance, 
           {{"steps", steps}, {"transmittance_lut", transmittance}, {"multiple_scattering_lut", multiple_scattering}}};
 }
 
+Quality with_key(std::string_view label, int steps, std::string_view key, std::string value, bool by_direction = true) {
+  return {label, {{"steps", steps}, {key, std::move(value)}}, by_direction};
+}
+
+// How much of the chart a key is worth: each with its cost and error beside the plain march's.
+std::vector<Quality> keys_of_the_ladder() {
+  return {with_key("16, optical depth", 16, "step_distribution", "optical-depth"),
+          with_key("32, optical depth", 32, "step_distribution", "optical-depth"),
+          with_key("8, Gauss-Legendre", 8, "step_distribution", "gauss-legendre"),
+          with_key("16, Gauss-Legendre", 16, "step_distribution", "gauss-legendre"),
+          with_key("8, blue noise", 8, "jitter", "blue-noise", false),
+          with_key("16, blue noise", 16, "jitter", "blue-noise", false),
+          with_key("32, half resolution", 32, "resolution", "half", false),
+          with_key("32, Schlick", 32, "phase", "schlick")};
+}
+
 }  // namespace
 
 SkyMethod march_method() {
@@ -52,6 +74,8 @@ SkyMethod march_method() {
                   with_steps("128", 128),
                   with_tables("128, large tables", 128, {512, 128}, {64, 64}),
                   with_steps("512", 512)};
+  const std::vector<Quality> keys = keys_of_the_ladder();
+  method.sweep.insert(method.sweep.end(), keys.begin(), keys.end());
   method.validity.sun_elevation_min = -6.0 * std::numbers::pi / 180.0;
   method.validity.optical_depth_max = 5.0;
   method.validity.known_failures = march_failures();

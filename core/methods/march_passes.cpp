@@ -1,16 +1,20 @@
 #include "core/methods/march_passes.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
 #include "core/luts/luts.h"
+#include "core/methods/marched_picture.h"
 #include "core/physics/scene_data.h"
 
 namespace airlight {
 namespace {
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
-constexpr std::array<std::string_view, 2> kDistributions{"uniform", "quadratic"};
+// By code: physics::kStepsUniform, ...
+constexpr std::array<std::string_view, 4> kDistributions{"uniform", "quadratic", "optical-depth", "gauss-legendre"};
+constexpr std::array<std::string_view, 2> kPhases{"media", "schlick"};
 
 }  // namespace
 
@@ -25,7 +29,18 @@ ParameterInfo step_distribution_parameter() {
           0,
           std::string("quadratic"),
           kDistributions,
-          "where the steps along the view ray stand: evenly, or dense toward the ray's lowest point"};
+          "where the steps along the view ray stand: evenly; dense toward the ray's lowest point; by what of the air's "
+          "optical depth is seen; or two Gauss-Legendre nodes a panel, panels split at the planet's shadow"};
+}
+
+ParameterInfo phase_parameter() {
+  return {"phase",
+          ParameterKind::choice,
+          0,
+          0,
+          std::string("media"),
+          kPhases,
+          "schlick: Schlick's rational form in place of Henyey-Greenstein and Cornette-Shanks, whatever the media say"};
 }
 
 ParameterInfo transmittance_lut_parameter() {
@@ -116,8 +131,8 @@ MarchTables add_march_tables(Plan& plan, const Scene& scene) {
 }
 
 std::uint32_t step_distribution_code(const Scene& scene) {
-  return scene.render.get<std::string>("step_distribution") == "uniform" ? physics::kStepsUniform
-                                                                         : physics::kStepsQuadratic;
+  const std::string& name = scene.render.get<std::string>("step_distribution");
+  return static_cast<std::uint32_t>(std::ranges::find(kDistributions, name) - kDistributions.begin());
 }
 
 std::vector<Specialization> march_specialization(const Plan& plan, const Scene& scene, const MarchTables& tables) {
@@ -133,19 +148,15 @@ std::vector<Binding> march_reads(const MarchTables& tables) {
 
 void add_march_pass(Plan& plan, const Scene& scene, const MarchTables& tables, const SkyTarget& target) {
   std::vector<Specialization> constants = march_specialization(plan, scene, tables);
-  constants.push_back({"kProjection", target.projection});
   constants.push_back({"kGroundReflects", tables.reflects ? 1u : 0u});
   std::vector<Binding> reads = march_reads(tables);
   reads.push_back({"ground_irradiance_lut", tables.ground_irradiance});
-  reads.push_back({"directions", target.directions});
-  plan.add_pass({.name = "sky",
-                 .shader = "sky_march",
-                 .reads = std::move(reads),
-                 .writes = {{"radiance_out", target.radiance}},
-                 .grid = target.grid,
-                 .push_constants = {target.grid.width, target.grid.height,
-                                    static_cast<std::uint32_t>(scene.render.get<int>("steps"))},
-                 .specialization = std::move(constants)});
+  add_marched_picture(plan, scene,
+                      {.shader = "sky_march",
+                       .reads = std::move(reads),
+                       .push_constants = {static_cast<std::uint32_t>(scene.render.get<int>("steps"))},
+                       .specialization = std::move(constants)},
+                      target);
 }
 
 LayerPasses add_march_layers(Plan& plan, const Scene& scene, const View& view, const MarchTables& tables) {

@@ -11,6 +11,7 @@ namespace airlight {
 // Parameters by the keys that add_march_tables() and add_march_pass() read.
 ParameterInfo steps_parameter(int default_steps);
 ParameterInfo step_distribution_parameter();
+ParameterInfo phase_parameter();
 ParameterInfo transmittance_lut_parameter();
 ParameterInfo multiple_scattering_lut_parameter();
 ParameterInfo multiple_scattering_scale_parameter();

@@ -2,28 +2,35 @@
 
 #include <array>
 #include <string>
+#include <utility>
 
 #include "core/error.h"
 #include "core/luts/luts.h"
 #include "core/methods/march_passes.h"
+#include "core/methods/marched_picture.h"
 #include "core/methods/methods.h"
+#include "core/physics/physics.h"
 
 namespace airlight {
 namespace {
 
-const std::array<ParameterInfo, 4> kParameters{
+const std::array<ParameterInfo, 7> kParameters{
     steps_parameter(16),
     ParameterInfo{
         "sun_steps", ParameterKind::integer, 1, 4096, 8, {}, "steps toward the sun from each step of the view ray"},
-    step_distribution_parameter(), sun_fade_parameter()};
+    step_distribution_parameter(),
+    jitter_parameter(),
+    resolution_parameter(),
+    phase_parameter(),
+    sun_fade_parameter()};
 
 // The software device (Mesa's llvmpipe) ends a shader's loops, without a word, after 65535 turns of all of them.
 constexpr long long kMostTurns = 65535;
 
-void refuse_too_many_turns(long long steps, long long sun_steps) {
-  if (steps * (sun_steps + 1) > kMostTurns) {
-    throw InputError("render: nested takes steps x (sun_steps + 1) up to " + std::to_string(kMostTurns) + ", not " +
-                     std::to_string(steps) + " x " + std::to_string(sun_steps + 1) + "; lower either");
+void refuse_too_many_turns(long long steps, long long sun_steps, long long before) {
+  if (before + steps * (sun_steps + 1) > kMostTurns) {
+    throw InputError("render: nested takes steps x (sun_steps + 1) up to " + std::to_string(kMostTurns - before) +
+                     ", not " + std::to_string(steps) + " x " + std::to_string(sun_steps + 1) + "; lower either");
   }
 }
 
@@ -35,24 +42,21 @@ std::vector<Specialization> constants_of(const Scene& scene) {
   return constants;
 }
 
-std::vector<std::uint32_t> push_constants_of(const Scene& scene, const Extent& grid) {
+// The steps, which follow the grid's sides.
+std::vector<std::uint32_t> push_constants_of(const Scene& scene) {
   const int steps = scene.render.get<int>("steps");
   const int sun_steps = scene.render.get<int>("sun_steps");
-  refuse_too_many_turns(steps, sun_steps);
-  return {grid.width, grid.height, static_cast<std::uint32_t>(steps), static_cast<std::uint32_t>(sun_steps)};
+  const bool by_depth = step_distribution_code(scene) == physics::kStepsOpticalDepth;
+  refuse_too_many_turns(steps, sun_steps, by_depth ? 2LL * physics::kOpticalPanels : 0);
+  return {static_cast<std::uint32_t>(steps), static_cast<std::uint32_t>(sun_steps)};
 }
 
 SkyPasses add_nested(Plan& plan, const Scene& scene, const View& view) {
   const SkyTarget target = add_sky_target(plan, scene, view);
-  std::vector<Specialization> constants = constants_of(scene);
-  constants.push_back({"kProjection", target.projection});
-  plan.add_pass({.name = "sky",
-                 .shader = "sky_nested",
-                 .reads = {{"directions", target.directions}},
-                 .writes = {{"radiance_out", target.radiance}},
-                 .grid = target.grid,
-                 .push_constants = push_constants_of(scene, target.grid),
-                 .specialization = std::move(constants)});
+  add_marched_picture(
+      plan, scene,
+      {.shader = "sky_nested", .push_constants = push_constants_of(scene), .specialization = constants_of(scene)},
+      target);
   return {target.radiance, {}};
 }
 
@@ -61,12 +65,14 @@ LayerPasses add_layers(Plan& plan, const Scene& scene, const View& view) {
   const BufferId planes = add_layer_planes(plan, scene, view);
   std::vector<Specialization> constants = constants_of(scene);
   add_layer_constants(constants, scene);
+  std::vector<std::uint32_t> push_constants = push_constants_of(scene);
+  push_constants.insert(push_constants.begin(), {grid.width, grid.height});
   plan.add_pass({.name = "layers",
                  .shader = "layers_nested",
                  .reads = {},
                  .writes = {{"layers_out", planes}},
                  .grid = grid,
-                 .push_constants = push_constants_of(scene, grid),
+                 .push_constants = std::move(push_constants),
                  .specialization = std::move(constants)});
   return {planes, std::nullopt};
 }

@@ -8,6 +8,7 @@
 
 #include "core/luts/luts.h"
 #include "core/luts/moments.h"
+#include "core/methods/march_passes.h"
 #include "core/methods/methods.h"
 #include "core/methods/sky_pass.h"
 #include "core/physics/scene_data.h"
@@ -18,7 +19,7 @@ namespace {
 constexpr std::array<std::string_view, 10> kDegrees{"auto", "0", "1", "2", "3", "4", "5", "6", "7", "8"};
 constexpr std::array<std::string_view, 3> kWhen{"auto", "always", "never"};
 
-const std::array<ParameterInfo, 8> kParameters{{
+const std::array<ParameterInfo, 9> kParameters{{
     {"steps", ParameterKind::integer, 4, 4096, 48, {}, "steps along a view ray, apart at the planet's shadow"},
     {"transmittance_lut", ParameterKind::table_size, 2, 4096, TableSize{256, 64}, {}, "transmittance table, mu x h"},
     {"moments_lut",
@@ -49,6 +50,7 @@ const std::array<ParameterInfo, 8> kParameters{{
     {"shells", ParameterKind::choice, 0, 0, std::string("auto"), kWhen,
      "whether rays step through shells cut at the edges of the media; auto: where a medium that scatters ends abruptly "
      "or the vertical optical depth of scattering is above 0.4"},
+    phase_parameter(),
 }};
 
 // The picture's own table of factors, as shaders/shared/sky_table.glsl is told of it.

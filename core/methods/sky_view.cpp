@@ -17,7 +17,7 @@ constexpr std::array<std::string_view, 2> kGroundRays{"table", "march"};
 
 // The table holds the ground too: against marching those pixels that costs a mean 0.03 % (worst scene tried) and saves
 // nine tenths of the time of a picture one third ground.
-const std::array<ParameterInfo, 8> kParameters{
+const std::array<ParameterInfo, 9> kParameters{
     ParameterInfo{"sky_view_lut",
                   ParameterKind::table_size,
                   4,
@@ -29,6 +29,7 @@ const std::array<ParameterInfo, 8> kParameters{
                   "rays that end on the ground: from the last third of the table's rows, or marched pixel by pixel"},
     steps_parameter(32),
     step_distribution_parameter(),
+    phase_parameter(),
     transmittance_lut_parameter(),
     multiple_scattering_lut_parameter(),
     multiple_scattering_scale_parameter(),

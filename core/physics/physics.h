@@ -82,6 +82,8 @@ struct Physics {
 #include "shaders/physics/medium.glsl"
 #include "shaders/physics/segment.glsl"
 #include "shaders/physics/quadrature.glsl"
+#include "shaders/physics/step_plan.glsl"
+#include "shaders/physics/optical_steps.glsl"
 #include "shaders/physics/lut_mapping.glsl"
 #include "shaders/physics/transmittance.glsl"
 #include "shaders/physics/transmittance_lut.glsl"

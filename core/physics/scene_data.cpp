@@ -153,6 +153,11 @@ Data fill(const Scene& scene) {
   return data;
 }
 
+bool schlick_for_all(const Scene& scene) {
+  const auto found = scene.render.parameters.find("phase");
+  return found != scene.render.parameters.end() && found->second == ParameterValue(std::string("schlick"));
+}
+
 template <class Code>
 std::uint32_t packed_codes(const Scene& scene, Code code) {
   std::uint32_t codes = 0;
@@ -248,14 +253,15 @@ std::uint32_t density_profile_codes(const Scene& scene) {
 }
 
 std::uint32_t phase_function_codes(const Scene& scene) {
-  return packed_codes(scene, [](const Medium& m) -> std::uint32_t {
+  const bool rational = schlick_for_all(scene);
+  return packed_codes(scene, [rational](const Medium& m) -> std::uint32_t {
     switch (m.phase) {
       case PhaseFunction::rayleigh:
         return physics::kPhaseRayleigh;
       case PhaseFunction::henyey_greenstein:
-        return physics::kPhaseHenyeyGreenstein;
+        return rational ? physics::kPhaseSchlick : physics::kPhaseHenyeyGreenstein;
       case PhaseFunction::cornette_shanks:
-        return physics::kPhaseCornetteShanks;
+        return rational ? physics::kPhaseSchlick : physics::kPhaseCornetteShanks;
       case PhaseFunction::schlick:
         return physics::kPhaseSchlick;
       case PhaseFunction::isotropic:

@@ -6,6 +6,7 @@
 
 #include "core/methods/analytic_sky.h"
 #include "core/methods/march_passes.h"
+#include "core/methods/marched_picture.h"
 #include "core/physics/scene_data.h"
 #include "core/stability/shot.h"
 
@@ -62,8 +63,10 @@ std::vector<vec3> marched(const Scene& scene, const Shot& shot, const std::vecto
   p.ground_irradiance_lut = table_of(shot, "ground_irradiance");
   const auto steps = static_cast<physics::uint>(scene.render.get<int>("steps"));
   const std::uint32_t distribution = step_distribution_code(scene);
+  const double place = place_in_step(scene);
   return along(p, directions, [&](const Physics::Ray& ray) {
-    return p.march(p.scene.planet, p.scene.sun, ray, steps, distribution, p.scene.multiple_scattering_scale).radiance;
+    return p.march_at(p.scene.planet, p.scene.sun, ray, steps, distribution, place, p.scene.multiple_scattering_scale)
+        .radiance;
   });
 }
 
@@ -74,8 +77,9 @@ std::vector<vec3> nested(const Scene& scene, const std::vector<Direction>& direc
   p.ground_irradiance_lut = {1, 1, {vec3(0.0)}};
   const auto steps = static_cast<physics::uint>(scene.render.get<int>("steps"));
   const std::uint32_t distribution = step_distribution_code(scene);
+  const double place = place_in_step(scene);
   return along(p, directions, [&](const Physics::Ray& ray) {
-    return p.march(p.scene.planet, p.scene.sun, ray, steps, distribution, 0.0).radiance;
+    return p.march_at(p.scene.planet, p.scene.sun, ray, steps, distribution, place, 0.0).radiance;
   });
 }
 

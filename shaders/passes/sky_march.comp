@@ -6,7 +6,7 @@
 #include "shared/scattering_tables.glsl"
 #include "shared/ground_table.glsl"
 #include "physics/march.glsl"
-#include "shared/sky_output.glsl"
+#include "shared/march_pixels.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = 6) const uint kStepDistribution = 1u;
@@ -21,8 +21,12 @@ void main() {
   if (pixel.x >= width || pixel.y >= height) {
     return;
   }
-  ViewRay view = pixel_ray(pixel);
+  ViewRay view = marched_ray(pixel);
   Ray ray = air_ray(view.direction);
-  PathRadiance path = march(scene.planet, scene.sun, ray, steps, kStepDistribution, scene.multiple_scattering_scale);
-  write_radiance(pixel, view.inside, path.radiance, path.transmittance);
+  Upsampled from = upsampled(pixel, width, view.direction, ray.at_ground);
+  // The march takes no step on a ray of no length.
+  ray.length_ = from.holds ? -1.0 : ray.length_;
+  PathRadiance path =
+      march_at(scene.planet, scene.sun, ray, steps, kStepDistribution, place_in_step(pixel), scene.multiple_scattering_scale);
+  write_marched(pixel, width, view, ray.at_ground, from, path);
 }

@@ -16,66 +16,6 @@ vec3 phased(SkyFactors factors, Phases p) {
   return sum;
 }
 
-// Steps uniform in s = +-sqrt(distance from the lowest point), apart on up to three intervals that no shadow's edge and
-// no lowest point lies inside.
-struct StepPlan {
-  real lowest;  // distance of the ray's lowest point
-  real s0;      // ends of the intervals
-  real s1;
-  real s2;
-  real s3;
-  uint n1;  // steps up to s1
-  uint n2;  // steps up to s2
-  uint n;
-};
-
-real path_coordinate(real lowest, real t) { return t < lowest ? -sqrt(lowest - t) : sqrt(t - lowest); }
-
-real path_distance(real lowest, real s) { return lowest + (s < 0.0 ? -s * s : s * s); }
-
-StepPlan plan_steps(PlanetData planet, Ray ray, uint n) {
-  ShadowCrossings shadow = shadow_crossings(planet, ray);
-  StepPlan plan;
-  plan.lowest = clamp(-(planet.ground_radius + ray.h) * ray.mu, 0.0, ray.length_);
-  real first = shadow.first;
-  real second = shadow.second;
-  // A lowest point inside takes the place of a crossing that is not there.
-  if (second >= ray.length_ && plan.lowest > 0.0 && plan.lowest < ray.length_) {
-    second = max(first, plan.lowest);
-    first = min(first, plan.lowest);
-  }
-  plan.s0 = path_coordinate(plan.lowest, 0.0);
-  plan.s1 = path_coordinate(plan.lowest, first);
-  plan.s2 = path_coordinate(plan.lowest, second);
-  plan.s3 = path_coordinate(plan.lowest, ray.length_);
-  real scale = real(n) / max(plan.s3 - plan.s0, 1e-12);
-  plan.n = n;
-  plan.n1 = uint(clamp(floor((plan.s1 - plan.s0) * scale + 0.5), 1.0, real(n)));
-  plan.n2 = uint(clamp(floor((plan.s2 - plan.s0) * scale + 0.5), min(real(plan.n1) + 1.0, real(n)), real(n)));
-  // The last interval, where there is one, gets a step.
-  if (plan.s3 > plan.s2 && plan.n2 == n && n >= 3u) {
-    plan.n2 = n - 1u;
-    plan.n1 = min(plan.n1, n - 2u);
-  }
-  return plan;
-}
-
-Step planned_step(StepPlan plan, uint i) {
-  bool one = i < plan.n1;
-  bool two = i < plan.n2;
-  real low = one ? plan.s0 : two ? plan.s1 : plan.s2;
-  real high = one ? plan.s1 : two ? plan.s2 : plan.s3;
-  real from = real(one ? 0u : two ? plan.n1 : plan.n2);
-  real to = real(one ? plan.n1 : two ? plan.n2 : plan.n);
-  real width = (high - low) / max(to - from, 1.0);
-  real a = path_distance(plan.lowest, low + (real(i) - from) * width);
-  real b = path_distance(plan.lowest, low + (real(i) - from + 1.0) * width);
-  Step s;
-  s.t = 0.5 * (a + b);
-  s.width = b - a;
-  return s;
-}
-
 // Of the air alone: the ground, where the ray ends on it, is left out.
 SkyFactors air_factors(PlanetData planet, MomentTableData table, Ray ray, uint steps) {
   SkyFactors factors;

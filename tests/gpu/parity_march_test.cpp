@@ -206,6 +206,16 @@ TEST_F(MarchParity, EveryKindOfMediumOverBrightGround) {
   expect_paths(every_kind(), 32, physics::kStepsQuadratic, 1e-5, 2e-3);
 }
 
+// A step that rounding moves from one part of the ray to another, or one node across the shadow's edge, is no error of
+// the formula: the typical ray is held as tightly.
+TEST_F(MarchParity, StepsByOpticalDepth) {
+  expect_paths(earth(), 32, physics::kStepsOpticalDepth, 1e-5, 2e-3);
+}
+
+TEST_F(MarchParity, GaussLegendrePanels) {
+  expect_paths(earth(), 15, physics::kStepsGaussLegendre, 1e-5, 2e-3);
+}
+
 // Rounding does not add up: at 4096 steps as close as at 32.
 TEST_F(MarchParity, ManySteps) {
   expect_paths(earth(), 4096, physics::kStepsQuadratic, 1e-5, 2e-3);

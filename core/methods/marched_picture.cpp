@@ -1,0 +1,135 @@
+#include "core/methods/marched_picture.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+#include <string>
+
+#include "core/error.h"
+#include "core/methods/blue_noise.h"
+#include "core/methods/march_passes.h"
+#include "core/physics/physics.h"
+
+namespace airlight {
+namespace {
+
+constexpr std::array<std::string_view, 3> kJitters{"none", "fixed", "blue-noise"};
+constexpr std::array<std::string_view, 2> kResolutions{"full", "half"};
+
+// A method that lacks the key goes by its default.
+std::string choice_of(const Scene& scene, const std::string& key, std::string_view otherwise) {
+  const auto found = scene.render.parameters.find(key);
+  return found == scene.render.parameters.end() ? std::string(otherwise) : std::get<std::string>(found->second);
+}
+
+std::vector<float> places(const Scene& scene, bool listed) {
+  const auto same = static_cast<float>(place_in_step(scene));
+  if (choice_of(scene, "jitter", "none") == "blue-noise" && !listed) {
+    static const std::vector<float> mask = void_and_cluster(physics::kNoiseSide);
+    return mask;
+  }
+  return std::vector<float>(std::size_t{physics::kNoiseSide} * physics::kNoiseSide, same);
+}
+
+BufferId add_noise_mask(Plan& plan, const Scene& scene, bool listed) {
+  const std::vector<float> values = places(scene, listed);
+  std::vector<std::byte> bytes(values.size() * sizeof(float));
+  std::memcpy(bytes.data(), values.data(), bytes.size());
+  const std::size_t size = bytes.size();
+  return plan.add_buffer(
+      {.name = "noise_mask", .bytes = size, .host_readable = false, .contents = std::move(bytes), .key = {}});
+}
+
+// Between corners further apart than twice this a sky is no longer nearly linear, and nothing would be saved.
+constexpr double kCoarsestPixel = 2.0 * std::numbers::pi / 180.0;
+
+// Greatest angle from a pixel to the next.
+double pixel_angle(const Scene& scene) {
+  const double width = scene.image.width;
+  const double height = scene.image.height;
+  switch (scene.camera.projection) {
+    case Projection::equirectangular:
+      return std::max(2.0 * std::numbers::pi / width, std::numbers::pi / height);
+    case Projection::fisheye:
+      return scene.camera.vertical_fov / std::min(width, height);
+    case Projection::perspective:
+      break;
+  }
+  return 2.0 * std::tan(0.5 * scene.camera.vertical_fov) / height;
+}
+
+bool halves(const Scene& scene) {
+  return choice_of(scene, "resolution", "full") == "half" && pixel_angle(scene) <= kCoarsestPixel;
+}
+
+PassDesc part_of(PassDesc pass, std::uint32_t part, Extent grid, BufferId out, BufferId corners) {
+  pass.name = part == physics::kPartHalf ? "sky_half" : "sky";
+  pass.grid = grid;
+  pass.push_constants.insert(pass.push_constants.begin(), {grid.width, grid.height});
+  pass.specialization.push_back({"kPart", part});
+  pass.reads.push_back({"half_radiance", corners});
+  pass.writes.push_back({"radiance_out", out});
+  return pass;
+}
+
+}  // namespace
+
+ParameterInfo jitter_parameter() {
+  return {"jitter",
+          ParameterKind::choice,
+          0,
+          0,
+          std::string("none"),
+          kJitters,
+          "where in a step its light is taken, against bands at few steps: none, in the middle; fixed, at 0.3; "
+          "blue-noise, at a place of its own for each pixel; not with step_distribution gauss-legendre"};
+}
+
+ParameterInfo resolution_parameter() {
+  return {"resolution",
+          ParameterKind::choice,
+          0,
+          0,
+          std::string("full"),
+          kResolutions,
+          "half: march at every second pixel each way and go bilinearly between, but at edges, steep places and pixels "
+          "wider than 2 degrees"};
+}
+
+double place_in_step(const Scene& scene) {
+  const std::string jitter = choice_of(scene, "jitter", "none");
+  if (jitter != "none" && step_distribution_code(scene) == physics::kStepsGaussLegendre) {
+    throw InputError("render: jitter \"" + jitter +
+                     "\" moves the places of light within their steps, but those of step_distribution "
+                     "\"gauss-legendre\" stand where the rule needs them; remove either");
+  }
+  return jitter == "fixed" ? 0.3 : 0.5;
+}
+
+void add_marched_picture(Plan& plan, const Scene& scene, PassDesc pass, const SkyTarget& target) {
+  const bool listed = target.projection == physics::kProjectionListed;
+  const bool jitters = choice_of(scene, "jitter", "none") != "none";
+  pass.specialization.push_back({"kProjection", target.projection});
+  pass.specialization.push_back({"kJitter", jitters ? 1u : 0u});
+  pass.reads.push_back({"directions", target.directions});
+  // Every buffer that the shader declares is bound, whether it looks or not.
+  pass.reads.push_back({"noise_mask", jitters ? add_noise_mask(plan, scene, listed) : target.directions});
+  if (listed || !halves(scene)) {
+    plan.add_pass(part_of(std::move(pass), physics::kPartWhole, target.grid, target.radiance, target.directions));
+    return;
+  }
+  const Extent corners{(target.grid.width + 1) / 2 + 1, (target.grid.height + 1) / 2 + 1, 1};
+  const BufferId half = plan.add_buffer({.name = "half_radiance",
+                                         .bytes = std::size_t{corners.width} * corners.height * 4 * sizeof(float),
+                                         .host_readable = false,
+                                         .contents = {},
+                                         .key = {},
+                                         .carried = false,
+                                         .zeroed = false});
+  plan.add_pass(part_of(pass, physics::kPartHalf, corners, half, target.directions));
+  plan.add_pass(part_of(std::move(pass), physics::kPartUpsampled, target.grid, target.radiance, half));
+}
+
+}  // namespace airlight

@@ -1,0 +1,73 @@
+// Which rays a march of the picture takes, at what place of their steps, and where the light goes: every pixel; or at
+// half resolution the corners of pixels two apart, and then every pixel from the four corners around it.
+#include "shared/sky_output.glsl"
+
+layout(constant_id = 23) const uint kJitter = 0u;
+layout(constant_id = 24) const uint kPart = 0u;  // kPartWhole, ...
+
+layout(scalar, set = 0, binding = 10) readonly buffer NoiseMask { float values[]; } noise_mask;
+// Radiance, and 1 where the ray ends on the ground.
+layout(scalar, set = 0, binding = 11) readonly buffer HalfRadiance { vec4 values[]; } half_radiance;
+
+ViewRay marched_ray(uvec2 pixel) {
+  if (kPart == kPartHalf) {
+    return view_ray(scene.camera, kProjection, 2.0 * float(pixel.x), 2.0 * float(pixel.y));
+  }
+  return pixel_ray(pixel);
+}
+
+float place_in_step(uvec2 pixel) {
+  if (kJitter == 0u) {
+    return 0.5;
+  }
+  uvec2 at = (pixel + uvec2(scene.tile.x, scene.tile.y)) % kNoiseSide;
+  return noise_mask.values[at.y * kNoiseSide + at.x];
+}
+
+struct Upsampled {
+  vec3 radiance;
+  bool holds;  // false: the pixel is to be marched
+};
+
+// How far from the sun, or from the point opposite to it, in distances between corners: a peak of a phase function may
+// stand between four corners that know nothing of it.
+float corners_from_peak(uvec2 pixel, vec3 direction) {
+  vec3 next = view_ray(scene.camera, kProjection, float(pixel.x) + 0.5, float(pixel.y) + 2.5).direction;
+  float off = min(length(direction - scene.sun.direction), length(direction + scene.sun.direction));
+  return off / max(length(next - direction), 1e-12);
+}
+
+// Bilinear between the corners, of which a pixel's centre is a quarter and three quarters of their distance away. It
+// holds where all of them and the pixel agree on whether their rays end on the ground, no channel differs by more than
+// a quarter (of an exponential between such corners the middle of the chord is 0.6 % too bright), and no peak is near.
+Upsampled upsampled(uvec2 pixel, uint width, vec3 direction, bool at_ground) {
+  Upsampled from;
+  from.radiance = vec3(0.0);
+  from.holds = false;
+  if (kPart == kPartUpsampled) {
+    const float kContrast = 1.25;
+    uint row = (width + 1u) / 2u + 1u;
+    uint first = (pixel.y / 2u) * row + pixel.x / 2u;
+    vec4 a = half_radiance.values[first];
+    vec4 b = half_radiance.values[first + 1u];
+    vec4 c = half_radiance.values[first + row];
+    vec4 d = half_radiance.values[first + row + 1u];
+    float x = pixel.x % 2u == 0u ? 0.25 : 0.75;
+    float y = pixel.y % 2u == 0u ? 0.25 : 0.75;
+    vec4 sum = mix(mix(a, b, x), mix(c, d, x), y);
+    vec3 low = min(min(a.rgb, b.rgb), min(c.rgb, d.rgb));
+    vec3 high = max(max(a.rgb, b.rgb), max(c.rgb, d.rgb));
+    from.radiance = sum.rgb;
+    from.holds = sum.a == (at_ground ? 1.0 : 0.0) && all(lessThanEqual(high, kContrast * low)) &&
+                 corners_from_peak(pixel, direction) > 4.0;
+  }
+  return from;
+}
+
+void write_marched(uvec2 pixel, uint width, ViewRay view, bool at_ground, Upsampled from, PathRadiance path) {
+  if (kPart == kPartHalf) {
+    radiance_out.values[pixel.y * width + pixel.x] = vec4(path.radiance, at_ground ? 1.0 : 0.0);
+  } else {
+    write_radiance(pixel, view.inside, from.holds ? from.radiance : path.radiance, path.transmittance);
+  }
+}

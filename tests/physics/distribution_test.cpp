@@ -1,0 +1,213 @@
+// Every distribution of steps: the ray covered once, the same light in the end, and sound where air is thick or absent.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/physics/host_tables.h"
+#include "tests/physics/integral.h"
+#include "tests/physics/scenes.h"
+
+namespace airlight::test {
+namespace {
+
+using physics::Physics;
+using physics::vec3;
+
+constexpr unsigned int kAll[] = {physics::kStepsUniform, physics::kStepsQuadratic, physics::kStepsOpticalDepth,
+                                 physics::kStepsGaussLegendre};
+constexpr unsigned int kCounts[] = {1, 2, 3, 5, 7, 16, 32, 255, 2048};
+
+// Up, down and tangent from the ground, inside, the top and outside.
+std::vector<Physics::Ray> rays_of(Physics& p) {
+  std::vector<Physics::Ray> rays;
+  for (const double h : {0.0, 1e-4, 1.0, 35.0, 99.99, 100.0, 600.0}) {
+    const double horizon = std::asin(p.horizon_mu(p.scene.planet, h));
+    for (const double mu : {1.0, 0.3, 0.0, std::sin(horizon), std::sin(horizon + 1e-7), std::sin(horizon - 1e-7),
+                            std::sin(horizon + 0.02), -0.4, -1.0}) {
+      for (const double sun : {0.5, 0.0, -0.05}) {
+        const auto ray = p.ray_in_atmosphere(p.scene.planet, h, mu, sun, mu * sun);
+        if (ray.length_ > 0.0) {
+          rays.push_back(ray);
+        }
+      }
+    }
+  }
+  return rays;
+}
+
+double falling_of(Physics& p, const Physics::Ray& ray) {
+  return -(p.scene.planet.ground_radius + ray.h) * ray.mu;
+}
+
+Scene fog(double optical_depth) {
+  Scene scene = vacuum();
+  const double s = optical_depth / 8.0;
+  scene.media = {medium("fog", {s, s, 0.1 * s}, {}, exponential(8.0))};
+  return scene;
+}
+
+TEST(OpticalSteps, CoverTheRayInOrder) {
+  for (const Scene& scene : {earth(), vacuum(), fog(1e-30), fog(1000.0), every_kind()}) {
+    Physics p = make_physics(scene);
+    for (const Physics::Ray& ray : rays_of(p)) {
+      const auto optical = p.optical_steps(p.scene.planet, ray, falling_of(p, ray));
+      for (const unsigned int n : kCounts) {
+        double before = 0.0;
+        for (unsigned int i = 0; i < n; ++i) {
+          const double end = p.optical_step_end(optical, falling_of(p, ray), ray.length_, i, n);
+          ASSERT_GT(end, before) << "from " << ray.h << " along " << ray.mu << ", " << i << " of " << n;
+          before = end;
+        }
+        EXPECT_EQ(before, ray.length_);
+      }
+    }
+  }
+}
+
+// Three quarters of the shares by optical depth, by a quadrature of its own; the rest quadratic. Four panels a scale
+// height are linear within: 0.3 of a step.
+TEST(OpticalSteps, StandAtEqualSharesOfThinAir) {
+  Physics p = make_physics(fog(1e-4));
+  const auto ray = p.ray_in_atmosphere(p.scene.planet, 0.0, 0.2, 0.5, 0.1);
+  const auto optical = p.optical_steps(p.scene.planet, ray, falling_of(p, ray));
+  const auto depth_to = [&](double t) {
+    return integral([&](double s) { return p.extinction_at(p.point_on_ray(p.scene.planet, ray, s).h).x; }, 0.0, t, 64);
+  };
+  const double whole = depth_to(ray.length_);
+  for (unsigned int i = 0; i < 24; ++i) {
+    const double end = p.optical_step_end(optical, falling_of(p, ray), ray.length_, i, 24);
+    const double share = 0.75 * depth_to(end) / whole + 0.25 * std::sqrt(end / ray.length_);
+    EXPECT_NEAR(share * 24.0, i + 1.0, 0.3) << i;
+  }
+}
+
+// Most steps stand where the fog is seen, which is a thousandth of the ray; none of the quadratic ones but the first.
+TEST(OpticalSteps, DivideThickAirAsFarAsItIsSeen) {
+  Physics p = make_physics(fog(1000.0));
+  const auto ray = p.ray_in_atmosphere(p.scene.planet, 0.0, 1.0, 0.5, 0.5);
+  const auto optical = p.optical_steps(p.scene.planet, ray, falling_of(p, ray));
+  const double seen = 8.0 / 1000.0;
+  EXPECT_LT(p.optical_step_end(optical, falling_of(p, ray), ray.length_, 1, 32), seen);
+  EXPECT_GT(p.ray_step(physics::kStepsQuadratic, falling_of(p, ray), ray.length_, 0, 0, 32).width, 10.0 * seen);
+}
+
+// Twice two panels and more, split at lowest point and shadow.
+TEST(GaussPanels, CoverTheRay) {
+  Physics p = make_physics(earth());
+  for (const Physics::Ray& ray : rays_of(p)) {
+    for (const unsigned int panels : {3U, 4U, 8U, 128U}) {
+      const auto plan = p.plan_steps(p.scene.planet, ray, panels);
+      double sum = 0.0;
+      for (unsigned int i = 0; i < panels; ++i) {
+        const auto panel = p.planned_step(plan, i);
+        ASSERT_GE(panel.width, 0.0);
+        ASSERT_NEAR(panel.t, sum + 0.5 * panel.width, 1e-9 * ray.length_) << i << " of " << panels;
+        sum += panel.width;
+      }
+      EXPECT_NEAR(sum / ray.length_, 1.0, 1e-12) << "from " << ray.h << " along " << ray.mu;
+    }
+  }
+}
+
+// Air that takes nothing out under light equal everywhere: a ray brings what it hides, whatever the steps.
+TEST(Distributions, MakeAndLoseNoLight) {
+  for (const double depth : {0.0, 1e-30, 1e-6, 0.1, 1.0, 30.0, 1000.0}) {
+    Physics p = make_physics(fog(depth));
+    p.transmittance_lut = {1, 1, {vec3(0.0)}};
+    p.multiple_scattering_lut = {1, 1, {vec3(0.7)}};
+    for (const Physics::Ray& ray : rays_of(p)) {
+      for (const unsigned int distribution : kAll) {
+        for (const unsigned int n : {1U, 2U, 3U, 8U, 33U}) {
+          const auto path = p.march(p.scene.planet, p.scene.sun, ray, n, distribution, 1.0);
+          const vec3 expected = p.scene.sun.irradiance * 0.7 * (vec3(1.0) - path.transmittance);
+          for (std::size_t c = 0; c < 3; ++c) {
+            ASSERT_NEAR(channel(path.radiance, c), channel(expected, c), 1e-12 * channel(p.scene.sun.irradiance, c))
+                << "depth " << depth << ", rule " << distribution << ", " << n << " steps from " << ray.h << " along "
+                << ray.mu;
+            ASSERT_TRUE(channel(path.transmittance, c) >= 0.0 && channel(path.transmittance, c) <= 1.0);
+          }
+        }
+      }
+    }
+  }
+}
+
+vec3 lit(Physics& p, double h, double elevation, unsigned int n, unsigned int distribution, double place = 0.5) {
+  const vec3 view = p.direction_from_angles(elevation * kDegree, 0.7);
+  const vec3 sun = p.scene.sun.direction;
+  const auto ray = p.ray_in_atmosphere(p.scene.planet, h, view.y, sun.y, physics::dot(view, sun));
+  return p.march_at(p.scene.planet, p.scene.sun, ray, n, distribution, place, 0.0).radiance;
+}
+
+// Sunlight by 40 steps of its own, no table: smooth.
+Physics tableless(const Scene& scene, double sun) {
+  Physics p = make_physics(scene);
+  p.sun_steps = 40;
+  p.multiple_scattering_lut = {1, 1, {vec3(0.0)}};
+  p.scene.sun.direction = p.direction_from_angles(sun * kDegree, 0.0);
+  return p;
+}
+
+struct Sight {
+  double sun;
+  double altitude;
+  double elevation;
+};
+constexpr Sight kSights[] = {{60.0, 0.001, 80.0}, {60.0, 0.001, 2.0}, {5.0, 0.001, 20.0},  {-3.0, 0.001, 6.0},
+                             {20.0, 10.0, -2.0},  {5.0, 99.9, -8.0},  {20.0, 400.0, -17.5}};
+
+// One picture in the end, and on the way to it no number of steps worse than half as many by much.
+TEST(Distributions, ComeToTheSameLightAndMoreStepsAreNeverWorse) {
+  for (const Scene& scene : {earth(), fog(3.0)}) {
+    for (const Sight& sight : kSights) {
+      Physics p = tableless(scene, sight.sun);
+      const vec3 truth = lit(p, sight.altitude, sight.elevation, 3000, physics::kStepsQuadratic);
+      for (const unsigned int distribution : kAll) {
+        double before = 1e9;
+        for (unsigned int n = 8; n <= 2048; n *= 4) {
+          const double error = std::abs(lit(p, sight.altitude, sight.elevation, n, distribution).y / truth.y - 1.0);
+          // Twice: where errors of either sign meet, a coarse rule may be right by chance.
+          EXPECT_LE(error, std::max(2.0 * before, 2e-3)) << "sun " << sight.sun << " from " << sight.altitude
+                                                         << ", rule " << distribution << ", " << n << " steps";
+          before = error;
+        }
+        EXPECT_LE(before, 2e-3) << "sun " << sight.sun << " from " << sight.altitude << ", rule " << distribution;
+      }
+    }
+  }
+}
+
+// Fourth order in smooth air: steps halved, a sixteenth of the error, where those of constant light have a quarter.
+TEST(Distributions, GaussLegendreIsOfFourthOrder) {
+  Physics p = tableless(earth(), 40.0);
+  p.media = 2;  // without ozone, whose density has kinks
+  const vec3 truth = lit(p, 0.001, 35.0, 4096, physics::kStepsGaussLegendre);
+  const auto error = [&](unsigned int n, unsigned int distribution) {
+    return std::abs(lit(p, 0.001, 35.0, n, distribution).y / truth.y - 1.0);
+  };
+  EXPECT_GT(error(16, physics::kStepsGaussLegendre) / error(32, physics::kStepsGaussLegendre), 11.0);
+  EXPECT_LT(error(16, physics::kStepsQuadratic) / error(32, physics::kStepsQuadratic), 5.0);
+  EXPECT_LT(error(16, physics::kStepsGaussLegendre), 0.1 * error(16, physics::kStepsQuadratic));
+}
+
+// The middle is exactly the march without the key; over all places the light is the same in the mean.
+TEST(Jitter, IsUnbiasedOverTheStep) {
+  Physics p = tableless(earth(), 20.0);
+  for (const unsigned int distribution : {physics::kStepsUniform, physics::kStepsQuadratic}) {
+    const vec3 truth = lit(p, 0.001, 15.0, 4096, distribution);
+    double mean = 0.0;
+    double worst = 0.0;
+    constexpr int kPlaces = 64;
+    for (int k = 0; k < kPlaces; ++k) {
+      const double one = lit(p, 0.001, 15.0, 32, distribution, (k + 0.5) / kPlaces).y / truth.y - 1.0;
+      mean += one / kPlaces;
+      worst = std::max(worst, std::abs(one));
+    }
+    EXPECT_LT(std::abs(mean), 0.1 * worst) << distribution;
+    EXPECT_LT(std::abs(mean), 3e-3) << distribution;
+  }
+}
+
+}  // namespace
+}  // namespace airlight::test
