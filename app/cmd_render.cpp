@@ -302,9 +302,11 @@ std::optional<ImageSize> tile_of(const Given& given, const Scene& scene, const T
   return tile_for(given.tile, scene, targets, given.picture.layers, needs_whole(given));
 }
 
-void warn(const Scene& scene, const Targets& targets, bool tiled, const std::optional<DisplayTransform>& transform) {
+void warn(const Given& given, const Scene& scene, const Targets& targets, bool tiled,
+          const std::optional<DisplayTransform>& transform) {
+  const std::string untiled = tiled ? "" : untiled_warning(scene, targets, needs_whole(given));
   for (const std::string& warning :
-       {validity_warning(scene), tiled ? "" : untiled_warning(scene, targets), transform ? transform->warning() : ""}) {
+       {validity_warning(scene), untiled, transform ? transform->warning() : std::string()}) {
     if (!warning.empty()) {
       complain("warning: " + warning);
     }
