@@ -54,6 +54,9 @@ double pixel_angle(const Scene& scene) {
       return std::max(2.0 * std::numbers::pi / width, std::numbers::pi / height);
     case Projection::fisheye:
       return scene.camera.vertical_fov / std::min(width, height);
+    case Projection::cube:
+    case Projection::octahedral:
+      return std::numbers::pi;  // across a map's cuts there is nothing to go between
     case Projection::perspective:
       break;
   }
