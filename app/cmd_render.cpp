@@ -38,9 +38,9 @@ struct Given {
   std::optional<std::string> exr;
   std::optional<std::string> png;
   std::optional<std::string> tables;
+  std::optional<std::string> tile;
   std::optional<std::string> irradiance;
   bool cube_faces = false;
-  std::optional<std::string> tile;
   PictureOptions picture;
   bool timings = false;
   bool json = false;
@@ -260,12 +260,21 @@ void render_and_publish(const Means& means, const Scene& scene) {
     const std::vector<std::string>& left_out = means.choice->choice.left_out;
     rendering.left_out.insert(rendering.left_out.begin(), left_out.begin(), left_out.end());
   }
-  const std::optional<Lighting> lighting = rendering.fault().empty() ? lighting_for(means, scene) : std::nullopt;
+  std::optional<Lighting> lighting;
+  if (given.irradiance && rendering.fault().empty()) {
+    lighting = lighting_of(device_on_demand(given.scene, means.executor), scene, request.host);
+    clear_progress();
+    means.watch.lap("irradiance");
+  }
   require_valid_vulkan();
   const PictureContext context{scene, rendering, provenance_of(means, scene),    note_of(means.choice),
                                {},    {},        working_space_of(given.picture)};
   Published done = publish_pictures(given, context, means.targets, means.transform, means.watch);
-  write_lighting_of(means, context, lighting, done.files);
+  if (lighting) {
+    const std::vector<std::string> files = write_lighting(*given.irradiance, *lighting, context);
+    done.files.insert(done.files.end(), files.begin(), files.end());
+    means.watch.lap("irradiance, writing");
+  }
   const Plan plan = plan_for(scene, request);
   RenderReport report{scene,    rendering, plan, device_of(means), done.files,
                       done.exr, {},        {},   means.choice,     means.watch};
@@ -284,6 +293,7 @@ void render_in_tiles(const Means& means, const Scene& scene, const ImageSize& ti
       .source = given.scene.preset,
       .provenance = provenance_of(means, scene),
       .choice = note_of(means.choice),
+      .space = working_space_of(given.picture),
       .left_out = means.choice ? means.choice->choice.left_out : std::vector<std::string>(),
       .report = host_options(given.sampling, given.quiet).report,
       .space = working_space_of(given.picture),
@@ -304,23 +314,26 @@ void render_in_tiles(const Means& means, const Scene& scene, const ImageSize& ti
   tell(means, report);
 }
 
+// Why options beside the files' own need the whole picture; empty: they do not.
+std::string needs_whole(const Given& given) {
+  if (given.cube_faces) {
+    return "--cube-faces cuts the whole picture; render one face at a time, or the stack in one file";
+  }
+  return given.irradiance ? "--irradiance stands beside a whole picture; write it by a run of its own, of a small one"
+                          : "";
+}
+
 // The tile of a picture that is rendered in tiles. Throws InputError for layers and tiles that cannot be had.
 std::optional<ImageSize> tile_of(const Given& given, const Scene& scene, const Targets& targets) {
   require_layers(given.picture, scene, !targets.exr.empty(), "render");
-  if (given.cube_faces) {
-    if (given.tile || given.picture.layers) {
-      throw InputError(
-          std::string("render: --cube-faces cuts a picture that is there whole, without layers; leave out ") +
-          (given.tile ? "--tile" : "--layers") + ", or --cube-faces");
-    }
-    return std::nullopt;
-  }
-  return tile_for(given.tile, scene, targets, given.picture.layers);
+  return tile_for(given.tile, scene, targets, given.picture.layers, needs_whole(given));
 }
 
-void warn(const Scene& scene, const Targets& targets, bool tiled, const std::optional<DisplayTransform>& transform) {
+void warn(const Given& given, const Scene& scene, const Targets& targets, bool tiled,
+          const std::optional<DisplayTransform>& transform) {
+  const std::string untiled = tiled ? "" : untiled_warning(scene, targets, needs_whole(given));
   for (const std::string& warning :
-       {validity_warning(scene), tiled ? "" : untiled_warning(scene, targets), transform ? transform->warning() : ""}) {
+       {validity_warning(scene), untiled, transform ? transform->warning() : std::string()}) {
     if (!warning.empty()) {
       complain("warning: " + warning);
     }
@@ -357,7 +370,7 @@ int run_render(const Given& given) {
     watch.lap("OCIO config");
   }
   if (!given.quiet) {
-    warn(scene, targets, tile.has_value(), transform);
+    warn(given, scene, targets, tile.has_value(), transform);
   }
   const Means means{given, targets, transform, choice, executor, watch};
   if (tile) {
@@ -376,6 +389,10 @@ std::vector<Option> render_options(Given& given) {
        Completes::file},
       {"--luts", "DIR", "Also write every table into this folder, as 'airlight luts' does", &given.tables,
        Completes::folder},
+      {"--tile", "WxH",
+       "Render in tiles of this size, streamed into the EXR, in bounded memory; else in rows of tiles from 8388609 "
+       "pixels on where neither PNG nor bloom needs the whole picture. The file is the same",
+       &given.tile},
       {"--irradiance", "FILE.exr",
        "Also write what the sky gives a diffuse surface: a map over normals here, and in FILE.json beside it its 9 "
        "spherical-harmonic coefficients and the sun as a directional light",
@@ -383,10 +400,6 @@ std::vector<Option> render_options(Given& given) {
       {"--cube-faces", "",
        "Write a cube map as six pictures instead of one: FILE.posx.exr, .negx, .posy, .negy, .posz, .negz",
        &given.cube_faces},
-      {"--tile", "WxH",
-       "Render in tiles of this size, streamed into the EXR, in bounded memory; else in rows of tiles from 8388609 "
-       "pixels on where neither PNG nor bloom needs the whole picture. The file is the same",
-       &given.tile},
       size_option(given.scene)};
   for (Option& option : scene_options(given.scene)) {
     options.push_back(std::move(option));
@@ -433,7 +446,8 @@ Command render_command() {
       "B. transmittance is that to the ground or to space, depth.Z the distance in km to the ground or to where the "
       "ray leaves the air (1e10 where it meets neither; always 32 bits), N.X, .Y and .Z the ground's normal, x east, "
       "y up, z south, 0 where there is no ground. Bloom, where the preset asks for it in the EXR, is a layer outside "
-      "the sum.\n\n"
+      "the sum. --colorspace converts the light layers, and the transmittance as the colour of white seen through the "
+      "air.\n\n"
       "--tolerance and --time-limit choose method and quality for this scene and picture, whatever the preset has "
       "under "
       "render: a few hundred of the picture's directions are computed by candidates and by a near-truth quality. The "

@@ -38,6 +38,19 @@ RadianceImage face_of(const RadianceImage& stack, std::size_t index) {
   return {stack.width, stack.width, part_of(stack.rgba, index)};
 }
 
+// Plane by plane.
+Layer face_of(const Layer& stack, std::size_t index) {
+  Layer face = stack.like();
+  const std::size_t plane = stack.planes.size() / stack.channels.size();
+  for (std::size_t c = 0; c < stack.channels.size(); ++c) {
+    const auto first = stack.planes.begin() + static_cast<std::ptrdiff_t>(c * plane);
+    const std::vector<float> part =
+        part_of(std::vector<float>(first, first + static_cast<std::ptrdiff_t>(plane)), index);
+    face.planes.insert(face.planes.end(), part.begin(), part.end());
+  }
+  return face;
+}
+
 }  // namespace
 
 void require_cube_stack(const Scene& scene) {
@@ -66,6 +79,9 @@ std::vector<CubeFace> cube_faces(const Scene& scene, const Rendering& rendering)
     face.rendering.radiance = face_of(rendering.radiance, i);
     if (rendering.standard_error) {
       face.rendering.standard_error = face_of(*rendering.standard_error, i);
+    }
+    for (const Layer& layer : rendering.layers) {
+      face.rendering.layers.push_back(face_of(layer, i));
     }
     face.rendering.encoded = part_of(rendering.encoded, i);
     face.rendering.exposure = rendering.exposure;

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <deque>
 
 #include "core/output/png.h"
 #include "core/output/provenance_keys.h"
@@ -101,16 +100,41 @@ ExrOptions exr_options(const PictureContext& context, bool half) {
   return options;
 }
 
-PictureChannels picture_channels(const PictureContext& context) {
+void PictureChannels::add_colours(std::string_view layer, const RadianceImage& image, bool with_alpha) {
+  const bool ours = space_ == WorkingSpace::linear_rec709;
+  const RadianceImage& stored =
+      ours ? image : images_.emplace_back(converted(image, WorkingSpace::linear_rec709, space_));
+  add_channels(channels_, layer, stored, with_alpha);
+}
+
+void PictureChannels::add_layer(const Layer& layer) {
+  const std::size_t plane = layer.planes.size() / layer.channels.size();
+  const bool is_colour = layer.channels == "RGB";
+  const bool ours = !is_colour || space_ == WorkingSpace::linear_rec709;
+  const std::vector<float>& planes = ours ? layer.planes : planes_.emplace_back(converted_planes(layer.planes));
+  for (std::size_t c = 0; c < layer.channels.size(); ++c) {
+    // A half has no kilometre right beyond 2048.
+    const bool is_depth = layer.name == "depth";
+    channels_.push_back({layer.name + "." + layer.channels[c], planes.data() + c * plane, 1, is_depth});
+  }
+}
+
+std::vector<float> PictureChannels::converted_planes(const std::vector<float>& rgb) const {
+  const ColorMatrix matrix = from_rec709(space_);
+  const std::size_t plane = rgb.size() / 3;
+  std::vector<float> out(rgb.size());
+  for (std::size_t i = 0; i < rgb.size(); ++i) {
+    double sum = 0.0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      sum += matrix[i / plane][c] * static_cast<double>(rgb[c * plane + i % plane]);
+    }
+    out[i] = static_cast<float>(sum);
+  }
+  return out;
+}
+
+PictureChannels::PictureChannels(const PictureContext& context) : space_(context.space) {
   const Rendering& rendering = context.rendering;
-  PictureChannels result;
-  std::vector<ExrChannel>& channels = result.list;
-  const auto add_colours = [&](std::string_view layer, const RadianceImage& image, bool with_alpha = false) {
-    const bool ours = context.space == WorkingSpace::linear_rec709;
-    const RadianceImage& stored =
-        ours ? image : result.kept.emplace_back(converted(image, WorkingSpace::linear_rec709, context.space));
-    add_channels(channels, layer, stored, with_alpha);
-  };
   add_colours("", rendering.radiance, has_outside(context.scene.camera));
   if (context.scene.bloom.in_exr && rendering.bloom) {
     add_colours("bloom", *rendering.bloom);
@@ -119,19 +143,14 @@ PictureChannels picture_channels(const PictureContext& context) {
     add_colours("standard_error", *rendering.standard_error);
   }
   for (const Layer& layer : rendering.layers) {
-    const std::size_t plane = layer.planes.size() / layer.channels.size();
-    for (std::size_t c = 0; c < layer.channels.size(); ++c) {
-      // A half has no kilometre right beyond 2048.
-      const bool is_depth = layer.name == "depth";
-      channels.push_back({layer.name + "." + layer.channels[c], layer.planes.data() + c * plane, 1, is_depth});
-    }
+    add_layer(layer);
   }
-  return result;
 }
 
 ExrFile picture_exr(const PictureContext& context, bool half) {
   const RadianceImage& radiance = context.rendering.radiance;
-  return encode_exr(radiance.width, radiance.height, picture_channels(context).list, exr_options(context, half));
+  const PictureChannels channels(context);
+  return encode_exr(radiance.width, radiance.height, channels.list(), exr_options(context, half));
 }
 
 std::vector<std::byte> picture_png(const PictureContext& context, const std::optional<DisplayTransform>& transform,

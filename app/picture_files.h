@@ -5,6 +5,7 @@
 #include <deque>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/output/display.h"
@@ -36,14 +37,28 @@ struct PictureContext {
   WorkingSpace space = WorkingSpace::linear_rec709;  // of the EXR's colours
 };
 
-// The channels of an EXR, which point into the rendering or into `kept`.
-struct PictureChannels {
-  std::vector<ExrChannel> list;
-  std::deque<RadianceImage> kept;  // what was converted into the working space
+// The channels of an EXR of this context, read from its rendering, which must outlive them: the beauty and what stands
+// beside it. In another space than linear Rec.709 all light is converted, and the transmittance as the colour of white
+// seen through the air.
+class PictureChannels {
+ public:
+  explicit PictureChannels(const PictureContext& context);
+  PictureChannels(const PictureChannels&) = delete;
+  PictureChannels& operator=(const PictureChannels&) = delete;
+
+  const std::vector<ExrChannel>& list() const { return channels_; }
+
+ private:
+  void add_colours(std::string_view layer, const RadianceImage& image, bool with_alpha = false);
+  void add_layer(const Layer& layer);
+  std::vector<float> converted_planes(const std::vector<float>& rgb) const;
+
+  WorkingSpace space_;
+  std::deque<RadianceImage> images_;  // converted
+  std::deque<std::vector<float>> planes_;
+  std::vector<ExrChannel> channels_;
 };
 
-// The beauty and what stands beside it, in the working space of the context.
-PictureChannels picture_channels(const PictureContext& context);
 ExrOptions exr_options(const PictureContext& context, bool half);
 
 ExrFile picture_exr(const PictureContext& context, bool half);

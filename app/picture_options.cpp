@@ -112,14 +112,8 @@ void require_layers(const PictureOptions& options, const Scene& scene, bool exr,
     throw InputError(command + ": --layers: " + scene.render.method +
                      " does not tell its light apart; choose by --method one of " + methods_with_layers());
   }
-  if (working_space_of(options) != WorkingSpace::linear_rec709) {
-    throw InputError(command +
-                     ": --layers: transmittance is of the channels of linear-rec709 and of no other space; "
-                     "leave out --colorspace");
-  }
-  const std::string key = key_without_layers(scene);
-  if (!key.empty()) {
-    throw InputError(command + ": --layers: " + key + " moves a picture away from the sum of its layers; leave it out");
+  if (const std::string refusal = layers_refusal(scene); !refusal.empty()) {
+    throw InputError(command + ": --layers: " + refusal);
   }
 }
 

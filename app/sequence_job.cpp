@@ -43,8 +43,8 @@ Scene scene_of(const SequenceJob& job, const sequence::Frame& frame) {
 FrameHashes hashes_of(const PictureOptions& options, const std::string& display, const std::string& preset_json) {
   const std::string common = preset_json + "airlight " + AIRLIGHT_VERSION;
   const bool is_ours = working_space_of(options) == WorkingSpace::linear_rec709;
-  const std::string exr = common + (options.full_float ? ", float" : ", half") + (options.layers ? ", layers" : "") +
-                          (is_ours ? "" : ", " + options.colorspace);
+  const std::string exr = common + (options.full_float ? ", float" : ", half") +
+                          (is_ours ? "" : ", " + options.colorspace) + (options.layers ? ", layers" : "");
   return {sequence::hash_text(exr),
           sequence::hash_text(common + ", " + std::to_string(options.bits) + " bits, " + display)};
 }

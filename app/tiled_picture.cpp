@@ -13,7 +13,10 @@ namespace airlight::cli {
 namespace {
 
 // Why the picture must be whole; empty: it need not.
-std::string needs_whole(const Scene& scene, const Targets& targets) {
+std::string needs_whole(const Scene& scene, const Targets& targets, const std::string& other_reason) {
+  if (!other_reason.empty()) {
+    return other_reason;
+  }
   if (!targets.png.empty()) {
     return "a PNG needs the whole picture, as its bloom and its display transform are fitted to it; write -o FILE.exr "
            "alone";
@@ -23,6 +26,10 @@ std::string needs_whole(const Scene& scene, const Targets& targets) {
   }
   if (scene.bloom.enabled && scene.bloom.in_exr) {
     return "bloom needs the whole picture; leave it out by --set /bloom/enabled=false";
+  }
+  const auto resolution = scene.render.parameters.find("resolution");
+  if (resolution != scene.render.parameters.end() && resolution->second == ParameterValue(std::string("half"))) {
+    return "render.resolution \"half\" goes between pixels of the whole picture; set it to \"full\"";
   }
   if (find_method(scene.render.method)->add_passes == nullptr) {
     return scene.render.method + " renders the whole picture on the processor; choose another --method";
@@ -62,8 +69,8 @@ bool is_large(const Scene& scene) {
 }  // namespace
 
 std::optional<ImageSize> tile_for(const std::optional<std::string>& option, const Scene& scene, const Targets& targets,
-                                  bool layers) {
-  const std::string reason = needs_whole(scene, targets);
+                                  bool layers, const std::string& other_reason) {
+  const std::string reason = needs_whole(scene, targets, other_reason);
   if (!option) {
     return is_large(scene) && reason.empty() ? std::optional(usual_tile(scene, layers)) : std::nullopt;
   }
@@ -73,8 +80,8 @@ std::optional<ImageSize> tile_for(const std::optional<std::string>& option, cons
   return tile_from(*option, scene, layers);
 }
 
-std::string untiled_warning(const Scene& scene, const Targets& targets) {
-  const std::string reason = needs_whole(scene, targets);
+std::string untiled_warning(const Scene& scene, const Targets& targets, const std::string& other_reason) {
+  const std::string reason = needs_whole(scene, targets, other_reason);
   return is_large(scene) && !reason.empty()
              ? "a picture so large is rendered in tiles where it can be, and some devices take it no other way: " +
                    reason
@@ -99,15 +106,15 @@ TiledPicture write_tiled(const DeviceOnDemand& device, const Scene& scene, const
                                  .provenance = order.provenance,
                                  .choice = order.choice,
                                  .space = order.space};
-    const PictureChannels channels = picture_channels(context);
+    const PictureChannels channels(context);
     if (rows == nullptr) {
       const ExrSink sink = [&](std::uint64_t position, std::span<const std::byte> bytes) {
         file.write(position, bytes);
       };
-      rows = std::make_unique<ExrRows>(sink, scene.image.width, scene.image.height, channels.list,
+      rows = std::make_unique<ExrRows>(sink, scene.image.width, scene.image.height, channels.list(),
                                        exr_options(context, order.half));
     }
-    rows->add(part.radiance.height, channels.list);
+    rows->add(part.radiance.height, channels.list());
     writing_ms += std::chrono::duration<double, std::milli>(Clock::now() - start).count();
   };
   TiledPicture done{render_tiled(device, scene, request), {}};

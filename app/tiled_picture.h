@@ -14,13 +14,14 @@ namespace airlight::cli {
 inline constexpr std::size_t kMostUntiledPixels = kTileBytes / (4 * sizeof(float));
 
 // `option`: of --tile, "WxH". Nothing: the picture is rendered as a whole, as it is small, or as its files need it
-// whole. Throws InputError when --tile was given and cannot be: a PNG, bloom or tables are asked for, the method runs
-// on the processor, or the tile is too large.
+// whole. `other_reason`: why it must be, beside what scene and targets say; mostly empty. Throws InputError when --tile
+// was given and cannot be: a PNG, bloom or tables are asked for, the method runs on the processor, or the tile is too
+// large.
 std::optional<ImageSize> tile_for(const std::optional<std::string>& option, const Scene& scene, const Targets& targets,
-                                  bool layers);
+                                  bool layers, const std::string& other_reason);
 
 // Empty, or one line: the picture is large, and would be rendered in tiles but for something that needs it whole.
-std::string untiled_warning(const Scene& scene, const Targets& targets);
+std::string untiled_warning(const Scene& scene, const Targets& targets, const std::string& other_reason);
 
 struct TiledOrder {
   ImageSize tile;
@@ -30,6 +31,7 @@ struct TiledOrder {
   std::string source;  // the preset as the user named it, for messages
   Provenance provenance;
   std::optional<ChoiceNote> choice;
+  WorkingSpace space = WorkingSpace::linear_rec709;
   std::vector<std::string> left_out;  // by that choice
   std::function<bool(double done)> report;
   WorkingSpace space = WorkingSpace::linear_rec709;  // of the EXR's colours

@@ -56,7 +56,7 @@ double pixel_angle(const Scene& scene) {
       return scene.camera.vertical_fov / std::min(width, height);
     case Projection::cube:
     case Projection::octahedral:
-      return std::numbers::pi;  // cut into faces: beyond a cut the next corner is no neighbour
+      return std::numbers::pi;  // across a map's cuts there is nothing to go between
     case Projection::perspective:
       break;
   }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <string>
+#include <utility>
 
 #include "core/error.h"
 #include "core/luts/luts.h"
@@ -41,7 +42,8 @@ std::vector<Specialization> constants_of(const Scene& scene) {
   return constants;
 }
 
-std::vector<std::uint32_t> steps_of(const Scene& scene) {
+// The steps, which follow the grid's sides.
+std::vector<std::uint32_t> push_constants_of(const Scene& scene) {
   const int steps = scene.render.get<int>("steps");
   const int sun_steps = scene.render.get<int>("sun_steps");
   const bool by_depth = step_distribution_code(scene) == physics::kStepsOpticalDepth;
@@ -52,7 +54,8 @@ std::vector<std::uint32_t> steps_of(const Scene& scene) {
 SkyPasses add_nested(Plan& plan, const Scene& scene, const View& view) {
   const SkyTarget target = add_sky_target(plan, scene, view);
   add_marched_picture(
-      plan, scene, {.shader = "sky_nested", .push_constants = steps_of(scene), .specialization = constants_of(scene)},
+      plan, scene,
+      {.shader = "sky_nested", .push_constants = push_constants_of(scene), .specialization = constants_of(scene)},
       target);
   return {target.radiance, {}};
 }
@@ -63,12 +66,14 @@ LayerPasses add_layers(Plan& plan, const Scene& scene, const View& view) {
   const std::vector<std::uint32_t> steps = steps_of(scene);
   std::vector<Specialization> constants = constants_of(scene);
   add_layer_constants(constants, scene);
+  std::vector<std::uint32_t> push_constants = push_constants_of(scene);
+  push_constants.insert(push_constants.begin(), {grid.width, grid.height});
   plan.add_pass({.name = "layers",
                  .shader = "layers_nested",
                  .reads = {},
                  .writes = {{"layers_out", planes}},
                  .grid = grid,
-                 .push_constants = {grid.width, grid.height, steps[0], steps[1]},
+                 .push_constants = std::move(push_constants),
                  .specialization = std::move(constants)});
   return {planes, std::nullopt};
 }

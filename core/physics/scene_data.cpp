@@ -146,8 +146,8 @@ Data fill(const Scene& scene) {
   data.camera.half_fov = static_cast<Real>(0.5 * scene.camera.vertical_fov);
   data.camera.width = static_cast<unsigned int>(scene.image.width);
   data.camera.height = static_cast<unsigned int>(scene.image.height);
-  data.camera.cube_layout = cube_layout_code(scene.camera.cube_layout);
   data.tile.width = static_cast<unsigned int>(scene.image.width);
+  data.camera.cube_layout = cube_layout_code(scene.camera.cube_layout);
   data.multiple_scattering_scale = static_cast<Real>(scattering_scale_of(scene));
   fill_media(data, scene);
   return data;

@@ -1,11 +1,14 @@
 #include "core/render/layers.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cassert>
 #include <cmath>
 #include <cstring>
 #include <set>
+#include <utility>
+#include <variant>
 
 #include "core/methods/method.h"
 #include "core/physics/scene_data.h"
@@ -151,6 +154,20 @@ std::vector<Layer> layers_of(const Scene& scene) {
   layers.push_back({"depth", "Z"});
   layers.push_back({"N", "XYZ"});
   return layers;
+}
+
+std::string layers_refusal(const Scene& scene) {
+  const std::array<std::pair<const char*, std::set<std::string>>, 3> known{
+      {{"step_distribution", {"quadratic", "uniform"}}, {"jitter", {"none"}}, {"resolution", {"full"}}}};
+  for (const auto& [key, values] : known) {
+    const auto found = scene.render.parameters.find(key);
+    const auto* value = found == scene.render.parameters.end() ? nullptr : std::get_if<std::string>(&found->second);
+    if (value != nullptr && !values.contains(*value)) {
+      return "render." + std::string(key) + " \"" + *value + "\" keeps no light apart; set it to \"" + *values.begin() +
+             "\"";
+    }
+  }
+  return {};
 }
 
 std::string methods_with_layers() {

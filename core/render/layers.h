@@ -30,6 +30,10 @@ inline constexpr float kNoDistance = 1e10F;
 // or to where the ray leaves the air, km; N, the ground's normal in the preset's frame, 0 where there is none.
 std::vector<Layer> layers_of(const Scene& scene);
 
+// Why this scene's picture cannot be told apart though its method has layers: keys of render that its march alone
+// knows. Empty: it can.
+std::string layers_refusal(const Scene& scene);
+
 // The methods that tell layers apart, for messages: "nested, march, sky-view, orders".
 std::string methods_with_layers();
 

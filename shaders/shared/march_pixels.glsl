@@ -25,7 +25,7 @@ float place_in_step(uvec2 pixel) {
   if (kJitter == 0u) {
     return 0.5;
   }
-  uvec2 at = whole_pixel(pixel) % kNoiseSide;
+  uvec2 at = (pixel + uvec2(scene.tile.x, scene.tile.y)) % kNoiseSide;
   return noise_mask.values[at.y * kNoiseSide + at.x];
 }
 

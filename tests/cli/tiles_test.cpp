@@ -107,6 +107,37 @@ TEST_F(Tiles, LayersAreNamedAndCompared) {
   EXPECT_EQ(Json::parse(tool({"render", "sky.json", "-o", "plain.exr", "--json"}).out).count("layers"), 0U);
 }
 
+// In any space the light layers' sum is the picture; here of one pixel in each face of a cube.
+TEST_F(Tiles, LayersGoWithSpacesAndFaces) {
+  const Names cube = {"render",
+                      "sky.json",
+                      "-q",
+                      "--layers",
+                      "--float",
+                      "--size",
+                      "8x48",
+                      "--set",
+                      "/camera/projection=cube",
+                      "--set",
+                      "/camera/pitch_deg=0",
+                      "--colorspace",
+                      "ACEScg"};
+  Names whole = cube;
+  whole.insert(whole.end(), {"-o", "cube.exr"});
+  Names tiled = cube;
+  tiled.insert(tiled.end(), {"-o", "tiles.exr", "--tile", "5x9"});
+  Names faces = cube;
+  faces.insert(faces.end(), {"-o", "face.exr", "--cube-faces"});
+  for (const Names& words : {whole, tiled, faces}) {
+    const Outcome outcome = tool(words);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  }
+  EXPECT_EQ(scratch_.read("tiles.exr"), scratch_.read("cube.exr"));
+  EXPECT_TRUE(contains(scratch_.read("face.posx.exr"), "transmittance.R"));
+  faces.insert(faces.end(), {"--tile", "5x9"});
+  EXPECT_TRUE(contains(tool(faces).err, "--cube-faces cuts the whole picture"));
+}
+
 TEST_F(Tiles, LayersThatCannotBeAreRefused) {
   expect_refusal({"render", "sky.json", "--png", "a.png", "--layers"}, "give -o FILE.exr too");
   for (const std::string method : {"analytic", "path-trace"}) {

@@ -58,6 +58,17 @@ TEST(Tiled, IsThePictureInEveryProjection) {
   }
 }
 
+TEST(Tiled, IsThePictureOfMaps) {
+  Scene cube = sky("march", Projection::cube);
+  cube.camera.pitch = 0.0;
+  cube.image = {12, 72};
+  expect_the_same(cube, "cube");
+  Scene octahedral = sky("march", Projection::octahedral);
+  octahedral.camera.pitch = 0.0;
+  octahedral.image = {24, 24};
+  expect_the_same(octahedral, "octahedral");
+}
+
 TEST(Tiled, IsThePictureByEveryMethod) {
   for (const SkyMethod& method : methods()) {
     if (method.add_passes != nullptr) {
