@@ -226,27 +226,6 @@ void tell(const Means& means, RenderReport& report) {
   }
 }
 
-// What --irradiance asks for; nothing: it was not given.
-std::optional<Lighting> lighting_for(const Means& means, const Scene& scene) {
-  if (!means.given.irradiance) {
-    return std::nullopt;
-  }
-  const Lighting lighting = lighting_of(device_on_demand(means.given.scene, means.executor), scene,
-                                        host_options(means.given.sampling, means.given.quiet));
-  clear_progress();
-  means.watch.lap("irradiance");
-  return lighting;
-}
-
-void write_lighting_of(const Means& means, const PictureContext& context, const std::optional<Lighting>& lighting,
-                       std::vector<std::string>& files) {
-  if (lighting) {
-    const std::vector<std::string> written = write_lighting(*means.given.irradiance, *lighting, context);
-    files.insert(files.end(), written.begin(), written.end());
-    means.watch.lap("irradiance, writing");
-  }
-}
-
 // From a checked scene to files on disk.
 void render_and_publish(const Means& means, const Scene& scene) {
   const Given& given = means.given;
@@ -296,19 +275,13 @@ void render_in_tiles(const Means& means, const Scene& scene, const ImageSize& ti
       .space = working_space_of(given.picture),
       .left_out = means.choice ? means.choice->choice.left_out : std::vector<std::string>(),
       .report = host_options(given.sampling, given.quiet).report,
-      .space = working_space_of(given.picture),
   };
   const TiledPicture done = write_tiled(device, scene, order);
   clear_progress();
   means.watch.lap("render");
-  const std::optional<Lighting> lighting = lighting_for(means, scene);
   require_valid_vulkan();
-  std::vector<std::string> files{order.file};
-  write_lighting_of(means,
-                    {.scene = scene, .rendering = done.rendering, .provenance = order.provenance, .space = order.space},
-                    lighting, files);
   const Plan plan = plan_for(scene, {});
-  RenderReport report{scene, done.rendering, plan,       device_of(means), files, done.counts, {},
+  RenderReport report{scene, done.rendering, plan,       device_of(means), {order.file}, done.counts, {},
                       {},    means.choice,   means.watch};
   report.tile = tile;
   tell(means, report);

@@ -9,20 +9,6 @@
 namespace airlight::cli {
 namespace {
 
-// A setting of the march that its layers know nothing of, "render.jitter \"fixed\""; empty: none is in force.
-std::string key_without_layers(const Scene& scene) {
-  for (const auto& [key, value] : scene.render.parameters) {
-    const auto* choice = std::get_if<std::string>(&value);
-    const bool apart = (key == "jitter" && choice != nullptr && *choice != "none") ||
-                       (key == "resolution" && choice != nullptr && *choice != "full") ||
-                       (key == "step_distribution" && (*choice == "optical-depth" || *choice == "gauss-legendre"));
-    if (apart) {
-      return "render." + std::string(key) + " \"" + *choice + "\"";
-    }
-  }
-  return {};
-}
-
 bool is_ocio_view(const std::string& view) {
   return view != kGpuView && view != kDiagnosticView;
 }

@@ -27,10 +27,6 @@ std::string needs_whole(const Scene& scene, const Targets& targets, const std::s
   if (scene.bloom.enabled && scene.bloom.in_exr) {
     return "bloom needs the whole picture; leave it out by --set /bloom/enabled=false";
   }
-  const auto resolution = scene.render.parameters.find("resolution");
-  if (resolution != scene.render.parameters.end() && resolution->second == ParameterValue(std::string("half"))) {
-    return "render.resolution \"half\" goes between pixels of the whole picture; set it to \"full\"";
-  }
   if (find_method(scene.render.method)->add_passes == nullptr) {
     return scene.render.method + " renders the whole picture on the processor; choose another --method";
   }

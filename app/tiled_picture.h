@@ -34,7 +34,6 @@ struct TiledOrder {
   WorkingSpace space = WorkingSpace::linear_rec709;
   std::vector<std::string> left_out;  // by that choice
   std::function<bool(double done)> report;
-  WorkingSpace space = WorkingSpace::linear_rec709;  // of the EXR's colours
 };
 
 struct TiledPicture {

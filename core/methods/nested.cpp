@@ -63,7 +63,6 @@ SkyPasses add_nested(Plan& plan, const Scene& scene, const View& view) {
 LayerPasses add_layers(Plan& plan, const Scene& scene, const View& view) {
   const Extent grid = picture_grid(scene, view);
   const BufferId planes = add_layer_planes(plan, scene, view);
-  const std::vector<std::uint32_t> steps = steps_of(scene);
   std::vector<Specialization> constants = constants_of(scene);
   add_layer_constants(constants, scene);
   std::vector<std::uint32_t> push_constants = push_constants_of(scene);

@@ -80,6 +80,16 @@ TEST(Tiled, IsThePictureByEveryMethod) {
   expect_the_same(tabulated, "orders by a table");
 }
 
+// Corners of pixels two apart, and the mask of noise, stand where the whole picture has them.
+TEST(Tiled, KeysOfTheMarchKnowNoTiles) {
+  Scene scene = sky("march", Projection::perspective);
+  scene.camera.vertical_fov = 0.6;  // pixels fine enough to go between
+  scene.render.parameters.insert_or_assign("resolution", std::string("half"));
+  expect_the_same(scene, "half resolution");
+  scene.render.parameters.insert_or_assign("jitter", std::string("blue-noise"));
+  expect_the_same(scene, "half resolution and blue noise");
+}
+
 // Two pictures after one another must not share what belongs to one of them.
 TEST(Tiled, TablesOfAPictureAreItsOwn) {
   Scene scene = sky("sky-view", Projection::equirectangular);
