@@ -17,13 +17,46 @@ vec3 shell_sun_irradiance(PlanetData planet, real mu_sun) {
 
 // Between two rows whose logarithms are a and b: linear, as a diffuse field is deep in even air (in air that absorbs
 // nothing each order repeats the error of the one before), but exponential where it falls steeply, as below a low sun.
-vec3 between_rows(vec3 a, vec3 b, real part) {
+vec3 between_rows(vec3 a, vec3 b, real part, vec3 bend) {
   vec3 low = exp(a);
   vec3 high = exp(b);
   vec3 q = (b - a) * (b - a) * (1.0 / 0.09);
   vec3 steep = q * q / (q * q + vec3(1.0));
-  vec3 even = low * (1.0 - part) + high * part;
+  vec3 even = low * (1.0 - part) + high * part - bend * (part * (1.0 - part));
   return even + (exp(a * (1.0 - part) + b * part) - even) * steep;
+}
+
+// The one nearer to 0 of two of like signs, else 0.
+real lesser(real a, real b) { return a * b <= 0.0 ? 0.0 : (a < 0.0 ? max(a, b) : min(a, b)); }
+
+// How far the isotropic moment bulges from the straight line between two rows: half its second difference over the
+// shell, as the shells below and above tell it. Where the air has an edge the two differ, and the lesser holds. A
+// diffuse field bulges up next to the air's ends, and what a straight line loses there each order loses again.
+vec3 bend_between(uint shell, real x, vec3 low, vec3 high) {
+  real intervals = real(shell_rows() - 1u);
+  real width = shell_altitude(shell + 1u) - shell_altitude(shell);
+  vec3 rise = high - low;
+  vec3 below = vec3(0.0);
+  vec3 above = vec3(0.0);
+  bool has_below = shell > 0u;
+  bool has_above = shell + 2u < shell_rows();
+  if (has_below) {
+    real under = shell_altitude(shell) - shell_altitude(shell - 1u);
+    vec3 lower = exp(fetch_moment(0u, x, real(shell - 1u) / intervals));
+    below = (rise - (low - lower) * (width / under)) * (width / (width + under));
+  }
+  if (has_above) {
+    real over = shell_altitude(shell + 2u) - shell_altitude(shell + 1u);
+    vec3 higher = exp(fetch_moment(0u, x, real(shell + 2u) / intervals));
+    above = ((higher - high) * (width / over) - rise) * (width / (width + over));
+  }
+  if (!has_below) {
+    return above;
+  }
+  if (!has_above) {
+    return below;
+  }
+  return vec3(lesser(below.x, above.x), lesser(below.y, above.y), lesser(below.z, above.z));
 }
 
 // Light scattered into the ray by the diffuse field, W/(m2 sr km), at distance t in a known shell. The ratios are fetched
@@ -35,7 +68,7 @@ vec3 shell_source(PlanetData planet, MomentTableData table, DiffuseAir air, Ray 
   real part = shell_part(shell, point.h);
   vec3 below = fetch_moment(0u, c.x, real(shell) / intervals);
   vec3 above = fetch_moment(0u, c.x, real(shell + 1u) / intervals);
-  vec3 isotropic = between_rows(below, above, part);
+  vec3 isotropic = between_rows(below, above, part, bend_between(shell, c.x, exp(below), exp(above)));
   real step_up = (above.x + above.y + above.z - below.x - below.y - below.z) / 3.0;
   real weight = part / (part + (1.0 - part) * exp(-clamp(step_up, -20.0, 20.0)));
   c.y = (real(shell) + weight) / intervals;

@@ -25,7 +25,8 @@ float place_in_step(uvec2 pixel) {
   if (kJitter == 0u) {
     return 0.5;
   }
-  uvec2 at = (pixel + uvec2(scene.tile.x, scene.tile.y)) % kNoiseSide;
+  uvec2 first = uvec2(scene.tile.x, scene.tile.y);
+  uvec2 at = (pixel + (kPart == kPartHalf ? first / 2u : first)) % kNoiseSide;
   return noise_mask.values[at.y * kNoiseSide + at.x];
 }
 
