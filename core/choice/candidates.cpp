@@ -102,7 +102,7 @@ std::vector<Candidate> candidates(const Scene& scene, double tolerance, const st
       continue;
     }
     for (const Quality& quality : method.sweep) {
-      if (!quality.by_direction) {
+      if (!quality.may_be_chosen) {
         continue;
       }
       const Scene with = with_quality(scene, method, quality);

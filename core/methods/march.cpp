@@ -42,20 +42,21 @@ Quality with_tables(std::string_view label, int steps, TableSize transmittance, 
           {{"steps", steps}, {"transmittance_lut", transmittance}, {"multiple_scattering_lut", multiple_scattering}}};
 }
 
-Quality with_key(std::string_view label, int steps, std::string_view key, std::string value, bool by_direction = true) {
-  return {label, {{"steps", steps}, {key, std::move(value)}}, by_direction};
+Quality with_key(std::string_view label, int steps, std::string_view key, std::string value,
+                 bool may_be_chosen = true) {
+  return {label, {{"steps", steps}, {key, std::move(value)}}, may_be_chosen};
 }
 
 // How much of the chart a key is worth: each with its cost and error beside the plain march's.
 std::vector<Quality> keys_of_the_ladder() {
-  return {with_key("16, optical depth", 16, "step_distribution", "optical-depth"),
-          with_key("32, optical depth", 32, "step_distribution", "optical-depth"),
+  return {with_key("16, optical depth", 16, "step_distribution", "optical-depth", false),
+          with_key("32, optical depth", 32, "step_distribution", "optical-depth", false),
           with_key("8, Gauss-Legendre", 8, "step_distribution", "gauss-legendre"),
           with_key("16, Gauss-Legendre", 16, "step_distribution", "gauss-legendre"),
           with_key("8, blue noise", 8, "jitter", "blue-noise", false),
           with_key("16, blue noise", 16, "jitter", "blue-noise", false),
           with_key("32, half resolution", 32, "resolution", "half", false),
-          with_key("32, Schlick", 32, "phase", "schlick")};
+          with_key("32, Schlick", 32, "phase", "schlick", false)};
 }
 
 }  // namespace

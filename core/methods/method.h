@@ -75,9 +75,9 @@ struct Validity {
 struct Quality {
   std::string_view label;
   std::vector<std::pair<std::string_view, ParameterValue>> parameters;
-  // False: a direction alone does not tell its error, which depends on where in the picture the pixel stands. What
-  // judges by directions (core/choice) leaves it out.
-  bool by_direction = true;
+  // False: on the chart for comparison, but never chosen (core/choice). Either a direction alone does not tell its
+  // error, which depends on where in the picture the pixel stands, or the chart shows that it pays nowhere.
+  bool may_be_chosen = true;
 };
 
 // The passes of a GPU method, added to a plan. `radiance` holds a vec4 for each pixel, rows from the top (alpha 0

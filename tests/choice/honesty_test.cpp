@@ -19,7 +19,7 @@ namespace {
 #if defined(__SANITIZE_ADDRESS__)
 constexpr std::uint64_t kFew = 6;
 #else
-constexpr std::uint64_t kFew = 9;
+constexpr std::uint64_t kFew = 7;
 #endif
 
 const std::vector<double> kTolerances{0.1, 0.03, 0.01};

@@ -15,7 +15,7 @@ struct LevelCase {
   const char* name;
   double optical_depth;
   double single_scattering_albedo;
-  double g;                     // 0: Rayleigh
+  double g;  // 0: Rayleigh
 };
 
 void PrintTo(const LevelCase& c, std::ostream* out) {

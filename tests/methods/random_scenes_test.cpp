@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::uint64_t kScenes = 200;
 // A new list of profiles and phase functions is a new set of pipelines, half a second of a software device's compiler:
-// eight scenes in a row share one.
-constexpr std::uint64_t kSameKinds = 8;
+// twenty scenes in a row share one.
+constexpr std::uint64_t kSameKinds = 20;
 #if defined(__SANITIZE_ADDRESS__)
 constexpr std::uint64_t kStride = 25;
 #else
@@ -24,7 +24,7 @@ Scene random_scene(std::uint64_t seed) {
   return resolve(parse_preset(random_preset(seed), "random " + std::to_string(seed), {}), method_infos());
 }
 
-// Its own planet, sun, camera and coefficients, the kinds of media of the first of its eight.
+// Its own planet, sun, camera and coefficients, the kinds of media of the first of its twenty.
 Scene scene_of(std::uint64_t seed) {
   Scene scene = random_scene(seed);
   const std::vector<Medium> own = scene.media;
@@ -44,7 +44,7 @@ TEST(RandomScenes, AreSoundByTheirOwnMethod) {
   for (std::uint64_t seed = 0; seed < kScenes; seed += kStride) {
     Scene scene = scene_of(seed);
     scene.image = {16, 9};
-    // Thick air at degree 8 bakes for seconds: seen to for one in eight.
+    // Thick air at degree 8 bakes for seconds: seen to for one in twenty.
     const auto degree = scene.render.parameters.find("degree");
     if (degree != scene.render.parameters.end() && degree->second == ParameterValue(std::string("auto")) &&
         seed % kSameKinds != 0) {
