@@ -84,6 +84,7 @@ RenderRequest request_for(const Scene& scene, bool exr, bool png) {
   const bool shown = png && scene.display.view != kDiagnosticView;
   request.bloom = shown || (scene.bloom.in_exr && exr);
   request.gpu_tone = shown && scene.display.view == kGpuView;
+  request.bloom_picture = !request.gpu_tone || (scene.bloom.in_exr && exr);
   return request;
 }
 

@@ -2,6 +2,7 @@
 #include <bit>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "core/physics/physics.h"
@@ -105,9 +106,19 @@ std::vector<Level> add_levels(Plan& plan, const Scene& scene, const Picture& pic
   return levels;
 }
 
+BufferId add_picture_buffer(Plan& plan, const char* name, const Picture& picture, std::size_t bytes_a_pixel) {
+  return plan.add_buffer(
+      {.name = name,
+       .bytes = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height) * bytes_a_pixel,
+       .host_readable = true,
+       .contents = {},
+       .key = {},
+       .zeroed = false});
+}
+
 }  // namespace
 
-BufferId add_bloom(Plan& plan, const Scene& scene, const Picture& picture, double exposure) {
+ImageId add_bloom(Plan& plan, const Scene& scene, const Picture& picture, double exposure) {
   const std::vector<Level> levels = add_levels(plan, scene, picture, exposure);
   ImageId sum = levels.back().image;
   for (std::size_t i = levels.size() - 1; i-- > 0;) {
@@ -122,43 +133,41 @@ BufferId add_bloom(Plan& plan, const Scene& scene, const Picture& picture, doubl
                    .specialization = {{"kWrap", wrap(scene)}}});
     sum = out;
   }
-  const BufferId bloom = plan.add_buffer(
-      {.name = "bloom",
-       .bytes = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height) * 4 * sizeof(float),
-       .host_readable = true,
-       .contents = {},
-       .key = {},
-       .zeroed = false});
+  return sum;
+}
+
+BufferId add_bloom_picture(Plan& plan, const Scene& scene, const Picture& picture, ImageId bloom) {
+  const BufferId out = add_picture_buffer(plan, "bloom", picture, 4 * sizeof(float));
   plan.add_pass({.name = "bloom_resolve",
                  .shader = "bloom_resolve",
-                 .reads = {{"chain", sum}},
-                 .writes = {{"bloom_out", bloom}},
+                 .reads = {{"chain", bloom}},
+                 .writes = {{"bloom_out", out}},
                  .grid = {picture.width, picture.height, 1},
                  .push_constants = {picture.width, picture.height},
                  .specialization = {{"kWrap", wrap(scene)}}});
-  return bloom;
+  return out;
 }
 
-BufferId add_tonemap(Plan& plan, const Scene& scene, const Picture& picture, std::optional<BufferId> bloom,
+BufferId add_tonemap(Plan& plan, const Scene& scene, const Picture& picture, std::optional<ImageId> bloom,
                      double exposure) {
   constexpr std::uint32_t kCurves[] = {
       physics::kToneAces,        physics::kToneReinhard, physics::kToneReinhardLuminance,
       physics::kToneExponential, physics::kToneClamp,    physics::kToneNone};
-  const BufferId encoded =
-      plan.add_buffer({.name = "encoded",
-                       .bytes = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height) * 8,
-                       .host_readable = true,
-                       .contents = {},
-                       .key = {},
-                       .zeroed = false});
-  plan.add_pass({.name = "tonemap",
-                 .shader = "tonemap",
-                 .reads = {{"picture", picture.buffer}, {"bloom", bloom.value_or(picture.buffer)}},
-                 .writes = {{"encoded_out", encoded}},
-                 .grid = {picture.width, picture.height, 1},
-                 .push_constants = {picture.width, picture.height, bits(exposure), bits(scene.bloom.intensity)},
-                 .specialization = {{"kCurve", kCurves[static_cast<std::size_t>(scene.display.tonemap)]},
-                                    {"kBloom", bloom ? 1u : 0u}}});
+  const BufferId encoded = add_picture_buffer(plan, "encoded", picture, 4 * sizeof(std::uint16_t));
+  PassDesc pass{.name = "tonemap",
+                .shader = "tonemap",
+                .reads = {{"picture", picture.buffer}},
+                .writes = {{"encoded_out", encoded}},
+                .grid = {picture.width, picture.height, 1},
+                .push_constants = {picture.width, picture.height, bits(exposure)},
+                .specialization = {{"kCurve", kCurves[static_cast<std::size_t>(scene.display.tonemap)]}}};
+  if (bloom) {
+    pass.shader = "tonemap_bloom";
+    pass.reads.push_back({"chain", *bloom});
+    pass.push_constants.push_back(bits(scene.bloom.intensity));
+    pass.specialization.push_back({"kWrap", wrap(scene)});
+  }
+  plan.add_pass(std::move(pass));
   return encoded;
 }
 

@@ -53,12 +53,17 @@ double exposure_for(const Display& display, const Statistics& statistics);
 // Whether any pixel exceeds the bloom's threshold; where none does, bloom is black and need not run.
 bool bloom_glows(const Bloom& bloom, const Statistics& statistics, double exposure);
 
-// Bloom of a picture at its own size, scene-linear, before `intensity` [J14]. Its width is an angle: the chain starts
-// on a grid of 1/12 degree a texel (720 lines over 60 degrees), whatever the resolution.
-BufferId add_bloom(Plan& plan, const Scene& scene, const Picture& picture, double exposure);
+// Bloom of a picture as a finished chain, scene-linear, before `intensity` [J14]: an image of the chain's first level,
+// which whoever wants it samples at its own pixels. Its width is an angle: the chain starts on a grid of 1/12 degree a
+// texel (720 lines over 60 degrees), whatever the resolution.
+ImageId add_bloom(Plan& plan, const Scene& scene, const Picture& picture, double exposure);
+
+// The chain at the picture's own pixels, for who reads it on the host: four floats a pixel.
+BufferId add_bloom_picture(Plan& plan, const Scene& scene, const Picture& picture, ImageId bloom);
 
 // (picture + intensity x bloom) x exposure through the GPU tone curve, sRGB-encoded: four 16-bit channels a pixel.
-BufferId add_tonemap(Plan& plan, const Scene& scene, const Picture& picture, std::optional<BufferId> bloom,
+// `bloom`: of add_bloom().
+BufferId add_tonemap(Plan& plan, const Scene& scene, const Picture& picture, std::optional<ImageId> bloom,
                      double exposure);
 
 }  // namespace airlight

@@ -212,9 +212,9 @@ Rectangle within(const Rectangle& all, const Picture& tile) {
   return right > left && bottom > top ? Rectangle{left, top, right - left, bottom - top} : Rectangle{};
 }
 
-// Samples along one side of a pixel: many where the whole disc falls into a few.
+// Samples along one side of a pixel: many where the whole disc falls into a few, few where only its edge needs them.
 std::uint32_t samples_for(double extent) {
-  return extent < 3.0 ? 24 : 8;
+  return extent < 3.0 ? 24 : extent < 12.0 ? 8 : 4;
 }
 
 std::uint32_t bits(double x) {

@@ -78,12 +78,17 @@ struct PostFrame {
   std::optional<BufferId> encoded;
 };
 
-void add_post(PostFrame& post, const Scene& scene, const Picture& picture, bool bloom, bool gpu_tone, double exposure) {
-  if (bloom) {
-    post.bloom = add_bloom(post.plan, scene, picture, exposure);
+void add_post(PostFrame& post, const Scene& scene, const Picture& picture, const RenderRequest& request, bool glows,
+              double exposure) {
+  std::optional<ImageId> bloom;
+  if (glows) {
+    bloom = add_bloom(post.plan, scene, picture, exposure);
+    if (request.bloom_picture) {
+      post.bloom = add_bloom_picture(post.plan, scene, picture, *bloom);
+    }
   }
-  if (gpu_tone) {
-    post.encoded = add_tonemap(post.plan, scene, picture, post.bloom, exposure);
+  if (request.gpu_tone) {
+    post.encoded = add_tonemap(post.plan, scene, picture, bloom, exposure);
   }
 }
 
@@ -130,7 +135,7 @@ void run_post(Executor& executor, const Scene& scene, const RenderRequest& reque
     carried.contents.clear();
   }
   const Picture again = picture_of(scene, post.plan.add_buffer(std::move(carried)));
-  add_post(post, scene, again, glows, request.gpu_tone, out.exposure);
+  add_post(post, scene, again, request, glows, out.exposure);
   RunResult result = executor.run(post.plan);
   take_timings(out, result);
   if (post.bloom) {
@@ -220,7 +225,7 @@ Plan plan_for(const Scene& scene, const RenderRequest& request) {
                                                             static_cast<std::size_t>(scene.image.height))})
                     : sky_frame(scene, request);
   PostFrame post{std::move(frame.plan), {}, {}};
-  add_post(post, scene, frame.picture, request.bloom && scene.bloom.enabled, request.gpu_tone, 1.0);
+  add_post(post, scene, frame.picture, request, request.bloom && scene.bloom.enabled, 1.0);
   return std::move(post.plan);
 }
 

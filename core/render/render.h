@@ -20,11 +20,12 @@ namespace airlight {
 using DeviceOnDemand = std::function<Executor&()>;
 
 struct RenderRequest {
-  bool bloom = false;     // compute bloom where the scene asks for it and anything exceeds the threshold
-  bool gpu_tone = false;  // also run the GPU tone curve
-  bool tables = false;    // read the tables back
-  bool layers = false;    // of a method that has add_layer_passes
-  HostOptions host;       // of a method on the host
+  bool bloom = false;         // compute bloom where the scene asks for it and anything exceeds the threshold
+  bool bloom_picture = true;  // read bloom back at the picture's size; without, the GPU tone curve alone sees it
+  bool gpu_tone = false;      // also run the GPU tone curve
+  bool tables = false;        // read the tables back
+  bool layers = false;        // of a method that has add_layer_passes
+  HostOptions host;           // of a method on the host
 };
 
 struct TableDump {
@@ -42,7 +43,7 @@ struct NamedStatistics {
 struct Rendering {
   RadianceImage radiance;
   std::optional<RadianceImage> standard_error;  // of a method that samples
-  std::optional<RadianceImage> bloom;           // before intensity; absent where nothing glows
+  std::optional<RadianceImage> bloom;           // before intensity; absent where nothing glows or nobody asked
   std::vector<std::uint16_t> encoded;           // gpu_tone: RGBA, sRGB-encoded, 0 to 65535
   double exposure = 1.0;
   Statistics picture;

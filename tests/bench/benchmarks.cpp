@@ -89,6 +89,7 @@ void time_plans(benchmark::State& state, Executor& executor, std::span<const Pla
 void time_picture(benchmark::State& state, Executor& executor, const Scene& scene, bool whole_frame, bool& warm) {
   RenderRequest request;
   request.bloom = whole_frame;
+  request.bloom_picture = false;
   request.gpu_tone = whole_frame;
   const std::array plans{without_readback(plan_for(scene, request))};
   if (!warm) {

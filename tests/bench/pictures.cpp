@@ -23,6 +23,7 @@ Checksums render_checked_pictures(Executor& executor) {
   const DeviceOnDemand device = [&]() -> Executor& { return executor; };
   RenderRequest request;
   request.bloom = true;
+  request.bloom_picture = false;
   request.gpu_tone = true;
   Checksums found;
   for (const SkyMethod& method : methods()) {

@@ -87,6 +87,40 @@ TEST(Bloom, FollowsTheExposure) {
   }
 }
 
+double linear(std::uint16_t code) {  // IEC 61966-2-1
+  const double y = code / 65535.0;
+  return y <= 0.04045 ? y / 12.92 : std::pow((y + 0.055) / 1.055, 2.4);
+}
+
+// The tone pass samples the chain by itself: what it shows is the picture and the bloom that others are given.
+TEST(Bloom, IsInTheToneCurveAsItIsInItsPicture) {
+  Scene round = all_round(lone_sun(8), 0.001, 72, 36);
+  round.sun.azimuth = std::numbers::pi;  // on the seam
+  for (Scene scene : {lone_sun(90), round}) {
+    scene.display.tonemap = ToneCurve::clamp;
+    scene.display.exposure = 0.5;
+    scene.bloom.intensity = 0.01;
+    const Rendering seen = with_bloom(scene);
+    ASSERT_TRUE(seen.bloom.has_value());
+    RenderRequest request;
+    request.bloom = true;
+    request.bloom_picture = false;
+    request.gpu_tone = true;
+    const Rendering shown = render_now(scene, request);
+    EXPECT_FALSE(shown.bloom.has_value());
+    ASSERT_EQ(shown.encoded.size(), seen.radiance.rgba.size());
+    int lit = 0;
+    for (std::size_t i = 0; i < shown.encoded.size(); ++i) {
+      const double sum = static_cast<double>(seen.radiance.rgba[i]) + 0.01 * static_cast<double>(seen.bloom->rgba[i]);
+      if (i % 4 != 3) {
+        EXPECT_NEAR(linear(shown.encoded[i]), std::min(0.5 * sum, 1.0), 5e-5) << i;
+        lit += 0.5 * sum > 1e-3 && 0.5 * sum < 1.0 ? 1 : 0;
+      }
+    }
+    EXPECT_GT(lit, 100);
+  }
+}
+
 TEST(Bloom, LeavesThePictureAlone) {
   const Scene scene = lone_sun(60);
   EXPECT_TRUE(with_bloom(scene).radiance.rgba == render_now(scene).radiance.rgba);
