@@ -1,7 +1,10 @@
-# How long the compiler takes. The standard library's headers, compiled once for all targets of the same flags. Sources include what they use all the
-# same: the preset `dev` builds without this.
-set(airlight_standard_headers <algorithm> <array> <cmath> <cstdint> <functional> <map> <memory> <optional> <span> <string>
-    <string_view> <utility> <variant> <vector>)
+# How long the compiler takes. The preset `dev` does without all of this: it compiles every source on its own and so finds
+# the header that one forgot to include.
+
+# The standard library's headers, compiled once for all targets of the same flags.
+set(airlight_standard_headers
+    <algorithm> <array> <cmath> <cstdint> <functional> <map> <memory> <optional> <span> <string> <string_view> <utility>
+    <variant> <vector>)
 
 # Where no time is spent at run time the compiler's counts: what reads words and writes them is optimised little, and not
 # at all with the sanitizers, and so are tests.
@@ -27,15 +30,46 @@ function(airlight_precompiled name position_independent options)
   target_precompile_headers(${name} PRIVATE ${ARGN})
 endfunction()
 
+# Sources that name things as their neighbours do, in namespaces without a name: compiled on their own.
+file(GLOB airlight_own_names CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/app/cmd_*.cpp)
+foreach(source IN ITEMS
+        app/cli_completion app/cli_help app/process app/render_run app/validity core/choice/probes core/gpu/executor
+        core/gpu/vulkan_api core/methods/analytic core/methods/march core/methods/nested core/methods/orders
+        core/methods/path_trace/gauss core/methods/path_trace/optical_depth core/methods/path_trace/path_trace
+        core/methods/path_trace/single_scattering core/methods/sky_view core/output/quantize core/post/bloom
+        core/post/sun_disc core/render/render core/stability/summary core/stability/sweep tests/chart/settings_test
+        tests/cli/publish_test tests/cli/render_test tests/measure/metrics_test tests/methods/golden_test
+        tests/methods/march_keys_test tests/methods/nested_test tests/methods/orders_slab_test
+        tests/physics/quadrature_test tests/physics/sunlight_test tests/scene/override_test tests/scene/rule_schema
+        tests/scene/scene_fixture tests/scene/schema_check tests/sequence/time_test)
+  list(APPEND airlight_own_names ${PROJECT_SOURCE_DIR}/${source}.cpp)
+endforeach()
+
+# airlight_compile_together(TARGET...): several sources in one go, so that what they include is read and made once.
+function(airlight_compile_together)
+  if(NOT AIRLIGHT_QUICK_COMPILE)
+    return()
+  endif()
+  set_source_files_properties(${airlight_own_names} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  foreach(target IN LISTS ARGN)
+    if(TARGET ${target})
+      set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
+      # A class with a member of a type of its own source's: fine, as only that source knows the class.
+      target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+    endif()
+  endforeach()
+endfunction()
+
 # airlight_optimise_little(TARGET...): targets that do not exist are passed over.
 function(airlight_optimise_little)
-  if(AIRLIGHT_PRECOMPILE)
+  if(AIRLIGHT_QUICK_COMPILE)
     airlight_precompiled(airlight_headers_little OFF "${airlight_little}" ${airlight_standard_headers})
   endif()
+  airlight_compile_together(${ARGN})
   foreach(target IN LISTS ARGN)
     if(TARGET ${target})
       target_compile_options(${target} PRIVATE ${airlight_little})
-      if(AIRLIGHT_PRECOMPILE)
+      if(AIRLIGHT_QUICK_COMPILE)
         target_precompile_headers(${target} REUSE_FROM airlight_headers_little)
       endif()
     endif()
@@ -45,9 +79,10 @@ endfunction()
 # airlight_precompile(TARGET...): the others, alike.
 function(airlight_precompile)
   # Not where the compiler optimises fully: GCC 12 forgets that precompiled headers are the system's and warns of them.
-  if(NOT AIRLIGHT_PRECOMPILE OR CMAKE_BUILD_TYPE STREQUAL "Release")
+  if(NOT AIRLIGHT_QUICK_COMPILE OR CMAKE_BUILD_TYPE STREQUAL "Release")
     return()
   endif()
+  airlight_compile_together(${ARGN})
   airlight_precompiled(airlight_headers OFF "" ${airlight_standard_headers})
   airlight_precompiled(airlight_headers_pic ON "" ${airlight_standard_headers})
   foreach(target IN LISTS ARGN)

@@ -195,6 +195,10 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
 std::string small_preset() {
   return R"({"airlight": 1,
  "media": [{"name": "air", "scattering_per_km": [0.0058, 0.0135, 0.0331],

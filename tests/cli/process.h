@@ -49,6 +49,8 @@ class Scratch {
 
 std::vector<std::string> lines_of(const std::string& text);
 
+bool contains(const std::string& text, const std::string& part);
+
 // A valid preset that renders in no time.
 std::string small_preset();
 

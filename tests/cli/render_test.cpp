@@ -16,10 +16,6 @@ namespace {
 using Json = nlohmann::json;
 using Names = std::vector<std::string>;
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 Start with_environment(const std::map<std::string, std::string>& environment) {
   Start start;
   start.environment = environment;

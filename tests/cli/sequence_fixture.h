@@ -13,10 +13,6 @@ namespace airlight::test {
 
 using Names = std::vector<std::string>;
 
-inline bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 // Six frames of a morning over Paris.
 inline Names morning(Names more = {}) {
   Names words = {"sequence", "sky.json", "--date", "2026-06-21", "--from", "06:00", "--to", "08:30",

@@ -11,10 +11,6 @@ namespace {
 const std::vector<std::string> kSmall{"stability", "-o",        "map",      "--quick", "--sweep", "steps",
                                       "--sweep",   "asymmetry", "--method", "nested",  "-q"};
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 TEST(StabilityCommand, LeavesNumbersPicturesAndAPage) {
   const Scratch scratch;
   const Outcome outcome = airlight(scratch.path(), kSmall);

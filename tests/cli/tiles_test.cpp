@@ -13,10 +13,6 @@ namespace {
 using Json = nlohmann::json;
 using Names = std::vector<std::string>;
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 class Tiles : public testing::Test {
  protected:
   void SetUp() override { scratch_.write("sky.json", small_preset()); }

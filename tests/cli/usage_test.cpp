@@ -18,10 +18,6 @@ const std::vector<std::string>& commands() {
   return names;
 }
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 // The commands of the tool's own help.
 std::vector<std::string> listed_commands(const std::string& help) {
   std::vector<std::string> names;

@@ -9,7 +9,7 @@ namespace {
 
 class ValidationEnvironment : public testing::Environment {
  public:
-  void SetUp() override { setenv("AIRLIGHT_VALIDATION", "1", 1); }
+  void SetUp() override { setenv("AIRLIGHT_VALIDATION", "1", 0); }
   void TearDown() override {
     EXPECT_EQ(Executor::validation_message_count(), 0) << "the validation layer's messages stand above";
   }
