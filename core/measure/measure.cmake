@@ -7,7 +7,8 @@ list(FILTER measure_sources EXCLUDE REGEX "/module_[^/]*\\.cpp$")
 
 add_library(airlight_measure STATIC ${measure_sources})
 target_link_libraries(airlight_measure PUBLIC airlight_gpu ${CMAKE_DL_LIBS} PRIVATE nlohmann_json::nlohmann_json)
-set_target_properties(airlight_measure airlight_gpu PROPERTIES POSITION_INDEPENDENT_CODE ON)  # both go into the module
+# All go into the module.
+set_target_properties(airlight_measure airlight_gpu airlight_shaders PROPERTIES POSITION_INDEPENDENT_CODE ON)
 
 add_library(airlight_compare MODULE ${compare_sources})
 set_target_properties(airlight_compare PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}
