@@ -1,6 +1,7 @@
 #include "core/choice/choose.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "core/choice/leave_out.h"
@@ -127,10 +128,15 @@ double error_bound(const measure::SampleError& measured, double reference_error)
 
 std::optional<double> plain_reference_error(const Scene& scene) {
   const double scattering = vertical_depths(scene).scattering;
+  // The angle that the horizon falls by to the top of the air, Earth's 10 degrees: what a table knows of dusk stands as
+  // far apart whatever the planet, and on one a hundred times as large all of dusk falls between two of its suns.
+  const double dusk =
+      std::acos(scene.planet.ground_radius / (scene.planet.ground_radius + scene.planet.atmosphere_height));
+  const bool dusk_is_resolved = dusk > 5.0 * kDegree && dusk < 30.0 * kDegree;
   if (scene.sun.elevation >= kLowSun && scattering <= 0.6) {
     return 0.001 + common_error(scene);
   }
-  if (scene.sun.elevation >= -7.0 * kDegree && scattering <= 0.4) {
+  if (scene.sun.elevation >= -7.0 * kDegree && scattering <= 0.4 && dusk_is_resolved) {
     return 0.009 + common_error(scene);
   }
   return std::nullopt;
