@@ -96,21 +96,7 @@ std::string name_of(const testing::TestParamInfo<std::string>& info) {
   return name;
 }
 
-// Sanitized, every sixth: the code is the same whatever the scene.
-std::vector<std::string> judged() {
-#if defined(__SANITIZE_ADDRESS__)
-  std::vector<std::string> some;
-  const std::vector<std::string> all = names();
-  for (std::size_t i = 0; i < all.size(); i += 6) {
-    some.push_back(all[i]);
-  }
-  return some;
-#else
-  return names();
-#endif
-}
-
-INSTANTIATE_TEST_SUITE_P(Scenes, Agreement, testing::ValuesIn(judged()), name_of);
+INSTANTIATE_TEST_SUITE_P(Scenes, Agreement, testing::ValuesIn(names()), name_of);
 
 }  // namespace
 }  // namespace airlight::test

@@ -137,7 +137,7 @@ TEST(Stability, AirOfEveryThickness) {
     const double a = optical_depth * absorbed / 8.0;
     return with_air({medium("air", {s, s, 0.1 * s}, {a, a, a}, exponential(8.0), PhaseFunction::rayleigh)});
   };
-  for_each_shader([&](const SkyMethod& method) {
+  for_each_method([&](const SkyMethod& method) {
     for (const double depth : {0.0, 1e-30, 1e-6, 1.0, 30.0, 1000.0}) {
       for (const double absorbed : {0.0, 1.0}) {
         for (const double albedo : {0.0, 1.0}) {
@@ -185,7 +185,7 @@ TEST(Stability, OneMediumOfEachKind) {
 
 // The sharpest peaks, forward and backward, with the sun in the middle of a pixel and behind.
 TEST(Stability, SharpestPhaseFunctionsTowardTheSun) {
-  for_each_shader([](const SkyMethod& method) {
+  for_each_method([](const SkyMethod& method) {
     for (const PhaseFunction phase :
          {PhaseFunction::henyey_greenstein, PhaseFunction::cornette_shanks, PhaseFunction::schlick}) {
       for (const double g : {-0.99, 0.99}) {
