@@ -17,9 +17,10 @@ namespace airlight {
 namespace {
 
 constexpr std::array<std::string_view, 10> kDegrees{"auto", "0", "1", "2", "3", "4", "5", "6", "7", "8"};
+constexpr std::array<std::string_view, 2> kFolded{"smooth", "all"};
 constexpr std::array<std::string_view, 3> kWhen{"auto", "always", "never"};
 
-const std::array<ParameterInfo, 9> kParameters{{
+const std::array<ParameterInfo, 10> kParameters{{
     {"steps", ParameterKind::integer, 4, 4096, 48, {}, "steps along a view ray, apart at the planet's shadow"},
     {"transmittance_lut", ParameterKind::table_size, 2, 4096, TableSize{256, 64}, {}, "transmittance table, mu x h"},
     {"moments_lut",
@@ -45,6 +46,9 @@ const std::array<ParameterInfo, 9> kParameters{{
      TableSize{24, 48},
      {},
      "table of the picture's light, azimuths x rows above level; limb and ground get 3/4 and 1/2 as many"},
+    {"fold", ParameterKind::choice, 0, 0, std::string("smooth"), kFolded,
+     "media that share a block of sky_lut with the diffuse light: those of a smooth phase function, or all, which "
+     "saves a fetch a pixel and blurs the aureole to the table"},
     {"tabulate", ParameterKind::choice, 0, 0, std::string("auto"), kWhen,
      "whether the picture's light is tabulated over view directions; auto: inside the air, from 16384 pixels on"},
     {"shells", ParameterKind::choice, 0, 0, std::string("auto"), kWhen,
@@ -59,22 +63,39 @@ struct FactorTable {
   std::uint32_t ground_rows;
   std::uint32_t limb_rows;
   std::uint32_t sky_rows;
-  std::uint32_t scattering_media;  // bit i
+  std::uint32_t apart;   // media of a block each, bit i
+  std::uint32_t folded;  // media whose phase function is in the table
+  bool rayleigh;         // among the folded
   std::uint32_t blocks;
 
   std::uint32_t rows() const { return ground_rows + limb_rows + sky_rows; }
 };
 
-FactorTable factor_table(const Scene& scene) {
+std::uint32_t media_with(const Scene& scene, PhaseFunction phase) {
+  std::uint32_t bits = 0;
+  for (std::size_t i = 0; i < scene.media.size(); ++i) {
+    bits |= scene.media[i].phase == phase ? 1u << i : 0u;
+  }
+  return bits & scattering_media(scene);
+}
+
+// `layers`: all media apart, else the folded ones share the last block with the diffuse light.
+FactorTable factor_table(const Scene& scene, bool layers) {
   const TableSize size = scene.render.get<TableSize>("sky_lut");
   const auto sky = static_cast<std::uint32_t>(size[1]);
   const std::uint32_t media = scattering_media(scene);
-  return {static_cast<std::uint32_t>(size[0]),
-          sky / 2,
-          3 * sky / 4,
-          sky,
-          media,
-          static_cast<std::uint32_t>(std::popcount(media)) + 1};
+  const std::uint32_t rayleigh = media_with(scene, PhaseFunction::rayleigh);
+  const bool all = scene.render.get<std::string>("fold") == "all";
+  const std::uint32_t folded = all ? media : rayleigh | media_with(scene, PhaseFunction::isotropic);
+  const std::uint32_t apart = layers ? media : media & ~folded;
+  return {.columns = static_cast<std::uint32_t>(size[0]),
+          .ground_rows = sky / 2,
+          .limb_rows = 3 * sky / 4,
+          .sky_rows = sky,
+          .apart = apart,
+          .folded = folded,
+          .rayleigh = (folded & rayleigh) != 0,
+          .blocks = static_cast<std::uint32_t>(std::popcount(apart)) + 1};
 }
 
 void add_table_constants(std::vector<Specialization>& constants, const FactorTable& table) {
@@ -82,7 +103,9 @@ void add_table_constants(std::vector<Specialization>& constants, const FactorTab
   constants.push_back({"kGroundRows", table.ground_rows});
   constants.push_back({"kLimbRows", table.limb_rows});
   constants.push_back({"kSkyRows", table.sky_rows});
-  constants.push_back({"kScatteringMedia", table.scattering_media});
+  constants.push_back({"kScatteringMedia", table.apart});
+  constants.push_back({"kFoldedMedia", table.folded});
+  constants.push_back({"kRayleighCarrier", table.rayleigh ? 1u : 0u});
 }
 
 bool tabulates(const Scene& scene, const View& view) {
@@ -150,7 +173,7 @@ ImageId add_factors(Plan& plan, const std::string& shader, const FactorTable& ta
 }
 
 void add_tabulated_sky(Plan& plan, const Scene& scene, const View& view, const SkyTarget& target, const Light& light) {
-  const FactorTable table = factor_table(scene);
+  const FactorTable table = factor_table(scene, false);
   const ImageId factors = add_factors(plan, "sky_factors", table, view, light);
   std::vector<Specialization> constants = medium_specialization(scene);
   constants.push_back({"kProjection", target.projection});
@@ -190,7 +213,7 @@ LayerPasses add_layers(Plan& plan, const Scene& scene, const View& view) {
   std::vector<Binding> reads = light.reads();
   std::vector<Specialization> constants = light.constants;
   if (tabulated) {
-    const FactorTable table = factor_table(scene);
+    const FactorTable table = factor_table(scene, true);
     reads.push_back({"factors_lut", add_factors(plan, "layers_factors", table, view, light)});
     add_table_constants(constants, table);
     constants.push_back({"kProjection", projection_code(scene.camera.projection)});
@@ -217,8 +240,13 @@ SkyMethod orders_method() {
   method.validity.leaves_out = "harmonics above the degree kept";
   const std::string never = "never";
   method.sweep = {
-      {"degree 0, 8 steps, 12 x 24", {{"degree", std::string("0")}, {"steps", 8}, {"sky_lut", TableSize{12, 24}}}},
-      {"8 steps, 12 x 24", {{"steps", 8}, {"sky_lut", TableSize{12, 24}}}},
+      {"folded, degree 0, 6 steps, 8 x 12",
+       {{"fold", std::string("all")}, {"degree", std::string("0")}, {"steps", 6}, {"sky_lut", TableSize{8, 12}}}},
+      {"folded, degree 0, 8 steps, 8 x 16",
+       {{"fold", std::string("all")}, {"degree", std::string("0")}, {"steps", 8}, {"sky_lut", TableSize{8, 16}}}},
+      {"folded, 8 steps, 12 x 24", {{"fold", std::string("all")}, {"steps", 8}, {"sky_lut", TableSize{12, 24}}}},
+      {"folded, 16 steps, 16 x 32", {{"fold", std::string("all")}, {"steps", 16}, {"sky_lut", TableSize{16, 32}}}},
+      {"folded", {{"fold", std::string("all")}}},
       {"16 steps, 16 x 32", {{"steps", 16}, {"sky_lut", TableSize{16, 32}}}},
       {"degree 0", {{"degree", std::string("0")}}},
       {"degree 1", {{"degree", std::string("1")}}},

@@ -200,8 +200,11 @@ std::vector<Sweep> sweeps(Form form) {
                   .title = "haze that absorbs nothing over a white ground, from 1 m, the sun at 30 degrees",
                   .x = asymmetry,
                   .y = optical_depth,
-                  .xs = quick ? std::vector<double>{-0.95, 0.4, 0.8} : of_form(kAsymmetries, form, 6, 2),
-                  .ys = quick ? std::vector<double>{1} : powers(0.01, 100.0, form == Form::full ? 2 : 1),
+                  .xs = quick ? std::vector<double>{-0.95, 0.4, 0.8} : of_form(kAsymmetries, form, 6, 4),
+                  // A thicker haze takes `orders` a minute of a processor a cell; the full form has it.
+                  .ys = quick                ? std::vector<double>{1}
+                        : form == Form::full ? powers(0.01, 100.0, 2)
+                                             : powers(0.01, 1.0, 1),
                   .base = at(30.0, 0.001),
                   .energy = true});
   list.push_back({.name = "planet-radius",

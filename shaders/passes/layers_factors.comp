@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// The picture's table of factors as sky_factors.comp makes it, but the ground in a block of its own.
+// The picture's table of factors as sky_factors.comp makes it, but with the shared block apart: one for each folded
+// medium, the diffuse light and the ground. Interpolation is linear, so they still add up to the shared one.
 #include "shared/device.glsl"
 #include "shared/tables.glsl"
 #include "shared/moment_table.glsl"
@@ -19,9 +20,10 @@ void store(uint block, uvec2 texel, vec3 light) {
   imageStore(factors_out, ivec2(block * kSkyColumns + texel.x, texel.y), vec4(light * scene.sun.irradiance, 1.0));
 }
 
-void store_single(uint i, SkyFactors factors, uvec2 texel) {
+void store_single(uint i, SkyFactors factors, uvec2 texel, float nu) {
   if (scatters(i)) {
-    store(single_block(i), texel, factors.single[i]);
+    float phase = folded(i) ? medium_phase(i, nu) / shared_carrier(section_of_row(texel.y), nu) : 1.0;
+    store(single_block(i), texel, factors.single[i] * phase);
   }
 }
 
@@ -30,15 +32,17 @@ void main() {
   if (texel.x >= kSkyColumns || texel.y >= kGroundRows + kLimbRows + kSkyRows) {
     return;
   }
-  ApartFactors factors = scene_apart_factors(table_ray(texel), steps);
-  store_single(0u, factors.air, texel);
-  store_single(1u, factors.air, texel);
-  store_single(2u, factors.air, texel);
-  store_single(3u, factors.air, texel);
-  store_single(4u, factors.air, texel);
-  store_single(5u, factors.air, texel);
-  store_single(6u, factors.air, texel);
-  store_single(7u, factors.air, texel);
-  store(diffuse_block(), texel, factors.air.diffuse);
-  store(diffuse_block() + 1u, texel, factors.ground);
+  Ray ray = table_ray(texel);
+  ApartFactors factors = scene_apart_factors(ray, steps);
+  store_single(0u, factors.air, texel, ray.nu);
+  store_single(1u, factors.air, texel, ray.nu);
+  store_single(2u, factors.air, texel, ray.nu);
+  store_single(3u, factors.air, texel, ray.nu);
+  store_single(4u, factors.air, texel, ray.nu);
+  store_single(5u, factors.air, texel, ray.nu);
+  store_single(6u, factors.air, texel, ray.nu);
+  store_single(7u, factors.air, texel, ray.nu);
+  float carrier = shared_carrier(section_of_row(texel.y), ray.nu);
+  store(diffuse_block(), texel, factors.air.diffuse / carrier);
+  store(diffuse_block() + 1u, texel, factors.ground / carrier);
 }

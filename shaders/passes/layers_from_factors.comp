@@ -37,8 +37,8 @@ void main() {
   layers.single[5] = single_at(5u, at);
   layers.single[6] = single_at(6u, at);
   layers.single[7] = single_at(7u, at);
-  layers.multiple = fetch_factor(diffuse_block(), at);
-  layers.ground = fetch_factor(diffuse_block() + 1u, at);
+  layers.multiple = fetch_shared(diffuse_block(), at);
+  layers.ground = fetch_shared(diffuse_block() + 1u, at);
   layers.transmittance = scene_apart_factors(air_ray(view.direction), steps).air.transmittance;
   write_layers(pixel, uvec2(width, height), view.inside, layers);
 }

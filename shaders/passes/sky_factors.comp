@@ -22,12 +22,17 @@ void store_single(uint i, SkyFactors factors, uvec2 texel) {
   }
 }
 
+vec3 folded_light(uint i, SkyFactors factors, float nu) {
+  return folded(i) ? factors.single[i] * medium_phase(i, nu) : vec3(0.0);
+}
+
 void main() {
   uvec2 texel = gl_GlobalInvocationID.xy;
   if (texel.x >= kSkyColumns || texel.y >= kGroundRows + kLimbRows + kSkyRows) {
     return;
   }
-  SkyFactors factors = scene_sky_factors(table_ray(texel), steps);
+  Ray ray = table_ray(texel);
+  SkyFactors factors = scene_sky_factors(ray, steps);
   store_single(0u, factors, texel);
   store_single(1u, factors, texel);
   store_single(2u, factors, texel);
@@ -36,6 +41,15 @@ void main() {
   store_single(5u, factors, texel);
   store_single(6u, factors, texel);
   store_single(7u, factors, texel);
-  imageStore(factors_out, ivec2(diffuse_block() * kSkyColumns + texel.x, texel.y),
-             vec4(factors.diffuse * scene.sun.irradiance, 1.0));
+  vec3 light = factors.diffuse;
+  light += folded_light(0u, factors, ray.nu);
+  light += folded_light(1u, factors, ray.nu);
+  light += folded_light(2u, factors, ray.nu);
+  light += folded_light(3u, factors, ray.nu);
+  light += folded_light(4u, factors, ray.nu);
+  light += folded_light(5u, factors, ray.nu);
+  light += folded_light(6u, factors, ray.nu);
+  light += folded_light(7u, factors, ray.nu);
+  light *= scene.sun.irradiance / shared_carrier(section_of_row(texel.y), ray.nu);
+  imageStore(factors_out, ivec2(diffuse_block() * kSkyColumns + texel.x, texel.y), vec4(light, 1.0));
 }

@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// A pixel from the picture's table of factors: one fetch for each medium that scatters, times its phase function, and
-// one for the diffuse light. The aureole is as sharp as the phase function, however coarse the table.
+// A pixel from the picture's table of factors: one fetch for each medium that is not folded, times its phase function,
+// and one for all other light. The aureole is as sharp as the phase function, however coarse the table.
 #include "shared/device.glsl"
 #include "shared/sky_table.glsl"
 #include "shared/sky_output.glsl"
@@ -23,7 +23,7 @@ void main() {
   }
   ViewRay view = pixel_ray(pixel);
   FactorPlace at = factor_place(view.direction);
-  vec3 sum = fetch_factor(diffuse_block(), at);
+  vec3 sum = fetch_shared(diffuse_block(), at);
   sum += single_at(0u, at);
   sum += single_at(1u, at);
   sum += single_at(2u, at);

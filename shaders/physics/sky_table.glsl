@@ -24,24 +24,25 @@ struct SkyTableState {
   real length_;  // of a ray to the ground
 };
 
-// Ground: y from the logarithm of the distance, so that light gathered over metres and over kilometres both resolve.
+// Ground: y from the root of the distance's logarithm. Light gathered over metres and over kilometres both resolve, and
+// so do angles around straight down, where the logarithm alone grows with their square.
 real ground_row(real h, real horizon, real path) {
   real scale = max(h, 1e-5);
-  return clamp(log(1.0 + (path - h) / scale) / max(log(1.0 + (horizon - h) / scale), 1e-6), 0.0, 1.0);
+  return sqrt(clamp(log(1.0 + (path - h) / scale) / max(log(1.0 + (horizon - h) / scale), 1e-6), 0.0, 1.0));
 }
 
 real ground_path(real h, real horizon, real y) {
   real scale = max(h, 1e-5);
-  return h + scale * (exp(y * log(1.0 + (horizon - h) / scale)) - 1.0);
+  return h + scale * (exp(y * y * log(1.0 + (horizon - h) / scale)) - 1.0);
 }
 
-SkyTableCoordinate sky_table_coordinate(PlanetData planet, real h, real mu, real azimuth) {
+SkyTableCoordinate sky_table_coordinate(PlanetData planet, real h, real mu, real cos_azimuth) {
   SkyTableCoordinate c;
-  c.x = azimuth / kPi;
+  c.x = sqrt(clamp(0.5 - 0.5 * cos_azimuth, 0.0, 1.0));
   real horizon = horizon_mu(planet, h);
   if (mu >= 0.0) {
     c.section = kSectionSky;
-    c.y = sqrt(clamp(atan(mu, sqrt(max(1.0 - mu * mu, 0.0))) * (2.0 / kPi), 0.0, 1.0));
+    c.y = sqrt(clamp(mu / (1.0 + sqrt(max(1.0 - mu, 0.0))), 0.0, 1.0));  // y^2 = 1 - sqrt(1 - mu)
   } else {
     bool ground = mu < horizon;
     real limb = sqrt(clamp(1.0 - mu / min(horizon, -1e-9), 0.0, 1.0));
@@ -54,10 +55,10 @@ SkyTableCoordinate sky_table_coordinate(PlanetData planet, real h, real mu, real
 
 SkyTableState sky_table_state(PlanetData planet, real h, real x, uint section, real y) {
   SkyTableState s;
-  s.cos_azimuth = cos(kPi * x);
+  s.cos_azimuth = 1.0 - 2.0 * x * x;
   s.length_ = -1.0;
   if (section == kSectionSky) {
-    s.mu = sin(0.5 * kPi * y * y);
+    s.mu = y * y * (2.0 - y * y);
   } else if (section == kSectionLimb) {
     s.mu = horizon_mu(planet, h) * (1.0 - y * y);
   } else {

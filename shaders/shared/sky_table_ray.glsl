@@ -15,8 +15,12 @@ Ray section_ray(SkyTableState state, uint section) {
   return ray;
 }
 
+uint section_of_row(uint row) {
+  return row < kGroundRows ? kSectionGround : row < kGroundRows + kLimbRows ? kSectionLimb : kSectionSky;
+}
+
 Ray table_ray(uvec2 texel) {
-  uint section = texel.y < kGroundRows ? kSectionGround : texel.y < kGroundRows + kLimbRows ? kSectionLimb : kSectionSky;
+  uint section = section_of_row(texel.y);
   float y = float(texel.y - section_first(section)) / float(section_rows(section) - 1u);
   SkyTableState state =
       sky_table_state(scene.planet, scene.camera.altitude, float(texel.x) / float(kSkyColumns - 1u), section, y);

@@ -1,4 +1,5 @@
-// The sky-view table's map and its inverse: on every texel, at the horizon, at the sun's azimuth, straight up.
+// The maps of the sky-view table and of the table of factors, and their inverses: on every texel, at the horizon, at the
+// sun's azimuth, straight up.
 
 #include <gtest/gtest.h>
 
@@ -110,6 +111,47 @@ TEST(SkyViewMapping, HoldsStraightUpAndUnderASunStraightUp) {
     }
   }
   EXPECT_DOUBLE_EQ(p.sky_view_coordinate(p.scene.planet, 0.2, up, direction(kSun, 0.2)).height, 1.0);
+}
+
+TEST(SkyTable, RayAndCoordinateAreInverseOnEveryTexel) {
+  Physics p = make_physics(earth());
+  const physics::PlanetData& planet = p.scene.planet;
+  constexpr int kColumns = 24;
+  constexpr int kTableRows = 20;
+  for (const double h : {0.0, 1e-4, 0.001, 1.0, 10.0, 60.0, 99.9}) {
+    for (const physics::uint section : {physics::uint{0}, physics::uint{1}, physics::uint{2}}) {
+      for (int row = 0; row < kTableRows; ++row) {
+        for (int column = 0; column < kColumns; ++column) {
+          const double x = static_cast<double>(column) / (kColumns - 1);
+          const double y = static_cast<double>(row) / (kTableRows - 1);
+          const Physics::SkyTableState state = p.sky_table_state(planet, h, x, section, y);
+          ASSERT_LE(std::abs(state.mu), 1.0);
+          const auto back = p.sky_table_coordinate(planet, h, state.mu, state.cos_azimuth);
+          ASSERT_NEAR(back.x, x, 1e-7);
+          // The edges of a section belong to both sides; on the ground itself there is no limb and no way to the ground.
+          const bool edge = y == 0.0 || y == 1.0;
+          if (!edge && (h > 0.0 || section == 2)) {
+            ASSERT_EQ(back.section, section) << h << " km, row " << row;
+            ASSERT_NEAR(back.y, y, 1e-6) << h << " km, section " << section << ", row " << row;
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(SkyTable, SectionsMeetAtTheTrueHorizonAndAtLevel) {
+  Physics p = make_physics(earth());
+  const physics::PlanetData& planet = p.scene.planet;
+  for (const double h : {0.001, 10.0, 99.9}) {
+    const double horizon = p.horizon_mu(planet, h);
+    EXPECT_NEAR(p.sky_table_state(planet, h, 0.0, 0, 1.0).mu, horizon, 1e-9);  // the ground's farthest row
+    EXPECT_NEAR(p.sky_table_state(planet, h, 0.0, 1, 0.0).mu, horizon, 1e-12);
+    EXPECT_EQ(p.sky_table_state(planet, h, 0.0, 1, 1.0).mu, 0.0);
+    EXPECT_EQ(p.sky_table_state(planet, h, 0.0, 2, 0.0).mu, 0.0);
+    EXPECT_EQ(p.sky_table_state(planet, h, 0.0, 2, 1.0).mu, 1.0);
+    EXPECT_NEAR(p.sky_table_state(planet, h, 0.0, 0, 0.0).mu, -1.0, 1e-12);
+  }
 }
 
 }  // namespace

@@ -1,0 +1,91 @@
+// The picture of `orders` from its table of factors against the same light gathered pixel by pixel.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/methods/render_fixture.h"
+#include "tests/physics/scenes.h"
+
+namespace airlight::test {
+namespace {
+
+struct Gaps {
+  double mean = 0.0;
+  double most = 0.0;
+};
+
+// |a - b| / max(b, a thousandth of b's mean) over rows [first, last), colour channels pooled.
+Gaps gaps(const RadianceImage& a, const RadianceImage& b, int first, int last) {
+  double mean = 0.0;
+  const int values = 3 * b.width * (last - first);
+  for (const bool measuring : {false, true}) {
+    Gaps found;
+    double sum = 0.0;
+    for (int i = 4 * b.width * first; i < 4 * b.width * last; ++i) {
+      if (i % 4 == 3) {
+        continue;
+      }
+      const double x = a.rgba[static_cast<std::size_t>(i)];
+      const double y = b.rgba[static_cast<std::size_t>(i)];
+      const double gap = std::abs(x - y) / std::max(y, 1e-3 * mean);
+      sum += y / values;
+      found.mean += measuring ? gap / values : 0.0;
+      found.most = std::max(found.most, gap);
+    }
+    if (measuring) {
+      return found;
+    }
+    mean = sum;
+  }
+  return {};
+}
+
+RadianceImage by_table(Scene scene, const std::string& tabulate, const std::string& fold) {
+  scene = with_method(std::move(scene), *find_method("orders"));
+  scene.render.parameters.insert_or_assign("tabulate", tabulate);
+  scene.render.parameters.insert_or_assign("fold", fold);
+  return render_now(scene).radiance;
+}
+
+Scene all_of_it(double altitude, double albedo, double sun) {
+  Scene scene = all_round(earth(), altitude, 72, 36);
+  scene.planet.ground_albedo = {albedo, albedo, albedo};
+  scene.sun.elevation = sun * kDegree;
+  scene.sun.disc.visible = false;
+  return scene;
+}
+
+// Straight down from low over a bright ground, a row of the table is tens of degrees high in a map of distances alone.
+TEST(OrdersTable, IsThePictureByPixel) {
+  for (const double altitude : {0.01, 2.0, 60.0}) {
+    for (const double albedo : {0.0, 0.8}) {
+      const Scene scene = all_of_it(altitude, albedo, 40.0);
+      const RadianceImage pixels = by_table(scene, "never", "smooth");
+      const RadianceImage table = by_table(scene, "always", "smooth");
+      const Gaps sky = gaps(table, pixels, 0, 18);
+      const Gaps ground = gaps(table, pixels, 18, 36);  // from 60 km the limb is in it
+      EXPECT_LT(sky.mean, 0.002) << altitude << " km, albedo " << albedo;
+      EXPECT_LT(sky.most, 0.01) << altitude << " km, albedo " << albedo;
+      EXPECT_LT(ground.mean, albedo > 0.0 ? 0.002 : 0.008) << altitude << " km, albedo " << albedo;
+      EXPECT_LT(ground.most, 0.05) << altitude << " km, albedo " << albedo;
+    }
+  }
+}
+
+// Folding all media blurs the aureole and nothing else: without a forward peak it changes nothing at all.
+TEST(OrdersTable, FoldingBlursTheAureoleAlone) {
+  Scene scene = all_of_it(0.01, 0.3, 20.0);
+  const RadianceImage apart = by_table(scene, "always", "smooth");
+  const RadianceImage folded = by_table(scene, "always", "all");
+  EXPECT_LT(gaps(folded, apart, 0, 36).mean, 0.01);
+  EXPECT_GT(gaps(folded, apart, 0, 18).most, 1e-3);
+  for (Medium& medium : scene.media) {
+    medium.phase = medium.phase == PhaseFunction::rayleigh ? medium.phase : PhaseFunction::isotropic;
+  }
+  EXPECT_EQ(by_table(scene, "always", "smooth").rgba, by_table(scene, "always", "all").rgba);
+}
+
+}  // namespace
+}  // namespace airlight::test
