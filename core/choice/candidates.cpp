@@ -4,6 +4,7 @@
 #include <set>
 
 #include "core/choice/leave_out.h"
+#include "core/luts/moments.h"
 
 namespace airlight::choice {
 namespace {
@@ -65,10 +66,12 @@ Candidate reference(const Scene& scene, bool fine) {
   constexpr int kSteps = 192;
   Quality quality{"192 steps", {{"steps", kSteps}, {"tabulate", std::string("never")}}};
   if (fine) {
-    quality.label = "192 steps, degree 4, large tables";
-    quality.parameters.insert(
-        quality.parameters.end(),
-        {{"degree", std::string("4")}, {"moments_lut", TableSize{96, 24}}, {"transmittance_lut", TableSize{512, 128}}});
+    quality.label = "192 steps, degree 4 or more, large tables";
+    quality.parameters.insert(quality.parameters.end(),
+                              {{"moments_lut", TableSize{96, 24}}, {"transmittance_lut", TableSize{512, 128}}});
+    if (moment_settings(scene, -1, 0, {96, 24}).degree < 4) {
+      quality.parameters.emplace_back("degree", std::string("4"));
+    }
   }
   Scene near_truth = with_quality(scene, *find_method("orders"), quality);
   const Plan plan = plan_of(near_truth);

@@ -26,7 +26,7 @@ double common_error(const Scene& scene) {
   const OpticalDepths depths = vertical_depths(scene);
   const bool low = scene.sun.elevation < kLowSun;
   return 0.003 + (low ? 0.0195 : 0.0045) * albedo + 0.012 * std::min(1.0, depths.forward / 0.04) +
-         0.05 * depths.forward + 0.15 * std::min(1.0, depths.abrupt / 0.1);
+         0.05 * depths.forward + 0.03 * std::min(1.0, depths.abrupt / 0.1);
 }
 
 // What every choice begins with.
@@ -36,6 +36,7 @@ struct Ground {
   std::vector<Candidate> made;  // their tables are there
   std::vector<float> truth;
   double known_error = 0.0;  // of the reference and of what was left out
+  double dark = 0.0;
 
   Ground(const Scene& scene, double tolerance, const ProbeFunction& probe)
       : lighter(leave_out_media(scene, 0.25 * tolerance)), probes(choose_probes(scene, kProbes)) {
@@ -60,8 +61,11 @@ struct Ground {
     constexpr double kRemains = 0.5;
     made.push_back(reference(lighter.scene, true));
     std::vector<float> better = probe(made.back().scene, probes);
-    known_error +=
-        common_error(lighter.scene) + kRemains * mean_at_most(measure::sample_error(truth, better, probes.weights));
+    dark = dark_radiance(lighter.scene, better);
+    if (dark == 0.0) {
+      known_error +=
+          common_error(lighter.scene) + kRemains * mean_at_most(measure::sample_error(truth, better, probes.weights));
+    }
     truth = std::move(better);
   }
 
@@ -69,7 +73,7 @@ struct Ground {
     if (probes.directions.empty()) {
       return 0.0;  // nothing of the planet is in the picture
     }
-    return error_bound(measure::sample_error(probe(candidate.scene, probes), truth, probes.weights), known_error);
+    return error_bound(measure::sample_error(probe(candidate.scene, probes), truth, probes.weights, dark), known_error);
   }
 
   Choice begin() const {
@@ -77,6 +81,10 @@ struct Ground {
     choice.probes = probes.directions.size();
     choice.reference_error = known_error;
     choice.left_out = lighter.reasons;
+    choice.dark = dark;
+    if (dark > 0.0) {
+      choice.left_out.push_back("all light: nothing in the picture is brighter than 1e-15 of the sun's irradiance");
+    }
     return choice;
   }
 };
@@ -120,6 +128,14 @@ std::vector<Candidate> likely_to_fit(const std::vector<Candidate>& all, double l
 }
 
 }  // namespace
+
+double dark_radiance(const Scene& scene, const std::vector<float>& reference) {
+  constexpr double kNight = 1e-15;
+  constexpr double kDark = 1e-12;
+  const double sun = *std::ranges::max_element(scene.sun.irradiance);
+  const bool night = std::ranges::all_of(reference, [&](float x) { return std::abs(double{x}) <= kNight * sun; });
+  return night ? kDark * sun : 0.0;
+}
 
 double error_bound(const measure::SampleError& measured, double reference_error) {
   constexpr double kSafety = 1.1;

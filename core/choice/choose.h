@@ -33,6 +33,7 @@ struct Choice {
   std::optional<Tried> best;     // of those: the smallest error
   std::size_t probes = 0;
   std::vector<std::string> left_out;
+  double dark = 0.0;  // dark_radiance() of the picture
 };
 
 // A tolerance is of the mean relative error over the picture without the sun's disc; see measure::sample_error().
@@ -42,6 +43,12 @@ Choice choose_for_tolerance(const Scene& scene, double tolerance, const std::str
 using TimeFunction = std::function<double(const Scene& scene)>;
 Choice choose_for_time(const Scene& scene, double limit_ms, const std::string& only, const ProbeFunction& probe,
                        const TimeFunction& time);
+
+// By night, where nothing of the near-truth `reference` (RGB) is brighter than 1e-15 of the sun's irradiance, every
+// method's radiance is only held against 1e-12 of it, far below starlight; returned in the scene's units. Else 0: all
+// errors are relative, however dark the picture. The thousandfold between the two is for what is wrong with the
+// reference so far from the light.
+double dark_radiance(const Scene& scene, const std::vector<float>& reference);
 
 // The bound that a tolerance is held against, from what the probes say and what is known of the reference.
 double error_bound(const measure::SampleError& measured, double reference_error);

@@ -48,8 +48,10 @@ bool black(std::span<const float> rgb, std::size_t i) {
 
 }  // namespace
 
-SampleError sample_error(std::span<const float> a, std::span<const float> reference, std::span<const double> weights) {
-  const std::array<double, kChannels> floors = floors_of(reference, weights);
+SampleError sample_error(std::span<const float> a, std::span<const float> reference, std::span<const double> weights,
+                         double dark) {
+  std::array<double, kChannels> floors = floors_of(reference, weights);
+  std::ranges::transform(floors, floors.begin(), [&](double floor) { return std::max(floor, dark); });
   SampleError result;
   std::vector<std::pair<double, double>> errors;  // with their weights
   std::vector<std::pair<double, double>> means;   // of each sample

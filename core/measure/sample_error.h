@@ -18,9 +18,10 @@ struct SampleError {
   std::size_t used = 0;  // samples; those that are black in both, such as empty space, are not
 };
 
-// `a`, `reference`: RGB, three values a sample, of equal length. `weights`: one a sample, or empty: all alike.
+// `a`, `reference`: RGB, three values a sample, of equal length. `weights`: one a sample, or empty: all alike. `dark`:
+// an error is at most relative to that radiance, however dark the picture.
 SampleError sample_error(std::span<const float> a, std::span<const float> reference,
-                         std::span<const double> weights = {});
+                         std::span<const double> weights = {}, double dark = 0.0);
 
 // Weighted mean of sigma / max(reference, floor) over the same samples: how well the reference itself is known.
 double sample_noise(std::span<const float> reference, std::span<const float> sigma,

@@ -47,8 +47,8 @@ const std::array<ParameterInfo, 10> kParameters{{
      {},
      "table of the picture's light, azimuths x rows above level; limb and ground get 3/4 and 1/2 as many"},
     {"fold", ParameterKind::choice, 0, 0, std::string("smooth"), kFolded,
-     "media that share a block of sky_lut with the diffuse light: those of a smooth phase function, or all, which "
-     "saves a fetch a pixel and blurs the aureole to the table"},
+     "media that share a block of sky_lut with the diffuse light: those of a smooth phase function, or all whose peak "
+     "has a fifth of its height one column away, which saves a fetch a pixel and blurs the aureole to the table"},
     {"tabulate", ParameterKind::choice, 0, 0, std::string("auto"), kWhen,
      "whether the picture's light is tabulated over view directions; auto: inside the air, from 16384 pixels on"},
     {"shells", ParameterKind::choice, 0, 0, std::string("auto"), kWhen,
@@ -79,6 +79,20 @@ std::uint32_t media_with(const Scene& scene, PhaseFunction phase) {
   return bits & scattering_media(scene);
 }
 
+// Whose phase function, a column away from its peak, is still above a fifth of it: both forward and backward.
+std::uint32_t media_wider_than_a_column(const Scene& scene, int columns) {
+  physics::Physics p = make_physics(scene);
+  const double chord = 1.0 / (columns - 1);
+  const double nu = 1.0 - 2.0 * chord * chord;
+  std::uint32_t bits = 0;
+  for (std::uint32_t i = 0; i < scene.media.size(); ++i) {
+    const bool wide = p.medium_phase(i, nu) > 0.2 * p.medium_phase(i, 1.0) &&
+                      p.medium_phase(i, -nu) > 0.2 * p.medium_phase(i, -1.0);
+    bits |= wide ? 1u << i : 0u;
+  }
+  return bits & scattering_media(scene);
+}
+
 // `layers`: all media apart, else the folded ones share the last block with the diffuse light.
 FactorTable factor_table(const Scene& scene, bool layers) {
   const TableSize size = scene.render.get<TableSize>("sky_lut");
@@ -86,7 +100,8 @@ FactorTable factor_table(const Scene& scene, bool layers) {
   const std::uint32_t media = scattering_media(scene);
   const std::uint32_t rayleigh = media_with(scene, PhaseFunction::rayleigh);
   const bool all = scene.render.get<std::string>("fold") == "all";
-  const std::uint32_t folded = all ? media : rayleigh | media_with(scene, PhaseFunction::isotropic);
+  const std::uint32_t folded =
+      all ? media_wider_than_a_column(scene, size[0]) : rayleigh | media_with(scene, PhaseFunction::isotropic);
   const std::uint32_t apart = layers ? media : media & ~folded;
   return {.columns = static_cast<std::uint32_t>(size[0]),
           .ground_rows = sky / 2,

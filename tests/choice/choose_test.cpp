@@ -66,6 +66,26 @@ TEST(Tolerance, TheReferenceIsLookedAtWhereDuskFallsBetweenItsSuns) {
   EXPECT_TRUE(plain_reference_error(scene)) << "by day it is sound";
 }
 
+// Deep in the night methods differ by factors in what nobody could see; brighter than starlight they may not be.
+TEST(Tolerance, ByNightAllThatIsDarkIsAlike) {
+  Scene scene = preset("earth-noon");
+  scene.sun.elevation = -0.6;
+  const auto darkness = [](double near_truth, double others) {
+    return [=](const Scene& s, const Probes& probes) {
+      const bool judge = s.render.method == "orders" && s.render.get<int>("steps") == 192;
+      return std::vector<float>(3 * probes.directions.size(), static_cast<float>(judge ? near_truth : others));
+    };
+  };
+  const Choice night = choose_for_tolerance(scene, 0.03, "", darkness(1e-17, 1e-15));
+  ASSERT_TRUE(night.chosen);
+  EXPECT_GT(night.dark, 0.0);
+  EXPECT_EQ(night.tried.size(), 1U);
+  EXPECT_FALSE(choose_for_tolerance(scene, 0.03, "orders", darkness(1e-17, 1e-12)).chosen);
+  const Choice twilight = choose_for_tolerance(scene, 0.03, "orders", darkness(1e-14, 2e-14));
+  EXPECT_FALSE(twilight.chosen);
+  EXPECT_EQ(twilight.dark, 0.0);
+}
+
 TEST(Tolerance, ThatNothingReachesNamesTheBest) {
   const auto always = [](const Scene& scene) { return scene.render.get<int>("steps") == 192 ? 0.0 : 0.2; };
   const Choice choice = choose_for_tolerance(preset("earth-noon"), 0.1, "march", wrong_by(always));

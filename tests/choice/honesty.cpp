@@ -75,8 +75,12 @@ std::vector<Honesty> judge_honesty(Executor& executor, const Scene& scene, const
       result.quality = choice.chosen->quality;
       result.estimated = choice.error;
       result.measured =
-          measure::sample_error(lattice_values(executor, choice.chosen->scene, kColumns, kRows), truth).mean;
+          measure::sample_error(lattice_values(executor, choice.chosen->scene, kColumns, kRows), truth, {}, choice.dark)
+              .mean;
+    } else if (choice.best) {
+      result.estimated = choice.best->error;
     }
+    result.known = choice.reference_error;
     results.push_back(std::move(result));
   }
   return results;

@@ -35,13 +35,14 @@ std::string line_of(std::uint64_t seed, const Scene& scene, const Honesty& h) {
                 degrees_from_radians(scene.sun.elevation), scene.camera.altitude, h.tolerance,
                 h.refused ? "refused" : (h.method + ", " + h.quality).c_str());
   std::string line = text;
-  if (!h.refused) {
+  line.pop_back();
+  if (h.refused) {
+    std::snprintf(text, sizeof text, "; the best at most %.3g, %.3g of it the reference's\n", h.estimated, h.known);
+  } else {
     std::snprintf(text, sizeof text, "; at most %.4f, measured %.4f%s\n", h.estimated, h.measured,
                   h.missed() ? "; MISSED" : "");
-    line.pop_back();
-    line += text;
   }
-  return line;
+  return line + text;
 }
 
 TEST(Honesty, OfScenesNobodyThoughtOf) {
