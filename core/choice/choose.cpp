@@ -25,8 +25,8 @@ double common_error(const Scene& scene) {
   const double albedo = std::max({spectrum[0], spectrum[1], spectrum[2]});
   const OpticalDepths depths = vertical_depths(scene);
   const bool low = scene.sun.elevation < kLowSun;
-  return 0.003 + (low ? 0.0195 : 0.0045) * albedo + 0.012 * std::min(1.0, depths.forward / 0.04) +
-         0.05 * depths.forward + 0.03 * std::min(1.0, depths.abrupt / 0.1);
+  return 0.003 + (low ? 0.0195 : 0.0045) * albedo + 0.012 * std::min(1.0, depths.peaked / 0.04) + 0.05 * depths.peaked +
+         0.03 * std::min(1.0, depths.abrupt / 0.1);
 }
 
 // What every choice begins with.

@@ -125,16 +125,16 @@ OpticalDepths vertical_depths(const Scene& scene) {
   OpticalDepths depths;
   Physics p = make_physics(scene);
   depths.extinction = largest(p.optical_depth_to_top(p.scene.planet, 0.0, 1.0, kSteps));
-  constexpr double kForward = 0.3;  // mean cosine
+  constexpr double kPeaked = 0.3;  // mean cosine, either way
   Scene scattering = scene;
-  Scene forward = scene;
+  Scene peaked = scene;
   Scene abrupt = scene;
   for (std::size_t i = 0; i < scene.media.size(); ++i) {
     scattering.media[i].absorption = {};
-    forward.media[i].absorption = {};
+    peaked.media[i].absorption = {};
     abrupt.media[i].absorption = {};
-    if (p.scene.media[i].legendre1 < kForward) {
-      forward.media[i].scattering = {};
+    if (std::abs(p.scene.media[i].legendre1) < kPeaked) {
+      peaked.media[i].scattering = {};
     }
     if (scene.media[i].density.profile != DensityProfile::constant) {
       abrupt.media[i].scattering = {};
@@ -145,7 +145,7 @@ OpticalDepths vertical_depths(const Scene& scene) {
     return largest(physics.optical_depth_to_top(physics.scene.planet, 0.0, 1.0, kSteps));
   };
   depths.scattering = depth_of(scattering);
-  depths.forward = depth_of(forward);
+  depths.peaked = depth_of(peaked);
   depths.abrupt = depth_of(abrupt);
   return depths;
 }

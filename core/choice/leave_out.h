@@ -23,8 +23,8 @@ Lighter leave_out_media(const Scene& scene, double allowed);
 struct OpticalDepths {
   double scattering = 0.0;
   double extinction = 0.0;
-  double forward = 0.0;  // scattering by media that scatter mostly forward
-  double abrupt = 0.0;   // scattering by media of constant density, which ends at an edge
+  double peaked = 0.0;  // scattering by media that scatter mostly forward or mostly back
+  double abrupt = 0.0;  // scattering by media of constant density, which ends at an edge
 };
 OpticalDepths vertical_depths(const Scene& scene);
 

@@ -88,6 +88,7 @@ struct Machinery {
   ResourceCache& cache;
   Frame& frame;
   VkSampler sampler;
+  bool teams;
 };
 
 // One execution of one plan.
@@ -147,7 +148,7 @@ void Run::choose_steps() {
     const PassDesc& pass = plan_.passes()[i];
     // A skipped pass is matched all the same: a mistake in it shows in every run.
     const ShaderProgram& program = machinery_.pipelines.program(pass.shader);
-    Step step{&pass, &program, match(plan_, pass, program.info), barriers[i]};
+    Step step{&pass, &program, match(plan_, pass, program.info, machinery_.teams), barriers[i]};
     if (!runs[i]) continue;
     check_limits(plan_, step, device_);
     steps_.push_back(std::move(step));
@@ -301,7 +302,8 @@ struct Executor::Impl {
         pipelines(device, extra_shaders),
         cache(device, options.kept_bytes_max),
         frame(device),
-        sampler(make_sampler(device)) {}
+        sampler(make_sampler(device)),
+        teams(options.teams.value_or(!device.info().is_cpu)) {}
 
   Stopwatch stopwatch;
   Instance instance;
@@ -311,6 +313,7 @@ struct Executor::Impl {
   ResourceCache cache;
   Frame frame;
   SamplerHandle sampler;
+  bool teams;
   double device_milliseconds = stopwatch.lap();
   bool has_run = false;
 };
@@ -323,7 +326,8 @@ Executor::~Executor() = default;
 RunResult Executor::run(const Plan& plan) {
   check(plan);
   impl_->cache.begin_run();
-  const Machinery machinery{impl_->device, impl_->pipelines, impl_->cache, impl_->frame, impl_->sampler.get()};
+  const Machinery machinery{impl_->device, impl_->pipelines,     impl_->cache,
+                            impl_->frame,  impl_->sampler.get(), impl_->teams};
   RunResult result = Run(machinery, plan).execute();
   impl_->cache.end_run();
   if (!impl_->has_run) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -24,6 +25,7 @@ struct DeviceOptions {
   std::string name_substring = {};  // empty: $AIRLIGHT_DEVICE, else the software device, else the first usable one
   // Load the validation layer; every message is counted and printed to stderr. AIRLIGHT_VALIDATION=1 does the same.
   bool validation = false;
+  std::optional<bool> teams = {};  // whether passes get them (PassDesc::team); without: on all but processors
   std::size_t kept_bytes_max = std::size_t{1} << 30;  // kept resources beyond it go, the least recently used first
 };
 

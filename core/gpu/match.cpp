@@ -8,8 +8,8 @@ namespace {
 
 class Matcher {
  public:
-  Matcher(const Plan& plan, const PassDesc& pass, const ShaderInfo& shader)
-      : plan_(plan), pass_(pass), shader_(shader) {}
+  Matcher(const Plan& plan, const PassDesc& pass, const ShaderInfo& shader, bool teams)
+      : plan_(plan), pass_(pass), shader_(shader), team_(teams ? pass.team : 1) {}
 
   MatchedPass run() const {
     MatchedPass matched;
@@ -110,7 +110,9 @@ class Matcher {
   }
 
   void match_constants(MatchedPass& matched) const {
-    for (const Specialization& wanted : pass_.specialization) {
+    std::vector<Specialization> all = pass_.specialization;
+    if (pass_.team > 1) all.push_back({"kTeam", team_});
+    for (const Specialization& wanted : all) {
       const auto found = std::find_if(shader_.constants.begin(), shader_.constants.end(),
                                       [&](const SpecializationConstant& c) { return c.name == wanted.name; });
       if (found == shader_.constants.end()) {
@@ -126,7 +128,7 @@ class Matcher {
   }
 
   void match_grid(MatchedPass& matched) const {
-    const std::array<std::uint32_t, 3> grid = {pass_.grid.width, pass_.grid.height, pass_.grid.depth};
+    const std::array<std::uint32_t, 3> grid = {pass_.grid.width * team_, pass_.grid.height, pass_.grid.depth};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       std::uint32_t size = shader_.workgroup_size[axis];
       for (const ConstantValue& constant : matched.constants) {
@@ -141,12 +143,13 @@ class Matcher {
   const Plan& plan_;
   const PassDesc& pass_;
   const ShaderInfo& shader_;
+  const std::uint32_t team_;
 };
 
 }  // namespace
 
-MatchedPass match(const Plan& plan, const PassDesc& pass, const ShaderInfo& shader) {
-  return Matcher(plan, pass, shader).run();
+MatchedPass match(const Plan& plan, const PassDesc& pass, const ShaderInfo& shader, bool teams) {
+  return Matcher(plan, pass, shader, teams).run();
 }
 
 }  // namespace airlight

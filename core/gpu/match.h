@@ -31,6 +31,7 @@ struct MatchedPass {
 // Throws std::logic_error naming pass, shader and name: a binding or constant that the shader lacks, a binding of the
 // shader that the pass leaves out, another kind, dimension or format, something only read that the shader may write,
 // another count of push constants, too little scene data.
-MatchedPass match(const Plan& plan, const PassDesc& pass, const ShaderInfo& shader);
+// `teams`: whether the pass's teams are used.
+MatchedPass match(const Plan& plan, const PassDesc& pass, const ShaderInfo& shader, bool teams = false);
 
 }  // namespace airlight

@@ -86,8 +86,8 @@ std::uint32_t media_wider_than_a_column(const Scene& scene, int columns) {
   const double nu = 1.0 - 2.0 * chord * chord;
   std::uint32_t bits = 0;
   for (std::uint32_t i = 0; i < scene.media.size(); ++i) {
-    const bool wide = p.medium_phase(i, nu) > 0.2 * p.medium_phase(i, 1.0) &&
-                      p.medium_phase(i, -nu) > 0.2 * p.medium_phase(i, -1.0);
+    const bool wide =
+        p.medium_phase(i, nu) > 0.2 * p.medium_phase(i, 1.0) && p.medium_phase(i, -nu) > 0.2 * p.medium_phase(i, -1.0);
     bits |= wide ? 1u << i : 0u;
   }
   return bits & scattering_media(scene);
@@ -151,6 +151,7 @@ struct Light {
   ImageId moments;
   std::vector<Specialization> constants;
   std::uint32_t steps;
+  bool by_shells;
 
   std::vector<Binding> reads() const { return {{"transmittance_lut", sunlight}, {"moments_lut", moments}}; }
 };
@@ -164,6 +165,7 @@ Light add_light(Plan& plan, const Scene& scene) {
   light.constants = sunlight_specialization(plan, scene, light.sunlight);
   add_moment_constants(light.constants, settings);
   light.steps = steps_of(scene, settings);
+  light.by_shells = settings.shells;
   return light;
 }
 
@@ -177,13 +179,16 @@ ImageId add_factors(Plan& plan, const std::string& shader, const FactorTable& ta
                                           .key = picture_table_key(view, shader)});
   std::vector<Specialization> constants = light.constants;
   add_table_constants(constants, table);
+  // A table of some thousand rays does not fill a GPU, whose threads would take the steps one after the other.
+  const std::uint32_t team = shader == "sky_factors" && !light.by_shells ? 4 : 1;
   plan.add_pass({.name = shader,
                  .shader = shader,
                  .reads = light.reads(),
                  .writes = {{"factors_out", factors}},
                  .grid = {table.columns, table.rows(), 1},
                  .push_constants = {light.steps},
-                 .specialization = std::move(constants)});
+                 .specialization = std::move(constants),
+                 .team = team});
   return factors;
 }
 

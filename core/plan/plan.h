@@ -68,6 +68,9 @@ struct PassDesc {
   Extent grid = {};                  // in threads; workgroups are rounded up
   std::vector<std::uint32_t> push_constants = {};
   std::vector<Specialization> specialization = {};
+  // Threads that share a point of the grid where it is too small to fill a device other than a processor: there the
+  // grid is so many times as wide, and the shader's constant kTeam says how many they are. Else kTeam is 1.
+  std::uint32_t team = 1;
 };
 
 class Plan {

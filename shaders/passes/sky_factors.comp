@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// The picture's light over view directions, factor by factor (physics/sky_table.glsl): one thread a direction.
+// The picture's light over view directions, factor by factor (physics/sky_table.glsl): one thread a direction, or
+// a team that shares its steps.
 #include "shared/device.glsl"
 #include "shared/tables.glsl"
 #include "shared/moment_table.glsl"
@@ -12,8 +13,24 @@
 #include "shared/sky_table_ray.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
+layout(constant_id = 27) const uint kTeam = 1u;  // threads a ray: 1, 2, 4 or 8; 1 where the air is cut into shells
 layout(set = 0, binding = 4, rgba32f) uniform writeonly image2D factors_out;
 layout(push_constant, scalar) uniform Push { uint steps; };
+
+shared SkyFactors parts[64];
+
+// The whole ray's in the first of the threads that share it.
+SkyFactors shared_sky_factors(Ray ray, uint part) {
+  uint thread = gl_LocalInvocationIndex;
+  parts[thread] = air_factors_between(scene.planet, scene.moments, ray, steps, part * steps / kTeam,
+                                      (part + 1u) * steps / kTeam);
+  barrier();
+  SkyFactors factors = parts[thread];
+  for (uint i = 1u; i < kTeam && part == 0u; i++) {
+    factors = joined(factors, parts[thread + i]);
+  }
+  return with_ground(scene.planet, scene.moments, ray, factors);
+}
 
 void store_single(uint i, SkyFactors factors, uvec2 texel) {
   if (scatters(i)) {
@@ -27,12 +44,22 @@ vec3 folded_light(uint i, SkyFactors factors, float nu) {
 }
 
 void main() {
-  uvec2 texel = gl_GlobalInvocationID.xy;
-  if (texel.x >= kSkyColumns || texel.y >= kGroundRows + kLimbRows + kSkyRows) {
+  uvec2 texel = uvec2(gl_GlobalInvocationID.x / kTeam, gl_GlobalInvocationID.y);
+  uint part = gl_GlobalInvocationID.x % kTeam;
+  bool outside = texel.x >= kSkyColumns || texel.y >= kGroundRows + kLimbRows + kSkyRows;
+  if (kTeam == 1u && outside) {
     return;
   }
-  Ray ray = table_ray(texel);
-  SkyFactors factors = scene_sky_factors(ray, steps);
+  Ray ray = table_ray(min(texel, uvec2(kSkyColumns, kGroundRows + kLimbRows + kSkyRows) - 1u));
+  SkyFactors factors;
+  if (kTeam == 1u) {
+    factors = scene_sky_factors(ray, steps);
+  } else {
+    factors = shared_sky_factors(ray, part);
+  }
+  if (outside || part > 0u) {
+    return;
+  }
   store_single(0u, factors, texel);
   store_single(1u, factors, texel);
   store_single(2u, factors, texel);

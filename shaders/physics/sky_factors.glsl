@@ -16,8 +16,8 @@ vec3 phased(SkyFactors factors, Phases p) {
   return sum;
 }
 
-// Of the air alone: the ground, where the ray ends on it, is left out.
-SkyFactors air_factors(PlanetData planet, MomentTableData table, Ray ray, uint steps) {
+// Of the air alone, the ground left out, along steps [first, last) of `steps`: what reaches the first one's near end.
+SkyFactors air_factors_between(PlanetData planet, MomentTableData table, Ray ray, uint steps, uint first, uint last) {
   SkyFactors factors;
   for (uint i = 0u; i < kMaxMedia; i++) {
     factors.single[i] = vec3(0.0);
@@ -26,8 +26,8 @@ SkyFactors air_factors(PlanetData planet, MomentTableData table, Ray ray, uint s
   factors.transmittance = vec3(1.0);
   Phases none = equal_phases(0.0);
   StepPlan plan = plan_steps(planet, ray, steps);
-  uint count = ray.length_ > 0.0 ? steps : 0u;
-  for (uint i = 0u; i < count; i++) {
+  uint end = ray.length_ > 0.0 ? last : first;
+  for (uint i = first; i < end; i++) {
     Step s = planned_step(plan, i);
     RayPoint point = point_on_ray(planet, ray, s.t);
     DiffuseAir air = diffuse_air_at(point.h, none);
@@ -50,6 +50,20 @@ SkyFactors air_factors(PlanetData planet, MomentTableData table, Ray ray, uint s
   return factors;
 }
 
+SkyFactors air_factors(PlanetData planet, MomentTableData table, Ray ray, uint steps) {
+  return air_factors_between(planet, table, ray, steps, 0u, steps);
+}
+
+// Of a ray's near part and the far part behind it.
+SkyFactors joined(SkyFactors near, SkyFactors far) {
+  for (uint i = 0u; i < kMaxMedia; i++) {
+    near.single[i] = near.single[i] + near.transmittance * far.single[i];
+  }
+  near.diffuse = near.diffuse + near.transmittance * far.diffuse;
+  near.transmittance = near.transmittance * far.transmittance;
+  return near;
+}
+
 // Light of the ground where the ray ends on it, seen through air of this transmittance, for a sun of irradiance 1.
 vec3 ground_light(PlanetData planet, MomentTableData table, Ray ray, vec3 transmittance) {
   RayPoint end = point_on_ray(planet, ray, ray.length_);
@@ -58,10 +72,13 @@ vec3 ground_light(PlanetData planet, MomentTableData table, Ray ray, vec3 transm
   return transmittance * planet.ground_albedo * irradiance / kPi;
 }
 
-SkyFactors sky_factors(PlanetData planet, MomentTableData table, Ray ray, uint steps) {
-  SkyFactors factors = air_factors(planet, table, ray, steps);
+SkyFactors with_ground(PlanetData planet, MomentTableData table, Ray ray, SkyFactors factors) {
   if (ray.at_ground && ray.length_ >= 0.0) {
     factors.diffuse = factors.diffuse + ground_light(planet, table, ray, factors.transmittance);
   }
   return factors;
+}
+
+SkyFactors sky_factors(PlanetData planet, MomentTableData table, Ray ray, uint steps) {
+  return with_ground(planet, table, ray, air_factors(planet, table, ray, steps));
 }

@@ -72,6 +72,18 @@ TEST_F(Match, RoundsWorkgroupsUp) {
   EXPECT_EQ(match(plan_, pass_, shader_).workgroups, (std::array<std::uint32_t, 3>{4, 2, 1}));
 }
 
+TEST_F(Match, WidensTheGridForTeams) {
+  shader_.constants.push_back({"kTeam", 9, 1});
+  pass_.grid = {17, 9, 1};
+  pass_.team = 4;
+  EXPECT_EQ(match(plan_, pass_, shader_, true).workgroups, (std::array<std::uint32_t, 3>{9, 3, 1}));
+  EXPECT_EQ(match(plan_, pass_, shader_, true).constants, (std::vector<ConstantValue>{{9, 4}}));
+  EXPECT_EQ(match(plan_, pass_, shader_).workgroups, (std::array<std::uint32_t, 3>{3, 3, 1}));
+  EXPECT_EQ(match(plan_, pass_, shader_).constants, (std::vector<ConstantValue>{{9, 1}}));
+  shader_.constants.pop_back();
+  EXPECT_NE(refusal().find("no specialization constant named kTeam"), std::string::npos) << refusal();
+}
+
 TEST_F(Match, RefusesABindingThatTheShaderLacks) {
   pass_.reads[0].name = "tabel_lut";
   EXPECT_EQ(refusal(),

@@ -74,6 +74,16 @@ TEST(OrdersTable, IsThePictureByPixel) {
   }
 }
 
+// On a GPU four threads share a ray's steps; in another order of sums it is the same table.
+TEST(OrdersTable, ByTeamsIsTheSame) {
+  Scene scene = with_method(all_of_it(2.0, 0.3, 1.0), *find_method("orders"));
+  scene.render.parameters.insert_or_assign("tabulate", std::string("always"));
+  Executor teams({.teams = true});
+  const RadianceImage alone = render_now(scene).radiance;
+  const RadianceImage together = render([&]() -> Executor& { return teams; }, scene, {}).radiance;
+  EXPECT_LT(gaps(together, alone, 0, 36).most, 1e-4);
+}
+
 // Folding all media blurs the aureole and nothing else: without a forward peak it changes nothing at all.
 TEST(OrdersTable, FoldingBlursTheAureoleAlone) {
   Scene scene = all_of_it(0.01, 0.3, 20.0);
