@@ -1,8 +1,15 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "core/physics/physics.h"
 
 namespace airlight::physics {
 
 vec3 HostTable::fetch(real u, real v) const {
+  if (std::isnan(u) || std::isnan(v)) {  // from a table that held one; as an index it would be anywhere
+    return vec3(std::numeric_limits<real>::quiet_NaN());
+  }
   const real x = clamp(u * width - 0.5, 0.0, width - 1.0);
   const real y = clamp(v * height - 0.5, 0.0, height - 1.0);
   const int i = std::min(static_cast<int>(x), std::max(width - 2, 0));

@@ -4,7 +4,7 @@
 // The picture averaged onto the bloom's own grid, whose texels span a fixed angle: the glow is as wide at 270 lines as
 // at 2160. A picture coarser than the grid is copied.
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 16, local_size_y = 16) in;
 layout(scalar, set = 0, binding = 0) readonly buffer Picture { vec4 values[]; } picture;
 layout(set = 0, binding = 1, rgba32f) uniform writeonly image2D base_out;
 layout(push_constant, scalar) uniform Push {

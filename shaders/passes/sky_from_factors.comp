@@ -10,7 +10,7 @@
 const uint kRestBlocks = 1u;
 #include "shared/factor_fetch.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 16, local_size_y = 16) in;
 layout(push_constant, scalar) uniform Push {
   uint width;
   uint height;

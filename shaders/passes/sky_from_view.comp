@@ -10,7 +10,7 @@
 #include "physics/sky_view_mapping.glsl"
 #include "shared/sky_output.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 16, local_size_y = 16) in;
 layout(constant_id = 6) const uint kStepDistribution = 1u;
 layout(constant_id = 11) const uint kSkyViewWidth = 192u;
 layout(constant_id = 12) const uint kSkyViewHeight = 108u;

@@ -4,7 +4,7 @@
 // Exposure, tone curve, sRGB encoding.
 #include "shared/tone_pixel.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 16, local_size_y = 16) in;
 layout(push_constant, scalar) uniform Push {
   uint width;
   uint height;

@@ -6,7 +6,7 @@
 #include "shared/tone_pixel.glsl"
 #include "post/bloom.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 16, local_size_y = 16) in;
 layout(set = 0, binding = 2) uniform sampler2D chain;
 layout(push_constant, scalar) uniform Push {
   uint width;

@@ -176,6 +176,8 @@ TEST(HostTable, SamplesAsTheDeviceDoes) {
   one.height = 1;
   one.texels.emplace_back(7.0, 8.0, 9.0);
   EXPECT_EQ(one.fetch(0.9, 0.1).y, 8.0);
+  EXPECT_TRUE(std::isnan(table.fetch(std::nan(""), 0.5).x));
+  EXPECT_TRUE(std::isnan(table.fetch(0.5, std::nan("")).z));
 }
 
 }  // namespace
