@@ -201,8 +201,9 @@ std::vector<Sweep> sweeps(Form form) {
                   .x = asymmetry,
                   .y = optical_depth,
                   .xs = quick ? std::vector<double>{-0.95, 0.4, 0.8} : of_form(kAsymmetries, form, 6, 4),
-                  // A thicker haze takes `orders` a minute of a processor a cell; the full form has it.
-                  .ys = quick                ? std::vector<double>{1}
+                  // A thicker haze takes `orders` a minute of a processor a cell; the full form has it. From 0.4 on it
+                  // is cut into shells, which the molecules above show to a quick run.
+                  .ys = quick                ? std::vector<double>{0.3}
                         : form == Form::full ? powers(0.01, 100.0, 2)
                                              : powers(0.01, 1.0, 1),
                   .base = at(30.0, 0.001),

@@ -101,5 +101,27 @@ TEST(OrdersTable, FoldingBlursTheAureoleAlone) {
   EXPECT_EQ(by_table(scene, "always", "smooth").rgba, by_table(scene, "always", "all").rgba);
 }
 
+// At an optical depth of 178 a shell stands between much thinner ones: what it was given between its rows made each
+// order five times the one before, 1e30 of what arrives in the end.
+TEST(OrdersByShells, NoOrderOutgrowsTheOneBefore) {
+  Scene scene = all_round(earth(), 99.9, 16, 8);
+  scene.media.resize(1);
+  scene.media[0].phase = PhaseFunction::rayleigh;
+  scene.media[0].density.profile = DensityProfile::exponential;
+  scene.media[0].density.scale_height = 8.0;
+  scene.media[0].scattering = {22.23, 22.23, 22.23};
+  scene.media[0].absorption = {};
+  scene.planet.ground_albedo = {1.0, 1.0, 1.0};
+  scene.sun.elevation = -3.0 * kDegree;
+  scene.sun.disc.visible = false;
+  scene = with_method(std::move(scene), *find_method("orders"));
+  scene.render.parameters.insert_or_assign("orders", 16);
+  scene.render.parameters.insert_or_assign("moments_lut", TableSize{16, 12});
+  for (const float value : render_now(scene).radiance.rgba) {
+    ASSERT_TRUE(std::isfinite(value));
+    ASSERT_LE(value, 1.0F);
+  }
+}
+
 }  // namespace
 }  // namespace airlight::test
