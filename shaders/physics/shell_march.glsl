@@ -33,7 +33,7 @@ real lesser(real a, real b) { return a * b <= 0.0 ? 0.0 : (a < 0.0 ? max(a, b) :
 // shell, as the shells below and above tell it. Where the air has an edge the two differ, and the lesser holds. A
 // diffuse field bulges up next to the air's ends, and what a straight line loses there each order loses again. Held to a
 // quarter of the two rows' sum: between shells much thinner than itself, at an optical depth of 178, a thick one was
-// given so much more than its rows hold that each order grew.
+// given so much more than its rows hold that orders grew.
 vec3 bend_between(uint shell, real x, vec3 low, vec3 high) {
   real intervals = real(shell_rows() - 1u);
   real width = shell_altitude(shell + 1u) - shell_altitude(shell);

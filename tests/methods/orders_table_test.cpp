@@ -101,8 +101,8 @@ TEST(OrdersTable, FoldingBlursTheAureoleAlone) {
   EXPECT_EQ(by_table(scene, "always", "smooth").rgba, by_table(scene, "always", "all").rgba);
 }
 
-// At an optical depth of 178 a shell stands between much thinner ones: what it was given between its rows made each
-// order five times the one before, 1e30 of what arrives in the end.
+// At an optical depth of 178 a shell stands between much thinner ones: what it was given between its rows made orders
+// grow from the twentieth on, to 1e30 of what arrives.
 TEST(OrdersByShells, NoOrderOutgrowsTheOneBefore) {
   Scene scene = all_round(earth(), 99.9, 16, 8);
   scene.media.resize(1);
@@ -115,8 +115,8 @@ TEST(OrdersByShells, NoOrderOutgrowsTheOneBefore) {
   scene.sun.elevation = -3.0 * kDegree;
   scene.sun.disc.visible = false;
   scene = with_method(std::move(scene), *find_method("orders"));
-  scene.render.parameters.insert_or_assign("orders", 16);
-  scene.render.parameters.insert_or_assign("moments_lut", TableSize{16, 12});
+  scene.render.parameters.insert_or_assign("orders", 24);
+  scene.render.parameters.insert_or_assign("moments_lut", TableSize{24, 12});
   for (const float value : render_now(scene).radiance.rgba) {
     ASSERT_TRUE(std::isfinite(value));
     ASSERT_LE(value, 1.0F);
