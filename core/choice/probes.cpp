@@ -14,6 +14,13 @@ using physics::vec3;
 
 constexpr double kDegree = 0.017453292519943295;
 
+// Its multiples and those of its square fill the unit square evenly: 1 / plastic number.
+constexpr double kPlastic = 0.7548776662466927;
+
+double fraction(double x) {
+  return x - std::floor(x);
+}
+
 struct Cell {
   Direction direction;
   double density = 1.0;  // of probes, relative
@@ -72,8 +79,9 @@ class Surveyor {
 
 }  // namespace
 
-// A grid of cells over the picture, gone through row by row to and fro so that neighbours stay together; probes stand
-// at equal steps of the density summed up along that path.
+// A grid of cells over the picture, a pixel of each, gone through row by row to and fro so that neighbours stay
+// together; probes stand at equal steps of the density summed up along that path. Not the cells' middle pixels: two of
+// three rows of pixels would be in none, and the one at the horizon may be the one that is wrong.
 Probes choose_probes(const Scene& scene, std::size_t count) {
   constexpr double kCellsAProbe = 12.0;
   const double pixels = static_cast<double>(scene.image.width) * scene.image.height;
@@ -86,8 +94,10 @@ Probes choose_probes(const Scene& scene, std::size_t count) {
   for (int j = 0; j < rows; ++j) {
     for (int k = 0; k < columns; ++k) {
       const int i = j % 2 == 0 ? k : columns - 1 - k;
-      const int x = static_cast<int>((i + 0.5) * scene.image.width / columns);
-      const int y = static_cast<int>((j + 0.5) * scene.image.height / rows);
+      const double cell_number = static_cast<double>(j) * columns + i;
+      const int x = static_cast<int>((i + fraction(0.5 + kPlastic * cell_number)) * scene.image.width / columns);
+      const int y =
+          static_cast<int>((j + fraction(0.5 + kPlastic * kPlastic * cell_number)) * scene.image.height / rows);
       if (const std::optional<Cell> cell = surveyor.cell(x, y)) {
         cells.push_back(*cell);
         total += cell->density;

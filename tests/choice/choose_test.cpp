@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/choice/leave_out.h"
+#include "core/physics/scene_data.h"
 #include "core/scene/preset.h"
 #include "core/scene/resolve.h"
 
@@ -256,23 +257,45 @@ TEST(Probes, AreFewInsideThePictureAndTheSameAgain) {
   EXPECT_EQ(std::set<double>(all.weights.begin(), all.weights.end()), std::set<double>{1.0});
 }
 
-TEST(Probes, AreDenserAtTheHorizonYetStandForAllPixelsAlike) {
-  const Scene scene = preset("earth-noon");
-  const Probes probes = choose_probes(scene, 256);
-  // The share of the picture within two degrees of the horizon, by weight; and of the probes.
-  double band = 0.0;
+struct Shares {
+  double by_weight = 0.0;
+  double by_count = 0.0;
+};
+
+// Of the probes within two degrees of the horizon.
+Shares beside_the_horizon(const Probes& probes) {
+  Shares shares;
   double total = 0.0;
-  double count = 0.0;
   for (std::size_t i = 0; i < probes.directions.size(); ++i) {
     const bool in_band = std::abs(probes.directions[i].elevation) < 2.0 * 0.01745;
-    band += in_band ? probes.weights[i] : 0.0;
-    count += in_band ? 1.0 : 0.0;
+    shares.by_weight += in_band ? probes.weights[i] : 0.0;
+    shares.by_count += in_band ? 1.0 / static_cast<double>(probes.directions.size()) : 0.0;
     total += probes.weights[i];
   }
-  const double share = count / static_cast<double>(probes.directions.size());
-  EXPECT_GT(share, 2.0 * band / total);
-  // 60 degrees high; a band of 4 degrees around the horizon, which crosses the picture 22 degrees below its middle.
-  EXPECT_NEAR(band / total, 0.06, 0.02);
+  shares.by_weight /= total;
+  return shares;
+}
+
+TEST(Probes, AreDenserAtTheHorizonYetStandForAllPixelsAlike) {
+  const Shares of_pixels = beside_the_horizon(choose_probes(preset("earth-noon", {320, 180}), 320 * 180));
+  EXPECT_NEAR(of_pixels.by_weight, of_pixels.by_count, 1e-9);
+  const Shares of_probes = beside_the_horizon(choose_probes(preset("earth-noon"), 256));
+  EXPECT_GT(of_probes.by_count, 2.0 * of_probes.by_weight);
+  EXPECT_NEAR(of_probes.by_weight, of_pixels.by_weight, 0.2 * of_pixels.by_weight);
+}
+
+// A row of pixels at the horizon may be the one that is wrong: each has a chance to be looked at.
+TEST(Probes, StandInEveryRowOfPixels) {
+  const Scene scene = preset("earth-noon", {160, 150});
+  std::set<int> rows;
+  for (const Direction& d : choose_probes(scene, 256).directions) {
+    const physics::Physics p = make_physics(scene);
+    const double c = std::cos(d.elevation);
+    const physics::vec3 direction{std::sin(d.azimuth) * c, std::sin(d.elevation), -std::cos(d.azimuth) * c};
+    const double y = physics::Physics(p).pixel_of(p.scene.camera, physics::kProjectionPerspective, direction).y;
+    rows.insert(static_cast<int>(y));
+  }
+  EXPECT_GT(rows.size(), 100U) << "of 150 rows";
 }
 
 }  // namespace

@@ -12,8 +12,8 @@ namespace airlight::test {
 namespace {
 
 constexpr std::uint64_t kSameKinds = 8;
-constexpr int kColumns = 32;
-constexpr int kRows = 24;
+constexpr int kColumns = 96;  // by 32 x 24 a row of pixels at the horizon could be a tenth of a picture
+constexpr int kRows = 72;
 
 Scene random_scene(std::uint64_t seed) {
   const RandomPresetOptions options{.largest_side = 200, .method_keys = false};
