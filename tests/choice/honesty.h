@@ -22,7 +22,7 @@ struct Honesty {
   std::string quality;
   double estimated = 0.0;  // where refused: of the best that there was
   double known = 0.0;      // of it: what the reference is not sure of
-  double measured = 0.0;  // mean relative error over an even lattice of the picture's pixels
+  double measured = 0.0;   // mean relative error over an even lattice of the picture's pixels
   bool missed() const { return !refused && measured > tolerance; }
 };
 

@@ -1,5 +1,5 @@
-// The maps of the sky-view table and of the table of factors, and their inverses: on every texel, at the horizon, at the
-// sun's azimuth, straight up.
+// The maps of the sky-view table and of the table of factors, and their inverses: on every texel, at the horizon, at
+// the sun's azimuth, straight up.
 
 #include <gtest/gtest.h>
 
@@ -128,7 +128,8 @@ TEST(SkyTable, RayAndCoordinateAreInverseOnEveryTexel) {
           ASSERT_LE(std::abs(state.mu), 1.0);
           const auto back = p.sky_table_coordinate(planet, h, state.mu, state.cos_azimuth);
           ASSERT_NEAR(back.x, x, 1e-7);
-          // The edges of a section belong to both sides; on the ground itself there is no limb and no way to the ground.
+          // The edges of a section belong to both sides; on the ground itself there is no limb and no way to the
+          // ground.
           const bool edge = y == 0.0 || y == 1.0;
           if (!edge && (h > 0.0 || section == 2)) {
             ASSERT_EQ(back.section, section) << h << " km, row " << row;
