@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <csignal>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -344,58 +343,6 @@ TEST_F(Cli, PlacesThatCannotBeWrittenAreSaidFirst) {
     std::filesystem::permissions(scratch_.path() / "locked", std::filesystem::perms::owner_read);
     EXPECT_EQ(tool({"render", "sky.json", "-o", "locked/a.exr"}, no_driver).exit_code, 2);
   }
-}
-
-TEST_F(Cli, AFullDiskLeavesNothing) {
-  const Outcome outcome = tool({"render", "sky.json", "-o", "/dev/full"});
-  EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_TRUE(contains(outcome.err, "/dev/full")) << outcome.err;
-  EXPECT_EQ(scratch_.files(), Names{"sky.json"});
-}
-
-// Killed at many moments of its run, the tool leaves whole files or none, and no temporary ones where it can help it.
-TEST_F(Cli, AKilledRunLeavesNoHalfFile) {
-  const Names arguments = {"render", "earth-noon", "-q", "-o", "a.exr", "--png", "a.png", "--size", "320x180"};
-  ASSERT_EQ(tool(arguments).exit_code, 0);
-  const std::string whole_exr = scratch_.read("a.exr");
-  const std::string whole_png = scratch_.read("a.png");
-  int killed = 0;
-  for (int i = 0; i < 16; ++i) {
-    std::filesystem::remove(scratch_.path() / "a.exr");
-    std::filesystem::remove(scratch_.path() / "a.png");
-    Start start;
-    start.kill_signal = i % 2 == 0 ? SIGTERM : SIGKILL;
-    start.kill_after_ms = 10 + 25 * i;
-    const Outcome outcome = tool(arguments, start);
-    killed += outcome.signal == start.kill_signal ? 1 : 0;
-    for (const std::string& name : scratch_.files()) {
-      if (name == "a.exr") {
-        EXPECT_EQ(scratch_.read(name), whole_exr);
-      } else if (name == "a.png") {
-        EXPECT_EQ(scratch_.read(name), whole_png);
-      } else if (name != "sky.json") {
-        EXPECT_EQ(start.kill_signal, SIGKILL) << "left behind: " << name;
-        std::filesystem::remove(scratch_.path() / name);
-      }
-    }
-  }
-  EXPECT_GT(killed, 0) << "no run was slow enough to be killed";
-}
-
-// Ended in the middle of writing, as by Ctrl-C, the tool takes its temporary file along.
-TEST_F(Cli, ATerminatedWriteLeavesNoTemporaryFile) {
-  int ended_early = 0;
-  for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
-    Start start;
-    start.kill_signal = signal;
-    start.kill_at_file = ".part-";
-    const Outcome outcome = tool({"render", "sky.json", "-q", "-o", "a.exr", "--float", "--size", "1024x512"}, start);
-    ended_early += outcome.signal == signal ? 1 : 0;
-    for (const std::string& name : scratch_.files()) {
-      EXPECT_TRUE(name == "sky.json" || name == "a.exr") << "left behind: " << name;
-    }
-  }
-  EXPECT_GT(ended_early, 0);
 }
 
 }  // namespace
