@@ -68,7 +68,7 @@ TEST(OrdersTable, IsThePictureByPixel) {
       const Gaps ground = gaps(table, pixels, 18, 36);  // from 60 km the limb is in it
       EXPECT_LT(sky.mean, 0.002) << altitude << " km, albedo " << albedo;
       EXPECT_LT(sky.most, 0.01) << altitude << " km, albedo " << albedo;
-      EXPECT_LT(ground.mean, albedo > 0.0 ? 0.002 : 0.008) << altitude << " km, albedo " << albedo;
+      EXPECT_LT(ground.mean, albedo > 0.0 ? 0.0005 : 0.008) << altitude << " km, albedo " << albedo;
       EXPECT_LT(ground.most, 0.05) << altitude << " km, albedo " << albedo;
     }
   }
