@@ -1,4 +1,4 @@
-file(GLOB app_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/app/*.cpp)
+file(GLOB app_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/app/*.cpp ${PROJECT_SOURCE_DIR}/app/*/*.cpp)
 file(GLOB preset_files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/presets/*.json)
 list(FILTER preset_files EXCLUDE REGEX "/chart\\.json$")  # what `airlight chart` shows: a list, no preset
 set(chart_list ${PROJECT_SOURCE_DIR}/presets/chart.json)
@@ -30,7 +30,7 @@ foreach(library IN ITEMS OpenEXR OpenColorIO OpenImageIO nlohmann_json CLI11 PNG
   endif()
   string(APPEND libraries "  ${library} ${version}\\n")
 endforeach()
-set_source_files_properties(${PROJECT_SOURCE_DIR}/app/version.cpp PROPERTIES
+set_source_files_properties(${PROJECT_SOURCE_DIR}/app/cli/version.cpp PROPERTIES
                             COMPILE_DEFINITIONS "AIRLIGHT_LIBRARIES=\"${libraries}\"")
 
 # The manual page, made by the program itself.

@@ -7,7 +7,7 @@ foreach(file IN LISTS PRESETS)
   string(APPEND table "    {\"${name}\", R\"preset(${text})preset\"},\n")
 endforeach()
 file(READ ${CHART} chart)
-file(WRITE ${OUT} "#include \"app/embedded_presets.h\"
+file(WRITE ${OUT} "#include \"app/cli/embedded_presets.h\"
 
 namespace airlight::cli {
 

@@ -3,8 +3,8 @@
 #include <memory>
 #include <new>
 
-#include "app/commands.h"
-#include "app/terminal.h"
+#include "app/cli/terminal.h"
+#include "app/commands/commands.h"
 #include "core/error.h"
 #include "core/output/atomic_file.h"
 

@@ -31,9 +31,9 @@ function(airlight_precompiled name position_independent options)
 endfunction()
 
 # Sources that name things as their neighbours do, in namespaces without a name: compiled on their own.
-file(GLOB airlight_own_names CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/app/cmd_*.cpp)
+file(GLOB airlight_own_names CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/app/commands/*.cpp)
 foreach(source IN ITEMS
-        app/cli_completion app/cli_help app/process app/render_run app/validity core/choice/probes core/gpu/executor
+        app/cli/completion app/cli/help app/cli/process app/render/run app/render/validity core/choice/probes core/gpu/executor
         core/gpu/vulkan_api core/methods/analytic core/methods/march core/methods/nested core/methods/orders
         core/methods/path_trace/gauss core/methods/path_trace/optical_depth core/methods/path_trace/path_trace
         core/methods/path_trace/single_scattering core/methods/sky_view core/output/quantize core/post/bloom

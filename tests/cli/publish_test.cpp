@@ -1,6 +1,6 @@
 // What happens to a rendering that holds values which no picture may hold. The preset's ranges leave no way to such a
 // rendering through the command line, so it is made by hand.
-#include "app/publish.h"
+#include "app/render/publish.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "app/sequence_report.h"
+#include "app/sequence/report.h"
 #include "tests/cli/sequence_fixture.h"
 
 namespace airlight::test {

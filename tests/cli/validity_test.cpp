@@ -1,4 +1,4 @@
-#include "app/validity.h"
+#include "app/render/validity.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,172 @@
+#include "app/cli/choice_options.h"
+
+#include <array>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <string_view>
+
+#include "core/chart/timing.h"
+#include "core/error.h"
+
+namespace airlight::cli {
+namespace {
+
+using choice::Choice;
+using choice::Tried;
+
+std::string short_number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+std::string percent(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g %%", 100.0 * value);
+  return text;
+}
+
+void refuse_departures(const Scene& scene) {
+  const auto& parameters = scene.render.parameters;
+  const auto fade = parameters.find("sun_fade");
+  const bool fades = fade != parameters.end() && std::holds_alternative<SunFade>(fade->second);
+  const auto scale = parameters.find("multiple_scattering_scale");
+  const bool scaled = scale != parameters.end() && std::get<double>(scale->second) != 1.0;
+  if (fades || scaled) {
+    throw InputError(
+        std::string("render: --tolerance and --time-limit measure against physics, from which the preset ") +
+        "departs by /render/" + (fades ? "sun_fade" : "multiple_scattering_scale") +
+        "; leave that key out, or choose method and quality yourself");
+  }
+}
+
+[[noreturn]] void refuse_unreached(const ChoiceReport& report) {
+  const Choice& choice = report.choice;
+  const std::string methods =
+      report.wish.method.empty() ? "no method" : "method " + report.wish.method + " at no quality";
+  if (!choice.best) {
+    throw InputError("render: " + methods + " claims to hold for this scene; choose another with --method");
+  }
+  const std::string best = choice.best->method + ", " + choice.best->quality;
+  if (report.wish.limit_ms > 0.0) {
+    throw InputError("render: --time-limit " + short_number(report.wish.limit_ms) + "ms: " + methods +
+                     " is that fast here; the fastest is " + best + ", with " + short_number(choice.best->ms) +
+                     " ms; give it that, or a smaller picture with --size");
+  }
+  throw InputError("render: --tolerance " + percent(report.wish.tolerance) + ": " + methods +
+                   " is sure to be that accurate here; the best is " + best + ", with an error of at most " +
+                   percent(choice.best->error) + "; allow that, or use --method path-trace with --target-error");
+}
+
+chart::TimingRules quick() {
+  chart::TimingRules rules;
+  rules.most_runs = 5;
+  rules.enough_s = 0.05;
+  rules.long_s = 0.2;
+  return rules;
+}
+
+}  // namespace
+
+double milliseconds_from(const std::string& text, const std::string& place) {
+  struct Unit {
+    std::string_view name;
+    double ms;
+  };
+  constexpr std::array kUnits{Unit{"ms", 1.0}, Unit{"min", 6e4}, Unit{"s", 1e3}, Unit{"", 1e3}};
+  double value = 0.0;
+  const char* end = text.data() + text.size();
+  const auto parsed = std::from_chars(text.data(), end, value);
+  const std::string_view rest(parsed.ptr, static_cast<std::size_t>(end - parsed.ptr));
+  for (const Unit& unit : kUnits) {
+    if (parsed.ec == std::errc() && rest == unit.name && value >= 0.0 && std::isfinite(value)) {
+      return value * unit.ms;
+    }
+  }
+  throw InputError(place + ": '" + text + "' is no time; write for example 50ms, 2s, 1min or a number of seconds");
+}
+
+ChoiceReport choose_rendering(const Scene& scene, const ChoiceWish& wish, const DeviceOnDemand& device) {
+  refuse_departures(scene);
+  ChoiceReport report;
+  report.wish = wish;
+  const auto start = std::chrono::steady_clock::now();
+  const double cpu = chart::process_cpu_ms();
+  const choice::ProbeFunction probe = [&](const Scene& candidate, const choice::Probes& probes) {
+    return probe_picture(device, candidate, probes.directions);
+  };
+  if (wish.limit_ms > 0.0) {
+    chart::TableTimes tables;
+    const choice::TimeFunction time = [&](const Scene& candidate) {
+      const chart::Timing timing = chart::time_on_device(device(), candidate, {}, quick(), tables);
+      return timing.device_ms + timing.tables_ms;
+    };
+    report.choice = choice::choose_for_time(scene, wish.limit_ms, wish.method, probe, time);
+  } else {
+    report.choice = choice::choose_for_tolerance(scene, wish.tolerance, wish.method, probe);
+  }
+  report.probing_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  report.probing_cpu_ms = chart::process_cpu_ms() - cpu;
+  if (!report.choice.chosen) {
+    refuse_unreached(report);
+  }
+  return report;
+}
+
+std::string summary(const ChoiceReport& report) {
+  const Choice& choice = report.choice;
+  std::string text = "chose " + choice.chosen->method + ", " + choice.chosen->quality + ": mean error at most " +
+                     percent(choice.error);
+  text += report.wish.limit_ms > 0.0 ? ", " + short_number(choice.ms) + " ms on the device of " +
+                                           short_number(report.wish.limit_ms) + " allowed"
+                                     : " of " + percent(report.wish.tolerance) + " allowed";
+  return text + ", by " + std::to_string(choice.probes) + " probes in " + short_number(report.probing_cpu_ms) +
+         " CPU-ms";
+}
+
+std::string explanation(const ChoiceReport& report) {
+  const Choice& choice = report.choice;
+  std::string text = "tried, by rising cost:\n";
+  if (report.wish.limit_ms > 0.0) {
+    text = "tried, by rising error:\n";
+  }
+  for (const Tried& tried : choice.tried) {
+    char line[200];
+    std::snprintf(line, sizeof line, "  %-10s %-48s error at most %8s%s\n", tried.method.c_str(), tried.quality.c_str(),
+                  percent(tried.error).c_str(), tried.ms > 0.0 ? (", " + short_number(tried.ms) + " ms").c_str() : "");
+    text += line;
+  }
+  text += "  of it the reference's own and that of what was left out: " + percent(choice.reference_error) + "\n";
+  for (const std::string& line : choice.left_out) {
+    text += "left out: " + line + "\n";
+  }
+  return text;
+}
+
+void write_choice(JsonWriter& json, const ChoiceReport& report) {
+  const Choice& choice = report.choice;
+  json.begin_object();
+  json.key("tolerance");
+  report.wish.tolerance > 0.0 ? json.value(report.wish.tolerance) : json.null();
+  json.key("time_limit_ms");
+  report.wish.limit_ms > 0.0 ? json.value(report.wish.limit_ms) : json.null();
+  json.key("method").value(choice.chosen->method).key("quality").value(choice.chosen->quality);
+  json.key("estimated_error").value(choice.error).key("reference_error").value(choice.reference_error);
+  json.key("device_ms");
+  choice.ms > 0.0 ? json.value(choice.ms) : json.null();
+  json.key("probes").value(choice.probes).key("probing_ms").value(report.probing_ms);
+  json.key("probing_cpu_ms").value(report.probing_cpu_ms).key("left_out").begin_array();
+  for (const std::string& line : choice.left_out) {
+    json.value(line);
+  }
+  json.end_array().key("tried").begin_array();
+  for (const Tried& tried : choice.tried) {
+    json.begin_object().key("method").value(tried.method).key("quality").value(tried.quality);
+    json.key("cost").value(tried.cost).key("error").value(tried.error).end_object();
+  }
+  json.end_array().end_object();
+}
+
+}  // namespace airlight::cli

@@ -1,0 +1,43 @@
+#pragma once
+// --tolerance and --time-limit: the method and quality chosen for the picture at hand.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/cli/json_writer.h"
+#include "core/choice/choose.h"
+#include "core/render/render.h"
+
+namespace airlight::cli {
+
+struct ChoiceWish {
+  double tolerance = 0.0;  // mean relative error; 0: none given
+  double limit_ms = 0.0;   // 0: none given
+  std::string method;      // the only one allowed; empty: any
+};
+
+struct ChoiceReport {
+  ChoiceWish wish;
+  choice::Choice choice;
+  double probing_ms = 0.0;      // by the clock, shaders compiled and near-truth tables made included
+  double probing_cpu_ms = 0.0;  // of all threads
+};
+
+// "50ms", "2s", "1min" or seconds as a plain number, in ms. Throws InputError: "PLACE: ...".
+double milliseconds_from(const std::string& text, const std::string& place);
+
+// Throws InputError where the preset asks for what no tolerance measures (render.sun_fade, another scale of multiple
+// scattering), or where nothing reaches the tolerance or fits the time: names the best that can be had.
+ChoiceReport choose_rendering(const Scene& scene, const ChoiceWish& wish, const DeviceOnDemand& device);
+
+// One line: what was chosen and how wrong it is.
+std::string summary(const ChoiceReport& report);
+
+// What was tried, what was left out, for --dry-run and -v; ends with a line feed.
+std::string explanation(const ChoiceReport& report);
+
+// The value of "choice" in --json.
+void write_choice(JsonWriter& json, const ChoiceReport& report);
+
+}  // namespace airlight::cli

@@ -1,0 +1,48 @@
+#pragma once
+// The options that say how pixels become files, shared by every command that writes pictures.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/cli/cli.h"
+#include "core/output/display.h"
+#include "core/output/working_space.h"
+#include "core/render/render.h"
+#include "core/scene/scene.h"
+
+namespace airlight::cli {
+
+struct PictureOptions {
+  bool full_float = false;
+  bool layers = false;
+  std::string ocio_config;
+  std::optional<std::string> display;
+  std::optional<std::string> view;
+  int bits = 8;
+  std::string colorspace;  // empty: linear-rec709
+};
+
+// Of the EXR's colours.
+WorkingSpace working_space_of(const PictureOptions& options);
+
+// --layers, --float, --colorspace, --ocio-config, --display, --view, --bits.
+std::vector<Option> picture_options(PictureOptions& options);
+
+// As overrides of the preset, "POINTER=JSON".
+std::vector<std::string> overrides(const PictureOptions& options);
+
+// None for the views gpu and diagnostic. Throws InputError for a config, display or view that is not there.
+std::optional<DisplayTransform> display_transform(const PictureOptions& options, const Scene& scene);
+
+// What has to be rendered for the files wanted.
+RenderRequest request_for(const Scene& scene, bool exr, bool png);
+
+// For --layers. Throws InputError where they cannot be had: no EXR to hold them, or a
+// method that does not tell them apart (its name, and those that do). `command`: "render".
+void require_layers(const PictureOptions& options, const Scene& scene, bool exr, const std::string& command);
+
+// Throws InputError unless the name ends as it should; devices may be called anything. `option`: "render: --png".
+void require_ending(const std::string& file, const std::string& option, const std::string& ending);
+
+}  // namespace airlight::cli

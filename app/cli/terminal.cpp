@@ -1,0 +1,75 @@
+#include "app/cli/terminal.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+#include "core/error.h"
+
+namespace airlight::cli {
+namespace {
+
+int first_stdout_error = 0;
+
+bool wants_colour(int descriptor) {
+  const char* no_colour = std::getenv("NO_COLOR");  // no-color.org: set and not empty means none
+  const char* terminal = std::getenv("TERM");
+  const bool refused = no_colour != nullptr && *no_colour != '\0';
+  const bool dumb = terminal == nullptr || std::strcmp(terminal, "dumb") == 0;
+  return !refused && !dumb && isatty(descriptor) == 1;
+}
+
+}  // namespace
+
+bool colour_on_stdout() {
+  return wants_colour(STDOUT_FILENO);
+}
+
+bool colour_on_stderr() {
+  return wants_colour(STDERR_FILENO);
+}
+
+void print(std::string_view text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() && first_stdout_error == 0) {
+    first_stdout_error = errno;
+  }
+}
+
+void flush_stdout() {
+  if (std::fflush(stdout) != 0 && first_stdout_error == 0) {
+    first_stdout_error = errno;
+  }
+}
+
+void complain(std::string_view lines) {
+  const std::string prefix = colour_on_stderr() ? "\033[1;31mairlight:\033[0m " : "airlight: ";
+  std::string text;
+  while (!lines.empty()) {
+    const std::size_t end = lines.find('\n');
+    text += prefix + std::string(lines.substr(0, end)) + "\n";
+    lines.remove_prefix(end == std::string_view::npos ? lines.size() : end + 1);
+  }
+  tell(text);
+}
+
+void tell(std::string_view text) {
+  // Nobody is left to tell when this fails.
+  (void)!std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
+void ignore_broken_pipes() {
+  std::signal(SIGPIPE, SIG_IGN);
+}
+
+void finish_stdout() {
+  flush_stdout();
+  if (first_stdout_error != 0 && first_stdout_error != EPIPE) {
+    throw RunError(std::string("cannot write standard output: ") + std::strerror(first_stdout_error));
+  }
+}
+
+}  // namespace airlight::cli

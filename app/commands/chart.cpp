@@ -1,0 +1,206 @@
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+#include <set>
+
+#include "app/cli/embedded_presets.h"
+#include "app/cli/preset_source.h"
+#include "app/cli/progress.h"
+#include "app/cli/sampling_options.h"
+#include "app/cli/scene_options.h"
+#include "app/cli/suggest.h"
+#include "app/cli/terminal.h"
+#include "app/commands/chart_files.h"
+#include "app/commands/commands.h"
+#include "app/render/table_files.h"
+#include "core/error.h"
+#include "core/methods/method.h"
+
+namespace airlight::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Given {
+  SceneOptions scene;  // of each preset
+  std::vector<std::string> presets;
+  std::vector<std::string> methods;
+  std::string folder;
+  std::string truth_folder;
+  std::optional<double> budget;
+  std::optional<std::string> truth_error;
+  bool json = false;
+  bool quiet = false;
+};
+
+std::vector<std::string> chosen_methods(const Given& given) {
+  std::vector<std::string> known;
+  for (const SkyMethod& method : methods()) {
+    known.emplace_back(method.info.name);
+  }
+  for (const std::string& name : given.methods) {
+    if (std::ranges::find(known, name) == known.end()) {
+      throw InputError("chart: --method: no method '" + name + "'" + did_you_mean(name, known) +
+                       "; 'airlight methods' lists them");
+    }
+  }
+  std::vector<std::string> chosen;
+  for (const std::string& name : known) {
+    if (given.methods.empty() || std::ranges::find(given.methods, name) != given.methods.end()) {
+      chosen.push_back(name);
+    }
+  }
+  return chosen;
+}
+
+// $XDG_CACHE_HOME/airlight/truth, as truths serve every folder; beside the chart where there is no home.
+fs::path truth_folder(const Given& given) {
+  if (!given.truth_folder.empty()) {
+    return given.truth_folder;
+  }
+  const auto variable = [](const char* name) {
+    const char* value = std::getenv(name);
+    return fs::path(value == nullptr ? "" : value);
+  };
+  fs::path cache = variable("XDG_CACHE_HOME");
+  if (!cache.is_absolute()) {
+    const fs::path home = variable("HOME");
+    cache = home.is_absolute() ? home / ".cache" : fs::path();
+  }
+  return cache.empty() ? fs::path(given.folder) / "truth" : cache / "airlight" / "truth";
+}
+
+void make_folders(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error || !fs::is_directory(folder)) {
+    throw InputError("chart: " + folder.string() + ": the folder cannot be made: " + error.message() +
+                     "; name another with -o or --truth");
+  }
+}
+
+chart::Settings settings_of(const Given& given) {
+  chart::Settings settings = chart::parse_settings(embedded_chart_list(), "presets/chart.json");
+  if (!given.presets.empty()) {
+    settings.scenes = given.presets;
+    std::set<std::string> seen;
+    for (const std::string& preset : given.presets) {
+      if (!seen.insert(preset).second) {
+        throw InputError("chart: the preset '" + preset + "' is named twice; name it once");
+      }
+    }
+  }
+  if (given.truth_error) {
+    settings.truth_error = relative_error(*given.truth_error, "chart: --truth-error");
+  }
+  return settings;
+}
+
+chart::RunOrder order_of(const Given& given, chart::Settings& settings) {
+  chart::RunOrder order;
+  for (const std::string& preset : settings.scenes) {
+    SceneOptions options = given.scene;
+    options.preset = preset;
+    if (!options.size) {
+      options.size = std::to_string(settings.image.width) + "x" + std::to_string(settings.image.height);
+    }
+    Scene scene = load_scene(options);
+    settings.image = scene.image;
+    order.scenes.push_back({preset, std::move(scene)});
+  }
+  order.methods = chosen_methods(given);
+  order.settings = settings;
+  order.budget_s = given.budget.value_or(0.0);
+  order.truth_folder = truth_folder(given);
+  order.known = read_points(given.folder);
+  order.version = AIRLIGHT_VERSION;
+  order.open_device = [device = given.scene.device] {
+    DeviceOptions wanted;
+    wanted.name_substring = device;
+    return std::make_unique<Executor>(wanted);
+  };
+  order.keep = [folder = fs::path(given.folder)](const std::vector<chart::Point>& points) {
+    write_points(folder, points);
+  };
+  if (!given.quiet) {
+    order.progress = terminal_progress();
+  }
+  return order;
+}
+
+int run_chart_command(const Given& given) {
+  if (given.folder.empty()) {
+    throw InputError("chart: no folder given; write -o DIR");
+  }
+  chart::Settings settings = settings_of(given);
+  const chart::RunOrder order = order_of(given, settings);
+  make_folder(given.folder);
+  make_folders(order.truth_folder);
+  const chart::RunOutcome outcome = chart::run_chart(order);
+  clear_progress();
+  require_valid_vulkan();
+  const ChartFiles files{given.folder, settings.scenes, order.methods, settings};
+  const auto say = [&](const std::vector<std::string>& lines) {
+    for (const std::string& line : lines) {
+      tell(given.quiet ? "" : line + "\n");
+    }
+  };
+  if (outcome.resumed > 0 && !given.quiet) {
+    tell(std::to_string(outcome.resumed) + " of " + std::to_string(outcome.points.size()) +
+         " points were there already\n");
+  }
+  if (!outcome.left_out.empty() && !given.quiet) {
+    complain("warning: " + std::to_string(outcome.left_out.size()) +
+             " points were left out for want of time, the first: " + outcome.left_out.front() +
+             "; the same command goes on with them");
+  }
+  say(write_chart(files, outcome));
+  if (given.json) {
+    print(chart_json(files, outcome));
+  }
+  say(plot_chart(files));
+  return 0;
+}
+
+}  // namespace
+
+Command chart_command() {
+  const auto given = std::make_shared<Given>();
+  Command command;
+  command.name = "chart";
+  command.summary = "Chart what every method costs against how wrong it is";
+  command.description =
+      "Times every method at every quality of its list on each preset and compares the pictures with path-trace: mean "
+      "relative error and 95th percentile over the sky, or over all that is not black from above the air, without the "
+      "sun's disc. Writes chart.csv, chart.json, the gnuplot script chart.gp and, by gnuplot, chart.svg and chart.png "
+      "into the folder: a panel a preset and one over all, the points on the frontier joined.\n\n"
+      "The time is that of a picture whose kept tables are there: the median of several by device timestamps, or on a "
+      "software device the CPU time of all threads, which other programs disturb less. What tables and the first "
+      "picture cost besides stands in the files. path-trace is timed at the compared pixels and scaled up.\n\n"
+      "Truths are kept in $XDG_CACHE_HOME/airlight/truth. A run that was interrupted, or had no time for every point, "
+      "goes on from chart.csv when it is started again.";
+  command.examples = {{"airlight chart my-sky.json -o chart --size 64x36 --method orders --method march --budget 5",
+                       "Two methods on a preset of one's own, in some seconds"}};
+  command.positionals = {{.metavar = "PRESET",
+                          .help = "presets to chart; without one those of presets/chart.json",
+                          .target = &given->presets,
+                          .required = false,
+                          .offers = built_in_names()}};
+  command.options = {
+      {"-o,--output", "DIR", "Folder for the chart; made if need be", &given->folder, Completes::folder},
+      {"--budget", "SECONDS", "Take about so long: half of it at most for the truth, the dearest points left out",
+       &given->budget, Completes::nothing, Range{1.0, 1e6}},
+      {"--method", "NAME", "Chart this method alone", &given->methods},
+      {"--truth-error", "ERROR", "Mean standard error of the truth, such as 0.1%", &given->truth_error},
+      {"--truth", "DIR", "Folder that keeps the truths from run to run", &given->truth_folder, Completes::folder},
+      {"--size", "WxH", "The pictures' size in pixels when they are timed", &given->scene.size},
+      {"--set", "POINTER=JSON", "Change any key of every preset, e.g. /sun/elevation_deg=3", &given->scene.set},
+      {"--device", "SUBSTRING", "The first Vulkan device with this in its name ('airlight devices')",
+       &given->scene.device},
+      {"--json", "", "Also print chart.json on standard output", &given->json},
+      {"-q,--quiet", "", "Say nothing but errors", &given->quiet}};
+  command.run = [given] { return run_chart_command(*given); };
+  return command;
+}
+
+}  // namespace airlight::cli

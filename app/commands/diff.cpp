@@ -1,0 +1,275 @@
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <memory>
+
+#include "app/cli/preset_source.h"
+#include "app/cli/terminal.h"
+#include "app/commands/commands.h"
+#include "app/commands/diff_json.h"
+#include "core/error.h"
+#include "core/measure/compare_module.h"
+#include "core/measure/frames.h"
+#include "core/measure/judge.h"
+#include "core/measure/report.h"
+#include "core/measure/words.h"
+#include "core/methods/method.h"
+#include "core/output/atomic_file.h"
+#include "core/scene/resolve.h"
+
+namespace airlight::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using measure::NamedReport;
+using measure::Verdict;
+
+struct Given {
+  std::string a;
+  std::string b;
+  measure::ComparisonRequest request;
+  std::string channels;
+  std::string camera_from;
+  std::string heatmap;
+  std::string side_by_side;
+  std::string junit;
+  bool json = false;
+  bool verbose = false;
+  bool quiet = false;
+};
+
+std::vector<std::string> split_at_commas(const std::string& list) {
+  std::vector<std::string> words;
+  for (std::size_t start = 0; !list.empty() && start <= list.size();) {
+    const std::size_t end = std::min(list.find(',', start), list.size());
+    if (end == start) throw InputError("diff: --channels: '" + list + "' holds an empty name; expected e.g. R,G,B");
+    const std::string word = list.substr(start, end - start);
+    if (std::find(words.begin(), words.end(), word) != words.end()) {
+      throw InputError("diff: --channels: '" + word + "' is named twice");
+    }
+    words.push_back(word);
+    start = end + 1;
+  }
+  return words;
+}
+
+// "heat.png" of the pair "day/sky.0007.exr" -> "heat.day_sky.0007.png".
+std::string picture_for(const std::string& file, const measure::FilePairs& pairs, const measure::FilePair& pair) {
+  if (!pairs.several || file.empty()) return file;
+  std::string name = fs::path(pair.name).replace_extension().string();
+  std::replace(name.begin(), name.end(), '/', '_');
+  const fs::path path(file);
+  return (path.parent_path() / (path.stem().string() + "." + name + path.extension().string())).string();
+}
+
+// All names that will be written, checked before any work.
+void require_outputs(const Given& given, const measure::FilePairs& pairs) {
+  std::vector<std::string> outputs;
+  for (const measure::FilePair& pair : pairs.pairs) {
+    for (const std::string& file : {given.heatmap, given.side_by_side}) {
+      if (!file.empty()) outputs.push_back(picture_for(file, pairs, pair));
+    }
+  }
+  for (const std::string& file : outputs) {
+    if (fs::path(file).extension() != ".png") throw InputError(file + ": pictures are written as PNG; name it *.png");
+  }
+  if (!given.junit.empty()) outputs.push_back(given.junit);
+  for (const std::string& file : outputs) {
+    if (std::count(outputs.begin(), outputs.end(), file) > 1) {
+      throw InputError(file + ": is to be written twice; give each output a name of its own");
+    }
+    require_writable(file);
+    for (const measure::FilePair& pair : pairs.pairs) {
+      std::error_code ignored;
+      if (fs::equivalent(file, pair.a, ignored) || fs::equivalent(file, pair.b, ignored)) {
+        throw InputError(file + ": is one of the pictures compared; write to another name");
+      }
+    }
+  }
+}
+
+std::string resolved_preset(const std::string& source) {
+  return source.empty() ? std::string() : to_json(resolve(find_preset(source), method_infos()));
+}
+
+void write_picture(const std::string& file, const std::vector<std::byte>& png, std::vector<std::string>& written) {
+  if (png.empty()) return;
+  write_file(file, png);
+  written.push_back(file);
+}
+
+NamedReport compare_pair(const Given& given, const measure::FilePairs& pairs, const measure::FilePair& pair,
+                         std::vector<std::string>& written) {
+  NamedReport entry{.name = pair.name, .a = pair.a, .b = pair.b, .report = {}};
+  if (!pair.problem.empty()) {
+    entry.report.problem = pair.problem;
+    return entry;
+  }
+  measure::ComparisonRequest request = given.request;
+  request.a = pair.a;
+  request.b = pair.b;
+  request.standard_errors = pair.standard_errors;
+  request.heatmap = !given.heatmap.empty();
+  request.side_by_side = !given.side_by_side.empty();
+  measure::load_compare()(request, entry.report);
+  write_picture(picture_for(given.heatmap, pairs, pair), entry.report.heatmap_png, written);
+  write_picture(picture_for(given.side_by_side, pairs, pair), entry.report.side_by_side_png, written);
+  entry.report.heatmap_png = {};
+  entry.report.side_by_side_png = {};
+  return entry;
+}
+
+// Figures go to standard output, or to standard error beside --json. A single pair that cannot be compared is an error
+// of one line.
+void tell_people(const Given& given, bool several, const NamedReport& entry, const measure::Limits& in_force) {
+  const auto say = [&](const std::string& text) { given.json ? tell(text) : print(text); };
+  if (!several && entry.report.verdict == Verdict::cannot_compare) {
+    complain(entry.report.problem);
+  } else if (given.quiet) {
+    if (entry.report.verdict != Verdict::pass) say(measure::describe_briefly(entry));
+  } else {
+    say(several && !given.verbose ? measure::describe_briefly(entry) : measure::describe(entry, in_force));
+  }
+}
+
+int exit_code(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::pass:
+    case Verdict::warn:
+      return 0;
+    case Verdict::differ:
+      return 1;
+    case Verdict::cannot_compare:
+      break;
+  }
+  return 2;
+}
+
+int diff(Given given) {
+  const bool in_sigmas = !given.request.standard_errors.empty();
+  if (given.request.limits.chi_square && !in_sigmas) {
+    throw InputError("diff: --chi-square needs --standard-error FILE");
+  }
+  given.request.channels = split_at_commas(given.channels);
+  given.request.view_preset = resolved_preset(given.camera_from);
+  const measure::FilePairs pairs = measure::pair_files(given.a, given.b, given.request.standard_errors);
+  require_outputs(given, pairs);
+  const measure::Limits in_force = measure::limits_in_force(given.request.limits, in_sigmas);
+
+  std::vector<NamedReport> entries;
+  std::vector<std::string> written;
+  for (const measure::FilePair& pair : pairs.pairs) {
+    entries.push_back(compare_pair(given, pairs, pair, written));
+    tell_people(given, pairs.several, entries.back(), in_force);
+  }
+  if (pairs.several && !given.quiet) {
+    const std::string summary = measure::describe_all(entries);
+    given.json ? tell(summary) : print(summary);
+  }
+  if (!given.junit.empty()) {
+    const std::string xml = measure::junit_xml(entries);
+    write_file(given.junit, std::as_bytes(std::span(xml)));
+    written.push_back(given.junit);
+  }
+  if (given.json) print(diff_json(entries, in_force, written));
+  return exit_code(measure::overall(entries));
+}
+
+const char* const kDescription =
+    "Compares A with the reference B, both EXR files, two folders of them, or two frame patterns such as sky.####.exr: "
+    "each channel, luminance and the colour channels pooled; relative and absolute error, RMS, PSNR, the worst pixel; "
+    "by "
+    "region of the sky where a preset tells the camera (B's own, A's, or --camera-from's): sky, sun aureole (10 "
+    "degrees "
+    "around the sun), horizon band (3 degrees above the true horizon), zenith (15 degrees), ground. Presets that both "
+    "files carry are compared first.\n\n"
+    "Relative error is |a-b| / max(|b|, 0.001 mean|b|), the mean over the whole picture of a channel; PSNR is against "
+    "B's largest value. NaN and infinity equal nothing, and fail under any limits. Colours of "
+    "files whose chromaticities differ are not compared.\n\n"
+    "Without limits two pictures pass when no channel of any pixel differs by more than 1e-6 (--fail's default, as "
+    "idiff's). Where only --rel-... limits are given, they alone judge. With --standard-error, --fail, --hardfail, "
+    "--warn and --hardwarn are in standard errors, and without limits these hold: --fail 4 --failpercent 0.5 "
+    "--chi-square 1.5. A pixel whose standard error is 0 must be equal.\n\n"
+    "Exit code: 0 the pictures pass, perhaps with warnings; 1 they differ; 2 they cannot be compared.";
+
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+
+// What judges.
+std::vector<Option> limit_options(measure::Limits& limits) {
+  const Range positive{0.0, kNoLimit};
+  const Range share{0.0, 100.0};
+  const auto number = [](const char* name, const char* metavar, const char* help, Target target, Range range) {
+    return Option{name, metavar, help, target, Completes::nothing, range, {}, {}};
+  };
+  return {
+      number("--fail", "VALUE", "A pixel fails when a channel differs by more", &limits.fail, positive),
+      number("--failpercent", "PERCENT", "So many pixels may fail", &limits.fail_percent, share),
+      number("--hardfail", "VALUE", "No pixel may differ by more", &limits.hard_fail, positive),
+      number("--warn", "VALUE", "As --fail, for a warning", &limits.warn, positive),
+      number("--warnpercent", "PERCENT", "As --failpercent, for a warning", &limits.warn_percent, share),
+      number("--hardwarn", "VALUE", "As --hardfail, for a warning", &limits.hard_warn, positive),
+      number("--rel-mean", "VALUE", "Largest mean relative error, e.g. 0.005", &limits.relative_mean, positive),
+      number("--rel-p95", "VALUE", "Largest 95th percentile of the relative error", &limits.relative_p95, positive),
+      number("--rel-max", "VALUE", "Largest relative error", &limits.relative_max, positive),
+      number("--chi-square", "VALUE", "Largest chi-square per value", &limits.chi_square, positive),
+  };
+}
+
+// What is compared, and what is written.
+std::vector<Option> other_options(Given& given) {
+  const auto text = [](const char* name, const char* metavar, const char* help, Target target,
+                       Completes completes = Completes::nothing) {
+    return Option{name, metavar, help, target, completes, {}, {}, {}};
+  };
+  return {
+      text("--layer", "NAME", "Compare this layer instead of the main picture", &given.request.layer),
+      text("--channels", "LIST", "Compare these channels alone, e.g. R,G,B", &given.channels),
+      text("--allow-nonfinite", "", "NaN equals NaN, and infinity itself", &given.request.allow_nonfinite),
+      text("--standard-error", "FILE.exr", "Judge in units of this standard error; several add in quadrature",
+           &given.request.standard_errors, Completes::file),
+      text("--standard-error-layer", "NAME", "Its layer (default: standard_error or stderr, else the main picture)",
+           &given.request.standard_error_layer),
+      text("--camera-from", "PRESET", "Take camera, sun and planet from a preset or from an EXR of airlight's",
+           &given.camera_from, Completes::file),
+      text("--heatmap", "FILE.png", "Write a picture of the error with its scale; of several pairs FILE.NAME.png each",
+           &given.heatmap, Completes::file),
+      text("--side-by-side", "FILE.png", "Write A, B and the error in a row", &given.side_by_side, Completes::file),
+      Option{"--heatmap-max",
+             "VALUE",
+             "Top of the error's scale (default: the power of ten above the largest, or 6 "
+             "standard errors)",
+             &given.request.heatmap_max,
+             Completes::nothing,
+             Range{1e-30, 1e30},
+             {},
+             {}},
+      text("--junit", "FILE.xml", "Write the result as JUnit XML", &given.junit, Completes::file),
+      text("--json", "", "Print one JSON object; text for people goes to standard error", &given.json),
+      text("-q,--quiet", "", "Tell only what does not pass", &given.quiet),
+      text("-v,--verbose", "", "Tell all figures of each of several pairs", &given.verbose),
+  };
+}
+
+}  // namespace
+
+Command diff_command() {
+  const auto given = std::make_shared<Given>();
+  Command command;
+  command.name = "diff";
+  command.summary = "Compare two EXR files, folders or frame sequences";
+  command.description = kDescription;
+  command.examples = {
+      {"airlight diff out/sky.exr expected.exr", "Fail on any difference above 1e-6"},
+      {"airlight diff march.exr truth.exr --rel-mean 0.02 --rel-p95 0.05 --heatmap error.png",
+       "Judge a method and show where it is wrong"},
+      {"airlight diff a.exr truth.exr --standard-error truth.exr", "Judge in units of the truth's noise"},
+      {"airlight diff 'new/sky.####.exr' 'old/sky.####.exr' --junit diff.xml", "Compare two sequences for CI"}};
+  command.positionals = {{"A", "picture, folder or frame pattern", &given->a, true, Completes::file, {}, {}},
+                         {"B", "the reference, of the same kind", &given->b, true, Completes::file, {}, {}}};
+  command.options = limit_options(given->request.limits);
+  for (Option& option : other_options(*given)) command.options.push_back(std::move(option));
+  command.run = [given] { return diff(*given); };
+  return command;
+}
+
+}  // namespace airlight::cli

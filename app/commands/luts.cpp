@@ -1,0 +1,60 @@
+#include <memory>
+
+#include "app/cli/scene_options.h"
+#include "app/cli/terminal.h"
+#include "app/commands/commands.h"
+#include "app/render/table_files.h"
+#include "core/error.h"
+#include "core/scene/preset.h"
+
+namespace airlight::cli {
+namespace {
+
+struct Given {
+  SceneOptions scene;
+  std::string folder;
+  bool quiet = false;
+};
+
+int run_luts(const Given& given) {
+  if (given.folder.empty()) {
+    throw InputError("luts: no folder given; write -o DIR");
+  }
+  const Scene scene = load_scene(given.scene);
+  require_folder(given.folder);
+  std::unique_ptr<Executor> executor;
+  const std::vector<TableDump> tables = bake_tables(device_on_demand(given.scene, executor), scene);
+  require_valid_vulkan();
+  if (tables.empty()) {
+    throw InputError("luts: the method " + scene.render.method + " uses no tables; choose another with --method");
+  }
+  const Provenance provenance{to_json(scene), scene.render.method, AIRLIGHT_VERSION, executor->device().name};
+  for (const std::string& file : write_tables(given.folder, tables, provenance)) {
+    tell(given.quiet ? "" : file + "\n");
+  }
+  return 0;
+}
+
+}  // namespace
+
+Command luts_command() {
+  const auto given = std::make_shared<Given>();
+  Command command;
+  command.name = "luts";
+  command.summary = "Write every table of a preset's method as a float EXR and a picture";
+  command.description =
+      "The EXR's attributes airlight:quantity, airlight:axis:x and airlight:axis:y say what the numbers are and what "
+      "the axes stand for. The picture shows the largest value as white.";
+  command.examples = {{"airlight luts earth-noon -o tables", "Write tables/transmittance.exr, .png and the others"}};
+  command.positionals = {preset_positional(given->scene)};
+  command.options = {
+      {"-o,--output", "DIR", "Folder for the tables; made if need be", &given->folder, Completes::folder}};
+  for (Option& option : scene_options(given->scene)) {
+    command.options.push_back(std::move(option));
+  }
+  command.options.push_back({"-q,--quiet", "", "Say nothing but errors", &given->quiet});
+  command.run = [given] { return run_luts(*given); };
+  return command;
+}
+
+}  // namespace airlight::cli

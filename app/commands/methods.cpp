@@ -1,0 +1,103 @@
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "app/cli/terminal.h"
+#include "app/commands/commands.h"
+#include "core/methods/method.h"
+#include "core/scene/angle.h"
+#include "core/scene/json_format.h"
+
+namespace airlight::cli {
+namespace {
+
+std::string value_text(const ParameterValue& value) {
+  struct Visitor {
+    std::string operator()(std::monostate) const { return "absent"; }
+    std::string operator()(bool truth) const { return truth ? "true" : "false"; }
+    std::string operator()(int number) const { return std::to_string(number); }
+    std::string operator()(double number) const { return format_number(number); }
+    std::string operator()(const std::string& text) const { return text; }
+    std::string operator()(const TableSize& size) const {
+      return "[" + std::to_string(size[0]) + ", " + std::to_string(size[1]) + "]";
+    }
+    std::string operator()(const SunFade& fade) const {
+      return "{\"scale\": " + format_number(fade.scale) + ", \"bias\": " + format_number(fade.bias) + "}";
+    }
+  };
+  return std::visit(Visitor{}, value);
+}
+
+std::string limits_text(const ParameterInfo& parameter) {
+  const auto range = [&] {
+    return std::isinf(parameter.maximum) ? "at least " + format_number(parameter.minimum)
+                                         : format_number(parameter.minimum) + " to " + format_number(parameter.maximum);
+  };
+  switch (parameter.kind) {
+    case ParameterKind::boolean:
+      return "true or false";
+    case ParameterKind::integer:
+      return "whole number, " + range();
+    case ParameterKind::number:
+      return "number, " + range();
+    case ParameterKind::table_size:
+      return "[width, height], each " + range();
+    case ParameterKind::sun_fade:
+      return "{\"scale\", \"bias\"}";
+    case ParameterKind::choice:
+      break;
+  }
+  std::string text;
+  for (const std::string_view choice : parameter.choices) {
+    text += (text.empty() ? "" : ", ") + std::string(choice);
+  }
+  return text;
+}
+
+std::string validity_text(const Validity& validity) {
+  std::string text;
+  const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
+  if (validity.sun_elevation_min > -1.57) {
+    add("sun above " + format_number(degrees_from_radians(validity.sun_elevation_min)) + " deg");
+  }
+  if (validity.altitude_max < 1e9) {
+    add("camera below " + format_number(validity.altitude_max) + " km");
+  }
+  if (validity.optical_depth_max < 1e9) {
+    add("vertical optical depth below " + format_number(validity.optical_depth_max));
+  }
+  return text.empty() ? "any scene" : text;
+}
+
+void print_method(const SkyMethod& method) {
+  std::string text = std::string(method.info.name) + "\n    " + std::string(method.info.summary) + "\n";
+  text +=
+      "    runs on: " + std::string(method.render_on_host != nullptr ? "the processor" : "the Vulkan device") + "\n";
+  text += "    holds for: " + validity_text(method.validity) + "\n";
+  if (!method.validity.leaves_out.empty()) {
+    text += "    leaves out: " + std::string(method.validity.leaves_out) + "\n";
+  }
+  for (const ParameterInfo& parameter : method.info.parameters) {
+    text += "    render." + std::string(parameter.key) + " (" + limits_text(parameter) + "; default " +
+            value_text(parameter.default_value) + ")\n        " + std::string(parameter.meaning) + "\n";
+  }
+  print(text);
+}
+
+}  // namespace
+
+Command methods_command() {
+  Command command;
+  command.name = "methods";
+  command.summary = "List the rendering methods, where each holds, and what it takes under render.*";
+  command.examples = {{"airlight methods", "List the methods"}};
+  command.run = [] {
+    for (const SkyMethod& method : methods()) {
+      print_method(method);
+    }
+    return 0;
+  };
+  return command;
+}
+
+}  // namespace airlight::cli

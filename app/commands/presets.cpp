@@ -1,0 +1,58 @@
+#include <algorithm>
+#include <memory>
+
+#include "app/cli/preset_source.h"
+#include "app/cli/suggest.h"
+#include "app/cli/terminal.h"
+#include "app/commands/commands.h"
+#include "core/error.h"
+#include "core/methods/method.h"
+#include "core/scene/resolve.h"
+
+namespace airlight::cli {
+namespace {
+
+void list_presets() {
+  std::size_t width = 0;
+  for (const std::string& name : built_in_names()) {
+    width = std::max(width, name.size());
+  }
+  for (const std::string& name : built_in_names()) {
+    const Scene scene = resolve(find_preset(name), method_infos());
+    print(name + std::string(width + 2 - name.size(), ' ') + scene.description + "\n");
+  }
+}
+
+void print_preset(const std::string& name) {
+  const std::vector<std::string> names = built_in_names();
+  if (std::find(names.begin(), names.end(), name) == names.end()) {
+    throw InputError("presets: no built-in preset '" + name + "'" + did_you_mean(name, names) +
+                     "; 'airlight presets' lists them");
+  }
+  print(to_json(resolve(find_preset(name), method_infos())) + "\n");
+}
+
+}  // namespace
+
+Command presets_command() {
+  const auto name = std::make_shared<std::optional<std::string>>();
+  Command command;
+  command.name = "presets";
+  command.summary = "List the built-in presets, or print one";
+  command.description = "With a name, prints that preset with every key written out: a start for one's own.";
+  command.examples = {{"airlight presets", "List the built-in presets with what they show"},
+                      {"airlight presets earth-noon > my-sky.json", "Start a preset of one's own"}};
+  command.positionals = {
+      {"NAME", "a built-in preset to print", name.get(), false, Completes::nothing, {}, built_in_names()}};
+  command.run = [name] {
+    if (*name) {
+      print_preset(**name);
+    } else {
+      list_presets();
+    }
+    return 0;
+  };
+  return command;
+}
+
+}  // namespace airlight::cli

@@ -1,0 +1,226 @@
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <numbers>
+#include <sstream>
+
+#include "app/cli/json_writer.h"
+#include "app/cli/scene_options.h"
+#include "app/cli/terminal.h"
+#include "app/commands/commands.h"
+#include "app/render/validity.h"
+#include "core/error.h"
+#include "core/scene/angle.h"
+#include "core/scene/photometry.h"
+
+namespace airlight::cli {
+namespace {
+
+struct Given {
+  SceneOptions scene;
+  std::vector<double> elevations;
+  std::vector<double> azimuths;
+  std::string csv;
+  bool json = false;
+  bool quiet = false;
+};
+
+struct ListedDirection {
+  double elevation_deg = 0.0;
+  double azimuth_deg = 0.0;
+};
+
+std::optional<double> number(std::string text) {
+  std::erase_if(text, [](char c) { return c == ' ' || c == '\t' || c == '\r'; });
+  double value = 0.0;
+  const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
+  return parsed.ec == std::errc() && parsed.ptr == text.data() + text.size() ? std::optional(value) : std::nullopt;
+}
+
+// ELEVATION,AZIMUTH in degrees, a direction a line; empty lines, comments (#) and one line of headings are skipped.
+std::vector<ListedDirection> read_csv(std::istream& in, const std::string& name) {
+  std::vector<ListedDirection> directions;
+  std::string line;
+  for (int at = 1; std::getline(in, line); ++at) {
+    if (line.find_first_not_of(" \t\r") == std::string::npos || line[0] == '#') {
+      continue;
+    }
+    std::istringstream cells(line);
+    std::string elevation;
+    std::string azimuth;
+    std::string more;
+    std::getline(cells, elevation, ',');
+    std::getline(cells, azimuth, ',');
+    const std::optional<double> e = number(elevation);
+    const std::optional<double> a = number(azimuth);
+    const bool heading = !e && !a && directions.empty();
+    if (heading) {
+      continue;
+    }
+    if (!e || !a || std::getline(cells, more, ',')) {
+      throw InputError(name + ":" + std::to_string(at) + ": '" + line +
+                       "' is not ELEVATION,AZIMUTH; write two numbers in degrees, such as 12.5,90");
+    }
+    directions.push_back({*e, *a});
+  }
+  if (directions.empty()) {
+    throw InputError(name + ": holds no direction; write ELEVATION,AZIMUTH in degrees, one direction a line");
+  }
+  return directions;
+}
+
+std::vector<ListedDirection> directions_of(const Given& given) {
+  if (!given.csv.empty()) {
+    if (!given.elevations.empty() || !given.azimuths.empty()) {
+      throw InputError("probe: --csv and --elevation, --azimuth exclude each other; give one or the other");
+    }
+    if (given.csv == "-") {
+      return read_csv(std::cin, "standard input");
+    }
+    std::ifstream file(given.csv);
+    if (!file) {
+      throw InputError(given.csv + ": cannot be read; --csv needs a file of ELEVATION,AZIMUTH lines");
+    }
+    return read_csv(file, given.csv);
+  }
+  if (given.elevations.size() != given.azimuths.size()) {
+    throw InputError("probe: " + std::to_string(given.elevations.size()) + " elevations but " +
+                     std::to_string(given.azimuths.size()) + " azimuths; give --elevation and --azimuth in pairs");
+  }
+  if (given.elevations.empty()) {
+    throw InputError("probe: no direction given; write --elevation DEG --azimuth DEG, or --csv FILE");
+  }
+  std::vector<ListedDirection> directions;
+  for (std::size_t i = 0; i < given.elevations.size(); ++i) {
+    directions.push_back({given.elevations[i], given.azimuths[i]});
+  }
+  return directions;
+}
+
+void check_directions(const std::vector<ListedDirection>& directions) {
+  for (const ListedDirection& direction : directions) {
+    if (!(std::abs(direction.elevation_deg) <= 90.0) || !std::isfinite(direction.azimuth_deg)) {
+      throw InputError("probe: elevation " + std::to_string(direction.elevation_deg) + ", azimuth " +
+                       std::to_string(direction.azimuth_deg) +
+                       " is no direction; elevation must be from -90 to 90 degrees and azimuth a number");
+    }
+  }
+}
+
+// cd/m2; none where the preset's sun has no absolute unit.
+std::optional<double> luminance_of(const Scene& scene, const ProbeResult& result) {
+  const std::optional<double> white = white_luminance(scene.sun.unit);
+  return white ? std::optional(*white * bt709_luminance(result.radiance)) : std::nullopt;
+}
+
+std::string as_json(const Scene& scene, const std::vector<ListedDirection>& listed,
+                    const std::vector<ProbeResult>& results) {
+  JsonWriter json;
+  json.begin_object().key("radiance_unit").value(radiance_unit(scene.sun.unit)).key("probes").begin_array();
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    json.begin_object();
+    json.key("elevation_deg").value(listed[i].elevation_deg).key("azimuth_deg").value(listed[i].azimuth_deg);
+    json.key("radiance").values(results[i].radiance);
+    if (const std::optional<double> luminance = luminance_of(scene, results[i])) {
+      json.key("luminance_cd_per_m2").value(*luminance);
+    }
+    json.key("transmittance").values(results[i].transmittance);
+    json.end_object();
+  }
+  return json.end_array().end_object().take();
+}
+
+std::string as_text(const Scene& scene, const std::vector<ListedDirection>& listed,
+                    const std::vector<ProbeResult>& results) {
+  std::string text = "elevation_deg azimuth_deg     radiance R           G           B  transmittance R    G        B";
+  text += white_luminance(scene.sun.unit) ? "  luminance cd/m2\n" : "\n";
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    char line[160];
+    const auto& l = results[i].radiance;
+    const auto& t = results[i].transmittance;
+    std::snprintf(line, sizeof line, "%13.4f %11.4f %14.6e %11.6e %11.6e %13.6f %8.6f %8.6f", listed[i].elevation_deg,
+                  listed[i].azimuth_deg, l[0], l[1], l[2], t[0], t[1], t[2]);
+    text += line;
+    if (const std::optional<double> luminance = luminance_of(scene, results[i])) {
+      std::snprintf(line, sizeof line, " %16.6g", *luminance);
+      text += line;
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+void require_sound(const std::vector<ListedDirection>& listed, const std::vector<ProbeResult>& results) {
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    for (const auto* triple : {&results[i].radiance, &results[i].transmittance}) {
+      for (const double value : *triple) {
+        if (!std::isfinite(value) || value < 0.0) {
+          throw RunError("probe: the result at elevation " + std::to_string(listed[i].elevation_deg) + ", azimuth " +
+                         std::to_string(listed[i].azimuth_deg) + " holds " + std::to_string(value) +
+                         "; this is a mistake in airlight, please report it with the preset");
+        }
+      }
+    }
+  }
+}
+
+int run_probe(const Given& given) {
+  const Scene scene = load_scene(given.scene);
+  const std::vector<ListedDirection> listed = directions_of(given);
+  check_directions(listed);
+  if (!given.quiet) {
+    const std::string warning = validity_warning(scene);
+    if (!warning.empty()) {
+      complain("warning: " + warning);
+    }
+  }
+  std::vector<Direction> directions;
+  directions.reserve(listed.size());
+  for (const ListedDirection& direction : listed) {
+    directions.push_back({radians_from_degrees(direction.elevation_deg), radians_from_degrees(direction.azimuth_deg)});
+  }
+  std::unique_ptr<Executor> executor;
+  const std::vector<ProbeResult> results = probe(device_on_demand(given.scene, executor), scene, directions);
+  require_valid_vulkan();
+  require_sound(listed, results);
+  print(given.json ? as_json(scene, listed, results) : as_text(scene, listed, results));
+  return 0;
+}
+
+}  // namespace
+
+Command probe_command() {
+  const auto given = std::make_shared<Given>();
+  Command command;
+  command.name = "probe";
+  command.summary = "Print radiance and transmittance in listed directions, as seen from the camera's place";
+  command.description =
+      "The sun's disc is left out: what is printed is the light of the sky, and of the ground where the direction "
+      "meets "
+      "it. Transmittance is that along the direction, to the ground or to space.\n\n"
+      "Luminance in cd/m2 is added where the preset's sun.unit is W/m2 or lux.";
+  command.examples = {
+      {"airlight probe earth-noon --elevation 90 --azimuth 0", "The zenith"},
+      {"airlight probe earth-noon --elevation 10 --azimuth 0 --elevation 10 --azimuth 180 --json",
+       "Two directions, as JSON"},
+      {"airlight probe earth-physical --elevation 90 --azimuth 0", "The zenith in cd/m2"},
+      {"airlight probe earth-noon --csv directions.csv", "Directions from a file of ELEVATION,AZIMUTH lines"}};
+  command.positionals = {preset_positional(given->scene)};
+  command.options = {{"--elevation", "DEG", "Height of a direction above the horizon", &given->elevations,
+                      Completes::nothing, Range{-90.0, 90.0}},
+                     {"--azimuth", "DEG", "Azimuth of the same direction, clockwise from north", &given->azimuths},
+                     {"--csv", "FILE", "Directions from a file, ELEVATION,AZIMUTH a line; - for standard input",
+                      &given->csv, Completes::file}};
+  for (Option& option : scene_options(given->scene)) {
+    command.options.push_back(std::move(option));
+  }
+  command.options.push_back({"--json", "", "Print JSON", &given->json});
+  command.options.push_back({"-q,--quiet", "", "No warnings", &given->quiet});
+  command.run = [given] { return run_probe(*given); };
+  return command;
+}
+
+}  // namespace airlight::cli

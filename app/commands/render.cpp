@@ -1,0 +1,101 @@
+#include <memory>
+
+#include "app/commands/commands.h"
+#include "app/render/run.h"
+
+namespace airlight::cli {
+namespace {
+
+std::vector<Option> render_options(RenderOrder& given) {
+  std::vector<Option> options = {
+      {"-o,--output", "FILE.exr", "Write the scene-linear EXR here; then no PNG unless --png asks for it", &given.exr,
+       Completes::file},
+      {"--png", "FILE.png", "Write the picture for people here; then no EXR unless -o asks for it", &given.png,
+       Completes::file},
+      {"--luts", "DIR", "Also write every table into this folder, as 'airlight luts' does", &given.tables,
+       Completes::folder},
+      {"--tile", "WxH",
+       "Render in tiles of this size, streamed into the EXR, in bounded memory; else in rows of tiles from 8388609 "
+       "pixels on where neither PNG nor bloom needs the whole picture. The file is the same",
+       &given.tile},
+      {"--irradiance", "FILE.exr",
+       "Also write what the sky gives a diffuse surface: a map over normals here, and in FILE.json beside it its 9 "
+       "spherical-harmonic coefficients and the sun as a directional light",
+       &given.irradiance, Completes::file},
+      {"--cube-faces", "",
+       "Write a cube map as six pictures instead of one: FILE.posx.exr, .negx, .posy, .negy, .posz, .negz",
+       &given.cube_faces},
+      size_option(given.scene)};
+  for (Option& option : scene_options(given.scene)) {
+    options.push_back(std::move(option));
+  }
+  options.push_back({"--tolerance", "ERROR",
+                     "Choose the cheapest method and quality whose mean relative error stays below this, e.g. 1%, by "
+                     "probing this very picture; with --method among its qualities",
+                     &given.tolerance});
+  for (Option& option : sampling_options(given.sampling)) {
+    options.push_back(std::move(option));
+  }
+  for (Option& option : picture_options(given.picture)) {
+    options.push_back(std::move(option));
+  }
+  const std::vector<Option> rest = {
+      {"--timings", "", "Tell where the time went, every millisecond by name", &given.timings},
+      {"--json", "", "Print one JSON object about the render on standard output", &given.json},
+      {"--dry-run", "",
+       "Print the resolved scene and the passes; write nothing, and open no device unless --tolerance or --time-limit "
+       "has "
+       "to be explained",
+       &given.dry_run},
+      {"-q,--quiet", "", "Say nothing but errors", &given.quiet},
+      {"-v,--verbose", "", "Say more: device, exposure, what was left out", &given.verbose}};
+  options.insert(options.end(), rest.begin(), rest.end());
+  return options;
+}
+
+}  // namespace
+
+Command render_command() {
+  const auto given = std::make_shared<RenderOrder>();
+  Command command;
+  command.name = "render";
+  command.summary = "Render a preset to a scene-linear EXR and a PNG";
+  command.description =
+      "Without -o and --png the files are out/NAME.exr and out/NAME.png, NAME being the preset's; the folder out is "
+      "made "
+      "if need be.\n\n"
+      "Every file appears whole or not at all. A result with a NaN, an infinity or a negative value is not written: "
+      "the command fails and says where it is.\n\n"
+      "An EXR of airlight's carries its whole preset: rendering the EXR renders the same picture again.\n\n"
+      "With --layers, NAME.R, .G and .B of each medium that scatters, of multiple, sun and ground sum up to R, G and "
+      "B. transmittance is that to the ground or to space, depth.Z the distance in km to the ground or to where the "
+      "ray leaves the air (1e10 where it meets neither; always 32 bits), N.X, .Y and .Z the ground's normal, x east, "
+      "y up, z south, 0 where there is no ground. Bloom, where the preset asks for it in the EXR, is a layer outside "
+      "the sum. --colorspace converts the light layers, and the transmittance as the colour of white seen through the "
+      "air.\n\n"
+      "--tolerance and --time-limit choose method and quality for this scene and picture, whatever the preset has "
+      "under "
+      "render: a few hundred of the picture's directions are computed by candidates and by a near-truth quality. The "
+      "choice, the error that it is sure to stay below and what it leaves out stand in the log, in --json and in the "
+      "EXR; -v and --dry-run tell what was tried. A tolerance that nothing reaches is refused, the best being named.";
+  command.examples = {{"airlight render earth-sunset", "Write out/earth-sunset.exr and out/earth-sunset.png"},
+                      {"airlight render my-sky.json -o sky.exr --png sky.png --sun-elevation 2 --size 1920x1080",
+                       "A preset of one's own, with a lower sun and a larger picture"},
+                      {"airlight render earth-noon --set /camera/pitch_deg=20 --png up.png --view gpu",
+                       "Look up, and show the picture by the GPU tone curve"},
+                      {"airlight render my-sky.json --tolerance 1% -o sky.exr", "Model no more than 1 % asks for"},
+                      {"airlight render my-sky.json --colorspace ACEScg -o sky.exr", "An EXR for an ACES pipeline"},
+                      {"airlight render my-sky.json --irradiance light.exr -o sky.exr",
+                       "Also light.exr and light.json, for image-based lighting"},
+                      {"airlight render sky.exr -o again.exr", "Render the picture of an EXR again"},
+                      {"airlight render earth-sunset --layers -o layers.exr --size 160x90",
+                       "Rayleigh, mie, multiple, sun, ground, transmittance, depth and normals apart, for compositing"},
+                      {"airlight render earth-noon --size 640x360 --tile 200x100 -o tiles.exr",
+                       "A picture of any size in bounded memory"}};
+  command.positionals = {preset_positional(given->scene)};
+  command.options = render_options(*given);
+  command.run = [given] { return run_render(*given); };
+  return command;
+}
+
+}  // namespace airlight::cli

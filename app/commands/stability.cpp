@@ -1,0 +1,204 @@
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <sstream>
+
+#include "app/cli/progress.h"
+#include "app/cli/scene_options.h"
+#include "app/cli/terminal.h"
+#include "app/commands/commands.h"
+#include "app/render/table_files.h"
+#include "core/error.h"
+#include "core/output/atomic_file.h"
+#include "core/output/png.h"
+#include "core/stability/examine.h"
+#include "core/stability/report.h"
+
+namespace airlight::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace stability;
+
+struct Given {
+  std::string folder;
+  std::vector<std::string> methods;
+  std::vector<std::string> sweeps;
+  bool quick = false;
+  bool brief = false;
+  bool full = false;
+  bool quiet = false;
+  SceneOptions scene;  // for --device
+};
+
+std::vector<std::string> subject_names() {
+  std::vector<std::string> names;
+  for (const Subject& subject : subjects()) {
+    names.push_back(subject.name);
+  }
+  return names;
+}
+
+std::vector<std::string> sweep_names() {
+  std::vector<std::string> names;
+  for (const Sweep& sweep : sweeps(Form::quick)) {
+    names.push_back(sweep.name);
+  }
+  return names;
+}
+
+bool wanted(const std::vector<std::string>& chosen, const std::string& name) {
+  return chosen.empty() || std::find(chosen.begin(), chosen.end(), name) != chosen.end();
+}
+
+Form form_of(const Given& given) {
+  if (given.quick + given.brief + given.full > 1) {
+    throw InputError("stability: --quick, --short and --full exclude each other; give one");
+  }
+  return given.quick ? Form::quick : given.full ? Form::full : Form::brief;
+}
+
+Examination wanted_examination(const Given& given, const DeviceInfo& device) {
+  const Form form = form_of(given);
+  Examination e;
+  e.version = std::string("airlight ") + AIRLIGHT_VERSION;
+  e.device = device.name + ", " + device.driver;
+  std::replace(e.device.begin(), e.device.end(), '\n', ' ');
+  e.form = form == Form::quick ? "quick" : form == Form::full ? "full" : "short";
+  for (Sweep& sweep : sweeps(form)) {
+    if (wanted(given.sweeps, sweep.name)) {
+      e.sweeps.push_back(std::move(sweep));
+    }
+  }
+  for (Subject& subject : subjects()) {
+    if (wanted(given.methods, subject.name)) {
+      e.subjects.push_back(std::move(subject));
+    }
+  }
+  return e;
+}
+
+std::string contents_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+void write_text(const fs::path& file, const std::string& text) {
+  write_file(file, std::as_bytes(std::span(text)));
+}
+
+void write_map(const fs::path& file, const measure::Raster& raster) {
+  PixelImage image;
+  image.width = raster.width();
+  image.height = raster.height();
+  image.bytes = raster.rgb();
+  write_png(file, image, {});
+}
+
+const Block* block_of(const std::vector<Block>& blocks, const Subject& subject, const Sweep& sweep) {
+  const auto found = std::find_if(blocks.begin(), blocks.end(), [&](const Block& block) {
+    return block.subject == subject.name && block.sweep == sweep.name;
+  });
+  return found == blocks.end() ? nullptr : &*found;
+}
+
+// Every block that is not there yet; the file of numbers is complete up to the last block at any time.
+void examine_all(Examination& e, const fs::path& csv, const DeviceOnDemand& device, bool quiet) {
+  const std::vector<Block> before = unfinished_blocks(contents_of(csv), e);
+  if (!before.empty() && !quiet) {
+    tell("going on after " + std::to_string(before.size()) + " maps that an interrupted run left in " + csv.string() +
+         "\n");
+  }
+  double all = 0.0;
+  for (const Sweep& sweep : e.sweeps) {
+    for (const Subject& subject : e.subjects) {
+      all += takes_part(subject, sweep) ? 1.0 : 0.0;
+    }
+  }
+  const std::function<bool(double)> progress = quiet ? nullptr : terminal_progress();
+  double done = 0.0;
+  for (const Sweep& sweep : e.sweeps) {
+    ConvergedShots converged;
+    for (const Subject& subject : e.subjects) {
+      if (!takes_part(subject, sweep)) {
+        continue;
+      }
+      const Block* old = block_of(before, subject, sweep);
+      e.blocks.push_back(old != nullptr ? *old : examine(device, subject, sweep, converged, [&](double part) {
+        if (progress) {
+          progress((done + part) / all);
+        }
+      }));
+      done += 1.0;
+      write_text(csv, csv_text(e, false));
+    }
+  }
+  clear_progress();
+}
+
+int run_stability(const Given& given) {
+  if (given.folder.empty()) {
+    throw InputError("stability: no folder given; write -o DIR");
+  }
+  form_of(given);
+  require_folder(given.folder);
+  std::unique_ptr<Executor> executor;
+  const DeviceOnDemand device = device_on_demand(given.scene, executor);
+  Examination e = wanted_examination(given, device().device());
+  make_folder(given.folder);
+  const fs::path folder = given.folder;
+  examine_all(e, folder / "stability.csv", device, given.quiet);
+  require_valid_vulkan();
+  for (const Sweep& sweep : e.sweeps) {
+    write_map(folder / (sweep.name + ".png"), heat_map(e, sweep));
+  }
+  const std::string summary = summary_text(e);
+  write_text(folder / "stability.md", summary);
+  write_text(folder / "stability.csv", csv_text(e, true));
+  if (!given.quiet) {
+    tell((folder / "stability.md").string() + "\n");
+  }
+  return 0;
+}
+
+}  // namespace
+
+Command stability_command() {
+  const auto given = std::make_shared<Given>();
+  Command command;
+  command.name = "stability";
+  command.summary = "Map where each method fails: over sun, altitude, horizon, air, planet, steps and tables";
+  command.description =
+      "Each cell of a sweep is examined for values that are not finite or negative, for its error against a converged "
+      "quality of the same method, for steps between neighbours that the radiance's slope does not explain, for energy "
+      "gained, and for what the device's 32 bits lose against the same formulas in double. DIR/stability.md is the "
+      "summary, DIR/stability.csv has every number, DIR/SWEEP.png is a map for each sweep. A run that was interrupted "
+      "goes on where it stopped when it is started again with the same folder and options.";
+  command.examples = {{"airlight stability -o stability --quick --sweep steps --method march",
+                       "One small map of one method, in seconds"}};
+  command.options = {
+      {"-o,--output", "DIR", "Folder for the results; made if need be", &given->folder, Completes::folder},
+      {"--short", "", "A coarse net, minutes on two processor cores; the default", &given->brief},
+      {"--full", "", "A fine net, an hour or more on two processor cores", &given->full},
+      {"--quick", "", "The coarsest net, for a check of a change", &given->quick},
+      {.names = "--sweep",
+       .metavar = "NAME",
+       .help = "Only this sweep",
+       .target = &given->sweeps,
+       .choices = sweep_names()},
+      {.names = "--method",
+       .metavar = "NAME",
+       .help = "Only this method",
+       .target = &given->methods,
+       .choices = subject_names()},
+      {"--device", "SUBSTRING", "The first Vulkan device with this in its name ('airlight devices')",
+       &given->scene.device},
+      {"-q,--quiet", "", "No progress, no notes", &given->quiet}};
+  command.run = [given] { return run_stability(*given); };
+  return command;
+}
+
+}  // namespace airlight::cli

@@ -1,0 +1,105 @@
+#include "app/render/lighting_files.h"
+
+#include <filesystem>
+#include <span>
+
+#include "app/cli/json_writer.h"
+#include "core/output/atomic_file.h"
+#include "core/scene/angle.h"
+#include "core/scene/photometry.h"
+
+namespace airlight::cli {
+namespace {
+
+constexpr const char* kBasis =
+    "real, orthonormal, no Condon-Shortley sign, up to degree 2, in the order Y00 Y1-1 Y10 Y11 Y2-2 Y2-1 Y20 Y21 Y22: "
+    "0.282095; 0.488603 y, z, x; 1.092548 xy, yz; 0.315392 (3zz - 1); 1.092548 xz; 0.546274 (xx - yy)";
+constexpr const char* kFrame = "x east, y up, z south, whatever the camera's azimuth";
+constexpr const char* kFormula =
+    "E(n) = 3.141593 L00 Y00 + 2.094395 (L1-1 Y1-1 + L10 Y10 + L11 Y11) + 0.785398 (L2-2 Y2-2 + L2-1 Y2-1 + L20 Y20 + "
+    "L21 Y21 + L22 Y22), each Y at the unit normal n (Ramamoorthi and Hanrahan 2001)";
+
+Vector3 in_space(const Vector3& rgb, WorkingSpace space) {
+  if (space == WorkingSpace::linear_rec709) {
+    return rgb;
+  }
+  const ColorMatrix m = from_rec709(space);
+  Vector3 out{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    out[i] = m[i][0] * rgb[0] + m[i][1] * rgb[1] + m[i][2] * rgb[2];
+  }
+  return out;
+}
+
+std::string unit_of(const Scene& scene) {
+  const std::string_view unit = irradiance_unit(scene.sun.unit);
+  return unit.empty() ? "relative" : std::string(unit);
+}
+
+void write_sun(JsonWriter& json, const SunLight& sun, WorkingSpace space) {
+  json.key("sun").begin_object();
+  json.key("direction").values(sun.direction);
+  json.key("elevation_deg").value(degrees_from_radians(sun.elevation));
+  json.key("azimuth_deg").value(degrees_from_radians(sun.azimuth));
+  json.key("angular_radius_deg").value(degrees_from_radians(sun.angular_radius));
+  json.key("irradiance").values(in_space(sun.irradiance, space));
+  json.key("irradiance_above_air").values(in_space(sun.irradiance_above_air, space));
+  json.key("visible_share").value(sun.visible_share);
+  json.key("meaning").value(
+      "irradiance on a plane that faces the sun, of the limb-darkened disc through the air, as far as the planet "
+      "leaves "
+      "it; not in the map and not in the harmonics");
+  json.end_object();
+}
+
+std::vector<std::byte> map_exr(const Lighting& lighting, const PictureContext& context) {
+  const RadianceImage map = converted(lighting.irradiance, WorkingSpace::linear_rec709, context.space);
+  std::vector<ExrChannel> channels;
+  add_channels(channels, "", map);
+  ExrOptions options;
+  options.half = false;
+  options.latlong = true;
+  options.space = context.space;
+  options.provenance = context.provenance;
+  options.strings = {{"airlight:quantity", "irradiance [" + unit_of(context.scene) +
+                                               "] of a surface with this normal, without the sun's disc"}};
+  return encode_exr(map.width, map.height, channels, options).bytes;
+}
+
+}  // namespace
+
+std::string lighting_json_file(const std::string& exr) {
+  return std::filesystem::path(exr).replace_extension(".json").string();
+}
+
+std::string lighting_json(const Lighting& lighting, const PictureContext& context) {
+  JsonWriter json;
+  json.begin_object();
+  json.key("name").value(context.scene.name);
+  json.key("irradiance_unit").value(unit_of(context.scene));
+  json.key("colorspace").value(working_space_names()[static_cast<std::size_t>(context.space)]);
+  json.key("frame").value(kFrame);
+  json.key("spherical_harmonics").begin_object();
+  json.key("of").value("radiance of sky and ground around the camera's place, without the sun's disc");
+  json.key("basis").value(kBasis);
+  json.key("irradiance").value(kFormula);
+  json.key("coefficients").begin_array();
+  for (const Vector3& rgb : lighting.sh) {
+    json.values(in_space(rgb, context.space));
+  }
+  json.end_array().end_object();
+  write_sun(json, lighting.sun, context.space);
+  return json.end_object().take();
+}
+
+std::vector<std::string> write_lighting(const std::string& exr, const Lighting& lighting,
+                                        const PictureContext& context) {
+  const std::vector<std::byte> map = map_exr(lighting, context);
+  const std::string json = lighting_json(lighting, context);
+  const std::string json_file = lighting_json_file(exr);
+  write_file(exr, map);
+  write_file(json_file, std::as_bytes(std::span(json)));
+  return {exr, json_file};
+}
+
+}  // namespace airlight::cli

@@ -1,0 +1,22 @@
+#pragma once
+// `render --irradiance FILE.exr`: the irradiance map, and beside it FILE.json with the spherical harmonics and the sun.
+
+#include <string>
+#include <vector>
+
+#include "app/render/picture_files.h"
+#include "core/render/lighting.h"
+
+namespace airlight::cli {
+
+// "light.exr" -> "light.json".
+std::string lighting_json_file(const std::string& exr);
+
+// One JSON object; colours in the working space of the pictures.
+std::string lighting_json(const Lighting& lighting, const PictureContext& context);
+
+// Both encoded, then written. Returns their names. Throws RunError.
+std::vector<std::string> write_lighting(const std::string& exr, const Lighting& lighting,
+                                        const PictureContext& context);
+
+}  // namespace airlight::cli

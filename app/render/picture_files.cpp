@@ -1,0 +1,193 @@
+#include "app/render/picture_files.h"
+
+#include <array>
+#include <cmath>
+
+#include "core/output/png.h"
+#include "core/output/provenance_keys.h"
+#include "core/output/quantize.h"
+#include "core/physics/scene_data.h"
+#include "core/scene/photometry.h"
+
+namespace airlight::cli {
+namespace {
+
+Axis axis(const physics::vec3& v) {
+  return {v.x, v.y, v.z};
+}
+
+// The GPU tone curve's 16-bit picture as floats, so that 8 bits are dithered as those of any other view.
+RadianceImage gpu_picture(const PictureContext& context) {
+  const RadianceImage& radiance = context.rendering.radiance;
+  RadianceImage picture{radiance.width, radiance.height, {}};
+  picture.rgba.reserve(context.rendering.encoded.size());
+  for (const std::uint16_t value : context.rendering.encoded) {
+    picture.rgba.push_back(static_cast<float>(value) / 65535.0F);
+  }
+  return picture;
+}
+
+struct NumberKind {
+  const char* words;
+  std::array<float, 3> colour;  // display-encoded
+  bool (*holds)(float value);
+};
+
+// In the order of precedence; the last holds for everything.
+const std::array<NumberKind, 5>& number_kinds() {
+  static const std::array<NumberKind, 5> kinds{{
+      {"NaN magenta", {1.0F, 0.0F, 1.0F}, [](float v) { return std::isnan(v); }},
+      {"infinity yellow", {1.0F, 1.0F, 0.0F}, [](float v) { return std::isinf(v); }},
+      {"negative blue", {0.0F, 0.0F, 1.0F}, [](float v) { return v < 0.0F; }},
+      {"finite light grey", {0.8F, 0.8F, 0.8F}, [](float v) { return v > 0.0F; }},
+      {"zero black", {0.0F, 0.0F, 0.0F}, [](float) { return true; }},
+  }};
+  return kinds;
+}
+
+const std::array<float, 3>& diagnostic_colour(const float* rgb) {
+  for (const NumberKind& kind : number_kinds()) {
+    if (kind.holds(rgb[0]) || kind.holds(rgb[1]) || kind.holds(rgb[2])) {
+      return kind.colour;
+    }
+  }
+  return number_kinds().back().colour;
+}
+
+PngOptions png_options(const PictureContext& context, bool srgb) {
+  PngOptions options;
+  options.srgb = srgb;
+  options.texts["Software"] = "airlight " + context.provenance.version;
+  if (!context.png_hash.empty()) {
+    options.texts[kHashKey] = context.png_hash;
+  }
+  if (!context.scene.description.empty()) {
+    options.texts["Description"] = context.scene.description;
+  }
+  return options;
+}
+
+}  // namespace
+
+ExrOptions exr_options(const PictureContext& context, bool half) {
+  const Scene& scene = context.scene;
+  ExrOptions options;
+  options.half = half;
+  options.space = context.space;
+  options.latlong = scene.camera.projection == Projection::equirectangular;
+  options.cube = scene.camera.projection == Projection::cube && scene.camera.cube_layout == CubeLayout::stack;
+  const CameraBasis basis = camera_basis(scene.camera);
+  options.world_to_camera =
+      world_to_camera(axis(basis.right), axis(basis.up), axis(basis.forward), scene.camera.altitude);
+  options.comments = scene.name + (scene.name.empty() || scene.description.empty() ? "" : ": ") + scene.description;
+  options.provenance = context.provenance;
+  if (const std::optional<double> white = white_luminance(scene.sun.unit)) {
+    options.white_luminance = static_cast<float>(*white);
+  }
+  if (!context.exr_hash.empty()) {
+    options.strings[kHashKey] = context.exr_hash;
+  }
+  if (context.choice) {
+    options.strings["airlight:quality"] = context.choice->quality;
+    options.numbers["airlight:estimated_error"] = static_cast<float>(context.choice->error);
+    std::string left_out;
+    for (const std::string& line : context.rendering.left_out) {
+      left_out += (left_out.empty() ? "" : "\n") + line;
+    }
+    options.strings["airlight:left_out"] = left_out;
+  }
+  options.numbers[kExposureKey] = static_cast<float>(context.rendering.exposure);
+  return options;
+}
+
+void PictureChannels::add_colours(std::string_view layer, const RadianceImage& image, bool with_alpha) {
+  const bool ours = space_ == WorkingSpace::linear_rec709;
+  const RadianceImage& stored =
+      ours ? image : images_.emplace_back(converted(image, WorkingSpace::linear_rec709, space_));
+  add_channels(channels_, layer, stored, with_alpha);
+}
+
+void PictureChannels::add_layer(const Layer& layer) {
+  const std::size_t plane = layer.planes.size() / layer.channels.size();
+  const bool is_colour = layer.channels == "RGB";
+  const bool ours = !is_colour || space_ == WorkingSpace::linear_rec709;
+  const std::vector<float>& planes = ours ? layer.planes : planes_.emplace_back(converted_planes(layer.planes));
+  for (std::size_t c = 0; c < layer.channels.size(); ++c) {
+    // A half has no kilometre right beyond 2048.
+    const bool is_depth = layer.name == "depth";
+    channels_.push_back({layer.name + "." + layer.channels[c], planes.data() + c * plane, 1, is_depth});
+  }
+}
+
+std::vector<float> PictureChannels::converted_planes(const std::vector<float>& rgb) const {
+  const ColorMatrix matrix = from_rec709(space_);
+  const std::size_t plane = rgb.size() / 3;
+  std::vector<float> out(rgb.size());
+  for (std::size_t i = 0; i < rgb.size(); ++i) {
+    double sum = 0.0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      sum += matrix[i / plane][c] * static_cast<double>(rgb[c * plane + i % plane]);
+    }
+    out[i] = static_cast<float>(sum);
+  }
+  return out;
+}
+
+PictureChannels::PictureChannels(const PictureContext& context) : space_(context.space) {
+  const Rendering& rendering = context.rendering;
+  add_colours("", rendering.radiance, has_outside(context.scene.camera));
+  if (context.scene.bloom.in_exr && rendering.bloom) {
+    add_colours("bloom", *rendering.bloom);
+  }
+  if (rendering.standard_error) {
+    add_colours("standard_error", *rendering.standard_error);
+  }
+  for (const Layer& layer : rendering.layers) {
+    add_layer(layer);
+  }
+}
+
+ExrFile picture_exr(const PictureContext& context, bool half) {
+  const RadianceImage& radiance = context.rendering.radiance;
+  const PictureChannels channels(context);
+  return encode_exr(radiance.width, radiance.height, channels.list(), exr_options(context, half));
+}
+
+std::vector<std::byte> picture_png(const PictureContext& context, const std::optional<DisplayTransform>& transform,
+                                   int bits) {
+  const Rendering& rendering = context.rendering;
+  if (transform) {
+    AddedLight glow;
+    if (rendering.bloom) {
+      glow.rgba = rendering.bloom->rgba.data();
+      glow.intensity = static_cast<float>(context.scene.bloom.intensity);
+    }
+    const PixelImage pixels = transform->apply(rendering.radiance, glow, static_cast<float>(rendering.exposure));
+    return encode_png(pixels, png_options(context, transform->is_srgb()));
+  }
+  const bool diagnostic = context.scene.display.view == kDiagnosticView;
+  const QuantizeOptions options{bits, !diagnostic, has_outside(context.scene.camera)};
+  const PixelImage pixels =
+      quantize(diagnostic ? diagnostic_picture(rendering.radiance) : gpu_picture(context), options);
+  return encode_png(pixels, png_options(context, true));
+}
+
+RadianceImage diagnostic_picture(const RadianceImage& radiance) {
+  RadianceImage picture{radiance.width, radiance.height, {}};
+  picture.rgba.reserve(radiance.rgba.size());
+  for (std::size_t i = 0; i < radiance.rgba.size(); i += 4) {
+    const std::array<float, 3>& colour = diagnostic_colour(&radiance.rgba[i]);
+    picture.rgba.insert(picture.rgba.end(), {colour[0], colour[1], colour[2], 1.0F});
+  }
+  return picture;
+}
+
+std::string diagnostic_legend() {
+  std::string text;
+  for (const NumberKind& kind : number_kinds()) {
+    text += (text.empty() ? "" : ", ") + std::string(kind.words);
+  }
+  return text;
+}
+
+}  // namespace airlight::cli

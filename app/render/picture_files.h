@@ -1,0 +1,77 @@
+#pragma once
+// A rendering as files in memory: the scene-linear EXR, and the PNG for people.
+
+#include <cstddef>
+#include <deque>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/output/display.h"
+#include "core/output/exr.h"
+#include "core/render/render.h"
+
+namespace airlight::cli {
+
+// Views of `--view` that no OCIO config knows.
+inline constexpr const char* kGpuView = "gpu";                // the GPU tone curve
+inline constexpr const char* kDiagnosticView = "diagnostic";  // what kind of number each pixel holds
+
+// The attribute of an EXR that says what its PNG was exposed by.
+inline constexpr const char* kExposureKey = "airlight:exposure";
+
+// Of a method and quality that were chosen for the picture.
+struct ChoiceNote {
+  std::string quality;
+  double error = 0.0;  // bound on the mean relative error
+};
+
+struct PictureContext {
+  const Scene& scene;
+  const Rendering& rendering;
+  Provenance provenance;
+  std::optional<ChoiceNote> choice = {};
+  std::string exr_hash = {};  // of a sequence's frame, see app/sequence/job.h; empty: none is written
+  std::string png_hash = {};
+  WorkingSpace space = WorkingSpace::linear_rec709;  // of the EXR's colours
+};
+
+// The channels of an EXR of this context, read from its rendering, which must outlive them: the beauty and what stands
+// beside it. In another space than linear Rec.709 all light is converted, and the transmittance as the colour of white
+// seen through the air.
+class PictureChannels {
+ public:
+  explicit PictureChannels(const PictureContext& context);
+  PictureChannels(const PictureChannels&) = delete;
+  PictureChannels& operator=(const PictureChannels&) = delete;
+
+  const std::vector<ExrChannel>& list() const { return channels_; }
+
+ private:
+  void add_colours(std::string_view layer, const RadianceImage& image, bool with_alpha = false);
+  void add_layer(const Layer& layer);
+  std::vector<float> converted_planes(const std::vector<float>& rgb) const;
+
+  WorkingSpace space_;
+  std::deque<RadianceImage> images_;  // converted
+  std::deque<std::vector<float>> planes_;
+  std::vector<ExrChannel> channels_;
+};
+
+ExrOptions exr_options(const PictureContext& context, bool half);
+
+ExrFile picture_exr(const PictureContext& context, bool half);
+
+// `transform`: none for the two views above.
+std::vector<std::byte> picture_png(const PictureContext& context, const std::optional<DisplayTransform>& transform,
+                                   int bits);
+
+// Colours NaN magenta, infinity yellow, negative blue, finite light grey and zero black. In a pixel of several kinds
+// the first of this list wins.
+RadianceImage diagnostic_picture(const RadianceImage& radiance);
+
+// What the colours mean, for the message that goes with such a picture.
+std::string diagnostic_legend();
+
+}  // namespace airlight::cli

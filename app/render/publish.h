@@ -1,0 +1,37 @@
+#pragma once
+// From a rendering to files on disk: judged first, encoded whole, then written.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/cli/stopwatch.h"
+#include "app/render/picture_files.h"
+
+namespace airlight::cli {
+
+// Where the pictures go; empty: not written.
+struct Targets {
+  std::string exr;
+  std::string png;
+  std::string tables;  // a folder
+};
+
+struct PublishOrder {
+  Targets targets;
+  std::string source;  // the preset as the user named it, for messages
+  bool half = true;
+  int bits = 8;
+};
+
+struct Published {
+  std::vector<std::string> files;
+  std::optional<ExrCounts> exr;
+};
+
+// `transform`: none for the views gpu and diagnostic. Laps are added to `watch`.
+// Throws RunError for a rendering at fault: nothing is written then, except the PNG of the diagnostic view.
+Published publish(const PictureContext& context, const PublishOrder& order,
+                  const std::optional<DisplayTransform>& transform, Stopwatch& watch);
+
+}  // namespace airlight::cli

@@ -1,0 +1,200 @@
+#include "app/render/report.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <variant>
+
+#include "app/cli/json_writer.h"
+
+namespace airlight::cli {
+namespace {
+
+std::string milliseconds(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%9.1f", value);
+  return text;
+}
+
+std::string row(const std::string& name, const std::string& wall, const std::string& cpu) {
+  constexpr std::size_t kNameWidth = 36;
+  return name + std::string(kNameWidth - std::min(kNameWidth, name.size()), ' ') + wall + cpu + "\n";
+}
+
+std::string size_of(const Extent& extent) {
+  std::string text = std::to_string(extent.width) + "x" + std::to_string(extent.height);
+  return extent.depth > 1 ? text + "x" + std::to_string(extent.depth) : text;
+}
+
+void write_milestones(JsonWriter& json, const char* key, const std::vector<Milestone>& milestones) {
+  json.key(key).begin_array();
+  for (const Milestone& milestone : milestones) {
+    json.begin_object().key("name").value(milestone.name).key("milliseconds").value(milestone.milliseconds);
+    json.end_object();
+  }
+  json.end_array();
+}
+
+void write_tables(JsonWriter& json, const RenderReport& report) {
+  json.key("tables").begin_array();
+  for (const NamedStatistics& table : report.rendering.tables_statistics) {
+    const auto image = std::find_if(report.plan.images().begin(), report.plan.images().end(),
+                                    [&](const ImageDesc& candidate) { return candidate.name == table.name; });
+    json.begin_object().key("name").value(table.name);
+    if (image != report.plan.images().end()) {
+      json.key("width").value(static_cast<std::size_t>(image->extent.width));
+      json.key("height").value(static_cast<std::size_t>(image->extent.height));
+      json.key("depth").value(static_cast<std::size_t>(image->extent.depth));
+    }
+    json.key("non_finite").value(static_cast<std::size_t>(table.statistics.not_finite));
+    json.key("negative").value(static_cast<std::size_t>(table.statistics.negative)).end_object();
+  }
+  json.end_array();
+}
+
+void write_timings(JsonWriter& json, const RenderReport& report) {
+  json.key("passes").begin_array();
+  for (const PassTiming& pass : report.rendering.passes) {
+    json.begin_object().key("name").value(pass.name).key("milliseconds").value(pass.milliseconds).end_object();
+  }
+  json.end_array();
+  write_milestones(json, "host", report.rendering.host);
+  json.key("laps").begin_array();
+  for (const Lap& lap : report.watch.laps()) {
+    json.begin_object().key("name").value(lap.name).key("milliseconds").value(lap.wall_ms);
+    json.key("cpu_milliseconds").value(lap.cpu_ms).end_object();
+  }
+  json.end_array();
+  const Lap total = report.watch.total();
+  json.key("total").begin_object().key("milliseconds").value(total.wall_ms);
+  json.key("cpu_milliseconds").value(total.cpu_ms);
+  json.key("peak_resident_mib").value(peak_resident_mib()).end_object();
+}
+
+std::string resource_name(const Plan& plan, const ResourceId& id) {
+  if (const auto* image = std::get_if<ImageId>(&id)) {
+    return plan.images()[image->index].name;
+  }
+  return plan.buffers()[std::get<BufferId>(id).index].name;
+}
+
+std::string names_of(const Plan& plan, const std::vector<Binding>& bindings) {
+  std::string text;
+  for (const Binding& binding : bindings) {
+    text += (text.empty() ? "" : ", ") + resource_name(plan, binding.resource);
+  }
+  return text.empty() ? "nothing" : text;
+}
+
+}  // namespace
+
+std::string json_report(const RenderReport& report) {
+  JsonWriter json;
+  json.begin_object();
+  json.key("name").value(report.scene.name).key("method").value(report.scene.render.method);
+  json.key("width").value(report.scene.image.width).key("height").value(report.scene.image.height);
+  json.key("files").begin_array();
+  for (const std::string& file : report.files) {
+    json.value(file);
+  }
+  json.end_array();
+  if (report.device) {
+    json.key("device").value(report.device->name).key("driver").value(report.device->driver);
+  } else {
+    json.key("device").null();
+  }
+  json.key("view");
+  report.view.empty() ? json.null() : json.value(report.view);
+  json.key("exposure").value(report.rendering.exposure);
+  json.key("non_finite").value(static_cast<std::size_t>(report.rendering.picture.not_finite));
+  json.key("negative").value(static_cast<std::size_t>(report.rendering.picture.negative));
+  if (report.exr) {
+    json.key("exr").begin_object().key("format").value(report.exr_format);
+    json.key("clamped").value(report.exr->clamped).key("underflowed").value(report.exr->underflowed).end_object();
+  }
+  if (report.tile) {
+    json.key("tile").begin_object().key("width").value(report.tile->width);
+    json.key("height").value(report.tile->height).end_object();
+  }
+  if (!report.rendering.layers.empty()) {
+    json.key("layers").begin_array();
+    for (const Layer& layer : report.rendering.layers) {
+      json.value(layer.name);
+    }
+    json.end_array();
+  }
+  if (report.choice) {
+    json.key("choice");
+    write_choice(json, *report.choice);
+  }
+  json.key("left_out").begin_array();
+  for (const std::string& reason : report.rendering.left_out) {
+    json.value(reason);
+  }
+  json.end_array();
+  write_tables(json, report);
+  write_timings(json, report);
+  return json.end_object().take();
+}
+
+std::string timings_table(const RenderReport& report) {
+  std::string text = row("", "  wall ms", "   CPU ms");
+  for (const Lap& lap : report.watch.laps()) {
+    text += row(lap.name, milliseconds(lap.wall_ms), milliseconds(lap.cpu_ms));
+    if (lap.name != "render") {
+      continue;
+    }
+    double named = 0.0;
+    for (const Milestone& milestone : report.rendering.host) {
+      text += row("  " + milestone.name, milliseconds(milestone.milliseconds), "");
+      named += milestone.milliseconds;
+      if (milestone.name == "execute") {
+        for (const PassTiming& pass : report.rendering.passes) {
+          text += row("    pass " + pass.name, milliseconds(pass.milliseconds), "");
+        }
+      }
+    }
+    text += row("  host work of the method and rest", milliseconds(lap.wall_ms - named), "");
+  }
+  const Lap total = report.watch.total();
+  text += row(total.name, milliseconds(total.wall_ms), milliseconds(total.cpu_ms));
+  return text + row("peak resident MiB", milliseconds(peak_resident_mib()), "");
+}
+
+std::string details(const RenderReport& report) {
+  const Rendering& rendering = report.rendering;
+  char text[160];
+  std::string out = "method " + report.scene.render.method;
+  out += report.device ? " on " + report.device->name + " (" + report.device->driver + ")\n" : "\n";
+  for (const std::string& reason : rendering.left_out) {
+    out += "left out: " + reason + "\n";
+  }
+  std::snprintf(text, sizeof text, "exposure %.4g, log-average luminance %.4g, largest %.4g\n", rendering.exposure,
+                rendering.picture.log_average_luminance, rendering.picture.max_luminance);
+  return out + text + (report.view.empty() ? "" : "view " + report.view + "\n");
+}
+
+std::vector<std::string> exr_warnings(const ExrCounts& counts) {
+  std::vector<std::string> warnings;
+  if (counts.clamped > 0) {
+    warnings.push_back(std::to_string(counts.clamped) +
+                       " samples above 65504 were clamped in the half-float EXR; --float keeps them");
+  }
+  // A few dark pixels are no loss; a picture of them is.
+  if (counts.underflowed * 2 > counts.samples) {
+    warnings.push_back(std::to_string(counts.underflowed) + " of " + std::to_string(counts.samples) +
+                       " samples are too dark for half floats to hold all digits; --float keeps them");
+  }
+  return warnings;
+}
+
+std::string plan_text(const Plan& plan) {
+  std::string text = "passes, at most:\n";
+  for (const PassDesc& pass : plan.passes()) {
+    const std::string& name = pass.name.empty() ? pass.shader : pass.name;
+    text += "  " + name + (name == pass.shader ? "" : " (shader " + pass.shader + ")") + ", " + size_of(pass.grid) +
+            " threads: reads " + names_of(plan, pass.reads) + "; writes " + names_of(plan, pass.writes) + "\n";
+  }
+  return text;
+}
+
+}  // namespace airlight::cli

@@ -1,0 +1,339 @@
+#include "app/render/run.h"
+
+#include <filesystem>
+#include <memory>
+
+#include "app/cli/choice_options.h"
+#include "app/cli/preset_source.h"
+#include "app/cli/progress.h"
+#include "app/cli/stopwatch.h"
+#include "app/cli/terminal.h"
+#include "app/render/cube_faces.h"
+#include "app/render/lighting_files.h"
+#include "app/render/picture_files.h"
+#include "app/render/publish.h"
+#include "app/render/report.h"
+#include "app/render/table_files.h"
+#include "app/render/tiled_picture.h"
+#include "app/render/validity.h"
+#include "core/error.h"
+#include "core/output/atomic_file.h"
+#include "core/output/half_block.h"
+#include "core/scene/preset.h"
+#include "core/scene/resolve.h"
+
+namespace airlight::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kDefaultFolder = "out";
+
+Targets choose_targets(const RenderOrder& given) {
+  if (given.exr || given.png) {
+    return {given.exr.value_or(""), given.png.value_or(""), given.tables.value_or("")};
+  }
+  const fs::path name = fs::path(kDefaultFolder) / picture_name(given.scene.preset);
+  return {name.string() + ".exr", name.string() + ".png", given.tables.value_or("")};
+}
+
+// Everything that can be known to fail is said before anything is rendered.
+void check_targets(const RenderOrder& given, const Targets& targets) {
+  if (!given.exr && !given.png) {
+    make_folder(kDefaultFolder);
+  }
+  if (!targets.exr.empty()) {
+    require_ending(targets.exr, "render: -o", ".exr");
+    require_writable(targets.exr);
+  }
+  if (!targets.png.empty()) {
+    require_ending(targets.png, "render: --png", ".png");
+    require_writable(targets.png);
+  }
+  if (!targets.tables.empty()) {
+    require_folder(targets.tables);
+  }
+  if (given.irradiance) {
+    require_ending(*given.irradiance, "render: --irradiance", ".exr");
+    require_writable(*given.irradiance);
+    require_writable(lighting_json_file(*given.irradiance));
+    std::error_code ignored;
+    if (fs::equivalent(lighting_json_file(*given.irradiance), given.scene.preset, ignored)) {
+      throw InputError("render: --irradiance: '" + given.scene.preset + "' would be written over; give another name");
+    }
+    if (*given.irradiance == targets.exr) {
+      throw InputError("render: --irradiance: '" + targets.exr + "' is where -o writes; give a name of its own");
+    }
+  }
+}
+
+bool samples(const Scene& scene) {
+  return find_method(scene.render.method)->render_on_host != nullptr;
+}
+
+Scene scene_of(const RenderOrder& given) {
+  const std::vector<std::string> further = overrides(given.picture);
+  const auto with = [&](bool of_sampling) {
+    std::vector<std::string> all = overrides(given.sampling, of_sampling);
+    all.insert(all.end(), further.begin(), further.end());
+    return load_scene(given.scene, all);
+  };
+  Scene scene = with(false);
+  return samples(scene) && given.sampling.time_limit ? with(true) : scene;
+}
+
+// Nothing where method and quality are the preset's.
+std::optional<ChoiceWish> choice_wish(const RenderOrder& given, const Scene& scene) {
+  const bool by_time = given.sampling.time_limit && !samples(scene);
+  if (!given.tolerance && !by_time) {
+    return std::nullopt;
+  }
+  const std::string option = given.tolerance ? "--tolerance" : "--time-limit";
+  if (given.tolerance && given.sampling.time_limit) {
+    throw InputError("render: --tolerance and --time-limit exclude each other; give one");
+  }
+  for (const std::string& assignment : given.scene.set) {
+    if (assignment.starts_with("/render/")) {
+      throw InputError("render: " + option + " chooses what stands under /render; leave out --set " + assignment);
+    }
+  }
+  ChoiceWish wish;
+  wish.method = given.scene.method.value_or("");
+  if (given.tolerance && find_method(wish.method) != nullptr && samples(scene)) {
+    throw InputError("render: --tolerance: " + wish.method + " samples until --target-error; give that instead");
+  }
+  if (given.tolerance) {
+    wish.tolerance = relative_error(*given.tolerance, "render: --tolerance");
+  } else {
+    wish.limit_ms = milliseconds_from(*given.sampling.time_limit, "render: --time-limit");
+    if (!(wish.limit_ms > 0.0)) {
+      throw InputError("render: --time-limit: nothing is rendered in no time; write for example 50ms");
+    }
+  }
+  return wish;
+}
+
+RenderRequest request_of(const Scene& scene, const Targets& targets) {
+  RenderRequest request = request_for(scene, !targets.exr.empty(), !targets.png.empty());
+  request.tables = !targets.tables.empty();
+  return request;
+}
+
+int dry_run(const Scene& scene, const Targets& targets, const std::optional<ChoiceReport>& choice) {
+  const std::string why = choice ? summary(*choice) + "\n" + explanation(*choice) : "";
+  print(why + describe(scene) + plan_text(plan_for(scene, request_of(scene, targets))));
+  return 0;
+}
+
+void tell_people(const RenderOrder& given, const RenderReport& report) {
+  if (!given.quiet) {
+    for (const std::string& warning : report.exr ? exr_warnings(*report.exr) : std::vector<std::string>()) {
+      complain("warning: " + warning);
+    }
+    tell(report.choice ? summary(*report.choice) + "\n" : "");
+    for (const std::string& file : report.files) {
+      tell(file + "\n");
+    }
+  }
+  if (given.verbose) {
+    tell((report.choice ? explanation(*report.choice) : "") + details(report));
+  }
+  if (given.timings) {
+    tell(timings_table(report));
+  }
+}
+
+// One picture, or the six of a cube.
+Published publish_pictures(const RenderOrder& given, const PictureContext& context, const Targets& targets,
+                           const std::optional<DisplayTransform>& transform, Stopwatch& watch) {
+  const PublishOrder order{targets, given.scene.preset, !given.picture.full_float, given.picture.bits};
+  if (!given.cube_faces) {
+    return publish(context, order, transform, watch);
+  }
+  Published all;
+  for (const CubeFace& face : cube_faces(context.scene, context.rendering)) {
+    PublishOrder one = order;
+    one.targets = {face_file(targets.exr, face.name), face_file(targets.png, face.name), ""};
+    Provenance provenance = context.provenance;
+    provenance.preset_json = to_json(face.scene);
+    const PictureContext of_face{face.scene, face.rendering, provenance, context.choice, {}, {}, context.space};
+    const Published done = publish(of_face, one, transform, watch);
+    all.files.insert(all.files.end(), done.files.begin(), done.files.end());
+    if (done.exr) {
+      add_counts(all.exr ? *all.exr : all.exr.emplace(), *done.exr);
+    }
+  }
+  if (!targets.tables.empty()) {
+    const std::vector<std::string> tables = write_tables(targets.tables, context.rendering.tables, context.provenance);
+    all.files.insert(all.files.end(), tables.begin(), tables.end());
+  }
+  return all;
+}
+
+std::optional<ChoiceNote> note_of(const std::optional<ChoiceReport>& choice) {
+  return choice ? std::optional(ChoiceNote{choice->choice.chosen->quality, choice->choice.error}) : std::nullopt;
+}
+
+// What a picture is made with, beside the scene.
+struct Means {
+  const RenderOrder& given;
+  const Targets& targets;
+  const std::optional<DisplayTransform>& transform;
+  const std::optional<ChoiceReport>& choice;
+  std::unique_ptr<Executor>& executor;
+  Stopwatch& watch;
+};
+
+std::optional<DeviceInfo> device_of(const Means& means) {
+  return means.executor ? std::optional(means.executor->device()) : std::nullopt;
+}
+
+Provenance provenance_of(const Means& means, const Scene& scene) {
+  const std::optional<DeviceInfo> device = device_of(means);
+  return {to_json(scene), scene.render.method, AIRLIGHT_VERSION, device ? device->name : "the processor"};
+}
+
+void tell(const Means& means, RenderReport& report) {
+  const RenderOrder& given = means.given;
+  report.exr_format = given.picture.full_float ? "float" : "half";
+  if (!means.targets.png.empty()) {
+    report.view =
+        means.transform ? means.transform->display() + " / " + means.transform->view() : report.scene.display.view;
+  }
+  tell_people(given, report);
+  if (given.json) {
+    print(json_report(report));
+  }
+}
+
+// From a checked scene to files on disk.
+void render_and_publish(const Means& means, const Scene& scene) {
+  const RenderOrder& given = means.given;
+  RenderRequest request = request_of(scene, means.targets);
+  request.layers = given.picture.layers;
+  request.host = host_options(given.sampling, given.quiet);
+  Rendering rendering = render(device_on_demand(given.scene, means.executor), scene, request);
+  clear_progress();
+  means.watch.lap("render");
+  if (means.choice) {
+    const std::vector<std::string>& left_out = means.choice->choice.left_out;
+    rendering.left_out.insert(rendering.left_out.begin(), left_out.begin(), left_out.end());
+  }
+  std::optional<Lighting> lighting;
+  if (given.irradiance && rendering.fault().empty()) {
+    lighting = lighting_of(device_on_demand(given.scene, means.executor), scene, request.host);
+    clear_progress();
+    means.watch.lap("irradiance");
+  }
+  require_valid_vulkan();
+  const PictureContext context{scene, rendering, provenance_of(means, scene),    note_of(means.choice),
+                               {},    {},        working_space_of(given.picture)};
+  Published done = publish_pictures(given, context, means.targets, means.transform, means.watch);
+  if (lighting) {
+    const std::vector<std::string> files = write_lighting(*given.irradiance, *lighting, context);
+    done.files.insert(done.files.end(), files.begin(), files.end());
+    means.watch.lap("irradiance, writing");
+  }
+  const Plan plan = plan_for(scene, request);
+  RenderReport report{scene,    rendering, plan, device_of(means), done.files,
+                      done.exr, {},        {},   means.choice,     means.watch};
+  tell(means, report);
+}
+
+void render_in_tiles(const Means& means, const Scene& scene, const ImageSize& tile) {
+  const RenderOrder& given = means.given;
+  const DeviceOnDemand device = device_on_demand(given.scene, means.executor);
+  device();  // its name stands in the header, before the first tile
+  const TiledOrder order{
+      .tile = tile,
+      .layers = given.picture.layers,
+      .half = !given.picture.full_float,
+      .file = means.targets.exr,
+      .source = given.scene.preset,
+      .provenance = provenance_of(means, scene),
+      .choice = note_of(means.choice),
+      .space = working_space_of(given.picture),
+      .left_out = means.choice ? means.choice->choice.left_out : std::vector<std::string>(),
+      .report = host_options(given.sampling, given.quiet).report,
+  };
+  const TiledPicture done = write_tiled(device, scene, order);
+  clear_progress();
+  means.watch.lap("render");
+  require_valid_vulkan();
+  const Plan plan = plan_for(scene, {});
+  RenderReport report{scene, done.rendering, plan,       device_of(means), {order.file}, done.counts, {},
+                      {},    means.choice,   means.watch};
+  report.tile = tile;
+  tell(means, report);
+}
+
+// Why options beside the files' own need the whole picture; empty: they do not.
+std::string needs_whole(const RenderOrder& given) {
+  if (given.cube_faces) {
+    return "--cube-faces cuts the whole picture; render one face at a time, or the stack in one file";
+  }
+  return given.irradiance ? "--irradiance stands beside a whole picture; write it by a run of its own, of a small one"
+                          : "";
+}
+
+// The tile of a picture that is rendered in tiles. Throws InputError for layers and tiles that cannot be had.
+std::optional<ImageSize> tile_of(const RenderOrder& given, const Scene& scene, const Targets& targets) {
+  require_layers(given.picture, scene, !targets.exr.empty(), "render");
+  return tile_for(given.tile, scene, targets, given.picture.layers, needs_whole(given));
+}
+
+void warn(const RenderOrder& given, const Scene& scene, const Targets& targets, bool tiled,
+          const std::optional<DisplayTransform>& transform) {
+  const std::string untiled = tiled ? "" : untiled_warning(scene, targets, needs_whole(given));
+  for (const std::string& warning :
+       {validity_warning(scene), untiled, transform ? transform->warning() : std::string()}) {
+    if (!warning.empty()) {
+      complain("warning: " + warning);
+    }
+  }
+}
+
+}  // namespace
+
+int run_render(const RenderOrder& given) {
+  Stopwatch watch;
+  Scene scene = scene_of(given);
+  const std::optional<ChoiceWish> wish = choice_wish(given, scene);
+  if (given.cube_faces) {
+    require_cube_stack(scene);
+  }
+  const Targets targets = choose_targets(given);
+  std::optional<ImageSize> tile = wish ? std::nullopt : tile_of(given, scene, targets);
+  if (!given.dry_run) {
+    check_targets(given, targets);
+  }
+  watch.lap("preset and checks");
+  std::unique_ptr<Executor> executor;
+  std::optional<ChoiceReport> choice;
+  if (wish) {
+    choice = choose_rendering(scene, *wish, device_on_demand(given.scene, executor));
+    scene = choice->choice.chosen->scene;
+    tile = tile_of(given, scene, targets);
+    watch.lap("choice of method and quality");
+  }
+  if (given.dry_run) {
+    return dry_run(scene, targets, choice);
+  }
+  std::optional<DisplayTransform> transform;
+  if (!targets.png.empty()) {
+    transform = display_transform(given.picture, scene);
+    watch.lap("OCIO config");
+  }
+  if (!given.quiet) {
+    warn(given, scene, targets, tile.has_value(), transform);
+  }
+  const Means means{given, targets, transform, choice, executor, watch};
+  if (tile) {
+    render_in_tiles(means, scene, *tile);
+  } else {
+    render_and_publish(means, scene);
+  }
+  return 0;
+}
+
+}  // namespace airlight::cli

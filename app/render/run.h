@@ -1,0 +1,35 @@
+#pragma once
+// From the options of `airlight render` to files on disk.
+
+#include <optional>
+#include <string>
+
+#include "app/cli/picture_options.h"
+#include "app/cli/sampling_options.h"
+#include "app/cli/scene_options.h"
+
+namespace airlight::cli {
+
+// What the command line asks for.
+struct RenderOrder {
+  SceneOptions scene;
+  SamplingOptions sampling;
+  std::optional<std::string> tolerance;
+  std::optional<std::string> exr;
+  std::optional<std::string> png;
+  std::optional<std::string> tables;
+  std::optional<std::string> tile;
+  std::optional<std::string> irradiance;
+  bool cube_faces = false;
+  PictureOptions picture;
+  bool timings = false;
+  bool json = false;
+  bool dry_run = false;
+  bool quiet = false;
+  bool verbose = false;
+};
+
+// Returns the exit code. Throws InputError and RunError; then no file was touched.
+int run_render(const RenderOrder& given);
+
+}  // namespace airlight::cli

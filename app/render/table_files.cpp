@@ -1,0 +1,141 @@
+#include "app/render/table_files.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "core/error.h"
+#include "core/output/exr.h"
+#include "core/output/png.h"
+#include "core/output/quantize.h"
+
+namespace airlight::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct TableMeaning {
+  const char* name;
+  const char* quantity;
+  TableAxis x;
+  TableAxis y;
+};
+
+// Texel i of n stands for unit coordinate i / (n - 1); shaders/physics/lut_mapping.glsl has the maps.
+const std::vector<TableMeaning>& table_meanings() {
+  static const std::vector<TableMeaning> meanings = {
+      {"transmittance",
+       "transmittance to the top of the atmosphere [1]",
+       {"zenith cosine mu of the ray", "1", "linear in the distance to the top, from the zenith to the horizon's"},
+       {"altitude h", "km", "linear in the distance to the ground's horizon, from the ground to the top"}},
+      {"multiple_scattering",
+       "isotropic radiance of orders 2 and up for a sun of irradiance 1 [1/sr]",
+       {"zenith cosine of the sun", "1", "linear, -1 to 1"},
+       {"altitude h", "km", "linear, from the ground to the top"}},
+      {"ground_irradiance",
+       "irradiance of the sky on level ground for a sun of irradiance 1 [1]",
+       {"zenith cosine of the sun", "1", "linear, -1 to 1"},
+       {"none", "1", "one row"}}};
+  return meanings;
+}
+
+TableMeaning meaning_of(const std::string& name) {
+  for (const TableMeaning& meaning : table_meanings()) {
+    if (name == meaning.name) {
+      return meaning;
+    }
+  }
+  return {name.c_str(), name.c_str(), {"x", "texel", "index"}, {"y", "texel", "index"}};
+}
+
+float srgb_encoded(float linear) {  // IEC 61966-2-1
+  return linear <= 0.0031308F ? 12.92F * linear : 1.055F * std::pow(linear, 1.0F / 2.4F) - 0.055F;
+}
+
+// The table at a size that can be looked at, brightest value white, negative and non-finite values black.
+RadianceImage picture_of(const TableDump& table) {
+  constexpr int kSmallestSide = 256;
+  const int scale = std::max(1, kSmallestSide / std::max(table.width, table.height));
+  float brightest = 0.0F;
+  for (std::size_t i = 0; i < table.rgba.size(); ++i) {
+    brightest = i % 4 != 3 && std::isfinite(table.rgba[i]) ? std::max(brightest, table.rgba[i]) : brightest;
+  }
+  RadianceImage picture{table.width * scale, table.height * scale, {}};
+  picture.rgba.reserve(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height) * 4);
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      const std::size_t texel = static_cast<std::size_t>(y / scale) * static_cast<std::size_t>(table.width) +
+                                static_cast<std::size_t>(x / scale);
+      for (std::size_t c = 0; c < 3; ++c) {
+        const float value = table.rgba[4 * texel + c];
+        const bool lit = std::isfinite(value) && value > 0.0F;
+        picture.rgba.push_back(lit ? srgb_encoded(value / brightest) : 0.0F);
+      }
+      picture.rgba.push_back(1.0F);
+    }
+  }
+  return picture;
+}
+
+}  // namespace
+
+void require_folder(const fs::path& folder) {
+  std::error_code error;
+  const std::string name = folder.string();
+  if (name.empty()) {
+    throw InputError("the folder's name is empty; give one such as tables");
+  }
+  if (fs::exists(folder, error)) {
+    if (!fs::is_directory(folder, error)) {
+      throw InputError(name + ": is a file, not a folder; choose another name");
+    }
+    if (::access(folder.c_str(), W_OK | X_OK) != 0) {
+      throw InputError(name + ": the folder cannot be written; choose one of your own");
+    }
+    return;
+  }
+  const fs::path parent = fs::absolute(folder / ".").parent_path().parent_path();
+  if (!fs::is_directory(parent, error)) {
+    throw InputError(name + ": the folder " + parent.string() + " does not exist; create it with: mkdir -p " +
+                     parent.string());
+  }
+  if (::access(parent.c_str(), W_OK | X_OK) != 0) {
+    throw InputError(name + ": the folder cannot be made in " + parent.string() + "; choose a place of your own");
+  }
+}
+
+void make_folder(const fs::path& folder) {
+  require_folder(folder);
+  std::error_code error;
+  fs::create_directory(folder, error);
+  if (error) {
+    throw RunError(folder.string() + ": the folder cannot be made: " + error.message());
+  }
+}
+
+std::vector<std::string> write_tables(const fs::path& folder, const std::vector<TableDump>& tables,
+                                      const Provenance& provenance) {
+  make_folder(folder);
+  std::vector<std::string> files;
+  for (const TableDump& dump : tables) {
+    const TableMeaning meaning = meaning_of(dump.name);
+    Table table;
+    table.width = dump.width;
+    table.height = dump.height;
+    table.rgba = dump.rgba.data();
+    table.quantity = meaning.quantity;
+    table.x = meaning.x;
+    table.y = meaning.y;
+    const fs::path exr = folder / (dump.name + ".exr");
+    const fs::path png = folder / (dump.name + ".png");
+    write_table_exr(exr, table, provenance);
+    write_png(png, quantize(picture_of(dump), {}), {true, {{"Description", meaning.quantity}}});
+    files.push_back(exr.string());
+    files.push_back(png.string());
+  }
+  return files;
+}
+
+}  // namespace airlight::cli

@@ -1,0 +1,71 @@
+#include "app/render/validity.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "core/physics/scene_data.h"
+#include "core/scene/angle.h"
+
+namespace airlight::cli {
+namespace {
+
+std::string short_number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+// Through the whole air, straight up from the ground, in the channel where it is largest.
+double vertical_optical_depth(const Scene& scene) {
+  constexpr unsigned int kSteps = 512;
+  physics::Physics physics = make_physics(scene);  // its functions are shader text and know no const
+  const physics::vec3 depth = physics.optical_depth_to_top(physics.scene.planet, 0.0, 1.0, kSteps);
+  return std::max({depth.x, depth.y, depth.z});
+}
+
+std::string methods_that_hold(const Scene& scene) {
+  std::string names;
+  for (const SkyMethod& method : methods()) {
+    if (exceeded_limits(method.validity, scene).empty()) {
+      names += (names.empty() ? "" : ", ") + std::string(method.info.name);
+    }
+  }
+  return names;
+}
+
+}  // namespace
+
+std::vector<std::string> exceeded_limits(const Validity& validity, const Scene& scene) {
+  std::vector<std::string> limits;
+  if (scene.sun.elevation < validity.sun_elevation_min) {
+    limits.push_back("a sun below " + short_number(degrees_from_radians(validity.sun_elevation_min)) +
+                     " degrees (it is at " + short_number(degrees_from_radians(scene.sun.elevation)) + ")");
+  }
+  if (scene.camera.altitude > validity.altitude_max) {
+    limits.push_back("a camera above " + short_number(validity.altitude_max) + " km (it is at " +
+                     short_number(scene.camera.altitude) + ")");
+  }
+  const double depth = vertical_optical_depth(scene);
+  if (depth > validity.optical_depth_max) {
+    limits.push_back("air of a vertical optical depth above " + short_number(validity.optical_depth_max) + " (it is " +
+                     short_number(depth) + ")");
+  }
+  return limits;
+}
+
+std::string validity_warning(const Scene& scene) {
+  const Validity& validity = find_method(scene.render.method)->validity;
+  std::string reasons;
+  for (const std::string& limit : exceeded_limits(validity, scene)) {
+    reasons += (reasons.empty() ? "" : ", nor for ") + limit;
+  }
+  if (reasons.empty()) {
+    return {};
+  }
+  std::string text = "method " + scene.render.method + " does not claim to hold for " + reasons;
+  text += validity.leaves_out.empty() ? "" : "; it leaves out " + std::string(validity.leaves_out);
+  const std::string better = methods_that_hold(scene);
+  return text + (better.empty() ? "" : "; methods that do: " + better);
+}
+
+}  // namespace airlight::cli

@@ -1,0 +1,56 @@
+#pragma once
+// What `airlight sequence` has been asked for, checked: plain data for the parts that carry it out.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/cli/picture_options.h"
+#include "app/cli/scene_options.h"
+#include "core/scene/preset.h"
+#include "core/scene/scene.h"
+#include "core/sequence/frame_files.h"
+#include "core/sequence/frame_list.h"
+
+namespace airlight::cli {
+
+struct SequenceJob {
+  SceneOptions scene_options;  // for the device
+  Preset preset;               // all overrides applied, its own key frames taken out
+  Scene scene;                 // of that preset, for what no frame changes
+  sequence::FrameSource source;
+  sequence::Shard shard;
+  std::optional<sequence::FramePattern> exr;  // at least one of the two
+  std::optional<sequence::FramePattern> png;
+  PictureOptions picture;
+  std::string manifest;  // the file
+  bool overwrite = false;
+  bool quiet = false;
+  bool json = false;
+};
+
+struct FrameFiles {
+  std::string exr;  // empty: not wanted
+  std::string png;
+
+  const std::string& first() const { return exr.empty() ? png : exr; }
+};
+
+FrameFiles files_of(const SequenceJob& job, long frame_number);
+
+// The preset with the frame's keys put in, judged like any other. Throws InputError that names the frame.
+Scene scene_of(const SequenceJob& job, const sequence::Frame& frame);
+
+// A hash over all that decides what a file holds: the frame's preset, airlight's version, how pixels become files. Not
+// the device: pictures of two devices agree to rounding, and a farm may have several.
+struct FrameHashes {
+  std::string exr;
+  std::string png;
+};
+// `display`: OCIO's config, display and view of the PNG; empty for the views that need none.
+FrameHashes hashes_of(const PictureOptions& options, const std::string& display, const std::string& preset_json);
+
+// Whether every file of the frame is there, whole, and of its hash and preset.
+bool is_done(const FrameFiles& files, const FrameHashes& hashes, const std::string& preset_json);
+
+}  // namespace airlight::cli

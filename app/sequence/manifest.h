@@ -1,0 +1,48 @@
+#pragma once
+// The list of a sequence's frames as JSON, kept up to date while they are rendered.
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "app/sequence/job.h"
+
+namespace airlight::cli {
+
+class SequenceManifest {
+ public:
+  // Takes over from an earlier manifest of that name what it says of the time that frames took.
+  explicit SequenceManifest(const SequenceJob& job);
+
+  // The k-th frame of the shard is whole on disk. `milliseconds`: from its scene to its files; below 0: it was there
+  // before, and the earlier manifest's figure stands if it is of the same hash.
+  void add(std::size_t k, const std::string& hash, const Scene& scene, double milliseconds);
+
+  // Writes the file, whole or not at all, now and then when called often: when it takes a hundredth of the time at
+  // most.
+  void write_now_and_then();
+  void write();
+
+  std::size_t frames_whole() const { return whole_; }
+
+ private:
+  // 24 bytes a frame are all that a sequence takes of memory for each of its frames.
+  struct Record {
+    std::uint64_t hash = 0;
+    std::int32_t elevation = 0;  // millionths of a degree
+    std::int32_t azimuth = 0;
+    float milliseconds = -1.0F;  // below 0: not known
+    bool is_whole = false;
+  };
+  void read_earlier();
+  std::string head() const;
+  std::string line(std::size_t k) const;
+
+  const SequenceJob& job_;
+  std::vector<Record> records_;
+  std::size_t whole_ = 0;
+  std::chrono::steady_clock::time_point next_write_;
+};
+
+}  // namespace airlight::cli

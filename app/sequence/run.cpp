@@ -1,0 +1,221 @@
+#include "app/sequence/run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "app/cli/interruption.h"
+#include "app/cli/terminal.h"
+#include "app/render/publish.h"
+#include "app/render/validity.h"
+#include "app/sequence/manifest.h"
+#include "app/sequence/report.h"
+#include "core/error.h"
+#include "core/methods/method.h"
+#include "core/output/atomic_file.h"
+#include "core/scene/angle.h"
+#include "core/sequence/bounded_workers.h"
+
+namespace airlight::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+// Encoding spreads over the cores within a frame; a second thread fills the gaps of writing and syncing.
+constexpr unsigned kEncoders = 2;
+
+// Frames that wait to be encoded: one hides the differences from frame to frame. Of frames that would fill the memory
+// none waits, and one is in hand.
+struct Room {
+  unsigned threads = kEncoders;
+  std::size_t waiting = 1;
+};
+
+Room room_for(const ImageSize& image, bool layers) {
+  const double kLargePixels = layers ? 6e6 : 32e6;  // 512 MB of floats
+  const double pixels = static_cast<double>(image.width) * static_cast<double>(image.height);
+  return pixels > kLargePixels ? Room{1, 0} : Room{};
+}
+
+// A frame on its way: what the encoder needs of it, and what is told of it.
+struct Work {
+  std::size_t k = 0;  // in the shard
+  Scene scene;
+  Rendering rendering;
+  std::string preset_json;
+  FrameHashes hashes;
+  FrameReport report;
+};
+
+class Runner {
+ public:
+  explicit Runner(const SequenceJob& job)
+      : job_(job),
+        report_(job),
+        manifest_(job),
+        transform_(job.png ? display_transform(job.picture, job.scene) : std::nullopt),
+        display_(transform_ ? transform_->config() + ", " + transform_->display() + ", " + transform_->view() : "") {
+    if (transform_ && !transform_->warning().empty() && !job.quiet) {
+      complain("warning: " + transform_->warning());
+    }
+  }
+
+  SequenceOutcome run();
+
+ private:
+  void remove_leftovers() const;
+  void render_all();
+  bool render_frame(std::size_t k, sequence::BoundedWorkers& encoders);
+  void encode(const Work& work);
+  void finished(std::size_t k, const Scene& scene, const FrameReport& report);
+  std::string whole_so_far() const;
+
+  const SequenceJob& job_;
+  SequenceReport report_;
+  SequenceManifest manifest_;
+  std::mutex manifest_mutex_;
+  std::optional<DisplayTransform> transform_;
+  std::string display_;  // config, display and view of the PNGs, wherever their names came from
+  std::unique_ptr<Executor> executor_;
+};
+
+// What killed runs have left half written.
+void Runner::remove_leftovers() const {
+  for (const auto& pattern : {job_.exr, job_.png}) {
+    if (pattern) {
+      remove_abandoned_files(
+          pattern->folder, [&](const std::string& name) { return measure::frame_number(*pattern, name).has_value(); });
+    }
+  }
+  const fs::path manifest(job_.manifest);
+  remove_abandoned_files(manifest.has_parent_path() ? manifest.parent_path() : ".",
+                         [&](const std::string& name) { return name == manifest.filename(); });
+}
+
+void Runner::finished(std::size_t k, const Scene& scene, const FrameReport& report) {
+  {
+    const std::lock_guard lock(manifest_mutex_);
+    manifest_.add(k, report.hash, scene, report.rendered ? report.render_ms + report.encode_ms : -1.0);
+    manifest_.write_now_and_then();
+  }
+  report_.frame(report);
+}
+
+void Runner::encode(const Work& work) {
+  const Clock::time_point start = Clock::now();
+  const std::string device = executor_ ? executor_->device().name : "the processor";
+  const PictureContext context{.scene = work.scene,
+                               .rendering = work.rendering,
+                               .provenance = {work.preset_json, work.scene.render.method, AIRLIGHT_VERSION, device},
+                               .exr_hash = work.hashes.exr,
+                               .png_hash = work.hashes.png,
+                               .space = working_space_of(job_.picture)};
+  const FrameFiles& files = work.report.files;
+  Stopwatch laps;
+  publish(context,
+          {{files.exr, files.png, ""},
+           "frame " + std::to_string(work.report.number),
+           !job_.picture.full_float,
+           job_.picture.bits},
+          transform_, laps);
+  FrameReport report = work.report;
+  report.encode_ms = milliseconds_since(start);
+  finished(work.k, work.scene, report);
+}
+
+// False when a signal has cut the frame short: it is dropped.
+bool Runner::render_frame(std::size_t k, sequence::BoundedWorkers& encoders) {
+  const sequence::Frame frame = sequence::frame_at(job_.source, sequence::shard_frame(job_.shard, k));
+  auto work = std::make_shared<Work>();
+  work->k = k;
+  work->scene = scene_of(job_, frame);
+  const Scene& scene = work->scene;
+  work->preset_json = to_json(scene);
+  FrameReport& report = work->report;
+  report.number = frame.number;
+  report.time = frame.time;
+  report.elevation_deg = degrees_from_radians(scene.sun.elevation);
+  report.azimuth_deg = degrees_from_radians(scene.sun.azimuth);
+  report.files = files_of(job_, frame.number);
+  work->hashes = hashes_of(job_.picture, display_, work->preset_json);
+  report.hash = job_.exr ? work->hashes.exr : work->hashes.png;
+  if (!job_.overwrite && is_done(report.files, work->hashes, work->preset_json)) {
+    finished(k, scene, report);
+    return true;
+  }
+  if (const std::string warning = validity_warning(scene); !warning.empty()) {
+    report_.warn(frame.number, warning);
+  }
+  const Clock::time_point start = Clock::now();
+  RenderRequest request = request_for(scene, job_.exr.has_value(), job_.png.has_value());
+  request.layers = job_.picture.layers;
+  request.host.report = [](double) { return Interruption::signal() == 0; };
+  work->rendering = render(device_on_demand(job_.scene_options, executor_), scene, request);
+  require_valid_vulkan();
+  const bool on_host = find_method(scene.render.method)->render_on_host != nullptr;
+  if (on_host && Interruption::signal() != 0) {
+    return false;
+  }
+  report.rendered = true;
+  report.render_ms = milliseconds_since(start);
+  encoders.add([this, work] { encode(*work); });
+  return true;
+}
+
+void Runner::render_all() {
+  const std::size_t frames = sequence::shard_size(job_.shard, sequence::frame_count(job_.source));
+  const Room room = room_for(job_.scene.image, job_.picture.layers);
+  sequence::BoundedWorkers encoders(room.threads, room.waiting);
+  for (std::size_t k = 0; k < frames && Interruption::signal() == 0; ++k) {
+    if (!render_frame(k, encoders)) {
+      break;
+    }
+  }
+  encoders.finish();
+}
+
+std::string Runner::whole_so_far() const {
+  const SequenceTotals totals = report_.totals();
+  return std::to_string(totals.rendered + totals.kept) + " of " + std::to_string(totals.frames) +
+         " frames are whole; the same command goes on from there";
+}
+
+SequenceOutcome Runner::run() {
+  const Interruption interruption;
+  remove_leftovers();
+  try {
+    render_all();
+  } catch (const RunError& error) {
+    report_.end("");
+    try {
+      manifest_.write();
+    } catch (const RunError&) {  // the disk that is full already: the first error is the one to tell
+    }
+    throw RunError(std::string(error.what()) + "; " + whole_so_far());
+  }
+  manifest_.write();
+  const int signal = Interruption::signal();
+  const SequenceTotals totals = report_.totals();
+  const bool complete = totals.rendered + totals.kept == totals.frames;
+  report_.end(complete ? "" : Interruption::name(signal));
+  if (!complete) {
+    complain("stopped by " + Interruption::name(signal) + ": " + whole_so_far());
+  }
+  return {signal, complete};
+}
+
+}  // namespace
+
+SequenceOutcome run_sequence(const SequenceJob& job) {
+  return Runner(job).run();
+}
+
+}  // namespace airlight::cli
