@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "core/measure/words.h"
+#include "core/output/long_text.h"
 #include "core/output/provenance_keys.h"
 
 namespace airlight::measure {
@@ -83,8 +84,13 @@ void read_attributes(ExrHeader& header, const OIIO::ImageSpec& spec) {
   if (spec.getattribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), values.data())) {
     std::copy(values.begin(), values.end(), header.chromaticities.begin());
   }
-  const std::string preset = spec.get_string_attribute(kPresetKey);
-  if (!preset.empty()) header.preset = preset;
+  const auto text = [&](const std::string& name) {
+    const OIIO::ParamValue* found = spec.find_attribute(name, OIIO::TypeString);
+    return found == nullptr ? std::nullopt : std::optional(found->get_string());
+  };
+  if (const std::optional<std::string> preset = text_in(kPresetKey, text); preset && !preset->empty()) {
+    header.preset = *preset;
+  }
 }
 
 std::string layer_list(const ExrHeader& header) {

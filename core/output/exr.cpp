@@ -27,6 +27,7 @@
 #include "core/error.h"
 #include "core/output/atomic_file.h"
 #include "core/output/half_block.h"
+#include "core/output/long_text.h"
 #include "core/output/provenance_keys.h"
 
 namespace airlight {
@@ -92,11 +93,25 @@ void start_threads() {
   });
 }
 
+void add_text(imf::Header& header, const std::string& name, const std::string& text) {
+  for (const auto& [piece_name, piece] : attributes_of(name, text)) {
+    header.insert(piece_name, imf::StringAttribute(piece));
+  }
+}
+
+// A standard attribute, which every reader looks for in one piece.
+std::string at_most_one_attribute(const std::string& text) {
+  const std::string more = "...";
+  return text.size() <= kLongestAttribute
+             ? text
+             : text.substr(0, whole_characters(text, 0, kLongestAttribute - more.size())) + more;
+}
+
 void add_provenance(imf::Header& header, const Provenance& provenance) {
-  header.insert(kPresetKey, imf::StringAttribute(provenance.preset_json));
-  header.insert(kMethodKey, imf::StringAttribute(provenance.method));
-  header.insert(kVersionKey, imf::StringAttribute(provenance.version));
-  header.insert(kDeviceKey, imf::StringAttribute(provenance.device));
+  add_text(header, kPresetKey, provenance.preset_json);
+  add_text(header, kMethodKey, provenance.method);
+  add_text(header, kVersionKey, provenance.version);
+  add_text(header, kDeviceKey, provenance.device);
 }
 
 // OpenEXR's latlong map has longitude +pi at the left edge, falling to the right, with +z at longitude 0 and +x at
@@ -127,14 +142,14 @@ imf::Header make_header(int width, int height, const ExrOptions& options) {
     imf::addWorldToCamera(header, matrix);
   }
   if (!options.comments.empty()) {
-    imf::addComments(header, options.comments);
+    imf::addComments(header, at_most_one_attribute(options.comments));
   }
   if (options.provenance) {
     add_provenance(header, *options.provenance);
     header.insert("software", imf::StringAttribute("airlight " + options.provenance->version));
   }
   for (const auto& [name, text] : options.strings) {
-    header.insert(name, imf::StringAttribute(text));
+    add_text(header, name, text);
   }
   for (const auto& [name, number] : options.numbers) {
     header.insert(name, imf::FloatAttribute(number));

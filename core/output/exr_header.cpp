@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "core/output/long_text.h"
+
 namespace airlight {
 namespace {
 
@@ -35,6 +37,14 @@ std::uint64_t read_little_endian(std::istream& in, int bytes) {
     number |= static_cast<std::uint64_t>(byte) << (8 * i);
   }
   return number;
+}
+
+std::optional<std::string> text_of(const ExrHeader& header, const std::string& name) {
+  return text_in(name, [&](const std::string& key) {
+    const auto found = header.attributes.find(key);
+    const bool is_text = found != header.attributes.end() && found->second.type == "string";
+    return is_text ? std::optional(found->second.value) : std::nullopt;
+  });
 }
 
 // (name, type, size, value) until an empty name.

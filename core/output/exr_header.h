@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <istream>
 #include <map>
+#include <optional>
 #include <string>
 
 namespace airlight {
@@ -19,6 +20,9 @@ struct ExrHeader {
   std::map<std::string, ExrAttribute> attributes;
   std::uint64_t end = 0;  // where the header ends in the file
 };
+
+// The text of a string attribute, whole where it stands in pieces (core/output/long_text.h).
+std::optional<std::string> text_of(const ExrHeader& header, const std::string& name);
 
 // From the start of the stream. Throws std::runtime_error with a reason that continues "the EXR is damaged: ...".
 ExrHeader read_exr_header(std::istream& in, std::uint64_t file_size);

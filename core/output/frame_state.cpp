@@ -65,11 +65,7 @@ std::optional<FrameMark> exr_mark(std::istream& in, std::uint64_t file_size) {
   if (!is_whole_exr(in, header, file_size)) {
     return std::nullopt;
   }
-  const auto text = [&](const char* key) {
-    const auto found = header.attributes.find(key);
-    return found == header.attributes.end() ? std::string() : found->second.value;
-  };
-  return FrameMark{text(kHashKey), text(kPresetKey)};
+  return FrameMark{text_of(header, kHashKey).value_or(""), text_of(header, kPresetKey).value_or("")};
 }
 
 std::uint64_t big_endian(const char* bytes) {

@@ -4,7 +4,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <map>
+#include <optional>
 #include <system_error>
 
 #include "core/error.h"
@@ -42,21 +42,19 @@ Provenance read_provenance(const std::filesystem::path& file) {
   if (!is_exr(file)) {
     throw InputError(name + ": is not an EXR file; expected one written by airlight, or a preset (.json)");
   }
-  std::map<std::string, std::string> strings;
+  ExrHeader header;
   try {
-    for (const auto& [key, attribute] : read_exr_header(in, std::filesystem::file_size(file)).attributes) {
-      if (attribute.type == "string") {
-        strings.emplace(key, attribute.value);
-      }
-    }
+    header = read_exr_header(in, std::filesystem::file_size(file));
   } catch (const std::exception& reason) {
     throw InputError(name + ": the EXR is damaged or cut short: " + reason.what());
   }
-  if (!strings.contains(kPresetKey)) {
+  const std::optional<std::string> preset = text_of(header, kPresetKey);
+  if (!preset) {
     throw InputError(name + ": was not written by airlight: it has no attribute " + std::string(kPresetKey) +
                      "; give a preset (.json) or an EXR made by airlight render");
   }
-  return {strings[kPresetKey], strings[kMethodKey], strings[kVersionKey], strings[kDeviceKey]};
+  const auto text = [&](const char* key) { return text_of(header, key).value_or(""); };
+  return {*preset, text(kMethodKey), text(kVersionKey), text(kDeviceKey)};
 }
 
 }  // namespace airlight

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <random>
 
 #include "core/output/exr.h"
+#include "core/output/exr_header.h"
 #include "tests/output/files.h"
 
 namespace airlight {
@@ -33,6 +35,38 @@ TEST(Provenance, ComesBackAsWritten) {
   write_sky(folder / "a.exr", kMade);
   EXPECT_TRUE(is_exr(folder / "a.exr"));
   EXPECT_EQ(read_provenance(folder / "a.exr"), kMade);
+}
+
+// The whole of it in one attribute, as older files have it.
+TEST(Provenance, OfOnePieceIsRead) {
+  const Folder folder;
+  const std::string start("\x76\x2f\x31\x01\x02\0\0\0airlight:preset\0string\0", 31);
+  const std::string text(0x0432, 'p');
+  test::put(folder / "a.exr", start + std::string("\x32\x04\0\0", 4) + text + std::string(1, '\0'));
+  EXPECT_EQ(read_provenance(folder / "a.exr").preset_json, text);
+}
+
+// ffmpeg reads no more than 255 bytes of an attribute that it does not know, and then takes the rest for another.
+TEST(Provenance, NoAttributeIsLongerThanFfmpegReads) {
+  const Folder folder;
+  for (const std::size_t length : {0U, 1U, 254U, 255U, 256U, 510U, 511U, 3000U}) {
+    for (const std::string letter : {"a", "\u03bc", "\u20ac", "\U0001f31e"}) {
+      Provenance made = kMade;
+      made.preset_json = std::string(length % letter.size(), '.');
+      while (made.preset_json.size() < length) {
+        made.preset_json += letter;
+      }
+      write_sky(folder / "a.exr", made);
+      EXPECT_EQ(read_provenance(folder / "a.exr"), made) << length << " " << letter;
+      std::ifstream in(folder / "a.exr", std::ios::binary);
+      for (const auto& [name, attribute] :
+           read_exr_header(in, std::filesystem::file_size(folder / "a.exr")).attributes) {
+        EXPECT_LE(attribute.value.size(), 255U) << name;
+        const auto first = attribute.value.empty() ? '.' : attribute.value.front();
+        EXPECT_NE(static_cast<unsigned char>(first) & 0xC0U, 0x80U) << name << " begins within a character";
+      }
+    }
+  }
 }
 
 TEST(Provenance, SaysWhatIsWrongWithAFile) {
