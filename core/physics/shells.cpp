@@ -112,6 +112,31 @@ std::vector<double> row_measure(const Column& column) {
   return f;
 }
 
+// How many shells stand between each break and the next, about `wished` in all and never more than there is room for:
+// every break is an edge, so that rounding up the shares of many parts may ask for more.
+std::vector<int> shells_between(const std::vector<double>& f, std::size_t samples, int wished) {
+  constexpr int kMost = static_cast<int>(physics::kMaxShellRows) - 1;
+  std::vector<int> shells((f.size() - 1) / samples);
+  for (int share = wished;; --share) {
+    int sum = 0;
+    for (std::size_t s = 0; s < shells.size(); ++s) {
+      shells[s] = std::max(1, static_cast<int>(std::lround((f[(s + 1) * samples] - f[s * samples]) * share)));
+      sum += shells[s];
+    }
+    if (sum <= kMost) {
+      return shells;
+    }
+  }
+}
+
+// A row below `end`, unless 32 bits do not tell it from its neighbours: a shell of no height has no inside.
+void add_row(std::vector<double>& rows, double h, double end) {
+  const auto narrow = static_cast<float>(h);
+  if (narrow > static_cast<float>(rows.back()) && narrow < static_cast<float>(end)) {
+    rows.push_back(h);
+  }
+}
+
 }  // namespace
 
 bool uses_shells(const Scene& scene, physics::Physics& p) {
@@ -141,23 +166,22 @@ std::vector<double> shell_altitudes(const Scene& scene, physics::Physics& p) {
   const std::vector<double> breaks = breaks_of(scene, 14);
   const Column column = column_of(p, breaks);
   const std::vector<double> f = row_measure(column);
-  const int wished = wished_rows(scene, column.depth.back()) - 1;
+  const std::size_t samples = (column.h.size() - 1) / (breaks.size() - 1);
+  const std::vector<int> shells = shells_between(f, samples, wished_rows(scene, column.depth.back()) - 1);
   std::vector<double> rows{0.0};
-  std::size_t first = 0;
-  for (std::size_t s = 0; s + 1 < breaks.size(); ++s) {
-    const std::size_t last = first + (column.h.size() - 1) / (breaks.size() - 1);
-    const int shells = std::max(1, static_cast<int>(std::lround((f[last] - f[first]) * wished)));
+  for (std::size_t s = 0; s < shells.size(); ++s) {
+    const std::size_t first = s * samples;
+    const std::size_t last = first + samples;
     std::size_t at = first;
-    for (int k = 1; k < shells; ++k) {
-      const double aim = f[first] + (f[last] - f[first]) * k / shells;
-      while (f[at + 1] < aim) {
+    for (int k = 1; k < shells[s]; ++k) {
+      const double aim = f[first] + (f[last] - f[first]) * k / shells[s];
+      while (at + 1 < last && f[at + 1] < aim) {
         ++at;
       }
       const double part = (aim - f[at]) / (f[at + 1] - f[at]);
-      rows.push_back(column.h[at] + part * (column.h[at + 1] - column.h[at]));
+      add_row(rows, column.h[at] + part * (column.h[at + 1] - column.h[at]), breaks[s + 1]);
     }
     rows.push_back(breaks[s + 1]);
-    first = last;
   }
   return rows;
 }

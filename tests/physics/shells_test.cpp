@@ -64,6 +64,40 @@ TEST(Shells, HaveEdgesWhereADensityJumpsOrBends) {
   EXPECT_LE(shell_altitudes(fine, p).size(), static_cast<std::size_t>(physics::kMaxShellRows));
 }
 
+// Thin layers at the foot of thick air: each is a shell by itself, and the rest asks for nearly all that were wished.
+TEST(Shells, AreNeverMoreThanThereIsRoomFor) {
+  std::size_t most = 0;
+  for (int count = 1; count <= 30; ++count) {
+    Scene scene = vacuum();
+    std::vector<DensityLayer> list;
+    for (int i = 1; i <= count; ++i) {
+      list.push_back({0.001 * i, 1.0});
+    }
+    scene.media.push_back(medium("thick", {3.0, 3.0, 3.0}, {}, layers(list)));
+    scene.render.parameters["shells"] = std::string("auto");
+    const Physics p = make_physics(scene);
+    ASSERT_GT(p.scene.shell_rows, 0U);
+    ASSERT_LE(p.scene.shell_rows, physics::kMaxShellRows) << count;
+    most = std::max<std::size_t>(most, p.scene.shell_rows);
+  }
+  EXPECT_EQ(most, physics::kMaxShellRows) << "no scene asked for more than there is room for";
+}
+
+// A shell whose edges are one number in 32 bits divides by its height of 0.
+TEST(Shells, StandApartIn32Bits) {
+  Scene scene = vacuum();
+  scene.planet.atmosphere_height = 1e6;
+  scene.media.push_back(medium("film", {1e3, 1e3, 1e3}, {}, layers({{9e5, 0.0}, {9e5 + 1.5, 1.0}, {9e5 + 3.0, 0.0}})));
+  scene.media.push_back(medium("skin", {1e3, 1e3, 1e3}, {}, exponential(1e-6)));
+  scene.render.parameters["shells"] = std::string("auto");
+  Physics p = make_physics(scene);
+  ASSERT_GT(p.scene.shell_rows, 4U);
+  for (unsigned int k = 1; k < p.scene.shell_rows; ++k) {
+    const auto below = static_cast<float>(p.shell_altitude(k - 1));
+    EXPECT_LT(below, static_cast<float>(p.shell_altitude(k))) << k;
+  }
+}
+
 TEST(Shells, StepsCoverTheRayAndCrossNoEdge) {
   Physics p = make_physics(foggy("auto"));
   const auto& planet = p.scene.planet;
