@@ -32,16 +32,3 @@ foreach(library IN ITEMS OpenEXR OpenColorIO OpenImageIO nlohmann_json CLI11 PNG
 endforeach()
 set_source_files_properties(${PROJECT_SOURCE_DIR}/app/cli/version.cpp PROPERTIES
                             COMPILE_DEFINITIONS "AIRLIGHT_LIBRARIES=\"${libraries}\"")
-
-# The manual page, made by the program itself.
-set(manual ${PROJECT_BINARY_DIR}/airlight.1)
-add_custom_command(
-  OUTPUT ${manual}
-  COMMAND airlight man > ${manual}
-  DEPENDS airlight
-  VERBATIM)
-add_custom_target(airlight_manual ALL DEPENDS ${manual})
-
-include(GNUInstallDirs)
-install(TARGETS airlight RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(FILES ${manual} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)

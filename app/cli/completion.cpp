@@ -43,9 +43,32 @@ const char* bash_files(Completes completes) {
   return "";
 }
 
+// A line a match, so that spaces in names stay. What is written with quotes or backslashes matches nothing here and is
+// left to readline, which knows them.
+constexpr const char* kBashOffer = R"(_airlight_offer() {  # words, and -f or -d for files or folders
+  mapfile -t COMPREPLY < <(compgen $2 -P "$before" -W "$1" -- "$current")
+  case $2 in
+    -f) compopt -o filenames -o default ;;
+    -d) compopt -o filenames -o dirnames ;;
+  esac 2>/dev/null
+}
+)";
+
+// The word under the cursor and the one before it: --option=value comes in three words where COMP_WORDBREAKS holds '=',
+// else in one.
+constexpr const char* kBashWords = R"(  local IFS=$' \t\n' before= command= word
+  local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]}
+  if [[ $current == = ]]; then
+    current=
+  elif [[ $previous == = && $COMP_CWORD -gt 1 ]]; then
+    previous=${COMP_WORDS[COMP_CWORD-2]}
+  elif [[ $current == --*=* ]]; then
+    previous=${current%%=*} before=${current%%=*}= current=${current#*=}
+  fi
+)";
+
 std::string bash_offer(const Words& words, Completes completes) {
-  return "COMPREPLY=($(compgen" + std::string(bash_files(completes)) + " -W " + quoted(joined(words, " ")) +
-         " -- \"$current\"))";
+  return "_airlight_offer " + quoted(joined(words, " ")) + bash_files(completes);
 }
 
 std::string bash_command(const Command& command) {
@@ -82,12 +105,10 @@ std::string bash_script(const Tool& tool) {
     commands += bash_command(command);
   }
   first.insert(first.end(), names.begin(), names.end());
-  return "# bash completion for " + tool.name + "\n_" + tool.name + "() {\n" +
-         "  local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]} command= word\n"
-         "  for word in \"${COMP_WORDS[@]:1:COMP_CWORD-1}\"; do\n    case $word in\n      " +
-         joined(names, "|") + ") command=$word; break ;;\n    esac\n  done\n  case $command in\n" + commands +
-         "    *) " + bash_offer(first, Completes::nothing) + " ;;\n  esac\n}\n" + "complete -o filenames -F _" +
-         tool.name + " " + tool.name + "\n";
+  return "# bash completion for " + tool.name + "\n" + kBashOffer + "_" + tool.name + "() {\n" + kBashWords +
+         "  for word in \"${COMP_WORDS[@]:1:COMP_CWORD-1}\"; do\n    case $word in\n      " + joined(names, "|") +
+         ") command=$word; break ;;\n    esac\n  done\n  case $command in\n" + commands + "    *) " +
+         bash_offer(first, Completes::nothing) + " ;;\n  esac\n}\ncomplete -F _" + tool.name + " " + tool.name + "\n";
 }
 
 // zsh's _arguments reads ':' and brackets in a specification.
@@ -113,7 +134,9 @@ std::string zsh_action(const Words& words, Completes completes) {
 std::string zsh_option(const Option& option) {
   std::string text;
   for (const std::string& name : option_names(option)) {
-    std::string spec = (is_repeatable(option.target) ? "*" : "") + name + "[" + zsh_text(option.help) + "]";
+    const bool joins = !is_flag(option) && name.rfind("--", 0) == 0;  // --option=value and --option value
+    std::string spec =
+        (is_repeatable(option.target) ? "*" : "") + name + (joins ? "=" : "") + "[" + zsh_text(option.help) + "]";
     if (!is_flag(option)) {
       spec +=
           ":" + zsh_text(option.metavar) + ":" + zsh_action(values(option.choices, option.offers), option.completes);
@@ -141,8 +164,10 @@ std::string zsh_script(const Tool& tool) {
   }
   return "#compdef " + tool.name + "\n_" + tool.name + "() {\n  local -a commands=(\n" + list +
          "  )\n  if (( CURRENT == 2 )); then\n    _describe command commands\n    return\n  fi\n" +
-         "  local command=$words[2]\n  shift words\n  (( CURRENT-- ))\n  case $command in\n" + cases +
-         "  esac\n}\ncompdef _" + tool.name + " " + tool.name + "\n";
+         "  local command=$words[2]\n  shift words\n  (( CURRENT-- ))\n  case $command in\n" + cases + "  esac\n}\n" +
+         // Loaded from a folder of $fpath, the file is the function's first call.
+         "if [[ $funcstack[1] == _" + tool.name + " ]]; then\n  _" + tool.name + " \"$@\"\nelse\n  compdef _" +
+         tool.name + " " + tool.name + "\nfi\n";
 }
 
 std::string fish_line(const Tool& tool, const std::string& when, const std::string& rest) {

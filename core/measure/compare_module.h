@@ -5,7 +5,7 @@
 
 namespace airlight::measure {
 
-// Looks beside the running program, then in ../lib/airlight from there. Loaded once, kept for the life of the process.
+// Looks beside the running program, then where both are installed (../lib/airlight/modules from there). Loaded once, kept for the life of the process.
 // Throws RunError when it is missing or does not load.
 CompareFunction load_compare();
 

@@ -19,4 +19,9 @@ target_link_options(airlight_compare PRIVATE LINKER:--as-needed LINKER:--exclude
 
 # Whoever builds the tool gets the module beside it.
 cmake_language(DEFER CALL add_dependencies airlight airlight_compare)
-install(TARGETS airlight_compare LIBRARY DESTINATION lib/airlight)  # where compare_module.cpp looks from bin
+# Where the module lies once it is installed, and the way there from the program, which finds it wherever both are moved.
+include(GNUInstallDirs)
+set(AIRLIGHT_MODULE_FOLDER lib/airlight/modules)  # deeper than the folders for which CPack's package calls ldconfig
+file(RELATIVE_PATH module_from_program /prefix/${CMAKE_INSTALL_BINDIR} /prefix/${AIRLIGHT_MODULE_FOLDER})
+set_source_files_properties(${CMAKE_CURRENT_LIST_DIR}/compare_module.cpp PROPERTIES
+                            COMPILE_DEFINITIONS "AIRLIGHT_MODULE_FROM_PROGRAM=\"${module_from_program}\"")

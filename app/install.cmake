@@ -1,0 +1,83 @@
+# What `cmake --install` and CPack put where. All of it is there once the target `airlight` is built.
+include(GNUInstallDirs)
+find_program(GZIP gzip REQUIRED)
+
+set(documents ${PROJECT_BINARY_DIR}/documents)
+
+# Made by the program itself, as soon as it is linked.
+set(made_by_program ${documents}/airlight.1.gz ${documents}/airlight.bash ${documents}/_airlight
+                    ${documents}/airlight.fish)
+add_custom_command(
+  TARGET airlight POST_BUILD
+  COMMAND ${CMAKE_COMMAND} -DAIRLIGHT=$<TARGET_FILE:airlight> -DOUT=${documents} -DGZIP=${GZIP}
+          -P ${PROJECT_SOURCE_DIR}/app/program_documents.cmake
+  BYPRODUCTS ${made_by_program}
+  VERBATIM)
+
+set(changelog ${documents}/changelog.gz)
+set(copyright ${documents}/copyright)
+# Packages whose code is inside the program: headers and static libraries.
+set(included libcli11-dev nlohmann-json3-dev libvulkan-volk-dev libvulkan-dev spirv-headers)
+set(sources ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${PROJECT_SOURCE_DIR}/LICENSE
+            ${PROJECT_SOURCE_DIR}/app/project_documents.cmake)
+add_custom_command(
+  OUTPUT ${changelog} ${copyright}
+  COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -DOUT=${documents} -DGZIP=${GZIP} "-DINCLUDED=${included}"
+          -DVERSION=${PROJECT_VERSION} "-DMAINTAINER=${AIRLIGHT_MAINTAINER}"
+          -P ${PROJECT_SOURCE_DIR}/app/project_documents.cmake
+  DEPENDS ${sources}
+  VERBATIM)
+add_custom_target(airlight_documents DEPENDS ${changelog} ${copyright})
+add_dependencies(airlight airlight_documents)
+
+# All or nothing: before a first file is copied, every file is there and every folder can be written.
+set(manual_folder ${CMAKE_INSTALL_MANDIR}/man1)
+set(shared_folder ${CMAKE_INSTALL_DATADIR}/airlight)
+set(about_folder ${CMAKE_INSTALL_DATADIR}/doc/airlight)
+set(bash_folder ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+set(fish_folder ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+set(installed_files $<TARGET_FILE:airlight> $<TARGET_FILE:airlight_compare> ${made_by_program} ${changelog}
+                    ${copyright})
+set(installed_folders ${CMAKE_INSTALL_BINDIR} ${AIRLIGHT_MODULE_FOLDER} ${manual_folder} ${shared_folder}
+                      ${about_folder} ${bash_folder} ${fish_folder} ${CMAKE_INSTALL_DATADIR}/zsh)
+install(CODE "set(airlight_files \"${installed_files}\")
+  set(airlight_folders \"${installed_folders}\")
+  set(airlight_build \"${PROJECT_BINARY_DIR}\")
+  # Where zsh looks: Debian's packages have a folder of their own.
+  set(airlight_zsh \"site-functions\")
+  if(CMAKE_INSTALL_PREFIX MATCHES \"/usr/?$\")
+    set(airlight_zsh \"vendor-completions\")
+  endif()")
+install(SCRIPT ${PROJECT_SOURCE_DIR}/app/check_install.cmake)
+
+install(TARGETS airlight RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS airlight_compare LIBRARY DESTINATION ${AIRLIGHT_MODULE_FOLDER})
+install(FILES ${documents}/airlight.1.gz DESTINATION ${manual_folder})
+install(FILES ${documents}/airlight.bash DESTINATION ${bash_folder} RENAME airlight)
+install(FILES ${documents}/airlight.fish DESTINATION ${fish_folder})
+install(FILES ${documents}/_airlight DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/\${airlight_zsh}")
+install(FILES ${preset_files} ${PROJECT_SOURCE_DIR}/presets/README.md DESTINATION ${shared_folder}/presets)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/presets/schema DESTINATION ${shared_folder}/presets)
+install(FILES ${changelog} ${copyright} DESTINATION ${about_folder})
+
+# The Debian package; scripts/package makes it.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME airlight)
+set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "headless sky renderer with measured accuracy")
+set(CPACK_PACKAGE_DESCRIPTION
+    "Renders skies of Earth-like and other atmospheres from JSON presets by Vulkan\n\
+compute, on a GPU or on Mesa's software device, to scene-linear OpenEXR and to\n\
+PNG. Compares renders with references for continuous integration.")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE
+                                                WORLD_READ WORLD_EXECUTE)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_MAINTAINER "${AIRLIGHT_MAINTAINER}")
+set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+# What is opened at run time by name, so that no linker knows of it: the Vulkan loader, a driver, the zones' files.
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "libvulkan1, mesa-vulkan-drivers | vulkan-icd, tzdata")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "ffmpeg, gnuplot-nox | gnuplot")
+include(CPack)

@@ -1,0 +1,127 @@
+// What `cmake --install` and the Debian package hold, and that it works where it was not built.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "tests/cli/process.h"
+
+namespace airlight::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Beside the presets, whose list is the source's.
+std::vector<std::string> expected_files(const std::string& zsh_folder) {
+  std::vector<std::string> files = {"bin/airlight",
+                                    "lib/airlight/modules/airlight_compare.so",
+                                    "share/airlight/presets/README.md",
+                                    "share/airlight/presets/schema/preset-1.schema.json",
+                                    "share/bash-completion/completions/airlight",
+                                    "share/doc/airlight/changelog.gz",
+                                    "share/doc/airlight/copyright",
+                                    "share/fish/vendor_completions.d/airlight.fish",
+                                    "share/man/man1/airlight.1.gz",
+                                    "share/zsh/" + zsh_folder + "/_airlight"};
+  for (const fs::directory_entry& entry : fs::directory_iterator(AIRLIGHT_SOURCE_DIR "/presets")) {
+    const std::string name = entry.path().filename().string();
+    if (entry.path().extension() == ".json" && name != "chart.json") files.push_back("share/airlight/presets/" + name);
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::vector<std::string> files_below(const fs::path& folder) {
+  std::vector<std::string> files;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+    if (!entry.is_directory()) files.push_back(entry.path().lexically_relative(folder).string());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+// Used from / with nothing but the installed folder on PATH before the system's own.
+void expect_that_it_works(const fs::path& prefix, const Scratch& scratch) {
+  Start start;
+  start.environment = {{"PATH", (prefix / "bin").string() + ":/usr/bin:/bin"}, {"OUT", scratch.path().string()}};
+  const Outcome used = run("/",
+                           {"sh", "-euc",
+                            "airlight render earth-noon --size 16x9 -q -o \"$OUT/a.exr\" --png \"$OUT/a.png\"\n"
+                            "airlight render \"$0/share/airlight/presets/earth-noon.json\" --size 16x9 -q -o "
+                            "\"$OUT/b.exr\"\n"
+                            "airlight diff \"$OUT/a.exr\" \"$OUT/b.exr\" --heatmap \"$OUT/error.png\"\n"
+                            "gzip -dc \"$0/share/man/man1/airlight.1.gz\" | head -1\n"
+                            "gzip -dc \"$0/share/doc/airlight/changelog.gz\" | dpkg-parsechangelog -l - -S Version\n",
+                            prefix.string()},
+                           start);
+  EXPECT_EQ(used.exit_code, 0) << used.err;
+  EXPECT_TRUE(contains(used.out, "PASS")) << used.out;
+  EXPECT_TRUE(contains(used.out, ".TH AIRLIGHT 1")) << used.out;
+  EXPECT_TRUE(contains(airlight(scratch.path(), {"--version"}).out, lines_of(used.out).back())) << used.out;
+  EXPECT_EQ(scratch.read("a.png").substr(1, 3), "PNG");
+  EXPECT_EQ(scratch.read("error.png").substr(1, 3), "PNG");
+}
+
+TEST(Install, PutsEverythingInPlaceAndMayBeMoved) {
+  const Scratch scratch;
+  const Outcome outcome =
+      run(scratch.path(), {"cmake", "--install", AIRLIGHT_BUILD_DIR, "--prefix", (scratch.path() / "first").string()});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(files_below(scratch.path() / "first"), expected_files("site-functions"));
+  fs::rename(scratch.path() / "first", scratch.path() / "moved to");
+  expect_that_it_works(scratch.path() / "moved to", scratch);
+  EXPECT_TRUE(contains(scratch.read("moved to/share/doc/airlight/copyright"), "MIT License"));
+}
+
+TEST(Install, NothingIsCopiedWhereAFileIsMissing) {
+  const Scratch scratch;
+  const Scratch build;
+  std::string script = build.read(AIRLIGHT_BUILD_DIR "/cmake_install.cmake");
+  const std::string made = "airlight.1.gz";
+  for (std::size_t at = script.find(made); at != std::string::npos; at = script.find(made, at)) {
+    script.replace(at, made.size(), "never-made");
+  }
+  const std::string file = build.write("cmake_install.cmake", script).string();
+  const Outcome outcome =
+      run(build.path(), {"cmake", "-DCMAKE_INSTALL_PREFIX=" + (scratch.path() / "prefix").string(), "-P", file});
+  EXPECT_NE(outcome.exit_code, 0);
+  EXPECT_TRUE(contains(outcome.err, "never-made is missing")) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "--target airlight")) << outcome.err;
+  EXPECT_FALSE(fs::exists(scratch.path() / "prefix"));
+}
+
+TEST(Install, NothingIsCopiedWhereAFolderCannotBe) {
+  const Scratch scratch;
+  scratch.write("share", "a file where a folder is to be");
+  const Outcome outcome =
+      run(scratch.path(), {"cmake", "--install", AIRLIGHT_BUILD_DIR, "--prefix", scratch.path().string()});
+  EXPECT_NE(outcome.exit_code, 0);
+  EXPECT_TRUE(contains(outcome.err, "/share cannot be written")) << outcome.err;
+  EXPECT_EQ(scratch.files(), std::vector<std::string>{"share"});
+}
+
+// scripts/test-package installs it with apt in a clean root, which takes minutes and the network.
+TEST(Package, HoldsEverythingAndNamesWhatItNeeds) {
+  const Scratch scratch;
+  for (const char* tool : {"dpkg-shlibdeps", "file"}) {
+    if (run(scratch.path(), {"sh", "-c", "command -v " + std::string(tool)}).exit_code != 0) {
+      GTEST_SKIP() << tool << " is not installed";
+    }
+  }
+  const Outcome made = run(
+      scratch.path(), {"cpack", "--config", AIRLIGHT_BUILD_DIR "/CPackConfig.cmake", "-B", scratch.path().string()});
+  ASSERT_EQ(made.exit_code, 0) << made.err << made.out;
+  const Outcome unpacked = run(scratch.path(), {"sh", "-c",
+                                                "dpkg-deb -x airlight_*.deb root && dpkg-deb -f airlight_*.deb "
+                                                "Package Depends"});
+  ASSERT_EQ(unpacked.exit_code, 0) << unpacked.err;
+  for (const char* needed : {"libvulkan1", "mesa-vulkan-drivers | vulkan-icd", "tzdata", "libopenexr-",
+                             "libopenimageio2", "libopencolorio2", "libpng16", "liberfa1", "libc6"}) {
+    EXPECT_TRUE(contains(unpacked.out, needed)) << needed << " is not in " << unpacked.out;
+  }
+  EXPECT_EQ(files_below(scratch.path() / "root/usr"), expected_files("vendor-completions"));
+  expect_that_it_works(scratch.path() / "root/usr", scratch);
+}
+
+}  // namespace
+}  // namespace airlight::test
