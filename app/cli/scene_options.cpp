@@ -50,7 +50,7 @@ Positional preset_positional(SceneOptions& options) {
 }
 
 std::vector<Option> scene_options(SceneOptions& options) {
-  return {
+  std::vector<Option> all = {
       {"--sun-elevation", "DEG", "The sun's height above the horizon; short for --set /sun/elevation_deg=DEG",
        &options.sun_elevation},
       {"--sun-azimuth", "DEG", "The sun's azimuth, clockwise from north; short for --set /sun/azimuth_deg=DEG",
@@ -63,8 +63,18 @@ std::vector<Option> scene_options(SceneOptions& options) {
       {"--set", "POINTER=JSON",
        "Change any key of the preset, e.g. /camera/pitch_deg=20; checked as the preset is, and applied after the "
        "other options",
-       &options.set},
-      {"--device", "SUBSTRING", "The first Vulkan device with this in its name ('airlight devices')", &options.device}};
+       &options.set}};
+  for (Option& option : device_options(options)) {
+    all.push_back(std::move(option));
+  }
+  return all;
+}
+
+std::vector<Option> device_options(SceneOptions& options) {
+  return {
+      {"--device", "SUBSTRING", "The first Vulkan device with this in its name ('airlight devices')", &options.device},
+      {"--no-cache", "", "Read nothing from the user's cache folder and write nothing there: shaders are prepared anew",
+       &options.no_cache}};
 }
 
 Option size_option(SceneOptions& options) {
@@ -99,11 +109,18 @@ Scene load_scene(const SceneOptions& options, const std::vector<std::string>& fu
   return resolve(chosen_preset(options, further), method_infos());
 }
 
+DeviceOptions wanted_device(const SceneOptions& options) {
+  DeviceOptions wanted;
+  wanted.name_substring = options.device;
+  if (options.no_cache) {
+    wanted.cache_folder.emplace();
+  }
+  return wanted;
+}
+
 DeviceOnDemand device_on_demand(const SceneOptions& options, std::unique_ptr<Executor>& owner) {
-  return [&owner, name = options.device]() -> Executor& {
+  return [&owner, wanted = wanted_device(options)]() -> Executor& {
     if (!owner) {
-      DeviceOptions wanted;
-      wanted.name_substring = name;
       owner = std::make_unique<Executor>(wanted);
     }
     return *owner;

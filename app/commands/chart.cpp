@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cstdlib>
 #include <memory>
 #include <set>
 
@@ -14,6 +13,7 @@
 #include "app/commands/commands.h"
 #include "app/render/table_files.h"
 #include "core/error.h"
+#include "core/gpu/module_cache.h"
 #include "core/methods/method.h"
 
 namespace airlight::cli {
@@ -53,21 +53,13 @@ std::vector<std::string> chosen_methods(const Given& given) {
   return chosen;
 }
 
-// $XDG_CACHE_HOME/airlight/truth, as truths serve every folder; beside the chart where there is no home.
+// In the user's cache, as truths serve every chart; beside the chart where there is none.
 fs::path truth_folder(const Given& given) {
   if (!given.truth_folder.empty()) {
     return given.truth_folder;
   }
-  const auto variable = [](const char* name) {
-    const char* value = std::getenv(name);
-    return fs::path(value == nullptr ? "" : value);
-  };
-  fs::path cache = variable("XDG_CACHE_HOME");
-  if (!cache.is_absolute()) {
-    const fs::path home = variable("HOME");
-    cache = home.is_absolute() ? home / ".cache" : fs::path();
-  }
-  return cache.empty() ? fs::path(given.folder) / "truth" : cache / "airlight" / "truth";
+  const fs::path cache = given.scene.no_cache ? fs::path() : user_cache_folder();
+  return cache.empty() ? fs::path(given.folder) / "truth" : cache / "truth";
 }
 
 void make_folders(const fs::path& folder) {
@@ -114,11 +106,7 @@ chart::RunOrder order_of(const Given& given, chart::Settings& settings) {
   order.truth_folder = truth_folder(given);
   order.known = read_points(given.folder);
   order.version = AIRLIGHT_VERSION;
-  order.open_device = [device = given.scene.device] {
-    DeviceOptions wanted;
-    wanted.name_substring = device;
-    return std::make_unique<Executor>(wanted);
-  };
+  order.open_device = [wanted = wanted_device(given.scene)] { return std::make_unique<Executor>(wanted); };
   order.keep = [folder = fs::path(given.folder)](const std::vector<chart::Point>& points) {
     write_points(folder, points);
   };
@@ -177,7 +165,8 @@ Command chart_command() {
       "The time is that of a picture whose kept tables are there: the median of several by device timestamps, or on a "
       "software device the CPU time of all threads, which other programs disturb less. What tables and the first "
       "picture cost besides stands in the files. path-trace is timed at the compared pixels and scaled up.\n\n"
-      "Truths are kept in $XDG_CACHE_HOME/airlight/truth. A run that was interrupted, or had no time for every point, "
+      "Truths are kept in $XDG_CACHE_HOME/airlight/truth, with --no-cache in the chart's folder. A run that was "
+      "interrupted, or had no time for every point, "
       "goes on from chart.csv when it is started again.";
   command.examples = {{"airlight chart my-sky.json -o chart --size 64x36 --method orders --method march --budget 5",
                        "Two methods on a preset of one's own, in some seconds"}};
@@ -195,10 +184,11 @@ Command chart_command() {
       {"--truth", "DIR", "Folder that keeps the truths from run to run", &given->truth_folder, Completes::folder},
       {"--size", "WxH", "The pictures' size in pixels when they are timed", &given->scene.size},
       {"--set", "POINTER=JSON", "Change any key of every preset, e.g. /sun/elevation_deg=3", &given->scene.set},
-      {"--device", "SUBSTRING", "The first Vulkan device with this in its name ('airlight devices')",
-       &given->scene.device},
       {"--json", "", "Also print chart.json on standard output", &given->json},
       {"-q,--quiet", "", "Say nothing but errors", &given->quiet}};
+  for (Option& option : device_options(given->scene)) {
+    command.options.push_back(std::move(option));
+  }
   command.run = [given] { return run_chart_command(*given); };
   return command;
 }

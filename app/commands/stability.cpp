@@ -29,7 +29,7 @@ struct Given {
   bool brief = false;
   bool full = false;
   bool quiet = false;
-  SceneOptions scene;  // for --device
+  SceneOptions scene;  // for the device's options
 };
 
 std::vector<std::string> subject_names() {
@@ -194,9 +194,10 @@ Command stability_command() {
        .help = "Only this method",
        .target = &given->methods,
        .choices = subject_names()},
-      {"--device", "SUBSTRING", "The first Vulkan device with this in its name ('airlight devices')",
-       &given->scene.device},
       {"-q,--quiet", "", "No progress, no notes", &given->quiet}};
+  for (Option& option : device_options(given->scene)) {
+    command.options.push_back(std::move(option));
+  }
   command.run = [given] { return run_stability(*given); };
   return command;
 }

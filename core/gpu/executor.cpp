@@ -10,6 +10,7 @@
 
 #include "core/gpu/descriptors.h"
 #include "core/gpu/frame.h"
+#include "core/gpu/module_cache.h"
 #include "core/gpu/physical_device.h"
 #include "core/gpu/pipeline.h"
 #include "core/gpu/run_resources.h"
@@ -29,6 +30,12 @@ bool wants_validation(const DeviceOptions& options) {
 
 std::string wanted_device(const DeviceOptions& options) {
   return options.name_substring.empty() ? environment("AIRLIGHT_DEVICE") : options.name_substring;
+}
+
+// A folder of their own, so that nothing else in the user's is ever taken for code, or removed.
+std::filesystem::path modules_folder(const DeviceOptions& options) {
+  const std::filesystem::path folder = options.cache_folder ? *options.cache_folder : user_cache_folder();
+  return folder.empty() ? folder : folder / "modules";
 }
 
 class Stopwatch {
@@ -299,7 +306,7 @@ struct Executor::Impl {
   Impl(const DeviceOptions& options, std::span<const EmbeddedShader> extra_shaders)
       : instance(wants_validation(options)),
         device(instance, wanted_device(options)),
-        pipelines(device, extra_shaders),
+        pipelines(device, extra_shaders, modules_folder(options)),
         cache(device, options.kept_bytes_max),
         frame(device),
         sampler(make_sampler(device)),

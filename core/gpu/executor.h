@@ -2,6 +2,7 @@
 // Runs a Plan on a device, reads results back, times each pass.
 
 #include <cstddef>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <span>
@@ -26,6 +27,8 @@ struct DeviceOptions {
   // Load the validation layer; every message is counted and printed to stderr. AIRLIGHT_VALIDATION=1 does the same.
   bool validation = false;
   std::optional<bool> teams = {};  // whether passes get them (PassDesc::team); without: on all but processors
+  // Where what only saves time is kept from one start to the next; empty: nowhere. Without: user_cache_folder().
+  std::optional<std::filesystem::path> cache_folder = {};
   std::size_t kept_bytes_max = std::size_t{1} << 30;  // kept resources beyond it go, the least recently used first
 };
 

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "core/error.h"
+#include "core/gpu/specialize.h"
 
 namespace airlight {
 namespace {
@@ -64,6 +65,30 @@ PipelineLayoutHandle make_layout(const Device& device, const ShaderInfo& info, V
   return {device.get(), layout};
 }
 
+PipelineHandle make_pipeline(const Device& device, const ShaderProgram& program, std::span<const std::uint32_t> spirv,
+                             const VkSpecializationInfo* specialization) {
+  const ShaderInfo& info = program.info;
+  const ShaderModuleHandle module = make_module(device, info, spirv);
+  const VkPipelineShaderStageCreateInfo stage{.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
+                                              .pNext = nullptr,
+                                              .flags = 0,
+                                              .stage = VK_SHADER_STAGE_COMPUTE_BIT,
+                                              .module = module.get(),
+                                              .pName = info.entry_point.c_str(),
+                                              .pSpecializationInfo = specialization};
+  const VkComputePipelineCreateInfo pipeline_info{.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
+                                                  .pNext = nullptr,
+                                                  .flags = 0,
+                                                  .stage = stage,
+                                                  .layout = program.layout.get(),
+                                                  .basePipelineHandle = nullptr,
+                                                  .basePipelineIndex = -1};
+  VkPipeline pipeline = nullptr;
+  check(vkCreateComputePipelines(device.get(), nullptr, 1, &pipeline_info, nullptr, &pipeline),
+        "compile the shader " + info.name);
+  return {device.get(), pipeline};
+}
+
 // Runs tasks 0 to count - 1 on up to one thread a core; the first exception is thrown again here.
 template <class Task>
 void in_parallel(std::size_t count, const Task& task) {
@@ -104,29 +129,34 @@ VkDescriptorType descriptor_type(BindingKind kind) {
   return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
 }
 
-PipelineCache::PipelineCache(const Device& device, std::span<const EmbeddedShader> extra) : device_(device) {
-  for (const EmbeddedShader& shader : embedded_shaders()) shaders_[std::string(shader.name)] = shader.spirv;
-  for (const EmbeddedShader& shader : extra) shaders_[std::string(shader.name)] = shader.spirv;
+PipelineCache::PipelineCache(const Device& device, std::span<const EmbeddedShader> extra, std::filesystem::path folder)
+    : device_(device), frozen_(std::move(folder)) {
+  for (const EmbeddedShader& shader : embedded_shaders()) shaders_[std::string(shader.name)] = shader;
+  for (const EmbeddedShader& shader : extra) shaders_[std::string(shader.name)] = shader;
 }
 
 const ShaderProgram& PipelineCache::program(const std::string& shader) {
   if (const auto found = programs_.find(shader); found != programs_.end()) return *found->second;
-  const auto spirv = shaders_.find(shader);
-  if (spirv == shaders_.end()) {
+  const auto source = shaders_.find(shader);
+  if (source == shaders_.end()) {
     std::string names;
     for (const auto& known : shaders_) names += (names.empty() ? "" : ", ") + known.first;
     throw std::logic_error("no shader is named " + shader + "; there are: " + names);
   }
   auto program = std::make_unique<ShaderProgram>();
-  program->info = reflect(shader, spirv->second);
-  program->spirv = spirv->second;
-  program->module = make_module(device_, program->info, program->spirv);
+  program->info = reflect(shader, source->second.spirv);
+  program->source = source->second;
   program->set_layout = make_set_layout(device_, program->info);
   program->layout = make_layout(device_, program->info, program->set_layout.get());
   return *programs_.emplace(shader, std::move(program)).first->second;
 }
 
-PipelineHandle PipelineCache::compile(const Request& request) const {
+PipelineHandle PipelineCache::compile(const Request& request, bool& made) const {
+  const ShaderProgram& program = *request.program;
+  if (can_specialize()) {
+    const FrozenModules::Words words = frozen_.get(program.source, request.constants, made);
+    return make_pipeline(device_, program, words.get(), nullptr);
+  }
   std::vector<VkSpecializationMapEntry> entries;
   std::vector<std::uint32_t> values;
   for (const ConstantValue& constant : request.constants) {
@@ -139,25 +169,7 @@ PipelineHandle PipelineCache::compile(const Request& request) const {
                                             .pMapEntries = entries.data(),
                                             .dataSize = values.size() * sizeof(std::uint32_t),
                                             .pData = values.data()};
-  const ShaderInfo& info = request.program->info;
-  const VkPipelineShaderStageCreateInfo stage{.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
-                                              .pNext = nullptr,
-                                              .flags = 0,
-                                              .stage = VK_SHADER_STAGE_COMPUTE_BIT,
-                                              .module = request.program->module.get(),
-                                              .pName = info.entry_point.c_str(),
-                                              .pSpecializationInfo = &specialization};
-  const VkComputePipelineCreateInfo pipeline_info{.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
-                                                  .pNext = nullptr,
-                                                  .flags = 0,
-                                                  .stage = stage,
-                                                  .layout = request.program->layout.get(),
-                                                  .basePipelineHandle = nullptr,
-                                                  .basePipelineIndex = -1};
-  VkPipeline pipeline = nullptr;
-  check(vkCreateComputePipelines(device_.get(), nullptr, 1, &pipeline_info, nullptr, &pipeline),
-        "compile the shader " + info.name);
-  return {device_.get(), pipeline};
+  return make_pipeline(device_, program, program.source.spirv, &specialization);
 }
 
 std::vector<VkPipeline> PipelineCache::pipelines(const std::vector<Request>& requests) {
@@ -171,7 +183,13 @@ std::vector<VkPipeline> PipelineCache::pipelines(const std::vector<Request>& req
     missing.push_back(&request);
     places.push_back(&place->second);
   }
-  in_parallel(missing.size(), [&](std::size_t i) { *places[i] = compile(*missing[i]); });
+  std::atomic<bool> any_made = false;
+  in_parallel(missing.size(), [&](std::size_t i) {
+    bool made = false;
+    *places[i] = compile(*missing[i], made);
+    if (made) any_made = true;
+  });
+  if (any_made) frozen_.trim();
 
   std::vector<VkPipeline> found;
   found.reserve(requests.size());

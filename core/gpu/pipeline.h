@@ -1,6 +1,7 @@
 #pragma once
 // Compute pipelines by shader and specialization, made once for an executor's life.
 
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <string>
@@ -10,6 +11,7 @@
 
 #include "core/gpu/device.h"
 #include "core/gpu/embedded_shaders.h"
+#include "core/gpu/frozen_modules.h"
 #include "core/gpu/match.h"
 #include "core/gpu/shader.h"
 
@@ -18,8 +20,7 @@ namespace airlight {
 // What all pipelines of one shader share.
 struct ShaderProgram {
   ShaderInfo info;
-  std::span<const std::uint32_t> spirv;
-  ShaderModuleHandle module;
+  EmbeddedShader source;
   DescriptorSetLayoutHandle set_layout;
   PipelineLayoutHandle layout;
 };
@@ -28,8 +29,9 @@ VkDescriptorType descriptor_type(BindingKind kind);
 
 class PipelineCache {
  public:
-  // Shaders by name: those of airlight and `extra`, which wins where names meet.
-  PipelineCache(const Device& device, std::span<const EmbeddedShader> extra);
+  // Shaders by name: those of airlight and `extra`, which wins where names meet. `folder`: where frozen modules are
+  // kept; empty: nowhere.
+  PipelineCache(const Device& device, std::span<const EmbeddedShader> extra, std::filesystem::path folder);
 
   // Throws std::logic_error listing the names that exist.
   const ShaderProgram& program(const std::string& shader);
@@ -43,10 +45,12 @@ class PipelineCache {
 
  private:
   using Key = std::pair<std::string, std::vector<ConstantValue>>;
-  PipelineHandle compile(const Request& request) const;
+  // `made`: whether the optimiser was at work.
+  PipelineHandle compile(const Request& request, bool& made) const;
 
   const Device& device_;
-  std::map<std::string, std::span<const std::uint32_t>, std::less<>> shaders_;
+  FrozenModules frozen_;
+  std::map<std::string, EmbeddedShader, std::less<>> shaders_;
   std::map<std::string, std::unique_ptr<ShaderProgram>, std::less<>> programs_;
   std::map<Key, PipelineHandle> pipelines_;
 };

@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/file_descriptor.h"
 
 namespace airlight {
 namespace {
@@ -76,23 +77,6 @@ class Temporary {
  private:
   TemporaryName* slot_ = nullptr;
   bool renamed_ = false;
-};
-
-class Descriptor {
- public:
-  explicit Descriptor(int fd) : fd_(fd) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (fd_ >= 0) {
-      ::close(fd_);
-    }
-  }
-  int get() const { return fd_; }
-  bool close() { return ::close(std::exchange(fd_, -1)) == 0; }  // NFS and quotas report a full disk here
-
- private:
-  int fd_;
 };
 
 [[noreturn]] void fail(const std::string& file, const char* doing, int error) {
@@ -166,7 +150,7 @@ Pieces one_piece(std::span<const std::byte> contents) {
 }
 
 void write_in_place(const std::string& file, const Pieces& next) {
-  Descriptor out(::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+  FileDescriptor out(::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
   if (out.get() < 0) {
     fail(file, "open", errno);
   }
@@ -261,7 +245,7 @@ struct FileInProgress::State {
   std::string name;
   fs::path target;
   Temporary temporary;
-  Descriptor out;
+  FileDescriptor out;
   int error = 0;  // of the first write that failed
 };
 
@@ -319,7 +303,7 @@ void remove_abandoned_files(const fs::path& folder,
       if (mark == std::string::npos || !is_target(name.substr(0, mark))) {
         continue;
       }
-      const Descriptor left(::open(entry.path().c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
+      const FileDescriptor left(::open(entry.path().c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
       struct stat status {};
       // An empty one may be a moment old, its writer about to lock it.
       constexpr ::time_t kLongAgo = 600;

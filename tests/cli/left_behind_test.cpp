@@ -1,8 +1,10 @@
 // What a run leaves in the folder when its disk is full or it is ended: whole files or none.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
+#include <map>
 
 #include "tests/cli/process.h"
 
@@ -70,6 +72,35 @@ TEST_F(LeftBehind, NoTemporaryFileByATerminatedWrite) {
     }
   }
   EXPECT_GT(ended_early, 0);
+}
+
+// The user's cache: prepared shaders, nothing at all with --no-cache, and no word about a place that cannot be had. A
+// sky of one medium, as none that ships has, so that something has to be prepared.
+TEST_F(LeftBehind, PreparedShadersUnlessTheCacheIsOff) {
+  const Names render = {"render", "sky.json", "-q", "-o", "a.exr"};
+  const auto cached = [&](const Names& arguments, std::map<std::string, std::string> environment) {
+    std::filesystem::remove_all(scratch_.path() / "cache");
+    std::filesystem::remove_all(scratch_.path() / "home");
+    std::filesystem::create_directory(scratch_.path() / "home");
+    environment.emplace("HOME", (scratch_.path() / "home").string());
+    Start start;
+    start.environment = environment;
+    const Outcome outcome = tool(arguments, start);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out + outcome.err, "");
+    const Names files = scratch_.files();
+    return std::count_if(files.begin(), files.end(), [](const std::string& name) { return name.ends_with(".module"); });
+  };
+  const std::string cache = (scratch_.path() / "cache").string();
+  EXPECT_GT(cached(render, {{"AIRLIGHT_CACHE", cache}}), 0);
+  const std::string picture = scratch_.read("a.exr");
+  Names without = render;
+  without.emplace_back("--no-cache");
+  EXPECT_EQ(cached(without, {{"AIRLIGHT_CACHE", cache}}), 0);
+  EXPECT_EQ(scratch_.read("a.exr"), picture);
+  EXPECT_EQ(cached(render, {{"AIRLIGHT_CACHE", "off"}, {"XDG_CACHE_HOME", cache}}), 0);
+  EXPECT_EQ(cached(render, {{"AIRLIGHT_CACHE", "/proc/nowhere"}}), 0);
+  EXPECT_EQ(scratch_.read("a.exr"), picture);
 }
 
 }  // namespace

@@ -3,10 +3,16 @@
 #include "core/gpu/executor.h"
 
 #include <gtest/gtest.h>
+#include <stdlib.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
+#include <filesystem>
 
+#include "core/gpu/frozen_modules.h"
+#include "core/gpu/shader.h"
+#include "core/gpu/specialize.h"
 #include "tests/gpu/gpu_fixture.h"
 
 namespace airlight {
@@ -209,6 +215,43 @@ TEST(Executor, PassesConstantsSceneAndPushConstants) {
   // Another value is another pipeline, and the first one is still there.
   EXPECT_EQ(report_of(executor, {{"kCount", 12}}).count, 12U);
   EXPECT_EQ(report_of(executor, {}).count, 3U);
+}
+
+// A module under another's name: whoever computes with it has read it from the folder.
+TEST(Executor, KeepsPreparedShadersInItsFolderAlone) {
+  if (!can_specialize()) GTEST_SKIP() << "built without SPIRV-Tools";
+  std::string name = (std::filesystem::temp_directory_path() / "airlight-cache-XXXXXX").string();
+  ASSERT_NE(::mkdtemp(name.data()), nullptr);
+  const std::filesystem::path folder = name;
+  const auto count_of = [&](const std::filesystem::path& cache_folder, std::uint32_t count) {
+    Executor executor({.cache_folder = cache_folder}, test_shaders());
+    return report_of(executor, {{"kCount", count}}).count;
+  };
+  EXPECT_EQ(count_of("", 12), 12U);
+  EXPECT_TRUE(std::filesystem::is_empty(folder));
+  EXPECT_EQ(count_of(folder, 12), 12U);
+
+  const auto source = std::find_if(test_shaders().begin(), test_shaders().end(),
+                                   [](const EmbeddedShader& shader) { return shader.name == "constants"; });
+  const ShaderInfo info = reflect("constants", source->spirv);
+  const auto id =
+      std::find_if(info.constants.begin(), info.constants.end(), [](const SpecializationConstant& constant) {
+        return constant.name == "kCount";
+      })->id;
+  const ModuleCache cache(folder / "modules");
+  const auto key = [&](std::uint32_t count) {
+    const std::vector<ConstantValue> values = {{id, count}};
+    return module_key(source->digest, values);
+  };
+  const std::vector<std::uint32_t> twelve = cache.find(key(12));
+  EXPECT_FALSE(twelve.empty());
+  cache.keep(key(11), twelve);
+  EXPECT_EQ(count_of(folder, 11), 12U);
+  EXPECT_EQ(count_of("", 11), 11U);
+  std::filesystem::resize_file(folder / "modules" / (hexadecimal(key(11)) + ".module"), 100);
+  EXPECT_EQ(count_of(folder, 11), 11U);
+  EXPECT_EQ(count_of(folder, 11), 11U);
+  std::filesystem::remove_all(folder);
 }
 
 TEST(Executor, GivesTheSameBitsInEveryRun) {

@@ -1,0 +1,30 @@
+#pragma once
+// An open file of the system's, closed at the end of its scope.
+
+#include <unistd.h>
+
+#include <utility>
+
+namespace airlight {
+
+class FileDescriptor {
+ public:
+  explicit FileDescriptor(int fd = -1) : fd_(fd) {}
+  FileDescriptor(FileDescriptor&& other) noexcept : fd_(other.release()) {}
+  FileDescriptor& operator=(FileDescriptor&&) = delete;
+  FileDescriptor(const FileDescriptor&) = delete;
+  FileDescriptor& operator=(const FileDescriptor&) = delete;
+  ~FileDescriptor() {
+    if (fd_ >= 0) ::close(fd_);
+  }
+
+  explicit operator bool() const { return fd_ >= 0; }
+  int get() const { return fd_; }
+  int release() { return std::exchange(fd_, -1); }
+  bool close() { return ::close(release()) == 0; }  // NFS and quotas report a full disk here
+
+ private:
+  int fd_;
+};
+
+}  // namespace airlight

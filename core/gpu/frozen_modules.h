@@ -1,0 +1,46 @@
+#pragma once
+// Where a pipeline's frozen module comes from: the program itself, the user's folder, or the optimiser.
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/gpu/embedded_shaders.h"
+#include "core/gpu/match.h"
+#include "core/gpu/module_cache.h"
+
+namespace airlight {
+
+// Names a shader's module, the values of its constants and the optimiser's version.
+Digest module_key(std::string_view spirv_digest, std::span<const ConstantValue> constants);
+
+class FrozenModules {
+ public:
+  explicit FrozenModules(std::filesystem::path folder) : cache_(std::move(folder)) {}
+
+  // Words that are the program's own, or owned here.
+  class Words {
+   public:
+    explicit Words(std::span<const std::uint32_t> embedded) : words_(embedded) {}
+    explicit Words(std::vector<std::uint32_t> owned) : owned_(std::move(owned)), words_(owned_) {}
+    Words(Words&&) = default;
+    Words& operator=(Words&&) = delete;
+    std::span<const std::uint32_t> get() const { return words_; }
+
+   private:
+    std::vector<std::uint32_t> owned_;
+    std::span<const std::uint32_t> words_;
+  };
+
+  // From any thread. `made`: whether the optimiser had to make it.
+  Words get(const EmbeddedShader& shader, std::span<const ConstantValue> constants, bool& made) const;
+  // To be called after some were made.
+  void trim() const { cache_.trim(); }
+
+ private:
+  ModuleCache cache_;
+};
+
+}  // namespace airlight

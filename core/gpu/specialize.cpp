@@ -1,0 +1,77 @@
+#include "core/gpu/specialize.h"
+
+#include <stdexcept>
+
+#ifdef AIRLIGHT_SPIRV_TOOLS
+#include <spirv-tools/libspirv.h>
+
+#include <spirv-tools/optimizer.hpp>
+#include <unordered_map>
+#endif
+
+namespace airlight {
+
+#ifdef AIRLIGHT_SPIRV_TOOLS
+
+namespace {
+
+// To be raised with every change of passes.
+constexpr const char* kPasses = "passes 1";
+
+void register_passes(spvtools::Optimizer& optimizer, std::span<const ConstantValue> constants) {
+  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> values;
+  for (const ConstantValue& constant : constants) values[constant.id] = {constant.value};
+  optimizer.RegisterPass(spvtools::CreateStripDebugInfoPass())
+      .RegisterPass(spvtools::CreateSetSpecConstantDefaultValuePass(values))
+      .RegisterPass(spvtools::CreateFreezeSpecConstantValuePass())
+      .RegisterPass(spvtools::CreateFoldSpecConstantOpAndCompositePass())
+      .RegisterPass(spvtools::CreateCCPPass())
+      .RegisterPass(spvtools::CreateDeadBranchElimPass())
+      .RegisterPass(spvtools::CreateAggressiveDCEPass())
+      .RegisterPass(spvtools::CreateBlockMergePass());
+}
+
+}  // namespace
+
+bool can_specialize() {
+  return true;
+}
+
+std::string specializer_version() {
+  return std::string(kPasses) + ", " + spvSoftwareVersionDetailsString();
+}
+
+std::vector<std::uint32_t> specialize(std::string_view shader, std::span<const std::uint32_t> spirv,
+                                      std::span<const ConstantValue> constants) {
+  spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_2);
+  std::string problem;
+  optimizer.SetMessageConsumer(
+      [&](spv_message_level_t, const char*, const spv_position_t&, const char* message) { problem = message; });
+  register_passes(optimizer, constants);
+  spvtools::OptimizerOptions options;
+  options.set_run_validator(false);  // the build validated the module
+  std::vector<std::uint32_t> result;
+  if (!optimizer.Run(spirv.data(), spirv.size(), &result, options)) {
+    throw std::logic_error("shader " + std::string(shader) + ": its constants cannot be frozen: " + problem);
+  }
+  return result;
+}
+
+#else
+
+bool can_specialize() {
+  return false;
+}
+
+std::string specializer_version() {
+  return "none";
+}
+
+std::vector<std::uint32_t> specialize(std::string_view shader, std::span<const std::uint32_t>,
+                                      std::span<const ConstantValue>) {
+  throw std::logic_error("shader " + std::string(shader) + ": built without SPIRV-Tools, its constants stay open");
+}
+
+#endif
+
+}  // namespace airlight
