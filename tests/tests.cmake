@@ -20,7 +20,7 @@ if(AIRLIGHT_SANITIZE)
 Stability.CameraAndSun*:Stability.OneMedium*:Stability.Rays*:Stability.Sharpest*:Layers.Transmittance*:Bloom.Is*")
   set(test_filter_gpu "-Parity.*:MarchParity.*")  # the device's numbers against those of physics
   set(test_filter_physics "-March.AgreesWithBruteForce*")
-  set(test_filter_cli "-Examples.*:Install.*:Package.*:*Keys.*")  # what they run, others of this room run too
+  set(test_filter_cli "-Examples.*:Install.*:Package.*:Page.*:*Keys.*")  # what they run, others of this room run too
   set(test_filter_stability "-Method/Holds.*")
 endif()
 

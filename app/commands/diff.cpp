@@ -2,15 +2,18 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <optional>
 
 #include "app/cli/preset_source.h"
 #include "app/cli/terminal.h"
 #include "app/commands/commands.h"
 #include "app/commands/diff_json.h"
+#include "app/commands/diff_update.h"
 #include "core/error.h"
 #include "core/measure/compare_module.h"
 #include "core/measure/frames.h"
 #include "core/measure/judge.h"
+#include "core/measure/page.h"
 #include "core/measure/report.h"
 #include "core/measure/words.h"
 #include "core/methods/method.h"
@@ -33,6 +36,8 @@ struct Given {
   std::string heatmap;
   std::string side_by_side;
   std::string junit;
+  std::string html;
+  bool update = false;
   bool json = false;
   bool verbose = false;
   bool quiet = false;
@@ -73,7 +78,9 @@ void require_outputs(const Given& given, const measure::FilePairs& pairs) {
   for (const std::string& file : outputs) {
     if (fs::path(file).extension() != ".png") throw InputError(file + ": pictures are written as PNG; name it *.png");
   }
-  if (!given.junit.empty()) outputs.push_back(given.junit);
+  for (const std::string& file : {given.junit, given.html}) {
+    if (!file.empty()) outputs.push_back(file);
+  }
   for (const std::string& file : outputs) {
     if (std::count(outputs.begin(), outputs.end(), file) > 1) {
       throw InputError(file + ": is to be written twice; give each output a name of its own");
@@ -98,9 +105,14 @@ void write_picture(const std::string& file, const std::vector<std::byte>& png, s
   written.push_back(file);
 }
 
+void write_text(const std::string& file, const std::string& text, std::vector<std::string>& written) {
+  write_file(file, std::as_bytes(std::span(text)));
+  written.push_back(file);
+}
+
 NamedReport compare_pair(const Given& given, const measure::FilePairs& pairs, const measure::FilePair& pair,
                          std::vector<std::string>& written) {
-  NamedReport entry{.name = pair.name, .a = pair.a, .b = pair.b, .report = {}};
+  NamedReport entry{.name = pair.name, .a = pair.a, .b = pair.b, .report = {}, .pictures = {}};
   if (!pair.problem.empty()) {
     entry.report.problem = pair.problem;
     return entry;
@@ -111,9 +123,11 @@ NamedReport compare_pair(const Given& given, const measure::FilePairs& pairs, co
   request.standard_errors = pair.standard_errors;
   request.heatmap = !given.heatmap.empty();
   request.side_by_side = !given.side_by_side.empty();
+  if (!given.html.empty()) request.shown_pixels = measure::page_pixels(pairs.pairs.size());
   measure::load_compare()(request, entry.report);
-  write_picture(picture_for(given.heatmap, pairs, pair), entry.report.heatmap_png, written);
-  write_picture(picture_for(given.side_by_side, pairs, pair), entry.report.side_by_side_png, written);
+  write_picture(picture_for(given.heatmap, pairs, pair), entry.report.heatmap_png, entry.pictures);
+  write_picture(picture_for(given.side_by_side, pairs, pair), entry.report.side_by_side_png, entry.pictures);
+  written.insert(written.end(), entry.pictures.begin(), entry.pictures.end());
   entry.report.heatmap_png = {};
   entry.report.side_by_side_png = {};
   return entry;
@@ -145,15 +159,28 @@ int exit_code(Verdict verdict) {
   return 2;
 }
 
+void tell_replaced(const Given& given, const std::vector<std::string>& replaced) {
+  if (given.quiet && replaced.empty()) return;
+  std::string text;
+  for (const std::string& file : replaced) text += "Replaced the reference " + file + "\n";
+  if (replaced.empty()) text = "No reference needed replacing\n";
+  given.json ? tell(text) : print(text);
+}
+
 int diff(Given given) {
   const bool in_sigmas = !given.request.standard_errors.empty();
   if (given.request.limits.chi_square && !in_sigmas) {
     throw InputError("diff: --chi-square needs --standard-error FILE");
   }
   given.request.channels = split_at_commas(given.channels);
+  if (given.update && (!given.channels.empty() || !given.request.layer.empty())) {
+    throw InputError("diff: --update takes whole files; compare them whole, without --layer and --channels");
+  }
   given.request.view_preset = resolved_preset(given.camera_from);
   const measure::FilePairs pairs = measure::pair_files(given.a, given.b, given.request.standard_errors);
   require_outputs(given, pairs);
+  std::optional<ReferenceUpdate> update;
+  if (given.update) update.emplace(pairs);
   const measure::Limits in_force = measure::limits_in_force(given.request.limits, in_sigmas);
 
   std::vector<NamedReport> entries;
@@ -166,13 +193,21 @@ int diff(Given given) {
     const std::string summary = measure::describe_all(entries);
     given.json ? tell(summary) : print(summary);
   }
-  if (!given.junit.empty()) {
-    const std::string xml = measure::junit_xml(entries);
-    write_file(given.junit, std::as_bytes(std::span(xml)));
-    written.push_back(given.junit);
+  if (!given.junit.empty()) write_text(given.junit, measure::junit_xml(entries), written);
+  if (!given.html.empty()) write_text(given.html, measure::html_page(entries, given.a, given.b), written);
+  // Where a pair cannot be compared the update throws, after all reports are written.
+  const auto finish = [&](const std::vector<std::string>& replaced) {
+    if (given.json) print(diff_json(entries, in_force, written, replaced));
+  };
+  if (!update) {
+    finish({});
+    return exit_code(measure::overall(entries));
   }
-  if (given.json) print(diff_json(entries, in_force, written));
-  return exit_code(measure::overall(entries));
+  if (measure::overall(entries) == Verdict::cannot_compare) finish({});
+  const std::vector<std::string> replaced = update->take(entries);
+  finish(replaced);
+  tell_replaced(given, replaced);
+  return 0;
 }
 
 const char* const kDescription =
@@ -190,7 +225,15 @@ const char* const kDescription =
     "idiff's). Where only --rel-... limits are given, they alone judge. With --standard-error, --fail, --hardfail, "
     "--warn and --hardwarn are in standard errors, and without limits these hold: --fail 4 --failpercent 0.5 "
     "--chi-square 1.5. A pixel whose standard error is 0 must be equal.\n\n"
-    "Exit code: 0 the pictures pass, perhaps with warnings; 1 they differ; 2 they cannot be compared.";
+    "--html writes one file that needs no network: all pairs by their error; A, B and the error under a wipe slider "
+    "with exposure and zoom; limits, regions, the worst pixel and the preset's keys that differ. Pictures are in it as "
+    "linear values, reduced by a whole factor where one has more than 518400 pixels or all together more than 1.5 "
+    "million; figures are those of the whole pictures.\n\n"
+    "--update replaces each reference that differs by its new picture, all or none, and asks nothing: it compares and "
+    "reports first; where one pair cannot be compared, or writing fails, every reference stays as it was. References "
+    "that pass stay too. After a kill between two renames each file is whole; the same command again goes on.\n\n"
+    "Exit code: 0 the pictures pass, perhaps with warnings; 1 they differ; 2 they cannot be compared. With --update: 0 "
+    "the references are up to date; 1 writing failed; 2 a pair cannot be compared.";
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
@@ -243,6 +286,10 @@ std::vector<Option> other_options(Given& given) {
              Range{1e-30, 1e30},
              {},
              {}},
+      text("--html", "FILE.html", "Write one page with pictures, limits, regions and preset keys, for any browser",
+           &given.html, Completes::file),
+      text("--update", "", "Take A's pictures as references where they differ, after telling how; see above",
+           &given.update),
       text("--junit", "FILE.xml", "Write the result as JUnit XML", &given.junit, Completes::file),
       text("--json", "", "Print one JSON object; text for people goes to standard error", &given.json),
       text("-q,--quiet", "", "Tell only what does not pass", &given.quiet),
@@ -263,7 +310,10 @@ Command diff_command() {
       {"airlight diff march.exr truth.exr --rel-mean 0.02 --rel-p95 0.05 --heatmap error.png",
        "Judge a method and show where it is wrong"},
       {"airlight diff a.exr truth.exr --standard-error truth.exr", "Judge in units of the truth's noise"},
-      {"airlight diff 'new/sky.####.exr' 'old/sky.####.exr' --junit diff.xml", "Compare two sequences for CI"}};
+      {"airlight diff 'new/sky.####.exr' 'old/sky.####.exr' --junit diff.xml", "Compare two sequences for CI"},
+      {"airlight diff new references --rel-mean 0.001 --html report.html",
+       "Compare two folders and show it in one page"},
+      {"airlight diff new references --rel-mean 0.001 --update", "Take what changed as references"}};
   command.positionals = {{"A", "picture, folder or frame pattern", &given->a, true, Completes::file, {}, {}},
                          {"B", "the reference, of the same kind", &given->b, true, Completes::file, {}, {}}};
   command.options = limit_options(given->request.limits);

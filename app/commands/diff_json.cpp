@@ -98,6 +98,7 @@ void write(JsonWriter& json, const NamedReport& entry) {
   if (!report.problem.empty()) json.key("problem").value(report.problem);
   write_presets(json, report);
   write_texts(json, "reasons", report.reasons);
+  write_texts(json, "pictures", entry.pictures);
   write_texts(json, "notes", report.notes);
   if (!report.areas.empty()) write_figures(json, report);
   json.end_object();
@@ -121,7 +122,8 @@ void write(JsonWriter& json, const Limits& limits) {
 }  // namespace
 
 std::string diff_json(const std::vector<NamedReport>& entries, const Limits& in_force,
-                      const std::vector<std::string>& files_written) {
+                      const std::vector<std::string>& files_written,
+                      const std::vector<std::string>& references_replaced) {
   JsonWriter json;
   json.begin_object().key("verdict").value(verdict_words(overall(entries)));
   write(json, in_force);
@@ -129,6 +131,7 @@ std::string diff_json(const std::vector<NamedReport>& entries, const Limits& in_
   for (const NamedReport& entry : entries) write(json, entry);
   json.end_array();
   write_texts(json, "files_written", files_written);
+  write_texts(json, "references_replaced", references_replaced);
   json.end_object();
   return json.take();
 }

@@ -11,6 +11,7 @@
 
 #include "core/measure/metrics.h"
 #include "core/measure/preset_difference.h"
+#include "core/measure/shown_pictures.h"
 
 namespace airlight::measure {
 
@@ -42,6 +43,7 @@ struct ComparisonRequest {
   bool heatmap = false;  // to be drawn
   bool side_by_side = false;
   std::optional<double> heatmap_max;  // the scale's top; absent: from the picture
+  std::size_t shown_pixels = 0;       // at most so many of each picture are handed back for a page
 };
 
 struct PixelReport {
@@ -79,12 +81,23 @@ struct NonfiniteCount {
   std::size_t nan_b = 0, infinite_b = 0;
 };
 
+// A limit in force, as people read it, and what was measured against it.
+struct LimitCheck {
+  std::string limit;     // "mean relative error (--rel-mean)"
+  std::string allowed;   // "0.005"
+  std::string measured;  // "0.0123"
+  bool holds = true;
+  bool only_warns = false;
+  std::string reason;  // where it does not hold: a line that says so
+};
+
 enum class Verdict { pass, warn, differ, cannot_compare };
 
 struct ComparisonReport {
   Verdict verdict = Verdict::cannot_compare;
   std::string problem;               // why it cannot be compared; one line
   std::vector<std::string> reasons;  // what failed or warned, a line each
+  std::vector<LimitCheck> checks;    // every limit in force
   std::vector<std::string> notes;    // what to know besides
   int width = 0;
   int height = 0;
@@ -100,6 +113,7 @@ struct ComparisonReport {
   std::vector<AreaReport> areas;                              // the whole picture first
   std::vector<std::byte> heatmap_png;
   std::vector<std::byte> side_by_side_png;
+  std::optional<ShownPictures> shown;
 };
 
 // The module's one entry, by this name. Never throws: what goes wrong is in the report.

@@ -109,22 +109,6 @@ void draw_scale(Raster& raster, int left, int top, const Layout& layout, const E
   raster.write(outside_left + swatch + 3 * t, top + t, t, kInk, outside);
 }
 
-// Brings the brightest tenth's lower edge to near white: robust against a black ground and against the sun's disc.
-double exposure_for(const ShownPicture& picture) {
-  std::vector<double> luminances;
-  luminances.reserve(picture.green.size());
-  for (std::size_t i = 0; i < picture.green.size(); ++i) {
-    const double luminance = 0.2126 * static_cast<double>(picture.red[i]) +
-                             0.7152 * static_cast<double>(picture.green[i]) +
-                             0.0722 * static_cast<double>(picture.blue[i]);
-    if (std::isfinite(luminance) && luminance > 0.0) luminances.push_back(luminance);
-  }
-  if (luminances.empty()) return 1.0;
-  const auto bright = luminances.begin() + static_cast<std::ptrdiff_t>(luminances.size() * 9 / 10);
-  std::nth_element(luminances.begin(), bright, luminances.end());
-  return kBrightExposed / *bright;
-}
-
 void draw_picture(Raster& raster, int left, int top, const ShownPicture& picture, PictureSize size,
                   const Layout& layout, double exposure) {
   draw_panel(raster, left, top, size, layout, [&](std::size_t i) -> Colour {
@@ -141,6 +125,21 @@ void draw_picture(Raster& raster, int left, int top, const ShownPicture& picture
 
 }  // namespace
 
+double exposure_for(const ShownPicture& picture) {
+  std::vector<double> luminances;
+  luminances.reserve(picture.green.size());
+  for (std::size_t i = 0; i < picture.green.size(); ++i) {
+    const double luminance = 0.2126 * static_cast<double>(picture.red[i]) +
+                             0.7152 * static_cast<double>(picture.green[i]) +
+                             0.0722 * static_cast<double>(picture.blue[i]);
+    if (std::isfinite(luminance) && luminance > 0.0) luminances.push_back(luminance);
+  }
+  if (luminances.empty()) return 1.0;
+  const auto bright = luminances.begin() + static_cast<std::ptrdiff_t>(luminances.size() * 9 / 10);
+  std::nth_element(luminances.begin(), bright, luminances.end());
+  return kBrightExposed / *bright;
+}
+
 double ErrorScale::fraction(double error) const {
   if (!logarithmic) return std::clamp((error - low) / (high - low), 0.0, 1.0);
   if (error <= low) return 0.0;
@@ -153,7 +152,7 @@ ErrorScale scale_for(std::span<const float> errors, bool in_sigmas, std::optiona
     scale.logarithmic = false;
     scale.low = 0.0;
     scale.high = top.value_or(kSigmaTop);
-    scale.title = "STANDARD ERRORS, LARGEST OF CHANNELS";
+    scale.title = "standard errors, largest of channels";
     return scale;
   }
   double largest = 0.0;
@@ -164,7 +163,7 @@ ErrorScale scale_for(std::span<const float> errors, bool in_sigmas, std::optiona
   const double decade = largest > 0.0 ? std::ceil(std::log10(largest) - 1e-6) : -2.0;
   scale.high = top.value_or(std::pow(10.0, decade));
   scale.low = scale.high * std::pow(10.0, -kIntervals);
-  scale.title = "RELATIVE ERROR, LARGEST OF CHANNELS";
+  scale.title = "relative error, largest of channels";
   return scale;
 }
 

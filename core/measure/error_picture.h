@@ -31,6 +31,9 @@ struct ShownPicture {
   std::span<const float> blue;
 };
 
+// Brings the brightest tenth's lower edge to near white: robust against a black ground and against the sun's disc.
+double exposure_for(const ShownPicture& picture);
+
 struct PictureSize {
   int width = 0;
   int height = 0;

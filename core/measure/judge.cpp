@@ -25,20 +25,87 @@ std::string count_words(std::size_t count, const ComparisonReport& report, doubl
   return words;
 }
 
-void judge_relative(const Limits& limits, const ChannelReport& pooled, std::vector<std::string>& reasons) {
-  const auto check = [&](const std::optional<double>& limit, double value, const char* what) {
-    if (limit && !(value <= *limit)) {
-      reasons.push_back(std::string(what) + " relative error " + number(value) + " is above " + number(*limit));
-    }
+std::string percent_words(double percent) {
+  return number(percent) + " % of pixels";
+}
+
+// --fail and --warn: so many pixels may be above.
+LimitCheck pixel_check(const char* option, double limit, double allowed, std::size_t count,
+                       const ComparisonReport& report, const std::string& unit) {
+  LimitCheck check;
+  check.limit = std::string("pixels above ") + number(limit) + unit + " (" + option + ")";
+  check.allowed = percent_words(allowed);
+  check.measured = percent_words(percent_of(count, report.pixels));
+  check.holds = !(percent_of(count, report.pixels) > allowed);
+  check.reason = count_words(count, report, limit, allowed, unit);
+  return check;
+}
+
+LimitCheck largest_check(const char* option, const char* what, double limit, const ComparisonReport& report,
+                         const std::string& unit) {
+  LimitCheck check;
+  check.limit = "largest difference" + unit + " (" + option + ")";
+  check.allowed = number(limit);
+  check.measured = number(report.largest);
+  check.holds = report.largest <= limit;
+  check.reason =
+      "the largest difference, " + number(report.largest) + unit + ", is above the " + what + " " + number(limit);
+  return check;
+}
+
+void check_relative(const Limits& limits, const ChannelReport& pooled, std::vector<LimitCheck>& checks) {
+  const auto check = [&](const std::optional<double>& limit, double value, const std::string& what,
+                         const char* option) {
+    if (!limit) return;
+    checks.push_back({.limit = what + " (" + option + ")",
+                      .allowed = number(*limit),
+                      .measured = number(value),
+                      .holds = value <= *limit,
+                      .only_warns = false,
+                      .reason = what + " " + number(value) + " is above " + number(*limit)});
   };
-  check(limits.relative_mean, pooled.relative.mean, "mean");
-  check(limits.relative_p95, pooled.relative.p95, "95th percentile of the");
-  check(limits.relative_max, pooled.relative.max, "largest");
-  if (limits.chi_square && pooled.chi_square && pooled.chi_square->count > 0 &&
-      !(pooled.chi_square->per_value() <= *limits.chi_square)) {
-    reasons.push_back("chi-square per value " + number(pooled.chi_square->per_value()) + " is above " +
-                      number(*limits.chi_square));
+  check(limits.relative_mean, pooled.relative.mean, "mean relative error", "--rel-mean");
+  check(limits.relative_p95, pooled.relative.p95, "95th percentile of the relative error", "--rel-p95");
+  check(limits.relative_max, pooled.relative.max, "largest relative error", "--rel-max");
+  if (pooled.chi_square && pooled.chi_square->count > 0) {
+    check(limits.chi_square, pooled.chi_square->per_value(), "chi-square per value", "--chi-square");
   }
+}
+
+std::vector<LimitCheck> check_limits(const Limits& limits, bool in_sigmas, const ComparisonReport& report) {
+  const std::string unit = in_sigmas ? " standard errors" : "";
+  std::vector<LimitCheck> checks = {{.limit = "pixels with unequal NaN or infinity",
+                                     .allowed = "0",
+                                     .measured = std::to_string(report.unequal_nonfinite),
+                                     .holds = report.unequal_nonfinite == 0,
+                                     .only_warns = false,
+                                     .reason = std::to_string(report.unequal_nonfinite) + " of " +
+                                               std::to_string(report.pixels) +
+                                               " pixels hold NaN or infinity, which equal nothing"}};
+  if (limits.fail) {
+    checks.push_back(pixel_check("--fail", *limits.fail, limits.fail_percent, report.pixels_over_fail, report, unit));
+  }
+  if (limits.hard_fail) {
+    checks.push_back(largest_check("--hardfail", "hard limit", *limits.hard_fail, report, unit));
+  }
+  check_relative(limits, report.areas.front().channels.back(), checks);
+  const std::size_t judging = checks.size();
+  if (limits.warn) {
+    checks.push_back(pixel_check("--warn", *limits.warn, limits.warn_percent, report.pixels_over_warn, report, unit));
+  }
+  if (limits.hard_warn) {
+    checks.push_back(largest_check("--hardwarn", "hard warning limit", *limits.hard_warn, report, unit));
+  }
+  for (std::size_t i = judging; i < checks.size(); ++i) checks[i].only_warns = true;
+  return checks;
+}
+
+std::vector<std::string> broken(const std::vector<LimitCheck>& checks, bool warnings) {
+  std::vector<std::string> reasons;
+  for (const LimitCheck& check : checks) {
+    if (!check.holds && check.only_warns == warnings) reasons.push_back(check.reason);
+  }
+  return reasons;
 }
 
 }  // namespace
@@ -58,32 +125,11 @@ Limits limits_in_force(const Limits& given, bool in_sigmas) {
 }
 
 void judge(const Limits& limits, bool in_sigmas, ComparisonReport& report) {
-  const std::string unit = in_sigmas ? " standard errors" : "";
-  std::vector<std::string> failures;
-  if (report.unequal_nonfinite > 0) {
-    failures.push_back(std::to_string(report.unequal_nonfinite) + " of " + std::to_string(report.pixels) +
-                       " pixels hold NaN or infinity, which equal nothing");
-  }
-  if (limits.fail && percent_of(report.pixels_over_fail, report.pixels) > limits.fail_percent) {
-    failures.push_back(count_words(report.pixels_over_fail, report, *limits.fail, limits.fail_percent, unit));
-  }
-  if (limits.hard_fail && !(report.largest <= *limits.hard_fail)) {
-    failures.push_back("the largest difference, " + number(report.largest) + unit + ", is above the hard limit " +
-                       number(*limits.hard_fail));
-  }
-  judge_relative(limits, report.areas.front().channels.back(), failures);
-  if (!failures.empty()) {
-    report.verdict = Verdict::differ;
-    report.reasons = std::move(failures);
-    return;
-  }
-  if (limits.warn && percent_of(report.pixels_over_warn, report.pixels) > limits.warn_percent) {
-    report.reasons.push_back(count_words(report.pixels_over_warn, report, *limits.warn, limits.warn_percent, unit));
-  }
-  if (limits.hard_warn && !(report.largest <= *limits.hard_warn)) {
-    report.reasons.push_back("the largest difference, " + number(report.largest) + unit +
-                             ", is above the hard warning limit " + number(*limits.hard_warn));
-  }
+  report.checks = check_limits(limits, in_sigmas, report);
+  report.reasons = broken(report.checks, false);
+  report.verdict = Verdict::differ;
+  if (!report.reasons.empty()) return;
+  report.reasons = broken(report.checks, true);
   report.verdict = report.reasons.empty() ? Verdict::pass : Verdict::warn;
 }
 

@@ -14,7 +14,7 @@ inline constexpr double kDefaultChiSquare = 1.5;
 // standard error and no limit at all, the defaults in units of it.
 Limits limits_in_force(const Limits& given, bool in_sigmas);
 
-// Fills verdict and reasons. Unequal NaN or infinity fails under any limits.
+// Fills verdict, reasons and checks. Unequal NaN or infinity fails under any limits.
 void judge(const Limits& limits, bool in_sigmas, ComparisonReport& report);
 
 }  // namespace airlight::measure

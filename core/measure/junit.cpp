@@ -56,7 +56,9 @@ std::string joined(const std::vector<std::string>& lines) {
 std::string case_xml(const NamedReport& entry) {
   const ComparisonReport& report = entry.report;
   std::string xml = "  <testcase classname=\"airlight.diff\" name=\"" + xml_escaped(entry.name) + "\">\n";
-  const std::string body = xml_escaped(describe_briefly(entry));
+  const bool causes_follow = report.verdict != Verdict::pass;  // describe_briefly has them then
+  const std::string body = xml_escaped("A " + entry.a + "\nB " + entry.b + "\n" + describe_briefly(entry) +
+                                       (causes_follow ? "" : describe_causes(entry)));
   if (report.verdict == Verdict::differ) {
     xml +=
         "    <failure type=\"differ\" message=\"" + xml_escaped(joined(report.reasons)) + "\">" + body + "</failure>\n";

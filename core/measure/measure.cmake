@@ -5,7 +5,15 @@ set(compare_sources ${measure_sources})
 list(FILTER compare_sources INCLUDE REGEX "/module_[^/]*\\.cpp$")
 list(FILTER measure_sources EXCLUDE REGEX "/module_[^/]*\\.cpp$")
 
-add_library(airlight_measure STATIC ${measure_sources})
+set(page ${CMAKE_CURRENT_LIST_DIR}/page.html)
+set(embedded_page ${PROJECT_BINARY_DIR}/embedded_page.cpp)
+add_custom_command(
+  OUTPUT ${embedded_page}
+  COMMAND ${CMAKE_COMMAND} -DOUT=${embedded_page} -DPAGE=${page} -P ${CMAKE_CURRENT_LIST_DIR}/embed_page.cmake
+  DEPENDS ${page} ${CMAKE_CURRENT_LIST_DIR}/embed_page.cmake
+  VERBATIM)
+
+add_library(airlight_measure STATIC ${measure_sources} ${embedded_page})
 target_link_libraries(airlight_measure PUBLIC airlight_gpu ${CMAKE_DL_LIBS} PRIVATE nlohmann_json::nlohmann_json)
 # All go into the module.
 set_target_properties(airlight_measure airlight_gpu airlight_shaders PROPERTIES POSITION_INDEPENDENT_CODE ON)

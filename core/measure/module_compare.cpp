@@ -13,6 +13,7 @@
 #include "core/measure/judge.h"
 #include "core/measure/module_exr.h"
 #include "core/measure/module_png.h"
+#include "core/measure/reduce_pictures.h"
 #include "core/measure/words.h"
 
 namespace airlight::measure {
@@ -212,18 +213,14 @@ void count_nonfinite(const PicturePair& pair, ComparisonReport& report) {
 
 void draw(const ComparisonRequest& request, const PicturePair& pair, const std::vector<float>& errors,
           ComparisonReport& report) {
-  if (!request.heatmap && !request.side_by_side) return;
   const ErrorScale scale = scale_for(errors, pair.in_sigmas, request.heatmap_max);
   const PictureSize size{pair.frame.columns, pair.frame.rows};
   if (request.heatmap) report.heatmap_png = encode_png(draw_heatmap(errors, size, scale));
-  if (!request.side_by_side) return;
-  const std::vector<std::size_t> colours = colour_planes(pair.planes);
-  const bool grey = colours.size() != 3;
-  const Plane& red = pair.planes[colours[0]];
-  const Plane& green = pair.planes[grey ? colours[0] : colours[1]];
-  const Plane& blue = pair.planes[grey ? colours[0] : colours[2]];
-  report.side_by_side_png =
-      encode_png(draw_side_by_side({red.a, green.a, blue.a}, {red.b, green.b, blue.b}, errors, size, scale));
+  if (request.side_by_side) {
+    report.side_by_side_png = encode_png(draw_side_by_side(shown_planes(pair.planes, &Plane::a),
+                                                           shown_planes(pair.planes, &Plane::b), errors, size, scale));
+  }
+  if (request.shown_pixels > 0) report.shown = reduce_pictures(pair, errors, scale, request.shown_pixels);
 }
 
 void compare(const ComparisonRequest& request, ComparisonReport& report) {

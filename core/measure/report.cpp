@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <tuple>
 
 #include "core/measure/words.h"
 
@@ -10,6 +11,7 @@ namespace airlight::measure {
 namespace {
 
 constexpr std::size_t kKeysShown = 40;
+constexpr std::size_t kKeysShownBriefly = 5;
 
 std::string padded(std::string text, std::size_t width) {
   if (text.size() < width) text.insert(0, width - text.size(), ' ');
@@ -20,13 +22,6 @@ std::string row(const std::string& name, const std::vector<std::string>& cells) 
   std::string line = "  " + name + std::string(name.size() < 14 ? 14 - name.size() : 0, ' ');
   for (const std::string& cell : cells) line += padded(cell, 11);
   return line + "\n";
-}
-
-// Relative figures in percent, three digits.
-std::string percent(double fraction) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g%%", 100.0 * fraction);
-  return text.data();
 }
 
 std::vector<std::string> relative_cells(const ChannelReport& channel) {
@@ -57,19 +52,24 @@ std::vector<std::string> sigma_cells(const ChannelReport& channel) {
           std::to_string(channel.chi_square->unequal_exact)};
 }
 
-std::string describe_presets(const ComparisonReport& report) {
-  if (!report.presets_known) return "";
-  if (report.preset_keys.empty()) return "The presets are equal.\n";
-  std::string text = "The presets differ:\n";
-  for (std::size_t i = 0; i < std::min(kKeysShown, report.preset_keys.size()); ++i) {
+// A line for each key that differs, up to `most`.
+std::string describe_keys(const ComparisonReport& report, std::size_t most) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, report.preset_keys.size()); ++i) {
     const KeyDifference& key = report.preset_keys[i];
     text += "  " + key.pointer + ": A " + (key.a.empty() ? "absent" : key.a) + ", B " +
             (key.b.empty() ? "absent" : key.b) + "\n";
   }
-  if (report.preset_keys.size() > kKeysShown) {
-    text += "  and " + std::to_string(report.preset_keys.size() - kKeysShown) + " more\n";
+  if (report.preset_keys.size() > most) {
+    text += "  and " + std::to_string(report.preset_keys.size() - most) + " more keys\n";
   }
   return text;
+}
+
+std::string describe_presets(const ComparisonReport& report) {
+  if (!report.presets_known) return "";
+  if (report.preset_keys.empty()) return "The presets are equal.\n";
+  return "The presets differ:\n" + describe_keys(report, kKeysShown);
 }
 
 std::string describe_nonfinite(const ComparisonReport& report) {
@@ -148,17 +148,6 @@ std::string verdict_lines(const ComparisonReport& report) {
   return text;
 }
 
-// The pair with the largest pooled relative error among those compared; null when none was.
-const NamedReport* worst_of(const std::vector<NamedReport>& entries) {
-  const NamedReport* worst = nullptr;
-  for (const NamedReport& entry : entries) {
-    if (entry.report.areas.empty()) continue;
-    const auto largest = [](const NamedReport& of) { return of.report.areas.front().channels.back().relative.max; };
-    if (worst == nullptr || largest(entry) > largest(*worst)) worst = &entry;
-  }
-  return worst;
-}
-
 }  // namespace
 
 std::string describe(const NamedReport& entry, const Limits& in_force) {
@@ -177,6 +166,18 @@ std::string describe(const NamedReport& entry, const Limits& in_force) {
   return text + describe_counts(report, in_force) + verdict_lines(report);
 }
 
+std::string describe_causes(const NamedReport& entry) {
+  std::string text = describe_keys(entry.report, kKeysShownBriefly);
+  if (!entry.report.areas.empty()) {
+    const ChannelReport& pooled = entry.report.areas.front().channels.back();
+    if (pooled.relative.max > 0.0) {
+      text += "  " + describe_pixel("relative", pooled.relative.max, pooled.worst_relative);
+    }
+  }
+  for (const std::string& picture : entry.pictures) text += "  Picture: " + picture + "\n";
+  return text;
+}
+
 std::string describe_briefly(const NamedReport& entry) {
   const ComparisonReport& report = entry.report;
   std::string text = entry.name + ": " + verdict_words(report.verdict);
@@ -188,7 +189,7 @@ std::string describe_briefly(const NamedReport& entry) {
   text += "\n";
   if (!report.problem.empty()) text += "  " + report.problem + "\n";
   for (const std::string& reason : report.reasons) text += "  " + reason + "\n";
-  return text;
+  return report.verdict == Verdict::pass ? text : text + describe_causes(entry);
 }
 
 std::string describe_all(const std::vector<NamedReport>& entries) {
@@ -201,12 +202,30 @@ std::string describe_all(const std::vector<NamedReport>& entries) {
     text += between + std::to_string(count) + " " + verdict_words(verdict);
     between = ", ";
   }
-  if (const NamedReport* worst = worst_of(entries)) {
+  const std::vector<const NamedReport*> sorted = worst_first(entries);
+  const auto compared =
+      std::find_if(sorted.begin(), sorted.end(), [](const NamedReport* entry) { return !entry->report.areas.empty(); });
+  if (compared != sorted.end()) {
+    const NamedReport* worst = *compared;
     const ChannelReport& pooled = worst->report.areas.front().channels.back();
     text += "; largest relative error " + percent(pooled.relative.max) + " in " + worst->name + " at pixel (" +
             std::to_string(pooled.worst_relative.x) + ", " + std::to_string(pooled.worst_relative.y) + ")";
   }
   return text + "\n";
+}
+
+std::vector<const NamedReport*> worst_first(const std::vector<NamedReport>& entries) {
+  std::vector<const NamedReport*> sorted;
+  for (const NamedReport& entry : entries) sorted.push_back(&entry);
+  // An error that cannot be known stands before an infinite one.
+  const auto error = [](const NamedReport* entry) {
+    if (entry->report.areas.empty()) return std::tuple(1, 0.0, 0.0);
+    const ErrorSummary& relative = entry->report.areas.front().channels.back().relative;
+    return std::tuple(0, relative.max, relative.mean);
+  };
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [&](const NamedReport* x, const NamedReport* y) { return error(x) > error(y); });
+  return sorted;
 }
 
 Verdict overall(const std::vector<NamedReport>& entries) {

@@ -11,6 +11,12 @@ std::string number(double value) {
   return text.data();
 }
 
+std::string percent(double fraction) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g%%", 100.0 * fraction);
+  return text.data();
+}
+
 std::string verdict_words(Verdict verdict) {
   switch (verdict) {
     case Verdict::pass:

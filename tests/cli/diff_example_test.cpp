@@ -16,6 +16,7 @@ TEST(DiffExample, PassesTheUnchangedAndFailsTheChangedWithAHeatMap) {
   EXPECT_NE(outcome.out.find("/media/0/scattering_per_km"), std::string::npos) << outcome.out;
   EXPECT_EQ(scratch.read("error.png").substr(1, 3), "PNG");
   EXPECT_NE(scratch.read("diff.xml").find("<failure"), std::string::npos);
+  EXPECT_TRUE(contains(scratch.read("report.html"), "<code>/media/0/scattering_per_km/0</code>"));
 }
 
 // A reference that the change does not touch is a check that checks nothing: the script must say so.

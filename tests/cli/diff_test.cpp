@@ -3,8 +3,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "core/output/exr.h"
-#include "tests/cli/process.h"
+#include "tests/cli/diff_fixture.h"
 
 namespace airlight::test {
 namespace {
@@ -13,30 +12,8 @@ using nlohmann::json;
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
-class Diff : public testing::Test {
+class Diff : public DiffFixture {
  protected:
-  // 8 x 4 floats a channel, all `value`, the first pixel `first`.
-  void write(const std::string& name, float value, float first,
-             const std::vector<std::string>& channels = {"R", "G", "B"}, const std::string& preset = "",
-             int width = 8) {
-    std::vector<float> samples(static_cast<std::size_t>(width) * 4, value);
-    samples[0] = first;
-    std::vector<ExrChannel> list;
-    for (const std::string& channel : channels) list.push_back({.name = channel, .first = samples.data(), .stride = 1});
-    ExrOptions options;
-    options.half = false;
-    if (!preset.empty())
-      options.provenance = Provenance{.preset_json = preset, .method = "m", .version = "v", .device = "d"};
-    std::filesystem::create_directories((scratch_.path() / name).parent_path());
-    write_exr(scratch_.path() / name, width, 4, list, options);
-  }
-  void write(const std::string& name, float value) { write(name, value, value); }
-
-  Outcome diff(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), "diff");
-    return airlight(scratch_.path(), std::move(arguments));
-  }
-
   // Exit code 2, one line on standard error that holds `words`, nothing on standard output, no file written.
   void expect_refused(const std::vector<std::string>& arguments, const std::string& words) {
     const std::vector<std::string> before = scratch_.files();
@@ -47,10 +24,6 @@ class Diff : public testing::Test {
     EXPECT_EQ(outcome.out, "");
     EXPECT_EQ(scratch_.files(), before);
   }
-
-  bool exists(const std::string& name) const { return std::filesystem::exists(scratch_.path() / name); }
-
-  Scratch scratch_;
 };
 
 TEST_F(Diff, EqualPicturesPass) {

@@ -70,6 +70,49 @@ TEST_F(Examples, OfTheReadmeRun) {
   }
 }
 
+// The shell of a workflow's steps: what stands after "run:", or below it where that is "|".
+Names workflow_steps(const fs::path& file) {
+  std::ifstream stream(file);
+  Names steps;
+  bool inside = false;
+  std::size_t deeper_than = std::string::npos;  // a block goes on while lines stand deeper than its "run:"
+  for (std::string line; std::getline(stream, line);) {
+    if (line.rfind("```", 0) == 0) inside = line == "```yaml";
+    if (!inside) continue;
+    const std::size_t depth = line.find_first_not_of(" -");
+    if (deeper_than != std::string::npos && depth > deeper_than) {
+      steps.back() += line + "\n";
+      continue;
+    }
+    deeper_than = std::string::npos;
+    if (depth == std::string::npos || line.compare(depth, 5, "run: ") != 0) continue;
+    const std::string command = line.substr(depth + 5);
+    steps.push_back(command == "|" ? "" : command);
+    if (command == "|") deeper_than = depth;
+  }
+  return steps;
+}
+
+// The workflow passes over unchanged references, fails over others, and leaves its report either way.
+TEST_F(Examples, WorkflowOfTheReadmeChecksReferences) {
+  const Names steps = workflow_steps(fs::path(AIRLIGHT_SOURCE_DIR) / "README.md");
+  ASSERT_EQ(steps.size(), 3U);
+  EXPECT_TRUE(contains(steps[0], "apt-get"));  // no test installs packages
+  for (const char* name : {"skies", "references"}) fs::create_directory(scratch_.path() / name);
+  scratch_.write("skies/first sky.json", small_preset());
+  scratch_.write("skies/second.json", small_preset());
+  ASSERT_EQ(shell(steps[1]).exit_code, 0);
+  for (const char* name : {"first sky.exr", "second.exr"}) {
+    fs::copy_file(scratch_.path() / "new" / name, scratch_.path() / "references" / name);
+  }
+  EXPECT_EQ(shell(steps[2]).exit_code, 0);
+  ASSERT_EQ(shell("airlight render my-sky.json --float -q -o references/second.exr --sun-elevation 7").exit_code, 0);
+  fs::remove(scratch_.path() / "report.html");
+  EXPECT_EQ(shell(steps[2]).exit_code, 1);
+  EXPECT_TRUE(contains(scratch_.read("report.html"), "/sun/elevation_deg"));
+  EXPECT_TRUE(contains(scratch_.read("report.xml"), "failures=\"1\""));
+}
+
 TEST_F(Examples, OfEveryHelpTextRun) {
   // diff's examples compare pictures that only a user has; tests/diff runs that command.
   for (const char* command : {"render", "sequence", "luts", "probe", "check", "methods", "devices", "presets", "chart",

@@ -1,0 +1,52 @@
+#include "app/commands/diff_update.h"
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "core/output/atomic_file.h"
+#include "core/output/replace_files.h"
+
+namespace airlight::cli {
+
+namespace fs = std::filesystem;
+using measure::NamedReport;
+using measure::Verdict;
+
+ReferenceUpdate::ReferenceUpdate(const measure::FilePairs& pairs) {
+  for (const measure::FilePair& pair : pairs.pairs) {
+    if (!pair.problem.empty()) continue;
+    std::error_code problem;
+    if (!fs::is_regular_file(pair.b, problem)) continue;  // the comparison says so
+    require_writable(pair.b);
+    seen_.push_back({pair.a, fs::file_size(pair.a, problem), fs::last_write_time(pair.a, problem)});
+  }
+}
+
+std::vector<std::string> ReferenceUpdate::take(const std::vector<NamedReport>& entries) const {
+  const auto unknown = std::count_if(entries.begin(), entries.end(), [](const NamedReport& entry) {
+    return entry.report.verdict == Verdict::cannot_compare;
+  });
+  if (unknown > 0) {
+    throw InputError("diff: --update: " + std::to_string(unknown) + " of " + std::to_string(entries.size()) +
+                     (entries.size() == 1 ? " pair" : " pairs") +
+                     " cannot be compared, so no reference was replaced; copy or remove what has no counterpart, then "
+                     "update again");
+  }
+  std::vector<Replacement> replacements;
+  std::vector<std::string> files;
+  for (const NamedReport& entry : entries) {
+    if (entry.report.verdict != Verdict::differ) continue;
+    replacements.push_back({entry.a, entry.b});
+    files.push_back(entry.b);
+  }
+  for (const Seen& seen : seen_) {
+    std::error_code problem;
+    if (fs::file_size(seen.file, problem) != seen.size || fs::last_write_time(seen.file, problem) != seen.written) {
+      throw InputError(seen.file + ": changed while it was compared, so no reference was replaced; run again");
+    }
+  }
+  replace_files(replacements);
+  return files;
+}
+
+}  // namespace airlight::cli
