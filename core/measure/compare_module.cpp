@@ -17,7 +17,8 @@ std::filesystem::path find_module() {
   if (problem)
     throw RunError("/proc/self/exe: " + problem.message() + "; /proc must be mounted to find " + kModuleFile);
   const std::filesystem::path beside = program.parent_path() / kModuleFile;
-  const std::filesystem::path installed = (program.parent_path() / AIRLIGHT_MODULE_FROM_PROGRAM / kModuleFile).lexically_normal();
+  const std::filesystem::path installed =
+      (program.parent_path() / AIRLIGHT_MODULE_FROM_PROGRAM / kModuleFile).lexically_normal();
   for (const std::filesystem::path& candidate : {beside, installed}) {
     if (std::filesystem::exists(candidate, problem)) return candidate;
   }

@@ -5,8 +5,8 @@
 
 namespace airlight::measure {
 
-// Looks beside the running program, then where both are installed (../lib/airlight/modules from there). Loaded once, kept for the life of the process.
-// Throws RunError when it is missing or does not load.
+// Looks beside the running program, then where both are installed (../lib/airlight/modules from there). Loaded once,
+// kept for the life of the process. Throws RunError when it is missing or does not load.
 CompareFunction load_compare();
 
 }  // namespace airlight::measure

@@ -102,8 +102,9 @@ std::string overview(const std::vector<const NamedReport*>& sorted) {
       const ChannelReport& pooled = pooled_of(report.areas.front());
       std::string why;
       for (const std::string& reason : report.reasons) why += (why.empty() ? "" : "<br>") + xml_escaped(reason);
-      row.insert(row.end(), {why, percent(pooled.relative.mean), percent(pooled.relative.p95),
-                             percent(pooled.relative.max), place_words(pooled.worst_relative)});
+      row.insert(row.end(),
+                 {why, percent(pooled.relative.mean), percent(pooled.relative.p95), percent(pooled.relative.max),
+                  pooled.relative.max > 0.0 ? place_words(pooled.worst_relative) : ""});
     }
     rows.push_back(row);
   }
