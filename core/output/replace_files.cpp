@@ -12,6 +12,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "core/file_descriptor.h"
 
 namespace airlight {
 namespace {
@@ -71,20 +72,6 @@ class Staging {
   std::map<fs::path, fs::path> folders_;
 };
 
-class Descriptor {
- public:
-  explicit Descriptor(int fd) : fd_(fd) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (fd_ >= 0) ::close(fd_);
-  }
-  int get() const { return fd_; }
-
- private:
-  int fd_;
-};
-
 void write_all(int fd, const char* data, std::size_t size, const fs::path& file) {
   while (size > 0) {
     const ssize_t count = ::write(fd, data, size);
@@ -99,9 +86,9 @@ void write_all(int fd, const char* data, std::size_t size, const fs::path& file)
 void copy_file(const fs::path& from, const fs::path& staged, const fs::path& target) {
   struct stat status {};
   if (::stat(target.c_str(), &status) != 0) fail(target, "read");
-  const Descriptor in(::open(from.c_str(), O_RDONLY | O_CLOEXEC));
+  const FileDescriptor in(::open(from.c_str(), O_RDONLY | O_CLOEXEC));
   if (in.get() < 0) fail(from, "open");
-  const Descriptor out(::open(staged.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600));
+  const FileDescriptor out(::open(staged.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600));
   if (out.get() < 0) fail(target, "write beside it");
   std::vector<char> buffer(std::size_t{1} << 20U);
   for (;;) {
