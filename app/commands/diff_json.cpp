@@ -64,6 +64,16 @@ void write_presets(JsonWriter& json, const ComparisonReport& report) {
   json.end_array();
 }
 
+void write_checks(JsonWriter& json, const ComparisonReport& report) {
+  json.key("checks").begin_array();
+  for (const LimitCheck& check : report.checks) {
+    json.begin_object().key("limit").value(check.limit).key("allowed").value(check.allowed);
+    json.key("measured").value(check.measured).key("holds").value(check.holds);
+    json.key("only_warns").value(check.only_warns).end_object();
+  }
+  json.end_array();
+}
+
 void write_nonfinite(JsonWriter& json, const ComparisonReport& report) {
   json.key("nonfinite").begin_array();
   for (const NonfiniteCount& count : report.nonfinite) {
@@ -81,6 +91,7 @@ void write_figures(JsonWriter& json, const ComparisonReport& report) {
   json.key("pixels_over_warn").value(report.pixels_over_warn);
   json.key("pixels_with_unequal_nonfinite").value(report.unequal_nonfinite);
   json.key("largest").value(report.largest);
+  write_checks(json, report);
   write_nonfinite(json, report);
   json.key("areas").begin_array();
   for (const AreaReport& area : report.areas) {

@@ -167,6 +167,9 @@ TEST_F(Diff, WritesPicturesAndJunit) {
   EXPECT_EQ(result["files_written"], (json{"h.png", "s.png", "r.xml"}));
   EXPECT_EQ(result["pairs"][0]["pixels_over_fail"], 1);
   EXPECT_EQ(result["limits"]["fail"], 1e-6);
+  EXPECT_EQ(result["pairs"][0]["checks"][0]["holds"], true);
+  EXPECT_EQ(result["pairs"][0]["checks"][1]["limit"], "pixels above 1e-06 (--fail)");
+  EXPECT_EQ(result["pairs"][0]["checks"][1]["holds"], false);
   EXPECT_NE(outcome.err.find("DIFFER"), std::string::npos);
   EXPECT_EQ(scratch_.read("h.png").substr(1, 3), "PNG");
   EXPECT_EQ(scratch_.read("s.png").substr(1, 3), "PNG");
