@@ -50,9 +50,9 @@ int run(int argc, char** argv) {
   tool.name = "airlight";
   tool.version = AIRLIGHT_VERSION;
   tool.summary = "physically based skies from a JSON preset to EXR and PNG";
-  tool.commands = {render_command(),    sequence_command(),       luts_command(),    probe_command(), check_command(),
-                   methods_command(),   devices_command(),        presets_command(), diff_command(),  chart_command(),
-                   stability_command(), completion_command(tool), man_command(tool)};
+  tool.commands = {render_command(), sequence_command(),  composite_command(),      luts_command(),    probe_command(),
+                   check_command(),  methods_command(),   devices_command(),        presets_command(), diff_command(),
+                   chart_command(),  stability_command(), completion_command(tool), man_command(tool)};
   tool.root = root_command(tool);
   tool.environment = {
       {"AIRLIGHT_DEVICE", "Part of the name of the Vulkan device to use when --device is not given"},

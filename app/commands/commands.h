@@ -8,6 +8,7 @@ namespace airlight::cli {
 Command render_command();
 Command sequence_command();
 Command luts_command();
+Command composite_command();
 Command probe_command();
 Command check_command();
 Command methods_command();

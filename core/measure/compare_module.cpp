@@ -26,21 +26,26 @@ std::filesystem::path find_module() {
                  "; build the target airlight_compare or install it with the program");
 }
 
-CompareFunction open_module() {
+void* open_module() {
   const std::filesystem::path file = find_module();
   void* const handle = dlopen(file.c_str(), RTLD_LAZY | RTLD_LOCAL);
   if (handle == nullptr) {
     throw RunError(std::string(dlerror()) + "; it needs OpenImageIO's library (Debian: libopenimageio2.4)");
   }
-  void* const entry = dlsym(handle, kCompareEntry);
-  if (entry == nullptr) throw RunError(file.string() + ": has no entry " + kCompareEntry + "; build it again");
-  return reinterpret_cast<CompareFunction>(entry);
+  return handle;
 }
 
 }  // namespace
 
+void* module_entry(const char* name) {
+  static void* const handle = open_module();
+  void* const entry = dlsym(handle, name);
+  if (entry == nullptr) throw RunError(std::string(kModuleFile) + ": has no entry " + name + "; build it again");
+  return entry;
+}
+
 CompareFunction load_compare() {
-  static const CompareFunction compare = open_module();
+  static const auto compare = reinterpret_cast<CompareFunction>(module_entry(kCompareEntry));
   return compare;
 }
 

@@ -9,4 +9,7 @@ namespace airlight::measure {
 // kept for the life of the process. Throws RunError when it is missing or does not load.
 CompareFunction load_compare();
 
+// Any entry of the same module, loaded likewise.
+void* module_entry(const char* name);
+
 }  // namespace airlight::measure

@@ -5,6 +5,10 @@ set(compare_sources ${measure_sources})
 list(FILTER compare_sources INCLUDE REGEX "/module_[^/]*\\.cpp$")
 list(FILTER measure_sources EXCLUDE REGEX "/module_[^/]*\\.cpp$")
 
+# Other programs' pictures are read by the same module.
+list(APPEND compare_sources ${PROJECT_SOURCE_DIR}/core/foreign/module_foreign.cpp)
+list(APPEND measure_sources ${PROJECT_SOURCE_DIR}/core/foreign/foreign_picture.cpp)
+
 set(page ${CMAKE_CURRENT_LIST_DIR}/page.html)
 set(embedded_page ${PROJECT_BINARY_DIR}/embedded_page.cpp)
 add_custom_command(

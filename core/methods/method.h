@@ -29,6 +29,9 @@ struct View {
   // Listed directions as pixels of the camera's picture would have them, by the same tables: transmittance is not told.
   bool as_picture = false;
   std::optional<Tile> tile = {};  // of the camera's picture: this much of it
+  // A black wall at this distance from the camera, km, which hides what is behind it and lights nothing: for listed
+  // directions of a method on the host.
+  std::optional<double> wall = {};
   // Not empty: the picture is rendered by several plans, and tables of its own are kept from one to the next under keys
   // that begin so.
   std::string kept_as = {};
@@ -97,6 +100,18 @@ struct LayerPasses {
   std::optional<ImageId> transmittance;  // the method's table, if it has one: the sun's disc is seen through it
 };
 
+// A ray of the camera's picture up to a distance: through a point in pixels from the upper left corner, in km.
+struct Span {
+  float x = 0.0F;
+  float y = 0.0F;
+  float distance = 0.0F;
+};
+
+// `air`: for each span two vec4s, the radiance that the air up to there sends to the camera, and its transmittance.
+struct SpanPasses {
+  BufferId air;
+};
+
 // How a host method runs: nothing here changes what a given number of samples yields.
 struct HostOptions {
   // Called a few times a second with done in 0 to 1; returns false to stop early with what there is. Empty: nobody
@@ -132,6 +147,8 @@ struct SkyMethod {
   HostPicture (*render_on_host)(const Scene&, const View&, const HostOptions&) = nullptr;
   // Of the camera's picture alone. Null: the method does not tell them apart.
   LayerPasses (*add_layer_passes)(Plan&, const Scene&, const View&) = nullptr;
+  // The air between the camera and things. Null: the method knows whole rays alone.
+  SpanPasses (*add_span_passes)(Plan&, const Scene&, std::span<const Span>) = nullptr;
 };
 
 // All methods, in the order of the help text.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstring>
 #include <limits>
 
 #include "core/luts/luts.h"
@@ -252,6 +253,32 @@ LayerPasses add_layers(Plan& plan, const Scene& scene, const View& view) {
   return {planes, light.transmittance};
 }
 
+SpanPasses add_spans(Plan& plan, const Scene& scene, std::span<const Span> spans) {
+  constexpr std::size_t kVector = 4 * sizeof(float);
+  const Light light = add_light(plan, scene);
+  std::vector<std::byte> bytes(spans.size() * kVector);
+  for (std::size_t i = 0; i < spans.size(); ++i) {
+    std::memcpy(bytes.data() + i * kVector, &spans[i], sizeof(Span));
+  }
+  const BufferId list =
+      plan.add_buffer({.name = "spans", .bytes = spans.size() * kVector, .contents = std::move(bytes)});
+  const BufferId air =
+      plan.add_buffer({.name = "air", .bytes = 2 * spans.size() * kVector, .host_readable = true, .zeroed = false});
+  std::vector<Binding> reads = light.reads();
+  reads.push_back({"spans", list});
+  std::vector<Specialization> constants = light.constants;
+  constants.push_back({"kProjection", projection_code(scene.camera.projection)});
+  const auto count = static_cast<std::uint32_t>(spans.size());
+  plan.add_pass({.name = "air",
+                 .shader = "air_spans",
+                 .reads = std::move(reads),
+                 .writes = {{"air_out", air}},
+                 .grid = {count, 1, 1},
+                 .push_constants = {count, light.steps},
+                 .specialization = std::move(constants)});
+  return {air};
+}
+
 }  // namespace
 
 SkyMethod orders_method() {
@@ -326,6 +353,7 @@ SkyMethod orders_method() {
       "", {{"steps", 1024}, {"transmittance_lut", TableSize{512, 128}}, {"moments_lut", TableSize{96, 24}}}};
   method.add_passes = add_orders;
   method.add_layer_passes = add_layers;
+  method.add_span_passes = add_spans;
   return method;
 }
 

@@ -75,6 +75,29 @@ RayPoint point_on_ray(PlanetData planet, Ray ray, real t) {
   return point;
 }
 
+// Where a ray from altitude h, space allowed, enters the air.
+struct AirEntry {
+  bool misses;     // the ray meets no air
+  real distance_;  // from its start, 0 inside the air
+  real root;       // from space: distance to the point of entry from the ray's lowest point
+};
+
+AirEntry air_entry(PlanetData planet, real h, real mu) {
+  AirEntry entry;
+  entry.misses = false;
+  entry.distance_ = 0.0;
+  entry.root = 0.0;
+  if (h > planet.atmosphere_height) {
+    real r = planet.ground_radius + h;
+    real c = (h - planet.atmosphere_height) * (r + planet.ground_radius + planet.atmosphere_height);
+    real discriminant = r * r * mu * mu - c;
+    entry.misses = mu >= 0.0 || discriminant <= 0.0;
+    entry.root = sqrt(max(discriminant, 0.0));
+    entry.distance_ = entry.misses ? 0.0 : c / (entry.root - r * mu);
+  }
+  return entry;
+}
+
 // The part inside the atmosphere of the ray from altitude h >= 0 (space allowed). length_ < 0 where there is none:
 // looking past the air, or away from the planet.
 Ray ray_in_atmosphere(PlanetData planet, real h, real mu, real mu_sun, real nu) {
@@ -86,24 +109,31 @@ Ray ray_in_atmosphere(PlanetData planet, real h, real mu, real mu_sun, real nu) 
   ray.length_ = -1.0;
   ray.at_ground = meets_ground(planet, h, mu);
   if (h > planet.atmosphere_height) {
-    real r = planet.ground_radius + h;
-    real r_top = planet.ground_radius + planet.atmosphere_height;
-    real c = (h - planet.atmosphere_height) * (r + r_top);
-    real discriminant = r * r * mu * mu - c;
-    if (mu >= 0.0 || discriminant <= 0.0) {
+    AirEntry entry = air_entry(planet, h, mu);
+    if (entry.misses) {
       return ray;
     }
-    real root = sqrt(discriminant);
-    real entry = c / (root - r * mu);
+    real r_top = planet.ground_radius + planet.atmosphere_height;
     ray.h = planet.atmosphere_height;
-    ray.mu = clamp(-root / r_top, -1.0, 0.0);
-    ray.mu_sun = clamp((r * mu_sun + entry * nu) / r_top, -1.0, 1.0);
+    ray.mu = clamp(-entry.root / r_top, -1.0, 0.0);
+    ray.mu_sun = clamp(((planet.ground_radius + h) * mu_sun + entry.distance_ * nu) / r_top, -1.0, 1.0);
     ray.at_ground = meets_ground(planet, ray.h, ray.mu);
   }
   if (ray.at_ground) {
     ray.length_ = distance_to_ground(planet, ray.h, ray.mu);
   } else {
     ray.length_ = distance_to_top(planet, ray.h, ray.mu);
+  }
+  return ray;
+}
+
+// The same ray up to a thing at `distance_` from the camera, at altitude h and zenith cosine mu there. A thing below the
+// ground stands on it; one before the air leaves none.
+Ray ray_up_to(PlanetData planet, real h, real mu, Ray ray, real distance_) {
+  real inside = distance_ - air_entry(planet, h, mu).distance_;
+  if (ray.length_ >= 0.0 && inside < ray.length_) {
+    ray.length_ = max(inside, 0.0);
+    ray.at_ground = false;
   }
   return ray;
 }

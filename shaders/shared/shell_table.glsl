@@ -13,6 +13,14 @@ SkyFactors scene_sky_factors(Ray ray, uint steps) {
   return sky_factors(scene.planet, scene.moments, ray, steps);
 }
 
+// Of the air alone, whatever the ray ends on.
+SkyFactors scene_air_factors(Ray ray, uint steps) {
+  if (shell_rows() > 0u) {
+    return shell_air_factors(scene.planet, scene.moments, ray, steps);
+  }
+  return air_factors(scene.planet, scene.moments, ray, steps);
+}
+
 // The same light with the ground's apart.
 struct ApartFactors {
   SkyFactors air;
@@ -21,16 +29,12 @@ struct ApartFactors {
 
 ApartFactors scene_apart_factors(Ray ray, uint steps) {
   ApartFactors apart;
+  apart.air = scene_air_factors(ray, steps);
   apart.ground = vec3(0.0);
-  bool sees_ground = ray.at_ground && ray.length_ >= 0.0;
-  if (shell_rows() > 0u) {
-    apart.air = shell_air_factors(scene.planet, scene.moments, ray, steps);
-    if (sees_ground) {
+  if (ray.at_ground && ray.length_ >= 0.0) {
+    if (shell_rows() > 0u) {
       apart.ground = shell_ground_light(scene.planet, scene.moments, ray, apart.air.transmittance);
-    }
-  } else {
-    apart.air = air_factors(scene.planet, scene.moments, ray, steps);
-    if (sees_ground) {
+    } else {
       apart.ground = ground_light(scene.planet, scene.moments, ray, apart.air.transmittance);
     }
   }

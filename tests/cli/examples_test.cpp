@@ -25,6 +25,10 @@ class Examples : public testing::Test {
     scratch_.write("my-sky.json", small_preset());
     scratch_.write("directions.csv", "90,0\n10,180\n");
     airlight(folder, {"render", "my-sky.json", "-q", "-o", "sky.exr"});
+    airlight(folder, {"render", "my-sky.json", "-q", "--layers", "--method", "orders", "-o", "in.exr"});
+    for (const char* name : {"depth.exr", "in.0001.exr"}) {
+      fs::copy_file(folder / "in.exr", folder / name);
+    }
   }
 
   Outcome shell(const std::string& line) const {

@@ -12,9 +12,9 @@ namespace airlight::test {
 namespace {
 
 const std::vector<std::string>& commands() {
-  static const std::vector<std::string> names = {"render",    "sequence",   "luts",    "probe", "check",
-                                                 "methods",   "devices",    "presets", "diff",  "chart",
-                                                 "stability", "completion", "man"};
+  static const std::vector<std::string> names = {"render", "sequence",  "composite",  "luts",    "probe",
+                                                 "check",  "methods",   "devices",    "presets", "diff",
+                                                 "chart",  "stability", "completion", "man"};
   return names;
 }
 

@@ -185,8 +185,15 @@ class Flight::Planner {
     plan_.total = {};
   }
 
+  // A wall may end the ray before the shell does.
   void add(double until, std::size_t shell, const Coefficients& a, const Coefficients& b) {
     const double start = plan_.panels.empty() ? 0.0 : plan_.panels.back().start + plan_.panels.back().width;
+    if (until > ray_.length_ * (1.0 + 1e-9)) {
+      if (ray_.length_ > start) {
+        add(ray_.length_, shell, a, part_way(a, b, (ray_.length_ - start) / (until - start)));
+      }
+      return;
+    }
     const double width = until - start;
     if (!(width > 0.0)) {
       return;
@@ -243,6 +250,15 @@ class Flight::Planner {
   }
 
  private:
+  static Coefficients part_way(const Coefficients& a, const Coefficients& b, double x) {
+    Coefficients c;
+    for (std::size_t i = 0; i < 3; ++i) {
+      c.extinction[i] = a.extinction[i] + x * (b.extinction[i] - a.extinction[i]);
+      c.scattering[i] = a.scattering[i] + x * (b.scattering[i] - a.scattering[i]);
+    }
+    return c;
+  }
+
   double mu_sun(double t) const {
     return (r_ * ray_.mu_sun + t * ray_.nu) / std::sqrt(r_ * r_ + t * (2.0 * r_ * ray_.mu + t));
   }

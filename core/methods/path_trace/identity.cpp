@@ -81,6 +81,9 @@ std::string checkpoint_identity(const Scene& scene, const View& view) {
     return lines.text();
   }
   lines.add("/camera/altitude_km", scene.camera.altitude);
+  if (view.wall) {
+    lines.add("wall (km)", *view.wall);
+  }
   for (std::size_t k = 0; k < view.directions.size(); ++k) {
     lines.add("direction " + std::to_string(k) + " elevation (rad)", view.directions[k].elevation);
     lines.add("direction " + std::to_string(k) + " azimuth (rad)", view.directions[k].azimuth);

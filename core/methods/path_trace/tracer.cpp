@@ -6,7 +6,7 @@ namespace airlight {
 
 using physics::vec3;
 
-PathTracer::PathTracer(const Scene& scene, std::uint64_t seed, int max_orders)
+PathTracer::PathTracer(const Scene& scene, std::uint64_t seed, int max_orders, double wall)
     : physics_(make_physics(scene)),
       depth_(physics_),
       flight_(physics_, depth_),
@@ -15,6 +15,7 @@ PathTracer::PathTracer(const Scene& scene, std::uint64_t seed, int max_orders)
       walk_(physics_, depth_, single_, flight_, guide_, max_orders),
       seed_(seed),
       max_orders_(max_orders),
+      wall_(wall),
       projection_(projection_code(scene.camera.projection)) {}
 
 vec3 PathTracer::batch(const WalkStart& start, std::uint64_t pixel, std::uint64_t batch, FlightPlan& scratch) const {

@@ -10,11 +10,12 @@ namespace airlight {
 
 class PathTracer {
  public:
-  PathTracer(const Scene& scene, std::uint64_t seed, int max_orders);
+  // `wall`: View::wall, or infinity.
+  PathTracer(const Scene& scene, std::uint64_t seed, int max_orders, double wall);
   PathTracer(const PathTracer&) = delete;
   PathTracer& operator=(const PathTracer&) = delete;
 
-  WalkStart start(physics::vec3 direction) const { return walk_.start(direction); }
+  WalkStart start(physics::vec3 direction) const { return walk_.start(direction, wall_); }
 
   // The first order: exact.
   physics::vec3 single(const WalkStart& start) const { return single_.radiance(start.ray); }
@@ -44,6 +45,7 @@ class PathTracer {
   Walk walk_;
   std::uint64_t seed_;
   int max_orders_;
+  double wall_;
   std::uint32_t projection_;
 };
 

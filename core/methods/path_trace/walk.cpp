@@ -99,7 +99,7 @@ Walk::Walk(physics::Physics& physics, const OpticalDepth& depth, const SingleSca
       max_orders_(max_orders),
       guided_orders_(guided_orders(flight.forward_depth())) {}
 
-WalkStart Walk::start(vec3 direction) const {
+WalkStart Walk::start(vec3 direction, double wall) const {
   const physics::PlanetData& planet = physics_.scene.planet;
   const vec3 sun = physics_.scene.sun.direction;
   WalkStart start;
@@ -112,6 +112,7 @@ WalkStart Walk::start(vec3 direction) const {
     const double entry = (planet.ground_radius + planet.atmosphere_height) * start.ray.mu - r * direction.y;
     start.up = normalize(start.up * r + direction * entry);
   }
+  start.ray = physics_.ray_up_to(planet, h, direction.y, start.ray, wall);
   flight_.plan_guided(start.ray, 0.0, start.plan);
   return start;
 }

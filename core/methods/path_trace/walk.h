@@ -40,7 +40,8 @@ class Walk {
   Walk(physics::Physics& physics, const OpticalDepth& depth, const SingleScattering& single, const Flight& flight,
        const SkyGuide& guide, int max_orders);
 
-  WalkStart start(physics::vec3 direction) const;
+  // `wall`: where a black wall ends the ray, km.
+  WalkStart start(physics::vec3 direction, double wall) const;
 
   // One estimate of the radiance from two scatterings or reflections on, for a sun of irradiance 1. `plan` is room to
   // work in.

@@ -1,0 +1,360 @@
+// `airlight composite`: the air put into the pictures of other programs.
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <numeric>
+
+#include "app/cli/json_writer.h"
+#include "app/cli/picture_options.h"
+#include "app/cli/stopwatch.h"
+#include "app/cli/terminal.h"
+#include "app/composite/foreground.h"
+#include "app/composite/order.h"
+#include "app/render/picture_files.h"
+#include "app/render/report.h"
+#include "app/render/validity.h"
+#include "core/error.h"
+#include "core/measure/frames.h"
+#include "core/output/atomic_file.h"
+#include "core/physics/scene_data.h"
+#include "core/render/spans.h"
+
+namespace airlight::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using composite::Rgb;
+
+// Parts that a deep sample with a back is cut into.
+constexpr int kParts = 4;
+
+// Of one frame, in linear Rec.709, rows from the top.
+struct Composite {
+  std::vector<Rgb> colours;
+  std::vector<Rgb> inscatter;
+  std::vector<Rgb> transmittance;
+  std::vector<float> alpha;  // of a deep picture, flattened
+};
+
+Rgb pixel_of(const RadianceImage& sky, std::size_t pixel) {
+  if (sky.rgba.empty()) {
+    return {};
+  }
+  return {sky.rgba[4 * pixel], sky.rgba[4 * pixel + 1], sky.rgba[4 * pixel + 2]};
+}
+
+// One ray up to a distance that a sample, or a part of one, stands at.
+struct Sample {
+  std::uint32_t pixel = 0;
+  composite::Thing thing;
+  float distance = composite::kSky;
+};
+
+std::vector<Sample> samples_of(const Foreground& fore) {
+  std::vector<Sample> samples;
+  samples.reserve(fore.things.size());
+  for (std::size_t i = 0; i < fore.things.size(); ++i) {
+    const auto pixel = fore.pixel_of.empty() ? static_cast<std::uint32_t>(i) : fore.pixel_of[i];
+    const bool thick = !fore.backs.empty() && fore.backs[i] < composite::kSky && fore.backs[i] > fore.distances[i];
+    if (!thick) {
+      samples.push_back({pixel, fore.things[i], fore.distances[i]});
+      continue;
+    }
+    const std::vector<composite::Thing> parts = composite::split(fore.things[i], kParts);
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      const float place = (static_cast<float>(k) + (parts.size() > 1 ? 0.5F : 0.0F)) / kParts;
+      samples.push_back({pixel, parts[k], fore.distances[i] + place * (fore.backs[i] - fore.distances[i])});
+    }
+  }
+  if (!fore.pixel_of.empty()) {
+    // Nearest first, and what has no depth last.
+    std::stable_sort(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) {
+      return a.pixel != b.pixel ? a.pixel < b.pixel : a.distance < b.distance;
+    });
+  }
+  return samples;
+}
+
+// The air in front of each sample: the scene's own, or a fog; nothing for samples without depth.
+std::vector<AirTo> airs_of(const std::vector<Sample>& samples, const Scene& scene, const DeviceOnDemand& device) {
+  std::vector<AirTo> airs(samples.size(), AirTo{{}, {1.0F, 1.0F, 1.0F}});
+  std::vector<Span> spans;
+  std::vector<std::size_t> places;
+  const auto width = static_cast<std::uint32_t>(scene.image.width);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (samples[i].distance < composite::kSky) {
+      spans.push_back({static_cast<float>(samples[i].pixel % width) + 0.5F,
+                       static_cast<float>(samples[i].pixel / width) + 0.5F, samples[i].distance});
+      places.push_back(i);
+    }
+  }
+  if (!spans.empty()) {
+    const std::vector<AirTo> found = air_to(device(), scene, spans);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      airs[places[k]] = found[k];
+    }
+  }
+  return airs;
+}
+
+Rgb rgb(const physics::vec3& v) {
+  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+// Distances in the fog's own unit, km; heights above the ground along the flat vertical, as the published forms have
+// it.
+std::vector<AirTo> fogs_of(const std::vector<Sample>& samples, const Scene& scene, const composite::Fog& fog,
+                           double unit) {
+  physics::Physics p = make_physics(scene);
+  const physics::uint projection = projection_code(scene.camera.projection);
+  const auto width = static_cast<std::uint32_t>(scene.image.width);
+  std::vector<AirTo> airs(samples.size(), AirTo{{}, {1.0F, 1.0F, 1.0F}});
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (!(samples[i].distance < composite::kSky)) {
+      continue;
+    }
+    const auto ray =
+        p.view_ray(p.scene.camera, projection, samples[i].pixel % width + 0.5, samples[i].pixel / width + 0.5);
+    const composite::FogTerms terms =
+        composite::fog_terms(fog, {static_cast<double>(samples[i].distance) / unit, scene.camera.altitude / unit,
+                                   ray.direction.y, physics::dot(ray.direction, p.scene.sun.direction)});
+    airs[i] = {rgb(terms.adds), rgb(terms.keeps)};
+  }
+  return airs;
+}
+
+Composite blended(const Foreground& fore, const std::vector<Sample>& samples, const std::vector<AirTo>& airs,
+                  const RadianceImage& sky) {
+  const auto pixels = static_cast<std::size_t>(fore.picture.width) * static_cast<std::size_t>(fore.picture.height);
+  Composite out;
+  out.inscatter.assign(pixels, Rgb{});
+  out.transmittance.assign(pixels, Rgb{1.0F, 1.0F, 1.0F});
+  std::size_t first = 0;
+  for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
+    std::size_t last = first;
+    std::vector<composite::Thing> things;
+    float clear = 1.0F;
+    for (; last < samples.size() && samples[last].pixel == pixel; ++last) {
+      things.push_back(samples[last].thing);
+      clear *= 1.0F - samples[last].thing.alpha;
+    }
+    const std::span<const AirTo> mine(airs.data() + first, last - first);
+    const Rgb behind = pixel_of(sky, pixel);
+    out.colours.push_back(fore.picture.deep ? composite::behind_air(things, mine, behind)
+                                            : composite::behind_air(things.front(), mine.front(), behind));
+    if (!mine.empty()) {
+      out.inscatter[pixel] = mine.front().radiance;
+      out.transmittance[pixel] = mine.front().transmittance;
+    }
+    if (fore.picture.deep) {
+      out.alpha.push_back(1.0F - clear);
+    }
+    first = last;
+  }
+  return out;
+}
+
+bool needs_sky(const std::vector<Sample>& samples, const Foreground& fore) {
+  return fore.picture.deep || std::any_of(samples.begin(), samples.end(), [](const Sample& sample) {
+           return sample.thing.alpha < 1.0F || !(sample.distance < composite::kSky);
+         });
+}
+
+std::vector<float> planes_in(const std::vector<Rgb>& colours, WorkingSpace space) {
+  RadianceImage image{static_cast<int>(colours.size()), 1, {}};
+  image.rgba.reserve(4 * colours.size());
+  for (const Rgb& c : colours) {
+    image.rgba.insert(image.rgba.end(), {c[0], c[1], c[2], 1.0F});
+  }
+  return converted(std::move(image), WorkingSpace::linear_rec709, space).rgba;
+}
+
+// The file: the colours in place of the beauty's, its other channels as they were, the layers asked for.
+ExrFile encoded(const CompositeOrder& order, const Foreground& fore, const Composite& made,
+                const PictureContext& context) {
+  const WorkingSpace space = order.colorspace.empty() ? fore.space : *working_space(order.colorspace);
+  const bool was_half = fore.picture.find(fore.colours[0])->half;
+  const bool half = order.half || (was_half && !order.full_float);
+  const std::vector<float> colours = planes_in(made.colours, space);
+  const ExtraLayers extra = extra_layers(order.layers);
+  const std::vector<float> inscatter = extra.inscatter ? planes_in(made.inscatter, space) : std::vector<float>();
+  const std::vector<float> through = extra.transmittance ? planes_in(made.transmittance, space) : std::vector<float>();
+  std::vector<ExrChannel> channels;
+  for (std::size_t c = 0; c < 3; ++c) {
+    channels.push_back({fore.colours[c], colours.data() + c, 4, !half});
+  }
+  if (fore.picture.deep) {
+    if (!fore.alpha.empty()) {
+      channels.push_back({fore.alpha, made.alpha.data(), 1, !half});
+    }
+  } else {
+    for (const foreign::Channel& channel : fore.picture.channels) {
+      if (std::find(fore.colours.begin(), fore.colours.end(), channel.name) == fore.colours.end()) {
+        channels.push_back({channel.name, channel.values.data(), 1, !channel.half});
+      }
+    }
+  }
+  const auto add = [&](const char* layer, const std::vector<float>& planes) {
+    for (std::size_t c = 0; c < 3 && !planes.empty(); ++c) {
+      channels.push_back({std::string(layer) + "." + "RGB"[c], planes.data() + c, 4, !half});
+    }
+  };
+  add("inscatter", inscatter);
+  add("transmittance", through);
+  ExrOptions options = exr_options(context, true);
+  options.space = space;
+  return encode_exr(fore.picture.width, fore.picture.height, channels, options);
+}
+
+struct Frame {
+  std::string beauty;
+  std::string depth;
+  std::string output;
+};
+
+std::string percent(std::size_t part, std::size_t whole) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g %%", 100.0 * static_cast<double>(part) / static_cast<double>(whole));
+  return text;
+}
+
+void tell_about(const CompositeOrder& order, const Foreground& fore, const Frame& frame, const ExrCounts& counts) {
+  if (order.quiet) {
+    return;
+  }
+  if (fore.counts.nan > 0) {
+    complain("warning: " + frame.beauty + ": " + std::to_string(fore.counts.nan) +
+             " depths are not numbers; they are taken as sky");
+  }
+  if (fore.replaced > 0) {
+    complain("note: " + frame.beauty + ": " + std::to_string(fore.replaced) +
+             " opaque pixels have no depth; the sky takes the place of their background");
+  }
+  for (const std::string& warning : exr_warnings(counts)) {
+    complain("warning: " + warning);
+  }
+  tell(fore.camera + "; " + percent(fore.counts.sky, fore.things.size()) + " of the depths are sky\n" + frame.output +
+       "\n");
+}
+
+std::string as_json(const Foreground& fore, const Frame& frame) {
+  JsonWriter json;
+  json.begin_object().key("file").value(frame.output).key("camera").value(fore.camera);
+  json.key("samples").value(static_cast<double>(fore.things.size()));
+  json.key("sky").value(static_cast<double>(fore.counts.sky));
+  json.key("nan_depths").value(static_cast<double>(fore.counts.nan));
+  json.key("background_replaced").value(static_cast<double>(fore.replaced));
+  return json.end_object().take();
+}
+
+void composite_frame(const CompositeOrder& order, const Frame& frame, const DeviceOnDemand& device) {
+  Scene scene = load_scene(order.scene);
+  const Foreground fore = read_foreground(order, frame.beauty, frame.depth, scene);
+  if (!order.quiet) {
+    const std::string warning = validity_warning(scene);
+    if (!warning.empty()) {
+      complain("warning: " + warning);
+    }
+  }
+  const std::vector<Sample> samples = samples_of(fore);
+  const std::optional<composite::Fog> fog = fog_of(order);
+  Rendering sky;
+  if (needs_sky(samples, fore)) {
+    sky = render(device, scene, {});
+    if (!sky.fault().empty()) {
+      throw RunError(order.scene.preset + ": " + sky.fault() + "; nothing was written");
+    }
+  }
+  const double fog_unit = unit_km(order.unit).value_or(1.0);
+  const std::vector<AirTo> airs = fog ? fogs_of(samples, scene, *fog, fog_unit) : airs_of(samples, scene, device);
+  require_valid_vulkan();
+  const Composite made = blended(fore, samples, airs, sky.radiance);
+  const PictureContext context{
+      scene, sky, {to_json(scene), scene.render.method, AIRLIGHT_VERSION, device().device().name}};
+  const ExrFile file = encoded(order, fore, made, context);
+  write_file(frame.output, file.bytes);
+  tell_about(order, fore, frame, file.counts);
+  if (order.json) {
+    print(as_json(fore, frame));
+  }
+}
+
+std::string with_number(const measure::FramePattern& pattern, long number) {
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%0*ld", pattern.digits, number);
+  return (fs::path(pattern.folder) / (pattern.before + digits + pattern.after)).string();
+}
+
+// "FILE:CHANNEL" with the frame's number in FILE.
+std::string depth_of_frame(const std::string& depth, long number) {
+  const std::size_t colon = depth.rfind(':');
+  const bool has_channel = colon != std::string::npos && depth.find('/', colon) == std::string::npos;
+  const std::string file = has_channel ? depth.substr(0, colon) : depth;
+  const std::optional<measure::FramePattern> pattern = measure::frame_pattern(file);
+  return pattern ? with_number(*pattern, number) + (has_channel ? depth.substr(colon) : "") : depth;
+}
+
+std::vector<Frame> frames_of(const CompositeOrder& order) {
+  const std::optional<measure::FramePattern> beauty = measure::frame_pattern(order.beauty);
+  const std::optional<measure::FramePattern> output = measure::frame_pattern(order.output);
+  if (beauty.has_value() != output.has_value()) {
+    throw InputError("composite: --beauty " + order.beauty + " and -o " + order.output +
+                     ": give both as patterns of frames (sky.####.exr) or neither");
+  }
+  if (!beauty) {
+    return {{order.beauty, order.depth, order.output}};
+  }
+  std::map<long, std::string> found;
+  std::error_code problem;
+  for (const fs::directory_entry& entry : fs::directory_iterator(beauty->folder, problem)) {
+    if (const std::optional<long> number = measure::frame_number(*beauty, entry.path().filename().string())) {
+      found[*number] = entry.path().string();
+    }
+  }
+  if (found.empty()) {
+    throw InputError(order.beauty + ": no frame of this pattern is there; --beauty needs the files of another program");
+  }
+  std::vector<Frame> frames;
+  for (const auto& [number, file] : found) {
+    frames.push_back({file, depth_of_frame(order.depth, number), with_number(*output, number)});
+  }
+  return frames;
+}
+
+void require_spans(const Scene& scene) {
+  if (find_method(scene.render.method)->add_span_passes != nullptr) {
+    return;
+  }
+  std::string names;
+  for (const SkyMethod& method : methods()) {
+    if (method.add_span_passes != nullptr) {
+      names += (names.empty() ? "" : ", ") + std::string(method.info.name);
+    }
+  }
+  throw InputError("composite: the method " + scene.render.method +
+                   " does not tell the air before a thing from the sky behind it; choose " + names + " with --method");
+}
+
+}  // namespace
+
+int run_composite(const CompositeOrder& order) {
+  check(order);
+  const std::vector<Frame> frames = frames_of(order);
+  if (order.fog.empty()) {
+    require_spans(load_scene(order.scene));
+  }
+  for (const Frame& frame : frames) {
+    require_ending(frame.output, "composite: -o", ".exr");
+    require_writable(frame.output);
+  }
+  std::unique_ptr<Executor> executor;
+  const DeviceOnDemand device = device_on_demand(order.scene, executor);
+  for (const Frame& frame : frames) {
+    composite_frame(order, frame, device);
+  }
+  return 0;
+}
+
+}  // namespace airlight::cli

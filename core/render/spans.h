@@ -1,0 +1,23 @@
+#pragma once
+// The air between the camera and things.
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "core/render/render.h"
+
+namespace airlight {
+
+// Along one ray up to its distance.
+struct AirTo {
+  std::array<float, 3> radiance{};       // that the air sends to the camera, in the scene's unit
+  std::array<float, 3> transmittance{};  // of light from the ray's end, 0 to 1
+};
+
+// In the order of the spans, of the scene's own method, which must have add_span_passes. The device's buffers stay
+// below 8 MiB, whatever the number of spans. Throws RunError where the device fails or a result is not finite or
+// negative.
+std::vector<AirTo> air_to(Executor& executor, const Scene& scene, std::span<const Span> spans);
+
+}  // namespace airlight

@@ -1,0 +1,227 @@
+// `airlight composite` on pictures that the test makes: what passes unchanged, what joins, what is refused.
+#include <ImfChannelList.h>
+#include <ImfDeepFrameBuffer.h>
+#include <ImfDeepScanLineOutputFile.h>
+#include <ImfPartType.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/output/exr.h"
+#include "core/output/picture_reader.h"
+#include "tests/cli/process.h"
+
+namespace airlight::test {
+namespace {
+
+using Names = std::vector<std::string>;
+
+constexpr int kWidth = 24;
+constexpr int kHeight = 16;
+constexpr std::size_t kPixels = kWidth * kHeight;
+
+// A picture of R, G, B, A, Z and a further channel, each even.
+struct Beauty {
+  float light = 0.0F;
+  float alpha = 0.0F;
+  float z = 1e10F;
+  std::string z_name = "Z";
+
+  void write(const std::filesystem::path& file, int width = kWidth) const {
+    const std::vector<float> l(kPixels, light);
+    const std::vector<float> a(kPixels, alpha);
+    const std::vector<float> d(kPixels, z);
+    const std::vector<float> id(kPixels, 7.0F);
+    const std::vector<ExrChannel> channels{{"R", l.data(), 1, true},    {"G", l.data(), 1, true},
+                                           {"B", l.data(), 1, true},    {"A", a.data(), 1, true},
+                                           {z_name, d.data(), 1, true}, {"id", id.data(), 1, true}};
+    ExrOptions options;
+    options.half = false;
+    write_exr(file, width, kHeight, channels, options);
+  }
+};
+
+class CompositeTool : public testing::Test {
+ protected:
+  void SetUp() override { scratch_.write("sky.json", small_preset()); }
+  std::filesystem::path path(const std::string& name) const { return scratch_.path() / name; }
+  Outcome tool(Names words) const { return airlight(scratch_.path(), std::move(words)); }
+  Outcome composite(Names words) const {
+    words.insert(words.begin(), {"composite", "sky.json", "--method", "orders"});
+    return tool(std::move(words));
+  }
+  RadianceImage picture(const std::string& name) const { return read_exr_picture(path(name)).radiance; }
+  RadianceImage sky() const {
+    const Outcome done = tool({"render", "sky.json", "--method", "orders", "--float", "-q", "-o", "sky.exr", "--size",
+                               std::to_string(kWidth) + "x" + std::to_string(kHeight)});
+    EXPECT_EQ(done.exit_code, 0) << done.err;
+    return picture("sky.exr");
+  }
+  Scratch scratch_;
+};
+
+TEST_F(CompositeTool, WhereNothingIsThePictureIsTheSkyBitForBit) {
+  const RadianceImage expected = sky();
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  for (const float z : {1e10F, nan}) {
+    Beauty{.light = 5.0F, .alpha = 1.0F, .z = z}.write(path("in.exr"));
+    const Outcome done = composite({"--beauty", "in.exr", "-o", "out.exr"});
+    ASSERT_EQ(done.exit_code, 0) << done.err;
+    const RadianceImage found = picture("out.exr");
+    for (std::size_t i = 0; i < kPixels; ++i) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        ASSERT_EQ(found.rgba[4 * i + c], expected.rgba[4 * i + c]) << z << ", pixel " << i;
+      }
+    }
+    EXPECT_TRUE(contains(done.err, std::to_string(kPixels) + " opaque pixels have no depth")) << done.err;
+    EXPECT_EQ(contains(done.err, "are not numbers"), std::isnan(z)) << done.err;
+  }
+}
+
+// A micrometre of air is none: the beauty comes through, alpha and the further channel as they were.
+TEST_F(CompositeTool, BeforeAThingAtTheLensIsNoAir) {
+  Beauty{.light = 0.25F, .alpha = 1.0F, .z = 1e-6F}.write(path("in.exr"));
+  ASSERT_EQ(composite({"--beauty", "in.exr", "-o", "out.exr", "-q", "--scale", "2"}).exit_code, 0);
+  const RadianceImage found = picture("out.exr");
+  for (std::size_t i = 0; i < kPixels; ++i) {
+    ASSERT_NEAR(found.rgba[4 * i + 1], 0.5F, 1e-6F);
+    ASSERT_EQ(found.rgba[4 * i + 3], 1.0F);
+  }
+  EXPECT_TRUE(contains(scratch_.read("out.exr"), std::string("id\0", 3)));
+}
+
+// A black plane that recedes joins the sky: its colour at 10 000 km, past all air, is the sky's above the horizon.
+TEST_F(CompositeTool, FarThingsJoinTheSky) {
+  const RadianceImage expected = sky();
+  Beauty{.light = 0.0F, .alpha = 1.0F, .z = 1e7F}.write(path("in.exr"));
+  ASSERT_EQ(composite({"--beauty", "in.exr", "-o", "out.exr", "-q"}).exit_code, 0);
+  const RadianceImage found = picture("out.exr");
+  for (int x = 0; x < kWidth; ++x) {
+    for (int c = 0; c < 3; ++c) {
+      const float want = expected.at(x, 0)[c];
+      EXPECT_NEAR(found.at(x, 0)[c], want, 1e-4F * want) << x;
+    }
+  }
+}
+
+// Planar depth of 1 km and the distance that it is at the picture's corner.
+TEST_F(CompositeTool, PlanarDepthIsLongerTowardTheCorners) {
+  Beauty{.alpha = 1.0F, .z = 10000.0F}.write(path("in.exr"));
+  const Names layers{"--layers", "inscatter,transmittance", "-q", "--beauty", "in.exr", "-o"};
+  const auto with = [&](Names words, const std::string& kind, const std::string& out) {
+    words.push_back(out);
+    words.insert(words.end(), {"--depth-kind", kind});
+    EXPECT_EQ(composite(words).exit_code, 0);
+    return picture(out);
+  };
+  const RadianceImage planar = with(layers, "planar", "p.exr");
+  const RadianceImage along = with(layers, "distance", "d.exr");
+  EXPECT_GT(planar.at(0, 0)[2], along.at(0, 0)[2]);
+  EXPECT_TRUE(contains(scratch_.read("p.exr"), "transmittance.G"));
+}
+
+TEST_F(CompositeTool, FramesByPattern) {
+  Beauty{.alpha = 1.0F, .z = 100.0F}.write(path("in.0001.exr"));
+  Beauty{.alpha = 1.0F, .z = 1000.0F}.write(path("in.0007.exr"));
+  const Outcome done = composite({"--beauty", "in.####.exr", "-o", "out.####.exr", "--json"});
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_GT(picture("out.0007.exr").at(3, 3)[2], picture("out.0001.exr").at(3, 3)[2]);
+  EXPECT_TRUE(contains(done.out, "out.0001.exr") && contains(done.out, "out.0007.exr")) << done.out;
+}
+
+// One sample a pixel, and a clear one before it: as the flat picture.
+void write_deep(const std::filesystem::path& file, float light, float alpha, float z) {
+  Imf::Header header(kWidth, kHeight);
+  header.setType(Imf::DEEPSCANLINE);
+  header.compression() = Imf::ZIPS_COMPRESSION;
+  const std::array<const char*, 5> names{"R", "G", "B", "A", "Z"};
+  for (const char* name : names) {
+    header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+  }
+  std::vector<unsigned int> counts(kPixels, 2);
+  const std::array<std::array<float, 2>, 5> values{
+      {{0.0F, light}, {0.0F, light}, {0.0F, light}, {0.0F, alpha}, {0.5F * z, z}}};
+  std::array<std::vector<const float*>, 5> pointers;
+  Imf::DeepFrameBuffer buffer;
+  buffer.insertSampleCountSlice(Imf::Slice(Imf::UINT, reinterpret_cast<char*>(counts.data()), sizeof(unsigned int),
+                                           sizeof(unsigned int) * kWidth));
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    pointers[k].assign(kPixels, values[k].data());
+    buffer.insert(names[k], Imf::DeepSlice(Imf::FLOAT, reinterpret_cast<char*>(pointers[k].data()), sizeof(float*),
+                                           sizeof(float*) * kWidth, sizeof(float)));
+  }
+  Imf::DeepScanLineOutputFile output(file.c_str(), header);
+  output.setFrameBuffer(buffer);
+  output.writePixels(kHeight);
+}
+
+TEST_F(CompositeTool, DeepPicturesSampleBySample) {
+  Beauty{.light = 0.3F, .alpha = 0.6F, .z = 20000.0F}.write(path("flat.exr"));
+  write_deep(path("deep.exr"), 0.3F, 0.6F, 20000.0F);
+  for (const char* name : {"flat", "deep"}) {
+    const Outcome done =
+        composite({"--beauty", std::string(name) + ".exr", "-o", std::string(name) + "-out.exr", "-q"});
+    ASSERT_EQ(done.exit_code, 0) << done.err;
+  }
+  const RadianceImage flat = picture("flat-out.exr");
+  const RadianceImage deep = picture("deep-out.exr");
+  for (std::size_t i = 0; i < flat.rgba.size(); ++i) {
+    ASSERT_NEAR(deep.rgba[i], flat.rgba[i], 2e-6F + 2e-6F * std::abs(flat.rgba[i])) << i;
+  }
+}
+
+TEST_F(CompositeTool, ASimpleFog) {
+  Beauty{.light = 1.0F, .alpha = 1.0F, .z = 2.0F}.write(path("in.exr"));
+  const Outcome done = composite({"--beauty", "in.exr", "-o", "out.exr", "-q", "--depth-unit", "km", "--depth-kind",
+                                  "distance", "--fog", "exponential", "--fog-set", "density=0.5"});
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  const float kept = std::exp(-1.0F);
+  EXPECT_NEAR(picture("out.exr").at(5, 5)[0], kept + 0.5F * (1.0F - kept), 1e-5F);
+}
+
+struct Refused {
+  Names words;
+  std::string named;
+};
+
+TEST_F(CompositeTool, RefusesWithPlaceAndRemedy) {
+  Beauty{.z_name = "far"}.write(path("in.exr"));
+  Beauty{}.write(path("good.exr"));
+  Beauty{}.write(path("narrow.exr"), kWidth / 2);
+  scratch_.write("text.exr", "not a picture");
+  const std::vector<Refused> cases{
+      {{}, "--beauty"},
+      {{"--beauty", "good.exr"}, "-o"},
+      {{"--beauty", "none.exr", "-o", "o.exr"}, "none.exr: no such file"},
+      {{"--beauty", "text.exr", "-o", "o.exr"}, "text.exr: cannot be read"},
+      {{"--beauty", "in.exr", "-o", "o.exr"}, "has no depth channel"},
+      {{"--beauty", "in.exr", "-o", "o.exr"}, "far"},  // those present are listed
+      {{"--beauty", "good.exr", "--depth", "good.exr:zz", "-o", "o.exr"}, "has no channel 'zz'"},
+      {{"--beauty", "good.exr", "--depth", "narrow.exr:Z", "-o", "o.exr"}, "12x16"},
+      {{"--beauty", "good.exr", "--layer", "foo", "-o", "o.exr"}, "has no layer 'foo'"},
+      {{"--beauty", "good.exr", "-o", "o.png"}, ".exr"},
+      {{"--beauty", "good.exr", "-o", "o.exr", "--camera", "file"}, "says nothing of its camera"},
+      {{"--beauty", "good.exr", "-o", "o.exr", "--depth-unit", "parsec"}, "parsec"},
+      {{"--beauty", "good.exr", "-o", "o.exr", "--layers", "depth"}, "'depth'"},
+      {{"--beauty", "good.exr", "-o", "o.exr", "--scale", "0"}, "--scale"},
+      {{"--beauty", "good.exr", "-o", "o.exr", "--fog-set", "a=1"}, "--fog"},
+      {{"--beauty", "good.exr", "-o", "o.exr", "--fog", "height", "--fog-set", "density=1"}, "density=1"},
+      {{"--beauty", "good.exr", "-o", "o.exr", "--fog", "height", "--fog-set", "a=x"}, "a takes one number"},
+      {{"--beauty", "good.####.exr", "-o", "o.####.exr"}, "no frame of this pattern"},
+      {{"--beauty", "good.exr", "-o", "o.####.exr"}, "both as patterns"}};
+  for (const Refused& refused : cases) {
+    const Outcome outcome = composite(refused.words);
+    EXPECT_EQ(outcome.exit_code, 2) << refused.named << ": " << outcome.err;
+    EXPECT_EQ(lines_of(outcome.err).size(), 1U) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, refused.named)) << refused.named << ": " << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(path("o.exr"))) << refused.named;
+  }
+  const Outcome march = tool({"composite", "sky.json", "--method", "march", "--beauty", "good.exr", "-o", "o.exr"});
+  EXPECT_EQ(march.exit_code, 2);
+  EXPECT_TRUE(contains(march.err, "choose orders")) << march.err;
+}
+
+}  // namespace
+}  // namespace airlight::test

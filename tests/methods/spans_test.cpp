@@ -1,0 +1,157 @@
+// The air between the camera and things: against the whole ray, against itself cut in two, against path-trace.
+#include "core/render/spans.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/physics/scene_data.h"
+#include "tests/methods/render_fixture.h"
+
+namespace airlight::test {
+namespace {
+
+Scene hazy(double altitude) {
+  Scene scene = earth();
+  scene.sun.elevation = 20.0 * kDegree;
+  scene.camera.altitude = altitude;
+  return with_method(scene, *find_method("orders"));
+}
+
+// The direction of a pixel's centre.
+Direction direction_at(const Scene& scene, int x, int y) {
+  physics::Physics p = make_physics(scene);
+  const auto ray = p.view_ray(p.scene.camera, projection_code(scene.camera.projection), x + 0.5, y + 0.5);
+  const physics::vec3 d = ray.direction;
+  return {std::atan2(d.y, std::hypot(d.x, d.z)), std::atan2(d.x, -d.z)};
+}
+
+std::vector<Span> spans_at(const Scene& scene, float distance) {
+  std::vector<Span> spans;
+  for (int y = 0; y < scene.image.height; ++y) {
+    for (int x = 0; x < scene.image.width; ++x) {
+      spans.push_back({static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F, distance});
+    }
+  }
+  return spans;
+}
+
+TEST(Spans, NothingLiesBeforeAThingAtTheCamera) {
+  const Scene scene = all_round(hazy(0.1), 0.1, 16, 8);
+  for (const AirTo& air : air_to(executor(), scene, spans_at(scene, 0.0F))) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      EXPECT_EQ(air.radiance[c], 0.0F);
+      EXPECT_EQ(air.transmittance[c], 1.0F);
+    }
+  }
+}
+
+// Over black ground, where the whole ray's light is the air's.
+TEST(Spans, BeyondTheAirTheyAreTheSky) {
+  for (const double altitude : {0.1, 20.0, 400.0}) {
+    Scene scene = all_round(hazy(altitude), altitude, 16, 8);
+    scene.planet.ground_albedo = {};
+    scene.sun.disc.visible = false;
+    const Rendering sky = render_now(scene);
+    const std::vector<AirTo> airs = air_to(executor(), scene, spans_at(scene, 1e6F));
+    for (int y = 0; y < 8; ++y) {
+      for (int x = 0; x < 16; ++x) {
+        for (std::size_t c = 0; c < 3; ++c) {
+          const float whole = sky.radiance.at(x, y)[c];
+          EXPECT_NEAR(airs[static_cast<std::size_t>(16 * y + x)].radiance[c], whole, 1e-6F * whole)
+              << altitude << " km, " << x << ", " << y;
+        }
+      }
+    }
+  }
+}
+
+// Up to a, and from there on to b, is what is there up to b: straight up, where the sun stands alike all the way.
+TEST(Spans, AddUpAlongARay) {
+  for (const char* shells : {"never", "always"}) {
+    Scene scene = hazy(0.5);
+    scene.camera.pitch = 90.0 * kDegree;
+    scene.image = {1, 1};
+    scene.render.parameters.find("shells")->second = std::string(shells);
+    const auto up_from = [&](double altitude, double distance) {
+      scene.camera.altitude = altitude;
+      return air_to(executor(), scene, spans_at(scene, static_cast<float>(distance))).front();
+    };
+    const AirTo near = up_from(0.5, 4.0);
+    const AirTo far = up_from(4.5, 6.0);
+    const AirTo whole = up_from(0.5, 10.0);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const float sum = near.radiance[c] + near.transmittance[c] * far.radiance[c];
+      EXPECT_NEAR(sum, whole.radiance[c], 2e-3F * whole.radiance[c]) << shells << ", channel " << c;
+      EXPECT_NEAR(near.transmittance[c] * far.transmittance[c], whole.transmittance[c], 2e-4F);
+    }
+  }
+}
+
+// Against ten thousand midpoints in double; and light only grows with the distance.
+TEST(Spans, TransmittanceIsThatOfTheAirBetween) {
+  const Scene scene = all_round(hazy(0.5), 0.5, 16, 8);
+  physics::Physics p = make_physics(scene);
+  std::vector<AirTo> before = air_to(executor(), scene, spans_at(scene, 0.01F));
+  for (const float distance : {1.0F, 10.0F, 100.0F}) {
+    const std::vector<Span> spans = spans_at(scene, distance);
+    const std::vector<AirTo> airs = air_to(executor(), scene, spans);
+    for (std::size_t i = 0; i < spans.size(); ++i) {
+      const auto ray = p.view_ray(p.scene.camera, projection_code(scene.camera.projection),
+                                  static_cast<double>(spans[i].x), static_cast<double>(spans[i].y));
+      physics::Physics::Ray whole = p.ray_in_atmosphere(p.scene.planet, 0.5, ray.direction.y, 0.3, 0.0);
+      whole = p.ray_up_to(p.scene.planet, 0.5, ray.direction.y, whole, static_cast<double>(distance));
+      physics::vec3 depth;
+      constexpr int kSteps = 4000;
+      for (int k = 0; k < kSteps; ++k) {
+        const double t = whole.length_ * (k + 0.5) / kSteps;
+        depth = depth + p.extinction_at(p.point_on_ray(p.scene.planet, whole, t).h) * (whole.length_ / kSteps);
+      }
+      EXPECT_NEAR(airs[i].transmittance[0], std::exp(-depth.x), 2e-3) << distance << " km, span " << i;
+      EXPECT_NEAR(airs[i].transmittance[2], std::exp(-depth.z), 2e-3) << distance << " km, span " << i;
+      for (std::size_t c = 0; c < 3; ++c) {
+        EXPECT_GE(airs[i].radiance[c] * 1.0001F, before[i].radiance[c]);
+      }
+    }
+    before = airs;
+  }
+}
+
+// A black wall at 1, 10, 50 and 200 km, seen from 500 m by path-trace and by orders.
+TEST(Spans, AgreeWithPathTraceBeforeABlackWall) {
+  Scene scene = hazy(0.5);
+  scene.planet.ground_albedo = {0.3, 0.3, 0.3};
+  scene.camera.projection = Projection::equirectangular;
+  scene.image = {8, 64};
+  // Level, a little up, a little down; toward the sun and across.
+  const std::vector<std::pair<int, int>> pixels{{4, 31}, {4, 27}, {6, 31}, {6, 29}, {0, 31}, {4, 33}};
+  Scene traced = with_method(scene, *find_method("path-trace"));
+  traced.render.parameters.find("samples")->second = 1024;
+  for (const double wall : {1.0, 10.0, 50.0, 200.0}) {
+    std::vector<Span> spans;
+    std::vector<Direction> directions;
+    for (const auto& [x, y] : pixels) {
+      spans.push_back({static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F, static_cast<float>(wall)});
+      directions.push_back(direction_at(scene, x, y));
+    }
+    const std::vector<AirTo> airs = air_to(executor(), scene, spans);
+    View view{directions};
+    view.wall = wall;
+    const HostPicture truth = find_method("path-trace")->render_on_host(traced, view, {});
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      if (pixels[i].second > 32 && wall > 5.0) {
+        continue;  // the ground, which is not black, stands before the wall
+      }
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double want = static_cast<double>(truth.radiance.at(static_cast<int>(i), 0)[c]);
+        const double noise = static_cast<double>(truth.standard_error.at(static_cast<int>(i), 0)[c]);
+        EXPECT_NEAR(static_cast<double>(airs[i].radiance[c]), want, 0.02 * want + 3.0 * noise)
+            << wall << " km, direction " << i << ", channel " << c;
+        EXPECT_NEAR(airs[i].transmittance[c], truth.transmittance.at(static_cast<int>(i), 0)[c], 1e-3);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace airlight::test
