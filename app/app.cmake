@@ -1,13 +1,11 @@
 file(GLOB app_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/app/*.cpp ${PROJECT_SOURCE_DIR}/app/*/*.cpp)
-file(GLOB preset_files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/presets/*.json)
-list(FILTER preset_files EXCLUDE REGEX "/chart\\.json$")  # what `airlight chart` shows: a list, no preset
 set(chart_list ${PROJECT_SOURCE_DIR}/presets/chart.json)
 set(embedded_presets ${PROJECT_BINARY_DIR}/embedded_presets.cpp)
 add_custom_command(
   OUTPUT ${embedded_presets}
-  COMMAND ${CMAKE_COMMAND} -DOUT=${embedded_presets} "-DPRESETS=${preset_files}"
+  COMMAND ${CMAKE_COMMAND} -DOUT=${embedded_presets} "-DPRESETS=${airlight_preset_files}"
           -DCHART=${chart_list} -P ${PROJECT_SOURCE_DIR}/app/embed_presets.cmake
-  DEPENDS ${preset_files} ${chart_list} ${PROJECT_SOURCE_DIR}/app/embed_presets.cmake
+  DEPENDS ${airlight_preset_files} ${chart_list} ${PROJECT_SOURCE_DIR}/app/embed_presets.cmake
   VERBATIM)
 
 # Everything but main, so that tests can call it.

@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <atomic>
-#include <exception>
-#include <mutex>
 #include <stdexcept>
-#include <thread>
 
 #include "core/error.h"
+#include "core/gpu/in_parallel.h"
 #include "core/gpu/specialize.h"
 
 namespace airlight {
@@ -87,30 +85,6 @@ PipelineHandle make_pipeline(const Device& device, const ShaderProgram& program,
   check(vkCreateComputePipelines(device.get(), nullptr, 1, &pipeline_info, nullptr, &pipeline),
         "compile the shader " + info.name);
   return {device.get(), pipeline};
-}
-
-// Runs tasks 0 to count - 1 on up to one thread a core; the first exception is thrown again here.
-template <class Task>
-void in_parallel(std::size_t count, const Task& task) {
-  std::atomic<std::size_t> next = 0;
-  std::mutex mutex;
-  std::exception_ptr failure;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < count; i = next++) {
-      try {
-        task(i);
-      } catch (...) {
-        const std::scoped_lock lock(mutex);
-        if (!failure) failure = std::current_exception();
-      }
-    }
-  };
-  const std::size_t threads = std::min<std::size_t>(count, std::max(1U, std::thread::hardware_concurrency()));
-  std::vector<std::jthread> others;
-  for (std::size_t i = 1; i < threads; ++i) others.emplace_back(work);
-  work();
-  others.clear();
-  if (failure) std::rethrow_exception(failure);
 }
 
 }  // namespace

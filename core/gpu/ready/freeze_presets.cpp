@@ -1,0 +1,149 @@
+// freeze_presets OUT.cpp PRESET.json...: the frozen modules that these presets ask for, as C++ that defines
+// ready_modules(). Plans are data, so no device is opened.
+
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <mutex>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/gpu/frozen_modules.h"
+#include "core/gpu/in_parallel.h"
+#include "core/gpu/shader.h"
+#include "core/gpu/specialize.h"
+#include "core/physics/scene_data.h"
+#include "core/render/render.h"
+#include "core/scene/resolve.h"
+
+namespace {
+
+using namespace airlight;
+using Module = std::pair<std::string, std::vector<ConstantValue>>;  // shader, values
+
+struct Wanted {
+  std::map<Module, std::vector<std::uint32_t>> modules;
+  std::mutex mutex;
+};
+
+struct Shaders {
+  Shaders() {
+    for (const EmbeddedShader& shader : embedded_shaders()) {
+      sources.emplace(shader.name, shader);
+      infos.emplace(shader.name, reflect(shader.name, shader.spirv));
+    }
+  }
+  std::map<std::string, EmbeddedShader, std::less<>> sources;
+  std::map<std::string, ShaderInfo, std::less<>> infos;
+};
+
+// On processors and on other devices, which share a point among threads.
+void want(const Plan& plan, const Shaders& shaders, Wanted& wanted) {
+  for (const PassDesc& pass : plan.passes()) {
+    for (const bool teams : {false, true}) {
+      const MatchedPass matched = match(plan, pass, shaders.infos.at(pass.shader), teams);
+      const std::scoped_lock lock(wanted.mutex);
+      wanted.modules.try_emplace({pass.shader, matched.constants});
+    }
+  }
+}
+
+Plan listed_directions(const Scene& scene) {
+  const std::vector<Direction> directions(2);
+  Plan plan;
+  plan.scene_data = device_scene_bytes(scene);
+  find_method(scene.render.method)->add_passes(plan, scene, View{.directions = directions});
+  return plan;
+}
+
+// What `render`, `sequence`, `luts` and `probe` ask for: pictures small and large, the sun on either side of the
+// horizon, an EXR alone, a picture by OpenColorIO and one by the tone curve on the device.
+void want_all_of(const std::string& preset, const Shaders& shaders, Wanted& wanted) {
+  const Scene own = resolve(load_preset(preset), method_infos());
+  if (find_method(own.render.method)->add_passes == nullptr) return;
+  constexpr double kLowSun = -0.1;  // radians
+  for (const double sun : {own.sun.elevation, kLowSun, 0.5}) {
+    for (const ImageSize size : {own.image, ImageSize{1, 1}, ImageSize{1280, 720}}) {
+      Scene scene = own;
+      scene.sun.elevation = sun;
+      scene.image = size;
+      for (int choice = 0; choice < 8; ++choice) {
+        RenderRequest request;
+        request.bloom = (choice & 1) != 0;
+        request.bloom_picture = (choice & 2) != 0;
+        request.gpu_tone = (choice & 4) != 0;
+        want(plan_for(scene, request), shaders, wanted);
+      }
+    }
+    want(listed_directions(own), shaders, wanted);
+  }
+}
+
+void freeze(const Shaders& shaders, Wanted& wanted) {
+  std::vector<std::pair<const Module, std::vector<std::uint32_t>>*> modules;
+  for (auto& module : wanted.modules) modules.push_back(&module);
+  in_parallel(modules.size(), [&](std::size_t i) {
+    const auto& [shader, values] = modules[i]->first;
+    modules[i]->second = specialize(shader, shaders.sources.at(shader).spirv, values);
+  });
+}
+
+std::string source_text(const Shaders& shaders, const Wanted& wanted) {
+  std::string arrays;
+  std::string entries;
+  std::size_t count = 0;
+  char digits[16];
+  for (const auto& [module, words] : wanted.modules) {
+    const std::string name = "kModule" + std::to_string(count++);
+    arrays += "// " + module.first + "\nconstexpr std::uint32_t " + name + "[] = {";
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      std::snprintf(digits, sizeof digits, "0x%x,", words[i]);
+      arrays += (i % 12 == 0 ? "\n" : "") + std::string(digits);
+    }
+    arrays += "};\n";
+    entries += "    {{";
+    for (const std::uint8_t byte : module_key(shaders.sources.at(module.first).digest, module.second)) {
+      std::snprintf(digits, sizeof digits, "0x%02x,", byte);
+      entries += digits;
+    }
+    entries += "},\n     " + name + "},\n";
+  }
+  return "// Made by freeze_presets.\n#include \"core/gpu/ready_modules.h\"\n\nnamespace airlight {\nnamespace {\n" +
+         arrays + "const ReadyModule kModules[] = {\n" + entries + "};\n}  // namespace\n\n" +
+         "std::span<const ReadyModule> ready_modules() {\n  return kModules;\n}\n\n}  // namespace airlight\n";
+}
+
+int run(std::span<const char* const> arguments) {
+  const Shaders shaders;
+  Wanted wanted;
+  const std::span<const char* const> presets = arguments.subspan(1);
+  in_parallel(presets.size(), [&](std::size_t i) { want_all_of(presets[i], shaders, wanted); });
+  freeze(shaders, wanted);
+  std::ofstream out(arguments[0]);
+  out << source_text(shaders, wanted);
+  out.close();
+  if (!out) {
+    std::fprintf(stderr, "freeze_presets: %s cannot be written\n", arguments[0]);
+    return 1;
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 3) {
+    std::fputs("usage: freeze_presets OUT.cpp PRESET.json...\n", stderr);
+    return 2;
+  }
+  try {
+    return run(std::vector<const char*>(argv + 1, argv + argc));
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "freeze_presets: %s\n", error.what());
+    return 1;
+  }
+}
