@@ -118,6 +118,7 @@ TEST_F(LeftBehind, NothingPreparedForPresetsThatShip) {
   };
   for (const std::string& preset : lines_of(tool({"presets"}).out)) {
     const std::string name = preset.substr(0, preset.find(' '));
+    if (name == "mars-like") continue;  // seconds of tables: once, below
     expect_nothing_prepared({"render", name, "-o", "a.exr", "--png", "a.png", "--size", "32x18"});
   }
   for (const char* name : {"earth-noon", "earth-haze", "mars-like"}) {  // large enough for a table of view directions
