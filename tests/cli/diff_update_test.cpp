@@ -1,6 +1,8 @@
 // `airlight diff --update`, and what reports of folders and JUnit say about causes.
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/measure/page.h"
 #include "tests/cli/diff_fixture.h"
 
 namespace airlight::test {
@@ -95,6 +97,14 @@ TEST_F(DiffUpdate, ReportsOfFoldersTellKeysWorstPixelAndPictures) {
   }
   EXPECT_TRUE(contains(xml, "A new/sky.exr")) << xml;
   EXPECT_TRUE(contains(scratch_.read("r.html"), "/sun/elevation_deg"));
+}
+
+TEST_F(DiffUpdate, HelpTellsHowFarPicturesOfAPageAreReduced) {
+  std::string help = diff({"--help"}).out;
+  std::replace(help.begin(), help.end(), '\n', ' ');
+  EXPECT_TRUE(contains(help, "more than " + std::to_string(measure::page_pixels(1)) + " pixels")) << help;
+  EXPECT_EQ(measure::page_pixels(1500), 1000U);
+  EXPECT_TRUE(contains(help, "more than 1.5 million"));
 }
 
 }  // namespace
