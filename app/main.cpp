@@ -30,9 +30,8 @@ Command root_command(Tool& tool) {
       "What another program may read goes to standard output, everything for people to standard error.";
   command.examples = {{"airlight render earth-sunset", "Write out/earth-sunset.exr and out/earth-sunset.png"},
                       {"airlight presets", "List the presets that the program brings along"}};
-  command.options = {
-      {"--version", "", "Print the version; with -v also the libraries'", &given->version, {}, {}, {}, {}},
-      {"-v,--verbose", "", "With --version: more detail", &given->verbose, {}, {}, {}, {}}};
+  command.options = {{"--version", "", "Print the version; with -v also the libraries'", &given->version},
+                     {"-v,--verbose", "", "With --version: more detail", &given->verbose}};
   command.run = [given, &tool] {
     if (given->version) {
       print(tool.name + " " + tool.version + "\n" + (given->verbose ? library_versions() : ""));
@@ -53,6 +52,7 @@ int run(int argc, char** argv) {
   tool.commands = {render_command(), sequence_command(),  composite_command(),      luts_command(),    probe_command(),
                    check_command(),  methods_command(),   devices_command(),        presets_command(), diff_command(),
                    chart_command(),  stability_command(), completion_command(tool), man_command(tool)};
+  tool.commands.push_back(help_command(tool));
   tool.root = root_command(tool);
   tool.environment = {
       {"AIRLIGHT_DEVICE", "Part of the name of the Vulkan device to use when --device is not given"},

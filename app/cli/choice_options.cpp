@@ -75,7 +75,7 @@ double milliseconds_from(const std::string& text, const std::string& place) {
     std::string_view name;
     double ms;
   };
-  constexpr std::array kUnits{Unit{"ms", 1.0}, Unit{"min", 6e4}, Unit{"s", 1e3}, Unit{"", 1e3}};
+  constexpr std::array kUnits{Unit{"ms", 1.0}, Unit{"s", 1e3}, Unit{"min", 6e4}, Unit{"h", 3.6e6}};
   double value = 0.0;
   const char* end = text.data() + text.size();
   const auto parsed = std::from_chars(text.data(), end, value);
@@ -85,7 +85,10 @@ double milliseconds_from(const std::string& text, const std::string& place) {
       return value * unit.ms;
     }
   }
-  throw InputError(place + ": '" + text + "' is no time; write for example 50ms, 2s, 1min or a number of seconds");
+  if (parsed.ec == std::errc() && rest.empty()) {
+    throw InputError(place + ": '" + text + "' has no unit; write " + text + "s, " + text + "ms or " + text + "min");
+  }
+  throw InputError(place + ": '" + text + "' is no time; write for example 50ms, 2s or 1min");
 }
 
 ChoiceReport choose_rendering(const Scene& scene, const ChoiceWish& wish, const DeviceOnDemand& device) {

@@ -24,7 +24,7 @@ struct ChoiceReport {
   double probing_cpu_ms = 0.0;  // of all threads
 };
 
-// "50ms", "2s", "1min" or seconds as a plain number, in ms. Throws InputError: "PLACE: ...".
+// "50ms", "2s", "1min", "1h" in ms. Throws InputError: "PLACE: ...".
 double milliseconds_from(const std::string& text, const std::string& place);
 
 // Throws InputError where the preset asks for what no tolerance measures (render.sun_fade, another scale of multiple

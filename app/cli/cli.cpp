@@ -1,11 +1,9 @@
-// The only file that includes CLI11, which here does one thing: split a command's words into options and positionals.
+// From the words typed to a command that runs: CLI11 parses, the messages are ours.
 #include "app/cli/cli.h"
 
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <algorithm>
 
+#include "app/cli/cli11.h"
 #include "app/cli/suggest.h"
 #include "app/cli/terminal.h"
 #include "core/error.h"
@@ -14,13 +12,6 @@ namespace airlight::cli {
 namespace {
 
 using Words = std::vector<std::string>;
-
-// One word list per option and positional of a command, as typed.
-struct Split {
-  std::vector<Words> options;  // a flag: one word for each time that it was given
-  std::vector<Words> positionals;
-  bool help = false;
-};
 
 std::string place_of(const Tool& tool, const Command& command) {
   return command.name == tool.name ? std::string() : command.name + ": ";
@@ -51,67 +42,53 @@ Words all_option_names(const Command& command) {
                    "'; usage: " + usage_line(tool, command));
 }
 
-// A flag that was given a value is all that can still go wrong while splitting: options take any word that follows,
-// refuse_swallowed_option has seen to those without one, and unknown words are collected.
-[[noreturn]] void refuse_flag_value(const Tool& tool, const Command& command, const Words& words) {
-  Words flags = option_names(help_option());
-  for (const Option& option : command.options) {
-    const Words own = is_flag(option) ? option_names(option) : Words();
-    flags.insert(flags.end(), own.begin(), own.end());
+// CLI11 knows what is wrong, and a value's message is ours already; the rest is told by what was typed.
+[[noreturn]] void refuse(const Tool& tool, const Command& command, const CLI::App& app, const Words& words,
+                         const CLI::ParseError& error) {
+  if (dynamic_cast<const CLI::ValidationError*>(&error) != nullptr) {
+    throw InputError(place_of(tool, command) + error.what());
+  }
+  const auto missing =
+      std::find_if(command.positionals.begin(), command.positionals.end(), [&](const Positional& positional) {
+        return positional.required && app.get_option(positional.metavar)->count() == 0;
+      });
+  if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr && missing != command.positionals.end()) {
+    throw InputError(place_of(tool, command) + "no " + missing->metavar + " given (" + missing->help +
+                     "); usage: " + usage_line(tool, command));
   }
   for (const std::string& word : words) {
-    const std::size_t equals = word.find('=');
-    if (equals != std::string::npos && std::find(flags.begin(), flags.end(), word.substr(0, equals)) != flags.end()) {
-      throw InputError(place_of(tool, command) + "option '" + word.substr(0, equals) + "' takes no value, but '" +
-                       word + "' gives it one");
+    const std::string name = word.substr(0, word.find('='));
+    for (const Option& option : command.options) {
+      const Words own = is_flag(option) ? option_names(option) : Words();
+      if (name.size() < word.size() && std::find(own.begin(), own.end(), name) != own.end()) {
+        throw InputError(place_of(tool, command) + "option '" + name + "' takes no value, but '" + word +
+                         "' gives it one");
+      }
     }
   }
-  throw InputError(place_of(tool, command) + "the options do not fit together; " + how_to_see_help(tool, command));
+  throw InputError(place_of(tool, command) + error.what() + "; " + how_to_see_help(tool, command));
 }
 
-Split split(const Tool& tool, const Command& command, const Words& words) {
-  CLI::App app;
-  app.set_help_flag();
-  app.allow_extras();
-  CLI::Option* help = app.add_flag(help_option().names)->disable_flag_override();
-  std::vector<CLI::Option*> options;
-  for (const Option& option : command.options) {
-    if (is_flag(option)) {
-      options.push_back(app.add_flag(option.names)->disable_flag_override());
-    } else {
-      options.push_back(app.add_option(option.names)
-                            ->type_size(1)
-                            ->expected(1)
-                            ->allow_extra_args(false)
-                            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll));
-    }
-  }
-  std::vector<CLI::Option*> positionals;
-  for (const Positional& positional : command.positionals) {
-    CLI::Option* added =
-        app.add_option(positional.metavar)->type_size(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    const bool list = is_repeatable(positional.target);
-    positionals.push_back(added->expected(1, list ? -1 : 1)->allow_extra_args(list));
-  }
-  try {
-    app.parse(Words(words.rbegin(), words.rend()));
-  } catch (const CLI::ParseError&) {
-    refuse_flag_value(tool, command, words);
-  }
-  Split result;
-  result.help = help->count() > 0;
-  for (const CLI::Option* option : options) {
-    result.options.push_back(option->results());
-  }
-  for (const CLI::Option* positional : positionals) {
-    result.positionals.push_back(positional->results());
-  }
+// Words that nothing takes. "--" is one of them for CLI11.
+Words unknown_words(const CLI::App& app) {
   Words extra = app.remaining();
   extra.erase(std::remove(extra.begin(), extra.end(), "--"), extra.end());
-  if (!extra.empty() && !result.help) {
+  return extra;
+}
+
+void parse(const Tool& tool, const Command& command, const Words& words) {
+  const std::unique_ptr<CLI::App> app = cli11_app(command);
+  try {
+    app->parse(Words(words.rbegin(), words.rend()));
+  } catch (const CLI::ParseError& error) {
+    if (const Words extra = unknown_words(*app); !extra.empty()) {
+      refuse_extra(tool, command, extra);
+    }
+    refuse(tool, command, *app, words, error);
+  }
+  if (const Words extra = unknown_words(*app); !extra.empty()) {
     refuse_extra(tool, command, extra);
   }
-  return result;
 }
 
 // "--png --json" would write a file named --json, and "--png= x" one named x: a value that looks like one of the
@@ -142,33 +119,33 @@ void refuse_swallowed_option(const Tool& tool, const Command& command, const Wor
   }
 }
 
-void fill(const Tool& tool, const Command& command, const Split& given) {
-  const std::string place = place_of(tool, command);
-  for (std::size_t i = 0; i < command.options.size(); ++i) {
-    const Option& option = command.options[i];
-    if (!given.options[i].empty()) {
-      store(option.target, given.options[i], place + option_names(option).back(), option.range, option.choices);
+// "-o=sky.exr" as people write it; to CLI11 the value begins with the "=".
+Words without_short_equals(const Command& command, Words words) {
+  for (std::size_t i = 0; i < words.size() && words[i] != "--"; ++i) {
+    const bool is_short = words[i].size() > 3 && words[i][0] == '-' && words[i][1] != '-' && words[i][2] == '=';
+    const bool takes_value =
+        is_short && std::any_of(command.options.begin(), command.options.end(), [&](const Option& option) {
+          return !is_flag(option) && option_names(option).front() == words[i].substr(0, 2);
+        });
+    if (takes_value) {
+      words.insert(words.begin() + static_cast<std::ptrdiff_t>(i) + 1, words[i].substr(3));
+      words[i].resize(2);
     }
   }
-  for (std::size_t i = 0; i < command.positionals.size(); ++i) {
-    const Positional& positional = command.positionals[i];
-    if (!given.positionals[i].empty()) {
-      store(positional.target, given.positionals[i], place + positional.metavar, {}, positional.choices);
-    } else if (positional.required) {
-      throw InputError(place + "no " + positional.metavar + " given (" + positional.help +
-                       "); usage: " + usage_line(tool, command));
-    }
-  }
+  return words;
 }
 
-int run_command(const Tool& tool, const Command& command, const Words& words) {
+int run_command(const Tool& tool, const Command& command, const Words& typed) {
+  const Words words = without_short_equals(command, typed);
   refuse_swallowed_option(tool, command, words);
-  const Split given = split(tool, command, words);
-  if (given.help) {
-    print(&command == &tool.root ? help_text(tool, colour_on_stdout()) : help_text(tool, command, colour_on_stdout()));
+  const Words help = option_names(help_option());
+  const auto end = std::find(words.begin(), words.end(), "--");
+  if (std::find_first_of(words.begin(), end, help.begin(), help.end()) != end) {
+    const bool bold = colour_on_stdout();
+    print(&command == &tool.root ? help_text(tool, bold) : help_text(tool, command, bold));
     return 0;
   }
-  fill(tool, command, given);
+  parse(tool, command, words);
   return command.run();
 }
 

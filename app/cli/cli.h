@@ -1,6 +1,6 @@
 #pragma once
-// Commands as data. From one definition come parsing, --help, shell completion and the man page; the library that
-// splits the command line (CLI11, 14 s of compile a file) is known to cli.cpp alone.
+// Commands as data. From one definition come parsing, --help, shell completion and the man page. CLI11, which parses
+// and lays out the help, costs 14 s of compile a file: cli11.h names the two that know it.
 
 #include <functional>
 #include <optional>
@@ -12,7 +12,7 @@
 namespace airlight::cli {
 
 // Where a value goes. A bool is a flag; an optional tells "not given" from any value; a vector takes every repetition
-// (of an option) or every word (of the last positional). Anything else may be given once.
+// (of an option) or every word (of the last positional). Of anything else that is repeated the last counts.
 using Target = std::variant<bool*, int*, double*, std::string*, std::optional<int>*, std::optional<double>*,
                             std::optional<std::string>*, std::vector<std::string>*, std::vector<double>*>;
 
@@ -24,6 +24,9 @@ struct Range {
   double maximum = 0.0;
 };
 
+// What a % after a number means: nothing that is taken; a hundredth; what the number is anyhow.
+enum class Percent { no, share, points };
+
 struct Option {
   std::string names;    // "-o,--output": short first, the last one is the name in messages
   std::string metavar;  // what the value is called: "FILE.exr"; empty for a flag
@@ -33,7 +36,12 @@ struct Option {
   std::optional<Range> range = {};        // of a number, both ends allowed
   std::vector<std::string> choices = {};  // the only values allowed
   std::vector<std::string> offers = {};   // values that the shell offers besides, not enforced
+  Percent percent = Percent::no;
+  std::string group = {};  // the heading in the help; empty: "Options"
 };
+
+// The options under one heading of the help.
+std::vector<Option> grouped(const std::string& heading, std::vector<Option> options);
 
 struct Positional {
   std::string metavar;  // "PRESET"
@@ -98,10 +106,5 @@ std::string full_help(const Option& option);
 std::string usage_line(const Tool& tool, const Command& command);
 // The option that every command has; its flag is handled by run_tool.
 const Option& help_option();
-
-// Converts the words given for a target and stores them. Throws InputError: "PLACE: ...", where PLACE names command
-// and option.
-void store(const Target& target, const std::vector<std::string>& words, const std::string& place,
-           const std::optional<Range>& range, const std::vector<std::string>& choices);
 
 }  // namespace airlight::cli

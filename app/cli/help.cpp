@@ -1,30 +1,35 @@
-// --help for the tool and for each command.
+// --help for the tool and for each command: CLI11 lays it out, in lines of the terminal's width.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 
-#include "app/cli/cli.h"
+#include "app/cli/cli11.h"
+#include "app/cli/terminal.h"
 
 namespace airlight::cli {
 namespace {
 
-constexpr std::size_t kLineWidth = 88;
-constexpr std::size_t kWidestLeft = 28;  // a longer left column pushes its text to the next line
+// Where the help of an option begins: in a narrow window below its name.
+std::size_t help_column(std::size_t width) {
+  constexpr std::size_t kNarrow = 70;
+  return width < kNarrow ? 10 : 30;
+}
 
 std::string short_number(double value) {
   char text[32];
   return std::string(text, std::to_chars(text, text + sizeof text, value).ptr);
 }
 
-// Words of `text` in lines of kLineWidth, every line but the first indented.
-std::string wrapped(const std::string& text, std::size_t indent) {
+// Words of `text` in lines of `width`, every line but the first indented by `indent` when laid out.
+std::string wrapped(const std::string& text, std::size_t width, std::size_t indent, const std::string& margin) {
   std::istringstream words(text);
   std::string result;
   std::size_t column = indent;
   for (std::string word; words >> word;) {
-    if (column > indent && column + 1 + word.size() > kLineWidth) {
-      result += "\n" + std::string(indent, ' ');
+    if (column > indent && column + 1 + word.size() > width) {
+      result += "\n" + margin;
       column = indent;
     } else if (column > indent) {
       result += ' ';
@@ -36,69 +41,93 @@ std::string wrapped(const std::string& text, std::size_t indent) {
   return result;
 }
 
-std::string paragraphs(const std::string& text) {
-  std::string result;
-  for (std::size_t start = 0; start < text.size();) {
-    const std::size_t end = std::min(text.find("\n\n", start), text.size());
-    result += wrapped(text.substr(start, end - start), 0) + "\n";
-    start = end + 2;
-    result += start < text.size() ? "\n" : "";
+class HelpFormatter : public CLI::Formatter {
+ public:
+  HelpFormatter(const Tool& tool, const Command& command, bool bold)
+      : tool_(tool), command_(command), bold_(bold), width_(line_width()), column_(help_column(width_)) {
+    column_width(column_);
   }
-  return result;
-}
 
-struct Row {
-  std::string left;
-  std::string right;
+  // What CLI11 puts last, the subcommands, people look for first.
+  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
+    const std::string text = make_description(app) + make_usage(app, std::move(name)) + make_positionals(app) +
+                             make_subcommands(app, mode) + make_groups(app, mode) + make_footer(app);
+    return replaced(text, "\n\n\n", "\n\n");  // CLI11 parts the groups, and so do the headings
+  }
+
+  std::string make_usage(const CLI::App*, std::string) const override {
+    return heading("Usage") + "  " + usage_line(tool_, command_) + "\n" + paragraphs(command_.description);
+  }
+
+  std::string make_group(std::string group, bool is_positional,
+                         std::vector<const CLI::Option*> options) const override {
+    std::string text = heading(is_positional ? "Arguments" : group);
+    for (const CLI::Option* option : options) {
+      text += make_option(option, is_positional);
+    }
+    return text;
+  }
+
+  std::string make_option(const CLI::Option* option, bool is_positional) const override {
+    const std::string name = option->get_name(is_positional, !is_positional);
+    // Long names align below one another whether or not there is a short one.
+    const std::string aligned = name.starts_with("--") ? "    " + name : replaced(name, ",", ", ");
+    return row(aligned + (is_positional || option->get_option_text().empty() ? "" : " " + option->get_option_text()),
+               option->get_description());
+  }
+
+  std::string make_subcommand(const CLI::App* command) const override {
+    return row(command->get_name(), command->get_description());
+  }
+
+  std::string make_footer(const CLI::App*) const override {
+    std::string text = command_.examples.empty() ? "" : heading("Examples");
+    for (const Example& example : command_.examples) {
+      text += "  " + example.line + "\n      " + wrapped(example.meaning, width_, 6, "      ") + "\n";
+    }
+    return text;
+  }
+
+  std::string heading(const std::string& text) const {
+    return "\n" + (bold_ ? "\033[1m" + text + ":\033[0m" : text + ":") + "\n";
+  }
+
+  std::string row(const std::string& left, const std::string& right) const {
+    std::ostringstream out;
+    CLI::detail::format_help(out, left, wrapped(right, width_, column_, ""), column_);
+    return out.str();
+  }
+
+ private:
+  static std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    return CLI::detail::find_and_replace(std::move(text), from, to);
+  }
+
+  std::string paragraphs(const std::string& text) const {
+    std::string result;
+    for (std::size_t start = 0; start < text.size();) {
+      const std::size_t end = std::min(text.find("\n\n", start), text.size());
+      result += "\n" + wrapped(text.substr(start, end - start), width_, 0, "") + "\n";
+      start = end + 2;
+    }
+    return result;
+  }
+
+  const Tool& tool_;
+  const Command& command_;
+  bool bold_;
+  std::size_t width_;
+  std::size_t column_;
 };
 
-std::string table(const std::vector<Row>& rows) {
-  std::size_t left = 0;
-  for (const Row& row : rows) {
-    left = row.left.size() > kWidestLeft ? left : std::max(left, row.left.size());
-  }
-  const std::size_t indent = left + 4;
-  std::string text;
-  for (const Row& row : rows) {
-    text += "  " + row.left;
-    text += row.left.size() > left ? "\n" + std::string(indent, ' ') : std::string(indent - 2 - row.left.size(), ' ');
-    text += wrapped(row.right, indent) + "\n";
-  }
-  return text;
-}
-
-std::string heading(const std::string& text, bool bold) {
-  return "\n" + (bold ? "\033[1m" + text + "\033[0m" : text) + "\n";
-}
-
-std::string signature(const Option& option) {
-  std::string text;
-  for (const std::string& name : option_names(option)) {
-    text += (text.empty() ? "" : ", ") + name;
-  }
-  // Long names align below one another whether or not there is a short one.
-  text = (text.rfind("--", 0) == 0 ? "    " : "") + text;
-  return text + (is_flag(option) ? "" : " " + option.metavar);
-}
-
-std::vector<Row> option_rows(const Command& command) {
-  std::vector<Row> rows;
-  for (const Option& option : command.options) {
-    rows.push_back({signature(option), full_help(option)});
-  }
-  rows.push_back({signature(help_option()), help_option().help});
-  return rows;
-}
-
-std::string examples_text(const Command& command, bool bold) {
-  std::string text = command.examples.empty() ? "" : heading("Examples:", bold);
-  for (const Example& example : command.examples) {
-    text += "  " + example.line + "\n      " + wrapped(example.meaning, 6) + "\n";
-  }
-  return text;
-}
-
 }  // namespace
+
+std::vector<Option> grouped(const std::string& heading, std::vector<Option> options) {
+  for (Option& option : options) {
+    option.group = heading;
+  }
+  return options;
+}
 
 std::vector<std::string> option_names(const Option& option) {
   std::vector<std::string> names;
@@ -122,7 +151,7 @@ std::string full_help(const Option& option) {
     }
     text += "; one of " + list;
   }
-  if (option.range) {
+  if (option.range && option.percent != Percent::share) {
     text += std::isinf(option.range->maximum)
                 ? "; at least " + short_number(option.range->minimum)
                 : "; " + short_number(option.range->minimum) + " to " + short_number(option.range->maximum);
@@ -132,6 +161,7 @@ std::string full_help(const Option& option) {
 
 std::string usage_line(const Tool& tool, const Command& command) {
   std::string text = tool.name + (command.name == tool.name ? "" : " " + command.name);
+  text += command.name == tool.name ? " COMMAND" : "";
   text += command.options.empty() ? "" : " [options]";
   for (const Positional& positional : command.positionals) {
     const std::string name = positional.metavar + (is_repeatable(positional.target) ? "..." : "");
@@ -142,40 +172,33 @@ std::string usage_line(const Tool& tool, const Command& command) {
 
 const Option& help_option() {
   static bool unused = false;
-  static const Option option{"-h,--help", "", "Show this help", &unused, Completes::nothing, {}, {}, {}};
+  static const Option option{.names = "-h,--help", .metavar = "", .help = "Show this help", .target = &unused};
   return option;
 }
 
 std::string help_text(const Tool& tool, const Command& command, bool bold) {
-  std::string text = command.summary + "\n" + heading("Usage:", bold) + "  " + usage_line(tool, command) + "\n";
-  text += command.description.empty() ? "" : "\n" + paragraphs(command.description);
-  if (!command.positionals.empty()) {
-    std::vector<Row> rows;
-    for (const Positional& positional : command.positionals) {
-      rows.push_back({positional.metavar, positional.help});
-    }
-    text += heading("Arguments:", bold) + table(rows);
-  }
-  return text + heading("Options:", bold) + table(option_rows(command)) + examples_text(command, bold);
+  const std::unique_ptr<CLI::App> app = cli11_app(command);
+  app->formatter(std::make_shared<HelpFormatter>(tool, command, bold));
+  return app->help();
 }
 
 std::string help_text(const Tool& tool, bool bold) {
-  std::string text = tool.name + " " + tool.version + " - " + tool.summary + "\n";
-  text += heading("Usage:", bold) + "  " + tool.name + " COMMAND [options]\n";
-  std::vector<Row> rows;
+  Command root = tool.root;
+  root.description.clear();
+  const std::unique_ptr<CLI::App> app = cli11_app(root);
+  app->description(tool.name + " " + tool.version + " - " + tool.summary);
   for (const Command& command : tool.commands) {
-    rows.push_back({command.name, command.summary});
+    app->add_subcommand(command.name, command.summary)->group("Commands");
   }
-  text += heading("Commands:", bold) + table(rows);
-  text += heading("Options:", bold) + table(option_rows(tool.root)) + examples_text(tool.root, bold);
-  rows.clear();
+  const auto layout = std::make_shared<HelpFormatter>(tool, root, bold);
+  app->formatter(layout);
+  std::string text = app->help() + layout->heading("Environment");
   for (const EnvironmentVariable& variable : tool.environment) {
-    rows.push_back({variable.name, variable.meaning});
+    text += layout->row(variable.name, variable.meaning);
   }
-  text += heading("Environment:", bold) + table(rows);
-  return text + heading("Exit codes:", bold) +
-         table({{"0", "done"}, {"1", "failed while running"}, {"2", "bad usage or a bad preset"}}) + "\n'" + tool.name +
-         " COMMAND --help' explains a command.\n";
+  text += layout->heading("Exit codes") + layout->row("0", "done") + layout->row("1", "failed while running") +
+          layout->row("2", "bad usage or a bad preset");
+  return text + "\n'" + tool.name + " help COMMAND' explains a command.\n";
 }
 
 }  // namespace airlight::cli

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/cli/cli.h"
+#include "app/cli/scene_options.h"
 #include "core/output/display.h"
 #include "core/output/working_space.h"
 #include "core/render/render.h"
@@ -29,8 +30,7 @@ WorkingSpace working_space_of(const PictureOptions& options);
 // --layers, --float, --colorspace, --ocio-config, --display, --view, --bits.
 std::vector<Option> picture_options(PictureOptions& options);
 
-// As overrides of the preset, "POINTER=JSON".
-std::vector<std::string> overrides(const PictureOptions& options);
+std::vector<Override> overrides(const PictureOptions& options);
 
 // None for the views gpu and diagnostic. Throws InputError for a config, display or view that is not there.
 std::optional<DisplayTransform> display_transform(const PictureOptions& options, const Scene& scene);
@@ -41,6 +41,17 @@ RenderRequest request_for(const Scene& scene, bool exr, bool png);
 // For --layers. Throws InputError where they cannot be had: no EXR to hold them, or a
 // method that does not tell them apart (its name, and those that do). `command`: "render".
 void require_layers(const PictureOptions& options, const Scene& scene, bool exr, const std::string& command);
+
+// Where the EXR and the PNG go as the two options say: a name in .png after -o is the PNG's, and "-" is standard
+// output,
+// "/dev/stdout" from here on. Throws InputError: two PNGs, two pictures or --json too on standard output, a terminal
+// there. `command`: "render".
+struct PictureNames {
+  std::optional<std::string> exr;
+  std::optional<std::string> png;
+};
+PictureNames picture_names(std::optional<std::string> output, std::optional<std::string> png, bool json,
+                           const std::string& command);
 
 // Throws InputError unless the name ends as it should; devices may be called anything. `option`: "render: --png".
 void require_ending(const std::string& file, const std::string& option, const std::string& ending);

@@ -1,8 +1,11 @@
 #include "app/cli/preset_source.h"
 
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
-#include <iterator>
+#include <sstream>
 
 #include "app/cli/embedded_presets.h"
 #include "app/cli/suggest.h"
@@ -16,18 +19,33 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kEnding = ".json";
 
-Preset from_standard_input() {
-  const std::string text{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
-  return parse_preset(text, "standard input", fs::current_path());
+// No preset and no EXR's header is near this size: what an endless pipe gives does not fill the memory.
+constexpr std::size_t kLongestStream = std::size_t{16} << 20U;
+
+// What comes out of a pipe, which can be read once: a preset, or an EXR of which the header is enough.
+Preset from_stream(std::istream& in, const std::string& name) {
+  std::string text(kLongestStream, '\0');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (in.bad()) {
+    throw InputError(name + ": cannot be read: " + std::strerror(errno != 0 ? errno : EIO));
+  }
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  std::istringstream again(text);
+  if (is_exr(again)) {
+    return parse_preset(read_provenance(again, name).preset_json, name, fs::current_path());
+  }
+  if (in) {
+    throw InputError(name + ": is larger than 16 MiB; expected a preset (JSON) or an EXR of airlight's");
+  }
+  return parse_preset(text, name, fs::current_path(), embedded_presets());
 }
 
 Preset built_in(const std::string& name) {
-  const auto found = embedded_presets().find(name + std::string(kEnding));
-  if (found == embedded_presets().end()) {
+  if (!embedded_presets().contains(name + std::string(kEnding))) {
     throw InputError("no preset '" + name + "': neither a file nor a built-in preset of that name" +
                      did_you_mean(name, built_in_names()) + "; 'airlight presets' lists the built-in ones");
   }
-  return parse_preset(found->second, found->first, {}, embedded_presets());
+  return parse_bundled_preset(name + std::string(kEnding), embedded_presets());
 }
 
 bool is_bare_name(const std::string& argument) {
@@ -38,17 +56,27 @@ bool is_bare_name(const std::string& argument) {
 
 Preset find_preset(const std::string& argument) {
   if (argument == "-") {
-    return from_standard_input();
+    return from_stream(std::cin, "standard input");
   }
   std::error_code error;
-  const bool is_file = fs::exists(argument, error) && !fs::is_directory(argument, error);
-  if (!is_file && is_bare_name(argument)) {
+  const fs::file_status status = fs::status(argument, error);
+  const bool is_file = fs::exists(status) && !fs::is_directory(status);
+  if (!is_file && is_bare_name(argument) &&
+      (!fs::is_directory(status) || embedded_presets().contains(argument + std::string(kEnding)))) {
     return built_in(argument);
+  }
+  if (is_file && !fs::is_regular_file(status)) {
+    errno = 0;
+    std::ifstream in(argument, std::ios::binary);
+    if (!in) {
+      throw InputError(argument + ": cannot be read: " + std::strerror(errno != 0 ? errno : EIO));
+    }
+    return from_stream(in, argument);
   }
   if (is_exr(argument)) {
     return parse_preset(read_provenance(argument).preset_json, argument, fs::path(argument).parent_path());
   }
-  return load_preset(argument);
+  return load_preset(argument, embedded_presets());
 }
 
 std::vector<std::string> built_in_names() {
@@ -61,7 +89,8 @@ std::vector<std::string> built_in_names() {
 
 std::string picture_name(const std::string& argument) {
   const std::string name = fs::path(argument).stem().string();
-  return argument == "-" || name.empty() ? "sky" : name;
+  const bool stream = argument == "-" || argument.starts_with("/dev/") || argument.starts_with("/proc/");
+  return stream || name.empty() ? "sky" : name;
 }
 
 }  // namespace airlight::cli

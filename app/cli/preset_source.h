@@ -1,5 +1,6 @@
 #pragma once
-// What the user may write where a preset is expected: a file, an EXR of ours, a built-in preset's name, or "-".
+// What the user may write where a preset is expected: a file or a pipe that holds a preset or an EXR of ours, a
+// built-in preset's name, or "-".
 
 #include <string>
 #include <vector>

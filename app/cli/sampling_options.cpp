@@ -1,56 +1,51 @@
 #include "app/cli/sampling_options.h"
 
-#include <charconv>
-#include <cmath>
-
 #include "app/cli/choice_options.h"
 #include "app/cli/progress.h"
-#include "core/error.h"
 #include "core/output/atomic_file.h"
 #include "core/scene/json_format.h"
 
 namespace airlight::cli {
-double relative_error(const std::string& text, const std::string& place) {
-  const bool percent = text.ends_with('%');
-  const char* last = text.data() + text.size() - (percent ? 1 : 0);
-  double value = 0.0;
-  const auto parsed = std::from_chars(text.data(), last, value);
-  if (parsed.ec != std::errc() || parsed.ptr != last || !(value > 0.0) || !std::isfinite(value)) {
-    throw InputError(place + ": '" + text + "' is no relative error; write for example 0.5% or 0.005");
-  }
-  return percent ? value / 100.0 : value;
+
+Option share_option(const std::string& name, const std::string& help, std::optional<double>& target) {
+  return {.names = name,
+          .metavar = "ERROR",
+          .help = help,
+          .target = &target,
+          .range = Range{1e-6, 1.0},
+          .percent = Percent::share};
 }
 
 std::vector<Option> sampling_options(SamplingOptions& options) {
-  return {{"--samples", "N", "Samples a pixel, of a method that samples; short for --set /render/samples=N",
-           &options.samples, Completes::nothing, Range{1.0, 2147483647.0}},
-          {"--time-limit", "TIME",
-           "E.g. 50ms, 2s, 1min, or seconds; choose the most accurate method and quality whose tables and picture take "
-           "the device no longer; with a method that samples: stop sampling after so long, short for --set "
-           "/render/time_limit_s=SECONDS",
-           &options.time_limit},
-          {"--target-error", "ERROR",
-           "Stop sampling when the mean standard error is this small, e.g. 0.5%; short for --set "
-           "/render/target_error=0.005",
-           &options.target_error},
-          {"--checkpoint", "FILE", "Keep the samples in this file, and go on from it when it is there",
-           &options.checkpoint, Completes::file}};
+  return grouped(
+      "Method",
+      {{"--samples", "N", "Samples a pixel, of a method that samples", &options.samples, Completes::nothing,
+        Range{1.0, 2147483647.0}},
+       {"--time-limit", "TIME",
+        "With its unit, e.g. 50ms, 2s, 1min; choose the most accurate method and quality whose tables and picture take "
+        "the device no longer; with a method that samples: stop sampling after so long",
+        &options.time_limit},
+       share_option("--target-error", "Stop sampling when the mean standard error is this small, e.g. 0.5%",
+                    options.target_error),
+       {"--checkpoint", "FILE", "Keep the samples in this file, and go on from it when it is there",
+        &options.checkpoint, Completes::file}});
 }
 
-std::vector<std::string> overrides(const SamplingOptions& options, bool samples) {
-  std::vector<std::string> assignments;
+std::vector<Override> overrides(const SamplingOptions& options, bool samples) {
+  std::vector<Override> all;
   if (options.samples) {
-    assignments.push_back("/render/samples=" + std::to_string(*options.samples));
+    const std::string count = std::to_string(*options.samples);
+    all.push_back({"/render/samples=" + count, "--samples " + count});
   }
   if (options.time_limit && samples) {
-    const double ms = milliseconds_from(*options.time_limit, "render: --time-limit");
-    assignments.push_back("/render/time_limit_s=" + format_number(1e-3 * ms));
+    const double ms = milliseconds_from(*options.time_limit, "--time-limit");
+    all.push_back({"/render/time_limit_s=" + format_number(1e-3 * ms), "--time-limit " + *options.time_limit});
   }
   if (options.target_error) {
-    assignments.push_back("/render/target_error=" +
-                          format_number(relative_error(*options.target_error, "render: --target-error")));
+    const std::string error = format_number(*options.target_error);
+    all.push_back({"/render/target_error=" + error, "--target-error " + error});
   }
-  return assignments;
+  return all;
 }
 
 HostOptions host_options(const SamplingOptions& options, bool quiet) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/cli/cli.h"
+#include "app/cli/scene_options.h"
 #include "core/methods/method.h"
 
 namespace airlight::cli {
@@ -13,18 +14,17 @@ namespace airlight::cli {
 struct SamplingOptions {
   std::optional<int> samples;
   std::optional<std::string> time_limit;  // of a method that samples; of the others app/cli/choice_options.h
-  std::optional<std::string> target_error;
+  std::optional<double> target_error;
   std::string checkpoint;
 };
 
-// "0.5%" or "0.005" as a number. Throws InputError: "PLACE: ...".
-double relative_error(const std::string& text, const std::string& place);
+// A relative error above 0, up to 100 %: "0.5%" or "0.005".
+Option share_option(const std::string& name, const std::string& help, std::optional<double>& target);
 
 std::vector<Option> sampling_options(SamplingOptions& options);
 
-// As overrides of the preset, "POINTER=JSON"; `samples`: its method samples, so a time limit is its own. Throws
-// InputError when the target is no number or percentage, or the limit no time.
-std::vector<std::string> overrides(const SamplingOptions& options, bool samples);
+// `samples`: the preset's method samples, so a time limit is its own. Throws InputError when that is no time.
+std::vector<Override> overrides(const SamplingOptions& options, bool samples);
 
 // How the method runs: its checkpoint, and a line on the terminal that tells how far it is unless `quiet`. Throws
 // InputError when the checkpoint cannot be written.

@@ -1,15 +1,17 @@
 #include "app/cli/scene_options.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <memory>
 
 #include "app/cli/preset_source.h"
-#include "app/cli/suggest.h"
 #include "core/error.h"
 #include "core/methods/method.h"
 #include "core/scene/json_format.h"
 #include "core/scene/preset.h"
 #include "core/scene/resolve.h"
+#include "core/scene/rules.h"
 
 namespace airlight::cli {
 namespace {
@@ -22,8 +24,13 @@ std::vector<std::string> method_names() {
   return names;
 }
 
-// "1920x1080" -> overrides of both sides.
-void apply_size(Preset& preset, const std::string& text) {
+// A size as typed: "1920x1080".
+struct TypedSize {
+  std::string width;
+  std::string height;
+};
+
+TypedSize parse_size(const std::string& text) {
   const std::size_t cross = text.find('x');
   const auto side = [&](std::string_view digits) {
     int value = 0;
@@ -34,11 +41,102 @@ void apply_size(Preset& preset, const std::string& text) {
     return std::to_string(value);
   };
   const std::string_view view = text;
-  const std::string width = side(view.substr(0, cross));
-  const std::string height = side(cross == std::string::npos ? view : view.substr(cross + 1));
-  apply_override(preset, "/image/width=" + width);
-  apply_override(preset, "/image/height=" + height);
+  return {side(view.substr(0, cross)), side(cross == std::string::npos ? view : view.substr(cross + 1))};
 }
+
+// Other programs' words for ours.
+std::string projection_called(const std::string& name) {
+  return name == "latlong" ? "equirectangular" : name;
+}
+
+// Null where the preset is silent.
+const PresetValue* find_value(const Preset& preset, std::string_view section, std::string_view key) {
+  const auto* root = std::get_if<PresetObject>(&preset.root.data);
+  const auto found = root->find(section);
+  const auto* object = found == root->end() ? nullptr : std::get_if<PresetObject>(&found->second.data);
+  const auto value = object == nullptr ? PresetObject::const_iterator() : object->find(key);
+  return object == nullptr || value == object->end() ? nullptr : &value->second;
+}
+
+// The preset's camera without what only a picture of its own projection has.
+void leave_projection(Preset& preset, const std::string& projection) {
+  auto& root = std::get<PresetObject>(preset.root.data);
+  const auto found = root.find("camera");
+  auto* camera = found == root.end() ? nullptr : std::get_if<PresetObject>(&found->second.data);
+  if (camera == nullptr) {
+    return;
+  }
+  const PresetValue* old = find_value(preset, "camera", "projection");
+  const auto* name = old == nullptr ? nullptr : std::get_if<std::string>(&old->data);
+  if ((name == nullptr ? std::string(kProjectionNames.front()) : *name) != projection) {
+    camera->erase("vertical_fov_deg");
+    camera->erase("cube_layout");
+  }
+  const auto known = std::find(kProjectionNames.begin(), kProjectionNames.end(), projection);
+  if (known != kProjectionNames.end() && is_map(static_cast<Projection>(known - kProjectionNames.begin()))) {
+    camera->erase("pitch_deg");
+    camera->erase("roll_deg");
+  }
+}
+
+// A map as fine as a latlong of the preset's width.
+std::optional<ImageSize> size_that_suits(const Preset& preset, const std::string& projection) {
+  const PresetValue* value = find_value(preset, "image", "width");
+  const auto* number = value == nullptr ? nullptr : std::get_if<double>(&value->data);
+  const int width = number == nullptr ? ImageSize{}.width : static_cast<int>(std::clamp(*number, 4.0, 65536.0));
+  if (projection == "equirectangular") {
+    return ImageSize{width / 2 * 2, width / 2};
+  }
+  if (projection == "octahedral") {
+    return ImageSize{width / 2, width / 2};
+  }
+  const PresetValue* layout = find_value(preset, "camera", "cube_layout");
+  const auto* name = layout == nullptr ? nullptr : std::get_if<std::string>(&layout->data);
+  const int face = width / 4;
+  if (projection != "cube") {
+    return std::nullopt;
+  }
+  if (name != nullptr && *name != kCubeLayoutNames.front()) {
+    return *name == "strip" ? ImageSize{6 * face, face} : ImageSize{3 * face, 4 * face};
+  }
+  return ImageSize{face, 6 * face};
+}
+
+void apply(Preset& preset, const Override& override) {
+  apply_override(preset, override.assignment, override.typed);
+}
+
+void apply_size(Preset& preset, const TypedSize& size, const std::string& typed) {
+  apply(preset, {"/image/width=" + size.width, typed});
+  apply(preset, {"/image/height=" + size.height, typed});
+}
+
+void apply_projection(Preset& preset, const SceneOptions& options) {
+  const std::string projection = projection_called(*options.projection);
+  const std::string typed = "--projection " + *options.projection;
+  leave_projection(preset, projection);
+  apply(preset, {"/camera/projection=" + json_string(projection), typed});
+  const std::optional<ImageSize> size = options.size ? std::nullopt : size_that_suits(preset, projection);
+  if (size) {
+    apply_size(preset, {std::to_string(size->width), std::to_string(size->height)}, typed);
+  }
+}
+
+// The options that are one number of the preset.
+struct NumberOption {
+  const char* name;
+  const char* pointer;
+  std::optional<double> SceneOptions::*value;
+};
+
+constexpr std::array<NumberOption, 6> kNumbers{{
+    {"--sun-elevation", "/sun/elevation_deg", &SceneOptions::sun_elevation},
+    {"--sun-azimuth", "/sun/azimuth_deg", &SceneOptions::sun_azimuth},
+    {"--altitude", "/camera/altitude_km", &SceneOptions::altitude},
+    {"--azimuth", "/camera/azimuth_deg", &SceneOptions::azimuth},
+    {"--pitch", "/camera/pitch_deg", &SceneOptions::pitch},
+    {"--fov", "/camera/vertical_fov_deg", &SceneOptions::field_of_view},
+}};
 
 }  // namespace
 
@@ -50,24 +148,41 @@ Positional preset_positional(SceneOptions& options) {
 }
 
 std::vector<Option> scene_options(SceneOptions& options) {
-  std::vector<Option> all = {
-      {"--sun-elevation", "DEG", "The sun's height above the horizon; short for --set /sun/elevation_deg=DEG",
-       &options.sun_elevation},
-      {"--sun-azimuth", "DEG", "The sun's azimuth, clockwise from north; short for --set /sun/azimuth_deg=DEG",
-       &options.sun_azimuth},
-      {.names = "--method",
-       .metavar = "NAME",
-       .help = "How to compute the sky ('airlight methods'); short for --set /render/method=NAME",
-       .target = &options.method,
-       .offers = method_names()},
-      {"--set", "POINTER=JSON",
-       "Change any key of the preset, e.g. /camera/pitch_deg=20; checked as the preset is, and applied after the "
-       "other options",
-       &options.set}};
-  for (Option& option : device_options(options)) {
-    all.push_back(std::move(option));
+  std::vector<Option> scene =
+      grouped("Scene", {{"--sun-elevation", "DEG", "The sun's height above the horizon", &options.sun_elevation},
+                        {"--sun-azimuth", "DEG", "The sun's azimuth, clockwise from north", &options.sun_azimuth},
+                        {"--altitude", "KM", "The camera's height above the ground", &options.altitude},
+                        {"--set", "POINTER=JSON",
+                         "Change any key of the preset, e.g. /planet/ground_albedo=0.3; checked as the preset is, and "
+                         "applied after the other options",
+                         &options.set}});
+  scene.push_back({.names = "--method",
+                   .metavar = "NAME",
+                   .help = "How to compute the sky ('airlight methods')",
+                   .target = &options.method,
+                   .offers = method_names(),
+                   .group = "Method"});
+  for (Option& option : grouped("Method", device_options(options))) {
+    scene.push_back(std::move(option));
   }
-  return all;
+  return scene;
+}
+
+std::vector<Option> camera_options(SceneOptions& options) {
+  std::vector<std::string> projections(kProjectionNames.begin(), kProjectionNames.end());
+  projections.emplace_back("latlong");
+  return grouped("Camera",
+                 {{.names = "--projection",
+                   .metavar = "NAME",
+                   .help = "The picture's projection. A map of the whole sphere (equirectangular or latlong, "
+                           "cube, octahedral) is upright and, without --size, the preset's width around the "
+                           "horizon",
+                   .target = &options.projection,
+                   .choices = projections},
+                  {"--azimuth", "DEG", "Where the camera looks, clockwise from north", &options.azimuth},
+                  {"--pitch", "DEG", "How far up it looks", &options.pitch},
+                  {"--fov", "DEG", "The angle from the picture's lower to its upper edge", &options.field_of_view},
+                  size_option(options)});
 }
 
 std::vector<Option> device_options(SceneOptions& options) {
@@ -78,34 +193,36 @@ std::vector<Option> device_options(SceneOptions& options) {
 }
 
 Option size_option(SceneOptions& options) {
-  return {"--size", "WxH", "The picture's size in pixels; short for --set of /image/width and /image/height",
-          &options.size};
+  return {"--size", "WxH", "The picture's size in pixels", &options.size};
 }
 
-Preset chosen_preset(const SceneOptions& options, const std::vector<std::string>& further) {
+Preset chosen_preset(const SceneOptions& options, const std::vector<Override>& further) {
   Preset preset = find_preset(options.preset);
   if (options.method) {
-    apply_override(preset, "/render/method=" + json_string(*options.method));
+    apply(preset, {"/render/method=" + json_string(*options.method), "--method " + *options.method});
   }
-  if (options.sun_elevation) {
-    apply_override(preset, "/sun/elevation_deg=" + format_number(*options.sun_elevation));
+  if (options.projection) {
+    apply_projection(preset, options);
   }
-  if (options.sun_azimuth) {
-    apply_override(preset, "/sun/azimuth_deg=" + format_number(*options.sun_azimuth));
+  for (const NumberOption& number : kNumbers) {
+    if (const std::optional<double> value = options.*number.value) {
+      const std::string text = format_number(*value);
+      apply(preset, {std::string(number.pointer) + "=" + text, std::string(number.name) + " " + text});
+    }
   }
   if (options.size) {
-    apply_size(preset, *options.size);
+    apply_size(preset, parse_size(*options.size), "--size " + *options.size);
   }
-  for (const std::string& assignment : further) {
-    apply_override(preset, assignment);
+  for (const Override& override : further) {
+    apply(preset, override);
   }
   for (const std::string& assignment : options.set) {
-    apply_override(preset, assignment);
+    apply(preset, {assignment, "--set " + assignment});
   }
   return preset;
 }
 
-Scene load_scene(const SceneOptions& options, const std::vector<std::string>& further) {
+Scene load_scene(const SceneOptions& options, const std::vector<Override>& further) {
   return resolve(chosen_preset(options, further), method_infos());
 }
 

@@ -14,11 +14,22 @@
 
 namespace airlight::cli {
 
+// A key of the preset, changed by an option.
+struct Override {
+  std::string assignment;  // "POINTER=JSON"
+  std::string typed;       // what messages speak of: "--view filmic"
+};
+
 struct SceneOptions {
   std::string preset;
   std::vector<std::string> set;
   std::optional<double> sun_elevation;
   std::optional<double> sun_azimuth;
+  std::optional<double> altitude;
+  std::optional<double> azimuth;
+  std::optional<double> pitch;
+  std::optional<double> field_of_view;
+  std::optional<std::string> projection;
   std::optional<std::string> size;
   std::optional<std::string> method;
   std::string device;
@@ -26,17 +37,21 @@ struct SceneOptions {
 };
 
 Positional preset_positional(SceneOptions& options);
-// --sun-elevation, --sun-azimuth, --method, --set, and the device's.
+// --sun-elevation, --sun-azimuth, --altitude, --method, --set, and the device's.
 std::vector<Option> scene_options(SceneOptions& options);
+// --projection, --azimuth, --pitch, --fov, --size.
+std::vector<Option> camera_options(SceneOptions& options);
 Option size_option(SceneOptions& options);
 // --device, --no-cache.
 std::vector<Option> device_options(SceneOptions& options);
 
-// The preset with the overrides and then `further` ones ("POINTER=JSON") applied, not yet judged. Throws InputError.
-Preset chosen_preset(const SceneOptions& options, const std::vector<std::string>& further = {});
+// The preset with the options' overrides, then `further` ones, then those of --set applied, not yet judged. Another
+// projection takes nothing from the preset that only its own could have: its field of view, and for a map its tilt;
+// unless --size says more the picture gets a size that suits. Throws InputError.
+Preset chosen_preset(const SceneOptions& options, const std::vector<Override>& further = {});
 
-// The preset with the overrides and then `further` ones ("POINTER=JSON") applied. Throws InputError.
-Scene load_scene(const SceneOptions& options, const std::vector<std::string>& further = {});
+// The same, judged. Throws InputError.
+Scene load_scene(const SceneOptions& options, const std::vector<Override>& further = {});
 
 DeviceOptions wanted_device(const SceneOptions& options);
 

@@ -1,7 +1,9 @@
 #include "app/cli/terminal.h"
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -31,6 +33,19 @@ bool colour_on_stdout() {
 
 bool colour_on_stderr() {
   return wants_colour(STDERR_FILENO);
+}
+
+bool stdout_is_terminal() {
+  return isatty(STDOUT_FILENO) == 1;
+}
+
+std::size_t line_width() {
+  constexpr std::size_t kUsual = 80;
+  constexpr std::size_t kNarrowest = 40;
+  constexpr std::size_t kWidest = 120;
+  winsize size{};
+  const bool known = stdout_is_terminal() && ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return known ? std::clamp<std::size_t>(size.ws_col, kNarrowest, kWidest) : kUsual;
 }
 
 void print(std::string_view text) {

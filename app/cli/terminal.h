@@ -1,6 +1,7 @@
 #pragma once
 // Standard output and standard error: colour only where a person looks, and a closed pipe is no disaster.
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -9,6 +10,11 @@ namespace airlight::cli {
 // True when the stream is a terminal, NO_COLOR is unset or empty and TERM is not "dumb".
 bool colour_on_stdout();
 bool colour_on_stderr();
+
+bool stdout_is_terminal();
+
+// Columns for text on standard output: the terminal's, 40 to 120; 80 where it goes elsewhere.
+std::size_t line_width();
 
 // Writes to standard output: what the user asked for, and what another program may read.
 void print(std::string_view text);

@@ -1,23 +1,20 @@
-// Words -> values: every conversion and its refusal.
+// Options and positionals as CLI11's, each value judged before it is stored.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
+#include <limits>
 #include <type_traits>
 
-#include "app/cli/cli.h"
+#include "app/cli/cli11.h"
 #include "app/cli/suggest.h"
-#include "core/error.h"
 
 namespace airlight::cli {
 namespace {
 
-std::string number_text(double value) {
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value);
-  return std::string(text, end.ptr);
-}
+using Words = std::vector<std::string>;
 
-std::string joined(const std::vector<std::string>& words) {
+std::string joined(const Words& words) {
   std::string text;
   for (const std::string& word : words) {
     text += (text.empty() ? "" : ", ") + word;
@@ -25,57 +22,36 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
-std::string expected_number(bool whole, const std::optional<Range>& range) {
-  std::string text = whole ? "a whole number" : "a number";
+std::string number_text(double value) {
+  char text[32];
+  return std::string(text, std::to_chars(text, text + sizeof text, value).ptr);
+}
+
+std::string expected_number(bool whole, const std::optional<Range>& range, Percent percent) {
+  const bool share = percent == Percent::share;
+  std::string text = share ? "a percentage" : whole ? "a whole number" : "a number";
+  const auto end = [&](double value) {
+    char hundredths[32];
+    std::snprintf(hundredths, sizeof hundredths, "%.6g%%", 100.0 * value);
+    return share ? std::string(hundredths) : number_text(value);
+  };
   if (range) {
-    const bool open = std::isinf(range->maximum);
-    text += open ? " of at least " + number_text(range->minimum)
-                 : " from " + number_text(range->minimum) + " to " + number_text(range->maximum);
+    text += std::isinf(range->maximum) ? " of at least " + end(range->minimum)
+                                       : " from " + end(range->minimum) + " to " + end(range->maximum);
   }
-  return text;
+  return text + (share ? "; write for example 0.5% or 0.005" : "");
 }
 
-// The whole word must be one finite number; a leading + is allowed as people write it.
+// The whole word as one finite number. CLI11 would read it by way of a long double, rounded twice, and take infinity.
 template <class T>
-T parse_number(const std::string& word, const std::string& place, const std::optional<Range>& range) {
-  const char* first = word.data() + (word.size() > 1 && word[0] == '+' ? 1 : 0);
-  const char* last = word.data() + word.size();
+std::optional<T> number_from(std::string_view word) {
   T value{};
-  const auto parsed = std::from_chars(first, last, value);
-  bool good = parsed.ec == std::errc() && parsed.ptr == last;
-  if constexpr (std::is_floating_point_v<T>) {
-    good = good && std::isfinite(value);
-  }
-  const double as_double = static_cast<double>(value);
-  if (good && range) {
-    good = as_double >= range->minimum && as_double <= range->maximum;
-  }
-  if (!good) {
-    throw InputError(place + ": '" + word + "' is not " + expected_number(std::is_integral_v<T>, range));
-  }
-  return value;
+  const auto parsed = std::from_chars(word.data(), word.data() + word.size(), value);
+  const bool whole = parsed.ec == std::errc() && parsed.ptr == word.data() + word.size();
+  return whole && std::isfinite(static_cast<double>(value)) ? std::optional(value) : std::nullopt;
 }
 
-void check_choice(const std::string& word, const std::string& place, const std::vector<std::string>& choices) {
-  if (!choices.empty() && std::find(choices.begin(), choices.end(), word) == choices.end()) {
-    throw InputError(place + ": '" + word + "' is not one of " + joined(choices) + did_you_mean(word, choices));
-  }
-}
-
-template <class T>
-T parse(const std::string& word, const std::string& place, const std::optional<Range>& range,
-        const std::vector<std::string>& choices) {
-  check_choice(word, place, choices);
-  if constexpr (std::is_same_v<T, std::string>) {
-    if (word.empty()) {
-      throw InputError(place + ": the value is empty; give one or leave the option out");
-    }
-    return word;
-  } else {
-    return parse_number<T>(word, place, range);
-  }
-}
-
+// The value that a target holds, whether given once, optional or repeated.
 template <class T>
 struct Held {
   using type = T;
@@ -84,6 +60,115 @@ template <class T>
 struct Held<std::optional<T>> {
   using type = T;
 };
+template <class T>
+struct Held<std::vector<T>> {
+  using type = T;
+};
+
+template <class Word>
+bool holds(const Target& target) {
+  return std::visit(
+      [](auto* to) { return std::is_same_v<typename Held<std::remove_pointer_t<decltype(to)>>::type, Word>; }, target);
+}
+
+CLI::Validator not_empty() {
+  return CLI::Validator(
+      [](std::string& word) {
+        return word.empty() ? std::string("the value is empty; give one or leave the option out") : std::string();
+      },
+      "");
+}
+
+CLI::Validator one_of(const Words& choices) {
+  return CLI::Validator(
+      [choices](std::string& word) {
+        const bool known = std::find(choices.begin(), choices.end(), word) != choices.end();
+        return known ? std::string() : "'" + word + "' is not one of " + joined(choices) + did_you_mean(word, choices);
+      },
+      "");
+}
+
+// A leading + is taken off, as people write it, and a % by what it means.
+template <class T>
+CLI::Validator a_number(const std::optional<Range>& range, Percent percent) {
+  return CLI::Validator(
+      [range, percent](std::string& word) {
+        std::string digits = word.size() > 1 && word[0] == '+' ? word.substr(1) : word;
+        const bool signed_percent = percent != Percent::no && digits.size() > 1 && digits.back() == '%';
+        digits.resize(digits.size() - (signed_percent ? 1 : 0));
+        const std::optional<T> value = number_from<T>(digits);
+        const bool hundredths = signed_percent && percent == Percent::share;
+        const double number = static_cast<double>(value.value_or(T{})) / (hundredths ? 100.0 : 1.0);
+        if (!value || (range && (number < range->minimum || number > range->maximum))) {
+          return "'" + word + "' is not " + expected_number(std::is_integral_v<T>, range, percent);
+        }
+        word = hundredths ? number_text(number) : digits;
+        return std::string();
+      },
+      "");
+}
+
+template <class T>
+T value_from(const std::string& word) {
+  if constexpr (std::is_same_v<T, std::string>) {
+    return word;
+  } else {
+    return number_from<T>(word).value();  // judged before
+  }
+}
+
+// What CLI11 calls with the words that have passed.
+CLI::callback_t store_in(const Target& target) {
+  return [target](const Words& words) {
+    std::visit(
+        [&](auto* to) {
+          using T = std::remove_pointer_t<decltype(to)>;
+          using Value = typename Held<T>::type;
+          if constexpr (std::is_same_v<T, std::vector<Value>>) {
+            std::transform(words.begin(), words.end(), std::back_inserter(*to), value_from<Value>);
+          } else if constexpr (!std::is_same_v<T, bool>) {
+            *to = value_from<Value>(words.back());
+          }
+        },
+        target);
+    return true;
+  };
+}
+
+// CLI11 runs transform() before check().
+void judge(CLI::Option& option, const Target& target, const std::optional<Range>& range, const Words& choices,
+           Percent percent) {
+  if (holds<double>(target)) {
+    option.transform(a_number<double>(range, percent));
+  } else if (holds<int>(target)) {
+    option.transform(a_number<int>(range, Percent::no));
+  } else {
+    option.check(not_empty());
+  }
+  if (!choices.empty()) {
+    option.check(one_of(choices));
+  }
+}
+
+CLI::Option* add_option(CLI::App& app, const Option& option) {
+  if (is_flag(option)) {
+    return app.add_flag(option.names, *std::get<bool*>(option.target), full_help(option))->disable_flag_override();
+  }
+  CLI::Option* added = app.add_option(option.names, store_in(option.target), full_help(option));
+  added->option_text(option.metavar)->type_size(1)->expected(1)->allow_extra_args(false);
+  added->multi_option_policy(is_repeatable(option.target) ? CLI::MultiOptionPolicy::TakeAll
+                                                          : CLI::MultiOptionPolicy::TakeLast);
+  judge(*added, option.target, option.range, option.choices, option.percent);
+  return added;
+}
+
+void add_positional(CLI::App& app, const Positional& positional) {
+  const bool list = is_repeatable(positional.target);
+  CLI::Option* added = app.add_option(positional.metavar, store_in(positional.target), positional.help);
+  added->option_text(" ")->type_size(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  added->expected(1, list ? -1 : 1)->allow_extra_args(list)->required(positional.required);
+  judge(*added, positional.target, {}, positional.choices, Percent::no);
+}
 
 }  // namespace
 
@@ -92,27 +177,20 @@ bool is_repeatable(const Target& target) {
          std::holds_alternative<std::vector<double>*>(target);
 }
 
-void store(const Target& target, const std::vector<std::string>& words, const std::string& place,
-           const std::optional<Range>& range, const std::vector<std::string>& choices) {
-  const bool flag = std::holds_alternative<bool*>(target);
-  if (!flag && !is_repeatable(target) && words.size() > 1) {
-    throw InputError(place + ": given " + std::to_string(words.size()) + " times (" + joined(words) +
-                     "); give it once");
+std::unique_ptr<CLI::App> cli11_app(const Command& command) {
+  auto app = std::make_unique<CLI::App>(command.summary);
+  app->set_help_flag();
+  app->allow_extras();
+  for (const Option& option : command.options) {
+    add_option(*app, option)->group(option.group.empty() ? "Options" : option.group);
   }
-  std::visit(
-      [&](auto* to) {
-        using T = std::remove_pointer_t<decltype(to)>;
-        if constexpr (std::is_same_v<T, bool>) {
-          *to = true;
-        } else if constexpr (std::is_same_v<T, std::vector<std::string>> || std::is_same_v<T, std::vector<double>>) {
-          for (const std::string& word : words) {
-            to->push_back(parse<typename T::value_type>(word, place, range, choices));
-          }
-        } else {
-          *to = parse<typename Held<T>::type>(words.front(), place, range, choices);
-        }
-      },
-      target);
+  add_option(*app, help_option())
+      ->group(command.options.empty() || command.options.back().group.empty() ? "Options"
+                                                                              : command.options.back().group);
+  for (const Positional& positional : command.positionals) {
+    add_positional(*app, positional);
+  }
+  return app;
 }
 
 }  // namespace airlight::cli

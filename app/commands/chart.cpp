@@ -28,7 +28,7 @@ struct Given {
   std::string folder;
   std::string truth_folder;
   std::optional<double> budget;
-  std::optional<std::string> truth_error;
+  std::optional<double> truth_error;
   bool json = false;
   bool quiet = false;
 };
@@ -83,7 +83,7 @@ chart::Settings settings_of(const Given& given) {
     }
   }
   if (given.truth_error) {
-    settings.truth_error = relative_error(*given.truth_error, "chart: --truth-error");
+    settings.truth_error = *given.truth_error;
   }
   return settings;
 }
@@ -180,7 +180,7 @@ Command chart_command() {
       {"--budget", "SECONDS", "Take about so long: half of it at most for the truth, the dearest points left out",
        &given->budget, Completes::nothing, Range{1.0, 1e6}},
       {"--method", "NAME", "Chart this method alone", &given->methods},
-      {"--truth-error", "ERROR", "Mean standard error of the truth, such as 0.1%", &given->truth_error},
+      share_option("--truth-error", "Mean standard error of the truth, such as 0.1%", given->truth_error),
       {"--truth", "DIR", "Folder that keeps the truths from run to run", &given->truth_folder, Completes::folder},
       {"--size", "WxH", "The pictures' size in pixels when they are timed", &given->scene.size},
       {"--set", "POINTER=JSON", "Change any key of every preset, e.g. /sun/elevation_deg=3", &given->scene.set},

@@ -17,7 +17,8 @@ Command presets_command();
 Command diff_command();
 Command chart_command();
 Command stability_command();
-// These describe the whole tool, which must outlive them.
+// These describe the whole tool, which must outlive them; help those commands that the tool has by then.
+Command help_command(const Tool& tool);
 Command completion_command(const Tool& tool);
 Command man_command(const Tool& tool);
 

@@ -244,16 +244,27 @@ std::vector<Option> limit_options(measure::Limits& limits) {
   const auto number = [](const char* name, const char* metavar, const char* help, Target target, Range range) {
     return Option{name, metavar, help, target, Completes::nothing, range, {}, {}};
   };
+  const auto in_percent = [](Option option, Percent percent) {
+    option.percent = percent;
+    return option;
+  };
   return {
       number("--fail", "VALUE", "A pixel fails when a channel differs by more", &limits.fail, positive),
-      number("--failpercent", "PERCENT", "So many pixels may fail", &limits.fail_percent, share),
+      in_percent(number("--failpercent", "PERCENT", "So many pixels may fail", &limits.fail_percent, share),
+                 Percent::points),
       number("--hardfail", "VALUE", "No pixel may differ by more", &limits.hard_fail, positive),
       number("--warn", "VALUE", "As --fail, for a warning", &limits.warn, positive),
-      number("--warnpercent", "PERCENT", "As --failpercent, for a warning", &limits.warn_percent, share),
+      in_percent(number("--warnpercent", "PERCENT", "As --failpercent, for a warning", &limits.warn_percent, share),
+                 Percent::points),
       number("--hardwarn", "VALUE", "As --hardfail, for a warning", &limits.hard_warn, positive),
-      number("--rel-mean", "VALUE", "Largest mean relative error, e.g. 0.005", &limits.relative_mean, positive),
-      number("--rel-p95", "VALUE", "Largest 95th percentile of the relative error", &limits.relative_p95, positive),
-      number("--rel-max", "VALUE", "Largest relative error", &limits.relative_max, positive),
+      in_percent(
+          number("--rel-mean", "ERROR", "Largest mean relative error, e.g. 0.5%", &limits.relative_mean, positive),
+          Percent::share),
+      in_percent(
+          number("--rel-p95", "ERROR", "Largest 95th percentile of the relative error", &limits.relative_p95, positive),
+          Percent::share),
+      in_percent(number("--rel-max", "ERROR", "Largest relative error", &limits.relative_max, positive),
+                 Percent::share),
       number("--chi-square", "VALUE", "Largest chi-square per value", &limits.chi_square, positive),
   };
 }
@@ -307,7 +318,7 @@ Command diff_command() {
   command.description = kDescription;
   command.examples = {
       {"airlight diff out/sky.exr expected.exr", "Fail on any difference above 1e-6"},
-      {"airlight diff march.exr truth.exr --rel-mean 0.02 --rel-p95 0.05 --heatmap error.png",
+      {"airlight diff march.exr truth.exr --rel-mean 2% --rel-p95 5% --heatmap error.png",
        "Judge a method and show where it is wrong"},
       {"airlight diff a.exr truth.exr --standard-error truth.exr", "Judge in units of the truth's noise"},
       {"airlight diff 'new/sky.####.exr' 'old/sky.####.exr' --junit diff.xml", "Compare two sequences for CI"},
@@ -316,7 +327,7 @@ Command diff_command() {
       {"airlight diff new references --rel-mean 0.001 --update", "Take what changed as references"}};
   command.positionals = {{"A", "picture, folder or frame pattern", &given->a, true, Completes::file, {}, {}},
                          {"B", "the reference, of the same kind", &given->b, true, Completes::file, {}, {}}};
-  command.options = limit_options(given->request.limits);
+  command.options = grouped("Limits", limit_options(given->request.limits));
   for (Option& option : other_options(*given)) command.options.push_back(std::move(option));
   command.run = [given] { return diff(*given); };
   return command;

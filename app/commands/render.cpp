@@ -1,3 +1,4 @@
+#include <iterator>
 #include <memory>
 
 #include "app/commands/commands.h"
@@ -6,50 +7,58 @@
 namespace airlight::cli {
 namespace {
 
+std::vector<Option> output_options(RenderOrder& given) {
+  return grouped(
+      "Output",
+      {{"-o,--output", "FILE.exr",
+        "Write the scene-linear EXR here, - for standard output; then no PNG unless --png asks for it. A name in .png "
+        "is that of --png",
+        &given.exr, Completes::file},
+       {"--png", "FILE.png", "Write the picture for people here, - for standard output; then no EXR unless -o asks",
+        &given.png, Completes::file},
+       {"--luts", "DIR", "Also write every table into this folder, as 'airlight luts' does", &given.tables,
+        Completes::folder},
+       {"--tile", "WxH",
+        "Render in tiles of this size, streamed into the EXR, in bounded memory; else in rows of tiles from 8388609 "
+        "pixels on where neither PNG nor bloom needs the whole picture. The file is the same",
+        &given.tile},
+       {"--irradiance", "FILE.exr",
+        "Also write what the sky gives a diffuse surface: a map over normals here, and in FILE.json beside it its 9 "
+        "spherical-harmonic coefficients and the sun as a directional light",
+        &given.irradiance, Completes::file},
+       {"--cube-faces", "",
+        "Write a cube map as six pictures instead of one: FILE.posx.exr, .negx, .posy, .negy, .posz, .negz",
+        &given.cube_faces}});
+}
+
+std::vector<Option> run_options(RenderOrder& given) {
+  return grouped("Run",
+                 {{"--timings", "", "Tell where the time went, every millisecond by name", &given.timings},
+                  {"--json", "", "Print one JSON object about the render on standard output", &given.json},
+                  {"--dry-run", "",
+                   "Print the resolved scene and the passes; write nothing, and open no device unless --tolerance or "
+                   "--time-limit has to be explained",
+                   &given.dry_run},
+                  {"-q,--quiet", "", "Say nothing but errors", &given.quiet},
+                  {"-v,--verbose", "", "Say more: device, exposure, what was left out", &given.verbose}});
+}
+
 std::vector<Option> render_options(RenderOrder& given) {
-  std::vector<Option> options = {
-      {"-o,--output", "FILE.exr", "Write the scene-linear EXR here; then no PNG unless --png asks for it", &given.exr,
-       Completes::file},
-      {"--png", "FILE.png", "Write the picture for people here; then no EXR unless -o asks for it", &given.png,
-       Completes::file},
-      {"--luts", "DIR", "Also write every table into this folder, as 'airlight luts' does", &given.tables,
-       Completes::folder},
-      {"--tile", "WxH",
-       "Render in tiles of this size, streamed into the EXR, in bounded memory; else in rows of tiles from 8388609 "
-       "pixels on where neither PNG nor bloom needs the whole picture. The file is the same",
-       &given.tile},
-      {"--irradiance", "FILE.exr",
-       "Also write what the sky gives a diffuse surface: a map over normals here, and in FILE.json beside it its 9 "
-       "spherical-harmonic coefficients and the sun as a directional light",
-       &given.irradiance, Completes::file},
-      {"--cube-faces", "",
-       "Write a cube map as six pictures instead of one: FILE.posx.exr, .negx, .posy, .negy, .posz, .negz",
-       &given.cube_faces},
-      size_option(given.scene)};
-  for (Option& option : scene_options(given.scene)) {
-    options.push_back(std::move(option));
-  }
-  options.push_back({"--tolerance", "ERROR",
-                     "Choose the cheapest method and quality whose mean relative error stays below this, e.g. 1%, by "
-                     "probing this very picture; with --method among its qualities",
-                     &given.tolerance});
-  for (Option& option : sampling_options(given.sampling)) {
-    options.push_back(std::move(option));
-  }
-  for (Option& option : picture_options(given.picture)) {
-    options.push_back(std::move(option));
-  }
-  const std::vector<Option> rest = {
-      {"--timings", "", "Tell where the time went, every millisecond by name", &given.timings},
-      {"--json", "", "Print one JSON object about the render on standard output", &given.json},
-      {"--dry-run", "",
-       "Print the resolved scene and the passes; write nothing, and open no device unless --tolerance or --time-limit "
-       "has "
-       "to be explained",
-       &given.dry_run},
-      {"-q,--quiet", "", "Say nothing but errors", &given.quiet},
-      {"-v,--verbose", "", "Say more: device, exposure, what was left out", &given.verbose}};
-  options.insert(options.end(), rest.begin(), rest.end());
+  std::vector<Option> options = output_options(given);
+  const auto append = [&](std::vector<Option> more) {
+    options.insert(options.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+  };
+  append(scene_options(given.scene));
+  append(place_options(given.place, {time_option(given.place)}));
+  append(camera_options(given.scene));
+  append(grouped("Method", {share_option("--tolerance",
+                                         "Choose the cheapest method and quality whose mean relative error stays below "
+                                         "this, e.g. 1%, by probing this very picture; with --method among its "
+                                         "qualities",
+                                         given.tolerance)}));
+  append(sampling_options(given.sampling));
+  append(picture_options(given.picture));
+  append(run_options(given));
   return options;
 }
 
@@ -81,8 +90,12 @@ Command render_command() {
   command.examples = {{"airlight render earth-sunset", "Write out/earth-sunset.exr and out/earth-sunset.png"},
                       {"airlight render my-sky.json -o sky.exr --png sky.png --sun-elevation 2 --size 1920x1080",
                        "A preset of one's own, with a lower sun and a larger picture"},
-                      {"airlight render earth-noon --set /camera/pitch_deg=20 --png up.png --view gpu",
+                      {"airlight render earth-noon --pitch 20 --png up.png --view gpu",
                        "Look up, and show the picture by the GPU tone curve"},
+                      {"airlight render earth-noon --projection latlong --size 64x32 -o sky.exr", "An environment map"},
+                      {"airlight render earth -o paris.png --date 2026-06-21 --time 21:30 --lat 48.85 --lon 2.35 --tz "
+                       "Europe/Paris --size 64x36",
+                       "The sun where it stands over Paris then"},
                       {"airlight render my-sky.json --tolerance 1% -o sky.exr", "Model no more than 1 % asks for"},
                       {"airlight render my-sky.json --colorspace ACEScg -o sky.exr", "An EXR for an ACES pipeline"},
                       {"airlight render my-sky.json --irradiance light.exr -o sky.exr",

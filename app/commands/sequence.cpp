@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "app/cli/place_options.h"
 #include "app/cli/sampling_options.h"
 #include "app/cli/terminal.h"
 #include "app/commands/commands.h"
@@ -25,10 +26,8 @@ struct Given {
   PictureOptions picture;
   SequencePictures pictures;
   std::optional<std::string> exr, png;
-  std::optional<std::string> date, from, to, step, zone, sweep;
-  std::optional<double> latitude, longitude, place_altitude;
-  bool refraction = false;
-  std::optional<double> pressure, temperature;
+  PlaceOptions place;
+  std::optional<std::string> from, to, step, sweep;
   std::string shard = "1/1";
   std::optional<std::string> manifest;
   bool overwrite = false;
@@ -46,11 +45,12 @@ struct PathOption {
 };
 
 std::vector<PathOption> path_options(const Given& given) {
-  return {{"--date", given.date.has_value(), true},    {"--from", given.from.has_value(), true},
+  const PlaceOptions& place = given.place;
+  return {{"--date", place.date.has_value(), true},    {"--from", given.from.has_value(), true},
           {"--to", given.to.has_value(), true},        {"--step", given.step.has_value(), true},
-          {"--lat", given.latitude.has_value(), true}, {"--lon", given.longitude.has_value(), true},
-          {"--tz", given.zone.has_value(), false},     {"--place-altitude", given.place_altitude.has_value(), false},
-          {"--refraction", given.refraction, false}};
+          {"--lat", place.latitude.has_value(), true}, {"--lon", place.longitude.has_value(), true},
+          {"--tz", place.zone.has_value(), false},     {"--place-altitude", place.altitude.has_value(), false},
+          {"--refraction", place.refraction, false}};
 }
 
 sequence::SunPath sun_path_of(const Given& given) {
@@ -68,23 +68,16 @@ sequence::SunPath sun_path_of(const Given& given) {
   if (given.scene.sun_azimuth) {
     throw InputError("sequence: --sun-azimuth: the sun path tells the azimuth; leave it out, or give --sun-elevation");
   }
-  sequence::SunPathOrder order{*given.date, *given.from, *given.to, *given.step, given.zone.value_or("UTC"), {}};
-  order.place = {*given.latitude, *given.longitude, given.place_altitude.value_or(0.0)};
-  if (given.refraction) {
-    const sequence::Air standard;
-    order.refraction = sequence::Air{given.pressure.value_or(standard.pressure_hpa),
-                                     given.temperature.value_or(standard.temperature_c)};
-  }
-  return sequence::make_sun_path(order);
+  return sequence::make_sun_path({*given.place.date, *given.from, *given.to, *given.step,
+                                  given.place.zone.value_or("UTC"), place_of(given.place),
+                                  air_of(given.place, "sequence")});
 }
 
 // From where the frames come: the command line before the preset.
 FrameSource source_of(const Given& given, const Scene& scene) {
   const std::vector<PathOption> path = path_options(given);
   const auto first = std::find_if(path.begin(), path.end(), [](const PathOption& option) { return option.given; });
-  if (!given.refraction && (given.pressure || given.temperature)) {
-    throw InputError("sequence: --pressure and --temperature belong to --refraction; give it too, or leave them out");
-  }
+  air_of(given.place, "sequence");  // refuses what belongs to it where it is not asked for
   if (given.sweep && first != path.end()) {
     throw InputError(std::string("sequence: --sun-elevation and ") + first->name +
                      " both move the sun; choose a sweep or a sun path");
@@ -123,9 +116,9 @@ void refuse_idle_overrides(const Given& given, const FrameSource& source) {
 // The options of sampling but the limit, of the look, and --set; then the limit, which only a method that samples
 // takes.
 Preset preset_of(const Given& given) {
-  std::vector<std::string> further = overrides(given.sampling, false);
-  for (std::string& assignment : overrides(given.picture)) {
-    further.push_back(std::move(assignment));
+  std::vector<Override> further = overrides(given.sampling, false);
+  for (Override& override : overrides(given.picture)) {
+    further.push_back(std::move(override));
   }
   Preset preset = chosen_preset(given.scene, further);
   if (!given.sampling.time_limit) {
@@ -139,8 +132,8 @@ Preset preset_of(const Given& given) {
   }
   SamplingOptions limit;
   limit.time_limit = given.sampling.time_limit;
-  for (const std::string& assignment : overrides(limit, true)) {
-    apply_override(preset, assignment);
+  for (const Override& override : overrides(limit, true)) {
+    apply_override(preset, override.assignment, override.typed);
   }
   return preset;
 }
@@ -155,16 +148,19 @@ SequenceJob job_of(const Given& given) {
   if (!given.exr && !given.png) {
     throw InputError("sequence: no files to write; give a pattern such as -o 'sky.####.exr' or --png 'sky.####.png'");
   }
-  if (given.exr) {
-    job.exr = sequence::require_pattern(*given.exr, ".exr", "sequence: -o");
+  const bool stream = given.exr == "-" || given.png == "-";
+  const PictureNames names =
+      stream ? PictureNames{given.exr, given.png} : picture_names(given.exr, given.png, given.json, "sequence");
+  if (names.exr) {
+    job.exr = sequence::require_pattern(*names.exr, ".exr", "sequence: -o");
   }
-  if (given.png) {
-    job.png = sequence::require_pattern(*given.png, ".png", "sequence: --png");
+  if (names.png) {
+    job.png = sequence::require_pattern(*names.png, ".png", "sequence: --png");
   }
   job.shard = sequence::parse_shard(given.shard, "sequence: --shard");
   job.preset = preset_of(given);
   job.scene = resolve(job.preset, method_infos());
-  require_layers(given.picture, job.scene, given.exr.has_value(), "sequence");
+  require_layers(given.picture, job.scene, job.exr.has_value(), "sequence");
   job.source = source_of(given, job.scene);
   refuse_idle_overrides(given, job.source);
   std::get<PresetObject>(job.preset.root.data).erase("sequence");
@@ -225,53 +221,39 @@ int run(const Given& given) {
 }
 
 std::vector<Option> frame_options(Given& given) {
-  const Range elevation_range{-0.5, 100.0};
-  return {{"--date", "YYYY-MM-DD", "The day of a sun path, 1600 to 2400 by the Gregorian calendar", &given.date},
-          {"--from", "HH:MM", "The first frame's time of day, on the clocks of --tz", &given.from},
-          {"--to", "HH:MM", "The last frame's, if the step meets it; earlier than --from: on the next day", &given.to},
-          {"--step", "TIME", "From frame to frame: a number with h, m or s, e.g. 5m or 1h30m", &given.step},
-          {"--lat", "DEG", "The place's latitude, north positive", &given.latitude},
-          {"--lon", "DEG", "The place's longitude, east positive", &given.longitude},
-          {"--tz", "ZONE", "The clocks: a time zone such as Europe/Paris, or an offset such as +02:00; else UTC",
-           &given.zone},
-          {"--place-altitude", "KM", "The place's height above the sea, for the sun's parallax; the camera has its own",
-           &given.place_altitude, Completes::nothing, elevation_range},
-          {"--refraction", "",
-           "Lift the sun as the air's refraction does (Saemundsson 1986); else its true elevation is used",
-           &given.refraction},
-          {"--pressure", "HPA", "For --refraction; else 1010", &given.pressure, Completes::nothing, Range{0.0, 2000.0}},
-          {"--temperature", "CELSIUS", "For --refraction; else 10", &given.temperature, Completes::nothing,
-           Range{-200.0, 200.0}},
-          {"--sun-elevation", "FROM:TO:STEP", "Instead of a path: sweep the sun's elevation, in degrees, e.g. -12:90:1",
-           &given.sweep},
-          {"--sun-azimuth", "DEG", "The sun's azimuth in a sweep; short for --set /sun/azimuth_deg=DEG",
-           &given.scene.sun_azimuth}};
+  return place_options(
+      given.place,
+      {{"--from", "HH:MM", "The first frame's time of day, on the clocks of --tz", &given.from},
+       {"--to", "HH:MM", "The last frame's, if the step meets it; earlier than --from: on the next day", &given.to},
+       {"--step", "TIME", "From frame to frame: a number with h, m or s, e.g. 5m or 1h30m", &given.step}});
 }
 
 std::vector<Option> run_options(Given& given) {
-  return {{"--overwrite", "", "Render frames anew that are there, whole and of this very preset", &given.overwrite},
-          {"--shard", "I/N", "Render every N-th frame from the I-th on, as one of N machines does, e.g. 3/16",
-           &given.shard},
-          {"--manifest", "FILE.json", "Where the list of frames goes; else beside them, as NAME.manifest.json",
-           &given.manifest, Completes::file},
-          {"--preview", "FILE", "Make a film of the frames, .mp4 or .gif; needs ffmpeg", &given.pictures.preview,
-           Completes::file},
-          {"--preview-rate", "N", "The film's frames a second; else 24", &given.pictures.frames_a_second,
-           Completes::nothing, Range{1.0, 1000.0}},
-          {"--contact-sheet", "FILE.png", "Make a sheet of small pictures, at most 60, evenly spread",
-           &given.pictures.contact_sheet, Completes::file},
-          {"--yes", "", "More than a million frames are meant", &given.yes},
-          {"--dry-run", "", "List the frames; open no device, write nothing", &given.dry_run},
-          {"--json", "", "Print one JSON object a frame on standard output, and one at the end", &given.json},
-          {"-q,--quiet", "", "Say nothing but errors", &given.quiet}};
+  return grouped(
+      "Run", {{"--overwrite", "", "Render frames anew that are there, whole and of this very preset", &given.overwrite},
+              {"--shard", "I/N", "Render every N-th frame from the I-th on, as one of N machines does, e.g. 3/16",
+               &given.shard},
+              {"--manifest", "FILE.json", "Where the list of frames goes; else beside them, as NAME.manifest.json",
+               &given.manifest, Completes::file},
+              {"--preview", "FILE", "Make a film of the frames, .mp4 or .gif; needs ffmpeg", &given.pictures.preview,
+               Completes::file},
+              {"--preview-rate", "N", "The film's frames a second; else 24", &given.pictures.frames_a_second,
+               Completes::nothing, Range{1.0, 1000.0}},
+              {"--contact-sheet", "FILE.png", "Make a sheet of small pictures, at most 60, evenly spread",
+               &given.pictures.contact_sheet, Completes::file},
+              {"--yes", "", "More than a million frames are meant", &given.yes},
+              {"--dry-run", "", "List the frames; open no device, write nothing", &given.dry_run},
+              {"--json", "", "Print one JSON object a frame on standard output, and one at the end", &given.json},
+              {"-q,--quiet", "", "Say nothing but errors", &given.quiet}});
 }
 
 std::vector<Option> sequence_options(Given& given) {
-  std::vector<Option> options = {
-      {"-o,--output", "PATTERN.exr", "Write the frames here, # for their numbers: sky.####.exr", &given.exr,
-       Completes::file},
-      {"--png", "PATTERN.png", "Write pictures for people here, e.g. sky.####.png", &given.png, Completes::file},
-      size_option(given.scene)};
+  std::vector<Option> options = grouped(
+      "Output",
+      {{"-o,--output", "PATTERN.exr",
+        "Write the frames here, # for their numbers: sky.####.exr; a name in .png is that of --png", &given.exr,
+        Completes::file},
+       {"--png", "PATTERN.png", "Write pictures for people here, e.g. sky.####.png", &given.png, Completes::file}});
   const auto append = [&](std::vector<Option> more, const std::vector<std::string>& left_out) {
     for (Option& option : more) {
       if (std::find(left_out.begin(), left_out.end(), option.names) == left_out.end()) {
@@ -280,11 +262,18 @@ std::vector<Option> sequence_options(Given& given) {
     }
   };
   append(frame_options(given), {});
+  append(grouped("Sweep of the sun",
+                 {{"--sun-elevation", "FROM:TO:STEP",
+                   "Instead of a path: sweep the sun's elevation, in degrees, e.g. -12:90:1", &given.sweep},
+                  {"--sun-azimuth", "DEG", "The sun's azimuth in a sweep", &given.scene.sun_azimuth}}),
+         {});
   append(scene_options(given.scene), {"--sun-elevation", "--sun-azimuth"});
+  append(camera_options(given.scene), {});
   append(sampling_options(given.sampling), {"--checkpoint", "--time-limit"});
   // Unlike render's: one choice of method and quality would have to hold for all frames.
-  append({{"--time-limit", "TIME", "Of a method that samples: stop sampling a frame after so long, e.g. 50ms, 2s, 1min",
-           &given.sampling.time_limit}},
+  append(grouped("Method", {{"--time-limit", "TIME",
+                             "Of a method that samples: stop sampling a frame after so long, e.g. 50ms, 2s, 1min",
+                             &given.sampling.time_limit}}),
          {});
   append(picture_options(given.picture), {});
   append(run_options(given), {});

@@ -85,6 +85,26 @@ std::string names_of(const Plan& plan, const std::vector<Binding>& bindings) {
   return text.empty() ? "nothing" : text;
 }
 
+// What the time between two laps went into, each name once; the rest has a row, so that the parts add up.
+std::string parts_of_render(const RenderReport& report, double wall_ms) {
+  std::string text;
+  double rest = wall_ms;
+  for (const Milestone& milestone : report.rendering.host) {
+    text += row("  " + milestone.name, milliseconds(milestone.milliseconds), "");
+    rest -= milestone.milliseconds;
+    if (milestone.name != "execute") {
+      continue;
+    }
+    double waiting = milestone.milliseconds;
+    for (const PassTiming& pass : report.rendering.passes) {
+      text += row("    pass " + pass.name, milliseconds(pass.milliseconds), "");
+      waiting -= pass.milliseconds;
+    }
+    text += row("    submission and waiting", milliseconds(waiting), "");
+  }
+  return text + row("  host work of the method and rest", milliseconds(rest), "");
+}
+
 }  // namespace
 
 std::string json_report(const RenderReport& report) {
@@ -140,20 +160,7 @@ std::string timings_table(const RenderReport& report) {
   std::string text = row("", "  wall ms", "   CPU ms");
   for (const Lap& lap : report.watch.laps()) {
     text += row(lap.name, milliseconds(lap.wall_ms), milliseconds(lap.cpu_ms));
-    if (lap.name != "render") {
-      continue;
-    }
-    double named = 0.0;
-    for (const Milestone& milestone : report.rendering.host) {
-      text += row("  " + milestone.name, milliseconds(milestone.milliseconds), "");
-      named += milestone.milliseconds;
-      if (milestone.name == "execute") {
-        for (const PassTiming& pass : report.rendering.passes) {
-          text += row("    pass " + pass.name, milliseconds(pass.milliseconds), "");
-        }
-      }
-    }
-    text += row("  host work of the method and rest", milliseconds(lap.wall_ms - named), "");
+    text += lap.name == "render" ? parts_of_render(report, lap.wall_ms) : "";
   }
   const Lap total = report.watch.total();
   text += row(total.name, milliseconds(total.wall_ms), milliseconds(total.cpu_ms));

@@ -31,7 +31,8 @@ constexpr const char* kDefaultFolder = "out";
 
 Targets choose_targets(const RenderOrder& given) {
   if (given.exr || given.png) {
-    return {given.exr.value_or(""), given.png.value_or(""), given.tables.value_or("")};
+    const PictureNames names = picture_names(given.exr, given.png, given.json, "render");
+    return {names.exr.value_or(""), names.png.value_or(""), given.tables.value_or("")};
   }
   const fs::path name = fs::path(kDefaultFolder) / picture_name(given.scene.preset);
   return {name.string() + ".exr", name.string() + ".png", given.tables.value_or("")};
@@ -72,9 +73,12 @@ bool samples(const Scene& scene) {
 }
 
 Scene scene_of(const RenderOrder& given) {
-  const std::vector<std::string> further = overrides(given.picture);
+  std::vector<Override> further = sun_overrides(given.place, given.scene, "render");
+  for (Override& change : overrides(given.picture)) {
+    further.push_back(std::move(change));
+  }
   const auto with = [&](bool of_sampling) {
-    std::vector<std::string> all = overrides(given.sampling, of_sampling);
+    std::vector<Override> all = overrides(given.sampling, of_sampling);
     all.insert(all.end(), further.begin(), further.end());
     return load_scene(given.scene, all);
   };
@@ -103,7 +107,7 @@ std::optional<ChoiceWish> choice_wish(const RenderOrder& given, const Scene& sce
     throw InputError("render: --tolerance: " + wish.method + " samples until --target-error; give that instead");
   }
   if (given.tolerance) {
-    wish.tolerance = relative_error(*given.tolerance, "render: --tolerance");
+    wish.tolerance = *given.tolerance;
   } else {
     wish.limit_ms = milliseconds_from(*given.sampling.time_limit, "render: --time-limit");
     if (!(wish.limit_ms > 0.0)) {

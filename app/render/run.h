@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/cli/picture_options.h"
+#include "app/cli/place_options.h"
 #include "app/cli/sampling_options.h"
 #include "app/cli/scene_options.h"
 
@@ -13,8 +14,9 @@ namespace airlight::cli {
 // What the command line asks for.
 struct RenderOrder {
   SceneOptions scene;
+  PlaceOptions place;
   SamplingOptions sampling;
-  std::optional<std::string> tolerance;
+  std::optional<double> tolerance;
   std::optional<std::string> exr;
   std::optional<std::string> png;
   std::optional<std::string> tables;

@@ -160,6 +160,13 @@ FilePairs pair_files(const std::string& a, const std::string& b, const std::vect
   const Collection left = collect(a);
   const Collection right = collect(b);
   if (left.kind != right.kind) {
+    for (const Collection* side : {&left, &right}) {
+      std::error_code ignored;
+      if (side->kind == Collection::Kind::file && !fs::exists(side->given, ignored)) {
+        throw InputError(side->given + ": does not exist; expected " + kind_words((side == &left ? right : left).kind) +
+                         " to compare with");
+      }
+    }
     throw InputError(a + " is " + kind_words(left.kind) + ", " + b + " is " + kind_words(right.kind) +
                      "; compare two files, two folders or two frame patterns");
   }

@@ -64,22 +64,31 @@ std::vector<std::size_t> places_of(const ExrHeader& header, const ExrLayer& laye
   return places;
 }
 
-// The channels to compare: those asked for, else all, which must be the same in both.
-std::vector<std::string> choose_channels(const ComparisonRequest& request, const ExrLayer& a, const ExrLayer& b) {
+// The channels to compare: those asked for, else all. Alpha that only one of them has is left out, with a note: the
+// picture is in the colours. Anything else must be in both.
+std::vector<std::string> choose_channels(const ComparisonRequest& request, const ExrLayer& a, const ExrLayer& b,
+                                         std::vector<std::string>& notes) {
   if (!request.channels.empty()) return request.channels;
-  std::vector<std::string> sorted_a = a.channels;
-  std::vector<std::string> sorted_b = b.channels;
-  std::sort(sorted_a.begin(), sorted_a.end());
-  std::sort(sorted_b.begin(), sorted_b.end());
-  if (sorted_a == sorted_b) return a.channels;
   std::vector<std::string> common;
   for (const std::string& channel : a.channels) {
     if (place_of(b, channel)) common.push_back(channel);
   }
-  std::string message = "channels differ: " + request.a + " has " + listed(a.channels, " ") + ", " + request.b +
-                        " has " + listed(b.channels, " ");
-  if (!common.empty()) message += "; compare what both have with --channels " + listed(common, ",");
-  throw InputError(message);
+  const auto all_but_alpha = [&](const ExrLayer& layer) {
+    return std::all_of(layer.channels.begin(), layer.channels.end(), [&](const std::string& channel) {
+      return channel == "A" || std::find(common.begin(), common.end(), channel) != common.end();
+    });
+  };
+  if (common.empty() || !all_but_alpha(a) || !all_but_alpha(b)) {
+    std::string message = "channels differ: " + request.a + " has " + listed(a.channels, " ") + ", " + request.b +
+                          " has " + listed(b.channels, " ");
+    if (!common.empty()) message += "; compare what both have with --channels " + listed(common, ",");
+    throw InputError(message);
+  }
+  if (a.channels.size() != b.channels.size()) {
+    notes.push_back((place_of(a, "A") ? request.a : request.b) + ": not compared: A, which " +
+                    (place_of(a, "A") ? request.b : request.a) + " has not");
+  }
+  return common;
 }
 
 // The layer of a standard-error file: by name, or the one that is called so, or the main picture.
@@ -138,11 +147,12 @@ void require_same_colours(const ExrHeader& a, const ExrHeader& b, const std::vec
   }
 }
 
-PicturePair read_pair(const ComparisonRequest& request, const ExrHeader& a, const ExrHeader& b) {
+PicturePair read_pair(const ComparisonRequest& request, const ExrHeader& a, const ExrHeader& b,
+                      std::vector<std::string>& notes) {
   const ExrLayer& layer_a = find_layer(a, request.layer);
   const ExrLayer& layer_b = find_layer(b, request.layer);
   require_same_frame(a.file, layer_a.frame, b.file, layer_b.frame);
-  const std::vector<std::string> channels = choose_channels(request, layer_a, layer_b);
+  const std::vector<std::string> channels = choose_channels(request, layer_a, layer_b, notes);
   require_same_colours(a, b, channels);
   PicturePair pair;
   pair.frame = layer_a.frame;
@@ -227,7 +237,7 @@ void compare(const ComparisonRequest& request, ComparisonReport& report) {
   const ExrHeader a = read_exr_header(request.a);
   const ExrHeader b = read_exr_header(request.b);
   compare_presets(a, b, report);
-  PicturePair pair = read_pair(request, a, b);
+  PicturePair pair = read_pair(request, a, b, report.notes);
   find_viewpoint(request, a, b, pair, report);
   note_other_layers(request, a, report);
   note_other_layers(request, b, report);

@@ -8,10 +8,12 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <charconv>
 #include <csignal>
 #include <cstring>
 #include <ctime>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -149,8 +151,31 @@ Pieces one_piece(std::span<const std::byte> contents) {
   return [contents]() mutable { return std::exchange(contents, {}); };
 }
 
+// The descriptor of this process that the name means; -1: none.
+int descriptor_called(const std::string& name) {
+  constexpr std::string_view kFolder = "/dev/fd/";
+  if (name == "/dev/stdout" || name == "/dev/stderr") {
+    return name == "/dev/stdout" ? STDOUT_FILENO : STDERR_FILENO;
+  }
+  int number = -1;
+  if (name.starts_with(kFolder)) {
+    const char* const end = name.data() + name.size();
+    const auto parsed = std::from_chars(name.data() + kFolder.size(), end, number);
+    return parsed.ec == std::errc() && parsed.ptr == end ? number : -1;
+  }
+  return number;
+}
+
+// An open descriptor is written from where it stands: opened by its name, a file that the shell appends to would be
+// emptied, and a socket could not be opened at all.
+int open_in_place(const std::string& file) {
+  const int descriptor = descriptor_called(fs::path(file).lexically_normal().string());
+  return descriptor >= 0 ? ::fcntl(descriptor, F_DUPFD_CLOEXEC, 0)
+                         : ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+}
+
 void write_in_place(const std::string& file, const Pieces& next) {
-  FileDescriptor out(::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+  FileDescriptor out(open_in_place(file));
   if (out.get() < 0) {
     fail(file, "open", errno);
   }

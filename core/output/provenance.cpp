@@ -18,10 +18,17 @@ constexpr std::array<char, 4> kMagic = {'\x76', '\x2f', '\x31', '\x01'};
 
 }  // namespace
 
-bool is_exr(const std::filesystem::path& file) {
+bool is_exr(std::istream& in) {
   std::array<char, 4> magic{};
+  const bool same = in.read(magic.data(), magic.size()) && magic == kMagic;
+  in.clear();
+  in.seekg(0);
+  return same;
+}
+
+bool is_exr(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
-  return in.read(magic.data(), magic.size()) && magic == kMagic;
+  return in && is_exr(in);
 }
 
 Provenance read_provenance(const std::filesystem::path& file) {
@@ -39,12 +46,18 @@ Provenance read_provenance(const std::filesystem::path& file) {
   if (!in) {
     throw InputError(name + ": cannot be read: " + std::strerror(errno));
   }
-  if (!is_exr(file)) {
+  return read_provenance(in, name);
+}
+
+Provenance read_provenance(std::istream& in, const std::string& name) {
+  if (!is_exr(in)) {
     throw InputError(name + ": is not an EXR file; expected one written by airlight, or a preset (.json)");
   }
+  in.seekg(0, std::ios::end);
+  const auto size = static_cast<std::uint64_t>(in.tellg());
   ExrHeader header;
   try {
-    header = read_exr_header(in, std::filesystem::file_size(file));
+    header = read_exr_header(in, size);
   } catch (const std::exception& reason) {
     throw InputError(name + ": the EXR is damaged or cut short: " + reason.what());
   }

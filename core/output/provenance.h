@@ -2,6 +2,7 @@
 // What made a picture: kept in the EXR's header, so that the file alone is enough to render it again.
 
 #include <filesystem>
+#include <istream>
 #include <string>
 
 namespace airlight {
@@ -17,9 +18,13 @@ struct Provenance {
 
 // By the first four bytes; false for a file that is missing or cannot be read.
 bool is_exr(const std::filesystem::path& file);
+// The same of a stream in which one can go back, and which is at its start again then.
+bool is_exr(std::istream& in);
 
 // Reads the header alone: a file cut short after it still tells how it was made.
 // Throws InputError: missing, not an EXR, header damaged, not written by airlight.
 Provenance read_provenance(const std::filesystem::path& file);
+// The same from a stream in which one can go back; `name` is for messages.
+Provenance read_provenance(std::istream& in, const std::string& name);
 
 }  // namespace airlight

@@ -181,7 +181,7 @@ std::string methods_with_layers() {
 }
 
 std::vector<Layer> render_layers(Executor& executor, const Scene& scene, const Tile& tile, const std::string& kept_as,
-                                 std::vector<PassTiming>& timings) {
+                                 const Timings& timings) {
   const SkyMethod* method = find_method(scene.render.method);
   assert(method != nullptr && method->add_layer_passes != nullptr);
   Plan plan;
@@ -192,7 +192,7 @@ std::vector<Layer> render_layers(Executor& executor, const Scene& scene, const T
   const BufferId disc = plan.add_buffer({.name = "disc", .bytes = 4 * pixels * sizeof(float), .host_readable = true});
   const bool shines = add_sun_disc(plan, scene, passes.transmittance, picture_of(disc, tile));
   const RunResult result = executor.run(plan);
-  add_timings(timings, result.passes);
+  timings.add(result);
   std::vector<Layer> layers = layers_of(scene);
   take_planes(layers, result.contents(passes.planes), pixels);
   take_disc(find(layers, "sun"), shines ? result.contents(disc) : std::span<const std::byte>(), pixels);
@@ -200,7 +200,7 @@ std::vector<Layer> render_layers(Executor& executor, const Scene& scene, const T
   return layers;
 }
 
-std::vector<Layer> render_layers(Executor& executor, const Scene& scene, std::vector<PassTiming>& timings) {
+std::vector<Layer> render_layers(Executor& executor, const Scene& scene, const Timings& timings) {
   std::vector<Layer> layers = layers_of(scene);
   const std::string key = picture_key();
   const int rows = band_rows(scene);

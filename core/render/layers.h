@@ -7,6 +7,7 @@
 #include "core/gpu/executor.h"
 #include "core/methods/method.h"
 #include "core/post/post.h"
+#include "core/render/timings.h"
 #include "core/scene/scene.h"
 
 namespace airlight {
@@ -39,11 +40,11 @@ std::string methods_with_layers();
 
 // The layers of one tile, by a method that has them. `kept_as`: as View::kept_as. Adds to `timings`.
 std::vector<Layer> render_layers(Executor& executor, const Scene& scene, const Tile& tile, const std::string& kept_as,
-                                 std::vector<PassTiming>& timings);
+                                 const Timings& timings);
 
 // The layers of the whole picture, on the device in bands of at most kLayerBandBytes.
 inline constexpr std::size_t kLayerBandBytes = std::size_t{32} << 20;
-std::vector<Layer> render_layers(Executor& executor, const Scene& scene, std::vector<PassTiming>& timings);
+std::vector<Layer> render_layers(Executor& executor, const Scene& scene, const Timings& timings);
 
 // What is not finite, or negative where that means nothing; `width`: of the rows.
 Statistics layer_statistics(const Layer& layer, int width);

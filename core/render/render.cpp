@@ -1,13 +1,13 @@
 #include "core/render/render.h"
 
 #include <cassert>
-#include <chrono>
 #include <cstring>
 #include <span>
 #include <utility>
 
 #include "core/methods/sky_pass.h"
 #include "core/physics/scene_data.h"
+#include "core/render/timings.h"
 
 namespace airlight {
 namespace {
@@ -99,11 +99,6 @@ RadianceImage image_from(std::span<const std::byte> bytes, int width, int height
   return image;
 }
 
-void take_timings(Rendering& out, RunResult& result) {
-  out.passes.insert(out.passes.end(), result.passes.begin(), result.passes.end());
-  out.host.insert(out.host.end(), result.host.begin(), result.host.end());
-}
-
 void take_tables(Rendering& out, const Frame& frame, const RunResult& result) {
   for (std::size_t i = 0; i < frame.tables.size(); ++i) {
     const ImageDesc& image = frame.plan.images()[frame.tables[i].index];
@@ -137,7 +132,7 @@ void run_post(Executor& executor, const Scene& scene, const RenderRequest& reque
   const Picture again = picture_of(scene, post.plan.add_buffer(std::move(carried)));
   add_post(post, scene, again, request, glows, out.exposure);
   RunResult result = executor.run(post.plan);
-  take_timings(out, result);
+  Timings{out.passes, out.host}.add(result);
   if (post.bloom) {
     out.bloom = image_from(result.contents(*post.bloom), scene.image.width, scene.image.height);
   }
@@ -149,10 +144,7 @@ void run_post(Executor& executor, const Scene& scene, const RenderRequest& reque
 }
 
 void add_layers(Rendering& out, Executor& executor, const Scene& scene) {
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point start = Clock::now();
-  out.layers = render_layers(executor, scene, out.passes);
-  out.host.push_back({"layers", std::chrono::duration<double, std::milli>(Clock::now() - start).count()});
+  out.layers = render_layers(executor, scene, {out.passes, out.host});
   for (const Layer& layer : out.layers) {
     out.layer_statistics.push_back({layer.name, layer_statistics(layer, scene.image.width)});
   }
@@ -203,7 +195,7 @@ Rendering render(const DeviceOnDemand& device, const Scene& scene, const RenderR
     frame = sky_frame(scene, request);
   }
   RunResult result = executor.run(frame.plan);
-  take_timings(out, result);
+  Timings{out.passes, out.host}.add(result);
   take_tables(out, frame, result);
   out.left_out = std::move(frame.left_out);
   out.picture = summarize(result.contents(frame.rows), frame.picture.width);

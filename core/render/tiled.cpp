@@ -111,7 +111,8 @@ void TiledRender::render_tile(Band& band, const Tile& tile) {
 }
 
 void TiledRender::add_layers(Band& band, const Tile& tile) {
-  put(band.layers, render_layers(executor_, scene_, tile, kept_as_, out_.passes), tile, scene_.image.width);
+  put(band.layers, render_layers(executor_, scene_, tile, kept_as_, {out_.passes, out_.host}), tile,
+      scene_.image.width);
 }
 
 // Sums over rows as they are taken of the whole picture, whatever tiles a row was made of.

@@ -22,4 +22,15 @@ void add_timings(std::vector<Timing>& all, const std::vector<Timing>& more) {
   }
 }
 
+// Where the times of several runs go.
+struct Timings {
+  std::vector<PassTiming>& passes;
+  std::vector<Milestone>& host;
+
+  void add(const RunResult& result) const {
+    add_timings(passes, result.passes);
+    add_timings(host, result.host);
+  }
+};
+
 }  // namespace airlight

@@ -254,7 +254,7 @@ PresetValue parse_json_text(std::string_view text, std::string_view source) {
   }
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
     throw InputError(std::string(source) +
-                     ": empty; expected a JSON object, e.g. {\"airlight\": 1, \"extends\": " + "\"earth.json\"}");
+                     ": empty; expected a JSON object, e.g. {\"airlight\": 1, \"extends\": " + "\"earth\"}");
   }
   int line = 1;
   TreeBuilder builder(text, source, true, line);

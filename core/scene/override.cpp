@@ -90,7 +90,10 @@ void put_value(Preset& preset, std::string_view pointer, PresetValue value, cons
 }
 
 void apply_override(Preset& preset, std::string_view assignment) {
-  const std::string source = "--set " + std::string(assignment);
+  apply_override(preset, assignment, "--set " + std::string(assignment));
+}
+
+void apply_override(Preset& preset, std::string_view assignment, const std::string& source) {
   const std::size_t equals = assignment.find('=');
   if (equals == std::string_view::npos) {
     throw InputError(source + ": no '='; expected POINTER=JSON, e.g. /camera/pitch_deg=20");

@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/scene/json_format.h"
 #include "core/scene/json_text.h"
+#include "core/scene/suggestion.h"
 
 namespace airlight {
 namespace {
@@ -168,52 +169,113 @@ fs::path identity(const fs::path& file) {
   return error ? file.lexically_normal() : canonical;
 }
 
+// Where a chain stands: a text on disk, or one of the bundle.
+struct Link {
+  std::string text;
+  std::string source;  // for messages
+  fs::path folder;     // that `extends` is relative to
+  bool bundled = false;
+  fs::path id;  // empty: a text without a file
+};
+
+constexpr std::string_view kBundled = "built-in preset ";  // before a file's name in messages
+
+Link bundled_link(const std::string& file, std::string_view text) {
+  return {.text = std::string(text), .source = file, .folder = {}, .bundled = true, .id = std::string(kBundled) + file};
+}
+
+std::string bundled_names(const BundledPresets& bundled) {
+  std::string names;
+  for (const auto& [file, text] : bundled) {
+    names += (names.empty() ? "" : ", ") + fs::path(file).stem().string();
+  }
+  return names;
+}
+
+// What `extends` names, as seen from the link that names it.
+Link follow(const Link& from, const Extension& extension, const BundledPresets& bundled) {
+  const bool bare = extension.name.find('/') == std::string::npos;
+  const bool has_ending = extension.name.ends_with(".json");
+  const auto known = bundled.find(has_ending ? extension.name : extension.name + ".json");
+  if (from.bundled && known != bundled.end()) {
+    return bundled_link(known->first, known->second);
+  }
+  const fs::path file = (from.folder / extension.name).lexically_normal();
+  std::error_code ignored;
+  const bool on_disk = fs::exists(file, ignored);
+  if (!on_disk && bare && known != bundled.end()) {
+    return bundled_link(known->first, known->second);
+  }
+  const FileText read = read_file(file);
+  if (read.problem.empty()) {
+    return {.text = read.text,
+            .source = file.string(),
+            .folder = file.parent_path(),
+            .bundled = false,
+            .id = identity(file)};
+  }
+  std::string message = extension.place + " cannot be read: " + file.string() + ": " + read.problem;
+  std::vector<std::string> names;
+  for (const auto& [name, text] : bundled) {
+    names.push_back(fs::path(name).stem().string());
+  }
+  if (!on_disk && bare && !bundled.empty()) {
+    const auto nearest = nearest_name(fs::path(extension.name).stem().string(), names);
+    message += ", and no built-in preset is called so" + (nearest ? "; did you mean \"" + *nearest + "\"?" : "") +
+               (nearest ? "" : " (" + bundled_names(bundled) + ")");
+  }
+  throw InputError(message + "; expected a preset, by a path relative to the file that names it" +
+                   (bundled.empty() ? "" : ", or a built-in one by its name"));
+}
+
 // Follows `extends` from the user's text to the file that builds on nothing, then merges back.
-Preset load_chain(std::string_view text, std::string_view source, fs::path folder, std::vector<fs::path> seen,
-                  const BundledPresets& bundled) {
+Preset load_chain(Link link, const BundledPresets& bundled) {
+  const std::string source = link.source;
   std::vector<PresetValue> chain;
-  chain.push_back(parse_root(text, source));
-  std::string route(source);
+  std::vector<fs::path> seen{link.id};
+  chain.push_back(parse_root(link.text, link.source));
+  std::string route = source;
   Extension extension;
   while (take_extension(chain.back(), extension)) {
-    const fs::path file = (folder / extension.name).lexically_normal();
-    route += " -> " + file.string();
-    const fs::path id = identity(file);
-    if (std::ranges::find(seen, id) != seen.end()) {
+    link = follow(link, extension, bundled);
+    route += " -> " + link.source;
+    if (std::ranges::find(seen, link.id) != seen.end()) {
       throw InputError(extension.place + " makes a circle (" + route + "); a preset cannot build on itself");
     }
-    seen.push_back(id);
-    const auto known = bundled.find(file.string());
-    const FileText read =
-        known != bundled.end() ? FileText{.text = std::string(known->second), .problem = {}} : read_file(file);
-    if (!read.problem.empty()) {
-      throw InputError(extension.place + " cannot be read: " + file.string() + ": " + read.problem +
-                       "; expected a preset, by a path relative to the file that names it");
-    }
-    chain.push_back(parse_root(read.text, file.string()));
-    folder = file.parent_path();
+    seen.push_back(link.id);
+    chain.push_back(parse_root(link.text, link.source));
   }
   PresetValue root = std::move(chain.back());
   for (std::size_t i = chain.size() - 1; i > 0; --i) {
     mark_inherited(root);
     merge_object(root, std::move(chain[i - 1]));
   }
-  return {.source = std::string(source), .root = std::move(root)};
+  return {.source = source, .root = std::move(root)};
 }
 
 }  // namespace
 
-Preset load_preset(const fs::path& file) {
+Preset load_preset(const fs::path& file, const BundledPresets& bundled) {
   const FileText read = read_file(file);
   if (!read.problem.empty()) {
     throw InputError(file.string() + ": cannot be read: " + read.problem + "; expected a preset (a JSON file)");
   }
-  return load_chain(read.text, file.string(), file.parent_path(), {identity(file)}, {});
+  return load_chain({.text = read.text,
+                     .source = file.string(),
+                     .folder = file.parent_path(),
+                     .bundled = false,
+                     .id = identity(file)},
+                    bundled);
 }
 
 Preset parse_preset(std::string_view text, std::string_view source, const fs::path& base,
                     const BundledPresets& bundled) {
-  return load_chain(text, source, base, {}, bundled);
+  return load_chain(
+      {.text = std::string(text), .source = std::string(source), .folder = base, .bundled = false, .id = {}}, bundled);
+}
+
+Preset parse_bundled_preset(const std::string& file, const BundledPresets& bundled) {
+  return load_chain(bundled_link(file, bundled.find(file)->second), bundled);
 }
 
 }  // namespace airlight

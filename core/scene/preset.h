@@ -29,21 +29,26 @@ struct Preset {
   PresetValue root;
 };
 
-// Reads a file and everything it extends; `media` merge by name, other objects key by key.
-// Throws InputError: missing file, syntax (line and column), duplicate key, `extends` cycle.
-Preset load_preset(const std::filesystem::path& file);
-
-// Presets that are not on disk: path -> text.
+// Presets that are not on disk: file name -> text.
 using BundledPresets = std::map<std::string, std::string_view, std::less<>>;
 
-// The same from text; `base` is the folder that `extends` is relative to. What it names is looked for in `bundled`
-// before the disk.
+// Reads a file and everything it extends; `media` merge by name, other objects key by key. What `extends` names is a
+// file, by a path relative to the one that names it, or else by its bare name ("earth") one of `bundled`.
+// Throws InputError: missing file, syntax (line and column), duplicate key, `extends` cycle.
+Preset load_preset(const std::filesystem::path& file, const BundledPresets& bundled = {});
+
+// The same from text; `base` is the folder that `extends` is relative to.
 Preset parse_preset(std::string_view text, std::string_view source, const std::filesystem::path& base,
                     const BundledPresets& bundled = {});
 
+// A preset of the bundle, whose `extends` names files of the bundle.
+Preset parse_bundled_preset(const std::string& file, const BundledPresets& bundled);
+
 // Applies "POINTER=JSON" (RFC 6901 pointer, e.g. /camera/pitch_deg=20). A value that is not JSON is taken as a string.
 // Throws InputError when the pointer is malformed or leads through something that is not an object or array.
+// Messages name `source`, the option as typed; without it "--set ASSIGNMENT".
 void apply_override(Preset& preset, std::string_view assignment);
+void apply_override(Preset& preset, std::string_view assignment, const std::string& source);
 
 // Puts a value where an RFC 6901 pointer leads, making the objects on the way. Throws InputError as apply_override
 // does; `source` says in messages who asks.

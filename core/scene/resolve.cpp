@@ -114,7 +114,7 @@ std::vector<Medium> read_media(const Section& root) {
   if (value == nullptr) {
     root.problems().add(root.context(), "/media",
                         "missing; expected an array of 1 to 8 media: write \"media\": [...] or build on a preset that "
-                        "has it, e.g. \"extends\": \"earth.json\"");
+                        "has it, e.g. \"extends\": \"earth\"");
     return {};
   }
   const auto* array = std::get_if<PresetArray>(&value->data);
@@ -289,12 +289,13 @@ void check_root(const Section& root) {
                     quoted(*version) + " is no format that this program reads; expected 1, the format's version");
     }
   }
+  root.text("$schema");
   // Loading a file takes the key out once it has been followed.
   if (const PresetValue* extends = root.find("extends")) {
     const bool is_text = std::holds_alternative<std::string>(extends->data);
     root.complain("extends", *extends,
                   quoted(*extends) + (is_text ? " comes too late; `extends` is followed in a preset's file only"
-                                              : " is not a string; expected a file name"));
+                                              : " is not a string; expected a file name or that of a built-in preset"));
   }
 }
 

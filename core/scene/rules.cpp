@@ -30,12 +30,14 @@ constexpr std::array<std::string_view, 1> kCube = {"cube"};
 
 constexpr auto kRules = std::to_array<Rule>({
     {.key = "airlight", .type = RuleType::version, .required = true, .meaning = "the format's version, 1"},
+    {.key = "$schema", .type = RuleType::text, .meaning = "for editors: where the JSON Schema is; not read"},
     {.key = "name", .type = RuleType::text, .meaning = "for people; written into the EXR"},
     {.key = "description", .type = RuleType::text, .meaning = "for people; written into the EXR"},
     {.key = "extends",
      .type = RuleType::extends,
-     .meaning = "the preset that this one builds on, by a path relative to this file: merged key by key, `media` by "
-                "`name`; a `density` with a `profile` of its own replaces the inherited one whole"},
+     .meaning = "the preset that this one builds on, by a path relative to this file or, built in, by its name: merged "
+                "key by key, `media` by `name`; a `density` with a `profile` of its own replaces the inherited one "
+                "whole"},
 
     {.key = "planet.radius_km",
      .range = kLength,
@@ -324,7 +326,7 @@ std::string expectation(const Rule& rule) {
     case RuleType::version:
       return "1";
     case RuleType::extends:
-      return "a file name";
+      return "a file name or that of a built-in preset";
     case RuleType::text:
       return "a string";
     case RuleType::name:

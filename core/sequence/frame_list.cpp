@@ -117,6 +117,22 @@ SunPath make_sun_path(const SunPathOrder& order) {
   return path;
 }
 
+SunPath make_moment(const MomentOrder& order) {
+  const std::string prefix = order.command + ": ";
+  SunPath path;
+  path.zone = find_zone(order.zone, prefix + "--tz");
+  const Milliseconds date = parse_date(order.date, prefix + "--date");
+  const Milliseconds time = parse_time_of_day(order.time, prefix + "--time");
+  require_coordinate(order.place.latitude_deg, -90.0, 90.0, prefix + "--lat");
+  require_coordinate(order.place.longitude_deg, -180.0, 360.0, prefix + "--lon");
+  path.place = order.place;
+  path.refraction = order.refraction;
+  path.first = utc_on_clock(path.zone, date + time, prefix + "--time");
+  path.step = kDay;
+  path.count = 1;
+  return path;
+}
+
 Sweep parse_sweep(std::string_view text, const std::string& option) {
   double numbers[3] = {};
   const char* at = text.data();

@@ -57,6 +57,17 @@ struct SunPathOrder {
 // step of 0, an unknown zone, a time that the clocks of that day skip, a place that is none.
 SunPath make_sun_path(const SunPathOrder& order);
 
+// One moment: a path of one frame.
+struct MomentOrder {
+  std::string command;           // whose options messages name: "render"
+  std::string date, time, zone;  // as typed
+  Place place;
+  std::optional<Air> refraction = {};
+};
+
+// Throws InputError: malformed, an unknown zone, a time that the clocks of that day skip, a place that is none.
+SunPath make_moment(const MomentOrder& order);
+
 // "-12:90:1" = FROM:TO:STEP in degrees. Throws InputError: malformed, outside -90 to 90, a step that does not lead from
 // one to the other.
 Sweep parse_sweep(std::string_view text, const std::string& option);

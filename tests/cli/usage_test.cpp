@@ -14,7 +14,7 @@ namespace {
 const std::vector<std::string>& commands() {
   static const std::vector<std::string> names = {"render", "sequence",  "composite",  "luts",    "probe",
                                                  "check",  "methods",   "devices",    "presets", "diff",
-                                                 "chart",  "stability", "completion", "man"};
+                                                 "chart",  "stability", "completion", "man",     "help"};
   return names;
 }
 
@@ -78,81 +78,6 @@ TEST(Usage, VersionAndLibraries) {
   }
 }
 
-struct BadUsage {
-  std::vector<std::string> arguments;
-  std::vector<std::string> parts;  // of the one line
-};
-
-TEST(Usage, BadUsageIsOneLineAndExitCodeTwo) {
-  const Scratch scratch;
-  const std::vector<BadUsage> cases = {
-      {{"rendr", "x"}, {"unknown command 'rendr'", "did you mean 'render'?"}},
-      {{"render"}, {"render: no PRESET given", "airlight render [options] PRESET"}},
-      {{"render", "a", "b"}, {"unexpected argument 'b'"}},
-      {{"render", "--sze", "8x8", "a"}, {"unknown option '--sze'", "did you mean '--size'?", "render --help"}},
-      {{"render", "a", "-z"}, {"unknown option '-z'"}},
-      {{"render", "a", "--png"}, {"'--png' needs a value", "FILE.png"}},
-      {{"render", "a", "--png="}, {"'--png' needs a value", "FILE.png"}},
-      {{"render", "a", "--png", "--json"}, {"'--png' needs a value", "'--json' follows"}},
-      {{"render", "a", "--json=yes"}, {"'--json' takes no value"}},
-      {{"render", "a", "-o", "x.exr", "-o", "y.exr"}, {"--output: given 2 times"}},
-      {{"render", "a", "--bits", "9"}, {"--bits: '9' is not one of 8, 16"}},
-      {{"render", "a", "--sun-elevation", "high"}, {"--sun-elevation: 'high' is not a number"}},
-      {{"render", "earth-noon", "--sun-elevation", "91"}, {"/sun/elevation_deg", "91", "-90 to 90"}},
-      {{"render", "earth-noon", "--size", "12"}, {"--size: '12' is not WIDTHxHEIGHT"}},
-      {{"render", "earth-noon", "--size", "12x"}, {"--size: '12x' is not WIDTHxHEIGHT"}},
-      {{"render", "earth-noon", "--size", "0x8"}, {"/image/width", "0", "1 to 65536"}},
-      {{"render", "earth-noon", "--method", "marsh"}, {"marsh", "march"}},
-      {{"render", "earth-noon", "--set", "camera=1"}, {"camera", "not a JSON pointer"}},
-      {{"render", "earth-noon", "--set", "/camera/pich_deg=1"}, {"/camera/pich_deg", "pitch_deg"}},
-      {{"render", "earth-non"}, {"no preset 'earth-non'", "did you mean 'earth-noon'?"}},
-      {{"render", "nowhere.json"}, {"nowhere.json", "No such file"}},
-      {{"render", "earth-noon", "-o", "sky.png"}, {"'sky.png' does not end in .exr"}},
-      {{"render", "earth-noon", "--png", "sky.exr"}, {"'sky.exr' does not end in .png"}},
-      {{"render", "earth-noon", "-o", "nowhere/sky.exr"}, {"nowhere/sky.exr", "does not exist", "mkdir -p"}},
-      {{"render", "earth-noon", "-o", "sky.exr", "--luts", "no/where"}, {"does not exist", "mkdir -p"}},
-      {{"render", "earth-noon", "--png", "a.png", "--view", "filmic"}, {"filmic", "ACES"}},
-      {{"render", "earth-noon", "--png", "a.png", "--ocio-config", "none.ocio"}, {"none.ocio"}},
-      {{"luts", "earth-noon"}, {"no folder given", "-o DIR"}},
-      {{"stability"}, {"no folder given", "-o DIR"}},
-      {{"stability", "-o", "no/where"}, {"no/where", "does not exist", "mkdir -p"}},
-      {{"stability", "-o", "map", "--quick", "--full"}, {"exclude each other"}},
-      {{"stability", "-o", "map", "--sweep", "sun"}, {"'sun' is not one of sun-altitude"}},
-      {{"probe", "earth-noon"}, {"no direction given"}},
-      {{"probe", "earth-noon", "--elevation", "1"}, {"1 elevations but 0 azimuths", "in pairs"}},
-      {{"probe", "earth-noon", "--elevation", "91", "--azimuth", "0"}, {"'91' is not a number from -90 to 90"}},
-      {{"probe", "earth-noon", "--csv", "none.csv"}, {"none.csv"}},
-      {{"presets", "earth-non"}, {"no built-in preset 'earth-non'", "did you mean 'earth-noon'?"}},
-      {{"render", "earth-noon", "--tolerance", "much"}, {"--tolerance: 'much' is no relative error", "0.5%"}},
-      {{"render", "earth-noon", "--tolerance", "1%", "--time-limit", "1s"}, {"exclude each other"}},
-      {{"render", "earth-noon", "--tolerance", "1%", "--set", "/render/steps=8"}, {"leave out --set /render/steps=8"}},
-      {{"render", "earth-noon", "--tolerance", "1%", "--method", "path-trace"}, {"--target-error"}},
-      {{"render", "lesson26", "--tolerance", "1%"}, {"departs by /render/sun_fade"}},
-      {{"render", "earth-noon", "--time-limit", "5 parsec"}, {"--time-limit: '5 parsec' is no time", "50ms"}},
-      {{"render", "earth-noon", "--time-limit", "0"}, {"nothing is rendered in no time"}},
-      {{"chart"}, {"no folder given", "-o DIR"}},
-      {{"chart", "-o", "c", "--method", "marsh"}, {"no method 'marsh'", "did you mean 'march'?"}},
-      {{"chart", "earth-noon", "earth-noon", "-o", "c"}, {"'earth-noon' is named twice"}},
-      {{"chart", "earth-non", "-o", "c"}, {"no preset 'earth-non'"}},
-      {{"chart", "-o", "no/where"}, {"does not exist"}},
-      {{"chart", "-o", "c", "--truth-error", "0"}, {"--truth-error: '0' is no relative error"}},
-      {{"chart", "-o", "c", "--budget", "0"}, {"--budget"}},
-      {{"completion", "tcsh"}, {"'tcsh' is not one of bash, zsh, fish"}},
-      {{"--versoin"}, {"unknown option '--versoin'", "did you mean '--version'?"}},
-  };
-  for (const BadUsage& bad : cases) {
-    const Outcome outcome = airlight(scratch.path(), bad.arguments);
-    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
-    EXPECT_EQ(outcome.out, "") << outcome.err;
-    EXPECT_EQ(lines_of(outcome.err).size(), 1U) << outcome.err;
-    EXPECT_EQ(outcome.err.rfind("airlight: ", 0), 0U) << outcome.err;
-    for (const std::string& part : bad.parts) {
-      EXPECT_TRUE(contains(outcome.err, part)) << "expected '" << part << "' in: " << outcome.err;
-    }
-  }
-  EXPECT_TRUE(scratch.files().empty());
-}
-
 TEST(Usage, NegativeNumbersAndEqualsSignsAreValues) {
   const Scratch scratch;
   const std::string file = scratch.write("a.json", small_preset()).string();
@@ -187,14 +112,17 @@ TEST(Usage, ALostStandardOutputIsAnErrorAClosedPipeIsNot) {
   EXPECT_EQ(closed.err, "");
 }
 
-// What the tool prints to a terminal.
-std::string on_terminal(const char* no_color) {
+// What the tool prints to a terminal of so many columns.
+std::string on_terminal(const char* no_color, unsigned short columns = 80) {
   int master = -1;
-  const pid_t child = ::forkpty(&master, nullptr, nullptr, nullptr);
+  winsize size{};
+  size.ws_col = columns;
+  size.ws_row = 25;
+  const pid_t child = ::forkpty(&master, nullptr, nullptr, &size);
   if (child == 0) {
     ::setenv("TERM", "xterm", 1);
     no_color != nullptr ? ::setenv("NO_COLOR", no_color, 1) : ::unsetenv("NO_COLOR");
-    ::execl(AIRLIGHT_BINARY, "airlight", "--help", nullptr);
+    ::execl(AIRLIGHT_BINARY, "airlight", "render", "--help", nullptr);
     ::_exit(127);
   }
   std::string text;
@@ -213,6 +141,49 @@ TEST(Usage, ColourOnATerminalUnlessRefused) {
   EXPECT_FALSE(contains(on_terminal("1"), "\033["));
   const Scratch scratch;
   EXPECT_FALSE(contains(airlight(scratch.path(), {"--help"}).out, "\033["));
+}
+
+// The longest line but those of examples, which are to be copied.
+std::size_t longest_line(const std::string& help) {
+  std::size_t longest = 0;
+  for (const std::string& line : lines_of(help)) {
+    const bool is_example = line.rfind("  airlight ", 0) == 0;
+    longest = is_example ? longest : std::max(longest, line.size() - (line.ends_with('\r') ? 1 : 0));
+  }
+  return longest;
+}
+
+TEST(Usage, HelpIsAsWideAsTheTerminal) {
+  for (const unsigned short columns : std::vector<unsigned short>{48, 80, 110}) {
+    const std::size_t longest = longest_line(on_terminal("1", columns));
+    EXPECT_LE(longest, columns);
+    EXPECT_GE(longest + 8, columns);  // no word of the help is longer
+  }
+  EXPECT_LE(longest_line(on_terminal("1", 300)), 120U);
+  const Scratch scratch;
+  EXPECT_LE(longest_line(airlight(scratch.path(), {"render", "--help"}).out), 80U);
+}
+
+TEST(Usage, HelpIsACommandToo) {
+  const Scratch scratch;
+  EXPECT_EQ(airlight(scratch.path(), {"help"}).out, airlight(scratch.path(), {"--help"}).out);
+  const Outcome render = airlight(scratch.path(), {"help", "render"});
+  EXPECT_EQ(render.exit_code, 0);
+  EXPECT_EQ(render.out, airlight(scratch.path(), {"render", "--help"}).out);
+  for (const char* heading : {"\nOutput:\n", "\nScene:\n", "\nCamera:\n", "\nMethod:\n", "\nPicture:\n", "\nRun:\n"}) {
+    EXPECT_TRUE(contains(render.out, heading)) << heading;
+  }
+  EXPECT_FALSE(contains(render.out, "\n\n\n"));
+}
+
+TEST(Usage, TheLastOfARepeatedOptionWins) {
+  const Scratch scratch;
+  const std::string file = scratch.write("a.json", small_preset()).string();
+  const Outcome outcome = airlight(scratch.path(), {"render", file, "--dry-run", "--sun-elevation", "3", "--size",
+                                                    "8x8", "--sun-elevation=-4.5", "--size", "16x8"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(contains(outcome.out, "-4.5 degrees")) << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "16 x 8") || contains(outcome.out, "16x8")) << outcome.out;
 }
 
 // Every option and command must stand in every script.

@@ -128,6 +128,55 @@ TEST_F(Extends, RefusesAMissingFile) {
                 "/: is a directory; expected a preset, by a path relative to the file that names it");
 }
 
+// A bundle of one built-in preset, of which another makes its own.
+const BundledPresets& bundle() {
+  static const BundledPresets presets = {
+      {"base.json", kBase}, {"thick.json", R"({"airlight": 1, "extends": "base.json", "planet": {"radius_km": 7}})"}};
+  return presets;
+}
+
+TEST_F(Extends, FindsBuiltInPresetsByTheirNames) {
+  const auto radius = [&](std::string_view text) {
+    return resolve(load_preset(write("top.json", text), bundle()), local_methods()).planet.ground_radius;
+  };
+  EXPECT_EQ(radius(R"({"airlight": 1, "extends": "base"})"), 1000);
+  EXPECT_EQ(radius(R"({"airlight": 1, "extends": "base.json"})"), 1000);
+  EXPECT_EQ(radius(R"({"airlight": 1, "extends": "thick"})"), 7);
+  EXPECT_EQ(resolve(parse_bundled_preset("thick.json", bundle()), local_methods()).planet.ground_radius, 7);
+}
+
+// A file beside the preset comes first; the built-in ones build on built-in ones all the same.
+TEST_F(Extends, AFileBesideThePresetComesBeforeABuiltInOne) {
+  write("base.json", R"({"airlight": 1, "planet": {"radius_km": 5},
+    "media": [{"name": "a", "density": {"profile": "constant", "below_km": 1}}]})");
+  const auto radius = [&](std::string_view text) {
+    return resolve(load_preset(write("top.json", text), bundle()), local_methods()).planet.ground_radius;
+  };
+  EXPECT_EQ(radius(R"({"airlight": 1, "extends": "base.json"})"), 5);
+  EXPECT_EQ(radius(R"({"airlight": 1, "extends": "base"})"), 1000);
+  EXPECT_EQ(radius(R"({"airlight": 1, "extends": "thick"})"), 7);
+}
+
+TEST_F(Extends, SaysWhereItLookedForABuiltInPreset) {
+  const std::filesystem::path file = write("top.json", R"({"airlight": 1, "extends": "thik"})");
+  try {
+    load_preset(file, bundle());
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.what(), name("top.json") + ":1: /extends: \"thik\" cannot be read: " + name("thik") +
+                                ": No such file or directory, and no built-in preset is called so; did you mean "
+                                "\"thick\"?; expected a preset, by a path relative to the file that names it, or a "
+                                "built-in one by its name");
+  }
+}
+
+TEST_F(Extends, ASchemaForEditorsIsAllowed) {
+  const std::string media = R"("media": [{"name": "a", "density": {"profile": "constant", "below_km": 1}}]})";
+  EXPECT_NO_THROW(load(write("a.json", R"({"$schema": "preset-1.schema.json", "airlight": 1, )" + media)));
+  EXPECT_EQ(problems_of_file(write("b.json", R"({"$schema": 1, "airlight": 1, )" + media)),
+            name("b.json") + ":1: /$schema: 1 is not a string; expected a string");
+}
+
 TEST_F(Extends, RefusesACircle) {
   const std::string self = name("self.json");
   EXPECT_EQ(problems_of_file(write("self.json", R"({"airlight": 1, "extends": "./self.json"})")),

@@ -68,9 +68,9 @@ TEST(Syntax, RefusesWhatIsNoObject) {
   EXPECT_EQ(problems_of("[]"), "test:1: not an object; expected {\"airlight\": 1, ...}");
   EXPECT_EQ(problems_of("5"), "test:1: not an object; expected {\"airlight\": 1, ...}");
   EXPECT_EQ(problems_of(" \n "),
-            "test: empty; expected a JSON object, e.g. {\"airlight\": 1, \"extends\": \"earth.json\"}");
+            "test: empty; expected a JSON object, e.g. {\"airlight\": 1, \"extends\": \"earth\"}");
   EXPECT_EQ(problems_of(""),
-            "test: empty; expected a JSON object, e.g. {\"airlight\": 1, \"extends\": \"earth.json\"}");
+            "test: empty; expected a JSON object, e.g. {\"airlight\": 1, \"extends\": \"earth\"}");
 }
 
 TEST(Syntax, RefusesNumbersBeyondADouble) {
@@ -174,7 +174,7 @@ TEST_F(FolderTest, FilesThatCannotBeReadAreRefused) {
                                                            "preset (a JSON file)");
   EXPECT_EQ(problems_of_file(write("empty.json", "")),
             (folder_ / "empty.json").string() +
-                ": empty; expected a JSON object, e.g. {\"airlight\": 1, \"extends\": \"earth.json\"}");
+                ": empty; expected a JSON object, e.g. {\"airlight\": 1, \"extends\": \"earth\"}");
   EXPECT_EQ(
       problems_of_file(write("large.json", std::string((16U << 20U) + 1U, ' '))),
       (folder_ / "large.json").string() + ": cannot be read: is larger than 16 MiB; expected a preset (a JSON file)");

@@ -123,7 +123,7 @@ INSTANTIATE_TEST_SUITE_P(
              "/display/tonemap: \"ACES\" is unknown; expected one of \"aces\", \"reinhard\", \"reinhard-luminance\", "
              "\"exponential\", \"clamp\", \"none\"; did you mean \"aces\"?"},
         Case{R"("display": {"view": null})", "/display/view: null is not a string; expected a string"},
-        Case{R"("extends": 7)", "/extends: 7 is not a string; expected a file name"}));
+        Case{R"("extends": 7)", "/extends: 7 is not a string; expected a file name or that of a built-in preset"}));
 
 INSTANTIATE_TEST_SUITE_P(
     UnknownKeys, Refusal,
@@ -134,10 +134,10 @@ INSTANTIATE_TEST_SUITE_P(
         Case{R"("elevation_deg": 3)", "/elevation_deg: unknown key; did you mean sun.elevation_deg?"},
         Case{R"("image": {"zzzz": 3})", "/image/zzzz: unknown key; expected one of height, width"},
         Case{R"("a/b~c": 3)",
-             "/a~1b~0c: unknown key; expected one of airlight, bloom, camera, description, display, extends, image, "
+             "/a~1b~0c: unknown key; expected one of $schema, airlight, bloom, camera, description, display, extends, image, "
              "media, name, planet, render, sequence, sun"},
         Case{R"("": 3)",
-             "/: unknown key; expected one of airlight, bloom, camera, description, display, extends, image, media, "
+             "/: unknown key; expected one of $schema, airlight, bloom, camera, description, display, extends, image, media, "
              "name, planet, render, sequence, sun"}));
 
 INSTANTIATE_TEST_SUITE_P(
@@ -248,7 +248,7 @@ TEST(Refusals, NameTheMissingVersionAndMedia) {
   EXPECT_EQ(problems_of("{}"),
             "test:1: /airlight: missing; expected 1\n"
             "test:1: /media: missing; expected an array of 1 to 8 media: write \"media\": [...] or build on a preset "
-            "that has it, e.g. \"extends\": \"earth.json\"");
+            "that has it, e.g. \"extends\": \"earth\"");
 }
 
 TEST(Refusals, NameAnUnreadableVersion) {
@@ -276,7 +276,7 @@ TEST(Refusals, ComeAllAtOnceInTheOrderOfTheLines) {
             "test:5: /media/0/density/half_width_km: missing for \"tent\"; expected a number, 1e-6 to 1e9 km\n"
             "test:6: /media/1/phase/g: 2 is outside -0.99 to 0.99\n"
             "test:7: /media/1/density/below_km: 0 is outside 1e-6 to 1e9 km\n"
-            "test:9: /colour: unknown key; expected one of airlight, bloom, camera, description, display, extends, "
+            "test:9: /colour: unknown key; expected one of $schema, airlight, bloom, camera, description, display, extends, "
             "image, media, name, planet, render, sequence, sun");
 }
 

@@ -1,0 +1,88 @@
+#include "app/cli/place_options.h"
+
+#include "core/error.h"
+#include "core/scene/json_format.h"
+#include "core/sequence/frame_list.h"
+
+namespace airlight::cli {
+
+Option time_option(PlaceOptions& options) {
+  return {"--time", "HH:MM", "The time of day, on the clocks of --tz", &options.time};
+}
+
+std::vector<Option> place_options(PlaceOptions& options, std::vector<Option> times) {
+  const Range elevation_range{-0.5, 100.0};
+  std::vector<Option> all = {
+      {"--date", "YYYY-MM-DD", "The day, 1600 to 2400 by the Gregorian calendar", &options.date}};
+  all.insert(all.end(), times.begin(), times.end());
+  const std::vector<Option> rest = {
+      {"--lat", "DEG", "The place's latitude, north positive", &options.latitude, Completes::nothing,
+       Range{-90.0, 90.0}},
+      {"--lon", "DEG", "The place's longitude, east positive", &options.longitude, Completes::nothing,
+       Range{-180.0, 360.0}},
+      {"--tz", "ZONE", "The clocks: a time zone such as Europe/Paris, or an offset such as +02:00; else UTC",
+       &options.zone},
+      {"--place-altitude", "KM", "The place's height above the sea, for the sun's parallax; the camera has its own",
+       &options.altitude, Completes::nothing, elevation_range},
+      {"--refraction", "",
+       "Lift the sun as the air's refraction does (Saemundsson 1986); else its true elevation is used",
+       &options.refraction},
+      {"--pressure", "HPA", "For --refraction; else 1010", &options.pressure, Completes::nothing, Range{0.0, 2000.0}},
+      {"--temperature", "CELSIUS", "For --refraction; else 10", &options.temperature, Completes::nothing,
+       Range{-200.0, 200.0}}};
+  all.insert(all.end(), rest.begin(), rest.end());
+  return grouped("Sun of a place", std::move(all));
+}
+
+sequence::Place place_of(const PlaceOptions& options) {
+  return {options.latitude.value_or(0.0), options.longitude.value_or(0.0), options.altitude.value_or(0.0)};
+}
+
+std::optional<sequence::Air> air_of(const PlaceOptions& options, const std::string& command) {
+  if (!options.refraction) {
+    if (options.pressure || options.temperature) {
+      throw InputError(command +
+                       ": --pressure and --temperature belong to --refraction; give it too, or leave them out");
+    }
+    return std::nullopt;
+  }
+  const sequence::Air standard;
+  return sequence::Air{options.pressure.value_or(standard.pressure_hpa),
+                       options.temperature.value_or(standard.temperature_c)};
+}
+
+std::vector<Override> sun_overrides(const PlaceOptions& options, const SceneOptions& scene,
+                                    const std::string& command) {
+  const std::optional<sequence::Air> air = air_of(options, command);
+  if (!options.date && !options.time && !options.zone && !options.latitude && !options.longitude && !options.altitude &&
+      !air) {
+    return {};
+  }
+  std::string missing;
+  const auto need = [&](bool given, const char* name) {
+    missing += given ? "" : (missing.empty() ? "" : ", ") + std::string(name);
+  };
+  need(options.date.has_value(), "--date");
+  need(options.time.has_value(), "--time");
+  need(options.latitude.has_value(), "--lat");
+  need(options.longitude.has_value(), "--lon");
+  if (!missing.empty()) {
+    throw InputError(command + ": the sun of a place needs " + missing +
+                     " as well; write for example --date 2026-06-21 --time 12:00 --lat 48.85 --lon 2.35 --tz "
+                     "Europe/Paris");
+  }
+  if (scene.sun_elevation || scene.sun_azimuth) {
+    throw InputError(command + ": " + (scene.sun_elevation ? "--sun-elevation" : "--sun-azimuth") +
+                     " and --date both say where the sun stands; give one");
+  }
+  const sequence::SunPath moment = sequence::make_moment(
+      {command, *options.date, *options.time, options.zone.value_or("UTC"), place_of(options), air});
+  std::vector<Override> all;
+  for (const auto& [pointer, values] : sequence::frame_at(moment, 0).keys) {
+    all.push_back(
+        {pointer + "=" + format_number(values.front()), "--date " + *options.date + " --time " + *options.time});
+  }
+  return all;
+}
+
+}  // namespace airlight::cli
