@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <string_view>
 
+#include "app/cli/progress.h"
 #include "core/chart/timing.h"
 #include "core/error.h"
 
@@ -91,18 +92,31 @@ double milliseconds_from(const std::string& text, const std::string& place) {
   throw InputError(place + ": '" + text + "' is no time; write for example 50ms, 2s or 1min");
 }
 
-ChoiceReport choose_rendering(const Scene& scene, const ChoiceWish& wish, const DeviceOnDemand& device) {
+ChoiceReport choose_rendering(const Scene& scene, const ChoiceWish& wish, const DeviceOnDemand& device, bool quiet) {
   refuse_departures(scene);
   ChoiceReport report;
   report.wish = wish;
   const auto start = std::chrono::steady_clock::now();
   const double cpu = chart::process_cpu_ms();
+  std::optional<TerminalStatus> status;
+  if (!quiet) {
+    status.emplace();
+  }
+  int tried = 0;
+  const auto tell_what = [&](const char* doing, const Scene& candidate) {
+    if (status) {
+      status->say("choosing method and quality: " + std::string(doing) + " " + candidate.render.method + " (" +
+                  std::to_string(++tried) + " so far)");
+    }
+  };
   const choice::ProbeFunction probe = [&](const Scene& candidate, const choice::Probes& probes) {
+    tell_what("probing", candidate);
     return probe_picture(device, candidate, probes.directions);
   };
   if (wish.limit_ms > 0.0) {
     chart::TableTimes tables;
     const choice::TimeFunction time = [&](const Scene& candidate) {
+      tell_what("timing", candidate);
       const chart::Timing timing = chart::time_on_device(device(), candidate, {}, quick(), tables);
       return timing.device_ms + timing.tables_ms;
     };

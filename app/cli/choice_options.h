@@ -29,7 +29,7 @@ double milliseconds_from(const std::string& text, const std::string& place);
 
 // Throws InputError where the preset asks for what no tolerance measures (render.sun_fade, another scale of multiple
 // scattering), or where nothing reaches the tolerance or fits the time: names the best that can be had.
-ChoiceReport choose_rendering(const Scene& scene, const ChoiceWish& wish, const DeviceOnDemand& device);
+ChoiceReport choose_rendering(const Scene& scene, const ChoiceWish& wish, const DeviceOnDemand& device, bool quiet);
 
 // One line: what was chosen and how wrong it is.
 std::string summary(const ChoiceReport& report);

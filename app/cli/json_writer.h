@@ -25,6 +25,7 @@ class JsonWriter {
   JsonWriter& value(std::size_t number) { return value(static_cast<std::int64_t>(number)); }
   JsonWriter& value(bool truth);
   JsonWriter& null();
+  JsonWriter& raw(std::string_view json);               // a value that is JSON already
   JsonWriter& values(std::span<const double> numbers);  // a whole array
 
   // The text, with a line feed at its end.

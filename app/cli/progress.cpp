@@ -3,8 +3,11 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <condition_variable>
 #include <cstdio>
+#include <mutex>
 #include <string>
+#include <thread>
 
 #include "app/cli/terminal.h"
 
@@ -50,6 +53,55 @@ void clear_progress() {
   if (drawn) {
     tell("\r\033[K");
     drawn = false;
+  }
+}
+
+struct TerminalStatus::State {
+  std::mutex mutex;
+  std::condition_variable_any changed;
+  std::string what;
+  Clock::time_point start = Clock::now();
+  std::jthread drawer;
+
+  // With the lock held.
+  void draw() const {
+    char seconds[32];
+    std::snprintf(seconds, sizeof seconds, ", %.0f s\033[K",
+                  std::chrono::duration<double>(Clock::now() - start).count());
+    tell("\r" + what + seconds);
+  }
+
+  void tick(const std::stop_token& stop) {
+    constexpr auto kInterval = std::chrono::milliseconds(300);
+    std::unique_lock lock(mutex);
+    while (!stop.stop_requested()) {
+      changed.wait_for(lock, stop, kInterval, [] { return false; });
+      if (!what.empty() && !stop.stop_requested()) {
+        draw();
+      }
+    }
+  }
+};
+
+TerminalStatus::TerminalStatus() {
+  if (isatty(STDERR_FILENO) == 1) {
+    state_ = std::make_unique<State>();
+    state_->drawer = std::jthread([state = state_.get()](const std::stop_token& stop) { state->tick(stop); });
+  }
+}
+
+TerminalStatus::~TerminalStatus() {
+  if (state_) {
+    state_->drawer = {};
+    tell("\r\033[K");
+  }
+}
+
+void TerminalStatus::say(const std::string& what) {
+  if (state_) {
+    const std::lock_guard lock(state_->mutex);
+    state_->what = what;
+    state_->draw();
   }
 }
 

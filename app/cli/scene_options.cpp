@@ -49,15 +49,6 @@ std::string projection_called(const std::string& name) {
   return name == "latlong" ? "equirectangular" : name;
 }
 
-// Null where the preset is silent.
-const PresetValue* find_value(const Preset& preset, std::string_view section, std::string_view key) {
-  const auto* root = std::get_if<PresetObject>(&preset.root.data);
-  const auto found = root->find(section);
-  const auto* object = found == root->end() ? nullptr : std::get_if<PresetObject>(&found->second.data);
-  const auto value = object == nullptr ? PresetObject::const_iterator() : object->find(key);
-  return object == nullptr || value == object->end() ? nullptr : &value->second;
-}
-
 // The preset's camera without what only a picture of its own projection has.
 void leave_projection(Preset& preset, const std::string& projection) {
   auto& root = std::get<PresetObject>(preset.root.data);

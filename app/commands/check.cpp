@@ -1,5 +1,9 @@
 #include <memory>
+#include <sstream>
+#include <utility>
 
+#include "app/cli/json_writer.h"
+#include "app/cli/picture_options.h"
 #include "app/cli/preset_source.h"
 #include "app/cli/terminal.h"
 #include "app/commands/commands.h"
@@ -13,27 +17,77 @@ namespace {
 struct Given {
   std::vector<std::string> presets;
   std::vector<std::string> set;
+  PictureOptions picture;  // for its OCIO config
+  bool json = false;
   bool verbose = false;
   bool quiet = false;
 };
 
+// The names of the OCIO config in force; a preset's display or view that is not among them is told with its place.
+void check_names(const Preset& preset, Scene scene, const PictureOptions& options) {
+  const auto place = [&](const char* key) {
+    const PresetValue* value = find_value(preset, "display", key);
+    const PresetValue& at = value == nullptr ? preset.root : *value;
+    return at.source + (at.line > 0 ? ":" + std::to_string(at.line) : "") + ": /display/" + key + ": ";
+  };
+  const std::string view = std::exchange(scene.display.view, "");
+  for (const char* key : {"display", "view"}) {
+    scene.display.view = key == std::string_view("view") ? view : "";
+    try {
+      display_transform(options, scene);
+    } catch (const InputError& error) {
+      throw InputError(place(key) + error.what());
+    }
+  }
+}
+
+// A line for each problem; none: the preset is good, and `scene` what it says.
+std::string problems_of(const Given& given, const std::string& argument, std::string& source, Scene& scene) {
+  try {
+    Preset preset = find_preset(argument);
+    source = preset.source;
+    for (const std::string& assignment : given.set) {
+      apply_override(preset, assignment);
+    }
+    scene = resolve(preset, method_infos());
+    check_names(preset, scene, given.picture);
+    return {};
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+void write_problems(JsonWriter& json, const std::string& lines) {
+  std::istringstream text(lines);
+  json.key("problems").begin_array();
+  for (std::string line; std::getline(text, line);) {
+    json.value(line);
+  }
+  json.end_array();
+}
+
 // Every problem of every file is told before the command fails.
 int check_presets(const Given& given) {
   bool all_good = true;
+  JsonWriter json;
+  json.begin_object().key("presets").begin_array();
   for (const std::string& argument : given.presets) {
-    try {
-      Preset preset = find_preset(argument);
-      for (const std::string& assignment : given.set) {
-        apply_override(preset, assignment);
-      }
-      const Scene scene = resolve(preset, method_infos());
-      if (!given.quiet) {
-        print(preset.source + ": good\n" + (given.verbose ? describe(scene) : std::string()));
-      }
-    } catch (const InputError& error) {
-      complain(error.what());
-      all_good = false;
+    std::string source = argument;
+    Scene scene;
+    const std::string problems = problems_of(given, argument, source, scene);
+    all_good = all_good && problems.empty();
+    json.begin_object().key("preset").value(source).key("good").value(problems.empty());
+    write_problems(json, problems);
+    json.end_object();
+    if (!problems.empty()) {
+      complain(problems);
+    } else if (!given.quiet && !given.json) {
+      print(source + ": good\n" + (given.verbose ? describe(scene) : std::string()));
     }
+  }
+  json.end_array().end_object();
+  if (given.json) {
+    print(json.take());
   }
   return all_good ? 0 : 2;
 }
@@ -47,7 +101,7 @@ Command check_command() {
   command.summary = "Find every problem of presets";
   command.description =
       "Each problem stands on a line of its own: file and line, the key as a JSON pointer, what is wrong, what was "
-      "expected. Exit code 2 when there is any.";
+      "expected. A display and its view are looked up in the OpenColorIO config. Exit code 2 when there is any.";
   command.examples = {{"airlight check my-sky.json", "Say whether a preset is good, or everything that is not"},
                       {"airlight check -v earth-noon", "Also print the whole scene with its units"}};
   command.positionals = {{"PRESET",
@@ -58,9 +112,14 @@ Command check_command() {
                           {},
                           built_in_names()}};
   command.options = {
-      {"--set", "POINTER=JSON", "Check with a key changed, e.g. /camera/pitch_deg=20", &given->set, {}, {}, {}, {}},
-      {"-q,--quiet", "", "Say nothing about good presets", &given->quiet, {}, {}, {}, {}},
-      {"-v,--verbose", "", "Print the resolved scene with its units", &given->verbose, {}, {}, {}, {}}};
+      {"--set", "POINTER=JSON", "Check with a key changed, e.g. /camera/pitch_deg=20", &given->set},
+      {"--ocio-config", "FILE",
+       "The OpenColorIO config that has the display and the view; else $OCIO, else the "
+       "built-in one",
+       &given->picture.ocio_config, Completes::file},
+      {"--json", "", "Print one JSON object: each preset, whether it is good, its problems", &given->json},
+      {"-q,--quiet", "", "Say nothing about good presets", &given->quiet},
+      {"-v,--verbose", "", "Print the resolved scene with its units", &given->verbose}};
   command.run = [given] { return check_presets(*given); };
   return command;
 }

@@ -1,8 +1,29 @@
+#include <memory>
+
+#include "app/cli/json_writer.h"
 #include "app/cli/terminal.h"
 #include "app/commands/commands.h"
 #include "core/gpu/executor.h"
 
 namespace airlight::cli {
+namespace {
+
+std::string devices_json() {
+  JsonWriter json;
+  json.begin_object().key("devices").begin_array();
+  for (const DeviceInfo& device : list_devices()) {
+    json.begin_object().key("name").value(device.name).key("driver").value(device.driver);
+    json.key("vulkan").value(device.api_version).key("is_processor").value(device.is_cpu);
+    json.key("usable").value(device.missing.empty()).key("missing").begin_array();
+    for (const std::string& feature : device.missing) {
+      json.value(feature);
+    }
+    json.end_array().end_object();
+  }
+  return json.end_array().end_object().take();
+}
+
+}  // namespace
 
 Command devices_command() {
   Command command;
@@ -10,7 +31,13 @@ Command devices_command() {
   command.summary = "List the Vulkan devices and what those that cannot be used lack";
   command.examples = {{"airlight devices", "List the devices"},
                       {"airlight render earth-noon --device llvmpipe", "Use the first device of that name"}};
-  command.run = [] {
+  const auto json = std::make_shared<bool>(false);
+  command.options = {{"--json", "", "Print one JSON object", json.get()}};
+  command.run = [json] {
+    if (*json) {
+      print(devices_json());
+      return 0;
+    }
     for (const DeviceInfo& device : list_devices()) {
       std::string text = device.name + "\n    Vulkan " + device.api_version + ", " + device.driver + "\n";
       text += std::string("    ") + (device.is_cpu ? "runs on the processor" : "graphics processor");

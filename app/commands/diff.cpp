@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/cli/preset_source.h"
+#include "app/cli/seekable_file.h"
 #include "app/cli/terminal.h"
 #include "app/commands/commands.h"
 #include "app/commands/diff_json.h"
@@ -110,6 +111,15 @@ void write_text(const std::string& file, const std::string& text, std::vector<st
   written.push_back(file);
 }
 
+// Speaks of the pair's files by the names that people gave them.
+void tell_by_name(const std::vector<SeekableFile>& inputs, NamedReport& entry) {
+  for (const SeekableFile& input : inputs) {
+    entry.report.problem = input.told(entry.report.problem);
+    for (std::string& note : entry.report.notes) note = input.told(note);
+    for (std::string* name : {&entry.name, &entry.a, &entry.b}) *name = input.told(*name);
+  }
+}
+
 NamedReport compare_pair(const Given& given, const measure::FilePairs& pairs, const measure::FilePair& pair,
                          std::vector<std::string>& written) {
   NamedReport entry{.name = pair.name, .a = pair.a, .b = pair.b, .report = {}, .pictures = {}};
@@ -177,6 +187,19 @@ int diff(Given given) {
     throw InputError("diff: --update takes whole files; compare them whole, without --layer and --channels");
   }
   given.request.view_preset = resolved_preset(given.camera_from);
+  // Pipes are read once and in the order given.
+  std::vector<SeekableFile> inputs;
+  for (std::string* name : {&given.a, &given.b}) {
+    inputs.emplace_back(*name);
+    *name = inputs.back().path();
+  }
+  if (given.update && given.b != inputs[1].name()) {
+    throw InputError("diff: --update: " + inputs[1].name() + " is no file that could be replaced; name one");
+  }
+  for (std::string& name : given.request.standard_errors) {
+    inputs.emplace_back(name);
+    name = inputs.back().path();
+  }
   const measure::FilePairs pairs = measure::pair_files(given.a, given.b, given.request.standard_errors);
   require_outputs(given, pairs);
   std::optional<ReferenceUpdate> update;
@@ -187,6 +210,7 @@ int diff(Given given) {
   std::vector<std::string> written;
   for (const measure::FilePair& pair : pairs.pairs) {
     entries.push_back(compare_pair(given, pairs, pair, written));
+    tell_by_name(inputs, entries.back());
     tell_people(given, pairs.several, entries.back(), in_force);
   }
   if (pairs.several && !given.quiet) {
@@ -194,7 +218,8 @@ int diff(Given given) {
     given.json ? tell(summary) : print(summary);
   }
   if (!given.junit.empty()) write_text(given.junit, measure::junit_xml(entries), written);
-  if (!given.html.empty()) write_text(given.html, measure::html_page(entries, given.a, given.b), written);
+  if (!given.html.empty())
+    write_text(given.html, measure::html_page(entries, inputs[0].name(), inputs[1].name()), written);
   // Where a pair cannot be compared the update throws, after all reports are written.
   const auto finish = [&](const std::vector<std::string>& replaced) {
     if (given.json) print(diff_json(entries, in_force, written, replaced));
@@ -322,11 +347,12 @@ Command diff_command() {
        "Judge a method and show where it is wrong"},
       {"airlight diff a.exr truth.exr --standard-error truth.exr", "Judge in units of the truth's noise"},
       {"airlight diff 'new/sky.####.exr' 'old/sky.####.exr' --junit diff.xml", "Compare two sequences for CI"},
-      {"airlight diff new references --rel-mean 0.001 --html report.html",
+      {"airlight diff new references --rel-mean 0.1% --html report.html",
        "Compare two folders and show it in one page"},
-      {"airlight diff new references --rel-mean 0.001 --update", "Take what changed as references"}};
-  command.positionals = {{"A", "picture, folder or frame pattern", &given->a, true, Completes::file, {}, {}},
-                         {"B", "the reference, of the same kind", &given->b, true, Completes::file, {}, {}}};
+      {"airlight diff new references --rel-mean 0.1% --update", "Take what changed as references"}};
+  command.positionals = {
+      {"A", "picture (- for standard input), folder or frame pattern", &given->a, true, Completes::file, {}, {}},
+      {"B", "the reference, of the same kind", &given->b, true, Completes::file, {}, {}}};
   command.options = grouped("Limits", limit_options(given->request.limits));
   for (Option& option : other_options(*given)) command.options.push_back(std::move(option));
   command.run = [given] { return diff(*given); };

@@ -1,5 +1,6 @@
 #include <memory>
 
+#include "app/cli/json_writer.h"
 #include "app/cli/scene_options.h"
 #include "app/cli/terminal.h"
 #include "app/commands/commands.h"
@@ -13,6 +14,7 @@ namespace {
 struct Given {
   SceneOptions scene;
   std::string folder;
+  bool json = false;
   bool quiet = false;
 };
 
@@ -29,8 +31,16 @@ int run_luts(const Given& given) {
     throw InputError("luts: the method " + scene.render.method + " uses no tables; choose another with --method");
   }
   const Provenance provenance{to_json(scene), scene.render.method, AIRLIGHT_VERSION, executor->device().name};
+  JsonWriter json;
+  json.begin_object().key("method").value(scene.render.method).key("device").value(provenance.device);
+  json.key("files").begin_array();
   for (const std::string& file : write_tables(given.folder, tables, provenance)) {
     tell(given.quiet ? "" : file + "\n");
+    json.value(file);
+  }
+  json.end_array().end_object();
+  if (given.json) {
+    print(json.take());
   }
   return 0;
 }
@@ -52,6 +62,7 @@ Command luts_command() {
   for (Option& option : scene_options(given->scene)) {
     command.options.push_back(std::move(option));
   }
+  command.options.push_back({"--json", "", "Print one JSON object with the files' names", &given->json});
   command.options.push_back({"-q,--quiet", "", "Say nothing but errors", &given->quiet});
   command.run = [given] { return run_luts(*given); };
   return command;

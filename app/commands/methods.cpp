@@ -2,6 +2,7 @@
 #include <cmath>
 #include <memory>
 
+#include "app/cli/json_writer.h"
 #include "app/cli/terminal.h"
 #include "app/commands/commands.h"
 #include "core/methods/method.h"
@@ -84,6 +85,24 @@ void print_method(const SkyMethod& method) {
   print(text);
 }
 
+std::string methods_json() {
+  JsonWriter json;
+  json.begin_object().key("methods").begin_array();
+  for (const SkyMethod& method : methods()) {
+    json.begin_object().key("name").value(method.info.name).key("summary").value(method.info.summary);
+    json.key("runs_on").value(method.render_on_host != nullptr ? "processor" : "device");
+    json.key("holds_for").value(validity_text(method.validity)).key("leaves_out").value(method.validity.leaves_out);
+    json.key("parameters").begin_array();
+    for (const ParameterInfo& parameter : method.info.parameters) {
+      json.begin_object().key("key").value(parameter.key).key("takes").value(limits_text(parameter));
+      json.key("default").value(value_text(parameter.default_value)).key("meaning").value(parameter.meaning);
+      json.end_object();
+    }
+    json.end_array().end_object();
+  }
+  return json.end_array().end_object().take();
+}
+
 }  // namespace
 
 Command methods_command() {
@@ -91,7 +110,13 @@ Command methods_command() {
   command.name = "methods";
   command.summary = "List the rendering methods, where each holds, and what it takes under render.*";
   command.examples = {{"airlight methods", "List the methods"}};
-  command.run = [] {
+  const auto json = std::make_shared<bool>(false);
+  command.options = {{"--json", "", "Print one JSON object", json.get()}};
+  command.run = [json] {
+    if (*json) {
+      print(methods_json());
+      return 0;
+    }
     for (const SkyMethod& method : methods()) {
       print_method(method);
     }

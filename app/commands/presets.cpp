@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "app/cli/json_writer.h"
 #include "app/cli/preset_source.h"
 #include "app/cli/suggest.h"
 #include "app/cli/terminal.h"
@@ -21,6 +22,17 @@ void list_presets() {
     const Scene scene = resolve(find_preset(name), method_infos());
     print(name + std::string(width + 2 - name.size(), ' ') + scene.description + "\n");
   }
+}
+
+std::string presets_json() {
+  JsonWriter json;
+  json.begin_object().key("presets").begin_array();
+  for (const std::string& name : built_in_names()) {
+    const Scene scene = resolve(find_preset(name), method_infos());
+    json.begin_object().key("name").value(name).key("description").value(scene.description);
+    json.key("method").value(scene.render.method).end_object();
+  }
+  return json.end_array().end_object().take();
 }
 
 void print_preset(const std::string& name) {
@@ -44,8 +56,12 @@ Command presets_command() {
                       {"airlight presets earth-noon > my-sky.json", "Start a preset of one's own"}};
   command.positionals = {
       {"NAME", "a built-in preset to print", name.get(), false, Completes::nothing, {}, built_in_names()}};
-  command.run = [name] {
-    if (*name) {
+  const auto json = std::make_shared<bool>(false);
+  command.options = {{"--json", "", "List as one JSON object; a preset is JSON anyhow", json.get()}};
+  command.run = [name, json] {
+    if (!*name && *json) {
+      print(presets_json());
+    } else if (*name) {
       print_preset(**name);
     } else {
       list_presets();

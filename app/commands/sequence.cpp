@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "app/cli/json_writer.h"
 #include "app/cli/place_options.h"
 #include "app/cli/sampling_options.h"
 #include "app/cli/terminal.h"
@@ -186,11 +187,31 @@ void check_targets(const SequenceJob& job, const SequencePictures& pictures) {
   check_pictures(pictures, job);
 }
 
+std::string frame_json(const SequenceJob& job, const sequence::Frame& frame) {
+  JsonWriter json;
+  const FrameFiles files = files_of(job, frame.number);
+  json.begin_object().key("frame").value(static_cast<std::int64_t>(frame.number)).key("file").value(files.first());
+  json.key("png");
+  files.png.empty() ? json.null() : json.value(files.png);
+  json.key("time");
+  frame.time ? json.value(sequence::iso_text(frame.time->utc, frame.time->offset_seconds)) : json.null();
+  json.key("keys").begin_object();
+  for (const auto& [pointer, values] : frame.keys) {
+    json.key(pointer);
+    values.size() == 1 ? json.value(values.front()) : json.values(values);
+  }
+  return json.end_object().end_object().take();
+}
+
 // Frame by frame, as it would be rendered.
 int dry_run(const SequenceJob& job) {
   const std::size_t frames = sequence::shard_size(job.shard, sequence::frame_count(job.source));
   for (std::size_t k = 0; k < frames; ++k) {
     const sequence::Frame frame = sequence::frame_at(job.source, sequence::shard_frame(job.shard, k));
+    if (job.json) {
+      print(frame_json(job, frame));
+      continue;
+    }
     std::string line = files_of(job, frame.number).first();
     if (frame.time) {
       line += "  " + sequence::iso_text(frame.time->utc, frame.time->offset_seconds);

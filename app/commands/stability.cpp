@@ -4,6 +4,7 @@
 #include <memory>
 #include <sstream>
 
+#include "app/cli/json_writer.h"
 #include "app/cli/progress.h"
 #include "app/cli/scene_options.h"
 #include "app/cli/terminal.h"
@@ -28,6 +29,7 @@ struct Given {
   bool quick = false;
   bool brief = false;
   bool full = false;
+  bool json = false;
   bool quiet = false;
   SceneOptions scene;  // for the device's options
 };
@@ -139,6 +141,20 @@ void examine_all(Examination& e, const fs::path& csv, const DeviceOnDemand& devi
   clear_progress();
 }
 
+std::string stability_json(const Examination& e, const fs::path& folder) {
+  JsonWriter json;
+  json.begin_object().key("form").value(e.form).key("device").value(e.device).key("maps").begin_array();
+  for (const Block& block : e.blocks) {
+    json.begin_object().key("sweep").value(block.sweep).key("method").value(block.subject).end_object();
+  }
+  json.end_array().key("files").begin_array();
+  json.value((folder / "stability.md").string()).value((folder / "stability.csv").string());
+  for (const Sweep& sweep : e.sweeps) {
+    json.value((folder / (sweep.name + ".png")).string());
+  }
+  return json.end_array().end_object().take();
+}
+
 int run_stability(const Given& given) {
   if (given.folder.empty()) {
     throw InputError("stability: no folder given; write -o DIR");
@@ -160,6 +176,9 @@ int run_stability(const Given& given) {
   write_text(folder / "stability.csv", csv_text(e, true));
   if (!given.quiet) {
     tell((folder / "stability.md").string() + "\n");
+  }
+  if (given.json) {
+    print(stability_json(e, folder));
   }
   return 0;
 }
@@ -194,6 +213,7 @@ Command stability_command() {
        .help = "Only this method",
        .target = &given->methods,
        .choices = subject_names()},
+      {"--json", "", "Print one JSON object: the maps made and the files written", &given->json},
       {"-q,--quiet", "", "No progress, no notes", &given->quiet}};
   for (Option& option : device_options(given->scene)) {
     command.options.push_back(std::move(option));

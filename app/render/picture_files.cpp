@@ -69,12 +69,26 @@ PngOptions png_options(const PictureContext& context, bool srgb) {
 
 }  // namespace
 
+bool is_latlong(const Scene& scene) {
+  return scene.camera.projection == Projection::equirectangular && scene.image.width == 2 * scene.image.height;
+}
+
+std::string latlong_warning(const Scene& scene) {
+  if (scene.camera.projection != Projection::equirectangular || is_latlong(scene)) {
+    return {};
+  }
+  return "an equirectangular picture of " + std::to_string(scene.image.width) + "x" +
+         std::to_string(scene.image.height) +
+         " is not twice as wide as high: its EXR is not tagged as an environment " + "map; --size " +
+         std::to_string(scene.image.width / 2 * 2) + "x" + std::to_string(scene.image.width / 2) + " is one";
+}
+
 ExrOptions exr_options(const PictureContext& context, bool half) {
   const Scene& scene = context.scene;
   ExrOptions options;
   options.half = half;
   options.space = context.space;
-  options.latlong = scene.camera.projection == Projection::equirectangular;
+  options.latlong = is_latlong(scene);
   options.cube = scene.camera.projection == Projection::cube && scene.camera.cube_layout == CubeLayout::stack;
   const CameraBasis basis = camera_basis(scene.camera);
   options.world_to_camera =

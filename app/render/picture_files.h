@@ -59,6 +59,11 @@ class PictureChannels {
   std::vector<ExrChannel> channels_;
 };
 
+// Whether the picture is an environment map as OpenEXR's latlong is: equirectangular, twice as wide as high.
+bool is_latlong(const Scene& scene);
+// For an equirectangular picture that is none; else empty.
+std::string latlong_warning(const Scene& scene);
+
 ExrOptions exr_options(const PictureContext& context, bool half);
 
 ExrFile picture_exr(const PictureContext& context, bool half);

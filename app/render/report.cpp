@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "app/cli/json_writer.h"
+#include "core/scene/preset.h"
 
 namespace airlight::cli {
 namespace {
@@ -192,6 +193,26 @@ std::vector<std::string> exr_warnings(const ExrCounts& counts) {
                        " samples are too dark for half floats to hold all digits; --float keeps them");
   }
   return warnings;
+}
+
+std::string json_of_plan(const Scene& scene, const Plan& plan, const std::vector<std::string>& files,
+                         const std::optional<ChoiceReport>& choice) {
+  JsonWriter json;
+  json.begin_object().key("name").value(scene.name).key("method").value(scene.render.method);
+  json.key("width").value(scene.image.width).key("height").value(scene.image.height).key("files").begin_array();
+  for (const std::string& file : files) {
+    json.value(file);
+  }
+  json.end_array();
+  if (choice) {
+    json.key("choice");
+    write_choice(json, *choice);
+  }
+  json.key("passes").begin_array();
+  for (const PassDesc& pass : plan.passes()) {
+    json.value(pass.name.empty() ? pass.shader : pass.name);
+  }
+  return json.end_array().key("preset").raw(to_json(scene)).end_object().take();
 }
 
 std::string plan_text(const Plan& plan) {

@@ -38,6 +38,10 @@ std::string details(const RenderReport& report);
 // One line each: values clamped on half, and what else the files could not hold.
 std::vector<std::string> exr_warnings(const ExrCounts& counts);
 
+// What --dry-run --json prints: where the files would go, the preset resolved, the passes.
+std::string json_of_plan(const Scene& scene, const Plan& plan, const std::vector<std::string>& files,
+                         const std::optional<ChoiceReport>& choice);
+
 // The passes of a plan with what each reads and writes, for --dry-run.
 std::string plan_text(const Plan& plan);
 

@@ -123,7 +123,18 @@ RenderRequest request_of(const Scene& scene, const Targets& targets) {
   return request;
 }
 
-int dry_run(const Scene& scene, const Targets& targets, const std::optional<ChoiceReport>& choice) {
+int dry_run(const RenderOrder& given, const Scene& scene, const Targets& targets,
+            const std::optional<ChoiceReport>& choice) {
+  if (given.json) {
+    std::vector<std::string> files;
+    for (const std::string& file : {targets.exr, targets.png}) {
+      if (!file.empty()) {
+        files.push_back(file);
+      }
+    }
+    print(json_of_plan(scene, plan_for(scene, request_of(scene, targets)), files, choice));
+    return 0;
+  }
   const std::string why = choice ? summary(*choice) + "\n" + explanation(*choice) : "";
   print(why + describe(scene) + plan_text(plan_for(scene, request_of(scene, targets))));
   return 0;
@@ -290,7 +301,8 @@ void warn(const RenderOrder& given, const Scene& scene, const Targets& targets, 
           const std::optional<DisplayTransform>& transform) {
   const std::string untiled = tiled ? "" : untiled_warning(scene, targets, needs_whole(given));
   for (const std::string& warning :
-       {validity_warning(scene), untiled, transform ? transform->warning() : std::string()}) {
+       {validity_warning(scene), untiled, targets.exr.empty() ? std::string() : latlong_warning(scene),
+        transform ? transform->warning() : std::string()}) {
     if (!warning.empty()) {
       complain("warning: " + warning);
     }
@@ -315,13 +327,13 @@ int run_render(const RenderOrder& given) {
   std::unique_ptr<Executor> executor;
   std::optional<ChoiceReport> choice;
   if (wish) {
-    choice = choose_rendering(scene, *wish, device_on_demand(given.scene, executor));
+    choice = choose_rendering(scene, *wish, device_on_demand(given.scene, executor), given.quiet);
     scene = choice->choice.chosen->scene;
     tile = tile_of(given, scene, targets);
     watch.lap("choice of method and quality");
   }
   if (given.dry_run) {
-    return dry_run(scene, targets, choice);
+    return dry_run(given, scene, targets, choice);
   }
   std::optional<DisplayTransform> transform;
   if (!targets.png.empty()) {

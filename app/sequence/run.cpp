@@ -66,6 +66,9 @@ class Runner {
     if (transform_ && !transform_->warning().empty() && !job.quiet) {
       complain("warning: " + transform_->warning());
     }
+    if (const std::string warning = latlong_warning(job.scene); job.exr && !job.quiet && !warning.empty()) {
+      complain("warning: " + warning);
+    }
   }
 
   SequenceOutcome run();

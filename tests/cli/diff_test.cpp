@@ -88,12 +88,12 @@ TEST_F(Diff, DifferentSizesAreNotPadded) {
 }
 
 TEST_F(Diff, ChannelsMustAgreeOrBeChosen) {
-  write("a.exr", 1.0F, 1.0F, {"R", "G", "B", "A"});
+  write("a.exr", 1.0F, 1.0F, {"R", "G", "B", "Z"});
   write("b.exr", 1.0F, 1.0F, {"R", "G", "B"});
   expect_refused({"a.exr", "b.exr"},
-                 "a.exr has R G B A, b.exr has R G B; compare what both have with --channels R,G,B");
+                 "a.exr has R G B Z, b.exr has R G B; compare what both have with --channels R,G,B");
   EXPECT_EQ(diff({"a.exr", "b.exr", "--channels", "R,G,B"}).exit_code, 0);
-  expect_refused({"a.exr", "b.exr", "--channels", "R,A"}, "b.exr: has no channel 'A'; it has R, G, B");
+  expect_refused({"a.exr", "b.exr", "--channels", "R,Z"}, "b.exr: has no channel 'Z'; it has R, G, B");
   expect_refused({"a.exr", "b.exr", "--channels", "R,,G"}, "empty name");
 }
 

@@ -125,13 +125,32 @@ TEST_F(Compare, DifferentSizesAreNotPadded) {
 
 TEST_F(Compare, ChannelsMustAgreeOrBeChosen) {
   ComparisonRequest request;
-  request.a = write("a.exr", 1.0F, 1.0F, {"R", "G", "B", "A"});
+  request.a = write("a.exr", 1.0F, 1.0F, {"R", "G", "B", "Z"});
   request.b = write("b.exr", 1.0F);
   expect_problem(request, "compare what both have with --channels R,G,B");
   request.channels = kRgb;
   EXPECT_EQ(compare(request).verdict, Verdict::pass);
-  request.channels = {"R", "A"};
-  expect_problem(request, "b.exr: has no channel 'A'; it has R, G, B");
+  request.channels = {"R", "Z"};
+  expect_problem(request, "b.exr: has no channel 'Z'; it has R, G, B");
+}
+
+TEST_F(Compare, AlphaOfOneAloneIsLeftOutWithANote) {
+  const std::string rgb = write("rgb.exr", 1.0F);
+  const std::string rgba = write("rgba.exr", 1.0F, 1.0F, {"R", "G", "B", "A"});
+  const std::string other = write("other.exr", 1.0F, 2.0F, {"R", "G", "B", "A"});
+  for (const auto& [a, b] : {std::pair(rgb, rgba), std::pair(rgba, rgb)}) {
+    ComparisonRequest request;
+    request.a = a;
+    request.b = b;
+    const ComparisonReport report = compare(request);
+    EXPECT_EQ(report.verdict, Verdict::pass);
+    EXPECT_EQ(report.channels.size(), 3U);
+    EXPECT_EQ(report.notes, std::vector<std::string>{rgba + ": not compared: A, which " + rgb + " has not"});
+  }
+  ComparisonRequest request;
+  request.a = other;
+  request.b = rgb;
+  EXPECT_EQ(compare(request).verdict, Verdict::differ);
 }
 
 TEST_F(Compare, LayersAreApart) {

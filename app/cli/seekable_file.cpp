@@ -1,0 +1,74 @@
+#include "app/cli/seekable_file.h"
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+#include <vector>
+
+#include "core/error.h"
+
+namespace airlight::cli {
+namespace {
+
+[[noreturn]] void fail(const std::string& name, const char* doing) {
+  throw InputError(name + ": cannot be " + doing + ": " + std::strerror(errno));
+}
+
+bool is_stream(const std::string& name) {
+  struct stat status {};
+  return name == "-" || (::stat(name.c_str(), &status) == 0 && (S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode)));
+}
+
+// All that comes out of a descriptor, in a file without a name.
+int copy_of(int from, const std::string& name) {
+  const int copy = ::memfd_create("airlight", MFD_CLOEXEC);
+  if (copy < 0) fail(name, "copied");
+  std::vector<char> buffer(std::size_t{1} << 20U);
+  for (;;) {
+    const ssize_t count = ::read(from, buffer.data(), buffer.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) fail(name, "read");
+    if (count == 0) return copy;
+    for (ssize_t written = 0; written < count;) {
+      const ssize_t more = ::write(copy, buffer.data() + written, static_cast<std::size_t>(count - written));
+      if (more < 0) fail(name, "copied");
+      written += more;
+    }
+  }
+}
+
+}  // namespace
+
+SeekableFile::SeekableFile(const std::string& name) : name_(name == "-" ? "standard input" : name), path_(name) {
+  if (!is_stream(name)) {
+    return;
+  }
+  const int from = name == "-" ? ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0) : ::open(name.c_str(), O_RDONLY | O_CLOEXEC);
+  if (from < 0) fail(name_, "opened");
+  copy_ = copy_of(from, name_);
+  ::close(from);
+  path_ = "/proc/self/fd/" + std::to_string(copy_);
+}
+
+SeekableFile::SeekableFile(SeekableFile&& other) noexcept
+    : name_(std::move(other.name_)), path_(std::move(other.path_)), copy_(std::exchange(other.copy_, -1)) {}
+
+SeekableFile::~SeekableFile() {
+  if (copy_ >= 0) {
+    ::close(copy_);
+  }
+}
+
+std::string SeekableFile::told(std::string text) const {
+  for (std::size_t at = 0; path_ != name_ && (at = text.find(path_, at)) != std::string::npos; at += name_.size()) {
+    text.replace(at, path_.size(), name_);
+  }
+  return text;
+}
+
+}  // namespace airlight::cli
