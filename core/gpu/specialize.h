@@ -2,8 +2,7 @@
 // A shader's module with a pipeline's constants written into it, and without what they leave unused. No Vulkan in here.
 //
 // A driver that is handed a module and the constants beside it translates all of the module first: nine tenths of a
-// sky shader are media, harmonics and options that a scene does not have. Without them the software device makes the
-// same pipeline in a fifteenth of the time.
+// sky shader are media, harmonics and options that a scene does not have. core/FIGURES.md has what that costs.
 
 #include <cstdint>
 #include <span>
