@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/physics/physics.h"
+#include "core/post/bloom_grid.h"
 #include "core/post/post.h"
 
 namespace airlight {
@@ -75,24 +76,43 @@ std::uint32_t wrap(const Scene& scene) {
   return scene.camera.projection == Projection::equirectangular ? 1u : 0u;
 }
 
+Picture whole_picture(const Scene& scene) {
+  return picture_of(BufferId{}, {0, 0, scene.image.width, scene.image.height});
+}
+
+// In pixels of the picture.
+double base_texel(const Scene& scene) {
+  return kBaseTexelAngle / pixel_angle(scene);
+}
+
+Level base_level(const Scene& scene) {
+  return level_of(whole_picture(scene), base_texel(scene));
+}
+
+Level chain_level(const Scene& scene, int level) {
+  return level_of(whole_picture(scene), base_texel(scene) * std::exp2(level));
+}
+
+// What the device keeps of a picture's bloom under a key. One level alone is its own sum.
+ImageDesc bloom_desc(const Scene& scene, const std::string& key) {
+  return {.name = scene.bloom.levels > 1 ? "bloom_up1" : "bloom_down1",
+          .extent = chain_level(scene, 1).extent,
+          .format = Format::rgba32f,
+          .key = key};
+}
+
 // The downsampled levels 1 to n, finest first.
-std::vector<Level> add_levels(Plan& plan, const Scene& scene, const Picture& picture, double exposure) {
-  const double base_texel = kBaseTexelAngle / pixel_angle(scene);  // in pixels
-  Level source = level_of(picture, base_texel);
-  source.image = add_level(plan, "bloom_base", 0, source.extent);
-  plan.add_pass({.name = "bloom_base",
-                 .shader = "bloom_base",
-                 .reads = {{"picture", picture.buffer}},
-                 .writes = {{"base_out", source.image}},
-                 .grid = source.extent,
-                 .push_constants = {picture.width, picture.height},
-                 .specialization = {}});
+std::vector<Level> add_levels(Plan& plan, const Scene& scene, ImageId base, double exposure, const std::string& key) {
+  const Picture picture = whole_picture(scene);
+  Level source = base_level(scene);
+  source.image = base;
   std::vector<Level> levels;
   for (int level = 1; level <= scene.bloom.levels; ++level) {
-    Level out = level_of(picture, base_texel * std::exp2(level));
-    out.image = add_level(plan, "bloom_down", level, out.extent);
-    const Taps taps =
-        level == 1 ? Taps{base_texel / picture.width, base_texel / picture.height} : taps_of(picture, source);
+    Level out = chain_level(scene, level);
+    out.image = scene.bloom.levels == 1 ? plan.add_image(bloom_desc(scene, key))
+                                        : add_level(plan, "bloom_down", level, out.extent);
+    const Taps taps = level == 1 ? Taps{base_texel(scene) / picture.width, base_texel(scene) / picture.height}
+                                 : taps_of(picture, source);
     plan.add_pass({.name = "bloom_down" + std::to_string(level),
                    .shader = "bloom_down",
                    .reads = {{"source", source.image}},
@@ -104,6 +124,10 @@ std::vector<Level> add_levels(Plan& plan, const Scene& scene, const Picture& pic
     source = out;
   }
   return levels;
+}
+
+std::uint32_t rows_of(const Scene& scene) {
+  return static_cast<std::uint32_t>(scene.image.height);
 }
 
 BufferId add_picture_buffer(Plan& plan, const char* name, const Picture& picture, std::size_t bytes_a_pixel) {
@@ -118,12 +142,31 @@ BufferId add_picture_buffer(Plan& plan, const char* name, const Picture& picture
 
 }  // namespace
 
-ImageId add_bloom(Plan& plan, const Scene& scene, const Picture& picture, double exposure) {
-  const std::vector<Level> levels = add_levels(plan, scene, picture, exposure);
+Extent bloom_grid(const Scene& scene) {
+  return base_level(scene).extent;
+}
+
+ImageId add_bloom_base(Plan& plan, const Scene& scene, const Picture& picture) {
+  const Extent extent = bloom_grid(scene);
+  const ImageId base = add_level(plan, "bloom_base", 0, extent);
+  plan.add_pass({.name = "bloom_base",
+                 .shader = "bloom_base",
+                 .reads = {{"picture", picture.buffer}},
+                 .writes = {{"base_out", base}},
+                 .grid = extent,
+                 .push_constants = {picture.width, picture.height},
+                 .specialization = {}});
+  return base;
+}
+
+ImageId add_bloom(Plan& plan, const Scene& scene, ImageId base, double exposure, const std::string& key) {
+  const Picture picture = whole_picture(scene);
+  const std::vector<Level> levels = add_levels(plan, scene, base, exposure, key);
   ImageId sum = levels.back().image;
   for (std::size_t i = levels.size() - 1; i-- > 0;) {
     const Taps taps = taps_of(picture, levels[i + 1]);
-    const ImageId out = add_level(plan, "bloom_up", static_cast<int>(i) + 1, levels[i].extent);
+    const ImageId out = i == 0 ? plan.add_image(bloom_desc(scene, key))
+                               : add_level(plan, "bloom_up", static_cast<int>(i) + 1, levels[i].extent);
     plan.add_pass({.name = "bloom_up" + std::to_string(i + 1),
                    .shader = "bloom_up",
                    .reads = {{"coarser", sum}, {"level", levels[i].image}},
@@ -136,6 +179,10 @@ ImageId add_bloom(Plan& plan, const Scene& scene, const Picture& picture, double
   return sum;
 }
 
+ImageId add_kept_bloom(Plan& plan, const Scene& scene, const std::string& key) {
+  return plan.add_image(bloom_desc(scene, key));
+}
+
 BufferId add_bloom_picture(Plan& plan, const Scene& scene, const Picture& picture, ImageId bloom) {
   const BufferId out = add_picture_buffer(plan, "bloom", picture, 4 * sizeof(float));
   plan.add_pass({.name = "bloom_resolve",
@@ -143,7 +190,7 @@ BufferId add_bloom_picture(Plan& plan, const Scene& scene, const Picture& pictur
                  .reads = {{"chain", bloom}},
                  .writes = {{"bloom_out", out}},
                  .grid = {picture.width, picture.height, 1},
-                 .push_constants = {picture.width, picture.height},
+                 .push_constants = {picture.width, rows_of(scene), picture.y, picture.height},
                  .specialization = {{"kWrap", wrap(scene)}}});
   return out;
 }
@@ -164,7 +211,7 @@ BufferId add_tonemap(Plan& plan, const Scene& scene, const Picture& picture, std
   if (bloom) {
     pass.shader = "tonemap_bloom";
     pass.reads.push_back({"chain", *bloom});
-    pass.push_constants.push_back(bits(scene.bloom.intensity));
+    pass.push_constants.insert(pass.push_constants.end(), {bits(scene.bloom.intensity), picture.y, rows_of(scene)});
     pass.specialization.push_back({"kWrap", wrap(scene)});
   }
   plan.add_pass(std::move(pass));

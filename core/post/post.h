@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "core/plan/plan.h"
 #include "core/scene/scene.h"
@@ -53,16 +54,46 @@ double exposure_for(const Display& display, const Statistics& statistics);
 // Whether any pixel exceeds the bloom's threshold; where none does, bloom is black and need not run.
 bool bloom_glows(const Bloom& bloom, const Statistics& statistics, double exposure);
 
-// Bloom of a picture as a finished chain, scene-linear, before `intensity` [J14]: an image of the chain's first level,
-// which whoever wants it samples at its own pixels. Its width is an angle: the chain starts on a grid of 1/12 degree a
-// texel (720 lines over 60 degrees), whatever the resolution.
-ImageId add_bloom(Plan& plan, const Scene& scene, const Picture& picture, double exposure);
+// The bloom's finest grid: the picture at 1/12 degree a texel (720 lines over 60 degrees), whatever the resolution, so
+// that the glow's width is an angle. Never finer than the picture.
+ImageId add_bloom_base(Plan& plan, const Scene& scene, const Picture& picture);
 
-// The chain at the picture's own pixels, for who reads it on the host: four floats a pixel.
+// The same of a picture that is never whole: from bands of whole rows, to the last bit.
+class BloomGathering {
+ public:
+  explicit BloomGathering(const Scene& scene);
+
+  // The next band, from the top; `take` is given what the buffer then holds.
+  BufferId add_band(Plan& plan, const Picture& band) const;
+  void take(const Picture& band, std::span<const std::byte> sums);
+
+  // After the last band.
+  ImageId add_base(Plan& plan) const;
+
+ private:
+  struct Rows {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+  };
+  Rows touched(const Picture& band) const;  // rows of the grid
+
+  Extent picture_;
+  Extent grid_;
+  std::vector<float> sums_;  // four floats a texel, of the rows touched so far
+};
+
+// Bloom of a picture as a finished chain, scene-linear, before `intensity` [J14]: an image of the chain's first level,
+// which whoever wants it samples at its own pixels. `base`: the finest grid. With a key it is kept for later plans.
+ImageId add_bloom(Plan& plan, const Scene& scene, ImageId base, double exposure, const std::string& key = {});
+
+// What add_bloom() of an earlier plan has left under this key.
+ImageId add_kept_bloom(Plan& plan, const Scene& scene, const std::string& key);
+
+// The chain at the pixels of the picture or of a band of its rows, for who reads it on the host: four floats a pixel.
 BufferId add_bloom_picture(Plan& plan, const Scene& scene, const Picture& picture, ImageId bloom);
 
 // (picture + intensity x bloom) x exposure through the GPU tone curve, sRGB-encoded: four 16-bit channels a pixel.
-// `bloom`: of add_bloom().
+// `picture`: whole or a band of rows; `bloom`: of add_bloom().
 BufferId add_tonemap(Plan& plan, const Scene& scene, const Picture& picture, std::optional<ImageId> bloom,
                      double exposure);
 

@@ -82,7 +82,7 @@ void add_post(PostFrame& post, const Scene& scene, const Picture& picture, const
               double exposure) {
   std::optional<ImageId> bloom;
   if (glows) {
-    bloom = add_bloom(post.plan, scene, picture, exposure);
+    bloom = add_bloom(post.plan, scene, add_bloom_base(post.plan, scene, picture), exposure);
     if (request.bloom_picture) {
       post.bloom = add_bloom_picture(post.plan, scene, picture, *bloom);
     }

@@ -10,17 +10,19 @@ layout(local_size_x = 16, local_size_y = 16) in;
 layout(set = 0, binding = 2) uniform sampler2D chain;
 layout(push_constant, scalar) uniform Push {
   uint width;
-  uint height;
+  uint rows;
   float exposure;
   float bloom_intensity;
+  uint first_row;  // of the picture's height
+  uint height;
 };
 
 void main() {
   uvec2 pixel = gl_GlobalInvocationID.xy;
-  if (pixel.x >= width || pixel.y >= height) {
+  if (pixel.x >= width || pixel.y >= rows) {
     return;
   }
   uint index = pixel.y * width + pixel.x;
-  vec2 uv = (vec2(pixel) + 0.5) / vec2(width, height);
+  vec2 uv = (vec2(pixel.x, first_row + pixel.y) + 0.5) / vec2(width, height);
   write_tone(index, (picture.values[index].rgb + sample_chain(chain, uv) * bloom_intensity) * exposure);
 }
