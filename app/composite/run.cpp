@@ -18,7 +18,7 @@
 #include "core/error.h"
 #include "core/measure/frames.h"
 #include "core/output/atomic_file.h"
-#include "core/physics/scene_data.h"
+#include "core/air/scene_block.h"
 #include "core/render/spans.h"
 
 namespace airlight::cli {
@@ -107,7 +107,7 @@ Rgb rgb(const physics::vec3& v) {
 // it.
 std::vector<AirTo> fogs_of(const std::vector<Sample>& samples, const Scene& scene, const composite::Fog& fog,
                            double unit) {
-  physics::Physics p = make_physics(scene);
+  physics::Physics p = geometry_of(scene);
   const physics::uint projection = projection_code(scene.camera.projection);
   const auto width = static_cast<std::uint32_t>(scene.image.width);
   std::vector<AirTo> airs(samples.size(), AirTo{{}, {1.0F, 1.0F, 1.0F}});

@@ -6,7 +6,7 @@
 #include "core/output/png.h"
 #include "core/output/provenance_keys.h"
 #include "core/output/quantize.h"
-#include "core/physics/scene_data.h"
+#include "core/air/scene_block.h"
 #include "core/scene/photometry.h"
 
 namespace airlight::cli {

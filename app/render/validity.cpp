@@ -1,9 +1,8 @@
 #include "app/render/validity.h"
 
-#include <algorithm>
 #include <cstdio>
 
-#include "core/physics/scene_data.h"
+#include "core/methods/scene_air.h"
 #include "core/scene/angle.h"
 
 namespace airlight::cli {
@@ -13,14 +12,6 @@ std::string short_number(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.4g", value);
   return text;
-}
-
-// Through the whole air, straight up from the ground, in the channel where it is largest.
-double vertical_optical_depth(const Scene& scene) {
-  constexpr unsigned int kSteps = 512;
-  physics::Physics physics = make_physics(scene);  // its functions are shader text and know no const
-  const physics::vec3 depth = physics.optical_depth_to_top(physics.scene.planet, 0.0, 1.0, kSteps);
-  return std::max({depth.x, depth.y, depth.z});
 }
 
 std::string methods_that_hold(const Scene& scene) {
@@ -45,7 +36,7 @@ std::vector<std::string> exceeded_limits(const Validity& validity, const Scene& 
     limits.push_back("a camera above " + short_number(validity.altitude_max) + " km (it is at " +
                      short_number(scene.camera.altitude) + ")");
   }
-  const double depth = vertical_optical_depth(scene);
+  const double depth = air_of(scene).depths().extinction;
   if (depth > validity.optical_depth_max) {
     limits.push_back("air of a vertical optical depth above " + short_number(validity.optical_depth_max) + " (it is " +
                      short_number(depth) + ")");

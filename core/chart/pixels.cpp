@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/measure/view_geometry.h"
-#include "core/physics/scene_data.h"
+#include "core/air/scene_block.h"
 
 namespace airlight::chart {
 namespace {
@@ -22,7 +22,7 @@ bool in_sky(measure::RegionBits region) {
 PixelSet lattice(const Scene& scene, int columns, int rows) {
   columns = std::min(columns, scene.image.width);
   rows = std::min(rows, scene.image.height);
-  physics::Physics physics = make_physics(scene);
+  physics::Physics physics = geometry_of(scene);
   const physics::uint projection = projection_code(scene.camera.projection);
   PixelSet set;
   for (int j = 0; j < rows; ++j) {

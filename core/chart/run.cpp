@@ -10,7 +10,7 @@
 #include "core/gpu/embedded_shaders.h"
 #include "core/measure/sample_error.h"
 #include "core/methods/method.h"
-#include "core/physics/scene_data.h"
+#include "core/methods/scene_air.h"
 #include "core/scene/preset.h"
 
 namespace airlight::chart {
@@ -48,8 +48,8 @@ double cost_of(const Scene& scene, const SkyMethod& method, const PixelSet& pixe
     return kSample * static_cast<double>(pixels.places.size()) * scene.render.get<int>("samples");
   }
   Plan plan;
-  plan.scene_data = device_scene_bytes(scene);
-  method.add_passes(plan, scene, View{});
+  plan.scene_data = device_scene_bytes(air_of(scene), scene);
+  method.add_passes(plan, scene, air_of(scene), View{});
   return choice::predicted_cost(plan).total();
 }
 

@@ -13,7 +13,7 @@
 
 #include "core/choice/cost.h"
 #include "core/methods/method.h"
-#include "core/physics/scene_data.h"
+#include "core/methods/scene_air.h"
 
 namespace airlight::chart {
 namespace {
@@ -33,8 +33,8 @@ struct Sky {
 
 Sky sky_of(const Scene& scene) {
   Sky sky;
-  sky.plan.scene_data = device_scene_bytes(scene);
-  sky.radiance = find_method(scene.render.method)->add_passes(sky.plan, scene, View{}).radiance;
+  sky.plan.scene_data = device_scene_bytes(air_of(scene), scene);
+  sky.radiance = find_method(scene.render.method)->add_passes(sky.plan, scene, air_of(scene), View{}).radiance;
   const std::vector<bool> runs = passes_to_run(sky.plan, [&](ResourceId id) { return choice::is_table(sky.plan, id); });
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (!runs[i]) {
@@ -145,7 +145,7 @@ Timing time_on_host(const Scene& scene, const PixelSet& pixels) {
   const double cpu_before = process_cpu_ms();
   const Clock::time_point start = Clock::now();
   const HostPicture picture =
-      find_method(scene.render.method)->render_on_host(scene, View{.directions = pixels.directions}, {});
+      find_method(scene.render.method)->render_on_host(scene, air_of(scene), View{.directions = pixels.directions}, {});
   const auto of_picture = static_cast<double>(scene.image.width) * static_cast<double>(scene.image.height);
   timing.share = static_cast<double>(pixels.places.size()) / of_picture;
   timing.wall_ms = ms_since(start);

@@ -13,6 +13,7 @@
 #include "core/measure/sample_error.h"
 #include "core/methods/method.h"
 #include "core/methods/path_trace/checkpoint.h"
+#include "core/methods/scene_air.h"
 #include "core/output/atomic_file.h"
 
 namespace airlight::chart {
@@ -100,9 +101,9 @@ Truth find_truth(const Scene& scene, const PixelSet& pixels, const std::filesyst
   options.report = report;
   options.checkpoint = samples.string();
   options.checkpoint_interval_s = 10.0;
-  const HostPicture picture =
-      find_method("path-trace")
-          ->render_on_host(truth_scene(scene, rules), View{.directions = pixels.directions}, options);
+  const Scene traced = truth_scene(scene, rules);
+  const HostPicture picture = find_method("path-trace")
+                                  ->render_on_host(traced, air_of(traced), View{.directions = pixels.directions}, options);
   Truth truth;
   append_rgb(truth.radiance, picture.radiance);
   append_rgb(truth.standard_error, picture.standard_error);

@@ -5,6 +5,7 @@
 
 #include "core/choice/leave_out.h"
 #include "core/luts/moments.h"
+#include "core/methods/scene_air.h"
 
 namespace airlight::choice {
 namespace {
@@ -14,7 +15,7 @@ constexpr std::string_view kScale = "multiple_scattering_scale";
 // Its passes and tables; without the scene block it is not to be run.
 Plan plan_of(const Scene& scene) {
   Plan plan;
-  find_method(scene.render.method)->add_passes(plan, scene, View{});
+  find_method(scene.render.method)->add_passes(plan, scene, air_of(scene), View{});
   return plan;
 }
 
@@ -69,7 +70,7 @@ Candidate reference(const Scene& scene, bool fine) {
     quality.label = "192 steps, degree 4 or more, large tables";
     quality.parameters.insert(quality.parameters.end(),
                               {{"moments_lut", TableSize{96, 24}}, {"transmittance_lut", TableSize{512, 128}}});
-    if (moment_settings(scene, -1, 0, {96, 24}).degree < 4) {
+    if (moment_settings(air_of(with_quality(scene, *find_method("orders"), {})), -1, 0, {96, 24}).degree < 4) {
       quality.parameters.emplace_back("degree", std::string("4"));
     }
   }
@@ -90,7 +91,7 @@ std::vector<Candidate> candidates(const Scene& scene, double tolerance, const st
       }
     }
   }
-  const OpticalDepths depths = vertical_depths(scene);
+  const OpticalDepths depths = air_of(scene).depths();
   std::vector<Candidate> all;
   const auto add = [&](Scene with, const SkyMethod& method, std::string label) {
     const Plan plan = plan_of(with);

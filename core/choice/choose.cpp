@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/choice/leave_out.h"
+#include "core/methods/scene_air.h"
 
 namespace airlight::choice {
 namespace {
@@ -23,7 +24,7 @@ double mean_at_most(const measure::SampleError& measured) {
 double common_error(const Scene& scene) {
   const Spectrum& spectrum = scene.planet.ground_albedo;
   const double albedo = std::max({spectrum[0], spectrum[1], spectrum[2]});
-  const OpticalDepths depths = vertical_depths(scene);
+  const OpticalDepths depths = air_of(scene).depths();
   const bool low = scene.sun.elevation < kLowSun;
   return 0.003 + (low ? 0.0195 : 0.0045) * albedo + 0.012 * std::min(1.0, depths.peaked / 0.04) + 0.05 * depths.peaked +
          0.03 * std::min(1.0, depths.abrupt / 0.1);
@@ -143,7 +144,7 @@ double error_bound(const measure::SampleError& measured, double reference_error)
 }
 
 std::optional<double> plain_reference_error(const Scene& scene) {
-  const double scattering = vertical_depths(scene).scattering;
+  const double scattering = air_of(scene).depths().scattering;
   // The angle that the horizon falls by to the top of the air, Earth's 10 degrees: what a table knows of dusk stands as
   // far apart whatever the planet, and on one a hundred times as large all of dusk falls between two of its suns.
   const double dusk =

@@ -1,13 +1,14 @@
 #include "core/choice/leave_out.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <numbers>
 #include <utility>
+#include <vector>
 
-#include "core/physics/scene_data.h"
+#include "core/methods/scene_air.h"
 
 namespace airlight::choice {
 namespace {
@@ -16,30 +17,26 @@ using physics::Physics;
 using physics::vec3;
 
 constexpr unsigned int kSteps = 256;
-constexpr std::size_t kAltitudes = 200;
 
 double largest(vec3 v) {
   return std::max({v.x, v.y, v.z});
 }
 
-double largest(const Spectrum& s) {
-  return std::max({s[0], s[1], s[2]});
-}
-
-Scene only(const Scene& scene, std::size_t medium) {
-  Scene alone = scene;
-  alone.media = {scene.media[medium]};
-  return alone;
-}
-
-// Through the air at a tangent to the ground, from space to space.
-double longest_depth(const Scene& scene) {
-  Physics p = make_physics(scene);
+// Through the air of one medium at a tangent to the ground, from space to space.
+double longest_depth(const Air& air, unsigned int medium) {
+  Physics p = air.formulas();
+  for (unsigned int i = 0; i < p.medium_count(); ++i) {
+    if (i != medium) {
+      p.scene.media[i].scattering = vec3(0.0);
+      p.scene.media[i].absorption = vec3(0.0);
+    }
+  }
   return 2.0 * largest(p.optical_depth_to_top(p.scene.planet, 0.0, 0.0, kSteps));
 }
 
 // Largest value of the phase function over that of isotropic scattering, its mean.
-double phase_peak(Physics& p, unsigned int medium) {
+double phase_peak(const Air& air, unsigned int medium) {
+  Physics p = air.formulas();
   constexpr int kAngles = 2000;
   double peak = 0.0;
   for (int k = 0; k <= kAngles; ++k) {
@@ -49,39 +46,23 @@ double phase_peak(Physics& p, unsigned int medium) {
   return 4.0 * std::numbers::pi * peak;
 }
 
-// Scattering of each medium by altitude, each channel.
-std::vector<std::array<Spectrum, kAltitudes>> scattering_profiles(const Scene& scene) {
-  Physics p = make_physics(scene);
-  std::vector<std::array<Spectrum, kAltitudes>> profiles(scene.media.size());
-  for (std::size_t i = 0; i < scene.media.size(); ++i) {
-    const auto index = static_cast<unsigned int>(i);
-    for (std::size_t k = 0; k < kAltitudes; ++k) {
-      const double s = (static_cast<double>(k) + 0.5) / kAltitudes;
-      const double h = scene.planet.atmosphere_height * s * s;
-      const double density = p.density(p.density_profile(index), p.scene.media[i], h);
-      for (std::size_t c = 0; c < 3; ++c) {
-        profiles[i][k][c] = density * scene.media[i].scattering[c];
-      }
-    }
-  }
-  return profiles;
-}
-
 // The medium's largest share in the scattering of a channel, where the channel scatters a thousandth of its most.
-double scattering_share(const std::vector<std::array<Spectrum, kAltitudes>>& profiles, std::size_t medium) {
+double scattering_share(const Air& air, std::size_t medium) {
   constexpr double kMatters = 1e-3;
   double share = 0.0;
-  for (std::size_t c = 0; c < 3; ++c) {
-    std::array<double, kAltitudes> total{};
-    for (const auto& profile : profiles) {
-      for (std::size_t k = 0; k < kAltitudes; ++k) {
-        total[k] += profile[k][c];
+  for (std::size_t c = 0; c < Spectrum{}.size(); ++c) {
+    std::vector<double> total;
+    for (const Column::PerMedium& density : air.column().density) {
+      double sum = 0.0;
+      for (std::size_t i = 0; i < air.media().size(); ++i) {
+        sum += density[i] * air.media()[i].scattering[c];
       }
+      total.push_back(sum);
     }
     const double most = *std::ranges::max_element(total);
-    for (std::size_t k = 0; k < kAltitudes; ++k) {
+    for (std::size_t k = 0; k < total.size(); ++k) {
       if (total[k] > kMatters * most) {
-        share = std::max(share, profiles[medium][k][c] / total[k]);
+        share = std::max(share, air.column().density[k][medium] * air.media()[medium].scattering[c] / total[k]);
       }
     }
   }
@@ -91,13 +72,14 @@ double scattering_share(const std::vector<std::array<Spectrum, kAltitudes>>& pro
 }  // namespace
 
 Lighter leave_out_media(const Scene& scene, double allowed) {
-  Physics all = make_physics(scene);
-  const auto profiles = scattering_profiles(scene);
+  const Air air = air_of(scene);
+  const std::uint32_t scattering = air.scattering_media();
   std::vector<std::pair<double, std::size_t>> effects;
   for (std::size_t i = 0; i < scene.media.size(); ++i) {
-    double effect = 2.0 * longest_depth(only(scene, i));
-    if (largest(scene.media[i].scattering) > 0.0) {
-      effect += phase_peak(all, static_cast<unsigned int>(i)) * scattering_share(profiles, i);
+    const auto medium = static_cast<unsigned int>(i);
+    double effect = 2.0 * longest_depth(air, medium);
+    if ((scattering >> medium & 1U) != 0) {
+      effect += phase_peak(air, medium) * scattering_share(air, i);
     }
     effects.emplace_back(effect, i);
   }
@@ -119,35 +101,6 @@ Lighter leave_out_media(const Scene& scene, double allowed) {
     lighter.scene.media.erase(lighter.scene.media.begin() + static_cast<std::ptrdiff_t>(i));
   }
   return lighter;
-}
-
-OpticalDepths vertical_depths(const Scene& scene) {
-  OpticalDepths depths;
-  Physics p = make_physics(scene);
-  depths.extinction = largest(p.optical_depth_to_top(p.scene.planet, 0.0, 1.0, kSteps));
-  constexpr double kPeaked = 0.3;  // mean cosine, either way
-  Scene scattering = scene;
-  Scene peaked = scene;
-  Scene abrupt = scene;
-  for (std::size_t i = 0; i < scene.media.size(); ++i) {
-    scattering.media[i].absorption = {};
-    peaked.media[i].absorption = {};
-    abrupt.media[i].absorption = {};
-    if (std::abs(p.scene.media[i].legendre1) < kPeaked) {
-      peaked.media[i].scattering = {};
-    }
-    if (scene.media[i].density.profile != DensityProfile::constant) {
-      abrupt.media[i].scattering = {};
-    }
-  }
-  const auto depth_of = [](const Scene& part) {
-    Physics physics = make_physics(part);
-    return largest(physics.optical_depth_to_top(physics.scene.planet, 0.0, 1.0, kSteps));
-  };
-  depths.scattering = depth_of(scattering);
-  depths.peaked = depth_of(peaked);
-  depths.abrupt = depth_of(abrupt);
-  return depths;
 }
 
 }  // namespace airlight::choice

@@ -19,13 +19,4 @@ struct Lighter {
 // matters, the phase functions' peaks counted. At least one medium stays.
 Lighter leave_out_media(const Scene& scene, double allowed);
 
-// Vertical optical depths of the whole air, each in the channel where it is largest.
-struct OpticalDepths {
-  double scattering = 0.0;
-  double extinction = 0.0;
-  double peaked = 0.0;  // scattering by media that scatter mostly forward or mostly back
-  double abrupt = 0.0;  // scattering by media of constant density, which ends at an edge
-};
-OpticalDepths vertical_depths(const Scene& scene);
-
 }  // namespace airlight::choice

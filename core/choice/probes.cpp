@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "core/physics/scene_data.h"
+#include "core/air/scene_block.h"
 
 namespace airlight::choice {
 namespace {
@@ -29,7 +29,7 @@ struct Cell {
 class Surveyor {
  public:
   explicit Surveyor(const Scene& scene)
-      : physics_(make_physics(scene)),
+      : physics_(geometry_of(scene)),
         projection_(projection_code(scene.camera.projection)),
         horizon_(std::acos(
             std::clamp(physics_.horizon_mu(physics_.scene.planet, physics_.scene.camera.altitude), -1.0, 1.0))) {}

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/physics/scene_data.h"
+#include "core/air/scene_block.h"
 
 namespace airlight::composite {
 
@@ -26,7 +26,7 @@ float distance_of(double value, DepthKind kind, double unit_km, double cosine) {
 }
 
 std::vector<float> axis_cosines(const Scene& scene) {
-  physics::Physics p = make_physics(scene);
+  physics::Physics p = geometry_of(scene);
   const physics::uint projection = projection_code(scene.camera.projection);
   std::vector<float> cosines;
   cosines.reserve(static_cast<std::size_t>(scene.image.width) * static_cast<std::size_t>(scene.image.height));

@@ -7,30 +7,28 @@
 #include <string_view>
 #include <vector>
 
+#include "core/air/air.h"
 #include "core/plan/plan.h"
-#include "core/scene/scene.h"
 
 namespace airlight {
 
 // Transmittance to the top of the atmosphere, x: mu, y: h [B08], both non-linear; alpha is 1.
-ImageId add_transmittance(Plan& plan, const Scene& scene, TableSize size);
+ImageId add_transmittance(Plan& plan, const Air& air, TableSize size);
 
 // Isotropic multiple scattering for a sun of irradiance 1, 1/sr, x: mu_sun, y: h, both linear [H20].
-ImageId add_multiple_scattering(Plan& plan, const Scene& scene, ImageId transmittance, TableSize size);
+ImageId add_multiple_scattering(Plan& plan, const Air& air, ImageId transmittance, TableSize size);
 
 // Sky irradiance on level ground for a sun of irradiance 1, x: (1 + mu_sun)/2. Only a ground that reflects needs it.
-ImageId add_ground_irradiance(Plan& plan, const Scene& scene, ImageId transmittance, ImageId multiple_scattering);
-
-bool ground_reflects(const Scene& scene);
+ImageId add_ground_irradiance(Plan& plan, const Air& air, ImageId transmittance, ImageId multiple_scattering);
 
 // A key that changes with everything that a table may depend on: air, planet, the table's own name and size, and the
 // sizes of the tables that it is made from.
-std::string table_key(const Scene& scene, std::string_view table, TableSize size, std::span<const Extent> sources = {});
+std::string table_key(const Air& air, std::string_view table, TableSize size, std::span<const Extent> sources = {});
 
 // The specialisation constants that every pass of shaders/shared/device.glsl takes, and those that also fetch sunlight
 // from the transmittance table of this plan.
-std::vector<Specialization> medium_specialization(const Scene& scene);
-std::vector<Specialization> sunlight_specialization(const Plan& plan, const Scene& scene, ImageId transmittance);
+std::vector<Specialization> medium_specialization(const Air& air);
+std::vector<Specialization> sunlight_specialization(const Plan& plan, const Air& air, ImageId transmittance);
 
 // For passes that fetch the multiple-scattering table.
 void add_scattering_size(std::vector<Specialization>& constants, const Plan& plan, ImageId multiple_scattering);

@@ -8,7 +8,6 @@
 #include <string>
 
 #include "core/luts/luts.h"
-#include "core/physics/scene_data.h"
 
 namespace airlight {
 namespace {
@@ -107,41 +106,16 @@ Extent atlas_extent(const MomentSettings& s) {
   return {static_cast<std::uint32_t>(s.size[0] * block_count(s)), static_cast<std::uint32_t>(s.size[1]), 1};
 }
 
-// Vertical optical depths of scattering, the largest channel.
-struct ScatteringDepths {
-  double forward = 0.0;    // by media that scatter mostly forward
-  double transport = 0.0;  // by all, what is scattered straight on left out: the sum of (1 - first moment) tau
-  double scaled = 0.0;     // by all, the part taken as unscattered left out
-};
-
-ScatteringDepths scattering_depths(const Scene& scene, physics::Physics& p, physics::uint degree) {
-  constexpr int kLayers = 400;
-  ScatteringDepths depths;
-  for (physics::uint i = 0; i < p.media; ++i) {
-    const physics::MediumData& m = p.scene.media[i];
-    double column = 0.0;
-    for (int k = 0; k < kLayers; ++k) {
-      const double h = scene.planet.atmosphere_height * (k + 0.5) / kLayers;
-      column += p.density(p.density_profile(i), m, h) * scene.planet.atmosphere_height / kLayers;
-    }
-    const double depth = column * std::max({m.scattering.x, m.scattering.y, m.scattering.z});
-    depths.forward += m.legendre1 > 0.3 ? depth : 0.0;
-    depths.transport += depth * (1.0 - m.legendre1);
-    depths.scaled += depth * (1.0 - std::max(p.legendre_moment(m, degree + 1), 0.0));
-  }
-  return depths;
-}
-
 }  // namespace
 
-MomentSettings moment_settings(const Scene& scene, int degree, int orders, TableSize size) {
+MomentSettings moment_settings(const Air& air, int degree, int orders, TableSize size) {
   constexpr double kThick = 0.02;
   constexpr int kMostOrders = 40;
   MomentSettings settings;
-  physics::Physics p = make_physics(scene);
-  const ScatteringDepths depths = scattering_depths(scene, p, 4);
+  const DiffusionDepths depths = air.diffusion_depths(4);
+  const physics::uint shell_rows = air.formulas().scene.shell_rows;
   const bool thick = depths.forward > kThick;
-  settings.shells = p.scene.shell_rows > 0;
+  settings.shells = shell_rows > 0;
   settings.degree = degree >= 0 ? degree : !thick ? 2 : settings.shells ? 8 : 4;
   settings.delta = thick;
   settings.orders =
@@ -152,7 +126,7 @@ MomentSettings moment_settings(const Scene& scene, int degree, int orders, Table
     // % at its foot with 12 orders, by 3 with 18, and no longer changes from 24 on.
     settings.orders =
         orders > 0 ? settings.orders : 4 + static_cast<int>(std::min(4.0 * depths.scaled, kMostOrders - 4.0));
-    settings.size[1] = static_cast<int>(p.scene.shell_rows);
+    settings.size[1] = static_cast<int>(shell_rows);
   }
   return settings;
 }
@@ -165,12 +139,12 @@ void add_moment_constants(std::vector<Specialization>& constants, const MomentSe
   constants.push_back({"kShellRows", settings.shells ? static_cast<std::uint32_t>(settings.size[1]) : 0u});
 }
 
-ImageId add_sun_table(Plan& plan, const Scene& scene, const MomentSettings& settings) {
+ImageId add_sun_table(Plan& plan, const Air& air, const MomentSettings& settings) {
   const TableSize size{256, settings.size[1]};
   const Extent extent{static_cast<std::uint32_t>(size[0]), static_cast<std::uint32_t>(size[1]), 1};
   const ImageId out = plan.add_image(
-      {.name = "sun_table", .extent = extent, .format = Format::rgba32f, .key = table_key(scene, "sun_table", size)});
-  std::vector<Specialization> constants = medium_specialization(scene);
+      {.name = "sun_table", .extent = extent, .format = Format::rgba32f, .key = table_key(air, "sun_table", size)});
+  std::vector<Specialization> constants = medium_specialization(air);
   constants.push_back({"kShellRows", extent.height});
   plan.add_pass({.name = "sun_table",
                  .shader = "sun_table",
@@ -182,9 +156,9 @@ ImageId add_sun_table(Plan& plan, const Scene& scene, const MomentSettings& sett
   return out;
 }
 
-ImageId add_moments(Plan& plan, const Scene& scene, ImageId sunlight, const MomentSettings& settings) {
+ImageId add_moments(Plan& plan, const Air& air, ImageId sunlight, const MomentSettings& settings) {
   const Extent atlas = atlas_extent(settings);
-  std::vector<Specialization> constants = sunlight_specialization(plan, scene, sunlight);
+  std::vector<Specialization> constants = sunlight_specialization(plan, air, sunlight);
   add_moment_constants(constants, settings);
   const BufferId sums = plan.add_buffer({.name = "moment_sums",
                                          .bytes = std::size_t{atlas.width} * atlas.height * 4 * sizeof(float),
@@ -227,7 +201,7 @@ ImageId add_moments(Plan& plan, const Scene& scene, ImageId sunlight, const Mome
   const ImageId moments = plan.add_image({.name = "moments",
                                           .extent = atlas,
                                           .format = Format::rgba32f,
-                                          .key = table_key(scene, "moments " + key, settings.size, sources)});
+                                          .key = table_key(air, "moments " + key, settings.size, sources)});
   std::vector<Specialization> shape;
   add_moment_constants(shape, settings);
   plan.add_pass({.name = "orders_sum",

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/air/air.h"
 #include "core/plan/plan.h"
-#include "core/scene/scene.h"
 
 namespace airlight {
 
@@ -15,22 +15,22 @@ struct MomentSettings {
   bool delta = false;      // forward peaks as unscattered light [W76]
   int orders = 3;          // computed one by one; the rest is a geometric series
   TableSize size{48, 12};  // sun elevations x altitudes
-  bool shells = false;     // rows at the edges of shells (core/physics/shells.h)
+  bool shells = false;     // rows at the edges of shells (core/air/shells.h)
 };
 
 // What this air needs: degree 2, or 4 with delta-scaling where forward-peaked media are thick, 8 by shells
 // (`degree` -1 chooses);
 // three orders before the tail in thin air, more with the transport optical depth (`orders` 0 chooses).
-MomentSettings moment_settings(const Scene& scene, int degree, int orders, TableSize size);
+MomentSettings moment_settings(const Air& air, int degree, int orders, TableSize size);
 
 // Mean extinction toward the top of the atmosphere (sun_table_mu() x edges of shells): what the passes read in place of
 // the transmittance table where the air is cut into shells.
-ImageId add_sun_table(Plan& plan, const Scene& scene, const MomentSettings& settings);
+ImageId add_sun_table(Plan& plan, const Air& air, const MomentSettings& settings);
 
 // Bakes all orders; the image holds log M_00, the ratios M_lm / M_00 and the log of the ground's irradiance, in blocks
 // of size[0] columns side by side.
 // `sunlight`: the transmittance table, or the sun table.
-ImageId add_moments(Plan& plan, const Scene& scene, ImageId sunlight, const MomentSettings& settings);
+ImageId add_moments(Plan& plan, const Air& air, ImageId sunlight, const MomentSettings& settings);
 
 // kMomentDegree, kDeltaScaled, kMomentColumns, kMomentRows, kShellRows.
 void add_moment_constants(std::vector<Specialization>& constants, const MomentSettings& settings);

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/physics/scene_data.h"
+#include "core/air/scene_block.h"
 
 namespace airlight::measure {
 namespace {
@@ -29,7 +29,7 @@ Scene scene_of(const Viewpoint& viewpoint, const PixelFrame& frame) {
 class Looker {
  public:
   Looker(const Viewpoint& viewpoint, const PixelFrame& frame)
-      : physics_(make_physics(scene_of(viewpoint, frame))), projection_(projection_code(viewpoint.camera.projection)) {}
+      : physics_(geometry_of(scene_of(viewpoint, frame))), projection_(projection_code(viewpoint.camera.projection)) {}
 
   Physics::ViewRay ray(double x, double y) { return physics_.view_ray(physics_.scene.camera, projection_, x, y); }
 

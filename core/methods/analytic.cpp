@@ -19,27 +19,18 @@ const std::array<ParameterInfo, 1> kParameters{{
      "own column, in-scattering and aerial perspective by exponentials"},
 }};
 
-std::uint32_t scattering_media(physics::Physics& p) {
-  std::uint32_t bits = 0;
-  for (unsigned int i = 0; i < p.medium_count(); ++i) {
-    bits |= p.scatters(i) ? 1u << i : 0u;
-  }
-  return bits;
-}
-
-SkyPasses add_analytic(Plan& plan, const Scene& scene, const View& view) {
+SkyPasses add_analytic(Plan& plan, const Scene& scene, const Air& air, const View& view) {
   const SkyTarget target = add_sky_target(plan, scene, view);
-  physics::Physics p = make_analytic_physics(scene);
-  std::vector<std::byte> bytes = analytic_bytes(p.analytic);
+  std::vector<std::byte> bytes = analytic_bytes(make_analytic_physics(air, scene).analytic);
   const std::size_t size = bytes.size();
   const BufferId data = plan.add_buffer(
       {.name = "analytic", .bytes = size, .host_readable = false, .contents = std::move(bytes), .key = {}});
-  std::vector<Specialization> constants = medium_specialization(scene);
+  std::vector<Specialization> constants = medium_specialization(air);
   constants.push_back({"kProjection", target.projection});
   constants.push_back({"kVariant", scene.render.get<std::string>("variant") == "exponential"
                                        ? physics::kAnalyticExponential
                                        : physics::kAnalyticZenithDensity});
-  constants.push_back({"kScatteringMedia", scattering_media(p)});
+  constants.push_back({"kScatteringMedia", air.scattering_media()});
   plan.add_pass({.name = "sky",
                  .shader = "sky_analytic",
                  .reads = {{"analytic", data}, {"directions", target.directions}},

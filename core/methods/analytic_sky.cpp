@@ -6,7 +6,7 @@
 #include <cstring>
 #include <numeric>
 
-#include "core/physics/scene_data.h"
+#include "core/air/scene_block.h"
 
 namespace airlight {
 namespace {
@@ -177,8 +177,8 @@ vec3 log_sky_irradiance(Physics& p) {
 
 }  // namespace
 
-Physics make_analytic_physics(const Scene& scene) {
-  Physics p = make_physics(scene);
+Physics make_analytic_physics(const Air& air, const Scene& scene) {
+  Physics p = formulas_of(air, scene);
   p.sun_steps = kSteps;
   const Profile profile(p);
   const double top = p.scene.planet.atmosphere_height;

@@ -4,13 +4,13 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/physics/physics.h"
+#include "core/air/air.h"
 #include "core/scene/scene.h"
 
 namespace airlight {
 
 // The scene's physics with its AnalyticData filled in.
-physics::Physics make_analytic_physics(const Scene& scene);
+physics::Physics make_analytic_physics(const Air& air, const Scene& scene);
 
 // The same data in float, as the shader reads it.
 std::vector<std::byte> analytic_bytes(const physics::AnalyticData& data);

@@ -22,15 +22,15 @@ const std::array<ParameterInfo, 9> kParameters{steps_parameter(32),
                                                multiple_scattering_scale_parameter(),
                                                sun_fade_parameter()};
 
-SkyPasses add_march(Plan& plan, const Scene& scene, const View& view) {
+SkyPasses add_march(Plan& plan, const Scene& scene, const Air& air, const View& view) {
   const SkyTarget target = add_sky_target(plan, scene, view);
-  const MarchTables tables = add_march_tables(plan, scene);
-  add_march_pass(plan, scene, tables, target);
+  const MarchTables tables = add_march_tables(plan, scene, air);
+  add_march_pass(plan, scene, air, tables, target);
   return {target.radiance, tables.list()};
 }
 
-LayerPasses add_layers(Plan& plan, const Scene& scene, const View& view) {
-  return add_march_layers(plan, scene, view, add_march_tables(plan, scene));
+LayerPasses add_layers(Plan& plan, const Scene& scene, const Air& air, const View& view) {
+  return add_march_layers(plan, scene, air, view, add_march_tables(plan, scene, air));
 }
 
 Quality with_steps(std::string_view label, int steps) {

@@ -6,7 +6,6 @@
 
 #include "core/luts/luts.h"
 #include "core/methods/marched_picture.h"
-#include "core/physics/scene_data.h"
 
 namespace airlight {
 namespace {
@@ -116,17 +115,17 @@ std::vector<ImageId> MarchTables::list() const {
   return tables;
 }
 
-MarchTables add_march_tables(Plan& plan, const Scene& scene) {
+MarchTables add_march_tables(Plan& plan, const Scene& scene, const Air& air) {
   const RenderSettings& settings = scene.render;
   MarchTables tables;
-  tables.transmittance = add_transmittance(plan, scene, settings.get<TableSize>("transmittance_lut"));
+  tables.transmittance = add_transmittance(plan, air, settings.get<TableSize>("transmittance_lut"));
   // Scaled by nothing, it need not be more than a table that can be bound.
   const bool single = settings.get<double>("multiple_scattering_scale") == 0.0;
   tables.multiple_scattering = add_multiple_scattering(
-      plan, scene, tables.transmittance, single ? TableSize{2, 2} : settings.get<TableSize>("multiple_scattering_lut"));
-  tables.reflects = ground_reflects(scene);
+      plan, air, tables.transmittance, single ? TableSize{2, 2} : settings.get<TableSize>("multiple_scattering_lut"));
+  tables.reflects = air.ground_reflects();
   tables.ground_irradiance = tables.reflects
-                                 ? add_ground_irradiance(plan, scene, tables.transmittance, tables.multiple_scattering)
+                                 ? add_ground_irradiance(plan, air, tables.transmittance, tables.multiple_scattering)
                                  : tables.multiple_scattering;
   return tables;
 }
@@ -136,8 +135,9 @@ std::uint32_t step_distribution_code(const Scene& scene) {
   return static_cast<std::uint32_t>(std::ranges::find(kDistributions, name) - kDistributions.begin());
 }
 
-std::vector<Specialization> march_specialization(const Plan& plan, const Scene& scene, const MarchTables& tables) {
-  std::vector<Specialization> constants = sunlight_specialization(plan, scene, tables.transmittance);
+std::vector<Specialization> march_specialization(const Plan& plan, const Scene& scene, const Air& air,
+                                                 const MarchTables& tables) {
+  std::vector<Specialization> constants = sunlight_specialization(plan, air, tables.transmittance);
   add_scattering_size(constants, plan, tables.multiple_scattering);
   constants.push_back({"kStepDistribution", step_distribution_code(scene)});
   return constants;
@@ -147,8 +147,9 @@ std::vector<Binding> march_reads(const MarchTables& tables) {
   return {{"transmittance_lut", tables.transmittance}, {"multiple_scattering_lut", tables.multiple_scattering}};
 }
 
-void add_march_pass(Plan& plan, const Scene& scene, const MarchTables& tables, const SkyTarget& target) {
-  std::vector<Specialization> constants = march_specialization(plan, scene, tables);
+void add_march_pass(Plan& plan, const Scene& scene, const Air& air, const MarchTables& tables,
+                    const SkyTarget& target) {
+  std::vector<Specialization> constants = march_specialization(plan, scene, air, tables);
   constants.push_back({"kGroundReflects", tables.reflects ? 1u : 0u});
   std::vector<Binding> reads = march_reads(tables);
   reads.push_back({"ground_irradiance_lut", tables.ground_irradiance});
@@ -160,11 +161,12 @@ void add_march_pass(Plan& plan, const Scene& scene, const MarchTables& tables, c
                       target);
 }
 
-LayerPasses add_march_layers(Plan& plan, const Scene& scene, const View& view, const MarchTables& tables) {
+LayerPasses add_march_layers(Plan& plan, const Scene& scene, const Air& air, const View& view,
+                             const MarchTables& tables) {
   const Extent grid = picture_grid(scene, view);
-  const BufferId planes = add_layer_planes(plan, scene, view);
-  std::vector<Specialization> constants = march_specialization(plan, scene, tables);
-  add_layer_constants(constants, scene);
+  const BufferId planes = add_layer_planes(plan, scene, air, view);
+  std::vector<Specialization> constants = march_specialization(plan, scene, air, tables);
+  add_layer_constants(constants, scene, air);
   constants.push_back({"kGroundReflects", tables.reflects ? 1u : 0u});
   std::vector<Binding> reads = march_reads(tables);
   reads.push_back({"ground_irradiance_lut", tables.ground_irradiance});

@@ -31,21 +31,24 @@ struct MarchTables {
   std::vector<ImageId> list() const;
 };
 
-MarchTables add_march_tables(Plan& plan, const Scene& scene);
+MarchTables add_march_tables(Plan& plan, const Scene& scene, const Air& air);
 
 // The value of kStepDistribution that the scene asks for.
 std::uint32_t step_distribution_code(const Scene& scene);
 
 // The specialisation constants of a pass that marches on these tables.
-std::vector<Specialization> march_specialization(const Plan& plan, const Scene& scene, const MarchTables& tables);
+std::vector<Specialization> march_specialization(const Plan& plan, const Scene& scene, const Air& air,
+                                                 const MarchTables& tables);
 
 // The tables by the names that such a pass gives them.
 std::vector<Binding> march_reads(const MarchTables& tables);
 
 // The pass that marches every pixel or listed direction.
-void add_march_pass(Plan& plan, const Scene& scene, const MarchTables& tables, const SkyTarget& target);
+void add_march_pass(Plan& plan, const Scene& scene, const Air& air, const MarchTables& tables,
+                    const SkyTarget& target);
 
 // The pass of the same march that keeps its light apart.
-LayerPasses add_march_layers(Plan& plan, const Scene& scene, const View& view, const MarchTables& tables);
+LayerPasses add_march_layers(Plan& plan, const Scene& scene, const Air& air, const View& view,
+                             const MarchTables& tables);
 
 }  // namespace airlight

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/air/air.h"
 #include "core/plan/plan.h"
 #include "core/radiance_image.h"
 #include "core/scene/method_info.h"
@@ -137,18 +138,19 @@ struct Converged {
   std::vector<std::pair<std::string_view, ParameterValue>> parameters;
 };
 
+// Each takes a scene with its air as the method's keys want it (scene_air.h).
 struct SkyMethod {
   MethodInfo info;
   Validity validity;
   std::vector<Quality> sweep;
   Converged converged;
   // Exactly one of the two.
-  SkyPasses (*add_passes)(Plan&, const Scene&, const View&) = nullptr;
-  HostPicture (*render_on_host)(const Scene&, const View&, const HostOptions&) = nullptr;
+  SkyPasses (*add_passes)(Plan&, const Scene&, const Air&, const View&) = nullptr;
+  HostPicture (*render_on_host)(const Scene&, const Air&, const View&, const HostOptions&) = nullptr;
   // Of the camera's picture alone. Null: the method does not tell them apart.
-  LayerPasses (*add_layer_passes)(Plan&, const Scene&, const View&) = nullptr;
+  LayerPasses (*add_layer_passes)(Plan&, const Scene&, const Air&, const View&) = nullptr;
   // The air between the camera and things. Null: the method knows whole rays alone.
-  SpanPasses (*add_span_passes)(Plan&, const Scene&, std::span<const Span>) = nullptr;
+  SpanPasses (*add_span_passes)(Plan&, const Scene&, const Air&, std::span<const Span>) = nullptr;
 };
 
 // All methods, in the order of the help text.

@@ -34,10 +34,10 @@ void refuse_too_many_turns(long long steps, long long sun_steps, long long befor
   }
 }
 
-std::vector<Specialization> constants_of(const Scene& scene) {
-  std::vector<Specialization> constants = medium_specialization(scene);
-  constants.push_back({"kSunFade", std::holds_alternative<SunFade>(scene.render.parameters.at("sun_fade")) ? 1u : 0u});
-  constants.push_back({"kGroundReflects", ground_reflects(scene) ? 1u : 0u});
+std::vector<Specialization> constants_of(const Scene& scene, const Air& air) {
+  std::vector<Specialization> constants = medium_specialization(air);
+  constants.push_back({"kSunFade", air.formulas().fade ? 1u : 0u});
+  constants.push_back({"kGroundReflects", air.ground_reflects() ? 1u : 0u});
   constants.push_back({"kStepDistribution", step_distribution_code(scene)});
   return constants;
 }
@@ -51,20 +51,20 @@ std::vector<std::uint32_t> push_constants_of(const Scene& scene) {
   return {static_cast<std::uint32_t>(steps), static_cast<std::uint32_t>(sun_steps)};
 }
 
-SkyPasses add_nested(Plan& plan, const Scene& scene, const View& view) {
+SkyPasses add_nested(Plan& plan, const Scene& scene, const Air& air, const View& view) {
   const SkyTarget target = add_sky_target(plan, scene, view);
   add_marched_picture(
       plan, scene,
-      {.shader = "sky_nested", .push_constants = push_constants_of(scene), .specialization = constants_of(scene)},
+      {.shader = "sky_nested", .push_constants = push_constants_of(scene), .specialization = constants_of(scene, air)},
       target);
   return {target.radiance, {}};
 }
 
-LayerPasses add_layers(Plan& plan, const Scene& scene, const View& view) {
+LayerPasses add_layers(Plan& plan, const Scene& scene, const Air& air, const View& view) {
   const Extent grid = picture_grid(scene, view);
-  const BufferId planes = add_layer_planes(plan, scene, view);
-  std::vector<Specialization> constants = constants_of(scene);
-  add_layer_constants(constants, scene);
+  const BufferId planes = add_layer_planes(plan, scene, air, view);
+  std::vector<Specialization> constants = constants_of(scene, air);
+  add_layer_constants(constants, scene, air);
   std::vector<std::uint32_t> push_constants = push_constants_of(scene);
   push_constants.insert(push_constants.begin(), {grid.width, grid.height});
   plan.add_pass({.name = "layers",

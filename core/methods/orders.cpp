@@ -7,12 +7,12 @@
 #include <cstring>
 #include <limits>
 
+#include "core/air/scene_block.h"
 #include "core/luts/luts.h"
 #include "core/luts/moments.h"
 #include "core/methods/march_passes.h"
 #include "core/methods/methods.h"
 #include "core/methods/sky_pass.h"
-#include "core/physics/scene_data.h"
 
 namespace airlight {
 namespace {
@@ -72,37 +72,37 @@ struct FactorTable {
   std::uint32_t rows() const { return ground_rows + limb_rows + sky_rows; }
 };
 
-std::uint32_t media_with(const Scene& scene, PhaseFunction phase) {
+std::uint32_t media_with(const Air& air, PhaseFunction phase) {
   std::uint32_t bits = 0;
-  for (std::size_t i = 0; i < scene.media.size(); ++i) {
-    bits |= scene.media[i].phase == phase ? 1u << i : 0u;
+  for (std::size_t i = 0; i < air.media().size(); ++i) {
+    bits |= air.media()[i].phase == phase ? 1u << i : 0u;
   }
-  return bits & scattering_media(scene);
+  return bits & air.scattering_media();
 }
 
 // Whose phase function, a column away from its peak, is still above a fifth of it: both forward and backward.
-std::uint32_t media_wider_than_a_column(const Scene& scene, int columns) {
-  physics::Physics p = make_physics(scene);
+std::uint32_t media_wider_than_a_column(const Air& air, int columns) {
+  physics::Physics p = air.formulas();
   const double chord = 1.0 / (columns - 1);
   const double nu = 1.0 - 2.0 * chord * chord;
   std::uint32_t bits = 0;
-  for (std::uint32_t i = 0; i < scene.media.size(); ++i) {
+  for (std::uint32_t i = 0; i < p.medium_count(); ++i) {
     const bool wide =
         p.medium_phase(i, nu) > 0.2 * p.medium_phase(i, 1.0) && p.medium_phase(i, -nu) > 0.2 * p.medium_phase(i, -1.0);
     bits |= wide ? 1u << i : 0u;
   }
-  return bits & scattering_media(scene);
+  return bits & air.scattering_media();
 }
 
 // `layers`: all media apart, else the folded ones share the last block with the diffuse light.
-FactorTable factor_table(const Scene& scene, bool layers) {
+FactorTable factor_table(const Scene& scene, const Air& air, bool layers) {
   const TableSize size = scene.render.get<TableSize>("sky_lut");
   const auto sky = static_cast<std::uint32_t>(size[1]);
-  const std::uint32_t media = scattering_media(scene);
-  const std::uint32_t rayleigh = media_with(scene, PhaseFunction::rayleigh);
+  const std::uint32_t media = air.scattering_media();
+  const std::uint32_t rayleigh = media_with(air, PhaseFunction::rayleigh);
   const bool all = scene.render.get<std::string>("fold") == "all";
   const std::uint32_t folded =
-      all ? media_wider_than_a_column(scene, size[0]) : rayleigh | media_with(scene, PhaseFunction::isotropic);
+      all ? media_wider_than_a_column(air, size[0]) : rayleigh | media_with(air, PhaseFunction::isotropic);
   const std::uint32_t apart = layers ? media : media & ~folded;
   return {.columns = static_cast<std::uint32_t>(size[0]),
           .ground_rows = sky / 2,
@@ -132,9 +132,9 @@ bool tabulates(const Scene& scene, const View& view) {
   return holds && (choice == "always" || (choice == "auto" && pays));
 }
 
-MomentSettings settings_of(const Scene& scene) {
+MomentSettings settings_of(const Scene& scene, const Air& air) {
   const std::string& degree = scene.render.get<std::string>("degree");
-  return moment_settings(scene, degree == "auto" ? -1 : degree.front() - '0', scene.render.get<int>("orders"),
+  return moment_settings(air, degree == "auto" ? -1 : degree.front() - '0', scene.render.get<int>("orders"),
                          scene.render.get<TableSize>("moments_lut"));
 }
 
@@ -157,13 +157,13 @@ struct Light {
   std::vector<Binding> reads() const { return {{"transmittance_lut", sunlight}, {"moments_lut", moments}}; }
 };
 
-Light add_light(Plan& plan, const Scene& scene) {
+Light add_light(Plan& plan, const Scene& scene, const Air& air) {
   Light light;
-  light.transmittance = add_transmittance(plan, scene, scene.render.get<TableSize>("transmittance_lut"));
-  const MomentSettings settings = settings_of(scene);
-  light.sunlight = settings.shells ? add_sun_table(plan, scene, settings) : light.transmittance;
-  light.moments = add_moments(plan, scene, light.sunlight, settings);
-  light.constants = sunlight_specialization(plan, scene, light.sunlight);
+  light.transmittance = add_transmittance(plan, air, scene.render.get<TableSize>("transmittance_lut"));
+  const MomentSettings settings = settings_of(scene, air);
+  light.sunlight = settings.shells ? add_sun_table(plan, air, settings) : light.transmittance;
+  light.moments = add_moments(plan, air, light.sunlight, settings);
+  light.constants = sunlight_specialization(plan, air, light.sunlight);
   add_moment_constants(light.constants, settings);
   light.steps = steps_of(scene, settings);
   light.by_shells = settings.shells;
@@ -193,10 +193,11 @@ ImageId add_factors(Plan& plan, const std::string& shader, const FactorTable& ta
   return factors;
 }
 
-void add_tabulated_sky(Plan& plan, const Scene& scene, const View& view, const SkyTarget& target, const Light& light) {
-  const FactorTable table = factor_table(scene, false);
+void add_tabulated_sky(Plan& plan, const Scene& scene, const Air& air, const View& view, const SkyTarget& target,
+                       const Light& light) {
+  const FactorTable table = factor_table(scene, air, false);
   const ImageId factors = add_factors(plan, "sky_factors", table, view, light);
-  std::vector<Specialization> constants = medium_specialization(scene);
+  std::vector<Specialization> constants = medium_specialization(air);
   constants.push_back({"kProjection", target.projection});
   add_table_constants(constants, table);
   plan.add_pass({.name = "sky",
@@ -208,11 +209,11 @@ void add_tabulated_sky(Plan& plan, const Scene& scene, const View& view, const S
                  .specialization = std::move(constants)});
 }
 
-SkyPasses add_orders(Plan& plan, const Scene& scene, const View& view) {
+SkyPasses add_orders(Plan& plan, const Scene& scene, const Air& air, const View& view) {
   const SkyTarget target = add_sky_target(plan, scene, view);
-  Light light = add_light(plan, scene);
+  Light light = add_light(plan, scene, air);
   if (tabulates(scene, view)) {
-    add_tabulated_sky(plan, scene, view, target, light);
+    add_tabulated_sky(plan, scene, air, view, target, light);
   } else {
     light.constants.push_back({"kProjection", target.projection});
     std::vector<Binding> reads = light.reads();
@@ -228,21 +229,21 @@ SkyPasses add_orders(Plan& plan, const Scene& scene, const View& view) {
   return {target.radiance, {light.transmittance}};
 }
 
-LayerPasses add_layers(Plan& plan, const Scene& scene, const View& view) {
-  const Light light = add_light(plan, scene);
+LayerPasses add_layers(Plan& plan, const Scene& scene, const Air& air, const View& view) {
+  const Light light = add_light(plan, scene, air);
   const bool tabulated = tabulates(scene, view);
   std::vector<Binding> reads = light.reads();
   std::vector<Specialization> constants = light.constants;
   if (tabulated) {
-    const FactorTable table = factor_table(scene, true);
+    const FactorTable table = factor_table(scene, air, true);
     reads.push_back({"factors_lut", add_factors(plan, "layers_factors", table, view, light)});
     add_table_constants(constants, table);
     constants.push_back({"kProjection", projection_code(scene.camera.projection)});
   } else {
-    add_layer_constants(constants, scene);
+    add_layer_constants(constants, scene, air);
   }
   const Extent grid = picture_grid(scene, view);
-  const BufferId planes = add_layer_planes(plan, scene, view);
+  const BufferId planes = add_layer_planes(plan, scene, air, view);
   plan.add_pass({.name = "layers",
                  .shader = tabulated ? "layers_from_factors" : "layers_orders",
                  .reads = std::move(reads),
@@ -253,16 +254,16 @@ LayerPasses add_layers(Plan& plan, const Scene& scene, const View& view) {
   return {planes, light.transmittance};
 }
 
-SpanPasses add_spans(Plan& plan, const Scene& scene, std::span<const Span> spans) {
+SpanPasses add_spans(Plan& plan, const Scene& scene, const Air& air, std::span<const Span> spans) {
   constexpr std::size_t kVector = 4 * sizeof(float);
-  const Light light = add_light(plan, scene);
+  const Light light = add_light(plan, scene, air);
   std::vector<std::byte> bytes(spans.size() * kVector);
   for (std::size_t i = 0; i < spans.size(); ++i) {
     std::memcpy(bytes.data() + i * kVector, &spans[i], sizeof(Span));
   }
   const BufferId list =
       plan.add_buffer({.name = "spans", .bytes = spans.size() * kVector, .contents = std::move(bytes)});
-  const BufferId air =
+  const BufferId out =
       plan.add_buffer({.name = "air", .bytes = 2 * spans.size() * kVector, .host_readable = true, .zeroed = false});
   std::vector<Binding> reads = light.reads();
   reads.push_back({"spans", list});
@@ -272,11 +273,11 @@ SpanPasses add_spans(Plan& plan, const Scene& scene, std::span<const Span> spans
   plan.add_pass({.name = "air",
                  .shader = "air_spans",
                  .reads = std::move(reads),
-                 .writes = {{"air_out", air}},
+                 .writes = {{"air_out", out}},
                  .grid = {count, 1, 1},
                  .push_constants = {count, light.steps},
                  .specialization = std::move(constants)});
-  return {air};
+  return {out};
 }
 
 }  // namespace

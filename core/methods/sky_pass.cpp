@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "core/physics/scene_data.h"
+#include "core/air/scene_block.h"
 
 namespace airlight {
 namespace {
@@ -37,9 +37,9 @@ std::string picture_table_key(const View& view, std::string_view table) {
   return view.kept_as.empty() ? std::string() : view.kept_as + " " + std::string(table);
 }
 
-BufferId add_layer_planes(Plan& plan, const Scene& scene, const View& view) {
+BufferId add_layer_planes(Plan& plan, const Scene& scene, const Air& air, const View& view) {
   const Extent grid = picture_grid(scene, view);
-  const auto layers = static_cast<std::size_t>(std::popcount(scattering_media(scene))) + 3;
+  const auto layers = static_cast<std::size_t>(std::popcount(air.scattering_media())) + 3;
   return plan.add_buffer({.name = "layers",
                           .bytes = 3 * layers * grid.width * grid.height * sizeof(float),
                           .host_readable = true,
@@ -48,9 +48,9 @@ BufferId add_layer_planes(Plan& plan, const Scene& scene, const View& view) {
                           .zeroed = false});
 }
 
-void add_layer_constants(std::vector<Specialization>& constants, const Scene& scene) {
+void add_layer_constants(std::vector<Specialization>& constants, const Scene& scene, const Air& air) {
   constants.push_back({"kProjection", projection_code(scene.camera.projection)});
-  constants.push_back({"kScatteringMedia", scattering_media(scene)});
+  constants.push_back({"kScatteringMedia", air.scattering_media()});
 }
 
 SkyTarget add_sky_target(Plan& plan, const Scene& scene, const View& view) {

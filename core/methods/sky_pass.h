@@ -28,8 +28,8 @@ Extent picture_grid(const Scene& scene, const View& view);
 std::string picture_table_key(const View& view, std::string_view table);
 
 // A buffer for LayerPasses::planes, and the constants beside the method's own that its pass takes.
-BufferId add_layer_planes(Plan& plan, const Scene& scene, const View& view);
-void add_layer_constants(std::vector<Specialization>& constants, const Scene& scene);
+BufferId add_layer_planes(Plan& plan, const Scene& scene, const Air& air, const View& view);
+void add_layer_constants(std::vector<Specialization>& constants, const Scene& scene, const Air& air);
 
 // Adds the buffers that a sky pass writes and reads for this view.
 SkyTarget add_sky_target(Plan& plan, const Scene& scene, const View& view);

@@ -8,7 +8,6 @@
 #include "core/luts/luts.h"
 #include "core/methods/march_passes.h"
 #include "core/methods/methods.h"
-#include "core/physics/scene_data.h"
 
 namespace airlight {
 namespace {
@@ -51,14 +50,16 @@ std::vector<Binding> reads_of(const MarchTables& tables) {
   return reads;
 }
 
-std::vector<Specialization> constants_of(const Plan& plan, const Scene& scene, const MarchTables& tables) {
-  std::vector<Specialization> constants = march_specialization(plan, scene, tables);
+std::vector<Specialization> constants_of(const Plan& plan, const Scene& scene, const Air& air,
+                                         const MarchTables& tables) {
+  std::vector<Specialization> constants = march_specialization(plan, scene, air, tables);
   constants.push_back({"kGroundReflects", tables.reflects ? 1u : 0u});
   return constants;
 }
 
 // It depends on the sun's elevation and the camera's altitude too, and is made anew for each picture.
-ImageId add_sky_view_table(Plan& plan, const Scene& scene, const View& view, const MarchTables& tables) {
+ImageId add_sky_view_table(Plan& plan, const Scene& scene, const Air& air, const View& view,
+                           const MarchTables& tables) {
   const TableSize size = scene.render.get<TableSize>("sky_view_lut");
   const Extent extent{static_cast<std::uint32_t>(size[0]), static_cast<std::uint32_t>(size[1]), 1};
   const ImageId out = plan.add_image(
@@ -69,14 +70,15 @@ ImageId add_sky_view_table(Plan& plan, const Scene& scene, const View& view, con
                  .writes = {{"sky_view_out", out}},
                  .grid = extent,
                  .push_constants = {static_cast<std::uint32_t>(scene.render.get<int>("steps")), sky_rows(scene)},
-                 .specialization = constants_of(plan, scene, tables)});
+                 .specialization = constants_of(plan, scene, air, tables)});
   return out;
 }
 
 // Of a pass that fetches from such a table, or from one with blocks of its size.
-std::vector<Specialization> fetch_constants(const Plan& plan, const Scene& scene, const MarchTables& tables) {
+std::vector<Specialization> fetch_constants(const Plan& plan, const Scene& scene, const Air& air,
+                                            const MarchTables& tables) {
   const TableSize size = scene.render.get<TableSize>("sky_view_lut");
-  std::vector<Specialization> constants = constants_of(plan, scene, tables);
+  std::vector<Specialization> constants = constants_of(plan, scene, air, tables);
   constants.push_back({"kSkyViewWidth", static_cast<std::uint32_t>(size[0])});
   constants.push_back({"kSkyViewHeight", static_cast<std::uint32_t>(size[1])});
   constants.push_back({"kSkyViewSkyRows", sky_rows(scene)});
@@ -84,9 +86,9 @@ std::vector<Specialization> fetch_constants(const Plan& plan, const Scene& scene
   return constants;
 }
 
-void add_fetch_pass(Plan& plan, const Scene& scene, const MarchTables& tables, ImageId sky_view,
+void add_fetch_pass(Plan& plan, const Scene& scene, const Air& air, const MarchTables& tables, ImageId sky_view,
                     const SkyTarget& target) {
-  std::vector<Specialization> constants = fetch_constants(plan, scene, tables);
+  std::vector<Specialization> constants = fetch_constants(plan, scene, air, tables);
   constants.push_back({"kProjection", target.projection});
   std::vector<Binding> reads = reads_of(tables);
   reads.push_back({"sky_view_lut", sky_view});
@@ -101,32 +103,33 @@ void add_fetch_pass(Plan& plan, const Scene& scene, const MarchTables& tables, I
                  .specialization = std::move(constants)});
 }
 
-SkyPasses add_sky_view(Plan& plan, const Scene& scene, const View& view) {
+SkyPasses add_sky_view(Plan& plan, const Scene& scene, const Air& air, const View& view) {
   const SkyTarget target = add_sky_target(plan, scene, view);
-  const MarchTables tables = add_march_tables(plan, scene);
+  const MarchTables tables = add_march_tables(plan, scene, air);
   std::vector<ImageId> list = tables.list();
   if (scene.camera.altitude >= scene.planet.atmosphere_height) {
-    add_march_pass(plan, scene, tables, target);
+    add_march_pass(plan, scene, air, tables, target);
   } else {
-    const ImageId sky_view = add_sky_view_table(plan, scene, view, tables);
-    add_fetch_pass(plan, scene, tables, sky_view, target);
+    const ImageId sky_view = add_sky_view_table(plan, scene, air, view, tables);
+    add_fetch_pass(plan, scene, air, tables, sky_view, target);
     list.push_back(sky_view);
   }
   return {target.radiance, list};
 }
 
 // The same table with its light apart, in blocks side by side.
-ImageId add_layers_table(Plan& plan, const Scene& scene, const View& view, const MarchTables& tables) {
+ImageId add_layers_table(Plan& plan, const Scene& scene, const Air& air, const View& view,
+                         const MarchTables& tables) {
   const TableSize size = scene.render.get<TableSize>("sky_view_lut");
   const auto columns = static_cast<std::uint32_t>(size[0]);
   const auto rows = static_cast<std::uint32_t>(size[1]);
-  const auto blocks = static_cast<std::uint32_t>(std::popcount(scattering_media(scene))) + 2;
+  const auto blocks = static_cast<std::uint32_t>(std::popcount(air.scattering_media())) + 2;
   const ImageId out = plan.add_image({.name = "layers_view",
                                       .extent = {columns * blocks, rows, 1},
                                       .format = Format::rgba32f,
                                       .key = picture_table_key(view, "layers_view")});
-  std::vector<Specialization> constants = constants_of(plan, scene, tables);
-  constants.push_back({"kScatteringMedia", scattering_media(scene)});
+  std::vector<Specialization> constants = constants_of(plan, scene, air, tables);
+  constants.push_back({"kScatteringMedia", air.scattering_media()});
   plan.add_pass(
       {.name = "layers_view",
        .shader = "layers_view",
@@ -138,16 +141,16 @@ ImageId add_layers_table(Plan& plan, const Scene& scene, const View& view, const
   return out;
 }
 
-LayerPasses add_layers(Plan& plan, const Scene& scene, const View& view) {
-  const MarchTables tables = add_march_tables(plan, scene);
+LayerPasses add_layers(Plan& plan, const Scene& scene, const Air& air, const View& view) {
+  const MarchTables tables = add_march_tables(plan, scene, air);
   if (scene.camera.altitude >= scene.planet.atmosphere_height) {
-    return add_march_layers(plan, scene, view, tables);
+    return add_march_layers(plan, scene, air, view, tables);
   }
-  const ImageId table = add_layers_table(plan, scene, view, tables);
+  const ImageId table = add_layers_table(plan, scene, air, view, tables);
   const Extent grid = picture_grid(scene, view);
-  const BufferId planes = add_layer_planes(plan, scene, view);
-  std::vector<Specialization> constants = fetch_constants(plan, scene, tables);
-  add_layer_constants(constants, scene);
+  const BufferId planes = add_layer_planes(plan, scene, air, view);
+  std::vector<Specialization> constants = fetch_constants(plan, scene, air, tables);
+  add_layer_constants(constants, scene, air);
   std::vector<Binding> reads = reads_of(tables);
   reads.push_back({"layers_view_lut", table});
   plan.add_pass(

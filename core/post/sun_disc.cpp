@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "core/air/scene_block.h"
 #include "core/luts/luts.h"
-#include "core/physics/scene_data.h"
 #include "core/post/post.h"
 
 namespace airlight {
@@ -233,8 +233,9 @@ Picture picture_of(BufferId buffer, const Tile& tile) {
   return {buffer, count(tile.width), count(tile.height), count(tile.x), count(tile.y)};
 }
 
-bool add_sun_disc(Plan& plan, const Scene& scene, std::optional<ImageId> transmittance, const Picture& picture) {
-  physics::Physics p = make_physics(scene);
+bool add_sun_disc(Plan& plan, const Scene& scene, const Air& air, std::optional<ImageId> transmittance,
+                  const Picture& picture) {
+  physics::Physics p = geometry_of(scene);
   if (!scene.sun.disc.visible || scene.sun.disc.radiance_scale == 0.0 || wholly_set(p, scene)) {
     return false;
   }
@@ -243,8 +244,8 @@ bool add_sun_disc(Plan& plan, const Scene& scene, std::optional<ImageId> transmi
   if (boxes.empty()) {
     return false;
   }
-  const ImageId table = transmittance ? *transmittance : add_transmittance(plan, scene, kDiscTransmittance);
-  std::vector<Specialization> constants = sunlight_specialization(plan, scene, table);
+  const ImageId table = transmittance ? *transmittance : add_transmittance(plan, air, kDiscTransmittance);
+  std::vector<Specialization> constants = sunlight_specialization(plan, air, table);
   constants.push_back({"kProjection", projection_code(scene.camera.projection)});
   for (const Box& box : boxes) {
     const Rectangle rectangle = within(pixels_of(scene, box), picture);

@@ -11,7 +11,7 @@
 #include <variant>
 
 #include "core/methods/method.h"
-#include "core/physics/scene_data.h"
+#include "core/methods/scene_air.h"
 #include "core/render/picture_key.h"
 #include "core/render/timings.h"
 
@@ -90,7 +90,7 @@ void take_disc(Layer& sun, std::span<const std::byte> bytes, std::size_t pixels)
 
 // Depth and normals in double, from the geometry alone.
 void add_geometry(std::vector<Layer>& layers, const Scene& scene, const Tile& tile) {
-  physics::Physics p = make_physics(scene);
+  physics::Physics p = geometry_of(scene);
   const std::size_t pixels = pixels_of(tile);
   std::vector<float>& depth = find(layers, "depth").planes;
   std::vector<float>& normal = find(layers, "N").planes;
@@ -119,7 +119,7 @@ void add_geometry(std::vector<Layer>& layers, const Scene& scene, const Tile& ti
 
 // Rows of a band whose buffers on the device fill no more than kLayerBandBytes.
 int band_rows(const Scene& scene) {
-  const std::size_t layers = static_cast<std::size_t>(std::popcount(scattering_media(scene))) + 3;
+  const std::size_t layers = static_cast<std::size_t>(std::popcount(air_of(scene).scattering_media())) + 3;
   const std::size_t row = (3 * layers + 4) * sizeof(float) * static_cast<std::size_t>(scene.image.width);
   return static_cast<int>(
       std::clamp<std::size_t>(kLayerBandBytes / row, 1, static_cast<std::size_t>(scene.image.height)));
@@ -140,9 +140,10 @@ void put_band(Layer& whole, const Layer& band, const Tile& tile, int height) {
 
 std::vector<Layer> layers_of(const Scene& scene) {
   std::vector<Layer> layers;
+  const std::uint32_t scattering = air_of(scene).scattering_media();
   std::set<std::string> taken = taken_names();
   for (std::size_t i = 0; i < scene.media.size(); ++i) {
-    if ((scattering_media(scene) >> i & 1u) != 0) {
+    if ((scattering >> i & 1u) != 0) {
       layers.push_back({unlike(taken, channel_name(scene.media[i].name, i)), "RGB", true});
       taken.insert(layers.back().name);
     }
@@ -184,13 +185,14 @@ std::vector<Layer> render_layers(Executor& executor, const Scene& scene, const T
                                  const Timings& timings) {
   const SkyMethod* method = find_method(scene.render.method);
   assert(method != nullptr && method->add_layer_passes != nullptr);
+  const Air air = air_of(scene);
   Plan plan;
-  plan.scene_data = device_scene_bytes(scene, tile);
+  plan.scene_data = device_scene_bytes(air, scene, tile);
   const LayerPasses passes =
-      method->add_layer_passes(plan, scene, {.directions = {}, .tile = tile, .kept_as = kept_as});
+      method->add_layer_passes(plan, scene, air, {.directions = {}, .tile = tile, .kept_as = kept_as});
   const std::size_t pixels = pixels_of(tile);
   const BufferId disc = plan.add_buffer({.name = "disc", .bytes = 4 * pixels * sizeof(float), .host_readable = true});
-  const bool shines = add_sun_disc(plan, scene, passes.transmittance, picture_of(disc, tile));
+  const bool shines = add_sun_disc(plan, scene, air, passes.transmittance, picture_of(disc, tile));
   const RunResult result = executor.run(plan);
   timings.add(result);
   std::vector<Layer> layers = layers_of(scene);

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "core/error.h"
-#include "core/physics/scene_data.h"
+#include "core/air/scene_block.h"
 
 namespace airlight {
 namespace {
@@ -186,7 +186,7 @@ RadianceImage irradiance_map(const RadianceImage& latlong, double latlong_azimut
 }
 
 SunLight sun_light(const DeviceOnDemand& device, const Scene& scene) {
-  physics::Physics p = make_physics(scene);
+  physics::Physics p = geometry_of(scene);
   const physics::vec3 direction = p.scene.sun.direction;
   SunLight light{.direction = {direction.x, direction.y, direction.z},
                  .elevation = scene.sun.elevation,

@@ -5,8 +5,8 @@
 #include <span>
 #include <utility>
 
+#include "core/methods/scene_air.h"
 #include "core/methods/sky_pass.h"
-#include "core/physics/scene_data.h"
 #include "core/render/timings.h"
 
 namespace airlight {
@@ -32,21 +32,21 @@ const SkyMethod& method_of(const Scene& scene) {
   return *method;
 }
 
-void add_disc(Frame& frame, const Scene& scene, std::optional<ImageId> transmittance) {
-  if (!add_sun_disc(frame.plan, scene, transmittance, frame.picture)) {
+void add_disc(Frame& frame, const Scene& scene, const Air& air, std::optional<ImageId> transmittance) {
+  if (!add_sun_disc(frame.plan, scene, air, transmittance, frame.picture)) {
     frame.left_out.push_back("sun disc: switched off, outside the picture or behind the planet");
   }
 }
 
 // Sky, disc and statistics: everything before the exposure is known.
-Frame sky_frame(const Scene& scene, const RenderRequest& request) {
+Frame sky_frame(const Scene& scene, const Air& air, const RenderRequest& request) {
   Frame frame;
-  frame.plan.scene_data = device_scene_bytes(scene);
-  const SkyPasses sky = method_of(scene).add_passes(frame.plan, scene, View{});
+  frame.plan.scene_data = device_scene_bytes(air, scene);
+  const SkyPasses sky = method_of(scene).add_passes(frame.plan, scene, air, View{});
   frame.picture = picture_of(scene, sky.radiance);
   frame.tables = sky.tables;
   const std::optional<ImageId> transmittance = sky.tables.empty() ? std::nullopt : std::optional(sky.tables.front());
-  add_disc(frame, scene, transmittance);
+  add_disc(frame, scene, air, transmittance);
   for (const ImageId table : sky.tables) {
     frame.table_rows.push_back(add_table_statistics(frame.plan, table));
     if (request.tables) {
@@ -58,16 +58,16 @@ Frame sky_frame(const Scene& scene, const RenderRequest& request) {
 }
 
 // Uploads what a method rendered on the host, so that the passes after it are the same.
-Frame host_frame(const Scene& scene, const RadianceImage& radiance) {
+Frame host_frame(const Scene& scene, const Air& air, const RadianceImage& radiance) {
   Frame frame;
-  frame.plan.scene_data = device_scene_bytes(scene);
+  frame.plan.scene_data = device_scene_bytes(air, scene);
   std::vector<std::byte> bytes(radiance.rgba.size() * sizeof(float));
   std::memcpy(bytes.data(), radiance.rgba.data(), bytes.size());
   const std::size_t size = bytes.size();
   frame.picture = picture_of(
       scene, frame.plan.add_buffer(
                  {.name = "radiance", .bytes = size, .host_readable = true, .contents = std::move(bytes), .key = {}}));
-  add_disc(frame, scene, std::nullopt);
+  add_disc(frame, scene, air, std::nullopt);
   frame.rows = add_picture_statistics(frame.plan, frame.picture);
   return frame;
 }
@@ -182,17 +182,18 @@ std::string Rendering::fault() const {
 Rendering render(const DeviceOnDemand& device, const Scene& scene, const RenderRequest& request) {
   Rendering out;
   const SkyMethod& method = method_of(scene);
+  const Air air = air_of(scene);
   // Opened before a method on the host begins: hours of samples must not end in a machine that lacks a device.
   Executor& executor = device();
   Frame frame;
   if (method.render_on_host != nullptr) {
-    HostPicture host = method.render_on_host(scene, View{}, request.host);
-    frame = host_frame(scene, host.radiance);
+    HostPicture host = method.render_on_host(scene, air, View{}, request.host);
+    frame = host_frame(scene, air, host.radiance);
     if (!host.standard_error.rgba.empty()) {
       out.standard_error = std::move(host.standard_error);
     }
   } else {
-    frame = sky_frame(scene, request);
+    frame = sky_frame(scene, air, request);
   }
   RunResult result = executor.run(frame.plan);
   Timings{out.passes, out.host}.add(result);
@@ -211,11 +212,12 @@ Rendering render(const DeviceOnDemand& device, const Scene& scene, const RenderR
 }
 
 Plan plan_for(const Scene& scene, const RenderRequest& request) {
+  const Air air = air_of(scene);
   Frame frame = method_of(scene).render_on_host != nullptr
-                    ? host_frame(scene, {scene.image.width, scene.image.height,
+                    ? host_frame(scene, air, {scene.image.width, scene.image.height,
                                          std::vector<float>(4 * static_cast<std::size_t>(scene.image.width) *
                                                             static_cast<std::size_t>(scene.image.height))})
-                    : sky_frame(scene, request);
+                    : sky_frame(scene, air, request);
   PostFrame post{std::move(frame.plan), {}, {}};
   add_post(post, scene, frame.picture, request, request.bloom && scene.bloom.enabled, 1.0);
   return std::move(post.plan);
@@ -228,10 +230,11 @@ std::vector<ProbeResult> probe(const DeviceOnDemand& device, const Scene& scene,
     return results;
   }
   const SkyMethod& method = method_of(scene);
+  const Air air = air_of(scene);
   const View view{directions};
   RadianceImage pairs;  // radiance and transmittance in turn
   if (method.render_on_host != nullptr) {
-    const HostPicture host = method.render_on_host(scene, view, {});
+    const HostPicture host = method.render_on_host(scene, air, view, {});
     for (std::size_t i = 0; i < directions.size(); ++i) {
       for (const RadianceImage* image : {&host.radiance, &host.transmittance}) {
         pairs.rgba.insert(pairs.rgba.end(), image->at(static_cast<int>(i), 0), image->at(static_cast<int>(i), 0) + 4);
@@ -239,8 +242,8 @@ std::vector<ProbeResult> probe(const DeviceOnDemand& device, const Scene& scene,
     }
   } else {
     Plan plan;
-    plan.scene_data = device_scene_bytes(scene);
-    const SkyPasses sky = method.add_passes(plan, scene, view);
+    plan.scene_data = device_scene_bytes(air, scene);
+    const SkyPasses sky = method.add_passes(plan, scene, air, view);
     const RunResult result = device().run(plan);
     pairs = image_from(result.contents(sky.radiance), static_cast<int>(2 * directions.size()), 1);
   }
@@ -262,19 +265,20 @@ std::vector<float> probe_picture(const DeviceOnDemand& device, const Scene& scen
     return {};
   }
   const SkyMethod& method = method_of(scene);
+  const Air air = air_of(scene);
   const View view{.directions = directions, .as_picture = true};
   std::vector<float> rgb;
   const auto append = [&](const float* pixel) { rgb.insert(rgb.end(), pixel, pixel + 3); };
   if (method.render_on_host != nullptr) {
-    const HostPicture host = method.render_on_host(scene, view, {});
+    const HostPicture host = method.render_on_host(scene, air, view, {});
     for (std::size_t i = 0; i < directions.size(); ++i) {
       append(host.radiance.at(static_cast<int>(i), 0));
     }
     return rgb;
   }
   Plan plan;
-  plan.scene_data = device_scene_bytes(scene);
-  const SkyPasses sky = method.add_passes(plan, scene, view);
+  plan.scene_data = device_scene_bytes(air, scene);
+  const SkyPasses sky = method.add_passes(plan, scene, air, view);
   const RunResult result = device().run(plan);
   const RadianceImage pairs = image_from(result.contents(sky.radiance), static_cast<int>(2 * directions.size()), 1);
   for (std::size_t i = 0; i < directions.size(); ++i) {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/error.h"
-#include "core/physics/scene_data.h"
+#include "core/methods/scene_air.h"
 
 namespace airlight {
 namespace {
@@ -32,13 +32,14 @@ void require_sound(const Span& span, const AirTo& air) {
 std::vector<AirTo> air_to(Executor& executor, const Scene& scene, std::span<const Span> spans) {
   const SkyMethod* method = find_method(scene.render.method);
   assert(method != nullptr && method->add_span_passes != nullptr);
+  const Air air = air_of(scene);
   std::vector<AirTo> all;
   all.reserve(spans.size());
   while (all.size() < spans.size()) {
     const std::span<const Span> some = spans.subspan(all.size(), std::min(kMostSpans, spans.size() - all.size()));
     Plan plan;
-    plan.scene_data = device_scene_bytes(scene);
-    const SpanPasses passes = method->add_span_passes(plan, scene, some);
+    plan.scene_data = device_scene_bytes(air, scene);
+    const SpanPasses passes = method->add_span_passes(plan, scene, air, some);
     const RunResult result = executor.run(plan);
     const std::span<const std::byte> bytes = result.contents(passes.air);
     std::vector<float> values(some.size() * kFloats);

@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cstring>
 
-#include "core/physics/scene_data.h"
+#include "core/methods/scene_air.h"
 #include "core/render/picture_key.h"
 #include "core/render/timings.h"
 
@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kUsualTilePixels = std::size_t{1} << 21;
 
 std::size_t layer_planes(const Scene& scene) {
-  return 3 * (static_cast<std::size_t>(std::popcount(scattering_media(scene))) + 3);
+  return 3 * (static_cast<std::size_t>(std::popcount(air_of(scene).scattering_media())) + 3);
 }
 
 // Copies rows of a tile to their columns of the band.
@@ -51,6 +51,7 @@ class TiledRender {
         scene_(scene),
         request_(request),
         method_(*find_method(scene.render.method)),
+        air_(air_of(scene)),
         kept_as_(picture_key()) {}
 
   Rendering run();
@@ -69,6 +70,7 @@ class TiledRender {
   const Scene& scene_;
   const TiledRequest& request_;
   const SkyMethod& method_;
+  const Air air_;
   std::string kept_as_;
   Rendering out_;
   std::vector<std::byte> rows_;  // statistics of all rows so far
@@ -85,10 +87,10 @@ void TiledRender::take_tables(const Plan& plan, const std::vector<ImageId>& tabl
 // The tables are made, and looked at, with the first tile.
 void TiledRender::render_tile(Band& band, const Tile& tile) {
   Plan plan;
-  plan.scene_data = device_scene_bytes(scene_, tile);
-  const SkyPasses sky = method_.add_passes(plan, scene_, {.directions = {}, .tile = tile, .kept_as = kept_as_});
+  plan.scene_data = device_scene_bytes(air_, scene_, tile);
+  const SkyPasses sky = method_.add_passes(plan, scene_, air_, {.directions = {}, .tile = tile, .kept_as = kept_as_});
   const Picture picture = picture_of(sky.radiance, tile);
-  add_sun_disc(plan, scene_, sky.tables.empty() ? std::nullopt : std::optional(sky.tables.front()), picture);
+  add_sun_disc(plan, scene_, air_, sky.tables.empty() ? std::nullopt : std::optional(sky.tables.front()), picture);
   const bool first = tile.x == 0 && tile.y == 0;
   std::vector<BufferId> table_rows;
   if (first) {
@@ -160,7 +162,7 @@ Rendering TiledRender::run() {
   const int width = scene_.image.width;
   const int height = scene_.image.height;
   Plan whole;  // never run
-  if (!add_sun_disc(whole, scene_, std::nullopt, picture_of(BufferId{}, {0, 0, width, height}))) {
+  if (!add_sun_disc(whole, scene_, air_, std::nullopt, picture_of(BufferId{}, {0, 0, width, height}))) {
     out_.left_out.push_back("sun disc: switched off, outside the picture or behind the planet");
   }
   const std::size_t band_row = band_pixel_bytes(scene_, request_.layers) * static_cast<std::size_t>(width);

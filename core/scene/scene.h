@@ -28,6 +28,7 @@ enum class ToneCurve { aces, reinhard, reinhard_luminance, exponential, clamp, n
 struct DensityLayer {
   double altitude = 0.0;  // km
   double density = 0.0;   // 1
+  bool operator==(const DensityLayer&) const = default;
 };
 
 struct Density {
@@ -37,6 +38,7 @@ struct Density {
   double half_width = 1.0;    // km
   double below = 1.0;         // km
   std::vector<DensityLayer> layers;
+  bool operator==(const Density&) const = default;
 };
 
 struct Medium {
@@ -46,12 +48,14 @@ struct Medium {
   Density density;
   PhaseFunction phase = PhaseFunction::isotropic;
   double phase_g = 0.8;
+  bool operator==(const Medium&) const = default;
 };
 
 struct Planet {
   double ground_radius = 6360.0;     // km
   double atmosphere_height = 100.0;  // km
   Spectrum ground_albedo{};
+  bool operator==(const Planet&) const = default;
 };
 
 struct SunDisc {

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "core/methods/path_trace/gauss.h"
-#include "core/physics/scene_data.h"
+#include "core/air/scene_block.h"
 
 namespace airlight::stability {
 namespace {
@@ -49,7 +49,7 @@ double reflected_share(const DeviceOnDemand& device, const Subject& subject, con
   Scene scene = scene_at(place);
   scene.camera.altitude = kAlmostTop * scene.planet.atmosphere_height;
   scene.sun.azimuth = 0.0;
-  physics::Physics p = make_physics(scene);
+  physics::Physics p = geometry_of(scene);
   const double horizon = p.horizon_mu(p.scene.planet, scene.camera.altitude);
   Weighted looks;
   add_band(looks, -1.0, horizon, kGroundNodes);

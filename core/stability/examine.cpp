@@ -5,7 +5,6 @@
 #include <limits>
 #include <numbers>
 
-#include "core/physics/scene_data.h"
 #include "core/stability/energy.h"
 
 namespace airlight::stability {

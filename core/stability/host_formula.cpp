@@ -7,7 +7,7 @@
 #include "core/methods/analytic_sky.h"
 #include "core/methods/march_passes.h"
 #include "core/methods/marched_picture.h"
-#include "core/physics/scene_data.h"
+#include "core/methods/scene_air.h"
 #include "core/stability/shot.h"
 
 namespace airlight::stability {
@@ -102,7 +102,7 @@ std::vector<vec3> by_moments(const Scene& scene, const Shot& shot, const std::ve
 }
 
 std::vector<vec3> closed_form(const Scene& scene, const std::vector<Direction>& directions) {
-  Physics p = make_analytic_physics(scene);
+  Physics p = make_analytic_physics(air_of(scene), scene);
   const bool exponential = scene.render.get<std::string>("variant") == "exponential";
   return along(p, directions, [&](const Physics::Ray& ray) {
     return exponential ? p.analytic_exponential(p.scene.planet, p.scene.sun, ray, p.scene.sun.direction.y).radiance

@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-#include "core/physics/scene_data.h"
+#include "core/methods/scene_air.h"
 
 namespace airlight::stability {
 namespace {
@@ -51,9 +51,10 @@ std::vector<Readback> read_tables(Plan& plan) {
 Shot shoot(const DeviceOnDemand& device, const Scene& scene, const std::vector<Direction>& directions,
            const ShotOptions& options) {
   Shot shot;
-  shot.plan.scene_data = device_scene_bytes(scene);
+  const Air air = air_of(scene);
+  shot.plan.scene_data = device_scene_bytes(air, scene);
   const View view{options.as_picture ? std::span<const Direction>() : std::span(directions)};
-  const SkyPasses sky = find_method(scene.render.method)->add_passes(shot.plan, scene, view);
+  const SkyPasses sky = find_method(scene.render.method)->add_passes(shot.plan, scene, air, view);
   const std::vector<Readback> readbacks = options.tables ? read_tables(shot.plan) : std::vector<Readback>();
   const RunResult result = device().run(shot.plan);
   const std::vector<float> rgba = floats_of(result.contents(sky.radiance));

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/physics/scene_data.h"
+#include "core/air/scene_block.h"
 #include "core/scene/angle.h"
 
 namespace airlight::stability {
@@ -262,7 +262,7 @@ Scene scene_at(const Place& place) {
 
 Scene looking(Scene scene, const Sweep& sweep) {
   if (sweep.narrow) {
-    physics::Physics p = make_physics(scene);
+    physics::Physics p = geometry_of(scene);
     scene.camera.projection = Projection::perspective;
     scene.camera.vertical_fov = radians_from_degrees(1.0);
     scene.camera.pitch = std::asin(p.horizon_mu(p.scene.planet, scene.camera.altitude));
@@ -277,7 +277,7 @@ Scene looking(Scene scene, const Sweep& sweep) {
 }
 
 std::vector<Direction> pixel_directions(const Scene& scene) {
-  physics::Physics p = make_physics(scene);
+  physics::Physics p = geometry_of(scene);
   const std::uint32_t projection = projection_code(scene.camera.projection);
   std::vector<Direction> directions;
   for (int y = 0; y < scene.image.height; ++y) {

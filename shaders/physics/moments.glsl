@@ -135,51 +135,23 @@ struct DiffuseAir {
   vec3 degree8;
 };
 
-real legendre_moment(MediumData m, uint l) {
-  if (l == 0u) {
-    return 1.0;
-  }
-  if (l == 1u) {
-    return m.legendre1;
-  }
-  if (l == 2u) {
-    return m.legendre2;
-  }
-  if (l == 3u) {
-    return m.legendre3;
-  }
-  if (l == 4u) {
-    return m.legendre4;
-  }
-  if (l == 5u) {
-    return m.legendre5;
-  }
-  if (l == 6u) {
-    return m.legendre6;
-  }
-  if (l == 7u) {
-    return m.legendre7;
-  }
-  return l == 8u ? m.legendre8 : m.legendre9;
-}
-
 DiffuseAir with_diffuse_medium(DiffuseAir air, uint i, real h, real phase) {
   if (i < medium_count()) {
     MediumData m = medium(i);
     real d = density(density_profile(i), m, h);
     vec3 scattering = m.scattering * d;
-    real f = delta_scaled() ? max(legendre_moment(m, moment_degree() + 1u), 0.0) : 0.0;
+    real f = delta_scaled() ? max(m.legendre[moment_degree() + 1u], 0.0) : 0.0;
     air.extinction = air.extinction + m.absorption * d + scattering * (1.0 - f);
     air.phase_scattering = air.phase_scattering + scattering * phase;
     air.degree0 = air.degree0 + scattering * (1.0 - f);
-    air.degree1 = air.degree1 + scattering * (m.legendre1 - f);
-    air.degree2 = air.degree2 + scattering * (m.legendre2 - f);
-    air.degree3 = air.degree3 + scattering * (m.legendre3 - f);
-    air.degree4 = air.degree4 + scattering * (m.legendre4 - f);
-    air.degree5 = air.degree5 + scattering * (m.legendre5 - f);
-    air.degree6 = air.degree6 + scattering * (m.legendre6 - f);
-    air.degree7 = air.degree7 + scattering * (m.legendre7 - f);
-    air.degree8 = air.degree8 + scattering * (m.legendre8 - f);
+    air.degree1 = air.degree1 + scattering * (m.legendre[1] - f);
+    air.degree2 = air.degree2 + scattering * (m.legendre[2] - f);
+    air.degree3 = air.degree3 + scattering * (m.legendre[3] - f);
+    air.degree4 = air.degree4 + scattering * (m.legendre[4] - f);
+    air.degree5 = air.degree5 + scattering * (m.legendre[5] - f);
+    air.degree6 = air.degree6 + scattering * (m.legendre[6] - f);
+    air.degree7 = air.degree7 + scattering * (m.legendre[7] - f);
+    air.degree8 = air.degree8 + scattering * (m.legendre[8] - f);
   }
   return air;
 }

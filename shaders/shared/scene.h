@@ -5,6 +5,7 @@
 const uint kMaxMedia = 8u;
 const uint kMaxDensityLayers = 256u;
 const uint kMaxShellRows = 64u;
+const uint kLegendreMoments = 10u;  // 0 to 9: what delta-scaling leaves out of degree 8 is the last
 
 struct PlanetData {
   real ground_radius;
@@ -22,15 +23,7 @@ struct MediumData {
   real g;
   uint first_layer;
   uint layer_count;
-  real legendre1;  // moments of the phase function: integral of p(nu) P_l(nu) over the sphere
-  real legendre2;
-  real legendre3;
-  real legendre4;
-  real legendre5;
-  real legendre6;
-  real legendre7;
-  real legendre8;
-  real legendre9;
+  real legendre[kLegendreMoments];  // of the phase function: integral of p(nu) P_l(nu) over the sphere, from l = 0
 };
 
 struct SunData {

@@ -156,7 +156,7 @@ void register_tables(Session& session, const SkyMethod& method) {
   std::set<std::string> airs;
   for (const NamedScene& named : scenes()) {
     const Scene scene = for_tables(method, named.scene, true);
-    const bool is_new = airs.insert(table_key(scene, "air", {1, 1})).second;
+    const bool is_new = airs.insert(table_key(air_of(scene), "air", {1, 1})).second;
     if (!is_new || table_passes(plan_for(scene, {})).empty()) continue;
     const std::string name = "tables/" + std::string(method.info.name) + '/' + std::string(named.name);
     register_one(session, name, [&session, &method, &named, warm = false](benchmark::State& state) mutable {

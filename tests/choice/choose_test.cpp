@@ -8,7 +8,7 @@
 #include <set>
 
 #include "core/choice/leave_out.h"
-#include "core/physics/scene_data.h"
+#include "core/methods/scene_air.h"
 #include "core/scene/preset.h"
 #include "core/scene/resolve.h"
 

@@ -60,15 +60,7 @@ std::map<std::string, std::size_t> host_offsets() {
   AIRLIGHT_MEMBER(media[0].g);
   AIRLIGHT_MEMBER(media[0].first_layer);
   AIRLIGHT_MEMBER(media[0].layer_count);
-  AIRLIGHT_MEMBER(media[0].legendre1);
-  AIRLIGHT_MEMBER(media[0].legendre2);
-  AIRLIGHT_MEMBER(media[0].legendre3);
-  AIRLIGHT_MEMBER(media[0].legendre4);
-  AIRLIGHT_MEMBER(media[0].legendre5);
-  AIRLIGHT_MEMBER(media[0].legendre6);
-  AIRLIGHT_MEMBER(media[0].legendre7);
-  AIRLIGHT_MEMBER(media[0].legendre8);
-  AIRLIGHT_MEMBER(media[0].legendre9);
+  AIRLIGHT_MEMBER(media[0].legendre);
   AIRLIGHT_MEMBER(layers);
   AIRLIGHT_MEMBER(shell_rows);
   AIRLIGHT_MEMBER(shell_altitudes);

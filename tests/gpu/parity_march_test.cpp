@@ -100,7 +100,7 @@ class MarchParity : public testing::Test {
                                 const std::vector<std::array<float, 4>>& rays, unsigned int steps,
                                 unsigned int distribution) {
     Plan plan;
-    plan.scene_data = device_scene_bytes(scene);
+    plan.scene_data = device_scene_bytes(air_of(scene), scene);
     const ImageId transmittance = upload(plan, "transmittance", p.transmittance_lut);
     const ImageId scattering = upload(plan, "multiple_scattering", p.multiple_scattering_lut);
     const bool reflects = p.ground_irradiance_lut.width > 0;

@@ -17,12 +17,12 @@ class Parity : public testing::Test {
 
   std::vector<Values> on_device(const Scene& scene, unsigned int function, const std::vector<Inputs>& inputs) {
     Plan plan;
-    plan.scene_data = device_scene_bytes(scene);
+    plan.scene_data = device_scene_bytes(air_of(scene), scene);
     const BufferId in =
         plan.add_buffer({.name = "inputs", .bytes = inputs.size() * sizeof(Inputs), .contents = bytes_of(inputs)});
     const BufferId out =
         plan.add_buffer({.name = "outputs", .bytes = inputs.size() * sizeof(Inputs), .host_readable = true});
-    std::vector<Specialization> constants = medium_specialization(scene);
+    std::vector<Specialization> constants = medium_specialization(air_of(scene));
     constants.push_back({"kFunction", function});
     plan.add_pass({.shader = "parity_functions",
                    .reads = {{"inputs", in}},

@@ -10,7 +10,7 @@
 #include <random>
 
 #include "core/output/exr.h"
-#include "core/physics/scene_data.h"
+#include "core/methods/scene_air.h"
 
 namespace airlight {
 namespace {

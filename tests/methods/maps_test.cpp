@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/physics/scene_data.h"
+#include "core/methods/scene_air.h"
 #include "tests/methods/render_fixture.h"
 
 namespace airlight::test {

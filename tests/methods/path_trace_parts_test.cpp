@@ -10,7 +10,7 @@
 #include "core/methods/path_trace/optical_depth.h"
 #include "core/methods/path_trace/phase_sampling.h"
 #include "core/methods/path_trace/sky_guide.h"
-#include "core/physics/scene_data.h"
+#include "core/methods/scene_air.h"
 #include "path_trace_scene.h"
 
 namespace airlight {

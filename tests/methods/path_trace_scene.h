@@ -85,7 +85,7 @@ inline Scene slab(double optical_depth, double single_scattering_albedo, PhaseFu
 }
 
 inline HostPicture trace(const Scene& scene, const View& view = {}, const HostOptions& options = {}) {
-  return find_method("path-trace")->render_on_host(scene, view, options);
+  return find_method("path-trace")->render_on_host(scene, air_of(scene), view, options);
 }
 
 inline HostPicture trace(const Scene& scene, const std::vector<Direction>& directions) {

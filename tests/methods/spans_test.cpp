@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "core/physics/scene_data.h"
+#include "core/methods/scene_air.h"
 #include "tests/methods/render_fixture.h"
 
 namespace airlight::test {
@@ -137,7 +137,7 @@ TEST(Spans, AgreeWithPathTraceBeforeABlackWall) {
     const std::vector<AirTo> airs = air_to(executor(), scene, spans);
     View view{directions};
     view.wall = wall;
-    const HostPicture truth = find_method("path-trace")->render_on_host(traced, view, {});
+    const HostPicture truth = find_method("path-trace")->render_on_host(traced, air_of(traced), view, {});
     for (std::size_t i = 0; i < pixels.size(); ++i) {
       if (pixels[i].second > 32 && wall > 5.0) {
         continue;  // the ground, which is not black, stands before the wall

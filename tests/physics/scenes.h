@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "core/physics/scene_data.h"
+#include "core/methods/scene_air.h"
 #include "core/scene/scene.h"
 
 namespace airlight::test {

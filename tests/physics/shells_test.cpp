@@ -1,6 +1,6 @@
 // Air cut into shells: the edges, the steps between them, sunlight within a step, and the harmonics of high degree.
 
-#include "core/physics/shells.h"
+#include "core/air/shells.h"
 
 #include <gtest/gtest.h>
 
@@ -46,7 +46,7 @@ TEST(Shells, AreUsedWhereTheAirAsksForThem) {
 TEST(Shells, HaveEdgesWhereADensityJumpsOrBends) {
   const Scene scene = foggy("auto");
   Physics p = make_physics(scene);
-  const std::vector<double> rows = shell_altitudes(scene, p);
+  const std::vector<double> rows = shell_altitudes(air_of(scene).column(), air_of(scene).options().moment_rows);
   EXPECT_EQ(rows.front(), 0.0);
   EXPECT_EQ(rows.back(), scene.planet.atmosphere_height);
   EXPECT_TRUE(std::is_sorted(rows.begin(), rows.end(), std::less_equal<>())) << "strictly rising";
@@ -61,7 +61,7 @@ TEST(Shells, HaveEdgesWhereADensityJumpsOrBends) {
     many.push_back({0.3 * i, i % 2 == 0 ? 0.0 : 0.01});
   }
   fine.media[2].density = layers(many);
-  EXPECT_LE(shell_altitudes(fine, p).size(), static_cast<std::size_t>(physics::kMaxShellRows));
+  EXPECT_LE(shell_altitudes(air_of(fine).column(), air_of(fine).options().moment_rows).size(), static_cast<std::size_t>(physics::kMaxShellRows));
 }
 
 // Thin layers at the foot of thick air: each is a shell by itself, and the rest asks for nearly all that were wished.

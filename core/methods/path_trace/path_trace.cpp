@@ -117,10 +117,10 @@ Targets targets_of(const PathTracer& tracer, const Scene& scene, const View& vie
   return targets;
 }
 
-HostPicture render(const Scene& scene, const View& view, const HostOptions& options) {
+HostPicture render(const Scene& scene, const Air& air, const View& view, const HostOptions& options) {
   const RenderSettings& settings = scene.render;
-  const PathTracer tracer(scene, static_cast<std::uint64_t>(settings.get<int>("seed")), settings.get<int>("max_orders"),
-                          view.wall.value_or(kNoLimit));
+  const PathTracer tracer(air, scene, static_cast<std::uint64_t>(settings.get<int>("seed")),
+                          settings.get<int>("max_orders"), view.wall.value_or(kNoLimit));
   Targets targets = targets_of(tracer, scene, view);
   HostPicture picture;
   picture.radiance = blank(targets.width, targets.height);

@@ -1,13 +1,13 @@
 #include "core/methods/path_trace/tracer.h"
 
-#include "core/physics/scene_data.h"
+#include "core/air/scene_block.h"
 
 namespace airlight {
 
 using physics::vec3;
 
-PathTracer::PathTracer(const Scene& scene, std::uint64_t seed, int max_orders, double wall)
-    : physics_(make_physics(scene)),
+PathTracer::PathTracer(const Air& air, const Scene& scene, std::uint64_t seed, int max_orders, double wall)
+    : physics_(formulas_of(air, scene)),
       depth_(physics_),
       flight_(physics_, depth_),
       guide_(physics_, flight_),

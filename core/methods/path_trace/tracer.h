@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "core/air/air.h"
 #include "core/methods/path_trace/walk.h"
 #include "core/scene/scene.h"
 
@@ -11,7 +12,7 @@ namespace airlight {
 class PathTracer {
  public:
   // `wall`: View::wall, or infinity.
-  PathTracer(const Scene& scene, std::uint64_t seed, int max_orders, double wall);
+  PathTracer(const Air& air, const Scene& scene, std::uint64_t seed, int max_orders, double wall);
   PathTracer(const PathTracer&) = delete;
   PathTracer& operator=(const PathTracer&) = delete;
 

@@ -1,0 +1,234 @@
+#include "core/air/air.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <iterator>
+
+#include "core/air/legendre.h"
+#include "core/air/moment_axes.h"
+#include "core/air/scene_block.h"
+#include "core/air/shells.h"
+
+namespace airlight {
+namespace {
+
+physics::vec3 vector_of(const Spectrum& s) {
+  return {s[0], s[1], s[2]};
+}
+
+double largest(const Spectrum& s) {
+  return *std::max_element(s.begin(), s.end());
+}
+
+std::uint32_t code_of(DensityProfile profile) {
+  switch (profile) {
+    case DensityProfile::exponential:
+      return physics::kDensityExponential;
+    case DensityProfile::tent:
+      return physics::kDensityTent;
+    case DensityProfile::lorentzian:
+      return physics::kDensityLorentzian;
+    case DensityProfile::constant:
+      return physics::kDensityConstant;
+    case DensityProfile::layers:
+      return physics::kDensityLayers;
+  }
+  return physics::kDensityExponential;
+}
+
+std::uint32_t code_of(PhaseFunction phase, bool schlick) {
+  switch (phase) {
+    case PhaseFunction::rayleigh:
+      return physics::kPhaseRayleigh;
+    case PhaseFunction::henyey_greenstein:
+      return schlick ? physics::kPhaseSchlick : physics::kPhaseHenyeyGreenstein;
+    case PhaseFunction::cornette_shanks:
+      return schlick ? physics::kPhaseSchlick : physics::kPhaseCornetteShanks;
+    case PhaseFunction::schlick:
+      return physics::kPhaseSchlick;
+    case PhaseFunction::isotropic:
+      return physics::kPhaseIsotropic;
+  }
+  return physics::kPhaseIsotropic;
+}
+
+void put_media(physics::Physics& p, const std::vector<Medium>& media) {
+  assert(media.size() <= static_cast<std::size_t>(kMaxMedia));
+  p.media = static_cast<physics::uint>(media.size());
+  physics::uint layer = 0;
+  for (std::size_t i = 0; i < media.size(); ++i) {
+    const Density& density = media[i].density;
+    physics::MediumData& m = p.scene.media[i];
+    m.scattering = vector_of(media[i].scattering);
+    m.absorption = vector_of(media[i].absorption);
+    m.scale_height = density.scale_height;
+    m.center = density.center;
+    m.half_width = density.half_width;
+    m.below = density.below;
+    m.g = media[i].phase_g;
+    m.first_layer = layer;
+    m.layer_count = static_cast<physics::uint>(density.layers.size());
+    for (const DensityLayer& l : density.layers) {
+      assert(layer < static_cast<physics::uint>(kMaxDensityLayers));
+      p.scene.layers[layer++] = {l.altitude, l.density};
+    }
+    p.density_profiles |= code_of(density.profile) << (physics::kBitsPerMedium * i);
+  }
+}
+
+// What the options say of the phase functions, with their moments.
+void put_phases(physics::Physics& p, const std::vector<Medium>& media, bool schlick) {
+  p.phase_functions = 0;
+  for (std::size_t i = 0; i < media.size(); ++i) {
+    const std::uint32_t code = code_of(media[i].phase, schlick);
+    p.phase_functions |= code << (physics::kBitsPerMedium * i);
+    const LegendreMoments moments = legendre_moments(p, code, media[i].phase_g);
+    std::copy(moments.begin(), moments.end(), std::begin(p.scene.media[i].legendre));
+  }
+}
+
+void put_rows(physics::Physics& p, const Column& column, const std::vector<Medium>& media, const AirOptions& options) {
+  p.scene.moments = moment_axes(p, column);
+  p.scene.shell_rows = 0;
+  if (options.shells == Shells::always || (options.shells == Shells::where_needed && needs_shells(column, media))) {
+    const std::vector<double> rows = shell_altitudes(column, options.moment_rows);
+    assert(rows.size() <= static_cast<std::size_t>(physics::kMaxShellRows));
+    p.scene.shell_rows = static_cast<physics::uint>(rows.size());
+    std::copy(rows.begin(), rows.end(), std::begin(p.scene.shell_altitudes));
+    p.scene.moments = shell_moment_axes(p);
+  }
+}
+
+std::string key_of(const physics::Physics& p) {
+  const device::SceneData block = narrowed(p.scene);
+  std::string key;
+  for (const std::uint32_t word : {p.media, p.density_profiles, p.phase_functions, p.fade ? 1U : 0U}) {
+    key += std::to_string(word) + ' ';
+  }
+  return key.append(reinterpret_cast<const char*>(&block), sizeof block);
+}
+
+}  // namespace
+
+struct Air::Matter {
+  std::vector<Medium> media;
+  Planet planet;
+  physics::Physics formulas;  // as the media say
+  Column column;
+
+  Matter(const std::vector<Medium>& m, const Planet& p) : media(m), planet(p) {
+    formulas.scene.planet = {p.ground_radius, p.atmosphere_height, vector_of(p.ground_albedo)};
+    put_media(formulas, media);
+    put_phases(formulas, media, false);
+    column = column_of(formulas, media);
+  }
+};
+
+struct Air::Content {
+  AirOptions options;
+  physics::Physics formulas;
+  std::string key;
+
+  Content(const Matter& matter, const AirOptions& o) : options(o), formulas(matter.formulas) {
+    if (o.schlick) {
+      put_phases(formulas, matter.media, true);
+    }
+    const SunFade fade = o.sun_fade.value_or(SunFade{});
+    formulas.fade = o.sun_fade.has_value();
+    formulas.scene.sun.fade_scale = fade.scale;
+    formulas.scene.sun.fade_bias = fade.bias;
+    formulas.scene.multiple_scattering_scale = o.multiple_scattering_scale;
+    put_rows(formulas, matter.column, matter.media, o);
+    key = key_of(formulas);
+  }
+};
+
+Air::Air(const std::vector<Medium>& media, const Planet& planet, const AirOptions& options)
+    : Air(std::make_shared<const Matter>(media, planet), options) {}
+
+Air::Air(std::shared_ptr<const Matter> matter, const AirOptions& options)
+    : matter_(std::move(matter)), content_(std::make_shared<const Content>(*matter_, options)) {}
+
+Air Air::with(const AirOptions& options) const {
+  return options == content_->options ? *this : Air(matter_, options);
+}
+
+const std::vector<Medium>& Air::media() const {
+  return matter_->media;
+}
+
+const Planet& Air::planet() const {
+  return matter_->planet;
+}
+
+const AirOptions& Air::options() const {
+  return content_->options;
+}
+
+const Column& Air::column() const {
+  return matter_->column;
+}
+
+const physics::Physics& Air::formulas() const {
+  return content_->formulas;
+}
+
+const std::string& Air::key() const {
+  return content_->key;
+}
+
+bool Air::ground_reflects() const {
+  return largest(matter_->planet.ground_albedo) > 0.0;
+}
+
+std::uint32_t Air::scattering_media() const {
+  std::uint32_t bits = 0;
+  for (std::size_t i = 0; i < media().size(); ++i) {
+    bits |= largest(media()[i].scattering) > 0.0 ? 1U << i : 0U;
+  }
+  return bits;
+}
+
+Spectrum Air::scattering_depth(std::size_t medium) const {
+  Spectrum depth = media()[medium].scattering;
+  for (double& d : depth) {
+    d *= column().amount[medium];
+  }
+  return depth;
+}
+
+OpticalDepths Air::depths() const {
+  constexpr double kPeaked = 0.3;  // mean cosine, either way
+  OpticalDepths most;
+  for (std::size_t c = 0; c < Spectrum{}.size(); ++c) {
+    OpticalDepths here;
+    for (std::size_t i = 0; i < media().size(); ++i) {
+      const double scattering = scattering_depth(i)[c];
+      here.scattering += scattering;
+      here.extinction += scattering + media()[i].absorption[c] * column().amount[i];
+      here.peaked += std::abs(formulas().scene.media[i].legendre[1]) >= kPeaked ? scattering : 0.0;
+      here.abrupt += media()[i].density.profile == DensityProfile::constant ? scattering : 0.0;
+    }
+    most.extinction = std::max(most.extinction, here.extinction);
+    most.scattering = std::max(most.scattering, here.scattering);
+    most.peaked = std::max(most.peaked, here.peaked);
+    most.abrupt = std::max(most.abrupt, here.abrupt);
+  }
+  return most;
+}
+
+DiffusionDepths Air::diffusion_depths(unsigned int degree) const {
+  constexpr double kForward = 0.3;  // mean cosine
+  DiffusionDepths depths;
+  for (std::size_t i = 0; i < media().size(); ++i) {
+    const auto& legendre = formulas().scene.media[i].legendre;
+    const double depth = largest(scattering_depth(i));
+    depths.forward += legendre[1] > kForward ? depth : 0.0;
+    depths.transport += depth * (1.0 - legendre[1]);
+    depths.scaled += depth * (1.0 - std::max(legendre[degree + 1], 0.0));
+  }
+  return depths;
+}
+
+}  // namespace airlight

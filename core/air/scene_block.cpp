@@ -1,0 +1,185 @@
+#include "core/air/scene_block.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <iterator>
+#include <numbers>
+
+namespace airlight {
+namespace {
+
+using physics::vec3;
+
+vec3 vector_of(const Spectrum& s) {
+  return {s[0], s[1], s[2]};
+}
+
+// Radiance at the disc's centre: the limb-darkened profile 1 - u(1 - mu) has mean 1 - u/3 over the disc, and
+// radiance_scale 1 makes the mean radiance irradiance / solid angle.
+vec3 disc_radiance(const Sun& sun) {
+  const double half = std::sin(0.5 * sun.disc.angular_radius);
+  const double solid_angle = 4.0 * std::numbers::pi * half * half;
+  const double mean_over_centre = 1.0 - sun.disc.limb_darkening / 3.0;
+  return vector_of(sun.irradiance) * (sun.disc.radiance_scale / (solid_angle * mean_over_centre));
+}
+
+std::uint32_t cube_layout_code(CubeLayout layout) {
+  switch (layout) {
+    case CubeLayout::stack:
+      return physics::kCubeStack;
+    case CubeLayout::strip:
+      return physics::kCubeStrip;
+    case CubeLayout::cross:
+      return physics::kCubeCross;
+  }
+  return physics::kCubeStack;
+}
+
+// All but what belongs to the air: its fade stays.
+void put_picture(physics::Physics& p, const Scene& scene) {
+  physics::SunData& sun = p.scene.sun;
+  sun.direction = p.direction_from_angles(scene.sun.elevation, scene.sun.azimuth);
+  sun.irradiance = vector_of(scene.sun.irradiance);
+  sun.angular_radius = scene.sun.disc.angular_radius;
+  sun.limb_darkening = scene.sun.disc.limb_darkening;
+  sun.disc_radiance = disc_radiance(scene.sun);
+  const CameraBasis basis = camera_basis(scene.camera);
+  physics::CameraData& camera = p.scene.camera;
+  camera.altitude = scene.camera.altitude;
+  camera.right = basis.right;
+  camera.up = basis.up;
+  camera.forward = basis.forward;
+  camera.azimuth = scene.camera.azimuth;
+  camera.half_fov = 0.5 * scene.camera.vertical_fov;
+  camera.width = static_cast<physics::uint>(scene.image.width);
+  camera.height = static_cast<physics::uint>(scene.image.height);
+  camera.cube_layout = cube_layout_code(scene.camera.cube_layout);
+  p.scene.tile.width = camera.width;
+}
+
+float narrow(double x) {
+  return static_cast<float>(x);
+}
+
+device::vec3 narrow(const vec3& v) {
+  return {narrow(v.x), narrow(v.y), narrow(v.z)};
+}
+
+device::MediumData narrow(const physics::MediumData& from) {
+  device::MediumData m{};
+  m.scattering = narrow(from.scattering);
+  m.absorption = narrow(from.absorption);
+  m.scale_height = narrow(from.scale_height);
+  m.center = narrow(from.center);
+  m.half_width = narrow(from.half_width);
+  m.below = narrow(from.below);
+  m.g = narrow(from.g);
+  m.first_layer = from.first_layer;
+  m.layer_count = from.layer_count;
+  std::transform(std::begin(from.legendre), std::end(from.legendre), std::begin(m.legendre),
+                 [](double x) { return narrow(x); });
+  return m;
+}
+
+device::SunData narrow(const physics::SunData& from) {
+  return {.direction = narrow(from.direction),
+          .irradiance = narrow(from.irradiance),
+          .angular_radius = narrow(from.angular_radius),
+          .limb_darkening = narrow(from.limb_darkening),
+          .disc_radiance = narrow(from.disc_radiance),
+          .fade_scale = narrow(from.fade_scale),
+          .fade_bias = narrow(from.fade_bias)};
+}
+
+device::CameraData narrow(const physics::CameraData& from) {
+  return {.altitude = narrow(from.altitude),
+          .right = narrow(from.right),
+          .up = narrow(from.up),
+          .forward = narrow(from.forward),
+          .azimuth = narrow(from.azimuth),
+          .half_fov = narrow(from.half_fov),
+          .width = from.width,
+          .height = from.height,
+          .cube_layout = from.cube_layout};
+}
+
+}  // namespace
+
+CameraBasis camera_basis(const Camera& camera) {
+  const double cos_azimuth = std::cos(camera.azimuth);
+  const double sin_azimuth = std::sin(camera.azimuth);
+  const double cos_pitch = std::cos(camera.pitch);
+  const double sin_pitch = std::sin(camera.pitch);
+  const vec3 forward{sin_azimuth * cos_pitch, sin_pitch, -cos_azimuth * cos_pitch};
+  const vec3 right{cos_azimuth, 0.0, sin_azimuth};
+  const vec3 up{-sin_azimuth * sin_pitch, cos_pitch, cos_azimuth * sin_pitch};
+  const double c = std::cos(camera.roll);
+  const double s = std::sin(camera.roll);
+  return {right * c - up * s, right * s + up * c, forward};
+}
+
+physics::Physics formulas_of(const Air& air, const Scene& scene) {
+  physics::Physics p = air.formulas();
+  put_picture(p, scene);
+  return p;
+}
+
+physics::Physics geometry_of(const Scene& scene) {
+  physics::Physics p;
+  const Planet& planet = scene.planet;
+  p.scene.planet = {planet.ground_radius, planet.atmosphere_height, vector_of(planet.ground_albedo)};
+  put_picture(p, scene);
+  return p;
+}
+
+device::SceneData narrowed(const physics::SceneData& data) {
+  device::SceneData out{};
+  out.planet = {narrow(data.planet.ground_radius), narrow(data.planet.atmosphere_height),
+                narrow(data.planet.ground_albedo)};
+  out.sun = narrow(data.sun);
+  out.camera = narrow(data.camera);
+  out.multiple_scattering_scale = narrow(data.multiple_scattering_scale);
+  out.moments = {narrow(data.moments.top), narrow(data.moments.elevation_scale), narrow(data.moments.v_low),
+                 narrow(data.moments.v_high)};
+  std::transform(std::begin(data.media), std::end(data.media), std::begin(out.media),
+                 [](const physics::MediumData& m) { return narrow(m); });
+  std::transform(std::begin(data.layers), std::end(data.layers), std::begin(out.layers),
+                 [](const physics::vec2& layer) { return device::vec2{narrow(layer.x), narrow(layer.y)}; });
+  out.shell_rows = data.shell_rows;
+  std::transform(std::begin(data.shell_altitudes), std::end(data.shell_altitudes), std::begin(out.shell_altitudes),
+                 [](double h) { return narrow(h); });
+  out.tile = {data.tile.x, data.tile.y, data.tile.width};
+  return out;
+}
+
+std::vector<std::byte> device_scene_bytes(const Air& air, const Scene& scene) {
+  return device_scene_bytes(air, scene, {0, 0, scene.image.width, scene.image.height});
+}
+
+std::vector<std::byte> device_scene_bytes(const Air& air, const Scene& scene, const Tile& tile) {
+  device::SceneData data = narrowed(formulas_of(air, scene).scene);
+  data.tile = {static_cast<unsigned int>(tile.x), static_cast<unsigned int>(tile.y),
+               static_cast<unsigned int>(tile.width)};
+  std::vector<std::byte> bytes(sizeof data);
+  std::memcpy(bytes.data(), &data, sizeof data);
+  return bytes;
+}
+
+std::uint32_t projection_code(Projection projection) {
+  switch (projection) {
+    case Projection::perspective:
+      return physics::kProjectionPerspective;
+    case Projection::equirectangular:
+      return physics::kProjectionEquirectangular;
+    case Projection::fisheye:
+      return physics::kProjectionFisheye;
+    case Projection::cube:
+      return physics::kProjectionCube;
+    case Projection::octahedral:
+      return physics::kProjectionOctahedral;
+  }
+  return physics::kProjectionPerspective;
+}
+
+}  // namespace airlight

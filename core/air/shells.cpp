@@ -1,0 +1,106 @@
+#include "core/air/shells.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace airlight {
+namespace {
+
+bool is_smooth(DensityProfile profile) {
+  return profile == DensityProfile::exponential || profile == DensityProfile::lorentzian;
+}
+
+// Two to five times the rows of the table, the most from an optical depth of 3 on: a forward-scattering slab of depth 8
+// is 3.9 % off with four times, 2.8 % with five.
+int wished_rows(int moment_rows, double depth) {
+  const double more = 2.0 + std::clamp(depth, 0.0, 3.0);
+  return static_cast<int>(std::lround(std::clamp(moment_rows * more, 4.0, 60.0)));
+}
+
+// How densely rows should stand: F rises from 0 to 1 over the column's samples, rows at equal steps of F. Half of it
+// goes with the optical depth, more next to either end of a thick column, half with the square root of the altitude.
+std::vector<double> row_measure(const Column& column) {
+  const double total = column.depth.back();
+  const double height = column.edges.back();
+  std::vector<double> f{0.0};
+  for (std::size_t i = 1; i < column.edges.size(); ++i) {
+    const double depth = 0.5 * (column.depth[i] + column.depth[i - 1]);
+    const double end = std::min(depth, total - depth);
+    f.push_back(f.back() + (column.depth[i] - column.depth[i - 1]) * (1.0 / (end + 0.4) + 0.4));
+  }
+  const double scale = f.back() > 0.0 ? 1.0 / f.back() : 0.0;
+  const double share = scale > 0.0 ? std::max(0.5, total / (total + 1.0)) : 0.0;
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    f[i] = share * f[i] * scale + (1.0 - share) * std::sqrt(column.edges[i] / height);
+  }
+  return f;
+}
+
+// How many shells stand between each break and the next, about `wished` in all and never more than there is room for:
+// every break is an edge, so that rounding up the shares of many parts may ask for more.
+std::vector<int> shells_between(const std::vector<double>& f, std::size_t samples, int wished) {
+  constexpr int kMost = static_cast<int>(physics::kMaxShellRows) - 1;
+  std::vector<int> shells((f.size() - 1) / samples);
+  for (int share = wished;; --share) {
+    int sum = 0;
+    for (std::size_t s = 0; s < shells.size(); ++s) {
+      shells[s] = std::max(1, static_cast<int>(std::lround((f[(s + 1) * samples] - f[s * samples]) * share)));
+      sum += shells[s];
+    }
+    if (sum <= kMost) {
+      return shells;
+    }
+  }
+}
+
+// A row below `end`, unless 32 bits do not tell it from its neighbours: a shell of no height has no inside.
+void add_row(std::vector<double>& rows, double h, double end) {
+  const auto narrow = static_cast<float>(h);
+  if (narrow > static_cast<float>(rows.back()) && narrow < static_cast<float>(end)) {
+    rows.push_back(h);
+  }
+}
+
+}  // namespace
+
+bool needs_shells(const Column& column, const std::vector<Medium>& media) {
+  constexpr double kEdge = 0.01;
+  constexpr double kThick = 0.4;
+  Spectrum depth{};
+  for (std::size_t i = 0; i < media.size(); ++i) {
+    double most = 0.0;
+    for (std::size_t c = 0; c < depth.size(); ++c) {
+      const double mine = media[i].scattering[c] * column.amount[i];
+      depth[c] += mine;
+      most = std::max(most, mine);
+    }
+    if (!is_smooth(media[i].density.profile) && most > kEdge) {
+      return true;
+    }
+  }
+  return *std::max_element(depth.begin(), depth.end()) > kThick;
+}
+
+std::vector<double> shell_altitudes(const Column& column, int moment_rows) {
+  const std::vector<double> f = row_measure(column);
+  const std::size_t cells = column.cells_between_breaks;
+  const std::vector<int> shells = shells_between(f, cells, wished_rows(moment_rows, column.depth.back()) - 1);
+  std::vector<double> rows{0.0};
+  for (std::size_t s = 0; s < shells.size(); ++s) {
+    const std::size_t first = s * cells;
+    const std::size_t last = first + cells;
+    std::size_t at = first;
+    for (int k = 1; k < shells[s]; ++k) {
+      const double aim = f[first] + (f[last] - f[first]) * k / shells[s];
+      while (at + 1 < last && f[at + 1] < aim) {
+        ++at;
+      }
+      const double part = (aim - f[at]) / (f[at + 1] - f[at]);
+      add_row(rows, column.edges[at] + part * column.width(at), column.breaks[s + 1]);
+    }
+    rows.push_back(column.breaks[s + 1]);
+  }
+  return rows;
+}
+
+}  // namespace airlight
