@@ -108,7 +108,7 @@ class MarchParity : public testing::Test {
     const BufferId in = plan.add_buffer({.name = "rays", .bytes = rays.size() * 16, .contents = bytes_of(rays)});
     const BufferId out =
         plan.add_buffer({.name = "paths", .bytes = rays.size() * sizeof(Inputs), .host_readable = true});
-    std::vector<Specialization> constants = sunlight_specialization(plan, scene, transmittance);
+    std::vector<Specialization> constants = sunlight_specialization(plan, air_of(scene), transmittance);
     add_scattering_size(constants, plan, scattering);
     constants.push_back({"kGroundReflects", reflects ? 1u : 0u});
     constants.push_back({"kStepDistribution", distribution});

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/methods/method.h"
+#include "core/methods/scene_air.h"
 #include "core/scene/scene.h"
 
 namespace airlight {
