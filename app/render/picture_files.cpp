@@ -3,10 +3,10 @@
 #include <array>
 #include <cmath>
 
+#include "core/air/scene_block.h"
 #include "core/output/png.h"
 #include "core/output/provenance_keys.h"
 #include "core/output/quantize.h"
-#include "core/air/scene_block.h"
 #include "core/scene/photometry.h"
 
 namespace airlight::cli {

@@ -13,6 +13,9 @@
 namespace airlight {
 namespace {
 
+static_assert(kMaxMedia == static_cast<int>(physics::kMaxMedia));
+static_assert(kMaxDensityLayers == static_cast<int>(physics::kMaxDensityLayers));
+
 physics::vec3 vector_of(const Spectrum& s) {
   return {s[0], s[1], s[2]};
 }

@@ -145,7 +145,9 @@ device::SceneData narrowed(const physics::SceneData& data) {
   std::transform(std::begin(data.media), std::end(data.media), std::begin(out.media),
                  [](const physics::MediumData& m) { return narrow(m); });
   std::transform(std::begin(data.layers), std::end(data.layers), std::begin(out.layers),
-                 [](const physics::vec2& layer) { return device::vec2{narrow(layer.x), narrow(layer.y)}; });
+                 [](const physics::vec2& layer) {
+                   return device::vec2{narrow(layer.x), narrow(layer.y)};
+                 });
   out.shell_rows = data.shell_rows;
   std::transform(std::begin(data.shell_altitudes), std::end(data.shell_altitudes), std::begin(out.shell_altitudes),
                  [](double h) { return narrow(h); });

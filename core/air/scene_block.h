@@ -1,6 +1,6 @@
 #pragma once
-// The scene as the physics reads it: the air (air.h) with the picture's own sun, camera and tile, on double for the host
-// and on float for the device.
+// The scene as the physics reads it: the air (air.h) with the picture's own sun, camera and tile, on double for the
+// host and on float for the device.
 
 #include <cstddef>
 #include <cstdint>

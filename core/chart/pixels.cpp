@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/measure/view_geometry.h"
 #include "core/air/scene_block.h"
+#include "core/measure/view_geometry.h"
 
 namespace airlight::chart {
 namespace {

@@ -102,8 +102,8 @@ Truth find_truth(const Scene& scene, const PixelSet& pixels, const std::filesyst
   options.checkpoint = samples.string();
   options.checkpoint_interval_s = 10.0;
   const Scene traced = truth_scene(scene, rules);
-  const HostPicture picture = find_method("path-trace")
-                                  ->render_on_host(traced, air_of(traced), View{.directions = pixels.directions}, options);
+  const HostPicture picture =
+      find_method("path-trace")->render_on_host(traced, air_of(traced), View{.directions = pixels.directions}, options);
   Truth truth;
   append_rgb(truth.radiance, picture.radiance);
   append_rgb(truth.standard_error, picture.standard_error);

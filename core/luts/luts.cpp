@@ -27,9 +27,7 @@ std::string table_key(const Air& air, std::string_view table, TableSize size, st
 
 std::vector<Specialization> medium_specialization(const Air& air) {
   const physics::Physics& p = air.formulas();
-  return {{"kMediumCount", p.media},
-          {"kDensityProfiles", p.density_profiles},
-          {"kPhaseFunctions", p.phase_functions}};
+  return {{"kMediumCount", p.media}, {"kDensityProfiles", p.density_profiles}, {"kPhaseFunctions", p.phase_functions}};
 }
 
 std::vector<Specialization> sunlight_specialization(const Plan& plan, const Air& air, ImageId transmittance) {

@@ -44,8 +44,7 @@ std::vector<Specialization> march_specialization(const Plan& plan, const Scene& 
 std::vector<Binding> march_reads(const MarchTables& tables);
 
 // The pass that marches every pixel or listed direction.
-void add_march_pass(Plan& plan, const Scene& scene, const Air& air, const MarchTables& tables,
-                    const SkyTarget& target);
+void add_march_pass(Plan& plan, const Scene& scene, const Air& air, const MarchTables& tables, const SkyTarget& target);
 
 // The pass of the same march that keeps its light apart.
 LayerPasses add_march_layers(Plan& plan, const Scene& scene, const Air& air, const View& view,

@@ -27,9 +27,7 @@ class Shelf {
  public:
   Air find(const Scene& scene, const AirOptions& options) {
     const std::lock_guard lock(mutex_);
-    const auto same_matter = [&](const Air& air) {
-      return air.media() == scene.media && air.planet() == scene.planet;
-    };
+    const auto same_matter = [&](const Air& air) { return air.media() == scene.media && air.planet() == scene.planet; };
     auto found = std::find_if(airs_.begin(), airs_.end(),
                               [&](const Air& air) { return air.options() == options && same_matter(air); });
     if (found == airs_.end()) {

@@ -118,8 +118,7 @@ SkyPasses add_sky_view(Plan& plan, const Scene& scene, const Air& air, const Vie
 }
 
 // The same table with its light apart, in blocks side by side.
-ImageId add_layers_table(Plan& plan, const Scene& scene, const Air& air, const View& view,
-                         const MarchTables& tables) {
+ImageId add_layers_table(Plan& plan, const Scene& scene, const Air& air, const View& view, const MarchTables& tables) {
   const TableSize size = scene.render.get<TableSize>("sky_view_lut");
   const auto columns = static_cast<std::uint32_t>(size[0]);
   const auto rows = static_cast<std::uint32_t>(size[1]);

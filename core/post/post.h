@@ -28,7 +28,8 @@ Picture picture_of(BufferId buffer, const Tile& tile);
 // Adds the sun's disc where the camera can see it. Returns false, and adds nothing, where it cannot: switched off,
 // outside the picture or tile, or wholly behind the planet. The disc is seen through the method's transmittance table,
 // or through one added here where the method has none.
-bool add_sun_disc(Plan& plan, const Scene& scene, const Air& air, std::optional<ImageId> transmittance, const Picture& picture);
+bool add_sun_disc(Plan& plan, const Scene& scene, const Air& air, std::optional<ImageId> transmittance,
+                  const Picture& picture);
 
 // Row statistics of a picture or a table, for summarize(). `key` as for any buffer of a plan.
 BufferId add_picture_statistics(Plan& plan, const Picture& picture);

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/error.h"
 #include "core/air/scene_block.h"
+#include "core/error.h"
 
 namespace airlight {
 namespace {

@@ -214,9 +214,10 @@ Rendering render(const DeviceOnDemand& device, const Scene& scene, const RenderR
 Plan plan_for(const Scene& scene, const RenderRequest& request) {
   const Air air = air_of(scene);
   Frame frame = method_of(scene).render_on_host != nullptr
-                    ? host_frame(scene, air, {scene.image.width, scene.image.height,
-                                         std::vector<float>(4 * static_cast<std::size_t>(scene.image.width) *
-                                                            static_cast<std::size_t>(scene.image.height))})
+                    ? host_frame(scene, air,
+                                 {scene.image.width, scene.image.height,
+                                  std::vector<float>(4 * static_cast<std::size_t>(scene.image.width) *
+                                                     static_cast<std::size_t>(scene.image.height))})
                     : sky_frame(scene, air, request);
   PostFrame post{std::move(frame.plan), {}, {}};
   add_post(post, scene, frame.picture, request, request.bloom && scene.bloom.enabled, 1.0);

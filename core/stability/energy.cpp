@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/methods/path_trace/gauss.h"
 #include "core/air/scene_block.h"
+#include "core/methods/path_trace/gauss.h"
 
 namespace airlight::stability {
 namespace {

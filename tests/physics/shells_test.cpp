@@ -61,7 +61,8 @@ TEST(Shells, HaveEdgesWhereADensityJumpsOrBends) {
     many.push_back({0.3 * i, i % 2 == 0 ? 0.0 : 0.01});
   }
   fine.media[2].density = layers(many);
-  EXPECT_LE(shell_altitudes(air_of(fine).column(), air_of(fine).options().moment_rows).size(), static_cast<std::size_t>(physics::kMaxShellRows));
+  EXPECT_LE(shell_altitudes(air_of(fine).column(), air_of(fine).options().moment_rows).size(),
+            static_cast<std::size_t>(physics::kMaxShellRows));
 }
 
 // Thin layers at the foot of thick air: each is a shell by itself, and the rest asks for nearly all that were wished.
