@@ -15,10 +15,10 @@
 #include "app/render/picture_files.h"
 #include "app/render/report.h"
 #include "app/render/validity.h"
+#include "core/air/scene_block.h"
 #include "core/error.h"
 #include "core/measure/frames.h"
 #include "core/output/atomic_file.h"
-#include "core/air/scene_block.h"
 #include "core/render/spans.h"
 
 namespace airlight::cli {

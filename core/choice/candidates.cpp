@@ -10,8 +10,6 @@
 namespace airlight::choice {
 namespace {
 
-constexpr std::string_view kScale = "multiple_scattering_scale";
-
 // Its passes and tables; without the scene block it is not to be run.
 Plan plan_of(const Scene& scene) {
   Plan plan;
@@ -24,38 +22,21 @@ bool claims(const Validity& validity, const Scene& scene, double optical_depth) 
          optical_depth <= validity.optical_depth_max;
 }
 
-std::string words(int pixels) {
-  return "the picture's " + std::to_string(pixels) + " pixels are too few to pay for it";
-}
-
 // What the picture does without by this choice.
-std::vector<std::string> left_out(const Scene& scene, const Plan& plan) {
-  std::vector<std::string> lines;
-  if (scene.render.parameters.contains(kScale) && scene.render.get<double>(kScale) == 0.0) {
-    lines.push_back("multiple scattering: the air is so thin that it adds less than the tolerance");
-  }
-  if (scene.render.method == "nested") {
-    lines.push_back("multiple scattering: it adds less than the tolerance");
-  }
-  const bool tables = std::ranges::any_of(plan.images(), [](const ImageDesc& image) { return !image.key.empty(); });
-  const int pixels = scene.image.width * scene.image.height;
-  if (!tables) {
+std::vector<std::string> left_out(const Scene& scene, const SkyMethod& method, const Plan& plan) {
+  std::vector<std::string> lines =
+      method.left_out == nullptr ? std::vector<std::string>() : method.left_out(scene, plan);
+  if (std::ranges::all_of(plan.images(), [](const ImageDesc& image) { return image.key.empty(); })) {
     lines.push_back("tables kept from picture to picture: the method needs none");
-  }
-  const bool factors =
-      std::ranges::any_of(plan.images(), [](const ImageDesc& image) { return image.name == "sky_factors"; });
-  if (scene.render.method == "orders" && !factors && scene.camera.altitude <= scene.planet.atmosphere_height &&
-      scene.render.get<std::string>("tabulate") == "auto") {
-    lines.push_back("table of the picture's light: " + words(pixels));
   }
   return lines;
 }
 
-Candidate make(Scene scene, const std::string& method, std::string quality, const IsKept& is_there, const Plan& plan) {
+Candidate make(Scene scene, std::string quality, const IsKept& is_there, const Plan& plan) {
   Candidate candidate;
-  candidate.left_out = left_out(scene, plan);
+  candidate.method = scene.render.method;
+  candidate.left_out = left_out(scene, *find_method(candidate.method), plan);
   candidate.scene = std::move(scene);
-  candidate.method = method;
   candidate.quality = std::move(quality);
   candidate.cost = predicted_cost(plan, is_there);
   return candidate;
@@ -77,7 +58,7 @@ Candidate reference(const Scene& scene, bool fine) {
   Scene near_truth = with_quality(scene, *find_method("orders"), quality);
   const Plan plan = plan_of(near_truth);
   return make(
-      std::move(near_truth), "orders", std::string(quality.label), [](ResourceId) { return false; }, plan);
+      std::move(near_truth), std::string(quality.label), [](ResourceId) { return false; }, plan);
 }
 
 std::vector<Candidate> candidates(const Scene& scene, double tolerance, const std::string& only,
@@ -93,12 +74,12 @@ std::vector<Candidate> candidates(const Scene& scene, double tolerance, const st
   }
   const OpticalDepths depths = air_of(scene).depths();
   std::vector<Candidate> all;
-  const auto add = [&](Scene with, const SkyMethod& method, std::string label) {
+  const auto add = [&](Scene with, std::string label) {
     const Plan plan = plan_of(with);
     const IsKept is_there = [&](ResourceId id) {
       return is_table(plan, id) && keys.contains(plan.images()[std::get<ImageId>(id).index].key);
     };
-    all.push_back(make(std::move(with), std::string(method.info.name), std::move(label), is_there, plan));
+    all.push_back(make(std::move(with), std::move(label), is_there, plan));
   };
   for (const SkyMethod& method : methods()) {
     const bool wanted = only.empty() || method.info.name == only;
@@ -110,11 +91,13 @@ std::vector<Candidate> candidates(const Scene& scene, double tolerance, const st
         continue;
       }
       const Scene with = with_quality(scene, method, quality);
-      add(with, method, std::string(quality.label));
-      if (with.render.parameters.contains(kScale) && depths.scattering < 2.0 * tolerance) {
+      add(with, std::string(quality.label));
+      if (!method.single_scattering.empty() && depths.scattering < 2.0 * tolerance) {
         Scene single = with;
-        single.render.parameters.insert_or_assign(std::string(kScale), 0.0);
-        add(std::move(single), method, std::string(quality.label) + ", single scattering");
+        for (const auto& [key, value] : method.single_scattering) {
+          single.render.parameters.insert_or_assign(std::string(key), value);
+        }
+        add(std::move(single), std::string(quality.label) + ", single scattering");
       }
     }
   }

@@ -7,14 +7,14 @@
 
 namespace airlight::choice {
 
-// In units of one step of `march` at one pixel, about 20 ns of one core of a software device.
+// In units of PassDesc::cost.
 struct Cost {
   double tables = 0.0;   // passes that make what is kept from picture to picture
   double picture = 0.0;  // the others
   double total() const { return tables + picture; }
 };
 
-// `is_there`: tables that are made already and cost nothing. Passes are threads x steps x a weight for each shader.
+// `is_there`: tables that are made already and cost nothing.
 Cost predicted_cost(
     const Plan& plan, const IsKept& is_there = [](ResourceId) { return false; });
 

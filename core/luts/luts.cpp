@@ -56,7 +56,8 @@ ImageId add_transmittance(Plan& plan, const Air& air, TableSize size) {
                  .writes = {{"transmittance_out", out}},
                  .grid = extent_of(size),
                  .push_constants = {},
-                 .specialization = medium_specialization(air)});
+                 .specialization = medium_specialization(air),
+                 .cost = 12.0});
   return out;
 }
 
@@ -73,7 +74,8 @@ ImageId add_multiple_scattering(Plan& plan, const Air& air, ImageId transmittanc
                  .grid = {physics::kMultipleScatteringDirections, static_cast<std::uint32_t>(size[0]),
                           static_cast<std::uint32_t>(size[1])},
                  .push_constants = {},
-                 .specialization = sunlight_specialization(plan, air, transmittance)});
+                 .specialization = sunlight_specialization(plan, air, transmittance),
+                 .cost = 44.0});
   return out;
 }
 
@@ -92,7 +94,8 @@ ImageId add_ground_irradiance(Plan& plan, const Air& air, ImageId transmittance,
                  .writes = {{"ground_irradiance_out", out}},
                  .grid = {physics::kGroundIrradianceDirections, physics::kGroundIrradianceSize, 1},
                  .push_constants = {},
-                 .specialization = constants});
+                 .specialization = constants,
+                 .cost = 44.0});
   return out;
 }
 

@@ -65,6 +65,9 @@ struct OrderQuadrature {
   int steps;
 };
 
+// That share the directions of a node, as orders_bake.comp has them.
+constexpr std::uint32_t kThreads = 64;
+
 // Sunlight scattered once is the least smooth; what follows needs fewer directions.
 constexpr OrderQuadrature kFirstOrder{12, 6, 8, 16};
 constexpr OrderQuadrature kNextOrders{8, 4, 3, 8};
@@ -189,10 +192,11 @@ ImageId add_moments(Plan& plan, const Air& air, ImageId sunlight, const MomentSe
                    {"moments_lut", first ? sunlight : orders.back()},  // the first order reads none
                    {"nodes", nodes.at(directions)}},
          .writes = {{"order_out", out}, {"sums", sums}},
-         .grid = {64, static_cast<std::uint32_t>(settings.size[0]), static_cast<std::uint32_t>(settings.size[1])},
+         .grid = {kThreads, static_cast<std::uint32_t>(settings.size[0]), static_cast<std::uint32_t>(settings.size[1])},
          .push_constants = {static_cast<std::uint32_t>((q.up + q.down) * q.half_azimuths),
                             static_cast<std::uint32_t>(q.steps)},
-         .specialization = mine});
+         .specialization = mine,
+         .cost = 2.0 * (q.up + q.down) * q.half_azimuths * q.steps / kThreads});
     orders.push_back(out);
   }
   const std::string key = "degree " + std::to_string(settings.degree) + " delta " + std::to_string(settings.delta) +

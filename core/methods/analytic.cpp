@@ -19,6 +19,10 @@ const std::array<ParameterInfo, 1> kParameters{{
      "own column, in-scattering and aerial perspective by exponentials"},
 }};
 
+bool is_exponential(const Scene& scene) {
+  return scene.render.get<std::string>("variant") == "exponential";
+}
+
 SkyPasses add_analytic(Plan& plan, const Scene& scene, const Air& air, const View& view) {
   const SkyTarget target = add_sky_target(plan, scene, view);
   std::vector<std::byte> bytes = analytic_bytes(make_analytic_physics(air, scene).analytic);
@@ -27,9 +31,8 @@ SkyPasses add_analytic(Plan& plan, const Scene& scene, const Air& air, const Vie
       {.name = "analytic", .bytes = size, .host_readable = false, .contents = std::move(bytes), .key = {}});
   std::vector<Specialization> constants = medium_specialization(air);
   constants.push_back({"kProjection", target.projection});
-  constants.push_back({"kVariant", scene.render.get<std::string>("variant") == "exponential"
-                                       ? physics::kAnalyticExponential
-                                       : physics::kAnalyticZenithDensity});
+  constants.push_back(
+      {"kVariant", is_exponential(scene) ? physics::kAnalyticExponential : physics::kAnalyticZenithDensity});
   constants.push_back({"kScatteringMedia", air.scattering_media()});
   plan.add_pass({.name = "sky",
                  .shader = "sky_analytic",
@@ -37,8 +40,20 @@ SkyPasses add_analytic(Plan& plan, const Scene& scene, const Air& air, const Vie
                  .writes = {{"radiance_out", target.radiance}},
                  .grid = target.grid,
                  .push_constants = {target.grid.width, target.grid.height},
-                 .specialization = std::move(constants)});
+                 .specialization = std::move(constants),
+                 .cost = 5.0});
   return {target.radiance, {}};
+}
+
+RayFormula formula(physics::Physics p, const Scene& scene, const Air& air, const HostTables&) {
+  physics::Physics closed = make_analytic_physics(air, scene);
+  closed.scene.sun = p.scene.sun;
+  return [closed, exponential = is_exponential(scene)](const physics::Physics::Ray& ray) mutable {
+    const physics::PlanetData& planet = closed.scene.planet;
+    const physics::SunData& sun = closed.scene.sun;
+    return exponential ? closed.analytic_exponential(planet, sun, ray, sun.direction.y).radiance
+                       : closed.analytic_zenith_density(planet, sun, ray).radiance;
+  };
 }
 
 Quality with_variant(std::string_view name) {
@@ -69,6 +84,7 @@ SkyMethod analytic_method() {
        "the horizon from above the ground: a column across it is the difference of two fits"}};
   method.converged = converged_march();
   method.add_passes = add_analytic;
+  method.formula = formula;
   return method;
 }
 

@@ -83,6 +83,10 @@ SkyMethod march_method() {
   method.converged = converged_march();
   method.add_passes = add_march;
   method.add_layer_passes = add_layers;
+  method.layers_refusal = march_layers_refusal;
+  method.left_out = march_left_out;
+  method.single_scattering = {{"multiple_scattering_scale", 0.0}};
+  method.formula = march_formula;
   return method;
 }
 

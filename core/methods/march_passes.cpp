@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <utility>
 
 #include "core/luts/luts.h"
 #include "core/methods/marched_picture.h"
@@ -10,6 +11,7 @@
 namespace airlight {
 namespace {
 
+constexpr std::string_view kScale = "multiple_scattering_scale";
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 // By code: physics::kStepsUniform, ...
 constexpr std::array<std::string_view, 4> kDistributions{"uniform", "quadratic", "optical-depth", "gauss-legendre"};
@@ -58,7 +60,7 @@ ParameterInfo multiple_scattering_lut_parameter() {
 }
 
 ParameterInfo multiple_scattering_scale_parameter() {
-  return {"multiple_scattering_scale",
+  return {kScale,
           ParameterKind::number,
           0,
           kNoLimit,
@@ -120,7 +122,7 @@ MarchTables add_march_tables(Plan& plan, const Scene& scene, const Air& air) {
   MarchTables tables;
   tables.transmittance = add_transmittance(plan, air, settings.get<TableSize>("transmittance_lut"));
   // Scaled by nothing, it need not be more than a table that can be bound.
-  const bool single = settings.get<double>("multiple_scattering_scale") == 0.0;
+  const bool single = settings.get<double>(kScale) == 0.0;
   tables.multiple_scattering = add_multiple_scattering(
       plan, air, tables.transmittance, single ? TableSize{2, 2} : settings.get<TableSize>("multiple_scattering_lut"));
   tables.reflects = air.ground_reflects();
@@ -143,6 +145,53 @@ std::vector<Specialization> march_specialization(const Plan& plan, const Scene& 
   return constants;
 }
 
+double march_cost(const Scene& scene) {
+  constexpr double kPlacing = physics::kOpticalPanels;  // what finding the optical depth of a ray costs, in steps
+  const bool by_depth = step_distribution_code(scene) == physics::kStepsOpticalDepth;
+  return 4.0 + scene.render.get<int>("steps") + (by_depth ? kPlacing : 0.0);
+}
+
+std::vector<std::string> march_left_out(const Scene& scene, const Plan&) {
+  if (scene.render.get<double>(kScale) > 0.0) {
+    return {};
+  }
+  return {"multiple scattering: the air is so thin that it adds less than the tolerance"};
+}
+
+std::string march_layers_refusal(const Scene& scene) {
+  const std::array<std::pair<const char*, std::vector<std::string>>, 3> known{
+      {{"step_distribution", {"quadratic", "uniform"}}, {"jitter", {"none"}}, {"resolution", {"full"}}}};
+  for (const auto& [key, values] : known) {
+    const auto found = scene.render.parameters.find(key);
+    if (found == scene.render.parameters.end()) {
+      continue;
+    }
+    const std::string& value = std::get<std::string>(found->second);
+    if (std::ranges::find(values, value) == values.end()) {
+      return "render." + std::string(key) + " \"" + value + "\" keeps no light apart; set it to \"" + values.front() +
+             "\"";
+    }
+  }
+  return {};
+}
+
+physics::HostTable host_table(const HostTables& tables, const std::string& name) {
+  const auto found = tables.find(name);
+  return found == tables.end() ? physics::HostTable() : found->second;
+}
+
+RayFormula march_formula(physics::Physics p, const Scene& scene, const Air&, const HostTables& tables) {
+  p.transmittance_lut = host_table(tables, "transmittance");
+  p.multiple_scattering_lut = host_table(tables, "multiple_scattering");
+  p.ground_irradiance_lut = host_table(tables, "ground_irradiance");
+  const auto steps = static_cast<physics::uint>(scene.render.get<int>("steps"));
+  return [p, steps, distribution = step_distribution_code(scene),
+          place = place_in_step(scene)](const physics::Physics::Ray& ray) mutable {
+    return p.march_at(p.scene.planet, p.scene.sun, ray, steps, distribution, place, p.scene.multiple_scattering_scale)
+        .radiance;
+  };
+}
+
 std::vector<Binding> march_reads(const MarchTables& tables) {
   return {{"transmittance_lut", tables.transmittance}, {"multiple_scattering_lut", tables.multiple_scattering}};
 }
@@ -157,7 +206,8 @@ void add_march_pass(Plan& plan, const Scene& scene, const Air& air, const MarchT
                       {.shader = "sky_march",
                        .reads = std::move(reads),
                        .push_constants = {static_cast<std::uint32_t>(scene.render.get<int>("steps"))},
-                       .specialization = std::move(constants)},
+                       .specialization = std::move(constants),
+                       .cost = march_cost(scene)},
                       target);
 }
 

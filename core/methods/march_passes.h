@@ -36,6 +36,18 @@ MarchTables add_march_tables(Plan& plan, const Scene& scene, const Air& air);
 // The value of kStepDistribution that the scene asks for.
 std::uint32_t step_distribution_code(const Scene& scene);
 
+// PassDesc::cost of a march along one ray.
+double march_cost(const Scene& scene);
+
+// SkyMethod's members for methods that march: what their keys leave out, keys that keep no light apart, the march in
+// double.
+std::vector<std::string> march_left_out(const Scene& scene, const Plan& plan);
+std::string march_layers_refusal(const Scene& scene);
+RayFormula march_formula(physics::Physics p, const Scene& scene, const Air& air, const HostTables& tables);
+
+// The table of this name, empty where there is none.
+physics::HostTable host_table(const HostTables& tables, const std::string& name);
+
 // The specialisation constants of a pass that marches on these tables.
 std::vector<Specialization> march_specialization(const Plan& plan, const Scene& scene, const Air& air,
                                                  const MarchTables& tables);

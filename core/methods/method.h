@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -139,11 +140,18 @@ struct Converged {
 };
 
 // Each takes a scene with its air as the method's keys want it (scene_air.h).
+using HostTables = std::map<std::string, physics::HostTable>;
+
+// The radiance of the scene along one of its rays, in double.
+using RayFormula = std::function<physics::vec3(const physics::Physics::Ray&)>;
+
 struct SkyMethod {
   MethodInfo info;
   Validity validity;
   std::vector<Quality> sweep;
   Converged converged;
+  // By these parameters it leaves out light scattered more than once. Empty: by none.
+  std::vector<std::pair<std::string_view, ParameterValue>> single_scattering;
   // Exactly one of the two.
   SkyPasses (*add_passes)(Plan&, const Scene&, const Air&, const View&) = nullptr;
   HostPicture (*render_on_host)(const Scene&, const Air&, const View&, const HostOptions&) = nullptr;
@@ -151,6 +159,13 @@ struct SkyMethod {
   LayerPasses (*add_layer_passes)(Plan&, const Scene&, const Air&, const View&) = nullptr;
   // The air between the camera and things. Null: the method knows whole rays alone.
   SpanPasses (*add_span_passes)(Plan&, const Scene&, const Air&, std::span<const Span>) = nullptr;
+  // Why it does not for this scene, though it does in general; empty: it does. Null: it always does.
+  std::string (*layers_refusal)(const Scene&) = nullptr;
+  // What the picture does without as this plan has it, a line each. Null: nothing.
+  std::vector<std::string> (*left_out)(const Scene&, const Plan&) = nullptr;
+  // Its own formulas in double. `p`: the scene's, to put `tables` into, by name as the device has filled them. Null: it
+  // has none beside its tables'.
+  RayFormula (*formula)(physics::Physics p, const Scene&, const Air&, const HostTables& tables) = nullptr;
 };
 
 // All methods, in the order of the help text.

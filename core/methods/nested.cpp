@@ -53,10 +53,12 @@ std::vector<std::uint32_t> push_constants_of(const Scene& scene) {
 
 SkyPasses add_nested(Plan& plan, const Scene& scene, const Air& air, const View& view) {
   const SkyTarget target = add_sky_target(plan, scene, view);
-  add_marched_picture(
-      plan, scene,
-      {.shader = "sky_nested", .push_constants = push_constants_of(scene), .specialization = constants_of(scene, air)},
-      target);
+  add_marched_picture(plan, scene,
+                      {.shader = "sky_nested",
+                       .push_constants = push_constants_of(scene),
+                       .specialization = constants_of(scene, air),
+                       .cost = 4.0 + scene.render.get<int>("steps") * (1.0 + scene.render.get<int>("sun_steps"))},
+                      target);
   return {target.radiance, {}};
 }
 
@@ -75,6 +77,21 @@ LayerPasses add_layers(Plan& plan, const Scene& scene, const Air& air, const Vie
                  .push_constants = std::move(push_constants),
                  .specialization = std::move(constants)});
   return {planes, std::nullopt};
+}
+
+std::vector<std::string> left_out(const Scene&, const Plan&) {
+  return {"multiple scattering: it adds less than the tolerance"};
+}
+
+RayFormula formula(physics::Physics p, const Scene& scene, const Air&, const HostTables&) {
+  p.sun_steps = static_cast<physics::uint>(scene.render.get<int>("sun_steps"));
+  p.multiple_scattering_lut = {1, 1, {physics::vec3(0.0)}};
+  p.ground_irradiance_lut = {1, 1, {physics::vec3(0.0)}};
+  const auto steps = static_cast<physics::uint>(scene.render.get<int>("steps"));
+  return [p, steps, distribution = step_distribution_code(scene),
+          place = place_in_step(scene)](const physics::Physics::Ray& ray) mutable {
+    return p.march_at(p.scene.planet, p.scene.sun, ray, steps, distribution, place, 0.0).radiance;
+  };
 }
 
 Quality with_steps(std::string_view label, int steps, int sun_steps) {
@@ -110,6 +127,9 @@ SkyMethod nested_method() {
   method.converged = {"", {{"steps", 512}, {"sun_steps", 120}}};
   method.add_passes = add_nested;
   method.add_layer_passes = add_layers;
+  method.layers_refusal = march_layers_refusal;
+  method.left_out = left_out;
+  method.formula = formula;
   return method;
 }
 

@@ -170,6 +170,10 @@ Light add_light(Plan& plan, const Scene& scene, const Air& air) {
   return light;
 }
 
+double ray_cost(std::uint32_t steps) {
+  return 10.0 + 2.5 * steps;
+}
+
 // `shader`: sky_factors, or layers_factors with one block more.
 ImageId add_factors(Plan& plan, const std::string& shader, const FactorTable& table, const View& view,
                     const Light& light) {
@@ -189,7 +193,8 @@ ImageId add_factors(Plan& plan, const std::string& shader, const FactorTable& ta
                  .grid = {table.columns, table.rows(), 1},
                  .push_constants = {light.steps},
                  .specialization = std::move(constants),
-                 .team = team});
+                 .team = team,
+                 .cost = ray_cost(light.steps)});
   return factors;
 }
 
@@ -206,7 +211,8 @@ void add_tabulated_sky(Plan& plan, const Scene& scene, const Air& air, const Vie
                  .writes = {{"radiance_out", target.radiance}},
                  .grid = target.grid,
                  .push_constants = {target.grid.width, target.grid.height},
-                 .specialization = std::move(constants)});
+                 .specialization = std::move(constants),
+                 .cost = 2.0});
 }
 
 SkyPasses add_orders(Plan& plan, const Scene& scene, const Air& air, const View& view) {
@@ -224,7 +230,8 @@ SkyPasses add_orders(Plan& plan, const Scene& scene, const Air& air, const View&
                    .writes = {{"radiance_out", target.radiance}},
                    .grid = target.grid,
                    .push_constants = {target.grid.width, target.grid.height, light.steps},
-                   .specialization = light.constants});
+                   .specialization = light.constants,
+                   .cost = ray_cost(light.steps)});
   }
   return {target.radiance, {light.transmittance}};
 }
@@ -278,6 +285,34 @@ SpanPasses add_spans(Plan& plan, const Scene& scene, const Air& air, std::span<c
                  .push_constants = {count, light.steps},
                  .specialization = std::move(constants)});
   return {out};
+}
+
+// A table of the picture's light that would hold, but does not pay.
+std::vector<std::string> left_out(const Scene& scene, const Plan& plan) {
+  const bool tabulated =
+      std::ranges::any_of(plan.images(), [](const ImageDesc& image) { return image.name == "sky_factors"; });
+  if (tabulated || scene.camera.altitude > scene.planet.atmosphere_height ||
+      scene.render.get<std::string>("tabulate") != "auto") {
+    return {};
+  }
+  return {"table of the picture's light: the picture's " + std::to_string(scene.image.width * scene.image.height) +
+          " pixels are too few to pay for it"};
+}
+
+RayFormula formula(physics::Physics p, const Scene& scene, const Air& air, const HostTables& tables) {
+  const MomentSettings settings = settings_of(scene, air);
+  p.transmittance_lut = host_table(tables, "transmittance");
+  p.moments_lut = host_table(tables, "moments");
+  p.sun_table = host_table(tables, "sun_table");
+  p.moment_columns = static_cast<physics::uint>(settings.size[0]);
+  p.degree = static_cast<physics::uint>(settings.degree);
+  p.delta = settings.delta;
+  return [p, by_shells = settings.shells, steps = steps_of(scene, settings)](const physics::Physics::Ray& ray) mutable {
+    const physics::PlanetData& planet = p.scene.planet;
+    const auto factors = by_shells ? p.shell_sky_factors(planet, p.scene.moments, ray, steps)
+                                   : p.sky_factors(planet, p.scene.moments, ray, steps);
+    return p.phased(factors, p.phases(ray.nu)) * p.scene.sun.irradiance;
+  };
 }
 
 }  // namespace
@@ -355,6 +390,8 @@ SkyMethod orders_method() {
   method.add_passes = add_orders;
   method.add_layer_passes = add_layers;
   method.add_span_passes = add_spans;
+  method.left_out = left_out;
+  method.formula = formula;
   return method;
 }
 

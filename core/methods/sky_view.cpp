@@ -70,7 +70,8 @@ ImageId add_sky_view_table(Plan& plan, const Scene& scene, const Air& air, const
                  .writes = {{"sky_view_out", out}},
                  .grid = extent,
                  .push_constants = {static_cast<std::uint32_t>(scene.render.get<int>("steps")), sky_rows(scene)},
-                 .specialization = constants_of(plan, scene, air, tables)});
+                 .specialization = constants_of(plan, scene, air, tables),
+                 .cost = march_cost(scene)});
   return out;
 }
 
@@ -100,7 +101,8 @@ void add_fetch_pass(Plan& plan, const Scene& scene, const Air& air, const MarchT
                  .grid = target.grid,
                  .push_constants = {target.grid.width, target.grid.height,
                                     static_cast<std::uint32_t>(scene.render.get<int>("steps"))},
-                 .specialization = std::move(constants)});
+                 .specialization = std::move(constants),
+                 .cost = 5.0});
 }
 
 SkyPasses add_sky_view(Plan& plan, const Scene& scene, const Air& air, const View& view) {
@@ -204,6 +206,9 @@ SkyMethod sky_view_method() {
   method.converged = converged_march();
   method.add_passes = add_sky_view;
   method.add_layer_passes = add_layers;
+  method.layers_refusal = march_layers_refusal;
+  method.left_out = march_left_out;
+  method.single_scattering = {{"multiple_scattering_scale", 0.0}};
   return method;
 }
 

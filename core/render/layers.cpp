@@ -1,14 +1,11 @@
 #include "core/render/layers.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cassert>
 #include <cmath>
 #include <cstring>
 #include <set>
-#include <utility>
-#include <variant>
 
 #include "core/methods/method.h"
 #include "core/methods/scene_air.h"
@@ -158,17 +155,8 @@ std::vector<Layer> layers_of(const Scene& scene) {
 }
 
 std::string layers_refusal(const Scene& scene) {
-  const std::array<std::pair<const char*, std::set<std::string>>, 3> known{
-      {{"step_distribution", {"quadratic", "uniform"}}, {"jitter", {"none"}}, {"resolution", {"full"}}}};
-  for (const auto& [key, values] : known) {
-    const auto found = scene.render.parameters.find(key);
-    const auto* value = found == scene.render.parameters.end() ? nullptr : std::get_if<std::string>(&found->second);
-    if (value != nullptr && !values.contains(*value)) {
-      return "render." + std::string(key) + " \"" + *value + "\" keeps no light apart; set it to \"" + *values.begin() +
-             "\"";
-    }
-  }
-  return {};
+  const SkyMethod& method = *find_method(scene.render.method);
+  return method.layers_refusal == nullptr ? std::string() : method.layers_refusal(scene);
 }
 
 std::string methods_with_layers() {

@@ -51,12 +51,13 @@ std::vector<Readback> read_tables(Plan& plan) {
 Shot shoot(const DeviceOnDemand& device, const Scene& scene, const std::vector<Direction>& directions,
            const ShotOptions& options) {
   Shot shot;
+  Plan plan;
   const Air air = air_of(scene);
-  shot.plan.scene_data = device_scene_bytes(air, scene);
+  plan.scene_data = device_scene_bytes(air, scene);
   const View view{options.as_picture ? std::span<const Direction>() : std::span(directions)};
-  const SkyPasses sky = find_method(scene.render.method)->add_passes(shot.plan, scene, air, view);
-  const std::vector<Readback> readbacks = options.tables ? read_tables(shot.plan) : std::vector<Readback>();
-  const RunResult result = device().run(shot.plan);
+  const SkyPasses sky = find_method(scene.render.method)->add_passes(plan, scene, air, view);
+  const std::vector<Readback> readbacks = options.tables ? read_tables(plan) : std::vector<Readback>();
+  const RunResult result = device().run(plan);
   const std::vector<float> rgba = floats_of(result.contents(sky.radiance));
   const std::size_t stride = options.as_picture ? 1 : 2;
   for (std::size_t i = 0; i < directions.size(); ++i) {
@@ -66,7 +67,7 @@ Shot shoot(const DeviceOnDemand& device, const Scene& scene, const std::vector<D
     }
   }
   for (const Readback& readback : readbacks) {
-    const ImageDesc& image = shot.plan.images()[readback.image];
+    const ImageDesc& image = plan.images()[readback.image];
     shot.tables.emplace(image.name, host_table(image, result.contents(readback.buffer)));
   }
   return shot;

@@ -1,7 +1,6 @@
 #pragma once
 // One place looked at by one method on the device, and the same formulas on the host in double.
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -16,8 +15,7 @@ struct Shot {
   std::vector<physics::vec3> radiance;       // one a direction
   std::vector<physics::vec3> transmittance;  // empty for a picture
   // The tables by name as the device filled them, where they were asked for: what the formulas in double fetch from.
-  std::map<std::string, physics::HostTable> tables;
-  Plan plan;  // without its contents: for the constants that a host needs
+  HostTables tables;
 };
 
 struct ShotOptions {
