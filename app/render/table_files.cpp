@@ -32,7 +32,7 @@ const std::vector<TableMeaning>& table_meanings() {
        {"altitude h", "km", "linear in the distance to the ground's horizon, from the ground to the top"}},
       {"multiple_scattering",
        "isotropic radiance of orders 2 and up for a sun of irradiance 1 [1/sr]",
-       {"zenith cosine of the sun", "1", "linear, -1 to 1"},
+       {"zenith cosine of the sun", "1", "s abs(s), s linear from -1 to 1"},
        {"altitude h", "km", "linear, from the ground to the top"}},
       {"ground_irradiance",
        "irradiance of the sky on level ground for a sun of irradiance 1 [1]",

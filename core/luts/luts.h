@@ -15,7 +15,8 @@ namespace airlight {
 // Transmittance to the top of the atmosphere, x: mu, y: h [B08], both non-linear; alpha is 1.
 ImageId add_transmittance(Plan& plan, const Air& air, TableSize size);
 
-// Isotropic multiple scattering for a sun of irradiance 1, 1/sr, x: mu_sun, y: h, both linear [H20].
+// Isotropic multiple scattering for a sun of irradiance 1, 1/sr, x: mu_sun by its signed square
+// root, y: h, linear [H20].
 ImageId add_multiple_scattering(Plan& plan, const Air& air, ImageId transmittance, TableSize size);
 
 // Sky irradiance on level ground for a sun of irradiance 1, x: (1 + mu_sun)/2. Only a ground that reflects needs it.
