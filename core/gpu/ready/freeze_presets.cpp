@@ -16,7 +16,7 @@
 #include "core/gpu/in_parallel.h"
 #include "core/gpu/shader.h"
 #include "core/gpu/specialize.h"
-#include "core/physics/scene_data.h"
+#include "core/methods/scene_air.h"
 #include "core/render/render.h"
 #include "core/scene/resolve.h"
 
@@ -54,9 +54,10 @@ void want(const Plan& plan, const Shaders& shaders, Wanted& wanted) {
 
 Plan listed_directions(const Scene& scene) {
   const std::vector<Direction> directions(2);
+  const Air air = air_of(scene);
   Plan plan;
-  plan.scene_data = device_scene_bytes(scene);
-  find_method(scene.render.method)->add_passes(plan, scene, View{.directions = directions});
+  plan.scene_data = device_scene_bytes(air, scene);
+  find_method(scene.render.method)->add_passes(plan, scene, air, View{.directions = directions});
   return plan;
 }
 
