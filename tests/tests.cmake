@@ -56,6 +56,7 @@ function(airlight_test_room room)
                        PROPERTIES ${test_properties} ${test_properties_${room}})
 endfunction()
 
+airlight_test_room(spectra airlight_spectra)
 airlight_test_room(physics airlight_gpu)
 airlight_test_room(plan airlight_gpu)
 file(GLOB test_shaders CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/gpu/shaders/*.comp)

@@ -1,0 +1,34 @@
+#pragma once
+// A quantity over the wavelength, as a preset gives it. Wavelengths in nm.
+
+#include <string>
+#include <vector>
+
+namespace airlight {
+
+// Linear between samples and constant outside of them; without samples the power law value (nm / at_nm)^exponent, a
+// number where the exponent is 0.
+struct Curve {
+  std::vector<double> wavelengths = {};  // ascending
+  std::vector<double> values = {};       // as many
+  double at_nm = 550.0;
+  double value = 0.0;
+  double exponent = 0.0;
+  // What a preset writes to get it again; empty: a number, or the samples.
+  std::string json = {};
+
+  bool is_sampled() const { return !wavelengths.empty(); }
+  bool operator==(const Curve&) const = default;
+};
+
+Curve constant_curve(double value);
+
+double value_at(const Curve& curve, double nm);
+
+// The mean from `low` to `high`, exact for samples; of a power law by Simpson's rule.
+double mean_over(const Curve& curve, double low, double high);
+
+// The curve times a number.
+Curve scaled(Curve curve, double factor);
+
+}  // namespace airlight
