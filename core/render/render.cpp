@@ -57,13 +57,15 @@ Frame sky_frame(const Scene& scene, const Air& air, const RenderRequest& request
   return frame;
 }
 
-// Uploads what a method rendered on the host, so that the passes after it are the same.
+// Uploads what a method rendered on the host, so that the passes after it are the same. Nothing, in a plan that is only
+// looked at.
 Frame host_frame(const Scene& scene, const Air& air, const RadianceImage& radiance) {
   Frame frame;
   frame.plan.scene_data = device_scene_bytes(air, scene);
   std::vector<std::byte> bytes(radiance.rgba.size() * sizeof(float));
   std::memcpy(bytes.data(), radiance.rgba.data(), bytes.size());
-  const std::size_t size = bytes.size();
+  const std::size_t size =
+      4 * sizeof(float) * static_cast<std::size_t>(scene.image.width) * static_cast<std::size_t>(scene.image.height);
   frame.picture = picture_of(
       scene, frame.plan.add_buffer(
                  {.name = "radiance", .bytes = size, .host_readable = true, .contents = std::move(bytes), .key = {}}));
@@ -128,6 +130,8 @@ void run_post(Executor& executor, const Scene& scene, const RenderRequest& reque
   const bool kept = !carried.key.empty();
   if (kept) {
     carried.contents.clear();
+  } else {
+    std::memcpy(carried.contents.data(), out.radiance.rgba.data(), carried.contents.size());  // with the disc
   }
   const Picture again = picture_of(scene, post.plan.add_buffer(std::move(carried)));
   add_post(post, scene, again, request, glows, out.exposure);
@@ -213,12 +217,8 @@ Rendering render(const DeviceOnDemand& device, const Scene& scene, const RenderR
 
 Plan plan_for(const Scene& scene, const RenderRequest& request) {
   const Air air = air_of(scene);
-  Frame frame = method_of(scene).render_on_host != nullptr
-                    ? host_frame(scene, air,
-                                 {scene.image.width, scene.image.height,
-                                  std::vector<float>(4 * static_cast<std::size_t>(scene.image.width) *
-                                                     static_cast<std::size_t>(scene.image.height))})
-                    : sky_frame(scene, air, request);
+  Frame frame =
+      method_of(scene).render_on_host != nullptr ? host_frame(scene, air, {}) : sky_frame(scene, air, request);
   PostFrame post{std::move(frame.plan), {}, {}};
   add_post(post, scene, frame.picture, request, request.bloom && scene.bloom.enabled, 1.0);
   return std::move(post.plan);

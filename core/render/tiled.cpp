@@ -4,8 +4,11 @@
 #include <bit>
 #include <cassert>
 #include <cstring>
+#include <optional>
+#include <utility>
 
 #include "core/methods/scene_air.h"
+#include "core/render/band_passes.h"
 #include "core/render/picture_key.h"
 #include "core/render/timings.h"
 
@@ -44,6 +47,9 @@ void put(std::vector<Layer>& band, const std::vector<Layer>& tile_layers, const 
   }
 }
 
+// Once through the picture: to measure it, or to hand it on.
+enum class Round { measuring, delivering };
+
 class TiledRender {
  public:
   TiledRender(Executor& executor, const Scene& scene, const TiledRequest& request)
@@ -52,18 +58,28 @@ class TiledRender {
         request_(request),
         method_(*find_method(scene.render.method)),
         air_(air_of(scene)),
-        kept_as_(picture_key()) {}
+        kept_as_(picture_key()),
+        gathering_(scene) {}
 
   Rendering run();
 
  private:
-  void render_band(Band& band, int rows);
+  bool wants_bloom() const { return request_.picture.bloom && scene_.bloom.enabled; }
+  bool stops() const { return !request_.past_faults && !out_.fault().empty(); }
+  Tile whole_rows(int y, int rows) const { return {0, y, scene_.image.width, rows}; }
+  bool in_columns() const { return host_.radiance.rgba.empty() && request_.tile.width < scene_.image.width; }
+
+  void go_through(Round round, double from, double to);
+  void deliver(Band& band);
+  void render_band(Band& band, int rows, const BandWork& work);
+  SkyPasses add_sky(Plan& plan, const Tile& tile);
+  void run_rows(Plan& plan, const Picture& rows, const BandWork& work, Band& band);
   void render_tile(Band& band, const Tile& tile);
-  void add_layers(Band& band, const Tile& tile);
-  void take_tables(const Plan& plan, const std::vector<ImageId>& tables, const std::vector<BufferId>& rows,
-                   const RunResult& result);
-  void measure_rows(const RadianceImage& band);
-  void append_rows(std::span<const std::byte> rows) { rows_.insert(rows_.end(), rows.begin(), rows.end()); }
+  Picture add_upload(Plan& plan, const RadianceImage& image, int first_row, const Tile& rows) const;
+  void add_layers(Band& band, int rows);
+  RunResult run_plan(const Plan& plan);
+  void take_tables(const RunResult& result);
+  void make_bloom();
   Statistics statistics() const { return summarize(rows_, static_cast<std::uint32_t>(scene_.image.width)); }
 
   Executor& executor_;
@@ -72,84 +88,128 @@ class TiledRender {
   const SkyMethod& method_;
   const Air air_;
   std::string kept_as_;
+  HostPicture host_;  // of a method on the host
   Rendering out_;
   std::vector<std::byte> rows_;  // statistics of all rows so far
+  BloomGathering gathering_;
+  bool two_rounds_ = false;
+  std::string bloom_key_;  // of the finished bloom; empty: none
+
+  // Of the first tile's plan: the tables are made, and looked at, with it.
+  struct TableReads {
+    std::vector<ImageDesc> images;
+    std::vector<BufferId> rows;
+    std::vector<BufferId> dumps;
+  };
+  std::optional<TableReads> table_reads_;
+  bool tables_seen_ = false;
 };
 
-void TiledRender::take_tables(const Plan& plan, const std::vector<ImageId>& tables, const std::vector<BufferId>& rows,
-                              const RunResult& result) {
-  for (std::size_t i = 0; i < tables.size(); ++i) {
-    const ImageDesc& image = plan.images()[tables[i].index];
-    out_.tables_statistics.push_back({image.name, summarize(result.contents(rows[i]), image.extent.width)});
+RunResult TiledRender::run_plan(const Plan& plan) {
+  RunResult result = executor_.run(plan);
+  Timings{out_.passes, out_.host}.add(result);
+  if (table_reads_) {
+    take_tables(result);
+    table_reads_.reset();
+  }
+  return result;
+}
+
+void TiledRender::take_tables(const RunResult& result) {
+  for (std::size_t i = 0; i < table_reads_->images.size(); ++i) {
+    const ImageDesc& image = table_reads_->images[i];
+    out_.tables_statistics.push_back(
+        {image.name, summarize(result.contents(table_reads_->rows[i]), image.extent.width)});
+    if (request_.picture.tables) {
+      const std::span<const std::byte> bytes = result.contents(table_reads_->dumps[i]);
+      TableDump dump{image.name, static_cast<int>(image.extent.width), static_cast<int>(image.extent.height), {}};
+      dump.rgba.resize(bytes.size() / sizeof(float));
+      std::memcpy(dump.rgba.data(), bytes.data(), bytes.size());
+      out_.tables.push_back(std::move(dump));
+    }
   }
 }
 
-// The tables are made, and looked at, with the first tile.
-void TiledRender::render_tile(Band& band, const Tile& tile) {
-  Plan plan;
+// Sky and disc of a tile, by a method on the device.
+SkyPasses TiledRender::add_sky(Plan& plan, const Tile& tile) {
   plan.scene_data = device_scene_bytes(air_, scene_, tile);
   const SkyPasses sky = method_.add_passes(plan, scene_, air_, {.directions = {}, .tile = tile, .kept_as = kept_as_});
-  const Picture picture = picture_of(sky.radiance, tile);
-  add_sun_disc(plan, scene_, air_, sky.tables.empty() ? std::nullopt : std::optional(sky.tables.front()), picture);
-  const bool first = tile.x == 0 && tile.y == 0;
-  std::vector<BufferId> table_rows;
-  if (first) {
+  add_sun_disc(plan, scene_, air_, sky.tables.empty() ? std::nullopt : std::optional(sky.tables.front()),
+               picture_of(sky.radiance, tile));
+  if (!std::exchange(tables_seen_, true)) {
+    table_reads_.emplace();
     for (const ImageId table : sky.tables) {
-      table_rows.push_back(add_table_statistics(plan, table));
+      table_reads_->images.push_back(plan.images()[table.index]);
+      table_reads_->rows.push_back(add_table_statistics(plan, table));
+      if (request_.picture.tables) {
+        table_reads_->dumps.push_back(plan.add_readback(table));
+      }
     }
   }
-  const bool whole_rows = tile.width == scene_.image.width;
-  const BufferId rows = whole_rows ? add_picture_statistics(plan, picture) : BufferId{};
-  const RunResult result = executor_.run(plan);
-  add_timings(out_.passes, result.passes);
-  add_timings(out_.host, result.host);
-  if (first) {
-    take_tables(plan, sky.tables, table_rows, result);
-  }
-  if (whole_rows) {
-    append_rows(result.contents(rows));
-  }
-  put(band.radiance, result.contents(sky.radiance), tile);
+  return sky;
 }
 
-void TiledRender::add_layers(Band& band, const Tile& tile) {
-  put(band.layers, render_layers(executor_, scene_, tile, kept_as_, {out_.passes, out_.host}), tile,
-      scene_.image.width);
-}
-
-// Sums over rows as they are taken of the whole picture, whatever tiles a row was made of.
-void TiledRender::measure_rows(const RadianceImage& band) {
+void TiledRender::render_tile(Band& band, const Tile& tile) {
   Plan plan;
-  std::vector<std::byte> bytes(band.rgba.size() * sizeof(float));
-  std::memcpy(bytes.data(), band.rgba.data(), bytes.size());
-  const std::size_t size = bytes.size();
-  const BufferId radiance = plan.add_buffer(
-      {.name = "radiance", .bytes = size, .host_readable = false, .contents = std::move(bytes), .key = {}});
-  const BufferId rows = add_picture_statistics(plan, picture_of(radiance, {0, 0, band.width, band.height}));
-  const RunResult result = executor_.run(plan);
-  add_timings(out_.passes, result.passes);
-  add_timings(out_.host, result.host);
-  append_rows(result.contents(rows));
+  const SkyPasses sky = add_sky(plan, tile);
+  const RunResult result = run_plan(plan);
+  put(band.rows.radiance, result.contents(sky.radiance), tile);
 }
 
-void TiledRender::render_band(Band& band, int rows) {
+// Rows of an image of the host's, `rows` being their place in the picture.
+Picture TiledRender::add_upload(Plan& plan, const RadianceImage& image, int first_row, const Tile& rows) const {
+  const std::size_t row = 4 * static_cast<std::size_t>(rows.width);
+  std::vector<std::byte> bytes(row * static_cast<std::size_t>(rows.height) * sizeof(float));
+  std::memcpy(bytes.data(), image.rgba.data() + static_cast<std::size_t>(first_row) * row, bytes.size());
+  const std::size_t size = bytes.size();
+  return picture_of(
+      plan.add_buffer(
+          {.name = "radiance", .bytes = size, .host_readable = true, .contents = std::move(bytes), .key = {}}),
+      rows);
+}
+
+// Runs the plan that makes or holds these rows, and takes them and all that is made of them.
+void TiledRender::run_rows(Plan& plan, const Picture& rows, const BandWork& work, Band& band) {
+  const BandPasses passes(plan, scene_, rows, work);
+  const RunResult result = run_plan(plan);
+  const Tile tile = whole_rows(band.y, static_cast<int>(rows.height));
+  put(band.rows.radiance, result.contents(rows.buffer), tile);
+  passes.take(result, band.rows);
+  const std::span<const std::byte> measured = passes.statistics(result);
+  rows_.insert(rows_.end(), measured.begin(), measured.end());
+}
+
+// Sums over rows are taken of whole rows, whatever tiles they were made of: as in the picture rendered at once.
+void TiledRender::render_band(Band& band, int rows, const BandWork& work) {
   const int width = scene_.image.width;
-  band.radiance = {width, rows,
-                   std::vector<float>(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(rows))};
-  if (request_.layers) {
-    band.layers = layers_of(scene_);
+  const Tile whole = whole_rows(band.y, rows);
+  band.rows.radiance = {width, rows,
+                        std::vector<float>(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(rows))};
+  Plan plan;
+  if (!host_.radiance.rgba.empty()) {
+    plan.scene_data = device_scene_bytes(air_, scene_, whole);
+    const Picture picture = add_upload(plan, host_.radiance, band.y, whole);
+    add_sun_disc(plan, scene_, air_, std::nullopt, picture);
+    run_rows(plan, picture, work, band);
+  } else if (in_columns()) {
+    for (int x = 0; x < width; x += request_.tile.width) {
+      render_tile(band, {x, band.y, std::min(request_.tile.width, width - x), rows});
+    }
+    run_rows(plan, add_upload(plan, band.rows.radiance, 0, whole), work, band);
+  } else {
+    const SkyPasses sky = add_sky(plan, whole);
+    run_rows(plan, picture_of(sky.radiance, whole), work, band);
   }
+}
+
+void TiledRender::add_layers(Band& band, int rows) {
+  const int width = scene_.image.width;
+  band.rows.layers = layers_of(scene_);
   for (int x = 0; x < width; x += request_.tile.width) {
     const Tile tile{x, band.y, std::min(request_.tile.width, width - x), rows};
-    render_tile(band, tile);
-    if (request_.layers) {
-      add_layers(band, tile);
-    }
+    put(band.rows.layers, render_layers(executor_, scene_, tile, kept_as_, {out_.passes, out_.host}), tile, width);
   }
-  if (request_.tile.width < width) {
-    measure_rows(band.radiance);
-  }
-  for (const Layer& layer : band.layers) {
+  for (const Layer& layer : band.rows.layers) {
     Statistics found = layer_statistics(layer, width);
     found.first_bad_y += static_cast<std::uint32_t>(band.y);
     if (!found.sound() || band.y == 0) {
@@ -158,28 +218,83 @@ void TiledRender::render_band(Band& band, int rows) {
   }
 }
 
-Rendering TiledRender::run() {
-  const int width = scene_.image.width;
-  const int height = scene_.image.height;
-  Plan whole;  // never run
-  if (!add_sun_disc(whole, scene_, air_, std::nullopt, picture_of(BufferId{}, {0, 0, width, height}))) {
-    out_.left_out.push_back("sun disc: switched off, outside the picture or behind the planet");
+void TiledRender::deliver(Band& band) {
+  if (request_.picture.layers && out_.picture_fault().empty()) {
+    add_layers(band, band.rows.radiance.height);
   }
-  const std::size_t band_row = band_pixel_bytes(scene_, request_.layers) * static_cast<std::size_t>(width);
-  const int most_rows = std::max(1, static_cast<int>(kBandBytes / band_row));
-  for (int y = 0; y < height && out_.fault().empty();) {
+  if (!host_.standard_error.rgba.empty()) {
+    band.rows.standard_error = rows_of(host_.standard_error, band.y, band.rows.radiance.height);
+  }
+  if (!stops()) {
+    request_.sink(band);
+  }
+}
+
+void TiledRender::go_through(Round round, double from, double to) {
+  BandWork work;
+  work.statistics = !two_rounds_ || round == Round::measuring;
+  work.gathering = round == Round::measuring && wants_bloom() ? &gathering_ : nullptr;
+  if (round == Round::delivering) {
+    work.bloom = bloom_key_;
+    work.bloom_picture = request_.picture.bloom_picture;
+    work.gpu_tone = request_.picture.gpu_tone;
+    work.exposure = out_.exposure;
+  }
+  const int height = scene_.image.height;
+  const std::size_t row =
+      band_pixel_bytes(scene_, request_.picture.layers) * static_cast<std::size_t>(scene_.image.width);
+  const int most_rows = std::max(1, static_cast<int>(kBandBytes / row));
+  for (int y = 0; y < height && !stops();) {
     const int rows = std::min({request_.tile.height, most_rows, height - y});
-    Band band{y, {}, {}, out_.left_out};
-    render_band(band, rows);
+    Band band;
+    band.y = y;
+    render_band(band, rows, work);
     out_.picture = statistics();
-    if (out_.fault().empty()) {
-      request_.sink(band);
+    if (round == Round::delivering) {
+      band.rows.exposure = out_.exposure;
+      band.rows.left_out = out_.left_out;
+      deliver(band);
     }
     y += rows;
     if (request_.report) {
-      request_.report(static_cast<double>(y) / height);
+      request_.report(from + (to - from) * y / height);
     }
   }
+}
+
+// After the picture was measured.
+void TiledRender::make_bloom() {
+  if (!wants_bloom()) {
+    return;
+  }
+  if (!bloom_glows(scene_.bloom, out_.picture, out_.exposure)) {
+    out_.left_out.push_back("bloom: nothing is brighter than its threshold");
+    return;
+  }
+  bloom_key_ = "bloom of " + kept_as_;
+  Plan plan;
+  add_bloom(plan, scene_, gathering_.add_base(plan), out_.exposure, bloom_key_);
+  run_plan(plan);
+}
+
+Rendering TiledRender::run() {
+  if (method_.render_on_host != nullptr) {
+    host_ = method_.render_on_host(scene_, air_, View{}, request_.picture.host);
+  }
+  Plan whole;  // never run
+  if (!add_sun_disc(whole, scene_, air_, std::nullopt, picture_of(BufferId{}, whole_rows(0, scene_.image.height)))) {
+    out_.left_out.push_back("sun disc: switched off, outside the picture or behind the planet");
+  }
+  two_rounds_ = wants_bloom() || (request_.exposure_first && !scene_.display.exposure);
+  out_.exposure = scene_.display.exposure.value_or(1.0);
+  if (two_rounds_) {
+    go_through(Round::measuring, 0.0, 0.5);
+    out_.exposure = exposure_for(scene_.display, out_.picture);
+    if (out_.fault().empty()) {
+      make_bloom();
+    }
+  }
+  go_through(Round::delivering, two_rounds_ ? 0.5 : 0.0, 1.0);
   out_.exposure = exposure_for(scene_.display, out_.picture);
   return std::move(out_);
 }
@@ -200,9 +315,44 @@ ImageSize usual_tile(const Scene& scene, bool layers) {
   return {scene.image.width, std::max(1, rows)};
 }
 
+RadianceImage rows_of(const RadianceImage& whole, int first, int count) {
+  const std::size_t row = 4 * static_cast<std::size_t>(whole.width);
+  const auto begin = whole.rgba.begin() + static_cast<std::ptrdiff_t>(row * static_cast<std::size_t>(first));
+  return {whole.width, count, {begin, begin + static_cast<std::ptrdiff_t>(row * static_cast<std::size_t>(count))}};
+}
+
+Rendering rows_of(const Rendering& whole, int first, int count) {
+  const auto cut = [&](const RadianceImage& image) { return rows_of(image, first, count); };
+  Rendering rows;
+  rows.radiance = cut(whole.radiance);
+  rows.standard_error = whole.standard_error ? std::optional(cut(*whole.standard_error)) : std::nullopt;
+  rows.bloom = whole.bloom ? std::optional(cut(*whole.bloom)) : std::nullopt;
+  const auto width = static_cast<std::size_t>(whole.radiance.width);
+  const std::size_t from = width * static_cast<std::size_t>(first);
+  const std::size_t pixels = width * static_cast<std::size_t>(count);
+  if (!whole.encoded.empty()) {
+    const auto begin = whole.encoded.begin() + static_cast<std::ptrdiff_t>(4 * from);
+    rows.encoded.assign(begin, begin + static_cast<std::ptrdiff_t>(4 * pixels));
+  }
+  for (const Layer& layer : whole.layers) {
+    Layer part = layer.like();
+    const std::size_t plane = layer.planes.size() / layer.channels.size();
+    for (std::size_t c = 0; c < layer.channels.size(); ++c) {
+      const auto begin = layer.planes.begin() + static_cast<std::ptrdiff_t>(c * plane + from);
+      part.planes.insert(part.planes.end(), begin, begin + static_cast<std::ptrdiff_t>(pixels));
+    }
+    rows.layers.push_back(std::move(part));
+  }
+  rows.exposure = whole.exposure;
+  rows.picture = whole.picture;
+  rows.tables_statistics = whole.tables_statistics;
+  rows.layer_statistics = whole.layer_statistics;
+  rows.left_out = whole.left_out;
+  return rows;
+}
+
 Rendering render_tiled(const DeviceOnDemand& device, const Scene& scene, const TiledRequest& request) {
   assert(request.tile.width > 0 && request.tile.height > 0);
-  assert(find_method(scene.render.method)->add_passes != nullptr);
   return TiledRender(device(), scene, request).run();
 }
 

@@ -2,6 +2,8 @@
 
 #include "core/render/tiled.h"
 
+#include <algorithm>
+
 #include "tests/methods/render_fixture.h"
 
 namespace airlight::test {
@@ -11,17 +13,26 @@ struct Whole {
   Rendering rendering;
   std::vector<float> rgba;
   std::vector<std::vector<float>> layers;  // bands one after the other
+  std::vector<float> bloom, standard_error;
+  std::vector<std::uint16_t> encoded;
+  std::vector<double> exposures;  // as each band knew it
 };
 
-Whole in_tiles(const Scene& scene, ImageSize tile, bool layers = false) {
+Whole in_tiles(const Scene& scene, ImageSize tile, const RenderRequest& picture = {}, bool exposure_first = false) {
   Whole whole;
-  TiledRequest request{.tile = tile, .layers = layers, .sink = {}};
+  TiledRequest request{.tile = tile, .picture = picture, .exposure_first = exposure_first, .sink = {}};
+  const auto append = [](auto& all, const auto& more) { all.insert(all.end(), more.begin(), more.end()); };
   request.sink = [&](const Band& band) {
     EXPECT_EQ(static_cast<std::size_t>(band.y) * static_cast<std::size_t>(4 * scene.image.width), whole.rgba.size());
-    whole.rgba.insert(whole.rgba.end(), band.radiance.rgba.begin(), band.radiance.rgba.end());
-    whole.layers.resize(band.layers.size());
-    for (std::size_t i = 0; i < band.layers.size(); ++i) {
-      whole.layers[i].insert(whole.layers[i].end(), band.layers[i].planes.begin(), band.layers[i].planes.end());
+    const Rendering& rows = band.rows;
+    append(whole.rgba, rows.radiance.rgba);
+    append(whole.bloom, rows.bloom ? rows.bloom->rgba : std::vector<float>());
+    append(whole.standard_error, rows.standard_error ? rows.standard_error->rgba : std::vector<float>());
+    append(whole.encoded, rows.encoded);
+    whole.exposures.push_back(rows.exposure);
+    whole.layers.resize(rows.layers.size());
+    for (std::size_t i = 0; i < rows.layers.size(); ++i) {
+      append(whole.layers[i], rows.layers[i].planes);
     }
   };
   whole.rendering = render_tiled([]() -> Executor& { return executor(); }, scene, request);
@@ -103,10 +114,81 @@ TEST(Tiled, LayersAreThoseOfThePicture) {
   RenderRequest request;
   request.layers = true;
   const Rendering whole = render_now(scene, request);
-  const Whole bands = in_tiles(scene, {13, 23}, true);
+  const Whole bands = in_tiles(scene, {13, 23}, request);
   ASSERT_EQ(bands.layers.size(), whole.layers.size());
   for (std::size_t i = 0; i < whole.layers.size(); ++i) {
     EXPECT_EQ(bands.layers[i], whole.layers[i].planes) << whole.layers[i].name;
+  }
+}
+
+// Bloom, tone curve and exposure, which are of the whole picture: gone through twice. The picture is finer than the
+// bloom's grid, so that texels of the grid lie across bands.
+TEST(Tiled, BloomAndToneAreThoseOfThePicture) {
+  for (const Projection projection : {Projection::perspective, Projection::equirectangular}) {
+    Scene scene = sky("march", projection);
+    scene.camera.vertical_fov = 0.01;
+    scene.camera.pitch = scene.sun.elevation;
+    scene.camera.azimuth = scene.sun.azimuth;
+    scene.sun.disc.angular_radius = projection == Projection::perspective ? 0.002 : 0.05;
+    scene.bloom.enabled = true;
+    scene.bloom.intensity = 0.3;
+    RenderRequest request;
+    request.bloom = true;
+    request.gpu_tone = true;
+    const Rendering whole = render_now(scene, request);
+    ASSERT_TRUE(whole.bloom.has_value());
+    ASSERT_GT(*std::max_element(whole.bloom->rgba.begin(), whole.bloom->rgba.end()), 0.0F);
+    for (const ImageSize& tile : {ImageSize{41, 7}, ImageSize{13, 5}, ImageSize{41, 1}, ImageSize{64, 64}}) {
+      const Whole tiles = in_tiles(scene, tile, request, true);
+      EXPECT_EQ(tiles.rgba, whole.radiance.rgba) << tile.width;
+      EXPECT_EQ(tiles.bloom, whole.bloom->rgba) << tile.width;
+      EXPECT_EQ(tiles.encoded, whole.encoded) << tile.width;
+      EXPECT_EQ(tiles.exposures, std::vector<double>(tiles.exposures.size(), whole.exposure)) << tile.width;
+      EXPECT_EQ(tiles.rendering.left_out, whole.left_out) << tile.width;
+    }
+  }
+}
+
+TEST(Tiled, ADimPictureHasNoBloomAndSaysSo) {
+  Scene scene = sky("march", Projection::perspective);
+  scene.sun.disc.visible = false;
+  scene.bloom.enabled = true;
+  scene.bloom.threshold = 1e6;
+  RenderRequest request;
+  request.bloom = true;
+  request.gpu_tone = true;
+  const Rendering whole = render_now(scene, request);
+  const Whole tiles = in_tiles(scene, {41, 7}, request, true);
+  EXPECT_TRUE(tiles.bloom.empty());
+  EXPECT_EQ(tiles.encoded, whole.encoded);
+  EXPECT_EQ(tiles.rendering.left_out, whole.left_out);
+}
+
+// What a method computes on the host is taken through the same passes in bands.
+TEST(Tiled, AMethodOnTheHostGoesInBandsToo) {
+  Scene scene = sky("path-trace", Projection::fisheye);
+  scene.image = {12, 11};
+  scene.bloom.enabled = true;
+  RenderRequest request;
+  request.bloom = true;
+  request.gpu_tone = true;
+  const Rendering whole = render_now(scene, request);
+  const Whole tiles = in_tiles(scene, {5, 3}, request, true);
+  EXPECT_EQ(tiles.rgba, whole.radiance.rgba);
+  EXPECT_EQ(tiles.standard_error, whole.standard_error->rgba);
+  EXPECT_EQ(tiles.encoded, whole.encoded);
+  EXPECT_EQ(tiles.rendering.exposure, whole.exposure);
+}
+
+TEST(Tiled, TablesComeWithTheFirstTile) {
+  const Scene scene = sky("march", Projection::perspective);
+  RenderRequest request;
+  request.tables = true;
+  const Rendering whole = render_now(scene, request);
+  const Whole tiles = in_tiles(scene, {13, 5}, request);
+  ASSERT_EQ(tiles.rendering.tables.size(), whole.tables.size());
+  for (std::size_t i = 0; i < whole.tables.size(); ++i) {
+    EXPECT_EQ(tiles.rendering.tables[i].rgba, whole.tables[i].rgba) << whole.tables[i].name;
   }
 }
 

@@ -1,0 +1,48 @@
+#include "core/render/band_passes.h"
+
+#include <cstring>
+
+namespace airlight {
+
+BandPasses::BandPasses(Plan& plan, const Scene& scene, const Picture& band, const BandWork& work)
+    : band_(band), work_(work) {
+  if (work.statistics) {
+    rows_ = add_picture_statistics(plan, band);
+  }
+  if (work.gathering != nullptr) {
+    sums_ = work.gathering->add_band(plan, band);
+  }
+  std::optional<ImageId> chain;
+  if (!work.bloom.empty() && (work.bloom_picture || work.gpu_tone)) {
+    chain = add_kept_bloom(plan, scene, work.bloom);
+  }
+  if (chain && work.bloom_picture) {
+    bloom_ = add_bloom_picture(plan, scene, band, *chain);
+  }
+  if (work.gpu_tone) {
+    encoded_ = add_tonemap(plan, scene, band, chain, work.exposure);
+  }
+}
+
+std::span<const std::byte> BandPasses::statistics(const RunResult& result) const {
+  return rows_ ? result.contents(*rows_) : std::span<const std::byte>();
+}
+
+void BandPasses::take(const RunResult& result, Rendering& rows) const {
+  if (sums_) {
+    work_.gathering->take(band_, result.contents(*sums_));
+  }
+  if (bloom_) {
+    const std::span<const std::byte> bytes = result.contents(*bloom_);
+    rows.bloom = RadianceImage{static_cast<int>(band_.width), static_cast<int>(band_.height), {}};
+    rows.bloom->rgba.resize(bytes.size() / sizeof(float));
+    std::memcpy(rows.bloom->rgba.data(), bytes.data(), bytes.size());
+  }
+  if (encoded_) {
+    const std::span<const std::byte> bytes = result.contents(*encoded_);
+    rows.encoded.resize(bytes.size() / sizeof(std::uint16_t));
+    std::memcpy(rows.encoded.data(), bytes.data(), bytes.size());
+  }
+}
+
+}  // namespace airlight
