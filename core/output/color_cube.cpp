@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdlib>
+#include <mutex>
 #include <new>
 #include <utility>
 
@@ -84,54 +85,55 @@ void interpolate(const float* values, const Place& place, float* out) {
   }
 }
 
-// Sets a mark at each cell that the picture touches.
-std::vector<std::uint8_t> touched_cells(int width, int height, const RowSource& row) {
-  std::vector<std::uint8_t> marks(kAllNodes);
-  for_row_strips(height, [&](int first, int end) {
-    std::vector<float> rgba(4 * static_cast<std::size_t>(width));
+constexpr std::uint8_t kCellFound = 1, kCellDone = 2, kNodeFound = 4, kNodeDone = 8;
+
+// The cells that these pixels touch for the first time; sets kCellFound at them.
+std::vector<std::uint32_t> new_cells(std::span<const float> rgba, std::vector<std::uint8_t>& marks) {
+  constexpr std::size_t kAtOnce = 4 * 4096;
+  const int parts = static_cast<int>((rgba.size() + kAtOnce - 1) / kAtOnce);
+  std::vector<std::uint32_t> cells;
+  std::mutex mutex;
+  for_row_strips(parts, [&](int first, int end) {
+    std::vector<std::uint32_t> found;
     std::size_t last = kAllNodes;
-    for (int y = first; y < end; ++y) {
-      row(y, rgba);
-      for (std::size_t i = 0; i < rgba.size(); i += 4) {
-        const Place place = place_of(&rgba[i]);
-        const std::size_t cell = first_node(place);
-        if (place.inside && cell != last) {
-          std::atomic_ref(marks[cell]).store(1, std::memory_order_relaxed);
-          last = cell;
-        }
+    const std::size_t stop = std::min(rgba.size(), static_cast<std::size_t>(end) * kAtOnce);
+    for (std::size_t i = static_cast<std::size_t>(first) * kAtOnce; i < stop; i += 4) {
+      const Place place = place_of(&rgba[i]);
+      const std::size_t cell = first_node(place);
+      if (!place.inside || cell == last) {
+        continue;
+      }
+      last = cell;
+      std::atomic_ref mark(marks[cell]);
+      constexpr std::uint8_t kKnown = kCellFound | kCellDone;
+      if ((mark.load(std::memory_order_relaxed) & kKnown) == 0 &&
+          (mark.fetch_or(kCellFound, std::memory_order_relaxed) & kKnown) == 0) {
+        found.push_back(static_cast<std::uint32_t>(cell));
       }
     }
+    const std::lock_guard lock(mutex);
+    cells.insert(cells.end(), found.begin(), found.end());
   });
-  return marks;
+  return cells;
 }
-
-// Cells by their first node (the corner towards black), and every corner of them once.
-struct Touched {
-  std::vector<std::uint32_t> cells;
-  std::vector<std::uint32_t> nodes;
-};
 
 std::size_t corner_node(std::size_t cell, std::size_t corner) {
   return cell + (corner & 1) * kStride[0] + (corner >> 1 & 1) * kStride[1] + (corner >> 2) * kStride[2];
 }
 
-Touched list_touched(std::vector<std::uint8_t> marks) {
-  constexpr std::uint8_t kCell = 1, kNode = 2;
-  Touched touched;
-  for (std::size_t cell = 0; cell < kAllNodes; ++cell) {
-    if ((marks[cell] & kCell) == 0) {
-      continue;
-    }
-    touched.cells.push_back(static_cast<std::uint32_t>(cell));
+// The corners of those cells that are not done, each once; sets kNodeFound at them.
+std::vector<std::uint32_t> new_nodes(std::span<const std::uint32_t> cells, std::vector<std::uint8_t>& marks) {
+  std::vector<std::uint32_t> nodes;
+  for (const std::uint32_t cell : cells) {
     for (std::size_t corner = 0; corner < 8; ++corner) {
       const std::size_t node = corner_node(cell, corner);
-      if ((marks[node] & kNode) == 0) {
-        marks[node] |= kNode;
-        touched.nodes.push_back(static_cast<std::uint32_t>(node));
+      if ((marks[node] & (kNodeFound | kNodeDone)) == 0) {
+        marks[node] |= kNodeFound;
+        nodes.push_back(static_cast<std::uint32_t>(node));
       }
     }
   }
-  return touched;
+  return nodes;
 }
 
 // The transform at each node, moved by `shift` of a cell along the three axes.
@@ -186,29 +188,43 @@ void ColorCube::Free::operator()(void* memory) const {
   std::free(memory);
 }
 
-std::optional<ColorCube> ColorCube::make(int width, int height, const RowSource& row, const ColorTransform& transform) {
-  const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  const Touched touched = list_touched(touched_cells(width, height, row));
-  if (touched.nodes.size() + touched.cells.size() > pixels / 3) {
-    return std::nullopt;
-  }
-  Values values(static_cast<float*>(std::calloc(4 * kAllNodes, sizeof(float))));
-  if (values == nullptr) {
+ColorCube::ColorCube() : values_(static_cast<float*>(std::calloc(4 * kAllNodes, sizeof(float)))), marks_(kAllNodes) {
+  if (values_ == nullptr) {
     throw std::bad_alloc();
   }
-  for_blocks(touched.nodes, [&](std::span<const std::uint32_t> nodes) {
+}
+
+void ColorCube::prepare(std::span<const float> rgba, const ColorTransform& transform) {
+  const std::vector<std::uint32_t> cells = new_cells(rgba, marks_);
+  const std::vector<std::uint32_t> nodes = new_nodes(cells, marks_);
+  credit_ += rgba.size() / 4 / 3;
+  const bool pays = cells.size() + nodes.size() <= credit_;
+  if (pays) {
+    evaluate_cells(cells, nodes, transform);
+    credit_ -= cells.size() + nodes.size();
+    points_ += cells.size() + nodes.size();
+  }
+  const auto settle = [&](std::uint32_t index, std::uint8_t found, std::uint8_t done) {
+    marks_[index] = static_cast<std::uint8_t>((marks_[index] & ~found) | (pays ? done : 0));
+  };
+  std::for_each(cells.begin(), cells.end(), [&](std::uint32_t cell) { settle(cell, kCellFound, kCellDone); });
+  std::for_each(nodes.begin(), nodes.end(), [&](std::uint32_t node) { settle(node, kNodeFound, kNodeDone); });
+}
+
+void ColorCube::evaluate_cells(std::span<const std::uint32_t> new_cells, std::span<const std::uint32_t> new_nodes,
+                               const ColorTransform& transform) {
+  for_blocks(new_nodes, [&](std::span<const std::uint32_t> nodes) {
     const std::vector<float> results = evaluate(nodes, 0.0F, transform);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-      std::copy_n(&results[4 * i], 3, values.get() + 4 * static_cast<std::size_t>(nodes[i]));
+      std::copy_n(&results[4 * i], 3, values_.get() + 4 * static_cast<std::size_t>(nodes[i]));
     }
   });
-  for_blocks(touched.cells, [&](std::span<const std::uint32_t> cells) {
+  for_blocks(new_cells, [&](std::span<const std::uint32_t> cells) {
     const std::vector<float> truth = evaluate(cells, 0.5F, transform);
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      values[4 * cells[i] + 3] = is_smooth(values.get(), cells[i], &truth[4 * i]) ? kSmooth : 0.0F;
+      values_[4 * cells[i] + 3] = is_smooth(values_.get(), cells[i], &truth[4 * i]) ? kSmooth : 0.0F;
     }
   });
-  return ColorCube(std::move(values));
 }
 
 void ColorCube::apply(std::span<float> rgba, const ColorTransform& transform) const {

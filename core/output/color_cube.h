@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,26 +14,34 @@ namespace airlight {
 // Transforms RGBA pixels in place; called from several threads at once.
 using ColorTransform = std::function<void(std::span<float> rgba)>;
 
-// Fills one row of the picture to be transformed (RGBA); called from several threads at once.
-using RowSource = std::function<void(int y, std::span<float> rgba)>;
-
 class ColorCube {
  public:
-  // Nothing when the picture has so many colours that the transform itself is cheaper.
-  static std::optional<ColorCube> make(int width, int height, const RowSource& row, const ColorTransform& transform);
+  ColorCube();
 
-  // Transforms a row of the same picture in place. Colours outside the grid, non-finite ones, and those where the
-  // transform bends too sharply go through it. The result depends on the pixel's colour alone, not on the picture.
+  // Evaluates the transform at the points that these pixels need and that no pixels before needed, unless that is
+  // dearer than to transform all pixels so far: then these go through the transform. What is evaluated depends on the
+  // pixels given so far, and on how they were divided between calls.
+  void prepare(std::span<const float> rgba, const ColorTransform& transform);
+
+  // Transforms pixels in place. Colours outside the grid or not prepared for, non-finite ones, and those where the
+  // transform bends too sharply go through it.
   void apply(std::span<float> rgba, const ColorTransform& transform) const;
+
+  // Points evaluated so far.
+  std::size_t points() const { return points_; }
 
  private:
   struct Free {
     void operator()(void* memory) const;
   };
-  using Values = std::unique_ptr<float[], Free>;
-  explicit ColorCube(Values values) : values_(std::move(values)) {}
+  void evaluate_cells(std::span<const std::uint32_t> cells, std::span<const std::uint32_t> nodes,
+                      const ColorTransform& transform);
 
-  Values values_;  // RGB of each grid point and a mark, red fastest; untouched pages cost no memory
+  // RGB of each grid point and a mark, red fastest; untouched pages cost no memory.
+  std::unique_ptr<float[], Free> values_;
+  std::vector<std::uint8_t> marks_;  // of each cell, by its first node, and of each node
+  std::size_t credit_ = 0;           // points that may still be evaluated
+  std::size_t points_ = 0;
 };
 
 }  // namespace airlight

@@ -24,6 +24,7 @@ namespace {
 namespace ocio = OCIO_NAMESPACE;
 
 constexpr const char* kEmbeddedName = "the built-in config";
+constexpr int kBlockPixels = 1 << 19;               // 8 MB as floats
 constexpr std::size_t kFewestCubePixels = 1 << 16;  // below, a colour cube costs more than it saves
 
 struct Config {
@@ -166,16 +167,11 @@ struct DisplayTransform::State {
     ocio::PackedImageDesc pixels(rgba.data(), static_cast<long>(rgba.size() / 4), 1, 4);
     processor->apply(pixels);
   }
-  std::optional<ColorCube> cube_for(int width, int height, const RowSource& row) const;
-};
-
-std::optional<ColorCube> DisplayTransform::State::cube_for(int width, int height, const RowSource& row) const {
-  const std::size_t pixel_count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  if (settings.exact || settings.pixels.bits != 8 || pixel_count < kFewestCubePixels) {
-    return std::nullopt;
+  bool interpolates(int width, int height) const {
+    const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    return !settings.exact && settings.pixels.bits == 8 && pixels >= kFewestCubePixels;
   }
-  return ColorCube::make(width, height, row, [this](std::span<float> rgba) { transform(rgba); });
-}
+};
 
 DisplayTransform::DisplayTransform(const DisplaySettings& settings) : state_(std::make_unique<State>()) {
   const Config config = open_config(settings.config);
@@ -226,31 +222,101 @@ bool DisplayTransform::is_srgb() const {
 }
 
 PixelImage DisplayTransform::apply(const RadianceImage& image, const AddedLight& light, float exposure) const {
-  const std::size_t row_length = 4 * static_cast<std::size_t>(image.width);
-  const RowSource exposed = [&](int y, std::span<float> rgba) {
-    const std::size_t first = row_length * static_cast<std::size_t>(y);
-    for (std::size_t i = 0; i < row_length; ++i) {
-      const float radiance = image.rgba[first + i];
-      const float sum = light.rgba == nullptr ? radiance : radiance + light.intensity * light.rgba[first + i];
-      rgba[i] = i % 4 == 3 ? radiance : sum * exposure;
-    }
-  };
-  const ColorTransform exact = [this](std::span<float> rgba) { state_->transform(rgba); };
-  const std::optional<ColorCube> cube = state_->cube_for(image.width, image.height, exposed);
   PixelImage pixels = make_pixels(image.width, image.height, state_->settings.pixels);
-  for_row_strips(image.height, [&](int first, int end) {
-    std::vector<float> row(row_length);
-    for (int y = first; y < end; ++y) {
-      exposed(y, row);
-      if (cube) {
-        cube->apply(row, exact);
-      } else {
-        exact(row);
+  std::size_t done = 0;
+  DisplayRows rows(*this, image.width, image.height, [&](const PixelImage& part) {
+    std::copy(part.bytes.begin(), part.bytes.end(), pixels.bytes.data() + (part.bits == 8 ? done : 0));
+    std::copy(part.words.begin(), part.words.end(), pixels.words.data() + (part.bits == 16 ? done : 0));
+    done += part.bytes.size() + part.words.size();
+  });
+  rows.add(image, light, exposure);
+  return pixels;
+}
+
+// Rows are gathered into blocks that depend on the picture's size alone, since what the colour cube evaluates depends
+// on them.
+struct DisplayRows::State {
+  const DisplayTransform::State& transform;
+  int width, height;
+  Sink sink;
+  int block_rows;
+  int y = 0;       // of the block's first row
+  int filled = 0;  // rows of the block
+  std::vector<float> block;
+  std::optional<ColorCube> cube;
+
+  std::size_t row_length() const { return 4 * static_cast<std::size_t>(width); }
+  std::span<float> row(int of_block) {
+    return std::span(block).subspan(static_cast<std::size_t>(of_block) * row_length(), row_length());
+  }
+  void fill(const RadianceImage& rows, const AddedLight& light, float exposure, int first, int count);
+  void flush();
+};
+
+void DisplayRows::State::fill(const RadianceImage& rows, const AddedLight& light, float exposure, int first,
+                              int count) {
+  for_row_strips(count, [&](int from, int end) {
+    for (int k = from; k < end; ++k) {
+      const std::span<float> rgba = row(filled + k);
+      const std::size_t start = row_length() * static_cast<std::size_t>(first + k);
+      for (std::size_t i = 0; i < rgba.size(); ++i) {
+        const float radiance = rows.rgba[start + i];
+        const float sum = light.rgba == nullptr ? radiance : radiance + light.intensity * light.rgba[start + i];
+        rgba[i] = i % 4 == 3 ? radiance : sum * exposure;
       }
-      quantize_row(row, y, state_->settings.pixels, pixels);
     }
   });
-  return pixels;
+  filled += count;
+}
+
+void DisplayRows::State::flush() {
+  const ColorTransform exact = [this](std::span<float> rgba) { transform.transform(rgba); };
+  if (cube) {
+    cube->prepare(std::span(block).first(static_cast<std::size_t>(filled) * row_length()), exact);
+  }
+  const QuantizeOptions& options = transform.settings.pixels;
+  PixelImage pixels = make_pixels(width, filled, options);
+  for_row_strips(filled, [&](int first, int end) {
+    for (int k = first; k < end; ++k) {
+      if (cube) {
+        cube->apply(row(k), exact);
+      } else {
+        exact(row(k));
+      }
+      quantize_row(row(k), y + k, options, pixels, y);
+    }
+  });
+  sink(pixels);
+  y += std::exchange(filled, 0);
+}
+
+DisplayRows::DisplayRows(const DisplayTransform& transform, int width, int height, Sink sink)
+    : state_(std::make_unique<State>(State{*transform.state_,
+                                           width,
+                                           height,
+                                           std::move(sink),
+                                           std::clamp(kBlockPixels / width, 1, height),
+                                           0,
+                                           0,
+                                           {},
+                                           {}})) {
+  state_->block.resize(state_->row_length() * static_cast<std::size_t>(state_->block_rows));
+  if (state_->transform.interpolates(width, height)) {
+    state_->cube.emplace();
+  }
+}
+
+DisplayRows::~DisplayRows() = default;
+
+void DisplayRows::add(const RadianceImage& rows, const AddedLight& light, float exposure) {
+  for (int first = 0; first < rows.height;) {
+    const int count = std::min(state_->block_rows - state_->filled, rows.height - first);
+    state_->fill(rows, light, exposure, first, count);
+    first += count;
+    if (state_->filled == state_->block_rows || state_->y + state_->filled == state_->height) {
+      state_->flush();
+    }
+  }
 }
 
 }  // namespace airlight

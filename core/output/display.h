@@ -1,6 +1,7 @@
 #pragma once
 // From scene-linear radiance to what a screen shows, through OpenColorIO.
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -19,9 +20,9 @@ struct DisplaySettings {
   bool exact = false;
 };
 
-// Light to be added to the picture before the display transform.
+// Light to be added to rows of a picture before the display transform.
 struct AddedLight {
-  const float* rgba = nullptr;  // of the picture's size; null: none
+  const float* rgba = nullptr;  // as many pixels as the rows have; null: none
   float intensity = 0.0F;
 };
 
@@ -42,6 +43,28 @@ class DisplayTransform {
 
   // (image + intensity * light) * exposure, transformed. Alpha passes unchanged.
   PixelImage apply(const RadianceImage& image, const AddedLight& light, float exposure) const;
+
+ private:
+  friend class DisplayRows;
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+// A picture that comes row by row: the same pixels as DisplayTransform::apply() makes of it at once, however the rows
+// were divided.
+class DisplayRows {
+ public:
+  // Takes finished rows from the top.
+  using Sink = std::function<void(const PixelImage& rows)>;
+
+  // The transform must outlive it.
+  DisplayRows(const DisplayTransform& transform, int width, int height, Sink sink);
+  ~DisplayRows();
+  DisplayRows(const DisplayRows&) = delete;
+  DisplayRows& operator=(const DisplayRows&) = delete;
+
+  // The next rows. With the last of the picture the sink gets what is left.
+  void add(const RadianceImage& rows, const AddedLight& light, float exposure);
 
  private:
   struct State;

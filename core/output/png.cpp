@@ -23,19 +23,19 @@ constexpr int kFilter = PNG_FILTER_SUB;
 constexpr std::size_t kIdatBytes = 1U << 18;
 
 // Everything that libpng's callbacks reach; nothing with a destructor may live in a frame that longjmp leaves.
-struct Sink {
+struct Buffer {
   std::vector<std::byte> bytes;
   std::string error;
 };
 
 void append(png_structp png, png_bytep data, png_size_t size) {
-  Sink& sink = *static_cast<Sink*>(png_get_io_ptr(png));
+  Buffer& buffer = *static_cast<Buffer*>(png_get_io_ptr(png));
   const std::byte* const first = reinterpret_cast<const std::byte*>(data);
-  sink.bytes.insert(sink.bytes.end(), first, first + size);
+  buffer.bytes.insert(buffer.bytes.end(), first, first + size);
 }
 
 [[noreturn]] void leave(png_structp png, png_const_charp message) {
-  static_cast<Sink*>(png_get_error_ptr(png))->error = message;
+  static_cast<Buffer*>(png_get_error_ptr(png))->error = message;
   png_longjmp(png, 1);
 }
 
@@ -43,7 +43,8 @@ void ignore_warning(png_structp, png_const_charp) {}
 
 class Writer {
  public:
-  explicit Writer(Sink& sink) : png_(png_create_write_struct(PNG_LIBPNG_VER_STRING, &sink, leave, ignore_warning)) {
+  explicit Writer(Buffer& buffer)
+      : png_(png_create_write_struct(PNG_LIBPNG_VER_STRING, &buffer, leave, ignore_warning)) {
     if (png_ != nullptr) {
       info_ = png_create_info_struct(png_);
     }
@@ -51,7 +52,7 @@ class Writer {
       png_destroy_write_struct(&png_, nullptr);
       throw RunError("PNG: cannot start the encoder: out of memory");
     }
-    png_set_write_fn(png_, &sink, append, nullptr);
+    png_set_write_fn(png_, &buffer, append, nullptr);
   }
   Writer(const Writer&) = delete;
   Writer& operator=(const Writer&) = delete;
@@ -88,8 +89,9 @@ void write_rows(Writer& writer, const PixelImage& image) {
   }
 }
 
-// False when libpng gave up; Sink::error says why.
-bool encode(Writer& writer, const PixelImage& image, const PngOptions& options) {
+// The functions below are false when libpng gave up; Buffer::error says why.
+
+bool begin(Writer& writer, const PixelImage& image, int height, const PngOptions& options) {
   if (setjmp(png_jmpbuf(writer.png())) != 0) {
     return false;
   }
@@ -97,9 +99,8 @@ bool encode(Writer& writer, const PixelImage& image, const PngOptions& options) 
   png_set_compression_level(writer.png(), options.smallest ? kSmallestZlibLevel : kZlibLevel);
   png_set_compression_buffer_size(writer.png(), kIdatBytes);
   png_set_filter(writer.png(), PNG_FILTER_TYPE_BASE, options.smallest ? PNG_ALL_FILTERS : kFilter);
-  png_set_IHDR(writer.png(), writer.info(), static_cast<png_uint_32>(image.width),
-               static_cast<png_uint_32>(image.height), image.bits,
-               image.channels == 4 ? PNG_COLOR_TYPE_RGBA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+  png_set_IHDR(writer.png(), writer.info(), static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(height),
+               image.bits, image.channels == 4 ? PNG_COLOR_TYPE_RGBA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   if (options.srgb) {
     png_set_sRGB(writer.png(), writer.info(), PNG_sRGB_INTENT_RELATIVE);
@@ -109,22 +110,68 @@ bool encode(Writer& writer, const PixelImage& image, const PngOptions& options) 
   if (image.bits == 16 && std::endian::native == std::endian::little) {
     png_set_swap(writer.png());
   }
-  write_rows(writer, image);
+  return true;
+}
+
+bool write(Writer& writer, const PixelImage& rows) {
+  if (setjmp(png_jmpbuf(writer.png())) != 0) {
+    return false;
+  }
+  write_rows(writer, rows);
+  return true;
+}
+
+bool end(Writer& writer) {
+  if (setjmp(png_jmpbuf(writer.png())) != 0) {
+    return false;
+  }
   png_write_end(writer.png(), writer.info());
   return true;
 }
 
 }  // namespace
 
-std::vector<std::byte> encode_png(const PixelImage& image, const PngOptions& options) {
-  assert(image.width > 0 && image.height > 0 && (image.channels == 3 || image.channels == 4));
-  assert(image.bits == 8 || image.bits == 16);
-  Sink sink;
-  Writer writer(sink);
-  if (!encode(writer, image, options)) {
-    throw RunError("PNG: cannot encode the picture: " + sink.error);
+struct PngRows::State {
+  explicit State(Sink to) : sink(std::move(to)), writer(buffer) {}
+
+  // No exception may go through libpng: what it has written is handed on between its calls.
+  void hand_on(bool went_well) {
+    if (!went_well) {
+      throw RunError("PNG: cannot encode the picture: " + buffer.error);
+    }
+    sink(buffer.bytes);
+    buffer.bytes.clear();
   }
-  return std::move(sink.bytes);
+
+  Sink sink;
+  Buffer buffer;
+  Writer writer;
+};
+
+PngRows::PngRows(Sink sink, const PixelImage& format, int height, const PngOptions& options)
+    : state_(std::make_unique<State>(std::move(sink))) {
+  assert(format.width > 0 && height > 0 && (format.channels == 3 || format.channels == 4));
+  assert(format.bits == 8 || format.bits == 16);
+  state_->hand_on(begin(state_->writer, format, height, options));
+}
+
+PngRows::~PngRows() = default;
+
+void PngRows::add(const PixelImage& rows) {
+  state_->hand_on(write(state_->writer, rows));
+}
+
+void PngRows::finish() {
+  state_->hand_on(end(state_->writer));
+}
+
+std::vector<std::byte> encode_png(const PixelImage& image, const PngOptions& options) {
+  std::vector<std::byte> bytes;
+  PngRows rows([&](std::span<const std::byte> part) { bytes.insert(bytes.end(), part.begin(), part.end()); }, image,
+               image.height, options);
+  rows.add(image);
+  rows.finish();
+  return bytes;
 }
 
 void write_png(const std::filesystem::path& file, const PixelImage& image, const PngOptions& options) {

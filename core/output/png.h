@@ -4,7 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
+#include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,6 +27,26 @@ struct PngOptions {
   bool srgb = true;                          // pixels are sRGB: says so; false leaves the encoding unsaid
   std::map<std::string, std::string> texts;  // tEXt chunks such as Software, Description; UTF-8 becomes iTXt
   bool smallest = false;                     // four times the work for a file to keep in a repository
+};
+
+// A file whose rows are given from the top, some at a time: the same bytes as encode_png() makes of all of them. Throws
+// RunError, and what the sink throws.
+class PngRows {
+ public:
+  using Sink = std::function<void(std::span<const std::byte> bytes)>;
+
+  // `format`: channels and bits, and the width; its pixels are not read.
+  PngRows(Sink sink, const PixelImage& format, int height, const PngOptions& options);
+  ~PngRows();
+  PngRows(const PngRows&) = delete;
+  PngRows& operator=(const PngRows&) = delete;
+
+  void add(const PixelImage& rows);
+  void finish();  // after the last row
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
 };
 
 std::vector<std::byte> encode_png(const PixelImage& image, const PngOptions& options);

@@ -89,9 +89,10 @@ PixelImage make_pixels(int width, int height, const QuantizeOptions& options) {
   return pixels;
 }
 
-void quantize_row(std::span<const float> encoded, int y, const QuantizeOptions& options, PixelImage& pixels) {
-  const std::size_t first =
-      static_cast<std::size_t>(y) * static_cast<std::size_t>(pixels.width) * static_cast<std::size_t>(pixels.channels);
+void quantize_row(std::span<const float> encoded, int y, const QuantizeOptions& options, PixelImage& pixels,
+                  int first_row) {
+  const std::size_t first = static_cast<std::size_t>(y - first_row) * static_cast<std::size_t>(pixels.width) *
+                            static_cast<std::size_t>(pixels.channels);
   if (options.bits == 16) {
     round_row(encoded, pixels.channels, 65535.0F, pixels.words.data() + first);
   } else if (options.dither) {
@@ -101,12 +102,13 @@ void quantize_row(std::span<const float> encoded, int y, const QuantizeOptions& 
   }
 }
 
-PixelImage quantize(const RadianceImage& encoded, const QuantizeOptions& options) {
+PixelImage quantize(const RadianceImage& encoded, const QuantizeOptions& options, int first_row) {
   PixelImage pixels = make_pixels(encoded.width, encoded.height, options);
   const std::size_t row = 4 * static_cast<std::size_t>(encoded.width);
   for_row_strips(encoded.height, [&](int first, int end) {
     for (int y = first; y < end; ++y) {
-      quantize_row({encoded.rgba.data() + static_cast<std::size_t>(y) * row, row}, y, options, pixels);
+      quantize_row({encoded.rgba.data() + static_cast<std::size_t>(y) * row, row}, first_row + y, options, pixels,
+                   first_row);
     }
   });
   return pixels;

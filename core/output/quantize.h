@@ -18,10 +18,12 @@ struct QuantizeOptions {
 // An empty picture of the right format.
 PixelImage make_pixels(int width, int height, const QuantizeOptions& options);
 
-// One row of `pixels` from display-encoded RGBA; below 0 and NaN become 0, above 1 becomes 1.
-void quantize_row(std::span<const float> encoded, int y, const QuantizeOptions& options, PixelImage& pixels);
+// Row y of a picture from display-encoded RGBA; below 0 and NaN become 0, above 1 becomes 1. `pixels` holds the
+// picture's rows from `first_row` on.
+void quantize_row(std::span<const float> encoded, int y, const QuantizeOptions& options, PixelImage& pixels,
+                  int first_row = 0);
 
-// A whole picture that is display-encoded already, such as one from the GPU tone curve.
-PixelImage quantize(const RadianceImage& encoded, const QuantizeOptions& options);
+// A picture that is display-encoded already, such as one from the GPU tone curve, or its rows from `first_row` on.
+PixelImage quantize(const RadianceImage& encoded, const QuantizeOptions& options, int first_row = 0);
 
 }  // namespace airlight

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <random>
 #include <sstream>
@@ -49,19 +50,29 @@ void sky_row(int y, std::span<float> rgba) {
   }
 }
 
+using Rows = std::function<void(int y, std::span<float> rgba)>;
+
+// Prepared for the whole picture at once.
+ColorCube cube_of(const Rows& row, const ColorTransform& transform) {
+  std::vector<float> picture(4 * static_cast<std::size_t>(kWidth) * kHeight);
+  for (int y = 0; y < kHeight; ++y) {
+    row(y, std::span(picture).subspan(static_cast<std::size_t>(y) * 4 * kWidth, 4 * kWidth));
+  }
+  ColorCube cube;
+  cube.prepare(picture, transform);
+  return cube;
+}
+
 double worst_error(const char* view) {
   const ColorTransform exact = transform_of(processor_of(view));
-  const std::optional<ColorCube> cube = ColorCube::make(kWidth, kHeight, sky_row, exact);
-  if (!cube) {
-    ADD_FAILURE() << "no cube was made";
-    return 1e9;
-  }
+  const ColorCube cube = cube_of(sky_row, exact);
+  EXPECT_GT(cube.points(), 0U);
   double worst = 0;
   std::vector<float> fast(4 * kWidth), truth(4 * kWidth);
   for (int y = 0; y < kHeight; ++y) {
     sky_row(y, fast);
     sky_row(y, truth);
-    cube->apply(fast, exact);
+    cube.apply(fast, exact);
     exact(truth);
     for (std::size_t i = 0; i < truth.size(); ++i) {
       worst = std::max(worst, std::fabs(std::clamp(fast[i], 0.0F, 1.0F) - std::clamp(truth[i], 0.0F, 1.0F)) * 255.0);
@@ -88,8 +99,8 @@ TEST(ColorCube, LeavesALinearTransformAlone) {
       rgba[i + 2] = 2.0F * blue - red;
     }
   };
-  const std::optional<ColorCube> cube = ColorCube::make(kWidth, kHeight, sky_row, mix);
-  ASSERT_TRUE(cube);
+  const ColorCube cube = cube_of(sky_row, mix);
+  ASSERT_GT(cube.points(), 0U);
   const auto inside = [](const float* rgb) { return std::max({rgb[0], rgb[1], rgb[2]}) < 63.0F; };
   std::size_t compared = 0;
   std::vector<float> fast(4 * kWidth), truth(4 * kWidth), source;
@@ -97,7 +108,7 @@ TEST(ColorCube, LeavesALinearTransformAlone) {
     sky_row(y, fast);
     sky_row(y, truth);
     source = truth;
-    cube->apply(fast, [](std::span<float>) {});
+    cube.apply(fast, [](std::span<float>) {});
     mix(truth);
     for (std::size_t i = 0; i < truth.size(); ++i) {
       if (inside(&source[i / 4 * 4])) {
@@ -116,13 +127,13 @@ TEST(ColorCube, LeavesSharpBendsToTheTransform) {
       value = value > 0.53F ? 0.8F : 0.2F;
     }
   };
-  const std::optional<ColorCube> cube = ColorCube::make(kWidth, kHeight, sky_row, step);
-  ASSERT_TRUE(cube);
+  const ColorCube cube = cube_of(sky_row, step);
+  ASSERT_GT(cube.points(), 0U);
   std::vector<float> fast(4 * kWidth), truth(4 * kWidth);
   for (int y = 0; y < kHeight; ++y) {
     sky_row(y, fast);
     sky_row(y, truth);
-    cube->apply(fast, step);
+    cube.apply(fast, step);
     step(truth);
     for (std::size_t i = 0; i < truth.size(); ++i) {
       if (i % 4 != 3) {
@@ -142,18 +153,35 @@ TEST(ColorCube, SendsColoursOutsideTheGridThroughTheTransform) {
     std::copy(outside.begin(), outside.end(), rgba.begin());
   };
   const ColorTransform mark = [](std::span<float> rgba) { std::fill(rgba.begin(), rgba.end(), 7.0F); };
-  const std::optional<ColorCube> cube = ColorCube::make(kWidth, kHeight, row, mark);
-  ASSERT_TRUE(cube);
+  const ColorCube cube = cube_of(row, mark);
+  ASSERT_GT(cube.points(), 0U);
   std::vector<float> rgba(4 * kWidth);
   row(0, rgba);
   std::atomic<std::size_t> exact = 0;
-  cube->apply(rgba, [&](std::span<float> pixels) {
+  cube.apply(rgba, [&](std::span<float> pixels) {
     exact += pixels.size() / 4;
     std::fill(pixels.begin(), pixels.end(), 9.0F);
   });
   EXPECT_EQ(exact, outside.size() / 4);
   EXPECT_EQ(rgba[0], 9.0F);
   EXPECT_EQ(rgba[outside.size()], 7.0F);  // the first colour on the grid
+}
+
+// Colours that come later are prepared for later, and none twice.
+TEST(ColorCube, GrowsWithThePicture) {
+  const ColorTransform exact = transform_of(processor_of("ACES 1.0 - SDR Video"));
+  std::atomic<std::size_t> evaluated = 0;
+  const ColorTransform counted = [&](std::span<float> rgba) { evaluated += rgba.size() / 4; };
+  ColorCube cube;
+  std::vector<float> half(4 * static_cast<std::size_t>(kWidth) * kHeight / 2);
+  for (const int part : {0, 1, 0, 1}) {
+    for (int y = 0; y < kHeight / 2; ++y) {
+      sky_row(part * kHeight / 2 + y, std::span(half).subspan(static_cast<std::size_t>(y) * 4 * kWidth, 4 * kWidth));
+    }
+    cube.prepare(half, counted);
+  }
+  EXPECT_EQ(evaluated, cube.points());
+  EXPECT_EQ(cube.points(), cube_of(sky_row, exact).points());
 }
 
 TEST(ColorCube, DeclinesAPictureOfAllColours) {
@@ -164,7 +192,7 @@ TEST(ColorCube, DeclinesAPictureOfAllColours) {
       value = std::exp2(static_cast<float>(random() % 1500) / 100.0F - 10.0F);
     }
   };
-  EXPECT_FALSE(ColorCube::make(kWidth, kHeight, noise, nothing));
+  EXPECT_EQ(cube_of(noise, nothing).points(), 0U);
 }
 
 }  // namespace

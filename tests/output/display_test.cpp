@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -286,6 +287,37 @@ TEST_F(Display, AConfigThatNamesAMissingTableGivesTheReason) {
   const std::string message = refusal(settings);
   EXPECT_NE(message.find("view 'plain' of display 'screen' cannot be used"), std::string::npos) << message;
   EXPECT_NE(message.find("none.cube"), std::string::npos) << message;
+}
+
+// However a picture is divided, its pixels are the same: of one size that is interpolated, and of one that is not.
+TEST_F(Display, RowsMakeTheSamePixels) {
+  for (const auto& [width, height] : {std::pair{1024, 1100}, {31, 17}}) {
+    RadianceImage image{width, height, {}};
+    RadianceImage glow = image;
+    for (int i = 0; i < width * height; ++i) {
+      const float x = static_cast<float>(i % width) / static_cast<float>(width);
+      const float y = static_cast<float>(i / width) / static_cast<float>(height);
+      image.rgba.insert(image.rgba.end(), {3.0F * x, 0.1F + y, x * y * 60.0F, 1.0F});
+      glow.rgba.insert(glow.rgba.end(), {y, y, x, 1.0F});
+    }
+    DisplaySettings settings;
+    settings.view = "ACES 1.0 - SDR Video";
+    const DisplayTransform transform{settings};
+    const PixelImage whole = transform.apply(image, {glow.rgba.data(), 0.5F}, 0.7F);
+    for (const int step : {1, 7, 500, 1099}) {
+      std::vector<std::uint8_t> bytes;
+      DisplayRows rows(transform, width, height, [&](const PixelImage& part) {
+        bytes.insert(bytes.end(), part.bytes.begin(), part.bytes.end());
+      });
+      for (int y = 0; y < height; y += step) {
+        const int count = std::min(step, height - y);
+        const std::ptrdiff_t row = 4 * static_cast<std::ptrdiff_t>(width);
+        const RadianceImage part{width, count, {image.rgba.begin() + y * row, image.rgba.begin() + (y + count) * row}};
+        rows.add(part, {glow.rgba.data() + y * row, 0.5F}, 0.7F);
+      }
+      EXPECT_TRUE(bytes == whole.bytes) << width << " in steps of " << step;
+    }
+  }
 }
 
 }  // namespace

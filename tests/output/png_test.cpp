@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 #include <png.h>
 
+#include <algorithm>
 #include <cstring>
+#include <span>
 
 #include "tests/output/files.h"
 
@@ -121,6 +123,30 @@ TEST(Png, AnEncoderErrorIsOurs) {
   options.texts = {{"", "a text without a keyword, which the format forbids"}};
   EXPECT_NE(test::message_of<RunError>([&] { encode_png(numbered(3, 8), options); }).find("PNG: cannot encode"),
             std::string::npos);
+}
+
+TEST(Png, RowsMakeTheSameBytes) {
+  for (const int bits : {8, 16}) {
+    const PixelImage whole = numbered(3, bits);
+    const PngOptions options{.srgb = true, .texts = {{"Software", "test"}}};
+    std::vector<std::byte> bytes;
+    PngRows rows([&](std::span<const std::byte> part) { bytes.insert(bytes.end(), part.begin(), part.end()); }, whole,
+                 whole.height, options);
+    for (int y = 0; y < whole.height;) {
+      const int count = std::min(y == 0 ? 1 : 5, whole.height - y);
+      PixelImage part{whole.width, count, whole.channels, bits, {}, {}};
+      const std::ptrdiff_t row = static_cast<std::ptrdiff_t>(whole.width) * whole.channels;
+      if (bits == 8) {
+        part.bytes.assign(whole.bytes.begin() + y * row, whole.bytes.begin() + (y + count) * row);
+      } else {
+        part.words.assign(whole.words.begin() + y * row, whole.words.begin() + (y + count) * row);
+      }
+      rows.add(part);
+      y += count;
+    }
+    rows.finish();
+    EXPECT_EQ(bytes, encode_png(whole, options));
+  }
 }
 
 }  // namespace
