@@ -54,6 +54,14 @@ std::vector<Option> picture_options(PictureOptions& options) {
         {"8", "16"}}});
 }
 
+Option tile_option(std::optional<std::string>& tile) {
+  return {
+      "--tile", "WxH",
+      "Render in tiles of this size, streamed into the files, in bounded memory; else in rows of tiles from 8388609 "
+      "pixels on. The files are the same",
+      &tile};
+}
+
 WorkingSpace working_space_of(const PictureOptions& options) {
   return working_space(options.colorspace).value_or(WorkingSpace::linear_rec709);
 }

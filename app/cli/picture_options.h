@@ -32,6 +32,9 @@ std::vector<Option> picture_options(PictureOptions& options);
 
 std::vector<Override> overrides(const PictureOptions& options);
 
+// --tile, of commands that take pictures of any size.
+Option tile_option(std::optional<std::string>& tile);
+
 // None for the views gpu and diagnostic. Throws InputError for a config, display or view that is not there.
 std::optional<DisplayTransform> display_transform(const PictureOptions& options, const Scene& scene);
 

@@ -18,10 +18,7 @@ std::vector<Option> output_options(RenderOrder& given) {
         &given.png, Completes::file},
        {"--luts", "DIR", "Also write every table into this folder, as 'airlight luts' does", &given.tables,
         Completes::folder},
-       {"--tile", "WxH",
-        "Render in tiles of this size, streamed into the EXR, in bounded memory; else in rows of tiles from 8388609 "
-        "pixels on where neither PNG nor bloom needs the whole picture. The file is the same",
-        &given.tile},
+       tile_option(given.tile),
        {"--irradiance", "FILE.exr",
         "Also write what the sky gives a diffuse surface: a map over normals here, and in FILE.json beside it its 9 "
         "spherical-harmonic coefficients and the sun as a directional light",

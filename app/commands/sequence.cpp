@@ -6,6 +6,7 @@
 #include "app/cli/sampling_options.h"
 #include "app/cli/terminal.h"
 #include "app/commands/commands.h"
+#include "app/render/tiled_picture.h"
 #include "app/sequence/pictures.h"
 #include "app/sequence/run.h"
 #include "core/error.h"
@@ -30,6 +31,7 @@ struct Given {
   PlaceOptions place;
   std::optional<std::string> from, to, step, sweep;
   std::string shard = "1/1";
+  std::optional<std::string> tile;
   std::optional<std::string> manifest;
   bool overwrite = false;
   bool yes = false;
@@ -143,6 +145,7 @@ SequenceJob job_of(const Given& given) {
   SequenceJob job;
   job.scene_options = given.scene;
   job.picture = given.picture;
+  job.tile = given.tile;
   job.overwrite = given.overwrite;
   job.quiet = given.quiet;
   job.json = given.json;
@@ -162,6 +165,7 @@ SequenceJob job_of(const Given& given) {
   job.preset = preset_of(given);
   job.scene = resolve(job.preset, method_infos());
   require_layers(given.picture, job.scene, job.exr.has_value(), "sequence");
+  tile_for(job.tile, job.scene, given.picture.layers, "sequence");  // throws for what is no tile
   job.source = source_of(given, job.scene);
   refuse_idle_overrides(given, job.source);
   std::get<PresetObject>(job.preset.root.data).erase("sequence");
@@ -262,6 +266,7 @@ std::vector<Option> run_options(Given& given) {
                Completes::nothing, Range{1.0, 1000.0}},
               {"--contact-sheet", "FILE.png", "Make a sheet of small pictures, at most 60, evenly spread",
                &given.pictures.contact_sheet, Completes::file},
+              tile_option(given.tile),
               {"--yes", "", "More than a million frames are meant", &given.yes},
               {"--dry-run", "", "List the frames; open no device, write nothing", &given.dry_run},
               {"--json", "", "Print one JSON object a frame on standard output, and one at the end", &given.json},

@@ -18,6 +18,13 @@ struct CubeFace {
 // Throws InputError unless the scene is a cube in the layout "stack".
 void require_cube_stack(const Scene& scene);
 
+struct FaceScene {
+  std::string name;
+  Scene scene;
+  int first_row = 0;  // in the stack
+};
+std::vector<FaceScene> face_scenes(const Scene& scene);
+
 std::vector<CubeFace> cube_faces(const Scene& scene, const Rendering& rendering);
 
 // "sky.exr", "posx" -> "sky.posx.exr"; empty stays empty.

@@ -17,11 +17,10 @@ Axis axis(const physics::vec3& v) {
 }
 
 // The GPU tone curve's 16-bit picture as floats, so that 8 bits are dithered as those of any other view.
-RadianceImage gpu_picture(const PictureContext& context) {
-  const RadianceImage& radiance = context.rendering.radiance;
-  RadianceImage picture{radiance.width, radiance.height, {}};
-  picture.rgba.reserve(context.rendering.encoded.size());
-  for (const std::uint16_t value : context.rendering.encoded) {
+RadianceImage gpu_picture(const Rendering& rows) {
+  RadianceImage picture{rows.radiance.width, rows.radiance.height, {}};
+  picture.rgba.reserve(rows.encoded.size());
+  for (const std::uint16_t value : rows.encoded) {
     picture.rgba.push_back(static_cast<float>(value) / 65535.0F);
   }
   return picture;
@@ -105,8 +104,10 @@ ExrOptions exr_options(const PictureContext& context, bool half) {
     options.strings["airlight:quality"] = context.choice->quality;
     options.numbers["airlight:estimated_error"] = static_cast<float>(context.choice->error);
     std::string left_out;
-    for (const std::string& line : context.rendering.left_out) {
-      left_out += (left_out.empty() ? "" : "\n") + line;
+    for (const auto* lines : {&context.left_out, &context.rendering.left_out}) {
+      for (const std::string& line : *lines) {
+        left_out += (left_out.empty() ? "" : "\n") + line;
+      }
     }
     options.strings["airlight:left_out"] = left_out;
   }
@@ -167,23 +168,61 @@ ExrFile picture_exr(const PictureContext& context, bool half) {
   return encode_exr(radiance.width, radiance.height, channels.list(), exr_options(context, half));
 }
 
+struct PicturePng::State {
+  PngRows png;
+  std::optional<DisplayRows> display = {};
+  bool diagnostic = false;
+  QuantizeOptions pixels;
+  float bloom_intensity = 0.0F;
+  int y = 0;  // of the next row
+};
+
+PicturePng::PicturePng(PngRows::Sink sink, const PictureContext& context,
+                       const std::optional<DisplayTransform>& transform, int bits) {
+  const ImageSize& size = context.scene.image;
+  const bool diagnostic = !transform && context.scene.display.view == kDiagnosticView;
+  const QuantizeOptions pixels{bits, !diagnostic, has_outside(context.scene.camera)};
+  const bool srgb = !transform || transform->is_srgb();
+  state_ = std::unique_ptr<State>(
+      new State{.png = {std::move(sink), make_pixels(size.width, 0, pixels), size.height, png_options(context, srgb)},
+                .diagnostic = diagnostic,
+                .pixels = pixels,
+                .bloom_intensity = static_cast<float>(context.scene.bloom.intensity)});
+  if (transform) {
+    state_->display.emplace(*transform, size.width, size.height,
+                            [png = &state_->png](const PixelImage& rows) { png->add(rows); });
+  }
+}
+
+PicturePng::~PicturePng() = default;
+
+void PicturePng::add(const Rendering& rows) {
+  State& state = *state_;
+  if (state.display) {
+    AddedLight glow;
+    if (rows.bloom) {
+      glow = {rows.bloom->rgba.data(), state.bloom_intensity};
+    }
+    state.display->add(rows.radiance, glow, static_cast<float>(rows.exposure));
+    return;
+  }
+  state.png.add(
+      quantize(state.diagnostic ? diagnostic_picture(rows.radiance) : gpu_picture(rows), state.pixels, state.y));
+  state.y += rows.radiance.height;
+}
+
+void PicturePng::finish() {
+  state_->png.finish();
+}
+
 std::vector<std::byte> picture_png(const PictureContext& context, const std::optional<DisplayTransform>& transform,
                                    int bits) {
-  const Rendering& rendering = context.rendering;
-  if (transform) {
-    AddedLight glow;
-    if (rendering.bloom) {
-      glow.rgba = rendering.bloom->rgba.data();
-      glow.intensity = static_cast<float>(context.scene.bloom.intensity);
-    }
-    const PixelImage pixels = transform->apply(rendering.radiance, glow, static_cast<float>(rendering.exposure));
-    return encode_png(pixels, png_options(context, transform->is_srgb()));
-  }
-  const bool diagnostic = context.scene.display.view == kDiagnosticView;
-  const QuantizeOptions options{bits, !diagnostic, has_outside(context.scene.camera)};
-  const PixelImage pixels =
-      quantize(diagnostic ? diagnostic_picture(rendering.radiance) : gpu_picture(context), options);
-  return encode_png(pixels, png_options(context, true));
+  std::vector<std::byte> bytes;
+  PicturePng png([&](std::span<const std::byte> part) { bytes.insert(bytes.end(), part.begin(), part.end()); }, context,
+                 transform, bits);
+  png.add(context.rendering);
+  png.finish();
+  return bytes;
 }
 
 RadianceImage diagnostic_picture(const RadianceImage& radiance) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <deque>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,6 +11,7 @@
 
 #include "core/output/display.h"
 #include "core/output/exr.h"
+#include "core/output/png.h"
 #include "core/render/render.h"
 
 namespace airlight::cli {
@@ -32,7 +34,8 @@ struct PictureContext {
   const Rendering& rendering;
   Provenance provenance;
   std::optional<ChoiceNote> choice = {};
-  std::string exr_hash = {};  // of a sequence's frame, see app/sequence/job.h; empty: none is written
+  std::vector<std::string> left_out = {};  // by that choice, unless the rendering says so itself
+  std::string exr_hash = {};               // of a sequence's frame, see app/sequence/job.h; empty: none is written
   std::string png_hash = {};
   WorkingSpace space = WorkingSpace::linear_rec709;  // of the EXR's colours
 };
@@ -68,7 +71,25 @@ ExrOptions exr_options(const PictureContext& context, bool half);
 
 ExrFile picture_exr(const PictureContext& context, bool half);
 
-// `transform`: none for the two views above.
+// A PNG whose rows come in bands: the same bytes as picture_png() makes of all of them.
+class PicturePng {
+ public:
+  // `context`: its scene's image is the whole one, its rendering has perhaps the first rows alone. `transform`, which
+  // must outlive it: none for the two views above.
+  PicturePng(PngRows::Sink sink, const PictureContext& context, const std::optional<DisplayTransform>& transform,
+             int bits);
+  ~PicturePng();
+  PicturePng(const PicturePng&) = delete;
+  PicturePng& operator=(const PicturePng&) = delete;
+
+  void add(const Rendering& rows);
+  void finish();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
 std::vector<std::byte> picture_png(const PictureContext& context, const std::optional<DisplayTransform>& transform,
                                    int bits);
 

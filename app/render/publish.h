@@ -1,6 +1,7 @@
 #pragma once
 // From a rendering to files on disk: judged first, encoded whole, then written.
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,11 +11,11 @@
 
 namespace airlight::cli {
 
-// Where the pictures go; empty: not written.
+// Where the files go; empty: not written.
 struct Targets {
   std::string exr;
   std::string png;
-  std::string tables;  // a folder
+  std::string tables = {};  // a folder, which publish() leaves to others
 };
 
 struct PublishOrder {
@@ -28,6 +29,11 @@ struct Published {
   std::vector<std::string> files;
   std::optional<ExrCounts> exr;
 };
+
+// Throws the RunError of a rendering at fault. `source`: the preset as the user named it; `png`: where its PNG would
+// go. Where that shows the fault, as by the diagnostic view, `write_png` is called first.
+[[noreturn]] void refuse(const Scene& scene, const Rendering& rendering, const std::string& source,
+                         const std::string& png, const std::function<void()>& write_png);
 
 // `transform`: none for the views gpu and diagnostic. Laps are added to `watch`.
 // Throws RunError for a rendering at fault: nothing is written then, except the PNG of the diagnostic view.

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <utility>
 
 #include "app/cli/choice_options.h"
 #include "app/cli/preset_source.h"
@@ -158,33 +159,6 @@ void tell_people(const RenderOrder& given, const RenderReport& report) {
   }
 }
 
-// One picture, or the six of a cube.
-Published publish_pictures(const RenderOrder& given, const PictureContext& context, const Targets& targets,
-                           const std::optional<DisplayTransform>& transform, Stopwatch& watch) {
-  const PublishOrder order{targets, given.scene.preset, !given.picture.full_float, given.picture.bits};
-  if (!given.cube_faces) {
-    return publish(context, order, transform, watch);
-  }
-  Published all;
-  for (const CubeFace& face : cube_faces(context.scene, context.rendering)) {
-    PublishOrder one = order;
-    one.targets = {face_file(targets.exr, face.name), face_file(targets.png, face.name), ""};
-    Provenance provenance = context.provenance;
-    provenance.preset_json = to_json(face.scene);
-    const PictureContext of_face{face.scene, face.rendering, provenance, context.choice, {}, {}, context.space};
-    const Published done = publish(of_face, one, transform, watch);
-    all.files.insert(all.files.end(), done.files.begin(), done.files.end());
-    if (done.exr) {
-      add_counts(all.exr ? *all.exr : all.exr.emplace(), *done.exr);
-    }
-  }
-  if (!targets.tables.empty()) {
-    const std::vector<std::string> tables = write_tables(targets.tables, context.rendering.tables, context.provenance);
-    all.files.insert(all.files.end(), tables.begin(), tables.end());
-  }
-  return all;
-}
-
 std::optional<ChoiceNote> note_of(const std::optional<ChoiceReport>& choice) {
   return choice ? std::optional(ChoiceNote{choice->choice.chosen->quality, choice->choice.error}) : std::nullopt;
 }
@@ -206,6 +180,51 @@ std::optional<DeviceInfo> device_of(const Means& means) {
 Provenance provenance_of(const Means& means, const Scene& scene) {
   const std::optional<DeviceInfo> device = device_of(means);
   return {to_json(scene), scene.render.method, AIRLIGHT_VERSION, device ? device->name : "the processor"};
+}
+
+PictureContext context_of(const Means& means, const Scene& scene, const Rendering& rendering) {
+  return {.scene = scene,
+          .rendering = rendering,
+          .provenance = provenance_of(means, scene),
+          .choice = note_of(means.choice),
+          .space = working_space_of(means.given.picture)};
+}
+
+// One picture, or the six of a cube.
+Published publish_pictures(const Means& means, const PictureContext& context) {
+  const RenderOrder& given = means.given;
+  const Targets& targets = means.targets;
+  const PublishOrder order{targets, given.scene.preset, !given.picture.full_float, given.picture.bits};
+  if (!given.cube_faces) {
+    return publish(context, order, means.transform, means.watch);
+  }
+  Published all;
+  for (const CubeFace& face : cube_faces(context.scene, context.rendering)) {
+    PublishOrder one = order;
+    one.targets = {face_file(targets.exr, face.name), face_file(targets.png, face.name)};
+    const Published done = publish(context_of(means, face.scene, face.rendering), one, means.transform, means.watch);
+    all.files.insert(all.files.end(), done.files.begin(), done.files.end());
+    if (done.exr) {
+      add_counts(all.exr ? *all.exr : all.exr.emplace(), *done.exr);
+    }
+  }
+  return all;
+}
+
+// What stands beside the picture: tables, and what lighting asks for.
+void add_further_files(const Means& means, const PictureContext& context, const std::optional<Lighting>& lighting,
+                       std::vector<std::string>& files) {
+  const auto append = [&](const std::vector<std::string>& more, const char* lap) {
+    files.insert(files.end(), more.begin(), more.end());
+    means.watch.lap(lap);
+  };
+  if (!means.targets.tables.empty()) {
+    append(write_tables(means.targets.tables, context.rendering.tables, context.provenance),
+           "tables, encoding and writing");
+  }
+  if (lighting) {
+    append(write_lighting(*means.given.irradiance, *lighting, context), "irradiance, writing");
+  }
 }
 
 void tell(const Means& means, RenderReport& report) {
@@ -241,67 +260,82 @@ void render_and_publish(const Means& means, const Scene& scene) {
     means.watch.lap("irradiance");
   }
   require_valid_vulkan();
-  const PictureContext context{scene, rendering, provenance_of(means, scene),    note_of(means.choice),
-                               {},    {},        working_space_of(given.picture)};
-  Published done = publish_pictures(given, context, means.targets, means.transform, means.watch);
-  if (lighting) {
-    const std::vector<std::string> files = write_lighting(*given.irradiance, *lighting, context);
-    done.files.insert(done.files.end(), files.begin(), files.end());
-    means.watch.lap("irradiance, writing");
-  }
+  const PictureContext context = context_of(means, scene, rendering);
+  Published done = publish_pictures(means, context);
+  add_further_files(means, context, lighting, done.files);
   const Plan plan = plan_for(scene, request);
   RenderReport report{scene,    rendering, plan, device_of(means), done.files,
                       done.exr, {},        {},   means.choice,     means.watch};
   tell(means, report);
 }
 
+// All of the picture, or the faces that it is cut into.
+std::vector<TiledPart> parts_of(const Means& means, const Scene& scene) {
+  if (!means.given.cube_faces) {
+    return {{scene, 0, means.targets.exr, means.targets.png}};
+  }
+  std::vector<TiledPart> parts;
+  for (const FaceScene& face : face_scenes(scene)) {
+    parts.push_back(
+        {face.scene, face.first_row, face_file(means.targets.exr, face.name), face_file(means.targets.png, face.name)});
+  }
+  return parts;
+}
+
 void render_in_tiles(const Means& means, const Scene& scene, const ImageSize& tile) {
   const RenderOrder& given = means.given;
   const DeviceOnDemand device = device_on_demand(given.scene, means.executor);
   device();  // its name stands in the header, before the first tile
-  const TiledOrder order{
-      .tile = tile,
-      .layers = given.picture.layers,
-      .half = !given.picture.full_float,
-      .file = means.targets.exr,
-      .source = given.scene.preset,
-      .provenance = provenance_of(means, scene),
-      .choice = note_of(means.choice),
-      .space = working_space_of(given.picture),
-      .left_out = means.choice ? means.choice->choice.left_out : std::vector<std::string>(),
-      .report = host_options(given.sampling, given.quiet).report,
+  TiledOrder order{.tile = tile,
+                   .request = request_of(scene, means.targets),
+                   .parts = parts_of(means, scene),
+                   .transform = means.transform,
+                   .half = !given.picture.full_float,
+                   .bits = given.picture.bits,
+                   .source = given.scene.preset,
+                   .context = {}};
+  order.request.layers = given.picture.layers;
+  order.request.host = host_options(given.sampling, given.quiet);
+  if (!samples(scene)) {
+    order.report = std::exchange(order.request.host.report, {});
+  }
+  const std::vector<std::string> left_out = means.choice ? means.choice->choice.left_out : std::vector<std::string>();
+  order.context = [&](const Scene& part, const Rendering& rendering) {
+    PictureContext context = context_of(means, part, rendering);
+    context.left_out = left_out;
+    return context;
   };
-  const TiledPicture done = write_tiled(device, scene, order);
+  std::optional<Lighting> lighting;
+  if (given.irradiance) {
+    lighting = lighting_of(device, scene, order.request.host);
+    clear_progress();
+    means.watch.lap("irradiance");
+  }
+  TiledPicture done = write_tiled(device, scene, order);
   clear_progress();
   means.watch.lap("render");
   require_valid_vulkan();
+  done.rendering.left_out.insert(done.rendering.left_out.begin(), left_out.begin(), left_out.end());
+  const PictureContext context = context_of(means, scene, done.rendering);
+  add_further_files(means, context, lighting, done.files);
   const Plan plan = plan_for(scene, {});
-  RenderReport report{scene, done.rendering, plan,       device_of(means), {order.file}, done.counts, {},
-                      {},    means.choice,   means.watch};
+  RenderReport report{scene, done.rendering, plan, device_of(means), done.files, {}, {}, {}, means.choice, means.watch};
+  if (!means.targets.exr.empty()) {
+    report.exr = done.counts;
+  }
   report.tile = tile;
   tell(means, report);
-}
-
-// Why options beside the files' own need the whole picture; empty: they do not.
-std::string needs_whole(const RenderOrder& given) {
-  if (given.cube_faces) {
-    return "--cube-faces cuts the whole picture; render one face at a time, or the stack in one file";
-  }
-  return given.irradiance ? "--irradiance stands beside a whole picture; write it by a run of its own, of a small one"
-                          : "";
 }
 
 // The tile of a picture that is rendered in tiles. Throws InputError for layers and tiles that cannot be had.
 std::optional<ImageSize> tile_of(const RenderOrder& given, const Scene& scene, const Targets& targets) {
   require_layers(given.picture, scene, !targets.exr.empty(), "render");
-  return tile_for(given.tile, scene, targets, given.picture.layers, needs_whole(given));
+  return tile_for(given.tile, scene, given.picture.layers, "render");
 }
 
-void warn(const RenderOrder& given, const Scene& scene, const Targets& targets, bool tiled,
-          const std::optional<DisplayTransform>& transform) {
-  const std::string untiled = tiled ? "" : untiled_warning(scene, targets, needs_whole(given));
+void warn(const Scene& scene, const Targets& targets, const std::optional<DisplayTransform>& transform) {
   for (const std::string& warning :
-       {validity_warning(scene), untiled, targets.exr.empty() ? std::string() : latlong_warning(scene),
+       {validity_warning(scene), targets.exr.empty() ? std::string() : latlong_warning(scene),
         transform ? transform->warning() : std::string()}) {
     if (!warning.empty()) {
       complain("warning: " + warning);
@@ -341,7 +375,7 @@ int run_render(const RenderOrder& given) {
     watch.lap("OCIO config");
   }
   if (!given.quiet) {
-    warn(given, scene, targets, tile.has_value(), transform);
+    warn(scene, targets, transform);
   }
   const Means means{given, targets, transform, choice, executor, watch};
   if (tile) {

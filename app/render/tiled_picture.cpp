@@ -6,32 +6,13 @@
 #include <utility>
 
 #include "core/error.h"
-#include "core/methods/method.h"
 #include "core/output/atomic_file.h"
+#include "core/output/half_block.h"
 
 namespace airlight::cli {
 namespace {
 
-// Why the picture must be whole; empty: it need not.
-std::string needs_whole(const Scene& scene, const Targets& targets, const std::string& other_reason) {
-  if (!other_reason.empty()) {
-    return other_reason;
-  }
-  if (!targets.png.empty()) {
-    return "a PNG needs the whole picture, as its bloom and its display transform are fitted to it; write -o FILE.exr "
-           "alone";
-  }
-  if (!targets.tables.empty()) {
-    return "--luts reads the tables back with a whole picture; write them by 'airlight luts'";
-  }
-  if (scene.bloom.enabled && scene.bloom.in_exr) {
-    return "bloom needs the whole picture; leave it out by --set /bloom/enabled=false";
-  }
-  if (find_method(scene.render.method)->add_passes == nullptr) {
-    return scene.render.method + " renders the whole picture on the processor; choose another --method";
-  }
-  return {};
-}
+using Clock = std::chrono::steady_clock;
 
 std::optional<int> positive(std::string_view text) {
   int value = 0;
@@ -40,89 +21,193 @@ std::optional<int> positive(std::string_view text) {
   return whole && value > 0 ? std::optional(value) : std::nullopt;
 }
 
-ImageSize tile_from(const std::string& text, const Scene& scene, bool layers) {
+ImageSize tile_from(const std::string& text, const Scene& scene, bool layers, const std::string& option) {
   const std::size_t x = text.find('x');
   const std::optional<int> width = positive(std::string_view(text).substr(0, x));
   const std::optional<int> height =
       x == std::string::npos ? std::nullopt : positive(std::string_view(text).substr(x + 1));
   if (!width || !height) {
-    throw InputError("render: --tile: '" + text + "' is no size; write WIDTHxHEIGHT in pixels, for example 2048x1024");
+    throw InputError(option + ": '" + text + "' is no size; write WIDTHxHEIGHT in pixels, for example 2048x1024");
   }
   const ImageSize tile{std::min(*width, scene.image.width), std::min(*height, scene.image.height)};
   const std::size_t most = kTileBytes / tile_pixel_bytes(scene, layers);
   if (static_cast<std::size_t>(tile.width) * static_cast<std::size_t>(tile.height) > most) {
-    throw InputError("render: --tile: '" + text + "' is too large for the buffers of a device; a tile of this picture" +
+    throw InputError(option + ": '" + text + "' is too large for the buffers of a device; a tile of this picture" +
                      (layers ? " with layers" : "") + " has at most " + std::to_string(most) + " pixels");
   }
   return tile;
 }
 
-bool is_large(const Scene& scene) {
-  return static_cast<std::size_t>(scene.image.width) * static_cast<std::size_t>(scene.image.height) >
-         kMostUntiledPixels;
+// The files of a part while they are written.
+class PartFiles {
+ public:
+  PartFiles(const TiledPart& part, const TiledOrder& order) : part_(part), order_(order) {
+    if (!part.exr.empty()) {
+      exr_file_ = std::make_unique<FileInProgress>(part.exr);
+    }
+    if (!part.png.empty()) {
+      png_file_ = std::make_unique<FileInProgress>(part.png, FileInProgress::Order::onward);
+    }
+  }
+
+  // What of the band's rows is the part's.
+  void add(const Band& band) {
+    const int first = std::max(part_.first_row, band.y);
+    const int end = std::min(part_.first_row + part_.scene.image.height, band.y + band.rows.radiance.height);
+    if (first >= end) {
+      return;
+    }
+    if (end - first == band.rows.radiance.height) {
+      add_rows(band.rows);
+    } else {
+      add_rows(rows_of(band.rows, first - band.y, end - first));
+    }
+  }
+
+  ExrCounts finish_exr(double exposure) {
+    ExrCounts counts;
+    if (exr_) {
+      const Clock::time_point start = Clock::now();
+      counts = exr_->finish({{kExposureKey, static_cast<float>(exposure)}});
+      exr_file_->commit();
+      exr_ms_ += since(start);
+    }
+    return counts;
+  }
+  void finish_png() {
+    if (png_) {
+      const Clock::time_point start = Clock::now();
+      png_->finish();
+      png_file_->commit();
+      png_ms_ += since(start);
+    }
+  }
+  double exr_ms() const { return exr_ms_; }
+  double png_ms() const { return png_ms_; }
+
+ private:
+  static double since(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  }
+
+  void add_rows(const Rendering& rows) {
+    const PictureContext context = order_.context(part_.scene, rows);
+    if (exr_file_) {
+      const Clock::time_point start = Clock::now();
+      add_exr(context);
+      exr_ms_ += since(start);
+    }
+    if (png_file_) {
+      const Clock::time_point start = Clock::now();
+      if (!png_) {
+        const auto sink = [this](std::span<const std::byte> bytes) {
+          png_file_->write(png_bytes_, bytes);
+          png_bytes_ += bytes.size();
+        };
+        png_ = std::make_unique<PicturePng>(sink, context, order_.transform, order_.bits);
+      }
+      png_->add(rows);
+      png_ms_ += since(start);
+    }
+  }
+
+  void add_exr(const PictureContext& context) {
+    const PictureChannels channels(context);
+    const ImageSize& size = part_.scene.image;
+    if (!exr_) {
+      const ExrSink sink = [this](std::uint64_t position, std::span<const std::byte> bytes) {
+        exr_file_->write(position, bytes);
+      };
+      exr_ =
+          std::make_unique<ExrRows>(sink, size.width, size.height, channels.list(), exr_options(context, order_.half));
+    }
+    exr_->add(context.rendering.radiance.height, channels.list());
+  }
+
+  const TiledPart& part_;
+  const TiledOrder& order_;
+  std::unique_ptr<FileInProgress> exr_file_, png_file_;
+  std::unique_ptr<ExrRows> exr_;
+  std::unique_ptr<PicturePng> png_;
+  std::uint64_t png_bytes_ = 0;
+  double exr_ms_ = 0.0;
+  double png_ms_ = 0.0;
+};
+
+using AllFiles = std::vector<std::unique_ptr<PartFiles>>;
+
+// Nothing, where the picture is sound.
+void require_sound(const Scene& scene, const Rendering& rendering, const TiledOrder& order, const AllFiles& files) {
+  if (rendering.fault().empty()) {
+    return;
+  }
+  refuse(scene, rendering, order.source, order.parts.front().png, [&] {
+    for (const auto& file : files) {
+      file->finish_png();
+    }
+  });
+}
+
+// Both files of all parts, the EXRs first.
+void finish(TiledPicture& done, const TiledOrder& order, const AllFiles& files) {
+  double exr_ms = 0.0;
+  double png_ms = 0.0;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    add_counts(done.counts, files[i]->finish_exr(done.rendering.exposure));
+    files[i]->finish_png();
+    for (const std::string& file : {order.parts[i].exr, order.parts[i].png}) {
+      if (!file.empty()) {
+        done.files.push_back(file);
+      }
+    }
+    exr_ms += files[i]->exr_ms();
+    png_ms += files[i]->png_ms();
+  }
+  if (exr_ms > 0.0) {
+    done.rendering.host.push_back({"EXR, encoding and writing", exr_ms});
+  }
+  if (png_ms > 0.0) {
+    done.rendering.host.push_back({"PNG, display transform, encoding and writing", png_ms});
+  }
 }
 
 }  // namespace
 
-std::optional<ImageSize> tile_for(const std::optional<std::string>& option, const Scene& scene, const Targets& targets,
-                                  bool layers, const std::string& other_reason) {
-  const std::string reason = needs_whole(scene, targets, other_reason);
-  if (!option) {
-    return is_large(scene) && reason.empty() ? std::optional(usual_tile(scene, layers)) : std::nullopt;
+std::optional<ImageSize> tile_for(const std::optional<std::string>& option, const Scene& scene, bool layers,
+                                  const std::string& command) {
+  if (option) {
+    return tile_from(*option, scene, layers, command + ": --tile");
   }
-  if (!reason.empty()) {
-    throw InputError("render: --tile: " + reason);
-  }
-  return tile_from(*option, scene, layers);
-}
-
-std::string untiled_warning(const Scene& scene, const Targets& targets, const std::string& other_reason) {
-  const std::string reason = needs_whole(scene, targets, other_reason);
-  return is_large(scene) && !reason.empty()
-             ? "a picture so large is rendered in tiles where it can be, and some devices take it no other way: " +
-                   reason
-             : std::string();
+  const std::size_t pixels = static_cast<std::size_t>(scene.image.width) * static_cast<std::size_t>(scene.image.height);
+  return pixels > kMostUntiledPixels ? std::optional(usual_tile(scene, layers)) : std::nullopt;
 }
 
 TiledPicture write_tiled(const DeviceOnDemand& device, const Scene& scene, const TiledOrder& order) {
-  using Clock = std::chrono::steady_clock;
-  FileInProgress file(order.file);
-  std::unique_ptr<ExrRows> rows;
-  TiledRequest request{.tile = order.tile, .layers = order.layers, .sink = {}, .report = order.report};
-  double writing_ms = 0.0;
-  request.sink = [&](Band& band) {
-    const Clock::time_point start = Clock::now();
-    Rendering part;
-    part.radiance = std::move(band.radiance);
-    part.layers = std::move(band.layers);
-    part.left_out = order.left_out;
-    part.left_out.insert(part.left_out.end(), band.left_out.begin(), band.left_out.end());
-    const PictureContext context{.scene = scene,
-                                 .rendering = part,
-                                 .provenance = order.provenance,
-                                 .choice = order.choice,
-                                 .space = order.space};
-    const PictureChannels channels(context);
-    if (rows == nullptr) {
-      const ExrSink sink = [&](std::uint64_t position, std::span<const std::byte> bytes) {
-        file.write(position, bytes);
-      };
-      rows = std::make_unique<ExrRows>(sink, scene.image.width, scene.image.height, channels.list(),
-                                       exr_options(context, order.half));
-    }
-    rows->add(part.radiance.height, channels.list());
-    writing_ms += std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-  };
-  TiledPicture done{render_tiled(device, scene, request), {}};
-  const std::string fault = done.rendering.fault();
-  if (!fault.empty()) {
-    throw RunError(order.source + ": " + fault + "; no picture was written");
+  AllFiles files;
+  bool shown = false;
+  for (const TiledPart& part : order.parts) {
+    files.push_back(std::make_unique<PartFiles>(part, order));
+    shown = shown || !part.png.empty();
   }
-  done.counts = rows->finish({{kExposureKey, static_cast<float>(done.rendering.exposure)}});
-  file.commit();
-  done.rendering.host.push_back({"EXR, encoding and writing", writing_ms});
-  done.rendering.left_out.insert(done.rendering.left_out.begin(), order.left_out.begin(), order.left_out.end());
-  if (order.layers) {
+  const bool diagnostic = scene.display.view == kDiagnosticView;
+  TiledRequest request{.tile = order.tile,
+                       .picture = order.request,
+                       .exposure_first = shown && !diagnostic,
+                       .past_faults = shown && diagnostic,
+                       .sink = {},
+                       .report = order.report};
+  request.sink = [&](const Band& band) {
+    for (const auto& file : files) {
+      file->add(band);
+    }
+  };
+  TiledPicture done{render_tiled(device, scene, request), {}, {}};
+  if (order.dropped && order.dropped()) {
+    return done;
+  }
+  require_sound(scene, done.rendering, order, files);
+  finish(done, order, files);
+  if (order.request.layers) {
     done.rendering.layers = layers_of(scene);
   }
   return done;

@@ -23,7 +23,8 @@ struct SequenceJob {
   std::optional<sequence::FramePattern> exr;  // at least one of the two
   std::optional<sequence::FramePattern> png;
   PictureOptions picture;
-  std::string manifest;  // the file
+  std::optional<std::string> tile;  // of --tile
+  std::string manifest;             // the file
   bool overwrite = false;
   bool quiet = false;
   bool json = false;

@@ -10,6 +10,7 @@
 #include "app/cli/interruption.h"
 #include "app/cli/terminal.h"
 #include "app/render/publish.h"
+#include "app/render/tiled_picture.h"
 #include "app/render/validity.h"
 #include "app/sequence/manifest.h"
 #include "app/sequence/report.h"
@@ -77,6 +78,8 @@ class Runner {
   void remove_leftovers() const;
   void render_all();
   bool render_frame(std::size_t k, sequence::BoundedWorkers& encoders);
+  bool render_in_tiles(const std::shared_ptr<Work>& work, const ImageSize& tile);
+  PictureContext context_of(const Work& work, const Scene& scene, const Rendering& rendering) const;
   void encode(const Work& work);
   void finished(std::size_t k, const Scene& scene, const FrameReport& report);
   std::string whole_so_far() const;
@@ -112,19 +115,23 @@ void Runner::finished(std::size_t k, const Scene& scene, const FrameReport& repo
   report_.frame(report);
 }
 
+PictureContext Runner::context_of(const Work& work, const Scene& scene, const Rendering& rendering) const {
+  const std::string device = executor_ ? executor_->device().name : "the processor";
+  return {.scene = scene,
+          .rendering = rendering,
+          .provenance = {work.preset_json, work.scene.render.method, AIRLIGHT_VERSION, device},
+          .exr_hash = work.hashes.exr,
+          .png_hash = work.hashes.png,
+          .space = working_space_of(job_.picture)};
+}
+
 void Runner::encode(const Work& work) {
   const Clock::time_point start = Clock::now();
-  const std::string device = executor_ ? executor_->device().name : "the processor";
-  const PictureContext context{.scene = work.scene,
-                               .rendering = work.rendering,
-                               .provenance = {work.preset_json, work.scene.render.method, AIRLIGHT_VERSION, device},
-                               .exr_hash = work.hashes.exr,
-                               .png_hash = work.hashes.png,
-                               .space = working_space_of(job_.picture)};
+  const PictureContext context = context_of(work, work.scene, work.rendering);
   const FrameFiles& files = work.report.files;
   Stopwatch laps;
   publish(context,
-          {{files.exr, files.png, ""},
+          {{files.exr, files.png},
            "frame " + std::to_string(work.report.number),
            !job_.picture.full_float,
            job_.picture.bits},
@@ -132,6 +139,37 @@ void Runner::encode(const Work& work) {
   FrameReport report = work.report;
   report.encode_ms = milliseconds_since(start);
   finished(work.k, work.scene, report);
+}
+
+// A frame larger than memory, into its files as it is rendered. False when a signal has cut it short: it is dropped.
+bool Runner::render_in_tiles(const std::shared_ptr<Work>& work, const ImageSize& tile) {
+  const Clock::time_point start = Clock::now();
+  const Scene& scene = work->scene;
+  const FrameFiles& files = work->report.files;
+  const DeviceOnDemand device = device_on_demand(job_.scene_options, executor_);
+  device();  // its name stands in the header, before the first tile
+  TiledOrder order{.tile = tile,
+                   .request = request_for(scene, job_.exr.has_value(), job_.png.has_value()),
+                   .parts = {{scene, 0, files.exr, files.png}},
+                   .transform = transform_,
+                   .half = !job_.picture.full_float,
+                   .bits = job_.picture.bits,
+                   .source = "frame " + std::to_string(work->report.number),
+                   .context = {}};
+  order.request.layers = job_.picture.layers;
+  order.request.host.report = [](double) { return Interruption::signal() == 0; };
+  order.context = [&](const Scene& part, const Rendering& rendering) { return context_of(*work, part, rendering); };
+  const bool on_host = find_method(scene.render.method)->render_on_host != nullptr;
+  order.dropped = [on_host] { return on_host && Interruption::signal() != 0; };
+  const TiledPicture done = write_tiled(device, scene, order);
+  require_valid_vulkan();
+  if (done.files.empty()) {
+    return false;
+  }
+  work->report.rendered = true;
+  work->report.render_ms = milliseconds_since(start);
+  finished(work->k, scene, work->report);
+  return true;
 }
 
 // False when a signal has cut the frame short: it is dropped.
@@ -156,6 +194,9 @@ bool Runner::render_frame(std::size_t k, sequence::BoundedWorkers& encoders) {
   }
   if (const std::string warning = validity_warning(scene); !warning.empty()) {
     report_.warn(frame.number, warning);
+  }
+  if (const std::optional<ImageSize> tile = tile_for(job_.tile, scene, job_.picture.layers, "sequence")) {
+    return render_in_tiles(work, *tile);
   }
   const Clock::time_point start = Clock::now();
   RenderRequest request = request_for(scene, job_.exr.has_value(), job_.png.has_value());

@@ -12,6 +12,7 @@
 #include <csignal>
 #include <cstring>
 #include <ctime>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -170,15 +171,16 @@ int descriptor_called(const std::string& name) {
 // emptied, and a socket could not be opened at all.
 int open_in_place(const std::string& file) {
   const int descriptor = descriptor_called(fs::path(file).lexically_normal().string());
-  return descriptor >= 0 ? ::fcntl(descriptor, F_DUPFD_CLOEXEC, 0)
-                         : ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  const int fd = descriptor >= 0 ? ::fcntl(descriptor, F_DUPFD_CLOEXEC, 0)
+                                 : ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (fd < 0) {
+    fail(file, "open", errno);
+  }
+  return fd;
 }
 
 void write_in_place(const std::string& file, const Pieces& next) {
   FileDescriptor out(open_in_place(file));
-  if (out.get() < 0) {
-    fail(file, "open", errno);
-  }
   write_pieces(out.get(), next, file);
   if (!out.close()) {
     fail(file, "close", errno);
@@ -251,11 +253,14 @@ void write_file(const fs::path& file, const Pieces& next) {
 }
 
 struct FileInProgress::State {
-  State(std::string name_given, const fs::path& target_file)
-      : name(std::move(name_given)),
-        target(target_file),
-        temporary(temporary_name(target)),
-        out(open_new(temporary.path(), name)) {}
+  // In place where there is no target that a rename could replace.
+  State(std::string name_given, const fs::path& target_file, bool in_place)
+      : name(std::move(name_given)), target(target_file) {
+    if (!in_place) {
+      temporary.emplace(temporary_name(target));
+    }
+    out.emplace(in_place ? open_in_place(name) : open_new(temporary->path(), name));
+  }
 
   // `path` may have been left by a killed process that had this number.
   static int open_new(const char* path, const std::string& name) {
@@ -269,20 +274,24 @@ struct FileInProgress::State {
 
   std::string name;
   fs::path target;
-  Temporary temporary;
-  FileDescriptor out;
+  std::optional<Temporary> temporary;
+  std::optional<FileDescriptor> out;
   int error = 0;  // of the first write that failed
 };
 
-FileInProgress::FileInProgress(const fs::path& file) {
+FileInProgress::FileInProgress(const fs::path& file, Order order) {
   const std::string name = file.string();
-  if (is_special(file)) {
+  const bool in_place = is_special(file);
+  if (in_place && order == Order::any) {
     throw InputError(name + ": a picture in tiles needs a file in which one can go back; name one, such as sky.exr");
   }
-  state_ = std::make_unique<State>(name, behind_links(file));
-  (void)::flock(state_->out.get(), LOCK_EX | LOCK_NB);  // tells remove_abandoned_files() that somebody is at work
+  state_ = std::make_unique<State>(name, in_place ? file : behind_links(file), in_place);
+  if (in_place) {
+    return;
+  }
+  (void)::flock(state_->out->get(), LOCK_EX | LOCK_NB);  // tells remove_abandoned_files() that somebody is at work
   struct stat older {};
-  if (::stat(state_->target.c_str(), &older) == 0 && ::fchmod(state_->out.get(), older.st_mode & 07777) != 0) {
+  if (::stat(state_->target.c_str(), &older) == 0 && ::fchmod(state_->out->get(), older.st_mode & 07777) != 0) {
     fail(name, "keep the permissions", errno);
   }
 }
@@ -290,8 +299,12 @@ FileInProgress::FileInProgress(const fs::path& file) {
 FileInProgress::~FileInProgress() = default;
 
 void FileInProgress::write(std::uint64_t position, std::span<const std::byte> contents) {
+  if (!state_->temporary) {
+    write_all(state_->out->get(), contents, state_->name);
+    return;
+  }
   while (!contents.empty()) {
-    const ssize_t count = ::pwrite(state_->out.get(), contents.data(), contents.size(), static_cast<off_t>(position));
+    const ssize_t count = ::pwrite(state_->out->get(), contents.data(), contents.size(), static_cast<off_t>(position));
     if (count < 0 && errno == EINTR) {
       continue;
     }
@@ -308,13 +321,13 @@ void FileInProgress::commit() {
   if (state_->error != 0) {
     fail(state_->name, "write", state_->error);
   }
-  if (::fsync(state_->out.get()) != 0) {
+  if (state_->temporary && ::fsync(state_->out->get()) != 0) {
     fail(state_->name, "write", errno);
   }
-  if (!state_->out.close()) {
+  if (!state_->out->close()) {
     fail(state_->name, "close", errno);
   }
-  if (!state_->temporary.rename_to(state_->target.string())) {
+  if (state_->temporary && !state_->temporary->rename_to(state_->target.string())) {
     fail(state_->name, "replace", errno);
   }
 }

@@ -22,13 +22,16 @@ void write_file(const std::filesystem::path& file, std::span<const std::byte> co
 // The same for a file made piece by piece: `next` gives one piece after the other, an empty one at the end.
 void write_file(const std::filesystem::path& file, const std::function<std::span<const std::byte>()>& next);
 
-// A file of more than memory holds, written in any order and read by nobody before commit(). Without commit(), and when
-// the process is ended by a signal, nothing stays behind and an older file of that name stays as it was.
+// A file of more than memory holds, read by nobody before commit(). Without commit(), and when the process is ended by
+// a signal, nothing stays behind and an older file of that name stays as it was. Pipes, devices and open descriptors
+// are written in place.
 class FileInProgress {
  public:
+  enum class Order { any, onward };  // of what is written; onward: each piece follows the last
+
   // Throws RunError with the path and the system's reason; InputError for a pipe, device or open descriptor, in which
-  // one cannot go back.
-  explicit FileInProgress(const std::filesystem::path& file);
+  // one cannot go back, unless all goes onward.
+  explicit FileInProgress(const std::filesystem::path& file, Order order = Order::any);
   FileInProgress(const FileInProgress&) = delete;
   FileInProgress& operator=(const FileInProgress&) = delete;
   ~FileInProgress();

@@ -1,10 +1,15 @@
 // --tile and --layers as a user meets them: the files, what is refused, and what is left behind.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/scene_options.h"
+#include "app/render/tiled_picture.h"
+#include "core/error.h"
 #include "tests/cli/process.h"
 
 namespace airlight::test {
@@ -49,21 +54,115 @@ TEST_F(Tiles, TheFileIsTheSameByteForByte) {
   EXPECT_EQ(scratch_.read("odd32.exr"), scratch_.read("whole32.exr"));
 }
 
-TEST_F(Tiles, WhatNeedsTheWholePictureIsRefusedInOneLine) {
-  const Names tile = {"render", "sky.json", "--tile", "8x8"};
-  const auto with = [&](const Names& more) {
-    Names words = tile;
-    words.insert(words.end(), more.begin(), more.end());
-    return words;
+// Everything that a render may write: as a whole, and in tiles that divide nothing.
+TEST_F(Tiles, EveryOutputIsTheSameByteForByte) {
+  const Names disc = {"--set", "/sun/disc/angular_radius_deg=2"};
+  const std::vector<Names> wishes = {
+      {"--size", "31x23", "-o", "a.exr", "--png", "a.png", "--set", "/bloom/enabled=true", "--irradiance", "light.exr",
+       "--luts", "tables"},
+      {"--size", "31x23", "--png", "a.png", "--view", "gpu", "--bits", "16"},
+      {"--size", "31x23", "--png", "a.png", "--view", "diagnostic"},
+      {"--size", "13x11", "-o", "a.exr", "--png", "a.png", "--method", "path-trace", "--samples", "2"},
+      {"--size", "7x42", "--set", "/camera/projection=cube", "--set", "/camera/pitch_deg=0", "-o", "a.exr", "--png",
+       "a.png", "--cube-faces", "--layers"}};
+  for (const Names& wish : wishes) {
+    Names base = {"render", "../sky.json", "-q"};
+    base.insert(base.end(), disc.begin(), disc.end());
+    base.insert(base.end(), wish.begin(), wish.end());
+    std::map<std::string, std::map<std::string, std::string>> made;
+    for (const std::string tile : {"whole", "11x4"}) {
+      const Scratch folder;
+      folder.write("sky.json", small_preset());
+      std::filesystem::create_directory(folder.path() / "out");
+      Names words = base;
+      if (tile != "whole") {
+        words.insert(words.end(), {"--tile", tile});
+      }
+      const Outcome outcome = airlight(folder.path() / "out", words);
+      ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+      for (const std::string& name : folder.files()) {
+        made[tile][name] = folder.read(name);
+      }
+    }
+    EXPECT_GT(made["whole"].size(), 1U);
+    EXPECT_TRUE(made["11x4"] == made["whole"]) << testing::PrintToString(wish);
+  }
+}
+
+TEST_F(Tiles, FramesOfASequenceAreTheSameByteForByte) {
+  for (const std::string folder : {"whole", "tiles"}) {
+    std::filesystem::create_directory(scratch_.path() / folder);
+    Names words = {"sequence",          "sky.json",        "-q",      "-o", folder + "/f.#.exr", "--png",
+                   folder + "/f.#.png", "--sun-elevation", "10:20:10"};
+    if (folder == "tiles") {
+      words.insert(words.end(), {"--tile", "9x5"});
+    }
+    const Outcome outcome = tool(words);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_TRUE(contains(scratch_.read(folder + "/f.manifest.json"), "\"complete\":true"));
+  }
+  for (const std::string name : {"/f.1.exr", "/f.2.exr", "/f.1.png", "/f.2.png"}) {
+    EXPECT_FALSE(scratch_.read("whole" + name).empty());
+    EXPECT_TRUE(scratch_.read("tiles" + name) == scratch_.read("whole" + name)) << name;
+  }
+  const Outcome again = tool({"sequence", "sky.json", "-o", "whole/f.#.exr", "--png", "whole/f.#.png",
+                              "--sun-elevation", "10:20:10", "--tile", "4x4"});
+  EXPECT_TRUE(contains(again.err, "0 frames rendered, 2 kept")) << again.err;
+}
+
+// A PNG goes onward and may go through a pipe; an EXR has its table of places at the beginning.
+TEST_F(Tiles, APngInTilesGoesThroughAPipe) {
+  const std::string program = AIRLIGHT_BINARY;
+  const Outcome outcome = run(scratch_.path(), {"sh", "-c",
+                                                program + " render sky.json -q --png a.png && " + program +
+                                                    " render sky.json -q --tile 8x3 --png /dev/stdout | cat > b.png"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_FALSE(scratch_.read("a.png").empty());
+  EXPECT_TRUE(scratch_.read("b.png") == scratch_.read("a.png"));
+}
+
+TEST_F(Tiles, AFaultIsShownByTheDiagnosticView) {
+  cli::SceneOptions options;
+  options.preset = scratch_.path() / "sky.json";
+  Scene scene = cli::load_scene(options);
+  scene.sun.irradiance = {1e38, 1e38, 1e38};  // no preset may say so
+  scene.sun.disc.radiance_scale = 1e30;
+  scene.sun.disc.angular_radius = 0.2;
+  std::unique_ptr<Executor> executor;
+  const std::optional<DisplayTransform> none;
+  const cli::TiledOrder order{.tile = {9, 5},
+                              .request = {},
+                              .parts = {{scene, 0, scratch_.path() / "a.exr", scratch_.path() / "a.png"}},
+                              .transform = none,
+                              .source = "sky.json",
+                              .context = [](const Scene& part, const Rendering& rows) {
+                                return cli::PictureContext{part, rows, {}};
+                              }};
+  const auto message = [&] {
+    try {
+      cli::write_tiled(cli::device_on_demand(options, executor), scene, order);
+    } catch (const RunError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
   };
-  expect_refusal(with({}), "a PNG needs the whole picture");  // out/sky.png
-  expect_refusal(with({"-o", "a.exr", "--png", "a.png"}), "a PNG needs the whole picture");
-  expect_refusal(with({"-o", "a.exr", "--set", "/bloom/enabled=true"}), "bloom needs the whole picture");
-  expect_refusal(with({"-o", "a.exr", "--method", "path-trace"}), "choose another --method");
+  scene.display.view = "gpu";
+  EXPECT_TRUE(contains(message(), "no picture was written; --png FILE --view diagnostic shows where")) << message();
+  EXPECT_EQ(scratch_.files(), (Names{"sky.json"}));
+  cli::TiledOrder shown = order;
+  scene.display.view = "diagnostic";
+  shown.parts.front().scene = scene;
+  EXPECT_THROW(cli::write_tiled(cli::device_on_demand(options, executor), scene, shown), RunError);
+  EXPECT_EQ(scratch_.files(), (Names{"a.png", "sky.json"}));
+}
+
+TEST_F(Tiles, WhatIsNoTileIsRefusedInOneLine) {
   expect_refusal({"render", "sky.json", "-o", "a.exr", "--tile", "8"}, "'8' is no size");
   expect_refusal({"render", "sky.json", "-o", "a.exr", "--tile", "0x8"}, "'0x8' is no size");
   expect_refusal({"render", "sky.json", "-o", "a.exr", "--size", "9000x9000", "--tile", "9000x9000"}, "8388608 pixels");
-  expect_refusal(with({"-o", "/dev/null"}), "a file in which one can go back");
+  expect_refusal({"render", "sky.json", "--tile", "8x8", "-o", "/dev/null"}, "a file in which one can go back");
+  expect_refusal({"sequence", "sky.json", "-o", "f.#.exr", "--sun-elevation", "1:2:1", "--tile", "x"},
+                 "sequence: --tile: 'x' is no size");
 }
 
 TEST_F(Tiles, ADiskThatFillsUpLeavesNothing) {
@@ -130,8 +229,6 @@ TEST_F(Tiles, LayersGoWithSpacesAndFaces) {
   }
   EXPECT_EQ(scratch_.read("tiles.exr"), scratch_.read("cube.exr"));
   EXPECT_TRUE(contains(scratch_.read("face.posx.exr"), "transmittance.R"));
-  faces.insert(faces.end(), {"--tile", "5x9"});
-  EXPECT_TRUE(contains(tool(faces).err, "--cube-faces cuts the whole picture"));
 }
 
 TEST_F(Tiles, LayersThatCannotBeAreRefused) {
