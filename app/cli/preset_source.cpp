@@ -19,10 +19,10 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kEnding = ".json";
 
-// No preset and no EXR's header is near this size: what an endless pipe gives does not fill the memory.
+// No preset and no picture's header is near this size: what an endless pipe gives does not fill the memory.
 constexpr std::size_t kLongestStream = std::size_t{16} << 20U;
 
-// What comes out of a pipe, which can be read once: a preset, or an EXR of which the header is enough.
+// What comes out of a pipe, which can be read once: a preset, or a picture of which the header is enough.
 Preset from_stream(std::istream& in, const std::string& name) {
   std::string text(kLongestStream, '\0');
   in.read(text.data(), static_cast<std::streamsize>(text.size()));
@@ -31,11 +31,11 @@ Preset from_stream(std::istream& in, const std::string& name) {
   }
   text.resize(static_cast<std::size_t>(in.gcount()));
   std::istringstream again(text);
-  if (is_exr(again)) {
+  if (is_exr(again) || is_png(again)) {
     return parse_preset(read_provenance(again, name).preset_json, name, fs::current_path());
   }
   if (in) {
-    throw InputError(name + ": is larger than 16 MiB; expected a preset (JSON) or an EXR of airlight's");
+    throw InputError(name + ": is larger than 16 MiB; expected a preset (JSON) or an EXR or PNG of airlight's");
   }
   return parse_preset(text, name, fs::current_path(), embedded_presets());
 }
@@ -73,7 +73,7 @@ Preset find_preset(const std::string& argument) {
     }
     return from_stream(in, argument);
   }
-  if (is_exr(argument)) {
+  if (is_exr(argument) || is_png(argument)) {
     return parse_preset(read_provenance(argument).preset_json, argument, fs::path(argument).parent_path());
   }
   return load_preset(argument, embedded_presets());

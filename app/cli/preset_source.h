@@ -1,5 +1,5 @@
 #pragma once
-// What the user may write where a preset is expected: a file or a pipe that holds a preset or an EXR of ours, a
+// What the user may write where a preset is expected: a file or a pipe that holds a preset, or an EXR or PNG of ours, a
 // built-in preset's name, or "-".
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace airlight::cli {
 
-// Throws InputError: no such file or name (with the nearest), an EXR without our preset, and whatever reading finds.
+// Throws InputError: no such file or name (with the nearest), a picture without our preset, and whatever reading finds.
 Preset find_preset(const std::string& argument);
 
 // The value of a key such as /display/view; null where the preset is silent.

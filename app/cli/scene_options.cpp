@@ -133,7 +133,7 @@ constexpr std::array<NumberOption, 6> kNumbers{{
 
 Positional preset_positional(SceneOptions& options) {
   return {.metavar = "PRESET",
-          .help = "preset file, built-in preset, EXR of airlight's, or - for standard input",
+          .help = "preset file, built-in preset, EXR or PNG of airlight's, or - for standard input",
           .target = &options.preset,
           .offers = built_in_names()};
 }

@@ -2,11 +2,14 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/air/scene_block.h"
 #include "core/output/png.h"
 #include "core/output/provenance_keys.h"
 #include "core/output/quantize.h"
+#include "core/scene/angle.h"
+#include "core/scene/json_format.h"
 #include "core/scene/photometry.h"
 
 namespace airlight::cli {
@@ -53,17 +56,42 @@ const std::array<float, 3>& diagnostic_colour(const float* rgb) {
   return number_kinds().back().colour;
 }
 
-PngOptions png_options(const PictureContext& context, bool srgb) {
+// What is true of this very picture, whatever its preset is called and says of itself.
+std::string comments_of(const PictureContext& context) {
+  const Scene& scene = context.scene;
+  std::string text = scene.name.empty() ? "" : scene.name + ": ";
+  text += context.frame && !context.frame->label.empty() ? context.frame->label + ", " : "";
+  const auto angle = [](double radians) {
+    return format_number(std::round(degrees_from_radians(radians) * 1e4) / 1e4);
+  };
+  text += "sun at elevation " + angle(scene.sun.elevation) + ", azimuth " + angle(scene.sun.azimuth) + " degrees";
+  text += "; camera at " + format_number(scene.camera.altitude) + " km, azimuth " + angle(scene.camera.azimuth) +
+          ", pitch " + angle(scene.camera.pitch) + " degrees; by " + scene.render.method;
+  return text;
+}
+
+PngOptions png_options(const PictureContext& context, const std::optional<ColourCode>& colours) {
   PngOptions options;
-  options.srgb = srgb;
+  options.colours = colours;
   options.texts["Software"] = "airlight " + context.provenance.version;
+  options.texts["Description"] = comments_of(context);
+  const Provenance& made = context.provenance;
+  for (const auto& [key, text] : {std::pair(kPresetKey, made.preset_json), std::pair(kMethodKey, made.method),
+                                  std::pair(kVersionKey, made.version), std::pair(kDeviceKey, made.device)}) {
+    options.texts[key] = text;
+  }
   if (!context.png_hash.empty()) {
     options.texts[kHashKey] = context.png_hash;
   }
-  if (!context.scene.description.empty()) {
-    options.texts["Description"] = context.scene.description;
-  }
   return options;
+}
+
+// The ACES container holds the picture alone, in halves.
+bool is_aces_container(const PictureContext& context, bool half) {
+  const Rendering& rendering = context.rendering;
+  const bool alone =
+      !rendering.standard_error && rendering.layers.empty() && !(context.scene.bloom.in_exr && rendering.bloom);
+  return context.space == WorkingSpace::aces2065_1 && half && alone;
 }
 
 }  // namespace
@@ -92,7 +120,9 @@ ExrOptions exr_options(const PictureContext& context, bool half) {
   const CameraBasis basis = camera_basis(scene.camera);
   options.world_to_camera =
       world_to_camera(axis(basis.right), axis(basis.up), axis(basis.forward), scene.camera.altitude);
-  options.comments = scene.name + (scene.name.empty() || scene.description.empty() ? "" : ": ") + scene.description;
+  options.comments = comments_of(context);
+  options.frame = context.frame;
+  options.aces_container = is_aces_container(context, half);
   options.provenance = context.provenance;
   if (const std::optional<double> white = white_luminance(scene.sun.unit)) {
     options.white_luminance = static_cast<float>(*white);
@@ -182,12 +212,12 @@ PicturePng::PicturePng(PngRows::Sink sink, const PictureContext& context,
   const ImageSize& size = context.scene.image;
   const bool diagnostic = !transform && context.scene.display.view == kDiagnosticView;
   const QuantizeOptions pixels{bits, !diagnostic, has_outside(context.scene.camera)};
-  const bool srgb = !transform || transform->is_srgb();
-  state_ = std::unique_ptr<State>(
-      new State{.png = {std::move(sink), make_pixels(size.width, 0, pixels), size.height, png_options(context, srgb)},
-                .diagnostic = diagnostic,
-                .pixels = pixels,
-                .bloom_intensity = static_cast<float>(context.scene.bloom.intensity)});
+  const std::optional<ColourCode> colours = transform ? transform->colours() : kSrgbCode;
+  state_ = std::unique_ptr<State>(new State{
+      .png = {std::move(sink), make_pixels(size.width, 0, pixels), size.height, png_options(context, colours)},
+      .diagnostic = diagnostic,
+      .pixels = pixels,
+      .bloom_intensity = static_cast<float>(context.scene.bloom.intensity)});
   if (transform) {
     state_->display.emplace(*transform, size.width, size.height,
                             [png = &state_->png](const PixelImage& rows) { png->add(rows); });

@@ -38,6 +38,7 @@ struct PictureContext {
   std::string exr_hash = {};               // of a sequence's frame, see app/sequence/job.h; empty: none is written
   std::string png_hash = {};
   WorkingSpace space = WorkingSpace::linear_rec709;  // of the EXR's colours
+  std::optional<FrameAttributes> frame = {};         // of a sequence
 };
 
 // The channels of an EXR of this context, read from its rendering, which must outlive them: the beauty and what stands

@@ -131,7 +131,7 @@ std::vector<std::string> write_tables(const fs::path& folder, const std::vector<
     const fs::path exr = folder / (dump.name + ".exr");
     const fs::path png = folder / (dump.name + ".png");
     write_table_exr(exr, table, provenance);
-    write_png(png, quantize(picture_of(dump), {}), {true, {{"Description", meaning.quantity}}});
+    write_png(png, quantize(picture_of(dump), {}), {kSrgbCode, {{"Description", meaning.quantity}}});
     files.push_back(exr.string());
     files.push_back(png.string());
   }

@@ -145,14 +145,12 @@ ocio::ConstTransformRcPtr make_transform(const Config& config, const std::string
   return to_view;
 }
 
-bool says_srgb(const ocio::Config& config, const std::string& display, const std::string& view) {
-  std::string lower = display;
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+// Nothing for a view of raw numbers.
+std::optional<ColourCode> colours_of(const ocio::Config& config, const std::string& display, const std::string& view) {
   const char* const name = config.getDisplayViewColorSpaceName(display.c_str(), view.c_str());
   const ocio::ConstColorSpaceRcPtr space = config.getColorSpace(name);
   const bool data = space != nullptr && space->isData();
-  return !data && lower.find("srgb") != std::string::npos;
+  return data ? std::nullopt : colour_code_of_display(display);
 }
 
 }  // namespace
@@ -161,7 +159,7 @@ struct DisplayTransform::State {
   DisplaySettings settings;
   std::string config_name, warning;
   ocio::ConstCPUProcessorRcPtr processor;
-  bool srgb = false;
+  std::optional<ColourCode> colours;
 
   void transform(std::span<float> rgba) const {
     ocio::PackedImageDesc pixels(rgba.data(), static_cast<long>(rgba.size() / 4), 1, 4);
@@ -194,7 +192,7 @@ DisplayTransform::DisplayTransform(const DisplaySettings& settings) : state_(std
     require_name("view", view, views_of(*config.config, display), "display '" + display + "' of " + config.name);
     const auto transform = make_transform(config, display, view, state_->warning);
     state_->processor = config.config->getProcessor(transform)->getDefaultCPUProcessor();
-    state_->srgb = says_srgb(*config.config, display, view);
+    state_->colours = colours_of(*config.config, display, view);
   } catch (const ocio::Exception& reason) {
     throw InputError(config.name + ": view '" + view + "' of display '" + display +
                      "' cannot be used: " + reason.what());
@@ -217,8 +215,8 @@ const std::string& DisplayTransform::config() const {
 const std::string& DisplayTransform::warning() const {
   return state_->warning;
 }
-bool DisplayTransform::is_srgb() const {
-  return state_->srgb;
+std::optional<ColourCode> DisplayTransform::colours() const {
+  return state_->colours;
 }
 
 PixelImage DisplayTransform::apply(const RadianceImage& image, const AddedLight& light, float exposure) const {

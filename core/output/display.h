@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "core/output/quantize.h"
@@ -37,9 +38,9 @@ class DisplayTransform {
 
   const std::string& display() const;
   const std::string& view() const;
-  const std::string& config() const;   // the path, or "the built-in config"
-  const std::string& warning() const;  // what had to be assumed about the config; mostly empty
-  bool is_srgb() const;                // whether a PNG of it may say that it is sRGB
+  const std::string& config() const;          // the path, or "the built-in config"
+  const std::string& warning() const;         // what had to be assumed about the config; mostly empty
+  std::optional<ColourCode> colours() const;  // what its pixels are, where that is known
 
   // (image + intensity * light) * exposure, transformed. Alpha passes unchanged.
   PixelImage apply(const RadianceImage& image, const AddedLight& light, float exposure) const;

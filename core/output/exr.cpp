@@ -7,10 +7,12 @@
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfIO.h>
+#include <OpenEXR/ImfIntAttribute.h>
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
 #include <OpenEXR/ImfThreading.h>
+#include <OpenEXR/ImfTimeCode.h>
 
 #include <algorithm>
 #include <bit>
@@ -114,6 +116,36 @@ void add_provenance(imf::Header& header, const Provenance& provenance) {
   add_text(header, kDeviceKey, provenance.device);
 }
 
+// Hours, minutes, seconds and frames at a whole rate; nothing that the code of 24 hours and its two digits cannot hold.
+std::optional<imf::TimeCode> time_code(int number, int frames_a_second) {
+  constexpr int kMostFrames = 60;
+  if (number < 0 || frames_a_second < 1 || frames_a_second > kMostFrames || number / frames_a_second >= 24 * 3600) {
+    return std::nullopt;
+  }
+  const int seconds = number / frames_a_second;
+  return imf::TimeCode(seconds / 3600, seconds / 60 % 60, seconds % 60, number % frames_a_second);
+}
+
+void add_frame(imf::Header& header, const FrameAttributes& frame) {
+  const auto add = [&](const auto& value, auto adder) {
+    if (value) {
+      adder(header, *value);
+    }
+  };
+  if (frame.number) {
+    header.insert("imageCounter", imf::IntAttribute(*frame.number));
+  }
+  add(frame.capture_date, imf::addCapDate);
+  add(frame.utc_offset, imf::addUtcOffset);
+  add(frame.latitude, imf::addLatitude);
+  add(frame.longitude, imf::addLongitude);
+  add(frame.altitude, imf::addAltitude);
+  if (frame.frames_a_second) {
+    imf::addFramesPerSecond(header, imf::Rational(*frame.frames_a_second, 1U));
+    add(frame.number ? time_code(*frame.number, *frame.frames_a_second) : std::nullopt, imf::addTimeCode);
+  }
+}
+
 // OpenEXR's latlong map has longitude +pi at the left edge, falling to the right, with +z at longitude 0 and +x at
 // pi/2: seen from inside with y up, +x lies left of +z. Ours has azimuth a0 + 180 (2 x/W - 1) degrees, so that
 // longitude = a0 - a. Looking at our centre, east of north lies right, and our frame is right-handed too: the two
@@ -122,7 +154,7 @@ void add_provenance(imf::Header& header, const Provenance& provenance) {
 // edges.
 imf::Header make_header(int width, int height, const ExrOptions& options) {
   imf::Header header(width, height);
-  header.compression() = imf_compression(options.compression);
+  header.compression() = options.aces_container ? imf::NO_COMPRESSION : imf_compression(options.compression);
   header.zipCompressionLevel() = kZipLevel;
   const Chromaticities c = chromaticities_of(options.space);
   imf::addChromaticities(header, imf::Chromaticities(Imath::V2f(c[0], c[1]), Imath::V2f(c[2], c[3]),
@@ -143,6 +175,13 @@ imf::Header make_header(int width, int height, const ExrOptions& options) {
   }
   if (!options.comments.empty()) {
     imf::addComments(header, at_most_one_attribute(options.comments));
+  }
+  if (options.frame) {
+    add_frame(header, *options.frame);
+  }
+  if (options.aces_container) {
+    header.insert("acesImageContainerFlag", imf::IntAttribute(1));
+    imf::addAdoptedNeutral(header, Imath::V2f(c[6], c[7]));
   }
   if (options.provenance) {
     add_provenance(header, *options.provenance);

@@ -38,6 +38,17 @@ struct ExrChannel {
 void add_channels(std::vector<ExrChannel>& channels, std::string_view layer, const RadianceImage& image,
                   bool with_alpha = false);
 
+// Of a frame of a sequence, under OpenEXR's standard names; what is not known is absent.
+struct FrameAttributes {
+  std::string label;                         // for `comments`: "frame 12, 2026-06-21T05:00:00+02:00"
+  std::optional<int> number;                 // imageCounter
+  std::optional<std::string> capture_date;   // capDate: "2026:06:21 05:00:00", on the place's clocks
+  std::optional<float> utc_offset;           // s; UTC is the clocks' time plus this
+  std::optional<float> latitude, longitude;  // degrees, north and east positive
+  std::optional<float> altitude;             // m above the sea
+  std::optional<int> frames_a_second;        // framesPerSecond, and timeCode by the number
+};
+
 struct ExrOptions {
   bool half = true;                                  // else 32-bit float
   WorkingSpace space = WorkingSpace::linear_rec709;  // that the channels given are in
@@ -47,6 +58,10 @@ struct ExrOptions {
   std::optional<float> white_luminance;  // cd/m2 of radiance (1, 1, 1)
   std::optional<std::array<float, 16>> world_to_camera;
   std::string comments;
+  std::optional<FrameAttributes> frame;
+  // The file is one of SMPTE ST 2065-4, the ACES image container: half, uncompressed, of red, green and blue in
+  // ACES2065-1, perhaps with alpha, and nothing else.
+  bool aces_container = false;
   std::optional<Provenance> provenance;
   std::map<std::string, std::string> strings;  // further attributes
   std::map<std::string, float> numbers;

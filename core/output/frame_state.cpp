@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "core/output/exr_header.h"
+#include "core/output/png_texts.h"
 #include "core/output/provenance_keys.h"
 
 namespace airlight {
@@ -68,39 +69,9 @@ std::optional<FrameMark> exr_mark(std::istream& in, std::uint64_t file_size) {
   return FrameMark{text_of(header, kHashKey).value_or(""), text_of(header, kPresetKey).value_or("")};
 }
 
-std::uint64_t big_endian(const char* bytes) {
-  std::uint64_t number = 0;
-  for (int i = 0; i < 4; ++i) {
-    number = number << 8U | static_cast<unsigned char>(bytes[i]);
-  }
-  return number;
-}
-
-// From chunk to chunk: length, type, data, check sum.
 std::optional<FrameMark> png_mark(std::istream& in, std::uint64_t file_size) {
-  constexpr std::uint64_t kSignature = 8;
-  FrameMark mark;
-  std::array<char, 8> head{};
-  for (std::uint64_t at = kSignature; in.seekg(static_cast<std::streamoff>(at)) && in.read(head.data(), head.size());) {
-    const std::uint64_t length = big_endian(head.data());
-    const std::string type(head.data() + 4, 4);
-    at += length + 12;
-    if (at > file_size) {
-      return std::nullopt;
-    }
-    if (type == "IEND") {
-      return at == file_size ? std::optional(mark) : std::nullopt;
-    }
-    if (type == "tEXt" && length < 256) {
-      std::string text(length, '\0');
-      in.read(text.data(), static_cast<std::streamsize>(length));
-      const std::string key = kHashKey;
-      if (text.starts_with(key) && text.size() > key.size() && text[key.size()] == '\0') {
-        mark.hash = text.substr(key.size() + 1);
-      }
-    }
-  }
-  return std::nullopt;
+  PngTexts png = read_png_texts(in, file_size);
+  return png.is_whole ? std::optional(FrameMark{png.texts[kHashKey], png.texts[kPresetKey]}) : std::nullopt;
 }
 
 }  // namespace

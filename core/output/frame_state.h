@@ -8,7 +8,7 @@
 
 namespace airlight {
 
-// What the picture says of itself. An EXR has both, a PNG only the hash.
+// What the picture says of itself.
 struct FrameMark {
   std::string hash;  // of kHashKey; empty where there is none
   std::string preset_json;

@@ -3,6 +3,7 @@
 #include <png.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cassert>
 #include <csetjmp>
@@ -65,6 +66,32 @@ class Writer {
   png_infop info_ = nullptr;
 };
 
+// libpng 1.6 has no word for cICP: primaries, transfer, matrix (none: RGB), full range.
+void add_code_points(Writer& writer, const ColourCode& colours) {
+  std::array<png_byte, 4> data{static_cast<png_byte>(colours.primaries), static_cast<png_byte>(colours.transfer), 0, 1};
+  constexpr std::array<png_byte, 5> kName{'c', 'I', 'C', 'P', 0};
+  png_unknown_chunk chunk{};
+  std::copy(kName.begin(), kName.end(), chunk.name);
+  chunk.data = data.data();
+  chunk.size = data.size();
+  chunk.location = PNG_HAVE_IHDR;
+  png_set_keep_unknown_chunks(writer.png(), PNG_HANDLE_CHUNK_ALWAYS, kName.data(), 1);
+  png_set_unknown_chunks(writer.png(), writer.info(), &chunk, 1);
+}
+
+void add_colours(Writer& writer, const ColourCode& colours) {
+  if (colours == kSrgbCode) {
+    png_set_sRGB_gAMA_and_cHRM(writer.png(), writer.info(), PNG_sRGB_INTENT_RELATIVE);
+    return;
+  }
+  add_code_points(writer, colours);
+  const std::array<double, 8> xy = primaries_of(colours);
+  if (const std::optional<double> exponent = encoding_exponent(colours)) {
+    png_set_gAMA(writer.png(), writer.info(), *exponent);
+    png_set_cHRM(writer.png(), writer.info(), xy[0], xy[1], xy[2], xy[3], xy[4], xy[5], xy[6], xy[7]);
+  }
+}
+
 void add_texts(Writer& writer, const std::map<std::string, std::string>& texts) {
   for (const auto& [key, value] : texts) {
     const bool ascii = std::all_of(value.begin(), value.end(), [](char c) { return static_cast<signed char>(c) >= 0; });
@@ -102,8 +129,8 @@ bool begin(Writer& writer, const PixelImage& image, int height, const PngOptions
   png_set_IHDR(writer.png(), writer.info(), static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(height),
                image.bits, image.channels == 4 ? PNG_COLOR_TYPE_RGBA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-  if (options.srgb) {
-    png_set_sRGB(writer.png(), writer.info(), PNG_sRGB_INTENT_RELATIVE);
+  if (options.colours) {
+    add_colours(writer, *options.colours);
   }
   add_texts(writer, options.texts);
   png_write_info(writer.png(), writer.info());

@@ -7,9 +7,12 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
+
+#include "core/output/colour_code.h"
 
 namespace airlight {
 
@@ -24,7 +27,8 @@ struct PixelImage {
 };
 
 struct PngOptions {
-  bool srgb = true;                          // pixels are sRGB: says so; false leaves the encoding unsaid
+  // What the pixels are, said as sRGB or cICP, with gAMA and cHRM for older readers; nothing leaves it unsaid.
+  std::optional<ColourCode> colours = kSrgbCode;
   std::map<std::string, std::string> texts;  // tEXt chunks such as Software, Description; UTF-8 becomes iTXt
   bool smallest = false;                     // four times the work for a file to keep in a repository
 };

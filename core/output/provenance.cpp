@@ -4,31 +4,65 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <functional>
 #include <optional>
 #include <system_error>
 
 #include "core/error.h"
 #include "core/output/exr_header.h"
+#include "core/output/png_texts.h"
 #include "core/output/provenance_keys.h"
 
 namespace airlight {
 namespace {
 
-constexpr std::array<char, 4> kMagic = {'\x76', '\x2f', '\x31', '\x01'};
+constexpr std::array<char, 4> kExrMagic = {'\x76', '\x2f', '\x31', '\x01'};
+constexpr std::array<char, 4> kPngMagic = {'\x89', 'P', 'N', 'G'};
 
-}  // namespace
-
-bool is_exr(std::istream& in) {
-  std::array<char, 4> magic{};
-  const bool same = in.read(magic.data(), magic.size()) && magic == kMagic;
+bool starts_with(std::istream& in, const std::array<char, 4>& magic) {
+  std::array<char, 4> found{};
+  const bool same = in.read(found.data(), found.size()) && found == magic;
   in.clear();
   in.seekg(0);
   return same;
 }
 
+using Find = std::function<std::optional<std::string>(const std::string& name)>;
+
+// By name, from the file's header.
+Find texts_of_exr(std::istream& in, std::uint64_t size, const std::string& file) {
+  try {
+    return [header = read_exr_header(in, size)](const std::string& name) { return text_of(header, name); };
+  } catch (const std::exception& reason) {
+    throw InputError(file + ": the EXR is damaged or cut short: " + reason.what());
+  }
+}
+
+Find texts_of_png(std::istream& in, std::uint64_t size) {
+  return [png = read_png_texts(in, size)](const std::string& name) {
+    const auto found = png.texts.find(name);
+    return found == png.texts.end() ? std::nullopt : std::optional(found->second);
+  };
+}
+
+}  // namespace
+
+bool is_exr(std::istream& in) {
+  return starts_with(in, kExrMagic);
+}
+
+bool is_png(std::istream& in) {
+  return starts_with(in, kPngMagic);
+}
+
 bool is_exr(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   return in && is_exr(in);
+}
+
+bool is_png(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return in && is_png(in);
 }
 
 Provenance read_provenance(const std::filesystem::path& file) {
@@ -50,24 +84,20 @@ Provenance read_provenance(const std::filesystem::path& file) {
 }
 
 Provenance read_provenance(std::istream& in, const std::string& name) {
-  if (!is_exr(in)) {
-    throw InputError(name + ": is not an EXR file; expected one written by airlight, or a preset (.json)");
+  const bool png = is_png(in);
+  if (!png && !is_exr(in)) {
+    throw InputError(name +
+                     ": is not an EXR file; expected one written by airlight, a PNG of its own, or a preset (.json)");
   }
   in.seekg(0, std::ios::end);
   const auto size = static_cast<std::uint64_t>(in.tellg());
-  ExrHeader header;
-  try {
-    header = read_exr_header(in, size);
-  } catch (const std::exception& reason) {
-    throw InputError(name + ": the EXR is damaged or cut short: " + reason.what());
-  }
-  const std::optional<std::string> preset = text_of(header, kPresetKey);
+  const Find text = png ? texts_of_png(in, size) : texts_of_exr(in, size, name);
+  const std::optional<std::string> preset = text(kPresetKey);
   if (!preset) {
-    throw InputError(name + ": was not written by airlight: it has no attribute " + std::string(kPresetKey) +
-                     "; give a preset (.json) or an EXR made by airlight render");
+    throw InputError(name + ": was not written by airlight: it has no " + (png ? "text " : "attribute ") +
+                     std::string(kPresetKey) + "; give a preset (.json), or an EXR or PNG made by airlight render");
   }
-  const auto text = [&](const char* key) { return text_of(header, key).value_or(""); };
-  return {*preset, text(kMethodKey), text(kVersionKey), text(kDeviceKey)};
+  return {*preset, text(kMethodKey).value_or(""), text(kVersionKey).value_or(""), text(kDeviceKey).value_or("")};
 }
 
 }  // namespace airlight

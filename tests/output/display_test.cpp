@@ -52,15 +52,15 @@ TEST_F(Display, DefaultsOfTheBuiltInConfig) {
   EXPECT_EQ(transform.view(), "ACES 1.0 - SDR Video");
   EXPECT_EQ(transform.config(), "the built-in config");
   EXPECT_EQ(transform.warning(), "");
-  EXPECT_TRUE(transform.is_srgb());
+  EXPECT_EQ(transform.colours(), kSrgbCode);
 }
 
 TEST_F(Display, SaysSrgbOnlyWhereItIs) {
   DisplaySettings settings = settings_of("Raw");
-  EXPECT_FALSE(DisplayTransform(settings).is_srgb());
+  EXPECT_NE(DisplayTransform(settings).colours(), kSrgbCode);
   settings = settings_of("");
   settings.display = "Rec.1886 Rec.709 - Display";
-  EXPECT_FALSE(DisplayTransform(settings).is_srgb());
+  EXPECT_NE(DisplayTransform(settings).colours(), kSrgbCode);
 }
 
 TEST_F(Display, UntoneMappedIsTheSrgbCurve) {

@@ -5,8 +5,10 @@
 #include <OpenEXR/ImfFloatAttribute.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfIntAttribute.h>
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
+#include <OpenEXR/ImfTimeCode.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -157,6 +159,56 @@ TEST(Exr, AttributesAreThere) {
   EXPECT_EQ(header.typedAttribute<imf::StringAttribute>("airlight:preset").value(), "{\"airlight\":1}");
   EXPECT_EQ(header.typedAttribute<imf::StringAttribute>("airlight:extra").value(), "text");
   EXPECT_EQ(header.typedAttribute<imf::FloatAttribute>("airlight:exposure").value(), 2.5F);
+}
+
+TEST(Exr, AFrameSaysWhenAndWhere) {
+  const Folder folder;
+  const RadianceImage image = numbered(4, 2);
+  std::vector<ExrChannel> channels;
+  add_channels(channels, "", image);
+  ExrOptions options;
+  options.frame = FrameAttributes{.label = "",
+                                  .number = 24 * 3661 + 5,
+                                  .capture_date = "2026:06:21 05:00:00",
+                                  .utc_offset = -7200.0F,
+                                  .latitude = 48.85F,
+                                  .longitude = 2.35F,
+                                  .altitude = 35.0F,
+                                  .frames_a_second = 24};
+  write_exr(folder / "a.exr", 4, 2, channels, options);
+  const imf::InputFile file((folder / "a.exr").c_str());
+  const imf::Header& header = file.header();
+  EXPECT_EQ(imf::capDate(header), "2026:06:21 05:00:00");
+  EXPECT_EQ(imf::utcOffset(header), -7200.0F);
+  EXPECT_EQ(imf::latitude(header), 48.85F);
+  EXPECT_EQ(imf::longitude(header), 2.35F);
+  EXPECT_EQ(imf::altitude(header), 35.0F);
+  EXPECT_EQ(double{imf::framesPerSecond(header)}, 24.0);
+  const imf::TimeCode code = imf::timeCode(header);
+  EXPECT_EQ((std::array{code.hours(), code.minutes(), code.seconds(), code.frame()}), (std::array{1, 1, 1, 5}));
+  EXPECT_EQ(header.typedAttribute<imf::IntAttribute>("imageCounter").value(), 24 * 3661 + 5);
+  options.frame->number = -3;  // as a key frame may have
+  write_exr(folder / "b.exr", 4, 2, channels, options);
+  EXPECT_FALSE(imf::hasTimeCode(imf::InputFile((folder / "b.exr").c_str()).header()));
+}
+
+// SMPTE ST 2065-4 allows no compression but none, and flags the file.
+TEST(Exr, AnAcesContainerIsOne) {
+  const Folder folder;
+  const RadianceImage image = numbered(4, 2);
+  std::vector<ExrChannel> channels;
+  add_channels(channels, "", image);
+  ExrOptions options;
+  options.space = WorkingSpace::aces2065_1;
+  options.aces_container = true;
+  write_exr(folder / "a.exr", 4, 2, channels, options);
+  const imf::InputFile file((folder / "a.exr").c_str());
+  const imf::Header& header = file.header();
+  EXPECT_EQ(header.compression(), imf::NO_COMPRESSION);
+  EXPECT_EQ(header.lineOrder(), imf::INCREASING_Y);
+  EXPECT_EQ(header.typedAttribute<imf::IntAttribute>("acesImageContainerFlag").value(), 1);
+  EXPECT_EQ(imf::adoptedNeutral(header), Imath::V2f(0.32168F, 0.33767F));
+  expect_channel(folder / "a.exr", "G", image, 1);
 }
 
 TEST(Exr, NoTagThatWasNotAskedFor) {

@@ -67,7 +67,7 @@ TEST(FrameState, AnExrCutOrLengthenedAnywhereIsNotWhole) {
 TEST(FrameState, APngTellsItsHashAndIsWholeOrNot) {
   const Folder folder;
   PixelImage image{9, 5, 3, 8, std::vector<std::uint8_t>(135, 7), {}};
-  write_png(folder / "a.png", image, {true, {{kHashKey, "fedcba9876543210"}, {"Software", "airlight"}}});
+  write_png(folder / "a.png", image, {kSrgbCode, {{kHashKey, "fedcba9876543210"}, {"Software", "airlight"}}});
   const std::optional<FrameMark> mark = read_frame_mark(folder / "a.png");
   ASSERT_TRUE(mark.has_value());
   EXPECT_EQ(mark->hash, "fedcba9876543210");

@@ -4,6 +4,7 @@
 #include <png.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <span>
 
@@ -94,8 +95,8 @@ TEST(Png, SixteenBitsComeBack) {
 
 TEST(Png, SaysSrgbAndNoGamma) {
   const Folder folder;
-  write_png(folder / "a.png", numbered(3, 8), {.srgb = true, .texts = {}});
-  write_png(folder / "b.png", numbered(3, 8), {.srgb = false, .texts = {}});
+  write_png(folder / "a.png", numbered(3, 8), {.colours = kSrgbCode, .texts = {}});
+  write_png(folder / "b.png", numbered(3, 8), {.colours = std::nullopt, .texts = {}});
   EXPECT_EQ(chunk(test::contents_of(folder / "a.png"), "sRGB"), std::string(1, '\1'));  // relative colorimetric
   EXPECT_EQ(chunk(test::contents_of(folder / "b.png"), "sRGB"), "absent");
   for (const char* const name : {"a.png", "b.png"}) {
@@ -128,7 +129,7 @@ TEST(Png, AnEncoderErrorIsOurs) {
 TEST(Png, RowsMakeTheSameBytes) {
   for (const int bits : {8, 16}) {
     const PixelImage whole = numbered(3, bits);
-    const PngOptions options{.srgb = true, .texts = {{"Software", "test"}}};
+    const PngOptions options{.colours = kSrgbCode, .texts = {{"Software", "test"}}};
     std::vector<std::byte> bytes;
     PngRows rows([&](std::span<const std::byte> part) { bytes.insert(bytes.end(), part.begin(), part.end()); }, whole,
                  whole.height, options);
@@ -146,6 +147,40 @@ TEST(Png, RowsMakeTheSameBytes) {
     }
     rows.finish();
     EXPECT_EQ(bytes, encode_png(whole, options));
+  }
+}
+
+// By the PNG standard: sRGB with its words for older readers; else cICP, with a gamma where one comes near.
+TEST(Png, SaysWhatItsColoursAre) {
+  const Folder folder;
+  const auto chunks = [&](const std::string& display) {
+    write_png(folder / "a.png", numbered(3, 8), {.colours = colour_code_of_display(display), .texts = {}});
+    const std::string png = test::contents_of(folder / "a.png");
+    return std::array{chunk(png, "sRGB"), chunk(png, "cICP"), chunk(png, "gAMA"), chunk(png, "cHRM")};
+  };
+  using namespace std::string_literals;
+  const std::string absent = "absent";
+  const std::string srgb_gamma = "\0\0\xb1\x8f"s;    // 45455
+  const std::string bt1886_gamma = "\0\0\xa2\xc3"s;  // 41667
+  const auto srgb = chunks("sRGB - Display");
+  EXPECT_EQ(srgb[0], "\1"s);
+  EXPECT_EQ(srgb[1], absent);
+  EXPECT_EQ(srgb[2], srgb_gamma);
+  EXPECT_EQ(srgb[3].size(), 32U);
+  const auto television = chunks("Rec.1886 Rec.709 - Display");
+  EXPECT_EQ(television[0], absent);
+  EXPECT_EQ(television[1], "\1\1\0\1"s);
+  EXPECT_EQ(television[2], bt1886_gamma);
+  EXPECT_EQ(television[3], srgb[3]);
+  const auto p3 = chunks("Display P3 - Display");
+  EXPECT_EQ(p3[1], "\x0c\x0d\0\1"s);
+  EXPECT_NE(p3[3], srgb[3]);
+  const auto pq = chunks("Rec.2100-PQ - Display");
+  EXPECT_EQ(pq[1], "\x09\x10\0\1"s);
+  EXPECT_EQ(pq[2], absent);
+  const auto unknown = chunks("Projector");
+  for (const std::string& data : unknown) {
+    EXPECT_EQ(data, absent);
   }
 }
 

@@ -7,6 +7,8 @@
 
 #include "core/output/exr.h"
 #include "core/output/exr_header.h"
+#include "core/output/png.h"
+#include "core/output/provenance_keys.h"
 #include "tests/output/files.h"
 
 namespace airlight {
@@ -67,6 +69,23 @@ TEST(Provenance, NoAttributeIsLongerThanFfmpegReads) {
       }
     }
   }
+}
+
+TEST(Provenance, APngTellsItToo) {
+  const Folder folder;
+  PngOptions options;
+  options.texts = {{kPresetKey, kMade.preset_json},  // with a letter that makes it iTXt
+                   {kMethodKey, kMade.method},
+                   {kVersionKey, kMade.version},
+                   {kDeviceKey, kMade.device}};
+  write_png(folder / "a.png", {2, 1, 3, 8, std::vector<std::uint8_t>(6), {}}, options);
+  EXPECT_TRUE(is_png(folder / "a.png"));
+  EXPECT_EQ(read_provenance(folder / "a.png"), kMade);
+  const std::string whole = test::contents_of(folder / "a.png");
+  test::put(folder / "cut.png", whole.substr(0, whole.size() - 30));
+  EXPECT_EQ(read_provenance(folder / "cut.png"), kMade);
+  write_png(folder / "foreign.png", {2, 1, 3, 8, std::vector<std::uint8_t>(6), {}}, {});
+  EXPECT_NE(refusal(folder / "foreign.png").find("has no text airlight:preset"), std::string::npos);
 }
 
 TEST(Provenance, SaysWhatIsWrongWithAFile) {
