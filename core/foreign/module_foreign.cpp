@@ -12,6 +12,7 @@
 
 #include "core/error.h"
 #include "core/foreign/foreign_picture.h"
+#include "core/measure/module_text.h"
 #include "core/measure/words.h"
 #include "core/output/provenance_keys.h"
 
@@ -56,7 +57,7 @@ void read_attributes(Picture& picture, const OIIO::ImageSpec& spec) {
     picture.chromaticities = xy;
   }
   picture.srgb = spec.get_string_attribute("oiio:ColorSpace") == "sRGB";
-  picture.is_airlight = !spec.get_string_attribute(kPresetKey).empty();
+  picture.is_airlight = measure::text_of(spec, kPresetKey).has_value();
 }
 
 // Where a stored pixel lies in the display window, -1 outside of it.

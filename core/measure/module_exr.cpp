@@ -9,8 +9,8 @@
 #include <memory>
 
 #include "core/error.h"
+#include "core/measure/module_text.h"
 #include "core/measure/words.h"
-#include "core/output/long_text.h"
 #include "core/output/provenance_keys.h"
 
 namespace airlight::measure {
@@ -84,11 +84,7 @@ void read_attributes(ExrHeader& header, const OIIO::ImageSpec& spec) {
   if (spec.getattribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), values.data())) {
     std::copy(values.begin(), values.end(), header.chromaticities.begin());
   }
-  const auto text = [&](const std::string& name) {
-    const OIIO::ParamValue* found = spec.find_attribute(name, OIIO::TypeString);
-    return found == nullptr ? std::nullopt : std::optional(found->get_string());
-  };
-  if (const std::optional<std::string> preset = text_in(kPresetKey, text); preset && !preset->empty()) {
+  if (const std::optional<std::string> preset = text_of(spec, kPresetKey); preset && !preset->empty()) {
     header.preset = *preset;
   }
 }

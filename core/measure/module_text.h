@@ -1,0 +1,20 @@
+#pragma once
+// A text of an EXR's header through OpenImageIO, whole where it stands in pieces. Only modules see this header.
+
+#include <OpenImageIO/imageio.h>
+
+#include <optional>
+#include <string>
+
+#include "core/output/long_text.h"
+
+namespace airlight::measure {
+
+inline std::optional<std::string> text_of(const OIIO::ImageSpec& spec, const std::string& name) {
+  return text_in(name, [&](const std::string& key) {
+    const OIIO::ParamValue* found = spec.find_attribute(key, OIIO::TypeString);
+    return found == nullptr ? std::nullopt : std::optional(found->get_string());
+  });
+}
+
+}  // namespace airlight::measure
