@@ -72,14 +72,14 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   using namespace airlight;
   cli::ignore_broken_pipes();
-  remove_temporary_files_on_signals();
+  end_in_good_order_on_signals();
   try {
     return cli::run(argc, argv);
   } catch (const InputError& error) {
-    cli::complain(error.what());
+    cli::complain(error);
     return cli::kBadUsage;
   } catch (const RunError& error) {
-    cli::complain(error.what());
+    cli::complain(error);
   } catch (const std::bad_alloc&) {
     cli::complain("out of memory; ask for a smaller picture with --size");
   } catch (const std::exception& error) {

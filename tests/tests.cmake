@@ -87,6 +87,23 @@ if(TARGET test_measure)
   add_dependencies(test_measure airlight_compare)
 endif()
 
+# Random input by the number: presets by the token, EXRs by the byte, valid presets anywhere in their ranges. The counts
+# are what CI has time for; scripts/fuzz goes on for as long as one likes.
+if(AIRLIGHT_TOOL)
+  file(GLOB fuzz_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/fuzz/*.cpp)
+  add_executable(airlight_fuzz ${fuzz_sources} ${AIRLIGHT_PROGRAM_SOURCES})
+  target_link_libraries(airlight_fuzz PRIVATE airlight_flags airlight_gpu airlight_scene airlight_output)
+  target_compile_options(airlight_fuzz PRIVATE ${airlight_test_options})
+  foreach(case IN ITEMS texts:4000 exrs:4000 scenes:48)
+    string(REPLACE ":" ";" case ${case})
+    list(GET case 0 kind)
+    list(GET case 1 count)
+    add_test(NAME ${test_prefix}fuzz.${kind} COMMAND airlight_fuzz ${kind} --count ${count})
+    set_tests_properties(${test_prefix}fuzz.${kind} PROPERTIES ${test_properties}
+                         ENVIRONMENT "AIRLIGHT_VALIDATION=0;ASAN_OPTIONS=detect_leaks=0")
+  endforeach()
+endif()
+
 # Only where Slurm is there anyhow: a cluster of one node for a quarter of a minute, most of it waiting.
 find_program(SBATCH sbatch)
 if(SBATCH AND AIRLIGHT_TOOL AND NOT AIRLIGHT_SANITIZE)

@@ -11,11 +11,15 @@
 #include <cstring>
 
 #include "core/error.h"
+#include "core/scene/printable.h"
 
 namespace airlight::cli {
 namespace {
 
 int first_stdout_error = 0;
+
+// Of a message, in bytes: a path may have 4096 of its own.
+constexpr std::size_t kLongestLine = 6000;
 
 bool wants_colour(int descriptor) {
   const char* no_colour = std::getenv("NO_COLOR");  // no-color.org: set and not empty means none
@@ -65,10 +69,15 @@ void complain(std::string_view lines) {
   std::string text;
   while (!lines.empty()) {
     const std::size_t end = lines.find('\n');
-    text += prefix + std::string(lines.substr(0, end)) + "\n";
+    text += prefix + printable(shortened(lines.substr(0, end), kLongestLine)) + "\n";
     lines.remove_prefix(end == std::string_view::npos ? lines.size() : end + 1);
   }
   tell(text);
+}
+
+void complain(const std::exception& error) {
+  const auto* input = dynamic_cast<const InputError*>(&error);
+  complain(input != nullptr && input->has_lines ? std::string(error.what()) : printable(error.what()));
 }
 
 void tell(std::string_view text) {

@@ -2,6 +2,7 @@
 // Standard output and standard error: colour only where a person looks, and a closed pipe is no disaster.
 
 #include <cstddef>
+#include <exception>
 #include <string>
 #include <string_view>
 
@@ -22,8 +23,12 @@ void print(std::string_view text);
 // Hands on what was printed so far, for a reader that waits for each line.
 void flush_stdout();
 
-// Writes one or more lines to standard error, each prefixed with the tool's name.
+// Writes one or more lines to standard error, each prefixed with the tool's name. Control characters that a name of a
+// file or a text of somebody's brought along are escaped, and what is longer than any message is cut.
 void complain(std::string_view lines);
+
+// What an error says: one line, however many line breaks the names in it have, or the several lines of an InputError.
+void complain(const std::exception& error);
 
 // Writes to standard error without a prefix: progress, timings, notes for people.
 void tell(std::string_view text);

@@ -15,6 +15,7 @@
 #include "core/error.h"
 #include "core/gpu/module_cache.h"
 #include "core/methods/method.h"
+#include "core/output/last_words.h"
 
 namespace airlight::cli {
 namespace {
@@ -71,6 +72,11 @@ void make_folders(const fs::path& folder) {
   }
 }
 
+std::string whole_points(std::size_t count) {
+  return std::to_string(count) + (count == 1 ? " point of the chart is" : " points of the chart are") +
+         " whole; the same command goes on from there";
+}
+
 chart::Settings settings_of(const Given& given) {
   chart::Settings settings = chart::parse_settings(embedded_chart_list(), "presets/chart.json");
   if (!given.presets.empty()) {
@@ -109,7 +115,9 @@ chart::RunOrder order_of(const Given& given, chart::Settings& settings) {
   order.open_device = [wanted = wanted_device(given.scene)] { return std::make_unique<Executor>(wanted); };
   order.keep = [folder = fs::path(given.folder)](const std::vector<chart::Point>& points) {
     write_points(folder, points);
+    say_when_ended(whole_points(points.size()));
   };
+  say_when_ended(whole_points(order.known.size()));
   if (!given.quiet) {
     order.progress = terminal_progress();
   }

@@ -9,6 +9,7 @@
 #include "app/commands/commands.h"
 #include "core/error.h"
 #include "core/methods/method.h"
+#include "core/scene/printable.h"
 #include "core/scene/resolve.h"
 
 namespace airlight::cli {
@@ -53,7 +54,7 @@ std::string problems_of(const Given& given, const std::string& argument, std::st
     check_names(preset, scene, given.picture);
     return {};
   } catch (const InputError& error) {
-    return error.what();
+    return error.has_lines ? error.what() : printable(error.what());
   }
 }
 

@@ -19,6 +19,8 @@
 #include "core/measure/words.h"
 #include "core/methods/method.h"
 #include "core/output/atomic_file.h"
+#include "core/output/last_words.h"
+#include "core/scene/printable.h"
 #include "core/scene/resolve.h"
 
 namespace airlight::cli {
@@ -146,7 +148,10 @@ NamedReport compare_pair(const Given& given, const measure::FilePairs& pairs, co
 // Figures go to standard output, or to standard error beside --json. A single pair that cannot be compared is an error
 // of one line.
 void tell_people(const Given& given, bool several, const NamedReport& entry, const measure::Limits& in_force) {
-  const auto say = [&](const std::string& text) { given.json ? tell(text) : print(text); };
+  const auto say = [&](const std::string& text) {
+    const std::string shown = printable(text, true);
+    given.json ? tell(shown) : print(shown);
+  };
   if (!several && entry.report.verdict == Verdict::cannot_compare) {
     complain(entry.report.problem);
   } else if (given.quiet) {
@@ -175,6 +180,12 @@ void tell_replaced(const Given& given, const std::vector<std::string>& replaced)
   for (const std::string& file : replaced) text += "Replaced the reference " + file + "\n";
   if (replaced.empty()) text = "No reference needed replacing\n";
   given.json ? tell(text) : print(text);
+}
+
+std::string compared_so_far(std::size_t done, std::size_t all, const std::string& junit) {
+  return std::to_string(done) + " of " + std::to_string(all) +
+         (all == 1 ? " pair was compared" : " pairs were compared") +
+         (junit.empty() ? "" : "; " + printable(shortened(junit, 200)) + " was not written");
 }
 
 int diff(Given given) {
@@ -208,13 +219,15 @@ int diff(Given given) {
 
   std::vector<NamedReport> entries;
   std::vector<std::string> written;
+  say_when_ended(compared_so_far(0, pairs.pairs.size(), given.junit));
   for (const measure::FilePair& pair : pairs.pairs) {
     entries.push_back(compare_pair(given, pairs, pair, written));
     tell_by_name(inputs, entries.back());
     tell_people(given, pairs.several, entries.back(), in_force);
+    say_when_ended(compared_so_far(entries.size(), pairs.pairs.size(), given.junit));
   }
   if (pairs.several && !given.quiet) {
-    const std::string summary = measure::describe_all(entries);
+    const std::string summary = printable(measure::describe_all(entries), true);
     given.json ? tell(summary) : print(summary);
   }
   if (!given.junit.empty()) write_text(given.junit, measure::junit_xml(entries), written);

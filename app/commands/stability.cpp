@@ -12,6 +12,7 @@
 #include "app/render/table_files.h"
 #include "core/error.h"
 #include "core/output/atomic_file.h"
+#include "core/output/last_words.h"
 #include "core/output/png.h"
 #include "core/stability/examine.h"
 #include "core/stability/report.h"
@@ -107,6 +108,11 @@ const Block* block_of(const std::vector<Block>& blocks, const Subject& subject, 
   return found == blocks.end() ? nullptr : &*found;
 }
 
+std::string whole_maps(double done, double all) {
+  return std::to_string(static_cast<int>(done)) + " of " + std::to_string(static_cast<int>(all)) +
+         " maps are whole; the same command goes on from there";
+}
+
 // Every block that is not there yet; the file of numbers is complete up to the last block at any time.
 void examine_all(Examination& e, const fs::path& csv, const DeviceOnDemand& device, bool quiet) {
   const std::vector<Block> before = unfinished_blocks(contents_of(csv), e);
@@ -122,6 +128,7 @@ void examine_all(Examination& e, const fs::path& csv, const DeviceOnDemand& devi
   }
   const std::function<bool(double)> progress = quiet ? nullptr : terminal_progress();
   double done = 0.0;
+  say_when_ended(whole_maps(static_cast<double>(before.size()), all));
   for (const Sweep& sweep : e.sweeps) {
     ConvergedShots converged;
     for (const Subject& subject : e.subjects) {
@@ -136,6 +143,7 @@ void examine_all(Examination& e, const fs::path& csv, const DeviceOnDemand& devi
       }));
       done += 1.0;
       write_text(csv, csv_text(e, false));
+      say_when_ended(whole_maps(done, all));
     }
   }
   clear_progress();

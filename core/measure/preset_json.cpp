@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "core/measure/preset_difference.h"
 #include "core/measure/view_geometry.h"
+#include "core/measure/words.h"
 
 namespace airlight::measure {
 namespace {
@@ -14,7 +15,7 @@ json parse(std::string_view text) {
   try {
     return json::parse(text);
   } catch (const json::exception& problem) {
-    throw InputError(std::string("the preset that it carries is not JSON: ") + problem.what());
+    throw InputError(std::string("the preset that it carries is not JSON: ") + cut(problem.what()));
   }
 }
 
@@ -24,14 +25,14 @@ Projection projection_of(const std::string& name) {
   if (name == "fisheye") return Projection::fisheye;
   if (name == "cube") return Projection::cube;
   if (name == "octahedral") return Projection::octahedral;
-  throw InputError("the preset that it carries has the unknown projection '" + name + "'");
+  throw InputError("the preset that it carries has the unknown projection '" + cut(name) + "'");
 }
 
 CubeLayout cube_layout_of(const std::string& name) {
   if (name == "stack") return CubeLayout::stack;
   if (name == "strip") return CubeLayout::strip;
   if (name == "cross") return CubeLayout::cross;
-  throw InputError("the preset that it carries has the unknown cube layout '" + name + "'");
+  throw InputError("the preset that it carries has the unknown cube layout '" + cut(name) + "'");
 }
 
 }  // namespace
@@ -57,7 +58,7 @@ Viewpoint viewpoint_from_preset(std::string_view resolved_preset) {
     viewpoint.ground_radius = preset.at("planet").at("radius_km").get<double>();
     return viewpoint;
   } catch (const json::exception& problem) {
-    throw InputError(std::string("the preset that it carries does not tell the camera: ") + problem.what());
+    throw InputError(std::string("the preset that it carries does not tell the camera: ") + cut(problem.what()));
   }
 }
 

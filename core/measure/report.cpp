@@ -57,8 +57,8 @@ std::string describe_keys(const ComparisonReport& report, std::size_t most) {
   std::string text;
   for (std::size_t i = 0; i < std::min(most, report.preset_keys.size()); ++i) {
     const KeyDifference& key = report.preset_keys[i];
-    text += "  " + key.pointer + ": A " + (key.a.empty() ? "absent" : key.a) + ", B " +
-            (key.b.empty() ? "absent" : key.b) + "\n";
+    text += "  " + cut(key.pointer) + ": A " + (key.a.empty() ? "absent" : cut(key.a)) + ", B " +
+            (key.b.empty() ? "absent" : cut(key.b)) + "\n";
   }
   if (report.preset_keys.size() > most) {
     text += "  and " + std::to_string(report.preset_keys.size() - most) + " more keys\n";

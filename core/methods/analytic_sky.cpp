@@ -126,11 +126,13 @@ class Profile {
   std::vector<Row> columns_;
 };
 
-// Along the horizontal over straight up; 1 where there is no air.
+// Along the horizontal over straight up; 1 where there is no air. At most what an exponential of a metre over the
+// largest planet has, sqrt(pi R / 2 H): beyond it the steps straight up have missed the air.
 vec3 horizon_mass(Physics& p, double h) {
+  constexpr double kMost = 1.25e5;
   const vec3 level = p.optical_depth_to_top(p.scene.planet, h, 0.0, kColumnSteps);
   const vec3 up = p.optical_depth_to_top(p.scene.planet, h, 1.0, kColumnSteps);
-  return physics::max(level / physics::max(up, vec3(kBlack)), vec3(1.0));
+  return physics::min(physics::max(level / physics::max(up, vec3(kBlack)), vec3(1.0)), vec3(kMost));
 }
 
 // Isotropic multiple scattering [H20] at one place, as the table of `march` has it, by its logarithm.

@@ -21,6 +21,7 @@
 
 #include "core/error.h"
 #include "core/file_descriptor.h"
+#include "core/output/last_words.h"
 
 namespace airlight {
 namespace {
@@ -86,6 +87,8 @@ class Temporary {
   std::string hint;
   if (error == ENOSPC || error == EDQUOT) {
     hint = "; free some space or write elsewhere";
+  } else if (error == EFBIG) {
+    hint = "; raise the limit on the size of files (ulimit -f) or write elsewhere";
   } else if (error == EACCES || error == EPERM || error == EROFS) {
     hint = "; write to a folder of your own";
   }
@@ -189,6 +192,7 @@ void write_in_place(const std::string& file, const Pieces& next) {
 
 void end_on_signal(int signal_number) {
   remove_temporary_files();
+  write_last_words(signal_number);
   ::signal(signal_number, SIG_DFL);
   ::raise(signal_number);
 }
@@ -330,6 +334,7 @@ void FileInProgress::commit() {
   if (state_->temporary && !state_->temporary->rename_to(state_->target.string())) {
     fail(state_->name, "replace", errno);
   }
+  remember_whole(state_->name);
 }
 
 void remove_abandoned_files(const fs::path& folder,
@@ -365,7 +370,8 @@ void remove_temporary_files() noexcept {
   }
 }
 
-void remove_temporary_files_on_signals() {
+void end_in_good_order_on_signals() {
+  std::signal(SIGXFSZ, SIG_IGN);  // the write fails instead, as on a full disk
   struct sigaction action {};
   action.sa_handler = end_on_signal;
   sigemptyset(&action.sa_mask);

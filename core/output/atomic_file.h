@@ -54,7 +54,9 @@ void remove_abandoned_files(const std::filesystem::path& folder,
 // Unlinks the temporary files of every write_file() now running. Async-signal-safe.
 void remove_temporary_files() noexcept;
 
-// From now on SIGINT, SIGTERM and SIGHUP unlink the temporary files, then end the process as they would have done.
-void remove_temporary_files_on_signals();
+// From now on SIGINT, SIGTERM and SIGHUP unlink the temporary files and say what is whole (core/output/last_words.h),
+// then end the process as they would have done; and a file beyond the limit on its size fails to be written, as on a
+// full disk, instead of ending the process by SIGXFSZ.
+void end_in_good_order_on_signals();
 
 }  // namespace airlight

@@ -6,6 +6,8 @@
 
 #include "core/error.h"
 #include "core/scene/json_format.h"
+#include "core/scene/printable.h"
+#include "core/scene/problems.h"
 
 namespace airlight {
 namespace {
@@ -63,7 +65,15 @@ std::string library_reason(std::string_view what) {
   const std::size_t colon = column == std::string_view::npos ? column : what.find(": ", column);
   std::string reason(colon == std::string_view::npos ? what : what.substr(colon + 2));
   std::ranges::replace(reason, '\n', ' ');
-  return reason;
+  // The library quotes all that it last read, were it the rest of the file.
+  constexpr std::string_view kQuote = "last read: '";
+  const std::size_t quote = reason.find(kQuote);
+  const std::size_t end = reason.rfind('\'');
+  if (quote != std::string::npos && end >= quote + kQuote.size()) {
+    const std::size_t start = quote + kQuote.size();
+    reason.replace(start, end - start, shortened(std::string_view(reason).substr(start, end - start)));
+  }
+  return printable(reason);
 }
 
 bool is_word(char c) {
@@ -134,13 +144,13 @@ class TreeBuilder {
 
   bool parse_error(std::size_t position, const std::string& last_token, const Json::exception& error) {
     if (error.id == 406) {
-      return fail(last_token + " is too large for a number; expected at most 1.8e308 in magnitude");
+      return fail(shortened(last_token) + " is too large for a number; expected at most 1.8e308 in magnitude");
     }
     const std::string reason = library_reason(error.what());
     const Place place = place_of(text_, token_start(text_, position, reason));
     is_json_ = false;
-    problem_ = source_ + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) +
-               ": not JSON: " + library_reason(error.what());
+    problem_ =
+        source_ + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) + ": not JSON: " + reason;
     return false;
   }
 
@@ -205,7 +215,7 @@ class TreeBuilder {
     }
     problem_.append(": ");
     if (!pointer.empty()) {
-      problem_.append(pointer).append(": ");
+      problem_.append(shown_pointer(pointer)).append(": ");
     }
     problem_.append(reason);
     return false;

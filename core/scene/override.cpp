@@ -7,6 +7,8 @@
 #include "core/scene/json_format.h"
 #include "core/scene/json_text.h"
 #include "core/scene/preset.h"
+#include "core/scene/printable.h"
+#include "core/scene/problems.h"
 
 namespace airlight {
 namespace {
@@ -14,7 +16,7 @@ namespace {
 // The keys of an RFC 6901 pointer, unescaped.
 std::vector<std::string> split_pointer(std::string_view pointer, const std::string& source) {
   if (!pointer.starts_with('/')) {
-    throw InputError(source + ": " + json_string(pointer) +
+    throw InputError(source + ": " + quoted_text(pointer) +
                      " is not a JSON pointer; expected a path such as /camera/pitch_deg");
   }
   std::vector<std::string> keys;
@@ -25,7 +27,7 @@ std::vector<std::string> split_pointer(std::string_view pointer, const std::stri
     } else if (c == '~') {
       const char escaped = i + 1 < pointer.size() ? pointer[i + 1] : '\0';
       if (escaped != '0' && escaped != '1') {
-        throw InputError(source + ": " + json_string(pointer) +
+        throw InputError(source + ": " + quoted_text(pointer) +
                          " has a lone ~; expected ~0 for ~ and ~1 for / in a JSON pointer");
       }
       keys.back() += escaped == '0' ? '~' : '/';
@@ -45,7 +47,7 @@ PresetValue& element(PresetArray& array, const std::string& key, const std::stri
   if (!is_index || index >= array.size()) {
     const std::string range =
         array.empty() ? "none: it is empty" : "an index from 0 to " + std::to_string(array.size() - 1);
-    throw InputError(place + ": there is no element " + json_string(key) + "; expected " + range);
+    throw InputError(place + ": there is no element " + quoted_text(key) + "; expected " + range);
   }
   return array[index];
 }
@@ -65,9 +67,10 @@ PresetValue& descend(PresetValue& root, std::span<const std::string> keys, const
       }
       at = &place->second;
     } else if (auto* array = std::get_if<PresetArray>(&at->data)) {
-      at = &element(*array, key, source + ": " + pointer);
+      at = &element(*array, key, source + ": " + shown_pointer(pointer));
     } else {
-      throw InputError(source + ": " + pointer + ": " + (parent.empty() ? "the preset" : parent) +
+      throw InputError(source + ": " + shown_pointer(pointer) + ": " +
+                       (parent.empty() ? "the preset" : shown_pointer(parent)) +
                        " is a single value and has no keys; expected a pointer to a key of format 1");
     }
   }
@@ -90,7 +93,7 @@ void put_value(Preset& preset, std::string_view pointer, PresetValue value, cons
 }
 
 void apply_override(Preset& preset, std::string_view assignment) {
-  apply_override(preset, assignment, "--set " + std::string(assignment));
+  apply_override(preset, assignment, "--set " + shortened(assignment));
 }
 
 void apply_override(Preset& preset, std::string_view assignment, const std::string& source) {

@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/scene/json_format.h"
 #include "core/scene/json_text.h"
+#include "core/scene/printable.h"
 #include "core/scene/suggestion.h"
 
 namespace airlight {
@@ -158,7 +159,7 @@ bool take_extension(PresetValue& root, Extension& extension) {
     return false;
   }
   extension.name = std::get<std::string>(key->second.data);
-  extension.place = place_of(key->second) + ": /extends: " + json_string(extension.name);
+  extension.place = place_of(key->second) + ": /extends: " + quoted_text(extension.name);
   object.erase(key);
   return true;
 }
@@ -214,7 +215,8 @@ Link follow(const Link& from, const Extension& extension, const BundledPresets& 
             .bundled = false,
             .id = identity(file)};
   }
-  std::string message = extension.place + " cannot be read: " + file.string() + ": " + read.problem;
+  std::string message =
+      extension.place + " cannot be read: " + printable(shortened(file.string())) + ": " + read.problem;
   std::vector<std::string> names;
   for (const auto& [name, text] : bundled) {
     names.push_back(fs::path(name).stem().string());
@@ -234,11 +236,11 @@ Preset load_chain(Link link, const BundledPresets& bundled) {
   std::vector<PresetValue> chain;
   std::vector<fs::path> seen{link.id};
   chain.push_back(parse_root(link.text, link.source));
-  std::string route = source;
+  std::string route = printable(source);
   Extension extension;
   while (take_extension(chain.back(), extension)) {
     link = follow(link, extension, bundled);
-    route += " -> " + link.source;
+    route += " -> " + printable(shortened(link.source));
     if (std::ranges::find(seen, link.id) != seen.end()) {
       throw InputError(extension.place + " makes a circle (" + route + "); a preset cannot build on itself");
     }

@@ -4,35 +4,18 @@
 
 #include "core/error.h"
 #include "core/scene/json_format.h"
+#include "core/scene/printable.h"
 
 namespace airlight {
-namespace {
-
-// Enough to recognise a text by, short enough for one line.
-constexpr std::size_t kLongestQuote = 60;
-
-std::string shortened(std::string_view text) {
-  if (text.size() <= kLongestQuote) {
-    return json_string(text);
-  }
-  std::size_t end = kLongestQuote;
-  // Not inside a UTF-8 character: its later bytes are 10xxxxxx.
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) {
-    --end;
-  }
-  return json_string(std::string(text.substr(0, end)) + "...");
-}
-
-}  // namespace
 
 void Problems::add(const PresetValue& at, std::string_view pointer, std::string_view message) {
-  std::string text = at.source;
+  std::string text = printable(at.source);
   if (at.line > 0) {
     text += ":" + std::to_string(at.line);
   }
   text += ": ";
   if (!pointer.empty()) {
-    text += std::string(pointer) + ": ";
+    text += shown_pointer(pointer) + ": ";
   }
   problems_.push_back({.source = at.source, .line = at.line, .text = text + std::string(message)});
 }
@@ -45,10 +28,20 @@ void Problems::throw_if_any() {
     return a.source != b.source ? a.source < b.source : a.line < b.line;
   });
   std::string text;
-  for (const Problem& problem : problems_) {
-    text += (text.empty() ? "" : "\n") + problem.text;
+  const std::size_t told = std::min(problems_.size(), kMostProblems);
+  for (std::size_t i = 0; i < told; ++i) {
+    text += (text.empty() ? "" : "\n") + problems_[i].text;
   }
-  throw InputError(text);
+  if (problems_.size() > told) {
+    const std::size_t more = problems_.size() - told;
+    text += "\n" + printable(problems_[told].source) + ": " + std::to_string(more) +
+            (more == 1 ? " problem more" : " problems more");
+  }
+  throw InputError::of_lines(text);
+}
+
+std::string shown_pointer(std::string_view pointer) {
+  return printable(shortened(pointer));
 }
 
 std::string quoted(const PresetValue& value) {
@@ -56,7 +49,7 @@ std::string quoted(const PresetValue& value) {
     return format_number(*number);
   }
   if (const auto* text = std::get_if<std::string>(&value.data)) {
-    return shortened(*text);
+    return quoted_text(*text);
   }
   if (const auto* boolean = std::get_if<bool>(&value.data)) {
     return *boolean ? "true" : "false";

@@ -16,7 +16,8 @@ class Problems {
 
   bool any() const { return !problems_.empty(); }
 
-  // Throws InputError with one line for each problem, by file and line; returns when there is none.
+  // Throws InputError with one line for each problem, by file and line, and a count of those beyond kMostProblems;
+  // returns when there is none.
   void throw_if_any();
 
  private:
@@ -27,6 +28,9 @@ class Problems {
   };
   std::vector<Problem> problems_;
 };
+
+// A JSON pointer in a message: printable, its first kLongestQuote bytes.
+std::string shown_pointer(std::string_view pointer);
 
 // How a message quotes a value: 1.2, "tall" (shortened), true, null, an array of 3, an object.
 std::string quoted(const PresetValue& value);

@@ -7,6 +7,7 @@
 
 #include "core/scene/json_format.h"
 #include "core/scene/json_text.h"
+#include "core/scene/printable.h"
 #include "core/scene/value_reader.h"
 
 namespace airlight {
@@ -40,7 +41,7 @@ const MethodInfo* find_method(const Section& render, std::span<const MethodInfo>
     list += (list.empty() ? "" : ", ") + names.back();
   }
   const std::string message =
-      json_string(name) + " is not a method; expected one of " + list + did_you_mean(name, names);
+      quoted_text(name) + " is not a method; expected one of " + list + did_you_mean(name, names);
   render.problems().add(value != nullptr ? *value : render.context(), render.pointer_to("method"), message);
   return nullptr;
 }

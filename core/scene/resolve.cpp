@@ -1,12 +1,16 @@
 #include "core/scene/resolve.h"
 
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <map>
 
+#include "core/scene/air_limits.h"
 #include "core/scene/angle.h"
 #include "core/scene/json_format.h"
 #include "core/scene/json_text.h"
 #include "core/scene/key_frame_reader.h"
+#include "core/scene/printable.h"
 #include "core/scene/problems.h"
 #include "core/scene/render_settings.h"
 #include "core/scene/section.h"
@@ -109,7 +113,21 @@ Medium read_medium(const Section& section) {
   return medium;
 }
 
-std::vector<Medium> read_media(const Section& root) {
+// Told by its quantity; asked only where every number of it is within its range.
+void refuse_opaque(const PresetArray& array, const std::vector<Medium>& media, double top, Problems& problems) {
+  for (std::size_t i = 0; i < media.size(); ++i) {
+    const double depth = optical_depth_of(media[i], top);
+    if (depth > kMostOpticalDepth) {
+      std::array<char, 32> number{};
+      std::snprintf(number.data(), number.size(), "%.3g", depth);
+      problems.add(array[i], "/media/" + std::to_string(i),
+                   "its vertical optical depth is " + std::string(number.data()) + "; expected at most " +
+                       format_number(kMostOpticalDepth) + ": lower its coefficients, its density or its height");
+    }
+  }
+}
+
+std::vector<Medium> read_media(const Section& root, const Planet& planet) {
   const PresetValue* value = root.find("media");
   if (value == nullptr) {
     root.problems().add(root.context(), "/media",
@@ -133,7 +151,7 @@ std::vector<Medium> read_media(const Section& root) {
     const auto [first, is_new] = seen.emplace(name, i);
     if (!name.empty() && !is_new) {
       section.complain("name", *section.find("name"),
-                       json_string(name) + " is taken by /media/" + std::to_string(first->second) +
+                       quoted_text(name) + " is taken by /media/" + std::to_string(first->second) +
                            "; expected a name of its own for each medium");
     }
     layer_count += media.back().density.layers.size();
@@ -142,6 +160,9 @@ std::vector<Medium> read_media(const Section& root) {
     root.complain("media", *value,
                   std::to_string(layer_count) + " density layers in all; expected at most " +
                       std::to_string(kMaxDensityLayers) + " over all media");
+  }
+  if (!root.problems().any()) {
+    refuse_opaque(*array, media, planet.atmosphere_height, root.problems());
   }
   return media;
 }
@@ -306,7 +327,7 @@ Scene read_scene(const Section& root, std::span<const MethodInfo> methods) {
   scene.name = root.text("name");
   scene.description = root.text("description");
   scene.planet = read_planet(root);
-  scene.media = read_media(root);
+  scene.media = read_media(root, scene.planet);
   scene.sun = read_sun(root);
   scene.camera = read_camera(root);
   scene.image = read_image(root, scene.camera);

@@ -6,11 +6,14 @@
 namespace airlight {
 namespace {
 
-// Where the format says only "> 0" or ">= 0", these are what the 32-bit arithmetic of the shaders holds with squares
-// and ratios to spare: a millimetre, seven times the distance to the Sun.
-constexpr Range kLength{.minimum = 1e-6, .maximum = 1e9};
+// Where the format says only "> 0" or ">= 0", these are what any sky needs and what the 32-bit arithmetic of the
+// shaders holds with squares and ratios to spare. Planet and air: a metre; fourteen times the Sun.
+constexpr Range kSize{.minimum = 1e-3, .maximum = kFarthest};
+// Within the air: a millimetre.
+constexpr Range kLength{.minimum = 1e-6, .maximum = kFarthest};
 constexpr Range kAltitude = kLayerAltitude;
-constexpr Range kCoefficient{.minimum = 0.0, .maximum = 1e6};
+constexpr Range kCoefficient{.minimum = 0.0, .maximum = 1e5};  // the light of a centimetre
+constexpr Range kFactor{.minimum = 0.0, .maximum = 1e6};
 constexpr Range kIrradiance{.minimum = 0.0, .maximum = 1e9};
 constexpr Range kUnit{.minimum = 0.0, .maximum = 1.0};
 constexpr Range kRightAngle{.minimum = -90.0, .maximum = 90.0};
@@ -40,12 +43,12 @@ constexpr auto kRules = std::to_array<Rule>({
                 "whole"},
 
     {.key = "planet.radius_km",
-     .range = kLength,
+     .range = kSize,
      .unit = "km",
      .default_text = "6360",
      .meaning = "radius of the ground sphere"},
     {.key = "planet.atmosphere_height_km",
-     .range = kLength,
+     .range = kSize,
      .unit = "km",
      .default_text = "100",
      .meaning = "top of the atmosphere above the ground"},
@@ -66,7 +69,7 @@ constexpr auto kRules = std::to_array<Rule>({
      .range = kCoefficient,
      .unit = "per km",
      .default_text = "0",
-     .meaning = "scattering coefficient where the density is 1"},
+     .meaning = "scattering coefficient where the density is 1; no medium may have a vertical optical depth above 1e6"},
     {.key = "media[].absorption_per_km",
      .type = RuleType::spectrum,
      .range = kCoefficient,
@@ -104,7 +107,7 @@ constexpr auto kRules = std::to_array<Rule>({
      .meaning = "the density is 1 below this altitude and 0 above"},
     {.key = "media[].density.layers",
      .type = RuleType::layers,
-     .range = kCoefficient,
+     .range = kFactor,
      .required = true,
      .only_for = kLayered,
      .meaning = "pairs [altitude_km, density], altitudes ascending from 0 or above; linear between, constant outside; "
@@ -154,7 +157,7 @@ constexpr auto kRules = std::to_array<Rule>({
      .meaning = "half the disc's angular diameter"},
     {.key = "sun.disc.limb_darkening", .range = kUnit, .default_text = "0.6", .meaning = "u in I(mu) = 1 - u (1 - mu)"},
     {.key = "sun.disc.radiance_scale",
-     .range = kCoefficient,
+     .range = kFactor,
      .default_text = "1",
      .meaning = "1: the disc's mean radiance is irradiance / solid angle"},
 

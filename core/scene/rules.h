@@ -19,8 +19,10 @@ struct Range {
   bool contains(double value) const;
 };
 
+inline constexpr double kFarthest = 1e7;  // km
+
 // Of a layer; of all other altitudes too.
-inline constexpr Range kLayerAltitude{.minimum = 0.0, .maximum = 1e9};
+inline constexpr Range kLayerAltitude{.minimum = 0.0, .maximum = kFarthest};
 
 enum class RuleType {
   version,     // the number 1

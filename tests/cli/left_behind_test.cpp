@@ -29,6 +29,109 @@ TEST_F(LeftBehind, NothingByAFullDisk) {
   EXPECT_EQ(scratch_.files(), Names{"sky.json"});
 }
 
+// A limit on the size of files is a full disk by another name: each command says so in a line and takes its temporary
+// file along.
+TEST_F(LeftBehind, NothingBeyondAFileSizeLimit) {
+  for (const Names& arguments : {Names{"render", "sky.json", "-q", "-o", "a.exr", "--float", "--size", "128x72"},
+                                 Names{"render", "sky.json", "-q", "--png", "a.png", "--size", "512x288"},
+                                 Names{"render", "sky.json", "-q", "-o", "a.exr", "--tile", "64x64", "--float",
+                                       "--size", "128x128", "--set", "/bloom/enabled=false"},
+                                 Names{"luts", "sky.json", "-q", "-o", "."},
+                                 Names{"sequence", "sky.json", "-q", "-o", "s.####.exr", "--sun-elevation", "1:2:2",
+                                       "--float", "--size", "128x72"}}) {
+    Names words = {"sh", "-c", "ulimit -f 4; exec \"$0\" \"$@\"", AIRLIGHT_BINARY};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    const Outcome outcome = run(scratch_.path(), words);
+    EXPECT_EQ(outcome.signal, 0) << arguments.front();
+    EXPECT_EQ(outcome.exit_code, 1) << arguments.front() << ": " << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, "cannot write: File too large; raise the limit")) << outcome.err;
+    EXPECT_EQ(lines_of(outcome.err).size(), 1U) << outcome.err;
+    for (const std::string& name : scratch_.files()) {
+      EXPECT_FALSE(contains(name, ".part") || name.ends_with(".exr") || name.ends_with(".png")) << name;
+    }
+  }
+}
+
+// What an ended command says, whichever it is: what of its work is whole.
+TEST_F(LeftBehind, EveryCommandSaysWhatIsWhole) {
+  ASSERT_EQ(tool({"render", "sky.json", "-q", "-o", "one.exr", "--size", "512x288"}).exit_code, 0);
+  for (const char* folder : {"a", "b"}) {
+    std::filesystem::create_directory(scratch_.path() / folder);
+    for (int i = 0; i < 40; ++i) {
+      std::filesystem::copy_file(scratch_.path() / "one.exr",
+                                 scratch_.path() / folder / ("p" + std::to_string(i) + ".exr"));
+    }
+  }
+  struct Case {
+    Names arguments;
+    std::string at_file;
+    std::string says;
+  };
+  for (const Case& c :
+       {Case{{"render", "sky.json", "-q", "-o", "r.exr", "--float", "--size", "1024x512"},
+             "r.exr.part",
+             "no file was written"},
+        Case{{"render", "sky.json", "-q", "-o", "s.exr", "--png", "s.png", "--size", "1024x512"},
+             "s.png.part",
+             "s.exr is whole, nothing else was written"},
+        Case{{"luts", "sky.json", "-q", "-o", ".", "--set", "/render/transmittance_lut=[2048,1024]"},
+             "transmittance.exr.part",
+             "no file was written"},
+        Case{{"diff", "a", "b", "-q", "--heatmap", "heat.png", "--junit", "j.xml"},
+             "heat",
+             "pairs were compared; j.xml was not written"},
+        Case{{"stability", "-o", ".", "--quick", "-q", "--method", "analytic", "--sweep", "planet-radius"},
+             "stability.csv",
+             "maps are whole; the same command goes on"},
+        Case{{"chart", "sky.json", "-o", ".", "-q", "--size", "16x9", "--truth-error", "5%", "--truth", ".", "--method",
+              "march"},
+             "chart.csv",
+             "of the chart "}}) {
+    int ended = 0;
+    for (const int signal : {SIGINT, SIGTERM}) {
+      Start start;
+      start.kill_signal = signal;
+      start.kill_at_file = c.at_file;
+      const Outcome outcome = tool(c.arguments, start);
+      if (outcome.signal == signal) {
+        ++ended;
+        EXPECT_TRUE(contains(outcome.err, signal == SIGINT ? "airlight: stopped by SIGINT: " : "stopped by SIGTERM: "))
+            << c.arguments.front() << ": " << outcome.err;
+        EXPECT_TRUE(contains(outcome.err, c.says)) << c.arguments.front() << ": " << outcome.err;
+        EXPECT_EQ(lines_of(outcome.err).size(), 1U) << outcome.err;
+      }
+      for (const std::string& name : scratch_.files()) {
+        EXPECT_FALSE(contains(name, ".part")) << c.arguments.front() << " left " << name;
+        if (name.starts_with("heat") || name == "stability.csv" || name == "chart.csv" || name == "r.exr" ||
+            name == "s.exr" || name == "s.png") {
+          std::filesystem::remove(scratch_.path() / name);
+        }
+      }
+    }
+    EXPECT_GT(ended, 0) << c.arguments.front() << " was never ended early";
+  }
+}
+
+// Names and keys that would command a terminal are shown, not obeyed.
+TEST_F(LeftBehind, NoControlCharacterReachesTheTerminal) {
+  const std::string evil = "a\x1b[31m\nairlight: all is well.json";
+  const std::filesystem::path file = scratch_.write(evil, "{\"airlight\": 1, \"\\u001b[2J\\n\": 1}");
+  for (const Names& arguments :
+       {Names{"check", evil}, Names{"render", evil}, Names{"render", "absent\x1b\n.json"},
+        Names{"render", "sky.json", "-o", "no\nfolder\x1b/a.exr"}, Names{"render", "sky.json", "--set", "/a\x1b\nb=1"},
+        Names{"bad\x1b\ncommand"}, Names{"render", "sky.json", "--bad\x1b\n"}, Names{"diff", evil, "sky.json"},
+        Names{"probe", "sky.json", "--elevation", "a\x1b\n"}}) {
+    const Outcome outcome = tool(arguments);
+    EXPECT_NE(outcome.exit_code, 0);
+    EXPECT_FALSE(contains(outcome.err, "\x1b")) << arguments.front() << ": " << outcome.err;
+    for (const std::string& line : lines_of(outcome.err)) {
+      EXPECT_TRUE(line.starts_with("airlight: ")) << line;
+      EXPECT_FALSE(line.starts_with("airlight: all is well")) << line;
+    }
+  }
+  EXPECT_EQ(lines_of(tool({"check", evil}).err).size(), 2U);  // an unknown key, and no media
+}
+
 // Killed at many moments of its run, the tool leaves whole files or none, and no temporary ones where it can help it.
 TEST_F(LeftBehind, NoHalfFileByAKilledRun) {
   const Names arguments = {"render", "earth-noon", "-q", "-o", "a.exr", "--png", "a.png", "--size", "320x180"};

@@ -110,7 +110,7 @@ TEST(WriteFileDeathTest, ASignalInTheMiddleLeavesNoTemporary) {
         {
           ::signal(SIGHUP, SIG_DFL);  // nohup ignores it
           ::signal(SIGINT, SIG_DFL);
-          remove_temporary_files_on_signals();
+          end_in_good_order_on_signals();
           limit_file_size([](int) { ::raise(raised); });
           write_file(folder / "a.bin", bytes_of(std::string(100000, 'x')));
         },

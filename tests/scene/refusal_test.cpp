@@ -26,26 +26,26 @@ TEST_P(Refusal, SaysWhereWhatAndWhatWasExpected) {
 INSTANTIATE_TEST_SUITE_P(
     Numbers, Refusal,
     testing::Values(
-        Case{R"("planet": {"radius_km": 0})", "/planet/radius_km: 0 is outside 1e-6 to 1e9 km"},
-        Case{R"("planet": {"radius_km": -1})", "/planet/radius_km: -1 is outside 1e-6 to 1e9 km"},
-        Case{R"("planet": {"radius_km": 1e300})", "/planet/radius_km: 1e300 is outside 1e-6 to 1e9 km"},
+        Case{R"("planet": {"radius_km": 0})", "/planet/radius_km: 0 is outside 0.001 to 1e7 km"},
+        Case{R"("planet": {"radius_km": -1})", "/planet/radius_km: -1 is outside 0.001 to 1e7 km"},
+        Case{R"("planet": {"radius_km": 1e300})", "/planet/radius_km: 1e300 is outside 0.001 to 1e7 km"},
         Case{R"("planet": {"radius_km": "tall"})",
-             "/planet/radius_km: \"tall\" is not a number; expected a number, 1e-6 to 1e9 km"},
+             "/planet/radius_km: \"tall\" is not a number; expected a number, 0.001 to 1e7 km"},
         Case{R"("planet": {"radius_km": null})",
-             "/planet/radius_km: null is not a number; expected a number, 1e-6 to 1e9 km"},
+             "/planet/radius_km: null is not a number; expected a number, 0.001 to 1e7 km"},
         Case{R"("planet": {"radius_km": true})",
-             "/planet/radius_km: true is not a number; expected a number, 1e-6 to 1e9 km"},
+             "/planet/radius_km: true is not a number; expected a number, 0.001 to 1e7 km"},
         Case{R"("planet": {"radius_km": [1]})",
-             "/planet/radius_km: an array of 1 is not a number; expected a number, 1e-6 to 1e9 km"},
+             "/planet/radius_km: an array of 1 is not a number; expected a number, 0.001 to 1e7 km"},
         Case{R"("planet": {"radius_km": {}})",
-             "/planet/radius_km: an object is not a number; expected a number, 1e-6 to 1e9 km"},
-        Case{R"("planet": {"atmosphere_height_km": 0})", "/planet/atmosphere_height_km: 0 is outside 1e-6 to 1e9 km"},
+             "/planet/radius_km: an object is not a number; expected a number, 0.001 to 1e7 km"},
+        Case{R"("planet": {"atmosphere_height_km": 0})", "/planet/atmosphere_height_km: 0 is outside 0.001 to 1e7 km"},
         Case{R"("sun": {"elevation_deg": 90.5})", "/sun/elevation_deg: 90.5 is outside -90 to 90 degrees"},
         Case{R"("sun": {"disc": {"angular_radius_deg": 0}})",
              "/sun/disc/angular_radius_deg: 0 is outside 0.0001 to 10 degrees"},
         Case{R"("sun": {"disc": {"limb_darkening": 1.1}})", "/sun/disc/limb_darkening: 1.1 is outside 0 to 1"},
         Case{R"("camera": {"altitude_km": -0.001})",
-             "/camera/altitude_km: -0.001 is outside 0 to 1e9 km; below 0 the camera is inside the planet"},
+             "/camera/altitude_km: -0.001 is outside 0 to 1e7 km; below 0 the camera is inside the planet"},
         Case{R"("camera": {"pitch_deg": 91})", "/camera/pitch_deg: 91 is outside -90 to 90 degrees"},
         Case{R"("camera": {"vertical_fov_deg": 180})",
              "/camera/vertical_fov_deg: 180 is not above 0 and below 180 degrees; a wider view needs the projection "
@@ -127,18 +127,20 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(
     UnknownKeys, Refusal,
-    testing::Values(
-        Case{R"("planet": {"radius": 6360})", "/planet/radius: unknown key; did you mean \"radius_km\"?"},
-        Case{R"("sun": {"elevatoin_deg": 3})", "/sun/elevatoin_deg: unknown key; did you mean \"elevation_deg\"?"},
-        Case{R"("Camera": {})", "/Camera: unknown key; did you mean \"camera\"?"},
-        Case{R"("elevation_deg": 3)", "/elevation_deg: unknown key; did you mean sun.elevation_deg?"},
-        Case{R"("image": {"zzzz": 3})", "/image/zzzz: unknown key; expected one of height, width"},
-        Case{R"("a/b~c": 3)",
-             "/a~1b~0c: unknown key; expected one of $schema, airlight, bloom, camera, description, display, extends, image, "
-             "media, name, planet, render, sequence, sun"},
-        Case{R"("": 3)",
-             "/: unknown key; expected one of $schema, airlight, bloom, camera, description, display, extends, image, media, "
-             "name, planet, render, sequence, sun"}));
+    testing::Values(Case{R"("planet": {"radius": 6360})", "/planet/radius: unknown key; did you mean \"radius_km\"?"},
+                    Case{R"("sun": {"elevatoin_deg": 3})",
+                         "/sun/elevatoin_deg: unknown key; did you mean \"elevation_deg\"?"},
+                    Case{R"("Camera": {})", "/Camera: unknown key; did you mean \"camera\"?"},
+                    Case{R"("elevation_deg": 3)", "/elevation_deg: unknown key; did you mean sun.elevation_deg?"},
+                    Case{R"("image": {"zzzz": 3})", "/image/zzzz: unknown key; expected one of height, width"},
+                    Case{R"("a/b~c": 3)",
+                         "/a~1b~0c: unknown key; expected one of $schema, airlight, bloom, camera, description, "
+                         "display, extends, image, "
+                         "media, name, planet, render, sequence, sun"},
+                    Case{R"("": 3)",
+                         "/: unknown key; expected one of $schema, airlight, bloom, camera, description, display, "
+                         "extends, image, media, "
+                         "name, planet, render, sequence, sun"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Methods, Refusal,
@@ -212,7 +214,7 @@ INSTANTIATE_TEST_SUITE_P(
                   "/media/0/density/profile: \"linear\" is unknown; expected one of \"exponential\", \"tent\", "
                   "\"lorentzian\", \"constant\", \"layers\""},
         MediaCase{R"([{"name": "a", "density": {"profile": "tent", "center_km": 25}}])",
-                  "/media/0/density/half_width_km: missing for \"tent\"; expected a number, 1e-6 to 1e9 km"},
+                  "/media/0/density/half_width_km: missing for \"tent\"; expected a number, 1e-6 to 1e7 km"},
         MediaCase{R"([{"name": "a", "density": {"profile": "constant", "below_km": 1, "scale_height_km": 8}}])",
                   "/media/0/density/scale_height_km: not a key of \"constant\"; it belongs to exponential, "
                   "lorentzian: remove it"},
@@ -231,15 +233,15 @@ INSTANTIATE_TEST_SUITE_P(
         MediaCase{R"([{"name": "a", "density": {"profile": "layers", "layers": [[0, -1]]}}])",
                   "/media/0/density/layers/0/1: -1 is outside 0 to 1e6"},
         MediaCase{R"([{"name": "a", "density": {"profile": "layers", "layers": [[-1, 1]]}}])",
-                  "/media/0/density/layers/0/0: -1 is outside 0 to 1e9 km"},
+                  "/media/0/density/layers/0/0: -1 is outside 0 to 1e7 km"},
         MediaCase{R"([{"name": "a", "density": {"profile": "layers", "layers": [["low", 1]]}}])",
-                  "/media/0/density/layers/0/0: \"low\" is not a number; expected a number, 0 to 1e9 km"},
+                  "/media/0/density/layers/0/0: \"low\" is not a number; expected a number, 0 to 1e7 km"},
         MediaCase{R"([{"name": "a", "density": {"profile": "layers", "layers": [[0, "x"]]}}])",
                   "/media/0/density/layers/0/1: \"x\" is not a number; expected 0 to 1e6"},
         MediaCase{R"([{"name": "a", "density": {"profile": "constant", "below_km": 1}, "phase": {"g": 1.2}}])",
                   "/media/0/phase/g: 1.2 is outside -0.99 to 0.99"},
         MediaCase{R"([{"name": "a", "density": {"profile": "constant", "below_km": 1}, "scattering_per_km": -1}])",
-                  "/media/0/scattering_per_km: -1 is outside 0 to 1e6 per km"},
+                  "/media/0/scattering_per_km: -1 is outside 0 to 100000 per km"},
         MediaCase{R"([{"name": "a", "density": {"profile": "constant", "below_km": 1}, "phase": {"function": "mie"}}])",
                   "/media/0/phase/function: \"mie\" is unknown; expected one of \"rayleigh\", \"henyey-greenstein\", "
                   "\"cornette-shanks\", \"schlick\", \"isotropic\""}));
@@ -261,23 +263,24 @@ TEST(Refusals, NameAnUnreadableVersion) {
 }
 
 TEST(Refusals, ComeAllAtOnceInTheOrderOfTheLines) {
-  EXPECT_EQ(problems_of("{\n"
-                        "  \"airlight\": 1,\n"
-                        "  \"sun\": {\"elevation_deg\": 100},\n"
-                        "  \"media\": [\n"
-                        "    {\"name\": \"a\", \"density\": {\"profile\": \"tent\"}},\n"
-                        "    {\"name\": \"b\", \"phase\": {\"g\": 2}, \"density\": {\"profile\": \"constant\",\n"
-                        "      \"below_km\": 0}}\n"
-                        "  ],\n"
-                        "  \"colour\": 1\n"
-                        "}\n"),
-            "test:3: /sun/elevation_deg: 100 is outside -90 to 90 degrees\n"
-            "test:5: /media/0/density/center_km: missing for \"tent\"; expected a number, 0 to 1e9 km\n"
-            "test:5: /media/0/density/half_width_km: missing for \"tent\"; expected a number, 1e-6 to 1e9 km\n"
-            "test:6: /media/1/phase/g: 2 is outside -0.99 to 0.99\n"
-            "test:7: /media/1/density/below_km: 0 is outside 1e-6 to 1e9 km\n"
-            "test:9: /colour: unknown key; expected one of $schema, airlight, bloom, camera, description, display, extends, "
-            "image, media, name, planet, render, sequence, sun");
+  EXPECT_EQ(
+      problems_of("{\n"
+                  "  \"airlight\": 1,\n"
+                  "  \"sun\": {\"elevation_deg\": 100},\n"
+                  "  \"media\": [\n"
+                  "    {\"name\": \"a\", \"density\": {\"profile\": \"tent\"}},\n"
+                  "    {\"name\": \"b\", \"phase\": {\"g\": 2}, \"density\": {\"profile\": \"constant\",\n"
+                  "      \"below_km\": 0}}\n"
+                  "  ],\n"
+                  "  \"colour\": 1\n"
+                  "}\n"),
+      "test:3: /sun/elevation_deg: 100 is outside -90 to 90 degrees\n"
+      "test:5: /media/0/density/center_km: missing for \"tent\"; expected a number, 0 to 1e7 km\n"
+      "test:5: /media/0/density/half_width_km: missing for \"tent\"; expected a number, 1e-6 to 1e7 km\n"
+      "test:6: /media/1/phase/g: 2 is outside -0.99 to 0.99\n"
+      "test:7: /media/1/density/below_km: 0 is outside 1e-6 to 1e7 km\n"
+      "test:9: /colour: unknown key; expected one of $schema, airlight, bloom, camera, description, display, extends, "
+      "image, media, name, planet, render, sequence, sun");
 }
 
 TEST(Refusals, CountTheLayersOfAllMediaTogether) {
@@ -299,7 +302,7 @@ TEST(Refusals, CountTheLayersOfAllMediaTogether) {
 TEST(Refusals, ShortenLongTexts) {
   const std::string message =
       problems_of(with_one_medium(R"("sun": {"elevation_deg": ")" + std::string(500, 'x') + "\"}"));
-  EXPECT_EQ(message, "test:1: /sun/elevation_deg: \"" + std::string(60, 'x') +
+  EXPECT_EQ(message, "test:1: /sun/elevation_deg: \"" + std::string(80, 'x') +
                          "...\" is not a number; expected a number, -90 to 90 degrees");
 }
 

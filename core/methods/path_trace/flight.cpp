@@ -19,6 +19,7 @@ constexpr double kStraight = 0.15;
 constexpr double kThin = 0.45;
 constexpr double kNothing = 1e-9;
 constexpr std::size_t kManyShells = 48;
+constexpr std::size_t kMostShells = 512;  // 66 KB of guide each
 
 Channels array_of(vec3 v) {
   return {v.x, v.y, v.z};
@@ -39,12 +40,23 @@ double rough_transmittance(double x) {
 
 Flight::Flight(physics::Physics& physics, const OpticalDepth& depth) : physics_(physics) {
   const std::vector<double> ends = this->corners();
-  // Thicker where thick air asks for more shells than pay.
-  for (double thickness = kThin; edges_.empty() || (edges_.size() > kManyShells && thickness < 1e6); thickness *= 2.0) {
+  // Thicker where thick air asks for more shells than pay; then more bent, where they would fill the memory. Neither
+  // enters a result: shells only steer samples.
+  const auto divide_all = [&](const Thinness& thin) {
     edges_.assign(1, 0.0);
     for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
-      divide(ends[k], ends[k + 1], thickness);
+      divide(ends[k], ends[k + 1], thin);
     }
+  };
+  Thinness thin{kThin, kStraight};
+  divide_all(thin);
+  while (edges_.size() > kManyShells && thin.depth < 1e6) {
+    thin.depth *= 2.0;
+    divide_all(thin);
+  }
+  while (edges_.size() > kMostShells && thin.bend < 1e30) {
+    thin.bend *= 4.0;
+    divide_all(thin);
   }
   for (std::size_t k = 0; k + 1 < edges_.size(); ++k) {
     const double inset = kInside * (edges_[k + 1] - edges_[k]);
@@ -138,7 +150,7 @@ Channels Flight::asymmetry_at(double h) const {
 
 // Appends the edges above `low`, so close that a line through the ends of each shell meets its middle, and that no
 // shell is thick.
-void Flight::divide(double low, double high, double thickness) {
+void Flight::divide(double low, double high, const Thinness& thin) {
   const double middle = 0.5 * (low + high);
   const double inset = kInside * (high - low);
   const Coefficients a = at(low + inset);
@@ -148,15 +160,15 @@ void Flight::divide(double low, double high, double thickness) {
   for (std::size_t c = 0; c < 3; ++c) {
     const double ends = 0.5 * (a.extinction[c] + b.extinction[c]);
     const double depth = ends * (high - low);
-    const bool straight = std::abs(ends - m.extinction[c]) <= kStraight * m.extinction[c];
-    whole = whole && (depth < kNothing || (straight && depth <= thickness));
+    const bool straight = std::abs(ends - m.extinction[c]) <= thin.bend * m.extinction[c];
+    whole = whole && (depth < kNothing || (straight && depth <= thin.depth));
   }
   if (whole || high - low < 1e-4 * physics_.scene.planet.atmosphere_height) {
     edges_.push_back(high);
     return;
   }
-  divide(low, middle, thickness);
-  divide(middle, high, thickness);
+  divide(low, middle, thin);
+  divide(middle, high, thin);
 }
 
 Flight::Coefficients Flight::between(std::size_t k, double h) const {

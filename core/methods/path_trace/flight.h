@@ -74,7 +74,12 @@ class Flight {
   Coefficients at(double h) const;
   Channels asymmetry_at(double h) const;
   Coefficients between(std::size_t shell, double h) const;
-  void divide(double low, double high, double thickness);
+  // What a shell may be: its vertical optical depth, and how far its density may bend, as a share of it.
+  struct Thinness {
+    double depth;
+    double bend;
+  };
+  void divide(double low, double high, const Thinness& thin);
   class Planner;
   void follow(const physics::Physics::Ray& ray, Planner& planner) const;
 

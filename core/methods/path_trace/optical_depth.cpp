@@ -64,9 +64,11 @@ void OpticalDepth::add_pieces(uint i) {
 }
 
 // Narrow around the peak, whose poles lie at half_width above and below the real axis; nowhere more than two scale
-// heights.
+// heights, and not where nothing is left: exp(-80) of the largest coefficient over the longest path is a depth of
+// 1e-22.
 void OpticalDepth::add_lorentzian(uint i, const MediumData& m) {
-  const double top = physics_.scene.planet.atmosphere_height;
+  constexpr double kGone = 80.0;
+  const double top = std::min(physics_.scene.planet.atmosphere_height, kGone * m.scale_height);
   double low = 0.0;
   while (low < top) {
     const double off = std::abs(low - m.center);

@@ -1,0 +1,239 @@
+#include "tests/fuzz/any_preset.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdlib>
+
+#include "core/methods/method.h"
+#include "core/scene/json_format.h"
+#include "core/scene/render_settings.h"
+#include "core/scene/rules.h"
+
+namespace airlight::fuzz {
+namespace {
+
+constexpr double kMostSteps = 64;
+constexpr double kLargestTable = 96;
+
+double number_of(std::string_view text, double otherwise) {
+  double value = otherwise;
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
+// What is usual for a key without a default.
+double usual(std::string_view key) {
+  if (key.ends_with("scale_height_km") || key.ends_with("below_km") || key.ends_with("half_width_km")) {
+    return 8.0;
+  }
+  return key.ends_with("center_km") ? 20.0 : key.ends_with("per_km") ? 0.01 : 1.0;
+}
+
+double within(Random& random, Range range, double middle) {
+  range.minimum = std::max(range.minimum, -1e9);
+  range.maximum = std::min(range.maximum, 1e9);
+  if (range.minimum_excluded || range.maximum_excluded) {
+    const double inset = 1e-6 * (range.maximum - range.minimum);
+    range = {.minimum = range.minimum + inset, .maximum = range.maximum - inset};
+  }
+  const double kind = random.uniform(0.0, 1.0);
+  double value = middle;
+  if (kind < 0.1) {
+    value = random.chance(0.5) ? range.minimum : range.maximum;
+  } else if (kind < 0.2) {
+    value = random.uniform(range.minimum, range.maximum);
+  } else if (kind < 0.4) {
+    const double least = std::max(range.minimum, range.maximum * 1e-18);
+    value =
+        range.minimum < 0.0 ? random.uniform(range.minimum, range.maximum) : random.log_uniform(least, range.maximum);
+  } else if (middle != 0.0) {
+    value = middle * random.log_uniform(0.1, 10.0);
+  } else {
+    value = random.uniform(-1.0, 1.0) * std::min(1.0, range.maximum);
+  }
+  return std::clamp(value, range.minimum, range.maximum);
+}
+
+class Writer {
+ public:
+  explicit Writer(Random& random) : random_(random) {}
+
+  std::string preset() {
+    const SkyMethod& method = random_.pick(methods());
+    std::string text = "{\"airlight\": 1, \"name\": \"any\"";
+    for (const std::string_view section : {"planet", "sun", "camera", "bloom", "display"}) {
+      text += ", " + quoted(section) + ": " + object(section);
+    }
+    const bool square = projection_ == "octahedral";
+    const int side = 1 + static_cast<int>(random_.below(9));
+    const int columns = projection_ == "cube" ? side * cube_cells_[0] : side;
+    const int rows = projection_ == "cube" ? side * cube_cells_[1]
+                     : square              ? side
+                                           : 1 + static_cast<int>(random_.below(6));
+    text += ", \"image\": {\"width\": " + std::to_string(columns) + ", \"height\": " + std::to_string(rows) + "}";
+    text += ", \"media\": [" + media() + "], \"render\": " + render(method) + "}";
+    return text;
+  }
+
+ private:
+  static std::string quoted(std::string_view text) { return json_string(text); }
+
+  std::string number(const Range& range, double middle) { return format_number(within(random_, range, middle)); }
+
+  std::string spectrum(const Rule& rule) {
+    const double middle = number_of(rule.default_text, 0.0);
+    const double around = middle != 0.0 ? middle : usual(rule.key);
+    // Coefficients anywhere in their range mostly make air that is refused.
+    const bool mild = rule.key.ends_with("per_km") && random_.chance(0.8);
+    const auto one = [&] {
+      return mild ? format_number(random_.chance(0.1) ? 0.0 : around * random_.log_uniform(0.01, 100.0))
+                  : number(rule.range, around);
+    };
+    if (random_.chance(0.4)) {
+      return one();
+    }
+    return "[" + one() + ", " + one() + ", " + one() + "]";
+  }
+
+  std::string value(const Rule& rule) {
+    switch (rule.type) {
+      case RuleType::boolean:
+        return random_.chance(0.5) ? "true" : "false";
+      case RuleType::integer:
+        return std::to_string(static_cast<int>(within(random_, rule.range, number_of(rule.default_text, 1.0))));
+      case RuleType::number:
+        return number(rule.range, rule.default_text.empty() ? usual(rule.key) : number_of(rule.default_text, 0.0));
+      case RuleType::spectrum:
+        return spectrum(rule);
+      case RuleType::choice:
+        return quoted(random_.pick(rule.choices));
+      case RuleType::exposure:
+        return random_.chance(0.5) ? "\"auto\"" : number(rule.range, 1.0);
+      case RuleType::layers:
+        return layers(rule);
+      default:
+        return {};
+    }
+  }
+
+  // The keys of one object, those of its objects too; `choice`: what its profile or projection is.
+  std::string object(std::string_view section) {
+    std::string choice;
+    for (const Rule& rule : rules()) {
+      if (rule.key.starts_with(std::string(section) + ".") && rule.type == RuleType::choice && rule.only_for.empty() &&
+          (rule.key.ends_with(".projection") || rule.key.ends_with(".profile"))) {
+        choice = random_.pick(rule.choices);
+      }
+    }
+    if (section == "camera") {
+      projection_ = choice;
+    }
+    std::string text;
+    std::string last;
+    for (const Rule& rule : rules()) {
+      const std::string prefix = std::string(section) + ".";
+      if (!rule.key.starts_with(prefix) || rule.key == last) {
+        continue;
+      }
+      const std::string key(rule.key.substr(prefix.size()));
+      const bool fits = rule.only_for.empty() || std::ranges::find(rule.only_for, choice) != rule.only_for.end();
+      const bool upright = projection_ != "perspective" && projection_ != "fisheye" &&
+                           (key == "pitch_deg" || key == "roll_deg" || key == "vertical_fov_deg");
+      // Texts are no numbers to try; the cut maps have no bloom.
+      const bool left_out = key == "display" || key == "view" || key == "enabled" || (section == "camera" && upright);
+      if (key.find_first_of(".[") != std::string::npos || !fits || left_out) {
+        continue;
+      }
+      const bool wanted = rule.required || random_.chance(0.8);
+      std::string what = key == "projection" || key == "profile" ? quoted(choice)
+                         : wanted                                ? value(rule)
+                                                                 : std::string();
+      if (what.empty()) {
+        continue;
+      }
+      if (key == "cube_layout") {
+        cube_cells_ = what == "\"strip\""   ? std::array{6, 1}
+                      : what == "\"cross\"" ? std::array{3, 4}
+                                            : std::array{1, 6};
+      }
+      last = rule.key;
+      text += (text.empty() ? "" : ", ") + quoted(key) + ": " + what;
+    }
+    if (section == "sun") {
+      text += std::string(text.empty() ? "" : ", ") + "\"disc\": " + object("sun.disc");
+    }
+    return "{" + text + "}";
+  }
+
+  std::string layers(const Rule& rule) {
+    std::string text;
+    double altitude = random_.chance(0.5) ? 0.0 : random_.log_uniform(1e-6, 10.0);
+    for (std::uint64_t count = 1 + random_.below(31); count > 0; --count) {
+      text += (text.empty() ? "[" : ", [") + format_number(altitude) + ", " + number(rule.range, 1.0) + "]";
+      altitude += random_.chance(0.2) ? random_.log_uniform(1e-6, 100.0) : random_.uniform(0.1, 8.0);
+    }
+    return "[" + text + "]";
+  }
+
+  std::string media() {
+    std::string text;
+    const std::uint64_t count = random_.chance(0.15) ? 8 : 1 + random_.below(3);
+    for (std::uint64_t i = 0; i < count; ++i) {
+      const std::string own = object("media[]");  // the coefficients; the name is a text
+      text += (text.empty() ? "{" : ", {") + std::string("\"name\": \"m") + std::to_string(i) + "\", " +
+              (own == "{}" ? "" : own.substr(1, own.size() - 2) + ", ") + "\"density\": " + object("media[].density") +
+              ", \"phase\": " + object("media[].phase") + "}";
+    }
+    return text;
+  }
+
+  std::string parameter(const ParameterInfo& info) {
+    switch (info.kind) {
+      case ParameterKind::boolean:
+        return random_.chance(0.5) ? "true" : "false";
+      case ParameterKind::choice:
+        return quoted(random_.pick(info.choices));
+      case ParameterKind::integer: {
+        const double most = info.key == "seed" ? info.maximum : std::min(info.maximum, kMostSteps);
+        return std::to_string(static_cast<int>(random_.uniform(info.minimum, std::min(most, 2e9))));
+      }
+      case ParameterKind::number:
+        // No clock decides what a fuzzer does.
+        return info.key.ends_with("_s") || info.key == "target_error" ? "0" : number(rule_of(info).range, 1.0);
+      case ParameterKind::table_size: {
+        const double most = std::min(info.maximum, kLargestTable);
+        const auto side = [&] { return std::to_string(static_cast<int>(random_.log_uniform(info.minimum, most))); };
+        return "[" + side() + ", " + side() + "]";
+      }
+      case ParameterKind::sun_fade:
+        return "{\"scale\": " + number(rule_of(info).range, 1.0) + ", \"bias\": " + number(rule_of(info).range, 0.1) +
+               "}";
+    }
+    return {};
+  }
+
+  std::string render(const SkyMethod& method) {
+    std::string text = "{\"method\": " + quoted(method.info.name);
+    for (const ParameterInfo& info : method.info.parameters) {
+      if (info.key == "samples") {
+        text += ", \"samples\": 32";
+      } else if (random_.chance(0.3) && !(info.key == "max_orders" && random_.chance(0.5))) {
+        text += ", " + quoted(info.key) + ": " + parameter(info);
+      }
+    }
+    return text + "}";
+  }
+
+  Random& random_;
+  std::string projection_ = "perspective";
+  std::array<int, 2> cube_cells_{1, 6};
+};
+
+}  // namespace
+
+std::string any_preset(Random& random) {
+  return Writer(random).preset();
+}
+
+}  // namespace airlight::fuzz

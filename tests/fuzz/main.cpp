@@ -1,0 +1,180 @@
+// airlight_fuzz KIND [--count N] [--first SEED] [--seconds S] [--keep DIR] [--tell refused]
+// Cases by their numbers, each kind of fault told with its number; inputs that made one go to DIR. A case that ends the
+// process is told like any other: cases run in a child, and the next child goes on behind it.
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <string>
+
+#include "tests/fuzz/cases.h"
+
+namespace airlight::fuzz {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr long kMostKilobytes = 3L << 20;  // of memory by any case of a few pixels
+
+struct Order {
+  std::string kind;
+  std::uint64_t first = 0;
+  std::uint64_t count = 100;
+  double seconds = 0.0;  // 0: the count alone ends it
+  bool tells = false;    // each refusal
+  fs::path keep;
+};
+
+// What the child tells, in memory that both see.
+struct Shared {
+  std::uint64_t next = 0;  // the case at work
+  std::uint64_t refused = 0;
+  std::uint64_t faults = 0;
+  double slowest = 0.0;
+  std::uint64_t slowest_case = 0;
+};
+
+double since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+void keep(const Order& order, std::uint64_t number, const std::string& input) {
+  if (!order.keep.empty()) {
+    fs::create_directories(order.keep);
+    const std::string name = order.kind + "-" + std::to_string(number) + (order.kind == "exrs" ? ".exr" : ".json");
+    std::ofstream(order.keep / name, std::ios::binary) << input;
+  }
+}
+
+Outcome run_case(const Order& order, std::uint64_t number, const fs::path& folder) {
+  if (order.kind == "texts") {
+    return text_case(number);
+  }
+  return order.kind == "exrs" ? exr_case(number, folder) : scene_case(number);
+}
+
+bool enough(const Order& order, const Shared& shared, Clock::time_point start) {
+  return shared.next >= order.first + order.count || (order.seconds > 0.0 && since(start) >= order.seconds);
+}
+
+void work(const Order& order, Shared& shared, Clock::time_point start, const fs::path& folder) {
+  for (; !enough(order, shared, start); ++shared.next) {
+    const Clock::time_point began = Clock::now();
+    Outcome outcome = run_case(order, shared.next, folder);
+    struct rusage used {};
+    ::getrusage(RUSAGE_SELF, &used);
+    if (outcome.fault.empty() && used.ru_maxrss > kMostKilobytes) {
+      outcome.fault = "took " + std::to_string(used.ru_maxrss >> 10) + " MiB";
+    }
+    if (since(began) > shared.slowest) {
+      shared.slowest = since(began);
+      shared.slowest_case = shared.next;
+    }
+    shared.refused += outcome.refused ? 1 : 0;
+    if (order.tells && outcome.refused) {
+      std::printf("%s %llu refused: %s\n", order.kind.c_str(), static_cast<unsigned long long>(shared.next),
+                  outcome.message.substr(0, 300).c_str());
+    }
+    if (!outcome.fault.empty()) {
+      ++shared.faults;
+      std::printf("%s %llu: %s\n", order.kind.c_str(), static_cast<unsigned long long>(shared.next),
+                  outcome.fault.c_str());
+      std::fflush(stdout);
+      keep(order, shared.next, outcome.input);
+      if (used.ru_maxrss > kMostKilobytes) {
+        ++shared.next;
+        return;  // the next child begins with nothing
+      }
+    }
+  }
+}
+
+int run(const Order& order) {
+  void* memory = ::mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED) {
+    std::perror("mmap");
+    return 1;
+  }
+  auto& shared = *new (memory) Shared;
+  shared.next = order.first;
+  std::string pattern = (fs::temp_directory_path() / "airlight-fuzz-XXXXXX").string();
+  const fs::path folder = ::mkdtemp(pattern.data());
+  const Clock::time_point start = Clock::now();
+  while (!enough(order, shared, start)) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+      work(order, shared, start, folder);
+      std::fflush(stdout);
+      ::_exit(0);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+      ++shared.faults;
+      const bool by_signal = WIFSIGNALED(status);
+      std::printf("%s %llu: ended the process by %s %d\n", order.kind.c_str(),
+                  static_cast<unsigned long long>(shared.next), by_signal ? "signal" : "exit code",
+                  by_signal ? WTERMSIG(status) : WEXITSTATUS(status));
+      keep(order, shared.next,
+           order.kind == "scenes"  ? scene_text(shared.next)
+           : order.kind == "texts" ? "see its number"
+                                   : "");
+      if (order.kind == "exrs") {
+        std::error_code ignored;
+        fs::copy_file(folder / "broken.exr", order.keep / ("exrs-" + std::to_string(shared.next) + ".exr"), ignored);
+      }
+      ++shared.next;
+    }
+  }
+  fs::remove_all(folder);
+  std::printf("%s %llu to %llu: %llu faults, %llu refused, the slowest %.1f s (%llu)\n", order.kind.c_str(),
+              static_cast<unsigned long long>(order.first), static_cast<unsigned long long>(shared.next - 1),
+              static_cast<unsigned long long>(shared.faults), static_cast<unsigned long long>(shared.refused),
+              shared.slowest, static_cast<unsigned long long>(shared.slowest_case));
+  return shared.faults == 0 ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace airlight::fuzz
+
+int main(int argc, char** argv) {
+  airlight::fuzz::Order order;
+  order.kind = argc > 1 ? argv[1] : "";
+  bool good = order.kind == "texts" || order.kind == "exrs" || order.kind == "scenes";
+  for (int i = 2; good && i < argc; i += 2) {
+    const std::string name = argv[i];
+    const char* value = i + 1 < argc ? argv[i + 1] : nullptr;
+    good = value != nullptr;
+    if (!good) {
+      break;
+    }
+    if (name == "--count") {
+      order.count = std::strtoull(value, nullptr, 10);
+    } else if (name == "--first") {
+      order.first = std::strtoull(value, nullptr, 10);
+    } else if (name == "--seconds") {
+      order.seconds = std::strtod(value, nullptr);
+    } else if (name == "--tell") {
+      order.tells = std::string(value) == "refused";
+    } else if (name == "--keep") {
+      order.keep = value;
+    } else {
+      good = false;
+    }
+  }
+  if (!good) {
+    std::fprintf(stderr,
+                 "usage: airlight_fuzz texts|exrs|scenes [--count N] [--first SEED] [--seconds S] [--keep DIR] "
+                 "[--tell refused]\n");
+    return 2;
+  }
+  return airlight::fuzz::run(order);
+}

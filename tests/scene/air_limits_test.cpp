@@ -1,0 +1,74 @@
+// Air too thick to be any scene's is refused by its optical depth.
+#include "core/scene/air_limits.h"
+
+#include <cmath>
+
+#include "core/methods/method.h"
+#include "core/physics/scene_data.h"
+#include "tests/scene/scene_fixture.h"
+
+namespace airlight::test {
+namespace {
+
+Density density_of(const std::string& json) {
+  return scene_from(R"({"airlight": 1, "media": [{"name": "m", "density": )" + json + "}]}").media.front().density;
+}
+
+// By the density that every method evaluates, in steps.
+double summed_column(const Density& density, double top) {
+  Scene scene;
+  scene.media.push_back({.name = "m", .scattering = {}, .absorption = {}, .density = density});
+  physics::Physics p = make_physics(scene);
+  constexpr int kSteps = 200000;
+  double sum = 0.0;
+  for (int i = 0; i < kSteps; ++i) {
+    sum += p.density(p.density_profile(0), p.medium(0), top * (i + 0.5) / kSteps) * top / kSteps;
+  }
+  return sum;
+}
+
+TEST(AirLimits, ColumnIsTheIntegral) {
+  for (const char* json :
+       {R"({"profile": "exponential", "scale_height_km": 8})", R"({"profile": "exponential", "scale_height_km": 1000})",
+        R"({"profile": "constant", "below_km": 3})", R"({"profile": "constant", "below_km": 300})",
+        R"({"profile": "tent", "center_km": 25, "half_width_km": 15})",
+        R"({"profile": "tent", "center_km": 5, "half_width_km": 15})",
+        R"({"profile": "tent", "center_km": 95, "half_width_km": 15})",
+        R"({"profile": "tent", "center_km": 105, "half_width_km": 15})",
+        R"({"profile": "tent", "center_km": 50, "half_width_km": 500})",
+        R"({"profile": "layers", "layers": [[10, 2], [20, 4], [90, 1]]})",
+        R"({"profile": "layers", "layers": [[0, 1], [50, 3], [150, 1]]})",
+        R"({"profile": "layers", "layers": [[200, 5]]})"}) {
+    const Density density = density_of(json);
+    const double sum = summed_column(density, 100.0);
+    EXPECT_NEAR(column_km(density, 100.0), sum, 1e-4 * sum) << json;
+  }
+}
+
+TEST(AirLimits, ColumnOfALorentzianIsABound) {
+  for (const char* json :
+       {R"({"profile": "lorentzian", "scale_height_km": 8, "center_km": 20, "half_width_km": 5})",
+        R"({"profile": "lorentzian", "scale_height_km": 1e6, "center_km": 20, "half_width_km": 5})",
+        R"({"profile": "lorentzian", "scale_height_km": 8, "center_km": 0, "half_width_km": 1e6})"}) {
+    const Density density = density_of(json);
+    const double sum = summed_column(density, 100.0);
+    EXPECT_GE(column_km(density, 100.0), sum * (1.0 - 1e-6)) << json;
+    EXPECT_LE(column_km(density, 100.0), 20.0 * sum) << json;
+  }
+}
+
+std::string fog(double scattering) {
+  return R"({"airlight": 1, "media": [{"name": "clear", "density": {"profile": "constant", "below_km": 1}},
+    {"name": "fog", "scattering_per_km": [0, )" +
+         std::to_string(scattering) + R"(, 0], "density": {"profile": "constant", "below_km": 20}}]})";
+}
+
+TEST(AirLimits, RefuseByTheQuantity) {
+  EXPECT_EQ(problems_of(fog(49999)), "");
+  EXPECT_EQ(problems_of(fog(60000)),
+            "test:2: /media/1: its vertical optical depth is 1.2e+06; expected at most 1e6: lower its coefficients, "
+            "its density or its height");
+}
+
+}  // namespace
+}  // namespace airlight::test
