@@ -18,7 +18,10 @@ using Clock = std::chrono::steady_clock;
 
 bool drawn = false;
 
-std::string bar(double done, double seconds_left) {
+// Work that is over sooner needs no line.
+constexpr auto kPatience = std::chrono::seconds(2);
+
+std::string bar(double done, double spent) {
   constexpr int kWidth = 40;
   const int filled = static_cast<int>(kWidth * done);
   std::string text = "\r[";
@@ -26,7 +29,10 @@ std::string bar(double done, double seconds_left) {
     text += i < filled ? '#' : ' ';
   }
   char numbers[64];
-  std::snprintf(numbers, sizeof numbers, "] %3.0f %%, %.0f s left \033[K", 100.0 * done, seconds_left);
+  // Before anything is done nobody knows what is left.
+  const bool known = done > 0.0;
+  std::snprintf(numbers, sizeof numbers, "] %3.0f %%, %.0f s %s \033[K", 100.0 * done,
+                known ? spent * (1.0 - done) / done : spent, known ? "left" : "so far");
   return text + numbers;
 }
 
@@ -39,9 +45,8 @@ std::function<bool(double done)> terminal_progress() {
   return [start = Clock::now(), last = Clock::time_point()](double done) mutable {
     constexpr auto kInterval = std::chrono::milliseconds(100);
     const Clock::time_point now = Clock::now();
-    if (done > 0.0 && now - start > kInterval && now - last > kInterval) {
-      const double spent = std::chrono::duration<double>(now - start).count();
-      tell(bar(done, spent * (1.0 - done) / done));
+    if (now - start > kPatience && now - last > kInterval) {
+      tell(bar(done, std::chrono::duration<double>(now - start).count()));
       last = now;
       drawn = true;
     }

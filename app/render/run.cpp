@@ -18,6 +18,7 @@
 #include "app/render/tiled_picture.h"
 #include "app/render/validity.h"
 #include "core/error.h"
+#include "core/methods/scene_air.h"
 #include "core/output/atomic_file.h"
 #include "core/output/half_block.h"
 #include "core/scene/preset.h"
@@ -249,6 +250,11 @@ void render_and_publish(const Means& means, const Scene& scene) {
   Rendering rendering = render(device_on_demand(given.scene, means.executor), scene, request);
   clear_progress();
   means.watch.lap("render");
+  for (const std::string& undone : rendering.undone) {
+    if (!given.quiet) {
+      complain("warning: " + undone);
+    }
+  }
   if (means.choice) {
     const std::vector<std::string>& left_out = means.choice->choice.left_out;
     rendering.left_out.insert(rendering.left_out.begin(), left_out.begin(), left_out.end());
@@ -334,9 +340,14 @@ std::optional<ImageSize> tile_of(const RenderOrder& given, const Scene& scene, c
 }
 
 void warn(const Scene& scene, const Targets& targets, const std::optional<DisplayTransform>& transform) {
-  for (const std::string& warning :
-       {validity_warning(scene), targets.exr.empty() ? std::string() : latlong_warning(scene),
-        transform ? transform->warning() : std::string()}) {
+  std::vector<std::string> warnings = {validity_warning(scene),
+                                       targets.exr.empty() ? std::string() : latlong_warning(scene),
+                                       transform ? transform->warning() : std::string()};
+  if (const auto bounds = find_method(scene.render.method)->bounds; bounds != nullptr) {
+    const std::vector<std::string> bounded = bounds(scene, air_of(scene));
+    warnings.insert(warnings.end(), bounded.begin(), bounded.end());
+  }
+  for (const std::string& warning : warnings) {
     if (!warning.empty()) {
       complain("warning: " + warning);
     }

@@ -101,10 +101,11 @@ struct Machinery {
 // One execution of one plan.
 class Run {
  public:
-  Run(const Machinery& machinery, const Plan& plan)
+  Run(const Machinery& machinery, const Plan& plan, const std::function<void(double)>& report)
       : device_(machinery.device),
         machinery_(machinery),
         plan_(plan),
+        report_(report),
         resources_(machinery.device, machinery.cache, plan) {}
 
   RunResult execute();
@@ -113,6 +114,7 @@ class Run {
   void choose_steps();
   void compile();
   void record();
+  void submit();
   void record_start(VkCommandBuffer commands) const;
   void record_contents(VkCommandBuffer commands);
   bool keeps_contents(std::uint32_t buffer) const;
@@ -125,8 +127,11 @@ class Run {
   const Device& device_;
   const Machinery& machinery_;
   const Plan& plan_;
+  const std::function<void(double)>& report_;
   RunResources resources_;
   std::vector<Step> steps_;
+  double done_ = 0.0;         // of all, submitted and waited for
+  double executed_ms_ = 0.0;  // of submissions while recording went on
 };
 
 RunResult Run::execute() {
@@ -139,8 +144,10 @@ RunResult Run::execute() {
   resources_.acquire(steps_);
   record();
   lap("record");
-  machinery_.frame.submit_and_wait();
+  result.host.back().milliseconds -= executed_ms_;
+  submit();
   lap("execute");
+  result.host.back().milliseconds += executed_ms_;
   resources_.remember(steps_);
   read_timings(result);
   hand_out(result);
@@ -169,16 +176,34 @@ void Run::compile() {
   for (std::size_t i = 0; i < steps_.size(); ++i) steps_[i].pipeline = pipelines[i];
 }
 
+double threads_of(const Step& step) {
+  const Extent& grid = step.pass->grid;
+  return static_cast<double>(grid.width) * grid.height * grid.depth;
+}
+
+void Run::submit() {
+  machinery_.frame.submit_and_wait(report_ ? std::function<void()>([this] { report_(done_); }) : nullptr);
+}
+
 void Run::record() {
-  const VkCommandBuffer commands = machinery_.frame.begin(count_descriptors(steps_), query_count());
+  VkCommandBuffer commands = machinery_.frame.begin(count_descriptors(steps_), query_count());
   record_start(commands);
   record_contents(commands);
+  double all = 0.0;
+  for (const Step& step : steps_) all += threads_of(step);
   std::uint32_t query = 0;
   for (Step& step : steps_) {
     step.set = machinery_.frame.descriptor_set(step.program->set_layout.get());
     write_descriptors(device_, plan_, resources_, machinery_.sampler, step);
     record_step(commands, step, query);
     query += 2;
+    if (report_ && &step != &steps_.back()) {
+      Stopwatch stopwatch;
+      submit();
+      done_ += threads_of(step) / all;
+      commands = machinery_.frame.begin_rest();
+      executed_ms_ += stopwatch.lap();
+    }
   }
   record_downloads(commands);
 }
@@ -330,12 +355,12 @@ Executor::Executor(const DeviceOptions& options, std::span<const EmbeddedShader>
 
 Executor::~Executor() = default;
 
-RunResult Executor::run(const Plan& plan) {
+RunResult Executor::run(const Plan& plan, const std::function<void(double)>& report) {
   check(plan);
   impl_->cache.begin_run();
   const Machinery machinery{impl_->device, impl_->pipelines,     impl_->cache,
                             impl_->frame,  impl_->sampler.get(), impl_->teams};
-  RunResult result = Run(machinery, plan).execute();
+  RunResult result = Run(machinery, plan, report).execute();
   impl_->cache.end_run();
   if (!impl_->has_run) {
     result.host.insert(result.host.begin(),

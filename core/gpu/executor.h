@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -70,7 +71,9 @@ class Executor {
 
   // Checks the plan, builds what is missing, runs it and waits. Throws RunError when the device runs out of memory
   // (says what was asked for) or fails; std::logic_error when a binding name does not match its shader (names both).
-  RunResult run(const Plan& plan);
+  // `report`: called some times a second with what is done, 0 to 1, of the threads of all passes; each pass is then a
+  // submission of its own.
+  RunResult run(const Plan& plan, const std::function<void(double done)>& report = {});
 
   const DeviceInfo& device() const;
   MemoryUse memory_use() const;

@@ -34,9 +34,13 @@ Frame::Frame(const Device& device) : device_(device) {
 }
 
 VkCommandBuffer Frame::begin(const DescriptorCounts& descriptors, std::uint32_t timestamps) {
-  check(vkResetCommandPool(device_.get(), command_pool_.get(), 0), "reset the command pool");
   reserve_descriptors(descriptors);
   reserve_timestamps(timestamps);
+  return begin_rest();
+}
+
+VkCommandBuffer Frame::begin_rest() {
+  check(vkResetCommandPool(device_.get(), command_pool_.get(), 0), "reset the command pool");
   const VkCommandBufferBeginInfo info{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
                                       .pNext = nullptr,
                                       .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT,
@@ -90,7 +94,8 @@ void Frame::reserve_timestamps(std::uint32_t wanted) {
   timestamp_room_ = wanted;
 }
 
-void Frame::submit_and_wait() {
+void Frame::submit_and_wait(const std::function<void()>& tick) {
+  constexpr std::uint64_t kTick = 100'000'000;  // ns
   check(vkEndCommandBuffer(commands_), "end recording");
   const VkSubmitInfo info{.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO,
                           .pNext = nullptr,
@@ -105,7 +110,13 @@ void Frame::submit_and_wait() {
   const std::string doing = "run the passes on " + device_.info().name;
   check(vkResetFences(device_.get(), 1, &fence), doing);
   check(vkQueueSubmit(device_.queue(), 1, &info, fence), doing);
-  check(vkWaitForFences(device_.get(), 1, &fence, VK_TRUE, std::numeric_limits<std::uint64_t>::max()), doing);
+  VkResult waited = VK_TIMEOUT;
+  while (waited == VK_TIMEOUT) {
+    waited =
+        vkWaitForFences(device_.get(), 1, &fence, VK_TRUE, tick ? kTick : std::numeric_limits<std::uint64_t>::max());
+    if (tick) tick();
+  }
+  check(waited, doing);
 }
 
 VkDescriptorSet Frame::descriptor_set(VkDescriptorSetLayout layout) {

@@ -3,6 +3,7 @@
 // again by the next run.
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -28,8 +29,11 @@ class Frame {
 
   // Opens the command buffer; what earlier runs recorded and allocated is gone.
   VkCommandBuffer begin(const DescriptorCounts& descriptors, std::uint32_t timestamps);
-  // Closes it, submits it and waits for its end. Throws RunError when the device fails.
-  void submit_and_wait();
+  // Closes it, submits it and waits for its end, calling `tick` some times a second. Throws RunError when the device
+  // fails.
+  void submit_and_wait(const std::function<void()>& tick = {});
+  // Opens the command buffer once more, for the rest of the same run.
+  VkCommandBuffer begin_rest();
 
   VkDescriptorSet descriptor_set(VkDescriptorSetLayout layout);
   VkQueryPool timestamps() const { return timestamps_.get(); }

@@ -109,6 +109,24 @@ Extent atlas_extent(const MomentSettings& s) {
   return {static_cast<std::uint32_t>(s.size[0] * block_count(s)), static_cast<std::uint32_t>(s.size[1]), 1};
 }
 
+OrderQuadrature quadrature_of(const MomentSettings& settings, int order) {
+  if (settings.shells) {
+    return shell_quadrature(order, order_degree(order, settings.degree), settings.delta);
+  }
+  return order == 1 ? kFirstOrder : kNextOrders;
+}
+
+// Steps that a bake of so many orders takes, over all rays.
+double bake_steps(const MomentSettings& settings, int orders) {
+  double steps = 0.0;
+  for (int order = 1; order <= orders; ++order) {
+    const OrderQuadrature q = quadrature_of(settings, order);
+    const double along = settings.shells ? settings.size[1] - 1.0 : q.steps;
+    steps += static_cast<double>(q.up + q.down) * q.half_azimuths * along;
+  }
+  return steps * settings.size[0] * settings.size[1];
+}
+
 }  // namespace
 
 MomentSettings moment_settings(const Air& air, int degree, int orders, TableSize size) {
@@ -130,6 +148,10 @@ MomentSettings moment_settings(const Air& air, int degree, int orders, TableSize
     settings.orders =
         orders > 0 ? settings.orders : 4 + static_cast<int>(std::min(4.0 * depths.scaled, kMostOrders - 4.0));
     settings.size[1] = static_cast<int>(shell_rows);
+  }
+  settings.wished_orders = settings.orders;
+  while (settings.orders > 2 && bake_steps(settings, settings.orders) > kMostBakeSteps) {
+    --settings.orders;
   }
   return settings;
 }
@@ -173,9 +195,7 @@ ImageId add_moments(Plan& plan, const Air& air, ImageId sunlight, const MomentSe
   for (int order = 1; order <= settings.orders; ++order) {
     const bool first = order == 1;
     const int kept = settings.shells ? order_degree(order, settings.degree) : settings.degree;
-    const OrderQuadrature q = settings.shells ? shell_quadrature(order, kept, settings.delta)
-                              : first         ? kFirstOrder
-                                              : kNextOrders;
+    const OrderQuadrature q = quadrature_of(settings, order);
     const std::string directions = first ? "first_order_directions" : "directions of degree " + std::to_string(kept);
     if (!nodes.contains(directions)) {
       nodes.emplace(directions, add_nodes(plan, directions, q));

@@ -10,10 +10,14 @@
 
 namespace airlight {
 
+// Steps of rays that a bake may take: some minutes on two processor cores, of any air at the default size.
+inline constexpr double kMostBakeSteps = 2e9;
+
 struct MomentSettings {
   int degree = 2;          // highest harmonic kept, 0 to 8
   bool delta = false;      // forward peaks as unscattered light [W76]
   int orders = 3;          // computed one by one; the rest is a geometric series
+  int wished_orders = 3;   // more than `orders` where those would take kMostBakeSteps
   TableSize size{48, 12};  // sun elevations x altitudes
   bool shells = false;     // rows at the edges of shells (core/air/shells.h)
 };

@@ -127,10 +127,11 @@ struct HostOptions {
 };
 
 struct HostPicture {
-  RadianceImage radiance;        // for listed directions: width = their count, height 1
-  RadianceImage transmittance;   // listed directions only
-  RadianceImage standard_error;  // empty for a deterministic method
-  std::uint64_t samples = 0;     // a pixel, of a method that samples
+  RadianceImage radiance;               // for listed directions: width = their count, height 1
+  RadianceImage transmittance;          // listed directions only
+  RadianceImage standard_error;         // empty for a deterministic method
+  std::uint64_t samples = 0;            // a pixel, of a method that samples
+  std::vector<std::string> notes = {};  // what was left undone because it would never have ended
 };
 
 // The same sky without the error of steps and tables: a method, the method itself where empty, and its parameters.
@@ -155,6 +156,8 @@ struct SkyMethod {
   // Exactly one of the two.
   SkyPasses (*add_passes)(Plan&, const Scene&, const Air&, const View&) = nullptr;
   HostPicture (*render_on_host)(const Scene&, const Air&, const View&, const HostOptions&) = nullptr;
+  // What of the scene's wishes is not done because it would take for ever, a line each; null: nothing.
+  std::vector<std::string> (*bounds)(const Scene&, const Air&) = nullptr;
   // Of the camera's picture alone. Null: the method does not tell them apart.
   LayerPasses (*add_layer_passes)(Plan&, const Scene&, const Air&, const View&) = nullptr;
   // The air between the camera and things. Null: the method knows whole rays alone.

@@ -145,6 +145,17 @@ std::uint32_t steps_of(const Scene& scene, const MomentSettings& settings) {
   return static_cast<std::uint32_t>(settings.shells ? std::max((steps + shells / 2) / shells, 1) : steps);
 }
 
+std::vector<std::string> bounds(const Scene& scene, const Air& air) {
+  const MomentSettings settings = settings_of(scene, air);
+  if (settings.orders == settings.wished_orders) {
+    return {};
+  }
+  return {std::to_string(settings.orders) + " of " + std::to_string(settings.wished_orders) +
+          " orders of scattering are computed: more would take too long at render.moments_lut " +
+          std::to_string(settings.size[0]) + " x " + std::to_string(settings.size[1]) +
+          "; a geometric tail stands for the rest, and nothing vouches for its error"};
+}
+
 // What the passes over view rays read: the sun's light, the moments, and how they are told of them.
 struct Light {
   ImageId transmittance;
@@ -321,6 +332,7 @@ SkyMethod orders_method() {
   SkyMethod method;
   method.info = {"orders", "successive orders of scattering as spherical-harmonic moments; near truth", kParameters};
   method.validity.leaves_out = "harmonics above the degree kept";
+  method.bounds = bounds;
   const std::string never = "never";
   const std::string all = "all";
   // Those between, and those that others beat, are on the chart, but cost a choice their shaders: no candidates.

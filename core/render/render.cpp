@@ -193,13 +193,15 @@ Rendering render(const DeviceOnDemand& device, const Scene& scene, const RenderR
   if (method.render_on_host != nullptr) {
     HostPicture host = method.render_on_host(scene, air, View{}, request.host);
     frame = host_frame(scene, air, host.radiance);
+    out.undone = std::move(host.notes);
     if (!host.standard_error.rgba.empty()) {
       out.standard_error = std::move(host.standard_error);
     }
   } else {
     frame = sky_frame(scene, air, request);
   }
-  RunResult result = executor.run(frame.plan);
+  // A method on the host has reported its own work.
+  RunResult result = executor.run(frame.plan, method.render_on_host ? nullptr : request.host.report);
   Timings{out.passes, out.host}.add(result);
   take_tables(out, frame, result);
   out.left_out = std::move(frame.left_out);

@@ -25,7 +25,7 @@ struct RenderRequest {
   bool gpu_tone = false;      // also run the GPU tone curve
   bool tables = false;        // read the tables back
   bool layers = false;        // of a method that has add_layer_passes
-  HostOptions host;           // of a method on the host
+  HostOptions host;           // of a method on the host; `report` hears of the device too
 };
 
 struct TableDump {
@@ -52,6 +52,7 @@ struct Rendering {
   std::vector<Layer> layers;
   std::vector<NamedStatistics> layer_statistics;
   std::vector<std::string> left_out;  // what this picture did not need, with the reason
+  std::vector<std::string> undone;    // what it did need and would never have ended
   std::vector<PassTiming> passes;
   std::vector<Milestone> host;
 

@@ -96,6 +96,25 @@ TEST(Executor, TimesPassesAndItsOwnWork) {
   EXPECT_LE(passes, second.host[2].milliseconds) << "passes take longer than the run that holds them";
 }
 
+// With a listener each pass is a submission of its own: the results are the same, and what is done rises.
+TEST(Executor, ReportsWhatIsDone) {
+  Executor executor({}, test_shaders());
+  RampPlan p = ramp_plan({300, 100});
+  p.plan.add_pass(
+      {.name = "again", .shader = "ramp", .writes = {{"ramp_out", p.ramp}}, .grid = {300, 100}, .push_constants = {7}});
+  std::vector<double> done;
+  const RunResult result = executor.run(p.plan, [&](double share) { done.push_back(share); });
+  expect_ramp(values_of<float>(result.contents(p.readback)), {300, 100}, 7.0F);
+  ASSERT_GE(done.size(), 2U);
+  EXPECT_EQ(done.front(), 0.0);
+  EXPECT_EQ(done.back(), 0.5);
+  EXPECT_TRUE(std::is_sorted(done.begin(), done.end()));
+  EXPECT_EQ(result.passes.size(), 2U);
+  for (const Milestone& milestone : result.host) {
+    EXPECT_GE(milestone.milliseconds, 0.0) << milestone.name;
+  }
+}
+
 // A chain over buffers: zeros, contents, read-modify-write, a copy.
 TEST(Executor, RunsPassesInOrder) {
   Executor executor({}, test_shaders());

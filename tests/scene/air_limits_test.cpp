@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/methods/method.h"
-#include "core/physics/scene_data.h"
+#include "core/methods/scene_air.h"
 #include "tests/scene/scene_fixture.h"
 
 namespace airlight::test {
@@ -61,6 +61,29 @@ std::string fog(double scattering) {
   return R"({"airlight": 1, "media": [{"name": "clear", "density": {"profile": "constant", "below_km": 1}},
     {"name": "fog", "scattering_per_km": [0, )" +
          std::to_string(scattering) + R"(, 0], "density": {"profile": "constant", "below_km": 20}}]})";
+}
+
+// What ended `orders` or made pictures that were not finite, in small.
+TEST(AirLimits, RefuseWhatNoSkyHas) {
+  struct Case {
+    const char* text;
+    const char* says;
+  };
+  for (const Case& c :
+       {Case{R"({"airlight": 1, "planet": {"radius_km": 1e-6}, "media": [{"name": "m", "density":
+               {"profile": "constant", "below_km": 1}}]})",
+             "/planet/radius_km: 1e-6 is outside 0.001 to 1e7 km"},
+        Case{R"({"airlight": 1, "planet": {"atmosphere_height_km": 1e9}, "media": [{"name": "m", "density":
+               {"profile": "constant", "below_km": 1}}]})",
+             "/planet/atmosphere_height_km: 1e9 is outside 0.001 to 1e7 km"},
+        Case{R"({"airlight": 1, "media": [{"name": "m", "scattering_per_km": 837, "density":
+               {"profile": "layers", "layers": [[10, 1e6], [50, 1]]}}]})",
+             "/media/0: its vertical optical depth is 2.51e+10"},
+        Case{R"({"airlight": 1, "planet": {"atmosphere_height_km": 1e6}, "media": [{"name": "m",
+               "absorption_per_km": [0, 0, 4051], "density": {"profile": "exponential", "scale_height_km": 1e6}}]})",
+             "/media/0: its vertical optical depth is 2.56e+09"}}) {
+    EXPECT_NE(problems_of(c.text).find(c.says), std::string::npos) << problems_of(c.text);
+  }
 }
 
 TEST(AirLimits, RefuseByTheQuantity) {

@@ -140,6 +140,15 @@ HostPicture render(const Scene& scene, const Air& air, const View& view, const H
     set_pixel(picture.standard_error, targets.ids[k], sampling.standard_error(k) * irradiance);
   }
   picture.samples = sampling.fewest_batches() * kBatch;
+  if (tracer.cut_paths() > 0) {
+    picture.notes.push_back(std::to_string(tracer.cut_paths()) + " paths were ended after " +
+                            std::to_string(Walk::kMostScatterings) +
+                            " scatterings: the light that they would have brought is missing");
+  }
+  if (tracer.cut_rays() > 0) {
+    picture.notes.push_back("light scattered once was not found to 1e-6 along " + std::to_string(tracer.cut_rays()) +
+                            " rays, which cross more edges than there was time for");
+  }
   return picture;
 }
 

@@ -14,6 +14,7 @@ namespace {
 constexpr double kTolerance = 1e-6;    // of each channel of the ray's radiance
 constexpr double kNegligible = 1e-16;  // radiance, far below any night sky
 constexpr int kMostLevels = 24;
+constexpr int kMostPanels = 20000;  // of a ray; an edge that no corner tells takes some 50
 
 vec3 absolute(vec3 v) {
   return {std::abs(v.x), std::abs(v.y), std::abs(v.z)};
@@ -97,19 +98,22 @@ vec3 SingleScattering::panel(const Integrand& f, double from, double to) const {
   return sum * (to - from);
 }
 
-// Halves the panel until both halves together agree with the whole. `total`: what the ray's integral is known to be so
-// far, which grows as peaks are found that the first nodes missed.
-vec3 SingleScattering::refine(const Integrand& f, double from, double to, vec3 whole, vec3& total, int levels) const {
+// Halves the panel until both halves together agree with the whole. The total grows as peaks are found that the first
+// nodes missed.
+vec3 SingleScattering::refine(const Integrand& f, double from, double to, vec3 whole, Budget& budget,
+                              int levels) const {
   const double middle = 0.5 * (from + to);
   const vec3 first = panel(f, from, middle);
   const vec3 second = panel(f, middle, to);
   const vec3 both = first + second;
-  total = total + both - whole;
-  if (levels == 0 || within(absolute(both - whole), absolute(total) * kTolerance + vec3(kNegligible))) {
+  budget.total = budget.total + both - whole;
+  --budget.panels;
+  if (levels == 0 || budget.panels <= 0 ||
+      within(absolute(both - whole), absolute(budget.total) * kTolerance + vec3(kNegligible))) {
     return both;
   }
-  const vec3 refined = refine(f, from, middle, first, total, levels - 1);
-  return refined + refine(f, middle, to, second, total, levels - 1);
+  const vec3 refined = refine(f, from, middle, first, budget, levels - 1);
+  return refined + refine(f, middle, to, second, budget, levels - 1);
 }
 
 vec3 SingleScattering::radiance(const Ray& ray) const {
@@ -119,15 +123,16 @@ vec3 SingleScattering::radiance(const Ray& ray) const {
   const Integrand f{*this, ray, physics_.phases(ray.nu)};
   const std::vector<double> at = corners(ray);
   std::vector<vec3> panels;
-  vec3 total(0.0);
+  Budget budget{vec3(0.0), kMostPanels};
   for (std::size_t k = 0; k + 1 < at.size(); ++k) {
     panels.push_back(panel(f, at[k], at[k + 1]));
-    total = total + panels.back();
+    budget.total = budget.total + panels.back();
   }
   vec3 sum(0.0);
   for (std::size_t k = 0; k + 1 < at.size(); ++k) {
-    sum = sum + refine(f, at[k], at[k + 1], panels[k], total, kMostLevels);
+    sum = sum + refine(f, at[k], at[k + 1], panels[k], budget, kMostLevels);
   }
+  cut_rays_ += budget.panels <= 0 ? 1 : 0;
   if (ray.at_ground) {
     const physics::PlanetData& planet = physics_.scene.planet;
     const double mu_sun = physics_.point_on_ray(planet, ray, ray.length_).mu_sun;

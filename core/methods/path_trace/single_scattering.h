@@ -1,6 +1,8 @@
 #pragma once
 // Sunlight that meets the air or the ground once, by adaptive quadrature along the ray: no noise, error 1e-6.
 
+#include <atomic>
+#include <cstdint>
 #include <vector>
 
 #include "core/methods/path_trace/gauss.h"
@@ -16,6 +18,9 @@ class SingleScattering {
   // Radiance for a sun of irradiance 1: scattered once in the air, or reflected once by the ground at the ray's end.
   physics::vec3 radiance(const physics::Physics::Ray& ray) const;
 
+  // Rays whose panels ran out before their radiance was known to 1e-6.
+  std::uint64_t cut_rays() const { return cut_rays_; }
+
   // Direct sunlight at altitude h on a plane that faces the sun; zero in the planet's shadow.
   physics::vec3 sunlight(double h, double mu_sun) const;
 
@@ -23,13 +28,19 @@ class SingleScattering {
   struct Integrand;
   std::vector<double> corners(const physics::Physics::Ray& ray) const;
   physics::vec3 panel(const Integrand& f, double from, double to) const;
-  physics::vec3 refine(const Integrand& f, double from, double to, physics::vec3 whole, physics::vec3& total,
+  // What a ray's integral is known to be so far, and how many panels more it may take.
+  struct Budget {
+    physics::vec3 total;
+    int panels;
+  };
+  physics::vec3 refine(const Integrand& f, double from, double to, physics::vec3 whole, Budget& budget,
                        int levels) const;
 
   physics::Physics& physics_;
   const OpticalDepth& depth_;
   std::vector<double> edges_;
   GaussRule rule_;
+  mutable std::atomic<std::uint64_t> cut_rays_ = 0;
 };
 
 }  // namespace airlight

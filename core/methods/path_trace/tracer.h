@@ -27,6 +27,10 @@ class PathTracer {
   // The higher orders: mean of kBatch samples, one independent estimate. `scratch` is overwritten.
   physics::vec3 batch(const WalkStart& start, std::uint64_t pixel, std::uint64_t batch, FlightPlan& scratch) const;
 
+  // What was left undone because it would never have ended.
+  std::uint64_t cut_paths() const { return walk_.cut_paths(); }
+  std::uint64_t cut_rays() const { return single_.cut_rays(); }
+
   // From the camera to the ray's end, 1 where it misses the air.
   physics::vec3 transmittance(const WalkStart& start) const;
 

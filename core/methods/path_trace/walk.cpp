@@ -282,7 +282,8 @@ vec3 Walk::sample(const WalkStart& start, WalkNumbers& numbers, FlightPlan& plan
   }
   vec3 whole(0.0);  // what the path was worth when its standing was 1
   double standing = 1.0;
-  for (int order = 2; max_orders_ == 0 || order <= max_orders_; ++order) {
+  const int most = max_orders_ == 0 ? kMostScatterings : max_orders_;
+  for (int order = 2; order <= most; ++order) {
     const bool guided = order <= guided_orders_;
     if (!turn(state, guided, numbers, plan)) {
       break;
@@ -303,6 +304,7 @@ vec3 Walk::sample(const WalkStart& start, WalkNumbers& numbers, FlightPlan& plan
       break;
     }
     sum = sum + from_sun(state);
+    cut_paths_ += max_orders_ == 0 && order == most ? 1 : 0;
   }
   return sum;
 }

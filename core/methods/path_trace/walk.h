@@ -1,6 +1,7 @@
 #pragma once
 // Light of all higher orders: random walks from the camera, each vertex lit by the sun.
 
+#include <atomic>
 #include <cstdint>
 
 #include "core/methods/path_trace/flight.h"
@@ -47,6 +48,10 @@ class Walk {
   // work in.
   physics::vec3 sample(const WalkStart& start, WalkNumbers& numbers, FlightPlan& plan) const;
 
+  // Paths that were ended after kMostScatterings though no limit was asked for.
+  std::uint64_t cut_paths() const { return cut_paths_; }
+  static constexpr int kMostScatterings = 10000;
+
  private:
   struct State;
   class Lobes;
@@ -61,6 +66,7 @@ class Walk {
   const SkyGuide& guide_;
   int max_orders_;
   int guided_orders_;
+  mutable std::atomic<std::uint64_t> cut_paths_ = 0;
 };
 
 }  // namespace airlight

@@ -1,0 +1,91 @@
+// Valid presets that no sky has: each is drawn in finite numbers, with bounded work and memory, or said to be too much.
+#include <algorithm>
+
+#include "core/luts/moments.h"
+#include "core/methods/scene_air.h"
+#include "core/scene/preset.h"
+#include "core/scene/resolve.h"
+#include "tests/methods/render_fixture.h"
+
+namespace airlight::test {
+namespace {
+
+Scene scene_of(const std::string& media, const std::string& rest) {
+  const std::string text =
+      R"({"airlight": 1, "image": {"width": 8, "height": 4}, "media": [)" + media + "], " + rest + "}";
+  return resolve(parse_preset(text, "absurd", {}), method_infos());
+}
+
+std::string thin_layers(int count, double scattering) {
+  std::string layers;
+  for (int i = 1; i <= count; ++i) {
+    layers += (i == 1 ? "[" : ", [") + std::to_string(0.001 * i) + ", 1]";
+  }
+  return R"({"name": "fog", "scattering_per_km": )" + std::to_string(scattering) +
+         R"(, "density": {"profile": "layers", "layers": [)" + layers + "]}}";
+}
+
+constexpr const char* kOrders = R"("render": {"method": "orders", "degree": "1", "orders": 2, "moments_lut": [2, 12]})";
+constexpr const char* kPathTrace = R"("render": {"method": "path-trace", "samples": 32})";
+constexpr const char* kSharpLorentzian =
+    R"({"name": "m", "scattering_per_km": [1, 0.1, 0.01], "density": {"profile": "lorentzian", "scale_height_km": 0.0035,
+        "center_km": 0.048, "half_width_km": 17944}})";
+
+TEST(AbsurdAir, IsDrawnInFiniteNumbers) {
+  struct Case {
+    const char* what;
+    std::string media;
+    std::string rest;
+  };
+  for (const Case& c : {
+           Case{"more shells wished than there is room for", thin_layers(14, 3.0), kOrders},
+           Case{"an optical depth near the most", thin_layers(2, 9990.0), kOrders},
+           Case{"shells of no height in 32 bits",
+                R"({"name": "film", "scattering_per_km": 1000, "density": {"profile": "layers",
+                    "layers": [[900000, 0], [900001.5, 1], [900003, 0]]}})",
+                std::string(kOrders) + R"(, "planet": {"atmosphere_height_km": 1e6})"},
+           Case{"a planet of a metre under air of a million", thin_layers(2, 1e-7),
+                std::string(kOrders) + R"(, "planet": {"radius_km": 0.001, "atmosphere_height_km": 1e6})"},
+           Case{"air far higher than its media", thin_layers(2, 1e-8),
+                R"("render": {"method": "analytic", "variant": "zenith-density"},
+                   "planet": {"radius_km": 2000, "atmosphere_height_km": 1e7})"},
+           Case{"a film on the ground of the largest planet", thin_layers(2, 1e-3),
+                R"("render": {"method": "analytic", "variant": "exponential"},
+                   "planet": {"radius_km": 1e7, "atmosphere_height_km": 17000, "ground_albedo": 1})"},
+           // 1e9 pieces of two scale heights filled 13.9 GB.
+           Case{"a lorentzian that is over far below the top", kSharpLorentzian,
+                std::string(kPathTrace) + R"(, "planet": {"radius_km": 110, "atmosphere_height_km": 1e7})"},
+       }) {
+    expect_sound(render_now(scene_of(c.media, c.rest)), c.what);
+  }
+}
+
+// An endless walk through air that absorbs nothing is ended, and said to be.
+TEST(AbsurdAir, EndsAPathThatWouldNeverEnd) {
+  Scene scene =
+      scene_of(R"({"name": "milk", "scattering_per_km": 9000, "density": {"profile": "constant", "below_km": 100}})",
+               std::string(kPathTrace) + R"(, "camera": {"altitude_km": 50})");
+  scene.image = {1, 1};
+  const Rendering rendering = render_now(scene);
+  expect_sound(rendering, "milk");
+  ASSERT_EQ(rendering.undone.size(), 1U);
+  EXPECT_NE(rendering.undone.front().find("paths were ended after 10000 scatterings"), std::string::npos);
+}
+
+TEST(AbsurdAir, BoundsTheOrdersAndSaysSo) {
+  const SkyMethod& orders = *find_method("orders");
+  const std::string thick = thin_layers(14, 9000.0);
+  const Scene usual = scene_of(thick, R"("render": {"method": "orders"})");
+  EXPECT_TRUE(orders.bounds(usual, air_of(usual)).empty()) << "the default size has time for all orders";
+  const Scene wide = scene_of(thick, R"("render": {"method": "orders", "moments_lut": [1024, 12], "orders": 64})");
+  ASSERT_EQ(orders.bounds(wide, air_of(wide)).size(), 1U);
+  EXPECT_NE(orders.bounds(wide, air_of(wide)).front().find(" of 64 orders of scattering are computed"),
+            std::string::npos);
+  const MomentSettings settings = moment_settings(air_of(wide), -1, 64, {1024, 12});
+  EXPECT_GE(settings.orders, 2);
+  EXPECT_LT(settings.orders, 64);
+  EXPECT_EQ(settings.wished_orders, 64);
+}
+
+}  // namespace
+}  // namespace airlight::test
