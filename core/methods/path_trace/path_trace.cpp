@@ -54,7 +54,7 @@ const std::array<ParameterInfo, 5> kParameters{{
      kMostInt,
      0,
      {},
-     "scatterings and ground reflections on a path, at most; 1: single scattering, without noise; 0: no limit"},
+     "scatterings and ground reflections on a path, at most; 1: single scattering, without noise; 0: 10000"},
 }};
 
 StopRules rules_of(const RenderSettings& settings) {

@@ -37,7 +37,7 @@ class WalkNumbers {
 
 class Walk {
  public:
-  // `max_orders`: scatterings and reflections of a path, at most; 0: no limit.
+  // `max_orders`: scatterings and reflections of a path, at most; 0: kMostScatterings.
   Walk(physics::Physics& physics, const OpticalDepth& depth, const SingleScattering& single, const Flight& flight,
        const SkyGuide& guide, int max_orders);
 
