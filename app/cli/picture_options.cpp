@@ -1,11 +1,14 @@
 #include "app/cli/picture_options.h"
 
+#include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <utility>
 
 #include "app/cli/terminal.h"
 #include "app/render/picture_files.h"
 #include "core/error.h"
+#include "core/output/half_block.h"
 #include "core/scene/json_format.h"
 
 namespace airlight::cli {
@@ -15,16 +18,47 @@ bool is_ocio_view(const std::string& view) {
   return view != kGpuView && view != kDiagnosticView;
 }
 
+// As the preset has it: a factor, or the word.
+std::string exposure_json(const std::string& text) {
+  constexpr std::string_view kLock = "lock:";
+  constexpr double kMostStops = 29.0;
+  const char* const first = text.data() + (text.size() > 1 && text[0] == '+' ? 1 : 0);
+  const char* const end = text.data() + text.size();
+  double stops = 0.0;
+  const auto parsed = std::from_chars(first, end, stops);
+  if (parsed.ec == std::errc() && parsed.ptr == end && std::abs(stops) <= kMostStops) {
+    return format_number(std::exp2(stops));
+  }
+  int frame = 0;
+  const bool is_lock = text.starts_with(kLock);
+  const auto number = std::from_chars(text.data() + (is_lock ? kLock.size() : 0), end, frame);
+  const bool is_frame = is_lock && number.ec == std::errc() && number.ptr == end && frame >= 0;
+  if (text != "auto" && text != "day" && !is_frame) {
+    throw InputError("--exposure: '" + text +
+                     "' is none of auto, day, lock:FRAME (a frame's number) and stops from -29 to 29");
+  }
+  return json_string(text);
+}
+
 }  // namespace
 
 std::vector<Option> picture_options(PictureOptions& options) {
   return grouped(
       "Picture",
-      {{"--layers", "",
+      {{"--exposure", "auto|EV|lock:FRAME|day",
+        "Of the PNG: auto, by the picture's own light as an eye adapts; EV, stops over a factor of 1; lock:FRAME, as "
+        "auto has that frame of the sequence; day, as auto has this view with the sun 45 degrees high behind it",
+        &options.exposure},
+       {"--ev", "STOPS", "Brighter or darker than that, e.g. +1", &options.compensation, Completes::nothing,
+        Range{-30.0, 30.0}},
+       {"--layers", "",
         "Also write into the EXR: each medium's single scattering under its name, multiple, sun and ground, whose sum "
         "is the picture, and transmittance, depth (km) and N, the ground's normal",
         &options.layers},
-       {"--float", "", "32-bit floats in the EXR instead of 16-bit ones", &options.full_float},
+       {"--float", "",
+        "32-bit floats in the EXR; else 16-bit ones where they hold the picture, and 32-bit ones elsewhere",
+        &options.full_float},
+       {"--half", "", "16-bit floats in the EXR, with a warning where they lose something", &options.half_float},
        {"--colorspace",
         "NAME",
         "Linear space of the EXR's colours (default: linear-rec709); its chromaticities stand in the header, and the "
@@ -62,12 +96,35 @@ Option tile_option(std::optional<std::string>& tile) {
       &tile};
 }
 
+ExrDepth exr_depth(const PictureOptions& options, const Rendering& rendering) {
+  if (options.full_float || options.half_float) {
+    return {options.half_float, {}};
+  }
+  const std::string loss = half_loss(rendering.radiance, rendering.picture.metered_luminance);
+  return {loss.empty(), loss};
+}
+
+void require_one_depth(const PictureOptions& options, const std::string& command) {
+  if (options.full_float && options.half_float) {
+    throw InputError(command +
+                     ": --half and --float exclude each other; give one, or none: each picture then has the " +
+                     "bits that it needs");
+  }
+}
+
 WorkingSpace working_space_of(const PictureOptions& options) {
   return working_space(options.colorspace).value_or(WorkingSpace::linear_rec709);
 }
 
 std::vector<Override> overrides(const PictureOptions& options) {
   std::vector<Override> all;
+  if (options.exposure) {
+    all.push_back({"/display/exposure=" + exposure_json(*options.exposure), "--exposure " + *options.exposure});
+  }
+  if (options.compensation) {
+    const std::string stops = format_number(*options.compensation);
+    all.push_back({"/display/compensation_ev=" + stops, "--ev " + stops});
+  }
   if (options.display) {
     all.push_back({"/display/display=" + json_string(*options.display), "--display " + *options.display});
   }

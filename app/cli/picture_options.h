@@ -16,6 +16,9 @@ namespace airlight::cli {
 
 struct PictureOptions {
   bool full_float = false;
+  bool half_float = false;
+  std::optional<std::string> exposure;
+  std::optional<double> compensation;
   bool layers = false;
   std::string ocio_config;
   std::optional<std::string> display;
@@ -24,10 +27,22 @@ struct PictureOptions {
   std::string colorspace;  // empty: linear-rec709
 };
 
+// How many bits an EXR's samples have.
+struct ExrDepth {
+  bool half = true;
+  std::string why = {};  // what made it 32 bits without being asked; empty: nothing did
+};
+
+// As --half and --float say, or by what halves would lose of the picture.
+ExrDepth exr_depth(const PictureOptions& options, const Rendering& rendering);
+
+// Throws InputError where --half and --float were both given. `command`: "render".
+void require_one_depth(const PictureOptions& options, const std::string& command);
+
 // Of the EXR's colours.
 WorkingSpace working_space_of(const PictureOptions& options);
 
-// --layers, --float, --colorspace, --ocio-config, --display, --view, --bits.
+// --exposure, --ev, --layers, --float, --half, --colorspace, --ocio-config, --display, --view, --bits.
 std::vector<Option> picture_options(PictureOptions& options);
 
 std::vector<Override> overrides(const PictureOptions& options);

@@ -162,6 +162,7 @@ SequenceJob job_of(const Given& given) {
     job.png = sequence::require_pattern(*names.png, ".png", "sequence: --png");
   }
   job.shard = sequence::parse_shard(given.shard, "sequence: --shard");
+  require_one_depth(given.picture, "sequence");
   job.preset = preset_of(given);
   job.scene = resolve(job.preset, method_infos());
   require_layers(given.picture, job.scene, job.exr.has_value(), "sequence");
@@ -170,6 +171,9 @@ SequenceJob job_of(const Given& given) {
   refuse_idle_overrides(given, job.source);
   std::get<PresetObject>(job.preset.root.data).erase("sequence");
   job.scene.sequence.reset();
+  if (job.scene.display.metering == Metering::frame && !job.scene.display.exposure) {
+    locked_frame(job);  // which must be there
+  }
   job.manifest = given.manifest ? sequence::manifest_file(*given.manifest, job.shard)
                                 : sequence::manifest_file(job.exr ? *job.exr : *job.png, job.shard);
   const std::size_t frames = sequence::frame_count(job.source);
@@ -317,6 +321,11 @@ Command sequence_command() {
       "What changes from frame to frame is one of three: the sun's path over a place (--date, --from, --to, --step, "
       "--lat, --lon), a sweep of its elevation, or the preset's own key frames (the key sequence). The path is that of "
       "the sun's centre, good to 0.01 degrees, without refraction unless --refraction asks for it.\n\n"
+      "Exposure is automatic, from each frame's own light: steady by day, it follows the dusk as an eye does and "
+      "leaves "
+      "the night dark, the same in every shard. --exposure lock:FRAME holds one frame's, --exposure day a midday's. "
+      "The "
+      "EXRs have 16-bit floats where those hold the frame, else 32-bit ones.\n\n"
       "A run may be stopped and given again: frames that are whole and carry the hash of their preset are kept. Every "
       "file appears whole or not at all, whatever ends the run. Ctrl-C finishes the frame in hand (exit code 130); "
       "twice, it drops it.\n\n"

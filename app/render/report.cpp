@@ -176,8 +176,8 @@ std::string details(const RenderReport& report) {
   for (const std::string& reason : rendering.left_out) {
     out += "left out: " + reason + "\n";
   }
-  std::snprintf(text, sizeof text, "exposure %.4g, log-average luminance %.4g, largest %.4g\n", rendering.exposure,
-                rendering.picture.log_average_luminance, rendering.picture.max_luminance);
+  std::snprintf(text, sizeof text, "exposure %.4g, metered luminance %.4g, largest %.4g\n", rendering.exposure,
+                rendering.picture.metered_luminance, rendering.picture.max_luminance);
   return out + text + (report.view.empty() ? "" : "view " + report.view + "\n");
 }
 
@@ -185,12 +185,12 @@ std::vector<std::string> exr_warnings(const ExrCounts& counts) {
   std::vector<std::string> warnings;
   if (counts.clamped > 0) {
     warnings.push_back(std::to_string(counts.clamped) +
-                       " samples above 65504 were clamped in the half-float EXR; --float keeps them");
+                       " samples above 65504 were clamped in the half-float EXR; leave out --half to keep them");
   }
   // A few dark pixels are no loss; a picture of them is.
   if (counts.underflowed * 2 > counts.samples) {
     warnings.push_back(std::to_string(counts.underflowed) + " of " + std::to_string(counts.samples) +
-                       " samples are too dark for half floats to hold all digits; --float keeps them");
+                       " samples are too dark for half floats to hold all digits; leave out --half to keep them");
   }
   return warnings;
 }

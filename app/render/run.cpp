@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/cli/choice_options.h"
+#include "app/cli/frame_scene.h"
 #include "app/cli/preset_source.h"
 #include "app/cli/progress.h"
 #include "app/cli/stopwatch.h"
@@ -21,6 +22,7 @@
 #include "core/methods/scene_air.h"
 #include "core/output/atomic_file.h"
 #include "core/output/half_block.h"
+#include "core/render/metering.h"
 #include "core/scene/preset.h"
 #include "core/scene/resolve.h"
 
@@ -88,6 +90,15 @@ Scene scene_of(const RenderOrder& given) {
   return samples(scene) && given.sampling.time_limit ? with(true) : scene;
 }
 
+// The frame that `lock:FRAME` names, of the preset's own sequence.
+sequence::Frame locked_frame(const Scene& scene) {
+  const std::string place = "render: the exposure " + metering_text(scene.display);
+  if (!scene.sequence) {
+    throw InputError(place + ": the preset has no key frames to find it in; give auto, day, or stops such as 3.5");
+  }
+  return frame_numbered(*scene.sequence, scene.display.metered_frame, place);
+}
+
 // Nothing where method and quality are the preset's.
 std::optional<ChoiceWish> choice_wish(const RenderOrder& given, const Scene& scene) {
   const bool by_time = given.sampling.time_limit && !samples(scene);
@@ -117,6 +128,20 @@ std::optional<ChoiceWish> choice_wish(const RenderOrder& given, const Scene& sce
     }
   }
   return wish;
+}
+
+// The scene with the exposure of a day or of one of the preset's own key frames, where it asks for one.
+Scene with_held_exposure(const RenderOrder& given, Scene scene, const DeviceOnDemand& device) {
+  std::optional<Scene> frame;
+  if (scene.display.metering == Metering::frame && !scene.display.exposure) {
+    const Preset preset = chosen_preset(given.scene, overrides(given.picture));
+    frame = frame_scene(preset, locked_frame(scene));
+    frame->render = scene.render;
+  }
+  if (const std::optional<double> held = held_exposure(device, scene, frame ? &*frame : nullptr)) {
+    scene.display.exposure = held;
+  }
+  return scene;
 }
 
 RenderRequest request_of(const Scene& scene, const Targets& targets) {
@@ -192,10 +217,10 @@ PictureContext context_of(const Means& means, const Scene& scene, const Renderin
 }
 
 // One picture, or the six of a cube.
-Published publish_pictures(const Means& means, const PictureContext& context) {
+Published publish_pictures(const Means& means, const PictureContext& context, bool half) {
   const RenderOrder& given = means.given;
   const Targets& targets = means.targets;
-  const PublishOrder order{targets, given.scene.preset, !given.picture.full_float, given.picture.bits};
+  const PublishOrder order{targets, given.scene.preset, half, given.picture.bits};
   if (!given.cube_faces) {
     return publish(context, order, means.transform, means.watch);
   }
@@ -228,9 +253,12 @@ void add_further_files(const Means& means, const PictureContext& context, const 
   }
 }
 
-void tell(const Means& means, RenderReport& report) {
+void tell(const Means& means, RenderReport& report, const ExrDepth& depth) {
   const RenderOrder& given = means.given;
-  report.exr_format = given.picture.full_float ? "float" : "half";
+  report.exr_format = depth.half ? "half" : "float";
+  if (!depth.why.empty() && !given.quiet) {
+    complain("note: the EXR has 32-bit floats: " + depth.why + "; --half forces 16 bits");
+  }
   if (!means.targets.png.empty()) {
     report.view =
         means.transform ? means.transform->display() + " / " + means.transform->view() : report.scene.display.view;
@@ -267,12 +295,13 @@ void render_and_publish(const Means& means, const Scene& scene) {
   }
   require_valid_vulkan();
   const PictureContext context = context_of(means, scene, rendering);
-  Published done = publish_pictures(means, context);
+  const ExrDepth depth = means.targets.exr.empty() ? ExrDepth{} : exr_depth(given.picture, rendering);
+  Published done = publish_pictures(means, context, depth.half);
   add_further_files(means, context, lighting, done.files);
   const Plan plan = plan_for(scene, request);
   RenderReport report{scene,    rendering, plan, device_of(means), done.files,
                       done.exr, {},        {},   means.choice,     means.watch};
-  tell(means, report);
+  tell(means, report, depth);
 }
 
 // All of the picture, or the faces that it is cut into.
@@ -292,11 +321,13 @@ void render_in_tiles(const Means& means, const Scene& scene, const ImageSize& ti
   const RenderOrder& given = means.given;
   const DeviceOnDemand device = device_on_demand(given.scene, means.executor);
   device();  // its name stands in the header, before the first tile
+  const bool is_asked = given.picture.full_float || given.picture.half_float || means.targets.exr.empty();
+  const ExrDepth depth = exr_depth(given.picture, is_asked ? Rendering{} : metered_picture(device, scene));
   TiledOrder order{.tile = tile,
                    .request = request_of(scene, means.targets),
                    .parts = parts_of(means, scene),
                    .transform = means.transform,
-                   .half = !given.picture.full_float,
+                   .half = depth.half,
                    .bits = given.picture.bits,
                    .source = given.scene.preset,
                    .context = {}};
@@ -330,7 +361,7 @@ void render_in_tiles(const Means& means, const Scene& scene, const ImageSize& ti
     report.exr = done.counts;
   }
   report.tile = tile;
-  tell(means, report);
+  tell(means, report, depth);
 }
 
 // The tile of a picture that is rendered in tiles. Throws InputError for layers and tiles that cannot be had.
@@ -358,10 +389,14 @@ void warn(const Scene& scene, const Targets& targets, const std::optional<Displa
 
 int run_render(const RenderOrder& given) {
   Stopwatch watch;
+  require_one_depth(given.picture, "render");
   Scene scene = scene_of(given);
   const std::optional<ChoiceWish> wish = choice_wish(given, scene);
   if (given.cube_faces) {
     require_cube_stack(scene);
+  }
+  if (scene.display.metering == Metering::frame && !scene.display.exposure) {
+    locked_frame(scene);  // which must be there
   }
   const Targets targets = choose_targets(given);
   std::optional<ImageSize> tile = wish ? std::nullopt : tile_of(given, scene, targets);
@@ -388,6 +423,7 @@ int run_render(const RenderOrder& given) {
   if (!given.quiet) {
     warn(scene, targets, transform);
   }
+  scene = with_held_exposure(given, std::move(scene), device_on_demand(given.scene, executor));
   const Means means{given, targets, transform, choice, executor, watch};
   if (tile) {
     render_in_tiles(means, scene, *tile);

@@ -42,6 +42,9 @@ FrameFiles files_of(const SequenceJob& job, long frame_number);
 // The preset with the frame's keys put in, judged like any other. Throws InputError that names the frame.
 Scene scene_of(const SequenceJob& job, const sequence::Frame& frame);
 
+// The frame that `lock:FRAME` names. Throws InputError where the sequence has none of that number.
+sequence::Frame locked_frame(const SequenceJob& job);
+
 // A hash over all that decides what a file holds: the frame's preset, airlight's version, how pixels become files. Not
 // the device: pictures of two devices agree to rounding, and a farm may have several.
 struct FrameHashes {

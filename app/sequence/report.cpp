@@ -115,6 +115,15 @@ void SequenceReport::warn(long frame_number, const std::string& warning) {
   }
 }
 
+void SequenceReport::took_floats(long frame_number, const std::string& why) {
+  const std::lock_guard lock(mutex_);
+  if (++full_floats_ == 1 && !job_.quiet) {
+    clear_bar();
+    complain("note: frame " + std::to_string(frame_number) + " and all like it have 32-bit floats: " + why +
+             "; --half forces 16 bits, --float gives every frame 32");
+  }
+}
+
 SequenceTotals SequenceReport::totals() const {
   const std::lock_guard lock(mutex_);
   SequenceTotals totals = totals_;
@@ -131,6 +140,9 @@ void SequenceReport::end(const std::string& stopped) {
   }
   if (job_.quiet) {
     return;
+  }
+  if (full_floats_ > 1) {
+    complain("note: " + std::to_string(full_floats_) + " frames have 32-bit floats");
   }
   if (warnings_ > 1) {
     complain("warning: " + std::to_string(warnings_) + " such warnings in all");

@@ -43,6 +43,8 @@ class SequenceReport {
   void frame(const FrameReport& frame);
   // A warning of a frame, told the first time that it comes up.
   void warn(long frame_number, const std::string& warning);
+  // A frame whose EXR has 32 bits because halves would lose something; told the first time.
+  void took_floats(long frame_number, const std::string& why);
   SequenceTotals totals() const;
   // The bar goes, the last line comes. `stopped`: a signal's name; empty: all is done.
   void end(const std::string& stopped);
@@ -56,6 +58,7 @@ class SequenceReport {
   mutable std::mutex mutex_;
   SequenceTotals totals_;
   std::size_t warnings_ = 0;
+  std::size_t full_floats_ = 0;
   bool drawn_ = false;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::chrono::steady_clock::time_point last_draw_;

@@ -7,17 +7,21 @@
 #include <mutex>
 #include <thread>
 
+#include "app/cli/frame_scene.h"
 #include "app/cli/interruption.h"
 #include "app/cli/terminal.h"
 #include "app/render/publish.h"
+#include "app/render/report.h"
 #include "app/render/tiled_picture.h"
 #include "app/render/validity.h"
 #include "app/sequence/manifest.h"
 #include "app/sequence/report.h"
 #include "core/error.h"
+#include "core/render/metering.h"
 #include "core/methods/method.h"
 #include "core/output/atomic_file.h"
 #include "core/scene/angle.h"
+#include "core/scene/json_format.h"
 #include "core/sequence/bounded_workers.h"
 
 namespace airlight::cli {
@@ -60,8 +64,8 @@ class Runner {
  public:
   explicit Runner(const SequenceJob& job)
       : job_(job),
-        report_(job),
-        manifest_(job),
+        report_(job_),
+        manifest_(job_),
         transform_(job.png ? display_transform(job.picture, job.scene) : std::nullopt),
         display_(transform_ ? transform_->config() + ", " + transform_->display() + ", " + transform_->view() : "") {
     if (transform_ && !transform_->warning().empty() && !job.quiet) {
@@ -76,6 +80,7 @@ class Runner {
 
  private:
   void remove_leftovers() const;
+  void hold_exposure();
   void render_all();
   bool render_frame(std::size_t k, sequence::BoundedWorkers& encoders);
   bool render_in_tiles(const std::shared_ptr<Work>& work, const ImageSize& tile);
@@ -84,7 +89,7 @@ class Runner {
   void finished(std::size_t k, const Scene& scene, const FrameReport& report);
   std::string whole_so_far() const;
 
-  const SequenceJob& job_;
+  SequenceJob job_;
   SequenceReport report_;
   SequenceManifest manifest_;
   std::mutex manifest_mutex_;
@@ -129,13 +134,17 @@ void Runner::encode(const Work& work) {
   const Clock::time_point start = Clock::now();
   const PictureContext context = context_of(work, work.scene, work.rendering);
   const FrameFiles& files = work.report.files;
+  const ExrDepth depth = files.exr.empty() ? ExrDepth{} : exr_depth(job_.picture, work.rendering);
   Stopwatch laps;
-  publish(context,
-          {{files.exr, files.png},
-           "frame " + std::to_string(work.report.number),
-           !job_.picture.full_float,
-           job_.picture.bits},
-          transform_, laps);
+  const Published done = publish(
+      context, {{files.exr, files.png}, "frame " + std::to_string(work.report.number), depth.half, job_.picture.bits},
+      transform_, laps);
+  if (!depth.why.empty()) {
+    report_.took_floats(work.report.number, depth.why);
+  }
+  for (const std::string& warning : done.exr ? exr_warnings(*done.exr) : std::vector<std::string>()) {
+    report_.warn(work.report.number, warning);
+  }
   FrameReport report = work.report;
   report.encode_ms = milliseconds_since(start);
   finished(work.k, work.scene, report);
@@ -148,11 +157,16 @@ bool Runner::render_in_tiles(const std::shared_ptr<Work>& work, const ImageSize&
   const FrameFiles& files = work->report.files;
   const DeviceOnDemand device = device_on_demand(job_.scene_options, executor_);
   device();  // its name stands in the header, before the first tile
+  const bool is_asked = job_.picture.full_float || job_.picture.half_float || files.exr.empty();
+  const ExrDepth depth = exr_depth(job_.picture, is_asked ? Rendering{} : metered_picture(device, scene));
+  if (!depth.why.empty()) {
+    report_.took_floats(work->report.number, depth.why);
+  }
   TiledOrder order{.tile = tile,
                    .request = request_for(scene, job_.exr.has_value(), job_.png.has_value()),
                    .parts = {{scene, 0, files.exr, files.png}},
                    .transform = transform_,
-                   .half = !job_.picture.full_float,
+                   .half = depth.half,
                    .bits = job_.picture.bits,
                    .source = "frame " + std::to_string(work->report.number),
                    .context = {}};
@@ -214,6 +228,21 @@ bool Runner::render_frame(std::size_t k, sequence::BoundedWorkers& encoders) {
   return true;
 }
 
+// A day's or a frame's exposure becomes the preset's own, so that every frame, and its hash, has the number.
+void Runner::hold_exposure() {
+  const Display& display = job_.scene.display;
+  std::optional<Scene> frame;
+  if (display.metering == Metering::frame && !display.exposure) {
+    frame = scene_of(job_, locked_frame(job_));
+  }
+  const std::optional<double> held =
+      held_exposure(device_on_demand(job_.scene_options, executor_), job_.scene, frame ? &*frame : nullptr);
+  if (held) {
+    apply_override(job_.preset, "/display/exposure=" + format_number(*held));
+    job_.scene.display.exposure = held;
+  }
+}
+
 void Runner::render_all() {
   const std::size_t frames = sequence::shard_size(job_.shard, sequence::frame_count(job_.source));
   const Room room = room_for(job_.scene.image, job_.picture.layers);
@@ -236,6 +265,7 @@ SequenceOutcome Runner::run() {
   const Interruption interruption;
   remove_leftovers();
   try {
+    hold_exposure();
     render_all();
   } catch (const RunError& error) {
     report_.end("");

@@ -82,6 +82,28 @@ void count_samples(const float* samples, std::size_t stride, std::size_t count, 
   });
 }
 
+std::string half_loss(const RadianceImage& image, double typical) {
+  constexpr float kFewBits = 0x1p-16F;
+  constexpr float kLargest = 65504.0F;
+  const float dark = static_cast<float>(typical / 256.0);
+  std::size_t matter = 0;
+  std::size_t faint = 0;
+  std::size_t bright = 0;
+  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const float sample = image.rgba[i + c];
+      const bool is_seen = sample > 0.0F && sample >= dark;
+      matter += is_seen ? 1 : 0;
+      faint += is_seen && sample < kFewBits ? 1 : 0;
+      bright += sample > kLargest ? 1 : 0;
+    }
+  }
+  if (bright > 0) {
+    return std::to_string(bright) + " samples are above 65504, the largest half";
+  }
+  return faint * 100 > matter ? "it is too dark for the digits of halves" : "";
+}
+
 void add_counts(ExrCounts& total, const ExrCounts& part) {
   total.samples += part.samples;
   total.clamped += part.clamped;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 #include "core/output/exr.h"
 
@@ -14,6 +15,11 @@ void convert_to_half(const float* samples, std::size_t stride, std::size_t count
 
 // The counts that do not depend on the format: samples, negative, nan.
 void count_samples(const float* samples, std::size_t stride, std::size_t count, ExrCounts& counts);
+
+// What halves would lose of a picture that people could see; empty: nothing. Samples above 65504; or more than a
+// hundredth of those that matter, no darker than 1/256 of `typical` (its metered luminance), below 2^-16, where a half
+// has fewer than 8 bits.
+std::string half_loss(const RadianceImage& image, double typical);
 
 void add_counts(ExrCounts& total, const ExrCounts& part);
 

@@ -31,14 +31,13 @@ Picture picture_of(BufferId buffer, const Tile& tile);
 bool add_sun_disc(Plan& plan, const Scene& scene, const Air& air, std::optional<ImageId> transmittance,
                   const Picture& picture);
 
-// Row statistics of a picture or a table, for summarize(). `key` as for any buffer of a plan.
-BufferId add_picture_statistics(Plan& plan, const Picture& picture);
+// Row statistics of a picture or a table, for summarize(). `brightest`: of brightest_metered().
+BufferId add_picture_statistics(Plan& plan, const Picture& picture, double brightest);
 BufferId add_table_statistics(Plan& plan, ImageId table);
 
 struct Statistics {
-  double log_average_luminance = 0.0;  // geometric mean over lit texels; 0 where none is lit
+  double metered_luminance = 0.0;  // geometric mean, each texel weighed by the root of its luminance; 0: all is black
   double max_luminance = 0.0;
-  std::uint64_t lit = 0;
   std::uint64_t not_finite = 0;
   std::uint64_t negative = 0;
   std::uint32_t first_bad_x = 0;  // of not_finite or negative, when either is not 0
@@ -50,8 +49,14 @@ struct Statistics {
 // `rows`: the contents of a statistics buffer; `width`: of the picture or table.
 Statistics summarize(std::span<const std::byte> rows, std::uint32_t width);
 
-// The linear factor before the tone curve: the preset's, or the one that brings the log-average luminance to 0.18.
-double exposure_for(const Display& display, const Statistics& statistics);
+// The linear factor before the tone curve: the preset's, or that of the eye adapted to what the picture's meter shows
+// (exposure.cpp), and the compensation. Where day or a frame is to be metered, see core/render/metering.h: here both
+// count as the picture itself.
+double exposure_for(const Scene& scene, const Statistics& statistics);
+
+// What is brighter counts as being so bright in the meter: a white surface in full sunlight above the air. Neither the
+// sun's disc, nor what part of it is in the picture, moves the exposure then.
+double brightest_metered(const Scene& scene);
 
 // Whether any pixel exceeds the bloom's threshold; where none does, bloom is black and need not run.
 bool bloom_glows(const Bloom& bloom, const Statistics& statistics, double exposure);

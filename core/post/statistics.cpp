@@ -1,5 +1,7 @@
+#include <bit>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "core/post/post.h"
 
@@ -10,7 +12,9 @@ using real = float;
 using uint = std::uint32_t;
 #include "shaders/shared/statistics.h"
 
-constexpr double kMiddleGrey = 0.18;
+std::uint32_t bits(double x) {
+  return std::bit_cast<std::uint32_t>(static_cast<float>(x));
+}
 
 BufferId add_rows(Plan& plan, std::string name, std::uint32_t height, std::string key) {
   return plan.add_buffer({.name = std::move(name),
@@ -21,16 +25,18 @@ BufferId add_rows(Plan& plan, std::string name, std::uint32_t height, std::strin
                           .zeroed = false});
 }
 
+constexpr double kNoLimit = std::numeric_limits<float>::max();
+
 }  // namespace
 
-BufferId add_picture_statistics(Plan& plan, const Picture& picture) {
+BufferId add_picture_statistics(Plan& plan, const Picture& picture, double brightest) {
   const BufferId rows = add_rows(plan, "picture_statistics", picture.height, {});
   plan.add_pass({.name = "picture_statistics",
                  .shader = "picture_statistics",
                  .reads = {{"picture", picture.buffer}},
                  .writes = {{"rows_out", rows}},
                  .grid = {64, picture.height, 1},
-                 .push_constants = {picture.width, picture.height},
+                 .push_constants = {picture.width, picture.height, bits(brightest)},
                  .specialization = {}});
   return rows;
 }
@@ -44,7 +50,7 @@ BufferId add_table_statistics(Plan& plan, ImageId table) {
                  .reads = {{"table", table}},
                  .writes = {{"rows_out", rows}},
                  .grid = {64, image.extent.height, 1},
-                 .push_constants = {image.extent.width, image.extent.height},
+                 .push_constants = {image.extent.width, image.extent.height, bits(kNoLimit)},
                  .specialization = {}});
   return rows;
 }
@@ -52,6 +58,7 @@ BufferId add_table_statistics(Plan& plan, ImageId table) {
 Statistics summarize(std::span<const std::byte> rows, std::uint32_t width) {
   Statistics all;
   double log_sum = 0.0;
+  double weight = 0.0;
   for (std::size_t y = 0; y < rows.size() / sizeof(RowStatistics); ++y) {
     RowStatistics row;
     std::memcpy(&row, rows.data() + y * sizeof row, sizeof row);
@@ -60,20 +67,13 @@ Statistics summarize(std::span<const std::byte> rows, std::uint32_t width) {
       all.first_bad_y = static_cast<std::uint32_t>(y);
     }
     log_sum += static_cast<double>(row.log_luminance_sum);
-    all.lit += static_cast<std::uint64_t>(row.lit);
+    weight += static_cast<double>(row.weight);
     all.max_luminance = std::max(all.max_luminance, static_cast<double>(row.max_luminance));
     all.not_finite += row.not_finite;
     all.negative += row.negative;
   }
-  all.log_average_luminance = all.lit == 0 ? 0.0 : std::exp(log_sum / static_cast<double>(all.lit));
+  all.metered_luminance = weight > 0.0 ? std::exp(log_sum / weight) : 0.0;
   return all;
-}
-
-double exposure_for(const Display& display, const Statistics& statistics) {
-  if (display.exposure) {
-    return *display.exposure;
-  }
-  return statistics.log_average_luminance > 0.0 ? kMiddleGrey / statistics.log_average_luminance : 1.0;
 }
 
 bool bloom_glows(const Bloom& bloom, const Statistics& statistics, double exposure) {

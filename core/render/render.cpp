@@ -53,7 +53,7 @@ Frame sky_frame(const Scene& scene, const Air& air, const RenderRequest& request
       frame.dumps.push_back(frame.plan.add_readback(table));
     }
   }
-  frame.rows = add_picture_statistics(frame.plan, frame.picture);
+  frame.rows = add_picture_statistics(frame.plan, frame.picture, brightest_metered(scene));
   return frame;
 }
 
@@ -70,7 +70,7 @@ Frame host_frame(const Scene& scene, const Air& air, const RadianceImage& radian
       scene, frame.plan.add_buffer(
                  {.name = "radiance", .bytes = size, .host_readable = true, .contents = std::move(bytes), .key = {}}));
   add_disc(frame, scene, air, std::nullopt);
-  frame.rows = add_picture_statistics(frame.plan, frame.picture);
+  frame.rows = add_picture_statistics(frame.plan, frame.picture, brightest_metered(scene));
   return frame;
 }
 
@@ -206,7 +206,7 @@ Rendering render(const DeviceOnDemand& device, const Scene& scene, const RenderR
   take_tables(out, frame, result);
   out.left_out = std::move(frame.left_out);
   out.picture = summarize(result.contents(frame.rows), frame.picture.width);
-  out.exposure = exposure_for(scene.display, out.picture);
+  out.exposure = exposure_for(scene, out.picture);
   out.radiance = image_from(result.contents(frame.picture.buffer), scene.image.width, scene.image.height);
   if (out.fault().empty()) {
     run_post(executor, scene, request, frame.plan, frame.picture, out);

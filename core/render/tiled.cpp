@@ -286,16 +286,16 @@ Rendering TiledRender::run() {
     out_.left_out.push_back("sun disc: switched off, outside the picture or behind the planet");
   }
   two_rounds_ = wants_bloom() || (request_.exposure_first && !scene_.display.exposure);
-  out_.exposure = scene_.display.exposure.value_or(1.0);
+  out_.exposure = scene_.display.exposure ? exposure_for(scene_, {}) : 1.0;
   if (two_rounds_) {
     go_through(Round::measuring, 0.0, 0.5);
-    out_.exposure = exposure_for(scene_.display, out_.picture);
+    out_.exposure = exposure_for(scene_, out_.picture);
     if (out_.fault().empty()) {
       make_bloom();
     }
   }
   go_through(Round::delivering, two_rounds_ ? 0.5 : 0.0, 1.0);
-  out_.exposure = exposure_for(scene_.display, out_.picture);
+  out_.exposure = exposure_for(scene_, out_.picture);
   return std::move(out_);
 }
 

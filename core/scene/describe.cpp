@@ -5,6 +5,7 @@
 #include "core/scene/angle.h"
 #include "core/scene/json_format.h"
 #include "core/scene/photometry.h"
+#include "core/scene/preset.h"
 #include "core/scene/render_settings.h"
 #include "core/scene/resolve.h"
 #include "core/scene/rules.h"
@@ -132,7 +133,8 @@ std::string describe(const Scene& scene) {
       .number("intensity", scene.bloom.intensity)
       .number("levels", scene.bloom.levels);
   lines.heading("display")
-      .line("exposure", scene.display.exposure ? format_number(*scene.display.exposure) : "auto")
+      .line("exposure", scene.display.exposure ? format_number(*scene.display.exposure) : metering_text(scene.display))
+      .number("compensation", scene.display.compensation, "stops")
       .line("display", scene.display.display.empty() ? "the config's default" : scene.display.display)
       .line("view", scene.display.view.empty() ? "the config's default" : scene.display.view)
       .line("tone curve", kToneCurveNames.at(static_cast<std::size_t>(scene.display.tonemap)));

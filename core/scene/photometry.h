@@ -14,15 +14,30 @@
 namespace airlight {
 
 // Luminance of linear BT.709, ITU-R BT.709-6 item 3.2. In the unit of the channels.
-double bt709_luminance(const Spectrum& rgb);
+constexpr double bt709_luminance(const Spectrum& rgb) {
+  return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2];
+}
 
-// Solar illuminance constant of the IES, 128 klx, over the total solar irradiance of Kopp and Lean 2011, 1361 W/m2:
+// Solar illuminance constant of the IES, lux.
+inline constexpr double kSunlight = 128000.0;
+
+// That over the total solar irradiance of Kopp and Lean 2011, 1361 W/m2:
 // lm per W of sunlight above the air, its infrared included.
-inline constexpr double kSunlightEfficacy = 128000.0 / 1361.0;
+inline constexpr double kSunlightEfficacy = kSunlight / 1361.0;
 
 // Luminance in cd/m2 of the radiance (1, 1, 1), which is what OpenEXR's whiteLuminance holds; also lux per unit of
 // irradiance. None: the unit says nothing of it.
-std::optional<double> white_luminance(SunUnit unit);
+constexpr std::optional<double> white_luminance(SunUnit unit) {
+  switch (unit) {
+    case SunUnit::relative:
+      break;
+    case SunUnit::watts_per_square_metre:
+      return kSunlightEfficacy;
+    case SunUnit::lux:
+      return 1.0;
+  }
+  return std::nullopt;
+}
 
 std::string_view irradiance_unit(SunUnit unit);  // "W/m2", "lux"; empty: relative
 std::string_view radiance_unit(SunUnit unit);    // "W/(m2 sr)", "cd/m2"; "sun irradiance unit / sr": relative

@@ -54,6 +54,9 @@ void apply_override(Preset& preset, std::string_view assignment, const std::stri
 // does; `source` says in messages who asks.
 void put_value(Preset& preset, std::string_view pointer, PresetValue value, const std::string& source);
 
+// How an exposure that is no number is metered, as a preset spells it: "auto", "day", "lock:12".
+std::string metering_text(const Display& display);
+
 // The whole scene as a preset of format 1, every key written out, so that resolving it again gives the same scene.
 std::string to_json(const Scene& scene);
 

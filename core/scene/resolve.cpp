@@ -1,6 +1,7 @@
 #include "core/scene/resolve.h"
 
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -286,15 +287,32 @@ Bloom read_bloom(const Section& root, const Camera& camera) {
   return bloom;
 }
 
+// "auto", "day" or "lock:FRAME"; false where the value is none of them.
+bool read_metering(const PresetValue& value, Display& display) {
+  constexpr std::string_view kLock = "lock:";
+  const auto* word = std::get_if<std::string>(&value.data);
+  if (word == nullptr) {
+    return false;
+  }
+  if (word->starts_with(kLock)) {
+    const char* const end = word->data() + word->size();
+    const auto parsed = std::from_chars(word->data() + kLock.size(), end, display.metered_frame);
+    display.metering = Metering::frame;
+    return parsed.ec == std::errc() && parsed.ptr == end && display.metered_frame >= 0;
+  }
+  display.metering = *word == "day" ? Metering::day : Metering::picture;
+  return *word == "auto" || *word == "day";
+}
+
 Display read_display(const Section& root) {
   const Section section = root.child("display");
   section.refuse_unknown_keys();
   Display display;
-  const PresetValue* exposure = section.find("exposure");
-  const auto* word = exposure == nullptr ? nullptr : std::get_if<std::string>(&exposure->data);
-  if (exposure != nullptr && (word == nullptr || *word != "auto")) {
+  if (const PresetValue* exposure = section.find("exposure");
+      exposure != nullptr && !read_metering(*exposure, display)) {
     read_number(section.site("exposure", *exposure), display.exposure.emplace());
   }
+  display.compensation = section.number("compensation_ev");
   display.display = section.text("display");
   display.view = section.text("view");
   display.tonemap = static_cast<ToneCurve>(section.choice("tonemap").value_or(0));

@@ -229,7 +229,7 @@ constexpr auto kRules = std::to_array<Rule>({
 
     {.key = "render.method",
      .type = RuleType::method,
-     .default_text = "march",
+     .default_text = "orders",
      .meaning = "a method's name, see `airlight methods`"},
 
     {.key = "bloom.enabled",
@@ -255,8 +255,13 @@ constexpr auto kRules = std::to_array<Rule>({
      .type = RuleType::exposure,
      .range = {.minimum = 1e-9, .maximum = 1e9},
      .default_text = "auto",
-     .meaning = "linear factor before the display transform or tone curve; \"auto\" brings the log-average luminance "
-                "to 0.18; never touches the EXR"},
+     .meaning = "linear factor before the display transform or tone curve, see Exposure below: a number, or found by a "
+                "meter: \"auto\", \"day\", \"lock:FRAME\"; never touches the EXR's radiance"},
+    {.key = "display.compensation_ev",
+     .range = {.minimum = -30.0, .maximum = 30.0},
+     .unit = "stops",
+     .default_text = "0",
+     .meaning = "added to the exposure, whether stated or metered: +1 doubles it"},
     {.key = "display.display",
      .type = RuleType::text,
      .meaning = "a display of the OCIO config in force; \"\" is the config's default"},
@@ -352,7 +357,7 @@ std::string expectation(const Rule& rule) {
     case RuleType::method:
       return "the name of a method";
     case RuleType::exposure:
-      return "a number, " + range + ", or \"auto\"";
+      return "a number, " + range + ", \"auto\", \"day\" or \"lock:FRAME\"";
     case RuleType::media:
       return "an array of " + range + " media";
     case RuleType::layers:

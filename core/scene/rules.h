@@ -35,7 +35,7 @@ enum class RuleType {
   spectrum,    // a number or three
   choice,      // one of the listed strings; default_text without quotes
   method,      // the name of a method
-  exposure,    // a number or "auto"
+  exposure,    // a number or how it is metered
   media,       // an array of media
   layers,      // an array of [altitude, density], altitudes ascending; the range is the density's
   key_frames,  // an array of objects: a frame's number and what keys are then

@@ -115,7 +115,7 @@ struct Tile {
 // The chosen method and every parameter that it takes, defaults filled in. A parameter inherited through `extends`
 // that the method does not take is left out.
 struct RenderSettings {
-  std::string method = "march";
+  std::string method = "orders";
   std::map<std::string, ParameterValue, std::less<>> parameters;
 
   // The named parameter; asking for one that the method does not declare, or with another type, is a mistake of ours.
@@ -133,10 +133,16 @@ struct Bloom {
   int levels = 5;
 };
 
+// Whose light an exposure that is no number goes by: the picture's own, a midday's, or that of a sequence's frame.
+enum class Metering { picture, day, frame };
+
 struct Display {
-  std::optional<double> exposure;  // absent: auto
-  std::string display;             // empty: the OCIO config's default
-  std::string view;                // empty: the OCIO config's default; "gpu": the GPU tone curve
+  std::optional<double> exposure;  // a linear factor; absent: metered
+  Metering metering = Metering::picture;
+  int metered_frame = 0;      // of Metering::frame
+  double compensation = 0.0;  // stops, added to either
+  std::string display;        // empty: the OCIO config's default
+  std::string view;           // empty: the OCIO config's default; "gpu": the GPU tone curve
   ToneCurve tonemap = ToneCurve::aces;
 };
 

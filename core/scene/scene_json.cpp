@@ -142,7 +142,8 @@ std::string bloom_json(const Bloom& bloom) {
 
 std::string display_json(const Display& display) {
   return JsonObject(2)
-      .add("exposure", display.exposure ? format_number(*display.exposure) : json_string("auto"))
+      .add("exposure", display.exposure ? format_number(*display.exposure) : json_string(metering_text(display)))
+      .number("compensation_ev", display.compensation)
       .text("display", display.display)
       .text("view", display.view)
       .text("tonemap", name_of(display.tonemap, kToneCurveNames))
@@ -176,6 +177,18 @@ std::string sequence_json(const KeyFrames& sequence) {
 }
 
 }  // namespace
+
+std::string metering_text(const Display& display) {
+  switch (display.metering) {
+    case Metering::picture:
+      break;
+    case Metering::day:
+      return "day";
+    case Metering::frame:
+      return "lock:" + std::to_string(display.metered_frame);
+  }
+  return "auto";
+}
 
 std::string to_json(const Scene& scene) {
   JsonObject object(1);

@@ -1,5 +1,7 @@
-// One workgroup a row: counts what is not finite or negative, and sums what automatic exposure needs. The includer
-// defines: vec4 value_at(uint x, uint y);  alpha 0 leaves a texel out.
+// One workgroup a row: counts what is not finite or negative, and sums what the exposure's meter needs. A texel weighs as
+// the root of its luminance does: what is black weighs nothing, a ground 600 times darker than the sky next to nothing,
+// and the mean is as bright for a picture k times as bright. What exceeds `brightest` counts as being so bright. The
+// includer defines: vec4 value_at(uint x, uint y);  alpha 0 leaves a texel out.
 #extension GL_EXT_scalar_block_layout : require
 #define real float
 #include "shared/statistics.h"
@@ -11,6 +13,7 @@ layout(scalar, set = 0, binding = 1) writeonly buffer Rows { RowStatistics value
 layout(push_constant, scalar) uniform Push {
   uint width;
   uint height;
+  float brightest;
 };
 
 shared RowStatistics partial[64];
@@ -19,8 +22,8 @@ bool is_finite(float x) { return (floatBitsToUint(x) & 0x7f800000u) != 0x7f80000
 
 RowStatistics empty_statistics() {
   RowStatistics s;
+  s.weight = 0.0;
   s.log_luminance_sum = 0.0;
-  s.lit = 0.0;
   s.max_luminance = 0.0;
   s.not_finite = 0u;
   s.negative = 0u;
@@ -32,9 +35,10 @@ void collect(inout RowStatistics s, vec4 value, uint x) {
   bool finite = is_finite(value.x) && is_finite(value.y) && is_finite(value.z);
   bool negative = finite && (value.x < 0.0 || value.y < 0.0 || value.z < 0.0);
   float luminance = finite ? luminance_bt709(value.xyz) : 0.0;
-  bool lit = luminance > 0.0 && value.w > 0.0;
-  s.log_luminance_sum += lit ? log(max(luminance, 1e-37)) : 0.0;
-  s.lit += lit ? 1.0 : 0.0;
+  float metered = clamp(luminance, 1e-37, brightest);
+  float weight = luminance > 0.0 && value.w > 0.0 ? sqrt(metered) : 0.0;
+  s.weight += weight;
+  s.log_luminance_sum += weight * log(metered);
   s.max_luminance = max(s.max_luminance, luminance);
   s.not_finite += finite ? 0u : 1u;
   s.negative += negative ? 1u : 0u;
@@ -52,8 +56,8 @@ void main() {
   barrier();
   if (lane == 0u) {
     for (uint i = 1u; i < 64u; i++) {
+      s.weight += partial[i].weight;
       s.log_luminance_sum += partial[i].log_luminance_sum;
-      s.lit += partial[i].lit;
       s.max_luminance = max(s.max_luminance, partial[i].max_luminance);
       s.not_finite += partial[i].not_finite;
       s.negative += partial[i].negative;

@@ -94,7 +94,7 @@ TEST_F(Cli, JsonTellsWhatWasDone) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const Json json = Json::parse(outcome.out);
   EXPECT_EQ(json["files"], (Json{"a.exr", "a.png"}));
-  EXPECT_EQ(json["method"], "march");
+  EXPECT_EQ(json["method"], "orders");
   EXPECT_EQ(json["width"], 32);
   EXPECT_EQ(json["height"], 18);
   EXPECT_EQ(json["non_finite"], 0);
@@ -132,7 +132,7 @@ TEST_F(Cli, DryRunOpensNoDeviceAndWritesNothing) {
   const Outcome outcome = tool({"render", "sky.json", "--dry-run"},
                                with_environment({{"VK_ICD_FILENAMES", "/nowhere"}, {"VK_DRIVER_FILES", "/nowhere"}}));
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  for (const char* part : {"8 km", "degrees", "transmittance, 256x64 threads", "sky_march"}) {
+  for (const char* part : {"8 km", "degrees", "transmittance, 256x64 threads", "sky_orders"}) {
     EXPECT_TRUE(contains(outcome.out, part)) << outcome.out;
   }
   EXPECT_EQ(scratch_.files(), Names{"sky.json"});
@@ -178,11 +178,38 @@ TEST_F(Cli, FloatExrHoldsMore) {
 }
 
 TEST_F(Cli, ValuesTooLargeForHalfAreCountedInAWarning) {
-  const Outcome outcome = tool({"render", "sky.json", "-o", "a.exr", "--set", "/sun/irradiance=1e7"});
+  const Outcome outcome = tool({"render", "sky.json", "--half", "-o", "a.exr", "--set", "/sun/irradiance=1e7"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_TRUE(contains(outcome.err, "warning: ")) << outcome.err;
   EXPECT_TRUE(contains(outcome.err, "65504")) << outcome.err;
-  EXPECT_TRUE(contains(outcome.err, "--float")) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "leave out --half")) << outcome.err;
+}
+
+// Too bright, too dark, and neither; whole and in tiles.
+TEST_F(Cli, ThirtyTwoBitsComeWhereHalvesHoldLess) {
+  for (const Names& tiles : {Names{}, Names{"--tile", "16x16"}}) {
+    const auto format = [&](Names more) {
+      Names words = {"render", "sky.json", "-o", "a.exr", "--json"};
+      words.insert(words.end(), more.begin(), more.end());
+      words.insert(words.end(), tiles.begin(), tiles.end());
+      const Outcome outcome = tool(words);
+      EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+      const std::string said = Json::parse(outcome.out)["exr"]["format"];
+      EXPECT_EQ(contains(outcome.err, "note: the EXR has 32-bit floats"), said == "float") << outcome.err;
+      return said;
+    };
+    EXPECT_EQ(format({}), "half");
+    EXPECT_EQ(format({"--sun-elevation", "1"}), "half");
+    EXPECT_EQ(format({"--sun-elevation", "-11"}), "float");
+    EXPECT_EQ(format({"--sun-elevation", "-17"}), "float");
+    EXPECT_EQ(format({"--set", "/sun/irradiance=1e7"}), "float");
+    EXPECT_EQ(format({"--set", "/sun/irradiance=0"}), "half");  // black is black
+    EXPECT_EQ(format({"--sun-elevation", "-17", "--half"}), "half");
+  }
+  const Outcome both = tool({"render", "sky.json", "--half", "--float", "-o", "b.exr"});
+  EXPECT_EQ(both.exit_code, 2);
+  EXPECT_TRUE(contains(both.err, "--half and --float exclude each other")) << both.err;
+  EXPECT_EQ(lines_of(both.err).size(), 1U);
 }
 
 TEST_F(Cli, SamplingStopsAndGoesOnFromACheckpoint) {

@@ -123,7 +123,7 @@ TEST_F(Sequence, BadInputIsOneLineExitCodeTwoAndNoFile) {
       {with({"--contact-sheet", "sheet.png", "--shard", "1/2"}), {"one shard is not the whole sequence"}},
       {with({"--contact-sheet", "sheet.png", "--view", "gpu"}), {"no view 'gpu'", "--png"}},
       {with({"--manifest", "no/list.json"}), {"no/list.json", "does not exist"}},
-      {with({"--time-limit", "1s"}), {"--time-limit: march does not sample"}},
+      {with({"--time-limit", "1s"}), {"--time-limit: orders does not sample"}},
       {with({"--checkpoint", "x"}), {"unknown option '--checkpoint'"}},
   };
   for (const BadSequence& bad : cases) {

@@ -44,11 +44,9 @@ TEST(RandomScenes, AreSoundByTheirOwnMethod) {
   for (std::uint64_t seed = 0; seed < kScenes; seed += kStride) {
     Scene scene = scene_of(seed);
     scene.image = {16, 9};
-    // Thick air at degree 8 bakes for seconds: seen to for one in twenty.
-    const auto degree = scene.render.parameters.find("degree");
-    if (degree != scene.render.parameters.end() && degree->second == ParameterValue(std::string("auto")) &&
-        seed % kSameKinds != 0) {
-      degree->second = std::string("2");
+    // Thick air bakes for seconds by `orders`, which is whose turn it is where none is stated: one in twenty.
+    if (scene.render.method == "orders" && seed % kSameKinds != 0) {
+      scene = with_method(scene, *find_method("march"));
     }
     const Rendering rendering = render_now(scene);
     expect_sound(rendering, "seed " + std::to_string(seed));

@@ -190,7 +190,14 @@ TEST(Schema, RefusesWhatResolveRefuses) {
   expect_both(false, "/render/transmittance_lut", {1, 64});
   expect_both(false, "/display/tonemap", "aess");
   expect_both(true, "/display/exposure", "auto");
+  expect_both(true, "/display/exposure", "day");
+  expect_both(true, "/display/exposure", "lock:12");
   expect_both(false, "/display/exposure", "Auto");
+  expect_both(false, "/display/exposure", "lock");
+  expect_both(false, "/display/exposure", "lock:");
+  expect_both(false, "/display/exposure", "lock:-1");
+  expect_both(false, "/display/exposure", "lock:1.5");
+  expect_both(false, "/display/exposure", "lock:12345678901");
   expect_both(false, "/sequence", Json::object());
   expect_both(false, "/sequence/frames", Json::array());
   expect_both(false, "/sequence", {{"frames", {{{"at", 0}}}}, {"interpolation", "cubic"}});

@@ -89,7 +89,7 @@ TEST_F(Extends, TextBuildsOnTheGivenFolder) {
 
 TEST_F(Extends, InheritedKeysOfAnotherMethodAreLeftOut) {
   write("base.json", R"({"airlight": 1, "media": [{"name": "a", "density": {"profile": "constant", "below_km": 1}}],
-    "render": {"method": "march", "steps": 20, "multiple_scattering_scale": 2, "color": "warm"}})");
+    "render": {"method": "orders", "steps": 20, "multiple_scattering_scale": 2, "color": "warm"}})");
   const Scene scene =
       load(write("top.json", R"({"airlight": 1, "extends": "base.json", "render": {"method": "still"}})"));
   EXPECT_EQ(scene.render.method, "still");
@@ -98,7 +98,7 @@ TEST_F(Extends, InheritedKeysOfAnotherMethodAreLeftOut) {
   EXPECT_EQ(problems_of_file(write("own.json", R"({"airlight": 1, "extends": "base.json",
     "render": {"method": "still", "color": "cold"}})")),
             name("own.json") +
-                ":2: /render/color: the method \"still\" does not take this key; it belongs to march: remove it");
+                ":2: /render/color: the method \"still\" does not take this key; it belongs to orders: remove it");
 }
 
 TEST_F(Extends, AnInheritedMisspeltKeyStaysAnError) {

@@ -103,12 +103,12 @@ TEST(Override, UnescapesThePointer) {
 }
 
 TEST(Override, AnotherMethodIgnoresWhatTheFileSaysForItsOwn) {
-  const Scene scene = scene_with({"/render/method=still"}, R"("render": {"method": "march", "color": "warm"})");
+  const Scene scene = scene_with({"/render/method=still"}, R"("render": {"method": "orders", "color": "warm"})");
   EXPECT_EQ(scene.render.method, "still");
   EXPECT_FALSE(scene.render.parameters.contains("color"));
   EXPECT_EQ(problems_with({"/render/method=still", "/render/color=warm"}),
             "--set /render/color=warm: /render/color: the method \"still\" does not take this key; it belongs to "
-            "march: remove it");
+            "orders: remove it");
   EXPECT_EQ(problems_with({"/render/method=still"}, R"("render": {"clor": "warm"})"),
             "test:1: /render/clor: unknown key; `airlight methods` lists them");
 }

@@ -13,7 +13,8 @@ namespace airlight::test {
 
 struct RandomPresetOptions {
   int largest_side = 48;    // pixels
-  bool method_keys = true;  // some `render.*` keys of `march`; false: the defaults alone
+  bool method_keys = true;  // some `render.*` keys of `method`; false: the defaults alone
+  std::string_view method = "march";
 };
 
 class RandomPreset {
@@ -34,13 +35,17 @@ class RandomPreset {
           << "}";
     }
     if (chance(0.5)) {
-      out << R"(, "display": {"exposure": )" << (chance(0.5) ? "\"auto\"" : text_of(log_uniform(0.01, 100))) << "}";
+      out << R"(, "display": {"exposure": )" << exposure() << R"(, "compensation_ev": )" << integer(-3, 3) << "}";
     }
     out << "}";
     return out.str();
   }
 
  private:
+  std::string exposure() {
+    constexpr std::array<std::string_view, 3> kMeters = {"\"auto\"", "\"day\"", "\"lock:7\""};
+    return chance(0.5) ? std::string(pick(kMeters)) : text_of(log_uniform(0.01, 100));
+  }
   // The standard's distributions differ from library to library; its engines do not.
   double uniform(double low, double high) {
     const double unit = static_cast<double>(random_() >> 11U) * 0x1p-53;
@@ -170,8 +175,8 @@ class RandomPreset {
   }
 
   std::string render() {
-    return R"({"method": "march", "steps": )" + std::to_string(integer(1, 64)) + R"(, "multiple_scattering_scale": )" +
-           (chance(0.3) ? "0" : text_of(uniform(0, 2))) + "}";
+    return R"({"method": ")" + std::string(options_.method) + R"(", "steps": )" + std::to_string(integer(1, 64)) +
+           R"(, "multiple_scattering_scale": )" + (chance(0.3) ? "0" : text_of(uniform(0, 2))) + "}";
   }
 
   std::mt19937_64 random_;

@@ -70,7 +70,12 @@ INSTANTIATE_TEST_SUITE_P(
         Case{R"("bloom": {"threshold": -1})", "/bloom/threshold: -1 is outside 0 to 1e9"},
         Case{R"("display": {"exposure": 0})", "/display/exposure: 0 is outside 1e-9 to 1e9"},
         Case{R"("display": {"exposure": "bright"})",
-             "/display/exposure: \"bright\" is not a number; expected a number, 1e-9 to 1e9, or \"auto\""}));
+             "/display/exposure: \"bright\" is not a number; expected a number, 1e-9 to 1e9, \"auto\", \"day\" or "
+             "\"lock:FRAME\""},
+        Case{R"("display": {"exposure": "lock:x"})",
+             "/display/exposure: \"lock:x\" is not a number; expected a number, 1e-9 to 1e9, \"auto\", \"day\" or "
+             "\"lock:FRAME\""},
+        Case{R"("display": {"compensation_ev": 31})", "/display/compensation_ev: 31 is outside -30 to 30 stops"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Spectra, Refusal,
@@ -145,15 +150,15 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     Methods, Refusal,
     testing::Values(
-        Case{R"("render": {"method": "mrach"})",
-             "/render/method: \"mrach\" is not a method; expected one of march, still; did you mean \"march\"?"},
+        Case{R"("render": {"method": "odrers"})",
+             "/render/method: \"odrers\" is not a method; expected one of orders, still; did you mean \"orders\"?"},
         Case{R"("render": {"method": "nothing-near"})",
-             "/render/method: \"nothing-near\" is not a method; expected one of march, still"},
+             "/render/method: \"nothing-near\" is not a method; expected one of orders, still"},
         Case{R"("render": {"method": 1})", "/render/method: 1 is not a string; expected the name of a method"},
         Case{R"("render": {"step": 5})", "/render/step: unknown key; did you mean \"steps\"?"},
         Case{R"("render": {"qwerty": 5})", "/render/qwerty: unknown key; `airlight methods` lists them"},
         Case{R"("render": {"smooth": true})",
-             "/render/smooth: the method \"march\" does not take this key; it belongs to still: remove it"},
+             "/render/smooth: the method \"orders\" does not take this key; it belongs to still: remove it"},
         Case{R"("render": {"steps": 0})", "/render/steps: 0 is outside 1 to 4096"},
         Case{R"("render": {"steps": 1.5})", "/render/steps: 1.5 is not whole; expected a whole number, 1 to 4096"},
         Case{R"("render": {"method": "still", "steps": 65})", "/render/steps: 65 is outside 1 to 64"},
@@ -308,7 +313,7 @@ TEST(Refusals, ShortenLongTexts) {
 
 TEST(Refusals, AnUnknownMethodHidesNoMisspeltKey) {
   EXPECT_EQ(problems_of(with_one_medium(R"("render": {"method": "x", "steps": 0, "stesp": 1})")),
-            "test:1: /render/method: \"x\" is not a method; expected one of march, still\n"
+            "test:1: /render/method: \"x\" is not a method; expected one of orders, still\n"
             "test:1: /render/stesp: unknown key; did you mean \"steps\"?");
 }
 

@@ -63,7 +63,9 @@ Json type_schema(const Rule& rule) {
     case RuleType::choice:
       return {{"enum", strings(rule.choices)}};
     case RuleType::exposure:
-      return {{"anyOf", {number_schema(rule.range), Json{{"const", "auto"}}}}};
+      return {{"anyOf",
+               {number_schema(rule.range), Json{{"enum", {"auto", "day"}}},
+                Json{{"type", "string"}, {"pattern", "^lock:[0-9]{1,8}$"}}}}};
     case RuleType::media:
       return {{"type", "array"}, {"minItems", rule.range.minimum}, {"maxItems", rule.range.maximum}};
     case RuleType::layers:

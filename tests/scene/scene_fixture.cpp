@@ -25,8 +25,7 @@ const std::array<ParameterInfo, 2> kStillParameters{{
     {"steps", ParameterKind::integer, 1, 64, 16, {}, "view steps"},
     {"smooth", ParameterKind::boolean, 0, 0, false, {}, "a switch"},
 }};
-const std::array<MethodInfo, 2> kMethods{
-    {{"march", "marches", kMarchParameters}, {"still", "waits", kStillParameters}}};
+const std::array<MethodInfo, 2> kMethods{{{"orders", "sums", kMarchParameters}, {"still", "waits", kStillParameters}}};
 
 void expect_same_media(const Scene& a, const Scene& b) {
   ASSERT_EQ(a.media.size(), b.media.size());
@@ -121,6 +120,9 @@ void expect_same(const Scene& a, const Scene& b) {
   EXPECT_EQ(a.bloom.intensity, b.bloom.intensity);
   EXPECT_EQ(a.bloom.levels, b.bloom.levels);
   EXPECT_EQ(a.display.exposure, b.display.exposure);
+  EXPECT_EQ(a.display.metering, b.display.metering);
+  EXPECT_EQ(a.display.metered_frame, b.display.metered_frame);
+  EXPECT_EQ(a.display.compensation, b.display.compensation);
   EXPECT_EQ(a.display.display, b.display.display);
   EXPECT_EQ(a.display.view, b.display.view);
   EXPECT_EQ(a.display.tonemap, b.display.tonemap);

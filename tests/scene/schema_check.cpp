@@ -84,6 +84,9 @@ bool own_keyword_fits(const std::string& keyword, const Json& argument, const Js
   if (keyword == "minLength") {
     return !value.is_string() || value.get<std::string>().size() >= argument.get<std::size_t>();
   }
+  if (keyword == "pattern") {
+    return !value.is_string() || std::regex_search(value.get<std::string>(), std::regex(argument.get<std::string>()));
+  }
   if (keyword == "required") {
     return required_fits(argument, value);
   }

@@ -1,0 +1,23 @@
+#pragma once
+// One frame of a sequence as a scene, and the exposure that a scene holds over frames.
+
+#include <string>
+
+#include "core/render/render.h"
+#include "core/scene/preset.h"
+#include "core/sequence/frame_list.h"
+
+namespace airlight::cli {
+
+// The preset with the frame's keys put in, judged like any other. Throws InputError that names the frame.
+Scene frame_scene(const Preset& preset, const sequence::Frame& frame);
+
+// The frame of that number. Throws InputError where there is none: "PLACE: there is no frame 99; ...".
+sequence::Frame frame_numbered(const sequence::FrameSource& source, int number, const std::string& place);
+
+// The exposure that the scene asks to be metered on a day or on a frame, as a factor: a function of the preset and
+// that frame alone, whoever asks, whatever was rendered before. `frame`: of Metering::frame. Nothing where the scene
+// states its exposure, or each picture is metered on its own.
+std::optional<double> held_exposure(const DeviceOnDemand& device, const Scene& scene, const Scene* frame);
+
+}  // namespace airlight::cli

@@ -1,0 +1,68 @@
+#include "core/render/metering.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "core/error.h"
+
+namespace airlight {
+namespace {
+
+constexpr double kMostPixels = 65536.0;
+
+// Of the same shape. A map that is cut stays a multiple of its layout.
+ImageSize metered_size(const Scene& scene) {
+  const ImageSize& image = scene.image;
+  const double smaller =
+      std::min(1.0, std::sqrt(kMostPixels / (static_cast<double>(image.width) * static_cast<double>(image.height))));
+  if (is_cut(scene.camera.projection)) {
+    const int whole = std::gcd(image.width, image.height);
+    const int part = std::max(1, static_cast<int>(whole * smaller));
+    return {image.width / whole * part, image.height / whole * part};
+  }
+  return {std::max(1, static_cast<int>(image.width * smaller)), std::max(1, static_cast<int>(image.height * smaller))};
+}
+
+RenderSettings default_orders() {
+  RenderSettings settings{.method = "orders", .parameters = {}};
+  for (const ParameterInfo& parameter : find_method(settings.method)->info.parameters) {
+    settings.parameters.emplace(parameter.key, parameter.default_value);
+  }
+  return settings;
+}
+
+double four_digits(double value) {
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 3.0);
+  return std::round(value / unit) * unit;
+}
+
+}  // namespace
+
+Scene by_day(const Scene& scene) {
+  Scene day = scene;
+  day.sun.elevation = 0.25 * std::numbers::pi;
+  day.sun.azimuth = scene.camera.azimuth + std::numbers::pi;
+  return day;
+}
+
+Rendering metered_picture(const DeviceOnDemand& device, const Scene& scene) {
+  Scene small = scene;
+  small.image = metered_size(scene);
+  small.display = {};
+  if (find_method(scene.render.method)->render_on_host != nullptr) {
+    small.render = default_orders();
+  }
+  Rendering rendering = render(device, small, {});
+  if (const std::string fault = rendering.fault(); !fault.empty()) {
+    throw RunError("the picture that the exposure is metered on: " + fault);
+  }
+  return rendering;
+}
+
+double metered_exposure(const DeviceOnDemand& device, const Scene& scene) {
+  return four_digits(metered_picture(device, scene).exposure);
+}
+
+}  // namespace airlight

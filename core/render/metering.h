@@ -1,0 +1,18 @@
+#pragma once
+// Exposure held over pictures: metered once, on a small picture of a midday or of one frame.
+
+#include "core/render/render.h"
+
+namespace airlight {
+
+// The scene by the light of a midday: the sun 45 degrees high at the camera's back.
+Scene by_day(const Scene& scene);
+
+// The scene's picture, automatically exposed: of more than 65 536 pixels a smaller one; by `orders` where its method
+// would sample on the host. Throws RunError where it is at fault.
+Rendering metered_picture(const DeviceOnDemand& device, const Scene& scene);
+
+// The exposure of that picture, without compensation, to four digits, so that devices agree on it.
+double metered_exposure(const DeviceOnDemand& device, const Scene& scene);
+
+}  // namespace airlight
