@@ -159,7 +159,7 @@ TEST_F(Exposed, FramesTooDarkForHalvesHaveFloats) {
     }
     return blues.size();
   };
-  const Names frames = {"sequence", "sky.json", "--sun-elevation", "10:-18:-14", "--size", "64x36"};
+  const Names frames = {"sequence", "sky.json", "--sun-elevation", "10:-30:-20", "--size", "64x36"};
   const auto run_with = [&](Names more) {
     more.insert(more.begin(), frames.begin(), frames.end());
     return tool(more);
