@@ -67,10 +67,8 @@ TEST(Syntax, RefusesDuplicateKeys) {
 TEST(Syntax, RefusesWhatIsNoObject) {
   EXPECT_EQ(problems_of("[]"), "test:1: not an object; expected {\"airlight\": 1, ...}");
   EXPECT_EQ(problems_of("5"), "test:1: not an object; expected {\"airlight\": 1, ...}");
-  EXPECT_EQ(problems_of(" \n "),
-            "test: empty; expected a JSON object, e.g. {\"airlight\": 1, \"extends\": \"earth\"}");
-  EXPECT_EQ(problems_of(""),
-            "test: empty; expected a JSON object, e.g. {\"airlight\": 1, \"extends\": \"earth\"}");
+  EXPECT_EQ(problems_of(" \n "), "test: empty; expected a JSON object, e.g. {\"airlight\": 1, \"extends\": \"earth\"}");
+  EXPECT_EQ(problems_of(""), "test: empty; expected a JSON object, e.g. {\"airlight\": 1, \"extends\": \"earth\"}");
 }
 
 TEST(Syntax, RefusesNumbersBeyondADouble) {
