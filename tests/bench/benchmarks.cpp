@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "core/luts/luts.h"
+#include "core/methods/scene_air.h"
 #include "core/render/render.h"
 #include "tests/bench/scenes.h"
 
