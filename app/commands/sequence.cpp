@@ -33,7 +33,10 @@ struct Given {
   std::string shard = "1/1";
   std::optional<std::string> tile;
   std::optional<std::string> manifest;
+  int frames_a_second = 24;
+  std::optional<int> preview_rate;
   bool overwrite = false;
+  bool clean = false;
   bool yes = false;
   bool dry_run = false;
   bool json = false;
@@ -146,7 +149,9 @@ SequenceJob job_of(const Given& given) {
   job.scene_options = given.scene;
   job.picture = given.picture;
   job.tile = given.tile;
+  job.frames_a_second = given.frames_a_second;
   job.overwrite = given.overwrite;
+  job.clean = given.clean;
   job.quiet = given.quiet;
   job.json = given.json;
   if (!given.exr && !given.png) {
@@ -240,12 +245,14 @@ int run(const Given& given) {
   if (given.dry_run) {
     return dry_run(job);
   }
-  check_targets(job, given.pictures);
+  SequencePictures pictures = given.pictures;
+  pictures.frames_a_second = given.preview_rate.value_or(given.frames_a_second);
+  check_targets(job, pictures);
   const SequenceOutcome outcome = run_sequence(job);
   if (outcome.signal != 0) {
     return 128 + outcome.signal;  // as a shell says it
   }
-  make_pictures(given.pictures, job);
+  make_pictures(pictures, job);
   return 0;
 }
 
@@ -259,22 +266,28 @@ std::vector<Option> frame_options(Given& given) {
 
 std::vector<Option> run_options(Given& given) {
   return grouped(
-      "Run", {{"--overwrite", "", "Render frames anew that are there, whole and of this very preset", &given.overwrite},
-              {"--shard", "I/N", "Render every N-th frame from the I-th on, as one of N machines does, e.g. 3/16",
-               &given.shard},
-              {"--manifest", "FILE.json", "Where the list of frames goes; else beside them, as NAME.manifest.json",
-               &given.manifest, Completes::file},
-              {"--preview", "FILE", "Make a film of the frames, .mp4 or .gif; needs ffmpeg", &given.pictures.preview,
-               Completes::file},
-              {"--preview-rate", "N", "The film's frames a second; else 24", &given.pictures.frames_a_second,
-               Completes::nothing, Range{1.0, 1000.0}},
-              {"--contact-sheet", "FILE.png", "Make a sheet of small pictures, at most 60, evenly spread",
-               &given.pictures.contact_sheet, Completes::file},
-              tile_option(given.tile),
-              {"--yes", "", "More than a million frames are meant", &given.yes},
-              {"--dry-run", "", "List the frames; open no device, write nothing", &given.dry_run},
-              {"--json", "", "Print one JSON object a frame on standard output, and one at the end", &given.json},
-              {"-q,--quiet", "", "Say nothing but errors", &given.quiet}});
+      "Run",
+      {{"--overwrite", "", "Render frames anew that are there, whole and of this very preset", &given.overwrite},
+       {"--shard", "I/N", "Render every N-th frame from the I-th on, as one of N machines does, e.g. 3/16",
+        &given.shard},
+       {"--manifest", "FILE.json", "Where the list of frames goes; else beside them, as NAME.manifest.json",
+        &given.manifest, Completes::file},
+       {"--preview", "FILE", "Make a film of the frames, .mp4 or .gif; needs ffmpeg", &given.pictures.preview,
+        Completes::file},
+       {"--preview-rate", "N", "The film's frames a second; else those of --fps", &given.preview_rate,
+        Completes::nothing, Range{1.0, 1000.0}},
+       {"--contact-sheet", "FILE.png", "Make a sheet of small pictures, at most 60, evenly spread",
+        &given.pictures.contact_sheet, Completes::file},
+       {"--clean", "",
+        "Remove older frames that match the names but are no part of this sequence, such as those of a finer step",
+        &given.clean},
+       {"--fps", "N", "Frames a second, for the frames' headers and the preview", &given.frames_a_second,
+        Completes::nothing, Range{1.0, 1000.0}},
+       tile_option(given.tile),
+       {"--yes", "", "More than a million frames are meant", &given.yes},
+       {"--dry-run", "", "List the frames; open no device, write nothing", &given.dry_run},
+       {"--json", "", "Print one JSON object a frame on standard output, and one at the end", &given.json},
+       {"-q,--quiet", "", "Say nothing but errors", &given.quiet}});
 }
 
 std::vector<Option> sequence_options(Given& given) {

@@ -199,6 +199,15 @@ struct Means {
   Stopwatch& watch;
 };
 
+// What killed runs have left half written of these files.
+void remove_half_written(const Targets& targets) {
+  for (const std::string& file : {targets.exr, targets.png}) {
+    if (!file.empty()) {
+      remove_abandoned_files_of(file);
+    }
+  }
+}
+
 std::optional<DeviceInfo> device_of(const Means& means) {
   return means.executor ? std::optional(means.executor->device()) : std::nullopt;
 }
@@ -423,6 +432,7 @@ int run_render(const RenderOrder& given) {
   if (!given.quiet) {
     warn(scene, targets, transform);
   }
+  remove_half_written(targets);
   scene = with_held_exposure(given, std::move(scene), device_on_demand(given.scene, executor));
   const Means means{given, targets, transform, choice, executor, watch};
   if (tile) {

@@ -1,6 +1,7 @@
 #include "app/sequence/film.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -17,12 +18,16 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/file_descriptor.h"
 #include "core/output/atomic_file.h"
 
 namespace airlight::cli {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* kMark = ".part-";
+constexpr const char* kMessages = ".txt";
 
 bool is_on_path(const std::string& program) {
   const char* path = std::getenv("PATH");
@@ -37,8 +42,43 @@ bool is_on_path(const std::string& program) {
   return false;
 }
 
+// ffmpeg's names of the code points.
+std::string primaries_name(int code) {
+  return code == 9 ? "bt2020" : code == 12 ? "smpte432" : "bt709";
+}
+std::string transfer_name(int code) {
+  return code == 13 ? "iec61966-2-1" : code == 16 ? "smpte2084" : code == 18 ? "arib-std-b67" : "bt709";
+}
+
+// From RGB by the matrix that the stream says, not by ffmpeg's guess; narrow range, as players expect.
+std::vector<std::string> mp4_arguments(const std::optional<ColourCode>& colours) {
+  const bool wide = colours && colours->primaries == 9;
+  const std::string matrix = wide ? "bt2020nc" : "bt709";
+  std::vector<std::string> words = {"-vf",
+                                    "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=" +
+                                        std::string(wide ? "bt2020" : "bt709") + ":out_range=tv",
+                                    "-c:v",
+                                    "libx264",
+                                    "-crf",
+                                    "18",
+                                    "-pix_fmt",
+                                    "yuv420p",
+                                    "-movflags",
+                                    "+faststart",
+                                    "-colorspace",
+                                    matrix,
+                                    "-color_range",
+                                    "tv"};
+  if (colours) {
+    words.insert(words.end(), {"-color_primaries", primaries_name(colours->primaries), "-color_trc",
+                               transfer_name(colours->transfer)});
+  }
+  words.insert(words.end(), {"-f", "mp4"});
+  return words;
+}
+
 std::vector<std::string> arguments(const std::string& file, const std::string& target, int width, int height,
-                                   int frames_a_second) {
+                                   int frames_a_second, const std::optional<ColourCode>& colours) {
   std::vector<std::string> words = {"ffmpeg",
                                     "-hide_banner",
                                     "-nostdin",
@@ -55,12 +95,7 @@ std::vector<std::string> arguments(const std::string& file, const std::string& t
                                     std::to_string(frames_a_second),
                                     "-i",
                                     "pipe:0"};
-  const std::vector<std::string> mp4 = {"-vf",       "pad=ceil(iw/2)*2:ceil(ih/2)*2",
-                                        "-c:v",      "libx264",
-                                        "-crf",      "18",
-                                        "-pix_fmt",  "yuv420p",
-                                        "-movflags", "+faststart",
-                                        "-f",        "mp4"};
+  const std::vector<std::string> mp4 = mp4_arguments(colours);
   const std::vector<std::string> gif = {"-filter_complex", "[0:v]split[a][b];[a]palettegen[p];[b][p]paletteuse", "-f",
                                         "gif"};
   const std::vector<std::string>& format = fs::path(file).extension() == ".gif" ? gif : mp4;
@@ -95,14 +130,39 @@ void require_film(const std::string& file, const std::string& option) {
   }
 }
 
-Film::Film(const std::string& file, int width, int height, int frames_a_second)
-    : file_(file), temporary_(file + ".part-" + std::to_string(::getpid())), messages_(temporary_ + ".txt") {
+void remove_abandoned_film(const std::string& file) noexcept {
+  try {
+    const fs::path path(file);
+    const std::string start = path.filename().string() + kMark;
+    for (const fs::directory_entry& entry :
+         fs::directory_iterator(path.has_parent_path() ? path.parent_path() : fs::path("."))) {
+      const std::string name = entry.path().filename().string();
+      if (!name.starts_with(start) || !name.ends_with(kMessages)) {
+        continue;
+      }
+      const FileDescriptor messages(::open(entry.path().c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
+      if (messages && ::flock(messages.get(), LOCK_EX | LOCK_NB) == 0) {
+        const std::string text = entry.path().string();
+        ::unlink(text.substr(0, text.size() - std::strlen(kMessages)).c_str());
+        ::unlink(text.c_str());
+      }
+    }
+  } catch (const std::exception&) {
+    return;  // the folder cannot be read, or changed meanwhile
+  }
+}
+
+Film::Film(const std::string& file, int width, int height, int frames_a_second,
+           const std::optional<ColourCode>& colours)
+    : file_(file), temporary_(file + kMark + std::to_string(::getpid())), messages_(temporary_ + kMessages) {
   std::array<int, 2> ends{};
   const int messages = ::open(messages_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (messages < 0 || ::pipe2(ends.data(), O_CLOEXEC) != 0) {
     throw RunError(file + ": cannot start ffmpeg: " + std::strerror(errno));
   }
-  std::vector<std::string> words = arguments(file, temporary_, width, height, frames_a_second);
+  (void)::flock(messages,
+                LOCK_EX | LOCK_NB);  // ffmpeg's for its life: tells remove_abandoned_film() that it is at work
+  std::vector<std::string> words = arguments(file, temporary_, width, height, frames_a_second, colours);
   std::vector<char*> argv;
   for (std::string& word : words) {
     argv.push_back(word.data());

@@ -12,10 +12,14 @@ namespace airlight::cli {
 // Throws InputError: the name ends neither in .mp4 nor in .gif, the place cannot be written, ffmpeg is not on PATH.
 void require_film(const std::string& file, const std::string& option);
 
+// What killed runs have left of this film.
+void remove_abandoned_film(const std::string& file) noexcept;
+
 class Film {
  public:
-  // The film appears under its name when finish() returns, and not at all otherwise.
-  Film(const std::string& file, int width, int height, int frames_a_second);
+  // The film appears under its name when finish() returns, and not at all otherwise. `colours`: of the pictures, as an
+  // .mp4 says them; nothing leaves them unsaid.
+  Film(const std::string& file, int width, int height, int frames_a_second, const std::optional<ColourCode>& colours);
   ~Film();
   Film(const Film&) = delete;
   Film& operator=(const Film&) = delete;

@@ -1,9 +1,27 @@
 #include "app/sequence/job.h"
 
+#include <cmath>
+#include <cstdio>
+
 #include "app/cli/frame_scene.h"
 #include "core/output/frame_state.h"
+#include "core/scene/json_format.h"
 
 namespace airlight::cli {
+namespace {
+
+// "2026:06:21 05:00:00", on the place's clocks.
+std::string capture_date(const sequence::FrameTime& time) {
+  const sequence::Milliseconds local = time.utc + time.offset_seconds * sequence::kSecond;
+  const sequence::CivilDate date = sequence::date_of(local);
+  const auto second = static_cast<int>((local - sequence::midnight_of(date)) / sequence::kSecond);
+  char text[32];
+  std::snprintf(text, sizeof text, "%04d:%02d:%02d %02d:%02d:%02d", date.year % 10000, date.month % 100, date.day % 100,
+                second / 3600 % 100, second / 60 % 60, second % 60);
+  return text;
+}
+
+}  // namespace
 
 FrameFiles files_of(const SequenceJob& job, long frame_number) {
   return {job.exr ? sequence::frame_file(*job.exr, frame_number) : "",
@@ -19,14 +37,38 @@ sequence::Frame locked_frame(const SequenceJob& job) {
                         "sequence: the exposure " + metering_text(job.scene.display));
 }
 
-FrameHashes hashes_of(const PictureOptions& options, const std::string& display, const std::string& preset_json) {
-  const std::string common = preset_json + "airlight " + AIRLIGHT_VERSION;
+FrameAttributes attributes_of(const SequenceJob& job, const sequence::Frame& frame) {
+  FrameAttributes attributes;
+  attributes.label = "frame " + std::to_string(frame.number);
+  attributes.number = static_cast<int>(frame.number);
+  attributes.frames_a_second = job.frames_a_second;
+  if (frame.time) {
+    attributes.label += ", " + sequence::iso_text(frame.time->utc, frame.time->offset_seconds);
+    attributes.capture_date = capture_date(*frame.time);
+    attributes.utc_offset = static_cast<float>(-frame.time->offset_seconds);
+  }
+  if (const auto* path = std::get_if<sequence::SunPath>(&job.source)) {
+    constexpr double kMetres = 1000.0;
+    attributes.latitude = static_cast<float>(path->place.latitude_deg);
+    attributes.longitude = static_cast<float>(std::remainder(path->place.longitude_deg, 360.0));
+    attributes.altitude = static_cast<float>(kMetres * path->place.altitude_km);
+  }
+  return attributes;
+}
+
+FrameHashes hashes_of(const PictureOptions& options, const std::string& display, const std::string& preset_json,
+                      const FrameAttributes& frame) {
+  const std::string common = preset_json + "airlight " + AIRLIGHT_VERSION + ", " + frame.label;
   const bool is_ours = working_space_of(options) == WorkingSpace::linear_rec709;
-  const std::string exr = common +
-                          (options.full_float   ? ", float"
-                           : options.half_float ? ", half"
-                                                : "") +
-                          (is_ours ? "" : ", " + options.colorspace) + (options.layers ? ", layers" : "");
+  std::string exr = common +
+                    (options.full_float   ? ", float"
+                     : options.half_float ? ", half"
+                                          : "") +
+                    (is_ours ? "" : ", " + options.colorspace) + (options.layers ? ", layers" : "");
+  exr += ", " + std::to_string(frame.frames_a_second.value_or(0)) + " a second";
+  for (const std::optional<float>& number : {frame.latitude, frame.longitude, frame.altitude}) {
+    exr += number ? ", " + format_number(static_cast<double>(*number)) : "";
+  }
   return {sequence::hash_text(exr),
           sequence::hash_text(common + ", " + std::to_string(options.bits) + " bits, " + display)};
 }

@@ -7,6 +7,7 @@
 
 #include "app/cli/picture_options.h"
 #include "app/cli/scene_options.h"
+#include "core/output/exr.h"
 #include "core/scene/preset.h"
 #include "core/scene/scene.h"
 #include "core/sequence/frame_files.h"
@@ -25,7 +26,9 @@ struct SequenceJob {
   PictureOptions picture;
   std::optional<std::string> tile;  // of --tile
   std::string manifest;             // the file
+  int frames_a_second = 24;
   bool overwrite = false;
+  bool clean = false;  // remove older frames that the sequence does not have
   bool quiet = false;
   bool json = false;
 };
@@ -45,6 +48,9 @@ Scene scene_of(const SequenceJob& job, const sequence::Frame& frame);
 // The frame that `lock:FRAME` names. Throws InputError where the sequence has none of that number.
 sequence::Frame locked_frame(const SequenceJob& job);
 
+// What the frame's files say of its time and place.
+FrameAttributes attributes_of(const SequenceJob& job, const sequence::Frame& frame);
+
 // A hash over all that decides what a file holds: the frame's preset, airlight's version, how pixels become files. Not
 // the device: pictures of two devices agree to rounding, and a farm may have several.
 struct FrameHashes {
@@ -52,7 +58,8 @@ struct FrameHashes {
   std::string png;
 };
 // `display`: OCIO's config, display and view of the PNG; empty for the views that need none.
-FrameHashes hashes_of(const PictureOptions& options, const std::string& display, const std::string& preset_json);
+FrameHashes hashes_of(const PictureOptions& options, const std::string& display, const std::string& preset_json,
+                      const FrameAttributes& frame);
 
 // Whether every file of the frame is there, whole, and of its hash and preset.
 bool is_done(const FrameFiles& files, const FrameHashes& hashes, const std::string& preset_json);

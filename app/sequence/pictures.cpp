@@ -19,12 +19,13 @@ namespace {
 class FrameReader {
  public:
   explicit FrameReader(const SequenceJob& job) : job_(job) {
-    if (!job.png) {
-      PictureOptions options = job.picture;
-      options.bits = 8;
-      transform_ = display_transform(options, job.scene);
-    }
+    PictureOptions options = job.picture;
+    options.bits = 8;
+    transform_ = display_transform(options, job.scene);
   }
+
+  // Of the pictures read.
+  std::optional<ColourCode> colours() const { return transform_ ? transform_->colours() : kSrgbCode; }
 
   PixelImage read(std::size_t index) const {
     const FrameFiles files = files_of(job_, sequence::frame_number(job_.source, index));
@@ -79,7 +80,7 @@ void make_contact_sheet(const std::string& file, const SequenceJob& job, const F
 void make_preview(const SequencePictures& pictures, const SequenceJob& job, const FrameReader& reader) {
   const std::size_t frames = sequence::frame_count(job.source);
   const PixelImage first = reader.read(0);
-  Film film(*pictures.preview, first.width, first.height, pictures.frames_a_second);
+  Film film(*pictures.preview, first.width, first.height, pictures.frames_a_second, reader.colours());
   for (std::size_t index = 0; index < frames; ++index) {
     if (Interruption::signal() != 0) {
       return;  // the film goes with its end
@@ -123,6 +124,12 @@ void make_pictures(const SequencePictures& pictures, const SequenceJob& job) {
     return;
   }
   const Interruption interruption;
+  if (pictures.contact_sheet) {
+    remove_abandoned_files_of(*pictures.contact_sheet);
+  }
+  if (pictures.preview) {
+    remove_abandoned_film(*pictures.preview);
+  }
   const FrameReader reader(job);
   if (pictures.contact_sheet) {
     make_contact_sheet(*pictures.contact_sheet, job, reader);

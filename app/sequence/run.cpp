@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -14,6 +13,7 @@
 #include "app/render/report.h"
 #include "app/render/tiled_picture.h"
 #include "app/render/validity.h"
+#include "app/sequence/leftovers.h"
 #include "app/sequence/manifest.h"
 #include "app/sequence/report.h"
 #include "core/error.h"
@@ -27,7 +27,6 @@
 namespace airlight::cli {
 namespace {
 
-namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 double milliseconds_since(Clock::time_point start) {
@@ -57,6 +56,7 @@ struct Work {
   Rendering rendering;
   std::string preset_json;
   FrameHashes hashes;
+  FrameAttributes attributes;
   FrameReport report;
 };
 
@@ -79,7 +79,6 @@ class Runner {
   SequenceOutcome run();
 
  private:
-  void remove_leftovers() const;
   void hold_exposure();
   void render_all();
   bool render_frame(std::size_t k, sequence::BoundedWorkers& encoders);
@@ -98,19 +97,6 @@ class Runner {
   std::unique_ptr<Executor> executor_;
 };
 
-// What killed runs have left half written.
-void Runner::remove_leftovers() const {
-  for (const auto& pattern : {job_.exr, job_.png}) {
-    if (pattern) {
-      remove_abandoned_files(
-          pattern->folder, [&](const std::string& name) { return measure::frame_number(*pattern, name).has_value(); });
-    }
-  }
-  const fs::path manifest(job_.manifest);
-  remove_abandoned_files(manifest.has_parent_path() ? manifest.parent_path() : ".",
-                         [&](const std::string& name) { return name == manifest.filename(); });
-}
-
 void Runner::finished(std::size_t k, const Scene& scene, const FrameReport& report) {
   {
     const std::lock_guard lock(manifest_mutex_);
@@ -127,7 +113,8 @@ PictureContext Runner::context_of(const Work& work, const Scene& scene, const Re
           .provenance = {work.preset_json, work.scene.render.method, AIRLIGHT_VERSION, device},
           .exr_hash = work.hashes.exr,
           .png_hash = work.hashes.png,
-          .space = working_space_of(job_.picture)};
+          .space = working_space_of(job_.picture),
+          .frame = work.attributes};
 }
 
 void Runner::encode(const Work& work) {
@@ -200,7 +187,8 @@ bool Runner::render_frame(std::size_t k, sequence::BoundedWorkers& encoders) {
   report.elevation_deg = degrees_from_radians(scene.sun.elevation);
   report.azimuth_deg = degrees_from_radians(scene.sun.azimuth);
   report.files = files_of(job_, frame.number);
-  work->hashes = hashes_of(job_.picture, display_, work->preset_json);
+  work->attributes = attributes_of(job_, frame);
+  work->hashes = hashes_of(job_.picture, display_, work->preset_json, work->attributes);
   report.hash = job_.exr ? work->hashes.exr : work->hashes.png;
   if (!job_.overwrite && is_done(report.files, work->hashes, work->preset_json)) {
     finished(k, scene, report);
@@ -263,7 +251,7 @@ std::string Runner::whole_so_far() const {
 
 SequenceOutcome Runner::run() {
   const Interruption interruption;
-  remove_leftovers();
+  remove_half_written(job_);
   try {
     hold_exposure();
     render_all();
@@ -280,6 +268,9 @@ SequenceOutcome Runner::run() {
   const SequenceTotals totals = report_.totals();
   const bool complete = totals.rendered + totals.kept == totals.frames;
   report_.end(complete ? "" : Interruption::name(signal));
+  if (complete) {
+    tidy_frames_beyond(job_);
+  }
   if (!complete) {
     complain("stopped by " + Interruption::name(signal) + ": " + whole_so_far());
   }

@@ -362,6 +362,14 @@ void remove_abandoned_files(const fs::path& folder,
   }
 }
 
+void remove_abandoned_files_of(const fs::path& file) noexcept {
+  try {
+    remove_abandoned_files(folder_of(file), [&](const std::string& name) { return name == file.filename(); });
+  } catch (const std::exception&) {
+    return;  // out of memory
+  }
+}
+
 void remove_temporary_files() noexcept {
   for (const TemporaryName& slot : temporaries) {
     if (slot.state.load() == TemporaryName::live) {

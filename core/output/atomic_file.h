@@ -51,6 +51,9 @@ class FileInProgress {
 void remove_abandoned_files(const std::filesystem::path& folder,
                             const std::function<bool(const std::string& name)>& is_target) noexcept;
 
+// The same of what was to become this one file.
+void remove_abandoned_files_of(const std::filesystem::path& file) noexcept;
+
 // Unlinks the temporary files of every write_file() now running. Async-signal-safe.
 void remove_temporary_files() noexcept;
 
