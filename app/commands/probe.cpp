@@ -167,15 +167,18 @@ void require_sound(const std::vector<ListedDirection>& listed, const std::vector
   }
 }
 
+void tell_warnings(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) {
+    complain("warning: " + warning);
+  }
+}
+
 int run_probe(const Given& given) {
   const Scene scene = load_scene(given.scene);
   const std::vector<ListedDirection> listed = directions_of(given);
   check_directions(listed);
   if (!given.quiet) {
-    const std::string warning = validity_warning(scene);
-    if (!warning.empty()) {
-      complain("warning: " + warning);
-    }
+    tell_warnings(scene_warnings(scene));
   }
   std::vector<Direction> directions;
   directions.reserve(listed.size());
@@ -183,10 +186,13 @@ int run_probe(const Given& given) {
     directions.push_back({radians_from_degrees(direction.elevation_deg), radians_from_degrees(direction.azimuth_deg)});
   }
   std::unique_ptr<Executor> executor;
-  const std::vector<ProbeResult> results = probe(device_on_demand(given.scene, executor), scene, directions);
+  const ProbeResults results = probe(device_on_demand(given.scene, executor), scene, directions);
   require_valid_vulkan();
-  require_sound(listed, results);
-  print(given.json ? as_json(scene, listed, results) : as_text(scene, listed, results));
+  require_sound(listed, results.directions);
+  if (!given.quiet) {
+    tell_warnings(results.undone);
+  }
+  print(given.json ? as_json(scene, listed, results.directions) : as_text(scene, listed, results.directions));
   return 0;
 }
 

@@ -253,8 +253,7 @@ void composite_frame(const CompositeOrder& order, const Frame& frame, const Devi
   Scene scene = load_scene(order.scene);
   const Foreground fore = read_foreground(order, frame.beauty, frame.depth, scene);
   if (!order.quiet) {
-    const std::string warning = validity_warning(scene);
-    if (!warning.empty()) {
+    for (const std::string& warning : scene_warnings(scene)) {
       complain("warning: " + warning);
     }
   }

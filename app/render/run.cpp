@@ -19,7 +19,6 @@
 #include "app/render/tiled_picture.h"
 #include "app/render/validity.h"
 #include "core/error.h"
-#include "core/methods/scene_air.h"
 #include "core/output/atomic_file.h"
 #include "core/output/half_block.h"
 #include "core/render/metering.h"
@@ -278,6 +277,14 @@ void tell(const Means& means, RenderReport& report, const ExrDepth& depth) {
   }
 }
 
+void tell_undone(const RenderOrder& given, const Rendering& rendering) {
+  for (const std::string& undone : rendering.undone) {
+    if (!given.quiet) {
+      complain("warning: " + undone);
+    }
+  }
+}
+
 // From a checked scene to files on disk.
 void render_and_publish(const Means& means, const Scene& scene) {
   const RenderOrder& given = means.given;
@@ -287,11 +294,7 @@ void render_and_publish(const Means& means, const Scene& scene) {
   Rendering rendering = render(device_on_demand(given.scene, means.executor), scene, request);
   clear_progress();
   means.watch.lap("render");
-  for (const std::string& undone : rendering.undone) {
-    if (!given.quiet) {
-      complain("warning: " + undone);
-    }
-  }
+  tell_undone(given, rendering);
   if (means.choice) {
     const std::vector<std::string>& left_out = means.choice->choice.left_out;
     rendering.left_out.insert(rendering.left_out.begin(), left_out.begin(), left_out.end());
@@ -361,6 +364,7 @@ void render_in_tiles(const Means& means, const Scene& scene, const ImageSize& ti
   clear_progress();
   means.watch.lap("render");
   require_valid_vulkan();
+  tell_undone(given, done.rendering);
   done.rendering.left_out.insert(done.rendering.left_out.begin(), left_out.begin(), left_out.end());
   const PictureContext context = context_of(means, scene, done.rendering);
   add_further_files(means, context, lighting, done.files);
@@ -380,13 +384,9 @@ std::optional<ImageSize> tile_of(const RenderOrder& given, const Scene& scene, c
 }
 
 void warn(const Scene& scene, const Targets& targets, const std::optional<DisplayTransform>& transform) {
-  std::vector<std::string> warnings = {validity_warning(scene),
-                                       targets.exr.empty() ? std::string() : latlong_warning(scene),
-                                       transform ? transform->warning() : std::string()};
-  if (const auto bounds = find_method(scene.render.method)->bounds; bounds != nullptr) {
-    const std::vector<std::string> bounded = bounds(scene, air_of(scene));
-    warnings.insert(warnings.end(), bounded.begin(), bounded.end());
-  }
+  std::vector<std::string> warnings = scene_warnings(scene);
+  warnings.push_back(targets.exr.empty() ? std::string() : latlong_warning(scene));
+  warnings.push_back(transform ? transform->warning() : std::string());
   for (const std::string& warning : warnings) {
     if (!warning.empty()) {
       complain("warning: " + warning);

@@ -59,4 +59,17 @@ std::string validity_warning(const Scene& scene) {
   return text + (better.empty() ? "" : "; methods that do: " + better);
 }
 
+std::vector<std::string> bound_warnings(const Scene& scene) {
+  const auto bounds = find_method(scene.render.method)->bounds;
+  return bounds == nullptr ? std::vector<std::string>() : bounds(scene, air_of(scene));
+}
+
+std::vector<std::string> scene_warnings(const Scene& scene) {
+  std::vector<std::string> warnings = bound_warnings(scene);
+  if (std::string claim = validity_warning(scene); !claim.empty()) {
+    warnings.insert(warnings.begin(), std::move(claim));
+  }
+  return warnings;
+}
+
 }  // namespace airlight::cli

@@ -16,4 +16,10 @@ std::vector<std::string> exceeded_limits(const Validity& validity, const Scene& 
 // where it does.
 std::string validity_warning(const Scene& scene);
 
+// What of the scene's wishes its method does not do because it would take for ever, a line each.
+std::vector<std::string> bound_warnings(const Scene& scene);
+
+// That line and those, as each command that renders tells them.
+std::vector<std::string> scene_warnings(const Scene& scene);
+
 }  // namespace airlight::cli

@@ -107,11 +107,16 @@ void SequenceReport::frame(const FrameReport& frame) {
   }
 }
 
-void SequenceReport::warn(long frame_number, const std::string& warning) {
+void SequenceReport::warn(long frame_number, const std::string& kind, const std::vector<std::string>& warnings) {
+  if (warnings.empty()) {
+    return;
+  }
   const std::lock_guard lock(mutex_);
-  if (++warnings_ == 1 && !job_.quiet) {
+  if (++warned_[kind] == 1 && !job_.quiet) {
     clear_bar();
-    complain("warning: frame " + std::to_string(frame_number) + ": " + warning);
+    for (const std::string& warning : warnings) {
+      complain("warning: frame " + std::to_string(frame_number) + ": " + warning);
+    }
   }
 }
 
@@ -144,8 +149,10 @@ void SequenceReport::end(const std::string& stopped) {
   if (full_floats_ > 1) {
     complain("note: " + std::to_string(full_floats_) + " frames have 32-bit floats");
   }
-  if (warnings_ > 1) {
-    complain("warning: " + std::to_string(warnings_) + " such warnings in all");
+  for (const auto& [kind, frames] : warned_) {
+    if (frames > 1) {
+      complain("warning: " + std::to_string(frames) + " frames " + kind);
+    }
   }
   if (job_.json) {
     return;

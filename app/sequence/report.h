@@ -3,9 +3,11 @@
 
 #include <chrono>
 #include <cstddef>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/sequence/job.h"
 
@@ -41,8 +43,9 @@ class SequenceReport {
   explicit SequenceReport(const SequenceJob& job);
 
   void frame(const FrameReport& frame);
-  // A warning of a frame, told the first time that it comes up.
-  void warn(long frame_number, const std::string& warning);
+  // Warnings of one kind about a frame, perhaps none: told of the first frame that has them, and at the end of how many
+  // more do. `kind` finishes "warning: 12 frames ".
+  void warn(long frame_number, const std::string& kind, const std::vector<std::string>& warnings);
   // A frame whose EXR has 32 bits because halves would lose something; told the first time.
   void took_floats(long frame_number, const std::string& why);
   SequenceTotals totals() const;
@@ -57,7 +60,7 @@ class SequenceReport {
   const bool bar_;  // a terminal that can redraw a line
   mutable std::mutex mutex_;
   SequenceTotals totals_;
-  std::size_t warnings_ = 0;
+  std::map<std::string, std::size_t> warned_;  // frames, by kind
   std::size_t full_floats_ = 0;
   bool drawn_ = false;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

@@ -36,6 +36,12 @@ double milliseconds_since(Clock::time_point start) {
 // Encoding spreads over the cores within a frame; a second thread fills the gaps of writing and syncing.
 constexpr unsigned kEncoders = 2;
 
+// Kinds of warnings, as the last line counts their frames.
+constexpr const char* kUnclaimed = "are outside what their method claims to hold for";
+constexpr const char* kBounded = "are rendered with fewer orders of scattering than asked for";
+constexpr const char* kUndone = "lack light that would have taken for ever to find";
+constexpr const char* kLossy = "have samples that half floats do not hold";
+
 // Frames that wait to be encoded: one hides the differences from frame to frame. Of frames that would fill the memory
 // none waits, and one is in hand.
 struct Room {
@@ -129,9 +135,7 @@ void Runner::encode(const Work& work) {
   if (!depth.why.empty()) {
     report_.took_floats(work.report.number, depth.why);
   }
-  for (const std::string& warning : done.exr ? exr_warnings(*done.exr) : std::vector<std::string>()) {
-    report_.warn(work.report.number, warning);
-  }
+  report_.warn(work.report.number, kLossy, done.exr ? exr_warnings(*done.exr) : std::vector<std::string>());
   FrameReport report = work.report;
   report.encode_ms = milliseconds_since(start);
   finished(work.k, work.scene, report);
@@ -167,6 +171,7 @@ bool Runner::render_in_tiles(const std::shared_ptr<Work>& work, const ImageSize&
   if (done.files.empty()) {
     return false;
   }
+  report_.warn(work->report.number, kUndone, done.rendering.undone);
   work->report.rendered = true;
   work->report.render_ms = milliseconds_since(start);
   finished(work->k, scene, work->report);
@@ -194,9 +199,10 @@ bool Runner::render_frame(std::size_t k, sequence::BoundedWorkers& encoders) {
     finished(k, scene, report);
     return true;
   }
-  if (const std::string warning = validity_warning(scene); !warning.empty()) {
-    report_.warn(frame.number, warning);
+  if (std::string warning = validity_warning(scene); !warning.empty()) {
+    report_.warn(frame.number, kUnclaimed, {std::move(warning)});
   }
+  report_.warn(frame.number, kBounded, bound_warnings(scene));
   if (const std::optional<ImageSize> tile = tile_for(job_.tile, scene, job_.picture.layers, "sequence")) {
     return render_in_tiles(work, *tile);
   }
@@ -210,6 +216,7 @@ bool Runner::render_frame(std::size_t k, sequence::BoundedWorkers& encoders) {
   if (on_host && Interruption::signal() != 0) {
     return false;
   }
+  report_.warn(report.number, kUndone, work->rendering.undone);
   report.rendered = true;
   report.render_ms = milliseconds_since(start);
   encoders.add([this, work] { encode(*work); });

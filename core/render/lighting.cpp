@@ -202,7 +202,7 @@ SunLight sun_light(const DeviceOnDemand& device, const Scene& scene) {
       light.visible_share += point.share;
     }
   }
-  const std::vector<ProbeResult> probes = probe(device, scene, directions);
+  const std::vector<ProbeResult> probes = probe(device, scene, directions).directions;
   for (std::size_t i = 0; i < probes.size(); ++i) {
     for (std::size_t c = 0; c < 3; ++c) {
       light.irradiance[c] += scene.sun.irradiance[c] * probes[i].transmittance[c] * shares[i];

@@ -226,9 +226,8 @@ Plan plan_for(const Scene& scene, const RenderRequest& request) {
   return std::move(post.plan);
 }
 
-std::vector<ProbeResult> probe(const DeviceOnDemand& device, const Scene& scene,
-                               const std::vector<Direction>& directions) {
-  std::vector<ProbeResult> results;
+ProbeResults probe(const DeviceOnDemand& device, const Scene& scene, const std::vector<Direction>& directions) {
+  ProbeResults results;
   if (directions.empty()) {
     return results;
   }
@@ -237,7 +236,8 @@ std::vector<ProbeResult> probe(const DeviceOnDemand& device, const Scene& scene,
   const View view{directions};
   RadianceImage pairs;  // radiance and transmittance in turn
   if (method.render_on_host != nullptr) {
-    const HostPicture host = method.render_on_host(scene, air, view, {});
+    HostPicture host = method.render_on_host(scene, air, view, {});
+    results.undone = std::move(host.notes);
     for (std::size_t i = 0; i < directions.size(); ++i) {
       for (const RadianceImage* image : {&host.radiance, &host.transmittance}) {
         pairs.rgba.insert(pairs.rgba.end(), image->at(static_cast<int>(i), 0), image->at(static_cast<int>(i), 0) + 4);
@@ -257,7 +257,7 @@ std::vector<ProbeResult> probe(const DeviceOnDemand& device, const Scene& scene,
       r.radiance[c] = static_cast<double>(pairs.rgba[8 * i + c]);
       r.transmittance[c] = static_cast<double>(pairs.rgba[8 * i + 4 + c]);
     }
-    results.push_back(r);
+    results.directions.push_back(r);
   }
   return results;
 }

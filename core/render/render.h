@@ -74,9 +74,13 @@ struct ProbeResult {
   std::array<double, 3> transmittance{};  // to the ground or to space
 };
 
+struct ProbeResults {
+  std::vector<ProbeResult> directions;
+  std::vector<std::string> undone;  // as Rendering::undone
+};
+
 // The scene's method in listed directions from the camera's place.
-std::vector<ProbeResult> probe(const DeviceOnDemand& device, const Scene& scene,
-                               const std::vector<Direction>& directions);
+ProbeResults probe(const DeviceOnDemand& device, const Scene& scene, const std::vector<Direction>& directions);
 
 // RGB of listed directions as pixels of the scene's picture would have them, without the sun's disc.
 std::vector<float> probe_picture(const DeviceOnDemand& device, const Scene& scene,

@@ -280,6 +280,7 @@ void TiledRender::make_bloom() {
 Rendering TiledRender::run() {
   if (method_.render_on_host != nullptr) {
     host_ = method_.render_on_host(scene_, air_, View{}, request_.picture.host);
+    out_.undone = host_.notes;
   }
   Plan whole;  // never run
   if (!add_sun_disc(whole, scene_, air_, std::nullopt, picture_of(BufferId{}, whole_rows(0, scene_.image.height)))) {

@@ -1,6 +1,12 @@
 // What a sequence's frames say of themselves, and what is done with frames and half files of earlier runs.
+#include <fcntl.h>
+#include <sys/file.h>
+
+#include <algorithm>
 #include <cstring>
 
+#include "app/sequence/film.h"
+#include "core/file_descriptor.h"
 #include "core/output/picture_reader.h"
 #include "tests/cli/sequence_fixture.h"
 
@@ -98,6 +104,58 @@ TEST_F(Sequence, HalfFilesOfKilledRunsGo) {
   }
   for (const std::string& name : others) {
     EXPECT_TRUE(fs::exists(scratch_.path() / name)) << name;
+  }
+}
+
+// The film of a run that is at work, which holds the lock on ffmpeg's messages, is left.
+TEST_F(Sequence, AFilmAtWorkIsLeft) {
+  scratch_.write("day.mp4.part-1", "half a film");
+  scratch_.write("day.mp4.part-1.txt", "");
+  {
+    const FileDescriptor messages(::open((scratch_.path() / "day.mp4.part-1.txt").c_str(), O_RDONLY | O_CLOEXEC));
+    ASSERT_EQ(::flock(messages.get(), LOCK_EX), 0);
+    cli::remove_abandoned_film(scratch_.path() / "day.mp4");
+    EXPECT_TRUE(fs::exists(scratch_.path() / "day.mp4.part-1"));
+  }
+  cli::remove_abandoned_film(scratch_.path() / "day.mp4");
+  EXPECT_FALSE(fs::exists(scratch_.path() / "day.mp4.part-1"));
+}
+
+// Each kind is told once, of the first frame that has it, and its frames are counted; probe tells the same.
+TEST_F(Sequence, WhatBoundsTheWorkIsToldOnceAndCounted) {
+  scratch_.write("milk.json", R"({"airlight": 1, "image": {"width": 2, "height": 1}, "camera": {"altitude_km": 50},
+    "media": [{"name": "milk", "scattering_per_km": 9000, "density": {"profile": "constant", "below_km": 100}}],
+    "render": {"method": "path-trace", "samples": 32}})");
+  const auto lines_with = [](const Outcome& outcome, const std::string& words) {
+    return std::ranges::count_if(lines_of(outcome.err), [&](const std::string& line) { return contains(line, words); });
+  };
+  const Outcome ended = tool({"sequence", "milk.json", "--float", "-o", "m.#.exr", "--sun-elevation", "60:62:1"});
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_EQ(lines_with(ended, "paths were ended after 10000 scatterings"), 1) << ended.err;
+  EXPECT_EQ(lines_with(ended, "warning: frame 1: "), 1) << ended.err;
+  EXPECT_EQ(lines_with(ended, "warning: 3 frames lack light that would have taken for ever to find"), 1) << ended.err;
+  const Outcome tiled = tool({"render", "milk.json", "--tile", "1x1", "-o", "m.exr"});
+  EXPECT_EQ(lines_with(tiled, "paths were ended after 10000 scatterings"), 1) << tiled.err;
+  const Outcome probed = tool({"probe", "milk.json", "--elevation", "60", "--azimuth", "0"});
+  EXPECT_EQ(lines_with(probed, "paths were ended after 10000 scatterings"), 1) << probed.err;
+  EXPECT_EQ(tool({"probe", "milk.json", "-q", "--elevation", "60", "--azimuth", "0"}).err, "");
+}
+
+// Told before the device is opened, which none is here: what is bounded takes its whole time.
+TEST_F(Sequence, OrdersLeftToTheTailAreTold) {
+  scratch_.write("thick.json", R"({"airlight": 1, "image": {"width": 4, "height": 2},
+    "media": [{"name": "fog", "scattering_per_km": 9000, "density": {"profile": "layers",
+               "layers": [[0.001, 1], [0.002, 1], [0.003, 1], [0.004, 1], [0.005, 1], [0.006, 1], [0.007, 1],
+                          [0.008, 1], [0.009, 1], [0.01, 1], [0.011, 1], [0.012, 1], [0.013, 1], [0.014, 1]]}}],
+    "render": {"method": "orders", "moments_lut": [1024, 12], "orders": 64}})");
+  Start no_device;
+  no_device.environment = {{"VK_DRIVER_FILES", "none.json"}, {"VK_ICD_FILENAMES", "none.json"}};
+  for (const Names& arguments : {Names{"render", "thick.json", "-o", "t.exr"},
+                                 Names{"probe", "thick.json", "--elevation", "60", "--azimuth", "0"},
+                                 Names{"sequence", "thick.json", "-o", "t.#.exr", "--sun-elevation", "30:31:1"}}) {
+    const Outcome outcome = tool(arguments, no_device);
+    EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, " of 64 orders of scattering are computed")) << outcome.err;
   }
 }
 

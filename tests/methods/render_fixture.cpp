@@ -47,7 +47,7 @@ Rendering render_now(const Scene& scene, const RenderRequest& request) {
 }
 
 std::vector<ProbeResult> probe_now(const Scene& scene, const std::vector<Direction>& directions) {
-  return probe([]() -> Executor& { return executor(); }, scene, directions);
+  return probe([]() -> Executor& { return executor(); }, scene, directions).directions;
 }
 
 Scene with_method(Scene scene, const SkyMethod& method, bool cheap) {
