@@ -16,10 +16,6 @@ namespace {
 static_assert(kMaxMedia == static_cast<int>(physics::kMaxMedia));
 static_assert(kMaxDensityLayers == static_cast<int>(physics::kMaxDensityLayers));
 
-physics::vec3 vector_of(const Spectrum& s) {
-  return {s[0], s[1], s[2]};
-}
-
 double largest(const Spectrum& s) {
   return *std::max_element(s.begin(), s.end());
 }

@@ -13,6 +13,11 @@
 
 namespace airlight {
 
+// The three channels as the formulas have them.
+inline physics::vec3 vector_of(const Spectrum& s) {
+  return {s[0], s[1], s[2]};
+}
+
 // Vertical optical depths of all the air, each in the channel where it is largest.
 struct OpticalDepths {
   double extinction = 0.0;

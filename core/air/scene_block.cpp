@@ -11,10 +11,6 @@ namespace {
 
 using physics::vec3;
 
-vec3 vector_of(const Spectrum& s) {
-  return {s[0], s[1], s[2]};
-}
-
 // Radiance at the disc's centre: the limb-darkened profile 1 - u(1 - mu) has mean 1 - u/3 over the disc, and
 // radiance_scale 1 makes the mean radiance irradiance / solid angle.
 vec3 disc_radiance(const Sun& sun) {

@@ -17,7 +17,7 @@ namespace {
 // A signal handler may read at any moment: texts stand in fixed storage, and the newest is published by its number. A
 // text is overwritten only after several newer ones.
 constexpr std::size_t kLongest = 1024;
-std::array<std::array<char, kLongest>, 8> texts;
+std::array<std::array<char, kLongest>, 8> last_texts;
 std::atomic<unsigned> newest = 0;  // 0: none
 static_assert(std::atomic<unsigned>::is_always_lock_free, "a signal handler reads it");
 
@@ -27,7 +27,7 @@ bool has_own_words = false;  // a command says better than a count what is whole
 
 void publish(const std::string& text) {
   const unsigned number = newest.load() + 1;
-  std::array<char, kLongest>& place = texts[number % texts.size()];
+  std::array<char, kLongest>& place = last_texts[number % last_texts.size()];
   const std::size_t length = std::min(text.size(), kLongest - 1);
   std::memcpy(place.data(), text.data(), length);
   place[length] = '\0';
@@ -75,7 +75,7 @@ void say_when_ended(const std::string& text) {
 
 void write_last_words(int signal_number) noexcept {
   const unsigned number = newest.load();
-  const char* text = texts[number % texts.size()].data();
+  const char* text = last_texts[number % last_texts.size()].data();
   // A line of progress and the terminal's own ^C stand before it.
   write_text(::isatty(STDERR_FILENO) == 1 ? "\r\033[K" : "");
   write_text("airlight: stopped by ");
