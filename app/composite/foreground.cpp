@@ -92,8 +92,11 @@ const Channel& depth_channel(const Picture& picture, const std::string& wanted) 
     const std::string what = !wanted.empty() ? "has no channel '" + wanted + "'"
                              : found.empty() ? "has no depth channel"
                                              : "has several depth channels";
-    throw InputError(picture.file + ": " + what + "; name one with --depth FILE:CHANNEL; it has " +
-                     picture.channel_list());
+    const std::string remedy = !wanted.empty() || !found.empty() ? "name one with --depth FILE:CHANNEL"
+                               : picture.is_airlight             ? "render it with --layers, which has depth.Z"
+                                                                 : "render it with a depth pass (Z), or name the file "
+                                                                   "and channel that have it with --depth FILE:CHANNEL";
+    throw InputError(picture.file + ": " + what + "; " + remedy + "; it has " + picture.channel_list());
   }
   return *found.front();
 }
@@ -224,12 +227,8 @@ std::vector<composite::Thing> things_of(const Foreground& fore, double scale) {
   return things;
 }
 
-struct DepthPlace {
-  std::string file;
-  std::string channel;
-};
+}  // namespace
 
-// "FILE:CHANNEL"; the last colon parts them, unless no channel could follow it.
 DepthPlace depth_place(const std::string& text, const std::string& beauty) {
   const std::size_t colon = text.rfind(':');
   if (colon == std::string::npos || text.find('/', colon) != std::string::npos) {
@@ -237,8 +236,6 @@ DepthPlace depth_place(const std::string& text, const std::string& beauty) {
   }
   return {colon == 0 ? beauty : text.substr(0, colon), text.substr(colon + 1)};
 }
-
-}  // namespace
 
 Foreground read_foreground(const CompositeOrder& order, const std::string& beauty, const std::string& depth,
                            Scene& scene) {

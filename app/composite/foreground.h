@@ -26,6 +26,14 @@ struct Foreground {
   std::size_t replaced = 0;  // opaque pixels without depth: the other program's own background
 };
 
+struct DepthPlace {
+  std::string file;
+  std::string channel;  // empty: the only one of depths
+};
+
+// Of --depth "FILE:CHANNEL"; the last colon parts them, unless no channel could follow it.
+DepthPlace depth_place(const std::string& text, const std::string& beauty);
+
 // Reads the files and sets the scene's picture size and, where the file tells it, its camera. Throws InputError: files
 // that cannot be read, channels that are missing (those present are listed), sizes that differ, unknown primaries.
 Foreground read_foreground(const CompositeOrder& order, const std::string& beauty, const std::string& depth,

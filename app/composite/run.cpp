@@ -232,6 +232,10 @@ void tell_about(const CompositeOrder& order, const Foreground& fore, const Frame
     complain("note: " + frame.beauty + ": " + std::to_string(fore.replaced) +
              " opaque pixels have no depth; the sky takes the place of their background");
   }
+  if (fore.picture.is_airlight && order.layer.empty()) {
+    complain("note: " + frame.beauty + ": is a picture of airlight's: what air is in it already stays under the air " +
+             "put before it");
+  }
   for (const std::string& warning : exr_warnings(counts)) {
     complain("warning: " + warning);
   }
@@ -336,6 +340,17 @@ void require_spans(const Scene& scene) {
                    " does not tell the air before a thing from the sky behind it; choose " + names + " with --method");
 }
 
+// A second run over its own output would put the air in twice, and the picture without it would be lost.
+void require_other_file(const Frame& frame) {
+  for (const std::string& input : {frame.beauty, depth_place(frame.depth, frame.beauty).file}) {
+    std::error_code absent;
+    if (fs::equivalent(frame.output, input, absent)) {
+      throw InputError("composite: -o " + frame.output + " is the file " + input +
+                       " that it reads, which would be lost; write to another name");
+    }
+  }
+}
+
 }  // namespace
 
 int run_composite(const CompositeOrder& order) {
@@ -346,6 +361,7 @@ int run_composite(const CompositeOrder& order) {
   }
   for (const Frame& frame : frames) {
     require_ending(frame.output, "composite: -o", ".exr");
+    require_other_file(frame);
     require_writable(frame.output);
   }
   std::unique_ptr<Executor> executor;

@@ -77,6 +77,7 @@ TEST_F(CompositeTool, WhereNothingIsThePictureIsTheSkyBitForBit) {
     }
     EXPECT_TRUE(contains(done.err, std::to_string(kPixels) + " opaque pixels have no depth")) << done.err;
     EXPECT_EQ(contains(done.err, "are not numbers"), std::isnan(z)) << done.err;
+    EXPECT_FALSE(contains(done.err, "is a picture of airlight's")) << done.err;
   }
 }
 
@@ -181,6 +182,25 @@ TEST_F(CompositeTool, ASimpleFog) {
   EXPECT_NEAR(picture("out.exr").at(5, 5)[0], kept + 0.5F * (1.0F - kept), 1e-5F);
 }
 
+// A picture of ours has air in it: that is told, and what to do where it has no depth.
+TEST_F(CompositeTool, APictureOfAirlightsHasItsAirAlready) {
+  for (const char* name : {"plain.exr", "plate.exr"}) {
+    Names words{"render", "sky.json", "--method", "orders", "-q", "-o", name, "--size", "24x16"};
+    if (name == std::string("plate.exr")) {
+      words.push_back("--layers");
+    }
+    ASSERT_EQ(tool(words).exit_code, 0);
+  }
+  const Outcome plain = composite({"--beauty", "plain.exr", "-o", "o.exr"});
+  EXPECT_EQ(plain.exit_code, 2);
+  EXPECT_TRUE(contains(plain.err, "plain.exr: has no depth channel; render it with --layers")) << plain.err;
+  const Outcome plate = composite({"--beauty", "plate.exr", "-o", "o.exr"});
+  EXPECT_EQ(plate.exit_code, 0) << plate.err;
+  EXPECT_TRUE(contains(plate.err, "plate.exr: is a picture of airlight's")) << plate.err;
+  const Outcome ground = composite({"--beauty", "plate.exr", "--layer", "ground", "-o", "o.exr"});
+  EXPECT_FALSE(contains(ground.err, "is a picture of airlight's")) << ground.err;
+}
+
 struct Refused {
   Names words;
   std::string named;
@@ -197,11 +217,14 @@ TEST_F(CompositeTool, RefusesWithPlaceAndRemedy) {
       {{"--beauty", "none.exr", "-o", "o.exr"}, "none.exr: no such file"},
       {{"--beauty", "text.exr", "-o", "o.exr"}, "text.exr: cannot be read"},
       {{"--beauty", "in.exr", "-o", "o.exr"}, "has no depth channel"},
+      {{"--beauty", "in.exr", "-o", "o.exr"}, "render it with a depth pass (Z)"},
       {{"--beauty", "in.exr", "-o", "o.exr"}, "far"},  // those present are listed
       {{"--beauty", "good.exr", "--depth", "good.exr:zz", "-o", "o.exr"}, "has no channel 'zz'"},
       {{"--beauty", "good.exr", "--depth", "narrow.exr:Z", "-o", "o.exr"}, "12x16"},
       {{"--beauty", "good.exr", "--layer", "foo", "-o", "o.exr"}, "has no layer 'foo'"},
       {{"--beauty", "good.exr", "-o", "o.png"}, ".exr"},
+      {{"--beauty", "good.exr", "-o", "./good.exr"}, "is the file good.exr that it reads, which would be lost"},
+      {{"--beauty", "in.exr", "--depth", "good.exr:Z", "-o", "good.exr"}, "is the file good.exr that it reads"},
       {{"--beauty", "good.exr", "-o", "o.exr", "--camera", "file"}, "says nothing of its camera"},
       {{"--beauty", "good.exr", "-o", "o.exr", "--depth-unit", "parsec"}, "parsec"},
       {{"--beauty", "good.exr", "-o", "o.exr", "--layers", "depth"}, "'depth'"},
