@@ -63,7 +63,9 @@ Frame host_frame(const Scene& scene, const Air& air, const RadianceImage& radian
   Frame frame;
   frame.plan.scene_data = device_scene_bytes(air, scene);
   std::vector<std::byte> bytes(radiance.rgba.size() * sizeof(float));
-  std::memcpy(bytes.data(), radiance.rgba.data(), bytes.size());
+  if (!bytes.empty()) {
+    std::memcpy(bytes.data(), radiance.rgba.data(), bytes.size());
+  }
   const std::size_t size =
       4 * sizeof(float) * static_cast<std::size_t>(scene.image.width) * static_cast<std::size_t>(scene.image.height);
   frame.picture = picture_of(
