@@ -79,6 +79,7 @@ struct Physics {
 #include "shaders/physics/shadow.glsl"
 #include "shaders/physics/environment.glsl"
 #include "shaders/physics/camera.glsl"
+#include "shaders/physics/glare.glsl"
 #include "shaders/physics/medium.glsl"
 #include "shaders/physics/segment.glsl"
 #include "shaders/physics/quadrature.glsl"

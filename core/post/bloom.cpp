@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/physics/physics.h"
+#include "core/air/scene_block.h"
 #include "core/post/bloom_grid.h"
 #include "core/post/post.h"
 
@@ -17,22 +17,6 @@ constexpr double kBaseTexelAngle = std::numbers::pi / 3.0 / 720.0;
 
 std::uint32_t bits(double x) {
   return std::bit_cast<std::uint32_t>(static_cast<float>(x));
-}
-
-// Angle of a pixel at the picture's centre, radians.
-double pixel_angle(const Scene& scene) {
-  switch (scene.camera.projection) {
-    case Projection::perspective:
-      return scene.camera.vertical_fov / scene.image.height;
-    case Projection::equirectangular:
-      return std::numbers::pi / scene.image.height;
-    case Projection::fisheye:
-      return scene.camera.vertical_fov / std::min(scene.image.width, scene.image.height);
-    case Projection::cube:
-    case Projection::octahedral:
-      break;  // resolve() takes no bloom there
-  }
-  return kBaseTexelAngle;
 }
 
 // Every device that airlight runs on takes images of this many texels a side.
@@ -140,7 +124,29 @@ BufferId add_picture_buffer(Plan& plan, const char* name, const Picture& picture
        .zeroed = false});
 }
 
+// What a pass reads to have the glare at its pixels (shared/glare_pixel.glsl).
+void read_glare(PassDesc& pass, const Scene& scene, const GlareSources& sources) {
+  pass.reads.push_back({"sources", sources.points});
+  pass.push_constants.insert(pass.push_constants.end(), {sources.count, bits(0.5 * pixel_angle(scene))});
+  pass.specialization.push_back({"kProjection", projection_code(scene.camera.projection)});
+}
+
 }  // namespace
+
+double pixel_angle(const Scene& scene) {
+  switch (scene.camera.projection) {
+    case Projection::perspective:
+      return scene.camera.vertical_fov / scene.image.height;
+    case Projection::equirectangular:
+      return std::numbers::pi / scene.image.height;
+    case Projection::fisheye:
+      return scene.camera.vertical_fov / std::min(scene.image.width, scene.image.height);
+    case Projection::cube:
+    case Projection::octahedral:
+      break;  // resolve() takes no bloom there
+  }
+  return kBaseTexelAngle;
+}
 
 Extent bloom_grid(const Scene& scene) {
   return base_level(scene).extent;
@@ -183,19 +189,24 @@ ImageId add_kept_bloom(Plan& plan, const Scene& scene, const std::string& key) {
   return plan.add_image(bloom_desc(scene, key));
 }
 
-BufferId add_bloom_picture(Plan& plan, const Scene& scene, const Picture& picture, ImageId bloom) {
+BufferId add_glow_picture(Plan& plan, const Scene& scene, const Picture& picture, const Glow& glow) {
   const BufferId out = add_picture_buffer(plan, "bloom", picture, 4 * sizeof(float));
-  plan.add_pass({.name = "bloom_resolve",
-                 .shader = "bloom_resolve",
-                 .reads = {{"chain", bloom}},
-                 .writes = {{"bloom_out", out}},
-                 .grid = {picture.width, picture.height, 1},
-                 .push_constants = {picture.width, rows_of(scene), picture.y, picture.height},
-                 .specialization = {{"kWrap", wrap(scene)}}});
+  PassDesc pass{.writes = {{"bloom_out", out}}, .grid = {picture.width, picture.height, 1}};
+  if (const auto* sources = std::get_if<GlareSources>(&glow)) {
+    pass.name = pass.shader = "glare";
+    pass.push_constants = {picture.width, picture.height};
+    read_glare(pass, scene, *sources);
+  } else {
+    pass.name = pass.shader = "bloom_resolve";
+    pass.reads = {{"chain", std::get<ImageId>(glow)}};
+    pass.push_constants = {picture.width, rows_of(scene), picture.y, picture.height};
+    pass.specialization = {{"kWrap", wrap(scene)}};
+  }
+  plan.add_pass(std::move(pass));
   return out;
 }
 
-BufferId add_tonemap(Plan& plan, const Scene& scene, const Picture& picture, std::optional<ImageId> bloom,
+BufferId add_tonemap(Plan& plan, const Scene& scene, const Picture& picture, const std::optional<Glow>& glow,
                      double exposure) {
   constexpr std::uint32_t kCurves[] = {
       physics::kToneAces,        physics::kToneReinhard, physics::kToneReinhardLuminance,
@@ -208,11 +219,17 @@ BufferId add_tonemap(Plan& plan, const Scene& scene, const Picture& picture, std
                 .grid = {picture.width, picture.height, 1},
                 .push_constants = {picture.width, picture.height, bits(exposure)},
                 .specialization = {{"kCurve", kCurves[static_cast<std::size_t>(scene.display.tonemap)]}}};
-  if (bloom) {
-    pass.shader = "tonemap_bloom";
-    pass.reads.push_back({"chain", *bloom});
-    pass.push_constants.insert(pass.push_constants.end(), {bits(scene.bloom.intensity), picture.y, rows_of(scene)});
-    pass.specialization.push_back({"kWrap", wrap(scene)});
+  if (glow) {
+    pass.push_constants.push_back(bits(scene.bloom.intensity));
+    if (const auto* sources = std::get_if<GlareSources>(&*glow)) {
+      pass.shader = "tonemap_glare";
+      read_glare(pass, scene, *sources);
+    } else {
+      pass.shader = "tonemap_bloom";
+      pass.reads.push_back({"chain", std::get<ImageId>(*glow)});
+      pass.push_constants.insert(pass.push_constants.end(), {picture.y, rows_of(scene)});
+      pass.specialization.push_back({"kWrap", wrap(scene)});
+    }
   }
   plan.add_pass(std::move(pass));
   return encoded;

@@ -29,7 +29,7 @@ double least_seen(double luminance) {
 }
 
 // Per cd/m2. What is just seen there is shown as what is just seen at noon: in proportion to 1/luminance by day, and
-// below some cd/m2 hardly more than at none, where it ends at 0.11.
+// below some cd/m2 hardly more than at none, where it ends at 0.12.
 double adapted_exposure(double luminance) {
   return kMiddleGrey / kNoon * least_seen(kNoon) / least_seen(luminance);
 }

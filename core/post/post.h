@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "core/air/air.h"
@@ -58,8 +59,25 @@ double exposure_for(const Scene& scene, const Statistics& statistics);
 // sun's disc, nor what part of it is in the picture, moves the exposure then.
 double brightest_metered(const Scene& scene);
 
-// Whether any pixel exceeds the bloom's threshold; where none does, bloom is black and need not run.
-bool bloom_glows(const Bloom& bloom, const Statistics& statistics, double exposure);
+// Whether there is bloom to see: a sun before the camera, or, of a chain, any pixel above the threshold.
+bool bloom_glows(const Scene& scene, const Air& air, const Statistics& statistics, double exposure);
+
+// Why there is none, for people.
+std::string no_bloom(const Scene& scene);
+
+// Points of the sun's disc as the camera sees them through the air, for the glare around them (physics/glare.glsl).
+struct GlareSources {
+  BufferId points;
+  std::uint32_t count = 0;
+};
+
+GlareSources add_glare_sources(Plan& plan, const Scene& scene, const Air& air);
+
+// Whether any light of the disc comes past the planet to the camera, from before it.
+bool sun_glares(const Scene& scene, const Air& air);
+
+// Bloom, scene-linear, before `intensity`, as the passes read it that show it: a finished chain, or sources of glare.
+using Glow = std::variant<ImageId, GlareSources>;
 
 // The bloom's finest grid: the picture at 1/12 degree a texel (720 lines over 60 degrees), whatever the resolution, so
 // that the glow's width is an angle. Never finer than the picture.
@@ -96,12 +114,16 @@ ImageId add_bloom(Plan& plan, const Scene& scene, ImageId base, double exposure,
 // What add_bloom() of an earlier plan has left under this key.
 ImageId add_kept_bloom(Plan& plan, const Scene& scene, const std::string& key);
 
-// The chain at the pixels of the picture or of a band of its rows, for who reads it on the host: four floats a pixel.
-BufferId add_bloom_picture(Plan& plan, const Scene& scene, const Picture& picture, ImageId bloom);
+// The glow at the pixels of the picture or of a band of its rows, for who reads it on the host: four floats a pixel.
+// Glare wants the plan's scene data to be of that band.
+BufferId add_glow_picture(Plan& plan, const Scene& scene, const Picture& picture, const Glow& glow);
 
-// (picture + intensity x bloom) x exposure through the GPU tone curve, sRGB-encoded: four 16-bit channels a pixel.
-// `picture`: whole or a band of rows; `bloom`: of add_bloom().
-BufferId add_tonemap(Plan& plan, const Scene& scene, const Picture& picture, std::optional<ImageId> bloom,
+// (picture + intensity x glow) x exposure through the GPU tone curve, sRGB-encoded: four 16-bit channels a pixel.
+// `picture`: whole or a band of rows.
+BufferId add_tonemap(Plan& plan, const Scene& scene, const Picture& picture, const std::optional<Glow>& glow,
                      double exposure);
+
+// Angle of a pixel at the picture's centre, radians.
+double pixel_angle(const Scene& scene);
 
 }  // namespace airlight

@@ -76,8 +76,18 @@ Statistics summarize(std::span<const std::byte> rows, std::uint32_t width) {
   return all;
 }
 
-bool bloom_glows(const Bloom& bloom, const Statistics& statistics, double exposure) {
-  return bloom.enabled && bloom.intensity > 0.0 && statistics.max_luminance * exposure > bloom.threshold;
+bool bloom_glows(const Scene& scene, const Air& air, const Statistics& statistics, double exposure) {
+  const Bloom& bloom = scene.bloom;
+  if (!bloom.enabled || bloom.intensity <= 0.0) {
+    return false;
+  }
+  return bloom.model == BloomModel::glare ? sun_glares(scene, air)
+                                          : statistics.max_luminance * exposure > bloom.threshold;
+}
+
+std::string no_bloom(const Scene& scene) {
+  return scene.bloom.model == BloomModel::glare ? "bloom: no sun before the camera"
+                                                : "bloom: nothing is brighter than its threshold";
 }
 
 }  // namespace airlight

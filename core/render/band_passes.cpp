@@ -12,15 +12,17 @@ BandPasses::BandPasses(Plan& plan, const Scene& scene, const Picture& band, cons
   if (work.gathering != nullptr) {
     sums_ = work.gathering->add_band(plan, band);
   }
-  std::optional<ImageId> chain;
-  if (!work.bloom.empty() && (work.bloom_picture || work.gpu_tone)) {
-    chain = add_kept_bloom(plan, scene, work.bloom);
+  std::optional<Glow> glow;
+  if (work.glare_through != nullptr && (work.bloom_picture || work.gpu_tone)) {
+    glow = add_glare_sources(plan, scene, *work.glare_through);
+  } else if (!work.chain.empty() && (work.bloom_picture || work.gpu_tone)) {
+    glow = add_kept_bloom(plan, scene, work.chain);
   }
-  if (chain && work.bloom_picture) {
-    bloom_ = add_bloom_picture(plan, scene, band, *chain);
+  if (glow && work.bloom_picture) {
+    bloom_ = add_glow_picture(plan, scene, band, *glow);
   }
   if (work.gpu_tone) {
-    encoded_ = add_tonemap(plan, scene, band, chain, work.exposure);
+    encoded_ = add_tonemap(plan, scene, band, glow, work.exposure);
   }
 }
 

@@ -82,17 +82,24 @@ struct PostFrame {
   std::optional<BufferId> encoded;
 };
 
-void add_post(PostFrame& post, const Scene& scene, const Picture& picture, const RenderRequest& request, bool glows,
-              double exposure) {
-  std::optional<ImageId> bloom;
-  if (glows) {
-    bloom = add_bloom(post.plan, scene, add_bloom_base(post.plan, scene, picture), exposure);
-    if (request.bloom_picture) {
-      post.bloom = add_bloom_picture(post.plan, scene, picture, *bloom);
-    }
+Glow add_glow(Plan& plan, const Scene& scene, const Air& air, const Picture& picture, double exposure) {
+  if (scene.bloom.model == BloomModel::glare) {
+    return add_glare_sources(plan, scene, air);
+  }
+  return add_bloom(plan, scene, add_bloom_base(plan, scene, picture), exposure);
+}
+
+void add_post(PostFrame& post, const Scene& scene, const Air& air, const Picture& picture, const RenderRequest& request,
+              bool glows, double exposure) {
+  std::optional<Glow> glow;
+  if (glows && (request.bloom_picture || request.gpu_tone)) {
+    glow = add_glow(post.plan, scene, air, picture, exposure);
+  }
+  if (glow && request.bloom_picture) {
+    post.bloom = add_glow_picture(post.plan, scene, picture, *glow);
   }
   if (request.gpu_tone) {
-    post.encoded = add_tonemap(post.plan, scene, picture, bloom, exposure);
+    post.encoded = add_tonemap(post.plan, scene, picture, glow, exposure);
   }
 }
 
@@ -117,17 +124,18 @@ void take_tables(Rendering& out, const Frame& frame, const RunResult& result) {
 }
 
 // Bloom and tone curve of the picture that the first plan left on the device.
-void run_post(Executor& executor, const Scene& scene, const RenderRequest& request, const Plan& first,
+void run_post(Executor& executor, const Scene& scene, const Air& air, const RenderRequest& request, const Plan& first,
               const Picture& picture, Rendering& out) {
   const bool wants_bloom = request.bloom && scene.bloom.enabled;
-  const bool glows = wants_bloom && bloom_glows(scene.bloom, out.picture, out.exposure);
+  const bool glows = wants_bloom && bloom_glows(scene, air, out.picture, out.exposure);
   if (wants_bloom && !glows) {
-    out.left_out.push_back("bloom: nothing is brighter than its threshold");
+    out.left_out.push_back(no_bloom(scene));
   }
   if (!glows && !request.gpu_tone) {
     return;
   }
   PostFrame post;
+  post.plan.scene_data = device_scene_bytes(air, scene);
   BufferDesc carried = first.buffers()[picture.buffer.index];
   const bool kept = !carried.key.empty();
   if (kept) {
@@ -136,7 +144,7 @@ void run_post(Executor& executor, const Scene& scene, const RenderRequest& reque
     std::memcpy(carried.contents.data(), out.radiance.rgba.data(), carried.contents.size());  // with the disc
   }
   const Picture again = picture_of(scene, post.plan.add_buffer(std::move(carried)));
-  add_post(post, scene, again, request, glows, out.exposure);
+  add_post(post, scene, air, again, request, glows, out.exposure);
   RunResult result = executor.run(post.plan);
   Timings{out.passes, out.host}.add(result);
   if (post.bloom) {
@@ -211,7 +219,7 @@ Rendering render(const DeviceOnDemand& device, const Scene& scene, const RenderR
   out.exposure = exposure_for(scene, out.picture);
   out.radiance = image_from(result.contents(frame.picture.buffer), scene.image.width, scene.image.height);
   if (out.fault().empty()) {
-    run_post(executor, scene, request, frame.plan, frame.picture, out);
+    run_post(executor, scene, air, request, frame.plan, frame.picture, out);
     if (request.layers) {
       add_layers(out, executor, scene);
     }
@@ -224,7 +232,7 @@ Plan plan_for(const Scene& scene, const RenderRequest& request) {
   Frame frame =
       method_of(scene).render_on_host != nullptr ? host_frame(scene, air, {}) : sky_frame(scene, air, request);
   PostFrame post{std::move(frame.plan), {}, {}};
-  add_post(post, scene, frame.picture, request, request.bloom && scene.bloom.enabled, 1.0);
+  add_post(post, scene, air, frame.picture, request, request.bloom && scene.bloom.enabled, 1.0);
   return std::move(post.plan);
 }
 

@@ -65,6 +65,7 @@ class TiledRender {
 
  private:
   bool wants_bloom() const { return request_.picture.bloom && scene_.bloom.enabled; }
+  bool wants_chain() const { return wants_bloom() && scene_.bloom.model == BloomModel::chain; }
   bool stops() const { return !request_.past_faults && !out_.fault().empty(); }
   Tile whole_rows(int y, int rows) const { return {0, y, scene_.image.width, rows}; }
   bool in_columns() const { return host_.radiance.rgba.empty() && request_.tile.width < scene_.image.width; }
@@ -93,7 +94,8 @@ class TiledRender {
   std::vector<std::byte> rows_;  // statistics of all rows so far
   BloomGathering gathering_;
   bool two_rounds_ = false;
-  std::string bloom_key_;  // of the finished bloom; empty: none
+  std::string chain_key_;  // of the finished chain; empty: none
+  bool glares_ = false;
 
   // Of the first tile's plan: the tables are made, and looked at, with it.
   struct TableReads {
@@ -195,6 +197,7 @@ void TiledRender::render_band(Band& band, int rows, const BandWork& work) {
     for (int x = 0; x < width; x += request_.tile.width) {
       render_tile(band, {x, band.y, std::min(request_.tile.width, width - x), rows});
     }
+    plan.scene_data = device_scene_bytes(air_, scene_, whole);
     run_rows(plan, add_upload(plan, band.rows.radiance, 0, whole), work, band);
   } else {
     const SkyPasses sky = add_sky(plan, whole);
@@ -233,9 +236,10 @@ void TiledRender::deliver(Band& band) {
 void TiledRender::go_through(Round round, double from, double to) {
   BandWork work;
   work.statistics = !two_rounds_ || round == Round::measuring;
-  work.gathering = round == Round::measuring && wants_bloom() ? &gathering_ : nullptr;
+  work.gathering = round == Round::measuring && wants_chain() ? &gathering_ : nullptr;
   if (round == Round::delivering) {
-    work.bloom = bloom_key_;
+    work.chain = chain_key_;
+    work.glare_through = glares_ ? &air_ : nullptr;
     work.bloom_picture = request_.picture.bloom_picture;
     work.gpu_tone = request_.picture.gpu_tone;
     work.exposure = out_.exposure;
@@ -262,18 +266,22 @@ void TiledRender::go_through(Round round, double from, double to) {
   }
 }
 
-// After the picture was measured.
+// Before the picture is handed on, and of a chain after it was measured.
 void TiledRender::make_bloom() {
   if (!wants_bloom()) {
     return;
   }
-  if (!bloom_glows(scene_.bloom, out_.picture, out_.exposure)) {
-    out_.left_out.push_back("bloom: nothing is brighter than its threshold");
+  if (!bloom_glows(scene_, air_, out_.picture, out_.exposure)) {
+    out_.left_out.push_back(no_bloom(scene_));
     return;
   }
-  bloom_key_ = "bloom of " + kept_as_;
+  if (!wants_chain()) {
+    glares_ = true;
+    return;
+  }
+  chain_key_ = "bloom of " + kept_as_;
   Plan plan;
-  add_bloom(plan, scene_, gathering_.add_base(plan), out_.exposure, bloom_key_);
+  add_bloom(plan, scene_, gathering_.add_base(plan), out_.exposure, chain_key_);
   run_plan(plan);
 }
 
@@ -286,14 +294,14 @@ Rendering TiledRender::run() {
   if (!add_sun_disc(whole, scene_, air_, std::nullopt, picture_of(BufferId{}, whole_rows(0, scene_.image.height)))) {
     out_.left_out.push_back("sun disc: switched off, outside the picture or behind the planet");
   }
-  two_rounds_ = wants_bloom() || (request_.exposure_first && !scene_.display.exposure);
+  two_rounds_ = wants_chain() || (request_.exposure_first && !scene_.display.exposure);
   out_.exposure = scene_.display.exposure ? exposure_for(scene_, {}) : 1.0;
   if (two_rounds_) {
     go_through(Round::measuring, 0.0, 0.5);
     out_.exposure = exposure_for(scene_, out_.picture);
-    if (out_.fault().empty()) {
-      make_bloom();
-    }
+  }
+  if (out_.fault().empty()) {
+    make_bloom();
   }
   go_through(Round::delivering, two_rounds_ ? 0.5 : 0.0, 1.0);
   out_.exposure = exposure_for(scene_, out_.picture);

@@ -129,6 +129,7 @@ std::string describe(const Scene& scene) {
       .line("enabled", scene.bloom.in_exr    ? "yes, with a layer in the EXR"
                        : scene.bloom.enabled ? "yes"
                                              : "no")
+      .line("model", kBloomModelNames.at(static_cast<std::size_t>(scene.bloom.model)))
       .number("threshold", scene.bloom.threshold)
       .number("intensity", scene.bloom.intensity)
       .number("levels", scene.bloom.levels);

@@ -281,6 +281,7 @@ Bloom read_bloom(const Section& root, const Camera& camera) {
     bloom.enabled = false;
     bloom.in_exr = false;
   }
+  bloom.model = static_cast<BloomModel>(section.choice("model").value_or(0));
   bloom.threshold = section.number("threshold");
   bloom.intensity = section.number("intensity");
   bloom.levels = section.integer("levels");

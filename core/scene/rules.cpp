@@ -235,21 +235,28 @@ constexpr auto kRules = std::to_array<Rule>({
     {.key = "bloom.enabled",
      .type = RuleType::boolean,
      .default_text = "true",
-     .meaning = "glow around what is brighter than the threshold, in the PNG; stated true, it becomes a layer of the "
-                "EXR as well; false for `cube` and `octahedral`, where it would stop at the edges"},
+     .meaning = "glow around what is bright, in the PNG; stated true, it becomes a layer of the EXR as well; false for "
+                "`cube` and `octahedral`, where it would stop at the edges"},
+    {.key = "bloom.model",
+     .type = RuleType::choice,
+     .default_text = "glare",
+     .choices = kBloomModelNames,
+     .meaning =
+         "`glare`: light of the sun scattered in the eye or lens, see Bloom below; `chain`: a published lesson's, "
+         "the picture above the threshold halved again and again, each step as strong as the one before"},
     {.key = "bloom.threshold",
      .range = kIrradiance,
      .default_text = "1",
-     .meaning = "luminance after exposure from which a pixel glows"},
+     .meaning = "of `chain`: luminance after exposure from which a pixel glows"},
     {.key = "bloom.intensity",
      .range = {.minimum = 0.0, .maximum = 100.0},
      .default_text = "0.04",
-     .meaning = "factor on the glow as it is added"},
+     .meaning = "factor on the glow as it is added; of `glare`: the share of the sun's light that is scattered"},
     {.key = "bloom.levels",
      .type = RuleType::integer,
      .range = {.minimum = 1.0, .maximum = 16.0},
      .default_text = "5",
-     .meaning = "halvings of the picture: each doubles the widest glow"},
+     .meaning = "of `chain`: halvings of the picture: each doubles the widest glow"},
 
     {.key = "display.exposure",
      .type = RuleType::exposure,

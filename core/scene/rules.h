@@ -72,6 +72,7 @@ inline constexpr std::array<std::string_view, 5> kPhaseNames = {"rayleigh", "hen
 inline constexpr std::array<std::string_view, 5> kProjectionNames = {"perspective", "equirectangular", "fisheye",
                                                                      "cube", "octahedral"};
 inline constexpr std::array<std::string_view, 3> kCubeLayoutNames = {"stack", "strip", "cross"};
+inline constexpr std::array<std::string_view, 2> kBloomModelNames = {"glare", "chain"};
 inline constexpr std::array<std::string_view, 3> kSunUnitNames = {"relative", "W/m2", "lux"};
 inline constexpr std::array<std::string_view, 6> kToneCurveNames = {"aces",        "reinhard", "reinhard-luminance",
                                                                     "exponential", "clamp",    "none"};

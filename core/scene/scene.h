@@ -125,12 +125,15 @@ struct RenderSettings {
   }
 };
 
+enum class BloomModel { glare, chain };
+
 struct Bloom {
+  BloomModel model = BloomModel::glare;
   bool enabled = true;
   bool in_exr = false;     // the preset asks for bloom itself: it becomes a layer of the EXR
-  double threshold = 1.0;  // on exposed luminance
   double intensity = 0.04;
-  int levels = 5;
+  double threshold = 1.0;  // of a chain, on exposed luminance
+  int levels = 5;          // of a chain
 };
 
 // Whose light an exposure that is no number goes by: the picture's own, a midday's, or that of a sequence's frame.

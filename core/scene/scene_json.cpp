@@ -134,7 +134,8 @@ std::string bloom_json(const Bloom& bloom) {
   if (!bloom.enabled || bloom.in_exr) {
     object.boolean("enabled", bloom.enabled);
   }
-  return object.number("threshold", bloom.threshold)
+  return object.text("model", name_of(bloom.model, kBloomModelNames))
+      .number("threshold", bloom.threshold)
       .number("intensity", bloom.intensity)
       .number("levels", bloom.levels)
       .str();

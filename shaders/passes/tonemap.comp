@@ -2,6 +2,8 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 // Exposure, tone curve, sRGB encoding.
+#define real float
+#include "shared/tables.h"
 #include "shared/tone_pixel.glsl"
 
 layout(local_size_x = 16, local_size_y = 16) in;

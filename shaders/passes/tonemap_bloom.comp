@@ -3,6 +3,8 @@
 #extension GL_EXT_scalar_block_layout : require
 // Exposure, bloom, tone curve, sRGB encoding. The chain is sampled here: bloom at the picture's size, written by one pass
 // and read by the next, would be 32 bytes a pixel.
+#define real float
+#include "shared/tables.h"
 #include "shared/tone_pixel.glsl"
 #include "post/bloom.glsl"
 

@@ -1,6 +1,5 @@
-// The picture's pixels through exposure and tone curve to sRGB: four 16-bit channels a pixel, ready for a PNG.
-#define real float
-#include "shared/tables.h"
+// The picture's pixels through exposure and tone curve to sRGB: four 16-bit channels a pixel, ready for a PNG. The
+// includer defines real and includes shared/tables.h.
 #include "post/tone.glsl"
 
 layout(constant_id = 1) const uint kCurve = 0u;

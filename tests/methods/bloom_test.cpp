@@ -16,6 +16,7 @@ Scene lone_sun(int lines) {
   scene.camera.vertical_fov = 30.0 * kDegree;
   scene.image = {lines, lines};
   scene.display.exposure = 1.0;
+  scene.bloom.model = BloomModel::chain;
   return with_method(scene, *find_method("march"), true);
 }
 

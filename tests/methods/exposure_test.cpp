@@ -61,7 +61,7 @@ TEST(Exposure, FallsBehindAsTheSunSinksAndEnds) {
   const double end = exposure_of(dark);  // no light at all: the end itself
   EXPECT_GT(end, last_exposure);
   EXPECT_LT(end, 1.02 * last_exposure);
-  // 0.11 for each cd/m2, of 128 000 lux of sunlight.
+  // 0.12 for each cd/m2, of 128 000 lux of sunlight.
   EXPECT_NEAR(end / 128000.0, 0.12, 0.01);
 }
 

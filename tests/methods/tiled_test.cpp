@@ -123,29 +123,35 @@ TEST(Tiled, LayersAreThoseOfThePicture) {
 
 // Bloom, tone curve and exposure, which are of the whole picture: gone through twice. The picture is finer than the
 // bloom's grid, so that texels of the grid lie across bands.
+void expect_same_bloom(Projection projection, BloomModel model) {
+  Scene scene = sky("march", projection);
+  scene.bloom.model = model;
+  scene.camera.vertical_fov = 0.01;
+  scene.camera.pitch = scene.sun.elevation;
+  scene.camera.azimuth = scene.sun.azimuth;
+  scene.sun.disc.angular_radius = projection == Projection::perspective ? 0.002 : 0.05;
+  scene.bloom.enabled = true;
+  scene.bloom.intensity = 0.3;
+  RenderRequest request;
+  request.bloom = true;
+  request.gpu_tone = true;
+  const Rendering whole = render_now(scene, request);
+  ASSERT_TRUE(whole.bloom.has_value());
+  ASSERT_GT(*std::max_element(whole.bloom->rgba.begin(), whole.bloom->rgba.end()), 0.0F);
+  for (const ImageSize& tile : {ImageSize{41, 7}, ImageSize{13, 5}, ImageSize{41, 1}, ImageSize{64, 64}}) {
+    const Whole tiles = in_tiles(scene, tile, request, true);
+    EXPECT_EQ(tiles.rgba, whole.radiance.rgba) << tile.width;
+    EXPECT_EQ(tiles.bloom, whole.bloom->rgba) << tile.width;
+    EXPECT_EQ(tiles.encoded, whole.encoded) << tile.width;
+    EXPECT_EQ(tiles.exposures, std::vector<double>(tiles.exposures.size(), whole.exposure)) << tile.width;
+    EXPECT_EQ(tiles.rendering.left_out, whole.left_out) << tile.width;
+  }
+}
+
 TEST(Tiled, BloomAndToneAreThoseOfThePicture) {
   for (const Projection projection : {Projection::perspective, Projection::equirectangular}) {
-    Scene scene = sky("march", projection);
-    scene.camera.vertical_fov = 0.01;
-    scene.camera.pitch = scene.sun.elevation;
-    scene.camera.azimuth = scene.sun.azimuth;
-    scene.sun.disc.angular_radius = projection == Projection::perspective ? 0.002 : 0.05;
-    scene.bloom.enabled = true;
-    scene.bloom.intensity = 0.3;
-    RenderRequest request;
-    request.bloom = true;
-    request.gpu_tone = true;
-    const Rendering whole = render_now(scene, request);
-    ASSERT_TRUE(whole.bloom.has_value());
-    ASSERT_GT(*std::max_element(whole.bloom->rgba.begin(), whole.bloom->rgba.end()), 0.0F);
-    for (const ImageSize& tile : {ImageSize{41, 7}, ImageSize{13, 5}, ImageSize{41, 1}, ImageSize{64, 64}}) {
-      const Whole tiles = in_tiles(scene, tile, request, true);
-      EXPECT_EQ(tiles.rgba, whole.radiance.rgba) << tile.width;
-      EXPECT_EQ(tiles.bloom, whole.bloom->rgba) << tile.width;
-      EXPECT_EQ(tiles.encoded, whole.encoded) << tile.width;
-      EXPECT_EQ(tiles.exposures, std::vector<double>(tiles.exposures.size(), whole.exposure)) << tile.width;
-      EXPECT_EQ(tiles.rendering.left_out, whole.left_out) << tile.width;
-    }
+    expect_same_bloom(projection, BloomModel::glare);
+    expect_same_bloom(projection, BloomModel::chain);
   }
 }
 
@@ -157,11 +163,15 @@ TEST(Tiled, ADimPictureHasNoBloomAndSaysSo) {
   RenderRequest request;
   request.bloom = true;
   request.gpu_tone = true;
-  const Rendering whole = render_now(scene, request);
-  const Whole tiles = in_tiles(scene, {41, 7}, request, true);
-  EXPECT_TRUE(tiles.bloom.empty());
-  EXPECT_EQ(tiles.encoded, whole.encoded);
-  EXPECT_EQ(tiles.rendering.left_out, whole.left_out);
+  for (const BloomModel model : {BloomModel::glare, BloomModel::chain}) {
+    scene.bloom.model = model;
+    const Rendering whole = render_now(scene, request);
+    const Whole tiles = in_tiles(scene, {41, 7}, request, true);
+    EXPECT_TRUE(tiles.bloom.empty());
+    EXPECT_EQ(tiles.encoded, whole.encoded);
+    EXPECT_EQ(tiles.rendering.left_out, whole.left_out);
+    EXPECT_TRUE(whole.left_out.back().starts_with("bloom: ")) << whole.left_out.back();
+  }
 }
 
 // What a method computes on the host is taken through the same passes in bands.

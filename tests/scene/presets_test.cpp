@@ -120,6 +120,7 @@ TEST(Presets, Lesson26IsTheLessons) {
   EXPECT_EQ(lesson.display.exposure, 1.0);
   EXPECT_EQ(lesson.display.view, "gpu");
   EXPECT_EQ(lesson.display.tonemap, ToneCurve::aces);
+  EXPECT_EQ(lesson.bloom.model, BloomModel::chain);
   EXPECT_EQ(lesson.bloom.threshold, 1.0);
   EXPECT_EQ(lesson.bloom.intensity, 0.04);
   EXPECT_EQ(lesson.bloom.levels, 5);

@@ -41,6 +41,7 @@ TEST(Defaults, AreThoseOfTheFormat) {
   EXPECT_TRUE(std::holds_alternative<std::monostate>(scene.render.parameters.at("sun_fade")));
   EXPECT_TRUE(scene.bloom.enabled);
   EXPECT_FALSE(scene.bloom.in_exr);
+  EXPECT_EQ(scene.bloom.model, BloomModel::glare);
   EXPECT_EQ(scene.bloom.threshold, 1.0);
   EXPECT_EQ(scene.bloom.intensity, 0.04);
   EXPECT_EQ(scene.bloom.levels, 5);
@@ -80,7 +81,7 @@ TEST(RoundTrip, KeepsEveryValue) {
     "image": {"width": 17, "height": 19},
     "render": {"method": "orders", "steps": 77, "transmittance_lut": [128, 32], "multiple_scattering_scale": 0,
                "sun_fade": {"scale": 10, "bias": 0.1}, "color": "warm"},
-    "bloom": {"enabled": true, "threshold": 2, "intensity": 0.5, "levels": 3},
+    "bloom": {"enabled": true, "model": "chain", "threshold": 2, "intensity": 0.5, "levels": 3},
     "display": {"exposure": 12.5, "compensation_ev": -1.5, "display": "sRGB", "view": "gpu", "tonemap": "none"}
   })");
   EXPECT_EQ(scene.name, "a \"name\"\n");

@@ -116,6 +116,7 @@ void expect_same(const Scene& a, const Scene& b) {
   EXPECT_TRUE(a.render.parameters == b.render.parameters);
   EXPECT_EQ(a.bloom.enabled, b.bloom.enabled);
   EXPECT_EQ(a.bloom.in_exr, b.bloom.in_exr);
+  EXPECT_EQ(a.bloom.model, b.bloom.model);
   EXPECT_EQ(a.bloom.threshold, b.bloom.threshold);
   EXPECT_EQ(a.bloom.intensity, b.bloom.intensity);
   EXPECT_EQ(a.bloom.levels, b.bloom.levels);

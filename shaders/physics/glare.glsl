@@ -1,0 +1,22 @@
+// Light that an eye or a lens scatters around what it looks at [S95]: of a point source, over the angle from it.
+//
+// The photopic eye's point spread is 0.384 f0 + 0.478 f1 + 0.138 f2, angles in degrees:
+//   f0 = 2.61e6 exp(-(angle / 0.02)^2)   what is not scattered: the picture itself
+//   f1 = 20.91 / (angle + 0.02)^3        near the source, half of it within 0.05 degrees
+//   f2 = 72.37 / (angle + 0.02)^2        the veil, to the edge of the field
+// each of integral 1 over the half sphere in front. Here are f1 and f2 alone, scaled to 1 together: a lens scatters less
+// than an eye, but falls off as steeply.
+
+const real kGlareCore = 0.02;
+const real kGlareNear = 0.478 / (0.478 + 0.138);
+const real kDegreesPerRadian = 57.29577951308232;
+
+// 1/sr. `angle` and `blur` in radians; blur rounds the peak off, where the source or the pixel is that wide.
+real glare_spread(real angle, real blur) {
+  real at = kDegreesPerRadian * sqrt(angle * angle + blur * blur) + kGlareCore;
+  real square = at * at;
+  return kGlareNear * 20.91 / (square * at) + (1.0 - kGlareNear) * 72.37 / square;
+}
+
+// Between unit vectors, to full precision at any angle.
+real angle_between(vec3 a, vec3 b) { return 2.0 * atan(length(a - b), length(a + b)); }
