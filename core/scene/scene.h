@@ -130,7 +130,7 @@ enum class BloomModel { glare, chain };
 struct Bloom {
   BloomModel model = BloomModel::glare;
   bool enabled = true;
-  bool in_exr = false;     // the preset asks for bloom itself: it becomes a layer of the EXR
+  bool in_exr = false;  // the preset asks for bloom itself: it becomes a layer of the EXR
   double intensity = 0.04;
   double threshold = 1.0;  // of a chain, on exposed luminance
   int levels = 5;          // of a chain
