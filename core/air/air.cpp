@@ -32,6 +32,8 @@ std::uint32_t code_of(DensityProfile profile) {
       return physics::kDensityConstant;
     case DensityProfile::layers:
       return physics::kDensityLayers;
+    case DensityProfile::height_fog:
+      return physics::kDensityHeightFog;
   }
   return physics::kDensityExponential;
 }

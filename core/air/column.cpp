@@ -18,6 +18,7 @@ std::vector<double> breaks_of(const std::vector<Medium>& media, double height) {
   for (const Medium& m : media) {
     switch (m.density.profile) {
       case DensityProfile::constant:
+      case DensityProfile::height_fog:
         add(m.density.below);
         break;
       case DensityProfile::tent:

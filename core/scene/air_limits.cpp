@@ -53,6 +53,8 @@ double column_km(const Density& d, double top) {
       return std::min(d.below, top);
     case DensityProfile::layers:
       return layers_column(d.layers, top);
+    case DensityProfile::height_fog:
+      return std::min(d.below, top) - d.scale_height * std::expm1(-std::max(top - d.below, 0.0) / d.scale_height);
   }
   return 0.0;
 }

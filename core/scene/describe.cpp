@@ -56,6 +56,8 @@ std::string density_text(const Density& density) {
              km(density.scale_height);
     case DensityProfile::constant:
       return "constant below " + km(density.below);
+    case DensityProfile::height_fog:
+      return "height fog, base " + km(density.below) + ", scale height " + km(density.scale_height);
     case DensityProfile::layers: {
       std::string text = "layers";
       for (const DensityLayer& layer : density.layers) {

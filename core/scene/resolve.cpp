@@ -96,6 +96,10 @@ Density read_density(const Section& medium) {
     case DensityProfile::layers:
       density.layers = read_layers(section);
       break;
+    case DensityProfile::height_fog:
+      density.scale_height = section.number("scale_height_km");
+      density.below = section.number("base_km");
+      break;
   }
   return density;
 }

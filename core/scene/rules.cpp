@@ -22,10 +22,11 @@ constexpr Range kImageSide{.minimum = 1.0, .maximum = 65536.0};
 // 1e-4 degrees at irradiance 1e9 is a radiance of 1e20, far inside a 32-bit float.
 constexpr Range kDiscRadius{.minimum = 1e-4, .maximum = 10.0};
 
-constexpr std::array<std::string_view, 2> kScaled = {"exponential", "lorentzian"};
+constexpr std::array<std::string_view, 3> kScaled = {"exponential", "lorentzian", "height-fog"};
 constexpr std::array<std::string_view, 2> kCentered = {"tent", "lorentzian"};
 constexpr std::array<std::string_view, 1> kConstant = {"constant"};
 constexpr std::array<std::string_view, 1> kLayered = {"layers"};
+constexpr std::array<std::string_view, 1> kFog = {"height-fog"};
 constexpr std::array<std::string_view, 1> kPerspective = {"perspective"};
 constexpr std::array<std::string_view, 1> kFisheye = {"fisheye"};
 constexpr std::array<std::string_view, 3> kMaps = {"equirectangular", "cube", "octahedral"};
@@ -86,7 +87,8 @@ constexpr auto kRules = std::to_array<Rule>({
      .unit = "km",
      .required = true,
      .only_for = kScaled,
-     .meaning = "H: `exponential` is exp(-h/H), `lorentzian` exp(-h/H) / (1 + ((c - h)/w)^2)"},
+     .meaning = "H: `exponential` is exp(-h/H), `lorentzian` exp(-h/H) / (1 + ((c - h)/w)^2), `height-fog` "
+                "exp(-(h - base)/H) above its base and 1 below"},
     {.key = "media[].density.center_km",
      .range = kAltitude,
      .unit = "km",
@@ -105,6 +107,12 @@ constexpr auto kRules = std::to_array<Rule>({
      .required = true,
      .only_for = kConstant,
      .meaning = "the density is 1 below this altitude and 0 above"},
+    {.key = "media[].density.base_km",
+     .range = kAltitude,
+     .unit = "km",
+     .default_text = "0",
+     .only_for = kFog,
+     .meaning = "where a height fog begins to thin out; each step of a march takes its mean density in closed form"},
     {.key = "media[].density.layers",
      .type = RuleType::layers,
      .range = kFactor,

@@ -65,8 +65,8 @@ std::string expectation(const Rule& rule);
 
 // The names of the enums in scene.h, in their order.
 inline constexpr std::array<std::string_view, 1> kInterpolationNames = {"linear"};
-inline constexpr std::array<std::string_view, 5> kProfileNames = {"exponential", "tent", "lorentzian", "constant",
-                                                                  "layers"};
+inline constexpr std::array<std::string_view, 6> kProfileNames = {"exponential", "tent",   "lorentzian",
+                                                                  "constant",    "layers", "height-fog"};
 inline constexpr std::array<std::string_view, 5> kPhaseNames = {"rayleigh", "henyey-greenstein", "cornette-shanks",
                                                                 "schlick", "isotropic"};
 inline constexpr std::array<std::string_view, 5> kProjectionNames = {"perspective", "equirectangular", "fisheye",

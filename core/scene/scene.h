@@ -18,7 +18,7 @@ using Spectrum = std::array<double, 3>;
 inline constexpr int kMaxMedia = 8;
 inline constexpr int kMaxDensityLayers = 256;  // over all media of a scene
 
-enum class DensityProfile { exponential, tent, lorentzian, constant, layers };
+enum class DensityProfile { exponential, tent, lorentzian, constant, layers, height_fog };
 enum class PhaseFunction { rayleigh, henyey_greenstein, cornette_shanks, schlick, isotropic };
 enum class Projection { perspective, equirectangular, fisheye, cube, octahedral };
 enum class CubeLayout { stack, strip, cross };
@@ -36,7 +36,7 @@ struct Density {
   double scale_height = 1.0;  // km
   double center = 0.0;        // km
   double half_width = 1.0;    // km
-  double below = 1.0;         // km
+  double below = 1.0;         // km; the density is 1 up to there
   std::vector<DensityLayer> layers;
   bool operator==(const Density&) const = default;
 };

@@ -50,8 +50,12 @@ std::string density_json(const Density& density) {
   if (has_center) {
     object.number("center_km", density.center).number("half_width_km", density.half_width);
   }
-  if (density.profile == DensityProfile::exponential || density.profile == DensityProfile::lorentzian) {
+  if (density.profile == DensityProfile::exponential || density.profile == DensityProfile::lorentzian ||
+      density.profile == DensityProfile::height_fog) {
     object.number("scale_height_km", density.scale_height);
+  }
+  if (density.profile == DensityProfile::height_fog) {
+    object.number("base_km", density.below);
   }
   if (density.profile == DensityProfile::constant) {
     object.number("below_km", density.below);

@@ -35,16 +35,6 @@ real column_to_space(PlanetData planet, AnalyticMedium a, real h, real mu) {
   return max(2.0 * column_outward(planet, a, lowest_altitude(planet, h, mu), 0.0) - outward, 0.0);
 }
 
-// Mean of exp(-x) over x from a to b: (exp(-a) - exp(-b))/(b - a), and where that loses digits the mean of the ends
-// times tanh(d/2)/(d/2) of their distance d.
-real mean_exponential(real a, real b) {
-  real first = exp(-a);
-  real last = exp(-b);
-  real d = b - a;
-  real near = 0.5 * (first + last) * (1.0 - d * d * (1.0 / 12.0 - d * d / 120.0));
-  return abs(d) < 0.3 ? near : (first - last) / d;
-}
-
 vec3 mean_exponential3(vec3 a, vec3 b) {
   return vec3(mean_exponential(a.x, b.x), mean_exponential(a.y, b.y), mean_exponential(a.z, b.z));
 }

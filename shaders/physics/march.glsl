@@ -19,7 +19,7 @@ vec3 ground_radiance(PlanetData planet, SunData sun, real mu_sun) {
 // The path with one more step, in which light scattered more than once is `diffuse`, 1/sr.
 PathRadiance with_step(PathRadiance path, PlanetData planet, SunData sun, Ray ray, Phases p, Step s, vec3 diffuse) {
   RayPoint point = point_on_ray(planet, ray, s.t);
-  Air air = air_at(point.h, p);
+  Air air = air_over(point.h, s.width * point.mu, p);
   vec3 direct = transmittance_to_sun(planet, point.h, point.mu_sun) * sun_fade(sun, point.mu_sun);
   vec3 source = direct * air.phase_scattering + diffuse * air.scattering;
   vec3 step_depth = air.extinction * s.width;

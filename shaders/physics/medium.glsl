@@ -54,7 +54,33 @@ real density(uint profile, MediumData m, real h) {
   if (profile == kDensityConstant) {
     return h <= m.below ? 1.0 : 0.0;
   }
+  if (profile == kDensityHeightFog) {
+    return exp(-max(h - m.below, 0.0) / m.scale_height);
+  }
   return layered_density(m, h);
+}
+
+// Mean of exp(-x) over x from a to b: (exp(-a) - exp(-b))/(b - a), and where that loses digits the mean of the ends
+// times tanh(d/2)/(d/2) of their distance d.
+real mean_exponential(real a, real b) {
+  real first = exp(-a);
+  real last = exp(-b);
+  real d = b - a;
+  real near = 0.5 * (first + last) * (1.0 - d * d * (1.0 / 12.0 - d * d / 120.0));
+  return abs(d) < 0.3 ? near : (first - last) / d;
+}
+
+// Mean density over a step of a ray around altitude h, along which altitude goes up by `rise` or, below 0, down: a fog's
+// in closed form, level steps included, as it may be thinner than a step is high; any other medium's in the middle.
+real step_density(uint profile, MediumData m, real h, real rise) {
+  if (profile != kDensityHeightFog) {
+    return density(profile, m, h);
+  }
+  real height = abs(rise);
+  real low = h - 0.5 * height - m.below;
+  real even = clamp(-low / max(height, 1e-12), 0.0, 1.0);  // the share at or below the base
+  real above = mean_exponential(max(low, 0.0) / m.scale_height, max(low + height, 0.0) / m.scale_height);
+  return even + (1.0 - even) * above;
 }
 
 // The media are gone through by calls with a literal index, not by a loop: only then do the specialisation constants
@@ -94,10 +120,10 @@ struct Air {
   vec3 phase_scattering;  // 1/(km sr): sum of scattering times phase function
 };
 
-Air with_medium(Air air, uint i, real h, real phase) {
+Air with_medium(Air air, uint i, real h, real rise, real phase) {
   if (i < medium_count()) {
     MediumData m = medium(i);
-    real d = density(density_profile(i), m, h);
+    real d = step_density(density_profile(i), m, h, rise);
     vec3 scattering = m.scattering * d;
     air.scattering = air.scattering + scattering;
     air.phase_scattering = air.phase_scattering + scattering * phase;
@@ -106,27 +132,32 @@ Air with_medium(Air air, uint i, real h, real phase) {
   return air;
 }
 
-Air air_at(real h, Phases p) {
+// The mean over a step, as step_density() has it.
+Air air_over(real h, real rise, Phases p) {
   Air air;
   air.extinction = vec3(0.0);
   air.scattering = vec3(0.0);
   air.phase_scattering = vec3(0.0);
-  air = with_medium(air, 0u, h, p.of[0]);
-  air = with_medium(air, 1u, h, p.of[1]);
-  air = with_medium(air, 2u, h, p.of[2]);
-  air = with_medium(air, 3u, h, p.of[3]);
-  air = with_medium(air, 4u, h, p.of[4]);
-  air = with_medium(air, 5u, h, p.of[5]);
-  air = with_medium(air, 6u, h, p.of[6]);
-  air = with_medium(air, 7u, h, p.of[7]);
+  air = with_medium(air, 0u, h, rise, p.of[0]);
+  air = with_medium(air, 1u, h, rise, p.of[1]);
+  air = with_medium(air, 2u, h, rise, p.of[2]);
+  air = with_medium(air, 3u, h, rise, p.of[3]);
+  air = with_medium(air, 4u, h, rise, p.of[4]);
+  air = with_medium(air, 5u, h, rise, p.of[5]);
+  air = with_medium(air, 6u, h, rise, p.of[6]);
+  air = with_medium(air, 7u, h, rise, p.of[7]);
   return air;
 }
 
-vec3 medium_scattering(uint i, real h) {
+Air air_at(real h, Phases p) { return air_over(h, 0.0, p); }
+
+vec3 medium_scattering(uint i, real h, real rise) {
   if (i < medium_count()) {
-    return medium(i).scattering * density(density_profile(i), medium(i), h);
+    return medium(i).scattering * step_density(density_profile(i), medium(i), h, rise);
   }
   return vec3(0.0);
 }
 
 vec3 extinction_at(real h) { return air_at(h, equal_phases(0.0)).extinction; }
+
+vec3 extinction_over(real h, real rise) { return air_over(h, rise, equal_phases(0.0)).extinction; }

@@ -135,10 +135,10 @@ struct DiffuseAir {
   vec3 degree8;
 };
 
-DiffuseAir with_diffuse_medium(DiffuseAir air, uint i, real h, real phase) {
+DiffuseAir with_diffuse_medium(DiffuseAir air, uint i, real h, real rise, real phase) {
   if (i < medium_count()) {
     MediumData m = medium(i);
-    real d = density(density_profile(i), m, h);
+    real d = step_density(density_profile(i), m, h, rise);
     vec3 scattering = m.scattering * d;
     real f = delta_scaled() ? max(m.legendre[moment_degree() + 1u], 0.0) : 0.0;
     air.extinction = air.extinction + m.absorption * d + scattering * (1.0 - f);
@@ -156,7 +156,8 @@ DiffuseAir with_diffuse_medium(DiffuseAir air, uint i, real h, real phase) {
   return air;
 }
 
-DiffuseAir diffuse_air_at(real h, Phases p) {
+// The mean over a step, as step_density() has it.
+DiffuseAir diffuse_air_over(real h, real rise, Phases p) {
   DiffuseAir air;
   air.extinction = vec3(0.0);
   air.phase_scattering = vec3(0.0);
@@ -169,14 +170,14 @@ DiffuseAir diffuse_air_at(real h, Phases p) {
   air.degree6 = vec3(0.0);
   air.degree7 = vec3(0.0);
   air.degree8 = vec3(0.0);
-  air = with_diffuse_medium(air, 0u, h, p.of[0]);
-  air = with_diffuse_medium(air, 1u, h, p.of[1]);
-  air = with_diffuse_medium(air, 2u, h, p.of[2]);
-  air = with_diffuse_medium(air, 3u, h, p.of[3]);
-  air = with_diffuse_medium(air, 4u, h, p.of[4]);
-  air = with_diffuse_medium(air, 5u, h, p.of[5]);
-  air = with_diffuse_medium(air, 6u, h, p.of[6]);
-  air = with_diffuse_medium(air, 7u, h, p.of[7]);
+  air = with_diffuse_medium(air, 0u, h, rise, p.of[0]);
+  air = with_diffuse_medium(air, 1u, h, rise, p.of[1]);
+  air = with_diffuse_medium(air, 2u, h, rise, p.of[2]);
+  air = with_diffuse_medium(air, 3u, h, rise, p.of[3]);
+  air = with_diffuse_medium(air, 4u, h, rise, p.of[4]);
+  air = with_diffuse_medium(air, 5u, h, rise, p.of[5]);
+  air = with_diffuse_medium(air, 6u, h, rise, p.of[6]);
+  air = with_diffuse_medium(air, 7u, h, rise, p.of[7]);
   return air;
 }
 

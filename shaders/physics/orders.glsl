@@ -15,7 +15,7 @@ vec3 order_radiance(PlanetData planet, MomentTableData table, Ray ray, uint step
     Step s = step_between(start, end);
     start = end;
     RayPoint point = point_on_ray(planet, ray, s.t);
-    DiffuseAir air = diffuse_air_at(point.h, p);
+    DiffuseAir air = diffuse_air_over(point.h, s.width * point.mu, p);
     vec3 source;
     if (first) {
       source = transmittance_to_sun(planet, point.h, point.mu_sun) * air.phase_scattering;

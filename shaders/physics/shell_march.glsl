@@ -100,7 +100,7 @@ vec3 shell_order_radiance(PlanetData planet, MomentTableData table, Ray ray, uin
     }
     real width = walk.to - walk.from;
     RayPoint point = point_on_ray(planet, ray, walk.from + 0.5 * width);
-    DiffuseAir air = diffuse_air_at(point.h, p);
+    DiffuseAir air = diffuse_air_over(point.h, width * point.mu, p);
     vec3 step_depth = air.extinction * width;
     SegmentTransfer segment = segment_transfer(step_depth);
     if (first) {
@@ -149,21 +149,22 @@ SkyFactors shell_air_factors(PlanetData planet, MomentTableData table, Ray ray, 
     }
     real width = walk.to - walk.from;
     RayPoint point = point_on_ray(planet, ray, walk.from + 0.5 * width);
-    DiffuseAir air = diffuse_air_at(point.h, none);
+    real rise = width * point.mu;
+    DiffuseAir air = diffuse_air_over(point.h, rise, none);
     vec3 step_depth = air.extinction * width;
     SegmentTransfer segment = segment_transfer(step_depth);
     vec3 far = sun_depth_on_ray(planet, ray, walk.shell, walk.to);
     real lit = meets_ground(planet, point.h, point.mu_sun) ? 0.0 : 1.0;
     vec3 direct = factors.transmittance * mean_sunlight3(near, far, step_depth) * (width * lit);
     near = far;
-    factors.single[0] = factors.single[0] + direct * medium_scattering(0u, point.h);
-    factors.single[1] = factors.single[1] + direct * medium_scattering(1u, point.h);
-    factors.single[2] = factors.single[2] + direct * medium_scattering(2u, point.h);
-    factors.single[3] = factors.single[3] + direct * medium_scattering(3u, point.h);
-    factors.single[4] = factors.single[4] + direct * medium_scattering(4u, point.h);
-    factors.single[5] = factors.single[5] + direct * medium_scattering(5u, point.h);
-    factors.single[6] = factors.single[6] + direct * medium_scattering(6u, point.h);
-    factors.single[7] = factors.single[7] + direct * medium_scattering(7u, point.h);
+    factors.single[0] = factors.single[0] + direct * medium_scattering(0u, point.h, rise);
+    factors.single[1] = factors.single[1] + direct * medium_scattering(1u, point.h, rise);
+    factors.single[2] = factors.single[2] + direct * medium_scattering(2u, point.h, rise);
+    factors.single[3] = factors.single[3] + direct * medium_scattering(3u, point.h, rise);
+    factors.single[4] = factors.single[4] + direct * medium_scattering(4u, point.h, rise);
+    factors.single[5] = factors.single[5] + direct * medium_scattering(5u, point.h, rise);
+    factors.single[6] = factors.single[6] + direct * medium_scattering(6u, point.h, rise);
+    factors.single[7] = factors.single[7] + direct * medium_scattering(7u, point.h, rise);
     real place = walk.from + width * source_place((step_depth.x + step_depth.y + step_depth.z) / 3.0);
     vec3 source = shell_source(planet, table, air, ray, walk.shell, place);
     factors.diffuse = factors.diffuse + factors.transmittance * segment.mean * source * width;

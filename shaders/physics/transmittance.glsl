@@ -17,7 +17,8 @@ vec3 optical_depth_to_top(PlanetData planet, real h, real mu, uint steps) {
     real end = step_end(kStepsQuadratic, falling, ray.length_, before, i, steps);
     Step s = step_between(start, end);
     start = end;
-    depth = depth + extinction_at(point_on_ray(planet, ray, s.t).h) * s.width;
+    RayPoint point = point_on_ray(planet, ray, s.t);
+    depth = depth + extinction_over(point.h, s.width * point.mu) * s.width;
   }
   return depth;
 }

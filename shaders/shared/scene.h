@@ -19,7 +19,7 @@ struct MediumData {
   real scale_height;
   real center;
   real half_width;
-  real below;
+  real below;  // the density is 1 up to there: where `constant` ends and a height fog begins to fall
   real g;
   uint first_layer;
   uint layer_count;

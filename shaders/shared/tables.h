@@ -5,6 +5,7 @@ const uint kDensityTent = 1u;
 const uint kDensityLorentzian = 2u;
 const uint kDensityConstant = 3u;
 const uint kDensityLayers = 4u;
+const uint kDensityHeightFog = 5u;
 
 const uint kPhaseRayleigh = 0u;
 const uint kPhaseHenyeyGreenstein = 1u;

@@ -129,7 +129,7 @@ TEST_P(PathTraceOpticalDepth, MeetsAdaptiveQuadrature) {
 
 INSTANTIATE_TEST_SUITE_P(Profiles, PathTraceOpticalDepth,
                          testing::Values(DensityProfile::exponential, DensityProfile::tent, DensityProfile::lorentzian,
-                                         DensityProfile::constant, DensityProfile::layers));
+                                         DensityProfile::constant, DensityProfile::layers, DensityProfile::height_fog));
 
 struct PhaseCase {
   PhaseFunction phase;

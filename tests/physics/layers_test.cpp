@@ -53,7 +53,7 @@ TEST(MarchLayers, EachVanishesWithItsCause) {
   EXPECT_EQ(channel(layers.ground, 1), 0.0);
   EXPECT_EQ(channel(layers.multiple, 1), 0.0);
   EXPECT_EQ(channel(layers.single[2], 1), 0.0);
-  EXPECT_EQ(channel(layers.single[5], 1), 0.0) << "a medium that is not there";
+  EXPECT_EQ(channel(layers.single[6], 1), 0.0) << "a medium that is not there";
   EXPECT_GT(channel(layers.single[0], 1), 0.0);
 }
 

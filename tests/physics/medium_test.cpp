@@ -28,6 +28,53 @@ TEST(Density, FollowsItsClosedForm) {
     const double x = (12.0 - h) / 4.0;
     EXPECT_DOUBLE_EQ(density_at(lorentzian(20.0, 12.0, 4.0), h), std::exp(-h / 20.0) / (1.0 + x * x)) << h;
     EXPECT_EQ(density_at(constant(8.0), h), h <= 8.0 ? 1.0 : 0.0) << h;
+    EXPECT_DOUBLE_EQ(density_at(height_fog(8.0, 2.0), h), h <= 8.0 ? 1.0 : std::exp(-(h - 8.0) / 2.0)) << h;
+  }
+}
+
+// The mean over a step against the integral in altitude: below the base, across it, above it, down, level, and many
+// scale heights high.
+TEST(Density, OfAFogOverAStepIsTheIntegral) {
+  Scene scene = vacuum();
+  scene.media = {medium("fog", {1.0, 1.0, 1.0}, {}, height_fog(0.3, 0.05))};
+  Physics p = make_physics(scene);
+  const auto density = [&](double h) { return p.density(p.density_profile(0), p.medium(0), h); };
+  for (const double h : {0.05, 0.2, 0.28, 0.3, 0.31, 0.5, 1.5}) {
+    for (const double rise : {0.0, 1e-14, 1e-9, 1e-4, 0.015, 0.03, 0.1, -0.1, 0.4, 2.5}) {
+      const double low = h - 0.5 * std::abs(rise);
+      const double high = h + 0.5 * std::abs(rise);
+      // From its kink on the integrand is smooth.
+      const double kink = std::clamp(0.3, low, high);
+      const double sum = integral(density, low, kink, 64) + integral(density, kink, high, 64);
+      const double truth = std::abs(rise) < 1e-12 ? density(h) : sum / std::abs(rise);
+      EXPECT_NEAR(p.step_density(p.density_profile(0), p.medium(0), h, rise), truth, 1e-6 * truth + 1e-15)
+          << h << ", " << rise;
+    }
+  }
+}
+
+// Along whole rays on the sphere a march of few steps holds the fog's optical depth, of level rays too.
+TEST(OpticalDepth, OfAFogIsHeldByFewSteps) {
+  Scene scene = vacuum();
+  scene.media = {medium("fog", {1.0, 1.0, 1.0}, {}, height_fog(0.1, 0.05))};
+  Physics p = make_physics(scene);
+  const double radius = p.scene.planet.ground_radius;
+  for (const double h : {0.001, 0.12, 0.4}) {
+    for (const double mu : {1.0, 0.3, 0.02, 0.0}) {
+      const double r = radius + h;
+      const auto along = [&](double t) {
+        const double q = t * (2.0 * r * mu + t);
+        return p.extinction_at(h + q / (std::sqrt(r * r + q) + r)).x;
+      };
+      const double a = r * mu;
+      const double c = (0.1 - h) * (2.0 * radius + h + 0.1);
+      const double kink = c > 0.0 ? c / (a + std::sqrt(a * a + c)) : 0.0;
+      const double end = p.distance_to_top(p.scene.planet, h, mu);
+      const double far = std::min(end, kink + 400.0);
+      const double truth = integral(along, 0.0, kink, 2000) + integral(along, kink, far, 20000);
+      EXPECT_NEAR(p.optical_depth_to_top(p.scene.planet, h, mu, physics::kTransmittanceSteps).x / truth, 1.0, 0.006)
+          << h << ", " << mu;
+    }
   }
 }
 

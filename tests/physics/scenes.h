@@ -46,6 +46,13 @@ inline Density constant(double below) {
   return d;
 }
 
+inline Density height_fog(double base, double scale_height) {
+  Density d = exponential(scale_height);
+  d.profile = DensityProfile::height_fog;
+  d.below = base;
+  return d;
+}
+
 inline Density layers(std::vector<DensityLayer> list) {
   Density d;
   d.profile = DensityProfile::layers;
@@ -82,7 +89,8 @@ inline Scene every_kind() {
       medium("lorentzian", {2e-3, 1e-3, 5e-4}, {}, lorentzian(20.0, 12.0, 4.0), PhaseFunction::henyey_greenstein, 0.7),
       medium("constant", {1e-2, 1e-2, 1e-2}, {1e-3, 1e-3, 1e-3}, constant(1.5), PhaseFunction::cornette_shanks, 0.6),
       medium("layers", {3e-3, 3e-3, 3e-3}, {}, layers({{0.0, 1.0}, {2.0, 0.3}, {7.0, 0.0}, {9.0, 0.4}, {11.0, 0.0}}),
-             PhaseFunction::schlick, -0.4)};
+             PhaseFunction::schlick, -0.4),
+      medium("fog", {4e-3, 5e-3, 6e-3}, {1e-4, 0.0, 0.0}, height_fog(0.8, 0.5), PhaseFunction::henyey_greenstein, 0.5)};
   return scene;
 }
 

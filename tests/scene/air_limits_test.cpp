@@ -38,6 +38,9 @@ TEST(AirLimits, ColumnIsTheIntegral) {
         R"({"profile": "tent", "center_km": 50, "half_width_km": 500})",
         R"({"profile": "layers", "layers": [[10, 2], [20, 4], [90, 1]]})",
         R"({"profile": "layers", "layers": [[0, 1], [50, 3], [150, 1]]})",
+        R"({"profile": "height-fog", "base_km": 2, "scale_height_km": 0.5})",
+        R"({"profile": "height-fog", "scale_height_km": 1000})",
+        R"({"profile": "height-fog", "base_km": 200, "scale_height_km": 5})",
         R"({"profile": "layers", "layers": [[200, 5]]})"}) {
     const Density density = density_of(json);
     const double sum = summed_column(density, 100.0);

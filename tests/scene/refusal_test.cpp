@@ -213,16 +213,18 @@ INSTANTIATE_TEST_SUITE_P(
                   "/media/1/name: \"a\" is taken by /media/0; expected a name of its own for each medium"},
         MediaCase{R"([{"name": "a"}])",
                   "/media/0/density/profile: missing; expected one of \"exponential\", \"tent\", \"lorentzian\", "
-                  "\"constant\", \"layers\""},
+                  "\"constant\", \"layers\", \"height-fog\""},
         MediaCase{R"([{"name": "a", "density": 1}])", "/media/0/density: 1 is not an object; expected {...}"},
         MediaCase{R"([{"name": "a", "density": {"profile": "linear"}}])",
                   "/media/0/density/profile: \"linear\" is unknown; expected one of \"exponential\", \"tent\", "
-                  "\"lorentzian\", \"constant\", \"layers\""},
+                  "\"lorentzian\", \"constant\", \"layers\", \"height-fog\""},
         MediaCase{R"([{"name": "a", "density": {"profile": "tent", "center_km": 25}}])",
                   "/media/0/density/half_width_km: missing for \"tent\"; expected a number, 1e-6 to 1e7 km"},
         MediaCase{R"([{"name": "a", "density": {"profile": "constant", "below_km": 1, "scale_height_km": 8}}])",
                   "/media/0/density/scale_height_km: not a key of \"constant\"; it belongs to exponential, "
-                  "lorentzian: remove it"},
+                  "lorentzian, height-fog: remove it"},
+        MediaCase{R"([{"name": "a", "density": {"profile": "height-fog", "base_km": -1, "scale_height_km": 1}}])",
+                  "/media/0/density/base_km: -1 is outside 0 to 1e7 km"},
         MediaCase{R"([{"name": "a", "density": {"profile": "exponential", "scale_height": 8, "scale_height_km": 8}}])",
                   "/media/0/density/scale_height: unknown key; did you mean \"scale_height_km\"?"},
         MediaCase{R"([{"name": "a", "density": {"profile": "layers", "layers": []}}])",

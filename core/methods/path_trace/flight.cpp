@@ -94,6 +94,7 @@ std::vector<double> Flight::corners() const {
     const MediumData m = physics_.medium(i);
     switch (physics_.density_profile(i)) {
       case physics::kDensityConstant:
+      case physics::kDensityHeightFog:
         add(m.below);
         break;
       case physics::kDensityTent:

@@ -54,6 +54,10 @@ void OpticalDepth::add_pieces(uint i) {
       add_piece(Shape::linear, i, m, m.center - m.half_width, m.center);
       add_piece(Shape::linear, i, m, m.center, m.center + m.half_width);
       break;
+    case physics::kDensityHeightFog:
+      add_piece(Shape::constant, i, m, 0.0, m.below);
+      add_piece(Shape::falling, i, m, m.below, top);
+      break;
     case physics::kDensityLorentzian:
       add_lorentzian(i, m);
       break;
