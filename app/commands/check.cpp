@@ -9,6 +9,7 @@
 #include "app/commands/commands.h"
 #include "core/error.h"
 #include "core/methods/method.h"
+#include "core/scene/curve_reader.h"
 #include "core/scene/printable.h"
 #include "core/scene/resolve.h"
 
@@ -80,6 +81,11 @@ int check_presets(const Given& given) {
     json.begin_object().key("preset").value(source).key("good").value(problems.empty());
     write_problems(json, problems);
     json.end_object();
+    if (problems.empty()) {
+      for (const std::string& warning : curve_warnings(scene)) {
+        complain("warning: " + source + ": " + warning);
+      }
+    }
     if (!problems.empty()) {
       complain(problems);
     } else if (!given.quiet && !given.json) {

@@ -261,8 +261,18 @@ void add_further_files(const Means& means, const PictureContext& context, const 
   }
 }
 
+// Colours that no screen of linear Rec.709 has, where the file says them in that space.
+void warn_of_gamut(const RenderOrder& given, const Rendering& rendering) {
+  if (!given.quiet && rendering.picture.outside > 0 && working_space_of(given.picture) == WorkingSpace::linear_rec709) {
+    complain(
+        "warning: " + std::to_string(rendering.picture.outside) +
+        " pixels have a colour outside linear Rec.709, with a negative channel; --colorspace ACES2065-1 holds them");
+  }
+}
+
 void tell(const Means& means, RenderReport& report, const ExrDepth& depth) {
   const RenderOrder& given = means.given;
+  warn_of_gamut(given, report.rendering);
   report.exr_format = depth.half ? "half" : "float";
   if (!depth.why.empty() && !given.quiet) {
     complain("note: the EXR has 32-bit floats: " + depth.why + "; --half forces 16 bits");

@@ -4,6 +4,7 @@
 
 #include "core/methods/scene_air.h"
 #include "core/scene/angle.h"
+#include "core/scene/curve_reader.h"
 
 namespace airlight::cli {
 namespace {
@@ -69,6 +70,8 @@ std::vector<std::string> scene_warnings(const Scene& scene) {
   if (std::string claim = validity_warning(scene); !claim.empty()) {
     warnings.insert(warnings.begin(), std::move(claim));
   }
+  const std::vector<std::string> curves = curve_warnings(scene);
+  warnings.insert(warnings.end(), curves.begin(), curves.end());
   return warnings;
 }
 

@@ -72,6 +72,9 @@ double scattering_share(const Air& air, std::size_t medium) {
 }  // namespace
 
 Lighter leave_out_media(const Scene& scene, double allowed) {
+  if (scene.spectra) {
+    return {scene, {}, 0.0};  // three channels do not tell what a medium is to the other wavelengths
+  }
   const Air air = air_of(scene);
   const std::uint32_t scattering = air.scattering_media();
   std::vector<std::pair<double, std::size_t>> effects;

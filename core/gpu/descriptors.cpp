@@ -60,7 +60,7 @@ void write_descriptors(const Device& device, const Plan& plan, const RunResource
   }
   for (const ShaderBinding& binding : step.program->info.bindings) {
     if (binding.kind != BindingKind::uniform_block) continue;
-    buffers.push_back({resources.scene()->buffer->get(), 0, plan.scene_data.size()});
+    buffers.push_back({resources.scene(step.pass->scene)->buffer->get(), 0, plan.scene_of(*step.pass).size()});
     add(binding).pBufferInfo = &buffers.back();
   }
   vkUpdateDescriptorSets(device.get(), static_cast<std::uint32_t>(writes.size()), writes.data(), 0, nullptr);

@@ -97,9 +97,9 @@ class Matcher {
 
   void check_blocks() const {
     for (const ShaderBinding& binding : shader_.bindings) {
-      if (binding.kind == BindingKind::uniform_block && plan_.scene_data.size() < binding.block_bytes) {
+      if (binding.kind == BindingKind::uniform_block && plan_.scene_of(pass_).size() < binding.block_bytes) {
         refuse("the uniform block " + binding.name + " has " + std::to_string(binding.block_bytes) +
-               " bytes, the plan's scene data " + std::to_string(plan_.scene_data.size()));
+               " bytes, the plan's scene data " + std::to_string(plan_.scene_of(pass_).size()));
       }
     }
     const std::size_t pushed = pass_.push_constants.size() * sizeof(std::uint32_t);

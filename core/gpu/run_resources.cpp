@@ -51,7 +51,7 @@ void RunResources::acquire(std::span<const Step> steps) {
   }
   acquire_for_host();
   check_kept_are_made(steps);
-  write_scene();
+  write_scenes();
 }
 
 void RunResources::acquire_for_host() {
@@ -63,11 +63,14 @@ void RunResources::acquire_for_host() {
   }
 }
 
-void RunResources::write_scene() {
-  const std::vector<std::byte>& data = plan_.scene_data;
-  if (data.empty()) return;
-  scene_ = &cache_.buffer({.name = "scene data", .bytes = data.size()}, MemoryPlace::upload);
-  std::memcpy(scene_->buffer->mapped().data(), data.data(), data.size());
+void RunResources::write_scenes() {
+  scenes_.assign(plan_.scene_count(), nullptr);
+  for (std::size_t i = 0; i < scenes_.size(); ++i) {
+    const std::vector<std::byte>& data = plan_.scene(i);
+    if (data.empty()) continue;
+    scenes_[i] = &cache_.buffer({.name = "scene data " + std::to_string(i), .bytes = data.size()}, MemoryPlace::upload);
+    std::memcpy(scenes_[i]->buffer->mapped().data(), data.data(), data.size());
+  }
 }
 
 const Buffer& RunResources::upload(const BufferDesc& of) {

@@ -29,8 +29,8 @@ class RunResources {
   Resource* buffer(std::size_t index) const { return buffers_[index]; }
   // Where the host reads a buffer that it cannot reach; null where it can, or need not.
   Resource* download(std::size_t index) const { return downloads_[index]; }
-  // Holds the plan's scene data; null when there is none.
-  const Resource* scene() const { return scene_; }
+  // Holds one of the plan's scenes; null when it is empty.
+  const Resource* scene(std::size_t index) const { return scenes_[index]; }
   // A buffer for this run that the host fills with the contents of another.
   const Buffer& upload(const BufferDesc& of);
 
@@ -40,7 +40,7 @@ class RunResources {
  private:
   Resource& acquire(ResourceId id);
   void acquire_for_host();
-  void write_scene();
+  void write_scenes();
   const std::string& key(ResourceId id) const;
   bool has_contents(ResourceId id) const;
   void check_kept_are_made(std::span<const Step> steps) const;
@@ -53,7 +53,7 @@ class RunResources {
   std::vector<Resource*> images_;
   std::vector<Resource*> buffers_;
   std::vector<Resource*> downloads_;
-  Resource* scene_ = nullptr;
+  std::vector<Resource*> scenes_;
 };
 
 }  // namespace airlight

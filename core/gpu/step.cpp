@@ -25,8 +25,9 @@ class LimitCheck {
     const bool has_scene = std::any_of(bindings.begin(), bindings.end(), [](const ShaderBinding& binding) {
       return binding.kind == BindingKind::uniform_block;
     });
-    if (has_scene && plan_.scene_data.size() > limits_.uniform_block_bytes) {
-      refuse("the scene data has " + describe_bytes(plan_.scene_data.size()),
+    const std::size_t scene_bytes = plan_.scene_of(*step_.pass).size();
+    if (has_scene && scene_bytes > limits_.uniform_block_bytes) {
+      refuse("the scene data has " + describe_bytes(scene_bytes),
              describe_bytes(limits_.uniform_block_bytes) + " in a uniform block");
     }
   }

@@ -301,7 +301,7 @@ SpanPasses add_spans(Plan& plan, const Scene& scene, const Air& air, std::span<c
 // A table of the picture's light that would hold, but does not pay.
 std::vector<std::string> left_out(const Scene& scene, const Plan& plan) {
   const bool tabulated =
-      std::ranges::any_of(plan.images(), [](const ImageDesc& image) { return image.name == "sky_factors"; });
+      std::ranges::any_of(plan.images(), [](const ImageDesc& image) { return image.name.starts_with("sky_factors"); });
   if (tabulated || scene.camera.altitude > scene.planet.atmosphere_height ||
       scene.render.get<std::string>("tabulate") != "auto") {
     return {};

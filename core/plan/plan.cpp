@@ -8,17 +8,44 @@ std::size_t ImageDesc::bytes() const {
   return std::size_t{extent.width} * extent.height * extent.depth * bytes_per_texel(format);
 }
 
+void Plan::begin_scene(std::vector<std::byte> data, std::string suffix) {
+  more_scenes_.push_back(std::move(data));
+  current_scene_ = static_cast<std::uint32_t>(more_scenes_.size());
+  suffix_ = std::move(suffix);
+}
+
+void Plan::end_scene() {
+  current_scene_ = 0;
+  suffix_.clear();
+}
+
+const std::vector<std::byte>& Plan::scene(std::size_t index) const {
+  return index == 0 ? scene_data : more_scenes_.at(index - 1);
+}
+
+const std::vector<std::byte>& Plan::scene_of(const PassDesc& pass) const {
+  return scene(pass.scene);
+}
+
 ImageId Plan::add_image(ImageDesc desc) {
+  desc.name += suffix_;
+  desc.key += desc.key.empty() ? "" : suffix_;
   images_.push_back(std::move(desc));
   return {static_cast<std::uint32_t>(images_.size() - 1)};
 }
 
 BufferId Plan::add_buffer(BufferDesc desc) {
+  desc.name += suffix_;
+  desc.key += desc.key.empty() ? "" : suffix_;
   buffers_.push_back(std::move(desc));
   return {static_cast<std::uint32_t>(buffers_.size() - 1)};
 }
 
 void Plan::add_pass(PassDesc desc) {
+  desc.scene = current_scene_;
+  if (!suffix_.empty()) {
+    desc.name = pass_name(desc) + suffix_;
+  }
   passes_.push_back(std::move(desc));
 }
 

@@ -74,12 +74,22 @@ struct PassDesc {
   // Predicted, of one thread: in steps of `march` at one pixel, about 20 ns of one core of a software device. On
   // hardware the ratios are much the same, as fetches and steps are what both spend on. Measured by `airlight chart`.
   double cost = 1.0;
+  std::uint32_t scene = 0;  // which of the plan's scenes its uniform block holds; set by Plan::add_pass
 };
 
 class Plan {
  public:
   // The one uniform block, `scene` in every shader that declares it.
   std::vector<std::byte> scene_data;
+
+  // From here on passes read another scene, of as many bytes, and what is added has the suffix behind name and key.
+  void begin_scene(std::vector<std::byte> data, std::string suffix);
+  // The first scene again.
+  void end_scene();
+  // Of a pass.
+  const std::vector<std::byte>& scene_of(const PassDesc& pass) const;
+  std::size_t scene_count() const { return 1 + more_scenes_.size(); }
+  const std::vector<std::byte>& scene(std::size_t index) const;
 
   ImageId add_image(ImageDesc desc);
   BufferId add_buffer(BufferDesc desc);
@@ -97,6 +107,9 @@ class Plan {
   const std::vector<Readback>& readbacks() const { return readbacks_; }
 
  private:
+  std::vector<std::vector<std::byte>> more_scenes_;
+  std::uint32_t current_scene_ = 0;
+  std::string suffix_;
   std::vector<ImageDesc> images_;
   std::vector<BufferDesc> buffers_;
   std::vector<PassDesc> passes_;

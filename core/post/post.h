@@ -32,8 +32,9 @@ Picture picture_of(BufferId buffer, const Tile& tile);
 bool add_sun_disc(Plan& plan, const Scene& scene, const Air& air, std::optional<ImageId> transmittance,
                   const Picture& picture);
 
-// Row statistics of a picture or a table, for summarize(). `brightest`: of brightest_metered().
-BufferId add_picture_statistics(Plan& plan, const Picture& picture, double brightest);
+// Row statistics of a picture or a table, for summarize(). `brightest`: of brightest_metered(). `signed_colours`:
+// channels may be negative, luminance not.
+BufferId add_picture_statistics(Plan& plan, const Picture& picture, double brightest, bool signed_colours = false);
 BufferId add_table_statistics(Plan& plan, ImageId table);
 
 struct Statistics {
@@ -41,6 +42,7 @@ struct Statistics {
   double max_luminance = 0.0;
   std::uint64_t not_finite = 0;
   std::uint64_t negative = 0;
+  std::uint64_t outside = 0;      // of signed colours, pixels with a negative channel: outside the working space
   std::uint32_t first_bad_x = 0;  // of not_finite or negative, when either is not 0
   std::uint32_t first_bad_y = 0;
 

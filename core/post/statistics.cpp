@@ -29,7 +29,7 @@ constexpr double kNoLimit = std::numeric_limits<float>::max();
 
 }  // namespace
 
-BufferId add_picture_statistics(Plan& plan, const Picture& picture, double brightest) {
+BufferId add_picture_statistics(Plan& plan, const Picture& picture, double brightest, bool signed_colours) {
   const BufferId rows = add_rows(plan, "picture_statistics", picture.height, {});
   plan.add_pass({.name = "picture_statistics",
                  .shader = "picture_statistics",
@@ -37,7 +37,7 @@ BufferId add_picture_statistics(Plan& plan, const Picture& picture, double brigh
                  .writes = {{"rows_out", rows}},
                  .grid = {64, picture.height, 1},
                  .push_constants = {picture.width, picture.height, bits(brightest)},
-                 .specialization = {}});
+                 .specialization = {{"kSigned", signed_colours ? 1U : 0U}}});
   return rows;
 }
 
@@ -71,6 +71,7 @@ Statistics summarize(std::span<const std::byte> rows, std::uint32_t width) {
     all.max_luminance = std::max(all.max_luminance, static_cast<double>(row.max_luminance));
     all.not_finite += row.not_finite;
     all.negative += row.negative;
+    all.outside += row.outside;
   }
   all.metered_luminance = weight > 0.0 ? std::exp(log_sum / weight) : 0.0;
   return all;

@@ -7,7 +7,7 @@ namespace airlight {
 BandPasses::BandPasses(Plan& plan, const Scene& scene, const Picture& band, const BandWork& work)
     : band_(band), work_(work) {
   if (work.statistics) {
-    rows_ = add_picture_statistics(plan, band, brightest_metered(scene));
+    rows_ = add_picture_statistics(plan, band, brightest_metered(scene), scene.spectra.has_value());
   }
   if (work.gathering != nullptr) {
     sums_ = work.gathering->add_band(plan, band);

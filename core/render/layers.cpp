@@ -155,6 +155,10 @@ std::vector<Layer> layers_of(const Scene& scene) {
 }
 
 std::string layers_refusal(const Scene& scene) {
+  if (scene.spectra) {
+    return "a scene with curves over the wavelength keeps no light apart; render it without layers, or give its media, "
+           "ground and sun by three channels";
+  }
   const SkyMethod& method = *find_method(scene.render.method);
   return method.layers_refusal == nullptr ? std::string() : method.layers_refusal(scene);
 }

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/methods/scene_air.h"
-#include "core/methods/sky_pass.h"
+#include "core/render/sky.h"
 #include "core/render/timings.h"
 
 namespace airlight {
@@ -32,36 +32,34 @@ const SkyMethod& method_of(const Scene& scene) {
   return *method;
 }
 
-void add_disc(Frame& frame, const Scene& scene, const Air& air, std::optional<ImageId> transmittance) {
-  if (!add_sun_disc(frame.plan, scene, air, transmittance, frame.picture)) {
+void note_disc(Frame& frame, bool shines) {
+  if (!shines) {
     frame.left_out.push_back("sun disc: switched off, outside the picture or behind the planet");
   }
 }
 
 // Sky, disc and statistics: everything before the exposure is known.
-Frame sky_frame(const Scene& scene, const Air& air, const RenderRequest& request) {
+Frame sky_frame(const Scene& scene, const RenderRequest& request) {
   Frame frame;
-  frame.plan.scene_data = device_scene_bytes(air, scene);
-  const SkyPasses sky = method_of(scene).add_passes(frame.plan, scene, air, View{});
+  const Sky sky = add_sky(frame.plan, scene, View{}, true);
   frame.picture = picture_of(scene, sky.radiance);
   frame.tables = sky.tables;
-  const std::optional<ImageId> transmittance = sky.tables.empty() ? std::nullopt : std::optional(sky.tables.front());
-  add_disc(frame, scene, air, transmittance);
+  note_disc(frame, sky.disc);
   for (const ImageId table : sky.tables) {
     frame.table_rows.push_back(add_table_statistics(frame.plan, table));
     if (request.tables) {
       frame.dumps.push_back(frame.plan.add_readback(table));
     }
   }
-  frame.rows = add_picture_statistics(frame.plan, frame.picture, brightest_metered(scene));
+  frame.rows = add_picture_statistics(frame.plan, frame.picture, brightest_metered(scene), scene.spectra.has_value());
   return frame;
 }
 
 // Uploads what a method rendered on the host, so that the passes after it are the same. Nothing, in a plan that is only
 // looked at.
-Frame host_frame(const Scene& scene, const Air& air, const RadianceImage& radiance) {
+Frame host_frame(const Scene& scene, const RadianceImage& radiance) {
   Frame frame;
-  frame.plan.scene_data = device_scene_bytes(air, scene);
+  frame.plan.scene_data = device_scene_bytes(air_of(scene), scene);
   std::vector<std::byte> bytes(radiance.rgba.size() * sizeof(float));
   if (!bytes.empty()) {
     std::memcpy(bytes.data(), radiance.rgba.data(), bytes.size());
@@ -71,8 +69,9 @@ Frame host_frame(const Scene& scene, const Air& air, const RadianceImage& radian
   frame.picture = picture_of(
       scene, frame.plan.add_buffer(
                  {.name = "radiance", .bytes = size, .host_readable = true, .contents = std::move(bytes), .key = {}}));
-  add_disc(frame, scene, air, std::nullopt);
-  frame.rows = add_picture_statistics(frame.plan, frame.picture, brightest_metered(scene));
+  note_disc(frame,
+            add_disc_over(frame.plan, scene, frame.picture.buffer, {0, 0, scene.image.width, scene.image.height}));
+  frame.rows = add_picture_statistics(frame.plan, frame.picture, brightest_metered(scene), scene.spectra.has_value());
   return frame;
 }
 
@@ -196,19 +195,18 @@ std::string Rendering::fault() const {
 Rendering render(const DeviceOnDemand& device, const Scene& scene, const RenderRequest& request) {
   Rendering out;
   const SkyMethod& method = method_of(scene);
-  const Air air = air_of(scene);
   // Opened before a method on the host begins: hours of samples must not end in a machine that lacks a device.
   Executor& executor = device();
   Frame frame;
   if (method.render_on_host != nullptr) {
-    HostPicture host = method.render_on_host(scene, air, View{}, request.host);
-    frame = host_frame(scene, air, host.radiance);
+    HostPicture host = render_on_host(scene, View{}, request.host);
+    frame = host_frame(scene, host.radiance);
     out.undone = std::move(host.notes);
     if (!host.standard_error.rgba.empty()) {
       out.standard_error = std::move(host.standard_error);
     }
   } else {
-    frame = sky_frame(scene, air, request);
+    frame = sky_frame(scene, request);
   }
   // A method on the host has reported its own work.
   RunResult result = executor.run(frame.plan, method.render_on_host ? nullptr : request.host.report);
@@ -228,9 +226,7 @@ Rendering render(const DeviceOnDemand& device, const Scene& scene, const RenderR
 }
 
 Plan plan_for(const Scene& scene, const RenderRequest& request) {
-  const Air air = air_of(scene);
-  Frame frame =
-      method_of(scene).render_on_host != nullptr ? host_frame(scene, air, {}) : sky_frame(scene, air, request);
+  Frame frame = method_of(scene).render_on_host != nullptr ? host_frame(scene, {}) : sky_frame(scene, request);
   PostFrame post{std::move(frame.plan), {}, {}};
   add_post(post, scene, air, frame.picture, request, request.bloom && scene.bloom.enabled, 1.0);
   return std::move(post.plan);
@@ -242,11 +238,10 @@ ProbeResults probe(const DeviceOnDemand& device, const Scene& scene, const std::
     return results;
   }
   const SkyMethod& method = method_of(scene);
-  const Air air = air_of(scene);
   const View view{directions};
   RadianceImage pairs;  // radiance and transmittance in turn
   if (method.render_on_host != nullptr) {
-    HostPicture host = method.render_on_host(scene, air, view, {});
+    HostPicture host = render_on_host(scene, view, {});
     results.undone = std::move(host.notes);
     for (std::size_t i = 0; i < directions.size(); ++i) {
       for (const RadianceImage* image : {&host.radiance, &host.transmittance}) {
@@ -255,17 +250,17 @@ ProbeResults probe(const DeviceOnDemand& device, const Scene& scene, const std::
     }
   } else {
     Plan plan;
-    plan.scene_data = device_scene_bytes(air, scene);
-    const SkyPasses sky = method.add_passes(plan, scene, air, view);
+    const Sky sky = add_sky(plan, scene, view, false);
     const RunResult result = device().run(plan);
     pairs = image_from(result.contents(sky.radiance), static_cast<int>(2 * directions.size()), 1);
   }
+  const Rgb unit = transmittance_unit(scene);
   for (std::size_t i = 0; i < directions.size(); ++i) {
     ProbeResult r;
     r.direction = directions[i];
     for (std::size_t c = 0; c < 3; ++c) {
       r.radiance[c] = static_cast<double>(pairs.rgba[8 * i + c]);
-      r.transmittance[c] = static_cast<double>(pairs.rgba[8 * i + 4 + c]);
+      r.transmittance[c] = static_cast<double>(pairs.rgba[8 * i + 4 + c]) / unit[c];
     }
     results.directions.push_back(r);
   }
@@ -278,20 +273,18 @@ std::vector<float> probe_picture(const DeviceOnDemand& device, const Scene& scen
     return {};
   }
   const SkyMethod& method = method_of(scene);
-  const Air air = air_of(scene);
   const View view{.directions = directions, .as_picture = true};
   std::vector<float> rgb;
   const auto append = [&](const float* pixel) { rgb.insert(rgb.end(), pixel, pixel + 3); };
   if (method.render_on_host != nullptr) {
-    const HostPicture host = method.render_on_host(scene, air, view, {});
+    const HostPicture host = render_on_host(scene, view, {});
     for (std::size_t i = 0; i < directions.size(); ++i) {
       append(host.radiance.at(static_cast<int>(i), 0));
     }
     return rgb;
   }
   Plan plan;
-  plan.scene_data = device_scene_bytes(air, scene);
-  const SkyPasses sky = method.add_passes(plan, scene, air, view);
+  const Sky sky = add_sky(plan, scene, view, false);
   const RunResult result = device().run(plan);
   const RadianceImage pairs = image_from(result.contents(sky.radiance), static_cast<int>(2 * directions.size()), 1);
   for (std::size_t i = 0; i < directions.size(); ++i) {

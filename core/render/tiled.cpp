@@ -10,6 +10,7 @@
 #include "core/methods/scene_air.h"
 #include "core/render/band_passes.h"
 #include "core/render/picture_key.h"
+#include "core/render/sky.h"
 #include "core/render/timings.h"
 
 namespace airlight {
@@ -53,13 +54,7 @@ enum class Round { measuring, delivering };
 class TiledRender {
  public:
   TiledRender(Executor& executor, const Scene& scene, const TiledRequest& request)
-      : executor_(executor),
-        scene_(scene),
-        request_(request),
-        method_(*find_method(scene.render.method)),
-        air_(air_of(scene)),
-        kept_as_(picture_key()),
-        gathering_(scene) {}
+      : executor_(executor), scene_(scene), request_(request), kept_as_(picture_key()), gathering_(scene) {}
 
   Rendering run();
 
@@ -73,7 +68,7 @@ class TiledRender {
   void go_through(Round round, double from, double to);
   void deliver(Band& band);
   void render_band(Band& band, int rows, const BandWork& work);
-  SkyPasses add_sky(Plan& plan, const Tile& tile);
+  Sky add_tile(Plan& plan, const Tile& tile);
   void run_rows(Plan& plan, const Picture& rows, const BandWork& work, Band& band);
   void render_tile(Band& band, const Tile& tile);
   Picture add_upload(Plan& plan, const RadianceImage& image, int first_row, const Tile& rows) const;
@@ -86,8 +81,6 @@ class TiledRender {
   Executor& executor_;
   const Scene& scene_;
   const TiledRequest& request_;
-  const SkyMethod& method_;
-  const Air air_;
   std::string kept_as_;
   HostPicture host_;  // of a method on the host
   Rendering out_;
@@ -133,11 +126,8 @@ void TiledRender::take_tables(const RunResult& result) {
 }
 
 // Sky and disc of a tile, by a method on the device.
-SkyPasses TiledRender::add_sky(Plan& plan, const Tile& tile) {
-  plan.scene_data = device_scene_bytes(air_, scene_, tile);
-  const SkyPasses sky = method_.add_passes(plan, scene_, air_, {.directions = {}, .tile = tile, .kept_as = kept_as_});
-  add_sun_disc(plan, scene_, air_, sky.tables.empty() ? std::nullopt : std::optional(sky.tables.front()),
-               picture_of(sky.radiance, tile));
+Sky TiledRender::add_tile(Plan& plan, const Tile& tile) {
+  const Sky sky = add_sky(plan, scene_, {.directions = {}, .tile = tile, .kept_as = kept_as_}, true);
   if (!std::exchange(tables_seen_, true)) {
     table_reads_.emplace();
     for (const ImageId table : sky.tables) {
@@ -153,7 +143,7 @@ SkyPasses TiledRender::add_sky(Plan& plan, const Tile& tile) {
 
 void TiledRender::render_tile(Band& band, const Tile& tile) {
   Plan plan;
-  const SkyPasses sky = add_sky(plan, tile);
+  const Sky sky = add_tile(plan, tile);
   const RunResult result = run_plan(plan);
   put(band.rows.radiance, result.contents(sky.radiance), tile);
 }
@@ -189,9 +179,9 @@ void TiledRender::render_band(Band& band, int rows, const BandWork& work) {
                         std::vector<float>(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(rows))};
   Plan plan;
   if (!host_.radiance.rgba.empty()) {
-    plan.scene_data = device_scene_bytes(air_, scene_, whole);
+    plan.scene_data = device_scene_bytes(air_of(scene_), scene_, whole);
     const Picture picture = add_upload(plan, host_.radiance, band.y, whole);
-    add_sun_disc(plan, scene_, air_, std::nullopt, picture);
+    add_disc_over(plan, scene_, picture.buffer, whole);
     run_rows(plan, picture, work, band);
   } else if (in_columns()) {
     for (int x = 0; x < width; x += request_.tile.width) {
@@ -200,7 +190,7 @@ void TiledRender::render_band(Band& band, int rows, const BandWork& work) {
     plan.scene_data = device_scene_bytes(air_, scene_, whole);
     run_rows(plan, add_upload(plan, band.rows.radiance, 0, whole), work, band);
   } else {
-    const SkyPasses sky = add_sky(plan, whole);
+    const Sky sky = add_tile(plan, whole);
     run_rows(plan, picture_of(sky.radiance, whole), work, band);
   }
 }
@@ -286,12 +276,13 @@ void TiledRender::make_bloom() {
 }
 
 Rendering TiledRender::run() {
-  if (method_.render_on_host != nullptr) {
-    host_ = method_.render_on_host(scene_, air_, View{}, request_.picture.host);
+  if (find_method(scene_.render.method)->render_on_host != nullptr) {
+    host_ = render_on_host(scene_, View{}, request_.picture.host);
     out_.undone = host_.notes;
   }
   Plan whole;  // never run
-  if (!add_sun_disc(whole, scene_, air_, std::nullopt, picture_of(BufferId{}, whole_rows(0, scene_.image.height)))) {
+  if (!add_sun_disc(whole, scene_, air_of(scene_), std::nullopt,
+                    picture_of(BufferId{}, whole_rows(0, scene_.image.height)))) {
     out_.left_out.push_back("sun disc: switched off, outside the picture or behind the planet");
   }
   two_rounds_ = wants_chain() || (request_.exposure_first && !scene_.display.exposure);

@@ -69,12 +69,34 @@ std::string density_text(const Density& density) {
   return {};
 }
 
-void describe_medium(Lines& lines, const Medium& medium) {
+// Of a curve as the preset writes it.
+std::string curve_text(const Curve& curve) {
+  constexpr std::size_t kLongest = 100;
+  const std::string& text = curve.json;
+  if (text.size() > kLongest) {
+    return std::to_string(curve.values.size()) + " samples, " + format_number(curve.wavelengths.front()) + " to " +
+           format_number(curve.wavelengths.back()) + " nm";
+  }
+  return text.empty() ? format_number(curve.value) : text;
+}
+
+std::string irradiance_text(const Scene& scene) {
+  const Spectrum& e = scene.sun.irradiance;
+  const std::string text = scene.spectra ? format_number(scene.spectra->irradiance)
+                                         : format_number(e[0]) + " " + format_number(e[1]) + " " + format_number(e[2]);
+  return Lines::with_unit(text, irradiance_unit(scene.sun.unit));
+}
+
+void describe_medium(Lines& lines, const Medium& medium, const MediumSpectra* curves) {
   const bool has_asymmetry = medium.phase != PhaseFunction::rayleigh && medium.phase != PhaseFunction::isotropic;
-  lines.heading("medium " + medium.name)
-      .spectrum("scattering", medium.scattering, "per km")
-      .spectrum("absorption", medium.absorption, "per km")
-      .line("density", density_text(medium.density))
+  lines.heading("medium " + medium.name);
+  if (curves != nullptr) {
+    lines.line("scattering", Lines::with_unit(curve_text(curves->scattering), "per km"))
+        .line("absorption", Lines::with_unit(curve_text(curves->absorption), "per km"));
+  } else {
+    lines.spectrum("scattering", medium.scattering, "per km").spectrum("absorption", medium.absorption, "per km");
+  }
+  lines.line("density", density_text(medium.density))
       .line("phase", std::string(kPhaseNames.at(static_cast<std::size_t>(medium.phase))) +
                          (has_asymmetry ? ", g " + format_number(medium.phase_g) : ""));
 }
@@ -112,21 +134,32 @@ std::string describe(const Scene& scene) {
   }
   lines.heading("planet")
       .number("radius", scene.planet.ground_radius, "km")
-      .number("atmosphere height", scene.planet.atmosphere_height, "km")
-      .spectrum("ground albedo", scene.planet.ground_albedo);
-  for (const Medium& medium : scene.media) {
-    describe_medium(lines, medium);
+      .number("atmosphere height", scene.planet.atmosphere_height, "km");
+  if (scene.spectra) {
+    lines.line("ground albedo", curve_text(scene.spectra->ground_albedo));
+  } else {
+    lines.spectrum("ground albedo", scene.planet.ground_albedo);
+  }
+  for (std::size_t i = 0; i < scene.media.size(); ++i) {
+    describe_medium(lines, scene.media[i], scene.spectra ? &scene.spectra->media[i] : nullptr);
   }
   lines.heading("sun")
       .angle("elevation", scene.sun.elevation)
       .angle("azimuth", scene.sun.azimuth)
-      .spectrum("irradiance", scene.sun.irradiance, irradiance_unit(scene.sun.unit))
+      .line("irradiance", irradiance_text(scene))
       .line("disc", scene.sun.disc.visible ? "visible" : "hidden")
       .angle("disc angular radius", scene.sun.disc.angular_radius)
       .number("disc limb darkening", scene.sun.disc.limb_darkening)
       .number("disc radiance scale", scene.sun.disc.radiance_scale);
   describe_camera(lines, scene.camera, scene.image);
   describe_render(lines, scene.render);
+  if (scene.spectra) {
+    const int count = scene.spectra->wavelengths;
+    lines.heading("spectra")
+        .line("sunlight", scene.spectra->sun.json.empty() ? "ASTM G-173" : curve_text(scene.spectra->sun))
+        .line("wavelengths", count == 0 ? "auto" : std::to_string(count))
+        .line("white", kWhiteNames.at(static_cast<std::size_t>(scene.spectra->white)));
+  }
   lines.heading("bloom")
       .line("enabled", scene.bloom.in_exr    ? "yes, with a layer in the EXR"
                        : scene.bloom.enabled ? "yes"

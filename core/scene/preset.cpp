@@ -80,7 +80,10 @@ void merge_object(PresetValue& base, PresetValue&& over);
 // A density with a profile of its own replaces the inherited one whole: the old profile's keys would be strays.
 bool replaces_whole(std::string_view key, const PresetValue& over) {
   const auto* object = std::get_if<PresetObject>(&over.data);
-  return object == nullptr || (key == "density" && object->contains("profile"));
+  // A curve over the wavelength is one value.
+  const bool is_curve =
+      key == "scattering_per_km" || key == "absorption_per_km" || key == "ground_albedo" || key == "spectrum";
+  return object == nullptr || is_curve || (key == "density" && object->contains("profile"));
 }
 
 const std::string* medium_name(const PresetValue& medium) {

@@ -140,7 +140,7 @@ void refuse_key(const Section& render, const std::string& key, const PresetValue
     }
     return;
   }
-  std::vector<std::string> known = {"method"};
+  std::vector<std::string> known = {"method", "wavelengths"};
   for (const MethodInfo& method : methods) {
     if (chosen == nullptr || &method == chosen) {
       for (const ParameterInfo& parameter : method.parameters) {
@@ -210,8 +210,8 @@ RenderSettings read_render_settings(const Section& root, std::span<const MethodI
     return settings;
   }
   for (const auto& [key, value] : *render.object()) {
-    if (key == "method") {
-      continue;
+    if (key == "method" || key == "wavelengths") {
+      continue;  // of every method
     }
     const ParameterInfo* parameter = method == nullptr ? nullptr : find_parameter(*method, key);
     if (parameter != nullptr) {

@@ -8,6 +8,8 @@
 
 #include "core/scene/air_limits.h"
 #include "core/scene/angle.h"
+#include "core/scene/curve_reader.h"
+#include "core/scene/density_column.h"
 #include "core/scene/json_format.h"
 #include "core/scene/json_text.h"
 #include "core/scene/key_frame_reader.h"
@@ -19,12 +21,12 @@
 namespace airlight {
 namespace {
 
-Planet read_planet(const Section& root) {
+Planet read_planet(const Section& root, CurveReader& curves, SceneSpectra& spectra) {
   const Section planet = root.child("planet");
   planet.refuse_unknown_keys();
   return {.ground_radius = planet.number("radius_km"),
           .atmosphere_height = planet.number("atmosphere_height_km"),
-          .ground_albedo = planet.spectrum("ground_albedo")};
+          .ground_albedo = curves.read(planet, "ground_albedo", spectra.ground_albedo)};
 }
 
 // One [altitude, density] pair after the one before it.
@@ -104,13 +106,14 @@ Density read_density(const Section& medium) {
   return density;
 }
 
-Medium read_medium(const Section& section) {
+Medium read_medium(const Section& section, double top, CurveReader& curves, SceneSpectra& spectra) {
   section.refuse_unknown_keys();
   Medium medium;
   medium.name = section.text("name");
-  medium.scattering = section.spectrum("scattering_per_km");
-  medium.absorption = section.spectrum("absorption_per_km");
   medium.density = read_density(section);
+  MediumSpectra& own = spectra.media.emplace_back();
+  medium.scattering = curves.read(section, "scattering_per_km", own.scattering);
+  medium.absorption = curves.read(section, "absorption_per_km", density_column(medium.density, top), own.absorption);
   const Section phase = section.child("phase");
   phase.refuse_unknown_keys();
   medium.phase = static_cast<PhaseFunction>(phase.choice("function").value_or(0));
@@ -119,9 +122,15 @@ Medium read_medium(const Section& section) {
 }
 
 // Told by its quantity; asked only where every number of it is within its range.
-void refuse_opaque(const PresetArray& array, const std::vector<Medium>& media, double top, Problems& problems) {
+void refuse_opaque(const PresetArray& array, const std::vector<Medium>& media, const std::vector<MediumSpectra>& curves,
+                   double top, Problems& problems) {
   for (std::size_t i = 0; i < media.size(); ++i) {
-    const double depth = optical_depth_of(media[i], top);
+    double depth = optical_depth_of(media[i], top);
+    for (const WaveBand& band : fine_bands()) {
+      const double here =
+          mean_over(curves[i].scattering, band.low, band.high) + mean_over(curves[i].absorption, band.low, band.high);
+      depth = std::max(depth, here * column_km(media[i].density, top));
+    }
     if (depth > kMostOpticalDepth) {
       std::array<char, 32> number{};
       std::snprintf(number.data(), number.size(), "%.3g", depth);
@@ -132,7 +141,7 @@ void refuse_opaque(const PresetArray& array, const std::vector<Medium>& media, d
   }
 }
 
-std::vector<Medium> read_media(const Section& root, const Planet& planet) {
+std::vector<Medium> read_media(const Section& root, const Planet& planet, CurveReader& curves, SceneSpectra& spectra) {
   const PresetValue* value = root.find("media");
   if (value == nullptr) {
     root.problems().add(root.context(), "/media",
@@ -151,7 +160,7 @@ std::vector<Medium> read_media(const Section& root, const Planet& planet) {
   std::size_t layer_count = 0;
   for (std::size_t i = 0; i < array->size(); ++i) {
     const Section section = root.element("media", *array, i);
-    media.push_back(read_medium(section));
+    media.push_back(read_medium(section, planet.atmosphere_height, curves, spectra));
     const std::string& name = media.back().name;
     const auto [first, is_new] = seen.emplace(name, i);
     if (!name.empty() && !is_new) {
@@ -167,12 +176,12 @@ std::vector<Medium> read_media(const Section& root, const Planet& planet) {
                       std::to_string(kMaxDensityLayers) + " over all media");
   }
   if (!root.problems().any()) {
-    refuse_opaque(*array, media, planet.atmosphere_height, root.problems());
+    refuse_opaque(*array, media, spectra.media, planet.atmosphere_height, root.problems());
   }
   return media;
 }
 
-Sun read_sun(const Section& root) {
+Sun read_sun(const Section& root, CurveReader& curves, SceneSpectra& spectra) {
   const Section section = root.child("sun");
   section.refuse_unknown_keys();
   const Section disc = section.child("disc");
@@ -180,7 +189,10 @@ Sun read_sun(const Section& root) {
   Sun sun;
   sun.elevation = radians_from_degrees(section.number("elevation_deg"));
   sun.azimuth = radians_from_degrees(section.number("azimuth_deg"));
-  sun.irradiance = section.spectrum("irradiance");
+  Curve irradiance;
+  sun.irradiance = curves.read(section, "irradiance", irradiance);
+  spectra.irradiance = sun.irradiance[0];
+  spectra.sun = curves.read_shape(section, "spectrum");
   sun.unit = static_cast<SunUnit>(section.choice("unit").value_or(0));
   sun.disc = {.visible = disc.boolean("visible"),
               .angular_radius = radians_from_degrees(disc.number("angular_radius_deg")),
@@ -343,18 +355,71 @@ void check_root(const Section& root) {
   }
 }
 
+// What says how curves become colours; without curves it says nothing.
+void read_colours(const Section& root, bool has_curves, SceneSpectra& spectra) {
+  for (const char* key : {"image", "render"}) {
+    const PresetValue* value = root.find(key);
+    if (value != nullptr && !std::holds_alternative<PresetObject>(value->data)) {
+      return;  // reported where the section is read
+    }
+  }
+  const Section image = root.child("image");
+  const Section render = root.child("render");
+  spectra.white = static_cast<White>(image.choice("white").value_or(0));
+  const PresetValue* count = render.find("wavelengths");
+  const auto* word = count == nullptr ? nullptr : std::get_if<std::string>(&count->data);
+  if (count != nullptr && (word == nullptr || *word != "auto")) {
+    read_integer(render.site("wavelengths", *count), spectra.wavelengths);
+  }
+  if (has_curves) {
+    return;
+  }
+  constexpr std::string_view kIdle =
+      "means nothing in a scene of three channels; give a curve to a medium, the ground or the sun, or remove it";
+  if (const PresetValue* white = image.find("white"); white != nullptr && !white->inherited) {
+    image.complain("white", *white, kIdle);
+  }
+  if (count != nullptr && !count->inherited) {
+    render.complain("wavelengths", *count, kIdle);
+  }
+}
+
+// What stands for the curves where three channels are looked at.
+void fill_channels(Scene& scene) {
+  const SceneSpectra& spectra = *scene.spectra;
+  const Nodes nodes = nodes_for(3);
+  const Rgb sun = sun_colour(band_colours(spectra.sun, spectra.white));
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::size_t k = 2 - c;
+    for (std::size_t i = 0; i < scene.media.size(); ++i) {
+      scene.media[i].scattering[c] = at_node(spectra.media[i].scattering, nodes, k);
+      scene.media[i].absorption[c] = at_node(spectra.media[i].absorption, nodes, k);
+    }
+    scene.planet.ground_albedo[c] = at_node(spectra.ground_albedo, nodes, k);
+    scene.sun.irradiance[c] *= sun[c];
+  }
+}
+
 // Everything but the key frames.
 Scene read_scene(const Section& root, std::span<const MethodInfo> methods) {
   check_root(root);
   Scene scene;
   scene.name = root.text("name");
   scene.description = root.text("description");
-  scene.planet = read_planet(root);
-  scene.media = read_media(root, scene.planet);
-  scene.sun = read_sun(root);
+  CurveReader curves;
+  SceneSpectra spectra;
+  scene.planet = read_planet(root, curves, spectra);
+  scene.media = read_media(root, scene.planet, curves, spectra);
+  scene.sun = read_sun(root, curves, spectra);
   scene.camera = read_camera(root);
   scene.image = read_image(root, scene.camera);
   scene.render = read_render_settings(root, methods);
+  read_colours(root, curves.any(), spectra);
+  curves.refuse_channels();
+  if (curves.any() && !root.problems().any()) {
+    scene.spectra = std::move(spectra);
+    fill_channels(scene);
+  }
   scene.bloom = read_bloom(root, scene.camera);
   scene.display = read_display(root);
   return scene;

@@ -54,7 +54,7 @@ constexpr auto kRules = std::to_array<Rule>({
      .default_text = "100",
      .meaning = "top of the atmosphere above the ground"},
     {.key = "planet.ground_albedo",
-     .type = RuleType::spectrum,
+     .type = RuleType::curve,
      .range = kUnit,
      .default_text = "0",
      .meaning = "Lambertian reflectance of the ground"},
@@ -66,13 +66,13 @@ constexpr auto kRules = std::to_array<Rule>({
      .meaning = "what the air is made of; written here or inherited"},
     {.key = "media[].name", .type = RuleType::name, .required = true, .meaning = "unique among the media"},
     {.key = "media[].scattering_per_km",
-     .type = RuleType::spectrum,
+     .type = RuleType::curve,
      .range = kCoefficient,
      .unit = "per km",
      .default_text = "0",
      .meaning = "scattering coefficient where the density is 1; no medium may have a vertical optical depth above 1e6"},
     {.key = "media[].absorption_per_km",
-     .type = RuleType::spectrum,
+     .type = RuleType::curve,
      .range = kCoefficient,
      .unit = "per km",
      .default_text = "0",
@@ -146,6 +146,10 @@ constexpr auto kRules = std::to_array<Rule>({
      .default_text = "1",
      .meaning = "at the top of the atmosphere on a plane that faces the sun; radiance comes out in the same unit per "
                 "steradian"},
+    {.key = "sun.spectrum",
+     .type = RuleType::shape,
+     .meaning = "the light above the air over the wavelength, up to a factor, where the scene has spectra; without it "
+                "ASTM G-173's"},
     {.key = "sun.unit",
      .type = RuleType::choice,
      .default_text = "relative",
@@ -235,6 +239,21 @@ constexpr auto kRules = std::to_array<Rule>({
      .default_text = "720",
      .meaning = "rows"},
 
+    {.key = "image.white",
+     .type = RuleType::choice,
+     .default_text = "sun",
+     .choices = kWhiteNames,
+     .meaning = "what is white where the scene has spectra: sunlight above the air, of the irradiance E in all three "
+                "channels; or CIE D65, or equal energy at all wavelengths, sunlight then having the luminance E and a "
+                "colour"},
+
+    {.key = "render.wavelengths",
+     .type = RuleType::wavelengths,
+     .range = {.minimum = kFewestWavelengths, .maximum = kMostWavelengths},
+     .default_text = "auto",
+     .meaning =
+         "wavelengths that a scene with spectra is rendered at, in groups of three; \"auto\": 3, or 6 where those "
+         "are wrong by more than a third of a percent for sunlight scattered once"},
     {.key = "render.method",
      .type = RuleType::method,
      .default_text = "orders",
@@ -362,6 +381,12 @@ std::string expectation(const Rule& rule) {
       return "a number, " + range;
     case RuleType::spectrum:
       return "a number or an array of three, " + range;
+    case RuleType::curve:
+      return "a number or an array of three, " + range + ", or a curve {...}";
+    case RuleType::shape:
+      return "a curve {...}";
+    case RuleType::wavelengths:
+      return "a whole number, " + range + ", or \"auto\"";
     case RuleType::choice: {
       std::string text = "one of";
       for (std::size_t i = 0; i < rule.choices.size(); ++i) {

@@ -25,20 +25,23 @@ inline constexpr double kFarthest = 1e7;  // km
 inline constexpr Range kLayerAltitude{.minimum = 0.0, .maximum = kFarthest};
 
 enum class RuleType {
-  version,     // the number 1
-  extends,     // a file name; gone once a file is loaded
-  text,        // any string
-  name,        // a string with at least one character
-  boolean,     // true or false
-  integer,     // a number without fraction
-  number,      // a finite number
-  spectrum,    // a number or three
-  choice,      // one of the listed strings; default_text without quotes
-  method,      // the name of a method
-  exposure,    // a number or how it is metered
-  media,       // an array of media
-  layers,      // an array of [altitude, density], altitudes ascending; the range is the density's
-  key_frames,  // an array of objects: a frame's number and what keys are then
+  version,      // the number 1
+  extends,      // a file name; gone once a file is loaded
+  text,         // any string
+  name,         // a string with at least one character
+  boolean,      // true or false
+  integer,      // a number without fraction
+  number,       // a finite number
+  spectrum,     // a number or three
+  curve,        // the same, or a curve over the wavelength
+  shape,        // a curve over the wavelength
+  wavelengths,  // a whole number or "auto"
+  choice,       // one of the listed strings; default_text without quotes
+  method,       // the name of a method
+  exposure,     // a number or how it is metered
+  media,        // an array of media
+  layers,       // an array of [altitude, density], altitudes ascending; the range is the density's
+  key_frames,   // an array of objects: a frame's number and what keys are then
 };
 
 struct Rule {
@@ -63,6 +66,9 @@ std::string range_text(const Range& range, std::string_view unit);
 // What a value of the rule looks like: "a whole number, 1 to 65536 pixels".
 std::string expectation(const Rule& rule);
 
+// Wavelengths of a curve in a preset.
+inline constexpr Range kWavelength{.minimum = 200.0, .maximum = 4000.0};
+
 // The names of the enums in scene.h, in their order.
 inline constexpr std::array<std::string_view, 1> kInterpolationNames = {"linear"};
 inline constexpr std::array<std::string_view, 6> kProfileNames = {"exponential", "tent",   "lorentzian",
@@ -74,6 +80,7 @@ inline constexpr std::array<std::string_view, 5> kProjectionNames = {"perspectiv
 inline constexpr std::array<std::string_view, 3> kCubeLayoutNames = {"stack", "strip", "cross"};
 inline constexpr std::array<std::string_view, 2> kBloomModelNames = {"glare", "chain"};
 inline constexpr std::array<std::string_view, 3> kSunUnitNames = {"relative", "W/m2", "lux"};
+inline constexpr std::array<std::string_view, 3> kWhiteNames = {"sun", "D65", "E"};
 inline constexpr std::array<std::string_view, 6> kToneCurveNames = {"aces",        "reinhard", "reinhard-luminance",
                                                                     "exponential", "clamp",    "none"};
 

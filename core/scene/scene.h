@@ -10,6 +10,8 @@
 
 #include "core/scene/key_frames.h"
 #include "core/scene/method_info.h"
+#include "core/spectra/colour.h"
+#include "core/spectra/curve.h"
 
 namespace airlight {
 
@@ -149,6 +151,21 @@ struct Display {
   ToneCurve tonemap = ToneCurve::aces;
 };
 
+struct MediumSpectra {
+  Curve scattering;  // 1/km at density 1
+  Curve absorption;  // 1/km at density 1
+};
+
+// Over the wavelength, what else stands for three channels.
+struct SceneSpectra {
+  std::vector<MediumSpectra> media;  // as the scene's
+  Curve ground_albedo;
+  Curve sun;                // above the air, up to a factor
+  int wavelengths = 0;      // 0: auto
+  double irradiance = 1.0;  // of the sun, as the preset gives it
+  White white = White::sun;
+};
+
 struct Scene {
   std::string name;
   std::string description;
@@ -161,6 +178,9 @@ struct Scene {
   Bloom bloom;
   Display display;
   std::optional<KeyFrames> sequence;  // absent: the preset has no key frames
+  // Absent: the three channels of media, ground and sun are all there is. Present: they stand for 616, 536 and 448 nm,
+  // and the sun's irradiance is its colour.
+  std::optional<SceneSpectra> spectra;
 };
 
 }  // namespace airlight

@@ -29,6 +29,13 @@ class JsonObject {
     return add(key,
                "[" + format_number(value[0]) + ", " + format_number(value[1]) + ", " + format_number(value[2]) + "]");
   }
+  // The curve where the scene has any.
+  JsonObject& spectrum(std::string_view key, const Spectrum& value, const Curve* curve) {
+    return curve == nullptr ? spectrum(key, value) : add(key, curve_json(*curve));
+  }
+  static std::string curve_json(const Curve& curve) {
+    return curve.json.empty() ? format_number(curve.value) : curve.json;
+  }
   std::string str() const { return "{" + text_ + indent(depth_ - 1) + "}"; }
 
   static std::string indent(int depth) { return "\n" + std::string(2 * static_cast<std::size_t>(depth), ' '); }
@@ -71,13 +78,15 @@ std::string density_json(const Density& density) {
   return object.str();
 }
 
-std::string media_json(const std::vector<Medium>& media) {
+std::string media_json(const Scene& scene) {
   std::string text;
-  for (const Medium& medium : media) {
+  for (std::size_t i = 0; i < scene.media.size(); ++i) {
+    const Medium& medium = scene.media[i];
+    const MediumSpectra* curves = scene.spectra ? &scene.spectra->media[i] : nullptr;
     JsonObject object(3);
     object.text("name", medium.name)
-        .spectrum("scattering_per_km", medium.scattering)
-        .spectrum("absorption_per_km", medium.absorption)
+        .spectrum("scattering_per_km", medium.scattering, curves != nullptr ? &curves->scattering : nullptr)
+        .spectrum("absorption_per_km", medium.absorption, curves != nullptr ? &curves->absorption : nullptr)
         .add("density", density_json(medium.density))
         .add("phase",
              JsonObject(4).text("function", name_of(medium.phase, kPhaseNames)).number("g", medium.phase_g).str());
@@ -86,12 +95,21 @@ std::string media_json(const std::vector<Medium>& media) {
   return "[" + text + JsonObject::indent(1) + "]";
 }
 
+// The sun's own spectrum has no text of its own.
+std::string sun_curve_json(const Curve& curve) {
+  return curve.json.empty() ? "{\"named\": \"solar\"}" : curve.json;
+}
+
 // The default unit is not stated, so that EXRs of before and after the key carry the same preset.
-std::string sun_json(const Sun& sun) {
+std::string sun_json(const Scene& scene) {
+  const Sun& sun = scene.sun;
   JsonObject object(2);
-  object.degrees("elevation_deg", sun.elevation)
-      .degrees("azimuth_deg", sun.azimuth)
-      .spectrum("irradiance", sun.irradiance);
+  object.degrees("elevation_deg", sun.elevation).degrees("azimuth_deg", sun.azimuth);
+  if (scene.spectra) {
+    object.number("irradiance", scene.spectra->irradiance).add("spectrum", sun_curve_json(scene.spectra->sun));
+  } else {
+    object.spectrum("irradiance", sun.irradiance);
+  }
   if (sun.unit != SunUnit::relative) {
     object.text("unit", name_of(sun.unit, kSunUnitNames));
   }
@@ -121,9 +139,13 @@ std::string camera_json(const Camera& camera) {
   return object.str();
 }
 
-std::string render_json(const RenderSettings& render) {
+std::string render_json(const Scene& scene) {
+  const RenderSettings& render = scene.render;
   JsonObject object(2);
   object.text("method", render.method);
+  if (scene.spectra && scene.spectra->wavelengths != 0) {
+    object.number("wavelengths", scene.spectra->wavelengths);
+  }
   for (const auto& [key, value] : render.parameters) {
     if (!std::holds_alternative<std::monostate>(value)) {
       object.add(key, json_text(value));
@@ -153,6 +175,15 @@ std::string display_json(const Display& display) {
       .text("view", display.view)
       .text("tonemap", name_of(display.tonemap, kToneCurveNames))
       .str();
+}
+
+std::string image_json(const Scene& scene) {
+  JsonObject object(2);
+  object.number("width", scene.image.width).number("height", scene.image.height);
+  if (scene.spectra && scene.spectra->white != White::sun) {
+    object.text("white", name_of(scene.spectra->white, kWhiteNames));
+  }
+  return object.str();
 }
 
 std::string values_json(const std::vector<double>& values) {
@@ -203,13 +234,14 @@ std::string to_json(const Scene& scene) {
       .add("planet", JsonObject(2)
                          .number("radius_km", scene.planet.ground_radius)
                          .number("atmosphere_height_km", scene.planet.atmosphere_height)
-                         .spectrum("ground_albedo", scene.planet.ground_albedo)
+                         .spectrum("ground_albedo", scene.planet.ground_albedo,
+                                   scene.spectra ? &scene.spectra->ground_albedo : nullptr)
                          .str())
-      .add("media", media_json(scene.media))
-      .add("sun", sun_json(scene.sun))
+      .add("media", media_json(scene))
+      .add("sun", sun_json(scene))
       .add("camera", camera_json(scene.camera))
-      .add("image", JsonObject(2).number("width", scene.image.width).number("height", scene.image.height).str())
-      .add("render", render_json(scene.render))
+      .add("image", image_json(scene))
+      .add("render", render_json(scene))
       .add("bloom", bloom_json(scene.bloom))
       .add("display", display_json(scene.display));
   if (scene.sequence) {

@@ -9,6 +9,7 @@
 #include "post/tone.glsl"
 
 layout(local_size_x = 64) in;
+layout(constant_id = 0) const uint kSigned = 0u;  // 1: a colour may have negative channels
 layout(scalar, set = 0, binding = 1) writeonly buffer Rows { RowStatistics values[]; } rows_out;
 layout(push_constant, scalar) uniform Push {
   uint width;
@@ -27,21 +28,24 @@ RowStatistics empty_statistics() {
   s.max_luminance = 0.0;
   s.not_finite = 0u;
   s.negative = 0u;
+  s.outside = 0u;
   s.first_bad = width;
   return s;
 }
 
 void collect(inout RowStatistics s, vec4 value, uint x) {
   bool finite = is_finite(value.x) && is_finite(value.y) && is_finite(value.z);
-  bool negative = finite && (value.x < 0.0 || value.y < 0.0 || value.z < 0.0);
+  bool below = finite && (value.x < 0.0 || value.y < 0.0 || value.z < 0.0);
   float luminance = finite ? luminance_bt709(value.xyz) : 0.0;
   float metered = clamp(luminance, 1e-37, brightest);
   float weight = luminance > 0.0 && value.w > 0.0 ? sqrt(metered) : 0.0;
   s.weight += weight;
   s.log_luminance_sum += weight * log(metered);
+  bool negative = kSigned == 0u ? below : luminance < 0.0;
   s.max_luminance = max(s.max_luminance, luminance);
   s.not_finite += finite ? 0u : 1u;
   s.negative += negative ? 1u : 0u;
+  s.outside += below && kSigned != 0u ? 1u : 0u;
   s.first_bad = (!finite || negative) ? min(s.first_bad, x) : s.first_bad;
 }
 
@@ -61,6 +65,7 @@ void main() {
       s.max_luminance = max(s.max_luminance, partial[i].max_luminance);
       s.not_finite += partial[i].not_finite;
       s.negative += partial[i].negative;
+      s.outside += partial[i].outside;
       s.first_bad = min(s.first_bad, partial[i].first_bad);
     }
     rows_out.values[y] = s;

@@ -138,7 +138,8 @@ void expect_both(bool good, const std::string& pointer, const Json& value) {
 TEST(Schema, HasTheRangesOfResolve) {
   for (const Rule& rule : rules()) {
     const bool is_number = rule.type == RuleType::number || rule.type == RuleType::integer ||
-                           rule.type == RuleType::spectrum || rule.type == RuleType::exposure;
+                           rule.type == RuleType::spectrum || rule.type == RuleType::curve ||
+                           rule.type == RuleType::exposure;
     const bool is_plain =
         rule.only_for.empty() || rule.only_for.front() == "exponential" || rule.only_for.front() == "perspective";
     if (!is_number || !is_plain) {

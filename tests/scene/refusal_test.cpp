@@ -84,7 +84,7 @@ INSTANTIATE_TEST_SUITE_P(
                          "/planet/ground_albedo/1: 2 is outside 0 to 1"},
                     Case{R"("planet": {"ground_albedo": [0.1, 0.2]})",
                          "/planet/ground_albedo: an array of 2 is not a spectrum; expected a number or an array of "
-                         "three, 0 to 1"},
+                         "three, 0 to 1, or a curve {...}"},
                     Case{R"("sun": {"irradiance": [1, "x", 1]})",
                          "/sun/irradiance/1: \"x\" is not a number; expected a number or an array of three, 0 to "
                          "1e9"},
@@ -137,7 +137,7 @@ INSTANTIATE_TEST_SUITE_P(
                          "/sun/elevatoin_deg: unknown key; did you mean \"elevation_deg\"?"},
                     Case{R"("Camera": {})", "/Camera: unknown key; did you mean \"camera\"?"},
                     Case{R"("elevation_deg": 3)", "/elevation_deg: unknown key; did you mean sun.elevation_deg?"},
-                    Case{R"("image": {"zzzz": 3})", "/image/zzzz: unknown key; expected one of height, width"},
+                    Case{R"("image": {"zzzz": 3})", "/image/zzzz: unknown key; expected one of height, white, width"},
                     Case{R"("a/b~c": 3)",
                          "/a~1b~0c: unknown key; expected one of $schema, airlight, bloom, camera, description, "
                          "display, extends, image, "

@@ -5,6 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "core/scene/curve_reader.h"
 #include "core/scene/render_settings.h"
 #include "core/scene/rules.h"
 #include "core/scene/scene.h"
@@ -42,6 +43,34 @@ Json layers_schema(const Rule& rule) {
   return array_schema(pair, 1, kMaxDensityLayers);
 }
 
+// The forms of core/scene/curve_reader.h.
+Json curve_schema(const Range& range) {
+  const Json value = number_schema(range);
+  const Json object = {{"type", "object"}, {"additionalProperties", false}};
+  const auto form = [&](const Json& properties, const Json& required) {
+    Json schema = object;
+    schema["properties"] = properties;
+    schema["required"] = required;
+    return schema;
+  };
+  const Json factor = {{"type", "number"}, {"minimum", 0.0}};
+  Json plain = Json::array();
+  for (const std::string_view name : kPlainCurveNames) {
+    plain.push_back(name);
+  }
+  return {{"anyOf",
+           {form({{"wavelengths_nm", array_schema(number_schema(kWavelength), 2, kMaxCurveSamples)},
+                  {"values", array_schema(value, 2, kMaxCurveSamples)}},
+                 {"wavelengths_nm", "values"}),
+            form({{"file", {{"type", "string"}}}, {"scale", factor}}, {"file"}),
+            form({{"at_nm", number_schema(kWavelength)}, {"value", value}, {"exponent", number_schema(kExponent)}},
+                 {"at_nm", "value", "exponent"}),
+            form({{"named", {{"enum", plain}}}, {"scale", factor}}, {"named"}),
+            form({{"named", {{"const", "ozone"}}}, {"dobson_units", number_schema(kDobsonUnits)}},
+                 {"named", "dobson_units"}),
+            form({{"black_body_k", number_schema(kKelvin)}}, {"black_body_k"})}}};
+}
+
 Json type_schema(const Rule& rule) {
   switch (rule.type) {
     case RuleType::version:
@@ -60,6 +89,16 @@ Json type_schema(const Rule& rule) {
       return number_schema(rule.range);
     case RuleType::spectrum:
       return {{"anyOf", {number_schema(rule.range), array_schema(number_schema(rule.range), 3, 3)}}};
+    case RuleType::curve: {
+      Json schema = curve_schema(rule.range);
+      schema["anyOf"].insert(schema["anyOf"].begin(),
+                             {number_schema(rule.range), array_schema(number_schema(rule.range), 3, 3)});
+      return schema;
+    }
+    case RuleType::shape:
+      return curve_schema(kShapeValue);
+    case RuleType::wavelengths:
+      return {{"anyOf", {number_schema(rule.range, "integer"), Json{{"const", "auto"}}}}};
     case RuleType::choice:
       return {{"enum", strings(rule.choices)}};
     case RuleType::exposure:

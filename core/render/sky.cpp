@@ -1,0 +1,224 @@
+#include "core/render/sky.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cmath>
+
+#include "core/error.h"
+#include "core/methods/scene_air.h"
+#include "core/methods/sky_pass.h"
+#include "core/methods/spectral_sky.h"
+#include "core/post/post.h"
+
+namespace airlight {
+namespace {
+
+const SkyMethod& method_of(const Scene& scene) {
+  const SkyMethod* method = find_method(scene.render.method);
+  assert(method != nullptr);  // resolve() refuses unknown names
+  return *method;
+}
+
+Tile tile_of(const Scene& scene, const View& view) {
+  return view.tile.value_or(Tile{0, 0, scene.image.width, scene.image.height});
+}
+
+std::string suffix_of(std::size_t group) {
+  return " of group " + std::to_string(group);
+}
+
+std::uint32_t bits(double x) {
+  return std::bit_cast<std::uint32_t>(static_cast<float>(x));
+}
+
+void add_sum(Plan& plan, BufferId part, BufferId picture, const std::array<Rgb, 3>& colours, std::size_t group,
+             bool first) {
+  constexpr std::uint32_t kRow = 65536;  // of the shader: a device takes 65535 workgroups a row at least
+  const auto count = static_cast<std::uint32_t>(plan.buffers()[picture.index].bytes / (4 * sizeof(float)));
+  std::vector<std::uint32_t> push{count, first ? 1U : 0U};
+  for (const Rgb& colour : colours) {
+    for (const double channel : colour) {
+      push.push_back(bits(channel));
+    }
+  }
+  plan.add_pass({.name = "spectral_sum" + suffix_of(group),
+                 .shader = "spectral_sum",
+                 .reads = {{"part", part}},
+                 .writes = {{"picture", picture}},
+                 .grid = {std::min(count, kRow), (count + kRow - 1) / kRow, 1},
+                 .push_constants = std::move(push),
+                 .specialization = {}});
+}
+
+BufferId add_picture(Plan& plan, const View& view, std::size_t bytes) {
+  return plan.add_buffer({.name = "radiance",
+                          .bytes = bytes,
+                          .host_readable = true,
+                          .contents = {},
+                          .key = std::string(view.tile ? "" : kRadianceKey),
+                          .carried = !view.tile,
+                          .zeroed = false});
+}
+
+Sky add_spectral_sky(Plan& plan, const Scene& scene, const View& view, bool with_disc) {
+  const SpectralScene spectral = spectral_scene(scene);
+  Sky all;
+  std::vector<BufferId> parts;
+  for (std::size_t g = 0; g < spectral.groups.size(); ++g) {
+    const Scene& part = spectral.groups[g].scene;
+    const Air air = air_of(part);
+    plan.begin_scene(device_scene_bytes(air, part, tile_of(scene, view)), suffix_of(g));
+    const SkyPasses sky = method_of(scene).add_passes(plan, part, air, view);
+    parts.push_back(sky.radiance);
+    if (with_disc) {
+      const std::optional<ImageId> table = sky.tables.empty() ? std::nullopt : std::optional(sky.tables.front());
+      all.disc = add_sun_disc(plan, part, air, table, picture_of(sky.radiance, tile_of(scene, view)));
+    }
+    all.tables.insert(all.tables.end(), sky.tables.begin(), sky.tables.end());
+  }
+  plan.end_scene();
+  all.radiance = add_picture(plan, view, plan.buffers()[parts.front().index].bytes);
+  for (std::size_t g = 0; g < parts.size(); ++g) {
+    add_sum(plan, parts[g], all.radiance, spectral.groups[g].colours, g, g == 0);
+  }
+  return all;
+}
+
+// Adds a group's picture, its channels as colours, to the sum.
+void add_part(RadianceImage& sum, const RadianceImage& part, const std::array<Rgb, 3>& colours) {
+  if (sum.rgba.empty()) {
+    sum = {part.width, part.height, std::vector<float>(part.rgba.size())};
+  }
+  for (std::size_t i = 0; i < part.rgba.size(); i += 4) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      double value = static_cast<double>(sum.rgba[i + c]);
+      for (std::size_t k = 0; k < 3; ++k) {
+        value += colours[k][c] * static_cast<double>(part.rgba[i + k]);
+      }
+      sum.rgba[i + c] = static_cast<float>(value);
+    }
+    sum.rgba[i + 3] = std::max(sum.rgba[i + 3], part.rgba[i + 3]);
+  }
+}
+
+// Groups are independent; the channels of one, which share their paths, err together at worst.
+void add_error(RadianceImage& variance, const RadianceImage& part, const std::array<Rgb, 3>& colours) {
+  if (variance.rgba.empty()) {
+    variance = {part.width, part.height, std::vector<float>(part.rgba.size())};
+  }
+  for (std::size_t i = 0; i < part.rgba.size(); i += 4) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      double most = 0.0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        most += std::fabs(colours[k][c]) * static_cast<double>(part.rgba[i + k]);
+      }
+      variance.rgba[i + c] += static_cast<float>(most * most);
+    }
+    variance.rgba[i + 3] = std::max(variance.rgba[i + 3], part.rgba[i + 3]);
+  }
+}
+
+// The random numbers of one group are not those of another.
+void take_seed(Scene& scene, std::size_t group) {
+  const auto seed = scene.render.parameters.find("seed");
+  if (seed != scene.render.parameters.end() && group > 0) {
+    const auto mixed =
+        static_cast<std::uint32_t>(std::get<int>(seed->second)) + static_cast<std::uint32_t>(group) * 0x9e3779b9U;
+    seed->second = static_cast<int>(mixed & 0x7fffffffU);
+  }
+}
+
+HostPicture spectral_on_host(const Scene& scene, const View& view, const HostOptions& options) {
+  SpectralScene spectral = spectral_scene(scene);
+  const auto count = static_cast<double>(spectral.groups.size());
+  HostPicture all;
+  bool stopped = false;
+  for (std::size_t g = 0; g < spectral.groups.size(); ++g) {
+    WavelengthGroup& group = spectral.groups[g];
+    take_seed(group.scene, g);
+    HostOptions mine = options;
+    mine.checkpoint += options.checkpoint.empty() ? "" : ".group" + std::to_string(g);
+    if (options.report) {
+      mine.report = [&](double done) {
+        const bool goes_on = options.report((static_cast<double>(g) + done) / count);
+        stopped = stopped || !goes_on;
+        return goes_on;
+      };
+    }
+    // What was stopped in one group must not count as a picture.
+    if (stopped) {
+      throw RunError("stopped at group " + std::to_string(g) + " of " + std::to_string(spectral.groups.size()) +
+                     " of the wavelengths; a picture needs them all");
+    }
+    const HostPicture part = method_of(scene).render_on_host(group.scene, air_of(group.scene), view, mine);
+    add_part(all.radiance, part.radiance, group.colours);
+    if (!part.transmittance.rgba.empty()) {
+      add_part(all.transmittance, part.transmittance, group.colours);
+    }
+    if (!part.standard_error.rgba.empty()) {
+      add_error(all.standard_error, part.standard_error, group.colours);
+    }
+    for (const std::string& note : part.notes) {
+      if (std::find(all.notes.begin(), all.notes.end(), note) == all.notes.end()) {
+        all.notes.push_back(note);
+      }
+    }
+    all.samples = g == 0 ? part.samples : std::min(all.samples, part.samples);
+  }
+  for (std::size_t i = 0; i < all.standard_error.rgba.size(); ++i) {
+    if (i % 4 != 3) {
+      all.standard_error.rgba[i] = std::sqrt(all.standard_error.rgba[i]);
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+Sky add_sky(Plan& plan, const Scene& scene, const View& view, bool with_disc) {
+  const Air air = air_of(scene);
+  plan.scene_data = device_scene_bytes(air, scene, tile_of(scene, view));
+  if (scene.spectra) {
+    return add_spectral_sky(plan, scene, view, with_disc);
+  }
+  const SkyPasses sky = method_of(scene).add_passes(plan, scene, air, view);
+  Sky made{sky.radiance, sky.tables, false};
+  if (with_disc) {
+    const std::optional<ImageId> table = sky.tables.empty() ? std::nullopt : std::optional(sky.tables.front());
+    made.disc = add_sun_disc(plan, scene, air, table, picture_of(sky.radiance, tile_of(scene, view)));
+  }
+  return made;
+}
+
+bool add_disc_over(Plan& plan, const Scene& scene, BufferId radiance, const Tile& tile) {
+  if (!scene.spectra) {
+    return add_sun_disc(plan, scene, air_of(scene), std::nullopt, picture_of(radiance, tile));
+  }
+  const SpectralScene spectral = spectral_scene(scene);
+  const std::size_t bytes = plan.buffers()[radiance.index].bytes;
+  bool shines = false;
+  for (std::size_t g = 0; g < spectral.groups.size(); ++g) {
+    const Scene& group = spectral.groups[g].scene;
+    const Air air = air_of(group);
+    plan.begin_scene(device_scene_bytes(air, group, tile), suffix_of(g));
+    const BufferId part = plan.add_buffer({.name = "disc", .bytes = bytes});
+    shines = add_sun_disc(plan, group, air, std::nullopt, picture_of(part, tile));
+    plan.end_scene();
+    if (shines) {
+      add_sum(plan, part, radiance, spectral.groups[g].colours, g, false);
+    }
+  }
+  return shines;
+}
+
+HostPicture render_on_host(const Scene& scene, const View& view, const HostOptions& options) {
+  return scene.spectra ? spectral_on_host(scene, view, options)
+                       : method_of(scene).render_on_host(scene, air_of(scene), view, options);
+}
+
+Rgb transmittance_unit(const Scene& scene) {
+  return scene.spectra ? sun_colour(band_colours(scene.spectra->sun, scene.spectra->white)) : Rgb{1.0, 1.0, 1.0};
+}
+
+}  // namespace airlight

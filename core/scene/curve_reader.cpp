@@ -1,0 +1,389 @@
+#include "core/scene/curve_reader.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include "core/scene/json_format.h"
+#include "core/scene/json_text.h"
+#include "core/spectra/data.h"
+
+namespace airlight {
+namespace {
+
+// What the eye sees, nm.
+constexpr double kVisibleFrom = 380.0;
+constexpr double kVisibleTo = 780.0;
+
+constexpr std::string_view kForms =
+    "{\"wavelengths_nm\": [...], \"values\": [...]}, {\"file\": ...}, {\"at_nm\": ..., \"value\": ..., \"exponent\": "
+    "...}, {\"named\": ...} or {\"black_body_k\": ...}";
+
+std::string list(const std::vector<double>& values) {
+  std::string text;
+  for (const double value : values) {
+    text += (text.empty() ? "[" : ", ") + format_number(value);
+  }
+  return text + "]";
+}
+
+std::string sampled_json(const Curve& curve) {
+  return "{\"wavelengths_nm\": " + list(curve.wavelengths) + ", \"values\": " + list(curve.values) + "}";
+}
+
+// One curve object, from its site.
+class Form {
+ public:
+  Form(const Site& site, double column)
+      : site_(site), object_(std::get<PresetObject>(site.value.data)), column_(column) {}
+
+  Curve read() {
+    const bool known = has("wavelengths_nm") || has("values") ? read_samples()
+                       : has("file")                          ? read_file()
+                       : has("at_nm") || has("exponent")      ? read_power()
+                       : has("named")                         ? read_named()
+                       : has("black_body_k")                  ? read_black_body()
+                                                              : false;
+    if (!known) {
+      site_.complain("an object that is no curve; expected " + std::string(kForms));
+    }
+    if (curve_.json.empty() && curve_.is_sampled()) {
+      curve_.json = sampled_json(curve_);
+    }
+    return curve_;
+  }
+
+ private:
+  bool has(std::string_view key) const { return object_.contains(key); }
+  std::string pointer(std::string_view key) const { return pointer_below(site_.pointer, key); }
+  void complain(std::string_view key, const std::string& message) const {
+    site_.problems.add(has(key) ? object_.find(key)->second : site_.value, pointer(key), message);
+  }
+
+  void only(std::initializer_list<std::string_view> keys) const {
+    for (const auto& [key, value] : object_) {
+      if (std::ranges::find(keys, key) == keys.end()) {
+        std::string names;
+        for (const std::string_view name : keys) {
+          names += (names.empty() ? "" : ", ") + std::string(name);
+        }
+        site_.problems.add(value, pointer(key), "unknown key in this form of a curve; expected " + names);
+      }
+    }
+  }
+
+  double number(std::string_view key, const Range& range, std::string_view unit, std::optional<double> fallback = {}) {
+    double value = fallback.value_or(range.minimum);
+    const auto found = object_.find(key);
+    if (found == object_.end()) {
+      if (!fallback) {
+        complain(key, "missing; expected a number, " + range_text(range, unit));
+      }
+      return value;
+    }
+    const Rule rule{.key = {}, .range = range, .unit = unit};
+    read_number({site_.problems, found->second, pointer(key), rule}, value);
+    return value;
+  }
+
+  // The range of a value of this key.
+  const Range& values() const { return site_.rule.type == RuleType::shape ? kShapeValue : site_.rule.range; }
+
+  std::vector<double> numbers(std::string_view key, const Range& range, std::string_view unit) {
+    const auto found = object_.find(key);
+    if (found == object_.end()) {
+      complain(key, "missing; expected an array of as many numbers as its neighbour has");
+      return {};
+    }
+    const auto* array = std::get_if<PresetArray>(&found->second.data);
+    if (array == nullptr) {
+      complain(key, quoted(found->second) + " is not an array; expected [" + range_text(range, unit) + ", ...]");
+      return {};
+    }
+    const Rule rule{.key = {}, .range = range, .unit = unit};
+    std::vector<double> all;
+    for (std::size_t i = 0; i < array->size(); ++i) {
+      double value = range.minimum;
+      read_number({site_.problems, (*array)[i], pointer_below(pointer(key), std::to_string(i)), rule}, value);
+      all.push_back(value);
+    }
+    return all;
+  }
+
+  bool read_samples() {
+    only({"wavelengths_nm", "values"});
+    curve_.wavelengths = numbers("wavelengths_nm", kWavelength, "nm");
+    curve_.values = numbers("values", values(), site_.rule.unit);
+    if (has("wavelengths_nm") && has("values")) {
+      check_samples("wavelengths_nm", {});
+    }
+    return true;
+  }
+
+  // `place`: of a file.
+  void check_samples(std::string_view key, const std::string& place) {
+    const std::vector<double>& x = curve_.wavelengths;
+    const auto descent = std::ranges::adjacent_find(x, [](double a, double b) { return b <= a; });
+    if (x.size() != curve_.values.size()) {
+      complain(key, place + std::to_string(x.size()) + " wavelengths for " + std::to_string(curve_.values.size()) +
+                        " values; expected as many of both");
+    } else if (x.size() < 2 || x.size() > kMaxCurveSamples) {
+      complain(key, place + std::to_string(x.size()) + " points; expected 2 to " + std::to_string(kMaxCurveSamples) +
+                        ": a curve that is the same everywhere is a number");
+    } else if (descent != x.end()) {
+      complain(key, place + format_number(descent[1]) + " nm does not follow " + format_number(descent[0]) +
+                        "; expected ascending wavelengths");
+    } else if (site_.rule.type == RuleType::shape &&
+               std::ranges::count(curve_.values, 0.0) == std::ssize(curve_.values)) {
+      complain(key, place + "0 at all wavelengths; expected light at some");
+    } else {
+      return;
+    }
+    curve_ = constant_curve(values().minimum);
+  }
+
+  std::filesystem::path file_of(const std::string& name) const {
+    // Beside the preset that names it; for an option, in the working directory.
+    const std::filesystem::path file(name);
+    const bool in_preset = site_.value.line > 0;
+    return file.is_absolute() || !in_preset ? file : std::filesystem::path(site_.value.source).parent_path() / file;
+  }
+
+  bool read_file() {
+    only({"file", "scale"});
+    const auto* name = std::get_if<std::string>(&object_.find("file")->second.data);
+    if (name == nullptr) {
+      complain("file", quoted(object_.find("file")->second) + " is not a string; expected a file name");
+      return true;
+    }
+    const double scale = number("scale", {.minimum = 0.0, .maximum = 1e30}, {}, 1.0);
+    const std::filesystem::path file = file_of(*name);
+    errno = 0;
+    std::ifstream stream(file);
+    if (!stream || std::filesystem::is_directory(file)) {
+      complain("file", file.string() + " cannot be read" +
+                           (errno != 0 ? std::string(": ") + std::strerror(errno) : "") +
+                           "; expected lines of nm,value");
+      return true;
+    }
+    read_lines(stream, file.string(), scale);
+    return true;
+  }
+
+  // One line: two numbers apart by a comma, a semicolon, a tab or spaces.
+  static bool parse(std::string_view line, double& nm, double& value) {
+    constexpr std::string_view kBetween = " ,;\t\r";
+    const auto take = [&](double& number) {
+      line.remove_prefix(std::min(line.find_first_not_of(kBetween), line.size()));
+      const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), number);
+      line.remove_prefix(static_cast<std::size_t>(end - line.data()));
+      const bool ends = line.empty() || kBetween.find(line.front()) != std::string_view::npos;
+      return error == std::errc() && ends && std::isfinite(number);
+    };
+    return take(nm) && take(value) && line.find_first_not_of(kBetween) == std::string_view::npos;
+  }
+
+  void read_lines(std::istream& stream, const std::string& file, double scale) {
+    std::string line;
+    int number = 0;
+    bool may_be_heading = true;
+    while (std::getline(stream, line)) {
+      ++number;
+      const std::size_t first = line.find_first_not_of(" \t\r");
+      if (first == std::string::npos || line[first] == '#') {
+        continue;
+      }
+      const std::string place = file + ":" + std::to_string(number) + ": ";
+      double nm = 0.0;
+      double value = 0.0;
+      if (!parse(line, nm, value)) {
+        if (!may_be_heading) {
+          complain("file", place + json_string(line.substr(0, 40)) + " is not nm,value; expected two numbers");
+          curve_ = constant_curve(values().minimum);
+          return;
+        }
+        may_be_heading = false;
+        continue;
+      }
+      may_be_heading = false;
+      value *= scale;
+      const Rule wavelength{.key = {}, .range = kWavelength, .unit = "nm"};
+      const Rule rule{.key = {}, .range = values(), .unit = site_.rule.unit};
+      if (!wavelength.range.contains(nm) || !rule.range.contains(value)) {
+        complain("file",
+                 place + (wavelength.range.contains(nm) ? out_of_range(value, rule) : out_of_range(nm, wavelength)));
+        curve_ = constant_curve(values().minimum);
+        return;
+      }
+      curve_.wavelengths.push_back(nm);
+      curve_.values.push_back(value);
+    }
+    check_samples("file", file + ": ");
+  }
+
+  bool read_power() {
+    only({"at_nm", "value", "exponent"});
+    curve_.at_nm = number("at_nm", kWavelength, "nm");
+    curve_.value = number("value", values(), site_.rule.unit);
+    curve_.exponent = number("exponent", kExponent, {});
+    for (const double nm : {fine_bands().front().low, fine_bands().back().high}) {
+      if (!values().contains(value_at(curve_, nm))) {
+        const Rule rule{.key = {}, .range = values(), .unit = site_.rule.unit};
+        complain("exponent", "at " + format_number(nm) + " nm the value " + out_of_range(value_at(curve_, nm), rule));
+        return true;
+      }
+    }
+    curve_.json = "{\"at_nm\": " + format_number(curve_.at_nm) + ", \"value\": " + format_number(curve_.value) +
+                  ", \"exponent\": " + format_number(curve_.exponent) + "}";
+    return true;
+  }
+
+  // Samples of a law in the fine bands' range, every 5 nm.
+  template <class Law>
+  void sample(Law law) {
+    for (double nm = fine_bands().front().low; nm <= fine_bands().back().high; nm += 5.0) {
+      curve_.wavelengths.push_back(nm);
+      curve_.values.push_back(law(nm));
+    }
+  }
+
+  bool read_named() {
+    const auto* name = std::get_if<std::string>(&object_.find("named")->second.data);
+    std::vector<std::string> names(kPlainCurveNames.begin(), kPlainCurveNames.end());
+    names.emplace_back("ozone");
+    if (name == nullptr || std::ranges::find(names, *name) == names.end()) {
+      complain("named", quoted(object_.find("named")->second) +
+                            " is no named curve; expected one of \"air\", \"solar\", \"ozone\"" +
+                            (name != nullptr ? did_you_mean(*name, names) : ""));
+      return true;
+    }
+    if (*name == "ozone") {
+      read_ozone();
+      return true;
+    }
+    only({"named", "scale"});
+    const double scale = number("scale", {.minimum = 0.0, .maximum = 1e9}, {}, 1.0);
+    if (*name == "air") {
+      sample([&](double nm) { return scale * rayleigh_scattering(nm); });
+    } else {
+      curve_ = scaled(solar_irradiance(), scale);
+    }
+    curve_.json =
+        "{\"named\": " + json_string(*name) + (scale == 1.0 ? "" : ", \"scale\": " + format_number(scale)) + "}";
+    return true;
+  }
+
+  void read_ozone() {
+    only({"named", "dobson_units"});
+    const double units = number("dobson_units", kDobsonUnits, "Dobson units");
+    if (!(column_ > 0.0)) {
+      complain("named",
+               "ozone is given by its column over a medium; expected it as a medium's absorption_per_km, of a "
+               "density that is not 0 everywhere");
+      return;
+    }
+    curve_ = scaled(ozone_cross_section(), units * kMoleculesPerDobsonUnit / column_);
+    curve_.json = "{\"named\": \"ozone\", \"dobson_units\": " + format_number(units) + "}";
+  }
+
+  bool read_black_body() {
+    only({"black_body_k"});
+    const double kelvin = number("black_body_k", kKelvin, "K");
+    if (site_.rule.type != RuleType::shape) {
+      complain("black_body_k", "a black body is light; expected it as sun.spectrum");
+      return true;
+    }
+    sample([&](double nm) { return black_body(kelvin, nm); });
+    curve_.json = "{\"black_body_k\": " + format_number(kelvin) + "}";
+    return true;
+  }
+
+  const Site& site_;
+  const PresetObject& object_;
+  double column_;
+  Curve curve_;
+};
+
+void warn_of(std::vector<std::string>& lines, const std::string& pointer, const Curve& curve) {
+  if (!curve.is_sampled() || (curve.wavelengths.front() <= kVisibleFrom && curve.wavelengths.back() >= kVisibleTo)) {
+    return;
+  }
+  lines.push_back(pointer + ": the curve has samples from " + format_number(curve.wavelengths.front()) + " to " +
+                  format_number(curve.wavelengths.back()) + " nm and is held constant to " +
+                  format_number(kVisibleFrom) + " and " + format_number(kVisibleTo) + " nm");
+}
+
+}  // namespace
+
+Spectrum CurveReader::read(const Section& section, std::string_view key, Curve& curve) {
+  return read(section, key, 0.0, curve);
+}
+
+Spectrum CurveReader::read(const Section& section, std::string_view key, double column, Curve& curve) {
+  const PresetValue* value = section.value_of(key);
+  const bool takes_curves = section.rule(key).type == RuleType::curve;
+  if (value != nullptr && !takes_curves && std::holds_alternative<PresetObject>(value->data)) {
+    section.complain(key, *value, "a curve is no amount; give its shape as sun.spectrum, and a number here");
+    return {};
+  }
+  if (value != nullptr && std::holds_alternative<PresetObject>(value->data)) {
+    const Site site = section.site(key, *value);
+    curve = Form(site, column).read();
+    first_ = any_ ? first_ : site.pointer;
+    any_ = true;
+    return {};
+  }
+  const Spectrum channels = section.spectrum(key);
+  if (value != nullptr && std::holds_alternative<PresetArray>(value->data)) {
+    channels_.push_back({&section.problems(), value, section.pointer_to(key)});
+  }
+  curve = constant_curve(channels[0]);
+  return channels;
+}
+
+Curve CurveReader::read_shape(const Section& section, std::string_view key) {
+  const PresetValue* value = section.value_of(key);
+  if (value == nullptr) {
+    return solar_irradiance();
+  }
+  const Site site = section.site(key, *value);
+  first_ = any_ ? first_ : site.pointer;
+  any_ = true;
+  if (!std::holds_alternative<PresetObject>(value->data)) {
+    site.complain(quoted(*value) + " is no curve; expected " + std::string(kForms));
+    return solar_irradiance();
+  }
+  return Form(site, 0.0).read();
+}
+
+void CurveReader::refuse_channels() const {
+  if (!any_) {
+    return;
+  }
+  for (const Channels& channels : channels_) {
+    channels.problems->add(*channels.value, channels.pointer,
+                           "three channels in a scene whose " + first_ +
+                               " is a curve over the wavelength; write a number or a curve here as well, e.g. "
+                               "{\"at_nm\": 550, \"value\": ..., \"exponent\": ...}");
+  }
+}
+
+std::vector<std::string> curve_warnings(const Scene& scene) {
+  std::vector<std::string> lines;
+  if (scene.spectra) {
+    for (std::size_t i = 0; i < scene.spectra->media.size(); ++i) {
+      const std::string pointer = "/media/" + std::to_string(i);
+      warn_of(lines, pointer + "/scattering_per_km", scene.spectra->media[i].scattering);
+      warn_of(lines, pointer + "/absorption_per_km", scene.spectra->media[i].absorption);
+    }
+    warn_of(lines, "/planet/ground_albedo", scene.spectra->ground_albedo);
+    warn_of(lines, "/sun/spectrum", scene.spectra->sun);
+  }
+  return lines;
+}
+
+}  // namespace airlight
