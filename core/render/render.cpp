@@ -217,7 +217,7 @@ Rendering render(const DeviceOnDemand& device, const Scene& scene, const RenderR
   out.exposure = exposure_for(scene, out.picture);
   out.radiance = image_from(result.contents(frame.picture.buffer), scene.image.width, scene.image.height);
   if (out.fault().empty()) {
-    run_post(executor, scene, air, request, frame.plan, frame.picture, out);
+    run_post(executor, scene, air_of(scene), request, frame.plan, frame.picture, out);
     if (request.layers) {
       add_layers(out, executor, scene);
     }
@@ -228,7 +228,7 @@ Rendering render(const DeviceOnDemand& device, const Scene& scene, const RenderR
 Plan plan_for(const Scene& scene, const RenderRequest& request) {
   Frame frame = method_of(scene).render_on_host != nullptr ? host_frame(scene, {}) : sky_frame(scene, request);
   PostFrame post{std::move(frame.plan), {}, {}};
-  add_post(post, scene, air, frame.picture, request, request.bloom && scene.bloom.enabled, 1.0);
+  add_post(post, scene, air_of(scene), frame.picture, request, request.bloom && scene.bloom.enabled, 1.0);
   return std::move(post.plan);
 }
 

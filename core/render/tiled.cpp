@@ -54,7 +54,12 @@ enum class Round { measuring, delivering };
 class TiledRender {
  public:
   TiledRender(Executor& executor, const Scene& scene, const TiledRequest& request)
-      : executor_(executor), scene_(scene), request_(request), kept_as_(picture_key()), gathering_(scene) {}
+      : executor_(executor),
+        scene_(scene),
+        request_(request),
+        air_(air_of(scene)),
+        kept_as_(picture_key()),
+        gathering_(scene) {}
 
   Rendering run();
 
@@ -81,6 +86,7 @@ class TiledRender {
   Executor& executor_;
   const Scene& scene_;
   const TiledRequest& request_;
+  const Air air_;
   std::string kept_as_;
   HostPicture host_;  // of a method on the host
   Rendering out_;
@@ -179,7 +185,7 @@ void TiledRender::render_band(Band& band, int rows, const BandWork& work) {
                         std::vector<float>(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(rows))};
   Plan plan;
   if (!host_.radiance.rgba.empty()) {
-    plan.scene_data = device_scene_bytes(air_of(scene_), scene_, whole);
+    plan.scene_data = device_scene_bytes(air_, scene_, whole);
     const Picture picture = add_upload(plan, host_.radiance, band.y, whole);
     add_disc_over(plan, scene_, picture.buffer, whole);
     run_rows(plan, picture, work, band);
@@ -281,8 +287,7 @@ Rendering TiledRender::run() {
     out_.undone = host_.notes;
   }
   Plan whole;  // never run
-  if (!add_sun_disc(whole, scene_, air_of(scene_), std::nullopt,
-                    picture_of(BufferId{}, whole_rows(0, scene_.image.height)))) {
+  if (!add_sun_disc(whole, scene_, air_, std::nullopt, picture_of(BufferId{}, whole_rows(0, scene_.image.height)))) {
     out_.left_out.push_back("sun disc: switched off, outside the picture or behind the planet");
   }
   two_rounds_ = wants_chain() || (request_.exposure_first && !scene_.display.exposure);
