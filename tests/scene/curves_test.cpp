@@ -77,6 +77,8 @@ TEST(Curves, ColumnsOfDensities) {
   density.profile = DensityProfile::constant;
   density.below = 3.0;
   EXPECT_NEAR(density_column(density, 100.0), 3.0, 1e-12);
+  density.profile = DensityProfile::height_fog;
+  EXPECT_NEAR(density_column(density, 100.0), 3.0 + 8.0 * (1.0 - std::exp(-97.0 / 8.0)), 1e-5);
   density.profile = DensityProfile::layers;
   density.layers = {{0.0, 1.0}, {10.0, 0.0}};
   EXPECT_NEAR(density_column(density, 100.0), 5.0, 1e-12);
