@@ -13,6 +13,7 @@ namespace airlight::physics {
 #include "shaders/shared/scene.h"
 #include "shaders/shared/tables.h"
 #include "shaders/shared/analytic.h"
+#include "shaders/shared/glare.h"
 // clang-format on
 
 // A two-dimensional table with the device's sampling: bilinear between texel centres, clamped at the edges.
@@ -40,6 +41,7 @@ struct Physics {
   bool delta = false;
   HostTable sun_table;  // mean extinction to the top over the rows of shells (physics/shells.glsl)
   AnalyticData analytic;
+  std::vector<GlarePoint> glare_points;  // the sum of the points first
 
   uint medium_count() const { return media; }
   uint density_profile(uint i) const { return (density_profiles >> (kBitsPerMedium * i)) & 15u; }
@@ -57,6 +59,7 @@ struct Physics {
   uint shell_rows() const { return scene.shell_rows; }
   real shell_altitude(uint k) const { return scene.shell_altitudes[k]; }
   vec3 fetch_sun_table(real x, real y) const { return sun_table.fetch_unit(x, y); }
+  GlarePoint glare_point(uint i) const { return glare_points[i]; }
   AnalyticMedium analytic_medium(uint i) const { return analytic.media[i]; }
   AnalyticDiffuse analytic_diffuse() const { return analytic.diffuse; }
   real share_above(uint i, uint j) const { return analytic.above[i * kMaxMedia + j]; }
@@ -92,6 +95,7 @@ struct Physics {
   vec3 transmittance_to_top(PlanetData planet, real h, real mu) {
     return sun_steps > 0 ? exp(-optical_depth_to_top(planet, h, mu, sun_steps)) : table_transmittance(planet, h, mu);
   }
+#include "shaders/physics/sun_disc.glsl"
 #include "shaders/physics/sunlight.glsl"
 #include "shaders/physics/march.glsl"
 #include "shaders/physics/multiple_scattering.glsl"

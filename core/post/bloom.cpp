@@ -127,11 +127,15 @@ BufferId add_picture_buffer(Plan& plan, const char* name, const Picture& picture
 // What a pass reads to have the glare at its pixels (shared/glare_pixel.glsl).
 void read_glare(PassDesc& pass, const Scene& scene, const GlareSources& sources) {
   pass.reads.push_back({"sources", sources.points});
-  pass.push_constants.insert(pass.push_constants.end(), {sources.count, bits(0.5 * pixel_angle(scene))});
+  pass.push_constants.insert(pass.push_constants.end(), {sources.count, bits(glare_pixel_blur(scene))});
   pass.specialization.push_back({"kProjection", projection_code(scene.camera.projection)});
 }
 
 }  // namespace
+
+double glare_pixel_blur(const Scene& scene) {
+  return 0.5 * pixel_angle(scene);
+}
 
 double pixel_angle(const Scene& scene) {
   switch (scene.camera.projection) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/air/scene_block.h"
+#include "core/post/host_post.h"
 #include "core/post/post.h"
 
 namespace airlight {
@@ -20,28 +21,12 @@ constexpr int kAround = 8;
 constexpr int kPoints = kRings * kAround;
 constexpr double kFar = 24.0;  // radii of the disc: from there on it is a point to 0.2 %
 
-struct Source {
-  vec3 direction;
-  vec3 irradiance;
-};
-
-// At the camera, through the air; nothing where the planet hides the point.
-vec3 disc_radiance(physics::Physics& p, const Scene& scene, const vec3& direction) {
-  const auto ray =
-      p.ray_in_atmosphere(p.scene.planet, scene.camera.altitude, direction.y, p.scene.sun.direction.y, 1.0);
-  if (ray.at_ground) {
-    return vec3(0.0);
-  }
-  const vec3 depth = ray.length_ < 0.0
-                         ? vec3(0.0)
-                         : p.optical_depth_to_top(p.scene.planet, ray.h, ray.mu, physics::kTransmittanceSteps);
-  const double profile = p.disc_profile(p.scene.sun, physics::length(direction - p.scene.sun.direction));
-  return p.scene.sun.disc_radiance * vec3(std::exp(-depth.x), std::exp(-depth.y), std::exp(-depth.z)) * profile;
-}
+using physics::GlarePoint;
 
 // Points of equal area.
-std::vector<Source> disc_sources(const Scene& scene, const Air& air) {
+std::vector<GlarePoint> disc_sources(const Scene& scene, const Air& air) {
   physics::Physics p = formulas_of(air, scene);
+  p.sun_steps = physics::kTransmittanceSteps;
   const vec3 sun = p.scene.sun.direction;
   const vec3 any = std::abs(sun.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0);
   const vec3 a = physics::normalize(any - sun * physics::dot(any, sun));
@@ -49,21 +34,21 @@ std::vector<Source> disc_sources(const Scene& scene, const Air& air) {
   const double radius = scene.sun.disc.angular_radius;
   const double half = std::sin(0.5 * radius);
   const double area = 4.0 * std::numbers::pi * half * half / kPoints;
-  std::vector<Source> sources;
+  std::vector<GlarePoint> sources;
   for (int ring = 0; ring < kRings; ++ring) {
     const double off = radius * std::sqrt((ring + 0.5) / kRings);
     for (int k = 0; k < kAround; ++k) {
       const double t = 2.0 * std::numbers::pi * (k + 0.5 * (ring % 2)) / kAround;
       const vec3 direction = sun * std::cos(off) + (a * std::cos(t) + b * std::sin(t)) * std::sin(off);
-      sources.push_back({direction, disc_radiance(p, scene, direction) * area});
+      sources.push_back({direction, 0.0, p.disc_radiance(direction) * area, radius / std::sqrt(kPoints)});
     }
   }
   return sources;
 }
 
-Source sum_of(const std::vector<Source>& sources) {
-  Source all{vec3(0.0), vec3(0.0)};
-  for (const Source& source : sources) {
+GlarePoint sum_of(const std::vector<GlarePoint>& sources) {
+  GlarePoint all{};
+  for (const GlarePoint& source : sources) {
     all.irradiance = all.irradiance + source.irradiance;
     all.direction =
         all.direction + source.direction * (source.irradiance.x + source.irradiance.y + source.irradiance.z);
@@ -71,10 +56,22 @@ Source sum_of(const std::vector<Source>& sources) {
   return all;
 }
 
-std::array<float, 8> packed(const Source& source, double far, double blur) {
+// The sum of the points first.
+std::vector<GlarePoint> glare_points(const Scene& scene, const Air& air) {
+  std::vector<GlarePoint> points = disc_sources(scene, air);
+  GlarePoint all = sum_of(points);
+  const double length = physics::length(all.direction);
+  all.direction = length > 0.0 ? all.direction * (1.0 / length) : points.front().direction;
+  all.far = kFar * scene.sun.disc.angular_radius;
+  points.insert(points.begin(), all);
+  return points;
+}
+
+// As the device reads it.
+std::array<float, 8> packed(const GlarePoint& point) {
   const auto f = [](double x) { return static_cast<float>(x); };
-  return {f(source.direction.x),  f(source.direction.y),  f(source.direction.z),  f(far),
-          f(source.irradiance.x), f(source.irradiance.y), f(source.irradiance.z), f(blur)};
+  return {f(point.direction.x),  f(point.direction.y),  f(point.direction.z),  f(point.far),
+          f(point.irradiance.x), f(point.irradiance.y), f(point.irradiance.z), f(point.blur)};
 }
 
 }  // namespace
@@ -91,20 +88,35 @@ bool sun_glares(const Scene& scene, const Air& air) {
 }
 
 GlareSources add_glare_sources(Plan& plan, const Scene& scene, const Air& air) {
-  const std::vector<Source> sources = disc_sources(scene, air);
-  const double radius = scene.sun.disc.angular_radius;
-  Source all = sum_of(sources);
-  const double length = physics::length(all.direction);
-  all.direction = length > 0.0 ? all.direction * (1.0 / length) : sources.front().direction;
-  std::vector<std::array<float, 8>> points{packed(all, kFar * radius, 0.0)};
-  for (const Source& source : sources) {
-    points.push_back(packed(source, 0.0, radius / std::sqrt(kPoints)));
+  std::vector<std::array<float, 8>> points;
+  for (const GlarePoint& point : glare_points(scene, air)) {
+    points.push_back(packed(point));
   }
   std::vector<std::byte> contents(points.size() * sizeof points.front());
   std::memcpy(contents.data(), points.data(), contents.size());
   const std::size_t bytes = contents.size();
   return {plan.add_buffer({.name = "glare_sources", .bytes = bytes, .contents = std::move(contents), .key = {}}),
           static_cast<std::uint32_t>(points.size())};
+}
+
+RadianceImage glare_picture(const Scene& scene, const Air& air, const Tile& tile) {
+  physics::Physics p = geometry_of(scene);
+  p.glare_points = glare_points(scene, air);
+  const auto count = static_cast<physics::uint>(p.glare_points.size());
+  const physics::uint projection = projection_code(scene.camera.projection);
+  const double blur = glare_pixel_blur(scene);
+  RadianceImage glare{tile.width, tile.height, {}};
+  glare.rgba.reserve(4 * static_cast<std::size_t>(tile.width) * static_cast<std::size_t>(tile.height));
+  for (int y = tile.y; y < tile.y + tile.height; ++y) {
+    for (int x = tile.x; x < tile.x + tile.width; ++x) {
+      const auto ray = p.view_ray(p.scene.camera, projection, x + 0.5, y + 0.5);
+      const vec3 light = ray.inside ? p.glare_along(ray.direction, count, blur) : vec3(0.0);
+      for (const double channel : {light.x, light.y, light.z, 1.0}) {
+        glare.rgba.push_back(static_cast<float>(channel));
+      }
+    }
+  }
+  return glare;
 }
 
 }  // namespace airlight

@@ -128,4 +128,7 @@ BufferId add_tonemap(Plan& plan, const Scene& scene, const Picture& picture, con
 // Angle of a pixel at the picture's centre, radians.
 double pixel_angle(const Scene& scene);
 
+// What a pixel's own width rounds a source's glare off by, radians.
+double glare_pixel_blur(const Scene& scene);
+
 }  // namespace airlight

@@ -6,6 +6,8 @@
 //   f2 = 72.37 / (angle + 0.02)^2        the veil, to the edge of the field
 // each of integral 1 over the half sphere in front. Here are f1 and f2 alone, scaled to 1 together: a lens scatters less
 // than an eye, but falls off as steeply.
+//
+// Declared before: GlarePoint glare_point(uint i), the sum of the points first.
 
 const real kGlareCore = 0.02;
 const real kGlareNear = 0.478 / (0.478 + 0.138);
@@ -20,3 +22,17 @@ real glare_spread(real angle, real blur) {
 
 // Between unit vectors, to full precision at any angle.
 real angle_between(vec3 a, vec3 b) { return 2.0 * atan(length(a - b), length(a + b)); }
+
+// Of the points near by, of their sum further off, where the two are one.
+vec3 glare_along(vec3 direction, uint points, real pixel_blur) {
+  GlarePoint all = glare_point(0u);
+  bool is_far = angle_between(direction, all.direction) > all.far;
+  uint end = is_far ? 1u : points;
+  vec3 sum = vec3(0.0);
+  for (uint i = is_far ? 0u : 1u; i < end; i++) {
+    GlarePoint point = glare_point(i);
+    real blur = sqrt(point.blur * point.blur + pixel_blur * pixel_blur);
+    sum = sum + point.irradiance * glare_spread(angle_between(direction, point.direction), blur);
+  }
+  return sum;
+}

@@ -1,0 +1,57 @@
+// The sun's disc in a pixel: limb-darkened, seen through the air, each sample hidden by the planet on its own.
+// Declared before: scene, transmittance_to_top().
+
+// At the camera, in this direction.
+vec3 disc_radiance(vec3 direction) {
+  real profile = disc_profile(scene.sun, length(direction - scene.sun.direction));
+  Ray ray = ray_in_atmosphere(scene.planet, scene.camera.altitude, direction.y, scene.sun.direction.y, 1.0);
+  vec3 through = ray.length_ < 0.0 ? vec3(1.0) : transmittance_to_top(scene.planet, ray.h, ray.mu);
+  return ray.at_ground ? vec3(0.0) : scene.sun.disc_radiance * through * profile;
+}
+
+// Solid angle of the pixel around this point, by two points a side: exact where the density is a cubic.
+real pixel_solid_angle(uint projection, real x, real y) {
+  const real offset = 0.28867513;
+  real sum = 0.0;
+  for (uint i = 0u; i < 4u; i++) {
+    real dx = i % 2u == 0u ? -offset : offset;
+    real dy = i < 2u ? -offset : offset;
+    sum += solid_angle_density(scene.camera, projection, x + dx, y + dy);
+  }
+  return 0.25 * sum;
+}
+
+// Where the disc is looked for: its bounding box in pixels, which may reach beyond a round picture's seam, and the
+// samples of a pixel, across and down.
+struct DiscBox {
+  vec2 low;
+  vec2 high;
+  uint across;
+  uint down;
+};
+
+// Mean radiance of the disc over the pixel with this centre. It is integrated over the part of the pixel that lies in
+// the box, by solid angle: a disc far smaller than a pixel keeps its energy, one far larger its edge.
+vec3 disc_in_pixel(uint projection, real x, real y, DiscBox box) {
+  bool inside = view_ray(scene.camera, projection, x, y).inside;
+  if (projection == kProjectionEquirectangular) {
+    // As near to the disc as going round allows.
+    real around = real(scene.camera.width);
+    x += floor((0.5 * (box.low.x + box.high.x) - x) / around + 0.5) * around;
+  }
+  real left = max(x - 0.5, box.low.x);
+  real top = max(y - 0.5, box.low.y);
+  real width = min(x + 0.5, box.high.x) - left;
+  real height = min(y + 0.5, box.high.y) - top;
+  // Written as a loop that runs no turn: a branch not taken still runs, masked, on a software device.
+  uint turns = width > 0.0 && height > 0.0 && inside ? box.across * box.down : 0u;
+  vec3 sum = vec3(0.0);
+  for (uint i = 0u; i < turns; i++) {
+    real at_x = left + width * ((real(i % box.across) + 0.5) / real(box.across));
+    real at_y = top + height * ((real(i / box.across) + 0.5) / real(box.down));
+    sum = sum + disc_radiance(view_ray(scene.camera, projection, at_x, at_y).direction) *
+                    solid_angle_density(scene.camera, projection, at_x, at_y);
+  }
+  real sample_area = width * height / real(box.across * box.down);
+  return turns == 0u ? vec3(0.0) : sum * (sample_area / pixel_solid_angle(projection, x, y));
+}
