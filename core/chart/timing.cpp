@@ -14,6 +14,7 @@
 #include "core/choice/cost.h"
 #include "core/methods/method.h"
 #include "core/methods/scene_air.h"
+#include "core/render/picture_key.h"
 
 namespace airlight::chart {
 namespace {
@@ -24,35 +25,64 @@ double ms_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
+// The passes of one picture, in as many plans as it has tiles of whole rows.
 struct Sky {
-  Plan plan;
-  BufferId radiance;
+  std::vector<Plan> plans;
+  std::vector<BufferId> radiance;
   std::set<std::string, std::less<>> table_passes;  // those whose output is kept for later pictures
   std::string table_keys;
 };
 
-Sky sky_of(const Scene& scene) {
+int rows_of_tile(const Scene& scene, std::size_t most_bytes) {
+  const std::size_t row = 4 * sizeof(float) * static_cast<std::size_t>(scene.image.width);
+  return std::clamp(static_cast<int>(most_bytes / row), 1, scene.image.height);
+}
+
+Sky sky_of(const Scene& scene, std::size_t tile_bytes) {
   Sky sky;
-  sky.plan.scene_data = device_scene_bytes(air_of(scene), scene);
-  sky.radiance = find_method(scene.render.method)->add_passes(sky.plan, scene, air_of(scene), View{}).radiance;
-  const std::vector<bool> runs = passes_to_run(sky.plan, [&](ResourceId id) { return choice::is_table(sky.plan, id); });
+  const Air air = air_of(scene);
+  const int rows = rows_of_tile(scene, tile_bytes);
+  const bool whole = rows == scene.image.height;
+  const std::string own = whole ? std::string() : picture_key();  // of what the tiles of this picture share
+  for (int y = 0; y < scene.image.height; y += rows) {
+    const Tile tile{0, y, scene.image.width, std::min(rows, scene.image.height - y)};
+    const View view = whole ? View{} : View{.directions = {}, .tile = tile, .kept_as = own};
+    Plan& plan = sky.plans.emplace_back();
+    plan.scene_data = device_scene_bytes(air, scene, tile);
+    sky.radiance.push_back(find_method(scene.render.method)->add_passes(plan, scene, air, view).radiance);
+  }
+  const Plan& first = sky.plans.front();
+  const auto is_kept_longer = [&](ResourceId id) {
+    return choice::is_table(first, id) && (whole || !first.images()[std::get<ImageId>(id).index].key.starts_with(own));
+  };
+  const std::vector<bool> runs = passes_to_run(first, is_kept_longer);
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (!runs[i]) {
-      sky.table_passes.insert(pass_name(sky.plan.passes()[i]));
+      sky.table_passes.insert(pass_name(first.passes()[i]));
     }
   }
-  for (const ImageDesc& image : sky.plan.images()) {
-    sky.table_keys += image.key;
+  for (const ImageDesc& image : first.images()) {
+    sky.table_keys += whole || !image.key.starts_with(own) ? image.key : std::string();
   }
   return sky;
 }
 
-double milliseconds_of(const RunResult& result, const Sky& sky, bool tables) {
+double milliseconds_of(const std::vector<RunResult>& results, const Sky& sky, bool tables) {
   double sum = 0.0;
-  for (const PassTiming& pass : result.passes) {
-    sum += sky.table_passes.contains(pass.name) == tables ? pass.milliseconds : 0.0;
+  for (const RunResult& result : results) {
+    for (const PassTiming& pass : result.passes) {
+      sum += sky.table_passes.contains(pass.name) == tables ? pass.milliseconds : 0.0;
+    }
   }
   return sum;
+}
+
+std::vector<RunResult> run(Executor& executor, const Sky& sky) {
+  std::vector<RunResult> results;
+  for (const Plan& plan : sky.plans) {
+    results.push_back(executor.run(plan));
+  }
+  return results;
 }
 
 // Another planet by a hair: the same shaders on tables that are not there yet.
@@ -65,14 +95,20 @@ Scene neighbour(Scene scene, int n) {
   return scene;
 }
 
-double time_tables(Executor& executor, const Scene& scene) {
+double time_tables(Executor& executor, const Scene& scene, std::size_t tile_bytes) {
   constexpr int kBakes = 3;
   std::vector<double> bakes;
   for (int n = 1; n <= kBakes; ++n) {
-    const Sky sky = sky_of(neighbour(scene, n));
-    bakes.push_back(milliseconds_of(executor.run(sky.plan), sky, true));
+    const Sky sky = sky_of(neighbour(scene, n), tile_bytes);
+    bakes.push_back(milliseconds_of(run(executor, sky), sky, true));
   }
   return median(std::move(bakes));
+}
+
+void append(std::vector<float>& values, std::span<const std::byte> bytes) {
+  const std::size_t before = values.size();
+  values.resize(before + bytes.size() / sizeof(float));
+  std::memcpy(values.data() + before, bytes.data(), bytes.size());
 }
 
 }  // namespace
@@ -97,9 +133,9 @@ double median(std::vector<double> values) {
 
 Timing time_on_device(Executor& executor, const Scene& scene, const PixelSet& pixels, const TimingRules& rules,
                       TableTimes& tables) {
-  const Sky sky = sky_of(scene);
+  Sky sky = sky_of(scene, rules.tile_bytes);
   const Clock::time_point begin = Clock::now();
-  executor.run(sky.plan);
+  run(executor, sky);
   const double first_ms = ms_since(begin);
 
   Timing timing;
@@ -107,26 +143,35 @@ Timing time_on_device(Executor& executor, const Scene& scene, const PixelSet& pi
   std::vector<double> device;
   std::vector<double> wall;
   double spent_s = 0.0;
+  std::vector<float> rgba;
   const auto enough = [&] {
     const auto runs = static_cast<int>(wall.size());
     const int fewest = !wall.empty() && wall.front() > 1e3 * rules.long_s ? 1 : rules.fewest_runs;
     return runs >= rules.most_runs || (runs >= fewest && spent_s >= rules.enough_s);
   };
   while (!enough()) {
+    if (sky.plans.size() > 1) {
+      sky = sky_of(scene, rules.tile_bytes);  // a picture of its own
+    }
     const double cpu_before = process_cpu_ms();
     const Clock::time_point start = Clock::now();
-    const RunResult result = executor.run(sky.plan);
+    const std::vector<RunResult> results = run(executor, sky);
     wall.push_back(ms_since(start));
     cpu.push_back(process_cpu_ms() - cpu_before);
-    device.push_back(milliseconds_of(result, sky, false));
+    device.push_back(milliseconds_of(results, sky, false));
     spent_s += 1e-3 * wall.back();
-    if (enough()) {
-      const std::span<const std::byte> bytes = result.contents(sky.radiance);
-      std::vector<float> rgba(bytes.size() / sizeof(float));
-      std::memcpy(rgba.data(), bytes.data(), bytes.size());
-      timing.pixels = values_at(rgba, pixels);
+    if (enough() && sky.plans.size() == 1) {
+      append(rgba, results.front().contents(sky.radiance.front()));
     }
   }
+  if (sky.plans.size() > 1) {
+    // What a run leaves is there until the next: once more, each tile taken before the next one runs.
+    sky = sky_of(scene, rules.tile_bytes);
+    for (std::size_t i = 0; i < sky.plans.size(); ++i) {
+      append(rgba, executor.run(sky.plans[i]).contents(sky.radiance[i]));
+    }
+  }
+  timing.pixels = values_at(rgba, pixels);
   timing.runs = static_cast<int>(wall.size());
   timing.cpu_ms = median(cpu);
   timing.device_ms = median(device);
@@ -134,7 +179,7 @@ Timing time_on_device(Executor& executor, const Scene& scene, const PixelSet& pi
   timing.first_ms = std::max(0.0, first_ms - timing.wall_ms);
   if (!sky.table_passes.empty()) {
     const auto known = tables.find(sky.table_keys);
-    timing.tables_ms = known != tables.end() ? known->second : time_tables(executor, scene);
+    timing.tables_ms = known != tables.end() ? known->second : time_tables(executor, scene, rules.tile_bytes);
     tables[sky.table_keys] = timing.tables_ms;
   }
   return timing;

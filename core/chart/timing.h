@@ -7,6 +7,7 @@
 
 #include "core/chart/pixels.h"
 #include "core/gpu/executor.h"
+#include "core/render/tiled.h"
 #include "core/scene/scene.h"
 
 namespace airlight::chart {
@@ -16,6 +17,7 @@ struct TimingRules {
   int fewest_runs = 3;    // but one where a picture takes longer than `long_s`
   double enough_s = 0.4;  // of timed runs
   double long_s = 1.0;
+  std::size_t tile_bytes = kTileBytes;  // a picture with more is rendered in tiles of whole rows
 };
 
 struct Timing {
