@@ -1,6 +1,7 @@
 #include "app/cli/sampling_options.h"
 
 #include "app/cli/choice_options.h"
+#include "app/cli/interruption.h"
 #include "app/cli/progress.h"
 #include "core/output/atomic_file.h"
 #include "core/scene/json_format.h"
@@ -56,6 +57,9 @@ HostOptions host_options(const SamplingOptions& options, bool quiet) {
   }
   if (!quiet) {
     host.report = terminal_progress();
+  }
+  if (!options.checkpoint.empty()) {
+    host.report = [shown = host.report](double done) { return (!shown || shown(done)) && Interruption::signal() == 0; };
   }
   return host;
 }

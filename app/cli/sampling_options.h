@@ -26,8 +26,8 @@ std::vector<Option> sampling_options(SamplingOptions& options);
 // `samples`: the preset's method samples, so a time limit is its own. Throws InputError when that is no time.
 std::vector<Override> overrides(const SamplingOptions& options, bool samples);
 
-// How the method runs: its checkpoint, and a line on the terminal that tells how far it is unless `quiet`. Throws
-// InputError when the checkpoint cannot be written.
+// How the method runs: its checkpoint, with which it stops at an Interruption, and a line on the terminal that tells
+// how far it is unless `quiet`. Throws InputError when the checkpoint cannot be written.
 HostOptions host_options(const SamplingOptions& options, bool quiet);
 
 }  // namespace airlight::cli

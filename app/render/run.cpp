@@ -1,11 +1,12 @@
 #include "app/render/run.h"
 
-#include <filesystem>
+#include <functional>
 #include <memory>
 #include <utility>
 
 #include "app/cli/choice_options.h"
 #include "app/cli/frame_scene.h"
+#include "app/cli/interruption.h"
 #include "app/cli/preset_source.h"
 #include "app/cli/progress.h"
 #include "app/cli/stopwatch.h"
@@ -16,6 +17,7 @@
 #include "app/render/publish.h"
 #include "app/render/report.h"
 #include "app/render/table_files.h"
+#include "app/render/targets.h"
 #include "app/render/tiled_picture.h"
 #include "app/render/validity.h"
 #include "core/error.h"
@@ -27,49 +29,6 @@
 
 namespace airlight::cli {
 namespace {
-
-namespace fs = std::filesystem;
-
-constexpr const char* kDefaultFolder = "out";
-
-Targets choose_targets(const RenderOrder& given) {
-  if (given.exr || given.png) {
-    const PictureNames names = picture_names(given.exr, given.png, given.json, "render");
-    return {names.exr.value_or(""), names.png.value_or(""), given.tables.value_or("")};
-  }
-  const fs::path name = fs::path(kDefaultFolder) / picture_name(given.scene.preset);
-  return {name.string() + ".exr", name.string() + ".png", given.tables.value_or("")};
-}
-
-// Everything that can be known to fail is said before anything is rendered.
-void check_targets(const RenderOrder& given, const Targets& targets) {
-  if (!given.exr && !given.png) {
-    make_folder(kDefaultFolder);
-  }
-  if (!targets.exr.empty()) {
-    require_ending(targets.exr, "render: -o", ".exr");
-    require_writable(targets.exr);
-  }
-  if (!targets.png.empty()) {
-    require_ending(targets.png, "render: --png", ".png");
-    require_writable(targets.png);
-  }
-  if (!targets.tables.empty()) {
-    require_folder(targets.tables);
-  }
-  if (given.irradiance) {
-    require_ending(*given.irradiance, "render: --irradiance", ".exr");
-    require_writable(*given.irradiance);
-    require_writable(lighting_json_file(*given.irradiance));
-    std::error_code ignored;
-    if (fs::equivalent(lighting_json_file(*given.irradiance), given.scene.preset, ignored)) {
-      throw InputError("render: --irradiance: '" + given.scene.preset + "' would be written over; give another name");
-    }
-    if (*given.irradiance == targets.exr) {
-      throw InputError("render: --irradiance: '" + targets.exr + "' is where -o writes; give a name of its own");
-    }
-  }
-}
 
 bool samples(const Scene& scene) {
   return find_method(scene.render.method)->render_on_host != nullptr;
@@ -295,14 +254,17 @@ void tell_undone(const RenderOrder& given, const Rendering& rendering) {
   }
 }
 
-// From a checked scene to files on disk.
-void render_and_publish(const Means& means, const Scene& scene) {
+// From a checked scene to files on disk. False: it was interrupted, and its samples are kept.
+bool render_and_publish(const Means& means, const Scene& scene) {
   const RenderOrder& given = means.given;
   RenderRequest request = request_of(scene, means.targets);
   request.layers = given.picture.layers;
   request.host = host_options(given.sampling, given.quiet);
   Rendering rendering = render(device_on_demand(given.scene, means.executor), scene, request);
   clear_progress();
+  if (Interruption::signal() != 0) {
+    return false;
+  }
   means.watch.lap("render");
   tell_undone(given, rendering);
   if (means.choice) {
@@ -324,6 +286,7 @@ void render_and_publish(const Means& means, const Scene& scene) {
   RenderReport report{scene,    rendering, plan, device_of(means), done.files,
                       done.exr, {},        {},   means.choice,     means.watch};
   tell(means, report, depth);
+  return true;
 }
 
 // All of the picture, or the faces that it is cut into.
@@ -339,10 +302,12 @@ std::vector<TiledPart> parts_of(const Means& means, const Scene& scene) {
   return parts;
 }
 
-void render_in_tiles(const Means& means, const Scene& scene, const ImageSize& tile) {
+bool render_in_tiles(const Means& means, const Scene& scene, const ImageSize& tile) {
   const RenderOrder& given = means.given;
   const DeviceOnDemand device = device_on_demand(given.scene, means.executor);
-  device();  // its name stands in the header, before the first tile
+  if (!samples(scene)) {
+    device();  // its name stands in the header, before the first tile
+  }
   const bool is_asked = given.picture.full_float || given.picture.half_float || means.targets.exr.empty();
   const ExrDepth depth = exr_depth(given.picture, is_asked ? Rendering{} : metered_picture(device, scene));
   TiledOrder order{.tile = tile,
@@ -364,6 +329,7 @@ void render_in_tiles(const Means& means, const Scene& scene, const ImageSize& ti
     context.left_out = left_out;
     return context;
   };
+  order.dropped = [] { return Interruption::signal() != 0; };
   std::optional<Lighting> lighting;
   if (given.irradiance) {
     lighting = lighting_of(device, scene, order.request.host);
@@ -372,6 +338,9 @@ void render_in_tiles(const Means& means, const Scene& scene, const ImageSize& ti
   }
   TiledPicture done = write_tiled(device, scene, order);
   clear_progress();
+  if (Interruption::signal() != 0) {
+    return false;
+  }
   means.watch.lap("render");
   require_valid_vulkan();
   tell_undone(given, done.rendering);
@@ -385,6 +354,7 @@ void render_in_tiles(const Means& means, const Scene& scene, const ImageSize& ti
   }
   report.tile = tile;
   tell(means, report, depth);
+  return true;
 }
 
 // The tile of a picture that is rendered in tiles. Throws InputError for layers and tiles that cannot be had.
@@ -402,6 +372,27 @@ void warn(const Scene& scene, const Targets& targets, const std::optional<Displa
       complain("warning: " + warning);
     }
   }
+}
+
+// Ctrl-C leaves the checkpoint with all samples taken so far, and no picture. The exit code, as a shell says it.
+int interruptible(const RenderOrder& given, const std::function<bool()>& publish_all) {
+  const Interruption interruption;
+  bool whole = false;
+  try {
+    whole = publish_all();
+  } catch (const RunError&) {
+    clear_progress();
+    if (Interruption::signal() == 0) {
+      throw;  // no sampling that was stopped
+    }
+  }
+  if (whole) {
+    return 0;
+  }
+  const int signal = Interruption::signal();
+  complain("stopped by " + Interruption::name(signal) + ": no picture was written; " + given.sampling.checkpoint +
+           " keeps the samples so far, and the same command goes on from there");
+  return 128 + signal;
 }
 
 }  // namespace
@@ -445,12 +436,10 @@ int run_render(const RenderOrder& given) {
   remove_half_written(targets);
   scene = with_held_exposure(given, std::move(scene), device_on_demand(given.scene, executor));
   const Means means{given, targets, transform, choice, executor, watch};
-  if (tile) {
-    render_in_tiles(means, scene, *tile);
-  } else {
-    render_and_publish(means, scene);
-  }
-  return 0;
+  const auto publish_all = [&] {
+    return tile ? render_in_tiles(means, scene, *tile) : render_and_publish(means, scene);
+  };
+  return given.sampling.checkpoint.empty() ? (publish_all(), 0) : interruptible(given, publish_all);
 }
 
 }  // namespace airlight::cli

@@ -234,6 +234,33 @@ TEST_F(Cli, SamplingStopsAndGoesOnFromACheckpoint) {
   EXPECT_TRUE(contains(not_sampling.err, "/render/samples")) << not_sampling.err;
 }
 
+// Whenever it comes, the checkpoint stays, and the next run ends with the picture of a run that nobody stopped.
+TEST_F(Cli, SamplingThatIsInterruptedKeepsItsSamples) {
+  const Names command = {"render",    "sky.json", "-q",           "--size", "48x27", "--method", "path-trace",
+                         "--samples", "128",      "--checkpoint", "state",  "-o",    "sky.exr"};
+  Start start;
+  start.kill_at_file = "state";
+  start.kill_signal = SIGINT;
+  const Outcome stopped = tool(command, start);
+  ASSERT_EQ(stopped.exit_code, 128 + SIGINT) << stopped.err;
+  EXPECT_TRUE(contains(stopped.err, "stopped by SIGINT: no picture was written; state keeps the samples so far"))
+      << stopped.err;
+  EXPECT_EQ(scratch_.files(), (Names{"sky.json", "state"}));
+  EXPECT_EQ(tool(command).exit_code, 0);
+  const std::string rest = scratch_.read("sky.exr");
+  std::filesystem::remove(scratch_.path() / "state");
+  EXPECT_EQ(tool(command).exit_code, 0);
+  EXPECT_EQ(scratch_.read("sky.exr"), rest);
+}
+
+TEST_F(Cli, SamplingSaysWhereATimeLimitCouldNotBeKept) {
+  const Outcome outcome =
+      tool({"render", "sky.json", "--size", "32x18", "--method", "path-trace", "--time-limit", "1ms", "-o", "sky.exr"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "warning: the time limit of 0.001 s was passed: the first 32 samples"))
+      << outcome.err;
+}
+
 TEST_F(Cli, LutsWritesEveryTableTwice) {
   const Outcome outcome = tool({"luts", "sky.json", "--method", "march", "-o", "tables"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;

@@ -32,7 +32,7 @@ const std::array<ParameterInfo, 5> kParameters{{
      kNoLimit,
      0.0,
      {},
-     "stop after so many seconds, the first 32 samples of each pixel taken; 0: no limit"},
+     "stop after so many seconds, but not before the first 32 samples of each pixel; 0: no limit"},
     {"target_error",
      ParameterKind::number,
      0,
@@ -140,6 +140,9 @@ HostPicture render(const Scene& scene, const Air& air, const View& view, const H
     set_pixel(picture.standard_error, targets.ids[k], sampling.standard_error(k) * irradiance);
   }
   picture.samples = sampling.fewest_batches() * kBatch;
+  if (const std::string overrun = sampling.overrun(); !overrun.empty()) {
+    picture.notes.push_back(overrun);
+  }
   if (tracer.cut_paths() > 0) {
     picture.notes.push_back(std::to_string(tracer.cut_paths()) + " paths were ended after " +
                             std::to_string(Walk::kMostScatterings) +

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "core/error.h"
+#include "core/scene/json_format.h"
 
 namespace airlight {
 
@@ -60,6 +61,9 @@ void Sampling::run() {
     if (keeps && keep_is_due()) {
       keep();
     }
+    if (first_batches_s_ == 0.0 && all_at(kFewest)) {
+      first_batches_s_ = seconds();
+    }
     error_ = relative_error();
   } while (!stop_ && !enough());
   if (keeps) {
@@ -70,6 +74,16 @@ void Sampling::run() {
                    " samples: there is no picture yet" +
                    (keeps ? "; run again with " + options_.checkpoint + " to go on" : "; give it more time"));
   }
+}
+
+std::string Sampling::overrun() const {
+  constexpr double kTold = 1.5;
+  if (rules_.time_limit_s == 0.0 || first_batches_s_ < kTold * rules_.time_limit_s) {
+    return {};
+  }
+  return "the time limit of " + format_number(rules_.time_limit_s) + " s was passed: the first " +
+         std::to_string(kFewest * kBatch) + " samples of each pixel, without which there is no picture, took " +
+         format_number(std::ceil(first_batches_s_)) + " s; a smaller picture keeps it";
 }
 
 void Sampling::keep() {
@@ -152,9 +166,13 @@ void Sampling::work(std::uint64_t goal) {
 double Sampling::fraction_done(std::uint64_t from, std::uint64_t goal) const {
   const double share =
       std::min(1.0, static_cast<double>(next_) / static_cast<double>(std::max<std::size_t>(1, pixels_.size())));
-  double done = tracer_.has_higher_orders() ? 0.0 : share;
+  if (!tracer_.has_higher_orders()) {
+    return share;
+  }
+  const double batches = static_cast<double>(from) + static_cast<double>(goal - from) * share;
+  double done = 0.0;
   if (rules_.batches > 0) {
-    done = (static_cast<double>(from) + static_cast<double>(goal - from) * share) / static_cast<double>(rules_.batches);
+    done = batches / static_cast<double>(rules_.batches);
   }
   if (rules_.time_limit_s > 0.0) {
     done = std::max(done, seconds() / rules_.time_limit_s);
@@ -162,7 +180,8 @@ double Sampling::fraction_done(std::uint64_t from, std::uint64_t goal) const {
   if (rules_.target_error > 0.0 && error_ > 0.0) {
     done = std::max(done, rules_.target_error * rules_.target_error / (error_ * error_));
   }
-  return std::min(done, 1.0);
+  // Whatever stops it, each pixel's first batches are taken.
+  return std::min({done, batches / static_cast<double>(kFewest), 1.0});
 }
 
 // Between glances of the main thread: who wants the workers back?

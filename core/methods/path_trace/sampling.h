@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/methods/method.h"
@@ -48,6 +49,9 @@ class Sampling {
 
   std::uint64_t fewest_batches() const;
 
+  // A line that tells by how much the time limit could not be kept; empty: it was, or there is none.
+  std::string overrun() const;
+
  private:
   using Clock = std::chrono::steady_clock;
 
@@ -74,6 +78,7 @@ class Sampling {
   std::atomic<std::size_t> next_ = 0;  // the pixel that a worker takes up next
   std::atomic<bool> pause_ = false;    // workers finish their batch and come home
   bool stop_ = false;                  // the listener, or the time limit
+  double first_batches_s_ = 0.0;       // what every pixel's first ones took; 0: not yet known
   double error_ = 0.0;                 // when all pixels last met; 0: not known
 };
 
