@@ -213,6 +213,22 @@ TEST(PathTraceRun, ReportsRisingFractionsUpToOne) {
   EXPECT_GT(last, 0.8);
 }
 
+// A time limit that is over at once does not end the first samples, and progress says so.
+TEST(PathTraceRun, ReportsTheFirstSamplesWhateverTheTimeLimit) {
+  Scene scene = earth(40, 0.001, 0.3);
+  set(scene, "time_limit_s", 1e-9);
+  std::vector<double> reports;
+  const HostPicture picture = trace(scene, View{}, {.report = [&](double done) {
+                                      reports.push_back(done);
+                                      return true;
+                                    }});
+  ASSERT_FALSE(reports.empty());
+  EXPECT_EQ(reports.front(), 0.0);
+  ASSERT_EQ(picture.notes.size(), 1U);
+  EXPECT_EQ(picture.notes.front().rfind("the time limit of 1e-9 s was passed: the first 32 samples", 0), 0U)
+      << picture.notes.front();
+}
+
 TEST(PathTraceRun, RoundsSamplesUpToBatches) {
   Scene scene = earth(40, 0.001);
   set(scene, "samples", 33);
