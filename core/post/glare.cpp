@@ -56,17 +56,6 @@ GlarePoint sum_of(const std::vector<GlarePoint>& sources) {
   return all;
 }
 
-// The sum of the points first.
-std::vector<GlarePoint> glare_points(const Scene& scene, const Air& air) {
-  std::vector<GlarePoint> points = disc_sources(scene, air);
-  GlarePoint all = sum_of(points);
-  const double length = physics::length(all.direction);
-  all.direction = length > 0.0 ? all.direction * (1.0 / length) : points.front().direction;
-  all.far = kFar * scene.sun.disc.angular_radius;
-  points.insert(points.begin(), all);
-  return points;
-}
-
 // As the device reads it.
 std::array<float, 8> packed(const GlarePoint& point) {
   const auto f = [](double x) { return static_cast<float>(x); };
@@ -87,9 +76,19 @@ bool sun_glares(const Scene& scene, const Air& air) {
   return !is_behind && light.x + light.y + light.z > 0.0;
 }
 
-GlareSources add_glare_sources(Plan& plan, const Scene& scene, const Air& air) {
+std::vector<GlarePoint> glare_points(const Scene& scene, const Air& air) {
+  std::vector<GlarePoint> points = disc_sources(scene, air);
+  GlarePoint all = sum_of(points);
+  const double length = physics::length(all.direction);
+  all.direction = length > 0.0 ? all.direction * (1.0 / length) : points.front().direction;
+  all.far = kFar * scene.sun.disc.angular_radius;
+  points.insert(points.begin(), all);
+  return points;
+}
+
+GlareSources add_glare_sources(Plan& plan, const std::vector<GlarePoint>& all) {
   std::vector<std::array<float, 8>> points;
-  for (const GlarePoint& point : glare_points(scene, air)) {
+  for (const GlarePoint& point : all) {
     points.push_back(packed(point));
   }
   std::vector<std::byte> contents(points.size() * sizeof points.front());
@@ -99,9 +98,9 @@ GlareSources add_glare_sources(Plan& plan, const Scene& scene, const Air& air) {
           static_cast<std::uint32_t>(points.size())};
 }
 
-RadianceImage glare_picture(const Scene& scene, const Air& air, const Tile& tile) {
+RadianceImage glare_picture(const Scene& scene, const std::vector<GlarePoint>& points, const Tile& tile) {
   physics::Physics p = geometry_of(scene);
-  p.glare_points = glare_points(scene, air);
+  p.glare_points = points;
   const auto count = static_cast<physics::uint>(p.glare_points.size());
   const physics::uint projection = projection_code(scene.camera.projection);
   const double blur = glare_pixel_blur(scene);

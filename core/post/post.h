@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/air/air.h"
+#include "core/physics/physics.h"
 #include "core/plan/plan.h"
 #include "core/scene/scene.h"
 
@@ -67,13 +68,17 @@ bool bloom_glows(const Scene& scene, const Air& air, const Statistics& statistic
 // Why there is none, for people.
 std::string no_bloom(const Scene& scene);
 
-// Points of the sun's disc as the camera sees them through the air, for the glare around them (physics/glare.glsl).
+// Points of the sun's disc as the camera sees them through the air, the sum of them all first, for the glare around
+// them (physics/glare.glsl).
+std::vector<physics::GlarePoint> glare_points(const Scene& scene, const Air& air);
+
+// The same on the device.
 struct GlareSources {
   BufferId points;
   std::uint32_t count = 0;
 };
 
-GlareSources add_glare_sources(Plan& plan, const Scene& scene, const Air& air);
+GlareSources add_glare_sources(Plan& plan, const std::vector<physics::GlarePoint>& points);
 
 // Whether any light of the disc comes past the planet to the camera, from before it.
 bool sun_glares(const Scene& scene, const Air& air);

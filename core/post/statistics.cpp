@@ -3,7 +3,25 @@
 #include <cstring>
 #include <limits>
 
+#include "core/physics/vector.h"
+#include "core/post/host_post.h"
 #include "core/post/post.h"
+
+// The passes' text on double.
+namespace airlight::physics::row_statistics {
+namespace {
+
+#include "shaders/shared/statistics.h"
+
+bool is_finite(real x) {
+  return std::isfinite(x);
+}
+
+#include "shaders/post/luminance.glsl"
+#include "shaders/post/row_statistics.glsl"
+
+}  // namespace
+}  // namespace airlight::physics::row_statistics
 
 namespace airlight {
 namespace {
@@ -75,6 +93,29 @@ Statistics summarize(std::span<const std::byte> rows, std::uint32_t width) {
   }
   all.metered_luminance = weight > 0.0 ? std::exp(log_sum / weight) : 0.0;
   return all;
+}
+
+std::vector<std::byte> row_statistics_of(const RadianceImage& rows, double brightest, bool signed_colours) {
+  namespace host = physics::row_statistics;
+  std::vector<std::byte> bytes(static_cast<std::size_t>(rows.height) * sizeof(RowStatistics));
+  for (int y = 0; y < rows.height; ++y) {
+    host::RowStatistics sum = host::empty_statistics(static_cast<physics::uint>(rows.width));
+    for (int x = 0; x < rows.width; ++x) {
+      const float* pixel = rows.at(x, y);
+      const auto channel = [&](int c) { return static_cast<double>(pixel[c]); };
+      sum = host::with_texel(sum, {channel(0), channel(1), channel(2)}, channel(3), static_cast<physics::uint>(x),
+                             brightest, signed_colours);
+    }
+    const RowStatistics row{static_cast<float>(sum.weight),
+                            static_cast<float>(sum.log_luminance_sum),
+                            static_cast<float>(sum.max_luminance),
+                            sum.not_finite,
+                            sum.negative,
+                            sum.outside,
+                            sum.first_bad};
+    std::memcpy(bytes.data() + static_cast<std::size_t>(y) * sizeof row, &row, sizeof row);
+  }
+  return bytes;
 }
 
 bool bloom_glows(const Scene& scene, const Air& air, const Statistics& statistics, double exposure) {

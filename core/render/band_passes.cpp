@@ -13,8 +13,8 @@ BandPasses::BandPasses(Plan& plan, const Scene& scene, const Picture& band, cons
     sums_ = work.gathering->add_band(plan, band);
   }
   std::optional<Glow> glow;
-  if (work.glare_through != nullptr && (work.bloom_picture || work.gpu_tone)) {
-    glow = add_glare_sources(plan, scene, *work.glare_through);
+  if (work.glare != nullptr && (work.bloom_picture || work.gpu_tone)) {
+    glow = add_glare_sources(plan, *work.glare);
   } else if (!work.chain.empty() && (work.bloom_picture || work.gpu_tone)) {
     glow = add_kept_bloom(plan, scene, work.chain);
   }

@@ -15,8 +15,8 @@ struct BandWork {
   bool statistics = false;
   BloomGathering* gathering = nullptr;  // add the band to it
   std::string chain;                    // the key of the picture's bloom chain; empty: there is none
-  const Air* glare_through = nullptr;   // the sun glares, and shines through this air
-  bool bloom_picture = false;           // read bloom back
+  const std::vector<physics::GlarePoint>* glare = nullptr;  // the sun glares
+  bool bloom_picture = false;                               // read bloom back
   bool gpu_tone = false;
   double exposure = 1.0;
 };

@@ -11,12 +11,14 @@ namespace airlight {
 namespace {
 
 constexpr double kMostPixels = 65536.0;
+constexpr double kMostSampledPixels = 2304.0;  // of a method that samples, a few each
+constexpr int kSamples = 32;
 
 // Of the same shape. A map that is cut stays a multiple of its layout.
-ImageSize metered_size(const Scene& scene) {
+ImageSize metered_size(const Scene& scene, double most_pixels) {
   const ImageSize& image = scene.image;
   const double smaller =
-      std::min(1.0, std::sqrt(kMostPixels / (static_cast<double>(image.width) * static_cast<double>(image.height))));
+      std::min(1.0, std::sqrt(most_pixels / (static_cast<double>(image.width) * static_cast<double>(image.height))));
   if (is_cut(scene.camera.projection)) {
     const int whole = std::gcd(image.width, image.height);
     const int part = std::max(1, static_cast<int>(whole * smaller));
@@ -25,11 +27,11 @@ ImageSize metered_size(const Scene& scene) {
   return {std::max(1, static_cast<int>(image.width * smaller)), std::max(1, static_cast<int>(image.height * smaller))};
 }
 
-RenderSettings default_orders() {
-  RenderSettings settings{.method = "orders", .parameters = {}};
-  for (const ParameterInfo& parameter : find_method(settings.method)->info.parameters) {
-    settings.parameters.emplace(parameter.key, parameter.default_value);
-  }
+// The method that samples, of few samples: no limit of its own makes the exposure wait.
+RenderSettings few_samples(RenderSettings settings) {
+  settings.parameters["samples"] = kSamples;
+  settings.parameters["time_limit_s"] = 0.0;
+  settings.parameters["target_error"] = 0.0;
   return settings;
 }
 
@@ -49,10 +51,11 @@ Scene by_day(const Scene& scene) {
 
 Rendering metered_picture(const DeviceOnDemand& device, const Scene& scene) {
   Scene small = scene;
-  small.image = metered_size(scene);
+  const bool samples = find_method(scene.render.method)->render_on_host != nullptr;
+  small.image = metered_size(scene, samples ? kMostSampledPixels : kMostPixels);
   small.display = {};
-  if (find_method(scene.render.method)->render_on_host != nullptr) {
-    small.render = default_orders();
+  if (samples) {
+    small.render = few_samples(scene.render);
   }
   Rendering rendering = render(device, small, {});
   if (const std::string fault = rendering.fault(); !fault.empty()) {

@@ -8,8 +8,8 @@ namespace airlight {
 // The scene by the light of a midday: the sun 45 degrees high at the camera's back.
 Scene by_day(const Scene& scene);
 
-// The scene's picture, automatically exposed: of more than 65 536 pixels a smaller one; by `orders` where its method
-// would sample on the host. Throws RunError where it is at fault.
+// The scene's picture, automatically exposed: of more than 65 536 pixels a smaller one; of a method that samples one
+// of 2304 pixels with 32 samples each. Throws RunError where it is at fault.
 Rendering metered_picture(const DeviceOnDemand& device, const Scene& scene);
 
 // The exposure of that picture, without compensation, to four digits, so that devices agree on it.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/methods/scene_air.h"
+#include "core/post/host_post.h"
 #include "core/render/sky.h"
 #include "core/render/timings.h"
 
@@ -32,9 +33,9 @@ const SkyMethod& method_of(const Scene& scene) {
   return *method;
 }
 
-void note_disc(Frame& frame, bool shines) {
+void note_disc(std::vector<std::string>& left_out, bool shines) {
   if (!shines) {
-    frame.left_out.push_back("sun disc: switched off, outside the picture or behind the planet");
+    left_out.push_back("sun disc: switched off, outside the picture or behind the planet");
   }
 }
 
@@ -44,7 +45,7 @@ Frame sky_frame(const Scene& scene, const RenderRequest& request) {
   const Sky sky = add_sky(frame.plan, scene, View{}, true);
   frame.picture = picture_of(scene, sky.radiance);
   frame.tables = sky.tables;
-  note_disc(frame, sky.disc);
+  note_disc(frame.left_out, sky.disc);
   for (const ImageId table : sky.tables) {
     frame.table_rows.push_back(add_table_statistics(frame.plan, table));
     if (request.tables) {
@@ -55,24 +56,19 @@ Frame sky_frame(const Scene& scene, const RenderRequest& request) {
   return frame;
 }
 
-// Uploads what a method rendered on the host, so that the passes after it are the same. Nothing, in a plan that is only
-// looked at.
-Frame host_frame(const Scene& scene, const RadianceImage& radiance) {
-  Frame frame;
-  frame.plan.scene_data = device_scene_bytes(air_of(scene), scene);
+// A picture of the host's, for passes that read it. No contents, in a plan that is only looked at.
+BufferDesc uploaded(const Scene& scene, const RadianceImage& radiance) {
   std::vector<std::byte> bytes(radiance.rgba.size() * sizeof(float));
   if (!bytes.empty()) {
     std::memcpy(bytes.data(), radiance.rgba.data(), bytes.size());
   }
   const std::size_t size =
       4 * sizeof(float) * static_cast<std::size_t>(scene.image.width) * static_cast<std::size_t>(scene.image.height);
-  frame.picture = picture_of(
-      scene, frame.plan.add_buffer(
-                 {.name = "radiance", .bytes = size, .host_readable = true, .contents = std::move(bytes), .key = {}}));
-  note_disc(frame,
-            add_disc_over(frame.plan, scene, frame.picture.buffer, {0, 0, scene.image.width, scene.image.height}));
-  frame.rows = add_picture_statistics(frame.plan, frame.picture, brightest_metered(scene), scene.spectra.has_value());
-  return frame;
+  return {.name = "radiance", .bytes = size, .host_readable = true, .contents = std::move(bytes), .key = {}};
+}
+
+Tile whole_picture(const Scene& scene) {
+  return {0, 0, scene.image.width, scene.image.height};
 }
 
 struct PostFrame {
@@ -81,18 +77,18 @@ struct PostFrame {
   std::optional<BufferId> encoded;
 };
 
-Glow add_glow(Plan& plan, const Scene& scene, const Air& air, const Picture& picture, double exposure) {
+Glow add_glow(Plan& plan, const Scene& scene, const Picture& picture, double exposure) {
   if (scene.bloom.model == BloomModel::glare) {
-    return add_glare_sources(plan, scene, air);
+    return add_glare_sources(plan, glare_points_of(scene));
   }
   return add_bloom(plan, scene, add_bloom_base(plan, scene, picture), exposure);
 }
 
-void add_post(PostFrame& post, const Scene& scene, const Air& air, const Picture& picture, const RenderRequest& request,
-              bool glows, double exposure) {
+void add_post(PostFrame& post, const Scene& scene, const Picture& picture, const RenderRequest& request, bool glows,
+              double exposure) {
   std::optional<Glow> glow;
   if (glows && (request.bloom_picture || request.gpu_tone)) {
-    glow = add_glow(post.plan, scene, air, picture, exposure);
+    glow = add_glow(post.plan, scene, picture, exposure);
   }
   if (glow && request.bloom_picture) {
     post.bloom = add_glow_picture(post.plan, scene, picture, *glow);
@@ -122,28 +118,24 @@ void take_tables(Rendering& out, const Frame& frame, const RunResult& result) {
   }
 }
 
-// Bloom and tone curve of the picture that the first plan left on the device.
-void run_post(Executor& executor, const Scene& scene, const Air& air, const RenderRequest& request, const Plan& first,
-              const Picture& picture, Rendering& out) {
+// Whether there is bloom to see in the picture.
+bool wanted_bloom_glows(const Scene& scene, const RenderRequest& request, Rendering& out) {
   const bool wants_bloom = request.bloom && scene.bloom.enabled;
-  const bool glows = wants_bloom && bloom_glows(scene, air, out.picture, out.exposure);
+  const bool glows = wants_bloom && bloom_glows(scene, air_of(scene), out.picture, out.exposure);
   if (wants_bloom && !glows) {
     out.left_out.push_back(no_bloom(scene));
   }
-  if (!glows && !request.gpu_tone) {
-    return;
-  }
+  return glows;
+}
+
+// Bloom and tone curve of the picture, which an earlier plan has left on the device under the buffer's key, or which
+// the buffer brings.
+void run_post(Executor& executor, const Scene& scene, const RenderRequest& request, BufferDesc buffer, bool glows,
+              Rendering& out) {
   PostFrame post;
-  post.plan.scene_data = device_scene_bytes(air, scene);
-  BufferDesc carried = first.buffers()[picture.buffer.index];
-  const bool kept = !carried.key.empty();
-  if (kept) {
-    carried.contents.clear();
-  } else {
-    std::memcpy(carried.contents.data(), out.radiance.rgba.data(), carried.contents.size());  // with the disc
-  }
-  const Picture again = picture_of(scene, post.plan.add_buffer(std::move(carried)));
-  add_post(post, scene, air, again, request, glows, out.exposure);
+  post.plan.scene_data = device_scene_bytes(air_of(scene), scene);
+  const Picture picture = picture_of(scene, post.plan.add_buffer(std::move(buffer)));
+  add_post(post, scene, picture, request, glows, out.exposure);
   RunResult result = executor.run(post.plan);
   Timings{out.passes, out.host}.add(result);
   if (post.bloom) {
@@ -192,43 +184,86 @@ std::string Rendering::fault() const {
   return {};
 }
 
-Rendering render(const DeviceOnDemand& device, const Scene& scene, const RenderRequest& request) {
+namespace {
+
+Rendering render_there(Executor& executor, const Scene& scene, const RenderRequest& request) {
   Rendering out;
-  const SkyMethod& method = method_of(scene);
-  // Opened before a method on the host begins: hours of samples must not end in a machine that lacks a device.
-  Executor& executor = device();
-  Frame frame;
-  if (method.render_on_host != nullptr) {
-    HostPicture host = render_on_host(scene, View{}, request.host);
-    frame = host_frame(scene, host.radiance);
-    out.undone = std::move(host.notes);
-    if (!host.standard_error.rgba.empty()) {
-      out.standard_error = std::move(host.standard_error);
-    }
-  } else {
-    frame = sky_frame(scene, request);
-  }
-  // A method on the host has reported its own work.
-  RunResult result = executor.run(frame.plan, method.render_on_host ? nullptr : request.host.report);
+  Frame frame = sky_frame(scene, request);
+  RunResult result = executor.run(frame.plan, request.host.report);
   Timings{out.passes, out.host}.add(result);
   take_tables(out, frame, result);
   out.left_out = std::move(frame.left_out);
   out.picture = summarize(result.contents(frame.rows), frame.picture.width);
   out.exposure = exposure_for(scene, out.picture);
   out.radiance = image_from(result.contents(frame.picture.buffer), scene.image.width, scene.image.height);
-  if (out.fault().empty()) {
-    run_post(executor, scene, air_of(scene), request, frame.plan, frame.picture, out);
-    if (request.layers) {
-      add_layers(out, executor, scene);
-    }
+  if (!out.fault().empty()) {
+    return out;
+  }
+  const bool glows = wanted_bloom_glows(scene, request, out);
+  if (glows || request.gpu_tone) {
+    BufferDesc carried = frame.plan.buffers()[frame.picture.buffer.index];
+    carried.contents.clear();
+    run_post(executor, scene, request, std::move(carried), glows, out);
+  }
+  if (request.layers) {
+    add_layers(out, executor, scene);
   }
   return out;
 }
 
+// The device is opened for a bloom chain and for the tone curve of the GPU alone.
+Rendering render_here(const DeviceOnDemand& device, const Scene& scene, const RenderRequest& request) {
+  const bool wants_chain = request.bloom && scene.bloom.enabled && scene.bloom.model == BloomModel::chain;
+  if (wants_chain || request.gpu_tone) {
+    device();  // now: hours of samples must not end in a machine that lacks one
+  }
+  Rendering out;
+  HostPicture host = render_on_host(scene, View{}, request.host);
+  out.undone = std::move(host.notes);
+  if (!host.standard_error.rgba.empty()) {
+    out.standard_error = std::move(host.standard_error);
+  }
+  out.radiance = std::move(host.radiance);
+  note_disc(out.left_out, draw_disc_over(out.radiance, scene, whole_picture(scene)));
+  const bool signed_colours = scene.spectra.has_value();
+  out.picture = summarize(row_statistics_of(out.radiance, brightest_metered(scene), signed_colours),
+                          static_cast<std::uint32_t>(scene.image.width));
+  out.exposure = exposure_for(scene, out.picture);
+  if (!out.fault().empty()) {
+    return out;
+  }
+  const bool glows = wanted_bloom_glows(scene, request, out);
+  if (request.gpu_tone || (glows && wants_chain)) {
+    run_post(device(), scene, request, uploaded(scene, out.radiance), glows, out);
+  } else if (glows) {
+    out.bloom = glare_picture(scene, glare_points_of(scene), whole_picture(scene));
+  }
+  return out;
+}
+
+}  // namespace
+
+Rendering render(const DeviceOnDemand& device, const Scene& scene, const RenderRequest& request) {
+  return method_of(scene).render_on_host != nullptr ? render_here(device, scene, request)
+                                                    : render_there(device(), scene, request);
+}
+
 Plan plan_for(const Scene& scene, const RenderRequest& request) {
-  Frame frame = method_of(scene).render_on_host != nullptr ? host_frame(scene, {}) : sky_frame(scene, request);
-  PostFrame post{std::move(frame.plan), {}, {}};
-  add_post(post, scene, air_of(scene), frame.picture, request, request.bloom && scene.bloom.enabled, 1.0);
+  Plan plan;
+  Picture picture;
+  const bool wants_bloom = request.bloom && scene.bloom.enabled;
+  if (method_of(scene).render_on_host == nullptr) {
+    Frame frame = sky_frame(scene, request);
+    plan = std::move(frame.plan);
+    picture = frame.picture;
+  } else if (request.gpu_tone || (wants_bloom && scene.bloom.model == BloomModel::chain)) {
+    plan.scene_data = device_scene_bytes(air_of(scene), scene);
+    picture = picture_of(scene, plan.add_buffer(uploaded(scene, {})));
+  } else {
+    return plan;  // nothing runs on a device
+  }
+  PostFrame post{std::move(plan), {}, {}};
+  add_post(post, scene, picture, request, wants_bloom, 1.0);
   return std::move(post.plan);
 }
 

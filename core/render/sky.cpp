@@ -9,6 +9,7 @@
 #include "core/methods/scene_air.h"
 #include "core/methods/sky_pass.h"
 #include "core/methods/spectral_sky.h"
+#include "core/post/host_post.h"
 #include "core/post/post.h"
 
 namespace airlight {
@@ -83,6 +84,13 @@ Sky add_spectral_sky(Plan& plan, const Scene& scene, const View& view, bool with
     add_sum(plan, parts[g], all.radiance, spectral.groups[g].colours, g, g == 0);
   }
   return all;
+}
+
+physics::vec3 in_colours(const physics::vec3& channels, const std::array<Rgb, 3>& colours) {
+  const auto sum = [&](std::size_t c) {
+    return colours[0][c] * channels.x + colours[1][c] * channels.y + colours[2][c] * channels.z;
+  };
+  return {sum(0), sum(1), sum(2)};
 }
 
 // Adds a group's picture, its channels as colours, to the sum.
@@ -191,25 +199,39 @@ Sky add_sky(Plan& plan, const Scene& scene, const View& view, bool with_disc) {
   return made;
 }
 
-bool add_disc_over(Plan& plan, const Scene& scene, BufferId radiance, const Tile& tile) {
+bool draw_disc_over(RadianceImage& rows, const Scene& scene, const Tile& tile) {
   if (!scene.spectra) {
-    return add_sun_disc(plan, scene, air_of(scene), std::nullopt, picture_of(radiance, tile));
+    return draw_sun_disc(rows, scene, air_of(scene), tile);
   }
   const SpectralScene spectral = spectral_scene(scene);
-  const std::size_t bytes = plan.buffers()[radiance.index].bytes;
   bool shines = false;
-  for (std::size_t g = 0; g < spectral.groups.size(); ++g) {
-    const Scene& group = spectral.groups[g].scene;
-    const Air air = air_of(group);
-    plan.begin_scene(device_scene_bytes(air, group, tile), suffix_of(g));
-    const BufferId part = plan.add_buffer({.name = "disc", .bytes = bytes});
-    shines = add_sun_disc(plan, group, air, std::nullopt, picture_of(part, tile));
-    plan.end_scene();
+  for (const WavelengthGroup& group : spectral.groups) {
+    RadianceImage part{rows.width, rows.height, std::vector<float>(rows.rgba.size())};
+    shines = draw_sun_disc(part, group.scene, air_of(group.scene), tile);
     if (shines) {
-      add_sum(plan, part, radiance, spectral.groups[g].colours, g, false);
+      add_part(rows, part, group.colours);
     }
   }
   return shines;
+}
+
+std::vector<physics::GlarePoint> glare_points_of(const Scene& scene) {
+  if (!scene.spectra) {
+    return glare_points(scene, air_of(scene));
+  }
+  const SpectralScene spectral = spectral_scene(scene);
+  std::vector<physics::GlarePoint> all;
+  for (const WavelengthGroup& group : spectral.groups) {
+    std::vector<physics::GlarePoint> points = glare_points(group.scene, air_of(group.scene));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      points[i].irradiance = in_colours(points[i].irradiance, group.colours);
+      if (all.size() == points.size()) {
+        points[i].irradiance = points[i].irradiance + all[i].irradiance;
+      }
+    }
+    all = std::move(points);
+  }
+  return all;
 }
 
 HostPicture render_on_host(const Scene& scene, const View& view, const HostOptions& options) {

@@ -2,6 +2,7 @@
 // The passes of a scene's sky, whatever its method and however many wavelengths it has.
 
 #include "core/methods/method.h"
+#include "core/physics/physics.h"
 #include "core/plan/plan.h"
 #include "core/scene/scene.h"
 
@@ -18,9 +19,11 @@ struct Sky {
 // colour of the sun's light that comes through. Fills the plan's scene data.
 Sky add_sky(Plan& plan, const Scene& scene, const View& view, bool with_disc);
 
-// The disc alone, over this much of a picture of the scene that the host has rendered. False: nothing of it can be
-// seen.
-bool add_disc_over(Plan& plan, const Scene& scene, BufferId radiance, const Tile& tile);
+// The disc alone, on the host, over this much of a picture of the scene. False: nothing of it can be seen.
+bool draw_disc_over(RadianceImage& rows, const Scene& scene, const Tile& tile);
+
+// The sources of the sun's glare, in the picture's colours.
+std::vector<physics::GlarePoint> glare_points_of(const Scene& scene);
 
 // The same sum of pictures by a host method, which has no disc.
 HostPicture render_on_host(const Scene& scene, const View& view, const HostOptions& options);

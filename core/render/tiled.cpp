@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/methods/scene_air.h"
+#include "core/post/host_post.h"
 #include "core/render/band_passes.h"
 #include "core/render/picture_key.h"
 #include "core/render/sky.h"
@@ -53,8 +54,8 @@ enum class Round { measuring, delivering };
 
 class TiledRender {
  public:
-  TiledRender(Executor& executor, const Scene& scene, const TiledRequest& request)
-      : executor_(executor),
+  TiledRender(const DeviceOnDemand& device, const Scene& scene, const TiledRequest& request)
+      : device_(device),
         scene_(scene),
         request_(request),
         air_(air_of(scene)),
@@ -75,6 +76,7 @@ class TiledRender {
   void render_band(Band& band, int rows, const BandWork& work);
   Sky add_tile(Plan& plan, const Tile& tile);
   void run_rows(Plan& plan, const Picture& rows, const BandWork& work, Band& band);
+  void take_host_rows(const Tile& rows, const BandWork& work, Band& band);
   void render_tile(Band& band, const Tile& tile);
   Picture add_upload(Plan& plan, const RadianceImage& image, int first_row, const Tile& rows) const;
   void add_layers(Band& band, int rows);
@@ -83,7 +85,7 @@ class TiledRender {
   void make_bloom();
   Statistics statistics() const { return summarize(rows_, static_cast<std::uint32_t>(scene_.image.width)); }
 
-  Executor& executor_;
+  const DeviceOnDemand& device_;
   const Scene& scene_;
   const TiledRequest& request_;
   const Air air_;
@@ -93,8 +95,8 @@ class TiledRender {
   std::vector<std::byte> rows_;  // statistics of all rows so far
   BloomGathering gathering_;
   bool two_rounds_ = false;
-  std::string chain_key_;  // of the finished chain; empty: none
-  bool glares_ = false;
+  std::string chain_key_;                   // of the finished chain; empty: none
+  std::vector<physics::GlarePoint> glare_;  // empty: none
 
   // Of the first tile's plan: the tables are made, and looked at, with it.
   struct TableReads {
@@ -107,7 +109,7 @@ class TiledRender {
 };
 
 RunResult TiledRender::run_plan(const Plan& plan) {
-  RunResult result = executor_.run(plan);
+  RunResult result = device_().run(plan);
   Timings{out_.passes, out_.host}.add(result);
   if (table_reads_) {
     take_tables(result);
@@ -177,6 +179,18 @@ void TiledRender::run_rows(Plan& plan, const Picture& rows, const BandWork& work
   rows_.insert(rows_.end(), measured.begin(), measured.end());
 }
 
+// The same without a device.
+void TiledRender::take_host_rows(const Tile& rows, const BandWork& work, Band& band) {
+  if (work.statistics) {
+    const std::vector<std::byte> measured =
+        row_statistics_of(band.rows.radiance, brightest_metered(scene_), scene_.spectra.has_value());
+    rows_.insert(rows_.end(), measured.begin(), measured.end());
+  }
+  if (work.glare != nullptr && work.bloom_picture) {
+    band.rows.bloom = glare_picture(scene_, *work.glare, rows);
+  }
+}
+
 // Sums over rows are taken of whole rows, whatever tiles they were made of: as in the picture rendered at once.
 void TiledRender::render_band(Band& band, int rows, const BandWork& work) {
   const int width = scene_.image.width;
@@ -185,10 +199,14 @@ void TiledRender::render_band(Band& band, int rows, const BandWork& work) {
                         std::vector<float>(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(rows))};
   Plan plan;
   if (!host_.radiance.rgba.empty()) {
-    plan.scene_data = device_scene_bytes(air_, scene_, whole);
-    const Picture picture = add_upload(plan, host_.radiance, band.y, whole);
-    add_disc_over(plan, scene_, picture.buffer, whole);
-    run_rows(plan, picture, work, band);
+    band.rows.radiance = rows_of(host_.radiance, band.y, rows);
+    draw_disc_over(band.rows.radiance, scene_, whole);
+    if (wants_chain() || work.gpu_tone) {
+      plan.scene_data = device_scene_bytes(air_, scene_, whole);
+      run_rows(plan, add_upload(plan, band.rows.radiance, 0, whole), work, band);
+    } else {
+      take_host_rows(whole, work, band);
+    }
   } else if (in_columns()) {
     for (int x = 0; x < width; x += request_.tile.width) {
       render_tile(band, {x, band.y, std::min(request_.tile.width, width - x), rows});
@@ -206,7 +224,7 @@ void TiledRender::add_layers(Band& band, int rows) {
   band.rows.layers = layers_of(scene_);
   for (int x = 0; x < width; x += request_.tile.width) {
     const Tile tile{x, band.y, std::min(request_.tile.width, width - x), rows};
-    put(band.rows.layers, render_layers(executor_, scene_, tile, kept_as_, {out_.passes, out_.host}), tile, width);
+    put(band.rows.layers, render_layers(device_(), scene_, tile, kept_as_, {out_.passes, out_.host}), tile, width);
   }
   for (const Layer& layer : band.rows.layers) {
     Statistics found = layer_statistics(layer, width);
@@ -235,7 +253,7 @@ void TiledRender::go_through(Round round, double from, double to) {
   work.gathering = round == Round::measuring && wants_chain() ? &gathering_ : nullptr;
   if (round == Round::delivering) {
     work.chain = chain_key_;
-    work.glare_through = glares_ ? &air_ : nullptr;
+    work.glare = glare_.empty() ? nullptr : &glare_;
     work.bloom_picture = request_.picture.bloom_picture;
     work.gpu_tone = request_.picture.gpu_tone;
     work.exposure = out_.exposure;
@@ -272,7 +290,7 @@ void TiledRender::make_bloom() {
     return;
   }
   if (!wants_chain()) {
-    glares_ = true;
+    glare_ = glare_points_of(scene_);
     return;
   }
   chain_key_ = "bloom of " + kept_as_;
@@ -358,7 +376,7 @@ Rendering rows_of(const Rendering& whole, int first, int count) {
 
 Rendering render_tiled(const DeviceOnDemand& device, const Scene& scene, const TiledRequest& request) {
   assert(request.tile.width > 0 && request.tile.height > 0);
-  return TiledRender(device(), scene, request).run();
+  return TiledRender(device, scene, request).run();
 }
 
 }  // namespace airlight

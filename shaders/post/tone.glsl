@@ -1,6 +1,6 @@
 // Tone curves: scene-linear BT.709, exposed, to display-linear 0 to 1; and the sRGB encoding.
 
-real luminance_bt709(vec3 c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
+#include "post/luminance.glsl"
 
 // A fit to the ACES reference rendering of one channel [N16].
 real tone_aces(real x) { return clamp(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0); }

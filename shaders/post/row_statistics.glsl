@@ -1,0 +1,35 @@
+// Statistics of a row, texel by texel: counts what is not finite or negative, and sums what the exposure's meter needs. A
+// texel weighs as the root of its luminance does: what is black weighs nothing, a ground 600 times darker than the sky
+// next to nothing, and the mean is as bright for a picture k times as bright.
+// Declared before: RowStatistics, luminance_bt709(), bool is_finite(real).
+
+RowStatistics empty_statistics(uint width) {
+  RowStatistics s;
+  s.weight = 0.0;
+  s.log_luminance_sum = 0.0;
+  s.max_luminance = 0.0;
+  s.not_finite = 0u;
+  s.negative = 0u;
+  s.outside = 0u;
+  s.first_bad = width;
+  return s;
+}
+
+// With the texel at column x. Alpha 0 leaves it out of the meter; what exceeds `brightest` counts as being so bright;
+// signed colours may have negative channels, but no negative luminance.
+RowStatistics with_texel(RowStatistics s, vec3 value, real alpha, uint x, real brightest, bool signed_colours) {
+  bool finite = is_finite(value.x) && is_finite(value.y) && is_finite(value.z);
+  bool below = finite && (value.x < 0.0 || value.y < 0.0 || value.z < 0.0);
+  real luminance = finite ? luminance_bt709(value) : 0.0;
+  real metered = clamp(luminance, 1e-37, brightest);
+  real weight = luminance > 0.0 && alpha > 0.0 ? sqrt(metered) : 0.0;
+  bool negative = signed_colours ? luminance < 0.0 : below;
+  s.weight += weight;
+  s.log_luminance_sum += weight * log(metered);
+  s.max_luminance = max(s.max_luminance, luminance);
+  s.not_finite += finite ? 0u : 1u;
+  s.negative += negative ? 1u : 0u;
+  s.outside += below && signed_colours ? 1u : 0u;
+  s.first_bad = !finite || negative ? min(s.first_bad, x) : s.first_bad;
+  return s;
+}
