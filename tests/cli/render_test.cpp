@@ -234,6 +234,33 @@ TEST_F(Cli, SamplingStopsAndGoesOnFromACheckpoint) {
   EXPECT_TRUE(contains(not_sampling.err, "/render/samples")) << not_sampling.err;
 }
 
+// Sky, disc, statistics, glare, the exposure of a day, tiles, irradiance and probes: all on the host.
+TEST_F(Cli, SamplingNeedsNoVulkanDevice) {
+  Start start;
+  start.environment["VK_DRIVER_FILES"] = "/nonexistent.json";
+  start.environment["VK_ICD_FILENAMES"] = "/nonexistent.json";
+  const auto with = [&](Names more) {
+    more.insert(more.end(), {"--size", "16x9", "-q"});
+    return tool(more, start);
+  };
+  EXPECT_EQ(with({"render", "sky.json", "-o", "a.exr"}).exit_code, 1);
+  const Names sampled = {"render", "sky.json", "--method", "path-trace", "--samples", "32"};
+  for (const Names& more : std::vector<Names>{{"-o", "sky.exr", "--png", "sky.png"},
+                                              {"--png", "day.png", "--exposure", "day"},
+                                              {"-o", "tiles.exr", "--png", "tiles.png", "--tile", "7x4"},
+                                              {"-o", "lit.exr", "--irradiance", "light.exr"}}) {
+    Names words = sampled;
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome outcome = with(words);
+    EXPECT_EQ(outcome.exit_code, 0) << more.front() << ": " << outcome.err;
+  }
+  EXPECT_EQ(scratch_.read("tiles.exr"), scratch_.read("sky.exr"));
+  EXPECT_EQ(scratch_.read("tiles.png"), scratch_.read("sky.png"));
+  const Outcome probed =
+      tool({"probe", "sky.json", "--method", "path-trace", "--elevation", "20", "--azimuth", "0"}, start);
+  EXPECT_EQ(probed.exit_code, 0) << probed.err;
+}
+
 // Whenever it comes, the checkpoint stays, and the next run ends with the picture of a run that nobody stopped.
 TEST_F(Cli, SamplingThatIsInterruptedKeepsItsSamples) {
   const Names command = {"render",    "sky.json", "-q",           "--size", "48x27", "--method", "path-trace",
