@@ -363,8 +363,9 @@ std::optional<ImageSize> tile_of(const RenderOrder& given, const Scene& scene, c
   return tile_for(given.tile, scene, given.picture.layers, "render");
 }
 
-void warn(const Scene& scene, const Targets& targets, const std::optional<DisplayTransform>& transform) {
-  std::vector<std::string> warnings = scene_warnings(scene);
+void warn(const Scene& scene, const Targets& targets, const std::optional<DisplayTransform>& transform,
+          bool error_is_measured) {
+  std::vector<std::string> warnings = scene_warnings(scene, error_is_measured);
   warnings.push_back(targets.exr.empty() ? std::string() : latlong_warning(scene));
   warnings.push_back(transform ? transform->warning() : std::string());
   for (const std::string& warning : warnings) {
@@ -431,7 +432,7 @@ int run_render(const RenderOrder& given) {
     watch.lap("OCIO config");
   }
   if (!given.quiet) {
-    warn(scene, targets, transform);
+    warn(scene, targets, transform, choice.has_value());
   }
   remove_half_written(targets);
   scene = with_held_exposure(given, std::move(scene), device_on_demand(given.scene, executor));

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "core/methods/known_failures.h"
 #include "core/methods/scene_air.h"
 #include "core/scene/angle.h"
 #include "core/scene/curve_reader.h"
@@ -18,7 +19,9 @@ std::string short_number(double value) {
 std::string methods_that_hold(const Scene& scene) {
   std::string names;
   for (const SkyMethod& method : methods()) {
-    if (exceeded_limits(method.validity, scene).empty()) {
+    const Scene rendered = scene.render.method == method.info.name ? scene : with_quality(scene, method, {});
+    if (exceeded_limits(method.validity, scene).empty() &&
+        known_failures_of(method, rendered, air_of(rendered)).empty()) {
       names += (names.empty() ? "" : ", ") + std::string(method.info.name);
     }
   }
@@ -60,15 +63,31 @@ std::string validity_warning(const Scene& scene) {
   return text + (better.empty() ? "" : "; methods that do: " + better);
 }
 
+std::string known_failure_warning(const Scene& scene) {
+  const SkyMethod& method = *find_method(scene.render.method);
+  std::string causes;
+  for (const std::string_view cause : known_failures_of(method, scene, air_of(scene))) {
+    causes += (causes.empty() ? "" : "; ") + std::string(cause);
+  }
+  if (causes.empty()) {
+    return {};
+  }
+  const std::string better = methods_that_hold(scene);
+  return "method " + scene.render.method + " is known to be wrong here: " + causes +
+         (better.empty() ? "" : "; methods that hold: " + better);
+}
+
 std::vector<std::string> bound_warnings(const Scene& scene) {
   const auto bounds = find_method(scene.render.method)->bounds;
   return bounds == nullptr ? std::vector<std::string>() : bounds(scene, air_of(scene));
 }
 
-std::vector<std::string> scene_warnings(const Scene& scene) {
+std::vector<std::string> scene_warnings(const Scene& scene, bool error_is_measured) {
   std::vector<std::string> warnings = bound_warnings(scene);
   if (std::string claim = validity_warning(scene); !claim.empty()) {
     warnings.insert(warnings.begin(), std::move(claim));
+  } else if (std::string failure = error_is_measured ? std::string() : known_failure_warning(scene); !failure.empty()) {
+    warnings.insert(warnings.begin(), std::move(failure));
   }
   const std::vector<std::string> curves = curve_warnings(scene);
   warnings.insert(warnings.end(), curves.begin(), curves.end());

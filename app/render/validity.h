@@ -16,10 +16,15 @@ std::vector<std::string> exceeded_limits(const Validity& validity, const Scene& 
 // where it does.
 std::string validity_warning(const Scene& scene);
 
+// One line where the scene lies in a region in which its method, at its quality, is known to fail: the causes, and
+// which methods hold. Empty where it does not.
+std::string known_failure_warning(const Scene& scene);
+
 // What of the scene's wishes its method does not do because it would take for ever, a line each.
 std::vector<std::string> bound_warnings(const Scene& scene);
 
-// That line and those, as each command that renders tells them.
-std::vector<std::string> scene_warnings(const Scene& scene);
+// These lines, as each command that renders tells them. A failure that is known is not told where the picture's own
+// error is measured.
+std::vector<std::string> scene_warnings(const Scene& scene, bool error_is_measured = false);
 
 }  // namespace airlight::cli

@@ -201,6 +201,8 @@ bool Runner::render_frame(std::size_t k, sequence::BoundedWorkers& encoders) {
   }
   if (std::string warning = validity_warning(scene); !warning.empty()) {
     report_.warn(frame.number, kUnclaimed, {std::move(warning)});
+  } else if (std::string failure = known_failure_warning(scene); !failure.empty()) {
+    report_.warn(frame.number, kUnclaimed, {std::move(failure)});
   }
   report_.warn(frame.number, kBounded, bound_warnings(scene));
   if (const std::optional<ImageSize> tile = tile_for(job_.tile, scene, job_.picture.layers, "sequence")) {

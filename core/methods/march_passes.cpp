@@ -85,7 +85,7 @@ std::vector<KnownFailure> march_failures() {
       {"EJ", {{steps, 0, 16}}, "few steps"},
       {"EJ", {{table_size, 0, 40}}, "coarse tables"},
       {"EJ",
-       {{optical_depth, 0.15, 1e9}},
+       {{optical_depth, 0.15, 1e9}, {light_kept, 0.99, 1}},
        "thick air over a white ground: too few rows of the table of multiple scattering stand near the ground; 48 in "
        "render.multiple_scattering_lut mend it, more steps do not"},
       {"EJ",
@@ -97,7 +97,7 @@ std::vector<KnownFailure> march_failures() {
        {{sun_elevation, -90, 0}, {planet_radius, 1e4, 1e9}},
        "a planet so large that dusk passes within a degree: too few of the table's columns stand in it"},
       {"G",
-       {{optical_depth, 0.02, 10}},
+       {{optical_depth, 0.02, 10}, {light_kept, 0.99, 1}},
        "a white ground under air that absorbs nothing: multiple scattering takes the light as equal in all directions "
        "and heights, so that the ground sends up more than reaches it"},
       {"R", {{view, -0.003, 0.003}}, "a view so near the horizon that rounding decides between sky and ground"}};

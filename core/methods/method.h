@@ -49,8 +49,9 @@ enum class Quantity {
   planet_radius,  // km
   steps,          // render.steps
   table_size,     // greater side of the tables, texels
+  light_kept,     // 1: neither air nor ground absorbs; else the lesser of ground albedo and the air's own albedo
 };
-inline constexpr std::size_t kQuantities = 8;
+inline constexpr std::size_t kQuantities = 9;
 
 struct Limit {
   Quantity quantity = Quantity::steps;

@@ -370,7 +370,7 @@ SkyMethod orders_method() {
        {{Quantity::sun_elevation, -90, -15}},
        "night: the last light of dusk comes from air that few of the table's altitudes stand in"},
       {"EJ",
-       {{Quantity::sun_elevation, -90, 0}, {Quantity::optical_depth, 0, 5}},
+       {{Quantity::sun_elevation, -90, 0}, {Quantity::optical_depth, 0, 5}, {Quantity::light_kept, 0.99, 1}},
        "dusk in air without ozone over a white ground: its light comes from a narrow rim that the table of moments "
        "does not resolve"},
       {"EJ",
@@ -387,11 +387,11 @@ SkyMethod orders_method() {
        {{Quantity::sun_elevation, -15, 0}, {Quantity::altitude, 90, 101}},
        "dusk from beside the top of the air: the rim is thinner than the rows of the picture's table"},
       {"EL",
-       {{Quantity::optical_depth, 1.5, 1e9}},
+       {{Quantity::optical_depth, 1.5, 1e9}, {Quantity::light_kept, 0.99, 1}},
        "thick air that absorbs nothing over a white ground: each order is gathered by a few steps that stand by "
        "geometry, not by depth, and loses light in all that follow"},
       {"GL",
-       {{Quantity::asymmetry, -1, 1}, {Quantity::optical_depth, 0.05, 1e9}},
+       {{Quantity::asymmetry, -1, 1}, {Quantity::optical_depth, 0.05, 1e9}, {Quantity::light_kept, 0.99, 1}},
        "haze that absorbs nothing over a white ground: each order loses little else, and the few directions that "
        "gather it see a peaked phase function too large or too small"},
       {"R",

@@ -94,6 +94,13 @@ Place at(double sun, double altitude) {
   return place;
 }
 
+// The same over a white ground, in air that absorbs nothing.
+Place white_at(double sun, double altitude) {
+  Place place = at(sun, altitude);
+  place.set(light_kept, 1.0);
+  return place;
+}
+
 Medium medium(std::string name, Spectrum scattering, Spectrum absorption, PhaseFunction phase, double g) {
   Medium m;
   m.name = std::move(name);
@@ -163,7 +170,7 @@ std::string_view quantity_name(Quantity q) {
   constexpr std::array<std::string_view, kQuantities> kNames{
       "sun elevation, degrees",   "camera altitude, km", "view above the true horizon, degrees",
       "vertical optical depth",   "asymmetry g",         "planet radius, km",
-      "steps along the view ray", "table size, texels"};
+      "steps along the view ray", "table size, texels",  "share of light that is kept"};
   return kNames[static_cast<std::size_t>(q)];
 }
 
@@ -194,7 +201,7 @@ std::vector<Sweep> sweeps(Form form) {
                   .y = sun_elevation,
                   .xs = quick ? std::vector<double>{1e-3, 0.1, 1} : powers(1e-4, 1e3, per_decade),
                   .ys = few,
-                  .base = at(0.0, 0.001),
+                  .base = white_at(0.0, 0.001),
                   .energy = true});
   list.push_back({.name = "asymmetry",
                   .title = "haze that absorbs nothing over a white ground, from 1 m, the sun at 30 degrees",
@@ -206,7 +213,7 @@ std::vector<Sweep> sweeps(Form form) {
                   .ys = quick                ? std::vector<double>{0.3}
                         : form == Form::full ? powers(0.01, 100.0, 2)
                                              : powers(0.01, 1.0, 1),
-                  .base = at(30.0, 0.001),
+                  .base = white_at(30.0, 0.001),
                   .energy = true});
   list.push_back({.name = "planet-radius",
                   .title = "Earth's air, 100 km of it, on planets of every size, from 1 m",

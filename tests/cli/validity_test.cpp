@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/methods/method.h"
 #include "core/scene/angle.h"
 
 namespace airlight::test {
@@ -51,6 +52,50 @@ TEST(Validity, TheWarningIsEmptyWhereTheMethodHolds) {
   scene.camera.altitude = 0.001;
   scene.render.method = "march";
   EXPECT_EQ(cli::validity_warning(scene), "");
+}
+
+Scene rendered_by(std::string_view method) {
+  Scene scene = with_quality(plain_scene(), *find_method(method), {});
+  scene.sun.elevation = radians_from_degrees(45.0);
+  scene.camera.altitude = 0.001;
+  return scene;
+}
+
+// A planet so large that dusk passes within a degree: orders is 52 % off there (core/STABILITY.md).
+TEST(Validity, AKnownFailureIsTold) {
+  Scene scene = rendered_by("orders");
+  scene.planet.ground_radius = 1e6;
+  EXPECT_EQ(cli::known_failure_warning(scene), "");
+  scene.sun.elevation = radians_from_degrees(-3.0);
+  EXPECT_EQ(cli::known_failure_warning(scene).rfind("method orders is known to be wrong here: a planet so large", 0),
+            0U)
+      << cli::known_failure_warning(scene);
+  ASSERT_FALSE(cli::scene_warnings(scene).empty());
+  EXPECT_EQ(cli::scene_warnings(scene).front(), cli::known_failure_warning(scene));
+  EXPECT_TRUE(cli::scene_warnings(scene, true).empty());  // by a tolerance, which has measured the error
+}
+
+// Only where nothing absorbs: molecules over a white ground, not over a grey one.
+TEST(Validity, WhatKeepsAllLightIsAQuantityOfItsOwn) {
+  Scene scene = rendered_by("march");
+  scene.planet.ground_albedo = {1.0, 1.0, 1.0};
+  EXPECT_NE(cli::known_failure_warning(scene).find("white ground"), std::string::npos);
+  EXPECT_EQ(cli::known_failure_warning(scene).find("methods that hold: march"), std::string::npos);
+  scene.planet.ground_albedo = {0.5, 0.5, 0.5};
+  EXPECT_EQ(cli::known_failure_warning(scene), "");
+  scene.planet.ground_albedo = {1.0, 1.0, 1.0};
+  scene.media.front().absorption = {0.01, 0.01, 0.01};
+  EXPECT_EQ(cli::known_failure_warning(scene), "");
+}
+
+// The quality that the method has by itself is claimed; what is coarser is not.
+TEST(Validity, FewStepsAreTold) {
+  Scene scene = rendered_by("march");
+  scene.render.parameters["steps"] = 8;
+  EXPECT_EQ(cli::known_failure_warning(scene).rfind("method march is known to be wrong here: few steps; methods", 0),
+            0U)
+      << cli::known_failure_warning(scene);
+  EXPECT_NE(cli::known_failure_warning(scene).find("orders"), std::string::npos);
 }
 
 }  // namespace

@@ -1,0 +1,134 @@
+#include "core/methods/known_failures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "core/air/scene_block.h"
+#include "core/scene/angle.h"
+
+namespace airlight {
+namespace {
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotableShare = 0.1;  // of a picture
+
+// Of the medium that scatters most of those that prefer a direction; unknown where none does.
+double asymmetry_of(const Scene& scene) {
+  double most = 0.0;
+  double g = kUnknown;
+  for (const Medium& medium : scene.media) {
+    const double scattering = *std::max_element(medium.scattering.begin(), medium.scattering.end());
+    if (medium.phase_g != 0.0 && scattering > most) {
+      most = scattering;
+      g = medium.phase_g;
+    }
+  }
+  return g;
+}
+
+double steps_of(const SkyMethod& method, const Scene& scene) {
+  for (const ParameterInfo& info : method.info.parameters) {
+    if (info.key == "steps") {
+      const int steps = scene.render.get<int>("steps");
+      return steps < std::get<int>(info.default_value) ? steps : kUnknown;
+    }
+  }
+  return kUnknown;
+}
+
+// The greater side of the table that is smallest beside its default.
+double table_size_of(const SkyMethod& method, const Scene& scene) {
+  double least = 1.0;
+  double size = kUnknown;
+  for (const ParameterInfo& info : method.info.parameters) {
+    if (info.kind != ParameterKind::table_size) {
+      continue;
+    }
+    const auto greater = [](const TableSize& table) { return static_cast<double>(std::max(table[0], table[1])); };
+    const double now = greater(scene.render.get<TableSize>(std::string(info.key)));
+    const double share = now / greater(std::get<TableSize>(info.default_value));
+    if (share < least) {
+      least = share;
+      size = now;
+    }
+  }
+  return size;
+}
+
+// Share of the picture, by a lattice of its pixels, that looks between these elevations above the true horizon.
+double share_between(const Scene& scene, double low, double high) {
+  constexpr int kSide = 33;
+  physics::Physics p = geometry_of(scene);
+  const double horizon = std::asin(p.horizon_mu(p.scene.planet, scene.camera.altitude));
+  const std::uint32_t projection = projection_code(scene.camera.projection);
+  int inside = 0;
+  int all = 0;
+  for (int row = 0; row < kSide; ++row) {
+    for (int column = 0; column < kSide; ++column) {
+      const auto ray = p.view_ray(p.scene.camera, projection, scene.image.width * (column + 0.5) / kSide,
+                                  scene.image.height * (row + 0.5) / kSide);
+      if (!ray.inside) {
+        continue;
+      }
+      const double y = ray.direction.y;
+      const double above = degrees_from_radians(std::asin(std::clamp(y, -1.0, 1.0)) - horizon);
+      inside += above >= low && above <= high ? 1 : 0;
+      ++all;
+    }
+  }
+  return all > 0 ? static_cast<double>(inside) / all : 0.0;
+}
+
+double value_of(Quantity quantity, const SkyMethod& method, const Scene& scene, const Air& air) {
+  switch (quantity) {
+    case Quantity::sun_elevation:
+      return degrees_from_radians(scene.sun.elevation);
+    case Quantity::altitude:
+      return scene.camera.altitude;
+    case Quantity::optical_depth:
+      return air.depths().extinction;
+    case Quantity::asymmetry:
+      return asymmetry_of(scene);
+    case Quantity::planet_radius:
+      return scene.planet.ground_radius;
+    case Quantity::steps:
+      return steps_of(method, scene);
+    case Quantity::table_size:
+      return table_size_of(method, scene);
+    case Quantity::light_kept:
+      return light_kept(scene, air);
+    case Quantity::view:
+      break;  // a range of the picture, not a number
+  }
+  return kUnknown;
+}
+
+}  // namespace
+
+double light_kept(const Scene& scene, const Air& air) {
+  const OpticalDepths depths = air.depths();
+  const double of_air = depths.extinction > 0.0 ? depths.scattering / depths.extinction : 0.0;
+  const Spectrum& ground = scene.planet.ground_albedo;
+  return std::min(of_air, *std::max_element(ground.begin(), ground.end()));
+}
+
+std::vector<std::string_view> known_failures_of(const SkyMethod& method, const Scene& scene, const Air& air) {
+  std::vector<std::string_view> causes;
+  for (const KnownFailure& known : method.validity.known_failures) {
+    const bool here = std::all_of(known.where.begin(), known.where.end(), [&](const Limit& limit) {
+      if (limit.quantity == Quantity::view) {
+        return share_between(scene, limit.minimum, limit.maximum) >= kNotableShare;
+      }
+      const double value = value_of(limit.quantity, method, scene, air);
+      return value >= limit.minimum && value <= limit.maximum;
+    });
+    if (here && std::find(causes.begin(), causes.end(), known.cause) == causes.end()) {
+      causes.push_back(known.cause);
+    }
+  }
+  return causes;
+}
+
+}  // namespace airlight
