@@ -327,11 +327,6 @@ std::vector<Frame> frames_of(const CompositeOrder& order) {
 }
 
 void require_spans(const Scene& scene) {
-  if (scene.spectra) {
-    throw InputError(
-        "composite: the air before things is told by three channels alone, and this scene has curves over the "
-        "wavelength; give its media, ground and sun by three channels");
-  }
   if (find_method(scene.render.method)->add_span_passes != nullptr) {
     return;
   }

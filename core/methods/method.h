@@ -147,6 +147,8 @@ using HostTables = std::map<std::string, physics::HostTable>;
 // The radiance of the scene along one of its rays, in double.
 using RayFormula = std::function<physics::vec3(const physics::Physics::Ray&)>;
 
+struct SpectralScene;
+
 struct SkyMethod {
   MethodInfo info;
   Validity validity;
@@ -154,8 +156,15 @@ struct SkyMethod {
   Converged converged;
   // By these parameters it leaves out light scattered more than once. Empty: by none.
   std::vector<std::pair<std::string_view, ParameterValue>> single_scattering;
-  // Exactly one of the two.
+  // Exactly one of add_passes and render_on_host.
   SkyPasses (*add_passes)(Plan&, const Scene&, const Air&, const View&) = nullptr;
+  // Of a scene with spectra: one picture pass in colours for all wavelengths, from tables of each group of them, where
+  // the method's tables allow it for this view. `tables`: the groups' transmittance, one each. Null, or nothing: there
+  // is a picture for each group, and their sum.
+  std::optional<SkyPasses> (*add_spectral_passes)(Plan&, const Scene&, const SpectralScene&, const View&) = nullptr;
+  // Writes into the settings what `auto` stands for in this scene where it follows the air, so that all wavelengths of
+  // it are rendered alike. Null: nothing does.
+  void (*settle)(RenderSettings&, const Scene&, const Air&) = nullptr;
   HostPicture (*render_on_host)(const Scene&, const Air&, const View&, const HostOptions&) = nullptr;
   // What of the scene's wishes is not done because it would take for ever, a line each; null: nothing.
   std::vector<std::string> (*bounds)(const Scene&, const Air&) = nullptr;

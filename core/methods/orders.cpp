@@ -12,7 +12,9 @@
 #include "core/luts/moments.h"
 #include "core/methods/march_passes.h"
 #include "core/methods/methods.h"
+#include "core/methods/scene_air.h"
 #include "core/methods/sky_pass.h"
+#include "core/methods/spectral_sums.h"
 
 namespace airlight {
 namespace {
@@ -72,16 +74,16 @@ struct FactorTable {
   std::uint32_t rows() const { return ground_rows + limb_rows + sky_rows; }
 };
 
-std::uint32_t media_with(const Air& air, PhaseFunction phase) {
+std::uint32_t media_with(const Air& air, PhaseFunction phase, std::uint32_t scattering) {
   std::uint32_t bits = 0;
   for (std::size_t i = 0; i < air.media().size(); ++i) {
     bits |= air.media()[i].phase == phase ? 1u << i : 0u;
   }
-  return bits & air.scattering_media();
+  return bits & scattering;
 }
 
 // Whose phase function, a column away from its peak, is still above a fifth of it: both forward and backward.
-std::uint32_t media_wider_than_a_column(const Air& air, int columns) {
+std::uint32_t media_wider_than_a_column(const Air& air, int columns, std::uint32_t scattering) {
   physics::Physics p = air.formulas();
   const double chord = 1.0 / (columns - 1);
   const double nu = 1.0 - 2.0 * chord * chord;
@@ -91,18 +93,18 @@ std::uint32_t media_wider_than_a_column(const Air& air, int columns) {
         p.medium_phase(i, nu) > 0.2 * p.medium_phase(i, 1.0) && p.medium_phase(i, -nu) > 0.2 * p.medium_phase(i, -1.0);
     bits |= wide ? 1u << i : 0u;
   }
-  return bits & air.scattering_media();
+  return bits & scattering;
 }
 
-// `layers`: all media apart, else the folded ones share the last block with the diffuse light.
-FactorTable factor_table(const Scene& scene, const Air& air, bool layers) {
+// `media`: those that scatter. `layers`: all of them apart, else the folded ones share the last block with the diffuse
+// light.
+FactorTable factor_table(const Scene& scene, const Air& air, std::uint32_t media, bool layers) {
   const TableSize size = scene.render.get<TableSize>("sky_lut");
   const auto sky = static_cast<std::uint32_t>(size[1]);
-  const std::uint32_t media = air.scattering_media();
-  const std::uint32_t rayleigh = media_with(air, PhaseFunction::rayleigh);
+  const std::uint32_t rayleigh = media_with(air, PhaseFunction::rayleigh, media);
   const bool all = scene.render.get<std::string>("fold") == "all";
-  const std::uint32_t folded =
-      all ? media_wider_than_a_column(air, size[0]) : rayleigh | media_with(air, PhaseFunction::isotropic);
+  const std::uint32_t folded = all ? media_wider_than_a_column(air, size[0], media)
+                                   : rayleigh | media_with(air, PhaseFunction::isotropic, media);
   const std::uint32_t apart = layers ? media : media & ~folded;
   return {.columns = static_cast<std::uint32_t>(size[0]),
           .ground_rows = sky / 2,
@@ -143,6 +145,12 @@ std::uint32_t steps_of(const Scene& scene, const MomentSettings& settings) {
   const int steps = scene.render.get<int>("steps");
   const int shells = settings.size[1] - 1;
   return static_cast<std::uint32_t>(settings.shells ? std::max((steps + shells / 2) / shells, 1) : steps);
+}
+
+void settle(RenderSettings& settings, const Scene& scene, const Air& air) {
+  const MomentSettings made = settings_of(scene, air);
+  settings.parameters.insert_or_assign("shells", std::string(made.shells ? "always" : "never"));
+  settings.parameters.insert_or_assign("degree", std::to_string(made.degree));
 }
 
 std::vector<std::string> bounds(const Scene& scene, const Air& air) {
@@ -209,10 +217,7 @@ ImageId add_factors(Plan& plan, const std::string& shader, const FactorTable& ta
   return factors;
 }
 
-void add_tabulated_sky(Plan& plan, const Scene& scene, const Air& air, const View& view, const SkyTarget& target,
-                       const Light& light) {
-  const FactorTable table = factor_table(scene, air, false);
-  const ImageId factors = add_factors(plan, "sky_factors", table, view, light);
+void add_factor_pixels(Plan& plan, const Air& air, const FactorTable& table, const SkyTarget& target, ImageId factors) {
   std::vector<Specialization> constants = medium_specialization(air);
   constants.push_back({"kProjection", target.projection});
   add_table_constants(constants, table);
@@ -224,6 +229,39 @@ void add_tabulated_sky(Plan& plan, const Scene& scene, const Air& air, const Vie
                  .push_constants = {target.grid.width, target.grid.height},
                  .specialization = std::move(constants),
                  .cost = 2.0});
+}
+
+void add_tabulated_sky(Plan& plan, const Scene& scene, const Air& air, const View& view, const SkyTarget& target,
+                       const Light& light) {
+  const FactorTable table = factor_table(scene, air, air.scattering_media(), false);
+  add_factor_pixels(plan, air, table, target, add_factors(plan, "sky_factors", table, view, light));
+}
+
+// The phase functions stand outside of the factors, so factors of all wavelengths are summed into colours, and the
+// pixels know of none.
+std::optional<SkyPasses> add_spectral(Plan& plan, const Scene& scene, const SpectralScene& spectral, const View& view) {
+  if (!tabulates(scene, view)) {
+    return std::nullopt;
+  }
+  const Air air = air_of(scene);
+  const FactorTable table = factor_table(scene, air, scattering_media(spectral), false);
+  const SkyTarget target = add_sky_target(plan, scene, view);
+  SkyPasses passes{target.radiance, {}};
+  std::vector<ImageId> factors;
+  std::vector<std::array<Rgb, 3>> colours;
+  for (std::size_t g = 0; g < spectral.groups.size(); ++g) {
+    const Scene& group = spectral.groups[g].scene;
+    begin_group(plan, spectral, g, tile_of(scene, view));
+    const Light light = add_light(plan, group, air_of(group));
+    factors.push_back(add_factors(plan, "sky_factors", table, view, light));
+    passes.tables.push_back(light.transmittance);
+    colours.push_back(spectral.groups[g].colours);
+  }
+  plan.end_scene();
+  const std::string name = "sky_factors_in_colours";
+  const ImageId sum = add_colour_table(plan, name, picture_table_key(view, name), factors, colours);
+  add_factor_pixels(plan, air, table, target, sum);
+  return passes;
 }
 
 SkyPasses add_orders(Plan& plan, const Scene& scene, const Air& air, const View& view) {
@@ -253,7 +291,7 @@ LayerPasses add_layers(Plan& plan, const Scene& scene, const Air& air, const Vie
   std::vector<Binding> reads = light.reads();
   std::vector<Specialization> constants = light.constants;
   if (tabulated) {
-    const FactorTable table = factor_table(scene, air, true);
+    const FactorTable table = factor_table(scene, air, air.scattering_media(), true);
     reads.push_back({"factors_lut", add_factors(plan, "layers_factors", table, view, light)});
     add_table_constants(constants, table);
     constants.push_back({"kProjection", projection_code(scene.camera.projection)});
@@ -400,6 +438,8 @@ SkyMethod orders_method() {
   method.converged = {
       "", {{"steps", 1024}, {"transmittance_lut", TableSize{512, 128}}, {"moments_lut", TableSize{96, 24}}}};
   method.add_passes = add_orders;
+  method.add_spectral_passes = add_spectral;
+  method.settle = settle;
   method.add_layer_passes = add_layers;
   method.add_span_passes = add_spans;
   method.left_out = left_out;

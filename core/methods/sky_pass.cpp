@@ -28,8 +28,12 @@ std::vector<std::byte> direction_bytes(const View& view) {
 
 }  // namespace
 
+Tile tile_of(const Scene& scene, const View& view) {
+  return view.tile.value_or(Tile{0, 0, scene.image.width, scene.image.height});
+}
+
 Extent picture_grid(const Scene& scene, const View& view) {
-  const Tile tile = view.tile.value_or(Tile{0, 0, scene.image.width, scene.image.height});
+  const Tile tile = tile_of(scene, view);
   return {static_cast<std::uint32_t>(tile.width), static_cast<std::uint32_t>(tile.height), 1};
 }
 

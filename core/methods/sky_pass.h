@@ -21,6 +21,9 @@ struct SkyTarget {
   std::uint32_t projection = 0;  // kProjection
 };
 
+// What of the camera's picture the view shows.
+Tile tile_of(const Scene& scene, const View& view);
+
 // The grid of the camera's picture, or of its tile.
 Extent picture_grid(const Scene& scene, const View& view);
 

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <deque>
+#include <mutex>
 #include <numbers>
 
+#include "core/methods/method.h"
 #include "core/methods/scene_air.h"
 
 namespace airlight {
@@ -16,6 +19,11 @@ constexpr physics::uint kViewSteps = 24;
 constexpr physics::uint kSunSteps = 16;
 // Of a change in the matrix against the samples' mean, where the directions are too alike to tell.
 constexpr double kStiffness = 1e-4;
+
+// What `auto` chooses among, in whole groups, and when it is content: a third of a percent of the samples, which the
+// whole sky, scattered more than once, exceeds by little.
+constexpr std::array<int, 4> kAutomaticWavelengths{3, 6, 12, 24};
+constexpr double kEnough = 1.0 / 300.0;
 
 using Columns = std::array<double, kMaxMedia>;  // density times length, km, by medium
 
@@ -235,6 +243,82 @@ Scene group_scene(const Scene& scene, const Nodes& nodes, const std::array<std::
   return group;
 }
 
+// Wavelengths and matrix of a scene, and all of the scene that they depend on.
+struct Fit {
+  std::vector<Medium> media;
+  Planet planet;
+  SceneSpectra spectra;
+  bool schlick = false;  // phase functions
+  double sun_elevation = 0.0;
+  double altitude = 0.0;
+
+  Nodes nodes;
+  ColourMatrix matrix;
+  Rgb sun{};
+
+  explicit Fit(const Scene& scene)
+      : media(scene.media),
+        planet(scene.planet),
+        spectra(*scene.spectra),
+        schlick(air_options(scene.render).schlick),
+        sun_elevation(scene.sun.elevation),
+        altitude(scene.camera.altitude) {}
+
+  bool is_for(const Fit& other) const {
+    return media == other.media && planet == other.planet && spectra == other.spectra && schlick == other.schlick &&
+           sun_elevation == other.sun_elevation && altitude == other.altitude;
+  }
+
+  void make(const Scene& scene) {
+    const BandColours colours = band_colours(spectra.sun, spectra.white);
+    sun = sun_colour(colours);
+    if (spectra.wavelengths != 0) {
+      make(scene, colours, spectra.wavelengths);
+      return;
+    }
+    for (const int count : kAutomaticWavelengths) {
+      if (make(scene, colours, count) <= kEnough) {
+        return;
+      }
+    }
+  }
+
+  // Returns what is left of the samples' errors.
+  double make(const Scene& scene, const BandColours& colours, int count) {
+    nodes = nodes_for(count);
+    const ColourMatrix plain = nearest_matrix(nodes, colours);
+    if (count == kFineBands) {
+      matrix = plain;
+      return 0.0;
+    }
+    const std::vector<ColouredSpectrum> samples = sampled_sky(scene, nodes, colours);
+    matrix = lit_matrix(fitted_matrix(samples, universal_matrix(nodes, colours), sun, kStiffness), plain);
+    return mean_error(matrix, samples);
+  }
+};
+
+// The latest first.
+Fit fit_of(const Scene& scene) {
+  constexpr std::size_t kRemembered = 8;
+  static std::mutex mutex;
+  static std::deque<Fit> made;
+  Fit fit(scene);
+  {
+    const std::lock_guard lock(mutex);
+    const auto found = std::ranges::find_if(made, [&](const Fit& other) { return other.is_for(fit); });
+    if (found != made.end()) {
+      return *found;
+    }
+  }
+  fit.make(scene);
+  const std::lock_guard lock(mutex);
+  made.push_front(fit);
+  if (made.size() > kRemembered) {
+    made.pop_back();
+  }
+  return fit;
+}
+
 }  // namespace
 
 std::vector<ColouredSpectrum> sampled_sky(const Scene& scene, const Nodes& nodes, const BandColours& colours) {
@@ -263,37 +347,42 @@ std::vector<ColouredSpectrum> sampled_sky(const Scene& scene, const Nodes& nodes
   return samples;
 }
 
-int automatic_wavelengths(const Scene& scene) {
-  constexpr double kEnough = 1.0 / 300.0;
-  const BandColours colours = band_colours(scene.spectra->sun, scene.spectra->white);
-  const Nodes nodes = nodes_for(3);
-  const std::vector<ColouredSpectrum> samples = sampled_sky(scene, nodes, colours);
-  const ColourMatrix matrix = fitted_matrix(samples, universal_matrix(nodes, colours), sun_colour(colours), kStiffness);
-  return mean_error(matrix, samples) <= kEnough ? 3 : 6;
-}
-
 SpectralScene spectral_scene(const Scene& scene) {
   assert(scene.spectra);
-  const SceneSpectra& spectra = *scene.spectra;
-  const BandColours colours = band_colours(spectra.sun, spectra.white);
-  SpectralScene made;
-  made.sun = sun_colour(colours);
-  made.nodes = nodes_for(spectra.wavelengths == 0 ? automatic_wavelengths(scene) : spectra.wavelengths);
-  const ColourMatrix prior =
-      made.nodes.nm.size() == kFineBands ? nearest_matrix(made.nodes, colours) : universal_matrix(made.nodes, colours);
-  made.matrix = made.nodes.nm.size() == kFineBands
-                    ? prior
-                    : fitted_matrix(sampled_sky(scene, made.nodes, colours), prior, made.sun, kStiffness);
+  const Fit fit = fit_of(scene);
+  SpectralScene made{fit.nodes, fit.matrix, fit.sun, {}};
+  RenderSettings render = scene.render;
+  if (const SkyMethod* method = find_method(render.method); method->settle != nullptr) {
+    method->settle(render, scene, air_of(scene));
+  }
   const std::size_t count = made.nodes.nm.size();
   for (std::size_t first = 0; first < count; first += 3) {
     const std::array<std::size_t, 3> at{first, std::min(first + 1, count - 1), std::min(first + 2, count - 1)};
-    WavelengthGroup group{group_scene(scene, made.nodes, at, spectra.irradiance), {}};
+    WavelengthGroup group{group_scene(scene, made.nodes, at, scene.spectra->irradiance), {}};
+    group.scene.render = render;
     for (std::size_t c = 0; c < 3 && first + c < count; ++c) {
       group.colours[c] = made.matrix[first + c];
     }
     made.groups.push_back(std::move(group));
   }
   return made;
+}
+
+std::array<Rgb, 3> over_the_sun(std::array<Rgb, 3> colours, const Rgb& sun) {
+  for (Rgb& colour : colours) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      colour[c] /= sun[c];
+    }
+  }
+  return colours;
+}
+
+std::uint32_t scattering_media(const SpectralScene& spectral) {
+  std::uint32_t bits = 0;
+  for (const WavelengthGroup& group : spectral.groups) {
+    bits |= air_of(group.scene).scattering_media();
+  }
+  return bits;
 }
 
 }  // namespace airlight

@@ -25,11 +25,15 @@ struct SpectralScene {
 // were scattered once more.
 std::vector<ColouredSpectrum> sampled_sky(const Scene& scene, const Nodes& nodes, const BandColours& colours);
 
-// How many wavelengths `auto` takes: the fewest, in whole groups, whose matrix renders the sampled sky to a third of a
-// percent.
-int automatic_wavelengths(const Scene& scene);
-
-// The scene's wavelengths, with a matrix fitted to its sampled sky. Of a scene that has spectra.
+// The scene's wavelengths, with a matrix fitted to its sampled sky; automatic ones are the fewest, in whole groups,
+// whose matrix renders it to a third of a percent. Of a scene that has spectra. The last few matrices are remembered:
+// all tiles of a picture find theirs made.
 SpectralScene spectral_scene(const Scene& scene);
+
+// Colours of transmittance, over that of sunlight above the air.
+std::array<Rgb, 3> over_the_sun(std::array<Rgb, 3> colours, const Rgb& sun);
+
+// Media that scatter at any wavelength of the groups, bit i for medium i.
+std::uint32_t scattering_media(const SpectralScene& spectral);
 
 }  // namespace airlight

@@ -33,6 +33,12 @@ Picture picture_of(BufferId buffer, const Tile& tile);
 bool add_sun_disc(Plan& plan, const Scene& scene, const Air& air, std::optional<ImageId> transmittance,
                   const Picture& picture);
 
+// Whether add_sun_disc() adds it.
+bool sun_disc_shows(const Scene& scene, const Picture& picture);
+
+// The table of transmittance that is enough for the disc.
+ImageId add_disc_transmittance(Plan& plan, const Air& air);
+
 // Row statistics of a picture or a table, for summarize(). `brightest`: of brightest_metered(). `signed_colours`:
 // channels may be negative, luminance not.
 BufferId add_picture_statistics(Plan& plan, const Picture& picture, double brightest, bool signed_colours = false);

@@ -29,6 +29,15 @@ Picture picture_of(BufferId buffer, const Tile& tile) {
   return {buffer, count(tile.width), count(tile.height), count(tile.x), count(tile.y)};
 }
 
+bool sun_disc_shows(const Scene& scene, const Picture& picture) {
+  physics::Physics p = geometry_of(scene);
+  return !disc_parts(p, scene, tile_of(picture)).empty();
+}
+
+ImageId add_disc_transmittance(Plan& plan, const Air& air) {
+  return add_transmittance(plan, air, kDiscTransmittance);
+}
+
 bool add_sun_disc(Plan& plan, const Scene& scene, const Air& air, std::optional<ImageId> transmittance,
                   const Picture& picture) {
   physics::Physics p = geometry_of(scene);
@@ -36,7 +45,7 @@ bool add_sun_disc(Plan& plan, const Scene& scene, const Air& air, std::optional<
   if (parts.empty()) {
     return false;
   }
-  const ImageId table = transmittance ? *transmittance : add_transmittance(plan, air, kDiscTransmittance);
+  const ImageId table = transmittance ? *transmittance : add_disc_transmittance(plan, air);
   std::vector<Specialization> constants = sunlight_specialization(plan, air, table);
   constants.push_back({"kProjection", projection_code(scene.camera.projection)});
   for (const auto& [pixels, box] : parts) {

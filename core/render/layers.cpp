@@ -9,8 +9,11 @@
 
 #include "core/methods/method.h"
 #include "core/methods/scene_air.h"
+#include "core/methods/spectral_sums.h"
 #include "core/render/picture_key.h"
+#include "core/render/sky.h"
 #include "core/render/timings.h"
+#include "core/scene/photometry.h"
 
 namespace airlight {
 namespace {
@@ -114,9 +117,14 @@ void add_geometry(std::vector<Layer>& layers, const Scene& scene, const Tile& ti
   }
 }
 
+// Media that scatter, at any wavelength.
+std::uint32_t scattering_media_of(const Scene& scene) {
+  return scene.spectra ? scattering_media(spectral_scene(scene)) : air_of(scene).scattering_media();
+}
+
 // Rows of a band whose buffers on the device fill no more than kLayerBandBytes.
 int band_rows(const Scene& scene) {
-  const std::size_t layers = static_cast<std::size_t>(std::popcount(air_of(scene).scattering_media())) + 3;
+  const std::size_t layers = static_cast<std::size_t>(std::popcount(scattering_media_of(scene))) + 3;
   const std::size_t row = (3 * layers + 4) * sizeof(float) * static_cast<std::size_t>(scene.image.width);
   return static_cast<int>(
       std::clamp<std::size_t>(kLayerBandBytes / row, 1, static_cast<std::size_t>(scene.image.height)));
@@ -133,11 +141,94 @@ void put_band(Layer& whole, const Layer& band, const Tile& tile, int height) {
   }
 }
 
+LayerPasses add_layer_passes(Plan& plan, const Scene& scene, const Tile& tile, const std::string& kept_as) {
+  const SkyMethod* method = find_method(scene.render.method);
+  assert(method != nullptr && method->add_layer_passes != nullptr);
+  return method->add_layer_passes(plan, scene, air_of(scene), {.directions = {}, .tile = tile, .kept_as = kept_as});
+}
+
+BufferId add_dark(Plan& plan, std::size_t pixels) {
+  return plan.add_buffer({.name = "disc", .bytes = 4 * pixels * sizeof(float), .host_readable = true});
+}
+
+void render_channels(std::vector<Layer>& layers, Executor& executor, const Scene& scene, const Tile& tile,
+                     const std::string& kept_as, const Timings& timings) {
+  const Air air = air_of(scene);
+  Plan plan;
+  plan.scene_data = device_scene_bytes(air, scene, tile);
+  const LayerPasses passes = add_layer_passes(plan, scene, tile, kept_as);
+  const std::size_t pixels = pixels_of(tile);
+  const BufferId disc = add_dark(plan, pixels);
+  const bool shines = add_sun_disc(plan, scene, air, passes.transmittance, picture_of(disc, tile));
+  const RunResult result = executor.run(plan);
+  timings.add(result);
+  take_planes(layers, result.contents(passes.planes), pixels);
+  take_disc(find(layers, "sun"), shines ? result.contents(disc) : std::span<const std::byte>(), pixels);
+}
+
+// Adds three channels as colours to a layer.
+void add_channels(Layer& layer, std::span<const float> channels, const std::array<Rgb, 3>& colours,
+                  std::size_t pixels) {
+  for (std::size_t i = 0; i < pixels; ++i) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      double sum = static_cast<double>(layer.planes[c * pixels + i]);
+      for (std::size_t k = 0; k < 3; ++k) {
+        sum += colours[k][c] * static_cast<double>(channels[k * pixels + i]);
+      }
+      layer.planes[c * pixels + i] = static_cast<float>(sum);
+    }
+  }
+}
+
+// The layers of one group of wavelengths, and their sum over the groups on the host, where they go anyway.
+void render_in_colours(std::vector<Layer>& layers, Executor& executor, const Scene& scene, const Tile& tile,
+                       const std::string& kept_as, const Timings& timings) {
+  const SpectralScene spectral = spectral_scene(scene);
+  const std::uint32_t all = scattering_media(spectral);
+  const std::size_t pixels = pixels_of(tile);
+  const std::size_t lights = static_cast<std::size_t>(std::popcount(all)) + 3;  // as layers_of() lists them
+  for (std::size_t i = 0; i < lights; ++i) {
+    layers[i].planes.assign(3 * pixels, 0.0F);
+  }
+  for (std::size_t g = 0; g < spectral.groups.size(); ++g) {
+    const WavelengthGroup& group = spectral.groups[g];
+    Plan plan;
+    begin_group(plan, spectral, g, tile);
+    const LayerPasses passes = add_layer_passes(plan, group.scene, tile, kept_as);
+    plan.end_scene();
+    const RunResult result = executor.run(plan);
+    timings.add(result);
+    const std::span<const std::byte> bytes = result.contents(passes.planes);
+    const std::uint32_t own = air_of(group.scene).scattering_media();
+    std::size_t plane = 0;
+    std::uint32_t medium = 0;
+    for (std::size_t i = 0; i < lights; ++i, ++medium) {
+      while (i + 3 < lights && (all >> medium & 1u) == 0) {
+        ++medium;
+      }
+      if (i + 3 < lights && (own >> medium & 1u) == 0) {
+        continue;
+      }
+      const bool is_share = layers[i].name == "transmittance";
+      add_channels(layers[i], floats(bytes, plane, 3 * pixels),
+                   is_share ? over_the_sun(group.colours, spectral.sun) : group.colours, pixels);
+      plane += 3 * pixels;
+    }
+  }
+  Plan plan;
+  plan.scene_data = device_scene_bytes(air_of(scene), scene, tile);
+  const BufferId disc = add_dark(plan, pixels);
+  const bool shines = add_disc_over(plan, scene, disc, tile);
+  const RunResult result = shines ? executor.run(plan) : RunResult{};
+  timings.add(result);
+  take_disc(find(layers, "sun"), shines ? result.contents(disc) : std::span<const std::byte>(), pixels);
+}
+
 }  // namespace
 
 std::vector<Layer> layers_of(const Scene& scene) {
   std::vector<Layer> layers;
-  const std::uint32_t scattering = air_of(scene).scattering_media();
+  const std::uint32_t scattering = scattering_media_of(scene);
   std::set<std::string> taken = taken_names();
   for (std::size_t i = 0; i < scene.media.size(); ++i) {
     if ((scattering >> i & 1u) != 0) {
@@ -155,10 +246,6 @@ std::vector<Layer> layers_of(const Scene& scene) {
 }
 
 std::string layers_refusal(const Scene& scene) {
-  if (scene.spectra) {
-    return "a scene with curves over the wavelength keeps no light apart; render it without layers, or give its media, "
-           "ground and sun by three channels";
-  }
   const SkyMethod& method = *find_method(scene.render.method);
   return method.layers_refusal == nullptr ? std::string() : method.layers_refusal(scene);
 }
@@ -175,21 +262,12 @@ std::string methods_with_layers() {
 
 std::vector<Layer> render_layers(Executor& executor, const Scene& scene, const Tile& tile, const std::string& kept_as,
                                  const Timings& timings) {
-  const SkyMethod* method = find_method(scene.render.method);
-  assert(method != nullptr && method->add_layer_passes != nullptr);
-  const Air air = air_of(scene);
-  Plan plan;
-  plan.scene_data = device_scene_bytes(air, scene, tile);
-  const LayerPasses passes =
-      method->add_layer_passes(plan, scene, air, {.directions = {}, .tile = tile, .kept_as = kept_as});
-  const std::size_t pixels = pixels_of(tile);
-  const BufferId disc = plan.add_buffer({.name = "disc", .bytes = 4 * pixels * sizeof(float), .host_readable = true});
-  const bool shines = add_sun_disc(plan, scene, air, passes.transmittance, picture_of(disc, tile));
-  const RunResult result = executor.run(plan);
-  timings.add(result);
   std::vector<Layer> layers = layers_of(scene);
-  take_planes(layers, result.contents(passes.planes), pixels);
-  take_disc(find(layers, "sun"), shines ? result.contents(disc) : std::span<const std::byte>(), pixels);
+  if (scene.spectra) {
+    render_in_colours(layers, executor, scene, tile, kept_as, timings);
+  } else {
+    render_channels(layers, executor, scene, tile, kept_as, timings);
+  }
   add_geometry(layers, scene, tile);
   return layers;
 }
@@ -208,19 +286,25 @@ std::vector<Layer> render_layers(Executor& executor, const Scene& scene, const T
   return layers;
 }
 
-Statistics layer_statistics(const Layer& layer, int width) {
+Statistics layer_statistics(const Layer& layer, int width, bool signed_colours) {
   Statistics found;
   const bool is_signed = layer.name == "N";
   const std::size_t pixels = layer.planes.size() / layer.channels.size();
+  const bool in_colours = signed_colours && layer.channels == "RGB";
   for (std::size_t i = 0; i < layer.planes.size(); ++i) {
-    const float value = layer.planes[i];
-    const bool finite = std::isfinite(value);
-    if (finite && (value >= 0.0F || is_signed)) {
+    const std::size_t at = i % pixels;
+    const bool finite = std::isfinite(layer.planes[i]);
+    // Of a colour the first channel speaks for all.
+    const auto plane = [&](std::size_t c) { return static_cast<double>(layer.planes[c * pixels + at]); };
+    const double value = !in_colours  ? static_cast<double>(layer.planes[i])
+                         : i < pixels ? bt709_luminance({plane(0), plane(1), plane(2)})
+                                      : 0.0;
+    if (finite && (!(value < 0.0) || is_signed)) {
       continue;
     }
     if (found.sound()) {
-      found.first_bad_x = static_cast<std::uint32_t>(i % pixels % static_cast<std::size_t>(width));
-      found.first_bad_y = static_cast<std::uint32_t>(i % pixels / static_cast<std::size_t>(width));
+      found.first_bad_x = static_cast<std::uint32_t>(at % static_cast<std::size_t>(width));
+      found.first_bad_y = static_cast<std::uint32_t>(at / static_cast<std::size_t>(width));
     }
     ++(finite ? found.negative : found.not_finite);
   }

@@ -46,7 +46,8 @@ std::vector<Layer> render_layers(Executor& executor, const Scene& scene, const T
 inline constexpr std::size_t kLayerBandBytes = std::size_t{32} << 20;
 std::vector<Layer> render_layers(Executor& executor, const Scene& scene, const Timings& timings);
 
-// What is not finite, or negative where that means nothing; `width`: of the rows.
-Statistics layer_statistics(const Layer& layer, int width);
+// What is not finite, or negative where that means nothing; `width`: of the rows. `signed_colours`: a channel of a
+// colour may be negative, its luminance not.
+Statistics layer_statistics(const Layer& layer, int width, bool signed_colours = false);
 
 }  // namespace airlight

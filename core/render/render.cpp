@@ -151,7 +151,7 @@ void run_post(Executor& executor, const Scene& scene, const RenderRequest& reque
 void add_layers(Rendering& out, Executor& executor, const Scene& scene) {
   out.layers = render_layers(executor, scene, {out.passes, out.host});
   for (const Layer& layer : out.layers) {
-    out.layer_statistics.push_back({layer.name, layer_statistics(layer, scene.image.width)});
+    out.layer_statistics.push_back({layer.name, layer_statistics(layer, scene.image.width, scene.spectra.has_value())});
   }
 }
 

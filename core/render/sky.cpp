@@ -1,14 +1,13 @@
 #include "core/render/sky.h"
 
 #include <algorithm>
-#include <bit>
 #include <cassert>
 #include <cmath>
 
 #include "core/error.h"
 #include "core/methods/scene_air.h"
 #include "core/methods/sky_pass.h"
-#include "core/methods/spectral_sky.h"
+#include "core/methods/spectral_sums.h"
 #include "core/post/host_post.h"
 #include "core/post/post.h"
 
@@ -21,37 +20,6 @@ const SkyMethod& method_of(const Scene& scene) {
   return *method;
 }
 
-Tile tile_of(const Scene& scene, const View& view) {
-  return view.tile.value_or(Tile{0, 0, scene.image.width, scene.image.height});
-}
-
-std::string suffix_of(std::size_t group) {
-  return " of group " + std::to_string(group);
-}
-
-std::uint32_t bits(double x) {
-  return std::bit_cast<std::uint32_t>(static_cast<float>(x));
-}
-
-void add_sum(Plan& plan, BufferId part, BufferId picture, const std::array<Rgb, 3>& colours, std::size_t group,
-             bool first) {
-  constexpr std::uint32_t kRow = 65536;  // of the shader: a device takes 65535 workgroups a row at least
-  const auto count = static_cast<std::uint32_t>(plan.buffers()[picture.index].bytes / (4 * sizeof(float)));
-  std::vector<std::uint32_t> push{count, first ? 1U : 0U};
-  for (const Rgb& colour : colours) {
-    for (const double channel : colour) {
-      push.push_back(bits(channel));
-    }
-  }
-  plan.add_pass({.name = "spectral_sum" + suffix_of(group),
-                 .shader = "spectral_sum",
-                 .reads = {{"part", part}},
-                 .writes = {{"picture", picture}},
-                 .grid = {std::min(count, kRow), (count + kRow - 1) / kRow, 1},
-                 .push_constants = std::move(push),
-                 .specialization = {}});
-}
-
 BufferId add_picture(Plan& plan, const View& view, std::size_t bytes) {
   return plan.add_buffer({.name = "radiance",
                           .bytes = bytes,
@@ -62,26 +30,66 @@ BufferId add_picture(Plan& plan, const View& view, std::size_t bytes) {
                           .zeroed = false});
 }
 
-Sky add_spectral_sky(Plan& plan, const Scene& scene, const View& view, bool with_disc) {
-  const SpectralScene spectral = spectral_scene(scene);
-  Sky all;
+// A picture for each group, and their sum.
+SkyPasses add_groups(Plan& plan, const Scene& scene, const SpectralScene& spectral, const View& view) {
+  SkyPasses all;
   std::vector<BufferId> parts;
   for (std::size_t g = 0; g < spectral.groups.size(); ++g) {
-    const Scene& part = spectral.groups[g].scene;
-    const Air air = air_of(part);
-    plan.begin_scene(device_scene_bytes(air, part, tile_of(scene, view)), suffix_of(g));
-    const SkyPasses sky = method_of(scene).add_passes(plan, part, air, view);
+    const Scene& group = spectral.groups[g].scene;
+    begin_group(plan, spectral, g, tile_of(scene, view));
+    const SkyPasses sky = method_of(scene).add_passes(plan, group, air_of(group), view);
     parts.push_back(sky.radiance);
-    if (with_disc) {
-      const std::optional<ImageId> table = sky.tables.empty() ? std::nullopt : std::optional(sky.tables.front());
-      all.disc = add_sun_disc(plan, part, air, table, picture_of(sky.radiance, tile_of(scene, view)));
-    }
     all.tables.insert(all.tables.end(), sky.tables.begin(), sky.tables.end());
   }
   plan.end_scene();
   all.radiance = add_picture(plan, view, plan.buffers()[parts.front().index].bytes);
   for (std::size_t g = 0; g < parts.size(); ++g) {
-    add_sum(plan, parts[g], all.radiance, spectral.groups[g].colours, g, g == 0);
+    add_colours(plan, parts[g], all.radiance, spectral.groups[g].colours, g, g == 0);
+  }
+  return all;
+}
+
+// The disc as it is seen through the groups' tables of transmittance, one each, or through some added here.
+bool add_coloured_disc(Plan& plan, const Scene& scene, const SpectralScene& spectral, std::vector<ImageId> tables,
+                       const Picture& picture) {
+  if (!sun_disc_shows(scene, picture)) {
+    return false;
+  }
+  const Tile tile{static_cast<int>(picture.x), static_cast<int>(picture.y), static_cast<int>(picture.width),
+                  static_cast<int>(picture.height)};
+  std::vector<std::array<Rgb, 3>> colours;
+  const bool has_tables = !tables.empty();
+  for (std::size_t g = 0; g < spectral.groups.size(); ++g) {
+    if (!has_tables) {
+      begin_group(plan, spectral, g, tile);
+      tables.push_back(add_disc_transmittance(plan, air_of(spectral.groups[g].scene)));
+    }
+    colours.push_back(over_the_sun(spectral.groups[g].colours, spectral.sun));
+  }
+  plan.end_scene();
+  const ImageId through = add_colour_table(plan, "sunlight_colours", {}, tables, colours);
+  return add_sun_disc(plan, scene, air_of(scene), through, picture);
+}
+
+Sky add_spectral_sky(Plan& plan, const Scene& scene, const View& view, bool with_disc) {
+  const SpectralScene spectral = spectral_scene(scene);
+  const SkyMethod& method = method_of(scene);
+  std::optional<SkyPasses> sky;
+  if (method.add_spectral_passes != nullptr) {
+    sky = method.add_spectral_passes(plan, scene, spectral, view);
+  }
+  if (!sky) {
+    sky = add_groups(plan, scene, spectral, view);
+  }
+  Sky all{sky->radiance, sky->tables, false};
+  if (with_disc) {
+    std::vector<ImageId> through;
+    const std::size_t each = all.tables.size() / spectral.groups.size();
+    for (std::size_t g = 0; each > 0 && g < spectral.groups.size(); ++g) {
+      through.push_back(all.tables[g * each]);
+    }
+    all.disc =
+        add_coloured_disc(plan, scene, spectral, std::move(through), picture_of(all.radiance, tile_of(scene, view)));
   }
   return all;
 }
@@ -197,6 +205,12 @@ Sky add_sky(Plan& plan, const Scene& scene, const View& view, bool with_disc) {
     made.disc = add_sun_disc(plan, scene, air, table, picture_of(sky.radiance, tile_of(scene, view)));
   }
   return made;
+}
+
+bool add_disc_over(Plan& plan, const Scene& scene, BufferId radiance, const Tile& tile) {
+  const Picture picture = picture_of(radiance, tile);
+  return scene.spectra ? add_coloured_disc(plan, scene, spectral_scene(scene), {}, picture)
+                       : add_sun_disc(plan, scene, air_of(scene), std::nullopt, picture);
 }
 
 bool draw_disc_over(RadianceImage& rows, const Scene& scene, const Tile& tile) {

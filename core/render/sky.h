@@ -19,6 +19,9 @@ struct Sky {
 // colour of the sun's light that comes through. Fills the plan's scene data.
 Sky add_sky(Plan& plan, const Scene& scene, const View& view, bool with_disc);
 
+// The disc alone, added to a buffer of this much of the scene's picture. False: nothing of it can be seen.
+bool add_disc_over(Plan& plan, const Scene& scene, BufferId radiance, const Tile& tile);
+
 // The disc alone, on the host, over this much of a picture of the scene. False: nothing of it can be seen.
 bool draw_disc_over(RadianceImage& rows, const Scene& scene, const Tile& tile);
 

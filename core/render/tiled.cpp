@@ -227,7 +227,7 @@ void TiledRender::add_layers(Band& band, int rows) {
     put(band.rows.layers, render_layers(device_(), scene_, tile, kept_as_, {out_.passes, out_.host}), tile, width);
   }
   for (const Layer& layer : band.rows.layers) {
-    Statistics found = layer_statistics(layer, width);
+    Statistics found = layer_statistics(layer, width, scene_.spectra.has_value());
     found.first_bad_y += static_cast<std::uint32_t>(band.y);
     if (!found.sound() || band.y == 0) {
       out_.layer_statistics.push_back({layer.name, found});

@@ -252,8 +252,8 @@ constexpr auto kRules = std::to_array<Rule>({
      .range = {.minimum = kFewestWavelengths, .maximum = kMostWavelengths},
      .default_text = "auto",
      .meaning =
-         "wavelengths that a scene with spectra is rendered at, in groups of three; \"auto\": 3, or 6 where those "
-         "are wrong by more than a third of a percent for sunlight scattered once"},
+         "wavelengths that a scene with spectra is rendered at, in groups of three; \"auto\": the fewest of 3, 6, "
+         "12 and 24 that are wrong by at most a third of a percent for sunlight scattered once"},
     {.key = "render.method",
      .type = RuleType::method,
      .default_text = "orders",

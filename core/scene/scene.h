@@ -154,6 +154,7 @@ struct Display {
 struct MediumSpectra {
   Curve scattering;  // 1/km at density 1
   Curve absorption;  // 1/km at density 1
+  bool operator==(const MediumSpectra&) const = default;
 };
 
 // Over the wavelength, what else stands for three channels.
@@ -164,6 +165,7 @@ struct SceneSpectra {
   int wavelengths = 0;      // 0: auto
   double irradiance = 1.0;  // of the sun, as the preset gives it
   White white = White::sun;
+  bool operator==(const SceneSpectra&) const = default;
 };
 
 struct Scene {

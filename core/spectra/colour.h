@@ -66,6 +66,10 @@ ColourMatrix nearest_matrix(const Nodes& nodes, const BandColours& colours);
 ColourMatrix fitted_matrix(const std::vector<ColouredSpectrum>& samples, const ColourMatrix& prior, const Rgb& sun,
                            double stiffness);
 
+// `matrix`, moved toward `plain`, the same sum in columns none of which is dark, as far as it takes for no column to
+// have a negative luminance: light of no negative radiance then has none.
+ColourMatrix lit_matrix(ColourMatrix matrix, const ColourMatrix& plain);
+
 // For light of any air: fitted to smooth spectra of sunlight scattered by molecules and haze and absorbed by ozone.
 ColourMatrix universal_matrix(const Nodes& nodes, const BandColours& colours);
 

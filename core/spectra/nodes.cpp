@@ -189,6 +189,25 @@ ColourMatrix fitted_matrix(const std::vector<ColouredSpectrum>& samples, const C
   return matrix;
 }
 
+ColourMatrix lit_matrix(ColourMatrix matrix, const ColourMatrix& plain) {
+  const auto luminance = [](const Rgb& colour) {  // ITU-R BT.709-6
+    return 0.2126 * colour[0] + 0.7152 * colour[1] + 0.0722 * colour[2];
+  };
+  double share = 0.0;
+  for (std::size_t k = 0; k < matrix.size(); ++k) {
+    const double here = luminance(matrix[k]);
+    if (here < 0.0) {
+      share = std::max(share, -here / std::max(luminance(plain[k]) - here, -here));
+    }
+  }
+  for (std::size_t k = 0; share > 0.0 && k < matrix.size(); ++k) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      matrix[k][c] += share * (plain[k][c] - matrix[k][c]);
+    }
+  }
+  return matrix;
+}
+
 ColourMatrix universal_matrix(const Nodes& nodes, const BandColours& colours) {
   // Air scatters by the power 0 to 1 of Rayleigh's law, and light has gone through so many verticals of it, of haze and
   // of ozone (300 DU each).

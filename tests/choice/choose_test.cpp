@@ -54,6 +54,29 @@ TEST(Tolerance, TakesTheFirstOfRisingCostThatIsWithinIt) {
   }
 }
 
+// Of a scene with spectra the fewest wavelengths are taken that many more vouch for, and what they err is in the bound;
+// a number that the preset asks for stays.
+TEST(Tolerance, TakesTheFewestWavelengths) {
+  Scene scene = preset("earth-spectral");
+  scene.sun.elevation = 0.6;
+  const auto by_wavelengths = wrong_by([](const Scene& s) {
+    const int count = s.spectra->wavelengths;
+    return count < 4 ? 0.03 : count < 7 ? 0.004 : 0.0;
+  });
+  const auto chosen_for = [&](double tolerance) { return choose_for_tolerance(scene, tolerance, "", by_wavelengths); };
+  const Choice rough = chosen_for(0.2);
+  ASSERT_TRUE(rough.chosen);
+  EXPECT_EQ(rough.chosen->scene.spectra->wavelengths, 3);
+  EXPECT_GT(rough.reference_error, 0.03);
+  const Choice fine = chosen_for(0.05);
+  ASSERT_TRUE(fine.chosen);
+  EXPECT_EQ(fine.chosen->scene.spectra->wavelengths, 6);
+  EXPECT_GT(fine.reference_error, 0.004);
+  scene.spectra->wavelengths = 3;
+  EXPECT_FALSE(chosen_for(0.02).chosen);
+  EXPECT_EQ(chosen_for(0.2).chosen->scene.spectra->wavelengths, 3);
+}
+
 // Over a planet of 604 548 km at sunset the plain reference was 53 % off and vouched for what was as wrong.
 TEST(Tolerance, TheReferenceIsLookedAtWhereDuskFallsBetweenItsSuns) {
   Scene scene = preset("earth-noon");

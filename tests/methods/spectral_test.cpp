@@ -2,7 +2,11 @@
 
 #include <cmath>
 
+#include "core/methods/scene_air.h"
 #include "core/methods/spectral_sky.h"
+#include "core/render/layers.h"
+#include "core/render/sky.h"
+#include "core/render/spans.h"
 #include "core/scene/preset.h"
 #include "core/scene/resolve.h"
 #include "tests/methods/render_fixture.h"
@@ -124,6 +128,128 @@ TEST(Spectral, ColoursOutsideTheSpaceAreNoFault) {
   const Rendering rendering = render_now(scene);
   EXPECT_EQ(rendering.fault(), "");
   EXPECT_GT(rendering.picture.outside, 0u);
+}
+
+std::string wavelengths(int count, const std::string& more = "") {
+  return R"(, "render": {"wavelengths": )" + std::to_string(count) + more + "}";
+}
+
+// The light of some air, ground and haze, at dusk of its own: what all 48 wavelengths see, by `orders`.
+Scene dusk_or_day(const std::string& air, const std::string& sun, int count, const std::string& more = "") {
+  return scene_of(R"({"airlight": 1, "extends": ")" AIRLIGHT_SOURCE_DIR
+                  R"(/presets/earth-spectral.json", "sun": {"elevation_deg": )" +
+                  sun + R"(, "disc": {"visible": false}}, )" + air +
+                  R"("camera": {"projection": "equirectangular", "pitch_deg": 0},
+          "image": {"width": 16, "height": 8})" +
+                  (count == 0 ? "" : wavelengths(count, more)) + "}");
+}
+
+double mean_error_of(const RadianceImage& found, const RadianceImage& truth) {
+  double mean = 0.0;
+  double sum = 0.0;
+  int count = 0;
+  const int rows = truth.height / 2;
+  for (int pass = 0; pass < 2; ++pass) {
+    for (int i = 0; i < truth.width * rows; ++i) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double expected = channel_of(truth, i % truth.width, i / truth.width, c);
+        const double here = channel_of(found, i % truth.width, i / truth.width, c);
+        if (pass == 0) {
+          mean += expected / (3.0 * truth.width * rows);
+        } else {
+          sum += std::fabs(here - expected) / std::max(std::fabs(expected), 1e-3 * mean);
+          ++count;
+        }
+      }
+    }
+  }
+  return sum / count;
+}
+
+// The number that `auto` takes keeps the error of a sky of all orders below half a percent, and is the smaller where
+// that is enough. The bounds are a third above what scripts/spectral-errors measures.
+TEST(Spectral, AutomaticWavelengthsKeepTheError) {
+  struct Sky {
+    const char* air;
+    const char* sun;
+    double bound;
+    std::size_t wavelengths;
+  };
+  const char* const dust =
+      R"("planet": {"radius_km": 3390, "ground_albedo": {"wavelengths_nm": [400, 700], "values": [0.05, 0.3]}},
+         "media": [{"name": "rayleigh", "scattering_per_km": {"named": "air", "scale": 0.03}},
+                   {"name": "aerosol", "scattering_per_km": {"wavelengths_nm": [400, 700], "values": [0.02, 0.025]},
+                    "absorption_per_km": {"wavelengths_nm": [400, 700], "values": [0.008, 0.001]}},
+                   {"name": "ozone", "absorption_per_km": 0}], )";
+  for (const Sky& sky : {Sky{"", "40", 0.003, 3}, Sky{"", "-4", 0.003, 6}, Sky{dust, "3", 0.003, 3}}) {
+    const Scene chosen = dusk_or_day(sky.air, sky.sun, 0);
+    EXPECT_EQ(spectral_scene(chosen).nodes.nm.size(), sky.wavelengths) << sky.air << sky.sun;
+    const RadianceImage truth = render_now(dusk_or_day(sky.air, sky.sun, 48)).radiance;
+    EXPECT_LT(mean_error_of(render_now(chosen).radiance, truth), sky.bound) << sky.air << sky.sun;
+  }
+}
+
+// From tables: one pass over the pixels, whatever the number of wavelengths, and the same as the pictures of each
+// three of them, disc and all, added by the matrix.
+TEST(Spectral, PixelsKnowOfNoWavelengths) {
+  Scene scene = dusk_or_day("", "4", 7, R"(, "method": "orders", "tabulate": "always", "steps": 16)");
+  scene.sun.disc.visible = true;
+  const Plan plan = plan_for(scene, {});
+  const auto passes = [&](const std::string& shader) {
+    return std::ranges::count_if(plan.passes(), [&](const PassDesc& pass) { return pass.shader == shader; });
+  };
+  EXPECT_EQ(passes("sky_factors"), 3);
+  EXPECT_EQ(passes("sky_from_factors"), 1);
+  EXPECT_EQ(passes("sun_disc"), 1);
+  EXPECT_EQ(passes("spectral_sum"), 0);
+  const RadianceImage found = render_now(scene).radiance;
+  std::vector<double> expected(found.rgba.size());
+  for (const WavelengthGroup& group : spectral_scene(scene).groups) {
+    const RadianceImage part = render_now(group.scene).radiance;
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      for (std::size_t k = 0; k < 3 && i % 4 < 3; ++k) {
+        expected[i] += group.colours[k][i % 4] * static_cast<double>(part.rgba[i - i % 4 + k]);
+      }
+    }
+  }
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    if (i % 4 < 3) {
+      EXPECT_NEAR(static_cast<double>(found.rgba[i]) / expected[i], 1.0, 3e-5) << i;
+    }
+  }
+}
+
+// In the same colours as picture and probe: layers, the air before things, and the light that glares.
+TEST(Spectral, AllIsInTheSameColours) {
+  Scene scene = dusk_or_day("", "4", 5, R"(, "method": "orders", "steps": 16)");
+  RenderRequest request;
+  request.layers = true;
+  const Rendering rendering = render_now(scene, request);
+  ASSERT_EQ(rendering.fault(), "");
+  const std::size_t pixel = 5;  // of the highest row
+  const Direction direction{1.5707963267948966 * (1.0 - 1.0 / 8.0), 6.283185307179586 * (5.5 / 16.0 - 0.5)};
+  Direction turned = direction;
+  turned.azimuth += scene.camera.azimuth;
+  const ProbeResult probed = probe_now(scene, {turned}).front();
+  const auto transmittance =
+      std::ranges::find_if(rendering.layers, [](const Layer& layer) { return layer.name == "transmittance"; });
+  const AirTo whole = air_to(executor(), scene, std::vector<Span>{{5.5F, 0.5F, 1e6F}}).front();
+  for (std::size_t c = 0; c < 3; ++c) {
+    EXPECT_NEAR(static_cast<double>(transmittance->planes[128 * c + pixel]) / probed.transmittance[c], 1.0, 1e-4) << c;
+    EXPECT_NEAR(static_cast<double>(whole.radiance[c]) / probed.radiance[c], 1.0, 1e-4) << c;
+    EXPECT_NEAR(static_cast<double>(whole.transmittance[c]) / probed.transmittance[c], 1.0, 1e-4) << c;
+  }
+  const Direction at_sun{scene.sun.elevation, scene.sun.azimuth};
+  Scene marched = with_method(scene, *find_method("march"));  // `orders` leaves the forward peak of haze in the beam
+  marched.render.parameters.insert_or_assign("steps", 512);
+  const ProbeResult sun = probe_now(marched, {at_sun}).front();
+  const physics::vec3 glare = glare_points_of(scene).front().irradiance;
+  const auto over_sun = [&](double light, std::size_t c) {
+    return light / (scene.sun.irradiance[c] * sun.transmittance[c]);
+  };
+  EXPECT_NEAR(over_sun(glare.x, 0) / over_sun(glare.y, 1), 1.0, 0.02);
+  EXPECT_NEAR(over_sun(glare.x, 0) / over_sun(glare.z, 2), 1.0, 0.03);
+  EXPECT_GT(glare.x, 1.5 * glare.z) << "a low sun is red";
 }
 
 }  // namespace

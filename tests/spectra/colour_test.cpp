@@ -176,5 +176,18 @@ TEST(Matrix, IsFittedToItsSamples) {
   }
 }
 
+// A column that would make light dark is mended at no cost to the sum; one that is sound is left alone.
+TEST(Matrix, HasNoDarkColumns) {
+  const auto luminance = [](const Rgb& c) { return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; };
+  const ColourMatrix plain{{0.1, 0.1, 0.6}, {0.3, 0.7, 0.3}, {0.6, 0.2, 0.1}};
+  const ColourMatrix dark{{0.0, -0.2, 0.7}, {0.4, 1.0, 0.2}, {0.6, 0.2, 0.1}};
+  const ColourMatrix mended = lit_matrix(dark, plain);
+  EXPECT_NEAR(luminance(mended[0]), 0.0, 1e-12);
+  for (std::size_t c = 0; c < 3; ++c) {
+    EXPECT_NEAR(mended[0][c] + mended[1][c] + mended[2][c], 1.0, 1e-12);
+  }
+  EXPECT_EQ(lit_matrix(plain, dark), plain);
+}
+
 }  // namespace
 }  // namespace airlight::test

@@ -1,0 +1,72 @@
+#include "core/methods/spectral_sums.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+
+#include "core/methods/scene_air.h"
+
+namespace airlight {
+namespace {
+
+void push_colours(std::vector<std::uint32_t>& push, const std::array<Rgb, 3>& colours) {
+  for (const Rgb& colour : colours) {
+    for (const double channel : colour) {
+      push.push_back(std::bit_cast<std::uint32_t>(static_cast<float>(channel)));
+    }
+  }
+}
+
+std::string suffix_of(std::size_t group) {
+  return " of group " + std::to_string(group);
+}
+
+}  // namespace
+
+void begin_group(Plan& plan, const SpectralScene& spectral, std::size_t group, const Tile& tile) {
+  const Scene& scene = spectral.groups[group].scene;
+  plan.begin_scene(device_scene_bytes(air_of(scene), scene, tile), suffix_of(group));
+}
+
+ImageId add_colour_table(Plan& plan, const std::string& name, const std::string& key,
+                         const std::vector<ImageId>& tables, const std::vector<std::array<Rgb, 3>>& colours) {
+  assert(!tables.empty() && tables.size() == colours.size());
+  const Extent extent = plan.images()[tables.front().index].extent;
+  ImageId sum = tables.front();
+  for (std::size_t i = 0; i < tables.size(); i += 2) {
+    const bool two = i + 1 < tables.size();
+    const bool last = i + 2 >= tables.size();
+    const std::string step = name + (last ? "" : " of groups up to " + std::to_string(i + 1));
+    const ImageId out =
+        plan.add_image({.name = step, .extent = extent, .format = Format::rgba32f, .key = last ? key : std::string()});
+    std::vector<std::uint32_t> push{extent.width, extent.height, i == 0 ? 1U : 0U};
+    push_colours(push, colours[i]);
+    push_colours(push, two ? colours[i + 1] : std::array<Rgb, 3>{});
+    plan.add_pass({.name = step,
+                   .shader = "spectral_table",
+                   .reads = {{"before", sum}, {"part_a", tables[i]}, {"part_b", tables[two ? i + 1 : i]}},
+                   .writes = {{"sum_out", out}},
+                   .grid = extent,
+                   .push_constants = std::move(push),
+                   .specialization = {}});
+    sum = out;
+  }
+  return sum;
+}
+
+void add_colours(Plan& plan, BufferId part, BufferId picture, const std::array<Rgb, 3>& colours, std::size_t group,
+                 bool first) {
+  constexpr std::uint32_t kRow = 65536;  // of the shader: a device takes 65535 workgroups a row at least
+  const auto count = static_cast<std::uint32_t>(plan.buffers()[picture.index].bytes / (4 * sizeof(float)));
+  std::vector<std::uint32_t> push{count, first ? 1U : 0U};
+  push_colours(push, colours);
+  plan.add_pass({.name = "spectral_sum" + suffix_of(group),
+                 .shader = "spectral_sum",
+                 .reads = {{"part", part}},
+                 .writes = {{"picture", picture}},
+                 .grid = {std::min(count, kRow), (count + kRow - 1) / kRow, 1},
+                 .push_constants = std::move(push),
+                 .specialization = {}});
+}
+
+}  // namespace airlight

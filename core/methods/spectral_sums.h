@@ -1,0 +1,27 @@
+#pragma once
+// Passes that turn groups of three wavelengths into colours.
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/methods/spectral_sky.h"
+#include "core/plan/plan.h"
+
+namespace airlight {
+
+// From here on passes are added for a group: they read its scene, and their names and keys tell it from the others.
+// Ends with Plan::end_scene(). `tile`: of the picture.
+void begin_group(Plan& plan, const SpectralScene& spectral, std::size_t group, const Tile& tile);
+
+// Tables of the groups, all of one size, as one in colours, `name`, kept under `key` if that is not empty. `colours`:
+// for each table those of its channels.
+ImageId add_colour_table(Plan& plan, const std::string& name, const std::string& key,
+                         const std::vector<ImageId>& tables, const std::vector<std::array<Rgb, 3>>& colours);
+
+// Adds a group's buffer of vec4s to one in colours; `first`: that one holds nothing so far.
+void add_colours(Plan& plan, BufferId part, BufferId picture, const std::array<Rgb, 3>& colours, std::size_t group,
+                 bool first);
+
+}  // namespace airlight
