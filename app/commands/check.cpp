@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/methods/method.h"
 #include "core/scene/curve_reader.h"
+#include "core/scene/phase_reader.h"
 #include "core/scene/printable.h"
 #include "core/scene/resolve.h"
 
@@ -84,6 +85,9 @@ int check_presets(const Given& given) {
     if (problems.empty()) {
       for (const std::string& warning : curve_warnings(scene)) {
         complain("warning: " + source + ": " + warning);
+      }
+      for (const std::string& note : given.quiet ? std::vector<std::string>() : phase_notes(scene)) {
+        complain("note: " + source + ": " + note);
       }
     }
     if (!problems.empty()) {

@@ -7,6 +7,7 @@
 
 #include "core/air/legendre.h"
 #include "core/air/moment_axes.h"
+#include "core/air/phase_samples.h"
 #include "core/air/scene_block.h"
 #include "core/air/shells.h"
 
@@ -18,6 +19,10 @@ static_assert(kMaxDensityLayers == static_cast<int>(physics::kMaxDensityLayers))
 
 double largest(const Spectrum& s) {
   return *std::max_element(s.begin(), s.end());
+}
+
+double channel(const physics::vec3& v, std::size_t c) {
+  return c == 0 ? v.x : c == 1 ? v.y : v.z;
 }
 
 std::uint32_t code_of(DensityProfile profile) {
@@ -38,10 +43,10 @@ std::uint32_t code_of(DensityProfile profile) {
   return physics::kDensityExponential;
 }
 
-std::uint32_t code_of(PhaseFunction phase, bool schlick) {
-  switch (phase) {
+std::uint32_t code_of(const Medium& medium, bool schlick) {
+  switch (medium.phase) {
     case PhaseFunction::rayleigh:
-      return physics::kPhaseRayleigh;
+      return largest(medium.depolarization) > 0.0 ? physics::kPhaseDepolarized : physics::kPhaseRayleigh;
     case PhaseFunction::henyey_greenstein:
       return schlick ? physics::kPhaseSchlick : physics::kPhaseHenyeyGreenstein;
     case PhaseFunction::cornette_shanks:
@@ -50,6 +55,8 @@ std::uint32_t code_of(PhaseFunction phase, bool schlick) {
       return physics::kPhaseSchlick;
     case PhaseFunction::isotropic:
       return physics::kPhaseIsotropic;
+    case PhaseFunction::table:
+      return physics::kPhaseTable;
   }
   return physics::kPhaseIsotropic;
 }
@@ -57,7 +64,9 @@ std::uint32_t code_of(PhaseFunction phase, bool schlick) {
 void put_media(physics::Physics& p, const std::vector<Medium>& media) {
   assert(media.size() <= static_cast<std::size_t>(kMaxMedia));
   p.media = static_cast<physics::uint>(media.size());
+  p.phase_samples = phase_samples(media);
   physics::uint layer = 0;
+  physics::uint table = 0;
   for (std::size_t i = 0; i < media.size(); ++i) {
     const Density& density = media[i].density;
     physics::MediumData& m = p.scene.media[i];
@@ -68,6 +77,8 @@ void put_media(physics::Physics& p, const std::vector<Medium>& media) {
     m.half_width = density.half_width;
     m.below = density.below;
     m.g = media[i].phase_g;
+    m.depolarization = vector_of(media[i].depolarization);
+    m.phase_table = media[i].phase == PhaseFunction::table ? table++ : 0;
     m.first_layer = layer;
     m.layer_count = static_cast<physics::uint>(density.layers.size());
     for (const DensityLayer& l : density.layers) {
@@ -82,9 +93,8 @@ void put_media(physics::Physics& p, const std::vector<Medium>& media) {
 void put_phases(physics::Physics& p, const std::vector<Medium>& media, bool schlick) {
   p.phase_functions = 0;
   for (std::size_t i = 0; i < media.size(); ++i) {
-    const std::uint32_t code = code_of(media[i].phase, schlick);
-    p.phase_functions |= code << (physics::kBitsPerMedium * i);
-    const LegendreMoments moments = legendre_moments(p, code, media[i].phase_g);
+    p.phase_functions |= code_of(media[i], schlick) << (physics::kBitsPerMedium * i);
+    const LegendreMoments moments = legendre_moments(p, static_cast<physics::uint>(i));
     std::copy(moments.begin(), moments.end(), std::begin(p.scene.media[i].legendre));
   }
 }
@@ -107,7 +117,12 @@ std::string key_of(const physics::Physics& p) {
   for (const std::uint32_t word : {p.media, p.density_profiles, p.phase_functions, p.fade ? 1U : 0U}) {
     key += std::to_string(word) + ' ';
   }
-  return key.append(reinterpret_cast<const char*>(&block), sizeof block);
+  key.append(reinterpret_cast<const char*>(&block), sizeof block);
+  if (p.phase_samples != nullptr) {
+    const std::vector<std::byte> tables = narrowed_tables(p);
+    key.append(reinterpret_cast<const char*>(tables.data()), tables.size());
+  }
+  return key;
 }
 
 }  // namespace
@@ -208,7 +223,7 @@ OpticalDepths Air::depths() const {
       const double scattering = scattering_depth(i)[c];
       here.scattering += scattering;
       here.extinction += scattering + media()[i].absorption[c] * column().amount[i];
-      here.peaked += std::abs(formulas().scene.media[i].legendre[1]) >= kPeaked ? scattering : 0.0;
+      here.peaked += std::abs(channel(formulas().scene.media[i].legendre[1], c)) >= kPeaked ? scattering : 0.0;
       here.abrupt += media()[i].density.profile == DensityProfile::constant ? scattering : 0.0;
     }
     most.extinction = std::max(most.extinction, here.extinction);
@@ -225,9 +240,11 @@ DiffusionDepths Air::diffusion_depths(unsigned int degree) const {
   for (std::size_t i = 0; i < media().size(); ++i) {
     const auto& legendre = formulas().scene.media[i].legendre;
     const double depth = largest(scattering_depth(i));
-    depths.forward += legendre[1] > kForward ? depth : 0.0;
-    depths.transport += depth * (1.0 - legendre[1]);
-    depths.scaled += depth * (1.0 - std::max(legendre[degree + 1], 0.0));
+    // Of the channel in which the medium turns light least, or keeps most of it.
+    const auto least = [](const physics::vec3& v) { return std::min({v.x, v.y, v.z}); };
+    depths.forward += -least(-legendre[1]) > kForward ? depth : 0.0;
+    depths.transport += depth * (1.0 - least(legendre[1]));
+    depths.scaled += depth * (1.0 - std::max(least(legendre[degree + 1]), 0.0));
   }
   return depths;
 }

@@ -5,6 +5,9 @@
 #include <cstring>
 #include <iterator>
 #include <numbers>
+#include <span>
+
+#include "core/plan/plan.h"
 
 namespace airlight {
 namespace {
@@ -71,10 +74,12 @@ device::MediumData narrow(const physics::MediumData& from) {
   m.half_width = narrow(from.half_width);
   m.below = narrow(from.below);
   m.g = narrow(from.g);
+  m.depolarization = narrow(from.depolarization);
+  m.phase_table = from.phase_table;
   m.first_layer = from.first_layer;
   m.layer_count = from.layer_count;
   std::transform(std::begin(from.legendre), std::end(from.legendre), std::begin(m.legendre),
-                 [](double x) { return narrow(x); });
+                 [](const vec3& x) { return narrow(x); });
   return m;
 }
 
@@ -151,16 +156,31 @@ device::SceneData narrowed(const physics::SceneData& data) {
   return out;
 }
 
+std::vector<std::byte> narrowed_tables(const physics::Physics& p) {
+  std::vector<float> values(4);  // a buffer has something in it
+  if (p.phase_samples != nullptr) {
+    values.clear();
+    for (const vec3& sample : *p.phase_samples) {
+      values.insert(values.end(), {narrow(sample.x), narrow(sample.y), narrow(sample.z), 0.0F});
+    }
+  }
+  const auto bytes = std::as_bytes(std::span(values));
+  return {bytes.begin(), bytes.end()};
+}
+
 std::vector<std::byte> device_scene_bytes(const Air& air, const Scene& scene) {
   return device_scene_bytes(air, scene, {0, 0, scene.image.width, scene.image.height});
 }
 
 std::vector<std::byte> device_scene_bytes(const Air& air, const Scene& scene, const Tile& tile) {
-  device::SceneData data = narrowed(formulas_of(air, scene).scene);
+  const physics::Physics p = formulas_of(air, scene);
+  device::SceneData data = narrowed(p.scene);
   data.tile = {static_cast<unsigned int>(tile.x), static_cast<unsigned int>(tile.y),
                static_cast<unsigned int>(tile.width)};
-  std::vector<std::byte> bytes(sizeof data);
+  const std::vector<std::byte> tables = narrowed_tables(p);
+  std::vector<std::byte> bytes(scene_tables_offset(sizeof data) + tables.size());
   std::memcpy(bytes.data(), &data, sizeof data);
+  std::ranges::copy(tables, bytes.begin() + static_cast<std::ptrdiff_t>(bytes.size() - tables.size()));
   return bytes;
 }
 

@@ -19,12 +19,15 @@ physics::Physics formulas_of(const Air& air, const Scene& scene);
 // The same without air: planet, sun and camera, for who asks for directions and distances alone.
 physics::Physics geometry_of(const Scene& scene);
 
-// For Plan::scene_data; of a plan that renders one tile of the picture, or all of it.
+// For Plan::scene_data, the block and its tables; of a plan that renders one tile of the picture, or all of it.
 std::vector<std::byte> device_scene_bytes(const Air& air, const Scene& scene);
 std::vector<std::byte> device_scene_bytes(const Air& air, const Scene& scene, const Tile& tile);
 
 // The block in float.
 device::SceneData narrowed(const physics::SceneData& data);
+
+// What shaders know as `scene_tables`.
+std::vector<std::byte> narrowed_tables(const physics::Physics& p);
 
 std::uint32_t projection_code(Projection projection);
 

@@ -41,7 +41,7 @@ double phase_peak(const Air& air, unsigned int medium) {
   double peak = 0.0;
   for (int k = 0; k <= kAngles; ++k) {
     const double nu = std::cos(std::numbers::pi * k / kAngles);
-    peak = std::max(peak, static_cast<double>(p.medium_phase(medium, nu)));
+    peak = std::max(peak, largest(p.medium_phase(medium, nu)));
   }
   return 4.0 * std::numbers::pi * peak;
 }

@@ -58,9 +58,19 @@ void write_descriptors(const Device& device, const Plan& plan, const RunResource
       add(bound.binding).pImageInfo = &images.back();
     }
   }
+  std::size_t block_bytes = 0;
   for (const ShaderBinding& binding : step.program->info.bindings) {
-    if (binding.kind != BindingKind::uniform_block) continue;
-    buffers.push_back({resources.scene(step.pass->scene)->buffer->get(), 0, plan.scene_of(*step.pass).size()});
+    if (binding.kind == BindingKind::uniform_block) block_bytes = binding.block_bytes;
+  }
+  const std::size_t tables = scene_tables_offset(block_bytes);
+  for (const ShaderBinding& binding : step.program->info.bindings) {
+    if (!comes_with_scene(binding)) continue;
+    const VkBuffer scene = resources.scene(step.pass->scene)->buffer->get();
+    if (binding.kind == BindingKind::uniform_block) {
+      buffers.push_back({scene, 0, block_bytes});
+    } else {
+      buffers.push_back({scene, tables, plan.scene_of(*step.pass).size() - tables});
+    }
     add(binding).pBufferInfo = &buffers.back();
   }
   vkUpdateDescriptorSets(device.get(), static_cast<std::uint32_t>(writes.size()), writes.data(), 0, nullptr);

@@ -27,11 +27,11 @@ class Matcher {
     throw std::logic_error("pass " + pass_name(pass_) + ", shader " + shader_.name + ": " + problem);
   }
 
-  // "it has a, b": the uniform block is not the pass's to bind.
+  // "it has a, b".
   std::string known_bindings() const {
     std::string text;
     for (const ShaderBinding& binding : shader_.bindings) {
-      if (binding.kind != BindingKind::uniform_block) text += (text.empty() ? "it has " : ", ") + binding.name;
+      if (!comes_with_scene(binding)) text += (text.empty() ? "it has " : ", ") + binding.name;
     }
     return text.empty() ? "it has none" : text;
   }
@@ -46,7 +46,7 @@ class Matcher {
 
   MatchedBinding match_binding(const Binding& bound, bool writes) const {
     const auto found = std::find_if(shader_.bindings.begin(), shader_.bindings.end(), [&](const ShaderBinding& b) {
-      return b.name == bound.name && b.kind != BindingKind::uniform_block;
+      return b.name == bound.name && !comes_with_scene(b);
     });
     if (found == shader_.bindings.end()) {
       refuse("the shader has no binding named " + bound.name + "; " + known_bindings());
@@ -88,7 +88,7 @@ class Matcher {
   void check_nothing_left_out() const {
     for (const ShaderBinding& binding : shader_.bindings) {
       const auto is_it = [&](const Binding& bound) { return bound.name == binding.name; };
-      if (binding.kind != BindingKind::uniform_block && std::none_of(pass_.reads.begin(), pass_.reads.end(), is_it) &&
+      if (!comes_with_scene(binding) && std::none_of(pass_.reads.begin(), pass_.reads.end(), is_it) &&
           std::none_of(pass_.writes.begin(), pass_.writes.end(), is_it)) {
         refuse("the pass binds nothing to " + binding.name + ", " + std::string(describe(binding.kind)));
       }
@@ -101,11 +101,21 @@ class Matcher {
         refuse("the uniform block " + binding.name + " has " + std::to_string(binding.block_bytes) +
                " bytes, the plan's scene data " + std::to_string(plan_.scene_of(pass_).size()));
       }
+      if (binding.kind == BindingKind::storage_buffer && comes_with_scene(binding)) check_tables(binding);
     }
     const std::size_t pushed = pass_.push_constants.size() * sizeof(std::uint32_t);
     if (pushed != shader_.push_constant_bytes) {
       refuse("the push constants have " + std::to_string(shader_.push_constant_bytes) + " bytes in the shader and " +
              std::to_string(pushed) + " in the pass");
+    }
+  }
+
+  void check_tables(const ShaderBinding& binding) const {
+    const auto block = std::find_if(shader_.bindings.begin(), shader_.bindings.end(),
+                                    [](const ShaderBinding& b) { return b.kind == BindingKind::uniform_block; });
+    if (block == shader_.bindings.end()) refuse(binding.name + " stands behind a uniform block, and there is none");
+    if (plan_.scene_of(pass_).size() <= scene_tables_offset(block->block_bytes)) {
+      refuse("the plan's scene data ends before " + binding.name);
     }
   }
 

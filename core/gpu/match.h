@@ -22,7 +22,7 @@ struct ConstantValue {
 };
 
 struct MatchedPass {
-  std::vector<MatchedBinding> bindings;  // without the uniform block
+  std::vector<MatchedBinding> bindings;  // without what comes with the scene
   std::vector<ConstantValue> constants;  // sorted; those that the pass sets
   std::array<std::uint32_t, 3> workgroup_size{1, 1, 1};
   std::array<std::uint32_t, 3> workgroups{1, 1, 1};

@@ -125,6 +125,10 @@ void add_workgroup_size(const SpirvModule& module, const SpirvDefinition& compos
 
 }  // namespace
 
+bool comes_with_scene(const ShaderBinding& binding) {
+  return binding.kind == BindingKind::uniform_block || binding.name == "scene_tables";
+}
+
 std::string_view describe(BindingKind kind) {
   switch (kind) {
     case BindingKind::uniform_block:

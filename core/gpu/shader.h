@@ -27,6 +27,9 @@ struct ShaderBinding {
   std::size_t block_bytes = 0;        // uniform block; storage buffer without its unsized array
 };
 
+// Part of the plan's scene data, which is no pass's to bind: the uniform block, and the storage buffer `scene_tables`.
+bool comes_with_scene(const ShaderBinding& binding);
+
 struct SpecializationConstant {
   std::string name;  // local_size_x and so on for the constants of local_size_x_id, which have no name of their own
   std::uint32_t id = 0;

@@ -21,14 +21,11 @@ class LimitCheck {
                describe_bytes(limits_.storage_buffer_bytes) + " in a storage buffer");
       }
     }
-    const auto& bindings = step_.program->info.bindings;
-    const bool has_scene = std::any_of(bindings.begin(), bindings.end(), [](const ShaderBinding& binding) {
-      return binding.kind == BindingKind::uniform_block;
-    });
-    const std::size_t scene_bytes = plan_.scene_of(*step_.pass).size();
-    if (has_scene && scene_bytes > limits_.uniform_block_bytes) {
-      refuse("the scene data has " + describe_bytes(scene_bytes),
-             describe_bytes(limits_.uniform_block_bytes) + " in a uniform block");
+    for (const ShaderBinding& binding : step_.program->info.bindings) {
+      if (binding.kind == BindingKind::uniform_block && binding.block_bytes > limits_.uniform_block_bytes) {
+        refuse("the scene data has " + describe_bytes(binding.block_bytes),
+               describe_bytes(limits_.uniform_block_bytes) + " in a uniform block");
+      }
     }
   }
 

@@ -89,8 +89,11 @@ std::uint32_t media_wider_than_a_column(const Air& air, int columns, std::uint32
   const double nu = 1.0 - 2.0 * chord * chord;
   std::uint32_t bits = 0;
   for (std::uint32_t i = 0; i < p.medium_count(); ++i) {
-    const bool wide =
-        p.medium_phase(i, nu) > 0.2 * p.medium_phase(i, 1.0) && p.medium_phase(i, -nu) > 0.2 * p.medium_phase(i, -1.0);
+    const auto far = [&](double at, double peak) {
+      const physics::vec3 rest = p.medium_phase(i, at) - p.medium_phase(i, peak) * 0.2;
+      return rest.x > 0.0 && rest.y > 0.0 && rest.z > 0.0;
+    };
+    const bool wide = far(nu, 1.0) && far(-nu, -1.0);
     bits |= wide ? 1u << i : 0u;
   }
   return bits & scattering;

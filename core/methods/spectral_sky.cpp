@@ -31,26 +31,30 @@ using Columns = std::array<double, kMaxMedia>;  // density times length, km, by 
 struct Coefficients {
   Columns scattering{};
   Columns extinction{};
+  Columns depolarization{};
   double albedo = 0.0;
+  double nm = 0.0;
 };
 
 // The fine bands, then the nodes.
 std::vector<Coefficients> coefficients_of(const SceneSpectra& spectra, const Nodes& nodes) {
   std::vector<Coefficients> all;
-  const auto add = [&](auto value) {
+  const auto add = [&](double nm, auto value) {
     Coefficients c;
+    c.nm = nm;
     for (std::size_t i = 0; i < spectra.media.size(); ++i) {
       c.scattering[i] = value(spectra.media[i].scattering);
       c.extinction[i] = c.scattering[i] + value(spectra.media[i].absorption);
+      c.depolarization[i] = value(spectra.media[i].depolarization);
     }
     c.albedo = value(spectra.ground_albedo);
     all.push_back(c);
   };
   for (const WaveBand& band : fine_bands()) {
-    add([&](const Curve& curve) { return mean_over(curve, band.low, band.high); });
+    add(0.5 * (band.low + band.high), [&](const Curve& curve) { return mean_over(curve, band.low, band.high); });
   }
   for (std::size_t k = 0; k < nodes.nm.size(); ++k) {
-    add([&](const Curve& curve) { return at_node(curve, nodes, k); });
+    add(nodes.nm[k], [&](const Curve& curve) { return at_node(curve, nodes, k); });
   }
   return all;
 }
@@ -69,7 +73,7 @@ class SkySampler {
     if (ray.length_ <= 0.0) {
       return {};
     }
-    const physics::Physics::Phases phases = p_.phases(nu);
+    const std::vector<Columns> phases = phases_at(nu);
     std::vector<double> light(coefficients_.size());
     Columns before{};
     const auto plan = p_.plan_steps(planet(), ray, kViewSteps);
@@ -159,6 +163,26 @@ class SkySampler {
     return sum;
   }
 
+  // By wavelength, then by medium.
+  std::vector<Columns> phases_at(double nu) {
+    const physics::Physics::Phases plain = p_.phases(nu);
+    const double degrees = std::atan2(std::sqrt((1.0 - nu) * (1.0 + nu)), nu) * 180.0 / std::numbers::pi;
+    std::vector<Columns> all(coefficients_.size());
+    for (std::size_t w = 0; w < all.size(); ++w) {
+      for (std::size_t i = 0; i < p_.media; ++i) {
+        const Medium& medium = scene_.media[i];
+        if (medium.phase == PhaseFunction::table) {
+          all[w][i] = phase_at(medium.phase_table, coefficients_[w].nm, degrees);
+        } else if (medium.phase == PhaseFunction::rayleigh) {
+          all[w][i] = p_.phase_depolarized(vec3(coefficients_[w].depolarization[i]), nu).x;
+        } else {
+          all[w][i] = plain.of[i].x;
+        }
+      }
+    }
+    return all;
+  }
+
   double through(const Coefficients& c, const Columns& a, const Columns& b) const {
     double depth = 0.0;
     for (std::size_t m = 0; m < p_.media; ++m) {
@@ -168,13 +192,13 @@ class SkySampler {
   }
 
   void add_scattered(std::vector<double>& light, const Columns& here, const Columns& before, const Columns& to_sun,
-                     const physics::Physics::Phases& phases, double width) {
+                     const std::vector<Columns>& phases, double width) {
     for (std::size_t w = 0; w < light.size(); ++w) {
       const Coefficients& c = coefficients_[w];
       double source = 0.0;
       double depth = 0.0;
       for (std::size_t m = 0; m < p_.media; ++m) {
-        source += c.scattering[m] * here[m] * phases.of[m];
+        source += c.scattering[m] * here[m] * phases[w][m];
         depth += c.extinction[m] * here[m] * width;
       }
       light[w] += source * width * p_.mean_transmittance(depth) * through(c, before, to_sun);
@@ -235,6 +259,8 @@ Scene group_scene(const Scene& scene, const Nodes& nodes, const std::array<std::
     for (std::size_t i = 0; i < group.media.size(); ++i) {
       group.media[i].scattering[c] = at_node(spectra.media[i].scattering, nodes, at[c]);
       group.media[i].absorption[c] = at_node(spectra.media[i].absorption, nodes, at[c]);
+      group.media[i].depolarization[c] = at_node(spectra.media[i].depolarization, nodes, at[c]);
+      group.media[i].phase_wavelengths[c] = nodes.nm[at[c]];
     }
     group.planet.ground_albedo[c] = at_node(spectra.ground_albedo, nodes, at[c]);
     group.sun.irradiance[c] = irradiance;

@@ -2,6 +2,7 @@
 // shaders/physics compiled as C++ on double: the same text that the device runs in float.
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "core/physics/vector.h"
@@ -32,6 +33,7 @@ struct Physics {
   uint density_profiles = 0;  // four bits a medium
   uint phase_functions = 0;   // four bits a medium
   bool fade = false;
+  std::shared_ptr<const std::vector<vec3>> phase_samples;  // logarithms, tables one behind the other; null: none
   HostTable transmittance_lut;
   HostTable multiple_scattering_lut;
   HostTable ground_irradiance_lut;
@@ -48,6 +50,7 @@ struct Physics {
   uint phase_of(uint i) const { return (phase_functions >> (kBitsPerMedium * i)) & 15u; }
   MediumData medium(uint i) const { return scene.media[i]; }
   vec2 density_layer(uint k) const { return scene.layers[k]; }
+  vec3 phase_sample(uint k) const { return (*phase_samples)[k]; }
   bool sun_fade_enabled() const { return fade; }
   bool ground_reflects() const { return ground_irradiance_lut.width > 0; }
   vec3 fetch_transmittance(real x, real y) const { return transmittance_lut.fetch_unit(x, y); }
@@ -78,6 +81,7 @@ struct Physics {
 // In the order of their needs.
 // clang-format off
 #include "shaders/physics/phase.glsl"
+#include "shaders/physics/phase_table.glsl"
 #include "shaders/physics/geometry.glsl"
 #include "shaders/physics/shadow.glsl"
 #include "shaders/physics/environment.glsl"

@@ -77,9 +77,17 @@ struct PassDesc {
   std::uint32_t scene = 0;  // which of the plan's scenes its uniform block holds; set by Plan::add_pass
 };
 
+// What every device can begin a storage buffer's range at.
+inline constexpr std::size_t kSceneTablesAlignment = 256;
+
+constexpr std::size_t scene_tables_offset(std::size_t block_bytes) {
+  return (block_bytes + kSceneTablesAlignment - 1) / kSceneTablesAlignment * kSceneTablesAlignment;
+}
+
 class Plan {
  public:
-  // The one uniform block, `scene` in every shader that declares it.
+  // The one uniform block, `scene` in every shader that declares it, and behind it, from the next multiple of
+  // kSceneTablesAlignment on, what the storage buffer `scene_tables` of a shader holds.
   std::vector<std::byte> scene_data;
 
   // From here on passes read another scene, of as many bytes, and what is added has the suffix behind name and key.

@@ -146,13 +146,6 @@ class Form {
     curve_ = constant_curve(values().minimum);
   }
 
-  std::filesystem::path file_of(const std::string& name) const {
-    // Beside the preset that names it; for an option, in the working directory.
-    const std::filesystem::path file(name);
-    const bool in_preset = site_.value.line > 0;
-    return file.is_absolute() || !in_preset ? file : std::filesystem::path(site_.value.source).parent_path() / file;
-  }
-
   bool read_file() {
     only({"file", "scale"});
     const auto* name = std::get_if<std::string>(&object_.find("file")->second.data);
@@ -161,7 +154,7 @@ class Form {
       return true;
     }
     const double scale = number("scale", {.minimum = 0.0, .maximum = 1e30}, {}, 1.0);
-    const std::filesystem::path file = file_of(*name);
+    const std::filesystem::path file = file_beside(site_.value, *name);
     errno = 0;
     std::ifstream stream(file);
     if (!stream || std::filesystem::is_directory(file)) {
@@ -319,6 +312,12 @@ void warn_of(std::vector<std::string>& lines, const std::string& pointer, const 
 
 }  // namespace
 
+std::filesystem::path file_beside(const PresetValue& value, const std::string& name) {
+  const std::filesystem::path file(name);
+  const bool in_preset = value.line > 0;
+  return file.is_absolute() || !in_preset ? file : std::filesystem::path(value.source).parent_path() / file;
+}
+
 Spectrum CurveReader::read(const Section& section, std::string_view key, Curve& curve) {
   return read(section, key, 0.0, curve);
 }
@@ -333,8 +332,7 @@ Spectrum CurveReader::read(const Section& section, std::string_view key, double 
   if (value != nullptr && std::holds_alternative<PresetObject>(value->data)) {
     const Site site = section.site(key, *value);
     curve = Form(site, column).read();
-    first_ = any_ ? first_ : site.pointer;
-    any_ = true;
+    add(site.pointer);
     return {};
   }
   const Spectrum channels = section.spectrum(key);
@@ -351,13 +349,17 @@ Curve CurveReader::read_shape(const Section& section, std::string_view key) {
     return solar_irradiance();
   }
   const Site site = section.site(key, *value);
-  first_ = any_ ? first_ : site.pointer;
-  any_ = true;
+  add(site.pointer);
   if (!std::holds_alternative<PresetObject>(value->data)) {
     site.complain(quoted(*value) + " is no curve; expected " + std::string(kForms));
     return solar_irradiance();
   }
   return Form(site, 0.0).read();
+}
+
+void CurveReader::add(const std::string& pointer) {
+  first_ = any_ ? first_ : pointer;
+  any_ = true;
 }
 
 void CurveReader::refuse_channels() const {

@@ -8,6 +8,7 @@
 //   {"black_body_k": 5772}
 
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,9 @@ inline constexpr Range kKelvin{.minimum = 100.0, .maximum = 100000.0};
 inline constexpr Range kDobsonUnits{.minimum = 0.0, .maximum = 1e6};
 inline constexpr Range kShapeValue{.minimum = 0.0, .maximum = 1e9};
 
+// A file that a preset names: beside that preset; for an option, in the working directory.
+std::filesystem::path file_beside(const PresetValue& value, const std::string& name);
+
 // Collects the curves of a preset; without one, the scene keeps its three channels.
 class CurveReader {
  public:
@@ -33,6 +37,9 @@ class CurveReader {
   Spectrum read(const Section& section, std::string_view key, double column, Curve& curve);
   // Of sun.spectrum; the sun's where it is absent.
   Curve read_shape(const Section& section, std::string_view key);
+
+  // A curve that somebody else has read.
+  void add(const std::string& pointer);
 
   bool any() const { return any_; }
   // Reports each value of three channels in a scene with curves.

@@ -87,8 +87,31 @@ std::string irradiance_text(const Scene& scene) {
   return Lines::with_unit(text, irradiance_unit(scene.sun.unit));
 }
 
+std::string phase_text(const Medium& medium, const MediumSpectra* curves) {
+  const std::string name(kPhaseNames.at(static_cast<std::size_t>(medium.phase)));
+  const PhaseTable& table = medium.phase_table;
+  switch (medium.phase) {
+    case PhaseFunction::rayleigh: {
+      const bool curved = curves != nullptr && (!curves->depolarization.json.empty());
+      const bool depolarizes = curved || medium.depolarization != Spectrum{};
+      return name + (!depolarizes ? ""
+                     : curved     ? ", depolarization " + curve_text(curves->depolarization)
+                                  : ", depolarization " + format_number(medium.depolarization[1]));
+    }
+    case PhaseFunction::isotropic:
+      return name;
+    case PhaseFunction::table:
+      return name + ", " + std::to_string(table.angles_deg.size()) + " angles" +
+             (table.wavelengths_nm.empty() ? ""
+                                           : ", " + std::to_string(table.rows.size()) + " wavelengths from " +
+                                                 format_number(table.wavelengths_nm.front()) + " to " +
+                                                 format_number(table.wavelengths_nm.back()) + " nm");
+    default:
+      return name + ", g " + format_number(medium.phase_g);
+  }
+}
+
 void describe_medium(Lines& lines, const Medium& medium, const MediumSpectra* curves) {
-  const bool has_asymmetry = medium.phase != PhaseFunction::rayleigh && medium.phase != PhaseFunction::isotropic;
   lines.heading("medium " + medium.name);
   if (curves != nullptr) {
     lines.line("scattering", Lines::with_unit(curve_text(curves->scattering), "per km"))
@@ -96,9 +119,7 @@ void describe_medium(Lines& lines, const Medium& medium, const MediumSpectra* cu
   } else {
     lines.spectrum("scattering", medium.scattering, "per km").spectrum("absorption", medium.absorption, "per km");
   }
-  lines.line("density", density_text(medium.density))
-      .line("phase", std::string(kPhaseNames.at(static_cast<std::size_t>(medium.phase))) +
-                         (has_asymmetry ? ", g " + format_number(medium.phase_g) : ""));
+  lines.line("density", density_text(medium.density)).line("phase", phase_text(medium, curves));
 }
 
 void describe_camera(Lines& lines, const Camera& camera, const ImageSize& image) {

@@ -115,6 +115,13 @@ void merge_media(PresetArray& base, PresetArray&& over) {
   }
 }
 
+// A phase function of its own leaves nothing of the inherited one but g, whose keys would be strays.
+void drop_other_function(PresetObject& base, const PresetValue& over) {
+  if (std::get<PresetObject>(over.data).contains("function")) {
+    std::erase_if(base, [](const auto& entry) { return entry.first != "g"; });
+  }
+}
+
 // A file of another format stays an error in the file that builds on it.
 bool is_foreign_version(std::string_view key, const PresetValue& base) {
   const auto* version = std::get_if<double>(&base.data);
@@ -137,6 +144,9 @@ void merge_object(PresetValue& base, PresetValue&& over) {
     const bool both_arrays =
         std::holds_alternative<PresetArray>(target.data) && std::holds_alternative<PresetArray>(value.data);
     if (!is_new && both_objects && !replaces_whole(key, value)) {
+      if (key == "phase") {
+        drop_other_function(std::get<PresetObject>(target.data), value);
+      }
       merge_object(target, std::move(value));
     } else if (!is_new && both_arrays && key == "media") {
       merge_media(std::get<PresetArray>(target.data), std::move(std::get<PresetArray>(value.data)));

@@ -13,6 +13,7 @@
 #include "core/scene/json_format.h"
 #include "core/scene/json_text.h"
 #include "core/scene/key_frame_reader.h"
+#include "core/scene/phase_reader.h"
 #include "core/scene/printable.h"
 #include "core/scene/problems.h"
 #include "core/scene/render_settings.h"
@@ -114,10 +115,7 @@ Medium read_medium(const Section& section, double top, CurveReader& curves, Scen
   MediumSpectra& own = spectra.media.emplace_back();
   medium.scattering = curves.read(section, "scattering_per_km", own.scattering);
   medium.absorption = curves.read(section, "absorption_per_km", density_column(medium.density, top), own.absorption);
-  const Section phase = section.child("phase");
-  phase.refuse_unknown_keys();
-  medium.phase = static_cast<PhaseFunction>(phase.choice("function").value_or(0));
-  medium.phase_g = phase.number("g");
+  read_phase(section.child("phase"), medium, own, curves);
   return medium;
 }
 
@@ -394,6 +392,8 @@ void fill_channels(Scene& scene) {
     for (std::size_t i = 0; i < scene.media.size(); ++i) {
       scene.media[i].scattering[c] = at_node(spectra.media[i].scattering, nodes, k);
       scene.media[i].absorption[c] = at_node(spectra.media[i].absorption, nodes, k);
+      scene.media[i].depolarization[c] = at_node(spectra.media[i].depolarization, nodes, k);
+      scene.media[i].phase_wavelengths[c] = nodes.nm[k];
     }
     scene.planet.ground_albedo[c] = at_node(spectra.ground_albedo, nodes, k);
     scene.sun.irradiance[c] *= sun[c];

@@ -16,6 +16,8 @@ constexpr Range kCoefficient{.minimum = 0.0, .maximum = 1e5};  // the light of a
 constexpr Range kFactor{.minimum = 0.0, .maximum = 1e6};
 constexpr Range kIrradiance{.minimum = 0.0, .maximum = 1e9};
 constexpr Range kUnit{.minimum = 0.0, .maximum = 1.0};
+constexpr Range kPhaseAngle{.minimum = 0.0, .maximum = 180.0};
+constexpr Range kPhaseValue{.minimum = 0.0, .maximum = 1e9};
 constexpr Range kRightAngle{.minimum = -90.0, .maximum = 90.0};
 constexpr Range kAnyAngle{.minimum = -1e6, .maximum = 1e6};
 constexpr Range kImageSide{.minimum = 1.0, .maximum = 65536.0};
@@ -27,6 +29,8 @@ constexpr std::array<std::string_view, 2> kCentered = {"tent", "lorentzian"};
 constexpr std::array<std::string_view, 1> kConstant = {"constant"};
 constexpr std::array<std::string_view, 1> kLayered = {"layers"};
 constexpr std::array<std::string_view, 1> kFog = {"height-fog"};
+constexpr std::array<std::string_view, 1> kMolecules = {"rayleigh"};
+constexpr std::array<std::string_view, 1> kTabled = {"table"};
 constexpr std::array<std::string_view, 1> kPerspective = {"perspective"};
 constexpr std::array<std::string_view, 1> kFisheye = {"fisheye"};
 constexpr std::array<std::string_view, 3> kMaps = {"equirectangular", "cube", "octahedral"};
@@ -41,7 +45,7 @@ constexpr auto kRules = std::to_array<Rule>({
      .type = RuleType::extends,
      .meaning = "the preset that this one builds on, by a path relative to this file or, built in, by its name: merged "
                 "key by key, `media` by `name`; a `density` with a `profile` of its own replaces the inherited one "
-                "whole"},
+                "whole, a `phase` with a `function` all but its `g`"},
 
     {.key = "planet.radius_km",
      .range = kSize,
@@ -128,7 +132,37 @@ constexpr auto kRules = std::to_array<Rule>({
     {.key = "media[].phase.g",
      .range = {.minimum = -0.99, .maximum = 0.99},
      .default_text = "0.8",
-     .meaning = "asymmetry, positive = forward; not used by `rayleigh` and `isotropic`"},
+     .meaning = "asymmetry, positive = forward; not used by `rayleigh`, `isotropic` and `table`"},
+    {.key = "media[].phase.depolarization",
+     .type = RuleType::curve,
+     .range = kUnit,
+     .default_text = "0",
+     .only_for = kMolecules,
+     .meaning = "Chandrasekhar's gamma, rho / (2 - rho) of the depolarisation rho of light scattered at a right angle; "
+                "0: molecules that are round"},
+    {.key = "media[].phase.angles_deg",
+     .type = RuleType::angles,
+     .range = kPhaseAngle,
+     .unit = "degrees",
+     .only_for = kTabled,
+     .meaning = "scattering angles of `values`, from 0 to 180"},
+    {.key = "media[].phase.wavelengths_nm",
+     .type = RuleType::angles,
+     .range = kWavelength,
+     .unit = "nm",
+     .only_for = kTabled,
+     .meaning = "where the function changes with the wavelength, those of the rows of `values`"},
+    {.key = "media[].phase.values",
+     .type = RuleType::phase_values,
+     .range = kPhaseValue,
+     .only_for = kTabled,
+     .meaning =
+         "a value for each angle, or a row of them for each wavelength; with integral 1 or 4 pi over the sphere to "
+         "5 %"},
+    {.key = "media[].phase.file",
+     .type = RuleType::text,
+     .only_for = kTabled,
+     .meaning = "in place of the three: a table beside the preset, see [Phase functions](#phase-functions)"},
 
     {.key = "sun.elevation_deg",
      .range = kRightAngle,
@@ -400,6 +434,10 @@ std::string expectation(const Rule& rule) {
       return "a number, " + range + ", \"auto\", \"day\" or \"lock:FRAME\"";
     case RuleType::media:
       return "an array of " + range + " media";
+    case RuleType::angles:
+      return "an array of ascending numbers, " + range;
+    case RuleType::phase_values:
+      return "an array of numbers, " + range + ", or one such array a wavelength";
     case RuleType::layers:
       return "an array of [altitude_km, density], altitudes ascending";
     case RuleType::key_frames:

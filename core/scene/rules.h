@@ -25,23 +25,25 @@ inline constexpr double kFarthest = 1e7;  // km
 inline constexpr Range kLayerAltitude{.minimum = 0.0, .maximum = kFarthest};
 
 enum class RuleType {
-  version,      // the number 1
-  extends,      // a file name; gone once a file is loaded
-  text,         // any string
-  name,         // a string with at least one character
-  boolean,      // true or false
-  integer,      // a number without fraction
-  number,       // a finite number
-  spectrum,     // a number or three
-  curve,        // the same, or a curve over the wavelength
-  shape,        // a curve over the wavelength
-  wavelengths,  // a whole number or "auto"
-  choice,       // one of the listed strings; default_text without quotes
-  method,       // the name of a method
-  exposure,     // a number or how it is metered
-  media,        // an array of media
-  layers,       // an array of [altitude, density], altitudes ascending; the range is the density's
-  key_frames,   // an array of objects: a frame's number and what keys are then
+  version,       // the number 1
+  extends,       // a file name; gone once a file is loaded
+  text,          // any string
+  name,          // a string with at least one character
+  boolean,       // true or false
+  integer,       // a number without fraction
+  number,        // a finite number
+  spectrum,      // a number or three
+  curve,         // the same, or a curve over the wavelength
+  shape,         // a curve over the wavelength
+  wavelengths,   // a whole number or "auto"
+  choice,        // one of the listed strings; default_text without quotes
+  method,        // the name of a method
+  exposure,      // a number or how it is metered
+  media,         // an array of media
+  angles,        // an array of numbers, ascending
+  phase_values,  // an array of numbers, or of such arrays
+  layers,        // an array of [altitude, density], altitudes ascending; the range is the density's
+  key_frames,    // an array of objects: a frame's number and what keys are then
 };
 
 struct Rule {
@@ -73,8 +75,8 @@ inline constexpr Range kWavelength{.minimum = 200.0, .maximum = 4000.0};
 inline constexpr std::array<std::string_view, 1> kInterpolationNames = {"linear"};
 inline constexpr std::array<std::string_view, 6> kProfileNames = {"exponential", "tent",   "lorentzian",
                                                                   "constant",    "layers", "height-fog"};
-inline constexpr std::array<std::string_view, 5> kPhaseNames = {"rayleigh", "henyey-greenstein", "cornette-shanks",
-                                                                "schlick", "isotropic"};
+inline constexpr std::array<std::string_view, 6> kPhaseNames = {"rayleigh", "henyey-greenstein", "cornette-shanks",
+                                                                "schlick",  "isotropic",         "table"};
 inline constexpr std::array<std::string_view, 5> kProjectionNames = {"perspective", "equirectangular", "fisheye",
                                                                      "cube", "octahedral"};
 inline constexpr std::array<std::string_view, 3> kCubeLayoutNames = {"stack", "strip", "cross"};

@@ -12,6 +12,7 @@
 #include "core/scene/method_info.h"
 #include "core/spectra/colour.h"
 #include "core/spectra/curve.h"
+#include "core/spectra/phase_table.h"
 
 namespace airlight {
 
@@ -21,7 +22,7 @@ inline constexpr int kMaxMedia = 8;
 inline constexpr int kMaxDensityLayers = 256;  // over all media of a scene
 
 enum class DensityProfile { exponential, tent, lorentzian, constant, layers, height_fog };
-enum class PhaseFunction { rayleigh, henyey_greenstein, cornette_shanks, schlick, isotropic };
+enum class PhaseFunction { rayleigh, henyey_greenstein, cornette_shanks, schlick, isotropic, table };
 enum class Projection { perspective, equirectangular, fisheye, cube, octahedral };
 enum class CubeLayout { stack, strip, cross };
 enum class SunUnit { relative, watts_per_square_metre, lux };
@@ -50,6 +51,9 @@ struct Medium {
   Density density;
   PhaseFunction phase = PhaseFunction::isotropic;
   double phase_g = 0.8;
+  Spectrum depolarization{};     // Chandrasekhar's gamma, of rayleigh
+  PhaseTable phase_table{};      // of table
+  Spectrum phase_wavelengths{};  // nm, at which the channels look into it
   bool operator==(const Medium&) const = default;
 };
 
@@ -154,6 +158,7 @@ struct Display {
 struct MediumSpectra {
   Curve scattering;  // 1/km at density 1
   Curve absorption;  // 1/km at density 1
+  Curve depolarization;
   bool operator==(const MediumSpectra&) const = default;
 };
 

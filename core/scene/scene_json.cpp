@@ -78,6 +78,38 @@ std::string density_json(const Density& density) {
   return object.str();
 }
 
+std::string list_json(const std::vector<double>& values) {
+  std::string text;
+  for (const double value : values) {
+    text += (text.empty() ? "[" : ", ") + format_number(value);
+  }
+  return text + "]";
+}
+
+// What is not there is not stated, so that EXRs of before and after the keys carry the same preset.
+std::string phase_json(const Medium& medium, const MediumSpectra* curves) {
+  JsonObject object(4);
+  object.text("function", name_of(medium.phase, kPhaseNames)).number("g", medium.phase_g);
+  const Curve none;
+  const Curve& depolarization = curves != nullptr ? curves->depolarization : none;
+  if (medium.depolarization != Spectrum{} || !(depolarization.json.empty() && depolarization.value == 0.0)) {
+    object.spectrum("depolarization", medium.depolarization, curves != nullptr ? &depolarization : nullptr);
+  }
+  const PhaseTable& table = medium.phase_table;
+  if (medium.phase != PhaseFunction::table) {
+    return object.str();
+  }
+  object.add("angles_deg", list_json(table.angles_deg));
+  if (table.wavelengths_nm.empty()) {
+    return object.add("values", list_json(table.rows.front())).str();
+  }
+  std::string rows;
+  for (const std::vector<double>& row : table.rows) {
+    rows += (rows.empty() ? "[" : ", ") + list_json(row);
+  }
+  return object.add("wavelengths_nm", list_json(table.wavelengths_nm)).add("values", rows + "]").str();
+}
+
 std::string media_json(const Scene& scene) {
   std::string text;
   for (std::size_t i = 0; i < scene.media.size(); ++i) {
@@ -88,8 +120,7 @@ std::string media_json(const Scene& scene) {
         .spectrum("scattering_per_km", medium.scattering, curves != nullptr ? &curves->scattering : nullptr)
         .spectrum("absorption_per_km", medium.absorption, curves != nullptr ? &curves->absorption : nullptr)
         .add("density", density_json(medium.density))
-        .add("phase",
-             JsonObject(4).text("function", name_of(medium.phase, kPhaseNames)).number("g", medium.phase_g).str());
+        .add("phase", phase_json(medium, curves));
     text += (text.empty() ? "" : ",") + JsonObject::indent(2) + object.str();
   }
   return "[" + text + JsonObject::indent(1) + "]";

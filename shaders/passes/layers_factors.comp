@@ -22,7 +22,7 @@ void store(uint block, uvec2 texel, vec3 light) {
 
 void store_single(uint i, SkyFactors factors, uvec2 texel, float nu) {
   if (scatters(i)) {
-    float phase = folded(i) ? medium_phase(i, nu) / shared_carrier(section_of_row(texel.y), nu) : 1.0;
+    vec3 phase = folded(i) ? medium_phase(i, nu) / shared_carrier(section_of_row(texel.y), nu) : vec3(1.0);
     store(single_block(i), texel, factors.single[i] * phase);
   }
 }

@@ -2,7 +2,7 @@
 // The includer defines the scene's media; on the device the first three are specialisation constants, so that a scene
 // with two media runs a shader with two media:
 //   uint medium_count();  uint density_profile(uint i);  uint phase_of(uint i);  MediumData medium(uint i);
-//   vec2 density_layer(uint k);
+//   vec2 density_layer(uint k);  vec3 phase_sample(uint k);
 
 // The later of two layers, `step` apart, that lies at or below h.
 uint layer_below(MediumData m, real h, uint low, uint step) {
@@ -88,10 +88,21 @@ real step_density(uint profile, MediumData m, real h, real rise) {
 
 // Phase function of each medium for one angle: constant along a ray.
 struct Phases {
-  real of[kMaxMedia];
+  vec3 of[kMaxMedia];
 };
 
-real medium_phase(uint i, real nu) { return i < medium_count() ? phase_value(phase_of(i), medium(i).g, nu) : 0.0; }
+vec3 medium_phase(uint i, real nu) {
+  if (i >= medium_count()) {
+    return vec3(0.0);
+  }
+  if (phase_of(i) == kPhaseTable) {
+    return phase_by_table(medium(i).phase_table, nu);
+  }
+  if (phase_of(i) == kPhaseDepolarized) {
+    return phase_depolarized(medium(i).depolarization, nu);
+  }
+  return vec3(phase_value(phase_of(i), medium(i).g, nu));
+}
 
 Phases phases(real nu) {
   Phases p;
@@ -106,10 +117,31 @@ Phases phases(real nu) {
   return p;
 }
 
+// For those who gather light over all directions by a few of them.
+vec3 gathered_phase(uint i, real nu) {
+  if (i < medium_count() && phase_of(i) == kPhaseTable) {
+    return gathered_by_table(medium(i).phase_table, nu);
+  }
+  return medium_phase(i, nu);
+}
+
+Phases gathered_phases(real nu) {
+  Phases p;
+  p.of[0] = gathered_phase(0u, nu);
+  p.of[1] = gathered_phase(1u, nu);
+  p.of[2] = gathered_phase(2u, nu);
+  p.of[3] = gathered_phase(3u, nu);
+  p.of[4] = gathered_phase(4u, nu);
+  p.of[5] = gathered_phase(5u, nu);
+  p.of[6] = gathered_phase(6u, nu);
+  p.of[7] = gathered_phase(7u, nu);
+  return p;
+}
+
 Phases equal_phases(real value) {
   Phases p;
   for (uint i = 0u; i < kMaxMedia; i++) {
-    p.of[i] = value;
+    p.of[i] = vec3(value);
   }
   return p;
 }
@@ -120,7 +152,7 @@ struct Air {
   vec3 phase_scattering;  // 1/(km sr): sum of scattering times phase function
 };
 
-Air with_medium(Air air, uint i, real h, real rise, real phase) {
+Air with_medium(Air air, uint i, real h, real rise, vec3 phase) {
   if (i < medium_count()) {
     MediumData m = medium(i);
     real d = step_density(density_profile(i), m, h, rise);

@@ -135,15 +135,15 @@ struct DiffuseAir {
   vec3 degree8;
 };
 
-DiffuseAir with_diffuse_medium(DiffuseAir air, uint i, real h, real rise, real phase) {
+DiffuseAir with_diffuse_medium(DiffuseAir air, uint i, real h, real rise, vec3 phase) {
   if (i < medium_count()) {
     MediumData m = medium(i);
     real d = step_density(density_profile(i), m, h, rise);
     vec3 scattering = m.scattering * d;
-    real f = delta_scaled() ? max(m.legendre[moment_degree() + 1u], 0.0) : 0.0;
-    air.extinction = air.extinction + m.absorption * d + scattering * (1.0 - f);
+    vec3 f = delta_scaled() ? max(m.legendre[moment_degree() + 1u], vec3(0.0)) : vec3(0.0);
+    air.extinction = air.extinction + m.absorption * d + scattering * (vec3(1.0) - f);
     air.phase_scattering = air.phase_scattering + scattering * phase;
-    air.degree0 = air.degree0 + scattering * (1.0 - f);
+    air.degree0 = air.degree0 + scattering * (vec3(1.0) - f);
     air.degree1 = air.degree1 + scattering * (m.legendre[1] - f);
     air.degree2 = air.degree2 + scattering * (m.legendre[2] - f);
     air.degree3 = air.degree3 + scattering * (m.legendre[3] - f);

@@ -3,7 +3,7 @@
 // Radiance of order n at the ray's start; n = 1 (`first`): sunlight scattered once, or reflected by the ground; above:
 // from the moments of order n - 1. For a sun of irradiance 1.
 vec3 order_radiance(PlanetData planet, MomentTableData table, Ray ray, uint steps, bool first) {
-  Phases p = phases(ray.nu);
+  Phases p = gathered_phases(ray.nu);
   real falling = -(planet.ground_radius + ray.h) * ray.mu;
   uint before = falling_steps(falling, ray.length_, steps);
   vec3 radiance = vec3(0.0);

@@ -7,6 +7,12 @@ real phase_isotropic() { return 1.0 / (4.0 * kPi); }
 
 real phase_rayleigh(real nu) { return 3.0 / (16.0 * kPi) * (1.0 + nu * nu); }
 
+// [C50] ch. 1 eq. 254, [Bu95] eq. 12: gamma = rho / (2 - rho) of the depolarisation rho of light scattered at a right
+// angle. 0 is Rayleigh's.
+vec3 phase_depolarized(vec3 gamma, real nu) {
+  return (vec3(1.0 + nu * nu) + gamma * (3.0 - nu * nu)) / (vec3(1.0) + gamma * 2.0) * (3.0 / (16.0 * kPi));
+}
+
 // 1 + g*g - 2*g*nu as (1-|g|)^2 + 2|g| times the distance from the peak: no cancellation in the peak of either sign,
 // where the plain form loses all digits at |g| = 0.99.
 real phase_peak(real g, real nu) {

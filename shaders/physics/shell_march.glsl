@@ -86,7 +86,7 @@ vec3 sun_depth_on_ray(PlanetData planet, Ray ray, uint shell, real t) {
 
 // As order_radiance().
 vec3 shell_order_radiance(PlanetData planet, MomentTableData table, Ray ray, uint parts, bool first) {
-  Phases p = phases(ray.nu);
+  Phases p = gathered_phases(ray.nu);
   ShadowCrossings shadow = shadow_crossings(planet, ray);
   ShellWalk walk = shell_walk(planet, ray);
   vec3 radiance = vec3(0.0);

@@ -11,7 +11,7 @@ struct SkyFactors {
 vec3 phased(SkyFactors factors, Phases p) {
   vec3 sum = factors.diffuse;
   for (uint i = 0u; i < kMaxMedia; i++) {
-    sum = sum + factors.single[i] * (i < medium_count() ? p.of[i] : 0.0);
+    sum = sum + factors.single[i] * (i < medium_count() ? p.of[i] : vec3(0.0));
   }
   return sum;
 }

@@ -19,9 +19,13 @@ uint phase_of(uint i) { return (kPhaseFunctions >> (kBitsPerMedium * i)) & 15u; 
 MediumData loaded_media[kMaxMedia] = scene.media;
 MediumData medium(uint i) { return loaded_media[i]; }
 vec2 density_layer(uint k) { return scene.layers[k]; }
+// Behind the block in the plan's scene data; all zeros where no medium has a table.
+layout(scalar, set = 0, binding = 15) readonly buffer SceneTables { vec4 values[]; } scene_tables;
+vec3 phase_sample(uint k) { return scene_tables.values[k].xyz; }
 bool sun_fade_enabled() { return kSunFade != 0u; }
 
 #include "physics/phase.glsl"
+#include "physics/phase_table.glsl"
 #include "physics/geometry.glsl"
 #include "physics/shadow.glsl"
 #include "physics/environment.glsl"

@@ -5,6 +5,7 @@
 const uint kMaxMedia = 8u;
 const uint kMaxDensityLayers = 256u;
 const uint kMaxShellRows = 64u;
+const uint kPhaseSamples = 1024u;   // of a phase function by table
 const uint kLegendreMoments = 10u;  // 0 to 9: what delta-scaling leaves out of degree 8 is the last
 
 struct PlanetData {
@@ -21,9 +22,11 @@ struct MediumData {
   real half_width;
   real below;  // the density is 1 up to there: where `constant` ends and a height fog begins to fall
   real g;
+  vec3 depolarization;  // Chandrasekhar's gamma, of molecules
+  uint phase_table;     // which of the scene's tables, of a phase function by table
   uint first_layer;
   uint layer_count;
-  real legendre[kLegendreMoments];  // of the phase function: integral of p(nu) P_l(nu) over the sphere, from l = 0
+  vec3 legendre[kLegendreMoments];  // of the phase function: integral of p(nu) P_l(nu) over the sphere, from l = 0
 };
 
 struct SunData {

@@ -12,6 +12,8 @@ const uint kPhaseHenyeyGreenstein = 1u;
 const uint kPhaseCornetteShanks = 2u;
 const uint kPhaseSchlick = 3u;
 const uint kPhaseIsotropic = 4u;
+const uint kPhaseTable = 5u;
+const uint kPhaseDepolarized = 6u;  // Rayleigh's, of molecules that are not round
 
 const uint kProjectionPerspective = 0u;
 const uint kProjectionEquirectangular = 1u;

@@ -58,6 +58,8 @@ std::map<std::string, std::size_t> host_offsets() {
   AIRLIGHT_MEMBER(media[0].half_width);
   AIRLIGHT_MEMBER(media[0].below);
   AIRLIGHT_MEMBER(media[0].g);
+  AIRLIGHT_MEMBER(media[0].depolarization);
+  AIRLIGHT_MEMBER(media[0].phase_table);
   AIRLIGHT_MEMBER(media[0].first_layer);
   AIRLIGHT_MEMBER(media[0].layer_count);
   AIRLIGHT_MEMBER(media[0].legendre);

@@ -147,6 +147,17 @@ TEST_F(Match, RefusesTooLittleData) {
   EXPECT_EQ(refusal(), "pass sky, shader march: the uniform block scene has 32 bytes, the plan's scene data 28");
 }
 
+// The scene's tables are no pass's to bind: they stand behind the block.
+TEST_F(Match, TakesTheScenesTablesFromItsData) {
+  shader_.bindings.push_back({.name = "scene_tables", .kind = BindingKind::storage_buffer, .binding = 15});
+  plan_.scene_data.resize(kSceneTablesAlignment + 16);
+  EXPECT_EQ(refusal(), "");
+  plan_.scene_data.resize(32);
+  EXPECT_EQ(refusal(), "pass sky, shader march: the plan's scene data ends before scene_tables");
+  pass_.reads.push_back({"scene_tables", BufferId{0}});
+  EXPECT_TRUE(refusal().starts_with("pass sky, shader march: the shader has no binding named scene_tables"));
+}
+
 TEST_F(Match, RefusesAnotherCountOfPushConstants) {
   pass_.push_constants = {1};
   EXPECT_EQ(refusal(), "pass sky, shader march: the push constants have 8 bytes in the shader and 4 in the pass");

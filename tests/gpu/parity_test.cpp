@@ -192,6 +192,24 @@ TEST_F(Parity, PhaseFunctions) {
   compare(vacuum(), physics::kCallPhase, mild, {Bound{1e-8, 3e-5}});
 }
 
+// Tables behind the scene's block, of two media, and molecules that depolarise.
+TEST_F(Parity, PhaseTables) {
+  Scene scene = earth();
+  scene.media[0].depolarization = {0.0, 0.02, 0.5};
+  take_table(scene.media[1], peaked_table({0.5, 0.7, 0.85}));
+  scene.media.push_back(medium("more", {1e-3, 2e-3, 3e-3}, {}, exponential(2.0)));
+  take_table(scene.media.back(), peaked_table({-0.4}));
+  std::vector<Inputs> inputs;
+  Random random;
+  for (int i = 0; i < kCount; ++i) {
+    inputs.push_back({static_cast<float>(random.uniform(0.0, 20.0)), static_cast<float>(random.cosine())});
+  }
+  // In the peak the angle is known to 3e-4, the rounding of a cosine near 1.
+  const Bound extinction{1e-8, 3e-6};
+  const Bound scattered{1e-8, 2e-3};
+  compare(scene, physics::kCallAir, inputs, {extinction, extinction, extinction, scattered, scattered, scattered});
+}
+
 // Over fifteen orders of magnitude; 1 - exp(-x) over x is 6 % off at 1e-6.
 TEST_F(Parity, SegmentIntegral) {
   std::vector<Inputs> inputs{{0.0f}, {0.5f}, {std::nextafter(0.5f, 0.0f)}};

@@ -82,6 +82,73 @@ TEST(Phase, HasKnownValues) {
   EXPECT_NEAR(formulas.phase_schlick(0.0, 0.3), formulas.phase_isotropic(), 1e-16);
 }
 
+// [C50], [Bu95]: the norm is 1 for any gamma, 0 is Rayleigh's function, 1 the isotropic one; backward and forward are
+// alike; and 1 - 3 rho / 4 or so of the second moment is left.
+TEST(Phase, DepolarizedLiesBetweenRayleighAndIsotropic) {
+  for (const double gamma : {0.0, 0.0147, 0.3, 1.0}) {
+    const auto phase = [&](double nu) { return formulas.phase_depolarized(physics::vec3(gamma), nu).y; };
+    EXPECT_NEAR(sphere_integral(phase), 1.0, 1e-9) << gamma;
+    EXPECT_NEAR(phase(0.3), phase(-0.3), 1e-16);
+    EXPECT_NEAR(phase(0.0) / phase(1.0), (1.0 + 3.0 * gamma) / (2.0 + 2.0 * gamma), 1e-12) << gamma;
+  }
+  EXPECT_EQ(formulas.phase_depolarized(physics::vec3(0.0), 0.4).x, formulas.phase_rayleigh(0.4));
+  EXPECT_NEAR(formulas.phase_depolarized(physics::vec3(1.0), 0.4).x, formulas.phase_isotropic(), 1e-16);
+}
+
+// A table of Henyey-Greenstein's values is that function, channel by channel: values, norm, and moments g^l.
+TEST(Phase, ATableOfAFormulaIsTheFormula) {
+  const std::vector<double> g{0.5, 0.7, 0.85};  // at 400, 500, 600 nm
+  Scene scene = earth();
+  take_table(scene.media[1], peaked_table(g));
+  physics::Physics p = make_physics(scene);
+  ASSERT_EQ(p.phase_of(1), physics::kPhaseTable);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double asymmetry = g[2 - c];
+    const auto phase = [&](double nu) { return channel(p.medium_phase(1, nu), c); };
+    for (double nu = -1.0; nu <= 1.0; nu += 0.01) {
+      EXPECT_NEAR(phase(nu) / p.phase_henyey_greenstein(asymmetry, nu), 1.0, 2e-4) << c << ", nu " << nu;
+    }
+    EXPECT_NEAR(sphere_integral(phase), 1.0, 1e-5) << c;
+    for (int l = 0; l < 10; ++l) {
+      EXPECT_NEAR(channel(p.medium(1).legendre[l], c), std::pow(asymmetry, l), 5e-5) << c << ", degree " << l;
+    }
+  }
+}
+
+// The moments that delta-scaling and the harmonics take: of Rayleigh's function P_2 has 1/10, of the mixture its share.
+TEST(Phase, MomentsOfDepolarizedMolecules) {
+  Scene scene = earth();
+  scene.media[0].depolarization = {0.0, 0.0148, 1.0};
+  const physics::Physics p = make_physics(scene);
+  EXPECT_EQ(p.phase_of(0), physics::kPhaseDepolarized);
+  EXPECT_NEAR(p.medium(0).legendre[2].x, 0.1, 1e-6);
+  EXPECT_NEAR(p.medium(0).legendre[2].y, 0.1 * (1.0 - 0.0148) / (1.0 + 2.0 * 0.0148), 1e-6);
+  EXPECT_NEAR(p.medium(0).legendre[2].z, 0.0, 1e-9);
+  EXPECT_NEAR(p.medium(0).legendre[1].y, 0.0, 1e-9);
+  EXPECT_EQ(make_physics(earth()).phase_of(0), physics::kPhaseRayleigh);
+}
+
+// An edge that no formula has stays where it is: the values between the table's angles are within 1 % of exponentials.
+TEST(Phase, ATableKeepsItsEdges) {
+  PhaseTable table;
+  table.angles_deg = {0.0, 1.0, 20.0, 137.0, 138.0, 180.0};
+  table.rows = {{300.0, 30.0, 0.3, 0.02, 0.08, 0.05}};
+  const double norm = sphere_integral(table, 0);
+  for (double& value : table.rows[0]) {
+    value /= norm;
+  }
+  EXPECT_NEAR(sphere_integral(table, 0), 1.0, 1e-12);
+  EXPECT_NEAR(sphere_integral([&](double nu) { return phase_at(table, 550.0, std::acos(nu) / kDegree); }), 1.0, 5e-4);
+  Scene scene = earth();
+  take_table(scene.media[1], table);
+  physics::Physics p = make_physics(scene);
+  for (double angle = 0.05; angle < 180.0; angle += 0.173) {
+    EXPECT_NEAR(p.medium_phase(1, std::cos(angle * kDegree)).y / phase_at(table, 550.0, angle), 1.0,
+                std::abs(angle - 137.5) < 1.0 ? 0.12 : 0.01)
+        << angle;
+  }
+}
+
 TEST(Phase, SchlickStandsForHenyeyGreenstein) {
   double before = -2.0;
   for (double g = -0.99; g <= 0.9905; g += 0.01) {

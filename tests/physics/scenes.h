@@ -1,9 +1,11 @@
 #pragma once
 // Scenes that the tests of physics, device and methods build on, made without a preset.
 
+#include <cmath>
 #include <numbers>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/methods/scene_air.h"
 #include "core/scene/scene.h"
@@ -15,6 +17,32 @@ inline constexpr double kDegree = std::numbers::pi / 180.0;
 inline Medium medium(std::string name, Spectrum scattering, Spectrum absorption, Density density,
                      PhaseFunction phase = PhaseFunction::isotropic, double g = 0.8) {
   return {std::move(name), scattering, absorption, std::move(density), phase, g};
+}
+
+// A medium's phase function by a table of Henyey-Greenstein's, at angles that crowd into the peak; by channel another
+// g, whose wavelengths are 600, 500 and 400 nm.
+inline PhaseTable peaked_table(const std::vector<double>& asymmetries, int angles = 400) {
+  PhaseTable table;
+  physics::Physics formulas;
+  for (int k = 0; k <= angles; ++k) {
+    table.angles_deg.push_back(180.0 * (static_cast<double>(k) / angles) * (static_cast<double>(k) / angles));
+  }
+  for (const double g : asymmetries) {
+    table.rows.emplace_back();
+    for (const double angle : table.angles_deg) {
+      table.rows.back().push_back(formulas.phase_henyey_greenstein(g, std::cos(angle * kDegree)));
+    }
+  }
+  if (asymmetries.size() > 1) {
+    table.wavelengths_nm = {400.0, 500.0, 600.0};
+  }
+  return table;
+}
+
+inline void take_table(Medium& medium, PhaseTable table) {
+  medium.phase = PhaseFunction::table;
+  medium.phase_table = std::move(table);
+  medium.phase_wavelengths = {600.0, 500.0, 400.0};
 }
 
 inline Density exponential(double scale_height) {

@@ -251,7 +251,7 @@ INSTANTIATE_TEST_SUITE_P(
                   "/media/0/scattering_per_km: -1 is outside 0 to 100000 per km"},
         MediaCase{R"([{"name": "a", "density": {"profile": "constant", "below_km": 1}, "phase": {"function": "mie"}}])",
                   "/media/0/phase/function: \"mie\" is unknown; expected one of \"rayleigh\", \"henyey-greenstein\", "
-                  "\"cornette-shanks\", \"schlick\", \"isotropic\""}));
+                  "\"cornette-shanks\", \"schlick\", \"isotropic\", \"table\""}));
 
 TEST(Refusals, NameTheMissingVersionAndMedia) {
   EXPECT_EQ(problems_of("{}"),

@@ -107,6 +107,12 @@ Json type_schema(const Rule& rule) {
                 Json{{"type", "string"}, {"pattern", "^lock:[0-9]{1,8}$"}}}}};
     case RuleType::media:
       return {{"type", "array"}, {"minItems", rule.range.minimum}, {"maxItems", rule.range.maximum}};
+    case RuleType::angles:
+      return array_schema(number_schema(rule.range), 1, kMaxCurveSamples);
+    case RuleType::phase_values: {
+      const Json row = array_schema(number_schema(rule.range), 2, kMaxCurveSamples);
+      return {{"anyOf", {row, array_schema(row, 1, kMaxCurveSamples)}}};
+    }
     case RuleType::layers:
       return layers_schema(rule);
     case RuleType::key_frames:

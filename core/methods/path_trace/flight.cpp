@@ -138,7 +138,10 @@ Channels Flight::asymmetry_at(double h) const {
     const uint kind = physics_.phase_of(i);
     const vec3 scattering = m.scattering * physics_.density(physics_.density_profile(i), m, h);
     all = all + scattering;
-    if (kind != physics::kPhaseRayleigh && kind != physics::kPhaseIsotropic) {
+    if (kind == physics::kPhaseTable) {
+      forward = forward + scattering * m.legendre[1];
+    } else if (kind != physics::kPhaseRayleigh && kind != physics::kPhaseDepolarized &&
+               kind != physics::kPhaseIsotropic) {
       forward = forward + scattering * m.g;
     }
   }

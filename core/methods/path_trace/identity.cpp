@@ -28,6 +28,22 @@ class Lines {
   std::string text_;
 };
 
+void add_table(Lines& lines, const std::string& at, const Medium& medium) {
+  const PhaseTable& table = medium.phase_table;
+  if (table.rows.empty()) {
+    return;
+  }
+  lines.add(at + "/wavelengths (nm)", medium.phase_wavelengths);
+  for (std::size_t k = 0; k < table.angles_deg.size(); ++k) {
+    const std::string angle = std::to_string(k);
+    lines.add(at + "/angles_deg/" + angle, table.angles_deg[k]);
+    for (std::size_t c = 0; c < Spectrum{}.size(); ++c) {
+      lines.add(at + "/values/" + angle + "/" + std::to_string(c),
+                phase_at(table, medium.phase_wavelengths[c], table.angles_deg[k]));
+    }
+  }
+}
+
 void add_medium(Lines& lines, const std::string& at, const Medium& medium) {
   lines.add(at + "/scattering_per_km", medium.scattering);
   lines.add(at + "/absorption_per_km", medium.absorption);
@@ -43,6 +59,8 @@ void add_medium(Lines& lines, const std::string& at, const Medium& medium) {
   }
   lines.add(at + "/phase/function", static_cast<int>(medium.phase));
   lines.add(at + "/phase/g", medium.phase_g);
+  lines.add(at + "/phase/depolarization", medium.depolarization);
+  add_table(lines, at + "/phase", medium);
 }
 
 void add_camera(Lines& lines, const Scene& scene) {

@@ -1,7 +1,12 @@
 #include "core/methods/path_trace/phase_sampling.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
+#include <numeric>
+
+#include "core/air/phase_samples.h"
 
 namespace airlight {
 
@@ -40,28 +45,75 @@ double sample_schlick(double k, double u) {
   return (2.0 * u - 1.0 + k) / (1.0 - k + 2.0 * u * k);
 }
 
+constexpr double kPeaked = 0.3;  // mean cosine, either way
+
 }  // namespace
 
-double sample_phase(physics::Physics& physics, physics::uint kind, double g, double u, Random& random) {
-  double nu = 0.0;
-  switch (kind) {
-    case physics::kPhaseRayleigh:
-      nu = sample_rayleigh(u);
-      break;
-    case physics::kPhaseHenyeyGreenstein:
-      nu = sample_henyey_greenstein(g, u);
-      break;
-    case physics::kPhaseCornetteShanks:
-      nu = sample_cornette_shanks(g, u, random);
-      break;
-    case physics::kPhaseSchlick:
-      nu = sample_schlick(physics.schlick_k(g), u);
-      break;
-    default:
-      nu = 2.0 * u - 1.0;
-      break;
+PhaseSampler::PhaseSampler(physics::Physics& physics) : physics_(physics) {
+  for (physics::uint i = 0; i < physics.medium_count(); ++i) {
+    if (physics.phase_of(i) != physics::kPhaseTable) {
+      continue;
+    }
+    Table table{.ends = {}, .shares = interval_shares(physics, physics.medium(i).phase_table)};
+    std::partial_sum(table.shares.begin(), table.shares.end(), std::back_inserter(table.ends));
+    tables_.push_back(std::move(table));
+  }
+}
+
+double PhaseSampler::mean_depolarization(physics::uint medium) const {
+  const vec3 gamma = physics_.medium(medium).depolarization;
+  return (gamma.x + gamma.y + gamma.z) / 3.0;
+}
+
+double PhaseSampler::sample(physics::uint medium, double u, Random& random) const {
+  const physics::uint kind = physics_.phase_of(medium);
+  const double g = physics_.medium(medium).g;
+  double nu = 2.0 * u - 1.0;
+  if (kind == physics::kPhaseRayleigh) {
+    nu = sample_rayleigh(u);
+  } else if (kind == physics::kPhaseHenyeyGreenstein) {
+    nu = sample_henyey_greenstein(g, u);
+  } else if (kind == physics::kPhaseCornetteShanks) {
+    nu = sample_cornette_shanks(g, u, random);
+  } else if (kind == physics::kPhaseSchlick) {
+    nu = sample_schlick(physics_.schlick_k(g), u);
+  } else if (kind == physics::kPhaseDepolarized) {
+    // Isotropic for so much of it, Rayleigh's for the rest.
+    const double gamma = mean_depolarization(medium);
+    nu = random.uniform() < 3.0 * gamma / (1.0 + 2.0 * gamma) ? nu : sample_rayleigh(u);
+  } else if (kind == physics::kPhaseTable) {
+    const Table& table = table_of(medium);
+    const double at = u * table.ends.back();
+    const auto found = std::upper_bound(table.ends.begin(), table.ends.end() - 1, at);
+    const auto k = static_cast<std::size_t>(found - table.ends.begin());
+    const double share = std::clamp(1.0 - (table.ends[k] - at) / table.shares[k], 0.0, 1.0);
+    nu = sample_cosine(k) * (1.0 - share) + sample_cosine(k + 1) * share;
   }
   return std::clamp(nu, -1.0, 1.0);
+}
+
+double PhaseSampler::density(physics::uint medium, double nu, vec3 phase) const {
+  const physics::uint kind = physics_.phase_of(medium);
+  if (kind == physics::kPhaseDepolarized) {
+    return physics_.phase_depolarized(vec3(mean_depolarization(medium)), nu).x;
+  }
+  if (kind == physics::kPhaseTable) {
+    const Table& table = table_of(medium);
+    const std::size_t k = std::min(static_cast<std::size_t>(physics_.phase_table_place(nu)), table.shares.size() - 1);
+    const double width = 2.0 * std::numbers::pi * (sample_cosine(k) - sample_cosine(k + 1));
+    return table.shares[k] / (table.ends.back() * width);
+  }
+  return phase.x;
+}
+
+bool PhaseSampler::is_peaked(physics::uint medium) const {
+  const physics::uint kind = physics_.phase_of(medium);
+  const physics::MediumData m = physics_.medium(medium);
+  if (kind == physics::kPhaseTable) {
+    return std::abs(m.legendre[1].x + m.legendre[1].y + m.legendre[1].z) > 3.0 * kPeaked;
+  }
+  return kind != physics::kPhaseRayleigh && kind != physics::kPhaseDepolarized && kind != physics::kPhaseIsotropic &&
+         std::abs(m.g) > kPeaked;
 }
 
 vec3 around(vec3 axis, double nu, double turn) {

@@ -1,14 +1,40 @@
 #pragma once
-// Directions by a medium's phase function.
+// Directions by the media's phase functions.
+
+#include <vector>
 
 #include "core/methods/path_trace/random.h"
 #include "core/physics/physics.h"
 
 namespace airlight {
 
-// Cosine of the scattering angle, distributed as 2 pi phase_value(kind, g, nu). u in [0, 1); further numbers from
-// `random` where a function has no closed inverse.
-double sample_phase(physics::Physics& physics, physics::uint kind, double g, double u, Random& random);
+// Draws scattering angles of each medium, and knows how likely it draws them.
+class PhaseSampler {
+ public:
+  explicit PhaseSampler(physics::Physics& physics);
+
+  // Cosine of the scattering angle, distributed as 2 pi density(medium, nu). u in [0, 1); further numbers from `random`
+  // where a function has no closed inverse.
+  double sample(physics::uint medium, double u, Random& random) const;
+
+  // 1/sr: the medium's `phase` at nu where it is a formula that all channels share; else near the channels' mean.
+  double density(physics::uint medium, double nu, physics::vec3 phase) const;
+
+  // Whether the medium scatters mostly forward, or mostly back.
+  bool is_peaked(physics::uint medium) const;
+
+ private:
+  // Of a table: even in the cosine within each of its intervals.
+  struct Table {
+    std::vector<double> ends;  // of the intervals' shares, summed
+    std::vector<double> shares;
+  };
+  const Table& table_of(physics::uint medium) const { return tables_[physics_.medium(medium).phase_table]; }
+  double mean_depolarization(physics::uint medium) const;
+
+  physics::Physics& physics_;
+  std::vector<Table> tables_;
+};
 
 // The unit vector at cosine nu from `axis`, `turn` in [0, 1) of a full turn around it.
 physics::vec3 around(physics::vec3 axis, double nu, double turn);

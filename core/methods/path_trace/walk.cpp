@@ -20,7 +20,6 @@ constexpr double kTowardSun = 0.3;  // times the share of peaked media
 constexpr double kTowardSky = 0.8;
 constexpr double kTowardSkyPeaked = 0.2;
 constexpr double kTowardSkyGround = 0.8;
-constexpr double kPeaked = 0.3;  // |g| from which a medium counts as peaked
 
 // Vertices up to this order are guided. Later ones go by physics alone, where collisions and phase functions leave
 // weights nearly equal: over the dozens of orders that thick air needs even a good guide's errors would multiply, and
@@ -45,10 +44,6 @@ double largest_ratio(vec3 a, vec3 b) {
     ratio = below > 0.0 ? std::max(ratio, channels_of(a)[c] / below) : ratio;
   }
   return ratio;
-}
-
-bool is_peaked(uint kind, double g) {
-  return kind != physics::kPhaseRayleigh && kind != physics::kPhaseIsotropic && std::abs(g) > kPeaked;
 }
 
 }  // namespace
@@ -96,6 +91,7 @@ Walk::Walk(physics::Physics& physics, const OpticalDepth& depth, const SingleSca
       single_(single),
       flight_(flight),
       guide_(guide),
+      phases_(physics),
       max_orders_(max_orders),
       guided_orders_(guided_orders(flight.forward_depth())) {}
 
@@ -150,7 +146,7 @@ vec3 Walk::from_sun(const State& state) const {
   const double nu = dot(state.direction, physics_.scene.sun.direction);
   vec3 scattered(0.0);
   for (uint i = 0; i < physics_.medium_count(); ++i) {
-    scattered = scattered + state.scattering[i] * physics_.phase_value(physics_.phase_of(i), physics_.medium(i).g, nu);
+    scattered = scattered + state.scattering[i] * physics_.medium_phase(i, nu);
   }
   return arrives * scattered;
 }
@@ -159,8 +155,12 @@ vec3 Walk::from_sun(const State& state) const {
 class Walk::Lobes {
  public:
   // Without `guided` the phase functions alone, or the cosine.
-  Lobes(physics::Physics& physics, const SkyGuide& guide, const State& state, bool guided)
-      : physics_(physics), guide_(guide), state_(state), frame_(physics, state.h, state.up, state.at_ground) {
+  Lobes(physics::Physics& physics, const PhaseSampler& phases, const SkyGuide& guide, const State& state, bool guided)
+      : physics_(physics),
+        phases_(phases),
+        guide_(guide),
+        state_(state),
+        frame_(physics, state.h, state.up, state.at_ground) {
     if (state.at_ground) {
       toward_sky_ = guided ? kTowardSkyGround : 0.0;
       weight_ = channels_of(state.carry * physics.scene.planet.ground_albedo);
@@ -173,7 +173,7 @@ class Walk::Lobes {
       along_path_[i] = dot(state.carry, state.scattering[i]);
       scattering = scattering + state.scattering[i];
       all += along_path_[i];
-      peaked += is_peaked(physics.phase_of(i), physics.medium(i).g) ? along_path_[i] : 0.0;
+      peaked += phases.is_peaked(i) ? along_path_[i] : 0.0;
     }
     weight_ = channels_of(state.carry * scattering);
     peaked /= all;
@@ -182,7 +182,7 @@ class Walk::Lobes {
     for (uint i = 0; i < count(); ++i) {
       mix_[i] = along_path_[i] / all;
       // Peaked media may be absent where the vertex lies.
-      const bool guides = peaked > 0.0 && is_peaked(physics.phase_of(i), physics.medium(i).g);
+      const bool guides = peaked > 0.0 && phases.is_peaked(i);
       around_sun_[i] = guides ? mix_[i] / peaked * toward_sun : 0.0;
       along_path_[i] *= (1.0 - toward_sun - toward_sky_) / all;
     }
@@ -204,7 +204,7 @@ class Walk::Lobes {
       return guide_.draw_direction(frame_, weight_, u, turn);
     }
     const uint chosen = static_cast<uint>(lobe - 1) % n;
-    const double nu = sample_phase(physics_, physics_.phase_of(chosen), physics_.medium(chosen).g, u, random);
+    const double nu = phases_.sample(chosen, u, random);
     return around(lobe <= n ? state_.direction : physics_.scene.sun.direction, nu, turn);
   }
 
@@ -224,11 +224,9 @@ class Walk::Lobes {
     const double turned = std::clamp(dot(direction, state_.direction), -1.0, 1.0);
     Choice choice{vec3(0.0), toward_sky_ * from_sky, 0.0};
     for (uint i = 0; i < count(); ++i) {
-      const uint kind = physics_.phase_of(i);
-      const double g = physics_.medium(i).g;
-      const double phase = physics_.phase_value(kind, g, turned);
-      const double toward_sun = physics_.phase_value(kind, g, to_sun);
-      choice.density += along_path_[i] * phase + around_sun_[i] * toward_sun;
+      const double toward_sun = phases_.density(i, to_sun, physics_.medium_phase(i, to_sun));
+      const vec3 phase = physics_.medium_phase(i, turned);
+      choice.density += along_path_[i] * phases_.density(i, turned, phase) + around_sun_[i] * toward_sun;
       choice.scattered = choice.scattered + state_.scattering[i] * phase;
       choice.sun_weight += mix_[i] * toward_sun * 4.0 * std::numbers::pi;
     }
@@ -239,6 +237,7 @@ class Walk::Lobes {
   uint count() const { return physics_.medium_count(); }
 
   physics::Physics& physics_;
+  const PhaseSampler& phases_;
   const SkyGuide& guide_;
   const State& state_;
   SkyFrame frame_;
@@ -251,7 +250,7 @@ class Walk::Lobes {
 
 // Chooses a direction and plans the flight along it; false where the path ends.
 bool Walk::turn(State& state, bool guided, WalkNumbers& numbers, FlightPlan& plan) const {
-  const Lobes lobes(physics_, guide_, state, guided);
+  const Lobes lobes(physics_, phases_, guide_, state, guided);
   const double u = numbers.next();
   const vec3 next = lobes.draw_direction(u, numbers.next(), numbers.random());
   const Lobes::Choice choice = lobes.judge(next);

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "core/methods/path_trace/flight.h"
+#include "core/methods/path_trace/phase_sampling.h"
 #include "core/methods/path_trace/random.h"
 #include "core/methods/path_trace/single_scattering.h"
 #include "core/methods/path_trace/sky_guide.h"
@@ -64,6 +65,7 @@ class Walk {
   const SingleScattering& single_;
   const Flight& flight_;
   const SkyGuide& guide_;
+  PhaseSampler phases_;
   int max_orders_;
   int guided_orders_;
   mutable std::atomic<std::uint64_t> cut_paths_ = 0;

@@ -1,0 +1,25 @@
+#pragma once
+// Phase functions by table as shaders/physics/phase_table.glsl has them.
+
+#include <memory>
+#include <vector>
+
+#include "core/air/legendre.h"
+#include "core/physics/physics.h"
+#include "core/scene/scene.h"
+
+namespace airlight {
+
+// The tables of the media that have one, in their order, as logarithms; null where none has.
+std::shared_ptr<const std::vector<physics::vec3>> phase_samples(const std::vector<Medium>& media);
+
+// Scattering into each of the kPhaseSamples - 1 intervals of a table, mean of the channels: shares of a sum of 1.
+std::vector<double> interval_shares(const physics::Physics& p, physics::uint table);
+
+// Cosine of the scattering angle of sample k.
+double sample_cosine(std::size_t k);
+
+// Of a table.
+LegendreMoments table_moments(const physics::Physics& p, physics::uint table);
+
+}  // namespace airlight
