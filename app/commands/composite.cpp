@@ -1,5 +1,6 @@
 #include <memory>
 
+#include "app/cli/sampling_options.h"
 #include "app/cli/scene_options.h"
 #include "app/commands/commands.h"
 #include "app/composite/order.h"
@@ -77,6 +78,17 @@ Command composite_command() {
        .choices = spaces},
       {"--layers", "LIST", "Also write inscatter, transmittance or both, with a comma; of a deep pixel the nearest's",
        &given->layers},
+      {.names = "--aerial",
+       .metavar = "WAY",
+       .help =
+           "march along each ray (the default), or volume: a table of the camera's directions and distances, faster",
+       .target = &given->aerial,
+       .choices = {"march", "volume"}},
+      share_option(
+          "--tolerance",
+          "Take the aerial volume where its mean error, measured against the march at 256 of the things, stays "
+          "below that: 1% or 0.01",
+          given->tolerance),
       {.names = "--fog",
        .metavar = "KIND",
        .help = "A simple fog in place of the air before things",

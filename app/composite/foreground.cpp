@@ -150,11 +150,16 @@ std::string set_camera(const CompositeOrder& order, const Picture& picture, doub
   }
   constexpr double kDegrees = 180.0 / std::numbers::pi;
   char text[160];
-  std::snprintf(text, sizeof text, "camera: the file's, %.6g km high, azimuth %.4g, pitch %.4g, roll %.4g, %s %.4g",
-                camera.altitude, camera.azimuth * kDegrees + 0.0, camera.pitch * kDegrees + 0.0,
-                camera.roll * kDegrees + 0.0, camera.vertical_fov ? "field of view" : "the preset's field of view",
-                scene.camera.vertical_fov * kDegrees);
-  return text;
+  std::snprintf(text, sizeof text, "camera: the file's, %.6g km high, azimuth %.4g", camera.altitude,
+                camera.azimuth * kDegrees + 0.0);
+  std::string told = text;
+  if (!is_map(scene.camera.projection)) {
+    std::snprintf(text, sizeof text, ", pitch %.4g, roll %.4g, %s %.4g", camera.pitch * kDegrees + 0.0,
+                  camera.roll * kDegrees + 0.0, camera.vertical_fov ? "field of view" : "the preset's field of view",
+                  scene.camera.vertical_fov * kDegrees);
+    told += text;
+  }
+  return told;
 }
 
 composite::DepthKind kind_of(const CompositeOrder& order, const Picture& picture, const Scene& scene) {

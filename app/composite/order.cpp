@@ -157,6 +157,13 @@ void check(const CompositeOrder& order) {
   if (order.full_float && order.half) {
     throw InputError("composite: --float and --half exclude each other; give one");
   }
+  if (order.tolerance && !order.aerial.empty()) {
+    throw InputError("composite: --tolerance chooses between what --aerial names; give one of the two");
+  }
+  if (!order.fog.empty() && (order.tolerance || !order.aerial.empty())) {
+    throw InputError(
+        "composite: --fog takes the place of the air that --aerial and --tolerance are about; leave them out");
+  }
   static_cast<void>(extra_layers(order.layers));
   static_cast<void>(unit_km(order.unit));
   static_cast<void>(fog_of(order));

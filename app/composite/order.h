@@ -22,9 +22,11 @@ struct CompositeOrder {
   std::string camera = "auto";
   std::string up = "y";
   double scale = 1.0;
-  std::string beauty_colorspace;  // empty: by its chromaticities
-  std::string colorspace;         // of the output; empty: the beauty's
-  std::string layers;             // "inscatter,transmittance"
+  std::string beauty_colorspace;    // empty: by its chromaticities
+  std::string colorspace;           // of the output; empty: the beauty's
+  std::string layers;               // "inscatter,transmittance"
+  std::string aerial;               // "march" or "volume"; empty: by the tolerance, else march
+  std::optional<double> tolerance;  // mean error of the air that is allowed
   std::string fog;
   std::vector<std::string> fog_parameters;  // KEY=VALUE
   std::string output;

@@ -10,16 +10,15 @@
 #include "app/cli/picture_options.h"
 #include "app/cli/stopwatch.h"
 #include "app/cli/terminal.h"
+#include "app/composite/air.h"
 #include "app/composite/foreground.h"
 #include "app/composite/order.h"
 #include "app/render/picture_files.h"
 #include "app/render/report.h"
 #include "app/render/validity.h"
-#include "core/air/scene_block.h"
 #include "core/error.h"
 #include "core/measure/frames.h"
 #include "core/output/atomic_file.h"
-#include "core/render/spans.h"
 
 namespace airlight::cli {
 namespace {
@@ -45,13 +44,6 @@ Rgb pixel_of(const RadianceImage& sky, std::size_t pixel) {
   return {sky.rgba[4 * pixel], sky.rgba[4 * pixel + 1], sky.rgba[4 * pixel + 2]};
 }
 
-// One ray up to a distance that a sample, or a part of one, stands at.
-struct Sample {
-  std::uint32_t pixel = 0;
-  composite::Thing thing;
-  float distance = composite::kSky;
-};
-
 std::vector<Sample> samples_of(const Foreground& fore) {
   std::vector<Sample> samples;
   samples.reserve(fore.things.size());
@@ -75,54 +67,6 @@ std::vector<Sample> samples_of(const Foreground& fore) {
     });
   }
   return samples;
-}
-
-// The air in front of each sample: the scene's own, or a fog; nothing for samples without depth.
-std::vector<AirTo> airs_of(const std::vector<Sample>& samples, const Scene& scene, const DeviceOnDemand& device) {
-  std::vector<AirTo> airs(samples.size(), AirTo{{}, {1.0F, 1.0F, 1.0F}});
-  std::vector<Span> spans;
-  std::vector<std::size_t> places;
-  const auto width = static_cast<std::uint32_t>(scene.image.width);
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    if (samples[i].distance < composite::kSky) {
-      spans.push_back({static_cast<float>(samples[i].pixel % width) + 0.5F,
-                       static_cast<float>(samples[i].pixel / width) + 0.5F, samples[i].distance});
-      places.push_back(i);
-    }
-  }
-  if (!spans.empty()) {
-    const std::vector<AirTo> found = air_to(device(), scene, spans);
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      airs[places[k]] = found[k];
-    }
-  }
-  return airs;
-}
-
-Rgb rgb(const physics::vec3& v) {
-  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
-
-// Distances in the fog's own unit, km; heights above the ground along the flat vertical, as the published forms have
-// it.
-std::vector<AirTo> fogs_of(const std::vector<Sample>& samples, const Scene& scene, const composite::Fog& fog,
-                           double unit) {
-  physics::Physics p = geometry_of(scene);
-  const physics::uint projection = projection_code(scene.camera.projection);
-  const auto width = static_cast<std::uint32_t>(scene.image.width);
-  std::vector<AirTo> airs(samples.size(), AirTo{{}, {1.0F, 1.0F, 1.0F}});
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    if (!(samples[i].distance < composite::kSky)) {
-      continue;
-    }
-    const auto ray =
-        p.view_ray(p.scene.camera, projection, samples[i].pixel % width + 0.5, samples[i].pixel / width + 0.5);
-    const composite::FogTerms terms =
-        composite::fog_terms(fog, {static_cast<double>(samples[i].distance) / unit, scene.camera.altitude / unit,
-                                   ray.direction.y, physics::dot(ray.direction, p.scene.sun.direction)});
-    airs[i] = {rgb(terms.adds), rgb(terms.keeps)};
-  }
-  return airs;
 }
 
 Composite blended(const Foreground& fore, const std::vector<Sample>& samples, const std::vector<AirTo>& airs,
@@ -220,7 +164,8 @@ std::string percent(std::size_t part, std::size_t whole) {
   return text;
 }
 
-void tell_about(const CompositeOrder& order, const Foreground& fore, const Frame& frame, const ExrCounts& counts) {
+void tell_about(const CompositeOrder& order, const Foreground& fore, const Frame& frame, const FrontAir& air,
+                const ExrCounts& counts) {
   if (order.quiet) {
     return;
   }
@@ -239,17 +184,32 @@ void tell_about(const CompositeOrder& order, const Foreground& fore, const Frame
   for (const std::string& warning : exr_warnings(counts)) {
     complain("warning: " + warning);
   }
-  tell(fore.camera + "; " + percent(fore.counts.sky, fore.things.size()) + " of the depths are sky\n" + frame.output +
-       "\n");
+  tell(fore.camera + "; " + percent(fore.counts.sky, fore.things.size()) + " of the depths are sky\n" +
+       told(order, air) + "\n" + frame.output + "\n");
 }
 
-std::string as_json(const Foreground& fore, const Frame& frame) {
+// Milliseconds of the device by pass.
+void write_passes(JsonWriter& json, const std::vector<PassTiming>& passes) {
+  json.begin_object();
+  for (const PassTiming& pass : passes) {
+    json.key(pass.name).value(pass.milliseconds);
+  }
+  json.end_object();
+}
+
+std::string as_json(const Foreground& fore, const Frame& frame, const FrontAir& air, const Rendering& sky) {
   JsonWriter json;
   json.begin_object().key("file").value(frame.output).key("camera").value(fore.camera);
   json.key("samples").value(static_cast<double>(fore.things.size()));
   json.key("sky").value(static_cast<double>(fore.counts.sky));
   json.key("nan_depths").value(static_cast<double>(fore.counts.nan));
   json.key("background_replaced").value(static_cast<double>(fore.replaced));
+  json.key("air").value(air.way).key("volume_error");
+  air.volume_error ? json.value(*air.volume_error) : json.null();
+  json.key("air_passes_ms");
+  write_passes(json, air.passes);
+  json.key("sky_passes_ms");
+  write_passes(json, sky.passes);
   return json.end_object().take();
 }
 
@@ -262,7 +222,6 @@ void composite_frame(const CompositeOrder& order, const Frame& frame, const Devi
     }
   }
   const std::vector<Sample> samples = samples_of(fore);
-  const std::optional<composite::Fog> fog = fog_of(order);
   Rendering sky;
   if (needs_sky(samples, fore)) {
     sky = render(device, scene, {});
@@ -270,17 +229,16 @@ void composite_frame(const CompositeOrder& order, const Frame& frame, const Devi
       throw RunError(order.scene.preset + ": " + sky.fault() + "; nothing was written");
     }
   }
-  const double fog_unit = unit_km(order.unit).value_or(1.0);
-  const std::vector<AirTo> airs = fog ? fogs_of(samples, scene, *fog, fog_unit) : airs_of(samples, scene, device);
+  const FrontAir air = air_before(order, samples, scene, device);
   require_valid_vulkan();
-  const Composite made = blended(fore, samples, airs, sky.radiance);
+  const Composite made = blended(fore, samples, air.airs, sky.radiance);
   const PictureContext context{
       scene, sky, {to_json(scene), scene.render.method, AIRLIGHT_VERSION, device().device().name}};
   const ExrFile file = encoded(order, fore, made, context);
   write_file(frame.output, file.bytes);
-  tell_about(order, fore, frame, file.counts);
+  tell_about(order, fore, frame, air, file.counts);
   if (order.json) {
-    print(as_json(fore, frame));
+    print(as_json(fore, frame, air, sky));
   }
 }
 

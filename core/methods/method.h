@@ -110,6 +110,12 @@ struct Span {
   float distance = 0.0F;
 };
 
+// How the air up to things is found.
+struct SpanWay {
+  bool volume = false;       // from a table over directions and distances, else by a march along each span
+  std::string kept_as = {};  // where not empty, as View::kept_as
+};
+
 // `air`: for each span two vec4s, the radiance that the air up to there sends to the camera, and its transmittance.
 struct SpanPasses {
   BufferId air;
@@ -171,7 +177,9 @@ struct SkyMethod {
   // Of the camera's picture alone. Null: the method does not tell them apart.
   LayerPasses (*add_layer_passes)(Plan&, const Scene&, const Air&, const View&) = nullptr;
   // The air between the camera and things. Null: the method knows whole rays alone.
-  SpanPasses (*add_span_passes)(Plan&, const Scene&, const Air&, std::span<const Span>) = nullptr;
+  SpanPasses (*add_span_passes)(Plan&, const Scene&, const Air&, std::span<const Span>, const SpanWay&) = nullptr;
+  // Whether SpanWay::volume holds for the scene's camera. Null: never.
+  bool (*has_volume)(const Scene&) = nullptr;
   // Why it does not for this scene, though it does in general; empty: it does. Null: it always does.
   std::string (*layers_refusal)(const Scene&) = nullptr;
   // What the picture does without as this plan has it, a line each. Null: nothing.

@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 10> kDegrees{"auto", "0", "1", "2", "3", 
 constexpr std::array<std::string_view, 2> kFolded{"smooth", "all"};
 constexpr std::array<std::string_view, 3> kWhen{"auto", "always", "never"};
 
-const std::array<ParameterInfo, 10> kParameters{{
+const std::array<ParameterInfo, 11> kParameters{{
     {"steps", ParameterKind::integer, 4, 4096, 48, {}, "steps along a view ray, apart at the planet's shadow"},
     {"transmittance_lut", ParameterKind::table_size, 2, 4096, TableSize{256, 64}, {}, "transmittance table, mu x h"},
     {"moments_lut",
@@ -54,6 +54,13 @@ const std::array<ParameterInfo, 10> kParameters{{
      "has a fifth of its height one column away, which saves a fetch a pixel and blurs the aureole to the table"},
     {"tabulate", ParameterKind::choice, 0, 0, std::string("auto"), kWhen,
      "whether the picture's light is tabulated over view directions; auto: inside the air, from 16384 pixels on"},
+    {"aerial_slices",
+     ParameterKind::integer,
+     4,
+     512,
+     16,
+     {},
+     "distances in the aerial volume of `airlight composite`, along directions two thirds as dense as sky_lut's"},
     {"shells", ParameterKind::choice, 0, 0, std::string("auto"), kWhen,
      "whether rays step through shells cut at the edges of the media; auto: where a medium that scatters ends abruptly "
      "or the vertical optical depth of scattering is above 0.4"},
@@ -129,10 +136,14 @@ void add_table_constants(std::vector<Specialization>& constants, const FactorTab
   constants.push_back({"kRayleighCarrier", table.rayleigh ? 1u : 0u});
 }
 
+// The camera's table of directions holds.
+bool inside_the_air(const Scene& scene) {
+  return scene.camera.altitude <= scene.planet.atmosphere_height;
+}
+
 bool tabulates(const Scene& scene, const View& view) {
   const std::string& choice = scene.render.get<std::string>("tabulate");
-  const bool holds =
-      (view.directions.empty() || view.as_picture) && scene.camera.altitude <= scene.planet.atmosphere_height;
+  const bool holds = (view.directions.empty() || view.as_picture) && inside_the_air(scene);
   const bool pays = scene.image.width * static_cast<long long>(scene.image.height) >= 16384;
   return holds && (choice == "always" || (choice == "auto" && pays));
 }
@@ -313,38 +324,100 @@ LayerPasses add_layers(Plan& plan, const Scene& scene, const Air& air, const Vie
   return {planes, light.transmittance};
 }
 
-SpanPasses add_spans(Plan& plan, const Scene& scene, const Air& air, std::span<const Span> spans) {
+struct SpanBuffers {
+  BufferId list;
+  BufferId air;
+  std::uint32_t count;
+};
+
+SpanBuffers add_span_buffers(Plan& plan, std::span<const Span> spans) {
   constexpr std::size_t kVector = 4 * sizeof(float);
-  const Light light = add_light(plan, scene, air);
   std::vector<std::byte> bytes(spans.size() * kVector);
   for (std::size_t i = 0; i < spans.size(); ++i) {
     std::memcpy(bytes.data() + i * kVector, &spans[i], sizeof(Span));
   }
   const BufferId list =
       plan.add_buffer({.name = "spans", .bytes = spans.size() * kVector, .contents = std::move(bytes)});
-  const BufferId out =
+  const BufferId air =
       plan.add_buffer({.name = "air", .bytes = 2 * spans.size() * kVector, .host_readable = true, .zeroed = false});
-  std::vector<Binding> reads = light.reads();
-  reads.push_back({"spans", list});
+  return {list, air, static_cast<std::uint32_t>(spans.size())};
+}
+
+// Two thirds of the picture's table each way. What it leaves out shows far less: light before things is gathered over
+// less air, and divided by what the transmittance takes.
+FactorTable volume_table(Scene scene, const Air& air) {
+  auto& size = std::get<TableSize>(scene.render.parameters.find("sky_lut")->second);
+  size = {std::max(2 * size[0] / 3, 8), std::max(2 * size[1] / 3, 8)};
+  return factor_table(scene, air, false);
+}
+
+// The aerial volume and the mean extinction beside it (shaders/physics/aerial_volume.glsl).
+std::vector<Binding> add_volume(Plan& plan, const Scene& scene, const Light& light, const FactorTable& table,
+                                const std::string& kept_as) {
+  const auto slices = static_cast<std::uint32_t>(scene.render.get<int>("aerial_slices"));
+  View view;
+  view.kept_as = kept_as;
+  const ImageId volume = plan.add_image({.name = "aerial_volume",
+                                         .extent = {table.columns * table.blocks, table.rows(), slices},
+                                         .key = picture_table_key(view, "aerial_volume")});
+  const ImageId extinction = plan.add_image({.name = "mean_extinction",
+                                             .extent = {4 * slices, table.rows(), 1},
+                                             .key = picture_table_key(view, "mean_extinction")});
   std::vector<Specialization> constants = light.constants;
+  add_table_constants(constants, table);
+  constants.push_back({"kSlices", slices});
+  // Two steps from slice to slice at least: one may fall to each side of the shadow's edge.
+  const std::uint32_t steps = light.by_shells ? 1 : std::max(2u, light.steps / slices);
+  plan.add_pass({.name = "aerial_extinction",
+                 .shader = "aerial_extinction",
+                 .reads = light.reads(),
+                 .writes = {{"extinction_out", extinction}},
+                 .grid = {table.rows(), 1, 1},
+                 .specialization = constants,
+                 .cost = 4.0 * slices});
+  plan.add_pass({.name = "aerial_volume",
+                 .shader = "aerial_volume",
+                 .reads = light.reads(),
+                 .writes = {{"volume_out", volume}},
+                 .grid = {table.columns, table.rows(), 1},
+                 .push_constants = {steps},
+                 .specialization = std::move(constants),
+                 .cost = ray_cost(steps * slices)});
+  return {{"volume_lut", volume}, {"extinction_lut", extinction}};
+}
+
+SpanPasses add_spans(Plan& plan, const Scene& scene, const Air& air, std::span<const Span> spans, const SpanWay& way) {
+  const Light light = add_light(plan, scene, air);
+  const SpanBuffers buffers = add_span_buffers(plan, spans);
+  std::vector<Binding> reads = light.reads();
+  std::vector<Specialization> constants = light.constants;
+  std::vector<std::uint32_t> push{buffers.count, light.steps};
+  if (way.volume) {
+    const FactorTable table = volume_table(scene, air);
+    reads = add_volume(plan, scene, light, table, way.kept_as);
+    constants = medium_specialization(air);
+    add_table_constants(constants, table);
+    constants.push_back({"kSlices", static_cast<std::uint32_t>(scene.render.get<int>("aerial_slices"))});
+    push.pop_back();
+  }
+  reads.push_back({"spans", buffers.list});
   constants.push_back({"kProjection", projection_code(scene.camera.projection)});
-  const auto count = static_cast<std::uint32_t>(spans.size());
   plan.add_pass({.name = "air",
-                 .shader = "air_spans",
+                 .shader = way.volume ? "air_from_volume" : "air_spans",
                  .reads = std::move(reads),
-                 .writes = {{"air_out", out}},
-                 .grid = {count, 1, 1},
-                 .push_constants = {count, light.steps},
-                 .specialization = std::move(constants)});
-  return {out};
+                 .writes = {{"air_out", buffers.air}},
+                 .grid = {buffers.count, 1, 1},
+                 .push_constants = std::move(push),
+                 .specialization = std::move(constants),
+                 .cost = way.volume ? 3.0 : ray_cost(light.steps)});
+  return {buffers.air};
 }
 
 // A table of the picture's light that would hold, but does not pay.
 std::vector<std::string> left_out(const Scene& scene, const Plan& plan) {
   const bool tabulated =
       std::ranges::any_of(plan.images(), [](const ImageDesc& image) { return image.name.starts_with("sky_factors"); });
-  if (tabulated || scene.camera.altitude > scene.planet.atmosphere_height ||
-      scene.render.get<std::string>("tabulate") != "auto") {
+  if (tabulated || !inside_the_air(scene) || scene.render.get<std::string>("tabulate") != "auto") {
     return {};
   }
   return {"table of the picture's light: the picture's " + std::to_string(scene.image.width * scene.image.height) +
@@ -445,6 +518,7 @@ SkyMethod orders_method() {
   method.settle = settle;
   method.add_layer_passes = add_layers;
   method.add_span_passes = add_spans;
+  method.has_volume = inside_the_air;
   method.left_out = left_out;
   method.formula = formula;
   return method;

@@ -117,6 +117,7 @@ struct Physics {
 #include "shaders/physics/shells.glsl"
 #include "shaders/physics/shell_march.glsl"
 #include "shaders/physics/sky_table.glsl"
+#include "shaders/physics/aerial_volume.glsl"
   // clang-format on
 };
 

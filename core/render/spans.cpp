@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/methods/scene_air.h"
 #include "core/methods/spectral_sky.h"
+#include "core/render/timings.h"
 #include "core/scene/photometry.h"
 
 namespace airlight {
@@ -48,22 +49,36 @@ void add_part(std::span<AirTo> sums, std::span<const std::byte> bytes, const std
   }
 }
 
-void add_channels(Executor& executor, const SkyMethod& method, const Scene& scene, std::span<const Span> spans,
-                  std::span<AirTo> sums, const std::array<Rgb, 3>& radiance, const std::array<Rgb, 3>& transmittance) {
+// What a part of the air before things is rendered with.
+struct SpanWork {
+  Executor& executor;
+  const SkyMethod& method;
+  const SpanWay& way;
+  std::vector<PassTiming>* passes;
+};
+
+void add_channels(const SpanWork& work, const Scene& scene, std::span<const Span> spans, std::span<AirTo> sums,
+                  const std::array<Rgb, 3>& radiance, const std::array<Rgb, 3>& transmittance) {
   const Air air = air_of(scene);
   Plan plan;
   plan.scene_data = device_scene_bytes(air, scene);
-  const SpanPasses passes = method.add_span_passes(plan, scene, air, spans);
-  const RunResult result = executor.run(plan);
-  add_part(sums, result.contents(passes.air), radiance, transmittance);
+  const SpanPasses added = work.method.add_span_passes(plan, scene, air, spans, work.way);
+  const RunResult result = work.executor.run(plan);
+  if (work.passes != nullptr) {
+    add_timings(*work.passes, result.passes);
+  }
+  add_part(sums, result.contents(added.air), radiance, transmittance);
 }
 
 }  // namespace
 
-std::vector<AirTo> air_to(Executor& executor, const Scene& scene, std::span<const Span> spans) {
+std::vector<AirTo> air_to(Executor& executor, const Scene& scene, std::span<const Span> spans, const SpanWay& way,
+                          std::vector<PassTiming>* passes) {
   constexpr std::array<Rgb, 3> kAsTheyAre{{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
   const SkyMethod* method = find_method(scene.render.method);
   assert(method != nullptr && method->add_span_passes != nullptr);
+  assert(!way.volume || (method->has_volume != nullptr && method->has_volume(scene)));
+  const SpanWork work{executor, *method, way, passes};
   std::vector<AirTo> all(spans.size());
   for (std::size_t first = 0; first < spans.size(); first += kMostSpans) {
     const std::span<const Span> some = spans.subspan(first, std::min(kMostSpans, spans.size() - first));
@@ -71,11 +86,10 @@ std::vector<AirTo> air_to(Executor& executor, const Scene& scene, std::span<cons
     if (scene.spectra) {
       const SpectralScene spectral = spectral_scene(scene);
       for (const WavelengthGroup& group : spectral.groups) {
-        add_channels(executor, *method, group.scene, some, sums, group.colours,
-                     over_the_sun(group.colours, spectral.sun));
+        add_channels(work, group.scene, some, sums, group.colours, over_the_sun(group.colours, spectral.sun));
       }
     } else {
-      add_channels(executor, *method, scene, some, sums, kAsTheyAre, kAsTheyAre);
+      add_channels(work, scene, some, sums, kAsTheyAre, kAsTheyAre);
     }
     for (std::size_t i = 0; i < some.size(); ++i) {
       require_sound(some[i], sums[i], scene.spectra.has_value());

@@ -15,9 +15,10 @@ struct AirTo {
   std::array<float, 3> transmittance{};  // of light from the ray's end, 0 to 1
 };
 
-// In the order of the spans, of the scene's own method, which must have add_span_passes. The device's buffers stay
-// below 8 MiB, whatever the number of spans. Throws RunError where the device fails or a result is not finite or
-// negative.
-std::vector<AirTo> air_to(Executor& executor, const Scene& scene, std::span<const Span> spans);
+// In the order of the spans, of the scene's own method, which must have add_span_passes and, where the way is the
+// volume, has_volume. The device's buffers stay below 16 MiB, whatever the number of spans. `passes`: times are added
+// to them. Throws RunError where the device fails or a result is not finite or negative.
+std::vector<AirTo> air_to(Executor& executor, const Scene& scene, std::span<const Span> spans, const SpanWay& way = {},
+                          std::vector<PassTiming>* passes = nullptr);
 
 }  // namespace airlight

@@ -9,10 +9,11 @@
 #include "physics/orders.glsl"
 #include "physics/sky_factors.glsl"
 #include "shared/shell_table.glsl"
+#include "physics/aerial_volume.glsl"
 
 layout(local_size_x = 64) in;
 layout(push_constant, scalar) uniform Push {
-  uint count;
+  uint spans_count;
   uint steps;
 };
 
@@ -23,13 +24,16 @@ layout(scalar, set = 0, binding = 9) writeonly buffer SpanAir { vec4 values[]; }
 
 void main() {
   uint i = gl_GlobalInvocationID.x;
-  if (i >= count) {
+  if (i >= spans_count) {
     return;
   }
   vec4 span = spans.values[i];
   ViewRay view = view_ray(scene.camera, kProjection, span.x, span.y);
-  Ray ray = ray_up_to(scene.planet, scene.camera.altitude, view.direction.y, air_ray(view.direction), span.z);
-  SkyFactors air = scene_air_factors(ray, steps);
+  Ray whole = air_ray(view.direction);
+  Ray ray = ray_up_to(scene.planet, scene.camera.altitude, view.direction.y, whole, span.z);
+  // By shells the steps follow from the edges that a ray crosses.
+  uint count = shell_rows() > 0u ? steps : steps_up_to(scene.planet, whole, ray.length_, steps);
+  SkyFactors air = scene_air_factors(ray, count);
   air_out.values[2u * i] = vec4(phased(air, phases(ray.nu)) * scene.sun.irradiance, 1.0);
   air_out.values[2u * i + 1u] = vec4(air.transmittance, 1.0);
 }

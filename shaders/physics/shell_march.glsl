@@ -131,12 +131,7 @@ vec3 shell_order_radiance(PlanetData planet, MomentTableData table, Ray ray, uin
 
 // As air_factors().
 SkyFactors shell_air_factors(PlanetData planet, MomentTableData table, Ray ray, uint parts) {
-  SkyFactors factors;
-  for (uint i = 0u; i < kMaxMedia; i++) {
-    factors.single[i] = vec3(0.0);
-  }
-  factors.diffuse = vec3(0.0);
-  factors.transmittance = vec3(1.0);
+  SkyFactors factors = no_air();
   Phases none = equal_phases(0.0);
   ShadowCrossings shadow = shadow_crossings(planet, ray);
   ShellWalk walk = shell_walk(planet, ray);
@@ -169,6 +164,7 @@ SkyFactors shell_air_factors(PlanetData planet, MomentTableData table, Ray ray, 
     vec3 source = shell_source(planet, table, air, ray, walk.shell, place);
     factors.diffuse = factors.diffuse + factors.transmittance * segment.mean * source * width;
     factors.transmittance = factors.transmittance * segment.through;
+    factors.depth = factors.depth + step_depth;
   }
   return factors;
 }

@@ -6,7 +6,19 @@ struct SkyFactors {
   vec3 single[kMaxMedia];  // 1/sr after multiplication by the medium's phase function
   vec3 diffuse;            // light scattered more than once, and the ground, W/(m2 sr)
   vec3 transmittance;
+  vec3 depth;                // optical depth, as the transmittance has it
 };
+
+SkyFactors no_air() {
+  SkyFactors factors;
+  for (uint i = 0u; i < kMaxMedia; i++) {
+    factors.single[i] = vec3(0.0);
+  }
+  factors.diffuse = vec3(0.0);
+  factors.transmittance = vec3(1.0);
+  factors.depth = vec3(0.0);
+  return factors;
+}
 
 vec3 phased(SkyFactors factors, Phases p) {
   vec3 sum = factors.diffuse;
@@ -18,12 +30,7 @@ vec3 phased(SkyFactors factors, Phases p) {
 
 // Of the air alone, the ground left out, along steps [first, last) of `steps`: what reaches the first one's near end.
 SkyFactors air_factors_between(PlanetData planet, MomentTableData table, Ray ray, uint steps, uint first, uint last) {
-  SkyFactors factors;
-  for (uint i = 0u; i < kMaxMedia; i++) {
-    factors.single[i] = vec3(0.0);
-  }
-  factors.diffuse = vec3(0.0);
-  factors.transmittance = vec3(1.0);
+  SkyFactors factors = no_air();
   Phases none = equal_phases(0.0);
   StepPlan plan = plan_steps(planet, ray, steps);
   uint end = ray.length_ > 0.0 ? last : first;
@@ -47,6 +54,7 @@ SkyFactors air_factors_between(PlanetData planet, MomentTableData table, Ray ray
     vec3 source = moment_source(table, air, point.h, point.mu_sun, point.mu, cos_azimuth_at(point, ray.nu));
     factors.diffuse = factors.diffuse + weight * source;
     factors.transmittance = factors.transmittance * segment.through;
+    factors.depth = factors.depth + step_depth;
   }
   return factors;
 }
@@ -62,6 +70,7 @@ SkyFactors joined(SkyFactors near, SkyFactors far) {
   }
   near.diffuse = near.diffuse + near.transmittance * far.diffuse;
   near.transmittance = near.transmittance * far.transmittance;
+  near.depth = near.depth + far.depth;
   return near;
 }
 

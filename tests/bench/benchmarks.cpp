@@ -4,6 +4,7 @@
 #include <sys/resource.h>
 
 #include <array>
+#include <cmath>
 #include <exception>
 #include <functional>
 #include <map>
@@ -14,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/air/scene_block.h"
 #include "core/luts/luts.h"
 #include "core/methods/scene_air.h"
 #include "core/render/render.h"
@@ -153,6 +155,52 @@ void register_picture(Session& session, const SkyMethod& method, const NamedScen
   }
 }
 
+// Things all over the picture, from 20 m at its foot to 60 km at its top.
+std::vector<Span> things(ImageSize size) {
+  std::vector<Span> spans;
+  spans.reserve(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
+  for (int y = 0; y < size.height; ++y) {
+    const double up = 1.0 - (y + 0.5) / size.height;
+    for (int x = 0; x < size.width; ++x) {
+      spans.push_back({static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F,
+                       static_cast<float>(0.02 * std::pow(3000.0, up))});
+    }
+  }
+  return spans;
+}
+
+// The air before them: a march along each ray, or the aerial volume, made for each picture.
+void time_air(benchmark::State& state, Executor& executor, const SkyMethod& method, const Scene& scene, bool volume,
+              bool& warm) {
+  const Air air = air_of(scene);
+  Plan plan;
+  plan.scene_data = device_scene_bytes(air, scene);
+  method.add_span_passes(plan, scene, air, things(scene.image), {volume, {}});
+  const std::array plans{without_readback(plan)};
+  if (!warm) {
+    executor.run(plans[0]);  // pipelines and tables
+    warm = true;
+  }
+  time_plans(state, executor, plans, [](const std::string&) { return true; });
+}
+
+void register_air(Session& session, const SkyMethod& method, const NamedScene& named) {
+  for (const ImageSize size : kSizes) {
+    const Scene scene = rendered_by(method, named.scene, size);
+    for (const bool volume : {false, true}) {
+      if (volume && (method.has_volume == nullptr || !method.has_volume(scene))) {
+        continue;
+      }
+      const std::string name = "air/" + std::string(method.info.name) + (volume ? "-volume/" : "-march/") +
+                               std::string(named.name) + '/' + std::to_string(size.width) + 'x' +
+                               std::to_string(size.height);
+      register_one(session, name, [&session, &method, scene, volume, warm = false](benchmark::State& state) mutable {
+        time_air(state, session.pictures(), method, scene, volume, warm);
+      });
+    }
+  }
+}
+
 void register_tables(Session& session, const SkyMethod& method) {
   std::set<std::string> airs;
   for (const NamedScene& named : scenes()) {
@@ -183,6 +231,9 @@ void register_benchmarks(Session& session) {
     if (method.add_passes == nullptr) continue;
     for (const NamedScene& named : scenes()) register_picture(session, method, named, false);
     register_picture(session, method, scenes().front(), true);
+    if (method.add_span_passes != nullptr) {
+      for (const NamedScene& named : scenes()) register_air(session, method, named);
+    }
   }
   for (const SkyMethod& method : methods()) {
     if (method.add_passes != nullptr) register_tables(session, method);

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/foreign/foreign_picture.h"
 #include "core/output/exr.h"
 #include "core/output/picture_reader.h"
 #include "tests/cli/process.h"
@@ -201,6 +202,62 @@ TEST_F(CompositeTool, APictureOfAirlightsHasItsAirAlready) {
   EXPECT_FALSE(contains(ground.err, "is a picture of airlight's")) << ground.err;
 }
 
+// The thing's share has the air before it, the rest the whole sky's, behind the thing as well; the volume agrees with
+// the march, and a tolerance takes it where it may.
+TEST_F(CompositeTool, TheAerialVolumeBeforeTransparentThings) {
+  const RadianceImage behind = sky();
+  Beauty{.light = 0.1F, .alpha = 1.0F, .z = 9000.0F}.write(path("opaque.exr"));
+  Beauty{.light = 0.05F, .alpha = 0.5F, .z = 9000.0F}.write(path("half.exr"));
+  const auto with = [&](const std::string& beauty, Names words, const char* way) {
+    words.insert(words.end(), {"--beauty", beauty, "-o", "out.exr", "--json"});
+    const Outcome done = composite(words);
+    EXPECT_EQ(done.exit_code, 0) << done.err;
+    EXPECT_TRUE(contains(done.out, std::string("\"air\":\"") + way)) << done.out;
+    return picture("out.exr");
+  };
+  const RadianceImage march = with("opaque.exr", {}, "march");
+  const RadianceImage volume = with("opaque.exr", {"--tolerance", "2%"}, "volume");
+  const RadianceImage sure = with("opaque.exr", {"--tolerance", "0.0001%"}, "march");
+  const RadianceImage half = with("half.exr", {"--aerial", "volume"}, "volume");
+  EXPECT_EQ(sure.rgba, march.rgba);
+  EXPECT_NE(volume.rgba, march.rgba);
+  for (std::size_t i = 0; i < volume.rgba.size(); ++i) {
+    ASSERT_NEAR(volume.rgba[i], march.rgba[i], 0.01F * march.rgba[i]) << i;
+    if (i % 4 != 3) {
+      const float expected = 0.5F * volume.rgba[i] + 0.5F * behind.rgba[i];
+      ASSERT_NEAR(half.rgba[i], expected, 1e-5F * expected) << i;
+    }
+  }
+}
+
+// A plate of Blender's (scripts/blender-plate): hills, towers and a plain to beyond the horizon, lit but without air.
+TEST_F(CompositeTool, APlateOfBlenders) {
+  const std::string plate = std::string(AIRLIGHT_SOURCE_DIR) + "/presets/plates/hills.exr";
+  const Outcome done = tool({"composite", "earth-golden-hour", "--beauty", plate, "--up", "z", "--tolerance", "1%",
+                             "-o", "out.exr", "--float"});
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_TRUE(contains(done.err, "0.06 km high, azimuth -125, pitch 1")) << done.err;
+  EXPECT_TRUE(contains(done.err, "air: by volume")) << done.err;
+  const foreign::Picture before = foreign::read_picture(plate);
+  const foreign::Picture after = foreign::read_picture(path("out.exr").string());
+  const std::string blue = "ViewLayer.Combined.B";
+  const auto& z = before.find("ViewLayer.Depth.Z")->values;
+  const auto& was = before.find(blue)->values;
+  const auto& is = after.find(blue)->values;
+  int ridges = 0;
+  for (std::size_t i = 320; i < z.size(); ++i) {
+    ASSERT_TRUE(std::isfinite(is[i]) && is[i] > 0.0F) << i;
+    // Where a far ridge stands before the sky: most of its light is the air's, and it is no brighter than the sky.
+    if (z[i] > 15e3F && z[i] < 1e9F && z[i - 320] >= 1e9F) {
+      EXPECT_GT(is[i], 4.0F * was[i]) << i;
+      EXPECT_GT(is[i], 0.3F * is[i - 320]) << i;
+      EXPECT_LT(is[i], 1.1F * is[i - 320]) << i;
+      ++ridges;
+    }
+  }
+  EXPECT_GT(ridges, 50);
+}
+
 struct Refused {
   Names words;
   std::string named;
@@ -209,6 +266,7 @@ struct Refused {
 TEST_F(CompositeTool, RefusesWithPlaceAndRemedy) {
   Beauty{.z_name = "far"}.write(path("in.exr"));
   Beauty{}.write(path("good.exr"));
+  Beauty{.alpha = 1.0F, .z = 1e6F}.write(path("near.exr"));
   Beauty{}.write(path("narrow.exr"), kWidth / 2);
   scratch_.write("text.exr", "not a picture");
   const std::vector<Refused> cases{
@@ -232,6 +290,10 @@ TEST_F(CompositeTool, RefusesWithPlaceAndRemedy) {
       {{"--beauty", "good.exr", "-o", "o.exr", "--fog-set", "a=1"}, "--fog"},
       {{"--beauty", "good.exr", "-o", "o.exr", "--fog", "height", "--fog-set", "density=1"}, "density=1"},
       {{"--beauty", "good.exr", "-o", "o.exr", "--fog", "height", "--fog-set", "a=x"}, "a takes one number"},
+      {{"--beauty", "good.exr", "-o", "o.exr", "--tolerance", "1%", "--aerial", "volume"}, "give one of the two"},
+      {{"--beauty", "good.exr", "-o", "o.exr", "--tolerance", "1%", "--fog", "height"}, "leave them out"},
+      {{"--beauty", "near.exr", "-o", "o.exr", "--aerial", "volume", "--set", "/camera/altitude_km=500"},
+       "near.exr: the camera stands above the air"},
       {{"--beauty", "good.####.exr", "-o", "o.####.exr"}, "no frame of this pattern"},
       {{"--beauty", "good.exr", "-o", "o.####.exr"}, "both as patterns"}};
   for (const Refused& refused : cases) {

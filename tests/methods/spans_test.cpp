@@ -58,7 +58,9 @@ TEST(Spans, BeyondTheAirTheyAreTheSky) {
       for (int x = 0; x < 16; ++x) {
         for (std::size_t c = 0; c < 3; ++c) {
           const float whole = sky.radiance.at(x, y)[c];
-          EXPECT_NEAR(airs[static_cast<std::size_t>(16 * y + x)].radiance[c], whole, 1e-6F * whole)
+          // From within the air a ray to the ground takes fewer steps: only as many as its part of the air asks for.
+          const float bound = altitude < 100.0 && y >= 4 ? 2e-3F : 1e-6F;
+          EXPECT_NEAR(airs[static_cast<std::size_t>(16 * y + x)].radiance[c], whole, bound * whole)
               << altitude << " km, " << x << ", " << y;
         }
       }

@@ -1,0 +1,112 @@
+#include "app/composite/air.h"
+
+#include "core/air/scene_block.h"
+#include "core/choice/aerial.h"
+#include "core/error.h"
+#include "core/render/picture_key.h"
+
+namespace airlight::cli {
+namespace {
+
+using composite::Rgb;
+
+Rgb rgb(const physics::vec3& v) {
+  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+// Distances in the fog's own unit, km; heights above the ground along the flat vertical, as the published forms have
+// it.
+void fill_with_fog(const std::vector<Sample>& samples, const Scene& scene, const composite::Fog& fog, double unit,
+                   std::vector<AirTo>& airs) {
+  physics::Physics p = geometry_of(scene);
+  const physics::uint projection = projection_code(scene.camera.projection);
+  const auto width = static_cast<std::uint32_t>(scene.image.width);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (!(samples[i].distance < composite::kSky)) {
+      continue;
+    }
+    const auto ray =
+        p.view_ray(p.scene.camera, projection, samples[i].pixel % width + 0.5, samples[i].pixel / width + 0.5);
+    const composite::FogTerms terms =
+        composite::fog_terms(fog, {static_cast<double>(samples[i].distance) / unit, scene.camera.altitude / unit,
+                                   ray.direction.y, physics::dot(ray.direction, p.scene.sun.direction)});
+    airs[i] = {rgb(terms.adds), rgb(terms.keeps)};
+  }
+}
+
+std::string percent(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g %%", 100.0 * value);
+  return text;
+}
+
+// The volume where the order wants it, or where a tolerance allows it.
+bool takes_volume(const CompositeOrder& order, const std::vector<Span>& spans, const Scene& scene,
+                  const DeviceOnDemand& device, const SpanWay& volume, FrontAir& out) {
+  const SkyMethod& method = *find_method(scene.render.method);
+  const bool holds = method.has_volume != nullptr && method.has_volume(scene);
+  if (order.aerial == "volume" && !holds) {
+    throw InputError(order.beauty + ": the camera stands above the air, where --aerial volume does not hold; " +
+                     "use --aerial march");
+  }
+  if (!order.tolerance || !holds) {
+    return order.aerial == "volume";
+  }
+  out.volume_error = choice::volume_error(device(), scene, spans, volume);
+  return *out.volume_error <= *order.tolerance;
+}
+
+void march_or_fetch(const CompositeOrder& order, const std::vector<Sample>& samples, const Scene& scene,
+                    const DeviceOnDemand& device, FrontAir& out) {
+  std::vector<Span> spans;
+  std::vector<std::size_t> places;
+  const auto width = static_cast<std::uint32_t>(scene.image.width);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (samples[i].distance < composite::kSky) {
+      spans.push_back({static_cast<float>(samples[i].pixel % width) + 0.5F,
+                       static_cast<float>(samples[i].pixel / width) + 0.5F, samples[i].distance});
+      places.push_back(i);
+    }
+  }
+  out.way = "march";
+  if (spans.empty()) {
+    return;
+  }
+  SpanWay way{true, picture_key()};
+  if (!takes_volume(order, spans, scene, device, way, out)) {
+    way = {};
+  }
+  out.way = way.volume ? "volume" : "march";
+  const std::vector<AirTo> found = air_to(device(), scene, spans, way, &out.passes);
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    out.airs[places[k]] = found[k];
+  }
+}
+
+}  // namespace
+
+FrontAir air_before(const CompositeOrder& order, const std::vector<Sample>& samples, const Scene& scene,
+                    const DeviceOnDemand& device) {
+  FrontAir out;
+  out.airs.assign(samples.size(), AirTo{{}, {1.0F, 1.0F, 1.0F}});
+  if (const std::optional<composite::Fog> fog = fog_of(order)) {
+    out.way = order.fog;
+    fill_with_fog(samples, scene, *fog, unit_km(order.unit).value_or(1.0), out.airs);
+  } else {
+    march_or_fetch(order, samples, scene, device, out);
+  }
+  return out;
+}
+
+std::string told(const CompositeOrder& order, const FrontAir& air) {
+  if (!order.tolerance) {
+    return "air: by " + air.way;
+  }
+  if (!air.volume_error) {
+    return "air: by march; nothing is before the things, or the camera stands above the air";
+  }
+  return "air: by " + air.way + "; the volume's mean error is at most " + percent(*air.volume_error) + " of " +
+         percent(*order.tolerance) + " allowed";
+}
+
+}  // namespace airlight::cli

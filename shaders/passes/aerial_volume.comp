@@ -1,0 +1,85 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// The aerial volume (physics/aerial_volume.glsl): one thread a direction, slice by slice away from the camera.
+#include "shared/device.glsl"
+#include "shared/tables.glsl"
+#include "shared/moment_table.glsl"
+#include "shared/sky_table.glsl"
+#include "physics/orders.glsl"
+#include "physics/sky_factors.glsl"
+#include "shared/shell_table.glsl"
+#include "physics/sky_table.glsl"
+#include "physics/aerial_volume.glsl"
+#include "shared/sky_table_ray.glsl"
+#include "shared/aerial_volume.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(set = 0, binding = 4, rgba32f) uniform writeonly image3D volume_out;
+layout(push_constant, scalar) uniform Push { uint steps; };  // from slice to slice; at least 2
+
+// Cut where the planet's shadow begins and ends.
+SkyFactors stretch(Ray ray, ShadowCrossings shadow, float from, float to) {
+  SkyFactors factors = no_air();
+  float at = from;
+  for (uint i = 0u; i < 3u && at < to; i++) {
+    float edge = shadow.first > at ? shadow.first : shadow.second;
+    float next = edge > at && edge < to ? edge : to;
+    factors = joined(factors, scene_air_factors(part_of_ray(scene.planet, ray, at, next), steps));
+    at = next;
+  }
+  return factors;
+}
+
+void store(uint block, uvec2 texel, uint slice, vec3 light) {
+  imageStore(volume_out, ivec3(block * kSkyColumns + texel.x, texel.y, slice), vec4(light, 1.0));
+}
+
+void store_single(uint i, SkyFactors factors, uvec2 texel, uint slice, vec3 scale) {
+  if (scatters(i)) {
+    store(single_block(i), texel, slice, factors.single[i] * scale);
+  }
+}
+
+vec3 folded_light(uint i, SkyFactors factors, float nu) {
+  return folded(i) ? factors.single[i] * medium_phase(i, nu) : vec3(0.0);
+}
+
+void store_slice(SkyFactors factors, Ray ray, uvec2 texel, uint slice) {
+  vec3 scale = scene.sun.irradiance / max(gathered_share(factors.depth), vec3(1e-30));
+  store_single(0u, factors, texel, slice, scale);
+  store_single(1u, factors, texel, slice, scale);
+  store_single(2u, factors, texel, slice, scale);
+  store_single(3u, factors, texel, slice, scale);
+  store_single(4u, factors, texel, slice, scale);
+  store_single(5u, factors, texel, slice, scale);
+  store_single(6u, factors, texel, slice, scale);
+  store_single(7u, factors, texel, slice, scale);
+  vec3 light = factors.diffuse;
+  light += folded_light(0u, factors, ray.nu);
+  light += folded_light(1u, factors, ray.nu);
+  light += folded_light(2u, factors, ray.nu);
+  light += folded_light(3u, factors, ray.nu);
+  light += folded_light(4u, factors, ray.nu);
+  light += folded_light(5u, factors, ray.nu);
+  light += folded_light(6u, factors, ray.nu);
+  light += folded_light(7u, factors, ray.nu);
+  store(diffuse_block(), texel, slice, light * scale / volume_carrier(ray.nu));
+}
+
+void main() {
+  uvec2 texel = gl_GlobalInvocationID.xy;
+  if (texel.x >= kSkyColumns || texel.y >= kGroundRows + kLimbRows + kSkyRows) {
+    return;
+  }
+  Ray ray = table_ray(texel);
+  ShadowCrossings shadow = shadow_crossings(scene.planet, ray);
+  SkyFactors factors = no_air();
+  float from = 0.0;
+  for (uint slice = 0u; slice < kSlices; slice++) {
+    // The first slice, at the camera, holds the limit there: that of a short way.
+    float to = slice_distance(scene.planet, ray, slice == 0u ? 0.01 / float(kSlices) : float(slice) / float(kSlices - 1u));
+    factors = joined(factors, stretch(ray, shadow, from, to));
+    store_slice(factors, ray, texel, slice);
+    from = max(to, from);
+  }
+}

@@ -1,0 +1,57 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// As air_spans.comp, from the aerial volume: a fetch for the mean extinction, one for each medium that is not folded,
+// times its phase function here, and one for all other light.
+#include "shared/device.glsl"
+#include "shared/picture_ray.glsl"
+#include "shared/sky_table.glsl"
+#include "physics/sky_table.glsl"
+#include "physics/aerial_volume.glsl"
+#include "shared/factor_place.glsl"
+#include "shared/aerial_volume.glsl"
+
+layout(local_size_x = 64) in;
+layout(push_constant, scalar) uniform Push { uint count; };
+
+layout(set = 0, binding = 3) uniform sampler3D volume_lut;
+layout(set = 0, binding = 4) uniform sampler2D extinction_lut;
+layout(scalar, set = 0, binding = 8) readonly buffer Spans { vec4 values[]; } spans;
+layout(scalar, set = 0, binding = 9) writeonly buffer SpanAir { vec4 values[]; } air_out;
+
+vec3 fetch_block(uint block, FactorPlace at, float w) {
+  float blocks = float(bitCount(kScatteringMedia) + 1u);
+  float u = (float(block * kSkyColumns) + 0.5 + at.x * float(kSkyColumns - 1u)) / (blocks * float(kSkyColumns));
+  return textureLod(volume_lut, vec3(u, at.v, w), 0.0).rgb;
+}
+
+vec3 single_at(uint i, FactorPlace at, float w) {
+  return scatters(i) ? fetch_block(single_block(i), at, w) * medium_phase(i, at.nu) : vec3(0.0);
+}
+
+void main() {
+  uint i = gl_GlobalInvocationID.x;
+  if (i >= count) {
+    return;
+  }
+  vec4 span = spans.values[i];
+  ViewRay view = view_ray(scene.camera, kProjection, span.x, span.y);
+  Ray ray = air_ray(view.direction);
+  float distance_ = clamp(span.z, 0.0, max(ray.length_, 0.0));
+  FactorPlace at = factor_place(view.direction);
+  float z = slice_coordinate(scene.planet, ray, distance_);
+  vec2 row = vec2(texel_from_unit(z, float(kExtinctionSlices)), at.v);
+  vec3 depth = textureLod(extinction_lut, row, 0.0).rgb * distance_;
+  SegmentTransfer segment = segment_transfer(depth);
+  float w = texel_from_unit(z, float(kSlices));
+  vec3 source = fetch_block(diffuse_block(), at, w) * volume_carrier(at.nu);
+  source += single_at(0u, at, w);
+  source += single_at(1u, at, w);
+  source += single_at(2u, at, w);
+  source += single_at(3u, at, w);
+  source += single_at(4u, at, w);
+  source += single_at(5u, at, w);
+  source += single_at(6u, at, w);
+  source += single_at(7u, at, w);
+  air_out.values[2u * i] = vec4(source * depth * segment.mean, 1.0);
+  air_out.values[2u * i + 1u] = vec4(segment.through, 1.0);
+}

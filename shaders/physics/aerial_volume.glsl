@@ -1,0 +1,51 @@
+// The air up to things, tabulated over view directions (sky_table.glsl) and distances along each: the aerial volume.
+// What light gathers grows with distance from nothing, so the table holds what does not: the mean extinction up to a
+// slice, and the light gathered over 1 - transmittance, which is the mean source function. Both have a limit at the
+// camera, and together they give nothing there and the whole ray at its end.
+
+// Slices stand evenly over the root of the distance from the ray's lowest point, where air is densest, as steps do.
+real lowest_distance(PlanetData planet, Ray ray) {
+  return clamp(-(planet.ground_radius + ray.h) * ray.mu, 0.0, max(ray.length_, 0.0));
+}
+
+// z: unit range over the slices; the whole ray's.
+real slice_distance(PlanetData planet, Ray ray, real z) {
+  real lowest = lowest_distance(planet, ray);
+  real near = path_coordinate(lowest, 0.0);
+  real far = path_coordinate(lowest, max(ray.length_, 0.0));
+  return clamp(path_distance(lowest, near + (far - near) * z), 0.0, max(ray.length_, 0.0));
+}
+
+real slice_coordinate(PlanetData planet, Ray ray, real distance_) {
+  real lowest = lowest_distance(planet, ray);
+  real near = path_coordinate(lowest, 0.0);
+  real far = path_coordinate(lowest, max(ray.length_, 0.0));
+  return clamp((path_coordinate(lowest, distance_) - near) / max(far - near, 1e-12), 0.0, 1.0);
+}
+
+// Steps up to a thing, as dense as those of `steps` from a ray's lowest point to the top of the air. A ray that runs
+// through all of the air takes all of them.
+uint steps_up_to(PlanetData planet, Ray ray, real distance_, uint steps) {
+  real lowest = lowest_distance(planet, ray);
+  real all = ray.at_ground ? ray.length_ + distance_to_top(planet, ray.h, -ray.mu) : ray.length_ - lowest;
+  real before = min(lowest, distance_);
+  real share = (sqrt(before) + sqrt(max(distance_ - before, 0.0))) / sqrt(max(all, 1e-12));
+  return uint(clamp(ceil(real(steps) * share - 1e-3), min(4.0, real(steps)), real(steps)));
+}
+
+// 1 - transmittance of an optical depth, without loss of digits.
+vec3 gathered_share(vec3 depth) {
+  SegmentTransfer segment = segment_transfer(depth);
+  return depth * segment.mean;
+}
+
+// The part of a ray from one distance to another as a ray of its own.
+Ray part_of_ray(PlanetData planet, Ray ray, real from, real to) {
+  RayPoint point = point_on_ray(planet, ray, from);
+  Ray part = ray;
+  part.h = point.h;
+  part.mu = point.mu;
+  part.mu_sun = point.mu_sun;
+  part.length_ = to - from;
+  return part;
+}

@@ -1,0 +1,24 @@
+// Where a direction falls in the picture's table of factors.
+
+// In each block.
+struct FactorPlace {
+  float x;
+  float v;
+  float nu;
+  uint section;
+};
+
+FactorPlace factor_place(vec3 d) {
+  vec3 s = scene.sun.direction;
+  // The tiny term keeps the zenith, of the view or of the sun, away from a division by 0.
+  float across = sqrt((d.x * d.x + d.z * d.z) * (s.x * s.x + s.z * s.z));
+  float cos_azimuth = (d.x * s.x + d.z * s.z) / max(across, 1e-20);
+  SkyTableCoordinate c = sky_table_coordinate(scene.planet, scene.camera.altitude, d.y, cos_azimuth);
+  float rows = float(kGroundRows + kLimbRows + kSkyRows);
+  FactorPlace at;
+  at.x = c.x;
+  at.v = (float(section_first(c.section)) + 0.5 + c.y * float(section_rows(c.section) - 1u)) / rows;
+  at.nu = dot(d, s);
+  at.section = c.section;
+  return at;
+}
