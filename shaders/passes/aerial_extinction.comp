@@ -30,7 +30,7 @@ void main() {
       depth += scene_air_factors(part_of_ray(scene.planet, ray, from, to), 2u).depth;
       from = to;
     }
-    vec3 mean = from > 0.0 ? depth / from : diffuse_air_at(ray.h, equal_phases(0.0)).extinction;
+    vec3 mean = from > 0.0 ? depth / from : diffuse_air_over(ray.h, 0.0, equal_phases(0.0)).extinction;
     imageStore(extinction_out, ivec2(slice, row), vec4(mean, 1.0));
   }
 }
