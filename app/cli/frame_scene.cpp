@@ -3,10 +3,9 @@
 #include <cassert>
 #include <utility>
 
+#include "app/cli/scene_files.h"
 #include "core/error.h"
-#include "core/methods/method.h"
 #include "core/render/metering.h"
-#include "core/scene/resolve.h"
 
 namespace airlight::cli {
 namespace {
@@ -35,7 +34,7 @@ Scene frame_scene(const Preset& preset, const sequence::Frame& frame) {
     value.source = place;
     put_value(with, pointer, std::move(value), place);
   }
-  return resolve(with, method_infos());
+  return judged(with);
 }
 
 sequence::Frame frame_numbered(const sequence::FrameSource& source, int number, const std::string& place) {

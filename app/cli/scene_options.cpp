@@ -6,11 +6,11 @@
 #include <memory>
 
 #include "app/cli/preset_source.h"
+#include "app/cli/scene_files.h"
 #include "core/error.h"
 #include "core/methods/method.h"
 #include "core/scene/json_format.h"
 #include "core/scene/preset.h"
-#include "core/scene/resolve.h"
 #include "core/scene/rules.h"
 
 namespace airlight::cli {
@@ -214,7 +214,7 @@ Preset chosen_preset(const SceneOptions& options, const std::vector<Override>& f
 }
 
 Scene load_scene(const SceneOptions& options, const std::vector<Override>& further) {
-  return resolve(chosen_preset(options, further), method_infos());
+  return judged(chosen_preset(options, further));
 }
 
 DeviceOptions wanted_device(const SceneOptions& options) {

@@ -103,6 +103,10 @@ chart::RunOrder order_of(const Given& given, chart::Settings& settings) {
       options.size = std::to_string(settings.image.width) + "x" + std::to_string(settings.image.height);
     }
     Scene scene = load_scene(options);
+    if (scene.terrain) {
+      throw InputError("chart: " + preset + ": planet.terrain: the path tracer, which the others are judged by, knows no "
+                       "terrain; choose a preset without");
+    }
     settings.image = scene.image;
     order.scenes.push_back({preset, std::move(scene)});
   }

@@ -5,6 +5,7 @@
 #include "app/cli/json_writer.h"
 #include "app/cli/picture_options.h"
 #include "app/cli/preset_source.h"
+#include "app/cli/scene_files.h"
 #include "app/cli/terminal.h"
 #include "app/commands/commands.h"
 #include "core/error.h"
@@ -12,7 +13,6 @@
 #include "core/scene/curve_reader.h"
 #include "core/scene/phase_reader.h"
 #include "core/scene/printable.h"
-#include "core/scene/resolve.h"
 
 namespace airlight::cli {
 namespace {
@@ -52,7 +52,7 @@ std::string problems_of(const Given& given, const std::string& argument, std::st
     for (const std::string& assignment : given.set) {
       apply_override(preset, assignment);
     }
-    scene = resolve(preset, method_infos());
+    scene = judged(preset);
     check_names(preset, scene, given.picture);
     return {};
   } catch (const InputError& error) {

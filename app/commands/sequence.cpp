@@ -4,6 +4,7 @@
 #include "app/cli/json_writer.h"
 #include "app/cli/place_options.h"
 #include "app/cli/sampling_options.h"
+#include "app/cli/scene_files.h"
 #include "app/cli/terminal.h"
 #include "app/commands/commands.h"
 #include "app/render/tiled_picture.h"
@@ -169,7 +170,7 @@ SequenceJob job_of(const Given& given) {
   job.shard = sequence::parse_shard(given.shard, "sequence: --shard");
   require_one_depth(given.picture, "sequence");
   job.preset = preset_of(given);
-  job.scene = resolve(job.preset, method_infos());
+  job.scene = judged(job.preset);
   require_layers(given.picture, job.scene, job.exr.has_value(), "sequence");
   tile_for(job.tile, job.scene, given.picture.layers, "sequence");  // throws for what is no tile
   job.source = source_of(given, job.scene);

@@ -284,7 +284,14 @@ std::vector<Frame> frames_of(const CompositeOrder& order) {
   return frames;
 }
 
-void require_spans(const Scene& scene) {
+void require_spans(const Scene& scene, bool by_method) {
+  if (scene.terrain) {
+    throw InputError("composite: planet.terrain: the air is put before the things of one picture, and terrain would be "
+                     "among them; remove planet.terrain from the preset");
+  }
+  if (!by_method) {
+    return;
+  }
   if (find_method(scene.render.method)->add_span_passes != nullptr) {
     return;
   }
@@ -314,9 +321,7 @@ void require_other_file(const Frame& frame) {
 int run_composite(const CompositeOrder& order) {
   check(order);
   const std::vector<Frame> frames = frames_of(order);
-  if (order.fog.empty()) {
-    require_spans(load_scene(order.scene));
-  }
+  require_spans(load_scene(order.scene), order.fog.empty());
   for (const Frame& frame : frames) {
     require_ending(frame.output, "composite: -o", ".exr");
     require_other_file(frame);

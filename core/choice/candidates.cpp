@@ -83,7 +83,8 @@ std::vector<Candidate> candidates(const Scene& scene, double tolerance, const st
   };
   for (const SkyMethod& method : methods()) {
     const bool wanted = only.empty() || method.info.name == only;
-    if (!wanted || method.add_passes == nullptr || !claims(method.validity, scene, depths.extinction)) {
+    const bool draws = method.add_passes != nullptr && (!scene.terrain || method.info.knows_terrain);
+    if (!wanted || !draws || !claims(method.validity, scene, depths.extinction)) {
       continue;
     }
     for (const Quality& quality : method.sweep) {

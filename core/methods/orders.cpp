@@ -15,6 +15,7 @@
 #include "core/methods/scene_air.h"
 #include "core/methods/sky_pass.h"
 #include "core/methods/spectral_sums.h"
+#include "core/terrain/terrain_buffers.h"
 
 namespace airlight {
 namespace {
@@ -64,6 +65,13 @@ const std::array<ParameterInfo, 11> kParameters{{
     {"shells", ParameterKind::choice, 0, 0, std::string("auto"), kWhen,
      "whether rays step through shells cut at the edges of the media; auto: where a medium that scatters ends abruptly "
      "or the vertical optical depth of scattering is above 0.4"},
+    {"volumetric_shadows",
+     ParameterKind::boolean,
+     0,
+     0,
+     true,
+     {},
+     "whether the air in the shadow of terrain is without the sun's light"},
     phase_parameter(),
 }};
 
@@ -145,7 +153,7 @@ bool tabulates(const Scene& scene, const View& view) {
   const std::string& choice = scene.render.get<std::string>("tabulate");
   const bool holds = (view.directions.empty() || view.as_picture) && inside_the_air(scene);
   const bool pays = scene.image.width * static_cast<long long>(scene.image.height) >= 16384;
-  return holds && (choice == "always" || (choice == "auto" && pays));
+  return holds && !scene.terrain && (choice == "always" || (choice == "auto" && pays));
 }
 
 MomentSettings settings_of(const Scene& scene, const Air& air) {
@@ -278,10 +286,36 @@ std::optional<SkyPasses> add_spectral(Plan& plan, const Scene& scene, const Spec
   return passes;
 }
 
+// The pass over terrain and the air about it.
+void add_terrain_sky(Plan& plan, const Scene& scene, const SkyTarget& target, const Light& light) {
+  const std::shared_ptr<const physics::HostTerrain> terrain = shadowed_terrain(scene);
+  const TerrainBuffers buffers = add_terrain(plan, *terrain);
+  std::vector<Specialization> constants = light.constants;
+  constants.push_back({"kProjection", target.projection});
+  constants.push_back({"kShafts", scene.render.get<bool>("volumetric_shadows") ? 1U : 0U});
+  std::vector<Binding> reads = light.reads();
+  reads.push_back({"directions", target.directions});
+  reads.push_back({"terrain", buffers.heights});
+  reads.push_back({"terrain_shadows", buffers.shadows});
+  reads.push_back({"terrain_colours", buffers.colours});
+  const auto reach = static_cast<float>(shadow_reach(terrain->shape));
+  plan.add_pass(
+      {.name = "sky",
+       .shader = "sky_terrain",
+       .reads = std::move(reads),
+       .writes = {{"radiance_out", target.radiance}},
+       .grid = target.grid,
+       .push_constants = {target.grid.width, target.grid.height, light.steps, std::bit_cast<std::uint32_t>(reach)},
+       .specialization = std::move(constants),
+       .cost = 3.0 * ray_cost(light.steps)});
+}
+
 SkyPasses add_orders(Plan& plan, const Scene& scene, const Air& air, const View& view) {
   const SkyTarget target = add_sky_target(plan, scene, view);
   Light light = add_light(plan, scene, air);
-  if (tabulates(scene, view)) {
+  if (scene.terrain) {
+    add_terrain_sky(plan, scene, target, light);
+  } else if (tabulates(scene, view)) {
     add_tabulated_sky(plan, scene, air, view, target, light);
   } else {
     light.constants.push_back({"kProjection", target.projection});
@@ -417,7 +451,8 @@ SpanPasses add_spans(Plan& plan, const Scene& scene, const Air& air, std::span<c
 std::vector<std::string> left_out(const Scene& scene, const Plan& plan) {
   const bool tabulated =
       std::ranges::any_of(plan.images(), [](const ImageDesc& image) { return image.name.starts_with("sky_factors"); });
-  if (tabulated || !inside_the_air(scene) || scene.render.get<std::string>("tabulate") != "auto") {
+  if (tabulated || scene.terrain || !inside_the_air(scene) ||
+      scene.render.get<std::string>("tabulate") != "auto") {
     return {};
   }
   return {"table of the picture's light: the picture's " + std::to_string(scene.image.width * scene.image.height) +
@@ -445,6 +480,10 @@ RayFormula formula(physics::Physics p, const Scene& scene, const Air& air, const
 SkyMethod orders_method() {
   SkyMethod method;
   method.info = {"orders", "successive orders of scattering as spherical-harmonic moments; near truth", kParameters};
+  method.info.knows_terrain = true;
+  method.layers_refusal = [](const Scene& scene) {
+    return std::string(scene.terrain ? "planet.terrain: its light is not kept apart by layers; remove one of the two" : "");
+  };
   method.validity.leaves_out = "harmonics above the degree kept";
   method.bounds = bounds;
   const std::string never = "never";

@@ -14,5 +14,6 @@ struct vec3 {
 };
 
 #include "shaders/shared/scene.h"
+#include "shaders/shared/terrain.h"
 
 }  // namespace airlight::device

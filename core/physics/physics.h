@@ -15,6 +15,7 @@ namespace airlight::physics {
 #include "shaders/shared/tables.h"
 #include "shaders/shared/analytic.h"
 #include "shaders/shared/glare.h"
+#include "shaders/shared/terrain.h"
 // clang-format on
 
 // A two-dimensional table with the device's sampling: bilinear between texel centres, clamped at the edges.
@@ -25,6 +26,14 @@ struct HostTable {
 
   vec3 fetch(real u, real v) const;       // texture coordinates, 0 to 1 over the whole table
   vec3 fetch_unit(real x, real y) const;  // unit range over the texel centres
+};
+
+// Terrain as its buffers have it (core/terrain).
+struct HostTerrain {
+  TerrainData shape;
+  std::vector<float> heights;  // km, row by row from the top, then the maxima of each level
+  std::vector<uint> colours;   // square roots of albedo, 10 bits a channel
+  std::vector<vec2> shadows;   // empty: no sun has been asked for
 };
 
 struct Physics {
@@ -44,6 +53,7 @@ struct Physics {
   HostTable sun_table;  // mean extinction to the top over the rows of shells (physics/shells.glsl)
   AnalyticData analytic;
   std::vector<GlarePoint> glare_points;  // the sum of the points first
+  std::shared_ptr<const HostTerrain> terrain_maps;  // null: no terrain
 
   uint medium_count() const { return media; }
   uint density_profile(uint i) const { return (density_profiles >> (kBitsPerMedium * i)) & 15u; }
@@ -87,6 +97,22 @@ struct Physics {
 #include "shaders/physics/environment.glsl"
 #include "shaders/physics/camera.glsl"
 #include "shaders/physics/glare.glsl"
+  const TerrainData& terrain_shape() const { return terrain_maps->shape; }
+  uint terrain_level(uint level) const { return terrain_maps->shape.level_first[level]; }
+  real terrain_height(uint k) const { return static_cast<real>(terrain_maps->heights[k]); }
+  vec2 terrain_shadow(uint k) const { return terrain_maps->shadows[k]; }
+  vec3 terrain_colour(uint k) const {
+    const uint bits = terrain_maps->colours[k];
+    const vec3 root = vec3(bits & 1023U, (bits >> 10U) & 1023U, bits >> 20U) / 1023.0;
+    return root * root;
+  }
+#include "shaders/physics/terrain.glsl"
+  GroundTrack ray_track = {};  // of the ray at hand, whose air the terrain's shadow stands in
+  real ray_start = 0.0;        // where the march begins along it
+  real sun_share(const Ray& ray, real t, real width) {
+    const bool shadowed = terrain_maps != nullptr && !terrain_maps->shadows.empty();
+    return shadowed ? step_sunlit(scene.planet, ray_track, ray_start, ray, t, width) : 1.0;
+  }
 #include "shaders/physics/medium.glsl"
 #include "shaders/physics/segment.glsl"
 #include "shaders/physics/quadrature.glsl"
@@ -98,6 +124,9 @@ struct Physics {
   uint sun_steps = 0;  // 0: sunlight from the table; else by a march of so many steps, as `nested` has it
   vec3 transmittance_to_top(PlanetData planet, real h, real mu) {
     return sun_steps > 0 ? exp(-optical_depth_to_top(planet, h, mu, sun_steps)) : table_transmittance(planet, h, mu);
+  }
+  bool disc_is_hidden(const vec3& direction) {
+    return terrain_maps != nullptr && terrain_hit(scene.planet, ground_track(scene.camera.altitude, direction)).hit;
   }
 #include "shaders/physics/sun_disc.glsl"
 #include "shaders/physics/sunlight.glsl"
@@ -116,6 +145,7 @@ struct Physics {
 #include "shaders/physics/sky_factors.glsl"
 #include "shaders/physics/shells.glsl"
 #include "shaders/physics/shell_march.glsl"
+#include "shaders/physics/terrain_light.glsl"
 #include "shaders/physics/sky_table.glsl"
 #include "shaders/physics/aerial_volume.glsl"
   // clang-format on

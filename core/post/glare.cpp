@@ -10,6 +10,7 @@
 #include "core/air/scene_block.h"
 #include "core/post/host_post.h"
 #include "core/post/post.h"
+#include "core/terrain/terrain.h"
 
 namespace airlight {
 namespace {
@@ -27,6 +28,9 @@ using physics::GlarePoint;
 std::vector<GlarePoint> disc_sources(const Scene& scene, const Air& air) {
   physics::Physics p = formulas_of(air, scene);
   p.sun_steps = physics::kTransmittanceSteps;
+  if (scene.terrain) {
+    p.terrain_maps = terrain_of(scene);
+  }
   const vec3 sun = p.scene.sun.direction;
   const vec3 any = std::abs(sun.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0);
   const vec3 a = physics::normalize(any - sun * physics::dot(any, sun));

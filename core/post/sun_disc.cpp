@@ -7,6 +7,7 @@
 #include "core/post/disc_parts.h"
 #include "core/post/host_post.h"
 #include "core/post/post.h"
+#include "core/terrain/terrain_buffers.h"
 
 namespace airlight {
 namespace {
@@ -48,10 +49,14 @@ bool add_sun_disc(Plan& plan, const Scene& scene, const Air& air, std::optional<
   const ImageId table = transmittance ? *transmittance : add_disc_transmittance(plan, air);
   std::vector<Specialization> constants = sunlight_specialization(plan, air, table);
   constants.push_back({"kProjection", projection_code(scene.camera.projection)});
+  std::vector<Binding> reads{{"transmittance_lut", table}};
+  if (scene.terrain) {
+    reads.push_back({"terrain", add_terrain_heights(plan, *terrain_of(scene))});
+  }
   for (const auto& [pixels, box] : parts) {
     plan.add_pass({.name = "sun_disc",
-                   .shader = "sun_disc",
-                   .reads = {{"transmittance_lut", table}},
+                   .shader = scene.terrain ? "sun_disc_terrain" : "sun_disc",
+                   .reads = reads,
                    .writes = {{"radiance_out", picture.buffer}},
                    .grid = {pixels.width, pixels.height, 1},
                    .push_constants = {pixels.left, pixels.top, pixels.width, pixels.height, box.across, box.down,

@@ -122,6 +122,26 @@ void describe_medium(Lines& lines, const Medium& medium, const MediumSpectra* cu
   lines.line("density", density_text(medium.density)).line("phase", phase_text(medium, curves));
 }
 
+void describe_terrain(Lines& lines, const Terrain& terrain) {
+  lines.heading("terrain");
+  if (terrain.ridge) {
+    lines.line("ridge", "seed " + format_number(terrain.ridge->seed) + ", " + format_number(terrain.ridge->height) +
+                            " km high");
+  } else {
+    lines.line("height map", terrain.height_map)
+        .number("value 0", terrain.lowest, "km")
+        .number("value 1", terrain.highest, "km");
+  }
+  lines.number("width", terrain.width, "km")
+      .angle("bearing", terrain.bearing)
+      .number("distance", terrain.distance, "km")
+      .angle("turn", terrain.turn)
+      .spectrum("albedo", terrain.albedo);
+  if (!terrain.albedo_map.empty()) {
+    lines.line("albedo map", terrain.albedo_map);
+  }
+}
+
 void describe_camera(Lines& lines, const Camera& camera, const ImageSize& image) {
   lines.heading("camera")
       .number("altitude", camera.altitude, "km")
@@ -160,6 +180,9 @@ std::string describe(const Scene& scene) {
     lines.line("ground albedo", curve_text(scene.spectra->ground_albedo));
   } else {
     lines.spectrum("ground albedo", scene.planet.ground_albedo);
+  }
+  if (scene.terrain) {
+    describe_terrain(lines, *scene.terrain);
   }
   for (std::size_t i = 0; i < scene.media.size(); ++i) {
     describe_medium(lines, scene.media[i], scene.spectra ? &scene.spectra->media[i] : nullptr);

@@ -38,6 +38,7 @@ struct MethodInfo {
   std::string_view name;     // typed after --method
   std::string_view summary;  // one line for --help and the chart's legend
   std::span<const ParameterInfo> parameters;
+  bool knows_terrain = false;
 };
 
 }  // namespace airlight

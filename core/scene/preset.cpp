@@ -159,6 +159,28 @@ void merge_object(PresetValue& base, PresetValue&& over) {
   }
 }
 
+// Names of files in a preset are relative to its own folder, wherever the program runs.
+void find_files(PresetValue& root, const fs::path& folder) {
+  PresetValue* at = &root;
+  for (const char* key : {"planet", "terrain"}) {
+    auto* object = std::get_if<PresetObject>(&at->data);
+    const auto found = object == nullptr ? PresetObject::iterator() : object->find(key);
+    if (object == nullptr || found == object->end()) {
+      return;
+    }
+    at = &found->second;
+  }
+  if (auto* terrain = std::get_if<PresetObject>(&at->data)) {
+    for (const char* key : {"height_map", "albedo_map"}) {
+      const auto found = terrain->find(key);
+      auto* name = found == terrain->end() ? nullptr : std::get_if<std::string>(&found->second.data);
+      if (name != nullptr && !name->empty()) {
+        *name = (folder / *name).lexically_normal().string();
+      }
+    }
+  }
+}
+
 // The file of a chain that `root` builds on. Takes the key out when it is one; a wrong type is resolve()'s to refuse.
 struct Extension {
   std::string name;
@@ -249,6 +271,7 @@ Preset load_chain(Link link, const BundledPresets& bundled) {
   std::vector<PresetValue> chain;
   std::vector<fs::path> seen{link.id};
   chain.push_back(parse_root(link.text, link.source));
+  find_files(chain.back(), link.folder);
   std::string route = printable(source);
   Extension extension;
   while (take_extension(chain.back(), extension)) {
@@ -259,6 +282,7 @@ Preset load_chain(Link link, const BundledPresets& bundled) {
     }
     seen.push_back(link.id);
     chain.push_back(parse_root(link.text, link.source));
+    find_files(chain.back(), link.folder);
   }
   PresetValue root = std::move(chain.back());
   for (std::size_t i = chain.size() - 1; i > 0; --i) {

@@ -18,6 +18,7 @@
 #include "core/scene/problems.h"
 #include "core/scene/render_settings.h"
 #include "core/scene/section.h"
+#include "core/scene/terrain_reader.h"
 
 namespace airlight {
 namespace {
@@ -400,6 +401,30 @@ void fill_channels(Scene& scene) {
   }
 }
 
+// What terrain does not go with: a method that knows none, curves over the wavelength.
+void refuse_terrain_beside(const Section& root, const Scene& scene, bool curves, std::span<const MethodInfo> methods) {
+  if (curves) {
+    const Section planet = root.child("planet");
+    planet.complain("terrain", *planet.find("terrain"),
+                    "is lit in three channels alone, and this preset has curves over the wavelength; give media, ground "
+                    "and sun by three channels, or remove the terrain");
+  }
+  std::string names;
+  for (const MethodInfo& method : methods) {
+    if (method.name == scene.render.method && !method.knows_terrain) {
+      for (const MethodInfo& other : methods) {
+        names += other.knows_terrain ? (names.empty() ? "" : ", ") + std::string(other.name) : "";
+      }
+    }
+  }
+  if (!names.empty()) {
+    const Section planet = root.child("planet");
+    planet.complain("terrain", *planet.find("terrain"),
+                    "the method " + json_string(scene.render.method) + " knows no terrain; choose " + names +
+                        " with render.method or --method, or remove the terrain");
+  }
+}
+
 // Everything but the key frames.
 Scene read_scene(const Section& root, std::span<const MethodInfo> methods) {
   check_root(root);
@@ -409,6 +434,7 @@ Scene read_scene(const Section& root, std::span<const MethodInfo> methods) {
   CurveReader curves;
   SceneSpectra spectra;
   scene.planet = read_planet(root, curves, spectra);
+  scene.terrain = read_terrain(root, scene.planet);
   scene.media = read_media(root, scene.planet, curves, spectra);
   scene.sun = read_sun(root, curves, spectra);
   scene.camera = read_camera(root);
@@ -419,6 +445,9 @@ Scene read_scene(const Section& root, std::span<const MethodInfo> methods) {
   if (curves.any() && !root.problems().any()) {
     scene.spectra = std::move(spectra);
     fill_channels(scene);
+  }
+  if (scene.terrain) {
+    refuse_terrain_beside(root, scene, curves.any(), methods);
   }
   scene.bloom = read_bloom(root, scene.camera);
   scene.display = read_display(root);

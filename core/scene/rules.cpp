@@ -15,6 +15,9 @@ constexpr Range kAltitude = kLayerAltitude;
 constexpr Range kCoefficient{.minimum = 0.0, .maximum = 1e5};  // the light of a centimetre
 constexpr Range kFactor{.minimum = 0.0, .maximum = 1e6};
 constexpr Range kIrradiance{.minimum = 0.0, .maximum = 1e9};
+constexpr Range kTerrainWidth{.minimum = 1e-3, .maximum = 2000.0};
+constexpr Range kTerrainHeight{.minimum = 1e-3, .maximum = 100.0};
+constexpr Range kMapHeight{.minimum = -100.0, .maximum = 100.0};
 constexpr Range kUnit{.minimum = 0.0, .maximum = 1.0};
 constexpr Range kPhaseAngle{.minimum = 0.0, .maximum = 180.0};
 constexpr Range kPhaseValue{.minimum = 0.0, .maximum = 1e9};
@@ -62,6 +65,62 @@ constexpr auto kRules = std::to_array<Rule>({
      .range = kUnit,
      .default_text = "0",
      .meaning = "Lambertian reflectance of the ground"},
+
+    {.key = "planet.terrain.height_map",
+     .type = RuleType::text,
+     .meaning = "a picture of heights, by a path relative to this file: any that OpenImageIO reads, its first channel, "
+                "row by row from the upper edge, pixels square; black is 0 and white 1, floats stand as they are. What "
+                "ends up at or below 0 km lies under the ground sphere. Of `height_map` and `ridge` exactly one; of the "
+                "methods `orders` alone knows terrain"},
+    {.key = "planet.terrain.ridge.seed",
+     .type = RuleType::integer,
+     .range = {.minimum = 0.0, .maximum = 1e9},
+     .default_text = "1",
+     .meaning = "a mountain range in place of a height map, 1024 x 512 heights, its crest from the left edge to the "
+                "right: one number gives one range"},
+    {.key = "planet.terrain.ridge.height_km",
+     .range = kTerrainHeight,
+     .unit = "km",
+     .default_text = "2",
+     .meaning = "of its highest peak"},
+    {.key = "planet.terrain.width_km",
+     .range = kTerrainWidth,
+     .unit = "km",
+     .required = true,
+     .meaning = "of the map from its left edge to its right"},
+    {.key = "planet.terrain.lowest_km",
+     .range = kMapHeight,
+     .unit = "km",
+     .default_text = "0",
+     .meaning = "height above the ground sphere of the map's value 0"},
+    {.key = "planet.terrain.highest_km",
+     .range = kMapHeight,
+     .unit = "km",
+     .default_text = "1",
+     .meaning = "of its value 1; 0.001 for floats in metres"},
+    {.key = "planet.terrain.bearing_deg",
+     .range = kAnyAngle,
+     .unit = "degrees",
+     .default_text = "0",
+     .meaning = "where the map's centre lies from the camera's ground point, clockwise from north"},
+    {.key = "planet.terrain.distance_km",
+     .range = {.minimum = 0.0, .maximum = 2000.0},
+     .unit = "km",
+     .default_text = "0",
+     .meaning = "how far, along the ground"},
+    {.key = "planet.terrain.turn_deg",
+     .range = kAnyAngle,
+     .unit = "degrees",
+     .default_text = "0",
+     .meaning = "where the map's upper edge faces, clockwise from north"},
+    {.key = "planet.terrain.albedo",
+     .type = RuleType::spectrum,
+     .range = kUnit,
+     .default_text = "0.2",
+     .meaning = "Lambertian reflectance; with an `albedo_map` what its colours are multiplied by"},
+    {.key = "planet.terrain.albedo_map",
+     .type = RuleType::text,
+     .meaning = "a picture of reflectances over the whole map, of any size; linear, or sRGB where the file says so"},
 
     {.key = "media",
      .type = RuleType::media,

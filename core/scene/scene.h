@@ -4,6 +4,7 @@
 
 #include <array>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -62,6 +63,37 @@ struct Planet {
   double atmosphere_height = 100.0;  // km
   Spectrum ground_albedo{};
   bool operator==(const Planet&) const = default;
+};
+
+// A mountain range made from a number.
+struct Ridge {
+  int seed = 1;
+  double height = 2.0;  // km, of the highest peak
+};
+
+// What the files of a terrain hold; read where they are named (core/foreign), as the scene knows no pictures.
+struct TerrainFiles {
+  std::string identity;  // of the files as they were read
+  int columns = 0;
+  int rows = 0;
+  std::vector<float> heights;  // values as the file has them, rows from the top; empty: a ridge's are made
+  int colour_columns = 0;
+  int colour_rows = 0;
+  std::vector<float> colours;  // linear R, G, B; empty: one albedo
+};
+
+struct Terrain {
+  std::optional<Ridge> ridge;  // absent: a height map
+  std::string height_map;      // file names, absolute; empty: none
+  std::string albedo_map;
+  double width = 0.0;     // km, of the map from left to right
+  double lowest = 0.0;    // km, of the value 0
+  double highest = 1.0;   // km, of the value 1
+  double bearing = 0.0;   // rad, of the map's centre from the camera's ground point, clockwise from north
+  double distance = 0.0;  // km, likewise
+  double turn = 0.0;      // rad, of the map's upper edge, clockwise from north
+  Spectrum albedo{};      // of all of it, or what the map's colours are multiplied by
+  std::shared_ptr<const TerrainFiles> files;
 };
 
 struct SunDisc {
@@ -177,6 +209,7 @@ struct Scene {
   std::string name;
   std::string description;
   Planet planet;
+  std::optional<Terrain> terrain;
   std::vector<Medium> media;
   Sun sun;
   Camera camera;

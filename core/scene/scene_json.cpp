@@ -131,6 +131,38 @@ std::string sun_curve_json(const Curve& curve) {
   return curve.json.empty() ? "{\"named\": \"solar\"}" : curve.json;
 }
 
+std::string terrain_json(const Terrain& terrain) {
+  JsonObject object(3);
+  if (terrain.ridge) {
+    object.add("ridge",
+               JsonObject(4).number("seed", terrain.ridge->seed).number("height_km", terrain.ridge->height).str());
+  } else {
+    object.text("height_map", terrain.height_map)
+        .number("lowest_km", terrain.lowest)
+        .number("highest_km", terrain.highest);
+  }
+  object.number("width_km", terrain.width)
+      .degrees("bearing_deg", terrain.bearing)
+      .number("distance_km", terrain.distance)
+      .degrees("turn_deg", terrain.turn)
+      .spectrum("albedo", terrain.albedo);
+  if (!terrain.albedo_map.empty()) {
+    object.text("albedo_map", terrain.albedo_map);
+  }
+  return object.str();
+}
+
+std::string planet_json(const Scene& scene) {
+  JsonObject object(2);
+  object.number("radius_km", scene.planet.ground_radius)
+      .number("atmosphere_height_km", scene.planet.atmosphere_height)
+      .spectrum("ground_albedo", scene.planet.ground_albedo, scene.spectra ? &scene.spectra->ground_albedo : nullptr);
+  if (scene.terrain) {
+    object.add("terrain", terrain_json(*scene.terrain));
+  }
+  return object.str();
+}
+
 // The default unit is not stated, so that EXRs of before and after the key carry the same preset.
 std::string sun_json(const Scene& scene) {
   const Sun& sun = scene.sun;
@@ -262,12 +294,7 @@ std::string to_json(const Scene& scene) {
   object.number("airlight", 1)
       .text("name", scene.name)
       .text("description", scene.description)
-      .add("planet", JsonObject(2)
-                         .number("radius_km", scene.planet.ground_radius)
-                         .number("atmosphere_height_km", scene.planet.atmosphere_height)
-                         .spectrum("ground_albedo", scene.planet.ground_albedo,
-                                   scene.spectra ? &scene.spectra->ground_albedo : nullptr)
-                         .str())
+      .add("planet", planet_json(scene))
       .add("media", media_json(scene))
       .add("sun", sun_json(scene))
       .add("camera", camera_json(scene.camera))

@@ -3,27 +3,7 @@
 // Adds the sun's disc to the pixels of a rectangle.
 #include "shared/device.glsl"
 #include "shared/tables.glsl"
-#include "physics/sun_disc.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
-layout(constant_id = 4) const uint kProjection = 0u;
-layout(scalar, set = 0, binding = 9) buffer Radiance { vec4 values[]; } radiance_out;
-layout(push_constant, scalar) uniform Push {
-  uvec2 first;  // the rectangle
-  uvec2 count;
-  uvec2 samples;
-  vec2 low;
-  vec2 high;
-};
+bool disc_is_hidden(vec3 direction) { return false; }
 
-void main() {
-  uvec2 pixel = gl_GlobalInvocationID.xy;
-  if (pixel.x >= count.x || pixel.y >= count.y) {
-    return;
-  }
-  pixel += first;
-  DiscBox box = DiscBox(low, high, samples.x, samples.y);
-  vec3 mean = disc_in_pixel(kProjection, float(pixel.x) + 0.5, float(pixel.y) + 0.5, box);
-  uvec2 at = pixel - uvec2(scene.tile.x, scene.tile.y);
-  radiance_out.values[at.y * scene.tile.width + at.x] += vec4(mean, 0.0);
-}
+#include "shared/disc_pixels.glsl"

@@ -150,7 +150,8 @@ SkyFactors shell_air_factors(PlanetData planet, MomentTableData table, Ray ray, 
     SegmentTransfer segment = segment_transfer(step_depth);
     vec3 far = sun_depth_on_ray(planet, ray, walk.shell, walk.to);
     real lit = meets_ground(planet, point.h, point.mu_sun) ? 0.0 : 1.0;
-    vec3 direct = factors.transmittance * mean_sunlight3(near, far, step_depth) * (width * lit);
+    vec3 direct = factors.transmittance * mean_sunlight3(near, far, step_depth) *
+                  (width * lit * sun_share(ray, walk.from + 0.5 * width, width));
     near = far;
     factors.single[0] = factors.single[0] + direct * medium_scattering(0u, point.h, rise);
     factors.single[1] = factors.single[1] + direct * medium_scattering(1u, point.h, rise);
@@ -172,7 +173,8 @@ SkyFactors shell_air_factors(PlanetData planet, MomentTableData table, Ray ray, 
 // As ground_light().
 vec3 shell_ground_light(PlanetData planet, MomentTableData table, Ray ray, vec3 transmittance) {
   RayPoint end = point_on_ray(planet, ray, ray.length_);
-  vec3 irradiance = shell_sun_irradiance(planet, end.mu_sun) + moment_ground_irradiance(table, end.mu_sun);
+  vec3 irradiance = shell_sun_irradiance(planet, end.mu_sun) * sun_share(ray, ray.length_, 0.0) +
+                    moment_ground_irradiance(table, end.mu_sun);
   return transmittance * planet.ground_albedo * irradiance / kPi;
 }
 

@@ -1,6 +1,8 @@
 // The light of a ray as smooth factors: single scattering of each medium without its phase function, and all the rest.
 // The factors vary slowly over the sky where the phase functions do not, so they may be tabulated coarsely and the
 // phase functions multiplied in at the pixel.
+// The includer defines, for this file and shell_march.glsl:
+//   real sun_share(Ray ray, real t, real width);  of the sun that terrain leaves, mean over a step; 1 without terrain
 
 struct SkyFactors {
   vec3 single[kMaxMedia];  // 1/sr after multiplication by the medium's phase function
@@ -42,7 +44,7 @@ SkyFactors air_factors_between(PlanetData planet, MomentTableData table, Ray ray
     vec3 step_depth = air.extinction * s.width;
     SegmentTransfer segment = segment_transfer(step_depth);
     vec3 weight = factors.transmittance * segment.mean * s.width;
-    vec3 direct = weight * transmittance_to_sun(planet, point.h, point.mu_sun);
+    vec3 direct = weight * transmittance_to_sun(planet, point.h, point.mu_sun) * sun_share(ray, s.t, s.width);
     factors.single[0] = factors.single[0] + direct * medium_scattering(0u, point.h, rise);
     factors.single[1] = factors.single[1] + direct * medium_scattering(1u, point.h, rise);
     factors.single[2] = factors.single[2] + direct * medium_scattering(2u, point.h, rise);
@@ -77,7 +79,8 @@ SkyFactors joined(SkyFactors near, SkyFactors far) {
 // Light of the ground where the ray ends on it, seen through air of this transmittance, for a sun of irradiance 1.
 vec3 ground_light(PlanetData planet, MomentTableData table, Ray ray, vec3 transmittance) {
   RayPoint end = point_on_ray(planet, ray, ray.length_);
-  vec3 irradiance = transmittance_to_sun(planet, 0.0, end.mu_sun) * max(end.mu_sun, 0.0) +
+  real facing = max(end.mu_sun, 0.0) * sun_share(ray, ray.length_, 0.0);
+  vec3 irradiance = transmittance_to_sun(planet, 0.0, end.mu_sun) * facing +
                     moment_ground_irradiance(table, end.mu_sun);
   return transmittance * planet.ground_albedo * irradiance / kPi;
 }

@@ -1,12 +1,12 @@
 // The sun's disc in a pixel: limb-darkened, seen through the air, each sample hidden by the planet on its own.
-// Declared before: scene, transmittance_to_top().
+// Declared before: scene, transmittance_to_top(), bool disc_is_hidden(vec3 direction) by more than the planet.
 
 // At the camera, in this direction.
 vec3 disc_radiance(vec3 direction) {
   real profile = disc_profile(scene.sun, length(direction - scene.sun.direction));
   Ray ray = ray_in_atmosphere(scene.planet, scene.camera.altitude, direction.y, scene.sun.direction.y, 1.0);
   vec3 through = ray.length_ < 0.0 ? vec3(1.0) : transmittance_to_top(scene.planet, ray.h, ray.mu);
-  return ray.at_ground ? vec3(0.0) : scene.sun.disc_radiance * through * profile;
+  return ray.at_ground || disc_is_hidden(direction) ? vec3(0.0) : scene.sun.disc_radiance * through * profile;
 }
 
 // Solid angle of the pixel around this point, by two points a side: exact where the density is a cubic.

@@ -12,3 +12,7 @@ vec3 fetch_moment(uint k, float x, float y) {
 real shell_altitude(uint k) { return scene.shell_altitudes[k]; }
 
 #include "physics/moments.glsl"
+
+#ifndef AIRLIGHT_SUN_SHARE
+real sun_share(Ray ray, real t, real width) { return 1.0; }
+#endif

@@ -1,0 +1,116 @@
+// The terrain's shadow as a table: at each place the altitude below which the sun is hidden. One sweep along the way
+// from the sun does: what a place is shaded by is the terrain next to it on that way, or what that is shaded by.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/air/scene_block.h"
+#include "core/terrain/terrain.h"
+
+namespace airlight {
+namespace {
+
+using physics::HostTerrain;
+using physics::TerrainData;
+
+constexpr double kMostTexels = 4e6;
+constexpr double kLongest = 300.0;  // km: behind the map beyond that a shadow goes on as it is there
+constexpr double kNothing = -1e4;   // km: what casts no shadow
+
+struct Span2 {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+  void add(double x) {
+    low = std::min(low, x);
+    high = std::max(high, x);
+  }
+};
+
+// How far behind the map a shadow of this height still stands above the ground.
+double shadow_length(double height, double elevation, double radius) {
+  const double e = std::max(elevation, 0.0);
+  const double left = e * e - 2.0 * height / radius;
+  const double length = left > 0.0 ? radius * (e - std::sqrt(left)) : kLongest;
+  return std::min(length, kLongest);
+}
+
+void place_table(TerrainData& t, const Scene& scene, double highest) {
+  t.sunward_east = std::sin(scene.sun.azimuth);
+  t.sunward_north = std::cos(scene.sun.azimuth);
+  Span2 along;
+  Span2 aside;
+  for (const double x : {-0.5, 0.5}) {
+    for (const double y : {-0.5, 0.5}) {
+      const double right = x * (t.columns - 1.0) * t.texel;
+      const double up = y * (t.rows - 1.0) * t.texel;
+      const double east = t.centre_east + right * t.across_east - up * t.across_north;
+      const double north = t.centre_north + right * t.across_north + up * t.across_east;
+      along.add(east * t.sunward_east + north * t.sunward_north);
+      aside.add(east * t.sunward_north - north * t.sunward_east);
+    }
+  }
+  const double radius = scene.planet.ground_radius;
+  const double low_sun = scene.sun.elevation + along.low / radius - scene.sun.disc.angular_radius;
+  along.low -= shadow_length(highest, low_sun, radius);
+  const double area = (along.high - along.low) * (aside.high - aside.low);
+  t.shadow_texel = std::max(t.texel, std::sqrt(area / kMostTexels));
+  t.shadow_along = along.low;
+  t.shadow_aside = aside.low;
+  t.shadow_columns = static_cast<physics::uint>(std::ceil((along.high - along.low) / t.shadow_texel)) + 2U;
+  t.shadow_rows = static_cast<physics::uint>(std::ceil((aside.high - aside.low) / t.shadow_texel)) + 2U;
+}
+
+// Of a ray toward the sun per km of ground; steeper than this it makes no difference.
+double slope_of(double elevation) {
+  constexpr double kSteepest = 1.55;
+  return std::tan(std::clamp(elevation, -0.5, kSteepest));
+}
+
+}  // namespace
+
+double shadow_reach(const TerrainData& t) {
+  double reach = 0.0;
+  for (const double i : {0.0, t.shadow_columns - 1.0}) {
+    for (const double j : {0.0, t.shadow_rows - 1.0}) {
+      reach = std::max(reach, std::hypot(t.shadow_along + i * t.shadow_texel, t.shadow_aside + j * t.shadow_texel));
+    }
+  }
+  return reach;
+}
+
+std::shared_ptr<const HostTerrain> shadowed_terrain(const Scene& scene) {
+  const std::shared_ptr<const HostTerrain> bare = terrain_of(scene);
+  auto out = std::make_shared<HostTerrain>(*bare);
+  TerrainData& t = out->shape;
+  place_table(t, scene, static_cast<double>(out->heights.back()));
+  physics::Physics p;
+  p.terrain_maps = bare;
+  const double limb = scene.sun.disc.angular_radius;
+  out->shadows.resize(static_cast<std::size_t>(t.shadow_columns) * t.shadow_rows);
+  for (physics::uint j = 0; j < t.shadow_rows; ++j) {
+    const double aside = t.shadow_aside + j * t.shadow_texel;
+    std::array<double, 2> shadow{kNothing, kNothing};  // of the disc's upper and lower limb
+    double terrain = kNothing;
+    for (physics::uint k = t.shadow_columns; k-- > 0;) {
+      const double along = t.shadow_along + k * t.shadow_texel;
+      const double elevation = scene.sun.elevation + (along + 0.5 * t.shadow_texel) / scene.planet.ground_radius;
+      for (std::size_t edge = 0; edge < 2; ++edge) {
+        const double slope = slope_of(elevation + (edge == 0 ? limb : -limb));
+        shadow[edge] = std::max(std::max(shadow[edge], terrain) - slope * t.shadow_texel, kNothing);
+      }
+      const double east = along * t.sunward_east + aside * t.sunward_north;
+      const double north = along * t.sunward_north - aside * t.sunward_east;
+      const double column = p.map_column(t, east, north);
+      const double row = p.map_row(t, east, north);
+      const bool on_map = column >= 0.0 && row >= 0.0 && column <= t.columns - 1.0 && row <= t.rows - 1.0;
+      terrain = on_map ? p.map_height(t, column, row) : kNothing;
+      out->shadows[static_cast<std::size_t>(j) * t.shadow_columns + k] = {shadow[0], shadow[1]};
+    }
+  }
+  return out;
+}
+
+}  // namespace airlight

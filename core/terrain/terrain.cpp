@@ -1,0 +1,154 @@
+#include "core/terrain/terrain.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <mutex>
+#include <vector>
+
+#include "core/error.h"
+#include "core/scene/json_format.h"
+#include "core/terrain/ridge.h"
+
+namespace airlight {
+namespace {
+
+using physics::HostTerrain;
+using physics::TerrainData;
+
+// What lies at or below the ground sphere is under it: so far that rounding does not lift it.
+constexpr double kUnderground = -1e-3;
+
+std::vector<double> heights_of(const Terrain& terrain) {
+  if (terrain.ridge) {
+    return ridge_heights(*terrain.ridge);
+  }
+  std::vector<double> heights;
+  heights.reserve(terrain.files->heights.size());
+  for (const float value : terrain.files->heights) {
+    heights.push_back(terrain.lowest + (terrain.highest - terrain.lowest) * static_cast<double>(value));
+  }
+  return heights;
+}
+
+// The greatest of the four heights of each cell, then of each four cells, and so on to one.
+void append_maxima(HostTerrain& out) {
+  TerrainData& t = out.shape;
+  std::size_t across = t.columns - 1;
+  std::size_t down = t.rows - 1;
+  std::size_t below = 0;
+  t.levels = 0;
+  for (;; ++t.levels) {
+    const std::size_t first = out.heights.size();
+    t.level_first[t.levels] = static_cast<physics::uint>(first);
+    const bool cells = t.levels == 0;
+    const std::size_t wide = cells ? t.columns : ((t.columns - 2U) >> (t.levels - 1U)) + 1U;
+    const std::size_t high = cells ? t.rows : ((t.rows - 2U) >> (t.levels - 1U)) + 1U;
+    for (std::size_t j = 0; j < down; ++j) {
+      for (std::size_t i = 0; i < across; ++i) {
+        const std::size_t x0 = cells ? i : 2 * i;
+        const std::size_t y0 = cells ? j : 2 * j;
+        const std::size_t x1 = std::min(x0 + 1, wide - 1);
+        const std::size_t y1 = std::min(y0 + 1, high - 1);
+        const auto at = [&](std::size_t x, std::size_t y) { return out.heights[below + y * wide + x]; };
+        out.heights.push_back(std::max(std::max(at(x0, y0), at(x1, y0)), std::max(at(x0, y1), at(x1, y1))));
+      }
+    }
+    below = first;
+    if (across == 1 && down == 1) {
+      ++t.levels;
+      return;
+    }
+    across = (across + 1) / 2;
+    down = (down + 1) / 2;
+  }
+}
+
+physics::uint packed(const std::array<double, 3>& albedo) {
+  physics::uint bits = 0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double root = std::sqrt(std::clamp(albedo[c], 0.0, 1.0));
+    bits |= static_cast<physics::uint>(std::lround(root * 1023.0)) << (10U * c);
+  }
+  return bits;
+}
+
+void put_colours(HostTerrain& out, const Terrain& terrain) {
+  const TerrainFiles* files = terrain.files.get();
+  if (files == nullptr || files->colours.empty()) {
+    out.shape.colour_columns = 1;
+    out.shape.colour_rows = 1;
+    out.colours = {packed(terrain.albedo)};
+    return;
+  }
+  out.shape.colour_columns = static_cast<physics::uint>(files->colour_columns);
+  out.shape.colour_rows = static_cast<physics::uint>(files->colour_rows);
+  for (std::size_t i = 0; i + 2 < files->colours.size(); i += 3) {
+    out.colours.push_back(packed({terrain.albedo[0] * static_cast<double>(files->colours[i]),
+                                  terrain.albedo[1] * static_cast<double>(files->colours[i + 1]),
+                                  terrain.albedo[2] * static_cast<double>(files->colours[i + 2])}));
+  }
+}
+
+std::shared_ptr<const HostTerrain> made(const Terrain& terrain) {
+  auto out = std::make_shared<HostTerrain>();
+  TerrainData& t = out->shape;
+  t.columns = static_cast<physics::uint>(terrain.ridge ? kRidgeColumns : terrain.files->columns);
+  t.rows = static_cast<physics::uint>(terrain.ridge ? kRidgeRows : terrain.files->rows);
+  t.texel = terrain.width / (t.columns - 1.0);
+  t.centre_east = terrain.distance * std::sin(terrain.bearing);
+  t.centre_north = terrain.distance * std::cos(terrain.bearing);
+  t.across_east = std::cos(terrain.turn);
+  t.across_north = -std::sin(terrain.turn);
+  for (const double h : heights_of(terrain)) {
+    out->heights.push_back(static_cast<float>(h > 0.0 ? h : kUnderground));
+  }
+  append_maxima(*out);
+  put_colours(*out, terrain);
+  return out;
+}
+
+void refuse_buried_camera(const Scene& scene, const std::shared_ptr<const HostTerrain>& terrain) {
+  physics::Physics p;
+  p.terrain_maps = terrain;
+  const TerrainData& t = terrain->shape;
+  const double column = p.map_column(t, 0.0, 0.0);
+  const double row = p.map_row(t, 0.0, 0.0);
+  const bool beside = column < 0.0 || row < 0.0 || column > t.columns - 1.0 || row > t.rows - 1.0;
+  const double height = beside ? 0.0 : p.map_height(t, column, row);
+  if (height >= scene.camera.altitude) {
+    throw InputError("/camera/altitude_km: " + format_number(scene.camera.altitude) +
+                     " km is inside the terrain, which is " +
+                     format_number(std::round(height * 1e4) / 1e4) + " km high there; raise the camera above it");
+  }
+}
+
+}  // namespace
+
+std::string terrain_key(const Terrain& terrain) {
+  std::string key = terrain.ridge ? "ridge " + std::to_string(terrain.ridge->seed) + " " + format_number(terrain.ridge->height)
+                                  : "map";
+  key += terrain.files ? " of " + terrain.files->identity : "";
+  for (const double number : {terrain.width, terrain.lowest, terrain.highest, terrain.bearing, terrain.distance,
+                              terrain.turn, terrain.albedo[0], terrain.albedo[1], terrain.albedo[2]}) {
+    key += " " + format_number(number);
+  }
+  return key;
+}
+
+std::shared_ptr<const HostTerrain> terrain_of(const Scene& scene) {
+  static std::mutex mutex;
+  static std::string last_key;
+  static std::shared_ptr<const HostTerrain> last;
+  const std::string key = terrain_key(*scene.terrain);
+  const std::lock_guard lock(mutex);
+  if (last == nullptr || key != last_key) {
+    last = made(*scene.terrain);
+    last_key = key;
+  }
+  refuse_buried_camera(scene, last);
+  return last;
+}
+
+}  // namespace airlight

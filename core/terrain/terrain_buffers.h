@@ -1,0 +1,21 @@
+#pragma once
+// A terrain's maps in a plan.
+
+#include "core/plan/plan.h"
+#include "core/terrain/terrain.h"
+
+namespace airlight {
+
+struct TerrainBuffers {
+  BufferId heights;
+  BufferId shadows;
+  BufferId colours;
+};
+
+// For who traces it (shaders/shared/terrain_maps.glsl).
+BufferId add_terrain_heights(Plan& plan, const physics::HostTerrain& terrain);
+
+// For who lights it too; `terrain` has its shadow.
+TerrainBuffers add_terrain(Plan& plan, const physics::HostTerrain& terrain);
+
+}  // namespace airlight

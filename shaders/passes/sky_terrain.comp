@@ -1,0 +1,134 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Terrain, the ground and the air before and behind them, with the terrain's shadow in the air: the view march on the
+// table of moments along each pixel's ray. Where a pixel holds an edge it is the mean over rays through all of it.
+#define AIRLIGHT_SUN_SHARE
+#include "shared/device.glsl"
+#include "shared/tables.glsl"
+#include "shared/moment_table.glsl"
+#include "shared/sky_output.glsl"
+#include "shared/terrain_maps.glsl"
+#include "shared/terrain_light_maps.glsl"
+#include "physics/terrain.glsl"
+
+layout(constant_id = 28) const uint kShafts = 1u;  // 0: the air is lit as if there were no terrain
+
+// The ray at hand along the ground: the track of the camera's, and where the march's part of it begins.
+GroundTrack current_track;
+float current_start = 0.0;
+
+float sun_share(Ray ray, float t, float width) {
+  if (kShafts == 0u && width > 0.0) {
+    return 1.0;
+  }
+  return step_sunlit(scene.planet, current_track, current_start, ray, t, width);
+}
+
+#include "physics/orders.glsl"
+#include "physics/sky_factors.glsl"
+#include "shared/shell_table.glsl"
+#include "physics/terrain_light.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(push_constant, scalar) uniform Push {
+  uint width;
+  uint height;
+  uint steps;
+  float shadow_end;  // km along the ground from the camera beyond which no shadow is known
+};
+
+const uint kEdgeSide = 4u;  // rays across a pixel that holds an edge
+
+struct Seen {
+  vec3 radiance;
+  vec3 transmittance;
+};
+
+// In two parts, so that the part in which shadows stand has steps enough for them.
+Seen seen_along(vec3 direction, float pixel) {
+  current_track = ground_track(scene.camera.altitude, direction);
+  TerrainHit hit = terrain_hit(scene.planet, current_track);
+  Ray ray = air_ray(direction);
+  float before = air_entry(scene.planet, scene.camera.altitude, direction.y).distance_;
+  if (hit.hit) {
+    ray = ray_up_to(scene.planet, scene.camera.altitude, direction.y, ray, hit.distance_);
+  }
+  current_start = ground_distance(scene.planet, scene.camera.altitude, direction.y, before);
+  float cut = max(track_distance(scene.planet, current_track, shadow_end) - before, 0.0);
+  Ray part = ray;
+  part.length_ = min(ray.length_, cut);
+  part.at_ground = ray.at_ground && part.length_ >= ray.length_;
+  float joint = part.length_;
+  uint parts = ray.length_ > joint ? 2u : 1u;
+  SkyFactors factors;
+  for (uint i = 0u; i < parts; i++) {
+    SkyFactors found = scene_sky_factors(part, i == 0u ? steps : max(steps / 2u, 1u));
+    if (i == 0u) {
+      factors = found;
+    } else {
+      factors = joined(factors, found);
+    }
+    RayPoint point = point_on_ray(scene.planet, ray, joint);
+    part = ray;
+    part.h = point.h;
+    part.mu = point.mu;
+    part.mu_sun = point.mu_sun;
+    part.length_ = ray.length_ - joint;
+    current_start += ground_distance(scene.planet, ray.h, ray.mu, joint);
+  }
+  Seen seen;
+  seen.radiance = phased(factors, phases(ray.nu));
+  seen.transmittance = factors.transmittance;
+  if (hit.hit) {
+    seen.radiance += factors.transmittance * terrain_radiance(scene.planet, scene.moments, scene.sun.direction,
+                                                              current_track, hit.ground, hit.distance_ * pixel);
+  }
+  return seen;
+}
+
+vec3 direction_at(uvec2 pixel, vec2 place) {
+  return view_ray(scene.camera, kProjection, float(pixel.x + scene.tile.x) + place.x,
+                  float(pixel.y + scene.tile.y) + place.y).direction;
+}
+
+// Whether the pixel's corners see things at distances too far apart to be one slope.
+bool holds_edge(uvec2 pixel) {
+  float nearest = 1e9;
+  float farthest = 0.0;
+  for (uint i = 0u; i < 4u; i++) {
+    vec3 direction = direction_at(pixel, vec2(i % 2u == 0u ? 0.05 : 0.95, i < 2u ? 0.05 : 0.95));
+    TerrainHit hit = terrain_hit(scene.planet, ground_track(scene.camera.altitude, direction));
+    float distance_ = hit.hit ? hit.distance_ : 1e9;
+    nearest = min(nearest, distance_);
+    farthest = max(farthest, distance_);
+  }
+  return farthest > 1.15 * nearest;
+}
+
+void main() {
+  uvec2 pixel = gl_GlobalInvocationID.xy;
+  if (pixel.x >= width || pixel.y >= height) {
+    return;
+  }
+  ViewRay view = pixel_ray(pixel);
+  bool listed = kProjection == kProjectionListed;
+  float angle = 0.0;
+  uint side = 1u;
+  if (!listed) {
+    angle = length(direction_at(pixel, vec2(1.0, 0.5)) - direction_at(pixel, vec2(0.0, 0.5)));
+    side = view.inside && holds_edge(pixel) ? kEdgeSide : 1u;
+  }
+  vec3 radiance = vec3(0.0);
+  vec3 transmittance = vec3(0.0);
+  for (uint i = 0u; i < side * side; i++) {
+    vec3 direction = view.direction;
+    if (side > 1u) {
+      direction = direction_at(pixel, (vec2(float(i % side), float(i / side)) + 0.5) / float(side));
+    }
+    Seen seen = seen_along(direction, angle / float(side));
+    radiance += seen.radiance;
+    transmittance += seen.transmittance;
+  }
+  float share = 1.0 / float(side * side);
+  write_radiance(pixel, view.inside, radiance * scene.sun.irradiance * share, transmittance * share);
+}

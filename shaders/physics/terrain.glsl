@@ -1,0 +1,238 @@
+// Terrain on the sphere: where a ray meets it, and where its shadow stands in the air.
+// A ray from the camera keeps its heading, so that it is traced in the plane of heading and vertical: altitude over the
+// distance along the ground, in closed form with the planet's curvature.
+// The includer defines:
+//   TerrainData terrain_shape();
+//   real terrain_height(uint k);       km, row by row, then the maxima of each level
+//   uint terrain_level(uint level);    where those of a level begin
+//   vec2 terrain_shadow(uint k);       altitudes below which the sun is wholly hidden, and above which it is whole
+//   vec3 terrain_colour(uint k);       albedo
+
+// A ray of the camera along the ground.
+struct GroundTrack {
+  real h;      // altitude of its start
+  real mu;     // zenith cosine there
+  real sigma;  // and sine, held above zero
+  real east;   // heading
+  real north;
+};
+
+GroundTrack ground_track(real h, vec3 direction) {
+  real sigma = sqrt(direction.x * direction.x + direction.z * direction.z);
+  GroundTrack track;
+  track.h = h;
+  track.mu = direction.y;
+  track.sigma = max(sigma, 1e-6);
+  track.east = sigma > 1e-6 ? direction.x / sigma : 0.0;
+  track.north = sigma > 1e-6 ? -direction.z / sigma : 1.0;
+  return track;
+}
+
+// Altitude at distance s along the ground, by half the angle at the planet's centre: no difference of radii in it.
+real track_altitude(PlanetData planet, GroundTrack track, real s) {
+  real half_angle = 0.5 * s / planet.ground_radius;
+  real a = sin(half_angle);
+  real c = cos(half_angle);
+  real ahead = track.sigma * (c * c - a * a) - track.mu * (2.0 * a * c);
+  return track.h +
+         2.0 * (planet.ground_radius + track.h) * a * (track.mu * c + track.sigma * a) / max(ahead, 1e-7);
+}
+
+// Distance from the camera there.
+real track_distance(PlanetData planet, GroundTrack track, real s) {
+  real angle = s / planet.ground_radius;
+  real ahead = track.sigma * cos(angle) - track.mu * sin(angle);
+  return (planet.ground_radius + track.h) * sin(angle) / max(ahead, 1e-7);
+}
+
+// The inverse: distance along the ground of the ray's point at t, for a ray from altitude h along mu.
+real ground_distance(PlanetData planet, real h, real mu, real t) {
+  real sigma = sqrt(max(1.0 - mu * mu, 0.0));
+  return planet.ground_radius * atan(t * sigma, planet.ground_radius + h + t * mu);
+}
+
+// Places in the map, in columns and rows.
+real map_column(TerrainData t, real east, real north) {
+  real x = (east - t.centre_east) * t.across_east + (north - t.centre_north) * t.across_north;
+  return x / t.texel + 0.5 * real(t.columns - 1u);
+}
+
+real map_row(TerrainData t, real east, real north) {
+  real y = (north - t.centre_north) * t.across_east - (east - t.centre_east) * t.across_north;
+  return 0.5 * real(t.rows - 1u) - y / t.texel;
+}
+
+// Bilinear between heights; at the map's edge where it is outside.
+real map_height(TerrainData t, real column, real row) {
+  real x = clamp(column, 0.0, real(t.columns - 1u));
+  real y = clamp(row, 0.0, real(t.rows - 1u));
+  uint i = min(uint(x), t.columns - 2u);
+  uint j = min(uint(y), t.rows - 2u);
+  real u = x - real(i);
+  real v = y - real(j);
+  uint k = j * t.columns + i;
+  real upper = terrain_height(k) + (terrain_height(k + 1u) - terrain_height(k)) * u;
+  real lower = terrain_height(k + t.columns) + (terrain_height(k + t.columns + 1u) - terrain_height(k + t.columns)) * u;
+  return upper + (lower - upper) * v;
+}
+
+// The part of a line p + s d inside 0 to end, as an interval of s; empty where from > to.
+struct Interval {
+  real from;
+  real to;
+};
+
+Interval inside(Interval interval, real p, real d, real end) {
+  if (abs(d) < 1e-12) {
+    bool misses = p < 0.0 || p > end;
+    interval.to = misses ? interval.from - 1.0 : interval.to;
+    return interval;
+  }
+  real a = -p / d;
+  real b = (end - p) / d;
+  interval.from = max(interval.from, min(a, b));
+  interval.to = min(interval.to, max(a, b));
+  return interval;
+}
+
+struct TerrainHit {
+  bool hit;
+  real ground;     // distance along the ground, km
+  real distance_;  // from the camera, km
+};
+
+// Height of the ray above the terrain, at distance s along the ground.
+real clearance(PlanetData planet, TerrainData t, GroundTrack track, real s) {
+  real east = track.east * s;
+  real north = track.north * s;
+  return track_altitude(planet, track, s) - map_height(t, map_column(t, east, north), map_row(t, east, north));
+}
+
+// Between a, where the ray is above the terrain, and b, where it is below it.
+real meeting(PlanetData planet, TerrainData t, GroundTrack track, real a, real b) {
+  for (uint i = 0u; i < 14u; i++) {
+    real middle = 0.5 * (a + b);
+    bool above = clearance(planet, t, track, middle) > 0.0;
+    a = above ? middle : a;
+    b = above ? b : middle;
+  }
+  return b;
+}
+
+// End of the cell of 2^level heights that the line is in just behind s.
+real cell_end(real ahead, real p, real d, real size) {
+  if (abs(d) < 1e-12) {
+    return 1e30;
+  }
+  real cell = floor((p + ahead * d) / size);
+  return ((d > 0.0 ? cell + 1.0 : cell) * size - p) / d;
+}
+
+// The first meeting with the terrain, found through maxima over cells of 2, 4, 8 ... heights: a cell whose highest
+// point lies below the ray is passed as a whole.
+TerrainHit terrain_hit(PlanetData planet, GroundTrack track) {
+  TerrainData t = terrain_shape();
+  TerrainHit result;
+  result.hit = false;
+  result.ground = 0.0;
+  result.distance_ = 0.0;
+  real column0 = map_column(t, 0.0, 0.0);
+  real row0 = map_row(t, 0.0, 0.0);
+  real columns_a_km = map_column(t, track.east, track.north) - column0;
+  real rows_a_km = map_row(t, track.east, track.north) - row0;
+  Interval part;
+  part.from = 0.0;
+  part.to = 1.5 * planet.ground_radius;
+  if (meets_ground(planet, track.h, track.mu)) {
+    part.to = ground_distance(planet, track.h, track.mu, distance_to_ground(planet, track.h, track.mu));
+  }
+  part = inside(part, column0, columns_a_km, real(t.columns - 1u));
+  part = inside(part, row0, rows_a_km, real(t.rows - 1u));
+  real lowest = planet.ground_radius * atan(-track.mu, track.sigma);
+  real least = 1e-3 * t.texel;
+  real s = part.from;
+  uint level = t.levels - 1u;
+  for (uint turn = 0u; turn < 2048u; turn++) {
+    if (s >= part.to) {
+      break;
+    }
+    real ahead = s + least;
+    real size = real(1u << level);
+    uint across = ((t.columns - 2u) >> level) + 1u;
+    uint down = ((t.rows - 2u) >> level) + 1u;
+    real i = clamp(floor((column0 + ahead * columns_a_km) / size), 0.0, real(across - 1u));
+    real j = clamp(floor((row0 + ahead * rows_a_km) / size), 0.0, real(down - 1u));
+    real end = min(cell_end(ahead, column0, columns_a_km, size), cell_end(ahead, row0, rows_a_km, size));
+    end = min(max(end, ahead), part.to);
+    real bottom = track_altitude(planet, track, clamp(lowest, s, end));
+    if (bottom > terrain_height(terrain_level(level) + uint(j) * across + uint(i))) {
+      s = end;
+      level = min(level + 1u, t.levels - 1u);
+      continue;
+    }
+    if (level > 0u) {
+      level = level - 1u;
+      continue;
+    }
+    real middle = 0.5 * (s + end);
+    bool starts_below = clearance(planet, t, track, s) <= 0.0;
+    bool middle_below = clearance(planet, t, track, middle) <= 0.0;
+    bool end_below = clearance(planet, t, track, end) <= 0.0;
+    if (starts_below || middle_below || end_below) {
+      result.hit = true;
+      result.ground = s;
+      if (!starts_below) {
+        result.ground = meeting(planet, t, track, middle_below ? s : middle, middle_below ? middle : end);
+      }
+      result.distance_ = track_distance(planet, track, result.ground);
+      return result;
+    }
+    s = end;
+  }
+  return result;
+}
+
+// Share of the sun's disc that the terrain leaves at a place and altitude: between the shadow of the disc's upper and
+// lower limb it rises as the part of a limb-darkened disc that a straight edge has passed.
+real terrain_sunlit(TerrainData t, real east, real north, real h) {
+  real along = (east * t.sunward_east + north * t.sunward_north - t.shadow_along) / t.shadow_texel;
+  real aside = (east * t.sunward_north - north * t.sunward_east - t.shadow_aside) / t.shadow_texel;
+  if (along > real(t.shadow_columns - 1u) || aside < 0.0 || aside > real(t.shadow_rows - 1u)) {
+    return 1.0;
+  }
+  along = max(along, 0.0);
+  uint i = min(uint(along), t.shadow_columns - 2u);
+  uint j = min(uint(aside), t.shadow_rows - 2u);
+  real u = along - real(i);
+  real v = aside - real(j);
+  uint k = j * t.shadow_columns + i;
+  vec2 a = terrain_shadow(k);
+  vec2 b = terrain_shadow(k + 1u);
+  vec2 c = terrain_shadow(k + t.shadow_columns);
+  vec2 d = terrain_shadow(k + t.shadow_columns + 1u);
+  real dark = (a.x * (1.0 - u) + b.x * u) * (1.0 - v) + (c.x * (1.0 - u) + d.x * u) * v;
+  real whole = (a.y * (1.0 - u) + b.y * u) * (1.0 - v) + (c.y * (1.0 - u) + d.y * u) * v;
+  real x = clamp((h - dark) / max(whole - dark, 1e-6), 0.0, 1.0);
+  return x * x * (3.0 - 2.0 * x);
+}
+
+// Its mean over a step of a ray from the camera, `start` along the ground and with the track's heading: by the middles
+// of equal parts, as the edge of a shadow may cross the step anywhere.
+real step_sunlit(PlanetData planet, GroundTrack track, real start, Ray ray, real t, real width) {
+  TerrainData shape = terrain_shape();
+  const uint kParts = 8u;
+  uint parts = width > 0.0 ? kParts : 1u;
+  RayPoint near = point_on_ray(planet, ray, t - 0.5 * width);
+  RayPoint far = point_on_ray(planet, ray, t + 0.5 * width);
+  real s0 = start + ground_distance(planet, ray.h, ray.mu, t - 0.5 * width);
+  real s1 = start + ground_distance(planet, ray.h, ray.mu, t + 0.5 * width);
+  real sag = 0.5 * width * width * (1.0 - near.mu * near.mu) / planet.ground_radius;
+  real sum = 0.0;
+  for (uint i = 0u; i < parts; i++) {
+    real x = (real(i) + 0.5) / real(parts);
+    real s = s0 + (s1 - s0) * x;
+    real h = near.h + (far.h - near.h) * x - sag * x * (1.0 - x);
+    sum = sum + terrain_sunlit(shape, track.east * s, track.north * s, h);
+  }
+  return sum / real(parts);
+}

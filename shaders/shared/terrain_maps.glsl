@@ -1,0 +1,13 @@
+// The terrain's maps as buffers.
+#include "shared/terrain.h"
+
+layout(scalar, set = 0, binding = 10) readonly buffer Terrain {
+  TerrainData shape;
+  float heights[];
+} terrain;
+
+// Taken out of the buffer once, as the media are.
+TerrainData loaded_terrain = terrain.shape;
+TerrainData terrain_shape() { return loaded_terrain; }
+uint terrain_level(uint level) { return terrain.shape.level_first[level]; }
+float terrain_height(uint k) { return terrain.heights[k]; }
