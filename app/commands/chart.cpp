@@ -104,7 +104,8 @@ chart::RunOrder order_of(const Given& given, chart::Settings& settings) {
     }
     Scene scene = load_scene(options);
     if (scene.terrain) {
-      throw InputError("chart: " + preset + ": planet.terrain: the path tracer, which the others are judged by, knows no "
+      throw InputError("chart: " + preset +
+                       ": planet.terrain: the path tracer, which the others are judged by, knows no "
                        "terrain; choose a preset without");
     }
     settings.image = scene.image;

@@ -13,6 +13,7 @@
 #include "core/scene/curve_reader.h"
 #include "core/scene/phase_reader.h"
 #include "core/scene/printable.h"
+#include "core/scene/resolve.h"
 
 namespace airlight::cli {
 namespace {

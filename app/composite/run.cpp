@@ -286,8 +286,9 @@ std::vector<Frame> frames_of(const CompositeOrder& order) {
 
 void require_spans(const Scene& scene, bool by_method) {
   if (scene.terrain) {
-    throw InputError("composite: planet.terrain: the air is put before the things of one picture, and terrain would be "
-                     "among them; remove planet.terrain from the preset");
+    throw InputError(
+        "composite: planet.terrain: the air is put before the things of one picture, and terrain would be "
+        "among them; remove planet.terrain from the preset");
   }
   if (!by_method) {
     return;

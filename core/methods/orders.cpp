@@ -482,7 +482,8 @@ SkyMethod orders_method() {
   method.info = {"orders", "successive orders of scattering as spherical-harmonic moments; near truth", kParameters};
   method.info.knows_terrain = true;
   method.layers_refusal = [](const Scene& scene) {
-    return std::string(scene.terrain ? "planet.terrain: its light is not kept apart by layers; remove one of the two" : "");
+    return std::string(scene.terrain ? "planet.terrain: its light is not kept apart by layers; remove one of the two"
+                                     : "");
   };
   method.validity.leaves_out = "harmonics above the degree kept";
   method.bounds = bounds;

@@ -51,7 +51,7 @@ bool add_sun_disc(Plan& plan, const Scene& scene, const Air& air, std::optional<
   constants.push_back({"kProjection", projection_code(scene.camera.projection)});
   std::vector<Binding> reads{{"transmittance_lut", table}};
   if (scene.terrain) {
-    reads.push_back({"terrain", add_terrain_heights(plan, *terrain_of(scene))});
+    reads.push_back({"terrain", add_terrain_heights(plan, "terrain before the disc", *terrain_of(scene))});
   }
   for (const auto& [pixels, box] : parts) {
     plan.add_pass({.name = "sun_disc",

@@ -201,11 +201,11 @@ SunLight sun_light(const DeviceOnDemand& device, const Scene& scene) {
   }
   const auto behind_terrain = [&](const Direction& d) {
     const physics::vec3 view = p.direction_from_angles(d.elevation, d.azimuth);
-    return p.terrain_maps != nullptr &&
-           p.terrain_hit(p.scene.planet, p.ground_track(scene.camera.altitude, view)).hit;
+    return p.terrain_maps != nullptr && p.terrain_hit(p.scene.planet, p.ground_track(scene.camera.altitude, view)).hit;
   };
   for (const DiscPoint& point : disc_points(p, scene.sun)) {
-    if (!behind_terrain(point.direction) && !p.meets_ground(p.scene.planet, scene.camera.altitude, std::sin(point.direction.elevation))) {
+    if (!behind_terrain(point.direction) &&
+        !p.meets_ground(p.scene.planet, scene.camera.altitude, std::sin(point.direction.elevation))) {
       directions.push_back(point.direction);
       shares.push_back(point.share);
       light.visible_share += point.share;

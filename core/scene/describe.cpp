@@ -125,8 +125,8 @@ void describe_medium(Lines& lines, const Medium& medium, const MediumSpectra* cu
 void describe_terrain(Lines& lines, const Terrain& terrain) {
   lines.heading("terrain");
   if (terrain.ridge) {
-    lines.line("ridge", "seed " + format_number(terrain.ridge->seed) + ", " + format_number(terrain.ridge->height) +
-                            " km high");
+    lines.line("ridge",
+               "seed " + format_number(terrain.ridge->seed) + ", " + format_number(terrain.ridge->height) + " km high");
   } else {
     lines.line("height map", terrain.height_map)
         .number("value 0", terrain.lowest, "km")

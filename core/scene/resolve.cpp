@@ -405,9 +405,10 @@ void fill_channels(Scene& scene) {
 void refuse_terrain_beside(const Section& root, const Scene& scene, bool curves, std::span<const MethodInfo> methods) {
   if (curves) {
     const Section planet = root.child("planet");
-    planet.complain("terrain", *planet.find("terrain"),
-                    "is lit in three channels alone, and this preset has curves over the wavelength; give media, ground "
-                    "and sun by three channels, or remove the terrain");
+    planet.complain(
+        "terrain", *planet.find("terrain"),
+        "is lit in three channels alone, and this preset has curves over the wavelength; give media, ground "
+        "and sun by three channels, or remove the terrain");
   }
   std::string names;
   for (const MethodInfo& method : methods) {

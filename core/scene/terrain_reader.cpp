@@ -37,8 +37,10 @@ void require_near(const Section& section, const Terrain& terrain, const Planet& 
     const PresetValue* at = section.find("distance_km");
     const char* key = at != nullptr ? "distance_km" : "width_km";
     section.complain(key, at != nullptr ? *at : *section.find("width_km"),
-                     "the map reaches " + format_number(reach) + " km from the camera; expected at most 0.3 radii of "
-                     "the planet, " + format_number(kMost * on.ground_radius) + " km: bring it nearer or make it smaller");
+                     "the map reaches " + format_number(reach) +
+                         " km from the camera; expected at most 0.3 radii of "
+                         "the planet, " +
+                         format_number(kMost * on.ground_radius) + " km: bring it nearer or make it smaller");
   }
 }
 

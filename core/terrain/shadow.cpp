@@ -56,7 +56,8 @@ void place_table(TerrainData& t, const Scene& scene, double highest) {
   const double low_sun = scene.sun.elevation + along.low / radius - scene.sun.disc.angular_radius;
   along.low -= shadow_length(highest, low_sun, radius);
   const double area = (along.high - along.low) * (aside.high - aside.low);
-  t.shadow_texel = std::max(t.texel, std::sqrt(area / kMostTexels));
+  // Finer than the map, whose heights it cuts across.
+  t.shadow_texel = std::max(0.25 * t.texel, std::sqrt(area / kMostTexels));
   t.shadow_along = along.low;
   t.shadow_aside = aside.low;
   t.shadow_columns = static_cast<physics::uint>(std::ceil((along.high - along.low) / t.shadow_texel)) + 2U;

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
+#include <cstdio>
 #include <mutex>
 #include <vector>
 
 #include "core/error.h"
-#include "core/scene/json_format.h"
 #include "core/terrain/ridge.h"
 
 namespace airlight {
@@ -19,6 +18,12 @@ using physics::TerrainData;
 
 // What lies at or below the ground sphere is under it: so far that rounding does not lift it.
 constexpr double kUnderground = -1e-3;
+
+std::string text_of(double number, int digits) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.*g", digits, number);
+  return text;
+}
 
 std::vector<double> heights_of(const Terrain& terrain) {
   if (terrain.ridge) {
@@ -118,21 +123,21 @@ void refuse_buried_camera(const Scene& scene, const std::shared_ptr<const HostTe
   const bool beside = column < 0.0 || row < 0.0 || column > t.columns - 1.0 || row > t.rows - 1.0;
   const double height = beside ? 0.0 : p.map_height(t, column, row);
   if (height >= scene.camera.altitude) {
-    throw InputError("/camera/altitude_km: " + format_number(scene.camera.altitude) +
-                     " km is inside the terrain, which is " +
-                     format_number(std::round(height * 1e4) / 1e4) + " km high there; raise the camera above it");
+    throw InputError("/camera/altitude_km: " + text_of(scene.camera.altitude, 6) +
+                     " km is inside the terrain, which is " + text_of(height, 4) +
+                     " km high there; raise the camera above it");
   }
 }
 
 }  // namespace
 
 std::string terrain_key(const Terrain& terrain) {
-  std::string key = terrain.ridge ? "ridge " + std::to_string(terrain.ridge->seed) + " " + format_number(terrain.ridge->height)
-                                  : "map";
+  std::string key =
+      terrain.ridge ? "ridge " + std::to_string(terrain.ridge->seed) + " " + text_of(terrain.ridge->height, 17) : "map";
   key += terrain.files ? " of " + terrain.files->identity : "";
   for (const double number : {terrain.width, terrain.lowest, terrain.highest, terrain.bearing, terrain.distance,
                               terrain.turn, terrain.albedo[0], terrain.albedo[1], terrain.albedo[2]}) {
-    key += " " + format_number(number);
+    key += " " + text_of(number, 17);
   }
   return key;
 }

@@ -51,13 +51,13 @@ std::vector<std::byte> bytes_of(const std::vector<T>& values) {
 
 }  // namespace
 
-BufferId add_terrain_heights(Plan& plan, const physics::HostTerrain& terrain) {
+BufferId add_terrain_heights(Plan& plan, const char* name, const physics::HostTerrain& terrain) {
   const device::TerrainData shape = narrow(terrain.shape);
   std::vector<std::byte> bytes(sizeof shape);
   std::memcpy(bytes.data(), &shape, sizeof shape);
   const std::vector<std::byte> heights = bytes_of(terrain.heights);
   bytes.insert(bytes.end(), heights.begin(), heights.end());
-  return add(plan, "terrain", std::move(bytes));
+  return add(plan, name, std::move(bytes));
 }
 
 TerrainBuffers add_terrain(Plan& plan, const physics::HostTerrain& terrain) {
@@ -66,7 +66,7 @@ TerrainBuffers add_terrain(Plan& plan, const physics::HostTerrain& terrain) {
   for (const physics::vec2& shadow : terrain.shadows) {
     shadows.push_back({narrow(shadow.x), narrow(shadow.y)});
   }
-  return {add_terrain_heights(plan, terrain), add(plan, "terrain_shadows", bytes_of(shadows)),
+  return {add_terrain_heights(plan, "terrain", terrain), add(plan, "terrain_shadows", bytes_of(shadows)),
           add(plan, "terrain_colours", bytes_of(terrain.colours))};
 }
 

@@ -12,8 +12,8 @@ struct TerrainBuffers {
   BufferId colours;
 };
 
-// For who traces it (shaders/shared/terrain_maps.glsl).
-BufferId add_terrain_heights(Plan& plan, const physics::HostTerrain& terrain);
+// For who traces it, under a name of its own in the plan (shaders/shared/terrain_maps.glsl).
+BufferId add_terrain_heights(Plan& plan, const char* name, const physics::HostTerrain& terrain);
 
 // For who lights it too; `terrain` has its shadow.
 TerrainBuffers add_terrain(Plan& plan, const physics::HostTerrain& terrain);
