@@ -66,7 +66,10 @@ TEST(Bloom, BecomesALayerOnlyWhenStated) {
 TEST(RoundTrip, KeepsEveryValue) {
   const Scene scene = scene_from(R"({
     "airlight": 1, "name": "a \"name\"\n", "description": "é \\ \u0001",
-    "planet": {"radius_km": 3389.5, "atmosphere_height_km": 110.25, "ground_albedo": [0.1, 0.2, 0.3]},
+    "planet": {"radius_km": 3389.5, "atmosphere_height_km": 110.25, "ground_albedo": [0.1, 0.2, 0.3],
+               "terrain": {"height_map": "/maps/heights.tif", "albedo_map": "/maps/colours.png", "width_km": 33,
+                           "lowest_km": -0.5, "highest_km": 4.5, "bearing_deg": 12, "distance_km": 9, "turn_deg": -7,
+                           "albedo": [0.4, 0.5, 0.6]}},
     "media": [
       {"name": "a", "scattering_per_km": [1e-7, 2e-5, 0.3], "absorption_per_km": 0.1,
        "density": {"profile": "lorentzian", "center_km": 25, "half_width_km": 5, "scale_height_km": 7},

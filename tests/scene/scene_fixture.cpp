@@ -87,7 +87,27 @@ std::string problems_of_file(const std::filesystem::path& file) {
   return {};
 }
 
+void expect_same_terrain(const std::optional<Terrain>& a, const std::optional<Terrain>& b) {
+  ASSERT_EQ(a.has_value(), b.has_value());
+  if (!a) {
+    return;
+  }
+  ASSERT_EQ(a->ridge.has_value(), b->ridge.has_value());
+  EXPECT_EQ(a->ridge.value_or(Ridge{}).seed, b->ridge.value_or(Ridge{}).seed);
+  EXPECT_EQ(a->ridge.value_or(Ridge{}).height, b->ridge.value_or(Ridge{}).height);
+  EXPECT_EQ(a->height_map, b->height_map);
+  EXPECT_EQ(a->albedo_map, b->albedo_map);
+  EXPECT_EQ(a->width, b->width);
+  EXPECT_EQ(a->lowest, b->lowest);
+  EXPECT_EQ(a->highest, b->highest);
+  EXPECT_EQ(a->bearing, b->bearing);
+  EXPECT_EQ(a->distance, b->distance);
+  EXPECT_EQ(a->turn, b->turn);
+  EXPECT_EQ(a->albedo, b->albedo);
+}
+
 void expect_same(const Scene& a, const Scene& b) {
+  expect_same_terrain(a.terrain, b.terrain);
   EXPECT_EQ(a.name, b.name);
   EXPECT_EQ(a.description, b.description);
   EXPECT_EQ(a.planet.ground_radius, b.planet.ground_radius);
