@@ -52,7 +52,7 @@ struct Physics {
   bool delta = false;
   HostTable sun_table;  // mean extinction to the top over the rows of shells (physics/shells.glsl)
   AnalyticData analytic;
-  std::vector<GlarePoint> glare_points;  // the sum of the points first
+  std::vector<GlarePoint> glare_points;             // the sum of the points first
   std::shared_ptr<const HostTerrain> terrain_maps;  // null: no terrain
 
   uint medium_count() const { return media; }
