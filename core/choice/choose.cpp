@@ -78,7 +78,7 @@ struct Ground {
   // The fewest wavelengths, or those asked for, held against many more.
   void settle_wavelengths(double tolerance, const ProbeFunction& probe) {
     constexpr int kMany = 24;
-    constexpr double kOfMany = 0.0005;  // what many are off all 48, over the skies of docs/SPECTRA.md
+    constexpr double kOfMany = 0.0005;  // what many are off all 48, over the skies of core/SPECTRA.md
     constexpr double kShare = 0.4;      // of a tolerance, that the spectrum may take up
     SceneSpectra& spectra = *lighter.scene.spectra;
     const int wished = spectra.wavelengths;

@@ -259,6 +259,22 @@ void add_tabulated_sky(Plan& plan, const Scene& scene, const Air& air, const Vie
   add_factor_pixels(plan, air, table, target, add_factors(plan, "sky_factors", table, view, light));
 }
 
+// Whether the media that the pixels multiply by their phase function are the same at all wavelengths but for how much
+// they scatter and absorb.
+bool phases_are_alike(const Scene& scene, const SpectralScene& spectral, std::uint32_t apart) {
+  for (const WavelengthGroup& group : spectral.groups) {
+    for (std::size_t i = 0; i < scene.media.size(); ++i) {
+      Medium alike = group.scene.media[i];
+      alike.scattering = scene.media[i].scattering;
+      alike.absorption = scene.media[i].absorption;
+      if ((apart >> i & 1u) != 0 && alike != scene.media[i]) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 // The phase functions stand outside of the factors, so factors of all wavelengths are summed into colours, and the
 // pixels know of none.
 std::optional<SkyPasses> add_spectral(Plan& plan, const Scene& scene, const SpectralScene& spectral, const View& view) {
@@ -267,6 +283,9 @@ std::optional<SkyPasses> add_spectral(Plan& plan, const Scene& scene, const Spec
   }
   const Air air = air_of(scene);
   const FactorTable table = factor_table(scene, air, scattering_media(spectral), false);
+  if (!phases_are_alike(scene, spectral, table.apart)) {
+    return std::nullopt;
+  }
   const SkyTarget target = add_sky_target(plan, scene, view);
   SkyPasses passes{target.radiance, {}};
   std::vector<ImageId> factors;
