@@ -9,6 +9,7 @@
 #include "core/scene/json_format.h"
 #include "core/scene/render_settings.h"
 #include "core/scene/rules.h"
+#include "core/spectra/phase_table.h"
 
 namespace airlight::fuzz {
 namespace {
@@ -105,9 +106,12 @@ class Writer {
       case RuleType::number:
         return number(rule.range, rule.default_text.empty() ? usual(rule.key) : number_of(rule.default_text, 0.0));
       case RuleType::spectrum:
+      case RuleType::curve:
         return spectrum(rule);
-      case RuleType::choice:
-        return quoted(random_.pick(rule.choices));
+      case RuleType::choice: {
+        const std::string_view picked = random_.pick(rule.choices);
+        return picked == "table" ? std::string() : quoted(picked);  // tables are written by table()
+      }
       case RuleType::exposure:
         return random_.chance(0.5) ? "\"auto\"" : number(rule.range, 1.0);
       case RuleType::layers:
@@ -176,6 +180,25 @@ class Writer {
     return "[" + text + "]";
   }
 
+  // A phase function of any shape, with the integral that is asked for.
+  std::string table() {
+    PhaseTable made;
+    made.rows.emplace_back();
+    const auto last = static_cast<double>(1 + random_.below(30));
+    for (double i = 0.0; i <= last; i += 1.0) {
+      made.angles_deg.push_back(180.0 * i / last);
+      made.rows[0].push_back(random_.log_uniform(1e-3, 1e3));
+    }
+    const double integral = sphere_integral(made, 0);
+    std::string angles;
+    std::string values;
+    for (std::size_t k = 0; k < made.angles_deg.size(); ++k) {
+      angles += (k == 0 ? "" : ", ") + format_number(made.angles_deg[k]);
+      values += (k == 0 ? "" : ", ") + format_number(made.rows[0][k] / integral);
+    }
+    return "{\"function\": \"table\", \"angles_deg\": [" + angles + "], \"values\": [" + values + "]}";
+  }
+
   std::string media() {
     std::string text;
     const std::uint64_t count = random_.chance(0.15) ? 8 : 1 + random_.below(3);
@@ -183,7 +206,7 @@ class Writer {
       const std::string own = object("media[]");  // the coefficients; the name is a text
       text += (text.empty() ? "{" : ", {") + std::string("\"name\": \"m") + std::to_string(i) + "\", " +
               (own == "{}" ? "" : own.substr(1, own.size() - 2) + ", ") + "\"density\": " + object("media[].density") +
-              ", \"phase\": " + object("media[].phase") + "}";
+              ", \"phase\": " + (random_.chance(0.1) ? table() : object("media[].phase")) + "}";
     }
     return text;
   }
