@@ -24,7 +24,7 @@ constexpr std::array<std::string_view, 10> kDegrees{"auto", "0", "1", "2", "3", 
 constexpr std::array<std::string_view, 2> kFolded{"smooth", "all"};
 constexpr std::array<std::string_view, 3> kWhen{"auto", "always", "never"};
 
-const std::array<ParameterInfo, 11> kParameters{{
+const std::array<ParameterInfo, 12> kParameters{{
     {"steps", ParameterKind::integer, 4, 4096, 48, {}, "steps along a view ray, apart at the planet's shadow"},
     {"transmittance_lut", ParameterKind::table_size, 2, 4096, TableSize{256, 64}, {}, "transmittance table, mu x h"},
     {"moments_lut",
@@ -401,7 +401,7 @@ SpanBuffers add_span_buffers(Plan& plan, std::span<const Span> spans) {
 FactorTable volume_table(Scene scene, const Air& air) {
   auto& size = std::get<TableSize>(scene.render.parameters.find("sky_lut")->second);
   size = {std::max(2 * size[0] / 3, 8), std::max(2 * size[1] / 3, 8)};
-  return factor_table(scene, air, false);
+  return factor_table(scene, air, air.scattering_media(), false);
 }
 
 // The aerial volume and the mean extinction beside it (shaders/physics/aerial_volume.glsl).

@@ -78,18 +78,21 @@ std::vector<AirTo> air_to(Executor& executor, const Scene& scene, std::span<cons
   const SkyMethod* method = find_method(scene.render.method);
   assert(method != nullptr && method->add_span_passes != nullptr);
   assert(!way.volume || (method->has_volume != nullptr && method->has_volume(scene)));
-  const SpanWork work{executor, *method, way, passes};
   std::vector<AirTo> all(spans.size());
   for (std::size_t first = 0; first < spans.size(); first += kMostSpans) {
     const std::span<const Span> some = spans.subspan(first, std::min(kMostSpans, spans.size() - first));
     const std::span<AirTo> sums(all.data() + first, some.size());
     if (scene.spectra) {
       const SpectralScene spectral = spectral_scene(scene);
-      for (const WavelengthGroup& group : spectral.groups) {
+      for (std::size_t g = 0; g < spectral.groups.size(); ++g) {
+        const WavelengthGroup& group = spectral.groups[g];
+        SpanWay of_group = way;  // each group keeps tables of its own
+        of_group.kept_as += way.kept_as.empty() ? "" : " of group " + std::to_string(g);
+        const SpanWork work{executor, *method, of_group, passes};
         add_channels(work, group.scene, some, sums, group.colours, over_the_sun(group.colours, spectral.sun));
       }
     } else {
-      add_channels(work, scene, some, sums, kAsTheyAre, kAsTheyAre);
+      add_channels({executor, *method, way, passes}, scene, some, sums, kAsTheyAre, kAsTheyAre);
     }
     for (std::size_t i = 0; i < some.size(); ++i) {
       require_sound(some[i], sums[i], scene.spectra.has_value());
