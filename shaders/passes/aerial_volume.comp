@@ -77,7 +77,8 @@ void main() {
   float from = 0.0;
   for (uint slice = 0u; slice < kSlices; slice++) {
     // The first slice, at the camera, holds the limit there: that of a short way.
-    float to = slice_distance(scene.planet, ray, slice == 0u ? 0.01 / float(kSlices) : float(slice) / float(kSlices - 1u));
+    float z = slice == 0u ? 0.01 / float(kSlices) : float(slice) / float(kSlices - 1u);
+    float to = slice_distance(scene.planet, ray, z);
     factors = joined(factors, stretch(ray, shadow, from, to));
     store_slice(factors, ray, texel, slice);
     from = max(to, from);

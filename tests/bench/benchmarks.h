@@ -20,6 +20,7 @@ class Session {
 };
 
 // For every method of the device:
+//   air/METHOD-WAY/SCENE/SIZE   the air before things all over the picture, by march or volume (made for each picture)
 //   sky/METHOD/SCENE/SIZE   sky, disc and statistics of one picture; the tables are there already
 //   frame/METHOD/SCENE/SIZE the same with bloom and the tone curve, for the first scene
 //   tables/METHOD/SCENE     every table from nothing, for each different air
