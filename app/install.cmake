@@ -57,7 +57,8 @@ install(FILES ${documents}/airlight.bash DESTINATION ${bash_folder} RENAME airli
 install(FILES ${documents}/airlight.fish DESTINATION ${fish_folder})
 install(FILES ${documents}/_airlight DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/\${airlight_zsh}")
 install(FILES ${airlight_preset_files} ${PROJECT_SOURCE_DIR}/presets/README.md DESTINATION ${shared_folder}/presets)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/presets/schema DESTINATION ${shared_folder}/presets)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/presets/schema ${PROJECT_SOURCE_DIR}/presets/plates
+        DESTINATION ${shared_folder}/presets)
 install(FILES ${changelog} ${copyright} DESTINATION ${about_folder})
 
 # The Debian package; scripts/package makes it.

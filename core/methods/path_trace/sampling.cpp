@@ -1,14 +1,15 @@
 #include "core/methods/path_trace/sampling.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <condition_variable>
+#include <cstdio>
 #include <exception>
 #include <mutex>
 #include <thread>
 
 #include "core/error.h"
-#include "core/scene/json_format.h"
 
 namespace airlight {
 
@@ -81,9 +82,12 @@ std::string Sampling::overrun() const {
   if (rules_.time_limit_s == 0.0 || first_batches_s_ < kTold * rules_.time_limit_s) {
     return {};
   }
-  return "the time limit of " + format_number(rules_.time_limit_s) + " s was passed: the first " +
-         std::to_string(kFewest * kBatch) + " samples of each pixel, without which there is no picture, took " +
-         format_number(std::ceil(first_batches_s_)) + " s; a smaller picture keeps it";
+  std::array<char, 256> line{};
+  std::snprintf(line.data(), line.size(),
+                "the time limit of %g s was passed: the first %d samples of each pixel, without which there is no "
+                "picture, took %.0f s; a smaller picture keeps it",
+                rules_.time_limit_s, static_cast<int>(kFewest * kBatch), std::ceil(first_batches_s_));
+  return line.data();
 }
 
 void Sampling::keep() {
