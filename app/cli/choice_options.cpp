@@ -139,6 +139,9 @@ std::string summary(const ChoiceReport& report) {
   text += report.wish.limit_ms > 0.0 ? ", " + short_number(choice.ms) + " ms on the device of " +
                                            short_number(report.wish.limit_ms) + " allowed"
                                      : " of " + percent(report.wish.tolerance) + " allowed";
+  if (choice.probes == 0) {
+    return text + ", as is known of such air and sun";
+  }
   return text + ", by " + std::to_string(choice.probes) + " probes in " + short_number(report.probing_cpu_ms) +
          " CPU-ms";
 }

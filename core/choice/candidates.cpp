@@ -61,6 +61,13 @@ Candidate reference(const Scene& scene, bool fine) {
       std::move(near_truth), std::string(quality.label), [](ResourceId) { return false; }, plan);
 }
 
+Candidate default_candidate(const Scene& scene) {
+  Scene with = with_quality(scene, *find_method("orders"), {});
+  const Plan plan = plan_of(with);
+  return make(
+      std::move(with), "default", [](ResourceId) { return false; }, plan);
+}
+
 std::vector<Candidate> candidates(const Scene& scene, double tolerance, const std::string& only,
                                   const std::vector<Candidate>& made) {
   std::set<std::string> keys;

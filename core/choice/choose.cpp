@@ -4,30 +4,17 @@
 #include <cmath>
 #include <map>
 
+#include "core/choice/assumed_error.h"
 #include "core/choice/leave_out.h"
-#include "core/methods/scene_air.h"
 
 namespace airlight::choice {
 namespace {
 
 constexpr std::size_t kProbes = 256;
-constexpr double kDegree = 0.017453292519943295;
-constexpr double kLowSun = kDegree;  // elevation
 
 double mean_at_most(const measure::SampleError& measured) {
   constexpr double kSpreads = 2.0;
   return measured.mean + kSpreads * measured.spread;
-}
-
-// Of both references, as path-trace has it over the 30 scenes of tests/truth: 0.2 to 0.3 % over black ground, where
-// harmonics above the degree are missing, up to 0.6 % over snow and 2 % in twilight over it, 1 to 1.3 % in haze.
-double common_error(const Scene& scene) {
-  const Spectrum& spectrum = scene.planet.ground_albedo;
-  const double albedo = std::max({spectrum[0], spectrum[1], spectrum[2]});
-  const OpticalDepths depths = air_of(scene).depths();
-  const bool low = scene.sun.elevation < kLowSun;
-  return 0.003 + (low ? 0.0195 : 0.0045) * albedo + 0.012 * std::min(1.0, depths.peaked / 0.04) + 0.05 * depths.peaked +
-         0.03 * std::min(1.0, depths.abrupt / 0.1);
 }
 
 // What every choice begins with.
@@ -104,6 +91,21 @@ void settle(Choice& choice, const Candidate& candidate, const Tried& tried) {
   choice.left_out.insert(choice.left_out.end(), candidate.left_out.begin(), candidate.left_out.end());
 }
 
+// `orders` at its defaults where that is sure to do and no search may pay.
+std::optional<Choice> sure_choice(const Scene& scene, double tolerance, const std::string& only) {
+  const std::optional<double> error = default_error(scene);
+  if (!error || *error > tolerance || (!only.empty() && only != "orders") || search_may_pay(scene)) {
+    return std::nullopt;
+  }
+  Choice choice;
+  choice.reference_error = *error;
+  const Candidate candidate = default_candidate(scene);
+  const Tried tried{candidate.method, candidate.quality, candidate.cost.total(), *error, 0.0};
+  note(choice, tried);
+  settle(choice, candidate, tried);
+  return choice;
+}
+
 // Of each method the dearest qualities that should fit, by the time of its cheapest one and the predicted costs.
 std::vector<Candidate> likely_to_fit(const std::vector<Candidate>& all, double limit_ms, const TimeFunction& time,
                                      std::map<std::string, double>& fastest) {
@@ -143,23 +145,19 @@ double error_bound(const measure::SampleError& measured, double reference_error)
   return kSafety * mean_at_most(measured) + reference_error;
 }
 
-std::optional<double> plain_reference_error(const Scene& scene) {
-  const double scattering = air_of(scene).depths().scattering;
-  // The angle that the horizon falls by to the top of the air, Earth's 10 degrees: what a table knows of dusk stands as
-  // far apart whatever the planet, and on one a hundred times as large all of dusk falls between two of its suns.
-  const double dusk =
-      std::acos(scene.planet.ground_radius / (scene.planet.ground_radius + scene.planet.atmosphere_height));
-  const bool dusk_is_resolved = dusk > 5.0 * kDegree && dusk < 30.0 * kDegree;
-  if (scene.sun.elevation >= kLowSun && scattering <= 0.6) {
-    return 0.001 + common_error(scene);
-  }
-  if (scene.sun.elevation >= -7.0 * kDegree && scattering <= 0.4 && dusk_is_resolved) {
-    return 0.009 + common_error(scene);
-  }
-  return std::nullopt;
+bool search_may_pay(const Scene& scene) {
+  // In units of Cost, of which a core of the software device does some hundred million a second: twice what probes,
+  // plans and the shaders of candidates take.
+  constexpr double kSearch = 2e7;
+  constexpr double kCheapestPixel = 2.0;
+  const double pixels = static_cast<double>(scene.image.width) * scene.image.height;
+  return default_candidate(scene).cost.picture - kCheapestPixel * pixels > kSearch;
 }
 
 Choice choose_for_tolerance(const Scene& scene, double tolerance, const std::string& only, const ProbeFunction& probe) {
+  if (std::optional<Choice> choice = sure_choice(scene, tolerance, only)) {
+    return *std::move(choice);
+  }
   const Ground ground(scene, tolerance, probe);
   Choice choice = ground.begin();
   for (const Candidate& candidate : candidates(ground.lighter.scene, tolerance, only, ground.made)) {

@@ -36,7 +36,8 @@ struct Choice {
   double dark = 0.0;  // dark_radiance() of the picture
 };
 
-// A tolerance is of the mean relative error over the picture without the sun's disc; see measure::sample_error().
+// A tolerance is of the mean relative error over the picture without the sun's disc; see measure::sample_error(). Where
+// `orders` at its defaults is sure to hold it and no search may pay, nothing is probed.
 Choice choose_for_tolerance(const Scene& scene, double tolerance, const std::string& only, const ProbeFunction& probe);
 
 // `time`: ms that the device takes for the scene's tables and picture.
@@ -53,9 +54,8 @@ double dark_radiance(const Scene& scene, const std::vector<float>& reference);
 // The bound that a tolerance is held against, from what the probes say and what is known of the reference.
 double error_bound(const measure::SampleError& measured, double reference_error);
 
-// What is known of the plain reference's mean error against path-trace without looking: nothing where the air is thick
-// or the sun far below the horizon. Then, and where the tolerance asks for better, the fine reference serves, and the
-// distance between the two says how well it is to be trusted. Calibrated by scripts/tolerance.
-std::optional<double> plain_reference_error(const Scene& scene);
+// Whether what a search may save is more than it costs: not where the pixels of `orders` at its defaults are fetches
+// from a table, nor for a small picture.
+bool search_may_pay(const Scene& scene);
 
 }  // namespace airlight::choice

@@ -1,8 +1,12 @@
 #include "tests/choice/honesty.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <map>
 
 #include "core/chart/pixels.h"
+#include "core/chart/truth.h"
 #include "core/render/render.h"
 #include "core/scene/preset.h"
 #include "core/scene/resolve.h"
@@ -42,8 +46,37 @@ std::vector<float> lattice_values(Executor& executor, const Scene& scene, int co
   return chart::values_at(rendering.radiance.rgba, chart::lattice(scene, columns, rows));
 }
 
+std::vector<float> picture_values(Executor& executor, const Scene& scene, const choice::Probes& probes) {
+  return probe_picture([&]() -> Executor& { return executor; }, scene, probes.directions);
+}
+
+Traced trace(const Scene& scene, const std::filesystem::path& folder) {
+  constexpr std::size_t kTracedPixels = 200;                        // not those that a choice looks at
+  const char* seconds = std::getenv("AIRLIGHT_TOLERANCE_SECONDS");  // of tracing, each scene
+  const chart::TruthRules rules{.target_error = 0.005, .time_limit_s = seconds == nullptr ? 5.0 : std::atof(seconds)};
+  Traced traced;
+  traced.probes = choice::choose_probes(scene, kTracedPixels);
+  chart::PixelSet pixels;
+  pixels.directions = traced.probes.directions;
+  pixels.places.resize(pixels.directions.size());
+  if (pixels.directions.empty()) {
+    return traced;
+  }
+  const chart::Truth truth = chart::find_truth(scene, pixels, folder, rules, {});
+  traced.radiance = truth.radiance;
+  traced.noise = measure::sample_noise(truth.radiance, truth.standard_error, traced.probes.weights);
+  return traced;
+}
+
+double error_against(const Traced& truth, const std::vector<float>& radiance, double dark) {
+  constexpr double kMeanOfNormal = 0.798;  // mean magnitude over standard deviation
+  const double error = measure::sample_error(radiance, truth.radiance, truth.probes.weights, dark).mean;
+  const double noise = kMeanOfNormal * truth.noise;
+  return std::sqrt(std::max(error * error - noise * noise, 0.0));
+}
+
 std::vector<Honesty> judge_honesty(Executor& executor, const Scene& scene, const std::vector<double>& tolerances,
-                                   double* of_reference) {
+                                   double* of_reference, const Traced* traced) {
   std::map<std::string, std::vector<float>> known;
   const auto device = [&]() -> Executor& { return executor; };
   const choice::ProbeFunction probe = [&](const Scene& candidate, const choice::Probes& probes) {
@@ -63,7 +96,15 @@ std::vector<Honesty> judge_honesty(Executor& executor, const Scene& scene, const
                               .mean;
   }
   const chart::PixelSet pixels = chart::lattice(scene, kColumns, kRows);
-  const std::vector<float> truth = probe_picture(device, fine.scene, pixels.directions);
+  const std::vector<float> truth =
+      traced != nullptr ? std::vector<float>() : probe_picture(device, fine.scene, pixels.directions);
+  const auto error_of = [&](const choice::Choice& choice) {
+    if (traced != nullptr) {
+      return error_against(*traced, picture_values(executor, choice.chosen->scene, traced->probes), choice.dark);
+    }
+    const std::vector<float> values = lattice_values(executor, choice.chosen->scene, kColumns, kRows);
+    return measure::sample_error(values, truth, {}, choice.dark).mean;
+  };
   std::vector<Honesty> results;
   for (const double tolerance : tolerances) {
     const choice::Choice choice = choice::choose_for_tolerance(scene, tolerance, "", probe);
@@ -74,9 +115,7 @@ std::vector<Honesty> judge_honesty(Executor& executor, const Scene& scene, const
       result.method = choice.chosen->method;
       result.quality = choice.chosen->quality;
       result.estimated = choice.error;
-      result.measured =
-          measure::sample_error(lattice_values(executor, choice.chosen->scene, kColumns, kRows), truth, {}, choice.dark)
-              .mean;
+      result.measured = error_of(choice);
     } else if (choice.best) {
       result.estimated = choice.best->error;
     }

@@ -2,6 +2,7 @@
 // Whether a tolerance is kept: the chosen rendering of a scene against a near-truth one, pixel by pixel.
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -22,14 +23,31 @@ struct Honesty {
   std::string quality;
   double estimated = 0.0;  // where refused: of the best that there was
   double known = 0.0;      // of it: what the reference is not sure of
-  double measured = 0.0;   // mean relative error over an even lattice of the picture's pixels
+  double measured = 0.0;   // mean relative error over pixels of the picture
   bool missed() const { return !refused && measured > tolerance; }
 };
 
+// path-trace in directions of a scene's picture.
+struct Traced {
+  choice::Probes probes;
+  std::vector<float> radiance;
+  double noise = 0.0;  // mean of standard error / radiance
+};
+
+// Kept in `folder` from run to run.
+Traced trace(const Scene& scene, const std::filesystem::path& folder);
+
+// Mean relative error in those directions, without what the noise adds to it.
+double error_against(const Traced& truth, const std::vector<float>& radiance, double dark);
+
 // For each tolerance, by probes that are remembered from one to the next. `of_reference`: the mean relative error of
-// the plain reference against the fine one, at the probes.
+// the plain reference against the fine one, at the probes. The judge is path-trace, in `traced`, or else the fine
+// reference over an even lattice of pixels.
 std::vector<Honesty> judge_honesty(Executor& executor, const Scene& scene, const std::vector<double>& tolerances,
-                                   double* of_reference = nullptr);
+                                   double* of_reference = nullptr, const Traced* traced = nullptr);
+
+// Radiance of the scene's picture in the directions.
+std::vector<float> picture_values(Executor& executor, const Scene& scene, const choice::Probes& probes);
 
 // RGB of an even lattice of the pixels of the scene's picture, by its method, without the sun's disc.
 std::vector<float> lattice_values(Executor& executor, const Scene& scene, int columns, int rows);

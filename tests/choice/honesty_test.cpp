@@ -1,16 +1,19 @@
 // Tolerances are kept: random valid scenes, rendered as chosen, against a near-truth picture.
 //
-// AIRLIGHT_TOLERANCE=FIRST:LAST judges the scenes of these seeds instead of the few below, and writes each result to
-// AIRLIGHT_TOLERANCE_LIST: what scripts/tolerance does.
+// AIRLIGHT_TOLERANCE=FIRST:LAST judges the scenes of these seeds instead of the few below, by path-trace, whose samples
+// stay in AIRLIGHT_TOLERANCE_TRUTH, and writes each result to AIRLIGHT_TOLERANCE_LIST: what scripts/tolerance does.
+// AIRLIGHT_TOLERANCE_FIT writes what core/choice's assumed errors are fitted to.
 #include "tests/choice/honesty.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <string>
 
+#include "core/methods/scene_air.h"
 #include "core/scene/angle.h"
 
 namespace airlight::test {
@@ -45,23 +48,59 @@ std::string line_of(std::uint64_t seed, const Scene& scene, const Honesty& h) {
   return line + text;
 }
 
-TEST(Honesty, OfScenesNobodyThoughtOf) {
+struct Seeds {
   std::uint64_t first = 5;
   std::uint64_t last = kFew;
-  const std::string range = environment("AIRLIGHT_TOLERANCE");
-  if (!range.empty()) {
-    const std::size_t colon = range.find(':');
-    ASSERT_NE(colon, std::string::npos) << "AIRLIGHT_TOLERANCE is not FIRST:LAST";
-    first = std::stoull(range.substr(0, colon));
-    last = std::stoull(range.substr(colon + 1));
+};
+
+Seeds seeds_of(const std::string& range) {
+  const std::size_t colon = range.find(':');
+  return range.empty() ? Seeds{} : Seeds{std::stoull(range), std::stoull(range.substr(colon + 1))};
+}
+
+TEST(Honesty, WhatOrdersErrs) {
+  const std::string list = environment("AIRLIGHT_TOLERANCE_FIT");
+  if (list.empty()) {
+    GTEST_SKIP() << "writes AIRLIGHT_TOLERANCE_FIT, the scenes of AIRLIGHT_TOLERANCE=FIRST:LAST";
   }
+  const Seeds seeds = seeds_of(environment("AIRLIGHT_TOLERANCE"));
+  Executor executor({.kept_bytes_max = std::size_t{256} << 20U});
+  for (std::uint64_t seed = seeds.first; seed < seeds.last; ++seed) {
+    const Scene scene = honesty_scene(seed);
+    const Traced traced = trace(scene, environment("AIRLIGHT_TOLERANCE_TRUTH"));
+    if (traced.radiance.empty()) {
+      continue;
+    }
+    const auto error_of = [&](const Scene& candidate) {
+      return error_against(traced, picture_values(executor, candidate, traced.probes), 0.0);
+    };
+    const double plain = error_of(choice::reference(scene, false).scene);
+    const double by_default = error_of(with_quality(scene, *find_method("orders"), {}));
+    const OpticalDepths depths = air_of(scene).depths();
+    const Spectrum& albedo = scene.planet.ground_albedo;
+    char text[300];
+    std::snprintf(text, sizeof text, "%d %.3f %.5g %.5g %.5g %.4g %.4g %.4g %.4g %.4g %.5f %.5f %.5f\n",
+                  static_cast<int>(seed), degrees_from_radians(scene.sun.elevation), scene.camera.altitude,
+                  scene.planet.ground_radius, scene.planet.atmosphere_height,
+                  std::max({albedo[0], albedo[1], albedo[2]}), depths.extinction, depths.scattering, depths.peaked,
+                  depths.abrupt, traced.noise, plain, by_default);
+    std::ofstream(list, std::ios::app) << text;
+  }
+}
+
+TEST(Honesty, OfScenesNobodyThoughtOf) {
+  const std::string range = environment("AIRLIGHT_TOLERANCE");
+  const auto [first, last] = seeds_of(range);
+  const std::string truths = environment("AIRLIGHT_TOLERANCE_TRUTH");
   const std::string list = environment("AIRLIGHT_TOLERANCE_LIST");
   Executor executor({.kept_bytes_max = std::size_t{256} << 20U});
   std::vector<int> rendered(kTolerances.size());
   std::vector<int> missed(kTolerances.size());
   for (std::uint64_t seed = first; seed < last; ++seed) {
     const Scene scene = honesty_scene(seed);
-    const std::vector<Honesty> results = judge_honesty(executor, scene, kTolerances);
+    const Traced traced = truths.empty() ? Traced{} : trace(scene, truths);
+    const std::vector<Honesty> results =
+        judge_honesty(executor, scene, kTolerances, nullptr, traced.radiance.empty() ? nullptr : &traced);
     ASSERT_EQ(results.size(), kTolerances.size());
     for (std::size_t i = 0; i < results.size(); ++i) {
       rendered[i] += results[i].refused ? 0 : 1;
