@@ -53,8 +53,8 @@ std::optional<double> default_error(const Scene& scene) {
   constexpr double kBesideTheTop = 0.8;  // of the air's height: there the horizon's row of the table is a grazing ray's
   constexpr double kTable = 0.002;
   const double height = scene.camera.altitude / scene.planet.atmosphere_height;
-  const bool has_phase_table = std::ranges::any_of(
-      scene.media, [](const Medium& medium) { return medium.phase == PhaseFunction::table; });
+  const bool has_phase_table =
+      std::ranges::any_of(scene.media, [](const Medium& medium) { return medium.phase == PhaseFunction::table; });
   if (scene.spectra || scene.terrain || has_phase_table) {
     return std::nullopt;  // none of the scenes that this was fitted to
   }

@@ -17,7 +17,8 @@ ParameterInfo multiple_scattering_lut_parameter();
 ParameterInfo multiple_scattering_scale_parameter();
 ParameterInfo sun_fade_parameter();
 
-// What every march on these tables fails at, for Validity::known_failures.
+// What every march on these tables fails at, for Validity::known_failures, and what one along each pixel's ray does.
+std::vector<KnownFailure> march_table_failures();
 std::vector<KnownFailure> march_failures();
 // The march with neither steps nor tables to be seen, for SkyMethod::converged.
 Converged converged_march();

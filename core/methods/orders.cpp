@@ -267,7 +267,9 @@ bool phases_are_alike(const Scene& scene, const SpectralScene& spectral, std::ui
       Medium alike = group.scene.media[i];
       alike.scattering = scene.media[i].scattering;
       alike.absorption = scene.media[i].absorption;
-      if ((apart >> i & 1u) != 0 && alike != scene.media[i]) {
+      alike.phase_wavelengths = scene.media[i].phase_wavelengths;
+      const bool by_wavelength = alike.phase == PhaseFunction::table && alike.phase_table.rows.size() > 1;
+      if ((apart >> i & 1u) != 0 && (by_wavelength || alike != scene.media[i])) {
         return false;
       }
     }
@@ -470,8 +472,7 @@ SpanPasses add_spans(Plan& plan, const Scene& scene, const Air& air, std::span<c
 std::vector<std::string> left_out(const Scene& scene, const Plan& plan) {
   const bool tabulated =
       std::ranges::any_of(plan.images(), [](const ImageDesc& image) { return image.name.starts_with("sky_factors"); });
-  if (tabulated || scene.terrain || !inside_the_air(scene) ||
-      scene.render.get<std::string>("tabulate") != "auto") {
+  if (tabulated || scene.terrain || !inside_the_air(scene) || scene.render.get<std::string>("tabulate") != "auto") {
     return {};
   }
   return {"table of the picture's light: the picture's " + std::to_string(scene.image.width * scene.image.height) +
@@ -550,19 +551,9 @@ SkyMethod orders_method() {
        {{Quantity::sun_elevation, -90, 0}, {Quantity::planet_radius, 1e4, 1e9}},
        "a planet so large that dusk passes within a degree: too few of the table's sun elevations stand in it"},
       {"EJ",
-       {{Quantity::sun_elevation, -90, 0}, {Quantity::planet_radius, 0, 20}},
-       "a planet smaller than its air: the shadow's edge stands within the picture, sharper than its table"},
-      {"EJ",
        {{Quantity::view, -0.02, 0.02}, {Quantity::altitude, 99, 101}},
        "beside the top of the air at the true horizon: the tangent ray stands between two sections of the picture's "
        "table"},
-      {"E",
-       {{Quantity::sun_elevation, -15, 0}, {Quantity::altitude, 90, 101}},
-       "dusk from beside the top of the air: the rim is thinner than the rows of the picture's table"},
-      {"EL",
-       {{Quantity::optical_depth, 1.5, 1e9}, {Quantity::light_kept, 0.99, 1}},
-       "thick air that absorbs nothing over a white ground: each order is gathered by a few steps that stand by "
-       "geometry, not by depth, and loses light in all that follow"},
       {"GL",
        {{Quantity::asymmetry, -1, 1}, {Quantity::optical_depth, 0.05, 1e9}, {Quantity::light_kept, 0.99, 1}},
        "haze that absorbs nothing over a white ground: each order loses little else, and the few directions that "

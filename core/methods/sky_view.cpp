@@ -186,7 +186,7 @@ SkyMethod sky_view_method() {
                   with_table("384 x 216, 512 steps", {384, 216}, 512)};
   method.validity.sun_elevation_min = -6.0 * std::numbers::pi / 180.0;
   method.validity.optical_depth_max = 5.0;
-  method.validity.known_failures = march_failures();
+  method.validity.known_failures = march_table_failures();
   method.validity.known_failures.push_back(
       {"EJ",
        {{Quantity::view, -1, 0}, {Quantity::altitude, 0, 0.5}},
@@ -201,8 +201,6 @@ SkyMethod sky_view_method() {
                                             "dusk: the shadow's edge is sharper than the texels of so coarse a table"});
   method.validity.known_failures.push_back(
       {"EJ", {{Quantity::asymmetry, -1, -0.9}}, "a glory sharper than the table's texels"});
-  method.validity.known_failures.push_back(
-      {"EJ", {{Quantity::asymmetry, 0.9, 1}}, "an aureole sharper than the table's texels"});
   method.converged = converged_march();
   method.add_passes = add_sky_view;
   method.add_layer_passes = add_layers;

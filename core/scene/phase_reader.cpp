@@ -88,9 +88,10 @@ std::string normalise(PhaseTable& table) {
     if (std::abs(integral / whole - 1.0) > std::abs(table.integral - 1.0)) {
       table.integral = integral / whole;
     }
-    if (std::abs(integral - 1.0) > kExact) {
+    // Again where values are so small that they count as more than they are: what is read is read the same again.
+    for (double rest = integral; std::abs(rest - 1.0) > kExact; rest = sphere_integral(table, row)) {
       for (double& value : table.rows[row]) {
-        value /= integral;
+        value /= rest;
       }
     }
   }

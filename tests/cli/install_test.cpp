@@ -16,6 +16,7 @@ std::vector<std::string> expected_files(const std::string& zsh_folder) {
   std::vector<std::string> files = {"bin/airlight",
                                     "lib/airlight/modules/airlight_compare.so",
                                     "share/airlight/presets/README.md",
+                                    "share/airlight/presets/plates/hills.exr",
                                     "share/airlight/presets/schema/preset-1.schema.json",
                                     "share/bash-completion/completions/airlight",
                                     "share/doc/airlight/changelog.gz",

@@ -58,6 +58,8 @@ Scene rendered_by(std::string_view method) {
   Scene scene = with_quality(plain_scene(), *find_method(method), {});
   scene.sun.elevation = radians_from_degrees(45.0);
   scene.camera.altitude = 0.001;
+  scene.camera.vertical_fov = radians_from_degrees(60.0);
+  scene.image = {64, 36};
   return scene;
 }
 

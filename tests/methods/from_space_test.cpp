@@ -123,10 +123,11 @@ TEST(FromSpace, NeighbouringPixelsGoEvenlyFromAHundredThousandKilometres) {
       light.push_back(static_cast<double>(made.radiance.at(1, y)[1]));
       peak = std::max(peak, light.back());
     }
+    const double limb = std::max(120.0, 12.0 * 1e5 * lens * kDegree / 720.0);  // km: the halo's own curve, 12 pixels
     double worst = 0.0;
     for (int y = 2; y + 2 < 720; ++y) {
-      if (passes_at(scene, y) > -50.0 && passes_at(scene, y) < 120.0) {
-        continue;  // the halo's own curve
+      if (std::abs(passes_at(scene, y)) < limb) {
+        continue;
       }
       const auto k = static_cast<std::size_t>(y);
       const double even = (-light[k - 2] + 4.0 * light[k - 1] + 4.0 * light[k + 1] - light[k + 2]) / 6.0;

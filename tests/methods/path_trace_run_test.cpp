@@ -225,7 +225,7 @@ TEST(PathTraceRun, ReportsTheFirstSamplesWhateverTheTimeLimit) {
   ASSERT_FALSE(reports.empty());
   EXPECT_EQ(reports.front(), 0.0);
   ASSERT_EQ(picture.notes.size(), 1U);
-  EXPECT_EQ(picture.notes.front().rfind("the time limit of 1e-9 s was passed: the first 32 samples", 0), 0U)
+  EXPECT_EQ(picture.notes.front().rfind("the time limit of 1e-09 s was passed: the first 32 samples", 0), 0U)
       << picture.notes.front();
 }
 
