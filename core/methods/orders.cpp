@@ -541,7 +541,7 @@ SkyMethod orders_method() {
       {"EJ", {{Quantity::steps, 0, 16}}, "few steps"},
       {"EJ", {{Quantity::table_size, 0, 40}}, "coarse tables"},
       {"E",
-       {{Quantity::sun_elevation, -90, -15}},
+       {{Quantity::sun_elevation, -90, -15}, {Quantity::altitude, 0, 150}},
        "night: the last light of dusk comes from air that few of the table's altitudes stand in"},
       {"EJ",
        {{Quantity::sun_elevation, -90, 0}, {Quantity::optical_depth, 0, 5}, {Quantity::light_kept, 0.99, 1}},
