@@ -20,7 +20,8 @@ add_custom_command(
 add_library(airlight_measure STATIC ${measure_sources} ${embedded_page})
 target_link_libraries(airlight_measure PUBLIC airlight_gpu ${CMAKE_DL_LIBS} PRIVATE nlohmann_json::nlohmann_json)
 # All go into the module.
-set_target_properties(airlight_measure airlight_gpu_core airlight_ready airlight_shaders PROPERTIES POSITION_INDEPENDENT_CODE ON)
+set_target_properties(airlight_measure airlight_gpu_core airlight_spectra airlight_ready airlight_shaders
+                      PROPERTIES POSITION_INDEPENDENT_CODE ON)
 
 add_library(airlight_compare MODULE ${compare_sources})
 set_target_properties(airlight_compare PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}
