@@ -12,7 +12,7 @@ namespace {
 
 TEST(TimedPicture, IsTheSameInTiles) {
   Executor executor({});
-  Scene scene = resolve(load_preset(AIRLIGHT_SOURCE_DIR "/presets/earth-noon.json"), method_infos());
+  Scene scene = resolve(load_preset(AIRLIGHT_SOURCE_DIR "/presets/earth-hillaire2020-noon.json"), method_infos());
   scene.image = {32, 18};
   const PixelSet pixels = lattice(scene, 8, 6);
   for (const char* method : {"orders", "sky-view", "march"}) {

@@ -16,8 +16,10 @@
 namespace airlight::choice {
 namespace {
 
+// Of three channels, but where a test asks for spectra.
 Scene preset(const std::string& name, ImageSize size = {1280, 720}) {
-  Scene scene = resolve(load_preset(AIRLIGHT_SOURCE_DIR "/presets/" + name + ".json"), method_infos());
+  const std::string file = (name.starts_with("earth") ? "" : "earth-hillaire2020-") + name + ".json";
+  Scene scene = resolve(load_preset(AIRLIGHT_SOURCE_DIR "/presets/" + file), method_infos());
   scene.image = size;
   return scene;
 }
@@ -82,7 +84,7 @@ TEST(Tolerance, TakesTheFewestWavelengths) {
 TEST(Tolerance, LooksAtNothingWhereTheDefaultIsSureAndNoSearchPays) {
   int calls = 0;
   const ProbeFunction probe = wrong_by(by_steps, &calls);
-  const Scene noon = preset("earth-noon");
+  const Scene noon = preset("noon");
   const Choice choice = choose_for_tolerance(noon, 0.02, "", probe);
   ASSERT_TRUE(choice.chosen);
   EXPECT_EQ(choice.chosen->method, "orders");
@@ -106,7 +108,7 @@ TEST(Tolerance, LooksAtNothingWhereTheDefaultIsSureAndNoSearchPays) {
 
 // Found against path-trace: 17 and 82 % beside the top of the air, 8.6 % in air as high as a tenth of the planet.
 TEST(Tolerance, TheDefaultIsLookedAtWhereItsTableMayFail) {
-  const Scene noon = preset("earth-noon");
+  const Scene noon = preset("noon");
   ASSERT_TRUE(default_error(noon));
   Scene scene = noon;
   scene.camera.altitude = noon.planet.atmosphere_height;
@@ -123,7 +125,7 @@ TEST(Tolerance, TheDefaultIsLookedAtWhereItsTableMayFail) {
 
 // Over a planet of 604 548 km at sunset the plain reference was 53 % off and vouched for what was as wrong.
 TEST(Tolerance, TheReferenceIsLookedAtWhereDuskFallsBetweenItsSuns) {
-  Scene scene = preset("earth-noon");
+  Scene scene = preset("noon");
   scene.sun.elevation = 0.0;
   EXPECT_TRUE(plain_reference_error(scene));
   for (const double radius : {20.0, 604548.0}) {
@@ -136,7 +138,7 @@ TEST(Tolerance, TheReferenceIsLookedAtWhereDuskFallsBetweenItsSuns) {
 
 // Deep in the night methods differ by factors in what nobody could see; brighter than starlight they may not be.
 TEST(Tolerance, ByNightAllThatIsDarkIsAlike) {
-  Scene scene = preset("earth-noon");
+  Scene scene = preset("noon");
   scene.sun.elevation = -0.6;
   const auto darkness = [](double near_truth, double others) {
     return [=](const Scene& s, const Probes& probes) {
@@ -156,7 +158,7 @@ TEST(Tolerance, ByNightAllThatIsDarkIsAlike) {
 
 TEST(Tolerance, ThatNothingReachesNamesTheBest) {
   const auto always = [](const Scene& scene) { return scene.render.get<int>("steps") == 192 ? 0.0 : 0.2; };
-  const Choice choice = choose_for_tolerance(preset("earth-noon"), 0.1, "march", wrong_by(always));
+  const Choice choice = choose_for_tolerance(preset("noon"), 0.1, "march", wrong_by(always));
   EXPECT_FALSE(choice.chosen);
   ASSERT_TRUE(choice.best);
   EXPECT_EQ(choice.best->method, "march");
@@ -173,11 +175,11 @@ TEST(Tolerance, ThatNothingReachesNamesTheBest) {
 }
 
 TEST(Tolerance, HoldsTheReferencesOwnErrorAgainstIt) {
-  const Choice exact = choose_for_tolerance(preset("earth-noon"), 0.02, "", wrong_by([](const Scene&) { return 0.0; }));
+  const Choice exact = choose_for_tolerance(preset("noon"), 0.02, "", wrong_by([](const Scene&) { return 0.0; }));
   ASSERT_TRUE(exact.chosen);
   EXPECT_GT(exact.error, 0.0);
   EXPECT_EQ(exact.error, exact.reference_error);
-  const Choice never = choose_for_tolerance(preset("earth-noon"), 1e-5, "", wrong_by([](const Scene&) { return 0.0; }));
+  const Choice never = choose_for_tolerance(preset("noon"), 1e-5, "", wrong_by([](const Scene&) { return 0.0; }));
   EXPECT_FALSE(never.chosen);
 }
 
@@ -193,8 +195,7 @@ TEST(Tolerance, OfAPictureOfSpaceNeedsNoProbe) {
 }
 
 TEST(Tolerance, GivesMethodsNoSceneThatTheyDoNotClaim) {
-  const Choice choice =
-      choose_for_tolerance(preset("earth-twilight"), 0.01, "", wrong_by([](const Scene&) { return 0.5; }));
+  const Choice choice = choose_for_tolerance(preset("twilight"), 0.01, "", wrong_by([](const Scene&) { return 0.5; }));
   for (const Tried& tried : choice.tried) {
     EXPECT_NE(tried.method, "analytic");
     EXPECT_NE(tried.method, "path-trace");
@@ -213,19 +214,19 @@ TEST(TimeLimit, TakesTheMostAccurateThatFits) {
     const auto steps = s.render.parameters.find("steps");
     return s.render.method == "march" ? 1.0 * std::get<int>(steps->second) : 3.0;
   };
-  const Choice choice = choose_for_time(preset("earth-noon"), 40.0, "", wrong_by(error), time);
+  const Choice choice = choose_for_time(preset("noon"), 40.0, "", wrong_by(error), time);
   ASSERT_TRUE(choice.chosen);
   EXPECT_EQ(choice.chosen->method, "march");
   EXPECT_EQ(choice.chosen->quality, "32");
   EXPECT_EQ(choice.ms, 32.0);
-  const Choice none = choose_for_time(preset("earth-noon"), 2.0, "", wrong_by(error), time);
+  const Choice none = choose_for_time(preset("noon"), 2.0, "", wrong_by(error), time);
   EXPECT_FALSE(none.chosen);
   ASSERT_TRUE(none.best);
   EXPECT_EQ(none.best->ms, 3.0);
 }
 
 TEST(Candidates, CostNothingForTablesThatAreMade) {
-  const Scene scene = preset("earth-noon");
+  const Scene scene = preset("noon");
   const Candidate near_truth = reference(scene, false);
   const Candidate fine = reference(scene, true);
   const auto cost_of_default = [&](const Candidate& made) {
@@ -242,10 +243,10 @@ TEST(Candidates, CostNothingForTablesThatAreMade) {
 }
 
 TEST(Candidates, ForASmallPictureNeedNoTables) {
-  const Scene small = preset("earth-noon", {16, 9});
+  const Scene small = preset("noon", {16, 9});
   const std::vector<Candidate> all = candidates(small, 0.1, "", {reference(small, true)});
   EXPECT_EQ(all.front().cost.tables, 0.0);
-  const Scene large = preset("earth-noon", {3840, 2160});
+  const Scene large = preset("noon", {3840, 2160});
   EXPECT_EQ(candidates(large, 0.1, "", {reference(large, false)}).front().method, "orders");
 }
 
@@ -254,7 +255,7 @@ TEST(Candidates, LeaveMultipleScatteringOutOfThinAirAlone) {
     const std::vector<Candidate> all = candidates(scene, 0.05, "march", {reference(scene, false)});
     return std::ranges::count_if(all, [](const Candidate& c) { return c.quality.ends_with("single scattering"); });
   };
-  Scene thin = preset("earth-noon");
+  Scene thin = preset("noon");
   EXPECT_EQ(single(thin), 0);
   for (Medium& medium : thin.media) {
     for (std::size_t c = 0; c < 3; ++c) {
@@ -266,7 +267,7 @@ TEST(Candidates, LeaveMultipleScatteringOutOfThinAirAlone) {
 
 // By what is predicted, as no test may fail by the clock: near-truth tables and rays, against the march that they save.
 TEST(Probes, CostLessThanAFifthOfAMarchAtFullSize) {
-  const Scene scene = preset("earth-noon");
+  const Scene scene = preset("noon");
   Scene rays = scene;
   rays.image = {256, 1};
   const double probing = reference(rays, false).cost.total();
@@ -278,7 +279,7 @@ TEST(Probes, CostLessThanAFifthOfAMarchAtFullSize) {
 }
 
 TEST(Media, ThatChangeNothingAreLeftOut) {
-  Scene scene = preset("earth-noon");
+  Scene scene = preset("noon");
   EXPECT_TRUE(leave_out_media(scene, 0.0025).reasons.empty());
   Medium trace;
   trace.name = "trace";
@@ -294,7 +295,7 @@ TEST(Media, ThatChangeNothingAreLeftOut) {
 }
 
 TEST(Media, ThatScatterWhereNothingElseDoesStay) {
-  Scene scene = preset("earth-noon");
+  Scene scene = preset("noon");
   Medium high;
   high.name = "thin but alone up there";
   high.scattering = {1e-9, 1e-9, 1e-9};
@@ -309,7 +310,7 @@ TEST(Media, ThatScatterWhereNothingElseDoesStay) {
 }
 
 TEST(Probes, AreFewInsideThePictureAndTheSameAgain) {
-  const Scene scene = preset("earth-sunset");
+  const Scene scene = preset("sunset");
   const Probes probes = choose_probes(scene, 256);
   EXPECT_NEAR(static_cast<double>(probes.directions.size()), 256.0, 16.0);
   EXPECT_EQ(probes.directions.size(), probes.weights.size());
@@ -319,7 +320,7 @@ TEST(Probes, AreFewInsideThePictureAndTheSameAgain) {
     EXPECT_EQ(again.directions[i].elevation, probes.directions[i].elevation);
     EXPECT_LT(std::abs(probes.directions[i].elevation - scene.camera.pitch), 0.8);
   }
-  const Probes all = choose_probes(preset("earth-sunset", {16, 9}), 256);
+  const Probes all = choose_probes(preset("sunset", {16, 9}), 256);
   EXPECT_EQ(all.directions.size(), 144U);
   EXPECT_EQ(std::set<double>(all.weights.begin(), all.weights.end()), std::set<double>{1.0});
 }
@@ -344,16 +345,16 @@ Shares beside_the_horizon(const Probes& probes) {
 }
 
 TEST(Probes, AreDenserAtTheHorizonYetStandForAllPixelsAlike) {
-  const Shares of_pixels = beside_the_horizon(choose_probes(preset("earth-noon", {320, 180}), 320 * 180));
+  const Shares of_pixels = beside_the_horizon(choose_probes(preset("noon", {320, 180}), 320 * 180));
   EXPECT_NEAR(of_pixels.by_weight, of_pixels.by_count, 1e-9);
-  const Shares of_probes = beside_the_horizon(choose_probes(preset("earth-noon"), 256));
+  const Shares of_probes = beside_the_horizon(choose_probes(preset("noon"), 256));
   EXPECT_GT(of_probes.by_count, 2.0 * of_probes.by_weight);
   EXPECT_NEAR(of_probes.by_weight, of_pixels.by_weight, 0.2 * of_pixels.by_weight);
 }
 
 // A row of pixels at the horizon may be the one that is wrong: each has a chance to be looked at.
 TEST(Probes, StandInEveryRowOfPixels) {
-  const Scene scene = preset("earth-noon", {160, 150});
+  const Scene scene = preset("noon", {160, 150});
   std::set<int> rows;
   for (const Direction& d : choose_probes(scene, 256).directions) {
     const physics::Physics p = make_physics(scene);

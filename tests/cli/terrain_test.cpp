@@ -32,7 +32,7 @@ class TerrainTool : public testing::Test {
 
   // A plateau of these keys, seen from above.
   void preset(const std::string& terrain, const std::string& more = "") const {
-    scratch_.write("sky.json", R"({"airlight": 1, "extends": "earth", "planet": {"terrain": )" + terrain +
+    scratch_.write("sky.json", R"({"airlight": 1, "extends": "earth-hillaire2020", "planet": {"terrain": )" + terrain +
                                    R"(}, "sun": {"elevation_deg": 50}, "camera": {"altitude_km": 3, "pitch_deg": -60},
                                       "image": {"width": 8, "height": 6}, "bloom": {"enabled": false})" +
                                    more + "}");
