@@ -153,11 +153,14 @@ std::string as_text(const Scene& scene, const std::vector<ListedDirection>& list
   return text;
 }
 
-void require_sound(const std::vector<ListedDirection>& listed, const std::vector<ProbeResult>& results) {
+// A colour may have negative channels, but no negative luminance.
+void require_sound(const Scene& scene, const std::vector<ListedDirection>& listed,
+                   const std::vector<ProbeResult>& results) {
   for (std::size_t i = 0; i < results.size(); ++i) {
     for (const auto* triple : {&results[i].radiance, &results[i].transmittance}) {
+      const double luminance = bt709_luminance({(*triple)[0], (*triple)[1], (*triple)[2]});
       for (const double value : *triple) {
-        if (!std::isfinite(value) || value < 0.0) {
+        if (!std::isfinite(value) || (scene.spectra ? luminance < 0.0 : value < 0.0)) {
           throw RunError("probe: the result at elevation " + std::to_string(listed[i].elevation_deg) + ", azimuth " +
                          std::to_string(listed[i].azimuth_deg) + " holds " + std::to_string(value) +
                          "; this is a mistake in airlight, please report it with the preset");
@@ -188,7 +191,7 @@ int run_probe(const Given& given) {
   std::unique_ptr<Executor> executor;
   const ProbeResults results = probe(device_on_demand(given.scene, executor), scene, directions);
   require_valid_vulkan();
-  require_sound(listed, results.directions);
+  require_sound(scene, listed, results.directions);
   if (!given.quiet) {
     tell_warnings(results.undone);
   }

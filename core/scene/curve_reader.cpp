@@ -336,7 +336,8 @@ Spectrum CurveReader::read(const Section& section, std::string_view key, double 
     return {};
   }
   const Spectrum channels = section.spectrum(key);
-  if (value != nullptr && std::holds_alternative<PresetArray>(value->data)) {
+  const auto* array = value == nullptr ? nullptr : std::get_if<PresetArray>(&value->data);
+  if (array != nullptr && array->size() == 3) {  // another number of them is told of by itself
     channels_.push_back({&section.problems(), value, section.pointer_to(key)});
   }
   curve = constant_curve(channels[0]);

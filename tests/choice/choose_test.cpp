@@ -61,7 +61,7 @@ TEST(Tolerance, TakesTheFirstOfRisingCostThatIsWithinIt) {
 // Of a scene with spectra the fewest wavelengths are taken that many more vouch for, and what they err is in the bound;
 // a number that the preset asks for stays.
 TEST(Tolerance, TakesTheFewestWavelengths) {
-  Scene scene = preset("earth-spectral");
+  Scene scene = preset("earth");
   scene.sun.elevation = 0.6;
   const auto by_wavelengths = wrong_by([](const Scene& s) {
     const int count = s.spectra->wavelengths;

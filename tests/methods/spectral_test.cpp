@@ -137,7 +137,7 @@ std::string wavelengths(int count, const std::string& more = "") {
 // The light of some air, ground and haze, at dusk of its own: what all 48 wavelengths see, by `orders`.
 Scene dusk_or_day(const std::string& air, const std::string& sun, int count, const std::string& more = "") {
   return scene_of(R"({"airlight": 1, "extends": ")" AIRLIGHT_SOURCE_DIR
-                  R"(/presets/earth-spectral.json", "sun": {"elevation_deg": )" +
+                  R"(/presets/earth.json", "sun": {"elevation_deg": )" +
                   sun + R"(, "disc": {"visible": false}}, )" + air +
                   R"("camera": {"projection": "equirectangular", "pitch_deg": 0},
           "image": {"width": 16, "height": 8})" +
