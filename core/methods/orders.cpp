@@ -49,12 +49,13 @@ const std::array<ParameterInfo, 12> kParameters{{
      2048,
      TableSize{24, 48},
      {},
-     "table of the picture's light, azimuths x rows above level; limb and ground get 3/4 and 1/2 as many"},
+     "table of the picture's light, azimuths x rows above level; limb and ground get 3/4 and 1/2 as many; from space "
+     "azimuths take 4 times as many columns, limb and ground twice as many rows each"},
     {"fold", ParameterKind::choice, 0, 0, std::string("smooth"), kFolded,
      "media that share a block of sky_lut with the diffuse light: those of a smooth phase function, or all whose peak "
      "has a fifth of its height one column away, which saves a fetch a pixel and blurs the aureole to the table"},
     {"tabulate", ParameterKind::choice, 0, 0, std::string("auto"), kWhen,
-     "whether the picture's light is tabulated over view directions; auto: inside the air, from 16384 pixels on"},
+     "whether the picture's light is tabulated over view directions; auto: from 16384 pixels on, from space 65536"},
     {"aerial_slices",
      ParameterKind::integer,
      4,
@@ -74,6 +75,13 @@ const std::array<ParameterInfo, 12> kParameters{{
      "whether the air in the shadow of terrain is without the sun's light"},
     phase_parameter(),
 }};
+
+bool inside_the_air(const Scene& scene) {
+  return scene.camera.altitude <= scene.planet.atmosphere_height;
+}
+
+// From space the table resolves the halo of the limb and the terminator.
+constexpr std::uint32_t kFromSpace = 4;
 
 // The picture's own table of factors, as shaders/shared/sky_table.glsl is told of it.
 struct FactorTable {
@@ -118,16 +126,18 @@ std::uint32_t media_wider_than_a_column(const Air& air, int columns, std::uint32
 // light.
 FactorTable factor_table(const Scene& scene, const Air& air, std::uint32_t media, bool layers) {
   const TableSize size = scene.render.get<TableSize>("sky_lut");
+  const auto columns = static_cast<std::uint32_t>(size[0]);
   const auto sky = static_cast<std::uint32_t>(size[1]);
+  const bool inside = inside_the_air(scene);
   const std::uint32_t rayleigh = media_with(air, PhaseFunction::rayleigh, media);
   const bool all = scene.render.get<std::string>("fold") == "all";
   const std::uint32_t folded = all ? media_wider_than_a_column(air, size[0], media)
                                    : rayleigh | media_with(air, PhaseFunction::isotropic, media);
   const std::uint32_t apart = layers ? media : media & ~folded;
-  return {.columns = static_cast<std::uint32_t>(size[0]),
-          .ground_rows = sky / 2,
-          .limb_rows = 3 * sky / 4,
-          .sky_rows = sky,
+  return {.columns = inside ? columns : kFromSpace * columns,
+          .ground_rows = inside ? sky / 2 : kFromSpace * sky / 2,
+          .limb_rows = inside ? 3 * sky / 4 : kFromSpace * sky / 2,
+          .sky_rows = inside ? sky : 0,
           .apart = apart,
           .folded = folded,
           .rayleigh = (folded & rayleigh) != 0,
@@ -144,15 +154,11 @@ void add_table_constants(std::vector<Specialization>& constants, const FactorTab
   constants.push_back({"kRayleighCarrier", table.rayleigh ? 1u : 0u});
 }
 
-// The camera's table of directions holds.
-bool inside_the_air(const Scene& scene) {
-  return scene.camera.altitude <= scene.planet.atmosphere_height;
-}
-
 bool tabulates(const Scene& scene, const View& view) {
   const std::string& choice = scene.render.get<std::string>("tabulate");
-  const bool holds = (view.directions.empty() || view.as_picture) && inside_the_air(scene);
-  const bool pays = scene.image.width * static_cast<long long>(scene.image.height) >= 16384;
+  const bool holds = view.directions.empty() || view.as_picture;
+  const long long enough = inside_the_air(scene) ? 16384 : 65536;
+  const bool pays = scene.image.width * static_cast<long long>(scene.image.height) >= enough;
   return holds && !scene.terrain && (choice == "always" || (choice == "auto" && pays));
 }
 
@@ -429,6 +435,7 @@ std::vector<Binding> add_volume(Plan& plan, const Scene& scene, const Light& lig
                  .writes = {{"extinction_out", extinction}},
                  .grid = {table.rows(), 1, 1},
                  .specialization = constants,
+                 .team = 64,
                  .cost = 4.0 * slices});
   plan.add_pass({.name = "aerial_volume",
                  .shader = "aerial_volume",
@@ -437,6 +444,7 @@ std::vector<Binding> add_volume(Plan& plan, const Scene& scene, const Light& lig
                  .grid = {table.columns, table.rows(), 1},
                  .push_constants = {steps},
                  .specialization = std::move(constants),
+                 .team = 8,
                  .cost = ray_cost(steps * slices)});
   return {{"volume_lut", volume}, {"extinction_lut", extinction}};
 }
@@ -472,7 +480,7 @@ SpanPasses add_spans(Plan& plan, const Scene& scene, const Air& air, std::span<c
 std::vector<std::string> left_out(const Scene& scene, const Plan& plan) {
   const bool tabulated =
       std::ranges::any_of(plan.images(), [](const ImageDesc& image) { return image.name.starts_with("sky_factors"); });
-  if (tabulated || scene.terrain || !inside_the_air(scene) || scene.render.get<std::string>("tabulate") != "auto") {
+  if (tabulated || scene.terrain || scene.render.get<std::string>("tabulate") != "auto") {
     return {};
   }
   return {"table of the picture's light: the picture's " + std::to_string(scene.image.width * scene.image.height) +

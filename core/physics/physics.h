@@ -147,6 +147,7 @@ struct Physics {
 #include "shaders/physics/shell_march.glsl"
 #include "shaders/physics/terrain_light.glsl"
 #include "shaders/physics/sky_table.glsl"
+#include "shaders/physics/space_table.glsl"
 #include "shaders/physics/aerial_volume.glsl"
   // clang-format on
 };

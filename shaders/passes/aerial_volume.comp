@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// The aerial volume (physics/aerial_volume.glsl): one thread a direction, slice by slice away from the camera.
+// The aerial volume (physics/aerial_volume.glsl): one thread a direction, slice by slice away from the camera,
+// or a team that shares its slices.
 #include "shared/device.glsl"
 #include "shared/tables.glsl"
 #include "shared/moment_table.glsl"
@@ -9,11 +10,13 @@
 #include "physics/sky_factors.glsl"
 #include "shared/shell_table.glsl"
 #include "physics/sky_table.glsl"
+#include "physics/space_table.glsl"
 #include "physics/aerial_volume.glsl"
 #include "shared/sky_table_ray.glsl"
 #include "shared/aerial_volume.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
+layout(constant_id = 27) const uint kTeam = 1u;  // threads a direction: 1, 2, 4 or 8
 layout(set = 0, binding = 4, rgba32f) uniform writeonly image3D volume_out;
 layout(push_constant, scalar) uniform Push { uint steps; };  // from slice to slice; at least 2
 
@@ -66,21 +69,55 @@ void store_slice(SkyFactors factors, Ray ray, uvec2 texel, uint slice) {
   store(diffuse_block(), texel, slice, light * scale / volume_carrier(ray.nu));
 }
 
-void main() {
-  uvec2 texel = gl_GlobalInvocationID.xy;
-  if (texel.x >= kSkyColumns || texel.y >= kGroundRows + kLimbRows + kSkyRows) {
-    return;
-  }
-  Ray ray = table_ray(texel);
+// The first slice, at the camera, holds the limit there: that of a short way.
+float slice_end(Ray ray, uint slice) {
+  float z = slice == 0u ? 0.01 / float(kSlices) : float(slice) / float(kSlices - 1u);
+  return slice_distance(scene.planet, ray, z);
+}
+
+// Of slices [first, last), behind what stands before them; stored where `stores`.
+SkyFactors gather(SkyFactors factors, Ray ray, uvec2 texel, uint first, uint last, bool stores) {
   ShadowCrossings shadow = shadow_crossings(scene.planet, ray);
-  SkyFactors factors = no_air();
-  float from = 0.0;
-  for (uint slice = 0u; slice < kSlices; slice++) {
-    // The first slice, at the camera, holds the limit there: that of a short way.
-    float z = slice == 0u ? 0.01 / float(kSlices) : float(slice) / float(kSlices - 1u);
-    float to = slice_distance(scene.planet, ray, z);
+  float from = first == 0u ? 0.0 : slice_end(ray, first - 1u);
+  for (uint slice = first; slice < last; slice++) {
+    float to = slice_end(ray, slice);
     factors = joined(factors, stretch(ray, shadow, from, to));
-    store_slice(factors, ray, texel, slice);
+    if (stores) {
+      store_slice(factors, ray, texel, slice);
+    }
     from = max(to, from);
   }
+  return factors;
+}
+
+shared SkyFactors parts[64];
+
+// What a team's members before this one gather.
+SkyFactors before(SkyFactors own, uint part) {
+  uint thread = gl_LocalInvocationIndex;
+  parts[thread] = own;
+  barrier();
+  SkyFactors factors = no_air();
+  for (uint i = 0u; i < part; i++) {
+    factors = joined(factors, parts[thread - part + i]);
+  }
+  return factors;
+}
+
+void main() {
+  uvec2 size = uvec2(kSkyColumns, kGroundRows + kLimbRows + kSkyRows);
+  uvec2 texel = uvec2(gl_GlobalInvocationID.x / kTeam, gl_GlobalInvocationID.y);
+  uint part = gl_GlobalInvocationID.x % kTeam;
+  bool inside = texel.x < size.x && texel.y < size.y;
+  if (kTeam == 1u && !inside) {
+    return;
+  }
+  Ray ray = table_ray(min(texel, size - 1u));
+  uint first = part * kSlices / kTeam;
+  uint last = (part + 1u) * kSlices / kTeam;
+  SkyFactors factors = no_air();
+  if (kTeam > 1u) {
+    factors = before(gather(factors, ray, texel, first, last, false), part);
+  }
+  gather(factors, ray, texel, first, last, inside);
 }

@@ -6,17 +6,18 @@
 #include "shared/picture_ray.glsl"
 #include "shared/sky_table.glsl"
 #include "physics/sky_table.glsl"
+#include "physics/space_table.glsl"
 #include "physics/aerial_volume.glsl"
 #include "shared/factor_place.glsl"
 #include "shared/aerial_volume.glsl"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = 256) in;
 layout(push_constant, scalar) uniform Push { uint count; };
 
 layout(set = 0, binding = 3) uniform sampler3D volume_lut;
 layout(set = 0, binding = 4) uniform sampler2D extinction_lut;
-layout(scalar, set = 0, binding = 8) readonly buffer Spans { vec4 values[]; } spans;
-layout(scalar, set = 0, binding = 9) writeonly buffer SpanAir { vec4 values[]; } air_out;
+layout(std430, set = 0, binding = 8) readonly buffer Spans { vec4 values[]; } spans;
+layout(std430, set = 0, binding = 9) writeonly buffer SpanAir { vec4 values[]; } air_out;
 
 vec3 fetch_block(uint block, FactorPlace at, float w) {
   float blocks = float(bitCount(kScatteringMedia) + 1u);

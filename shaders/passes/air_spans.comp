@@ -11,16 +11,16 @@
 #include "shared/shell_table.glsl"
 #include "physics/aerial_volume.glsl"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = 256) in;
 layout(push_constant, scalar) uniform Push {
   uint spans_count;
   uint steps;
 };
 
 // Place in the picture in pixels from the upper left corner, distance in km, unused.
-layout(scalar, set = 0, binding = 8) readonly buffer Spans { vec4 values[]; } spans;
+layout(std430, set = 0, binding = 8) readonly buffer Spans { vec4 values[]; } spans;
 // Radiance and transmittance in turn.
-layout(scalar, set = 0, binding = 9) writeonly buffer SpanAir { vec4 values[]; } air_out;
+layout(std430, set = 0, binding = 9) writeonly buffer SpanAir { vec4 values[]; } air_out;
 
 void main() {
   uint i = gl_GlobalInvocationID.x;

@@ -10,6 +10,7 @@
 #include "physics/sky_factors.glsl"
 #include "shared/shell_table.glsl"
 #include "physics/sky_table.glsl"
+#include "physics/space_table.glsl"
 #include "shared/sky_table_ray.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;

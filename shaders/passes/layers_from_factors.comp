@@ -10,6 +10,7 @@
 #include "physics/sky_factors.glsl"
 #include "shared/shell_table.glsl"
 #include "physics/sky_table.glsl"
+#include "physics/space_table.glsl"
 
 const uint kRestBlocks = 2u;
 #include "shared/factor_fetch.glsl"

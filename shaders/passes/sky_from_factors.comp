@@ -6,6 +6,7 @@
 #include "shared/sky_table.glsl"
 #include "shared/sky_output.glsl"
 #include "physics/sky_table.glsl"
+#include "physics/space_table.glsl"
 
 const uint kRestBlocks = 1u;
 #include "shared/factor_fetch.glsl"

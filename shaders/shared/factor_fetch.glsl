@@ -7,6 +7,9 @@ layout(set = 0, binding = 3) uniform sampler2D factors_lut;
 #include "shared/factor_place.glsl"
 
 vec3 fetch_factor(uint block, FactorPlace at) {
+  if (table_from_space() && at.section == kSectionNoAir) {
+    return vec3(0.0);
+  }
   float blocks = float(bitCount(kScatteringMedia) + kRestBlocks);
   float u = (float(block * kSkyColumns) + 0.5 + at.x * float(kSkyColumns - 1u)) / (blocks * float(kSkyColumns));
   return textureLod(factors_lut, vec2(u, at.v), 0.0).rgb;

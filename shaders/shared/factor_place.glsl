@@ -13,7 +13,12 @@ FactorPlace factor_place(vec3 d) {
   // The tiny term keeps the zenith, of the view or of the sun, away from a division by 0.
   float across = sqrt((d.x * d.x + d.z * d.z) * (s.x * s.x + s.z * s.z));
   float cos_azimuth = (d.x * s.x + d.z * s.z) / max(across, 1e-20);
-  SkyTableCoordinate c = sky_table_coordinate(scene.planet, scene.camera.altitude, d.y, cos_azimuth);
+  SkyTableCoordinate c;
+  if (table_from_space()) {
+    c = space_table_coordinate(scene.planet, scene.camera.altitude, s.y, d.y, sqrt(d.x * d.x + d.z * d.z), cos_azimuth);
+  } else {
+    c = sky_table_coordinate(scene.planet, scene.camera.altitude, d.y, cos_azimuth);
+  }
   float rows = float(kGroundRows + kLimbRows + kSkyRows);
   FactorPlace at;
   at.x = c.x;

@@ -8,6 +8,9 @@ layout(constant_id = 17) const uint kGroundRows = 32u;
 layout(constant_id = 18) const uint kLimbRows = 48u;
 layout(constant_id = 19) const uint kSkyRows = 64u;
 
+// No row above level: the camera is above the air (physics/space_table.glsl).
+bool table_from_space() { return kSkyRows == 0u; }
+
 layout(constant_id = 25) const uint kFoldedMedia = 0u;      // bit i: medium i is in the shared block, phase and all
 layout(constant_id = 26) const uint kRayleighCarrier = 0u;  // of the shared block
 

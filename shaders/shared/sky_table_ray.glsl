@@ -21,8 +21,11 @@ uint section_of_row(uint row) {
 
 Ray table_ray(uvec2 texel) {
   uint section = section_of_row(texel.y);
+  float x = float(texel.x) / float(kSkyColumns - 1u);
   float y = float(texel.y - section_first(section)) / float(section_rows(section) - 1u);
-  SkyTableState state =
-      sky_table_state(scene.planet, scene.camera.altitude, float(texel.x) / float(kSkyColumns - 1u), section, y);
+  if (table_from_space()) {
+    return space_table_ray(scene.planet, scene.camera.altitude, scene.sun.direction.y, x, section, y);
+  }
+  SkyTableState state = sky_table_state(scene.planet, scene.camera.altitude, x, section, y);
   return section_ray(state, section);
 }

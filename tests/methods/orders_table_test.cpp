@@ -74,6 +74,23 @@ TEST(OrdersTable, IsThePictureByPixel) {
   }
 }
 
+// From space: the disc with its terminator, the limb, and black beside it.
+TEST(OrdersTable, IsThePictureByPixelFromSpace) {
+  for (const double altitude : {101.0, 500.0, 2.0 * 6360.0, 1e5}) {
+    for (const double sun : {50.0, 0.0, -60.0}) {
+      Scene scene = all_of_it(altitude, 0.3, sun);
+      scene.camera.projection = Projection::perspective;
+      scene.camera.pitch = -90.0 * kDegree;
+      scene.camera.vertical_fov = std::min(2.2 * std::asin(6460.0 / (6360.0 + altitude)), 2.4);
+      scene.image = {48, 48};
+      const RadianceImage pixels = by_table(scene, "never", "smooth");
+      const Gaps all = gaps(by_table(scene, "always", "smooth"), pixels, 0, 48);
+      EXPECT_LT(all.mean, 0.003) << altitude << " km, sun " << sun;
+      EXPECT_LT(all.most, 0.1) << altitude << " km, sun " << sun;
+    }
+  }
+}
+
 // On a GPU four threads share a ray's steps; in another order of sums it is the same table.
 TEST(OrdersTable, ByTeamsIsTheSame) {
   Scene scene = with_method(all_of_it(2.0, 0.3, 1.0), *find_method("orders"));
