@@ -50,12 +50,12 @@ const std::array<ParameterInfo, 12> kParameters{{
      TableSize{24, 48},
      {},
      "table of the picture's light, azimuths x rows above level; limb and ground get 3/4 and 1/2 as many; from space "
-     "azimuths take 4 times as many columns, limb and ground twice as many rows each"},
+     "there are 4 times as many columns, 2 times as many rows for the limb, 6 for the ground"},
     {"fold", ParameterKind::choice, 0, 0, std::string("smooth"), kFolded,
      "media that share a block of sky_lut with the diffuse light: those of a smooth phase function, or all whose peak "
      "has a fifth of its height one column away, which saves a fetch a pixel and blurs the aureole to the table"},
     {"tabulate", ParameterKind::choice, 0, 0, std::string("auto"), kWhen,
-     "whether the picture's light is tabulated over view directions; auto: from 16384 pixels on, from space 65536"},
+     "whether the picture's light is tabulated over view directions; auto: from 16384 pixels on, from space 131072"},
     {"aerial_slices",
      ParameterKind::integer,
      4,
@@ -79,9 +79,6 @@ const std::array<ParameterInfo, 12> kParameters{{
 bool inside_the_air(const Scene& scene) {
   return scene.camera.altitude <= scene.planet.atmosphere_height;
 }
-
-// From space the table resolves the halo of the limb and the terminator.
-constexpr std::uint32_t kFromSpace = 4;
 
 // The picture's own table of factors, as shaders/shared/sky_table.glsl is told of it.
 struct FactorTable {
@@ -122,7 +119,8 @@ std::uint32_t media_wider_than_a_column(const Air& air, int columns, std::uint32
   return bits & scattering;
 }
 
-// `media`: those that scatter. `layers`: all of them apart, else the folded ones share the last block with the diffuse
+// From space the rows resolve the halo of the limb, and the terminator at the middle of the disc. `media`: those that
+// scatter. `layers`: all of them apart, else the folded ones share the last block with the diffuse
 // light.
 FactorTable factor_table(const Scene& scene, const Air& air, std::uint32_t media, bool layers) {
   const TableSize size = scene.render.get<TableSize>("sky_lut");
@@ -134,9 +132,9 @@ FactorTable factor_table(const Scene& scene, const Air& air, std::uint32_t media
   const std::uint32_t folded = all ? media_wider_than_a_column(air, size[0], media)
                                    : rayleigh | media_with(air, PhaseFunction::isotropic, media);
   const std::uint32_t apart = layers ? media : media & ~folded;
-  return {.columns = inside ? columns : kFromSpace * columns,
-          .ground_rows = inside ? sky / 2 : kFromSpace * sky / 2,
-          .limb_rows = inside ? 3 * sky / 4 : kFromSpace * sky / 2,
+  return {.columns = inside ? columns : 4 * columns,
+          .ground_rows = inside ? sky / 2 : 6 * sky,
+          .limb_rows = inside ? 3 * sky / 4 : 2 * sky,
           .sky_rows = inside ? sky : 0,
           .apart = apart,
           .folded = folded,
@@ -157,7 +155,7 @@ void add_table_constants(std::vector<Specialization>& constants, const FactorTab
 bool tabulates(const Scene& scene, const View& view) {
   const std::string& choice = scene.render.get<std::string>("tabulate");
   const bool holds = view.directions.empty() || view.as_picture;
-  const long long enough = inside_the_air(scene) ? 16384 : 65536;
+  const long long enough = inside_the_air(scene) ? 16384 : 131072;  // about four times the table's rays
   const bool pays = scene.image.width * static_cast<long long>(scene.image.height) >= enough;
   return holds && !scene.terrain && (choice == "always" || (choice == "auto" && pays));
 }

@@ -12,7 +12,7 @@ namespace {
 
 using physics::Physics;
 
-constexpr double kRadius = 6360.0;
+constexpr double kGround = 6360.0;
 constexpr double kTop = 100.0;
 
 // The camera's zenith cosine of a ray that passes the planet's centre at `off` km, and its sine.
@@ -22,7 +22,7 @@ struct View {
 };
 
 View past(double off, double h) {
-  const double across = off / (kRadius + h);
+  const double across = off / (kGround + h);
   return {-std::sqrt(1.0 - across * across), across};
 }
 
@@ -30,19 +30,19 @@ TEST(SpaceTable, RayAndCoordinateAreInverseOnEveryTexel) {
   Physics p = make_physics(earth());
   const physics::PlanetData& planet = p.scene.planet;
   constexpr int kColumns = 24;
-  constexpr int kRows = 20;
-  for (const double h : {100.001, 120.0, 500.0, 2.0 * kRadius, 1e5}) {
+  constexpr int kTableRows = 20;
+  for (const double h : {100.001, 120.0, 500.0, 2.0 * kGround, 1e5}) {
     for (const double mu_sun : {1.0, 0.7, 0.02, -0.3, -1.0}) {
       for (const physics::uint section : {physics::uint{0}, physics::uint{1}}) {
         // The first row of the ground is the foot below the camera; the last of the limb grazes the top of the air.
-        for (int row = 1; row + 1 < kRows; ++row) {
+        for (int row = 1; row + 1 < kTableRows; ++row) {
           for (int column = 0; column < kColumns; ++column) {
             const double x = static_cast<double>(column) / (kColumns - 1);
-            const double y = static_cast<double>(row) / (kRows - 1);
+            const double y = static_cast<double>(row) / (kTableRows - 1);
             const Physics::Ray ray = p.space_table_ray(planet, h, mu_sun, x, section, y);
             ASSERT_EQ(ray.at_ground, section == 0);
             ASSERT_GT(ray.length_, 0.0);
-            const View view = past((kRadius + kTop) * std::sqrt(1.0 - ray.mu * ray.mu), h);
+            const View view = past((kGround + kTop) * std::sqrt(1.0 - ray.mu * ray.mu), h);
             const double level = view.across * std::sqrt(1.0 - mu_sun * mu_sun);
             const double azimuth = level > 0.0 ? (ray.nu - view.mu * mu_sun) / level : 2.0 * x - 1.0;
             const auto back = p.space_table_coordinate(planet, h, mu_sun, view.mu, view.across, azimuth);
@@ -65,7 +65,7 @@ TEST(SpaceTable, ATexelsRayIsThatOfItsView) {
     for (const double y : {0.2, 0.6, 0.9}) {
       for (const physics::uint section : {physics::uint{0}, physics::uint{1}}) {
         const Physics::Ray texel = p.space_table_ray(planet, h, 0.3, 0.4, section, y);
-        const View view = past((kRadius + kTop) * std::sqrt(1.0 - texel.mu * texel.mu), h);
+        const View view = past((kGround + kTop) * std::sqrt(1.0 - texel.mu * texel.mu), h);
         const Physics::Ray ray = p.ray_in_atmosphere(planet, h, view.mu, 0.3, texel.nu);
         EXPECT_NEAR(ray.mu, texel.mu, 1e-9);
         EXPECT_NEAR(ray.mu_sun, texel.mu_sun, 1e-9);
@@ -86,7 +86,7 @@ TEST(SpaceTable, TheTerminatorLiesWhereTheSunAtTheFootIsLevel) {
       double high = 1.0;
       for (int i = 0; i < 60; ++i) {
         const double middle = 0.5 * (low + high);
-        const Physics::Ray ray = p.space_table_ray(planet, 2.0 * kRadius, 0.0, middle, 0, y);
+        const Physics::Ray ray = p.space_table_ray(planet, 2.0 * kGround, 0.0, middle, 0, y);
         (p.point_on_ray(planet, ray, ray.length_).mu_sun < 0.0 ? low : high) = middle;
       }
       return low;
@@ -99,15 +99,15 @@ TEST(SpaceTable, RaysThatMissTheAirHaveNoSection) {
   Physics p = make_physics(earth());
   const physics::PlanetData& planet = p.scene.planet;
   for (const double h : {101.0, 500.0, 1e5}) {
-    for (const double off : {kRadius + kTop + 0.5, kRadius + h}) {
+    for (const double off : {kGround + kTop + 0.5, kGround + h}) {
       const View view = past(off, h);
-      EXPECT_EQ(p.space_table_coordinate(planet, h, 0.3, view.mu, view.across, 0.2).section, Physics::kSectionNoAir);
+      EXPECT_EQ(p.space_table_coordinate(planet, h, 0.3, view.mu, view.across, 0.2).section, p.kSectionNoAir);
     }
-    EXPECT_EQ(p.space_table_coordinate(planet, h, 0.3, 1.0, 0.0, 0.2).section, Physics::kSectionNoAir);
-    const View limb = past(kRadius + 0.5 * kTop, h);
-    EXPECT_EQ(p.space_table_coordinate(planet, h, 0.3, limb.mu, limb.across, 0.2).section, Physics::kSectionLimb);
-    const View ground = past(kRadius - 1.0, h);
-    EXPECT_EQ(p.space_table_coordinate(planet, h, 0.3, ground.mu, ground.across, 0.2).section, Physics::kSectionGround);
+    EXPECT_EQ(p.space_table_coordinate(planet, h, 0.3, 1.0, 0.0, 0.2).section, p.kSectionNoAir);
+    const View limb = past(kGround + 0.5 * kTop, h);
+    EXPECT_EQ(p.space_table_coordinate(planet, h, 0.3, limb.mu, limb.across, 0.2).section, p.kSectionLimb);
+    const View ground = past(kGround - 1.0, h);
+    EXPECT_EQ(p.space_table_coordinate(planet, h, 0.3, ground.mu, ground.across, 0.2).section, p.kSectionGround);
   }
 }
 
