@@ -3,6 +3,7 @@
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <exception>
@@ -19,6 +20,7 @@
 #include "core/luts/luts.h"
 #include "core/methods/scene_air.h"
 #include "core/render/render.h"
+#include "core/render/spans.h"
 #include "tests/bench/scenes.h"
 
 namespace airlight::bench {
@@ -102,8 +104,8 @@ void time_picture(benchmark::State& state, Executor& executor, const Scene& scen
   time_plans(state, executor, plans, [](const std::string&) { return true; });
 }
 
-// The plan's picture shows no disc, which may bring a table of its own, and is seen from space, where every method
-// works pixel by pixel: uncounted work that holds a GPU's clock up. Tables alone leave it idle between two runs, and it
+// The plan's picture shows no disc, which may bring a table of its own, and is seen from space, where most methods
+// work pixel by pixel: uncounted work that holds a GPU's clock up. Tables alone leave it idle between two runs, and it
 // clocks down by a factor of two and more. A software device has no use for that, and gets one pixel.
 Scene for_tables(const SkyMethod& method, const Scene& from, bool is_cpu) {
   Scene scene = rendered_by(method, from, is_cpu ? ImageSize{1, 1} : kSizes.back());
@@ -169,33 +171,82 @@ std::vector<Span> things(ImageSize size) {
   return spans;
 }
 
-// The air before them: a march along each ray, or the aerial volume, made for each picture.
-void time_air(benchmark::State& state, Executor& executor, const SkyMethod& method, const Scene& scene, bool volume,
-              bool& warm) {
+// A way to the air before things: a march along each ray, or the aerial volume, made for each picture.
+struct AirQuality {
+  std::string name;  // "march-48", "volume-16"
+  bool volume;
+  std::string key;
+  int value;
+};
+
+const std::vector<AirQuality>& air_qualities() {
+  static const std::vector<AirQuality> all = [] {
+    std::vector<AirQuality> list;
+    for (const int steps : {12, 24, 48, 96}) {
+      list.push_back({"march-" + std::to_string(steps), false, "steps", steps});
+    }
+    for (const int slices : {8, 16, 32, 64}) {
+      list.push_back({"volume-" + std::to_string(slices), true, "aerial_slices", slices});
+    }
+    return list;
+  }();
+  return all;
+}
+
+// Mean of |a - b| / max(b, a thousandth of b's mean), channels pooled.
+double light_error(const std::vector<AirTo>& a, const std::vector<AirTo>& exact) {
+  const double values = 3.0 * static_cast<double>(exact.size());
+  double mean = 0.0;
+  for (const AirTo& air : exact) {
+    for (const float value : air.radiance) mean += value / values;
+  }
+  double sum = 0.0;
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double b = exact[i].radiance[c];
+      sum += std::abs(a[i].radiance[c] - b) / std::max({b, 1e-3 * mean, 1e-30}) / values;
+    }
+  }
+  return sum;
+}
+
+// Against the march in 768 steps before 96x54 things of the same picture.
+double air_error(Executor& executor, Scene scene, const AirQuality& quality) {
+  scene.image = {96, 54};
+  const std::vector<Span> spans = things(scene.image);
+  const std::vector<AirTo> found = air_to(executor, scene, spans, {quality.volume, {}});
+  scene.render.parameters.insert_or_assign("steps", 768);
+  return light_error(found, air_to(executor, scene, spans));
+}
+
+void time_air(benchmark::State& state, Executor& executor, const SkyMethod& method, const Scene& scene,
+              const AirQuality& quality, double& error) {
   const Air air = air_of(scene);
   Plan plan;
   plan.scene_data = device_scene_bytes(air, scene);
-  method.add_span_passes(plan, scene, air, things(scene.image), {volume, {}});
+  method.add_span_passes(plan, scene, air, things(scene.image), {quality.volume, {}});
   const std::array plans{without_readback(plan)};
-  if (!warm) {
+  if (error < 0.0) {
+    error = air_error(executor, scene, quality);
     executor.run(plans[0]);  // pipelines and tables
-    warm = true;
   }
   time_plans(state, executor, plans, [](const std::string&) { return true; });
+  state.counters["error_percent"] = 100.0 * error;
 }
 
 void register_air(Session& session, const SkyMethod& method, const NamedScene& named) {
   for (const ImageSize size : kSizes) {
-    const Scene scene = rendered_by(method, named.scene, size);
-    for (const bool volume : {false, true}) {
-      if (volume && (method.has_volume == nullptr || !method.has_volume(scene))) {
+    for (const AirQuality& quality : air_qualities()) {
+      Scene scene = rendered_by(method, named.scene, size);
+      scene.render.parameters.insert_or_assign(quality.key, quality.value);
+      if (quality.volume && (method.has_volume == nullptr || !method.has_volume(scene))) {
         continue;
       }
-      const std::string name = "air/" + std::string(method.info.name) + (volume ? "-volume/" : "-march/") +
+      const std::string name = "air/" + std::string(method.info.name) + '-' + quality.name + '/' +
                                std::string(named.name) + '/' + std::to_string(size.width) + 'x' +
                                std::to_string(size.height);
-      register_one(session, name, [&session, &method, scene, volume, warm = false](benchmark::State& state) mutable {
-        time_air(state, session.pictures(), method, scene, volume, warm);
+      register_one(session, name, [&session, &method, scene, &quality, error = -1.0](benchmark::State& state) mutable {
+        time_air(state, session.pictures(), method, scene, quality, error);
       });
     }
   }

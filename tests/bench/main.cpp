@@ -31,7 +31,7 @@ void print_help() {
       "\n"
       "Renders every method in every scene at 256x144 and compares the pictures' moments with the checksums, then "
       "times\n"
-      "sky/METHOD/SCENE/SIZE, frame/METHOD/SCENE/SIZE, air/METHOD-march/SCENE/SIZE, air/METHOD-volume/SCENE/SIZE\n"
+      "sky/METHOD/SCENE/SIZE, frame/METHOD/SCENE/SIZE, air/METHOD-march-STEPS/SCENE/SIZE, air/METHOD-volume-SLICES/SCENE/SIZE\n"
       "and tables/METHOD/SCENE by device timestamps.\n"
       "AIRLIGHT_DEVICE=part-of-its-name chooses the device.\n"
       "Exit codes: 0 done, 1 a picture differs or the device fails, 2 bad usage.\n"

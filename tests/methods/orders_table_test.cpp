@@ -85,8 +85,8 @@ TEST(OrdersTable, IsThePictureByPixelFromSpace) {
       scene.image = {48, 48};
       const RadianceImage pixels = by_table(scene, "never", "smooth");
       const Gaps all = gaps(by_table(scene, "always", "smooth"), pixels, 0, 48);
-      EXPECT_LT(all.mean, 0.003) << altitude << " km, sun " << sun;
-      EXPECT_LT(all.most, 0.1) << altitude << " km, sun " << sun;
+      EXPECT_LT(all.mean, 0.002) << altitude << " km, sun " << sun;
+      EXPECT_LT(all.most, 0.15) << altitude << " km, sun " << sun;
     }
   }
 }
