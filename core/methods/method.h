@@ -162,7 +162,8 @@ struct SkyMethod {
   Converged converged;
   // By these parameters it leaves out light scattered more than once. Empty: by none.
   std::vector<std::pair<std::string_view, ParameterValue>> single_scattering;
-  // Exactly one of add_passes and render_on_host.
+  // Exactly one of add_passes and render_on_host. The host's takes a scene with spectra as it stands, and renders it
+  // in the colours of the picture; the device's takes three channels, a group of wavelengths at a time.
   SkyPasses (*add_passes)(Plan&, const Scene&, const Air&, const View&) = nullptr;
   // Of a scene with spectra: one picture pass in colours for all wavelengths, from tables of each group of them, where
   // the method's tables allow it for this view. `tables`: the groups' transmittance, one each. Null, or nothing: there

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 
-#include "core/error.h"
 #include "core/methods/scene_air.h"
 #include "core/methods/sky_pass.h"
 #include "core/methods/spectral_sums.h"
@@ -103,9 +101,6 @@ physics::vec3 in_colours(const physics::vec3& channels, const std::array<Rgb, 3>
 
 // Adds a group's picture, its channels as colours, to the sum.
 void add_part(RadianceImage& sum, const RadianceImage& part, const std::array<Rgb, 3>& colours) {
-  if (sum.rgba.empty()) {
-    sum = {part.width, part.height, std::vector<float>(part.rgba.size())};
-  }
   for (std::size_t i = 0; i < part.rgba.size(); i += 4) {
     for (std::size_t c = 0; c < 3; ++c) {
       double value = static_cast<double>(sum.rgba[i + c]);
@@ -116,78 +111,6 @@ void add_part(RadianceImage& sum, const RadianceImage& part, const std::array<Rg
     }
     sum.rgba[i + 3] = std::max(sum.rgba[i + 3], part.rgba[i + 3]);
   }
-}
-
-// Groups are independent; the channels of one, which share their paths, err together at worst.
-void add_error(RadianceImage& variance, const RadianceImage& part, const std::array<Rgb, 3>& colours) {
-  if (variance.rgba.empty()) {
-    variance = {part.width, part.height, std::vector<float>(part.rgba.size())};
-  }
-  for (std::size_t i = 0; i < part.rgba.size(); i += 4) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      double most = 0.0;
-      for (std::size_t k = 0; k < 3; ++k) {
-        most += std::fabs(colours[k][c]) * static_cast<double>(part.rgba[i + k]);
-      }
-      variance.rgba[i + c] += static_cast<float>(most * most);
-    }
-    variance.rgba[i + 3] = std::max(variance.rgba[i + 3], part.rgba[i + 3]);
-  }
-}
-
-// The random numbers of one group are not those of another.
-void take_seed(Scene& scene, std::size_t group) {
-  const auto seed = scene.render.parameters.find("seed");
-  if (seed != scene.render.parameters.end() && group > 0) {
-    const auto mixed =
-        static_cast<std::uint32_t>(std::get<int>(seed->second)) + static_cast<std::uint32_t>(group) * 0x9e3779b9U;
-    seed->second = static_cast<int>(mixed & 0x7fffffffU);
-  }
-}
-
-HostPicture spectral_on_host(const Scene& scene, const View& view, const HostOptions& options) {
-  SpectralScene spectral = spectral_scene(scene);
-  const auto count = static_cast<double>(spectral.groups.size());
-  HostPicture all;
-  bool stopped = false;
-  for (std::size_t g = 0; g < spectral.groups.size(); ++g) {
-    WavelengthGroup& group = spectral.groups[g];
-    take_seed(group.scene, g);
-    HostOptions mine = options;
-    mine.checkpoint += options.checkpoint.empty() ? "" : ".group" + std::to_string(g);
-    if (options.report) {
-      mine.report = [&](double done) {
-        const bool goes_on = options.report((static_cast<double>(g) + done) / count);
-        stopped = stopped || !goes_on;
-        return goes_on;
-      };
-    }
-    // What was stopped in one group must not count as a picture.
-    if (stopped) {
-      throw RunError("stopped at group " + std::to_string(g) + " of " + std::to_string(spectral.groups.size()) +
-                     " of the wavelengths; a picture needs them all");
-    }
-    const HostPicture part = method_of(scene).render_on_host(group.scene, air_of(group.scene), view, mine);
-    add_part(all.radiance, part.radiance, group.colours);
-    if (!part.transmittance.rgba.empty()) {
-      add_part(all.transmittance, part.transmittance, group.colours);
-    }
-    if (!part.standard_error.rgba.empty()) {
-      add_error(all.standard_error, part.standard_error, group.colours);
-    }
-    for (const std::string& note : part.notes) {
-      if (std::find(all.notes.begin(), all.notes.end(), note) == all.notes.end()) {
-        all.notes.push_back(note);
-      }
-    }
-    all.samples = g == 0 ? part.samples : std::min(all.samples, part.samples);
-  }
-  for (std::size_t i = 0; i < all.standard_error.rgba.size(); ++i) {
-    if (i % 4 != 3) {
-      all.standard_error.rgba[i] = std::sqrt(all.standard_error.rgba[i]);
-    }
-  }
-  return all;
 }
 
 }  // namespace
@@ -249,8 +172,7 @@ std::vector<physics::GlarePoint> glare_points_of(const Scene& scene) {
 }
 
 HostPicture render_on_host(const Scene& scene, const View& view, const HostOptions& options) {
-  return scene.spectra ? spectral_on_host(scene, view, options)
-                       : method_of(scene).render_on_host(scene, air_of(scene), view, options);
+  return method_of(scene).render_on_host(scene, air_of(scene), view, options);
 }
 
 Rgb transmittance_unit(const Scene& scene) {

@@ -28,7 +28,7 @@ bool draw_disc_over(RadianceImage& rows, const Scene& scene, const Tile& tile);
 // The sources of the sun's glare, in the picture's colours.
 std::vector<physics::GlarePoint> glare_points_of(const Scene& scene);
 
-// The same sum of pictures by a host method, which has no disc.
+// The picture by a host method, which has no disc.
 HostPicture render_on_host(const Scene& scene, const View& view, const HostOptions& options);
 
 // What a listed direction's second value is to be divided by to be a transmittance.

@@ -2,6 +2,7 @@
 
 #include "core/methods/path_trace/checkpoint.h"
 #include "core/methods/path_trace/walk.h"
+#include "core/methods/spectral_sky.h"
 
 namespace airlight {
 namespace {
@@ -63,6 +64,26 @@ void add_medium(Lines& lines, const std::string& at, const Medium& medium) {
   add_table(lines, at + "/phase", medium);
 }
 
+void add_matter(Lines& lines, const std::string& at, const Scene& scene) {
+  lines.add(at + "/planet/ground_albedo", scene.planet.ground_albedo);
+  lines.add(at + "/media/-", static_cast<double>(scene.media.size()));
+  for (std::size_t i = 0; i < scene.media.size(); ++i) {
+    add_medium(lines, at + "/media/" + std::to_string(i), scene.media[i]);
+  }
+}
+
+// Three by three, with their colours, which are what is summed.
+void add_wavelengths(Lines& lines, const SpectralScene& spectral) {
+  lines.add("wavelengths", static_cast<double>(spectral.nodes.nm.size()));
+  for (std::size_t g = 0; g < spectral.groups.size(); ++g) {
+    const std::string at = "group " + std::to_string(g) + " ";
+    add_matter(lines, at, spectral.groups[g].scene);
+    for (std::size_t c = 0; c < 3; ++c) {
+      lines.add(at + "colour " + std::to_string(c), spectral.groups[g].colours[c]);
+    }
+  }
+}
+
 void add_camera(Lines& lines, const Scene& scene) {
   lines.add("/camera/altitude_km", scene.camera.altitude);
   lines.add("/camera/projection", static_cast<int>(scene.camera.projection));
@@ -87,10 +108,10 @@ std::string checkpoint_identity(const Scene& scene, const View& view) {
   lines.add("/render/max_orders", scene.render.get<int>("max_orders"));
   lines.add("/planet/radius_km", scene.planet.ground_radius);
   lines.add("/planet/atmosphere_height_km", scene.planet.atmosphere_height);
-  lines.add("/planet/ground_albedo", scene.planet.ground_albedo);
-  lines.add("/media/-", static_cast<double>(scene.media.size()));
-  for (std::size_t i = 0; i < scene.media.size(); ++i) {
-    add_medium(lines, "/media/" + std::to_string(i), scene.media[i]);
+  if (scene.spectra) {
+    add_wavelengths(lines, spectral_scene(scene));
+  } else {
+    add_matter(lines, "", scene);
   }
   lines.add("/sun/elevation (rad)", scene.sun.elevation);
   lines.add("/sun/azimuth (rad)", scene.sun.azimuth);

@@ -36,7 +36,7 @@ void OpticalDepth::add_piece(Shape shape, uint i, MediumData medium, double low,
   high = std::min(high, top);
   if (low < high) {
     const vec3 extinction = physics_.medium(i).scattering + physics_.medium(i).absorption;
-    pieces_.push_back({shape, physics_.density_profile(i), medium, extinction, low, high});
+    pieces_.push_back({shape, i, physics_.density_profile(i), medium, extinction, low, high});
   }
 }
 
@@ -100,38 +100,88 @@ void OpticalDepth::add_layers(uint i, const MediumData& m) {
   add_piece(Shape::constant, i, part, altitude(m.layer_count - 1), top);
 }
 
-vec3 OpticalDepth::to_top(double h, double mu) const {
-  const physics::PlanetData& planet = physics_.scene.planet;
-  const double top = planet.atmosphere_height;
-  if (mu >= 0.0) {
-    return climb(h, mu, physics_.distance_to_top(planet, h, mu), top);
-  }
-  return along(h, mu, physics_.distance_to_top(planet, h, mu));
-}
-
-vec3 OpticalDepth::along(double h, double mu, double distance) const {
+// The ray as one way up, or as two from its lowest point.
+template <class Visit>
+void OpticalDepth::for_each_climb(double h, double mu, double distance, const Visit& visit) const {
   const physics::Physics::Ray ray{h, mu, 0.0, 0.0, distance, false};
   const physics::PlanetData& planet = physics_.scene.planet;
   const physics::Physics::RayPoint end = physics_.point_on_ray(planet, ray, distance);
   if (mu >= 0.0) {
-    return climb(h, mu, distance, end.h);
+    visit(climb(h, mu, distance, end.h));
+    return;
   }
   const double to_lowest = -(planet.ground_radius + h) * mu;
   if (distance <= to_lowest) {
-    return climb(end.h, std::max(-end.mu, 0.0), distance, h);
+    visit(climb(end.h, std::max(-end.mu, 0.0), distance, h));
+    return;
   }
   const double lowest = physics_.point_on_ray(planet, ray, to_lowest).h;
-  return climb(lowest, 0.0, to_lowest, h) + climb(lowest, 0.0, distance - to_lowest, end.h);
+  visit(climb(lowest, 0.0, to_lowest, h));
+  visit(climb(lowest, 0.0, distance - to_lowest, end.h));
 }
 
-vec3 OpticalDepth::climb(double h, double mu, double length, double h_end) const {
+template <class Visit>
+void OpticalDepth::for_each_climb_to_top(double h, double mu, const Visit& visit) const {
+  const physics::PlanetData& planet = physics_.scene.planet;
+  const double distance = physics_.distance_to_top(planet, h, mu);
+  if (mu >= 0.0) {
+    visit(climb(h, mu, distance, planet.atmosphere_height));
+    return;
+  }
+  for_each_climb(h, mu, distance, visit);
+}
+
+vec3 OpticalDepth::along(double h, double mu, double distance) const {
+  vec3 depth(0.0);
+  for_each_climb(h, mu, distance, [&](const Climb& path) { depth = depth + depth_of(path); });
+  return depth;
+}
+
+vec3 OpticalDepth::to_top(double h, double mu) const {
+  vec3 depth(0.0);
+  for_each_climb_to_top(h, mu, [&](const Climb& path) { depth = depth + depth_of(path); });
+  return depth;
+}
+
+vec3 OpticalDepth::through(const Columns& columns) const {
+  vec3 depth(0.0);
+  for (uint i = 0; i < physics_.medium_count(); ++i) {
+    depth = depth + (physics_.medium(i).scattering + physics_.medium(i).absorption) * columns[i];
+  }
+  return depth;
+}
+
+Columns OpticalDepth::columns_along(double h, double mu, double distance) const {
+  Columns columns{};
+  for_each_climb(h, mu, distance, [&](const Climb& path) { columns = columns + columns_of(path); });
+  return columns;
+}
+
+Columns OpticalDepth::columns_to_top(double h, double mu) const {
+  Columns columns{};
+  for_each_climb_to_top(h, mu, [&](const Climb& path) { columns = columns + columns_of(path); });
+  return columns;
+}
+
+OpticalDepth::Climb OpticalDepth::climb(double h, double mu, double length, double h_end) const {
   const double r = physics_.scene.planet.ground_radius + h;
-  const Climb path{h, r, r * mu, length, std::max(h_end, h)};
+  return {h, r, r * mu, length, std::max(h_end, h)};
+}
+
+vec3 OpticalDepth::depth_of(const Climb& path) const {
   vec3 depth(0.0);
   for (const Piece& piece : pieces_) {
     depth = depth + piece.extinction * column(piece, path);
   }
   return depth;
+}
+
+Columns OpticalDepth::columns_of(const Climb& path) const {
+  Columns columns{};
+  for (const Piece& piece : pieces_) {
+    columns[piece.index] += column(piece, path);
+  }
+  return columns;
 }
 
 // Integral of the piece's density over the part of the path inside it, km.

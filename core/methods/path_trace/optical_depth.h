@@ -2,12 +2,23 @@
 // Optical depth along any ray of the air by Gauss quadrature of each medium's density, in double. Error at most 1e-7 of
 // the medium's depth: far below what any number of samples can see.
 
+#include <array>
 #include <vector>
 
 #include "core/methods/path_trace/gauss.h"
 #include "core/physics/physics.h"
 
 namespace airlight {
+
+// Of each medium: its density times length, km at density 1; or its density at a place.
+using Columns = std::array<double, physics::kMaxMedia>;
+
+inline Columns operator+(Columns a, const Columns& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    a[i] += b[i];
+  }
+  return a;
+}
 
 class OpticalDepth {
  public:
@@ -20,12 +31,20 @@ class OpticalDepth {
   // To the top of the atmosphere; the ground must not be in the way.
   physics::vec3 to_top(double h, double mu) const;
 
+  // Through such columns.
+  physics::vec3 through(const Columns& columns) const;
+
+  // The same as columns, of the media that extinguish anything.
+  Columns columns_along(double h, double mu, double distance) const;
+  Columns columns_to_top(double h, double mu) const;
+
  private:
   enum class Shape { constant, linear, falling, smooth };
 
   // An altitude range in which one medium's density is analytic.
   struct Piece {
     Shape shape;
+    physics::uint index;  // of the medium
     physics::uint profile;
     physics::MediumData medium;
     physics::vec3 extinction;  // at density 1
@@ -46,7 +65,13 @@ class OpticalDepth {
   void add_piece(Shape shape, physics::uint i, physics::MediumData medium, double low, double high);
   void add_lorentzian(physics::uint i, const physics::MediumData& medium);
   void add_layers(physics::uint i, const physics::MediumData& medium);
-  physics::vec3 climb(double h, double mu, double length, double h_end) const;
+  template <class Visit>
+  void for_each_climb(double h, double mu, double distance, const Visit& visit) const;
+  template <class Visit>
+  void for_each_climb_to_top(double h, double mu, const Visit& visit) const;
+  Climb climb(double h, double mu, double length, double h_end) const;
+  physics::vec3 depth_of(const Climb& path) const;
+  Columns columns_of(const Climb& path) const;
   double column(const Piece& piece, const Climb& climb) const;
   double panel(const Piece& piece, const Climb& climb, double from, double to) const;
   const GaussRule& rule_for(const Piece& piece, double r, double length, double fall) const;

@@ -8,6 +8,7 @@
 #include "core/methods/methods.h"
 #include "core/methods/path_trace/sampling.h"
 #include "core/methods/path_trace/tracer.h"
+#include "core/methods/scene_air.h"
 
 namespace airlight {
 namespace {
@@ -117,9 +118,11 @@ Targets targets_of(const PathTracer& tracer, const Scene& scene, const View& vie
   return targets;
 }
 
-HostPicture render(const Scene& scene, const Air& air, const View& view, const HostOptions& options) {
+// `all`, `identity`: as PathTracer and Sampling want them.
+HostPicture trace(const Scene& scene, const Air& air, const Wavelengths* all, const View& view,
+                  const HostOptions& options, const std::string& identity) {
   const RenderSettings& settings = scene.render;
-  const PathTracer tracer(air, scene, static_cast<std::uint64_t>(settings.get<int>("seed")),
+  const PathTracer tracer(air, scene, all, static_cast<std::uint64_t>(settings.get<int>("seed")),
                           settings.get<int>("max_orders"), view.wall.value_or(kNoLimit));
   Targets targets = targets_of(tracer, scene, view);
   HostPicture picture;
@@ -131,8 +134,7 @@ HostPicture render(const Scene& scene, const Air& air, const View& view, const H
       set_pixel(picture.transmittance, k, tracer.transmittance(tracer.start(targets.pixels[k].direction)));
     }
   }
-  Sampling sampling(tracer, rules_of(settings), options, std::move(targets.pixels), targets.ids,
-                    checkpoint_identity(scene, view));
+  Sampling sampling(tracer, rules_of(settings), options, std::move(targets.pixels), targets.ids, identity);
   sampling.run();
   const vec3 irradiance(scene.sun.irradiance[0], scene.sun.irradiance[1], scene.sun.irradiance[2]);
   for (std::size_t k = 0; k < targets.ids.size(); ++k) {
@@ -153,6 +155,15 @@ HostPicture render(const Scene& scene, const Air& air, const View& view, const H
                             " rays, which cross more edges than there was time for");
   }
   return picture;
+}
+
+HostPicture render(const Scene& scene, const Air& air, const View& view, const HostOptions& options) {
+  const std::string identity = checkpoint_identity(scene, view);
+  if (!scene.spectra) {
+    return trace(scene, air, nullptr, view, options, identity);
+  }
+  const Wavelengths all(spectral_scene(scene));
+  return trace(all.steering(), air_of(all.steering()), &all, view, options, identity);
 }
 
 Quality with_samples(std::string_view label, int samples) {

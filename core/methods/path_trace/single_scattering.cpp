@@ -4,27 +4,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/methods/path_trace/adaptive_sum.h"
+
 namespace airlight {
 
 using physics::vec3;
 using Ray = physics::Physics::Ray;
-
-namespace {
-
-constexpr double kTolerance = 1e-6;    // of each channel of the ray's radiance
-constexpr double kNegligible = 1e-16;  // radiance, far below any night sky
-constexpr int kMostLevels = 24;
-constexpr int kMostPanels = 20000;  // of a ray; an edge that no corner tells takes some 50
-
-vec3 absolute(vec3 v) {
-  return {std::abs(v.x), std::abs(v.y), std::abs(v.z)};
-}
-
-bool within(vec3 error, vec3 limit) {
-  return error.x <= limit.x && error.y <= limit.y && error.z <= limit.z;
-}
-
-}  // namespace
 
 // Radiance scattered once, per km of the ray.
 struct SingleScattering::Integrand {
@@ -90,49 +75,14 @@ std::vector<double> SingleScattering::corners(const Ray& ray) const {
   return list;
 }
 
-vec3 SingleScattering::panel(const Integrand& f, double from, double to) const {
-  vec3 sum(0.0);
-  for (std::size_t k = 0; k < rule_.nodes.size(); ++k) {
-    sum = sum + f(from + (to - from) * rule_.nodes[k]) * rule_.weights[k];
-  }
-  return sum * (to - from);
-}
-
-// Halves the panel until both halves together agree with the whole. The total grows as peaks are found that the first
-// nodes missed.
-vec3 SingleScattering::refine(const Integrand& f, double from, double to, vec3 whole, Budget& budget,
-                              int levels) const {
-  const double middle = 0.5 * (from + to);
-  const vec3 first = panel(f, from, middle);
-  const vec3 second = panel(f, middle, to);
-  const vec3 both = first + second;
-  budget.total = budget.total + both - whole;
-  --budget.panels;
-  if (levels == 0 || budget.panels <= 0 ||
-      within(absolute(both - whole), absolute(budget.total) * kTolerance + vec3(kNegligible))) {
-    return both;
-  }
-  const vec3 refined = refine(f, from, middle, first, budget, levels - 1);
-  return refined + refine(f, middle, to, second, budget, levels - 1);
-}
-
 vec3 SingleScattering::radiance(const Ray& ray) const {
   if (!(ray.length_ >= 0.0)) {
     return vec3(0.0);
   }
   const Integrand f{*this, ray, physics_.phases(ray.nu)};
-  const std::vector<double> at = corners(ray);
-  std::vector<vec3> panels;
-  Budget budget{vec3(0.0), kMostPanels};
-  for (std::size_t k = 0; k + 1 < at.size(); ++k) {
-    panels.push_back(panel(f, at[k], at[k + 1]));
-    budget.total = budget.total + panels.back();
-  }
-  vec3 sum(0.0);
-  for (std::size_t k = 0; k + 1 < at.size(); ++k) {
-    sum = sum + refine(f, at[k], at[k + 1], panels[k], budget, kMostLevels);
-  }
-  cut_rays_ += budget.panels <= 0 ? 1 : 0;
+  AdaptiveSum<vec3, Integrand> integral(f, rule_);
+  vec3 sum = integral.over(corners(ray));
+  cut_rays_ += integral.cut() ? 1 : 0;
   if (ray.at_ground) {
     const physics::PlanetData& planet = physics_.scene.planet;
     const double mu_sun = physics_.point_on_ray(planet, ray, ray.length_).mu_sun;
@@ -140,6 +90,52 @@ vec3 SingleScattering::radiance(const Ray& ray) const {
     sum = sum + exp(-depth_.along(ray.h, ray.mu, ray.length_)) * planet.ground_albedo * arrives / std::numbers::pi;
   }
   return sum;
+}
+
+// The same at all wavelengths.
+struct SingleScattering::WideIntegrand {
+  const SingleScattering& single;
+  const Wavelengths& all;
+  const Ray& ray;
+  Wavelengths::Phases phases;
+
+  Wide operator()(double t) const {
+    physics::Physics& physics = single.physics_;
+    const physics::Physics::RayPoint point = physics.point_on_ray(physics.scene.planet, ray, t);
+    if (physics.meets_ground(physics.scene.planet, point.h, point.mu_sun)) {
+      return {};
+    }
+    const Columns columns =
+        single.depth_.columns_along(ray.h, ray.mu, t) + single.depth_.columns_to_top(point.h, point.mu_sun);
+    return all.transmittance(columns) * all.scattered(densities_at(physics, point.h), phases);
+  }
+};
+
+Wide SingleScattering::radiance(const Ray& ray, const Wavelengths& all) const {
+  if (!(ray.length_ >= 0.0)) {
+    return {};
+  }
+  const WideIntegrand f{*this, all, ray, all.phases(ray.nu)};
+  AdaptiveSum<Wide, WideIntegrand> integral(f, rule_);
+  Wide sum = integral.over(corners(ray));
+  cut_rays_ += integral.cut() ? 1 : 0;
+  if (ray.at_ground) {
+    const physics::PlanetData& planet = physics_.scene.planet;
+    const double mu_sun = physics_.point_on_ray(planet, ray, ray.length_).mu_sun;
+    if (mu_sun > 0.0) {
+      const Columns columns = depth_.columns_along(ray.h, ray.mu, ray.length_) + depth_.columns_to_top(0.0, mu_sun);
+      sum = sum + all.transmittance(columns) * all.albedo() * (mu_sun / std::numbers::pi);
+    }
+  }
+  return sum;
+}
+
+Columns densities_at(physics::Physics& physics, double h) {
+  Columns densities{};
+  for (physics::uint i = 0; i < physics.medium_count(); ++i) {
+    densities[i] = physics.density(physics.density_profile(i), physics.medium(i), h);
+  }
+  return densities;
 }
 
 }  // namespace airlight

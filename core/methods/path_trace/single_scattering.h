@@ -7,8 +7,12 @@
 
 #include "core/methods/path_trace/gauss.h"
 #include "core/methods/path_trace/optical_depth.h"
+#include "core/methods/path_trace/wavelengths.h"
 
 namespace airlight {
+
+// Of each medium at altitude h.
+Columns densities_at(physics::Physics& physics, double h);
 
 class SingleScattering {
  public:
@@ -17,6 +21,7 @@ class SingleScattering {
 
   // Radiance for a sun of irradiance 1: scattered once in the air, or reflected once by the ground at the ray's end.
   physics::vec3 radiance(const physics::Physics::Ray& ray) const;
+  Wide radiance(const physics::Physics::Ray& ray, const Wavelengths& all) const;
 
   // Rays whose panels ran out before their radiance was known to 1e-6.
   std::uint64_t cut_rays() const { return cut_rays_; }
@@ -26,15 +31,8 @@ class SingleScattering {
 
  private:
   struct Integrand;
+  struct WideIntegrand;
   std::vector<double> corners(const physics::Physics::Ray& ray) const;
-  physics::vec3 panel(const Integrand& f, double from, double to) const;
-  // What a ray's integral is known to be so far, and how many panels more it may take.
-  struct Budget {
-    physics::vec3 total;
-    int panels;
-  };
-  physics::vec3 refine(const Integrand& f, double from, double to, physics::vec3 whole, Budget& budget,
-                       int levels) const;
 
   physics::Physics& physics_;
   const OpticalDepth& depth_;

@@ -6,19 +6,33 @@ namespace airlight {
 
 using physics::vec3;
 
-PathTracer::PathTracer(const Air& air, const Scene& scene, std::uint64_t seed, int max_orders, double wall)
+PathTracer::PathTracer(const Air& air, const Scene& scene, const Wavelengths* all, std::uint64_t seed, int max_orders,
+                       double wall)
     : physics_(formulas_of(air, scene)),
       depth_(physics_),
       flight_(physics_, depth_),
       guide_(physics_, flight_),
       single_(physics_, depth_, flight_.corners()),
       walk_(physics_, depth_, single_, flight_, guide_, max_orders),
+      all_(all),
       seed_(seed),
       max_orders_(max_orders),
       wall_(wall),
       projection_(projection_code(scene.camera.projection)) {}
 
+vec3 PathTracer::single(const WalkStart& start) const {
+  return all_ != nullptr ? all_->colour(single_.radiance(start.ray, *all_)) : single_.radiance(start.ray);
+}
+
 vec3 PathTracer::batch(const WalkStart& start, std::uint64_t pixel, std::uint64_t batch, FlightPlan& scratch) const {
+  if (all_ != nullptr) {
+    WidePath path(*all_);
+    for (int k = 0; k < kBatch; ++k) {
+      WalkNumbers numbers(seed_, pixel, batch, k);
+      walk_.sample(start, numbers, scratch, path);
+    }
+    return all_->colour(path.sum()) / kBatch;
+  }
   vec3 sum(0.0);
   for (int k = 0; k < kBatch; ++k) {
     WalkNumbers numbers(seed_, pixel, batch, k);
@@ -28,7 +42,12 @@ vec3 PathTracer::batch(const WalkStart& start, std::uint64_t pixel, std::uint64_
 }
 
 vec3 PathTracer::transmittance(const WalkStart& start) const {
-  if (!(start.ray.length_ > 0.0)) {
+  const bool passes = start.ray.length_ > 0.0;
+  if (all_ != nullptr) {
+    const auto columns = passes ? depth_.columns_along(start.ray.h, start.ray.mu, start.ray.length_) : Columns{};
+    return all_->colour(all_->transmittance(columns));
+  }
+  if (!passes) {
     return vec3(1.0);
   }
   return exp(-depth_.along(start.ray.h, start.ray.mu, start.ray.length_));

@@ -11,15 +11,17 @@ namespace airlight {
 
 class PathTracer {
  public:
-  // `wall`: View::wall, or infinity.
-  PathTracer(const Air& air, const Scene& scene, std::uint64_t seed, int max_orders, double wall);
+  // `wall`: View::wall, or infinity. `all`: null for a scene of three channels; else its wavelengths, whose steering()
+  // is the scene: radiance is then in the picture's colours. Must live as long as this.
+  PathTracer(const Air& air, const Scene& scene, const Wavelengths* all, std::uint64_t seed, int max_orders,
+             double wall);
   PathTracer(const PathTracer&) = delete;
   PathTracer& operator=(const PathTracer&) = delete;
 
   WalkStart start(physics::vec3 direction) const { return walk_.start(direction, wall_); }
 
   // The first order: exact.
-  physics::vec3 single(const WalkStart& start) const { return single_.radiance(start.ray); }
+  physics::vec3 single(const WalkStart& start) const;
 
   // Whether there are further orders to sample.
   bool has_higher_orders() const { return max_orders_ != 1; }
@@ -31,7 +33,7 @@ class PathTracer {
   std::uint64_t cut_paths() const { return walk_.cut_paths(); }
   std::uint64_t cut_rays() const { return single_.cut_rays(); }
 
-  // From the camera to the ray's end, 1 where it misses the air.
+  // From the camera to the ray's end, 1 where it misses the air; of wavelengths, the colour of sunlight behind it.
   physics::vec3 transmittance(const WalkStart& start) const;
 
   physics::vec3 direction(double elevation, double azimuth) const {
@@ -48,6 +50,7 @@ class PathTracer {
   SkyGuide guide_;
   SingleScattering single_;
   Walk walk_;
+  const Wavelengths* all_;
   std::uint64_t seed_;
   int max_orders_;
   double wall_;

@@ -82,6 +82,9 @@ struct Walk::State {
   bool at_ground = false;
   vec3 carry = vec3(1.0);  // transmittances and coefficients so far over the density of their choice
   std::array<vec3, physics::kMaxMedia> scattering;  // of each medium here, 1/km
+  Columns densities{};                              // of each medium here
+  vec3 sum = vec3(0.0);                             // what the sun sent back along the path
+  WidePath* wide = nullptr;  // all wavelengths in place of `sum`: the channels above then only steer
 };
 
 Walk::Walk(physics::Physics& physics, const OpticalDepth& depth, const SingleScattering& single, const Flight& flight,
@@ -124,7 +127,14 @@ bool Walk::fly(State& state, const FlightPlan& plan, double u) const {
   const double mu = dot(state.up, state.direction);
   const physics::Physics::Ray ray{state.h, mu, dot(state.up, sun), dot(state.direction, sun), plan.length, false};
   const physics::Physics::RayPoint point = physics_.point_on_ray(planet, ray, collision.distance);
-  const vec3 passed = exp(-depth_.along(state.h, mu, collision.distance));
+  vec3 passed;
+  if (state.wide != nullptr) {
+    const Columns columns = depth_.columns_along(state.h, mu, collision.distance);
+    state.wide->fly(columns, collision.density);
+    passed = exp(-depth_.through(columns));
+  } else {
+    passed = exp(-depth_.along(state.h, mu, collision.distance));
+  }
   state.carry = state.carry * passed / collision.density;
   state.up = normalize(state.up * (planet.ground_radius + state.h) + state.direction * collision.distance);
   state.h = collision.at_ground ? 0.0 : point.h;
@@ -132,7 +142,8 @@ bool Walk::fly(State& state, const FlightPlan& plan, double u) const {
   state.at_ground = collision.at_ground;
   for (uint i = 0; i < physics_.medium_count(); ++i) {
     const physics::MediumData m = physics_.medium(i);
-    state.scattering[i] = m.scattering * physics_.density(physics_.density_profile(i), m, state.h);
+    state.densities[i] = physics_.density(physics_.density_profile(i), m, state.h);
+    state.scattering[i] = m.scattering * state.densities[i];
   }
   return true;
 }
@@ -149,6 +160,19 @@ vec3 Walk::from_sun(const State& state) const {
     scattered = scattered + state.scattering[i] * physics_.medium_phase(i, nu);
   }
   return arrives * scattered;
+}
+
+// The same of all wavelengths, to their sums.
+void Walk::add_from_sun(const State& state) const {
+  if (physics_.meets_ground(physics_.scene.planet, state.h, state.mu_sun)) {
+    return;
+  }
+  const Columns to_sun = depth_.columns_to_top(state.h, state.mu_sun);
+  if (state.at_ground) {
+    state.wide->add_reflected(to_sun, std::max(state.mu_sun, 0.0) / std::numbers::pi);
+  } else {
+    state.wide->add_scattered(to_sun, state.densities, dot(state.direction, physics_.scene.sun.direction));
+  }
 }
 
 // Directions that a vertex may send a path on to, and how dense each is.
@@ -257,6 +281,11 @@ bool Walk::turn(State& state, bool guided, WalkNumbers& numbers, FlightPlan& pla
   if (!(choice.density > 0.0)) {
     return false;
   }
+  if (state.wide != nullptr && state.at_ground) {
+    state.wide->reflect(std::max(dot(next, state.up), 0.0) / std::numbers::pi, choice.density);
+  } else if (state.wide != nullptr) {
+    state.wide->scatter(state.densities, std::clamp(dot(next, state.direction), -1.0, 1.0), choice.density);
+  }
   state.direction = next;
   state.carry = state.carry * choice.scattered / choice.density;
   const vec3 sun = physics_.scene.sun.direction;
@@ -272,12 +301,23 @@ bool Walk::turn(State& state, bool guided, WalkNumbers& numbers, FlightPlan& pla
 
 vec3 Walk::sample(const WalkStart& start, WalkNumbers& numbers, FlightPlan& plan) const {
   State state;
+  walk(state, start, numbers, plan);
+  return state.sum;
+}
+
+void Walk::sample(const WalkStart& start, WalkNumbers& numbers, FlightPlan& plan, WidePath& wide) const {
+  State state;
+  state.wide = &wide;
+  wide.begin();
+  walk(state, start, numbers, plan);
+}
+
+void Walk::walk(State& state, const WalkStart& start, WalkNumbers& numbers, FlightPlan& plan) const {
   state.h = start.ray.h;
   state.up = start.up;
   state.direction = start.direction;
-  vec3 sum(0.0);
   if (!fly(state, start.plan, numbers.next())) {
-    return sum;
+    return;
   }
   vec3 whole(0.0);  // what the path was worth when its standing was 1
   double standing = 1.0;
@@ -297,15 +337,21 @@ vec3 Walk::sample(const WalkStart& start, WalkNumbers& numbers, FlightPlan& plan
         break;
       }
       state.carry = state.carry * (kSurvival / standing);
+      if (state.wide != nullptr) {
+        state.wide->survive(kSurvival / standing);
+      }
       standing = kSurvival;
     }
     if (!fly(state, plan, numbers.next())) {
       break;
     }
-    sum = sum + from_sun(state);
+    if (state.wide != nullptr) {
+      add_from_sun(state);
+    } else {
+      state.sum = state.sum + from_sun(state);
+    }
     cut_paths_ += max_orders_ == 0 && order == most ? 1 : 0;
   }
-  return sum;
 }
 
 }  // namespace airlight

@@ -9,6 +9,7 @@
 #include "core/methods/path_trace/random.h"
 #include "core/methods/path_trace/single_scattering.h"
 #include "core/methods/path_trace/sky_guide.h"
+#include "core/methods/path_trace/wavelengths.h"
 
 namespace airlight {
 
@@ -48,6 +49,8 @@ class Walk {
   // One estimate of the radiance from two scatterings or reflections on, for a sun of irradiance 1. `plan` is room to
   // work in.
   physics::vec3 sample(const WalkStart& start, WalkNumbers& numbers, FlightPlan& plan) const;
+  // The same at all wavelengths, added to the path's sum.
+  void sample(const WalkStart& start, WalkNumbers& numbers, FlightPlan& plan, WidePath& wide) const;
 
   // Paths that were ended after kMostScatterings though no limit was asked for.
   std::uint64_t cut_paths() const { return cut_paths_; }
@@ -56,8 +59,10 @@ class Walk {
  private:
   struct State;
   class Lobes;
+  void walk(State& state, const WalkStart& start, WalkNumbers& numbers, FlightPlan& plan) const;
   bool fly(State& state, const FlightPlan& plan, double u) const;
   physics::vec3 from_sun(const State& state) const;
+  void add_from_sun(const State& state) const;
   bool turn(State& state, bool guided, WalkNumbers& numbers, FlightPlan& plan) const;
 
   physics::Physics& physics_;

@@ -1,0 +1,195 @@
+#include "core/methods/path_trace/wavelengths.h"
+
+#include <algorithm>
+
+#include "core/methods/scene_air.h"
+
+namespace airlight {
+
+using physics::uint;
+using physics::vec3;
+
+namespace {
+
+// Flights whose columns are summed before their transmittance is taken: few, that no exponential runs out of range.
+constexpr int kFlightsTogether = 6;
+
+std::array<double, 3> channels_of(vec3 v) {
+  return {v.x, v.y, v.z};
+}
+
+// Means of the groups' channels by weights of sum 1 for each channel of the mean.
+Scene mean_scene(const SpectralScene& spectral, const std::vector<Rgb>& weights) {
+  Scene mean = spectral.groups.front().scene;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto sum = [&](const auto& spectrum_of) {
+      double total = 0.0;
+      for (std::size_t k = 0; k < weights.size(); ++k) {
+        total += weights[k][c] * spectrum_of(spectral.groups[k / 3].scene)[k % 3];
+      }
+      return total;
+    };
+    for (std::size_t i = 0; i < mean.media.size(); ++i) {
+      Medium& medium = mean.media[i];
+      medium.scattering[c] = sum([i](const Scene& s) { return s.media[i].scattering; });
+      medium.absorption[c] = sum([i](const Scene& s) { return s.media[i].absorption; });
+      medium.depolarization[c] = sum([i](const Scene& s) { return s.media[i].depolarization; });
+      medium.phase_wavelengths[c] = sum([i](const Scene& s) { return s.media[i].phase_wavelengths; });
+    }
+    mean.planet.ground_albedo[c] = sum([](const Scene& s) { return s.planet.ground_albedo; });
+  }
+  return mean;
+}
+
+std::vector<Rgb> shares_of(const std::vector<Rgb>& colours) {
+  Rgb totals{};
+  for (const Rgb& colour : colours) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      totals[c] += std::abs(colour[c]);
+    }
+  }
+  std::vector<Rgb> shares = colours;
+  for (Rgb& share : shares) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      share[c] = std::abs(share[c]) / totals[c];
+    }
+  }
+  return shares;
+}
+
+}  // namespace
+
+Wavelengths::Wavelengths(const SpectralScene& spectral)
+    : count_(spectral.nodes.nm.size()),
+      media_(spectral.groups.front().scene.media.size()),
+      steering_(mean_scene(spectral, shares_of(spectral.matrix))),
+      colours_(spectral.matrix) {
+  for (const WavelengthGroup& group : spectral.groups) {
+    groups_.push_back(formulas_of(air_of(group.scene), group.scene));
+  }
+  for (std::size_t k = 0; k < count_; ++k) {
+    const physics::Physics& p = groups_[k / 3];
+    for (uint i = 0; i < media_; ++i) {
+      scattering_[i].at[k] = channels_of(p.medium(i).scattering)[k % 3];
+      extinction_[i].at[k] = channels_of(p.medium(i).scattering + p.medium(i).absorption)[k % 3];
+    }
+    albedo_.at[k] = channels_of(p.scene.planet.ground_albedo)[k % 3];
+  }
+  for (uint i = 0; i < media_; ++i) {
+    same_phase_[i] = std::ranges::none_of(groups_, [i](const physics::Physics& p) {
+      return p.phase_of(i) == physics::kPhaseTable || p.phase_of(i) == physics::kPhaseDepolarized;
+    });
+  }
+}
+
+Wavelengths::Phases Wavelengths::phases(double nu) const {
+  Phases phases;
+  for (uint i = 0; i < media_; ++i) {
+    if (same_phase_[i]) {
+      phases[i] = Wide(groups_.front().medium_phase(i, nu).x);
+      continue;
+    }
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+      const std::array<double, 3> values = channels_of(groups_[g].medium_phase(i, nu));
+      for (std::size_t c = 0; c < 3 && 3 * g + c < count_; ++c) {
+        phases[i].at[3 * g + c] = values[c];
+      }
+    }
+  }
+  return phases;
+}
+
+Wide Wavelengths::scattered(const Columns& densities, const Phases& phases) const {
+  Wide sum;
+  for (std::size_t i = 0; i < media_; ++i) {
+    if (densities[i] > 0.0) {
+      sum = sum + scattering_[i] * phases[i] * densities[i];
+    }
+  }
+  return sum;
+}
+
+Wide Wavelengths::scattered(const Columns& densities, double nu) const {
+  Wide sum;
+  for (uint i = 0; i < media_; ++i) {
+    if (!(densities[i] > 0.0)) {
+      continue;
+    }
+    if (same_phase_[i]) {
+      sum = sum + scattering_[i] * (groups_.front().medium_phase(i, nu).x * densities[i]);
+      continue;
+    }
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+      const std::array<double, 3> values = channels_of(groups_[g].medium_phase(i, nu));
+      for (std::size_t c = 0; c < 3 && 3 * g + c < count_; ++c) {
+        sum.at[3 * g + c] += scattering_[i].at[3 * g + c] * values[c] * densities[i];
+      }
+    }
+  }
+  return sum;
+}
+
+Wide Wavelengths::transmittance(const Columns& columns) const {
+  Wide depth;
+  for (std::size_t i = 0; i < media_; ++i) {
+    if (columns[i] > 0.0) {
+      depth = depth + extinction_[i] * columns[i];
+    }
+  }
+  for (std::size_t k = 0; k < count_; ++k) {
+    depth.at[k] = std::exp(-depth.at[k]);
+  }
+  return depth;
+}
+
+vec3 Wavelengths::colour(const Wide& radiance) const {
+  std::array<double, 3> sum{};
+  for (std::size_t k = 0; k < count_; ++k) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      sum[c] += colours_[k][c] * radiance.at[k];
+    }
+  }
+  return {sum[0], sum[1], sum[2]};
+}
+
+void WidePath::begin() {
+  carry_ = Wide(1.0);
+  passed_ = {};
+  flights_ = 0;
+}
+
+void WidePath::fly(const Columns& columns, double density) {
+  if (++flights_ > kFlightsTogether) {
+    carry_ = carry_ * all_.transmittance(passed_);
+    passed_ = {};
+    flights_ = 1;
+  }
+  passed_ = passed_ + columns;
+  carry_ = carry_ * (1.0 / density);
+}
+
+void WidePath::scatter(const Columns& densities, double nu, double density) {
+  carry_ = carry_ * all_.scattered(densities, nu) * (1.0 / density);
+}
+
+void WidePath::reflect(double cosine, double density) {
+  carry_ = carry_ * all_.albedo() * (cosine / density);
+}
+
+void WidePath::survive(double factor) {
+  carry_ = carry_ * factor;
+}
+
+void WidePath::add(const Columns& to_sun, const Wide& sent_back) {
+  sum_ = sum_ + carry_ * sent_back * all_.transmittance(passed_ + to_sun);
+}
+
+void WidePath::add_scattered(const Columns& to_sun, const Columns& densities, double nu) {
+  add(to_sun, all_.scattered(densities, nu));
+}
+
+void WidePath::add_reflected(const Columns& to_sun, double cosine) {
+  add(to_sun, all_.albedo() * cosine);
+}
+
+}  // namespace airlight

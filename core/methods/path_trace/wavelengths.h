@@ -1,0 +1,121 @@
+#pragma once
+// All wavelengths of a scene on one path. The path is chosen for three channels that stand for them, by the sum of what
+// the three bring: the balance heuristic over their densities (Veach and Guibas 1995; Wilkie et al. 2014 for spectra).
+// Every wavelength then counts what it brings along that path over the density of the choice.
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "core/methods/path_trace/optical_depth.h"
+#include "core/methods/spectral_sky.h"
+
+namespace airlight {
+
+// One number a wavelength; those beyond the scene's stay 0.
+struct Wide {
+  alignas(32) std::array<double, kMostWavelengths> at{};
+
+  Wide() = default;
+  explicit Wide(double value) { at.fill(value); }
+};
+
+template <class Operation>
+Wide each(const Wide& a, const Wide& b, Operation operation) {
+  Wide out;
+  for (std::size_t k = 0; k < out.at.size(); ++k) {
+    out.at[k] = operation(a.at[k], b.at[k]);
+  }
+  return out;
+}
+
+inline Wide operator+(const Wide& a, const Wide& b) {
+  return each(a, b, [](double x, double y) { return x + y; });
+}
+inline Wide operator-(const Wide& a, const Wide& b) {
+  return each(a, b, [](double x, double y) { return x - y; });
+}
+inline Wide operator*(const Wide& a, const Wide& b) {
+  return each(a, b, [](double x, double y) { return x * y; });
+}
+inline Wide operator*(const Wide& a, double b) {
+  return each(a, a, [b](double x, double) { return x * b; });
+}
+inline Wide absolute(const Wide& a) {
+  return each(a, a, [](double x, double) { return std::abs(x); });
+}
+inline bool within(const Wide& error, const Wide& limit) {
+  bool all = true;
+  for (std::size_t k = 0; k < error.at.size(); ++k) {
+    all = all && error.at[k] <= limit.at[k];
+  }
+  return all;
+}
+
+class Wavelengths {
+ public:
+  explicit Wavelengths(const SpectralScene& spectral);
+
+  // A scene of three channels whose coefficients are means over all wavelengths, weighted by what each adds to red,
+  // green and blue: what scatters or reflects at any wavelength does so in one of them.
+  const Scene& steering() const { return steering_; }
+
+  // By medium. Of a cosine of the scattering angle, 1/sr.
+  using Phases = std::array<Wide, physics::kMaxMedia>;
+  Phases phases(double nu) const;
+
+  // Coefficient times phase function, 1/(km sr), where the media have these densities.
+  Wide scattered(const Columns& densities, const Phases& phases) const;
+  Wide scattered(const Columns& densities, double nu) const;
+
+  // exp(-optical depth) through such columns.
+  Wide transmittance(const Columns& columns) const;
+
+  const Wide& albedo() const { return albedo_; }
+
+  // The picture's colour of radiance over the sun's.
+  physics::vec3 colour(const Wide& radiance) const;
+
+ private:
+  std::size_t count_;
+  std::size_t media_;
+  Scene steering_;
+  std::array<Wide, physics::kMaxMedia> scattering_;  // 1/km at density 1
+  std::array<Wide, physics::kMaxMedia> extinction_;
+  Wide albedo_;
+  std::vector<Rgb> colours_;
+  mutable std::vector<physics::Physics> groups_;       // of three wavelengths each; GLSL's functions know no const
+  std::array<bool, physics::kMaxMedia> same_phase_{};  // at all wavelengths
+};
+
+// What the wavelengths carry along one path after another, over the densities of its choices.
+class WidePath {
+ public:
+  explicit WidePath(const Wavelengths& all) : all_(all) {}
+
+  void begin();
+  // On to the next vertex, through these columns, chosen with this density.
+  void fly(const Columns& columns, double density);
+  // Turns into a direction chosen with this density, 1/sr: in air, or at the ground (`cosine` over pi).
+  void scatter(const Columns& densities, double nu, double density);
+  void reflect(double cosine, double density);
+  // Is worth so much more, since it might have ended.
+  void survive(double factor);
+  // Adds sunlight that comes through these columns and is sent back along the path: scattered, or reflected.
+  void add_scattered(const Columns& to_sun, const Columns& densities, double nu);
+  void add_reflected(const Columns& to_sun, double cosine);
+
+  const Wide& sum() const { return sum_; }  // of all paths so far
+
+ private:
+  void add(const Columns& to_sun, const Wide& sent_back);
+
+  const Wavelengths& all_;
+  Wide carry_;        // but for the transmittance of
+  Columns passed_{};  // these columns, km at density 1,
+  int flights_ = 0;   // of so many flights
+  Wide sum_;
+};
+
+}  // namespace airlight
