@@ -104,7 +104,7 @@ std::vector<std::string> write_chart(const ChartFiles& files, const chart::RunOu
   text.title = plot_title(files, outcome);
   text.time_label = std::string(outcome.cpu_time ? "CPU-ms of all threads" : "ms by device timestamps") +
                     " for a picture, its kept tables made before";
-  write_text(files.folder / "chart.gp", chart::gnuplot_script(text));
+  write_text(files.folder / "chart.gp", chart::gnuplot_script(text, points));
   std::vector<std::string> names;
   for (const char* name : {"chart.csv", "chart.json", "chart.gp"}) {
     names.push_back((files.folder / name).string());

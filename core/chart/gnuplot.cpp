@@ -1,9 +1,14 @@
 #include "core/chart/gnuplot.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
+#include <sstream>
 #include <string_view>
 
-#include "core/chart/points.h"
+#include "core/chart/labels.h"
+#include "core/chart/qualities.h"
 
 namespace airlight::chart {
 namespace {
@@ -11,6 +16,15 @@ namespace {
 // Okabe and Ito's palette: told apart by everyone.
 constexpr std::array<std::string_view, 7> kColours{"#999999", "#E69F00", "#0072B2", "#009E73",
                                                    "#D55E00", "#CC79A7", "#56B4E9"};
+
+// Shares of a canvas of 1200 x 1200, from its lower left corner.
+struct Area {
+  double left, bottom, right, top;
+};
+constexpr double kCanvas = 1200.0;
+constexpr Area kLarge{0.07, 0.53, 0.98, 0.91};
+constexpr Area kLargeAlone{0.07, 0.07, 0.98, 0.91};
+constexpr int kColumns = 4;
 
 // In single quotes gnuplot takes everything as it stands but a quote, which is doubled.
 std::string quoted(const std::string& text) {
@@ -29,6 +43,127 @@ std::string array_of(const std::string& name, const std::vector<std::string>& va
   return "array " + name + "[" + std::to_string(values.size()) + "] = [" + list + "]\n";
 }
 
+// Of the axes: all that is shown, and some room.
+struct Ranges {
+  double x_low = std::numeric_limits<double>::infinity();
+  double x_high = 0.0;
+  double y_low = std::numeric_limits<double>::infinity();  // percent
+  double y_high = 0.0;
+
+  void hold(const Point& point) {
+    x_low = std::min(x_low, point.time_ms);
+    x_high = std::max(x_high, point.time_ms);
+    for (const double y : {100.0 * point.error_mean, 100.0 * point.floor}) {
+      if (y > 0.0) {
+        y_low = std::min(y_low, y);
+        y_high = std::max(y_high, y);
+      }
+    }
+  }
+  Ranges with_room() const {
+    const double wide = std::pow(x_high / x_low, 0.04) * 1.2;
+    const double high = std::pow(y_high / y_low, 0.05) * 1.2;
+    return {x_low / wide, x_high * wide, y_low / high, y_high * high};
+  }
+  std::string text() const {
+    std::ostringstream out;
+    // Decades alone where there are many.
+    const bool few = y_high / y_low < 300.0;
+    out << "set ytics " << (few ? "(0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100)" : "autofreq") << "\n";
+    out << "set xrange [" << x_low << ":" << x_high << "]\nset yrange [" << y_low << ":" << y_high << "]\n";
+    return out.str();
+  }
+};
+
+Ranges ranges_of(const std::vector<Point>& points, bool over_all) {
+  Ranges ranges;
+  for (const Point& point : points) {
+    if ((point.scene == kAllScenes) == over_all) {
+      ranges.hold(point);
+    }
+  }
+  return ranges.with_room();
+}
+
+std::string margins(const Area& area) {
+  std::ostringstream out;
+  out << "set lmargin at screen " << area.left << "; set rmargin at screen " << area.right << "\nset bmargin at screen "
+      << area.bottom << "; set tmargin at screen " << area.top << "\n";
+  return out.str();
+}
+
+// Points of the frontier in the order in which they are worth a label: the ends, then what is farthest from those that
+// have one.
+std::vector<Label> wanted_labels(const std::vector<Point>& points, const std::string& scene) {
+  std::vector<Label> wanted;
+  std::vector<const Point*> rest;
+  for (const Point& point : points) {
+    if (point.scene != scene) {
+      continue;
+    }
+    if (point.quality == kThreeChannels) {
+      wanted.push_back({point.quality, {point.time_ms, 100.0 * point.error_mean}});
+    } else if (point.frontier) {
+      rest.push_back(&point);
+    }
+  }
+  std::vector<const Point*> chosen;
+  const auto distance = [](const Point* a, const Point* b) {
+    return std::abs(std::log(a->time_ms / b->time_ms)) + 2.0 * std::abs(std::log(a->error_mean / b->error_mean));
+  };
+  while (!rest.empty()) {
+    auto next = rest.begin();  // the fastest
+    if (chosen.size() == 1) {
+      next = rest.end() - 1;  // the most accurate
+    } else if (chosen.size() > 1) {
+      const auto nearest = [&](const Point* p) {
+        double least = std::numeric_limits<double>::infinity();
+        for (const Point* other : chosen) {
+          least = std::min(least, distance(p, other));
+        }
+        return least;
+      };
+      next = std::ranges::max_element(rest, {}, nearest);
+    }
+    chosen.push_back(*next);
+    rest.erase(next);
+  }
+  for (const Point* point : chosen) {
+    wanted.push_back({point->method + ": " + point->quality, {point->time_ms, 100.0 * point->error_mean}});
+  }
+  return wanted;
+}
+
+std::string label_commands(const std::vector<Point>& points, const std::string& scene, const Ranges& ranges,
+                           const Area& area, std::size_t most) {
+  constexpr double kLetter = 6.4;
+  constexpr double kLine = 17.0;
+  const Frame frame{ranges.x_low,
+                    ranges.x_high,
+                    ranges.y_low,
+                    ranges.y_high,
+                    kCanvas * (area.right - area.left),
+                    kCanvas * (area.top - area.bottom),
+                    kLetter,
+                    kLine};
+  std::vector<Spot> spots;
+  std::vector<Spot> front;
+  for (const Point& point : points) {
+    if (point.scene == scene) {
+      spots.push_back({point.time_ms, 100.0 * point.error_mean});
+      if (point.frontier) {
+        front.push_back(spots.back());
+      }
+    }
+  }
+  std::ostringstream out;
+  for (const Label& label : place_labels(wanted_labels(points, scene), spots, front, frame, most)) {
+    out << "set label " << quoted(label.text) << " at " << label.text_at.x << "," << label.text_at.y
+        << (label.left ? " left" : " right") << " noenhanced front font words\n";
+  }
+  return out.str();
+}
+
 constexpr std::string_view kHead = R"(# Draws chart.svg and chart.png from chart.csv in this folder: gnuplot chart.gp
 if (!exists("out")) out = "chart"
 set encoding utf8
@@ -41,38 +176,44 @@ set datafile missing NaN
 constexpr std::string_view kBody = R"(
 is(name, value) = stringcolumn(name) eq value
 percent(name) = 100 * column(name)
-short(text) = text[1:longest]
-at(s, m, v) = is("scene", s) && is("method", m) ? v : NaN
+at(s, m, v) = is("scene", s) && is("method", m) && !is("quality", three) ? v : NaN
+channels(s, v) = is("scene", s) && is("quality", three) ? v : NaN
 front(s, v) = is("scene", s) && column("frontier") == 1 ? v : NaN
 inside(s, v) = is("scene", s) ? v : NaN
 
 set logscale xy
 set format x "%.0s%c"
 set format y "%g %%"
-set grid xtics ytics mytics lc rgb "#dddddd", lc rgb "#eeeeee"
+set grid xtics ytics lc rgb "#e4e4e4" lt 1
 set tics nomirror
 set border 3 lc rgb "#666666"
 set key noautotitle
-set bars 0
 
-# One panel: what a curve's mean leaves to its 95th percentile as thin bars, the frontier, the truth's own noise dashed,
-# the points, and labels at all of them or at the frontier's.
+# One panel: the truth's own noise dashed, the points, those on the frontier joined and ringed, three channels a diamond.
 panel = "plot \
-  for [m = 1:|methods|] 'chart.csv' using (at(s, methods[m], column('time_ms'))):(percent('error_mean')):(percent('error_mean')):(percent('error_p95')) with yerrorbars pt -1 lw 1 lc rgb colours[m].'' , \
-  'chart.csv' using (inside(s, column('time_ms'))):(percent('floor')) with lines dt (8, 6) lw 1 lc rgb '#444444', \
+  'chart.csv' using (inside(s, column('time_ms'))):(percent('floor')) with lines dt (8, 6) lw 1 lc rgb '#888888', \
   'chart.csv' using (front(s, column('time_ms'))):(percent('error_mean')) with lines lw 2 lc rgb '#000000', \
   for [m = 1:|methods|] 'chart.csv' using (at(s, methods[m], column('time_ms'))):(percent('error_mean')) with points pt 7 ps size lc rgb colours[m], \
-  'chart.csv' using (labelled(s, column('time_ms'))):(percent('error_mean')):(short(stringcolumn('label'))) with labels left rotate by -25 offset 0.5,-0.3 font small noenhanced"
+  'chart.csv' using (front(s, column('time_ms'))):(percent('error_mean')) with points pt 6 ps 1.3 * size lw 1.5 lc rgb '#000000', \
+  'chart.csv' using (channels(s, column('time_ms'))):(percent('error_mean')) with points pt 13 ps 1.6 * size lc rgb '#000000'"
 
 do for [kind in "svg png"] {
   if (kind eq "svg") {
-    set terminal svg size 1500,1500 font "Helvetica,14" background "#ffffff" dynamic
+    set terminal svg size 1200,1200 font "Helvetica,13" background "#ffffff" dynamic
   } else {
-    set terminal pngcairo size 1200,1200 font "Sans,9"
+    set terminal pngcairo size 1200,1200 font "Sans,10"
   }
+  words = kind eq "svg" ? ",12" : ",9"
   set output out.".".kind
-  small = kind eq "svg" ? ",10" : ",7"
-  set multiplot title heading noenhanced
+  set multiplot
+  unset label
+  set label heading at screen 0.07, screen 0.975 left noenhanced font kind eq "svg" ? ",12" : ",9" tc rgb "#666666"
+)";
+
+constexpr std::string_view kLegend =
+    R"(  legend = ", for [m = 1:|methods|] NaN with points pt 7 ps 1.2 lc rgb colours[m] title methods[m]"
+  legend = legend.", NaN with linespoints lw 2 pt 6 lc rgb '#000000' title 'frontier: nothing is faster and nearer'"
+  legend = legend.", NaN with lines dt (8, 6) lc rgb '#888888' title 'noise of the truth'"
 )";
 
 constexpr std::string_view kTail = R"(  unset multiplot
@@ -80,9 +221,25 @@ constexpr std::string_view kTail = R"(  unset multiplot
 }
 )";
 
+std::string small_panels(const std::vector<std::string>& scenes, const Ranges& ranges) {
+  const int rows = (static_cast<int>(scenes.size()) + kColumns - 1) / kColumns;
+  std::string script = "  unset key\n  unset xlabel\n  unset ylabel\n  size = 0.6\n" + ranges.text();
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const auto column = static_cast<int>(i) % kColumns;
+    const int row = static_cast<int>(i) / kColumns;
+    const double height = 0.44 / rows;
+    const double bottom = 0.45 - height * (row + 1);
+    const double left = 0.07 + 0.235 * column;
+    script += margins({left, bottom + 0.035, left + 0.205, bottom + height - 0.03});
+    script += "  s = " + quoted(scenes[i]) + "\n  unset label\n  set title s noenhanced offset 0,-0.6\n";
+    script += std::string("  set format y ") + (column == 0 ? "'%g %%'" : "''") + "\n  eval(panel)\n";
+  }
+  return script;
+}
+
 }  // namespace
 
-std::string gnuplot_script(const PlotText& text) {
+std::string gnuplot_script(const PlotText& text, const std::vector<Point>& points) {
   std::vector<std::string> colours;
   for (std::size_t i = 0; i < text.methods.size(); ++i) {
     colours.emplace_back(kColours[i % kColours.size()]);
@@ -92,38 +249,27 @@ std::string gnuplot_script(const PlotText& text) {
   if (!text.over_all) {
     small.erase(small.begin());
   }
+  const Area area = small.empty() ? kLargeAlone : kLarge;
+  const Ranges ranges = ranges_of(points, text.over_all);
   std::string script(kHead);
   script += "heading = " + quoted(text.title) + "\ntime_label = " + quoted(text.time_label) + "\n";
+  script += "three = " + quoted(std::string(kThreeChannels)) + "\n";
   script += array_of("methods", text.methods) + array_of("colours", colours);
-  script += small.empty() ? "" : array_of("scenes", small);
   script += kBody;
-  script += "  labelled(s, v) = inside(s, v)\n  longest = 60\n  size = 0.8\n  set xlabel time_label\n";
-  script += "  set ylabel 'mean relative error; bars to the 95th percentile'\n";
-  script += "  set key outside right top\n";
+  script += "  size = 1.0\n  set xlabel time_label offset 0,0.4\n  set ylabel 'mean relative error' offset 1,0\n";
+  script += "  set key at screen 0.53, screen 0.962 center top vertical maxrows 2 width 1 samplen 1.5\n";
+  script += ranges.text() + margins(area);
+  script += label_commands(points, large, ranges, area, 7);
+  script +=
+      "  set label 'faster, and nearer to the truth: \xE2\x86\x99' at graph 0.012, graph 0.035 left front font words"
+      " tc rgb '#666666'\n";
   script += "  s = " + quoted(large) + "\n";
-  script += "  set title " + quoted(text.over_all ? "all scenes, geometric means" : large) + " noenhanced font ',13'\n";
-  script += small.empty() ? "  set origin 0, 0\n  set size 1, 0.97\n" : "  set origin 0, 0.50\n  set size 1, 0.47\n";
-  script += R"(  legend = ", for [m = 1:|methods|] NaN with points pt 7 ps 1 lc rgb colours[m] title methods[m]"
-  legend = legend.", NaN with lines lw 2 lc rgb '#000000' title 'frontier', NaN with lines dt (8, 6) lc rgb '#444444' title 'noise of the truth'"
-  eval(panel.legend)
-)";
+  script +=
+      "  set title " + quoted(text.over_all ? "all scenes: geometric means" : large) + " noenhanced offset 0,-0.6\n";
+  script += kLegend;
+  script += "  eval(panel.legend)\n";
   if (!small.empty()) {
-    script += R"(  labelled(s, v) = front(s, v)
-  longest = 16
-  size = 0.5
-  unset key
-  unset ylabel
-  unset xlabel
-  columns = 4
-  rows = int((|scenes| + columns - 1) / columns)
-  do for [i = 1:|scenes|] {
-    s = scenes[i]
-    set title s noenhanced font ",11"
-    set origin ((i - 1) % columns) * 1.0 / columns, 0.5 - 0.5 * (int((i - 1) / columns) + 1) / rows
-    set size 1.0 / columns, 0.5 / rows
-    eval(panel)
-  }
-)";
+    script += small_panels(small, ranges_of(points, false));
   }
   return script + std::string(kTail);
 }

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "core/chart/points.h"
+
 namespace airlight::chart {
 
 struct PlotText {
@@ -15,7 +17,7 @@ struct PlotText {
 };
 
 // Reads chart.csv; writes OUT.svg and OUT.png, OUT being "chart" unless `gnuplot -e 'out="..."'` says otherwise.
-// Needs gnuplot 5.4.
-std::string gnuplot_script(const PlotText& text);
+// `points`: those of chart.csv, for the ranges of the axes and the places of the labels. Needs gnuplot 5.4.
+std::string gnuplot_script(const PlotText& text, const std::vector<Point>& points);
 
 }  // namespace airlight::chart

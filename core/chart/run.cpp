@@ -5,12 +5,13 @@
 #include <cmath>
 #include <optional>
 
+#include "core/chart/qualities.h"
 #include "core/chart/truth.h"
 #include "core/choice/cost.h"
 #include "core/gpu/embedded_shaders.h"
 #include "core/measure/sample_error.h"
 #include "core/methods/method.h"
-#include "core/methods/scene_air.h"
+#include "core/render/sky.h"
 #include "core/scene/preset.h"
 
 namespace airlight::chart {
@@ -27,7 +28,7 @@ struct SceneTruth {
 // One thing to measure.
 struct Task {
   const SkyMethod* method = nullptr;
-  const Quality* quality = nullptr;
+  std::string quality;  // its label
   Scene scene;
   std::string key;
   double cost = 0.0;
@@ -48,8 +49,7 @@ double cost_of(const Scene& scene, const SkyMethod& method, const PixelSet& pixe
     return kSample * static_cast<double>(pixels.places.size()) * scene.render.get<int>("samples");
   }
   Plan plan;
-  plan.scene_data = device_scene_bytes(air_of(scene), scene);
-  method.add_passes(plan, scene, air_of(scene), View{});
+  add_sky(plan, scene, View{}, false);
   return choice::predicted_cost(plan).total();
 }
 
@@ -120,11 +120,11 @@ class ChartRun {
     std::vector<Task> tasks;
     for (const std::string& name : order_.methods) {
       const SkyMethod& method = *find_method(name);
-      for (const Quality& quality : method.sweep) {
+      for (ChartedQuality& quality : charted_qualities(order_.scenes[i].scene, method)) {
         Task task;
         task.method = &method;
-        task.quality = &quality;
-        task.scene = with_quality(order_.scenes[i].scene, method, quality);
+        task.quality = std::move(quality.label);
+        task.scene = std::move(quality.scene);
         task.cost = cost_of(task.scene, method, truths_[i].pixels);
         task.key =
             hash_name(to_json(task.scene) + truth_name(task.scene, truths_[i].pixels) + shaders_ + order_.version +
@@ -137,7 +137,7 @@ class ChartRun {
 
   const Point* known(const std::string& scene, const Task& task) const {
     for (const Point& point : order_.known) {
-      if (point.scene == scene && point.key == task.key) {
+      if (point.scene == scene && point.quality == task.quality && point.key == task.key) {
         return &point;
       }
     }
@@ -178,7 +178,7 @@ class ChartRun {
           out_.points.push_back(*point);
           ++out_.resumed;
         } else if (limited() && picture_s && seconds() - began + measuring_s(*picture_s * task->cost, *task) > limit) {
-          out_.left_out.push_back(name + " " + method + " " + std::string(task->quality->label));
+          out_.left_out.push_back(name + " " + method + " " + task->quality);
         } else {
           if (!fresh && task->method->render_on_host == nullptr) {
             open();
@@ -205,7 +205,7 @@ class ChartRun {
     Point point;
     point.scene = order_.scenes[i].name;
     point.method = task.method->info.name;
-    point.quality = task.quality->label;
+    point.quality = task.quality;
     point.cpu_ms = timing.cpu_ms;
     point.device_ms = timing.device_ms;
     point.time_ms = out_.cpu_time ? timing.cpu_ms : timing.device_ms;

@@ -12,9 +12,8 @@
 #include <string_view>
 
 #include "core/choice/cost.h"
-#include "core/methods/method.h"
-#include "core/methods/scene_air.h"
 #include "core/render/picture_key.h"
+#include "core/render/sky.h"
 
 namespace airlight::chart {
 namespace {
@@ -40,7 +39,6 @@ int rows_of_tile(const Scene& scene, std::size_t most_bytes) {
 
 Sky sky_of(const Scene& scene, std::size_t tile_bytes) {
   Sky sky;
-  const Air air = air_of(scene);
   const int rows = rows_of_tile(scene, tile_bytes);
   const bool whole = rows == scene.image.height;
   const std::string own = whole ? std::string() : picture_key();  // of what the tiles of this picture share
@@ -48,8 +46,7 @@ Sky sky_of(const Scene& scene, std::size_t tile_bytes) {
     const Tile tile{0, y, scene.image.width, std::min(rows, scene.image.height - y)};
     const View view = whole ? View{} : View{.directions = {}, .tile = tile, .kept_as = own};
     Plan& plan = sky.plans.emplace_back();
-    plan.scene_data = device_scene_bytes(air, scene, tile);
-    sky.radiance.push_back(find_method(scene.render.method)->add_passes(plan, scene, air, view).radiance);
+    sky.radiance.push_back(add_sky(plan, scene, view, false).radiance);
   }
   const Plan& first = sky.plans.front();
   const auto is_kept_longer = [&](ResourceId id) {
@@ -189,8 +186,7 @@ Timing time_on_host(const Scene& scene, const PixelSet& pixels) {
   Timing timing;
   const double cpu_before = process_cpu_ms();
   const Clock::time_point start = Clock::now();
-  const HostPicture picture =
-      find_method(scene.render.method)->render_on_host(scene, air_of(scene), View{.directions = pixels.directions}, {});
+  const HostPicture picture = render_on_host(scene, View{.directions = pixels.directions}, {});
   const auto of_picture = static_cast<double>(scene.image.width) * static_cast<double>(scene.image.height);
   timing.share = static_cast<double>(pixels.places.size()) / of_picture;
   timing.wall_ms = ms_since(start);

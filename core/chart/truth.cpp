@@ -25,6 +25,9 @@ Scene truth_scene(const Scene& scene, const TruthRules& rules) {
   Scene truth = with_quality(scene, *find_method("path-trace"), {"truth", {{"seed", kSeed}}});
   truth.render.parameters.insert_or_assign("target_error", rules.target_error);
   truth.render.parameters.insert_or_assign("time_limit_s", rules.time_limit_s);
+  if (truth.spectra) {
+    truth.spectra->wavelengths = kMostWavelengths;
+  }
   return truth;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// The truth that the chart measures against: path-trace at listed pixels, kept in files from run to run.
+// The truth that the chart measures against: path-trace at listed pixels, of spectra at 48 wavelengths, kept in files
+// from run to run.
 
 #include <filesystem>
 #include <functional>

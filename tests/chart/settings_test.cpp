@@ -106,6 +106,25 @@ TEST(Truth, IsNamedByWhatItDependsOn) {
   EXPECT_NE(name, truth_name(scene, lattice(scene, 5, 3)));
 }
 
+TEST(Truth, OfSpectraIsAtAllWavelengths) {
+  Scene scene = wide_scene();
+  scene.media.resize(1);
+  scene.spectra.emplace();
+  scene.spectra->media.push_back({constant_curve(1e-2), constant_curve(0.0), constant_curve(0.0)});
+  scene.spectra->ground_albedo = constant_curve(0.3);
+  scene.spectra->sun = constant_curve(1.0);
+  const PixelSet set = lattice(scene, 4, 3);
+  const std::string name = truth_name(scene, set);
+  Scene fewer = scene;
+  fewer.spectra->wavelengths = 4;
+  EXPECT_EQ(name, truth_name(fewer, set)) << "however many the picture has";
+  Scene bluer = scene;
+  bluer.spectra->media[0].scattering = constant_curve(2e-2);
+  EXPECT_NE(name, truth_name(bluer, set));
+  scene.spectra.reset();
+  EXPECT_NE(name, truth_name(scene, set)) << "three channels have a truth of their own";
+}
+
 TEST(Median, IsTheMiddle) {
   EXPECT_EQ(median({3, 1, 2}), 2.0);
   EXPECT_EQ(median({4, 1, 3, 2}), 2.5);
@@ -113,12 +132,34 @@ TEST(Median, IsTheMiddle) {
 }
 
 TEST(Script, NamesScenesAndMethodsAsTheyAre) {
-  const std::string script = gnuplot_script({{"it's", "noon"}, {"march"}, true, "on a device", "ms"});
-  EXPECT_NE(script.find("['it''s', 'noon']"), std::string::npos) << script;
+  const auto point = [](std::string scene, std::string quality, double time, double error) {
+    Point p;
+    p.scene = std::move(scene);
+    p.method = "march";
+    p.quality = std::move(quality);
+    p.time_ms = time;
+    p.error_mean = error;
+    p.floor = 0.001;
+    return p;
+  };
+  std::vector<Point> points;
+  for (const std::string scene : {"it's", "noon", "all"}) {
+    points.push_back(point(scene, "8's", 1.0, 0.1));
+    points.push_back(point(scene, "beaten", 5.0, 0.2));
+    points.push_back(point(scene, "64", 10.0, 0.01));
+    points.push_back(point(scene, "three channels", 1.0, 0.3));
+  }
+  mark_frontier(points);
+  const std::string script = gnuplot_script({{"it's", "noon"}, {"march"}, true, "on a device", "ms"}, points);
+  EXPECT_NE(script.find("s = 'it''s'"), std::string::npos) << script;
+  EXPECT_NE(script.find("set label 'march: 8''s'"), std::string::npos) << script;
+  EXPECT_NE(script.find("set label 'march: 64'"), std::string::npos) << script;
+  EXPECT_NE(script.find("set label 'three channels'"), std::string::npos) << script;
+  EXPECT_EQ(script.find("beaten"), std::string::npos) << "only the frontier and the three channels are labelled";
   EXPECT_NE(script.find("heading = 'on a device'"), std::string::npos);
-  const std::string alone = gnuplot_script({{"noon"}, {"march"}, false, "on a device", "ms"});
+  const std::string alone = gnuplot_script({{"noon"}, {"march"}, false, "on a device", "ms"}, points);
   EXPECT_NE(alone.find("s = 'noon'"), std::string::npos) << alone;
-  EXPECT_EQ(alone.find("array scenes"), std::string::npos) << alone;
+  EXPECT_EQ(alone.find("it''s"), std::string::npos) << alone;
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace {
 // Flights whose columns are summed before their transmittance is taken: few, that no exponential runs out of range.
 constexpr int kFlightsTogether = 6;
 
-std::array<double, 3> channels_of(vec3 v) {
+std::array<double, 3> three_of(vec3 v) {
   return {v.x, v.y, v.z};
 }
 
@@ -70,10 +70,10 @@ Wavelengths::Wavelengths(const SpectralScene& spectral)
   for (std::size_t k = 0; k < count_; ++k) {
     const physics::Physics& p = groups_[k / 3];
     for (uint i = 0; i < media_; ++i) {
-      scattering_[i].at[k] = channels_of(p.medium(i).scattering)[k % 3];
-      extinction_[i].at[k] = channels_of(p.medium(i).scattering + p.medium(i).absorption)[k % 3];
+      scattering_[i].at[k] = three_of(p.medium(i).scattering)[k % 3];
+      extinction_[i].at[k] = three_of(p.medium(i).scattering + p.medium(i).absorption)[k % 3];
     }
-    albedo_.at[k] = channels_of(p.scene.planet.ground_albedo)[k % 3];
+    albedo_.at[k] = three_of(p.scene.planet.ground_albedo)[k % 3];
   }
   for (uint i = 0; i < media_; ++i) {
     same_phase_[i] = std::ranges::none_of(groups_, [i](const physics::Physics& p) {
@@ -90,7 +90,7 @@ Wavelengths::Phases Wavelengths::phases(double nu) const {
       continue;
     }
     for (std::size_t g = 0; g < groups_.size(); ++g) {
-      const std::array<double, 3> values = channels_of(groups_[g].medium_phase(i, nu));
+      const std::array<double, 3> values = three_of(groups_[g].medium_phase(i, nu));
       for (std::size_t c = 0; c < 3 && 3 * g + c < count_; ++c) {
         phases[i].at[3 * g + c] = values[c];
       }
@@ -120,7 +120,7 @@ Wide Wavelengths::scattered(const Columns& densities, double nu) const {
       continue;
     }
     for (std::size_t g = 0; g < groups_.size(); ++g) {
-      const std::array<double, 3> values = channels_of(groups_[g].medium_phase(i, nu));
+      const std::array<double, 3> values = three_of(groups_[g].medium_phase(i, nu));
       for (std::size_t c = 0; c < 3 && 3 * g + c < count_; ++c) {
         sum.at[3 * g + c] += scattering_[i].at[3 * g + c] * values[c] * densities[i];
       }

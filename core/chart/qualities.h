@@ -1,0 +1,25 @@
+#pragma once
+// The qualities at which a method is charted on a scene.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/methods/method.h"
+#include "core/scene/scene.h"
+
+namespace airlight::chart {
+
+// Of a scene with spectra, what it is by the three channels that stand for them (Scene::spectra).
+inline constexpr std::string_view kThreeChannels = "three channels";
+
+struct ChartedQuality {
+  std::string label;
+  Scene scene;
+};
+
+// The method's sweep. Of a scene with spectra, for a method that renders any number of wavelengths in one pass over the
+// pixels, also its defaults at 3, 4, 6, 12 and 24 wavelengths, and the three channels.
+std::vector<ChartedQuality> charted_qualities(const Scene& scene, const SkyMethod& method);
+
+}  // namespace airlight::chart
