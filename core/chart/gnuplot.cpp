@@ -212,7 +212,7 @@ do for [kind in "svg png"] {
 
 constexpr std::string_view kLegend =
     R"(  legend = ", for [m = 1:|methods|] NaN with points pt 7 ps 1.2 lc rgb colours[m] title methods[m]"
-  legend = legend.", NaN with linespoints lw 2 pt 6 lc rgb '#000000' title 'frontier: nothing is faster and nearer'"
+  legend = legend.", NaN with linespoints lw 2 pt 6 lc rgb '#000000' title 'frontier'"
   legend = legend.", NaN with lines dt (8, 6) lc rgb '#888888' title 'noise of the truth'"
 )";
 
@@ -256,8 +256,10 @@ std::string gnuplot_script(const PlotText& text, const std::vector<Point>& point
   script += "three = " + quoted(std::string(kThreeChannels)) + "\n";
   script += array_of("methods", text.methods) + array_of("colours", colours);
   script += kBody;
-  script += "  size = 1.0\n  set xlabel time_label offset 0,0.4\n  set ylabel 'mean relative error' offset 1,0\n";
-  script += "  set key at screen 0.53, screen 0.962 center top vertical maxrows 2 width 1 samplen 1.5\n";
+  script +=
+      "  size = 1.0\n  set format y '%g %%'\n  set xlabel time_label offset 0,0.4\n  set ylabel 'mean relative error' "
+      "offset 1,0\n";
+  script += "  set key at screen 0.53, screen 0.962 center top vertical maxrows 2 samplen 1.5\n";
   script += ranges.text() + margins(area);
   script += label_commands(points, large, ranges, area, 7);
   script +=
