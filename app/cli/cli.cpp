@@ -135,8 +135,22 @@ Words without_short_equals(const Command& command, Words words) {
   return words;
 }
 
+// Options whose value may be left out get what it stands for.
+Words with_implied_values(const Command& command, Words words) {
+  for (const Option& option : command.options) {
+    const Words own = option.implied.empty() ? Words() : option_names(option);
+    for (std::size_t i = 0; i < words.size() && words[i] != "--"; ++i) {
+      const bool has_value = i + 1 < words.size() && words[i + 1][0] >= '0' && words[i + 1][0] <= '9';
+      if (std::find(own.begin(), own.end(), words[i]) != own.end() && !has_value) {
+        words[i] += "=" + option.implied;
+      }
+    }
+  }
+  return words;
+}
+
 int run_command(const Tool& tool, const Command& command, const Words& typed) {
-  const Words words = without_short_equals(command, typed);
+  const Words words = with_implied_values(command, without_short_equals(command, typed));
   refuse_swallowed_option(tool, command, words);
   const Words help = option_names(help_option());
   const auto end = std::find(words.begin(), words.end(), "--");

@@ -100,6 +100,9 @@ ExrDepth exr_depth(const PictureOptions& options, const Rendering& rendering) {
   if (options.full_float || options.half_float) {
     return {options.half_float, {}};
   }
+  if (rendering.spectrum) {
+    return {false, {}};
+  }
   const std::string loss = half_loss(rendering.radiance, rendering.picture.metered_luminance);
   return {loss.empty(), loss};
 }

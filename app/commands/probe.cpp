@@ -10,9 +10,11 @@
 #include "app/cli/json_writer.h"
 #include "app/cli/scene_options.h"
 #include "app/cli/terminal.h"
+#include "app/cli/wavelengths.h"
 #include "app/commands/commands.h"
 #include "app/render/validity.h"
 #include "core/error.h"
+#include "core/render/spectrum.h"
 #include "core/scene/angle.h"
 #include "core/scene/photometry.h"
 
@@ -24,6 +26,7 @@ struct Given {
   std::vector<double> elevations;
   std::vector<double> azimuths;
   std::string csv;
+  std::optional<std::string> spectrum;
   bool json = false;
   bool quiet = false;
 };
@@ -153,17 +156,62 @@ std::string as_text(const Scene& scene, const std::vector<ListedDirection>& list
   return text;
 }
 
-// A colour may have negative channels, but no negative luminance.
-void require_sound(const Scene& scene, const std::vector<ListedDirection>& listed,
-                   const std::vector<ProbeResult>& results) {
+std::string as_json(const std::vector<ListedDirection>& listed, const SpectralProbes& results) {
+  const SpectralImage& at = results.wavelengths;
+  JsonWriter json;
+  json.begin_object().key("radiance_unit").value(at.unit).key("wavelengths_nm").values(at.nm);
+  json.key("sunlight").values(at.sunlight).key("probes").begin_array();
+  for (std::size_t i = 0; i < listed.size(); ++i) {
+    json.begin_object();
+    json.key("elevation_deg").value(listed[i].elevation_deg).key("azimuth_deg").value(listed[i].azimuth_deg);
+    json.key("radiance").values(results.directions[i].radiance);
+    json.key("transmittance").values(results.directions[i].transmittance).end_object();
+  }
+  return json.end_array().end_object().take();
+}
+
+std::string as_text(const std::vector<ListedDirection>& listed, const SpectralProbes& results) {
+  const SpectralImage& at = results.wavelengths;
+  std::string text = "elevation_deg azimuth_deg wavelength_nm       radiance transmittance       sunlight\n";
+  for (std::size_t i = 0; i < listed.size(); ++i) {
+    for (std::size_t k = 0; k < at.nm.size(); ++k) {
+      char line[160];
+      std::snprintf(line, sizeof line, "%13.4f %11.4f %13.4f %14.6e %13.6f %14.6e\n", listed[i].elevation_deg,
+                    listed[i].azimuth_deg, at.nm[k], results.directions[i].radiance[k],
+                    results.directions[i].transmittance[k], at.sunlight[k]);
+      text += line;
+    }
+  }
+  return text + "# radiance in " + at.unit + ", sunlight above the air in that times sr\n";
+}
+
+[[noreturn]] void refuse_value(const ListedDirection& at, double value) {
+  throw RunError("probe: the result at elevation " + std::to_string(at.elevation_deg) + ", azimuth " +
+                 std::to_string(at.azimuth_deg) + " holds " + std::to_string(value) +
+                 "; this is a mistake in airlight, please report it with the preset");
+}
+
+void require_sound(const std::vector<ListedDirection>& listed, const SpectralProbes& results) {
+  for (std::size_t i = 0; i < listed.size(); ++i) {
+    for (const auto* values : {&results.directions[i].radiance, &results.directions[i].transmittance}) {
+      for (const double value : *values) {
+        if (!std::isfinite(value) || value < 0.0) {
+          refuse_value(listed[i], value);
+        }
+      }
+    }
+  }
+}
+
+// Of a scene with spectra a colour may have a negative channel, but no negative luminance.
+void require_sound(const std::vector<ListedDirection>& listed, const std::vector<ProbeResult>& results,
+                   bool signed_colours) {
   for (std::size_t i = 0; i < results.size(); ++i) {
     for (const auto* triple : {&results[i].radiance, &results[i].transmittance}) {
-      const double luminance = bt709_luminance({(*triple)[0], (*triple)[1], (*triple)[2]});
       for (const double value : *triple) {
-        if (!std::isfinite(value) || (scene.spectra ? luminance < 0.0 : value < 0.0)) {
-          throw RunError("probe: the result at elevation " + std::to_string(listed[i].elevation_deg) + ", azimuth " +
-                         std::to_string(listed[i].azimuth_deg) + " holds " + std::to_string(value) +
-                         "; this is a mistake in airlight, please report it with the preset");
+        const double judged = signed_colours ? bt709_luminance(*triple) : value;
+        if (!std::isfinite(value) || judged < 0.0) {
+          refuse_value(listed[i], value);
         }
       }
     }
@@ -176,8 +224,26 @@ void tell_warnings(const std::vector<std::string>& warnings) {
   }
 }
 
+int print_spectra(const Given& given, const Scene& scene, const std::vector<ListedDirection>& listed,
+                  const std::vector<Direction>& directions, const Nodes& nodes) {
+  std::unique_ptr<Executor> executor;
+  const SpectralProbes results = probe_spectrum(device_on_demand(given.scene, executor), scene, directions, nodes);
+  require_valid_vulkan();
+  require_sound(listed, results);
+  if (!given.quiet) {
+    tell_warnings(results.undone);
+  }
+  print(given.json ? as_json(listed, results) : as_text(listed, results));
+  return 0;
+}
+
 int run_probe(const Given& given) {
   const Scene scene = load_scene(given.scene);
+  std::optional<Nodes> nodes;
+  if (given.spectrum) {
+    nodes = wavelengths_from(*given.spectrum, "probe: --spectrum");
+    require_spectra(scene, "probe: --spectrum");
+  }
   const std::vector<ListedDirection> listed = directions_of(given);
   check_directions(listed);
   if (!given.quiet) {
@@ -188,10 +254,13 @@ int run_probe(const Given& given) {
   for (const ListedDirection& direction : listed) {
     directions.push_back({radians_from_degrees(direction.elevation_deg), radians_from_degrees(direction.azimuth_deg)});
   }
+  if (nodes) {
+    return print_spectra(given, scene, listed, directions, *nodes);
+  }
   std::unique_ptr<Executor> executor;
   const ProbeResults results = probe(device_on_demand(given.scene, executor), scene, directions);
   require_valid_vulkan();
-  require_sound(scene, listed, results.directions);
+  require_sound(listed, results.directions, scene.spectra.has_value());
   if (!given.quiet) {
     tell_warnings(results.undone);
   }
@@ -210,19 +279,30 @@ Command probe_command() {
       "The sun's disc is left out: what is printed is the light of the sky, and of the ground where the direction "
       "meets "
       "it. Transmittance is that along the direction, to the ground or to space.\n\n"
-      "Luminance in cd/m2 is added where the preset's sun.unit is W/m2 or lux.";
+      "Luminance in cd/m2 is added where the preset's sun.unit is W/m2 or lux.\n\n"
+      "With --spectrum, which takes a preset that has spectra, a line a wavelength: spectral radiance, transmittance, "
+      "and the sunlight above the air, each the mean over a band around the wavelength as wide as the step, at most 10 "
+      "nm. The last line says the unit, as 'airlight render --help' tells it of --spectral.";
   command.examples = {
       {"airlight probe earth-noon --elevation 90 --azimuth 0", "The zenith"},
       {"airlight probe earth-noon --elevation 10 --azimuth 0 --elevation 10 --azimuth 180 --json",
        "Two directions, as JSON"},
       {"airlight probe earth-physical --elevation 90 --azimuth 0", "The zenith in cd/m2"},
+      {"airlight probe earth-spectral --elevation 90 --azimuth 0 --spectrum 400:700:50",
+       "The zenith's spectrum, every 50 nm; --spectrum alone is every 10 nm from 380 to 780"},
       {"airlight probe earth-noon --csv directions.csv", "Directions from a file of ELEVATION,AZIMUTH lines"}};
   command.positionals = {preset_positional(given->scene)};
-  command.options = {{"--elevation", "DEG", "Height of a direction above the horizon", &given->elevations,
-                      Completes::nothing, Range{-90.0, 90.0}},
-                     {"--azimuth", "DEG", "Azimuth of the same direction, clockwise from north", &given->azimuths},
-                     {"--csv", "FILE", "Directions from a file, ELEVATION,AZIMUTH a line; - for standard input",
-                      &given->csv, Completes::file}};
+  command.options = {
+      {"--elevation", "DEG", "Height of a direction above the horizon", &given->elevations, Completes::nothing,
+       Range{-90.0, 90.0}},
+      {"--azimuth", "DEG", "Azimuth of the same direction, clockwise from north", &given->azimuths},
+      {"--csv", "FILE", "Directions from a file, ELEVATION,AZIMUTH a line; - for standard input", &given->csv,
+       Completes::file},
+      {.names = "--spectrum",
+       .metavar = "[FIRST:LAST:STEP]",
+       .help = std::string("Print spectra at these wavelengths in nm; alone it means ") + kUsualWavelengths,
+       .target = &given->spectrum,
+       .implied = kUsualWavelengths}};
   for (Option& option : scene_options(given->scene)) {
     command.options.push_back(std::move(option));
   }

@@ -23,6 +23,10 @@ std::vector<Option> output_options(RenderOrder& given) {
         "Also write what the sky gives a diffuse surface: a map over normals here, and in FILE.json beside it its 9 "
         "spherical-harmonic coefficients and the sun as a directional light",
         &given.irradiance, Completes::file},
+       {"--spectral", "FIRST:LAST:STEP",
+        "Also write spectral radiance into the EXR, at these wavelengths in nm, e.g. 380:780:10; of a preset with "
+        "spectra",
+        &given.spectral},
        {"--cube-faces", "",
         "Write a cube map as six pictures instead of one: FILE.posx.exr, .negx, .posy, .negy, .posz, .negz",
         &given.cube_faces}});
@@ -79,6 +83,14 @@ Command render_command() {
       "y up, z south, 0 where there is no ground. Bloom, where the preset asks for it in the EXR, is a layer outside "
       "the sum. --colorspace converts the light layers, and the transmittance as the colour of white seen through the "
       "air.\n\n"
+      "With --spectral the EXR is laid out as Fichet, Pacanowski and Wilkie say (JCGT 2021): channels such as "
+      "S0.550,000000nm beside R, G and B, each the mean radiance, disc included, over a band around its wavelength as "
+      "wide as the step, at most 10 nm; 32 bits unless --half. emissiveUnits is W.m^-2.sr^-1.nm^-1 where sunlight is "
+      "ASTM G-173 times sun.irradiance, or is scaled to the illuminance that sun.unit gives it; elsewhere it is "
+      "sun.spectrum.sr^-1, the preset's own numbers times sun.irradiance. airlight:sunlight has the sunlight above the "
+      "air. R, G and B are the spectrum's integral by CIE 1931 where its wavelengths tell colours to 0.2 %, as "
+      "380:780:10 do, else those of the picture without --spectral; airlight:picture says which. 'airlight diff "
+      "--layer S0' compares spectra.\n\n"
       "--tolerance and --time-limit choose method and quality for this scene and picture, whatever the preset has "
       "under "
       "render: a few hundred of the picture's directions are computed by candidates and by a near-truth quality. The "
@@ -100,6 +112,8 @@ Command render_command() {
                       {"airlight render sky.exr -o again.exr", "Render the picture of an EXR again"},
                       {"airlight render earth-sunset --layers -o layers.exr --size 160x90",
                        "Rayleigh, mie, multiple, sun, ground, transmittance, depth and normals apart, for compositing"},
+                      {"airlight render earth-spectral --spectral 400:700:20 --size 32x18 -o spectral.exr",
+                       "Spectral radiance for a spectral renderer, every 20 nm, and the picture beside it"},
                       {"airlight render earth-noon --size 640x360 --tile 200x100 -o tiles.exr",
                        "A picture of any size in bounded memory"}};
   command.positionals = {preset_positional(given->scene)};

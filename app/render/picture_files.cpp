@@ -8,6 +8,7 @@
 #include "core/output/png.h"
 #include "core/output/provenance_keys.h"
 #include "core/output/quantize.h"
+#include "core/output/spectral_layout.h"
 #include "core/scene/angle.h"
 #include "core/scene/json_format.h"
 #include "core/scene/photometry.h"
@@ -89,8 +90,8 @@ PngOptions png_options(const PictureContext& context, const std::optional<Colour
 // The ACES container holds the picture alone, in halves.
 bool is_aces_container(const PictureContext& context, bool half) {
   const Rendering& rendering = context.rendering;
-  const bool alone =
-      !rendering.standard_error && rendering.layers.empty() && !(context.scene.bloom.in_exr && rendering.bloom);
+  const bool alone = !rendering.standard_error && rendering.layers.empty() && !rendering.spectrum &&
+                     !(context.scene.bloom.in_exr && rendering.bloom);
   return context.space == WorkingSpace::aces2065_1 && half && alone;
 }
 
@@ -141,6 +142,9 @@ ExrOptions exr_options(const PictureContext& context, bool half) {
     }
     options.strings["airlight:left_out"] = left_out;
   }
+  if (context.rendering.spectrum) {
+    options.strings.merge(spectral_attributes(*context.rendering.spectrum));
+  }
   options.numbers[kExposureKey] = static_cast<float>(context.rendering.exposure);
   return options;
 }
@@ -189,6 +193,9 @@ PictureChannels::PictureChannels(const PictureContext& context) : space_(context
   }
   for (const Layer& layer : rendering.layers) {
     add_layer(layer);
+  }
+  for (std::size_t k = 0; rendering.spectrum && k < rendering.spectrum->planes.size(); ++k) {
+    channels_.push_back({spectral_channel_name(rendering.spectrum->nm[k]), rendering.spectrum->planes[k].data(), 1});
   }
 }
 

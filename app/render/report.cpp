@@ -5,6 +5,8 @@
 #include <variant>
 
 #include "app/cli/json_writer.h"
+#include "core/output/spectral_layout.h"
+#include "core/scene/json_format.h"
 #include "core/scene/preset.h"
 
 namespace airlight::cli {
@@ -106,6 +108,11 @@ std::string parts_of_render(const RenderReport& report, double wall_ms) {
   return text + row("  host work of the method and rest", milliseconds(rest), "");
 }
 
+std::string range_text(const std::vector<double>& nm) {
+  return std::to_string(nm.size()) + " wavelengths from " + format_number(nm.front()) + " to " +
+         format_number(nm.back()) + " nm";
+}
+
 }  // namespace
 
 std::string json_report(const RenderReport& report) {
@@ -143,6 +150,11 @@ std::string json_report(const RenderReport& report) {
     }
     json.end_array();
   }
+  if (const std::optional<SpectralImage>& spectrum = report.rendering.spectrum) {
+    json.key("spectrum").begin_object().key("unit").value(spectrum->unit);
+    json.key("picture").value(origin_of_colours(*spectrum));
+    json.key("wavelengths_nm").values(spectrum->nm).key("sunlight").values(spectrum->sunlight).end_object();
+  }
   if (report.choice) {
     json.key("choice");
     write_choice(json, *report.choice);
@@ -176,6 +188,10 @@ std::string details(const RenderReport& report) {
   for (const std::string& reason : rendering.left_out) {
     out += "left out: " + reason + "\n";
   }
+  if (rendering.spectrum) {
+    out += "spectrum: " + range_text(rendering.spectrum->nm) + ", " + rendering.spectrum->unit + "; the picture is " +
+           origin_of_colours(*rendering.spectrum) + "\n";
+  }
   std::snprintf(text, sizeof text, "exposure %.4g, metered luminance %.4g, largest %.4g\n", rendering.exposure,
                 rendering.picture.metered_luminance, rendering.picture.max_luminance);
   return out + text + (report.view.empty() ? "" : "view " + report.view + "\n");
@@ -196,7 +212,7 @@ std::vector<std::string> exr_warnings(const ExrCounts& counts) {
 }
 
 std::string json_of_plan(const Scene& scene, const Plan& plan, const std::vector<std::string>& files,
-                         const std::optional<ChoiceReport>& choice) {
+                         const std::optional<ChoiceReport>& choice, const std::vector<double>& wavelengths) {
   JsonWriter json;
   json.begin_object().key("name").value(scene.name).key("method").value(scene.render.method);
   json.key("width").value(scene.image.width).key("height").value(scene.image.height).key("files").begin_array();
@@ -208,11 +224,18 @@ std::string json_of_plan(const Scene& scene, const Plan& plan, const std::vector
     json.key("choice");
     write_choice(json, *choice);
   }
+  if (!wavelengths.empty()) {
+    json.key("wavelengths_nm").values(wavelengths);
+  }
   json.key("passes").begin_array();
   for (const PassDesc& pass : plan.passes()) {
     json.value(pass.name.empty() ? pass.shader : pass.name);
   }
   return json.end_array().key("preset").raw(to_json(scene)).end_object().take();
+}
+
+std::string spectral_text(const Nodes& wavelengths) {
+  return "spectrum: " + range_text(wavelengths.nm) + "; the passes below for each three of them\n";
 }
 
 std::string plan_text(const Plan& plan) {

@@ -9,6 +9,7 @@
 #include "app/cli/stopwatch.h"
 #include "core/output/exr.h"
 #include "core/render/render.h"
+#include "core/spectra/colour.h"
 
 namespace airlight::cli {
 
@@ -39,8 +40,12 @@ std::string details(const RenderReport& report);
 std::vector<std::string> exr_warnings(const ExrCounts& counts);
 
 // What --dry-run --json prints: where the files would go, the preset resolved, the passes.
+// `wavelengths`: of --spectral, nm, whose groups of three have these passes each.
 std::string json_of_plan(const Scene& scene, const Plan& plan, const std::vector<std::string>& files,
-                         const std::optional<ChoiceReport>& choice);
+                         const std::optional<ChoiceReport>& choice, const std::vector<double>& wavelengths = {});
+
+// What --dry-run says of --spectral.
+std::string spectral_text(const Nodes& wavelengths);
 
 // The passes of a plan with what each reads and writes, for --dry-run.
 std::string plan_text(const Plan& plan);

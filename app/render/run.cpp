@@ -16,6 +16,7 @@
 #include "app/render/picture_files.h"
 #include "app/render/publish.h"
 #include "app/render/report.h"
+#include "app/render/spectral_order.h"
 #include "app/render/table_files.h"
 #include "app/render/targets.h"
 #include "app/render/tiled_picture.h"
@@ -24,6 +25,7 @@
 #include "core/output/atomic_file.h"
 #include "core/output/half_block.h"
 #include "core/render/metering.h"
+#include "core/render/spectrum.h"
 #include "core/scene/preset.h"
 #include "core/scene/resolve.h"
 
@@ -108,8 +110,9 @@ RenderRequest request_of(const Scene& scene, const Targets& targets) {
   return request;
 }
 
-int dry_run(const RenderOrder& given, const Scene& scene, const Targets& targets,
+int dry_run(const RenderOrder& given, const Scene& scene, const Targets& targets, const std::optional<Nodes>& spectral,
             const std::optional<ChoiceReport>& choice) {
+  const Plan plan = spectral ? plan_for_spectrum(scene, *spectral) : plan_for(scene, request_of(scene, targets));
   if (given.json) {
     std::vector<std::string> files;
     for (const std::string& file : {targets.exr, targets.png}) {
@@ -117,11 +120,11 @@ int dry_run(const RenderOrder& given, const Scene& scene, const Targets& targets
         files.push_back(file);
       }
     }
-    print(json_of_plan(scene, plan_for(scene, request_of(scene, targets)), files, choice));
+    print(json_of_plan(scene, plan, files, choice, spectral ? spectral->nm : std::vector<double>()));
     return 0;
   }
   const std::string why = choice ? summary(*choice) + "\n" + explanation(*choice) : "";
-  print(why + describe(scene) + plan_text(plan_for(scene, request_of(scene, targets))));
+  print(why + describe(scene) + (spectral ? spectral_text(*spectral) : "") + plan_text(plan));
   return 0;
 }
 
@@ -155,6 +158,7 @@ struct Means {
   const std::optional<ChoiceReport>& choice;
   std::unique_ptr<Executor>& executor;
   Stopwatch& watch;
+  std::optional<Nodes> spectral;  // wavelengths of --spectral
 };
 
 // What killed runs have left half written of these files.
@@ -260,7 +264,9 @@ bool render_and_publish(const Means& means, const Scene& scene) {
   RenderRequest request = request_of(scene, means.targets);
   request.layers = given.picture.layers;
   request.host = host_options(given.sampling, given.quiet);
-  Rendering rendering = render(device_on_demand(given.scene, means.executor), scene, request);
+  const DeviceOnDemand device = device_on_demand(given.scene, means.executor);
+  Rendering rendering =
+      means.spectral ? render_spectrum(device, scene, request, *means.spectral) : render(device, scene, request);
   clear_progress();
   if (Interruption::signal() != 0) {
     return false;
@@ -273,7 +279,7 @@ bool render_and_publish(const Means& means, const Scene& scene) {
   }
   std::optional<Lighting> lighting;
   if (given.irradiance && rendering.fault().empty()) {
-    lighting = lighting_of(device_on_demand(given.scene, means.executor), scene, request.host);
+    lighting = lighting_of(device, scene, request.host);
     clear_progress();
     means.watch.lap("irradiance");
   }
@@ -410,6 +416,7 @@ int run_render(const RenderOrder& given) {
     locked_frame(scene);  // which must be there
   }
   const Targets targets = choose_targets(given);
+  const std::optional<Nodes> spectral = spectral_wavelengths(given, scene, targets);
   std::optional<ImageSize> tile = wish ? std::nullopt : tile_of(given, scene, targets);
   if (!given.dry_run) {
     check_targets(given, targets);
@@ -424,7 +431,7 @@ int run_render(const RenderOrder& given) {
     watch.lap("choice of method and quality");
   }
   if (given.dry_run) {
-    return dry_run(given, scene, targets, choice);
+    return dry_run(given, scene, targets, spectral, choice);
   }
   std::optional<DisplayTransform> transform;
   if (!targets.png.empty()) {
@@ -436,7 +443,7 @@ int run_render(const RenderOrder& given) {
   }
   remove_half_written(targets);
   scene = with_held_exposure(given, std::move(scene), device_on_demand(given.scene, executor));
-  const Means means{given, targets, transform, choice, executor, watch};
+  const Means means{given, targets, transform, choice, executor, watch, spectral};
   const auto publish_all = [&] {
     return tile ? render_in_tiles(means, scene, *tile) : render_and_publish(means, scene);
   };

@@ -4,6 +4,7 @@
 
 #include "app/cli/preset_source.h"
 #include "app/render/lighting_files.h"
+#include "app/render/table_files.h"
 #include "core/error.h"
 #include "core/output/atomic_file.h"
 

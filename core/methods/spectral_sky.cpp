@@ -373,10 +373,9 @@ std::vector<ColouredSpectrum> sampled_sky(const Scene& scene, const Nodes& nodes
   return samples;
 }
 
-SpectralScene spectral_scene(const Scene& scene) {
-  assert(scene.spectra);
-  const Fit fit = fit_of(scene);
-  SpectralScene made{fit.nodes, fit.matrix, fit.sun, {}};
+namespace {
+
+SpectralScene in_groups(const Scene& scene, SpectralScene made) {
   RenderSettings render = scene.render;
   if (const SkyMethod* method = find_method(render.method); method->settle != nullptr) {
     method->settle(render, scene, air_of(scene));
@@ -392,6 +391,21 @@ SpectralScene spectral_scene(const Scene& scene) {
     made.groups.push_back(std::move(group));
   }
   return made;
+}
+
+}  // namespace
+
+SpectralScene spectral_scene(const Scene& scene) {
+  assert(scene.spectra);
+  const Fit fit = fit_of(scene);
+  return in_groups(scene, {fit.nodes, fit.matrix, fit.sun, {}});
+}
+
+SpectralScene spectral_scene_at(const Scene& scene, const Nodes& nodes) {
+  assert(scene.spectra);
+  const BandColours colours = band_colours(scene.spectra->sun, scene.spectra->white);
+  const ColourMatrix matrix = cell_matrix(nodes, scene.spectra->sun, scene.spectra->white);
+  return in_groups(scene, {nodes, matrix, sun_colour(colours), {}});
 }
 
 std::array<Rgb, 3> over_the_sun(std::array<Rgb, 3> colours, const Rgb& sun) {

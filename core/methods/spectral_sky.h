@@ -30,6 +30,10 @@ std::vector<ColouredSpectrum> sampled_sky(const Scene& scene, const Nodes& nodes
 // all tiles of a picture find theirs made.
 SpectralScene spectral_scene(const Scene& scene);
 
+// The same at wavelengths of one's own. The matrix is that of their cells (cell_matrix), close to the truth where
+// they are dense.
+SpectralScene spectral_scene_at(const Scene& scene, const Nodes& nodes);
+
 // Colours of transmittance, over that of sunlight above the air.
 std::array<Rgb, 3> over_the_sun(std::array<Rgb, 3> colours, const Rgb& sun);
 

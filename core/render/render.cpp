@@ -213,10 +213,7 @@ Rendering render_there(Executor& executor, const Scene& scene, const RenderReque
 
 // The device is opened for a bloom chain and for the tone curve of the GPU alone.
 Rendering render_here(const DeviceOnDemand& device, const Scene& scene, const RenderRequest& request) {
-  const bool wants_chain = request.bloom && scene.bloom.enabled && scene.bloom.model == BloomModel::chain;
-  if (wants_chain || request.gpu_tone) {
-    device();  // now: hours of samples must not end in a machine that lacks one
-  }
+  open_for_finish(device, scene, request);
   Rendering out;
   HostPicture host = render_on_host(scene, View{}, request.host);
   out.undone = std::move(host.notes);
@@ -225,23 +222,35 @@ Rendering render_here(const DeviceOnDemand& device, const Scene& scene, const Re
   }
   out.radiance = std::move(host.radiance);
   note_disc(out.left_out, draw_disc_over(out.radiance, scene, whole_picture(scene)));
+  finish(device, scene, request, out);
+  return out;
+}
+
+}  // namespace
+
+void open_for_finish(const DeviceOnDemand& device, const Scene& scene, const RenderRequest& request) {
+  const bool wants_chain = request.bloom && scene.bloom.enabled && scene.bloom.model == BloomModel::chain;
+  if (wants_chain || request.gpu_tone) {
+    device();
+  }
+}
+
+void finish(const DeviceOnDemand& device, const Scene& scene, const RenderRequest& request, Rendering& out) {
   const bool signed_colours = scene.spectra.has_value();
   out.picture = summarize(row_statistics_of(out.radiance, brightest_metered(scene), signed_colours),
                           static_cast<std::uint32_t>(scene.image.width));
   out.exposure = exposure_for(scene, out.picture);
   if (!out.fault().empty()) {
-    return out;
+    return;
   }
   const bool glows = wanted_bloom_glows(scene, request, out);
-  if (request.gpu_tone || (glows && wants_chain)) {
+  const bool on_device = method_of(scene).render_on_host == nullptr || scene.bloom.model == BloomModel::chain;
+  if (request.gpu_tone || (glows && on_device)) {
     run_post(device(), scene, request, uploaded(scene, out.radiance), glows, out);
   } else if (glows) {
     out.bloom = glare_picture(scene, glare_points_of(scene), whole_picture(scene));
   }
-  return out;
 }
-
-}  // namespace
 
 Rendering render(const DeviceOnDemand& device, const Scene& scene, const RenderRequest& request) {
   return method_of(scene).render_on_host != nullptr ? render_here(device, scene, request)

@@ -13,6 +13,7 @@
 #include "core/radiance_image.h"
 #include "core/render/layers.h"
 #include "core/scene/scene.h"
+#include "core/spectral_image.h"
 
 namespace airlight {
 
@@ -43,6 +44,7 @@ struct NamedStatistics {
 struct Rendering {
   RadianceImage radiance;
   std::optional<RadianceImage> standard_error;  // of a method that samples
+  std::optional<SpectralImage> spectrum;        // of render_spectrum()
   std::optional<RadianceImage> bloom;           // before intensity; absent where nothing glows or nobody asked
   std::vector<std::uint16_t> encoded;           // gpu_tone: RGBA, sRGB-encoded, 0 to 65535
   double exposure = 1.0;
@@ -64,6 +66,12 @@ struct Rendering {
 
 // Throws RunError when the device fails; a poisoned result is returned, not thrown: see Rendering::fault().
 Rendering render(const DeviceOnDemand& device, const Scene& scene, const RenderRequest& request);
+
+// Opens the device where finish() would need it: hours of samples must not end in a machine that lacks one.
+void open_for_finish(const DeviceOnDemand& device, const Scene& scene, const RenderRequest& request);
+
+// What of a rendering follows from its radiance, the disc included: statistics, exposure, bloom, tone curve.
+void finish(const DeviceOnDemand& device, const Scene& scene, const RenderRequest& request, Rendering& out);
 
 // Every pass that render() would run at most, and the tables' sizes; opens no device.
 Plan plan_for(const Scene& scene, const RenderRequest& request);

@@ -8,6 +8,7 @@
 #include "core/methods/spectral_sums.h"
 #include "core/post/host_post.h"
 #include "core/post/post.h"
+#include "core/render/group_runs.h"
 
 namespace airlight {
 namespace {
@@ -97,20 +98,6 @@ physics::vec3 in_colours(const physics::vec3& channels, const std::array<Rgb, 3>
     return colours[0][c] * channels.x + colours[1][c] * channels.y + colours[2][c] * channels.z;
   };
   return {sum(0), sum(1), sum(2)};
-}
-
-// Adds a group's picture, its channels as colours, to the sum.
-void add_part(RadianceImage& sum, const RadianceImage& part, const std::array<Rgb, 3>& colours) {
-  for (std::size_t i = 0; i < part.rgba.size(); i += 4) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      double value = static_cast<double>(sum.rgba[i + c]);
-      for (std::size_t k = 0; k < 3; ++k) {
-        value += colours[k][c] * static_cast<double>(part.rgba[i + k]);
-      }
-      sum.rgba[i + c] = static_cast<float>(value);
-    }
-    sum.rgba[i + 3] = std::max(sum.rgba[i + 3], part.rgba[i + 3]);
-  }
 }
 
 }  // namespace

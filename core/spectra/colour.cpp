@@ -1,6 +1,8 @@
 #include "core/spectra/colour.h"
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "core/spectra/data.h"
 
@@ -27,6 +29,48 @@ Rgb response(const WaveBand& band) {
           width * mean_over(observer().z, band.low, band.high)};
 }
 
+// The colours of sunlight in bands that cover all wavelengths, each integrated in pieces of at most 10 nm.
+std::vector<Rgb> colours_of(std::span<const WaveBand> bands, const Curve& sun, White white) {
+  constexpr double kPiece = 10.0;
+  std::vector<Rgb> xyz(bands.size());
+  Rgb even{};  // of equal energy
+  double luminance = 0.0;
+  for (std::size_t b = 0; b < bands.size(); ++b) {
+    const double width = bands[b].high - bands[b].low;
+    const int pieces = std::max(static_cast<int>(std::ceil(width / kPiece - 1e-9)), 1);
+    for (int i = 0; i < pieces; ++i) {
+      const WaveBand piece{bands[b].low + width * i / pieces, bands[b].low + width * (i + 1) / pieces};
+      const Rgb per_nm = response(piece);
+      const double power = mean_over(sun, piece.low, piece.high);
+      for (std::size_t c = 0; c < 3; ++c) {
+        xyz[b][c] += per_nm[c] * power;
+        even[c] += per_nm[c];
+      }
+    }
+    luminance += xyz[b][1];
+  }
+  std::vector<Rgb> colours;
+  Rgb all{};
+  for (const Rgb& one : xyz) {
+    colours.push_back(rec709_from_xyz({one[0] / luminance, one[1] / luminance, one[2] / luminance}));
+    for (std::size_t c = 0; c < 3; ++c) {
+      all[c] += colours.back()[c];
+    }
+  }
+  Rgb scale{1.0, 1.0, 1.0};
+  if (white == White::sun) {
+    scale = all;
+  } else if (white == White::equal_energy) {
+    scale = rec709_from_xyz({even[0] / even[1], 1.0, even[2] / even[1]});
+  }
+  for (Rgb& colour : colours) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      colour[c] /= scale[c];
+    }
+  }
+  return colours;
+}
+
 }  // namespace
 
 const std::array<WaveBand, kFineBands>& fine_bands() {
@@ -40,36 +84,28 @@ const std::array<WaveBand, kFineBands>& fine_bands() {
   return bands;
 }
 
+double illuminance(const Curve& light) {
+  double sum = 0.0;
+  for (const WaveBand& band : fine_bands()) {
+    sum += response(band)[1] * mean_over(light, band.low, band.high);
+  }
+  return kLumensPerWatt * sum;
+}
+
 BandColours band_colours(const Curve& sun, White white) {
-  std::array<Rgb, kFineBands> xyz;
-  Rgb even{};  // of equal energy
-  double luminance = 0.0;
-  for (std::size_t b = 0; b < xyz.size(); ++b) {
-    const WaveBand& band = fine_bands()[b];
-    const Rgb per_nm = response(band);
-    const double power = mean_over(sun, band.low, band.high);
-    for (std::size_t c = 0; c < 3; ++c) {
-      xyz[b][c] = per_nm[c] * power;
-      even[c] += per_nm[c];
-    }
-    luminance += xyz[b][1];
-  }
+  const std::vector<Rgb> found = colours_of(fine_bands(), sun, white);
   BandColours colours;
-  Rgb scale{1.0, 1.0, 1.0};
-  for (std::size_t b = 0; b < xyz.size(); ++b) {
-    colours[b] = rec709_from_xyz({xyz[b][0] / luminance, xyz[b][1] / luminance, xyz[b][2] / luminance});
-  }
-  if (white == White::sun) {
-    scale = sun_colour(colours);
-  } else if (white == White::equal_energy) {
-    scale = rec709_from_xyz({even[0] / even[1], 1.0, even[2] / even[1]});
-  }
-  for (Rgb& colour : colours) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      colour[c] /= scale[c];
-    }
-  }
+  std::copy(found.begin(), found.end(), colours.begin());
   return colours;
+}
+
+ColourMatrix cell_matrix(const Nodes& nodes, const Curve& sun, White white) {
+  std::vector<WaveBand> cells(nodes.nm.size(), {fine_bands().front().low, fine_bands().back().high});
+  for (std::size_t k = 1; k < cells.size(); ++k) {
+    cells[k].low = 0.5 * (nodes.nm[k - 1] + nodes.nm[k]);
+    cells[k - 1].high = cells[k].low;
+  }
+  return colours_of(cells, sun, white);
 }
 
 Rgb colour_of(const BandColours& colours, const std::array<double, kFineBands>& relative) {

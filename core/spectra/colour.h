@@ -25,6 +25,12 @@ inline constexpr int kFineBands = 48;  // of 10 nm from 360 nm: what fewer wavel
 
 const std::array<WaveBand, kFineBands>& fine_bands();
 
+// Lumens a watt of light at 555 nm in standard air, CIE 018:2019.
+inline constexpr double kLumensPerWatt = 683.002;
+
+// Lux of light of so many W/(m2 nm), by the standard observer over the fine bands.
+double illuminance(const Curve& light);
+
 // For each band the colour of the sun's light in it: what a radiance over the sun's is multiplied by.
 using BandColours = std::array<Rgb, kFineBands>;
 BandColours band_colours(const Curve& sun, White white);
@@ -46,6 +52,9 @@ inline constexpr int kMostWavelengths = kFineBands;
 // ones.
 Nodes nodes_for(int count);
 
+// Wavelengths of one's own, ascending, each with a band of `width` nm around it.
+Nodes listed_nodes(const std::vector<double>& nm, double width);
+
 // A curve at a node: its mean over the band.
 double at_node(const Curve& curve, const Nodes& nodes, std::size_t k);
 
@@ -60,6 +69,10 @@ struct ColouredSpectrum {
 
 // Each fine band's colour shared among the nodes beside it by their distance.
 ColourMatrix nearest_matrix(const Nodes& nodes, const BandColours& colours);
+
+// Each node's spectrum over the sun's taken to hold halfway to the nodes beside it, the outermost ones' to the ends of
+// the fine bands: the integral of many nodes.
+ColourMatrix cell_matrix(const Nodes& nodes, const Curve& sun, White white);
 
 // The matrix next to `prior` that minimises the relative errors of the samples, the sun's colour exact. `stiffness`:
 // the weight of a change in the matrix against the samples' mean.

@@ -34,15 +34,13 @@ std::span<const double> fitted_nodes(int count) {
   }
 }
 
+constexpr double kNarrow = 10.0;
+
 // As wide as a fine band, as long as two do not overlap. Half the gap to each neighbour is too wide: the mean of
 // ozone's absorption is not what light after a long way through it has met (3.4 % where this is 0.7, sun at 0.5
 // degrees).
 Nodes with_bands(std::span<const double> nm) {
-  Nodes nodes{{nm.begin(), nm.end()}, {}};
-  for (const double x : nm) {
-    nodes.bands.push_back({x - 5.0, x + 5.0});
-  }
-  return nodes;
+  return listed_nodes({nm.begin(), nm.end()}, kNarrow);
 }
 
 double middle(const WaveBand& band) {
@@ -136,6 +134,14 @@ Nodes nodes_for(int count) {
   for (int k = 0; k < count; ++k) {
     nodes.bands.push_back({low + (high - low) * k / count, low + (high - low) * (k + 1) / count});
     nodes.nm.push_back(middle(nodes.bands.back()));
+  }
+  return nodes;
+}
+
+Nodes listed_nodes(const std::vector<double>& nm, double width) {
+  Nodes nodes{nm, {}};
+  for (const double x : nm) {
+    nodes.bands.push_back({x - 0.5 * width, x + 0.5 * width});
   }
   return nodes;
 }

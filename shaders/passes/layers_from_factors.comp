@@ -40,6 +40,6 @@ void main() {
   layers.single[7] = single_at(7u, at);
   layers.multiple = fetch_shared(diffuse_block(), at);
   layers.ground = fetch_shared(diffuse_block() + 1u, at);
-  layers.transmittance = scene_apart_factors(air_ray(view.direction), steps).air.transmittance;
+  layers.transmittance = beam_transmittance(scene_apart_factors(air_ray(view.direction), steps).air);
   write_layers(pixel, uvec2(width, height), view.inside, layers);
 }

@@ -31,6 +31,6 @@ void main() {
   }
   layers.multiple = factors.air.diffuse * scene.sun.irradiance;
   layers.ground = factors.ground * scene.sun.irradiance;
-  layers.transmittance = factors.air.transmittance;
+  layers.transmittance = beam_transmittance(factors.air);
   write_layers(pixel, uvec2(width, height), view.inside, layers);
 }

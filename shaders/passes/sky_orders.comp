@@ -25,5 +25,5 @@ void main() {
   ViewRay view = pixel_ray(pixel);
   Ray ray = air_ray(view.direction);
   SkyFactors factors = scene_sky_factors(ray, steps);
-  write_radiance(pixel, view.inside, phased(factors, phases(ray.nu)) * scene.sun.irradiance, factors.transmittance);
+  write_radiance(pixel, view.inside, phased(factors, phases(ray.nu)) * scene.sun.irradiance, beam_transmittance(factors));
 }

@@ -78,7 +78,7 @@ Seen seen_along(vec3 direction, float pixel) {
   }
   Seen seen;
   seen.radiance = phased(factors, phases(ray.nu));
-  seen.transmittance = factors.transmittance;
+  seen.transmittance = beam_transmittance(factors);
   if (hit.hit) {
     seen.radiance += factors.transmittance * terrain_radiance(scene.planet, scene.moments, scene.sun.direction,
                                                               current_track, hit.ground, hit.distance_ * pixel);

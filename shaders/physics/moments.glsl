@@ -123,6 +123,7 @@ Harmonics harmonics(real mu, real cos_azimuth) {
 // degree N+1 of each phase function counts as light that was not scattered.
 struct DiffuseAir {
   vec3 extinction;
+  vec3 peaks;             // 1/km, what delta-scaling leaves out of it
   vec3 phase_scattering;  // 1/(km sr) toward the sun's angle, by the whole phase function
   vec3 degree0;
   vec3 degree1;
@@ -142,6 +143,7 @@ DiffuseAir with_diffuse_medium(DiffuseAir air, uint i, real h, real rise, vec3 p
     vec3 scattering = m.scattering * d;
     vec3 f = delta_scaled() ? max(m.legendre[moment_degree() + 1u], vec3(0.0)) : vec3(0.0);
     air.extinction = air.extinction + m.absorption * d + scattering * (vec3(1.0) - f);
+    air.peaks = air.peaks + scattering * f;
     air.phase_scattering = air.phase_scattering + scattering * phase;
     air.degree0 = air.degree0 + scattering * (vec3(1.0) - f);
     air.degree1 = air.degree1 + scattering * (m.legendre[1] - f);
@@ -160,6 +162,7 @@ DiffuseAir with_diffuse_medium(DiffuseAir air, uint i, real h, real rise, vec3 p
 DiffuseAir diffuse_air_over(real h, real rise, Phases p) {
   DiffuseAir air;
   air.extinction = vec3(0.0);
+  air.peaks = vec3(0.0);
   air.phase_scattering = vec3(0.0);
   air.degree0 = vec3(0.0);
   air.degree1 = vec3(0.0);

@@ -166,6 +166,7 @@ SkyFactors shell_air_factors(PlanetData planet, MomentTableData table, Ray ray, 
     factors.diffuse = factors.diffuse + factors.transmittance * segment.mean * source * width;
     factors.transmittance = factors.transmittance * segment.through;
     factors.depth = factors.depth + step_depth;
+    factors.peaks = factors.peaks + air.peaks * width;
   }
   return factors;
 }

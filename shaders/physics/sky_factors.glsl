@@ -7,8 +7,9 @@
 struct SkyFactors {
   vec3 single[kMaxMedia];  // 1/sr after multiplication by the medium's phase function
   vec3 diffuse;            // light scattered more than once, and the ground, W/(m2 sr)
-  vec3 transmittance;
-  vec3 depth;                // optical depth, as the transmittance has it
+  vec3 transmittance;      // of light whose scattering into a delta-scaled forward peak counts as none
+  vec3 depth;              // optical depth, as this transmittance has it
+  vec3 peaks;              // optical depth of those peaks
 };
 
 SkyFactors no_air() {
@@ -19,8 +20,12 @@ SkyFactors no_air() {
   factors.diffuse = vec3(0.0);
   factors.transmittance = vec3(1.0);
   factors.depth = vec3(0.0);
+  factors.peaks = vec3(0.0);
   return factors;
 }
+
+// Of a beam of light, from which scattering takes whatever its angle.
+vec3 beam_transmittance(SkyFactors factors) { return factors.transmittance * exp(-factors.peaks); }
 
 vec3 phased(SkyFactors factors, Phases p) {
   vec3 sum = factors.diffuse;
@@ -57,6 +62,7 @@ SkyFactors air_factors_between(PlanetData planet, MomentTableData table, Ray ray
     factors.diffuse = factors.diffuse + weight * source;
     factors.transmittance = factors.transmittance * segment.through;
     factors.depth = factors.depth + step_depth;
+    factors.peaks = factors.peaks + air.peaks * s.width;
   }
   return factors;
 }
@@ -73,6 +79,7 @@ SkyFactors joined(SkyFactors near, SkyFactors far) {
   near.diffuse = near.diffuse + near.transmittance * far.diffuse;
   near.transmittance = near.transmittance * far.transmittance;
   near.depth = near.depth + far.depth;
+  near.peaks = near.peaks + far.peaks;
   return near;
 }
 

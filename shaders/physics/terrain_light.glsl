@@ -6,6 +6,7 @@
 vec3 moment_irradiance(MomentTableData table, real h, real mu_sun, real mu, real cos_azimuth) {
   DiffuseAir cosine;
   cosine.extinction = vec3(0.0);
+  cosine.peaks = vec3(0.0);
   cosine.phase_scattering = vec3(0.0);
   cosine.degree0 = vec3(kPi);
   cosine.degree1 = vec3(kPi * 2.0 / 3.0);

@@ -31,6 +31,52 @@ TEST(Observer, HasTheIntegralsOfCie) {
   EXPECT_DOUBLE_EQ(value_at(observer().y, 555.0), 1.0);
 }
 
+// Light of 1 W/(m2 nm) everywhere has 683 lm/W times the observer's integral.
+TEST(Observer, TellsIlluminance) {
+  EXPECT_NEAR(illuminance(constant_curve(2.0)), 2.0 * 683.002 * 106.857, 20.0);
+  // Published values of sunlight above the air lie between 127.5 and 133.8 klx (IES; Darula, Kittler and Gueymard
+  // 2005).
+  EXPECT_NEAR(illuminance(solar_irradiance()), 130.6e3, 3.2e3);
+}
+
+// The cells of the fine bands' middles are the fine bands, to the bit; those of other wavelengths integrate a straight
+// line, and give the sun its colour.
+TEST(Nodes, ListedOnesIntegrate) {
+  std::vector<double> middles;
+  for (const WaveBand& band : fine_bands()) {
+    middles.push_back(0.5 * (band.low + band.high));
+  }
+  for (const White white : kWhites) {
+    const BandColours bands = band_colours(solar_irradiance(), white);
+    const ColourMatrix cells = cell_matrix(listed_nodes(middles, 10.0), solar_irradiance(), white);
+    for (std::size_t b = 0; b < bands.size(); ++b) {
+      EXPECT_EQ(cells[b], bands[b]);
+    }
+  }
+  std::vector<double> nm;
+  for (double x = 380.0; x <= 780.0; x += 20.0) {
+    nm.push_back(x);
+  }
+  const Nodes nodes = listed_nodes(nm, 10.0);
+  EXPECT_EQ(nodes.bands[1].low, 395.0);
+  EXPECT_EQ(nodes.bands[1].high, 405.0);
+  const BandColours colours = band_colours(solar_irradiance(), White::d65);
+  const ColourMatrix matrix = cell_matrix(nodes, solar_irradiance(), White::d65);
+  const Rgb expected = colour_of(colours, over_sun([](double x) { return 2.0 - 0.002 * x; }));
+  std::vector<double> at_nodes;
+  for (const double x : nm) {
+    at_nodes.push_back(2.0 - 0.002 * x);
+  }
+  const Rgb found = colour_by(matrix, at_nodes);
+  for (std::size_t c = 0; c < 3; ++c) {
+    EXPECT_NEAR(found[c] / expected[c], 1.0, 2e-3) << c;
+  }
+  const Rgb sun = colour_by(matrix, std::vector<double>(nm.size(), 1.0));
+  for (std::size_t c = 0; c < 3; ++c) {
+    EXPECT_NEAR(sun[c] / sun_colour(colours)[c], 1.0, 2e-3) << c;
+  }
+}
+
 // Under D65 a black body of 6504 K is near white, one of 2856 K is CIE A: x 0.4476, y 0.4074.
 TEST(Colours, OfABlackBody) {
   Curve lamp;

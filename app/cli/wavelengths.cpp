@@ -1,0 +1,82 @@
+#include "app/cli/wavelengths.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "core/error.h"
+#include "core/scene/json_format.h"
+
+namespace airlight::cli {
+namespace {
+
+// Of the standard observer's table, nm.
+constexpr double kLowest = 360.0;
+constexpr double kHighest = 830.0;
+constexpr double kLeastStep = 0.1;
+constexpr double kWidestBand = 10.0;
+constexpr std::size_t kFewest = 2;
+constexpr std::size_t kMost = 96;
+
+std::optional<std::array<double, 3>> three_numbers(const std::string& text) {
+  std::array<double, 3> numbers{};
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const auto parsed = std::from_chars(at, end, numbers[i]);
+    const bool last = i + 1 == numbers.size();
+    const bool ends_well = last ? parsed.ptr == end : parsed.ptr != end && *parsed.ptr == ':';
+    if (parsed.ec != std::errc() || !ends_well || !std::isfinite(numbers[i])) {
+      return std::nullopt;
+    }
+    at = parsed.ptr + (last ? 0 : 1);
+  }
+  return numbers;
+}
+
+}  // namespace
+
+Nodes wavelengths_from(const std::string& text, const std::string& option) {
+  const std::string what = option + ": '" + text + "'";
+  const std::string like = std::string("; write for example ") + kUsualWavelengths;
+  const std::optional<std::array<double, 3>> numbers = three_numbers(text);
+  if (!numbers) {
+    throw InputError(what + " is not FIRST:LAST:STEP in nm" + like);
+  }
+  const auto [first, last, step] = *numbers;
+  if (first < kLowest || first > kHighest || last < kLowest || last > kHighest) {
+    throw InputError(what + " leaves the range from " + format_number(kLowest) + " to " + format_number(kHighest) +
+                     " nm, in which colours and sunlight are known" + like);
+  }
+  if (!(first < last)) {
+    throw InputError(what + " does not ascend: the first wavelength must be below the last" + like);
+  }
+  if (step < kLeastStep) {
+    throw InputError(what + " has a step of " + format_number(step) + " nm; expected at least " +
+                     format_number(kLeastStep) + like);
+  }
+  // A rounding error does not take the last one.
+  const auto count = static_cast<std::size_t>(std::floor((last - first) / step + 1e-9)) + 1;
+  if (count < kFewest || count > kMost) {
+    throw InputError(what + " is " + (count < kFewest ? "one wavelength" : std::to_string(count) + " wavelengths") +
+                     "; expected " + std::to_string(kFewest) + " to " + std::to_string(kMost) + " of them" + like);
+  }
+  std::vector<double> nm;
+  for (std::size_t k = 0; k < count; ++k) {
+    nm.push_back(std::min(first + static_cast<double>(k) * step, last));
+  }
+  return listed_nodes(nm, std::min(step, kWidestBand));
+}
+
+void require_spectra(const Scene& scene, const std::string& option) {
+  if (!scene.spectra) {
+    throw InputError(option +
+                     ": the preset has three channels and no spectra; give it curves over the wavelength in place of " +
+                     "[r, g, b] (presets/README.md, Curves), or take one that has, such as earth-spectral");
+  }
+}
+
+}  // namespace airlight::cli

@@ -1,0 +1,147 @@
+#include "core/render/spectrum.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <utility>
+
+#include "core/render/group_runs.h"
+#include "core/render/timings.h"
+#include "core/scene/photometry.h"
+#include "core/spectra/data.h"
+
+namespace airlight {
+namespace {
+
+constexpr const char* kAbsolute = "W.m^-2.sr^-1.nm^-1";
+
+// Numbers that the preset gives without a unit, over steradians.
+constexpr const char* kPresetsOwn = "sun.spectrum.sr^-1";
+
+bool is_solar(const Curve& curve) {
+  return curve.wavelengths == solar_irradiance().wavelengths && curve.values == solar_irradiance().values;
+}
+
+SpectralImage described(const Scene& scene, const Nodes& nodes) {
+  const SpectralUnit unit = spectral_unit(scene);
+  SpectralImage image{unit.name, nodes.nm, {}, false, {}};
+  for (std::size_t k = 0; k < nodes.nm.size(); ++k) {
+    image.sunlight.push_back(scene.spectra->irradiance * unit.scale * at_node(scene.spectra->sun, nodes, k));
+  }
+  return image;
+}
+
+// What the channels of a group, radiance over the sun's times its irradiance, are multiplied by.
+std::vector<double> channel_scales(const Scene& scene, const Nodes& nodes) {
+  std::vector<double> scales;
+  for (std::size_t k = 0; k < nodes.nm.size(); ++k) {
+    scales.push_back(spectral_unit(scene).scale * at_node(scene.spectra->sun, nodes, k));
+  }
+  return scales;
+}
+
+bool tells_colours(const Scene& scene, const SpectralScene& listed) {
+  const BandColours colours = band_colours(scene.spectra->sun, scene.spectra->white);
+  return mean_error(listed.matrix, sampled_sky(scene, listed.nodes, colours)) <= kTellsColours;
+}
+
+void add_planes(SpectralImage& spectrum, const RadianceImage& part, std::size_t first,
+                const std::vector<double>& scales) {
+  for (std::size_t c = 0; c < 3 && first + c < spectrum.nm.size(); ++c) {
+    std::vector<float>& plane = spectrum.planes.emplace_back(part.rgba.size() / 4);
+    for (std::size_t i = 0; i < plane.size(); ++i) {
+      plane[i] = static_cast<float>(scales[first + c] * static_cast<double>(part.rgba[4 * i + c]));
+    }
+  }
+}
+
+void add_group(Rendering& all, Rendering part, const std::array<Rgb, 3>& colours) {
+  add_part(all.radiance, part.radiance, colours);
+  if (part.standard_error) {
+    add_error(all.standard_error ? *all.standard_error : all.standard_error.emplace(), *part.standard_error, colours);
+  }
+  all.tables_statistics.insert(all.tables_statistics.end(), part.tables_statistics.begin(),
+                               part.tables_statistics.end());
+  add_new_lines(all.left_out, part.left_out);
+  add_new_lines(all.undone, part.undone);
+  add_timings(all.passes, part.passes);
+  add_timings(all.host, part.host);
+}
+
+}  // namespace
+
+SpectralUnit spectral_unit(const Scene& scene) {
+  assert(scene.spectra);
+  const Curve& sun = scene.spectra->sun;
+  if (const std::optional<double> white = white_luminance(scene.sun.unit)) {
+    return {*white / illuminance(sun), kAbsolute};
+  }
+  return {1.0, is_solar(sun) ? kAbsolute : kPresetsOwn};
+}
+
+Rendering render_spectrum(const DeviceOnDemand& device, const Scene& scene, const RenderRequest& request,
+                          const Nodes& nodes) {
+  SpectralScene listed = spectral_scene_at(scene, nodes);
+  SpectralImage spectrum = described(scene, nodes);
+  spectrum.tells_colours = tells_colours(scene, listed);
+  const std::vector<double> scales = channel_scales(scene, nodes);
+  const std::size_t count = listed.groups.size() + (spectrum.tells_colours ? 0 : 1);
+  GroupRuns runs(request.host, count, ".wavelengths");
+  open_for_finish(device, scene, request);
+  Rendering out;
+  for (std::size_t g = 0; g < listed.groups.size(); ++g) {
+    Scene& group = listed.groups[g].scene;
+    RenderRequest plain;
+    plain.host = runs.start(group, g);
+    Rendering part = render(device, group, plain);
+    if (!part.fault().empty()) {
+      return part;
+    }
+    add_planes(spectrum, part.radiance, 3 * g, scales);
+    add_group(out, std::move(part), listed.groups[g].colours);
+  }
+  if (spectrum.tells_colours) {
+    if (out.standard_error) {
+      take_roots(*out.standard_error);
+    }
+    finish(device, scene, request, out);
+  } else {
+    Scene other = scene;  // whose seed is not the picture's
+    RenderRequest last = request;
+    last.host = runs.start(other, count - 1);
+    Rendering picture = render(device, scene, last);
+    add_timings(picture.passes, out.passes);
+    add_timings(picture.host, out.host);
+    out = std::move(picture);
+  }
+  out.spectrum = std::move(spectrum);
+  return out;
+}
+
+Plan plan_for_spectrum(const Scene& scene, const Nodes& nodes) {
+  return plan_for(spectral_scene_at(scene, nodes).groups.front().scene, {});
+}
+
+SpectralProbes probe_spectrum(const DeviceOnDemand& device, const Scene& scene,
+                              const std::vector<Direction>& directions, const Nodes& nodes) {
+  SpectralScene listed = spectral_scene_at(scene, nodes);
+  const std::vector<double> scales = channel_scales(scene, nodes);
+  const HostOptions quiet;
+  GroupRuns runs(quiet, listed.groups.size(), "");
+  SpectralProbes all{described(scene, nodes), std::vector<SpectralProbe>(directions.size()), {}};
+  for (std::size_t g = 0; g < listed.groups.size(); ++g) {
+    Scene& group = listed.groups[g].scene;
+    runs.start(group, g);
+    const ProbeResults found = probe(device, group, directions);
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      for (std::size_t c = 0; c < 3 && 3 * g + c < nodes.nm.size(); ++c) {
+        all.directions[i].radiance.push_back(scales[3 * g + c] * found.directions[i].radiance[c]);
+        all.directions[i].transmittance.push_back(found.directions[i].transmittance[c]);
+      }
+    }
+    add_new_lines(all.undone, found.undone);
+  }
+  return all;
+}
+
+}  // namespace airlight
