@@ -185,8 +185,11 @@ std::string details(const RenderReport& report) {
   char text[160];
   std::string out = "method " + report.scene.render.method;
   out += report.device ? " on " + report.device->name + " (" + report.device->driver + ")\n" : "\n";
+  // What the choice left out stands in its explanation.
+  const std::vector<std::string> told = report.choice ? report.choice->choice.left_out : std::vector<std::string>();
   for (const std::string& reason : rendering.left_out) {
-    out += "left out: " + reason + "\n";
+    const bool is_told = std::find(told.begin(), told.end(), reason) != told.end();
+    out += is_told ? "" : "left out: " + reason + "\n";
   }
   if (rendering.spectrum) {
     out += "spectrum: " + range_text(rendering.spectrum->nm) + ", " + rendering.spectrum->unit + "; the picture is " +
