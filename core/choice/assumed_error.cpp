@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/methods/scene_air.h"
+#include "core/methods/spectral_sky.h"
 
 namespace airlight::choice {
 namespace {
@@ -15,6 +16,11 @@ bool is_day(const Scene& scene) {
   return scene.sun.elevation >= kLowSun;
 }
 
+// Of the channels; with spectra they stand for three wavelengths where most of the colour comes from.
+double brightest_ground(const Scene& scene) {
+  return std::ranges::max(scene.planet.ground_albedo);
+}
+
 // The angle that the horizon falls by to the top of the air, Earth's 10 degrees: what a table knows of dusk stands as
 // far apart whatever the planet, and on one a hundred times as large all of dusk falls between two of its suns.
 bool dusk_is_resolved(const Planet& planet, double widest) {
@@ -22,16 +28,36 @@ bool dusk_is_resolved(const Planet& planet, double widest) {
   return dusk > 4.0 * kDegree && dusk < widest * kDegree;
 }
 
+// What `auto` or more wavelengths are off all of them: core/SPECTRA.md has 0.02 to 0.42 % over clear and dusty skies,
+// 0.85 in haze of an optical depth of 0.9. Fewer are taken at nobody's word.
+std::optional<double> wavelengths_error(const Scene& scene) {
+  if (!scene.spectra) {
+    return 0.0;
+  }
+  if (scene.spectra->wavelengths > 0) {
+    Scene by_itself = scene;
+    by_itself.spectra->wavelengths = 0;
+    if (static_cast<std::size_t>(scene.spectra->wavelengths) < spectral_scene(by_itself).nodes.nm.size()) {
+      return std::nullopt;
+    }
+  }
+  return 0.003 + 0.006 * std::min(1.0, air_of(scene).depths().scattering);
+}
+
+bool is_beside_the_top(const Scene& scene) {
+  constexpr double kBesideTheTop = 0.8;  // of the air's height: there the horizon's row of the table is a grazing ray's
+  const double height = scene.camera.altitude / scene.planet.atmosphere_height;
+  return height > kBesideTheTop && height <= 1.0;
+}
+
 }  // namespace
 
 // By the references of tests/truth: 0.2 to 0.3 % over black ground, up to 0.6 % over snow and 2 % in twilight over it,
 // 1 to 1.3 % in haze.
 double common_error(const Scene& scene) {
-  const Spectrum& spectrum = scene.planet.ground_albedo;
-  const double albedo = std::max({spectrum[0], spectrum[1], spectrum[2]});
   const OpticalDepths depths = air_of(scene).depths();
-  return 0.003 + (is_day(scene) ? 0.0045 : 0.0195) * albedo + 0.012 * std::min(1.0, depths.peaked / 0.04) +
-         0.05 * depths.peaked + 0.03 * std::min(1.0, depths.abrupt / 0.1);
+  return 0.003 + (is_day(scene) ? 0.0045 : 0.0195) * brightest_ground(scene) +
+         0.012 * std::min(1.0, depths.peaked / 0.04) + 0.05 * depths.peaked + 0.03 * std::min(1.0, depths.abrupt / 0.1);
 }
 
 std::optional<double> plain_reference_error(const Scene& scene) {
@@ -50,19 +76,31 @@ std::optional<double> plain_reference_error(const Scene& scene) {
 }
 
 std::optional<double> default_error(const Scene& scene) {
-  constexpr double kBesideTheTop = 0.8;  // of the air's height: there the horizon's row of the table is a grazing ray's
   constexpr double kTable = 0.002;
-  const double height = scene.camera.altitude / scene.planet.atmosphere_height;
-  const bool has_phase_table =
-      std::ranges::any_of(scene.media, [](const Medium& medium) { return medium.phase == PhaseFunction::table; });
-  if (scene.spectra || scene.terrain || has_phase_table) {
-    return std::nullopt;  // none of the scenes that this was fitted to
-  }
-  if (!is_day(scene) || !dusk_is_resolved(scene.planet, 14.0) || (height > kBesideTheTop && height <= 1.0)) {
+  constexpr double kTableAtDusk = 0.011;
+  constexpr double kLowestSun = -4.0 * kDegree;  // below it 5.6 % was seen over bright ground
+  const std::optional<double> wavelengths = wavelengths_error(scene);
+  const std::optional<double> plain = plain_reference_error(scene);
+  if (scene.terrain || scene.sun.elevation < kLowestSun || !dusk_is_resolved(scene.planet, 14.0) ||
+      is_beside_the_top(scene) || !wavelengths || !plain) {
     return std::nullopt;
   }
-  const std::optional<double> plain = plain_reference_error(scene);
-  return plain ? std::optional(*plain + kTable) : std::nullopt;
+  return *plain + (is_day(scene) ? kTable : kTableAtDusk) + *wavelengths;
+}
+
+std::optional<double> shells_error(const Scene& scene) {
+  constexpr double kLeastPeaked = 0.02;  // below it the defaults have most of it
+  constexpr double kMostPeaked = 0.1;
+  constexpr double kMostScattering = 0.6;
+  constexpr double kTable = 0.002;
+  const std::optional<double> wavelengths = wavelengths_error(scene);
+  const OpticalDepths depths = air_of(scene).depths();
+  if (!is_day(scene) || !default_error(scene) || !wavelengths || depths.abrupt > 0.0 || depths.peaked < kLeastPeaked ||
+      depths.peaked > kMostPeaked || depths.scattering > kMostScattering) {
+    return std::nullopt;
+  }
+  return 0.003 + 0.0045 * brightest_ground(scene) + 0.002 * std::min(1.0, depths.peaked / 0.04) + 0.01 * depths.peaked +
+         kTable + *wavelengths;
 }
 
 }  // namespace airlight::choice

@@ -68,6 +68,14 @@ Candidate default_candidate(const Scene& scene) {
       std::move(with), "default", [](ResourceId) { return false; }, plan);
 }
 
+Candidate shells_candidate(const Scene& scene) {
+  Scene with = with_quality(scene, *find_method("orders"),
+                            {"by shells, degree 8", {{"shells", std::string("always")}, {"degree", std::string("8")}}});
+  const Plan plan = plan_of(with);
+  return make(
+      std::move(with), "by shells, degree 8", [](ResourceId) { return false; }, plan);
+}
+
 std::vector<Candidate> candidates(const Scene& scene, double tolerance, const std::string& only,
                                   const std::vector<Candidate>& made) {
   std::set<std::string> keys;

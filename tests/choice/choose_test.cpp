@@ -62,7 +62,7 @@ TEST(Tolerance, TakesTheFirstOfRisingCostThatIsWithinIt) {
 // a number that the preset asks for stays.
 TEST(Tolerance, TakesTheFewestWavelengths) {
   Scene scene = preset("earth");
-  scene.sun.elevation = 0.6;
+  scene.sun.elevation = -0.1;
   const auto by_wavelengths = wrong_by([](const Scene& s) {
     const int count = s.spectra->wavelengths;
     return count < 4 ? 0.03 : count < 7 ? 0.004 : 0.0;
@@ -119,8 +119,71 @@ TEST(Tolerance, TheDefaultIsLookedAtWhereItsTableMayFail) {
   scene.planet.atmosphere_height = 500.0;
   EXPECT_FALSE(default_error(scene));
   scene = noon;
-  scene.sun.elevation = 0.0;
+  scene.sun.elevation = -0.08;
   EXPECT_FALSE(default_error(scene));
+  scene.sun.elevation = -0.06;
+  EXPECT_GT(*default_error(scene), *default_error(noon));
+}
+
+// Molecules and a haze of optical depth 0.05 by the text between the lines, the sun at 30 degrees.
+Scene haze(const std::string& molecules, const std::string& phase, const std::string& more = "{}") {
+  return resolve(parse_preset(R"({"airlight": 1, "media": [
+      {"name": "molecules", "scattering_per_km": )" +
+                                  molecules + R"(, "phase": {"function": "rayleigh"},
+       "density": {"profile": "exponential", "scale_height_km": 8}},
+      {"name": "haze", "scattering_per_km": 0.042, "phase": )" +
+                                  phase + R"(,
+       "density": {"profile": "exponential", "scale_height_km": 1.2}}],
+    "sun": {"elevation_deg": 30}, "render": )" +
+                                  more + "}",
+                              "test", {}),
+                 method_infos());
+}
+
+constexpr const char* kBlue = "[0.0058, 0.0136, 0.0331]";
+constexpr const char* kForward = R"({"function": "henyey-greenstein", "g": 0.8})";
+
+// Harmonics to degree 8, which the defaults do without, at once and not by search.
+TEST(Tolerance, HazeIsServedByShells) {
+  int calls = 0;
+  const ProbeFunction probe = wrong_by(by_steps, &calls);
+  const Scene scene = haze(kBlue, kForward);
+  EXPECT_EQ(choose_for_tolerance(scene, 0.03, "", probe).chosen->quality, "default");
+  const Choice fine = choose_for_tolerance(scene, 0.01, "", probe);
+  ASSERT_TRUE(fine.chosen);
+  EXPECT_EQ(fine.chosen->scene.render.get<std::string>("shells"), "always");
+  EXPECT_EQ(fine.chosen->scene.render.get<std::string>("degree"), "8");
+  EXPECT_EQ(fine.error, *shells_error(scene));
+  EXPECT_LT(fine.error, *default_error(scene));
+  EXPECT_EQ(calls, 0);
+  Scene low = scene;
+  low.sun.elevation = 0.0;
+  EXPECT_FALSE(shells_error(low));
+}
+
+// `auto` wavelengths are few enough to be known, and what they err is in the bound; fewer have to be looked at.
+TEST(Tolerance, KnowsTheDefaultOfSpectraAndOfTables) {
+  int calls = 0;
+  const ProbeFunction probe = wrong_by(by_steps, &calls);
+  const std::string air = R"({"at_nm": 550, "value": 0.0125, "exponent": -4})";
+  Scene scene = haze(air, kForward);
+  ASSERT_TRUE(scene.spectra);
+  EXPECT_EQ(choose_for_tolerance(scene, 0.03, "", probe).chosen->quality, "default");
+  EXPECT_EQ(calls, 0);
+  Scene channels = scene;
+  channels.spectra.reset();
+  EXPECT_GE(*default_error(scene), *default_error(channels) + 0.003);
+  scene.sun.elevation = -0.05;
+  EXPECT_TRUE(default_error(scene));
+  scene.spectra->wavelengths = 24;
+  EXPECT_TRUE(default_error(scene));
+  scene.spectra->wavelengths = 3;  // `auto` takes six there
+  EXPECT_FALSE(default_error(scene));
+  const Scene table = haze(
+      kBlue, R"({"function": "table", "angles_deg": [0, 20, 90, 180], "values": [1.768, 0.442, 0.01768, 0.01768]})");
+  EXPECT_TRUE(default_error(table));
+  EXPECT_GT(*default_error(table), *default_error(haze(kBlue, R"({"function": "rayleigh"})")))
+      << "as peaked as its mean cosine says";
 }
 
 // Over a planet of 604 548 km at sunset the plain reference was 53 % off and vouched for what was as wrong.
