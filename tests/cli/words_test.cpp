@@ -242,7 +242,7 @@ TEST_F(Words, ToleranceShowsProgressOnATerminal) {
   const pid_t child = ::forkpty(&master, nullptr, nullptr, nullptr);
   if (child == 0) {
     (void)!::chdir(scratch_.path().c_str());
-    ::execl(AIRLIGHT_BINARY, "airlight", "render", "sky.json", "-o", "a.exr", "--sun-elevation", "0.5", "--tolerance",
+    ::execl(AIRLIGHT_BINARY, "airlight", "render", "sky.json", "-o", "a.exr", "--sun-elevation=-5", "--tolerance",
             "10%", nullptr);
     ::_exit(127);
   }
@@ -255,7 +255,7 @@ TEST_F(Words, ToleranceShowsProgressOnATerminal) {
   ::close(master);
   EXPECT_TRUE(contains(text, "choosing method and quality: probing ")) << text;
   EXPECT_TRUE(contains(text, "\r\033[K")) << text;  // and it is taken away
-  EXPECT_FALSE(contains(tool({"render", "sky.json", "-o", "b.exr", "--sun-elevation", "0.5", "--tolerance", "10%"}).err,
+  EXPECT_FALSE(contains(tool({"render", "sky.json", "-o", "b.exr", "--sun-elevation=-5", "--tolerance", "10%"}).err,
                         "choosing"));
 }
 
