@@ -75,7 +75,7 @@ void require_spectra(const Scene& scene, const std::string& option) {
   if (!scene.spectra) {
     throw InputError(option +
                      ": the preset has three channels and no spectra; give it curves over the wavelength in place of " +
-                     "[r, g, b] (presets/README.md, Curves), or take one that has, such as earth-spectral");
+                     "[r, g, b] (presets/README.md, Curves), or take one that has, such as earth");
   }
 }
 

@@ -288,7 +288,7 @@ Command probe_command() {
       {"airlight probe earth-noon --elevation 10 --azimuth 0 --elevation 10 --azimuth 180 --json",
        "Two directions, as JSON"},
       {"airlight probe earth-physical --elevation 90 --azimuth 0", "The zenith in cd/m2"},
-      {"airlight probe earth-spectral --elevation 90 --azimuth 0 --spectrum 400:700:50",
+      {"airlight probe earth --elevation 90 --azimuth 0 --spectrum 400:700:50",
        "The zenith's spectrum, every 50 nm; --spectrum alone is every 10 nm from 380 to 780"},
       {"airlight probe earth-noon --csv directions.csv", "Directions from a file of ELEVATION,AZIMUTH lines"}};
   command.positionals = {preset_positional(given->scene)};

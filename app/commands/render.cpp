@@ -112,7 +112,7 @@ Command render_command() {
                       {"airlight render sky.exr -o again.exr", "Render the picture of an EXR again"},
                       {"airlight render earth-sunset --layers -o layers.exr --size 160x90",
                        "Rayleigh, mie, multiple, sun, ground, transmittance, depth and normals apart, for compositing"},
-                      {"airlight render earth-spectral --spectral 400:700:20 --size 32x18 -o spectral.exr",
+                      {"airlight render earth --spectral 400:700:20 --size 32x18 -o spectral.exr",
                        "Spectral radiance for a spectral renderer, every 20 nm, and the picture beside it"},
                       {"airlight render earth-noon --size 640x360 --tile 200x100 -o tiles.exr",
                        "A picture of any size in bounded memory"}};

@@ -146,7 +146,7 @@ TEST_F(SpectralExr, BadInputIsOneLine) {
       {range("380:780:1"), {"is 401 wavelengths", "2 to 96"}},
       {range("380:780:500"), {"is one wavelength", "2 to 96"}},
       {{"render", "three.json", "-o", "a.exr", "--spectral", "380:780:10"},
-       {"the preset has three channels and no spectra", "earth-spectral"}},
+       {"the preset has three channels and no spectra", "such as earth"}},
       {{"render", "sky.json", "--png", "a.png", "--spectral", "380:780:10"}, {"none is written", "-o FILE.exr"}},
       {{"render", "sky.json", "-o", "a.exr", "--layers", "--spectral", "380:780:10"}, {"does not go with --layers"}},
       {{"render", "sky.json", "-o", "a.exr", "--luts", ".", "--spectral", "380:780:10"}, {"does not go with --luts"}},
