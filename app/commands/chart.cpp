@@ -108,6 +108,11 @@ chart::RunOrder order_of(const Given& given, chart::Settings& settings) {
                        ": planet.terrain: the path tracer, which the others are judged by, knows no "
                        "terrain; choose a preset without");
     }
+    if (!scene.spheres.empty()) {
+      throw InputError("chart: " + preset +
+                       ": scene.spheres: the path tracer, which the others are judged by, knows no "
+                       "spheres; choose a preset without");
+    }
     settings.image = scene.image;
     order.scenes.push_back({preset, std::move(scene)});
   }

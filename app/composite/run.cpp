@@ -290,6 +290,11 @@ void require_spans(const Scene& scene, bool by_method) {
         "composite: planet.terrain: the air is put before the things of one picture, and terrain would be "
         "among them; remove planet.terrain from the preset");
   }
+  if (!scene.spheres.empty()) {
+    throw InputError(
+        "composite: scene.spheres: the air is put before the things of one picture, and spheres would be among them; "
+        "remove scene.spheres from the preset");
+  }
   if (!by_method) {
     return;
   }

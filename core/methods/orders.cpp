@@ -15,6 +15,7 @@
 #include "core/methods/scene_air.h"
 #include "core/methods/sky_pass.h"
 #include "core/methods/spectral_sums.h"
+#include "core/spheres/spheres.h"
 #include "core/terrain/terrain_buffers.h"
 
 namespace airlight {
@@ -72,7 +73,7 @@ const std::array<ParameterInfo, 12> kParameters{{
      0,
      true,
      {},
-     "whether the air in the shadow of terrain is without the sun's light"},
+     "whether the air in the shadow of terrain and spheres is without the sun's light"},
     phase_parameter(),
 }};
 
@@ -157,7 +158,7 @@ bool tabulates(const Scene& scene, const View& view) {
   const bool holds = view.directions.empty() || view.as_picture;
   const long long enough = inside_the_air(scene) ? 16384 : 131072;  // about four times the table's rays
   const bool pays = scene.image.width * static_cast<long long>(scene.image.height) >= enough;
-  return holds && !scene.terrain && (choice == "always" || (choice == "auto" && pays));
+  return holds && !scene.terrain && scene.spheres.empty() && (choice == "always" || (choice == "auto" && pays));
 }
 
 MomentSettings settings_of(const Scene& scene, const Air& air) {
@@ -335,11 +336,32 @@ void add_terrain_sky(Plan& plan, const Scene& scene, const SkyTarget& target, co
        .cost = 3.0 * ray_cost(light.steps)});
 }
 
+// The pass over spheres, the ground and the air about them.
+void add_sphere_sky(Plan& plan, const Scene& scene, const SkyTarget& target, const Light& light) {
+  std::vector<Specialization> constants = light.constants;
+  constants.push_back({"kProjection", target.projection});
+  constants.push_back({"kShafts", scene.render.get<bool>("volumetric_shadows") ? 1U : 0U});
+  constants.push_back({"kDiscShows", scene.sun.disc.visible ? 1U : 0U});
+  std::vector<Binding> reads = light.reads();
+  reads.push_back({"directions", target.directions});
+  reads.push_back({"spheres", add_spheres(plan, "spheres", scene)});
+  plan.add_pass({.name = "sky",
+                 .shader = "sky_spheres",
+                 .reads = std::move(reads),
+                 .writes = {{"radiance_out", target.radiance}},
+                 .grid = target.grid,
+                 .push_constants = {target.grid.width, target.grid.height, light.steps},
+                 .specialization = std::move(constants),
+                 .cost = 3.0 * ray_cost(light.steps)});
+}
+
 SkyPasses add_orders(Plan& plan, const Scene& scene, const Air& air, const View& view) {
   const SkyTarget target = add_sky_target(plan, scene, view);
   Light light = add_light(plan, scene, air);
   if (scene.terrain) {
     add_terrain_sky(plan, scene, target, light);
+  } else if (!scene.spheres.empty()) {
+    add_sphere_sky(plan, scene, target, light);
   } else if (tabulates(scene, view)) {
     add_tabulated_sky(plan, scene, air, view, target, light);
   } else {
@@ -478,7 +500,7 @@ SpanPasses add_spans(Plan& plan, const Scene& scene, const Air& air, std::span<c
 std::vector<std::string> left_out(const Scene& scene, const Plan& plan) {
   const bool tabulated =
       std::ranges::any_of(plan.images(), [](const ImageDesc& image) { return image.name.starts_with("sky_factors"); });
-  if (tabulated || scene.terrain || scene.render.get<std::string>("tabulate") != "auto") {
+  if (tabulated || scene.terrain || !scene.spheres.empty() || scene.render.get<std::string>("tabulate") != "auto") {
     return {};
   }
   return {"table of the picture's light: the picture's " + std::to_string(scene.image.width * scene.image.height) +
@@ -507,9 +529,11 @@ SkyMethod orders_method() {
   SkyMethod method;
   method.info = {"orders", "successive orders of scattering as spherical-harmonic moments; near truth", kParameters};
   method.info.knows_terrain = true;
+  method.info.knows_spheres = true;
   method.layers_refusal = [](const Scene& scene) {
-    return std::string(scene.terrain ? "planet.terrain: its light is not kept apart by layers; remove one of the two"
-                                     : "");
+    const char* things = scene.terrain ? "planet.terrain" : scene.spheres.empty() ? nullptr : "scene.spheres";
+    return things == nullptr ? std::string()
+                             : std::string(things) + ": its light is not kept apart by layers; remove one of the two";
   };
   method.validity.leaves_out = "harmonics above the degree kept";
   method.bounds = bounds;

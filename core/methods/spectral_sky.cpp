@@ -263,6 +263,9 @@ Scene group_scene(const Scene& scene, const Nodes& nodes, const std::array<std::
       group.media[i].phase_wavelengths[c] = nodes.nm[at[c]];
     }
     group.planet.ground_albedo[c] = at_node(spectra.ground_albedo, nodes, at[c]);
+    for (std::size_t i = 0; i < group.spheres.size(); ++i) {
+      group.spheres[i].albedo[c] = at_node(spectra.spheres[i], nodes, at[c]);
+    }
     group.sun.irradiance[c] = irradiance;
   }
   group.spectra.reset();

@@ -14,6 +14,7 @@ struct vec3 {
 };
 
 #include "shaders/shared/scene.h"
+#include "shaders/shared/spheres.h"
 #include "shaders/shared/terrain.h"
 
 }  // namespace airlight::device

@@ -15,6 +15,7 @@ namespace airlight::physics {
 #include "shaders/shared/tables.h"
 #include "shaders/shared/analytic.h"
 #include "shaders/shared/glare.h"
+#include "shaders/shared/spheres.h"
 #include "shaders/shared/terrain.h"
 // clang-format on
 
@@ -54,6 +55,7 @@ struct Physics {
   AnalyticData analytic;
   std::vector<GlarePoint> glare_points;             // the sum of the points first
   std::shared_ptr<const HostTerrain> terrain_maps;  // null: no terrain
+  std::vector<SphereData> spheres;
 
   uint medium_count() const { return media; }
   uint density_profile(uint i) const { return (density_profiles >> (kBitsPerMedium * i)) & 15u; }
@@ -96,6 +98,7 @@ struct Physics {
 #include "shaders/physics/shadow.glsl"
 #include "shaders/physics/environment.glsl"
 #include "shaders/physics/camera.glsl"
+#include "shaders/physics/horizon.glsl"
 #include "shaders/physics/glare.glsl"
   const TerrainData& terrain_shape() const { return terrain_maps->shape; }
   uint terrain_level(uint level) const { return terrain_maps->shape.level_first[level]; }
@@ -107,6 +110,9 @@ struct Physics {
     return root * root;
   }
 #include "shaders/physics/terrain.glsl"
+  uint sphere_count() const { return static_cast<uint>(spheres.size()); }
+  const SphereData& sphere(uint i) const { return spheres[i]; }
+#include "shaders/physics/spheres.glsl"
   GroundTrack ray_track = {};  // of the ray at hand, whose air the terrain's shadow stands in
   real ray_start = 0.0;        // where the march begins along it
   real sun_share(const Ray& ray, real t, real width) {
@@ -126,7 +132,8 @@ struct Physics {
     return sun_steps > 0 ? exp(-optical_depth_to_top(planet, h, mu, sun_steps)) : table_transmittance(planet, h, mu);
   }
   bool disc_is_hidden(const vec3& direction) {
-    return terrain_maps != nullptr && terrain_hit(scene.planet, ground_track(scene.camera.altitude, direction)).hit;
+    return nearest_sphere(vec3(0.0), direction, kNoSphere).hit ||
+           (terrain_maps != nullptr && terrain_hit(scene.planet, ground_track(scene.camera.altitude, direction)).hit);
   }
 #include "shaders/physics/sun_disc.glsl"
 #include "shaders/physics/sunlight.glsl"
@@ -145,7 +152,9 @@ struct Physics {
 #include "shaders/physics/sky_factors.glsl"
 #include "shaders/physics/shells.glsl"
 #include "shaders/physics/shell_march.glsl"
+#include "shaders/physics/surface_light.glsl"
 #include "shaders/physics/terrain_light.glsl"
+#include "shaders/physics/sphere_light.glsl"
 #include "shaders/physics/sky_table.glsl"
 #include "shaders/physics/space_table.glsl"
 #include "shaders/physics/aerial_volume.glsl"

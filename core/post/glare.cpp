@@ -10,6 +10,7 @@
 #include "core/air/scene_block.h"
 #include "core/post/host_post.h"
 #include "core/post/post.h"
+#include "core/spheres/spheres.h"
 #include "core/terrain/terrain.h"
 
 namespace airlight {
@@ -28,6 +29,7 @@ using physics::GlarePoint;
 std::vector<GlarePoint> disc_sources(const Scene& scene, const Air& air) {
   physics::Physics p = formulas_of(air, scene);
   p.sun_steps = physics::kTransmittanceSteps;
+  p.spheres = spheres_of(scene);
   if (scene.terrain) {
     p.terrain_maps = terrain_of(scene);
   }

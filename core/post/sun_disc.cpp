@@ -7,6 +7,7 @@
 #include "core/post/disc_parts.h"
 #include "core/post/host_post.h"
 #include "core/post/post.h"
+#include "core/spheres/spheres.h"
 #include "core/terrain/terrain_buffers.h"
 
 namespace airlight {
@@ -50,12 +51,17 @@ bool add_sun_disc(Plan& plan, const Scene& scene, const Air& air, std::optional<
   std::vector<Specialization> constants = sunlight_specialization(plan, air, table);
   constants.push_back({"kProjection", projection_code(scene.camera.projection)});
   std::vector<Binding> reads{{"transmittance_lut", table}};
+  const char* shader = "sun_disc";
   if (scene.terrain) {
+    shader = "sun_disc_terrain";
     reads.push_back({"terrain", add_terrain_heights(plan, "terrain before the disc", *terrain_of(scene))});
+  } else if (!scene.spheres.empty()) {
+    shader = "sun_disc_spheres";
+    reads.push_back({"spheres", add_spheres(plan, "spheres before the disc", scene)});
   }
   for (const auto& [pixels, box] : parts) {
     plan.add_pass({.name = "sun_disc",
-                   .shader = scene.terrain ? "sun_disc_terrain" : "sun_disc",
+                   .shader = shader,
                    .reads = reads,
                    .writes = {{"radiance_out", picture.buffer}},
                    .grid = {pixels.width, pixels.height, 1},

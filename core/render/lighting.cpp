@@ -5,6 +5,7 @@
 
 #include "core/air/scene_block.h"
 #include "core/error.h"
+#include "core/spheres/spheres.h"
 #include "core/terrain/terrain.h"
 
 namespace airlight {
@@ -196,15 +197,15 @@ SunLight sun_light(const DeviceOnDemand& device, const Scene& scene) {
                  .irradiance_above_air = scene.sun.irradiance};
   std::vector<Direction> directions;
   std::vector<double> shares;
+  p.spheres = spheres_of(scene);
   if (scene.terrain) {
     p.terrain_maps = terrain_of(scene);
   }
-  const auto behind_terrain = [&](const Direction& d) {
-    const physics::vec3 view = p.direction_from_angles(d.elevation, d.azimuth);
-    return p.terrain_maps != nullptr && p.terrain_hit(p.scene.planet, p.ground_track(scene.camera.altitude, view)).hit;
+  const auto is_hidden = [&](const Direction& d) {
+    return p.disc_is_hidden(p.direction_from_angles(d.elevation, d.azimuth));
   };
   for (const DiscPoint& point : disc_points(p, scene.sun)) {
-    if (!behind_terrain(point.direction) &&
+    if (!is_hidden(point.direction) &&
         !p.meets_ground(p.scene.planet, scene.camera.altitude, std::sin(point.direction.elevation))) {
       directions.push_back(point.direction);
       shares.push_back(point.share);

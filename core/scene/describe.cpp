@@ -142,6 +142,23 @@ void describe_terrain(Lines& lines, const Terrain& terrain) {
   }
 }
 
+void describe_sphere(Lines& lines, const Sphere& sphere, const Curve* albedo) {
+  constexpr double kMetres = 1e3;  // a km
+  lines.heading("sphere, " + std::string(kMaterialNames.at(static_cast<std::size_t>(sphere.material))))
+      .angle("azimuth", sphere.azimuth)
+      .angle("elevation", sphere.elevation)
+      .number("distance", sphere.distance * kMetres, "m")
+      .number("radius", sphere.radius * kMetres, "m");
+  if (albedo != nullptr) {
+    lines.line("albedo", curve_text(*albedo));
+  } else {
+    lines.spectrum("albedo", sphere.albedo);
+  }
+  if (sphere.material == SphereMaterial::translucent) {
+    lines.number("scatter strength", sphere.scatter_strength);
+  }
+}
+
 void describe_camera(Lines& lines, const Camera& camera, const ImageSize& image) {
   lines.heading("camera")
       .number("altitude", camera.altitude, "km")
@@ -183,6 +200,9 @@ std::string describe(const Scene& scene) {
   }
   if (scene.terrain) {
     describe_terrain(lines, *scene.terrain);
+  }
+  for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
+    describe_sphere(lines, scene.spheres[i], scene.spectra ? &scene.spectra->spheres[i] : nullptr);
   }
   for (std::size_t i = 0; i < scene.media.size(); ++i) {
     describe_medium(lines, scene.media[i], scene.spectra ? &scene.spectra->media[i] : nullptr);

@@ -39,6 +39,7 @@ struct MethodInfo {
   std::string_view summary;  // one line for --help and the chart's legend
   std::span<const ParameterInfo> parameters;
   bool knows_terrain = false;
+  bool knows_spheres = false;
 };
 
 }  // namespace airlight

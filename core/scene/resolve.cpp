@@ -18,6 +18,7 @@
 #include "core/scene/problems.h"
 #include "core/scene/render_settings.h"
 #include "core/scene/section.h"
+#include "core/scene/sphere_reader.h"
 #include "core/scene/terrain_reader.h"
 
 namespace airlight {
@@ -397,7 +398,37 @@ void fill_channels(Scene& scene) {
       scene.media[i].phase_wavelengths[c] = nodes.nm[k];
     }
     scene.planet.ground_albedo[c] = at_node(spectra.ground_albedo, nodes, k);
+    for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
+      scene.spheres[i].albedo[c] = at_node(spectra.spheres[i], nodes, k);
+    }
     scene.sun.irradiance[c] *= sun[c];
+  }
+}
+
+// The methods that know a thing, where the scene's does not; else nothing.
+std::string who_knows(const Scene& scene, bool MethodInfo::*knows, std::span<const MethodInfo> methods) {
+  std::string names;
+  for (const MethodInfo& method : methods) {
+    if (method.name == scene.render.method && method.*knows) {
+      return {};
+    }
+    names += method.*knows ? (names.empty() ? "" : ", ") + std::string(method.name) : "";
+  }
+  return names;
+}
+
+// What spheres do not go with: a method that knows none, terrain.
+void refuse_spheres_beside(const Section& root, const Scene& scene, std::span<const MethodInfo> methods) {
+  const Section section = root.child("scene");
+  const PresetValue& spheres = *section.find("spheres");
+  if (const std::string names = who_knows(scene, &MethodInfo::knows_spheres, methods); !names.empty()) {
+    section.complain("spheres", spheres,
+                     "the method " + json_string(scene.render.method) + " knows no spheres; choose " + names +
+                         " with render.method or --method, or remove the spheres");
+  }
+  if (scene.terrain) {
+    section.complain("spheres", spheres,
+                     "there is planet.terrain beside them, and neither would see the other; remove one of the two");
   }
 }
 
@@ -410,15 +441,7 @@ void refuse_terrain_beside(const Section& root, const Scene& scene, bool curves,
         "is lit in three channels alone, and this preset has curves over the wavelength; give media, ground "
         "and sun by three channels, or remove the terrain");
   }
-  std::string names;
-  for (const MethodInfo& method : methods) {
-    if (method.name == scene.render.method && !method.knows_terrain) {
-      for (const MethodInfo& other : methods) {
-        names += other.knows_terrain ? (names.empty() ? "" : ", ") + std::string(other.name) : "";
-      }
-    }
-  }
-  if (!names.empty()) {
+  if (const std::string names = who_knows(scene, &MethodInfo::knows_terrain, methods); !names.empty()) {
     const Section planet = root.child("planet");
     planet.complain("terrain", *planet.find("terrain"),
                     "the method " + json_string(scene.render.method) + " knows no terrain; choose " + names +
@@ -436,6 +459,7 @@ Scene read_scene(const Section& root, std::span<const MethodInfo> methods) {
   SceneSpectra spectra;
   scene.planet = read_planet(root, curves, spectra);
   scene.terrain = read_terrain(root, scene.planet);
+  scene.spheres = read_spheres(root, curves, spectra.spheres);
   scene.media = read_media(root, scene.planet, curves, spectra);
   scene.sun = read_sun(root, curves, spectra);
   scene.camera = read_camera(root);
@@ -449,6 +473,9 @@ Scene read_scene(const Section& root, std::span<const MethodInfo> methods) {
   }
   if (scene.terrain) {
     refuse_terrain_beside(root, scene, curves.any(), methods);
+  }
+  if (!scene.spheres.empty()) {
+    refuse_spheres_beside(root, scene, methods);
   }
   scene.bloom = read_bloom(root, scene.camera);
   scene.display = read_display(root);

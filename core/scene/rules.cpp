@@ -18,6 +18,8 @@ constexpr Range kIrradiance{.minimum = 0.0, .maximum = 1e9};
 constexpr Range kTerrainWidth{.minimum = 1e-3, .maximum = 2000.0};
 constexpr Range kTerrainHeight{.minimum = 1e-3, .maximum = 100.0};
 constexpr Range kMapHeight{.minimum = -100.0, .maximum = 100.0};
+constexpr Range kSphereDistance{.minimum = 1e-3, .maximum = 1e7};
+constexpr Range kSphereRadius{.minimum = 1e-4, .maximum = 1e6};
 constexpr Range kUnit{.minimum = 0.0, .maximum = 1.0};
 constexpr Range kPhaseAngle{.minimum = 0.0, .maximum = 180.0};
 constexpr Range kPhaseValue{.minimum = 0.0, .maximum = 1e9};
@@ -37,6 +39,8 @@ constexpr std::array<std::string_view, 1> kTabled = {"table"};
 constexpr std::array<std::string_view, 1> kPerspective = {"perspective"};
 constexpr std::array<std::string_view, 1> kFisheye = {"fisheye"};
 constexpr std::array<std::string_view, 3> kMaps = {"equirectangular", "cube", "octahedral"};
+constexpr std::array<std::string_view, 3> kOwnAlbedo = {"matte", "mirror", "translucent"};
+constexpr std::array<std::string_view, 1> kTranslucent = {"translucent"};
 constexpr std::array<std::string_view, 1> kCube = {"cube"};
 
 constexpr auto kRules = std::to_array<Rule>({
@@ -320,6 +324,50 @@ constexpr auto kRules = std::to_array<Rule>({
          "how the six faces stand: `stack`, OpenEXR's, is 1 x 6 of them from above, `strip` 6 x 1 from the left, "
          "`cross` 3 x 4 as they hang together"},
 
+    {.key = "scene.spheres",
+     .type = RuleType::spheres,
+     .range = {.minimum = 1, .maximum = kMaxSpheres},
+     .meaning = "balls before the sky, as on a set; of the methods `orders` alone knows them"},
+    {.key = "scene.spheres[].azimuth_deg",
+     .range = kAnyAngle,
+     .unit = "degrees",
+     .default_text = "0",
+     .meaning = "where the camera sees the centre, clockwise from north"},
+    {.key = "scene.spheres[].elevation_deg",
+     .range = kRightAngle,
+     .unit = "degrees",
+     .default_text = "0",
+     .meaning = "and how far above level"},
+    {.key = "scene.spheres[].distance_m",
+     .range = kSphereDistance,
+     .unit = "m",
+     .required = true,
+     .meaning = "from the camera to the centre"},
+    {.key = "scene.spheres[].radius_m",
+     .range = kSphereRadius,
+     .unit = "m",
+     .required = true,
+     .meaning = "less than the distance: the camera stands outside"},
+    {.key = "scene.spheres[].material",
+     .type = RuleType::choice,
+     .default_text = "grey-18",
+     .choices = kMaterialNames,
+     .meaning =
+         "`matte`: Lambertian; `mirror`; `translucent`: 0.3 of a matte one and 0.7 of a term by thickness, which "
+         "glows as the mean of the light around it; `grey-18` and `chrome`: the two balls of a set, matte of "
+         "0.18 and a mirror of 0.55"},
+    {.key = "scene.spheres[].albedo",
+     .type = RuleType::curve,
+     .range = kUnit,
+     .default_text = "0.8",
+     .only_for = kOwnAlbedo,
+     .meaning = "share of the light that is sent back"},
+    {.key = "scene.spheres[].scatter_strength",
+     .range = {.minimum = 0.0, .maximum = 1e3},
+     .default_text = "16",
+     .only_for = kTranslucent,
+     .meaning = "how far light gets in the body: below about 8 its middle, where it is thickest, grows dark"},
+
     {.key = "image.width",
      .type = RuleType::integer,
      .range = kImageSide,
@@ -494,6 +542,8 @@ std::string expectation(const Rule& rule) {
       return "a number, " + range + ", \"auto\", \"day\" or \"lock:FRAME\"";
     case RuleType::media:
       return "an array of " + range + " media";
+    case RuleType::spheres:
+      return "an array of " + range + " spheres";
     case RuleType::angles:
       return "an array of ascending numbers, " + range;
     case RuleType::phase_values:

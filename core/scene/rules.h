@@ -40,6 +40,7 @@ enum class RuleType {
   method,        // the name of a method
   exposure,      // a number or how it is metered
   media,         // an array of media
+  spheres,       // an array of spheres
   angles,        // an array of numbers, ascending
   phase_values,  // an array of numbers, or of such arrays
   layers,        // an array of [altitude, density], altitudes ascending; the range is the density's
@@ -80,6 +81,8 @@ inline constexpr std::array<std::string_view, 6> kPhaseNames = {"rayleigh", "hen
 inline constexpr std::array<std::string_view, 5> kProjectionNames = {"perspective", "equirectangular", "fisheye",
                                                                      "cube", "octahedral"};
 inline constexpr std::array<std::string_view, 3> kCubeLayoutNames = {"stack", "strip", "cross"};
+inline constexpr std::array<std::string_view, 5> kMaterialNames = {"matte", "mirror", "translucent", "grey-18",
+                                                                   "chrome"};
 inline constexpr std::array<std::string_view, 2> kBloomModelNames = {"glare", "chain"};
 inline constexpr std::array<std::string_view, 3> kSunUnitNames = {"relative", "W/m2", "lux"};
 inline constexpr std::array<std::string_view, 3> kWhiteNames = {"sun", "D65", "E"};

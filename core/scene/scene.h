@@ -20,12 +20,14 @@ namespace airlight {
 using Spectrum = std::array<double, 3>;
 
 inline constexpr int kMaxMedia = 8;
+inline constexpr int kMaxSpheres = 16;
 inline constexpr int kMaxDensityLayers = 256;  // over all media of a scene
 
 enum class DensityProfile { exponential, tent, lorentzian, constant, layers, height_fog };
 enum class PhaseFunction { rayleigh, henyey_greenstein, cornette_shanks, schlick, isotropic, table };
 enum class Projection { perspective, equirectangular, fisheye, cube, octahedral };
 enum class CubeLayout { stack, strip, cross };
+enum class SphereMaterial { matte, mirror, translucent };
 enum class SunUnit { relative, watts_per_square_metre, lux };
 enum class ToneCurve { aces, reinhard, reinhard_luminance, exponential, clamp, none };
 
@@ -94,6 +96,18 @@ struct Terrain {
   double turn = 0.0;      // rad, of the map's upper edge, clockwise from north
   Spectrum albedo{};      // of all of it, or what the map's colours are multiplied by
   std::shared_ptr<const TerrainFiles> files;
+};
+
+// A ball before the sky.
+struct Sphere {
+  double azimuth = 0.0;    // rad, of its centre as the camera sees it, clockwise from north
+  double elevation = 0.0;  // rad
+  double distance = 0.0;   // km, of its centre
+  double radius = 0.0;     // km
+  SphereMaterial material = SphereMaterial::matte;
+  Spectrum albedo{};
+  double scatter_strength = 16.0;  // of translucent
+  bool operator==(const Sphere&) const = default;
 };
 
 struct SunDisc {
@@ -198,9 +212,10 @@ struct MediumSpectra {
 struct SceneSpectra {
   std::vector<MediumSpectra> media;  // as the scene's
   Curve ground_albedo;
-  Curve sun;                // above the air, up to a factor
-  int wavelengths = 0;      // 0: auto
-  double irradiance = 1.0;  // of the sun, as the preset gives it
+  std::vector<Curve> spheres;  // albedo, as the scene's
+  Curve sun;                   // above the air, up to a factor
+  int wavelengths = 0;         // 0: auto
+  double irradiance = 1.0;     // of the sun, as the preset gives it
   White white = White::sun;
   bool operator==(const SceneSpectra&) const = default;
 };
@@ -210,6 +225,7 @@ struct Scene {
   std::string description;
   Planet planet;
   std::optional<Terrain> terrain;
+  std::vector<Sphere> spheres;
   std::vector<Medium> media;
   Sun sun;
   Camera camera;

@@ -1,6 +1,7 @@
 // to_json: a scene as a preset of format 1.
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "core/scene/angle.h"
@@ -152,6 +153,38 @@ std::string terrain_json(const Terrain& terrain) {
   return object.str();
 }
 
+// The number that read as metres gives these km, to the last bit.
+double metres(double km) {
+  constexpr double kMetres = 1e3;
+  const double near = km * kMetres;
+  for (const double m : {near, std::nextafter(near, 0.0), std::nextafter(near, 1e30)}) {
+    if (m / kMetres == km) {
+      return m;
+    }
+  }
+  return near;
+}
+
+// "grey-18" and "chrome" come out as what they stand for.
+std::string spheres_json(const Scene& scene) {
+  std::string text;
+  for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
+    const Sphere& sphere = scene.spheres[i];
+    JsonObject object(4);
+    object.degrees("azimuth_deg", sphere.azimuth)
+        .degrees("elevation_deg", sphere.elevation)
+        .number("distance_m", metres(sphere.distance))
+        .number("radius_m", metres(sphere.radius))
+        .text("material", name_of(sphere.material, kMaterialNames))
+        .spectrum("albedo", sphere.albedo, scene.spectra ? &scene.spectra->spheres[i] : nullptr);
+    if (sphere.material == SphereMaterial::translucent) {
+      object.number("scatter_strength", sphere.scatter_strength);
+    }
+    text += (text.empty() ? "" : ",") + JsonObject::indent(3) + object.str();
+  }
+  return JsonObject(2).add("spheres", "[" + text + JsonObject::indent(2) + "]").str();
+}
+
 std::string planet_json(const Scene& scene) {
   JsonObject object(2);
   object.number("radius_km", scene.planet.ground_radius)
@@ -294,8 +327,11 @@ std::string to_json(const Scene& scene) {
   object.number("airlight", 1)
       .text("name", scene.name)
       .text("description", scene.description)
-      .add("planet", planet_json(scene))
-      .add("media", media_json(scene))
+      .add("planet", planet_json(scene));
+  if (!scene.spheres.empty()) {
+    object.add("scene", spheres_json(scene));
+  }
+  object.add("media", media_json(scene))
       .add("sun", sun_json(scene))
       .add("camera", camera_json(scene.camera))
       .add("image", image_json(scene))

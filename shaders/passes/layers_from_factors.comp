@@ -22,13 +22,8 @@ layout(push_constant, scalar) uniform Push {
   uint steps;
 };
 
-void main() {
-  uvec2 pixel = gl_GlobalInvocationID.xy;
-  if (pixel.x >= width || pixel.y >= height) {
-    return;
-  }
-  ViewRay view = picture_ray(pixel);
-  FactorPlace at = factor_place(view.direction);
+LightLayers layers_along(vec3 direction) {
+  FactorPlace at = factor_place(direction);
   LightLayers layers;
   layers.single[0] = single_at(0u, at);
   layers.single[1] = single_at(1u, at);
@@ -40,6 +35,21 @@ void main() {
   layers.single[7] = single_at(7u, at);
   layers.multiple = fetch_shared(diffuse_block(), at);
   layers.ground = fetch_shared(diffuse_block() + 1u, at);
-  layers.transmittance = beam_transmittance(scene_apart_factors(air_ray(view.direction), steps).air);
-  write_layers(pixel, uvec2(width, height), view.inside, layers);
+  layers.transmittance = beam_transmittance(scene_apart_factors(air_ray(direction), steps).air);
+  return layers;
+}
+
+void main() {
+  uvec2 pixel = gl_GlobalInvocationID.xy;
+  if (pixel.x >= width || pixel.y >= height) {
+    return;
+  }
+  ViewRay view = picture_ray(pixel);
+  PixelRays rays = rays_at(pixel, view);
+  LightLayers sum = empty_layers();
+  for (uint i = 0u; i < rays.count; i++) {
+    WeightedRay one = weighted_ray(pixel, view, rays, i);
+    sum = with_share(sum, layers_along(one.direction), one.share);
+  }
+  write_layers(pixel, uvec2(width, height), view.inside, sum);
 }

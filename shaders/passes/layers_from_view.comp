@@ -58,18 +58,28 @@ LightLayers layers_from_table(vec3 direction) {
   return layers;
 }
 
+LightLayers layers_along(vec3 direction) {
+  Ray ray = air_ray(direction);
+  LightLayers layers = layers_from_table(direction);
+  if (kGroundMarches != 0u && ray.at_ground) {
+    layers = march_layers(scene.planet, scene.sun, ray, steps, kStepDistribution, scene.multiple_scattering_scale);
+  } else {
+    layers.transmittance = march(scene.planet, scene.sun, ray, steps, kStepDistribution, 0.0).transmittance;
+  }
+  return layers;
+}
+
 void main() {
   uvec2 pixel = gl_GlobalInvocationID.xy;
   if (pixel.x >= width || pixel.y >= height) {
     return;
   }
   ViewRay view = picture_ray(pixel);
-  Ray ray = air_ray(view.direction);
-  LightLayers layers = layers_from_table(view.direction);
-  if (kGroundMarches != 0u && ray.at_ground) {
-    layers = march_layers(scene.planet, scene.sun, ray, steps, kStepDistribution, scene.multiple_scattering_scale);
-  } else {
-    layers.transmittance = march(scene.planet, scene.sun, ray, steps, kStepDistribution, 0.0).transmittance;
+  PixelRays rays = rays_at(pixel, view);
+  LightLayers sum = empty_layers();
+  for (uint i = 0u; i < rays.count; i++) {
+    WeightedRay one = weighted_ray(pixel, view, rays, i);
+    sum = with_share(sum, layers_along(one.direction), one.share);
   }
-  write_layers(pixel, uvec2(width, height), view.inside, layers);
+  write_layers(pixel, uvec2(width, height), view.inside, sum);
 }

@@ -17,14 +17,22 @@ layout(push_constant, scalar) uniform Push {
   uint steps;
 };
 
+LightLayers layers_along(vec3 direction) {
+  return march_layers(scene.planet, scene.sun, air_ray(direction), steps, kStepDistribution,
+                      scene.multiple_scattering_scale);
+}
+
 void main() {
   uvec2 pixel = gl_GlobalInvocationID.xy;
   if (pixel.x >= width || pixel.y >= height) {
     return;
   }
   ViewRay view = picture_ray(pixel);
-  Ray ray = air_ray(view.direction);
-  LightLayers layers =
-      march_layers(scene.planet, scene.sun, ray, steps, kStepDistribution, scene.multiple_scattering_scale);
-  write_layers(pixel, uvec2(width, height), view.inside, layers);
+  PixelRays rays = rays_at(pixel, view);
+  LightLayers sum = empty_layers();
+  for (uint i = 0u; i < rays.count; i++) {
+    WeightedRay one = weighted_ray(pixel, view, rays, i);
+    sum = with_share(sum, layers_along(one.direction), one.share);
+  }
+  write_layers(pixel, uvec2(width, height), view.inside, sum);
 }

@@ -8,13 +8,21 @@
 #include "shared/layer_output.glsl"
 #include "physics/march_layers.glsl"
 
+LightLayers layers_along(vec3 direction) {
+  return march_layers(scene.planet, scene.sun, air_ray(direction), steps, kStepDistribution, 0.0);
+}
+
 void main() {
   uvec2 pixel = gl_GlobalInvocationID.xy;
   if (pixel.x >= width || pixel.y >= height) {
     return;
   }
   ViewRay view = picture_ray(pixel);
-  Ray ray = air_ray(view.direction);
-  LightLayers layers = march_layers(scene.planet, scene.sun, ray, steps, kStepDistribution, 0.0);
-  write_layers(pixel, uvec2(width, height), view.inside, layers);
+  PixelRays rays = rays_at(pixel, view);
+  LightLayers sum = empty_layers();
+  for (uint i = 0u; i < rays.count; i++) {
+    WeightedRay one = weighted_ray(pixel, view, rays, i);
+    sum = with_share(sum, layers_along(one.direction), one.share);
+  }
+  write_layers(pixel, uvec2(width, height), view.inside, sum);
 }

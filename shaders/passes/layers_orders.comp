@@ -16,13 +16,8 @@ layout(push_constant, scalar) uniform Push {
   uint steps;
 };
 
-void main() {
-  uvec2 pixel = gl_GlobalInvocationID.xy;
-  if (pixel.x >= width || pixel.y >= height) {
-    return;
-  }
-  ViewRay view = picture_ray(pixel);
-  Ray ray = air_ray(view.direction);
+LightLayers layers_along(vec3 direction) {
+  Ray ray = air_ray(direction);
   ApartFactors factors = scene_apart_factors(ray, steps);
   Phases p = phases(ray.nu);
   LightLayers layers;
@@ -32,5 +27,20 @@ void main() {
   layers.multiple = factors.air.diffuse * scene.sun.irradiance;
   layers.ground = factors.ground * scene.sun.irradiance;
   layers.transmittance = beam_transmittance(factors.air);
-  write_layers(pixel, uvec2(width, height), view.inside, layers);
+  return layers;
+}
+
+void main() {
+  uvec2 pixel = gl_GlobalInvocationID.xy;
+  if (pixel.x >= width || pixel.y >= height) {
+    return;
+  }
+  ViewRay view = picture_ray(pixel);
+  PixelRays rays = rays_at(pixel, view);
+  LightLayers sum = empty_layers();
+  for (uint i = 0u; i < rays.count; i++) {
+    WeightedRay one = weighted_ray(pixel, view, rays, i);
+    sum = with_share(sum, layers_along(one.direction), one.share);
+  }
+  write_layers(pixel, uvec2(width, height), view.inside, sum);
 }

@@ -25,6 +25,7 @@ bool scatters(uint i) { return (kScatteringMedia >> i & 1u) != 0u; }
 #include "physics/analytic.glsl"
 #include "physics/zenith_density.glsl"
 #include "shared/sky_output.glsl"
+#include "shared/horizon_pixels.glsl"
 
 void main() {
   uvec2 pixel = gl_GlobalInvocationID.xy;
@@ -32,12 +33,20 @@ void main() {
     return;
   }
   ViewRay view = pixel_ray(pixel);
-  Ray ray = air_ray(view.direction);
-  PathRadiance path;
-  if (kVariant == kAnalyticExponential) {
-    path = analytic_exponential(scene.planet, scene.sun, ray, scene.sun.direction.y);
-  } else {
-    path = analytic_zenith_density(scene.planet, scene.sun, ray);
+  PixelRays rays = rays_at(pixel, view);
+  vec3 radiance = vec3(0.0);
+  vec3 transmittance = vec3(0.0);
+  for (uint i = 0u; i < rays.count; i++) {
+    WeightedRay one = weighted_ray(pixel, view, rays, i);
+    Ray ray = air_ray(one.direction);
+    PathRadiance path;
+    if (kVariant == kAnalyticExponential) {
+      path = analytic_exponential(scene.planet, scene.sun, ray, scene.sun.direction.y);
+    } else {
+      path = analytic_zenith_density(scene.planet, scene.sun, ray);
+    }
+    radiance += one.share * path.radiance;
+    transmittance += one.share * path.transmittance;
   }
-  write_radiance(pixel, view.inside, path.radiance, path.transmittance);
+  write_radiance(pixel, view.inside, radiance, transmittance);
 }

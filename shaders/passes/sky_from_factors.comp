@@ -7,6 +7,7 @@
 #include "shared/sky_output.glsl"
 #include "physics/sky_table.glsl"
 #include "physics/space_table.glsl"
+#include "shared/horizon_pixels.glsl"
 
 const uint kRestBlocks = 1u;
 #include "shared/factor_fetch.glsl"
@@ -17,13 +18,8 @@ layout(push_constant, scalar) uniform Push {
   uint height;
 };
 
-void main() {
-  uvec2 pixel = gl_GlobalInvocationID.xy;
-  if (pixel.x >= width || pixel.y >= height) {
-    return;
-  }
-  ViewRay view = pixel_ray(pixel);
-  FactorPlace at = factor_place(view.direction);
+vec3 light_at(vec3 direction) {
+  FactorPlace at = factor_place(direction);
   vec3 sum = fetch_shared(diffuse_block(), at);
   sum += single_at(0u, at);
   sum += single_at(1u, at);
@@ -33,5 +29,20 @@ void main() {
   sum += single_at(5u, at);
   sum += single_at(6u, at);
   sum += single_at(7u, at);
+  return sum;
+}
+
+void main() {
+  uvec2 pixel = gl_GlobalInvocationID.xy;
+  if (pixel.x >= width || pixel.y >= height) {
+    return;
+  }
+  ViewRay view = pixel_ray(pixel);
+  PixelRays rays = rays_at(pixel, view);
+  vec3 sum = vec3(0.0);
+  for (uint i = 0u; i < rays.count; i++) {
+    WeightedRay one = weighted_ray(pixel, view, rays, i);
+    sum += one.share * light_at(one.direction);
+  }
   write_radiance(pixel, view.inside, sum, vec3(1.0));
 }

@@ -9,6 +9,7 @@
 #include "physics/march.glsl"
 #include "physics/sky_view_mapping.glsl"
 #include "shared/sky_output.glsl"
+#include "shared/horizon_pixels.glsl"
 
 layout(local_size_x = 16, local_size_y = 16) in;
 layout(constant_id = 6) const uint kStepDistribution = 1u;
@@ -37,17 +38,24 @@ void main() {
     return;
   }
   ViewRay view = pixel_ray(pixel);
-  vec3 radiance = fetch_sky_view(
-      sky_view_coordinate(scene.planet, scene.camera.altitude, view.direction, scene.sun.direction));
+  PixelRays rays = rays_at(pixel, view);
+  vec3 radiance = vec3(0.0);
   vec3 transmittance = vec3(1.0);
-  if (kGroundMarches != 0u || kProjection == kProjectionListed) {
-    Ray ray = air_ray(view.direction);
-    bool from_march = kGroundMarches != 0u && ray.at_ground;
-    // The march takes no step on a ray of no length.
-    ray.length_ = from_march || kProjection == kProjectionListed ? ray.length_ : -1.0;
-    PathRadiance path = march(scene.planet, scene.sun, ray, steps, kStepDistribution, scene.multiple_scattering_scale);
-    transmittance = path.transmittance;
-    radiance = from_march ? path.radiance : radiance;
+  for (uint i = 0u; i < rays.count; i++) {
+    WeightedRay one = weighted_ray(pixel, view, rays, i);
+    vec3 light = fetch_sky_view(
+        sky_view_coordinate(scene.planet, scene.camera.altitude, one.direction, scene.sun.direction));
+    if (kGroundMarches != 0u || kProjection == kProjectionListed) {
+      Ray ray = air_ray(one.direction);
+      bool from_march = kGroundMarches != 0u && ray.at_ground;
+      // The march takes no step on a ray of no length.
+      ray.length_ = from_march || kProjection == kProjectionListed ? ray.length_ : -1.0;
+      PathRadiance path =
+          march(scene.planet, scene.sun, ray, steps, kStepDistribution, scene.multiple_scattering_scale);
+      transmittance = path.transmittance;
+      light = from_march ? path.radiance : light;
+    }
+    radiance += one.share * light;
   }
   write_radiance(pixel, view.inside, radiance, transmittance);
 }

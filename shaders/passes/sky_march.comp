@@ -22,11 +22,22 @@ void main() {
     return;
   }
   ViewRay view = marched_ray(pixel);
-  Ray ray = air_ray(view.direction);
-  Upsampled from = upsampled(pixel, width, view.direction, ray.at_ground);
-  // The march takes no step on a ray of no length.
-  ray.length_ = from.holds ? -1.0 : ray.length_;
-  PathRadiance path =
-      march_at(scene.planet, scene.sun, ray, steps, kStepDistribution, place_in_step(pixel), scene.multiple_scattering_scale);
-  write_marched(pixel, width, view, ray.at_ground, from, path);
+  PixelRays rays = marched_rays(pixel, view);
+  bool at_ground = air_ray(view.direction).at_ground;
+  Upsampled from = upsampled(pixel, width, view.direction, at_ground);
+  from.holds = from.holds && rays.count == 1u;
+  PathRadiance mean;
+  mean.radiance = vec3(0.0);
+  mean.transmittance = vec3(0.0);
+  for (uint i = 0u; i < rays.count; i++) {
+    WeightedRay one = weighted_ray(pixel, view, rays, i);
+    Ray ray = air_ray(one.direction);
+    // The march takes no step on a ray of no length.
+    ray.length_ = from.holds ? -1.0 : ray.length_;
+    PathRadiance path =
+        march_at(scene.planet, scene.sun, ray, steps, kStepDistribution, place_in_step(pixel), scene.multiple_scattering_scale);
+    mean.radiance += one.share * path.radiance;
+    mean.transmittance += one.share * path.transmittance;
+  }
+  write_marched(pixel, width, view, at_ground, from, mean);
 }

@@ -9,6 +9,7 @@
 #include "physics/orders.glsl"
 #include "physics/sky_factors.glsl"
 #include "shared/shell_table.glsl"
+#include "shared/horizon_pixels.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(push_constant, scalar) uniform Push {
@@ -23,7 +24,15 @@ void main() {
     return;
   }
   ViewRay view = pixel_ray(pixel);
-  Ray ray = air_ray(view.direction);
-  SkyFactors factors = scene_sky_factors(ray, steps);
-  write_radiance(pixel, view.inside, phased(factors, phases(ray.nu)) * scene.sun.irradiance, beam_transmittance(factors));
+  PixelRays rays = rays_at(pixel, view);
+  vec3 radiance = vec3(0.0);
+  vec3 transmittance = vec3(0.0);
+  for (uint i = 0u; i < rays.count; i++) {
+    WeightedRay one = weighted_ray(pixel, view, rays, i);
+    Ray ray = air_ray(one.direction);
+    SkyFactors factors = scene_sky_factors(ray, steps);
+    radiance += one.share * phased(factors, phases(ray.nu));
+    transmittance += one.share * beam_transmittance(factors);
+  }
+  write_radiance(pixel, view.inside, radiance * scene.sun.irradiance, transmittance);
 }

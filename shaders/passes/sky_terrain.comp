@@ -7,6 +7,7 @@
 #include "shared/tables.glsl"
 #include "shared/moment_table.glsl"
 #include "shared/sky_output.glsl"
+#include "shared/horizon_pixels.glsl"
 #include "shared/terrain_maps.glsl"
 #include "shared/terrain_light_maps.glsl"
 #include "physics/terrain.glsl"
@@ -27,6 +28,7 @@ float sun_share(Ray ray, float t, float width) {
 #include "physics/orders.glsl"
 #include "physics/sky_factors.glsl"
 #include "shared/shell_table.glsl"
+#include "physics/surface_light.glsl"
 #include "physics/terrain_light.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -118,17 +120,21 @@ void main() {
     angle = length(direction_at(pixel, vec2(1.0, 0.5)) - direction_at(pixel, vec2(0.0, 0.5)));
     side = view.inside && holds_edge(pixel) ? kEdgeSide : 1u;
   }
+  PixelRays rays = rays_at(pixel, view);
+  uint count = side > 1u ? side * side : rays.count;
   vec3 radiance = vec3(0.0);
   vec3 transmittance = vec3(0.0);
-  for (uint i = 0u; i < side * side; i++) {
-    vec3 direction = view.direction;
+  for (uint i = 0u; i < count; i++) {
+    WeightedRay one;
     if (side > 1u) {
-      direction = direction_at(pixel, (vec2(float(i % side), float(i / side)) + 0.5) / float(side));
+      one.direction = direction_at(pixel, (vec2(float(i % side), float(i / side)) + 0.5) / float(side));
+      one.share = 1.0 / float(count);
+    } else {
+      one = weighted_ray(pixel, view, rays, i);
     }
-    Seen seen = seen_along(direction, angle / float(side));
-    radiance += seen.radiance;
-    transmittance += seen.transmittance;
+    Seen seen = seen_along(one.direction, angle / float(side));
+    radiance += one.share * seen.radiance;
+    transmittance += one.share * seen.transmittance;
   }
-  float share = 1.0 / float(side * side);
-  write_radiance(pixel, view.inside, radiance * scene.sun.irradiance * share, transmittance * share);
+  write_radiance(pixel, view.inside, radiance * scene.sun.irradiance, transmittance);
 }

@@ -18,6 +18,23 @@ LightLayers no_layers() {
   return layers;
 }
 
+// A sum over the rays of a pixel, and a ray's share added to it.
+LightLayers empty_layers() {
+  LightLayers layers = no_layers();
+  layers.transmittance = vec3(0.0);
+  return layers;
+}
+
+LightLayers with_share(LightLayers sum, LightLayers one, real share) {
+  for (uint i = 0u; i < kMaxMedia; i++) {
+    sum.single[i] = sum.single[i] + one.single[i] * share;
+  }
+  sum.multiple = sum.multiple + one.multiple * share;
+  sum.ground = sum.ground + one.ground * share;
+  sum.transmittance = sum.transmittance + one.transmittance * share;
+  return sum;
+}
+
 vec3 sum_of_layers(LightLayers layers) {
   vec3 sum = layers.multiple + layers.ground;
   for (uint i = 0u; i < kMaxMedia; i++) {

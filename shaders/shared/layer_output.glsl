@@ -2,6 +2,7 @@
 // single scattering of each medium that scatters, then multiple scattering, the ground, the transmittance.
 #include "shared/scattering_media.glsl"
 #include "shared/picture_ray.glsl"
+#include "shared/horizon_pixels.glsl"
 #include "physics/layers.glsl"
 
 layout(scalar, set = 0, binding = 9) writeonly buffer Layers { float values[]; } layers_out;

@@ -1,6 +1,7 @@
 // Which rays a march of the picture takes, at what place of their steps, and where the light goes: every pixel; or at
 // half resolution the corners of pixels two apart, and then every pixel from the four corners around it.
 #include "shared/sky_output.glsl"
+#include "shared/horizon_pixels.glsl"
 
 layout(constant_id = 23) const uint kJitter = 0u;
 layout(constant_id = 24) const uint kPart = 0u;  // kPartWhole, ...
@@ -19,6 +20,14 @@ ViewRay marched_ray(uvec2 pixel) {
                     2.0 * float(pixel.y + scene.tile.y / 2u));
   }
   return pixel_ray(pixel);
+}
+
+// A corner is a point; its planet's edge is the pixels' around it.
+PixelRays marched_rays(uvec2 pixel, ViewRay view) {
+  if (kPart == kPartHalf) {
+    return one_ray(0.0);
+  }
+  return rays_at(pixel, view);
 }
 
 float place_in_step(uvec2 pixel) {

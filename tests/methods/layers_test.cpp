@@ -209,13 +209,22 @@ TEST(Layers, TransmittanceIsThatOfTheProbe) {
       directions.push_back(centre_of(scene, 7, y));
     }
     const std::vector<ProbeResult> probes = probe_now(scene, directions);
+    physics::Physics p = make_physics(scene);
+    const physics::uint projection = projection_code(scene.camera.projection);
+    int crossed = 0;
     for (int y = 0; y < scene.image.height; ++y) {
+      const auto view = p.view_ray(p.scene.camera, projection, 7.5, y + 0.5);
+      if (p.pixel_rays(p.scene.planet, p.scene.camera, projection, 7.5, y + 0.5, view.direction).count > 1) {
+        ++crossed;  // by the horizon: a mean over sky and ground
+        continue;
+      }
       for (std::size_t c = 0; c < 3; ++c) {
         const double expected = probes[static_cast<std::size_t>(y)].transmittance[c];
         EXPECT_NEAR(value(layer(rendering, "transmittance"), 24, 7, y, c), expected, 2e-5)
             << method.info.name << ", row " << y;
       }
     }
+    EXPECT_LE(crossed, 2);
   }
 }
 

@@ -129,6 +129,10 @@ void expect_both(bool good, const std::string& pointer, const Json& value) {
     const Json source = of_map ? Json("heights.png") : Json{{"seed", 1}, {"height_km", 1}};
     preset["planet"] = {{"radius_km", 1e5}, {"terrain", {{"width_km", 10}, {of_map ? "height_map" : "ridge", source}}}};
   }
+  if (pointer.starts_with("/scene/spheres/")) {
+    preset["scene"]["spheres"] = {{{"distance_m", 1e7}, {"radius_m", 1e-4}}};
+    preset["render"]["method"] = "orders";
+  }
   preset[Json::json_pointer(pointer)] = value;
   EXPECT_EQ(schema_problem(schema, preset).empty(), good) << "schema, " << pointer << ": " << value;
   bool resolves = true;
@@ -182,6 +186,12 @@ TEST(Schema, RefusesWhatResolveRefuses) {
   expect_both(false, "/media/0/density", {{"profile", "layers"}, {"layers", {{-1, 2}}}});
   expect_both(true, "/media/0/density", {{"profile", "layers"}, {"layers", {{1, 2}}}});
   expect_both(false, "/media/0/phase/function", "mie");
+  expect_both(false, "/scene/spheres", Json::array());
+  expect_both(false, "/scene/balls", 1);
+  expect_both(false, "/scene/spheres/0", {{"distance_m", 2}});
+  expect_both(true, "/scene/spheres/0", {{"distance_m", 2}, {"radius_m", 1}, {"material", "mirror"}, {"albedo", 1}});
+  expect_both(false, "/scene/spheres/0", {{"distance_m", 2}, {"radius_m", 1}, {"material", "chrome"}, {"albedo", 1}});
+  expect_both(false, "/scene/spheres/0/material", "glass");
   expect_both(false, "/camera", {{"projection", "perspective"}, {"vertical_fov_deg", 180}});
   expect_both(true, "/camera", {{"projection", "fisheye"}, {"vertical_fov_deg", 360}});
   expect_both(false, "/camera", {{"projection", "equirectangular"}, {"pitch_deg", 1}});

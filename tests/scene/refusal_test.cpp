@@ -141,11 +141,11 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{R"("a/b~c": 3)",
                          "/a~1b~0c: unknown key; expected one of $schema, airlight, bloom, camera, description, "
                          "display, extends, image, "
-                         "media, name, planet, render, sequence, sun"},
+                         "media, name, planet, render, scene, sequence, sun"},
                     Case{R"("": 3)",
                          "/: unknown key; expected one of $schema, airlight, bloom, camera, description, display, "
                          "extends, image, media, "
-                         "name, planet, render, sequence, sun"}));
+                         "name, planet, render, scene, sequence, sun"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Methods, Refusal,
@@ -287,7 +287,7 @@ TEST(Refusals, ComeAllAtOnceInTheOrderOfTheLines) {
       "test:6: /media/1/phase/g: 2 is outside -0.99 to 0.99\n"
       "test:7: /media/1/density/below_km: 0 is outside 1e-6 to 1e7 km\n"
       "test:9: /colour: unknown key; expected one of $schema, airlight, bloom, camera, description, display, extends, "
-      "image, media, name, planet, render, sequence, sun");
+      "image, media, name, planet, render, scene, sequence, sun");
 }
 
 TEST(Refusals, CountTheLayersOfAllMediaTogether) {

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <random>
 
+#include "core/methods/method.h"
 #include "core/scene/angle.h"
 #include "core/scene/json_format.h"
+#include "core/scene/resolve.h"
 #include "tests/scene/random_preset.h"
 #include "tests/scene/scene_fixture.h"
 
@@ -95,6 +97,21 @@ TEST(RoundTrip, KeepsEveryValue) {
   EXPECT_EQ(scene.render.get<SunFade>("sun_fade"), (SunFade{10, 0.1}));
   EXPECT_EQ(scene.display.tonemap, ToneCurve::none);
   expect_same(scene, scene_from(to_json(scene)));
+}
+
+TEST(RoundTrip, KeepsSpheres) {
+  const Scene scene = resolve(parse_preset(with_one_medium(R"("render": {"method": "orders"}, "scene": {"spheres": [
+      {"azimuth_deg": 12, "elevation_deg": -3, "distance_m": 7.5, "radius_m": 0.25, "material": "translucent",
+       "albedo": [0.1, 0.2, 0.3], "scatter_strength": 5},
+      {"distance_m": 3, "radius_m": 1},
+      {"distance_m": 4, "radius_m": 1, "material": "chrome"}]})"),
+                                           "test", {}),
+                              method_infos());
+  ASSERT_EQ(scene.spheres.size(), 3U);
+  EXPECT_EQ(scene.spheres[0].albedo, (Spectrum{0.1, 0.2, 0.3}));
+  EXPECT_EQ(scene.spheres[1].albedo, (Spectrum{0.18, 0.18, 0.18}));
+  EXPECT_EQ(scene.spheres[2].material, SphereMaterial::mirror);
+  expect_same(scene, resolve(parse_preset(to_json(scene), "again", {}), method_infos()));
 }
 
 TEST(RoundTrip, KeepsHowTheExposureIsMetered) {

@@ -106,6 +106,7 @@ Json type_schema(const Rule& rule) {
                {number_schema(rule.range), Json{{"enum", {"auto", "day"}}},
                 Json{{"type", "string"}, {"pattern", "^lock:[0-9]{1,8}$"}}}}};
     case RuleType::media:
+    case RuleType::spheres:
       return {{"type", "array"}, {"minItems", rule.range.minimum}, {"maxItems", rule.range.maximum}};
     case RuleType::angles:
       return array_schema(number_schema(rule.range), 1, kMaxCurveSamples);
@@ -312,6 +313,7 @@ std::string json_schema(std::span<const MethodInfo> methods) {
     }
   }
   root["properties"]["media"]["items"]["required"] = {"name"};
+  root["properties"]["scene"]["properties"]["spheres"]["items"]["required"] = {"distance_m", "radius_m"};
   for (const Rule& rule : rules()) {
     if (rule.type == RuleType::choice) {
       const std::string prefix(rule.key.substr(0, rule.key.rfind('.') + 1));

@@ -108,6 +108,7 @@ void expect_same_terrain(const std::optional<Terrain>& a, const std::optional<Te
 
 void expect_same(const Scene& a, const Scene& b) {
   expect_same_terrain(a.terrain, b.terrain);
+  EXPECT_EQ(a.spheres, b.spheres);
   EXPECT_EQ(a.name, b.name);
   EXPECT_EQ(a.description, b.description);
   EXPECT_EQ(a.planet.ground_radius, b.planet.ground_radius);

@@ -1,0 +1,75 @@
+#include "core/scene/sphere_reader.h"
+
+#include "core/scene/angle.h"
+#include "core/scene/json_format.h"
+#include "core/scene/printable.h"
+
+namespace airlight {
+namespace {
+
+constexpr double kMetres = 1e3;   // a km
+constexpr double kGrey = 0.18;    // of a grey card
+constexpr double kChrome = 0.55;  // of chromium at normal incidence, much the same over all that the eye sees
+
+// "grey-18" and "chrome" stand for a material and its albedo.
+void take_material(const Section& section, std::size_t choice, CurveReader& curves, Sphere& sphere, Curve& albedo) {
+  const std::string_view name = kMaterialNames.at(choice);
+  const bool grey = name == "grey-18";
+  if (grey || name == "chrome") {
+    sphere.material = grey ? SphereMaterial::matte : SphereMaterial::mirror;
+    const double share = grey ? kGrey : kChrome;
+    sphere.albedo = {share, share, share};
+    albedo = constant_curve(share);
+    return;
+  }
+  sphere.material = static_cast<SphereMaterial>(choice);
+  sphere.albedo = curves.read(section, "albedo", albedo);
+  if (sphere.material == SphereMaterial::translucent) {
+    sphere.scatter_strength = section.number("scatter_strength");
+  }
+}
+
+Sphere read_sphere(Section section, CurveReader& curves, Curve& albedo) {
+  section.refuse_unknown_keys();
+  Sphere sphere;
+  sphere.azimuth = radians_from_degrees(section.number("azimuth_deg"));
+  sphere.elevation = radians_from_degrees(section.number("elevation_deg"));
+  sphere.distance = section.number("distance_m") / kMetres;
+  sphere.radius = section.number("radius_m") / kMetres;
+  if (const auto choice = section.choice("material")) {
+    section.choose(kMaterialNames[*choice]);
+    take_material(section, *choice, curves, sphere, albedo);
+  }
+  const PresetValue* radius = section.find("radius_m");
+  if (radius != nullptr && section.find("distance_m") != nullptr && sphere.radius >= sphere.distance) {
+    section.complain("radius_m", *radius,
+                     format_number(sphere.radius * kMetres) + " m is not below distance_m, " +
+                         format_number(sphere.distance * kMetres) +
+                         " m: the camera would stand inside; make it smaller or put it farther away");
+  }
+  return sphere;
+}
+
+}  // namespace
+
+std::vector<Sphere> read_spheres(const Section& root, CurveReader& curves, std::vector<Curve>& albedos) {
+  const Section section = root.child("scene");
+  section.refuse_unknown_keys();
+  const PresetValue* value = section.find("spheres");
+  if (value == nullptr) {
+    return {};
+  }
+  const auto* array = std::get_if<PresetArray>(&value->data);
+  const Rule& rule = section.rule("spheres");
+  if (array == nullptr || !rule.range.contains(static_cast<double>(array->size()))) {
+    section.complain("spheres", *value, quoted(*value) + " is no list of spheres; expected " + expectation(rule));
+    return {};
+  }
+  std::vector<Sphere> spheres;
+  for (std::size_t i = 0; i < array->size(); ++i) {
+    spheres.push_back(read_sphere(section.element("spheres", *array, i), curves, albedos.emplace_back()));
+  }
+  return spheres;
+}
+
+}  // namespace airlight

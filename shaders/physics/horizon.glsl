@@ -1,0 +1,177 @@
+// The planet's edge across a pixel: which part of the pixel lies below the true horizon, and the few rays whose mean is
+// the pixel. Light changes by a step there and smoothly elsewhere, so that each side is one ray in its middle; from
+// space the air above the edge is thinner than a few pixels, and is cut into strips along it.
+
+// Sine of the angle of a direction above the true horizon from altitude h, as the sine of a difference: zenith cosines
+// that from space lie close together would lose digits in theirs.
+real above_horizon(PlanetData planet, real h, vec3 direction) {
+  real sigma = sqrt(direction.x * direction.x + direction.z * direction.z);
+  return direction.y * (planet.ground_radius / (planet.ground_radius + h)) - sigma * horizon_mu(planet, h);
+}
+
+// The same of the top of the air; 0 inside the air.
+real air_edge(PlanetData planet, real h) {
+  real over = h - planet.atmosphere_height;
+  if (over <= 0.0) {
+    return 0.0;
+  }
+  real r = planet.ground_radius + h;
+  real top = planet.ground_radius + planet.atmosphere_height;
+  real mu_top = -sqrt(over * (r + top)) / r;
+  return mu_top * (planet.ground_radius / r) - (top / r) * horizon_mu(planet, h);
+}
+
+// A square of side 1 whose level is a plane, 0 in the middle: slopes of the level along its sides, greater >= lesser >= 0.
+struct TiltedPixel {
+  real greater;
+  real lesser;
+};
+
+real half_range(TiltedPixel pixel) { return 0.5 * (pixel.greater + pixel.lesser); }
+
+// Share of it below a level: a corner's triangle grows as a square, then a strip evenly.
+real area_below(TiltedPixel pixel, real level) {
+  real depth = max(half_range(pixel) - abs(level), 0.0);
+  real corner = 0.5 * depth * depth / max(pixel.greater * pixel.lesser, 1e-30);
+  real strip = (depth - 0.5 * pixel.lesser) / max(pixel.greater, 1e-15);
+  real less = depth < pixel.lesser ? corner : strip;
+  return level < 0.0 ? less : 1.0 - less;
+}
+
+// Integral of the level over the part below `level`.
+real moment_below(TiltedPixel pixel, real level) {
+  real half_ = half_range(pixel);
+  real depth = max(half_ - abs(level), 0.0);
+  real rising = min(depth, pixel.lesser);
+  real area = max(pixel.greater * pixel.lesser, 1e-30);
+  real corner = pixel.lesser > 0.0 ? rising * rising * (rising / 3.0 - 0.5 * half_) / area : 0.0;
+  real from = pixel.lesser - half_;
+  real strip = depth > pixel.lesser ? (level * level - from * from) / (2.0 * max(pixel.greater, 1e-15)) : 0.0;
+  return corner + strip;
+}
+
+const uint kRingStrips = 4u;
+
+// The rays of a pixel.
+struct PixelRays {
+  uint count;       // 1: its centre's alone
+  real centre;      // level of its centre above the horizon
+  real slope_x;     // of the level, a pixel
+  real slope_y;
+  real ground;      // share below the horizon
+  bool ring;        // from space: the rest in strips
+  TiltedPixel tilt;
+};
+
+PixelRays one_ray(real centre) {
+  PixelRays rays;
+  rays.count = 1u;
+  rays.centre = centre;
+  rays.slope_x = 0.0;
+  rays.slope_y = 0.0;
+  rays.ground = 0.0;
+  rays.ring = false;
+  rays.tilt.greater = 0.0;
+  rays.tilt.lesser = 0.0;
+  return rays;
+}
+
+// Of a pixel whose centre has this level above the horizon and these slopes; `edge`: air_edge().
+PixelRays rays_of_pixel(real centre, real slope_x, real slope_y, real edge) {
+  PixelRays rays = one_ray(centre);
+  rays.slope_x = slope_x;
+  rays.slope_y = slope_y;
+  rays.tilt.greater = max(abs(slope_x), abs(slope_y));
+  rays.tilt.lesser = min(abs(slope_x), abs(slope_y));
+  real reach = half_range(rays.tilt);
+  bool crossed = abs(centre) < reach;
+  rays.ring = edge > 0.0 && centre + reach > 0.0 && centre - reach < edge;
+  rays.ground = crossed ? area_below(rays.tilt, -centre) : 0.0;
+  if (rays.ring) {
+    rays.count = kRingStrips + (crossed ? 1u : 0u);
+  } else if (crossed) {
+    rays.count = 2u;
+  }
+  return rays;
+}
+
+struct PixelRay {
+  real x;       // from the pixel's centre, in pixels
+  real y;
+  real share;   // of the pixel
+  bool ground;  // it stands for what lies below the horizon
+};
+
+// Ray i of several. The one below the horizon is the last.
+PixelRay ray_of_pixel(PixelRays rays, uint i) {
+  real reach = half_range(rays.tilt);
+  uint above = rays.ring ? kRingStrips : 1u;
+  PixelRay ray;
+  ray.ground = i == above;
+  real level;
+  if (ray.ground || !rays.ring) {
+    ray.share = ray.ground ? rays.ground : 1.0 - rays.ground;
+    real moment = moment_below(rays.tilt, -rays.centre);
+    level = (ray.ground ? moment : -moment) / max(ray.share, 1e-6);
+  } else {
+    real lowest = max(-rays.centre, -reach);
+    real width = (reach - lowest) / real(kRingStrips);
+    real from = lowest + width * real(i);
+    ray.share = area_below(rays.tilt, from + width) - area_below(rays.tilt, from);
+    level = from + 0.5 * width;
+  }
+  real square = max(rays.slope_x * rays.slope_x + rays.slope_y * rays.slope_y, 1e-30);
+  ray.x = level * rays.slope_x / square;
+  ray.y = level * rays.slope_y / square;
+  return ray;
+}
+
+// On the side of the horizon that the ray stands for, whatever rounding says.
+vec3 held_to_side(PlanetData planet, real h, vec3 direction, bool ground) {
+  real horizon = horizon_mu(planet, h);
+  real under = horizon - max(-horizon * 2e-7, 1e-12);
+  direction.y = ground ? min(direction.y, under) : max(direction.y, horizon);
+  return direction;
+}
+
+// How far a pixel reaches at most from its centre, as an angle.
+real pixel_reach(CameraData camera, uint projection) {
+  real width = real(camera.width);
+  real height = real(camera.height);
+  if (projection == kProjectionEquirectangular) {
+    return max(2.0 * kPi / width, kPi / height);
+  }
+  if (projection == kProjectionFisheye) {
+    return 1.5 * camera.half_fov / (0.5 * min(width, height));
+  }
+  if (projection == kProjectionCube) {
+    return 1.5 * 2.0 / cube_side(camera);
+  }
+  if (projection == kProjectionOctahedral) {
+    return 10.0 / min(width, height);
+  }
+  return 1.5 * tan(camera.half_fov) / (0.5 * height);
+}
+
+// The rays of the pixel around x, y; `direction`: its centre's.
+PixelRays pixel_rays(PlanetData planet, CameraData camera, uint projection, real x, real y, vec3 direction) {
+  const real kHalf = 0.49;  // of a pixel: not across the cut of a map
+  real h = camera.altitude;
+  real centre = above_horizon(planet, h, direction);
+  real edge = air_edge(planet, h);
+  real reach = pixel_reach(camera, projection);
+  if (centre < -reach || centre > edge + reach) {
+    return one_ray(centre);
+  }
+  real left = above_horizon(planet, h, view_ray(camera, projection, x - kHalf, y).direction);
+  real right = above_horizon(planet, h, view_ray(camera, projection, x + kHalf, y).direction);
+  real upper = above_horizon(planet, h, view_ray(camera, projection, x, y - kHalf).direction);
+  real lower = above_horizon(planet, h, view_ray(camera, projection, x, y + kHalf).direction);
+  return rays_of_pixel(centre, (right - left) / (2.0 * kHalf), (lower - upper) / (2.0 * kHalf), edge);
+}
+
+// Direction of its ray i.
+vec3 pixel_direction(PlanetData planet, CameraData camera, uint projection, real x, real y, PixelRay ray) {
+  vec3 direction = view_ray(camera, projection, x + ray.x, y + ray.y).direction;
+  return held_to_side(planet, camera.altitude, direction, ray.ground);
+}

@@ -1,0 +1,143 @@
+// Spheres before the sky: where rays meet them, and their shadow. Places are from the camera, km, in its frame.
+// The includer defines:
+//   uint sphere_count();
+//   SphereData sphere(uint i);
+
+struct SphereHit {
+  bool hit;
+  uint which;
+  real distance_;  // km
+};
+
+// Distance along a ray to where it enters the sphere; negative where it does not.
+real distance_to_sphere(SphereData s, vec3 origin, vec3 direction) {
+  vec3 to = s.centre - origin;
+  real along = dot(to, direction);
+  vec3 off = to - direction * along;
+  real inside = s.radius * s.radius - dot(off, off);
+  return inside > 0.0 ? along - sqrt(max(inside, 0.0)) : -1.0;
+}
+
+// The nearest but `skip`, which the ray leaves.
+SphereHit nearest_sphere(vec3 origin, vec3 direction, uint skip) {
+  SphereHit nearest;
+  nearest.hit = false;
+  nearest.which = kNoSphere;
+  nearest.distance_ = 0.0;
+  for (uint i = 0u; i < sphere_count(); i++) {
+    real t = distance_to_sphere(sphere(i), origin, direction);
+    bool nearer = i != skip && t > 0.0 && (!nearest.hit || t < nearest.distance_);
+    nearest.hit = nearest.hit || nearer;
+    nearest.which = nearer ? i : nearest.which;
+    nearest.distance_ = nearer ? t : nearest.distance_;
+  }
+  return nearest;
+}
+
+// Share of the sun's disc that the sphere leaves at a point: 1 where the two do not overlap, what a whole overlap leaves
+// where one lies in the other, and between them as the part of a limb-darkened disc that a straight edge has passed.
+real sun_past_sphere(SphereData s, vec3 point, vec3 sun, real sun_radius) {
+  vec3 to = s.centre - point;
+  real along = dot(to, sun);
+  real apart = atan(length(to - sun * along), along);
+  real square = dot(to, to) - s.radius * s.radius;
+  if (square <= 0.0) {
+    return 0.0;
+  }
+  real size = atan(s.radius, sqrt(square));
+  real ratio = size / max(sun_radius, 1e-9);
+  real whole = min(ratio * ratio, 1.0);
+  real x = clamp((apart - abs(size - sun_radius)) / (2.0 * max(min(size, sun_radius), 1e-9)), 0.0, 1.0);
+  return 1.0 - whole * (1.0 - x * x * (3.0 - 2.0 * x));
+}
+
+// Past all of them but `skip`, the one that the point lies on.
+real sun_past_spheres(vec3 point, vec3 sun, real sun_radius, uint skip) {
+  real share = 1.0;
+  for (uint i = 0u; i < sphere_count(); i++) {
+    share = share * (i == skip ? 1.0 : sun_past_sphere(sphere(i), point, sun, sun_radius));
+  }
+  return share;
+}
+
+// The part of a ray in the sphere's shadow, a cylinder of its width: there the share of the sun is about a half at the
+// rim, and what the penumbra adds outside it takes away inside. Empty where from > to.
+struct ShadowSpan {
+  real from;
+  real to;
+};
+
+ShadowSpan shadow_of_sphere(SphereData s, vec3 origin, vec3 direction, vec3 sun) {
+  vec3 start = origin - s.centre;
+  real start_along = dot(start, sun);
+  real nu = dot(direction, sun);
+  vec3 start_across = start - sun * start_along;
+  vec3 across = direction - sun * nu;
+  real a = max(dot(across, across), 1e-12);
+  real b = dot(start_across, across);
+  real c = dot(start_across, start_across) - s.radius * s.radius;
+  real discriminant = b * b - a * c;
+  ShadowSpan span;
+  span.from = 0.0;
+  span.to = -1.0;
+  if (discriminant > 0.0) {
+    real root = sqrt(discriminant);
+    real behind = abs(nu) > 1e-9 ? -start_along / nu : (start_along < 0.0 ? 1e30 : -1e30);
+    span.from = (-b - root) / a;
+    span.to = (root - b) / a;
+    // Behind the middle, as seen from the sun.
+    span.from = nu < -1e-9 ? max(span.from, behind) : span.from;
+    span.to = nu < -1e-9 ? span.to : min(span.to, behind);
+  }
+  return span;
+}
+
+// Share of the sun over a step of a ray, its middle at t; of a point where the step has no width.
+real spheres_sunlit(vec3 origin, vec3 direction, vec3 sun, real sun_radius, real t, real width) {
+  if (width <= 0.0) {
+    return sun_past_spheres(origin + direction * t, sun, sun_radius, kNoSphere);
+  }
+  real share = 1.0;
+  for (uint i = 0u; i < sphere_count(); i++) {
+    ShadowSpan span = shadow_of_sphere(sphere(i), origin, direction, sun);
+    real dark = min(span.to, t + 0.5 * width) - max(span.from, t - 0.5 * width);
+    share = share * (1.0 - clamp(dark / width, 0.0, 1.0));
+  }
+  return share;
+}
+
+// The part inside the air of a ray from any place, whose vertical is its own.
+Ray ray_from(PlanetData planet, real camera_altitude, vec3 origin, vec3 direction, vec3 sun) {
+  real r = planet.ground_radius + camera_altitude;
+  real rise = 2.0 * r * origin.y + dot(origin, origin);
+  real r_there = sqrt(r * r + rise);
+  vec3 up = (origin + vec3(0.0, r, 0.0)) / r_there;
+  real h = max(camera_altitude + rise / (r_there + r), 0.0);
+  return ray_in_atmosphere(planet, h, dot(direction, up), dot(sun, up), dot(direction, sun));
+}
+
+// Share of a white matte sphere's light that a term by thickness adds: the view ray refracted at index 1.5, the signed
+// distance to the surface summed at 0.1, 0.3, ... below 2.5 radii along it, thickness = max(0, -sum),
+// s = strength (2.5/2)^3 / thickness, smoothstep(0, 2, s^0.6). A published form of the demo scene, whose strength is 16;
+// its light has no source of its own. `cosine`: between the normal and the way back to the camera, 0 to 1.
+// On a sphere the points need no coordinates: from the surface along the refracted ray, |p + t d|^2 = 1 - 2 t c + t^2
+// with c the cosine inside.
+real subsurface_thickness(real cosine) {
+  const real kIndex = 1.5;
+  const uint kPoints = 12u;
+  real inside = sqrt(1.0 - max(1.0 - cosine * cosine, 0.0) / (kIndex * kIndex));
+  real sum = 0.0;
+  for (uint i = 0u; i < kPoints; i++) {
+    real t = 0.1 + 0.2 * real(i);
+    sum = sum + sqrt(max(1.0 - 2.0 * t * inside + t * t, 0.0)) - 1.0;
+  }
+  return max(-sum, 0.0);
+}
+
+// Without thickness, where s has no end, it is 1.
+real subsurface_share(real thickness, real strength) {
+  const real kReach = 2.5;
+  real s = strength * (0.5 * kReach) * (0.5 * kReach) * (0.5 * kReach) / max(thickness, 1e-6);
+  real x = clamp(0.5 * pow(s, 0.6), 0.0, 1.0);
+  return x * x * (3.0 - 2.0 * x);
+}

@@ -1,0 +1,34 @@
+// Light that reaches a surface in the air, by the tables of `orders`.
+
+// Irradiance of a surface of any slope by the light that the table of moments holds: a cosine spreads the harmonics of
+// degree l by pi, 2 pi/3, pi/4, 0, -pi/24, 0, pi/64, 0, -pi/128 (Ramamoorthi and Hanrahan, An Efficient Representation
+// for Irradiance Environment Maps, SIGGRAPH 2001). mu: zenith cosine of the normal; azimuth from the sun's.
+vec3 moment_irradiance(MomentTableData table, real h, real mu_sun, real mu, real cos_azimuth) {
+  DiffuseAir cosine;
+  cosine.extinction = vec3(0.0);
+  cosine.peaks = vec3(0.0);
+  cosine.phase_scattering = vec3(0.0);
+  cosine.degree0 = vec3(kPi);
+  cosine.degree1 = vec3(kPi * 2.0 / 3.0);
+  cosine.degree2 = vec3(kPi / 4.0);
+  cosine.degree3 = vec3(0.0);
+  cosine.degree4 = vec3(-kPi / 24.0);
+  cosine.degree5 = vec3(0.0);
+  cosine.degree6 = vec3(kPi / 64.0);
+  cosine.degree7 = vec3(0.0);
+  cosine.degree8 = vec3(-kPi / 128.0);
+  MomentCoordinate c = moment_coordinate(table, h, mu_sun);
+  if (shell_rows() > 0u) {
+    c.y = shell_coordinate(shell_of(h, true), h);
+  }
+  return moment_source_of(exp(fetch_moment(0u, c.x, c.y)), c, cosine, mu, cos_azimuth);
+}
+
+// Toward the sun from altitude h, zero in the planet's shadow.
+vec3 sun_through_air(PlanetData planet, real h, real mu_sun) {
+  if (shell_rows() > 0u) {
+    real lit = meets_ground(planet, h, mu_sun) ? 0.0 : 1.0;
+    return exp(-sun_depth(planet, h, shell_coordinate(shell_of(h, true), h), mu_sun)) * lit;
+  }
+  return transmittance_to_sun(planet, h, mu_sun);
+}
