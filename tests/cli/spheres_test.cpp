@@ -57,13 +57,13 @@ TEST_F(SphereTool, NonsenseIsRefusedInOneLine) {
     std::string says;
   };
   for (const Case& c : std::vector<Case>{
-           {"[]", "/scene/spheres: [] is no list of spheres; expected an array of 1 to 16 spheres"},
+           {"[]", "/scene/spheres: an array of 0 is no list of spheres; expected an array of 1 to 16 spheres"},
            {"3", "/scene/spheres: 3 is no list of spheres"},
            {"[3]", "/scene/spheres/0: 3 is not an object"},
            {R"([{"radius_m": 1}])", "/scene/spheres/0/distance_m: missing; expected a number"},
            {R"([{"distance_m": 1}])", "/scene/spheres/0/radius_m: missing; expected a number"},
            {R"([{"distance_m": 1, "radius_m": 2}])", "/scene/spheres/0/radius_m: 2 m is not below distance_m, 1 m"},
-           {R"([{"distance_m": 0, "radius_m": 2}])", "/scene/spheres/0/distance_m: 0 is outside 0.001 to 1e7 m"},
+           {R"([{"distance_m": 2e7, "radius_m": 2}])", "/scene/spheres/0/distance_m: 2e7 is outside 0.001 to 1e7 m"},
            {R"([{"distance_m": 3, "radius_m": 2, "material": "glass"}])", "/scene/spheres/0/material: \"glass\""},
            {R"([{"distance_m": 3, "radius_m": 2, "material": "chrome", "albedo": 1}])", "/scene/spheres/0/albedo: "},
            {R"([{"distance_m": 3, "radius_m": 2, "material": "matte", "albedo": 2}])",

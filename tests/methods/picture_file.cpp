@@ -12,6 +12,7 @@
 
 #include "core/measure/metrics.h"
 #include "core/methods/method.h"
+#include "core/methods/scene_air.h"
 #include "core/scene/preset.h"
 #include "core/scene/resolve.h"
 
@@ -73,6 +74,24 @@ std::map<std::string, double> numbers_in(const std::filesystem::path& file) {
   std::map<std::string, double> numbers;
   collect(parse_preset(text.str(), file.string(), {}).root, "", numbers);
   return numbers;
+}
+
+RadianceImage without_edge(const Scene& scene, RadianceImage picture, const RadianceImage& reference) {
+  physics::Physics p = make_physics(scene);
+  const physics::uint projection = projection_code(scene.camera.projection);
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      const auto view = p.view_ray(p.scene.camera, projection, x + 0.5, y + 0.5);
+      const auto rays = p.pixel_rays(p.scene.planet, p.scene.camera, projection, x + 0.5, y + 0.5, view.direction);
+      if (rays.count > 1) {
+        const auto at =
+            4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x));
+        std::copy_n(reference.rgba.begin() + static_cast<std::ptrdiff_t>(at), 4,
+                    picture.rgba.begin() + static_cast<std::ptrdiff_t>(at));
+      }
+    }
+  }
+  return picture;
 }
 
 std::vector<RegionError> region_errors(const Scene& scene, const RadianceImage& a, const RadianceImage& b) {

@@ -33,6 +33,10 @@ struct RegionError {
 };
 
 // Relative errors as core/measure has them, channels pooled, for each region of the view that holds any pixel.
+// The picture with the reference's pixels where the planet's edge crosses them: a reference traced at the pixels'
+// middles knows no mean over their area. HorizonPixels holds those.
+RadianceImage without_edge(const Scene& scene, RadianceImage picture, const RadianceImage& reference);
+
 std::vector<RegionError> region_errors(const Scene& scene, const RadianceImage& a, const RadianceImage& b);
 
 }  // namespace airlight::test
