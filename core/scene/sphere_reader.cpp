@@ -41,7 +41,7 @@ Sphere read_sphere(Section section, CurveReader& curves, Curve& albedo) {
     take_material(section, *choice, curves, sphere, albedo);
   }
   const PresetValue* radius = section.find("radius_m");
-  if (radius != nullptr && section.find("distance_m") != nullptr && sphere.radius >= sphere.distance) {
+  if (radius != nullptr && sphere.distance > 0.0 && sphere.radius >= sphere.distance) {
     section.complain("radius_m", *radius,
                      format_number(sphere.radius * kMetres) + " m is not below distance_m, " +
                          format_number(sphere.distance * kMetres) +
