@@ -54,6 +54,12 @@ void put_picture(physics::Physics& p, const Scene& scene) {
   camera.width = static_cast<physics::uint>(scene.image.width);
   camera.height = static_cast<physics::uint>(scene.image.height);
   camera.cube_layout = cube_layout_code(scene.camera.cube_layout);
+  const physics::PlanetData& planet = p.scene.planet;
+  // A cosine changes by less than its angle.
+  const double reach = p.pixel_reach(camera, projection_code(scene.camera.projection));
+  const double horizon = p.horizon_mu(planet, camera.altitude);
+  camera.edge_low = horizon - 1.1 * reach;
+  camera.edge_high = horizon + 1.1 * (p.air_edge(planet, camera.altitude) + reach);
   p.scene.tile.width = camera.width;
 }
 
@@ -102,7 +108,9 @@ device::CameraData narrow(const physics::CameraData& from) {
           .half_fov = narrow(from.half_fov),
           .width = from.width,
           .height = from.height,
-          .cube_layout = from.cube_layout};
+          .cube_layout = from.cube_layout,
+          .edge_low = narrow(from.edge_low),
+          .edge_high = narrow(from.edge_high)};
 }
 
 }  // namespace

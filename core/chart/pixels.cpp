@@ -33,6 +33,11 @@ PixelSet lattice(const Scene& scene, int columns, int rows) {
       if (!ray.inside) {
         continue;
       }
+      // The truth is traced at points; what the planet's edge crosses is a mean.
+      if (physics.pixel_rays(physics.scene.planet, physics.scene.camera, projection, x + 0.5, y + 0.5, ray.direction)
+              .count > 1) {
+        continue;
+      }
       const physics::vec3 d = ray.direction;
       set.places.push_back(static_cast<std::size_t>(y) * static_cast<std::size_t>(scene.image.width) +
                            static_cast<std::size_t>(x));

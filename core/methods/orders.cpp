@@ -244,24 +244,26 @@ ImageId add_factors(Plan& plan, const std::string& shader, const FactorTable& ta
   return factors;
 }
 
-void add_factor_pixels(Plan& plan, const Air& air, const FactorTable& table, const SkyTarget& target, ImageId factors) {
+void add_factor_pixels(Plan& plan, const Scene& scene, const Air& air, const View& view, const FactorTable& table,
+                       const SkyTarget& target, ImageId factors) {
   std::vector<Specialization> constants = medium_specialization(air);
   constants.push_back({"kProjection", target.projection});
   add_table_constants(constants, table);
-  plan.add_pass({.name = "sky",
-                 .shader = "sky_from_factors",
-                 .reads = {{"factors_lut", factors}, {"directions", target.directions}},
-                 .writes = {{"radiance_out", target.radiance}},
-                 .grid = target.grid,
-                 .push_constants = {target.grid.width, target.grid.height},
-                 .specialization = std::move(constants),
-                 .cost = 2.0});
+  add_pass_with_edges(plan, scene, view, target,
+                      {.name = "sky",
+                       .shader = "sky_from_factors",
+                       .reads = {{"factors_lut", factors}, {"directions", target.directions}},
+                       .writes = {{"radiance_out", target.radiance}},
+                       .grid = target.grid,
+                       .push_constants = {target.grid.width, target.grid.height},
+                       .specialization = std::move(constants),
+                       .cost = 2.0});
 }
 
 void add_tabulated_sky(Plan& plan, const Scene& scene, const Air& air, const View& view, const SkyTarget& target,
                        const Light& light) {
   const FactorTable table = factor_table(scene, air, air.scattering_media(), false);
-  add_factor_pixels(plan, air, table, target, add_factors(plan, "sky_factors", table, view, light));
+  add_factor_pixels(plan, scene, air, view, table, target, add_factors(plan, "sky_factors", table, view, light));
 }
 
 // Whether the media that the pixels multiply by their phase function are the same at all wavelengths but for how much
@@ -308,7 +310,7 @@ std::optional<SkyPasses> add_spectral(Plan& plan, const Scene& scene, const Spec
   plan.end_scene();
   const std::string name = "sky_factors_in_colours";
   const ImageId sum = add_colour_table(plan, name, picture_table_key(view, name), factors, colours);
-  add_factor_pixels(plan, air, table, target, sum);
+  add_factor_pixels(plan, scene, air, view, table, target, sum);
   return passes;
 }
 

@@ -1,10 +1,12 @@
 #include "core/methods/sky_pass.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>
 
 #include "core/air/scene_block.h"
+#include "core/methods/edge_pixels.h"
 
 namespace airlight {
 namespace {
@@ -80,6 +82,50 @@ SkyTarget add_sky_target(Plan& plan, const Scene& scene, const View& view) {
                                        .contents = std::move(directions),
                                        .key = {}});
   return target;
+}
+
+namespace {
+
+constexpr std::uint32_t kEdgeColumns = 64;
+
+// In rows of kEdgeColumns, the last one filled up with a pixel that stands there already.
+BufferId add_edge_list(Plan& plan, const std::vector<EdgePixel>& pixels) {
+  const std::size_t count = (pixels.size() + kEdgeColumns - 1) / kEdgeColumns * kEdgeColumns;
+  std::vector<float> values;
+  values.reserve(4 * count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const EdgePixel& pixel = pixels[std::min(i, pixels.size() - 1)];
+    values.insert(values.end(), {static_cast<float>(pixel.x), static_cast<float>(pixel.y), 0.0F, 0.0F});
+  }
+  std::vector<std::byte> bytes(values.size() * sizeof(float));
+  std::memcpy(bytes.data(), values.data(), bytes.size());
+  const std::size_t size = bytes.size();
+  return plan.add_buffer({.name = "edge_pixels", .bytes = size, .contents = std::move(bytes)});
+}
+
+}  // namespace
+
+void add_pass_with_edges(Plan& plan, const Scene& scene, const View& view, const SkyTarget& target, PassDesc pass) {
+  PassDesc edges = pass;
+  pass.specialization.push_back({"kEdges", 0});
+  plan.add_pass(std::move(pass));
+  const auto pixels =
+      target.projection == physics::kProjectionListed ? nullptr : edge_pixels(scene, tile_of(scene, view));
+  if (pixels == nullptr || pixels->empty()) {
+    return;
+  }
+  const BufferId list = add_edge_list(plan, *pixels);
+  const auto rows = static_cast<std::uint32_t>((pixels->size() + kEdgeColumns - 1) / kEdgeColumns);
+  edges.name += "_edge";
+  edges.specialization.push_back({"kEdges", 2});
+  for (Binding& read : edges.reads) {
+    read.resource = read.name == "directions" ? ResourceId(list) : read.resource;
+  }
+  edges.grid = {kEdgeColumns, rows, 1};
+  edges.push_constants[0] = kEdgeColumns;
+  edges.push_constants[1] = rows;
+  edges.cost *= 8.0;
+  plan.add_pass(std::move(edges));
 }
 
 }  // namespace airlight

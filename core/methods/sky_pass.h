@@ -37,4 +37,9 @@ void add_layer_constants(std::vector<Specialization>& constants, const Scene& sc
 // Adds the buffers that a sky pass writes and reads for this view.
 SkyTarget add_sky_target(Plan& plan, const Scene& scene, const View& view);
 
+// Adds a sky pass whose pixels are little work, and a second one over those that the planet's edge crosses, if any. The
+// pass: shaders/shared/horizon_pixels.glsl, which reads `directions`; its push constants begin with the grid's width
+// and height.
+void add_pass_with_edges(Plan& plan, const Scene& scene, const View& view, const SkyTarget& target, PassDesc pass);
+
 }  // namespace airlight

@@ -87,22 +87,23 @@ std::vector<Specialization> fetch_constants(const Plan& plan, const Scene& scene
   return constants;
 }
 
-void add_fetch_pass(Plan& plan, const Scene& scene, const Air& air, const MarchTables& tables, ImageId sky_view,
-                    const SkyTarget& target) {
+void add_fetch_pass(Plan& plan, const Scene& scene, const Air& air, const View& view, const MarchTables& tables,
+                    ImageId sky_view, const SkyTarget& target) {
   std::vector<Specialization> constants = fetch_constants(plan, scene, air, tables);
   constants.push_back({"kProjection", target.projection});
   std::vector<Binding> reads = reads_of(tables);
   reads.push_back({"sky_view_lut", sky_view});
   reads.push_back({"directions", target.directions});
-  plan.add_pass({.name = "sky",
-                 .shader = "sky_from_view",
-                 .reads = std::move(reads),
-                 .writes = {{"radiance_out", target.radiance}},
-                 .grid = target.grid,
-                 .push_constants = {target.grid.width, target.grid.height,
-                                    static_cast<std::uint32_t>(scene.render.get<int>("steps"))},
-                 .specialization = std::move(constants),
-                 .cost = 5.0});
+  add_pass_with_edges(plan, scene, view, target,
+                      {.name = "sky",
+                       .shader = "sky_from_view",
+                       .reads = std::move(reads),
+                       .writes = {{"radiance_out", target.radiance}},
+                       .grid = target.grid,
+                       .push_constants = {target.grid.width, target.grid.height,
+                                          static_cast<std::uint32_t>(scene.render.get<int>("steps"))},
+                       .specialization = std::move(constants),
+                       .cost = 5.0});
 }
 
 SkyPasses add_sky_view(Plan& plan, const Scene& scene, const Air& air, const View& view) {
@@ -113,7 +114,7 @@ SkyPasses add_sky_view(Plan& plan, const Scene& scene, const Air& air, const Vie
     add_march_pass(plan, scene, air, tables, target);
   } else {
     const ImageId sky_view = add_sky_view_table(plan, scene, air, view, tables);
-    add_fetch_pass(plan, scene, air, tables, sky_view, target);
+    add_fetch_pass(plan, scene, air, view, tables, sky_view, target);
     list.push_back(sky_view);
   }
   return {target.radiance, list};

@@ -8,6 +8,7 @@
 #include "physics/sky_table.glsl"
 #include "physics/space_table.glsl"
 #include "shared/horizon_pixels.glsl"
+#include "shared/edge_list.glsl"
 
 const uint kRestBlocks = 1u;
 #include "shared/factor_fetch.glsl"
@@ -33,10 +34,11 @@ vec3 light_at(vec3 direction) {
 }
 
 void main() {
-  uvec2 pixel = gl_GlobalInvocationID.xy;
-  if (pixel.x >= width || pixel.y >= height) {
+  uvec2 thread = gl_GlobalInvocationID.xy;
+  if (thread.x >= width || thread.y >= height) {
     return;
   }
+  uvec2 pixel = pixel_of_thread(thread, width);
   ViewRay view = pixel_ray(pixel);
   PixelRays rays = rays_at(pixel, view);
   vec3 sum = vec3(0.0);

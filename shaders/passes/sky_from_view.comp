@@ -10,6 +10,7 @@
 #include "physics/sky_view_mapping.glsl"
 #include "shared/sky_output.glsl"
 #include "shared/horizon_pixels.glsl"
+#include "shared/edge_list.glsl"
 
 layout(local_size_x = 16, local_size_y = 16) in;
 layout(constant_id = 6) const uint kStepDistribution = 1u;
@@ -33,10 +34,11 @@ vec3 fetch_sky_view(SkyViewCoordinate c) {
 }
 
 void main() {
-  uvec2 pixel = gl_GlobalInvocationID.xy;
-  if (pixel.x >= width || pixel.y >= height) {
+  uvec2 thread = gl_GlobalInvocationID.xy;
+  if (thread.x >= width || thread.y >= height) {
     return;
   }
+  uvec2 pixel = pixel_of_thread(thread, width);
   ViewRay view = pixel_ray(pixel);
   PixelRays rays = rays_at(pixel, view);
   vec3 radiance = vec3(0.0);

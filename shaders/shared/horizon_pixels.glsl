@@ -3,17 +3,21 @@
 
 vec2 pixel_centre(uvec2 pixel) { return vec2(pixel.x + scene.tile.x, pixel.y + scene.tile.y) + 0.5; }
 
+// Where a pixel is little work, those at the edge are a pass of their own over a list of them: code that is not run still
+// takes its time on a software device, masked, and made a pass of one fetch twice as long.
+const uint kEdgesLeftOut = 0u;
+const uint kEdgesFound = 1u;
+const uint kEdgesListed = 2u;  // in `directions`: x and y of a pixel of the tile
+layout(constant_id = 30) const uint kEdges = kEdgesFound;
+
 PixelRays rays_at(uvec2 pixel, ViewRay view) {
   PixelRays rays = one_ray(0.0);
-  if (kProjection == kProjectionListed) {
+  if (kProjection == kProjectionListed || kEdges == kEdgesLeftOut) {
     return rays;
   }
-  // Most pixels are far from it: a cosine changes by less than its angle. Written as a loop of one turn or none: a
-  // branch not taken still runs, masked, on a software device.
-  float reach = pixel_reach(scene.camera, kProjection);
-  float over = view.direction.y - horizon_mu(scene.planet, scene.camera.altitude);
-  uint turns = over > -reach && over < 1.1 * air_edge(scene.planet, scene.camera.altitude) + reach ? 1u : 0u;
   vec2 at = pixel_centre(pixel);
+  float mu = view.direction.y;
+  uint turns = mu > scene.camera.edge_low && mu < scene.camera.edge_high ? 1u : 0u;
   for (uint i = 0u; i < turns; i++) {
     rays = pixel_rays(scene.planet, scene.camera, kProjection, at.x, at.y, view.direction);
   }
@@ -29,7 +33,6 @@ WeightedRay weighted_ray(uvec2 pixel, ViewRay view, PixelRays rays, uint i) {
   WeightedRay weighted;
   weighted.direction = view.direction;
   weighted.share = 1.0;
-  // A loop, as rays_at() has one.
   uint turns = rays.count > 1u ? 1u : 0u;
   for (uint k = 0u; k < turns; k++) {
     PixelRay ray = ray_of_pixel(rays, i);

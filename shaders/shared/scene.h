@@ -57,6 +57,9 @@ struct CameraData {
   uint width;
   uint height;
   uint cube_layout;
+  // Zenith cosines of pixels' centres between which the planet's edge may cross a pixel; it crosses none beyond them.
+  real edge_low;
+  real edge_high;
 };
 
 // The rectangle of the picture that a plan renders: all of it, or a tile.

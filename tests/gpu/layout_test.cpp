@@ -46,6 +46,8 @@ std::map<std::string, std::size_t> host_offsets() {
   AIRLIGHT_MEMBER(camera.cube_layout);
   AIRLIGHT_MEMBER(camera.width);
   AIRLIGHT_MEMBER(camera.height);
+  AIRLIGHT_MEMBER(camera.edge_low);
+  AIRLIGHT_MEMBER(camera.edge_high);
   AIRLIGHT_MEMBER(multiple_scattering_scale);
   AIRLIGHT_MEMBER(moments.top);
   AIRLIGHT_MEMBER(moments.elevation_scale);

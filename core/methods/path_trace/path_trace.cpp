@@ -89,8 +89,8 @@ struct Targets {
   std::vector<Pixel> pixels;
   std::vector<std::uint64_t> ids;
 
-  void add(std::uint64_t id, vec3 direction) {
-    pixels.push_back({.direction = direction});
+  void add(std::uint64_t id, std::vector<SampledRay> rays) {
+    pixels.push_back({.rays = std::move(rays)});
     ids.push_back(id);
   }
 };
@@ -100,7 +100,7 @@ Targets targets_of(const PathTracer& tracer, const Scene& scene, const View& vie
   if (!view.directions.empty()) {
     targets.width = static_cast<int>(view.directions.size());
     for (std::uint64_t id = 0; id < view.directions.size(); ++id) {
-      targets.add(id, tracer.direction(view.directions[id].elevation, view.directions[id].azimuth));
+      targets.add(id, {{tracer.direction(view.directions[id].elevation, view.directions[id].azimuth)}});
     }
     return targets;
   }
@@ -109,9 +109,9 @@ Targets targets_of(const PathTracer& tracer, const Scene& scene, const View& vie
   std::uint64_t id = 0;
   for (int y = 0; y < scene.image.height; ++y) {
     for (int x = 0; x < scene.image.width; ++x, ++id) {
-      const auto ray = tracer.pixel_ray(x, y);
-      if (ray.inside) {
-        targets.add(id, ray.direction);
+      std::vector<SampledRay> rays = tracer.pixel_rays(x, y);
+      if (!rays.empty()) {
+        targets.add(id, std::move(rays));
       }
     }
   }
@@ -131,7 +131,7 @@ HostPicture trace(const Scene& scene, const Air& air, const Wavelengths* all, co
   if (!view.directions.empty()) {
     picture.transmittance = blank(targets.width, targets.height);
     for (std::size_t k = 0; k < targets.pixels.size(); ++k) {
-      set_pixel(picture.transmittance, k, tracer.transmittance(tracer.start(targets.pixels[k].direction)));
+      set_pixel(picture.transmittance, k, tracer.transmittance(tracer.start(targets.pixels[k].rays.front().direction)));
     }
   }
   Sampling sampling(tracer, rules_of(settings), options, std::move(targets.pixels), targets.ids, identity);

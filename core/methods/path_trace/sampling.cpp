@@ -137,13 +137,21 @@ void Sampling::bring_forward(std::size_t k, std::uint64_t goal, FlightPlan& scra
   if (pixel.prepared && sums.batches >= goal) {
     return;
   }
-  const WalkStart start = tracer_.start(pixel.direction);
+  std::vector<WalkStart> starts;
+  for (const SampledRay& ray : pixel.rays) {
+    starts.push_back(tracer_.start(ray.direction));
+  }
   if (!pixel.prepared) {
-    pixel.single = tracer_.single(start);
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+      pixel.single = pixel.single + tracer_.single(starts[i]) * pixel.rays[i].share;
+    }
     pixel.prepared = true;
   }
   while (sums.batches < goal && !pause_.load(std::memory_order_relaxed)) {
-    const vec3 mean = tracer_.batch(start, ids_[k], sums.batches, scratch);
+    vec3 mean(0.0);
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+      mean = mean + tracer_.batch(starts[i], ids_[k], sums.batches, scratch) * pixel.rays[i].share;
+    }
     const std::array<double, 3> values{mean.x, mean.y, mean.z};
     for (std::size_t c = 0; c < 3; ++c) {
       const double x = values[c];

@@ -24,7 +24,7 @@ struct StopRules {
 
 // A pixel's direction, and all that is known of it.
 struct Pixel {
-  physics::vec3 direction;
+  std::vector<SampledRay> rays;
   physics::vec3 single{};  // the first order
   bool prepared = false;   // `single` is known
 };

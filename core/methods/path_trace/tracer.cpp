@@ -53,8 +53,23 @@ vec3 PathTracer::transmittance(const WalkStart& start) const {
   return exp(-depth_.along(start.ray.h, start.ray.mu, start.ray.length_));
 }
 
-physics::Physics::ViewRay PathTracer::pixel_ray(int x, int y) const {
-  return physics_.view_ray(physics_.scene.camera, projection_, x + 0.5, y + 0.5);
+std::vector<SampledRay> PathTracer::pixel_rays(int x, int y) const {
+  const physics::PlanetData& planet = physics_.scene.planet;
+  const physics::CameraData& camera = physics_.scene.camera;
+  const auto view = physics_.view_ray(camera, projection_, x + 0.5, y + 0.5);
+  if (!view.inside) {
+    return {};
+  }
+  const auto rays = physics_.pixel_rays(planet, camera, projection_, x + 0.5, y + 0.5, view.direction);
+  if (rays.count == 1) {
+    return {{view.direction}};
+  }
+  std::vector<SampledRay> list;
+  for (physics::uint i = 0; i < rays.count; ++i) {
+    const auto ray = physics_.ray_of_pixel(rays, i);
+    list.push_back({physics_.pixel_direction(planet, camera, projection_, x + 0.5, y + 0.5, ray), ray.share});
+  }
+  return list;
 }
 
 }  // namespace airlight

@@ -2,12 +2,19 @@
 // A scene ready to be traced: one estimate of a direction's radiance at a time, all for a sun of irradiance 1.
 
 #include <cstdint>
+#include <vector>
 
 #include "core/air/air.h"
 #include "core/methods/path_trace/walk.h"
 #include "core/scene/scene.h"
 
 namespace airlight {
+
+// One of the rays whose weighted mean is a pixel.
+struct SampledRay {
+  physics::vec3 direction;
+  double share = 1.0;
+};
 
 class PathTracer {
  public:
@@ -40,8 +47,9 @@ class PathTracer {
     return physics_.direction_from_angles(elevation, azimuth);
   }
 
-  // Of the picture's pixel centre; not `inside` outside a fisheye's circle.
-  physics::Physics::ViewRay pixel_ray(int x, int y) const;
+  // Of the picture's pixel: its centre's, several at the planet's edge (shaders/physics/horizon.glsl), none outside a
+  // fisheye's circle.
+  std::vector<SampledRay> pixel_rays(int x, int y) const;
 
  private:
   mutable physics::Physics physics_;  // GLSL's functions know no const; none of them writes
