@@ -34,8 +34,17 @@ void refuse_too_many_turns(long long steps, long long sun_steps, long long befor
   }
 }
 
+// Whether the several rays of a pixel at the planet's edge are within those turns as well; else it is its middle's ray.
+bool fits_edges(const Scene& scene) {
+  const bool from_space = scene.camera.altitude > scene.planet.atmosphere_height;
+  const long long rays = from_space ? physics::Physics{}.kRingStrips + 1 : 2;
+  const long long turns = scene.render.get<int>("steps") * (scene.render.get<int>("sun_steps") + 1LL);
+  return rays * (turns + 2LL * physics::kOpticalPanels) <= kMostTurns;
+}
+
 std::vector<Specialization> constants_of(const Scene& scene, const Air& air) {
   std::vector<Specialization> constants = medium_specialization(air);
+  constants.push_back({"kEdges", fits_edges(scene) ? 1u : 0u});
   constants.push_back({"kSunFade", air.formulas().fade ? 1u : 0u});
   constants.push_back({"kGroundReflects", air.ground_reflects() ? 1u : 0u});
   constants.push_back({"kStepDistribution", step_distribution_code(scene)});

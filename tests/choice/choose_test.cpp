@@ -42,8 +42,8 @@ double by_steps(const Scene& scene) {
 }
 
 TEST(Tolerance, TakesTheFirstOfRisingCostThatIsWithinIt) {
-  const Scene scene = preset("orbit");
-  ASSERT_TRUE(search_may_pay(scene));
+  Scene scene = preset("orbit");
+  scene.sun.elevation = -0.1;  // where nothing is known beforehand
   double cost = 0.0;
   for (const double tolerance : {0.1, 0.03, 0.015}) {
     const Choice choice = choose_for_tolerance(scene, tolerance, "", wrong_by(by_steps));

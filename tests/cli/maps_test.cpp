@@ -138,15 +138,16 @@ TEST_F(Maps, LayoutsHoldTheSameFaces) {
   for (int face = 0; face < 6; ++face) {
     const RadianceImage one = picture("six." + std::string(names[face]) + ".exr");
     ASSERT_EQ(one.height, 8);
+    // The rows beside the horizon are means whose shares round by where a face stands in the picture.
     for (int k = 0; k < 64; ++k) {
       const int x = k % 8;
       const int y = k / 8;
       const float* const expected = stack.at(x, 8 * face + y);
       EXPECT_EQ(one.at(x, y)[0], expected[0]);
-      EXPECT_NEAR(strip.at(8 * face + x, y)[2], expected[2], 1e-4F * expected[2]);
+      EXPECT_NEAR(strip.at(8 * face + x, y)[2], expected[2], 5e-4F * expected[2]);
       const auto& [column, row, turned] = cells[face];
       const float* const there = cross.at(8 * column + (turned == 1 ? 7 - x : x), 8 * row + (turned == 1 ? 7 - y : y));
-      EXPECT_NEAR(there[2], expected[2], 1e-4F * expected[2]) << names[face] << " " << x << ", " << y;
+      EXPECT_NEAR(there[2], expected[2], 5e-4F * expected[2]) << names[face] << " " << x << ", " << y;
       EXPECT_EQ(there[3], 1.0F);
     }
     const std::string file = "six." + std::string(names[face]) + ".exr";

@@ -49,7 +49,9 @@ TEST(Nested, IsTheMarchOfSingleScatteringWhereBothConverge) {
        {Place{0.001, 60.0}, Place{0.001, 5.0}, Place{0.5, -2.0}, Place{10.0, 20.0}, Place{300.0, 30.0}}) {
     Scene scene = without_disc(all_round(earth(), place.altitude, 32, 17));
     scene.sun.elevation = place.sun * kDegree;
-    const Scene nested = with_parameters(scene, "nested", {{"steps", 256}, {"sun_steps", 64}});
+    // From space a pixel at the edge is five rays, and the software device grants all loops 65535 turns.
+    const int steps = place.altitude > 100.0 ? 192 : 256;
+    const Scene nested = with_parameters(scene, "nested", {{"steps", steps}, {"sun_steps", 64}});
     const Scene march = with_parameters(
         scene, "march",
         {{"steps", 256}, {"multiple_scattering_scale", 0.0}, {"transmittance_lut", TableSize{1024, 256}}});
