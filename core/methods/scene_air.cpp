@@ -9,7 +9,7 @@
 namespace airlight {
 namespace {
 
-constexpr std::size_t kRemembered = 16;
+constexpr std::size_t kRememberedAirs = 16;
 
 template <class T>
 T value_of(const RenderSettings& settings, std::string_view key, T otherwise) {
@@ -33,7 +33,7 @@ class Shelf {
     if (found == airs_.end()) {
       found = std::find_if(airs_.begin(), airs_.end(), same_matter);
       airs_.push_front(found == airs_.end() ? Air(scene.media, scene.planet, options) : found->with(options));
-      if (airs_.size() > kRemembered) {
+      if (airs_.size() > kRememberedAirs) {
         airs_.pop_back();
       }
       return airs_.front();

@@ -18,9 +18,9 @@ namespace {
 
 using physics::vec3;
 
-constexpr int kRings = 4;
-constexpr int kAround = 8;
-constexpr int kPoints = kRings * kAround;
+constexpr int kGlareRings = 4;
+constexpr int kGlareAround = 8;
+constexpr int kPoints = kGlareRings * kGlareAround;
 constexpr double kFar = 24.0;  // radii of the disc: from there on it is a point to 0.2 %
 
 using physics::GlarePoint;
@@ -41,10 +41,10 @@ std::vector<GlarePoint> disc_sources(const Scene& scene, const Air& air) {
   const double half = std::sin(0.5 * radius);
   const double area = 4.0 * std::numbers::pi * half * half / kPoints;
   std::vector<GlarePoint> sources;
-  for (int ring = 0; ring < kRings; ++ring) {
-    const double off = radius * std::sqrt((ring + 0.5) / kRings);
-    for (int k = 0; k < kAround; ++k) {
-      const double t = 2.0 * std::numbers::pi * (k + 0.5 * (ring % 2)) / kAround;
+  for (int ring = 0; ring < kGlareRings; ++ring) {
+    const double off = radius * std::sqrt((ring + 0.5) / kGlareRings);
+    for (int k = 0; k < kGlareAround; ++k) {
+      const double t = 2.0 * std::numbers::pi * (k + 0.5 * (ring % 2)) / kGlareAround;
       const vec3 direction = sun * std::cos(off) + (a * std::cos(t) + b * std::sin(t)) * std::sin(off);
       sources.push_back({direction, 0.0, p.disc_radiance(direction) * area, radius / std::sqrt(kPoints)});
     }
