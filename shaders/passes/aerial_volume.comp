@@ -105,14 +105,14 @@ SkyFactors before(SkyFactors own, uint part) {
 }
 
 void main() {
-  uvec2 size = uvec2(kSkyColumns, kGroundRows + kLimbRows + kSkyRows);
+  uint rows = kGroundRows + kLimbRows + kSkyRows;
   uvec2 texel = uvec2(gl_GlobalInvocationID.x / kTeam, gl_GlobalInvocationID.y);
   uint part = gl_GlobalInvocationID.x % kTeam;
-  bool inside = texel.x < size.x && texel.y < size.y;
+  bool inside = texel.x < kSkyColumns && texel.y < rows;
   if (kTeam == 1u && !inside) {
     return;
   }
-  Ray ray = table_ray(min(texel, size - 1u));
+  Ray ray = table_ray(uvec2(min(texel.x, kSkyColumns - 1u), min(texel.y, rows - 1u)));
   uint first = part * kSlices / kTeam;
   uint last = (part + 1u) * kSlices / kTeam;
   SkyFactors factors = no_air();

@@ -47,11 +47,13 @@ vec3 folded_light(uint i, SkyFactors factors, float nu) {
 void main() {
   uvec2 texel = uvec2(gl_GlobalInvocationID.x / kTeam, gl_GlobalInvocationID.y);
   uint part = gl_GlobalInvocationID.x % kTeam;
-  bool outside = texel.x >= kSkyColumns || texel.y >= kGroundRows + kLimbRows + kSkyRows;
+  uint rows = kGroundRows + kLimbRows + kSkyRows;
+  bool outside = texel.x >= kSkyColumns || texel.y >= rows;
   if (kTeam == 1u && outside) {
     return;
   }
-  Ray ray = table_ray(min(texel, uvec2(kSkyColumns, kGroundRows + kLimbRows + kSkyRows) - 1u));
+  // By component: SPIRV-Tools may put a folded vector of constants before its parts (core/gpu/specialize.cpp).
+  Ray ray = table_ray(uvec2(min(texel.x, kSkyColumns - 1u), min(texel.y, rows - 1u)));
   SkyFactors factors;
   if (kTeam == 1u) {
     factors = scene_sky_factors(ray, steps);

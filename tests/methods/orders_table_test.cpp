@@ -91,6 +91,20 @@ TEST(OrdersTable, IsThePictureByPixelFromSpace) {
   }
 }
 
+// Sizes that are powers of two as well: their constants coincide with others of the shaders.
+TEST(OrdersTable, MayHaveAnySize) {
+  for (const TableSize size : {TableSize{8, 16}, TableSize{16, 32}, TableSize{32, 64}, TableSize{17, 31}}) {
+    for (const double altitude : {0.01, 500.0}) {
+      Scene scene = with_method(all_of_it(altitude, 0.3, 50.0), *find_method("orders"));
+      scene.render.parameters.insert_or_assign("sky_lut", size);
+      scene.render.parameters.insert_or_assign("tabulate", std::string("always"));
+      const RadianceImage table = render_now(scene).radiance;
+      scene.render.parameters.insert_or_assign("tabulate", std::string("never"));
+      EXPECT_LT(gaps(table, render_now(scene).radiance, 0, 36).mean, 0.05) << size[0] << " x " << size[1];
+    }
+  }
+}
+
 // On a GPU four threads share a ray's steps; in another order of sums it is the same table.
 TEST(OrdersTable, ByTeamsIsTheSame) {
   Scene scene = with_method(all_of_it(2.0, 0.3, 1.0), *find_method("orders"));
