@@ -4,7 +4,7 @@
 
 const uint kSectionNoAir = 3u;  // the ray passes by
 
-// Unit slope, and a quarter of the columns, within kTerminatorWidth of the terminator.
+// Of the sun's zenith cosines from -1 to 1, three fifths of the columns stand within this of the terminator.
 const real kTerminatorWidth = 0.2;
 
 real terminator_coordinate(real mu_sun) { return mu_sun / (abs(mu_sun) + kTerminatorWidth); }
