@@ -74,7 +74,6 @@ class Matcher {
     if (binding.is_3d != (image.extent.depth > 1)) {
       refuse(what + ": one of them is 3-D and the other is not");
     }
-    if (binding.format && *binding.format != image.format) refuse(what + ": their formats differ");
   }
 
   void check_buffer(const ShaderBinding& binding, const Binding& bound, const std::string& what) const {

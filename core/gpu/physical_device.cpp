@@ -100,7 +100,6 @@ PhysicalDevice inspect(VkPhysicalDevice handle) {
     missing.emplace_back("timestamps on a compute queue");
   }
   require_format(handle, VK_FORMAT_R32G32B32A32_SFLOAT, "rgba32f", missing);
-  require_format(handle, VK_FORMAT_R16G16B16A16_SFLOAT, "rgba16f", missing);
   return device;
 }
 

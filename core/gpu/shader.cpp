@@ -18,23 +18,14 @@ Pointee pointee(const SpirvModule& module, const SpirvDefinition& variable) {
   return {type, module.definition(type)};
 }
 
-// Fills kind, dimension and format from an OpTypeImage; `type` is the image's own, not the sampled image's.
+// Fills the dimension from an OpTypeImage; `type` is the image's own, not the sampled image's.
 void describe_image(const SpirvModule& module, const SpirvDefinition& type, ShaderBinding& binding) {
   const std::uint32_t dimension = type.operands[1];
   if (dimension != spv::Dim2D && dimension != spv::Dim3D) module.refuse(binding.name + " is neither 2-D nor 3-D");
   binding.is_3d = dimension == spv::Dim3D;
   if (type.operands[3] != 0) module.refuse(binding.name + " is an array of layers");
-  if (binding.kind != BindingKind::storage_image) return;
-  switch (type.operands[6]) {
-    case spv::ImageFormatRgba32f:
-      binding.format = Format::rgba32f;
-      break;
-    case spv::ImageFormatRgba16f:
-      binding.format = Format::rgba16f;
-      break;
-    default:
-      module.refuse(binding.name + " is declared neither rgba32f nor rgba16f");
-  }
+  if (binding.kind == BindingKind::storage_image && type.operands[6] != spv::ImageFormatRgba32f)
+    module.refuse(binding.name + " is not declared rgba32f");
 }
 
 void describe_block(const SpirvModule& module, const Pointee& block, bool is_storage, ShaderBinding& binding) {

@@ -21,10 +21,9 @@ struct ShaderBinding {
   std::string name = {};  // the variable's; the block's where the variable has none
   BindingKind kind = BindingKind::storage_buffer;
   std::uint32_t binding = 0;
-  bool is_3d = false;                 // images
-  std::optional<Format> format = {};  // storage images
-  bool writable = false;              // storage images and buffers not declared readonly
-  std::size_t block_bytes = 0;        // uniform block; storage buffer without its unsized array
+  bool is_3d = false;           // images
+  bool writable = false;        // storage images and buffers not declared readonly
+  std::size_t block_bytes = 0;  // uniform block; storage buffer without its unsized array
 };
 
 // Part of the plan's scene data, which is no pass's to bind: the uniform block, and the storage buffer `scene_tables`.

@@ -48,7 +48,6 @@ void add_scattering_size(std::vector<Specialization>& constants, const Plan& pla
 ImageId add_transmittance(Plan& plan, const Air& air, TableSize size) {
   const ImageId out = plan.add_image({.name = "transmittance",
                                       .extent = extent_of(size),
-                                      .format = Format::rgba32f,
                                       .key = table_key(air, "transmittance", size)});
   plan.add_pass({.name = "transmittance",
                  .shader = "transmittance",
@@ -65,7 +64,6 @@ ImageId add_multiple_scattering(Plan& plan, const Air& air, ImageId transmittanc
   const Extent sources[] = {extent_in(plan, transmittance)};
   const ImageId out = plan.add_image({.name = "multiple_scattering",
                                       .extent = extent_of(size),
-                                      .format = Format::rgba32f,
                                       .key = table_key(air, "multiple_scattering", size, sources)});
   plan.add_pass({.name = "multiple_scattering",
                  .shader = "multiple_scattering",
@@ -84,7 +82,6 @@ ImageId add_ground_irradiance(Plan& plan, const Air& air, ImageId transmittance,
   const Extent sources[] = {extent_in(plan, transmittance), extent_in(plan, multiple_scattering)};
   const ImageId out = plan.add_image({.name = "ground_irradiance",
                                       .extent = extent_of(size),
-                                      .format = Format::rgba32f,
                                       .key = table_key(air, "ground_irradiance", size, sources)});
   std::vector<Specialization> constants = sunlight_specialization(plan, air, transmittance);
   add_scattering_size(constants, plan, multiple_scattering);

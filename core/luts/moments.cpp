@@ -167,8 +167,7 @@ void add_moment_constants(std::vector<Specialization>& constants, const MomentSe
 ImageId add_sun_table(Plan& plan, const Air& air, const MomentSettings& settings) {
   const TableSize size{256, settings.size[1]};
   const Extent extent{static_cast<std::uint32_t>(size[0]), static_cast<std::uint32_t>(size[1]), 1};
-  const ImageId out = plan.add_image(
-      {.name = "sun_table", .extent = extent, .format = Format::rgba32f, .key = table_key(air, "sun_table", size)});
+  const ImageId out = plan.add_image({.name = "sun_table", .extent = extent, .key = table_key(air, "sun_table", size)});
   std::vector<Specialization> constants = medium_specialization(air);
   constants.push_back({"kShellRows", extent.height});
   plan.add_pass({.name = "sun_table",
@@ -200,8 +199,7 @@ ImageId add_moments(Plan& plan, const Air& air, ImageId sunlight, const MomentSe
     if (!nodes.contains(directions)) {
       nodes.emplace(directions, add_nodes(plan, directions, q));
     }
-    const ImageId out = plan.add_image(
-        {.name = "order" + std::to_string(order), .extent = atlas, .format = Format::rgba32f, .key = {}});
+    const ImageId out = plan.add_image({.name = "order" + std::to_string(order), .extent = atlas, .key = {}});
     std::vector<Specialization> mine = constants;
     mine.push_back({"kFirstOrder", first ? 1u : 0u});
     mine.push_back({"kSourceDegree", static_cast<std::uint32_t>(kept)});
@@ -222,10 +220,8 @@ ImageId add_moments(Plan& plan, const Air& air, ImageId sunlight, const MomentSe
   const std::string key = "degree " + std::to_string(settings.degree) + " delta " + std::to_string(settings.delta) +
                           " orders " + std::to_string(settings.orders);
   const Extent sources[] = {plan.images()[sunlight.index].extent};
-  const ImageId moments = plan.add_image({.name = "moments",
-                                          .extent = atlas,
-                                          .format = Format::rgba32f,
-                                          .key = table_key(air, "moments " + key, settings.size, sources)});
+  const ImageId moments = plan.add_image(
+      {.name = "moments", .extent = atlas, .key = table_key(air, "moments " + key, settings.size, sources)});
   std::vector<Specialization> shape;
   add_moment_constants(shape, settings);
   plan.add_pass({.name = "orders_sum",

@@ -226,7 +226,6 @@ ImageId add_factors(Plan& plan, const std::string& shader, const FactorTable& ta
   const std::uint32_t blocks = table.blocks + (shader == "layers_factors" ? 1 : 0);
   const ImageId factors = plan.add_image({.name = shader,
                                           .extent = {table.columns * blocks, table.rows(), 1},
-                                          .format = Format::rgba32f,
                                           .key = picture_table_key(view, shader)});
   std::vector<Specialization> constants = light.constants;
   add_table_constants(constants, table);

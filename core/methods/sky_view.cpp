@@ -62,8 +62,8 @@ ImageId add_sky_view_table(Plan& plan, const Scene& scene, const Air& air, const
                            const MarchTables& tables) {
   const TableSize size = scene.render.get<TableSize>("sky_view_lut");
   const Extent extent{static_cast<std::uint32_t>(size[0]), static_cast<std::uint32_t>(size[1]), 1};
-  const ImageId out = plan.add_image(
-      {.name = "sky_view", .extent = extent, .format = Format::rgba32f, .key = picture_table_key(view, "sky_view")});
+  const ImageId out =
+      plan.add_image({.name = "sky_view", .extent = extent, .key = picture_table_key(view, "sky_view")});
   plan.add_pass({.name = "sky_view",
                  .shader = "sky_view",
                  .reads = reads_of(tables),
@@ -126,10 +126,8 @@ ImageId add_layers_table(Plan& plan, const Scene& scene, const Air& air, const V
   const auto columns = static_cast<std::uint32_t>(size[0]);
   const auto rows = static_cast<std::uint32_t>(size[1]);
   const auto blocks = static_cast<std::uint32_t>(std::popcount(air.scattering_media())) + 2;
-  const ImageId out = plan.add_image({.name = "layers_view",
-                                      .extent = {columns * blocks, rows, 1},
-                                      .format = Format::rgba32f,
-                                      .key = picture_table_key(view, "layers_view")});
+  const ImageId out = plan.add_image(
+      {.name = "layers_view", .extent = {columns * blocks, rows, 1}, .key = picture_table_key(view, "layers_view")});
   std::vector<Specialization> constants = constants_of(plan, scene, air, tables);
   constants.push_back({"kScatteringMedia", air.scattering_media()});
   plan.add_pass(

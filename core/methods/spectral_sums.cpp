@@ -37,8 +37,7 @@ ImageId add_colour_table(Plan& plan, const std::string& name, const std::string&
     const bool two = i + 1 < tables.size();
     const bool last = i + 2 >= tables.size();
     const std::string step = name + (last ? "" : " of groups up to " + std::to_string(i + 1));
-    const ImageId out =
-        plan.add_image({.name = step, .extent = extent, .format = Format::rgba32f, .key = last ? key : std::string()});
+    const ImageId out = plan.add_image({.name = step, .extent = extent, .key = last ? key : std::string()});
     std::vector<std::uint32_t> push{extent.width, extent.height, i == 0 ? 1U : 0U};
     push_colours(push, colours[i]);
     push_colours(push, two ? colours[i + 1] : std::array<Rgb, 3>{});

@@ -5,7 +5,7 @@
 namespace airlight {
 
 std::size_t ImageDesc::bytes() const {
-  return std::size_t{extent.width} * extent.height * extent.depth * bytes_per_texel(format);
+  return std::size_t{extent.width} * extent.height * extent.depth * 4 * sizeof(float);
 }
 
 void Plan::begin_scene(std::vector<std::byte> data, std::string suffix) {
@@ -59,10 +59,6 @@ BufferId Plan::add_readback(ImageId image) {
                                       .zeroed = false});
   readbacks_.push_back({image, buffer});
   return buffer;
-}
-
-std::size_t bytes_per_texel(Format format) {
-  return format == Format::rgba32f ? 16 : 8;
 }
 
 const std::string& pass_name(const PassDesc& pass) {

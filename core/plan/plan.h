@@ -11,20 +11,17 @@
 
 namespace airlight {
 
-enum class Format { rgba32f, rgba16f };
-
 struct Extent {
   std::uint32_t width = 1;
   std::uint32_t height = 1;
   std::uint32_t depth = 1;  // > 1: a 3-D image
 };
 
-// `key` not empty: the contents depend on nothing but what the key says, and they are kept by the executor for later
+// Four floats a texel. `key` not empty: the contents depend on nothing but what the key says, and they are kept by the executor for later
 // plans; passes that would only make again what is kept are skipped (see passes_to_run).
 struct ImageDesc {
   std::string name = {};
   Extent extent = {};
-  Format format = Format::rgba32f;
   std::string key = {};
   std::size_t bytes() const;  // tightly packed
 };
@@ -123,8 +120,6 @@ class Plan {
   std::vector<PassDesc> passes_;
   std::vector<Readback> readbacks_;
 };
-
-std::size_t bytes_per_texel(Format format);
 
 // "image transmittance", for messages.
 std::string describe(const Plan& plan, ResourceId id);

@@ -53,7 +53,7 @@ Taps taps_of(const Picture& picture, const Level& level) {
 }
 
 ImageId add_level(Plan& plan, const char* kind, int level, Extent extent) {
-  return plan.add_image({.name = kind + std::to_string(level), .extent = extent, .format = Format::rgba32f, .key = {}});
+  return plan.add_image({.name = kind + std::to_string(level), .extent = extent, .key = {}});
 }
 
 std::uint32_t wrap(const Scene& scene) {
@@ -79,10 +79,8 @@ Level chain_level(const Scene& scene, int level) {
 
 // What the device keeps of a picture's bloom under a key. One level alone is its own sum.
 ImageDesc bloom_desc(const Scene& scene, const std::string& key) {
-  return {.name = scene.bloom.levels > 1 ? "bloom_up1" : "bloom_down1",
-          .extent = chain_level(scene, 1).extent,
-          .format = Format::rgba32f,
-          .key = key};
+  return {
+      .name = scene.bloom.levels > 1 ? "bloom_up1" : "bloom_down1", .extent = chain_level(scene, 1).extent, .key = key};
 }
 
 // The downsampled levels 1 to n, finest first.

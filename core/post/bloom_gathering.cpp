@@ -58,7 +58,7 @@ void BloomGathering::take(const Picture& band, std::span<const std::byte> sums) 
 }
 
 ImageId BloomGathering::add_base(Plan& plan) const {
-  const ImageId base = plan.add_image({.name = "bloom_base", .extent = grid_, .format = Format::rgba32f, .key = {}});
+  const ImageId base = plan.add_image({.name = "bloom_base", .extent = grid_, .key = {}});
   const std::size_t row = kTexel * grid_.width;
   const auto at_once = static_cast<std::uint32_t>(std::clamp<std::size_t>(kFillBytes / row, 1, grid_.height));
   for (std::uint32_t y = 0; y < grid_.height; y += at_once) {

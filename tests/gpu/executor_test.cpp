@@ -52,21 +52,6 @@ TEST(Executor, ReadsImagesBackRowByRowWhateverTheirSize) {
   }
 }
 
-TEST(Executor, WritesHalfFloats) {
-  Executor executor({}, test_shaders());
-  Plan plan;
-  const ImageId ramp = plan.add_image({.name = "ramp", .extent = {9, 5}, .format = Format::rgba16f});
-  plan.add_pass({.shader = "ramp_half", .writes = {{"ramp_out", ramp}}, .grid = {9, 5}});
-  const BufferId readback = plan.add_readback(ramp);
-  const std::vector<std::uint16_t> halves = values_of<std::uint16_t>(executor.run(plan).contents(readback));
-  ASSERT_EQ(halves.size(), 9U * 5U * 4U);
-  const std::size_t last = 4 * (9 * 5 - 1);
-  EXPECT_EQ(halves[last], 0x4800);      // 8
-  EXPECT_EQ(halves[last + 1], 0x4400);  // 4
-  EXPECT_EQ(halves[last + 2], 0x3800);  // 0.5
-  EXPECT_EQ(halves[last + 3], 0x3C00);  // 1
-}
-
 TEST(Executor, TimesPassesAndItsOwnWork) {
   Executor executor({}, test_shaders());
   RampPlan p = ramp_plan({512, 512});

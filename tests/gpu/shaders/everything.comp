@@ -23,7 +23,7 @@ layout(scalar, set = 0, binding = 9) uniform SceneBlock {
 } scene;
 layout(set = 0, binding = 4) uniform sampler2D table_lut;
 layout(set = 0, binding = 3) uniform sampler3D volume_lut;
-layout(set = 0, binding = 1, rgba16f) writeonly uniform image2D picture_out;
+layout(set = 0, binding = 1, rgba32f) writeonly uniform image2D picture_out;
 layout(set = 0, binding = 2, rgba32f) writeonly uniform image3D volume_out;
 layout(set = 0, binding = 8, rgba32f) readonly uniform image2D picture_in;
 layout(scalar, set = 0, binding = 5) readonly buffer Directions {
