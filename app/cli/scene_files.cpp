@@ -12,6 +12,7 @@
 #include "core/foreign/foreign_picture.h"
 #include "core/methods/method.h"
 #include "core/scene/resolve.h"
+#include "core/srgb.h"
 #include "core/terrain/terrain.h"
 
 namespace airlight::cli {
@@ -55,19 +56,15 @@ void require_finite(const std::vector<float>& values, const std::string& file, c
   }
 }
 
-// Heights are no light: what was taken for sRGB by the file's format is taken back.
-float encoded(float linear) {
-  return linear <= 0.0031308F ? 12.92F * linear : 1.055F * std::pow(linear, 1.0F / 2.4F) - 0.055F;
-}
-
 void read_heights(TerrainFiles& files, const std::string& file) {
   const foreign::Picture picture = picture_for(file, "height_map");
   files.columns = picture.width;
   files.rows = picture.height;
   files.heights = picture.channels.front().values;
   require_finite(files.heights, file, "height_map");
+  // Heights are no light: what was taken for sRGB by the file's format is taken back.
   if (picture.srgb) {
-    std::transform(files.heights.begin(), files.heights.end(), files.heights.begin(), encoded);
+    std::transform(files.heights.begin(), files.heights.end(), files.heights.begin(), srgb_encoded<float>);
   }
 }
 

@@ -10,6 +10,7 @@
 #include "core/output/exr.h"
 #include "core/output/png.h"
 #include "core/output/quantize.h"
+#include "core/srgb.h"
 
 namespace airlight::cli {
 namespace {
@@ -48,10 +49,6 @@ TableMeaning meaning_of(const std::string& name) {
     }
   }
   return {name.c_str(), name.c_str(), {"x", "texel", "index"}, {"y", "texel", "index"}};
-}
-
-float srgb_encoded(float linear) {  // IEC 61966-2-1
-  return linear <= 0.0031308F ? 12.92F * linear : 1.055F * std::pow(linear, 1.0F / 2.4F) - 0.055F;
 }
 
 // The table at a size that can be looked at, brightest value white, negative and non-finite values black.

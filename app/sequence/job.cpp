@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "app/cli/frame_scene.h"
+#include "core/hash.h"
 #include "core/output/frame_state.h"
 #include "core/scene/json_format.h"
 
@@ -69,8 +70,7 @@ FrameHashes hashes_of(const PictureOptions& options, const std::string& display,
   for (const std::optional<float>& number : {frame.latitude, frame.longitude, frame.altitude}) {
     exr += number ? ", " + format_number(static_cast<double>(*number)) : "";
   }
-  return {sequence::hash_text(exr),
-          sequence::hash_text(common + ", " + std::to_string(options.bits) + " bits, " + display)};
+  return {hash_text(exr), hash_text(common + ", " + std::to_string(options.bits) + " bits, " + display)};
 }
 
 bool is_done(const FrameFiles& files, const FrameHashes& hashes, const std::string& preset_json) {

@@ -41,7 +41,7 @@ PixelSet lattice(const Scene& scene, int columns, int rows) {
       const physics::vec3 d = ray.direction;
       set.places.push_back(static_cast<std::size_t>(y) * static_cast<std::size_t>(scene.image.width) +
                            static_cast<std::size_t>(x));
-      set.directions.push_back({std::atan2(d.y, std::hypot(d.x, d.z)), std::atan2(d.x, -d.z)});
+      set.directions.push_back(angles_of(d));
       const bool ground = physics.meets_ground(physics.scene.planet, physics.scene.camera.altitude, d.y);
       set.regions.push_back(ground ? measure::kGround : measure::kSky);
     }

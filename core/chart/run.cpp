@@ -9,6 +9,7 @@
 #include "core/chart/truth.h"
 #include "core/choice/cost.h"
 #include "core/gpu/embedded_shaders.h"
+#include "core/hash.h"
 #include "core/measure/sample_error.h"
 #include "core/methods/method.h"
 #include "core/render/sky.h"
@@ -65,7 +66,7 @@ double measuring_s(double picture_s, const Task& task) {
 
 class ChartRun {
  public:
-  explicit ChartRun(const RunOrder& order) : order_(order), shaders_(hash_name(shader_text())) {}
+  explicit ChartRun(const RunOrder& order) : order_(order), shaders_(hash_text(shader_text())) {}
 
   RunOutcome run() {
     open();
@@ -127,7 +128,7 @@ class ChartRun {
         task.scene = std::move(quality.scene);
         task.cost = cost_of(task.scene, method, truths_[i].pixels);
         task.key =
-            hash_name(to_json(task.scene) + truth_name(task.scene, truths_[i].pixels) + shaders_ + order_.version +
+            hash_text(to_json(task.scene) + truth_name(task.scene, truths_[i].pixels) + shaders_ + order_.version +
                       out_.device.name + out_.device.driver + std::to_string(truths_[i].truth.samples));
         tasks.push_back(std::move(task));
       }

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "core/error.h"
+#include "core/hash.h"
 #include "core/measure/sample_error.h"
 #include "core/methods/method.h"
 #include "core/methods/path_trace/checkpoint.h"
@@ -76,18 +77,8 @@ std::optional<Truth> read_truth(const std::filesystem::path& file, std::size_t p
 
 }  // namespace
 
-std::string hash_name(std::string_view text) {
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  for (const char c : text) {
-    hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
-  }
-  std::array<char, 17> digits{};
-  std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(hash));
-  return digits.data();
-}
-
 std::string truth_name(const Scene& scene, const PixelSet& pixels) {
-  return hash_name(checkpoint_identity(truth_scene(scene, {}), View{.directions = pixels.directions}));
+  return hash_text(checkpoint_identity(truth_scene(scene, {}), View{.directions = pixels.directions}));
 }
 
 Truth find_truth(const Scene& scene, const PixelSet& pixels, const std::filesystem::path& folder,

@@ -35,7 +35,4 @@ std::string truth_name(const Scene& scene, const PixelSet& pixels);
 Truth find_truth(const Scene& scene, const PixelSet& pixels, const std::filesystem::path& folder,
                  const TruthRules& rules, const std::function<bool(double)>& report);
 
-// FNV-1a, 16 hexadecimal digits.
-std::string hash_name(std::string_view text);
-
 }  // namespace airlight::chart

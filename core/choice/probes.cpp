@@ -48,7 +48,7 @@ class Surveyor {
     if (ray.length_ < 0.0) {
       return std::nullopt;
     }
-    Cell cell{{std::atan2(d.y, std::hypot(d.x, d.z)), std::atan2(d.x, -d.z)}, 1.0};
+    Cell cell{angles_of(d), 1.0};
     const double zenith = std::acos(std::clamp(static_cast<double>(d.y), -1.0, 1.0));
     const double sun = std::acos(std::clamp(nu, -1.0, 1.0));
     const double lit = lit_share(ray);

@@ -15,6 +15,7 @@
 #include "core/measure/module_text.h"
 #include "core/measure/words.h"
 #include "core/output/provenance_keys.h"
+#include "core/srgb.h"
 
 namespace airlight::foreign {
 namespace {
@@ -28,11 +29,6 @@ std::unique_ptr<OIIO::ImageInput> open(const std::string& file) {
   std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(file);
   if (!input) throw InputError(file + ": cannot be read: " + one_line(OIIO::geterror()));
   return input;
-}
-
-// IEC 61966-2-1.
-float linear_from_srgb(float encoded) {
-  return encoded <= 0.04045F ? encoded / 12.92F : std::pow((encoded + 0.055F) / 1.055F, 2.4F);
 }
 
 std::optional<std::array<double, 16>> matrix_of(const OIIO::ImageSpec& spec, std::initializer_list<const char*> names) {
@@ -85,7 +81,7 @@ void read_flat(Picture& picture, OIIO::ImageInput& input, int part, const std::s
   }
   for (std::size_t i = 0; picture.srgb && i < all.size(); ++i) {
     const bool is_alpha = static_cast<int>(i % channels) == spec.alpha_channel;
-    all[i] = is_alpha ? all[i] : linear_from_srgb(all[i]);
+    all[i] = is_alpha ? all[i] : srgb_decoded(all[i]);
   }
   for (int row = 0; row < spec.height; ++row) {
     for (int column = 0; column < spec.width; ++column) {

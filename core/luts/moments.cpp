@@ -8,48 +8,21 @@
 #include <string>
 
 #include "core/luts/luts.h"
+#include "core/physics/gauss.h"
 
 namespace airlight {
 namespace {
-
-struct Nodes {
-  std::vector<double> x;  // 0 to 1
-  std::vector<double> w;
-};
-
-// Gauss-Legendre on 0 to 1, by Newton's method on the Legendre polynomial.
-Nodes gauss_legendre(int n) {
-  Nodes nodes;
-  for (int i = 0; i < n; ++i) {
-    double z = std::cos(std::numbers::pi * (i + 0.75) / (n + 0.5));
-    double slope = 1.0;
-    for (int iteration = 0; iteration < 20; ++iteration) {
-      double p = 1.0;
-      double before = 0.0;
-      for (int j = 1; j <= n; ++j) {
-        const double older = before;
-        before = p;
-        p = ((2.0 * j - 1.0) * z * before - (j - 1.0) * older) / j;
-      }
-      slope = n * (z * p - before) / (z * z - 1.0);
-      z -= p / slope;
-    }
-    nodes.x.push_back(0.5 * (1.0 - z));
-    nodes.w.push_back(1.0 / ((1.0 - z * z) * slope * slope));
-  }
-  return nodes;
-}
 
 // Directions over half the sphere (the other half mirrors it), as orders_bake.comp reads them. Zenith nodes stand at
 // squares of Gauss nodes, dense at the horizon.
 std::vector<float> direction_nodes(int up, int down, int half_azimuths) {
   std::vector<float> nodes;
   for (const bool upward : {true, false}) {
-    const Nodes gauss = gauss_legendre(upward ? up : down);
-    for (std::size_t i = 0; i < gauss.x.size(); ++i) {
+    const GaussRule gauss = gauss_legendre(upward ? up : down);
+    for (std::size_t i = 0; i < gauss.nodes.size(); ++i) {
       for (int j = 0; j < half_azimuths; ++j) {
-        nodes.push_back(static_cast<float>(gauss.x[i] * gauss.x[i]));
-        nodes.push_back(static_cast<float>(2.0 * gauss.x[i] * gauss.w[i] * 2.0 * std::numbers::pi / half_azimuths));
+        nodes.push_back(static_cast<float>(gauss.nodes[i] * gauss.nodes[i]));
+        nodes.push_back(static_cast<float>(2.0 * gauss.nodes[i] * gauss.weights[i] * 2.0 * std::numbers::pi / half_azimuths));
         nodes.push_back(static_cast<float>(std::cos(std::numbers::pi * (j + 0.5) / half_azimuths)));
         nodes.push_back(upward ? 1.0f : -1.0f);
       }

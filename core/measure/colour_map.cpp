@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/srgb.h"
+
 namespace airlight::measure {
 namespace {
 
@@ -19,8 +21,7 @@ constexpr std::array<Colour, 10> kAnchors = {{{68, 1, 84},
                                               {253, 231, 37}}};
 
 double linear_from_code(std::uint8_t code) {
-  const double encoded = static_cast<double>(code) / 255.0;
-  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+  return srgb_decoded(static_cast<double>(code) / 255.0);
 }
 
 }  // namespace
@@ -40,13 +41,13 @@ Colour error_colour(double fraction) {
 
 std::uint8_t display_code(double exposed) {
   const double shown = 1.0 - std::exp(-std::max(exposed, 0.0));
-  const double encoded = shown <= 0.0031308 ? 12.92 * shown : 1.055 * std::pow(shown, 1.0 / 2.4) - 0.055;
+  const double encoded = srgb_encoded(shown);
   return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(encoded, 0.0, 1.0)));
 }
 
 double lightness(const Colour& colour) {
-  const double luminance = 0.2126 * linear_from_code(colour[0]) + 0.7152 * linear_from_code(colour[1]) +
-                           0.0722 * linear_from_code(colour[2]);
+  const double luminance =
+      bt709_luminance(linear_from_code(colour[0]), linear_from_code(colour[1]), linear_from_code(colour[2]));
   return luminance > 0.008856 ? 116.0 * std::cbrt(luminance) - 16.0 : 903.3 * luminance;
 }
 

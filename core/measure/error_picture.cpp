@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/measure/words.h"
+#include "core/srgb.h"
 
 namespace airlight::measure {
 namespace {
@@ -129,9 +130,7 @@ double exposure_for(const ShownPicture& picture) {
   std::vector<double> luminances;
   luminances.reserve(picture.green.size());
   for (std::size_t i = 0; i < picture.green.size(); ++i) {
-    const double luminance = 0.2126 * static_cast<double>(picture.red[i]) +
-                             0.7152 * static_cast<double>(picture.green[i]) +
-                             0.0722 * static_cast<double>(picture.blue[i]);
+    const double luminance = bt709_luminance(picture.red[i], picture.green[i], picture.blue[i]);
     if (std::isfinite(luminance) && luminance > 0.0) luminances.push_back(luminance);
   }
   if (luminances.empty()) return 1.0;

@@ -2,6 +2,7 @@
 // What a rendering method is. A new one is one .cpp, its shaders and one line in registry.cpp; the command line, the
 // help, the tests and the chart loop over the registry.
 
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -24,6 +25,11 @@ struct Direction {
   double elevation = 0.0;
   double azimuth = 0.0;
 };
+
+// Of a unit vector in that frame: x east, y up, -z north.
+inline Direction angles_of(const physics::vec3& d) {
+  return {std::atan2(d.y, std::hypot(d.x, d.z)), std::atan2(d.x, -d.z)};
+}
 
 // What to render: the camera's picture, or listed directions from the camera's place (without the sun's disc).
 struct View {

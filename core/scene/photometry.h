@@ -11,12 +11,12 @@
 #include <string_view>
 
 #include "core/scene/scene.h"
+#include "core/srgb.h"
 
 namespace airlight {
 
-// Luminance of linear BT.709, ITU-R BT.709-6 item 3.2. In the unit of the channels.
 constexpr double bt709_luminance(const Spectrum& rgb) {
-  return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2];
+  return bt709_luminance(rgb[0], rgb[1], rgb[2]);
 }
 
 // Solar illuminance constant of the IES, lux.

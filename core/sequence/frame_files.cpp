@@ -51,12 +51,4 @@ std::string manifest_file(const std::string& chosen, const Shard& shard) {
   return (path.parent_path() / (path.stem().string() + shard_suffix(shard) + path.extension().string())).string();
 }
 
-std::string hash_text(std::string_view text) {
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
-  char digits[17];
-  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash));
-  return digits;
-}
-
 }  // namespace airlight::sequence

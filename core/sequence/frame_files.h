@@ -21,7 +21,4 @@ std::string manifest_file(const FramePattern& pattern, const Shard& shard);
 // The same for a name that the user chose: the shard goes before the ending.
 std::string manifest_file(const std::string& chosen, const Shard& shard);
 
-// A hash of 64 bits as 16 hexadecimal digits: FNV-1a, for telling files apart, not for keeping secrets.
-std::string hash_text(std::string_view text);
-
 }  // namespace airlight::sequence

@@ -5,6 +5,7 @@
 
 #include "core/spectra/colour.h"
 #include "core/spectra/data.h"
+#include "core/srgb.h"
 
 namespace airlight {
 namespace {
@@ -196,9 +197,7 @@ ColourMatrix fitted_matrix(const std::vector<ColouredSpectrum>& samples, const C
 }
 
 ColourMatrix lit_matrix(ColourMatrix matrix, const ColourMatrix& plain) {
-  const auto luminance = [](const Rgb& colour) {  // ITU-R BT.709-6
-    return 0.2126 * colour[0] + 0.7152 * colour[1] + 0.0722 * colour[2];
-  };
+  const auto luminance = [](const Rgb& colour) { return bt709_luminance(colour[0], colour[1], colour[2]); };
   double share = 0.0;
   for (std::size_t k = 0; k < matrix.size(); ++k) {
     const double here = luminance(matrix[k]);

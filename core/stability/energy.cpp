@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "core/air/scene_block.h"
-#include "core/methods/path_trace/gauss.h"
+#include "core/physics/gauss.h"
 
 namespace airlight::stability {
 namespace {

@@ -290,7 +290,7 @@ std::vector<Direction> pixel_directions(const Scene& scene) {
   for (int y = 0; y < scene.image.height; ++y) {
     for (int x = 0; x < scene.image.width; ++x) {
       const physics::vec3 d = p.view_ray(p.scene.camera, projection, x + 0.5, y + 0.5).direction;
-      directions.push_back({std::atan2(d.y, std::hypot(d.x, d.z)), std::atan2(d.x, -d.z)});
+      directions.push_back(angles_of(d));
     }
   }
   return directions;

@@ -41,7 +41,7 @@ TEST(Maps, EachPixelIsTheSkyInItsDirection) {
             p.pixel_rays(p.scene.planet, p.scene.camera, projection_code(projection), x + 0.5, y + 0.5, ray.direction);
         if (ray.inside && rays.count == 1) {  // not where the horizon crosses it
           const physics::vec3 d = ray.direction;
-          directions.push_back({std::atan2(d.y, std::hypot(d.x, d.z)), std::atan2(d.x, -d.z)});
+          directions.push_back(angles_of(d));
           pixels.push_back(rendering.radiance.at(x, y));
         }
       }

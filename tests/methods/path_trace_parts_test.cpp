@@ -6,11 +6,11 @@
 #include <functional>
 #include <random>
 
-#include "core/methods/path_trace/gauss.h"
 #include "core/methods/path_trace/optical_depth.h"
 #include "core/methods/path_trace/phase_sampling.h"
 #include "core/methods/path_trace/sky_guide.h"
 #include "core/methods/scene_air.h"
+#include "core/physics/gauss.h"
 #include "path_trace_scene.h"
 
 namespace airlight {

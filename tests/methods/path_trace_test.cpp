@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/methods/path_trace/gauss.h"
+#include "core/physics/gauss.h"
 #include "path_trace_scene.h"
 
 namespace airlight {

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <utility>
 
-#include "core/methods/path_trace/gauss.h"
+#include "core/physics/gauss.h"
 
 namespace airlight {
 namespace {

@@ -23,7 +23,7 @@ Direction direction_at(const Scene& scene, int x, int y) {
   physics::Physics p = make_physics(scene);
   const auto ray = p.view_ray(p.scene.camera, projection_code(scene.camera.projection), x + 0.5, y + 0.5);
   const physics::vec3 d = ray.direction;
-  return {std::atan2(d.y, std::hypot(d.x, d.z)), std::atan2(d.x, -d.z)};
+  return angles_of(d);
 }
 
 std::vector<Span> spans_at(const Scene& scene, float distance) {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "core/error.h"
+#include "core/hash.h"
 #include "core/sequence/bounded_workers.h"
 #include "core/sequence/contact_sheet.h"
 #include "core/sequence/frame_files.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/methods/path_trace/gauss.h"
+#include "core/physics/gauss.h"
 #include "core/physics/vector.h"
 
 namespace airlight {

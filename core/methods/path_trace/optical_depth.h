@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "core/methods/path_trace/gauss.h"
+#include "core/physics/gauss.h"
 #include "core/physics/physics.h"
 
 namespace airlight {

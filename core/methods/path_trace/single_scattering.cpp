@@ -57,20 +57,9 @@ std::vector<double> SingleScattering::corners(const Ray& ray) const {
       add(-r_mu + std::sqrt(square));
     }
   }
-  // The shadow is a cylinder of the planet's radius around the line to the sun: a t^2 + 2 b t + c = 0 on its side.
-  const double a = (1.0 - ray.nu) * (1.0 + ray.nu);
-  const double b = r * (ray.mu - ray.mu_sun * ray.nu);
-  const double c = ray.h * (r + physics_.scene.planet.ground_radius) - r * r * ray.mu_sun * ray.mu_sun;
-  const double square = b * b - a * c;
-  if (square > 0.0) {
-    const double q = -(b + std::copysign(std::sqrt(square), b));
-    if (a > 0.0) {
-      add(q / a);
-    }
-    if (q != 0.0) {
-      add(c / q);
-    }
-  }
+  const physics::Physics::ShadowCrossings shadow = physics_.shadow_crossings(physics_.scene.planet, ray);
+  add(shadow.first);
+  add(shadow.second);
   std::sort(list.begin(), list.end());
   return list;
 }

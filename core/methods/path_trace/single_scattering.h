@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/methods/path_trace/gauss.h"
 #include "core/methods/path_trace/optical_depth.h"
 #include "core/methods/path_trace/wavelengths.h"
+#include "core/physics/gauss.h"
 
 namespace airlight {
 

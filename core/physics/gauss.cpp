@@ -1,4 +1,4 @@
-#include "core/methods/path_trace/gauss.h"
+#include "core/physics/gauss.h"
 
 #include <cmath>
 #include <numbers>
