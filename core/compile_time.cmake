@@ -33,11 +33,11 @@ endfunction()
 # Sources that name things as their neighbours do, in namespaces without a name: compiled on their own.
 file(GLOB airlight_own_names CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/app/commands/*.cpp)
 foreach(source IN ITEMS
-        app/cli/completion app/cli/help app/cli/process app/render/run app/render/validity core/choice/probes core/gpu/executor
+        app/cli/process core/choice/probes core/gpu/executor
         core/gpu/vulkan_api core/methods/analytic core/methods/march core/methods/nested core/methods/orders
-        core/methods/path_trace/gauss core/methods/path_trace/optical_depth core/methods/path_trace/path_trace
+        core/methods/path_trace/optical_depth core/methods/path_trace/path_trace
         core/methods/path_trace/single_scattering core/methods/sky_view core/output/quantize core/post/bloom
-        core/post/sun_disc core/render/render core/stability/summary core/stability/sweep tests/chart/settings_test
+        core/post/sun_disc core/render/render core/stability/sweep tests/chart/settings_test
         tests/cli/publish_test tests/cli/render_test tests/measure/metrics_test tests/methods/golden_test
         tests/methods/march_keys_test tests/methods/nested_test tests/methods/orders_slab_test
         tests/physics/quadrature_test tests/physics/sunlight_test tests/scene/override_test tests/scene/rule_schema

@@ -10,24 +10,13 @@
 #include "app/cli/progress.h"
 #include "core/chart/timing.h"
 #include "core/error.h"
+#include "core/text.h"
 
 namespace airlight::cli {
 namespace {
 
 using choice::Choice;
 using choice::Tried;
-
-std::string short_number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
-}
-
-std::string percent(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g %%", 100.0 * value);
-  return text;
-}
 
 void refuse_departures(const Scene& scene) {
   const auto& parameters = scene.render.parameters;
@@ -52,13 +41,13 @@ void refuse_departures(const Scene& scene) {
   }
   const std::string best = choice.best->method + ", " + choice.best->quality;
   if (report.wish.limit_ms > 0.0) {
-    throw InputError("render: --time-limit " + short_number(report.wish.limit_ms) + "ms: " + methods +
-                     " is that fast here; the fastest is " + best + ", with " + short_number(choice.best->ms) +
+    throw InputError("render: --time-limit " + rounded(report.wish.limit_ms, 4) + "ms: " + methods +
+                     " is that fast here; the fastest is " + best + ", with " + rounded(choice.best->ms, 4) +
                      " ms; give it that, or a smaller picture with --size");
   }
-  throw InputError("render: --tolerance " + percent(report.wish.tolerance) + ": " + methods +
+  throw InputError("render: --tolerance " + percent(report.wish.tolerance, 3) + ": " + methods +
                    " is sure to be that accurate here; the best is " + best + ", with an error of at most " +
-                   percent(choice.best->error) + "; allow that, or use --method path-trace with --target-error");
+                   percent(choice.best->error, 3) + "; allow that, or use --method path-trace with --target-error");
 }
 
 chart::TimingRules quick() {
@@ -135,15 +124,14 @@ ChoiceReport choose_rendering(const Scene& scene, const ChoiceWish& wish, const 
 std::string summary(const ChoiceReport& report) {
   const Choice& choice = report.choice;
   std::string text = "chose " + choice.chosen->method + ", " + choice.chosen->quality + ": mean error at most " +
-                     percent(choice.error);
-  text += report.wish.limit_ms > 0.0 ? ", " + short_number(choice.ms) + " ms on the device of " +
-                                           short_number(report.wish.limit_ms) + " allowed"
-                                     : " of " + percent(report.wish.tolerance) + " allowed";
+                     percent(choice.error, 3);
+  text += report.wish.limit_ms > 0.0
+              ? ", " + rounded(choice.ms, 4) + " ms on the device of " + rounded(report.wish.limit_ms, 4) + " allowed"
+              : " of " + percent(report.wish.tolerance, 3) + " allowed";
   if (choice.probes == 0) {
     return text + ", as is known of such air and sun";
   }
-  return text + ", by " + std::to_string(choice.probes) + " probes in " + short_number(report.probing_cpu_ms) +
-         " CPU-ms";
+  return text + ", by " + std::to_string(choice.probes) + " probes in " + rounded(report.probing_cpu_ms, 4) + " CPU-ms";
 }
 
 std::string explanation(const ChoiceReport& report) {
@@ -155,10 +143,10 @@ std::string explanation(const ChoiceReport& report) {
   for (const Tried& tried : choice.tried) {
     char line[200];
     std::snprintf(line, sizeof line, "  %-10s %-48s error at most %8s%s\n", tried.method.c_str(), tried.quality.c_str(),
-                  percent(tried.error).c_str(), tried.ms > 0.0 ? (", " + short_number(tried.ms) + " ms").c_str() : "");
+                  percent(tried.error, 3).c_str(), tried.ms > 0.0 ? (", " + rounded(tried.ms, 4) + " ms").c_str() : "");
     text += line;
   }
-  text += "  of it the reference's own and that of what was left out: " + percent(choice.reference_error) + "\n";
+  text += "  of it the reference's own and that of what was left out: " + percent(choice.reference_error, 3) + "\n";
   for (const std::string& line : choice.left_out) {
     text += "left out: " + line + "\n";
   }

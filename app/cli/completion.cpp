@@ -2,22 +2,15 @@
 // file system where the definition says so.
 #include "app/cli/cli.h"
 #include "core/error.h"
+#include "core/text.h"
 
 namespace airlight::cli {
 namespace {
 
 using Words = std::vector<std::string>;
 
-std::string joined(const Words& words, const std::string& separator) {
-  std::string text;
-  for (const std::string& word : words) {
-    text += (text.empty() ? "" : separator) + word;
-  }
-  return text;
-}
-
 // Inside single quotes; the same rule holds in the three shells but for fish's backslash.
-std::string quoted(const std::string& text) {
+std::string shell_quoted(const std::string& text) {
   std::string result = "'";
   for (const char c : text) {
     result += c == '\'' ? std::string("'\\''") : std::string(1, c);
@@ -68,7 +61,7 @@ constexpr const char* kBashWords = R"(  local IFS=$' \t\n' before= command= word
 )";
 
 std::string bash_offer(const Words& words, Completes completes) {
-  return "_airlight_offer " + quoted(joined(words, " ")) + bash_files(completes);
+  return "_airlight_offer " + shell_quoted(joined(words, " ")) + bash_files(completes);
 }
 
 std::string bash_command(const Command& command) {
@@ -141,7 +134,7 @@ std::string zsh_option(const Option& option) {
       spec +=
           ":" + zsh_text(option.metavar) + ":" + zsh_action(values(option.choices, option.offers), option.completes);
     }
-    text += " \\\n        " + quoted(spec);
+    text += " \\\n        " + shell_quoted(spec);
   }
   return text;
 }
@@ -150,15 +143,15 @@ std::string zsh_script(const Tool& tool) {
   std::string list;
   std::string cases;
   for (const Command& command : tool.commands) {
-    list += "    " + quoted(zsh_text(command.name) + ":" + zsh_text(command.summary)) + "\n";
+    list += "    " + shell_quoted(zsh_text(command.name) + ":" + zsh_text(command.summary)) + "\n";
     cases += "    " + command.name + ")\n      _arguments" + zsh_option(help_option());
     for (const Option& option : command.options) {
       cases += zsh_option(option);
     }
     for (const Positional& positional : command.positionals) {
       cases += " \\\n        " +
-               quoted(std::string(is_repeatable(positional.target) ? "*:" : ":") + zsh_text(positional.metavar) + ":" +
-                      zsh_action(values(positional.choices, positional.offers), positional.completes));
+               shell_quoted(std::string(is_repeatable(positional.target) ? "*:" : ":") + zsh_text(positional.metavar) +
+                            ":" + zsh_action(values(positional.choices, positional.offers), positional.completes));
     }
     cases += "\n      ;;\n";
   }
@@ -171,14 +164,14 @@ std::string zsh_script(const Tool& tool) {
 }
 
 std::string fish_line(const Tool& tool, const std::string& when, const std::string& rest) {
-  return "complete -c " + tool.name + " -n " + quoted(when) + rest + "\n";
+  return "complete -c " + tool.name + " -n " + shell_quoted(when) + rest + "\n";
 }
 
 std::string fish_values(const Words& words, Completes completes) {
   std::string text = completes == Completes::nothing ? " -x" : " -r -F";
   const std::string list =
       joined(words, " ") + (completes == Completes::folder ? " (__fish_complete_directories)" : "");
-  return text + (list.empty() ? "" : " -a " + quoted(list));
+  return text + (list.empty() ? "" : " -a " + shell_quoted(list));
 }
 
 std::string fish_option(const Tool& tool, const std::string& when, const Option& option) {
@@ -187,7 +180,7 @@ std::string fish_option(const Tool& tool, const std::string& when, const Option&
     text += name.rfind("--", 0) == 0 ? " -l " + name.substr(2) : " -s " + name.substr(1);
   }
   text += is_flag(option) ? " -f" : fish_values(values(option.choices, option.offers), option.completes);
-  return fish_line(tool, when, text + " -d " + quoted(option.help));
+  return fish_line(tool, when, text + " -d " + shell_quoted(option.help));
 }
 
 std::string fish_script(const Tool& tool) {
@@ -196,7 +189,7 @@ std::string fish_script(const Tool& tool) {
     text += fish_option(tool, "__fish_use_subcommand", option);
   }
   for (const Command& command : tool.commands) {
-    text += fish_line(tool, "__fish_use_subcommand", " -a " + command.name + " -d " + quoted(command.summary));
+    text += fish_line(tool, "__fish_use_subcommand", " -a " + command.name + " -d " + shell_quoted(command.summary));
     const std::string when = "__fish_seen_subcommand_from " + command.name;
     text += fish_option(tool, when, help_option());
     for (const Option& option : command.options) {
@@ -204,7 +197,7 @@ std::string fish_script(const Tool& tool) {
     }
     for (const Positional& positional : command.positionals) {
       const Words words = values(positional.choices, positional.offers);
-      const std::string offered = words.empty() ? "" : " -a " + quoted(joined(words, " "));
+      const std::string offered = words.empty() ? "" : " -a " + shell_quoted(joined(words, " "));
       text += fish_line(tool, when, (positional.completes == Completes::nothing ? " -f" : " -F") + offered);
     }
   }

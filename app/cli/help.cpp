@@ -1,12 +1,12 @@
 // --help for the tool and for each command: CLI11 lays it out, in lines of the terminal's width.
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
 
 #include "app/cli/cli11.h"
 #include "app/cli/terminal.h"
+#include "core/text.h"
 
 namespace airlight::cli {
 namespace {
@@ -15,11 +15,6 @@ namespace {
 std::size_t help_column(std::size_t width) {
   constexpr std::size_t kNarrow = 70;
   return width < kNarrow ? 10 : 30;
-}
-
-std::string short_number(double value) {
-  char text[32];
-  return std::string(text, std::to_chars(text, text + sizeof text, value).ptr);
 }
 
 // Words of `text` in lines of `width`, every line but the first indented by `indent` when laid out.
@@ -153,8 +148,8 @@ std::string full_help(const Option& option) {
   }
   if (option.range && option.percent != Percent::share) {
     text += std::isinf(option.range->maximum)
-                ? "; at least " + short_number(option.range->minimum)
-                : "; " + short_number(option.range->minimum) + " to " + short_number(option.range->maximum);
+                ? "; at least " + shortest(option.range->minimum)
+                : "; " + shortest(option.range->minimum) + " to " + shortest(option.range->maximum);
   }
   return text + (is_repeatable(option.target) ? "; may be repeated" : "");
 }

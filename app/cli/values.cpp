@@ -8,33 +8,17 @@
 
 #include "app/cli/cli11.h"
 #include "app/cli/suggest.h"
+#include "core/text.h"
 
 namespace airlight::cli {
 namespace {
 
 using Words = std::vector<std::string>;
 
-std::string joined(const Words& words) {
-  std::string text;
-  for (const std::string& word : words) {
-    text += (text.empty() ? "" : ", ") + word;
-  }
-  return text;
-}
-
-std::string number_text(double value) {
-  char text[32];
-  return std::string(text, std::to_chars(text, text + sizeof text, value).ptr);
-}
-
 std::string expected_number(bool whole, const std::optional<Range>& range, Percent percent) {
   const bool share = percent == Percent::share;
   std::string text = share ? "a percentage" : whole ? "a whole number" : "a number";
-  const auto end = [&](double value) {
-    char hundredths[32];
-    std::snprintf(hundredths, sizeof hundredths, "%.6g%%", 100.0 * value);
-    return share ? std::string(hundredths) : number_text(value);
-  };
+  const auto end = [&](double value) { return share ? rounded(100.0 * value, 6) + "%" : shortest(value); };
   if (range) {
     text += std::isinf(range->maximum) ? " of at least " + end(range->minimum)
                                        : " from " + end(range->minimum) + " to " + end(range->maximum);
@@ -102,7 +86,7 @@ CLI::Validator a_number(const std::optional<Range>& range, Percent percent) {
         if (!value || (range && (number < range->minimum || number > range->maximum))) {
           return "'" + word + "' is not " + expected_number(std::is_integral_v<T>, range, percent);
         }
-        word = hundredths ? number_text(number) : digits;
+        word = hundredths ? shortest(number) : digits;
         return std::string();
       },
       "");

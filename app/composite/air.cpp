@@ -4,6 +4,7 @@
 #include "core/choice/aerial.h"
 #include "core/error.h"
 #include "core/render/picture_key.h"
+#include "core/text.h"
 
 namespace airlight::cli {
 namespace {
@@ -32,12 +33,6 @@ void fill_with_fog(const std::vector<Sample>& samples, const Scene& scene, const
                                    ray.direction.y, physics::dot(ray.direction, p.scene.sun.direction)});
     airs[i] = {rgb(terms.adds), rgb(terms.keeps)};
   }
-}
-
-std::string percent(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2g %%", 100.0 * value);
-  return text;
 }
 
 // The volume where the order wants it, or where a tolerance allows it.
@@ -105,8 +100,8 @@ std::string told(const CompositeOrder& order, const FrontAir& air) {
   if (!air.volume_error) {
     return "air: by march; nothing is before the things, or the camera stands above the air";
   }
-  return "air: by " + air.way + "; the volume's mean error is at most " + percent(*air.volume_error) + " of " +
-         percent(*order.tolerance) + " allowed";
+  return "air: by " + air.way + "; the volume's mean error is at most " + percent(*air.volume_error, 2) + " of " +
+         percent(*order.tolerance, 2) + " allowed";
 }
 
 }  // namespace airlight::cli

@@ -7,17 +7,13 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/text.h"
 
 namespace airlight::cli {
 namespace {
 
 using foreign::Channel;
 using foreign::Picture;
-
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
-}
 
 std::string layer_of(const std::string& channel) {
   const std::size_t dot = channel.rfind('.');

@@ -19,6 +19,7 @@
 #include "core/error.h"
 #include "core/measure/frames.h"
 #include "core/output/atomic_file.h"
+#include "core/text.h"
 
 namespace airlight::cli {
 namespace {
@@ -159,9 +160,7 @@ struct Frame {
 };
 
 std::string percent(std::size_t part, std::size_t whole) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g %%", 100.0 * static_cast<double>(part) / static_cast<double>(whole));
-  return text;
+  return airlight::percent(static_cast<double>(part) / static_cast<double>(whole), 3);
 }
 
 void tell_about(const CompositeOrder& order, const Foreground& fore, const Frame& frame, const FrontAir& air,

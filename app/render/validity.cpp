@@ -1,20 +1,13 @@
 #include "app/render/validity.h"
 
-#include <cstdio>
-
 #include "core/methods/known_failures.h"
 #include "core/methods/scene_air.h"
 #include "core/scene/angle.h"
 #include "core/scene/curve_reader.h"
+#include "core/text.h"
 
 namespace airlight::cli {
 namespace {
-
-std::string short_number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
-}
 
 std::string methods_that_hold(const Scene& scene) {
   std::string names;
@@ -33,17 +26,17 @@ std::string methods_that_hold(const Scene& scene) {
 std::vector<std::string> exceeded_limits(const Validity& validity, const Scene& scene) {
   std::vector<std::string> limits;
   if (scene.sun.elevation < validity.sun_elevation_min) {
-    limits.push_back("a sun below " + short_number(degrees_from_radians(validity.sun_elevation_min)) +
-                     " degrees (it is at " + short_number(degrees_from_radians(scene.sun.elevation)) + ")");
+    limits.push_back("a sun below " + rounded(degrees_from_radians(validity.sun_elevation_min), 4) +
+                     " degrees (it is at " + rounded(degrees_from_radians(scene.sun.elevation), 4) + ")");
   }
   if (scene.camera.altitude > validity.altitude_max) {
-    limits.push_back("a camera above " + short_number(validity.altitude_max) + " km (it is at " +
-                     short_number(scene.camera.altitude) + ")");
+    limits.push_back("a camera above " + rounded(validity.altitude_max, 4) + " km (it is at " +
+                     rounded(scene.camera.altitude, 4) + ")");
   }
   const double depth = air_of(scene).depths().extinction;
   if (depth > validity.optical_depth_max) {
-    limits.push_back("air of a vertical optical depth above " + short_number(validity.optical_depth_max) + " (it is " +
-                     short_number(depth) + ")");
+    limits.push_back("air of a vertical optical depth above " + rounded(validity.optical_depth_max, 4) + " (it is " +
+                     rounded(depth, 4) + ")");
   }
   return limits;
 }

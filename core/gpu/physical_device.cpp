@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "core/error.h"
+#include "core/text.h"
 
 namespace airlight {
 namespace {
@@ -38,13 +39,6 @@ void require_format(VkPhysicalDevice device, VkFormat format, const char* name, 
   };
   need(VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT, "storage images");
   need(VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT, "images sampled with linear filtering");
-}
-
-std::string lower_case(std::string_view text) {
-  std::string lower(text);
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return lower;
 }
 
 // "llvmpipe (LLVM 15), lacks scalarBlockLayout and timestamps on a compute queue".
@@ -126,10 +120,10 @@ const PhysicalDevice& choose(const std::vector<PhysicalDevice>& devices, std::st
     if (found == devices.end()) throw RunError("no Vulkan device can be used: " + list(devices));
     return *found;
   }
-  const std::string wanted = lower_case(name_substring);
+  const std::string wanted = lower(name_substring);
   const PhysicalDevice* unusable = nullptr;
   for (const PhysicalDevice& device : devices) {
-    if (lower_case(device.info.name).find(wanted) == std::string::npos) continue;
+    if (lower(device.info.name).find(wanted) == std::string::npos) continue;
     if (device.info.missing.empty()) return device;
     if (unusable == nullptr) unusable = &device;
   }

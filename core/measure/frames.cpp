@@ -7,6 +7,7 @@
 #include <map>
 
 #include "core/error.h"
+#include "core/text.h"
 
 namespace airlight::measure {
 namespace {
@@ -34,10 +35,7 @@ const char* kind_words(Collection::Kind kind) {
 }
 
 bool is_exr_name(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return extension == ".exr";
+  return lower(path.extension().string()) == ".exr";
 }
 
 InputError unreadable(const std::string& folder, const std::error_code& reason) {

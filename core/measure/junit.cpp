@@ -2,6 +2,7 @@
 
 #include "core/measure/report.h"
 #include "core/measure/words.h"
+#include "core/text.h"
 
 namespace airlight::measure {
 namespace {
@@ -47,12 +48,6 @@ std::string_view entity(char letter) {
   }
 }
 
-std::string joined(const std::vector<std::string>& lines) {
-  std::string text;
-  for (const std::string& line : lines) text += (text.empty() ? "" : "; ") + line;
-  return text;
-}
-
 std::string case_xml(const NamedReport& entry) {
   const ComparisonReport& report = entry.report;
   std::string xml = "  <testcase classname=\"airlight.diff\" name=\"" + xml_escaped(entry.name) + "\">\n";
@@ -60,8 +55,8 @@ std::string case_xml(const NamedReport& entry) {
   const std::string body = xml_escaped("A " + entry.a + "\nB " + entry.b + "\n" + describe_briefly(entry) +
                                        (causes_follow ? "" : describe_causes(entry)));
   if (report.verdict == Verdict::differ) {
-    xml +=
-        "    <failure type=\"differ\" message=\"" + xml_escaped(joined(report.reasons)) + "\">" + body + "</failure>\n";
+    xml += "    <failure type=\"differ\" message=\"" + xml_escaped(joined(report.reasons, "; ")) + "\">" + body +
+           "</failure>\n";
   } else if (report.verdict == Verdict::cannot_compare) {
     xml += "    <error type=\"cannot compare\" message=\"" + xml_escaped(report.problem) + "\">" + body + "</error>\n";
   } else {

@@ -1,20 +1,15 @@
 #include "core/measure/words.h"
 
-#include <array>
-#include <cstdio>
+#include "core/text.h"
 
 namespace airlight::measure {
 
 std::string number(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.4g", value);
-  return text.data();
+  return rounded(value, 4);
 }
 
 std::string percent(double fraction) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g%%", 100.0 * fraction);
-  return text.data();
+  return rounded(100.0 * fraction, 3) + "%";
 }
 
 std::string verdict_words(Verdict verdict) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string>
 
+#include "core/text.h"
+
 namespace airlight {
 namespace {
 
@@ -46,12 +48,10 @@ std::optional<double> encoding_exponent(const ColourCode& code) {
 }
 
 std::optional<ColourCode> colour_code_of_display(std::string_view name) {
-  std::string lower(name);
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  const std::string words = lower(name);
   for (const NamedCode& display : kDisplays) {
     if (std::all_of(display.words.begin(), display.words.end(),
-                    [&](std::string_view word) { return lower.find(word) != std::string::npos; })) {
+                    [&](std::string_view word) { return words.find(word) != std::string::npos; })) {
       return display.code;
     }
   }

@@ -8,6 +8,7 @@
 #include "core/scene/json_format.h"
 #include "core/scene/json_text.h"
 #include "core/scene/phase_file.h"
+#include "core/text.h"
 
 namespace airlight {
 namespace {
@@ -15,12 +16,6 @@ namespace {
 constexpr double kMostOff = 0.05;  // of an integral from what it should be
 constexpr double kExact = 1e-9;
 constexpr double kTold = 1e-5;
-
-std::string short_number(double ratio) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.5g", ratio);
-  return text;
-}
 
 std::string row_name(const PhaseTable& table, std::size_t row) {
   return table.wavelengths_nm.empty() ? "" : "at " + format_number(table.wavelengths_nm[row]) + " nm ";
@@ -81,7 +76,7 @@ std::string normalise(PhaseTable& table) {
     const double integral = sphere_integral(table, row);
     const double whole = std::abs(integral / kMean - 1.0) < std::abs(integral - 1.0) ? kMean : 1.0;
     if (!(std::abs(integral / whole - 1.0) <= kMostOff)) {
-      return row_name(table, row) + "the integral over the sphere is " + short_number(integral) +
+      return row_name(table, row) + "the integral over the sphere is " + rounded(integral, 5) +
              "; expected 1, or 4 pi where the mean is 1, to 5 %: divide the values by it, or look for angles that are "
              "missing in the peak";
     }
@@ -250,7 +245,7 @@ std::vector<std::string> phase_notes(const Scene& scene) {
   for (std::size_t i = 0; i < scene.media.size(); ++i) {
     const double integral = scene.media[i].phase_table.integral;
     if (scene.media[i].phase == PhaseFunction::table && std::abs(integral - 1.0) > kTold) {
-      lines.push_back("/media/" + std::to_string(i) + "/phase: the table's integral is " + short_number(integral) +
+      lines.push_back("/media/" + std::to_string(i) + "/phase: the table's integral is " + rounded(integral, 5) +
                       " of what it should be" +
                       (scene.media[i].phase_table.rows.size() > 1 ? ", in the row furthest off" : "") +
                       "; it is divided by it");

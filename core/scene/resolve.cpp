@@ -20,6 +20,7 @@
 #include "core/scene/section.h"
 #include "core/scene/sphere_reader.h"
 #include "core/scene/terrain_reader.h"
+#include "core/text.h"
 
 namespace airlight {
 namespace {
@@ -132,10 +133,8 @@ void refuse_opaque(const PresetArray& array, const std::vector<Medium>& media, c
       depth = std::max(depth, here * column_km(media[i].density, top));
     }
     if (depth > kMostOpticalDepth) {
-      std::array<char, 32> number{};
-      std::snprintf(number.data(), number.size(), "%.3g", depth);
       problems.add(array[i], "/media/" + std::to_string(i),
-                   "its vertical optical depth is " + std::string(number.data()) + "; expected at most " +
+                   "its vertical optical depth is " + rounded(depth, 3) + "; expected at most " +
                        format_number(kMostOpticalDepth) + ": lower its coefficients, its density or its height");
     }
   }

@@ -4,18 +4,13 @@
 #include <cctype>
 #include <vector>
 
+#include "core/text.h"
+
 namespace airlight {
 namespace {
 
 // Longer names are nobody's typing slip, and the distance below costs the product of the lengths.
 constexpr std::size_t kLongestName = 64;
-
-std::string lower(std::string_view text) {
-  std::string out(text);
-  std::ranges::transform(out, out.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(static_cast<int>(c))); });
-  return out;
-}
 
 // Optimal string alignment: insertions, deletions, substitutions and swaps of neighbours cost one each.
 std::size_t slip_count(std::string_view a, std::string_view b) {

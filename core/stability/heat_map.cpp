@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "core/stability/report.h"
+#include "core/text.h"
 
 namespace airlight::stability {
 namespace {
@@ -29,12 +30,6 @@ constexpr int kFoot = 26;  // for the numbers and the name of x
 constexpr int kScaleRow = 44;
 constexpr int kAcross = 2;  // panels in a row
 
-std::string number(double value) {
-  char text[24];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
-
 // Without what the raster's letters lack.
 std::string plain(std::string text) {
   std::erase(text, '\'');
@@ -53,7 +48,7 @@ int edge(int size, std::size_t i, std::size_t n) {
 void write_columns(Raster& raster, int left, int top, const Sweep& sweep) {
   int free_from = left;
   for (std::size_t i = 0; i < sweep.xs.size(); ++i) {
-    const std::string text = number(sweep.xs[i]);
+    const std::string text = rounded(sweep.xs[i], 3);
     const int middle = left + (edge(kPanelWidth, i, sweep.xs.size()) + edge(kPanelWidth, i + 1, sweep.xs.size())) / 2;
     const int width = text_width(text, 1);
     const int start = std::max(left - kLeft / 2, middle - width / 2);
@@ -68,7 +63,7 @@ void write_columns(Raster& raster, int left, int top, const Sweep& sweep) {
 void write_rows(Raster& raster, int left, int top, const Sweep& sweep) {
   int free_below = top + kPanelHeight + kGlyphHeight;
   for (std::size_t i = 0; i < sweep.ys.size(); ++i) {
-    const std::string text = number(sweep.ys[i]);
+    const std::string text = rounded(sweep.ys[i], 3);
     const int middle =
         top + kPanelHeight - (edge(kPanelHeight, i, sweep.ys.size()) + edge(kPanelHeight, i + 1, sweep.ys.size())) / 2;
     if (middle + kGlyphHeight / 2 < free_below) {
@@ -100,7 +95,7 @@ void draw_scale(Raster& raster, int top) {
     raster.fill({kLeft + x, top, 1, kGlyphHeight + 2}, error_colour(static_cast<double>(x) / (kPanelWidth - 1)));
   }
   for (double value = kLowError; value <= 1.01 * kHighError; value *= 10.0) {
-    const std::string text = number(value);
+    const std::string text = rounded(value, 3);
     const int middle = kLeft + static_cast<int>(std::lround(fraction(value) * (kPanelWidth - 1)));
     raster.write(middle - text_width(text, 1) / 2, top + kGlyphHeight + 5, 1, kInk, text);
   }

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/scene/angle.h"
+#include "core/text.h"
 
 namespace airlight::stability {
 namespace {
@@ -44,22 +45,16 @@ double mean_of(const std::vector<double>& values) {
   return sum;
 }
 
-std::string short_number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
-}
-
 std::string outside_claim(const Validity& validity, const Place& place) {
   if (place[Quantity::sun_elevation] < degrees_from_radians(validity.sun_elevation_min)) {
-    return "claims nothing for a sun below " + short_number(degrees_from_radians(validity.sun_elevation_min)) +
+    return "claims nothing for a sun below " + rounded(degrees_from_radians(validity.sun_elevation_min), 4) +
            " degrees";
   }
   if (place[Quantity::altitude] > validity.altitude_max) {
-    return "claims nothing above " + short_number(validity.altitude_max) + " km";
+    return "claims nothing above " + rounded(validity.altitude_max, 4) + " km";
   }
   if (place[Quantity::optical_depth] > validity.optical_depth_max) {
-    return "claims nothing for optical depths above " + short_number(validity.optical_depth_max);
+    return "claims nothing for optical depths above " + rounded(validity.optical_depth_max, 4);
   }
   return {};
 }

@@ -3,28 +3,17 @@
 #include <utility>
 
 #include "core/stability/report.h"
+#include "core/text.h"
 
 namespace airlight::stability {
 namespace {
-
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
-
-std::string percent(double share) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2g %%", 100.0 * share);
-  return text;
-}
 
 const Sweep& sweep_named(const Examination& e, const std::string& name) {
   return *std::find_if(e.sweeps.begin(), e.sweeps.end(), [&](const Sweep& sweep) { return sweep.name == name; });
 }
 
 std::string range(double low, double high) {
-  return low == high ? number(low) : number(low) + " to " + number(high);
+  return low == high ? rounded(low, 3) : rounded(low, 3) + " to " + rounded(high, 3);
 }
 
 std::string short_name(Quantity q) {
@@ -37,12 +26,12 @@ std::string worst_text(char symptom, double worst) {
   switch (symptom) {
     case 'F':
     case 'N':
-      return name + " (" + number(worst) + " values in a cell)";
+      return name + " (" + rounded(worst, 3) + " values in a cell)";
     case 'G':
     case 'L':
-      return name + " (" + number(worst) + " of what arrives)";
+      return name + " (" + rounded(worst, 3) + " of what arrives)";
     default:
-      return name + (worst < 10.0 ? " " + percent(worst) : " over 1000 %");
+      return name + (worst < 10.0 ? " " + percent(worst, 2) : " over 1000 %");
   }
 }
 
@@ -124,7 +113,7 @@ std::string sound_text(const Examination& e, const Subject& subject) {
     return {};
   }
   std::sort(errors.begin(), errors.end());
-  const std::string median = errors.empty() ? "" : percent(errors[errors.size() / 2]);
+  const std::string median = errors.empty() ? "" : percent(errors[errors.size() / 2], 2);
   return std::to_string(errors.size()) + " of " + std::to_string(cells) + " cells hold" +
          (errors.empty() ? "" : ", with a median error of " + median);
 }
@@ -158,7 +147,7 @@ std::string summary_text(const Examination& e) {
       continue;
     }
     text += "\n## " + subject.name + "\n\n" + sound + "; it fails where the mean error exceeds " +
-            percent(subject.method->validity.error) + ".\n";
+            percent(subject.method->validity.error, 2) + ".\n";
     std::string table;
     for (const Row& row : rows_of(found, subject.name)) {
       table += row_text(e, row);
@@ -170,9 +159,9 @@ std::string summary_text(const Examination& e) {
   text += "\n## Sweeps\n\n";
   for (const Sweep& sweep : e.sweeps) {
     text += "- " + sweep.name + ": " + sweep.title + "; " + std::string(quantity_name(sweep.x)) + " (" +
-            number(sweep.xs.front()) + " to " + number(sweep.xs.back()) + ") by " +
-            std::string(quantity_name(sweep.y)) + " (" + number(sweep.ys.front()) + " to " + number(sweep.ys.back()) +
-            ").\n";
+            rounded(sweep.xs.front(), 3) + " to " + rounded(sweep.xs.back(), 3) + ") by " +
+            std::string(quantity_name(sweep.y)) + " (" + rounded(sweep.ys.front(), 3) + " to " +
+            rounded(sweep.ys.back(), 3) + ").\n";
   }
   text += "\n## Left out\n\n";
   for (const LeftOut& one : subjects_left_out()) {
