@@ -7,30 +7,19 @@
 #include "core/render/layers.h"
 #include "core/render/sky.h"
 #include "core/render/spans.h"
-#include "core/scene/preset.h"
-#include "core/scene/resolve.h"
 #include "tests/methods/render_fixture.h"
+#include "tests/methods/spectral_scene.h"
 
 namespace airlight::test {
 namespace {
 
-Scene scene_of(const std::string& text) {
-  return resolve(parse_preset(text, "test", {}), method_infos());
-}
-
-std::string with(const std::string& scattering, const std::string& sun, const std::string& extra = "") {
-  return R"({"airlight": 1, "planet": {"ground_albedo": 0.3}, "media": [{"name": "air", "scattering_per_km": )" +
-         scattering + R"(, "density": {"profile": "exponential", "scale_height_km": 8},
-          "phase": {"function": "rayleigh"}}], "sun": )" +
-         sun + R"(, "camera": {"projection": "equirectangular"}, "image": {"width": 16, "height": 8})" + extra + "}";
-}
-
 // Where nothing depends on the wavelength the colour is that of the sun, whatever the number of wavelengths: the
 // picture of three channels, disc and all.
 TEST(Spectral, GreyIsGrey) {
-  const Scene grey = scene_of(with("0.02", R"({"elevation_deg": 10, "irradiance": 2})"));
-  const Scene six = scene_of(with("0.02", R"({"elevation_deg": 10, "irradiance": 2, "spectrum": {"named": "solar"}})",
-                                  R"(, "render": {"wavelengths": 5})"));
+  const Scene grey = scene_of(clear_air("0.02", R"({"elevation_deg": 10, "irradiance": 2})"));
+  const Scene six =
+      scene_of(clear_air("0.02", R"({"elevation_deg": 10, "irradiance": 2, "spectrum": {"named": "solar"}})",
+                         R"(, "render": {"wavelengths": 5})"));
   for (const SkyMethod& method : methods()) {
     const bool exact = method.render_on_host == nullptr;
     const Scene one = with_method(grey, method, true);
@@ -58,8 +47,8 @@ TEST(Spectral, GreyIsGrey) {
 
 // The sun through a vertical of air, at every tenth nanometre: exp(-column x scattering), summed by CIE 1931.
 TEST(Spectral, TransmittanceIsTheSunsColour) {
-  const Scene scene = scene_of(
-      with(R"({"named": "air"})", R"({"elevation_deg": 10})", R"(, "render": {"method": "march", "wavelengths": 6})"));
+  const Scene scene = scene_of(clear_air(R"({"named": "air"})", R"({"elevation_deg": 10})",
+                                         R"(, "render": {"method": "march", "wavelengths": 6})"));
   const double column = 8.0 * (1.0 - std::exp(-12.5));
   const BandColours colours = band_colours(scene.spectra->sun, White::sun);
   std::array<double, kFineBands> through{};
@@ -82,7 +71,8 @@ TEST(Spectral, FewWavelengthsComeCloseToAll) {
   for (const char* elevation : {"40", "5", "-3"}) {
     const auto probes = [&](int count) {
       const std::string sun = "{\"elevation_deg\": " + std::string(elevation) + "}";
-      return probe_now(scene_of(with(R"({"named": "air"})", sun, extra + std::to_string(count) + "}")), directions);
+      return probe_now(scene_of(clear_air(R"({"named": "air"})", sun, extra + std::to_string(count) + "}")),
+                       directions);
     };
     const std::vector<ProbeResult> truth = probes(48);
     const auto error = [&](const std::vector<ProbeResult>& found) {
@@ -123,8 +113,8 @@ TEST(Spectral, WhiteIsWhatThePresetSays) {
 // Light from 640 nm on is redder than Rec.709's red: negative channels of a positive luminance are no fault.
 TEST(Spectral, ColoursOutsideTheSpaceAreNoFault) {
   const Scene scene =
-      scene_of(with(R"(0.02, "absorption_per_km": {"wavelengths_nm": [630, 640], "values": [1, 0]})",
-                    R"({"elevation_deg": 30})", R"(, "render": {"method": "march", "wavelengths": 24})"));
+      scene_of(clear_air(R"(0.02, "absorption_per_km": {"wavelengths_nm": [630, 640], "values": [1, 0]})",
+                         R"({"elevation_deg": 30})", R"(, "render": {"method": "march", "wavelengths": 24})"));
   const Rendering rendering = render_now(scene);
   EXPECT_EQ(rendering.fault(), "");
   EXPECT_GT(rendering.picture.outside, 0u);

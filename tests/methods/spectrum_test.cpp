@@ -5,25 +5,12 @@
 #include <cmath>
 
 #include "core/scene/photometry.h"
-#include "core/scene/preset.h"
-#include "core/scene/resolve.h"
 #include "core/spectra/data.h"
 #include "tests/methods/render_fixture.h"
+#include "tests/methods/spectral_scene.h"
 
 namespace airlight::test {
 namespace {
-
-Scene lit_scene(const std::string& text) {
-  return resolve(parse_preset(text, "test", {}), method_infos());
-}
-
-// Air of one medium, a sun, and a map of the sky in few pixels.
-std::string clear_air(const std::string& scattering, const std::string& sun, const std::string& extra = "") {
-  return R"({"airlight": 1, "planet": {"ground_albedo": 0.3}, "media": [{"name": "air", "scattering_per_km": )" +
-         scattering + R"(, "density": {"profile": "exponential", "scale_height_km": 8},
-          "phase": {"function": "rayleigh"}}], "sun": )" +
-         sun + R"(, "camera": {"projection": "equirectangular"}, "image": {"width": 16, "height": 8})" + extra + "}";
-}
 
 Rendering spectrum_now(const Scene& scene, const Nodes& nodes) {
   return render_spectrum([]() -> Executor& { return executor(); }, scene, {}, nodes);
@@ -51,7 +38,7 @@ TEST(Spectrum, EachWavelengthIsAPictureOfItsOwn) {
           "values": [0.01, 0.01, 0.02, 0.02, 0.03, 0.03, 0.04, 0.04]})";
   for (const SkyMethod& method : methods()) {
     const Scene scene =
-        with_method(lit_scene(clear_air(curve, R"({"elevation_deg": 10, "irradiance": 2})")), method, true);
+        with_method(scene_of(clear_air(curve, R"({"elevation_deg": 10, "irradiance": 2})")), method, true);
     const Rendering found = spectrum_now(scene, listed_nodes(nm, 10.0));
     ASSERT_EQ(found.fault(), "") << method.info.name;
     ASSERT_TRUE(found.spectrum);
@@ -61,7 +48,7 @@ TEST(Spectrum, EachWavelengthIsAPictureOfItsOwn) {
       const double sun = 2.0 * mean_over(solar_irradiance(), nm[k] - 5.0, nm[k] + 5.0);
       EXPECT_NEAR(found.spectrum->sunlight[k] / sun, 1.0, 1e-12);
       const Scene plain =
-          with_method(lit_scene(clear_air(std::to_string(coefficient(k)), R"({"elevation_deg": 10})")), method, true);
+          with_method(scene_of(clear_air(std::to_string(coefficient(k)), R"({"elevation_deg": 10})")), method, true);
       const RadianceImage expected = render_now(plain).radiance;
       double sum = 0.0;
       double expected_sum = 0.0;
@@ -82,7 +69,7 @@ TEST(Spectrum, EachWavelengthIsAPictureOfItsOwn) {
 
 // Straight up through air of a known column, and the same by the probe of three channels.
 TEST(Spectrum, ProbeTellsTransmittanceByWavelength) {
-  const Scene scene = lit_scene(
+  const Scene scene = scene_of(
       clear_air(R"({"named": "air"})", R"({"elevation_deg": 30})", R"(, "render": {"method": "march", "steps": 256})"));
   const Nodes nodes = every(400.0, 700.0, 60.0);
   const SpectralProbes found = spectra_now(scene, {{1.5707963, 0.0}}, nodes);
@@ -103,7 +90,7 @@ TEST(Spectrum, AbsoluteUnitsAgreeWithLuminance) {
        {R"({"elevation_deg": 20, "irradiance": 1361, "unit": "W/m2", "disc": {"visible": false}})",
         R"({"elevation_deg": 20, "irradiance": 128000, "unit": "lux", "spectrum": {"black_body_k": 4000},
             "disc": {"visible": false}})"}) {
-    Scene scene = lit_scene(clear_air(R"({"named": "air"})", sun, R"(, "render": {"method": "march"})"));
+    Scene scene = scene_of(clear_air(R"({"named": "air"})", sun, R"(, "render": {"method": "march"})"));
     scene.spectra->white = White::d65;
     const Nodes nodes = every(380.0, 780.0, 10.0);
     const Rendering found = spectrum_now(scene, nodes);
@@ -126,7 +113,7 @@ TEST(Spectrum, AbsoluteUnitsAgreeWithLuminance) {
 
 // A lamp's spectrum is a shape in the preset's own numbers.
 TEST(Spectrum, RelativeUnitsAreThePresets) {
-  const Scene scene = lit_scene(clear_air("0.02", R"({"spectrum": {"black_body_k": 3000}, "irradiance": 3})"));
+  const Scene scene = scene_of(clear_air("0.02", R"({"spectrum": {"black_body_k": 3000}, "irradiance": 3})"));
   EXPECT_EQ(spectral_unit(scene).name, "sun.spectrum.sr^-1");
   EXPECT_EQ(spectral_unit(scene).scale, 1.0);
 }
@@ -134,8 +121,8 @@ TEST(Spectrum, RelativeUnitsAreThePresets) {
 // From too few wavelengths to tell colours the picture is that without a spectrum, to the bit; from many it agrees with
 // the exact sum of all 48.
 TEST(Spectrum, PictureIsTheIntegralOrTheScenesOwn) {
-  const Scene scene = lit_scene(clear_air(R"({"named": "air"})", R"({"elevation_deg": 2})",
-                                          R"(, "render": {"method": "march", "wavelengths": 48})"));
+  const Scene scene = scene_of(clear_air(R"({"named": "air"})", R"({"elevation_deg": 2})",
+                                         R"(, "render": {"method": "march", "wavelengths": 48})"));
   const RadianceImage own = render_now(scene).radiance;
   const Rendering few = spectrum_now(scene, every(500.0, 600.0, 50.0));
   EXPECT_FALSE(few.spectrum->tells_colours);
