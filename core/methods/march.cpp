@@ -49,9 +49,7 @@ Quality with_key(std::string_view label, int steps, std::string_view key, std::s
 
 // How much of the chart a key is worth: each with its cost and error beside the plain march's.
 std::vector<Quality> keys_of_the_ladder() {
-  return {with_key("16, optical depth", 16, "step_distribution", "optical-depth", false),
-          with_key("32, optical depth", 32, "step_distribution", "optical-depth", false),
-          with_key("8, Gauss-Legendre", 8, "step_distribution", "gauss-legendre"),
+  return {with_key("8, Gauss-Legendre", 8, "step_distribution", "gauss-legendre"),
           with_key("16, Gauss-Legendre", 16, "step_distribution", "gauss-legendre"),
           with_key("8, blue noise", 8, "jitter", "blue-noise", false),
           with_key("16, blue noise", 16, "jitter", "blue-noise", false),

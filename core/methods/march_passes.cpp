@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view kScale = "multiple_scattering_scale";
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 // By code: physics::kStepsUniform, ...
-constexpr std::array<std::string_view, 4> kDistributions{"uniform", "quadratic", "optical-depth", "gauss-legendre"};
+constexpr std::array<std::string_view, 3> kDistributions{"uniform", "quadratic", "gauss-legendre"};
 constexpr std::array<std::string_view, 2> kPhases{"media", "schlick"};
 
 }  // namespace
@@ -30,8 +30,8 @@ ParameterInfo step_distribution_parameter() {
           0,
           std::string("quadratic"),
           kDistributions,
-          "where the steps along the view ray stand: evenly; dense toward the ray's lowest point; by what of the air's "
-          "optical depth is seen; or two Gauss-Legendre nodes a panel, panels split at the planet's shadow"};
+          "where the steps along the view ray stand: evenly; dense toward the ray's lowest point; or two "
+          "Gauss-Legendre nodes a panel, panels split at the planet's shadow"};
 }
 
 ParameterInfo phase_parameter() {
@@ -153,9 +153,7 @@ std::vector<Specialization> march_specialization(const Plan& plan, const Scene& 
 }
 
 double march_cost(const Scene& scene) {
-  constexpr double kPlacing = physics::kOpticalPanels;  // what finding the optical depth of a ray costs, in steps
-  const bool by_depth = step_distribution_code(scene) == physics::kStepsOpticalDepth;
-  return 4.0 + scene.render.get<int>("steps") + (by_depth ? kPlacing : 0.0);
+  return 4.0 + scene.render.get<int>("steps");
 }
 
 std::vector<std::string> march_left_out(const Scene& scene, const Plan&) {

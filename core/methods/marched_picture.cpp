@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <numbers>
 #include <string>
 
 #include "core/error.h"
-#include "core/methods/blue_noise.h"
 #include "core/methods/march_passes.h"
 #include "core/physics/physics.h"
 
@@ -24,22 +22,16 @@ std::string choice_of(const Scene& scene, const std::string& key, std::string_vi
   return found == scene.render.parameters.end() ? std::string(otherwise) : std::get<std::string>(found->second);
 }
 
-std::vector<float> places(const Scene& scene, bool listed) {
-  const auto same = static_cast<float>(place_in_step(scene));
-  if (choice_of(scene, "jitter", "none") == "blue-noise" && !listed) {
-    static const std::vector<float> mask = void_and_cluster(physics::kNoiseSide);
-    return mask;
+// kJitters are in the order of the codes physics::kJitterNone, ...; listed directions have no pixel. Throws InputError.
+std::uint32_t jitter_code(const Scene& scene, bool listed) {
+  const std::string jitter = choice_of(scene, "jitter", "none");
+  const auto code = static_cast<std::uint32_t>(std::ranges::find(kJitters, jitter) - kJitters.begin());
+  if (code != physics::kJitterNone && step_distribution_code(scene) == physics::kStepsGaussLegendre) {
+    throw InputError("render: jitter \"" + jitter +
+                     "\" moves the places of light within their steps, but those of step_distribution "
+                     "\"gauss-legendre\" stand where the rule needs them; remove either");
   }
-  return std::vector<float>(std::size_t{physics::kNoiseSide} * physics::kNoiseSide, same);
-}
-
-BufferId add_noise_mask(Plan& plan, const Scene& scene, bool listed) {
-  const std::vector<float> values = places(scene, listed);
-  std::vector<std::byte> bytes(values.size() * sizeof(float));
-  std::memcpy(bytes.data(), values.data(), bytes.size());
-  const std::size_t size = bytes.size();
-  return plan.add_buffer(
-      {.name = "noise_mask", .bytes = size, .host_readable = false, .contents = std::move(bytes), .key = {}});
+  return listed && code == physics::kJitterBlueNoise ? physics::kJitterNone : code;
 }
 
 // Between corners further apart than twice this a sky is no longer nearly linear, and nothing would be saved.
@@ -102,23 +94,14 @@ ParameterInfo resolution_parameter() {
 }
 
 double place_in_step(const Scene& scene) {
-  const std::string jitter = choice_of(scene, "jitter", "none");
-  if (jitter != "none" && step_distribution_code(scene) == physics::kStepsGaussLegendre) {
-    throw InputError("render: jitter \"" + jitter +
-                     "\" moves the places of light within their steps, but those of step_distribution "
-                     "\"gauss-legendre\" stand where the rule needs them; remove either");
-  }
-  return jitter == "fixed" ? 0.3 : 0.5;
+  return jitter_code(scene, true) == physics::kJitterFixed ? physics::Physics{}.kFixedPlace : 0.5;
 }
 
 void add_marched_picture(Plan& plan, const Scene& scene, PassDesc pass, const SkyTarget& target) {
   const bool listed = target.projection == physics::kProjectionListed;
-  const bool jitters = choice_of(scene, "jitter", "none") != "none";
   pass.specialization.push_back({"kProjection", target.projection});
-  pass.specialization.push_back({"kJitter", jitters ? 1u : 0u});
+  pass.specialization.push_back({"kJitter", jitter_code(scene, listed)});
   pass.reads.push_back({"directions", target.directions});
-  // Every buffer that the shader declares is bound, whether it looks or not.
-  pass.reads.push_back({"noise_mask", jitters ? add_noise_mask(plan, scene, listed) : target.directions});
   if (listed || !halves(scene)) {
     plan.add_pass(part_of(std::move(pass), physics::kPartWhole, target.grid, target.radiance, target.directions));
     return;

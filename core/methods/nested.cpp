@@ -27,10 +27,10 @@ const std::array<ParameterInfo, 7> kParameters{
 // The software device (Mesa's llvmpipe) ends a shader's loops, without a word, after 65535 turns of all of them.
 constexpr long long kMostTurns = 65535;
 
-void refuse_too_many_turns(long long steps, long long sun_steps, long long before) {
-  if (before + steps * (sun_steps + 1) > kMostTurns) {
-    throw InputError("render: nested takes steps x (sun_steps + 1) up to " + std::to_string(kMostTurns - before) +
-                     ", not " + std::to_string(steps) + " x " + std::to_string(sun_steps + 1) + "; lower either");
+void refuse_too_many_turns(long long steps, long long sun_steps) {
+  if (steps * (sun_steps + 1) > kMostTurns) {
+    throw InputError("render: nested takes steps x (sun_steps + 1) up to " + std::to_string(kMostTurns) + ", not " +
+                     std::to_string(steps) + " x " + std::to_string(sun_steps + 1) + "; lower either");
   }
 }
 
@@ -39,7 +39,7 @@ bool fits_edges(const Scene& scene) {
   const bool from_space = scene.camera.altitude > scene.planet.atmosphere_height;
   const long long rays = from_space ? physics::Physics{}.kRingStrips + 1 : 2;
   const long long turns = scene.render.get<int>("steps") * (scene.render.get<int>("sun_steps") + 1LL);
-  return rays * (turns + 2LL * physics::kOpticalPanels) <= kMostTurns;
+  return rays * turns <= kMostTurns;
 }
 
 std::vector<Specialization> constants_of(const Scene& scene, const Air& air) {
@@ -55,8 +55,7 @@ std::vector<Specialization> constants_of(const Scene& scene, const Air& air) {
 std::vector<std::uint32_t> push_constants_of(const Scene& scene) {
   const int steps = scene.render.get<int>("steps");
   const int sun_steps = scene.render.get<int>("sun_steps");
-  const bool by_depth = step_distribution_code(scene) == physics::kStepsOpticalDepth;
-  refuse_too_many_turns(steps, sun_steps, by_depth ? 2LL * physics::kOpticalPanels : 0);
+  refuse_too_many_turns(steps, sun_steps);
   return {static_cast<std::uint32_t>(steps), static_cast<std::uint32_t>(sun_steps)};
 }
 

@@ -9,11 +9,13 @@
 namespace airlight {
 namespace {
 
-// Dither: the additive recurrence of the plastic number (the "R2" sequence of Martin Roberts, 2018), whose thresholds
-// are spread evenly over every small patch of pixels: nearly blue noise from two multiplications, the same at each run.
-// The steps are 1/p and 1/p^2, p^3 = p + 1, as 32-bit fractions.
-constexpr std::uint32_t kStepX = 3242174889U;
-constexpr std::uint32_t kStepY = 2447445414U;
+// The thresholds that shaders have too.
+struct Spread {
+  using real = double;
+  using uint = std::uint32_t;
+#include "shaders/physics/spread.glsl"
+};
+
 // The channels take thresholds a third of the range apart, so that their errors cancel in the luminance.
 constexpr std::uint32_t kStepChannel = 1431655765U;
 constexpr std::size_t kThresholds = 256;
@@ -50,7 +52,8 @@ std::uint8_t dithered(float value, std::size_t index, const Thresholds& threshol
 
 void dither_row(std::span<const float> encoded, int y, int channels, std::uint8_t* out) {
   static const Thresholds thresholds = make_thresholds();
-  std::uint32_t position = static_cast<std::uint32_t>(y) * kStepY;
+  Spread spread;
+  std::uint32_t position = spread.spread_bits(0, static_cast<std::uint32_t>(y));
   for (std::size_t i = 0; i < encoded.size(); i += 4) {
     std::uint32_t shifted = position;
     for (std::size_t c = 0; c < 3; ++c) {
@@ -60,7 +63,7 @@ void dither_row(std::span<const float> encoded, int y, int channels, std::uint8_
     if (channels == 4) {
       *out++ = static_cast<std::uint8_t>(unit(encoded[i + 3]) * 255.0F + 0.5F);
     }
-    position += kStepX;
+    position += spread.kSpreadX;
   }
 }
 

@@ -47,16 +47,6 @@ real step_end(uint distribution, real falling, real length_, uint before, uint i
   return first + leg_edge(distribution, rising, leg, index + 1.0, count);
 }
 
-// The quadratic rule between its edges: position after `at` of n steps, 0 to n.
-real quadratic_position(real falling, real length_, uint before, real at, uint n) {
-  if (before == 0u || before >= n) {
-    return leg_edge(kStepsQuadratic, falling < length_, length_, at, real(n));
-  }
-  bool rising = at >= real(before);
-  return rising ? falling + leg_edge(kStepsQuadratic, true, length_ - falling, at - real(before), real(n - before))
-                : leg_edge(kStepsQuadratic, false, falling, at, real(before));
-}
-
 Step step_between(real start, real end) {
   Step s;
   s.t = 0.5 * (start + end);

@@ -34,6 +34,5 @@ bool sun_fade_enabled() { return kSunFade != 0u; }
 #include "physics/segment.glsl"
 #include "physics/quadrature.glsl"
 #include "physics/step_plan.glsl"
-#include "physics/optical_steps.glsl"
 #include "physics/lut_mapping.glsl"
 #include "physics/transmittance.glsl"

@@ -2,11 +2,11 @@
 // half resolution the corners of pixels two apart, and then every pixel from the four corners around it.
 #include "shared/sky_output.glsl"
 #include "shared/horizon_pixels.glsl"
+#include "physics/spread.glsl"
 
-layout(constant_id = 23) const uint kJitter = 0u;
+layout(constant_id = 23) const uint kJitter = kJitterNone;
 layout(constant_id = 24) const uint kPart = 0u;  // kPartWhole, ...
 
-layout(scalar, set = 0, binding = 10) readonly buffer NoiseMask { float values[]; } noise_mask;
 // Radiance, and 1 where the ray ends on the ground.
 layout(scalar, set = 0, binding = 11) readonly buffer HalfRadiance { vec4 values[]; } half_radiance;
 
@@ -31,12 +31,12 @@ PixelRays marched_rays(uvec2 pixel, ViewRay view) {
 }
 
 float place_in_step(uvec2 pixel) {
-  if (kJitter == 0u) {
-    return 0.5;
+  if (kJitter != kJitterBlueNoise) {
+    return kJitter == kJitterFixed ? kFixedPlace : 0.5;
   }
   uvec2 first = uvec2(scene.tile.x, scene.tile.y);
-  uvec2 at = (pixel + (kPart == kPartHalf ? first / 2u : first)) % kNoiseSide;
-  return noise_mask.values[at.y * kNoiseSide + at.x];
+  uvec2 at = pixel + (kPart == kPartHalf ? first / 2u : first);
+  return spread_place(at.x, at.y);
 }
 
 struct Upsampled {

@@ -29,16 +29,17 @@ const uint kCubeCross = 2u;
 
 const uint kStepsUniform = 0u;
 const uint kStepsQuadratic = 1u;
-const uint kStepsOpticalDepth = 2u;
-const uint kStepsGaussLegendre = 3u;
-const uint kOpticalPanels = 16u;  // that the optical depth of a ray is found by, to place its steps
+const uint kStepsGaussLegendre = 2u;
 
 // What a march of the picture is for.
 const uint kPartWhole = 0u;
 const uint kPartHalf = 1u;       // every second pixel's corner each way
 const uint kPartUpsampled = 2u;  // all pixels from those
 
-const uint kNoiseSide = 64u;  // of the mask that tells each pixel its place within the steps
+// Where in a step of the march its light is taken.
+const uint kJitterNone = 0u;   // in the middle
+const uint kJitterFixed = 1u;  // at the same place of every step
+const uint kJitterBlueNoise = 2u;
 
 const uint kToneAces = 0u;
 const uint kToneReinhard = 1u;

@@ -208,10 +208,6 @@ TEST_F(MarchParity, EveryKindOfMediumOverBrightGround) {
 
 // A step that rounding moves from one part of the ray to another, or one node across the shadow's edge, is no error of
 // the formula: the typical ray is held as tightly.
-TEST_F(MarchParity, StepsByOpticalDepth) {
-  expect_paths(earth(), 32, physics::kStepsOpticalDepth, 1e-5, 2e-3);
-}
-
 TEST_F(MarchParity, GaussLegendrePanels) {
   expect_paths(earth(), 15, physics::kStepsGaussLegendre, 1e-5, 2e-3);
 }

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "tests/physics/host_tables.h"
-#include "tests/physics/integral.h"
 #include "tests/physics/scenes.h"
 
 namespace airlight::test {
@@ -14,9 +13,7 @@ namespace {
 using physics::Physics;
 using physics::vec3;
 
-constexpr unsigned int kAll[] = {physics::kStepsUniform, physics::kStepsQuadratic, physics::kStepsOpticalDepth,
-                                 physics::kStepsGaussLegendre};
-constexpr unsigned int kCounts[] = {1, 2, 3, 5, 7, 16, 32, 255, 2048};
+constexpr unsigned int kAll[] = {physics::kStepsUniform, physics::kStepsQuadratic, physics::kStepsGaussLegendre};
 
 // Up, down and tangent from the ground, inside, the top and outside.
 std::vector<Physics::Ray> rays_of(Physics& p) {
@@ -36,60 +33,11 @@ std::vector<Physics::Ray> rays_of(Physics& p) {
   return rays;
 }
 
-double falling_of(Physics& p, const Physics::Ray& ray) {
-  return -(p.scene.planet.ground_radius + ray.h) * ray.mu;
-}
-
 Scene fog(double optical_depth) {
   Scene scene = vacuum();
   const double s = optical_depth / 8.0;
   scene.media = {medium("fog", {s, s, 0.1 * s}, {}, exponential(8.0))};
   return scene;
-}
-
-TEST(OpticalSteps, CoverTheRayInOrder) {
-  for (const Scene& scene : {earth(), vacuum(), fog(1e-30), fog(1000.0), every_kind()}) {
-    Physics p = make_physics(scene);
-    for (const Physics::Ray& ray : rays_of(p)) {
-      const auto optical = p.optical_steps(p.scene.planet, ray, falling_of(p, ray));
-      for (const unsigned int n : kCounts) {
-        double before = 0.0;
-        for (unsigned int i = 0; i < n; ++i) {
-          const double end = p.optical_step_end(optical, falling_of(p, ray), ray.length_, i, n);
-          ASSERT_GT(end, before) << "from " << ray.h << " along " << ray.mu << ", " << i << " of " << n;
-          before = end;
-        }
-        EXPECT_EQ(before, ray.length_);
-      }
-    }
-  }
-}
-
-// Three quarters of the shares by optical depth, by a quadrature of its own; the rest quadratic. Four panels a scale
-// height are linear within: 0.3 of a step.
-TEST(OpticalSteps, StandAtEqualSharesOfThinAir) {
-  Physics p = make_physics(fog(1e-4));
-  const auto ray = p.ray_in_atmosphere(p.scene.planet, 0.0, 0.2, 0.5, 0.1);
-  const auto optical = p.optical_steps(p.scene.planet, ray, falling_of(p, ray));
-  const auto depth_to = [&](double t) {
-    return integral([&](double s) { return p.extinction_at(p.point_on_ray(p.scene.planet, ray, s).h).x; }, 0.0, t, 64);
-  };
-  const double whole = depth_to(ray.length_);
-  for (unsigned int i = 0; i < 24; ++i) {
-    const double end = p.optical_step_end(optical, falling_of(p, ray), ray.length_, i, 24);
-    const double share = 0.75 * depth_to(end) / whole + 0.25 * std::sqrt(end / ray.length_);
-    EXPECT_NEAR(share * 24.0, i + 1.0, 0.3) << i;
-  }
-}
-
-// Most steps stand where the fog is seen, which is a thousandth of the ray; none of the quadratic ones but the first.
-TEST(OpticalSteps, DivideThickAirAsFarAsItIsSeen) {
-  Physics p = make_physics(fog(1000.0));
-  const auto ray = p.ray_in_atmosphere(p.scene.planet, 0.0, 1.0, 0.5, 0.5);
-  const auto optical = p.optical_steps(p.scene.planet, ray, falling_of(p, ray));
-  const double seen = 8.0 / 1000.0;
-  EXPECT_LT(p.optical_step_end(optical, falling_of(p, ray), ray.length_, 1, 32), seen);
-  EXPECT_GT(p.ray_step(physics::kStepsQuadratic, falling_of(p, ray), ray.length_, 0, 0, 32).width, 10.0 * seen);
 }
 
 // Twice two panels and more, split at lowest point and shadow.
