@@ -53,8 +53,9 @@ Command luts_command() {
   command.name = "luts";
   command.summary = "Write every table of a preset's method as a float EXR and a picture";
   command.description =
-      "The EXR's attributes airlight:quantity, airlight:axis:x and airlight:axis:y say what the numbers are and what "
-      "the axes stand for. The picture shows the largest value as white.";
+      "The EXR's attributes say what the numbers are (airlight:quantity, airlight:unit), what the axes stand for "
+      "(airlight:axis:x, airlight:axis:y) and how to compute that for a texel (airlight:constants, airlight:decode); "
+      "presets/README.md, Tables, has the language. The picture shows the largest value as white.";
   command.examples = {{"airlight luts earth-noon -o tables", "Write tables/transmittance.exr, .png and the others"}};
   command.positionals = {preset_positional(given->scene)};
   command.options = {

@@ -17,40 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct TableMeaning {
-  const char* name;
-  const char* quantity;
-  TableAxis x;
-  TableAxis y;
-};
-
-// Texel i of n stands for unit coordinate i / (n - 1); shaders/physics/lut_mapping.glsl has the maps.
-const std::vector<TableMeaning>& table_meanings() {
-  static const std::vector<TableMeaning> meanings = {
-      {"transmittance",
-       "transmittance to the top of the atmosphere [1]",
-       {"zenith cosine mu of the ray", "1", "linear in the distance to the top, from the zenith to the horizon's"},
-       {"altitude h", "km", "linear in the distance to the ground's horizon, from the ground to the top"}},
-      {"multiple_scattering",
-       "isotropic radiance of orders 2 and up for a sun of irradiance 1 [1/sr]",
-       {"zenith cosine of the sun", "1", "s abs(s), s linear from -1 to 1"},
-       {"altitude h", "km", "linear, from the ground to the top"}},
-      {"ground_irradiance",
-       "irradiance of the sky on level ground for a sun of irradiance 1 [1]",
-       {"zenith cosine of the sun", "1", "linear, -1 to 1"},
-       {"none", "1", "one row"}}};
-  return meanings;
-}
-
-TableMeaning meaning_of(const std::string& name) {
-  for (const TableMeaning& meaning : table_meanings()) {
-    if (name == meaning.name) {
-      return meaning;
-    }
-  }
-  return {name.c_str(), name.c_str(), {"x", "texel", "index"}, {"y", "texel", "index"}};
-}
-
 // The table at a size that can be looked at, brightest value white, negative and non-finite values black.
 RadianceImage picture_of(const TableDump& table) {
   constexpr int kSmallestSide = 256;
@@ -117,18 +83,11 @@ std::vector<std::string> write_tables(const fs::path& folder, const std::vector<
   make_folder(folder);
   std::vector<std::string> files;
   for (const TableDump& dump : tables) {
-    const TableMeaning meaning = meaning_of(dump.name);
-    Table table;
-    table.width = dump.width;
-    table.height = dump.height;
-    table.rgba = dump.rgba.data();
-    table.quantity = meaning.quantity;
-    table.x = meaning.x;
-    table.y = meaning.y;
+    const Table table{dump.width, dump.height, dump.rgba.data(), dump.text, dump.channels};
     const fs::path exr = folder / (dump.name + ".exr");
     const fs::path png = folder / (dump.name + ".png");
     write_table_exr(exr, table, provenance);
-    write_png(png, quantize(picture_of(dump), {}), {kSrgbCode, {{"Description", meaning.quantity}}});
+    write_png(png, quantize(picture_of(dump), {}), {kSrgbCode, {{"Description", dump.text.quantity}}});
     files.push_back(exr.string());
     files.push_back(png.string());
   }

@@ -14,7 +14,55 @@ Extent extent_in(const Plan& plan, ImageId image) {
   return plan.images()[image.index].extent;
 }
 
+// The inverse of transmittance_coordinate(): x stands for the path to the top, y for the distance to the horizon.
+TableText transmittance_text(const Planet& planet) {
+  return {.quantity = "transmittance to the top of the atmosphere",
+          .unit = "1",
+          .axes = {{"x", "mu", "1",
+                    "zenith cosine of the ray, linear in the distance to the top, from the zenith to the horizon"},
+                   {"y", "altitude_km", "km",
+                    "linear in the distance to the ground's horizon, from the ground to the top of the atmosphere"}},
+          .constants = planet_constants(planet),
+          .decode = R"(x = i / (width - 1)
+y = j / (height - 1)
+farthest_horizon_km = sqrt(top_km * (2 * ground_radius_km + top_km))
+horizon_km = y * farthest_horizon_km
+altitude_km = horizon_km * horizon_km / (ground_radius_km + sqrt(ground_radius_km * ground_radius_km + horizon_km * horizon_km))
+nearest_km = top_km - altitude_km
+path_km = nearest_km + x * (horizon_km + farthest_horizon_km - nearest_km)
+squares = (farthest_horizon_km - horizon_km) * (farthest_horizon_km + horizon_km) - path_km * path_km
+mu = where(path_km < 1e-9, 1, clip(squares / (2 * (ground_radius_km + altitude_km) * maximum(path_km, 1e-9)), -1, 1))
+)"};
+}
+
+// The inverse of scattering_coordinate().
+TableText multiple_scattering_text(const Planet& planet) {
+  return {.quantity =
+              "radiance of light scattered or reflected at least once, the mean over all directions, for a sun "
+              "of irradiance 1",
+          .unit = "1/sr",
+          .axes = {{"x", "mu_sun", "1", "zenith cosine of the sun, s abs(s) with s linear from -1 to 1"},
+                   {"y", "altitude_km", "km", "linear, from the ground to the top of the atmosphere"}},
+          .constants = planet_constants(planet),
+          .decode = R"(s = 2 * i / (width - 1) - 1
+mu_sun = s * abs(s)
+altitude_km = top_km * j / (height - 1)
+)"};
+}
+
+TableText ground_irradiance_text() {
+  return {.quantity = "irradiance of the sky on level ground for a sun of irradiance 1",
+          .unit = "1",
+          .axes = {{"x", "mu_sun", "1", "zenith cosine of the sun, linear from -1 to 1"}},
+          .constants = {},
+          .decode = "mu_sun = 2 * i / (width - 1) - 1\n"};
+}
+
 }  // namespace
+
+std::string planet_constants(const Planet& planet) {
+  return table_constant("ground_radius_km", planet.ground_radius) + table_constant("top_km", planet.atmosphere_height);
+}
 
 std::string table_key(const Air& air, std::string_view table, TableSize size, std::span<const Extent> sources) {
   std::string key(table);
@@ -48,7 +96,8 @@ void add_scattering_size(std::vector<Specialization>& constants, const Plan& pla
 ImageId add_transmittance(Plan& plan, const Air& air, TableSize size) {
   const ImageId out = plan.add_image({.name = "transmittance",
                                       .extent = extent_of(size),
-                                      .key = table_key(air, "transmittance", size)});
+                                      .key = table_key(air, "transmittance", size),
+                                      .text = [planet = air.planet()] { return transmittance_text(planet); }});
   plan.add_pass({.name = "transmittance",
                  .shader = "transmittance",
                  .reads = {},
@@ -64,7 +113,8 @@ ImageId add_multiple_scattering(Plan& plan, const Air& air, ImageId transmittanc
   const Extent sources[] = {extent_in(plan, transmittance)};
   const ImageId out = plan.add_image({.name = "multiple_scattering",
                                       .extent = extent_of(size),
-                                      .key = table_key(air, "multiple_scattering", size, sources)});
+                                      .key = table_key(air, "multiple_scattering", size, sources),
+                                      .text = [planet = air.planet()] { return multiple_scattering_text(planet); }});
   plan.add_pass({.name = "multiple_scattering",
                  .shader = "multiple_scattering",
                  .reads = {{"transmittance_lut", transmittance}},
@@ -82,7 +132,8 @@ ImageId add_ground_irradiance(Plan& plan, const Air& air, ImageId transmittance,
   const Extent sources[] = {extent_in(plan, transmittance), extent_in(plan, multiple_scattering)};
   const ImageId out = plan.add_image({.name = "ground_irradiance",
                                       .extent = extent_of(size),
-                                      .key = table_key(air, "ground_irradiance", size, sources)});
+                                      .key = table_key(air, "ground_irradiance", size, sources),
+                                      .text = ground_irradiance_text});
   std::vector<Specialization> constants = sunlight_specialization(plan, air, transmittance);
   add_scattering_size(constants, plan, multiple_scattering);
   plan.add_pass({.name = "ground_irradiance",

@@ -31,6 +31,9 @@ std::string table_key(const Air& air, std::string_view table, TableSize size, st
 std::vector<Specialization> medium_specialization(const Air& air);
 std::vector<Specialization> sunlight_specialization(const Plan& plan, const Air& air, ImageId transmittance);
 
+// The constants of a table's text that most maps need: ground_radius_km and top_km.
+std::string planet_constants(const Planet& planet);
+
 // For passes that fetch the multiple-scattering table.
 void add_scattering_size(std::vector<Specialization>& constants, const Plan& plan, ImageId multiple_scattering);
 

@@ -22,7 +22,8 @@ std::vector<float> direction_nodes(int up, int down, int half_azimuths) {
     for (std::size_t i = 0; i < gauss.nodes.size(); ++i) {
       for (int j = 0; j < half_azimuths; ++j) {
         nodes.push_back(static_cast<float>(gauss.nodes[i] * gauss.nodes[i]));
-        nodes.push_back(static_cast<float>(2.0 * gauss.nodes[i] * gauss.weights[i] * 2.0 * std::numbers::pi / half_azimuths));
+        nodes.push_back(
+            static_cast<float>(2.0 * gauss.nodes[i] * gauss.weights[i] * 2.0 * std::numbers::pi / half_azimuths));
         nodes.push_back(static_cast<float>(std::cos(std::numbers::pi * (j + 0.5) / half_azimuths)));
         nodes.push_back(upward ? 1.0f : -1.0f);
       }
@@ -100,6 +101,56 @@ double bake_steps(const MomentSettings& settings, int orders) {
   return steps * settings.size[0] * settings.size[1];
 }
 
+std::string row_altitudes(const physics::SceneData& scene) {
+  return table_constant("altitudes_km",
+                        {scene.shell_altitudes, scene.shell_altitudes + static_cast<std::ptrdiff_t>(scene.shell_rows)});
+}
+
+// The inverse of sun_table_coordinate(), rows at the edges of shells.
+TableText sun_table_text(const Air& air) {
+  return {.quantity = "mean extinction along the ray to the top of the atmosphere",
+          .unit = "1/km",
+          .axes = {{"x", "mu", "1", "zenith cosine of the ray, quadratic from the true horizon to the zenith"},
+                   {"y", "altitude_km", "km", "listed: the edges of shells"}},
+          .constants = planet_constants(air.planet()) + row_altitudes(air.formulas().scene),
+          .decode = R"(altitude_km = take(altitudes_km, j)
+horizon_mu = -sqrt(altitude_km * (2 * ground_radius_km + altitude_km)) / (ground_radius_km + altitude_km)
+x = i / (width - 1)
+mu = horizon_mu + (1 - horizon_mu) * x * x
+)"};
+}
+
+// As moment_state() has it.
+TableText moments_text(const Air& air, const MomentSettings& settings) {
+  const physics::SceneData& scene = air.formulas().scene;
+  const physics::MomentTableData& map = scene.moments;
+  const std::string last = std::to_string(block_count(settings) - 1);
+  return {.quantity =
+              "moments M_lm of the radiance scattered or reflected at least once, over the real orthonormal "
+              "harmonics of the direction, azimuths from the sun's: log of M_00 in block 0, M_lm / M_00 in "
+              "those behind it; log of the irradiance of that light on level ground in block " +
+              last + "; for a sun of irradiance 1",
+          .unit = "1",
+          .axes = {{"x", "mu_sun", "1", "zenith cosine of the sun, its elevation as a hyperbolic sine"},
+                   {"y", "altitude_km", "km",
+                    settings.shells ? "listed: the edges of shells" : "quadratic, from the ground to the highest row"},
+                   {"block", "l", "1", "degree of the harmonic; of no meaning in block " + last},
+                   {"block", "m", "1", "its order, 0 to l"}},
+          .constants = table_constant("columns", settings.size[0]) +
+                       (settings.shells ? row_altitudes(scene) : table_constant("highest_km", map.top)) +
+                       table_constant("elevation_scale", map.elevation_scale) + table_constant("v_low", map.v_low) +
+                       table_constant("v_high", map.v_high),
+          .decode = std::string(R"(block = floor(i / columns)
+v = v_low + (v_high - v_low) * (i - columns * block) / (columns - 1)
+mu_sun = sin(elevation_scale * sinh(v))
+)") +
+                    (settings.shells ? "altitude_km = take(altitudes_km, j)\n"
+                                     : "altitude_km = highest_km * (j / (height - 1)) * (j / (height - 1))\n") +
+                    R"(l = floor((sqrt(8 * block + 1) - 1) / 2)
+m = block - l * (l + 1) / 2
+)"};
+}
+
 }  // namespace
 
 MomentSettings moment_settings(const Air& air, int degree, int orders, TableSize size) {
@@ -140,7 +191,10 @@ void add_moment_constants(std::vector<Specialization>& constants, const MomentSe
 ImageId add_sun_table(Plan& plan, const Air& air, const MomentSettings& settings) {
   const TableSize size{256, settings.size[1]};
   const Extent extent{static_cast<std::uint32_t>(size[0]), static_cast<std::uint32_t>(size[1]), 1};
-  const ImageId out = plan.add_image({.name = "sun_table", .extent = extent, .key = table_key(air, "sun_table", size)});
+  const ImageId out =
+      plan.add_image({.name = "sun_table", .extent = extent, .key = table_key(air, "sun_table", size), .text = [air] {
+                        return sun_table_text(air);
+                      }});
   std::vector<Specialization> constants = medium_specialization(air);
   constants.push_back({"kShellRows", extent.height});
   plan.add_pass({.name = "sun_table",
@@ -193,8 +247,10 @@ ImageId add_moments(Plan& plan, const Air& air, ImageId sunlight, const MomentSe
   const std::string key = "degree " + std::to_string(settings.degree) + " delta " + std::to_string(settings.delta) +
                           " orders " + std::to_string(settings.orders);
   const Extent sources[] = {plan.images()[sunlight.index].extent};
-  const ImageId moments = plan.add_image(
-      {.name = "moments", .extent = atlas, .key = table_key(air, "moments " + key, settings.size, sources)});
+  const ImageId moments = plan.add_image({.name = "moments",
+                                          .extent = atlas,
+                                          .key = table_key(air, "moments " + key, settings.size, sources),
+                                          .text = [air, settings] { return moments_text(air, settings); }});
   std::vector<Specialization> shape;
   add_moment_constants(shape, settings);
   plan.add_pass({.name = "orders_sum",

@@ -99,6 +99,7 @@ struct Quality {
 struct SkyPasses {
   BufferId radiance;
   std::vector<ImageId> tables;
+  std::vector<ImageId> more_tables = {};  // of logarithms or signed numbers: for the dump alone
 };
 
 // The light of a picture apart by where it comes from. `planes`: floats, three planes a layer over the view's tile:
@@ -166,6 +167,9 @@ struct SkyMethod {
   Validity validity;
   std::vector<Quality> sweep;
   Converged converged;
+  // By these parameters it makes all its tables, however small the picture; where the scene has the defaults. Empty: it
+  // always does.
+  std::vector<std::pair<std::string_view, ParameterValue>> all_tables;
   // By these parameters it leaves out light scattered more than once. Empty: by none.
   std::vector<std::pair<std::string_view, ParameterValue>> single_scattering;
   // Exactly one of add_passes and render_on_host. The host's takes a scene with spectra as it stands, and renders it

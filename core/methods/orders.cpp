@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstring>
+#include <iterator>
 #include <limits>
 
 #include "core/air/scene_block.h"
 #include "core/luts/luts.h"
 #include "core/luts/moments.h"
+#include "core/methods/factor_text.h"
 #include "core/methods/march_passes.h"
 #include "core/methods/methods.h"
 #include "core/methods/scene_air.h"
@@ -153,6 +156,25 @@ void add_table_constants(std::vector<Specialization>& constants, const FactorTab
   constants.push_back({"kRayleighCarrier", table.rayleigh ? 1u : 0u});
 }
 
+FactorLayout layout_of(const Scene& scene, const FactorTable& table, bool in_colours) {
+  std::vector<std::string> apart;
+  for (std::size_t i = 0; i < scene.media.size(); ++i) {
+    if ((table.apart >> i & 1u) != 0) {
+      apart.push_back(scene.media[i].name);
+    }
+  }
+  return {.planet = scene.planet,
+          .camera_altitude = scene.camera.altitude,
+          .sun_mu = std::sin(scene.sun.elevation),
+          .apart = std::move(apart),
+          .columns = table.columns,
+          .ground_rows = table.ground_rows,
+          .limb_rows = table.limb_rows,
+          .sky_rows = table.sky_rows,
+          .rayleigh = table.rayleigh,
+          .in_colours = in_colours};
+}
+
 bool tabulates(const Scene& scene, const View& view) {
   const std::string& choice = scene.render.get<std::string>("tabulate");
   const bool holds = view.directions.empty() || view.as_picture;
@@ -201,6 +223,11 @@ struct Light {
   bool by_shells;
 
   std::vector<Binding> reads() const { return {{"transmittance_lut", sunlight}, {"moments_lut", moments}}; }
+
+  // Beside that of transmittance, for SkyPasses::more_tables.
+  std::vector<ImageId> more() const {
+    return by_shells ? std::vector<ImageId>{sunlight, moments} : std::vector<ImageId>{moments};
+  }
 };
 
 Light add_light(Plan& plan, const Scene& scene, const Air& air) {
@@ -221,12 +248,18 @@ double ray_cost(std::uint32_t steps) {
 }
 
 // `shader`: sky_factors, or layers_factors with one block more.
-ImageId add_factors(Plan& plan, const std::string& shader, const FactorTable& table, const View& view,
-                    const Light& light) {
-  const std::uint32_t blocks = table.blocks + (shader == "layers_factors" ? 1 : 0);
+ImageId add_factors(Plan& plan, const std::string& shader, const Scene& scene, const FactorTable& table,
+                    const View& view, const Light& light) {
+  const bool layers = shader == "layers_factors";
+  const std::uint32_t blocks = table.blocks + (layers ? 1 : 0);
+  std::function<TableText()> text;
+  if (!layers) {
+    text = [layout = layout_of(scene, table, false)] { return factor_text(layout); };
+  }
   const ImageId factors = plan.add_image({.name = shader,
                                           .extent = {table.columns * blocks, table.rows(), 1},
-                                          .key = picture_table_key(view, shader)});
+                                          .key = picture_table_key(view, shader),
+                                          .text = std::move(text)});
   std::vector<Specialization> constants = light.constants;
   add_table_constants(constants, table);
   // A table of some thousand rays does not fill a GPU, whose threads would take the steps one after the other.
@@ -259,10 +292,13 @@ void add_factor_pixels(Plan& plan, const Scene& scene, const Air& air, const Vie
                        .cost = 2.0});
 }
 
-void add_tabulated_sky(Plan& plan, const Scene& scene, const Air& air, const View& view, const SkyTarget& target,
-                       const Light& light) {
+// Returns the table.
+ImageId add_tabulated_sky(Plan& plan, const Scene& scene, const Air& air, const View& view, const SkyTarget& target,
+                          const Light& light) {
   const FactorTable table = factor_table(scene, air, air.scattering_media(), false);
-  add_factor_pixels(plan, scene, air, view, table, target, add_factors(plan, "sky_factors", table, view, light));
+  const ImageId factors = add_factors(plan, "sky_factors", scene, table, view, light);
+  add_factor_pixels(plan, scene, air, view, table, target, factors);
+  return factors;
 }
 
 // Whether the media that the pixels multiply by their phase function are the same at all wavelengths but for how much
@@ -302,13 +338,17 @@ std::optional<SkyPasses> add_spectral(Plan& plan, const Scene& scene, const Spec
     const Scene& group = spectral.groups[g].scene;
     begin_group(plan, spectral, g, tile_of(scene, view));
     const Light light = add_light(plan, group, air_of(group));
-    factors.push_back(add_factors(plan, "sky_factors", table, view, light));
+    factors.push_back(add_factors(plan, "sky_factors", group, table, view, light));
     passes.tables.push_back(light.transmittance);
+    std::ranges::copy(light.more(), std::back_inserter(passes.more_tables));
+    passes.more_tables.push_back(factors.back());
     colours.push_back(spectral.groups[g].colours);
   }
   plan.end_scene();
   const std::string name = "sky_factors_in_colours";
-  const ImageId sum = add_colour_table(plan, name, picture_table_key(view, name), factors, colours);
+  const ImageId sum = add_colour_table(plan, name, picture_table_key(view, name), factors, colours,
+                                       [layout = layout_of(scene, table, true)] { return factor_text(layout); });
+  passes.more_tables.push_back(sum);
   add_factor_pixels(plan, scene, air, view, table, target, sum);
   return passes;
 }
@@ -359,12 +399,13 @@ void add_sphere_sky(Plan& plan, const Scene& scene, const SkyTarget& target, con
 SkyPasses add_orders(Plan& plan, const Scene& scene, const Air& air, const View& view) {
   const SkyTarget target = add_sky_target(plan, scene, view);
   Light light = add_light(plan, scene, air);
+  std::vector<ImageId> more = light.more();
   if (scene.terrain) {
     add_terrain_sky(plan, scene, target, light);
   } else if (!scene.spheres.empty()) {
     add_sphere_sky(plan, scene, target, light);
   } else if (tabulates(scene, view)) {
-    add_tabulated_sky(plan, scene, air, view, target, light);
+    more.push_back(add_tabulated_sky(plan, scene, air, view, target, light));
   } else {
     light.constants.push_back({"kProjection", target.projection});
     std::vector<Binding> reads = light.reads();
@@ -378,7 +419,7 @@ SkyPasses add_orders(Plan& plan, const Scene& scene, const Air& air, const View&
                    .specialization = light.constants,
                    .cost = ray_cost(light.steps)});
   }
-  return {target.radiance, {light.transmittance}};
+  return {target.radiance, {light.transmittance}, std::move(more)};
 }
 
 LayerPasses add_layers(Plan& plan, const Scene& scene, const Air& air, const View& view) {
@@ -388,7 +429,7 @@ LayerPasses add_layers(Plan& plan, const Scene& scene, const Air& air, const Vie
   std::vector<Specialization> constants = light.constants;
   if (tabulated) {
     const FactorTable table = factor_table(scene, air, air.scattering_media(), true);
-    reads.push_back({"factors_lut", add_factors(plan, "layers_factors", table, view, light)});
+    reads.push_back({"factors_lut", add_factors(plan, "layers_factors", scene, table, view, light)});
     add_table_constants(constants, table);
     constants.push_back({"kProjection", projection_code(scene.camera.projection)});
   } else {
@@ -600,6 +641,7 @@ SkyMethod orders_method() {
   method.add_layer_passes = add_layers;
   method.add_span_passes = add_spans;
   method.has_volume = inside_the_air;
+  method.all_tables = {{"tabulate", std::string("always")}};
   method.left_out = left_out;
   method.formula = formula;
   return method;

@@ -57,13 +57,36 @@ std::vector<Specialization> constants_of(const Plan& plan, const Scene& scene, c
   return constants;
 }
 
+// As sky_view_ray() has it.
+TableText sky_view_text(double ground_radius, double altitude, std::uint32_t rows_above) {
+  return {.quantity = "radiance seen from the camera, for a sun of the preset's irradiance",
+          .unit = "unit of sun.irradiance / sr",
+          .axes = {{"x", "azimuth_rad", "rad",
+                    "azimuth from the sun's, linear in the sine of its half; 0 is between texels"},
+                   {"y", "elevation_rad", "rad",
+                    "quadratic from the true horizon up to the zenith, then from the horizon down to the nadir"}},
+          .constants = table_constant("ground_radius_km", ground_radius) + table_constant("camera_km", altitude) +
+                       table_constant("sky_rows", rows_above),
+          .decode = R"(sine = (i + 0.5) / (width - 0.5)
+azimuth_rad = 2 * arctan2(sine, sqrt(maximum(1 - sine * sine, 0)))
+dip = arctan2(sqrt(camera_km * (2 * ground_radius_km + camera_km)), ground_radius_km)
+up = j / (sky_rows - 1)
+down = (j - sky_rows) / maximum(height - sky_rows - 1, 1)
+elevation_rad = where(j < sky_rows, up * up * (pi / 2 + dip) - dip, -dip - down * down * (pi / 2 - dip))
+)"};
+}
+
 // It depends on the sun's elevation and the camera's altitude too, and is made anew for each picture.
 ImageId add_sky_view_table(Plan& plan, const Scene& scene, const Air& air, const View& view,
                            const MarchTables& tables) {
   const TableSize size = scene.render.get<TableSize>("sky_view_lut");
   const Extent extent{static_cast<std::uint32_t>(size[0]), static_cast<std::uint32_t>(size[1]), 1};
   const ImageId out =
-      plan.add_image({.name = "sky_view", .extent = extent, .key = picture_table_key(view, "sky_view")});
+      plan.add_image({.name = "sky_view",
+                      .extent = extent,
+                      .key = picture_table_key(view, "sky_view"),
+                      .text = [radius = scene.planet.ground_radius, altitude = scene.camera.altitude,
+                               rows = sky_rows(scene)] { return sky_view_text(radius, altitude, rows); }});
   plan.add_pass({.name = "sky_view",
                  .shader = "sky_view",
                  .reads = reads_of(tables),

@@ -5,6 +5,7 @@
 #include <cassert>
 
 #include "core/methods/scene_air.h"
+#include "core/text.h"
 
 namespace airlight {
 namespace {
@@ -21,15 +22,26 @@ std::string suffix_of(std::size_t group) {
   return " of group " + std::to_string(group);
 }
 
+// "R 441.5 nm, G 548 nm, B 608 nm".
+std::string channels_of(const SpectralScene& spectral, std::size_t group) {
+  std::string text;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::size_t node = std::min(3 * group + c, spectral.nodes.nm.size() - 1);
+    text += (c > 0 ? ", " : "") + std::string(1, "RGB"[c]) + " " + shortest(spectral.nodes.nm[node]) + " nm";
+  }
+  return text;
+}
+
 }  // namespace
 
 void begin_group(Plan& plan, const SpectralScene& spectral, std::size_t group, const Tile& tile) {
   const Scene& scene = spectral.groups[group].scene;
-  plan.begin_scene(device_scene_bytes(air_of(scene), scene, tile), suffix_of(group));
+  plan.begin_scene(device_scene_bytes(air_of(scene), scene, tile), suffix_of(group), channels_of(spectral, group));
 }
 
 ImageId add_colour_table(Plan& plan, const std::string& name, const std::string& key,
-                         const std::vector<ImageId>& tables, const std::vector<std::array<Rgb, 3>>& colours) {
+                         const std::vector<ImageId>& tables, const std::vector<std::array<Rgb, 3>>& colours,
+                         const std::function<TableText()>& text) {
   assert(!tables.empty() && tables.size() == colours.size());
   const Extent extent = plan.images()[tables.front().index].extent;
   ImageId sum = tables.front();
@@ -37,7 +49,8 @@ ImageId add_colour_table(Plan& plan, const std::string& name, const std::string&
     const bool two = i + 1 < tables.size();
     const bool last = i + 2 >= tables.size();
     const std::string step = name + (last ? "" : " of groups up to " + std::to_string(i + 1));
-    const ImageId out = plan.add_image({.name = step, .extent = extent, .key = last ? key : std::string()});
+    const ImageId out =
+        plan.add_image({.name = step, .extent = extent, .key = last ? key : std::string(), .text = text});
     std::vector<std::uint32_t> push{extent.width, extent.height, i == 0 ? 1U : 0U};
     push_colours(push, colours[i]);
     push_colours(push, two ? colours[i + 1] : std::array<Rgb, 3>{});

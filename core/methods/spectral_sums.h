@@ -2,6 +2,7 @@
 // Passes that turn groups of three wavelengths into colours.
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,9 +17,10 @@ namespace airlight {
 void begin_group(Plan& plan, const SpectralScene& spectral, std::size_t group, const Tile& tile);
 
 // Tables of the groups, all of one size, as one in colours, `name`, kept under `key` if that is not empty. `colours`:
-// for each table those of its channels.
+// for each table those of its channels. `text`: ImageDesc::text of the sum.
 ImageId add_colour_table(Plan& plan, const std::string& name, const std::string& key,
-                         const std::vector<ImageId>& tables, const std::vector<std::array<Rgb, 3>>& colours);
+                         const std::vector<ImageId>& tables, const std::vector<std::array<Rgb, 3>>& colours,
+                         const std::function<TableText()>& text = {});
 
 // Adds a group's buffer of vec4s to one in colours; `first`: that one holds nothing so far.
 void add_colours(Plan& plan, BufferId part, BufferId picture, const std::array<Rgb, 3>& colours, std::size_t group,

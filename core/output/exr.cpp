@@ -209,10 +209,6 @@ imf::Slice float_slice(const ExrChannel& channel, int width, int y) {
   return imf::Slice(imf::FLOAT, reinterpret_cast<char*>(first), step, row);
 }
 
-std::string axis_text(const TableAxis& axis) {
-  return axis.name + " [" + axis.unit + "]: " + axis.mapping;
-}
-
 }  // namespace
 
 std::span<const std::string> exr_compression_names() {
@@ -383,12 +379,18 @@ void write_table_exr(const std::filesystem::path& file, const Table& table,
   ExrOptions options;
   options.half = false;
   options.provenance = provenance;
-  options.strings = {{"airlight:quantity", table.quantity},
-                     {"airlight:axis:x", axis_text(table.x)},
-                     {"airlight:axis:y", axis_text(table.y)}};
-  if (table.slices > 1) {
-    options.strings["airlight:axis:z"] = axis_text(table.z);
-    options.strings["airlight:slices"] = std::to_string(table.slices) + " side by side";
+  const TableText& text = table.text;
+  options.strings = {{"airlight:quantity", text.quantity}, {"airlight:unit", text.unit}};
+  for (const TableAxis& axis : text.axes) {
+    std::string& lines = options.strings["airlight:axis:" + axis.along];
+    lines += (lines.empty() ? "" : "\n") + axis.name + " [" + axis.unit + "]: " + axis.mapping;
+  }
+  for (const auto& [key, lines] : {std::pair{"airlight:constants", &text.constants},
+                                   {"airlight:decode", &text.decode},
+                                   {"airlight:channels", &table.channels}}) {
+    if (!lines->empty()) {
+      options.strings[key] = *lines;
+    }
   }
   std::vector<ExrChannel> channels;
   for (std::size_t c = 0; c < 4; ++c) {

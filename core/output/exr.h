@@ -16,6 +16,7 @@
 
 #include "core/output/provenance.h"
 #include "core/output/working_space.h"
+#include "core/plan/table_text.h"
 #include "core/radiance_image.h"
 
 namespace airlight {
@@ -117,22 +118,15 @@ ExrCounts write_exr(const std::filesystem::path& file, int width, int height, st
 using Axis = std::array<double, 3>;
 std::array<float, 16> world_to_camera(const Axis& right, const Axis& up, const Axis& forward, double altitude);
 
-// An axis of a table: what its texels stand for, in words, with the unit.
-struct TableAxis {
-  std::string name;     // "altitude"
-  std::string unit;     // "km"
-  std::string mapping;  // how a texel's centre becomes the quantity
-};
-
-// A table as a float EXR: attributes `airlight:axis:x`, `:y` ("NAME [UNIT]: MAPPING") and `airlight:quantity`.
-// A table of depth n is stored as n slices side by side, with `airlight:axis:z` and `airlight:slices`.
+// A table of four floats a texel as a float EXR. The attributes are `airlight:quantity`, `airlight:unit`, for each axis
+// `airlight:axis:ALONG` ("NAME [UNIT]: MAPPING", a line each where several go along one), `airlight:constants`,
+// `airlight:decode` and, where the channels are not the preset's, `airlight:channels`.
 struct Table {
-  int width = 0;  // of the whole picture, all slices together
+  int width = 0;
   int height = 0;
-  int slices = 1;
   const float* rgba = nullptr;
-  std::string quantity;  // "transmittance to the top of the atmosphere [1]"
-  TableAxis x, y, z;     // z where there is more than one slice
+  TableText text;
+  std::string channels;
 };
 void write_table_exr(const std::filesystem::path& file, const Table& table,
                      const std::optional<Provenance>& provenance);

@@ -8,15 +8,17 @@ std::size_t ImageDesc::bytes() const {
   return std::size_t{extent.width} * extent.height * extent.depth * 4 * sizeof(float);
 }
 
-void Plan::begin_scene(std::vector<std::byte> data, std::string suffix) {
+void Plan::begin_scene(std::vector<std::byte> data, std::string suffix, std::string channels) {
   more_scenes_.push_back(std::move(data));
   current_scene_ = static_cast<std::uint32_t>(more_scenes_.size());
   suffix_ = std::move(suffix);
+  channels_ = std::move(channels);
 }
 
 void Plan::end_scene() {
   current_scene_ = 0;
   suffix_.clear();
+  channels_.clear();
 }
 
 const std::vector<std::byte>& Plan::scene(std::size_t index) const {
@@ -30,6 +32,7 @@ const std::vector<std::byte>& Plan::scene_of(const PassDesc& pass) const {
 ImageId Plan::add_image(ImageDesc desc) {
   desc.name += suffix_;
   desc.key += desc.key.empty() ? "" : suffix_;
+  desc.channels = channels_;
   images_.push_back(std::move(desc));
   return {static_cast<std::uint32_t>(images_.size() - 1)};
 }

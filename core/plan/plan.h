@@ -9,6 +9,8 @@
 #include <variant>
 #include <vector>
 
+#include "core/plan/table_text.h"
+
 namespace airlight {
 
 struct Extent {
@@ -17,12 +19,16 @@ struct Extent {
   std::uint32_t depth = 1;  // > 1: a 3-D image
 };
 
-// Four floats a texel. `key` not empty: the contents depend on nothing but what the key says, and they are kept by the executor for later
-// plans; passes that would only make again what is kept are skipped (see passes_to_run).
+// Four floats a texel. `key` not empty: the contents depend on nothing but what the key says, and they are kept by the
+// executor for later plans; passes that would only make again what is kept are skipped (see passes_to_run).
 struct ImageDesc {
   std::string name = {};
   Extent extent = {};
   std::string key = {};
+  // Of a table that may be written to a file; empty: of no use outside the plan. A function, as most plans ask for
+  // none.
+  std::function<TableText()> text = {};
+  std::string channels = {};  // what red, green and blue are, where not the scene's channels; set by Plan::add_image
   std::size_t bytes() const;  // tightly packed
 };
 
@@ -88,7 +94,8 @@ class Plan {
   std::vector<std::byte> scene_data;
 
   // From here on passes read another scene, of as many bytes, and what is added has the suffix behind name and key.
-  void begin_scene(std::vector<std::byte> data, std::string suffix);
+  // `channels`: ImageDesc::channels of what is added.
+  void begin_scene(std::vector<std::byte> data, std::string suffix, std::string channels);
   // The first scene again.
   void end_scene();
   // Of a pass.
@@ -115,6 +122,7 @@ class Plan {
   std::vector<std::vector<std::byte>> more_scenes_;
   std::uint32_t current_scene_ = 0;
   std::string suffix_;
+  std::string channels_;
   std::vector<ImageDesc> images_;
   std::vector<BufferDesc> buffers_;
   std::vector<PassDesc> passes_;

@@ -1,5 +1,6 @@
 #include "core/render/render.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cstring>
 #include <span>
@@ -17,9 +18,7 @@ struct Frame {
   Plan plan;
   Picture picture;
   BufferId rows;
-  std::vector<BufferId> table_rows;
-  std::vector<ImageId> tables;
-  std::vector<BufferId> dumps;
+  std::optional<TableReads> tables;
   std::vector<std::string> left_out;
 };
 
@@ -44,14 +43,8 @@ Frame sky_frame(const Scene& scene, const RenderRequest& request) {
   Frame frame;
   const Sky sky = add_sky(frame.plan, scene, View{}, true);
   frame.picture = picture_of(scene, sky.radiance);
-  frame.tables = sky.tables;
   note_disc(frame.left_out, sky.disc);
-  for (const ImageId table : sky.tables) {
-    frame.table_rows.push_back(add_table_statistics(frame.plan, table));
-    if (request.tables) {
-      frame.dumps.push_back(frame.plan.add_readback(table));
-    }
-  }
+  frame.tables.emplace(frame.plan, sky, request.tables);
   frame.rows = add_picture_statistics(frame.plan, frame.picture, brightest_metered(scene), scene.spectra.has_value());
   return frame;
 }
@@ -103,19 +96,6 @@ RadianceImage image_from(std::span<const std::byte> bytes, int width, int height
   image.rgba.resize(bytes.size() / sizeof(float));
   std::memcpy(image.rgba.data(), bytes.data(), bytes.size());
   return image;
-}
-
-void take_tables(Rendering& out, const Frame& frame, const RunResult& result) {
-  for (std::size_t i = 0; i < frame.tables.size(); ++i) {
-    const ImageDesc& image = frame.plan.images()[frame.tables[i].index];
-    out.tables_statistics.push_back({image.name, summarize(result.contents(frame.table_rows[i]), image.extent.width)});
-    if (!frame.dumps.empty()) {
-      const auto width = static_cast<int>(image.extent.width);
-      const auto height = static_cast<int>(image.extent.height);
-      out.tables.push_back(
-          {image.name, width, height, image_from(result.contents(frame.dumps[i]), width, height).rgba});
-    }
-  }
 }
 
 // Whether there is bloom to see in the picture.
@@ -191,7 +171,7 @@ Rendering render_there(Executor& executor, const Scene& scene, const RenderReque
   Frame frame = sky_frame(scene, request);
   RunResult result = executor.run(frame.plan, request.host.report);
   Timings{out.passes, out.host}.add(result);
-  take_tables(out, frame, result);
+  frame.tables->take(result, out.tables_statistics, out.tables);
   out.left_out = std::move(frame.left_out);
   out.picture = summarize(result.contents(frame.rows), frame.picture.width);
   out.exposure = exposure_for(scene, out.picture);
@@ -340,6 +320,12 @@ std::vector<float> probe_picture(const DeviceOnDemand& device, const Scene& scen
 std::vector<TableDump> bake_tables(const DeviceOnDemand& device, const Scene& scene) {
   Scene one_pixel = scene;
   one_pixel.image = {1, 1};
+  const SkyMethod& method = method_of(scene);
+  for (const auto& [key, value] : method.all_tables) {
+    const auto is_it = [&key = key](const ParameterInfo& parameter) { return parameter.key == key; };
+    ParameterValue& chosen = one_pixel.render.parameters.find(key)->second;
+    chosen = chosen == std::ranges::find_if(method.info.parameters, is_it)->default_value ? value : chosen;
+  }
   RenderRequest request;
   request.tables = true;
   return render(device, one_pixel, request).tables;

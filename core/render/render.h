@@ -12,6 +12,7 @@
 #include "core/post/post.h"
 #include "core/radiance_image.h"
 #include "core/render/layers.h"
+#include "core/render/table_reads.h"
 #include "core/scene/scene.h"
 #include "core/spectral_image.h"
 
@@ -27,18 +28,6 @@ struct RenderRequest {
   bool tables = false;        // read the tables back
   bool layers = false;        // of a method that has add_layer_passes
   HostOptions host;           // of a method on the host; `report` hears of the device too
-};
-
-struct TableDump {
-  std::string name;
-  int width = 0;
-  int height = 0;
-  std::vector<float> rgba;  // row by row, first row first
-};
-
-struct NamedStatistics {
-  std::string name;  // of a table, or "picture"
-  Statistics statistics;
 };
 
 struct Rendering {

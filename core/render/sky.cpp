@@ -39,6 +39,7 @@ SkyPasses add_groups(Plan& plan, const Scene& scene, const SpectralScene& spectr
     const SkyPasses sky = method_of(scene).add_passes(plan, group, air_of(group), view);
     parts.push_back(sky.radiance);
     all.tables.insert(all.tables.end(), sky.tables.begin(), sky.tables.end());
+    all.more_tables.insert(all.more_tables.end(), sky.more_tables.begin(), sky.more_tables.end());
   }
   plan.end_scene();
   all.radiance = add_picture(plan, view, plan.buffers()[parts.front().index].bytes);
@@ -80,7 +81,7 @@ Sky add_spectral_sky(Plan& plan, const Scene& scene, const View& view, bool with
   if (!sky) {
     sky = add_groups(plan, scene, spectral, view);
   }
-  Sky all{sky->radiance, sky->tables, false};
+  Sky all{sky->radiance, sky->tables, false, sky->more_tables};
   if (with_disc) {
     std::vector<ImageId> through;
     const std::size_t each = all.tables.size() / spectral.groups.size();
@@ -109,7 +110,7 @@ Sky add_sky(Plan& plan, const Scene& scene, const View& view, bool with_disc) {
     return add_spectral_sky(plan, scene, view, with_disc);
   }
   const SkyPasses sky = method_of(scene).add_passes(plan, scene, air, view);
-  Sky made{sky.radiance, sky.tables, false};
+  Sky made{sky.radiance, sky.tables, false, sky.more_tables};
   if (with_disc) {
     const std::optional<ImageId> table = sky.tables.empty() ? std::nullopt : std::optional(sky.tables.front());
     made.disc = add_sun_disc(plan, scene, air, table, picture_of(sky.radiance, tile_of(scene, view)));

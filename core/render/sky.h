@@ -9,9 +9,10 @@
 namespace airlight {
 
 struct Sky {
-  BufferId radiance;            // as SkyPasses::radiance
-  std::vector<ImageId> tables;  // as SkyPasses::tables; of a scene with spectra group by group
-  bool disc = false;            // whether it is in the picture
+  BufferId radiance;                      // as SkyPasses::radiance
+  std::vector<ImageId> tables;            // as SkyPasses::tables; of a scene with spectra group by group
+  bool disc = false;                      // whether it is in the picture
+  std::vector<ImageId> more_tables = {};  // as SkyPasses::more_tables
 };
 
 // The method's passes and, if asked for, the sun's disc. A scene with spectra is rendered in groups of three

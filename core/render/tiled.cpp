@@ -81,7 +81,6 @@ class TiledRender {
   Picture add_upload(Plan& plan, const RadianceImage& image, int first_row, const Tile& rows) const;
   void add_layers(Band& band, int rows);
   RunResult run_plan(const Plan& plan);
-  void take_tables(const RunResult& result);
   void make_bloom();
   Statistics statistics() const { return summarize(rows_, static_cast<std::uint32_t>(scene_.image.width)); }
 
@@ -98,13 +97,7 @@ class TiledRender {
   std::string chain_key_;                   // of the finished chain; empty: none
   std::vector<physics::GlarePoint> glare_;  // empty: none
 
-  // Of the first tile's plan: the tables are made, and looked at, with it.
-  struct TableReads {
-    std::vector<ImageDesc> images;
-    std::vector<BufferId> rows;
-    std::vector<BufferId> dumps;
-  };
-  std::optional<TableReads> table_reads_;
+  std::optional<TableReads> table_reads_;  // of the first tile's plan: the tables are made, and looked at, with it
   bool tables_seen_ = false;
 };
 
@@ -112,39 +105,17 @@ RunResult TiledRender::run_plan(const Plan& plan) {
   RunResult result = device_().run(plan);
   Timings{out_.passes, out_.host}.add(result);
   if (table_reads_) {
-    take_tables(result);
+    table_reads_->take(result, out_.tables_statistics, out_.tables);
     table_reads_.reset();
   }
   return result;
-}
-
-void TiledRender::take_tables(const RunResult& result) {
-  for (std::size_t i = 0; i < table_reads_->images.size(); ++i) {
-    const ImageDesc& image = table_reads_->images[i];
-    out_.tables_statistics.push_back(
-        {image.name, summarize(result.contents(table_reads_->rows[i]), image.extent.width)});
-    if (request_.picture.tables) {
-      const std::span<const std::byte> bytes = result.contents(table_reads_->dumps[i]);
-      TableDump dump{image.name, static_cast<int>(image.extent.width), static_cast<int>(image.extent.height), {}};
-      dump.rgba.resize(bytes.size() / sizeof(float));
-      std::memcpy(dump.rgba.data(), bytes.data(), bytes.size());
-      out_.tables.push_back(std::move(dump));
-    }
-  }
 }
 
 // Sky and disc of a tile, by a method on the device.
 Sky TiledRender::add_tile(Plan& plan, const Tile& tile) {
   const Sky sky = add_sky(plan, scene_, {.directions = {}, .tile = tile, .kept_as = kept_as_}, true);
   if (!std::exchange(tables_seen_, true)) {
-    table_reads_.emplace();
-    for (const ImageId table : sky.tables) {
-      table_reads_->images.push_back(plan.images()[table.index]);
-      table_reads_->rows.push_back(add_table_statistics(plan, table));
-      if (request_.picture.tables) {
-        table_reads_->dumps.push_back(plan.add_readback(table));
-      }
-    }
+    table_reads_.emplace(plan, sky, request_.picture.tables);
   }
   return sky;
 }

@@ -286,21 +286,24 @@ TEST(Exr, TableNamesItsAxes) {
   Table table;
   table.width = 6;
   table.height = 3;
-  table.slices = 2;
   table.rgba = image.rgba.data();
-  table.quantity = "radiance [W/(m2 sr)]";
-  table.x = {"nu", "1", "linear from -1 to 1"};
-  table.y = {"altitude", "km", "square root"};
-  table.z = {"mu_sun", "1", "linear"};
+  table.text = {
+      "radiance",
+      "W/(m2 sr)",
+      {{"x", "nu", "1", "linear from -1 to 1"}, {"y", "altitude_km", "km", "root"}, {"y", "mu", "1", "listed"}},
+      "top_km = 100\n",
+      "nu = 2 * i / (width - 1) - 1\n"};
   write_table_exr(folder / "t.exr", table, Provenance{"{}", "march", "1", "d"});
   expect_channel(folder / "t.exr", "A", image, 3);
   const imf::InputFile file((folder / "t.exr").c_str());
   const auto text = [&](const char* key) { return file.header().typedAttribute<imf::StringAttribute>(key).value(); };
   EXPECT_EQ(text("airlight:axis:x"), "nu [1]: linear from -1 to 1");
-  EXPECT_EQ(text("airlight:axis:y"), "altitude [km]: square root");
-  EXPECT_EQ(text("airlight:axis:z"), "mu_sun [1]: linear");
-  EXPECT_EQ(text("airlight:slices"), "2 side by side");
-  EXPECT_EQ(text("airlight:quantity"), "radiance [W/(m2 sr)]");
+  EXPECT_EQ(text("airlight:axis:y"), "altitude_km [km]: root\nmu [1]: listed");
+  EXPECT_EQ(text("airlight:constants"), "top_km = 100\n");
+  EXPECT_EQ(text("airlight:decode"), "nu = 2 * i / (width - 1) - 1\n");
+  EXPECT_EQ(text("airlight:quantity"), "radiance");
+  EXPECT_EQ(text("airlight:unit"), "W/(m2 sr)");
+  EXPECT_EQ(file.header().findTypedAttribute<imf::StringAttribute>("airlight:channels"), nullptr);
   EXPECT_EQ(file.header().channels().findChannel("R")->type, imf::FLOAT);
 }
 

@@ -1,0 +1,46 @@
+#pragma once
+// What is read back of a picture's tables: statistics of those that must be sound, and all of them where they are
+// dumped.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/gpu/executor.h"
+#include "core/plan/plan.h"
+#include "core/post/post.h"
+#include "core/render/sky.h"
+
+namespace airlight {
+
+struct TableDump {
+  std::string name;
+  int width = 0;
+  int height = 0;
+  std::vector<float> rgba;  // row by row, first row first
+  TableText text;
+  std::string channels;  // as ImageDesc::channels
+};
+
+struct NamedStatistics {
+  std::string name;  // of a table, or "picture"
+  Statistics statistics;
+};
+
+class TableReads {
+ public:
+  TableReads(Plan& plan, const Sky& sky, bool dump);
+
+  // After a run of that plan.
+  void take(const RunResult& result, std::vector<NamedStatistics>& statistics, std::vector<TableDump>& dumps) const;
+
+ private:
+  struct Read {
+    ImageDesc image;
+    std::optional<BufferId> rows;
+    std::optional<BufferId> contents;
+  };
+  std::vector<Read> reads_;
+};
+
+}  // namespace airlight
