@@ -6,6 +6,9 @@ find_package(PNG REQUIRED)
 # The sun's place (liberfa-dev): a small C library without a CMake package.
 find_path(ERFA_INCLUDE_DIR erfa.h REQUIRED)
 find_library(ERFA_LIBRARY erfa REQUIRED)
+# Clocks of the world (libcctz-dev), without a CMake package as well.
+find_path(CCTZ_INCLUDE_DIR cctz/time_zone.h REQUIRED)
+find_library(CCTZ_LIBRARY cctz REQUIRED)
 find_package(OpenImageIO CONFIG REQUIRED)
 # libopenimageio-dev's target names an OpenCV include directory that only libopencv-dev ships.
 get_target_property(oiio_includes OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)

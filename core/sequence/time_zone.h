@@ -1,24 +1,20 @@
 #pragma once
-// Clocks of a place: the system's time zone files (RFC 8536), or a fixed offset. Nothing global is touched.
+// Clocks of a place: the system's time zone files (RFC 8536), read by cctz, or a fixed offset.
 
-#include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "core/sequence/civil_time.h"
-#include "core/sequence/zone_rule.h"
 
 namespace airlight::sequence {
 
 struct TimeZone {
-  std::string name;                        // "Europe/Paris", "+02:00", "UTC"
-  int first_offset = 0;                    // s east of UTC, before the first change
-  std::vector<std::int64_t> changes = {};  // s since 1970 UTC, ascending
-  std::vector<int> offsets = {};           // s, in force from each change on
-  std::optional<ZoneRule> rule = {};       // in force after the last change
+  std::string name;  // "Europe/Paris", "+02:00", "UTC"
+  struct Clocks;
+  std::shared_ptr<const Clocks> clocks = {};  // null: UTC
 };
 
 inline constexpr const char* kZoneFolder = "/usr/share/zoneinfo";
