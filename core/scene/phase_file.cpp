@@ -1,5 +1,6 @@
 #include "core/scene/phase_file.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
@@ -10,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/scene/json_format.h"
 #include "core/scene/json_text.h"
 
 namespace airlight {
