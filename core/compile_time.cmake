@@ -78,7 +78,8 @@ endfunction()
 
 # airlight_precompile(TARGET...): the others, alike.
 function(airlight_precompile)
-  # Not where the compiler optimises fully: GCC 12 forgets that precompiled headers are the system's and warns of them.
+  # Nothing is done where the compiler optimises fully: GCC 12 forgets that precompiled headers are the system's and
+  # warns of them.
   if(NOT AIRLIGHT_QUICK_COMPILE OR CMAKE_BUILD_TYPE STREQUAL "Release")
     return()
   endif()

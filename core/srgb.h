@@ -16,7 +16,7 @@ Real srgb_decoded(Real encoded) {
   return encoded <= Real(0.04045) ? encoded / Real(12.92) : std::pow((encoded + Real(0.055)) / Real(1.055), Real(2.4));
 }
 
-// Of linear channels, ITU-R BT.709-6 item 3.2, in their unit.
+// The luminance of linear channels, ITU-R BT.709-6 item 3.2, in their unit.
 constexpr double bt709_luminance(double red, double green, double blue) {
   return 0.2126 * red + 0.7152 * green + 0.0722 * blue;
 }

@@ -38,7 +38,7 @@ struct Option {
   std::vector<std::string> offers = {};   // values that the shell offers besides, not enforced
   Percent percent = Percent::no;
   std::string group = {};  // the heading in the help; empty: "Options"
-  // Of an option whose value may be left out: what stands for it. The word after the option is its value where it
+  // What stands for the value of an option where it may be left out. The word after the option is its value where it
   // begins with a digit.
   std::string implied = {};
 };

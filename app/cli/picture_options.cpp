@@ -18,7 +18,7 @@ bool is_ocio_view(const std::string& view) {
   return view != kGpuView && view != kDiagnosticView;
 }
 
-// As the preset has it: a factor, or the word.
+// The exposure as the preset has it: a factor, or the word.
 std::string exposure_json(const std::string& text) {
   constexpr std::string_view kLock = "lock:";
   constexpr double kMostStops = 29.0;

@@ -33,13 +33,13 @@ struct ExrDepth {
   std::string why = {};  // what made it 32 bits without being asked; empty: nothing did
 };
 
-// As --half and --float say, or by what halves would lose of the picture.
+// The depth that --half or --float asks for, else that which the picture needs.
 ExrDepth exr_depth(const PictureOptions& options, const Rendering& rendering);
 
 // Throws InputError where --half and --float were both given. `command`: "render".
 void require_one_depth(const PictureOptions& options, const std::string& command);
 
-// Of the EXR's colours.
+// The space of the EXR's colours.
 WorkingSpace working_space_of(const PictureOptions& options);
 
 // --exposure, --ev, --layers, --float, --half, --colorspace, --ocio-config, --display, --view, --bits.

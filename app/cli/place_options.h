@@ -25,7 +25,7 @@ struct PlaceOptions {
 
 // --date, then `times`, then --lat, --lon, --tz, --place-altitude, --refraction, --pressure, --temperature.
 std::vector<Option> place_options(PlaceOptions& options, std::vector<Option> times);
-// Of one picture.
+// The option of a single picture.
 Option time_option(PlaceOptions& options);
 
 // Both throw InputError; `command`: "render".

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 constexpr int kMostPixels = 4096;  // a side: with its maxima 90 MB of heights, near what one buffer may hold
 
-// Of a file as it is on the disk, so that another one of its name is read again.
+// Tells a file as it is on the disk from another one of its name, which is read again.
 std::string identity_of(const std::string& file) {
   std::error_code ignored;
   const auto size = fs::file_size(file, ignored);

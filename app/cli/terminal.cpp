@@ -18,7 +18,7 @@ namespace {
 
 int first_stdout_error = 0;
 
-// Of a message, in bytes: a path may have 4096 of its own.
+// The most bytes of a message: a path may have 4096 of its own.
 constexpr std::size_t kLongestLine = 6000;
 
 bool wants_colour(int descriptor) {

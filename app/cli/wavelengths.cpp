@@ -13,7 +13,7 @@
 namespace airlight::cli {
 namespace {
 
-// Of the standard observer's table, nm.
+// The ends of the standard observer's table, nm.
 constexpr double kLowest = 360.0;
 constexpr double kHighest = 830.0;
 constexpr double kLeastStep = 0.1;

@@ -203,7 +203,7 @@ void require_sound(const std::vector<ListedDirection>& listed, const SpectralPro
   }
 }
 
-// Of a scene with spectra a colour may have a negative channel, but no negative luminance.
+// A colour of a scene with spectra may have a negative channel, but no negative luminance.
 void require_sound(const std::vector<ListedDirection>& listed, const std::vector<ProbeResult>& results,
                    bool signed_colours) {
   for (std::size_t i = 0; i < results.size(); ++i) {

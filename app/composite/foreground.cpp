@@ -166,7 +166,7 @@ composite::DepthKind kind_of(const CompositeOrder& order, const Picture& picture
   return planar ? composite::DepthKind::planar : composite::DepthKind::distance;
 }
 
-// Of an edge pixel that the depth's one sample missed: the mean distance of the covered pixels around it.
+// The distance of an edge pixel that the depth's one sample missed: the mean of the covered pixels around it.
 float distance_around(const std::vector<float>& distances, int width, int height, int x, int y) {
   double sum = 0.0;
   int count = 0;

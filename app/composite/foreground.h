@@ -31,7 +31,7 @@ struct DepthPlace {
   std::string channel;  // empty: the only one of depths
 };
 
-// Of --depth "FILE:CHANNEL"; the last colon parts them, unless no channel could follow it.
+// Takes --depth "FILE:CHANNEL" apart at the last colon, unless no channel could follow it.
 DepthPlace depth_place(const std::string& text, const std::string& beauty);
 
 // Reads the files and sets the scene's picture size and, where the file tells it, its camera. Throws InputError: files

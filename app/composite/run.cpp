@@ -30,7 +30,7 @@ using composite::Rgb;
 // Parts that a deep sample with a back is cut into.
 constexpr int kParts = 4;
 
-// Of one frame, in linear Rec.709, rows from the top.
+// One frame's pixels, in linear Rec.709, rows from the top.
 struct Composite {
   std::vector<Rgb> colours;
   std::vector<Rgb> inscatter;

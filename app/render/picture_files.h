@@ -23,7 +23,7 @@ inline constexpr const char* kDiagnosticView = "diagnostic";  // what kind of nu
 // The attribute of an EXR that says what its PNG was exposed by.
 inline constexpr const char* kExposureKey = "airlight:exposure";
 
-// Of a method and quality that were chosen for the picture.
+// The quality that was chosen for the picture, and its error.
 struct ChoiceNote {
   std::string quality;
   double error = 0.0;  // bound on the mean relative error

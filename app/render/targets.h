@@ -6,7 +6,7 @@
 
 namespace airlight::cli {
 
-// As the options say; without any, an EXR and a PNG of the preset's name in the folder out.
+// The files that the options name; without any, an EXR and a PNG of the preset's name in the folder out.
 Targets choose_targets(const RenderOrder& given);
 
 // Everything about them that can be known to fail is said before anything is rendered. Throws InputError.

@@ -24,7 +24,7 @@ class FrameReader {
     transform_ = display_transform(options, job.scene);
   }
 
-  // Of the pictures read.
+  // The colours of the pictures read.
   std::optional<ColourCode> colours() const { return transform_ ? transform_->colours() : kSrgbCode; }
 
   PixelImage read(std::size_t index) const {

@@ -18,8 +18,8 @@ struct SequencePictures {
 // of several, EXRs alone under a view that only the renderer can show.
 void check_pictures(const SequencePictures& pictures, const SequenceJob& job);
 
-// Of frames that are all whole. Reads them back: the PNGs where the job has them, else the EXRs through the display
-// transform. Tells the files written. Throws RunError.
+// Makes the pictures of a sequence whose frames are all whole. Reads them back: the PNGs where the job has them, else
+// the EXRs through the display transform. Tells the files written. Throws RunError.
 void make_pictures(const SequencePictures& pictures, const SequenceJob& job);
 
 }  // namespace airlight::cli

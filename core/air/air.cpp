@@ -240,7 +240,7 @@ DiffusionDepths Air::diffusion_depths(unsigned int degree) const {
   for (std::size_t i = 0; i < media().size(); ++i) {
     const auto& legendre = formulas().scene.media[i].legendre;
     const double depth = largest(scattering_depth(i));
-    // Of the channel in which the medium turns light least, or keeps most of it.
+    // The channel that counts is that in which the medium turns light least, or keeps most of it.
     const auto least = [](const physics::vec3& v) { return std::min({v.x, v.y, v.z}); };
     depths.forward += -least(-legendre[1]) > kForward ? depth : 0.0;
     depths.transport += depth * (1.0 - least(legendre[1]));

@@ -19,7 +19,7 @@ double peaked_cosine(double g, double u) {
   return std::clamp((1.0 + g * g - s * s) / (2.0 * g), -1.0, 1.0);
 }
 
-// Of a formula, by samples that stand where it is large.
+// The moments of a formula, by samples that stand where it is large.
 LegendreMoments formula_moments(physics::Physics& p, physics::uint kind, double g) {
   constexpr int kSamples = 4096;
   LegendreMoments moments{};

@@ -19,7 +19,7 @@ std::vector<double> interval_shares(const physics::Physics& p, physics::uint tab
 // Cosine of the scattering angle of sample k.
 double sample_cosine(std::size_t k);
 
-// Of a table.
+// The moments of a table.
 LegendreMoments table_moments(const physics::Physics& p, physics::uint table);
 
 }  // namespace airlight

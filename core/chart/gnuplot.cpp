@@ -43,7 +43,7 @@ std::string array_of(const std::string& name, const std::vector<std::string>& va
   return "array " + name + "[" + std::to_string(values.size()) + "] = [" + list + "]\n";
 }
 
-// Of the axes: all that is shown, and some room.
+// The axes hold all that is shown, and some room.
 struct Ranges {
   double x_low = std::numeric_limits<double>::infinity();
   double x_high = 0.0;

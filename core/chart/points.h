@@ -37,7 +37,7 @@ void mark_frontier(std::vector<Point>& points);
 // times, errors and floors. An error of 0 counts as 1e-9.
 std::vector<Point> over_all_scenes(const std::vector<Point>& points);
 
-// By scene in the order given (others after them, kAllScenes last), then by time.
+// Sorts by scene in the order given (others after them, kAllScenes last), then by time.
 void sort_points(std::vector<Point>& points, const std::vector<std::string>& scenes);
 
 // The table with a line of headings; reading it back gives the same points.

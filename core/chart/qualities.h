@@ -10,7 +10,7 @@
 
 namespace airlight::chart {
 
-// Of a scene with spectra, what it is by the three channels that stand for them (Scene::spectra).
+// The quality that renders a scene with spectra by the three channels that stand for them (Scene::spectra).
 inline constexpr std::string_view kThreeChannels = "three channels";
 
 struct ChartedQuality {

@@ -145,7 +145,7 @@ class ChartRun {
     return nullptr;
   }
 
-  // By rising cost, so that a short budget charts the cheap end of every scene; one device for each method.
+  // Tasks go by rising cost, so that a short budget charts the cheap end of every scene; each method has its device.
   void measure_scene(std::size_t i) {
     const std::string& name = order_.scenes[i].name;
     std::vector<Task> tasks = tasks_of(i);

@@ -22,7 +22,7 @@ Row times(const Row& v, const Matrix& m) {
   return out;
 }
 
-// By Gauss and Jordan with the greatest pivot of each column.
+// The inverse by Gauss and Jordan, with the greatest pivot of each column.
 std::optional<Matrix> inverse(Matrix m) {
   Matrix out{};
   for (std::size_t i = 0; i < 4; ++i) {

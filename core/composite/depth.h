@@ -38,7 +38,7 @@ float distance_of(double value, DepthKind kind, double unit_km, double cosine);
 // Cosine between each pixel's ray and the camera's axis, rows from the top.
 std::vector<float> axis_cosines(const Scene& scene);
 
-// Of a whole picture or a deep one; `pixel_of[i]`: the pixel of sample i, empty: sample i is pixel i's.
+// The distances of a whole picture or a deep one; `pixel_of[i]`: the pixel of sample i, empty: sample i is pixel i's.
 std::vector<float> distances(std::span<const float> values, DepthKind kind, double unit_km,
                              std::span<const float> cosines, std::span<const std::uint32_t> pixel_of,
                              DepthCounts& counts);

@@ -33,7 +33,7 @@ VkDebugUtilsMessengerCreateInfoEXT messenger_info() {
           .flags = 0,
           .messageSeverity =
               VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT,
-          // Not performance: it advises against the general layout, which every image here has by choice.
+          // Performance messages are left out: they advise against the general layout, which every image has by choice.
           .messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_TYPE_GENERAL_BIT_EXT,
           .pfnUserCallback = count_message,
           .pUserData = nullptr};

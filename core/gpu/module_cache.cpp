@@ -130,7 +130,7 @@ std::vector<std::uint32_t> ModuleCache::find(const Digest& key) const {
   const FileDescriptor folder = open_folder(folder_);
   if (!folder) return {};
   const std::string name = hexadecimal(key) + std::string(kEnding);
-  // Not blocked by a pipe of that name, nor led elsewhere by a link.
+  // A pipe of that name must not block, nor a link lead elsewhere.
   const FileDescriptor file(::openat(folder.get(), name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
   struct stat status {};
   if (!file || ::fstat(file.get(), &status) != 0 || !S_ISREG(status.st_mode) || !is_ours_alone(status)) return {};

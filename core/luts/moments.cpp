@@ -46,7 +46,8 @@ constexpr std::uint32_t kThreads = 64;
 constexpr OrderQuadrature kFirstOrder{12, 6, 8, 16};
 constexpr OrderQuadrature kNextOrders{8, 4, 3, 8};
 
-// By shells, where light from below counts as much as from above and the shells are the steps. Peaked sunlight wants
+// The quadrature by shells, where light from below counts as much as from above and the shells are the steps. Peaked
+// sunlight wants
 // many directions in the first order: 24 x 16 a side change a forward-scattering slab by 0.2 % at most. Later orders:
 // more than 6 zenith nodes a side change nothing in a level slab of optical depth 5; azimuths are exact for products of
 // two harmonics.
@@ -120,7 +121,7 @@ mu = horizon_mu + (1 - horizon_mu) * x * x
 )"};
 }
 
-// As moment_state() has it.
+// The map of moment_state().
 TableText moments_text(const Air& air, const MomentSettings& settings) {
   const physics::SceneData& scene = air.formulas().scene;
   const physics::MomentTableData& map = scene.moments;

@@ -14,7 +14,7 @@ vec3 cross(vec3 a, vec3 b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-// As much of a scene as the view rays read.
+// The part of a scene that the view rays read.
 Scene scene_of(const Viewpoint& viewpoint, const PixelFrame& frame) {
   Scene scene;
   scene.camera = viewpoint.camera;

@@ -78,7 +78,7 @@ class Profile {
     return all_i > 0.0 && all_j > 0.0 ? sum / (all_i * all_j) : 0.5;
   }
 
-  // Of the scattering above altitude h: the altitude that this share of it stands above; h where there is none.
+  // The altitude above which this share of the scattering above h stands; h where there is none.
   double altitude_of_share(const Physics& p, double h, double share) const {
     const std::vector<double> part = scattering_above(p, h);
     const double all = std::accumulate(part.begin(), part.end(), 0.0);

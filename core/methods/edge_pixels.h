@@ -14,8 +14,8 @@ struct EdgePixel {
   std::uint32_t y = 0;
 };
 
-// Of the tile, in no order that matters. The last few lists are remembered, so that frames and candidates that share
-// a camera find theirs made.
+// The tile's pixels at the edge, in no order that matters. The last few lists are remembered, so that frames and
+// candidates that share a camera find theirs made.
 std::shared_ptr<const std::vector<EdgePixel>> edge_pixels(const Scene& scene, const Tile& tile);
 
 }  // namespace airlight

@@ -15,7 +15,7 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kDegrees = 180.0 / std::numbers::pi;  // in a radian
 constexpr double kNotableShare = 0.1;                  // of a picture
 
-// Of the medium that scatters most of those that prefer a direction; unknown where none does.
+// The asymmetry of the medium that scatters most among those that prefer a direction; unknown where none does.
 double asymmetry_of(const Scene& scene) {
   double most = 0.0;
   double g = kUnknown;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view kScale = "multiple_scattering_scale";
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
-// By code: physics::kStepsUniform, ...
+// In the order of the codes physics::kStepsUniform, ...
 constexpr std::array<std::string_view, 3> kDistributions{"uniform", "quadratic", "gauss-legendre"};
 constexpr std::array<std::string_view, 2> kPhases{"media", "schlick"};
 

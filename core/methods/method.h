@@ -26,7 +26,7 @@ struct Direction {
   double azimuth = 0.0;
 };
 
-// Of a unit vector in that frame: x east, y up, -z north.
+// The direction of a unit vector in that frame: x east, y up, -z north.
 inline Direction angles_of(const physics::vec3& d) {
   return {std::atan2(d.y, std::hypot(d.x, d.z)), std::atan2(d.x, -d.z)};
 }
@@ -40,8 +40,8 @@ struct View {
   // A black wall at this distance from the camera, km, which hides what is behind it and lights nothing: for listed
   // directions of a method on the host.
   std::optional<double> wall = {};
-  // Not empty: the picture is rendered by several plans, and tables of its own are kept from one to the next under keys
-  // that begin so.
+  // Where not empty, the picture is rendered by several plans, and its own tables are kept from one to the next under
+  // keys that begin so.
   std::string kept_as = {};
 };
 
@@ -167,15 +167,15 @@ struct SkyMethod {
   Validity validity;
   std::vector<Quality> sweep;
   Converged converged;
-  // By these parameters it makes all its tables, however small the picture; where the scene has the defaults. Empty: it
+  // Parameters with which it makes all its tables, however small the picture, in place of its defaults. Empty: it
   // always does.
   std::vector<std::pair<std::string_view, ParameterValue>> all_tables;
-  // By these parameters it leaves out light scattered more than once. Empty: by none.
+  // Parameters with which it leaves out light scattered more than once. Empty: there are none.
   std::vector<std::pair<std::string_view, ParameterValue>> single_scattering;
   // Exactly one of add_passes and render_on_host. The host's takes a scene with spectra as it stands, and renders it
   // in the colours of the picture; the device's takes three channels, a group of wavelengths at a time.
   SkyPasses (*add_passes)(Plan&, const Scene&, const Air&, const View&) = nullptr;
-  // Of a scene with spectra: one picture pass in colours for all wavelengths, from tables of each group of them, where
+  // For a scene with spectra: one picture pass in colours for all wavelengths, from tables of each group of them, where
   // the method's tables allow it for this view. `tables`: the groups' transmittance, one each. Null, or nothing: there
   // is a picture for each group, and their sum.
   std::optional<SkyPasses> (*add_spectral_passes)(Plan&, const Scene&, const SpectralScene&, const View&) = nullptr;
@@ -185,7 +185,7 @@ struct SkyMethod {
   HostPicture (*render_on_host)(const Scene&, const Air&, const View&, const HostOptions&) = nullptr;
   // What of the scene's wishes is not done because it would take for ever, a line each; null: nothing.
   std::vector<std::string> (*bounds)(const Scene&, const Air&) = nullptr;
-  // Of the camera's picture alone. Null: the method does not tell them apart.
+  // The layers of the camera's picture. Null: the method does not tell them apart.
   LayerPasses (*add_layer_passes)(Plan&, const Scene&, const Air&, const View&) = nullptr;
   // The air between the camera and things. Null: the method knows whole rays alone.
   SpanPasses (*add_span_passes)(Plan&, const Scene&, const Air&, std::span<const Span>, const SpanWay&) = nullptr;

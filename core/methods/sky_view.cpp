@@ -57,7 +57,7 @@ std::vector<Specialization> constants_of(const Plan& plan, const Scene& scene, c
   return constants;
 }
 
-// As sky_view_ray() has it.
+// The map of sky_view_ray().
 TableText sky_view_text(double ground_radius, double altitude, std::uint32_t rows_above) {
   return {.quantity = "radiance seen from the camera, for a sun of the preset's irradiance",
           .unit = "unit of sun.irradiance / sr",
@@ -98,7 +98,7 @@ ImageId add_sky_view_table(Plan& plan, const Scene& scene, const Air& air, const
   return out;
 }
 
-// Of a pass that fetches from such a table, or from one with blocks of its size.
+// The constants of a pass that fetches from such a table, or from one with blocks of its size.
 std::vector<Specialization> fetch_constants(const Plan& plan, const Scene& scene, const Air& air,
                                             const MarchTables& tables) {
   const TableSize size = scene.render.get<TableSize>("sky_view_lut");

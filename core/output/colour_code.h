@@ -22,7 +22,8 @@ std::array<double, 8> primaries_of(const ColourCode& code);
 // The exponent that takes light to code values; nothing where no exponent comes near.
 std::optional<double> encoding_exponent(const ColourCode& code);
 
-// Of a display of an OpenColorIO config by its usual name, such as "sRGB - Display" or "Rec.2100-PQ - Display".
+// The code of a display of an OpenColorIO config, by its usual name, such as "sRGB - Display" or "Rec.2100-PQ -
+// Display".
 std::optional<ColourCode> colour_code_of_display(std::string_view name);
 
 }  // namespace airlight

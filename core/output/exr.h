@@ -39,7 +39,7 @@ struct ExrChannel {
 void add_channels(std::vector<ExrChannel>& channels, std::string_view layer, const RadianceImage& image,
                   bool with_alpha = false);
 
-// Of a frame of a sequence, under OpenEXR's standard names; what is not known is absent.
+// What is said of a frame of a sequence, under OpenEXR's standard names; what is not known is absent.
 struct FrameAttributes {
   std::string label;                         // for `comments`: "frame 12, 2026-06-21T05:00:00+02:00"
   std::optional<int> number;                 // imageCounter

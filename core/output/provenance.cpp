@@ -29,7 +29,7 @@ bool starts_with(std::istream& in, const std::array<char, 4>& magic) {
 
 using Find = std::function<std::optional<std::string>(const std::string& name)>;
 
-// By name, from the file's header.
+// The texts of the file's header, by name.
 Find texts_of_exr(std::istream& in, std::uint64_t size, const std::string& file) {
   try {
     return [header = read_exr_header(in, size)](const std::string& name) { return text_of(header, name); };

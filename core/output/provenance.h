@@ -17,14 +17,14 @@ struct Provenance {
   bool operator==(const Provenance&) const = default;
 };
 
-// By the first four bytes; false for a file that is missing or cannot be read.
+// Looks at the first four bytes; false for a file that is missing or cannot be read.
 bool is_exr(const std::filesystem::path& file);
 bool is_png(const std::filesystem::path& file);
 // The same of a stream in which one can go back, and which is at its start again then.
 bool is_exr(std::istream& in);
 bool is_png(std::istream& in);
 
-// Of an EXR or PNG. Reads the header alone: a file cut short after it still tells how it was made.
+// How an EXR or PNG was made. Reads the header alone: a file cut short after it still tells how it was made.
 // Throws InputError: missing, neither of the two, header damaged, not written by airlight.
 Provenance read_provenance(const std::filesystem::path& file);
 // The same from a stream in which one can go back; `name` is for messages.

@@ -98,7 +98,7 @@ class Plan {
   void begin_scene(std::vector<std::byte> data, std::string suffix, std::string channels);
   // The first scene again.
   void end_scene();
-  // Of a pass.
+  // The scene that the pass reads.
   const std::vector<std::byte>& scene_of(const PassDesc& pass) const;
   std::size_t scene_count() const { return 1 + more_scenes_.size(); }
   const std::vector<std::byte>& scene(std::size_t index) const;

@@ -16,7 +16,7 @@ std::size_t slot_count(const Plan& plan) {
   return plan.images().size() + plan.buffers().size();
 }
 
-// By slot: whether the host or a later plan gets to see it, so that it must hold its contents after the run.
+// One flag a slot: whether the host or a later plan gets to see it, so that it must hold its contents after the run.
 std::vector<bool> seen_afterwards(const Plan& plan) {
   std::vector<bool> seen(slot_count(plan), false);
   for (std::size_t i = 0; i < plan.buffers().size(); ++i) {
@@ -26,7 +26,7 @@ std::vector<bool> seen_afterwards(const Plan& plan) {
   return seen;
 }
 
-// By slot, for the passes gone through backwards so far: who touches a resource after this point.
+// Flags a slot, for the passes gone through backwards so far: who touches a resource after this point.
 struct Later {
   std::vector<bool> touched;         // by any pass
   std::vector<bool> touched_in_run;  // by a pass that runs

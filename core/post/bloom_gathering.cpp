@@ -9,7 +9,7 @@ namespace airlight {
 namespace {
 
 constexpr std::size_t kTexel = 4 * sizeof(float);
-// Of the sums on their way to the device, in one buffer.
+// The most that one buffer takes of the sums on their way to the device.
 constexpr std::size_t kFillBytes = std::size_t{32} << 20;
 
 }  // namespace

@@ -131,7 +131,7 @@ std::vector<Box> cube_boxes(physics::Physics& p, const Scene& scene) {
   return boxes;
 }
 
-// By quadrants, so that no two boxes overlap: each holds an octant of the upper half and one of the lower.
+// A box for each quadrant, so that no two overlap: each holds an octant of the upper half and one of the lower.
 std::vector<Box> octahedral_boxes(physics::Physics& p, const Scene& scene) {
   const double half_width = 0.5 * scene.image.width;
   const double half_height = 0.5 * scene.image.height;

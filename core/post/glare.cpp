@@ -62,7 +62,7 @@ GlarePoint sum_of(const std::vector<GlarePoint>& sources) {
   return all;
 }
 
-// As the device reads it.
+// The point as the device reads it.
 std::array<float, 8> packed(const GlarePoint& point) {
   const auto f = [](double x) { return static_cast<float>(x); };
   return {f(point.direction.x),  f(point.direction.y),  f(point.direction.z),  f(point.far),

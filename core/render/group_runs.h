@@ -15,8 +15,8 @@ class GroupRuns {
   // `options`: of the whole; `suffix`: of the checkpoints' names, before the group's number. Must outlive the runs.
   GroupRuns(const HostOptions& options, std::size_t count, std::string suffix);
 
-  // Of group g, whose scene gets its seed. Throws RunError where the report has stopped an earlier one: what was
-  // stopped in one group must not count as a picture.
+  // The options of group g, whose scene gets its seed. Throws RunError where the report has stopped an earlier one:
+  // what was stopped in one group must not count as a picture.
   HostOptions start(Scene& group, std::size_t g);
 
  private:

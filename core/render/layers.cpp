@@ -294,7 +294,7 @@ Statistics layer_statistics(const Layer& layer, int width, bool signed_colours) 
   for (std::size_t i = 0; i < layer.planes.size(); ++i) {
     const std::size_t at = i % pixels;
     const bool finite = std::isfinite(layer.planes[i]);
-    // Of a colour the first channel speaks for all.
+    // The first channel of a colour speaks for all three.
     const auto plane = [&](std::size_t c) { return static_cast<double>(layer.planes[c * pixels + at]); };
     const double value = !in_colours  ? static_cast<double>(layer.planes[i])
                          : i < pixels ? bt709_luminance({plane(0), plane(1), plane(2)})

@@ -19,8 +19,8 @@ std::array<double, 9> sh_basis(const Vector3& direction);
 // RGB coefficients of radiance in that order: the integral of radiance x basis over the sphere, W/m2 and the like.
 using ShRadiance = std::array<Vector3, 9>;
 
-// Of an equirectangular picture whose centre looks at `azimuth` (radians): each pixel's radiance by the integral of the
-// basis over its solid angle.
+// Takes an equirectangular picture whose centre looks at `azimuth` (radians), and multiplies each pixel's radiance by
+// the integral of the basis over its solid angle.
 ShRadiance project_to_sh(const RadianceImage& latlong, double azimuth);
 
 // Irradiance of a surface with this unit normal: the sum over degrees l of A_l L_lm Y_lm, where A_0 = pi, A_1 = 2 pi/3,
@@ -55,8 +55,9 @@ struct Lighting {
   SunLight sun;
 };
 
-// Of the whole sphere around the camera's place, ground included, whatever the camera looks at. The sky is rendered by
-// the scene's method into a picture of its own. Throws RunError where that holds a NaN, infinity or negative value.
+// The light of the whole sphere around the camera's place, ground included, whatever the camera looks at. The sky is
+// rendered by the scene's method into a picture of its own. Throws RunError where that holds a NaN, infinity or
+// negative value.
 Lighting lighting_of(const DeviceOnDemand& device, const Scene& scene, const HostOptions& host);
 
 }  // namespace airlight

@@ -14,7 +14,7 @@ constexpr double kMostPixels = 65536.0;
 constexpr double kMostSampledPixels = 2304.0;  // of a method that samples, a few each
 constexpr int kSamples = 32;
 
-// Of the same shape. A map that is cut stays a multiple of its layout.
+// A smaller size of the same shape. A map that is cut stays a multiple of its layout.
 ImageSize metered_size(const Scene& scene, double most_pixels) {
   const ImageSize& image = scene.image;
   const double smaller =

@@ -6,7 +6,7 @@
 namespace airlight {
 namespace {
 
-// Of a density that goes in a straight line from (h0, d0) to (h1, d1), cut off at the top.
+// The column of a density that goes in a straight line from (h0, d0) to (h1, d1), cut off at the top.
 double straight_column(double h0, double d0, double h1, double d1, double top) {
   const double end = std::min(h1, top);
   if (end <= h0) {

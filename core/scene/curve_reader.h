@@ -35,7 +35,7 @@ class CurveReader {
   Spectrum read(const Section& section, std::string_view key, Curve& curve);
   // The same of a medium's absorption, where ozone may be given by its column: km of density 1 straight up.
   Spectrum read(const Section& section, std::string_view key, double column, Curve& curve);
-  // Of sun.spectrum; the sun's where it is absent.
+  // Reads sun.spectrum; where it is absent, the curve is the sun's.
   Curve read_shape(const Section& section, std::string_view key);
 
   // A curve that somebody else has read.

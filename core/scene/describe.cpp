@@ -69,7 +69,7 @@ std::string density_text(const Density& density) {
   return {};
 }
 
-// Of a curve as the preset writes it.
+// The curve as the preset writes it, cut where it is long.
 std::string curve_text(const Curve& curve) {
   constexpr std::size_t kLongest = 100;
   const std::string& text = curve.json;

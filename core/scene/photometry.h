@@ -1,7 +1,7 @@
 #pragma once
 // From radiance in the linear working space (BT.709) to luminance, where `sun.unit` gives it an absolute size.
 //
-// Of a scene with spectra and D65 as white this is Y of CIE 1931. Three channels are no spectrum: a medium's
+// The luminance of a scene with spectra and D65 as white is Y of CIE 1931. Three channels are no spectrum: a medium's
 // coefficients stand for wavelengths near 680, 550 and 440 nm, and luminance is their BT.709 sum, not an integral over
 // V(lambda). For `W/m2` the efficacy is that of sunlight above the air, whatever the light has gone through; that of
 // blue sky alone is higher, that of a low red sun lower.

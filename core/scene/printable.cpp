@@ -80,7 +80,7 @@ std::string shortened(std::string_view text, std::size_t most) {
     return std::string(text);
   }
   std::size_t end = most;
-  // Not inside a UTF-8 character: its later bytes are 10xxxxxx.
+  // The cut must not fall inside a UTF-8 character, whose later bytes are 10xxxxxx.
   while (end > 0 && (byte_at(text, end) & 0xc0U) == 0x80U) {
     --end;
   }

@@ -132,7 +132,7 @@ void refuse_key(const Section& render, const std::string& key, const PresetValue
                 std::span<const MethodInfo> methods) {
   const std::string others = takers(methods, key);
   if (!others.empty()) {
-    // Of no method at all it would be refused even if inherited: a misspelt key is wrong wherever it stands.
+    // A key that no method takes is refused even if inherited: a misspelt one is wrong wherever it stands.
     if (chosen != nullptr && !value.inherited) {
       render.complain(key, value,
                       "the method " + json_string(chosen->name) + " does not take this key; it belongs to " + others +

@@ -42,7 +42,7 @@ struct FrameTime {
 struct Frame {
   long number = 0;  // in its file's name
   std::optional<FrameTime> time;
-  // By JSON pointer, what the preset's keys are: one number, or three of a spectrum.
+  // The preset's keys in this frame, each a JSON pointer and its value: one number, or three of a spectrum.
   std::vector<std::pair<std::string, std::vector<double>>> keys;
 };
 

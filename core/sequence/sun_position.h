@@ -12,7 +12,7 @@ struct Place {
   double altitude_km = 0.0;
 };
 
-// Of the centre of the disc, as seen from the place (parallax and aberration included).
+// Where the centre of the disc is seen from the place (parallax and aberration included).
 struct SunAngles {
   double elevation_deg = 0.0;  // above the plane square to the ellipsoid's normal, without refraction
   double azimuth_deg = 0.0;    // clockwise from north, 0 to 360

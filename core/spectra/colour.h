@@ -61,7 +61,7 @@ double at_node(const Curve& curve, const Nodes& nodes, std::size_t k);
 // Column k: the colour of 1 at wavelength k.
 using ColourMatrix = std::vector<Rgb>;
 
-// Of which only the nodes are known, and what its colour is.
+// A spectrum that is known at the nodes alone, and its colour.
 struct ColouredSpectrum {
   std::vector<double> at_nodes;
   Rgb colour{};

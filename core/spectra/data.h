@@ -5,7 +5,7 @@
 
 namespace airlight {
 
-// Of the standard observer, per nm.
+// The curves of the standard observer, per nm.
 struct Observer {
   Curve x;
   Curve y;

@@ -37,7 +37,7 @@ std::span<const double> fitted_nodes(int count) {
 
 constexpr double kNarrow = 10.0;
 
-// As wide as a fine band, as long as two do not overlap. Half the gap to each neighbour is too wide: the mean of
+// Bands are as wide as a fine one where two do not overlap. Half the gap to each neighbour is too wide: the mean of
 // ozone's absorption is not what light after a long way through it has met (3.4 % where this is 0.7, sun at 0.5
 // degrees).
 Nodes with_bands(std::span<const double> nm) {

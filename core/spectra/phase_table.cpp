@@ -45,7 +45,7 @@ double phase_at(const PhaseTable& table, double nm, double angle_deg) {
                   log_in_row(table.rows[wavelength.k + 1], angle) * wavelength.share);
 }
 
-// Of p = exp(a + b t) times sin t the antiderivative is p (b sin t - cos t) / (1 + b^2).
+// The antiderivative of p sin t with p = exp(a + b t) is p (b sin t - cos t) / (1 + b^2).
 double sphere_integral(const PhaseTable& table, std::size_t row) {
   constexpr double kRadian = std::numbers::pi / 180.0;
   const std::vector<double>& values = table.rows[row];

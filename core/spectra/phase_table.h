@@ -20,7 +20,7 @@ struct PhaseTable {
 // below 1e-9 count as that.
 double phase_at(const PhaseTable& table, double nm, double angle_deg);
 
-// Of a row over the sphere, in closed form.
+// The integral of a row over the sphere, in closed form.
 double sphere_integral(const PhaseTable& table, std::size_t row);
 
 }  // namespace airlight

@@ -50,7 +50,7 @@ vec3 finite(const vec3& v) {
   return {of(v.x), of(v.y), of(v.z)};
 }
 
-// Of the directions away from the sun, each by the solid angle that its row stands for.
+// The mean over the directions away from the sun, each by the solid angle that its row stands for.
 double mean_brightness(const std::vector<vec3>& radiance, const std::vector<Direction>& directions,
                        const Scene& scene) {
   double sum = 0.0;
@@ -155,7 +155,7 @@ Block examine(const DeviceOnDemand& device, const Subject& subject, const Sweep&
       report(std::min(done, 1.0));
     }
   };
-  // By columns: what changes along x is often the air, whose tables serve the whole column.
+  // Column by column: what changes along x is often the air, whose tables serve the whole column.
   for (std::size_t x = 0; x < (sweep.narrow ? 1 : width); ++x) {
     for (std::size_t y = 0; y < height; ++y) {
       const Place place = place_of(sweep, x, y);

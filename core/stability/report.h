@@ -31,7 +31,7 @@ std::string summary_text(const Examination& examination);
 // A panel a subject: the error as colour, cells that fail marked by the letter of their worst symptom.
 measure::Raster heat_map(const Examination& examination, const Sweep& sweep);
 
-// Of all blocks, in their order.
+// The numbers of all blocks, in their order.
 std::vector<Region> all_regions(const Examination& examination);
 
 }  // namespace airlight::stability

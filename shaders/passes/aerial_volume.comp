@@ -75,7 +75,7 @@ float slice_end(Ray ray, uint slice) {
   return slice_distance(scene.planet, ray, z);
 }
 
-// Of slices [first, last), behind what stands before them; stored where `stores`.
+// Gathers slices [first, last), behind what stands before them, and stores them where `stores`.
 SkyFactors gather(SkyFactors factors, Ray ray, uvec2 texel, uint first, uint last, bool stores) {
   ShadowCrossings shadow = shadow_crossings(scene.planet, ray);
   float from = first == 0u ? 0.0 : slice_end(ray, first - 1u);

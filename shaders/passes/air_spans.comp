@@ -31,7 +31,7 @@ void main() {
   ViewRay view = view_ray(scene.camera, kProjection, span.x, span.y);
   Ray whole = air_ray(view.direction);
   Ray ray = ray_up_to(scene.planet, scene.camera.altitude, view.direction.y, whole, span.z);
-  // By shells the steps follow from the edges that a ray crosses.
+  // Where air is cut into shells, steps follow from the edges that a ray crosses.
   uint count = shell_rows() > 0u ? steps : steps_up_to(scene.planet, whole, ray.length_, steps);
   SkyFactors air = scene_air_factors(ray, count);
   air_out.values[2u * i] = vec4(phased(air, phases(ray.nu)) * scene.sun.irradiance, 1.0);

@@ -24,7 +24,7 @@ vec3 from_camera(CameraData camera, vec3 local) {
   return camera.right * local.x + camera.up * local.y + camera.forward * local.z;
 }
 
-// Not normalised: a point of the cube of side 2, in the axes of in_camera.
+// A point of the cube of side 2, in the axes of in_camera; not normalised.
 vec3 cube_face_direction(uint face, real u, real v) {
   if (face == 0u) {
     return vec3(-1.0, -v, u);
@@ -143,7 +143,7 @@ vec2 cube_pixel(CameraData camera, CubePoint point) {
   return pixel;
 }
 
-// Of the square from -1 to 1, v growing downward, to a point of the octahedron |x| + |y| + |z| = 1 in the axes of
+// Takes the square from -1 to 1, v growing downward, to a point of the octahedron |x| + |y| + |z| = 1 in the axes of
 // in_camera; not normalised.
 vec3 octahedral_direction(real u, real v) {
   real x = abs(u);

@@ -23,7 +23,7 @@ real glare_spread(real angle, real blur) {
 // Between unit vectors, to full precision at any angle.
 real angle_between(vec3 a, vec3 b) { return 2.0 * atan(length(a - b), length(a + b)); }
 
-// Of the points near by, of their sum further off, where the two are one.
+// The glare of the points near by, of their sum further off, where the two are one.
 vec3 glare_along(vec3 direction, uint points, real pixel_blur) {
   GlarePoint all = glare_point(0u);
   bool is_far = angle_between(direction, all.direction) > all.far;

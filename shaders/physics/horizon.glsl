@@ -76,7 +76,7 @@ PixelRays one_ray(real centre) {
   return rays;
 }
 
-// Of a pixel whose centre has this level above the horizon and these slopes; `edge`: air_edge().
+// The rays of a pixel whose centre has this level above the horizon and these slopes; `edge`: air_edge().
 PixelRays rays_of_pixel(real centre, real slope_x, real slope_y, real edge) {
   PixelRays rays = one_ray(centre);
   rays.slope_x = slope_x;

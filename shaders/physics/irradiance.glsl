@@ -8,5 +8,5 @@ Ray irradiance_ray(PlanetData planet, real mu_sun, uint k) {
   return ray_in_atmosphere(planet, 0.0, mu, mu_sun, nu);
 }
 
-// Of each direction, sr.
+// The weight of each direction, sr.
 real irradiance_weight() { return kPi / real(kGroundIrradianceDirections); }

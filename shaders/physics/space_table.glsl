@@ -4,7 +4,7 @@
 
 const uint kSectionNoAir = 3u;  // the ray passes by
 
-// Of the sun's zenith cosines from -1 to 1, three fifths of the columns stand within this of the terminator.
+// Three fifths of the columns stand within this of the terminator, in the sun's zenith cosine.
 const real kTerminatorWidth = 0.2;
 
 real terminator_coordinate(real mu_sun) { return mu_sun / (abs(mu_sun) + kTerminatorWidth); }
@@ -54,7 +54,7 @@ real column_azimuth(RayFoot foot, real x) {
   return clamp((terminator_mu(low + (high - low) * x) - foot.middle) / foot.half_, -1.0, 1.0);
 }
 
-// Of the view from altitude h above the air, zenith cosine mu and its sine.
+// The place of a view from altitude h above the air, by its zenith cosine mu and its sine.
 SkyTableCoordinate space_table_coordinate(PlanetData planet, real h, real mu_sun, real mu, real across,
                                           real cos_azimuth) {
   AirEntry entry = air_entry(planet, h, mu);

@@ -1,6 +1,6 @@
 // Light that a sphere sends back, for a sun of irradiance 1.
 
-// Of the point `point` from the camera, where it lies on the planet's air: what the sun and the sky give it.
+// What the sun and the sky give to a point at `point` from the camera, which lies in the planet's air.
 struct SpherePlace {
   real h;  // altitude, km
   vec3 up;

@@ -4,7 +4,7 @@
 const uint kSpreadX = 3242174889u;
 const uint kSpreadY = 2447445414u;
 
-// Of the pixel in column x, row y, as a 32-bit fraction.
+// The threshold of the pixel in column x, row y, as a 32-bit fraction.
 uint spread_bits(uint x, uint y) { return x * kSpreadX + y * kSpreadY; }
 
 // The same from 0 to 1, neither of them reached.

@@ -1,6 +1,6 @@
 // A closed-form sky, `zenith-density`: the air as one even layer whose density along a ray is a fit in its zenith
 // cosine, absorption by the sun's slant through the same layer, and the forward glow of each medium's phase function.
-// As analytic.glsl, with of the includer's also: vec3 horizon_mass();  real lit_height();
+// The includer defines what analytic.glsl asks for, and also: vec3 horizon_mass();  real lit_height();
 
 // Slant over vertical optical depth of a layer on a sphere, mu >= 0: 1 straight up, `horizon` along the horizontal.
 vec3 slant_mass(vec3 horizon, real mu) { return horizon / (vec3(1.0) + (horizon - vec3(1.0)) * mu); }

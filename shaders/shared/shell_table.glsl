@@ -13,7 +13,7 @@ SkyFactors scene_sky_factors(Ray ray, uint steps) {
   return sky_factors(scene.planet, scene.moments, ray, steps);
 }
 
-// Of the air alone, whatever the ray ends on.
+// The factors of the air alone, whatever the ray ends on.
 SkyFactors scene_air_factors(Ray ray, uint steps) {
   if (shell_rows() > 0u) {
     return shell_air_factors(scene.planet, scene.moments, ray, steps);
