@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
+#include <vector>
 
 #include "core/error.h"
 #include "core/scene/suggestion.h"
