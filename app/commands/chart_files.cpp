@@ -6,7 +6,7 @@
 #include <span>
 
 #include "app/cli/json_writer.h"
-#include "app/cli/process.h"
+#include "app/commands/gnuplot.h"
 #include "core/chart/gnuplot.h"
 #include "core/error.h"
 #include "core/output/atomic_file.h"
@@ -113,34 +113,7 @@ std::vector<std::string> write_chart(const ChartFiles& files, const chart::RunOu
 }
 
 std::vector<std::string> plot_chart(const ChartFiles& files) {
-  const std::string name = "chart-" + std::to_string(std::hash<std::string>{}(files.folder.string())) + ".part";
-  const std::optional<ProcessResult> run =
-      run_process(files.folder, {"gnuplot", "-e", "out='" + name + "'", "chart.gp"});
-  if (!run) {
-    throw RunError(
-        "chart: there is no gnuplot on this machine, so chart.svg and chart.png are not drawn; on Debian install it "
-        "with 'apt-get install gnuplot-nox', then run 'gnuplot chart.gp' in " +
-        files.folder.string());
-  }
-  std::vector<std::string> written;
-  for (const char* ending : {".svg", ".png"}) {
-    std::error_code error;
-    const fs::path part = files.folder / (name + ending);
-    if (run->exit_code == 0) {
-      const fs::path file = files.folder / (std::string("chart") + ending);
-      fs::rename(part, file, error);
-      if (!error) {
-        written.push_back(file.string());
-      }
-    }
-    fs::remove(part, error);
-  }
-  if (written.size() != 2) {
-    const std::string said = run->errors.substr(0, run->errors.find_last_not_of(" \n") + 1);
-    throw RunError("chart: gnuplot could not draw " + (files.folder / "chart.gp").string() + ": " +
-                   (said.empty() ? "it wrote no picture" : said.substr(said.find_last_of('\n') + 1)));
-  }
-  return written;
+  return plot("chart", files.folder, "chart.gp", "chart", {".svg", ".png"});
 }
 
 }  // namespace airlight::cli

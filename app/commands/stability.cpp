@@ -9,6 +9,7 @@
 #include "app/cli/scene_options.h"
 #include "app/cli/terminal.h"
 #include "app/commands/commands.h"
+#include "app/commands/gnuplot.h"
 #include "app/render/table_files.h"
 #include "core/error.h"
 #include "core/output/atomic_file.h"
@@ -93,12 +94,17 @@ void write_text(const fs::path& file, const std::string& text) {
   write_file(file, std::as_bytes(std::span(text)));
 }
 
-void write_map(const fs::path& file, const measure::Raster& raster) {
-  PixelImage image;
-  image.width = raster.width();
-  image.height = raster.height();
-  image.bytes = raster.rgb();
-  write_png(file, image, {});
+std::vector<std::string> map_names(const Examination& e) {
+  std::vector<std::string> names;
+  for (const Sweep& sweep : e.sweeps) {
+    const bool shown = std::ranges::any_of(e.blocks, [&](const Block& block) { return block.sweep == sweep.name; });
+    for (const char* ending : {".svg", ".png"}) {
+      if (shown) {
+        names.push_back(sweep.name + ending);
+      }
+    }
+  }
+  return names;
 }
 
 const Block* block_of(const std::vector<Block>& blocks, const Subject& subject, const Sweep& sweep) {
@@ -156,9 +162,11 @@ std::string stability_json(const Examination& e, const fs::path& folder) {
     json.begin_object().key("sweep").value(block.sweep).key("method").value(block.subject).end_object();
   }
   json.end_array().key("files").begin_array();
-  json.value((folder / "stability.md").string()).value((folder / "stability.csv").string());
-  for (const Sweep& sweep : e.sweeps) {
-    json.value((folder / (sweep.name + ".png")).string());
+  for (const char* name : {"stability.md", "stability.csv", "stability.gp"}) {
+    json.value((folder / name).string());
+  }
+  for (const std::string& name : map_names(e)) {
+    json.value((folder / name).string());
   }
   return json.end_array().end_object().take();
 }
@@ -176,12 +184,11 @@ int run_stability(const Given& given) {
   const fs::path folder = given.folder;
   examine_all(e, folder / "stability.csv", device, given.quiet);
   require_valid_vulkan();
-  for (const Sweep& sweep : e.sweeps) {
-    write_map(folder / (sweep.name + ".png"), heat_map(e, sweep));
-  }
   const std::string summary = summary_text(e);
   write_text(folder / "stability.md", summary);
   write_text(folder / "stability.csv", csv_text(e, true));
+  write_text(folder / "stability.gp", map_script(e));
+  plot("stability", folder, "stability.gp", "", map_names(e));
   if (!given.quiet) {
     tell((folder / "stability.md").string() + "\n");
   }
@@ -202,7 +209,8 @@ Command stability_command() {
       "Each cell of a sweep is examined for values that are not finite or negative, for its error against a converged "
       "quality of the same method, for steps between neighbours that the radiance's slope does not explain, for energy "
       "gained, and for what the device's 32 bits lose against the same formulas in double. DIR/stability.md is the "
-      "summary, DIR/stability.csv has every number, DIR/SWEEP.png is a map for each sweep. A run that was interrupted "
+      "summary, DIR/stability.csv has every number, DIR/SWEEP.svg and .png are a map for each sweep, drawn by gnuplot "
+      "from DIR/stability.gp. A run that was interrupted "
       "goes on where it stopped when it is started again with the same folder and options.";
   command.examples = {{"airlight stability -o stability --quick --sweep steps --method march",
                        "One small map of one method, in seconds"}};

@@ -9,6 +9,7 @@
 
 #include "core/chart/labels.h"
 #include "core/chart/qualities.h"
+#include "core/gnuplot_text.h"
 
 namespace airlight::chart {
 namespace {
@@ -26,19 +27,10 @@ constexpr Area kLarge{0.07, 0.53, 0.98, 0.91};
 constexpr Area kLargeAlone{0.07, 0.07, 0.98, 0.91};
 constexpr int kColumns = 4;
 
-// In single quotes gnuplot takes everything as it stands but a quote, which is doubled.
-std::string quoted(const std::string& text) {
-  std::string out = "'";
-  for (const char c : text) {
-    out += c == '\'' ? std::string("''") : std::string(1, c);
-  }
-  return out + "'";
-}
-
 std::string array_of(const std::string& name, const std::vector<std::string>& values) {
   std::string list;
   for (const std::string& value : values) {
-    list += (list.empty() ? "" : ", ") + quoted(value);
+    list += (list.empty() ? "" : ", ") + gnuplot_text(value);
   }
   return "array " + name + "[" + std::to_string(values.size()) + "] = [" + list + "]\n";
 }
@@ -158,7 +150,7 @@ std::string label_commands(const std::vector<Point>& points, const std::string& 
   }
   std::ostringstream out;
   for (const Label& label : place_labels(wanted_labels(points, scene), spots, front, frame, most)) {
-    out << "set label " << quoted(label.text) << " at " << label.text_at.x << "," << label.text_at.y
+    out << "set label " << gnuplot_text(label.text) << " at " << label.text_at.x << "," << label.text_at.y
         << (label.left ? " left" : " right") << " noenhanced front font words\n";
   }
   return out.str();
@@ -231,7 +223,7 @@ std::string small_panels(const std::vector<std::string>& scenes, const Ranges& r
     const double bottom = 0.45 - height * (row + 1);
     const double left = 0.07 + 0.235 * column;
     script += margins({left, bottom + 0.035, left + 0.205, bottom + height - 0.03});
-    script += "  s = " + quoted(scenes[i]) + "\n  unset label\n  set title s noenhanced offset 0,-0.6\n";
+    script += "  s = " + gnuplot_text(scenes[i]) + "\n  unset label\n  set title s noenhanced offset 0,-0.6\n";
     script += std::string("  set format y ") + (column == 0 ? "'%g %%'" : "''") + "\n  eval(panel)\n";
   }
   return script;
@@ -252,8 +244,8 @@ std::string gnuplot_script(const PlotText& text, const std::vector<Point>& point
   const Area area = small.empty() ? kLargeAlone : kLarge;
   const Ranges ranges = ranges_of(points, text.over_all);
   std::string script(kHead);
-  script += "heading = " + quoted(text.title) + "\ntime_label = " + quoted(text.time_label) + "\n";
-  script += "three = " + quoted(std::string(kThreeChannels)) + "\n";
+  script += "heading = " + gnuplot_text(text.title) + "\ntime_label = " + gnuplot_text(text.time_label) + "\n";
+  script += "three = " + gnuplot_text(std::string(kThreeChannels)) + "\n";
   script += array_of("methods", text.methods) + array_of("colours", colours);
   script += kBody;
   script +=
@@ -265,9 +257,9 @@ std::string gnuplot_script(const PlotText& text, const std::vector<Point>& point
   script +=
       "  set label 'faster, and nearer to the truth: \xE2\x86\x99' at graph 0.012, graph 0.035 left front font words"
       " tc rgb '#666666'\n";
-  script += "  s = " + quoted(large) + "\n";
-  script +=
-      "  set title " + quoted(text.over_all ? "all scenes: geometric means" : large) + " noenhanced offset 0,-0.6\n";
+  script += "  s = " + gnuplot_text(large) + "\n";
+  script += "  set title " + gnuplot_text(text.over_all ? "all scenes: geometric means" : large) +
+            " noenhanced offset 0,-0.6\n";
   script += kLegend;
   script += "  eval(panel.legend)\n";
   if (!small.empty()) {

@@ -1,10 +1,9 @@
 #pragma once
-// What the examination found: numbers for programs, one page for people, a picture a sweep.
+// What the examination found: numbers for programs, one page for people, a map a sweep.
 
 #include <string>
 #include <vector>
 
-#include "core/measure/raster.h"
 #include "core/stability/judge.h"
 
 namespace airlight::stability {
@@ -28,8 +27,10 @@ std::vector<Block> unfinished_blocks(const std::string& csv, const Examination& 
 // The page, in Markdown.
 std::string summary_text(const Examination& examination);
 
-// A panel a subject: the error as colour, cells that fail marked by the letter of their worst symptom.
-measure::Raster heat_map(const Examination& examination, const Sweep& sweep);
+// A gnuplot script that draws SWEEP.svg and SWEEP.png of each sweep: a panel a subject, the error as colour, cells that
+// fail marked by the letter of their worst symptom, those without a number blank. File names follow the text `out`.
+// Needs gnuplot 5.4.
+std::string map_script(const Examination& examination);
 
 // The numbers of all blocks, in their order.
 std::vector<Region> all_regions(const Examination& examination);

@@ -17,7 +17,8 @@ TEST(StabilityCommand, LeavesNumbersPicturesAndAPage) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.out + outcome.err, "");
   EXPECT_EQ(scratch.files(),
-            (std::vector<std::string>{"map/asymmetry.png", "map/stability.csv", "map/stability.md", "map/steps.png"}));
+            (std::vector<std::string>{"map/asymmetry.png", "map/asymmetry.svg", "map/stability.csv", "map/stability.gp",
+                                      "map/stability.md", "map/steps.png", "map/steps.svg"}));
   const std::string csv = scratch.read("map/stability.csv");
   EXPECT_TRUE(contains(csv, "nested,steps,1,"));
   EXPECT_TRUE(contains(csv, "nested,asymmetry,-0.95,"));

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <map>
 #include <memory>
+#include <sstream>
 #include <string>
 
 #include "core/stability/energy.h"
@@ -262,16 +263,33 @@ TEST(StabilityMap, TheSummaryNamesWhatIsNotExplained) {
   EXPECT_EQ(text.find("Every failing region"), std::string::npos);
 }
 
-TEST(StabilityMap, APictureShowsEveryCell) {
-  const Examination e = small_examination();
-  const measure::Raster raster = heat_map(e, e.sweeps[0]);
-  std::size_t lit = 0;
-  for (const std::uint8_t code : raster.rgb()) {
-    lit += code > 60 ? 1U : 0U;
+// The colour of each cell and the letter of each that fails; blank where there is no number.
+TEST(StabilityMap, AMapShowsEveryCell) {
+  Examination e = small_examination();
+  e.blocks[0].cells[0].not_finite = 1;
+  const std::string script = map_script(e);
+  const std::size_t at = script.find("$block0 << EOD\n");
+  ASSERT_NE(at, std::string::npos) << script;
+  std::istringstream lines(script.substr(script.find('\n', at) + 1));
+  for (std::size_t i = 0; i < e.blocks[0].cells.size(); ++i) {
+    const Cell& cell = e.blocks[0].cells[i];
+    std::size_t x = 0;
+    std::size_t y = 0;
+    std::string error;
+    std::string letter;
+    lines >> x >> y >> error >> letter;
+    EXPECT_EQ(y * e.sweeps[0].xs.size() + x, i);
+    if (i == 0) {
+      EXPECT_EQ(error, "NaN");
+    } else {
+      EXPECT_NEAR(std::stod(error), std::max(cell.error, 1e-5), 1e-5 * std::stod(error)) << i;
+    }
+    EXPECT_EQ(letter, cell.symptoms.empty() ? "-" : cell.symptoms.substr(0, 1)) << i;
   }
-  EXPECT_GT(lit, raster.rgb().size() / 20);
-  EXPECT_EQ(raster.rgb().size(),
-            3U * static_cast<std::size_t>(raster.width()) * static_cast<std::size_t>(raster.height()));
+  std::string end;
+  lines >> end;
+  EXPECT_EQ(end, "EOD");
+  EXPECT_NE(script.find("set title '" + e.blocks[0].subject + "'"), std::string::npos);
 }
 
 TEST(StabilityMap, EveryMethodIsExaminedOrLeftOutByName) {
