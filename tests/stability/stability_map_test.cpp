@@ -267,6 +267,7 @@ TEST(StabilityMap, TheSummaryNamesWhatIsNotExplained) {
 TEST(StabilityMap, AMapShowsEveryCell) {
   Examination e = small_examination();
   e.blocks[0].cells[0].not_finite = 1;
+  e.blocks[0].cells[1].symptoms = "JR";
   const std::string script = map_script(e);
   const std::size_t at = script.find("$block0 << EOD\n");
   ASSERT_NE(at, std::string::npos) << script;
