@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <span>
 #include <string>
@@ -61,10 +62,23 @@ Plan listed_directions(const Scene& scene) {
   return plan;
 }
 
+// A level map of few heights in place of the scene's: the heights and their shadow, most of a second each, are contents of
+// buffers, and a module knows only that there are some.
+void level_terrain(Scene& scene) {
+  if (!scene.terrain) return;
+  TerrainFiles files;
+  files.columns = 4;
+  files.rows = 4;
+  files.heights.assign(16, 0.0F);
+  scene.terrain->ridge.reset();
+  scene.terrain->files = std::make_shared<const TerrainFiles>(std::move(files));
+}
+
 // What `render`, `sequence`, `luts` and `probe` ask for: pictures small and large, the sun on either side of the
 // horizon, an EXR alone, a picture by OpenColorIO and one by the tone curve on the device.
 void want_all_of(const std::string& preset, const Shaders& shaders, Wanted& wanted) {
-  const Scene own = resolve(load_preset(preset), method_infos());
+  Scene own = resolve(load_preset(preset), method_infos());
+  level_terrain(own);
   if (find_method(own.render.method)->add_passes == nullptr) return;
   constexpr double kLowSun = -0.1;  // radians
   for (const double sun : {own.sun.elevation, kLowSun, 0.5}) {
