@@ -1,13 +1,35 @@
 # GLSL -> SPIR-V -> validated -> optimised -> validated -> embedded as C++ arrays.
+set(AIRLIGHT_SHADERS_FROM "" CACHE PATH
+    "Another build of this tree, whose shaders and frozen modules are taken as they are: a fifth of the compilers' time")
 find_program(GLSLANG glslangValidator REQUIRED)
 find_program(SPIRV_OPT spirv-opt REQUIRED)
 find_program(SPIRV_VAL spirv-val REQUIRED)
 # Kept by name, so that a plan's bindings answer to the GLSL as written and not to what the optimiser finds in use.
 set(AIRLIGHT_SPIRV_OPT_FLAGS -O --preserve-bindings --preserve-spec-constants)
 
+# Libraries of nothing but data, alike whatever flags a build has. The other build makes them, or sees that they stand.
+if(AIRLIGHT_SHADERS_FROM)
+  set(taken airlight_shaders airlight_ready)
+  if(AIRLIGHT_TESTS)
+    list(APPEND taken airlight_test_shaders)
+  endif()
+  list(TRANSFORM taken REPLACE "(.+)" "${AIRLIGHT_SHADERS_FROM}/lib\\1.a" OUTPUT_VARIABLE taken_files)
+  add_custom_target(taken_shaders COMMAND ${CMAKE_COMMAND} --build ${AIRLIGHT_SHADERS_FROM} --target ${taken}
+                    BYPRODUCTS ${taken_files} COMMENT "Shaders of ${AIRLIGHT_SHADERS_FROM}" VERBATIM)
+endif()
+function(airlight_take_shaders target)
+  add_library(${target} STATIC IMPORTED GLOBAL)
+  set_target_properties(${target} PROPERTIES IMPORTED_LOCATION ${AIRLIGHT_SHADERS_FROM}/lib${target}.a)
+  add_dependencies(${target} taken_shaders)
+endfunction()
+
 # A static library TARGET that defines `std::span<const EmbeddedShader> FUNCTION()` in namespace airlight: every source
 # given, by file name without extension. Includes are looked up in shaders/.
 function(airlight_embed_shaders target function)
+  if(AIRLIGHT_SHADERS_FROM)
+    airlight_take_shaders(${target})
+    return()
+  endif()
   set(directory ${PROJECT_BINARY_DIR}/embedded/${target})
   file(MAKE_DIRECTORY ${directory})
   set(arrays)

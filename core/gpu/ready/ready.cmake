@@ -1,5 +1,9 @@
 # ready_modules(): frozen modules of the shipped presets, made by a program of this build; none where the tool or
 # SPIRV-Tools is left out.
+if(AIRLIGHT_SHADERS_FROM)
+  airlight_take_shaders(airlight_ready)
+  return()
+endif()
 add_library(airlight_ready STATIC)
 target_link_libraries(airlight_ready PUBLIC airlight_flags)
 if(NOT AIRLIGHT_TOOL OR NOT SPIRV-Tools-opt_FOUND)
