@@ -78,12 +78,11 @@ endfunction()
 
 # airlight_precompile(TARGET...): the others, alike.
 function(airlight_precompile)
-  # Nothing is done where the compiler optimises fully: GCC 12 forgets that precompiled headers are the system's and
-  # warns of them.
+  airlight_compile_together(${ARGN})
+  # Not where the compiler optimises fully: GCC 12 forgets that precompiled headers are the system's and warns of them.
   if(NOT AIRLIGHT_QUICK_COMPILE OR CMAKE_BUILD_TYPE STREQUAL "Release")
     return()
   endif()
-  airlight_compile_together(${ARGN})
   airlight_precompiled(airlight_headers OFF "" ${airlight_standard_headers})
   airlight_precompiled(airlight_headers_pic ON "" ${airlight_standard_headers})
   foreach(target IN LISTS ARGN)

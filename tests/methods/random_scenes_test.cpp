@@ -11,9 +11,10 @@ namespace airlight::test {
 namespace {
 
 constexpr std::uint64_t kScenes = 200;
-// A new list of profiles and phase functions is a new set of pipelines, half a second of a software device's compiler:
-// twenty scenes in a row share one.
-constexpr std::uint64_t kSameKinds = 20;
+// A new list of profiles and phase functions is a new set of pipelines, two to three seconds of a software device's
+// compiler: forty scenes in a row share one. airlight_fuzz has new ones in each scene.
+constexpr std::uint64_t kSameKinds = 40;
+constexpr std::uint64_t kOrdersTurn = 20;
 #if defined(__SANITIZE_ADDRESS__)
 constexpr std::uint64_t kStride = 25;
 #else
@@ -24,7 +25,7 @@ Scene random_scene(std::uint64_t seed) {
   return resolve(parse_preset(random_preset(seed), "random " + std::to_string(seed), {}), method_infos());
 }
 
-// Its own planet, sun, camera and coefficients, the kinds of media of the first of its twenty.
+// Its own planet, sun, camera and coefficients, the kinds of media of the first of its forty.
 Scene scene_of(std::uint64_t seed) {
   Scene scene = random_scene(seed);
   const std::vector<Medium> own = scene.media;
@@ -45,7 +46,7 @@ TEST(RandomScenes, AreSoundByTheirOwnMethod) {
     Scene scene = scene_of(seed);
     scene.image = {16, 9};
     // Thick air bakes for seconds by `orders`, which is whose turn it is where none is stated: one in twenty.
-    if (scene.render.method == "orders" && seed % kSameKinds != 0) {
+    if (scene.render.method == "orders" && seed % kOrdersTurn != 0) {
       scene = with_method(scene, *find_method("march"));
     }
     const Rendering rendering = render_now(scene);

@@ -145,6 +145,11 @@ TEST(Stability, AirOfEveryThickness) {
           if (!on_device(method) && absorbed == 0.0 && depth > 1.0) {
             continue;
           }
+          // A black ground behind such air tells nothing that the white one, where light dies out slowest, does not; and
+          // either is seconds of tables.
+          if (depth > 1.0 && absorbed == 0.0 && albedo == 0.0) {
+            continue;
+          }
           Scene scene = small(air(depth, absorbed), method, 0.5);
           scene.sun.disc.visible = false;
           scene.planet.ground_albedo = {albedo, albedo, albedo};
