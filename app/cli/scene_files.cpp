@@ -10,7 +10,9 @@
 
 #include "core/error.h"
 #include "core/foreign/foreign_picture.h"
+#include "core/ground/ground.h"
 #include "core/methods/method.h"
+#include "core/scene/json_format.h"
 #include "core/scene/resolve.h"
 #include "core/srgb.h"
 #include "core/terrain/terrain.h"
@@ -30,59 +32,115 @@ std::string identity_of(const std::string& file) {
   return file + " " + std::to_string(size) + " " + std::to_string(time);
 }
 
-foreign::Picture picture_for(const std::string& file, const std::string& key) {
+constexpr int kMostMapPixels = 16384;  // across a whole planet
+
+// `key`: the preset's, for messages. `planet`: a picture twice as wide as high.
+foreign::Picture picture_for(const std::string& file, const std::string& key, bool planet) {
   try {
     foreign::Picture picture = foreign::read_picture(file);
-    const int least = key == "height_map" ? 2 : 1;
+    const int least = key.ends_with("height_map") || planet ? 2 : 1;
+    const int most = planet ? kMostMapPixels : kMostPixels;
     if (picture.deep) {
       throw InputError(file + ": is a deep picture; expected a flat one");
     }
-    if (std::min(picture.width, picture.height) < least || std::max(picture.width, picture.height) > kMostPixels) {
+    if (std::min(picture.width, picture.height) < least || std::max(picture.width, picture.height) > most) {
       throw InputError(file + ": is " + std::to_string(picture.width) + "x" + std::to_string(picture.height) +
-                       "; expected " + std::to_string(least) + " to " + std::to_string(kMostPixels) +
+                       "; expected " + std::to_string(least) + " to " + std::to_string(most) +
                        " pixels a side: resize it");
+    }
+    if (planet && picture.width != 2 * picture.height) {
+      throw InputError(file + ": is " + std::to_string(picture.width) + "x" + std::to_string(picture.height) +
+                       "; expected twice as wide as high, the whole planet equirectangular: resize it");
     }
     return picture;
   } catch (const InputError& error) {
-    throw InputError("/planet/terrain/" + key + ": " + error.what());
+    throw InputError(key + ": " + error.what());
   }
 }
 
 void require_finite(const std::vector<float>& values, const std::string& file, const std::string& key) {
   const auto bad = std::count_if(values.begin(), values.end(), [](float x) { return !std::isfinite(x); });
   if (bad > 0) {
-    throw InputError("/planet/terrain/" + key + ": " + file + ": " + std::to_string(bad) +
+    throw InputError(key + ": " + file + ": " + std::to_string(bad) +
                      " values are not finite; expected a height or a reflectance everywhere: fill the holes");
   }
 }
 
+void require_reflectances(const std::vector<float>& values, const std::string& file, const std::string& key) {
+  require_finite(values, file, key);
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  const float bad = *least < 0.0F ? *least : *most;
+  if (bad < 0.0F || bad > 1.0F) {
+    throw InputError(key + ": " + file + ": holds the value " + format_number(static_cast<double>(bad)) +
+                     "; expected 0 to 1, what part of the light is sent back: scale the picture");
+  }
+}
+
 void read_heights(TerrainFiles& files, const std::string& file) {
-  const foreign::Picture picture = picture_for(file, "height_map");
+  const std::string key = "/planet/terrain/height_map";
+  const foreign::Picture picture = picture_for(file, key, false);
   files.columns = picture.width;
   files.rows = picture.height;
   files.heights = picture.channels.front().values;
-  require_finite(files.heights, file, "height_map");
+  require_finite(files.heights, file, key);
   // Heights are no light: what was taken for sRGB by the file's format is taken back.
   if (picture.srgb) {
     std::transform(files.heights.begin(), files.heights.end(), files.heights.begin(), srgb_encoded<float>);
   }
 }
 
-void read_colours(TerrainFiles& files, const std::string& file) {
-  const foreign::Picture picture = picture_for(file, "albedo_map");
-  files.colour_columns = picture.width;
-  files.colour_rows = picture.height;
+// R, G and B of each pixel, or the first channel for all three.
+std::vector<float> colours_of(const foreign::Picture& picture) {
   const foreign::Channel* red = picture.find("R");
   const foreign::Channel* green = picture.find("G");
   const foreign::Channel* blue = picture.find("B");
   const foreign::Channel* grey = &picture.channels.front();
   const bool coloured = red != nullptr && green != nullptr && blue != nullptr;
+  std::vector<float> colours;
+  colours.reserve(3 * grey->values.size());
   for (std::size_t i = 0; i < grey->values.size(); ++i) {
     for (const foreign::Channel* channel : {red, green, blue}) {
-      files.colours.push_back(coloured ? channel->values[i] : grey->values[i]);
+      colours.push_back(coloured ? channel->values[i] : grey->values[i]);
     }
   }
-  require_finite(files.colours, file, "albedo_map");
+  return colours;
+}
+
+void read_colours(TerrainFiles& files, const std::string& file) {
+  const std::string key = "/planet/terrain/albedo_map";
+  const foreign::Picture picture = picture_for(file, key, false);
+  files.colour_columns = picture.width;
+  files.colour_rows = picture.height;
+  files.colours = colours_of(picture);
+  require_finite(files.colours, file, key);
+}
+
+void read_planet(GroundFiles& files, const std::string& file) {
+  const std::string key = "/planet/albedo_map";
+  const foreign::Picture picture = picture_for(file, key, true);
+  files.colour_rows = picture.height;
+  files.colours = colours_of(picture);
+  require_reflectances(files.colours, file, key);
+}
+
+void read_water(GroundFiles& files, const std::string& file) {
+  const std::string key = "/planet/ocean/mask_map";
+  const foreign::Picture picture = picture_for(file, key, true);
+  files.water_rows = picture.height;
+  files.water = picture.channels.front().values;
+  require_reflectances(files.water, file, key);
+  if (picture.srgb) {
+    std::transform(files.water.begin(), files.water.end(), files.water.begin(), encoded);
+  }
+}
+
+// What identity says of these files, in their order.
+std::string identities_of(std::initializer_list<std::string> files) {
+  std::string identity;
+  for (const std::string& file : files) {
+    identity += file.empty() ? " none" : " " + identity_of(file);
+  }
+  return identity;
 }
 
 // The last one read is kept: the frames of a sequence share it.
@@ -92,10 +150,7 @@ std::shared_ptr<const TerrainFiles> files_of(const Terrain& terrain) {
   if (terrain.height_map.empty() && terrain.albedo_map.empty()) {
     return nullptr;
   }
-  std::string identity;
-  for (const std::string& file : {terrain.height_map, terrain.albedo_map}) {
-    identity += file.empty() ? " none" : " " + identity_of(file);
-  }
+  const std::string identity = identities_of({terrain.height_map, terrain.albedo_map});
   const std::lock_guard lock(mutex);
   if (last == nullptr || last->identity != identity) {
     auto files = std::make_shared<TerrainFiles>();
@@ -111,17 +166,47 @@ std::shared_ptr<const TerrainFiles> files_of(const Terrain& terrain) {
   return last;
 }
 
+// Likewise.
+std::shared_ptr<const GroundFiles> files_of(const GroundMap& ground) {
+  static std::mutex mutex;
+  static std::shared_ptr<const GroundFiles> last;
+  const std::string mask = ground.ocean ? ground.ocean->mask_map : std::string();
+  if (ground.albedo_map.empty() && mask.empty()) {
+    return nullptr;
+  }
+  const std::string identity = identities_of({ground.albedo_map, mask});
+  const std::lock_guard lock(mutex);
+  if (last == nullptr || last->identity != identity) {
+    auto files = std::make_shared<GroundFiles>();
+    files->identity = identity;
+    if (!ground.albedo_map.empty()) {
+      read_planet(*files, ground.albedo_map);
+    }
+    if (!mask.empty()) {
+      read_water(*files, mask);
+    }
+    last = files;
+  }
+  return last;
+}
+
 }  // namespace
 
 Scene judged(const Preset& preset) {
   Scene scene = resolve(preset, method_infos());
-  if (scene.terrain) {
-    try {
+  try {
+    if (scene.terrain) {
       scene.terrain->files = files_of(*scene.terrain);
       terrain_of(scene);
-    } catch (const InputError& error) {
-      throw InputError(preset.source + ": " + error.what());
     }
+    if (scene.ground) {
+      scene.ground->files = files_of(*scene.ground);
+      if (scene.ground->files && !scene.ground->files->colours.empty()) {
+        scene.planet.ground_albedo = mean_albedo(*scene.ground->files);
+      }
+    }
+  } catch (const InputError& error) {
+    throw InputError(preset.source + ": " + error.what());
   }
   return scene;
 }

@@ -81,7 +81,7 @@ std::optional<double> default_error(const Scene& scene) {
   constexpr double kLowestSun = -4.0 * kDegree;  // below it 5.6 % was seen over bright ground
   const std::optional<double> wavelengths = wavelengths_error(scene);
   const std::optional<double> plain = plain_reference_error(scene);
-  if (scene.terrain || !scene.spheres.empty() || scene.sun.elevation < kLowestSun ||
+  if (scene.terrain || scene.ground || !scene.spheres.empty() || scene.sun.elevation < kLowestSun ||
       !dusk_is_resolved(scene.planet, 14.0) || is_beside_the_top(scene) || !wavelengths || !plain) {
     return std::nullopt;
   }

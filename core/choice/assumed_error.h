@@ -17,7 +17,7 @@ double common_error(const Scene& scene);
 std::optional<double> plain_reference_error(const Scene& scene);
 
 // Of the method's defaults: down to a sun of -4 degrees, over planets whose dusk is about as wide as Earth's, from
-// places that the picture's table knows well, without terrain and spheres. What a scene's wavelengths err is in it.
+// places that the picture's table knows well, without terrain, spheres and a ground by maps. What a scene's wavelengths err is in it.
 std::optional<double> default_error(const Scene& scene);
 
 // Of the method with air cut into shells where it would do without, whose harmonics go to degree 8: by day, in haze of

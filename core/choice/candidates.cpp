@@ -99,7 +99,8 @@ std::vector<Candidate> candidates(const Scene& scene, double tolerance, const st
   for (const SkyMethod& method : methods()) {
     const bool wanted = only.empty() || method.info.name == only;
     const bool draws = method.add_passes != nullptr && (!scene.terrain || method.info.knows_terrain) &&
-                       (scene.spheres.empty() || method.info.knows_spheres);
+                       (scene.spheres.empty() || method.info.knows_spheres) &&
+                       (!scene.ground || method.info.knows_ground_maps);
     if (!wanted || !draws || !claims(method.validity, scene, depths.extinction)) {
       continue;
     }

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "core/methods/ground_pass.h"
 #include "core/methods/march_passes.h"
 #include "core/methods/marched_picture.h"
 #include "core/methods/methods.h"
@@ -25,7 +26,10 @@ const std::array<ParameterInfo, 9> kParameters{steps_parameter(32),
 SkyPasses add_march(Plan& plan, const Scene& scene, const Air& air, const View& view) {
   const SkyTarget target = add_sky_target(plan, scene, view);
   const MarchTables tables = add_march_tables(plan, scene, air);
+  begin_black_ground(plan, scene, view);
   add_march_pass(plan, scene, air, tables, target);
+  end_black_ground(plan, scene);
+  add_march_ground(plan, scene, air, tables, target);
   return {target.radiance, tables.list()};
 }
 
@@ -62,6 +66,7 @@ std::vector<Quality> keys_of_the_ladder() {
 SkyMethod march_method() {
   SkyMethod method;
   method.info = {"march", "view march on transmittance and isotropic multiple-scattering tables [H20]", kParameters};
+  method.info.knows_ground_maps = true;
   method.validity.leaves_out = "the direction of light scattered more than once";
   method.sweep = {with_steps("4", 4),
                   with_tables("8, small tables", 8, {64, 16}, {8, 8}),

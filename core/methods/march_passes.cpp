@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/luts/luts.h"
+#include "core/methods/ground_pass.h"
 #include "core/methods/marched_picture.h"
 
 namespace airlight {
@@ -164,6 +165,9 @@ std::vector<std::string> march_left_out(const Scene& scene, const Plan&) {
 }
 
 std::string march_layers_refusal(const Scene& scene) {
+  if (scene.ground) {
+    return ground_layers_refusal(scene);
+  }
   const std::array<std::pair<const char*, std::vector<std::string>>, 3> known{
       {{"step_distribution", {"quadratic", "uniform"}}, {"jitter", {"none"}}, {"resolution", {"full"}}}};
   for (const auto& [key, values] : known) {
@@ -214,6 +218,15 @@ void add_march_pass(Plan& plan, const Scene& scene, const Air& air, const MarchT
                        .specialization = std::move(constants),
                        .cost = march_cost(scene)},
                       target);
+}
+
+void add_march_ground(Plan& plan, const Scene& scene, const Air& air, const MarchTables& tables,
+                      const SkyTarget& target) {
+  add_ground_map(plan, scene, target,
+                 {.transmittance = tables.transmittance,
+                  .irradiance = tables.ground_irradiance,
+                  .sky = tables.reflects,
+                  .constants = sunlight_specialization(plan, air, tables.transmittance)});
 }
 
 LayerPasses add_march_layers(Plan& plan, const Scene& scene, const Air& air, const View& view,

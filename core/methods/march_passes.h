@@ -59,6 +59,10 @@ std::vector<Binding> march_reads(const MarchTables& tables);
 // The pass that marches every pixel or listed direction.
 void add_march_pass(Plan& plan, const Scene& scene, const Air& air, const MarchTables& tables, const SkyTarget& target);
 
+// The ground by its maps, over a picture of these tables whose ground is black; nothing where the scene has none.
+void add_march_ground(Plan& plan, const Scene& scene, const Air& air, const MarchTables& tables,
+                      const SkyTarget& target);
+
 // The pass of the same march that keeps its light apart.
 LayerPasses add_march_layers(Plan& plan, const Scene& scene, const Air& air, const View& view,
                              const MarchTables& tables);

@@ -13,6 +13,7 @@
 #include "core/luts/luts.h"
 #include "core/luts/moments.h"
 #include "core/methods/factor_text.h"
+#include "core/methods/ground_pass.h"
 #include "core/methods/march_passes.h"
 #include "core/methods/methods.h"
 #include "core/methods/scene_air.h"
@@ -396,10 +397,27 @@ void add_sphere_sky(Plan& plan, const Scene& scene, const SkyTarget& target, con
                  .cost = 3.0 * ray_cost(light.steps)});
 }
 
+// The ground by its maps, over a picture whose ground is black.
+void add_ground(Plan& plan, const Scene& scene, const Air& air, const SkyTarget& target, const Light& light) {
+  if (!scene.ground) {
+    return;
+  }
+  GroundLight lit;
+  lit.transmittance = light.transmittance;
+  const MomentSettings settings = settings_of(scene, air);
+  std::vector<Specialization> constants = medium_specialization(air);
+  add_moment_constants(constants, settings);
+  lit.irradiance = add_moment_irradiance(plan, light.moments, constants);
+  lit.constants = sunlight_specialization(plan, air, light.transmittance);
+  add_moment_constants(lit.constants, settings);
+  add_ground_map(plan, scene, target, std::move(lit));
+}
+
 SkyPasses add_orders(Plan& plan, const Scene& scene, const Air& air, const View& view) {
   const SkyTarget target = add_sky_target(plan, scene, view);
   Light light = add_light(plan, scene, air);
   std::vector<ImageId> more = light.more();
+  begin_black_ground(plan, scene, view);
   if (scene.terrain) {
     add_terrain_sky(plan, scene, target, light);
   } else if (!scene.spheres.empty()) {
@@ -419,6 +437,8 @@ SkyPasses add_orders(Plan& plan, const Scene& scene, const Air& air, const View&
                    .specialization = light.constants,
                    .cost = ray_cost(light.steps)});
   }
+  end_black_ground(plan, scene);
+  add_ground(plan, scene, air, target, light);
   return {target.radiance, {light.transmittance}, std::move(more)};
 }
 
@@ -572,7 +592,11 @@ SkyMethod orders_method() {
   method.info = {"orders", "successive orders of scattering as spherical-harmonic moments; near truth", kParameters};
   method.info.knows_terrain = true;
   method.info.knows_spheres = true;
+  method.info.knows_ground_maps = true;
   method.layers_refusal = [](const Scene& scene) {
+    if (scene.ground) {
+      return ground_layers_refusal(scene);
+    }
     const char* things = scene.terrain ? "planet.terrain" : scene.spheres.empty() ? nullptr : "scene.spheres";
     return things == nullptr ? std::string()
                              : std::string(things) + ": its light is not kept apart by layers; remove one of the two";

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/luts/luts.h"
+#include "core/methods/ground_pass.h"
 #include "core/methods/march_passes.h"
 #include "core/methods/methods.h"
 
@@ -133,6 +134,7 @@ SkyPasses add_sky_view(Plan& plan, const Scene& scene, const Air& air, const Vie
   const SkyTarget target = add_sky_target(plan, scene, view);
   const MarchTables tables = add_march_tables(plan, scene, air);
   std::vector<ImageId> list = tables.list();
+  begin_black_ground(plan, scene, view);
   if (scene.camera.altitude >= scene.planet.atmosphere_height) {
     add_march_pass(plan, scene, air, tables, target);
   } else {
@@ -140,6 +142,8 @@ SkyPasses add_sky_view(Plan& plan, const Scene& scene, const Air& air, const Vie
     add_fetch_pass(plan, scene, air, view, tables, sky_view, target);
     list.push_back(sky_view);
   }
+  end_black_ground(plan, scene);
+  add_march_ground(plan, scene, air, tables, target);
   return {target.radiance, list};
 }
 
@@ -196,6 +200,7 @@ Quality with_table(std::string_view label, TableSize size, int steps) {
 SkyMethod sky_view_method() {
   SkyMethod method;
   method.info = {"sky-view", "a table of what the camera sees, one fetch a pixel [H20]", kParameters};
+  method.info.knows_ground_maps = true;
   method.validity.leaves_out =
       "the direction of light scattered more than once, and detail finer than its table (an aureole sharper than g = "
       "0.9)";

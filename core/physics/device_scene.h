@@ -16,5 +16,6 @@ struct vec3 {
 #include "shaders/shared/scene.h"
 #include "shaders/shared/spheres.h"
 #include "shaders/shared/terrain.h"
+#include "shaders/shared/ground.h"
 
 }  // namespace airlight::device

@@ -17,6 +17,7 @@ namespace airlight::physics {
 #include "shaders/shared/glare.h"
 #include "shaders/shared/spheres.h"
 #include "shaders/shared/terrain.h"
+#include "shaders/shared/ground.h"
 // clang-format on
 
 // A two-dimensional table with the device's sampling: bilinear between texel centres, clamped at the edges.
@@ -35,6 +36,13 @@ struct HostTerrain {
   std::vector<float> heights;  // km, row by row from the top, then the maxima of each level
   std::vector<uint> colours;   // square roots of albedo, 10 bits a channel
   std::vector<vec2> shadows;   // empty: no sun has been asked for
+};
+
+// The ground's maps as their buffers have them (core/ground).
+struct HostGround {
+  GroundData head;
+  std::shared_ptr<const std::vector<uint>> albedo;  // square roots, 10 bits a channel, level by level
+  std::shared_ptr<const std::vector<uint>> water;   // shares, 8 bits each, likewise
 };
 
 struct Physics {
@@ -56,6 +64,7 @@ struct Physics {
   std::vector<GlarePoint> glare_points;             // the sum of the points first
   std::shared_ptr<const HostTerrain> terrain_maps;  // null: no terrain
   std::vector<SphereData> spheres;
+  std::shared_ptr<const HostGround> ground_maps;  // null: one albedo
 
   uint medium_count() const { return media; }
   uint density_profile(uint i) const { return (density_profiles >> (kBitsPerMedium * i)) & 15u; }
@@ -110,6 +119,20 @@ struct Physics {
     return root * root;
   }
 #include "shaders/physics/terrain.glsl"
+  const GroundShape& ground_shape() const { return ground_maps->head.shape; }
+  uint ground_albedo_first(uint level) const { return ground_maps->head.albedo_first[level]; }
+  uint ground_water_first(uint level) const { return ground_maps->head.water_first[level]; }
+  real ground_glint_share(uint i) const { return ground_maps->head.glint_share[i]; }
+  vec3 ground_albedo_texel(uint k) const {
+    const uint bits = (*ground_maps->albedo)[k];
+    const vec3 root = vec3(bits & 1023U, (bits >> 10U) & 1023U, bits >> 20U) / 1023.0;
+    return root * root;
+  }
+  real ground_water_texel(uint k) const {
+    return (((*ground_maps->water)[k >> 2U] >> (8U * (k & 3U))) & 255U) / 255.0;
+  }
+#include "shaders/physics/ocean_glint.glsl"
+#include "shaders/physics/ground_map.glsl"
   uint sphere_count() const { return static_cast<uint>(spheres.size()); }
   const SphereData& sphere(uint i) const { return spheres[i]; }
 #include "shaders/physics/spheres.glsl"
@@ -148,6 +171,8 @@ struct Physics {
 #include "shaders/physics/irradiance.glsl"
 #include "shaders/physics/moments.glsl"
 #include "shaders/physics/orders.glsl"
+#include "shaders/physics/ground_view.glsl"
+#include "shaders/physics/ground_extinction.glsl"
 #include "shaders/physics/order_tail.glsl"
 #include "shaders/physics/sky_factors.glsl"
 #include "shaders/physics/shells.glsl"

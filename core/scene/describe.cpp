@@ -142,6 +142,19 @@ void describe_terrain(Lines& lines, const Terrain& terrain) {
   }
 }
 
+void describe_ground(Lines& lines, const GroundMap& ground, const Camera& camera) {
+  if (!ground.albedo_map.empty()) {
+    lines.line("albedo map", ground.albedo_map);
+  }
+  if (ground.ocean) {
+    lines.number("wind over the ocean", ground.ocean->wind, "m/s");
+    if (!ground.ocean->mask_map.empty()) {
+      lines.line("map of water", ground.ocean->mask_map);
+    }
+  }
+  lines.angle("camera's latitude", camera.latitude).angle("camera's longitude", camera.longitude);
+}
+
 void describe_sphere(Lines& lines, const Sphere& sphere, const Curve* albedo) {
   constexpr double kMetres = 1e3;  // a km
   lines.heading("sphere, " + std::string(kMaterialNames.at(static_cast<std::size_t>(sphere.material))))
@@ -197,6 +210,9 @@ std::string describe(const Scene& scene) {
     lines.line("ground albedo", curve_text(scene.spectra->ground_albedo));
   } else {
     lines.spectrum("ground albedo", scene.planet.ground_albedo);
+  }
+  if (scene.ground) {
+    describe_ground(lines, *scene.ground, scene.camera);
   }
   if (scene.terrain) {
     describe_terrain(lines, *scene.terrain);

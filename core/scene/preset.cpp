@@ -159,26 +159,27 @@ void merge_object(PresetValue& base, PresetValue&& over) {
   }
 }
 
+// The object under a key of an object; null where there is none.
+PresetObject* object_in(PresetObject* object, std::string_view key) {
+  const auto found = object == nullptr ? PresetObject::iterator() : object->find(key);
+  return object == nullptr || found == object->end() ? nullptr : std::get_if<PresetObject>(&found->second.data);
+}
+
+void find_file(PresetObject* object, std::string_view key, const fs::path& folder) {
+  const auto found = object == nullptr ? PresetObject::iterator() : object->find(key);
+  auto* name = object == nullptr || found == object->end() ? nullptr : std::get_if<std::string>(&found->second.data);
+  if (name != nullptr && !name->empty()) {
+    *name = (folder / *name).lexically_normal().string();
+  }
+}
+
 // Names of files in a preset are relative to its own folder, wherever the program runs.
 void find_files(PresetValue& root, const fs::path& folder) {
-  PresetValue* at = &root;
-  for (const char* key : {"planet", "terrain"}) {
-    auto* object = std::get_if<PresetObject>(&at->data);
-    const auto found = object == nullptr ? PresetObject::iterator() : object->find(key);
-    if (object == nullptr || found == object->end()) {
-      return;
-    }
-    at = &found->second;
-  }
-  if (auto* terrain = std::get_if<PresetObject>(&at->data)) {
-    for (const char* key : {"height_map", "albedo_map"}) {
-      const auto found = terrain->find(key);
-      auto* name = found == terrain->end() ? nullptr : std::get_if<std::string>(&found->second.data);
-      if (name != nullptr && !name->empty()) {
-        *name = (folder / *name).lexically_normal().string();
-      }
-    }
-  }
+  PresetObject* planet = object_in(std::get_if<PresetObject>(&root.data), "planet");
+  find_file(planet, "albedo_map", folder);
+  find_file(object_in(planet, "ocean"), "mask_map", folder);
+  find_file(object_in(planet, "terrain"), "height_map", folder);
+  find_file(object_in(planet, "terrain"), "albedo_map", folder);
 }
 
 // The file of a chain that `root` builds on. Takes the key out when it is one; a wrong type is resolve()'s to refuse.

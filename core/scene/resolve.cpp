@@ -10,6 +10,7 @@
 #include "core/scene/angle.h"
 #include "core/scene/curve_reader.h"
 #include "core/scene/density_column.h"
+#include "core/scene/ground_reader.h"
 #include "core/scene/json_format.h"
 #include "core/scene/json_text.h"
 #include "core/scene/key_frame_reader.h"
@@ -227,6 +228,8 @@ Camera read_camera(const Section& root) {
   section.refuse_unknown_keys();
   Camera camera;
   camera.altitude = section.number("altitude_km");
+  camera.latitude = radians_from_degrees(section.number("latitude_deg"));
+  camera.longitude = radians_from_degrees(section.number("longitude_deg"));
   camera.azimuth = radians_from_degrees(section.number("azimuth_deg"));
   camera.pitch = radians_from_degrees(section.number("pitch_deg"));
   camera.roll = radians_from_degrees(section.number("roll_deg"));
@@ -448,6 +451,27 @@ void refuse_terrain_beside(const Section& root, const Scene& scene, bool curves,
   }
 }
 
+// What a ground by maps does not go with: a method that knows none, curves over the wavelength, terrain, spheres.
+void refuse_ground_map_beside(const Section& root, const Scene& scene, bool curves,
+                              std::span<const MethodInfo> methods) {
+  const Section planet = root.child("planet");
+  const char* key = planet.find("albedo_map") != nullptr ? "albedo_map" : "ocean";
+  const auto complain = [&](const std::string& what) { planet.complain(key, *planet.find(key), what); };
+  if (curves) {
+    complain(
+        "is lit in three channels alone, and this preset has curves over the wavelength; give media, ground and sun by "
+        "three channels, or remove it");
+  }
+  if (const std::string names = who_knows(scene, &MethodInfo::knows_ground_maps, methods); !names.empty()) {
+    complain("the method " + json_string(scene.render.method) + " knows one albedo alone; choose " + names +
+             " with render.method or --method, or remove it");
+  }
+  if (scene.terrain || !scene.spheres.empty()) {
+    complain(std::string("there ") + (scene.terrain ? "is planet.terrain" : "are scene.spheres") +
+             " beside it, and neither would see the other; remove one of the two");
+  }
+}
+
 // Everything but the key frames.
 Scene read_scene(const Section& root, std::span<const MethodInfo> methods) {
   check_root(root);
@@ -458,6 +482,7 @@ Scene read_scene(const Section& root, std::span<const MethodInfo> methods) {
   SceneSpectra spectra;
   scene.planet = read_planet(root, curves, spectra);
   scene.terrain = read_terrain(root, scene.planet);
+  scene.ground = read_ground_map(root);
   scene.spheres = read_spheres(root, curves, spectra.spheres);
   scene.media = read_media(root, scene.planet, curves, spectra);
   scene.sun = read_sun(root, curves, spectra);
@@ -472,6 +497,9 @@ Scene read_scene(const Section& root, std::span<const MethodInfo> methods) {
   }
   if (scene.terrain) {
     refuse_terrain_beside(root, scene, curves.any(), methods);
+  }
+  if (scene.ground) {
+    refuse_ground_map_beside(root, scene, curves.any(), methods);
   }
   if (!scene.spheres.empty()) {
     refuse_spheres_beside(root, scene, methods);

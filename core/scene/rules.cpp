@@ -18,6 +18,7 @@ constexpr Range kIrradiance{.minimum = 0.0, .maximum = 1e9};
 constexpr Range kTerrainWidth{.minimum = 1e-3, .maximum = 2000.0};
 constexpr Range kTerrainHeight{.minimum = 1e-3, .maximum = 100.0};
 constexpr Range kMapHeight{.minimum = -100.0, .maximum = 100.0};
+constexpr Range kWind{.minimum = 0.0, .maximum = 20.0};
 constexpr Range kSphereDistance{.minimum = 1e-3, .maximum = 1e7};
 constexpr Range kSphereRadius{.minimum = 1e-4, .maximum = 1e6};
 constexpr Range kUnit{.minimum = 0.0, .maximum = 1.0};
@@ -69,6 +70,25 @@ constexpr auto kRules = std::to_array<Rule>({
      .range = kUnit,
      .default_text = "0",
      .meaning = "Lambertian reflectance of the ground"},
+
+    {.key = "planet.albedo_map",
+     .type = RuleType::text,
+     .meaning =
+         "a picture of reflectances over the whole planet, by a path relative to this file: any that OpenImageIO "
+         "reads, equirectangular, twice as wide as high, north up, longitude 0 in its middle; linear, or sRGB where "
+         "the file says so. It takes the place of `ground_albedo`; the camera is over `camera.latitude_deg` and "
+         "`camera.longitude_deg`. Not with curves over the wavelength, terrain or spheres"},
+    {.key = "planet.ocean.wind_m_per_s",
+     .range = kWind,
+     .unit = "m/s",
+     .default_text = "5",
+     .meaning =
+         "at 12.5 m above an ocean, whose waves mirror the sun: the more wind the wider the glint; measured from "
+         "1 to 14"},
+    {.key = "planet.ocean.mask_map",
+     .type = RuleType::text,
+     .meaning = "a picture like `albedo_map`, its first channel: white is water, black is land; absent: all of the "
+                "planet is water"},
 
     {.key = "planet.terrain.height_map",
      .type = RuleType::text,
@@ -277,6 +297,16 @@ constexpr auto kRules = std::to_array<Rule>({
      .default_text = "0.001",
      .meaning = "above the ground; above the atmosphere is allowed",
      .hint = "below 0 the camera is inside the planet"},
+    {.key = "camera.latitude_deg",
+     .range = kRightAngle,
+     .unit = "degrees",
+     .default_text = "0",
+     .meaning = "of the place that the camera is over, north positive: where it is on `planet.albedo_map`"},
+    {.key = "camera.longitude_deg",
+     .range = kAnyAngle,
+     .unit = "degrees",
+     .default_text = "0",
+     .meaning = "likewise, east positive"},
     {.key = "camera.azimuth_deg",
      .range = kAnyAngle,
      .unit = "degrees",

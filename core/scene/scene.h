@@ -98,6 +98,30 @@ struct Terrain {
   std::shared_ptr<const TerrainFiles> files;
 };
 
+// The wind-blown water of a planet.
+struct Ocean {
+  double wind = 5.0;     // m/s
+  std::string mask_map;  // file name, absolute; empty: all of the planet is water
+  bool operator==(const Ocean&) const = default;
+};
+
+// What the files of a ground hold, pictures twice as wide as high over the whole planet, rows from the north pole;
+// read where they are named, as a terrain's.
+struct GroundFiles {
+  std::string identity;  // of the files as they were read
+  int colour_rows = 0;
+  std::vector<float> colours;  // linear R, G, B; empty: one albedo
+  int water_rows = 0;
+  std::vector<float> water;  // share of water; empty: all of it, or none without an ocean
+};
+
+// A ground that is more than one albedo.
+struct GroundMap {
+  std::string albedo_map;  // file name, absolute; empty: the planet's one albedo
+  std::optional<Ocean> ocean;
+  std::shared_ptr<const GroundFiles> files;
+};
+
 // A ball before the sky.
 struct Sphere {
   double azimuth = 0.0;    // rad, of its centre as the camera sees it, clockwise from north
@@ -133,6 +157,8 @@ struct Camera {
   Projection projection = Projection::perspective;
   double vertical_fov = 0.0;  // rad; of perspective and fisheye
   CubeLayout cube_layout = CubeLayout::stack;
+  double latitude = 0.0;   // rad, of the place on the planet that it stands over; north positive
+  double longitude = 0.0;  // rad, east positive
 };
 
 // The whole sphere, upright: pitch and roll are 0 and there is no field of view.
@@ -225,6 +251,7 @@ struct Scene {
   std::string description;
   Planet planet;
   std::optional<Terrain> terrain;
+  std::optional<GroundMap> ground;  // with a map of albedo its mean is in planet.ground_albedo
   std::vector<Sphere> spheres;
   std::vector<Medium> media;
   Sun sun;

@@ -185,11 +185,26 @@ std::string spheres_json(const Scene& scene) {
   return JsonObject(2).add("spheres", "[" + text + JsonObject::indent(2) + "]").str();
 }
 
+std::string ocean_json(const Ocean& ocean) {
+  JsonObject object(3);
+  object.number("wind_m_per_s", ocean.wind);
+  if (!ocean.mask_map.empty()) {
+    object.text("mask_map", ocean.mask_map);
+  }
+  return object.str();
+}
+
 std::string planet_json(const Scene& scene) {
   JsonObject object(2);
   object.number("radius_km", scene.planet.ground_radius)
       .number("atmosphere_height_km", scene.planet.atmosphere_height)
       .spectrum("ground_albedo", scene.planet.ground_albedo, scene.spectra ? &scene.spectra->ground_albedo : nullptr);
+  if (scene.ground && !scene.ground->albedo_map.empty()) {
+    object.text("albedo_map", scene.ground->albedo_map);
+  }
+  if (scene.ground && scene.ground->ocean) {
+    object.add("ocean", ocean_json(*scene.ground->ocean));
+  }
   if (scene.terrain) {
     object.add("terrain", terrain_json(*scene.terrain));
   }
@@ -221,8 +236,11 @@ std::string sun_json(const Scene& scene) {
 
 std::string camera_json(const Camera& camera) {
   JsonObject object(2);
-  object.number("altitude_km", camera.altitude)
-      .degrees("azimuth_deg", camera.azimuth)
+  object.number("altitude_km", camera.altitude);
+  if (camera.latitude != 0.0 || camera.longitude != 0.0) {
+    object.degrees("latitude_deg", camera.latitude).degrees("longitude_deg", camera.longitude);
+  }
+  object.degrees("azimuth_deg", camera.azimuth)
       .degrees("pitch_deg", camera.pitch)
       .degrees("roll_deg", camera.roll)
       .text("projection", name_of(camera.projection, kProjectionNames));

@@ -56,16 +56,22 @@ double within(Random& random, Range range, double middle) {
   return std::clamp(value, range.minimum, range.maximum);
 }
 
+// What stands on the planet beside its air: one of them, as none goes with another.
+enum class Things { none, spheres, terrain, ground_maps };
+
 class Writer {
  public:
   explicit Writer(Random& random) : random_(random) {}
 
   std::string preset() {
-    const SkyMethod& method = random_.pick(methods());
+    const Things things = any_things();
+    const SkyMethod& method = any_method(things);
     std::string text = "{\"airlight\": 1, \"name\": \"any\"";
     for (const std::string_view section : {"planet", "sun", "camera", "bloom", "display"}) {
-      text += ", " + quoted(section) + ": " + object(section);
+      const std::string own = object(section);
+      text += ", " + quoted(section) + ": " + (section == "planet" ? planet(own, things) : own);
     }
+    text += things == Things::spheres ? ", \"scene\": {\"spheres\": [" + spheres() + "]}" : "";
     const bool square = projection_ == "octahedral";
     const int side = 1 + static_cast<int>(random_.below(9));
     const int columns = projection_ == "cube" ? side * cube_cells_[0] : side;
@@ -168,6 +174,66 @@ class Writer {
       text += std::string(text.empty() ? "" : ", ") + "\"disc\": " + object("sun.disc");
     }
     return "{" + text + "}";
+  }
+
+  Things any_things() {
+    const double kind = random_.uniform(0.0, 1.0);
+    return kind < 0.12   ? Things::spheres
+           : kind < 0.24 ? Things::terrain
+           : kind < 0.4  ? Things::ground_maps
+                         : Things::none;
+  }
+
+  // One that knows them.
+  const SkyMethod& any_method(Things things) {
+    for (;;) {
+      const SkyMethod& method = random_.pick(methods());
+      const MethodInfo& info = method.info;
+      if (things == Things::none || (things == Things::spheres && info.knows_spheres) ||
+          (things == Things::terrain && info.knows_terrain) ||
+          (things == Things::ground_maps && info.knows_ground_maps)) {
+        return method;
+      }
+    }
+  }
+
+  // The planet's own keys with those of its ground. Maps are names alone: who renders the scene fills them.
+  std::string planet(const std::string& own, Things things) {
+    std::string more;
+    if (things == Things::terrain) {
+      const bool map = random_.chance(0.5);
+      const std::string keys = object("planet.terrain");
+      const bool sized = keys.find("width_km") != std::string::npos;
+      more = "\"terrain\": {" + std::string(map ? "\"height_map\": \"heights\"" : "\"ridge\": " + object("planet.terrain.ridge")) +
+             (sized ? "" : ", \"width_km\": 40") + (map && random_.chance(0.5) ? ", \"albedo_map\": \"colours\"" : "") +
+             (keys == "{}" ? "}" : ", " + keys.substr(1));
+    } else if (things == Things::ground_maps) {
+      const bool ocean = random_.chance(0.6);
+      more = !ocean || random_.chance(0.5) ? "\"albedo_map\": \"colours\"" : "";
+      if (ocean) {
+        const std::string keys = object("planet.ocean");
+        const std::string mask = random_.chance(0.5) ? "\"mask_map\": \"water\"" : "";
+        more += std::string(more.empty() ? "" : ", ") + "\"ocean\": {" + mask +
+                (mask.empty() || keys == "{}" ? "" : ", ") + keys.substr(1);
+      }
+    }
+    return more.empty() ? own : own.substr(0, own.size() - 1) + (own == "{}" ? "" : ", ") + more + "}";
+  }
+
+  std::string spheres() {
+    std::string text;
+    for (std::uint64_t count = 1 + random_.below(random_.chance(0.1) ? 16 : 3); count > 0; --count) {
+      const std::string_view material = random_.pick(kMaterialNames);
+      const double distance = random_.log_uniform(1e-3, random_.chance(0.1) ? 1e7 : 100.0);
+      const double radius = distance * (random_.chance(0.1) ? 1.5 : random_.uniform(0.01, 0.9));
+      text += (text.empty() ? "{" : ", {") + std::string("\"azimuth_deg\": ") + format_number(random_.uniform(-60, 60)) +
+              ", \"elevation_deg\": " + format_number(random_.uniform(-30, 30)) +
+              ", \"distance_m\": " + format_number(distance) +
+              ", \"radius_m\": " + format_number(std::clamp(radius, 1e-4, 1e6)) + ", \"material\": " + quoted(material);
+      const bool own = material == "matte" || material == "mirror" || material == "translucent";
+      text += own ? ", \"albedo\": " + format_number(random_.uniform(0.0, 1.0)) + "}" : "}";
+    }
+    return text;
   }
 
   std::string layers(const Rule& rule) {

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <exception>
 #include <fstream>
+#include <memory>
 #include <vector>
 
 #include "core/error.h"
+#include "core/ground/ground.h"
 #include "core/methods/method.h"
 #include "core/output/exr.h"
 #include "core/output/frame_state.h"
@@ -224,6 +226,45 @@ const std::vector<char>& whole_exr(const fs::path& folder) {
   return bytes;
 }
 
+std::vector<float> any_values(Random& random, std::size_t count) {
+  std::vector<float> values(count);
+  std::generate(values.begin(), values.end(), [&] { return static_cast<float>(random.uniform(0.0, 1.0)); });
+  return values;
+}
+
+// What files of the names in the preset might hold.
+void fill_maps(Scene& scene, std::uint64_t seed) {
+  Random random(~seed);
+  if (scene.terrain && (!scene.terrain->height_map.empty() || !scene.terrain->albedo_map.empty())) {
+    auto files = std::make_shared<TerrainFiles>();
+    files->identity = "fuzz " + std::to_string(seed);
+    files->columns = 2 + static_cast<int>(random.below(40));
+    files->rows = 2 + static_cast<int>(random.below(40));
+    if (!scene.terrain->height_map.empty()) {
+      files->heights = any_values(random, static_cast<std::size_t>(files->columns) * static_cast<std::size_t>(files->rows));
+    }
+    if (!scene.terrain->albedo_map.empty()) {
+      files->colour_columns = files->colour_rows = 1 + static_cast<int>(random.below(9));
+      files->colours = any_values(random, 3 * static_cast<std::size_t>(files->colour_columns * files->colour_rows));
+    }
+    scene.terrain->files = files;
+  }
+  if (scene.ground) {
+    auto files = std::make_shared<GroundFiles>();
+    files->identity = "fuzz " + std::to_string(seed);
+    if (!scene.ground->albedo_map.empty()) {
+      files->colour_rows = 1 + static_cast<int>(random.below(30));
+      files->colours = any_values(random, 6 * static_cast<std::size_t>(files->colour_rows * files->colour_rows));
+      scene.planet.ground_albedo = mean_albedo(*files);
+    }
+    if (scene.ground->ocean && !scene.ground->ocean->mask_map.empty()) {
+      files->water_rows = 1 + static_cast<int>(random.below(30));
+      files->water = any_values(random, 2 * static_cast<std::size_t>(files->water_rows * files->water_rows));
+    }
+    scene.ground->files = files;
+  }
+}
+
 Executor& device() {
   static Executor executor{{}};
   return executor;
@@ -303,10 +344,13 @@ Outcome scene_case(std::uint64_t seed) {
   const std::string text = scene_text(seed);
   Outcome outcome = guarded([&]() -> std::string {
     Scene scene = resolve(parse_preset(text, "fuzz", {}), method_infos());
+    fill_maps(scene, seed);
     RenderRequest request;
     request.bloom = true;
     request.gpu_tone = seed % 4 == 0;
-    request.layers = find_method(scene.render.method)->add_layer_passes != nullptr && seed % 5 == 0;
+    const SkyMethod& method = *find_method(scene.render.method);
+    const bool refuses = method.layers_refusal != nullptr && !method.layers_refusal(scene).empty();
+    request.layers = method.add_layer_passes != nullptr && !refuses && seed % 5 == 0;
     request.host.threads = 1;
     return fault_of_picture(render([]() -> Executor& { return device(); }, scene, request));
   });

@@ -65,6 +65,22 @@ TEST(Bloom, BecomesALayerOnlyWhenStated) {
 }
 
 // Every value differs from its default: a key that is not written, or not read, is seen.
+// Beside terrain it is refused.
+TEST(RoundTrip, KeepsAGroundByMaps) {
+  const std::string text = with_one_medium(R"(
+    "planet": {"albedo_map": "/maps/earth.png", "ocean": {"wind_m_per_s": 7.5, "mask_map": "/maps/water.png"}},
+    "camera": {"latitude_deg": 48.5, "longitude_deg": -123.25}, "render": {"method": "orders"})");
+  const Scene scene = resolve(parse_preset(text, "test", {}), method_infos());
+  ASSERT_TRUE(scene.ground && scene.ground->ocean);
+  EXPECT_EQ(scene.ground->albedo_map, "/maps/earth.png");
+  const Scene again = resolve(parse_preset(to_json(scene), "again", {}), method_infos());
+  ASSERT_TRUE(again.ground && again.ground->ocean);
+  EXPECT_EQ(again.ground->albedo_map, scene.ground->albedo_map);
+  EXPECT_EQ(*again.ground->ocean, *scene.ground->ocean);
+  EXPECT_EQ(again.camera.latitude, scene.camera.latitude);
+  EXPECT_EQ(again.camera.longitude, scene.camera.longitude);
+}
+
 TEST(RoundTrip, KeepsEveryValue) {
   const Scene scene = scene_from(R"({
     "airlight": 1, "name": "a \"name\"\n", "description": "é \\ \u0001",

@@ -1,5 +1,6 @@
 #include <cstdio>
 
+#include "core/ground/ground.h"
 #include "core/methods/path_trace/checkpoint.h"
 #include "core/methods/path_trace/walk.h"
 #include "core/methods/spectral_sky.h"
@@ -112,6 +113,10 @@ std::string checkpoint_identity(const Scene& scene, const View& view) {
     add_wavelengths(lines, spectral_scene(scene));
   } else {
     add_matter(lines, "", scene);
+  }
+  if (scene.ground) {
+    lines.add(ground_key(scene) + ", latitude (rad)", scene.camera.latitude);
+    lines.add("longitude (rad)", scene.camera.longitude);
   }
   lines.add("/sun/elevation (rad)", scene.sun.elevation);
   lines.add("/sun/azimuth (rad)", scene.sun.azimuth);

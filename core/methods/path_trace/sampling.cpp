@@ -139,7 +139,7 @@ void Sampling::bring_forward(std::size_t k, std::uint64_t goal, FlightPlan& scra
   }
   std::vector<WalkStart> starts;
   for (const SampledRay& ray : pixel.rays) {
-    starts.push_back(tracer_.start(ray.direction));
+    starts.push_back(tracer_.start(ray.direction, ray.pixel));
   }
   if (!pixel.prepared) {
     for (std::size_t i = 0; i < starts.size(); ++i) {

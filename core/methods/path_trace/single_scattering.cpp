@@ -64,7 +64,28 @@ std::vector<double> SingleScattering::corners(const Ray& ray) const {
   return list;
 }
 
-vec3 SingleScattering::radiance(const Ray& ray) const {
+namespace {
+
+double distance_from_camera(const physics::Physics& physics, vec3 up) {
+  const double r = physics.scene.planet.ground_radius;
+  return length(up * r - vec3(0.0, r + physics.scene.camera.altitude, 0.0));
+}
+
+}  // namespace
+
+vec3 ground_albedo_at(physics::Physics& physics, vec3 up) {
+  return physics.ground_maps ? physics.ground_mean(up, 0.0).albedo : physics.scene.planet.ground_albedo;
+}
+
+vec3 ground_reflects(physics::Physics& physics, vec3 up, vec3 direction, double mu_sun, vec3 beam) {
+  if (physics.ground_maps) {
+    return physics.ground_sends(physics.ground_mean(up, 0.0), up, physics.scene.sun.direction, -direction, beam,
+                                vec3(0.0));
+  }
+  return beam * physics.scene.planet.ground_albedo * (std::max(mu_sun, 0.0) / std::numbers::pi);
+}
+
+vec3 SingleScattering::radiance(const Ray& ray, const Footing& footing) const {
   if (!(ray.length_ >= 0.0)) {
     return vec3(0.0);
   }
@@ -75,10 +96,25 @@ vec3 SingleScattering::radiance(const Ray& ray) const {
   if (ray.at_ground) {
     const physics::PlanetData& planet = physics_.scene.planet;
     const double mu_sun = physics_.point_on_ray(planet, ray, ray.length_).mu_sun;
-    const vec3 arrives = sunlight(0.0, mu_sun) * std::max(mu_sun, 0.0);
-    sum = sum + exp(-depth_.along(ray.h, ray.mu, ray.length_)) * planet.ground_albedo * arrives / std::numbers::pi;
+    sum =
+        sum + exp(-depth_.along(ray.h, ray.mu, ray.length_)) * seen_ground(ray, footing, sunlight(0.0, mu_sun), mu_sun);
   }
   return sum;
+}
+
+// Over the ray's footprint.
+vec3 SingleScattering::seen_ground(const Ray& ray, const Footing& footing, vec3 beam, double mu_sun) const {
+  if (!physics_.ground_maps) {
+    return ground_reflects(physics_, footing.up, footing.direction, mu_sun, beam);
+  }
+  const physics::PlanetData& planet = physics_.scene.planet;
+  physics::Physics::GroundPlace place;
+  place.hit = true;
+  place.up = normalize(footing.up * (planet.ground_radius + ray.h) + footing.direction * ray.length_);
+  place.cosine = std::max(-dot(place.up, footing.direction), 0.0);
+  place.distance_ = footing.pixel > 0.0 ? distance_from_camera(physics_, place.up) : 0.0;
+  const auto ground = physics_.ground_in_pixel(planet, place, footing.direction, footing.pixel);
+  return physics_.ground_sends(ground, place.up, physics_.scene.sun.direction, -footing.direction, beam, vec3(0.0));
 }
 
 // The same at all wavelengths.

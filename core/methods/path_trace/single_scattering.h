@@ -14,13 +14,28 @@ namespace airlight {
 // Of each medium at altitude h.
 Columns densities_at(physics::Physics& physics, double h);
 
+// What a ray ends on, where the ground has maps.
+struct Footing {
+  physics::vec3 up;         // unit, where the ray begins, in the camera's frame
+  physics::vec3 direction;  // unit
+  double pixel = 0.0;       // angle that the ray stands for
+};
+
+// Radiance of the ground at `up` for a beam of the sun of this irradiance on a plane that faces it, sent back along
+// `direction`; by its maps, else by the planet's albedo. Sunlight of irradiance 1 on level ground is `mu_sun`.
+physics::vec3 ground_reflects(physics::Physics& physics, physics::vec3 up, physics::vec3 direction, double mu_sun,
+                              physics::vec3 beam);
+// Its albedo for light from everywhere.
+physics::vec3 ground_albedo_at(physics::Physics& physics, physics::vec3 up);
+
 class SingleScattering {
  public:
   SingleScattering(physics::Physics& physics, const OpticalDepth& depth,
                    std::vector<double> edges);  // altitudes at which the air is not smooth, km
 
   // Radiance for a sun of irradiance 1: scattered once in the air, or reflected once by the ground at the ray's end.
-  physics::vec3 radiance(const physics::Physics::Ray& ray) const;
+  // `footing`: asked for where the ground has maps.
+  physics::vec3 radiance(const physics::Physics::Ray& ray, const Footing& footing = {}) const;
   Wide radiance(const physics::Physics::Ray& ray, const Wavelengths& all) const;
 
   // Rays whose panels ran out before their radiance was known to 1e-6.
@@ -32,6 +47,8 @@ class SingleScattering {
  private:
   struct Integrand;
   struct WideIntegrand;
+  physics::vec3 seen_ground(const physics::Physics::Ray& ray, const Footing& footing, physics::vec3 beam,
+                            double mu_sun) const;
   std::vector<double> corners(const physics::Physics::Ray& ray) const;
 
   physics::Physics& physics_;

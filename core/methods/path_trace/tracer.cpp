@@ -1,14 +1,32 @@
 #include "core/methods/path_trace/tracer.h"
 
+#include <algorithm>
+
 #include "core/air/scene_block.h"
+#include "core/ground/ground.h"
 
 namespace airlight {
 
 using physics::vec3;
 
+namespace {
+
+// Where waves alone send light back, paths still have to go to the ground: what steers them needs an albedo there.
+physics::Physics formulas_with_ground(const Air& air, const Scene& scene) {
+  constexpr double kGlint = 0.05;
+  physics::Physics p = formulas_of(air, scene);
+  p.ground_maps = ground_of(scene);
+  if (scene.ground && scene.ground->ocean) {
+    p.scene.planet.ground_albedo = min(p.scene.planet.ground_albedo + vec3(kGlint), vec3(1.0));
+  }
+  return p;
+}
+
+}  // namespace
+
 PathTracer::PathTracer(const Air& air, const Scene& scene, const Wavelengths* all, std::uint64_t seed, int max_orders,
                        double wall)
-    : physics_(formulas_of(air, scene)),
+    : physics_(formulas_with_ground(air, scene)),
       depth_(physics_),
       flight_(physics_, depth_),
       guide_(physics_, flight_),
@@ -21,7 +39,8 @@ PathTracer::PathTracer(const Air& air, const Scene& scene, const Wavelengths* al
       projection_(projection_code(scene.camera.projection)) {}
 
 vec3 PathTracer::single(const WalkStart& start) const {
-  return all_ != nullptr ? all_->colour(single_.radiance(start.ray, *all_)) : single_.radiance(start.ray);
+  return all_ != nullptr ? all_->colour(single_.radiance(start.ray, *all_))
+                         : single_.radiance(start.ray, {start.up, start.direction, start.pixel});
 }
 
 vec3 PathTracer::batch(const WalkStart& start, std::uint64_t pixel, std::uint64_t batch, FlightPlan& scratch) const {
@@ -53,6 +72,18 @@ vec3 PathTracer::transmittance(const WalkStart& start) const {
   return exp(-depth_.along(start.ray.h, start.ray.mu, start.ray.length_));
 }
 
+// Along its wider side.
+double PathTracer::pixel_angle(int x, int y) const {
+  constexpr double kHalf = 0.49;  // not across the cut of a map
+  const physics::CameraData& camera = physics_.scene.camera;
+  const auto span = [&](double dx, double dy) {
+    const auto a = physics_.view_ray(camera, projection_, x + 0.5 + dx, y + 0.5 + dy).direction;
+    const auto b = physics_.view_ray(camera, projection_, x + 0.5 - dx, y + 0.5 - dy).direction;
+    return length(a - b) / (2.0 * kHalf);
+  };
+  return std::max(span(kHalf, 0.0), span(0.0, kHalf));
+}
+
 std::vector<SampledRay> PathTracer::pixel_rays(int x, int y) const {
   const physics::PlanetData& planet = physics_.scene.planet;
   const physics::CameraData& camera = physics_.scene.camera;
@@ -60,14 +91,15 @@ std::vector<SampledRay> PathTracer::pixel_rays(int x, int y) const {
   if (!view.inside) {
     return {};
   }
+  const double pixel = physics_.ground_maps ? pixel_angle(x, y) : 0.0;
   const auto rays = physics_.pixel_rays(planet, camera, projection_, x + 0.5, y + 0.5, view.direction);
   if (rays.count == 1) {
-    return {{view.direction}};
+    return {{view.direction, 1.0, pixel}};
   }
   std::vector<SampledRay> list;
   for (physics::uint i = 0; i < rays.count; ++i) {
     const auto ray = physics_.ray_of_pixel(rays, i);
-    list.push_back({physics_.pixel_direction(planet, camera, projection_, x + 0.5, y + 0.5, ray), ray.share});
+    list.push_back({physics_.pixel_direction(planet, camera, projection_, x + 0.5, y + 0.5, ray), ray.share, pixel});
   }
   return list;
 }

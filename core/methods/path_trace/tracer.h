@@ -14,6 +14,7 @@ namespace airlight {
 struct SampledRay {
   physics::vec3 direction;
   double share = 1.0;
+  double pixel = 0.0;  // angle that it stands for
 };
 
 class PathTracer {
@@ -25,7 +26,12 @@ class PathTracer {
   PathTracer(const PathTracer&) = delete;
   PathTracer& operator=(const PathTracer&) = delete;
 
-  WalkStart start(physics::vec3 direction) const { return walk_.start(direction, wall_); }
+  // `pixel`: angle that the ray stands for, over which a map of the ground is averaged.
+  WalkStart start(physics::vec3 direction, double pixel = 0.0) const {
+    WalkStart start = walk_.start(direction, wall_);
+    start.pixel = pixel;
+    return start;
+  }
 
   // The first order: exact.
   physics::vec3 single(const WalkStart& start) const;
@@ -52,6 +58,8 @@ class PathTracer {
   std::vector<SampledRay> pixel_rays(int x, int y) const;
 
  private:
+  double pixel_angle(int x, int y) const;
+
   mutable physics::Physics physics_;  // GLSL's functions know no const; none of them writes
   OpticalDepth depth_;
   Flight flight_;

@@ -152,7 +152,7 @@ bool Walk::fly(State& state, const FlightPlan& plan, double u) const {
 vec3 Walk::from_sun(const State& state) const {
   const vec3 arrives = state.carry * single_.sunlight(state.h, state.mu_sun);
   if (state.at_ground) {
-    return arrives * physics_.scene.planet.ground_albedo * (std::max(state.mu_sun, 0.0) / std::numbers::pi);
+    return ground_reflects(physics_, state.up, state.direction, state.mu_sun, arrives);
   }
   const double nu = dot(state.direction, physics_.scene.sun.direction);
   vec3 scattered(0.0);
@@ -187,7 +187,8 @@ class Walk::Lobes {
         frame_(physics, state.h, state.up, state.at_ground) {
     if (state.at_ground) {
       toward_sky_ = guided ? kTowardSkyGround : 0.0;
-      weight_ = channels_of(state.carry * physics.scene.planet.ground_albedo);
+      albedo_ = ground_albedo_at(physics, state.up);
+      weight_ = channels_of(state.carry * albedo_);
       return;
     }
     vec3 scattering(0.0);
@@ -211,6 +212,9 @@ class Walk::Lobes {
       along_path_[i] *= (1.0 - toward_sun - toward_sky_) / all;
     }
   }
+
+  // A black place of a map.
+  bool send_nothing() const { return weight_[0] + weight_[1] + weight_[2] <= 0.0; }
 
   vec3 draw_direction(double u, double turn, Random& random) const {
     if (state_.at_ground) {
@@ -243,7 +247,7 @@ class Walk::Lobes {
     const double from_sky = toward_sky_ > 0.0 ? guide_.density(frame_, weight_, direction) : 0.0;
     if (state_.at_ground) {
       const double cosine = std::max(dot(direction, state_.up), 0.0) / std::numbers::pi;
-      return {physics_.scene.planet.ground_albedo * cosine, toward_sky_ * from_sky + (1.0 - toward_sky_) * cosine, 1.0};
+      return {albedo_ * cosine, toward_sky_ * from_sky + (1.0 - toward_sky_) * cosine, 1.0};
     }
     const double turned = std::clamp(dot(direction, state_.direction), -1.0, 1.0);
     Choice choice{vec3(0.0), toward_sky_ * from_sky, 0.0};
@@ -265,6 +269,7 @@ class Walk::Lobes {
   const SkyGuide& guide_;
   const State& state_;
   SkyFrame frame_;
+  vec3 albedo_ = vec3(0.0);  // of the ground
   Channels weight_;
   double toward_sky_ = 0.0;
   std::array<double, physics::kMaxMedia> along_path_{};
@@ -275,6 +280,9 @@ class Walk::Lobes {
 // Chooses a direction and plans the flight along it; false where the path ends.
 bool Walk::turn(State& state, bool guided, WalkNumbers& numbers, FlightPlan& plan) const {
   const Lobes lobes(physics_, phases_, guide_, state, guided);
+  if (lobes.send_nothing()) {
+    return false;
+  }
   const double u = numbers.next();
   const vec3 next = lobes.draw_direction(u, numbers.next(), numbers.random());
   const Lobes::Choice choice = lobes.judge(next);

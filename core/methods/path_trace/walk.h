@@ -21,6 +21,7 @@ struct WalkStart {
   physics::vec3 direction;  // unit
   physics::Physics::Ray ray;
   FlightPlan plan;
+  double pixel = 0.0;  // angle that the ray stands for
 };
 
 // The first numbers of a walk, spread evenly over a batch of samples; the rest come from the sample's own stream.

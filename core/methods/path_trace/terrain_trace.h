@@ -1,0 +1,45 @@
+#pragma once
+// Terrain for paths: where any ray meets it, by steps as long as the map's steepest slope allows. It shares the map with
+// the shaders, and neither their track along a heading nor their table of shadows.
+
+#include <memory>
+#include <optional>
+
+#include "core/physics/physics.h"
+#include "core/scene/scene.h"
+
+namespace airlight {
+
+class TracedTerrain {
+ public:
+  TracedTerrain(const Scene& scene, std::shared_ptr<const physics::HostTerrain> maps);
+
+  // Distance to the first meeting along `direction` (unit) from `from`, a place from the planet's centre in the camera's
+  // frame, km; nothing nearer than `limit`.
+  std::optional<double> hit(physics::vec3 from, physics::vec3 direction, double limit) const;
+
+  // Whether it stands between the place and the middle of the sun's disc.
+  bool hides_sun(physics::vec3 from) const { return hit(from, sun_, kFar).has_value(); }
+
+  // Of the terrain under a place.
+  physics::vec3 normal(physics::vec3 place) const;
+  physics::vec3 albedo(physics::vec3 place) const;
+
+ private:
+  static constexpr double kFar = 1e4;  // km
+  struct MapPlace {
+    double column;
+    double row;
+    double beside;  // km from the map along the ground, 0 above it
+  };
+  MapPlace map_place(physics::vec3 place) const;
+  double clearance(physics::vec3 place) const;
+
+  mutable physics::Physics physics_;
+  physics::vec3 sun_;
+  double radius_;   // of the planet
+  double highest_;  // point of the terrain, km
+  double steepest_;  // slope between neighbouring heights
+};
+
+}  // namespace airlight

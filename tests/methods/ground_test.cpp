@@ -1,0 +1,154 @@
+// The planet's ground by maps in pictures: against path-trace, against one albedo, and from far.
+#include "core/ground/ground.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/methods/scene_air.h"
+#include "tests/methods/render_fixture.h"
+
+namespace airlight::test {
+namespace {
+
+template <class F>
+void put_map(Scene& scene, const char* name, int rows, const F& albedo) {
+  auto files = std::make_shared<GroundFiles>();
+  files->identity = name;
+  files->colour_rows = rows;
+  for (int j = 0; j < rows; ++j) {
+    for (int i = 0; i < 2 * rows; ++i) {
+      const Spectrum at = albedo(i, j);
+      for (const double channel : at) {
+        files->colours.push_back(static_cast<float>(channel));
+      }
+    }
+  }
+  scene.ground = GroundMap{.albedo_map = name, .ocean = std::nullopt, .files = files};
+  scene.planet.ground_albedo = mean_albedo(*files);
+}
+
+// Bright land and dark water, tens of degrees wide.
+Scene patched(const char* method) {
+  Scene scene = with_method(earth(), *find_method(method));
+  put_map(scene, "patches", 64, [](int i, int j) {
+    const bool land = std::sin(0.13 * i) * std::cos(0.21 * j) > 0.1;
+    return land ? Spectrum{0.35, 0.3, 0.2} : Spectrum{0.05, 0.07, 0.1};
+  });
+  scene.ground->ocean = Ocean{};
+  auto files = std::make_shared<GroundFiles>(*scene.ground->files);
+  files->water_rows = files->colour_rows;
+  for (std::size_t k = 0; k < files->colours.size(); k += 3) {
+    files->water.push_back(files->colours[k] < 0.1F ? 1.0F : 0.0F);
+  }
+  scene.ground->files = files;
+  scene.sun.elevation = 40.0 * kDegree;
+  scene.camera.latitude = 20.0 * kDegree;
+  scene.camera.longitude = 35.0 * kDegree;
+  return scene;
+}
+
+struct Views {
+  double altitude;
+  double lowest;  // elevation, degrees
+  double highest;
+};
+
+// The mean that lights the air from below is not what lies under it, and the glint's light is not scattered again:
+// that is the bound. path-trace has both.
+TEST(GroundSky, AgreesWithPathTrace) {
+  for (const Views& v : {Views{2.0, -80.0, -4.0}, Views{9000.0, -88.0, -68.0}}) {
+    std::vector<Direction> directions;
+    for (int k = 0; k < 16; ++k) {
+      const double x = (k % 4) / 3.0;
+      directions.push_back({(v.lowest + (v.highest - v.lowest) * x) * kDegree, (90.0 * (k / 4) + 20.0 * x) * kDegree});
+    }
+    directions.push_back({-40.0 * kDegree, 0.0});  // into the glint, from 2 km
+    Scene traced = patched("path-trace");
+    traced.camera.altitude = v.altitude;
+    traced.render.parameters.find("samples")->second = 512;
+    const HostPicture truth =
+        find_method("path-trace")->render_on_host(traced, air_of(traced), View{directions}, {});
+    double least = 1e9;
+    double most = 0.0;
+    for (const char* method : {"orders", "march"}) {
+      Scene scene = patched(method);
+      scene.camera.altitude = v.altitude;
+      const std::vector<ProbeResult> found = probe_now(scene, directions);
+      double sum = 0.0;
+      for (std::size_t i = 0; i < directions.size(); ++i) {
+        for (std::size_t c = 0; c < 3; ++c) {
+          const double want = static_cast<double>(truth.radiance.at(static_cast<int>(i), 0)[c]);
+          const double noise = static_cast<double>(truth.standard_error.at(static_cast<int>(i), 0)[c]);
+          EXPECT_NEAR(found[i].radiance[c], want, 0.06 * want + 3.0 * noise)
+              << method << " from " << v.altitude << " km, direction " << i << ", channel " << c;
+          sum += std::abs(found[i].radiance[c] / want - 1.0) / (3.0 * static_cast<double>(directions.size()));
+          least = std::min(least, want);
+          most = std::max(most, want);
+        }
+      }
+      EXPECT_LT(sum, 0.025) << method << " from " << v.altitude << " km";
+      RecordProperty(std::string(method) + std::to_string(static_cast<int>(v.altitude)), std::to_string(sum));
+    }
+    EXPECT_GT(most, 5.0 * least);
+  }
+}
+
+// Of one value everywhere: by every method that knows maps the picture with that albedo, the planet's edge included.
+TEST(GroundSky, AMapOfOneValueIsThatAlbedo) {
+  for (const char* method : {"orders", "march", "sky-view"}) {
+    for (const double altitude : {0.05, 30.0, 12720.0, 1e5}) {
+      Scene with = with_method(earth(), *find_method(method));
+      with.camera.altitude = altitude;
+      with.camera.vertical_fov = (altitude > 1e4 ? 12.0 : 70.0) * kDegree;
+      with.camera.pitch = (altitude > 1e4 ? -88.0 : -20.0) * kDegree;
+      with.sun.disc.visible = false;
+      with.image = {16, 16};
+      Scene without = with;
+      without.planet.ground_albedo = {0.3, 0.2, 0.1};
+      put_map(with, "even", 16, [](int, int) { return Spectrum{0.3, 0.2, 0.1}; });
+      const Rendering a = render_now(with);
+      const Rendering b = render_now(without);
+      expect_sound(a, method);
+      const double brightest = greatest(b.radiance);
+      for (int y = 0; y < 16; ++y) {
+        for (int x = 0; x < 16; ++x) {
+          for (std::size_t c = 0; c < 3; ++c) {
+            const double truth = channel_of(b.radiance, x, y, c);
+            EXPECT_NEAR(channel_of(a.radiance, x, y, c), truth, 0.012 * truth + 1e-3 * brightest)
+                << method << " from " << altitude << " km: " << x << ", " << y;
+          }
+        }
+      }
+    }
+  }
+}
+
+// Texels far smaller than a pixel, black and white in turn, from 100 000 km: a grey planet, even at limb and poles.
+TEST(GroundSky, FromFarFineTexelsAreTheirMean) {
+  Scene fine = with_method(earth(), *find_method("orders"));
+  fine.camera.altitude = 1e5;
+  fine.camera.vertical_fov = 8.0 * kDegree;
+  fine.camera.pitch = -90.0 * kDegree;
+  fine.camera.latitude = 65.0 * kDegree;
+  fine.sun.disc.visible = false;
+  fine.image = {40, 40};
+  Scene even = fine;
+  put_map(fine, "fine", 512, [](int i, int j) {
+    const double white = (i + j) % 2 == 0 ? 0.8 : 0.0;
+    return Spectrum{white, white, white};
+  });
+  put_map(even, "grey", 8, [](int, int) { return Spectrum{0.4, 0.4, 0.4}; });
+  const Rendering a = render_now(fine);
+  const Rendering b = render_now(even);
+  for (int y = 0; y < 40; ++y) {
+    for (int x = 0; x < 40; ++x) {
+      const double grey = channel_of(b.radiance, x, y, 1);
+      EXPECT_NEAR(channel_of(a.radiance, x, y, 1), grey, 0.02 * grey) << x << ", " << y;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace airlight::test
