@@ -103,10 +103,10 @@ chart::RunOrder order_of(const Given& given, chart::Settings& settings) {
       options.size = std::to_string(settings.image.width) + "x" + std::to_string(settings.image.height);
     }
     Scene scene = load_scene(options);
-    if (scene.terrain) {
+    if (scene.terrain || scene.ground) {
       throw InputError("chart: " + preset +
-                       ": planet.terrain: the path tracer, which the others are judged by, knows no "
-                       "terrain; choose a preset without");
+                       (scene.terrain ? ": planet.terrain" : ": planet.albedo_map or planet.ocean") +
+                       ": not all of the methods that a chart compares know it; choose a preset without");
     }
     if (!scene.spheres.empty()) {
       throw InputError("chart: " + preset +

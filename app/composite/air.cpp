@@ -41,7 +41,10 @@ bool takes_volume(const CompositeOrder& order, const std::vector<Span>& spans, c
   const SkyMethod& method = *find_method(scene.render.method);
   const bool holds = method.has_volume != nullptr && method.has_volume(scene);
   if (order.aerial == "volume" && !holds) {
-    throw InputError(order.beauty + ": the camera stands above the air, where --aerial volume does not hold; " +
+    throw InputError(order.beauty +
+                     (scene.terrain ? ": terrain shades the air, and --aerial volume holds no shadows; "
+                                    : ": the camera stands above the air, where --aerial volume does not "
+                                      "hold; ") +
                      "use --aerial march");
   }
   if (!order.tolerance || !holds) {
@@ -98,7 +101,7 @@ std::string told(const CompositeOrder& order, const FrontAir& air) {
     return "air: by " + air.way;
   }
   if (!air.volume_error) {
-    return "air: by march; nothing is before the things, or the camera stands above the air";
+    return "air: by march; nothing is before the things, or the camera stands above the air, or terrain shades it";
   }
   return "air: by " + air.way + "; the volume's mean error is at most " + percent(*air.volume_error, 2) + " of " +
          percent(*order.tolerance, 2) + " allowed";

@@ -16,9 +16,12 @@
 #include "app/render/picture_files.h"
 #include "app/render/report.h"
 #include "app/render/validity.h"
+#include "core/air/scene_block.h"
 #include "core/error.h"
 #include "core/measure/frames.h"
 #include "core/output/atomic_file.h"
+#include "core/output/parallel.h"
+#include "core/terrain/terrain.h"
 #include "core/text.h"
 
 namespace airlight::cli {
@@ -68,6 +71,29 @@ std::vector<Sample> samples_of(const Foreground& fore) {
     });
   }
   return samples;
+}
+
+// Things that the terrain hides are none: there the picture shows the terrain.
+void hide_behind_terrain(std::vector<Sample>& samples, const Scene& scene) {
+  const auto terrain = terrain_of(scene);
+  const physics::uint projection = projection_code(scene.camera.projection);
+  const auto width = static_cast<std::uint32_t>(scene.image.width);
+  for_row_strips(static_cast<int>(samples.size()), [&](int first, int end) {
+    physics::Physics p = geometry_of(scene);
+    p.terrain_maps = terrain;
+    for (int i = first; i < end; ++i) {
+      Sample& sample = samples[static_cast<std::size_t>(i)];
+      if (!(sample.distance < composite::kSky)) {
+        continue;
+      }
+      const auto view = p.view_ray(p.scene.camera, projection, sample.pixel % width + 0.5, sample.pixel / width + 0.5);
+      const auto hit = p.terrain_hit(p.scene.planet, p.ground_track(scene.camera.altitude, view.direction));
+      if (hit.hit && static_cast<double>(sample.distance) > hit.distance_) {
+        sample.thing = {{}, 0.0F};
+        sample.distance = composite::kSky;
+      }
+    }
+  });
 }
 
 Composite blended(const Foreground& fore, const std::vector<Sample>& samples, const std::vector<AirTo>& airs,
@@ -220,7 +246,10 @@ void composite_frame(const CompositeOrder& order, const Frame& frame, const Devi
       complain("warning: " + warning);
     }
   }
-  const std::vector<Sample> samples = samples_of(fore);
+  std::vector<Sample> samples = samples_of(fore);
+  if (scene.terrain) {
+    hide_behind_terrain(samples, scene);
+  }
   Rendering sky;
   if (needs_sky(samples, fore)) {
     sky = render(device, scene, {});
@@ -284,11 +313,6 @@ std::vector<Frame> frames_of(const CompositeOrder& order) {
 }
 
 void require_spans(const Scene& scene, bool by_method) {
-  if (scene.terrain) {
-    throw InputError(
-        "composite: planet.terrain: the air is put before the things of one picture, and terrain would be "
-        "among them; remove planet.terrain from the preset");
-  }
   if (!scene.spheres.empty()) {
     throw InputError(
         "composite: scene.spheres: the air is put before the things of one picture, and spheres would be among them; "

@@ -354,28 +354,33 @@ std::optional<SkyPasses> add_spectral(Plan& plan, const Scene& scene, const Spec
   return passes;
 }
 
-// The pass over terrain and the air about it.
-void add_terrain_sky(Plan& plan, const Scene& scene, const SkyTarget& target, const Light& light) {
+// Adds the terrain and its shadow to what a pass reads. Returns how far shadows stand, as a push constant.
+std::uint32_t add_shadowed_terrain(Plan& plan, const Scene& scene, std::vector<Binding>& reads,
+                                   std::vector<Specialization>& constants) {
   const std::shared_ptr<const physics::HostTerrain> terrain = shadowed_terrain(scene);
   const TerrainBuffers buffers = add_terrain(plan, *terrain);
-  std::vector<Specialization> constants = light.constants;
-  constants.push_back({"kProjection", target.projection});
-  constants.push_back({"kShafts", scene.render.get<bool>("volumetric_shadows") ? 1U : 0U});
-  std::vector<Binding> reads = light.reads();
-  reads.push_back({"directions", target.directions});
   reads.push_back({"terrain", buffers.heights});
   reads.push_back({"terrain_shadows", buffers.shadows});
   reads.push_back({"terrain_colours", buffers.colours});
-  const auto reach = static_cast<float>(shadow_reach(terrain->shape));
-  plan.add_pass(
-      {.name = "sky",
-       .shader = "sky_terrain",
-       .reads = std::move(reads),
-       .writes = {{"radiance_out", target.radiance}},
-       .grid = target.grid,
-       .push_constants = {target.grid.width, target.grid.height, light.steps, std::bit_cast<std::uint32_t>(reach)},
-       .specialization = std::move(constants),
-       .cost = 3.0 * ray_cost(light.steps)});
+  constants.push_back({"kShafts", scene.render.get<bool>("volumetric_shadows") ? 1U : 0U});
+  return std::bit_cast<std::uint32_t>(static_cast<float>(shadow_reach(terrain->shape)));
+}
+
+// The pass over terrain and the air about it.
+void add_terrain_sky(Plan& plan, const Scene& scene, const SkyTarget& target, const Light& light) {
+  std::vector<Specialization> constants = light.constants;
+  constants.push_back({"kProjection", target.projection});
+  std::vector<Binding> reads = light.reads();
+  reads.push_back({"directions", target.directions});
+  const std::uint32_t reach = add_shadowed_terrain(plan, scene, reads, constants);
+  plan.add_pass({.name = "sky",
+                 .shader = "sky_terrain",
+                 .reads = std::move(reads),
+                 .writes = {{"radiance_out", target.radiance}},
+                 .grid = target.grid,
+                 .push_constants = {target.grid.width, target.grid.height, light.steps, reach},
+                 .specialization = std::move(constants),
+                 .cost = 3.0 * ray_cost(light.steps)});
 }
 
 // The pass over spheres, the ground and the air about them.
@@ -545,10 +550,15 @@ SpanPasses add_spans(Plan& plan, const Scene& scene, const Air& air, std::span<c
     constants.push_back({"kSlices", static_cast<std::uint32_t>(scene.render.get<int>("aerial_slices"))});
     push.pop_back();
   }
+  const char* shader = way.volume ? "air_from_volume" : "air_spans";
+  if (scene.terrain) {
+    shader = "air_spans_terrain";
+    push.push_back(add_shadowed_terrain(plan, scene, reads, constants));
+  }
   reads.push_back({"spans", buffers.list});
   constants.push_back({"kProjection", projection_code(scene.camera.projection)});
   plan.add_pass({.name = "air",
-                 .shader = way.volume ? "air_from_volume" : "air_spans",
+                 .shader = shader,
                  .reads = std::move(reads),
                  .writes = {{"air_out", buffers.air}},
                  .grid = {buffers.count, 1, 1},
@@ -664,7 +674,8 @@ SkyMethod orders_method() {
   method.settle = settle;
   method.add_layer_passes = add_layers;
   method.add_span_passes = add_spans;
-  method.has_volume = inside_the_air;
+  // The volume holds no shadows.
+  method.has_volume = [](const Scene& scene) { return inside_the_air(scene) && !scene.terrain; };
   method.all_tables = {{"tabulate", std::string("always")}};
   method.left_out = left_out;
   method.formula = formula;

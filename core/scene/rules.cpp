@@ -96,7 +96,7 @@ constexpr auto kRules = std::to_array<Rule>({
          "a picture of heights, by a path relative to this file: any that OpenImageIO reads, its first channel, "
          "row by row from the upper edge, pixels square; black is 0 and white 1, floats stand as they are. What "
          "ends up at or below 0 km lies under the ground sphere. Of `height_map` and `ridge` exactly one; of the "
-         "methods `orders` alone knows terrain"},
+         "methods `orders` and `path-trace` know terrain"},
     {.key = "planet.terrain.ridge.seed",
      .type = RuleType::integer,
      .range = {.minimum = 0.0, .maximum = 1e9},

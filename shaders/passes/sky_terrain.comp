@@ -14,20 +14,7 @@
 
 layout(constant_id = 28) const uint kShafts = 1u;  // 0: the air is lit as if there were no terrain
 
-// The ray at hand along the ground: the track of the camera's, and where the march's part of it begins.
-GroundTrack current_track;
-float current_start = 0.0;
-
-float sun_share(Ray ray, float t, float width) {
-  if (kShafts == 0u && width > 0.0) {
-    return 1.0;
-  }
-  return step_sunlit(scene.planet, current_track, current_start, ray, t, width);
-}
-
-#include "physics/orders.glsl"
-#include "physics/sky_factors.glsl"
-#include "shared/shell_table.glsl"
+#include "shared/terrain_march.glsl"
 #include "physics/surface_light.glsl"
 #include "physics/terrain_light.glsl"
 
@@ -46,7 +33,6 @@ struct Seen {
   vec3 transmittance;
 };
 
-// In two parts, so that the part in which shadows stand has steps enough for them.
 Seen seen_along(vec3 direction, float pixel) {
   current_track = ground_track(scene.camera.altitude, direction);
   TerrainHit hit = terrain_hit(scene.planet, current_track);
@@ -55,29 +41,7 @@ Seen seen_along(vec3 direction, float pixel) {
   if (hit.hit) {
     ray = ray_up_to(scene.planet, scene.camera.altitude, direction.y, ray, hit.distance_);
   }
-  current_start = ground_distance(scene.planet, scene.camera.altitude, direction.y, before);
-  float cut = max(track_distance(scene.planet, current_track, shadow_end) - before, 0.0);
-  Ray part = ray;
-  part.length_ = min(ray.length_, cut);
-  part.at_ground = ray.at_ground && part.length_ >= ray.length_;
-  float joint = part.length_;
-  uint parts = ray.length_ > joint ? 2u : 1u;
-  SkyFactors factors;
-  for (uint i = 0u; i < parts; i++) {
-    SkyFactors found = scene_sky_factors(part, i == 0u ? steps : max(steps / 2u, 1u));
-    if (i == 0u) {
-      factors = found;
-    } else {
-      factors = joined(factors, found);
-    }
-    RayPoint point = point_on_ray(scene.planet, ray, joint);
-    part = ray;
-    part.h = point.h;
-    part.mu = point.mu;
-    part.mu_sun = point.mu_sun;
-    part.length_ = ray.length_ - joint;
-    current_start += ground_distance(scene.planet, ray.h, ray.mu, joint);
-  }
+  SkyFactors factors = terrain_factors(ray, direction, before, shadow_end, steps, max(steps / 2u, 1u));
   Seen seen;
   seen.radiance = phased(factors, phases(ray.nu));
   seen.transmittance = beam_transmittance(factors);

@@ -204,7 +204,8 @@ class Writer {
       const bool map = random_.chance(0.5);
       const std::string keys = object("planet.terrain");
       const bool sized = keys.find("width_km") != std::string::npos;
-      more = "\"terrain\": {" + std::string(map ? "\"height_map\": \"heights\"" : "\"ridge\": " + object("planet.terrain.ridge")) +
+      more = "\"terrain\": {" +
+             std::string(map ? "\"height_map\": \"heights\"" : "\"ridge\": " + object("planet.terrain.ridge")) +
              (sized ? "" : ", \"width_km\": 40") + (map && random_.chance(0.5) ? ", \"albedo_map\": \"colours\"" : "") +
              (keys == "{}" ? "}" : ", " + keys.substr(1));
     } else if (things == Things::ground_maps) {
@@ -226,7 +227,8 @@ class Writer {
       const std::string_view material = random_.pick(kMaterialNames);
       const double distance = random_.log_uniform(1e-3, random_.chance(0.1) ? 1e7 : 100.0);
       const double radius = distance * (random_.chance(0.1) ? 1.5 : random_.uniform(0.01, 0.9));
-      text += (text.empty() ? "{" : ", {") + std::string("\"azimuth_deg\": ") + format_number(random_.uniform(-60, 60)) +
+      text += (text.empty() ? "{" : ", {") + std::string("\"azimuth_deg\": ") +
+              format_number(random_.uniform(-60, 60)) +
               ", \"elevation_deg\": " + format_number(random_.uniform(-30, 30)) +
               ", \"distance_m\": " + format_number(distance) +
               ", \"radius_m\": " + format_number(std::clamp(radius, 1e-4, 1e6)) + ", \"material\": " + quoted(material);

@@ -241,7 +241,8 @@ void fill_maps(Scene& scene, std::uint64_t seed) {
     files->columns = 2 + static_cast<int>(random.below(40));
     files->rows = 2 + static_cast<int>(random.below(40));
     if (!scene.terrain->height_map.empty()) {
-      files->heights = any_values(random, static_cast<std::size_t>(files->columns) * static_cast<std::size_t>(files->rows));
+      files->heights =
+          any_values(random, static_cast<std::size_t>(files->columns) * static_cast<std::size_t>(files->rows));
     }
     if (!scene.terrain->albedo_map.empty()) {
       files->colour_columns = files->colour_rows = 1 + static_cast<int>(random.below(9));

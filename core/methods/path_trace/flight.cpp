@@ -197,6 +197,7 @@ class Flight::Planner {
       : guide_(guide), ray_(ray), r_(r), sun_weight_(sun_weight), plan_(plan) {
     plan_.panels.clear();
     plan_.length = ray.length_;
+    plan_.on_terrain = false;
     plan_.ground = {};
     plan_.total = {};
   }
@@ -236,6 +237,12 @@ class Flight::Planner {
       ground_[c] = albedo[c] * transmittance_[c];
       plan_.ground[c] = ground_[c] * (light ? light->sky[c] + (sun_weight_ > 0.0 ? light->sun[c] : 0.0) : 1.0);
     }
+  }
+
+  // Steered as level ground is.
+  void add_terrain(const Channels& albedo) {
+    add_ground(albedo);
+    plan_.on_terrain = true;
   }
 
   // Sums up, and puts a part of the choice back on what collides and scatters: no share falls far below that, however
@@ -288,17 +295,18 @@ class Flight::Planner {
   Channels ground_{};
 };
 
-void Flight::plan_guided(const physics::Physics::Ray& ray, double sun_weight, FlightPlan& plan) const {
+void Flight::plan_guided(const physics::Physics::Ray& ray, double sun_weight, FlightPlan& plan,
+                         const Channels* terrain) const {
   Planner planner(&*guide_, ray, physics_.scene.planet.ground_radius + ray.h, sun_weight, plan);
-  follow(ray, planner);
+  follow(ray, planner, terrain);
 }
 
-void Flight::plan_plain(const physics::Physics::Ray& ray, FlightPlan& plan) const {
+void Flight::plan_plain(const physics::Physics::Ray& ray, FlightPlan& plan, const Channels* terrain) const {
   Planner planner(nullptr, ray, physics_.scene.planet.ground_radius + ray.h, 0.0, plan);
-  follow(ray, planner);
+  follow(ray, planner, terrain);
 }
 
-void Flight::follow(const physics::Physics::Ray& ray, Planner& planner) const {
+void Flight::follow(const physics::Physics::Ray& ray, Planner& planner, const Channels* terrain) const {
   if (!(ray.length_ >= 0.0)) {
     return;
   }
@@ -329,6 +337,9 @@ void Flight::follow(const physics::Physics::Ray& ray, Planner& planner) const {
       here = shells_[k + 1].low;
     }
     planner.add(ray.length_, k, here, shells_[k].high);
+  }
+  if (terrain != nullptr) {
+    planner.add_terrain(*terrain);
   }
   planner.finish();
 }

@@ -23,9 +23,10 @@ struct FlightPlan {
     Channels share;  // what it is guessed to bring, on which the choice goes
   };
   std::vector<Panel> panels;
-  Channels ground{};    // the same of the ground
-  Channels total{};     // of all of them
-  double length = 0.0;  // km
+  Channels ground{};        // the same of the ground
+  Channels total{};         // of all of them
+  double length = 0.0;      // km
+  bool on_terrain = false;  // what the ground's share stands for is terrain, above the ground
 };
 
 struct Collision {
@@ -41,10 +42,12 @@ class Flight {
 
   // Shares by the light that the guide expects at each place. `sun_weight`: what direct sunlight counts there, 1 for
   // isotropic air; 0 where it is known without samples.
-  void plan_guided(const physics::Physics::Ray& ray, double sun_weight, FlightPlan& plan) const;
+  // `terrain`: the albedo of what the ray ends on above the ground; null: nothing.
+  void plan_guided(const physics::Physics::Ray& ray, double sun_weight, FlightPlan& plan,
+                   const Channels* terrain = nullptr) const;
 
   // Shares by what collides and scatters alone.
-  void plan_plain(const physics::Physics::Ray& ray, FlightPlan& plan) const;
+  void plan_plain(const physics::Physics::Ray& ray, FlightPlan& plan, const Channels* terrain = nullptr) const;
 
   // `weight`: what each channel of the path carries. u in [0, 1).
   static Collision choose(const FlightPlan& plan, const Channels& weight, double u);
@@ -81,7 +84,7 @@ class Flight {
   };
   void divide(double low, double high, const Thinness& thin);
   class Planner;
-  void follow(const physics::Physics::Ray& ray, Planner& planner) const;
+  void follow(const physics::Physics::Ray& ray, Planner& planner, const Channels* terrain) const;
 
   physics::Physics& physics_;
   std::vector<double> edges_;

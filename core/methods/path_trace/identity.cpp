@@ -4,6 +4,7 @@
 #include "core/methods/path_trace/checkpoint.h"
 #include "core/methods/path_trace/walk.h"
 #include "core/methods/spectral_sky.h"
+#include "core/terrain/terrain.h"
 
 namespace airlight {
 namespace {
@@ -113,6 +114,9 @@ std::string checkpoint_identity(const Scene& scene, const View& view) {
     add_wavelengths(lines, spectral_scene(scene));
   } else {
     add_matter(lines, "", scene);
+  }
+  if (scene.terrain) {
+    lines.add(terrain_key(*scene.terrain), 1.0);
   }
   if (scene.ground) {
     lines.add(ground_key(scene) + ", latitude (rad)", scene.camera.latitude);

@@ -29,8 +29,9 @@ struct SingleScattering::Integrand {
   }
 };
 
-SingleScattering::SingleScattering(physics::Physics& physics, const OpticalDepth& depth, std::vector<double> edges)
-    : physics_(physics), depth_(depth), edges_(std::move(edges)), rule_(gauss_legendre(8)) {}
+SingleScattering::SingleScattering(physics::Physics& physics, const OpticalDepth& depth, std::vector<double> edges,
+                                   const TracedTerrain* terrain)
+    : physics_(physics), depth_(depth), edges_(std::move(edges)), rule_(gauss_legendre(8)), terrain_(terrain) {}
 
 vec3 SingleScattering::sunlight(double h, double mu_sun) const {
   if (physics_.meets_ground(physics_.scene.planet, h, mu_sun)) {
@@ -66,12 +67,21 @@ std::vector<double> SingleScattering::corners(const Ray& ray) const {
 
 namespace {
 
+vec3 place_on(const physics::PlanetData& planet, const Ray& ray, const Footing& footing, double t) {
+  return footing.up * (planet.ground_radius + ray.h) + footing.direction * t;
+}
+
 double distance_from_camera(const physics::Physics& physics, vec3 up) {
   const double r = physics.scene.planet.ground_radius;
   return length(up * r - vec3(0.0, r + physics.scene.camera.altitude, 0.0));
 }
 
 }  // namespace
+
+vec3 above_terrain(vec3 place) {
+  constexpr double kOver = 1e-4;  // km
+  return place * (1.0 + kOver / length(place));
+}
 
 vec3 ground_albedo_at(physics::Physics& physics, vec3 up) {
   return physics.ground_maps ? physics.ground_mean(up, 0.0).albedo : physics.scene.planet.ground_albedo;
@@ -89,17 +99,65 @@ vec3 SingleScattering::radiance(const Ray& ray, const Footing& footing) const {
   if (!(ray.length_ >= 0.0)) {
     return vec3(0.0);
   }
-  const Integrand f{*this, ray, physics_.phases(ray.nu)};
-  AdaptiveSum<vec3, Integrand> integral(f, rule_);
-  vec3 sum = integral.over(corners(ray));
-  cut_rays_ += integral.cut() ? 1 : 0;
+  vec3 sum(0.0);
+  if (terrain_ != nullptr) {
+    sum = through_shadows(ray, footing);
+  } else {
+    const Integrand f{*this, ray, physics_.phases(ray.nu)};
+    AdaptiveSum<vec3, Integrand> integral(f, rule_);
+    sum = integral.over(corners(ray));
+    cut_rays_ += integral.cut() ? 1 : 0;
+  }
+  if (footing.on_terrain) {
+    return sum + exp(-depth_.along(ray.h, ray.mu, ray.length_)) * seen_terrain(ray, footing);
+  }
   if (ray.at_ground) {
     const physics::PlanetData& planet = physics_.scene.planet;
     const double mu_sun = physics_.point_on_ray(planet, ray, ray.length_).mu_sun;
-    sum =
-        sum + exp(-depth_.along(ray.h, ray.mu, ray.length_)) * seen_ground(ray, footing, sunlight(0.0, mu_sun), mu_sun);
+    const vec3 sun_on_ground = terrain_ == nullptr
+                                   ? sunlight(0.0, mu_sun)
+                                   : sunlight_at(place_on(planet, ray, footing, ray.length_), 0.0, mu_sun);
+    sum = sum + exp(-depth_.along(ray.h, ray.mu, ray.length_)) * seen_ground(ray, footing, sun_on_ground, mu_sun);
   }
   return sum;
+}
+
+vec3 SingleScattering::sunlight_at(vec3 place, double h, double mu_sun) const {
+  if (physics_.meets_ground(physics_.scene.planet, h, mu_sun) || (terrain_ != nullptr && terrain_->hides_sun(place))) {
+    return vec3(0.0);
+  }
+  return sunlight(h, mu_sun);
+}
+
+// By many short steps, as shadows of terrain have edges everywhere: denser toward the camera.
+vec3 SingleScattering::through_shadows(const Ray& ray, const Footing& footing) const {
+  constexpr int kShadowSteps = 800;
+  const physics::PlanetData& planet = physics_.scene.planet;
+  const physics::Physics::Phases phases = physics_.phases(ray.nu);
+  vec3 sum(0.0);
+  double start = 0.0;
+  for (int i = 0; i < kShadowSteps; ++i) {
+    const double share = (i + 1.0) / kShadowSteps;
+    const double end = ray.length_ * share * share;
+    const double t = 0.5 * (start + end);
+    const physics::Physics::RayPoint point = physics_.point_on_ray(planet, ray, t);
+    const vec3 sun = sunlight_at(place_on(planet, ray, footing, t), point.h, point.mu_sun);
+    if (sun.x + sun.y + sun.z > 0.0) {
+      sum = sum + exp(-depth_.along(ray.h, ray.mu, t)) * physics_.air_at(point.h, phases).phase_scattering * sun *
+                      (end - start);
+    }
+    start = end;
+  }
+  return sum;
+}
+
+vec3 SingleScattering::seen_terrain(const Ray& ray, const Footing& footing) const {
+  const physics::PlanetData& planet = physics_.scene.planet;
+  const physics::Physics::RayPoint end = physics_.point_on_ray(planet, ray, ray.length_);
+  const vec3 place = place_on(planet, ray, footing, ray.length_);
+  const double facing = std::max(dot(terrain_->normal(place), physics_.scene.sun.direction), 0.0);
+  const vec3 beam = facing > 0.0 ? sunlight_at(above_terrain(place), end.h, end.mu_sun) : vec3(0.0);
+  return beam * terrain_->albedo(place) * (facing / std::numbers::pi);
 }
 
 // Over the ray's footprint.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/methods/path_trace/optical_depth.h"
+#include "core/methods/path_trace/terrain_trace.h"
 #include "core/methods/path_trace/wavelengths.h"
 #include "core/physics/gauss.h"
 
@@ -14,32 +15,39 @@ namespace airlight {
 // Of each medium at altitude h.
 Columns densities_at(physics::Physics& physics, double h);
 
-// What a ray ends on, where the ground has maps.
+// A ray in space, asked for where the ground has maps or terrain.
 struct Footing {
   physics::vec3 up;         // unit, where the ray begins, in the camera's frame
   physics::vec3 direction;  // unit
   double pixel = 0.0;       // angle that the ray stands for
+  bool on_terrain = false;  // where it ends
 };
 
 // Radiance of the ground at `up` for a beam of the sun of this irradiance on a plane that faces it, sent back along
 // `direction`; by its maps, else by the planet's albedo. Sunlight of irradiance 1 on level ground is `mu_sun`.
 physics::vec3 ground_reflects(physics::Physics& physics, physics::vec3 up, physics::vec3 direction, double mu_sun,
                               physics::vec3 beam);
+// A place on terrain, so far above it that its own slope does not hide the sun from it.
+physics::vec3 above_terrain(physics::vec3 place);
+
 // Its albedo for light from everywhere.
 physics::vec3 ground_albedo_at(physics::Physics& physics, physics::vec3 up);
 
 class SingleScattering {
  public:
   SingleScattering(physics::Physics& physics, const OpticalDepth& depth,
-                   std::vector<double> edges);  // altitudes at which the air is not smooth, km
+                   std::vector<double> edges,                // altitudes at which the air is not smooth, km
+                   const TracedTerrain* terrain = nullptr);  // must live as long as this
 
   // Radiance for a sun of irradiance 1: scattered once in the air, or reflected once by the ground at the ray's end.
-  // `footing`: asked for where the ground has maps.
   physics::vec3 radiance(const physics::Physics::Ray& ray, const Footing& footing = {}) const;
   Wide radiance(const physics::Physics::Ray& ray, const Wavelengths& all) const;
 
   // Rays whose panels ran out before their radiance was known to 1e-6.
   std::uint64_t cut_rays() const { return cut_rays_; }
+
+  // The same where there is terrain: zero where it hides the sun from `place`, from the planet's centre.
+  physics::vec3 sunlight_at(physics::vec3 place, double h, double mu_sun) const;
 
   // Direct sunlight at altitude h on a plane that faces the sun; zero in the planet's shadow.
   physics::vec3 sunlight(double h, double mu_sun) const;
@@ -47,6 +55,8 @@ class SingleScattering {
  private:
   struct Integrand;
   struct WideIntegrand;
+  physics::vec3 through_shadows(const physics::Physics::Ray& ray, const Footing& footing) const;
+  physics::vec3 seen_terrain(const physics::Physics::Ray& ray, const Footing& footing) const;
   physics::vec3 seen_ground(const physics::Physics::Ray& ray, const Footing& footing, physics::vec3 beam,
                             double mu_sun) const;
   std::vector<double> corners(const physics::Physics::Ray& ray) const;
@@ -55,6 +65,7 @@ class SingleScattering {
   const OpticalDepth& depth_;
   std::vector<double> edges_;
   GaussRule rule_;
+  const TracedTerrain* terrain_;
   mutable std::atomic<std::uint64_t> cut_rays_ = 0;
 };
 

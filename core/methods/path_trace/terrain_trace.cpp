@@ -11,10 +11,10 @@ using physics::vec3;
 
 namespace {
 
-constexpr double kNear = 1e-5;       // km: so close to the terrain is on it
-constexpr double kShortest = 2e-4;   // km, of a step
+constexpr double kNear = 1e-5;      // km: so close to the terrain is on it
+constexpr double kShortest = 2e-4;  // km, of a step
 constexpr int kMostSteps = 20000;
-constexpr double kStretch = 1.02;    // of distances on the map against those in the air, with room to spare
+constexpr double kStretch = 1.02;  // of distances on the map against those in the air, with room to spare
 
 double steepest_slope(const physics::HostTerrain& maps) {
   const physics::TerrainData& t = maps.shape;

@@ -1,6 +1,6 @@
 #pragma once
-// Terrain for paths: where any ray meets it, by steps as long as the map's steepest slope allows. It shares the map with
-// the shaders, and neither their track along a heading nor their table of shadows.
+// Terrain for paths: where any ray meets it, by steps as long as the map's steepest slope allows. It shares the map
+// with the shaders, and neither their track along a heading nor their table of shadows.
 
 #include <memory>
 #include <optional>
@@ -14,8 +14,8 @@ class TracedTerrain {
  public:
   TracedTerrain(const Scene& scene, std::shared_ptr<const physics::HostTerrain> maps);
 
-  // Distance to the first meeting along `direction` (unit) from `from`, a place from the planet's centre in the camera's
-  // frame, km; nothing nearer than `limit`.
+  // Distance to the first meeting along `direction` (unit) from `from`, a place from the planet's centre in the
+  // camera's frame, km; nothing nearer than `limit`.
   std::optional<double> hit(physics::vec3 from, physics::vec3 direction, double limit) const;
 
   // Whether it stands between the place and the middle of the sun's disc.
@@ -37,8 +37,8 @@ class TracedTerrain {
 
   mutable physics::Physics physics_;
   physics::vec3 sun_;
-  double radius_;   // of the planet
-  double highest_;  // point of the terrain, km
+  double radius_;    // of the planet
+  double highest_;   // point of the terrain, km
   double steepest_;  // slope between neighbouring heights
 };
 

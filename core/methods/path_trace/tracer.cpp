@@ -1,15 +1,19 @@
 #include "core/methods/path_trace/tracer.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/air/scene_block.h"
 #include "core/ground/ground.h"
+#include "core/terrain/terrain.h"
 
 namespace airlight {
 
 using physics::vec3;
 
 namespace {
+
+constexpr int kEdgeSide = 4;  // rays across a pixel that holds terrain's edge
 
 // Where waves alone send light back, paths still have to go to the ground: what steers them needs an albedo there.
 physics::Physics formulas_with_ground(const Air& air, const Scene& scene) {
@@ -30,8 +34,9 @@ PathTracer::PathTracer(const Air& air, const Scene& scene, const Wavelengths* al
       depth_(physics_),
       flight_(physics_, depth_),
       guide_(physics_, flight_),
-      single_(physics_, depth_, flight_.corners()),
-      walk_(physics_, depth_, single_, flight_, guide_, max_orders),
+      terrain_(scene.terrain ? std::optional<TracedTerrain>(std::in_place, scene, terrain_of(scene)) : std::nullopt),
+      single_(physics_, depth_, flight_.corners(), terrain_ ? &*terrain_ : nullptr),
+      walk_(physics_, depth_, single_, flight_, guide_, max_orders, terrain_ ? &*terrain_ : nullptr),
       all_(all),
       seed_(seed),
       max_orders_(max_orders),
@@ -40,7 +45,7 @@ PathTracer::PathTracer(const Air& air, const Scene& scene, const Wavelengths* al
 
 vec3 PathTracer::single(const WalkStart& start) const {
   return all_ != nullptr ? all_->colour(single_.radiance(start.ray, *all_))
-                         : single_.radiance(start.ray, {start.up, start.direction, start.pixel});
+                         : single_.radiance(start.ray, {start.up, start.direction, start.pixel, start.plan.on_terrain});
 }
 
 vec3 PathTracer::batch(const WalkStart& start, std::uint64_t pixel, std::uint64_t batch, FlightPlan& scratch) const {
@@ -72,6 +77,24 @@ vec3 PathTracer::transmittance(const WalkStart& start) const {
   return exp(-depth_.along(start.ray.h, start.ray.mu, start.ray.length_));
 }
 
+vec3 PathTracer::view(double x, double y) const {
+  return physics_.view_ray(physics_.scene.camera, projection_, x, y).direction;
+}
+
+// Whether its corners see things a seventh apart.
+bool PathTracer::holds_terrain_edge(int x, int y) const {
+  constexpr double kNothing = 1e9;
+  const vec3 camera(0.0, physics_.scene.planet.ground_radius + physics_.scene.camera.altitude, 0.0);
+  double nearest = kNothing;
+  double farthest = 0.0;
+  for (int i = 0; i < 4; ++i) {
+    const auto hit = terrain_->hit(camera, view(x + (i % 2 == 0 ? 0.05 : 0.95), y + (i < 2 ? 0.05 : 0.95)), kNothing);
+    nearest = std::min(nearest, hit.value_or(kNothing));
+    farthest = std::max(farthest, hit.value_or(kNothing));
+  }
+  return farthest > 1.15 * nearest;
+}
+
 // Along its wider side.
 double PathTracer::pixel_angle(int x, int y) const {
   constexpr double kHalf = 0.49;  // not across the cut of a map
@@ -90,6 +113,15 @@ std::vector<SampledRay> PathTracer::pixel_rays(int x, int y) const {
   const auto view = physics_.view_ray(camera, projection_, x + 0.5, y + 0.5);
   if (!view.inside) {
     return {};
+  }
+  if (terrain_ && holds_terrain_edge(x, y)) {
+    std::vector<SampledRay> all;
+    for (int i = 0; i < kEdgeSide * kEdgeSide; ++i) {
+      const double dx = (i % kEdgeSide + 0.5) / kEdgeSide;
+      const double dy = (std::floor(static_cast<double>(i) / kEdgeSide) + 0.5) / kEdgeSide;
+      all.push_back({this->view(x + dx, y + dy), 1.0 / (kEdgeSide * kEdgeSide), 0.0});
+    }
+    return all;
   }
   const double pixel = physics_.ground_maps ? pixel_angle(x, y) : 0.0;
   const auto rays = physics_.pixel_rays(planet, camera, projection_, x + 0.5, y + 0.5, view.direction);

@@ -2,6 +2,7 @@
 // A scene ready to be traced: one estimate of a direction's radiance at a time, all for a sun of irradiance 1.
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/air/air.h"
@@ -59,11 +60,14 @@ class PathTracer {
 
  private:
   double pixel_angle(int x, int y) const;
+  bool holds_terrain_edge(int x, int y) const;
+  physics::vec3 view(double x, double y) const;
 
   mutable physics::Physics physics_;  // GLSL's functions know no const; none of them writes
   OpticalDepth depth_;
   Flight flight_;
   SkyGuide guide_;
+  std::optional<TracedTerrain> terrain_;
   SingleScattering single_;
   Walk walk_;
   const Wavelengths* all_;

@@ -80,21 +80,30 @@ struct Walk::State {
   vec3 direction;
   double mu_sun;
   bool at_ground = false;
+  bool on_terrain = false;  // of at_ground
+  vec3 normal = vec3(0.0);  // of ground or terrain
+  vec3 albedo = vec3(0.0);
   vec3 carry = vec3(1.0);  // transmittances and coefficients so far over the density of their choice
   std::array<vec3, physics::kMaxMedia> scattering;  // of each medium here, 1/km
   Columns densities{};                              // of each medium here
   vec3 sum = vec3(0.0);                             // what the sun sent back along the path
+  // From the planet's centre; on terrain so far above it that it does not hide what is before it.
+  vec3 place(const physics::PlanetData& planet) const {
+    const vec3 point = up * (planet.ground_radius + h);
+    return on_terrain ? above_terrain(point) : point;
+  }
   WidePath* wide = nullptr;  // all wavelengths in place of `sum`: the channels above then only steer
 };
 
 Walk::Walk(physics::Physics& physics, const OpticalDepth& depth, const SingleScattering& single, const Flight& flight,
-           const SkyGuide& guide, int max_orders)
+           const SkyGuide& guide, int max_orders, const TracedTerrain* terrain)
     : physics_(physics),
       depth_(depth),
       single_(single),
       flight_(flight),
       guide_(guide),
       phases_(physics),
+      terrain_(terrain),
       max_orders_(max_orders),
       guided_orders_(guided_orders(flight.forward_depth())) {}
 
@@ -112,8 +121,23 @@ WalkStart Walk::start(vec3 direction, double wall) const {
     start.up = normalize(start.up * r + direction * entry);
   }
   start.ray = physics_.ray_up_to(planet, h, direction.y, start.ray, wall);
-  flight_.plan_guided(start.ray, 0.0, start.plan);
+  const auto terrain = cut_at_terrain(start.up * (planet.ground_radius + start.ray.h), direction, start.ray);
+  flight_.plan_guided(start.ray, 0.0, start.plan, terrain ? &*terrain : nullptr);
   return start;
+}
+
+// Ends the ray on the terrain that it meets; the terrain's albedo there.
+std::optional<Channels> Walk::cut_at_terrain(vec3 place, vec3 direction, physics::Physics::Ray& ray) const {
+  if (terrain_ == nullptr || !(ray.length_ > 0.0)) {
+    return std::nullopt;
+  }
+  const std::optional<double> hit = terrain_->hit(place, direction, ray.length_);
+  if (!hit) {
+    return std::nullopt;
+  }
+  ray.length_ = *hit;
+  ray.at_ground = false;
+  return channels_of(terrain_->albedo(place + direction * *hit));
 }
 
 // To the next vertex; false where there is none.
@@ -137,9 +161,15 @@ bool Walk::fly(State& state, const FlightPlan& plan, double u) const {
   }
   state.carry = state.carry * passed / collision.density;
   state.up = normalize(state.up * (planet.ground_radius + state.h) + state.direction * collision.distance);
-  state.h = collision.at_ground ? 0.0 : point.h;
+  state.on_terrain = collision.at_ground && plan.on_terrain;
+  state.h = collision.at_ground && !state.on_terrain ? 0.0 : point.h;
   state.mu_sun = point.mu_sun;
   state.at_ground = collision.at_ground;
+  if (state.at_ground) {
+    const vec3 place = state.place(planet);
+    state.normal = state.on_terrain ? terrain_->normal(place) : state.up;
+    state.albedo = state.on_terrain ? terrain_->albedo(place) : ground_albedo_at(physics_, state.up);
+  }
   for (uint i = 0; i < physics_.medium_count(); ++i) {
     const physics::MediumData m = physics_.medium(i);
     state.densities[i] = physics_.density(physics_.density_profile(i), m, state.h);
@@ -150,7 +180,14 @@ bool Walk::fly(State& state, const FlightPlan& plan, double u) const {
 
 // Sunlight that the vertex sends back along the path.
 vec3 Walk::from_sun(const State& state) const {
-  const vec3 arrives = state.carry * single_.sunlight(state.h, state.mu_sun);
+  const vec3 beam = terrain_ == nullptr
+                        ? single_.sunlight(state.h, state.mu_sun)
+                        : single_.sunlight_at(state.place(physics_.scene.planet), state.h, state.mu_sun);
+  const vec3 arrives = state.carry * beam;
+  if (state.on_terrain) {
+    const double facing = std::max(dot(state.normal, physics_.scene.sun.direction), 0.0);
+    return arrives * state.albedo * (facing / std::numbers::pi);
+  }
   if (state.at_ground) {
     return ground_reflects(physics_, state.up, state.direction, state.mu_sun, arrives);
   }
@@ -187,8 +224,7 @@ class Walk::Lobes {
         frame_(physics, state.h, state.up, state.at_ground) {
     if (state.at_ground) {
       toward_sky_ = guided ? kTowardSkyGround : 0.0;
-      albedo_ = ground_albedo_at(physics, state.up);
-      weight_ = channels_of(state.carry * albedo_);
+      weight_ = channels_of(state.carry * state.albedo);
       return;
     }
     vec3 scattering(0.0);
@@ -221,7 +257,7 @@ class Walk::Lobes {
       if (u < toward_sky_) {
         return guide_.draw_direction(frame_, weight_, u / toward_sky_, turn);
       }
-      return around(state_.up, std::sqrt((1.0 - u) / (1.0 - toward_sky_)), turn);
+      return around(state_.normal, std::sqrt((1.0 - u) / (1.0 - toward_sky_)), turn);
     }
     const uint n = count();
     const auto weight = [&](std::size_t k) {
@@ -246,8 +282,8 @@ class Walk::Lobes {
     const double to_sun = std::clamp(dot(direction, physics_.scene.sun.direction), -1.0, 1.0);
     const double from_sky = toward_sky_ > 0.0 ? guide_.density(frame_, weight_, direction) : 0.0;
     if (state_.at_ground) {
-      const double cosine = std::max(dot(direction, state_.up), 0.0) / std::numbers::pi;
-      return {albedo_ * cosine, toward_sky_ * from_sky + (1.0 - toward_sky_) * cosine, 1.0};
+      const double cosine = std::max(dot(direction, state_.normal), 0.0) / std::numbers::pi;
+      return {state_.albedo * cosine, toward_sky_ * from_sky + (1.0 - toward_sky_) * cosine, 1.0};
     }
     const double turned = std::clamp(dot(direction, state_.direction), -1.0, 1.0);
     Choice choice{vec3(0.0), toward_sky_ * from_sky, 0.0};
@@ -269,7 +305,6 @@ class Walk::Lobes {
   const SkyGuide& guide_;
   const State& state_;
   SkyFrame frame_;
-  vec3 albedo_ = vec3(0.0);  // of the ground
   Channels weight_;
   double toward_sky_ = 0.0;
   std::array<double, physics::kMaxMedia> along_path_{};
@@ -297,12 +332,14 @@ bool Walk::turn(State& state, bool guided, WalkNumbers& numbers, FlightPlan& pla
   state.direction = next;
   state.carry = state.carry * choice.scattered / choice.density;
   const vec3 sun = physics_.scene.sun.direction;
-  const physics::Physics::Ray ray = physics_.ray_in_atmosphere(
-      physics_.scene.planet, state.h, dot(state.up, state.direction), dot(state.up, sun), dot(state.direction, sun));
+  physics::Physics::Ray ray = physics_.ray_in_atmosphere(physics_.scene.planet, state.h, dot(state.up, state.direction),
+                                                         dot(state.up, sun), dot(state.direction, sun));
+  const auto met = cut_at_terrain(state.place(physics_.scene.planet), state.direction, ray);
+  const Channels* terrain = met ? &*met : nullptr;
   if (guided) {
-    flight_.plan_guided(ray, choice.sun_weight, plan);
+    flight_.plan_guided(ray, choice.sun_weight, plan, terrain);
   } else {
-    flight_.plan_plain(ray, plan);
+    flight_.plan_plain(ray, plan, terrain);
   }
   return true;
 }

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <optional>
 
 #include "core/methods/path_trace/flight.h"
 #include "core/methods/path_trace/phase_sampling.h"
@@ -42,7 +43,7 @@ class Walk {
  public:
   // `max_orders`: scatterings and reflections of a path, at most; 0: kMostScatterings.
   Walk(physics::Physics& physics, const OpticalDepth& depth, const SingleScattering& single, const Flight& flight,
-       const SkyGuide& guide, int max_orders);
+       const SkyGuide& guide, int max_orders, const TracedTerrain* terrain = nullptr);
 
   // `wall`: where a black wall ends the ray, km.
   WalkStart start(physics::vec3 direction, double wall) const;
@@ -64,6 +65,8 @@ class Walk {
   bool fly(State& state, const FlightPlan& plan, double u) const;
   physics::vec3 from_sun(const State& state) const;
   void add_from_sun(const State& state) const;
+  std::optional<Channels> cut_at_terrain(physics::vec3 place, physics::vec3 direction,
+                                         physics::Physics::Ray& ray) const;
   bool turn(State& state, bool guided, WalkNumbers& numbers, FlightPlan& plan) const;
 
   physics::Physics& physics_;
@@ -72,6 +75,7 @@ class Walk {
   const Flight& flight_;
   const SkyGuide& guide_;
   PhaseSampler phases_;
+  const TracedTerrain* terrain_;
   int max_orders_;
   int guided_orders_;
   mutable std::atomic<std::uint64_t> cut_paths_ = 0;

@@ -1,0 +1,238 @@
+// Terrain by path-trace, which walks to it by steps of its own: where rays meet it against the shaders' way, and what
+// `orders` makes of its picture and of its shadow in the air.
+#include "core/methods/path_trace/terrain_trace.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "core/methods/scene_air.h"
+#include "core/render/spans.h"
+#include "core/terrain/terrain.h"
+#include "tests/methods/render_fixture.h"
+
+namespace airlight::test {
+namespace {
+
+// A range to the east in haze, the sun low behind it or high over it.
+Scene ridge_in_haze(const char* method, double elevation) {
+  Scene scene = with_method(earth(), *find_method(method));
+  scene.media[1].scattering = {0.03, 0.03, 0.03};
+  scene.planet.ground_albedo = {0.2, 0.2, 0.2};
+  scene.sun.elevation = elevation * kDegree;
+  scene.sun.azimuth = 90.0 * kDegree;
+  scene.camera.altitude = 0.1;
+  Terrain terrain;
+  terrain.ridge = Ridge{7, 2.6};
+  terrain.width = 60.0;
+  terrain.bearing = 90.0 * kDegree;
+  terrain.distance = 22.0;
+  terrain.turn = 90.0 * kDegree;
+  terrain.albedo = {0.4, 0.3, 0.2};
+  scene.terrain = terrain;
+  return scene;
+}
+
+physics::vec3 camera_of(const Scene& scene) {
+  return {0.0, scene.planet.ground_radius + scene.camera.altitude, 0.0};
+}
+
+TEST(TracedTerrain, IsMetWhereTheShadersMeetIt) {
+  const Scene scene = ridge_in_haze("orders", 20.0);
+  physics::Physics p = make_physics(scene);
+  p.terrain_maps = shadowed_terrain(scene);
+  const TracedTerrain traced(scene, terrain_of(scene));
+  std::mt19937_64 engine(9);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  int hits = 0;
+  int apart = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const physics::vec3 view =
+        p.direction_from_angles((8.0 * uniform(engine) - 1.0) * kDegree, (30.0 + 120.0 * uniform(engine)) * kDegree);
+    const auto theirs = p.terrain_hit(p.scene.planet, p.ground_track(scene.camera.altitude, view));
+    const auto ours = traced.hit(camera_of(scene), view, 1e3);
+    const bool same = theirs.hit == ours.has_value() && (!ours || std::abs(*ours - theirs.distance_) < 0.02);
+    apart += same ? 0 : 1;  // grazes, between the three points of a cell that theirs looks at
+    hits += ours ? 1 : 0;
+  }
+  EXPECT_GT(hits, 500);
+  EXPECT_LT(hits, 1900);
+  EXPECT_LE(apart, 100);
+}
+
+TEST(TracedTerrain, HidesTheSunWhereTheTableOfShadowsSaysSo) {
+  const Scene scene = ridge_in_haze("orders", 5.0);
+  physics::Physics p = make_physics(scene);
+  p.terrain_maps = shadowed_terrain(scene);
+  const TracedTerrain traced(scene, terrain_of(scene));
+  std::mt19937_64 engine(4);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  int hidden = 0;
+  int wrong = 0;
+  constexpr int kPoints = 1000;
+  for (int k = 0; k < kPoints; ++k) {
+    const double s = 50.0 * uniform(engine);
+    const double azimuth = (60.0 + 60.0 * uniform(engine)) * kDegree;
+    const double angle = s / scene.planet.ground_radius;
+    const physics::vec3 up(std::sin(azimuth) * std::sin(angle), std::cos(angle), -std::cos(azimuth) * std::sin(angle));
+    const double h = 2.7 * uniform(engine);
+    const physics::vec3 place = up * (scene.planet.ground_radius + h);
+    const auto shape = p.terrain_shape();
+    const double east = s * std::sin(azimuth);
+    const double north = s * std::cos(azimuth);
+    const double ground = p.map_height(shape, p.map_column(shape, east, north), p.map_row(shape, east, north));
+    if (h < ground + 0.02) {
+      continue;
+    }
+    const double share = p.terrain_sunlit(shape, east, north, h);
+    const bool dark = traced.hides_sun(place);
+    hidden += dark ? 1 : 0;
+    wrong += std::abs(share - (dark ? 0.0 : 1.0)) > 0.75 ? 1 : 0;
+  }
+  EXPECT_GT(hidden, 100);
+  EXPECT_LE(wrong, kPoints / 100);
+}
+
+struct Compared {
+  double mean = 0.0;
+  double worst = 0.0;  // beyond three standard errors, of the truth
+};
+
+Compared compare(const std::vector<ProbeResult>& found, const HostPicture& truth) {
+  Compared all;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double want = static_cast<double>(truth.radiance.at(static_cast<int>(i), 0)[c]);
+      const double noise = static_cast<double>(truth.standard_error.at(static_cast<int>(i), 0)[c]);
+      const double error = std::abs(found[i].radiance[c] - want);
+      all.mean += error / want / (3.0 * static_cast<double>(found.size()));
+      all.worst = std::max(all.worst, (error - 3.0 * noise) / want);
+    }
+  }
+  return all;
+}
+
+HostPicture traced_at(const Scene& scene, const std::vector<Direction>& directions, int samples, int orders) {
+  Scene traced = with_method(scene, *find_method("path-trace"));
+  traced.render.parameters.insert_or_assign("samples", samples);
+  traced.render.parameters.insert_or_assign("max_orders", orders);
+  return find_method("path-trace")->render_on_host(traced, air_of(traced), View{directions}, {});
+}
+
+// The light that shadows take out of the sky over the range: path-trace of one scattering with terrain and without, in
+// directions that end on nothing.
+TEST(TerrainTruth, ShaftsAreWhatPathTraceTakesOutOfTheSky) {
+  const Scene scene = ridge_in_haze("orders", 4.0);
+  std::vector<Direction> directions;
+  for (const double elevation : {7.5, 8.2, 9.0, 11.0, 14.0}) {
+    for (const double azimuth : {75.0, 82.0, 88.0, 94.0, 101.0}) {
+      directions.push_back({elevation * kDegree, azimuth * kDegree});
+    }
+  }
+  Scene open = scene;
+  open.render.parameters.insert_or_assign("volumetric_shadows", false);
+  const std::vector<ProbeResult> with = probe_now(scene, directions);
+  const std::vector<ProbeResult> without = probe_now(open, directions);
+  Scene bare = scene;
+  bare.terrain.reset();
+  const HostPicture shaded = traced_at(scene, directions, 32, 1);
+  const HostPicture lit = traced_at(bare, directions, 32, 1);
+  double greatest_share = 0.0;
+  for (std::size_t k = 0; k < directions.size(); ++k) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto at = static_cast<int>(k);
+      const double truth =
+          static_cast<double>(lit.radiance.at(at, 0)[c]) - static_cast<double>(shaded.radiance.at(at, 0)[c]);
+      const double taken = without[k].radiance[c] - with[k].radiance[c];
+      greatest_share = std::max(greatest_share, truth / without[k].radiance[c]);
+      EXPECT_NEAR(taken, truth, 0.06 * truth + 0.003 * without[k].radiance[c]) << k << ", " << c;
+    }
+  }
+  EXPECT_GT(greatest_share, 0.1) << "no shaft to see";
+}
+
+// The air before things that stand before the range or over it, with its shadow: a black wall, seen by path-trace.
+TEST(TerrainTruth, TheAirBeforeThingsIsPathTraces) {
+  Scene scene = ridge_in_haze("orders", 4.0);
+  scene.camera.projection = Projection::equirectangular;
+  scene.camera.azimuth = 90.0 * kDegree;
+  scene.image = {48, 96};
+  physics::Physics p = make_physics(scene);
+  p.terrain_maps = terrain_of(scene);
+  Scene open = scene;
+  open.terrain.reset();
+  double most_shaded = 0.0;
+  for (const double wall : {5.0, 15.0, 40.0}) {
+    std::vector<Span> spans;
+    std::vector<Direction> directions;
+    for (int k = 0; k < 12; ++k) {
+      const auto x = static_cast<float>(21 + k % 6) + 0.5F;
+      const auto y = static_cast<float>(k < 6 ? 42 : 45) + 0.5F;
+      const auto view = p.view_ray(p.scene.camera, physics::kProjectionEquirectangular, static_cast<double>(x),
+                                   static_cast<double>(y));
+      const physics::vec3 d = view.direction;
+      const auto hit = p.terrain_hit(p.scene.planet, p.ground_track(scene.camera.altitude, d));
+      if (!hit.hit || hit.distance_ > wall) {
+        spans.push_back({x, y, static_cast<float>(wall)});
+        directions.push_back({std::atan2(d.y, std::hypot(d.x, d.z)), std::atan2(d.x, -d.z)});
+      }
+    }
+    ASSERT_GT(spans.size(), 5u);
+    const std::vector<AirTo> airs = air_to(executor(), scene, spans);
+    const std::vector<AirTo> unshaded = air_to(executor(), open, spans);
+    Scene traced = with_method(scene, *find_method("path-trace"));
+    traced.render.parameters.insert_or_assign("samples", 512);
+    View view{directions};
+    view.wall = wall;
+    const HostPicture truth = find_method("path-trace")->render_on_host(traced, air_of(traced), view, {});
+    for (std::size_t i = 0; i < spans.size(); ++i) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double want = static_cast<double>(truth.radiance.at(static_cast<int>(i), 0)[c]);
+        const double noise = static_cast<double>(truth.standard_error.at(static_cast<int>(i), 0)[c]);
+        EXPECT_NEAR(static_cast<double>(airs[i].radiance[c]), want, 0.1 * want + 3.0 * noise)
+            << wall << " km, " << i << ", " << c;
+        EXPECT_NEAR(static_cast<double>(airs[i].transmittance[c]),
+                    static_cast<double>(truth.transmittance.at(static_cast<int>(i), 0)[c]), 2e-3);
+        most_shaded = std::max(most_shaded, 1.0 - static_cast<double>(airs[i].radiance[c] / unshaded[i].radiance[c]));
+      }
+    }
+  }
+  EXPECT_GT(most_shaded, 0.1);
+}
+
+// All orders, terrain darkening and lighting the air as `orders` leaves out: slopes in sun and shade, and the sky over
+// them.
+TEST(TerrainTruth, OrdersIsNearPathTrace) {
+  struct Case {
+    double elevation;  // of the sun
+    bool terrain;      // slopes, or the sky over them
+    double mean;
+    double worst;
+  };
+  for (const Case& c : {Case{35.0, true, 0.025, 0.02}, Case{35.0, false, 0.03, 0.03}, Case{4.0, true, 0.3, 0.5},
+                        Case{4.0, false, 0.065, 0.07}}) {
+    const Scene scene = ridge_in_haze("orders", c.elevation);
+    physics::Physics p = make_physics(scene);
+    p.terrain_maps = terrain_of(scene);
+    std::vector<Direction> directions;
+    for (double elevation = 0.4; elevation < 20.0 && directions.size() < 24; elevation *= 1.6) {
+      for (double azimuth = 60.0; azimuth < 125.0; azimuth += 12.0) {
+        const Direction d{elevation * kDegree, azimuth * kDegree};
+        const auto track = p.ground_track(scene.camera.altitude, p.direction_from_angles(d.elevation, d.azimuth));
+        if (p.terrain_hit(p.scene.planet, track).hit == c.terrain) {
+          directions.push_back(d);
+        }
+      }
+    }
+    ASSERT_GT(directions.size(), 8u);
+    const Compared found = compare(probe_now(scene, directions), traced_at(scene, directions, 256, 0));
+    EXPECT_LT(found.mean, c.mean) << c.elevation << (c.terrain ? " slopes" : " sky");
+    EXPECT_LT(found.worst, c.worst) << c.elevation << (c.terrain ? " slopes" : " sky");
+    std::printf("sun %g, %s: mean %.4f, worst %.4f\n", c.elevation, c.terrain ? "slopes" : "sky", found.mean,
+                found.worst);
+  }
+}
+
+}  // namespace
+}  // namespace airlight::test
