@@ -111,7 +111,7 @@ TEST_F(GroundTool, NonsenseIsRefusedInOneLine) {
     std::string says;
   };
   for (const Case& c : std::vector<Case>{
-           {R"({"albedo_map": 3})", "/planet/albedo_map: 3 is not text"},
+           {R"({"albedo_map": 3})", "/planet/albedo_map: 3 is not a string; expected a string"},
            {R"({"albedo_map": "nowhere.png"})", "nowhere.png: no such file"},
            {R"({"albedo_map": "text.png"})", "text.png: cannot be read"},
            {R"({"albedo_map": "."})", "is a directory"},

@@ -82,7 +82,8 @@ TEST_F(TerrainTool, ThingsOfACompositeStandBeforeItOrBehindIt) {
     options.half = false;
     write_exr(scratch_.path() / name, kWide, kHigh, channels, options);
   };
-  const std::vector<std::string> look{"--pitch", "0", "--altitude", "0.3", "--sun-elevation", "12"};
+  const std::vector<std::string> look{"--set", "/camera/pitch_deg=0",  "--set", "/camera/altitude_km=0.3",
+                                      "--set", "/sun/elevation_deg=12"};
   const auto composite = [&](const std::string& beauty, std::vector<std::string> more) {
     std::vector<std::string> words{"composite", "sky.json", "--beauty",     beauty,    "-o",
                                    "out.exr",   "-q",       "--depth-kind", "distance"};

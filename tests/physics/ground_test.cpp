@@ -238,6 +238,35 @@ TEST(GroundMap, PixelsWiderThanItsTexelsSeeTheirMean) {
   EXPECT_GT(sharpest, 0.4);
 }
 
+// Stripes eight texels wide are sharp at the equator, and one grey beside the poles, where they crowd into a pixel.
+TEST(GroundMap, StripesFadeTowardThePoles) {
+  constexpr int kRows = 128;
+  Scene scene = mapped(0.0, 0.0, kRows);
+  auto files = std::make_shared<GroundFiles>(*scene.ground->files);
+  files->identity = "wide stripes";
+  for (int k = 0; k < 2 * kRows * kRows; ++k) {
+    std::fill_n(files->colours.begin() + 3 * k, 3, k / 8 % 2 == 0 ? 1.0F : 0.0F);
+  }
+  scene.ground->files = files;
+  Physics p = make_physics(scene);
+  p.ground_maps = ground_of(scene);
+  const auto contrast = [&](double latitude) {
+    double most = 0.0;
+    for (double longitude = 0.0; longitude < 360.0; longitude += 1.7) {
+      const double c = std::cos(latitude * kDegree);
+      // The camera is over longitude 0 on the equator: north is -z, east x.
+      const vec3 up(c * std::sin(longitude * kDegree), c * std::cos(longitude * kDegree),
+                    -std::sin(latitude * kDegree));
+      most = std::max(most, std::abs(p.ground_mean(up, 2.5 * std::numbers::pi / kRows).albedo.x - 0.5));
+    }
+    return most;
+  };
+  EXPECT_GT(contrast(0.0), 0.4);
+  for (const double latitude : {86.0, 88.0, 89.5, -87.0}) {
+    EXPECT_LT(contrast(latitude), 0.15) << latitude;
+  }
+}
+
 // The footprint of a slanting pixel, against a mean over the ground that its rays meet.
 TEST(GroundMap, ASlantingPixelIsTheMeanOfItsFootprint) {
   Scene scene = mapped(20.0, 30.0, 720);
