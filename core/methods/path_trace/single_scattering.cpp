@@ -132,6 +132,7 @@ vec3 SingleScattering::sunlight_at(vec3 place, double h, double mu_sun) const {
 // By many short steps, as shadows of terrain have edges everywhere: denser toward the camera.
 vec3 SingleScattering::through_shadows(const Ray& ray, const Footing& footing) const {
   constexpr int kShadowSteps = 800;
+  constexpr double kDark = 1e-9;  // nothing behind air that lets through so little is seen
   const physics::PlanetData& planet = physics_.scene.planet;
   const physics::Physics::Phases phases = physics_.phases(ray.nu);
   vec3 sum(0.0);
@@ -140,11 +141,14 @@ vec3 SingleScattering::through_shadows(const Ray& ray, const Footing& footing) c
     const double share = (i + 1.0) / kShadowSteps;
     const double end = ray.length_ * share * share;
     const double t = 0.5 * (start + end);
+    const vec3 through = exp(-depth_.along(ray.h, ray.mu, t));
+    if (std::max({through.x, through.y, through.z}) < kDark) {
+      break;
+    }
     const physics::Physics::RayPoint point = physics_.point_on_ray(planet, ray, t);
     const vec3 sun = sunlight_at(place_on(planet, ray, footing, t), point.h, point.mu_sun);
     if (sun.x + sun.y + sun.z > 0.0) {
-      sum = sum + exp(-depth_.along(ray.h, ray.mu, t)) * physics_.air_at(point.h, phases).phase_scattering * sun *
-                      (end - start);
+      sum = sum + through * physics_.air_at(point.h, phases).phase_scattering * sun * (end - start);
     }
     start = end;
   }
