@@ -130,7 +130,7 @@ void read_water(GroundFiles& files, const std::string& file) {
   files.water = picture.channels.front().values;
   require_reflectances(files.water, file, key);
   if (picture.srgb) {
-    std::transform(files.water.begin(), files.water.end(), files.water.begin(), encoded);
+    std::transform(files.water.begin(), files.water.end(), files.water.begin(), srgb_encoded<float>);
   }
 }
 

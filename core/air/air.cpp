@@ -102,7 +102,9 @@ void put_phases(physics::Physics& p, const std::vector<Medium>& media, bool schl
 void put_rows(physics::Physics& p, const Column& column, const std::vector<Medium>& media, const AirOptions& options) {
   p.scene.moments = moment_axes(p, column);
   p.scene.shell_rows = 0;
-  if (options.shells == Shells::always || (options.shells == Shells::where_needed && needs_shells(column, media))) {
+  const bool wanted =
+      options.shells == Shells::where_needed && needs_shells(column, media, p.scene.moments.top, options.moment_rows);
+  if (options.shells == Shells::always || wanted) {
     const std::vector<double> rows = shell_altitudes(column, options.moment_rows);
     assert(rows.size() <= static_cast<std::size_t>(physics::kMaxShellRows));
     p.scene.shell_rows = static_cast<physics::uint>(rows.size());

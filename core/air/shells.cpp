@@ -6,6 +6,8 @@
 namespace airlight {
 namespace {
 
+constexpr int kMostRows = 1024;  // of a table of moments
+
 bool is_smooth(DensityProfile profile) {
   return profile == DensityProfile::exponential || profile == DensityProfile::lorentzian;
 }
@@ -61,24 +63,51 @@ void add_row(std::vector<double>& rows, double h, double end) {
   }
 }
 
+// Vertical optical depths of scattering in the channel that has most.
+struct ScatteringDepths {
+  double all = 0.0;
+  double most = 0.0;  // between two rows of the table
+};
+
+ScatteringDepths scattering_between_rows(const Column& column, const std::vector<Medium>& media, double top, int rows) {
+  ScatteringDepths depths;
+  for (std::size_t c = 0; c < Spectrum{}.size(); ++c) {
+    double all = 0.0;
+    std::vector<double> between(static_cast<std::size_t>(rows), 0.0);
+    for (std::size_t k = 0; k < column.cells(); ++k) {
+      double here = 0.0;
+      for (std::size_t i = 0; i < media.size(); ++i) {
+        here += column.density[k][i] * media[i].scattering[c];
+      }
+      const double row = (rows - 1) * std::sqrt(std::clamp(column.middle(k) / top, 0.0, 1.0));
+      between[static_cast<std::size_t>(row)] += here * column.width(k);
+      all += here * column.width(k);
+    }
+    depths.all = std::max(depths.all, all);
+    depths.most = std::max(depths.most, *std::ranges::max_element(between));
+  }
+  return depths;
+}
+
 }  // namespace
 
-bool needs_shells(const Column& column, const std::vector<Medium>& media) {
+int hazy_rows(int moment_rows) {
+  return std::clamp((5 * moment_rows + 1) / 3, moment_rows, kMostRows);
+}
+
+bool needs_shells(const Column& column, const std::vector<Medium>& media, double table_top, int moment_rows) {
   constexpr double kEdge = 0.01;
-  constexpr double kThick = 0.4;
-  Spectrum depth{};
+  constexpr double kThin = 0.4;
+  constexpr double kThick = 1.2;
+  constexpr double kBetweenRows = 0.4;
   for (std::size_t i = 0; i < media.size(); ++i) {
-    double most = 0.0;
-    for (std::size_t c = 0; c < depth.size(); ++c) {
-      const double mine = media[i].scattering[c] * column.amount[i];
-      depth[c] += mine;
-      most = std::max(most, mine);
-    }
-    if (!is_smooth(media[i].density.profile) && most > kEdge) {
+    const double depth = column.amount[i] * *std::ranges::max_element(media[i].scattering);
+    if (!is_smooth(media[i].density.profile) && depth > kEdge) {
       return true;
     }
   }
-  return *std::max_element(depth.begin(), depth.end()) > kThick;
+  const ScatteringDepths depths = scattering_between_rows(column, media, table_top, hazy_rows(moment_rows));
+  return depths.all > kThick || (depths.all > kThin && depths.most > kBetweenRows);
 }
 
 std::vector<double> shell_altitudes(const Column& column, int moment_rows) {

@@ -41,7 +41,7 @@ std::optional<double> wavelengths_error(const Scene& scene) {
       return std::nullopt;
     }
   }
-  return 0.003 + 0.006 * std::min(1.0, air_of(scene).depths().scattering);
+  return 0.001 + 0.008 * std::min(1.0, air_of(scene).depths().scattering);
 }
 
 bool is_beside_the_top(const Scene& scene) {
@@ -52,19 +52,19 @@ bool is_beside_the_top(const Scene& scene) {
 
 }  // namespace
 
-// By the references of tests/truth: 0.2 to 0.3 % over black ground, up to 0.6 % over snow and 2 % in twilight over it,
-// 1 to 1.3 % in haze.
+// By the references of tests/truth and the scenes of core/SPECTRA.md: 0.2 to 0.3 % in clear air over dark ground, up to
+// 0.7 % over snow and 2 % in twilight over it, 0.4 to 1.2 % in haze and dust.
 double common_error(const Scene& scene) {
   const OpticalDepths depths = air_of(scene).depths();
-  return 0.003 + (is_day(scene) ? 0.0045 : 0.0195) * brightest_ground(scene) +
-         0.012 * std::min(1.0, depths.peaked / 0.04) + 0.05 * depths.peaked + 0.03 * std::min(1.0, depths.abrupt / 0.1);
+  return 0.0015 + (is_day(scene) ? 0.0045 : 0.0195) * brightest_ground(scene) +
+         0.001 * std::min(1.0, depths.peaked / 0.04) + 0.01 * depths.peaked + 0.03 * std::min(1.0, depths.abrupt / 0.1);
 }
 
 std::optional<double> plain_reference_error(const Scene& scene) {
   constexpr double kThick = 0.05;  // by day
   const double scattering = air_of(scene).depths().scattering;
   if (is_day(scene) && scattering <= 0.6) {
-    return 0.001 + common_error(scene);
+    return 0.0005 + common_error(scene);
   }
   if (is_day(scene) && dusk_is_resolved(scene.planet, 30.0)) {
     return std::max(kThick, common_error(scene));
@@ -76,7 +76,7 @@ std::optional<double> plain_reference_error(const Scene& scene) {
 }
 
 std::optional<double> default_error(const Scene& scene) {
-  constexpr double kTable = 0.002;
+  constexpr double kTable = 0.001;
   constexpr double kTableAtDusk = 0.011;
   constexpr double kLowestSun = -4.0 * kDegree;  // below it 5.6 % was seen over bright ground
   const std::optional<double> wavelengths = wavelengths_error(scene);
@@ -86,21 +86,6 @@ std::optional<double> default_error(const Scene& scene) {
     return std::nullopt;
   }
   return *plain + (is_day(scene) ? kTable : kTableAtDusk) + *wavelengths;
-}
-
-std::optional<double> shells_error(const Scene& scene) {
-  constexpr double kLeastPeaked = 0.02;  // below it the defaults have most of it
-  constexpr double kMostPeaked = 0.1;
-  constexpr double kMostScattering = 0.6;
-  constexpr double kTable = 0.002;
-  const std::optional<double> wavelengths = wavelengths_error(scene);
-  const OpticalDepths depths = air_of(scene).depths();
-  if (!is_day(scene) || !default_error(scene) || !wavelengths || depths.abrupt > 0.0 || depths.peaked < kLeastPeaked ||
-      depths.peaked > kMostPeaked || depths.scattering > kMostScattering) {
-    return std::nullopt;
-  }
-  return 0.003 + 0.0045 * brightest_ground(scene) + 0.002 * std::min(1.0, depths.peaked / 0.04) + 0.01 * depths.peaked +
-         kTable + *wavelengths;
 }
 
 }  // namespace airlight::choice

@@ -17,11 +17,8 @@ double common_error(const Scene& scene);
 std::optional<double> plain_reference_error(const Scene& scene);
 
 // Of the method's defaults: down to a sun of -4 degrees, over planets whose dusk is about as wide as Earth's, from
-// places that the picture's table knows well, without terrain, spheres and a ground by maps. What a scene's wavelengths err is in it.
+// places that the picture's table knows well, without terrain, spheres and a ground by maps. What a scene's wavelengths
+// err is in it.
 std::optional<double> default_error(const Scene& scene);
-
-// Of the method with air cut into shells where it would do without, whose harmonics go to degree 8: by day, in haze of
-// an optical depth of 0.02 to 0.1.
-std::optional<double> shells_error(const Scene& scene);
 
 }  // namespace airlight::choice

@@ -48,11 +48,11 @@ Candidate reference(const Scene& scene, bool fine) {
   constexpr int kSteps = 192;
   Quality quality{"192 steps", {{"steps", kSteps}, {"tabulate", std::string("never")}}};
   if (fine) {
-    quality.label = "192 steps, degree 4 or more, large tables";
+    quality.label = "192 steps, degree 6 or more, large tables";
     quality.parameters.insert(quality.parameters.end(),
                               {{"moments_lut", TableSize{96, 24}}, {"transmittance_lut", TableSize{512, 128}}});
-    if (moment_settings(air_of(with_quality(scene, *find_method("orders"), {})), -1, 0, {96, 24}).degree < 4) {
-      quality.parameters.emplace_back("degree", std::string("4"));
+    if (moment_settings(air_of(with_quality(scene, *find_method("orders"), {})), -1, 0, {96, 24}).degree < 6) {
+      quality.parameters.emplace_back("degree", std::string("6"));
     }
   }
   Scene near_truth = with_quality(scene, *find_method("orders"), quality);
@@ -66,14 +66,6 @@ Candidate default_candidate(const Scene& scene) {
   const Plan plan = plan_of(with);
   return make(
       std::move(with), "default", [](ResourceId) { return false; }, plan);
-}
-
-Candidate shells_candidate(const Scene& scene) {
-  Scene with = with_quality(scene, *find_method("orders"),
-                            {"by shells, degree 8", {{"shells", std::string("always")}, {"degree", std::string("8")}}});
-  const Plan plan = plan_of(with);
-  return make(
-      std::move(with), "by shells, degree 8", [](ResourceId) { return false; }, plan);
 }
 
 std::vector<Candidate> candidates(const Scene& scene, double tolerance, const std::string& only,

@@ -25,9 +25,6 @@ Candidate reference(const Scene& scene, bool fine);
 // `orders` at its defaults.
 Candidate default_candidate(const Scene& scene);
 
-// `orders` with air cut into shells where it would do without.
-Candidate shells_candidate(const Scene& scene);
-
 // Every quality of every method on the device that claims to hold for the scene (of `only` alone where it is not
 // empty), by rising cost of tables and picture; tables that those in `made` make cost nothing. Methods that tell single
 // from multiple scattering are there with single scattering alone too, where the air is thinner than the tolerance asks

@@ -137,20 +137,15 @@ void settle(Choice& choice, const Candidate& candidate, const Tried& tried) {
   choice.left_out.insert(choice.left_out.end(), candidate.left_out.begin(), candidate.left_out.end());
 }
 
-// `orders` at its defaults, or else by shells, where that is sure to do and no search may pay.
+// `orders` at its defaults, where that is sure to do and no search may pay.
 std::optional<Choice> sure_choice(const Scene& scene, double tolerance, const std::string& only) {
-  const std::optional<double> by_default = default_error(scene);
-  if (!by_default || (!only.empty() && only != "orders")) {
-    return std::nullopt;
-  }
-  const bool do_defaults = *by_default <= tolerance;
-  const std::optional<double> error = do_defaults ? by_default : shells_error(scene);
-  if (!error || *error > tolerance || search_may_pay(scene)) {
+  const std::optional<double> error = default_error(scene);
+  if (!error || *error > tolerance || (!only.empty() && only != "orders") || search_may_pay(scene)) {
     return std::nullopt;
   }
   Choice choice;
   choice.reference_error = *error;
-  const Candidate candidate = do_defaults ? default_candidate(scene) : shells_candidate(scene);
+  const Candidate candidate = default_candidate(scene);
   const Tried tried{candidate.method, candidate.quality, candidate.cost.total(), *error, 0.0};
   note(choice, tried);
   settle(choice, candidate, tried);

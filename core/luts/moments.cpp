@@ -7,6 +7,7 @@
 #include <numbers>
 #include <string>
 
+#include "core/air/shells.h"
 #include "core/luts/luts.h"
 #include "core/physics/gauss.h"
 
@@ -36,35 +37,51 @@ struct OrderQuadrature {
   int up;
   int down;
   int half_azimuths;
-  int steps;
+  int steps;  // two a panel
 };
 
-// That share the directions of a node, as orders_bake.comp has them.
+// The threads that share the directions of a node, as orders_bake.comp has them.
 constexpr std::uint32_t kThreads = 64;
 
-// Sunlight scattered once is the least smooth; what follows needs fewer directions.
-constexpr OrderQuadrature kFirstOrder{12, 6, 8, 16};
-constexpr OrderQuadrature kNextOrders{8, 4, 3, 8};
+// How an order is gathered where rays go by steps: what it takes from the one before and keeps, and the directions.
+struct OrderWay {
+  int degree;
+  OrderQuadrature quadrature;
+};
 
-// The quadrature by shells, where light from below counts as much as from above and the shells are the steps. Peaked
-// sunlight wants
-// many directions in the first order: 24 x 16 a side change a forward-scattering slab by 0.2 % at most. Later orders:
-// more than 6 zenith nodes a side change nothing in a level slab of optical depth 5; azimuths are exact for products of
-// two harmonics.
-OrderQuadrature shell_quadrature(int order, int degree, bool peaked) {
+// Sunlight scattered once is the least smooth, by the forward peaks and by the planet's shadow; what follows needs
+// fewer directions, and after the second order most of the harmonics are spent. `hazy`: the table has more rows, a ray
+// more steps, and a peak more azimuths.
+OrderWay stepped_way(int order, const MomentSettings& settings) {
+  const int after = std::min(settings.degree, std::max(settings.hazy ? 4 : 3, settings.degree - 3));
+  const int degree = order <= 2 ? settings.degree : after;
+  const int azimuths = (degree + 3) / 2;
   if (order == 1) {
-    return peaked ? OrderQuadrature{16, 16, 12, 1} : OrderQuadrature{10, 10, 6, 1};
+    return {degree, {10, 5, settings.hazy ? 12 : 8, 24}};
   }
-  const int zeniths = degree > 6 ? 8 : 6;
-  return {zeniths, zeniths, degree + 1, 1};
+  if (settings.hazy) {
+    return {degree, {6, 4, std::max(azimuths, 4), 16}};
+  }
+  return order == 2 ? OrderWay{degree, {5, 3, azimuths, 10}} : OrderWay{degree, {4, 3, std::max(azimuths, 3), 8}};
 }
 
-// The degree that an order by shells takes from the one before and keeps: what a forward peak leaves in high harmonics
-// is spent after a few scatterings. With 6 for the third and 4 for those after it, the sky under a forward-scattering
-// slab of depth 1 and a sun 5 degrees high is 6.5 % off where it is 2.8 % with these.
-int order_degree(int order, int degree) {
-  const int enough = order <= 6 ? 8 : 6;
-  return std::min(degree, enough);
+// The quadrature by shells, where light from below counts as much as from above and the shells are the steps. Peaked
+// sunlight wants many directions in the first order: 24 x 16 a side change a forward-scattering slab by 0.2 % at most.
+// Later orders: more than 6 zenith nodes a side change nothing in a level slab of optical depth 5; azimuths are exact
+// for products of two harmonics. What a forward peak leaves in high harmonics is spent after a few scatterings: with
+// degree 6 for the third order and 4 for those after it, the sky under a forward-scattering slab of depth 1 and a sun 5
+// degrees high is 6.5 % off where it is 2.8 % with these.
+OrderWay shell_way(int order, const MomentSettings& settings) {
+  const int degree = std::min(settings.degree, order <= 6 ? 8 : 6);
+  if (order == 1) {
+    return {degree, settings.delta ? OrderQuadrature{16, 16, 12, 1} : OrderQuadrature{10, 10, 6, 1}};
+  }
+  const int zeniths = degree > 6 ? 8 : 6;
+  return {degree, {zeniths, zeniths, degree + 1, 1}};
+}
+
+OrderWay order_way(int order, const MomentSettings& settings) {
+  return settings.shells ? shell_way(order, settings) : stepped_way(order, settings);
 }
 
 BufferId add_nodes(Plan& plan, const std::string& name, const OrderQuadrature& q) {
@@ -84,18 +101,11 @@ Extent atlas_extent(const MomentSettings& s) {
   return {static_cast<std::uint32_t>(s.size[0] * block_count(s)), static_cast<std::uint32_t>(s.size[1]), 1};
 }
 
-OrderQuadrature quadrature_of(const MomentSettings& settings, int order) {
-  if (settings.shells) {
-    return shell_quadrature(order, order_degree(order, settings.degree), settings.delta);
-  }
-  return order == 1 ? kFirstOrder : kNextOrders;
-}
-
 // Steps that a bake of so many orders takes, over all rays.
 double bake_steps(const MomentSettings& settings, int orders) {
   double steps = 0.0;
   for (int order = 1; order <= orders; ++order) {
-    const OrderQuadrature q = quadrature_of(settings, order);
+    const OrderQuadrature q = order_way(order, settings).quadrature;
     const double along = settings.shells ? settings.size[1] - 1.0 : q.steps;
     steps += static_cast<double>(q.up + q.down) * q.half_azimuths * along;
   }
@@ -157,23 +167,28 @@ m = block - l * (l + 1) / 2
 MomentSettings moment_settings(const Air& air, int degree, int orders, TableSize size) {
   constexpr double kThick = 0.02;
   constexpr int kMostOrders = 40;
+  constexpr double kHazyForward = 0.2;
+  constexpr double kHazyScaled = 0.6;
   MomentSettings settings;
   const DiffusionDepths depths = air.diffusion_depths(4);
   const physics::uint shell_rows = air.formulas().scene.shell_rows;
   const bool thick = depths.forward > kThick;
+  const auto counted = [&](double depth) { return static_cast<int>(std::min(depth, kMostOrders - 4.0)); };
   settings.shells = shell_rows > 0;
-  settings.degree = degree >= 0 ? degree : !thick ? 2 : settings.shells ? 8 : 4;
+  settings.hazy = !settings.shells && (depths.forward > kHazyForward || depths.scaled > kHazyScaled);
+  settings.degree = degree >= 0 ? degree : !thick ? 2 : settings.shells ? 8 : settings.hazy ? 6 : 5;
   settings.delta = thick;
-  settings.orders =
-      orders > 0 ? std::max(orders, 2) : 3 + static_cast<int>(std::min(3.0 * depths.transport, kMostOrders - 3.0));
   settings.size = size;
   if (settings.shells) {
     // Until the orders fall alike everywhere: a level slab of optical depth 5 that absorbs nothing is off by 60 to 230
     // % at its foot with 12 orders, by 3 with 18, and no longer changes from 24 on.
-    settings.orders =
-        orders > 0 ? settings.orders : 4 + static_cast<int>(std::min(4.0 * depths.scaled, kMostOrders - 4.0));
+    settings.orders = 4 + counted(4.0 * depths.scaled);
     settings.size[1] = static_cast<int>(shell_rows);
+  } else {
+    settings.orders = 3 + counted(std::max(5.0 * depths.scaled - 1.0, 3.0 * depths.transport));
+    settings.size[1] = settings.hazy ? hazy_rows(size[1]) : size[1];
   }
+  settings.orders = orders > 0 ? std::max(orders, 2) : settings.orders;
   settings.wished_orders = settings.orders;
   while (settings.orders > 2 && bake_steps(settings, settings.orders) > kMostBakeSteps) {
     --settings.orders;
@@ -221,16 +236,17 @@ ImageId add_moments(Plan& plan, const Air& air, ImageId sunlight, const MomentSe
   std::vector<ImageId> orders;
   for (int order = 1; order <= settings.orders; ++order) {
     const bool first = order == 1;
-    const int kept = settings.shells ? order_degree(order, settings.degree) : settings.degree;
-    const OrderQuadrature q = quadrature_of(settings, order);
-    const std::string directions = first ? "first_order_directions" : "directions of degree " + std::to_string(kept);
+    const OrderWay way = order_way(order, settings);
+    const OrderQuadrature& q = way.quadrature;
+    const std::string directions =
+        first ? "first_order_directions" : "directions of degree " + std::to_string(way.degree);
     if (!nodes.contains(directions)) {
       nodes.emplace(directions, add_nodes(plan, directions, q));
     }
     const ImageId out = plan.add_image({.name = "order" + std::to_string(order), .extent = atlas, .key = {}});
     std::vector<Specialization> mine = constants;
     mine.push_back({"kFirstOrder", first ? 1u : 0u});
-    mine.push_back({"kSourceDegree", static_cast<std::uint32_t>(kept)});
+    mine.push_back({"kSourceDegree", static_cast<std::uint32_t>(way.degree)});
     plan.add_pass(
         {.name = "order" + std::to_string(order),
          .shader = "orders_bake",
@@ -240,7 +256,7 @@ ImageId add_moments(Plan& plan, const Air& air, ImageId sunlight, const MomentSe
          .writes = {{"order_out", out}, {"sums", sums}},
          .grid = {kThreads, static_cast<std::uint32_t>(settings.size[0]), static_cast<std::uint32_t>(settings.size[1])},
          .push_constants = {static_cast<std::uint32_t>((q.up + q.down) * q.half_azimuths),
-                            static_cast<std::uint32_t>(q.steps)},
+                            static_cast<std::uint32_t>((q.steps + 1) / 2)},
          .specialization = mine,
          .cost = 2.0 * (q.up + q.down) * q.half_azimuths * q.steps / kThreads});
     orders.push_back(out);

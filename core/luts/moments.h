@@ -14,17 +14,18 @@ namespace airlight {
 inline constexpr double kMostBakeSteps = 2e9;
 
 struct MomentSettings {
-  int degree = 2;          // highest harmonic kept, 0 to 8
+  int degree = 2;          // highest harmonic kept, 0 to 8; orders after the second keep fewer
   bool delta = false;      // forward peaks as unscattered light [W76]
   int orders = 3;          // computed one by one; the rest is a geometric series
   int wished_orders = 3;   // more than `orders` where those would take kMostBakeSteps
   TableSize size{48, 12};  // sun elevations x altitudes
   bool shells = false;     // rows at the edges of shells (core/air/shells.h)
+  bool hazy = false;       // without shells, and thick enough that light changes within the lowest rows
 };
 
-// What this air needs: degree 2, or 4 with delta-scaling where forward-peaked media are thick, 8 by shells
-// (`degree` -1 chooses);
-// three orders before the tail in thin air, more with the transport optical depth (`orders` 0 chooses).
+// What this air needs (`degree` -1, `orders` 0 choose): degree 2, or where forward-peaked media are thick, with
+// delta-scaling, 5, in hazy air 6, by shells 8; three orders before the tail in thin air, more with the optical depth. By shells, and in
+// hazy air, there are more rows than `size` says.
 MomentSettings moment_settings(const Air& air, int degree, int orders, TableSize size);
 
 // Mean extinction toward the top of the atmosphere (sun_table_mu() x edges of shells): what the passes read in place of

@@ -82,7 +82,7 @@ void begin_black_ground(Plan& plan, const Scene& scene, const View& view) {
   if (scene.ground) {
     Scene black = scene;
     black.planet.ground_albedo = {};
-    plan.begin_scene(device_scene_bytes(air_of(black), black, tile_of(scene, view)), " over a black ground");
+    plan.begin_scene(device_scene_bytes(air_of(black), black, tile_of(scene, view)), " over a black ground", {});
   }
 }
 

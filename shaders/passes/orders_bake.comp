@@ -17,7 +17,7 @@ layout(scalar, set = 0, binding = 5) readonly buffer Nodes { vec4 values[]; } no
 layout(scalar, set = 0, binding = 6) buffer Sums { vec4 values[]; } sums;
 layout(push_constant, scalar) uniform Push {
   uint directions;
-  uint steps;
+  uint panels;  // of two nodes; by shells unused
 };
 
 const uint kThreads = 64u;
@@ -46,7 +46,7 @@ void main() {
     if (shell_rows() > 0u) {
       radiance = shell_order_radiance(scene.planet, scene.moments, ray, 1u, kFirstOrder != 0u) * weight;
     } else {
-      radiance = order_radiance(scene.planet, scene.moments, ray, steps, kFirstOrder != 0u) * weight;
+      radiance = order_radiance(scene.planet, scene.moments, ray, panels, kFirstOrder != 0u) * weight;
     }
     Harmonics y = harmonics(mu, q.z);
     for (uint k = 0u; k < kept; k++) {

@@ -23,8 +23,9 @@ shared SkyFactors parts[64];
 // The whole ray's in the first of the threads that share it.
 SkyFactors shared_sky_factors(Ray ray, uint part) {
   uint thread = gl_LocalInvocationIndex;
-  parts[thread] = air_factors_between(scene.planet, scene.moments, ray, steps, part * steps / kTeam,
-                                      (part + 1u) * steps / kTeam);
+  uint panels = (steps + 1u) / 2u;
+  parts[thread] = air_factors_between(scene.planet, scene.moments, ray, panels, part * panels / kTeam,
+                                      (part + 1u) * panels / kTeam);
   barrier();
   SkyFactors factors = parts[thread];
   for (uint i = 1u; i < kTeam && part == 0u; i++) {

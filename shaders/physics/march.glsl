@@ -51,24 +51,15 @@ LitAir lit_air(PlanetData planet, SunData sun, Ray ray, Phases p, real t, real s
   return lit;
 }
 
-// The path with one more panel of two Gauss-Legendre nodes, +-width/(2 sqrt 3) from its middle. Light at the nodes is
-// weighed by the transmittance up to them, of an extinction that is linear between, and the weights are scaled so that
-// sum(weight x extinction) is what the panel takes out of a beam: of fourth order in thin air, and in air of any
-// thickness a mean of the source functions at the nodes, no light made or lost.
+// The path with one more panel of two Gauss-Legendre nodes (panel_transfer()).
 PathRadiance with_panel(PathRadiance path, PlanetData planet, SunData sun, Ray ray, Phases p, Step panel,
                         real scattering_scale) {
-  real offset = 0.28867513459481287 * panel.width;
-  LitAir a = lit_air(planet, sun, ray, p, panel.t - offset, scattering_scale);
-  LitAir b = lit_air(planet, sun, ray, p, panel.t + offset, scattering_scale);
-  vec3 extinction = a.extinction + b.extinction;
-  vec3 panel_depth = extinction * (0.5 * panel.width);
-  SegmentTransfer segment = segment_transfer(panel_depth);
-  // From node to node the depth is 1/sqrt 3 of the panel's. Held above 0, so that one node in a vacuum leaves the other.
-  vec3 between = max(exp(-panel_depth * 0.57735026918962576), vec3(1e-12));
-  vec3 scale = extinction / max(a.extinction + b.extinction * between, vec3(1e-37));
-  vec3 gathered = (a.source + b.source * between) * scale * (0.5 * panel.width);
-  path.radiance = path.radiance + path.transmittance * segment.mean * gathered;
-  path.transmittance = path.transmittance * segment.through;
+  real offset = kPanelNode * panel.width;
+  LitAir near = lit_air(planet, sun, ray, p, panel.t - offset, scattering_scale);
+  LitAir far = lit_air(planet, sun, ray, p, panel.t + offset, scattering_scale);
+  PanelTransfer transfer = panel_transfer(near.extinction, far.extinction, panel.width);
+  path.radiance = path.radiance + path.transmittance * (near.source * transfer.near + far.source * transfer.far);
+  path.transmittance = path.transmittance * transfer.through;
   return path;
 }
 

@@ -34,3 +34,31 @@ SegmentTransfer segment_transfer(vec3 x) {
   s.through = max(vec3(1.0) - x * s.mean, vec3(0.0));
   return s;
 }
+
+// A panel of two Gauss-Legendre nodes, +-kPanelNode of its width from its middle: what sources at the nodes add to the
+// radiance at its near end, and what it leaves of light from behind.
+const real kPanelNode = 0.28867513459481287;  // 1/(2 sqrt 3)
+
+struct PanelTransfer {
+  vec3 near;     // km
+  vec3 far;      // km
+  vec3 depth;
+  vec3 through;
+};
+
+// Light at the nodes is weighed by the transmittance up to them, of an extinction that is linear between, and the
+// weights are scaled so that sum(weight x extinction) is what the panel takes out of a beam: of fourth order in thin air,
+// and in air of any thickness a mean of the source functions at the nodes, no light made or lost.
+PanelTransfer panel_transfer(vec3 near_extinction, vec3 far_extinction, real width) {
+  vec3 extinction = near_extinction + far_extinction;
+  PanelTransfer panel;
+  panel.depth = extinction * (0.5 * width);
+  SegmentTransfer segment = segment_transfer(panel.depth);
+  // From node to node the depth is 1/sqrt 3 of the panel's. Held above 0, so that one node in a vacuum leaves the other.
+  vec3 between = max(exp(-panel.depth * 0.57735026918962576), vec3(1e-12));
+  vec3 scale = extinction / max(near_extinction + far_extinction * between, vec3(1e-37));
+  panel.near = segment.mean * scale * (0.5 * width);
+  panel.far = panel.near * between;
+  panel.through = segment.through;
+  return panel;
+}

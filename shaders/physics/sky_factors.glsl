@@ -35,40 +35,84 @@ vec3 phased(SkyFactors factors, Phases p) {
   return sum;
 }
 
-// Of the air alone, the ground left out, along steps [first, last) of `steps`: what reaches the first one's near end.
-SkyFactors air_factors_between(PlanetData planet, MomentTableData table, Ray ray, uint steps, uint first, uint last) {
+// Light scattered into the ray at a node of a panel, and the air there.
+struct NodeLight {
+  vec3 single[kMaxMedia];  // 1/km, of each medium, without its phase function
+  vec3 diffuse;            // W/(m2 sr km)
+  vec3 extinction;
+  vec3 peaks;
+};
+
+// `share`: of the sun, that reaches it.
+NodeLight node_light(PlanetData planet, MomentTableData table, Ray ray, real t, real share) {
+  RayPoint point = point_on_ray(planet, ray, t);
+  DiffuseAir air = diffuse_air_over(point.h, 0.0, equal_phases(0.0));
+  vec3 direct = transmittance_to_sun(planet, point.h, point.mu_sun) * share;
+  NodeLight light;
+  light.single[0] = direct * medium_scattering(0u, point.h, 0.0);
+  light.single[1] = direct * medium_scattering(1u, point.h, 0.0);
+  light.single[2] = direct * medium_scattering(2u, point.h, 0.0);
+  light.single[3] = direct * medium_scattering(3u, point.h, 0.0);
+  light.single[4] = direct * medium_scattering(4u, point.h, 0.0);
+  light.single[5] = direct * medium_scattering(5u, point.h, 0.0);
+  light.single[6] = direct * medium_scattering(6u, point.h, 0.0);
+  light.single[7] = direct * medium_scattering(7u, point.h, 0.0);
+  light.diffuse = moment_source(table, air, point.h, point.mu_sun, point.mu, cos_azimuth_at(point, ray.nu));
+  light.extinction = air.extinction;
+  light.peaks = air.peaks;
+  return light;
+}
+
+SkyFactors with_panel_light(SkyFactors factors, NodeLight near, NodeLight far, real width) {
+  PanelTransfer transfer = panel_transfer(near.extinction, far.extinction, width);
+  vec3 a = factors.transmittance * transfer.near;
+  vec3 b = factors.transmittance * transfer.far;
+  factors.single[0] = factors.single[0] + a * near.single[0] + b * far.single[0];
+  factors.single[1] = factors.single[1] + a * near.single[1] + b * far.single[1];
+  factors.single[2] = factors.single[2] + a * near.single[2] + b * far.single[2];
+  factors.single[3] = factors.single[3] + a * near.single[3] + b * far.single[3];
+  factors.single[4] = factors.single[4] + a * near.single[4] + b * far.single[4];
+  factors.single[5] = factors.single[5] + a * near.single[5] + b * far.single[5];
+  factors.single[6] = factors.single[6] + a * near.single[6] + b * far.single[6];
+  factors.single[7] = factors.single[7] + a * near.single[7] + b * far.single[7];
+  factors.diffuse = factors.diffuse + a * near.diffuse + b * far.diffuse;
+  factors.transmittance = factors.transmittance * transfer.through;
+  factors.depth = factors.depth + transfer.depth;
+  factors.peaks = factors.peaks + (near.peaks + far.peaks) * (0.5 * width);
+  return factors;
+}
+
+// Of the air alone, the ground left out, along panels [first, last) of `panels`: what reaches the first one's near end.
+// Node by node, as order_radiance().
+SkyFactors air_factors_between(PlanetData planet, MomentTableData table, Ray ray, uint panels, uint first, uint last) {
   SkyFactors factors = no_air();
-  Phases none = equal_phases(0.0);
-  StepPlan plan = plan_steps(planet, ray, steps);
-  uint end = ray.length_ > 0.0 ? last : first;
-  for (uint i = first; i < end; i++) {
-    Step s = planned_step(plan, i);
-    RayPoint point = point_on_ray(planet, ray, s.t);
-    real rise = s.width * point.mu;
-    DiffuseAir air = diffuse_air_over(point.h, rise, none);
-    vec3 step_depth = air.extinction * s.width;
-    SegmentTransfer segment = segment_transfer(step_depth);
-    vec3 weight = factors.transmittance * segment.mean * s.width;
-    vec3 direct = weight * transmittance_to_sun(planet, point.h, point.mu_sun) * sun_share(ray, s.t, s.width);
-    factors.single[0] = factors.single[0] + direct * medium_scattering(0u, point.h, rise);
-    factors.single[1] = factors.single[1] + direct * medium_scattering(1u, point.h, rise);
-    factors.single[2] = factors.single[2] + direct * medium_scattering(2u, point.h, rise);
-    factors.single[3] = factors.single[3] + direct * medium_scattering(3u, point.h, rise);
-    factors.single[4] = factors.single[4] + direct * medium_scattering(4u, point.h, rise);
-    factors.single[5] = factors.single[5] + direct * medium_scattering(5u, point.h, rise);
-    factors.single[6] = factors.single[6] + direct * medium_scattering(6u, point.h, rise);
-    factors.single[7] = factors.single[7] + direct * medium_scattering(7u, point.h, rise);
-    vec3 source = moment_source(table, air, point.h, point.mu_sun, point.mu, cos_azimuth_at(point, ray.nu));
-    factors.diffuse = factors.diffuse + weight * source;
-    factors.transmittance = factors.transmittance * segment.through;
-    factors.depth = factors.depth + step_depth;
-    factors.peaks = factors.peaks + air.peaks * s.width;
+  StepPlan plan = plan_steps(planet, ray, panels);
+  NodeLight near;
+  for (uint i = 0u; i < kMaxMedia; i++) {
+    near.single[i] = vec3(0.0);
+  }
+  near.diffuse = vec3(0.0);
+  near.extinction = vec3(0.0);
+  near.peaks = vec3(0.0);
+  uint end = ray.length_ > 0.0 ? 2u * last : 2u * first;
+  for (uint i = 2u * first; i < end; i++) {
+    Step panel = planned_step(plan, i / 2u);
+    bool second = (i & 1u) != 0u;
+    real side = second ? 1.0 : -1.0;
+    real share = sun_share(ray, panel.t + side * 0.25 * panel.width, 0.5 * panel.width);
+    NodeLight here = node_light(planet, table, ray, panel.t + side * kPanelNode * panel.width, share);
+    if (second) {
+      factors = with_panel_light(factors, near, here, panel.width);
+    }
+    near = here;
   }
   return factors;
 }
 
+// By two Gauss-Legendre nodes a panel, so that an odd number of steps is one more.
 SkyFactors air_factors(PlanetData planet, MomentTableData table, Ray ray, uint steps) {
-  return air_factors_between(planet, table, ray, steps, 0u, steps);
+  uint panels = (steps + 1u) / 2u;
+  return air_factors_between(planet, table, ray, panels, 0u, panels);
 }
 
 // Of a ray's near part and the far part behind it.
