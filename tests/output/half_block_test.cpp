@@ -71,6 +71,25 @@ TEST(HalfBlock, ReadsStridedSamplesAcrossBlocks) {
   }
 }
 
+// Alpha, the fourth of each pixel, is no light.
+TEST(HalfBlock, SaysWhatHalvesWouldLose) {
+  const auto loss = [](std::size_t place, float value, float typical = 1.0F) {
+    RadianceImage image{7, 1, std::vector<float>(28, 1.0F)};
+    image.rgba[place] = value;
+    return half_loss(image, typical);
+  };
+  for (const std::size_t place : {0U, 1U, 14U, 26U}) {  // in wide vectors and behind them
+    EXPECT_EQ(loss(place, 65504.0F), "") << place;
+    EXPECT_NE(loss(place, 65536.0F), "") << place;
+    EXPECT_EQ(loss(place, 1e-5F), "") << place;  // too dark to matter beside the others
+    EXPECT_NE(loss(place, 1e-5F, 1e-4F), "") << place;
+    EXPECT_EQ(loss(place, 0x1p-16F, 1e-4F), "") << place;
+    EXPECT_EQ(loss(place, -1.0F, 1e-4F), "") << place;
+  }
+  EXPECT_EQ(loss(27, 1e-5F, 1e-4F), "");
+  EXPECT_EQ(loss(27, 1e6F), "");
+}
+
 TEST(HalfBlock, CountsWithoutConversion) {
   const std::vector<float> samples = {1e9F, 1e-9F, -1.0F, kNan};
   ExrCounts counts;
