@@ -7,21 +7,13 @@
 namespace airlight {
 namespace {
 
-// Compiled for wide vectors as well, where there are any, and chosen when the program starts: of a picture the loops
-// over samples are a twentieth of a whole command.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
-#define AIRLIGHT_WIDE __attribute__((target_clones("avx2", "default")))
-#else
-#define AIRLIGHT_WIDE
-#endif
-
 // Bit patterns of floats without their sign; as integers they order like the numbers themselves.
 constexpr std::int32_t kLargestHalf = 0x477fe000;     // 65504
 constexpr std::int32_t kSmallestNormal = 0x38800000;  // 2^-14
 constexpr std::int32_t kInfinity = 0x7f800000;
 
 // Integer selects instead of branches, so that the loop over samples becomes vector code.
-inline std::uint16_t half_bits(float sample) {
+std::uint16_t half_bits(float sample) {
   const std::uint32_t bits = std::bit_cast<std::uint32_t>(sample);
   const std::uint32_t sign = (bits >> 16) & 0x8000U;
   const std::uint32_t magnitude = bits & 0x7fffffffU;
@@ -41,7 +33,7 @@ struct BlockCounts {
   std::uint32_t clamped = 0, underflowed = 0, negative = 0, nan = 0;
 };
 
-AIRLIGHT_WIDE BlockCounts count_block(const float* samples, std::size_t count) {
+BlockCounts count_block(const float* samples, std::size_t count) {
   BlockCounts found;
   for (std::size_t i = 0; i < count; ++i) {
     const std::int32_t bits = std::bit_cast<std::int32_t>(samples[i]);
@@ -53,25 +45,6 @@ AIRLIGHT_WIDE BlockCounts count_block(const float* samples, std::size_t count) {
     found.negative += bits < 0 && order > 0 && order <= kInfinity ? 1 : 0;
   }
   return found;
-}
-
-AIRLIGHT_WIDE void convert_block(const float* samples, std::size_t count, std::uint16_t* halves) {
-  for (std::size_t i = 0; i < count; ++i) {
-    halves[i] = half_bits(samples[i]);
-  }
-}
-
-// Whether a value lies above the largest half, is no number, or is positive and below `few`. Positive floats order like
-// their bits.
-AIRLIGHT_WIDE bool any_beyond(const float* values, std::size_t count, float few) {
-  const std::int32_t least = std::bit_cast<std::int32_t>(few);
-  std::int32_t found = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::int32_t bits = std::bit_cast<std::int32_t>(values[i]);
-    found |= (bits > 0 ? 1 : 0) & (bits < least ? 1 : 0);
-    found |= bits > kLargestHalf ? 1 : 0;
-  }
-  return found != 0;
 }
 
 constexpr std::size_t kBlock = 1024;
@@ -94,7 +67,9 @@ void for_blocks(const float* samples, std::size_t stride, std::size_t count, con
 void convert_to_half(const float* samples, std::size_t stride, std::size_t count, std::uint16_t* halves,
                      ExrCounts& counts) {
   for_blocks(samples, stride, count, [&](const float* block, std::size_t first, std::size_t length) {
-    convert_block(block, length, halves + first);
+    for (std::size_t i = 0; i < length; ++i) {
+      halves[first + i] = half_bits(block[i]);
+    }
     const BlockCounts found = count_block(block, length);
     add_counts(counts, {length, found.clamped, found.underflowed, found.negative, found.nan});
   });
@@ -110,10 +85,6 @@ void count_samples(const float* samples, std::size_t stride, std::size_t count, 
 std::string half_loss(const RadianceImage& image, double typical) {
   constexpr float kFewBits = 0x1p-16F;
   constexpr float kLargest = 65504.0F;
-  // Most pictures are done with here; alpha, 0 to 1, is among the values and seldom sends one further.
-  if (!any_beyond(image.rgba.data(), image.rgba.size(), kFewBits)) {
-    return "";
-  }
   const float dark = static_cast<float>(typical / 256.0);
   std::size_t matter = 0;
   std::size_t faint = 0;
