@@ -41,6 +41,10 @@ TEST_P(OrdersSlab, RadianceAtTopAndBottomMeetsAddingAndDoubling) {
                        rayleigh ? PhaseFunction::rayleigh : PhaseFunction::henyey_greenstein, c.g);
     scene.sun.elevation = std::asin(judge.nodes()[static_cast<std::size_t>(sun)]);
     scene = with_method(scene, *find_method("orders"));
+    if (c.optical_depth > 5.0) {
+      // Half of the default's sun elevations, half of a minute: the worst errors are 2.8 % with either.
+      scene.render.parameters["moments_lut"] = TableSize{24, 12};
+    }
     for (const bool top : {true, false}) {
       scene.camera.altitude = top ? 10.0 : 0.0;
       std::vector<Direction> directions;

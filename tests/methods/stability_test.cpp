@@ -145,8 +145,8 @@ TEST(Stability, AirOfEveryThickness) {
           if (!on_device(method) && absorbed == 0.0 && depth > 1.0) {
             continue;
           }
-          // A black ground behind such air tells nothing that the white one, where light dies out slowest, does not; and
-          // either is seconds of tables.
+          // A black ground behind such air tells nothing that the white one, where light dies out slowest, does not;
+          // and either is seconds of tables.
           if (depth > 1.0 && absorbed == 0.0 && albedo == 0.0) {
             continue;
           }

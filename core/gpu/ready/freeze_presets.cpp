@@ -62,8 +62,8 @@ Plan listed_directions(const Scene& scene) {
   return plan;
 }
 
-// A level map of few heights in place of the scene's: the heights and their shadow, most of a second each, are contents of
-// buffers, and a module knows only that there are some.
+// A level map of few heights in place of the scene's: the heights and their shadow, most of a second each, are contents
+// of buffers, and a module knows only that there are some.
 void level_terrain(Scene& scene) {
   if (!scene.terrain) return;
   TerrainFiles files;
