@@ -122,11 +122,13 @@ vec3 SingleScattering::radiance(const Ray& ray, const Footing& footing) const {
   return sum;
 }
 
+// Of the sun above the air: what is less is not looked for behind terrain.
+constexpr double kNoBeam = 1e-12;
+
 vec3 SingleScattering::sunlight_at(vec3 place, double h, double mu_sun) const {
-  if (physics_.meets_ground(physics_.scene.planet, h, mu_sun) || (terrain_ != nullptr && terrain_->hides_sun(place))) {
-    return vec3(0.0);
-  }
-  return sunlight(h, mu_sun);
+  const vec3 beam = sunlight(h, mu_sun);
+  const bool shines = std::max({beam.x, beam.y, beam.z}) > kNoBeam;
+  return shines && (terrain_ == nullptr || !terrain_->hides_sun(place)) ? beam : vec3(0.0);
 }
 
 // By many short steps, as shadows of terrain have edges everywhere: denser toward the camera.

@@ -126,12 +126,28 @@ WalkStart Walk::start(vec3 direction, double wall) const {
   return start;
 }
 
+// How far along the ray anything can be seen: in thick air not to its end, and looking for terrain takes time.
+double Walk::seen_length(const physics::Physics::Ray& ray) const {
+  constexpr double kOpaque = 30.0;  // optical depth
+  const auto least = [](vec3 v) { return std::min({v.x, v.y, v.z}); };
+  const double extinction = least(physics_.extinction_at(ray.h));
+  if (extinction * ray.length_ < kOpaque) {
+    return ray.length_;
+  }
+  for (double length = kOpaque / extinction; length < ray.length_; length *= 2.0) {
+    if (least(depth_.along(ray.h, ray.mu, length)) > kOpaque) {
+      return length;
+    }
+  }
+  return ray.length_;
+}
+
 // Ends the ray on the terrain that it meets; the terrain's albedo there.
 std::optional<Channels> Walk::cut_at_terrain(vec3 place, vec3 direction, physics::Physics::Ray& ray) const {
   if (terrain_ == nullptr || !(ray.length_ > 0.0)) {
     return std::nullopt;
   }
-  const std::optional<double> hit = terrain_->hit(place, direction, ray.length_);
+  const std::optional<double> hit = terrain_->hit(place, direction, seen_length(ray));
   if (!hit) {
     return std::nullopt;
   }

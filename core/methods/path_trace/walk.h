@@ -65,6 +65,7 @@ class Walk {
   bool fly(State& state, const FlightPlan& plan, double u) const;
   physics::vec3 from_sun(const State& state) const;
   void add_from_sun(const State& state) const;
+  double seen_length(const physics::Physics::Ray& ray) const;
   std::optional<Channels> cut_at_terrain(physics::vec3 place, physics::vec3 direction,
                                          physics::Physics::Ray& ray) const;
   bool turn(State& state, bool guided, WalkNumbers& numbers, FlightPlan& plan) const;
