@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kNear = 1e-5;      // km: so close to the terrain is on it
 constexpr double kShortest = 2e-4;  // km, of a step
+constexpr double kPartOfCell = 0.05;
 constexpr int kMostSteps = 20000;
 constexpr double kStretch = 1.02;  // of distances on the map against those in the air, with room to spare
 
@@ -97,7 +98,11 @@ std::optional<double> TracedTerrain::hit(vec3 from, vec3 direction, double limit
     }
     before = t;
     const double safe = std::max(clear / (1.0 + kStretch * steepest_), at.beside / kStretch);
-    t += std::max(safe, kShortest);
+    // Over rough maps that would be next to nothing: what stands within a small part of a cell is not missed.
+    const double across = std::sqrt(std::max(1.0 - mu * mu, 0.0));
+    const double part =
+        at.beside > 0.0 ? 0.0 : kPartOfCell * physics_.terrain_maps->shape.texel / std::max(across, 0.01);
+    t += std::max({safe, part, kShortest});
   }
   return std::nullopt;
 }
