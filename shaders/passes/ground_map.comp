@@ -35,7 +35,8 @@ vec3 sky_on_ground(float mu_sun) {
   if (kIrradianceColumns == 0u) {
     return vec3(0.0);
   }
-  return textureLod(ground_irradiance_lut, vec2(texel_from_unit(0.5 + 0.5 * mu_sun, float(kIrradianceColumns)), 0.5), 0.0).rgb;
+  float u = texel_from_unit(0.5 + 0.5 * mu_sun, float(kIrradianceColumns));
+  return textureLod(ground_irradiance_lut, vec2(u, 0.5), 0.0).rgb;
 }
 
 vec3 through_air(GroundPlace place) {

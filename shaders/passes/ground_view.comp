@@ -22,6 +22,7 @@ void main() {
   if (texel >= columns) {
     return;
   }
-  Ray ray = ray_of_unit(scene.planet, view_range(scene.planet, scene.camera.altitude), float(texel) / float(columns - 1u));
+  ViewRange range = view_range(scene.planet, scene.camera.altitude);
+  Ray ray = ray_of_unit(scene.planet, range, float(texel) / float(columns - 1u));
   imageStore(ground_view_out, ivec2(texel, 0), vec4(mean_extinction(scene.planet, ray), 1.0));
 }
