@@ -55,14 +55,14 @@ struct OrderWay {
 OrderWay stepped_way(int order, const MomentSettings& settings) {
   const int after = std::min(settings.degree, std::max(settings.hazy ? 4 : 3, settings.degree - 3));
   const int degree = order <= 2 ? settings.degree : after;
-  const int azimuths = (degree + 3) / 2;
+  const int azimuths = std::max((degree + 3) / 2, 3);
   if (order == 1) {
     return {degree, {10, 5, settings.hazy ? 12 : 8, 24}};
   }
   if (settings.hazy) {
     return {degree, {6, 4, std::max(azimuths, 4), 16}};
   }
-  return order == 2 ? OrderWay{degree, {5, 3, azimuths, 10}} : OrderWay{degree, {4, 3, std::max(azimuths, 3), 8}};
+  return order == 2 ? OrderWay{degree, {5, 3, azimuths, 10}} : OrderWay{degree, {4, 3, azimuths, 8}};
 }
 
 // The quadrature by shells, where light from below counts as much as from above and the shells are the steps. Peaked
@@ -176,7 +176,7 @@ MomentSettings moment_settings(const Air& air, int degree, int orders, TableSize
   const auto counted = [&](double depth) { return static_cast<int>(std::min(depth, kMostOrders - 4.0)); };
   settings.shells = shell_rows > 0;
   settings.hazy = !settings.shells && (depths.forward > kHazyForward || depths.scaled > kHazyScaled);
-  settings.degree = degree >= 0 ? degree : !thick ? 2 : settings.shells ? 8 : settings.hazy ? 6 : 5;
+  settings.degree = degree >= 0 ? degree : !thick ? 2 : settings.shells ? 8 : settings.hazy ? 8 : 5;
   settings.delta = thick;
   settings.size = size;
   if (settings.shells) {
@@ -185,7 +185,9 @@ MomentSettings moment_settings(const Air& air, int degree, int orders, TableSize
     settings.orders = 4 + counted(4.0 * depths.scaled);
     settings.size[1] = static_cast<int>(shell_rows);
   } else {
-    settings.orders = 3 + counted(std::max(5.0 * depths.scaled - 1.0, 3.0 * depths.transport));
+    // Over bright ground the third order still falls otherwise than those after it.
+    const double bounce = *std::ranges::max_element(air.planet().ground_albedo);
+    settings.orders = 3 + counted(std::max(5.0 * depths.scaled - 1.0, 3.0 * depths.transport)) + (bounce > 0.5 ? 1 : 0);
     settings.size[1] = settings.hazy ? hazy_rows(size[1]) : size[1];
   }
   settings.orders = orders > 0 ? std::max(orders, 2) : settings.orders;
@@ -238,8 +240,8 @@ ImageId add_moments(Plan& plan, const Air& air, ImageId sunlight, const MomentSe
     const bool first = order == 1;
     const OrderWay way = order_way(order, settings);
     const OrderQuadrature& q = way.quadrature;
-    const std::string directions =
-        first ? "first_order_directions" : "directions of degree " + std::to_string(way.degree);
+    const std::string directions = "directions " + std::to_string(q.up) + " up, " + std::to_string(q.down) + " down, " +
+                                   std::to_string(q.half_azimuths) + " azimuths";
     if (!nodes.contains(directions)) {
       nodes.emplace(directions, add_nodes(plan, directions, q));
     }

@@ -24,8 +24,8 @@ struct MomentSettings {
 };
 
 // What this air needs (`degree` -1, `orders` 0 choose): degree 2, or where forward-peaked media are thick, with
-// delta-scaling, 5, in hazy air 6, by shells 8; three orders before the tail in thin air, more with the optical depth. By shells, and in
-// hazy air, there are more rows than `size` says.
+// delta-scaling, 5, in hazy air and by shells 8; three orders before the tail in thin air, more with the optical depth.
+// By shells, and in hazy air, there are more rows than `size` says.
 MomentSettings moment_settings(const Air& air, int degree, int orders, TableSize size);
 
 // Mean extinction toward the top of the atmosphere (sun_table_mu() x edges of shells): what the passes read in place of

@@ -79,7 +79,8 @@ TableText factor_text(const FactorLayout& layout) {
                    table_constant("ground_rows", layout.ground_rows) + table_constant("limb_rows", layout.limb_rows);
   text.constants += inside ? table_constant("sky_rows", layout.sky_rows) : "";
   text.constants += layout.rayleigh ? table_constant("last_block", static_cast<double>(last)) : "";
-  text.decode = std::string(kRows) + (inside ? kFromInside : kFromSpace) + (layout.rayleigh ? kCarrier : "carrier = 1\n");
+  text.decode =
+      std::string(kRows) + (inside ? kFromInside : kFromSpace) + (layout.rayleigh ? kCarrier : "carrier = 1\n");
   return text;
 }
 

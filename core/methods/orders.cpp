@@ -16,6 +16,7 @@
 #include "core/methods/ground_pass.h"
 #include "core/methods/march_passes.h"
 #include "core/methods/methods.h"
+#include "core/methods/orders_parts.h"
 #include "core/methods/scene_air.h"
 #include "core/methods/sky_pass.h"
 #include "core/methods/spectral_sums.h"
@@ -24,6 +25,19 @@
 
 namespace airlight {
 namespace {
+
+using orders::add_factors;
+using orders::add_light;
+using orders::add_shadowed_terrain;
+using orders::add_table_constants;
+using orders::factor_table;
+using orders::FactorTable;
+using orders::inside_the_air;
+using orders::layout_of;
+using orders::Light;
+using orders::ray_cost;
+using orders::settings_of;
+using orders::steps_of;
 
 constexpr std::array<std::string_view, 10> kDegrees{"auto", "0", "1", "2", "3", "4", "5", "6", "7", "8"};
 constexpr std::array<std::string_view, 2> kFolded{"smooth", "all"};
@@ -40,7 +54,8 @@ const std::array<ParameterInfo, 12> kParameters{{
      {},
      "table of radiance moments, sun elevations x altitudes; in hazy air, and by shells, of more altitudes"},
     {"degree", ParameterKind::choice, 0, 0, std::string("auto"), kDegrees,
-     "highest spherical harmonic kept; auto: 2, or where forward-peaked media are thick 5, in hazy air 6, by shells 8"},
+     "highest spherical harmonic kept; auto: 2, or where forward-peaked media are thick 5, in hazy air and by shells "
+     "8"},
     {"orders",
      ParameterKind::integer,
      0,
@@ -81,120 +96,12 @@ const std::array<ParameterInfo, 12> kParameters{{
     phase_parameter(),
 }};
 
-bool inside_the_air(const Scene& scene) {
-  return scene.camera.altitude <= scene.planet.atmosphere_height;
-}
-
-// The picture's own table of factors, as shaders/shared/sky_table.glsl is told of it.
-struct FactorTable {
-  std::uint32_t columns;
-  std::uint32_t ground_rows;
-  std::uint32_t limb_rows;
-  std::uint32_t sky_rows;
-  std::uint32_t apart;   // media of a block each, bit i
-  std::uint32_t folded;  // media whose phase function is in the table
-  bool rayleigh;         // among the folded
-  std::uint32_t blocks;
-
-  std::uint32_t rows() const { return ground_rows + limb_rows + sky_rows; }
-};
-
-std::uint32_t media_with(const Air& air, PhaseFunction phase, std::uint32_t scattering) {
-  std::uint32_t bits = 0;
-  for (std::size_t i = 0; i < air.media().size(); ++i) {
-    bits |= air.media()[i].phase == phase ? 1u << i : 0u;
-  }
-  return bits & scattering;
-}
-
-// Whose phase function, a column away from its peak, is still above a fifth of it: both forward and backward.
-std::uint32_t media_wider_than_a_column(const Air& air, int columns, std::uint32_t scattering) {
-  physics::Physics p = air.formulas();
-  const double chord = 1.0 / (columns - 1);
-  const double nu = 1.0 - 2.0 * chord * chord;
-  std::uint32_t bits = 0;
-  for (std::uint32_t i = 0; i < p.medium_count(); ++i) {
-    const auto far = [&](double at, double peak) {
-      const physics::vec3 rest = p.medium_phase(i, at) - p.medium_phase(i, peak) * 0.2;
-      return rest.x > 0.0 && rest.y > 0.0 && rest.z > 0.0;
-    };
-    const bool wide = far(nu, 1.0) && far(-nu, -1.0);
-    bits |= wide ? 1u << i : 0u;
-  }
-  return bits & scattering;
-}
-
-// From space the rows resolve the halo of the limb, and the terminator at the middle of the disc. `media`: those that
-// scatter. `layers`: all of them apart, else the folded ones share the last block with the diffuse
-// light.
-FactorTable factor_table(const Scene& scene, const Air& air, std::uint32_t media, bool layers) {
-  const TableSize size = scene.render.get<TableSize>("sky_lut");
-  const auto columns = static_cast<std::uint32_t>(size[0]);
-  const auto sky = static_cast<std::uint32_t>(size[1]);
-  const bool inside = inside_the_air(scene);
-  const std::uint32_t rayleigh = media_with(air, PhaseFunction::rayleigh, media);
-  const bool all = scene.render.get<std::string>("fold") == "all";
-  const std::uint32_t folded = all ? media_wider_than_a_column(air, size[0], media)
-                                   : rayleigh | media_with(air, PhaseFunction::isotropic, media);
-  const std::uint32_t apart = layers ? media : media & ~folded;
-  return {.columns = inside ? columns : 4 * columns,
-          .ground_rows = inside ? sky / 2 : 6 * sky,
-          .limb_rows = inside ? 3 * sky / 4 : 2 * sky,
-          .sky_rows = inside ? sky : 0,
-          .apart = apart,
-          .folded = folded,
-          .rayleigh = (folded & rayleigh) != 0,
-          .blocks = static_cast<std::uint32_t>(std::popcount(apart)) + 1};
-}
-
-void add_table_constants(std::vector<Specialization>& constants, const FactorTable& table) {
-  constants.push_back({"kSkyColumns", table.columns});
-  constants.push_back({"kGroundRows", table.ground_rows});
-  constants.push_back({"kLimbRows", table.limb_rows});
-  constants.push_back({"kSkyRows", table.sky_rows});
-  constants.push_back({"kScatteringMedia", table.apart});
-  constants.push_back({"kFoldedMedia", table.folded});
-  constants.push_back({"kRayleighCarrier", table.rayleigh ? 1u : 0u});
-}
-
-FactorLayout layout_of(const Scene& scene, const FactorTable& table, bool in_colours) {
-  std::vector<std::string> apart;
-  for (std::size_t i = 0; i < scene.media.size(); ++i) {
-    if ((table.apart >> i & 1u) != 0) {
-      apart.push_back(scene.media[i].name);
-    }
-  }
-  return {.planet = scene.planet,
-          .camera_altitude = scene.camera.altitude,
-          .sun_mu = std::sin(scene.sun.elevation),
-          .apart = std::move(apart),
-          .columns = table.columns,
-          .ground_rows = table.ground_rows,
-          .limb_rows = table.limb_rows,
-          .sky_rows = table.sky_rows,
-          .rayleigh = table.rayleigh,
-          .in_colours = in_colours};
-}
-
 bool tabulates(const Scene& scene, const View& view) {
   const std::string& choice = scene.render.get<std::string>("tabulate");
   const bool holds = view.directions.empty() || view.as_picture;
   const long long enough = inside_the_air(scene) ? 16384 : 131072;  // about four times the table's rays
   const bool pays = scene.image.width * static_cast<long long>(scene.image.height) >= enough;
   return holds && !scene.terrain && scene.spheres.empty() && (choice == "always" || (choice == "auto" && pays));
-}
-
-MomentSettings settings_of(const Scene& scene, const Air& air) {
-  const std::string& degree = scene.render.get<std::string>("degree");
-  return moment_settings(air, degree == "auto" ? -1 : degree.front() - '0', scene.render.get<int>("orders"),
-                         scene.render.get<TableSize>("moments_lut"));
-}
-
-// What the sky passes take: steps along a ray, or parts of a shell, so many that a ray from the ground up has as many.
-std::uint32_t steps_of(const Scene& scene, const MomentSettings& settings) {
-  const int steps = scene.render.get<int>("steps");
-  const int shells = settings.size[1] - 1;
-  return static_cast<std::uint32_t>(settings.shells ? std::max((steps + shells / 2) / shells, 1) : steps);
 }
 
 void settle(RenderSettings& settings, const Scene& scene, const Air& air) {
@@ -212,69 +119,6 @@ std::vector<std::string> bounds(const Scene& scene, const Air& air) {
           " orders of scattering are computed: more would take too long at render.moments_lut " +
           std::to_string(settings.size[0]) + " x " + std::to_string(settings.size[1]) +
           "; a geometric tail stands for the rest, and nothing vouches for its error"};
-}
-
-// What the passes over view rays read: the sun's light, the moments, and how they are told of them.
-struct Light {
-  ImageId transmittance;
-  ImageId sunlight;  // the table of transmittance or, by shells, of mean extinction
-  ImageId moments;
-  std::vector<Specialization> constants;
-  std::uint32_t steps;
-  bool by_shells;
-
-  std::vector<Binding> reads() const { return {{"transmittance_lut", sunlight}, {"moments_lut", moments}}; }
-
-  // Beside that of transmittance, for SkyPasses::more_tables.
-  std::vector<ImageId> more() const {
-    return by_shells ? std::vector<ImageId>{sunlight, moments} : std::vector<ImageId>{moments};
-  }
-};
-
-Light add_light(Plan& plan, const Scene& scene, const Air& air) {
-  Light light;
-  light.transmittance = add_transmittance(plan, air, scene.render.get<TableSize>("transmittance_lut"));
-  const MomentSettings settings = settings_of(scene, air);
-  light.sunlight = settings.shells ? add_sun_table(plan, air, settings) : light.transmittance;
-  light.moments = add_moments(plan, air, light.sunlight, settings);
-  light.constants = sunlight_specialization(plan, air, light.sunlight);
-  add_moment_constants(light.constants, settings);
-  light.steps = steps_of(scene, settings);
-  light.by_shells = settings.shells;
-  return light;
-}
-
-double ray_cost(std::uint32_t steps) {
-  return 10.0 + 2.5 * steps;
-}
-
-// `shader`: sky_factors, or layers_factors with one block more.
-ImageId add_factors(Plan& plan, const std::string& shader, const Scene& scene, const FactorTable& table,
-                    const View& view, const Light& light) {
-  const bool layers = shader == "layers_factors";
-  const std::uint32_t blocks = table.blocks + (layers ? 1 : 0);
-  std::function<TableText()> text;
-  if (!layers) {
-    text = [layout = layout_of(scene, table, false)] { return factor_text(layout); };
-  }
-  const ImageId factors = plan.add_image({.name = shader,
-                                          .extent = {table.columns * blocks, table.rows(), 1},
-                                          .key = picture_table_key(view, shader),
-                                          .text = std::move(text)});
-  std::vector<Specialization> constants = light.constants;
-  add_table_constants(constants, table);
-  // A table of some thousand rays does not fill a GPU, whose threads would take the steps one after the other.
-  const std::uint32_t team = shader == "sky_factors" && !light.by_shells ? 4 : 1;
-  plan.add_pass({.name = shader,
-                 .shader = shader,
-                 .reads = light.reads(),
-                 .writes = {{"factors_out", factors}},
-                 .grid = {table.columns, table.rows(), 1},
-                 .push_constants = {light.steps},
-                 .specialization = std::move(constants),
-                 .team = team,
-                 .cost = ray_cost(light.steps)});
-  return factors;
 }
 
 void add_factor_pixels(Plan& plan, const Scene& scene, const Air& air, const View& view, const FactorTable& table,
@@ -352,18 +196,6 @@ std::optional<SkyPasses> add_spectral(Plan& plan, const Scene& scene, const Spec
   passes.more_tables.push_back(sum);
   add_factor_pixels(plan, scene, air, view, table, target, sum);
   return passes;
-}
-
-// Adds the terrain and its shadow to what a pass reads. Returns how far shadows stand, as a push constant.
-std::uint32_t add_shadowed_terrain(Plan& plan, const Scene& scene, std::vector<Binding>& reads,
-                                   std::vector<Specialization>& constants) {
-  const std::shared_ptr<const physics::HostTerrain> terrain = shadowed_terrain(scene);
-  const TerrainBuffers buffers = add_terrain(plan, *terrain);
-  reads.push_back({"terrain", buffers.heights});
-  reads.push_back({"terrain_shadows", buffers.shadows});
-  reads.push_back({"terrain_colours", buffers.colours});
-  constants.push_back({"kShafts", scene.render.get<bool>("volumetric_shadows") ? 1U : 0U});
-  return std::bit_cast<std::uint32_t>(static_cast<float>(shadow_reach(terrain->shape)));
 }
 
 // The pass over terrain and the air about it.
@@ -472,102 +304,6 @@ LayerPasses add_layers(Plan& plan, const Scene& scene, const Air& air, const Vie
   return {planes, light.transmittance};
 }
 
-struct SpanBuffers {
-  BufferId list;
-  BufferId air;
-  std::uint32_t count;
-};
-
-SpanBuffers add_span_buffers(Plan& plan, std::span<const Span> spans) {
-  constexpr std::size_t kVector = 4 * sizeof(float);
-  std::vector<std::byte> bytes(spans.size() * kVector);
-  for (std::size_t i = 0; i < spans.size(); ++i) {
-    std::memcpy(bytes.data() + i * kVector, &spans[i], sizeof(Span));
-  }
-  const BufferId list =
-      plan.add_buffer({.name = "spans", .bytes = spans.size() * kVector, .contents = std::move(bytes)});
-  const BufferId air =
-      plan.add_buffer({.name = "air", .bytes = 2 * spans.size() * kVector, .host_readable = true, .zeroed = false});
-  return {list, air, static_cast<std::uint32_t>(spans.size())};
-}
-
-// Two thirds of the picture's table each way. What it leaves out shows far less: light before things is gathered over
-// less air, and divided by what the transmittance takes.
-FactorTable volume_table(Scene scene, const Air& air) {
-  auto& size = std::get<TableSize>(scene.render.parameters.find("sky_lut")->second);
-  size = {std::max(2 * size[0] / 3, 8), std::max(2 * size[1] / 3, 8)};
-  return factor_table(scene, air, air.scattering_media(), false);
-}
-
-// The aerial volume and the mean extinction beside it (shaders/physics/aerial_volume.glsl).
-std::vector<Binding> add_volume(Plan& plan, const Scene& scene, const Light& light, const FactorTable& table,
-                                const std::string& kept_as) {
-  const auto slices = static_cast<std::uint32_t>(scene.render.get<int>("aerial_slices"));
-  View view;
-  view.kept_as = kept_as;
-  const ImageId volume = plan.add_image({.name = "aerial_volume",
-                                         .extent = {table.columns * table.blocks, table.rows(), slices},
-                                         .key = picture_table_key(view, "aerial_volume")});
-  const ImageId extinction = plan.add_image({.name = "mean_extinction",
-                                             .extent = {4 * slices, table.rows(), 1},
-                                             .key = picture_table_key(view, "mean_extinction")});
-  std::vector<Specialization> constants = light.constants;
-  add_table_constants(constants, table);
-  constants.push_back({"kSlices", slices});
-  // Two steps from slice to slice at least: one may fall to each side of the shadow's edge.
-  const std::uint32_t steps = light.by_shells ? 1 : std::max(2u, light.steps / slices);
-  plan.add_pass({.name = "aerial_extinction",
-                 .shader = "aerial_extinction",
-                 .reads = light.reads(),
-                 .writes = {{"extinction_out", extinction}},
-                 .grid = {table.rows(), 1, 1},
-                 .specialization = constants,
-                 .team = 64,
-                 .cost = 4.0 * slices});
-  plan.add_pass({.name = "aerial_volume",
-                 .shader = "aerial_volume",
-                 .reads = light.reads(),
-                 .writes = {{"volume_out", volume}},
-                 .grid = {table.columns, table.rows(), 1},
-                 .push_constants = {steps},
-                 .specialization = std::move(constants),
-                 .team = 8,
-                 .cost = ray_cost(steps * slices)});
-  return {{"volume_lut", volume}, {"extinction_lut", extinction}};
-}
-
-SpanPasses add_spans(Plan& plan, const Scene& scene, const Air& air, std::span<const Span> spans, const SpanWay& way) {
-  const Light light = add_light(plan, scene, air);
-  const SpanBuffers buffers = add_span_buffers(plan, spans);
-  std::vector<Binding> reads = light.reads();
-  std::vector<Specialization> constants = light.constants;
-  std::vector<std::uint32_t> push{buffers.count, light.steps};
-  if (way.volume) {
-    const FactorTable table = volume_table(scene, air);
-    reads = add_volume(plan, scene, light, table, way.kept_as);
-    constants = medium_specialization(air);
-    add_table_constants(constants, table);
-    constants.push_back({"kSlices", static_cast<std::uint32_t>(scene.render.get<int>("aerial_slices"))});
-    push.pop_back();
-  }
-  const char* shader = way.volume ? "air_from_volume" : "air_spans";
-  if (scene.terrain) {
-    shader = "air_spans_terrain";
-    push.push_back(add_shadowed_terrain(plan, scene, reads, constants));
-  }
-  reads.push_back({"spans", buffers.list});
-  constants.push_back({"kProjection", projection_code(scene.camera.projection)});
-  plan.add_pass({.name = "air",
-                 .shader = shader,
-                 .reads = std::move(reads),
-                 .writes = {{"air_out", buffers.air}},
-                 .grid = {buffers.count, 1, 1},
-                 .push_constants = std::move(push),
-                 .specialization = std::move(constants),
-                 .cost = way.volume ? 3.0 : ray_cost(light.steps)});
-  return {buffers.air};
-}
-
 // A table of the picture's light that would hold, but does not pay.
 std::vector<std::string> left_out(const Scene& scene, const Plan& plan) {
   const bool tabulated =
@@ -673,7 +409,7 @@ SkyMethod orders_method() {
   method.add_spectral_passes = add_spectral;
   method.settle = settle;
   method.add_layer_passes = add_layers;
-  method.add_span_passes = add_spans;
+  method.add_span_passes = orders::add_spans;
   // The volume holds no shadows.
   method.has_volume = [](const Scene& scene) { return inside_the_air(scene) && !scene.terrain; };
   method.all_tables = {{"tabulate", std::string("always")}};

@@ -220,7 +220,7 @@ TEST(TerrainTruth, OrdersIsNearPathTrace) {
   };
   // Slopes in the range's own shadow are too bright: light scattered twice comes to them from air that is dark.
   for (const Case& c : {Case{35.0, true, 256, 0.025, 0.02, 0.02}, Case{35.0, false, 256, 0.03, 0.03, 0.03},
-                        Case{4.0, true, 1024, 1.0, 2.5, 0.55}, Case{4.0, false, 256, 0.065, 0.07, 0.07}}) {
+                        Case{4.0, true, 1024, 1.0, 2.5, 0.65}, Case{4.0, false, 256, 0.065, 0.07, 0.07}}) {
     const Scene scene = ridge_in_haze("orders", c.elevation);
     physics::Physics p = make_physics(scene);
     p.terrain_maps = terrain_of(scene);

@@ -1,0 +1,165 @@
+#include "core/methods/orders_parts.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <functional>
+
+#include "core/luts/luts.h"
+#include "core/methods/scene_air.h"
+#include "core/methods/sky_pass.h"
+#include "core/terrain/terrain_buffers.h"
+
+namespace airlight::orders {
+namespace {
+
+std::uint32_t media_with(const Air& air, PhaseFunction phase, std::uint32_t scattering) {
+  std::uint32_t bits = 0;
+  for (std::size_t i = 0; i < air.media().size(); ++i) {
+    bits |= air.media()[i].phase == phase ? 1u << i : 0u;
+  }
+  return bits & scattering;
+}
+
+// Whose phase function, a column away from its peak, is still above a fifth of it: both forward and backward.
+std::uint32_t media_wider_than_a_column(const Air& air, int columns, std::uint32_t scattering) {
+  physics::Physics p = air.formulas();
+  const double chord = 1.0 / (columns - 1);
+  const double nu = 1.0 - 2.0 * chord * chord;
+  std::uint32_t bits = 0;
+  for (std::uint32_t i = 0; i < p.medium_count(); ++i) {
+    const auto far = [&](double at, double peak) {
+      const physics::vec3 rest = p.medium_phase(i, at) - p.medium_phase(i, peak) * 0.2;
+      return rest.x > 0.0 && rest.y > 0.0 && rest.z > 0.0;
+    };
+    const bool wide = far(nu, 1.0) && far(-nu, -1.0);
+    bits |= wide ? 1u << i : 0u;
+  }
+  return bits & scattering;
+}
+
+}  // namespace
+
+bool inside_the_air(const Scene& scene) {
+  return scene.camera.altitude <= scene.planet.atmosphere_height;
+}
+
+MomentSettings settings_of(const Scene& scene, const Air& air) {
+  const std::string& degree = scene.render.get<std::string>("degree");
+  return moment_settings(air, degree == "auto" ? -1 : degree.front() - '0', scene.render.get<int>("orders"),
+                         scene.render.get<TableSize>("moments_lut"));
+}
+
+std::uint32_t steps_of(const Scene& scene, const MomentSettings& settings) {
+  const int steps = scene.render.get<int>("steps");
+  const int shells = settings.size[1] - 1;
+  return static_cast<std::uint32_t>(settings.shells ? std::max((steps + shells / 2) / shells, 1) : steps);
+}
+
+Light add_light(Plan& plan, const Scene& scene, const Air& air) {
+  Light light;
+  light.transmittance = add_transmittance(plan, air, scene.render.get<TableSize>("transmittance_lut"));
+  const MomentSettings settings = settings_of(scene, air);
+  light.sunlight = settings.shells ? add_sun_table(plan, air, settings) : light.transmittance;
+  light.moments = add_moments(plan, air, light.sunlight, settings);
+  light.constants = sunlight_specialization(plan, air, light.sunlight);
+  add_moment_constants(light.constants, settings);
+  light.steps = steps_of(scene, settings);
+  light.by_shells = settings.shells;
+  return light;
+}
+
+double ray_cost(std::uint32_t steps) {
+  return 10.0 + 2.5 * steps;
+}
+
+FactorTable factor_table(const Scene& scene, const Air& air, std::uint32_t media, bool layers) {
+  const TableSize size = scene.render.get<TableSize>("sky_lut");
+  const auto columns = static_cast<std::uint32_t>(size[0]);
+  const auto sky = static_cast<std::uint32_t>(size[1]);
+  const bool inside = inside_the_air(scene);
+  const std::uint32_t rayleigh = media_with(air, PhaseFunction::rayleigh, media);
+  const bool all = scene.render.get<std::string>("fold") == "all";
+  const std::uint32_t folded = all ? media_wider_than_a_column(air, size[0], media)
+                                   : rayleigh | media_with(air, PhaseFunction::isotropic, media);
+  const std::uint32_t apart = layers ? media : media & ~folded;
+  return {.columns = inside ? columns : 4 * columns,
+          .ground_rows = inside ? sky / 2 : 6 * sky,
+          .limb_rows = inside ? 3 * sky / 4 : 2 * sky,
+          .sky_rows = inside ? sky : 0,
+          .apart = apart,
+          .folded = folded,
+          .rayleigh = (folded & rayleigh) != 0,
+          .blocks = static_cast<std::uint32_t>(std::popcount(apart)) + 1};
+}
+
+void add_table_constants(std::vector<Specialization>& constants, const FactorTable& table) {
+  constants.push_back({"kSkyColumns", table.columns});
+  constants.push_back({"kGroundRows", table.ground_rows});
+  constants.push_back({"kLimbRows", table.limb_rows});
+  constants.push_back({"kSkyRows", table.sky_rows});
+  constants.push_back({"kScatteringMedia", table.apart});
+  constants.push_back({"kFoldedMedia", table.folded});
+  constants.push_back({"kRayleighCarrier", table.rayleigh ? 1u : 0u});
+}
+
+FactorLayout layout_of(const Scene& scene, const FactorTable& table, bool in_colours) {
+  std::vector<std::string> apart;
+  for (std::size_t i = 0; i < scene.media.size(); ++i) {
+    if ((table.apart >> i & 1u) != 0) {
+      apart.push_back(scene.media[i].name);
+    }
+  }
+  return {.planet = scene.planet,
+          .camera_altitude = scene.camera.altitude,
+          .sun_mu = std::sin(scene.sun.elevation),
+          .apart = std::move(apart),
+          .columns = table.columns,
+          .ground_rows = table.ground_rows,
+          .limb_rows = table.limb_rows,
+          .sky_rows = table.sky_rows,
+          .rayleigh = table.rayleigh,
+          .in_colours = in_colours};
+}
+
+ImageId add_factors(Plan& plan, const std::string& shader, const Scene& scene, const FactorTable& table,
+                    const View& view, const Light& light) {
+  const bool layers = shader == "layers_factors";
+  const std::uint32_t blocks = table.blocks + (layers ? 1 : 0);
+  std::function<TableText()> text;
+  if (!layers) {
+    text = [layout = layout_of(scene, table, false)] { return factor_text(layout); };
+  }
+  const ImageId factors = plan.add_image({.name = shader,
+                                          .extent = {table.columns * blocks, table.rows(), 1},
+                                          .key = picture_table_key(view, shader),
+                                          .text = std::move(text)});
+  std::vector<Specialization> constants = light.constants;
+  add_table_constants(constants, table);
+  // A table of some thousand rays does not fill a GPU, whose threads would take the steps one after the other.
+  const std::uint32_t team = shader == "sky_factors" && !light.by_shells ? 4 : 1;
+  plan.add_pass({.name = shader,
+                 .shader = shader,
+                 .reads = light.reads(),
+                 .writes = {{"factors_out", factors}},
+                 .grid = {table.columns, table.rows(), 1},
+                 .push_constants = {light.steps},
+                 .specialization = std::move(constants),
+                 .team = team,
+                 .cost = ray_cost(light.steps)});
+  return factors;
+}
+
+// Adds the terrain and its shadow to what a pass reads. Returns how far shadows stand, as a push constant.
+std::uint32_t add_shadowed_terrain(Plan& plan, const Scene& scene, std::vector<Binding>& reads,
+                                   std::vector<Specialization>& constants) {
+  const std::shared_ptr<const physics::HostTerrain> terrain = shadowed_terrain(scene);
+  const TerrainBuffers buffers = add_terrain(plan, *terrain);
+  reads.push_back({"terrain", buffers.heights});
+  reads.push_back({"terrain_shadows", buffers.shadows});
+  reads.push_back({"terrain_colours", buffers.colours});
+  constants.push_back({"kShafts", scene.render.get<bool>("volumetric_shadows") ? 1U : 0U});
+  return std::bit_cast<std::uint32_t>(static_cast<float>(shadow_reach(terrain->shape)));
+}
+
+}  // namespace airlight::orders

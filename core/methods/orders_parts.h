@@ -1,0 +1,79 @@
+#pragma once
+// What the pictures, layers and spans of `orders` have in common: the light that their rays read, and the picture's own
+// table of factors.
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/luts/moments.h"
+#include "core/methods/factor_text.h"
+#include "core/methods/method.h"
+
+namespace airlight::orders {
+
+bool inside_the_air(const Scene& scene);
+
+MomentSettings settings_of(const Scene& scene, const Air& air);
+
+// What the sky passes take: steps along a ray, or parts of a shell, so many that a ray from the ground up has as many.
+std::uint32_t steps_of(const Scene& scene, const MomentSettings& settings);
+
+// What the passes over view rays read: the sun's light, the moments, and how they are told of them.
+struct Light {
+  ImageId transmittance;
+  ImageId sunlight;  // the table of transmittance or, by shells, of mean extinction
+  ImageId moments;
+  std::vector<Specialization> constants;
+  std::uint32_t steps;
+  bool by_shells;
+
+  std::vector<Binding> reads() const { return {{"transmittance_lut", sunlight}, {"moments_lut", moments}}; }
+
+  // Beside that of transmittance, for SkyPasses::more_tables.
+  std::vector<ImageId> more() const {
+    return by_shells ? std::vector<ImageId>{sunlight, moments} : std::vector<ImageId>{moments};
+  }
+};
+
+Light add_light(Plan& plan, const Scene& scene, const Air& air);
+
+// Predicted cost of one ray of so many steps (PassDesc::cost).
+double ray_cost(std::uint32_t steps);
+
+// The picture's own table of factors, as shaders/shared/sky_table.glsl is told of it.
+struct FactorTable {
+  std::uint32_t columns;
+  std::uint32_t ground_rows;
+  std::uint32_t limb_rows;
+  std::uint32_t sky_rows;
+  std::uint32_t apart;   // media of a block each, bit i
+  std::uint32_t folded;  // media whose phase function is in the table
+  bool rayleigh;         // among the folded
+  std::uint32_t blocks;
+
+  std::uint32_t rows() const { return ground_rows + limb_rows + sky_rows; }
+};
+
+// From space the rows resolve the halo of the limb, and the terminator at the middle of the disc. `media`: those that
+// scatter. `layers`: all of them apart, else the folded ones share the last block with the diffuse light.
+FactorTable factor_table(const Scene& scene, const Air& air, std::uint32_t media, bool layers);
+
+void add_table_constants(std::vector<Specialization>& constants, const FactorTable& table);
+
+// What the table's EXR says of itself.
+FactorLayout layout_of(const Scene& scene, const FactorTable& table, bool in_colours);
+
+// `shader`: sky_factors, or layers_factors with one block more.
+ImageId add_factors(Plan& plan, const std::string& shader, const Scene& scene, const FactorTable& table,
+                    const View& view, const Light& light);
+
+// Adds the terrain and its shadow to what a pass reads. Returns how far shadows stand, as a push constant.
+std::uint32_t add_shadowed_terrain(Plan& plan, const Scene& scene, std::vector<Binding>& reads,
+                                   std::vector<Specialization>& constants);
+
+// SkyMethod::add_span_passes of the method.
+SpanPasses add_spans(Plan& plan, const Scene& scene, const Air& air, std::span<const Span> spans, const SpanWay& way);
+
+}  // namespace airlight::orders
