@@ -30,7 +30,7 @@ uint steps_up_to(PlanetData planet, Ray ray, real distance_, uint steps) {
   real all = ray.at_ground ? ray.length_ + distance_to_top(planet, ray.h, -ray.mu) : ray.length_ - lowest;
   real before = min(lowest, distance_);
   real share = (sqrt(before) + sqrt(max(distance_ - before, 0.0))) / sqrt(max(all, 1e-12));
-  return uint(clamp(ceil(real(steps) * share - 1e-3), min(4.0, real(steps)), real(steps)));
+  return uint(clamp(ceil(real(steps) * share - 1e-3), min(6.0, real(steps)), real(steps)));
 }
 
 // 1 - transmittance of an optical depth, without loss of digits.

@@ -1,7 +1,7 @@
 // Steps split where a ray's light has a kink: at the planet's shadow and at the lowest point.
 
 // Steps uniform in s = +-sqrt(distance from the lowest point), apart on up to three intervals that no shadow's edge and
-// no lowest point lies inside.
+// no lowest point lies inside; fewer than three steps are not apart.
 struct StepPlan {
   real lowest;  // distance of the ray's lowest point
   real s0;      // ends of the intervals
@@ -28,19 +28,21 @@ StepPlan plan_steps(PlanetData planet, Ray ray, uint n) {
     second = max(first, plan.lowest);
     first = min(first, plan.lowest);
   }
+  if (n < 3u) {
+    first = ray.length_;
+    second = ray.length_;
+  }
   plan.s0 = path_coordinate(plan.lowest, 0.0);
   plan.s1 = path_coordinate(plan.lowest, first);
   plan.s2 = path_coordinate(plan.lowest, second);
   plan.s3 = path_coordinate(plan.lowest, ray.length_);
+  // An interval that is there gets a step at least.
+  uint in_second = plan.s2 > plan.s1 ? 1u : 0u;
+  uint in_third = plan.s3 > plan.s2 ? 1u : 0u;
   real scale = real(n) / max(plan.s3 - plan.s0, 1e-12);
   plan.n = n;
-  plan.n1 = uint(clamp(floor((plan.s1 - plan.s0) * scale + 0.5), 1.0, real(n)));
-  plan.n2 = uint(clamp(floor((plan.s2 - plan.s0) * scale + 0.5), min(real(plan.n1) + 1.0, real(n)), real(n)));
-  // The last interval, where there is one, gets a step.
-  if (plan.s3 > plan.s2 && plan.n2 == n && n >= 3u) {
-    plan.n2 = n - 1u;
-    plan.n1 = min(plan.n1, n - 2u);
-  }
+  plan.n1 = uint(clamp(floor((plan.s1 - plan.s0) * scale + 0.5), 1.0, real(n - in_second - in_third)));
+  plan.n2 = uint(clamp(floor((plan.s2 - plan.s0) * scale + 0.5), real(plan.n1 + in_second), real(n - in_third)));
   return plan;
 }
 

@@ -79,7 +79,7 @@ TEST(AerialVolume, IsTheMarchAtEveryDistance) {
               std::abs(static_cast<double>(table[i].radiance[k]) - want) / std::max(want, 1e-3 * brightest);
           sum += error / static_cast<double>(3 * spans.size());
           worst = std::max(worst, error);
-          EXPECT_NEAR(table[i].transmittance[k], exact[i].transmittance[k], 1e-2) << c.name << ", " << distance;
+          EXPECT_NEAR(table[i].transmittance[k], exact[i].transmittance[k], 8e-3) << c.name << ", " << distance;
         }
       }
       EXPECT_LT(sum, c.mean) << c.name << ", " << distance << " km";

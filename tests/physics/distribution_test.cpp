@@ -105,6 +105,31 @@ struct Sight {
 constexpr Sight kSights[] = {{60.0, 0.001, 80.0}, {60.0, 0.001, 2.0}, {5.0, 0.001, 20.0},  {-3.0, 0.001, 6.0},
                              {20.0, 10.0, -2.0},  {5.0, 99.9, -8.0},  {20.0, 400.0, -17.5}};
 
+// However few the steps, and wherever the planet's shadow cuts the ray: none of it is left out.
+TEST(Distributions, PlannedStepsCoverTheRay) {
+  for (const double sun : {-1.0, -3.0, -6.0}) {
+    for (const double elevation : {-3.0, 0.5, 3.75, 30.0}) {
+      for (const double length : {0.5, 28.0, 30.0, 300.0}) {
+        Physics p = tableless(earth(), sun);
+        const vec3 view = p.direction_from_angles(elevation * kDegree, 0.3);
+        const vec3 toward = p.scene.sun.direction;
+        auto ray = p.ray_in_atmosphere(p.scene.planet, 2.0, view.y, toward.y, physics::dot(view, toward));
+        ray.length_ = std::min(ray.length_, length);
+        for (unsigned int n = 1; n <= 9; ++n) {
+          const auto plan = p.plan_steps(p.scene.planet, ray, n);
+          double end = 0.0;
+          for (unsigned int i = 0; i < n; ++i) {
+            const auto step = p.planned_step(plan, i);
+            EXPECT_NEAR(step.t - 0.5 * step.width, end, 1e-6 * ray.length_) << n << " steps, sun " << sun;
+            end = step.t + 0.5 * step.width;
+          }
+          EXPECT_NEAR(end, ray.length_, 1e-6 * ray.length_) << n << " steps, sun " << sun << ", " << elevation;
+        }
+      }
+    }
+  }
+}
+
 // One picture in the end, and on the way to it no number of steps worse than half as many by much.
 TEST(Distributions, ComeToTheSameLightAndMoreStepsAreNeverWorse) {
   for (const Scene& scene : {earth(), fog(3.0)}) {

@@ -41,7 +41,8 @@ TEST(Shells, AreUsedWhereTheAirAsksForThem) {
   EXPECT_EQ(make_physics(clear).scene.shell_rows, 0U) << "smooth air of a depth of 0.48";
   clear.media[0].scattering = {0.16, 0.0, 0.0};
   EXPECT_GT(make_physics(clear).scene.shell_rows, 0U) << "of 1.28";
-  clear.media[0] = medium("low fog", {6.0, 0.0, 0.0}, {}, exponential(0.1));
+  clear.media[0].scattering = {0.006, 0.013, 0.033};
+  clear.media.push_back(medium("low fog", {6.0, 0.0, 0.0}, {}, exponential(0.1)));
   EXPECT_GT(make_physics(clear).scene.shell_rows, 0U) << "of 0.6 between two rows of the table";
   clear.render.parameters.erase("shells");
   EXPECT_EQ(make_physics(clear).scene.shell_rows, 0U) << "a method without the parameter";
