@@ -167,15 +167,14 @@ m = block - l * (l + 1) / 2
 MomentSettings moment_settings(const Air& air, int degree, int orders, TableSize size) {
   constexpr double kThick = 0.02;
   constexpr int kMostOrders = 40;
-  constexpr double kHazyForward = 0.2;
-  constexpr double kHazyScaled = 0.6;
+  constexpr double kHazy = 0.4;
   MomentSettings settings;
   const DiffusionDepths depths = air.diffusion_depths(4);
   const physics::uint shell_rows = air.formulas().scene.shell_rows;
   const bool thick = depths.forward > kThick;
   const auto counted = [&](double depth) { return static_cast<int>(std::min(depth, kMostOrders - 4.0)); };
   settings.shells = shell_rows > 0;
-  settings.hazy = !settings.shells && (depths.forward > kHazyForward || depths.scaled > kHazyScaled);
+  settings.hazy = !settings.shells && air.depths().scattering > kHazy;
   settings.degree = degree >= 0 ? degree : !thick ? 2 : settings.shells ? 8 : settings.hazy ? 8 : 5;
   settings.delta = thick;
   settings.size = size;
