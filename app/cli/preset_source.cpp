@@ -76,6 +76,9 @@ Preset find_preset(const std::string& argument) {
   if (is_exr(argument) || is_png(argument)) {
     return parse_preset(read_provenance(argument).preset_json, argument, fs::path(argument).parent_path());
   }
+  if (is_file && (argument.ends_with(".exr") || argument.ends_with(".png"))) {
+    throw InputError(argument + ": is no picture: its first bytes are neither an EXR's nor a PNG's");
+  }
   return load_preset(argument, embedded_presets());
 }
 

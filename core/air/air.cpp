@@ -25,24 +25,6 @@ double channel(const physics::vec3& v, std::size_t c) {
   return c == 0 ? v.x : c == 1 ? v.y : v.z;
 }
 
-std::uint32_t code_of(DensityProfile profile) {
-  switch (profile) {
-    case DensityProfile::exponential:
-      return physics::kDensityExponential;
-    case DensityProfile::tent:
-      return physics::kDensityTent;
-    case DensityProfile::lorentzian:
-      return physics::kDensityLorentzian;
-    case DensityProfile::constant:
-      return physics::kDensityConstant;
-    case DensityProfile::layers:
-      return physics::kDensityLayers;
-    case DensityProfile::height_fog:
-      return physics::kDensityHeightFog;
-  }
-  return physics::kDensityExponential;
-}
-
 std::uint32_t code_of(const Medium& medium, bool schlick) {
   switch (medium.phase) {
     case PhaseFunction::rayleigh:
@@ -85,7 +67,8 @@ void put_media(physics::Physics& p, const std::vector<Medium>& media) {
       assert(layer < static_cast<physics::uint>(kMaxDensityLayers));
       p.scene.layers[layer++] = {l.altitude, l.density};
     }
-    p.density_profiles |= code_of(density.profile) << (physics::kBitsPerMedium * i);
+    // Codes stand in the order of the names: core/scene/density_column.cpp asserts it.
+    p.density_profiles |= static_cast<std::uint32_t>(density.profile) << (physics::kBitsPerMedium * i);
   }
 }
 

@@ -142,6 +142,10 @@ physics::Physics geometry_of(const Scene& scene) {
   return p;
 }
 
+device::vec3 narrowed(const vec3& v) {
+  return narrow(v);
+}
+
 device::SceneData narrowed(const physics::SceneData& data) {
   device::SceneData out{};
   out.planet = {narrow(data.planet.ground_radius), narrow(data.planet.atmosphere_height),

@@ -25,6 +25,7 @@ std::vector<std::byte> device_scene_bytes(const Air& air, const Scene& scene, co
 
 // The block in float.
 device::SceneData narrowed(const physics::SceneData& data);
+device::vec3 narrowed(const physics::vec3& v);
 
 // What shaders know as `scene_tables`.
 std::vector<std::byte> narrowed_tables(const physics::Physics& p);

@@ -16,20 +16,22 @@ bool is_day(const Scene& scene) {
   return scene.sun.elevation >= kLowSun;
 }
 
-// Of the channels; with spectra they stand for three wavelengths where most of the colour comes from.
+// The albedo in the brightest channel. With spectra the channels stand for three wavelengths, where most of the colour
+// comes from.
 double brightest_ground(const Scene& scene) {
   return std::ranges::max(scene.planet.ground_albedo);
 }
 
-// The angle that the horizon falls by to the top of the air, Earth's 10 degrees: what a table knows of dusk stands as
-// far apart whatever the planet, and on one a hundred times as large all of dusk falls between two of its suns.
+// Whether the table of moments has enough suns in dusk. Dusk is as wide as the angle by which the horizon falls up to
+// the top of the air, on Earth 10 degrees; the table's suns stand as far apart on every planet, and on one a hundred
+// times as large all of dusk falls between two of them.
 bool dusk_is_resolved(const Planet& planet, double widest) {
   const double dusk = std::acos(planet.ground_radius / (planet.ground_radius + planet.atmosphere_height));
   return dusk > 4.0 * kDegree && dusk < widest * kDegree;
 }
 
-// What `auto` or more wavelengths are off all of them: core/SPECTRA.md has 0.02 to 0.42 % over clear and dusty skies,
-// 0.85 in haze of an optical depth of 0.9. Fewer are taken at nobody's word.
+// The error of rendering at `auto` or more wavelengths instead of all: core/SPECTRA.md has 0.02 to 0.42 % over clear
+// and dusty skies, 0.85 in haze of an optical depth of 0.9. Nothing is known of fewer.
 std::optional<double> wavelengths_error(const Scene& scene) {
   if (!scene.spectra) {
     return 0.0;

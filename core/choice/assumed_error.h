@@ -1,6 +1,6 @@
 #pragma once
-// What is known of the error of `orders` against path-trace before anything is computed, by the kind of air, sun and
-// camera. Fitted to what scripts/tolerance --fit lists.
+// The error of `orders` against path-trace that is assumed before anything is computed, by the kind of air, sun and
+// camera; relative, fitted to what scripts/tolerance --fit lists.
 
 #include <optional>
 
@@ -8,17 +8,17 @@
 
 namespace airlight::choice {
 
-// Of every reference, however fine its tables: harmonics above the degree are missing.
+// The error that every reference has, however fine its tables: harmonics above the degree are missing.
 double common_error(const Scene& scene);
 
-// Of the plain reference: nothing where the sun is far below the horizon, or low over thick air. Then, and where the
-// tolerance asks for better, the fine reference serves, and the distance between the two says how well it is to be
-// trusted.
+// The error of the plain reference. Nothing is assumed where the sun is far below the horizon, or low over thick air:
+// there, and where the tolerance asks for better, the fine reference serves, and the distance between the two tells its
+// error.
 std::optional<double> plain_reference_error(const Scene& scene);
 
-// Of the method's defaults: down to a sun of -4 degrees, over planets whose dusk is about as wide as Earth's, from
-// places that the picture's table knows well, without terrain, spheres and a ground by maps. What a scene's wavelengths
-// err is in it.
+// The error of the method's defaults, that of the scene's wavelengths included. Something is assumed down to a sun of
+// -4 degrees, over planets whose dusk is about as wide as Earth's, from places that the picture's table resolves,
+// without terrain, spheres and a ground by maps.
 std::optional<double> default_error(const Scene& scene);
 
 }  // namespace airlight::choice

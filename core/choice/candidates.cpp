@@ -10,7 +10,7 @@
 namespace airlight::choice {
 namespace {
 
-// Its passes and tables; without the scene block it is not to be run.
+// The scene's passes and tables. A plan without the scene block cannot be run; it says what it costs.
 Plan plan_of(const Scene& scene) {
   Plan plan;
   find_method(scene.render.method)->add_passes(plan, scene, air_of(scene), View{});
@@ -22,7 +22,7 @@ bool claims(const Validity& validity, const Scene& scene, double optical_depth) 
          optical_depth <= validity.optical_depth_max;
 }
 
-// What the picture does without by this choice.
+// What this choice leaves out of the picture, a line each.
 std::vector<std::string> left_out(const Scene& scene, const SkyMethod& method, const Plan& plan) {
   std::vector<std::string> lines =
       method.left_out == nullptr ? std::vector<std::string>() : method.left_out(scene, plan);

@@ -31,7 +31,7 @@ std::string percent_line(int wavelengths, double error) {
   return text.data();
 }
 
-// What every choice begins with.
+// What every choice begins with: lighter air, probe rays, tables that are there already.
 struct Ground {
   Lighter lighter;
   Probes probes;
@@ -152,7 +152,8 @@ std::optional<Choice> sure_choice(const Scene& scene, double tolerance, const st
   return choice;
 }
 
-// Of each method the dearest qualities that should fit, by the time of its cheapest one and the predicted costs.
+// The dearest qualities of each method that should fit into the time: its cheapest one is timed, and the others are
+// predicted from that by their costs.
 std::vector<Candidate> likely_to_fit(const std::vector<Candidate>& all, double limit_ms, const TimeFunction& time,
                                      std::map<std::string, double>& fastest) {
   constexpr std::size_t kOfEach = 2;

@@ -1,5 +1,5 @@
 #pragma once
-// What of a scene's air a picture need not know of.
+// Media that a picture does not show, taken out of its scene.
 
 #include <string>
 #include <vector>

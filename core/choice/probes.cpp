@@ -14,7 +14,7 @@ using physics::vec3;
 
 constexpr double kDegree = 0.017453292519943295;
 
-// Its multiples and those of its square fill the unit square evenly: 1 / plastic number.
+// 1 / plastic number: multiples of it and of its square fill the unit square evenly.
 constexpr double kPlastic = 0.7548776662466927;
 
 double fraction(double x) {
@@ -60,7 +60,7 @@ class Surveyor {
  private:
   static double near(double distance, double width) { return std::exp(-distance * distance / (width * width)); }
 
-  // Of points along the ray, dense at its start, those in sunlight.
+  // The share of points along the ray that are in sunlight; the points are dense at its start.
   double lit_share(const Physics::Ray& ray) {
     constexpr int kPoints = 16;
     int lit = 0;

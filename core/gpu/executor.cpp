@@ -234,7 +234,7 @@ bool Run::keeps_contents(std::uint32_t buffer) const {
   const BufferDesc& desc = plan_.buffers()[buffer];
   const bool is_written =
       std::any_of(steps_.begin(), steps_.end(), [&](const Step& step) { return step.writes(BufferId{buffer}); });
-  const bool made_anew = desc.carried && (is_written || !desc.contents.empty());
+  const bool made_anew = desc.carried && (is_written || desc.has_contents());
   return resources_.buffer(buffer)->has_contents && !made_anew;
 }
 
@@ -244,11 +244,17 @@ void Run::record_contents(VkCommandBuffer commands) {
     if (resources_.buffer(i) == nullptr || keeps_contents(i)) continue;
     const BufferDesc& desc = plan_.buffers()[i];
     const Buffer& buffer = *resources_.buffer(i)->buffer;
-    if (!desc.contents.empty() && !buffer.mapped().empty()) {
-      std::memcpy(buffer.mapped().data(), desc.contents.data(), desc.bytes);
-    } else if (!desc.contents.empty()) {
+    const std::vector<std::byte> found = desc.contents_when_run ? desc.contents_when_run() : std::vector<std::byte>();
+    const std::span<const std::byte> contents = desc.contents_when_run ? found : desc.contents;
+    if (!contents.empty() && contents.size() != desc.bytes) {
+      throw std::logic_error("buffer " + desc.name + " has " + std::to_string(contents.size()) +
+                             " bytes of contents and is " + std::to_string(desc.bytes) + " long");
+    }
+    if (!contents.empty() && !buffer.mapped().empty()) {
+      std::memcpy(buffer.mapped().data(), contents.data(), desc.bytes);
+    } else if (!contents.empty()) {
       const VkBufferCopy region{.srcOffset = 0, .dstOffset = 0, .size = desc.bytes};
-      vkCmdCopyBuffer(commands, resources_.upload(desc).get(), buffer.get(), 1, &region);
+      vkCmdCopyBuffer(commands, resources_.upload(desc, contents).get(), buffer.get(), 1, &region);
       any = true;
     } else if (desc.zeroed) {
       vkCmdFillBuffer(commands, buffer.get(), 0, VK_WHOLE_SIZE, 0);

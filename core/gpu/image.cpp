@@ -21,7 +21,7 @@ void check_sides(const Device& device, const ImageDesc& desc, const std::string&
 std::string describe_shape(const ImageDesc& desc) {
   std::string text = std::to_string(desc.extent.width) + "x" + std::to_string(desc.extent.height);
   if (desc.extent.depth > 1) text += "x" + std::to_string(desc.extent.depth);
-  return text + " rgba32f";
+  return text + (desc.half ? " rgba16f" : " rgba32f");
 }
 
 Image::Image(const Device& device, const ImageDesc& desc) : extent_(desc.extent) {
@@ -34,7 +34,7 @@ Image::Image(const Device& device, const ImageDesc& desc) : extent_(desc.extent)
       .pNext = nullptr,
       .flags = 0,
       .imageType = is_3d ? VK_IMAGE_TYPE_3D : VK_IMAGE_TYPE_2D,
-      .format = VK_FORMAT_R32G32B32A32_SFLOAT,
+      .format = desc.half ? VK_FORMAT_R16G16B16A16_SFLOAT : VK_FORMAT_R32G32B32A32_SFLOAT,
       .extent = {desc.extent.width, desc.extent.height, desc.extent.depth},
       .mipLevels = 1,
       .arrayLayers = 1,

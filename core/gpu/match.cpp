@@ -74,6 +74,9 @@ class Matcher {
     if (binding.is_3d != (image.extent.depth > 1)) {
       refuse(what + ": one of them is 3-D and the other is not");
     }
+    if (binding.kind == BindingKind::storage_image && binding.is_half != image.half) {
+      refuse(what + ": one of them has 16 bits a channel and the other 32");
+    }
   }
 
   void check_buffer(const ShaderBinding& binding, const Binding& bound, const std::string& what) const {

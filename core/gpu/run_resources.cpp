@@ -73,10 +73,10 @@ void RunResources::write_scenes() {
   }
 }
 
-const Buffer& RunResources::upload(const BufferDesc& of) {
+const Buffer& RunResources::upload(const BufferDesc& of, std::span<const std::byte> contents) {
   const Buffer& buffer =
       *cache_.buffer({.name = "upload of " + of.name, .bytes = of.bytes}, MemoryPlace::upload).buffer;
-  std::memcpy(buffer.mapped().data(), of.contents.data(), of.bytes);
+  std::memcpy(buffer.mapped().data(), contents.data(), contents.size());
   return buffer;
 }
 
@@ -87,7 +87,7 @@ const std::string& RunResources::key(ResourceId id) const {
 
 bool RunResources::has_contents(ResourceId id) const {
   const auto* buffer = std::get_if<BufferId>(&id);
-  return buffer != nullptr && !plan_.buffers()[buffer->index].contents.empty();
+  return buffer != nullptr && plan_.buffers()[buffer->index].has_contents();
 }
 
 void RunResources::check_kept_are_made(std::span<const Step> steps) const {

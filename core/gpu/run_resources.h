@@ -32,7 +32,7 @@ class RunResources {
   // Holds one of the plan's scenes; null when it is empty.
   const Resource* scene(std::size_t index) const { return scenes_[index]; }
   // A buffer for this run that the host fills with the contents of another.
-  const Buffer& upload(const BufferDesc& of);
+  const Buffer& upload(const BufferDesc& of, std::span<const std::byte> contents);
 
   // To be called once the run has come to its end: what it made is there.
   void remember(std::span<const Step> steps);

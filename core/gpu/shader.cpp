@@ -24,8 +24,10 @@ void describe_image(const SpirvModule& module, const SpirvDefinition& type, Shad
   if (dimension != spv::Dim2D && dimension != spv::Dim3D) module.refuse(binding.name + " is neither 2-D nor 3-D");
   binding.is_3d = dimension == spv::Dim3D;
   if (type.operands[3] != 0) module.refuse(binding.name + " is an array of layers");
-  if (binding.kind == BindingKind::storage_image && type.operands[6] != spv::ImageFormatRgba32f)
-    module.refuse(binding.name + " is not declared rgba32f");
+  if (binding.kind != BindingKind::storage_image) return;
+  binding.is_half = type.operands[6] == spv::ImageFormatRgba16f;
+  if (!binding.is_half && type.operands[6] != spv::ImageFormatRgba32f)
+    module.refuse(binding.name + " is declared neither rgba32f nor rgba16f");
 }
 
 void describe_block(const SpirvModule& module, const Pointee& block, bool is_storage, ShaderBinding& binding) {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/air/shells.h"
+#include "core/luts/level_orders.h"
 #include "core/luts/luts.h"
 #include "core/physics/gauss.h"
 
@@ -60,7 +61,7 @@ OrderWay stepped_way(int order, const MomentSettings& settings) {
     return {degree, {10, 5, settings.hazy ? 12 : 8, 24}};
   }
   if (settings.hazy) {
-    return {degree, {6, 4, std::max(azimuths, 4), 16}};
+    return {degree, {6, 4, std::max(azimuths, 4), 12}};
   }
   return order == 2 ? OrderWay{degree, {5, 3, azimuths, 10}} : OrderWay{degree, {4, 3, azimuths, 8}};
 }
@@ -84,10 +85,14 @@ OrderWay order_way(int order, const MomentSettings& settings) {
   return settings.shells ? shell_way(order, settings) : stepped_way(order, settings);
 }
 
+std::vector<std::byte> bytes_of(const std::vector<float>& values) {
+  std::vector<std::byte> bytes(values.size() * sizeof(float));
+  std::memcpy(bytes.data(), values.data(), bytes.size());
+  return bytes;
+}
+
 BufferId add_nodes(Plan& plan, const std::string& name, const OrderQuadrature& q) {
-  const std::vector<float> nodes = direction_nodes(q.up, q.down, q.half_azimuths);
-  std::vector<std::byte> bytes(nodes.size() * sizeof(float));
-  std::memcpy(bytes.data(), nodes.data(), bytes.size());
+  std::vector<std::byte> bytes = bytes_of(direction_nodes(q.up, q.down, q.half_azimuths));
   const std::size_t size = bytes.size();
   return plan.add_buffer(
       {.name = name, .bytes = size, .host_readable = false, .contents = std::move(bytes), .key = {}});
@@ -168,13 +173,17 @@ MomentSettings moment_settings(const Air& air, int degree, int orders, TableSize
   constexpr double kThick = 0.02;
   constexpr int kMostOrders = 40;
   constexpr double kHazy = 0.4;
+  constexpr double kLevel = 0.1;  // air higher than this, in radii, is too round to be taken as level
+  constexpr double kDeep = 1.0;
+  constexpr double kPeaked = 0.4;
   MomentSettings settings;
   const DiffusionDepths depths = air.diffusion_depths(4);
   const physics::uint shell_rows = air.formulas().scene.shell_rows;
   const bool thick = depths.forward > kThick;
   const auto counted = [&](double depth) { return static_cast<int>(std::min(depth, kMostOrders - 4.0)); };
   settings.shells = shell_rows > 0;
-  settings.hazy = !settings.shells && air.depths().scattering > kHazy;
+  // Who asks for more than degree 6 means haze: so all wavelengths of a scene have the table of the haziest.
+  settings.hazy = !settings.shells && (air.depths().scattering > kHazy || degree > 6);
   settings.degree = degree >= 0 ? degree : !thick ? 2 : settings.shells ? 8 : settings.hazy ? 8 : 5;
   settings.delta = thick;
   settings.size = size;
@@ -186,12 +195,25 @@ MomentSettings moment_settings(const Air& air, int degree, int orders, TableSize
   } else {
     // Over bright ground the third order still falls otherwise than those after it.
     const double bounce = *std::ranges::max_element(air.planet().ground_albedo);
-    settings.orders = 3 + counted(std::max(5.0 * depths.scaled - 1.0, 3.0 * depths.transport)) + (bounce > 0.5 ? 1 : 0);
+    // In hazy dusk the third order falls otherwise too: dust with the sun at -3 degrees is 8 % off by three orders, 1
+    // by four.
+    settings.orders =
+        3 + std::max(counted(std::max(5.0 * depths.scaled - 1.0, 3.0 * depths.transport)), settings.hazy ? 1 : 0) +
+        (bounce > 0.5 ? 1 : 0);
     settings.size[1] = settings.hazy ? hazy_rows(size[1]) : size[1];
+  }
+  const Planet& planet = air.planet();
+  if (settings.shells && orders == 0 && planet.atmosphere_height < kLevel * planet.ground_radius) {
+    const bool deep = depths.scaled > kDeep || depths.forward > kPeaked;
+    settings.corrections = deep ? 4 : 2;
+    settings.level_degree = std::min(settings.degree, deep ? 3 : 2);
   }
   settings.orders = orders > 0 ? std::max(orders, 2) : settings.orders;
   settings.wished_orders = settings.orders;
-  while (settings.orders > 2 && bake_steps(settings, settings.orders) > kMostBakeSteps) {
+  if (bake_steps(settings, 4) > kMostBakeSteps) {
+    settings.corrections = 0;  // these take about as many steps
+  }
+  while (settings.corrections == 0 && settings.orders > 2 && bake_steps(settings, settings.orders) > kMostBakeSteps) {
     --settings.orders;
   }
   return settings;
@@ -224,63 +246,140 @@ ImageId add_sun_table(Plan& plan, const Air& air, const MomentSettings& settings
   return out;
 }
 
-ImageId add_moments(Plan& plan, const Air& air, ImageId sunlight, const MomentSettings& settings) {
+namespace {
+
+// What all passes of a bake share.
+struct Bake {
+  Plan& plan;
+  const Air& air;
+  ImageId sunlight;
+  const MomentSettings& settings;
+  BufferId sums;
+  std::map<std::string, BufferId> nodes = {};
+};
+
+Bake begin_bake(Plan& plan, const Air& air, ImageId sunlight, const MomentSettings& settings) {
   const Extent atlas = atlas_extent(settings);
-  std::vector<Specialization> constants = sunlight_specialization(plan, air, sunlight);
-  add_moment_constants(constants, settings);
   const BufferId sums = plan.add_buffer({.name = "moment_sums",
                                          .bytes = std::size_t{atlas.width} * atlas.height * 4 * sizeof(float),
                                          .host_readable = false,
                                          .contents = {},
                                          .key = {}});
-  std::map<std::string, BufferId> nodes;
+  return {plan, air, sunlight, settings, sums};
+}
+
+// One order of scattering out of `before`, at so many suns of the table; out of the table of sunlight, the first.
+ImageId add_order(Bake& bake, const std::string& name, ImageId before, const OrderWay& way, std::uint32_t columns) {
+  const OrderQuadrature& q = way.quadrature;
+  const std::string directions = "directions " + std::to_string(q.up) + " up, " + std::to_string(q.down) + " down, " +
+                                 std::to_string(q.half_azimuths) + " azimuths";
+  if (!bake.nodes.contains(directions)) {
+    bake.nodes.emplace(directions, add_nodes(bake.plan, directions, q));
+  }
+  const ImageId out = bake.plan.add_image({.name = name, .extent = atlas_extent(bake.settings), .key = {}});
+  std::vector<Specialization> constants = sunlight_specialization(bake.plan, bake.air, bake.sunlight);
+  add_moment_constants(constants, bake.settings);
+  constants.push_back({"kFirstOrder", before == bake.sunlight ? 1u : 0u});
+  constants.push_back({"kSourceDegree", static_cast<std::uint32_t>(way.degree)});
+  bake.plan.add_pass({.name = name,
+                      .shader = "orders_bake",
+                      .reads = {{"transmittance_lut", bake.sunlight},
+                                {"moments_lut", before},  // the first order reads none
+                                {"nodes", bake.nodes.at(directions)}},
+                      .writes = {{"order_out", out}, {"sums", bake.sums}},
+                      .grid = {kThreads, columns, static_cast<std::uint32_t>(bake.settings.size[1])},
+                      .push_constants = {static_cast<std::uint32_t>((q.up + q.down) * q.half_azimuths),
+                                         static_cast<std::uint32_t>((q.steps + 1) / 2), columns},
+                      .specialization = std::move(constants),
+                      .cost = 2.0 * (q.up + q.down) * q.half_azimuths * q.steps / kThreads});
+  return out;
+}
+
+ImageDesc moments_image(const Bake& bake) {
+  const MomentSettings& settings = bake.settings;
+  const std::string key = "degree " + std::to_string(settings.degree) + " delta " + std::to_string(settings.delta) +
+                          " orders " + std::to_string(settings.orders) + " corrections " +
+                          std::to_string(settings.corrections) + " level " + std::to_string(settings.level_degree);
+  const Extent sources[] = {bake.plan.images()[bake.sunlight.index].extent};
+  return {.name = "moments",
+          .extent = atlas_extent(settings),
+          .key = table_key(bake.air, "moments " + key, settings.size, sources),
+          .text = [air = bake.air, settings] { return moments_text(air, settings); }};
+}
+
+ImageId add_orders_one_by_one(Bake bake) {
+  const MomentSettings& settings = bake.settings;
   std::vector<ImageId> orders;
   for (int order = 1; order <= settings.orders; ++order) {
-    const bool first = order == 1;
-    const OrderWay way = order_way(order, settings);
-    const OrderQuadrature& q = way.quadrature;
-    const std::string directions = "directions " + std::to_string(q.up) + " up, " + std::to_string(q.down) + " down, " +
-                                   std::to_string(q.half_azimuths) + " azimuths";
-    if (!nodes.contains(directions)) {
-      nodes.emplace(directions, add_nodes(plan, directions, q));
-    }
-    const ImageId out = plan.add_image({.name = "order" + std::to_string(order), .extent = atlas, .key = {}});
-    std::vector<Specialization> mine = constants;
-    mine.push_back({"kFirstOrder", first ? 1u : 0u});
-    mine.push_back({"kSourceDegree", static_cast<std::uint32_t>(way.degree)});
-    plan.add_pass(
-        {.name = "order" + std::to_string(order),
-         .shader = "orders_bake",
-         .reads = {{"transmittance_lut", sunlight},
-                   {"moments_lut", first ? sunlight : orders.back()},  // the first order reads none
-                   {"nodes", nodes.at(directions)}},
-         .writes = {{"order_out", out}, {"sums", sums}},
-         .grid = {kThreads, static_cast<std::uint32_t>(settings.size[0]), static_cast<std::uint32_t>(settings.size[1])},
-         .push_constants = {static_cast<std::uint32_t>((q.up + q.down) * q.half_azimuths),
-                            static_cast<std::uint32_t>((q.steps + 1) / 2)},
-         .specialization = mine,
-         .cost = 2.0 * (q.up + q.down) * q.half_azimuths * q.steps / kThreads});
-    orders.push_back(out);
+    orders.push_back(add_order(bake, "order" + std::to_string(order), order == 1 ? bake.sunlight : orders.back(),
+                               order_way(order, settings), static_cast<std::uint32_t>(settings.size[0])));
   }
-  const std::string key = "degree " + std::to_string(settings.degree) + " delta " + std::to_string(settings.delta) +
-                          " orders " + std::to_string(settings.orders);
-  const Extent sources[] = {plan.images()[sunlight.index].extent};
-  const ImageId moments = plan.add_image({.name = "moments",
-                                          .extent = atlas,
-                                          .key = table_key(air, "moments " + key, settings.size, sources),
-                                          .text = [air, settings] { return moments_text(air, settings); }});
+  const ImageId moments = bake.plan.add_image(moments_image(bake));
   std::vector<Specialization> shape;
   add_moment_constants(shape, settings);
-  plan.add_pass({.name = "orders_sum",
-                 .shader = "orders_sum",
-                 .reads = {{"last_order", orders.back()},
-                           {"order_before", orders[orders.size() >= 2 ? orders.size() - 2 : 0]},
-                           {"sums", sums}},
-                 .writes = {{"moments_out", moments}},
-                 .grid = atlas,
-                 .push_constants = {},
-                 .specialization = shape});
+  bake.plan.add_pass({.name = "orders_sum",
+                      .shader = "orders_sum",
+                      .reads = {{"last_order", orders.back()},
+                                {"order_before", orders[orders.size() >= 2 ? orders.size() - 2 : 0]},
+                                {"sums", bake.sums}},
+                      .writes = {{"moments_out", moments}},
+                      .grid = atlas_extent(settings),
+                      .push_constants = {},
+                      .specialization = std::move(shape)});
   return moments;
+}
+
+// The light of all orders as one field that is corrected until it obeys field = first order + one order of the field:
+// at first by few directions and harmonics, for the light that all orders share, then by all of them. Late orders are
+// smooth over the sun's elevation, and what is gathered is but what the field lacks: half of the table's suns will
+// do.
+ImageId add_orders_at_once(Bake bake) {
+  constexpr int kRoughDegree = 4;
+  constexpr OrderWay kRough{kRoughDegree, {5, 5, kRoughDegree + 1, 1}};
+  constexpr double kLost = 0.001;  // so little that it does not slow the corrections down
+  const MomentSettings& settings = bake.settings;
+  const int all = settings.size[0];
+  const auto some = static_cast<std::uint32_t>(std::min(all, std::max(16, all / 2)));
+  const LevelShape shape{settings.size[1], settings.level_degree};
+  const BufferId level = bake.plan.add_buffer(
+      {.name = "level_orders",
+       .bytes = shape.values() * 3 * sizeof(float),
+       .contents_when_run = [air = bake.air, shape, degree = settings.degree, delta = settings.delta] {
+         return bytes_of(level_orders(air, shape, degree, delta, kLost));
+       }});
+  const ImageId first =
+      add_order(bake, "order1", bake.sunlight, order_way(1, settings), static_cast<std::uint32_t>(all));
+  ImageId field = first;
+  for (int i = 0; i <= settings.corrections; ++i) {
+    const bool rough = settings.degree > kRoughDegree && i == 1;
+    const ImageId gathered =
+        i == 0 ? first
+               : add_order(bake, "orders" + std::to_string(i), field, rough ? kRough : order_way(2, settings), some);
+    const ImageId out = bake.plan.add_image(
+        i == settings.corrections
+            ? moments_image(bake)
+            : ImageDesc{.name = "field" + std::to_string(i), .extent = atlas_extent(settings), .key = {}});
+    std::vector<Specialization> constants;
+    add_moment_constants(constants, settings);
+    constants.push_back({"kLevelDegree", static_cast<std::uint32_t>(shape.degree)});
+    bake.plan.add_pass({.name = "orders_level" + std::to_string(i),
+                        .shader = "orders_level",
+                        .reads = {{"first_order", first}, {"field", field}, {"gathered", gathered}, {"level", level}},
+                        .writes = {{"field_out", out}},
+                        .grid = {kThreads, static_cast<std::uint32_t>(all), 1},
+                        .push_constants = {some, i == 0 ? 1u : 0u},
+                        .specialization = std::move(constants),
+                        .cost = 0.1 * settings.size[1] * shape.degree * shape.degree});
+    field = out;
+  }
+  return field;
+}
+
+}  // namespace
+
+ImageId add_moments(Plan& plan, const Air& air, ImageId sunlight, const MomentSettings& settings) {
+  Bake bake = begin_bake(plan, air, sunlight, settings);
+  return settings.corrections > 0 ? add_orders_at_once(std::move(bake)) : add_orders_one_by_one(std::move(bake));
 }
 
 }  // namespace airlight

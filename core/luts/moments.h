@@ -19,6 +19,8 @@ struct MomentSettings {
   int orders = 3;          // computed one by one; the rest is a geometric series
   int wished_orders = 3;   // more than `orders` where those would take kMostBakeSteps
   TableSize size{48, 12};  // sun elevations x altitudes
+  int corrections = 0;     // above 0: all orders are found at once, as a field corrected so often
+  int level_degree = 0;    // harmonics up to it are corrected as if the air were level (core/luts/level_orders.h)
   bool shells = false;     // rows at the edges of shells (core/air/shells.h)
   bool hazy = false;       // without shells, and thick enough that light changes within the lowest rows
 };

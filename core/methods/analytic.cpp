@@ -7,17 +7,17 @@
 #include "core/methods/march_passes.h"
 #include "core/methods/methods.h"
 #include "core/methods/sky_pass.h"
+#include "core/scene/parameters.h"
 
 namespace airlight {
 namespace {
 
 constexpr std::array<std::string_view, 2> kVariants{"zenith-density", "exponential"};
 
-const std::array<ParameterInfo, 1> kParameters{{
-    {"variant", ParameterKind::choice, 0, 0, std::string("exponential"), kVariants,
-     "zenith-density: one even layer, its density along a ray a fit in the zenith cosine; exponential: each medium's "
-     "own column, in-scattering and aerial perspective by exponentials"},
-}};
+const std::array<ParameterInfo, 1> kParameters{
+    parameter::choice("variant", kVariants, "exponential",
+                      "zenith-density: one even layer, its density along a ray a fit in the zenith cosine; "
+                      "exponential: each medium's own column, in-scattering and aerial perspective by exponentials")};
 
 bool is_exponential(const Scene& scene) {
   return scene.render.get<std::string>("variant") == "exponential";
@@ -73,9 +73,7 @@ SkyMethod analytic_method() {
   method.sweep = {with_variant("zenith-density"), with_variant("exponential")};
   method.validity.error = 0.2;
   method.validity.known_failures = {
-      {"R",
-       {{Quantity::view, -0.003, 0.003}},
-       "a view so near the horizon that rounding decides between sky and ground"},
+      rounding_at_the_horizon(),
       {"GL",
        {{Quantity::optical_depth, 0.05, 1e9}, {Quantity::light_kept, 0.99, 1}},
        "closed forms that no balance of energy ties together"},

@@ -2,18 +2,19 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <utility>
 
 #include "core/luts/luts.h"
 #include "core/methods/ground_pass.h"
 #include "core/methods/marched_picture.h"
+#include "core/methods/methods.h"
+#include "core/scene/parameters.h"
 
 namespace airlight {
 namespace {
 
 constexpr std::string_view kScale = "multiple_scattering_scale";
-constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+using parameter::kNoLimit;
 // In the order of the codes physics::kStepsUniform, ...
 constexpr std::array<std::string_view, 3> kDistributions{"uniform", "quadratic", "gauss-legendre"};
 constexpr std::array<std::string_view, 2> kPhases{"media", "schlick"};
@@ -21,53 +22,32 @@ constexpr std::array<std::string_view, 2> kPhases{"media", "schlick"};
 }  // namespace
 
 ParameterInfo steps_parameter(int default_steps) {
-  return {"steps", ParameterKind::integer, 1, 4096, default_steps, {}, "steps along the view ray"};
+  return parameter::whole_number("steps", 1, 4096, default_steps, "steps along the view ray");
 }
 
 ParameterInfo step_distribution_parameter() {
-  return {"step_distribution",
-          ParameterKind::choice,
-          0,
-          0,
-          std::string("quadratic"),
-          kDistributions,
-          "where the steps along the view ray stand: evenly; dense toward the ray's lowest point; or two "
-          "Gauss-Legendre nodes a panel, panels split at the planet's shadow"};
+  return parameter::choice("step_distribution", kDistributions, "quadratic",
+                           "where the steps along the view ray stand: evenly; dense toward the ray's lowest point; or "
+                           "two Gauss-Legendre nodes a panel, panels split at the planet's shadow");
 }
 
 ParameterInfo phase_parameter() {
-  return {"phase",
-          ParameterKind::choice,
-          0,
-          0,
-          std::string("media"),
-          kPhases,
-          "schlick: Schlick's rational form in place of Henyey-Greenstein and Cornette-Shanks, whatever the media say"};
+  return parameter::choice(
+      "phase", kPhases, "media",
+      "schlick: Schlick's rational form in place of Henyey-Greenstein and Cornette-Shanks, whatever the media say");
 }
 
 ParameterInfo transmittance_lut_parameter() {
-  return {"transmittance_lut",          ParameterKind::table_size, 2, 4096, TableSize{256, 64}, {},
-          "transmittance table, mu x h"};
+  return parameter::table_size("transmittance_lut", 2, 4096, TableSize{256, 64}, "transmittance table, mu x h");
 }
 
 ParameterInfo multiple_scattering_lut_parameter() {
-  return {"multiple_scattering_lut",
-          ParameterKind::table_size,
-          2,
-          4096,
-          TableSize{32, 32},
-          {},
-          "multiple-scattering table, mu_sun x h"};
+  return parameter::table_size("multiple_scattering_lut", 2, 4096, TableSize{32, 32},
+                               "multiple-scattering table, mu_sun x h");
 }
 
 ParameterInfo multiple_scattering_scale_parameter() {
-  return {kScale,
-          ParameterKind::number,
-          0,
-          kNoLimit,
-          1.0,
-          {},
-          "1: physics; 0: single scattering alone; 4 pi: a published lesson's"};
+  return parameter::number(kScale, 1.0, "1: physics; 0: single scattering alone; 4 pi: a published lesson's");
 }
 
 ParameterInfo sun_fade_parameter() {
@@ -105,9 +85,7 @@ std::vector<KnownFailure> march_table_failures() {
 
 std::vector<KnownFailure> march_failures() {
   std::vector<KnownFailure> all = march_table_failures();
-  all.push_back({"R",
-                 {{Quantity::view, -0.003, 0.003}},
-                 "a view so near the horizon that rounding decides between sky and ground"});
+  all.push_back(rounding_at_the_horizon());
   return all;
 }
 

@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/methods/march_passes.h"
 #include "core/physics/physics.h"
+#include "core/scene/parameters.h"
 
 namespace airlight {
 namespace {
@@ -72,25 +73,16 @@ PassDesc part_of(PassDesc pass, std::uint32_t part, Extent grid, BufferId out, B
 }  // namespace
 
 ParameterInfo jitter_parameter() {
-  return {"jitter",
-          ParameterKind::choice,
-          0,
-          0,
-          std::string("none"),
-          kJitters,
-          "where in a step its light is taken, against bands at few steps: none, in the middle; fixed, at 0.3; "
-          "blue-noise, at a place of its own for each pixel; not with step_distribution gauss-legendre"};
+  return parameter::choice(
+      "jitter", kJitters, "none",
+      "where in a step its light is taken, against bands at few steps: none, in the middle; fixed, at 0.3; blue-noise, "
+      "at a place of its own for each pixel; not with step_distribution gauss-legendre");
 }
 
 ParameterInfo resolution_parameter() {
-  return {"resolution",
-          ParameterKind::choice,
-          0,
-          0,
-          std::string("full"),
-          kResolutions,
-          "half: march at every second pixel each way and go bilinearly between, but at edges, steep places, pixels "
-          "wider than 2 degrees, and cube and octahedral maps"};
+  return parameter::choice("resolution", kResolutions, "full",
+                           "half: march at every second pixel each way and go bilinearly between, but at edges, steep "
+                           "places, pixels wider than 2 degrees, and cube and octahedral maps");
 }
 
 double place_in_step(const Scene& scene) {

@@ -110,11 +110,21 @@ struct LayerPasses {
   std::optional<ImageId> transmittance;  // the method's table, if it has one: the sun's disc is seen through it
 };
 
-// A ray of the camera's picture up to a distance: through a point in pixels from the upper left corner, in km.
+// A ray of the camera's picture through the centre of a pixel, up to a distance in km.
 struct Span {
-  float x = 0.0F;
-  float y = 0.0F;
+  std::uint16_t x = 0;
+  std::uint16_t y = 0;
   float distance = 0.0F;
+};
+
+// Rays of the picture up to things, told in one of two ways.
+struct Spans {
+  std::span<const Span> list = {};
+  // Whole rows of the picture: the distance of every pixel, infinite where nothing is.
+  std::span<const float> rows = {};
+  std::uint32_t first_row = 0;
+
+  std::size_t size() const { return list.size() + rows.size(); }
 };
 
 // How the air up to things is found.
@@ -123,9 +133,11 @@ struct SpanWay {
   std::string kept_as = {};  // where not empty, as View::kept_as
 };
 
-// `air`: for each span two vec4s, the radiance that the air up to there sends to the camera, and its transmittance.
+// `air`: for each span the radiance that the air up to there sends to the camera, and its transmittance: 0 and 1 where
+// nothing is. Six floats, or where `packed` 16 bytes (shaders/shared/span_air_packed.glsl).
 struct SpanPasses {
   BufferId air;
+  bool packed = false;
 };
 
 // How a host method runs: nothing here changes what a given number of samples yields.
@@ -188,7 +200,7 @@ struct SkyMethod {
   // The layers of the camera's picture. Null: the method does not tell them apart.
   LayerPasses (*add_layer_passes)(Plan&, const Scene&, const Air&, const View&) = nullptr;
   // The air between the camera and things. Null: the method knows whole rays alone.
-  SpanPasses (*add_span_passes)(Plan&, const Scene&, const Air&, std::span<const Span>, const SpanWay&) = nullptr;
+  SpanPasses (*add_span_passes)(Plan&, const Scene&, const Air&, const Spans&, const SpanWay&) = nullptr;
   // Whether SpanWay::volume holds for the scene's camera. Null: never.
   bool (*has_volume)(const Scene&) = nullptr;
   // Why it does not for this scene, though it does in general; empty: it does. Null: it always does.

@@ -5,6 +5,13 @@
 
 namespace airlight {
 
+// A failure that methods share.
+inline KnownFailure rounding_at_the_horizon() {
+  return {"R",
+          {{Quantity::view, -0.003, 0.003}},
+          "a view so near the horizon that rounding decides between sky and ground"};
+}
+
 SkyMethod analytic_method();
 SkyMethod nested_method();
 SkyMethod march_method();

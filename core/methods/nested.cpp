@@ -10,14 +10,14 @@
 #include "core/methods/marched_picture.h"
 #include "core/methods/methods.h"
 #include "core/physics/physics.h"
+#include "core/scene/parameters.h"
 
 namespace airlight {
 namespace {
 
 const std::array<ParameterInfo, 7> kParameters{
     steps_parameter(16),
-    ParameterInfo{
-        "sun_steps", ParameterKind::integer, 1, 4096, 8, {}, "steps toward the sun from each step of the view ray"},
+    parameter::whole_number("sun_steps", 1, 4096, 8, "steps toward the sun from each step of the view ray"),
     step_distribution_parameter(),
     jitter_parameter(),
     resolution_parameter(),
@@ -131,9 +131,7 @@ SkyMethod nested_method() {
       {"J",
        {{Quantity::view, -0.05, 1}, {Quantity::altitude, 1, 1e9}},
        "the limb from above: 16 steps do not resolve the air around the ray's lowest point"},
-      {"R",
-       {{Quantity::view, -0.003, 0.003}},
-       "a view so near the horizon that rounding decides between sky and ground"}};
+      rounding_at_the_horizon()};
   method.converged = {"", {{"steps", 512}, {"sun_steps", 120}}};
   method.add_passes = add_nested;
   method.add_layer_passes = add_layers;

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstring>
 #include <iterator>
-#include <limits>
 
 #include "core/air/scene_block.h"
 #include "core/luts/luts.h"
@@ -20,6 +19,7 @@
 #include "core/methods/scene_air.h"
 #include "core/methods/sky_pass.h"
 #include "core/methods/spectral_sums.h"
+#include "core/scene/parameters.h"
 #include "core/spheres/spheres.h"
 #include "core/terrain/terrain_buffers.h"
 
@@ -43,58 +43,39 @@ constexpr std::array<std::string_view, 10> kDegrees{"auto", "0", "1", "2", "3", 
 constexpr std::array<std::string_view, 2> kFolded{"smooth", "all"};
 constexpr std::array<std::string_view, 3> kWhen{"auto", "always", "never"};
 
-const std::array<ParameterInfo, 12> kParameters{{
-    {"steps", ParameterKind::integer, 4, 4096, 48, {}, "steps along a view ray, apart at the planet's shadow"},
-    {"transmittance_lut", ParameterKind::table_size, 2, 4096, TableSize{256, 64}, {}, "transmittance table, mu x h"},
-    {"moments_lut",
-     ParameterKind::table_size,
-     2,
-     1024,
-     TableSize{48, 12},
-     {},
-     "table of radiance moments, sun elevations x altitudes; in hazy air, and by shells, of more altitudes"},
-    {"degree", ParameterKind::choice, 0, 0, std::string("auto"), kDegrees,
-     "highest spherical harmonic kept; auto: 2, or where forward-peaked media are thick 5, in hazy air and by shells "
-     "8"},
-    {"orders",
-     ParameterKind::integer,
-     0,
-     64,
-     0,
-     {},
-     "orders of scattering computed one by one before a geometric tail, at least 2; 0: as many as the air needs"},
-    {"sky_lut",
-     ParameterKind::table_size,
-     8,
-     2048,
-     TableSize{24, 48},
-     {},
-     "table of the picture's light, azimuths x rows above level; limb and ground get 3/4 and 1/2 as many; from space "
-     "there are 4 times as many columns, 2 times as many rows for the limb, 6 for the ground"},
-    {"fold", ParameterKind::choice, 0, 0, std::string("smooth"), kFolded,
-     "media that share a block of sky_lut with the diffuse light: those of a smooth phase function, or all whose peak "
-     "has a fifth of its height one column away, which saves a fetch a pixel and blurs the aureole to the table"},
-    {"tabulate", ParameterKind::choice, 0, 0, std::string("auto"), kWhen,
-     "whether the picture's light is tabulated over view directions; auto: from 16384 pixels on, from space 131072"},
-    {"aerial_slices",
-     ParameterKind::integer,
-     4,
-     512,
-     16,
-     {},
-     "distances in the aerial volume of `airlight composite`, along directions two thirds as dense as sky_lut's"},
-    {"shells", ParameterKind::choice, 0, 0, std::string("auto"), kWhen,
-     "whether rays step through shells cut at the edges of the media; auto: where a medium that scatters ends abruptly "
-     "or the vertical optical depth of scattering is above 1.2, in low fog 0.4"},
-    {"volumetric_shadows",
-     ParameterKind::boolean,
-     0,
-     0,
-     true,
-     {},
-     "whether the air in the shadow of terrain and spheres is without the sun's light"},
-    phase_parameter(),
-}};
+const std::array<ParameterInfo, 12> kParameters{
+    parameter::whole_number("steps", 4, 4096, 48, "steps along a view ray, apart at the planet's shadow"),
+    parameter::table_size("transmittance_lut", 2, 4096, TableSize{256, 64}, "transmittance table, mu x h"),
+    parameter::table_size(
+        "moments_lut", 2, 1024, TableSize{48, 12},
+        "table of radiance moments, sun elevations x altitudes; in hazy air, and by shells, of more altitudes"),
+    parameter::choice("degree", kDegrees, "auto",
+                      "highest spherical harmonic kept; auto: 2, or where forward-peaked media are thick 5, in hazy "
+                      "air and by shells 8"),
+    parameter::whole_number(
+        "orders", 0, 64, 0,
+        "orders of scattering computed one by one before a geometric tail, at least 2; 0: as many as the air needs"),
+    parameter::table_size(
+        "sky_lut", 8, 2048, TableSize{24, 48},
+        "table of the picture's light, azimuths x rows above level; limb and ground get 3/4 and 1/2 as many; from "
+        "space there are 4 times as many columns, 2 times as many rows for the limb, 6 for the ground"),
+    parameter::choice("fold", kFolded, "smooth",
+                      "media that share a block of sky_lut with the diffuse light: those of a smooth phase function, "
+                      "or all whose peak has a fifth of its height one column away, which saves a fetch a pixel and "
+                      "blurs the aureole to the table"),
+    parameter::choice(
+        "tabulate", kWhen, "auto",
+        "whether the picture's light is tabulated over view directions; auto: from 16384 pixels on, from space 131072"),
+    parameter::whole_number(
+        "aerial_slices", 4, 512, 16,
+        "distances in the aerial volume of `airlight composite`, along directions two thirds as dense as sky_lut's"),
+    parameter::choice(
+        "shells", kWhen, "auto",
+        "whether rays step through shells cut at the edges of the media; auto: where a medium that scatters ends "
+        "abruptly or the vertical optical depth of scattering is above 1.2, in low fog 0.4"),
+    parameter::on_or_off("volumetric_shadows", true,
+                         "whether the air in the shadow of terrain and spheres is without the sun's light"),
+    phase_parameter()};
 
 bool tabulates(const Scene& scene, const View& view) {
   const std::string& choice = scene.render.get<std::string>("tabulate");
@@ -400,9 +381,7 @@ SkyMethod orders_method() {
        {{Quantity::asymmetry, -1, 1}, {Quantity::optical_depth, 0.05, 1e9}, {Quantity::light_kept, 0.99, 1}},
        "haze that absorbs nothing over a white ground: each order loses little else, and the few directions that "
        "gather it see a peaked phase function too large or too small"},
-      {"R",
-       {{Quantity::view, -0.003, 0.003}},
-       "a view so near the horizon that rounding decides between sky and ground"}};
+      rounding_at_the_horizon()};
   method.converged = {
       "", {{"steps", 1024}, {"transmittance_lut", TableSize{512, 128}}, {"moments_lut", TableSize{96, 24}}}};
   method.add_passes = add_orders;

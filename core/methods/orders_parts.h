@@ -74,6 +74,6 @@ std::uint32_t add_shadowed_terrain(Plan& plan, const Scene& scene, std::vector<B
                                    std::vector<Specialization>& constants);
 
 // SkyMethod::add_span_passes of the method.
-SpanPasses add_spans(Plan& plan, const Scene& scene, const Air& air, std::span<const Span> spans, const SpanWay& way);
+SpanPasses add_spans(Plan& plan, const Scene& scene, const Air& air, const Spans& spans, const SpanWay& way);
 
 }  // namespace airlight::orders

@@ -1,7 +1,6 @@
 // The air before things by `orders`: a march to each, or an aerial volume (shaders/physics/aerial_volume.glsl).
 
 #include <algorithm>
-#include <cstring>
 
 #include "core/air/scene_block.h"
 #include "core/luts/luts.h"
@@ -13,23 +12,41 @@
 namespace airlight::orders {
 namespace {
 
-struct SpanBuffers {
+constexpr std::uint32_t kListColumns = 4096;  // a device takes 65535 workgroups a row at least
+
+// What shaders/shared/span_list.glsl reads.
+struct SpanInput {
   BufferId list;
-  BufferId air;
+  std::uint32_t columns;
   std::uint32_t count;
 };
 
-SpanBuffers add_span_buffers(Plan& plan, std::span<const Span> spans) {
-  constexpr std::size_t kVector = 4 * sizeof(float);
-  std::vector<std::byte> bytes(spans.size() * kVector);
-  for (std::size_t i = 0; i < spans.size(); ++i) {
-    std::memcpy(bytes.data() + i * kVector, &spans[i], sizeof(Span));
-  }
+SpanInput add_span_input(Plan& plan, const Scene& scene, const Spans& spans) {
+  const bool listed = spans.rows.empty();
+  const auto bytes = listed ? std::as_bytes(spans.list) : std::as_bytes(spans.rows);
   const BufferId list =
-      plan.add_buffer({.name = "spans", .bytes = spans.size() * kVector, .contents = std::move(bytes)});
-  const BufferId air =
-      plan.add_buffer({.name = "air", .bytes = 2 * spans.size() * kVector, .host_readable = true, .zeroed = false});
-  return {list, air, static_cast<std::uint32_t>(spans.size())};
+      plan.add_buffer({.name = "spans", .bytes = bytes.size(), .contents = {bytes.begin(), bytes.end()}});
+  return {list, listed ? kListColumns : static_cast<std::uint32_t>(scene.image.width),
+          static_cast<std::uint32_t>(spans.size())};
+}
+
+// The moments' copy in halves (moment_ratios.comp).
+ImageId add_ratios(Plan& plan, ImageId moments) {
+  const ImageDesc& table = plan.images()[moments.index];
+  const Extent extent = table.extent;
+  const ImageId ratios = plan.add_image({.name = "moment_ratios",
+                                         .extent = extent,
+                                         .key = table.key.empty() ? "" : table.key + " in halves",
+                                         .half = true});
+  plan.add_pass(
+      {.shader = "moment_ratios", .reads = {{"moments", moments}}, .writes = {{"ratios_out", ratios}}, .grid = extent});
+  return ratios;
+}
+
+// Panels of two nodes bring a ray to a thing within a tenth of a percent at half of the picture's steps. Shells and
+// shadows ask for all of them.
+std::uint32_t span_steps(const Scene& scene, const Light& light) {
+  return light.by_shells || scene.terrain ? light.steps : (light.steps + 1) / 2;
 }
 
 // Two thirds of the picture's table each way. What it leaves out shows far less: light before things is gathered over
@@ -48,7 +65,8 @@ std::vector<Binding> add_volume(Plan& plan, const Scene& scene, const Light& lig
   view.kept_as = kept_as;
   const ImageId volume = plan.add_image({.name = "aerial_volume",
                                          .extent = {table.columns * table.blocks, table.rows(), slices},
-                                         .key = picture_table_key(view, "aerial_volume")});
+                                         .key = picture_table_key(view, "aerial_volume"),
+                                         .half = true});
   const ImageId extinction = plan.add_image({.name = "mean_extinction",
                                              .extent = {4 * slices, table.rows(), 1},
                                              .key = picture_table_key(view, "mean_extinction")});
@@ -79,36 +97,44 @@ std::vector<Binding> add_volume(Plan& plan, const Scene& scene, const Light& lig
 
 }  // namespace
 
-SpanPasses add_spans(Plan& plan, const Scene& scene, const Air& air, std::span<const Span> spans, const SpanWay& way) {
+SpanPasses add_spans(Plan& plan, const Scene& scene, const Air& air, const Spans& spans, const SpanWay& way) {
   const Light light = add_light(plan, scene, air);
-  const SpanBuffers buffers = add_span_buffers(plan, spans);
+  const SpanInput input = add_span_input(plan, scene, spans);
   std::vector<Binding> reads = light.reads();
   std::vector<Specialization> constants = light.constants;
-  std::vector<std::uint32_t> push{buffers.count, light.steps};
+  std::vector<std::uint32_t> push{input.columns, input.count, spans.first_row};
   if (way.volume) {
     const FactorTable table = volume_table(scene, air);
     reads = add_volume(plan, scene, light, table, way.kept_as);
     constants = medium_specialization(air);
     add_table_constants(constants, table);
     constants.push_back({"kSlices", static_cast<std::uint32_t>(scene.render.get<int>("aerial_slices"))});
-    push.pop_back();
+  } else {
+    push.push_back(span_steps(scene, light));
   }
   const char* shader = way.volume ? "air_from_volume" : "air_spans";
   if (scene.terrain) {
     shader = "air_spans_terrain";
     push.push_back(add_shadowed_terrain(plan, scene, reads, constants));
+  } else if (!way.volume) {
+    reads.push_back({"moment_ratios_lut", add_ratios(plan, light.moments)});
   }
-  reads.push_back({"spans", buffers.list});
+  reads.push_back({"spans", input.list});
+  constants.push_back({"kWholeRows", spans.rows.empty() ? 0U : 1U});
   constants.push_back({"kProjection", projection_code(scene.camera.projection)});
+  const BufferId found = plan.add_buffer({.name = "air",
+                                          .bytes = input.count * std::size_t{way.volume ? 16U : 24U},
+                                          .host_readable = true,
+                                          .zeroed = false});
   plan.add_pass({.name = "air",
                  .shader = shader,
                  .reads = std::move(reads),
-                 .writes = {{"air_out", buffers.air}},
-                 .grid = {buffers.count, 1, 1},
+                 .writes = {{"air_out", found}},
+                 .grid = {std::min(input.columns, input.count), (input.count + input.columns - 1) / input.columns, 1},
                  .push_constants = std::move(push),
                  .specialization = std::move(constants),
-                 .cost = way.volume ? 3.0 : ray_cost(light.steps)});
-  return {buffers.air};
+                 .cost = way.volume ? 3.0 : ray_cost(span_steps(scene, light))});
+  return {found, way.volume};
 }
 
 }  // namespace airlight::orders

@@ -9,6 +9,7 @@
 #include "core/methods/ground_pass.h"
 #include "core/methods/march_passes.h"
 #include "core/methods/methods.h"
+#include "core/scene/parameters.h"
 
 namespace airlight {
 namespace {
@@ -18,15 +19,11 @@ constexpr std::array<std::string_view, 2> kGroundRays{"table", "march"};
 // The table holds the ground too: against marching those pixels that costs a mean 0.03 % (worst scene tried) and saves
 // nine tenths of the time of a picture one third ground.
 const std::array<ParameterInfo, 9> kParameters{
-    ParameterInfo{"sky_view_lut",
-                  ParameterKind::table_size,
-                  4,
-                  4096,
-                  TableSize{192, 108},
-                  {},
-                  "sky-view table, azimuths from the sun x angles from the horizon"},
-    ParameterInfo{"ground_rays", ParameterKind::choice, 0, 0, std::string("table"), kGroundRays,
-                  "rays that end on the ground: from the last third of the table's rows, or marched pixel by pixel"},
+    parameter::table_size("sky_view_lut", 4, 4096, TableSize{192, 108},
+                          "sky-view table, azimuths from the sun x angles from the horizon"),
+    parameter::choice(
+        "ground_rays", kGroundRays, "table",
+        "rays that end on the ground: from the last third of the table's rows, or marched pixel by pixel"),
     steps_parameter(32),
     step_distribution_parameter(),
     phase_parameter(),

@@ -20,13 +20,8 @@ struct SpectralScene {
   std::vector<WavelengthGroup> groups;
 };
 
-// Spectra of sunlight scattered once or reflected by the ground, over the sun's, in a few dozen directions around the
-// camera, and of the sun seen through the air: at the nodes, and as colours by all fine bands. Then the same as if each
-// were scattered once more.
-std::vector<ColouredSpectrum> sampled_sky(const Scene& scene, const Nodes& nodes, const BandColours& colours);
-
 // The scene's wavelengths, with a matrix fitted to its sampled sky; automatic ones are the fewest, in whole groups,
-// whose matrix renders it to a third of a percent. Of a scene that has spectra. The last few matrices are remembered:
+// whose matrix renders it to 0.4 %. Of a scene that has spectra. The last few matrices are remembered:
 // all tiles of a picture find theirs made.
 SpectralScene spectral_scene(const Scene& scene);
 

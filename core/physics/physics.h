@@ -9,6 +9,8 @@
 
 namespace airlight::physics {
 
+#define UNROLL  // a mark for the shaders' compiler
+
 // In the order of their needs.
 // clang-format off
 #include "shaders/shared/scene.h"
@@ -185,5 +187,7 @@ struct Physics {
 #include "shaders/physics/aerial_volume.glsl"
   // clang-format on
 };
+
+#undef UNROLL
 
 }  // namespace airlight::physics

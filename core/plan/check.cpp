@@ -46,7 +46,7 @@ class Contents {
  public:
   explicit Contents(const Plan& plan) {
     for (const ImageDesc& image : plan.images()) images_.push_back(!image.key.empty());
-    for (const BufferDesc& buffer : plan.buffers()) buffers_.push_back(!buffer.key.empty() || !buffer.contents.empty());
+    for (const BufferDesc& buffer : plan.buffers()) buffers_.push_back(!buffer.key.empty() || buffer.has_contents());
   }
   bool there(ResourceId id) const {
     if (const auto* image = std::get_if<ImageId>(&id)) return images_[image->index];

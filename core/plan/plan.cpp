@@ -1,11 +1,12 @@
 #include "core/plan/plan.h"
 
+#include <cassert>
 #include <utility>
 
 namespace airlight {
 
 std::size_t ImageDesc::bytes() const {
-  return std::size_t{extent.width} * extent.height * extent.depth * 4 * sizeof(float);
+  return std::size_t{extent.width} * extent.height * extent.depth * 4 * (half ? sizeof(float) / 2 : sizeof(float));
 }
 
 void Plan::begin_scene(std::vector<std::byte> data, std::string suffix, std::string channels) {
@@ -54,6 +55,7 @@ void Plan::add_pass(PassDesc desc) {
 
 BufferId Plan::add_readback(ImageId image) {
   const ImageDesc& source = images_.at(image.index);
+  assert(!source.half);
   const BufferId buffer = add_buffer({.name = source.name + " readback",
                                       .bytes = source.bytes(),
                                       .host_readable = true,

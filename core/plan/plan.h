@@ -19,12 +19,14 @@ struct Extent {
   std::uint32_t depth = 1;  // > 1: a 3-D image
 };
 
-// Four floats a texel. `key` not empty: the contents depend on nothing but what the key says, and they are kept by the
-// executor for later plans; passes that would only make again what is kept are skipped (see passes_to_run).
+// Four floats a texel, of 32 bits or of 16. `key` not empty: the contents depend on nothing but what the key says, and
+// they are kept by the executor for later plans; passes that would only make again what is kept are skipped (see
+// passes_to_run).
 struct ImageDesc {
   std::string name = {};
   Extent extent = {};
   std::string key = {};
+  bool half = false;  // 16 bits, which a GPU's samplers filter several times as fast; not for the host to read
   // Of a table that may be written to a file; empty: of no use outside the plan. A function, as most plans ask for
   // none.
   std::function<TableText()> text = {};
@@ -41,6 +43,10 @@ struct BufferDesc {
   // With a key: kept, but made anew by every plan that has a pass for it; a later plan without one reads what is there.
   bool carried = false;
   bool zeroed = true;  // false: starts undefined, for a buffer that its pass writes whole (33 MB of zeros cost ms)
+  // In place of `contents` where those take long to find: asked when a pass that reads them runs, as most plans are
+  // only looked at.
+  std::function<std::vector<std::byte>()> contents_when_run = {};
+  bool has_contents() const { return !contents.empty() || contents_when_run; }
 };
 
 struct ImageId {

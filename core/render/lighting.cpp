@@ -11,6 +11,7 @@
 namespace airlight {
 namespace {
 
+using physics::vec3;
 using std::numbers::pi;
 
 // The sky that lighting is taken from: 1.9 degrees a pixel. A finer one changes no coefficient by 0.3 % of the first.
@@ -29,19 +30,18 @@ std::array<Node, 3> nodes(double from, double span, int i, int n) {
   return {{{middle - away, part * 5.0 / 18.0}, {middle, part * 8.0 / 18.0}, {middle + away, part * 5.0 / 18.0}}};
 }
 
-Vector3 direction_at(double elevation, double azimuth) {
-  const double c = std::cos(elevation);
-  return {std::sin(azimuth) * c, std::sin(elevation), -std::cos(azimuth) * c};
-}
-
 // Calls use(direction, solid angle) for nine points of a pixel; the weights add up to the pixel's solid angle to 1e-9.
 template <class Use>
-void for_points(const RadianceImage& latlong, double azimuth, int x, int y, Use use) {
+void for_points(physics::Physics& p, const RadianceImage& latlong, double azimuth, int x, int y, Use use) {
   for (const Node& e : nodes(0.5 * pi, -pi, y, latlong.height)) {
     for (const Node& a : nodes(azimuth - pi, 2.0 * pi, x, latlong.width)) {
-      use(direction_at(e.angle, a.angle), -e.weight * std::cos(e.angle) * a.weight);
+      use(p.direction_from_angles(e.angle, a.angle), -e.weight * std::cos(e.angle) * a.weight);
     }
   }
+}
+
+Vector3 numbers_of(const vec3& v) {
+  return {v.x, v.y, v.z};
 }
 
 Vector3 rgb_at(const RadianceImage& image, int x, int y) {
@@ -50,31 +50,27 @@ Vector3 rgb_at(const RadianceImage& image, int x, int y) {
 }
 
 struct Patch {
-  Vector3 area{};  // integral of the direction over the pixel
+  vec3 area;  // integral of the direction over the pixel
   Vector3 radiance{};
 };
 
-std::vector<Patch> patches_of(const RadianceImage& latlong, double azimuth) {
+std::vector<Patch> patches_of(physics::Physics& p, const RadianceImage& latlong, double azimuth) {
   std::vector<Patch> patches;
   for (int y = 0; y < latlong.height; ++y) {
     for (int x = 0; x < latlong.width; ++x) {
       Patch patch{{}, rgb_at(latlong, x, y)};
-      for_points(latlong, azimuth, x, y, [&](const Vector3& d, double solid_angle) {
-        for (std::size_t k = 0; k < 3; ++k) {
-          patch.area[k] += d[k] * solid_angle;
-        }
-      });
+      for_points(p, latlong, azimuth, x, y,
+                 [&](const vec3& d, double solid_angle) { patch.area = patch.area + d * solid_angle; });
       patches.push_back(patch);
     }
   }
   return patches;
 }
 
-Vector3 irradiance_on(const std::vector<Patch>& patches, const Vector3& normal) {
+Vector3 irradiance_on(const std::vector<Patch>& patches, const vec3& normal) {
   Vector3 sum{};
   for (const Patch& patch : patches) {
-    const double cosine =
-        std::max(0.0, normal[0] * patch.area[0] + normal[1] * patch.area[1] + normal[2] * patch.area[2]);
+    const double cosine = std::max(0.0, dot(normal, patch.area));
     for (std::size_t c = 0; c < 3; ++c) {
       sum[c] += patch.radiance[c] * cosine;
     }
@@ -91,11 +87,11 @@ struct DiscPoint {
 std::vector<DiscPoint> disc_points(const physics::Physics& p, const Sun& sun) {
   constexpr int kRings = 12;
   constexpr int kAround = 24;
-  const Vector3 s{p.scene.sun.direction.x, p.scene.sun.direction.y, p.scene.sun.direction.z};
+  const vec3 s = p.scene.sun.direction;
   // East of it, and above it on the disc.
-  const Vector3 a{std::cos(sun.azimuth), 0.0, std::sin(sun.azimuth)};
-  const Vector3 b{-std::sin(sun.azimuth) * std::sin(sun.elevation), std::cos(sun.elevation),
-                  std::cos(sun.azimuth) * std::sin(sun.elevation)};
+  const vec3 a(std::cos(sun.azimuth), 0.0, std::sin(sun.azimuth));
+  const vec3 b(-std::sin(sun.azimuth) * std::sin(sun.elevation), std::cos(sun.elevation),
+               std::cos(sun.azimuth) * std::sin(sun.elevation));
   std::vector<DiscPoint> points;
   double total = 0.0;
   for (int ring = 0; ring < kRings; ++ring) {
@@ -104,11 +100,7 @@ std::vector<DiscPoint> disc_points(const physics::Physics& p, const Sun& sun) {
     const double off = r * sun.disc.angular_radius;
     for (int k = 0; k < kAround; ++k) {
       const double t = 2.0 * pi * (k + 0.5) / kAround;
-      Vector3 d{};
-      for (std::size_t i = 0; i < 3; ++i) {
-        d[i] = s[i] * std::cos(off) + (a[i] * std::cos(t) + b[i] * std::sin(t)) * std::sin(off);
-      }
-      points.push_back({{std::atan2(d[1], std::hypot(d[0], d[2])), std::atan2(d[0], -d[2])}, profile});
+      points.push_back({angles_of(s * std::cos(off) + (a * std::cos(t) + b * std::sin(t)) * std::sin(off)), profile});
       total += profile;
     }
   }
@@ -137,12 +129,13 @@ std::array<double, 9> sh_basis(const Vector3& d) {
 }
 
 ShRadiance project_to_sh(const RadianceImage& latlong, double azimuth) {
+  physics::Physics p;
   ShRadiance sum{};
   for (int y = 0; y < latlong.height; ++y) {
     for (int x = 0; x < latlong.width; ++x) {
       std::array<double, 9> pixel{};
-      for_points(latlong, azimuth, x, y, [&](const Vector3& d, double solid_angle) {
-        const std::array<double, 9> basis = sh_basis(d);
+      for_points(p, latlong, azimuth, x, y, [&](const vec3& d, double solid_angle) {
+        const std::array<double, 9> basis = sh_basis(numbers_of(d));
         for (std::size_t k = 0; k < 9; ++k) {
           pixel[k] += basis[k] * solid_angle;
         }
@@ -172,12 +165,14 @@ Vector3 irradiance_from_sh(const ShRadiance& radiance, const Vector3& normal) {
 
 RadianceImage irradiance_map(const RadianceImage& latlong, double latlong_azimuth, int width, int height,
                              double azimuth) {
-  const std::vector<Patch> patches = patches_of(latlong, latlong_azimuth);
+  physics::Physics p;
+  const std::vector<Patch> patches = patches_of(p, latlong, latlong_azimuth);
   RadianceImage map{width, height, {}};
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       const double elevation = pi * (0.5 - (y + 0.5) / height);
-      const Vector3 sum = irradiance_on(patches, direction_at(elevation, azimuth + pi * (2.0 * (x + 0.5) / width - 1)));
+      const double toward = azimuth + pi * (2.0 * (x + 0.5) / width - 1);
+      const Vector3 sum = irradiance_on(patches, p.direction_from_angles(elevation, toward));
       for (const double value : sum) {
         map.rgba.push_back(static_cast<float>(value));
       }
@@ -189,8 +184,7 @@ RadianceImage irradiance_map(const RadianceImage& latlong, double latlong_azimut
 
 SunLight sun_light(const DeviceOnDemand& device, const Scene& scene) {
   physics::Physics p = geometry_of(scene);
-  const physics::vec3 direction = p.scene.sun.direction;
-  SunLight light{.direction = {direction.x, direction.y, direction.z},
+  SunLight light{.direction = numbers_of(p.scene.sun.direction),
                  .elevation = scene.sun.elevation,
                  .azimuth = scene.sun.azimuth,
                  .angular_radius = scene.sun.disc.angular_radius,

@@ -1,22 +1,46 @@
 #include "core/render/spans.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <string>
+#include <utility>
 
 #include "core/error.h"
 #include "core/methods/scene_air.h"
 #include "core/methods/spectral_sky.h"
+#include "core/methods/spectral_sums.h"
 #include "core/render/timings.h"
 #include "core/scene/photometry.h"
 
 namespace airlight {
 namespace {
 
-constexpr std::size_t kMostSpans = std::size_t{1} << 18;
-constexpr std::size_t kFloats = 8;  // a span: radiance and transmittance, four each
+constexpr std::size_t kMostSpans = std::size_t{1} << 19;
+
+// Radiance and transmittance.
+using Six = std::array<float, 6>;
+
+Six floats_at(std::span<const std::byte> bytes, std::size_t i) {
+  Six six;
+  std::memcpy(six.data(), bytes.data() + i * sizeof six, sizeof six);
+  return six;
+}
+
+// shaders/shared/span_air_packed.glsl: of two words each, the lower 21 bits, the next 21 and the next.
+Six packed_at(std::span<const std::byte> bytes, std::size_t i) {
+  std::array<std::uint64_t, 2> words;
+  std::memcpy(words.data(), bytes.data() + i * sizeof words, sizeof words);
+  Six six;
+  for (std::size_t k = 0; k < six.size(); ++k) {
+    const auto bits = static_cast<std::uint32_t>(words[k / 3] >> (21 * (k % 3)) & 0x1FFFFFU);
+    six[k] = std::bit_cast<float>(bits << 10);
+  }
+  return six;
+}
 
 // A colour may have negative channels, but no negative luminance.
 void require_sound(const Span& span, const AirTo& air, bool in_colours) {
@@ -33,10 +57,8 @@ void require_sound(const Span& span, const AirTo& air, bool in_colours) {
 }
 
 // Adds the light and the transmittance of three channels, as colours.
-void add_part(std::span<AirTo> sums, std::span<const std::byte> bytes, const std::array<Rgb, 3>& radiance,
+void add_part(std::span<AirTo> sums, std::span<const std::byte> bytes, bool packed, const std::array<Rgb, 3>& radiance,
               const std::array<Rgb, 3>& transmittance) {
-  std::vector<float> values(sums.size() * kFloats);
-  std::memcpy(values.data(), bytes.data(), values.size() * sizeof(float));
   const auto add = [](std::array<float, 3>& sum, const float* channels, const std::array<Rgb, 3>& colours) {
     for (std::size_t c = 0; c < 3; ++c) {
       sum[c] += static_cast<float>(colours[0][c] * double{channels[0]} + colours[1][c] * double{channels[1]} +
@@ -44,8 +66,9 @@ void add_part(std::span<AirTo> sums, std::span<const std::byte> bytes, const std
     }
   };
   for (std::size_t i = 0; i < sums.size(); ++i) {
-    add(sums[i].radiance, &values[i * kFloats], radiance);
-    add(sums[i].transmittance, &values[i * kFloats + 4], transmittance);
+    const Six six = packed ? packed_at(bytes, i) : floats_at(bytes, i);
+    add(sums[i].radiance, &six[0], radiance);
+    add(sums[i].transmittance, &six[3], transmittance);
   }
 }
 
@@ -57,48 +80,89 @@ struct SpanWork {
   std::vector<PassTiming>* passes;
 };
 
-void add_channels(const SpanWork& work, const Scene& scene, std::span<const Span> spans, std::span<AirTo> sums,
+// Three channels of the spans: the scene's own, or a group of wavelengths. `plan`: has their scene.
+void add_channels(const SpanWork& work, Plan plan, const Scene& scene, const Spans& spans, std::span<AirTo> sums,
                   const std::array<Rgb, 3>& radiance, const std::array<Rgb, 3>& transmittance) {
-  const Air air = air_of(scene);
-  Plan plan;
-  plan.scene_data = device_scene_bytes(air, scene);
-  const SpanPasses added = work.method.add_span_passes(plan, scene, air, spans, work.way);
+  const SpanPasses added = work.method.add_span_passes(plan, scene, air_of(scene), spans, work.way);
   const RunResult result = work.executor.run(plan);
   if (work.passes != nullptr) {
     add_timings(*work.passes, result.passes);
   }
-  add_part(sums, result.contents(added.air), radiance, transmittance);
+  add_part(sums, result.contents(added.air), added.packed, radiance, transmittance);
+}
+
+// Parts of at most kMostSpans, or of a row.
+std::vector<Spans> parts_of(const Spans& spans, std::size_t width) {
+  std::vector<Spans> parts;
+  for (std::size_t first = 0; first < spans.list.size(); first += kMostSpans) {
+    parts.push_back({.list = spans.list.subspan(first, std::min(kMostSpans, spans.list.size() - first))});
+  }
+  constexpr std::size_t kMostRows = 65535;  // a device takes as many workgroups at least
+  const std::size_t most = width * std::clamp(kMostSpans / width, std::size_t{1}, kMostRows);
+  for (std::size_t first = 0; first < spans.rows.size(); first += most) {
+    parts.push_back({.rows = spans.rows.subspan(first, std::min(most, spans.rows.size() - first)),
+                     .first_row = static_cast<std::uint32_t>(first / width)});
+  }
+  return parts;
+}
+
+// Span i of a part.
+Span one_of(const Spans& spans, std::size_t i, std::size_t width) {
+  return spans.rows.empty() ? spans.list[i]
+                            : Span{static_cast<std::uint16_t>(i % width),
+                                   static_cast<std::uint16_t>(spans.first_row + i / width), spans.rows[i]};
+}
+
+void add_part_of_picture(const SpanWork& work, const Scene& scene, const Spans& spans, std::span<AirTo> sums) {
+  constexpr std::array<Rgb, 3> kAsTheyAre{{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
+  if (!scene.spectra) {
+    Plan plan;
+    plan.scene_data = device_scene_bytes(air_of(scene), scene);
+    add_channels(work, std::move(plan), scene, spans, sums, kAsTheyAre, kAsTheyAre);
+    return;
+  }
+  const SpectralScene spectral = spectral_scene(scene);
+  for (std::size_t g = 0; g < spectral.groups.size(); ++g) {
+    const WavelengthGroup& group = spectral.groups[g];
+    // As for the sky, whose tables of the group's light are there then.
+    Plan plan;
+    begin_group(plan, spectral, g, {0, 0, scene.image.width, scene.image.height});
+    add_channels(work, std::move(plan), group.scene, spans, sums, group.colours,
+                 over_the_sun(group.colours, spectral.sun));
+  }
+}
+
+std::vector<AirTo> air_of_spans(Executor& executor, const Scene& scene, const Spans& spans, const SpanWay& way,
+                                std::vector<PassTiming>* passes) {
+  const SkyMethod* method = find_method(scene.render.method);
+  assert(method != nullptr && method->add_span_passes != nullptr);
+  assert(!way.volume || (method->has_volume != nullptr && method->has_volume(scene)));
+  const auto width = static_cast<std::size_t>(scene.image.width);
+  std::vector<AirTo> all(spans.size());
+  std::span<AirTo> rest = all;
+  for (const Spans& part : parts_of(spans, width)) {
+    const std::span<AirTo> sums = rest.first(part.size());
+    rest = rest.subspan(part.size());
+    add_part_of_picture({executor, *method, way, passes}, scene, part, sums);
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+      require_sound(one_of(part, i, width), sums[i], scene.spectra.has_value());
+    }
+  }
+  return all;
 }
 
 }  // namespace
 
 std::vector<AirTo> air_to(Executor& executor, const Scene& scene, std::span<const Span> spans, const SpanWay& way,
                           std::vector<PassTiming>* passes) {
-  constexpr std::array<Rgb, 3> kAsTheyAre{{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
-  const SkyMethod* method = find_method(scene.render.method);
-  assert(method != nullptr && method->add_span_passes != nullptr);
-  assert(!way.volume || (method->has_volume != nullptr && method->has_volume(scene)));
-  std::vector<AirTo> all(spans.size());
-  for (std::size_t first = 0; first < spans.size(); first += kMostSpans) {
-    const std::span<const Span> some = spans.subspan(first, std::min(kMostSpans, spans.size() - first));
-    const std::span<AirTo> sums(all.data() + first, some.size());
-    if (scene.spectra) {
-      const SpectralScene spectral = spectral_scene(scene);
-      for (std::size_t g = 0; g < spectral.groups.size(); ++g) {
-        const WavelengthGroup& group = spectral.groups[g];
-        SpanWay of_group = way;  // each group keeps tables of its own
-        of_group.kept_as += way.kept_as.empty() ? "" : " of group " + std::to_string(g);
-        const SpanWork work{executor, *method, of_group, passes};
-        add_channels(work, group.scene, some, sums, group.colours, over_the_sun(group.colours, spectral.sun));
-      }
-    } else {
-      add_channels({executor, *method, way, passes}, scene, some, sums, kAsTheyAre, kAsTheyAre);
-    }
-    for (std::size_t i = 0; i < some.size(); ++i) {
-      require_sound(some[i], sums[i], scene.spectra.has_value());
-    }
-  }
-  return all;
+  return air_of_spans(executor, scene, {.list = spans}, way, passes);
+}
+
+std::vector<AirTo> air_to_all(Executor& executor, const Scene& scene, std::span<const float> distances,
+                              const SpanWay& way, std::vector<PassTiming>* passes) {
+  assert(distances.size() ==
+         static_cast<std::size_t>(scene.image.width) * static_cast<std::size_t>(scene.image.height));
+  return air_of_spans(executor, scene, {.rows = distances}, way, passes);
 }
 
 }  // namespace airlight

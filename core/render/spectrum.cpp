@@ -5,6 +5,7 @@
 #include <cassert>
 #include <utility>
 
+#include "core/methods/sampled_sky.h"
 #include "core/render/group_runs.h"
 #include "core/render/timings.h"
 #include "core/scene/photometry.h"
@@ -42,7 +43,7 @@ std::vector<double> channel_scales(const Scene& scene, const Nodes& nodes) {
 
 bool tells_colours(const Scene& scene, const SpectralScene& listed) {
   const BandColours colours = band_colours(scene.spectra->sun, scene.spectra->white);
-  return mean_error(listed.matrix, sampled_sky(scene, listed.nodes, colours)) <= kTellsColours;
+  return mean_error(listed.matrix, SampledSky(scene, colours).at(listed.nodes)) <= kTellsColours;
 }
 
 void add_planes(SpectralImage& spectrum, const RadianceImage& part, std::size_t first,

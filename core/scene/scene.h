@@ -261,7 +261,7 @@ struct Scene {
   Bloom bloom;
   Display display;
   std::optional<KeyFrames> sequence;  // absent: the preset has no key frames
-  // Absent: the three channels of media, ground and sun are all there is. Present: they stand for 616, 536 and 448 nm,
+  // Absent: the three channels of media, ground and sun are all there is. Present: they stand for 615, 541 and 449 nm,
   // and the sun's irradiance is its colour.
   std::optional<SceneSpectra> spectra;
 };

@@ -2,14 +2,10 @@
 
 #include <cstring>
 
-#include "core/physics/device_scene.h"
+#include "core/air/scene_block.h"
 
 namespace airlight {
 namespace {
-
-device::vec3 narrow(const physics::vec3& v) {
-  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
 
 physics::uint code_of(SphereMaterial material) {
   switch (material) {
@@ -32,7 +28,7 @@ std::vector<physics::SphereData> spheres_of(const Scene& scene) {
     physics::SphereData data;
     data.centre = p.direction_from_angles(sphere.elevation, sphere.azimuth) * sphere.distance;
     data.radius = sphere.radius;
-    data.albedo = {sphere.albedo[0], sphere.albedo[1], sphere.albedo[2]};
+    data.albedo = vector_of(sphere.albedo);
     data.material = code_of(sphere.material);
     data.scatter_strength = sphere.scatter_strength;
     all.push_back(data);
@@ -47,7 +43,7 @@ BufferId add_spheres(Plan& plan, const char* name, const Scene& scene) {
   std::memcpy(bytes.data(), &count, sizeof count);
   for (std::size_t i = 0; i < spheres.size(); ++i) {
     const physics::SphereData& s = spheres[i];
-    const device::SphereData data{narrow(s.centre), static_cast<float>(s.radius), narrow(s.albedo), s.material,
+    const device::SphereData data{narrowed(s.centre), static_cast<float>(s.radius), narrowed(s.albedo), s.material,
                                   static_cast<float>(s.scatter_strength)};
     std::memcpy(bytes.data() + sizeof count + i * sizeof data, &data, sizeof data);
   }

@@ -64,7 +64,7 @@ void place_table(TerrainData& t, const Scene& scene, double highest) {
   t.shadow_rows = static_cast<physics::uint>(std::ceil((aside.high - aside.low) / t.shadow_texel)) + 2U;
 }
 
-// Of a ray toward the sun per km of ground; steeper than this it makes no difference.
+// How steeply a ray toward the sun rises, km per km of ground. A sun above 1.55 rad counts as one there.
 double slope_of(double elevation) {
   constexpr double kSteepest = 1.55;
   return std::tan(std::clamp(elevation, -0.5, kSteepest));

@@ -16,7 +16,7 @@ namespace {
 using physics::HostTerrain;
 using physics::TerrainData;
 
-// What lies at or below the ground sphere is under it: so far that rounding does not lift it.
+// Heights at or below the ground sphere are put here, km: so far under it that rounding does not lift them.
 constexpr double kUnderground = -1e-3;
 
 std::string text_of(double number, int digits) {

@@ -10,11 +10,12 @@
 
 namespace airlight {
 
-// Heights and albedo; the shadow is blank. Of one terrain the same object as long as it is the last one asked for.
+// The terrain's heights and albedo; the shadow is blank. The last terrain asked for is kept: who asks for it again gets
+// the same object.
 // Throws InputError where the camera stands inside the terrain.
 std::shared_ptr<const physics::HostTerrain> terrain_of(const Scene& scene);
 
-// The same with the shadow of the scene's sun.
+// The terrain with the shadow of the scene's sun.
 std::shared_ptr<const physics::HostTerrain> shadowed_terrain(const Scene& scene);
 
 // How far from the camera, km along the ground, a shadow may stand.

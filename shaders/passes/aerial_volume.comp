@@ -17,7 +17,7 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = 27) const uint kTeam = 1u;  // threads a direction: 1, 2, 4 or 8
-layout(set = 0, binding = 4, rgba32f) uniform writeonly image3D volume_out;
+layout(set = 0, binding = 4, rgba16f) uniform writeonly image3D volume_out;
 layout(push_constant, scalar) uniform Push { uint steps; };  // from slice to slice; at least 2
 
 // Cut where the planet's shadow begins and ends.
@@ -34,7 +34,7 @@ SkyFactors stretch(Ray ray, ShadowCrossings shadow, float from, float to) {
 }
 
 void store(uint block, uvec2 texel, uint slice, vec3 light) {
-  imageStore(volume_out, ivec3(block * kSkyColumns + texel.x, texel.y, slice), vec4(light, 1.0));
+  imageStore(volume_out, ivec3(block * kSkyColumns + texel.x, texel.y, slice), vec4(volume_code(light), 1.0));
 }
 
 void store_single(uint i, SkyFactors factors, uvec2 texel, uint slice, vec3 scale) {
@@ -48,7 +48,7 @@ vec3 folded_light(uint i, SkyFactors factors, float nu) {
 }
 
 void store_slice(SkyFactors factors, Ray ray, uvec2 texel, uint slice) {
-  vec3 scale = scene.sun.irradiance / max(gathered_share(factors.depth), vec3(1e-30));
+  vec3 scale = vec3(1.0) / max(gathered_share(factors.depth), vec3(1e-30));
   store_single(0u, factors, texel, slice, scale);
   store_single(1u, factors, texel, slice, scale);
   store_single(2u, factors, texel, slice, scale);

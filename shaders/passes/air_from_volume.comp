@@ -11,18 +11,22 @@
 #include "shared/factor_place.glsl"
 #include "shared/aerial_volume.glsl"
 
-layout(local_size_x = 256) in;
-layout(push_constant, scalar) uniform Push { uint count; };
+layout(local_size_x = 64) in;
+layout(push_constant, scalar) uniform Push {
+  uint span_columns;
+  uint span_count;
+  uint first_row;
+};
+#include "shared/span_list.glsl"
+#include "shared/span_air_packed.glsl"
 
 layout(set = 0, binding = 3) uniform sampler3D volume_lut;
 layout(set = 0, binding = 4) uniform sampler2D extinction_lut;
-layout(std430, set = 0, binding = 8) readonly buffer Spans { vec4 values[]; } spans;
-layout(std430, set = 0, binding = 9) writeonly buffer SpanAir { vec4 values[]; } air_out;
 
 vec3 fetch_block(uint block, FactorPlace at, float w) {
   float blocks = float(bitCount(kScatteringMedia) + 1u);
   float u = (float(block * kSkyColumns) + 0.5 + at.x * float(kSkyColumns - 1u)) / (blocks * float(kSkyColumns));
-  return textureLod(volume_lut, vec3(u, at.v, w), 0.0).rgb;
+  return volume_source(textureLod(volume_lut, vec3(u, at.v, w), 0.0).rgb);
 }
 
 vec3 single_at(uint i, FactorPlace at, float w) {
@@ -30,14 +34,17 @@ vec3 single_at(uint i, FactorPlace at, float w) {
 }
 
 void main() {
-  uint i = gl_GlobalInvocationID.x;
-  if (i >= count) {
+  Span span = span_of(gl_GlobalInvocationID.xy);
+  if (!span.is_there) {
     return;
   }
-  vec4 span = spans.values[i];
-  ViewRay view = view_ray(scene.camera, kProjection, span.x, span.y);
+  if (nothing_there(span)) {
+    write_air(span.index, vec3(0.0), vec3(1.0));
+    return;
+  }
+  ViewRay view = view_ray(scene.camera, kProjection, span.place.x, span.place.y);
   Ray ray = air_ray(view.direction);
-  float distance_ = clamp(span.z, 0.0, max(ray.length_, 0.0));
+  float distance_ = clamp(span.distance_, 0.0, max(ray.length_, 0.0));
   FactorPlace at = factor_place(view.direction);
   float z = slice_coordinate(scene.planet, ray, distance_);
   vec2 row = vec2(texel_from_unit(z, float(kExtinctionSlices)), at.v);
@@ -53,6 +60,5 @@ void main() {
   source += single_at(5u, at, w);
   source += single_at(6u, at, w);
   source += single_at(7u, at, w);
-  air_out.values[2u * i] = vec4(source * depth * segment.mean, 1.0);
-  air_out.values[2u * i + 1u] = vec4(segment.through, 1.0);
+  write_air(span.index, source * depth * segment.mean * scene.sun.irradiance, segment.through);
 }

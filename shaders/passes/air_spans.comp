@@ -1,7 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// The air between the camera and things: in-scattered radiance and transmittance along listed rays of the picture, each
-// up to a distance, by the view march on the table of moments. One thread a ray.
+// The air between the camera and things: in-scattered radiance and transmittance along rays of the picture, each up to
+// a distance, by the view march on the table of moments.
+#define AIRLIGHT_HALF_RATIOS
 #include "shared/device.glsl"
 #include "shared/tables.glsl"
 #include "shared/moment_table.glsl"
@@ -11,29 +12,30 @@
 #include "shared/shell_table.glsl"
 #include "physics/aerial_volume.glsl"
 
-layout(local_size_x = 256) in;
+layout(local_size_x = 64) in;
 layout(push_constant, scalar) uniform Push {
-  uint spans_count;
+  uint span_columns;
+  uint span_count;
+  uint first_row;
   uint steps;
 };
-
-// Place in the picture in pixels from the upper left corner, distance in km, unused.
-layout(std430, set = 0, binding = 8) readonly buffer Spans { vec4 values[]; } spans;
-// Radiance and transmittance in turn.
-layout(std430, set = 0, binding = 9) writeonly buffer SpanAir { vec4 values[]; } air_out;
+#include "shared/span_list.glsl"
+#include "shared/span_air.glsl"
 
 void main() {
-  uint i = gl_GlobalInvocationID.x;
-  if (i >= spans_count) {
+  Span span = span_of(gl_GlobalInvocationID.xy);
+  if (!span.is_there) {
     return;
   }
-  vec4 span = spans.values[i];
-  ViewRay view = view_ray(scene.camera, kProjection, span.x, span.y);
+  if (nothing_there(span)) {
+    write_air(span.index, vec3(0.0), vec3(1.0));
+    return;
+  }
+  ViewRay view = view_ray(scene.camera, kProjection, span.place.x, span.place.y);
   Ray whole = air_ray(view.direction);
-  Ray ray = ray_up_to(scene.planet, scene.camera.altitude, view.direction.y, whole, span.z);
+  Ray ray = ray_up_to(scene.planet, scene.camera.altitude, view.direction.y, whole, span.distance_);
   // Where air is cut into shells, steps follow from the edges that a ray crosses.
-  uint count = shell_rows() > 0u ? steps : steps_up_to(scene.planet, whole, ray.length_, steps);
+  uint count = shell_rows() > 0u ? steps : steps_up_to(scene.planet, whole, ray.length_, 2u, steps);
   SkyFactors air = scene_air_factors(ray, count);
-  air_out.values[2u * i] = vec4(phased(air, phases(ray.nu)) * scene.sun.irradiance, 1.0);
-  air_out.values[2u * i + 1u] = vec4(air.transmittance, 1.0);
+  write_air(span.index, phased(air, phases(ray.nu)) * scene.sun.irradiance, air.transmittance);
 }

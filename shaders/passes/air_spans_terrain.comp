@@ -16,27 +16,29 @@ layout(constant_id = 28) const uint kShafts = 1u;
 
 layout(local_size_x = 64) in;
 layout(push_constant, scalar) uniform Push {
-  uint spans_count;
+  uint span_columns;
+  uint span_count;
+  uint first_row;
   uint steps;
   float shadow_end;
 };
-
-// Place in the picture in pixels from the upper left corner, distance in km, unused.
-layout(std430, set = 0, binding = 8) readonly buffer Spans { vec4 values[]; } spans;
-// Radiance and transmittance in turn.
-layout(std430, set = 0, binding = 9) writeonly buffer SpanAir { vec4 values[]; } air_out;
+#include "shared/span_list.glsl"
+#include "shared/span_air.glsl"
 
 void main() {
-  uint i = gl_GlobalInvocationID.x;
-  if (i >= spans_count) {
+  Span span = span_of(gl_GlobalInvocationID.xy);
+  if (!span.is_there) {
     return;
   }
-  vec4 span = spans.values[i];
+  if (nothing_there(span)) {
+    write_air(span.index, vec3(0.0), vec3(1.0));
+    return;
+  }
   float h = scene.camera.altitude;
-  vec3 direction = view_ray(scene.camera, kProjection, span.x, span.y).direction;
+  vec3 direction = view_ray(scene.camera, kProjection, span.place.x, span.place.y).direction;
   current_track = ground_track(h, direction);
   Ray whole = air_ray(direction);
-  Ray ray = ray_up_to(scene.planet, h, direction.y, whole, span.z);
+  Ray ray = ray_up_to(scene.planet, h, direction.y, whole, span.distance_);
   ray.at_ground = false;
   float before = air_entry(scene.planet, h, direction.y).distance_;
   // The picture's steps over the part in which shadows stand, as dense over a shorter way.
@@ -45,9 +47,8 @@ void main() {
   shaded.at_ground = false;
   uint near = steps;
   if (shell_rows() == 0u && shaded.length_ > 0.0) {
-    near = steps_up_to(scene.planet, shaded, min(ray.length_, shaded.length_), steps);
+    near = steps_up_to(scene.planet, shaded, min(ray.length_, shaded.length_), 6u, steps);
   }
   SkyFactors air = terrain_factors(ray, direction, before, shadow_end, near, max(steps / 2u, 1u));
-  air_out.values[2u * i] = vec4(phased(air, phases(whole.nu)) * scene.sun.irradiance, 1.0);
-  air_out.values[2u * i + 1u] = vec4(air.transmittance, 1.0);
+  write_air(span.index, phased(air, phases(whole.nu)) * scene.sun.irradiance, air.transmittance);
 }

@@ -35,14 +35,9 @@ void main() {
   }
   Ray ray = table_ray(texel);
   ApartFactors factors = scene_apart_factors(ray, steps);
-  store_single(0u, factors.air, texel, ray.nu);
-  store_single(1u, factors.air, texel, ray.nu);
-  store_single(2u, factors.air, texel, ray.nu);
-  store_single(3u, factors.air, texel, ray.nu);
-  store_single(4u, factors.air, texel, ray.nu);
-  store_single(5u, factors.air, texel, ray.nu);
-  store_single(6u, factors.air, texel, ray.nu);
-  store_single(7u, factors.air, texel, ray.nu);
+  UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
+    store_single(i, factors.air, texel, ray.nu);
+  }
   float carrier = shared_carrier(section_of_row(texel.y), ray.nu);
   store(diffuse_block(), texel, factors.air.diffuse / carrier);
   store(diffuse_block() + 1u, texel, factors.ground / carrier);

@@ -45,14 +45,9 @@ LightLayers layers_from_table(vec3 direction) {
   vec2 at = place_in_block(
       sky_view_coordinate(scene.planet, scene.camera.altitude, direction, scene.sun.direction));
   LightLayers layers;
-  layers.single[0] = single_at(0u, at);
-  layers.single[1] = single_at(1u, at);
-  layers.single[2] = single_at(2u, at);
-  layers.single[3] = single_at(3u, at);
-  layers.single[4] = single_at(4u, at);
-  layers.single[5] = single_at(5u, at);
-  layers.single[6] = single_at(6u, at);
-  layers.single[7] = single_at(7u, at);
+  UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
+    layers.single[i] = single_at(i, at);
+  }
   layers.multiple = fetch_block(diffuse_block(), at);
   layers.ground = fetch_block(diffuse_block() + 1u, at);
   return layers;

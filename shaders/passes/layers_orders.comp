@@ -21,7 +21,7 @@ LightLayers layers_along(vec3 direction) {
   ApartFactors factors = scene_apart_factors(ray, steps);
   Phases p = phases(ray.nu);
   LightLayers layers;
-  for (uint i = 0u; i < kMaxMedia; i++) {
+  UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
     layers.single[i] = factors.air.single[i] * p.of[i] * scene.sun.irradiance;
   }
   layers.multiple = factors.air.diffuse * scene.sun.irradiance;

@@ -41,14 +41,9 @@ void main() {
   Ray ray = sky_view_texel_ray(texel, size, int(sky_rows));
   LightLayers layers =
       march_layers(scene.planet, scene.sun, ray, steps, kStepDistribution, scene.multiple_scattering_scale);
-  store_single(0u, layers, texel);
-  store_single(1u, layers, texel);
-  store_single(2u, layers, texel);
-  store_single(3u, layers, texel);
-  store_single(4u, layers, texel);
-  store_single(5u, layers, texel);
-  store_single(6u, layers, texel);
-  store_single(7u, layers, texel);
+  UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
+    store_single(i, layers, texel);
+  }
   store(diffuse_block(), texel, layers.multiple);
   store(diffuse_block() + 1u, texel, layers.ground);
 }

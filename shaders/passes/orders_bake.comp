@@ -5,6 +5,7 @@
 #include "shared/device.glsl"
 #include "shared/tables.glsl"
 #include "shared/moment_table.glsl"
+#include "shared/gathered_columns.glsl"
 #include "physics/orders.glsl"
 #include "physics/sky_factors.glsl"
 #include "shared/shell_table.glsl"
@@ -18,13 +19,16 @@ layout(scalar, set = 0, binding = 6) buffer Sums { vec4 values[]; } sums;
 layout(push_constant, scalar) uniform Push {
   uint directions;
   uint panels;  // of two nodes; by shells unused
+  uint suns;    // columns of the table that are gathered
 };
 
 const uint kThreads = 64u;
-shared vec3 partial[kThreads];
+const uint kAtOnce = 16u;  // moments, each summed over the threads by one of them
+shared vec3 partial[kAtOnce * kThreads];
+shared vec3 isotropic;
 
 void main() {
-  uvec2 node = gl_WorkGroupID.yz;
+  uvec2 node = uvec2(gathered_column(suns, gl_WorkGroupID.y), gl_WorkGroupID.z);
   uint lane = gl_LocalInvocationID.x;
   MomentState state = moment_state(scene.moments, float(node.x) / float(kMomentColumns - 1u),
                                    float(node.y) / float(kMomentRows - 1u));
@@ -54,22 +58,29 @@ void main() {
     }
     irradiance += radiance * (upward ? mu : 0.0);
   }
-  vec3 isotropic = vec3(1.0);
-  for (uint k = 0u; k <= moment_count(); k++) {
+  for (uint first = 0u; first <= moment_count(); first += kAtOnce) {
     barrier();
-    partial[lane] = k < moment_count() ? moments[min(k, kMaxMoments - 1u)] : irradiance;
+    for (uint j = 0u; j < kAtOnce && first + j <= moment_count(); j++) {
+      partial[j * kThreads + lane] =
+          first + j < moment_count() ? moments[min(first + j, kMaxMoments - 1u)] : irradiance;
+    }
     barrier();
-    if (lane == 0u) {
-      vec3 sum = vec3(0.0);
+    uint k = first + lane;
+    bool mine = lane < kAtOnce && k <= moment_count();
+    vec3 sum = vec3(0.0);
+    if (mine) {
       for (uint i = 0u; i < kThreads; i++) {
-        sum += partial[i];
+        sum += partial[lane * kThreads + i];
       }
-      uvec2 at = uvec2(k * kMomentColumns + node.x, node.y);
-      uint index = at.y * (moment_count() + 1u) * kMomentColumns + at.x;
-      sums.values[index] += vec4(sum, 0.0);
       if (k == 0u) {
         isotropic = max(sum, vec3(1e-30));
       }
+    }
+    barrier();
+    if (mine) {
+      uvec2 at = uvec2(k * kMomentColumns + node.x, node.y);
+      uint index = at.y * (moment_count() + 1u) * kMomentColumns + at.x;
+      sums.values[index] += vec4(sum, 0.0);
       bool logarithm = k == 0u || k == moment_count();
       vec3 stored = logarithm ? log(max(sum, vec3(1e-30))) : sum / isotropic;
       imageStore(order_out, ivec2(at), vec4(stored, 1.0));

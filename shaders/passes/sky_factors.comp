@@ -64,23 +64,13 @@ void main() {
   if (outside || part > 0u) {
     return;
   }
-  store_single(0u, factors, texel);
-  store_single(1u, factors, texel);
-  store_single(2u, factors, texel);
-  store_single(3u, factors, texel);
-  store_single(4u, factors, texel);
-  store_single(5u, factors, texel);
-  store_single(6u, factors, texel);
-  store_single(7u, factors, texel);
+  UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
+    store_single(i, factors, texel);
+  }
   vec3 light = factors.diffuse;
-  light += folded_light(0u, factors, ray.nu);
-  light += folded_light(1u, factors, ray.nu);
-  light += folded_light(2u, factors, ray.nu);
-  light += folded_light(3u, factors, ray.nu);
-  light += folded_light(4u, factors, ray.nu);
-  light += folded_light(5u, factors, ray.nu);
-  light += folded_light(6u, factors, ray.nu);
-  light += folded_light(7u, factors, ray.nu);
+  UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
+    light += folded_light(i, factors, ray.nu);
+  }
   light *= scene.sun.irradiance / shared_carrier(section_of_row(texel.y), ray.nu);
   imageStore(factors_out, ivec2(diffuse_block() * kSkyColumns + texel.x, texel.y), vec4(light, 1.0));
 }

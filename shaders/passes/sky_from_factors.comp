@@ -22,14 +22,9 @@ layout(push_constant, scalar) uniform Push {
 vec3 light_at(vec3 direction) {
   FactorPlace at = factor_place(direction);
   vec3 sum = fetch_shared(diffuse_block(), at);
-  sum += single_at(0u, at);
-  sum += single_at(1u, at);
-  sum += single_at(2u, at);
-  sum += single_at(3u, at);
-  sum += single_at(4u, at);
-  sum += single_at(5u, at);
-  sum += single_at(6u, at);
-  sum += single_at(7u, at);
+  UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
+    sum += single_at(i, at);
+  }
   return sum;
 }
 

@@ -24,13 +24,13 @@ real slice_coordinate(PlanetData planet, Ray ray, real distance_) {
 }
 
 // Steps up to a thing, as dense as those of `steps` from a ray's lowest point to the top of the air. A ray that runs
-// through all of the air takes all of them.
-uint steps_up_to(PlanetData planet, Ray ray, real distance_, uint steps) {
+// through all of the air takes all of them, and any takes `fewest`.
+uint steps_up_to(PlanetData planet, Ray ray, real distance_, uint fewest, uint steps) {
   real lowest = lowest_distance(planet, ray);
   real all = ray.at_ground ? ray.length_ + distance_to_top(planet, ray.h, -ray.mu) : ray.length_ - lowest;
   real before = min(lowest, distance_);
   real share = (sqrt(before) + sqrt(max(distance_ - before, 0.0))) / sqrt(max(all, 1e-12));
-  return uint(clamp(ceil(real(steps) * share - 1e-3), min(6.0, real(steps)), real(steps)));
+  return uint(clamp(ceil(real(steps) * share - 1e-3), min(real(fewest), real(steps)), real(steps)));
 }
 
 // 1 - transmittance of an optical depth, without loss of digits.

@@ -1,5 +1,6 @@
-// The view march, written once for every method that marches on tables: single scattering with the planet's shadow at
-// each step, multiple scattering as isotropic light [H20 sec. 5.5.2 eq. 10], the ground where the ray ends on it.
+// The view march on tables of transmittance and isotropic multiple scattering: single scattering with the planet's
+// shadow at each step, multiple scattering as isotropic light [H20 sec. 5.5.2 eq. 10], the ground where the ray ends on
+// it. march_layers.glsl takes the same steps and keeps the light apart.
 // The includer defines:
 //   vec3 fetch_multiple_scattering(real x, real y);  1/sr, for a sun of irradiance 1
 //   vec3 fetch_ground_irradiance(real x);            sky irradiance on the ground over x = (1 + mu_sun)/2
@@ -16,7 +17,8 @@ vec3 ground_radiance(PlanetData planet, SunData sun, real mu_sun) {
   return planet.ground_albedo * (direct + fetch_ground_irradiance(0.5 + 0.5 * mu_sun)) / kPi;
 }
 
-// The path with one more step, in which light scattered more than once is `diffuse`, 1/sr.
+// Returns the path with one more step, in which source and extinction are constant. `diffuse`: light scattered more
+// than once that arrives there, 1/sr.
 PathRadiance with_step(PathRadiance path, PlanetData planet, SunData sun, Ray ray, Phases p, Step s, vec3 diffuse) {
   RayPoint point = point_on_ray(planet, ray, s.t);
   Air air = air_over(point.h, s.width * point.mu, p);
@@ -51,7 +53,7 @@ LitAir lit_air(PlanetData planet, SunData sun, Ray ray, Phases p, real t, real s
   return lit;
 }
 
-// The path with one more panel of two Gauss-Legendre nodes (panel_transfer()).
+// Returns the path with one more panel of two Gauss-Legendre nodes (panel_transfer()).
 PathRadiance with_panel(PathRadiance path, PlanetData planet, SunData sun, Ray ray, Phases p, Step panel,
                         real scattering_scale) {
   real offset = kPanelNode * panel.width;
@@ -63,7 +65,7 @@ PathRadiance with_panel(PathRadiance path, PlanetData planet, SunData sun, Ray r
   return path;
 }
 
-// By Gauss-Legendre nodes: two in each of the panels, which are quadratic steps split at the planet's shadow. An odd
+// Marches by Gauss-Legendre nodes, two in each panel. Panels are quadratic steps, split at the planet's shadow. An odd
 // number of steps leaves the last panel one node, in its middle.
 PathRadiance march_panels(PlanetData planet, SunData sun, Ray ray, uint steps, real scattering_scale) {
   PathRadiance path;
@@ -93,19 +95,20 @@ PathRadiance march_panels(PlanetData planet, SunData sun, Ray ray, uint steps, r
   return path;
 }
 
-// A step whose source is evaluated at `place` of its width, 0.5 the middle.
+// Moves the point where the step's source is evaluated to `place` of its width; 0.5 is the middle.
 Step placed(Step s, real place) {
   s.t = s.t + (place - 0.5) * s.width;
   return s;
 }
 
-// The same for two steps that share a point: 0.5 is where they meet.
+// Where two neighbouring steps that share a source evaluate it; at place 0.5 that is where they meet.
 real placed_in_pair(real start, real middle, real end, real place) {
   return middle + (2.0 * place - 1.0) * (place < 0.5 ? middle - start : end - middle);
 }
 
-// Steps in which source and extinction are constant. Quadratic steps are short where the air is dense: light scattered more than once is fetched once for two of them, where they meet (the picture moves by
-// 0.03 to 0.08 % in the mean). Uniform ones fetch it for each: 1.4 % else.
+// Marches by steps in which source and extinction are constant. Quadratic steps are short where the air is dense, so
+// two of them share one fetch of light scattered more than once, where they meet: the picture moves by 0.03 to 0.08 % in
+// the mean. Uniform steps fetch it each, as it would move by 1.4 %.
 PathRadiance march_steps(PlanetData planet, SunData sun, Ray ray, uint steps, uint distribution, real place,
                          real scattering_scale) {
   PathRadiance path;
@@ -133,10 +136,11 @@ PathRadiance march_steps(PlanetData planet, SunData sun, Ray ray, uint steps, ui
   return path;
 }
 
-// Of kJitterFixed.
+// The place that kJitterFixed puts each source at.
 const real kFixedPlace = 0.3;
 
-// `place`: where in its step each source is evaluated, 0.5 unless jittered; Gauss-Legendre nodes do not move.
+// Marches along the ray. `place`: where in its step each source is evaluated, 0.5 unless jittered; Gauss-Legendre nodes
+// do not move.
 PathRadiance march_at(PlanetData planet, SunData sun, Ray ray, uint steps, uint distribution, real place,
                       real scattering_scale) {
   PathRadiance path;

@@ -8,14 +8,9 @@ LightLayers with_layered_step(LightLayers layers, PlanetData planet, SunData sun
   SegmentTransfer segment = segment_transfer(air.extinction * s.width);
   vec3 weight = layers.transmittance * segment.mean * s.width;
   vec3 direct = weight * transmittance_to_sun(planet, point.h, point.mu_sun) * sun_fade(sun, point.mu_sun);
-  layers.single[0] = layers.single[0] + direct * medium_scattering(0u, point.h, rise) * p.of[0];
-  layers.single[1] = layers.single[1] + direct * medium_scattering(1u, point.h, rise) * p.of[1];
-  layers.single[2] = layers.single[2] + direct * medium_scattering(2u, point.h, rise) * p.of[2];
-  layers.single[3] = layers.single[3] + direct * medium_scattering(3u, point.h, rise) * p.of[3];
-  layers.single[4] = layers.single[4] + direct * medium_scattering(4u, point.h, rise) * p.of[4];
-  layers.single[5] = layers.single[5] + direct * medium_scattering(5u, point.h, rise) * p.of[5];
-  layers.single[6] = layers.single[6] + direct * medium_scattering(6u, point.h, rise) * p.of[6];
-  layers.single[7] = layers.single[7] + direct * medium_scattering(7u, point.h, rise) * p.of[7];
+  UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
+    layers.single[i] = layers.single[i] + direct * medium_scattering(i, point.h, rise) * p.of[i];
+  }
   layers.multiple = layers.multiple + weight * diffuse * air.scattering;
   layers.transmittance = layers.transmittance * segment.through;
   return layers;

@@ -83,8 +83,9 @@ real step_density(uint profile, MediumData m, real h, real rise) {
   return even + (1.0 - even) * above;
 }
 
-// The media are gone through by calls with a literal index, not by a loop: only then do the specialisation constants
-// fold, and a march on the software device runs at twice the speed. A call beyond medium_count() costs nothing.
+// Loops over the media have a constant number of turns and are marked UNROLL, so that the build makes straight code of
+// them: only then do the specialisation constants fold, and a march on the software device runs at twice the speed. A
+// turn beyond medium_count() costs nothing.
 
 // Phase function of each medium for one angle: constant along a ray.
 struct Phases {
@@ -106,14 +107,9 @@ vec3 medium_phase(uint i, real nu) {
 
 Phases phases(real nu) {
   Phases p;
-  p.of[0] = medium_phase(0u, nu);
-  p.of[1] = medium_phase(1u, nu);
-  p.of[2] = medium_phase(2u, nu);
-  p.of[3] = medium_phase(3u, nu);
-  p.of[4] = medium_phase(4u, nu);
-  p.of[5] = medium_phase(5u, nu);
-  p.of[6] = medium_phase(6u, nu);
-  p.of[7] = medium_phase(7u, nu);
+  UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
+    p.of[i] = medium_phase(i, nu);
+  }
   return p;
 }
 
@@ -127,20 +123,15 @@ vec3 gathered_phase(uint i, real nu) {
 
 Phases gathered_phases(real nu) {
   Phases p;
-  p.of[0] = gathered_phase(0u, nu);
-  p.of[1] = gathered_phase(1u, nu);
-  p.of[2] = gathered_phase(2u, nu);
-  p.of[3] = gathered_phase(3u, nu);
-  p.of[4] = gathered_phase(4u, nu);
-  p.of[5] = gathered_phase(5u, nu);
-  p.of[6] = gathered_phase(6u, nu);
-  p.of[7] = gathered_phase(7u, nu);
+  UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
+    p.of[i] = gathered_phase(i, nu);
+  }
   return p;
 }
 
 Phases equal_phases(real value) {
   Phases p;
-  for (uint i = 0u; i < kMaxMedia; i++) {
+  UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
     p.of[i] = vec3(value);
   }
   return p;
@@ -170,14 +161,9 @@ Air air_over(real h, real rise, Phases p) {
   air.extinction = vec3(0.0);
   air.scattering = vec3(0.0);
   air.phase_scattering = vec3(0.0);
-  air = with_medium(air, 0u, h, rise, p.of[0]);
-  air = with_medium(air, 1u, h, rise, p.of[1]);
-  air = with_medium(air, 2u, h, rise, p.of[2]);
-  air = with_medium(air, 3u, h, rise, p.of[3]);
-  air = with_medium(air, 4u, h, rise, p.of[4]);
-  air = with_medium(air, 5u, h, rise, p.of[5]);
-  air = with_medium(air, 6u, h, rise, p.of[6]);
-  air = with_medium(air, 7u, h, rise, p.of[7]);
+  UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
+    air = with_medium(air, i, h, rise, p.of[i]);
+  }
   return air;
 }
 

@@ -125,15 +125,7 @@ struct DiffuseAir {
   vec3 extinction;
   vec3 peaks;             // 1/km, what delta-scaling leaves out of it
   vec3 phase_scattering;  // 1/(km sr) toward the sun's angle, by the whole phase function
-  vec3 degree0;
-  vec3 degree1;
-  vec3 degree2;
-  vec3 degree3;
-  vec3 degree4;
-  vec3 degree5;
-  vec3 degree6;
-  vec3 degree7;
-  vec3 degree8;
+  vec3 degree[kMaxDegree + 1];
 };
 
 DiffuseAir with_diffuse_medium(DiffuseAir air, uint i, real h, real rise, vec3 phase) {
@@ -145,15 +137,10 @@ DiffuseAir with_diffuse_medium(DiffuseAir air, uint i, real h, real rise, vec3 p
     air.extinction = air.extinction + m.absorption * d + scattering * (vec3(1.0) - f);
     air.peaks = air.peaks + scattering * f;
     air.phase_scattering = air.phase_scattering + scattering * phase;
-    air.degree0 = air.degree0 + scattering * (vec3(1.0) - f);
-    air.degree1 = air.degree1 + scattering * (m.legendre[1] - f);
-    air.degree2 = air.degree2 + scattering * (m.legendre[2] - f);
-    air.degree3 = air.degree3 + scattering * (m.legendre[3] - f);
-    air.degree4 = air.degree4 + scattering * (m.legendre[4] - f);
-    air.degree5 = air.degree5 + scattering * (m.legendre[5] - f);
-    air.degree6 = air.degree6 + scattering * (m.legendre[6] - f);
-    air.degree7 = air.degree7 + scattering * (m.legendre[7] - f);
-    air.degree8 = air.degree8 + scattering * (m.legendre[8] - f);
+    air.degree[0] = air.degree[0] + scattering * (vec3(1.0) - f);
+    UNROLL for (uint l = 1u; l <= kMaxDegree; l++) {
+      air.degree[l] = air.degree[l] + scattering * (m.legendre[l] - f);
+    }
   }
   return air;
 }
@@ -164,15 +151,9 @@ DiffuseAir diffuse_air_over(real h, real rise, Phases p) {
   air.extinction = vec3(0.0);
   air.peaks = vec3(0.0);
   air.phase_scattering = vec3(0.0);
-  air.degree0 = vec3(0.0);
-  air.degree1 = vec3(0.0);
-  air.degree2 = vec3(0.0);
-  air.degree3 = vec3(0.0);
-  air.degree4 = vec3(0.0);
-  air.degree5 = vec3(0.0);
-  air.degree6 = vec3(0.0);
-  air.degree7 = vec3(0.0);
-  air.degree8 = vec3(0.0);
+  UNROLL for (uint l = 0u; l <= kMaxDegree; l++) {
+    air.degree[l] = vec3(0.0);
+  }
   air = with_diffuse_medium(air, 0u, h, rise, p.of[0]);
   air = with_diffuse_medium(air, 1u, h, rise, p.of[1]);
   air = with_diffuse_medium(air, 2u, h, rise, p.of[2]);
@@ -184,39 +165,33 @@ DiffuseAir diffuse_air_over(real h, real rise, Phases p) {
   return air;
 }
 
+// The sum with what the moments of degree l scatter into the harmonics' direction, over the isotropic moment. Degrees
+// here and media above are gone through by calls: one run of spirv-opt writes out no loop in a loop.
+vec3 with_degree(vec3 sum, uint l, MomentCoordinate c, DiffuseAir air, Harmonics y) {
+  if (l <= source_degree()) {
+    uint k = l * (l + 1u) / 2u;
+    vec3 part = fetch_moment(k, c.x, c.y) * y.of[k];
+    UNROLL for (uint m = 1u; m <= l; m++) {
+      part = part + fetch_moment(k + m, c.x, c.y) * y.of[k + m];
+    }
+    sum = sum + air.degree[l] * part;
+  }
+  return sum;
+}
+
 // Light scattered into the direction (mu, azimuth) out of the field that the table holds at c, W/(m2 sr km); its
 // moment M_00 is given.
 vec3 moment_source_of(vec3 isotropic, MomentCoordinate c, DiffuseAir air, real mu, real cos_azimuth) {
   Harmonics y = harmonics(mu, cos_azimuth);
-  vec3 sum = air.degree0 * y.of[0];
-  if (source_degree() >= 1u) {
-    sum = sum + air.degree1 * (fetch_moment(1u, c.x, c.y) * y.of[1] + fetch_moment(2u, c.x, c.y) * y.of[2]);
-  }
-  if (source_degree() >= 2u) {
-    sum = sum + air.degree2 * (fetch_moment(3u, c.x, c.y) * y.of[3] + fetch_moment(4u, c.x, c.y) * y.of[4] +
-                               fetch_moment(5u, c.x, c.y) * y.of[5]);
-  }
-  if (source_degree() >= 3u) {
-    sum = sum + air.degree3 * (fetch_moment(6u, c.x, c.y) * y.of[6] + fetch_moment(7u, c.x, c.y) * y.of[7] +
-                               fetch_moment(8u, c.x, c.y) * y.of[8] + fetch_moment(9u, c.x, c.y) * y.of[9]);
-  }
-  if (source_degree() >= 4u) {
-    sum = sum + air.degree4 * (fetch_moment(10u, c.x, c.y) * y.of[10] + fetch_moment(11u, c.x, c.y) * y.of[11] +
-                               fetch_moment(12u, c.x, c.y) * y.of[12] + fetch_moment(13u, c.x, c.y) * y.of[13] +
-                               fetch_moment(14u, c.x, c.y) * y.of[14]);
-  }
-  if (source_degree() >= 5u) {
-    sum = sum + air.degree5 * (fetch_moment(15u, c.x, c.y) * y.of[15] + fetch_moment(16u, c.x, c.y) * y.of[16] + fetch_moment(17u, c.x, c.y) * y.of[17] + fetch_moment(18u, c.x, c.y) * y.of[18] + fetch_moment(19u, c.x, c.y) * y.of[19] + fetch_moment(20u, c.x, c.y) * y.of[20]);
-  }
-  if (source_degree() >= 6u) {
-    sum = sum + air.degree6 * (fetch_moment(21u, c.x, c.y) * y.of[21] + fetch_moment(22u, c.x, c.y) * y.of[22] + fetch_moment(23u, c.x, c.y) * y.of[23] + fetch_moment(24u, c.x, c.y) * y.of[24] + fetch_moment(25u, c.x, c.y) * y.of[25] + fetch_moment(26u, c.x, c.y) * y.of[26] + fetch_moment(27u, c.x, c.y) * y.of[27]);
-  }
-  if (source_degree() >= 7u) {
-    sum = sum + air.degree7 * (fetch_moment(28u, c.x, c.y) * y.of[28] + fetch_moment(29u, c.x, c.y) * y.of[29] + fetch_moment(30u, c.x, c.y) * y.of[30] + fetch_moment(31u, c.x, c.y) * y.of[31] + fetch_moment(32u, c.x, c.y) * y.of[32] + fetch_moment(33u, c.x, c.y) * y.of[33] + fetch_moment(34u, c.x, c.y) * y.of[34] + fetch_moment(35u, c.x, c.y) * y.of[35]);
-  }
-  if (source_degree() >= 8u) {
-    sum = sum + air.degree8 * (fetch_moment(36u, c.x, c.y) * y.of[36] + fetch_moment(37u, c.x, c.y) * y.of[37] + fetch_moment(38u, c.x, c.y) * y.of[38] + fetch_moment(39u, c.x, c.y) * y.of[39] + fetch_moment(40u, c.x, c.y) * y.of[40] + fetch_moment(41u, c.x, c.y) * y.of[41] + fetch_moment(42u, c.x, c.y) * y.of[42] + fetch_moment(43u, c.x, c.y) * y.of[43] + fetch_moment(44u, c.x, c.y) * y.of[44]);
-  }
+  vec3 sum = air.degree[0] * y.of[0];
+  sum = with_degree(sum, 1u, c, air, y);
+  sum = with_degree(sum, 2u, c, air, y);
+  sum = with_degree(sum, 3u, c, air, y);
+  sum = with_degree(sum, 4u, c, air, y);
+  sum = with_degree(sum, 5u, c, air, y);
+  sum = with_degree(sum, 6u, c, air, y);
+  sum = with_degree(sum, 7u, c, air, y);
+  sum = with_degree(sum, 8u, c, air, y);
   // Truncated at a low degree the field may dip below zero opposite to a strong peak.
   return max(sum, vec3(0.0)) * isotropic;
 }

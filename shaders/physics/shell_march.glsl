@@ -15,8 +15,9 @@ vec3 shell_sun_irradiance(PlanetData planet, real mu_sun) {
   return mu_sun > 0.0 ? exp(-sun_depth(planet, 0.0, 0.0, mu_sun)) * mu_sun : vec3(0.0);
 }
 
-// Between two rows whose logarithms are a and b: linear, as a diffuse field is deep in even air (in air that absorbs
-// nothing each order repeats the error of the one before), but exponential where it falls steeply, as below a low sun.
+// Interpolates between two rows whose logarithms are a and b. Deep in even air a diffuse field is linear, and in air that
+// absorbs nothing each order repeats the error of the one before. Below a low sun it falls steeply: there the result is
+// exponential. `bend`: see bend_between().
 vec3 between_rows(vec3 a, vec3 b, real part, vec3 bend) {
   vec3 low = exp(a);
   vec3 high = exp(b);
@@ -26,14 +27,14 @@ vec3 between_rows(vec3 a, vec3 b, real part, vec3 bend) {
   return even + (exp(a * (1.0 - part) + b * part) - even) * steep;
 }
 
-// The one nearer to 0 of two of like signs, else 0.
+// Returns the number nearer to 0 where both have the same sign, else 0.
 real lesser(real a, real b) { return a * b <= 0.0 ? 0.0 : (a < 0.0 ? max(a, b) : min(a, b)); }
 
-// How far the isotropic moment bulges from the straight line between two rows: half its second difference over the
-// shell, as the shells below and above tell it. Where the air has an edge the two differ, and the lesser holds. A
-// diffuse field bulges up next to the air's ends, and what a straight line loses there each order loses again. Held to a
-// quarter of the two rows' sum: between shells much thinner than itself, at an optical depth of 178, a thick one was
-// given so much more than its rows hold that orders grew.
+// Returns how far the isotropic moment bends away from the straight line between two rows: half its second difference
+// over the shell. The shells below and above tell one each; the two differ where the air has an edge, and the lesser
+// holds. Next to the air's ends a diffuse field bulges up, and each order loses again what a straight line loses there.
+// The bend is at most a quarter of the two rows' sum: between shells much thinner than itself, at an optical depth of
+// 178, a thick shell got so much more than its rows hold that orders grew.
 vec3 bend_between(uint shell, real x, vec3 low, vec3 high) {
   real intervals = real(shell_rows() - 1u);
   real width = shell_altitude(shell + 1u) - shell_altitude(shell);
@@ -63,8 +64,8 @@ vec3 bend_between(uint shell, real x, vec3 low, vec3 high) {
   return max(min(bend, most), vec3(0.0) - most);
 }
 
-// Light scattered into the ray by the diffuse field, W/(m2 sr km), at distance t in a known shell. The ratios are fetched
-// where they weigh as much as the moments that they belong to.
+// Light scattered into the ray by the diffuse field, W/(m2 sr km), at distance t in a known shell. In the ratios of
+// moments each row weighs as much as its isotropic moment.
 vec3 shell_source(PlanetData planet, MomentTableData table, DiffuseAir air, Ray ray, uint shell, real t) {
   RayPoint point = point_on_ray(planet, ray, t);
   MomentCoordinate c = moment_coordinate(table, point.h, point.mu_sun);
@@ -84,7 +85,7 @@ vec3 sun_depth_on_ray(PlanetData planet, Ray ray, uint shell, real t) {
   return sun_depth(planet, point.h, shell_coordinate(shell, point.h), point.mu_sun);
 }
 
-// As order_radiance().
+// Radiance of one order through shells, as order_radiance() has it; `parts`: of each shell.
 vec3 shell_order_radiance(PlanetData planet, MomentTableData table, Ray ray, uint parts, bool first) {
   Phases p = gathered_phases(ray.nu);
   ShadowCrossings shadow = shadow_crossings(planet, ray);
@@ -129,7 +130,7 @@ vec3 shell_order_radiance(PlanetData planet, MomentTableData table, Ray ray, uin
   return radiance;
 }
 
-// As air_factors().
+// The factors of air cut into shells, as air_factors() has them.
 SkyFactors shell_air_factors(PlanetData planet, MomentTableData table, Ray ray, uint parts) {
   SkyFactors factors = no_air();
   Phases none = equal_phases(0.0);
@@ -153,14 +154,9 @@ SkyFactors shell_air_factors(PlanetData planet, MomentTableData table, Ray ray, 
     vec3 direct = factors.transmittance * mean_sunlight3(near, far, step_depth) *
                   (width * lit * sun_share(ray, walk.from + 0.5 * width, width));
     near = far;
-    factors.single[0] = factors.single[0] + direct * medium_scattering(0u, point.h, rise);
-    factors.single[1] = factors.single[1] + direct * medium_scattering(1u, point.h, rise);
-    factors.single[2] = factors.single[2] + direct * medium_scattering(2u, point.h, rise);
-    factors.single[3] = factors.single[3] + direct * medium_scattering(3u, point.h, rise);
-    factors.single[4] = factors.single[4] + direct * medium_scattering(4u, point.h, rise);
-    factors.single[5] = factors.single[5] + direct * medium_scattering(5u, point.h, rise);
-    factors.single[6] = factors.single[6] + direct * medium_scattering(6u, point.h, rise);
-    factors.single[7] = factors.single[7] + direct * medium_scattering(7u, point.h, rise);
+    UNROLL for (uint m = 0u; m < kMaxMedia; m++) {
+      factors.single[m] = factors.single[m] + direct * medium_scattering(m, point.h, rise);
+    }
     real place = walk.from + width * source_place((step_depth.x + step_depth.y + step_depth.z) / 3.0);
     vec3 source = shell_source(planet, table, air, ray, walk.shell, place);
     factors.diffuse = factors.diffuse + factors.transmittance * segment.mean * source * width;
@@ -171,7 +167,7 @@ SkyFactors shell_air_factors(PlanetData planet, MomentTableData table, Ray ray, 
   return factors;
 }
 
-// As ground_light().
+// The ground's light under air cut into shells, as ground_light() has it.
 vec3 shell_ground_light(PlanetData planet, MomentTableData table, Ray ray, vec3 transmittance) {
   RayPoint end = point_on_ray(planet, ray, ray.length_);
   vec3 irradiance = shell_sun_irradiance(planet, end.mu_sun) * sun_share(ray, ray.length_, 0.0) +
@@ -179,7 +175,7 @@ vec3 shell_ground_light(PlanetData planet, MomentTableData table, Ray ray, vec3 
   return transmittance * planet.ground_albedo * irradiance / kPi;
 }
 
-// As sky_factors().
+// The factors of air cut into shells with the ground behind it, as sky_factors() has them.
 SkyFactors shell_sky_factors(PlanetData planet, MomentTableData table, Ray ray, uint parts) {
   SkyFactors factors = shell_air_factors(planet, table, ray, parts);
   if (ray.at_ground && ray.length_ >= 0.0) {

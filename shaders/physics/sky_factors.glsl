@@ -14,7 +14,7 @@ struct SkyFactors {
 
 SkyFactors no_air() {
   SkyFactors factors;
-  for (uint i = 0u; i < kMaxMedia; i++) {
+  UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
     factors.single[i] = vec3(0.0);
   }
   factors.diffuse = vec3(0.0);
@@ -29,7 +29,7 @@ vec3 beam_transmittance(SkyFactors factors) { return factors.transmittance * exp
 
 vec3 phased(SkyFactors factors, Phases p) {
   vec3 sum = factors.diffuse;
-  for (uint i = 0u; i < kMaxMedia; i++) {
+  UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
     sum = sum + factors.single[i] * (i < medium_count() ? p.of[i] : vec3(0.0));
   }
   return sum;
@@ -49,14 +49,9 @@ NodeLight node_light(PlanetData planet, MomentTableData table, Ray ray, real t, 
   DiffuseAir air = diffuse_air_over(point.h, 0.0, equal_phases(0.0));
   vec3 direct = transmittance_to_sun(planet, point.h, point.mu_sun) * share;
   NodeLight light;
-  light.single[0] = direct * medium_scattering(0u, point.h, 0.0);
-  light.single[1] = direct * medium_scattering(1u, point.h, 0.0);
-  light.single[2] = direct * medium_scattering(2u, point.h, 0.0);
-  light.single[3] = direct * medium_scattering(3u, point.h, 0.0);
-  light.single[4] = direct * medium_scattering(4u, point.h, 0.0);
-  light.single[5] = direct * medium_scattering(5u, point.h, 0.0);
-  light.single[6] = direct * medium_scattering(6u, point.h, 0.0);
-  light.single[7] = direct * medium_scattering(7u, point.h, 0.0);
+  UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
+    light.single[i] = direct * medium_scattering(i, point.h, 0.0);
+  }
   light.diffuse = moment_source(table, air, point.h, point.mu_sun, point.mu, cos_azimuth_at(point, ray.nu));
   light.extinction = air.extinction;
   light.peaks = air.peaks;
@@ -67,14 +62,9 @@ SkyFactors with_panel_light(SkyFactors factors, NodeLight near, NodeLight far, r
   PanelTransfer transfer = panel_transfer(near.extinction, far.extinction, width);
   vec3 a = factors.transmittance * transfer.near;
   vec3 b = factors.transmittance * transfer.far;
-  factors.single[0] = factors.single[0] + a * near.single[0] + b * far.single[0];
-  factors.single[1] = factors.single[1] + a * near.single[1] + b * far.single[1];
-  factors.single[2] = factors.single[2] + a * near.single[2] + b * far.single[2];
-  factors.single[3] = factors.single[3] + a * near.single[3] + b * far.single[3];
-  factors.single[4] = factors.single[4] + a * near.single[4] + b * far.single[4];
-  factors.single[5] = factors.single[5] + a * near.single[5] + b * far.single[5];
-  factors.single[6] = factors.single[6] + a * near.single[6] + b * far.single[6];
-  factors.single[7] = factors.single[7] + a * near.single[7] + b * far.single[7];
+  UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
+    factors.single[i] = factors.single[i] + a * near.single[i] + b * far.single[i];
+  }
   factors.diffuse = factors.diffuse + a * near.diffuse + b * far.diffuse;
   factors.transmittance = factors.transmittance * transfer.through;
   factors.depth = factors.depth + transfer.depth;
@@ -88,7 +78,7 @@ SkyFactors air_factors_between(PlanetData planet, MomentTableData table, Ray ray
   SkyFactors factors = no_air();
   StepPlan plan = plan_steps(planet, ray, panels);
   NodeLight near;
-  for (uint i = 0u; i < kMaxMedia; i++) {
+  UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
     near.single[i] = vec3(0.0);
   }
   near.diffuse = vec3(0.0);
@@ -117,7 +107,7 @@ SkyFactors air_factors(PlanetData planet, MomentTableData table, Ray ray, uint s
 
 // Of a ray's near part and the far part behind it.
 SkyFactors joined(SkyFactors near, SkyFactors far) {
-  for (uint i = 0u; i < kMaxMedia; i++) {
+  UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
     near.single[i] = near.single[i] + near.transmittance * far.single[i];
   }
   near.diffuse = near.diffuse + near.transmittance * far.diffuse;

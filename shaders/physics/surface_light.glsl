@@ -8,15 +8,15 @@ vec3 moment_irradiance(MomentTableData table, real h, real mu_sun, real mu, real
   cosine.extinction = vec3(0.0);
   cosine.peaks = vec3(0.0);
   cosine.phase_scattering = vec3(0.0);
-  cosine.degree0 = vec3(kPi);
-  cosine.degree1 = vec3(kPi * 2.0 / 3.0);
-  cosine.degree2 = vec3(kPi / 4.0);
-  cosine.degree3 = vec3(0.0);
-  cosine.degree4 = vec3(-kPi / 24.0);
-  cosine.degree5 = vec3(0.0);
-  cosine.degree6 = vec3(kPi / 64.0);
-  cosine.degree7 = vec3(0.0);
-  cosine.degree8 = vec3(-kPi / 128.0);
+  cosine.degree[0] = vec3(kPi);
+  cosine.degree[1] = vec3(kPi * 2.0 / 3.0);
+  cosine.degree[2] = vec3(kPi / 4.0);
+  cosine.degree[3] = vec3(0.0);
+  cosine.degree[4] = vec3(-kPi / 24.0);
+  cosine.degree[5] = vec3(0.0);
+  cosine.degree[6] = vec3(kPi / 64.0);
+  cosine.degree[7] = vec3(0.0);
+  cosine.degree[8] = vec3(-kPi / 128.0);
   MomentCoordinate c = moment_coordinate(table, h, mu_sun);
   if (shell_rows() > 0u) {
     c.y = shell_coordinate(shell_of(h, true), h);

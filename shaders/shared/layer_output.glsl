@@ -22,14 +22,9 @@ void write_single(uint i, uvec2 pixel, uvec2 size, bool inside, LightLayers laye
 }
 
 void write_layers(uvec2 pixel, uvec2 size, bool inside, LightLayers layers) {
-  write_single(0u, pixel, size, inside, layers);
-  write_single(1u, pixel, size, inside, layers);
-  write_single(2u, pixel, size, inside, layers);
-  write_single(3u, pixel, size, inside, layers);
-  write_single(4u, pixel, size, inside, layers);
-  write_single(5u, pixel, size, inside, layers);
-  write_single(6u, pixel, size, inside, layers);
-  write_single(7u, pixel, size, inside, layers);
+  UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
+    write_single(i, pixel, size, inside, layers);
+  }
   uint rest = diffuse_block();
   write_layer(rest, pixel, size, inside, layers.multiple);
   write_layer(rest + 1u, pixel, size, inside, layers.ground);

@@ -1,12 +1,21 @@
-// The table of moments as a sampler.
+// The table of moments as a sampler. With AIRLIGHT_HALF_RATIOS the ratios come from its copy in halves.
 #include "shared/moment_shape.glsl"
 
 layout(set = 0, binding = 2) uniform sampler2D moments_lut;
+#ifdef AIRLIGHT_HALF_RATIOS
+layout(set = 0, binding = 3) uniform sampler2D moment_ratios_lut;
+#endif
 
 vec3 fetch_moment(uint k, float x, float y) {
   uint blocks = (kMomentDegree + 1u) * (kMomentDegree + 2u) / 2u + 1u;
   float u = (float(k * kMomentColumns) + 0.5 + x * float(kMomentColumns - 1u)) / float(blocks * kMomentColumns);
-  return textureLod(moments_lut, vec2(u, texel_from_unit(y, float(kMomentRows))), 0.0).rgb;
+  vec2 at = vec2(u, texel_from_unit(y, float(kMomentRows)));
+#ifdef AIRLIGHT_HALF_RATIOS
+  if (k > 0u && k + 1u < blocks) {
+    return textureLod(moment_ratios_lut, at, 0.0).rgb;
+  }
+#endif
+  return textureLod(moments_lut, at, 0.0).rgb;
 }
 
 real shell_altitude(uint k) { return scene.shell_altitudes[k]; }

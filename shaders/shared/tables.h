@@ -56,4 +56,5 @@ const uint kMultipleScatteringSteps = 20u;
 const uint kTransmittanceSteps = 40u;
 const uint kGroundIrradianceDirections = 64u;  // 8 zenith cosines x 8 azimuths
 const uint kGroundIrradianceSize = 64u;
-const uint kMaxMoments = 45u;  // up to degree 8
+const uint kMaxDegree = 8u;    // of moments
+const uint kMaxMoments = 45u;  // up to it

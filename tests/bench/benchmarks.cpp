@@ -158,26 +158,35 @@ void register_picture(Session& session, const SkyMethod& method, const NamedScen
   }
 }
 
-// Things all over the picture, from 20 m at its foot to 60 km at its top.
-std::vector<Span> things(ImageSize size) {
-  std::vector<Span> spans;
-  spans.reserve(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
+// Of things all over the picture, from 20 m at its foot to 60 km at its top.
+std::vector<float> distances(ImageSize size) {
+  std::vector<float> all;
   for (int y = 0; y < size.height; ++y) {
     const double up = 1.0 - (y + 0.5) / size.height;
-    for (int x = 0; x < size.width; ++x) {
-      spans.push_back({static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F,
-                       static_cast<float>(0.02 * std::pow(3000.0, up))});
-    }
+    all.insert(all.end(), static_cast<std::size_t>(size.width), static_cast<float>(0.02 * std::pow(3000.0, up)));
+  }
+  return all;
+}
+
+// The same, pixel by pixel.
+std::vector<Span> list_of(const std::vector<float>& distances, ImageSize size) {
+  std::vector<Span> spans;
+  spans.reserve(distances.size());
+  for (const float distance : distances) {
+    const std::size_t i = spans.size();
+    const auto width = static_cast<std::size_t>(size.width);
+    spans.push_back({static_cast<std::uint16_t>(i % width), static_cast<std::uint16_t>(i / width), distance});
   }
   return spans;
 }
 
 // A way to the air before things: a march along each ray, or the aerial volume, made for each picture.
 struct AirQuality {
-  std::string name;  // "march-48", "volume-16"
+  std::string name;  // "march-48", "volume-16", "volume-16-listed"
   bool volume;
   std::string key;
   int value;
+  bool listed = false;  // thing by thing, as of a picture that has few, else row by row
 };
 
 const std::vector<AirQuality>& air_qualities() {
@@ -189,6 +198,8 @@ const std::vector<AirQuality>& air_qualities() {
     for (const int slices : {8, 16, 32, 64}) {
       list.push_back({"volume-" + std::to_string(slices), true, "aerial_slices", slices});
     }
+    list.push_back({"march-48-listed", false, "steps", 48, true});
+    list.push_back({"volume-16-listed", true, "aerial_slices", 16, true});
     return list;
   }();
   return all;
@@ -214,10 +225,10 @@ double light_error(const std::vector<AirTo>& a, const std::vector<AirTo>& exact)
 // Against the march in 768 steps before 96x54 things of the same picture.
 double air_error(Executor& executor, Scene scene, const AirQuality& quality) {
   scene.image = {96, 54};
-  const std::vector<Span> spans = things(scene.image);
-  const std::vector<AirTo> found = air_to(executor, scene, spans, {quality.volume, {}});
+  const std::vector<float> ends = distances(scene.image);
+  const std::vector<AirTo> found = air_to_all(executor, scene, ends, {quality.volume, {}});
   scene.render.parameters.insert_or_assign("steps", 768);
-  return light_error(found, air_to(executor, scene, spans));
+  return light_error(found, air_to_all(executor, scene, ends));
 }
 
 void time_air(benchmark::State& state, Executor& executor, const SkyMethod& method, const Scene& scene,
@@ -225,7 +236,10 @@ void time_air(benchmark::State& state, Executor& executor, const SkyMethod& meth
   const Air air = air_of(scene);
   Plan plan;
   plan.scene_data = device_scene_bytes(air, scene);
-  method.add_span_passes(plan, scene, air, things(scene.image), {quality.volume, {}});
+  const std::vector<float> ends = distances(scene.image);
+  const std::vector<Span> list = quality.listed ? list_of(ends, scene.image) : std::vector<Span>();
+  method.add_span_passes(plan, scene, air, quality.listed ? Spans{.list = list} : Spans{.rows = ends},
+                         {quality.volume, {}});
   const std::array plans{without_copies(plan)};
   if (error < 0.0) {
     error = air_error(executor, scene, quality);

@@ -5,24 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "core/choice/assumed_error.h"
 #include "core/choice/leave_out.h"
 #include "core/methods/scene_air.h"
-#include "core/scene/preset.h"
-#include "core/scene/resolve.h"
+#include "tests/choice/preset_scene.h"
 
 namespace airlight::choice {
 namespace {
-
-// Of three channels, but where a test asks for spectra.
-Scene preset(const std::string& name, ImageSize size = {1280, 720}) {
-  const std::string file = (name.starts_with("earth") ? "" : "earth-hillaire2020-") + name + ".json";
-  Scene scene = resolve(load_preset(AIRLIGHT_SOURCE_DIR "/presets/" + file), method_infos());
-  scene.image = size;
-  return scene;
-}
 
 // Radiance 1 in each direction, wrong by what `error` says of the scene.
 ProbeFunction wrong_by(const std::function<double(const Scene&)>& error, int* calls = nullptr) {
@@ -324,19 +314,6 @@ TEST(Candidates, LeaveMultipleScatteringOutOfThinAirAlone) {
   EXPECT_GT(single(thin), 0);
 }
 
-// By what is predicted, as no test may fail by the clock: near-truth tables and rays, against the march that they save.
-TEST(Probes, CostLessThanAFifthOfAMarchAtFullSize) {
-  const Scene scene = preset("noon");
-  Scene rays = scene;
-  rays.image = {256, 1};
-  const double probing = reference(rays, false).cost.total();
-  for (const Candidate& candidate : candidates(scene, 0.01, "march", {})) {
-    if (candidate.quality == "32") {
-      EXPECT_LT(probing, 0.2 * candidate.cost.total());
-    }
-  }
-}
-
 TEST(Media, ThatChangeNothingAreLeftOut) {
   Scene scene = preset("noon");
   EXPECT_TRUE(leave_out_media(scene, 0.0025).reasons.empty());
@@ -366,63 +343,6 @@ TEST(Media, ThatScatterWhereNothingElseDoesStay) {
               leave_out_media(scene, 0.0025).scene.media.front().name == "aerosol");
   scene.media = {high};
   EXPECT_TRUE(leave_out_media(scene, 0.9).reasons.empty()) << "the last one always stays";
-}
-
-TEST(Probes, AreFewInsideThePictureAndTheSameAgain) {
-  const Scene scene = preset("sunset");
-  const Probes probes = choose_probes(scene, 256);
-  EXPECT_NEAR(static_cast<double>(probes.directions.size()), 256.0, 16.0);
-  EXPECT_EQ(probes.directions.size(), probes.weights.size());
-  const Probes again = choose_probes(scene, 256);
-  ASSERT_EQ(again.directions.size(), probes.directions.size());
-  for (std::size_t i = 0; i < probes.directions.size(); ++i) {
-    EXPECT_EQ(again.directions[i].elevation, probes.directions[i].elevation);
-    EXPECT_LT(std::abs(probes.directions[i].elevation - scene.camera.pitch), 0.8);
-  }
-  const Probes all = choose_probes(preset("sunset", {16, 9}), 256);
-  EXPECT_EQ(all.directions.size(), 144U);
-  EXPECT_EQ(std::set<double>(all.weights.begin(), all.weights.end()), std::set<double>{1.0});
-}
-
-struct Shares {
-  double by_weight = 0.0;
-  double by_count = 0.0;
-};
-
-// Of the probes within two degrees of the horizon.
-Shares beside_the_horizon(const Probes& probes) {
-  Shares shares;
-  double total = 0.0;
-  for (std::size_t i = 0; i < probes.directions.size(); ++i) {
-    const bool in_band = std::abs(probes.directions[i].elevation) < 2.0 * 0.01745;
-    shares.by_weight += in_band ? probes.weights[i] : 0.0;
-    shares.by_count += in_band ? 1.0 / static_cast<double>(probes.directions.size()) : 0.0;
-    total += probes.weights[i];
-  }
-  shares.by_weight /= total;
-  return shares;
-}
-
-TEST(Probes, AreDenserAtTheHorizonYetStandForAllPixelsAlike) {
-  const Shares of_pixels = beside_the_horizon(choose_probes(preset("noon", {320, 180}), 320 * 180));
-  EXPECT_NEAR(of_pixels.by_weight, of_pixels.by_count, 1e-9);
-  const Shares of_probes = beside_the_horizon(choose_probes(preset("noon"), 256));
-  EXPECT_GT(of_probes.by_count, 2.0 * of_probes.by_weight);
-  EXPECT_NEAR(of_probes.by_weight, of_pixels.by_weight, 0.2 * of_pixels.by_weight);
-}
-
-// A row of pixels at the horizon may be the one that is wrong: each has a chance to be looked at.
-TEST(Probes, StandInEveryRowOfPixels) {
-  const Scene scene = preset("noon", {160, 150});
-  std::set<int> rows;
-  for (const Direction& d : choose_probes(scene, 256).directions) {
-    const physics::Physics p = make_physics(scene);
-    const double c = std::cos(d.elevation);
-    const physics::vec3 direction{std::sin(d.azimuth) * c, std::sin(d.elevation), -std::cos(d.azimuth) * c};
-    const double y = physics::Physics(p).pixel_of(p.scene.camera, physics::kProjectionPerspective, direction).y;
-    rows.insert(static_cast<int>(y));
-  }
-  EXPECT_GT(rows.size(), 100U) << "of 150 rows";
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "tests/cli/process.h"
+#include "tests/cli/small_sky.h"
 
 namespace airlight::test {
 namespace {
@@ -12,22 +12,17 @@ namespace {
 using Json = nlohmann::json;
 using Names = std::vector<std::string>;
 
-class Chart : public testing::Test {
+class Chart : public SmallSky {
  protected:
-  void SetUp() override { scratch_.write("sky.json", small_preset()); }
-  Outcome tool(const Names& arguments, const std::map<std::string, std::string>& environment = {}) const {
-    Start start;
-    start.environment = environment;
-    return airlight(scratch_.path(), arguments, start);
-  }
   // A rough truth: what is tested is not how good it is.
   Outcome chart(const std::map<std::string, std::string>& environment = {}) const {
+    Start start;
+    start.environment = environment;
     return tool({"chart", "sky.json", "-o", "c", "--size", "32x18", "--method", "analytic", "--method", "nested",
                  "--truth-error", "90%", "--truth", "truth", "--json"},
-                environment);
+                start);
   }
   bool has(const std::string& file) const { return std::filesystem::exists(scratch_.path() / file); }
-  Scratch scratch_;
 };
 
 TEST_F(Chart, WritesItsFilesAndGoesOnWhereItWas) {

@@ -12,7 +12,7 @@
 #include "core/foreign/foreign_picture.h"
 #include "core/output/exr.h"
 #include "core/output/picture_reader.h"
-#include "tests/cli/process.h"
+#include "tests/cli/small_sky.h"
 
 namespace airlight::test {
 namespace {
@@ -44,11 +44,9 @@ struct Beauty {
   }
 };
 
-class CompositeTool : public testing::Test {
+class CompositeTool : public SmallSky {
  protected:
-  void SetUp() override { scratch_.write("sky.json", small_preset()); }
   std::filesystem::path path(const std::string& name) const { return scratch_.path() / name; }
-  Outcome tool(Names words) const { return airlight(scratch_.path(), std::move(words)); }
   Outcome composite(Names words) const {
     words.insert(words.begin(), {"composite", "sky.json", "--method", "orders"});
     return tool(std::move(words));
@@ -60,7 +58,6 @@ class CompositeTool : public testing::Test {
     EXPECT_EQ(done.exit_code, 0) << done.err;
     return picture("sky.exr");
   }
-  Scratch scratch_;
 };
 
 TEST_F(CompositeTool, WhereNothingIsThePictureIsTheSkyBitForBit) {
@@ -94,7 +91,8 @@ TEST_F(CompositeTool, BeforeAThingAtTheLensIsNoAir) {
   EXPECT_TRUE(contains(scratch_.read("out.exr"), std::string("id\0", 3)));
 }
 
-// A black plane that recedes joins the sky: its colour at 10 000 km, past all air, is the sky's above the horizon.
+// A black plane that recedes joins the sky: its colour at 10 000 km, past all air, is the sky's above the horizon but
+// for half of the steps on the way, which are good to a thousandth.
 TEST_F(CompositeTool, FarThingsJoinTheSky) {
   const RadianceImage expected = sky();
   Beauty{.light = 0.0F, .alpha = 1.0F, .z = 1e7F}.write(path("in.exr"));
@@ -103,7 +101,7 @@ TEST_F(CompositeTool, FarThingsJoinTheSky) {
   for (int x = 0; x < kWidth; ++x) {
     for (int c = 0; c < 3; ++c) {
       const float want = expected.at(x, 0)[c];
-      EXPECT_NEAR(found.at(x, 0)[c], want, 1e-4F * want) << x;
+      EXPECT_NEAR(found.at(x, 0)[c], want, 1e-3F * want) << x;
     }
   }
 }

@@ -6,21 +6,14 @@
 #include <filesystem>
 #include <map>
 
-#include "tests/cli/process.h"
+#include "tests/cli/small_sky.h"
 
 namespace airlight::test {
 namespace {
 
 using Names = std::vector<std::string>;
 
-class LeftBehind : public testing::Test {
- protected:
-  void SetUp() override { scratch_.write("sky.json", small_preset()); }
-  Outcome tool(const Names& arguments, const Start& start = {}) const {
-    return airlight(scratch_.path(), arguments, start);
-  }
-  Scratch scratch_;
-};
+class LeftBehind : public SmallSky {};
 
 TEST_F(LeftBehind, NothingByAFullDisk) {
   const Outcome outcome = tool({"render", "sky.json", "-o", "/dev/full"});

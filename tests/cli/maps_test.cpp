@@ -8,7 +8,7 @@
 
 #include "core/output/picture_reader.h"
 #include "core/output/working_space.h"
-#include "tests/cli/process.h"
+#include "tests/cli/small_sky.h"
 
 namespace airlight::test {
 namespace {
@@ -16,10 +16,8 @@ namespace {
 using Json = nlohmann::json;
 using Names = std::vector<std::string>;
 
-class Maps : public testing::Test {
+class Maps : public SmallSky {
  protected:
-  void SetUp() override { scratch_.write("sky.json", small_preset()); }
-  Outcome tool(const Names& arguments) const { return airlight(scratch_.path(), arguments); }
   // The small sky with further words; must succeed.
   void render(Names words) const {
     words.insert(words.begin(), {"render", "sky.json", "-q", "--float"});
@@ -28,7 +26,6 @@ class Maps : public testing::Test {
   }
   RadianceImage picture(const std::string& name) const { return read_exr_picture(scratch_.path() / name).radiance; }
   Json json(const std::string& name) const { return Json::parse(scratch_.read(name)); }
-  Scratch scratch_;
 };
 
 const Names kCube = {"--set", "/camera/projection=cube", "--set", "/camera/pitch_deg=0"};

@@ -1,4 +1,4 @@
-// render, luts, probe, check: the files they write, what they print, and what they refuse.
+// render, luts, probe: the files they write and what they print.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "tests/cli/process.h"
+#include "tests/cli/small_sky.h"
 
 namespace airlight::test {
 namespace {
@@ -15,26 +15,13 @@ namespace {
 using Json = nlohmann::json;
 using Names = std::vector<std::string>;
 
-Start with_environment(const std::map<std::string, std::string>& environment) {
-  Start start;
-  start.environment = environment;
-  return start;
-}
-
 Start with_input(const std::string& text) {
   Start start;
   start.input = text;
   return start;
 }
 
-class Cli : public testing::Test {
- protected:
-  void SetUp() override { scratch_.write("sky.json", small_preset()); }
-  Outcome tool(const Names& arguments, const Start& start = {}) const {
-    return airlight(scratch_.path(), arguments, start);
-  }
-  Scratch scratch_;
-};
+class Cli : public SmallSky {};
 
 TEST_F(Cli, DefaultFilesGoToTheFolderOut) {
   const Outcome outcome = tool({"render", "sky.json"});
@@ -129,8 +116,7 @@ TEST_F(Cli, TimingsNameEveryPartAndAddUp) {
 
 TEST_F(Cli, DryRunOpensNoDeviceAndWritesNothing) {
   // Without any driver: a device would not open.
-  const Outcome outcome = tool({"render", "sky.json", "--dry-run"},
-                               with_environment({{"VK_ICD_FILENAMES", "/nowhere"}, {"VK_DRIVER_FILES", "/nowhere"}}));
+  const Outcome outcome = tool({"render", "sky.json", "--dry-run"}, without_driver());
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   for (const char* part : {"8 km", "degrees", "transmittance, 256x64 threads", "sky_orders"}) {
     EXPECT_TRUE(contains(outcome.out, part)) << outcome.out;
@@ -139,8 +125,7 @@ TEST_F(Cli, DryRunOpensNoDeviceAndWritesNothing) {
 }
 
 TEST_F(Cli, NoVulkanDeviceNamesThePackage) {
-  const Outcome outcome = tool({"render", "sky.json", "-o", "a.exr"},
-                               with_environment({{"VK_ICD_FILENAMES", "/nowhere"}, {"VK_DRIVER_FILES", "/nowhere"}}));
+  const Outcome outcome = tool({"render", "sky.json", "-o", "a.exr"}, without_driver());
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_TRUE(contains(outcome.err, "mesa-vulkan-drivers")) << outcome.err;
   EXPECT_EQ(scratch_.files(), Names{"sky.json"});
@@ -212,82 +197,6 @@ TEST_F(Cli, ThirtyTwoBitsComeWhereHalvesHoldLess) {
   EXPECT_EQ(lines_of(both.err).size(), 1U);
 }
 
-TEST_F(Cli, SamplingStopsAndGoesOnFromACheckpoint) {
-  const Names common = {"render", "sky.json", "-q", "--size", "8x4", "--method", "path-trace", "--json"};
-  const auto with = [&](const Names& more) {
-    Names arguments = common;
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return tool(arguments);
-  };
-  EXPECT_EQ(with({"--samples", "64", "-o", "whole.exr"}).exit_code, 0);
-  EXPECT_EQ(with({"--samples", "32", "--checkpoint", "state", "-o", "half.exr"}).exit_code, 0);
-  EXPECT_EQ(with({"--samples", "64", "--checkpoint", "state", "-o", "rest.exr"}).exit_code, 0);
-  EXPECT_NE(scratch_.read("half.exr"), scratch_.read("whole.exr"));
-  EXPECT_EQ(scratch_.read("rest.exr"), scratch_.read("whole.exr"));
-  EXPECT_EQ(with({"--target-error", "50%", "-o", "rough.exr"}).exit_code, 0);
-  const Outcome no_number = with({"--target-error", "small", "-o", "a.exr"});
-  EXPECT_EQ(no_number.exit_code, 2);
-  EXPECT_TRUE(contains(no_number.err, "0.5% or 0.005")) << no_number.err;
-  EXPECT_EQ(with({"--checkpoint", "no/where", "-o", "a.exr"}).exit_code, 2);
-  const Outcome not_sampling = tool({"render", "sky.json", "--samples", "8", "-o", "a.exr"});
-  EXPECT_EQ(not_sampling.exit_code, 2);
-  EXPECT_TRUE(contains(not_sampling.err, "/render/samples")) << not_sampling.err;
-}
-
-// Sky, disc, statistics, glare, the exposure of a day, tiles, irradiance and probes: all on the host.
-TEST_F(Cli, SamplingNeedsNoVulkanDevice) {
-  Start start;
-  start.environment["VK_DRIVER_FILES"] = "/nonexistent.json";
-  start.environment["VK_ICD_FILENAMES"] = "/nonexistent.json";
-  const auto with = [&](Names more) {
-    more.insert(more.end(), {"--size", "16x9", "-q"});
-    return tool(more, start);
-  };
-  EXPECT_EQ(with({"render", "sky.json", "-o", "a.exr"}).exit_code, 1);
-  const Names sampled = {"render", "sky.json", "--method", "path-trace", "--samples", "32"};
-  for (const Names& more : std::vector<Names>{{"-o", "sky.exr", "--png", "sky.png"},
-                                              {"--png", "day.png", "--exposure", "day"},
-                                              {"-o", "tiles.exr", "--png", "tiles.png", "--tile", "7x4"},
-                                              {"-o", "lit.exr", "--irradiance", "light.exr"}}) {
-    Names words = sampled;
-    words.insert(words.end(), more.begin(), more.end());
-    const Outcome outcome = with(words);
-    EXPECT_EQ(outcome.exit_code, 0) << more.front() << ": " << outcome.err;
-  }
-  EXPECT_EQ(scratch_.read("tiles.exr"), scratch_.read("sky.exr"));
-  EXPECT_EQ(scratch_.read("tiles.png"), scratch_.read("sky.png"));
-  const Outcome probed =
-      tool({"probe", "sky.json", "--method", "path-trace", "--elevation", "20", "--azimuth", "0"}, start);
-  EXPECT_EQ(probed.exit_code, 0) << probed.err;
-}
-
-// Whenever it comes, the checkpoint stays, and the next run ends with the picture of a run that nobody stopped.
-TEST_F(Cli, SamplingThatIsInterruptedKeepsItsSamples) {
-  const Names command = {"render",    "sky.json", "-q",           "--size", "48x27", "--method", "path-trace",
-                         "--samples", "128",      "--checkpoint", "state",  "-o",    "sky.exr"};
-  Start start;
-  start.kill_at_file = "state";
-  start.kill_signal = SIGINT;
-  const Outcome stopped = tool(command, start);
-  ASSERT_EQ(stopped.exit_code, 128 + SIGINT) << stopped.err;
-  EXPECT_TRUE(contains(stopped.err, "stopped by SIGINT: no picture was written; state keeps the samples so far"))
-      << stopped.err;
-  EXPECT_EQ(scratch_.files(), (Names{"sky.json", "state"}));
-  EXPECT_EQ(tool(command).exit_code, 0);
-  const std::string rest = scratch_.read("sky.exr");
-  std::filesystem::remove(scratch_.path() / "state");
-  EXPECT_EQ(tool(command).exit_code, 0);
-  EXPECT_EQ(scratch_.read("sky.exr"), rest);
-}
-
-TEST_F(Cli, SamplingSaysWhereATimeLimitCouldNotBeKept) {
-  const Outcome outcome =
-      tool({"render", "sky.json", "--size", "32x18", "--method", "path-trace", "--time-limit", "1ms", "-o", "sky.exr"});
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_TRUE(contains(outcome.err, "warning: the time limit of 0.001 s was passed: the first 32 samples"))
-      << outcome.err;
-}
-
 TEST_F(Cli, LutsWritesEveryTableTwice) {
   const Outcome outcome = tool({"luts", "sky.json", "--method", "march", "-o", "tables"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -323,107 +232,6 @@ TEST_F(Cli, BadCsvNamesTheLine) {
   const Outcome outcome = tool({"probe", "sky.json", "--csv", "d.csv"});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_TRUE(contains(outcome.err, "d.csv:2")) << outcome.err;
-}
-
-TEST_F(Cli, CheckFindsEveryProblemOfEveryFile) {
-  scratch_.write("one.json", R"({"airlight": 1, "media": [], "camera": {"pitch_deg": 95, "pich": 1}})");
-  scratch_.write("two.json", R"({"airlight": 1,)");
-  const Outcome outcome = tool({"check", "one.json", "sky.json", "two.json"});
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_TRUE(contains(outcome.out, "sky.json: good")) << outcome.out;
-  for (const char* part : {"/media", "/camera/pitch_deg", "95", "-90 to 90", "/camera/pich", "two.json"}) {
-    EXPECT_TRUE(contains(outcome.err, part)) << part << " is missing in\n" << outcome.err;
-  }
-  EXPECT_GE(lines_of(outcome.err).size(), 4U);
-  const Outcome verbose = tool({"check", "-v", "sky.json"});
-  EXPECT_TRUE(contains(verbose.out, "scale height 8 km")) << verbose.out;
-}
-
-struct BadPreset {
-  const char* what;
-  std::string text;
-  Names parts;
-};
-
-// Each preset but for the one mistake is small_preset().
-std::vector<BadPreset> bad_presets() {
-  const auto with = [](const std::string& from, const std::string& to) {
-    std::string text = small_preset();
-    const std::size_t at = text.find(from);
-    return text.replace(at, from.size(), to);
-  };
-  return {
-      {"syntax", with("\"media\": [", "\"media\" ["), {"sky.json", "2"}},
-      {"unknown key", with("\"camera\"", "\"camra\""), {"/camra", "camera"}},
-      {"wrong type", with("\"pitch_deg\": 10", "\"pitch_deg\": \"up\""), {"/camera/pitch_deg", "up"}},
-      {"out of range", with("\"pitch_deg\": 10", "\"pitch_deg\": 91"), {"/camera/pitch_deg", "91", "-90 to 90"}},
-      {"NaN", with("\"pitch_deg\": 10", "\"pitch_deg\": NaN"), {"sky.json"}},
-      {"infinity", with("\"pitch_deg\": 10", "\"pitch_deg\": 1e999"), {"sky.json"}},
-      {"missing media", R"({"airlight": 1})", {"/media"}},
-      {"missing version", with("\"airlight\": 1,", ""), {"/airlight"}},
-      {"duplicate medium",
-       with("\"media\": [", R"("media": [{"name": "air", "density": {"profile": "constant", "below_km": 1}}, )"),
-       {"air"}},
-      {"duplicate key", with("\"camera\": {", "\"camera\": {\"pitch_deg\": 1, "), {"pitch_deg"}},
-      {"extends a missing file",
-       with("\"airlight\": 1,", "\"airlight\": 1, \"extends\": \"none.json\","),
-       {"none.json"}},
-      {"extends itself",
-       with("\"airlight\": 1,", "\"airlight\": 1, \"extends\": \"sky.json\","),
-       {"/extends", "sky.json"}},
-      {"inside the planet", with("\"pitch_deg\": 10", "\"altitude_km\": -1"), {"/camera/altitude_km", "-1"}},
-      {"field of view", with("\"pitch_deg\": 10", "\"vertical_fov_deg\": 180"), {"/camera/vertical_fov_deg", "180"}},
-      {"no picture", with("\"width\": 32", "\"width\": 0"), {"/image/width", "0", "65536"}},
-      {"large picture", with("\"width\": 32", "\"width\": 65537"), {"/image/width", "65537", "65536"}},
-      {"unknown method",
-       with("\"camera\"", "\"render\": {\"method\": \"marsh\"}, \"camera\""),
-       {"/render/method", "march"}},
-      {"unknown parameter", with("\"camera\"", "\"render\": {\"step\": 3}, \"camera\""), {"/render/step", "steps"}},
-      {"not a preset", "# Title\n", {"sky.json"}},
-      {"empty", "", {"sky.json"}},
-  };
-}
-
-TEST_F(Cli, ABadPresetIsOneLineAndNoFile) {
-  for (const BadPreset& bad : bad_presets()) {
-    scratch_.write("sky.json", bad.text);
-    const Outcome outcome = tool({"render", "sky.json"});
-    EXPECT_EQ(outcome.exit_code, 2) << bad.what << ": " << outcome.err;
-    EXPECT_EQ(lines_of(outcome.err).size(), 1U) << bad.what << ": " << outcome.err;
-    EXPECT_EQ(outcome.out, "") << bad.what;
-    for (const std::string& part : bad.parts) {
-      EXPECT_TRUE(contains(outcome.err, part)) << bad.what << ": no '" << part << "' in " << outcome.err;
-    }
-    EXPECT_EQ(scratch_.files(), Names{"sky.json"}) << bad.what;
-  }
-}
-
-TEST_F(Cli, AForeignOrDamagedExrIsRefused) {
-  scratch_.write("foreign.exr", "\x76\x2f\x31\x01 and then nothing of use");
-  EXPECT_EQ(tool({"render", "foreign.exr", "-o", "a.exr"}).exit_code, 2);
-  ASSERT_EQ(tool({"render", "sky.json", "-q", "-o", "ours.exr"}).exit_code, 0);
-  scratch_.write("cut.exr", scratch_.read("ours.exr").substr(0, 100));
-  const Outcome outcome = tool({"render", "cut.exr", "-o", "a.exr"});
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_EQ(lines_of(outcome.err).size(), 1U) << outcome.err;
-  EXPECT_EQ(scratch_.files(), (Names{"cut.exr", "foreign.exr", "ours.exr", "sky.json"}));
-}
-
-TEST_F(Cli, PlacesThatCannotBeWrittenAreSaidFirst) {
-  // Without a driver a render would exit 1: exit 2 shows that the place was looked at before.
-  const Start no_driver = with_environment({{"VK_ICD_FILENAMES", "/nowhere"}, {"VK_DRIVER_FILES", "/nowhere"}});
-  std::filesystem::create_directory(scratch_.path() / "folder.exr");
-  EXPECT_EQ(tool({"render", "sky.json", "-o", "folder.exr"}, no_driver).exit_code, 2);
-  EXPECT_EQ(tool({"render", "sky.json", "-o", "no/where.exr"}, no_driver).exit_code, 2);
-  EXPECT_EQ(tool({"render", "sky.json", "-o", "sky.json/a.exr"}, no_driver).exit_code, 2);
-  EXPECT_EQ(tool({"luts", "sky.json", "-o", "sky.json"}, no_driver).exit_code, 2);
-  scratch_.write("out", "a file where the folder should be");
-  EXPECT_EQ(tool({"render", "sky.json"}, no_driver).exit_code, 2);
-  if (::geteuid() != 0) {  // root may write anywhere
-    std::filesystem::create_directory(scratch_.path() / "locked");
-    std::filesystem::permissions(scratch_.path() / "locked", std::filesystem::perms::owner_read);
-    EXPECT_EQ(tool({"render", "sky.json", "-o", "locked/a.exr"}, no_driver).exit_code, 2);
-  }
 }
 
 }  // namespace

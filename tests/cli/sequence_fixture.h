@@ -7,7 +7,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "tests/cli/process.h"
+#include "tests/cli/small_sky.h"
 
 namespace airlight::test {
 
@@ -21,12 +21,8 @@ inline Names morning(Names more = {}) {
   return words;
 }
 
-class Sequence : public testing::Test {
+class Sequence : public SmallSky {
  protected:
-  void SetUp() override { scratch_.write("sky.json", small_preset()); }
-  Outcome tool(const Names& arguments, const Start& start = {}) const {
-    return airlight(scratch_.path(), arguments, start);
-  }
   Outcome shell(const std::string& line) const {
     return run(scratch_.path(), {"bash", "-c", "airlight=" AIRLIGHT_BINARY "\n" + line});
   }
@@ -41,7 +37,6 @@ class Sequence : public testing::Test {
     return found;
   }
   void make_folder(const std::string& name) const { std::filesystem::create_directory(scratch_.path() / name); }
-  Scratch scratch_;
 };
 
 // "rendered" or "kept" of each frame of --json, by its number.

@@ -10,7 +10,7 @@
 #include "app/cli/scene_options.h"
 #include "app/render/tiled_picture.h"
 #include "core/error.h"
-#include "tests/cli/process.h"
+#include "tests/cli/small_sky.h"
 
 namespace airlight::test {
 namespace {
@@ -18,12 +18,8 @@ namespace {
 using Json = nlohmann::json;
 using Names = std::vector<std::string>;
 
-class Tiles : public testing::Test {
+class Tiles : public SmallSky {
  protected:
-  void SetUp() override { scratch_.write("sky.json", small_preset()); }
-  Outcome tool(const Names& arguments, const Start& start = {}) const {
-    return airlight(scratch_.path(), arguments, start);
-  }
   void expect_refusal(const Names& arguments, const std::string& part) const {
     const Outcome outcome = tool(arguments);
     EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
@@ -31,7 +27,6 @@ class Tiles : public testing::Test {
     EXPECT_TRUE(contains(outcome.err, part)) << outcome.err;
     EXPECT_EQ(scratch_.files(), (Names{"sky.json"}));
   }
-  Scratch scratch_;
 };
 
 TEST_F(Tiles, TheFileIsTheSameByteForByte) {

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/output/provenance.h"
-#include "tests/cli/process.h"
+#include "tests/cli/small_sky.h"
 
 namespace airlight::test {
 namespace {
@@ -16,13 +16,8 @@ namespace {
 using Json = nlohmann::json;
 using Names = std::vector<std::string>;
 
-class Words : public testing::Test {
+class Words : public SmallSky {
  protected:
-  Words() { scratch_.write("sky.json", small_preset()); }
-
-  Outcome tool(const Names& arguments, const Start& start = {}) const {
-    return airlight(scratch_.path(), arguments, start);
-  }
   Outcome shell(const std::string& line) const {
     return run(scratch_.path(), {"bash", "-c", "airlight() { " + std::string(AIRLIGHT_BINARY) + " \"$@\"; }; " + line});
   }
@@ -32,8 +27,6 @@ class Words : public testing::Test {
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     return Json::parse(outcome.out, nullptr, false);
   }
-
-  Scratch scratch_;
 };
 
 TEST_F(Words, AMapIsUprightAndOfASizeThatSuits) {

@@ -111,6 +111,17 @@ TEST_F(Match, RefusesAnotherDimension) {
             "them is 3-D and the other is not");
 }
 
+TEST_F(Match, RefusesAnotherWidthOfChannels) {
+  pass_.writes[0].resource = plan_.add_image({.name = "halves", .extent = {17, 9}, .half = true});
+  EXPECT_EQ(refusal(),
+            "pass sky, shader march: sky_out is a storage image in the shader and is bound to image halves: one of "
+            "them has 16 bits a channel and the other 32");
+  shader_.bindings[2].is_half = true;
+  EXPECT_EQ(match(plan_, pass_, shader_).bindings.size(), 3U);
+  pass_.reads[0].resource = plan_.add_image({.name = "half table", .extent = {4, 4}, .key = "half", .half = true});
+  EXPECT_EQ(match(plan_, pass_, shader_).bindings.size(), 3U);  // a sampler takes both
+}
+
 TEST_F(Match, RefusesAWriteThatIsCalledARead) {
   pass_.reads.push_back(pass_.writes.back());
   pass_.writes.pop_back();

@@ -128,8 +128,8 @@ TEST(Reflection, RefusesWhatIsNotSpirv) {
 }
 
 TEST(Reflection, RefusesImagesThatAreNotFloats) {
-  EXPECT_EQ(message_of<std::logic_error>([] { info_of("ramp_half"); }),
-            "shader ramp_half: ramp_out is not declared rgba32f");
+  EXPECT_EQ(message_of<std::logic_error>([] { info_of("ramp_bytes"); }),
+            "shader ramp_bytes: ramp_out is declared neither rgba32f nor rgba16f");
 }
 
 TEST(Reflection, ReadsEveryEmbeddedShader) {

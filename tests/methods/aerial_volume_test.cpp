@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/render/picture_key.h"
-#include "core/render/spans.h"
 #include "tests/methods/render_fixture.h"
 
 namespace airlight::test {
@@ -40,16 +39,6 @@ Scene aerial_scene(const AerialCase& c) {
   return all_round(with_method(scene, *find_method("orders")), c.altitude, kAcross, kDown);
 }
 
-std::vector<Span> things_at(const Scene& scene, double distance) {
-  std::vector<Span> spans;
-  for (int y = 0; y < scene.image.height; ++y) {
-    for (int x = 0; x < scene.image.width; ++x) {
-      spans.push_back({static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F, static_cast<float>(distance)});
-    }
-  }
-  return spans;
-}
-
 std::vector<AirTo> from_volume(const Scene& scene, const std::vector<Span>& spans) {
   return air_to(executor(), scene, spans, {true, picture_key()});
 }
@@ -63,7 +52,7 @@ TEST(AerialVolume, IsTheMarchAtEveryDistance) {
   for (const AerialCase& c : kAerialCases) {
     const Scene scene = aerial_scene(c);
     for (const double distance : {0.01, 0.3, 3.0, 30.0, 300.0, 1e6}) {
-      const std::vector<Span> spans = things_at(scene, distance);
+      const std::vector<Span> spans = spans_at(scene, distance);
       const std::vector<AirTo> exact = air_to(executor(), scene, spans);
       const std::vector<AirTo> table = from_volume(scene, spans);
       double brightest = 0.0;
@@ -91,7 +80,7 @@ TEST(AerialVolume, IsTheMarchAtEveryDistance) {
 TEST(AerialVolume, NothingLiesBeforeAThingAtTheCamera) {
   for (const AerialCase& c : kAerialCases) {
     const Scene scene = aerial_scene(c);
-    for (const AirTo& air : from_volume(scene, things_at(scene, 0.0))) {
+    for (const AirTo& air : from_volume(scene, spans_at(scene, 0.0))) {
       for (std::size_t k = 0; k < 3; ++k) {
         EXPECT_EQ(air.radiance[k], 0.0F);
         EXPECT_EQ(air.transmittance[k], 1.0F);
@@ -104,9 +93,9 @@ TEST(AerialVolume, NothingLiesBeforeAThingAtTheCamera) {
 TEST(AerialVolume, LightGrowsAlongEveryRay) {
   for (const AerialCase& c : kAerialCases) {
     const Scene scene = aerial_scene(c);
-    std::vector<AirTo> before = from_volume(scene, things_at(scene, 0.001));
+    std::vector<AirTo> before = from_volume(scene, spans_at(scene, 0.001));
     for (double distance = 0.002; distance < 3e3; distance *= 1.3) {
-      const std::vector<AirTo> airs = from_volume(scene, things_at(scene, distance));
+      const std::vector<AirTo> airs = from_volume(scene, spans_at(scene, distance));
       for (std::size_t i = 0; i < airs.size(); ++i) {
         EXPECT_GE(airs[i].radiance[1] * 1.002F, before[i].radiance[1]) << c.name << ", " << distance << " km, " << i;
         EXPECT_LE(airs[i].transmittance[1], before[i].transmittance[1] + 1e-4F) << c.name << ", " << distance;
@@ -125,7 +114,7 @@ TEST(AerialVolume, FarThingsJoinTheSkyAtTheHorizonAndAcrossTheTop) {
     physics::Physics p = make_physics(scene);
     scene.camera.pitch = std::asin(p.horizon_mu(p.scene.planet, c.altitude));
     const Rendering sky = render_now(scene);
-    const std::vector<AirTo> airs = from_volume(scene, things_at(scene, 1e6));
+    const std::vector<AirTo> airs = from_volume(scene, spans_at(scene, 1e6));
     for (int y = 0; y < kDown; ++y) {
       for (int x = 0; x < kAcross; ++x) {
         const float want = sky.radiance.at(x, y)[1];
@@ -147,7 +136,7 @@ TEST(AerialVolume, TheAureoleIsSharpAndAMountainHidesIt) {
   scene.camera.pitch = scene.sun.elevation;
   scene.image = {17, 17};
   for (const double distance : {2.0, 20.0}) {
-    const std::vector<Span> spans = things_at(scene, distance);
+    const std::vector<Span> spans = spans_at(scene, distance);
     const std::vector<AirTo> exact = air_to(executor(), scene, spans);
     const std::vector<AirTo> table = from_volume(scene, spans);
     for (std::size_t i = 0; i < spans.size(); ++i) {
@@ -155,8 +144,8 @@ TEST(AerialVolume, TheAureoleIsSharpAndAMountainHidesIt) {
     }
   }
   const std::size_t middle = 8 * 17 + 8;
-  const float whole = air_to(executor(), scene, things_at(scene, 1e6))[middle].radiance[0];
-  EXPECT_LT(from_volume(scene, things_at(scene, 0.2))[middle].radiance[0], 0.1F * whole);
+  const float whole = air_to(executor(), scene, spans_at(scene, 1e6))[middle].radiance[0];
+  EXPECT_LT(from_volume(scene, spans_at(scene, 0.2))[middle].radiance[0], 0.1F * whole);
 }
 
 // Up to a, and from there on to b, is what is there up to b: straight up, where the sun stands alike all the way.
@@ -167,7 +156,7 @@ TEST(AerialVolume, AddsUpAlongARay) {
   scene.image = {1, 1};
   const auto up_from = [&](double altitude, double distance) {
     scene.camera.altitude = altitude;
-    return from_volume(scene, things_at(scene, distance)).front();
+    return from_volume(scene, spans_at(scene, distance)).front();
   };
   const AirTo near = up_from(0.5, 4.0);
   const AirTo far = up_from(4.5, 6.0);

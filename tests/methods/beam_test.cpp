@@ -65,7 +65,7 @@ TEST(Beam, LayersTellItAndThingsSeeMore) {
     request.layers = true;
     const Rendering rendering = render_now(scene, request);
     const auto layer = std::ranges::find_if(rendering.layers, [](const Layer& l) { return l.name == "transmittance"; });
-    const AirTo whole = air_to(executor(), scene, std::vector<Span>{{3.5F, 1.5F, 1e6F}}).front();
+    const AirTo whole = air_to(executor(), scene, std::vector<Span>{{3, 1, 1e6F}}).front();
     const Direction direction{22.5 * kDegree, scene.camera.azimuth - 22.5 * kDegree};
     const double probed = probe_now(scene, {direction}).front().transmittance[0];
     EXPECT_NEAR(static_cast<double>(layer->planes[8 + 3]) / probed, 1.0, 1e-4) << tabulate;

@@ -16,6 +16,7 @@ struct LevelCase {
   double optical_depth;
   double single_scattering_albedo;
   double g;  // 0: Rayleigh
+  double ground_albedo = 0.0;
 };
 
 void PrintTo(const LevelCase& c, std::ostream* out) {
@@ -25,7 +26,7 @@ void PrintTo(const LevelCase& c, std::ostream* out) {
 #if defined(__SANITIZE_ADDRESS__)
 constexpr std::size_t kCases = 2;
 #else
-constexpr std::size_t kCases = 6;
+constexpr std::size_t kCases = 7;
 #endif
 
 class OrdersSlab : public testing::TestWithParam<LevelCase> {};
@@ -35,10 +36,11 @@ TEST_P(OrdersSlab, RadianceAtTopAndBottomMeetsAddingAndDoubling) {
   const bool rayleigh = c.g == 0.0;
   for (const int sun : {4, 14, 22}) {
     const Slab judge({c.optical_depth, c.single_scattering_albedo,
-                      rayleigh ? rayleigh_moments() : henyey_greenstein_moments(c.g, 48), 0.0},
+                      rayleigh ? rayleigh_moments() : henyey_greenstein_moments(c.g, 48), c.ground_albedo},
                      24, sun);
     Scene scene = slab(c.optical_depth, c.single_scattering_albedo,
                        rayleigh ? PhaseFunction::rayleigh : PhaseFunction::henyey_greenstein, c.g);
+    scene.planet.ground_albedo = {c.ground_albedo, c.ground_albedo, c.ground_albedo};
     scene.sun.elevation = std::asin(judge.nodes()[static_cast<std::size_t>(sun)]);
     scene = with_method(scene, *find_method("orders"));
     if (c.optical_depth > 5.0) {
@@ -78,7 +80,9 @@ std::vector<LevelCase> cases() {
                               {"rayleigh 5, albedo 0.5", 5, 0.5, 0},
                               {"rayleigh 5, albedo 1", 5, 1, 0},
                               {"HG 0.75, 1", 1, 1, 0.75},
-                              {"HG 0.75, 8", 8, 1, 0.75}};
+                              {"HG 0.75, 8", 8, 1, 0.75},
+                              // Apart from the slabs that the corrections were chosen by.
+                              {"rayleigh 0.7, ground 0.8", 0.7, 1, 0, 0.8}};
   list.resize(kCases);
   return list;
 }

@@ -81,6 +81,20 @@ Scene all_round(Scene scene, double altitude, int width, int height) {
   return scene;
 }
 
+Span span_at(int x, int y, double distance) {
+  return {static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), static_cast<float>(distance)};
+}
+
+std::vector<Span> spans_at(const Scene& scene, double distance) {
+  std::vector<Span> spans;
+  for (int y = 0; y < scene.image.height; ++y) {
+    for (int x = 0; x < scene.image.width; ++x) {
+      spans.push_back(span_at(x, y, distance));
+    }
+  }
+  return spans;
+}
+
 void expect_sound(const Rendering& rendering, const std::string& what) {
   EXPECT_EQ(rendering.fault(), "") << what;
   std::size_t bad = 0;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/render/render.h"
+#include "core/render/spans.h"
 #include "tests/physics/scenes.h"
 
 namespace airlight::test {
@@ -27,6 +28,10 @@ bool on_device(const SkyMethod& method);
 
 // An all-round picture of the size given, from an altitude in km.
 Scene all_round(Scene scene, double altitude, int width, int height);
+
+// Rays to things: of one pixel, or at one distance all over the picture; km.
+Span span_at(int x, int y, double distance);
+std::vector<Span> spans_at(const Scene& scene, double distance);
 
 // Every value of picture and tables is finite and not negative, by the device's own count and by the host's.
 void expect_sound(const Rendering& rendering, const std::string& what);

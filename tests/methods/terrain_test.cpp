@@ -9,29 +9,17 @@
 #include "core/methods/path_trace/optical_depth.h"
 #include "core/methods/scene_air.h"
 #include "core/post/post.h"
-#include "tests/methods/render_fixture.h"
+#include "tests/methods/terrain_scene.h"
 
 namespace airlight::test {
 namespace {
 
-// A range to the east, the sun low behind it, in haze.
+// Seen by a camera that looks at it.
 Scene range(double elevation) {
-  Scene scene = with_method(earth(), *find_method("orders"));
-  scene.media[1].scattering = {0.03, 0.03, 0.03};
-  scene.planet.ground_albedo = {0.2, 0.2, 0.2};
-  scene.sun.elevation = elevation * kDegree;
-  scene.sun.azimuth = 90.0 * kDegree;
-  scene.camera.altitude = 0.1;
+  Scene scene = range_in_haze("orders", elevation);
   scene.camera.azimuth = 90.0 * kDegree;
   scene.bloom.enabled = false;
-  Terrain terrain;
-  terrain.ridge = Ridge{7, 2.6};
-  terrain.width = 60.0;
-  terrain.bearing = 90.0 * kDegree;
-  terrain.distance = 22.0;
-  terrain.turn = 90.0 * kDegree;
-  terrain.albedo = {0.2, 0.2, 0.2};
-  scene.terrain = terrain;
+  scene.terrain->albedo = {0.2, 0.2, 0.2};
   return scene;
 }
 

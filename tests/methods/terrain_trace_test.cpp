@@ -10,36 +10,17 @@
 #include "core/methods/scene_air.h"
 #include "core/render/spans.h"
 #include "core/terrain/terrain.h"
-#include "tests/methods/render_fixture.h"
+#include "tests/methods/terrain_scene.h"
 
 namespace airlight::test {
 namespace {
-
-// A range to the east in haze, the sun low behind it or high over it.
-Scene ridge_in_haze(const char* method, double elevation) {
-  Scene scene = with_method(earth(), *find_method(method));
-  scene.media[1].scattering = {0.03, 0.03, 0.03};
-  scene.planet.ground_albedo = {0.2, 0.2, 0.2};
-  scene.sun.elevation = elevation * kDegree;
-  scene.sun.azimuth = 90.0 * kDegree;
-  scene.camera.altitude = 0.1;
-  Terrain terrain;
-  terrain.ridge = Ridge{7, 2.6};
-  terrain.width = 60.0;
-  terrain.bearing = 90.0 * kDegree;
-  terrain.distance = 22.0;
-  terrain.turn = 90.0 * kDegree;
-  terrain.albedo = {0.4, 0.3, 0.2};
-  scene.terrain = terrain;
-  return scene;
-}
 
 physics::vec3 camera_of(const Scene& scene) {
   return {0.0, scene.planet.ground_radius + scene.camera.altitude, 0.0};
 }
 
 TEST(TracedTerrain, IsMetWhereTheShadersMeetIt) {
-  const Scene scene = ridge_in_haze("orders", 20.0);
+  const Scene scene = range_in_haze("orders", 20.0);
   physics::Physics p = make_physics(scene);
   p.terrain_maps = shadowed_terrain(scene);
   const TracedTerrain traced(scene, terrain_of(scene));
@@ -62,7 +43,7 @@ TEST(TracedTerrain, IsMetWhereTheShadersMeetIt) {
 }
 
 TEST(TracedTerrain, HidesTheSunWhereTheTableOfShadowsSaysSo) {
-  const Scene scene = ridge_in_haze("orders", 5.0);
+  const Scene scene = range_in_haze("orders", 5.0);
   physics::Physics p = make_physics(scene);
   p.terrain_maps = shadowed_terrain(scene);
   const TracedTerrain traced(scene, terrain_of(scene));
@@ -129,7 +110,7 @@ HostPicture traced_at(const Scene& scene, const std::vector<Direction>& directio
 // The light that shadows take out of the sky over the range: path-trace of one scattering with terrain and without, in
 // directions that end on nothing.
 TEST(TerrainTruth, ShaftsAreWhatPathTraceTakesOutOfTheSky) {
-  const Scene scene = ridge_in_haze("orders", 4.0);
+  const Scene scene = range_in_haze("orders", 4.0);
   std::vector<Direction> directions;
   for (const double elevation : {7.5, 8.2, 9.0, 11.0, 14.0}) {
     for (const double azimuth : {75.0, 82.0, 88.0, 94.0, 101.0}) {
@@ -160,7 +141,7 @@ TEST(TerrainTruth, ShaftsAreWhatPathTraceTakesOutOfTheSky) {
 
 // The air before things that stand before the range or over it, with its shadow: a black wall, seen by path-trace.
 TEST(TerrainTruth, TheAirBeforeThingsIsPathTraces) {
-  Scene scene = ridge_in_haze("orders", 4.0);
+  Scene scene = range_in_haze("orders", 4.0);
   scene.camera.projection = Projection::equirectangular;
   scene.camera.azimuth = 90.0 * kDegree;
   scene.image = {48, 96};
@@ -173,14 +154,13 @@ TEST(TerrainTruth, TheAirBeforeThingsIsPathTraces) {
     std::vector<Span> spans;
     std::vector<Direction> directions;
     for (int k = 0; k < 12; ++k) {
-      const auto x = static_cast<float>(21 + k % 6) + 0.5F;
-      const auto y = static_cast<float>(k < 6 ? 42 : 45) + 0.5F;
-      const auto view = p.view_ray(p.scene.camera, physics::kProjectionEquirectangular, static_cast<double>(x),
-                                   static_cast<double>(y));
+      const int x = 21 + k % 6;
+      const int y = k < 6 ? 42 : 45;
+      const auto view = p.view_ray(p.scene.camera, physics::kProjectionEquirectangular, x + 0.5, y + 0.5);
       const physics::vec3 d = view.direction;
       const auto hit = p.terrain_hit(p.scene.planet, p.ground_track(scene.camera.altitude, d));
       if (!hit.hit || hit.distance_ > wall) {
-        spans.push_back({x, y, static_cast<float>(wall)});
+        spans.push_back(span_at(x, y, wall));
         directions.push_back({std::atan2(d.y, std::hypot(d.x, d.z)), std::atan2(d.x, -d.z)});
       }
     }
@@ -221,7 +201,7 @@ TEST(TerrainTruth, OrdersIsNearPathTrace) {
   // Slopes in the range's own shadow are too bright: light scattered twice comes to them from air that is dark.
   for (const Case& c : {Case{35.0, true, 256, 0.025, 0.02, 0.02}, Case{35.0, false, 256, 0.03, 0.03, 0.03},
                         Case{4.0, true, 1024, 1.0, 2.5, 0.65}, Case{4.0, false, 256, 0.065, 0.07, 0.07}}) {
-    const Scene scene = ridge_in_haze("orders", c.elevation);
+    const Scene scene = range_in_haze("orders", c.elevation);
     physics::Physics p = make_physics(scene);
     p.terrain_maps = terrain_of(scene);
     std::vector<Direction> directions;

@@ -53,11 +53,11 @@ TEST(AerialVolume, StepsOfACutRayAreAsDenseAsTheWholeOnes) {
   for (const Start& start : aerial_starts(p)) {
     const Physics::Ray ray = p.ray_in_atmosphere(planet, start.h, start.mu, 0.3, 0.1);
     if (!ray.at_ground) {
-      EXPECT_EQ(p.steps_up_to(planet, ray, ray.length_, 48), 48U) << start.h << " km, " << start.mu;
+      EXPECT_EQ(p.steps_up_to(planet, ray, ray.length_, 2, 48), 48U) << start.h << " km, " << start.mu;
     }
     physics::uint before = 0;
     for (const double part : {0.0, 1e-4, 0.01, 0.3, 1.0}) {
-      const physics::uint steps = p.steps_up_to(planet, ray, part * ray.length_, 48);
+      const physics::uint steps = p.steps_up_to(planet, ray, part * ray.length_, 4, 48);
       EXPECT_GE(steps, std::max(before, 4U));
       EXPECT_LE(steps, 48U);
       before = steps;
@@ -65,9 +65,9 @@ TEST(AerialVolume, StepsOfACutRayAreAsDenseAsTheWholeOnes) {
   }
   // Straight down through all of the air, as straight up.
   const Physics::Ray down = p.ray_in_atmosphere(planet, planet.atmosphere_height, -1.0, 0.3, 0.1);
-  EXPECT_EQ(p.steps_up_to(planet, down, down.length_, 48), 48U);
+  EXPECT_EQ(p.steps_up_to(planet, down, down.length_, 2, 48), 48U);
   const Physics::Ray up = p.ray_in_atmosphere(planet, 0.0, 1.0, 0.3, 0.1);
-  EXPECT_EQ(p.steps_up_to(planet, up, 0.25 * up.length_, 48), 24U);
+  EXPECT_EQ(p.steps_up_to(planet, up, 0.25 * up.length_, 2, 48), 24U);
 }
 
 // 1 - exp(-x), relative to x, to what the series of mean_transmittance() is good for.

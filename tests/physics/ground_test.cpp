@@ -92,6 +92,18 @@ TEST(OceanGlint, IsTheMirrorsOfAllSlopes) {
   EXPECT_GT(bright, 300);
 }
 
+// Over all directions above level ground, of what leaves it in a direction, times its cosine. The sun stands in the
+// plane of x: the glint is narrow around its azimuth.
+template <class F>
+double over_upper_directions(const F& leaving) {
+  const auto ring = [&](double mu) {
+    const double s = std::sqrt(1.0 - mu * mu);
+    const auto at = [&](double a) { return mu * leaving(vec3(-s * std::cos(a), mu, s * std::sin(a))); };
+    return 2.0 * (integral(at, 0.0, 0.4, 20) + integral(at, 0.4, std::numbers::pi, 30));
+  };
+  return integral(ring, 0.0, 0.2, 40) + integral(ring, 0.2, 1.0, 100);
+}
+
 // What leaves over all directions, found over directions and not over slopes; never more than arrives.
 TEST(OceanGlint, SendsBackTheShareThatIsTakenFromTheGround) {
   Physics p;
@@ -101,14 +113,8 @@ TEST(OceanGlint, SendsBackTheShareThatIsTakenFromTheGround) {
     for (const double elevation : {90.0, 40.0, 12.0, 3.0, 1.0}) {
       const double mu_sun = std::sin(elevation * kDegree);
       const vec3 sun(std::cos(elevation * kDegree), mu_sun, 0.0);
-      const auto ring = [&](double mu) {
-        const double s = std::sqrt(1.0 - mu * mu);
-        const auto at = [&](double a) {
-          return mu * p.ocean_glint(variance, up, sun, vec3(-s * std::cos(a), mu, s * std::sin(a)));
-        };
-        return 2.0 * (integral(at, 0.0, 0.4, 20) + integral(at, 0.4, std::numbers::pi, 30));
-      };
-      const double leaves = (integral(ring, 0.0, 0.2, 40) + integral(ring, 0.2, 1.0, 100)) / mu_sun;
+      const auto glint = [&](const vec3& d) { return p.ocean_glint(variance, up, sun, d); };
+      const double leaves = over_upper_directions(glint) / mu_sun;
       EXPECT_LT(leaves, 1.0);
       EXPECT_NEAR(glint_share(variance, mu_sun), leaves, 3e-3 + 0.01 * leaves) << wind << ", " << elevation;
     }
@@ -126,15 +132,8 @@ TEST(OceanGlint, AWhiteGroundUnderItLosesNothing) {
   for (const double elevation : {80.0, 30.0, 7.0, 2.0}) {
     const vec3 sun(std::cos(elevation * kDegree), std::sin(elevation * kDegree), 0.0);
     const Physics::Ground ground{vec3(1.0), 1.0};
-    const auto ring = [&](double mu) {
-      const double s = std::sqrt(1.0 - mu * mu);
-      const auto at = [&](double a) {
-        return mu *
-               p.ground_sends(ground, up, sun, vec3(-s * std::cos(a), mu, s * std::sin(a)), vec3(1.0), vec3(0.0)).y;
-      };
-      return 2.0 * integral(at, 0.0, std::numbers::pi, 60);
-    };
-    const double share = (integral(ring, 0.0, 0.2, 40) + integral(ring, 0.2, 1.0, 60)) / sun.y;
+    const auto sent = [&](const vec3& d) { return p.ground_sends(ground, up, sun, d, vec3(1.0), vec3(0.0)).y; };
+    const double share = over_upper_directions(sent) / sun.y;
     EXPECT_NEAR(share, 1.0, 0.012) << elevation;
   }
 }

@@ -39,10 +39,10 @@ TEST(Curves, AreReadInEveryForm) {
   EXPECT_GT(value_at(lamp.spectra->sun, 700.0), 1.5);
 }
 
-// What stands for the curve where three channels are looked at: 616, 536 and 448 nm.
+// What stands for the curve where three channels are looked at: 615, 541 and 449 nm.
 TEST(Curves, FillTheChannels) {
   const Scene scene = scene_from(with_scattering(kSamples, R"("sun": {"irradiance": 3})"));
-  const double nm[] = {616.0, 536.0, 448.0};
+  const double nm[] = {615.0, 541.0, 449.0};
   for (std::size_t c = 0; c < 3; ++c) {
     EXPECT_NEAR(scene.media[0].scattering[c], 0.03 - 0.02 * (nm[c] - 400.0) / 300.0, 1e-12);
     EXPECT_NEAR(scene.sun.irradiance[c], 3.0, 1e-9);

@@ -64,7 +64,7 @@ TEST(PhaseTables, OverTheWavelengthMakeAScenesSpectra) {
   EXPECT_NEAR(phase_at(read, 555.0, 90.0), std::sqrt(read.rows[0][1] * read.rows[1][1]), 1e-15);
   EXPECT_EQ(phase_at(read, 300.0, 90.0), phase_at(read, 440.0, 90.0));
   EXPECT_EQ(phase_at(read, 900.0, 180.0), phase_at(read, 670.0, 180.0));
-  EXPECT_EQ(scene.media[0].phase_wavelengths[1], 536.0);
+  EXPECT_EQ(scene.media[0].phase_wavelengths[1], 541.0);
   EXPECT_NE(problems_of(with_phase(rows, R"("planet": {"ground_albedo": [0.1, 0.2, 0.3]})"))
                 .find("three channels in a scene whose /media/0/phase/wavelengths_nm is a curve over the wavelength"),
             std::string::npos);

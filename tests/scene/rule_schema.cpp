@@ -301,7 +301,7 @@ void add_methods(Json& root, std::span<const MethodInfo> methods) {
 std::string json_schema(std::span<const MethodInfo> methods) {
   Json root = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
                {"title", "airlight preset, format 1"},
-               {"description", "Made from the rules in core/scene/rules.cpp and the methods' own lists."},
+               {"description", "Made from the rules in core/scene/rule_table.cpp and the methods' own lists."},
                {"type", "object"},
                {"properties", Json::object()},
                {"additionalProperties", false},

@@ -21,7 +21,7 @@ struct GuideShell {
 
 class Guide {
  public:
-  // Of a sun of irradiance 1, over the isotropic phase.
+  // Light that arrives, for a sun of irradiance 1, over the isotropic phase.
   struct Light {
     Channels sun;  // direct
     Channels sky;  // scattered or reflected before

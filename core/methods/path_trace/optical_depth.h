@@ -10,7 +10,7 @@
 
 namespace airlight {
 
-// Of each medium: its density times length, km at density 1; or its density at a place.
+// A number for each medium: its density times length, km at density 1; or its density at a place.
 using Columns = std::array<double, physics::kMaxMedia>;
 
 inline Columns operator+(Columns a, const Columns& b) {
@@ -31,10 +31,10 @@ class OpticalDepth {
   // To the top of the atmosphere; the ground must not be in the way.
   physics::vec3 to_top(double h, double mu) const;
 
-  // Through such columns.
+  // The optical depth of such columns.
   physics::vec3 through(const Columns& columns) const;
 
-  // The same as columns, of the media that extinguish anything.
+  // Columns of the media that extinguish anything, along the same ways.
   Columns columns_along(double h, double mu, double distance) const;
   Columns columns_to_top(double h, double mu) const;
 

@@ -3,60 +3,36 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 #include "core/methods/methods.h"
 #include "core/methods/path_trace/sampling.h"
 #include "core/methods/path_trace/tracer.h"
 #include "core/methods/scene_air.h"
+#include "core/scene/parameters.h"
 
 namespace airlight {
 namespace {
 
 using physics::vec3;
 
-constexpr double kNoLimit = std::numeric_limits<double>::infinity();
-constexpr double kMostInt = std::numeric_limits<int>::max();
+using parameter::kMostInt;
+using parameter::kNoLimit;
 constexpr int kUsualSamples = 64;
 
-const std::array<ParameterInfo, 5> kParameters{{
-    {"samples",
-     ParameterKind::integer,
-     0,
-     kMostInt,
-     0,
-     {},
-     "samples a pixel, in batches of 16, at least 32; 0: 64, or as many as time_limit_s and target_error ask for"},
-    {"time_limit_s",
-     ParameterKind::number,
-     0,
-     kNoLimit,
-     0.0,
-     {},
-     "stop after so many seconds, but not before the first 32 samples of each pixel; 0: no limit"},
-    {"target_error",
-     ParameterKind::number,
-     0,
-     kNoLimit,
-     0.0,
-     {},
-     "stop when the mean over pixels of standard error / radiance is this small (0.005 is half a percent); 0: no "
-     "target"},
-    {"seed",
-     ParameterKind::integer,
-     0,
-     kMostInt,
-     1,
-     {},
-     "of the random numbers: one seed gives one picture, whatever the number of threads"},
-    {"max_orders",
-     ParameterKind::integer,
-     0,
-     kMostInt,
-     0,
-     {},
-     "scatterings and ground reflections on a path, at most; 1: single scattering, without noise; 0: 10000"},
-}};
+const std::array<ParameterInfo, 5> kParameters{
+    parameter::whole_number(
+        "samples", 0, kMostInt, 0,
+        "samples a pixel, in batches of 16, at least 32; 0: 64, or as many as time_limit_s and target_error ask for"),
+    parameter::number("time_limit_s", 0.0,
+                      "stop after so many seconds, but not before the first 32 samples of each pixel; 0: no limit"),
+    parameter::number("target_error", 0.0,
+                      "stop when the mean over pixels of standard error / radiance is this small (0.005 is half a "
+                      "percent); 0: no target"),
+    parameter::whole_number("seed", 0, kMostInt, 1,
+                            "of the random numbers: one seed gives one picture, whatever the number of threads"),
+    parameter::whole_number(
+        "max_orders", 0, kMostInt, 0,
+        "scatterings and ground reflections on a path, at most; 1: single scattering, without noise; 0: 10000")};
 
 StopRules rules_of(const RenderSettings& settings) {
   StopRules rules;

@@ -24,7 +24,7 @@ class PhaseSampler {
   bool is_peaked(physics::uint medium) const;
 
  private:
-  // Of a table: even in the cosine within each of its intervals.
+  // How a phase function by table is drawn from: an interval, then a cosine evenly within it.
   struct Table {
     std::vector<double> ends;  // of the intervals' shares, summed
     std::vector<double> shares;

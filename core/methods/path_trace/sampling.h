@@ -40,7 +40,7 @@ class Sampling {
 
   const std::vector<Pixel>& pixels() const { return pixels_; }
 
-  // Of pixel k, for a sun of irradiance 1.
+  // Pixel k's, for a sun of irradiance 1.
   physics::vec3 radiance(std::size_t k) const;
   physics::vec3 standard_error(std::size_t k) const;
 

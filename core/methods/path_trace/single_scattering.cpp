@@ -65,6 +65,15 @@ std::vector<double> SingleScattering::corners(const Ray& ray) const {
   return list;
 }
 
+// The integral of f along the ray, from corner to corner.
+template <class Value, class F>
+Value SingleScattering::along(const Ray& ray, const F& f) const {
+  AdaptiveSum<Value, F> integral(f, rule_);
+  const Value sum = integral.over(corners(ray));
+  cut_rays_ += integral.cut() ? 1 : 0;
+  return sum;
+}
+
 namespace {
 
 vec3 place_on(const physics::PlanetData& planet, const Ray& ray, const Footing& footing, double t) {
@@ -103,10 +112,7 @@ vec3 SingleScattering::radiance(const Ray& ray, const Footing& footing) const {
   if (terrain_ != nullptr) {
     sum = through_shadows(ray, footing);
   } else {
-    const Integrand f{*this, ray, physics_.phases(ray.nu)};
-    AdaptiveSum<vec3, Integrand> integral(f, rule_);
-    sum = integral.over(corners(ray));
-    cut_rays_ += integral.cut() ? 1 : 0;
+    sum = along<vec3>(ray, Integrand{*this, ray, physics_.phases(ray.nu)});
   }
   if (footing.on_terrain) {
     return sum + exp(-depth_.along(ray.h, ray.mu, ray.length_)) * seen_terrain(ray, footing);
@@ -122,7 +128,7 @@ vec3 SingleScattering::radiance(const Ray& ray, const Footing& footing) const {
   return sum;
 }
 
-// Of the sun above the air: what is less is not looked for behind terrain.
+// A beam weaker than this share of the sun above the air counts as none, and no ray looks whether terrain hides it.
 constexpr double kNoBeam = 1e-12;
 
 vec3 SingleScattering::sunlight_at(vec3 place, double h, double mu_sun) const {
@@ -131,7 +137,7 @@ vec3 SingleScattering::sunlight_at(vec3 place, double h, double mu_sun) const {
   return shines && (terrain_ == nullptr || !terrain_->hides_sun(place)) ? beam : vec3(0.0);
 }
 
-// By many short steps, as shadows of terrain have edges everywhere: denser toward the camera.
+// Sums light scattered once over many short steps, denser toward the camera: shadows of terrain have edges everywhere.
 vec3 SingleScattering::through_shadows(const Ray& ray, const Footing& footing) const {
   constexpr int kShadowSteps = 800;
   constexpr double kDark = 1e-9;  // nothing behind air that lets through so little is seen
@@ -181,7 +187,7 @@ vec3 SingleScattering::seen_ground(const Ray& ray, const Footing& footing, vec3 
   return physics_.ground_sends(ground, place.up, physics_.scene.sun.direction, -footing.direction, beam, vec3(0.0));
 }
 
-// The same at all wavelengths.
+// Radiance scattered once, per km of the ray, at all wavelengths.
 struct SingleScattering::WideIntegrand {
   const SingleScattering& single;
   const Wavelengths& all;
@@ -204,10 +210,7 @@ Wide SingleScattering::radiance(const Ray& ray, const Wavelengths& all) const {
   if (!(ray.length_ >= 0.0)) {
     return {};
   }
-  const WideIntegrand f{*this, all, ray, all.phases(ray.nu)};
-  AdaptiveSum<Wide, WideIntegrand> integral(f, rule_);
-  Wide sum = integral.over(corners(ray));
-  cut_rays_ += integral.cut() ? 1 : 0;
+  Wide sum = along<Wide>(ray, WideIntegrand{*this, all, ray, all.phases(ray.nu)});
   if (ray.at_ground) {
     const physics::PlanetData& planet = physics_.scene.planet;
     const double mu_sun = physics_.point_on_ray(planet, ray, ray.length_).mu_sun;

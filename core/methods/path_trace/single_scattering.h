@@ -12,7 +12,7 @@
 
 namespace airlight {
 
-// Of each medium at altitude h.
+// Each medium's density at altitude h.
 Columns densities_at(physics::Physics& physics, double h);
 
 // A ray in space, asked for where the ground has maps or terrain.
@@ -30,7 +30,7 @@ physics::vec3 ground_reflects(physics::Physics& physics, physics::vec3 up, physi
 // A place on terrain, so far above it that its own slope does not hide the sun from it.
 physics::vec3 above_terrain(physics::vec3 place);
 
-// Its albedo for light from everywhere.
+// The ground's albedo at `up` for light from everywhere.
 physics::vec3 ground_albedo_at(physics::Physics& physics, physics::vec3 up);
 
 class SingleScattering {
@@ -46,7 +46,7 @@ class SingleScattering {
   // Rays whose panels ran out before their radiance was known to 1e-6.
   std::uint64_t cut_rays() const { return cut_rays_; }
 
-  // The same where there is terrain: zero where it hides the sun from `place`, from the planet's centre.
+  // Direct sunlight at `place`, which counts from the planet's centre; zero where terrain hides the sun too.
   physics::vec3 sunlight_at(physics::vec3 place, double h, double mu_sun) const;
 
   // Direct sunlight at altitude h on a plane that faces the sun; zero in the planet's shadow.
@@ -55,6 +55,8 @@ class SingleScattering {
  private:
   struct Integrand;
   struct WideIntegrand;
+  template <class Value, class F>
+  Value along(const physics::Physics::Ray& ray, const F& f) const;
   physics::vec3 through_shadows(const physics::Physics::Ray& ray, const Footing& footing) const;
   physics::vec3 seen_terrain(const physics::Physics::Ray& ray, const Footing& footing) const;
   physics::vec3 seen_ground(const physics::Physics::Ray& ray, const Footing& footing, physics::vec3 beam,

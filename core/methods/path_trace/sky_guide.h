@@ -29,7 +29,7 @@ class SkyGuide {
   // u, turn in [0, 1); `weight`: what each channel of the path carries.
   physics::vec3 draw_direction(const SkyFrame& frame, const Channels& weight, double u, double turn) const;
 
-  // Of that choice, 1/sr.
+  // The density of directions drawn so, 1/sr.
   double density(const SkyFrame& frame, const Channels& weight, physics::vec3 direction) const;
 
  private:
@@ -52,8 +52,8 @@ class SkyGuide {
   const Flight& flight_;
   double first_sun_;  // zenith angle, rad
   double sun_step_;
-  // By place (shell, or the ground after the last) and sun, three channels each; filled when first asked for, the same
-  // by whatever thread.
+  // One for each place (a shell; the ground after the last) and sun, three channels each. The thread that first asks
+  // for one fills it; all threads would fill it alike.
   mutable std::vector<std::array<Sky, 3>> skies_;
   mutable std::vector<std::once_flag> filled_;
 };

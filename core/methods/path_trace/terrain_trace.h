@@ -21,7 +21,7 @@ class TracedTerrain {
   // Whether it stands between the place and the middle of the sun's disc.
   bool hides_sun(physics::vec3 from) const { return hit(from, sun_, kFar).has_value(); }
 
-  // Of the terrain under a place.
+  // The normal and the albedo of the terrain under a place.
   physics::vec3 normal(physics::vec3 place) const;
   physics::vec3 albedo(physics::vec3 place) const;
 

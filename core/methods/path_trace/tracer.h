@@ -43,7 +43,7 @@ class PathTracer {
   // The higher orders: mean of kBatch samples, one independent estimate. `scratch` is overwritten.
   physics::vec3 batch(const WalkStart& start, std::uint64_t pixel, std::uint64_t batch, FlightPlan& scratch) const;
 
-  // What was left undone because it would never have ended.
+  // Paths and rays that were cut short because they would never have ended.
   std::uint64_t cut_paths() const { return walk_.cut_paths(); }
   std::uint64_t cut_rays() const { return single_.cut_rays(); }
 
@@ -54,7 +54,7 @@ class PathTracer {
     return physics_.direction_from_angles(elevation, azimuth);
   }
 
-  // Of the picture's pixel: its centre's, several at the planet's edge (shaders/physics/horizon.glsl), none outside a
+  // The rays of a pixel: its centre's, several at the planet's edge (shaders/physics/horizon.glsl), none outside a
   // fisheye's circle.
   std::vector<SampledRay> pixel_rays(int x, int y) const;
 

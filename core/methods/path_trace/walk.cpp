@@ -215,7 +215,7 @@ vec3 Walk::from_sun(const State& state) const {
   return arrives * scattered;
 }
 
-// The same of all wavelengths, to their sums.
+// Adds what from_sun() has, at all wavelengths, to their sums.
 void Walk::add_from_sun(const State& state) const {
   if (physics_.meets_ground(physics_.scene.planet, state.h, state.mu_sun)) {
     return;

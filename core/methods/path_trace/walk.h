@@ -51,7 +51,7 @@ class Walk {
   // One estimate of the radiance from two scatterings or reflections on, for a sun of irradiance 1. `plan` is room to
   // work in.
   physics::vec3 sample(const WalkStart& start, WalkNumbers& numbers, FlightPlan& plan) const;
-  // The same at all wavelengths, added to the path's sum.
+  // One estimate at all wavelengths, added to the path's sum.
   void sample(const WalkStart& start, WalkNumbers& numbers, FlightPlan& plan, WidePath& wide) const;
 
   // Paths that were ended after kMostScatterings though no limit was asked for.

@@ -61,7 +61,7 @@ class Wavelengths {
   // green and blue: what scatters or reflects at any wavelength does so in one of them.
   const Scene& steering() const { return steering_; }
 
-  // By medium. Of a cosine of the scattering angle, 1/sr.
+  // Each medium's phase function at a cosine of the scattering angle, 1/sr.
   using Phases = std::array<Wide, physics::kMaxMedia>;
   Phases phases(double nu) const;
 

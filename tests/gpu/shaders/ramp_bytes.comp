@@ -1,6 +1,6 @@
 #version 460
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(set = 0, binding = 0, rgba16f) writeonly uniform image2D ramp_out;
+layout(set = 0, binding = 0, rgba8) writeonly uniform image2D ramp_out;
 
 void main() {
   const ivec2 at = ivec2(gl_GlobalInvocationID.xy);

@@ -1,0 +1,119 @@
+#include "core/scene/camera_reader.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/scene/angle.h"
+#include "core/scene/json_format.h"
+
+namespace airlight {
+namespace {
+
+std::string_view name_of_map(Projection projection) {
+  switch (projection) {
+    case Projection::cube:
+      return "a cube map";
+    case Projection::octahedral:
+      return "an octahedral map";
+    default:
+      return "an equirectangular picture";
+  }
+}
+
+// A map is the whole sphere in its upright frame; a tilt would have to be thrown away.
+void refuse_tilt(const Section& camera, std::string_view key, Projection projection) {
+  const PresetValue* value = camera.find(key);
+  const auto* degrees = value == nullptr ? nullptr : std::get_if<double>(&value->data);
+  if (degrees != nullptr && *degrees != 0.0) {
+    camera.complain(key, *value,
+                    format_number(*degrees) + " is not 0; " + std::string(name_of_map(projection)) +
+                        " cannot be tilted: set it to 0");
+  }
+}
+
+// Empty where the size suits the projection, else what it should be, with the nearest that suits.
+std::string wanted_size(const Camera& camera, const ImageSize& image) {
+  if (!is_cut(camera.projection)) {
+    return {};
+  }
+  ImageSize cells{1, 1};
+  std::string what = "an octahedral map is square";
+  if (camera.projection == Projection::cube) {
+    const std::array<ImageSize, 3> layouts = {{{1, 6}, {6, 1}, {3, 4}}};
+    cells = layouts.at(static_cast<std::size_t>(camera.cube_layout));
+    what = "a cube's " + std::string(kCubeLayoutNames.at(static_cast<std::size_t>(camera.cube_layout))) + " is " +
+           std::to_string(cells.width) + " x " + std::to_string(cells.height) + " square faces";
+  }
+  const int side = std::max(1, std::min(image.width / cells.width, image.height / cells.height));
+  if (image.width == side * cells.width && image.height == side * cells.height) {
+    return {};
+  }
+  return what + ": give for example " + std::to_string(side * cells.width) + "x" + std::to_string(side * cells.height);
+}
+
+}  // namespace
+
+Camera read_camera(const Section& root) {
+  Section section = root.child("camera");
+  section.refuse_unknown_keys();
+  Camera camera;
+  camera.altitude = section.number("altitude_km");
+  camera.latitude = radians_from_degrees(section.number("latitude_deg"));
+  camera.longitude = radians_from_degrees(section.number("longitude_deg"));
+  camera.azimuth = radians_from_degrees(section.number("azimuth_deg"));
+  camera.pitch = radians_from_degrees(section.number("pitch_deg"));
+  camera.roll = radians_from_degrees(section.number("roll_deg"));
+  const auto projection = section.choice("projection");
+  if (!projection) {
+    return camera;
+  }
+  camera.projection = static_cast<Projection>(*projection);
+  section.choose(kProjectionNames[*projection]);
+  const double field_of_view = radians_from_degrees(section.number("vertical_fov_deg"));
+  if (camera.projection == Projection::cube) {
+    camera.cube_layout = static_cast<CubeLayout>(section.choice("cube_layout").value_or(0));
+  }
+  if (is_map(camera.projection)) {
+    refuse_tilt(section, "pitch_deg", camera.projection);
+    refuse_tilt(section, "roll_deg", camera.projection);
+  } else {
+    camera.vertical_fov = field_of_view;
+  }
+  return camera;
+}
+
+ImageSize read_image(const Section& root, const Camera& camera) {
+  const Section section = root.child("image");
+  section.refuse_unknown_keys();
+  const ImageSize image{.width = section.integer("width"), .height = section.integer("height")};
+  if (const std::string wanted = wanted_size(camera, image); !wanted.empty()) {
+    const PresetValue* place = section.find("width") != nullptr ? section.find("width") : section.find("height");
+    root.problems().add(place != nullptr ? *place : root.context(), "/image",
+                        std::to_string(image.width) + "x" + std::to_string(image.height) + " does not fit; " + wanted);
+  }
+  return image;
+}
+
+Bloom read_bloom(const Section& root, const Camera& camera) {
+  const Section section = root.child("bloom");
+  section.refuse_unknown_keys();
+  Bloom bloom;
+  bloom.enabled = section.boolean("enabled");
+  bloom.in_exr = bloom.enabled && section.find("enabled") != nullptr;
+  if (is_cut(camera.projection)) {
+    if (bloom.in_exr) {
+      section.complain("enabled", *section.find("enabled"),
+                       "true is not possible for " + std::string(name_of_map(camera.projection)) +
+                           ", where the glow would stop at the edges; set it to false");
+    }
+    bloom.enabled = false;
+    bloom.in_exr = false;
+  }
+  bloom.model = static_cast<BloomModel>(section.choice("model").value_or(0));
+  bloom.threshold = section.number("threshold");
+  bloom.intensity = section.number("intensity");
+  bloom.levels = section.integer("levels");
+  return bloom;
+}
+
+}  // namespace airlight

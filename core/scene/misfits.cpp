@@ -1,0 +1,87 @@
+#include "core/scene/misfits.h"
+
+#include "core/scene/json_format.h"
+
+namespace airlight {
+namespace {
+
+// The methods that know a thing, where the scene's does not; else nothing.
+std::string who_knows(const Scene& scene, bool MethodInfo::*knows, std::span<const MethodInfo> methods) {
+  std::string names;
+  for (const MethodInfo& method : methods) {
+    if (method.name == scene.render.method && method.*knows) {
+      return {};
+    }
+    names += method.*knows ? (names.empty() ? "" : ", ") + std::string(method.name) : "";
+  }
+  return names;
+}
+
+// What spheres do not go with: a method that knows none, terrain.
+void refuse_spheres_beside(const Section& root, const Scene& scene, std::span<const MethodInfo> methods) {
+  const Section section = root.child("scene");
+  const PresetValue& spheres = *section.find("spheres");
+  if (const std::string names = who_knows(scene, &MethodInfo::knows_spheres, methods); !names.empty()) {
+    section.complain("spheres", spheres,
+                     "the method " + json_string(scene.render.method) + " knows no spheres; choose " + names +
+                         " with render.method or --method, or remove the spheres");
+  }
+  if (scene.terrain) {
+    section.complain("spheres", spheres,
+                     "there is planet.terrain beside them, and neither would see the other; remove one of the two");
+  }
+}
+
+// What terrain does not go with: a method that knows none, curves over the wavelength.
+void refuse_terrain_beside(const Section& root, const Scene& scene, bool curves, std::span<const MethodInfo> methods) {
+  if (curves) {
+    const Section planet = root.child("planet");
+    planet.complain(
+        "terrain", *planet.find("terrain"),
+        "is lit in three channels alone, and this preset has curves over the wavelength; give media, ground "
+        "and sun by three channels, or remove the terrain");
+  }
+  if (const std::string names = who_knows(scene, &MethodInfo::knows_terrain, methods); !names.empty()) {
+    const Section planet = root.child("planet");
+    planet.complain("terrain", *planet.find("terrain"),
+                    "the method " + json_string(scene.render.method) + " knows no terrain; choose " + names +
+                        " with render.method or --method, or remove the terrain");
+  }
+}
+
+// What a ground by maps does not go with: a method that knows none, curves over the wavelength, terrain, spheres.
+void refuse_ground_map_beside(const Section& root, const Scene& scene, bool curves,
+                              std::span<const MethodInfo> methods) {
+  const Section planet = root.child("planet");
+  const char* key = planet.find("albedo_map") != nullptr ? "albedo_map" : "ocean";
+  const auto complain = [&](const std::string& what) { planet.complain(key, *planet.find(key), what); };
+  if (curves) {
+    complain(
+        "is lit in three channels alone, and this preset has curves over the wavelength; give media, ground and sun by "
+        "three channels, or remove it");
+  }
+  if (const std::string names = who_knows(scene, &MethodInfo::knows_ground_maps, methods); !names.empty()) {
+    complain("the method " + json_string(scene.render.method) + " knows one albedo alone; choose " + names +
+             " with render.method or --method, or remove it");
+  }
+  if (scene.terrain || !scene.spheres.empty()) {
+    complain(std::string("there ") + (scene.terrain ? "is planet.terrain" : "are scene.spheres") +
+             " beside it, and neither would see the other; remove one of the two");
+  }
+}
+
+}  // namespace
+
+void refuse_misfits(const Section& root, const Scene& scene, bool curves, std::span<const MethodInfo> methods) {
+  if (scene.terrain) {
+    refuse_terrain_beside(root, scene, curves, methods);
+  }
+  if (scene.ground) {
+    refuse_ground_map_beside(root, scene, curves, methods);
+  }
+  if (!scene.spheres.empty()) {
+    refuse_spheres_beside(root, scene, methods);
+  }
+}
+
+}  // namespace airlight

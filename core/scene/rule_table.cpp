@@ -1,0 +1,282 @@
+// The table of rules: a row for each key of preset format 1, in the order of presets/README.md.
+#include "core/scene/rules.h"
+#include "core/scene/scene.h"
+
+namespace airlight {
+namespace {
+
+// Where the format says only "> 0" or ">= 0", these are what any sky needs and what the 32-bit arithmetic of the
+// shaders holds with squares and ratios to spare. Planet and air: a metre; fourteen times the Sun.
+constexpr Range kSize{.minimum = 1e-3, .maximum = kFarthest};
+// Within the air: a millimetre.
+constexpr Range kLength{.minimum = 1e-6, .maximum = kFarthest};
+constexpr Range kAltitude = kLayerAltitude;
+constexpr Range kCoefficient{.minimum = 0.0, .maximum = 1e5};  // the light of a centimetre
+constexpr Range kFactor{.minimum = 0.0, .maximum = 1e6};
+constexpr Range kIrradiance{.minimum = 0.0, .maximum = 1e9};
+constexpr Range kTerrainWidth{.minimum = 1e-3, .maximum = 2000.0};
+constexpr Range kTerrainHeight{.minimum = 1e-3, .maximum = 100.0};
+constexpr Range kMapHeight{.minimum = -100.0, .maximum = 100.0};
+constexpr Range kWind{.minimum = 0.0, .maximum = 20.0};
+constexpr Range kSphereDistance{.minimum = 1e-3, .maximum = 1e7};
+constexpr Range kSphereRadius{.minimum = 1e-4, .maximum = 1e6};
+constexpr Range kUnit{.minimum = 0.0, .maximum = 1.0};
+constexpr Range kPhaseAngle{.minimum = 0.0, .maximum = 180.0};
+constexpr Range kPhaseValue{.minimum = 0.0, .maximum = 1e9};
+constexpr Range kRightAngle{.minimum = -90.0, .maximum = 90.0};
+constexpr Range kAnyAngle{.minimum = -1e6, .maximum = 1e6};
+constexpr Range kImageSide{.minimum = 1.0, .maximum = 65536.0};
+// 1e-4 degrees at irradiance 1e9 is a radiance of 1e20, far inside a 32-bit float.
+constexpr Range kDiscRadius{.minimum = 1e-4, .maximum = 10.0};
+
+constexpr std::array<std::string_view, 3> kScaled = {"exponential", "lorentzian", "height-fog"};
+constexpr std::array<std::string_view, 2> kCentered = {"tent", "lorentzian"};
+constexpr std::array<std::string_view, 1> kConstant = {"constant"};
+constexpr std::array<std::string_view, 1> kLayered = {"layers"};
+constexpr std::array<std::string_view, 1> kFog = {"height-fog"};
+constexpr std::array<std::string_view, 1> kMolecules = {"rayleigh"};
+constexpr std::array<std::string_view, 1> kTabled = {"table"};
+constexpr std::array<std::string_view, 1> kPerspective = {"perspective"};
+constexpr std::array<std::string_view, 1> kFisheye = {"fisheye"};
+constexpr std::array<std::string_view, 3> kMaps = {"equirectangular", "cube", "octahedral"};
+constexpr std::array<std::string_view, 3> kOwnAlbedo = {"matte", "mirror", "translucent"};
+constexpr std::array<std::string_view, 1> kTranslucent = {"translucent"};
+constexpr std::array<std::string_view, 1> kCube = {"cube"};
+
+// A row of the table; `default_text` "": none.
+constexpr Rule row(RuleType type, std::string_view key, Range range, std::string_view unit,
+                   std::string_view default_text, std::string_view meaning) {
+  return {.key = key, .type = type, .range = range, .unit = unit, .default_text = default_text, .meaning = meaning};
+}
+
+constexpr Rule number(std::string_view key, Range range, std::string_view unit, std::string_view default_text,
+                      std::string_view meaning) {
+  return row(RuleType::number, key, range, unit, default_text, meaning);
+}
+
+constexpr Rule choice(std::string_view key, std::span<const std::string_view> choices, std::string_view default_text,
+                      std::string_view meaning) {
+  return {.key = key, .type = RuleType::choice, .default_text = default_text, .choices = choices, .meaning = meaning};
+}
+
+constexpr Rule plain(RuleType type, std::string_view key, std::string_view meaning) {
+  return {.key = key, .type = type, .meaning = meaning};
+}
+
+constexpr Rule needed(Rule rule) {
+  rule.required = true;
+  return rule;
+}
+
+constexpr Rule only_for(std::span<const std::string_view> choices, Rule rule) {
+  rule.only_for = choices;
+  return rule;
+}
+
+constexpr Rule hinted(std::string_view hint, Rule rule) {
+  rule.hint = hint;
+  return rule;
+}
+
+constexpr auto kRules = std::to_array<Rule>({
+    needed(plain(RuleType::version, "airlight", "the format's version, 1")),
+    plain(RuleType::text, "$schema", "for editors: where the JSON Schema is; not read"),
+    plain(RuleType::text, "name", "for people; written into the EXR"),
+    plain(RuleType::text, "description", "for people; written into the EXR"),
+    plain(RuleType::extends, "extends",
+          "the preset that this one builds on, by a path relative to this file or, built in, by its name: merged key "
+          "by key, `media` by `name`; a `density` with a `profile` of its own replaces the inherited one whole, a "
+          "`phase` with a `function` all but its `g`"),
+
+    number("planet.radius_km", kSize, "km", "6360", "radius of the ground sphere"),
+    number("planet.atmosphere_height_km", kSize, "km", "100", "top of the atmosphere above the ground"),
+    row(RuleType::curve, "planet.ground_albedo", kUnit, "", "0", "Lambertian reflectance of the ground"),
+
+    plain(RuleType::text, "planet.albedo_map",
+          "a picture of reflectances over the whole planet, by a path relative to this file: any that OpenImageIO "
+          "reads, equirectangular, twice as wide as high, north up, longitude 0 in its middle; linear, or sRGB where "
+          "the file says so. It takes the place of `ground_albedo`; the camera is over `camera.latitude_deg` and "
+          "`camera.longitude_deg`. Not with curves over the wavelength, terrain or spheres"),
+    number("planet.ocean.wind_m_per_s", kWind, "m/s", "5",
+           "at 12.5 m above an ocean, whose waves mirror the sun: the more wind the wider the glint; measured from 1 "
+           "to 14"),
+    plain(RuleType::text, "planet.ocean.mask_map",
+          "a picture like `albedo_map`, its first channel: white is water, black is land; absent: all of the planet is "
+          "water"),
+
+    plain(RuleType::text, "planet.terrain.height_map",
+          "a picture of heights, by a path relative to this file: any that OpenImageIO reads, its first channel, row "
+          "by row from the upper edge, pixels square; black is 0 and white 1, floats stand as they are. What ends up "
+          "at or below 0 km lies under the ground sphere. Of `height_map` and `ridge` exactly one; of the methods "
+          "`orders` and `path-trace` know terrain"),
+    row(RuleType::integer, "planet.terrain.ridge.seed", Range{.minimum = 0.0, .maximum = 1e9}, "", "1",
+        "a mountain range in place of a height map, 1024 x 512 heights, its crest from the left edge to the right: one "
+        "number gives one range"),
+    number("planet.terrain.ridge.height_km", kTerrainHeight, "km", "2", "of its highest peak"),
+    needed(number("planet.terrain.width_km", kTerrainWidth, "km", "", "of the map from its left edge to its right")),
+    number("planet.terrain.lowest_km", kMapHeight, "km", "0", "height above the ground sphere of the map's value 0"),
+    number("planet.terrain.highest_km", kMapHeight, "km", "1", "of its value 1; 0.001 for floats in metres"),
+    number("planet.terrain.bearing_deg", kAnyAngle, "degrees", "0",
+           "where the map's centre lies from the camera's ground point, clockwise from north"),
+    number("planet.terrain.distance_km", Range{.minimum = 0.0, .maximum = 2000.0}, "km", "0",
+           "how far, along the ground"),
+    number("planet.terrain.turn_deg", kAnyAngle, "degrees", "0",
+           "where the map's upper edge faces, clockwise from north"),
+    row(RuleType::spectrum, "planet.terrain.albedo", kUnit, "", "0.2",
+        "Lambertian reflectance; with an `albedo_map` what its colours are multiplied by"),
+    plain(RuleType::text, "planet.terrain.albedo_map",
+          "a picture of reflectances over the whole map, of any size; linear, or sRGB where the file says so"),
+
+    needed(row(RuleType::media, "media", Range{.minimum = 1, .maximum = kMaxMedia}, "", "",
+               "what the air is made of; written here or inherited")),
+    needed(plain(RuleType::name, "media[].name", "unique among the media")),
+    row(RuleType::curve, "media[].scattering_per_km", kCoefficient, "per km", "0",
+        "scattering coefficient where the density is 1; no medium may have a vertical optical depth above 1e6"),
+    row(RuleType::curve, "media[].absorption_per_km", kCoefficient, "per km", "0",
+        "absorption coefficient where the density is 1"),
+    needed(choice("media[].density.profile", kProfileNames, "", "density over the altitude h")),
+    only_for(kScaled, needed(number("media[].density.scale_height_km", kLength, "km", "",
+                                    "H: `exponential` is exp(-h/H), `lorentzian` exp(-h/H) / (1 + ((c - h)/w)^2), "
+                                    "`height-fog` exp(-(h - base)/H) above its base and 1 below"))),
+    only_for(kCentered, needed(number("media[].density.center_km", kAltitude, "km", "",
+                                      "c: `tent` is max(0, 1 - abs(h - c)/w), `lorentzian` as above"))),
+    only_for(kCentered, needed(number("media[].density.half_width_km", kLength, "km", "", "w, see `center_km`"))),
+    only_for(kConstant, needed(number("media[].density.below_km", kLength, "km", "",
+                                      "the density is 1 below this altitude and 0 above"))),
+    only_for(
+        kFog,
+        number("media[].density.base_km", kAltitude, "km", "0",
+               "where a height fog begins to thin out; each step of a march takes its mean density in closed form")),
+    only_for(kLayered, needed(row(RuleType::layers, "media[].density.layers", kFactor, "", "",
+                                  "pairs [altitude_km, density], altitudes ascending from 0 or above; linear between, "
+                                  "constant outside; at most 256 over all media"))),
+    choice("media[].phase.function", kPhaseNames, "isotropic", "how the medium spreads what it scatters"),
+    number("media[].phase.g", Range{.minimum = -0.99, .maximum = 0.99}, "", "0.8",
+           "asymmetry, positive = forward; not used by `rayleigh`, `isotropic` and `table`"),
+    only_for(kMolecules, row(RuleType::curve, "media[].phase.depolarization", kUnit, "", "0",
+                             "Chandrasekhar's gamma, rho / (2 - rho) of the depolarisation rho of light scattered at a "
+                             "right angle; 0: molecules that are round")),
+    only_for(kTabled, row(RuleType::angles, "media[].phase.angles_deg", kPhaseAngle, "degrees", "",
+                          "scattering angles of `values`, from 0 to 180")),
+    only_for(kTabled, row(RuleType::angles, "media[].phase.wavelengths_nm", kWavelength, "nm", "",
+                          "where the function changes with the wavelength, those of the rows of `values`")),
+    only_for(kTabled, row(RuleType::phase_values, "media[].phase.values", kPhaseValue, "", "",
+                          "a value for each angle, or a row of them for each wavelength; with integral 1 or 4 pi over "
+                          "the sphere to 5 %")),
+    only_for(kTabled,
+             plain(RuleType::text, "media[].phase.file",
+                   "in place of the three: a table beside the preset, see [Phase functions](#phase-functions)")),
+
+    number("sun.elevation_deg", kRightAngle, "degrees", "30", "of the sun's centre above the horizontal plane"),
+    number("sun.azimuth_deg", kAnyAngle, "degrees", "0", "clockwise from north, 90 = east"),
+    row(RuleType::spectrum, "sun.irradiance", kIrradiance, "", "1",
+        "at the top of the atmosphere on a plane that faces the sun; radiance comes out in the same unit per "
+        "steradian"),
+    plain(RuleType::shape, "sun.spectrum",
+          "the light above the air over the wavelength, up to a factor, where the scene has spectra; without it ASTM "
+          "G-173's"),
+    choice("sun.unit", kSunUnitNames, "relative",
+           "what `irradiance` is in: `relative` says nothing of the absolute; `lux`: its BT.709 luminance, 0.2126 R + "
+           "0.7152 G + 0.0722 B, is the illuminance in lux, and that of radiance is in cd/m2; `W/m2`: R = G = B = E is "
+           "white sunlight of E W/m2 over its whole spectrum, at 128 000 lux / 1361 W/m2 = 94.05 lm/W"),
+    row(RuleType::boolean, "sun.disc.visible", {}, "", "true", "whether the picture shows the disc"),
+    number("sun.disc.angular_radius_deg", kDiscRadius, "degrees", "0.2666", "half the disc's angular diameter"),
+    number("sun.disc.limb_darkening", kUnit, "", "0.6", "u in I(mu) = 1 - u (1 - mu)"),
+    number("sun.disc.radiance_scale", kFactor, "", "1", "1: the disc's mean radiance is irradiance / solid angle"),
+
+    hinted("below 0 the camera is inside the planet",
+           number("camera.altitude_km", kAltitude, "km", "0.001", "above the ground; above the atmosphere is allowed")),
+    number("camera.latitude_deg", kRightAngle, "degrees", "0",
+           "of the place that the camera is over, north positive: where it is on `planet.albedo_map`"),
+    number("camera.longitude_deg", kAnyAngle, "degrees", "0", "likewise, east positive"),
+    number("camera.azimuth_deg", kAnyAngle, "degrees", "0", "where the picture's centre looks, clockwise from north"),
+    number("camera.pitch_deg", kRightAngle, "degrees", "0",
+           "elevation of the picture's centre; 0 for `equirectangular`, `cube` and `octahedral`"),
+    number("camera.roll_deg", kAnyAngle, "degrees", "0",
+           "about the view direction; 0 for `equirectangular`, `cube` and `octahedral`"),
+    choice("camera.projection", kProjectionNames, "perspective", "how directions fall on the picture"),
+    only_for(kPerspective,
+             hinted("a wider view needs the projection \"fisheye\"",
+                    number("camera.vertical_fov_deg",
+                           Range{.minimum = 0.0, .maximum = 180.0, .minimum_excluded = true, .maximum_excluded = true},
+                           "degrees", "60", "angle from the lower to the upper edge"))),
+    only_for(kFisheye,
+             number("camera.vertical_fov_deg", Range{.minimum = 0.0, .maximum = 360.0, .minimum_excluded = true},
+                    "degrees", "180", "angle that the shorter side spans")),
+    only_for(kMaps, number("camera.vertical_fov_deg", Range{.minimum = 0.0, .maximum = 360.0, .minimum_excluded = true},
+                           "degrees", "", "not used: the picture is the whole sphere")),
+    only_for(kCube, choice("camera.cube_layout", kCubeLayoutNames, "stack",
+                           "how the six faces stand: `stack`, OpenEXR's, is 1 x 6 of them from above, `strip` 6 x 1 "
+                           "from the left, `cross` 3 x 4 as they hang together")),
+
+    row(RuleType::spheres, "scene.spheres", Range{.minimum = 1, .maximum = kMaxSpheres}, "", "",
+        "balls before the sky, as on a set; of the methods `orders` alone knows them"),
+    number("scene.spheres[].azimuth_deg", kAnyAngle, "degrees", "0",
+           "where the camera sees the centre, clockwise from north"),
+    number("scene.spheres[].elevation_deg", kRightAngle, "degrees", "0", "and how far above level"),
+    needed(number("scene.spheres[].distance_m", kSphereDistance, "m", "", "from the camera to the centre")),
+    needed(number("scene.spheres[].radius_m", kSphereRadius, "m", "",
+                  "less than the distance: the camera stands outside")),
+    choice("scene.spheres[].material", kMaterialNames, "grey-18",
+           "`matte`: Lambertian; `mirror`; `translucent`: 0.3 of a matte one and 0.7 of a term by thickness, which "
+           "glows as the mean of the light around it; `grey-18` and `chrome`: the two balls of a set, matte of 0.18 "
+           "and a mirror of 0.55"),
+    only_for(kOwnAlbedo,
+             row(RuleType::curve, "scene.spheres[].albedo", kUnit, "", "0.8", "share of the light that is sent back")),
+    only_for(kTranslucent,
+             number("scene.spheres[].scatter_strength", Range{.minimum = 0.0, .maximum = 1e3}, "", "16",
+                    "how far light gets in the body: below about 8 its middle, where it is thickest, grows dark")),
+
+    row(RuleType::integer, "image.width", kImageSide, "pixels", "1280", "columns"),
+    row(RuleType::integer, "image.height", kImageSide, "pixels", "720", "rows"),
+
+    choice(
+        "image.white", kWhiteNames, "sun",
+        "what is white where the scene has spectra: sunlight above the air, of the irradiance E in all three channels; "
+        "or CIE D65, or equal energy at all wavelengths, sunlight then having the luminance E and a colour"),
+
+    row(RuleType::wavelengths, "render.wavelengths", Range{.minimum = kFewestWavelengths, .maximum = kMostWavelengths},
+        "", "auto",
+        "wavelengths that a scene with spectra is rendered at, in groups of three; \"auto\": the fewest of 3, 6, 12 "
+        "and 24 that are wrong by at most 0.4 % for sunlight scattered once"),
+    row(RuleType::method, "render.method", {}, "", "orders", "a method's name, see `airlight methods`"),
+
+    row(RuleType::boolean, "bloom.enabled", {}, "", "true",
+        "glow around what is bright, in the PNG; stated true, it becomes a layer of the EXR as well; false for `cube` "
+        "and `octahedral`, where it would stop at the edges"),
+    choice("bloom.model", kBloomModelNames, "glare",
+           "`glare`: light of the sun scattered in the eye or lens, see Bloom below; `chain`: a published lesson's, "
+           "the picture above the threshold halved again and again, each step as strong as the one before"),
+    number("bloom.threshold", kIrradiance, "", "1", "of `chain`: luminance after exposure from which a pixel glows"),
+    number("bloom.intensity", Range{.minimum = 0.0, .maximum = 100.0}, "", "0.04",
+           "factor on the glow as it is added; of `glare`: the share of the sun's light that is scattered"),
+    row(RuleType::integer, "bloom.levels", Range{.minimum = 1.0, .maximum = 16.0}, "", "5",
+        "of `chain`: halvings of the picture: each doubles the widest glow"),
+
+    row(RuleType::exposure, "display.exposure", Range{.minimum = 1e-9, .maximum = 1e9}, "", "auto",
+        "linear factor before the display transform or tone curve, see Exposure below: a number, or found by a meter: "
+        "\"auto\", \"day\", \"lock:FRAME\"; never touches the EXR's radiance"),
+    number("display.compensation_ev", Range{.minimum = -30.0, .maximum = 30.0}, "stops", "0",
+           "added to the exposure, whether stated or metered: +1 doubles it"),
+    plain(RuleType::text, "display.display", "a display of the OCIO config in force; \"\" is the config's default"),
+    plain(RuleType::text, "display.view",
+          "a view of that display; \"\" is the config's default, \"gpu\" the tone curve below"),
+    choice("display.tonemap", kToneCurveNames, "aces", "the tone curve of the view \"gpu\""),
+
+    needed(plain(RuleType::key_frames, "sequence.frames",
+                 "key frames for `airlight sequence`: each has `at` and, by JSON pointer, what keys are then, e.g. "
+                 "`\"/sun/elevation_deg\": -6`; a number, or three of a spectrum")),
+    needed(row(RuleType::integer, "sequence.frames[].at", Range{.minimum = 0.0, .maximum = 1e7}, "", "",
+               "the frame's number; ascending. There is a picture for every number from the first to the last")),
+    choice("sequence.interpolation", kInterpolationNames, "linear",
+           "of a key between the key frames that have it; before and after them it stays; keys that take whole numbers "
+           "are rounded"),
+});
+
+}  // namespace
+
+std::span<const Rule> rules() {
+  return kRules;
+}
+
+}  // namespace airlight

@@ -1,0 +1,14 @@
+#version 460
+// The table of moments in halves, which a GPU's samplers filter several times as fast. Good for the ratios; not for the
+// logarithms of the first and the last block, whose digits are those of the light's size.
+
+layout(local_size_x = 64) in;
+layout(set = 0, binding = 0) uniform sampler2D moments;
+layout(set = 0, binding = 1, rgba16f) uniform writeonly image2D ratios_out;
+
+void main() {
+  ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
+  if (texel.x < imageSize(ratios_out).x && texel.y < imageSize(ratios_out).y) {
+    imageStore(ratios_out, texel, texelFetch(moments, texel, 0));
+  }
+}

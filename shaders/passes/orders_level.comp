@@ -1,0 +1,134 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// The light of all orders, F = first order + one order of F, nearer to what obeys this: what it lacks is handed on to all
+// orders of it as if the air were level (core/luts/level_orders.h). One workgroup a sun, a thread a row.
+#extension GL_EXT_scalar_block_layout : require
+#define real float
+#include "shared/scene.h"
+#include "shared/tables.h"
+#include "shared/moment_shape.glsl"
+#include "shared/gathered_columns.glsl"
+
+layout(local_size_x = 64) in;  // kMaxShellRows
+layout(constant_id = 16) const uint kLevelDegree = 2u;
+layout(set = 0, binding = 1) uniform sampler2D first_order;
+layout(set = 0, binding = 3) uniform sampler2D field;
+layout(set = 0, binding = 5) uniform sampler2D gathered;  // one order of the field, at some suns
+layout(set = 0, binding = 4, rgba32f) uniform writeonly image2D field_out;
+layout(scalar, set = 0, binding = 6) readonly buffer Level { vec3 values[]; } level;
+layout(push_constant, scalar) uniform Push {
+  uint suns;   // of them an order was gathered at
+  uint start;  // 1: there is no field yet, as if it were 0
+};
+
+const uint kMostLevelMoments = 15u;  // up to degree 4
+shared vec3 missing[kMostLevelMoments * 64u + 1u];
+
+uint moment_count() { return (kMomentDegree + 1u) * (kMomentDegree + 2u) / 2u; }
+bool is_logarithm(uint k) { return k == 0u || k == moment_count(); }
+
+vec3 stored(sampler2D table, uint k, uint column, uint row) {
+  return texelFetch(table, ivec2(k * kMomentColumns + column, row), 0).rgb;
+}
+
+// M_lm, or the irradiance, from the logarithm or the ratio that stands for it.
+vec3 opened(uint k, vec3 value, vec3 isotropic) { return k == moment_count() ? exp(value) : k == 0u ? isotropic : value * isotropic; }
+
+vec3 value_in(sampler2D table, uint k, uint column, uint row) {
+  return opened(k, stored(table, k, column, row), exp(stored(table, 0u, column, row)));
+}
+
+// Of the first order and what one order makes of the field, what the field has not.
+vec3 missing_where_gathered(uint k, uint column, uint row) {
+  return value_in(first_order, k, column, row) + value_in(gathered, k, column, row) - value_in(field, k, column, row);
+}
+
+// Between suns that were gathered the share of the field that it lacks goes evenly.
+vec3 missing_at(uint k, uint column, uint row) {
+  if (start != 0u) {
+    return value_in(first_order, k, column, row);
+  }
+  uint whole = k == moment_count() ? k : 0u;
+  GatheredColumns near = gathered_around(suns, column);
+  vec3 low = missing_where_gathered(k, near.low, row) / value_in(field, whole, near.low, row);
+  vec3 high = missing_where_gathered(k, near.high, row) / value_in(field, whole, near.high, row);
+  return (low + (high - low) * near.part) * value_in(field, whole, column, row);
+}
+
+vec3 field_at(uint k, uint column, uint row) { return start != 0u ? vec3(0.0) : value_in(field, k, column, row); }
+
+// Of a correction, so much that what it corrects stays within a factor of four of itself.
+vec3 held(vec3 value, vec3 change) {
+  vec3 most = start != 0u ? vec3(1e30) : 3.0 * value;
+  vec3 least = 0.75 * value;
+  vec3 up = most / max(change, vec3(1e-30));
+  vec3 down = least / max(-change, vec3(1e-30));
+  return min(vec3(1.0), vec3(change.x > 0.0 ? up.x : down.x, change.y > 0.0 ? up.y : down.y, change.z > 0.0 ? up.z : down.z));
+}
+
+void main() {
+  uint column = gl_WorkGroupID.y;
+  uint row = gl_LocalInvocationID.x;
+  uint harmonics = kLevelDegree + 1u;
+  uint level_moments = harmonics * (harmonics + 1u) / 2u;
+  bool here = row < kMomentRows;
+  if (here) {
+    for (uint k = 0u; k < level_moments; k++) {
+      missing[k * kMomentRows + row] = missing_at(k, column, row);
+    }
+    if (row == 0u) {
+      missing[level_moments * kMomentRows] = missing_at(moment_count(), column, 0u);
+    }
+  }
+  barrier();
+  if (!here) {
+    return;
+  }
+  vec3 more[kMostLevelMoments];
+  for (uint k = 0u; k < level_moments; k++) {
+    more[k] = vec3(0.0);
+  }
+  uint at = row;
+  for (uint m = 0u; m < harmonics; m++) {
+    for (uint from = m; from < harmonics; from++) {
+      uint given = (from * (from + 1u) / 2u + m) * kMomentRows;
+      for (uint j = 0u; j < kMomentRows; j++) {
+        vec3 light = missing[given + j];
+        for (uint to = m; to < harmonics; to++) {
+          more[to * (to + 1u) / 2u + m] += level.values[at] * light;
+          at += kMomentRows;
+        }
+      }
+    }
+    if (m == 0u) {
+      vec3 light = missing[level_moments * kMomentRows];
+      for (uint to = 0u; to < harmonics; to++) {
+        more[to * (to + 1u) / 2u] += level.values[at] * light;
+        at += kMomentRows;
+      }
+    }
+  }
+  vec3 isotropic = field_at(0u, column, row);
+  vec3 change = missing[row] + more[0];
+  vec3 part = held(isotropic, change);
+  isotropic = max(isotropic + part * change, vec3(1e-30));
+  for (uint k = 0u; k < moment_count(); k++) {
+    change = missing_at(k, column, row) + (k < level_moments ? more[min(k, kMostLevelMoments - 1u)] : vec3(0.0));
+    vec3 value = field_at(k, column, row) + part * change;
+    imageStore(field_out, ivec2(k * kMomentColumns + column, row), vec4(k == 0u ? log(isotropic) : value / isotropic, 1.0));
+  }
+  uint k = moment_count();
+  change = missing_at(k, column, row);
+  if (row == 0u) {
+    uint last = at - row;
+    for (uint j = 0u; j < harmonics; j++) {
+      for (uint i = 0u; i < kMomentRows; i++) {
+        change += level.values[last + j * kMomentRows + i] * missing[j * (j + 1u) / 2u * kMomentRows + i];
+      }
+    }
+    change += level.values[last + harmonics * kMomentRows] * missing[level_moments * kMomentRows];
+  }
+  vec3 irradiance = field_at(k, column, row);
+  vec3 value = irradiance + held(irradiance, change) * change;
+  imageStore(field_out, ivec2(k * kMomentColumns + column, row), vec4(log(max(value, vec3(1e-30))), 1.0));
+}

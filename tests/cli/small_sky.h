@@ -1,0 +1,26 @@
+#pragma once
+// A test of the tool in a folder of its own with a small preset, sky.json.
+
+#include <gtest/gtest.h>
+
+#include "tests/cli/process.h"
+
+namespace airlight::test {
+
+class SmallSky : public testing::Test {
+ protected:
+  void SetUp() override { scratch_.write("sky.json", small_preset()); }
+  Outcome tool(const std::vector<std::string>& arguments, const Start& start = {}) const {
+    return airlight(scratch_.path(), arguments, start);
+  }
+  Scratch scratch_;
+};
+
+// Finds no Vulkan driver.
+inline Start without_driver() {
+  Start start;
+  start.environment = {{"VK_DRIVER_FILES", "/nowhere"}, {"VK_ICD_FILENAMES", "/nowhere"}};
+  return start;
+}
+
+}  // namespace airlight::test
