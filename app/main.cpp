@@ -57,7 +57,8 @@ int run(int argc, char** argv) {
   tool.environment = {
       {"AIRLIGHT_DEVICE", "Part of the name of the Vulkan device to use when --device is not given"},
       {"AIRLIGHT_CACHE",
-       "Folder that keeps prepared shaders from start to start, in place of $XDG_CACHE_HOME/airlight; off keeps none"},
+       "Folder that keeps prepared shaders and tables from start to start, in place of $XDG_CACHE_HOME/airlight; off "
+       "keeps none"},
       {"AIRLIGHT_VALIDATION", "1 loads the Vulkan validation layer; any message of it makes the run fail"},
       {"OCIO", "The OpenColorIO configuration to use when --ocio-config is not given"},
       {"NO_COLOR", "Any value but an empty one keeps colour off the terminal"}};

@@ -179,7 +179,9 @@ std::vector<Option> camera_options(SceneOptions& options) {
 std::vector<Option> device_options(SceneOptions& options) {
   return {
       {"--device", "SUBSTRING", "The first Vulkan device with this in its name ('airlight devices')", &options.device},
-      {"--no-cache", "", "Read nothing from the user's cache folder and write nothing there: shaders are prepared anew",
+      {"--no-cache", "",
+       "Read nothing from the user's cache folder and write nothing there: shaders are prepared and "
+       "tables baked anew",
        &options.no_cache}};
 }
 

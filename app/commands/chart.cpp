@@ -13,7 +13,7 @@
 #include "app/commands/commands.h"
 #include "app/render/table_files.h"
 #include "core/error.h"
-#include "core/gpu/module_cache.h"
+#include "core/gpu/kept_files.h"
 #include "core/methods/method.h"
 #include "core/output/last_words.h"
 
@@ -122,7 +122,9 @@ chart::RunOrder order_of(const Given& given, chart::Settings& settings) {
   order.truth_folder = truth_folder(given);
   order.known = read_points(given.folder);
   order.version = AIRLIGHT_VERSION;
-  order.open_device = [wanted = wanted_device(given.scene)] { return std::make_unique<Executor>(wanted); };
+  DeviceOptions wanted = wanted_device(given.scene);
+  wanted.stores_tables = false;
+  order.open_device = [wanted] { return std::make_unique<Executor>(wanted); };
   order.keep = [folder = fs::path(given.folder)](const std::vector<chart::Point>& points) {
     write_points(folder, points);
     say_when_ended(whole_points(points.size()));

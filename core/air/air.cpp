@@ -115,7 +115,7 @@ std::string key_of(const physics::Physics& p) {
 struct Air::Matter {
   std::vector<Medium> media;
   Planet planet;
-  physics::Physics formulas;  // as the media say
+  physics::Physics formulas{};  // as the media say; zeros where nothing is said, since the key holds all of it
   Column column;
 
   Matter(const std::vector<Medium>& m, const Planet& p) : media(m), planet(p) {

@@ -1,20 +1,15 @@
-// The only file that records commands.
-
 #include "core/gpu/executor.h"
 
-#include <algorithm>
-#include <array>
-#include <chrono>
 #include <cstdlib>
-#include <cstring>
 
-#include "core/gpu/descriptors.h"
 #include "core/gpu/frame.h"
-#include "core/gpu/module_cache.h"
+#include "core/gpu/kept_files.h"
 #include "core/gpu/physical_device.h"
 #include "core/gpu/pipeline.h"
-#include "core/gpu/run_resources.h"
-#include "core/gpu/step.h"
+#include "core/gpu/resource_cache.h"
+#include "core/gpu/run.h"
+#include "core/gpu/stopwatch.h"
+#include "core/gpu/stored_tables.h"
 
 namespace airlight {
 namespace {
@@ -32,25 +27,11 @@ std::string wanted_device(const DeviceOptions& options) {
   return options.name_substring.empty() ? environment("AIRLIGHT_DEVICE") : options.name_substring;
 }
 
-// A folder of their own, so that nothing else in the user's is ever taken for code, or removed.
-std::filesystem::path modules_folder(const DeviceOptions& options) {
+// A folder of its own for each kind, so that nothing else in the user's is ever taken for code, or removed.
+std::filesystem::path cache_folder(const DeviceOptions& options, const char* kind) {
   const std::filesystem::path folder = options.cache_folder ? *options.cache_folder : user_cache_folder();
-  return folder.empty() ? folder : folder / "modules";
+  return folder.empty() ? folder : folder / kind;
 }
-
-class Stopwatch {
- public:
-  // Milliseconds since the last lap.
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const double elapsed = std::chrono::duration<double, std::milli>(now - start_).count();
-    start_ = now;
-    return elapsed;
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 SamplerHandle make_sampler(const Device& device) {
   VkSamplerCreateInfo info{};
@@ -66,282 +47,19 @@ SamplerHandle make_sampler(const Device& device) {
   return {device.get(), sampler};
 }
 
-constexpr VkPipelineStageFlags kCompute = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT;
-constexpr VkPipelineStageFlags kTransfer = VK_PIPELINE_STAGE_TRANSFER_BIT;
-constexpr VkPipelineStageFlags kHost = VK_PIPELINE_STAGE_HOST_BIT;
-constexpr VkAccessFlags kShaderAccess =
-    VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT | VK_ACCESS_UNIFORM_READ_BIT;
-constexpr VkAccessFlags kTransferAccess = VK_ACCESS_TRANSFER_READ_BIT | VK_ACCESS_TRANSFER_WRITE_BIT;
-
-struct Scope {
-  VkPipelineStageFlags stages;
-  VkAccessFlags access;
-};
-
-void memory_barrier(VkCommandBuffer commands, Scope made, Scope used,
-                    const std::vector<VkImageMemoryBarrier>& images = {}) {
-  const VkMemoryBarrier barrier{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER,
-                                .pNext = nullptr,
-                                .srcAccessMask = made.access,
-                                .dstAccessMask = used.access};
-  vkCmdPipelineBarrier(commands, made.stages, used.stages, 0, 1, &barrier, 0, nullptr,
-                       static_cast<std::uint32_t>(images.size()), images.data());
-}
-
-// What outlives a run.
-struct Machinery {
-  const Device& device;
-  PipelineCache& pipelines;
-  ResourceCache& cache;
-  Frame& frame;
-  VkSampler sampler;
-  bool teams;
-};
-
-// One execution of one plan.
-class Run {
- public:
-  Run(const Machinery& machinery, const Plan& plan, const std::function<void(double)>& report)
-      : device_(machinery.device),
-        machinery_(machinery),
-        plan_(plan),
-        report_(report),
-        resources_(machinery.device, machinery.cache, plan) {}
-
-  RunResult execute();
-
- private:
-  void choose_steps();
-  void compile();
-  void record();
-  void submit();
-  void record_start(VkCommandBuffer commands) const;
-  void record_contents(VkCommandBuffer commands);
-  bool keeps_contents(std::uint32_t buffer) const;
-  void record_step(VkCommandBuffer commands, const Step& step, std::uint32_t query) const;
-  void record_downloads(VkCommandBuffer commands) const;
-  void read_timings(RunResult& result) const;
-  void hand_out(RunResult& result) const;
-  std::uint32_t query_count() const { return static_cast<std::uint32_t>(2 * steps_.size()); }
-
-  const Device& device_;
-  const Machinery& machinery_;
-  const Plan& plan_;
-  const std::function<void(double)>& report_;
-  RunResources resources_;
-  std::vector<Step> steps_;
-  double done_ = 0.0;         // of all, submitted and waited for
-  double executed_ms_ = 0.0;  // of submissions while recording went on
-};
-
-RunResult Run::execute() {
-  RunResult result;
-  Stopwatch stopwatch;
-  const auto lap = [&](const char* name) { result.host.push_back({name, stopwatch.lap()}); };
-  choose_steps();
-  compile();
-  lap("pipelines");
-  resources_.acquire(steps_);
-  record();
-  lap("record");
-  result.host.back().milliseconds -= executed_ms_;
-  submit();
-  lap("execute");
-  result.host.back().milliseconds += executed_ms_;
-  resources_.remember(steps_);
-  read_timings(result);
-  hand_out(result);
-  lap("readback");
-  return result;
-}
-
-void Run::choose_steps() {
-  const std::vector<bool> runs = passes_to_run(plan_, [&](ResourceId id) { return resources_.is_kept(id); });
-  const std::vector<bool> barriers = barriers_before(plan_, runs);
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    const PassDesc& pass = plan_.passes()[i];
-    // A skipped pass is matched all the same: a mistake in it shows in every run.
-    const ShaderProgram& program = machinery_.pipelines.program(pass.shader);
-    Step step{&pass, &program, match(plan_, pass, program.info, machinery_.teams), barriers[i]};
-    if (!runs[i]) continue;
-    check_limits(plan_, step, device_);
-    steps_.push_back(std::move(step));
-  }
-}
-
-void Run::compile() {
-  std::vector<PipelineCache::Request> requests;
-  for (const Step& step : steps_) requests.push_back({step.program, step.matched.constants});
-  const std::vector<VkPipeline> pipelines = machinery_.pipelines.pipelines(requests);
-  for (std::size_t i = 0; i < steps_.size(); ++i) steps_[i].pipeline = pipelines[i];
-}
-
-double threads_of(const Step& step) {
-  const Extent& grid = step.pass->grid;
-  return static_cast<double>(grid.width) * grid.height * grid.depth;
-}
-
-void Run::submit() {
-  machinery_.frame.submit_and_wait(report_ ? std::function<void()>([this] { report_(done_); }) : nullptr);
-}
-
-void Run::record() {
-  VkCommandBuffer commands = machinery_.frame.begin(count_descriptors(steps_), query_count());
-  record_start(commands);
-  record_contents(commands);
-  double all = 0.0;
-  for (const Step& step : steps_) all += threads_of(step);
-  std::uint32_t query = 0;
-  for (Step& step : steps_) {
-    step.set = machinery_.frame.descriptor_set(step.program->set_layout.get());
-    write_descriptors(device_, plan_, resources_, machinery_.sampler, step);
-    record_step(commands, step, query);
-    query += 2;
-    if (report_ && &step != &steps_.back()) {
-      Stopwatch stopwatch;
-      submit();
-      done_ += threads_of(step) / all;
-      commands = machinery_.frame.begin_rest();
-      executed_ms_ += stopwatch.lap();
-    }
-  }
-  record_downloads(commands);
-}
-
-// New images get their layout, and what earlier runs wrote becomes visible to this one.
-void Run::record_start(VkCommandBuffer commands) const {
-  if (query_count() > 0) vkCmdResetQueryPool(commands, machinery_.frame.timestamps(), 0, query_count());
-  std::vector<VkImageMemoryBarrier> layouts;
-  for (std::size_t i = 0; i < plan_.images().size(); ++i) {
-    const Resource* image = resources_.image(i);
-    if (image == nullptr || image->has_layout) continue;
-    layouts.push_back({.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER,
-                       .pNext = nullptr,
-                       .srcAccessMask = 0,
-                       .dstAccessMask = kShaderAccess,
-                       .oldLayout = VK_IMAGE_LAYOUT_UNDEFINED,
-                       .newLayout = VK_IMAGE_LAYOUT_GENERAL,
-                       .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-                       .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-                       .image = image->image->get(),
-                       .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1}});
-  }
-  memory_barrier(commands, {kCompute | kTransfer, VK_ACCESS_SHADER_WRITE_BIT | VK_ACCESS_TRANSFER_WRITE_BIT},
-                 {kCompute | kTransfer, kShaderAccess | kTransferAccess}, layouts);
-}
-
-bool Run::keeps_contents(std::uint32_t buffer) const {
-  const BufferDesc& desc = plan_.buffers()[buffer];
-  const bool is_written =
-      std::any_of(steps_.begin(), steps_.end(), [&](const Step& step) { return step.writes(BufferId{buffer}); });
-  const bool made_anew = desc.carried && (is_written || desc.has_contents());
-  return resources_.buffer(buffer)->has_contents && !made_anew;
-}
-
-void Run::record_contents(VkCommandBuffer commands) {
-  bool any = false;
-  for (std::uint32_t i = 0; i < plan_.buffers().size(); ++i) {
-    if (resources_.buffer(i) == nullptr || keeps_contents(i)) continue;
-    const BufferDesc& desc = plan_.buffers()[i];
-    const Buffer& buffer = *resources_.buffer(i)->buffer;
-    const std::vector<std::byte> found = desc.contents_when_run ? desc.contents_when_run() : std::vector<std::byte>();
-    const std::span<const std::byte> contents = desc.contents_when_run ? found : desc.contents;
-    if (!contents.empty() && contents.size() != desc.bytes) {
-      throw std::logic_error("buffer " + desc.name + " has " + std::to_string(contents.size()) +
-                             " bytes of contents and is " + std::to_string(desc.bytes) + " long");
-    }
-    if (!contents.empty() && !buffer.mapped().empty()) {
-      std::memcpy(buffer.mapped().data(), contents.data(), desc.bytes);
-    } else if (!contents.empty()) {
-      const VkBufferCopy region{.srcOffset = 0, .dstOffset = 0, .size = desc.bytes};
-      vkCmdCopyBuffer(commands, resources_.upload(desc, contents).get(), buffer.get(), 1, &region);
-      any = true;
-    } else if (desc.zeroed) {
-      vkCmdFillBuffer(commands, buffer.get(), 0, VK_WHOLE_SIZE, 0);
-      any = true;
-    }
-  }
-  if (any) {
-    memory_barrier(commands, {kTransfer, VK_ACCESS_TRANSFER_WRITE_BIT},
-                   {kCompute | kTransfer, kShaderAccess | VK_ACCESS_TRANSFER_READ_BIT});
-  }
-}
-
-void Run::record_step(VkCommandBuffer commands, const Step& step, std::uint32_t query) const {
-  if (step.barrier) memory_barrier(commands, {kCompute, VK_ACCESS_SHADER_WRITE_BIT}, {kCompute, kShaderAccess});
-  const VkPipelineLayout layout = step.program->layout.get();
-  vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, step.pipeline);
-  vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout, 0, 1, &step.set, 0, nullptr);
-  if (const auto& constants = step.pass->push_constants; !constants.empty()) {
-    const auto bytes = static_cast<std::uint32_t>(constants.size() * sizeof(constants[0]));
-    vkCmdPushConstants(commands, layout, VK_SHADER_STAGE_COMPUTE_BIT, 0, bytes, constants.data());
-  }
-  const std::array<std::uint32_t, 3>& groups = step.matched.workgroups;
-  const VkQueryPool timestamps = machinery_.frame.timestamps();
-  vkCmdWriteTimestamp(commands, VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, timestamps, query);
-  vkCmdDispatch(commands, groups[0], groups[1], groups[2]);
-  vkCmdWriteTimestamp(commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, timestamps, query + 1);
-}
-
-void Run::record_downloads(VkCommandBuffer commands) const {
-  memory_barrier(commands, {kCompute, VK_ACCESS_SHADER_WRITE_BIT},
-                 {kTransfer | kHost, VK_ACCESS_TRANSFER_READ_BIT | VK_ACCESS_HOST_READ_BIT});
-  bool any = false;
-  for (const Plan::Readback& readback : plan_.readbacks()) {
-    const Extent& extent = plan_.images()[readback.image.index].extent;
-    const VkBufferImageCopy region{.bufferOffset = 0,
-                                   .bufferRowLength = 0,
-                                   .bufferImageHeight = 0,
-                                   .imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
-                                   .imageOffset = {0, 0, 0},
-                                   .imageExtent = {extent.width, extent.height, extent.depth}};
-    vkCmdCopyImageToBuffer(commands, resources_.at(readback.image).image->get(), VK_IMAGE_LAYOUT_GENERAL,
-                           resources_.at(readback.buffer).buffer->get(), 1, &region);
-    any = true;
-  }
-  for (std::size_t i = 0; i < plan_.buffers().size(); ++i) {
-    if (resources_.download(i) == nullptr) continue;
-    const VkBufferCopy region{.srcOffset = 0, .dstOffset = 0, .size = plan_.buffers()[i].bytes};
-    vkCmdCopyBuffer(commands, resources_.buffer(i)->buffer->get(), resources_.download(i)->buffer->get(), 1, &region);
-    any = true;
-  }
-  if (any) {
-    memory_barrier(commands, {kTransfer, VK_ACCESS_TRANSFER_WRITE_BIT}, {kHost, VK_ACCESS_HOST_READ_BIT});
-  }
-}
-
-void Run::read_timings(RunResult& result) const {
-  const std::vector<std::uint64_t> ticks = machinery_.frame.read_timestamps(query_count());
-  for (std::size_t i = 0; i < steps_.size(); ++i) {
-    // The counter may wrap within its valid bits.
-    const std::uint64_t elapsed = (ticks[2 * i + 1] - ticks[2 * i]) & device_.limits().timestamp_mask;
-    const double nanoseconds = static_cast<double>(elapsed) * device_.limits().timestamp_nanoseconds;
-    result.passes.push_back({pass_name(*steps_[i].pass), nanoseconds * 1e-6});
-  }
-}
-
-void Run::hand_out(RunResult& result) const {
-  result.buffers.resize(plan_.buffers().size());
-  for (std::size_t i = 0; i < result.buffers.size(); ++i) {
-    const BufferDesc& desc = plan_.buffers()[i];
-    if (!desc.host_readable) continue;
-    const Resource* download = resources_.download(i);
-    const Resource* readable = download != nullptr ? download : resources_.buffer(i);
-    result.buffers[i] = readable->buffer->mapped().first(desc.bytes);
-  }
-}
-
 }  // namespace
 
 struct Executor::Impl {
   Impl(const DeviceOptions& options, std::span<const EmbeddedShader> extra_shaders)
       : instance(wants_validation(options)),
         device(instance, wanted_device(options)),
-        pipelines(device, extra_shaders, modules_folder(options)),
+        pipelines(device, extra_shaders, cache_folder(options, "modules")),
         cache(device, options.kept_bytes_max),
         frame(device),
         sampler(make_sampler(device)),
-        teams(options.teams.value_or(!device.info().is_cpu)) {}
+        teams(options.teams.value_or(!device.info().is_cpu)),
+        tables(options.stores_tables ? cache_folder(options, "tables") : std::filesystem::path(), device.info(),
+               teams) {}
 
   Stopwatch stopwatch;
   Instance instance;
@@ -352,6 +70,7 @@ struct Executor::Impl {
   Frame frame;
   SamplerHandle sampler;
   bool teams;
+  StoredTables tables;
   double device_milliseconds = stopwatch.lap();
   bool has_run = false;
 };
@@ -364,9 +83,9 @@ Executor::~Executor() = default;
 RunResult Executor::run(const Plan& plan, const std::function<void(double)>& report) {
   check(plan);
   impl_->cache.begin_run();
-  const Machinery machinery{impl_->device, impl_->pipelines,     impl_->cache,
-                            impl_->frame,  impl_->sampler.get(), impl_->teams};
-  RunResult result = Run(machinery, plan, report).execute();
+  const Machinery machinery{impl_->device,        impl_->pipelines, impl_->cache, impl_->frame,
+                            impl_->sampler.get(), impl_->teams,     impl_->tables};
+  RunResult result = run_plan(machinery, plan, report);
   impl_->cache.end_run();
   if (!impl_->has_run) {
     result.host.insert(result.host.begin(),

@@ -30,6 +30,7 @@ struct DeviceOptions {
   std::optional<bool> teams = {};  // whether passes get them (PassDesc::team); without: on all but processors
   // Where what only saves time is kept from one start to the next; empty: nowhere. Without: user_cache_folder().
   std::optional<std::filesystem::path> cache_folder = {};
+  bool stores_tables = true;  // in that folder, for later starts; false: each executor bakes its own, to be timed
   std::size_t kept_bytes_max = std::size_t{1} << 30;  // kept resources beyond it go, the least recently used first
 };
 
@@ -39,7 +40,7 @@ struct PassTiming {
 };
 
 // Host work inside the executor: "instance", "device" (in the first run's result only), "pipelines", "record",
-// "execute" (submission to completion), "readback".
+// "execute" (submission to completion), "readback", "storing tables" (where any were baked for later starts).
 struct Milestone {
   std::string name;
   double milliseconds = 0.0;

@@ -9,7 +9,7 @@
 
 #include "core/gpu/embedded_shaders.h"
 #include "core/gpu/match.h"
-#include "core/gpu/module_cache.h"
+#include "core/gpu/kept_files.h"
 
 namespace airlight {
 
@@ -18,7 +18,7 @@ Digest module_key(std::string_view spirv_digest, std::span<const ConstantValue> 
 
 class FrozenModules {
  public:
-  explicit FrozenModules(std::filesystem::path folder) : cache_(std::move(folder)) {}
+  explicit FrozenModules(std::filesystem::path folder) : cache_(std::move(folder), ".module") {}
 
   // Words that are the program's own, or owned here.
   class Words {
@@ -40,7 +40,7 @@ class FrozenModules {
   void trim() const { cache_.trim(); }
 
  private:
-  ModuleCache cache_;
+  KeptFiles cache_;
 };
 
 }  // namespace airlight

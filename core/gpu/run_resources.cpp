@@ -6,16 +6,23 @@
 
 namespace airlight {
 
-RunResources::RunResources(const Device& device, ResourceCache& cache, const Plan& plan)
+RunResources::RunResources(const Device& device, ResourceCache& cache, const StoredTables& tables, const Plan& plan)
     : plan_(plan),
       cache_(cache),
+      tables_(tables),
       buffer_place_(device.is_unified() ? MemoryPlace::shared : MemoryPlace::device),
       images_(plan.images().size()),
       buffers_(plan.buffers().size()),
-      downloads_(plan.buffers().size()) {
+      downloads_(plan.buffers().size()),
+      stores_(plan.images().size()) {
   for (std::uint32_t i = 0; i < images_.size(); ++i) {
     const ImageDesc& image = plan.images()[i];
-    if (!image.key.empty() && cache.holds(image)) held_.insert(ImageId{i});
+    if (!image.key.empty() && cache.holds(image)) {
+      held_.insert(ImageId{i});
+    } else if (std::vector<std::uint32_t> words = tables.find(image); !words.empty()) {
+      held_.insert(ImageId{i});
+      stored_.emplace(i, std::move(words));
+    }
   }
   for (std::uint32_t i = 0; i < buffers_.size(); ++i) {
     const BufferDesc& buffer = plan.buffers()[i];
@@ -50,6 +57,7 @@ void RunResources::acquire(std::span<const Step> steps) {
     for (const MatchedBinding& bound : step.matched.bindings) acquire(bound.resource);
   }
   acquire_for_host();
+  acquire_for_storing(steps);
   check_kept_are_made(steps);
   write_scenes();
 }
@@ -61,6 +69,23 @@ void RunResources::acquire_for_host() {
     if (!desc.host_readable || !acquire(BufferId{i}).buffer->mapped().empty()) continue;
     downloads_[i] = &cache_.buffer({.name = desc.name + " for the host", .bytes = desc.bytes}, MemoryPlace::readback);
   }
+}
+
+void RunResources::acquire_for_storing(std::span<const Step> steps) {
+  for (const Step& step : steps) {
+    for (const Binding& write : step.pass->writes) {
+      const auto* id = std::get_if<ImageId>(&write.resource);
+      if (id == nullptr || !tables_.takes(plan_.images()[id->index])) continue;
+      const ImageDesc& table = plan_.images()[id->index];
+      stores_[id->index] =
+          &cache_.buffer({.name = table.name + " to be stored", .bytes = table.bytes()}, MemoryPlace::readback);
+    }
+  }
+}
+
+std::span<const std::uint32_t> RunResources::stored(std::uint32_t image) const {
+  const auto found = stored_.find(image);
+  return found == stored_.end() ? std::span<const std::uint32_t>() : found->second;
 }
 
 void RunResources::write_scenes() {
@@ -107,6 +132,9 @@ void RunResources::check_kept_are_made(std::span<const Step> steps) const {
 void RunResources::remember(std::span<const Step> steps) {
   for (Resource* image : images_) {
     if (image != nullptr) image->has_layout = true;
+  }
+  for (const auto& [image, words] : stored_) {
+    if (images_[image] != nullptr) images_[image]->has_contents = true;
   }
   const auto keep = [&](ResourceId id) { at(id).has_contents = !key(id).empty(); };
   for (const Step& step : steps) {

@@ -1,19 +1,22 @@
 #pragma once
 // The images and buffers of one run of one plan, out of the cache.
 
+#include <cstdint>
+#include <map>
 #include <set>
 #include <span>
 #include <vector>
 
 #include "core/gpu/resource_cache.h"
 #include "core/gpu/step.h"
+#include "core/gpu/stored_tables.h"
 #include "core/plan/plan.h"
 
 namespace airlight {
 
 class RunResources {
  public:
-  RunResources(const Device& device, ResourceCache& cache, const Plan& plan);
+  RunResources(const Device& device, ResourceCache& cache, const StoredTables& tables, const Plan& plan);
 
   // Whether a resource with a key holds what the key promises. Asked once for all of them, before anything is
   // allocated, so that nothing of this plan is given up for something else of it.
@@ -29,6 +32,10 @@ class RunResources {
   Resource* buffer(std::size_t index) const { return buffers_[index]; }
   // Where the host reads a buffer that it cannot reach; null where it can, or need not.
   Resource* download(std::size_t index) const { return downloads_[index]; }
+  // What an earlier start of the program made of an image; empty where it did not, or where the image is here already.
+  std::span<const std::uint32_t> stored(std::uint32_t image) const;
+  // Where the host reads an image that the steps make and that later starts may ask for; null where they may not.
+  Resource* store(std::size_t image) const { return stores_[image]; }
   // Holds one of the plan's scenes; null when it is empty.
   const Resource* scene(std::size_t index) const { return scenes_[index]; }
   // A buffer for this run that the host fills with the contents of another.
@@ -40,6 +47,7 @@ class RunResources {
  private:
   Resource& acquire(ResourceId id);
   void acquire_for_host();
+  void acquire_for_storing(std::span<const Step> steps);
   void write_scenes();
   const std::string& key(ResourceId id) const;
   bool has_contents(ResourceId id) const;
@@ -47,12 +55,15 @@ class RunResources {
 
   const Plan& plan_;
   ResourceCache& cache_;
+  const StoredTables& tables_;
   // One place for all buffers that shaders see, so that a kept one is found whatever else a plan says of it.
   MemoryPlace buffer_place_;
   std::set<ResourceId> held_;
+  std::map<std::uint32_t, std::vector<std::uint32_t>> stored_;  // by image
   std::vector<Resource*> images_;
   std::vector<Resource*> buffers_;
   std::vector<Resource*> downloads_;
+  std::vector<Resource*> stores_;
   std::vector<Resource*> scenes_;
 };
 

@@ -97,6 +97,7 @@ ImageId add_transmittance(Plan& plan, const Air& air, TableSize size) {
   const ImageId out = plan.add_image({.name = "transmittance",
                                       .extent = extent_of(size),
                                       .key = table_key(air, "transmittance", size),
+                                      .stored = true,
                                       .text = [planet = air.planet()] { return transmittance_text(planet); }});
   plan.add_pass({.name = "transmittance",
                  .shader = "transmittance",
@@ -114,6 +115,7 @@ ImageId add_multiple_scattering(Plan& plan, const Air& air, ImageId transmittanc
   const ImageId out = plan.add_image({.name = "multiple_scattering",
                                       .extent = extent_of(size),
                                       .key = table_key(air, "multiple_scattering", size, sources),
+                                      .stored = true,
                                       .text = [planet = air.planet()] { return multiple_scattering_text(planet); }});
   plan.add_pass({.name = "multiple_scattering",
                  .shader = "multiple_scattering",
@@ -133,6 +135,7 @@ ImageId add_ground_irradiance(Plan& plan, const Air& air, ImageId transmittance,
   const ImageId out = plan.add_image({.name = "ground_irradiance",
                                       .extent = extent_of(size),
                                       .key = table_key(air, "ground_irradiance", size, sources),
+                                      .stored = true,
                                       .text = ground_irradiance_text});
   std::vector<Specialization> constants = sunlight_specialization(plan, air, transmittance);
   add_scattering_size(constants, plan, multiple_scattering);

@@ -230,10 +230,10 @@ void add_moment_constants(std::vector<Specialization>& constants, const MomentSe
 ImageId add_sun_table(Plan& plan, const Air& air, const MomentSettings& settings) {
   const TableSize size{256, settings.size[1]};
   const Extent extent{static_cast<std::uint32_t>(size[0]), static_cast<std::uint32_t>(size[1]), 1};
-  const ImageId out =
-      plan.add_image({.name = "sun_table", .extent = extent, .key = table_key(air, "sun_table", size), .text = [air] {
-                        return sun_table_text(air);
-                      }});
+  const ImageId out = plan.add_image(
+      {.name = "sun_table", .extent = extent, .key = table_key(air, "sun_table", size), .stored = true, .text = [air] {
+         return sun_table_text(air);
+       }});
   std::vector<Specialization> constants = medium_specialization(air);
   constants.push_back({"kShellRows", extent.height});
   plan.add_pass({.name = "sun_table",
@@ -304,6 +304,7 @@ ImageDesc moments_image(const Bake& bake) {
   return {.name = "moments",
           .extent = atlas_extent(settings),
           .key = table_key(bake.air, "moments " + key, settings.size, sources),
+          .stored = true,
           .text = [air = bake.air, settings] { return moments_text(air, settings); }};
 }
 

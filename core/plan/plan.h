@@ -26,7 +26,8 @@ struct ImageDesc {
   std::string name = {};
   Extent extent = {};
   std::string key = {};
-  bool half = false;  // 16 bits, which a GPU's samplers filter several times as fast; not for the host to read
+  bool half = false;    // 16 bits, which a GPU's samplers filter several times as fast; not for the host to read
+  bool stored = false;  // with a key that later starts of the program may ask for again: worth a file of the user's
   // Of a table that may be written to a file; empty: of no use outside the plan. A function, as most plans ask for
   // none.
   std::function<TableText()> text = {};

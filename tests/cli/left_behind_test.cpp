@@ -204,6 +204,29 @@ TEST_F(LeftBehind, PreparedShadersUnlessTheCacheIsOff) {
   EXPECT_EQ(scratch_.read("a.exr"), picture);
 }
 
+// A second start bakes no tables and makes the same picture.
+TEST_F(LeftBehind, TablesThatMakeTheSamePicture) {
+  Start start;
+  start.environment = {{"AIRLIGHT_CACHE", (scratch_.path() / "cache").string()}};
+  const auto bakes = [&](const Names& more) {
+    Names arguments = {"render", "sky.json", "--method", "orders", "--timings", "-o", "a.exr"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = tool(arguments, start);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("pass sky"), std::string::npos) << outcome.err;
+    return outcome.err.find("pass order1") != std::string::npos;
+  };
+  EXPECT_TRUE(bakes({"--no-cache"}));
+  EXPECT_FALSE(std::filesystem::exists(scratch_.path() / "cache"));
+  const std::string picture = scratch_.read("a.exr");
+  EXPECT_TRUE(bakes({}));
+  EXPECT_TRUE(scratch_.read("a.exr") == picture);
+  EXPECT_FALSE(bakes({}));
+  EXPECT_TRUE(scratch_.read("a.exr") == picture);
+  EXPECT_TRUE(bakes({"--set", "/planet/ground_albedo=0.7"})) << "another air over another ground";
+  EXPECT_TRUE(scratch_.read("a.exr") != picture);
+}
+
 // The build froze what they ask for: whatever a preset's first start prepares anew would lie in the cache.
 TEST_F(LeftBehind, NothingPreparedForPresetsThatShip) {
   Start start;

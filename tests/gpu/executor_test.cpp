@@ -242,7 +242,7 @@ TEST(Executor, KeepsPreparedShadersInItsFolderAlone) {
       std::find_if(info.constants.begin(), info.constants.end(), [](const SpecializationConstant& constant) {
         return constant.name == "kCount";
       })->id;
-  const ModuleCache cache(folder / "modules");
+  const KeptFiles cache(folder / "modules", ".module");
   const auto key = [&](std::uint32_t count) {
     const std::vector<ConstantValue> values = {{id, count}};
     return module_key(source->digest, values);

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 
 #include "core/gpu/executor.h"
+#include "core/gpu/stored_tables.h"
 #include "tests/gpu/gpu_fixture.h"
 
 namespace airlight {
@@ -204,6 +206,54 @@ TEST(Executor, GivesBackWhatNoPlanUsesAnyMore) {
   EXPECT_GE(large, std::size_t{8} << 20);
   for (int i = 0; i < 6; ++i) run_kept(executor, "", 1, 8);
   EXPECT_LT(executor.memory_use().bytes, std::size_t{1} << 20);
+}
+
+struct StoredRun {
+  bool made;
+  float first;
+};
+
+// A ramp that starts at `base`, as a table that later executors may ask for.
+StoredRun run_stored(const DeviceOptions& options, const std::string& key, std::uint32_t base, bool stored = true) {
+  Executor executor(options, test_shaders());
+  Plan plan;
+  const ImageId ramp = plan.add_image({.name = "ramp", .extent = {5, 3}, .key = key, .stored = stored});
+  plan.add_pass({.shader = "ramp", .writes = {{"ramp_out", ramp}}, .grid = {5, 3}, .push_constants = {base}});
+  const BufferId readback = plan.add_readback(ramp);
+  const RunResult result = executor.run(plan);
+  const std::vector<float> values = values_of<float>(result.contents(readback));
+  EXPECT_EQ(values.size(), 60U);
+  EXPECT_EQ(values[4] - values[0], 1.0F) << "the whole of it comes back";
+  return {!result.passes.empty(), values.front()};
+}
+
+TEST(Stored, TablesOutliveTheirExecutor) {
+  ASSERT_NE(program_build(), "") << "linked without a build id";
+  std::string name = (std::filesystem::temp_directory_path() / "airlight-tables-XXXXXX").string();
+  ASSERT_NE(::mkdtemp(name.data()), nullptr);
+  const std::filesystem::path folder = name;
+  const DeviceOptions options{.cache_folder = folder};
+  const auto expect = [](const StoredRun& run, bool made, float first, const char* why) {
+    EXPECT_EQ(run.made, made) << why;
+    EXPECT_EQ(run.first, first) << why;
+  };
+  expect(run_stored(options, "plain", 7, false), true, 7.0F, "not to be stored");
+  EXPECT_FALSE(std::filesystem::exists(folder / "tables"));
+  expect(run_stored(options, "a", 7), true, 7.0F, "the first");
+  // Another ramp under the same key would be a caller's mistake; it shows that nothing was made.
+  expect(run_stored(options, "a", 8), false, 7.0F, "the second");
+  expect(run_stored(options, "b", 9), true, 9.0F, "another key");
+  expect(run_stored({.teams = true, .cache_folder = folder}, "a", 8), true, 8.0F, "passes that round otherwise");
+  expect(run_stored({.cache_folder = folder, .stores_tables = false}, "a", 6), true, 6.0F, "to be timed");
+  expect(run_stored({.cache_folder = ""}, "a", 5), true, 5.0F, "no folder");
+  expect(run_stored(options, "a", 8), false, 7.0F, "none of these wrote over it");
+  for (const auto& file : std::filesystem::directory_iterator(folder / "tables")) {
+    std::fstream stream(file.path(), std::ios::in | std::ios::out | std::ios::binary);
+    stream.seekp(100).put('x');
+  }
+  expect(run_stored(options, "a", 4), true, 4.0F, "a damaged file");
+  expect(run_stored(options, "a", 3), false, 4.0F, "replaced");
+  std::filesystem::remove_all(folder);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "core/gpu/module_cache.h"
+#include "core/gpu/kept_files.h"
 
 #include <dirent.h>
 #include <fcntl.h>
@@ -22,13 +22,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kEnding = ".module";
 constexpr std::string_view kPart = ".part-";
-constexpr std::size_t kFileMax = std::size_t{16} << 20U;
 constexpr std::time_t kAbandoned = 600;  // seconds after which nobody is still writing
 
 struct Header {
-  std::array<char, 16> magic{'a', 'i', 'r', 'l', 'i', 'g', 'h', 't', ' ', 'm', 'o', 'd', 'u', 'l', 'e', '1'};
+  std::array<char, 16> magic{'a', 'i', 'r', 'l', 'i', 'g', 'h', 't', ' ', 'k', 'e', 'p', 't', ' ', ' ', '1'};
   Digest key{};
   Digest contents{};  // of the words
   bool operator==(const Header&) const = default;
@@ -93,7 +91,7 @@ bool is_older(const Entry& a, const Entry& b) {
 }
 
 // Files of ours in the folder, other than those that somebody is writing; what nobody goes on writing is removed.
-std::vector<Entry> entries_of(int folder) {
+std::vector<Entry> entries_of(int folder, const std::string& ending) {
   std::vector<Entry> entries;
   const int again = ::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   const std::unique_ptr<DIR, int (*)(DIR*)> listing(again < 0 ? nullptr : ::fdopendir(again), ::closedir);
@@ -102,7 +100,7 @@ std::vector<Entry> entries_of(int folder) {
     const std::string name = entry->d_name;
     const bool is_part = name.find(kPart) != std::string::npos;
     struct stat status {};
-    if ((!is_part && !name.ends_with(kEnding)) || ::fstatat(folder, name.c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0 ||
+    if ((!is_part && !name.ends_with(ending)) || ::fstatat(folder, name.c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0 ||
         !S_ISREG(status.st_mode)) {
       continue;
     }
@@ -126,16 +124,18 @@ fs::path user_cache_folder() {
   return {};
 }
 
-std::vector<std::uint32_t> ModuleCache::find(const Digest& key) const {
+std::vector<std::uint32_t> KeptFiles::find(const Digest& key) const {
   const FileDescriptor folder = open_folder(folder_);
   if (!folder) return {};
-  const std::string name = hexadecimal(key) + std::string(kEnding);
+  const std::string name = hexadecimal(key) + ending_;
   // A pipe of that name must not block, nor a link lead elsewhere.
   const FileDescriptor file(::openat(folder.get(), name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
   struct stat status {};
   if (!file || ::fstat(file.get(), &status) != 0 || !S_ISREG(status.st_mode) || !is_ours_alone(status)) return {};
   const auto size = static_cast<std::size_t>(status.st_size);
-  if (size <= sizeof(Header) || size > kFileMax || (size - sizeof(Header)) % sizeof(std::uint32_t) != 0) return {};
+  if (size <= sizeof(Header) || size > sizeof(Header) + kWordsMax * sizeof(std::uint32_t) ||
+      (size - sizeof(Header)) % sizeof(std::uint32_t) != 0)
+    return {};
   Header header;
   std::vector<std::uint32_t> words((size - sizeof(Header)) / sizeof(std::uint32_t));
   if (!read_all(file.get(), &header, sizeof header) ||
@@ -148,12 +148,13 @@ std::vector<std::uint32_t> ModuleCache::find(const Digest& key) const {
   return words;
 }
 
-void ModuleCache::keep(const Digest& key, std::span<const std::uint32_t> words) const {
+void KeptFiles::keep(const Digest& key, std::span<const std::uint32_t> words) const {
+  if (words.size() > kWordsMax) return;
   make_folder(folder_);
   const FileDescriptor folder = open_folder(folder_);
   if (!folder) return;
   static std::atomic<unsigned> count = 0;
-  const std::string name = hexadecimal(key) + std::string(kEnding);
+  const std::string name = hexadecimal(key) + ending_;
   const std::string part =
       hexadecimal(key) + std::string(kPart) + std::to_string(::getpid()) + "-" + std::to_string(count++);
   ::unlinkat(folder.get(), part.c_str(), 0);  // of a killed process that had this number
@@ -167,10 +168,10 @@ void ModuleCache::keep(const Digest& key, std::span<const std::uint32_t> words) 
   }
 }
 
-void ModuleCache::trim() const {
+void KeptFiles::trim() const {
   const FileDescriptor folder = open_folder(folder_);
   if (!folder) return;
-  std::vector<Entry> entries = entries_of(folder.get());
+  std::vector<Entry> entries = entries_of(folder.get(), ending_);
   std::sort(entries.begin(), entries.end(), is_older);
   std::uint64_t bytes = 0;
   for (const Entry& entry : entries) bytes += entry.bytes;

@@ -1,13 +1,15 @@
 #pragma once
-// Frozen modules kept in a folder of the user's from one start to the next, for any number of processes at once.
+// Frozen modules, and baked tables, kept in a folder of the user's from one start to the next, for any number of
+// processes at once.
 //
-// They are code, so a file counts only where nobody else can have put it there or changed it: folder and file belong to
-// the user and to nobody else's pen, and the file says which module it is and carries its hash. Whatever is wrong with
-// folder or file, it is as if the module were not kept; no error, since nothing is lost but time.
+// Modules are code, so a file counts only where nobody else can have put it there or changed it: folder and file belong
+// to the user and to nobody else's pen, and the file says what it holds and carries its hash. Whatever is wrong with
+// folder or file, it is as if nothing were kept; no error, since nothing is lost but time.
 
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -19,13 +21,15 @@ namespace airlight {
 // $HOME/.cache/airlight. Empty where $AIRLIGHT_CACHE is "off" or empty, and where the others name no absolute path.
 std::filesystem::path user_cache_folder();
 
-class ModuleCache {
+class KeptFiles {
  public:
   static constexpr std::uint64_t kBytesMax = std::uint64_t{64} << 20U;
+  static constexpr std::size_t kWordsMax = std::size_t{4} << 20U;  // of one file; longer ones are not kept
 
-  // `folder` empty: keeps nothing. It is made, with up to two folders above it, when something is first kept.
-  explicit ModuleCache(std::filesystem::path folder, std::uint64_t bytes_max = kBytesMax)
-      : folder_(std::move(folder)), bytes_max_(bytes_max) {}
+  // `folder` empty: keeps nothing. It is made, with up to two folders above it, when something is first kept. `ending`:
+  // of the files' names, ".module".
+  KeptFiles(std::filesystem::path folder, std::string ending, std::uint64_t bytes_max = kBytesMax)
+      : folder_(std::move(folder)), ending_(std::move(ending)), bytes_max_(bytes_max) {}
 
   // Empty where it is not kept.
   std::vector<std::uint32_t> find(const Digest& key) const;
@@ -37,6 +41,7 @@ class ModuleCache {
 
  private:
   std::filesystem::path folder_;
+  std::string ending_;
   std::uint64_t bytes_max_;
 };
 

@@ -1,6 +1,6 @@
 // Modules kept on disk: found again as they were, and never taken from a file that could be anything else.
 
-#include "core/gpu/module_cache.h"
+#include "core/gpu/kept_files.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ void write_file(const fs::path& file, const std::vector<char>& bytes) {
   std::ofstream(file, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
 }
 
-class ModuleCacheTest : public testing::Test {
+class KeptFilesTest : public testing::Test {
  protected:
   void SetUp() override {
     std::string name = (fs::temp_directory_path() / "airlight-modules-XXXXXX").string();
@@ -73,13 +73,13 @@ TEST(Sha256, GivesThePublishedDigests) {
   EXPECT_EQ(hexadecimal(key_of("")), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
 }
 
-TEST_F(ModuleCacheTest, FindsWhatItKept) {
-  const ModuleCache cache(folder());
+TEST_F(KeptFilesTest, FindsWhatItKept) {
+  const KeptFiles cache(folder(), ".module");
   EXPECT_TRUE(cache.find(key_of("a")).empty());
   EXPECT_FALSE(fs::exists(folder())) << "looking makes no folder";
   cache.keep(key_of("a"), words_of(1));
   cache.keep(key_of("b"), words_of(2));
-  EXPECT_EQ(ModuleCache(folder()).find(key_of("a")), words_of(1));
+  EXPECT_EQ(KeptFiles(folder(), ".module").find(key_of("a")), words_of(1));
   EXPECT_EQ(cache.find(key_of("b")), words_of(2));
   EXPECT_TRUE(cache.find(key_of("c")).empty());
   EXPECT_EQ(file_count(), 2U) << "nothing half written stays";
@@ -91,8 +91,8 @@ TEST_F(ModuleCacheTest, FindsWhatItKept) {
   EXPECT_EQ(status.st_mode & 07777U, 0600U);
 }
 
-TEST_F(ModuleCacheTest, TakesNoDamagedFileAndReplacesIt) {
-  const ModuleCache cache(folder());
+TEST_F(KeptFilesTest, TakesNoDamagedFileAndReplacesIt) {
+  const KeptFiles cache(folder(), ".module");
   const Digest key = key_of("a");
   cache.keep(key, words_of(1));
   const std::vector<char> whole = read_file(file_of(key));
@@ -117,15 +117,15 @@ TEST_F(ModuleCacheTest, TakesNoDamagedFileAndReplacesIt) {
   EXPECT_EQ(cache.find(key), words_of(3));
 }
 
-TEST_F(ModuleCacheTest, TakesNoFileOfAnotherModule) {
-  const ModuleCache cache(folder());
+TEST_F(KeptFilesTest, TakesNoFileOfAnotherModule) {
+  const KeptFiles cache(folder(), ".module");
   cache.keep(key_of("a"), words_of(1));
   fs::copy_file(file_of(key_of("a")), file_of(key_of("b")));
   EXPECT_TRUE(cache.find(key_of("b")).empty());
 }
 
-TEST_F(ModuleCacheTest, TakesNothingThatOthersCouldWrite) {
-  const ModuleCache cache(folder());
+TEST_F(KeptFilesTest, TakesNothingThatOthersCouldWrite) {
+  const KeptFiles cache(folder(), ".module");
   const Digest key = key_of("a");
   cache.keep(key, words_of(1));
   for (const mode_t mode : {0620U, 0602U, 0666U}) {
@@ -143,8 +143,8 @@ TEST_F(ModuleCacheTest, TakesNothingThatOthersCouldWrite) {
   EXPECT_EQ(file_count(), 1U) << "nothing is written there either";
 }
 
-TEST_F(ModuleCacheTest, FollowsNoLinkAndWaitsForNoPipe) {
-  const ModuleCache cache(folder());
+TEST_F(KeptFilesTest, FollowsNoLinkAndWaitsForNoPipe) {
+  const KeptFiles cache(folder(), ".module");
   cache.keep(key_of("a"), words_of(1));
   fs::rename(file_of(key_of("a")), root_ / "elsewhere");
   fs::create_symlink(root_ / "elsewhere", file_of(key_of("a")));
@@ -155,33 +155,33 @@ TEST_F(ModuleCacheTest, FollowsNoLinkAndWaitsForNoPipe) {
   EXPECT_EQ(cache.find(key_of("b")), words_of(2));
 }
 
-TEST_F(ModuleCacheTest, DoesWithoutAFolder) {
+TEST_F(KeptFilesTest, DoesWithoutAFolder) {
   for (const fs::path& nowhere :
        {fs::path(), fs::path("/proc/airlight/modules"), root_ / "a" / "b" / "c" / "d" / "e"}) {
-    const ModuleCache cache(nowhere);
+    const KeptFiles cache(nowhere, ".module");
     cache.keep(key_of("a"), words_of(1));
     cache.trim();
     EXPECT_TRUE(cache.find(key_of("a")).empty()) << nowhere;
   }
   write_file(root_ / "file", {'x'});
-  const ModuleCache cache(root_ / "file" / "modules");
+  const KeptFiles cache(root_ / "file" / "modules", ".module");
   cache.keep(key_of("a"), words_of(1));
   EXPECT_TRUE(cache.find(key_of("a")).empty());
   EXPECT_EQ(read_file(root_ / "file"), std::vector<char>{'x'});
 }
 
-TEST_F(ModuleCacheTest, ReadsAFolderThatCannotBeWritten) {
-  ModuleCache(folder()).keep(key_of("a"), words_of(1));
+TEST_F(KeptFilesTest, ReadsAFolderThatCannotBeWritten) {
+  KeptFiles(folder(), ".module").keep(key_of("a"), words_of(1));
   ::chmod(folder().c_str(), 0500);
   if (::geteuid() == 0) GTEST_SKIP() << "root may write anywhere";
-  ModuleCache(folder()).keep(key_of("b"), words_of(2));
-  EXPECT_EQ(ModuleCache(folder()).find(key_of("a")), words_of(1));
+  KeptFiles(folder(), ".module").keep(key_of("b"), words_of(2));
+  EXPECT_EQ(KeptFiles(folder(), ".module").find(key_of("a")), words_of(1));
   EXPECT_EQ(file_count(), 1U);
 }
 
-TEST_F(ModuleCacheTest, KeepsItsBoundByDroppingWhatWasUsedLongestAgo) {
+TEST_F(KeptFilesTest, KeepsItsBoundByDroppingWhatWasUsedLongestAgo) {
   constexpr std::uint64_t kFile = 80 + 4000;
-  const ModuleCache cache(folder(), 3 * kFile);
+  const KeptFiles cache(folder(), ".module", 3 * kFile);
   for (int i = 0; i < 5; ++i) {
     cache.keep(key_of(std::to_string(i)), words_of(static_cast<std::uint32_t>(i)));
     const struct timespec then[2] = {{1000 + i, 0}, {1000 + i, 0}};
@@ -199,8 +199,8 @@ TEST_F(ModuleCacheTest, KeepsItsBoundByDroppingWhatWasUsedLongestAgo) {
   EXPECT_TRUE(fs::exists(folder() / "notes.txt"));
 }
 
-TEST_F(ModuleCacheTest, SweepsUpAfterKilledWriters) {
-  const ModuleCache cache(folder());
+TEST_F(KeptFilesTest, SweepsUpAfterKilledWriters) {
+  const KeptFiles cache(folder(), ".module");
   cache.keep(key_of("a"), words_of(1));
   const fs::path old = folder() / (hexadecimal(key_of("b")) + ".part-1-0");
   const fs::path fresh = folder() / (hexadecimal(key_of("b")) + ".part-2-0");
@@ -213,7 +213,7 @@ TEST_F(ModuleCacheTest, SweepsUpAfterKilledWriters) {
   EXPECT_FALSE(cache.find(key_of("a")).empty());
 }
 
-TEST_F(ModuleCacheTest, IsSafeWithManyProcessesAtOnce) {
+TEST_F(KeptFilesTest, IsSafeWithManyProcessesAtOnce) {
   constexpr int kProcesses = 4;
   constexpr std::uint64_t kFile = 80 + 4000;
   std::vector<pid_t> children;
@@ -221,7 +221,7 @@ TEST_F(ModuleCacheTest, IsSafeWithManyProcessesAtOnce) {
     const pid_t pid = ::fork();
     ASSERT_GE(pid, 0);
     if (pid == 0) {
-      const ModuleCache cache(folder(), 2 * kFile);
+      const KeptFiles cache(folder(), ".module", 2 * kFile);
       bool sound = true;
       for (std::uint32_t round = 0; round < 300; ++round) {
         const std::uint32_t which = round % 3;
@@ -239,7 +239,7 @@ TEST_F(ModuleCacheTest, IsSafeWithManyProcessesAtOnce) {
     ASSERT_EQ(::waitpid(pid, &status, 0), pid);
     EXPECT_EQ(status, 0) << "a process read what nobody wrote";
   }
-  ModuleCache(folder(), 2 * kFile).trim();
+  KeptFiles(folder(), ".module", 2 * kFile).trim();
   EXPECT_EQ(file_count(), 2U);
 }
 
