@@ -7,9 +7,9 @@
 #include <span>
 
 #include "core/error.h"
-#include "core/output/exr.h"
 #include "core/output/png.h"
 #include "core/output/quantize.h"
+#include "core/output/table_exr.h"
 #include "core/srgb.h"
 
 namespace airlight::cli {

@@ -21,10 +21,6 @@ double largest(const Spectrum& s) {
   return *std::max_element(s.begin(), s.end());
 }
 
-double channel(const physics::vec3& v, std::size_t c) {
-  return c == 0 ? v.x : c == 1 ? v.y : v.z;
-}
-
 std::uint32_t code_of(const Medium& medium, bool schlick) {
   switch (medium.phase) {
     case PhaseFunction::rayleigh:

@@ -1,7 +1,7 @@
 #include "core/luts/level_orders.h"
 
+#include <Eigen/LU>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -10,147 +10,140 @@
 namespace airlight {
 namespace {
 
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::RowVectorXd;
+using physics::Physics;
+
 constexpr double kPi = std::numbers::pi;
 constexpr int kNodes = 8;  // zenith cosines a hemisphere, dense at the horizon
-
-double channel(const physics::vec3& v, std::size_t c) {
-  return c == 0 ? v.x : c == 1 ? v.y : v.z;
-}
+constexpr Index kDegrees = physics::kMaxDegree + 1;
 
 // One shell of one channel.
 struct Shell {
   double height = 0.0;
   double extinction = 0.0;
-  std::array<double, 9> scattering = {};  // by degree
+  RowVectorXd scattering;  // by degree
 };
 
-std::vector<Shell> shells_of(physics::Physics& p, std::size_t c) {
+std::vector<Shell> shells_of(Physics& p, std::size_t c) {
   std::vector<Shell> shells;
   for (physics::uint k = 0; k + 1 < p.shell_rows(); ++k) {
     const double low = p.shell_altitude(k);
     const double high = p.shell_altitude(k + 1);
     const auto air = p.diffuse_air_over(0.5 * (low + high), high - low, p.equal_phases(0.0));
-    Shell shell{high - low, channel(air.extinction, c), {}};
+    Shell shell{high - low, channel(air.extinction, c), RowVectorXd(kDegrees)};
     std::ranges::transform(air.degree, shell.scattering.begin(), [c](const physics::vec3& v) { return channel(v, c); });
     shells.push_back(shell);
   }
   return shells;
 }
 
-struct Matrix {
-  explicit Matrix(std::size_t size) : n(size), values(size * size) {}
-  double& operator()(std::size_t i, std::size_t j) { return values[i * n + j]; }
-  double operator()(std::size_t i, std::size_t j) const { return values[i * n + j]; }
-  std::size_t n;
-  std::vector<double> values;
-};
-
-// (1 - a)^-1 - 1 by Gauss and Jordan; the diagonal dominates, as no order holds more light than the one before.
-Matrix all_powers(const Matrix& a) {
-  const std::size_t n = a.n;
-  Matrix m(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j < n; ++j) {
-      m(i, j) = (i == j ? 1.0 : 0.0) - a(i, j);
-    }
-  }
-  for (std::size_t k = 0; k < n; ++k) {
-    const double pivot = 1.0 / m(k, k);
-    m(k, k) = 1.0;
-    for (std::size_t j = 0; j < n; ++j) {
-      m(k, j) *= pivot;
-    }
-    for (std::size_t i = 0; i < n; ++i) {
-      const double factor = m(i, k);
-      if (i == k || factor == 0.0) {
-        continue;
-      }
-      m(i, k) = 0.0;
-      for (std::size_t j = 0; j < n; ++j) {
-        m(i, j) -= factor * m(k, j);
-      }
-    }
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    m(i, i) -= 1.0;
-  }
-  return m;
-}
-
-// Light that reaches a row along one zenith cosine: of what each row's moments of degree l send, and of what leaves the
-// ground.
+// Light that reaches a row along one zenith cosine: of what each row's moments of each degree send, and of what leaves
+// the ground.
 struct Arrival {
-  std::vector<std::array<double, 9>> from;  // by row
+  MatrixXd from;  // row x degree
   double ground = 0.0;
 };
 
-Arrival arrival_at(physics::Physics& p, const std::vector<Shell>& shells, std::size_t row, double mu, bool upward) {
-  Arrival arrival;
-  arrival.from.resize(shells.size() + 1);
+Arrival arrival_at(Physics& p, const std::vector<Shell>& shells, std::size_t row, double mu, bool upward) {
+  const auto rows = static_cast<Index>(shells.size()) + 1;
+  Arrival arrival{MatrixXd::Zero(rows, kDegrees)};
   double through = 1.0;
   const std::size_t count = upward ? shells.size() - row : row;
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t k = upward ? row + i : row - 1 - i;
     const Shell& shell = shells[k];
     const double depth = shell.extinction * shell.height / mu;
-    const double mean = through * p.mean_transmittance(depth) * shell.height / mu;
+    const RowVectorXd sent = (through * p.mean_transmittance(depth) * shell.height / mu) * shell.scattering;
     const double far = p.source_place(depth);
-    for (std::size_t l = 0; l < shell.scattering.size(); ++l) {
-      arrival.from[upward ? k : k + 1][l] += mean * shell.scattering[l] * (1.0 - far);
-      arrival.from[upward ? k + 1 : k][l] += mean * shell.scattering[l] * far;
-    }
+    const auto below = static_cast<Index>(k);
+    arrival.from.row(below) += sent * (upward ? 1.0 - far : far);
+    arrival.from.row(below + 1) += sent * (upward ? far : 1.0 - far);
     through *= std::exp(-depth);
   }
   arrival.ground = upward ? 0.0 : through;
   return arrival;
 }
 
-// One order: from the moments of order m, l by l and row by row, and for m = 0 the ground's irradiance behind them.
-std::vector<Matrix> one_order(physics::Physics& p, const std::vector<Shell>& shells, int degree, double albedo) {
-  const std::size_t rows = shells.size() + 1;
-  const auto harmonics = static_cast<std::size_t>(degree) + 1;
-  std::vector<Matrix> by_mode;
-  for (std::size_t m = 0; m < harmonics; ++m) {
-    by_mode.emplace_back((harmonics - m) * rows + (m == 0 ? 1 : 0));
+// One order of scattering, a matrix for each m: from the moments by l, then by row, and for m = 0 from the ground's
+// irradiance behind them.
+class OneOrder {
+ public:
+  OneOrder(Physics& physics, Index rows, Index harmonics, double albedo)
+      : physics_(physics), rows_(rows), harmonics_(harmonics), albedo_(albedo) {
+    for (Index m = 0; m < harmonics; ++m) {
+      const Index size = (harmonics - m) * rows + (m == 0 ? 1 : 0);
+      by_m_.emplace_back(MatrixXd::Zero(size, size));
+    }
   }
-  const std::size_t irradiance = harmonics * rows;
-  const GaussRule gauss = gauss_legendre(kNodes);
-  for (std::size_t row = 0; row < rows; ++row) {
-    for (std::size_t node = 0; node < gauss.nodes.size(); ++node) {
-      const double mu = gauss.nodes[node] * gauss.nodes[node];
-      const double weight = 2.0 * gauss.nodes[node] * gauss.weights[node];
-      for (const bool upward : {true, false}) {
-        const Arrival arrival = arrival_at(p, shells, row, mu, upward);
-        const auto y = p.harmonics(upward ? mu : -mu, 1.0);
-        for (std::size_t m = 0; m < harmonics; ++m) {
-          Matrix& a = by_mode[m];
-          const double norm = weight * (m == 0 ? 2.0 * kPi : kPi);
-          for (std::size_t to = m; to < harmonics; ++to) {
-            const double taken = norm * y.of[to * (to + 1) / 2 + m];
-            const std::size_t i = (to - m) * rows + row;
-            for (std::size_t l = m; l < harmonics; ++l) {
-              const double given = taken * y.of[l * (l + 1) / 2 + m];
-              for (std::size_t k = 0; k < rows; ++k) {
-                a(i, (l - m) * rows + k) += given * arrival.from[k][l];
-              }
-            }
-            if (m == 0) {
-              a(i, irradiance) += taken * arrival.ground * albedo / kPi;
-            }
-          }
-        }
-        if (row == 0 && upward) {
-          for (std::size_t l = 0; l < harmonics; ++l) {
-            const double given = weight * 2.0 * kPi * mu * y.of[l * (l + 1) / 2];
-            for (std::size_t k = 0; k < rows; ++k) {
-              by_mode[0](irradiance, l * rows + k) += given * arrival.from[k][l];
-            }
-          }
+
+  // What arrives at a row out of a direction of so much solid angle over 2 pi.
+  void gather(Index row, const Physics::Harmonics& y, double share, const Arrival& arrival) {
+    for (Index m = 0; m < harmonics_; ++m) {
+      MatrixXd& order = by_m_[static_cast<std::size_t>(m)];
+      const double angle = share * (m == 0 ? 2.0 * kPi : kPi);
+      for (Index to = m; to < harmonics_; ++to) {
+        const double taken = angle * harmonic(y, to, m);
+        add_sent(order.row((to - m) * rows_ + row), m, taken, y, arrival);
+        if (m == 0) {
+          order(to * rows_ + row, order.cols() - 1) += taken * arrival.ground * albedo_ / kPi;
         }
       }
     }
   }
-  return by_mode;
+
+  // What arrives on the ground.
+  void gather_irradiance(const Physics::Harmonics& y, double share, double mu, const Arrival& arrival) {
+    MatrixXd& order = by_m_.front();
+    add_sent(order.row(order.rows() - 1), 0, share * 2.0 * kPi * mu, y, arrival);
+  }
+
+  const std::vector<MatrixXd>& by_m() const { return by_m_; }
+
+ private:
+  double harmonic(const Physics::Harmonics& y, Index l, Index m) const {
+    return y.of[physics_.moment_place(static_cast<physics::uint>(l), static_cast<physics::uint>(m))];
+  }
+
+  template <class Row>
+  void add_sent(Row&& into, Index m, double part, const Physics::Harmonics& y, const Arrival& arrival) const {
+    for (Index l = m; l < harmonics_; ++l) {
+      into.segment((l - m) * rows_, rows_) += part * harmonic(y, l, m) * arrival.from.col(l).transpose();
+    }
+  }
+
+  Physics& physics_;
+  Index rows_;
+  Index harmonics_;
+  double albedo_;
+  std::vector<MatrixXd> by_m_;
+};
+
+OneOrder one_order(Physics& p, const std::vector<Shell>& shells, Index harmonics, double albedo) {
+  OneOrder order(p, static_cast<Index>(shells.size()) + 1, harmonics, albedo);
+  const GaussRule gauss = gauss_legendre(kNodes);
+  for (std::size_t row = 0; row <= shells.size(); ++row) {
+    for (std::size_t node = 0; node < gauss.nodes.size(); ++node) {
+      const double mu = gauss.nodes[node] * gauss.nodes[node];
+      const double share = 2.0 * gauss.nodes[node] * gauss.weights[node];
+      for (const bool upward : {true, false}) {
+        const Arrival arrival = arrival_at(p, shells, row, mu, upward);
+        const Physics::Harmonics y = p.harmonics(upward ? mu : -mu, 1.0);
+        order.gather(static_cast<Index>(row), y, share, arrival);
+        if (row == 0 && upward) {
+          order.gather_irradiance(y, share, mu, arrival);
+        }
+      }
+    }
+  }
+  return order;
+}
+
+// (1 - order)^-1 - 1: every order after the first.
+MatrixXd all_orders(const MatrixXd& order) {
+  const auto one = MatrixXd::Identity(order.rows(), order.cols());
+  return (one - order).partialPivLu().inverse() - one;
 }
 
 }  // namespace
@@ -165,11 +158,9 @@ std::size_t LevelShape::values() const {
 }
 
 std::vector<float> level_orders(const Air& air, const LevelShape& shape, int table_degree, bool delta, double lost) {
-  physics::Physics p = air.formulas();
+  Physics p = air.formulas();
   p.degree = static_cast<physics::uint>(table_degree);
   p.delta = delta;
-  const auto rows = static_cast<std::size_t>(shape.rows);
-  const auto harmonics = static_cast<std::size_t>(shape.degree) + 1;
   std::vector<float> values(3 * shape.values());
   for (std::size_t c = 0; c < 3; ++c) {
     std::size_t at = c;
@@ -177,19 +168,15 @@ std::vector<float> level_orders(const Air& air, const LevelShape& shape, int tab
       values[at] = static_cast<float>(value);
       at += 3;
     };
-    std::vector<double> to_irradiance;
-    std::vector<Matrix> orders = one_order(p, shells_of(p, c), shape.degree, air.planet().ground_albedo[c]);
-    for (std::size_t m = 0; m < harmonics; ++m) {
-      std::ranges::transform(orders[m].values, orders[m].values.begin(), [&](double v) { return v * (1.0 - lost); });
-      const Matrix all = all_powers(orders[m]);
-      for (std::size_t j = 0; j < all.n; ++j) {
-        for (std::size_t i = 0; i < (harmonics - m) * rows; ++i) {
-          put(all(i, j));
-        }
-        if (m == 0) {
-          to_irradiance.push_back(all(all.n - 1, j));
-        }
+    RowVectorXd to_irradiance;
+    const OneOrder order = one_order(p, shells_of(p, c), shape.degree + 1, air.planet().ground_albedo[c]);
+    for (const MatrixXd& of_m : order.by_m()) {
+      MatrixXd all = all_orders((1.0 - lost) * of_m);
+      if (to_irradiance.size() == 0) {
+        to_irradiance = all.bottomRows(1);
+        all.conservativeResize(all.rows() - 1, all.cols());
       }
+      std::ranges::for_each(all.reshaped(), put);
     }
     std::ranges::for_each(to_irradiance, put);
   }

@@ -16,7 +16,6 @@
 
 #include "core/output/provenance.h"
 #include "core/output/working_space.h"
-#include "core/plan/table_text.h"
 #include "core/radiance_image.h"
 
 namespace airlight {
@@ -117,18 +116,5 @@ ExrCounts write_exr(const std::filesystem::path& file, int width, int height, st
 // The three axes are orthonormal directions in the world; right x up = -forward.
 using Axis = std::array<double, 3>;
 std::array<float, 16> world_to_camera(const Axis& right, const Axis& up, const Axis& forward, double altitude);
-
-// A table of four floats a texel as a float EXR. The attributes are `airlight:quantity`, `airlight:unit`, for each axis
-// `airlight:axis:ALONG` ("NAME [UNIT]: MAPPING", a line each where several go along one), `airlight:constants`,
-// `airlight:decode` and, where the channels are not the preset's, `airlight:channels`.
-struct Table {
-  int width = 0;
-  int height = 0;
-  const float* rgba = nullptr;
-  TableText text;
-  std::string channels;
-};
-void write_table_exr(const std::filesystem::path& file, const Table& table,
-                     const std::optional<Provenance>& provenance);
 
 }  // namespace airlight

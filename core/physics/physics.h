@@ -171,6 +171,7 @@ struct Physics {
 #include "shaders/physics/analytic.glsl"
 #include "shaders/physics/zenith_density.glsl"
 #include "shaders/physics/irradiance.glsl"
+#include "shaders/physics/moment_places.glsl"
 #include "shaders/physics/moments.glsl"
 #include "shaders/physics/orders.glsl"
 #include "shaders/physics/ground_view.glsl"

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace airlight::physics {
 
@@ -19,6 +20,11 @@ struct vec3 {
   explicit vec3(real a) : x(a), y(a), z(a) {}
   vec3(real a, real b, real c) : x(a), y(b), z(c) {}
 };
+
+// GLSL's v[c].
+inline real channel(const vec3& v, std::size_t c) {
+  return c == 0 ? v.x : c == 1 ? v.y : v.z;
+}
 
 inline vec3 operator+(vec3 a, vec3 b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};

@@ -25,10 +25,6 @@ constexpr double kMostBrightness = 2.0;    // no air under one sun is brighter t
 constexpr double kFloor = 1e-3;
 constexpr double kBlack = 1e-12;  // radiance under a sun of irradiance 1: starlight is brighter
 
-double channel(const vec3& v, std::size_t c) {
-  return c == 0 ? v.x : c == 1 ? v.y : v.z;
-}
-
 double relative(double a, double b, double mean) {
   return std::abs(a - b) / std::max({b, kFloor * mean, kBlack});
 }

@@ -81,9 +81,7 @@ void main() {
       uvec2 at = uvec2(k * kMomentColumns + node.x, node.y);
       uint index = at.y * (moment_count() + 1u) * kMomentColumns + at.x;
       sums.values[index] += vec4(sum, 0.0);
-      bool logarithm = k == 0u || k == moment_count();
-      vec3 stored = logarithm ? log(max(sum, vec3(1e-30))) : sum / isotropic;
-      imageStore(order_out, ivec2(at), vec4(stored, 1.0));
+      imageStore(order_out, ivec2(at), vec4(moment_code(k, sum, isotropic), 1.0));
     }
   }
 }

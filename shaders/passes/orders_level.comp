@@ -24,26 +24,21 @@ layout(push_constant, scalar) uniform Push {
 const uint kMostLevelMoments = 15u;  // up to degree 4
 shared vec3 missing[kMostLevelMoments * 64u + 1u];
 
-uint moment_count() { return (kMomentDegree + 1u) * (kMomentDegree + 2u) / 2u; }
-bool is_logarithm(uint k) { return k == 0u || k == moment_count(); }
-
 vec3 stored(sampler2D table, uint k, uint column, uint row) {
   return texelFetch(table, ivec2(k * kMomentColumns + column, row), 0).rgb;
 }
 
-// M_lm, or the irradiance, from the logarithm or the ratio that stands for it.
-vec3 opened(uint k, vec3 value, vec3 isotropic) { return k == moment_count() ? exp(value) : k == 0u ? isotropic : value * isotropic; }
-
+// M_lm, or the irradiance.
 vec3 value_in(sampler2D table, uint k, uint column, uint row) {
-  return opened(k, stored(table, k, column, row), exp(stored(table, 0u, column, row)));
+  return moment_of_code(k, stored(table, k, column, row), exp(stored(table, 0u, column, row)));
 }
 
-// Of the first order and what one order makes of the field, what the field has not.
+// What the field lacks of the first order and one order of itself.
 vec3 missing_where_gathered(uint k, uint column, uint row) {
   return value_in(first_order, k, column, row) + value_in(gathered, k, column, row) - value_in(field, k, column, row);
 }
 
-// Between suns that were gathered the share of the field that it lacks goes evenly.
+// The same at every sun: the share of the field that it lacks is interpolated between the suns that were gathered.
 vec3 missing_at(uint k, uint column, uint row) {
   if (start != 0u) {
     return value_in(first_order, k, column, row);
@@ -57,20 +52,20 @@ vec3 missing_at(uint k, uint column, uint row) {
 
 vec3 field_at(uint k, uint column, uint row) { return start != 0u ? vec3(0.0) : value_in(field, k, column, row); }
 
-// Of a correction, so much that what it corrects stays within a factor of four of itself.
+// The share of a correction that leaves what it corrects within a factor of four of itself.
 vec3 held(vec3 value, vec3 change) {
   vec3 most = start != 0u ? vec3(1e30) : 3.0 * value;
   vec3 least = 0.75 * value;
   vec3 up = most / max(change, vec3(1e-30));
   vec3 down = least / max(-change, vec3(1e-30));
-  return min(vec3(1.0), vec3(change.x > 0.0 ? up.x : down.x, change.y > 0.0 ? up.y : down.y, change.z > 0.0 ? up.z : down.z));
+  return min(vec3(1.0), mix(down, up, greaterThan(change, vec3(0.0))));
 }
 
 void main() {
   uint column = gl_WorkGroupID.y;
   uint row = gl_LocalInvocationID.x;
   uint harmonics = kLevelDegree + 1u;
-  uint level_moments = harmonics * (harmonics + 1u) / 2u;
+  uint level_moments = moment_place(harmonics, 0u);
   bool here = row < kMomentRows;
   if (here) {
     for (uint k = 0u; k < level_moments; k++) {
@@ -91,11 +86,11 @@ void main() {
   uint at = row;
   for (uint m = 0u; m < harmonics; m++) {
     for (uint from = m; from < harmonics; from++) {
-      uint given = (from * (from + 1u) / 2u + m) * kMomentRows;
+      uint given = moment_place(from, m) * kMomentRows;
       for (uint j = 0u; j < kMomentRows; j++) {
         vec3 light = missing[given + j];
         for (uint to = m; to < harmonics; to++) {
-          more[to * (to + 1u) / 2u + m] += level.values[at] * light;
+          more[moment_place(to, m)] += level.values[at] * light;
           at += kMomentRows;
         }
       }
@@ -103,7 +98,7 @@ void main() {
     if (m == 0u) {
       vec3 light = missing[level_moments * kMomentRows];
       for (uint to = 0u; to < harmonics; to++) {
-        more[to * (to + 1u) / 2u] += level.values[at] * light;
+        more[moment_place(to, 0u)] += level.values[at] * light;
         at += kMomentRows;
       }
     }
@@ -115,7 +110,8 @@ void main() {
   for (uint k = 0u; k < moment_count(); k++) {
     change = missing_at(k, column, row) + (k < level_moments ? more[min(k, kMostLevelMoments - 1u)] : vec3(0.0));
     vec3 value = field_at(k, column, row) + part * change;
-    imageStore(field_out, ivec2(k * kMomentColumns + column, row), vec4(k == 0u ? log(isotropic) : value / isotropic, 1.0));
+    vec3 code = moment_code(k, k == 0u ? isotropic : value, isotropic);
+    imageStore(field_out, ivec2(k * kMomentColumns + column, row), vec4(code, 1.0));
   }
   uint k = moment_count();
   change = missing_at(k, column, row);
@@ -123,12 +119,12 @@ void main() {
     uint last = at - row;
     for (uint j = 0u; j < harmonics; j++) {
       for (uint i = 0u; i < kMomentRows; i++) {
-        change += level.values[last + j * kMomentRows + i] * missing[j * (j + 1u) / 2u * kMomentRows + i];
+        change += level.values[last + j * kMomentRows + i] * missing[moment_place(j, 0u) * kMomentRows + i];
       }
     }
     change += level.values[last + harmonics * kMomentRows] * missing[level_moments * kMomentRows];
   }
   vec3 irradiance = field_at(k, column, row);
   vec3 value = irradiance + held(irradiance, change) * change;
-  imageStore(field_out, ivec2(k * kMomentColumns + column, row), vec4(log(max(value, vec3(1e-30))), 1.0));
+  imageStore(field_out, ivec2(k * kMomentColumns + column, row), vec4(moment_code(k, value, isotropic), 1.0));
 }

@@ -12,16 +12,13 @@ layout(set = 0, binding = 7) uniform sampler2D order_before;
 layout(set = 0, binding = 4, rgba32f) uniform writeonly image2D moments_out;
 layout(scalar, set = 0, binding = 6) readonly buffer Sums { vec4 values[]; } sums;
 
-uint moment_count() { return (kMomentDegree + 1u) * (kMomentDegree + 2u) / 2u; }
-
 vec3 with_tail(uint k, uvec2 node, uint stride) {
   uint block = k == moment_count() ? moment_count() : 0u;
   ivec2 at = ivec2(block * kMomentColumns + node.x, node.y);
   vec3 last = exp(texelFetch(last_order, at, 0).rgb);
   vec3 factor = tail_factor(last, exp(texelFetch(order_before, at, 0).rgb), kShellRows > 0u ? 0.99 : 0.9);
   vec3 mine = texelFetch(last_order, ivec2(k * kMomentColumns + node.x, node.y), 0).rgb;
-  vec3 order = k == 0u || k == moment_count() ? exp(mine) : mine * last;
-  return sums.values[node.y * stride + k * kMomentColumns + node.x].rgb + order * factor;
+  return sums.values[node.y * stride + k * kMomentColumns + node.x].rgb + moment_of_code(k, mine, last) * factor;
 }
 
 void main() {
@@ -33,7 +30,6 @@ void main() {
   uint k = texel.x / kMomentColumns;
   uvec2 node = uvec2(texel.x % kMomentColumns, texel.y);
   vec3 value = with_tail(k, node, stride);
-  bool logarithm = k == 0u || k == moment_count();
-  vec3 stored = logarithm ? log(max(value, vec3(1e-30))) : value / max(with_tail(0u, node, stride), vec3(1e-30));
-  imageStore(moments_out, ivec2(texel), vec4(stored, 1.0));
+  vec3 isotropic = max(with_tail(0u, node, stride), vec3(1e-30));
+  imageStore(moments_out, ivec2(texel), vec4(moment_code(k, value, isotropic), 1.0));
 }

@@ -1,15 +1,12 @@
 // Multiple scattering as a few spherical-harmonic moments of the radiance at each (altitude, sun elevation). The field
 // in a spherical shell under a collimated sun is mirror-symmetric about the plane of the local vertical and the sun,
 // so cosine harmonics suffice: M_lm = integral of L Y_lm, m >= 0, in the frame (up, sun's azimuth), orthonormal.
-// Stored: log M_00 and the ratios M_lm / M_00, which interpolate well over the many decades of a twilight.
+// The logarithm and the ratios that are stored (moment_places.glsl) interpolate well over the many decades of a twilight.
 // The includer defines:
-//   uint moment_degree();  the highest l kept, 0 to 8
 //   uint source_degree();  the highest l of what is scattered again, at most as high
 //   bool delta_scaled();   whether forward peaks are taken as unscattered light [W76]
 //   uint shell_rows(), real shell_altitude(uint k);  rows at listed altitudes (shells.glsl); 0 rows: altitude = top y^2
-//   vec3 fetch_moment(uint k, real x, real y);  k = l(l+1)/2 + m; k = moment_count() is log of the ground's irradiance
-
-uint moment_count() { return (moment_degree() + 1u) * (moment_degree() + 2u) / 2u; }
+//   vec3 fetch_moment(uint k, real x, real y);  what is stored at k
 
 // Where (h, mu_sun) stands in the table, unit range: h = top y^2, sun elevation = scale sinh(v), v linear in x. With rows
 // at listed altitudes y is shell_coordinate()'s.
@@ -169,7 +166,7 @@ DiffuseAir diffuse_air_over(real h, real rise, Phases p) {
 // here and media above are gone through by calls: one run of spirv-opt writes out no loop in a loop.
 vec3 with_degree(vec3 sum, uint l, MomentCoordinate c, DiffuseAir air, Harmonics y) {
   if (l <= source_degree()) {
-    uint k = l * (l + 1u) / 2u;
+    uint k = moment_place(l, 0u);
     vec3 part = fetch_moment(k, c.x, c.y) * y.of[k];
     UNROLL for (uint m = 1u; m <= l; m++) {
       part = part + fetch_moment(k + m, c.x, c.y) * y.of[k + m];

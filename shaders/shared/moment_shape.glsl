@@ -1,4 +1,4 @@
-// Shape of the table of moments: blocks of kMomentColumns side by side, one a moment, the last the irradiance.
+// Shape of the table of moments: blocks of kMomentColumns side by side.
 layout(constant_id = 11) const uint kMomentDegree = 2u;
 layout(constant_id = 12) const uint kDeltaScaled = 0u;
 layout(constant_id = 13) const uint kMomentColumns = 48u;
@@ -11,3 +11,5 @@ uint moment_degree() { return kMomentDegree; }
 uint source_degree() { return min(kSourceDegree, kMomentDegree); }
 bool delta_scaled() { return kDeltaScaled != 0u; }
 uint shell_rows() { return kShellRows; }
+
+#include "physics/moment_places.glsl"

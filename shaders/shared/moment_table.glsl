@@ -7,11 +7,11 @@ layout(set = 0, binding = 3) uniform sampler2D moment_ratios_lut;
 #endif
 
 vec3 fetch_moment(uint k, float x, float y) {
-  uint blocks = (kMomentDegree + 1u) * (kMomentDegree + 2u) / 2u + 1u;
+  uint blocks = moment_count() + 1u;
   float u = (float(k * kMomentColumns) + 0.5 + x * float(kMomentColumns - 1u)) / float(blocks * kMomentColumns);
   vec2 at = vec2(u, texel_from_unit(y, float(kMomentRows)));
 #ifdef AIRLIGHT_HALF_RATIOS
-  if (k > 0u && k + 1u < blocks) {
+  if (!is_logarithm(k)) {
     return textureLod(moment_ratios_lut, at, 0.0).rgb;
   }
 #endif

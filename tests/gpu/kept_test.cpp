@@ -149,6 +149,35 @@ TEST(Kept, CarriedIsMadeAnew) {
   EXPECT_EQ(values_of<std::uint32_t>(executor.run(reader).contents(copy)), std::vector<std::uint32_t>(8, 42));
 }
 
+// Contents that take long to find are asked for when a pass that reads them runs, and at no other time.
+TEST(Kept, ContentsAreFoundWhenTheyAreNeeded) {
+  Executor executor({}, test_shaders());
+  int asked = 0;
+  const auto plan_of = [&](const std::string& key, std::size_t count) {
+    Plan plan;
+    const BufferId found = plan.add_buffer({.name = "found", .bytes = 32, .contents_when_run = [&asked, count] {
+                                              ++asked;
+                                              return bytes_of(std::vector<std::uint32_t>(count, 7));
+                                            }});
+    const BufferId copy = plan.add_buffer({.name = "copy", .bytes = 32, .host_readable = true, .key = key});
+    plan.add_pass(
+        {.shader = "copy_numbers", .reads = {{"source", found}}, .writes = {{"target", copy}}, .grid = {8, 1}});
+    return std::pair(plan, copy);
+  };
+  const auto [plan, copy] = plan_of("sevens", 8);
+  check(plan);
+  EXPECT_EQ(asked, 0);
+  const std::vector<std::uint32_t> sevens(8, 7);
+  EXPECT_EQ(values_of<std::uint32_t>(executor.run(plan).contents(copy)), sevens);
+  EXPECT_EQ(asked, 1);
+  EXPECT_EQ(values_of<std::uint32_t>(executor.run(plan).contents(copy)), sevens);
+  EXPECT_EQ(asked, 1) << "what is made of them is kept";
+  const Plan wrong = plan_of("", 7).first;
+  EXPECT_EQ(message_of<std::logic_error>([&] { executor.run(wrong); }),
+            "buffer found has 28 bytes of contents and is 32 long");
+  EXPECT_EQ(run_kept(executor, "", 5).numbers, std::vector<std::uint32_t>(8, 5));
+}
+
 TEST(Kept, AFailedPlanLeavesNothingThatLooksMade) {
   Executor executor({}, test_shaders());
   Plan plan;

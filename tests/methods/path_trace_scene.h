@@ -3,12 +3,14 @@
 
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <numbers>
 #include <string_view>
 #include <vector>
 
 #include "core/methods/method.h"
 #include "core/methods/scene_air.h"
+#include "core/physics/gauss.h"
 #include "core/scene/scene.h"
 
 namespace airlight {
@@ -91,6 +93,24 @@ inline HostPicture trace(const Scene& scene, const View& view = {}, const HostOp
 
 inline HostPicture trace(const Scene& scene, const std::vector<Direction>& directions) {
   return trace(scene, View{directions}, {});
+}
+
+// Integral by halving until nothing changes; corners of the integrand fall between ever smaller panels.
+inline double integrate(const std::function<double(double)>& f, double a, double b, int levels = 40) {
+  static const GaussRule rule = gauss_legendre(10);
+  const auto panel = [&](double from, double to) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
+      sum += rule.weights[k] * f(from + (to - from) * rule.nodes[k]);
+    }
+    return sum * (to - from);
+  };
+  const double middle = 0.5 * (a + b);
+  const double both = panel(a, middle) + panel(middle, b);
+  if (levels == 0 || std::abs(both - panel(a, b)) <= 1e-10 * (1.0 + std::abs(both))) {
+    return both;
+  }
+  return integrate(f, a, middle, levels - 1) + integrate(f, middle, b, levels - 1);
 }
 
 }  // namespace airlight

@@ -1,5 +1,6 @@
 #include "slab.h"
 
+#include <Eigen/LU>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -9,65 +10,30 @@
 namespace airlight {
 namespace {
 
-// A small square matrix.
-struct Matrix {
-  explicit Matrix(std::size_t size) : n(size), values(size * size) {}
-  double& operator()(std::size_t i, std::size_t j) { return values[i * n + j]; }
-  double operator()(std::size_t i, std::size_t j) const { return values[i * n + j]; }
-  std::size_t n;
-  std::vector<double> values;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// What a level layer reflects and lets through of the radiance at the nodes, in one mode of azimuth.
+struct Layer {
+  MatrixXd reflect;
+  MatrixXd transmit;
 };
 
-Matrix product(const Matrix& a, const Matrix& b) {
-  Matrix c(a.n);
-  for (std::size_t i = 0; i < a.n; ++i) {
-    for (std::size_t k = 0; k < a.n; ++k) {
-      for (std::size_t j = 0; j < a.n; ++j) {
-        c(i, j) += a(i, k) * b(k, j);
-      }
-    }
-  }
-  return c;
+// (1 - a)^-1 b: all bounces between two layers.
+MatrixXd bounced(const MatrixXd& a, const MatrixXd& b) {
+  return (MatrixXd::Identity(a.rows(), a.cols()) - a).partialPivLu().solve(b);
 }
 
-Matrix sum(Matrix a, const Matrix& b) {
-  for (std::size_t k = 0; k < a.values.size(); ++k) {
-    a.values[k] += b.values[k];
-  }
-  return a;
+// A layer above another, of which only what leaves at its own top and what arrives below both is kept.
+Layer over(const Layer& upper, const Layer& lower) {
+  const MatrixXd arrives = bounced(upper.reflect * lower.reflect, upper.transmit);
+  return {upper.reflect + upper.transmit * lower.reflect * arrives, lower.transmit * arrives};
 }
 
-// (1 - a)^-1 b by Gauss's elimination; the diagonal dominates.
-Matrix bounced(const Matrix& a, Matrix b) {
-  Matrix m(a.n);
-  for (std::size_t i = 0; i < a.n; ++i) {
-    for (std::size_t j = 0; j < a.n; ++j) {
-      m(i, j) = (i == j ? 1.0 : 0.0) - a(i, j);
-    }
-  }
-  for (std::size_t k = 0; k < a.n; ++k) {
-    for (std::size_t i = 0; i < a.n; ++i) {
-      if (i == k) {
-        continue;
-      }
-      const double factor = m(i, k) / m(k, k);
-      for (std::size_t j = 0; j < a.n; ++j) {
-        m(i, j) -= factor * m(k, j);
-        b(i, j) -= factor * b(k, j);
-      }
-    }
-  }
-  for (std::size_t i = 0; i < a.n; ++i) {
-    for (std::size_t j = 0; j < a.n; ++j) {
-      b(i, j) /= m(i, i);
-    }
-  }
-  return b;
-}
-
-// sqrt((l-m)!/(l+m)!) P_l^m(x) for l = 0 .. count-1, by recurrence in l.
-std::vector<double> legendre(int m, int count, double x) {
-  std::vector<double> y(static_cast<std::size_t>(count));
+// sqrt((l-m)!/(l+m)!) P_l^m(x) for l = m .. count-1, by recurrence in l.
+VectorXd legendre(int m, int count, double x) {
+  VectorXd y(count - m);
   double diagonal = 1.0;
   for (int k = 1; k <= m; ++k) {
     diagonal *= std::sqrt((2.0 * k - 1.0) / (2.0 * k)) * std::sqrt(1.0 - x * x);
@@ -75,13 +41,34 @@ std::vector<double> legendre(int m, int count, double x) {
   double before = 0.0;
   double value = diagonal;
   for (int l = m; l < count; ++l) {
-    y[static_cast<std::size_t>(l)] = value;
+    y[l - m] = value;
     const double a = std::sqrt((l + 1.0) * (l + 1.0) - m * m);
     const double next = ((2.0 * l + 1.0) * x * value - std::sqrt(1.0 * l * l - 1.0 * m * m) * before) / a;
     before = value;
     value = next;
   }
   return y;
+}
+
+// So thin that it scatters no light twice.
+Layer thin_layer(const SlabCase& slab, const VectorXd& nodes, const VectorXd& weights, int m, double depth) {
+  const int count = static_cast<int>(slab.moments.size());
+  MatrixXd y(count - m, nodes.size());
+  for (Index i = 0; i < nodes.size(); ++i) {
+    y.col(i) = legendre(m, count, nodes[i]);
+  }
+  VectorXd forward(count - m);
+  VectorXd back(count - m);
+  for (int l = m; l < count; ++l) {
+    forward[l - m] = (2.0 * l + 1.0) * slab.moments[static_cast<std::size_t>(l)];
+    back[l - m] = (l + m) % 2 == 0 ? forward[l - m] : -forward[l - m];
+  }
+  const VectorXd way = depth * nodes.cwiseInverse();
+  const MatrixXd scattered = 0.5 * slab.single_scattering_albedo * way * weights.transpose();
+  Layer layer{scattered.cwiseProduct(y.transpose() * back.asDiagonal() * y),
+              scattered.cwiseProduct(y.transpose() * forward.asDiagonal() * y)};
+  layer.transmit.diagonal() += VectorXd::Ones(way.size()) - way;
+  return layer;
 }
 
 }  // namespace
@@ -99,62 +86,29 @@ std::vector<double> henyey_greenstein_moments(double g, int count) {
 }
 
 Slab::Slab(const SlabCase& slab, int nodes_per_hemisphere, int sun) {
-  const GaussRule rule = gauss_legendre(nodes_per_hemisphere);
-  nodes_ = rule.nodes;
-  weights_ = rule.weights;
-  const std::size_t n = nodes_.size();
-  const int count = static_cast<int>(slab.moments.size());
+  GaussRule rule = gauss_legendre(nodes_per_hemisphere);
+  nodes_ = std::move(rule.nodes);
+  weights_ = std::move(rule.weights);
+  const auto n = static_cast<Index>(nodes_.size());
+  const VectorXd nodes = Eigen::Map<VectorXd>(nodes_.data(), n);
+  const VectorXd weights = Eigen::Map<VectorXd>(weights_.data(), n);
   constexpr int kDoublings = 32;
-  const double thin = std::ldexp(slab.optical_depth, -kDoublings);
-  for (int m = 0; m < count; ++m) {
-    Matrix reflect(n);
-    Matrix transmit(n);
-    std::vector<std::vector<double>> y;
-    for (const double mu : nodes_) {
-      y.push_back(legendre(m, count, mu));
-    }
-    for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t j = 0; j < n; ++j) {
-        double forward = 0.0;
-        double back = 0.0;
-        for (int l = m; l < count; ++l) {
-          const auto k = static_cast<std::size_t>(l);
-          const double term = (2.0 * l + 1.0) * slab.moments[k] * y[i][k] * y[j][k];
-          forward += term;
-          back += (l + m) % 2 == 0 ? term : -term;
-        }
-        const double scale = 0.5 * slab.single_scattering_albedo * weights_[j] * thin / nodes_[i];
-        reflect(i, j) = scale * back;
-        transmit(i, j) = scale * forward + (i == j ? 1.0 - thin / nodes_[i] : 0.0);
-      }
-    }
+  for (int m = 0; m < static_cast<int>(slab.moments.size()); ++m) {
+    Layer layer = thin_layer(slab, nodes, weights, m, std::ldexp(slab.optical_depth, -kDoublings));
     for (int k = 0; k < kDoublings; ++k) {
-      const Matrix between = bounced(product(reflect, reflect), transmit);
-      reflect = sum(reflect, product(transmit, product(reflect, between)));
-      transmit = product(transmit, between);
+      layer = over(layer, layer);
     }
     if (m == 0 && slab.ground_albedo > 0.0) {
-      Matrix ground(n);
-      for (std::size_t i = 0; i < n; ++i) {
-        for (std::size_t j = 0; j < n; ++j) {
-          ground(i, j) = 2.0 * slab.ground_albedo * nodes_[j] * weights_[j];
-        }
-      }
-      const Matrix arrives = bounced(product(reflect, ground), transmit);
-      reflect = sum(reflect, product(transmit, product(ground, arrives)));
-      transmit = arrives;
+      const VectorXd cosines = 2.0 * slab.ground_albedo * nodes.cwiseProduct(weights);
+      layer = over(layer, {VectorXd::Ones(n) * cosines.transpose(), MatrixXd::Identity(n, n)});
     }
     // A beam of irradiance 1 is a radiance of (2 - delta_m0) / (2 pi w) in its node.
-    const auto s = static_cast<std::size_t>(sun);
-    const double beam = (m == 0 ? 1.0 : 2.0) / (2.0 * std::numbers::pi * weights_[s]);
-    std::vector<double> up(n);
-    std::vector<double> down(n);
-    for (std::size_t i = 0; i < n; ++i) {
-      up[i] = reflect(i, s) * beam;
-      down[i] = (transmit(i, s) - (i == s ? std::exp(-slab.optical_depth / nodes_[s]) : 0.0)) * beam;
-    }
-    reflected_.push_back(std::move(up));
-    transmitted_.push_back(std::move(down));
+    const double beam = (m == 0 ? 1.0 : 2.0) / (2.0 * std::numbers::pi * weights[sun]);
+    VectorXd up = layer.reflect.col(sun) * beam;
+    VectorXd down = layer.transmit.col(sun) * beam;
+    down[sun] -= std::exp(-slab.optical_depth / nodes[sun]) * beam;
+    reflected_.emplace_back(up.begin(), up.end());
+    transmitted_.emplace_back(down.begin(), down.end());
   }
 }
 

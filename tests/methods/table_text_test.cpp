@@ -13,7 +13,7 @@
 #include <set>
 
 #include "core/methods/march_passes.h"
-#include "core/output/exr.h"
+#include "core/output/table_exr.h"
 #include "tests/methods/render_fixture.h"
 #include "tests/methods/table_program.h"
 #include "tests/physics/host_tables.h"

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/output/table_exr.h"
 #include "tests/output/files.h"
 
 namespace airlight {

@@ -143,8 +143,4 @@ inline Scene rescaled(Scene scene, double k) {
   return scene;
 }
 
-inline double channel(const physics::vec3& v, std::size_t c) {
-  return c == 0 ? v.x : c == 1 ? v.y : v.z;
-}
-
 }  // namespace airlight::test

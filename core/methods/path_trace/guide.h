@@ -11,6 +11,10 @@ namespace airlight {
 
 using Channels = std::array<double, 3>;
 
+inline Channels channels_of(const physics::vec3& v) {
+  return {v.x, v.y, v.z};
+}
+
 // A layer of the air as the guide sees it.
 struct GuideShell {
   double altitude;     // km

@@ -7,14 +7,12 @@
 
 #include "core/methods/path_trace/flight.h"
 #include "core/methods/path_trace/phase_sampling.h"
-#include "core/methods/path_trace/random.h"
 #include "core/methods/path_trace/single_scattering.h"
 #include "core/methods/path_trace/sky_guide.h"
+#include "core/methods/path_trace/walk_numbers.h"
 #include "core/methods/path_trace/wavelengths.h"
 
 namespace airlight {
-
-inline constexpr int kBatch = 16;  // samples that share one even spread
 
 // A camera ray, ready to be walked from many times.
 struct WalkStart {
@@ -23,20 +21,6 @@ struct WalkStart {
   physics::Physics::Ray ray;
   FlightPlan plan;
   double pixel = 0.0;  // angle that the ray stands for
-};
-
-// The first numbers of a walk, spread evenly over a batch of samples; the rest come from the sample's own stream.
-class WalkNumbers {
- public:
-  WalkNumbers(std::uint64_t seed, std::uint64_t pixel, std::uint64_t batch, int index);
-  double next();
-  Random& random() { return random_; }
-
- private:
-  Random shifts_;  // the batch's, equal for each of its samples
-  Random random_;
-  int index_;
-  int dimension_ = 0;
 };
 
 class Walk {

@@ -1,0 +1,16 @@
+// Where the moments M_lm of a table stand, block by block, and what is stored of them: log M_00, the ratios M_lm / M_00,
+// and in the last block the logarithm of the ground's irradiance.
+// The includer defines:
+//   uint moment_degree();  the highest l kept, 0 to 8
+
+uint moment_place(uint l, uint m) { return l * (l + 1u) / 2u + m; }
+
+uint moment_count() { return moment_place(moment_degree() + 1u, 0u); }
+
+bool is_logarithm(uint k) { return k == 0u || k == moment_count(); }
+
+vec3 moment_code(uint k, vec3 value, vec3 isotropic) {
+  return is_logarithm(k) ? log(max(value, vec3(1e-30))) : value / isotropic;
+}
+
+vec3 moment_of_code(uint k, vec3 code, vec3 isotropic) { return is_logarithm(k) ? exp(code) : code * isotropic; }
