@@ -52,9 +52,9 @@ const std::array<ParameterInfo, 12> kParameters{
     parameter::choice("degree", kDegrees, "auto",
                       "highest spherical harmonic kept; auto: 2, or where forward-peaked media are thick 5, in hazy "
                       "air and by shells 8"),
-    parameter::whole_number(
-        "orders", 0, 64, 0,
-        "orders of scattering computed one by one before a geometric tail, at least 2; 0: as many as the air needs"),
+    parameter::whole_number("orders", 0, 64, 0,
+                            "orders of scattering computed one by one before a geometric tail, at least 2; 0: as many "
+                            "as the air needs, by shells all at once"),
     parameter::table_size(
         "sky_lut", 8, 2048, TableSize{24, 48},
         "table of the picture's light, azimuths x rows above level; limb and ground get 3/4 and 1/2 as many; from "

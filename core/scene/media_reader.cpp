@@ -132,10 +132,8 @@ std::vector<Medium> read_media(const Section& root, const Planet& planet, CurveR
                         "has it, e.g. \"extends\": \"earth\"");
     return {};
   }
-  const auto* array = std::get_if<PresetArray>(&value->data);
-  const Rule& rule = root.rule("media");
-  if (array == nullptr || !rule.range.contains(static_cast<double>(array->size()))) {
-    root.complain("media", *value, quoted(*value) + " is no list of media; expected " + expectation(rule));
+  const PresetArray* array = root.list("media", *value, "media");
+  if (array == nullptr) {
     return {};
   }
   std::vector<Medium> media;

@@ -219,6 +219,16 @@ Spectrum Section::spectrum(std::string_view key) const {
   return result;
 }
 
+const PresetArray* Section::list(std::string_view key, const PresetValue& value, std::string_view things) const {
+  const auto* array = std::get_if<PresetArray>(&value.data);
+  if (array != nullptr && rule(key).range.contains(static_cast<double>(array->size()))) {
+    return array;
+  }
+  complain(key, value,
+           quoted(value) + " is no list of " + std::string(things) + "; expected " + expectation(rule(key)));
+  return nullptr;
+}
+
 std::optional<std::size_t> Section::choice(std::string_view key) const {
   const std::span<const std::string_view> choices = rule(key).choices;
   const auto fallback = static_cast<std::size_t>(std::ranges::find(choices, rule(key).default_text) - choices.begin());

@@ -36,6 +36,8 @@ class Section {
   bool boolean(std::string_view key) const;
   std::string text(std::string_view key) const;
   Spectrum spectrum(std::string_view key) const;
+  // The array `key`; null, and reported, where it is none or its length is outside its rule. `things`: its elements.
+  const PresetArray* list(std::string_view key, const PresetValue& value, std::string_view things) const;
   // The index of the choice in the rule's list; nothing when it is required and missing, or unknown.
   std::optional<std::size_t> choice(std::string_view key) const;
 

@@ -59,10 +59,8 @@ std::vector<Sphere> read_spheres(const Section& root, CurveReader& curves, std::
   if (value == nullptr) {
     return {};
   }
-  const auto* array = std::get_if<PresetArray>(&value->data);
-  const Rule& rule = section.rule("spheres");
-  if (array == nullptr || !rule.range.contains(static_cast<double>(array->size()))) {
-    section.complain("spheres", *value, quoted(*value) + " is no list of spheres; expected " + expectation(rule));
+  const PresetArray* array = section.list("spheres", *value, "spheres");
+  if (array == nullptr) {
     return {};
   }
   std::vector<Sphere> spheres;
