@@ -54,16 +54,15 @@ Shot shoot(const DeviceOnDemand& device, const Scene& scene, const std::vector<D
   Plan plan;
   const Air air = air_of(scene);
   plan.scene_data = device_scene_bytes(air, scene);
-  const View view{options.as_picture ? std::span<const Direction>() : std::span(directions)};
+  const View view{directions, options.as_picture};
   const SkyPasses sky = find_method(scene.render.method)->add_passes(plan, scene, air, view);
   const std::vector<Readback> readbacks = options.tables ? read_tables(plan) : std::vector<Readback>();
   const RunResult result = device().run(plan);
   const std::vector<float> rgba = floats_of(result.contents(sky.radiance));
-  const std::size_t stride = options.as_picture ? 1 : 2;
   for (std::size_t i = 0; i < directions.size(); ++i) {
-    shot.radiance.push_back(vector_at(rgba, stride * i));
+    shot.radiance.push_back(vector_at(rgba, 2 * i));
     if (!options.as_picture) {
-      shot.transmittance.push_back(vector_at(rgba, stride * i + 1));
+      shot.transmittance.push_back(vector_at(rgba, 2 * i + 1));
     }
   }
   for (const Readback& readback : readbacks) {
