@@ -52,6 +52,8 @@ Device::Device(const Instance& instance, std::string_view name_substring) {
   VkPhysicalDeviceVulkan12Features features{};
   features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
   features.scalarBlockLayout = VK_TRUE;
+  VkPhysicalDeviceFeatures plain{};
+  plain.shaderStorageImageWriteWithoutFormat = VK_TRUE;  // images of halves, which some devices keep as floats
   const VkDeviceCreateInfo info{.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
                                 .pNext = &features,
                                 .flags = 0,
@@ -61,7 +63,7 @@ Device::Device(const Instance& instance, std::string_view name_substring) {
                                 .ppEnabledLayerNames = nullptr,
                                 .enabledExtensionCount = 0,
                                 .ppEnabledExtensionNames = nullptr,
-                                .pEnabledFeatures = nullptr};
+                                .pEnabledFeatures = &plain};
   check(vkCreateDevice(physical.handle, &info, nullptr, &device_), "open the device " + info_.name);
   vkGetDeviceQueue(device_, queue_family_, 0, &queue_);
   read_limits(physical.handle);

@@ -25,6 +25,8 @@ std::string describe_shape(const ImageDesc& desc) {
 }
 
 Image::Image(const Device& device, const ImageDesc& desc) : extent_(desc.extent) {
+  const bool half = desc.half && !device.info().is_cpu;
+  const VkFormat format = half ? VK_FORMAT_R16G16B16A16_SFLOAT : VK_FORMAT_R32G32B32A32_SFLOAT;
   const std::string what = "image " + desc.name + ", " + describe_shape(desc);
   check_sides(device, desc, what);
   device.check_size(desc.bytes(), what);
@@ -34,7 +36,7 @@ Image::Image(const Device& device, const ImageDesc& desc) : extent_(desc.extent)
       .pNext = nullptr,
       .flags = 0,
       .imageType = is_3d ? VK_IMAGE_TYPE_3D : VK_IMAGE_TYPE_2D,
-      .format = desc.half ? VK_FORMAT_R16G16B16A16_SFLOAT : VK_FORMAT_R32G32B32A32_SFLOAT,
+      .format = format,
       .extent = {desc.extent.width, desc.extent.height, desc.extent.depth},
       .mipLevels = 1,
       .arrayLayers = 1,

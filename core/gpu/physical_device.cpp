@@ -85,6 +85,9 @@ PhysicalDevice inspect(VkPhysicalDevice handle) {
   features.pNext = &features12;
   vkGetPhysicalDeviceFeatures2(handle, &features);
   if (features12.scalarBlockLayout != VK_TRUE) missing.emplace_back("scalarBlockLayout");
+  if (features.features.shaderStorageImageWriteWithoutFormat != VK_TRUE) {
+    missing.emplace_back("shaderStorageImageWriteWithoutFormat");
+  }
 
   const QueueChoice queue = choose_queue(handle);
   device.queue_family = queue.family;
@@ -94,6 +97,7 @@ PhysicalDevice inspect(VkPhysicalDevice handle) {
     missing.emplace_back("timestamps on a compute queue");
   }
   require_format(handle, VK_FORMAT_R32G32B32A32_SFLOAT, "rgba32f", missing);
+  require_format(handle, VK_FORMAT_R16G16B16A16_SFLOAT, "rgba16f", missing);
   return device;
 }
 

@@ -25,9 +25,9 @@ void describe_image(const SpirvModule& module, const SpirvDefinition& type, Shad
   binding.is_3d = dimension == spv::Dim3D;
   if (type.operands[3] != 0) module.refuse(binding.name + " is an array of layers");
   if (binding.kind != BindingKind::storage_image) return;
-  binding.is_half = type.operands[6] == spv::ImageFormatRgba16f;
+  binding.is_half = type.operands[6] == spv::ImageFormatUnknown;
   if (!binding.is_half && type.operands[6] != spv::ImageFormatRgba32f)
-    module.refuse(binding.name + " is declared neither rgba32f nor rgba16f");
+    module.refuse(binding.name + " is declared neither rgba32f nor, for 16 bits a channel, without a format");
 }
 
 void describe_block(const SpirvModule& module, const Pointee& block, bool is_storage, ShaderBinding& binding) {

@@ -22,7 +22,7 @@ struct ShaderBinding {
   BindingKind kind = BindingKind::storage_buffer;
   std::uint32_t binding = 0;
   bool is_3d = false;           // images
-  bool is_half = false;         // storage images: of 16 bits a channel
+  bool is_half = false;         // storage images without a format, for those of 16 bits a channel
   bool writable = false;        // storage images and buffers not declared readonly
   std::size_t block_bytes = 0;  // uniform block; storage buffer without its unsized array
 };

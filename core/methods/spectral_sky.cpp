@@ -8,6 +8,7 @@
 #include "core/methods/method.h"
 #include "core/methods/sampled_sky.h"
 #include "core/methods/scene_air.h"
+#include "core/spectra/reflectance.h"
 
 namespace airlight {
 namespace {
@@ -20,7 +21,9 @@ constexpr double kStiffness = 1e-4;
 constexpr std::array<int, 4> kAutomaticWavelengths{3, 6, 12, 24};
 constexpr double kEnough = 0.004;
 
-Scene group_scene(const Scene& scene, const Nodes& nodes, const std::array<std::size_t, 3>& at, double irradiance) {
+// `primaries`: the reflectances that the colours of maps are made of.
+Scene group_scene(const Scene& scene, const Nodes& nodes, const std::array<std::size_t, 3>& at,
+                  const std::array<Curve, 3>& primaries) {
   Scene group = scene;
   const SceneSpectra& spectra = *scene.spectra;
   for (std::size_t c = 0; c < 3; ++c) {
@@ -34,7 +37,13 @@ Scene group_scene(const Scene& scene, const Nodes& nodes, const std::array<std::
     for (std::size_t i = 0; i < group.spheres.size(); ++i) {
       group.spheres[i].albedo[c] = at_node(spectra.spheres[i], nodes, at[c]);
     }
-    group.sun.irradiance[c] = irradiance;
+    if (group.terrain) {
+      group.terrain->albedo[c] = at_node(spectra.terrain_albedo, nodes, at[c]);
+      for (std::size_t j = 0; j < 3 && !group.terrain->albedo_map.empty(); ++j) {
+        group.terrain->mix[c][j] = at_node(primaries[j], nodes, at[c]);
+      }
+    }
+    group.sun.irradiance[c] = spectra.irradiance;
   }
   group.spectra.reset();
   return group;
@@ -125,9 +134,12 @@ SpectralScene in_groups(const Scene& scene, SpectralScene made) {
     method->settle(render, scene, air_of(scene));
   }
   const std::size_t count = made.nodes.nm.size();
+  const bool has_map = scene.terrain && !scene.terrain->albedo_map.empty();
+  const auto primaries = has_map ? reflectances_of_primaries(scene.spectra->sun, scene.spectra->white)
+                                 : std::array<Curve, 3>();
   for (std::size_t first = 0; first < count; first += 3) {
     const std::array<std::size_t, 3> at{first, std::min(first + 1, count - 1), std::min(first + 2, count - 1)};
-    WavelengthGroup group{group_scene(scene, made.nodes, at, scene.spectra->irradiance), {}};
+    WavelengthGroup group{group_scene(scene, made.nodes, at, primaries), {}};
     group.scene.render = render;
     for (std::size_t c = 0; c < 3 && first + c < count; ++c) {
       group.colours[c] = made.matrix[first + c];

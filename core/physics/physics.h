@@ -35,9 +35,9 @@ struct HostTable {
 // Terrain as its buffers have it (core/terrain).
 struct HostTerrain {
   TerrainData shape;
-  std::vector<float> heights;  // km, row by row from the top, then the maxima of each level
-  std::vector<uint> colours;   // square roots of albedo, 10 bits a channel
-  std::vector<vec2> shadows;   // empty: no sun has been asked for
+  std::shared_ptr<const std::vector<float>> heights;  // km, row by row from the top, then the maxima of each level
+  std::vector<uint> colours;                          // square roots of albedo, 10 bits a channel
+  std::shared_ptr<const std::vector<vec2>> shadows;   // null: no sun has been asked for
 };
 
 // The ground's maps as their buffers have them (core/ground).
@@ -113,8 +113,8 @@ struct Physics {
 #include "shaders/physics/glare.glsl"
   const TerrainData& terrain_shape() const { return terrain_maps->shape; }
   uint terrain_level(uint level) const { return terrain_maps->shape.level_first[level]; }
-  real terrain_height(uint k) const { return static_cast<real>(terrain_maps->heights[k]); }
-  vec2 terrain_shadow(uint k) const { return terrain_maps->shadows[k]; }
+  real terrain_height(uint k) const { return static_cast<real>((*terrain_maps->heights)[k]); }
+  vec2 terrain_shadow(uint k) const { return (*terrain_maps->shadows)[k]; }
   vec3 terrain_colour(uint k) const {
     const uint bits = terrain_maps->colours[k];
     const vec3 root = vec3(bits & 1023U, (bits >> 10U) & 1023U, bits >> 20U) / 1023.0;
@@ -141,7 +141,7 @@ struct Physics {
   GroundTrack ray_track = {};  // of the ray at hand, whose air the terrain's shadow stands in
   real ray_start = 0.0;        // where the march begins along it
   real sun_share(const Ray& ray, real t, real width) {
-    const bool shadowed = terrain_maps != nullptr && !terrain_maps->shadows.empty();
+    const bool shadowed = terrain_maps != nullptr && terrain_maps->shadows != nullptr;
     return shadowed ? step_sunlit(scene.planet, ray_track, ray_start, ray, t, width) : 1.0;
   }
 #include "shaders/physics/medium.glsl"

@@ -1,5 +1,6 @@
 #include "core/plan/plan.h"
 
+#include <algorithm>
 #include <cassert>
 #include <utility>
 
@@ -41,6 +42,16 @@ ImageId Plan::add_image(ImageDesc desc) {
 BufferId Plan::add_buffer(BufferDesc desc) {
   desc.name += suffix_;
   desc.key += desc.key.empty() ? "" : suffix_;
+  buffers_.push_back(std::move(desc));
+  return {static_cast<std::uint32_t>(buffers_.size() - 1)};
+}
+
+BufferId Plan::add_shared_buffer(BufferDesc desc) {
+  const auto found = std::ranges::find(buffers_, desc.name, &BufferDesc::name);
+  if (found != buffers_.end()) {
+    assert(found->bytes == desc.bytes);
+    return {static_cast<std::uint32_t>(found - buffers_.begin())};
+  }
   buffers_.push_back(std::move(desc));
   return {static_cast<std::uint32_t>(buffers_.size() - 1)};
 }

@@ -26,7 +26,9 @@ struct ImageDesc {
   std::string name = {};
   Extent extent = {};
   std::string key = {};
-  bool half = false;    // 16 bits, which a GPU's samplers filter several times as fast; not for the host to read
+  // 16 bits, which a GPU's samplers filter several times as fast; a processor, which has to widen them, keeps 32. Not for
+  // the host to read.
+  bool half = false;
   bool stored = false;  // with a key that later starts of the program may ask for again: worth a file of the user's
   // Of a table that may be written to a file; empty: of no use outside the plan. A function, as most plans ask for
   // none.
@@ -112,6 +114,8 @@ class Plan {
 
   ImageId add_image(ImageDesc desc);
   BufferId add_buffer(BufferDesc desc);
+  // One buffer for all scenes of the plan: of a second of this name the first, which holds the same, is returned.
+  BufferId add_shared_buffer(BufferDesc desc);
   void add_pass(PassDesc desc);
   // Copies an image to a new host-readable buffer after the last pass, tightly packed, rows from the top.
   BufferId add_readback(ImageId image);

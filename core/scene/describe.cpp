@@ -122,7 +122,15 @@ void describe_medium(Lines& lines, const Medium& medium, const MediumSpectra* cu
   lines.line("density", density_text(medium.density)).line("phase", phase_text(medium, curves));
 }
 
-void describe_terrain(Lines& lines, const Terrain& terrain) {
+void describe_albedo(Lines& lines, const Spectrum& albedo, const Curve* curve) {
+  if (curve != nullptr) {
+    lines.line("albedo", curve_text(*curve));
+  } else {
+    lines.spectrum("albedo", albedo);
+  }
+}
+
+void describe_terrain(Lines& lines, const Terrain& terrain, const Curve* albedo) {
   lines.heading("terrain");
   if (terrain.ridge) {
     lines.line("ridge",
@@ -135,8 +143,8 @@ void describe_terrain(Lines& lines, const Terrain& terrain) {
   lines.number("width", terrain.width, "km")
       .angle("bearing", terrain.bearing)
       .number("distance", terrain.distance, "km")
-      .angle("turn", terrain.turn)
-      .spectrum("albedo", terrain.albedo);
+      .angle("turn", terrain.turn);
+  describe_albedo(lines, terrain.albedo, albedo);
   if (!terrain.albedo_map.empty()) {
     lines.line("albedo map", terrain.albedo_map);
   }
@@ -162,11 +170,7 @@ void describe_sphere(Lines& lines, const Sphere& sphere, const Curve* albedo) {
       .angle("elevation", sphere.elevation)
       .number("distance", sphere.distance * kMetres, "m")
       .number("radius", sphere.radius * kMetres, "m");
-  if (albedo != nullptr) {
-    lines.line("albedo", curve_text(*albedo));
-  } else {
-    lines.spectrum("albedo", sphere.albedo);
-  }
+  describe_albedo(lines, sphere.albedo, albedo);
   if (sphere.material == SphereMaterial::translucent) {
     lines.number("scatter strength", sphere.scatter_strength);
   }
@@ -215,7 +219,7 @@ std::string describe(const Scene& scene) {
     describe_ground(lines, *scene.ground, scene.camera);
   }
   if (scene.terrain) {
-    describe_terrain(lines, *scene.terrain);
+    describe_terrain(lines, *scene.terrain, scene.spectra ? &scene.spectra->terrain_albedo : nullptr);
   }
   for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
     describe_sphere(lines, scene.spheres[i], scene.spectra ? &scene.spectra->spheres[i] : nullptr);

@@ -32,15 +32,8 @@ void refuse_spheres_beside(const Section& root, const Scene& scene, std::span<co
   }
 }
 
-// What terrain does not go with: a method that knows none, curves over the wavelength.
-void refuse_terrain_beside(const Section& root, const Scene& scene, bool curves, std::span<const MethodInfo> methods) {
-  if (curves) {
-    const Section planet = root.child("planet");
-    planet.complain(
-        "terrain", *planet.find("terrain"),
-        "is lit in three channels alone, and this preset has curves over the wavelength; give media, ground "
-        "and sun by three channels, or remove the terrain");
-  }
+// What terrain does not go with: a method that knows none.
+void refuse_terrain_beside(const Section& root, const Scene& scene, std::span<const MethodInfo> methods) {
   if (const std::string names = who_knows(scene, &MethodInfo::knows_terrain, methods); !names.empty()) {
     const Section planet = root.child("planet");
     planet.complain("terrain", *planet.find("terrain"),
@@ -74,7 +67,7 @@ void refuse_ground_map_beside(const Section& root, const Scene& scene, bool curv
 
 void refuse_misfits(const Section& root, const Scene& scene, bool curves, std::span<const MethodInfo> methods) {
   if (scene.terrain) {
-    refuse_terrain_beside(root, scene, curves, methods);
+    refuse_terrain_beside(root, scene, methods);
   }
   if (scene.ground) {
     refuse_ground_map_beside(root, scene, curves, methods);

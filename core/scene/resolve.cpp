@@ -142,6 +142,9 @@ void fill_channels(Scene& scene) {
     for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
       scene.spheres[i].albedo[c] = at_node(spectra.spheres[i], nodes, k);
     }
+    if (scene.terrain) {
+      scene.terrain->albedo[c] = at_node(spectra.terrain_albedo, nodes, k);
+    }
     scene.sun.irradiance[c] *= sun[c];
   }
 }
@@ -155,7 +158,7 @@ Scene read_scene(const Section& root, std::span<const MethodInfo> methods) {
   CurveReader curves;
   SceneSpectra spectra;
   scene.planet = read_planet(root, curves, spectra);
-  scene.terrain = read_terrain(root, scene.planet);
+  scene.terrain = read_terrain(root, scene.planet, curves, spectra.terrain_albedo);
   scene.ground = read_ground_map(root);
   scene.spheres = read_spheres(root, curves, spectra.spheres);
   scene.media = read_media(root, scene.planet, curves, spectra);

@@ -95,6 +95,8 @@ struct Terrain {
   double distance = 0.0;  // km, likewise
   double turn = 0.0;      // rad, of the map's upper edge, clockwise from north
   Spectrum albedo{};      // of all of it, or what the map's colours are multiplied by
+  // Of a map's colour: channel c's reflectance is the sum of mix[c][j] x colour j. Channels may be wavelengths.
+  std::array<Spectrum, 3> mix{{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
   std::shared_ptr<const TerrainFiles> files;
 };
 
@@ -239,6 +241,7 @@ struct SceneSpectra {
   std::vector<MediumSpectra> media;  // as the scene's
   Curve ground_albedo;
   std::vector<Curve> spheres;  // albedo, as the scene's
+  Curve terrain_albedo;
   Curve sun;                   // above the air, up to a factor
   int wavelengths = 0;         // 0: auto
   double irradiance = 1.0;     // of the sun, as the preset gives it

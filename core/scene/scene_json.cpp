@@ -132,7 +132,7 @@ std::string sun_curve_json(const Curve& curve) {
   return curve.json.empty() ? "{\"named\": \"solar\"}" : curve.json;
 }
 
-std::string terrain_json(const Terrain& terrain) {
+std::string terrain_json(const Terrain& terrain, const Curve* albedo) {
   JsonObject object(3);
   if (terrain.ridge) {
     object.add("ridge",
@@ -146,7 +146,7 @@ std::string terrain_json(const Terrain& terrain) {
       .degrees("bearing_deg", terrain.bearing)
       .number("distance_km", terrain.distance)
       .degrees("turn_deg", terrain.turn)
-      .spectrum("albedo", terrain.albedo);
+      .spectrum("albedo", terrain.albedo, albedo);
   if (!terrain.albedo_map.empty()) {
     object.text("albedo_map", terrain.albedo_map);
   }
@@ -206,7 +206,7 @@ std::string planet_json(const Scene& scene) {
     object.add("ocean", ocean_json(*scene.ground->ocean));
   }
   if (scene.terrain) {
-    object.add("terrain", terrain_json(*scene.terrain));
+    object.add("terrain", terrain_json(*scene.terrain, scene.spectra ? &scene.spectra->terrain_albedo : nullptr));
   }
   return object.str();
 }

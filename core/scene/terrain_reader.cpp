@@ -46,7 +46,7 @@ void require_near(const Section& section, const Terrain& terrain, const Planet& 
 
 }  // namespace
 
-std::optional<Terrain> read_terrain(const Section& root, const Planet& on) {
+std::optional<Terrain> read_terrain(const Section& root, const Planet& on, CurveReader& curves, Curve& albedo) {
   const PresetValue* there = root.find("planet");
   if (there == nullptr || !std::holds_alternative<PresetObject>(there->data)) {
     return std::nullopt;
@@ -71,7 +71,7 @@ std::optional<Terrain> read_terrain(const Section& root, const Planet& on) {
   terrain.bearing = radians_from_degrees(section.number("bearing_deg"));
   terrain.distance = section.number("distance_km");
   terrain.turn = radians_from_degrees(section.number("turn_deg"));
-  terrain.albedo = section.spectrum("albedo");
+  terrain.albedo = curves.read(section, "albedo", albedo);
   if (section.object() != nullptr) {
     require_one_source(planet, section, terrain);
     if (section.find("width_km") != nullptr) {

@@ -3,11 +3,11 @@
 
 #include <optional>
 
-#include "core/scene/section.h"
+#include "core/scene/curve_reader.h"
 
 namespace airlight {
 
-// Nothing where the planet has none. File names come out absolute.
-std::optional<Terrain> read_terrain(const Section& root, const Planet& on);
+// Nothing where the planet has none. File names come out absolute. `albedo`: over the wavelength.
+std::optional<Terrain> read_terrain(const Section& root, const Planet& on, CurveReader& curves, Curve& albedo);
 
 }  // namespace airlight

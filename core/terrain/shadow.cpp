@@ -5,10 +5,14 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include "core/air/scene_block.h"
 #include "core/terrain/terrain.h"
+#include "core/text.h"
 
 namespace airlight {
 namespace {
@@ -70,27 +74,13 @@ double slope_of(double elevation) {
   return std::tan(std::clamp(elevation, -0.5, kSteepest));
 }
 
-}  // namespace
-
-double shadow_reach(const TerrainData& t) {
-  double reach = 0.0;
-  for (const double i : {0.0, t.shadow_columns - 1.0}) {
-    for (const double j : {0.0, t.shadow_rows - 1.0}) {
-      reach = std::max(reach, std::hypot(t.shadow_along + i * t.shadow_texel, t.shadow_aside + j * t.shadow_texel));
-    }
-  }
-  return reach;
-}
-
-std::shared_ptr<const HostTerrain> shadowed_terrain(const Scene& scene) {
-  const std::shared_ptr<const HostTerrain> bare = terrain_of(scene);
-  auto out = std::make_shared<HostTerrain>(*bare);
-  TerrainData& t = out->shape;
-  place_table(t, scene, static_cast<double>(out->heights.back()));
+// The table, swept row by row along the way from the sun.
+std::vector<physics::vec2> swept(const Scene& scene, const std::shared_ptr<const HostTerrain>& bare,
+                                 const TerrainData& t) {
   physics::Physics p;
   p.terrain_maps = bare;
   const double limb = scene.sun.disc.angular_radius;
-  out->shadows.resize(static_cast<std::size_t>(t.shadow_columns) * t.shadow_rows);
+  std::vector<physics::vec2> shadows(static_cast<std::size_t>(t.shadow_columns) * t.shadow_rows);
   for (physics::uint j = 0; j < t.shadow_rows; ++j) {
     const double aside = t.shadow_aside + j * t.shadow_texel;
     std::array<double, 2> shadow{kNothing, kNothing};  // of the disc's upper and lower limb
@@ -108,9 +98,45 @@ std::shared_ptr<const HostTerrain> shadowed_terrain(const Scene& scene) {
       const double row = p.map_row(t, east, north);
       const bool on_map = column >= 0.0 && row >= 0.0 && column <= t.columns - 1.0 && row <= t.rows - 1.0;
       terrain = on_map ? p.map_height(t, column, row) : kNothing;
-      out->shadows[static_cast<std::size_t>(j) * t.shadow_columns + k] = {shadow[0], shadow[1]};
+      shadows[static_cast<std::size_t>(j) * t.shadow_columns + k] = {shadow[0], shadow[1]};
     }
   }
+  return shadows;
+}
+
+}  // namespace
+
+double shadow_reach(const TerrainData& t) {
+  double reach = 0.0;
+  for (const double i : {0.0, t.shadow_columns - 1.0}) {
+    for (const double j : {0.0, t.shadow_rows - 1.0}) {
+      reach = std::max(reach, std::hypot(t.shadow_along + i * t.shadow_texel, t.shadow_aside + j * t.shadow_texel));
+    }
+  }
+  return reach;
+}
+
+std::shared_ptr<const HostTerrain> shadowed_terrain(const Scene& scene) {
+  static std::mutex mutex;
+  static std::string last_key;
+  static HostTerrain last;  // the shape with the table's place, and the shadow
+  const std::shared_ptr<const HostTerrain> bare = terrain_of(scene);
+  std::string key = height_key(*scene.terrain);
+  for (const double number :
+       {scene.sun.elevation, scene.sun.azimuth, scene.sun.disc.angular_radius, scene.planet.ground_radius}) {
+    key += " " + shortest(number);
+  }
+  const std::lock_guard lock(mutex);
+  if (key != last_key) {
+    last = *bare;
+    place_table(last.shape, scene, static_cast<double>(last.heights->back()));
+    last.shadows = std::make_shared<const std::vector<physics::vec2>>(swept(scene, bare, last.shape));
+    last_key = key;
+  }
+  auto out = std::make_shared<HostTerrain>(last);
+  out->colours = bare->colours;
+  out->shape.colour_columns = bare->shape.colour_columns;
+  out->shape.colour_rows = bare->shape.colour_rows;
   return out;
 }
 

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
+#include <deque>
 #include <mutex>
 #include <vector>
 
 #include "core/error.h"
 #include "core/terrain/ridge.h"
+#include "core/text.h"
 
 namespace airlight {
 namespace {
@@ -18,12 +19,6 @@ using physics::TerrainData;
 
 // Heights at or below the ground sphere are put here, km: so far under it that rounding does not lift them.
 constexpr double kUnderground = -1e-3;
-
-std::string text_of(double number, int digits) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.*g", digits, number);
-  return text;
-}
 
 std::vector<double> heights_of(const Terrain& terrain) {
   if (terrain.ridge) {
@@ -38,14 +33,13 @@ std::vector<double> heights_of(const Terrain& terrain) {
 }
 
 // The greatest of the four heights of each cell, then of each four cells, and so on to one.
-void append_maxima(HostTerrain& out) {
-  TerrainData& t = out.shape;
+void append_maxima(TerrainData& t, std::vector<float>& heights) {
   std::size_t across = t.columns - 1;
   std::size_t down = t.rows - 1;
   std::size_t below = 0;
   t.levels = 0;
   for (;; ++t.levels) {
-    const std::size_t first = out.heights.size();
+    const std::size_t first = heights.size();
     t.level_first[t.levels] = static_cast<physics::uint>(first);
     const bool cells = t.levels == 0;
     const std::size_t wide = cells ? t.columns : ((t.columns - 2U) >> (t.levels - 1U)) + 1U;
@@ -56,8 +50,8 @@ void append_maxima(HostTerrain& out) {
         const std::size_t y0 = cells ? j : 2 * j;
         const std::size_t x1 = std::min(x0 + 1, wide - 1);
         const std::size_t y1 = std::min(y0 + 1, high - 1);
-        const auto at = [&](std::size_t x, std::size_t y) { return out.heights[below + y * wide + x]; };
-        out.heights.push_back(std::max(std::max(at(x0, y0), at(x1, y0)), std::max(at(x0, y1), at(x1, y1))));
+        const auto at = [&](std::size_t x, std::size_t y) { return heights[below + y * wide + x]; };
+        heights.push_back(std::max(std::max(at(x0, y0), at(x1, y0)), std::max(at(x0, y1), at(x1, y1))));
       }
     }
     below = first;
@@ -81,6 +75,7 @@ physics::uint packed(const std::array<double, 3>& albedo) {
 
 void put_colours(HostTerrain& out, const Terrain& terrain) {
   const TerrainFiles* files = terrain.files.get();
+  out.colours.clear();
   if (files == nullptr || files->colours.empty()) {
     out.shape.colour_columns = 1;
     out.shape.colour_rows = 1;
@@ -89,16 +84,22 @@ void put_colours(HostTerrain& out, const Terrain& terrain) {
   }
   out.shape.colour_columns = static_cast<physics::uint>(files->colour_columns);
   out.shape.colour_rows = static_cast<physics::uint>(files->colour_rows);
+  out.colours.reserve(files->colours.size() / 3);
   for (std::size_t i = 0; i + 2 < files->colours.size(); i += 3) {
-    out.colours.push_back(packed({terrain.albedo[0] * static_cast<double>(files->colours[i]),
-                                  terrain.albedo[1] * static_cast<double>(files->colours[i + 1]),
-                                  terrain.albedo[2] * static_cast<double>(files->colours[i + 2])}));
+    std::array<double, 3> albedo{};
+    for (std::size_t c = 0; c < 3; ++c) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        albedo[c] += terrain.albedo[c] * terrain.mix[c][j] * static_cast<double>(files->colours[i + j]);
+      }
+    }
+    out.colours.push_back(packed(albedo));
   }
 }
 
-std::shared_ptr<const HostTerrain> made(const Terrain& terrain) {
-  auto out = std::make_shared<HostTerrain>();
-  TerrainData& t = out->shape;
+// Without albedo.
+HostTerrain placed(const Terrain& terrain) {
+  HostTerrain out;
+  TerrainData& t = out.shape;
   t.columns = static_cast<physics::uint>(terrain.ridge ? kRidgeColumns : terrain.files->columns);
   t.rows = static_cast<physics::uint>(terrain.ridge ? kRidgeRows : terrain.files->rows);
   t.texel = terrain.width / (t.columns - 1.0);
@@ -106,11 +107,12 @@ std::shared_ptr<const HostTerrain> made(const Terrain& terrain) {
   t.centre_north = terrain.distance * std::cos(terrain.bearing);
   t.across_east = std::cos(terrain.turn);
   t.across_north = -std::sin(terrain.turn);
+  std::vector<float> heights;
   for (const double h : heights_of(terrain)) {
-    out->heights.push_back(static_cast<float>(h > 0.0 ? h : kUnderground));
+    heights.push_back(static_cast<float>(h > 0.0 ? h : kUnderground));
   }
-  append_maxima(*out);
-  put_colours(*out, terrain);
+  append_maxima(t, heights);
+  out.heights = std::make_shared<const std::vector<float>>(std::move(heights));
   return out;
 }
 
@@ -123,37 +125,59 @@ void refuse_buried_camera(const Scene& scene, const std::shared_ptr<const HostTe
   const bool beside = column < 0.0 || row < 0.0 || column > t.columns - 1.0 || row > t.rows - 1.0;
   const double height = beside ? 0.0 : p.map_height(t, column, row);
   if (height >= scene.camera.altitude) {
-    throw InputError("/camera/altitude_km: " + text_of(scene.camera.altitude, 6) +
-                     " km is inside the terrain, which is " + text_of(height, 4) +
+    throw InputError("/camera/altitude_km: " + rounded(scene.camera.altitude, 6) +
+                     " km is inside the terrain, which is " + rounded(height, 4) +
                      " km high there; raise the camera above it");
   }
 }
 
 }  // namespace
 
-std::string terrain_key(const Terrain& terrain) {
+std::string height_key(const Terrain& terrain) {
   std::string key =
-      terrain.ridge ? "ridge " + std::to_string(terrain.ridge->seed) + " " + text_of(terrain.ridge->height, 17) : "map";
+      terrain.ridge ? "ridge " + std::to_string(terrain.ridge->seed) + " " + shortest(terrain.ridge->height) : "map";
   key += terrain.files ? " of " + terrain.files->identity : "";
   for (const double number : {terrain.width, terrain.lowest, terrain.highest, terrain.bearing, terrain.distance,
-                              terrain.turn, terrain.albedo[0], terrain.albedo[1], terrain.albedo[2]}) {
-    key += " " + text_of(number, 17);
+                              terrain.turn}) {
+    key += " " + shortest(number);
+  }
+  return key;
+}
+
+std::string terrain_key(const Terrain& terrain) {
+  std::string key = height_key(terrain);
+  for (std::size_t c = 0; c < 3; ++c) {
+    key += " " + shortest(terrain.albedo[c]);
+    for (std::size_t j = 0; j < 3 && !terrain.albedo_map.empty(); ++j) {
+      key += " " + shortest(terrain.mix[c][j]);
+    }
   }
   return key;
 }
 
 std::shared_ptr<const HostTerrain> terrain_of(const Scene& scene) {
+  constexpr std::size_t kKept = 4;  // two groups of wavelengths, and what stands for all
+  struct Kept {
+    std::string key;
+    std::string heights;
+    std::shared_ptr<const HostTerrain> terrain;
+  };
   static std::mutex mutex;
-  static std::string last_key;
-  static std::shared_ptr<const HostTerrain> last;
+  static std::deque<Kept> kept;  // the latest first
   const std::string key = terrain_key(*scene.terrain);
+  const std::string heights = height_key(*scene.terrain);
   const std::lock_guard lock(mutex);
-  if (last == nullptr || key != last_key) {
-    last = made(*scene.terrain);
-    last_key = key;
+  auto found = std::ranges::find(kept, key, &Kept::key);
+  if (found == kept.end()) {
+    const auto same = std::ranges::find(kept, heights, &Kept::heights);
+    auto made = std::make_shared<HostTerrain>(same == kept.end() ? placed(*scene.terrain) : *same->terrain);
+    put_colours(*made, *scene.terrain);
+    kept.push_front({key, heights, std::move(made)});
+    kept.resize(std::min(kept.size(), kKept));
+    found = kept.begin();
   }
-  refuse_buried_camera(scene, last);
-  return last;
+  refuse_buried_camera(scene, found->terrain);
+  return found->terrain;
 }
 
 }  // namespace airlight

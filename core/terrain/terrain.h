@@ -10,8 +10,8 @@
 
 namespace airlight {
 
-// The terrain's heights and albedo; the shadow is blank. The last terrain asked for is kept: who asks for it again gets
-// the same object.
+// The terrain's heights and albedo; the shadow is blank. The last few asked for are kept: who asks for one again gets the
+// same object, and all of the same heights share those.
 // Throws InputError where the camera stands inside the terrain.
 std::shared_ptr<const physics::HostTerrain> terrain_of(const Scene& scene);
 
@@ -21,7 +21,8 @@ std::shared_ptr<const physics::HostTerrain> shadowed_terrain(const Scene& scene)
 // How far from the camera, km along the ground, a shadow may stand.
 double shadow_reach(const physics::TerrainData& shape);
 
-// Two terrains of one key have the same heights and albedo.
+// Two terrains of one key have the same heights; of the second kind the same albedo too.
+std::string height_key(const Terrain& terrain);
 std::string terrain_key(const Terrain& terrain);
 
 }  // namespace airlight

@@ -37,9 +37,9 @@ device::TerrainData narrow(const physics::TerrainData& t) {
   return out;
 }
 
-BufferId add(Plan& plan, const char* name, std::vector<std::byte> bytes) {
+BufferDesc buffer_of(const char* name, std::vector<std::byte> bytes) {
   const std::size_t size = bytes.size();
-  return plan.add_buffer({.name = name, .bytes = size, .contents = std::move(bytes), .key = {}});
+  return {.name = name, .bytes = size, .contents = std::move(bytes), .key = {}};
 }
 
 template <class T>
@@ -55,19 +55,20 @@ BufferId add_terrain_heights(Plan& plan, const char* name, const physics::HostTe
   const device::TerrainData shape = narrow(terrain.shape);
   std::vector<std::byte> bytes(sizeof shape);
   std::memcpy(bytes.data(), &shape, sizeof shape);
-  const std::vector<std::byte> heights = bytes_of(terrain.heights);
+  const std::vector<std::byte> heights = bytes_of(*terrain.heights);
   bytes.insert(bytes.end(), heights.begin(), heights.end());
-  return add(plan, name, std::move(bytes));
+  return plan.add_shared_buffer(buffer_of(name, std::move(bytes)));
 }
 
 TerrainBuffers add_terrain(Plan& plan, const physics::HostTerrain& terrain) {
   std::vector<device::vec2> shadows;
-  shadows.reserve(terrain.shadows.size());
-  for (const physics::vec2& shadow : terrain.shadows) {
+  shadows.reserve(terrain.shadows->size());
+  for (const physics::vec2& shadow : *terrain.shadows) {
     shadows.push_back({narrow(shadow.x), narrow(shadow.y)});
   }
-  return {add_terrain_heights(plan, "terrain", terrain), add(plan, "terrain_shadows", bytes_of(shadows)),
-          add(plan, "terrain_colours", bytes_of(terrain.colours))};
+  return {add_terrain_heights(plan, "terrain", terrain),
+          plan.add_shared_buffer(buffer_of("terrain_shadows", bytes_of(shadows))),
+          plan.add_buffer(buffer_of("terrain_colours", bytes_of(terrain.colours)))};
 }
 
 }  // namespace airlight

@@ -17,7 +17,7 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = 27) const uint kTeam = 1u;  // threads a direction: 1, 2, 4 or 8
-layout(set = 0, binding = 4, rgba16f) uniform writeonly image3D volume_out;
+layout(set = 0, binding = 4) uniform writeonly image3D volume_out;
 layout(push_constant, scalar) uniform Push { uint steps; };  // from slice to slice; at least 2
 
 // Cut where the planet's shadow begins and ends.

@@ -4,7 +4,7 @@
 
 layout(local_size_x = 64) in;
 layout(set = 0, binding = 0) uniform sampler2D moments;
-layout(set = 0, binding = 1, rgba16f) uniform writeonly image2D ratios_out;
+layout(set = 0, binding = 1) uniform writeonly image2D ratios_out;
 
 void main() {
   ivec2 texel = ivec2(gl_GlobalInvocationID.xy);

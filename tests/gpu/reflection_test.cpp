@@ -129,7 +129,7 @@ TEST(Reflection, RefusesWhatIsNotSpirv) {
 
 TEST(Reflection, RefusesImagesThatAreNotFloats) {
   EXPECT_EQ(message_of<std::logic_error>([] { info_of("ramp_bytes"); }),
-            "shader ramp_bytes: ramp_out is declared neither rgba32f nor rgba16f");
+            "shader ramp_bytes: ramp_out is declared neither rgba32f nor, for 16 bits a channel, without a format");
 }
 
 TEST(Reflection, ReadsEveryEmbeddedShader) {

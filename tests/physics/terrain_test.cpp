@@ -239,10 +239,10 @@ TEST(Terrain, ARangeIsAsHighAsItSaysAndEndsInThePlain) {
     scene.terrain = terrain;
     const auto maps = terrain_of(scene);
     const physics::TerrainData& t = maps->shape;
-    EXPECT_EQ(maps->heights.back(), 3.0F) << seed;
+    EXPECT_EQ(maps->heights->back(), 3.0F) << seed;
     for (physics::uint i = 0; i < t.columns; ++i) {
-      EXPECT_LT(maps->heights[i], 1e-3F);
-      EXPECT_LT(maps->heights[(t.rows - 1) * t.columns + i], 1e-3F);
+      EXPECT_LT((*maps->heights)[i], 1e-3F);
+      EXPECT_LT((*maps->heights)[(t.rows - 1) * t.columns + i], 1e-3F);
     }
     scene.camera.altitude = 0.001;
     EXPECT_THROW(terrain_of(scene), InputError) << "a camera inside the mountains";

@@ -24,7 +24,7 @@ double steepest_slope(const physics::HostTerrain& maps) {
   for (physics::uint j = 0; j < t.rows; ++j) {
     for (physics::uint i = 0; i < t.columns; ++i) {
       const auto at = [&](physics::uint x, physics::uint y) {
-        return static_cast<double>(maps.heights[y * t.columns + x]);
+        return static_cast<double>((*maps.heights)[y * t.columns + x]);
       };
       across = i + 1 < t.columns ? std::max(across, std::abs(at(i + 1, j) - at(i, j))) : across;
       down = j + 1 < t.rows ? std::max(down, std::abs(at(i, j + 1) - at(i, j))) : down;
@@ -39,7 +39,7 @@ TracedTerrain::TracedTerrain(const Scene& scene, std::shared_ptr<const physics::
     : physics_(geometry_of(scene)),
       sun_(physics_.scene.sun.direction),
       radius_(scene.planet.ground_radius),
-      highest_(static_cast<double>(maps->heights.back())),
+      highest_(static_cast<double>(maps->heights->back())),
       steepest_(steepest_slope(*maps)) {
   physics_.terrain_maps = std::move(maps);
 }

@@ -37,6 +37,17 @@ Scene mean_scene(const SpectralScene& spectral, const std::vector<Rgb>& weights)
       medium.phase_wavelengths[c] = sum([i](const Scene& s) { return s.media[i].phase_wavelengths; });
     }
     mean.planet.ground_albedo[c] = sum([](const Scene& s) { return s.planet.ground_albedo; });
+    if (mean.terrain) {
+      mean.terrain->albedo[c] = sum([](const Scene& s) { return s.terrain->albedo; });
+      for (std::size_t j = 0; j < 3; ++j) {
+        mean.terrain->mix[c][j] = sum([j](const Scene& s) {
+          return Spectrum{s.terrain->mix[0][j], s.terrain->mix[1][j], s.terrain->mix[2][j]};
+        });
+      }
+    }
+    for (std::size_t i = 0; i < mean.spheres.size(); ++i) {
+      mean.spheres[i].albedo[c] = sum([i](const Scene& s) { return s.spheres[i].albedo; });
+    }
   }
   return mean;
 }
