@@ -73,8 +73,8 @@ std::vector<Binding> add_volume(Plan& plan, const Scene& scene, const Light& lig
   std::vector<Specialization> constants = light.constants;
   add_table_constants(constants, table);
   constants.push_back({"kSlices", slices});
-  // Two steps from slice to slice at least: one may fall to each side of the shadow's edge.
-  const std::uint32_t steps = light.by_shells ? 1 : std::max(2u, light.steps / slices);
+  // Whole panels of two from slice to slice.
+  const std::uint32_t steps = light.by_shells ? 1 : std::max(2u, light.steps / slices / 2 * 2);
   plan.add_pass({.name = "aerial_extinction",
                  .shader = "aerial_extinction",
                  .reads = light.reads(),
