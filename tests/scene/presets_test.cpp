@@ -132,8 +132,7 @@ TEST(Presets, EarthIsTheUsStandardAtmosphere) {
 TEST(Presets, HaveSpectraButThoseThatSayOtherwise) {
   for (const fs::path& file : shipped()) {
     const std::string name = file.stem();
-    const bool channels = name.starts_with("earth-hillaire2020") || name == "lesson26" || name == "mountain-sunrise" ||
-                          name == "valley-fog" ||
+    const bool channels = name.starts_with("earth-hillaire2020") || name == "lesson26" ||
                           name == "planet-ocean";  // a lesson's numbers; grounds of three channels
     const Scene scene = load(name);
     EXPECT_EQ(scene.spectra.has_value(), !channels) << name;

@@ -80,6 +80,9 @@ void add_wavelengths(Lines& lines, const SpectralScene& spectral) {
   for (std::size_t g = 0; g < spectral.groups.size(); ++g) {
     const std::string at = "group " + std::to_string(g) + " ";
     add_matter(lines, at, spectral.groups[g].scene);
+    if (spectral.groups[g].scene.terrain) {
+      lines.add(at + terrain_key(*spectral.groups[g].scene.terrain), 1.0);
+    }
     for (std::size_t c = 0; c < 3; ++c) {
       lines.add(at + "colour " + std::to_string(c), spectral.groups[g].colours[c]);
     }

@@ -137,29 +137,44 @@ vec3 SingleScattering::sunlight_at(vec3 place, double h, double mu_sun) const {
   return shines && (terrain_ == nullptr || !terrain_->hides_sun(place)) ? beam : vec3(0.0);
 }
 
-// Sums light scattered once over many short steps, denser toward the camera: shadows of terrain have edges everywhere.
-vec3 SingleScattering::through_shadows(const Ray& ray, const Footing& footing) const {
+namespace {
+
+constexpr double kDark = 1e-9;  // nothing behind air that lets through so little is seen
+
+// Many short steps, denser toward the camera: shadows of terrain have edges everywhere. `step`: of its middle and its
+// width, false where nothing behind it is seen.
+template <class F>
+void for_short_steps(const Ray& ray, F step) {
   constexpr int kShadowSteps = 800;
-  constexpr double kDark = 1e-9;  // nothing behind air that lets through so little is seen
-  const physics::PlanetData& planet = physics_.scene.planet;
-  const physics::Physics::Phases phases = physics_.phases(ray.nu);
-  vec3 sum(0.0);
   double start = 0.0;
   for (int i = 0; i < kShadowSteps; ++i) {
     const double share = (i + 1.0) / kShadowSteps;
     const double end = ray.length_ * share * share;
-    const double t = 0.5 * (start + end);
+    if (!step(0.5 * (start + end), end - start)) {
+      return;
+    }
+    start = end;
+  }
+}
+
+}  // namespace
+
+vec3 SingleScattering::through_shadows(const Ray& ray, const Footing& footing) const {
+  const physics::PlanetData& planet = physics_.scene.planet;
+  const physics::Physics::Phases phases = physics_.phases(ray.nu);
+  vec3 sum(0.0);
+  for_short_steps(ray, [&](double t, double width) {
     const vec3 through = exp(-depth_.along(ray.h, ray.mu, t));
     if (std::max({through.x, through.y, through.z}) < kDark) {
-      break;
+      return false;
     }
     const physics::Physics::RayPoint point = physics_.point_on_ray(planet, ray, t);
     const vec3 sun = sunlight_at(place_on(planet, ray, footing, t), point.h, point.mu_sun);
     if (sun.x + sun.y + sun.z > 0.0) {
-      sum = sum + through * physics_.air_at(point.h, phases).phase_scattering * sun * (end - start);
+      sum = sum + through * physics_.air_at(point.h, phases).phase_scattering * sun * width;
     }
-    start = end;
-  }
+    return true;
+  });
   return sum;
 }
 
@@ -206,18 +221,46 @@ struct SingleScattering::WideIntegrand {
   }
 };
 
-Wide SingleScattering::radiance(const Ray& ray, const Wavelengths& all) const {
+bool SingleScattering::is_lit(vec3 place, double h, double mu_sun) const {
+  const vec3 sun = sunlight_at(place, h, mu_sun);
+  return sun.x + sun.y + sun.z > 0.0;
+}
+
+// As for three channels, which tell what is dark.
+Wide SingleScattering::through_shadows(const Ray& ray, const Footing& footing, const Wavelengths& all) const {
+  const WideIntegrand integrand{*this, all, ray, all.phases(ray.nu)};
+  Wide sum;
+  for_short_steps(ray, [&](double t, double width) {
+    const physics::Physics::RayPoint point = physics_.point_on_ray(physics_.scene.planet, ray, t);
+    if (is_lit(place_on(physics_.scene.planet, ray, footing, t), point.h, point.mu_sun)) {
+      sum = sum + integrand(t) * width;
+    }
+    const vec3 through = exp(-depth_.along(ray.h, ray.mu, t));
+    return std::max({through.x, through.y, through.z}) >= kDark;
+  });
+  return sum;
+}
+
+Wide SingleScattering::radiance(const Ray& ray, const Footing& footing, const Wavelengths& all) const {
   if (!(ray.length_ >= 0.0)) {
     return {};
   }
-  Wide sum = along<Wide>(ray, WideIntegrand{*this, all, ray, all.phases(ray.nu)});
-  if (ray.at_ground) {
-    const physics::PlanetData& planet = physics_.scene.planet;
-    const double mu_sun = physics_.point_on_ray(planet, ray, ray.length_).mu_sun;
-    if (mu_sun > 0.0) {
-      const Columns columns = depth_.columns_along(ray.h, ray.mu, ray.length_) + depth_.columns_to_top(0.0, mu_sun);
-      sum = sum + all.transmittance(columns) * all.albedo() * (mu_sun / std::numbers::pi);
-    }
+  Wide sum = terrain_ != nullptr ? through_shadows(ray, footing, all)
+                                 : along<Wide>(ray, WideIntegrand{*this, all, ray, all.phases(ray.nu)});
+  if (!ray.at_ground && !footing.on_terrain) {
+    return sum;
+  }
+  const physics::PlanetData& planet = physics_.scene.planet;
+  const physics::Physics::RayPoint end = physics_.point_on_ray(planet, ray, ray.length_);
+  const vec3 place = place_on(planet, ray, footing, ray.length_);
+  const double h = footing.on_terrain ? end.h : 0.0;
+  const double facing =
+      footing.on_terrain ? dot(terrain_->normal(place), physics_.scene.sun.direction) : end.mu_sun;
+  const bool lit = terrain_ == nullptr || is_lit(footing.on_terrain ? above_terrain(place) : place, h, end.mu_sun);
+  if (facing > 0.0 && lit) {
+    const Columns columns = depth_.columns_along(ray.h, ray.mu, ray.length_) + depth_.columns_to_top(h, end.mu_sun);
+    const Wide albedo = footing.on_terrain ? all.terrain_albedo(terrain_->on_map(place)) : all.albedo();
+    sum = sum + all.transmittance(columns) * albedo * (facing / std::numbers::pi);
   }
   return sum;
 }

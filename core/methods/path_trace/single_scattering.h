@@ -41,7 +41,7 @@ class SingleScattering {
 
   // Radiance for a sun of irradiance 1: scattered once in the air, or reflected once by the ground at the ray's end.
   physics::vec3 radiance(const physics::Physics::Ray& ray, const Footing& footing = {}) const;
-  Wide radiance(const physics::Physics::Ray& ray, const Wavelengths& all) const;
+  Wide radiance(const physics::Physics::Ray& ray, const Footing& footing, const Wavelengths& all) const;
 
   // Rays whose panels ran out before their radiance was known to 1e-6.
   std::uint64_t cut_rays() const { return cut_rays_; }
@@ -58,6 +58,8 @@ class SingleScattering {
   template <class Value, class F>
   Value along(const physics::Physics::Ray& ray, const F& f) const;
   physics::vec3 through_shadows(const physics::Physics::Ray& ray, const Footing& footing) const;
+  Wide through_shadows(const physics::Physics::Ray& ray, const Footing& footing, const Wavelengths& all) const;
+  bool is_lit(physics::vec3 place, double h, double mu_sun) const;
   physics::vec3 seen_terrain(const physics::Physics::Ray& ray, const Footing& footing) const;
   physics::vec3 seen_ground(const physics::Physics::Ray& ray, const Footing& footing, physics::vec3 beam,
                             double mu_sun) const;

@@ -124,6 +124,11 @@ vec3 TracedTerrain::normal(vec3 place) const {
   return normalize(up - ahead * slope_ahead - right * slope_right);
 }
 
+physics::vec2 TracedTerrain::on_map(vec3 place) const {
+  const MapPlace at = map_place(place);
+  return {at.column, at.row};
+}
+
 vec3 TracedTerrain::albedo(vec3 place) const {
   const MapPlace at = map_place(place);
   return physics_.map_albedo(physics_.terrain_maps->shape, at.column, at.row);

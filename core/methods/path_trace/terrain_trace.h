@@ -24,6 +24,8 @@ class TracedTerrain {
   // The normal and the albedo of the terrain under a place.
   physics::vec3 normal(physics::vec3 place) const;
   physics::vec3 albedo(physics::vec3 place) const;
+  // Where that is on the map, in columns and rows.
+  physics::vec2 on_map(physics::vec3 place) const;
 
  private:
   static constexpr double kFar = 1e4;  // km

@@ -44,8 +44,9 @@ PathTracer::PathTracer(const Air& air, const Scene& scene, const Wavelengths* al
       projection_(projection_code(scene.camera.projection)) {}
 
 vec3 PathTracer::single(const WalkStart& start) const {
-  return all_ != nullptr ? all_->colour(single_.radiance(start.ray, *all_))
-                         : single_.radiance(start.ray, {start.up, start.direction, start.pixel, start.plan.on_terrain});
+  const Footing footing{start.up, start.direction, start.pixel, start.plan.on_terrain};
+  return all_ != nullptr ? all_->colour(single_.radiance(start.ray, footing, *all_))
+                         : single_.radiance(start.ray, footing);
 }
 
 vec3 PathTracer::batch(const WalkStart& start, std::uint64_t pixel, std::uint64_t batch, FlightPlan& scratch) const {

@@ -51,6 +51,7 @@ struct Walk::State {
   bool on_terrain = false;  // of at_ground
   vec3 normal = vec3(0.0);  // of ground or terrain
   vec3 albedo = vec3(0.0);
+  Wide wide_albedo;         // at all wavelengths, where there are
   vec3 carry = vec3(1.0);  // transmittances and coefficients so far over the density of their choice
   std::array<vec3, physics::kMaxMedia> scattering;  // of each medium here, 1/km
   Columns densities{};                              // of each medium here
@@ -153,6 +154,10 @@ bool Walk::fly(State& state, const FlightPlan& plan, double u) const {
     const vec3 place = state.place(planet);
     state.normal = state.on_terrain ? terrain_->normal(place) : state.up;
     state.albedo = state.on_terrain ? terrain_->albedo(place) : ground_albedo_at(physics_, state.up);
+    if (state.wide != nullptr) {
+      const Wavelengths& all = state.wide->wavelengths();
+      state.wide_albedo = state.on_terrain ? all.terrain_albedo(terrain_->on_map(place)) : all.albedo();
+    }
   }
   for (uint i = 0; i < physics_.medium_count(); ++i) {
     const physics::MediumData m = physics_.medium(i);
@@ -188,9 +193,13 @@ void Walk::add_from_sun(const State& state) const {
   if (physics_.meets_ground(physics_.scene.planet, state.h, state.mu_sun)) {
     return;
   }
+  if (terrain_ != nullptr && terrain_->hides_sun(state.place(physics_.scene.planet))) {
+    return;
+  }
   const Columns to_sun = depth_.columns_to_top(state.h, state.mu_sun);
   if (state.at_ground) {
-    state.wide->add_reflected(to_sun, std::max(state.mu_sun, 0.0) / std::numbers::pi);
+    const double facing = state.on_terrain ? dot(state.normal, physics_.scene.sun.direction) : state.mu_sun;
+    state.wide->add_reflected(to_sun, state.wide_albedo, std::max(facing, 0.0) / std::numbers::pi);
   } else {
     state.wide->add_scattered(to_sun, state.densities, dot(state.direction, physics_.scene.sun.direction));
   }
@@ -309,7 +318,7 @@ bool Walk::turn(State& state, bool guided, WalkNumbers& numbers, FlightPlan& pla
     return false;
   }
   if (state.wide != nullptr && state.at_ground) {
-    state.wide->reflect(std::max(dot(next, state.up), 0.0) / std::numbers::pi, choice.density);
+    state.wide->reflect(state.wide_albedo, std::max(dot(next, state.normal), 0.0) / std::numbers::pi, choice.density);
   } else if (state.wide != nullptr) {
     state.wide->scatter(state.densities, std::clamp(dot(next, state.direction), -1.0, 1.0), choice.density);
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/methods/scene_air.h"
+#include "core/terrain/terrain.h"
 
 namespace airlight {
 
@@ -77,6 +78,9 @@ Wavelengths::Wavelengths(const SpectralScene& spectral)
       colours_(spectral.matrix) {
   for (const WavelengthGroup& group : spectral.groups) {
     groups_.push_back(formulas_of(air_of(group.scene), group.scene));
+    if (group.scene.terrain) {
+      groups_.back().terrain_maps = terrain_of(group.scene);
+    }
   }
   for (std::size_t k = 0; k < count_; ++k) {
     const physics::Physics& p = groups_[k / 3];
@@ -108,6 +112,17 @@ Wavelengths::Phases Wavelengths::phases(double nu) const {
     }
   }
   return phases;
+}
+
+Wide Wavelengths::terrain_albedo(physics::vec2 at) const {
+  Wide albedo;
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    const std::array<double, 3> values = three_of(groups_[g].map_albedo(groups_[g].terrain_shape(), at.x, at.y));
+    for (std::size_t c = 0; c < 3 && 3 * g + c < count_; ++c) {
+      albedo.at[3 * g + c] = values[c];
+    }
+  }
+  return albedo;
 }
 
 Wide Wavelengths::scattered(const Columns& densities, const Phases& phases) const {
@@ -183,8 +198,8 @@ void WidePath::scatter(const Columns& densities, double nu, double density) {
   carry_ = carry_ * all_.scattered(densities, nu) * (1.0 / density);
 }
 
-void WidePath::reflect(double cosine, double density) {
-  carry_ = carry_ * all_.albedo() * (cosine / density);
+void WidePath::reflect(const Wide& albedo, double cosine, double density) {
+  carry_ = carry_ * albedo * (cosine / density);
 }
 
 void WidePath::survive(double factor) {
@@ -199,8 +214,8 @@ void WidePath::add_scattered(const Columns& to_sun, const Columns& densities, do
   add(to_sun, all_.scattered(densities, nu));
 }
 
-void WidePath::add_reflected(const Columns& to_sun, double cosine) {
-  add(to_sun, all_.albedo() * cosine);
+void WidePath::add_reflected(const Columns& to_sun, const Wide& albedo, double cosine) {
+  add(to_sun, albedo * cosine);
 }
 
 }  // namespace airlight

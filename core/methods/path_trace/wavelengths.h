@@ -73,6 +73,8 @@ class Wavelengths {
   Wide transmittance(const Columns& columns) const;
 
   const Wide& albedo() const { return albedo_; }
+  // Of the terrain at a column and row of its map.
+  Wide terrain_albedo(physics::vec2 at) const;
 
   // The picture's colour of radiance over the sun's.
   physics::vec3 colour(const Wide& radiance) const;
@@ -94,17 +96,19 @@ class WidePath {
  public:
   explicit WidePath(const Wavelengths& all) : all_(all) {}
 
+  const Wavelengths& wavelengths() const { return all_; }
+
   void begin();
   // On to the next vertex, through these columns, chosen with this density.
   void fly(const Columns& columns, double density);
   // Turns into a direction chosen with this density, 1/sr: in air, or at the ground (`cosine` over pi).
   void scatter(const Columns& densities, double nu, double density);
-  void reflect(double cosine, double density);
+  void reflect(const Wide& albedo, double cosine, double density);
   // Is worth so much more, since it might have ended.
   void survive(double factor);
   // Adds sunlight that comes through these columns and is sent back along the path: scattered, or reflected.
   void add_scattered(const Columns& to_sun, const Columns& densities, double nu);
-  void add_reflected(const Columns& to_sun, double cosine);
+  void add_reflected(const Columns& to_sun, const Wide& albedo, double cosine);
 
   const Wide& sum() const { return sum_; }  // of all paths so far
 
