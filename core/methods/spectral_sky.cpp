@@ -135,8 +135,8 @@ SpectralScene in_groups(const Scene& scene, SpectralScene made) {
   }
   const std::size_t count = made.nodes.nm.size();
   const bool has_map = scene.terrain && !scene.terrain->albedo_map.empty();
-  const auto primaries = has_map ? reflectances_of_primaries(scene.spectra->sun, scene.spectra->white)
-                                 : std::array<Curve, 3>();
+  const auto primaries =
+      has_map ? reflectances_of_primaries(scene.spectra->sun, scene.spectra->white) : std::array<Curve, 3>();
   for (std::size_t first = 0; first < count; first += 3) {
     const std::array<std::size_t, 3> at{first, std::min(first + 1, count - 1), std::min(first + 2, count - 1)};
     WavelengthGroup group{group_scene(scene, made.nodes, at, primaries), {}};

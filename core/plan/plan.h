@@ -26,8 +26,8 @@ struct ImageDesc {
   std::string name = {};
   Extent extent = {};
   std::string key = {};
-  // 16 bits, which a GPU's samplers filter several times as fast; a processor, which has to widen them, keeps 32. Not for
-  // the host to read.
+  // 16 bits, which a GPU's samplers filter several times as fast; a processor, which has to widen them, keeps 32. Not
+  // for the host to read.
   bool half = false;
   bool stored = false;  // with a key that later starts of the program may ask for again: worth a file of the user's
   // Of a table that may be written to a file; empty: of no use outside the plan. A function, as most plans ask for

@@ -124,9 +124,10 @@ constexpr auto kRules = std::to_array<Rule>({
            "where the map's upper edge faces, clockwise from north"),
     row(RuleType::curve, "planet.terrain.albedo", kUnit, "", "0.2",
         "Lambertian reflectance; with an `albedo_map` what its colours are multiplied by"),
-    plain(RuleType::text, "planet.terrain.albedo_map",
-          "a picture of reflectances over the whole map, of any size; linear, or sRGB where the file says so. In a scene "
-          "with curves a colour stands for the smoothest reflectance that has it in the light of the sun"),
+    plain(
+        RuleType::text, "planet.terrain.albedo_map",
+        "a picture of reflectances over the whole map, of any size; linear, or sRGB where the file says so. In a scene "
+        "with curves a colour stands for the smoothest reflectance that has it in the light of the sun"),
 
     needed(row(RuleType::media, "media", Range{.minimum = 1, .maximum = kMaxMedia}, "", "",
                "what the air is made of; written here or inherited")),

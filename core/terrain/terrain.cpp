@@ -137,8 +137,8 @@ std::string height_key(const Terrain& terrain) {
   std::string key =
       terrain.ridge ? "ridge " + std::to_string(terrain.ridge->seed) + " " + shortest(terrain.ridge->height) : "map";
   key += terrain.files ? " of " + terrain.files->identity : "";
-  for (const double number : {terrain.width, terrain.lowest, terrain.highest, terrain.bearing, terrain.distance,
-                              terrain.turn}) {
+  for (const double number :
+       {terrain.width, terrain.lowest, terrain.highest, terrain.bearing, terrain.distance, terrain.turn}) {
     key += " " + shortest(number);
   }
   return key;

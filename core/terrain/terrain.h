@@ -10,9 +10,9 @@
 
 namespace airlight {
 
-// The terrain's heights and albedo; the shadow is blank. The last few asked for are kept: who asks for one again gets the
-// same object, and all of the same heights share those.
-// Throws InputError where the camera stands inside the terrain.
+// The terrain's heights and albedo; the shadow is blank. The last few asked for are kept: who asks for one again gets
+// the same object, and all of the same heights share those. Throws InputError where the camera stands inside the
+// terrain.
 std::shared_ptr<const physics::HostTerrain> terrain_of(const Scene& scene);
 
 // The terrain with the shadow of the scene's sun.

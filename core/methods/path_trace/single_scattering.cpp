@@ -254,8 +254,7 @@ Wide SingleScattering::radiance(const Ray& ray, const Footing& footing, const Wa
   const physics::Physics::RayPoint end = physics_.point_on_ray(planet, ray, ray.length_);
   const vec3 place = place_on(planet, ray, footing, ray.length_);
   const double h = footing.on_terrain ? end.h : 0.0;
-  const double facing =
-      footing.on_terrain ? dot(terrain_->normal(place), physics_.scene.sun.direction) : end.mu_sun;
+  const double facing = footing.on_terrain ? dot(terrain_->normal(place), physics_.scene.sun.direction) : end.mu_sun;
   const bool lit = terrain_ == nullptr || is_lit(footing.on_terrain ? above_terrain(place) : place, h, end.mu_sun);
   if (facing > 0.0 && lit) {
     const Columns columns = depth_.columns_along(ray.h, ray.mu, ray.length_) + depth_.columns_to_top(h, end.mu_sun);

@@ -51,7 +51,7 @@ struct Walk::State {
   bool on_terrain = false;  // of at_ground
   vec3 normal = vec3(0.0);  // of ground or terrain
   vec3 albedo = vec3(0.0);
-  Wide wide_albedo;         // at all wavelengths, where there are
+  Wide wide_albedo;        // at all wavelengths, where there are
   vec3 carry = vec3(1.0);  // transmittances and coefficients so far over the density of their choice
   std::array<vec3, physics::kMaxMedia> scattering;  // of each medium here, 1/km
   Columns densities{};                              // of each medium here
