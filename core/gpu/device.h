@@ -36,6 +36,9 @@ class Device {
   VkDevice get() const { return device_; }
   VkQueue queue() const { return queue_; }
   std::uint32_t queue_family() const { return queue_family_; }
+  // Whether images of 16 bits a channel have no more.
+  bool keeps_halves() const { return halves_; }
+  void keep_halves(bool keeps) { halves_ = keeps; }
   const DeviceInfo& info() const { return info_; }
   const DeviceLimits& limits() const { return limits_; }
   bool is_unified() const { return is_unified_; }
@@ -52,6 +55,7 @@ class Device {
   VkDevice device_ = nullptr;
   VkQueue queue_ = nullptr;
   std::uint32_t queue_family_ = 0;
+  bool halves_ = true;
   DeviceInfo info_;
   DeviceLimits limits_;
   VkPhysicalDeviceMemoryProperties memory_{};

@@ -59,7 +59,9 @@ struct Executor::Impl {
         sampler(make_sampler(device)),
         teams(options.teams.value_or(!device.info().is_cpu)),
         tables(options.stores_tables ? cache_folder(options, "tables") : std::filesystem::path(), device.info(),
-               teams) {}
+               teams) {
+    device.keep_halves(options.halves.value_or(!device.info().is_cpu));
+  }
 
   Stopwatch stopwatch;
   Instance instance;

@@ -27,7 +27,8 @@ struct DeviceOptions {
   std::string name_substring = {};  // empty: $AIRLIGHT_DEVICE, else the software device, else the first usable one
   // Load the validation layer; every message is counted and printed to stderr. AIRLIGHT_VALIDATION=1 does the same.
   bool validation = false;
-  std::optional<bool> teams = {};  // whether passes get them (PassDesc::team); without: on all but processors
+  std::optional<bool> halves = {};  // whether images of 16 bits a channel have no more; without: on all but processors
+  std::optional<bool> teams = {};   // whether passes get them (PassDesc::team); without: on all but processors
   // Where what only saves time is kept from one start to the next; empty: nowhere. Without: user_cache_folder().
   std::optional<std::filesystem::path> cache_folder = {};
   bool stores_tables = true;  // in that folder, for later starts; false: each executor bakes its own, to be timed

@@ -25,7 +25,7 @@ std::string describe_shape(const ImageDesc& desc) {
 }
 
 Image::Image(const Device& device, const ImageDesc& desc) : extent_(desc.extent) {
-  const bool half = desc.half && !device.info().is_cpu;
+  const bool half = desc.half && device.keeps_halves();
   const VkFormat format = half ? VK_FORMAT_R16G16B16A16_SFLOAT : VK_FORMAT_R32G32B32A32_SFLOAT;
   const std::string what = "image " + desc.name + ", " + describe_shape(desc);
   check_sides(device, desc, what);

@@ -66,12 +66,13 @@ TEST(Spans, RowsAreAsAList) {
 TEST(Spans, TheSunsUnitIsNoMatter) {
   Scene scene = all_round(hazy(0.1), 0.1, 16, 8);
   const std::vector<Span> spans = spans_at(scene, 20.0);
+  Executor as_a_gpu(DeviceOptions{.halves = true});
   for (const bool volume : {false, true}) {
     scene.sun.irradiance = {1.0, 1.0, 1.0};
-    const std::vector<AirTo> one = air_to(executor(), scene, spans, {volume, {}});
+    const std::vector<AirTo> one = air_to(as_a_gpu, scene, spans, {volume, {}});
     for (const double sun : {1e-9, 1e9}) {
       scene.sun.irradiance = {sun, sun, sun};
-      const std::vector<AirTo> airs = air_to(executor(), scene, spans, {volume, {}});
+      const std::vector<AirTo> airs = air_to(as_a_gpu, scene, spans, {volume, {}});
       for (std::size_t i = 0; i < airs.size(); ++i) {
         // 2^-13, twice the rounding of 13 bits of mantissa.
         EXPECT_NEAR(static_cast<double>(airs[i].radiance[1]) / (sun * static_cast<double>(one[i].radiance[1])), 1.0,
@@ -83,6 +84,30 @@ TEST(Spans, TheSunsUnitIsNoMatter) {
 }
 
 // Over black ground, where the whole ray's light is the air's.
+// What halves cost the air against floats, which processors keep in their place.
+TEST(Spans, HalvesAreGoodToAThousandth) {
+  Scene scene = all_round(hazy(0.1), 0.1, 16, 8);
+  const std::vector<Span> spans = spans_at(scene, 20.0);
+  Executor halves(DeviceOptions{.halves = true});
+  Executor floats(DeviceOptions{.halves = false});
+  for (const double elevation : {20.0, -5.0}) {
+    scene.sun.elevation = elevation * kDegree;
+    for (const bool volume : {false, true}) {
+      const std::vector<AirTo> a = air_to(halves, scene, spans, {volume, {}});
+      const std::vector<AirTo> b = air_to(floats, scene, spans, {volume, {}});
+      double greatest = 0.0;
+      for (std::size_t i = 0; i < a.size(); ++i) {
+        for (std::size_t c = 0; c < 3; ++c) {
+          const double truth = static_cast<double>(b[i].radiance[c]);
+          greatest = std::max(greatest, std::abs(static_cast<double>(a[i].radiance[c]) / truth - 1.0));
+        }
+      }
+      EXPECT_LT(greatest, 1.2e-3) << elevation << (volume ? " volume" : " march");
+      EXPECT_GT(greatest, 0.0) << elevation << (volume ? " volume" : " march");
+    }
+  }
+}
+
 TEST(Spans, BeyondTheAirTheyAreTheSky) {
   for (const double altitude : {0.1, 20.0, 400.0}) {
     Scene scene = all_round(hazy(altitude), altitude, 16, 8);
