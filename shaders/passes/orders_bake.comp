@@ -24,8 +24,48 @@ layout(push_constant, scalar) uniform Push {
 
 const uint kThreads = 64u;
 const uint kAtOnce = 16u;  // moments, each summed over the threads by one of them
-shared vec3 partial[kAtOnce * kThreads];
+const uint kStride = kAtOnce + 1u;  // of a thread's moments: odd, so that threads side by side use different banks
+shared vec3 partial[kStride * kThreads];
 shared vec3 isotropic;
+
+uint kept_moments() { return moment_place(source_degree() + 1u, 0u); }
+
+// Sums the moments from `first` on over the threads that took a direction, and stores them. The irradiance comes last.
+void store_moments(uint first, uvec2 node, uint lane, vec3 moments[kMaxMoments], vec3 irradiance) {
+  if (first > moment_count()) {
+    return;
+  }
+  uint busy = min(directions, kThreads);
+  if (lane < busy) {
+    UNROLL for (uint j = 0u; j < kAtOnce; j++) {
+      if (first + j < kept_moments()) {
+        partial[lane * kStride + j] = moments[min(first + j, kMaxMoments - 1u)];
+      }
+      if (first + j == moment_count()) {
+        partial[lane * kStride + j] = irradiance;
+      }
+    }
+  }
+  barrier();
+  uint k = first + lane;
+  bool mine = lane < kAtOnce && k <= moment_count();
+  vec3 sum = vec3(0.0);
+  if (mine && (k < kept_moments() || k == moment_count())) {
+    for (uint i = 0u; i < busy; i++) {
+      sum += partial[i * kStride + lane];
+    }
+    if (k == 0u) {
+      isotropic = max(sum, vec3(1e-30));
+    }
+  }
+  barrier();
+  if (mine) {
+    uvec2 at = uvec2(k * kMomentColumns + node.x, node.y);
+    uint index = at.y * (moment_count() + 1u) * kMomentColumns + at.x;
+    sums.values[index] += vec4(sum, 0.0);
+    imageStore(order_out, ivec2(at), vec4(moment_code(k, sum, isotropic), 1.0));
+  }
+}
 
 void main() {
   uvec2 node = uvec2(gathered_column(suns, gl_WorkGroupID.y), gl_WorkGroupID.z);
@@ -33,7 +73,6 @@ void main() {
   MomentState state = moment_state(scene.moments, float(node.x) / float(kMomentColumns - 1u),
                                    float(node.y) / float(kMomentRows - 1u));
   vec3 moments[kMaxMoments];
-  uint kept = (source_degree() + 1u) * (source_degree() + 2u) / 2u;
   for (uint k = 0u; k < moment_count(); k++) {
     moments[k] = vec3(0.0);
   }
@@ -53,35 +92,12 @@ void main() {
       radiance = order_radiance(scene.planet, scene.moments, ray, panels, kFirstOrder != 0u) * weight;
     }
     Harmonics y = harmonics(mu, q.z);
-    for (uint k = 0u; k < kept; k++) {
+    for (uint k = 0u; k < kept_moments(); k++) {
       moments[k] += radiance * y.of[k];
     }
     irradiance += radiance * (upward ? mu : 0.0);
   }
-  for (uint first = 0u; first <= moment_count(); first += kAtOnce) {
-    barrier();
-    for (uint j = 0u; j < kAtOnce && first + j <= moment_count(); j++) {
-      partial[j * kThreads + lane] =
-          first + j < moment_count() ? moments[min(first + j, kMaxMoments - 1u)] : irradiance;
-    }
-    barrier();
-    uint k = first + lane;
-    bool mine = lane < kAtOnce && k <= moment_count();
-    vec3 sum = vec3(0.0);
-    if (mine) {
-      for (uint i = 0u; i < kThreads; i++) {
-        sum += partial[lane * kThreads + i];
-      }
-      if (k == 0u) {
-        isotropic = max(sum, vec3(1e-30));
-      }
-    }
-    barrier();
-    if (mine) {
-      uvec2 at = uvec2(k * kMomentColumns + node.x, node.y);
-      uint index = at.y * (moment_count() + 1u) * kMomentColumns + at.x;
-      sums.values[index] += vec4(sum, 0.0);
-      imageStore(order_out, ivec2(at), vec4(moment_code(k, sum, isotropic), 1.0));
-    }
-  }
+  store_moments(0u, node, lane, moments, irradiance);
+  store_moments(16u, node, lane, moments, irradiance);
+  store_moments(32u, node, lane, moments, irradiance);
 }
