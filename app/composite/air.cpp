@@ -104,6 +104,7 @@ void march_or_fetch(const CompositeOrder& order, const std::vector<Sample>& samp
     return;
   }
   const std::vector<AirTo> found = air_to(device(), scene, spans, way, &out.passes);
+  out.airs.assign(samples.size(), AirTo{{}, {1.0F, 1.0F, 1.0F}});
   auto next = found.begin();
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (samples[i].distance < composite::kSky) {
@@ -117,12 +118,16 @@ void march_or_fetch(const CompositeOrder& order, const std::vector<Sample>& samp
 FrontAir air_before(const CompositeOrder& order, const std::vector<Sample>& samples, const Scene& scene,
                     const DeviceOnDemand& device) {
   FrontAir out;
-  out.airs.assign(samples.size(), AirTo{{}, {1.0F, 1.0F, 1.0F}});
+  const auto clear_all = [&] { out.airs.assign(samples.size(), AirTo{{}, {1.0F, 1.0F, 1.0F}}); };
   if (const std::optional<composite::Fog> fog = fog_of(order)) {
+    clear_all();
     out.way = order.fog;
     fill_with_fog(samples, scene, *fog, unit_km(order.unit).value_or(1.0), out.airs);
   } else {
     march_or_fetch(order, samples, scene, device, out);
+    if (out.airs.empty()) {
+      clear_all();
+    }
   }
   return out;
 }

@@ -96,16 +96,21 @@ void hide_behind_terrain(std::vector<Sample>& samples, const Scene& scene) {
   });
 }
 
+// `with_air`: inscatter and transmittance too.
 Composite blended(const Foreground& fore, const std::vector<Sample>& samples, const std::vector<AirTo>& airs,
-                  const RadianceImage& sky) {
+                  const RadianceImage& sky, bool with_air) {
   const auto pixels = static_cast<std::size_t>(fore.picture.width) * static_cast<std::size_t>(fore.picture.height);
   Composite out;
-  out.inscatter.assign(pixels, Rgb{});
-  out.transmittance.assign(pixels, Rgb{1.0F, 1.0F, 1.0F});
+  out.colours.reserve(pixels);
+  if (with_air) {
+    out.inscatter.assign(pixels, Rgb{});
+    out.transmittance.assign(pixels, Rgb{1.0F, 1.0F, 1.0F});
+  }
+  std::vector<composite::Thing> things;
   std::size_t first = 0;
   for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
     std::size_t last = first;
-    std::vector<composite::Thing> things;
+    things.clear();
     float clear = 1.0F;
     for (; last < samples.size() && samples[last].pixel == pixel; ++last) {
       things.push_back(samples[last].thing);
@@ -115,7 +120,7 @@ Composite blended(const Foreground& fore, const std::vector<Sample>& samples, co
     const Rgb behind = pixel_of(sky, pixel);
     out.colours.push_back(fore.picture.deep ? composite::behind_air(things, mine, behind)
                                             : composite::behind_air(things.front(), mine.front(), behind));
-    if (!mine.empty()) {
+    if (with_air && !mine.empty()) {
       out.inscatter[pixel] = mine.front().radiance;
       out.transmittance[pixel] = mine.front().transmittance;
     }
@@ -259,7 +264,7 @@ void composite_frame(const CompositeOrder& order, const Frame& frame, const Devi
   }
   const FrontAir air = air_before(order, samples, scene, device);
   require_valid_vulkan();
-  const Composite made = blended(fore, samples, air.airs, sky.radiance);
+  const Composite made = blended(fore, samples, air.airs, sky.radiance, !order.layers.empty());
   const PictureContext context{
       scene, sky, {to_json(scene), scene.render.method, AIRLIGHT_VERSION, device().device().name}};
   const ExrFile file = encoded(order, fore, made, context);

@@ -85,7 +85,7 @@ TEST(Spans, TheSunsUnitIsNoMatter) {
 
 // Over black ground, where the whole ray's light is the air's.
 // What halves cost the air against floats, which processors keep in their place.
-TEST(Spans, HalvesAreGoodToAThousandth) {
+TEST(Spans, HalvesAreGoodToTwoThousandths) {
   Scene scene = all_round(hazy(0.1), 0.1, 16, 8);
   const std::vector<Span> spans = spans_at(scene, 20.0);
   Executor halves(DeviceOptions{.halves = true});
@@ -102,7 +102,7 @@ TEST(Spans, HalvesAreGoodToAThousandth) {
           greatest = std::max(greatest, std::abs(static_cast<double>(a[i].radiance[c]) / truth - 1.0));
         }
       }
-      EXPECT_LT(greatest, 1.2e-3) << elevation << (volume ? " volume" : " march");
+      EXPECT_LT(greatest, 2e-3) << elevation << (volume ? " volume" : " march");
       EXPECT_GT(greatest, 0.0) << elevation << (volume ? " volume" : " march");
     }
   }
