@@ -36,11 +36,6 @@ void main() {
   Ray ray = ray_up_to(scene.planet, scene.camera.altitude, view.direction.y, whole, span.distance_);
   // Where air is cut into shells, steps follow from the edges that a ray crosses.
   uint count = shell_rows() > 0u ? steps : steps_up_to(scene.planet, whole, ray.length_, 2u, steps);
-  SkyFactors air;
-  if (shell_rows() > 0u) {
-    air = shell_air_factors(scene.planet, scene.moments, ray, count);
-  } else {
-    air = air_factors_by_panel(scene.planet, scene.moments, ray, count);
-  }
+  SkyFactors air = scene_air_factors(ray, count);
   write_air(span.index, phased(air, phases(ray.nu)) * scene.sun.irradiance, air.transmittance);
 }

@@ -162,21 +162,16 @@ DiffuseAir diffuse_air_over(real h, real rise, Phases p) {
   return air;
 }
 
-// What the moments of degree l add to the field in the harmonics' direction, over the isotropic moment.
-vec3 degree_part(uint l, MomentCoordinate c, Harmonics y) {
-  uint k = moment_place(l, 0u);
-  vec3 part = fetch_moment(k, c.x, c.y) * y.of[k];
-  UNROLL for (uint m = 1u; m <= l; m++) {
-    part = part + fetch_moment(k + m, c.x, c.y) * y.of[k + m];
-  }
-  return part;
-}
-
-// The sum with what that scatters into the direction. Degrees here and media above are gone through by calls: one run
-// of spirv-opt writes out no loop in a loop.
+// The sum with what the moments of degree l scatter into the harmonics' direction, over the isotropic moment. Degrees
+// here and media above are gone through by calls: one run of spirv-opt writes out no loop in a loop.
 vec3 with_degree(vec3 sum, uint l, MomentCoordinate c, DiffuseAir air, Harmonics y) {
   if (l <= source_degree()) {
-    sum = sum + air.degree[l] * degree_part(l, c, y);
+    uint k = moment_place(l, 0u);
+    vec3 part = fetch_moment(k, c.x, c.y) * y.of[k];
+    UNROLL for (uint m = 1u; m <= l; m++) {
+      part = part + fetch_moment(k + m, c.x, c.y) * y.of[k + m];
+    }
+    sum = sum + air.degree[l] * part;
   }
   return sum;
 }
@@ -201,50 +196,6 @@ vec3 moment_source_of(vec3 isotropic, MomentCoordinate c, DiffuseAir air, real m
 vec3 moment_source(MomentTableData table, DiffuseAir air, real h, real mu_sun, real mu, real cos_azimuth) {
   MomentCoordinate c = moment_coordinate(table, h, mu_sun);
   return moment_source_of(exp(fetch_moment(0u, c.x, c.y)), c, air, mu, cos_azimuth);
-}
-
-// What the degrees above 2 add to the field in one direction, over its isotropic moment: most of the fetches, little of
-// the light, and smooth along a ray.
-struct FineShape {
-  vec3 degree[kMaxDegree + 1];
-};
-
-FineShape with_shape_of(FineShape shape, uint l, MomentCoordinate c, Harmonics y) {
-  if (l <= source_degree()) {
-    shape.degree[l] = degree_part(l, c, y);
-  } else {
-    shape.degree[l] = vec3(0.0);
-  }
-  return shape;
-}
-
-FineShape fine_shape(MomentCoordinate c, real mu, real cos_azimuth) {
-  Harmonics y = harmonics(mu, cos_azimuth);
-  FineShape shape;
-  shape.degree[0] = vec3(0.0);
-  shape.degree[1] = vec3(0.0);
-  shape.degree[2] = vec3(0.0);
-  shape = with_shape_of(shape, 3u, c, y);
-  shape = with_shape_of(shape, 4u, c, y);
-  shape = with_shape_of(shape, 5u, c, y);
-  shape = with_shape_of(shape, 6u, c, y);
-  shape = with_shape_of(shape, 7u, c, y);
-  shape = with_shape_of(shape, 8u, c, y);
-  return shape;
-}
-
-// moment_source() where the field's fine shape is known.
-vec3 shaped_source(MomentTableData table, FineShape shape, DiffuseAir air, real h, real mu_sun, real mu,
-                   real cos_azimuth) {
-  MomentCoordinate c = moment_coordinate(table, h, mu_sun);
-  Harmonics y = harmonics(mu, cos_azimuth);
-  vec3 sum = air.degree[0] * y.of[0];
-  sum = with_degree(sum, 1u, c, air, y);
-  sum = with_degree(sum, 2u, c, air, y);
-  UNROLL for (uint l = 3u; l <= kMaxDegree; l++) {
-    sum = sum + air.degree[l] * shape.degree[l];
-  }
-  return max(sum, vec3(0.0)) * exp(fetch_moment(0u, c.x, c.y));
 }
 
 // Irradiance on the ground by the light that the table holds.

@@ -43,33 +43,18 @@ struct NodeLight {
   vec3 peaks;
 };
 
-// All but the diffuse light. `share`: of the sun, that reaches it.
-NodeLight node_air(PlanetData planet, RayPoint point, DiffuseAir air, real share) {
+// `share`: of the sun, that reaches it.
+NodeLight node_light(PlanetData planet, MomentTableData table, Ray ray, real t, real share) {
+  RayPoint point = point_on_ray(planet, ray, t);
+  DiffuseAir air = diffuse_air_over(point.h, 0.0, equal_phases(0.0));
   vec3 direct = transmittance_to_sun(planet, point.h, point.mu_sun) * share;
   NodeLight light;
   UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
     light.single[i] = direct * medium_scattering(i, point.h, 0.0);
   }
+  light.diffuse = moment_source(table, air, point.h, point.mu_sun, point.mu, cos_azimuth_at(point, ray.nu));
   light.extinction = air.extinction;
   light.peaks = air.peaks;
-  return light;
-}
-
-NodeLight node_light(PlanetData planet, MomentTableData table, Ray ray, real t, real share) {
-  RayPoint point = point_on_ray(planet, ray, t);
-  DiffuseAir air = diffuse_air_over(point.h, 0.0, equal_phases(0.0));
-  NodeLight light = node_air(planet, point, air, share);
-  light.diffuse = moment_source(table, air, point.h, point.mu_sun, point.mu, cos_azimuth_at(point, ray.nu));
-  return light;
-}
-
-// In a field whose fine shape is known.
-NodeLight shaped_node_light(PlanetData planet, MomentTableData table, Ray ray, real t, FineShape shape) {
-  RayPoint point = point_on_ray(planet, ray, t);
-  DiffuseAir air = diffuse_air_over(point.h, 0.0, equal_phases(0.0));
-  NodeLight light = node_air(planet, point, air, 1.0);
-  light.diffuse =
-      shaped_source(table, shape, air, point.h, point.mu_sun, point.mu, cos_azimuth_at(point, ray.nu));
   return light;
 }
 
@@ -110,25 +95,6 @@ SkyFactors air_factors_between(PlanetData planet, MomentTableData table, Ray ray
       factors = with_panel_light(factors, near, here, panel.width);
     }
     near = here;
-  }
-  return factors;
-}
-
-// The same with the field's fine shape taken once a panel, in its middle: in haze most of a node's fetches are its.
-SkyFactors air_factors_by_panel(PlanetData planet, MomentTableData table, Ray ray, uint steps) {
-  SkyFactors factors = no_air();
-  uint panels = (steps + 1u) / 2u;
-  StepPlan plan = plan_steps(planet, ray, panels);
-  uint end = ray.length_ > 0.0 ? panels : 0u;
-  for (uint i = 0u; i < end; i++) {
-    Step panel = planned_step(plan, i);
-    RayPoint middle = point_on_ray(planet, ray, panel.t);
-    MomentCoordinate c = moment_coordinate(table, middle.h, middle.mu_sun);
-    FineShape shape = fine_shape(c, middle.mu, cos_azimuth_at(middle, ray.nu));
-    real off = kPanelNode * panel.width;
-    NodeLight near = shaped_node_light(planet, table, ray, panel.t - off, shape);
-    NodeLight far = shaped_node_light(planet, table, ray, panel.t + off, shape);
-    factors = with_panel_light(factors, near, far, panel.width);
   }
   return factors;
 }
