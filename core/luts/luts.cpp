@@ -1,5 +1,7 @@
 #include "core/luts/luts.h"
 
+#include <algorithm>
+#include <bit>
 #include <string>
 #include <string_view>
 
@@ -75,7 +77,15 @@ std::string table_key(const Air& air, std::string_view table, TableSize size, st
 
 std::vector<Specialization> medium_specialization(const Air& air) {
   const physics::Physics& p = air.formulas();
-  return {{"kMediumCount", p.media}, {"kDensityProfiles", p.density_profiles}, {"kPhaseFunctions", p.phase_functions}};
+  physics::uint most = 0;
+  for (physics::uint i = 0; i < p.media; ++i) {
+    most = std::max(most, p.scene.media[i].layer_count);
+  }
+  // By powers of two, so that lists of about one length share their pipelines.
+  return {{"kMediumCount", p.media},
+          {"kDensityProfiles", p.density_profiles},
+          {"kPhaseFunctions", p.phase_functions},
+          {"kMostLayers", most == 0 ? 0 : std::bit_ceil(most)}};
 }
 
 std::vector<Specialization> sunlight_specialization(const Plan& plan, const Air& air, ImageId transmittance) {

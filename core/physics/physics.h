@@ -73,6 +73,7 @@ struct Physics {
   uint phase_of(uint i) const { return (phase_functions >> (kBitsPerMedium * i)) & 15u; }
   MediumData medium(uint i) const { return scene.media[i]; }
   vec2 density_layer(uint k) const { return scene.layers[k]; }
+  uint most_layers() const { return kMaxDensityLayers; }
   vec3 phase_sample(uint k) const { return (*phase_samples)[k]; }
   bool sun_fade_enabled() const { return fade; }
   bool ground_reflects() const { return ground_irradiance_lut.width > 0; }

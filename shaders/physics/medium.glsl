@@ -3,11 +3,12 @@
 // with two media runs a shader with two media:
 //   uint medium_count();  uint density_profile(uint i);  uint phase_of(uint i);  MediumData medium(uint i);
 //   vec2 density_layer(uint k);  vec3 phase_sample(uint k);
+//   uint most_layers();  no medium has more, 0 where none has any
 
 // The later of two layers, `step` apart, that lies at or below h.
 uint layer_below(MediumData m, real h, uint low, uint step) {
   uint next = low + step;
-  if (next < m.layer_count) {
+  if (step < most_layers() && next < m.layer_count) {
     if (density_layer(m.first_layer + next).x <= h) {
       return next;
     }
@@ -17,7 +18,7 @@ uint layer_below(MediumData m, real h, uint low, uint step) {
 
 // Piecewise linear between [altitude, density] pairs, constant outside. A search by halves, written out: a loop over
 // 256 layers in a march of 512 steps outruns the 65535 turns that the software device grants a shader, which then ends
-// its loops without a word.
+// its loops without a word. Steps as long as the longest list fold away.
 real layered_density(MediumData m, real h) {
   vec2 first = density_layer(m.first_layer);
   if (h <= first.x) {

@@ -11,6 +11,8 @@ layout(constant_id = 1) const uint kDensityProfiles = 0u;
 layout(constant_id = 2) const uint kPhaseFunctions = 0u;
 layout(constant_id = 3) const uint kSunFade = 0u;
 
+layout(constant_id = 31) const uint kMostLayers = kMaxDensityLayers;
+
 layout(scalar, set = 0, binding = 0) uniform SceneBlock { SceneData scene; };
 
 uint medium_count() { return kMediumCount; }
@@ -21,6 +23,7 @@ uint phase_of(uint i) { return (kPhaseFunctions >> (kBitsPerMedium * i)) & 15u; 
 MediumData loaded_media[kMaxMedia] = scene.media;
 MediumData medium(uint i) { return loaded_media[i]; }
 vec2 density_layer(uint k) { return scene.layers[k]; }
+uint most_layers() { return kMostLayers; }
 // Behind the block in the plan's scene data; all zeros where no medium has a table.
 layout(scalar, set = 0, binding = 15) readonly buffer SceneTables { vec4 values[]; } scene_tables;
 vec3 phase_sample(uint k) { return scene_tables.values[k].xyz; }
