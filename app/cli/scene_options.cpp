@@ -221,6 +221,7 @@ Scene load_scene(const SceneOptions& options, const std::vector<Override>& furth
 
 DeviceOptions wanted_device(const SceneOptions& options) {
   DeviceOptions wanted;
+  wanted.stores_tables = true;
   wanted.name_substring = options.device;
   if (options.no_cache) {
     wanted.cache_folder.emplace();

@@ -123,7 +123,7 @@ chart::RunOrder order_of(const Given& given, chart::Settings& settings) {
   order.known = read_points(given.folder);
   order.version = AIRLIGHT_VERSION;
   DeviceOptions wanted = wanted_device(given.scene);
-  wanted.stores_tables = false;
+  wanted.stores_tables = false;  // they are timed
   order.open_device = [wanted] { return std::make_unique<Executor>(wanted); };
   order.keep = [folder = fs::path(given.folder)](const std::vector<chart::Point>& points) {
     write_points(folder, points);

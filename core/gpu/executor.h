@@ -31,7 +31,7 @@ struct DeviceOptions {
   std::optional<bool> teams = {};   // whether passes get them (PassDesc::team); without: on all but processors
   // Where what only saves time is kept from one start to the next; empty: nowhere. Without: user_cache_folder().
   std::optional<std::filesystem::path> cache_folder = {};
-  bool stores_tables = true;  // in that folder, for later starts; false: each executor bakes its own, to be timed
+  bool stores_tables = false;  // in that folder, for later starts; false: each executor bakes its own
   std::size_t kept_bytes_max = std::size_t{1} << 30;  // kept resources beyond it go, the least recently used first
 };
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/gpu/embedded_shaders.h"
-#include "core/gpu/match.h"
 #include "core/gpu/kept_files.h"
+#include "core/gpu/match.h"
 
 namespace airlight {
 

@@ -31,23 +31,22 @@ Image::Image(const Device& device, const ImageDesc& desc) : extent_(desc.extent)
   check_sides(device, desc, what);
   device.check_size(desc.bytes(), what);
   const bool is_3d = desc.extent.depth > 1;
-  const VkImageCreateInfo image_info{
-      .sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
-      .pNext = nullptr,
-      .flags = 0,
-      .imageType = is_3d ? VK_IMAGE_TYPE_3D : VK_IMAGE_TYPE_2D,
-      .format = format,
-      .extent = {desc.extent.width, desc.extent.height, desc.extent.depth},
-      .mipLevels = 1,
-      .arrayLayers = 1,
-      .samples = VK_SAMPLE_COUNT_1_BIT,
-      .tiling = VK_IMAGE_TILING_OPTIMAL,
-      .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
-               VK_IMAGE_USAGE_TRANSFER_DST_BIT,
-      .sharingMode = VK_SHARING_MODE_EXCLUSIVE,
-      .queueFamilyIndexCount = 0,
-      .pQueueFamilyIndices = nullptr,
-      .initialLayout = VK_IMAGE_LAYOUT_UNDEFINED};
+  const VkImageCreateInfo image_info{.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
+                                     .pNext = nullptr,
+                                     .flags = 0,
+                                     .imageType = is_3d ? VK_IMAGE_TYPE_3D : VK_IMAGE_TYPE_2D,
+                                     .format = format,
+                                     .extent = {desc.extent.width, desc.extent.height, desc.extent.depth},
+                                     .mipLevels = 1,
+                                     .arrayLayers = 1,
+                                     .samples = VK_SAMPLE_COUNT_1_BIT,
+                                     .tiling = VK_IMAGE_TILING_OPTIMAL,
+                                     .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
+                                              VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT,
+                                     .sharingMode = VK_SHARING_MODE_EXCLUSIVE,
+                                     .queueFamilyIndexCount = 0,
+                                     .pQueueFamilyIndices = nullptr,
+                                     .initialLayout = VK_IMAGE_LAYOUT_UNDEFINED};
   VkImage image = nullptr;
   check(vkCreateImage(device.get(), &image_info, nullptr, &image), "make " + what);
   image_ = {device.get(), image};

@@ -264,7 +264,8 @@ Bake begin_bake(Plan& plan, const Air& air, ImageId sunlight, const MomentSettin
                                          .bytes = std::size_t{atlas.width} * atlas.height * 4 * sizeof(float),
                                          .host_readable = false,
                                          .contents = {},
-                                         .key = {}});
+                                         .key = {},
+                                         .scratch = true});
   return {plan, air, sunlight, settings, sums};
 }
 

@@ -45,7 +45,8 @@ struct BufferDesc {
   std::string key = {};
   // With a key: kept, but made anew by every plan that has a pass for it; a later plan without one reads what is there.
   bool carried = false;
-  bool zeroed = true;  // false: starts undefined, for a buffer that its pass writes whole (33 MB of zeros cost ms)
+  bool scratch = false;  // what it holds at the end is of no use: no pass runs for it alone
+  bool zeroed = true;    // false: starts undefined, for a buffer that its pass writes whole (33 MB of zeros cost ms)
   // In place of `contents` where those take long to find: asked when a pass that reads them runs, as most plans are
   // only looked at.
   std::function<std::vector<std::byte>()> contents_when_run = {};

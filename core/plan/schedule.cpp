@@ -28,7 +28,7 @@ std::vector<bool> seen_afterwards(const Plan& plan) {
 
 // Flags a slot, for the passes gone through backwards so far: who touches a resource after this point.
 struct Later {
-  std::vector<bool> touched;         // by any pass
+  std::vector<bool> touched;         // by any pass; scratch counts as touched
   std::vector<bool> touched_in_run;  // by a pass that runs
 };
 
@@ -45,6 +45,9 @@ bool must_run(const Plan& plan, const PassDesc& pass, const std::vector<bool>& k
 std::vector<bool> run_flags(const Plan& plan, const std::vector<bool>& kept, const std::vector<bool>& seen) {
   std::vector<bool> runs(plan.passes().size());
   Later later{std::vector<bool>(slot_count(plan)), std::vector<bool>(slot_count(plan))};
+  for (std::size_t i = 0; i < plan.buffers().size(); ++i) {
+    later.touched[plan.images().size() + i] = plan.buffers()[i].scratch;
+  }
   for (std::size_t i = plan.passes().size(); i-- > 0;) {
     const PassDesc& pass = plan.passes()[i];
     runs[i] = must_run(plan, pass, kept, seen, later);

@@ -242,9 +242,9 @@ struct SceneSpectra {
   Curve ground_albedo;
   std::vector<Curve> spheres;  // albedo, as the scene's
   Curve terrain_albedo;
-  Curve sun;                   // above the air, up to a factor
-  int wavelengths = 0;         // 0: auto
-  double irradiance = 1.0;     // of the sun, as the preset gives it
+  Curve sun;                // above the air, up to a factor
+  int wavelengths = 0;      // 0: auto
+  double irradiance = 1.0;  // of the sun, as the preset gives it
   White white = White::sun;
   bool operator==(const SceneSpectra&) const = default;
 };

@@ -288,7 +288,7 @@ Executor& Session::pictures() {
 }
 
 Executor& Session::tables() {
-  if (!tables_) tables_.emplace(DeviceOptions{.stores_tables = false, .kept_bytes_max = 0});
+  if (!tables_) tables_.emplace(DeviceOptions{.kept_bytes_max = 0});
   return *tables_;
 }
 

@@ -261,7 +261,7 @@ TEST(Stored, TablesOutliveTheirExecutor) {
   std::string name = (std::filesystem::temp_directory_path() / "airlight-tables-XXXXXX").string();
   ASSERT_NE(::mkdtemp(name.data()), nullptr);
   const std::filesystem::path folder = name;
-  const DeviceOptions options{.cache_folder = folder};
+  const DeviceOptions options{.cache_folder = folder, .stores_tables = true};
   const auto expect = [](const StoredRun& run, bool made, float first, const char* why) {
     EXPECT_EQ(run.made, made) << why;
     EXPECT_EQ(run.first, first) << why;
@@ -272,9 +272,10 @@ TEST(Stored, TablesOutliveTheirExecutor) {
   // Another ramp under the same key would be a caller's mistake; it shows that nothing was made.
   expect(run_stored(options, "a", 8), false, 7.0F, "the second");
   expect(run_stored(options, "b", 9), true, 9.0F, "another key");
-  expect(run_stored({.teams = true, .cache_folder = folder}, "a", 8), true, 8.0F, "passes that round otherwise");
-  expect(run_stored({.cache_folder = folder, .stores_tables = false}, "a", 6), true, 6.0F, "to be timed");
-  expect(run_stored({.cache_folder = ""}, "a", 5), true, 5.0F, "no folder");
+  expect(run_stored({.teams = true, .cache_folder = folder, .stores_tables = true}, "a", 8), true, 8.0F,
+         "passes that round otherwise");
+  expect(run_stored({.cache_folder = folder}, "a", 6), true, 6.0F, "nobody asked for it");
+  expect(run_stored({.cache_folder = "", .stores_tables = true}, "a", 5), true, 5.0F, "no folder");
   expect(run_stored(options, "a", 8), false, 7.0F, "none of these wrote over it");
   for (const auto& file : std::filesystem::directory_iterator(folder / "tables")) {
     std::fstream stream(file.path(), std::ios::in | std::ios::out | std::ios::binary);

@@ -46,6 +46,9 @@ TEST(Day, BakesItsTablesOnce) {
     EXPECT_TRUE(ran(picture(6, 0.005, method), table)) << method;
     EXPECT_FALSE(ran(picture(7, 0.004, method), table)) << method;  // the first air's are still there
   }
+  // Thick air, by shells.
+  EXPECT_TRUE(ran(picture(30, 3.0, "orders"), "orders_level0"));
+  EXPECT_FALSE(ran(picture(31, 3.0, "orders"), "order"));
 }
 
 }  // namespace

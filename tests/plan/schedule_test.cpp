@@ -129,6 +129,21 @@ TEST(Kept, APassWithoutReadersRuns) {
   EXPECT_EQ(Letters("a").pass("", "a").runs_with(""), (Flags{true}));
 }
 
+// Sums that some pass may want, beside what leads to something kept.
+TEST(Kept, ScratchMakesNoPassRun) {
+  Plan plan;
+  const BufferId sums = plan.add_buffer({.name = "sums", .bytes = 4, .scratch = true});
+  const BufferId step = plan.add_buffer({.name = "step", .bytes = 4});
+  const BufferId kept = plan.add_buffer({.name = "kept", .bytes = 4, .key = "kept"});
+  plan.add_pass({.shader = "one", .writes = {{"out", step}, {"sums", sums}}, .grid = {1, 1}});
+  plan.add_pass({.shader = "two", .reads = {{"in", step}}, .writes = {{"out", kept}}, .grid = {1, 1}});
+  EXPECT_EQ(passes_to_run(plan, [](ResourceId) { return true; }), (Flags{false, false}));
+  EXPECT_EQ(passes_to_run(plan, [](ResourceId) { return false; }), (Flags{true, true}));
+  const BufferId told = plan.add_buffer({.name = "told", .bytes = 4, .host_readable = true});
+  plan.add_pass({.shader = "three", .reads = {{"in", sums}}, .writes = {{"out", told}}, .grid = {1, 1}});
+  EXPECT_EQ(passes_to_run(plan, [](ResourceId) { return true; }), (Flags{true, false, true}));
+}
+
 TEST(Kept, WrittenAgainItIsMadeFromTheStart) {
   // The second pass adds to K and must run for h: K's first writer has to run as well, or K would be added to twice.
   EXPECT_EQ(Letters("Kh").pass("", "K").pass("", "Kh").runs_with("K"), (Flags{true, true}));
