@@ -3,8 +3,8 @@
 // processes at once.
 //
 // Modules are code, so a file counts only where nobody else can have put it there or changed it: folder and file belong
-// to the user, others may not write to them, and the file says what it holds and carries its hash. Whatever is wrong with
-// folder or file, it is as if nothing were kept; no error, since nothing is lost but time.
+// to the user, others may not write to them, and the file says what it holds and carries its hash. Whatever is wrong
+// with folder or file, it is as if nothing were kept; no error, since nothing is lost but time.
 
 #include <cstdint>
 #include <filesystem>
