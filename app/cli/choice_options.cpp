@@ -98,9 +98,17 @@ ChoiceReport choose_rendering(const Scene& scene, const ChoiceWish& wish, const 
                   std::to_string(++tried) + " so far)");
     }
   };
-  const choice::ProbeFunction probe = [&](const Scene& candidate, const choice::Probes& probes) {
+  choice::Looks looks;
+  looks.probe = [&](const Scene& candidate, const choice::Probes& probes) {
     tell_what("probing", candidate);
     return probe_picture(device, candidate, probes.directions);
+  };
+  looks.trace = [&](const Scene& whole, const choice::Probes& probes, double target_error) {
+    if (status) {
+      status->say("choosing method and quality: path-trace judges " + std::to_string(probes.directions.size()) +
+                  " pixels");
+    }
+    return choice::trace_probes(whole, probes, target_error, {});
   };
   if (wish.limit_ms > 0.0) {
     chart::TableTimes tables;
@@ -109,9 +117,9 @@ ChoiceReport choose_rendering(const Scene& scene, const ChoiceWish& wish, const 
       const chart::Timing timing = chart::time_on_device(device(), candidate, {}, quick(), tables);
       return timing.device_ms + timing.tables_ms;
     };
-    report.choice = choice::choose_for_time(scene, wish.limit_ms, wish.method, probe, time);
+    report.choice = choice::choose_for_time(scene, wish.limit_ms, wish.method, looks, time);
   } else {
-    report.choice = choice::choose_for_tolerance(scene, wish.tolerance, wish.method, probe);
+    report.choice = choice::choose_for_tolerance(scene, wish.tolerance, wish.method, looks);
   }
   report.probing_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   report.probing_cpu_ms = chart::process_cpu_ms() - cpu;
@@ -131,7 +139,9 @@ std::string summary(const ChoiceReport& report) {
   if (choice.probes == 0) {
     return text + ", as is known of such air and sun";
   }
-  return text + ", by " + std::to_string(choice.probes) + " probes in " + rounded(report.probing_cpu_ms, 4) + " CPU-ms";
+  const std::string judge = choice.traced > 0 ? " and path-trace at " + std::to_string(choice.traced) : "";
+  return text + ", by " + std::to_string(choice.probes) + " probes" + judge + " in " +
+         rounded(report.probing_cpu_ms, 4) + " CPU-ms";
 }
 
 std::string explanation(const ChoiceReport& report) {
@@ -164,7 +174,7 @@ void write_choice(JsonWriter& json, const ChoiceReport& report) {
   json.key("estimated_error").value(choice.error).key("reference_error").value(choice.reference_error);
   json.key("device_ms");
   choice.ms > 0.0 ? json.value(choice.ms) : json.null();
-  json.key("probes").value(choice.probes).key("probing_ms").value(report.probing_ms);
+  json.key("probes").value(choice.probes).key("traced").value(choice.traced).key("probing_ms").value(report.probing_ms);
   json.key("probing_cpu_ms").value(report.probing_cpu_ms).key("left_out").begin_array();
   for (const std::string& line : choice.left_out) {
     json.value(line);

@@ -13,6 +13,7 @@ namespace airlight::choice {
 namespace {
 
 constexpr std::size_t kProbes = 256;
+constexpr std::size_t kTracedOf = 2;  // every second one
 
 double mean_at_most(const measure::SampleError& measured) {
   constexpr double kSpreads = 2.0;
@@ -31,39 +32,54 @@ std::string percent_line(int wavelengths, double error) {
   return text.data();
 }
 
+void tell_darkness(Choice& choice) {
+  if (choice.dark > 0.0) {
+    choice.left_out.push_back("all light: nothing in the picture is brighter than 1e-15 of the sun's irradiance");
+  }
+}
+
 // What every choice begins with: lighter air, probe rays, tables that are there already.
 struct Ground {
+  const Scene& scene;
+  const Looks& looks;
   Lighter lighter;
   Probes probes;
   std::vector<Candidate> made;  // their tables are there
-  std::vector<float> truth;
-  double known_error = 0.0;  // of the reference and of what was left out
+  std::vector<float> truth;     // near it
+  double known_error = 0.0;     // of the reference and of what was left out
   double dark = 0.0;
+  Judge& judge;
 
-  Ground(const Scene& scene, double tolerance, const ProbeFunction& probe)
-      : lighter(leave_out_media(scene, 0.25 * tolerance)), probes(choose_probes(scene, kProbes)) {
+  Ground(const Scene& wanted, double tolerance, const Looks& through, Probes at, Judge& judged_by)
+      : scene(wanted),
+        looks(through),
+        lighter(leave_out_media(scene, 0.25 * tolerance)),
+        probes(std::move(at)),
+        judge(judged_by) {
     known_error = lighter.error;
     if (lighter.scene.spectra && !probes.directions.empty()) {
-      settle_wavelengths(tolerance, probe);
+      settle_wavelengths(tolerance);
     }
     made = {reference(lighter.scene, false)};
     if (probes.directions.empty()) {
       return;
     }
     if (truth.empty()) {
-      truth = probe(made.front().scene, probes);
+      truth = looks.probe(made.front().scene, probes);
     }
     const std::optional<double> known = plain_reference_error(lighter.scene);
     constexpr double kShare = 0.65;  // of a tolerance, that the reference's own error may take up
     if (known && *known <= kShare * tolerance) {
       known_error += *known;
+    } else if (can_be_traced(scene)) {
+      judge_reference(tolerance);
     } else {
-      refine(probe);
+      refine();
     }
   }
 
   // The fewest wavelengths, or those asked for, held against many more.
-  void settle_wavelengths(double tolerance, const ProbeFunction& probe) {
+  void settle_wavelengths(double tolerance) {
     constexpr int kMany = 24;
     constexpr double kOfMany = 0.0005;  // what many are off all 48, over the skies of core/SPECTRA.md
     constexpr double kShare = 0.4;      // of a tolerance, that the spectrum may take up
@@ -73,13 +89,13 @@ struct Ground {
       return;
     }
     const int many = wished < kMany ? kMany : kMostWavelengths;
-    const std::vector<float> better = probe(reference_at(lighter.scene, many).scene, probes);
+    const std::vector<float> better = looks.probe(reference_at(lighter.scene, many).scene, probes);
     const double night = dark_radiance(lighter.scene, better);
     const std::vector<int> counts = wished != 0 ? std::vector<int>{wished} : std::vector<int>{3, 6, 12};
     double error = 0.0;
     for (const int count : counts) {
       spectra.wavelengths = count;
-      truth = probe(reference_at(lighter.scene, count).scene, probes);
+      truth = looks.probe(reference_at(lighter.scene, count).scene, probes);
       error = mean_at_most(measure::sample_error(truth, better, probes.weights, night)) + kOfMany;
       if (error <= kShare * tolerance) {
         break;
@@ -89,12 +105,35 @@ struct Ground {
     lighter.reasons.push_back(percent_line(spectra.wavelengths, error));
   }
 
+  // The plain reference, and the fine one where that may do better. What was left out and the wavelengths are in the
+  // verdict.
+  void judge_reference(double tolerance) {
+    constexpr double kShare = 0.65;    // of the tolerance: as good as it need be
+    constexpr double kHopeless = 3.0;  // of it: finer tables do not mend as much
+    const std::vector<float> plain = every(truth, kTracedOf);
+    dark = judge.darkness(plain);
+    if (dark > 0.0) {
+      return;
+    }
+    Judgement verdict = judge.tell(plain, kShare);
+    if (verdict.at_most > kShare * tolerance && verdict.at_least <= kHopeless * tolerance) {
+      made.push_back(reference(lighter.scene, true));
+      std::vector<float> better = looks.probe(made.back().scene, probes);
+      const Judgement of_better = judge.told(every(better, kTracedOf));
+      if (of_better.at_most < verdict.at_most) {
+        verdict = of_better;
+        truth = std::move(better);
+      }
+    }
+    known_error = verdict.at_most;
+  }
+
   // Both references' methods are the same but for the degree and the tables' sizes, four times the entries: what the
   // fine one is still away from the limit is less than half of their distance.
-  void refine(const ProbeFunction& probe) {
+  void refine() {
     constexpr double kRemains = 0.5;
     made.push_back(reference(lighter.scene, true));
-    std::vector<float> better = probe(made.back().scene, probes);
+    std::vector<float> better = looks.probe(made.back().scene, probes);
     dark = dark_radiance(lighter.scene, better);
     if (dark == 0.0) {
       known_error +=
@@ -103,22 +142,25 @@ struct Ground {
     truth = std::move(better);
   }
 
-  double bound_of(const Candidate& candidate, const ProbeFunction& probe) const {
+  // Against the reference, whose own error is known; of `orders` against path-trace as well, where that was asked.
+  double bound_of(const Candidate& candidate) const {
     if (probes.directions.empty()) {
       return 0.0;  // nothing of the planet is in the picture
     }
-    return error_bound(measure::sample_error(probe(candidate.scene, probes), truth, probes.weights, dark), known_error);
+    const std::vector<float> radiance = looks.probe(candidate.scene, probes);
+    const double bound = error_bound(measure::sample_error(radiance, truth, probes.weights, dark), known_error);
+    const bool judged = judge.was_asked() && dark == 0.0 && candidate.method == "orders";
+    return judged ? std::min(bound, judge.told(every(radiance, kTracedOf)).at_most) : bound;
   }
 
   Choice begin() const {
     Choice choice;
     choice.probes = probes.directions.size();
+    choice.traced = judge.was_asked() ? judge.probes().directions.size() : 0;
     choice.reference_error = known_error;
     choice.left_out = lighter.reasons;
     choice.dark = dark;
-    if (dark > 0.0) {
-      choice.left_out.push_back("all light: nothing in the picture is brighter than 1e-15 of the sun's irradiance");
-    }
+    tell_darkness(choice);
     return choice;
   }
 };
@@ -137,18 +179,46 @@ void settle(Choice& choice, const Candidate& candidate, const Tried& tried) {
   choice.left_out.insert(choice.left_out.end(), candidate.left_out.begin(), candidate.left_out.end());
 }
 
+Choice only_choice(const Candidate& candidate, double error) {
+  Choice choice;
+  choice.reference_error = error;
+  const Tried tried{candidate.method, candidate.quality, candidate.cost.total(), error, 0.0};
+  note(choice, tried);
+  settle(choice, candidate, tried);
+  return choice;
+}
+
+bool default_will_do(const Scene& scene, const std::string& only) {
+  return (only.empty() || only == "orders") && !search_may_pay(scene);
+}
+
 // `orders` at its defaults, where that is sure to do and no search may pay.
 std::optional<Choice> sure_choice(const Scene& scene, double tolerance, const std::string& only) {
   const std::optional<double> error = default_error(scene);
-  if (!error || *error > tolerance || (!only.empty() && only != "orders") || search_may_pay(scene)) {
+  if (!error || *error > tolerance || !default_will_do(scene, only)) {
     return std::nullopt;
   }
-  Choice choice;
-  choice.reference_error = *error;
+  return only_choice(default_candidate(scene), *error);
+}
+
+// The same, where path-trace says that it does.
+std::optional<Choice> judged_choice(const Scene& scene, double tolerance, const std::string& only,
+                                    const ProbeFunction& probe, Judge& judge) {
+  if (!default_will_do(scene, only) || !can_be_traced(scene) || judge.probes().directions.empty()) {
+    return std::nullopt;
+  }
   const Candidate candidate = default_candidate(scene);
-  const Tried tried{candidate.method, candidate.quality, candidate.cost.total(), *error, 0.0};
-  note(choice, tried);
-  settle(choice, candidate, tried);
+  const std::vector<float> radiance = probe(candidate.scene, judge.probes());
+  const double dark = judge.darkness(radiance);
+  const Judgement verdict = dark > 0.0 ? Judgement{} : judge.tell(radiance, 1.0);
+  if (verdict.at_most > tolerance) {
+    return std::nullopt;
+  }
+  Choice choice = only_choice(candidate, verdict.at_most);
+  choice.probes = judge.probes().directions.size();
+  choice.traced = choice.probes;
+  choice.dark = dark;
+  tell_darkness(choice);
   return choice;
 }
 
@@ -179,14 +249,6 @@ std::vector<Candidate> likely_to_fit(const std::vector<Candidate>& all, double l
 
 }  // namespace
 
-double dark_radiance(const Scene& scene, const std::vector<float>& reference) {
-  constexpr double kNight = 1e-15;
-  constexpr double kDark = 1e-12;
-  const double sun = *std::ranges::max_element(scene.sun.irradiance);
-  const bool night = std::ranges::all_of(reference, [&](float x) { return std::abs(double{x}) <= kNight * sun; });
-  return night ? kDark * sun : 0.0;
-}
-
 double error_bound(const measure::SampleError& measured, double reference_error) {
   constexpr double kSafety = 1.1;
   return kSafety * mean_at_most(measured) + reference_error;
@@ -201,15 +263,19 @@ bool search_may_pay(const Scene& scene) {
   return default_candidate(scene).cost.picture - kCheapestPixel * pixels > kSearch;
 }
 
-Choice choose_for_tolerance(const Scene& scene, double tolerance, const std::string& only, const ProbeFunction& probe) {
+Choice choose_for_tolerance(const Scene& scene, double tolerance, const std::string& only, const Looks& looks) {
   if (std::optional<Choice> choice = sure_choice(scene, tolerance, only)) {
     return *std::move(choice);
   }
-  const Ground ground(scene, tolerance, probe);
+  const Probes probes = choose_probes(scene, kProbes);
+  Judge judge(scene, every(probes, kTracedOf), tolerance, looks.trace);
+  if (std::optional<Choice> choice = judged_choice(scene, tolerance, only, looks.probe, judge)) {
+    return *std::move(choice);
+  }
+  const Ground ground(scene, tolerance, looks, probes, judge);
   Choice choice = ground.begin();
   for (const Candidate& candidate : candidates(ground.lighter.scene, tolerance, only, ground.made)) {
-    const Tried tried{candidate.method, candidate.quality, candidate.cost.total(), ground.bound_of(candidate, probe),
-                      0.0};
+    const Tried tried{candidate.method, candidate.quality, candidate.cost.total(), ground.bound_of(candidate), 0.0};
     note(choice, tried);
     if (tried.error <= tolerance) {
       settle(choice, candidate, tried);
@@ -219,18 +285,19 @@ Choice choose_for_tolerance(const Scene& scene, double tolerance, const std::str
   return choice;
 }
 
-Choice choose_for_time(const Scene& scene, double limit_ms, const std::string& only, const ProbeFunction& probe,
+Choice choose_for_time(const Scene& scene, double limit_ms, const std::string& only, const Looks& looks,
                        const TimeFunction& time) {
   constexpr double kClose = 0.01;  // how well errors are told apart
-  const Ground ground(scene, kClose, probe);
+  const Probes probes = choose_probes(scene, kProbes);
+  Judge judge(scene, every(probes, kTracedOf), kClose, looks.trace);
+  const Ground ground(scene, kClose, looks, probes, judge);
   Choice choice = ground.begin();
   std::map<std::string, double> fastest;
   std::vector<std::pair<Tried, Candidate>> ranked;
   // A picture's time holds its tables, whoever else has made them.
   const std::vector<Candidate> all = candidates(ground.lighter.scene, kClose, only, {});
   for (const Candidate& candidate : likely_to_fit(all, limit_ms, time, fastest)) {
-    const Tried tried{candidate.method, candidate.quality, candidate.cost.total(), ground.bound_of(candidate, probe),
-                      0.0};
+    const Tried tried{candidate.method, candidate.quality, candidate.cost.total(), ground.bound_of(candidate), 0.0};
     ranked.emplace_back(tried, candidate);
   }
   std::ranges::stable_sort(ranked, {}, [](const auto& entry) { return entry.first.error; });

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/choice/candidates.h"
+#include "core/choice/judge.h"
 #include "core/choice/probes.h"
 #include "core/measure/sample_error.h"
 
@@ -15,6 +16,12 @@ namespace airlight::choice {
 
 // RGB, three values a direction, of the scene's method as its picture would have them there.
 using ProbeFunction = std::function<std::vector<float>(const Scene& scene, const Probes& probes)>;
+
+// What a choice looks at a scene through.
+struct Looks {
+  ProbeFunction probe;
+  TraceFunction trace;
+};
 
 struct Tried {
   std::string method;
@@ -32,24 +39,20 @@ struct Choice {
   std::vector<Tried> tried;      // in order
   std::optional<Tried> best;     // of those: the smallest error
   std::size_t probes = 0;
+  std::size_t traced = 0;  // probes that path-trace judged
   std::vector<std::string> left_out;
   double dark = 0.0;  // dark_radiance() of the picture
 };
 
 // A tolerance is of the mean relative error over the picture without the sun's disc; see measure::sample_error(). Where
-// `orders` at its defaults is sure to hold it and no search may pay, nothing is probed.
-Choice choose_for_tolerance(const Scene& scene, double tolerance, const std::string& only, const ProbeFunction& probe);
+// `orders` at its defaults is sure to hold it and no search may pay, nothing is probed. Where nothing that is fine
+// enough is known of the reference, path-trace judges it.
+Choice choose_for_tolerance(const Scene& scene, double tolerance, const std::string& only, const Looks& looks);
 
 // `time`: ms that the device takes for the scene's tables and picture.
 using TimeFunction = std::function<double(const Scene& scene)>;
-Choice choose_for_time(const Scene& scene, double limit_ms, const std::string& only, const ProbeFunction& probe,
+Choice choose_for_time(const Scene& scene, double limit_ms, const std::string& only, const Looks& looks,
                        const TimeFunction& time);
-
-// By night, where nothing of the near-truth `reference` (RGB) is brighter than 1e-15 of the sun's irradiance, every
-// method's radiance is only held against 1e-12 of it, far below starlight; returned in the scene's units. Else 0: all
-// errors are relative, however dark the picture. The thousandfold between the two is for what is wrong with the
-// reference so far from the light.
-double dark_radiance(const Scene& scene, const std::vector<float>& reference);
 
 // The bound that a tolerance is held against, from what the probes say and what is known of the reference.
 double error_bound(const measure::SampleError& measured, double reference_error);

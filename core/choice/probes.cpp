@@ -121,4 +121,21 @@ Probes choose_probes(const Scene& scene, std::size_t count) {
   return probes;
 }
 
+Probes every(const Probes& probes, std::size_t step) {
+  Probes some;
+  for (std::size_t i = 0; i < probes.directions.size(); i += step) {
+    some.directions.push_back(probes.directions[i]);
+    some.weights.push_back(probes.weights[i]);
+  }
+  return some;
+}
+
+std::vector<float> every(std::span<const float> rgb, std::size_t step) {
+  std::vector<float> some;
+  for (std::size_t i = 0; i < rgb.size(); i += 3 * step) {
+    some.insert(some.end(), {rgb[i], rgb[i + 1], rgb[i + 2]});
+  }
+  return some;
+}
+
 }  // namespace airlight::choice

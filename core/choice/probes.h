@@ -2,6 +2,7 @@
 // Directions that stand for a picture's pixels: few, and denser where methods err most.
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "core/methods/method.h"
@@ -18,5 +19,9 @@ struct Probes {
 // of the true horizon and around the sun, and where a ray runs both in the planet's shadow and in sunlight. The same
 // for the same scene.
 Probes choose_probes(const Scene& scene, std::size_t count);
+
+// Every `step`th of the probes, which stand for the same picture, and of their RGB values.
+Probes every(const Probes& probes, std::size_t step);
+std::vector<float> every(std::span<const float> rgb, std::size_t step);
 
 }  // namespace airlight::choice

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "core/choice/assumed_error.h"
 #include "core/choice/leave_out.h"
@@ -14,14 +15,27 @@
 namespace airlight::choice {
 namespace {
 
+// Paths that find the truth, 1, with the noise that is asked for, but none finer than 0.2 %.
+Traced trace_of_one(const Scene& /*scene*/, const Probes& probes, double target_error) {
+  const auto noise = static_cast<float>(std::clamp(target_error, 0.002, 1.0));
+  std::mt19937 random(7);
+  std::normal_distribution<float> normal(1.0F, noise);
+  Traced traced;
+  traced.radiance.resize(3 * probes.directions.size());
+  std::ranges::generate(traced.radiance, [&] { return normal(random); });
+  traced.standard_error.assign(traced.radiance.size(), noise);
+  return traced;
+}
+
 // Radiance 1 in each direction, wrong by what `error` says of the scene.
-ProbeFunction wrong_by(const std::function<double(const Scene&)>& error, int* calls = nullptr) {
-  return [=](const Scene& scene, const Probes& probes) {
+Looks wrong_by(const std::function<double(const Scene&)>& error, int* calls = nullptr) {
+  const auto probe = [=](const Scene& scene, const Probes& probes) {
     if (calls != nullptr) {
       ++*calls;
     }
     return std::vector<float>(3 * probes.directions.size(), static_cast<float>(1.0 + error(scene)));
   };
+  return {probe, trace_of_one};
 }
 
 // Four parts in a hundred for 8 steps, less in proportion.
@@ -57,7 +71,9 @@ TEST(Tolerance, TakesTheFewestWavelengths) {
     const int count = s.spectra->wavelengths;
     return count < 4 ? 0.03 : count < 7 ? 0.004 : 0.0;
   });
-  const auto chosen_for = [&](double tolerance) { return choose_for_tolerance(scene, tolerance, "", by_wavelengths); };
+  const auto chosen_for = [&](double tolerance) {
+    return choose_for_tolerance(scene, tolerance, "march", by_wavelengths);
+  };
   const Choice rough = chosen_for(0.2);
   ASSERT_TRUE(rough.chosen);
   EXPECT_EQ(rough.chosen->scene.spectra->wavelengths, 3);
@@ -73,7 +89,7 @@ TEST(Tolerance, TakesTheFewestWavelengths) {
 
 TEST(Tolerance, LooksAtNothingWhereTheDefaultIsSureAndNoSearchPays) {
   int calls = 0;
-  const ProbeFunction probe = wrong_by(by_steps, &calls);
+  const Looks probe = wrong_by(by_steps, &calls);
   const Scene noon = preset("noon");
   const Choice choice = choose_for_tolerance(noon, 0.02, "", probe);
   ASSERT_TRUE(choice.chosen);
@@ -136,7 +152,7 @@ constexpr const char* kForward = R"({"function": "henyey-greenstein", "g": 0.8})
 // What is known of haze lets the defaults be taken at 1 % without a search, and not at a tenth of that.
 TEST(Tolerance, HazeIsServedAtOnce) {
   int calls = 0;
-  const ProbeFunction probe = wrong_by(by_steps, &calls);
+  const Looks probe = wrong_by(by_steps, &calls);
   const Scene scene = haze(kBlue, kForward);
   const Choice fine = choose_for_tolerance(scene, 0.01, "", probe);
   ASSERT_TRUE(fine.chosen);
@@ -150,7 +166,7 @@ TEST(Tolerance, HazeIsServedAtOnce) {
 // `auto` wavelengths are few enough to be known, and what they err is in the bound; fewer have to be looked at.
 TEST(Tolerance, KnowsTheDefaultOfSpectraAndOfTables) {
   int calls = 0;
-  const ProbeFunction probe = wrong_by(by_steps, &calls);
+  const Looks probe = wrong_by(by_steps, &calls);
   const std::string air = R"({"at_nm": 550, "value": 0.0125, "exponent": -4})";
   Scene scene = haze(air, kForward);
   ASSERT_TRUE(scene.spectra);
@@ -190,10 +206,18 @@ TEST(Tolerance, ByNightAllThatIsDarkIsAlike) {
   Scene scene = preset("noon");
   scene.sun.elevation = -0.6;
   const auto darkness = [](double near_truth, double others) {
-    return [=](const Scene& s, const Probes& probes) {
+    const auto probe = [=](const Scene& s, const Probes& probes) {
       const bool judge = s.render.method == "orders" && s.render.get<int>("steps") == 192;
       return std::vector<float>(3 * probes.directions.size(), static_cast<float>(judge ? near_truth : others));
     };
+    const auto trace = [=](const Scene& s, const Probes& probes, double target_error) {
+      Traced traced = trace_of_one(s, probes, target_error);
+      for (std::vector<float>* values : {&traced.radiance, &traced.standard_error}) {
+        std::ranges::transform(*values, values->begin(), [=](float x) { return static_cast<float>(near_truth) * x; });
+      }
+      return traced;
+    };
+    return Looks{probe, trace};
   };
   const Choice night = choose_for_tolerance(scene, 0.03, "", darkness(1e-17, 1e-15));
   ASSERT_TRUE(night.chosen);
@@ -203,6 +227,54 @@ TEST(Tolerance, ByNightAllThatIsDarkIsAlike) {
   const Choice twilight = choose_for_tolerance(scene, 0.03, "orders", darkness(1e-14, 2e-14));
   EXPECT_FALSE(twilight.chosen);
   EXPECT_EQ(twilight.dark, 0.0);
+}
+
+// Below what is assumed of haze by day paths tell, as finely as it takes and no finer.
+TEST(Tolerance, PathTraceJudgesWhatNobodyKnows) {
+  const Scene scene = haze(kBlue, kForward);
+  const double tolerance = 0.5 * *default_error(scene);
+  std::vector<double> noises;
+  const auto judged = [&](double error) {
+    noises.clear();
+    Looks looks = wrong_by([=](const Scene&) { return error; });
+    looks.trace = [&](const Scene& s, const Probes& probes, double target_error) {
+      noises.push_back(target_error);
+      return trace_of_one(s, probes, target_error);
+    };
+    return choose_for_tolerance(scene, tolerance, "orders", looks);
+  };
+  const Choice good = judged(0.1 * tolerance);
+  ASSERT_TRUE(good.chosen);
+  EXPECT_EQ(good.chosen->quality, "default");
+  EXPECT_GT(good.traced, 100U);
+  EXPECT_LE(good.error, tolerance);
+  EXPECT_GE(good.error, 0.1 * tolerance);
+  EXPECT_EQ(noises.size(), 1U);
+  const Choice close = judged(0.9 * tolerance);
+  ASSERT_TRUE(close.chosen);
+  EXPECT_GE(close.error, 0.9 * tolerance);
+  EXPECT_LT(noises.back(), 1.5 * tolerance) << "the first look could not tell";
+  const Choice bad = judged(1.5 * tolerance);
+  EXPECT_FALSE(bad.chosen);
+  ASSERT_TRUE(bad.best);
+  EXPECT_GE(bad.best->error, 1.5 * tolerance);
+}
+
+// The noise of the paths is taken off, and no error is told smaller than it is.
+TEST(Tolerance, AJudgementHoldsTheErrorBetweenItsBounds) {
+  Probes probes;
+  probes.directions.resize(128);
+  probes.weights.assign(128, 1.0);
+  for (const double noise : {0.0, 0.002, 0.01, 0.02}) {
+    Traced truth = trace_of_one({}, probes, std::max(noise, 0.002));
+    for (const double error : {0.0, 0.005, 0.01, 0.05}) {
+      const std::vector<float> radiance(3 * 128, static_cast<float>(1.0 + error));
+      const Judgement verdict = judge(radiance, truth, probes.weights);
+      EXPECT_LE(verdict.at_least, 1.03 * error) << noise;
+      EXPECT_GE(verdict.at_most, 0.98 * error) << noise;
+      EXPECT_LE(verdict.at_most, error + 0.6 * noise + 0.002) << noise << " " << error;
+    }
+  }
 }
 
 TEST(Tolerance, ThatNothingReachesNamesTheBest) {

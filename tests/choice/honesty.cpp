@@ -79,13 +79,16 @@ std::vector<Honesty> judge_honesty(Executor& executor, const Scene& scene, const
                                    double* of_reference, const Traced* traced) {
   std::map<std::string, std::vector<float>> known;
   const auto device = [&]() -> Executor& { return executor; };
-  const choice::ProbeFunction probe = [&](const Scene& candidate, const choice::Probes& probes) {
+  const auto probe = [&](const Scene& candidate, const choice::Probes& probes) {
     std::vector<float>& values = known[to_json(candidate)];
     if (values.empty()) {
       values = probe_picture(device, candidate, probes.directions);
     }
     return values;
   };
+  const choice::Looks looks{probe, [](const Scene& whole, const choice::Probes& probes, double target_error) {
+                              return choice::trace_probes(whole, probes, target_error, {});
+                            }};
   const choice::Candidate fine = choice::reference(scene, true);
   if (of_reference != nullptr) {
     const choice::Probes probes = choice::choose_probes(scene, 256);
@@ -107,7 +110,7 @@ std::vector<Honesty> judge_honesty(Executor& executor, const Scene& scene, const
   };
   std::vector<Honesty> results;
   for (const double tolerance : tolerances) {
-    const choice::Choice choice = choice::choose_for_tolerance(scene, tolerance, "", probe);
+    const choice::Choice choice = choice::choose_for_tolerance(scene, tolerance, "", looks);
     Honesty result;
     result.tolerance = tolerance;
     result.refused = !choice.chosen;
