@@ -18,6 +18,7 @@ namespace {
 constexpr std::uint64_t kSameKinds = 8;
 constexpr int kColumns = 96;  // by 32 x 24 a row of pixels at the horizon could be a tenth of a picture
 constexpr int kRows = 72;
+constexpr double kMeanOfNormal = 0.798;  // mean magnitude over standard deviation
 
 Scene random_scene(std::uint64_t seed) {
   const RandomPresetOptions options{.largest_side = 200, .method_keys = false};
@@ -69,7 +70,6 @@ Traced trace(const Scene& scene, const std::filesystem::path& folder) {
 }
 
 double error_against(const Traced& truth, const std::vector<float>& radiance, double dark) {
-  constexpr double kMeanOfNormal = 0.798;  // mean magnitude over standard deviation
   const double error = measure::sample_error(radiance, truth.radiance, truth.probes.weights, dark).mean;
   const double noise = kMeanOfNormal * truth.noise;
   return std::sqrt(std::max(error * error - noise * noise, 0.0));
@@ -101,12 +101,11 @@ std::vector<Honesty> judge_honesty(Executor& executor, const Scene& scene, const
   const chart::PixelSet pixels = chart::lattice(scene, kColumns, kRows);
   const std::vector<float> truth =
       traced != nullptr ? std::vector<float>() : probe_picture(device, fine.scene, pixels.directions);
-  const auto error_of = [&](const choice::Choice& choice) {
+  const auto error_of = [&](const Scene& chosen, double dark) {
     if (traced != nullptr) {
-      return error_against(*traced, picture_values(executor, choice.chosen->scene, traced->probes), choice.dark);
+      return error_against(*traced, picture_values(executor, chosen, traced->probes), dark);
     }
-    const std::vector<float> values = lattice_values(executor, choice.chosen->scene, kColumns, kRows);
-    return measure::sample_error(values, truth, {}, choice.dark).mean;
+    return measure::sample_error(lattice_values(executor, chosen, kColumns, kRows), truth, {}, dark).mean;
   };
   std::vector<Honesty> results;
   for (const double tolerance : tolerances) {
@@ -118,10 +117,12 @@ std::vector<Honesty> judge_honesty(Executor& executor, const Scene& scene, const
       result.method = choice.chosen->method;
       result.quality = choice.chosen->quality;
       result.estimated = choice.error;
-      result.measured = error_of(choice);
-    } else if (choice.best) {
-      result.estimated = choice.best->error;
+      result.measured = error_of(choice.chosen->scene, choice.dark);
+    } else {
+      result.estimated = choice.best ? choice.best->error : 0.0;
+      result.measured = error_of(choice::default_candidate(scene).scene, choice.dark);
     }
+    result.noise = traced != nullptr ? kMeanOfNormal * traced->noise : 0.0;
     result.known = choice.reference_error;
     results.push_back(std::move(result));
   }

@@ -23,8 +23,11 @@ struct Honesty {
   std::string quality;
   double estimated = 0.0;  // where refused: of the best that there was
   double known = 0.0;      // of it: what the reference is not sure of
-  double measured = 0.0;   // mean relative error over pixels of the picture
-  bool missed() const { return !refused && measured > tolerance; }
+  double measured = 0.0;   // mean relative error over pixels of the picture; where refused: of `orders` by its defaults
+  double noise = 0.0;      // the judge's own
+  bool can_be_judged() const { return noise <= tolerance; }
+  bool missed() const { return !refused && can_be_judged() && measured > tolerance; }
+  bool refused_in_vain() const { return refused && can_be_judged() && measured <= tolerance; }
 };
 
 // path-trace in directions of a scene's picture.

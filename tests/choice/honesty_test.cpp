@@ -40,9 +40,11 @@ std::string line_of(std::uint64_t seed, const Scene& scene, const Honesty& h) {
   std::string line = text;
   line.pop_back();
   if (h.refused) {
-    std::snprintf(text, sizeof text, "; the best at most %.3g, %.3g of it the reference's\n", h.estimated, h.known);
+    std::snprintf(text, sizeof text,
+                  "; the best at most %.3g, %.3g of it the reference's; by default %.4f, noise %.4f%s\n", h.estimated,
+                  h.known, h.measured, h.noise, h.refused_in_vain() ? "; IN VAIN" : "");
   } else {
-    std::snprintf(text, sizeof text, "; at most %.4f, measured %.4f%s\n", h.estimated, h.measured,
+    std::snprintf(text, sizeof text, "; at most %.4f, measured %.4f, noise %.4f%s\n", h.estimated, h.measured, h.noise,
                   h.missed() ? "; MISSED" : "");
   }
   return line + text;
