@@ -13,7 +13,8 @@ namespace airlight::choice {
 namespace {
 
 constexpr std::size_t kProbes = 256;
-constexpr std::size_t kTracedOf = 2;  // every second one
+constexpr std::size_t kTracedOf = 2;      // every second one
+constexpr double kReferenceShare = 0.65;  // of a tolerance, that the reference's own error may take up
 
 double mean_at_most(const measure::SampleError& measured) {
   constexpr double kSpreads = 2.0;
@@ -38,7 +39,8 @@ void tell_darkness(Choice& choice) {
   }
 }
 
-// What every choice begins with: lighter air, probe rays, tables that are there already.
+// What every search begins with: lighter air, probe rays, tables that are there already. `enough`: what the reference
+// may err and need not be judged.
 struct Ground {
   const Scene& scene;
   const Looks& looks;
@@ -50,7 +52,7 @@ struct Ground {
   double dark = 0.0;
   Judge& judge;
 
-  Ground(const Scene& wanted, double tolerance, const Looks& through, Probes at, Judge& judged_by)
+  Ground(const Scene& wanted, double tolerance, double enough, const Looks& through, Probes at, Judge& judged_by)
       : scene(wanted),
         looks(through),
         lighter(leave_out_media(scene, 0.25 * tolerance)),
@@ -68,8 +70,7 @@ struct Ground {
       truth = looks.probe(made.front().scene, probes);
     }
     const std::optional<double> known = plain_reference_error(lighter.scene);
-    constexpr double kShare = 0.65;  // of a tolerance, that the reference's own error may take up
-    if (known && *known <= kShare * tolerance) {
+    if (known && *known <= enough) {
       known_error += *known;
     } else if (can_be_traced(scene)) {
       judge_reference(tolerance);
@@ -108,15 +109,14 @@ struct Ground {
   // The plain reference, and the fine one where that may do better. What was left out and the wavelengths are in the
   // verdict.
   void judge_reference(double tolerance) {
-    constexpr double kShare = 0.65;    // of the tolerance: as good as it need be
-    constexpr double kHopeless = 3.0;  // of it: finer tables do not mend as much
+    constexpr double kHopeless = 3.0;  // of the tolerance: finer tables do not mend as much
     const std::vector<float> plain = every(truth, kTracedOf);
     dark = judge.darkness(plain);
     if (dark > 0.0) {
       return;
     }
-    Judgement verdict = judge.tell(plain, kShare);
-    if (verdict.at_most > kShare * tolerance && verdict.at_least <= kHopeless * tolerance) {
+    Judgement verdict = judge.tell(plain, kReferenceShare);
+    if (verdict.at_most > kReferenceShare * tolerance && verdict.at_least <= kHopeless * tolerance) {
       made.push_back(reference(lighter.scene, true));
       std::vector<float> better = looks.probe(made.back().scene, probes);
       const Judgement of_better = judge.told(every(better, kTracedOf));
@@ -272,7 +272,7 @@ Choice choose_for_tolerance(const Scene& scene, double tolerance, const std::str
   if (std::optional<Choice> choice = judged_choice(scene, tolerance, only, looks.probe, judge)) {
     return *std::move(choice);
   }
-  const Ground ground(scene, tolerance, looks, probes, judge);
+  const Ground ground(scene, tolerance, kReferenceShare * tolerance, looks, probes, judge);
   Choice choice = ground.begin();
   for (const Candidate& candidate : candidates(ground.lighter.scene, tolerance, only, ground.made)) {
     const Tried tried{candidate.method, candidate.quality, candidate.cost.total(), ground.bound_of(candidate), 0.0};
@@ -287,10 +287,11 @@ Choice choose_for_tolerance(const Scene& scene, double tolerance, const std::str
 
 Choice choose_for_time(const Scene& scene, double limit_ms, const std::string& only, const Looks& looks,
                        const TimeFunction& time) {
-  constexpr double kClose = 0.01;  // how well errors are told apart
+  constexpr double kClose = 0.01;    // how well errors are told apart
+  constexpr double kAnything = 1e9;  // that is known of the reference serves: no tolerance hangs on it
   const Probes probes = choose_probes(scene, kProbes);
   Judge judge(scene, every(probes, kTracedOf), kClose, looks.trace);
-  const Ground ground(scene, kClose, looks, probes, judge);
+  const Ground ground(scene, kClose, kAnything, looks, probes, judge);
   Choice choice = ground.begin();
   std::map<std::string, double> fastest;
   std::vector<std::pair<Tried, Candidate>> ranked;
