@@ -1,7 +1,6 @@
 #include "core/choice/judge.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/methods/method.h"
@@ -64,18 +63,23 @@ double dark_radiance(const Scene& scene, const std::vector<float>& reference) {
 }
 
 Judgement Judge::tell(std::span<const float> radiance, double share) {
-  constexpr std::array kNoises{2.0, 1.0};  // standard error / radiance, of the tolerance
-  Judgement verdict;
+  constexpr double kFirst = 0.04;  // standard error / radiance
+  constexpr double kOutOfTime = 1.5;
   while (true) {
     if (was_asked()) {
-      verdict = told(radiance);
-      if (verdict.at_most <= share * tolerance_ || verdict.at_least > tolerance_ || noises_ == kNoises.size()) {
+      const Judgement verdict = told(radiance);
+      const bool finest = noise_ <= tolerance_ || noise_of(traced_) > kOutOfTime * noise_;
+      if (verdict.at_most <= share * tolerance_ || verdict.at_least > tolerance_ || finest) {
         return verdict;
       }
     }
-    traced_ = trace_(scene_, probes_, kNoises[noises_] * tolerance_);
-    ++noises_;
+    noise_ = std::max(was_asked() ? 0.5 * noise_ : kFirst, was_asked() ? tolerance_ : 2.0 * tolerance_);
+    traced_ = trace_(scene_, probes_, noise_);
   }
+}
+
+double Judge::noise_of(const Traced& traced) const {
+  return measure::sample_noise(traced.radiance, traced.standard_error, probes_.weights);
 }
 
 double Judge::darkness(const std::vector<float>& radiance) const {

@@ -53,7 +53,7 @@ class Judge {
       : scene_(scene), probes_(probes), tolerance_(tolerance), trace_(trace) {}
 
   // Radiance at the probes: by paths as many as it takes to tell whether its error is below `share` of the tolerance or
-  // above the tolerance, or as many as the tolerance is worth.
+  // above the tolerance, until their noise is as small as the tolerance or time is up.
   Judgement tell(std::span<const float> radiance, double share);
   // By the paths that there are.
   Judgement told(std::span<const float> radiance) const { return judge(radiance, traced_, probes_.weights); }
@@ -63,12 +63,14 @@ class Judge {
   const Probes& probes() const { return probes_; }
 
  private:
+  double noise_of(const Traced& traced) const;
+
   const Scene& scene_;
   Probes probes_;
   double tolerance_;
   const TraceFunction& trace_;
   Traced traced_;
-  std::size_t noises_ = 0;  // how often it was traced, finer each time
+  double noise_ = 0.0;  // standard error / radiance that traced_ was to have, halved each time
 };
 
 }  // namespace airlight::choice
