@@ -5,9 +5,12 @@
 #include <array>
 #include <cctype>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace airlight {
 
@@ -29,6 +32,38 @@ inline std::string percent(double share, int digits) {
   return rounded(100.0 * share, digits) + " %";
 }
 
+// The whole text as one finite number.
+template <class Number>
+std::optional<Number> number_from(std::string_view text) {
+  Number value{};
+  const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool whole = parsed.ec == std::errc() && parsed.ptr == text.data() + text.size();
+  return whole && std::isfinite(static_cast<double>(value)) ? std::optional(value) : std::nullopt;
+}
+
+// What stands between the separators: one more than there are of them.
+inline std::vector<std::string> split(std::string_view text, char separator) {
+  std::vector<std::string> parts;
+  for (std::size_t start = 0; start <= text.size(); start += parts.back().size() + 1) {
+    parts.emplace_back(text.substr(start, text.find(separator, start) - start));
+  }
+  return parts;
+}
+
+// "1:2.5:3".
+inline std::optional<std::array<double, 3>> three_numbers(std::string_view text) {
+  std::array<double, 3> numbers{};
+  const std::vector<std::string> parts = split(text, ':');
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const std::optional<double> number = parts.size() == numbers.size() ? number_from<double>(parts[i]) : std::nullopt;
+    if (!number) {
+      return std::nullopt;
+    }
+    numbers[i] = *number;
+  }
+  return numbers;
+}
+
 // "a, b".
 template <class Words>
 std::string joined(const Words& words, std::string_view separator = ", ") {
@@ -38,6 +73,17 @@ std::string joined(const Words& words, std::string_view separator = ", ") {
     text += word;
   }
   return text;
+}
+
+// The same of the words that the items have; empty ones are passed over.
+template <class Items, class WordOf>
+std::string joined_of(const Items& items, WordOf word_of, std::string_view separator = ", ") {
+  std::vector<std::string> words;
+  for (const auto& item : items) {
+    words.emplace_back(word_of(item));
+  }
+  std::erase(words, "");
+  return joined(words, separator);
 }
 
 // ASCII letters in lower case, the rest as it is.

@@ -175,11 +175,12 @@ void write_choice(JsonWriter& json, const ChoiceReport& report) {
   json.key("device_ms");
   choice.ms > 0.0 ? json.value(choice.ms) : json.null();
   json.key("probes").value(choice.probes).key("traced").value(choice.traced).key("probing_ms").value(report.probing_ms);
-  json.key("probing_cpu_ms").value(report.probing_cpu_ms).key("left_out").begin_array();
-  for (const std::string& line : choice.left_out) {
-    json.value(line);
-  }
-  json.end_array().key("tried").begin_array();
+  json.key("probing_cpu_ms")
+      .value(report.probing_cpu_ms)
+      .key("left_out")
+      .values(choice.left_out)
+      .key("tried")
+      .begin_array();
   for (const Tried& tried : choice.tried) {
     json.begin_object().key("method").value(tried.method).key("quality").value(tried.quality);
     json.key("cost").value(tried.cost).key("error").value(tried.error).end_object();

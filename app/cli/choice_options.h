@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "app/cli/json_writer.h"
 #include "core/choice/choose.h"

@@ -1,7 +1,6 @@
 // --help for the tool and for each command: CLI11 lays it out, in lines of the terminal's width.
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <sstream>
 
 #include "app/cli/cli11.h"
@@ -140,11 +139,7 @@ bool is_flag(const Option& option) {
 std::string full_help(const Option& option) {
   std::string text = option.help;
   if (!option.choices.empty()) {
-    std::string list;
-    for (const std::string& choice : option.choices) {
-      list += (list.empty() ? "" : ", ") + choice;
-    }
-    text += "; one of " + list;
+    text += "; one of " + joined(option.choices);
   }
   if (option.range && option.percent != Percent::share) {
     text += std::isinf(option.range->maximum)

@@ -3,7 +3,6 @@
 
 #include <csignal>
 #include <string>
-#include <vector>
 
 namespace airlight::cli {
 

@@ -1,38 +1,55 @@
 #pragma once
 // Writes one JSON value piece by piece, for --json.
 
-#include <cstdint>
-#include <span>
+#include <concepts>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "core/scene/json_format.h"
 
 namespace airlight::cli {
 
 class JsonWriter {
  public:
-  JsonWriter& begin_object();
-  JsonWriter& end_object();
-  JsonWriter& begin_array();
-  JsonWriter& end_array();
+  JsonWriter& begin_object() { return open('{'); }
+  JsonWriter& end_object() { return close('}'); }
+  JsonWriter& begin_array() { return open('['); }
+  JsonWriter& end_array() { return close(']'); }
   JsonWriter& key(std::string_view name);  // then one value
 
-  JsonWriter& value(std::string_view text);
+  JsonWriter& value(std::string_view text) { return raw(json_string(text)); }
   JsonWriter& value(const char* text) { return value(std::string_view(text)); }
   JsonWriter& value(double number);  // JSON knows no NaN and no infinity: those become null
-  JsonWriter& value(int number) { return value(static_cast<std::int64_t>(number)); }
-  JsonWriter& value(std::int64_t number);
-  JsonWriter& value(std::size_t number) { return value(static_cast<std::int64_t>(number)); }
-  JsonWriter& value(bool truth);
-  JsonWriter& null();
-  JsonWriter& raw(std::string_view json);               // a value that is JSON already
-  JsonWriter& values(std::span<const double> numbers);  // a whole array
+  JsonWriter& value(bool truth) { return raw(truth ? "true" : "false"); }
+  template <std::integral Whole>
+  JsonWriter& value(Whole number) {
+    return raw(std::to_string(number));
+  }
+  template <class T>
+  JsonWriter& value(const std::optional<T>& perhaps) {
+    return perhaps ? value(*perhaps) : null();
+  }
+  JsonWriter& text_or_null(std::string_view text) { return text.empty() ? null() : value(text); }
+  JsonWriter& null() { return raw("null"); }
+  JsonWriter& raw(std::string_view json);  // a value that is JSON already
+  // A whole array.
+  template <class Values>
+  JsonWriter& values(const Values& all) {
+    begin_array();
+    for (const auto& one : all) {
+      value(one);
+    }
+    return end_array();
+  }
 
   // The text, with a line feed at its end.
   std::string take();
 
  private:
-  void before_value();
+  JsonWriter& open(char bracket);
+  JsonWriter& close(char bracket);
 
   std::string text_;
   std::vector<bool> has_items_;  // of each open object or array

@@ -1,6 +1,5 @@
 #include "app/cli/picture_options.h"
 
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <utility>
@@ -10,6 +9,7 @@
 #include "core/error.h"
 #include "core/output/half_block.h"
 #include "core/scene/json_format.h"
+#include "core/text.h"
 
 namespace airlight::cli {
 namespace {
@@ -22,17 +22,12 @@ bool is_ocio_view(const std::string& view) {
 std::string exposure_json(const std::string& text) {
   constexpr std::string_view kLock = "lock:";
   constexpr double kMostStops = 29.0;
-  const char* const first = text.data() + (text.size() > 1 && text[0] == '+' ? 1 : 0);
-  const char* const end = text.data() + text.size();
-  double stops = 0.0;
-  const auto parsed = std::from_chars(first, end, stops);
-  if (parsed.ec == std::errc() && parsed.ptr == end && std::abs(stops) <= kMostStops) {
-    return format_number(std::exp2(stops));
+  const auto stops = number_from<double>(std::string_view(text).substr(text.size() > 1 && text[0] == '+' ? 1 : 0));
+  if (stops && std::abs(*stops) <= kMostStops) {
+    return format_number(std::exp2(*stops));
   }
-  int frame = 0;
-  const bool is_lock = text.starts_with(kLock);
-  const auto number = std::from_chars(text.data() + (is_lock ? kLock.size() : 0), end, frame);
-  const bool is_frame = is_lock && number.ec == std::errc() && number.ptr == end && frame >= 0;
+  const bool is_frame =
+      text.starts_with(kLock) && number_from<int>(std::string_view(text).substr(kLock.size())).value_or(-1) >= 0;
   if (text != "auto" && text != "day" && !is_frame) {
     throw InputError("--exposure: '" + text +
                      "' is none of auto, day, lock:FRAME (a frame's number) and stops from -29 to 29");

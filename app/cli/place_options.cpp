@@ -76,7 +76,7 @@ std::vector<Override> sun_overrides(const PlaceOptions& options, const SceneOpti
                      " and --date both say where the sun stands; give one");
   }
   const sequence::SunPath moment = sequence::make_moment(
-      {command, *options.date, *options.time, options.zone.value_or("UTC"), place_of(options), air});
+      {*options.date, *options.time, {}, {}, options.zone.value_or("UTC"), place_of(options), air}, command);
   std::vector<Override> all;
   for (const auto& [pointer, values] : sequence::frame_at(moment, 0).keys) {
     all.push_back(

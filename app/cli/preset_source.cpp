@@ -82,14 +82,6 @@ Preset find_preset(const std::string& argument) {
   return load_preset(argument, embedded_presets());
 }
 
-const PresetValue* find_value(const Preset& preset, std::string_view section, std::string_view key) {
-  const auto* root = std::get_if<PresetObject>(&preset.root.data);
-  const auto found = root->find(section);
-  const auto* object = found == root->end() ? nullptr : std::get_if<PresetObject>(&found->second.data);
-  const auto value = object == nullptr ? PresetObject::const_iterator() : object->find(key);
-  return object == nullptr || value == object->end() ? nullptr : &value->second;
-}
-
 std::vector<std::string> built_in_names() {
   std::vector<std::string> names;
   for (const auto& [file, text] : embedded_presets()) {

@@ -13,9 +13,6 @@ namespace airlight::cli {
 // Throws InputError: no such file or name (with the nearest), a picture without our preset, and whatever reading finds.
 Preset find_preset(const std::string& argument);
 
-// The value of a key such as /display/view; null where the preset is silent.
-const PresetValue* find_value(const Preset& preset, std::string_view section, std::string_view key);
-
 // The built-in presets' names, in order, without ".json".
 std::vector<std::string> built_in_names();
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <memory>
 
 #include "app/cli/preset_source.h"
@@ -12,6 +11,7 @@
 #include "core/scene/json_format.h"
 #include "core/scene/preset.h"
 #include "core/scene/rules.h"
+#include "core/text.h"
 
 namespace airlight::cli {
 namespace {
@@ -24,26 +24,6 @@ std::vector<std::string> method_names() {
   return names;
 }
 
-// A size as typed: "1920x1080".
-struct TypedSize {
-  std::string width;
-  std::string height;
-};
-
-TypedSize parse_size(const std::string& text) {
-  const std::size_t cross = text.find('x');
-  const auto side = [&](std::string_view digits) {
-    int value = 0;
-    const auto parsed = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (cross == std::string::npos || parsed.ec != std::errc() || parsed.ptr != digits.data() + digits.size()) {
-      throw InputError("--size: '" + text + "' is not WIDTHxHEIGHT in pixels; write for example 1920x1080");
-    }
-    return std::to_string(value);
-  };
-  const std::string_view view = text;
-  return {side(view.substr(0, cross)), side(cross == std::string::npos ? view : view.substr(cross + 1))};
-}
-
 // Other programs' words for ours.
 std::string projection_called(const std::string& name) {
   return name == "latlong" ? "equirectangular" : name;
@@ -51,14 +31,11 @@ std::string projection_called(const std::string& name) {
 
 // The preset's camera without what only a picture of its own projection has.
 void leave_projection(Preset& preset, const std::string& projection) {
-  auto& root = std::get<PresetObject>(preset.root.data);
-  const auto found = root.find("camera");
-  auto* camera = found == root.end() ? nullptr : std::get_if<PresetObject>(&found->second.data);
+  auto* camera = member_as<PresetObject>(&preset.root, "camera");
   if (camera == nullptr) {
     return;
   }
-  const PresetValue* old = find_value(preset, "camera", "projection");
-  const auto* name = old == nullptr ? nullptr : std::get_if<std::string>(&old->data);
+  const auto* name = member_as<std::string>(member(&preset.root, "camera"), "projection");
   if ((name == nullptr ? std::string(kProjectionNames.front()) : *name) != projection) {
     camera->erase("vertical_fov_deg");
     camera->erase("cube_layout");
@@ -72,8 +49,7 @@ void leave_projection(Preset& preset, const std::string& projection) {
 
 // A map as fine as a latlong of the preset's width.
 std::optional<ImageSize> size_that_suits(const Preset& preset, const std::string& projection) {
-  const PresetValue* value = find_value(preset, "image", "width");
-  const auto* number = value == nullptr ? nullptr : std::get_if<double>(&value->data);
+  const auto* number = member_as<double>(member(&preset.root, "image"), "width");
   const int width = number == nullptr ? ImageSize{}.width : static_cast<int>(std::clamp(*number, 4.0, 65536.0));
   if (projection == "equirectangular") {
     return ImageSize{width / 2 * 2, width / 2};
@@ -81,8 +57,7 @@ std::optional<ImageSize> size_that_suits(const Preset& preset, const std::string
   if (projection == "octahedral") {
     return ImageSize{width / 2, width / 2};
   }
-  const PresetValue* layout = find_value(preset, "camera", "cube_layout");
-  const auto* name = layout == nullptr ? nullptr : std::get_if<std::string>(&layout->data);
+  const auto* name = member_as<std::string>(member(&preset.root, "camera"), "cube_layout");
   const int face = width / 4;
   if (projection != "cube") {
     return std::nullopt;
@@ -97,9 +72,9 @@ void apply(Preset& preset, const Override& override) {
   apply_override(preset, override.assignment, override.typed);
 }
 
-void apply_size(Preset& preset, const TypedSize& size, const std::string& typed) {
-  apply(preset, {"/image/width=" + size.width, typed});
-  apply(preset, {"/image/height=" + size.height, typed});
+void apply_size(Preset& preset, const ImageSize& size, const std::string& typed) {
+  apply(preset, {"/image/width=" + std::to_string(size.width), typed});
+  apply(preset, {"/image/height=" + std::to_string(size.height), typed});
 }
 
 void apply_projection(Preset& preset, const SceneOptions& options) {
@@ -109,7 +84,7 @@ void apply_projection(Preset& preset, const SceneOptions& options) {
   apply(preset, {"/camera/projection=" + json_string(projection), typed});
   const std::optional<ImageSize> size = options.size ? std::nullopt : size_that_suits(preset, projection);
   if (size) {
-    apply_size(preset, {std::to_string(size->width), std::to_string(size->height)}, typed);
+    apply_size(preset, *size, typed);
   }
 }
 
@@ -130,6 +105,14 @@ constexpr std::array<NumberOption, 6> kNumbers{{
 }};
 
 }  // namespace
+
+std::optional<ImageSize> size_from(const std::string& text) {
+  const std::vector<std::string> sides = split(text, 'x');
+  const auto side = [&](std::size_t i) { return sides.size() == 2 ? number_from<int>(sides[i]) : std::nullopt; };
+  const std::optional<int> width = side(0);
+  const std::optional<int> height = side(1);
+  return width && height ? std::optional(ImageSize{*width, *height}) : std::nullopt;
+}
 
 Positional preset_positional(SceneOptions& options) {
   return {.metavar = "PRESET",
@@ -204,7 +187,11 @@ Preset chosen_preset(const SceneOptions& options, const std::vector<Override>& f
     }
   }
   if (options.size) {
-    apply_size(preset, parse_size(*options.size), "--size " + *options.size);
+    const std::optional<ImageSize> size = size_from(*options.size);
+    if (!size) {
+      throw InputError("--size: '" + *options.size + "' is not WIDTHxHEIGHT in pixels; write for example 1920x1080");
+    }
+    apply_size(preset, *size, "--size " + *options.size);
   }
   for (const Override& override : further) {
     apply(preset, override);

@@ -36,6 +36,9 @@ struct SceneOptions {
   bool no_cache = false;
 };
 
+// "1920x1080"; nothing where it is no two whole numbers.
+std::optional<ImageSize> size_from(const std::string& text);
+
 Positional preset_positional(SceneOptions& options);
 // --sun-elevation, --sun-azimuth, --altitude, --method, --set, and the device's.
 std::vector<Option> scene_options(SceneOptions& options);

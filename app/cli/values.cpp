@@ -1,9 +1,7 @@
 // Options and positionals as CLI11's, each value judged before it is stored.
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <type_traits>
 
 #include "app/cli/cli11.h"
@@ -24,15 +22,6 @@ std::string expected_number(bool whole, const std::optional<Range>& range, Perce
                                        : " from " + end(range->minimum) + " to " + end(range->maximum);
   }
   return text + (share ? "; write for example 0.5% or 0.005" : "");
-}
-
-// The whole word as one finite number. CLI11 would read it by way of a long double, rounded twice, and take infinity.
-template <class T>
-std::optional<T> number_from(std::string_view word) {
-  T value{};
-  const auto parsed = std::from_chars(word.data(), word.data() + word.size(), value);
-  const bool whole = parsed.ec == std::errc() && parsed.ptr == word.data() + word.size();
-  return whole && std::isfinite(static_cast<double>(value)) ? std::optional(value) : std::nullopt;
 }
 
 // The value that a target holds, whether given once, optional or repeated.
@@ -72,6 +61,7 @@ CLI::Validator one_of(const Words& choices) {
       "");
 }
 
+// CLI11 would read a number by way of a long double, rounded twice, and take infinity.
 // A leading + is taken off, as people write it, and a % by what it means.
 template <class T>
 CLI::Validator a_number(const std::optional<Range>& range, Percent percent) {

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <vector>
 
 #include "core/error.h"
 #include "core/scene/json_format.h"
+#include "core/text.h"
 
 namespace airlight::cli {
 namespace {
@@ -20,22 +20,6 @@ constexpr double kLeastStep = 0.1;
 constexpr double kWidestBand = 10.0;
 constexpr std::size_t kFewest = 2;
 constexpr std::size_t kMost = 96;
-
-std::optional<std::array<double, 3>> three_numbers(const std::string& text) {
-  std::array<double, 3> numbers{};
-  const char* at = text.data();
-  const char* const end = at + text.size();
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    const auto parsed = std::from_chars(at, end, numbers[i]);
-    const bool last = i + 1 == numbers.size();
-    const bool ends_well = last ? parsed.ptr == end : parsed.ptr != end && *parsed.ptr == ':';
-    if (parsed.ec != std::errc() || !ends_well || !std::isfinite(numbers[i])) {
-      return std::nullopt;
-    }
-    at = parsed.ptr + (last ? 0 : 1);
-  }
-  return numbers;
-}
 
 }  // namespace
 

@@ -8,7 +8,6 @@
 #include "app/cli/json_writer.h"
 #include "app/commands/gnuplot.h"
 #include "core/chart/gnuplot.h"
-#include "core/error.h"
 #include "core/output/atomic_file.h"
 
 namespace airlight::cli {
@@ -16,10 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using chart::Point;
-
-void write_text(const fs::path& file, const std::string& text) {
-  write_file(file, std::as_bytes(std::span(text)));
-}
 
 std::string size_text(ImageSize size) {
   return std::to_string(size.width) + " x " + std::to_string(size.height);
@@ -62,7 +57,7 @@ std::vector<Point> read_points(const fs::path& folder) {
 }
 
 void write_points(const fs::path& folder, const std::vector<Point>& points) {
-  write_text(folder / "chart.csv", chart::csv_text(points));
+  write_file(folder / "chart.csv", chart::csv_text(points));
 }
 
 std::string chart_json(const ChartFiles& files, const chart::RunOutcome& outcome) {
@@ -87,7 +82,7 @@ std::string chart_json(const ChartFiles& files, const chart::RunOutcome& outcome
 std::vector<std::string> write_chart(const ChartFiles& files, const chart::RunOutcome& outcome) {
   const std::vector<Point> points = finished(outcome.points, files.scenes);
   write_points(files.folder, points);
-  write_text(files.folder / "chart.json", chart_json(files, outcome));
+  write_file(files.folder / "chart.json", chart_json(files, outcome));
   const auto with_points = [&](const std::vector<std::string>& names, std::string Point::*member) {
     std::vector<std::string> kept;
     for (const std::string& name : names) {
@@ -104,7 +99,7 @@ std::vector<std::string> write_chart(const ChartFiles& files, const chart::RunOu
   text.title = plot_title(files, outcome);
   text.time_label = std::string(outcome.cpu_time ? "CPU-ms of all threads" : "ms by device timestamps") +
                     " for a picture, its kept tables made before";
-  write_text(files.folder / "chart.gp", chart::gnuplot_script(text, points));
+  write_file(files.folder / "chart.gp", chart::gnuplot_script(text, points));
   std::vector<std::string> names;
   for (const char* name : {"chart.csv", "chart.json", "chart.gp"}) {
     names.push_back((files.folder / name).string());

@@ -30,7 +30,7 @@ struct Given {
 // The names of the OCIO config in force; a preset's display or view that is not among them is told with its place.
 void check_names(const Preset& preset, Scene scene, const PictureOptions& options) {
   const auto place = [&](const char* key) {
-    const PresetValue* value = find_value(preset, "display", key);
+    const PresetValue* value = member(member(&preset.root, "display"), key);
     const PresetValue& at = value == nullptr ? preset.root : *value;
     return at.source + (at.line > 0 ? ":" + std::to_string(at.line) : "") + ": /display/" + key + ": ";
   };

@@ -14,11 +14,7 @@ std::string devices_json() {
   for (const DeviceInfo& device : list_devices()) {
     json.begin_object().key("name").value(device.name).key("driver").value(device.driver);
     json.key("vulkan").value(device.api_version).key("is_processor").value(device.is_cpu);
-    json.key("usable").value(device.missing.empty()).key("missing").begin_array();
-    for (const std::string& feature : device.missing) {
-      json.value(feature);
-    }
-    json.end_array().end_object();
+    json.key("usable").value(device.missing.empty()).key("missing").values(device.missing).end_object();
   }
   return json.end_array().end_object().take();
 }

@@ -102,14 +102,11 @@ std::string resolved_preset(const std::string& source) {
   return source.empty() ? std::string() : to_json(resolve(find_preset(source), method_infos()));
 }
 
-void write_picture(const std::string& file, const std::vector<std::byte>& png, std::vector<std::string>& written) {
-  if (png.empty()) return;
-  write_file(file, png);
-  written.push_back(file);
-}
-
-void write_text(const std::string& file, const std::string& text, std::vector<std::string>& written) {
-  write_file(file, std::as_bytes(std::span(text)));
+// Text or a PNG; nothing where there is none.
+template <class Contents>
+void write(const std::string& file, const Contents& contents, std::vector<std::string>& written) {
+  if (contents.empty()) return;
+  write_file(file, contents);
   written.push_back(file);
 }
 
@@ -137,8 +134,8 @@ NamedReport compare_pair(const Given& given, const measure::FilePairs& pairs, co
   request.side_by_side = !given.side_by_side.empty();
   if (!given.html.empty()) request.shown_pixels = measure::page_pixels(pairs.pairs.size());
   measure::load_compare()(request, entry.report);
-  write_picture(picture_for(given.heatmap, pairs, pair), entry.report.heatmap_png, entry.pictures);
-  write_picture(picture_for(given.side_by_side, pairs, pair), entry.report.side_by_side_png, entry.pictures);
+  write(picture_for(given.heatmap, pairs, pair), entry.report.heatmap_png, entry.pictures);
+  write(picture_for(given.side_by_side, pairs, pair), entry.report.side_by_side_png, entry.pictures);
   written.insert(written.end(), entry.pictures.begin(), entry.pictures.end());
   entry.report.heatmap_png = {};
   entry.report.side_by_side_png = {};
@@ -230,9 +227,8 @@ int diff(Given given) {
     const std::string summary = printable(measure::describe_all(entries), true);
     given.json ? tell(summary) : print(summary);
   }
-  if (!given.junit.empty()) write_text(given.junit, measure::junit_xml(entries), written);
-  if (!given.html.empty())
-    write_text(given.html, measure::html_page(entries, inputs[0].name(), inputs[1].name()), written);
+  if (!given.junit.empty()) write(given.junit, measure::junit_xml(entries), written);
+  if (!given.html.empty()) write(given.html, measure::html_page(entries, inputs[0].name(), inputs[1].name()), written);
   // Where a pair cannot be compared the update throws, after all reports are written.
   const auto finish = [&](const std::vector<std::string>& replaced) {
     if (given.json) print(diff_json(entries, in_force, written, replaced));

@@ -48,12 +48,6 @@ void write(JsonWriter& json, const ChannelReport& channel) {
   json.end_object();
 }
 
-void write_texts(JsonWriter& json, const char* key, const std::vector<std::string>& texts) {
-  json.key(key).begin_array();
-  for (const std::string& text : texts) json.value(text);
-  json.end_array();
-}
-
 void write_presets(JsonWriter& json, const ComparisonReport& report) {
   if (!report.presets_known) return;
   json.key("preset_differences").begin_array();
@@ -86,7 +80,7 @@ void write_nonfinite(JsonWriter& json, const ComparisonReport& report) {
 
 void write_figures(JsonWriter& json, const ComparisonReport& report) {
   json.key("width").value(report.width).key("height").value(report.height);
-  write_texts(json, "channels", report.channels);
+  json.key("channels").values(report.channels);
   json.key("pixels").value(report.pixels).key("pixels_over_fail").value(report.pixels_over_fail);
   json.key("pixels_over_warn").value(report.pixels_over_warn);
   json.key("pixels_with_unequal_nonfinite").value(report.unequal_nonfinite);
@@ -108,9 +102,9 @@ void write(JsonWriter& json, const NamedReport& entry) {
   json.key("verdict").value(verdict_words(report.verdict));
   if (!report.problem.empty()) json.key("problem").value(report.problem);
   write_presets(json, report);
-  write_texts(json, "reasons", report.reasons);
-  write_texts(json, "pictures", entry.pictures);
-  write_texts(json, "notes", report.notes);
+  json.key("reasons").values(report.reasons);
+  json.key("pictures").values(entry.pictures);
+  json.key("notes").values(report.notes);
   if (!report.areas.empty()) write_figures(json, report);
   json.end_object();
 }
@@ -141,8 +135,8 @@ std::string diff_json(const std::vector<NamedReport>& entries, const Limits& in_
   json.key("pairs").begin_array();
   for (const NamedReport& entry : entries) write(json, entry);
   json.end_array();
-  write_texts(json, "files_written", files_written);
-  write_texts(json, "references_replaced", references_replaced);
+  json.key("files_written").values(files_written);
+  json.key("references_replaced").values(references_replaced);
   json.end_object();
   return json.take();
 }

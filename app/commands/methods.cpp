@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -8,25 +7,16 @@
 #include "core/methods/method.h"
 #include "core/scene/angle.h"
 #include "core/scene/json_format.h"
+#include "core/scene/render_settings.h"
+#include "core/text.h"
 
 namespace airlight::cli {
 namespace {
 
 std::string value_text(const ParameterValue& value) {
-  struct Visitor {
-    std::string operator()(std::monostate) const { return "absent"; }
-    std::string operator()(bool truth) const { return truth ? "true" : "false"; }
-    std::string operator()(int number) const { return std::to_string(number); }
-    std::string operator()(double number) const { return format_number(number); }
-    std::string operator()(const std::string& text) const { return text; }
-    std::string operator()(const TableSize& size) const {
-      return "[" + std::to_string(size[0]) + ", " + std::to_string(size[1]) + "]";
-    }
-    std::string operator()(const SunFade& fade) const {
-      return "{\"scale\": " + format_number(fade.scale) + ", \"bias\": " + format_number(fade.bias) + "}";
-    }
-  };
-  return std::visit(Visitor{}, value);
+  const auto* word = std::get_if<std::string>(&value);
+  const std::string text = word != nullptr ? *word : json_text(value);
+  return text.empty() ? "absent" : text;
 }
 
 std::string limits_text(const ParameterInfo& parameter) {
@@ -48,11 +38,7 @@ std::string limits_text(const ParameterInfo& parameter) {
     case ParameterKind::choice:
       break;
   }
-  std::string text;
-  for (const std::string_view choice : parameter.choices) {
-    text += (text.empty() ? "" : ", ") + std::string(choice);
-  }
-  return text;
+  return joined(parameter.choices);
 }
 
 std::string validity_text(const Validity& validity) {

@@ -1,11 +1,8 @@
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <iostream>
 #include <memory>
-#include <numbers>
-#include <sstream>
 
 #include "app/cli/json_writer.h"
 #include "app/cli/scene_options.h"
@@ -17,6 +14,7 @@
 #include "core/render/spectrum.h"
 #include "core/scene/angle.h"
 #include "core/scene/photometry.h"
+#include "core/text.h"
 
 namespace airlight::cli {
 namespace {
@@ -38,9 +36,7 @@ struct ListedDirection {
 
 std::optional<double> number(std::string text) {
   std::erase_if(text, [](char c) { return c == ' ' || c == '\t' || c == '\r'; });
-  double value = 0.0;
-  const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
-  return parsed.ec == std::errc() && parsed.ptr == text.data() + text.size() ? std::optional(value) : std::nullopt;
+  return number_from<double>(text);
 }
 
 // ELEVATION,AZIMUTH in degrees, a direction a line; empty lines, comments (#) and one line of headings are skipped.
@@ -51,19 +47,15 @@ std::vector<ListedDirection> read_csv(std::istream& in, const std::string& name)
     if (line.find_first_not_of(" \t\r") == std::string::npos || line[0] == '#') {
       continue;
     }
-    std::istringstream cells(line);
-    std::string elevation;
-    std::string azimuth;
-    std::string more;
-    std::getline(cells, elevation, ',');
-    std::getline(cells, azimuth, ',');
-    const std::optional<double> e = number(elevation);
-    const std::optional<double> a = number(azimuth);
+    const std::vector<std::string> cells = split(line, ',');
+    const std::optional<double> e = number(cells.front());
+    const std::optional<double> a = number(cells.size() > 1 ? cells[1] : std::string());
     const bool heading = !e && !a && directions.empty();
     if (heading) {
       continue;
     }
-    if (!e || !a || std::getline(cells, more, ',')) {
+    const bool more = cells.size() > 3 || (cells.size() == 3 && !cells.back().empty());
+    if (!e || !a || more) {
       throw InputError(name + ":" + std::to_string(at) + ": '" + line +
                        "' is not ELEVATION,AZIMUTH; write two numbers in degrees, such as 12.5,90");
     }

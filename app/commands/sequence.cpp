@@ -15,6 +15,7 @@
 #include "core/output/atomic_file.h"
 #include "core/scene/json_format.h"
 #include "core/scene/resolve.h"
+#include "core/text.h"
 
 namespace airlight::cli {
 namespace {
@@ -61,12 +62,8 @@ std::vector<PathOption> path_options(const Given& given) {
 }
 
 sequence::SunPath sun_path_of(const Given& given) {
-  std::string missing;
-  for (const PathOption& option : path_options(given)) {
-    if (option.needed && !option.given) {
-      missing += (missing.empty() ? "" : ", ") + std::string(option.name);
-    }
-  }
+  const std::string missing = joined_of(
+      path_options(given), [](const PathOption& option) { return option.needed && !option.given ? option.name : ""; });
   if (!missing.empty()) {
     throw InputError("sequence: a sun path needs " + missing +
                      " as well; write for example --date 2026-06-21 --from 05:00 --to 21:00 --step 5m --lat 48.85 "
@@ -204,11 +201,8 @@ void check_targets(const SequenceJob& job, const SequencePictures& pictures) {
 std::string frame_json(const SequenceJob& job, const sequence::Frame& frame) {
   JsonWriter json;
   const FrameFiles files = files_of(job, frame.number);
-  json.begin_object().key("frame").value(static_cast<std::int64_t>(frame.number)).key("file").value(files.first());
-  json.key("png");
-  files.png.empty() ? json.null() : json.value(files.png);
-  json.key("time");
-  frame.time ? json.value(sequence::iso_text(frame.time->utc, frame.time->offset_seconds)) : json.null();
+  json.begin_object().key("frame").value(frame.number).key("file").value(files.first());
+  json.key("png").text_or_null(files.png).key("time").text_or_null(frame.time ? iso_text(*frame.time) : "");
   json.key("keys").begin_object();
   for (const auto& [pointer, values] : frame.keys) {
     json.key(pointer);
@@ -228,7 +222,7 @@ int dry_run(const SequenceJob& job) {
     }
     std::string line = files_of(job, frame.number).first();
     if (frame.time) {
-      line += "  " + sequence::iso_text(frame.time->utc, frame.time->offset_seconds);
+      line += "  " + iso_text(*frame.time);
     }
     for (const auto& [pointer, values] : frame.keys) {
       line += "  " + pointer + "=";

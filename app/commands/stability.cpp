@@ -1,4 +1,3 @@
-#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -90,10 +89,6 @@ std::string contents_of(const fs::path& file) {
   return text.str();
 }
 
-void write_text(const fs::path& file, const std::string& text) {
-  write_file(file, std::as_bytes(std::span(text)));
-}
-
 std::vector<std::string> map_names(const Examination& e) {
   std::vector<std::string> names;
   for (const Sweep& sweep : e.sweeps) {
@@ -148,7 +143,7 @@ void examine_all(Examination& e, const fs::path& csv, const DeviceOnDemand& devi
         }
       }));
       done += 1.0;
-      write_text(csv, csv_text(e, false));
+      write_file(csv, csv_text(e, false));
       say_when_ended(whole_maps(done, all));
     }
   }
@@ -185,9 +180,9 @@ int run_stability(const Given& given) {
   examine_all(e, folder / "stability.csv", device, given.quiet);
   require_valid_vulkan();
   const std::string summary = summary_text(e);
-  write_text(folder / "stability.md", summary);
-  write_text(folder / "stability.csv", csv_text(e, true));
-  write_text(folder / "stability.gp", map_script(e));
+  write_file(folder / "stability.md", summary);
+  write_file(folder / "stability.csv", csv_text(e, true));
+  write_file(folder / "stability.gp", map_script(e));
   plot("stability", folder, "stability.gp", "", map_names(e));
   if (!given.quiet) {
     tell((folder / "stability.md").string() + "\n");

@@ -1,7 +1,6 @@
 #include "app/composite/foreground.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -114,13 +113,9 @@ WorkingSpace space_of(const CompositeOrder& order, const Picture& picture) {
       return space;
     }
   }
-  std::string list;
-  for (const std::string& name : names) {
-    list += (list.empty() ? "" : ", ") + name;
-  }
   throw InputError(picture.file +
-                   ": its primaries are none that airlight knows; say with --beauty-colorspace which of " + list +
-                   " they are nearest to");
+                   ": its primaries are none that airlight knows; say with --beauty-colorspace which of " +
+                   joined(names) + " they are nearest to");
 }
 
 // The file's camera where it is wanted and there; else the preset's. Returns which, for people.

@@ -1,11 +1,10 @@
 #include "app/composite/order.h"
 
 #include <array>
-#include <charconv>
 #include <cmath>
-#include <sstream>
 
 #include "core/error.h"
+#include "core/text.h"
 
 namespace airlight::cli {
 namespace {
@@ -13,20 +12,9 @@ namespace {
 using composite::Fog;
 using composite::FogKind;
 
-std::vector<std::string> words_of(const std::string& text) {
-  std::vector<std::string> words;
-  std::istringstream in(text);
-  for (std::string word; std::getline(in, word, ',');) {
-    words.push_back(word);
-  }
-  return words;
-}
-
 std::optional<double> number(const std::string& text) {
-  double value = 0.0;
-  const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool whole = parsed.ec == std::errc() && parsed.ptr == text.data() + text.size();
-  return whole && std::isfinite(value) && value >= 0.0 ? std::optional(value) : std::nullopt;
+  const std::optional<double> value = number_from<double>(text);
+  return value && *value >= 0.0 ? value : std::nullopt;
 }
 
 // A parameter of the fogs: one number or three.
@@ -67,7 +55,7 @@ void set(Fog& fog, const std::string& kind, const std::string& assignment) {
     if (parameter.name != key || equals == std::string::npos) {
       continue;
     }
-    const std::vector<std::string> words = words_of(assignment.substr(equals + 1));
+    const std::vector<std::string> words = split(assignment.substr(equals + 1), ',');
     std::vector<double> values;
     for (const std::string& word : words) {
       if (const std::optional<double> value = number(word)) {
@@ -94,7 +82,7 @@ void set(Fog& fog, const std::string& kind, const std::string& assignment) {
 
 ExtraLayers extra_layers(const std::string& text) {
   ExtraLayers layers;
-  for (const std::string& word : words_of(text)) {
+  for (const std::string& word : text.empty() ? std::vector<std::string>() : split(text, ',')) {
     if (word == "inscatter") {
       layers.inscatter = true;
     } else if (word == "transmittance") {

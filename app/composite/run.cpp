@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <numeric>
 
 #include "app/cli/json_writer.h"
 #include "app/cli/picture_options.h"
@@ -21,6 +20,7 @@
 #include "core/measure/frames.h"
 #include "core/output/atomic_file.h"
 #include "core/output/parallel.h"
+#include "core/sequence/frame_files.h"
 #include "core/terrain/terrain.h"
 #include "core/text.h"
 
@@ -234,8 +234,7 @@ std::string as_json(const Foreground& fore, const Frame& frame, const FrontAir& 
   json.key("sky").value(static_cast<double>(fore.counts.sky));
   json.key("nan_depths").value(static_cast<double>(fore.counts.nan));
   json.key("background_replaced").value(static_cast<double>(fore.replaced));
-  json.key("air").value(air.way).key("volume_error");
-  air.volume_error ? json.value(*air.volume_error) : json.null();
+  json.key("air").value(air.way).key("volume_error").value(air.volume_error);
   json.key("air_passes_ms");
   write_passes(json, air.passes);
   json.key("sky_passes_ms");
@@ -275,19 +274,13 @@ void composite_frame(const CompositeOrder& order, const Frame& frame, const Devi
   }
 }
 
-std::string with_number(const measure::FramePattern& pattern, long number) {
-  char digits[32];
-  std::snprintf(digits, sizeof digits, "%0*ld", pattern.digits, number);
-  return (fs::path(pattern.folder) / (pattern.before + digits + pattern.after)).string();
-}
-
 // "FILE:CHANNEL" with the frame's number in FILE.
 std::string depth_of_frame(const std::string& depth, long number) {
   const std::size_t colon = depth.rfind(':');
   const bool has_channel = colon != std::string::npos && depth.find('/', colon) == std::string::npos;
   const std::string file = has_channel ? depth.substr(0, colon) : depth;
   const std::optional<measure::FramePattern> pattern = measure::frame_pattern(file);
-  return pattern ? with_number(*pattern, number) + (has_channel ? depth.substr(colon) : "") : depth;
+  return pattern ? sequence::frame_file(*pattern, number) + (has_channel ? depth.substr(colon) : "") : depth;
 }
 
 std::vector<Frame> frames_of(const CompositeOrder& order) {
@@ -304,7 +297,7 @@ std::vector<Frame> frames_of(const CompositeOrder& order) {
   std::error_code problem;
   for (const fs::directory_entry& entry : fs::directory_iterator(beauty->folder, problem)) {
     if (const std::optional<long> number = measure::frame_number(*beauty, entry.path().filename().string())) {
-      found[*number] = entry.path().string();
+      found[*number] = sequence::frame_file(*beauty, *number);
     }
   }
   if (found.empty()) {
@@ -312,7 +305,7 @@ std::vector<Frame> frames_of(const CompositeOrder& order) {
   }
   std::vector<Frame> frames;
   for (const auto& [number, file] : found) {
-    frames.push_back({file, depth_of_frame(order.depth, number), with_number(*output, number)});
+    frames.push_back({file, depth_of_frame(order.depth, number), sequence::frame_file(*output, number)});
   }
   return frames;
 }
@@ -323,18 +316,12 @@ void require_spans(const Scene& scene, bool by_method) {
         "composite: scene.spheres: the air is put before the things of one picture, and spheres would be among them; "
         "remove scene.spheres from the preset");
   }
-  if (!by_method) {
+  if (!by_method || find_method(scene.render.method)->add_span_passes != nullptr) {
     return;
   }
-  if (find_method(scene.render.method)->add_span_passes != nullptr) {
-    return;
-  }
-  std::string names;
-  for (const SkyMethod& method : methods()) {
-    if (method.add_span_passes != nullptr) {
-      names += (names.empty() ? "" : ", ") + std::string(method.info.name);
-    }
-  }
+  const std::string names = joined_of(methods(), [](const SkyMethod& method) {
+    return method.add_span_passes != nullptr ? method.info.name : std::string_view();
+  });
   throw InputError("composite: the method " + scene.render.method +
                    " does not tell the air before a thing from the sky behind it; choose " + names + " with --method");
 }

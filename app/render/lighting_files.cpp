@@ -98,7 +98,7 @@ std::vector<std::string> write_lighting(const std::string& exr, const Lighting& 
   const std::string json = lighting_json(lighting, context);
   const std::string json_file = lighting_json_file(exr);
   write_file(exr, map);
-  write_file(json_file, std::as_bytes(std::span(json)));
+  write_file(json_file, json);
   return {exr, json_file};
 }
 

@@ -12,6 +12,7 @@
 #include "core/scene/angle.h"
 #include "core/scene/json_format.h"
 #include "core/scene/photometry.h"
+#include "core/text.h"
 
 namespace airlight::cli {
 namespace {
@@ -134,13 +135,9 @@ ExrOptions exr_options(const PictureContext& context, bool half) {
   if (context.choice) {
     options.strings["airlight:quality"] = context.choice->quality;
     options.numbers["airlight:estimated_error"] = static_cast<float>(context.choice->error);
-    std::string left_out;
-    for (const auto* lines : {&context.left_out, &context.rendering.left_out}) {
-      for (const std::string& line : *lines) {
-        left_out += (left_out.empty() ? "" : "\n") + line;
-      }
-    }
-    options.strings["airlight:left_out"] = left_out;
+    std::vector<std::string> left_out = context.left_out;
+    left_out.insert(left_out.end(), context.rendering.left_out.begin(), context.rendering.left_out.end());
+    options.strings["airlight:left_out"] = joined(left_out, "\n");
   }
   if (context.rendering.spectrum) {
     options.strings.merge(spectral_attributes(*context.rendering.spectrum));
@@ -273,11 +270,7 @@ RadianceImage diagnostic_picture(const RadianceImage& radiance) {
 }
 
 std::string diagnostic_legend() {
-  std::string text;
-  for (const NumberKind& kind : number_kinds()) {
-    text += (text.empty() ? "" : ", ") + std::string(kind.words);
-  }
-  return text;
+  return joined_of(number_kinds(), [](const NumberKind& kind) { return kind.words; });
 }
 
 }  // namespace airlight::cli

@@ -8,6 +8,7 @@
 #include "core/output/spectral_layout.h"
 #include "core/scene/json_format.h"
 #include "core/scene/preset.h"
+#include "core/text.h"
 
 namespace airlight::cli {
 namespace {
@@ -44,12 +45,12 @@ void write_tables(JsonWriter& json, const RenderReport& report) {
                                     [&](const ImageDesc& candidate) { return candidate.name == table.name; });
     json.begin_object().key("name").value(table.name);
     if (image != report.plan.images().end()) {
-      json.key("width").value(static_cast<std::size_t>(image->extent.width));
-      json.key("height").value(static_cast<std::size_t>(image->extent.height));
-      json.key("depth").value(static_cast<std::size_t>(image->extent.depth));
+      json.key("width").value(image->extent.width);
+      json.key("height").value(image->extent.height);
+      json.key("depth").value(image->extent.depth);
     }
-    json.key("non_finite").value(static_cast<std::size_t>(table.statistics.not_finite));
-    json.key("negative").value(static_cast<std::size_t>(table.statistics.negative)).end_object();
+    json.key("non_finite").value(table.statistics.not_finite);
+    json.key("negative").value(table.statistics.negative).end_object();
   }
   json.end_array();
 }
@@ -81,11 +82,9 @@ std::string resource_name(const Plan& plan, const ResourceId& id) {
 }
 
 std::string names_of(const Plan& plan, const std::vector<Binding>& bindings) {
-  std::string text;
-  for (const Binding& binding : bindings) {
-    text += (text.empty() ? "" : ", ") + resource_name(plan, binding.resource);
-  }
-  return text.empty() ? "nothing" : text;
+  return bindings.empty()
+             ? "nothing"
+             : joined_of(bindings, [&](const Binding& binding) { return resource_name(plan, binding.resource); });
 }
 
 // What the time between two laps went into, each name once; the rest has a row, so that the parts add up.
@@ -120,21 +119,16 @@ std::string json_report(const RenderReport& report) {
   json.begin_object();
   json.key("name").value(report.scene.name).key("method").value(report.scene.render.method);
   json.key("width").value(report.scene.image.width).key("height").value(report.scene.image.height);
-  json.key("files").begin_array();
-  for (const std::string& file : report.files) {
-    json.value(file);
-  }
-  json.end_array();
+  json.key("files").values(report.files);
   if (report.device) {
     json.key("device").value(report.device->name).key("driver").value(report.device->driver);
   } else {
     json.key("device").null();
   }
-  json.key("view");
-  report.view.empty() ? json.null() : json.value(report.view);
+  json.key("view").text_or_null(report.view);
   json.key("exposure").value(report.rendering.exposure);
-  json.key("non_finite").value(static_cast<std::size_t>(report.rendering.picture.not_finite));
-  json.key("negative").value(static_cast<std::size_t>(report.rendering.picture.negative));
+  json.key("non_finite").value(report.rendering.picture.not_finite);
+  json.key("negative").value(report.rendering.picture.negative);
   if (report.exr) {
     json.key("exr").begin_object().key("format").value(report.exr_format);
     json.key("clamped").value(report.exr->clamped).key("underflowed").value(report.exr->underflowed).end_object();
@@ -159,11 +153,7 @@ std::string json_report(const RenderReport& report) {
     json.key("choice");
     write_choice(json, *report.choice);
   }
-  json.key("left_out").begin_array();
-  for (const std::string& reason : report.rendering.left_out) {
-    json.value(reason);
-  }
-  json.end_array();
+  json.key("left_out").values(report.rendering.left_out);
   write_tables(json, report);
   write_timings(json, report);
   return json.end_object().take();
@@ -218,11 +208,7 @@ std::string json_of_plan(const Scene& scene, const Plan& plan, const std::vector
                          const std::optional<ChoiceReport>& choice, const std::vector<double>& wavelengths) {
   JsonWriter json;
   json.begin_object().key("name").value(scene.name).key("method").value(scene.render.method);
-  json.key("width").value(scene.image.width).key("height").value(scene.image.height).key("files").begin_array();
-  for (const std::string& file : files) {
-    json.value(file);
-  }
-  json.end_array();
+  json.key("width").value(scene.image.width).key("height").value(scene.image.height).key("files").values(files);
   if (choice) {
     json.key("choice");
     write_choice(json, *choice);

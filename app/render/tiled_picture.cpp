@@ -3,7 +3,6 @@
 #include <charconv>
 #include <chrono>
 #include <memory>
-#include <utility>
 
 #include "core/error.h"
 #include "core/output/atomic_file.h"
@@ -14,22 +13,12 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-std::optional<int> positive(std::string_view text) {
-  int value = 0;
-  const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool whole = parsed.ec == std::errc() && parsed.ptr == text.data() + text.size();
-  return whole && value > 0 ? std::optional(value) : std::nullopt;
-}
-
 ImageSize tile_from(const std::string& text, const Scene& scene, bool layers, const std::string& option) {
-  const std::size_t x = text.find('x');
-  const std::optional<int> width = positive(std::string_view(text).substr(0, x));
-  const std::optional<int> height =
-      x == std::string::npos ? std::nullopt : positive(std::string_view(text).substr(x + 1));
-  if (!width || !height) {
+  const std::optional<ImageSize> typed = size_from(text);
+  if (!typed || typed->width < 1 || typed->height < 1) {
     throw InputError(option + ": '" + text + "' is no size; write WIDTHxHEIGHT in pixels, for example 2048x1024");
   }
-  const ImageSize tile{std::min(*width, scene.image.width), std::min(*height, scene.image.height)};
+  const ImageSize tile{std::min(typed->width, scene.image.width), std::min(typed->height, scene.image.height)};
   const std::size_t most = kTileBytes / tile_pixel_bytes(scene, layers);
   if (static_cast<std::size_t>(tile.width) * static_cast<std::size_t>(tile.height) > most) {
     throw InputError(option + ": '" + text + "' is too large for the buffers of a device; a tile of this picture" +

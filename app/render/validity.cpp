@@ -10,15 +10,12 @@ namespace airlight::cli {
 namespace {
 
 std::string methods_that_hold(const Scene& scene) {
-  std::string names;
-  for (const SkyMethod& method : methods()) {
+  return joined_of(methods(), [&](const SkyMethod& method) {
     const Scene rendered = scene.render.method == method.info.name ? scene : with_quality(scene, method, {});
-    if (exceeded_limits(method.validity, scene).empty() &&
-        known_failures_of(method, rendered, air_of(rendered)).empty()) {
-      names += (names.empty() ? "" : ", ") + std::string(method.info.name);
-    }
-  }
-  return names;
+    const bool holds = exceeded_limits(method.validity, scene).empty() &&
+                       known_failures_of(method, rendered, air_of(rendered)).empty();
+    return holds ? method.info.name : std::string_view();
+  });
 }
 
 }  // namespace
@@ -43,10 +40,7 @@ std::vector<std::string> exceeded_limits(const Validity& validity, const Scene& 
 
 std::string validity_warning(const Scene& scene) {
   const Validity& validity = find_method(scene.render.method)->validity;
-  std::string reasons;
-  for (const std::string& limit : exceeded_limits(validity, scene)) {
-    reasons += (reasons.empty() ? "" : ", nor for ") + limit;
-  }
+  const std::string reasons = joined(exceeded_limits(validity, scene), ", nor for ");
   if (reasons.empty()) {
     return {};
   }
@@ -58,10 +52,7 @@ std::string validity_warning(const Scene& scene) {
 
 std::string known_failure_warning(const Scene& scene) {
   const SkyMethod& method = *find_method(scene.render.method);
-  std::string causes;
-  for (const std::string_view cause : known_failures_of(method, scene, air_of(scene))) {
-    causes += (causes.empty() ? "" : "; ") + std::string(cause);
-  }
+  const std::string causes = joined(known_failures_of(method, scene, air_of(scene)), "; ");
   if (causes.empty()) {
     return {};
   }

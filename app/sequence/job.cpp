@@ -13,13 +13,8 @@ namespace {
 
 // "2026:06:21 05:00:00", on the place's clocks.
 std::string capture_date(const sequence::FrameTime& time) {
-  const sequence::Milliseconds local = time.utc + time.offset_seconds * sequence::kSecond;
-  const sequence::CivilDate date = sequence::date_of(local);
-  const auto second = static_cast<int>((local - sequence::midnight_of(date)) / sequence::kSecond);
-  char text[32];
-  std::snprintf(text, sizeof text, "%04d:%02d:%02d %02d:%02d:%02d", date.year % 10000, date.month % 100, date.day % 100,
-                second / 3600 % 100, second / 60 % 60, second % 60);
-  return text;
+  const std::string iso = iso_text(time);
+  return iso.substr(0, 4) + ":" + iso.substr(5, 2) + ":" + iso.substr(8, 2) + " " + iso.substr(11, 8);
 }
 
 }  // namespace
@@ -44,7 +39,7 @@ FrameAttributes attributes_of(const SequenceJob& job, const sequence::Frame& fra
   attributes.number = static_cast<int>(frame.number);
   attributes.frames_a_second = job.frames_a_second;
   if (frame.time) {
-    attributes.label += ", " + sequence::iso_text(frame.time->utc, frame.time->offset_seconds);
+    attributes.label += ", " + iso_text(*frame.time);
     attributes.capture_date = capture_date(*frame.time);
     attributes.utc_offset = static_cast<float>(-frame.time->offset_seconds);
   }

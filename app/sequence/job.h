@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "app/cli/picture_options.h"
 #include "app/cli/scene_options.h"

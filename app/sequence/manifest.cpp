@@ -24,11 +24,6 @@ std::int32_t micro_degrees(double radians) {
   return static_cast<std::int32_t>(std::lround(std::remainder(degrees_from_radians(radians), 360.0) * kMicro));
 }
 
-const PresetValue* member(const PresetObject& object, std::string_view key) {
-  const auto found = object.find(key);
-  return found == object.end() ? nullptr : &found->second;
-}
-
 std::string hash_digits(std::uint64_t hash) {
   char text[17];
   std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
@@ -60,17 +55,12 @@ void SequenceManifest::read_earlier() {
     }
     text.erase(text.find_last_not_of(",\r") + 1);
     const std::optional<PresetValue> parsed = try_parse_json_value(text, job_.manifest);
-    const auto* object = parsed ? std::get_if<PresetObject>(&parsed->data) : nullptr;
-    if (object == nullptr) {
-      continue;
-    }
+    const PresetValue* object = parsed ? &*parsed : nullptr;
     const auto number_of = [&](const char* key) {
-      const PresetValue* value = member(*object, key);
-      const auto* number = value == nullptr ? nullptr : std::get_if<double>(&value->data);
+      const auto* number = member_as<double>(object, key);
       return number == nullptr ? -1.0 : *number;
     };
-    const PresetValue* hash = member(*object, "hash");
-    const auto* digits = hash == nullptr ? nullptr : std::get_if<std::string>(&hash->data);
+    const auto* digits = member_as<std::string>(object, "hash");
     const double index = number_of("frame") - static_cast<double>(first) - static_cast<double>(job_.shard.index - 1);
     const double k = index / static_cast<double>(job_.shard.count);
     if (digits != nullptr && k >= 0.0 && k < static_cast<double>(records_.size()) && k == std::floor(k)) {
@@ -125,12 +115,10 @@ std::string SequenceManifest::line(std::size_t k) const {
   const std::optional<sequence::FrameTime> time = sequence::frame_time(job_.source, index);
   const FrameFiles files = files_of(job_, number);
   JsonWriter json;
-  json.begin_object().key("frame").value(static_cast<std::int64_t>(number)).key("time");
-  time ? json.value(sequence::iso_text(time->utc, time->offset_seconds)) : json.null();
+  json.begin_object().key("frame").value(number).key("time").text_or_null(time ? iso_text(*time) : "");
   json.key("sun_elevation_deg").value(record.elevation / kMicro);
   json.key("sun_azimuth_deg").value((record.azimuth < 0 ? 360.0 : 0.0) + record.azimuth / kMicro);
-  json.key("file").value(files.first()).key("png");
-  files.png.empty() ? json.null() : json.value(files.png);
+  json.key("file").value(files.first()).key("png").text_or_null(files.png);
   json.key("hash").value(hash_digits(record.hash)).key("milliseconds");
   record.milliseconds < 0.0F ? json.null() : json.value(std::round(static_cast<double>(record.milliseconds) * 10) / 10);
   std::string text = json.end_object().take();

@@ -1,7 +1,5 @@
 #include "app/sequence/pictures.h"
 
-#include <filesystem>
-
 #include "app/cli/interruption.h"
 #include "app/cli/terminal.h"
 #include "app/render/picture_files.h"

@@ -2,7 +2,6 @@
 
 #include <unistd.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -45,11 +44,13 @@ std::string frame_line(const FrameReport& frame, std::size_t done, std::size_t f
 
 std::string frame_json(const FrameReport& frame) {
   JsonWriter json;
-  json.begin_object().key("frame").value(static_cast<std::int64_t>(frame.number)).key("time");
-  frame.time ? json.value(sequence::iso_text(frame.time->utc, frame.time->offset_seconds)) : json.null();
+  json.begin_object()
+      .key("frame")
+      .value(frame.number)
+      .key("time")
+      .text_or_null(frame.time ? iso_text(*frame.time) : "");
   json.key("sun_elevation_deg").value(frame.elevation_deg).key("sun_azimuth_deg").value(frame.azimuth_deg);
-  json.key("file").value(frame.files.first()).key("png");
-  frame.files.png.empty() ? json.null() : json.value(frame.files.png);
+  json.key("file").value(frame.files.first()).key("png").text_or_null(frame.files.png);
   json.key("hash").value(frame.hash).key("status").value(frame.rendered ? "rendered" : "kept");
   if (frame.rendered) {
     json.key("render_milliseconds").value(frame.render_ms).key("encode_milliseconds").value(frame.encode_ms);
@@ -61,8 +62,7 @@ std::string totals_json(const SequenceTotals& totals, const SequenceJob& job, co
   JsonWriter json;
   json.begin_object().key("frames").value(totals.frames).key("rendered").value(totals.rendered);
   json.key("kept").value(totals.kept).key("complete").value(totals.rendered + totals.kept == totals.frames);
-  json.key("stopped_by");
-  stopped.empty() ? json.null() : json.value(stopped);
+  json.key("stopped_by").text_or_null(stopped);
   json.key("manifest").value(job.manifest).key("seconds").value(totals.seconds);
   json.key("render_seconds").value(totals.render_ms / 1000.0).key("encode_seconds").value(totals.encode_ms / 1000.0);
   return json.key("peak_resident_mib").value(peak_resident_mib()).end_object().take();

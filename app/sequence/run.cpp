@@ -4,7 +4,6 @@
 #include <chrono>
 #include <memory>
 #include <mutex>
-#include <thread>
 
 #include "app/cli/frame_scene.h"
 #include "app/cli/interruption.h"

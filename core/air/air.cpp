@@ -63,7 +63,13 @@ void put_media(physics::Physics& p, const std::vector<Medium>& media) {
       assert(layer < static_cast<physics::uint>(kMaxDensityLayers));
       p.scene.layers[layer++] = {l.altitude, l.density};
     }
-    // Codes stand in the order of the names: core/scene/density_column.cpp asserts it.
+    // Codes stand in the order of the names.
+    static_assert(static_cast<physics::uint>(DensityProfile::exponential) == physics::kDensityExponential &&
+                  static_cast<physics::uint>(DensityProfile::tent) == physics::kDensityTent &&
+                  static_cast<physics::uint>(DensityProfile::lorentzian) == physics::kDensityLorentzian &&
+                  static_cast<physics::uint>(DensityProfile::constant) == physics::kDensityConstant &&
+                  static_cast<physics::uint>(DensityProfile::layers) == physics::kDensityLayers &&
+                  static_cast<physics::uint>(DensityProfile::height_fog) == physics::kDensityHeightFog);
     p.density_profiles |= static_cast<std::uint32_t>(density.profile) << (physics::kBitsPerMedium * i);
   }
 }

@@ -10,6 +10,7 @@
 #include "core/chart/labels.h"
 #include "core/chart/qualities.h"
 #include "core/gnuplot_text.h"
+#include "core/text.h"
 
 namespace airlight::chart {
 namespace {
@@ -28,11 +29,7 @@ constexpr Area kLargeAlone{0.07, 0.07, 0.98, 0.91};
 constexpr int kColumns = 4;
 
 std::string array_of(const std::string& name, const std::vector<std::string>& values) {
-  std::string list;
-  for (const std::string& value : values) {
-    list += (list.empty() ? "" : ", ") + gnuplot_text(value);
-  }
-  return "array " + name + "[" + std::to_string(values.size()) + "] = [" + list + "]\n";
+  return "array " + name + "[" + std::to_string(values.size()) + "] = [" + joined_of(values, gnuplot_text) + "]\n";
 }
 
 // The axes hold all that is shown, and some room.

@@ -1,7 +1,6 @@
 #include "core/chart/pixels.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/air/scene_block.h"
 #include "core/measure/view_geometry.h"

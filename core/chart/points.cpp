@@ -1,7 +1,6 @@
 #include "core/chart/points.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <functional>

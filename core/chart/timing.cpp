@@ -9,7 +9,6 @@
 #include <limits>
 #include <set>
 #include <span>
-#include <string_view>
 
 #include "core/choice/cost.h"
 #include "core/render/picture_key.h"

@@ -1,7 +1,5 @@
 #include "core/chart/truth.h"
 
-#include <array>
-#include <cstdint>
 #include <cstdio>
 #include <fstream>
 #include <iomanip>
@@ -104,7 +102,7 @@ Truth find_truth(const Scene& scene, const PixelSet& pixels, const std::filesyst
   truth.samples = static_cast<double>(picture.samples);
   truth.target_error = rules.target_error;
   const std::string text = text_of(truth);
-  write_file(finished, std::as_bytes(std::span(text)));
+  write_file(finished, text);
   return truth;
 }
 

@@ -1,8 +1,6 @@
 #pragma once
 // What a plan will cost, from the plan alone: no clock, no device.
 
-#include <functional>
-
 #include "core/plan/plan.h"
 
 namespace airlight::choice {

@@ -3,12 +3,9 @@
 #include <OpenImageIO/deepdata.h>
 #include <OpenImageIO/imageio.h>
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <new>
-#include <stdexcept>
 
 #include "core/error.h"
 #include "core/foreign/foreign_picture.h"

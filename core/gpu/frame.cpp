@@ -1,7 +1,6 @@
 #include "core/gpu/frame.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 namespace airlight {

@@ -1,7 +1,6 @@
 #pragma once
 // Where a pipeline's frozen module comes from: the program itself, the user's folder, or the optimiser.
 
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>

@@ -1,7 +1,6 @@
 #include "core/gpu/physical_device.h"
 
 #include <algorithm>
-#include <cctype>
 
 #include "core/error.h"
 #include "core/text.h"
@@ -51,9 +50,8 @@ std::string describe(const DeviceInfo& device) {
 }
 
 std::string list(const std::vector<PhysicalDevice>& devices) {
-  std::string text;
-  for (const PhysicalDevice& device : devices) text += (text.empty() ? "" : "; ") + describe(device.info);
-  return text;
+  return joined_of(
+      devices, [](const PhysicalDevice& device) { return describe(device.info); }, "; ");
 }
 
 PhysicalDevice inspect(VkPhysicalDevice handle) {

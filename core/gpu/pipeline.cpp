@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "core/gpu/in_parallel.h"
 #include "core/gpu/specialize.h"
+#include "core/text.h"
 
 namespace airlight {
 namespace {
@@ -113,8 +114,7 @@ const ShaderProgram& PipelineCache::program(const std::string& shader) {
   if (const auto found = programs_.find(shader); found != programs_.end()) return *found->second;
   const auto source = shaders_.find(shader);
   if (source == shaders_.end()) {
-    std::string names;
-    for (const auto& known : shaders_) names += (names.empty() ? "" : ", ") + known.first;
+    const std::string names = joined_of(shaders_, [](const auto& known) { return known.first; });
     throw std::logic_error("no shader is named " + shader + "; there are: " + names);
   }
   auto program = std::make_unique<ShaderProgram>();

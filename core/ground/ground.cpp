@@ -1,7 +1,6 @@
 #include "core/ground/ground.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <mutex>

@@ -1,7 +1,6 @@
 #include "core/measure/frames.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -149,9 +148,7 @@ std::optional<long> frame_number(const FramePattern& pattern, std::string_view f
   const std::size_t least = static_cast<std::size_t>(pattern.digits);
   // More digits than the pattern's only where the number needs them: each frame has one spelling.
   if (!all_digits || digits.size() < least || (digits.size() > least && digits.front() == '0')) return std::nullopt;
-  long frame = 0;
-  const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), frame);
-  return problem == std::errc() ? std::optional<long>(frame) : std::nullopt;
+  return number_from<long>(digits);
 }
 
 FilePairs pair_files(const std::string& a, const std::string& b, const std::vector<std::string>& standard_errors) {

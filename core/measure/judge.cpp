@@ -1,7 +1,6 @@
 #include "core/measure/judge.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/measure/words.h"
 

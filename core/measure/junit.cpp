@@ -1,7 +1,6 @@
 #include <algorithm>
 
 #include "core/measure/report.h"
-#include "core/measure/words.h"
 #include "core/text.h"
 
 namespace airlight::measure {

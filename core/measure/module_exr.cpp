@@ -12,6 +12,7 @@
 #include "core/measure/module_text.h"
 #include "core/measure/words.h"
 #include "core/output/provenance_keys.h"
+#include "core/text.h"
 
 namespace airlight::measure {
 namespace {
@@ -90,11 +91,9 @@ void read_attributes(ExrHeader& header, const OIIO::ImageSpec& spec) {
 }
 
 std::string layer_list(const ExrHeader& header) {
-  std::string list;
-  for (const ExrLayer& layer : header.layers) {
-    list += (list.empty() ? "" : ", ") + (layer.name.empty() ? "the main picture" : "'" + layer.name + "'");
-  }
-  return list;
+  return joined_of(header.layers, [](const ExrLayer& layer) {
+    return layer.name.empty() ? "the main picture" : "'" + layer.name + "'";
+  });
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "core/measure/colour_map.h"
 #include "core/measure/words.h"
+#include "core/text.h"
 
 namespace airlight::measure {
 namespace {
@@ -100,8 +101,7 @@ std::string overview(const std::vector<const NamedReport*>& sorted) {
       row.insert(row.end(), 4, "");
     } else {
       const ChannelReport& pooled = pooled_of(report.areas.front());
-      std::string why;
-      for (const std::string& reason : report.reasons) why += (why.empty() ? "" : "<br>") + xml_escaped(reason);
+      const std::string why = joined_of(report.reasons, xml_escaped, "<br>");
       row.insert(row.end(),
                  {why, percent(pooled.relative.mean), percent(pooled.relative.p95), percent(pooled.relative.max),
                   pooled.relative.max > 0.0 ? place_words(pooled.worst_relative) : ""});

@@ -3,7 +3,6 @@
 // table of factors.
 
 #include <cstdint>
-#include <span>
 #include <string>
 #include <vector>
 

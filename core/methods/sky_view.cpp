@@ -5,7 +5,6 @@
 #include <bit>
 #include <numbers>
 
-#include "core/luts/luts.h"
 #include "core/methods/ground_pass.h"
 #include "core/methods/march_passes.h"
 #include "core/methods/methods.h"

@@ -8,7 +8,6 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
-#include <charconv>
 #include <csignal>
 #include <cstring>
 #include <ctime>
@@ -22,6 +21,7 @@
 #include "core/error.h"
 #include "core/file_descriptor.h"
 #include "core/output/last_words.h"
+#include "core/text.h"
 
 namespace airlight {
 namespace {
@@ -161,13 +161,7 @@ int descriptor_called(const std::string& name) {
   if (name == "/dev/stdout" || name == "/dev/stderr") {
     return name == "/dev/stdout" ? STDOUT_FILENO : STDERR_FILENO;
   }
-  int number = -1;
-  if (name.starts_with(kFolder)) {
-    const char* const end = name.data() + name.size();
-    const auto parsed = std::from_chars(name.data() + kFolder.size(), end, number);
-    return parsed.ec == std::errc() && parsed.ptr == end ? number : -1;
-  }
-  return number;
+  return name.starts_with(kFolder) ? number_from<int>(name.substr(kFolder.size())).value_or(-1) : -1;
 }
 
 // An open descriptor is written from where it stands: opened by its name, a file that the shell appends to would be

@@ -19,6 +19,10 @@ void require_writable(const std::filesystem::path& file);
 // the system's reason; no temporary file is left behind and an older file of that name stays as it was.
 void write_file(const std::filesystem::path& file, std::span<const std::byte> contents);
 
+inline void write_file(const std::filesystem::path& file, const std::string& text) {
+  write_file(file, std::as_bytes(std::span(text)));
+}
+
 // The same for a file made piece by piece: `next` gives one piece after the other, an empty one at the end.
 void write_file(const std::filesystem::path& file, const std::function<std::span<const std::byte>()>& next);
 

@@ -1,7 +1,6 @@
 #include "core/output/png_texts.h"
 
 #include <array>
-#include <utility>
 
 namespace airlight {
 namespace {

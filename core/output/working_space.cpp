@@ -3,7 +3,6 @@
 #include <OpenColorIO/OpenColorIO.h>
 
 #include <algorithm>
-#include <vector>
 
 #include "core/error.h"
 #include "core/output/parallel.h"

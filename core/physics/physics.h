@@ -1,7 +1,6 @@
 #pragma once
 // shaders/physics compiled as C++ on double: the same text that the device runs in float.
 
-#include <cstddef>
 #include <memory>
 #include <vector>
 

@@ -14,6 +14,7 @@
 #include "core/render/sky.h"
 #include "core/render/timings.h"
 #include "core/scene/photometry.h"
+#include "core/text.h"
 
 namespace airlight {
 namespace {
@@ -251,13 +252,9 @@ std::string layers_refusal(const Scene& scene) {
 }
 
 std::string methods_with_layers() {
-  std::string names;
-  for (const SkyMethod& method : methods()) {
-    if (method.add_layer_passes != nullptr) {
-      names += (names.empty() ? "" : ", ") + std::string(method.info.name);
-    }
-  }
-  return names;
+  return joined_of(methods(), [](const SkyMethod& method) {
+    return method.add_layer_passes != nullptr ? method.info.name : std::string_view();
+  });
 }
 
 std::vector<Layer> render_layers(Executor& executor, const Scene& scene, const Tile& tile, const std::string& kept_as,

@@ -1,10 +1,9 @@
-#include "core/scene/camera_reader.h"
-
 #include <algorithm>
 #include <array>
 
 #include "core/scene/angle.h"
 #include "core/scene/json_format.h"
+#include "core/scene/readers.h"
 
 namespace airlight {
 namespace {

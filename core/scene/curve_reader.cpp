@@ -11,6 +11,7 @@
 #include "core/scene/json_format.h"
 #include "core/scene/json_text.h"
 #include "core/spectra/data.h"
+#include "core/text.h"
 
 namespace airlight {
 namespace {
@@ -23,16 +24,8 @@ constexpr std::string_view kForms =
     "{\"wavelengths_nm\": [...], \"values\": [...]}, {\"file\": ...}, {\"at_nm\": ..., \"value\": ..., \"exponent\": "
     "...}, {\"named\": ...} or {\"black_body_k\": ...}";
 
-std::string list(const std::vector<double>& values) {
-  std::string text;
-  for (const double value : values) {
-    text += (text.empty() ? "[" : ", ") + format_number(value);
-  }
-  return text + "]";
-}
-
 std::string sampled_json(const Curve& curve) {
-  return "{\"wavelengths_nm\": " + list(curve.wavelengths) + ", \"values\": " + list(curve.values) + "}";
+  return "{\"wavelengths_nm\": " + json_list(curve.wavelengths) + ", \"values\": " + json_list(curve.values) + "}";
 }
 
 // One curve object, from its site.
@@ -67,11 +60,7 @@ class Form {
   void only(std::initializer_list<std::string_view> keys) const {
     for (const auto& [key, value] : object_) {
       if (std::ranges::find(keys, key) == keys.end()) {
-        std::string names;
-        for (const std::string_view name : keys) {
-          names += (names.empty() ? "" : ", ") + std::string(name);
-        }
-        site_.problems.add(value, pointer(key), "unknown key in this form of a curve; expected " + names);
+        site_.problems.add(value, pointer(key), "unknown key in this form of a curve; expected " + joined(keys));
       }
     }
   }

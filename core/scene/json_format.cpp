@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/text.h"
+
 namespace airlight {
 
 std::string format_number(double value) {
@@ -47,6 +49,10 @@ std::string json_string(std::string_view text) {
     }
   }
   return out + '"';
+}
+
+std::string json_list(const std::vector<double>& values) {
+  return "[" + joined_of(values, format_number) + "]";
 }
 
 }  // namespace airlight

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace airlight {
 
@@ -11,5 +12,8 @@ std::string format_number(double value);
 
 // The text in quotes, escaped.
 std::string json_string(std::string_view text);
+
+// "[1, 2.5]".
+std::string json_list(const std::vector<double>& values);
 
 }  // namespace airlight

@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
-#include "core/scene/json_format.h"
 #include "core/scene/printable.h"
 #include "core/scene/problems.h"
 

@@ -1,11 +1,7 @@
-#include "core/scene/key_frame_reader.h"
-
 #include <algorithm>
 #include <cctype>
 
-#include "core/scene/json_format.h"
-#include "core/scene/json_text.h"
-#include "core/scene/render_settings.h"
+#include "core/scene/readers.h"
 
 namespace airlight {
 namespace {

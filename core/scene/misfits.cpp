@@ -1,20 +1,19 @@
-#include "core/scene/misfits.h"
+#include <algorithm>
 
 #include "core/scene/json_format.h"
+#include "core/scene/readers.h"
+#include "core/text.h"
 
 namespace airlight {
 namespace {
 
 // The methods that know a thing, where the scene's does not; else nothing.
 std::string who_knows(const Scene& scene, bool MethodInfo::*knows, std::span<const MethodInfo> methods) {
-  std::string names;
-  for (const MethodInfo& method : methods) {
-    if (method.name == scene.render.method && method.*knows) {
-      return {};
-    }
-    names += method.*knows ? (names.empty() ? "" : ", ") + std::string(method.name) : "";
-  }
-  return names;
+  const bool known = std::ranges::any_of(
+      methods, [&](const MethodInfo& method) { return method.name == scene.render.method && method.*knows; });
+  return known ? "" : joined_of(methods, [&](const MethodInfo& method) {
+    return method.*knows ? method.name : std::string_view();
+  });
 }
 
 // What spheres do not go with: a method that knows none, terrain.

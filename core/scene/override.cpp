@@ -1,6 +1,5 @@
 // "POINTER=JSON" from the command line, applied to a parsed preset.
 
-#include <charconv>
 #include <span>
 
 #include "core/error.h"
@@ -9,6 +8,7 @@
 #include "core/scene/preset.h"
 #include "core/scene/printable.h"
 #include "core/scene/problems.h"
+#include "core/text.h"
 
 namespace airlight {
 namespace {
@@ -40,16 +40,14 @@ std::vector<std::string> split_pointer(std::string_view pointer, const std::stri
 }
 
 PresetValue& element(PresetArray& array, const std::string& key, const std::string& place) {
-  std::size_t index = 0;
-  const auto end = std::from_chars(key.data(), key.data() + key.size(), index);
-  const bool is_index =
-      end.ec == std::errc{} && end.ptr == key.data() + key.size() && (key.size() == 1 || !key.starts_with('0'));
-  if (!is_index || index >= array.size()) {
+  const std::optional<std::size_t> index = number_from<std::size_t>(key);
+  const bool is_index = index && (key.size() == 1 || !key.starts_with('0'));
+  if (!is_index || *index >= array.size()) {
     const std::string range =
         array.empty() ? "none: it is empty" : "an index from 0 to " + std::to_string(array.size() - 1);
     throw InputError(place + ": there is no element " + quoted_text(key) + "; expected " + range);
   }
-  return array[index];
+  return array[*index];
 }
 
 // What the pointer leads to; keys that are not there yet are made, so that a preset may be silent about an object.

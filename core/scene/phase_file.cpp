@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -12,7 +11,7 @@
 #include <vector>
 
 #include "core/scene/json_format.h"
-#include "core/scene/json_text.h"
+#include "core/text.h"
 
 namespace airlight {
 namespace {
@@ -36,13 +35,6 @@ std::vector<std::string_view> fields_of(std::string_view line) {
   return fields;
 }
 
-std::optional<double> number_of(std::string_view text) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool whole = error == std::errc() && end == text.data() + text.size() && std::isfinite(value);
-  return whole ? std::optional(value) : std::nullopt;
-}
-
 struct Column {
   double angle = 0.0;
   double nm = 0.0;
@@ -54,8 +46,8 @@ std::optional<Column> column_of(std::string_view field) {
   if (bracket == std::string_view::npos || !field.ends_with("nm]")) {
     return std::nullopt;
   }
-  const auto angle = number_of(field.substr(0, bracket));
-  const auto nm = number_of(field.substr(bracket + 1, field.size() - bracket - 4));
+  const auto angle = number_from<double>(field.substr(0, bracket));
+  const auto nm = number_from<double>(field.substr(bracket + 1, field.size() - bracket - 4));
   return angle && nm ? std::optional(Column{*angle, *nm}) : std::nullopt;
 }
 
@@ -95,7 +87,7 @@ class PhaseFile {
   std::vector<double> numbers(const std::vector<std::string_view>& fields, std::size_t first, std::size_t count) {
     std::vector<double> values;
     for (std::size_t i = first; i < first + count; ++i) {
-      const auto value = i < fields.size() ? number_of(fields[i]) : std::nullopt;
+      const auto value = i < fields.size() ? number_from<double>(fields[i]) : std::nullopt;
       if (!value) {
         refuse((i < fields.size() ? json_string(std::string(fields[i].substr(0, 40))) + " in field "
                                   : "nothing in field ") +
@@ -136,7 +128,7 @@ class PhaseFile {
         }
       }
       sums_.resize(columns_.size());
-    } else if (fields.size() == 2 && number_of(fields[0]) && number_of(fields[1])) {
+    } else if (fields.size() == 2 && number_from<double>(fields[0]) && number_from<double>(fields[1])) {
       form_ = Form::plain;
       table_.rows.emplace_back();
       take_angle(fields);

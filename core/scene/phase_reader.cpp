@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 #include "core/scene/json_format.h"
-#include "core/scene/json_text.h"
 #include "core/scene/phase_file.h"
 #include "core/text.h"
 

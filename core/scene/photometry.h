@@ -6,7 +6,6 @@
 // V(lambda). For `W/m2` the efficacy is that of sunlight above the air, whatever the light has gone through; that of
 // blue sky alone is higher, that of a low red sun lower.
 
-#include <array>
 #include <optional>
 #include <string_view>
 

@@ -4,13 +4,12 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 
 #include "core/error.h"
-#include "core/scene/json_format.h"
 #include "core/scene/json_text.h"
 #include "core/scene/printable.h"
 #include "core/scene/suggestion.h"
+#include "core/text.h"
 
 namespace airlight {
 namespace {
@@ -86,23 +85,14 @@ bool replaces_whole(std::string_view key, const PresetValue& over) {
   return object == nullptr || is_curve || (key == "density" && object->contains("profile"));
 }
 
-const std::string* medium_name(const PresetValue& medium) {
-  const auto* object = std::get_if<PresetObject>(&medium.data);
-  if (object == nullptr) {
-    return nullptr;
-  }
-  const auto name = object->find("name");
-  return name == object->end() ? nullptr : std::get_if<std::string>(&name->second.data);
-}
-
 // Media of the same name merge, the others are added in order. A name's second entry in `over` is added as well, so
 // that resolve() finds the duplicate.
 void merge_media(PresetArray& base, PresetArray&& over) {
   std::vector<bool> merged(base.size(), false);
   for (PresetValue& medium : over) {
-    const std::string* name = medium_name(medium);
+    const std::string* name = member_as<std::string>(&medium, "name");
     const auto same = std::ranges::find_if(base, [&](const PresetValue& inherited) {
-      const std::string* inherited_name = medium_name(inherited);
+      const std::string* inherited_name = member_as<std::string>(&inherited, "name");
       return name != nullptr && inherited_name != nullptr && *name == *inherited_name;
     });
     const auto index = static_cast<std::size_t>(same - base.begin());
@@ -159,15 +149,8 @@ void merge_object(PresetValue& base, PresetValue&& over) {
   }
 }
 
-// The object under a key of an object; null where there is none.
-PresetObject* object_in(PresetObject* object, std::string_view key) {
-  const auto found = object == nullptr ? PresetObject::iterator() : object->find(key);
-  return object == nullptr || found == object->end() ? nullptr : std::get_if<PresetObject>(&found->second.data);
-}
-
-void find_file(PresetObject* object, std::string_view key, const fs::path& folder) {
-  const auto found = object == nullptr ? PresetObject::iterator() : object->find(key);
-  auto* name = object == nullptr || found == object->end() ? nullptr : std::get_if<std::string>(&found->second.data);
+void find_file(PresetValue* object, std::string_view key, const fs::path& folder) {
+  auto* name = member_as<std::string>(object, key);
   if (name != nullptr && !name->empty()) {
     *name = (folder / *name).lexically_normal().string();
   }
@@ -175,11 +158,11 @@ void find_file(PresetObject* object, std::string_view key, const fs::path& folde
 
 // Names of files in a preset are relative to its own folder, wherever the program runs.
 void find_files(PresetValue& root, const fs::path& folder) {
-  PresetObject* planet = object_in(std::get_if<PresetObject>(&root.data), "planet");
+  PresetValue* planet = member(&root, "planet");
   find_file(planet, "albedo_map", folder);
-  find_file(object_in(planet, "ocean"), "mask_map", folder);
-  find_file(object_in(planet, "terrain"), "height_map", folder);
-  find_file(object_in(planet, "terrain"), "albedo_map", folder);
+  find_file(member(planet, "ocean"), "mask_map", folder);
+  find_file(member(planet, "terrain"), "height_map", folder);
+  find_file(member(planet, "terrain"), "albedo_map", folder);
 }
 
 // The file of a chain that `root` builds on. Takes the key out when it is one; a wrong type is resolve()'s to refuse.
@@ -221,14 +204,6 @@ Link bundled_link(const std::string& file, std::string_view text) {
   return {.text = std::string(text), .source = file, .folder = {}, .bundled = true, .id = std::string(kBundled) + file};
 }
 
-std::string bundled_names(const BundledPresets& bundled) {
-  std::string names;
-  for (const auto& [file, text] : bundled) {
-    names += (names.empty() ? "" : ", ") + fs::path(file).stem().string();
-  }
-  return names;
-}
-
 // What `extends` names, as seen from the link that names it.
 Link follow(const Link& from, const Extension& extension, const BundledPresets& bundled) {
   const bool bare = extension.name.find('/') == std::string::npos;
@@ -260,7 +235,7 @@ Link follow(const Link& from, const Extension& extension, const BundledPresets& 
   if (!on_disk && bare && !bundled.empty()) {
     const auto nearest = nearest_name(fs::path(extension.name).stem().string(), names);
     message += ", and no built-in preset is called so" + (nearest ? "; did you mean \"" + *nearest + "\"?" : "") +
-               (nearest ? "" : " (" + bundled_names(bundled) + ")");
+               (nearest ? "" : " (" + joined(names) + ")");
   }
   throw InputError(message + "; expected a preset, by a path relative to the file that names it" +
                    (bundled.empty() ? "" : ", or a built-in one by its name"));

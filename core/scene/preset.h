@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <map>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -23,6 +22,21 @@ struct PresetValue {
   int line = 0;            // 0: no line (an option)
   bool inherited = false;  // came from a file named by `extends`
 };
+
+// What stands under a key; null where nothing does, or `value` is null or no object.
+template <class Value>
+Value* member(Value* value, std::string_view key) {
+  auto* object = value == nullptr ? nullptr : std::get_if<PresetObject>(&value->data);
+  const auto found = object == nullptr ? decltype(object->find(key))() : object->find(key);
+  return object == nullptr || found == object->end() ? nullptr : &found->second;
+}
+
+// The same where it is a T.
+template <class T, class Value>
+auto* member_as(Value* value, std::string_view key) {
+  Value* found = member(value, key);
+  return found == nullptr ? nullptr : std::get_if<T>(&found->data);
+}
 
 struct Preset {
   std::string source;  // as the user named it

@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "core/scene/json_format.h"
 #include "core/scene/printable.h"
+#include "core/text.h"
 
 namespace airlight {
 
@@ -27,11 +28,9 @@ void Problems::throw_if_any() {
   std::ranges::stable_sort(problems_, [](const Problem& a, const Problem& b) {
     return a.source != b.source ? a.source < b.source : a.line < b.line;
   });
-  std::string text;
   const std::size_t told = std::min(problems_.size(), kMostProblems);
-  for (std::size_t i = 0; i < told; ++i) {
-    text += (text.empty() ? "" : "\n") + problems_[i].text;
-  }
+  std::string text = joined_of(
+      std::span(problems_).first(told), [](const Problem& p) { return p.text; }, "\n");
   if (problems_.size() > told) {
     const std::size_t more = problems_.size() - told;
     text += "\n" + printable(problems_[told].source) + ": " + std::to_string(more) +

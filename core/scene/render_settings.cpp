@@ -9,6 +9,7 @@
 #include "core/scene/json_text.h"
 #include "core/scene/printable.h"
 #include "core/scene/value_reader.h"
+#include "core/text.h"
 
 namespace airlight {
 namespace {
@@ -35,13 +36,11 @@ const MethodInfo* find_method(const Section& render, std::span<const MethodInfo>
     return &*found;
   }
   std::vector<std::string> names;
-  std::string list;
   for (const MethodInfo& method : methods) {
     names.emplace_back(method.name);
-    list += (list.empty() ? "" : ", ") + names.back();
   }
   const std::string message =
-      quoted_text(name) + " is not a method; expected one of " + list + did_you_mean(name, names);
+      quoted_text(name) + " is not a method; expected one of " + joined(names) + did_you_mean(name, names);
   render.problems().add(value != nullptr ? *value : render.context(), render.pointer_to("method"), message);
   return nullptr;
 }
@@ -118,19 +117,11 @@ ParameterValue read_parameter(const Section& render, const ParameterInfo& parame
   return result;
 }
 
-std::string takers(std::span<const MethodInfo> methods, std::string_view key) {
-  std::string names;
-  for (const MethodInfo& method : methods) {
-    if (find_parameter(method, key) != nullptr) {
-      names += (names.empty() ? "" : ", ") + std::string(method.name);
-    }
-  }
-  return names;
-}
-
 void refuse_key(const Section& render, const std::string& key, const PresetValue& value, const MethodInfo* chosen,
                 std::span<const MethodInfo> methods) {
-  const std::string others = takers(methods, key);
+  const std::string others = joined_of(methods, [&](const MethodInfo& method) {
+    return find_parameter(method, key) != nullptr ? method.name : std::string_view();
+  });
   if (!others.empty()) {
     // A key that no method takes is refused even if inherited: a misspelt one is wrong wherever it stands.
     if (chosen != nullptr && !value.inherited) {

@@ -1,24 +1,14 @@
 #include "core/scene/resolve.h"
 
-#include <charconv>
-
 #include "core/scene/angle.h"
-#include "core/scene/camera_reader.h"
-#include "core/scene/curve_reader.h"
-#include "core/scene/ground_reader.h"
-#include "core/scene/key_frame_reader.h"
-#include "core/scene/media_reader.h"
-#include "core/scene/misfits.h"
+#include "core/scene/readers.h"
 #include "core/scene/render_settings.h"
-#include "core/scene/section.h"
-#include "core/scene/sphere_reader.h"
-#include "core/scene/terrain_reader.h"
+#include "core/text.h"
 
 namespace airlight {
 namespace {
 
-Planet read_planet(const Section& root, CurveReader& curves, SceneSpectra& spectra) {
-  const Section planet = root.child("planet");
+Planet read_planet(const Section& planet, CurveReader& curves, SceneSpectra& spectra) {
   planet.refuse_unknown_keys();
   return {.ground_radius = planet.number("radius_km"),
           .atmosphere_height = planet.number("atmosphere_height_km"),
@@ -53,10 +43,9 @@ bool read_metering(const PresetValue& value, Display& display) {
     return false;
   }
   if (word->starts_with(kLock)) {
-    const char* const end = word->data() + word->size();
-    const auto parsed = std::from_chars(word->data() + kLock.size(), end, display.metered_frame);
+    display.metered_frame = number_from<int>(word->substr(kLock.size())).value_or(-1);
     display.metering = Metering::frame;
-    return parsed.ec == std::errc() && parsed.ptr == end && display.metered_frame >= 0;
+    return display.metered_frame >= 0;
   }
   display.metering = *word == "day" ? Metering::day : Metering::picture;
   return *word == "auto" || *word == "day";
@@ -157,9 +146,10 @@ Scene read_scene(const Section& root, std::span<const MethodInfo> methods) {
   scene.description = root.text("description");
   CurveReader curves;
   SceneSpectra spectra;
-  scene.planet = read_planet(root, curves, spectra);
-  scene.terrain = read_terrain(root, scene.planet, curves, spectra.terrain_albedo);
-  scene.ground = read_ground_map(root);
+  const Section planet = root.child("planet");
+  scene.planet = read_planet(planet, curves, spectra);
+  scene.terrain = read_terrain(planet, scene.planet, curves, spectra.terrain_albedo);
+  scene.ground = read_ground_map(planet);
   scene.spheres = read_spheres(root, curves, spectra.spheres);
   scene.media = read_media(root, scene.planet, curves, spectra);
   scene.sun = read_sun(root, curves, spectra);

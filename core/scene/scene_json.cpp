@@ -1,14 +1,13 @@
 // to_json: a scene as a preset of format 1.
 
-#include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "core/scene/angle.h"
 #include "core/scene/json_format.h"
 #include "core/scene/preset.h"
 #include "core/scene/render_settings.h"
 #include "core/scene/rules.h"
+#include "core/text.h"
 
 namespace airlight {
 namespace {
@@ -27,8 +26,7 @@ class JsonObject {
   JsonObject& text(std::string_view key, std::string_view value) { return add(key, json_string(value)); }
   JsonObject& boolean(std::string_view key, bool value) { return add(key, value ? "true" : "false"); }
   JsonObject& spectrum(std::string_view key, const Spectrum& value) {
-    return add(key,
-               "[" + format_number(value[0]) + ", " + format_number(value[1]) + ", " + format_number(value[2]) + "]");
+    return add(key, json_list({value.begin(), value.end()}));
   }
   // The curve where the scene has any.
   JsonObject& spectrum(std::string_view key, const Spectrum& value, const Curve* curve) {
@@ -69,22 +67,11 @@ std::string density_json(const Density& density) {
     object.number("below_km", density.below);
   }
   if (density.profile == DensityProfile::layers) {
-    std::string layers;
-    for (const DensityLayer& layer : density.layers) {
-      layers +=
-          (layers.empty() ? "[" : ", [") + format_number(layer.altitude) + ", " + format_number(layer.density) + "]";
-    }
-    object.add("layers", "[" + layers + "]");
+    object.add("layers", "[" + joined_of(density.layers, [](const DensityLayer& layer) {
+                           return json_list({layer.altitude, layer.density});
+                         }) + "]");
   }
   return object.str();
-}
-
-std::string list_json(const std::vector<double>& values) {
-  std::string text;
-  for (const double value : values) {
-    text += (text.empty() ? "[" : ", ") + format_number(value);
-  }
-  return text + "]";
 }
 
 // What is not there is not stated, so that EXRs of before and after the keys carry the same preset.
@@ -100,15 +87,13 @@ std::string phase_json(const Medium& medium, const MediumSpectra* curves) {
   if (medium.phase != PhaseFunction::table) {
     return object.str();
   }
-  object.add("angles_deg", list_json(table.angles_deg));
+  object.add("angles_deg", json_list(table.angles_deg));
   if (table.wavelengths_nm.empty()) {
-    return object.add("values", list_json(table.rows.front())).str();
+    return object.add("values", json_list(table.rows.front())).str();
   }
-  std::string rows;
-  for (const std::vector<double>& row : table.rows) {
-    rows += (rows.empty() ? "[" : ", ") + list_json(row);
-  }
-  return object.add("wavelengths_nm", list_json(table.wavelengths_nm)).add("values", rows + "]").str();
+  return object.add("wavelengths_nm", json_list(table.wavelengths_nm))
+      .add("values", "[" + joined_of(table.rows, json_list) + "]")
+      .str();
 }
 
 std::string media_json(const Scene& scene) {
@@ -301,14 +286,7 @@ std::string image_json(const Scene& scene) {
 }
 
 std::string values_json(const std::vector<double>& values) {
-  if (values.size() == 1) {
-    return format_number(values[0]);
-  }
-  std::string text;
-  for (const double value : values) {
-    text += (text.empty() ? "[" : ", ") + format_number(value);
-  }
-  return text + "]";
+  return values.size() == 1 ? format_number(values[0]) : json_list(values);
 }
 
 std::string sequence_json(const KeyFrames& sequence) {

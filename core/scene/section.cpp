@@ -1,21 +1,19 @@
 #include "core/scene/section.h"
 
 #include <algorithm>
-#include <charconv>
 #include <set>
 #include <stdexcept>
 #include <vector>
 
 #include "core/scene/json_format.h"
 #include "core/scene/json_text.h"
+#include "core/text.h"
 
 namespace airlight {
 namespace {
 
 double default_number(const Rule& rule) {
-  double value = 0.0;
-  std::from_chars(rule.default_text.data(), rule.default_text.data() + rule.default_text.size(), value);
-  return value;
+  return number_from<double>(rule.default_text).value_or(0.0);
 }
 
 bool holds_for(const Rule& rule, std::string_view choice) {
@@ -101,10 +99,7 @@ void Section::refuse_unknown_keys() const {
     if (const std::string elsewhere = place_elsewhere(key); !elsewhere.empty()) {
       message += "; did you mean " + elsewhere + "?";
     } else {
-      message += "; expected one of ";
-      for (const std::string& name : known) {
-        message += (name == known.front() ? "" : ", ") + name;
-      }
+      message += "; expected one of " + joined(known);
     }
     complain(key, value, message);
   }
@@ -178,45 +173,33 @@ const PresetValue* Section::value_of(std::string_view key) const {
   return value;
 }
 
-double Section::number(std::string_view key) const {
-  double result = default_number(rule(key));
+template <class T>
+T Section::read(std::string_view key, T fallback, void (*reader)(const Site&, T&)) const {
   if (const PresetValue* value = value_of(key)) {
-    read_number(site(key, *value), result);
+    reader(site(key, *value), fallback);
   }
-  return result;
+  return fallback;
+}
+
+double Section::number(std::string_view key) const {
+  return read(key, default_number(rule(key)), read_number);
 }
 
 int Section::integer(std::string_view key) const {
-  int result = static_cast<int>(default_number(rule(key)));
-  if (const PresetValue* value = value_of(key)) {
-    read_integer(site(key, *value), result);
-  }
-  return result;
+  return read(key, static_cast<int>(default_number(rule(key))), read_integer);
 }
 
 bool Section::boolean(std::string_view key) const {
-  bool result = rule(key).default_text == "true";
-  if (const PresetValue* value = value_of(key)) {
-    read_boolean(site(key, *value), result);
-  }
-  return result;
+  return read(key, rule(key).default_text == "true", read_boolean);
 }
 
 std::string Section::text(std::string_view key) const {
-  std::string result(rule(key).default_text);
-  if (const PresetValue* value = value_of(key)) {
-    read_text(site(key, *value), result);
-  }
-  return result;
+  return read(key, std::string(rule(key).default_text), read_text);
 }
 
 Spectrum Section::spectrum(std::string_view key) const {
   const double fallback = default_number(rule(key));
-  Spectrum result{fallback, fallback, fallback};
-  if (const PresetValue* value = value_of(key)) {
-    read_spectrum(site(key, *value), result);
-  }
-  return result;
+  return read(key, Spectrum{fallback, fallback, fallback}, read_spectrum);
 }
 
 const PresetArray* Section::list(std::string_view key, const PresetValue& value, std::string_view things) const {

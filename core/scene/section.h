@@ -54,6 +54,8 @@ class Section {
 
  private:
   const Rule* find_rule(std::string_view key) const;
+  template <class T>
+  T read(std::string_view key, T fallback, void (*reader)(const Site&, T&)) const;
 
   Problems& problems_;
   const PresetValue* context_;

@@ -1,8 +1,6 @@
-#include "core/scene/sphere_reader.h"
-
 #include "core/scene/angle.h"
 #include "core/scene/json_format.h"
-#include "core/scene/printable.h"
+#include "core/scene/readers.h"
 
 namespace airlight {
 namespace {

@@ -1,7 +1,6 @@
 #include "core/scene/suggestion.h"
 
 #include <algorithm>
-#include <cctype>
 #include <vector>
 
 #include "core/text.h"

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/text.h"
 
 namespace airlight::sequence {
 namespace {
@@ -16,20 +17,8 @@ namespace chrono = std::chrono;
 
 // All of the text as a whole number of `fewest` to `most` digits; nothing else.
 std::optional<int> digits(std::string_view text, std::size_t fewest, std::size_t most) {
-  int value = 0;
-  const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool whole = parsed.ec == std::errc() && parsed.ptr == text.data() + text.size() && !text.starts_with('-');
-  return whole && text.size() >= fewest && text.size() <= most ? std::optional(value) : std::nullopt;
-}
-
-std::vector<std::string_view> split(std::string_view text, char at) {
-  std::vector<std::string_view> parts;
-  for (std::size_t start = 0; start <= text.size();) {
-    const std::size_t end = std::min(text.find(at, start), text.size());
-    parts.push_back(text.substr(start, end - start));
-    start = end + 1;
-  }
-  return parts;
+  const bool fits = text.size() >= fewest && text.size() <= most && !text.starts_with('-');
+  return fits ? number_from<int>(text) : std::nullopt;
 }
 
 std::string quote(std::string_view text) {
@@ -78,7 +67,7 @@ CivilDate date_of(Milliseconds local) {
 }
 
 Milliseconds parse_date(std::string_view text, const std::string& option) {
-  const std::vector<std::string_view> parts = split(text, '-');
+  const std::vector<std::string> parts = split(text, '-');
   const auto part = [&](std::size_t i, std::size_t width) {
     return parts.size() == 3 ? digits(parts[i], width, width) : std::nullopt;
   };
@@ -101,7 +90,7 @@ Milliseconds parse_date(std::string_view text, const std::string& option) {
 }
 
 Milliseconds parse_time_of_day(std::string_view text, const std::string& option) {
-  const std::vector<std::string_view> parts = split(text, ':');
+  const std::vector<std::string> parts = split(text, ':');
   std::optional<int> hours, minutes, seconds = 0;
   if (parts.size() == 2 || parts.size() == 3) {
     hours = digits(parts[0], 1, 2);

@@ -1,6 +1,5 @@
 #include "core/sequence/frame_files.h"
 
-#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 

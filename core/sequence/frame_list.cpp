@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "core/scene/json_format.h"
+#include "core/text.h"
 
 namespace airlight::sequence {
 namespace {
@@ -42,6 +43,22 @@ void require_coordinate(double value, double least, double most, const std::stri
     throw InputError(option + ": " + format_number(value) + " is outside " + format_number(least) + " to " +
                      format_number(most) + " degrees");
   }
+}
+
+// One frame, the first. `from`: the option that has its time.
+SunPath path_from(const SunPathOrder& order, const std::string& prefix, const std::string& from) {
+  SunPath path;
+  path.zone = find_zone(order.zone.empty() ? "UTC" : order.zone, prefix + "--tz");
+  const Milliseconds date = parse_date(order.date, prefix + "--date");
+  const Milliseconds time = parse_time_of_day(order.from, prefix + from);
+  require_coordinate(order.place.latitude_deg, -90.0, 90.0, prefix + "--lat");
+  require_coordinate(order.place.longitude_deg, -180.0, 360.0, prefix + "--lon");
+  path.place = order.place;
+  path.refraction = order.refraction;
+  path.first = utc_on_clock(path.zone, date + time, prefix + from);
+  path.step = kDay;
+  path.count = 1;
+  return path;
 }
 
 // The value of one pointer at a frame, from the key frames that have it around; empty where none has.
@@ -100,55 +117,27 @@ std::size_t count_of(const KeyFrames& sequence) {
 }  // namespace
 
 SunPath make_sun_path(const SunPathOrder& order) {
-  SunPath path;
-  path.zone = find_zone(order.zone.empty() ? "UTC" : order.zone, "sequence: --tz");
+  SunPath path = path_from(order, "sequence: ", "--from");
   const Milliseconds date = parse_date(order.date, "sequence: --date");
   const Milliseconds from = parse_time_of_day(order.from, "sequence: --from");
-  Milliseconds to = parse_time_of_day(order.to, "sequence: --to");
+  const Milliseconds to = parse_time_of_day(order.to, "sequence: --to");
   path.step = parse_step(order.step, "sequence: --step");
-  require_coordinate(order.place.latitude_deg, -90.0, 90.0, "sequence: --lat");
-  require_coordinate(order.place.longitude_deg, -180.0, 360.0, "sequence: --lon");
-  path.place = order.place;
-  path.refraction = order.refraction;
-  if (to < from) to += kDay;
-  path.first = utc_on_clock(path.zone, date + from, "sequence: --from");
-  const Milliseconds last = utc_on_clock(path.zone, date + to, "sequence: --to");
+  const Milliseconds last = utc_on_clock(path.zone, date + to + (to < from ? kDay : 0), "sequence: --to");
   path.count = last < path.first ? 1 : static_cast<std::size_t>((last - path.first) / path.step) + 1;
   return path;
 }
 
-SunPath make_moment(const MomentOrder& order) {
-  const std::string prefix = order.command + ": ";
-  SunPath path;
-  path.zone = find_zone(order.zone, prefix + "--tz");
-  const Milliseconds date = parse_date(order.date, prefix + "--date");
-  const Milliseconds time = parse_time_of_day(order.time, prefix + "--time");
-  require_coordinate(order.place.latitude_deg, -90.0, 90.0, prefix + "--lat");
-  require_coordinate(order.place.longitude_deg, -180.0, 360.0, prefix + "--lon");
-  path.place = order.place;
-  path.refraction = order.refraction;
-  path.first = utc_on_clock(path.zone, date + time, prefix + "--time");
-  path.step = kDay;
-  path.count = 1;
-  return path;
+SunPath make_moment(const SunPathOrder& order, const std::string& command) {
+  return path_from(order, command + ": ", "--time");
 }
 
 Sweep parse_sweep(std::string_view text, const std::string& option) {
-  double numbers[3] = {};
-  const char* at = text.data();
-  const char* const end = text.data() + text.size();
-  bool good = true;
-  for (int i = 0; i < 3 && good; ++i) {
-    const auto parsed = std::from_chars(at, end, numbers[i]);
-    good = parsed.ec == std::errc() && std::isfinite(numbers[i]) &&
-           (i == 2 ? parsed.ptr == end : parsed.ptr != end && *parsed.ptr == ':');
-    at = parsed.ptr + (i == 2 ? 0 : 1);
-  }
+  const std::optional<std::array<double, 3>> numbers = three_numbers(text);
   const std::string what = option + ": '" + std::string(text) + "'";
-  if (!good) {
+  if (!numbers) {
     throw InputError(what + " is not FROM:TO:STEP in degrees; write for example -12:90:1");
   }
-  const auto [from, to, step] = numbers;
+  const auto [from, to, step] = *numbers;
   require_coordinate(from, -90.0, 90.0, what);
   require_coordinate(to, -90.0, 90.0, what);
   if (step == 0.0 || (to - from) * step < 0.0) {
@@ -157,6 +146,10 @@ Sweep parse_sweep(std::string_view text, const std::string& option) {
   }
   constexpr double kRounding = 1e-9;  // of a step: 0:1:0.1 has eleven frames
   return {from, step, static_cast<std::size_t>((to - from) / step + kRounding) + 1};
+}
+
+std::string iso_text(const FrameTime& time) {
+  return iso_text(time.utc, time.offset_seconds);
 }
 
 std::size_t frame_count(const FrameSource& source) {
@@ -186,14 +179,12 @@ Frame frame_at(const FrameSource& source, std::size_t index) {
 
 Shard parse_shard(std::string_view text, const std::string& option) {
   Shard shard;
-  const std::size_t slash = std::min(text.find('/'), text.size());
-  const auto whole = [](std::string_view digits, std::size_t& value) {
-    const auto parsed = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    return !digits.empty() && parsed.ec == std::errc() && parsed.ptr == digits.data() + digits.size();
-  };
-  const bool good =
-      slash < text.size() && whole(text.substr(0, slash), shard.index) && whole(text.substr(slash + 1), shard.count);
-  if (!good || shard.index < 1 || shard.index > shard.count) {
+  const std::vector<std::string> parts = split(text, '/');
+  if (parts.size() == 2) {
+    shard.index = number_from<std::size_t>(parts[0]).value_or(0);
+    shard.count = number_from<std::size_t>(parts[1]).value_or(0);
+  }
+  if (parts.size() != 2 || shard.index < 1 || shard.index > shard.count) {
     throw InputError(option + ": '" + std::string(text) +
                      "' is not I/N with I from 1 to N; write for example 3/16 for the third of sixteen");
   }

@@ -39,6 +39,9 @@ struct FrameTime {
   int offset_seconds = 0;  // of the clocks there and then
 };
 
+// "2026-06-21T05:00:00+02:00".
+std::string iso_text(const FrameTime& time);
+
 struct Frame {
   long number = 0;  // in its file's name
   std::optional<FrameTime> time;
@@ -46,9 +49,9 @@ struct Frame {
   std::vector<std::pair<std::string, std::vector<double>>> keys;
 };
 
-// What the command line says of a sun path; `option` names below are its options.
+// What the command line says of a sun path, as typed; an empty zone is UTC.
 struct SunPathOrder {
-  std::string date, from, to, step, zone;  // as typed; an empty zone is UTC
+  std::string date, from, to, step, zone;
   Place place;
   std::optional<Air> refraction = {};
 };
@@ -57,16 +60,9 @@ struct SunPathOrder {
 // step of 0, an unknown zone, a time that the clocks of that day skip, a place that is none.
 SunPath make_sun_path(const SunPathOrder& order);
 
-// One moment: a path of one frame.
-struct MomentOrder {
-  std::string command;           // whose options messages name: "render"
-  std::string date, time, zone;  // as typed
-  Place place;
-  std::optional<Air> refraction = {};
-};
-
-// Throws InputError: malformed, an unknown zone, a time that the clocks of that day skip, a place that is none.
-SunPath make_moment(const MomentOrder& order);
+// One moment, the order's `from`: a path of one frame. `command`: whose options messages name, "render". Throws
+// InputError likewise.
+SunPath make_moment(const SunPathOrder& order, const std::string& command);
 
 // "-12:90:1" = FROM:TO:STEP in degrees. Throws InputError: malformed, outside -90 to 90, a step that does not lead from
 // one to the other.

@@ -1,7 +1,6 @@
 #include "core/stability/judge.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <limits>

@@ -1,7 +1,6 @@
 #pragma once
 // One place looked at by one method on the device, and the same formulas on the host in double.
 
-#include <string>
 #include <vector>
 
 #include "core/gpu/executor.h"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstring>
 #include <iterator>
-#include <span>
 
 #include "core/physics/device_scene.h"
 

@@ -1,10 +1,9 @@
 // Air too thick to be any scene's is refused by its optical depth.
-#include "core/scene/air_limits.h"
-
 #include <cmath>
 
 #include "core/methods/method.h"
 #include "core/methods/scene_air.h"
+#include "core/scene/density_column.h"
 #include "tests/scene/scene_fixture.h"
 
 namespace airlight::test {

@@ -3,7 +3,6 @@
 // shells, linear between their edges), so that every ray collides; what the picture gets wrong is made good by the
 // exact density of the choice, which the caller divides by. It steers samples and enters no result.
 
-#include <array>
 #include <optional>
 #include <vector>
 

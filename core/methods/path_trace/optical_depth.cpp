@@ -1,6 +1,5 @@
 #include "core/methods/path_trace/optical_depth.h"
 
-#include <array>
 #include <cmath>
 
 namespace airlight {
