@@ -6,6 +6,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <concepts>
 #include <cstdio>
 #include <optional>
 #include <string>
@@ -22,7 +23,8 @@ inline std::string rounded(double value, int digits) {
 }
 
 // With as many digits as tell it from any other: "6360", "0.1".
-inline std::string shortest(double value) {
+template <std::floating_point Number>
+std::string shortest(Number value) {
   std::array<char, 32> text{};
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
 }
@@ -84,6 +86,13 @@ std::string joined_of(const Items& items, WordOf word_of, std::string_view separ
   }
   std::erase(words, "");
   return joined(words, separator);
+}
+
+// The enumerator of that name; `names` stand in the enumerators' order.
+template <class Enum, class Names>
+std::optional<Enum> named(const Names& names, std::string_view name) {
+  const auto found = std::ranges::find(names, name);
+  return found == std::ranges::end(names) ? std::nullopt : std::optional(static_cast<Enum>(found - names.begin()));
 }
 
 // ASCII letters in lower case, the rest as it is.

@@ -2,13 +2,13 @@
 
 #include <array>
 #include <charconv>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <string_view>
 
 #include "app/cli/progress.h"
 #include "core/chart/timing.h"
+#include "core/clock.h"
 #include "core/error.h"
 #include "core/text.h"
 
@@ -85,8 +85,8 @@ ChoiceReport choose_rendering(const Scene& scene, const ChoiceWish& wish, const 
   refuse_departures(scene);
   ChoiceReport report;
   report.wish = wish;
-  const auto start = std::chrono::steady_clock::now();
-  const double cpu = chart::process_cpu_ms();
+  const Clock::time_point start = Clock::now();
+  const double cpu = process_cpu_ms();
   std::optional<TerminalStatus> status;
   if (!quiet) {
     status.emplace();
@@ -121,8 +121,8 @@ ChoiceReport choose_rendering(const Scene& scene, const ChoiceWish& wish, const 
   } else {
     report.choice = choice::choose_for_tolerance(scene, wish.tolerance, wish.method, looks);
   }
-  report.probing_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-  report.probing_cpu_ms = chart::process_cpu_ms() - cpu;
+  report.probing_ms = milliseconds_since(start);
+  report.probing_cpu_ms = process_cpu_ms() - cpu;
   if (!report.choice.chosen) {
     refuse_unreached(report);
   }

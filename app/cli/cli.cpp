@@ -22,15 +22,6 @@ std::string how_to_see_help(const Tool& tool, const Command& command) {
   return "'" + who + " --help' lists what it takes";
 }
 
-Words all_option_names(const Command& command) {
-  Words names = option_names(help_option());
-  for (const Option& option : command.options) {
-    const Words own = option_names(option);
-    names.insert(names.end(), own.begin(), own.end());
-  }
-  return names;
-}
-
 [[noreturn]] void refuse_extra(const Tool& tool, const Command& command, const Words& extra) {
   const auto dashed = std::find_if(extra.begin(), extra.end(), [](const std::string& word) { return word[0] == '-'; });
   if (dashed != extra.end()) {

@@ -46,6 +46,8 @@ struct Option {
 // The options under one heading of the help.
 std::vector<Option> grouped(const std::string& heading, std::vector<Option> options);
 
+void append(std::vector<Option>& options, std::vector<Option> more);
+
 struct Positional {
   std::string metavar;  // "PRESET"
   std::string help;
@@ -102,6 +104,7 @@ std::string manual_page(const Tool& tool);
 // --- Helpers of the files above -----------------------------------------------------------------------------------
 
 std::vector<std::string> option_names(const Option& option);  // "-o,--output" -> {"-o", "--output"}
+std::vector<std::string> all_option_names(const Command& command);  // --help's too
 bool is_flag(const Option& option);
 bool is_repeatable(const Target& target);
 // The help sentence with range, choices and repetition added.

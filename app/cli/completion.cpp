@@ -65,19 +65,16 @@ std::string bash_offer(const Words& words, Completes completes) {
 }
 
 std::string bash_command(const Command& command) {
-  Words names = option_names(help_option());
   std::string cases;
   for (const Option& option : command.options) {
-    const Words own = option_names(option);
-    names.insert(names.end(), own.begin(), own.end());
     if (!is_flag(option)) {
-      cases += "        " + joined(own, "|") + ") " +
+      cases += "        " + joined(option_names(option), "|") + ") " +
                bash_offer(values(option.choices, option.offers), option.completes) + "; return ;;\n";
     }
   }
   std::string text = "    " + command.name + ")\n";
   text += cases.empty() ? "" : "      case $previous in\n" + cases + "      esac\n";
-  text += "      if [[ $current == -* ]]; then " + bash_offer(names, Completes::nothing) + "; return; fi\n";
+  text += "      if [[ $current == -* ]]; then " + bash_offer(all_option_names(command), Completes::nothing) + "; return; fi\n";
   if (!command.positionals.empty()) {
     const Positional& last = command.positionals.back();
     text += "      " + bash_offer(values(last.choices, last.offers), last.completes) + "\n";
@@ -86,11 +83,7 @@ std::string bash_command(const Command& command) {
 }
 
 std::string bash_script(const Tool& tool) {
-  Words first = option_names(help_option());
-  for (const Option& option : tool.root.options) {
-    const Words own = option_names(option);
-    first.insert(first.end(), own.begin(), own.end());
-  }
+  Words first = all_option_names(tool.root);
   std::string commands;
   Words names;
   for (const Command& command : tool.commands) {

@@ -1,6 +1,5 @@
 #include "app/cli/frame_scene.h"
 
-#include <cassert>
 #include <utility>
 
 #include "app/cli/scene_files.h"
@@ -48,12 +47,16 @@ sequence::Frame frame_numbered(const sequence::FrameSource& source, int number, 
   return sequence::frame_at(source, static_cast<std::size_t>(number - first));
 }
 
-std::optional<double> held_exposure(const DeviceOnDemand& device, const Scene& scene, const Scene* frame) {
+bool locks_frame(const Scene& scene) {
+  return scene.display.metering == Metering::frame && !scene.display.exposure;
+}
+
+std::optional<double> held_exposure(const DeviceOnDemand& device, const Scene& scene,
+                                    const std::function<Scene()>& frame) {
   if (scene.display.exposure || scene.display.metering == Metering::picture) {
     return std::nullopt;
   }
-  assert(frame != nullptr || scene.display.metering == Metering::day);
-  return metered_exposure(device, scene.display.metering == Metering::day ? by_day(scene) : *frame);
+  return metered_exposure(device, locks_frame(scene) ? frame() : by_day(scene));
 }
 
 }  // namespace airlight::cli

@@ -1,6 +1,7 @@
 #pragma once
 // One frame of a sequence as a scene, and the exposure that a scene holds over frames.
 
+#include <functional>
 #include <string>
 
 #include "core/render/render.h"
@@ -15,9 +16,13 @@ Scene frame_scene(const Preset& preset, const sequence::Frame& frame);
 // The frame of that number. Throws InputError where there is none: "PLACE: there is no frame 99; ...".
 sequence::Frame frame_numbered(const sequence::FrameSource& source, int number, const std::string& place);
 
+// Whether the scene's exposure is that of one frame.
+bool locks_frame(const Scene& scene);
+
 // The exposure that the scene asks to be metered on a day or on a frame, as a factor: a function of the preset and
-// that frame alone, whoever asks, whatever was rendered before. `frame`: of Metering::frame. Nothing where the scene
+// that frame alone, whoever asks, whatever was rendered before. `frame`: finds that frame. Nothing where the scene
 // states its exposure, or each picture is metered on its own.
-std::optional<double> held_exposure(const DeviceOnDemand& device, const Scene& scene, const Scene* frame);
+std::optional<double> held_exposure(const DeviceOnDemand& device, const Scene& scene,
+                                    const std::function<Scene()>& frame);
 
 }  // namespace airlight::cli

@@ -123,11 +123,19 @@ std::vector<Option> grouped(const std::string& heading, std::vector<Option> opti
   return options;
 }
 
+void append(std::vector<Option>& options, std::vector<Option> more) {
+  options.insert(options.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
 std::vector<std::string> option_names(const Option& option) {
-  std::vector<std::string> names;
-  std::istringstream list(option.names);
-  for (std::string name; std::getline(list, name, ',');) {
-    names.push_back(name);
+  return split(option.names, ',');
+}
+
+std::vector<std::string> all_option_names(const Command& command) {
+  std::vector<std::string> names = option_names(help_option());
+  for (const Option& option : command.options) {
+    const std::vector<std::string> own = option_names(option);
+    names.insert(names.end(), own.begin(), own.end());
   }
   return names;
 }

@@ -2,13 +2,11 @@
 
 #include <array>
 #include <atomic>
-#include <utility>
 
 namespace airlight::cli {
 namespace {
 
-constexpr std::array<std::pair<int, const char*>, 3> kSignals = {
-    {{SIGINT, "SIGINT"}, {SIGTERM, "SIGTERM"}, {SIGHUP, "SIGHUP"}}};
+constexpr std::array<int, 3> kSignals = {SIGINT, SIGTERM, SIGHUP};
 
 std::atomic<int> seen = 0;
 static_assert(std::atomic<int>::is_always_lock_free, "a signal handler writes it");
@@ -16,7 +14,7 @@ std::array<struct sigaction, kSignals.size()> before{};
 
 void restore() {
   for (std::size_t i = 0; i < kSignals.size(); ++i) {
-    ::sigaction(kSignals[i].first, &before[i], nullptr);
+    ::sigaction(kSignals[i], &before[i], nullptr);
   }
 }
 
@@ -30,7 +28,7 @@ void note(int signal_number) {
 Interruption::Interruption() {
   seen.store(0);
   for (std::size_t i = 0; i < kSignals.size(); ++i) {
-    ::sigaction(kSignals[i].first, nullptr, &before[i]);
+    ::sigaction(kSignals[i], nullptr, &before[i]);
   }
   struct sigaction action {};
   action.sa_handler = note;
@@ -38,7 +36,7 @@ Interruption::Interruption() {
   sigemptyset(&action.sa_mask);
   for (std::size_t i = 0; i < kSignals.size(); ++i) {
     if (before[i].sa_handler != SIG_IGN) {  // as nohup sets SIGHUP
-      ::sigaction(kSignals[i].first, &action, nullptr);
+      ::sigaction(kSignals[i], &action, nullptr);
     }
   }
 }
@@ -49,15 +47,6 @@ Interruption::~Interruption() {
 
 int Interruption::signal() {
   return seen.load();
-}
-
-std::string Interruption::name(int signal_number) {
-  for (const auto& [number, name] : kSignals) {
-    if (number == signal_number) {
-      return name;
-    }
-  }
-  return "signal " + std::to_string(signal_number);
 }
 
 }  // namespace airlight::cli

@@ -2,7 +2,6 @@
 // Ctrl-C and its like for a long run that wants to stop in good order: the first asks it to, the second ends it.
 
 #include <csignal>
-#include <string>
 
 namespace airlight::cli {
 
@@ -17,8 +16,6 @@ class Interruption {
 
   // The signal's number; 0: none came. Any thread may ask.
   static int signal();
-  // "SIGINT".
-  static std::string name(int signal_number);
 };
 
 }  // namespace airlight::cli

@@ -161,7 +161,7 @@ void require_layers(const PictureOptions& options, const Scene& scene, bool exr,
   if (!exr) {
     throw InputError(command + ": --layers: layers stand in the EXR, and none is written; give -o FILE.exr too");
   }
-  if (find_method(scene.render.method)->add_layer_passes == nullptr) {
+  if (method_of(scene).add_layer_passes == nullptr) {
     throw InputError(command + ": --layers: " + scene.render.method +
                      " does not tell its light apart; choose by --method one of " + methods_with_layers());
   }

@@ -14,8 +14,8 @@ std::vector<Option> place_options(PlaceOptions& options, std::vector<Option> tim
   const Range elevation_range{-0.5, 100.0};
   std::vector<Option> all = {
       {"--date", "YYYY-MM-DD", "The day, 1600 to 2400 by the Gregorian calendar", &options.date}};
-  all.insert(all.end(), times.begin(), times.end());
-  const std::vector<Option> rest = {
+  append(all, std::move(times));
+  append(all, {
       {"--lat", "DEG", "The place's latitude, north positive", &options.latitude, Completes::nothing,
        Range{-90.0, 90.0}},
       {"--lon", "DEG", "The place's longitude, east positive", &options.longitude, Completes::nothing,
@@ -29,8 +29,7 @@ std::vector<Option> place_options(PlaceOptions& options, std::vector<Option> tim
        &options.refraction},
       {"--pressure", "HPA", "For --refraction; else 1010", &options.pressure, Completes::nothing, Range{0.0, 2000.0}},
       {"--temperature", "CELSIUS", "For --refraction; else 10", &options.temperature, Completes::nothing,
-       Range{-200.0, 200.0}}};
-  all.insert(all.end(), rest.begin(), rest.end());
+       Range{-200.0, 200.0}}});
   return grouped("Sun of a place", std::move(all));
 }
 

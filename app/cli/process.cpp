@@ -1,91 +1,59 @@
 #include "app/cli/process.h"
 
 #include <fcntl.h>
+#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
+#include <utility>
 
 #include "core/error.h"
 
 namespace airlight::cli {
-namespace {
 
-std::string read_all(int descriptor) {
-  std::string text;
-  std::array<char, 4096> buffer;
-  for (;;) {
-    const ssize_t count = read(descriptor, buffer.data(), buffer.size());
-    if (count > 0) {
-      text.append(buffer.data(), static_cast<std::size_t>(count));
-    } else if (count == 0 || errno != EINTR) {
-      return text;
-    }
-  }
-}
-
-// In the child: never returns. What goes wrong before the program starts is sent as errno.
-[[noreturn]] void become(const std::string& folder, const std::vector<char*>& words, int errors, int failure) {
-  const int nothing = open("/dev/null", O_RDWR);
-  dup2(nothing, STDIN_FILENO);
-  dup2(nothing, STDOUT_FILENO);
-  dup2(errors, STDERR_FILENO);
-  if (chdir(folder.c_str()) == 0) {
-    execvp(words.front(), words.data());
-  }
-  const int problem = errno;
-  [[maybe_unused]] const ssize_t sent = write(failure, &problem, sizeof problem);
-  _exit(127);
-}
-
-}  // namespace
-
-std::optional<ProcessResult> run_process(const std::filesystem::path& folder, const std::vector<std::string>& words) {
+pid_t start_process(const std::vector<std::string>& words, const ProcessOptions& options) {
   std::vector<std::string> copies = words;
   std::vector<char*> pointers;
   for (std::string& word : copies) {
     pointers.push_back(word.data());
   }
   pointers.push_back(nullptr);
-  const std::string where = folder.string();
-  std::array<int, 2> errors{};
-  std::array<int, 2> failure{};
-  if (pipe2(errors.data(), O_CLOEXEC) != 0 || pipe2(failure.data(), O_CLOEXEC) != 0) {
-    throw RunError(words.front() + ": cannot be started: " + std::strerror(errno));
-  }
-  const pid_t child = fork();
-  if (child == 0) {
-    become(where, pointers, errors[1], failure[1]);
-  }
-  const int fork_error = errno;
-  close(errors[1]);
-  close(failure[1]);
-  ProcessResult result;
-  std::string problem;
-  if (child > 0) {
-    result.errors = read_all(errors[0]);
-    problem = read_all(failure[0]);
-  }
-  close(errors[0]);
-  close(failure[0]);
-  if (child < 0) {
-    throw RunError(words.front() + ": cannot be started: " + std::strerror(fork_error));
-  }
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  if (problem.size() == sizeof(int)) {
-    int number = 0;
-    std::memcpy(&number, problem.data(), sizeof number);
-    if (number == ENOENT) {
-      return std::nullopt;
+  posix_spawn_file_actions_t actions;
+  ::posix_spawn_file_actions_init(&actions);
+  for (const auto& [stream, number] : {std::pair(options.input, STDIN_FILENO), std::pair(options.output, STDOUT_FILENO),
+                                       std::pair(options.errors, STDERR_FILENO)}) {
+    if (stream < 0) {
+      ::posix_spawn_file_actions_addopen(&actions, number, "/dev/null", O_RDWR, 0);
+    } else {
+      ::posix_spawn_file_actions_adddup2(&actions, stream, number);
     }
-    throw RunError(words.front() + ": cannot be started: " + std::strerror(number));
   }
-  result.exit_code = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
-  return result;
+  ::posix_spawn_file_actions_addchdir_np(&actions, options.folder.c_str());
+  posix_spawnattr_t attributes;
+  ::posix_spawnattr_init(&attributes);
+  sigset_t broken_pipe;  // which we ignore
+  ::sigemptyset(&broken_pipe);
+  ::sigaddset(&broken_pipe, SIGPIPE);
+  ::posix_spawnattr_setsigdefault(&attributes, &broken_pipe);
+  ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF | (options.apart ? POSIX_SPAWN_SETPGROUP : 0));
+  pid_t process = 0;
+  const int problem = ::posix_spawnp(&process, pointers[0], &actions, &attributes, pointers.data(), environ);
+  ::posix_spawnattr_destroy(&attributes);
+  ::posix_spawn_file_actions_destroy(&actions);
+  if (problem != 0 && problem != ENOENT) {
+    throw RunError(words.front() + ": cannot be started: " + std::strerror(problem));
+  }
+  return problem == 0 ? process : 0;
+}
+
+int exit_code_of(pid_t process) {
+  int status = 0;
+  while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
+  }
+  return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }
 
 }  // namespace airlight::cli

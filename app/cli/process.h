@@ -1,20 +1,27 @@
 #pragma once
-// Another program, run and waited for.
+// Other programs, started and waited for.
+
+#include <sys/types.h>
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace airlight::cli {
 
-struct ProcessResult {
-  int exit_code = 0;   // 128 + its number for a signal
-  std::string errors;  // what it wrote to standard error
+struct ProcessOptions {
+  std::filesystem::path folder = ".";  // where it runs
+  int input = -1;                      // its streams; -1: nothing
+  int output = -1;
+  int errors = -1;
+  bool apart = false;  // Ctrl-C does not reach it
 };
 
-// `words`: the program, looked for on PATH, and its arguments; `folder`: where it runs. Nothing when there is no such
-// program. Throws RunError when it cannot be started for another reason.
-std::optional<ProcessResult> run_process(const std::filesystem::path& folder, const std::vector<std::string>& words);
+// `words`: the program, looked for on PATH, and its arguments. Returns its number, or 0 when there is no such program.
+// Throws RunError when it cannot be started for another reason.
+pid_t start_process(const std::vector<std::string>& words, const ProcessOptions& options);
+
+// Waits for its end: the exit code, 128 + its number for a signal.
+int exit_code_of(pid_t process);
 
 }  // namespace airlight::cli

@@ -10,11 +10,10 @@
 #include <thread>
 
 #include "app/cli/terminal.h"
+#include "core/clock.h"
 
 namespace airlight::cli {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 bool drawn = false;
 
@@ -46,7 +45,7 @@ std::function<bool(double done)> terminal_progress() {
     constexpr auto kInterval = std::chrono::milliseconds(100);
     const Clock::time_point now = Clock::now();
     if (now - start > kPatience && now - last > kInterval) {
-      tell(bar(done, std::chrono::duration<double>(now - start).count()));
+      tell(bar(done, seconds_since(start)));
       last = now;
       drawn = true;
     }
@@ -72,7 +71,7 @@ struct TerminalStatus::State {
   void draw() const {
     char seconds[32];
     std::snprintf(seconds, sizeof seconds, ", %.0f s\033[K",
-                  std::chrono::duration<double>(Clock::now() - start).count());
+                  seconds_since(start));
     tell("\r" + what + seconds);
   }
 

@@ -143,51 +143,49 @@ std::string identities_of(std::initializer_list<std::string> files) {
   return identity;
 }
 
-// The last one read is kept: the frames of a sequence share it.
-std::shared_ptr<const TerrainFiles> files_of(const Terrain& terrain) {
+// Files as `read` fills them in; the last ones are kept: the frames of a sequence share them.
+template <class Files, class Read>
+std::shared_ptr<const Files> remembered(const std::string& identity, const Read& read) {
   static std::mutex mutex;
-  static std::shared_ptr<const TerrainFiles> last;
-  if (terrain.height_map.empty() && terrain.albedo_map.empty()) {
-    return nullptr;
-  }
-  const std::string identity = identities_of({terrain.height_map, terrain.albedo_map});
+  static std::shared_ptr<const Files> last;
   const std::lock_guard lock(mutex);
   if (last == nullptr || last->identity != identity) {
-    auto files = std::make_shared<TerrainFiles>();
+    auto files = std::make_shared<Files>();
     files->identity = identity;
-    if (!terrain.height_map.empty()) {
-      read_heights(*files, terrain.height_map);
-    }
-    if (!terrain.albedo_map.empty()) {
-      read_colours(*files, terrain.albedo_map);
-    }
+    read(*files);
     last = files;
   }
   return last;
 }
 
-// Likewise.
+std::shared_ptr<const TerrainFiles> files_of(const Terrain& terrain) {
+  if (terrain.height_map.empty() && terrain.albedo_map.empty()) {
+    return nullptr;
+  }
+  const std::string identity = identities_of({terrain.height_map, terrain.albedo_map});
+  return remembered<TerrainFiles>(identity, [&](TerrainFiles& files) {
+    if (!terrain.height_map.empty()) {
+      read_heights(files, terrain.height_map);
+    }
+    if (!terrain.albedo_map.empty()) {
+      read_colours(files, terrain.albedo_map);
+    }
+  });
+}
+
 std::shared_ptr<const GroundFiles> files_of(const GroundMap& ground) {
-  static std::mutex mutex;
-  static std::shared_ptr<const GroundFiles> last;
   const std::string mask = ground.ocean ? ground.ocean->mask_map : std::string();
   if (ground.albedo_map.empty() && mask.empty()) {
     return nullptr;
   }
-  const std::string identity = identities_of({ground.albedo_map, mask});
-  const std::lock_guard lock(mutex);
-  if (last == nullptr || last->identity != identity) {
-    auto files = std::make_shared<GroundFiles>();
-    files->identity = identity;
+  return remembered<GroundFiles>(identities_of({ground.albedo_map, mask}), [&](GroundFiles& files) {
     if (!ground.albedo_map.empty()) {
-      read_planet(*files, ground.albedo_map);
+      read_planet(files, ground.albedo_map);
     }
     if (!mask.empty()) {
-      read_water(*files, mask);
+      read_water(files, mask);
     }
-    last = files;
-  }
-  return last;
+  });
 }
 
 }  // namespace

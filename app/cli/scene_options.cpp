@@ -136,9 +136,7 @@ std::vector<Option> scene_options(SceneOptions& options) {
                    .target = &options.method,
                    .offers = method_names(),
                    .group = "Method"});
-  for (Option& option : grouped("Method", device_options(options))) {
-    scene.push_back(std::move(option));
-  }
+  append(scene, grouped("Method", device_options(options)));
   return scene;
 }
 

@@ -1,30 +1,16 @@
 #include "app/cli/stopwatch.h"
 
-#include <sys/resource.h>
+#include "core/clock.h"
 
 namespace airlight::cli {
-namespace {
-
-double milliseconds(const timeval& time) {
-  return 1e3 * static_cast<double>(time.tv_sec) + 1e-3 * static_cast<double>(time.tv_usec);
-}
-
-double process_cpu_ms() {
-  rusage use{};
-  getrusage(RUSAGE_SELF, &use);
-  return milliseconds(use.ru_utime) + milliseconds(use.ru_stime);
-}
-
-}  // namespace
-
-Stopwatch::Stopwatch() : wall_(std::chrono::steady_clock::now()), cpu_ms_(process_cpu_ms()) {
+Stopwatch::Stopwatch() : wall_(Clock::now()), cpu_ms_(process_cpu_ms()) {
   laps_.push_back({"process start", cpu_ms_, cpu_ms_});
 }
 
 void Stopwatch::lap(const std::string& name) {
-  const auto now = std::chrono::steady_clock::now();
+  const auto now = Clock::now();
   const double cpu = process_cpu_ms();
-  laps_.push_back({name, std::chrono::duration<double, std::milli>(now - wall_).count(), cpu - cpu_ms_});
+  laps_.push_back({name, milliseconds_between(wall_, now), cpu - cpu_ms_});
   wall_ = now;
   cpu_ms_ = cpu;
 }

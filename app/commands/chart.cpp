@@ -210,9 +210,7 @@ Command chart_command() {
       {"--set", "POINTER=JSON", "Change any key of every preset, e.g. /sun/elevation_deg=3", &given->scene.set},
       {"--json", "", "Also print chart.json on standard output", &given->json},
       {"-q,--quiet", "", "Say nothing but errors", &given->quiet}};
-  for (Option& option : device_options(given->scene)) {
-    command.options.push_back(std::move(option));
-  }
+  append(command.options, device_options(given->scene));
   command.run = [given] { return run_chart_command(*given); };
   return command;
 }

@@ -100,11 +100,9 @@ Command composite_command() {
       {"--float", "", "32-bit floats (default: as the beauty)", &given->full_float},
       {"--half", "", "16-bit floats (default: as the beauty)", &given->half},
   };
-  for (Option& option : scene_options(given->scene)) {
-    command.options.push_back(std::move(option));
-  }
-  command.options.push_back({"--json", "", "Print one JSON object a frame", &given->json});
-  command.options.push_back({"-q,--quiet", "", "Say nothing but errors", &given->quiet});
+  append(command.options, scene_options(given->scene));
+  append(command.options, {{"--json", "", "Print one JSON object a frame", &given->json},
+                           {"-q,--quiet", "", "Say nothing but errors", &given->quiet}});
   command.run = [given] { return run_composite(*given); };
   return command;
 }

@@ -363,7 +363,7 @@ Command diff_command() {
       {"A", "picture (- for standard input), folder or frame pattern", &given->a, true, Completes::file, {}, {}},
       {"B", "the reference, of the same kind", &given->b, true, Completes::file, {}, {}}};
   command.options = grouped("Limits", limit_options(given->request.limits));
-  for (Option& option : other_options(*given)) command.options.push_back(std::move(option));
+  append(command.options, other_options(*given));
   command.run = [given] { return diff(*given); };
   return command;
 }

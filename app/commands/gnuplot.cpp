@@ -1,29 +1,61 @@
 #include "app/commands/gnuplot.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
 #include <functional>
-#include <optional>
 
 #include "app/cli/process.h"
 #include "core/error.h"
+#include "core/file_descriptor.h"
 
 namespace airlight::cli {
+namespace {
+
+std::string read_all(int descriptor) {
+  std::string text;
+  std::array<char, 4096> buffer;
+  for (;;) {
+    const ssize_t count = ::read(descriptor, buffer.data(), buffer.size());
+    if (count > 0) {
+      text.append(buffer.data(), static_cast<std::size_t>(count));
+    } else if (count == 0 || errno != EINTR) {
+      return text;
+    }
+  }
+}
+
+}  // namespace
 
 std::vector<std::string> plot(const std::string& command, const std::filesystem::path& folder,
                               const std::string& script, const std::string& prefix,
                               const std::vector<std::string>& endings) {
   namespace fs = std::filesystem;
   const std::string part = "plot-" + std::to_string(std::hash<std::string>{}(folder.string())) + ".part" + prefix;
-  const std::optional<ProcessResult> run = run_process(folder, {"gnuplot", "-e", "out='" + part + "'", script});
-  if (!run) {
+  std::array<int, 2> errors{};
+  if (::pipe2(errors.data(), O_CLOEXEC) != 0) {
+    throw RunError(command + ": gnuplot cannot be started: " + std::strerror(errno));
+  }
+  const FileDescriptor output(errors[0]);
+  FileDescriptor input(errors[1]);
+  const pid_t gnuplot =
+      start_process({"gnuplot", "-e", "out='" + part + "'", script}, {.folder = folder, .errors = input.get()});
+  input.close();
+  if (gnuplot == 0) {
     throw RunError(command +
                    ": there is no gnuplot on this machine, so no picture is drawn; on Debian install it with 'apt-get "
                    "install gnuplot-nox', then run 'gnuplot " +
                    script + "' in " + folder.string());
   }
+  const std::string messages = read_all(output.get());
+  const int exit_code = exit_code_of(gnuplot);
   std::vector<std::string> written;
   for (const std::string& ending : endings) {
     std::error_code error;
-    if (run->exit_code == 0) {
+    if (exit_code == 0) {
       const fs::path file = folder / (prefix + ending);
       fs::rename(folder / (part + ending), file, error);
       if (!error) {
@@ -33,7 +65,7 @@ std::vector<std::string> plot(const std::string& command, const std::filesystem:
     fs::remove(folder / (part + ending), error);
   }
   if (written.size() != endings.size()) {
-    const std::string said = run->errors.substr(0, run->errors.find_last_not_of(" \n") + 1);
+    const std::string said = messages.substr(0, messages.find_last_not_of(" \n") + 1);
     throw RunError(command + ": gnuplot could not draw " + (folder / script).string() + ": " +
                    (said.empty() ? "it wrote no picture" : said.substr(said.find_last_of('\n') + 1)));
   }

@@ -60,9 +60,7 @@ Command luts_command() {
   command.positionals = {preset_positional(given->scene)};
   command.options = {
       {"-o,--output", "DIR", "Folder for the tables; made if need be", &given->folder, Completes::folder}};
-  for (Option& option : scene_options(given->scene)) {
-    command.options.push_back(std::move(option));
-  }
+  append(command.options, scene_options(given->scene));
   command.options.push_back({"--json", "", "Print one JSON object with the files' names", &given->json});
   command.options.push_back({"-q,--quiet", "", "Say nothing but errors", &given->quiet});
   command.run = [given] { return run_luts(*given); };

@@ -295,9 +295,7 @@ Command probe_command() {
        .help = std::string("Print spectra at these wavelengths in nm; alone it means ") + kUsualWavelengths,
        .target = &given->spectrum,
        .implied = kUsualWavelengths}};
-  for (Option& option : scene_options(given->scene)) {
-    command.options.push_back(std::move(option));
-  }
+  append(command.options, scene_options(given->scene));
   command.options.push_back({"--json", "", "Print JSON", &given->json});
   command.options.push_back({"-q,--quiet", "", "No warnings", &given->quiet});
   command.run = [given] { return run_probe(*given); };

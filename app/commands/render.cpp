@@ -46,20 +46,17 @@ std::vector<Option> run_options(RenderOrder& given) {
 
 std::vector<Option> render_options(RenderOrder& given) {
   std::vector<Option> options = output_options(given);
-  const auto append = [&](std::vector<Option> more) {
-    options.insert(options.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-  };
-  append(scene_options(given.scene));
-  append(place_options(given.place, {time_option(given.place)}));
-  append(camera_options(given.scene));
-  append(grouped("Method", {share_option("--tolerance",
+  append(options, scene_options(given.scene));
+  append(options, place_options(given.place, {time_option(given.place)}));
+  append(options, camera_options(given.scene));
+  append(options, grouped("Method", {share_option("--tolerance",
                                          "Choose the cheapest method and quality whose mean relative error stays below "
                                          "this, e.g. 1%, by probing this very picture; with --method among its "
                                          "qualities",
                                          given.tolerance)}));
-  append(sampling_options(given.sampling));
-  append(picture_options(given.picture));
-  append(run_options(given));
+  append(options, sampling_options(given.sampling));
+  append(options, picture_options(given.picture));
+  append(options, run_options(given));
   return options;
 }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "app/cli/frame_scene.h"
 #include "app/cli/json_writer.h"
 #include "app/cli/place_options.h"
 #include "app/cli/sampling_options.h"
@@ -174,7 +175,7 @@ SequenceJob job_of(const Given& given) {
   refuse_idle_overrides(given, job.source);
   std::get<PresetObject>(job.preset.root.data).erase("sequence");
   job.scene.sequence.reset();
-  if (job.scene.display.metering == Metering::frame && !job.scene.display.exposure) {
+  if (locks_frame(job.scene)) {
     locked_frame(job);  // which must be there
   }
   job.manifest = given.manifest ? sequence::manifest_file(*given.manifest, job.shard)
@@ -189,7 +190,7 @@ SequenceJob job_of(const Given& given) {
 
 // Everything that can be known to fail is said before anything is rendered.
 void check_targets(const SequenceJob& job, const SequencePictures& pictures) {
-  const FrameFiles files = files_of(job, sequence::frame_number(job.source, 0));
+  const Targets files = files_of(job, sequence::frame_number(job.source, 0));
   for (const std::string& file : {files.exr, files.png, job.manifest}) {
     if (!file.empty()) {
       require_writable(file);
@@ -200,7 +201,7 @@ void check_targets(const SequenceJob& job, const SequencePictures& pictures) {
 
 std::string frame_json(const SequenceJob& job, const sequence::Frame& frame) {
   JsonWriter json;
-  const FrameFiles files = files_of(job, frame.number);
+  const Targets files = files_of(job, frame.number);
   json.begin_object().key("frame").value(frame.number).key("file").value(files.first());
   json.key("png").text_or_null(files.png).key("time").text_or_null(frame.time ? iso_text(*frame.time) : "");
   json.key("keys").begin_object();
@@ -292,29 +293,26 @@ std::vector<Option> sequence_options(Given& given) {
         "Write the frames here, # for their numbers: sky.####.exr; a name in .png is that of --png", &given.exr,
         Completes::file},
        {"--png", "PATTERN.png", "Write pictures for people here, e.g. sky.####.png", &given.png, Completes::file}});
-  const auto append = [&](std::vector<Option> more, const std::vector<std::string>& left_out) {
-    for (Option& option : more) {
-      if (std::find(left_out.begin(), left_out.end(), option.names) == left_out.end()) {
-        options.push_back(std::move(option));
-      }
-    }
+  const auto without = [](std::vector<Option> all, const std::vector<std::string>& left_out) {
+    std::erase_if(all, [&](const Option& option) { return std::ranges::find(left_out, option.names) != left_out.end(); });
+    return all;
   };
-  append(frame_options(given), {});
-  append(grouped("Sweep of the sun",
+  append(options, frame_options(given));
+  append(options,
+         grouped("Sweep of the sun",
                  {{"--sun-elevation", "FROM:TO:STEP",
                    "Instead of a path: sweep the sun's elevation, in degrees, e.g. -12:90:1", &given.sweep},
-                  {"--sun-azimuth", "DEG", "The sun's azimuth in a sweep", &given.scene.sun_azimuth}}),
-         {});
-  append(scene_options(given.scene), {"--sun-elevation", "--sun-azimuth"});
-  append(camera_options(given.scene), {});
-  append(sampling_options(given.sampling), {"--checkpoint", "--time-limit"});
+                  {"--sun-azimuth", "DEG", "The sun's azimuth in a sweep", &given.scene.sun_azimuth}}));
+  append(options, without(scene_options(given.scene), {"--sun-elevation", "--sun-azimuth"}));
+  append(options, camera_options(given.scene));
+  append(options, without(sampling_options(given.sampling), {"--checkpoint", "--time-limit"}));
   // Unlike render's: one choice of method and quality would have to hold for all frames.
-  append(grouped("Method", {{"--time-limit", "TIME",
-                             "Of a method that samples: stop sampling a frame after so long, e.g. 50ms, 2s, 1min",
-                             &given.sampling.time_limit}}),
-         {});
-  append(picture_options(given.picture), {});
-  append(run_options(given), {});
+  append(options, grouped("Method", {{"--time-limit", "TIME",
+                                      "Of a method that samples: stop sampling a frame after so long, e.g. 50ms, 2s, "
+                                      "1min",
+                                      &given.sampling.time_limit}}));
+  append(options, picture_options(given.picture));
+  append(options, run_options(given));
   return options;
 }
 

@@ -226,9 +226,7 @@ Command stability_command() {
        .choices = subject_names()},
       {"--json", "", "Print one JSON object: the maps made and the files written", &given->json},
       {"-q,--quiet", "", "No progress, no notes", &given->quiet}};
-  for (Option& option : device_options(given->scene)) {
-    command.options.push_back(std::move(option));
-  }
+  append(command.options, device_options(given->scene));
   command.run = [given] { return run_stability(*given); };
   return command;
 }

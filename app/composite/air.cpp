@@ -38,7 +38,7 @@ void fill_with_fog(const std::vector<Sample>& samples, const Scene& scene, const
 // The volume where the order wants it, or where a tolerance allows it.
 bool takes_volume(const CompositeOrder& order, const std::vector<Span>& spans, const Scene& scene,
                   const DeviceOnDemand& device, const SpanWay& volume, FrontAir& out) {
-  const SkyMethod& method = *find_method(scene.render.method);
+  const SkyMethod& method = method_of(scene);
   const bool holds = method.has_volume != nullptr && method.has_volume(scene);
   if (order.aerial == "volume" && !holds) {
     throw InputError(order.beauty +

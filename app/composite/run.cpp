@@ -316,7 +316,7 @@ void require_spans(const Scene& scene, bool by_method) {
         "composite: scene.spheres: the air is put before the things of one picture, and spheres would be among them; "
         "remove scene.spheres from the preset");
   }
-  if (!by_method || find_method(scene.render.method)->add_span_passes != nullptr) {
+  if (!by_method || method_of(scene).add_span_passes != nullptr) {
     return;
   }
   const std::string names = joined_of(methods(), [](const SkyMethod& method) {

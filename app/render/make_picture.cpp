@@ -59,6 +59,10 @@ PictureContext context_of(const Means& means, const Scene& scene, const Renderin
           .space = working_space_of(means.given.picture)};
 }
 
+Targets face_targets(const Targets& targets, const std::string& face) {
+  return {face_file(targets.exr, face), face_file(targets.png, face)};
+}
+
 // One picture, or the six of a cube.
 Published publish_pictures(const Means& means, const PictureContext& context, bool half) {
   const RenderOrder& given = means.given;
@@ -70,7 +74,7 @@ Published publish_pictures(const Means& means, const PictureContext& context, bo
   Published all;
   for (const CubeFace& face : cube_faces(context.scene, context.rendering)) {
     PublishOrder one = order;
-    one.targets = {face_file(targets.exr, face.name), face_file(targets.png, face.name)};
+    one.targets = face_targets(targets, face.name);
     const Published done = publish(context_of(means, face.scene, face.rendering), one, means.transform, means.watch);
     all.files.insert(all.files.end(), done.files.begin(), done.files.end());
     if (done.exr) {
@@ -78,6 +82,17 @@ Published publish_pictures(const Means& means, const PictureContext& context, bo
     }
   }
   return all;
+}
+
+std::optional<Lighting> wanted_lighting(const Means& means, const DeviceOnDemand& device, const Scene& scene,
+                                        const HostOptions& host) {
+  if (!means.given.irradiance) {
+    return std::nullopt;
+  }
+  Lighting lighting = lighting_of(device, scene, host);
+  clear_progress();
+  means.watch.lap("irradiance");
+  return lighting;
 }
 
 // What stands beside the picture: tables, and what lighting asks for.
@@ -133,21 +148,16 @@ void tell_undone(const RenderOrder& given, const Rendering& rendering) {
 // All of the picture, or the faces that it is cut into.
 std::vector<TiledPart> parts_of(const Means& means, const Scene& scene) {
   if (!means.given.cube_faces) {
-    return {{scene, 0, means.targets.exr, means.targets.png}};
+    return {{scene, 0, means.targets}};
   }
   std::vector<TiledPart> parts;
   for (const FaceScene& face : face_scenes(scene)) {
-    parts.push_back(
-        {face.scene, face.first_row, face_file(means.targets.exr, face.name), face_file(means.targets.png, face.name)});
+    parts.push_back({face.scene, face.first_row, face_targets(means.targets, face.name)});
   }
   return parts;
 }
 
 }  // namespace
-
-bool samples(const Scene& scene) {
-  return find_method(scene.render.method)->render_on_host != nullptr;
-}
 
 RenderRequest request_of(const Scene& scene, const Targets& targets) {
   RenderRequest request = request_for(scene, !targets.exr.empty(), !targets.png.empty());
@@ -173,12 +183,8 @@ bool render_and_publish(const Means& means, const Scene& scene) {
     const std::vector<std::string>& left_out = means.choice->choice.left_out;
     rendering.left_out.insert(rendering.left_out.begin(), left_out.begin(), left_out.end());
   }
-  std::optional<Lighting> lighting;
-  if (given.irradiance && rendering.fault().empty()) {
-    lighting = lighting_of(device, scene, request.host);
-    clear_progress();
-    means.watch.lap("irradiance");
-  }
+  const std::optional<Lighting> lighting =
+      rendering.fault().empty() ? wanted_lighting(means, device, scene, request.host) : std::nullopt;
   require_valid_vulkan();
   const PictureContext context = context_of(means, scene, rendering);
   const ExrDepth depth = means.targets.exr.empty() ? ExrDepth{} : exr_depth(given.picture, rendering);
@@ -219,12 +225,7 @@ bool render_in_tiles(const Means& means, const Scene& scene, const ImageSize& ti
     return context;
   };
   order.dropped = [] { return Interruption::signal() != 0; };
-  std::optional<Lighting> lighting;
-  if (given.irradiance) {
-    lighting = lighting_of(device, scene, order.request.host);
-    clear_progress();
-    means.watch.lap("irradiance");
-  }
+  const std::optional<Lighting> lighting = wanted_lighting(means, device, scene, order.request.host);
   TiledPicture done = write_tiled(device, scene, order);
   clear_progress();
   if (Interruption::signal() != 0) {

@@ -24,9 +24,6 @@ struct Means {
   std::optional<Nodes> spectral;  // wavelengths of --spectral
 };
 
-// Whether the scene's method takes samples on the host.
-bool samples(const Scene& scene);
-
 RenderRequest request_of(const Scene& scene, const Targets& targets);
 
 // From a checked scene to files on disk. False: it was interrupted, and its samples are kept.

@@ -16,6 +16,14 @@ struct Targets {
   std::string exr;
   std::string png;
   std::string tables = {};  // a folder, which publish() leaves to others
+
+  const std::string& first() const { return exr.empty() ? png : exr; }
+  // The pictures that are written.
+  std::vector<std::string> files() const {
+    std::vector<std::string> all{exr, png};
+    std::erase(all, "");
+    return all;
+  }
 };
 
 struct PublishOrder {

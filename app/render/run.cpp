@@ -19,6 +19,7 @@
 #include "app/render/validity.h"
 #include "core/error.h"
 #include "core/output/atomic_file.h"
+#include "core/output/last_words.h"
 #include "core/render/spectrum.h"
 #include "core/scene/preset.h"
 #include "core/scene/resolve.h"
@@ -82,13 +83,12 @@ std::optional<ChoiceWish> choice_wish(const RenderOrder& given, const Scene& sce
 
 // The scene with the exposure of a day or of one of the preset's own key frames, where it asks for one.
 Scene with_held_exposure(const RenderOrder& given, Scene scene, const DeviceOnDemand& device) {
-  std::optional<Scene> frame;
-  if (scene.display.metering == Metering::frame && !scene.display.exposure) {
-    const Preset preset = chosen_preset(given.scene, overrides(given.picture));
-    frame = frame_scene(preset, locked_frame(scene));
-    frame->render = scene.render;
-  }
-  if (const std::optional<double> held = held_exposure(device, scene, frame ? &*frame : nullptr)) {
+  const std::optional<double> held = held_exposure(device, scene, [&] {
+    Scene frame = frame_scene(chosen_preset(given.scene, overrides(given.picture)), locked_frame(scene));
+    frame.render = scene.render;
+    return frame;
+  });
+  if (held) {
     scene.display.exposure = held;
   }
   return scene;
@@ -98,27 +98,12 @@ int dry_run(const RenderOrder& given, const Scene& scene, const Targets& targets
             const std::optional<ChoiceReport>& choice) {
   const Plan plan = spectral ? plan_for_spectrum(scene, *spectral) : plan_for(scene, request_of(scene, targets));
   if (given.json) {
-    std::vector<std::string> files;
-    for (const std::string& file : {targets.exr, targets.png}) {
-      if (!file.empty()) {
-        files.push_back(file);
-      }
-    }
-    print(json_of_plan(scene, plan, files, choice, spectral ? spectral->nm : std::vector<double>()));
+    print(json_of_plan(scene, plan, targets.files(), choice, spectral ? spectral->nm : std::vector<double>()));
     return 0;
   }
   const std::string why = choice ? summary(*choice) + "\n" + explanation(*choice) : "";
   print(why + describe(scene) + (spectral ? spectral_text(*spectral) : "") + plan_text(plan));
   return 0;
-}
-
-// What killed runs have left half written of these files.
-void remove_half_written(const Targets& targets) {
-  for (const std::string& file : {targets.exr, targets.png}) {
-    if (!file.empty()) {
-      remove_abandoned_files_of(file);
-    }
-  }
 }
 
 // The tile of a picture that is rendered in tiles. Throws InputError for layers and tiles that cannot be had.
@@ -155,7 +140,7 @@ int interruptible(const RenderOrder& given, const std::function<bool()>& publish
     return 0;
   }
   const int signal = Interruption::signal();
-  complain("stopped by " + Interruption::name(signal) + ": no picture was written; " + given.sampling.checkpoint +
+  complain(std::string("stopped by ") + signal_name(signal) + ": no picture was written; " + given.sampling.checkpoint +
            " keeps the samples so far, and the same command goes on from there");
   return 128 + signal;
 }
@@ -170,7 +155,7 @@ int run_render(const RenderOrder& given) {
   if (given.cube_faces) {
     require_cube_stack(scene);
   }
-  if (scene.display.metering == Metering::frame && !scene.display.exposure) {
+  if (locks_frame(scene)) {
     locked_frame(scene);  // which must be there
   }
   const Targets targets = choose_targets(given);
@@ -199,7 +184,9 @@ int run_render(const RenderOrder& given) {
   if (!given.quiet) {
     warn(scene, targets, transform, choice.has_value());
   }
-  remove_half_written(targets);
+  for (const std::string& file : targets.files()) {
+    remove_abandoned_files_of(file);  // half written by runs that were killed
+  }
   scene = with_held_exposure(given, std::move(scene), device_on_demand(given.scene, executor));
   const Means means{given, targets, transform, choice, executor, watch, spectral};
   const auto publish_all = [&] {

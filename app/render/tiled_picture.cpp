@@ -4,14 +4,13 @@
 #include <chrono>
 #include <memory>
 
+#include "core/clock.h"
 #include "core/error.h"
 #include "core/output/atomic_file.h"
 #include "core/output/half_block.h"
 
 namespace airlight::cli {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 ImageSize tile_from(const std::string& text, const Scene& scene, bool layers, const std::string& option) {
   const std::optional<ImageSize> typed = size_from(text);
@@ -31,11 +30,11 @@ ImageSize tile_from(const std::string& text, const Scene& scene, bool layers, co
 class PartFiles {
  public:
   PartFiles(const TiledPart& part, const TiledOrder& order) : part_(part), order_(order) {
-    if (!part.exr.empty()) {
-      exr_file_ = std::make_unique<FileInProgress>(part.exr);
+    if (!part.files.exr.empty()) {
+      exr_file_ = std::make_unique<FileInProgress>(part.files.exr);
     }
-    if (!part.png.empty()) {
-      png_file_ = std::make_unique<FileInProgress>(part.png, FileInProgress::Order::onward);
+    if (!part.files.png.empty()) {
+      png_file_ = std::make_unique<FileInProgress>(part.files.png, FileInProgress::Order::onward);
     }
   }
 
@@ -59,7 +58,7 @@ class PartFiles {
       const Clock::time_point start = Clock::now();
       counts = exr_->finish({{kExposureKey, static_cast<float>(exposure)}});
       exr_file_->commit();
-      exr_ms_ += since(start);
+      exr_ms_ += milliseconds_since(start);
     }
     return counts;
   }
@@ -68,23 +67,19 @@ class PartFiles {
       const Clock::time_point start = Clock::now();
       png_->finish();
       png_file_->commit();
-      png_ms_ += since(start);
+      png_ms_ += milliseconds_since(start);
     }
   }
   double exr_ms() const { return exr_ms_; }
   double png_ms() const { return png_ms_; }
 
  private:
-  static double since(Clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-  }
-
   void add_rows(const Rendering& rows) {
     const PictureContext context = order_.context(part_.scene, rows);
     if (exr_file_) {
       const Clock::time_point start = Clock::now();
       add_exr(context);
-      exr_ms_ += since(start);
+      exr_ms_ += milliseconds_since(start);
     }
     if (png_file_) {
       const Clock::time_point start = Clock::now();
@@ -96,7 +91,7 @@ class PartFiles {
         png_ = std::make_unique<PicturePng>(sink, context, order_.transform, order_.bits);
       }
       png_->add(rows);
-      png_ms_ += since(start);
+      png_ms_ += milliseconds_since(start);
     }
   }
 
@@ -130,7 +125,7 @@ void require_sound(const Scene& scene, const Rendering& rendering, const TiledOr
   if (rendering.fault().empty()) {
     return;
   }
-  refuse(scene, rendering, order.source, order.parts.front().png, [&] {
+  refuse(scene, rendering, order.source, order.parts.front().files.png, [&] {
     for (const auto& file : files) {
       file->finish_png();
     }
@@ -144,11 +139,8 @@ void finish(TiledPicture& done, const TiledOrder& order, const AllFiles& files) 
   for (std::size_t i = 0; i < files.size(); ++i) {
     add_counts(done.counts, files[i]->finish_exr(done.rendering.exposure));
     files[i]->finish_png();
-    for (const std::string& file : {order.parts[i].exr, order.parts[i].png}) {
-      if (!file.empty()) {
-        done.files.push_back(file);
-      }
-    }
+    const std::vector<std::string> written = order.parts[i].files.files();
+    done.files.insert(done.files.end(), written.begin(), written.end());
     exr_ms += files[i]->exr_ms();
     png_ms += files[i]->png_ms();
   }
@@ -176,7 +168,7 @@ TiledPicture write_tiled(const DeviceOnDemand& device, const Scene& scene, const
   bool shown = false;
   for (const TiledPart& part : order.parts) {
     files.push_back(std::make_unique<PartFiles>(part, order));
-    shown = shown || !part.png.empty();
+    shown = shown || !part.files.png.empty();
   }
   const bool diagnostic = scene.display.view == kDiagnosticView;
   TiledRequest request{.tile = order.tile,

@@ -24,8 +24,7 @@ std::optional<ImageSize> tile_for(const std::optional<std::string>& option, cons
 struct TiledPart {
   Scene scene;
   int first_row = 0;
-  std::string exr;  // the files; empty: not written
-  std::string png;
+  Targets files;
 };
 
 struct TiledOrder {

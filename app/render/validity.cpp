@@ -39,7 +39,7 @@ std::vector<std::string> exceeded_limits(const Validity& validity, const Scene& 
 }
 
 std::string validity_warning(const Scene& scene) {
-  const Validity& validity = find_method(scene.render.method)->validity;
+  const Validity& validity = method_of(scene).validity;
   const std::string reasons = joined(exceeded_limits(validity, scene), ", nor for ");
   if (reasons.empty()) {
     return {};
@@ -51,7 +51,7 @@ std::string validity_warning(const Scene& scene) {
 }
 
 std::string known_failure_warning(const Scene& scene) {
-  const SkyMethod& method = *find_method(scene.render.method);
+  const SkyMethod& method = method_of(scene);
   const std::string causes = joined(known_failures_of(method, scene, air_of(scene)), "; ");
   if (causes.empty()) {
     return {};
@@ -62,7 +62,7 @@ std::string known_failure_warning(const Scene& scene) {
 }
 
 std::vector<std::string> bound_warnings(const Scene& scene) {
-  const auto bounds = find_method(scene.render.method)->bounds;
+  const auto bounds = method_of(scene).bounds;
   return bounds == nullptr ? std::vector<std::string>() : bounds(scene, air_of(scene));
 }
 

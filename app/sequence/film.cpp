@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -17,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/cli/process.h"
 #include "core/error.h"
 #include "core/file_descriptor.h"
 #include "core/output/atomic_file.h"
@@ -104,17 +104,6 @@ std::vector<std::string> arguments(const std::string& file, const std::string& t
   return words;
 }
 
-// Between fork and exec of a process with threads nothing may be allocated.
-[[noreturn]] void become(char* const* words, int input, int messages) {
-  ::setpgid(0, 0);  // Ctrl-C is ours to handle: what ffmpeg has made so far is removed
-  ::dup2(input, STDIN_FILENO);
-  ::dup2(messages, STDOUT_FILENO);
-  ::dup2(messages, STDERR_FILENO);
-  std::signal(SIGPIPE, SIG_DFL);
-  ::execvp(words[0], words);
-  ::_exit(127);
-}
-
 }  // namespace
 
 void require_film(const std::string& file, const std::string& option) {
@@ -155,28 +144,20 @@ void remove_abandoned_film(const std::string& file) noexcept {
 Film::Film(const std::string& file, int width, int height, int frames_a_second,
            const std::optional<ColourCode>& colours)
     : file_(file), temporary_(file + kMark + std::to_string(::getpid())), messages_(temporary_ + kMessages) {
+  const FileDescriptor messages(::open(messages_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
   std::array<int, 2> ends{};
-  const int messages = ::open(messages_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (messages < 0 || ::pipe2(ends.data(), O_CLOEXEC) != 0) {
+  if (!messages || ::pipe2(ends.data(), O_CLOEXEC) != 0) {
     throw RunError(file + ": cannot start ffmpeg: " + std::strerror(errno));
   }
-  (void)::flock(messages,
-                LOCK_EX | LOCK_NB);  // ffmpeg's for its life: tells remove_abandoned_film() that it is at work
-  std::vector<std::string> words = arguments(file, temporary_, width, height, frames_a_second, colours);
-  std::vector<char*> argv;
-  for (std::string& word : words) {
-    argv.push_back(word.data());
-  }
-  argv.push_back(nullptr);
-  process_ = ::fork();
-  if (process_ == 0) {
-    become(argv.data(), ends[0], messages);
-  }
-  ::close(ends[0]);
-  ::close(messages);
+  const FileDescriptor output(ends[0]);
   input_ = ends[1];
-  if (process_ < 0) {
-    throw RunError(file + ": cannot start ffmpeg: " + std::strerror(errno));
+  // ffmpeg's for its life: tells remove_abandoned_film() that it is at work.
+  (void)::flock(messages.get(), LOCK_EX | LOCK_NB);
+  // Ctrl-C is ours to handle: what ffmpeg has made so far is removed.
+  process_ = start_process(arguments(file, temporary_, width, height, frames_a_second, colours),
+                           {.input = output.get(), .output = messages.get(), .errors = messages.get(), .apart = true});
+  if (process_ == 0) {
+    throw RunError(file + ": cannot start ffmpeg: it is not installed");
   }
 }
 
@@ -191,25 +172,15 @@ Film::~Film() {
 
 void Film::add(const PixelImage& picture) {
   std::vector<std::uint8_t> rgb;
-  const std::uint8_t* at = picture.bytes.data();
-  std::size_t left = picture.bytes.size();
+  std::span<const std::uint8_t> bytes = picture.bytes;
   if (picture.channels == 4) {
-    for (std::size_t i = 0; i < picture.bytes.size(); i += 4) {
-      rgb.insert(rgb.end(), at + i, at + i + 3);
+    for (std::size_t i = 0; i < bytes.size(); i += 4) {
+      rgb.insert(rgb.end(), {bytes[i], bytes[i + 1], bytes[i + 2]});
     }
-    at = rgb.data();
-    left = rgb.size();
+    bytes = rgb;
   }
-  while (left > 0) {
-    const ssize_t count = ::write(input_, at, left);
-    if (count < 0 && errno == EINTR) {
-      continue;
-    }
-    if (count < 0) {
-      fail();
-    }
-    at += count;
-    left -= static_cast<std::size_t>(count);
+  if (!write_all(input_, std::as_bytes(bytes))) {
+    fail();
   }
 }
 
@@ -225,11 +196,8 @@ bool Film::wait() {
   if (input_ >= 0) {
     ::close(std::exchange(input_, -1));
   }
-  int status = -1;
   const pid_t process = std::exchange(process_, -1);
-  while (process > 0 && ::waitpid(process, &status, 0) < 0 && errno == EINTR) {
-  }
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  return process > 0 && exit_code_of(process) == 0;
 }
 
 void Film::fail() {

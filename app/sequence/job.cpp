@@ -19,7 +19,7 @@ std::string capture_date(const sequence::FrameTime& time) {
 
 }  // namespace
 
-FrameFiles files_of(const SequenceJob& job, long frame_number) {
+Targets files_of(const SequenceJob& job, long frame_number) {
   return {job.exr ? sequence::frame_file(*job.exr, frame_number) : "",
           job.png ? sequence::frame_file(*job.png, frame_number) : ""};
 }
@@ -68,7 +68,7 @@ FrameHashes hashes_of(const PictureOptions& options, const std::string& display,
   return {hash_text(exr), hash_text(common + ", " + std::to_string(options.bits) + " bits, " + display)};
 }
 
-bool is_done(const FrameFiles& files, const FrameHashes& hashes, const std::string& preset_json) {
+bool is_done(const Targets& files, const FrameHashes& hashes, const std::string& preset_json) {
   if (!files.exr.empty()) {
     const std::optional<FrameMark> mark = read_frame_mark(files.exr);
     if (!mark || mark->hash != hashes.exr || mark->preset_json != preset_json) {

@@ -6,6 +6,7 @@
 
 #include "app/cli/picture_options.h"
 #include "app/cli/scene_options.h"
+#include "app/render/publish.h"
 #include "core/output/exr.h"
 #include "core/scene/preset.h"
 #include "core/scene/scene.h"
@@ -32,14 +33,7 @@ struct SequenceJob {
   bool json = false;
 };
 
-struct FrameFiles {
-  std::string exr;  // empty: not wanted
-  std::string png;
-
-  const std::string& first() const { return exr.empty() ? png : exr; }
-};
-
-FrameFiles files_of(const SequenceJob& job, long frame_number);
+Targets files_of(const SequenceJob& job, long frame_number);
 
 // The preset with the frame's keys put in, judged like any other. Throws InputError that names the frame.
 Scene scene_of(const SequenceJob& job, const sequence::Frame& frame);
@@ -61,6 +55,6 @@ FrameHashes hashes_of(const PictureOptions& options, const std::string& display,
                       const FrameAttributes& frame);
 
 // Whether every file of the frame is there, whole, and of its hash and preset.
-bool is_done(const FrameFiles& files, const FrameHashes& hashes, const std::string& preset_json);
+bool is_done(const Targets& files, const FrameHashes& hashes, const std::string& preset_json);
 
 }  // namespace airlight::cli

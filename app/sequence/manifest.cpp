@@ -8,14 +8,13 @@
 #include <span>
 
 #include "app/cli/json_writer.h"
+#include "core/clock.h"
 #include "core/output/atomic_file.h"
 #include "core/scene/angle.h"
 #include "core/scene/json_text.h"
 
 namespace airlight::cli {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr double kMicro = 1e6;
 constexpr std::string_view kFrameStart = "{\"frame\":";
@@ -113,7 +112,7 @@ std::string SequenceManifest::line(std::size_t k) const {
   const std::size_t index = sequence::shard_frame(job_.shard, k);
   const long number = sequence::frame_number(job_.source, index);
   const std::optional<sequence::FrameTime> time = sequence::frame_time(job_.source, index);
-  const FrameFiles files = files_of(job_, number);
+  const Targets files = files_of(job_, number);
   JsonWriter json;
   json.begin_object().key("frame").value(number).key("time").text_or_null(time ? iso_text(*time) : "");
   json.key("sun_elevation_deg").value(record.elevation / kMicro);

@@ -6,6 +6,7 @@
 #include "app/sequence/film.h"
 #include "core/error.h"
 #include "core/output/atomic_file.h"
+#include "core/output/last_words.h"
 #include "core/output/picture_reader.h"
 #include "core/scene/json_format.h"
 #include "core/sequence/contact_sheet.h"
@@ -26,7 +27,7 @@ class FrameReader {
   std::optional<ColourCode> colours() const { return transform_ ? transform_->colours() : kSrgbCode; }
 
   PixelImage read(std::size_t index) const {
-    const FrameFiles files = files_of(job_, sequence::frame_number(job_.source, index));
+    const Targets files = files_of(job_, sequence::frame_number(job_.source, index));
     if (job_.png) {
       return read_png_picture(files.png);
     }
@@ -137,7 +138,7 @@ void make_pictures(const SequencePictures& pictures, const SequenceJob& job) {
     make_preview(pictures, job, reader);
   }
   if (const int signal = Interruption::signal(); signal != 0) {
-    throw RunError("stopped by " + Interruption::name(signal) + ": the frames are whole, the preview was not made");
+    throw RunError(std::string("stopped by ") + signal_name(signal) + ": the frames are whole, the preview was not made");
   }
   if (pictures.preview) {
     tell(job.quiet ? "" : *pictures.preview + "\n");

@@ -10,11 +10,10 @@
 #include "app/cli/json_writer.h"
 #include "app/cli/stopwatch.h"
 #include "app/cli/terminal.h"
+#include "core/clock.h"
 
 namespace airlight::cli {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 bool can_redraw() {
   const char* terminal = std::getenv("TERM");
@@ -132,7 +131,7 @@ void SequenceReport::took_floats(long frame_number, const std::string& why) {
 SequenceTotals SequenceReport::totals() const {
   const std::lock_guard lock(mutex_);
   SequenceTotals totals = totals_;
-  totals.seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+  totals.seconds = seconds_since(start_);
   return totals;
 }
 

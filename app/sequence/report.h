@@ -18,7 +18,7 @@ struct FrameReport {
   std::optional<sequence::FrameTime> time;
   double elevation_deg = 0.0;
   double azimuth_deg = 0.0;
-  FrameFiles files;
+  Targets files;
   std::string hash;
   bool rendered = false;  // else it was there already
   double render_ms = 0.0;

@@ -1,7 +1,6 @@
 #include "app/sequence/run.h"
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
 #include <mutex>
 
@@ -15,9 +14,11 @@
 #include "app/sequence/leftovers.h"
 #include "app/sequence/manifest.h"
 #include "app/sequence/report.h"
+#include "core/clock.h"
 #include "core/error.h"
 #include "core/methods/method.h"
 #include "core/output/atomic_file.h"
+#include "core/output/last_words.h"
 #include "core/render/metering.h"
 #include "core/scene/angle.h"
 #include "core/scene/json_format.h"
@@ -25,12 +26,6 @@
 
 namespace airlight::cli {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double milliseconds_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 // Encoding spreads over the cores within a frame; a second thread fills the gaps of writing and syncing.
 constexpr unsigned kEncoders = 2;
@@ -125,11 +120,11 @@ PictureContext Runner::context_of(const Work& work, const Scene& scene, const Re
 void Runner::encode(const Work& work) {
   const Clock::time_point start = Clock::now();
   const PictureContext context = context_of(work, work.scene, work.rendering);
-  const FrameFiles& files = work.report.files;
+  const Targets& files = work.report.files;
   const ExrDepth depth = files.exr.empty() ? ExrDepth{} : exr_depth(job_.picture, work.rendering);
   Stopwatch laps;
   const Published done = publish(
-      context, {{files.exr, files.png}, "frame " + std::to_string(work.report.number), depth.half, job_.picture.bits},
+      context, {files, "frame " + std::to_string(work.report.number), depth.half, job_.picture.bits},
       transform_, laps);
   if (!depth.why.empty()) {
     report_.took_floats(work.report.number, depth.why);
@@ -144,7 +139,7 @@ void Runner::encode(const Work& work) {
 bool Runner::render_in_tiles(const std::shared_ptr<Work>& work, const ImageSize& tile) {
   const Clock::time_point start = Clock::now();
   const Scene& scene = work->scene;
-  const FrameFiles& files = work->report.files;
+  const Targets& files = work->report.files;
   const DeviceOnDemand device = device_on_demand(job_.scene_options, executor_);
   device();  // its name stands in the header, before the first tile
   const bool is_asked = job_.picture.full_float || job_.picture.half_float || files.exr.empty();
@@ -154,7 +149,7 @@ bool Runner::render_in_tiles(const std::shared_ptr<Work>& work, const ImageSize&
   }
   TiledOrder order{.tile = tile,
                    .request = request_for(scene, job_.exr.has_value(), job_.png.has_value()),
-                   .parts = {{scene, 0, files.exr, files.png}},
+                   .parts = {{scene, 0, files}},
                    .transform = transform_,
                    .half = depth.half,
                    .bits = job_.picture.bits,
@@ -163,8 +158,7 @@ bool Runner::render_in_tiles(const std::shared_ptr<Work>& work, const ImageSize&
   order.request.layers = job_.picture.layers;
   order.request.host.report = [](double) { return Interruption::signal() == 0; };
   order.context = [&](const Scene& part, const Rendering& rendering) { return context_of(*work, part, rendering); };
-  const bool on_host = find_method(scene.render.method)->render_on_host != nullptr;
-  order.dropped = [on_host] { return on_host && Interruption::signal() != 0; };
+  order.dropped = [&] { return samples(scene) && Interruption::signal() != 0; };
   const TiledPicture done = write_tiled(device, scene, order);
   require_valid_vulkan();
   if (done.files.empty()) {
@@ -213,8 +207,7 @@ bool Runner::render_frame(std::size_t k, sequence::BoundedWorkers& encoders) {
   request.host.report = [](double) { return Interruption::signal() == 0; };
   work->rendering = render(device_on_demand(job_.scene_options, executor_), scene, request);
   require_valid_vulkan();
-  const bool on_host = find_method(scene.render.method)->render_on_host != nullptr;
-  if (on_host && Interruption::signal() != 0) {
+  if (samples(scene) && Interruption::signal() != 0) {
     return false;
   }
   report_.warn(report.number, kUndone, work->rendering.undone);
@@ -226,13 +219,8 @@ bool Runner::render_frame(std::size_t k, sequence::BoundedWorkers& encoders) {
 
 // A day's or a frame's exposure becomes the preset's own, so that every frame, and its hash, has the number.
 void Runner::hold_exposure() {
-  const Display& display = job_.scene.display;
-  std::optional<Scene> frame;
-  if (display.metering == Metering::frame && !display.exposure) {
-    frame = scene_of(job_, locked_frame(job_));
-  }
-  const std::optional<double> held =
-      held_exposure(device_on_demand(job_.scene_options, executor_), job_.scene, frame ? &*frame : nullptr);
+  const std::optional<double> held = held_exposure(device_on_demand(job_.scene_options, executor_), job_.scene,
+                                                   [&] { return scene_of(job_, locked_frame(job_)); });
   if (held) {
     apply_override(job_.preset, "/display/exposure=" + format_number(*held));
     job_.scene.display.exposure = held;
@@ -275,12 +263,12 @@ SequenceOutcome Runner::run() {
   const int signal = Interruption::signal();
   const SequenceTotals totals = report_.totals();
   const bool complete = totals.rendered + totals.kept == totals.frames;
-  report_.end(complete ? "" : Interruption::name(signal));
+  report_.end(complete ? "" : signal_name(signal));
   if (complete) {
     tidy_frames_beyond(job_);
   }
   if (!complete) {
-    complain("stopped by " + Interruption::name(signal) + ": " + whole_so_far());
+    complain(std::string("stopped by ") + signal_name(signal) + ": " + whole_so_far());
   }
   return {signal, complete};
 }

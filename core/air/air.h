@@ -3,15 +3,27 @@
 // sun but the lesson's fade, no camera and no picture, so that all frames of a day and all methods share it.
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/air/column.h"
-#include "core/air/options.h"
 #include "core/physics/physics.h"
 #include "core/scene/scene.h"
 
 namespace airlight {
+
+// What a method says of the air beside what it is: filled in by the method from its own keys.
+enum class Shells { never, where_needed, always };
+
+struct AirOptions {
+  std::optional<SunFade> sun_fade;         // absent: the planet's shadow alone
+  bool schlick = false;                    // Schlick's phase function in place of the media's peaked ones
+  double multiple_scattering_scale = 1.0;  // 0: single scattering alone
+  Shells shells = Shells::never;  // whether rays go through the air shell by shell (shaders/physics/shells.glsl)
+  int moment_rows = 12;           // altitudes of the table of moments; by shells there are more
+  bool operator==(const AirOptions&) const = default;
+};
 
 // The three channels as the formulas have them.
 inline physics::vec3 vector_of(const Spectrum& s) {

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <span>
 
+#include "core/plan/bytes.h"
 #include "core/plan/plan.h"
 
 namespace airlight {
@@ -63,54 +64,46 @@ void put_picture(physics::Physics& p, const Scene& scene) {
   p.scene.tile.width = camera.width;
 }
 
-float narrow(double x) {
-  return static_cast<float>(x);
-}
-
-device::vec3 narrow(const vec3& v) {
-  return {narrow(v.x), narrow(v.y), narrow(v.z)};
-}
-
 device::MediumData narrow(const physics::MediumData& from) {
   device::MediumData m{};
-  m.scattering = narrow(from.scattering);
-  m.absorption = narrow(from.absorption);
-  m.scale_height = narrow(from.scale_height);
-  m.center = narrow(from.center);
-  m.half_width = narrow(from.half_width);
-  m.below = narrow(from.below);
-  m.g = narrow(from.g);
-  m.depolarization = narrow(from.depolarization);
+  m.scattering = narrowed(from.scattering);
+  m.absorption = narrowed(from.absorption);
+  m.scale_height = narrowed(from.scale_height);
+  m.center = narrowed(from.center);
+  m.half_width = narrowed(from.half_width);
+  m.below = narrowed(from.below);
+  m.g = narrowed(from.g);
+  m.depolarization = narrowed(from.depolarization);
   m.phase_table = from.phase_table;
   m.first_layer = from.first_layer;
   m.layer_count = from.layer_count;
   std::transform(std::begin(from.legendre), std::end(from.legendre), std::begin(m.legendre),
-                 [](const vec3& x) { return narrow(x); });
+                 [](const vec3& x) { return narrowed(x); });
   return m;
 }
 
 device::SunData narrow(const physics::SunData& from) {
-  return {.direction = narrow(from.direction),
-          .irradiance = narrow(from.irradiance),
-          .angular_radius = narrow(from.angular_radius),
-          .limb_darkening = narrow(from.limb_darkening),
-          .disc_radiance = narrow(from.disc_radiance),
-          .fade_scale = narrow(from.fade_scale),
-          .fade_bias = narrow(from.fade_bias)};
+  return {.direction = narrowed(from.direction),
+          .irradiance = narrowed(from.irradiance),
+          .angular_radius = narrowed(from.angular_radius),
+          .limb_darkening = narrowed(from.limb_darkening),
+          .disc_radiance = narrowed(from.disc_radiance),
+          .fade_scale = narrowed(from.fade_scale),
+          .fade_bias = narrowed(from.fade_bias)};
 }
 
 device::CameraData narrow(const physics::CameraData& from) {
-  return {.altitude = narrow(from.altitude),
-          .right = narrow(from.right),
-          .up = narrow(from.up),
-          .forward = narrow(from.forward),
-          .azimuth = narrow(from.azimuth),
-          .half_fov = narrow(from.half_fov),
+  return {.altitude = narrowed(from.altitude),
+          .right = narrowed(from.right),
+          .up = narrowed(from.up),
+          .forward = narrowed(from.forward),
+          .azimuth = narrowed(from.azimuth),
+          .half_fov = narrowed(from.half_fov),
           .width = from.width,
           .height = from.height,
           .cube_layout = from.cube_layout,
-          .edge_low = narrow(from.edge_low),
-          .edge_high = narrow(from.edge_high)};
+          .edge_low = narrowed(from.edge_low),
+          .edge_high = narrowed(from.edge_high)};
 }
 
 }  // namespace
@@ -142,28 +135,24 @@ physics::Physics geometry_of(const Scene& scene) {
   return p;
 }
 
-device::vec3 narrowed(const vec3& v) {
-  return narrow(v);
-}
-
 device::SceneData narrowed(const physics::SceneData& data) {
   device::SceneData out{};
-  out.planet = {narrow(data.planet.ground_radius), narrow(data.planet.atmosphere_height),
-                narrow(data.planet.ground_albedo)};
+  out.planet = {narrowed(data.planet.ground_radius), narrowed(data.planet.atmosphere_height),
+                narrowed(data.planet.ground_albedo)};
   out.sun = narrow(data.sun);
   out.camera = narrow(data.camera);
-  out.multiple_scattering_scale = narrow(data.multiple_scattering_scale);
-  out.moments = {narrow(data.moments.top), narrow(data.moments.elevation_scale), narrow(data.moments.v_low),
-                 narrow(data.moments.v_high)};
+  out.multiple_scattering_scale = narrowed(data.multiple_scattering_scale);
+  out.moments = {narrowed(data.moments.top), narrowed(data.moments.elevation_scale), narrowed(data.moments.v_low),
+                 narrowed(data.moments.v_high)};
   std::transform(std::begin(data.media), std::end(data.media), std::begin(out.media),
                  [](const physics::MediumData& m) { return narrow(m); });
   std::transform(std::begin(data.layers), std::end(data.layers), std::begin(out.layers),
                  [](const physics::vec2& layer) {
-                   return device::vec2{narrow(layer.x), narrow(layer.y)};
+                   return device::vec2{narrowed(layer.x), narrowed(layer.y)};
                  });
   out.shell_rows = data.shell_rows;
   std::transform(std::begin(data.shell_altitudes), std::end(data.shell_altitudes), std::begin(out.shell_altitudes),
-                 [](double h) { return narrow(h); });
+                 [](double h) { return narrowed(h); });
   out.tile = {data.tile.x, data.tile.y, data.tile.width};
   return out;
 }
@@ -173,11 +162,10 @@ std::vector<std::byte> narrowed_tables(const physics::Physics& p) {
   if (p.phase_samples != nullptr) {
     values.clear();
     for (const vec3& sample : *p.phase_samples) {
-      values.insert(values.end(), {narrow(sample.x), narrow(sample.y), narrow(sample.z), 0.0F});
+      values.insert(values.end(), {narrowed(sample.x), narrowed(sample.y), narrowed(sample.z), 0.0F});
     }
   }
-  const auto bytes = std::as_bytes(std::span(values));
-  return {bytes.begin(), bytes.end()};
+  return bytes_of(values);
 }
 
 std::vector<std::byte> device_scene_bytes(const Air& air, const Scene& scene) {

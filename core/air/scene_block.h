@@ -23,9 +23,14 @@ physics::Physics geometry_of(const Scene& scene);
 std::vector<std::byte> device_scene_bytes(const Air& air, const Scene& scene);
 std::vector<std::byte> device_scene_bytes(const Air& air, const Scene& scene, const Tile& tile);
 
-// The block in float.
+// In float: a number, a vector, the block.
+inline float narrowed(double x) {
+  return static_cast<float>(x);
+}
+inline device::vec3 narrowed(const physics::vec3& v) {
+  return {narrowed(v.x), narrowed(v.y), narrowed(v.z)};
+}
 device::SceneData narrowed(const physics::SceneData& data);
-device::vec3 narrowed(const physics::vec3& v);
 
 // What shaders know as `scene_tables`.
 std::vector<std::byte> narrowed_tables(const physics::Physics& p);

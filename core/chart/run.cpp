@@ -7,6 +7,7 @@
 #include "core/chart/qualities.h"
 #include "core/chart/truth.h"
 #include "core/choice/cost.h"
+#include "core/clock.h"
 #include "core/gpu/embedded_shaders.h"
 #include "core/hash.h"
 #include "core/measure/sample_error.h"
@@ -79,7 +80,7 @@ class ChartRun {
   }
 
  private:
-  double seconds() const { return std::chrono::duration<double>(Clock::now() - began_).count(); }
+  double seconds() const { return seconds_since(began_); }
   bool limited() const { return order_.budget_s > 0.0; }
   void open() {
     device_.reset();

@@ -1,9 +1,6 @@
 #include "core/chart/timing.h"
 
-#include <sys/resource.h>
-
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -11,17 +8,12 @@
 #include <span>
 
 #include "core/choice/cost.h"
+#include "core/clock.h"
 #include "core/render/picture_key.h"
 #include "core/render/sky.h"
 
 namespace airlight::chart {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double ms_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 // The passes of one picture, in as many plans as it has tiles of whole rows.
 struct Sky {
@@ -109,15 +101,6 @@ void append(std::vector<float>& values, std::span<const std::byte> bytes) {
 
 }  // namespace
 
-double process_cpu_ms() {
-  rusage use{};
-  getrusage(RUSAGE_SELF, &use);
-  const auto ms = [](const timeval& t) {
-    return 1e3 * static_cast<double>(t.tv_sec) + 1e-3 * static_cast<double>(t.tv_usec);
-  };
-  return ms(use.ru_utime) + ms(use.ru_stime);
-}
-
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::ranges::nth_element(values, middle);
@@ -132,7 +115,7 @@ Timing time_on_device(Executor& executor, const Scene& scene, const PixelSet& pi
   Sky sky = sky_of(scene, rules.tile_bytes);
   const Clock::time_point begin = Clock::now();
   run(executor, sky);
-  const double first_ms = ms_since(begin);
+  const double first_ms = milliseconds_since(begin);
 
   Timing timing;
   std::vector<double> cpu;
@@ -152,7 +135,7 @@ Timing time_on_device(Executor& executor, const Scene& scene, const PixelSet& pi
     const double cpu_before = process_cpu_ms();
     const Clock::time_point start = Clock::now();
     const std::vector<RunResult> results = run(executor, sky);
-    wall.push_back(ms_since(start));
+    wall.push_back(milliseconds_since(start));
     cpu.push_back(process_cpu_ms() - cpu_before);
     device.push_back(milliseconds_of(results, sky, false));
     spent_s += 1e-3 * wall.back();
@@ -188,7 +171,7 @@ Timing time_on_host(const Scene& scene, const PixelSet& pixels) {
   const HostPicture picture = render_on_host(scene, View{.directions = pixels.directions}, {});
   const auto of_picture = static_cast<double>(scene.image.width) * static_cast<double>(scene.image.height);
   timing.share = static_cast<double>(pixels.places.size()) / of_picture;
-  timing.wall_ms = ms_since(start);
+  timing.wall_ms = milliseconds_since(start);
   timing.device_ms = timing.wall_ms / timing.share;
   timing.cpu_ms = (process_cpu_ms() - cpu_before) / timing.share;
   timing.runs = 1;

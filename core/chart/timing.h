@@ -41,9 +41,6 @@ Timing time_on_device(Executor& executor, const Scene& scene, const PixelSet& pi
 // The scene's method on the host: the pixels asked for alone, once.
 Timing time_on_host(const Scene& scene, const PixelSet& pixels);
 
-// CPU time of this process so far, all threads, ms.
-double process_cpu_ms();
-
 double median(std::vector<double> values);  // of at least one
 
 }  // namespace airlight::chart

@@ -1,7 +1,7 @@
 #include "core/composite/camera.h"
 
+#include <Eigen/LU>
 #include <cmath>
-#include <utility>
 
 #include "core/error.h"
 #include "core/physics/vector.h"
@@ -10,50 +10,19 @@ namespace airlight::composite {
 namespace {
 
 using physics::vec3;
-using Row = std::array<double, 4>;
+using Row = Eigen::RowVector4d;
+using SquareOfRows = Eigen::Matrix<double, 4, 4, Eigen::RowMajor>;
 
-Row times(const Row& v, const Matrix& m) {
-  Row out{};
-  for (std::size_t j = 0; j < 4; ++j) {
-    for (std::size_t i = 0; i < 4; ++i) {
-      out[j] += v[i] * m[4 * i + j];
-    }
-  }
-  return out;
+SquareOfRows square(const Matrix& matrix) {
+  return Eigen::Map<const SquareOfRows>(matrix.data());
 }
 
-// The inverse by Gauss and Jordan, with the greatest pivot of each column.
-std::optional<Matrix> inverse(Matrix m) {
-  Matrix out{};
-  for (std::size_t i = 0; i < 4; ++i) {
-    out[5 * i] = 1.0;
-  }
-  for (std::size_t k = 0; k < 4; ++k) {
-    std::size_t pivot = k;
-    for (std::size_t i = k + 1; i < 4; ++i) {
-      pivot = std::abs(m[4 * i + k]) > std::abs(m[4 * pivot + k]) ? i : pivot;
-    }
-    const double value = m[4 * pivot + k];
-    if (!(std::abs(value) > 1e-300) || !std::isfinite(value)) {
-      return std::nullopt;
-    }
-    for (std::size_t j = 0; j < 4; ++j) {
-      std::swap(m[4 * k + j], m[4 * pivot + j]);
-      std::swap(out[4 * k + j], out[4 * pivot + j]);
-    }
-    for (std::size_t j = 0; j < 4; ++j) {
-      m[4 * k + j] /= value;
-      out[4 * k + j] /= value;
-    }
-    for (std::size_t i = 0; i < 4; ++i) {
-      const double factor = i == k ? 0.0 : m[4 * i + k];
-      for (std::size_t j = 0; j < 4; ++j) {
-        m[4 * i + j] -= factor * m[4 * k + j];
-        out[4 * i + j] -= factor * out[4 * k + j];
-      }
-    }
-  }
-  return out;
+// Nothing of a matrix that has no inverse, or that holds what is no number.
+std::optional<SquareOfRows> inverse(const Matrix& matrix) {
+  Eigen::FullPivLU<SquareOfRows> factors(square(matrix));
+  factors.setThreshold(1e-300);  // units and lenses may be far apart
+  const bool there = square(matrix).allFinite() && factors.isInvertible();
+  return there ? std::optional<SquareOfRows>(factors.inverse()) : std::nullopt;
 }
 
 // Into the preset's frame: x east, y up, -z north.
@@ -89,43 +58,41 @@ FileCamera angles_of(const Place& place, double unit_km) {
 }
 
 FileCamera from_world_to_camera(const std::string& file, const Matrix& matrix, UpAxis up, double unit_km) {
-  const std::optional<Matrix> back = inverse(matrix);
+  const std::optional<SquareOfRows> back = inverse(matrix);
   if (!back) {
     throw InputError(file + ": its worldToCamera cannot be inverted; give the camera by the preset (--camera preset)");
   }
   const auto direction = [&](double x, double y, double z) {
-    const Row d = times({x, y, z, 0.0}, *back);
+    const Row d = Row(x, y, z, 0.0) * *back;
     return physics::normalize(in_preset({d[0], d[1], d[2]}, up));
   };
   Place place;
-  const Row at = times({0.0, 0.0, 0.0, 1.0}, *back);
+  const Row at = Row(0.0, 0.0, 0.0, 1.0) * *back;
   place.position = in_preset({at[0], at[1], at[2]}, up);
   place.right = direction(1.0, 0.0, 0.0);
   place.up = direction(0.0, 1.0, 0.0);
   const vec3 behind = direction(0.0, 0.0, 1.0);
-  const vec3 across{place.right.y * place.up.z - place.right.z * place.up.y,
-                    place.right.z * place.up.x - place.right.x * place.up.z,
-                    place.right.x * place.up.y - place.right.y * place.up.x};
+  const vec3 across = physics::cross(place.right, place.up);
   place.forward = physics::dot(across, behind) > 0.0 ? behind * -1.0 : behind;
   return angles_of(place, unit_km);
 }
 
 FileCamera from_world_to_ndc(const std::string& file, const Matrix& matrix, UpAxis up, double unit_km) {
-  const std::optional<Matrix> back = inverse(matrix);
+  const std::optional<SquareOfRows> back = inverse(matrix);
   if (!back) {
     throw InputError(file + ": its worldToNDC cannot be inverted; give the camera by the preset (--camera preset)");
   }
   // The camera's place is what has no image: it goes to (0, 0, z, 0).
-  const Row centre = times({0.0, 0.0, 1.0, 0.0}, *back);
+  const Row centre = Row(0.0, 0.0, 1.0, 0.0) * *back;
   if (!(std::abs(centre[3]) > 1e-12 * (std::abs(centre[0]) + std::abs(centre[1]) + std::abs(centre[2])))) {
     throw InputError(file + ": its worldToNDC is no perspective; give the camera by the preset (--camera preset)");
   }
   const vec3 position{centre[0] / centre[3], centre[1] / centre[3], centre[2] / centre[3]};
   const auto toward = [&](double x, double y) {
-    const Row p = times({x, y, 0.5, 1.0}, *back);
+    const Row p = Row(x, y, 0.5, 1.0) * *back;
     vec3 d = physics::normalize(vec3{p[0] / p[3], p[1] / p[3], p[2] / p[3]} - position);
     // In front of the camera the image's last coordinate is positive.
-    const double w = times({position.x + d.x, position.y + d.y, position.z + d.z, 1.0}, matrix)[3];
+    const double w = (Row(position.x + d.x, position.y + d.y, position.z + d.z, 1.0) * square(matrix))[3];
     return in_preset(w < 0.0 ? d * -1.0 : d, up);
   };
   Place place;

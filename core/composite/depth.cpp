@@ -1,19 +1,15 @@
 #include "core/composite/depth.h"
 
+#include <array>
 #include <cmath>
 
 #include "core/air/scene_block.h"
+#include "core/text.h"
 
 namespace airlight::composite {
 
 std::optional<DepthKind> depth_kind(std::string_view name) {
-  if (name == "distance") {
-    return DepthKind::distance;
-  }
-  if (name == "planar") {
-    return DepthKind::planar;
-  }
-  return name == "inverse" ? std::optional(DepthKind::inverse) : std::nullopt;
+  return named<DepthKind>(std::array<std::string_view, 3>{"distance", "planar", "inverse"}, name);
 }
 
 float distance_of(double value, DepthKind kind, double unit_km, double cosine) {

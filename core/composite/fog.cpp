@@ -1,7 +1,10 @@
 #include "core/composite/fog.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "core/text.h"
 
 namespace airlight::composite {
 namespace {
@@ -23,16 +26,8 @@ vec3 taken(const vec3& rate, double distance) {
 }  // namespace
 
 std::optional<FogKind> fog_kind(std::string_view name) {
-  if (name == "exponential") {
-    return FogKind::exponential;
-  }
-  if (name == "sun-tinted") {
-    return FogKind::sun_tinted;
-  }
-  if (name == "height") {
-    return FogKind::height;
-  }
-  return name == "extinction-inscatter" ? std::optional(FogKind::extinction_inscatter) : std::nullopt;
+  return named<FogKind>(
+      std::array<std::string_view, 4>{"exponential", "sun-tinted", "height", "extinction-inscatter"}, name);
 }
 
 double height_fog_amount(const Fog& fog, const FogRay& ray) {

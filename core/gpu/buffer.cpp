@@ -7,21 +7,15 @@ Buffer::Buffer(const Device& device, std::size_t bytes, VkBufferUsageFlags usage
     : bytes_(bytes) {
   device.check_size(bytes, what);
   const VkBufferCreateInfo info{.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
-                                .pNext = nullptr,
-                                .flags = 0,
                                 .size = bytes,
                                 .usage = usage,
-                                .sharingMode = VK_SHARING_MODE_EXCLUSIVE,
-                                .queueFamilyIndexCount = 0,
-                                .pQueueFamilyIndices = nullptr};
-  VkBuffer buffer = nullptr;
-  check(vkCreateBuffer(device.get(), &info, nullptr, &buffer), "make " + std::string(what));
-  buffer_ = {device.get(), buffer};
+                                .sharingMode = VK_SHARING_MODE_EXCLUSIVE};
+  buffer_ = BufferHandle::make(device.get(), vkCreateBuffer, info, "make " + std::string(what));
 
   VkMemoryRequirements needs{};
-  vkGetBufferMemoryRequirements(device.get(), buffer, &needs);
+  vkGetBufferMemoryRequirements(device.get(), buffer_.get(), &needs);
   memory_ = device.allocate(needs, place, what);
-  check(vkBindBufferMemory(device.get(), buffer, memory_.get(), 0), "place " + std::string(what));
+  check(vkBindBufferMemory(device.get(), buffer_.get(), memory_.get(), 0), "place " + std::string(what));
   if (place == MemoryPlace::device) return;
 
   void* address = nullptr;

@@ -36,15 +36,10 @@ void write_descriptors(const Device& device, const Plan& plan, const RunResource
   std::vector<VkWriteDescriptorSet> writes;
   const auto add = [&](const ShaderBinding& binding) -> VkWriteDescriptorSet& {
     return writes.emplace_back(VkWriteDescriptorSet{.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
-                                                    .pNext = nullptr,
                                                     .dstSet = step.set,
                                                     .dstBinding = binding.binding,
-                                                    .dstArrayElement = 0,
                                                     .descriptorCount = 1,
-                                                    .descriptorType = descriptor_type(binding.kind),
-                                                    .pImageInfo = nullptr,
-                                                    .pBufferInfo = nullptr,
-                                                    .pTexelBufferView = nullptr});
+                                                    .descriptorType = descriptor_type(binding.kind)});
   };
   for (const MatchedBinding& bound : step.matched.bindings) {
     const Resource& resource = resources.at(bound.resource);

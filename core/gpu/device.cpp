@@ -44,8 +44,6 @@ Device::Device(const Instance& instance, std::string_view name_substring) {
 
   constexpr float kPriority = 1.0F;
   const VkDeviceQueueCreateInfo queue{.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
-                                      .pNext = nullptr,
-                                      .flags = 0,
                                       .queueFamilyIndex = queue_family_,
                                       .queueCount = 1,
                                       .pQueuePriorities = &kPriority};
@@ -56,13 +54,8 @@ Device::Device(const Instance& instance, std::string_view name_substring) {
   plain.shaderStorageImageWriteWithoutFormat = VK_TRUE;  // images of halves, which some devices keep as floats
   const VkDeviceCreateInfo info{.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
                                 .pNext = &features,
-                                .flags = 0,
                                 .queueCreateInfoCount = 1,
                                 .pQueueCreateInfos = &queue,
-                                .enabledLayerCount = 0,
-                                .ppEnabledLayerNames = nullptr,
-                                .enabledExtensionCount = 0,
-                                .ppEnabledExtensionNames = nullptr,
                                 .pEnabledFeatures = &plain};
   check(vkCreateDevice(physical.handle, &info, nullptr, &device_), "open the device " + info_.name);
   vkGetDeviceQueue(device_, queue_family_, 0, &queue_);
@@ -123,7 +116,6 @@ MemoryHandle Device::allocate(const VkMemoryRequirements& needs, MemoryPlace pla
   check_size(needs.size, what);
   const std::string asked = describe_bytes(needs.size) + " for " + std::string(what);
   const VkMemoryAllocateInfo info{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
-                                  .pNext = nullptr,
                                   .allocationSize = needs.size,
                                   .memoryTypeIndex = memory_type(needs.memoryTypeBits, place)};
   VkDeviceMemory memory = nullptr;

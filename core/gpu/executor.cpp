@@ -42,9 +42,7 @@ SamplerHandle make_sampler(const Device& device) {
   info.addressModeU = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
   info.addressModeV = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
   info.addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
-  VkSampler sampler = nullptr;
-  check(vkCreateSampler(device.get(), &info, nullptr, &sampler), "make the sampler");
-  return {device.get(), sampler};
+  return SamplerHandle::make(device.get(), vkCreateSampler, info, "make the sampler");
 }
 
 }  // namespace

@@ -12,24 +12,18 @@ bool DescriptorCounts::fits_in(const DescriptorCounts& other) const {
 
 Frame::Frame(const Device& device) : device_(device) {
   const VkCommandPoolCreateInfo pool_info{.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
-                                          .pNext = nullptr,
                                           .flags = VK_COMMAND_POOL_CREATE_TRANSIENT_BIT,
                                           .queueFamilyIndex = device.queue_family()};
-  VkCommandPool pool = nullptr;
-  check(vkCreateCommandPool(device.get(), &pool_info, nullptr, &pool), "make a command pool");
-  command_pool_ = {device.get(), pool};
+  command_pool_ = CommandPoolHandle::make(device.get(), vkCreateCommandPool, pool_info, "make a command pool");
 
   const VkCommandBufferAllocateInfo commands_info{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
-                                                  .pNext = nullptr,
-                                                  .commandPool = pool,
+                                                  .commandPool = command_pool_.get(),
                                                   .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
                                                   .commandBufferCount = 1};
   check(vkAllocateCommandBuffers(device.get(), &commands_info, &commands_), "make a command buffer");
 
-  const VkFenceCreateInfo fence_info{.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO, .pNext = nullptr, .flags = 0};
-  VkFence fence = nullptr;
-  check(vkCreateFence(device.get(), &fence_info, nullptr, &fence), "make a fence");
-  fence_ = {device.get(), fence};
+  const VkFenceCreateInfo fence_info{.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
+  fence_ = FenceHandle::make(device.get(), vkCreateFence, fence_info, "make a fence");
 }
 
 VkCommandBuffer Frame::begin(const DescriptorCounts& descriptors, std::uint32_t timestamps) {
@@ -41,9 +35,7 @@ VkCommandBuffer Frame::begin(const DescriptorCounts& descriptors, std::uint32_t 
 VkCommandBuffer Frame::begin_rest() {
   check(vkResetCommandPool(device_.get(), command_pool_.get(), 0), "reset the command pool");
   const VkCommandBufferBeginInfo info{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
-                                      .pNext = nullptr,
-                                      .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT,
-                                      .pInheritanceInfo = nullptr};
+                                      .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
   check(vkBeginCommandBuffer(commands_, &info), "begin recording");
   return commands_;
 }
@@ -69,27 +61,20 @@ void Frame::reserve_descriptors(const DescriptorCounts& wanted) {
   add(VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, room.storage_images);
   add(VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, room.storage_buffers);
   const VkDescriptorPoolCreateInfo info{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
-                                        .pNext = nullptr,
-                                        .flags = 0,
                                         .maxSets = room.sets,
                                         .poolSizeCount = static_cast<std::uint32_t>(sizes.size()),
                                         .pPoolSizes = sizes.data()};
-  VkDescriptorPool pool = nullptr;
-  check(vkCreateDescriptorPool(device_.get(), &info, nullptr, &pool), "make a descriptor pool");
-  descriptor_pool_ = {device_.get(), pool};
+  descriptor_pool_ =
+      DescriptorPoolHandle::make(device_.get(), vkCreateDescriptorPool, info, "make a descriptor pool");
 }
 
 void Frame::reserve_timestamps(std::uint32_t wanted) {
   if (wanted <= timestamp_room_) return;
   const VkQueryPoolCreateInfo info{.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO,
-                                   .pNext = nullptr,
-                                   .flags = 0,
                                    .queryType = VK_QUERY_TYPE_TIMESTAMP,
                                    .queryCount = wanted,
                                    .pipelineStatistics = 0};
-  VkQueryPool pool = nullptr;
-  check(vkCreateQueryPool(device_.get(), &info, nullptr, &pool), "make timestamp queries");
-  timestamps_ = {device_.get(), pool};
+  timestamps_ = QueryPoolHandle::make(device_.get(), vkCreateQueryPool, info, "make timestamp queries");
   timestamp_room_ = wanted;
 }
 
@@ -97,14 +82,8 @@ void Frame::submit_and_wait(const std::function<void()>& tick) {
   constexpr std::uint64_t kTick = 100'000'000;  // ns
   check(vkEndCommandBuffer(commands_), "end recording");
   const VkSubmitInfo info{.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO,
-                          .pNext = nullptr,
-                          .waitSemaphoreCount = 0,
-                          .pWaitSemaphores = nullptr,
-                          .pWaitDstStageMask = nullptr,
                           .commandBufferCount = 1,
-                          .pCommandBuffers = &commands_,
-                          .signalSemaphoreCount = 0,
-                          .pSignalSemaphores = nullptr};
+                          .pCommandBuffers = &commands_};
   const VkFence fence = fence_.get();
   const std::string doing = "run the passes on " + device_.info().name;
   check(vkResetFences(device_.get(), 1, &fence), doing);
@@ -120,7 +99,6 @@ void Frame::submit_and_wait(const std::function<void()>& tick) {
 
 VkDescriptorSet Frame::descriptor_set(VkDescriptorSetLayout layout) {
   const VkDescriptorSetAllocateInfo info{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO,
-                                         .pNext = nullptr,
                                          .descriptorPool = descriptor_pool_.get(),
                                          .descriptorSetCount = 1,
                                          .pSetLayouts = &layout};

@@ -13,6 +13,14 @@ class Handle {
  public:
   Handle() = default;
   Handle(VkDevice device, T handle) : device_(device), handle_(handle) {}
+  // What Vulkan makes by that function. Throws RunError "cannot DOING: ...".
+  template <class Info>
+  static Handle make(VkDevice device, VkResult (*create)(VkDevice, const Info*, const VkAllocationCallbacks*, T*),
+                     const Info& info, std::string_view doing) {
+    T handle = nullptr;
+    check(create(device, &info, nullptr, &handle), doing);
+    return {device, handle};
+  }
   Handle(Handle&& other) noexcept
       : device_(std::exchange(other.device_, nullptr)), handle_(std::exchange(other.handle_, nullptr)) {}
   Handle& operator=(Handle&& other) noexcept {

@@ -32,8 +32,6 @@ Image::Image(const Device& device, const ImageDesc& desc) : extent_(desc.extent)
   device.check_size(desc.bytes(), what);
   const bool is_3d = desc.extent.depth > 1;
   const VkImageCreateInfo image_info{.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
-                                     .pNext = nullptr,
-                                     .flags = 0,
                                      .imageType = is_3d ? VK_IMAGE_TYPE_3D : VK_IMAGE_TYPE_2D,
                                      .format = format,
                                      .extent = {desc.extent.width, desc.extent.height, desc.extent.depth},
@@ -44,30 +42,21 @@ Image::Image(const Device& device, const ImageDesc& desc) : extent_(desc.extent)
                                      .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
                                               VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT,
                                      .sharingMode = VK_SHARING_MODE_EXCLUSIVE,
-                                     .queueFamilyIndexCount = 0,
-                                     .pQueueFamilyIndices = nullptr,
                                      .initialLayout = VK_IMAGE_LAYOUT_UNDEFINED};
-  VkImage image = nullptr;
-  check(vkCreateImage(device.get(), &image_info, nullptr, &image), "make " + what);
-  image_ = {device.get(), image};
+  image_ = ImageHandle::make(device.get(), vkCreateImage, image_info, "make " + what);
 
   VkMemoryRequirements needs{};
-  vkGetImageMemoryRequirements(device.get(), image, &needs);
+  vkGetImageMemoryRequirements(device.get(), image_.get(), &needs);
   bytes_ = needs.size;
   memory_ = device.allocate(needs, MemoryPlace::device, what);
-  check(vkBindImageMemory(device.get(), image, memory_.get(), 0), "place " + what);
+  check(vkBindImageMemory(device.get(), image_.get(), memory_.get(), 0), "place " + what);
 
   const VkImageViewCreateInfo view_info{.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
-                                        .pNext = nullptr,
-                                        .flags = 0,
-                                        .image = image,
+                                        .image = image_.get(),
                                         .viewType = is_3d ? VK_IMAGE_VIEW_TYPE_3D : VK_IMAGE_VIEW_TYPE_2D,
                                         .format = image_info.format,
-                                        .components = {},
                                         .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1}};
-  VkImageView view = nullptr;
-  check(vkCreateImageView(device.get(), &view_info, nullptr, &view), "view " + what);
-  view_ = {device.get(), view};
+  view_ = ImageViewHandle::make(device.get(), vkCreateImageView, view_info, "view " + what);
 }
 
 }  // namespace airlight

@@ -29,8 +29,6 @@ VKAPI_ATTR VkBool32 VKAPI_CALL count_message(VkDebugUtilsMessageSeverityFlagBits
 
 VkDebugUtilsMessengerCreateInfoEXT messenger_info() {
   return {.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT,
-          .pNext = nullptr,
-          .flags = 0,
           .messageSeverity =
               VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT,
           // Performance messages are left out: they advise against the general layout, which every image has by choice.
@@ -76,20 +74,14 @@ Instance::Instance(bool validation) {
   const VkValidationFeaturesEXT features{.sType = VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT,
                                          .pNext = &messenger,
                                          .enabledValidationFeatureCount = kEnabled.size(),
-                                         .pEnabledValidationFeatures = kEnabled.data(),
-                                         .disabledValidationFeatureCount = 0,
-                                         .pDisabledValidationFeatures = nullptr};
+                                         .pEnabledValidationFeatures = kEnabled.data()};
   constexpr std::array kExtensions = {VK_EXT_DEBUG_UTILS_EXTENSION_NAME};
   const VkApplicationInfo application{.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO,
-                                      .pNext = nullptr,
                                       .pApplicationName = "airlight",
-                                      .applicationVersion = 0,
                                       .pEngineName = "airlight",
-                                      .engineVersion = 0,
                                       .apiVersion = VK_API_VERSION_1_2};
   const VkInstanceCreateInfo info{.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO,
                                   .pNext = validation ? &features : nullptr,
-                                  .flags = 0,
                                   .pApplicationInfo = &application,
                                   .enabledLayerCount = validation ? 1U : 0U,
                                   .ppEnabledLayerNames = &kValidationLayer,

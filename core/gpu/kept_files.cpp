@@ -69,16 +69,6 @@ bool read_all(int fd, void* target, std::size_t bytes) {
   return true;
 }
 
-bool write_all(int fd, std::span<const std::byte> bytes) {
-  while (!bytes.empty()) {
-    const ssize_t count = ::write(fd, bytes.data(), bytes.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) return false;
-    bytes = bytes.subspan(static_cast<std::size_t>(count));
-  }
-  return true;
-}
-
 struct Entry {
   std::string name;
   struct timespec used {};

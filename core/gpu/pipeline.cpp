@@ -14,13 +14,9 @@ namespace {
 
 ShaderModuleHandle make_module(const Device& device, const ShaderInfo& info, std::span<const std::uint32_t> spirv) {
   const VkShaderModuleCreateInfo module_info{.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
-                                             .pNext = nullptr,
-                                             .flags = 0,
                                              .codeSize = spirv.size_bytes(),
                                              .pCode = spirv.data()};
-  VkShaderModule module = nullptr;
-  check(vkCreateShaderModule(device.get(), &module_info, nullptr, &module), "load the shader " + info.name);
-  return {device.get(), module};
+  return ShaderModuleHandle::make(device.get(), vkCreateShaderModule, module_info, "load the shader " + info.name);
 }
 
 DescriptorSetLayoutHandle make_set_layout(const Device& device, const ShaderInfo& info) {
@@ -33,14 +29,10 @@ DescriptorSetLayoutHandle make_set_layout(const Device& device, const ShaderInfo
                         .pImmutableSamplers = nullptr});
   }
   const VkDescriptorSetLayoutCreateInfo layout_info{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
-                                                    .pNext = nullptr,
-                                                    .flags = 0,
                                                     .bindingCount = static_cast<std::uint32_t>(bindings.size()),
                                                     .pBindings = bindings.data()};
-  VkDescriptorSetLayout layout = nullptr;
-  check(vkCreateDescriptorSetLayout(device.get(), &layout_info, nullptr, &layout),
-        "lay out the bindings of " + info.name);
-  return {device.get(), layout};
+  return DescriptorSetLayoutHandle::make(device.get(), vkCreateDescriptorSetLayout, layout_info,
+                                         "lay out the bindings of " + info.name);
 }
 
 PipelineLayoutHandle make_layout(const Device& device, const ShaderInfo& info, VkDescriptorSetLayout set_layout) {
@@ -50,18 +42,14 @@ PipelineLayoutHandle make_layout(const Device& device, const ShaderInfo& info, V
                    std::to_string(device.limits().push_constant_bytes));
   }
   const VkPushConstantRange range{.stageFlags = VK_SHADER_STAGE_COMPUTE_BIT,
-                                  .offset = 0,
                                   .size = static_cast<std::uint32_t>(info.push_constant_bytes)};
   const VkPipelineLayoutCreateInfo layout_info{.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
-                                               .pNext = nullptr,
-                                               .flags = 0,
                                                .setLayoutCount = 1,
                                                .pSetLayouts = &set_layout,
                                                .pushConstantRangeCount = range.size > 0 ? 1U : 0U,
                                                .pPushConstantRanges = &range};
-  VkPipelineLayout layout = nullptr;
-  check(vkCreatePipelineLayout(device.get(), &layout_info, nullptr, &layout), "lay out the shader " + info.name);
-  return {device.get(), layout};
+  return PipelineLayoutHandle::make(device.get(), vkCreatePipelineLayout, layout_info,
+                                    "lay out the shader " + info.name);
 }
 
 PipelineHandle make_pipeline(const Device& device, const ShaderProgram& program, std::span<const std::uint32_t> spirv,
@@ -69,18 +57,13 @@ PipelineHandle make_pipeline(const Device& device, const ShaderProgram& program,
   const ShaderInfo& info = program.info;
   const ShaderModuleHandle module = make_module(device, info, spirv);
   const VkPipelineShaderStageCreateInfo stage{.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
-                                              .pNext = nullptr,
-                                              .flags = 0,
                                               .stage = VK_SHADER_STAGE_COMPUTE_BIT,
                                               .module = module.get(),
                                               .pName = info.entry_point.c_str(),
                                               .pSpecializationInfo = specialization};
   const VkComputePipelineCreateInfo pipeline_info{.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
-                                                  .pNext = nullptr,
-                                                  .flags = 0,
                                                   .stage = stage,
                                                   .layout = program.layout.get(),
-                                                  .basePipelineHandle = nullptr,
                                                   .basePipelineIndex = -1};
   VkPipeline pipeline = nullptr;
   check(vkCreateComputePipelines(device.get(), nullptr, 1, &pipeline_info, nullptr, &pipeline),

@@ -29,7 +29,6 @@ struct Scope {
 void memory_barrier(VkCommandBuffer commands, Scope made, Scope used,
                     const std::vector<VkImageMemoryBarrier>& images = {}) {
   const VkMemoryBarrier barrier{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER,
-                                .pNext = nullptr,
                                 .srcAccessMask = made.access,
                                 .dstAccessMask = used.access};
   vkCmdPipelineBarrier(commands, made.stages, used.stages, 0, 1, &barrier, 0, nullptr,
@@ -158,7 +157,6 @@ void Run::record_start(VkCommandBuffer commands) const {
     const Resource* image = resources_.image(i);
     if (image == nullptr || image->has_layout) continue;
     layouts.push_back({.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER,
-                       .pNext = nullptr,
                        .srcAccessMask = 0,
                        .dstAccessMask = kShaderAccess | kTransferAccess,
                        .oldLayout = VK_IMAGE_LAYOUT_UNDEFINED,
@@ -212,8 +210,6 @@ void Run::record_contents(VkCommandBuffer commands) {
 // All of an image, tightly packed in a buffer.
 VkBufferImageCopy whole(const Extent& extent) {
   return {.bufferOffset = 0,
-          .bufferRowLength = 0,
-          .bufferImageHeight = 0,
           .imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
           .imageOffset = {0, 0, 0},
           .imageExtent = {extent.width, extent.height, extent.depth}};

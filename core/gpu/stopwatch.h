@@ -1,6 +1,6 @@
 #pragma once
 
-#include <chrono>
+#include "core/clock.h"
 
 namespace airlight {
 
@@ -8,14 +8,14 @@ class Stopwatch {
  public:
   // Milliseconds since the last lap.
   double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const double elapsed = std::chrono::duration<double, std::milli>(now - start_).count();
+    const auto now = Clock::now();
+    const double elapsed = milliseconds_between(start_, now);
     start_ = now;
     return elapsed;
   }
 
  private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  Clock::time_point start_ = Clock::now();
 };
 
 }  // namespace airlight

@@ -7,6 +7,9 @@
 #include <string>
 #include <string_view>
 
+// What is left out of a structure of Vulkan's is zero, and means that there is none.
+#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
+
 namespace airlight {
 
 // Opens the loader. Throws RunError naming the package when there is none, or one older than Vulkan 1.2.

@@ -111,10 +111,8 @@ ImageId add_transmittance(Plan& plan, const Air& air, TableSize size) {
                                       .text = [planet = air.planet()] { return transmittance_text(planet); }});
   plan.add_pass({.name = "transmittance",
                  .shader = "transmittance",
-                 .reads = {},
                  .writes = {{"transmittance_out", out}},
                  .grid = extent_of(size),
-                 .push_constants = {},
                  .specialization = medium_specialization(air),
                  .cost = 12.0});
   return out;
@@ -133,7 +131,6 @@ ImageId add_multiple_scattering(Plan& plan, const Air& air, ImageId transmittanc
                  .writes = {{"multiple_scattering_out", out}},
                  .grid = {physics::kMultipleScatteringDirections, static_cast<std::uint32_t>(size[0]),
                           static_cast<std::uint32_t>(size[1])},
-                 .push_constants = {},
                  .specialization = sunlight_specialization(plan, air, transmittance),
                  .cost = 44.0});
   return out;
@@ -154,7 +151,6 @@ ImageId add_ground_irradiance(Plan& plan, const Air& air, ImageId transmittance,
                  .reads = {{"transmittance_lut", transmittance}, {"multiple_scattering_lut", multiple_scattering}},
                  .writes = {{"ground_irradiance_out", out}},
                  .grid = {physics::kGroundIrradianceDirections, physics::kGroundIrradianceSize, 1},
-                 .push_constants = {},
                  .specialization = constants,
                  .cost = 44.0});
   return out;

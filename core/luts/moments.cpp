@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <map>
 #include <numbers>
 #include <string>
@@ -11,6 +10,7 @@
 #include "core/luts/level_orders.h"
 #include "core/luts/luts.h"
 #include "core/physics/gauss.h"
+#include "core/plan/bytes.h"
 
 namespace airlight {
 namespace {
@@ -85,17 +85,8 @@ OrderWay order_way(int order, const MomentSettings& settings) {
   return settings.shells ? shell_way(order, settings) : stepped_way(order, settings);
 }
 
-std::vector<std::byte> bytes_of(const std::vector<float>& values) {
-  std::vector<std::byte> bytes(values.size() * sizeof(float));
-  std::memcpy(bytes.data(), values.data(), bytes.size());
-  return bytes;
-}
-
 BufferId add_nodes(Plan& plan, const std::string& name, const OrderQuadrature& q) {
-  std::vector<std::byte> bytes = bytes_of(direction_nodes(q.up, q.down, q.half_azimuths));
-  const std::size_t size = bytes.size();
-  return plan.add_buffer(
-      {.name = name, .bytes = size, .host_readable = false, .contents = std::move(bytes), .key = {}});
+  return plan.add_buffer(filled_buffer(name, bytes_of(direction_nodes(q.up, q.down, q.half_azimuths))));
 }
 
 int block_count(const MomentSettings& s) {
@@ -238,10 +229,8 @@ ImageId add_sun_table(Plan& plan, const Air& air, const MomentSettings& settings
   constants.push_back({"kShellRows", extent.height});
   plan.add_pass({.name = "sun_table",
                  .shader = "sun_table",
-                 .reads = {},
                  .writes = {{"sun_table_out", out}},
                  .grid = extent,
-                 .push_constants = {},
                  .specialization = constants});
   return out;
 }
@@ -262,9 +251,6 @@ Bake begin_bake(Plan& plan, const Air& air, ImageId sunlight, const MomentSettin
   const Extent atlas = atlas_extent(settings);
   const BufferId sums = plan.add_buffer({.name = "moment_sums",
                                          .bytes = std::size_t{atlas.width} * atlas.height * 4 * sizeof(float),
-                                         .host_readable = false,
-                                         .contents = {},
-                                         .key = {},
                                          .scratch = true});
   return {plan, air, sunlight, settings, sums};
 }
@@ -326,7 +312,6 @@ ImageId add_orders_one_by_one(Bake bake) {
                                 {"sums", bake.sums}},
                       .writes = {{"moments_out", moments}},
                       .grid = atlas_extent(settings),
-                      .push_constants = {},
                       .specialization = std::move(shape)});
   return moments;
 }

@@ -58,7 +58,7 @@ PixelReport place(const PicturePair& pair, const Group& group, std::size_t index
   return report;
 }
 
-std::vector<float> joined(const Group& group, std::vector<float> PlaneErrors::*errors) {
+std::vector<float> all_errors(const Group& group, std::vector<float> PlaneErrors::*errors) {
   std::vector<float> all;
   for (const PlaneErrors* plane : group.members) {
     all.insert(all.end(), (plane->*errors).begin(), (plane->*errors).end());
@@ -68,7 +68,7 @@ std::vector<float> joined(const Group& group, std::vector<float> PlaneErrors::*e
 
 ErrorSummary summarize_group(const Group& group, std::vector<float> PlaneErrors::*errors, const Area& area) {
   if (group.members.size() == 1) return summarize(group.members.front()->*errors, area);
-  return summarize(joined(group, errors), area);
+  return summarize(all_errors(group, errors), area);
 }
 
 ChannelReport report_group(const PicturePair& pair, const Group& group, const Area& area, const Limits& limits) {

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "core/measure/report.h"
+#include "core/scene/printable.h"
 #include "core/text.h"
 
 namespace airlight::measure {
@@ -8,26 +9,11 @@ namespace {
 
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  // U+FFFD
 
-bool follows(std::string_view text, std::size_t at) {
-  return at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U;
-}
-
 // Bytes of the valid UTF-8 character at `at` that XML 1.0 allows; 0 where there is none.
 std::size_t character_length(std::string_view text, std::size_t at) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned int>(static_cast<unsigned char>(text[i])); };
-  const unsigned int first = byte(at);
-  if (first < 0x80U) return first >= 0x20U || first == '\t' || first == '\n' || first == '\r' ? 1 : 0;
-  if (first >= 0xC2U && first < 0xE0U) return follows(text, at + 1) ? 2 : 0;
-  if (first >= 0xE0U && first < 0xF0U && follows(text, at + 1) && follows(text, at + 2)) {
-    const unsigned int code = (first & 0x0FU) << 12U | (byte(at + 1) & 0x3FU) << 6U | (byte(at + 2) & 0x3FU);
-    const bool allowed = code >= 0x800U && (code < 0xD800U || code > 0xDFFFU) && code < 0xFFFEU;
-    return allowed ? 3 : 0;
-  }
-  if (first >= 0xF0U && first < 0xF5U && follows(text, at + 1) && follows(text, at + 2) && follows(text, at + 3)) {
-    const unsigned int high = (first & 0x07U) << 6U | (byte(at + 1) & 0x3FU);
-    return high >= 0x10U && high < 0x110U ? 4 : 0;
-  }
-  return 0;
+  const Character c = character_at(text, at);
+  const bool allowed = c.code >= 0x20U || c.code == '\t' || c.code == '\n' || c.code == '\r';
+  return allowed && c.code != 0xFFFEU && c.code != 0xFFFFU ? c.bytes : 0;
 }
 
 std::string_view entity(char letter) {

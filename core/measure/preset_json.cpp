@@ -5,6 +5,8 @@
 #include "core/measure/preset_difference.h"
 #include "core/measure/view_geometry.h"
 #include "core/measure/words.h"
+#include "core/scene/rules.h"
+#include "core/text.h"
 
 namespace airlight::measure {
 namespace {
@@ -19,20 +21,14 @@ json parse(std::string_view text) {
   }
 }
 
-Projection projection_of(const std::string& name) {
-  if (name == "perspective") return Projection::perspective;
-  if (name == "equirectangular") return Projection::equirectangular;
-  if (name == "fisheye") return Projection::fisheye;
-  if (name == "cube") return Projection::cube;
-  if (name == "octahedral") return Projection::octahedral;
-  throw InputError("the preset that it carries has the unknown projection '" + cut(name) + "'");
-}
-
-CubeLayout cube_layout_of(const std::string& name) {
-  if (name == "stack") return CubeLayout::stack;
-  if (name == "strip") return CubeLayout::strip;
-  if (name == "cross") return CubeLayout::cross;
-  throw InputError("the preset that it carries has the unknown cube layout '" + cut(name) + "'");
+template <class Enum, class Names>
+Enum choice(const json& object, const char* key, const Names& names, const char* what) {
+  const std::string name = object.at(key).get<std::string>();
+  const std::optional<Enum> known = named<Enum>(names, name);
+  if (!known) {
+    throw InputError(std::string("the preset that it carries has the unknown ") + what + " '" + cut(name) + "'");
+  }
+  return *known;
 }
 
 }  // namespace
@@ -43,10 +39,10 @@ Viewpoint viewpoint_from_preset(std::string_view resolved_preset) {
     const json& camera = preset.at("camera");
     Viewpoint viewpoint;
     viewpoint.camera.altitude = camera.at("altitude_km").get<double>();
-    viewpoint.camera.projection = projection_of(camera.at("projection").get<std::string>());
+    viewpoint.camera.projection = choice<Projection>(camera, "projection", kProjectionNames, "projection");
     viewpoint.camera.azimuth = camera.at("azimuth_deg").get<double>() * kDegree;
     if (viewpoint.camera.projection == Projection::cube) {
-      viewpoint.camera.cube_layout = cube_layout_of(camera.at("cube_layout").get<std::string>());
+      viewpoint.camera.cube_layout = choice<CubeLayout>(camera, "cube_layout", kCubeLayoutNames, "cube layout");
     }
     if (!is_map(viewpoint.camera.projection)) {
       viewpoint.camera.pitch = camera.at("pitch_deg").get<double>() * kDegree;

@@ -24,32 +24,25 @@ std::string row(const std::string& name, const std::vector<std::string>& cells) 
   return line + "\n";
 }
 
+// Mean, median, percentiles and largest, and what `more` there is.
+std::vector<std::string> cells(const ErrorSummary& e, std::string (*text)(double),
+                               std::initializer_list<std::string> more) {
+  std::vector<std::string> all{text(e.mean), text(e.p50), text(e.p95), text(e.p99), text(e.max)};
+  all.insert(all.end(), more);
+  return all;
+}
+
 std::vector<std::string> relative_cells(const ChannelReport& channel) {
-  const ErrorSummary& e = channel.relative;
-  return {percent(e.mean), percent(e.p50), percent(e.p95),
-          percent(e.p99),  percent(e.max), percent(channel.deviation.bias())};
+  return cells(channel.relative, percent, {percent(channel.deviation.bias())});
 }
 
 std::vector<std::string> absolute_cells(const ChannelReport& channel) {
-  const ErrorSummary& e = channel.absolute;
-  return {number(e.mean),
-          number(e.p50),
-          number(e.p95),
-          number(e.p99),
-          number(e.max),
-          number(channel.deviation.rms()),
-          number(channel.deviation.psnr())};
+  return cells(channel.absolute, number, {number(channel.deviation.rms()), number(channel.deviation.psnr())});
 }
 
 std::vector<std::string> sigma_cells(const ChannelReport& channel) {
-  const ErrorSummary& e = *channel.sigma;
-  return {number(e.mean),
-          number(e.p50),
-          number(e.p95),
-          number(e.p99),
-          number(e.max),
-          number(channel.chi_square->per_value()),
-          std::to_string(channel.chi_square->unequal_exact)};
+  return cells(*channel.sigma, number,
+               {number(channel.chi_square->per_value()), std::to_string(channel.chi_square->unequal_exact)});
 }
 
 // A line for each key that differs, up to `most`.

@@ -10,10 +10,6 @@ namespace {
 using physics::Physics;
 using physics::vec3;
 
-vec3 cross(vec3 a, vec3 b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
 // The part of a scene that the view rays read.
 Scene scene_of(const Viewpoint& viewpoint, const PixelFrame& frame) {
   Scene scene;

@@ -7,6 +7,7 @@
 #include "core/methods/march_passes.h"
 #include "core/methods/methods.h"
 #include "core/methods/sky_pass.h"
+#include "core/plan/bytes.h"
 #include "core/scene/parameters.h"
 
 namespace airlight {
@@ -25,10 +26,8 @@ bool is_exponential(const Scene& scene) {
 
 SkyPasses add_analytic(Plan& plan, const Scene& scene, const Air& air, const View& view) {
   const SkyTarget target = add_sky_target(plan, scene, view);
-  std::vector<std::byte> bytes = analytic_bytes(make_analytic_physics(air, scene).analytic);
-  const std::size_t size = bytes.size();
-  const BufferId data = plan.add_buffer(
-      {.name = "analytic", .bytes = size, .host_readable = false, .contents = std::move(bytes), .key = {}});
+  const BufferId data =
+      plan.add_buffer(filled_buffer("analytic", analytic_bytes(make_analytic_physics(air, scene).analytic)));
   std::vector<Specialization> constants = medium_specialization(air);
   constants.push_back({"kProjection", target.projection});
   constants.push_back(

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "core/air/scene_block.h"
+#include "core/plan/bytes.h"
 
 namespace airlight {
 namespace {
@@ -207,9 +208,7 @@ std::vector<std::byte> analytic_bytes(const physics::AnalyticData& data) {
   std::memcpy(wide.data(), &data, sizeof data);
   std::array<float, kNumbers> narrow{};
   std::ranges::transform(wide, narrow.begin(), [](double x) { return static_cast<float>(x); });
-  std::vector<std::byte> bytes(sizeof narrow);
-  std::memcpy(bytes.data(), narrow.data(), sizeof narrow);
-  return bytes;
+  return bytes_of(narrow);
 }
 
 }  // namespace airlight

@@ -1,13 +1,13 @@
 #include "core/methods/ground_pass.h"
 
 #include <algorithm>
-#include <cstring>
 #include <iterator>
 #include <utility>
 
 #include "core/air/scene_block.h"
 #include "core/ground/ground.h"
 #include "core/methods/scene_air.h"
+#include "core/plan/bytes.h"
 
 namespace airlight {
 namespace {
@@ -15,47 +15,32 @@ namespace {
 constexpr std::uint32_t kViewColumns = 256;
 constexpr std::uint32_t kMomentIrradianceColumns = 1024;
 
-float in_float(double x) {
-  return static_cast<float>(x);
-}
-
-device::vec3 in_float(const physics::vec3& v) {
-  return {in_float(v.x), in_float(v.y), in_float(v.z)};
-}
-
-device::GroundData in_float(const physics::GroundData& g) {
+device::GroundData narrowed_ground(const physics::GroundData& g) {
   device::GroundData out{};
-  out.shape.pole = in_float(g.shape.pole);
-  out.shape.greenwich = in_float(g.shape.greenwich);
-  out.shape.east = in_float(g.shape.east);
+  out.shape.pole = narrowed(g.shape.pole);
+  out.shape.greenwich = narrowed(g.shape.greenwich);
+  out.shape.east = narrowed(g.shape.east);
   out.shape.albedo_rows = g.shape.albedo_rows;
   out.shape.albedo_levels = g.shape.albedo_levels;
   out.shape.water_rows = g.shape.water_rows;
   out.shape.water_levels = g.shape.water_levels;
-  out.shape.slope_variance = in_float(g.shape.slope_variance);
+  out.shape.slope_variance = narrowed(g.shape.slope_variance);
   std::copy(std::begin(g.albedo_first), std::end(g.albedo_first), std::begin(out.albedo_first));
   std::copy(std::begin(g.water_first), std::end(g.water_first), std::begin(out.water_first));
   std::transform(std::begin(g.glint_share), std::end(g.glint_share), std::begin(out.glint_share),
-                 [](double x) { return in_float(x); });
+                 [](double x) { return narrowed(x); });
   return out;
-}
-
-BufferId add_texels(Plan& plan, const char* name, const std::vector<physics::uint>& texels, const std::string& key) {
-  std::vector<std::byte> bytes(texels.size() * sizeof(physics::uint));
-  std::memcpy(bytes.data(), texels.data(), bytes.size());
-  const std::size_t size = bytes.size();
-  return plan.add_buffer({.name = name, .bytes = size, .contents = std::move(bytes), .key = key});
 }
 
 std::vector<Binding> add_ground_buffers(Plan& plan, const Scene& scene) {
   const auto ground = ground_of(scene);
-  const device::GroundData head = in_float(ground->head);
-  std::vector<std::byte> bytes(sizeof head);
-  std::memcpy(bytes.data(), &head, sizeof head);
+  const auto add = [&](const char* name, std::vector<std::byte> contents, const std::string& buffer_key) {
+    return Binding{name, plan.add_buffer(filled_buffer(name, std::move(contents), buffer_key))};
+  };
   const std::string key = ground_key(scene);
-  return {{"ground_head", plan.add_buffer({.name = "ground_head", .bytes = sizeof head, .contents = std::move(bytes)})},
-          {"ground_albedo", add_texels(plan, "ground_albedo", *ground->albedo, key + " albedo")},
-          {"ground_water", add_texels(plan, "ground_water", *ground->water, key + " water")}};
+  return {add("ground_head", bytes_of_one(narrowed_ground(ground->head)), {}),
+          add("ground_albedo", bytes_of(*ground->albedo), key + " albedo"),
+          add("ground_water", bytes_of(*ground->water), key + " water")};
 }
 
 // Those of the constants that a shader's own list may hold.
@@ -68,7 +53,6 @@ ImageId add_ground_view(Plan& plan, std::vector<Specialization> constants) {
   const ImageId view = plan.add_image({.name = "ground_view", .extent = {kViewColumns, 1, 1}});
   plan.add_pass({.name = "ground_view",
                  .shader = "ground_view",
-                 .reads = {},
                  .writes = {{"ground_view_out", view}},
                  .grid = {kViewColumns, 1, 1},
                  .specialization = std::move(constants),

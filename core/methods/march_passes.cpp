@@ -209,22 +209,16 @@ void add_march_ground(Plan& plan, const Scene& scene, const Air& air, const Marc
 
 LayerPasses add_march_layers(Plan& plan, const Scene& scene, const Air& air, const View& view,
                              const MarchTables& tables) {
-  const Extent grid = picture_grid(scene, view);
-  const BufferId planes = add_layer_planes(plan, scene, air, view);
   std::vector<Specialization> constants = march_specialization(plan, scene, air, tables);
-  add_layer_constants(constants, scene, air);
   constants.push_back({"kGroundReflects", tables.reflects ? 1u : 0u});
   std::vector<Binding> reads = march_reads(tables);
   reads.push_back({"ground_irradiance_lut", tables.ground_irradiance});
-  plan.add_pass(
-      {.name = "layers",
-       .shader = "layers_march",
-       .reads = std::move(reads),
-       .writes = {{"layers_out", planes}},
-       .grid = grid,
-       .push_constants = {grid.width, grid.height, static_cast<std::uint32_t>(scene.render.get<int>("steps"))},
-       .specialization = std::move(constants)});
-  return {planes, tables.transmittance};
+  return add_layers_pass(plan, scene, air, view,
+                         {.shader = "layers_march",
+                          .reads = std::move(reads),
+                          .push_constants = {static_cast<std::uint32_t>(scene.render.get<int>("steps"))},
+                          .specialization = std::move(constants)},
+                         tables.transmittance);
 }
 
 }  // namespace airlight

@@ -101,10 +101,6 @@ void add_marched_picture(Plan& plan, const Scene& scene, PassDesc pass, const Sk
   const Extent corners{target.grid.width / 2 + 2, target.grid.height / 2 + 2, 1};
   const BufferId half = plan.add_buffer({.name = "half_radiance",
                                          .bytes = std::size_t{corners.width} * corners.height * 4 * sizeof(float),
-                                         .host_readable = false,
-                                         .contents = {},
-                                         .key = {},
-                                         .carried = false,
                                          .zeroed = false});
   plan.add_pass(part_of(pass, physics::kPartHalf, corners, half, target.directions));
   plan.add_pass(part_of(std::move(pass), physics::kPartUpsampled, target.grid, target.radiance, half));

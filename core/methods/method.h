@@ -218,6 +218,12 @@ std::span<const SkyMethod> methods();
 // Null when there is none of that name.
 const SkyMethod* find_method(std::string_view name);
 
+// That of a scene: resolve() refuses unknown names.
+const SkyMethod& method_of(const Scene& scene);
+
+// Whether it takes samples, on the host.
+bool samples(const Scene& scene);
+
 // The scene as this method renders it at this quality: the method's defaults, and the quality's parameters over them.
 Scene with_quality(Scene scene, const SkyMethod& method, const Quality& quality);
 

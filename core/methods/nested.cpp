@@ -71,20 +71,11 @@ SkyPasses add_nested(Plan& plan, const Scene& scene, const Air& air, const View&
 }
 
 LayerPasses add_layers(Plan& plan, const Scene& scene, const Air& air, const View& view) {
-  const Extent grid = picture_grid(scene, view);
-  const BufferId planes = add_layer_planes(plan, scene, air, view);
-  std::vector<Specialization> constants = constants_of(scene, air);
-  add_layer_constants(constants, scene, air);
-  std::vector<std::uint32_t> push_constants = push_constants_of(scene);
-  push_constants.insert(push_constants.begin(), {grid.width, grid.height});
-  plan.add_pass({.name = "layers",
-                 .shader = "layers_nested",
-                 .reads = {},
-                 .writes = {{"layers_out", planes}},
-                 .grid = grid,
-                 .push_constants = std::move(push_constants),
-                 .specialization = std::move(constants)});
-  return {planes, std::nullopt};
+  return add_layers_pass(plan, scene, air, view,
+                         {.shader = "layers_nested",
+                          .push_constants = push_constants_of(scene),
+                          .specialization = constants_of(scene, air)},
+                         std::nullopt);
 }
 
 std::vector<std::string> left_out(const Scene&, const Plan&) {

@@ -20,6 +20,16 @@ const SkyMethod* find_method(std::string_view name) {
   return nullptr;
 }
 
+const SkyMethod& method_of(const Scene& scene) {
+  const SkyMethod* method = find_method(scene.render.method);
+  assert(method != nullptr);
+  return *method;
+}
+
+bool samples(const Scene& scene) {
+  return method_of(scene).render_on_host != nullptr;
+}
+
 Scene with_quality(Scene scene, const SkyMethod& method, const Quality& quality) {
   scene.render.method = method.info.name;
   scene.render.parameters.clear();

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstring>
 
 #include "core/air/scene_block.h"
 #include "core/methods/edge_pixels.h"
+#include "core/plan/bytes.h"
 
 namespace airlight {
 namespace {
@@ -23,12 +23,19 @@ std::vector<std::byte> direction_bytes(const View& view) {
   if (xyz0.empty()) {
     xyz0.assign(4, 0.0f);  // the shader declares the buffer whatever the projection
   }
-  std::vector<std::byte> bytes(xyz0.size() * sizeof(float));
-  std::memcpy(bytes.data(), xyz0.data(), bytes.size());
-  return bytes;
+  return bytes_of(xyz0);
 }
 
 }  // namespace
+
+BufferDesc radiance_buffer(const View& view, std::size_t bytes) {
+  return {.name = "radiance",
+          .bytes = bytes,
+          .host_readable = true,
+          .key = std::string(view.tile ? "" : kRadianceKey),
+          .carried = !view.tile,
+          .zeroed = false};
+}
 
 Tile tile_of(const Scene& scene, const View& view) {
   return view.tile.value_or(Tile{0, 0, scene.image.width, scene.image.height});
@@ -49,14 +56,24 @@ BufferId add_layer_planes(Plan& plan, const Scene& scene, const Air& air, const 
   return plan.add_buffer({.name = "layers",
                           .bytes = 3 * layers * grid.width * grid.height * sizeof(float),
                           .host_readable = true,
-                          .contents = {},
-                          .key = {},
                           .zeroed = false});
 }
 
 void add_layer_constants(std::vector<Specialization>& constants, const Scene& scene, const Air& air) {
   constants.push_back({"kProjection", projection_code(scene.camera.projection)});
   constants.push_back({"kScatteringMedia", air.scattering_media()});
+}
+
+LayerPasses add_layers_pass(Plan& plan, const Scene& scene, const Air& air, const View& view, PassDesc pass,
+                            std::optional<ImageId> transmittance) {
+  const BufferId planes = add_layer_planes(plan, scene, air, view);
+  pass.name = "layers";
+  pass.writes = {{"layers_out", planes}};
+  pass.grid = picture_grid(scene, view);
+  pass.push_constants.insert(pass.push_constants.begin(), {pass.grid.width, pass.grid.height});
+  add_layer_constants(pass.specialization, scene, air);
+  plan.add_pass(std::move(pass));
+  return {planes, transmittance};
 }
 
 SkyTarget add_sky_target(Plan& plan, const Scene& scene, const View& view) {
@@ -67,20 +84,8 @@ SkyTarget add_sky_target(Plan& plan, const Scene& scene, const View& view) {
   target.projection = listed ? physics::kProjectionListed : projection_code(scene.camera.projection);
   const std::size_t vectors =
       static_cast<std::size_t>(target.grid.width) * static_cast<std::size_t>(target.grid.height) * (listed ? 2 : 1);
-  target.radiance = plan.add_buffer({.name = "radiance",
-                                     .bytes = vectors * 4 * sizeof(float),
-                                     .host_readable = true,
-                                     .contents = {},
-                                     .key = std::string(view.tile ? "" : kRadianceKey),
-                                     .carried = !view.tile,
-                                     .zeroed = false});
-  std::vector<std::byte> directions = direction_bytes(view);
-  const std::size_t direction_size = directions.size();
-  target.directions = plan.add_buffer({.name = "directions",
-                                       .bytes = direction_size,
-                                       .host_readable = false,
-                                       .contents = std::move(directions),
-                                       .key = {}});
+  target.radiance = plan.add_buffer(radiance_buffer(view, vectors * 4 * sizeof(float)));
+  target.directions = plan.add_buffer(filled_buffer("directions", direction_bytes(view)));
   return target;
 }
 
@@ -97,10 +102,7 @@ BufferId add_edge_list(Plan& plan, const std::vector<EdgePixel>& pixels) {
     const EdgePixel& pixel = pixels[std::min(i, pixels.size() - 1)];
     values.insert(values.end(), {static_cast<float>(pixel.x), static_cast<float>(pixel.y), 0.0F, 0.0F});
   }
-  std::vector<std::byte> bytes(values.size() * sizeof(float));
-  std::memcpy(bytes.data(), values.data(), bytes.size());
-  const std::size_t size = bytes.size();
-  return plan.add_buffer({.name = "edge_pixels", .bytes = size, .contents = std::move(bytes)});
+  return plan.add_buffer(filled_buffer("edge_pixels", bytes_of(values)));
 }
 
 }  // namespace

@@ -21,6 +21,9 @@ struct SkyTarget {
   std::uint32_t projection = 0;  // kProjection
 };
 
+// The buffer of a picture: carried under that key, but for a tile's.
+BufferDesc radiance_buffer(const View& view, std::size_t bytes);
+
 // What of the camera's picture the view shows.
 Tile tile_of(const Scene& scene, const View& view);
 
@@ -33,6 +36,11 @@ std::string picture_table_key(const View& view, std::string_view table);
 // A buffer for LayerPasses::planes, and the constants beside the method's own that its pass takes.
 BufferId add_layer_planes(Plan& plan, const Scene& scene, const Air& air, const View& view);
 void add_layer_constants(std::vector<Specialization>& constants, const Scene& scene, const Air& air);
+
+// A whole pass of that kind: what is the same in every method's is added to `pass`, whose push constants follow the
+// grid's width and height.
+LayerPasses add_layers_pass(Plan& plan, const Scene& scene, const Air& air, const View& view, PassDesc pass,
+                            std::optional<ImageId> transmittance);
 
 // Adds the buffers that a sky pass writes and reads for this view.
 SkyTarget add_sky_target(Plan& plan, const Scene& scene, const View& view);

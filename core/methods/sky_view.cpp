@@ -170,21 +170,14 @@ LayerPasses add_layers(Plan& plan, const Scene& scene, const Air& air, const Vie
     return add_march_layers(plan, scene, air, view, tables);
   }
   const ImageId table = add_layers_table(plan, scene, air, view, tables);
-  const Extent grid = picture_grid(scene, view);
-  const BufferId planes = add_layer_planes(plan, scene, air, view);
-  std::vector<Specialization> constants = fetch_constants(plan, scene, air, tables);
-  add_layer_constants(constants, scene, air);
   std::vector<Binding> reads = reads_of(tables);
   reads.push_back({"layers_view_lut", table});
-  plan.add_pass(
-      {.name = "layers",
-       .shader = "layers_from_view",
-       .reads = std::move(reads),
-       .writes = {{"layers_out", planes}},
-       .grid = grid,
-       .push_constants = {grid.width, grid.height, static_cast<std::uint32_t>(scene.render.get<int>("steps"))},
-       .specialization = std::move(constants)});
-  return {planes, tables.transmittance};
+  return add_layers_pass(plan, scene, air, view,
+                         {.shader = "layers_from_view",
+                          .reads = std::move(reads),
+                          .push_constants = {static_cast<std::uint32_t>(scene.render.get<int>("steps"))},
+                          .specialization = fetch_constants(plan, scene, air, tables)},
+                         tables.transmittance);
 }
 
 Quality with_table(std::string_view label, TableSize size, int steps) {

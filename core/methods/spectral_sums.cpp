@@ -59,8 +59,7 @@ ImageId add_colour_table(Plan& plan, const std::string& name, const std::string&
                    .reads = {{"before", sum}, {"part_a", tables[i]}, {"part_b", tables[two ? i + 1 : i]}},
                    .writes = {{"sum_out", out}},
                    .grid = extent,
-                   .push_constants = std::move(push),
-                   .specialization = {}});
+                   .push_constants = std::move(push)});
     sum = out;
   }
   return sum;
@@ -77,8 +76,7 @@ void add_colours(Plan& plan, BufferId part, BufferId picture, const std::array<R
                  .reads = {{"part", part}},
                  .writes = {{"picture", picture}},
                  .grid = {std::min(count, kRow), (count + kRow - 1) / kRow, 1},
-                 .push_constants = std::move(push),
-                 .specialization = {}});
+                 .push_constants = std::move(push)});
 }
 
 }  // namespace airlight

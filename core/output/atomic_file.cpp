@@ -95,19 +95,6 @@ class Temporary {
   throw RunError(file + ": cannot " + doing + ": " + std::strerror(error) + hint);
 }
 
-void write_all(int fd, std::span<const std::byte> contents, const std::string& file) {
-  while (!contents.empty()) {
-    const ssize_t count = ::write(fd, contents.data(), contents.size());
-    if (count < 0 && errno == EINTR) {
-      continue;
-    }
-    if (count < 0) {
-      fail(file, "write", errno);
-    }
-    contents = contents.subspan(static_cast<std::size_t>(count));
-  }
-}
-
 // A descriptor of this process by name: even when it is a regular file, it is the caller's and stays where it is.
 bool names_descriptor(const fs::path& file) {
   const std::string name = file.lexically_normal().string();
@@ -144,12 +131,6 @@ std::string temporary_name(const fs::path& file) {
 
 using Pieces = std::function<std::span<const std::byte>()>;
 
-void write_pieces(int fd, const Pieces& next, const std::string& file) {
-  for (std::span<const std::byte> piece = next(); !piece.empty(); piece = next()) {
-    write_all(fd, piece, file);
-  }
-}
-
 // All of them at once.
 Pieces one_piece(std::span<const std::byte> contents) {
   return [contents]() mutable { return std::exchange(contents, {}); };
@@ -174,14 +155,6 @@ int open_in_place(const std::string& file) {
     fail(file, "open", errno);
   }
   return fd;
-}
-
-void write_in_place(const std::string& file, const Pieces& next) {
-  FileDescriptor out(open_in_place(file));
-  write_pieces(out.get(), next, file);
-  if (!out.close()) {
-    fail(file, "close", errno);
-  }
 }
 
 void end_on_signal(int signal_number) {
@@ -237,11 +210,7 @@ void write_file(const fs::path& file, std::span<const std::byte> contents) {
 }
 
 void write_file(const fs::path& file, const Pieces& next) {
-  if (is_special(file)) {
-    write_in_place(file.string(), next);
-    return;
-  }
-  FileInProgress out(file);
+  FileInProgress out(file, FileInProgress::Order::onward);
   std::uint64_t position = 0;
   for (std::span<const std::byte> piece = next(); !piece.empty(); piece = next()) {
     out.write(position, piece);
@@ -298,7 +267,10 @@ FileInProgress::~FileInProgress() = default;
 
 void FileInProgress::write(std::uint64_t position, std::span<const std::byte> contents) {
   if (!state_->temporary) {
-    write_all(state_->out->get(), contents, state_->name);
+    if (!write_all(state_->out->get(), contents)) {
+      state_->error = errno;
+      fail(state_->name, "write", errno);
+    }
     return;
   }
   while (!contents.empty()) {

@@ -17,6 +17,7 @@
 #include "core/output/embedded_config.h"
 #include "core/output/parallel.h"
 #include "core/scene/suggestion.h"
+#include "core/text.h"
 
 namespace airlight {
 namespace {
@@ -60,14 +61,6 @@ Config open_config(const std::string& asked) {
   }
 }
 
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) {
-    text += (text.empty() ? "'" : ", '") + name + "'";
-  }
-  return text;
-}
-
 // OpenColorIO itself answers a wrong name with a message about colour spaces.
 void require_name(const char* what, const std::string& name, const std::vector<std::string>& choices,
                   const std::string& where) {
@@ -78,7 +71,9 @@ void require_name(const char* what, const std::string& name, const std::vector<s
   if (const std::optional<std::string> nearest = nearest_name(name, choices)) {
     message += "; did you mean '" + *nearest + "'?";
   }
-  throw InputError(message + " Choose one of " + listed(choices));
+  throw InputError(message + " Choose one of " + joined_of(choices, [](const std::string& choice) {
+                     return "'" + choice + "'";
+                   }));
 }
 
 std::vector<std::string> displays_of(const ocio::Config& config) {

@@ -35,13 +35,11 @@ namespace {
 
 namespace imf = OPENEXR_IMF_NAMESPACE;
 
-// Rows converted to half at a time: whole ZIP blocks (16) and PIZ blocks (32), enough of them for every thread.
+// Rows converted to half at a time: whole blocks of ZIP (16), enough of them for every thread.
 constexpr int kRowsAtOnce = 128;
 // OpenEXR's own default since 3.1.3; at 1080p half 59 CPU-ms and 0.44 MB, where 1 takes 40 and 0.70, 6 takes 158 and
 // 0.42.
 constexpr int kZipLevel = 4;
-
-const std::array<std::string, 5> kCompressionNames = {"none", "zips", "zip", "piz", "pxr24"};
 
 class SinkStream : public imf::OStream {
  public:
@@ -66,23 +64,6 @@ ExrSink sink_into(std::vector<std::byte>& bytes) {
     }
     std::copy(piece.begin(), piece.end(), bytes.begin() + static_cast<std::ptrdiff_t>(position));
   };
-}
-
-imf::Compression imf_compression(ExrCompression compression) {
-  switch (compression) {
-    case ExrCompression::none:
-      return imf::NO_COMPRESSION;
-    case ExrCompression::zips:
-      return imf::ZIPS_COMPRESSION;
-    case ExrCompression::zip:
-      return imf::ZIP_COMPRESSION;
-    case ExrCompression::piz:
-      return imf::PIZ_COMPRESSION;
-    case ExrCompression::pxr24:
-      return imf::PXR24_COMPRESSION;
-  }
-  assert(false);
-  return imf::ZIP_COMPRESSION;
 }
 
 void start_threads() {
@@ -152,7 +133,7 @@ void add_frame(imf::Header& header, const FrameAttributes& frame) {
 // edges.
 imf::Header make_header(int width, int height, const ExrOptions& options) {
   imf::Header header(width, height);
-  header.compression() = options.aces_container ? imf::NO_COMPRESSION : imf_compression(options.compression);
+  header.compression() = options.aces_container ? imf::NO_COMPRESSION : imf::ZIP_COMPRESSION;
   header.zipCompressionLevel() = kZipLevel;
   const Chromaticities c = chromaticities_of(options.space);
   imf::addChromaticities(header, imf::Chromaticities(Imath::V2f(c[0], c[1]), Imath::V2f(c[2], c[3]),
@@ -208,18 +189,6 @@ imf::Slice float_slice(const ExrChannel& channel, int width, int y) {
 }
 
 }  // namespace
-
-std::span<const std::string> exr_compression_names() {
-  return kCompressionNames;
-}
-
-std::optional<ExrCompression> exr_compression(std::string_view name) {
-  const auto found = std::find(kCompressionNames.begin(), kCompressionNames.end(), name);
-  if (found == kCompressionNames.end()) {
-    return std::nullopt;
-  }
-  return static_cast<ExrCompression>(found - kCompressionNames.begin());
-}
 
 void add_channels(std::vector<ExrChannel>& channels, std::string_view layer, const RadianceImage& image,
                   bool with_alpha) {

@@ -20,12 +20,6 @@
 
 namespace airlight {
 
-enum class ExrCompression { none, zips, zip, piz, pxr24 };
-
-// "none", "zips", "zip", "piz", "pxr24", for options and their help.
-std::span<const std::string> exr_compression_names();
-std::optional<ExrCompression> exr_compression(std::string_view name);
-
 // One channel of the picture, read where it lies: `first` is the sample of the top left pixel.
 struct ExrChannel {
   std::string name;  // "R", or "LAYER.R"
@@ -52,7 +46,6 @@ struct FrameAttributes {
 struct ExrOptions {
   bool half = true;                                  // else 32-bit float
   WorkingSpace space = WorkingSpace::linear_rec709;  // that the channels given are in
-  ExrCompression compression = ExrCompression::zip;
   bool latlong = false;                  // an equirectangular picture: tagged as an environment map
   bool cube = false;                     // OpenEXR's stack of six faces: tagged likewise
   std::optional<float> white_luminance;  // cd/m2 of radiance (1, 1, 1)

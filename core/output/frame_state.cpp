@@ -9,6 +9,7 @@
 
 #include "core/output/exr_header.h"
 #include "core/output/png_texts.h"
+#include "core/output/provenance.h"
 #include "core/output/provenance_keys.h"
 
 namespace airlight {
@@ -77,23 +78,20 @@ std::optional<FrameMark> png_mark(std::istream& in, std::uint64_t file_size) {
 }  // namespace
 
 std::optional<FrameMark> read_frame_mark(const fs::path& file) {
-  constexpr std::array<char, 4> kExrMagic = {'\x76', '\x2f', '\x31', '\x01'};
-  constexpr std::array<char, 4> kPngMagic = {'\x89', 'P', 'N', 'G'};
   std::error_code error;
   if (!fs::is_regular_file(file, error)) {
     return std::nullopt;
   }
   const std::uint64_t size = fs::file_size(file, error);
   std::ifstream in(file, std::ios::binary);
-  std::array<char, 4> magic{};
-  if (error || !in.read(magic.data(), magic.size())) {
+  if (error || !in) {
     return std::nullopt;
   }
   try {
-    if (file.extension() == ".exr" && magic == kExrMagic) {
+    if (file.extension() == ".exr" && is_exr(in)) {
       return exr_mark(in, size);
     }
-    return file.extension() == ".png" && magic == kPngMagic ? png_mark(in, size) : std::nullopt;
+    return file.extension() == ".png" && is_png(in) ? png_mark(in, size) : std::nullopt;
   } catch (const std::runtime_error&) {  // of read_exr_header: damaged
     return std::nullopt;
   }

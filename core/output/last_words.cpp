@@ -34,19 +34,6 @@ void publish(const std::string& text) {
   newest.store(number);
 }
 
-const char* name_of(int signal_number) {
-  switch (signal_number) {
-    case SIGINT:
-      return "SIGINT";
-    case SIGTERM:
-      return "SIGTERM";
-    case SIGHUP:
-      return "SIGHUP";
-    default:
-      return "a signal";
-  }
-}
-
 void write_text(const char* text) {
   (void)!::write(STDERR_FILENO, text, std::strlen(text));
 }
@@ -58,6 +45,19 @@ std::string files_line(const std::string& last) {
 }
 
 }  // namespace
+
+const char* signal_name(int signal_number) noexcept {
+  switch (signal_number) {
+    case SIGINT:
+      return "SIGINT";
+    case SIGTERM:
+      return "SIGTERM";
+    case SIGHUP:
+      return "SIGHUP";
+    default:
+      return "a signal";
+  }
+}
 
 void remember_whole(const std::string& file) {
   const std::lock_guard lock(writing);
@@ -79,7 +79,7 @@ void write_last_words(int signal_number) noexcept {
   // A line of progress and the terminal's own ^C stand before it.
   write_text(::isatty(STDERR_FILENO) == 1 ? "\r\033[K" : "");
   write_text("airlight: stopped by ");
-  write_text(name_of(signal_number));
+  write_text(signal_name(signal_number));
   write_text(": ");
   write_text(number == 0 || *text == '\0' ? "no file was written" : text);
   write_text("\n");

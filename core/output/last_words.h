@@ -11,6 +11,9 @@ void remember_whole(const std::string& file);
 // Said in place of those, from now on: "3 of 8 maps are whole; the same command goes on from there".
 void say_when_ended(const std::string& text);
 
+// "SIGINT". Async-signal-safe.
+const char* signal_name(int signal_number) noexcept;
+
 // "airlight: stopped by SIGINT: ..." to standard error. Async-signal-safe.
 void write_last_words(int signal_number) noexcept;
 

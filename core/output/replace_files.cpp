@@ -71,16 +71,6 @@ class Staging {
   std::map<fs::path, fs::path> folders_;
 };
 
-void write_all(int fd, const char* data, std::size_t size, const fs::path& file) {
-  while (size > 0) {
-    const ssize_t count = ::write(fd, data, size);
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) fail(file, "write");
-    data += count;
-    size -= static_cast<std::size_t>(count);
-  }
-}
-
 // With the permissions of `target`, and on the disk when it returns.
 void copy_file(const fs::path& from, const fs::path& staged, const fs::path& target) {
   struct stat status {};
@@ -89,13 +79,13 @@ void copy_file(const fs::path& from, const fs::path& staged, const fs::path& tar
   if (in.get() < 0) fail(from, "open");
   const FileDescriptor out(::open(staged.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600));
   if (out.get() < 0) fail(target, "write beside it");
-  std::vector<char> buffer(std::size_t{1} << 20U);
+  std::vector<std::byte> buffer(std::size_t{1} << 20U);
   for (;;) {
     const ssize_t count = ::read(in.get(), buffer.data(), buffer.size());
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) fail(from, "read");
     if (count == 0) break;
-    write_all(out.get(), buffer.data(), static_cast<std::size_t>(count), target);
+    if (!write_all(out.get(), std::span(buffer).first(static_cast<std::size_t>(count)))) fail(target, "write");
   }
   if (::fchmod(out.get(), status.st_mode & 07777) != 0) fail(target, "keep the permissions");
   if (::fsync(out.get()) != 0) fail(target, "write");

@@ -3,16 +3,9 @@
 #include <algorithm>
 #include <charconv>
 
+#include "core/text.h"
+
 namespace airlight {
-namespace {
-
-std::string shortest(double value) {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, static_cast<float>(value)).ptr};
-}
-
-}  // namespace
-
 std::string spectral_channel_name(double nm) {
   constexpr int kDigits = 6;
   char text[32];
@@ -28,7 +21,7 @@ std::string origin_of_colours(const SpectralImage& spectrum) {
 std::map<std::string, std::string> spectral_attributes(const SpectralImage& spectrum) {
   std::string sunlight;
   for (std::size_t k = 0; k < spectrum.nm.size(); ++k) {
-    sunlight += shortest(spectrum.nm[k]) + "nm:" + shortest(spectrum.sunlight[k]) + ";";
+    sunlight += shortest(static_cast<float>(spectrum.nm[k])) + "nm:" + shortest(static_cast<float>(spectrum.sunlight[k])) + ";";
   }
   return {{"spectralLayoutVersion", "1.0"},
           {"emissiveUnits", spectrum.unit},

@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "core/output/parallel.h"
+#include "core/text.h"
 
 namespace airlight {
 namespace {
@@ -72,8 +73,7 @@ std::span<const std::string> working_space_names() {
 }
 
 std::optional<WorkingSpace> working_space(std::string_view name) {
-  const auto found = std::find(kNames.begin(), kNames.end(), name);
-  return found == kNames.end() ? std::nullopt : std::optional(static_cast<WorkingSpace>(found - kNames.begin()));
+  return named<WorkingSpace>(kNames, name);
 }
 
 Chromaticities chromaticities_of(WorkingSpace space) {

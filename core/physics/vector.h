@@ -51,35 +51,13 @@ inline vec3 operator/(vec3 a, real b) {
   return {a.x / b, a.y / b, a.z / b};
 }
 
-inline real sqrt(real x) {
-  return std::sqrt(x);
-}
-inline real exp(real x) {
-  return std::exp(x);
-}
-inline real log(real x) {
-  return std::log(x);
-}
-inline real pow(real x, real y) {
-  return std::pow(x, y);
-}
-inline real sin(real x) {
-  return std::sin(x);
-}
-inline real cos(real x) {
-  return std::cos(x);
-}
-inline real tan(real x) {
-  return std::tan(x);
-}
+using std::cos, std::exp, std::floor, std::log, std::pow, std::sin, std::sqrt, std::tan;
+
 inline real atan(real y, real x) {
   return std::atan2(y, x);
 }
 inline real abs(real x) {
   return std::fabs(x);
-}
-inline real floor(real x) {
-  return std::floor(x);
 }
 inline real min(real a, real b) {
   return std::min(a, b);
@@ -107,6 +85,9 @@ inline vec3 min(vec3 a, vec3 b) {
 }
 inline real dot(vec3 a, vec3 b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+inline vec3 cross(vec3 a, vec3 b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 inline real length(vec3 a) {
   return std::sqrt(dot(a, a));

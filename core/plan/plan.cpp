@@ -70,8 +70,6 @@ BufferId Plan::add_readback(ImageId image) {
   const BufferId buffer = add_buffer({.name = source.name + " readback",
                                       .bytes = source.bytes(),
                                       .host_readable = true,
-                                      .contents = {},
-                                      .key = {},
                                       .zeroed = false});
   readbacks_.push_back({image, buffer});
   return buffer;

@@ -117,8 +117,6 @@ BufferId add_picture_buffer(Plan& plan, const char* name, const Picture& picture
       {.name = name,
        .bytes = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height) * bytes_a_pixel,
        .host_readable = true,
-       .contents = {},
-       .key = {},
        .zeroed = false});
 }
 
@@ -162,8 +160,7 @@ ImageId add_bloom_base(Plan& plan, const Scene& scene, const Picture& picture) {
                  .reads = {{"picture", picture.buffer}},
                  .writes = {{"base_out", base}},
                  .grid = extent,
-                 .push_constants = {picture.width, picture.height},
-                 .specialization = {}});
+                 .push_constants = {picture.width, picture.height}});
   return base;
 }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "core/plan/bytes.h"
 #include "core/post/bloom_grid.h"
 #include "core/post/post.h"
 
@@ -46,8 +47,7 @@ BufferId BloomGathering::add_band(Plan& plan, const Picture& band) const {
                  .writes = {{"sums_out", sums}},
                  .grid = {grid_.width, rows.count, 1},
                  .push_constants = {picture_.width, picture_.height, grid_.width, grid_.height, band.y,
-                                    band.y + band.height, rows.first, rows.count},
-                 .specialization = {}});
+                                    band.y + band.height, rows.first, rows.count}});
   return sums;
 }
 
@@ -63,21 +63,14 @@ ImageId BloomGathering::add_base(Plan& plan) const {
   const auto at_once = static_cast<std::uint32_t>(std::clamp<std::size_t>(kFillBytes / row, 1, grid_.height));
   for (std::uint32_t y = 0; y < grid_.height; y += at_once) {
     const std::uint32_t rows = std::min(at_once, grid_.height - y);
-    std::vector<std::byte> bytes(rows * row);
-    std::memcpy(bytes.data(), sums_.data() + y * row / sizeof(float), bytes.size());
-    const std::size_t size = bytes.size();
-    const BufferId sums = plan.add_buffer({.name = "bloom_sums_" + std::to_string(y),
-                                           .bytes = size,
-                                           .host_readable = false,
-                                           .contents = std::move(bytes),
-                                           .key = {}});
+    const auto these = std::span(sums_).subspan(y * row / sizeof(float), rows * row / sizeof(float));
+    const BufferId sums = plan.add_buffer(filled_buffer("bloom_sums_" + std::to_string(y), bytes_of(these)));
     plan.add_pass({.name = "bloom_fill_" + std::to_string(y),
                    .shader = "bloom_fill",
                    .reads = {{"sums", sums}},
                    .writes = {{"base_out", base}},
                    .grid = {grid_.width, rows, 1},
-                   .push_constants = {picture_.width, picture_.height, y, rows},
-                   .specialization = {}});
+                   .push_constants = {picture_.width, picture_.height, y, rows}});
   }
   return base;
 }

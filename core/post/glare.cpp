@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <numbers>
 #include <vector>
 
 #include "core/air/scene_block.h"
+#include "core/plan/bytes.h"
 #include "core/post/host_post.h"
 #include "core/post/post.h"
 #include "core/spheres/spheres.h"
@@ -97,10 +97,7 @@ GlareSources add_glare_sources(Plan& plan, const std::vector<GlarePoint>& all) {
   for (const GlarePoint& point : all) {
     points.push_back(packed(point));
   }
-  std::vector<std::byte> contents(points.size() * sizeof points.front());
-  std::memcpy(contents.data(), points.data(), contents.size());
-  const std::size_t bytes = contents.size();
-  return {plan.add_buffer({.name = "glare_sources", .bytes = bytes, .contents = std::move(contents), .key = {}}),
+  return {plan.add_buffer(filled_buffer("glare_sources", bytes_of(points))),
           static_cast<std::uint32_t>(points.size())};
 }
 

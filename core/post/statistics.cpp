@@ -38,7 +38,6 @@ BufferId add_rows(Plan& plan, std::string name, std::uint32_t height, std::strin
   return plan.add_buffer({.name = std::move(name),
                           .bytes = height * sizeof(RowStatistics),
                           .host_readable = true,
-                          .contents = {},
                           .key = std::move(key),
                           .zeroed = false});
 }
@@ -68,8 +67,7 @@ BufferId add_table_statistics(Plan& plan, ImageId table) {
                  .reads = {{"table", table}},
                  .writes = {{"rows_out", rows}},
                  .grid = {64, image.extent.height, 1},
-                 .push_constants = {image.extent.width, image.extent.height, bits(kNoLimit)},
-                 .specialization = {}});
+                 .push_constants = {image.extent.width, image.extent.height, bits(kNoLimit)}});
   return rows;
 }
 

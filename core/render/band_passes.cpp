@@ -1,6 +1,7 @@
 #include "core/render/band_passes.h"
 
-#include <cstring>
+
+#include "core/plan/bytes.h"
 
 namespace airlight {
 
@@ -35,15 +36,11 @@ void BandPasses::take(const RunResult& result, Rendering& rows) const {
     work_.gathering->take(band_, result.contents(*sums_));
   }
   if (bloom_) {
-    const std::span<const std::byte> bytes = result.contents(*bloom_);
-    rows.bloom = RadianceImage{static_cast<int>(band_.width), static_cast<int>(band_.height), {}};
-    rows.bloom->rgba.resize(bytes.size() / sizeof(float));
-    std::memcpy(rows.bloom->rgba.data(), bytes.data(), bytes.size());
+    rows.bloom = RadianceImage{static_cast<int>(band_.width), static_cast<int>(band_.height),
+                               values_of<float>(result.contents(*bloom_))};
   }
   if (encoded_) {
-    const std::span<const std::byte> bytes = result.contents(*encoded_);
-    rows.encoded.resize(bytes.size() / sizeof(std::uint16_t));
-    std::memcpy(rows.encoded.data(), bytes.data(), bytes.size());
+    rows.encoded = values_of<std::uint16_t>(result.contents(*encoded_));
   }
 }
 

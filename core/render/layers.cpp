@@ -4,12 +4,12 @@
 #include <bit>
 #include <cassert>
 #include <cmath>
-#include <cstring>
 #include <set>
 
 #include "core/methods/method.h"
 #include "core/methods/scene_air.h"
 #include "core/methods/spectral_sums.h"
+#include "core/plan/bytes.h"
 #include "core/render/picture_key.h"
 #include "core/render/sky.h"
 #include "core/render/timings.h"
@@ -59,9 +59,7 @@ Layer& find(std::vector<Layer>& layers, std::string_view name) {
 }
 
 std::vector<float> floats(std::span<const std::byte> bytes, std::size_t first, std::size_t count) {
-  std::vector<float> values(count);
-  std::memcpy(values.data(), bytes.data() + first * sizeof(float), count * sizeof(float));
-  return values;
+  return values_of<float>(bytes.subspan(first * sizeof(float), count * sizeof(float)));
 }
 
 // From the device's planes, which stand in the order of layers_of() but for the sun.
@@ -143,9 +141,8 @@ void put_band(Layer& whole, const Layer& band, const Tile& tile, int height) {
 }
 
 LayerPasses add_layer_passes(Plan& plan, const Scene& scene, const Tile& tile, const std::string& kept_as) {
-  const SkyMethod* method = find_method(scene.render.method);
-  assert(method != nullptr && method->add_layer_passes != nullptr);
-  return method->add_layer_passes(plan, scene, air_of(scene), {.directions = {}, .tile = tile, .kept_as = kept_as});
+  assert(method_of(scene).add_layer_passes != nullptr);
+  return method_of(scene).add_layer_passes(plan, scene, air_of(scene), {.directions = {}, .tile = tile, .kept_as = kept_as});
 }
 
 BufferId add_dark(Plan& plan, std::size_t pixels) {
@@ -247,8 +244,8 @@ std::vector<Layer> layers_of(const Scene& scene) {
 }
 
 std::string layers_refusal(const Scene& scene) {
-  const SkyMethod& method = *find_method(scene.render.method);
-  return method.layers_refusal == nullptr ? std::string() : method.layers_refusal(scene);
+  const auto refusal = method_of(scene).layers_refusal;
+  return refusal == nullptr ? std::string() : refusal(scene);
 }
 
 std::string methods_with_layers() {

@@ -51,10 +51,9 @@ Scene by_day(const Scene& scene) {
 
 Rendering metered_picture(const DeviceOnDemand& device, const Scene& scene) {
   Scene small = scene;
-  const bool samples = find_method(scene.render.method)->render_on_host != nullptr;
-  small.image = metered_size(scene, samples ? kMostSampledPixels : kMostPixels);
+  small.image = metered_size(scene, samples(scene) ? kMostSampledPixels : kMostPixels);
   small.display = {};
-  if (samples) {
+  if (samples(scene)) {
     small.render = few_samples(scene.render);
   }
   Rendering rendering = render(device, small, {});

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstring>
 #include <span>
 #include <utility>
 
 #include "core/methods/scene_air.h"
+#include "core/plan/bytes.h"
 #include "core/post/host_post.h"
 #include "core/render/sky.h"
 #include "core/render/timings.h"
@@ -24,12 +24,6 @@ struct Frame {
 
 Picture picture_of(const Scene& scene, BufferId buffer) {
   return {buffer, static_cast<std::uint32_t>(scene.image.width), static_cast<std::uint32_t>(scene.image.height)};
-}
-
-const SkyMethod& method_of(const Scene& scene) {
-  const SkyMethod* method = find_method(scene.render.method);
-  assert(method != nullptr);  // resolve() refuses unknown names
-  return *method;
 }
 
 void note_disc(std::vector<std::string>& left_out, bool shines) {
@@ -51,13 +45,9 @@ Frame sky_frame(const Scene& scene, const RenderRequest& request) {
 
 // A picture of the host's, for passes that read it. No contents, in a plan that is only looked at.
 BufferDesc uploaded(const Scene& scene, const RadianceImage& radiance) {
-  std::vector<std::byte> bytes(radiance.rgba.size() * sizeof(float));
-  if (!bytes.empty()) {
-    std::memcpy(bytes.data(), radiance.rgba.data(), bytes.size());
-  }
   const std::size_t size =
       4 * sizeof(float) * static_cast<std::size_t>(scene.image.width) * static_cast<std::size_t>(scene.image.height);
-  return {.name = "radiance", .bytes = size, .host_readable = true, .contents = std::move(bytes), .key = {}};
+  return {.name = "radiance", .bytes = size, .host_readable = true, .contents = bytes_of(radiance.rgba)};
 }
 
 Tile whole_picture(const Scene& scene) {
@@ -92,10 +82,7 @@ void add_post(PostFrame& post, const Scene& scene, const Picture& picture, const
 }
 
 RadianceImage image_from(std::span<const std::byte> bytes, int width, int height) {
-  RadianceImage image{width, height, {}};
-  image.rgba.resize(bytes.size() / sizeof(float));
-  std::memcpy(image.rgba.data(), bytes.data(), bytes.size());
-  return image;
+  return {width, height, values_of<float>(bytes)};
 }
 
 // Whether there is bloom to see in the picture.
@@ -122,9 +109,7 @@ void run_post(Executor& executor, const Scene& scene, const RenderRequest& reque
     out.bloom = image_from(result.contents(*post.bloom), scene.image.width, scene.image.height);
   }
   if (post.encoded) {
-    const std::span<const std::byte> bytes = result.contents(*post.encoded);
-    out.encoded.resize(bytes.size() / sizeof(std::uint16_t));
-    std::memcpy(out.encoded.data(), bytes.data(), bytes.size());
+    out.encoded = values_of<std::uint16_t>(result.contents(*post.encoded));
   }
 }
 
@@ -224,7 +209,7 @@ void finish(const DeviceOnDemand& device, const Scene& scene, const RenderReques
     return;
   }
   const bool glows = wanted_bloom_glows(scene, request, out);
-  const bool on_device = method_of(scene).render_on_host == nullptr || scene.bloom.model == BloomModel::chain;
+  const bool on_device = !samples(scene) || scene.bloom.model == BloomModel::chain;
   if (request.gpu_tone || (glows && on_device)) {
     run_post(device(), scene, request, uploaded(scene, out.radiance), glows, out);
   } else if (glows) {
@@ -233,7 +218,7 @@ void finish(const DeviceOnDemand& device, const Scene& scene, const RenderReques
 }
 
 Rendering render(const DeviceOnDemand& device, const Scene& scene, const RenderRequest& request) {
-  return method_of(scene).render_on_host != nullptr ? render_here(device, scene, request)
+  return samples(scene) ? render_here(device, scene, request)
                                                     : render_there(device(), scene, request);
 }
 
@@ -241,7 +226,7 @@ Plan plan_for(const Scene& scene, const RenderRequest& request) {
   Plan plan;
   Picture picture;
   const bool wants_bloom = request.bloom && scene.bloom.enabled;
-  if (method_of(scene).render_on_host == nullptr) {
+  if (!samples(scene)) {
     Frame frame = sky_frame(scene, request);
     plan = std::move(frame.plan);
     picture = frame.picture;
@@ -256,28 +241,37 @@ Plan plan_for(const Scene& scene, const RenderRequest& request) {
   return std::move(post.plan);
 }
 
+namespace {
+
+// Radiance and transmittance of each listed direction, in turn. `undone`: gets the method's notes.
+RadianceImage pairs_of(const DeviceOnDemand& device, const Scene& scene, const View& view,
+                       std::vector<std::string>& undone) {
+  const auto count = static_cast<int>(view.directions.size());
+  if (!samples(scene)) {
+    Plan plan;
+    const Sky sky = add_sky(plan, scene, view, false);
+    const RunResult result = device().run(plan);
+    return image_from(result.contents(sky.radiance), 2 * count, 1);
+  }
+  HostPicture host = render_on_host(scene, view, {});
+  undone = std::move(host.notes);
+  RadianceImage pairs{2 * count, 1, {}};
+  for (int i = 0; i < count; ++i) {
+    for (const RadianceImage* image : {&host.radiance, &host.transmittance}) {
+      pairs.rgba.insert(pairs.rgba.end(), image->at(i, 0), image->at(i, 0) + 4);
+    }
+  }
+  return pairs;
+}
+
+}  // namespace
+
 ProbeResults probe(const DeviceOnDemand& device, const Scene& scene, const std::vector<Direction>& directions) {
   ProbeResults results;
   if (directions.empty()) {
     return results;
   }
-  const SkyMethod& method = method_of(scene);
-  const View view{directions};
-  RadianceImage pairs;  // radiance and transmittance in turn
-  if (method.render_on_host != nullptr) {
-    HostPicture host = render_on_host(scene, view, {});
-    results.undone = std::move(host.notes);
-    for (std::size_t i = 0; i < directions.size(); ++i) {
-      for (const RadianceImage* image : {&host.radiance, &host.transmittance}) {
-        pairs.rgba.insert(pairs.rgba.end(), image->at(static_cast<int>(i), 0), image->at(static_cast<int>(i), 0) + 4);
-      }
-    }
-  } else {
-    Plan plan;
-    const Sky sky = add_sky(plan, scene, view, false);
-    const RunResult result = device().run(plan);
-    pairs = image_from(result.contents(sky.radiance), static_cast<int>(2 * directions.size()), 1);
-  }
+  const RadianceImage pairs = pairs_of(device, scene, View{directions}, results.undone);
   const Rgb unit = transmittance_unit(scene);
   for (std::size_t i = 0; i < directions.size(); ++i) {
     ProbeResult r;
@@ -293,26 +287,15 @@ ProbeResults probe(const DeviceOnDemand& device, const Scene& scene, const std::
 
 std::vector<float> probe_picture(const DeviceOnDemand& device, const Scene& scene,
                                  const std::vector<Direction>& directions) {
-  if (directions.empty()) {
-    return {};
-  }
-  const SkyMethod& method = method_of(scene);
-  const View view{.directions = directions, .as_picture = true};
   std::vector<float> rgb;
-  const auto append = [&](const float* pixel) { rgb.insert(rgb.end(), pixel, pixel + 3); };
-  if (method.render_on_host != nullptr) {
-    const HostPicture host = render_on_host(scene, view, {});
-    for (std::size_t i = 0; i < directions.size(); ++i) {
-      append(host.radiance.at(static_cast<int>(i), 0));
-    }
+  if (directions.empty()) {
     return rgb;
   }
-  Plan plan;
-  const Sky sky = add_sky(plan, scene, view, false);
-  const RunResult result = device().run(plan);
-  const RadianceImage pairs = image_from(result.contents(sky.radiance), static_cast<int>(2 * directions.size()), 1);
-  for (std::size_t i = 0; i < directions.size(); ++i) {
-    append(pairs.at(static_cast<int>(2 * i), 0));
+  std::vector<std::string> ignored;
+  const RadianceImage pairs =
+      pairs_of(device, scene, View{.directions = directions, .as_picture = true}, ignored);
+  for (int i = 0; i < pairs.width; i += 2) {
+    rgb.insert(rgb.end(), pairs.at(i, 0), pairs.at(i, 0) + 3);
   }
   return rgb;
 }

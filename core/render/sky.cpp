@@ -13,22 +13,6 @@
 namespace airlight {
 namespace {
 
-const SkyMethod& method_of(const Scene& scene) {
-  const SkyMethod* method = find_method(scene.render.method);
-  assert(method != nullptr);  // resolve() refuses unknown names
-  return *method;
-}
-
-BufferId add_picture(Plan& plan, const View& view, std::size_t bytes) {
-  return plan.add_buffer({.name = "radiance",
-                          .bytes = bytes,
-                          .host_readable = true,
-                          .contents = {},
-                          .key = std::string(view.tile ? "" : kRadianceKey),
-                          .carried = !view.tile,
-                          .zeroed = false});
-}
-
 // A picture for each group, and their sum.
 SkyPasses add_groups(Plan& plan, const Scene& scene, const SpectralScene& spectral, const View& view) {
   SkyPasses all;
@@ -42,7 +26,7 @@ SkyPasses add_groups(Plan& plan, const Scene& scene, const SpectralScene& spectr
     all.more_tables.insert(all.more_tables.end(), sky.more_tables.begin(), sky.more_tables.end());
   }
   plan.end_scene();
-  all.radiance = add_picture(plan, view, plan.buffers()[parts.front().index].bytes);
+  all.radiance = plan.add_buffer(radiance_buffer(view, plan.buffers()[parts.front().index].bytes));
   for (std::size_t g = 0; g < parts.size(); ++g) {
     add_colours(plan, parts[g], all.radiance, spectral.groups[g].colours, g, g == 0);
   }

@@ -134,16 +134,16 @@ void add_part_of_picture(const SpanWork& work, const Scene& scene, const Spans& 
 
 std::vector<AirTo> air_of_spans(Executor& executor, const Scene& scene, const Spans& spans, const SpanWay& way,
                                 std::vector<PassTiming>* passes) {
-  const SkyMethod* method = find_method(scene.render.method);
-  assert(method != nullptr && method->add_span_passes != nullptr);
-  assert(!way.volume || (method->has_volume != nullptr && method->has_volume(scene)));
+  const SkyMethod& method = method_of(scene);
+  assert(method.add_span_passes != nullptr);
+  assert(!way.volume || (method.has_volume != nullptr && method.has_volume(scene)));
   const auto width = static_cast<std::size_t>(scene.image.width);
   std::vector<AirTo> all(spans.size());
   std::span<AirTo> rest = all;
   for (const Spans& part : parts_of(spans, width)) {
     const std::span<AirTo> sums = rest.first(part.size());
     rest = rest.subspan(part.size());
-    add_part_of_picture({executor, *method, way, passes}, scene, part, sums);
+    add_part_of_picture({executor, method, way, passes}, scene, part, sums);
     for (std::size_t i = 0; i < sums.size(); ++i) {
       require_sound(one_of(part, i, width), sums[i], scene.spectra.has_value());
     }

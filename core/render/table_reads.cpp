@@ -1,6 +1,7 @@
 #include "core/render/table_reads.h"
 
-#include <cstring>
+
+#include "core/plan/bytes.h"
 
 namespace airlight {
 
@@ -33,11 +34,8 @@ void TableReads::take(const RunResult& result, std::vector<NamedStatistics>& sta
       statistics.push_back({image.name, summarize(result.contents(*read.rows), image.extent.width)});
     }
     if (read.contents) {
-      const std::span<const std::byte> bytes = result.contents(*read.contents);
-      std::vector<float> rgba(bytes.size() / sizeof(float));
-      std::memcpy(rgba.data(), bytes.data(), bytes.size());
       dumps.push_back({image.name, static_cast<int>(image.extent.width), static_cast<int>(image.extent.height),
-                       std::move(rgba), image.text ? image.text() : TableText{}, image.channels});
+                       values_of<float>(result.contents(*read.contents)), image.text ? image.text() : TableText{}, image.channels});
     }
   }
 }

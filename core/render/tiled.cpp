@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/methods/scene_air.h"
+#include "core/plan/bytes.h"
 #include "core/post/host_post.h"
 #include "core/render/band_passes.h"
 #include "core/render/picture_key.h"
@@ -130,13 +131,11 @@ void TiledRender::render_tile(Band& band, const Tile& tile) {
 // Rows of an image of the host's, `rows` being their place in the picture.
 Picture TiledRender::add_upload(Plan& plan, const RadianceImage& image, int first_row, const Tile& rows) const {
   const std::size_t row = 4 * static_cast<std::size_t>(rows.width);
-  std::vector<std::byte> bytes(row * static_cast<std::size_t>(rows.height) * sizeof(float));
-  std::memcpy(bytes.data(), image.rgba.data() + static_cast<std::size_t>(first_row) * row, bytes.size());
-  const std::size_t size = bytes.size();
-  return picture_of(
-      plan.add_buffer(
-          {.name = "radiance", .bytes = size, .host_readable = true, .contents = std::move(bytes), .key = {}}),
-      rows);
+  BufferDesc buffer =
+      filled_buffer("radiance", bytes_of(std::span(image.rgba).subspan(static_cast<std::size_t>(first_row) * row,
+                                                                       row * static_cast<std::size_t>(rows.height))));
+  buffer.host_readable = true;
+  return picture_of(plan.add_buffer(std::move(buffer)), rows);
 }
 
 // Runs the plan that makes or holds these rows, and takes them and all that is made of them.
@@ -271,7 +270,7 @@ void TiledRender::make_bloom() {
 }
 
 Rendering TiledRender::run() {
-  if (find_method(scene_.render.method)->render_on_host != nullptr) {
+  if (samples(scene_)) {
     host_ = render_on_host(scene_, View{}, request_.picture.host);
     out_.undone = host_.notes;
   }

@@ -18,11 +18,14 @@ unsigned byte_at(std::string_view text, std::size_t i) {
   return static_cast<unsigned char>(text[i]);
 }
 
-// A character of UTF-8: its code and how many bytes it takes; no bytes where there is none.
-struct Character {
-  unsigned code = 0;
-  std::size_t bytes = 0;
-};
+bool is_obeyed(unsigned code) {
+  const bool control = code < 0x20U || (code >= 0x7fU && code < 0xa0U);
+  const bool direction = code == 0x061cU || code == 0x200eU || code == 0x200fU ||
+                         (code >= 0x202aU && code <= 0x202eU) || (code >= 0x2066U && code <= 0x2069U);
+  return control || direction || code == 0x2028U || code == 0x2029U;
+}
+
+}  // namespace
 
 Character character_at(std::string_view text, std::size_t i) {
   const unsigned first = byte_at(text, i);
@@ -45,15 +48,6 @@ Character character_at(std::string_view text, std::size_t i) {
   const bool surrogate = code >= 0xd800U && code < 0xe000U;
   return code < least || surrogate || code > 0x10ffffU ? Character{} : Character{code, bytes};
 }
-
-bool is_obeyed(unsigned code) {
-  const bool control = code < 0x20U || (code >= 0x7fU && code < 0xa0U);
-  const bool direction = code == 0x061cU || code == 0x200eU || code == 0x200fU ||
-                         (code >= 0x202aU && code <= 0x202eU) || (code >= 0x2066U && code <= 0x2069U);
-  return control || direction || code == 0x2028U || code == 0x2029U;
-}
-
-}  // namespace
 
 std::string printable(std::string_view text, bool keep_lines) {
   std::string out;

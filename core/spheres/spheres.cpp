@@ -1,8 +1,8 @@
 #include "core/spheres/spheres.h"
 
-#include <cstring>
 
 #include "core/air/scene_block.h"
+#include "core/plan/bytes.h"
 
 namespace airlight {
 namespace {
@@ -39,16 +39,14 @@ std::vector<physics::SphereData> spheres_of(const Scene& scene) {
 BufferId add_spheres(Plan& plan, const char* name, const Scene& scene) {
   const std::vector<physics::SphereData> spheres = spheres_of(scene);
   const auto count = static_cast<device::uint>(spheres.size());
-  std::vector<std::byte> bytes(sizeof count + spheres.size() * sizeof(device::SphereData));
-  std::memcpy(bytes.data(), &count, sizeof count);
-  for (std::size_t i = 0; i < spheres.size(); ++i) {
-    const physics::SphereData& s = spheres[i];
-    const device::SphereData data{narrowed(s.centre), static_cast<float>(s.radius), narrowed(s.albedo), s.material,
-                                  static_cast<float>(s.scatter_strength)};
-    std::memcpy(bytes.data() + sizeof count + i * sizeof data, &data, sizeof data);
+  std::vector<std::byte> bytes = bytes_of_one(count);
+  for (const physics::SphereData& s : spheres) {
+    const std::vector<std::byte> sphere =
+        bytes_of_one(device::SphereData{narrowed(s.centre), narrowed(s.radius), narrowed(s.albedo), s.material,
+                                        narrowed(s.scatter_strength)});
+    bytes.insert(bytes.end(), sphere.begin(), sphere.end());
   }
-  const std::size_t size = bytes.size();
-  return plan.add_buffer({.name = name, .bytes = size, .contents = std::move(bytes), .key = {}});
+  return plan.add_buffer(filled_buffer(name, std::move(bytes)));
 }
 
 }  // namespace airlight

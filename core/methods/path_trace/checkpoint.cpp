@@ -10,6 +10,7 @@
 #include <iterator>
 
 #include "core/error.h"
+#include "core/file_descriptor.h"
 #include "core/methods/path_trace/random.h"
 
 namespace airlight {
@@ -57,34 +58,11 @@ std::string difference(std::string_view scene, std::string_view file) {
   throw InputError(file + ": " + why + "; name another file, or delete this one to start anew");
 }
 
-// Closes on every way out.
-struct File {
-  int descriptor = -1;
-  ~File() {
-    if (descriptor >= 0) {
-      ::close(descriptor);
-    }
-  }
-};
-
 void write_whole(const std::string& file, std::string_view bytes) {
-  const auto fail = [&] {
+  const FileDescriptor out(::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+  if (!out || !write_all(out.get(), std::as_bytes(std::span(bytes))) || ::fsync(out.get()) != 0) {
     throw RunError(file + ": cannot write the checkpoint: " + std::strerror(errno) +
                    "; free some space or name another");
-  };
-  File out{::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)};
-  if (out.descriptor < 0) {
-    fail();
-  }
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(out.descriptor, bytes.data(), bytes.size());
-    if (written < 0 && errno != EINTR) {
-      fail();
-    }
-    bytes.remove_prefix(written < 0 ? 0 : static_cast<std::size_t>(written));
-  }
-  if (::fsync(out.descriptor) != 0) {
-    fail();
   }
 }
 

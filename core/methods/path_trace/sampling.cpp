@@ -96,7 +96,7 @@ void Sampling::keep() {
 }
 
 double Sampling::seconds() const {
-  return std::chrono::duration<double>(Clock::now() - began_).count();
+  return seconds_since(began_);
 }
 
 std::uint64_t Sampling::fewest_batches() const {
@@ -108,7 +108,7 @@ std::uint64_t Sampling::fewest_batches() const {
 }
 
 bool Sampling::keep_is_due() const {
-  return std::chrono::duration<double>(Clock::now() - kept_).count() >= options_.checkpoint_interval_s;
+  return seconds_since(kept_) >= options_.checkpoint_interval_s;
 }
 
 // Whether every pixel is prepared and has at least so many.

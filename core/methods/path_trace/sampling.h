@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/clock.h"
 #include "core/methods/method.h"
 #include "core/methods/path_trace/checkpoint.h"
 #include "core/methods/path_trace/tracer.h"
@@ -52,7 +53,6 @@ class Sampling {
   std::string overrun() const;
 
  private:
-  using Clock = std::chrono::steady_clock;
 
   bool enough() const;
   bool all_at(std::uint64_t batches) const;

@@ -14,10 +14,6 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-vec3 cross(vec3 a, vec3 b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
 // Something horizontal.
 vec3 across(vec3 up) {
   const vec3 other = std::abs(up.x) < 0.5 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0);
