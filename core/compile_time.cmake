@@ -38,7 +38,7 @@ foreach(source IN ITEMS
         core/methods/path_trace/optical_depth core/methods/path_trace/path_trace
         core/methods/path_trace/single_scattering core/methods/sky_view core/output/quantize core/post/bloom
         core/post/sun_disc core/render/render core/stability/sweep tests/chart/settings_test
-        tests/cli/publish_test tests/cli/render_test tests/measure/metrics_test tests/methods/golden_test
+        tests/app/publish_test tests/cli/render_test tests/measure/metrics_test tests/methods/golden_test
         tests/methods/march_keys_test tests/methods/nested_test tests/methods/orders_slab_test
         tests/physics/quadrature_test tests/physics/sunlight_test tests/scene/override_test tests/scene/rule_schema
         tests/scene/scene_fixture tests/scene/schema_check tests/sequence/time_test)

@@ -8,12 +8,12 @@ file(WRITE ${OUT} "#include \"core/gpu/embedded_shaders.h\"
 
 namespace airlight {
 namespace {
-constexpr std::uint32_t kSpirv[] = {
+constexpr std::uint32_t kSpirv_${NAME}[] = {
 ${words}
 };
 }  // namespace
 extern const EmbeddedShader kShader_${NAME};
-const EmbeddedShader kShader_${NAME} = {\"${NAME}\", kSpirv,
+const EmbeddedShader kShader_${NAME} = {\"${NAME}\", kSpirv_${NAME},
                                               \"${digest}\"};
 }  // namespace airlight
 ")

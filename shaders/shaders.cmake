@@ -1,6 +1,6 @@
 # GLSL -> SPIR-V -> validated -> optimised -> validated -> embedded as C++ arrays.
 set(AIRLIGHT_SHADERS_FROM "" CACHE PATH
-    "Another build of this tree, whose shaders and frozen modules are taken as they are: a fifth of the compilers' time")
+    "Another build of this tree, whose shaders, frozen modules and test_cli are taken as they are")
 find_program(GLSLANG glslangValidator REQUIRED)
 find_program(SPIRV_OPT spirv-opt REQUIRED)
 find_program(SPIRV_VAL spirv-val REQUIRED)
@@ -14,6 +14,9 @@ if(AIRLIGHT_SHADERS_FROM)
     list(APPEND taken airlight_test_shaders)
   endif()
   list(TRANSFORM taken REPLACE "(.+)" "${AIRLIGHT_SHADERS_FROM}/lib\\1.a" OUTPUT_VARIABLE taken_files)
+  if(AIRLIGHT_TESTS AND AIRLIGHT_TOOL)
+    list(APPEND taken test_cli)  # starts the tool that it is told to (tests.cmake)
+  endif()
   add_custom_target(taken_shaders COMMAND ${CMAKE_COMMAND} --build ${AIRLIGHT_SHADERS_FROM} --target ${taken}
                     BYPRODUCTS ${taken_files} COMMENT "Shaders of ${AIRLIGHT_SHADERS_FROM}" VERBATIM)
 endif()
@@ -74,6 +77,7 @@ std::span<const EmbeddedShader> @function@() {
 ")
   add_library(${target} STATIC ${directory}/table.cpp ${arrays})
   target_link_libraries(${target} PUBLIC airlight_flags)
+  airlight_compile_together(${target})
 endfunction()
 
 file(GLOB shader_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/shaders/passes/*.comp)

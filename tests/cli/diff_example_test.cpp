@@ -9,7 +9,7 @@ namespace {
 TEST(DiffExample, PassesTheUnchangedAndFailsTheChangedWithAHeatMap) {
   const Scratch scratch;
   const std::string script = AIRLIGHT_SOURCE_DIR "/scripts/diff-example";
-  const Outcome outcome = run(scratch.path(), {script, AIRLIGHT_BINARY, scratch.path().string()});
+  const Outcome outcome = run(scratch.path(), {script, tool_program(), scratch.path().string()});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   EXPECT_NE(outcome.out.find("PASS"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("DIFFER"), std::string::npos) << outcome.out;
@@ -25,7 +25,7 @@ TEST(DiffExample, FailsWhereTheChangeIsNotFound) {
   const std::string script = AIRLIGHT_SOURCE_DIR "/scripts/diff-example";
   // Renders as ever, and finds every two pictures equal.
   const auto blind =
-      scratch.write("blind", "#!/bin/sh\n[ \"$1\" = diff ] && exit 0\nexec " AIRLIGHT_BINARY " \"$@\"\n");
+      scratch.write("blind", "#!/bin/sh\n[ \"$1\" = diff ] && exit 0\nexec " + tool_program() + " \"$@\"\n");
   std::filesystem::permissions(blind, std::filesystem::perms::owner_all);
   const Outcome outcome = run(scratch.path(), {script, blind.string(), scratch.path().string()});
   EXPECT_EQ(outcome.exit_code, 1);

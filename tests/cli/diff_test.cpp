@@ -233,7 +233,7 @@ TEST_F(Diff, CameraFromAPreset) {
 // Starting any other command must not pay for OpenImageIO.
 TEST_F(Diff, ToolItselfDoesNotLinkOpenImageIo) {
   const Outcome outcome =
-      run(scratch_.path(), {"/bin/sh", "-c", "readelf -d \"$1\" || ldd \"$1\"", "sh", AIRLIGHT_BINARY});
+      run(scratch_.path(), {"/bin/sh", "-c", "readelf -d \"$1\" || ldd \"$1\"", "sh", tool_program()});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("libc.so"), std::string::npos);
   EXPECT_EQ(outcome.out.find("OpenImageIO"), std::string::npos);
@@ -241,7 +241,7 @@ TEST_F(Diff, ToolItselfDoesNotLinkOpenImageIo) {
 
 TEST_F(Diff, MissingModuleIsSaidPlainly) {
   write("a.exr", 1.0F);
-  std::filesystem::copy_file(AIRLIGHT_BINARY, scratch_.path() / "airlight");
+  std::filesystem::copy_file(tool_program(), scratch_.path() / "airlight");
   const Outcome outcome = run(scratch_.path(), {(scratch_.path() / "airlight").string(), "diff", "a.exr", "a.exr"});
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_NE(outcome.err.find("airlight_compare.so: is neither at"), std::string::npos) << outcome.err;

@@ -74,7 +74,7 @@ TEST_F(DiffUpdate, PutsBackWhatWasReplacedWhereALaterOneFails) {
   const std::string mount = "mount --bind old/2.exr old/2.exr";
   if (run(scratch_.path(), {"unshare", "-m", "sh", "-c", mount}).exit_code != 0) GTEST_SKIP() << "may not mount";
   const Outcome outcome = run(
-      scratch_.path(), {"unshare", "-m", "sh", "-c", mount + " && exec \"$0\" diff new old --update", AIRLIGHT_BINARY});
+      scratch_.path(), {"unshare", "-m", "sh", "-c", mount + " && exec \"$0\" diff new old --update", tool_program()});
   EXPECT_EQ(outcome.exit_code, 1) << outcome.out;
   EXPECT_TRUE(contains(outcome.err, "2.exr: cannot replace it")) << outcome.err;
   EXPECT_TRUE(contains(outcome.err, "nothing was replaced")) << outcome.err;

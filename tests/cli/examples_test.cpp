@@ -33,7 +33,7 @@ class Examples : public testing::Test {
 
   Outcome shell(const std::string& line) const {
     Start start;
-    start.environment["PATH"] = fs::path(AIRLIGHT_BINARY).parent_path().string() + ":" + std::getenv("PATH");
+    start.environment["PATH"] = fs::path(tool_program()).parent_path().string() + ":" + std::getenv("PATH");
     start.environment["HOME"] = scratch_.path().string();
     return run(scratch_.path(), {"bash", "-c", line}, start);
   }

@@ -32,7 +32,7 @@ TEST_F(LeftBehind, NothingBeyondAFileSizeLimit) {
                                  Names{"luts", "sky.json", "-q", "-o", "."},
                                  Names{"sequence", "sky.json", "-q", "-o", "s.####.exr", "--sun-elevation", "1:2:2",
                                        "--float", "--size", "128x72"}}) {
-    Names words = {"sh", "-c", "ulimit -f 4; exec \"$0\" \"$@\"", AIRLIGHT_BINARY};
+    Names words = {"sh", "-c", "ulimit -f 4; exec \"$0\" \"$@\"", tool_program()};
     words.insert(words.end(), arguments.begin(), arguments.end());
     const Outcome outcome = run(scratch_.path(), words);
     EXPECT_EQ(outcome.signal, 0) << arguments.front();

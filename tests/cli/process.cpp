@@ -145,8 +145,16 @@ Outcome run(const fs::path& folder, const std::vector<std::string>& words, const
   return outcome;
 }
 
+const std::string& tool_program() {
+  static const std::string program = [] {
+    const char* named = std::getenv("AIRLIGHT_TOOL_UNDER_TEST");
+    return std::string(named == nullptr ? AIRLIGHT_BINARY : named);
+  }();
+  return program;
+}
+
 Outcome airlight(const fs::path& folder, std::vector<std::string> arguments, const Start& start) {
-  arguments.insert(arguments.begin(), AIRLIGHT_BINARY);
+  arguments.insert(arguments.begin(), tool_program());
   return run(folder, arguments, start);
 }
 

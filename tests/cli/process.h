@@ -27,7 +27,10 @@ struct Start {
 // Runs a program with its arguments and waits. The working folder is `folder`.
 Outcome run(const std::filesystem::path& folder, const std::vector<std::string>& words, const Start& start = {});
 
-// The tool under test with these arguments.
+// The tool under test: of the build that this is compiled in, or what $AIRLIGHT_TOOL_UNDER_TEST names.
+const std::string& tool_program();
+
+// It with these arguments.
 Outcome airlight(const std::filesystem::path& folder, std::vector<std::string> arguments, const Start& start = {});
 
 // A fresh folder, removed with everything in it.

@@ -24,7 +24,7 @@ inline Names morning(Names more = {}) {
 class Sequence : public SmallSky {
  protected:
   Outcome shell(const std::string& line) const {
-    return run(scratch_.path(), {"bash", "-c", "airlight=" AIRLIGHT_BINARY "\n" + line});
+    return run(scratch_.path(), {"bash", "-c", "airlight=" + tool_program() + "\n" + line});
   }
   // Files of a folder by name, without its manifests, as they report times.
   std::map<std::string, std::string> pictures(const std::string& folder) const {

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cstring>
 
-#include "app/sequence/film.h"
-#include "core/file_descriptor.h"
 #include "core/output/picture_reader.h"
 #include "tests/cli/sequence_fixture.h"
 
@@ -105,20 +103,6 @@ TEST_F(Sequence, HalfFilesOfKilledRunsGo) {
   for (const std::string& name : others) {
     EXPECT_TRUE(fs::exists(scratch_.path() / name)) << name;
   }
-}
-
-// The film of a run that is at work, which holds the lock on ffmpeg's messages, is left.
-TEST_F(Sequence, AFilmAtWorkIsLeft) {
-  scratch_.write("day.mp4.part-1", "half a film");
-  scratch_.write("day.mp4.part-1.txt", "");
-  {
-    const FileDescriptor messages(::open((scratch_.path() / "day.mp4.part-1.txt").c_str(), O_RDONLY | O_CLOEXEC));
-    ASSERT_EQ(::flock(messages.get(), LOCK_EX), 0);
-    cli::remove_abandoned_film(scratch_.path() / "day.mp4");
-    EXPECT_TRUE(fs::exists(scratch_.path() / "day.mp4.part-1"));
-  }
-  cli::remove_abandoned_film(scratch_.path() / "day.mp4");
-  EXPECT_FALSE(fs::exists(scratch_.path() / "day.mp4.part-1"));
 }
 
 // Each kind is told once, of the first frame that has it, and its frames are counted; probe tells the same.

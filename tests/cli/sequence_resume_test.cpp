@@ -52,7 +52,7 @@ TEST_F(SequenceResume, KilledAndResumedIsTheSameAsUninterrupted) {
     Start start;
     start.kill_signal = SIGKILL;
     start.kill_at_file = at;
-    Names in_folder = {"bash", "-c", "cd .. && exec \"$@\"", "-", AIRLIGHT_BINARY};  // where the file is watched for
+    Names in_folder = {"bash", "-c", "cd .. && exec \"$@\"", "-", tool_program()};  // where the file is watched for
     in_folder.insert(in_folder.end(), words.begin(), words.end());
     const Outcome outcome = run(scratch_.path() / "killed", in_folder, start);
     killed += outcome.signal == SIGKILL ? 1 : 0;

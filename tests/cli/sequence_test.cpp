@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "app/sequence/report.h"
 #include "tests/cli/sequence_fixture.h"
 
 namespace airlight::test {
@@ -199,7 +198,7 @@ std::string on_terminal(const fs::path& folder, const Names& arguments, const ch
   int master = -1;
   const pid_t child = ::forkpty(&master, nullptr, nullptr, nullptr);
   if (child == 0) {
-    std::vector<char*> words = {const_cast<char*>(AIRLIGHT_BINARY)};
+    std::vector<char*> words = {const_cast<char*>(tool_program().c_str())};
     for (const std::string& argument : arguments) {
       words.push_back(const_cast<char*>(argument.c_str()));
     }
@@ -229,15 +228,6 @@ TEST_F(Sequence, ABarOnATerminalThatCanDrawOne) {
   const std::string lines = on_terminal(scratch_.path(), morning({"-o", "s.#.exr", "--overwrite"}), "dumb");
   EXPECT_TRUE(contains(lines, "[3/6]")) << lines;
   EXPECT_FALSE(contains(lines, "\033")) << lines;
-}
-
-TEST(SequenceBar, TellsHowFarHowFastAndHowLong) {
-  using cli::progress_text;
-  EXPECT_EQ(progress_text(0, 288, 0.0, 10), "[          ]   0 %, 0 of 288 frames");
-  EXPECT_EQ(progress_text(90, 288, 3.4, 10), "[###       ]  31 %, 90 of 288 frames, 3.4 a second, 58 s left");
-  EXPECT_EQ(progress_text(10, 1000, 0.05, 10), "[          ]   1 %, 10 of 1000 frames, 0.05 a second, 5.5 h left");
-  EXPECT_EQ(progress_text(287, 288, 0.01, 10), "[######### ]  99 %, 287 of 288 frames, 0.01 a second, 2 min left");
-  EXPECT_EQ(progress_text(0, 0, 0.0, 4), "[####] 100 %, 0 of 0 frames");
 }
 
 TEST_F(Sequence, QuietIsSilent) {

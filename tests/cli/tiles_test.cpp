@@ -7,9 +7,6 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/scene_options.h"
-#include "app/render/tiled_picture.h"
-#include "core/error.h"
 #include "tests/cli/small_sky.h"
 
 namespace airlight::test {
@@ -107,48 +104,13 @@ TEST_F(Tiles, FramesOfASequenceAreTheSameByteForByte) {
 
 // A PNG goes onward and may go through a pipe; an EXR has its table of places at the beginning.
 TEST_F(Tiles, APngInTilesGoesThroughAPipe) {
-  const std::string program = AIRLIGHT_BINARY;
+  const std::string& program = tool_program();
   const Outcome outcome = run(scratch_.path(), {"sh", "-c",
                                                 program + " render sky.json -q --png a.png && " + program +
                                                     " render sky.json -q --tile 8x3 --png /dev/stdout | cat > b.png"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_FALSE(scratch_.read("a.png").empty());
   EXPECT_TRUE(scratch_.read("b.png") == scratch_.read("a.png"));
-}
-
-TEST_F(Tiles, AFaultIsShownByTheDiagnosticView) {
-  cli::SceneOptions options;
-  options.preset = scratch_.path() / "sky.json";
-  Scene scene = cli::load_scene(options);
-  scene.sun.irradiance = {1e38, 1e38, 1e38};  // no preset may say so
-  scene.sun.disc.radiance_scale = 1e30;
-  scene.sun.disc.angular_radius = 0.2;
-  std::unique_ptr<Executor> executor;
-  const std::optional<DisplayTransform> none;
-  const cli::TiledOrder order{.tile = {9, 5},
-                              .request = {},
-                              .parts = {{scene, 0, scratch_.path() / "a.exr", scratch_.path() / "a.png"}},
-                              .transform = none,
-                              .source = "sky.json",
-                              .context = [](const Scene& part, const Rendering& rows) {
-                                return cli::PictureContext{part, rows, {}};
-                              }};
-  const auto message = [&] {
-    try {
-      cli::write_tiled(cli::device_on_demand(options, executor), scene, order);
-    } catch (const RunError& error) {
-      return std::string(error.what());
-    }
-    return std::string();
-  };
-  scene.display.view = "gpu";
-  EXPECT_TRUE(contains(message(), "no picture was written; --png FILE --view diagnostic shows where")) << message();
-  EXPECT_EQ(scratch_.files(), (Names{"sky.json"}));
-  cli::TiledOrder shown = order;
-  scene.display.view = "diagnostic";
-  shown.parts.front().scene = scene;
-  EXPECT_THROW(cli::write_tiled(cli::device_on_demand(options, executor), scene, shown), RunError);
-  EXPECT_EQ(scratch_.files(), (Names{"a.png", "sky.json"}));
 }
 
 TEST_F(Tiles, WhatIsNoTileIsRefusedInOneLine) {
@@ -162,7 +124,7 @@ TEST_F(Tiles, WhatIsNoTileIsRefusedInOneLine) {
 
 TEST_F(Tiles, ADiskThatFillsUpLeavesNothing) {
   // A file larger than allowed fails as one on a full disk does: in the middle of writing.
-  const std::string program = AIRLIGHT_BINARY;
+  const std::string& program = tool_program();
   const Outcome outcome =
       run(scratch_.path(), {"sh", "-c",
                             "trap '' XFSZ; ulimit -f 100; exec " + program +

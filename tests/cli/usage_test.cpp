@@ -101,7 +101,7 @@ TEST(Usage, DashDashEndsTheOptions) {
 
 TEST(Usage, ALostStandardOutputIsAnErrorAClosedPipeIsNot) {
   const Scratch scratch;
-  const Outcome full = run(scratch.path(), {"sh", "-c", std::string(AIRLIGHT_BINARY) + " methods > /dev/full"});
+  const Outcome full = run(scratch.path(), {"sh", "-c", tool_program() + " methods > /dev/full"});
   EXPECT_EQ(full.exit_code, 1);
   EXPECT_TRUE(contains(full.err, "cannot write standard output")) << full.err;
   Start start;
@@ -122,7 +122,7 @@ std::string on_terminal(const char* no_color, unsigned short columns = 80) {
   if (child == 0) {
     ::setenv("TERM", "xterm", 1);
     no_color != nullptr ? ::setenv("NO_COLOR", no_color, 1) : ::unsetenv("NO_COLOR");
-    ::execl(AIRLIGHT_BINARY, "airlight", "render", "--help", nullptr);
+    ::execl(tool_program().c_str(), "airlight", "render", "--help", nullptr);
     ::_exit(127);
   }
   std::string text;
@@ -207,7 +207,7 @@ TEST(Completion, ScriptsParseAndNameEverything) {
 
 TEST(Completion, BashOffersOptionsValuesAndCommands) {
   const Scratch scratch;
-  scratch.write("complete.sh", "source <(" + std::string(AIRLIGHT_BINARY) +
+  scratch.write("complete.sh", "source <(" + tool_program() +
                                    " completion bash)\n"
                                    "try() { COMP_WORDS=(\"$@\"); COMP_CWORD=$(($# - 1)); COMPREPLY=(); _airlight; echo "
                                    "\"${COMPREPLY[*]}\"; }\n"

@@ -19,7 +19,7 @@ using Names = std::vector<std::string>;
 class Words : public SmallSky {
  protected:
   Outcome shell(const std::string& line) const {
-    return run(scratch_.path(), {"bash", "-c", "airlight() { " + std::string(AIRLIGHT_BINARY) + " \"$@\"; }; " + line});
+    return run(scratch_.path(), {"bash", "-c", "airlight() { " + tool_program() + " \"$@\"; }; " + line});
   }
   Json dry_run(Names arguments) const {
     arguments.insert(arguments.begin(), {"render", "--dry-run", "--json"});
@@ -235,8 +235,8 @@ TEST_F(Words, ToleranceShowsProgressOnATerminal) {
   const pid_t child = ::forkpty(&master, nullptr, nullptr, nullptr);
   if (child == 0) {
     (void)!::chdir(scratch_.path().c_str());
-    ::execl(AIRLIGHT_BINARY, "airlight", "render", "sky.json", "-o", "a.exr", "--sun-elevation=-5", "--tolerance",
-            "10%", nullptr);
+    ::execl(tool_program().c_str(), "airlight", "render", "sky.json", "-o", "a.exr", "--sun-elevation=-5",
+            "--tolerance", "10%", nullptr);
     ::_exit(127);
   }
   std::string text;

@@ -1,0 +1,55 @@
+#include "app/render/tiled_picture.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "app/cli/scene_options.h"
+#include "core/error.h"
+#include "tests/cli/process.h"
+
+namespace airlight::test {
+namespace {
+
+using Names = std::vector<std::string>;
+
+// A rendering in tiles that holds what no picture may hold; see publish_test.cpp for whole ones.
+TEST(TiledPicture, AFaultIsShownByTheDiagnosticView) {
+  const Scratch scratch;
+  scratch.write("sky.json", small_preset());
+  cli::SceneOptions options;
+  options.preset = scratch.path() / "sky.json";
+  Scene scene = cli::load_scene(options);
+  scene.sun.irradiance = {1e38, 1e38, 1e38};  // no preset may say so
+  scene.sun.disc.radiance_scale = 1e30;
+  scene.sun.disc.angular_radius = 0.2;
+  std::unique_ptr<Executor> executor;
+  const std::optional<DisplayTransform> none;
+  const cli::TiledOrder order{.tile = {9, 5},
+                              .request = {},
+                              .parts = {{scene, 0, scratch.path() / "a.exr", scratch.path() / "a.png"}},
+                              .transform = none,
+                              .source = "sky.json",
+                              .context = [](const Scene& part, const Rendering& rows) {
+                                return cli::PictureContext{part, rows, {}};
+                              }};
+  const auto message = [&] {
+    try {
+      cli::write_tiled(cli::device_on_demand(options, executor), scene, order);
+    } catch (const RunError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  scene.display.view = "gpu";
+  EXPECT_TRUE(contains(message(), "no picture was written; --png FILE --view diagnostic shows where")) << message();
+  EXPECT_EQ(scratch.files(), (Names{"sky.json"}));
+  cli::TiledOrder shown = order;
+  scene.display.view = "diagnostic";
+  shown.parts.front().scene = scene;
+  EXPECT_THROW(cli::write_tiled(cli::device_on_demand(options, executor), scene, shown), RunError);
+  EXPECT_EQ(scratch.files(), (Names{"a.png", "sky.json"}));
+}
+
+}  // namespace
+}  // namespace airlight::test
