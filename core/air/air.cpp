@@ -56,7 +56,7 @@ void put_media(physics::Physics& p, const std::vector<Medium>& media) {
     m.below = density.below;
     m.g = media[i].phase_g;
     m.depolarization = vector_of(media[i].depolarization);
-    m.phase_table = media[i].phase == PhaseFunction::table ? table++ : 0;
+    m.phase_table = media[i].phase == PhaseFunction::table || is_sharp(media[i]) ? table++ : 0;
     m.first_layer = layer;
     m.layer_count = static_cast<physics::uint>(density.layers.size());
     for (const DensityLayer& l : density.layers) {
@@ -78,7 +78,8 @@ void put_media(physics::Physics& p, const std::vector<Medium>& media) {
 void put_phases(physics::Physics& p, const std::vector<Medium>& media, bool schlick) {
   p.phase_functions = 0;
   for (std::size_t i = 0; i < media.size(); ++i) {
-    p.phase_functions |= code_of(media[i], schlick) << (physics::kBitsPerMedium * i);
+    const std::uint32_t sharp = is_sharp(media[i]) ? physics::kPhaseSharp : 0U;
+    p.phase_functions |= (code_of(media[i], schlick) | sharp) << (physics::kBitsPerMedium * i);
     const LegendreMoments moments = legendre_moments(p, static_cast<physics::uint>(i));
     std::copy(moments.begin(), moments.end(), std::begin(p.scene.media[i].legendre));
   }
@@ -223,6 +224,7 @@ OpticalDepths Air::depths() const {
 
 DiffusionDepths Air::diffusion_depths(unsigned int degree) const {
   constexpr double kForward = 0.3;  // mean cosine
+  constexpr double kBackward = 0.5;
   DiffusionDepths depths;
   for (std::size_t i = 0; i < media().size(); ++i) {
     const auto& legendre = formulas().scene.media[i].legendre;
@@ -230,6 +232,7 @@ DiffusionDepths Air::diffusion_depths(unsigned int degree) const {
     // The channel that counts is that in which the medium turns light least, or keeps most of it.
     const auto least = [](const physics::vec3& v) { return std::min({v.x, v.y, v.z}); };
     depths.forward += -least(-legendre[1]) > kForward ? depth : 0.0;
+    depths.backward += least(legendre[1]) < -kBackward ? depth : 0.0;
     depths.transport += depth * (1.0 - least(legendre[1]));
     depths.scaled += depth * (1.0 - std::max(least(legendre[degree + 1]), 0.0));
   }

@@ -41,6 +41,7 @@ struct OpticalDepths {
 // Vertical optical depths of scattering, of each medium in the channel where it is largest.
 struct DiffusionDepths {
   double forward = 0.0;    // by media that scatter mostly forward
+  double backward = 0.0;   // likewise, of those that scatter mostly back
   double transport = 0.0;  // by all, what is scattered straight on left out: the sum of (1 - first moment) tau
   double scaled = 0.0;     // by all, the part that delta-scaling after `degree` takes as unscattered left out
 };

@@ -92,19 +92,35 @@ void add_gathered(std::vector<vec3>& samples, std::size_t first) {
   normalise(samples, first + kSamples);
 }
 
+physics::uint formula_of(PhaseFunction phase) {
+  return phase == PhaseFunction::henyey_greenstein ? physics::kPhaseHenyeyGreenstein
+         : phase == PhaseFunction::cornette_shanks ? physics::kPhaseCornetteShanks
+                                                   : physics::kPhaseSchlick;
+}
+
 }  // namespace
+
+bool is_sharp(const Medium& medium) {
+  constexpr double kSharp = 0.85;
+  const bool has_peak = medium.phase == PhaseFunction::henyey_greenstein ||
+                        medium.phase == PhaseFunction::cornette_shanks || medium.phase == PhaseFunction::schlick;
+  return has_peak && std::abs(medium.phase_g) > kSharp;
+}
 
 std::shared_ptr<const std::vector<vec3>> phase_samples(const std::vector<Medium>& media) {
   auto all = std::make_shared<std::vector<vec3>>();
+  physics::Physics p;
   for (const Medium& medium : media) {
-    if (medium.phase != PhaseFunction::table) {
+    if (medium.phase != PhaseFunction::table && !is_sharp(medium)) {
       continue;
     }
     const std::size_t first = all->size();
     for (std::size_t k = 0; k < kSamples; ++k) {
-      const double degrees = angle_of(static_cast<double>(k)) * 180.0 / std::numbers::pi;
       const auto value = [&](std::size_t c) {
-        return std::log(phase_at(medium.phase_table, medium.phase_wavelengths[c], degrees));
+        const double degrees = angle_of(static_cast<double>(k)) * 180.0 / std::numbers::pi;
+        return std::log(medium.phase == PhaseFunction::table
+                            ? phase_at(medium.phase_table, medium.phase_wavelengths[c], degrees)
+                            : p.phase_value(formula_of(medium.phase), medium.phase_g, sample_cosine(k)));
       };
       all->emplace_back(value(0), value(1), value(2));
     }

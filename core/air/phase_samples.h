@@ -10,7 +10,11 @@
 
 namespace airlight {
 
-// The tables of the media that have one, in their order, as logarithms; null where none has.
+// Whether its formula has a peak, forward or backward, that slips through the directions by which light is gathered:
+// the harmonics above the 16th are then worth more than a twelfth of the first.
+bool is_sharp(const Medium& medium);
+
+// The tables of the media that have one, or are sharp, in their order, as logarithms; null where none does.
 std::shared_ptr<const std::vector<physics::vec3>> phase_samples(const std::vector<Medium>& media);
 
 // Scattering into each of the kPhaseSamples - 1 intervals of a table, mean of the channels: shares of a sum of 1.

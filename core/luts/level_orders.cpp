@@ -31,7 +31,8 @@ std::vector<Shell> shells_of(Physics& p, std::size_t c) {
   for (physics::uint k = 0; k + 1 < p.shell_rows(); ++k) {
     const double low = p.shell_altitude(k);
     const double high = p.shell_altitude(k + 1);
-    const auto air = p.diffuse_air_over(0.5 * (low + high), high - low, p.equal_phases(0.0));
+    const auto air = p.diffuse_air(p.stretch_densities({.h = 0.5 * (low + high), .rise = high - low, .bulge = 0.0}),
+                                   p.equal_phases(0.0));
     Shell shell{high - low, channel(air.extinction, c), RowVectorXd(kDegrees)};
     std::ranges::transform(air.degree, shell.scattering.begin(), [c](const physics::vec3& v) { return channel(v, c); });
     shells.push_back(shell);

@@ -22,6 +22,7 @@ struct MomentSettings {
   int corrections = 0;     // above 0: all orders are found at once, as a field corrected so often
   int level_degree = 0;    // harmonics up to it are corrected as if the air were level (core/luts/level_orders.h)
   bool shells = false;     // rows at the edges of shells (core/air/shells.h)
+  bool sharp = false;      // a medium's peak is gathered by a table, which many directions resolve
   bool hazy = false;       // without shells, and thick enough that light changes within the lowest rows
 };
 

@@ -69,7 +69,8 @@ struct Physics {
 
   uint medium_count() const { return media; }
   uint density_profile(uint i) const { return (density_profiles >> (kBitsPerMedium * i)) & 15u; }
-  uint phase_of(uint i) const { return (phase_functions >> (kBitsPerMedium * i)) & 15u; }
+  uint phase_of(uint i) const { return (phase_functions >> (kBitsPerMedium * i)) & kPhaseCodes; }
+  bool phase_is_sharp(uint i) const { return ((phase_functions >> (kBitsPerMedium * i)) & kPhaseSharp) != 0u; }
   MediumData medium(uint i) const { return scene.media[i]; }
   vec2 density_layer(uint k) const { return scene.layers[k]; }
   uint most_layers() const { return kMaxDensityLayers; }

@@ -33,7 +33,7 @@ vec3 gather(vec3 depth, Ray ray, uint row, uint first, uint last, bool stores) {
       from = to;
     }
     if (stores) {
-      vec3 mean = from > 0.0 ? depth / from : diffuse_air_over(ray.h, 0.0, equal_phases(0.0)).extinction;
+      vec3 mean = from > 0.0 ? depth / from : diffuse_air(densities_at(ray.h), equal_phases(0.0)).extinction;
       imageStore(extinction_out, ivec2(slice, row), vec4(mean, 1.0));
     }
   }

@@ -12,7 +12,7 @@ vec3 mean_extinction(PlanetData planet, Ray ray) {
     Step s = step_between(start, end);
     start = end;
     RayPoint point = point_on_ray(planet, ray, s.t);
-    depth = depth + diffuse_air_over(point.h, s.width * point.mu, none).extinction * s.width;
+    depth = depth + diffuse_air(stretch_densities(stretch_of(planet, point, s.width)), none).extinction * s.width;
   }
   return depth / ray.length_;
 }

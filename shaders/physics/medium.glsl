@@ -1,7 +1,8 @@
 // What the air is made of at an altitude: density of each medium, and its coefficients in 1/km.
 // The includer defines the scene's media; on the device the first three are specialisation constants, so that a scene
 // with two media runs a shader with two media:
-//   uint medium_count();  uint density_profile(uint i);  uint phase_of(uint i);  MediumData medium(uint i);
+//   uint medium_count();  uint density_profile(uint i);  uint phase_of(uint i);  bool phase_is_sharp(uint i);
+//   MediumData medium(uint i);
 //   vec2 density_layer(uint k);  vec3 phase_sample(uint k);
 //   uint most_layers();  no medium has more, 0 where none has any
 
@@ -84,6 +85,35 @@ real step_density(uint profile, MediumData m, real h, real rise) {
   return even + (1.0 - even) * above;
 }
 
+// A step of a ray, which may be as high as a shell.
+struct Stretch {
+  real h;      // in its middle
+  real rise;   // from its near end to its far end, below 0 where it goes down
+  real bulge;  // by which both ends stand above the tangent in the middle, times 4
+};
+
+// Of a step of this length around its middle.
+Stretch stretch_of(PlanetData planet, RayPoint middle, real width) {
+  Stretch s;
+  s.h = middle.h;
+  s.rise = width * middle.mu;
+  s.bulge = 0.5 * width * width * (1.0 - middle.mu * middle.mu) / (planet.ground_radius + middle.h);
+  return s;
+}
+
+// Mean density over it, by Gauss's rule of three nodes where the profile is smooth: a shell may be four scale heights
+// high, where the density in its middle is half of the mean. Others are straight lines within a shell, or have
+// a closed form.
+real stretch_density(uint profile, MediumData m, Stretch s) {
+  if (profile != kDensityExponential && profile != kDensityLorentzian) {
+    return step_density(profile, m, s.h, s.rise);
+  }
+  real offset = 0.3872983346207417 * s.rise;
+  real over = s.h + 0.15 * s.bulge;
+  real sides = density(profile, m, max(over - offset, 0.0)) + density(profile, m, over + offset);
+  return (5.0 * sides + 8.0 * density(profile, m, s.h)) * (1.0 / 18.0);
+}
+
 // Loops over the media have a constant number of turns and are marked UNROLL, so that the build makes straight code of
 // them: only then do the specialisation constants fold, and a march on the software device runs at twice the speed. A
 // turn beyond medium_count() costs nothing.
@@ -116,7 +146,7 @@ Phases phases(real nu) {
 
 // For those who gather light over all directions by a few of them.
 vec3 gathered_phase(uint i, real nu) {
-  if (i < medium_count() && phase_of(i) == kPhaseTable) {
+  if (i < medium_count() && (phase_of(i) == kPhaseTable || phase_is_sharp(i))) {
     return gathered_by_table(medium(i).phase_table, nu);
   }
   return medium_phase(i, nu);
@@ -173,6 +203,34 @@ Air air_at(real h, Phases p) { return air_over(h, 0.0, p); }
 vec3 medium_scattering(uint i, real h, real rise) {
   if (i < medium_count()) {
     return medium(i).scattering * step_density(density_profile(i), medium(i), h, rise);
+  }
+  return vec3(0.0);
+}
+
+// Relative density of each medium.
+struct Densities {
+  real of[kMaxMedia];
+};
+
+Densities densities_at(real h) {
+  Densities d;
+  UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
+    d.of[i] = i < medium_count() ? density(density_profile(i), medium(i), h) : 0.0;
+  }
+  return d;
+}
+
+Densities stretch_densities(Stretch s) {
+  Densities d;
+  UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
+    d.of[i] = i < medium_count() ? stretch_density(density_profile(i), medium(i), s) : 0.0;
+  }
+  return d;
+}
+
+vec3 scattering_of(uint i, Densities d) {
+  if (i < medium_count()) {
+    return medium(i).scattering * d.of[i];
   }
   return vec3(0.0);
 }

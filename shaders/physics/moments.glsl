@@ -125,10 +125,9 @@ struct DiffuseAir {
   vec3 degree[kMaxDegree + 1];
 };
 
-DiffuseAir with_diffuse_medium(DiffuseAir air, uint i, real h, real rise, vec3 phase) {
+DiffuseAir with_diffuse_medium(DiffuseAir air, uint i, real d, vec3 phase) {
   if (i < medium_count()) {
     MediumData m = medium(i);
-    real d = step_density(density_profile(i), m, h, rise);
     vec3 scattering = m.scattering * d;
     vec3 f = delta_scaled() ? max(m.legendre[moment_degree() + 1u], vec3(0.0)) : vec3(0.0);
     air.extinction = air.extinction + m.absorption * d + scattering * (vec3(1.0) - f);
@@ -142,8 +141,7 @@ DiffuseAir with_diffuse_medium(DiffuseAir air, uint i, real h, real rise, vec3 p
   return air;
 }
 
-// The mean over a step, as step_density() has it.
-DiffuseAir diffuse_air_over(real h, real rise, Phases p) {
+DiffuseAir diffuse_air(Densities d, Phases p) {
   DiffuseAir air;
   air.extinction = vec3(0.0);
   air.peaks = vec3(0.0);
@@ -151,14 +149,14 @@ DiffuseAir diffuse_air_over(real h, real rise, Phases p) {
   UNROLL for (uint l = 0u; l <= kMaxDegree; l++) {
     air.degree[l] = vec3(0.0);
   }
-  air = with_diffuse_medium(air, 0u, h, rise, p.of[0]);
-  air = with_diffuse_medium(air, 1u, h, rise, p.of[1]);
-  air = with_diffuse_medium(air, 2u, h, rise, p.of[2]);
-  air = with_diffuse_medium(air, 3u, h, rise, p.of[3]);
-  air = with_diffuse_medium(air, 4u, h, rise, p.of[4]);
-  air = with_diffuse_medium(air, 5u, h, rise, p.of[5]);
-  air = with_diffuse_medium(air, 6u, h, rise, p.of[6]);
-  air = with_diffuse_medium(air, 7u, h, rise, p.of[7]);
+  air = with_diffuse_medium(air, 0u, d.of[0], p.of[0]);
+  air = with_diffuse_medium(air, 1u, d.of[1], p.of[1]);
+  air = with_diffuse_medium(air, 2u, d.of[2], p.of[2]);
+  air = with_diffuse_medium(air, 3u, d.of[3], p.of[3]);
+  air = with_diffuse_medium(air, 4u, d.of[4], p.of[4]);
+  air = with_diffuse_medium(air, 5u, d.of[5], p.of[5]);
+  air = with_diffuse_medium(air, 6u, d.of[6], p.of[6]);
+  air = with_diffuse_medium(air, 7u, d.of[7], p.of[7]);
   return air;
 }
 

@@ -8,7 +8,7 @@ struct OrderSource {
 
 OrderSource order_source(PlanetData planet, MomentTableData table, Ray ray, Phases p, real t, bool first) {
   RayPoint point = point_on_ray(planet, ray, t);
-  DiffuseAir air = diffuse_air_over(point.h, 0.0, p);
+  DiffuseAir air = diffuse_air(densities_at(point.h), p);
   OrderSource lit;
   if (first) {
     lit.source = transmittance_to_sun(planet, point.h, point.mu_sun) * air.phase_scattering;

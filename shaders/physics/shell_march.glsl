@@ -93,15 +93,18 @@ vec3 shell_order_radiance(PlanetData planet, MomentTableData table, Ray ray, uin
   vec3 radiance = vec3(0.0);
   vec3 transmittance = vec3(1.0);
   vec3 near = first ? sun_depth_on_ray(planet, ray, walk.shell, 0.0) : vec3(0.0);
+  vec3 behind = vec3(0.0);  // what even air without end would send
+  bool deep = false;
   uint count = most_steps(parts);
   for (uint i = 0u; i < count; i++) {
     walk = next_step(walk, planet, ray, shadow, parts);
-    if (walk.done || max(transmittance.x, max(transmittance.y, transmittance.z)) < 1e-4) {
+    deep = max(transmittance.x, max(transmittance.y, transmittance.z)) < 1e-4;
+    if (walk.done || deep) {
       break;
     }
     real width = walk.to - walk.from;
     RayPoint point = point_on_ray(planet, ray, walk.from + 0.5 * width);
-    DiffuseAir air = diffuse_air_over(point.h, width * point.mu, p);
+    DiffuseAir air = diffuse_air(stretch_densities(stretch_of(planet, point, width)), p);
     vec3 step_depth = air.extinction * width;
     SegmentTransfer segment = segment_transfer(step_depth);
     if (first) {
@@ -114,10 +117,14 @@ vec3 shell_order_radiance(PlanetData planet, MomentTableData table, Ray ray, uin
       real place = walk.from + width * source_place((step_depth.x + step_depth.y + step_depth.z) / 3.0);
       vec3 source = shell_source(planet, table, air, ray, walk.shell, place);
       radiance = radiance + transmittance * segment.mean * source * width;
+      behind = source / max(air.extinction, vec3(1e-30));
     }
     transmittance = transmittance * segment.through;
   }
-  if (ray.at_ground) {
+  if (deep) {
+    // Deep air loses light at its ends alone: a ten-thousandth lost by each order would count.
+    radiance = radiance + transmittance * behind;
+  } else if (ray.at_ground) {
     RayPoint end = point_on_ray(planet, ray, ray.length_);
     vec3 irradiance;
     if (first) {
@@ -145,8 +152,8 @@ SkyFactors shell_air_factors(PlanetData planet, MomentTableData table, Ray ray, 
     }
     real width = walk.to - walk.from;
     RayPoint point = point_on_ray(planet, ray, walk.from + 0.5 * width);
-    real rise = width * point.mu;
-    DiffuseAir air = diffuse_air_over(point.h, rise, none);
+    Densities densities = stretch_densities(stretch_of(planet, point, width));
+    DiffuseAir air = diffuse_air(densities, none);
     vec3 step_depth = air.extinction * width;
     SegmentTransfer segment = segment_transfer(step_depth);
     vec3 far = sun_depth_on_ray(planet, ray, walk.shell, walk.to);
@@ -155,7 +162,7 @@ SkyFactors shell_air_factors(PlanetData planet, MomentTableData table, Ray ray, 
                   (width * lit * sun_share(ray, walk.from + 0.5 * width, width));
     near = far;
     UNROLL for (uint m = 0u; m < kMaxMedia; m++) {
-      factors.single[m] = factors.single[m] + direct * medium_scattering(m, point.h, rise);
+      factors.single[m] = factors.single[m] + direct * scattering_of(m, densities);
     }
     real place = walk.from + width * source_place((step_depth.x + step_depth.y + step_depth.z) / 3.0);
     vec3 source = shell_source(planet, table, air, ray, walk.shell, place);

@@ -129,7 +129,7 @@ real sun_table_coordinate(PlanetData planet, real h, real mu) {
   return sqrt(clamp((mu - horizon) / (1.0 - horizon), 0.0, 1.0));
 }
 
-// By Gauss's rule of two points in each shell.
+// By Gauss's rule of three points in each shell.
 vec3 mean_extinction_to_top(PlanetData planet, real h, real mu) {
   Ray ray;
   ray.h = h;
@@ -149,11 +149,12 @@ vec3 mean_extinction_to_top(PlanetData planet, real h, real mu) {
     if (walk.done) {
       break;
     }
-    real middle = 0.5 * (walk.from + walk.to);
-    real offset = 0.28867513459481287 * (walk.to - walk.from);
-    vec3 pair = extinction_at(point_on_ray(planet, ray, middle - offset).h) +
-                extinction_at(point_on_ray(planet, ray, middle + offset).h);
-    depth = depth + pair * (0.5 * (walk.to - walk.from));
+    real width = walk.to - walk.from;
+    real middle = walk.from + 0.5 * width;
+    real offset = 0.3872983346207417 * width;
+    vec3 sides = extinction_at(point_on_ray(planet, ray, middle - offset).h) +
+                 extinction_at(point_on_ray(planet, ray, middle + offset).h);
+    depth = depth + (5.0 * sides + 8.0 * extinction_at(point_on_ray(planet, ray, middle).h)) * (width / 18.0);
   }
   return ray.length_ > 0.0 ? depth / ray.length_ : extinction_at(h);
 }

@@ -46,7 +46,7 @@ struct NodeLight {
 // `share`: of the sun, that reaches it.
 NodeLight node_light(PlanetData planet, MomentTableData table, Ray ray, real t, real share) {
   RayPoint point = point_on_ray(planet, ray, t);
-  DiffuseAir air = diffuse_air_over(point.h, 0.0, equal_phases(0.0));
+  DiffuseAir air = diffuse_air(densities_at(point.h), equal_phases(0.0));
   vec3 direct = transmittance_to_sun(planet, point.h, point.mu_sun) * share;
   NodeLight light;
   UNROLL for (uint i = 0u; i < kMaxMedia; i++) {

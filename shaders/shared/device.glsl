@@ -17,7 +17,8 @@ layout(scalar, set = 0, binding = 0) uniform SceneBlock { SceneData scene; };
 
 uint medium_count() { return kMediumCount; }
 uint density_profile(uint i) { return (kDensityProfiles >> (kBitsPerMedium * i)) & 15u; }
-uint phase_of(uint i) { return (kPhaseFunctions >> (kBitsPerMedium * i)) & 15u; }
+uint phase_of(uint i) { return (kPhaseFunctions >> (kBitsPerMedium * i)) & kPhaseCodes; }
+bool phase_is_sharp(uint i) { return ((kPhaseFunctions >> (kBitsPerMedium * i)) & kPhaseSharp) != 0u; }
 // Taken out of the block once, at the start of main: loaded again at each step they were a quarter of a march's time on
 // the software device.
 MediumData loaded_media[kMaxMedia] = scene.media;

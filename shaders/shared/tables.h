@@ -14,6 +14,7 @@ const uint kPhaseSchlick = 3u;
 const uint kPhaseIsotropic = 4u;
 const uint kPhaseTable = 5u;
 const uint kPhaseDepolarized = 6u;  // Rayleigh's, of molecules that are not round
+const uint kPhaseSharp = 8u;        // beside one of those above: a table stands in where light is gathered
 
 const uint kProjectionPerspective = 0u;
 const uint kProjectionEquirectangular = 1u;
@@ -48,8 +49,9 @@ const uint kToneExponential = 3u;
 const uint kToneClamp = 4u;
 const uint kToneNone = 5u;
 
-// Four bits a medium: which density profile, which phase function.
+// Four bits a medium: which density profile, which phase function (its code in three, then kPhaseSharp).
 const uint kBitsPerMedium = 4u;
+const uint kPhaseCodes = 7u;
 
 const uint kMultipleScatteringDirections = 64u;  // 8 zenith cosines x 8 azimuths
 const uint kMultipleScatteringSteps = 20u;

@@ -17,6 +17,7 @@ struct LevelCase {
   double single_scattering_albedo;
   double g;  // 0: Rayleigh
   double ground_albedo = 0.0;
+  double scale_height = 0.0;  // km, of air that thins out exponentially; 0: even
 };
 
 void PrintTo(const LevelCase& c, std::ostream* out) {
@@ -26,8 +27,22 @@ void PrintTo(const LevelCase& c, std::ostream* out) {
 #if defined(__SANITIZE_ADDRESS__)
 constexpr std::size_t kCases = 2;
 #else
-constexpr std::size_t kCases = 7;
+constexpr std::size_t kCases = 8;
 #endif
+
+// The same air over the optical depth, but an exponential over the altitude: in level air no different.
+void thin_out(Scene& scene, double scale_height) {
+  const double before = scene.planet.atmosphere_height;
+  scene.planet.atmosphere_height = 100.0;
+  Medium& air = scene.media.front();
+  const double column = -scale_height * std::expm1(-scene.planet.atmosphere_height / scale_height);
+  for (std::size_t c = 0; c < air.scattering.size(); ++c) {
+    air.scattering[c] *= before / column;
+    air.absorption[c] *= before / column;
+  }
+  air.density = {};
+  air.density.scale_height = scale_height;
+}
 
 class OrdersSlab : public testing::TestWithParam<LevelCase> {};
 
@@ -41,6 +56,9 @@ TEST_P(OrdersSlab, RadianceAtTopAndBottomMeetsAddingAndDoubling) {
     Scene scene = slab(c.optical_depth, c.single_scattering_albedo,
                        rayleigh ? PhaseFunction::rayleigh : PhaseFunction::henyey_greenstein, c.g);
     scene.planet.ground_albedo = {c.ground_albedo, c.ground_albedo, c.ground_albedo};
+    if (c.scale_height > 0.0) {
+      thin_out(scene, c.scale_height);
+    }
     scene.sun.elevation = std::asin(judge.nodes()[static_cast<std::size_t>(sun)]);
     scene = with_method(scene, *find_method("orders"));
     if (c.optical_depth > 5.0) {
@@ -48,7 +66,7 @@ TEST_P(OrdersSlab, RadianceAtTopAndBottomMeetsAddingAndDoubling) {
       scene.render.parameters["moments_lut"] = TableSize{24, 12};
     }
     for (const bool top : {true, false}) {
-      scene.camera.altitude = top ? 10.0 : 0.0;
+      scene.camera.altitude = top ? scene.planet.atmosphere_height : 0.0;
       std::vector<Direction> directions;
       std::vector<double> expected;
       for (const std::size_t node : {4U, 8U, 12U, 18U, 23U}) {
@@ -82,7 +100,9 @@ std::vector<LevelCase> cases() {
                               {"HG 0.75, 1", 1, 1, 0.75},
                               {"HG 0.75, 8", 8, 1, 0.75},
                               // Apart from the slabs that the corrections were chosen by.
-                              {"rayleigh 0.7, ground 0.8", 0.7, 1, 0, 0.8}};
+                              {"rayleigh 0.7, ground 0.8", 0.7, 1, 0, 0.8},
+                              // All light of a low sun is scattered in few shells, each some scale heights high.
+                              {"rayleigh 10, ground 1, thinning out", 10, 1, 0, 1, 8.0}};
   list.resize(kCases);
   return list;
 }
