@@ -32,6 +32,7 @@ using orders::FactorTable;
 using orders::inside_the_air;
 using orders::layout_of;
 using orders::Light;
+using orders::looks_from_space;
 using orders::ray_cost;
 using orders::settings_of;
 using orders::steps_of;
@@ -74,10 +75,10 @@ const std::array<ParameterInfo, 12> kParameters{
                          "whether the air in the shadow of terrain and spheres is without the sun's light"),
     phase_parameter()};
 
-bool tabulates(const Scene& scene, const View& view) {
+bool tabulates(const Scene& scene, const Air& air, const View& view) {
   const std::string& choice = scene.render.get<std::string>("tabulate");
   const bool holds = view.directions.empty() || view.as_picture;
-  const long long enough = inside_the_air(scene) ? 16384 : 131072;  // about four times the table's rays
+  const long long enough = looks_from_space(scene, air) ? 131072 : 16384;  // about four times the table's rays
   const bool pays = scene.image.width * static_cast<long long>(scene.image.height) >= enough;
   return holds && !scene.terrain && scene.spheres.empty() && (choice == "always" || (choice == "auto" && pays));
 }
@@ -145,10 +146,10 @@ bool phases_are_alike(const Scene& scene, const SpectralScene& spectral, std::ui
 // The phase functions stand outside of the factors, so factors of all wavelengths are summed into colours, and the
 // pixels know of none.
 std::optional<SkyPasses> add_spectral(Plan& plan, const Scene& scene, const SpectralScene& spectral, const View& view) {
-  if (!tabulates(scene, view)) {
+  const Air air = air_of(scene);
+  if (!tabulates(scene, air, view)) {
     return std::nullopt;
   }
-  const Air air = air_of(scene);
   const FactorTable table = factor_table(scene, air, scattering_media(spectral), false);
   if (!phases_are_alike(scene, spectral, table.apart)) {
     return std::nullopt;
@@ -237,7 +238,7 @@ SkyPasses add_orders(Plan& plan, const Scene& scene, const Air& air, const View&
     add_terrain_sky(plan, scene, target, light);
   } else if (!scene.spheres.empty()) {
     add_sphere_sky(plan, scene, target, light);
-  } else if (tabulates(scene, view)) {
+  } else if (tabulates(scene, air, view)) {
     more.push_back(add_tabulated_sky(plan, scene, air, view, target, light));
   } else {
     light.constants.push_back({"kProjection", target.projection});
@@ -259,7 +260,7 @@ SkyPasses add_orders(Plan& plan, const Scene& scene, const Air& air, const View&
 
 LayerPasses add_layers(Plan& plan, const Scene& scene, const Air& air, const View& view) {
   const Light light = add_light(plan, scene, air);
-  const bool tabulated = tabulates(scene, view);
+  const bool tabulated = tabulates(scene, air, view);
   std::vector<Binding> reads = light.reads();
   std::vector<Specialization> constants = light.constants;
   if (tabulated) {
@@ -370,10 +371,6 @@ SkyMethod orders_method() {
       {"EJ",
        {{Quantity::sun_elevation, -90, 0}, {Quantity::planet_radius, 1e4, 1e9}},
        "a planet so large that dusk passes within a degree: too few of the table's sun elevations stand in it"},
-      {"EJ",
-       {{Quantity::view, -0.02, 0.02}, {Quantity::altitude, 99, 101}},
-       "beside the top of the air at the true horizon: the tangent ray stands between two sections of the picture's "
-       "table"},
       {"GL",
        {{Quantity::asymmetry, -1, 1}, {Quantity::optical_depth, 0.05, 1e9}, {Quantity::light_kept, 0.99, 1}},
        "haze that absorbs nothing over a white ground: each order loses little else, and the few directions that "

@@ -44,6 +44,25 @@ bool inside_the_air(const Scene& scene) {
   return scene.camera.altitude <= scene.planet.atmosphere_height;
 }
 
+bool looks_from_space(const Scene& scene, const Air& air) {
+  constexpr double kLeftAbove = 1e-3;  // of what scatters
+  if (!inside_the_air(scene)) {
+    return true;
+  }
+  const Column& column = air.column();
+  double above = 0.0;
+  double all = 0.0;
+  for (std::size_t k = 0; k < column.cells(); ++k) {
+    double here = 0.0;
+    for (std::size_t i = 0; i < air.media().size(); ++i) {
+      here += column.density[k][i] * std::ranges::max(air.media()[i].scattering) * column.width(k);
+    }
+    all += here;
+    above += column.middle(k) > scene.camera.altitude ? here : 0.0;
+  }
+  return above < kLeftAbove * all;
+}
+
 MomentSettings settings_of(const Scene& scene, const Air& air) {
   const std::string& degree = scene.render.get<std::string>("degree");
   return moment_settings(air, degree == "auto" ? -1 : degree.front() - '0', scene.render.get<int>("orders"),
@@ -77,16 +96,16 @@ FactorTable factor_table(const Scene& scene, const Air& air, std::uint32_t media
   const TableSize size = scene.render.get<TableSize>("sky_lut");
   const auto columns = static_cast<std::uint32_t>(size[0]);
   const auto sky = static_cast<std::uint32_t>(size[1]);
-  const bool inside = inside_the_air(scene);
+  const bool from_space = looks_from_space(scene, air);
   const std::uint32_t rayleigh = media_with(air, PhaseFunction::rayleigh, media);
   const bool all = scene.render.get<std::string>("fold") == "all";
   const std::uint32_t folded = all ? media_wider_than_a_column(air, size[0], media)
                                    : rayleigh | media_with(air, PhaseFunction::isotropic, media);
   const std::uint32_t apart = layers ? media : media & ~folded;
-  return {.columns = inside ? columns : 4 * columns,
-          .ground_rows = inside ? sky / 2 : 6 * sky,
-          .limb_rows = inside ? 3 * sky / 4 : 2 * sky,
-          .sky_rows = inside ? sky : 0,
+  return {.columns = from_space ? 4 * columns : columns,
+          .ground_rows = from_space ? 6 * sky : sky / 2,
+          .limb_rows = from_space ? 2 * sky : 3 * sky / 4,
+          .sky_rows = inside_the_air(scene) ? sky : 0,
           .apart = apart,
           .folded = folded,
           .rayleigh = (folded & rayleigh) != 0,

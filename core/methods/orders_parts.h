@@ -14,6 +14,9 @@ namespace airlight::orders {
 
 bool inside_the_air(const Scene& scene);
 
+// From above the air, or where next to nothing of it is left above: planet and limb are seen as a whole.
+bool looks_from_space(const Scene& scene, const Air& air);
+
 MomentSettings settings_of(const Scene& scene, const Air& air);
 
 // What the sky passes take: steps along a ray, or parts of a shell, so many that a ray from the ground up has as many.

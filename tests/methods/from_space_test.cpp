@@ -76,6 +76,30 @@ TEST(FromSpace, LitGroundShowsThroughTheAir) {
   EXPECT_LT(rim[0] / rim[2], 0.7F * middle[0] / middle[2]);
 }
 
+// Where next to no air is left above the camera, the limb is as thin as from space: the picture's table against a march
+// of each pixel, half a degree to either side of the true horizon.
+TEST(FromSpace, TheLimbIsResolvedFromInsideTheThinnestAir) {
+  for (const double altitude : {60.0, 80.0, 95.0, 100.0}) {
+    for (const double sun : {5.0, -4.0, -10.0}) {
+      Scene scene = toward_limb(earth().planet.ground_radius + altitude, 1.0, 41, 40.0);
+      scene.sun.elevation = sun * kDegree;
+      scene.sun.azimuth = 0.0;
+      Scene by_pixel = scene;
+      scene.render.parameters["tabulate"] = std::string("always");
+      by_pixel.render.parameters["tabulate"] = std::string("never");
+      const RadianceImage found = render_now(scene).radiance;
+      const RadianceImage truth = render_now(by_pixel).radiance;
+      for (int y = 0; y < 41; ++y) {
+        for (int c = 0; c < 3; ++c) {
+          const auto value = static_cast<double>(truth.at(1, y)[c]);
+          EXPECT_NEAR(static_cast<double>(found.at(1, y)[c]), value, 0.02 * value)
+              << altitude << " km, sun " << sun << ", row " << y;
+        }
+      }
+    }
+  }
+}
+
 // Over the disc away from a low sun: day, a terminator some degrees wide, night without light but for dusk's.
 TEST(FromSpace, DayGoesOverIntoNight) {
   Scene scene = toward_limb(19080.0, 36.0, 181);
