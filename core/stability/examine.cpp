@@ -116,7 +116,7 @@ class Energies {
                             (air_of(sweep.y) ? std::to_string(place[sweep.y]) : "");
     auto found = known_.find(key);
     if (found == known_.end()) {
-      found = known_.emplace(key, reflected_share(device, subject, place)).first;
+      found = known_.emplace(key, returned_share(device, subject, place)).first;
     }
     return found->second;
   }

@@ -118,14 +118,28 @@ TEST(StabilityMap, FindsOneStepWanting) {
   EXPECT_EQ(found.front().cause, "few steps");
 }
 
-// Thin air over a white ground: what leaves is what the ground's disc catches of the air's.
-TEST(StabilityMap, AWhitePlanetReflectsWhatItsDiscCatches) {
+// Thin air over a white ground: what its disc does not catch passes by.
+TEST(StabilityMap, AWhitePlanetReturnsAllLight) {
   Sweep sweep = sweep_named("optical-depth");
   sweep.xs = {1e-4};
   sweep.ys = {30};
-  const double share = reflected_share(kDevice, subject_named("nested"), place_of(sweep, 0, 0));
-  const double camera = 6360.0 + 99.9;
-  EXPECT_NEAR(share, 6360.0 * 6360.0 / (camera * camera), 2e-3);
+  const double share = returned_share(kDevice, subject_named("nested"), place_of(sweep, 0, 0));
+  EXPECT_NEAR(share, 1.0, 2e-3);
+}
+
+// Where nothing absorbs all light comes back: from haze with sharp peaks, forward and backward, which slip through the
+// directions by which light is gathered, and from deep air.
+TEST(StabilityMap, OrdersKeepsAllLightWhereNothingAbsorbs) {
+  const Subject orders = subject_named("orders");
+  Sweep haze = sweep_named("asymmetry");
+  haze.xs = {-0.9, 0.97};
+  haze.ys = {1.0};
+  Sweep molecules = sweep_named("optical-depth");
+  molecules.xs = {10.0};
+  for (const Place& place : {place_of(haze, 0, 0), place_of(haze, 1, 0), place_of(molecules, 0, 0)}) {
+    EXPECT_NEAR(returned_share(kDevice, orders, place), 1.0, 0.01)
+        << place[Quantity::asymmetry] << ", " << place[Quantity::optical_depth];
+  }
 }
 
 TEST(StabilityMap, ErrorsAreRelativeAndRoundingStandsApart) {
