@@ -325,11 +325,11 @@ ImageId add_orders_one_by_one(Bake bake) {
 }
 
 // Of its light, what each order is taken to lose in level air: so little that it does not slow the corrections down,
-// hence less than leaves deep air, which goes with the square of the depth.
+// hence less than leaves deep air, which goes with the square of the depth; not so little that rounding grows.
 double lost_share(const Air& air) {
   constexpr double kDepth = 5.0;
   const double depth = air.diffusion_depths(4).scaled;
-  return 0.001 * std::min(1.0, kDepth * kDepth / std::max(depth * depth, 1e-9));
+  return std::clamp(0.001 * kDepth * kDepth / std::max(depth * depth, 1e-9), 1e-4, 0.001);
 }
 
 // The light of all orders as one field that is corrected until it obeys field = first order + one order of the field:

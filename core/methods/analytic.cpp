@@ -74,7 +74,7 @@ SkyMethod analytic_method() {
   method.validity.known_failures = {
       rounding_at_the_horizon(),
       {"GL",
-       {{Quantity::optical_depth, 0.05, 1e9}, {Quantity::light_kept, 0.99, 1}},
+       {{Quantity::optical_depth, 0.005, 1e9}, {Quantity::light_kept, 0.99, 1}},
        "closed forms that no balance of energy ties together"},
       {"J", {{Quantity::sun_elevation, 0, 4}}, "sunset: closed forms of the ground's shadow in place of the air's own"},
       {"E", {{Quantity::planet_radius, 0, 5}}, "a planet smaller than its air: its columns are fits for thin shells"},

@@ -371,10 +371,10 @@ SkyMethod orders_method() {
       {"EJ",
        {{Quantity::sun_elevation, -90, 0}, {Quantity::planet_radius, 1e4, 1e9}},
        "a planet so large that dusk passes within a degree: too few of the table's sun elevations stand in it"},
-      {"GL",
-       {{Quantity::asymmetry, -1, 1}, {Quantity::optical_depth, 0.05, 1e9}, {Quantity::light_kept, 0.99, 1}},
-       "haze that absorbs nothing over a white ground: each order loses little else, and the few directions that "
-       "gather it see a peaked phase function too large or too small"},
+      {"G",
+       {{Quantity::asymmetry, -1, -0.95}, {Quantity::optical_depth, 0.05, 1e9}, {Quantity::light_kept, 0.99, 1}},
+       "haze that absorbs nothing and scatters sharply back, over a white ground: harmonics of degree 2 do not hold "
+       "what goes to and fro between the two"},
       rounding_at_the_horizon()};
   method.converged = {
       "", {{"steps", 1024}, {"transmittance_lut", TableSize{512, 128}}, {"moments_lut", TableSize{96, 24}}}};

@@ -63,7 +63,7 @@ Scene rendered_by(std::string_view method) {
   return scene;
 }
 
-// A planet so large that dusk passes within a degree: orders is 52 % off there (core/STABILITY.md).
+// A planet so large that dusk passes within a degree: orders is up to 7 % off there (core/STABILITY.md).
 TEST(Validity, AKnownFailureIsTold) {
   Scene scene = rendered_by("orders");
   scene.planet.ground_radius = 1e6;

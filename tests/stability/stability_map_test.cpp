@@ -137,7 +137,9 @@ TEST(StabilityMap, OrdersKeepsAllLightWhereNothingAbsorbs) {
   Sweep molecules = sweep_named("optical-depth");
   molecules.xs = {10.0};
   for (const Place& place : {place_of(haze, 0, 0), place_of(haze, 1, 0), place_of(molecules, 0, 0)}) {
-    EXPECT_NEAR(returned_share(kDevice, orders, place), 1.0, 0.01)
+    // 1.2 % is what degree 2 makes of a peak backward.
+    const double most = place[Quantity::asymmetry] < 0.0 ? 0.0125 : 0.01;
+    EXPECT_NEAR(returned_share(kDevice, orders, place), 1.0, most)
         << place[Quantity::asymmetry] << ", " << place[Quantity::optical_depth];
   }
 }
@@ -190,6 +192,14 @@ TEST(StabilityMap, ACauseHoldsInItsRegionAndForItsSymptomsAlone) {
   EXPECT_EQ(explanation(subject, place, 'E'), "");
   place.set(Quantity::optical_depth, 3);
   EXPECT_EQ(explanation(subject, place, 'E'), "claims nothing for optical depths above 2");
+}
+
+// Of every method, and of `orders` by its table, which is the default.
+TEST(StabilityMap, TheMapLeavesNothingUnexplained) {
+  std::ifstream file(AIRLIGHT_SOURCE_DIR "/core/STABILITY.md");
+  const std::string map((std::istreambuf_iterator<char>(file)), {});
+  EXPECT_NE(map.find("## orders tabulated"), std::string::npos);
+  EXPECT_EQ(map.find("**not explained**"), std::string::npos);
 }
 
 // scripts/stability remakes the map. A cause that explains no cell of it excuses nothing: it is to go.
