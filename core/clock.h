@@ -31,4 +31,18 @@ inline double process_cpu_ms() {
   return ms(use.ru_utime) + ms(use.ru_stime);
 }
 
+class Stopwatch {
+ public:
+  // Milliseconds since the last lap.
+  double lap() {
+    const auto now = Clock::now();
+    const double elapsed = milliseconds_between(start_, now);
+    start_ = now;
+    return elapsed;
+  }
+
+ private:
+  Clock::time_point start_ = Clock::now();
+};
+
 }  // namespace airlight

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "app/cli/cli11.h"
-#include "app/cli/suggest.h"
 #include "app/cli/terminal.h"
 #include "core/error.h"
 
@@ -23,7 +22,7 @@ std::string how_to_see_help(const Tool& tool, const Command& command) {
 }
 
 [[noreturn]] void refuse_extra(const Tool& tool, const Command& command, const Words& extra) {
-  const auto dashed = std::find_if(extra.begin(), extra.end(), [](const std::string& word) { return word[0] == '-'; });
+  const auto dashed = std::ranges::find_if(extra, [](const std::string& word) { return word[0] == '-'; });
   if (dashed != extra.end()) {
     const std::string name = dashed->substr(0, dashed->find('='));
     throw InputError(place_of(tool, command) + "unknown option '" + name + "'" +
@@ -39,10 +38,9 @@ std::string how_to_see_help(const Tool& tool, const Command& command) {
   if (dynamic_cast<const CLI::ValidationError*>(&error) != nullptr) {
     throw InputError(place_of(tool, command) + error.what());
   }
-  const auto missing =
-      std::find_if(command.positionals.begin(), command.positionals.end(), [&](const Positional& positional) {
-        return positional.required && app.get_option(positional.metavar)->count() == 0;
-      });
+  const auto missing = std::ranges::find_if(command.positionals, [&](const Positional& positional) {
+    return positional.required && app.get_option(positional.metavar)->count() == 0;
+  });
   if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr && missing != command.positionals.end()) {
     throw InputError(place_of(tool, command) + "no " + missing->metavar + " given (" + missing->help +
                      "); usage: " + usage_line(tool, command));
@@ -51,7 +49,7 @@ std::string how_to_see_help(const Tool& tool, const Command& command) {
     const std::string name = word.substr(0, word.find('='));
     for (const Option& option : command.options) {
       const Words own = is_flag(option) ? option_names(option) : Words();
-      if (name.size() < word.size() && std::find(own.begin(), own.end(), name) != own.end()) {
+      if (name.size() < word.size() && std::ranges::find(own, name) != own.end()) {
         throw InputError(place_of(tool, command) + "option '" + name + "' takes no value, but '" + word +
                          "' gives it one");
       }
@@ -87,14 +85,13 @@ void parse(const Tool& tool, const Command& command, const Words& words) {
 void refuse_swallowed_option(const Tool& tool, const Command& command, const Words& words) {
   const Words names = all_option_names(command);
   const auto known = [&](const std::string& word) {
-    return word.size() > 2 && std::find(names.begin(), names.end(), word.substr(0, word.find('='))) != names.end();
+    return word.size() > 2 && std::ranges::find(names, word.substr(0, word.find('='))) != names.end();
   };
   for (const Option& option : command.options) {
     const Words own = is_flag(option) ? Words() : option_names(option);
     for (std::size_t i = 0; i < words.size() && words[i] != "--"; ++i) {
-      const auto name = std::find_if(own.begin(), own.end(), [&](const std::string& candidate) {
-        return words[i] == candidate || words[i] == candidate + "=";
-      });
+      const auto name = std::ranges::find_if(
+          own, [&](const std::string& candidate) { return words[i] == candidate || words[i] == candidate + "="; });
       if (name == own.end()) {
         continue;
       }
@@ -114,10 +111,9 @@ void refuse_swallowed_option(const Tool& tool, const Command& command, const Wor
 Words without_short_equals(const Command& command, Words words) {
   for (std::size_t i = 0; i < words.size() && words[i] != "--"; ++i) {
     const bool is_short = words[i].size() > 3 && words[i][0] == '-' && words[i][1] != '-' && words[i][2] == '=';
-    const bool takes_value =
-        is_short && std::any_of(command.options.begin(), command.options.end(), [&](const Option& option) {
-          return !is_flag(option) && option_names(option).front() == words[i].substr(0, 2);
-        });
+    const bool takes_value = is_short && std::ranges::any_of(command.options, [&](const Option& option) {
+                               return !is_flag(option) && option_names(option).front() == words[i].substr(0, 2);
+                             });
     if (takes_value) {
       words.insert(words.begin() + static_cast<std::ptrdiff_t>(i) + 1, words[i].substr(3));
       words[i].resize(2);
@@ -132,7 +128,7 @@ Words with_implied_values(const Command& command, Words words) {
     const Words own = option.implied.empty() ? Words() : option_names(option);
     for (std::size_t i = 0; i < words.size() && words[i] != "--"; ++i) {
       const bool has_value = i + 1 < words.size() && words[i + 1][0] >= '0' && words[i + 1][0] <= '9';
-      if (std::find(own.begin(), own.end(), words[i]) != own.end() && !has_value) {
+      if (std::ranges::find(own, words[i]) != own.end() && !has_value) {
         words[i] += "=" + option.implied;
       }
     }
@@ -144,7 +140,7 @@ int run_command(const Tool& tool, const Command& command, const Words& typed) {
   const Words words = with_implied_values(command, without_short_equals(command, typed));
   refuse_swallowed_option(tool, command, words);
   const Words help = option_names(help_option());
-  const auto end = std::find(words.begin(), words.end(), "--");
+  const auto end = std::ranges::find(words, "--");
   if (std::find_first_of(words.begin(), end, help.begin(), help.end()) != end) {
     const bool bold = colour_on_stdout();
     print(&command == &tool.root ? help_text(tool, bold) : help_text(tool, command, bold));
@@ -159,13 +155,12 @@ int run_command(const Tool& tool, const Command& command, const Words& typed) {
 int run_tool(const Tool& tool, int argc, const char* const* argv) {
   const Words words(argv + 1, argv + argc);
   // The tool's own options are flags, so the first word without a dash is the command.
-  const auto name =
-      std::find_if(words.begin(), words.end(), [](const std::string& word) { return word.empty() || word[0] != '-'; });
+  const auto name = std::ranges::find_if(words, [](const std::string& word) { return word.empty() || word[0] != '-'; });
   if (name == words.end()) {
     return run_command(tool, tool.root, words);
   }
-  const auto command = std::find_if(tool.commands.begin(), tool.commands.end(),
-                                    [&](const Command& candidate) { return candidate.name == *name; });
+  const auto command =
+      std::ranges::find_if(tool.commands, [&](const Command& candidate) { return candidate.name == *name; });
   if (command == tool.commands.end()) {
     Words names;
     for (const Command& candidate : tool.commands) {

@@ -101,14 +101,19 @@ std::string completion_script(const Tool& tool, std::string_view shell);
 // The manual page, section 1, in roff's man macros.
 std::string manual_page(const Tool& tool);
 
+// " (did you mean 'NAME'?)", or nothing when no name is near. Names of one letter, "-o", are never near: a slip turns
+// any of them into any other.
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& names);
+
 // --- Helpers of the files above -----------------------------------------------------------------------------------
 
-std::vector<std::string> option_names(const Option& option);  // "-o,--output" -> {"-o", "--output"}
+std::vector<std::string> option_names(const Option& option);        // "-o,--output" -> {"-o", "--output"}
 std::vector<std::string> all_option_names(const Command& command);  // --help's too
 bool is_flag(const Option& option);
 bool is_repeatable(const Target& target);
 // The help sentence with range, choices and repetition added.
 std::string full_help(const Option& option);
+std::vector<std::string> paragraphs(const std::string& text);  // parted by empty lines
 std::string usage_line(const Tool& tool, const Command& command);
 // The option that every command has; its flag is handled by run_tool.
 const Option& help_option();

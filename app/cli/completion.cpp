@@ -74,7 +74,8 @@ std::string bash_command(const Command& command) {
   }
   std::string text = "    " + command.name + ")\n";
   text += cases.empty() ? "" : "      case $previous in\n" + cases + "      esac\n";
-  text += "      if [[ $current == -* ]]; then " + bash_offer(all_option_names(command), Completes::nothing) + "; return; fi\n";
+  text += "      if [[ $current == -* ]]; then " + bash_offer(all_option_names(command), Completes::nothing) +
+          "; return; fi\n";
   if (!command.positionals.empty()) {
     const Positional& last = command.positionals.back();
     text += "      " + bash_offer(values(last.choices, last.offers), last.completes) + "\n";

@@ -50,7 +50,11 @@ class HelpFormatter : public CLI::Formatter {
   }
 
   std::string make_usage(const CLI::App*, std::string) const override {
-    return heading("Usage") + "  " + usage_line(tool_, command_) + "\n" + paragraphs(command_.description);
+    std::string text = heading("Usage") + "  " + usage_line(tool_, command_) + "\n";
+    for (const std::string& paragraph : paragraphs(command_.description)) {
+      text += "\n" + wrapped(paragraph, width_, 0, "") + "\n";
+    }
+    return text;
   }
 
   std::string make_group(std::string group, bool is_positional,
@@ -97,16 +101,6 @@ class HelpFormatter : public CLI::Formatter {
     return CLI::detail::find_and_replace(std::move(text), from, to);
   }
 
-  std::string paragraphs(const std::string& text) const {
-    std::string result;
-    for (std::size_t start = 0; start < text.size();) {
-      const std::size_t end = std::min(text.find("\n\n", start), text.size());
-      result += "\n" + wrapped(text.substr(start, end - start), width_, 0, "") + "\n";
-      start = end + 2;
-    }
-    return result;
-  }
-
   const Tool& tool_;
   const Command& command_;
   bool bold_;
@@ -142,6 +136,14 @@ std::vector<std::string> all_option_names(const Command& command) {
 
 bool is_flag(const Option& option) {
   return std::holds_alternative<bool*>(option.target);
+}
+
+std::vector<std::string> paragraphs(const std::string& text) {
+  std::vector<std::string> all;
+  for (std::size_t start = 0; start < text.size(); start += all.back().size() + 2) {
+    all.push_back(text.substr(start, text.find("\n\n", start) - start));
+  }
+  return all;
 }
 
 std::string full_help(const Option& option) {

@@ -1,5 +1,6 @@
 // The manual page: the same definitions in roff's man macros.
 #include "app/cli/cli.h"
+#include "core/text.h"
 
 namespace airlight::cli {
 namespace {
@@ -26,10 +27,8 @@ std::string roff(const std::string& text) {
 
 std::string description(const std::string& text) {
   std::string result;
-  for (std::size_t start = 0; start < text.size();) {
-    const std::size_t end = std::min(text.find("\n\n", start), text.size());
-    result += ".PP\n" + roff(text.substr(start, end - start)) + "\n";
-    start = end + 2;
+  for (const std::string& paragraph : paragraphs(text)) {
+    result += ".PP\n" + roff(paragraph) + "\n";
   }
   return result;
 }
@@ -39,10 +38,8 @@ std::string item(const std::string& term, const std::string& text) {
 }
 
 std::string option_item(const Option& option) {
-  std::string term;
-  for (const std::string& name : option_names(option)) {
-    term += (term.empty() ? "" : ", ") + ("\\fB" + roff(name) + "\\fR");
-  }
+  const std::string term =
+      joined_of(option_names(option), [](const std::string& name) { return "\\fB" + roff(name) + "\\fR"; });
   return item(term + (is_flag(option) ? "" : " \\fI" + roff(option.metavar) + "\\fR"), full_help(option));
 }
 

@@ -15,21 +15,22 @@ std::vector<Option> place_options(PlaceOptions& options, std::vector<Option> tim
   std::vector<Option> all = {
       {"--date", "YYYY-MM-DD", "The day, 1600 to 2400 by the Gregorian calendar", &options.date}};
   append(all, std::move(times));
-  append(all, {
-      {"--lat", "DEG", "The place's latitude, north positive", &options.latitude, Completes::nothing,
-       Range{-90.0, 90.0}},
-      {"--lon", "DEG", "The place's longitude, east positive", &options.longitude, Completes::nothing,
-       Range{-180.0, 360.0}},
-      {"--tz", "ZONE", "The clocks: a time zone such as Europe/Paris, or an offset such as +02:00; else UTC",
-       &options.zone},
-      {"--place-altitude", "KM", "The place's height above the sea, for the sun's parallax; the camera has its own",
-       &options.altitude, Completes::nothing, elevation_range},
-      {"--refraction", "",
-       "Lift the sun as the air's refraction does (Saemundsson 1986); else its true elevation is used",
-       &options.refraction},
-      {"--pressure", "HPA", "For --refraction; else 1010", &options.pressure, Completes::nothing, Range{0.0, 2000.0}},
-      {"--temperature", "CELSIUS", "For --refraction; else 10", &options.temperature, Completes::nothing,
-       Range{-200.0, 200.0}}});
+  append(
+      all,
+      {{"--lat", "DEG", "The place's latitude, north positive", &options.latitude, Completes::nothing,
+        Range{-90.0, 90.0}},
+       {"--lon", "DEG", "The place's longitude, east positive", &options.longitude, Completes::nothing,
+        Range{-180.0, 360.0}},
+       {"--tz", "ZONE", "The clocks: a time zone such as Europe/Paris, or an offset such as +02:00; else UTC",
+        &options.zone},
+       {"--place-altitude", "KM", "The place's height above the sea, for the sun's parallax; the camera has its own",
+        &options.altitude, Completes::nothing, elevation_range},
+       {"--refraction", "",
+        "Lift the sun as the air's refraction does (Saemundsson 1986); else its true elevation is used",
+        &options.refraction},
+       {"--pressure", "HPA", "For --refraction; else 1010", &options.pressure, Completes::nothing, Range{0.0, 2000.0}},
+       {"--temperature", "CELSIUS", "For --refraction; else 10", &options.temperature, Completes::nothing,
+        Range{-200.0, 200.0}}});
   return grouped("Sun of a place", std::move(all));
 }
 

@@ -7,8 +7,8 @@
 #include <iostream>
 #include <sstream>
 
+#include "app/cli/cli.h"
 #include "app/cli/embedded_presets.h"
-#include "app/cli/suggest.h"
 #include "core/error.h"
 #include "core/output/provenance.h"
 

@@ -70,8 +70,7 @@ struct TerminalStatus::State {
   // With the lock held.
   void draw() const {
     char seconds[32];
-    std::snprintf(seconds, sizeof seconds, ", %.0f s\033[K",
-                  seconds_since(start));
+    std::snprintf(seconds, sizeof seconds, ", %.0f s\033[K", seconds_since(start));
     tell("\r" + what + seconds);
   }
 

@@ -59,7 +59,7 @@ foreign::Picture picture_for(const std::string& file, const std::string& key, bo
 }
 
 void require_finite(const std::vector<float>& values, const std::string& file, const std::string& key) {
-  const auto bad = std::count_if(values.begin(), values.end(), [](float x) { return !std::isfinite(x); });
+  const auto bad = std::ranges::count_if(values, [](float x) { return !std::isfinite(x); });
   if (bad > 0) {
     throw InputError(key + ": " + file + ": " + std::to_string(bad) +
                      " values are not finite; expected a height or a reflectance everywhere: fill the holes");

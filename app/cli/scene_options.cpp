@@ -40,7 +40,7 @@ void leave_projection(Preset& preset, const std::string& projection) {
     camera->erase("vertical_fov_deg");
     camera->erase("cube_layout");
   }
-  const auto known = std::find(kProjectionNames.begin(), kProjectionNames.end(), projection);
+  const auto known = std::ranges::find(kProjectionNames, projection);
   if (known != kProjectionNames.end() && is_map(static_cast<Projection>(known - kProjectionNames.begin()))) {
     camera->erase("pitch_deg");
     camera->erase("roll_deg");

@@ -7,7 +7,7 @@
 
 #include <cerrno>
 #include <cstring>
-#include <utility>
+#include <span>
 #include <vector>
 
 #include "core/error.h"
@@ -25,20 +25,16 @@ bool is_stream(const std::string& name) {
 }
 
 // All that comes out of a descriptor, in a file without a name.
-int copy_of(int from, const std::string& name) {
-  const int copy = ::memfd_create("airlight", MFD_CLOEXEC);
-  if (copy < 0) fail(name, "copied");
-  std::vector<char> buffer(std::size_t{1} << 20U);
+FileDescriptor copy_of(int from, const std::string& name) {
+  FileDescriptor copy(::memfd_create("airlight", MFD_CLOEXEC));
+  if (!copy) fail(name, "copied");
+  std::vector<std::byte> buffer(std::size_t{1} << 20U);
   for (;;) {
     const ssize_t count = ::read(from, buffer.data(), buffer.size());
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) fail(name, "read");
     if (count == 0) return copy;
-    for (ssize_t written = 0; written < count;) {
-      const ssize_t more = ::write(copy, buffer.data() + written, static_cast<std::size_t>(count - written));
-      if (more < 0) fail(name, "copied");
-      written += more;
-    }
+    if (!write_all(copy.get(), std::span(buffer).first(static_cast<std::size_t>(count)))) fail(name, "copied");
   }
 }
 
@@ -48,20 +44,11 @@ SeekableFile::SeekableFile(const std::string& name) : name_(name == "-" ? "stand
   if (!is_stream(name)) {
     return;
   }
-  const int from = name == "-" ? ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0) : ::open(name.c_str(), O_RDONLY | O_CLOEXEC);
-  if (from < 0) fail(name_, "opened");
-  copy_ = copy_of(from, name_);
-  ::close(from);
-  path_ = "/proc/self/fd/" + std::to_string(copy_);
-}
-
-SeekableFile::SeekableFile(SeekableFile&& other) noexcept
-    : name_(std::move(other.name_)), path_(std::move(other.path_)), copy_(std::exchange(other.copy_, -1)) {}
-
-SeekableFile::~SeekableFile() {
-  if (copy_ >= 0) {
-    ::close(copy_);
-  }
+  const FileDescriptor from(name == "-" ? ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0)
+                                        : ::open(name.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!from) fail(name_, "opened");
+  copy_ = copy_of(from.get(), name_);
+  path_ = "/proc/self/fd/" + std::to_string(copy_.get());
 }
 
 std::string SeekableFile::told(std::string text) const {

@@ -3,17 +3,14 @@
 
 #include <string>
 
+#include "core/file_descriptor.h"
+
 namespace airlight::cli {
 
 class SeekableFile {
  public:
   // "-" is standard input. Throws InputError when the pipe cannot be read.
   explicit SeekableFile(const std::string& name);
-  ~SeekableFile();
-  SeekableFile(SeekableFile&& other) noexcept;
-  SeekableFile(const SeekableFile&) = delete;
-  SeekableFile& operator=(const SeekableFile&) = delete;
-  SeekableFile& operator=(SeekableFile&&) = delete;
 
   const std::string& name() const { return name_; }  // as people know it
   const std::string& path() const { return path_; }  // to be opened
@@ -23,7 +20,7 @@ class SeekableFile {
  private:
   std::string name_;
   std::string path_;
-  int copy_ = -1;
+  FileDescriptor copy_;
 };
 
 }  // namespace airlight::cli

@@ -1,11 +1,11 @@
 // Options and positionals as CLI11's, each value judged before it is stored.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <iterator>
 #include <type_traits>
 
 #include "app/cli/cli11.h"
-#include "app/cli/suggest.h"
+#include "core/scene/suggestion.h"
 #include "core/text.h"
 
 namespace airlight::cli {
@@ -55,7 +55,7 @@ CLI::Validator not_empty() {
 CLI::Validator one_of(const Words& choices) {
   return CLI::Validator(
       [choices](std::string& word) {
-        const bool known = std::find(choices.begin(), choices.end(), word) != choices.end();
+        const bool known = std::ranges::find(choices, word) != choices.end();
         return known ? std::string() : "'" + word + "' is not one of " + joined(choices) + did_you_mean(word, choices);
       },
       "");
@@ -145,6 +145,13 @@ void add_positional(CLI::App& app, const Positional& positional) {
 }
 
 }  // namespace
+
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& names) {
+  std::vector<std::string> long_names;
+  std::ranges::copy_if(names, std::back_inserter(long_names), [](const std::string& name) { return name.size() > 2; });
+  const std::optional<std::string> nearest = nearest_name(word, long_names);
+  return nearest ? " (did you mean '" + *nearest + "'?)" : std::string();
+}
 
 bool is_repeatable(const Target& target) {
   return std::holds_alternative<std::vector<std::string>*>(target) ||

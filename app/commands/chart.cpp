@@ -7,7 +7,6 @@
 #include "app/cli/progress.h"
 #include "app/cli/sampling_options.h"
 #include "app/cli/scene_options.h"
-#include "app/cli/suggest.h"
 #include "app/cli/terminal.h"
 #include "app/commands/chart_files.h"
 #include "app/commands/commands.h"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
-#include <span>
 
 #include "app/cli/json_writer.h"
 #include "app/commands/gnuplot.h"

@@ -22,6 +22,7 @@
 #include "core/output/last_words.h"
 #include "core/scene/printable.h"
 #include "core/scene/resolve.h"
+#include "core/text.h"
 
 namespace airlight::cli {
 namespace {
@@ -47,16 +48,13 @@ struct Given {
 };
 
 std::vector<std::string> split_at_commas(const std::string& list) {
-  std::vector<std::string> words;
-  for (std::size_t start = 0; !list.empty() && start <= list.size();) {
-    const std::size_t end = std::min(list.find(',', start), list.size());
-    if (end == start) throw InputError("diff: --channels: '" + list + "' holds an empty name; expected e.g. R,G,B");
-    const std::string word = list.substr(start, end - start);
-    if (std::find(words.begin(), words.end(), word) != words.end()) {
-      throw InputError("diff: --channels: '" + word + "' is named twice");
+  if (list.empty()) return {};
+  std::vector<std::string> words = split(list, ',');
+  for (auto word = words.begin(); word != words.end(); ++word) {
+    if (word->empty()) throw InputError("diff: --channels: '" + list + "' holds an empty name; expected e.g. R,G,B");
+    if (std::find(words.begin(), word, *word) != word) {
+      throw InputError("diff: --channels: '" + *word + "' is named twice");
     }
-    words.push_back(word);
-    start = end + 1;
   }
   return words;
 }
@@ -85,7 +83,7 @@ void require_outputs(const Given& given, const measure::FilePairs& pairs) {
     if (!file.empty()) outputs.push_back(file);
   }
   for (const std::string& file : outputs) {
-    if (std::count(outputs.begin(), outputs.end(), file) > 1) {
+    if (std::ranges::count(outputs, file) > 1) {
       throw InputError(file + ": is to be written twice; give each output a name of its own");
     }
     require_writable(file);

@@ -23,9 +23,8 @@ ReferenceUpdate::ReferenceUpdate(const measure::FilePairs& pairs) {
 }
 
 std::vector<std::string> ReferenceUpdate::take(const std::vector<NamedReport>& entries) const {
-  const auto unknown = std::count_if(entries.begin(), entries.end(), [](const NamedReport& entry) {
-    return entry.report.verdict == Verdict::cannot_compare;
-  });
+  const auto unknown = std::ranges::count_if(
+      entries, [](const NamedReport& entry) { return entry.report.verdict == Verdict::cannot_compare; });
   if (unknown > 0) {
     throw InputError("diff: --update: " + std::to_string(unknown) + " of " + std::to_string(entries.size()) +
                      (entries.size() == 1 ? " pair" : " pairs") +

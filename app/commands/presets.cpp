@@ -3,7 +3,6 @@
 
 #include "app/cli/json_writer.h"
 #include "app/cli/preset_source.h"
-#include "app/cli/suggest.h"
 #include "app/cli/terminal.h"
 #include "app/commands/commands.h"
 #include "core/error.h"
@@ -37,7 +36,7 @@ std::string presets_json() {
 
 void print_preset(const std::string& name) {
   const std::vector<std::string> names = built_in_names();
-  if (std::find(names.begin(), names.end(), name) == names.end()) {
+  if (std::ranges::find(names, name) == names.end()) {
     throw InputError("presets: no built-in preset '" + name + "'" + did_you_mean(name, names) +
                      "; 'airlight presets' lists them");
   }

@@ -49,7 +49,8 @@ std::vector<Option> render_options(RenderOrder& given) {
   append(options, scene_options(given.scene));
   append(options, place_options(given.place, {time_option(given.place)}));
   append(options, camera_options(given.scene));
-  append(options, grouped("Method", {share_option("--tolerance",
+  append(options,
+         grouped("Method", {share_option("--tolerance",
                                          "Choose the cheapest method and quality whose mean relative error stays below "
                                          "this, e.g. 1%, by probing this very picture; with --method among its "
                                          "qualities",

@@ -81,7 +81,7 @@ sequence::SunPath sun_path_of(const Given& given) {
 // From where the frames come: the command line before the preset.
 FrameSource source_of(const Given& given, const Scene& scene) {
   const std::vector<PathOption> path = path_options(given);
-  const auto first = std::find_if(path.begin(), path.end(), [](const PathOption& option) { return option.given; });
+  const auto first = std::ranges::find_if(path, [](const PathOption& option) { return option.given; });
   air_of(given.place, "sequence");  // refuses what belongs to it where it is not asked for
   if (given.sweep && first != path.end()) {
     throw InputError(std::string("sequence: --sun-elevation and ") + first->name +
@@ -110,8 +110,7 @@ void refuse_idle_overrides(const Given& given, const FrameSource& source) {
   const sequence::Frame frame = sequence::frame_at(source, 0);
   for (const std::string& assignment : given.scene.set) {
     const std::string pointer = assignment.substr(0, assignment.find('='));
-    const bool is_moved =
-        std::any_of(frame.keys.begin(), frame.keys.end(), [&](const auto& key) { return key.first == pointer; });
+    const bool is_moved = std::ranges::any_of(frame.keys, [&](const auto& key) { return key.first == pointer; });
     if (is_moved) {
       throw InputError("sequence: --set " + assignment + ": each frame has its own " + pointer + "; leave it out");
     }
@@ -294,15 +293,15 @@ std::vector<Option> sequence_options(Given& given) {
         Completes::file},
        {"--png", "PATTERN.png", "Write pictures for people here, e.g. sky.####.png", &given.png, Completes::file}});
   const auto without = [](std::vector<Option> all, const std::vector<std::string>& left_out) {
-    std::erase_if(all, [&](const Option& option) { return std::ranges::find(left_out, option.names) != left_out.end(); });
+    std::erase_if(all,
+                  [&](const Option& option) { return std::ranges::find(left_out, option.names) != left_out.end(); });
     return all;
   };
   append(options, frame_options(given));
-  append(options,
-         grouped("Sweep of the sun",
-                 {{"--sun-elevation", "FROM:TO:STEP",
-                   "Instead of a path: sweep the sun's elevation, in degrees, e.g. -12:90:1", &given.sweep},
-                  {"--sun-azimuth", "DEG", "The sun's azimuth in a sweep", &given.scene.sun_azimuth}}));
+  append(options, grouped("Sweep of the sun",
+                          {{"--sun-elevation", "FROM:TO:STEP",
+                            "Instead of a path: sweep the sun's elevation, in degrees, e.g. -12:90:1", &given.sweep},
+                           {"--sun-azimuth", "DEG", "The sun's azimuth in a sweep", &given.scene.sun_azimuth}}));
   append(options, without(scene_options(given.scene), {"--sun-elevation", "--sun-azimuth"}));
   append(options, camera_options(given.scene));
   append(options, without(sampling_options(given.sampling), {"--checkpoint", "--time-limit"}));

@@ -52,7 +52,7 @@ std::vector<std::string> sweep_names() {
 }
 
 bool wanted(const std::vector<std::string>& chosen, const std::string& name) {
-  return chosen.empty() || std::find(chosen.begin(), chosen.end(), name) != chosen.end();
+  return chosen.empty() || std::ranges::find(chosen, name) != chosen.end();
 }
 
 Form form_of(const Given& given) {
@@ -103,9 +103,8 @@ std::vector<std::string> map_names(const Examination& e) {
 }
 
 const Block* block_of(const std::vector<Block>& blocks, const Subject& subject, const Sweep& sweep) {
-  const auto found = std::find_if(blocks.begin(), blocks.end(), [&](const Block& block) {
-    return block.subject == subject.name && block.sweep == sweep.name;
-  });
+  const auto found = std::ranges::find_if(
+      blocks, [&](const Block& block) { return block.subject == subject.name && block.sweep == sweep.name; });
   return found == blocks.end() ? nullptr : &*found;
 }
 

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <memory>
 
-#include "app/cli/suggest.h"
 #include "app/cli/terminal.h"
 #include "app/commands/commands.h"
 #include "core/error.h"
@@ -31,8 +30,8 @@ Command help_command(const Tool& tool) {
       print(help_text(tool, bold));
       return 0;
     }
-    const auto found = std::find_if(tool.commands.begin(), tool.commands.end(),
-                                    [&](const Command& candidate) { return candidate.name == **name; });
+    const auto found =
+        std::ranges::find_if(tool.commands, [&](const Command& candidate) { return candidate.name == **name; });
     if (found == tool.commands.end()) {
       throw InputError("help: no command '" + **name + "'" + did_you_mean(**name, names) + "; '" + tool.name +
                        " help' lists the commands");

@@ -66,7 +66,7 @@ std::vector<Sample> samples_of(const Foreground& fore) {
   }
   if (!fore.pixel_of.empty()) {
     // Nearest first, and what has no depth last.
-    std::stable_sort(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) {
+    std::ranges::stable_sort(samples, [](const Sample& a, const Sample& b) {
       return a.pixel != b.pixel ? a.pixel < b.pixel : a.distance < b.distance;
     });
   }
@@ -133,7 +133,7 @@ Composite blended(const Foreground& fore, const std::vector<Sample>& samples, co
 }
 
 bool needs_sky(const std::vector<Sample>& samples, const Foreground& fore) {
-  return fore.picture.deep || std::any_of(samples.begin(), samples.end(), [](const Sample& sample) {
+  return fore.picture.deep || std::ranges::any_of(samples, [](const Sample& sample) {
            return sample.thing.alpha < 1.0F || !(sample.distance < composite::kSky);
          });
 }
@@ -167,7 +167,7 @@ ExrFile encoded(const CompositeOrder& order, const Foreground& fore, const Compo
     }
   } else {
     for (const foreign::Channel& channel : fore.picture.channels) {
-      if (std::find(fore.colours.begin(), fore.colours.end(), channel.name) == fore.colours.end()) {
+      if (std::ranges::find(fore.colours, channel.name) == fore.colours.end()) {
         channels.push_back({channel.name, channel.values.data(), 1, !channel.half});
       }
     }

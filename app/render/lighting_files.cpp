@@ -1,7 +1,6 @@
 #include "app/render/lighting_files.h"
 
 #include <filesystem>
-#include <span>
 
 #include "app/cli/json_writer.h"
 #include "core/output/atomic_file.h"

@@ -178,7 +178,7 @@ std::string details(const RenderReport& report) {
   // What the choice left out stands in its explanation.
   const std::vector<std::string> told = report.choice ? report.choice->choice.left_out : std::vector<std::string>();
   for (const std::string& reason : rendering.left_out) {
-    const bool is_told = std::find(told.begin(), told.end(), reason) != told.end();
+    const bool is_told = std::ranges::find(told, reason) != told.end();
     out += is_told ? "" : "left out: " + reason + "\n";
   }
   if (rendering.spectrum) {

@@ -1,5 +1,6 @@
 #include "app/render/run.h"
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <utility>
@@ -10,10 +11,10 @@
 #include "app/cli/progress.h"
 #include "app/cli/stopwatch.h"
 #include "app/cli/terminal.h"
+#include "app/cli/wavelengths.h"
 #include "app/render/cube_faces.h"
 #include "app/render/make_picture.h"
 #include "app/render/report.h"
-#include "app/render/spectral_order.h"
 #include "app/render/targets.h"
 #include "app/render/tiled_picture.h"
 #include "app/render/validity.h"
@@ -21,6 +22,7 @@
 #include "core/output/atomic_file.h"
 #include "core/output/last_words.h"
 #include "core/render/spectrum.h"
+#include "core/render/tiled.h"
 #include "core/scene/preset.h"
 #include "core/scene/resolve.h"
 
@@ -143,6 +145,49 @@ int interruptible(const RenderOrder& given, const std::function<bool()>& publish
   complain(std::string("stopped by ") + signal_name(signal) + ": no picture was written; " + given.sampling.checkpoint +
            " keeps the samples so far, and the same command goes on from there");
   return 128 + signal;
+}
+
+constexpr const char* kSpectral = "render: --spectral";
+
+// Wavelengths times pixels, at most: they are kept in memory, 512 MiB of them, until the EXR is encoded.
+constexpr std::size_t kMostSpectralSamples = std::size_t{1} << 27;
+
+void require_fit(const Scene& scene, std::size_t wavelengths) {
+  const auto pixels = static_cast<std::size_t>(scene.image.width) * static_cast<std::size_t>(scene.image.height);
+  const std::size_t most = std::min(kMostSpectralSamples / wavelengths, kTileBytes / (4 * sizeof(float)));
+  if (pixels > most) {
+    throw InputError(std::string(kSpectral) + ": " + std::to_string(scene.image.width) + "x" +
+                     std::to_string(scene.image.height) + " are " + std::to_string(pixels) + " pixels; a spectrum of " +
+                     std::to_string(wavelengths) + " wavelengths is kept in memory for at most " +
+                     std::to_string(most) + " of them; give a smaller --size or a larger step");
+  }
+}
+
+// The wavelengths of --spectral; nothing where it is not given. Throws InputError where they cannot be had.
+std::optional<Nodes> spectral_wavelengths(const RenderOrder& given, const Scene& scene, const Targets& targets) {
+  if (!given.spectral) {
+    return std::nullopt;
+  }
+  Nodes nodes = wavelengths_from(*given.spectral, kSpectral);
+  require_spectra(scene, kSpectral);
+  if (targets.exr.empty()) {
+    throw InputError(std::string(kSpectral) + ": spectra stand in the EXR, and none is written; give -o FILE.exr too");
+  }
+  const struct {
+    bool given;
+    const char* option;
+  } others[] = {{given.picture.layers, "--layers"},
+                {given.tables.has_value(), "--luts"},
+                {given.tile.has_value(), "--tile"},
+                {given.cube_faces, "--cube-faces"}};
+  for (const auto& other : others) {
+    if (other.given) {
+      throw InputError(std::string(kSpectral) + " does not go with " + other.option +
+                       ", whose files hold colours; render twice, with one of them each");
+    }
+  }
+  require_fit(scene, nodes.nm.size());
+  return nodes;
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 #include "app/render/tiled_picture.h"
 
-#include <charconv>
-#include <chrono>
 #include <memory>
 
 #include "core/clock.h"

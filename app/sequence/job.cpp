@@ -1,7 +1,6 @@
 #include "app/sequence/job.h"
 
 #include <cmath>
-#include <cstdio>
 
 #include "app/cli/frame_scene.h"
 #include "core/hash.h"

@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <ranges>
 
 #include "app/cli/terminal.h"
 #include "core/error.h"
@@ -19,17 +20,9 @@ namespace fs = std::filesystem;
 
 // Numbers ascend with the index.
 bool has_frame(const sequence::FrameSource& source, long number) {
-  std::size_t low = 0;
-  std::size_t high = sequence::frame_count(source);
-  while (low < high) {
-    const std::size_t middle = low + (high - low) / 2;
-    const long found = sequence::frame_number(source, middle);
-    if (found == number) {
-      return true;
-    }
-    (found < number ? low : high) = found < number ? middle + 1 : middle;
-  }
-  return false;
+  const auto indexes = std::views::iota(std::size_t{0}, sequence::frame_count(source));
+  return std::ranges::binary_search(indexes, number, {},
+                                    [&](std::size_t i) { return sequence::frame_number(source, i); });
 }
 
 void add_frames_beyond(std::vector<std::string>& files, const sequence::FramePattern& pattern,
@@ -59,7 +52,7 @@ std::vector<std::string> frames_beyond(const SequenceJob& job) {
       add_frames_beyond(files, *pattern, job.source);
     }
   }
-  std::sort(files.begin(), files.end());
+  std::ranges::sort(files);
   return files;
 }
 

@@ -138,7 +138,8 @@ void make_pictures(const SequencePictures& pictures, const SequenceJob& job) {
     make_preview(pictures, job, reader);
   }
   if (const int signal = Interruption::signal(); signal != 0) {
-    throw RunError(std::string("stopped by ") + signal_name(signal) + ": the frames are whole, the preview was not made");
+    throw RunError(std::string("stopped by ") + signal_name(signal) +
+                   ": the frames are whole, the preview was not made");
   }
   if (pictures.preview) {
     tell(job.quiet ? "" : *pictures.preview + "\n");

@@ -124,8 +124,7 @@ void Runner::encode(const Work& work) {
   const ExrDepth depth = files.exr.empty() ? ExrDepth{} : exr_depth(job_.picture, work.rendering);
   Stopwatch laps;
   const Published done = publish(
-      context, {files, "frame " + std::to_string(work.report.number), depth.half, job_.picture.bits},
-      transform_, laps);
+      context, {files, "frame " + std::to_string(work.report.number), depth.half, job_.picture.bits}, transform_, laps);
   if (!depth.why.empty()) {
     report_.took_floats(work.report.number, depth.why);
   }

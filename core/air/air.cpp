@@ -4,9 +4,9 @@
 #include <cassert>
 #include <cmath>
 #include <iterator>
+#include <numbers>
 
 #include "core/air/legendre.h"
-#include "core/air/moment_axes.h"
 #include "core/air/phase_samples.h"
 #include "core/air/scene_block.h"
 #include "core/air/shells.h"
@@ -18,7 +18,57 @@ static_assert(kMaxMedia == static_cast<int>(physics::kMaxMedia));
 static_assert(kMaxDensityLayers == static_cast<int>(physics::kMaxDensityLayers));
 
 double largest(const Spectrum& s) {
-  return *std::max_element(s.begin(), s.end());
+  return *std::ranges::max_element(s);
+}
+
+constexpr int kLayers = 1000;  // the highest row stands at a whole one of them
+
+// The lowest of the layers' edges above which no more than this share of the vertical scattering stands; mean over
+// channels.
+int layer_below_share(const physics::Physics& p, const Column& column, double share) {
+  std::vector<double> up_to{0.0};  // each edge
+  for (std::size_t k = 0; k < column.cells(); ++k) {
+    double here = 0.0;
+    for (physics::uint i = 0; i < p.medium_count(); ++i) {
+      const physics::vec3& s = p.scene.media[i].scattering;
+      here += column.density[k][i] * (s.x + s.y + s.z);
+    }
+    up_to.push_back(up_to.back() + here * column.width(k));
+  }
+  const double aim = up_to.back() * (1.0 - share);
+  const auto found = std::upper_bound(up_to.begin(), up_to.end(), aim);
+  const auto k = static_cast<std::size_t>(found - up_to.begin());
+  if (k >= up_to.size()) {
+    return kLayers;  // nothing scatters
+  }
+  const double part = (aim - up_to[k - 1]) / (up_to[k] - up_to[k - 1]);
+  const double h = column.edges[k - 1] + part * column.width(k - 1);
+  return std::clamp(static_cast<int>(std::ceil(kLayers * h / column.edges.back())), 1, kLayers);
+}
+
+// Axes of the moment table: the altitude under which all but 1.5e-4 of the vertical scattering optical depth lies, and
+// sun elevations from nadir to zenith, densest around the horizon.
+physics::MomentTableData moment_axes(physics::Physics& p, const Column& column) {
+  constexpr double kLeftAbove = 1.5e-4;
+  physics::MomentTableData table;
+  table.top = p.scene.planet.atmosphere_height * layer_below_share(p, column, kLeftAbove) / kLayers;
+  const double dip = -std::asin(p.horizon_mu(p.scene.planet, table.top));
+  table.elevation_scale = std::clamp(0.7 * dip, 0.01, 0.35);
+  table.v_high = std::asinh(0.5 * std::numbers::pi / table.elevation_scale);
+  table.v_low = -table.v_high;
+  return table;
+}
+
+// The same where the table's rows are edges of shells: up to the top of the atmosphere, and down to a sun so low that
+// light scattered twice no longer matters, as a flat planet's night needs no columns.
+physics::MomentTableData shell_moment_axes(physics::Physics& p) {
+  physics::MomentTableData table;
+  table.top = p.scene.planet.atmosphere_height;
+  const double dip = -std::asin(p.horizon_mu(p.scene.planet, table.top));
+  table.elevation_scale = std::clamp(0.7 * dip, 0.05, 0.35);
+  table.v_high = std::asinh(0.5 * std::numbers::pi / table.elevation_scale);
+  table.v_low = -std::asinh(std::min(0.5 * std::numbers::pi, 5.0 * dip + 0.02) / table.elevation_scale);
+  return table;
 }
 
 std::uint32_t code_of(const Medium& medium, bool schlick) {
@@ -81,7 +131,7 @@ void put_phases(physics::Physics& p, const std::vector<Medium>& media, bool schl
     const std::uint32_t sharp = is_sharp(media[i]) ? physics::kPhaseSharp : 0U;
     p.phase_functions |= (code_of(media[i], schlick) | sharp) << (physics::kBitsPerMedium * i);
     const LegendreMoments moments = legendre_moments(p, static_cast<physics::uint>(i));
-    std::copy(moments.begin(), moments.end(), std::begin(p.scene.media[i].legendre));
+    std::ranges::copy(moments, std::begin(p.scene.media[i].legendre));
   }
 }
 
@@ -94,7 +144,7 @@ void put_rows(physics::Physics& p, const Column& column, const std::vector<Mediu
     const std::vector<double> rows = shell_altitudes(column, options.moment_rows);
     assert(rows.size() <= static_cast<std::size_t>(physics::kMaxShellRows));
     p.scene.shell_rows = static_cast<physics::uint>(rows.size());
-    std::copy(rows.begin(), rows.end(), std::begin(p.scene.shell_altitudes));
+    std::ranges::copy(rows, std::begin(p.scene.shell_altitudes));
     p.scene.moments = shell_moment_axes(p);
   }
 }

@@ -36,7 +36,7 @@ std::vector<double> breaks_of(const std::vector<Medium>& media, double height) {
         break;
     }
   }
-  std::sort(breaks.begin(), breaks.end());
+  std::ranges::sort(breaks);
   const auto same = [&](double a, double b) { return b - a < 1e-6 * height; };
   breaks.erase(std::unique(breaks.begin(), breaks.end(), same), breaks.end());
   std::vector<double> kept{0.0};

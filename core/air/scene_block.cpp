@@ -77,8 +77,7 @@ device::MediumData narrow(const physics::MediumData& from) {
   m.phase_table = from.phase_table;
   m.first_layer = from.first_layer;
   m.layer_count = from.layer_count;
-  std::transform(std::begin(from.legendre), std::end(from.legendre), std::begin(m.legendre),
-                 [](const vec3& x) { return narrowed(x); });
+  std::ranges::transform(from.legendre, std::begin(m.legendre), [](const vec3& x) { return narrowed(x); });
   return m;
 }
 
@@ -144,15 +143,12 @@ device::SceneData narrowed(const physics::SceneData& data) {
   out.multiple_scattering_scale = narrowed(data.multiple_scattering_scale);
   out.moments = {narrowed(data.moments.top), narrowed(data.moments.elevation_scale), narrowed(data.moments.v_low),
                  narrowed(data.moments.v_high)};
-  std::transform(std::begin(data.media), std::end(data.media), std::begin(out.media),
-                 [](const physics::MediumData& m) { return narrow(m); });
-  std::transform(std::begin(data.layers), std::end(data.layers), std::begin(out.layers),
-                 [](const physics::vec2& layer) {
-                   return device::vec2{narrowed(layer.x), narrowed(layer.y)};
-                 });
+  std::ranges::transform(data.media, std::begin(out.media), [](const physics::MediumData& m) { return narrow(m); });
+  std::ranges::transform(data.layers, std::begin(out.layers), [](const physics::vec2& layer) {
+    return device::vec2{narrowed(layer.x), narrowed(layer.y)};
+  });
   out.shell_rows = data.shell_rows;
-  std::transform(std::begin(data.shell_altitudes), std::end(data.shell_altitudes), std::begin(out.shell_altitudes),
-                 [](double h) { return narrowed(h); });
+  std::ranges::transform(data.shell_altitudes, std::begin(out.shell_altitudes), [](double h) { return narrowed(h); });
   out.tile = {data.tile.x, data.tile.y, data.tile.width};
   return out;
 }

@@ -26,8 +26,8 @@ vec3 taken(const vec3& rate, double distance) {
 }  // namespace
 
 std::optional<FogKind> fog_kind(std::string_view name) {
-  return named<FogKind>(
-      std::array<std::string_view, 4>{"exponential", "sun-tinted", "height", "extinction-inscatter"}, name);
+  return named<FogKind>(std::array<std::string_view, 4>{"exponential", "sun-tinted", "height", "extinction-inscatter"},
+                        name);
 }
 
 double height_fog_amount(const Fog& fog, const FogRay& ray) {

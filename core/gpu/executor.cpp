@@ -2,13 +2,13 @@
 
 #include <cstdlib>
 
+#include "core/clock.h"
 #include "core/gpu/frame.h"
 #include "core/gpu/kept_files.h"
 #include "core/gpu/physical_device.h"
 #include "core/gpu/pipeline.h"
 #include "core/gpu/resource_cache.h"
 #include "core/gpu/run.h"
-#include "core/gpu/stopwatch.h"
 #include "core/gpu/stored_tables.h"
 
 namespace airlight {

@@ -64,8 +64,7 @@ void Frame::reserve_descriptors(const DescriptorCounts& wanted) {
                                         .maxSets = room.sets,
                                         .poolSizeCount = static_cast<std::uint32_t>(sizes.size()),
                                         .pPoolSizes = sizes.data()};
-  descriptor_pool_ =
-      DescriptorPoolHandle::make(device_.get(), vkCreateDescriptorPool, info, "make a descriptor pool");
+  descriptor_pool_ = DescriptorPoolHandle::make(device_.get(), vkCreateDescriptorPool, info, "make a descriptor pool");
 }
 
 void Frame::reserve_timestamps(std::uint32_t wanted) {
@@ -81,9 +80,8 @@ void Frame::reserve_timestamps(std::uint32_t wanted) {
 void Frame::submit_and_wait(const std::function<void()>& tick) {
   constexpr std::uint64_t kTick = 100'000'000;  // ns
   check(vkEndCommandBuffer(commands_), "end recording");
-  const VkSubmitInfo info{.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO,
-                          .commandBufferCount = 1,
-                          .pCommandBuffers = &commands_};
+  const VkSubmitInfo info{
+      .sType = VK_STRUCTURE_TYPE_SUBMIT_INFO, .commandBufferCount = 1, .pCommandBuffers = &commands_};
   const VkFence fence = fence_.get();
   const std::string doing = "run the passes on " + device_.info().name;
   check(vkResetFences(device_.get(), 1, &fence), doing);

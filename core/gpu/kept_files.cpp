@@ -161,7 +161,7 @@ void KeptFiles::trim() const {
   const FileDescriptor folder = open_folder(folder_);
   if (!folder) return;
   std::vector<Entry> entries = entries_of(folder.get(), ending_);
-  std::sort(entries.begin(), entries.end(), is_older);
+  std::ranges::sort(entries, is_older);
   std::uint64_t bytes = 0;
   for (const Entry& entry : entries) bytes += entry.bytes;
   for (const Entry& entry : entries) {

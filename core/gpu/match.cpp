@@ -45,9 +45,8 @@ class Matcher {
   }
 
   MatchedBinding match_binding(const Binding& bound, bool writes) const {
-    const auto found = std::find_if(shader_.bindings.begin(), shader_.bindings.end(), [&](const ShaderBinding& b) {
-      return b.name == bound.name && !comes_with_scene(b);
-    });
+    const auto found = std::ranges::find_if(
+        shader_.bindings, [&](const ShaderBinding& b) { return b.name == bound.name && !comes_with_scene(b); });
     if (found == shader_.bindings.end()) {
       refuse("the shader has no binding named " + bound.name + "; " + known_bindings());
     }
@@ -90,8 +89,8 @@ class Matcher {
   void check_nothing_left_out() const {
     for (const ShaderBinding& binding : shader_.bindings) {
       const auto is_it = [&](const Binding& bound) { return bound.name == binding.name; };
-      if (!comes_with_scene(binding) && std::none_of(pass_.reads.begin(), pass_.reads.end(), is_it) &&
-          std::none_of(pass_.writes.begin(), pass_.writes.end(), is_it)) {
+      if (!comes_with_scene(binding) && std::ranges::none_of(pass_.reads, is_it) &&
+          std::ranges::none_of(pass_.writes, is_it)) {
         refuse("the pass binds nothing to " + binding.name + ", " + std::string(describe(binding.kind)));
       }
     }
@@ -113,8 +112,8 @@ class Matcher {
   }
 
   void check_tables(const ShaderBinding& binding) const {
-    const auto block = std::find_if(shader_.bindings.begin(), shader_.bindings.end(),
-                                    [](const ShaderBinding& b) { return b.kind == BindingKind::uniform_block; });
+    const auto block = std::ranges::find_if(
+        shader_.bindings, [](const ShaderBinding& b) { return b.kind == BindingKind::uniform_block; });
     if (block == shader_.bindings.end()) refuse(binding.name + " stands behind a uniform block, and there is none");
     if (plan_.scene_of(pass_).size() <= scene_tables_offset(block->block_bytes)) {
       refuse("the plan's scene data ends before " + binding.name);
@@ -125,18 +124,18 @@ class Matcher {
     std::vector<Specialization> all = pass_.specialization;
     if (pass_.team > 1) all.push_back({"kTeam", team_});
     for (const Specialization& wanted : all) {
-      const auto found = std::find_if(shader_.constants.begin(), shader_.constants.end(),
-                                      [&](const SpecializationConstant& c) { return c.name == wanted.name; });
+      const auto found = std::ranges::find_if(shader_.constants,
+                                              [&](const SpecializationConstant& c) { return c.name == wanted.name; });
       if (found == shader_.constants.end()) {
         refuse("the shader has no specialization constant named " + wanted.name + "; " + known_constants());
       }
       const auto is_it = [&](const ConstantValue& constant) { return constant.id == found->id; };
-      if (std::any_of(matched.constants.begin(), matched.constants.end(), is_it)) {
+      if (std::ranges::any_of(matched.constants, is_it)) {
         refuse("specialization constant " + wanted.name + " is set twice");
       }
       matched.constants.push_back({found->id, wanted.value});
     }
-    std::sort(matched.constants.begin(), matched.constants.end());
+    std::ranges::sort(matched.constants);
   }
 
   void match_grid(MatchedPass& matched) const {

@@ -117,8 +117,8 @@ const PhysicalDevice& choose(const std::vector<PhysicalDevice>& devices, std::st
   if (name_substring.empty()) {
     const auto usable = [](const PhysicalDevice& device) { return device.info.missing.empty(); };
     const auto software = [&](const PhysicalDevice& device) { return usable(device) && device.info.is_cpu; };
-    auto found = std::find_if(devices.begin(), devices.end(), software);
-    if (found == devices.end()) found = std::find_if(devices.begin(), devices.end(), usable);
+    auto found = std::ranges::find_if(devices, software);
+    if (found == devices.end()) found = std::ranges::find_if(devices, usable);
     if (found == devices.end()) throw RunError("no Vulkan device can be used: " + list(devices));
     return *found;
   }

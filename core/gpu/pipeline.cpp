@@ -13,9 +13,8 @@ namespace airlight {
 namespace {
 
 ShaderModuleHandle make_module(const Device& device, const ShaderInfo& info, std::span<const std::uint32_t> spirv) {
-  const VkShaderModuleCreateInfo module_info{.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
-                                             .codeSize = spirv.size_bytes(),
-                                             .pCode = spirv.data()};
+  const VkShaderModuleCreateInfo module_info{
+      .sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO, .codeSize = spirv.size_bytes(), .pCode = spirv.data()};
   return ShaderModuleHandle::make(device.get(), vkCreateShaderModule, module_info, "load the shader " + info.name);
 }
 
@@ -136,7 +135,7 @@ std::vector<VkPipeline> PipelineCache::pipelines(const std::vector<Request>& req
   for (const Request& request : requests) {
     const auto [place, is_new] = pipelines_.try_emplace(key(request));
     if (!is_new && place->second) continue;
-    if (std::find(places.begin(), places.end(), &place->second) != places.end()) continue;
+    if (std::ranges::find(places, &place->second) != places.end()) continue;
     missing.push_back(&request);
     places.push_back(&place->second);
   }

@@ -1,17 +1,39 @@
 #pragma once
 // Images and buffers between runs: kept ones by their key, the others for the next run that wants the same shape.
 
+#include <cstddef>
 #include <cstdint>
 #include <list>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 
-#include "core/gpu/buffer.h"
+#include "core/gpu/device.h"
 #include "core/gpu/executor.h"
 #include "core/gpu/image.h"
 #include "core/plan/plan.h"
 
 namespace airlight {
+
+// A buffer with its memory, mapped for its whole life where the host can reach it.
+class Buffer {
+ public:
+  // Throws RunError when the device is out of memory, naming `what`.
+  Buffer(const Device& device, std::size_t bytes, VkBufferUsageFlags usage, MemoryPlace place, std::string_view what);
+
+  VkBuffer get() const { return buffer_.get(); }
+  std::size_t bytes() const { return bytes_; }
+  // Empty in device memory.
+  std::span<std::byte> mapped() const { return mapped_; }
+
+ private:
+  std::size_t bytes_ = 0;
+  std::span<std::byte> mapped_;
+  // The buffer dies before its memory.
+  MemoryHandle memory_;
+  BufferHandle buffer_;
+};
 
 struct Resource {
   std::string shape;  // what another resource must have in common to take its place

@@ -6,10 +6,10 @@
 #include <array>
 #include <cstring>
 
+#include "core/clock.h"
 #include "core/gpu/descriptors.h"
 #include "core/gpu/run_resources.h"
 #include "core/gpu/step.h"
-#include "core/gpu/stopwatch.h"
 
 namespace airlight {
 namespace {
@@ -28,9 +28,8 @@ struct Scope {
 
 void memory_barrier(VkCommandBuffer commands, Scope made, Scope used,
                     const std::vector<VkImageMemoryBarrier>& images = {}) {
-  const VkMemoryBarrier barrier{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER,
-                                .srcAccessMask = made.access,
-                                .dstAccessMask = used.access};
+  const VkMemoryBarrier barrier{
+      .sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER, .srcAccessMask = made.access, .dstAccessMask = used.access};
   vkCmdPipelineBarrier(commands, made.stages, used.stages, 0, 1, &barrier, 0, nullptr,
                        static_cast<std::uint32_t>(images.size()), images.data());
 }
@@ -172,8 +171,7 @@ void Run::record_start(VkCommandBuffer commands) const {
 
 bool Run::keeps_contents(std::uint32_t buffer) const {
   const BufferDesc& desc = plan_.buffers()[buffer];
-  const bool is_written =
-      std::any_of(steps_.begin(), steps_.end(), [&](const Step& step) { return step.writes(BufferId{buffer}); });
+  const bool is_written = std::ranges::any_of(steps_, [&](const Step& step) { return step.writes(BufferId{buffer}); });
   const bool made_anew = desc.carried && (is_written || desc.has_contents());
   return resources_.buffer(buffer)->has_contents && !made_anew;
 }

@@ -54,7 +54,7 @@ Digest sha256(std::span<const std::byte> bytes) {
   for (; rest.size() >= kBlock; rest = rest.subspan(kBlock)) add_block(state, rest.first<kBlock>());
   // A one, zeros, and the length in bits as 64 of them.
   std::array<std::byte, 2 * kBlock> tail{};
-  std::copy(rest.begin(), rest.end(), tail.begin());
+  std::ranges::copy(rest, tail.begin());
   tail[rest.size()] = std::byte{0x80};
   const std::size_t end = rest.size() + 9 <= kBlock ? kBlock : 2 * kBlock;
   const std::uint64_t bits = std::uint64_t{bytes.size()} * 8;

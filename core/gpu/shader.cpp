@@ -153,7 +153,7 @@ ShaderInfo reflect(std::string_view name, std::span<const std::uint32_t> spirv) 
     if (module.decorations(id).is_workgroup_size) add_workgroup_size(module, definition, info);
   }
   const auto by_binding = [](const ShaderBinding& a, const ShaderBinding& b) { return a.binding < b.binding; };
-  std::sort(info.bindings.begin(), info.bindings.end(), by_binding);
+  std::ranges::sort(info.bindings, by_binding);
   return info;
 }
 

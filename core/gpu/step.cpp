@@ -59,8 +59,7 @@ class LimitCheck {
 }  // namespace
 
 bool Step::writes(ResourceId id) const {
-  return std::any_of(pass->writes.begin(), pass->writes.end(),
-                     [&](const Binding& write) { return write.resource == id; });
+  return std::ranges::any_of(pass->writes, [&](const Binding& write) { return write.resource == id; });
 }
 
 void check_limits(const Plan& plan, const Step& step, const Device& device) {

@@ -257,9 +257,8 @@ struct Bake {
 
 Bake begin_bake(Plan& plan, const Air& air, ImageId sunlight, const MomentSettings& settings) {
   const Extent atlas = atlas_extent(settings);
-  const BufferId sums = plan.add_buffer({.name = "moment_sums",
-                                         .bytes = std::size_t{atlas.width} * atlas.height * 4 * sizeof(float),
-                                         .scratch = true});
+  const BufferId sums = plan.add_buffer(
+      {.name = "moment_sums", .bytes = std::size_t{atlas.width} * atlas.height * 4 * sizeof(float), .scratch = true});
   return {plan, air, sunlight, settings, sums};
 }
 

@@ -76,8 +76,8 @@ ChannelReport report_group(const PicturePair& pair, const Group& group, const Ar
   report.name = group.name;
   report.absolute = summarize_group(group, &PlaneErrors::absolute, area);
   report.relative = summarize_group(group, &PlaneErrors::relative, area);
-  const bool has_sigma = std::all_of(group.members.begin(), group.members.end(),
-                                     [](const PlaneErrors* plane) { return plane->sigma != nullptr; });
+  const bool has_sigma =
+      std::ranges::all_of(group.members, [](const PlaneErrors* plane) { return plane->sigma != nullptr; });
   if (has_sigma) {
     report.sigma = summarize_group(group, &PlaneErrors::sigmas, area);
     report.chi_square.emplace();
@@ -124,7 +124,7 @@ std::vector<float> largest_relative(const std::vector<PlaneErrors>& planes) {
 std::size_t unequal_nonfinite_pixels(const std::vector<PlaneErrors>& planes) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < planes.front().absolute.size(); ++i) {
-    const bool any = std::any_of(planes.begin(), planes.end(), [&](const PlaneErrors& plane) {
+    const bool any = std::ranges::any_of(planes, [&](const PlaneErrors& plane) {
       return std::isinf(plane.absolute[i]) && (!std::isfinite((*plane.a)[i]) || !std::isfinite((*plane.b)[i]));
     });
     if (any) ++count;
@@ -155,7 +155,7 @@ void report_areas(const PicturePair& pair, const std::vector<Group>& groups, con
   if (!pair.viewpoint) return;
   const std::vector<RegionBits> bits = classify(*pair.viewpoint, pair.frame);
   for (const auto& [region, name] : kRegions) {
-    const auto pixels = std::count_if(bits.begin(), bits.end(), [&](RegionBits b) { return (b & region) != 0; });
+    const auto pixels = std::ranges::count_if(bits, [&](RegionBits b) { return (b & region) != 0; });
     if (pixels > 0) add(name, {.bits = bits, .wanted = region}, static_cast<std::size_t>(pixels));
   }
 }
@@ -202,7 +202,7 @@ std::vector<float> analyse(const PicturePair& pair, const Limits& limits, Compar
   report_areas(pair, groups_of(planes, colours, has_colour ? &luminance_errors : nullptr), limits, report);
 
   const std::vector<float> judged = judged_pixels(pair, planes);
-  report.largest = static_cast<double>(*std::max_element(judged.begin(), judged.end()));
+  report.largest = static_cast<double>(*std::ranges::max_element(judged));
   if (limits.fail) report.pixels_over_fail = count_over(judged, *limits.fail);
   if (limits.warn) report.pixels_over_warn = count_over(judged, *limits.warn);
   return pair.in_sigmas ? judged : largest_relative(planes);

@@ -144,7 +144,7 @@ std::optional<long> frame_number(const FramePattern& pattern, std::string_view f
     return std::nullopt;
   }
   const std::string_view digits = file_name.substr(pattern.before.size(), file_name.size() - around);
-  const bool all_digits = std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; });
+  const bool all_digits = std::ranges::all_of(digits, [](char c) { return c >= '0' && c <= '9'; });
   const std::size_t least = static_cast<std::size_t>(pattern.digits);
   // More digits than the pattern's only where the number needs them: each frame has one spelling.
   if (!all_digits || digits.size() < least || (digits.size() > least && digits.front() == '0')) return std::nullopt;

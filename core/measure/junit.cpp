@@ -72,8 +72,8 @@ std::string xml_escaped(std::string_view text) {
 
 std::string junit_xml(const std::vector<NamedReport>& entries) {
   const auto count = [&](Verdict verdict) {
-    return std::to_string(std::count_if(entries.begin(), entries.end(),
-                                        [&](const NamedReport& entry) { return entry.report.verdict == verdict; }));
+    return std::to_string(
+        std::ranges::count_if(entries, [&](const NamedReport& entry) { return entry.report.verdict == verdict; }));
   };
   std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"airlight diff\" tests=\"" +
                     std::to_string(entries.size()) + "\" failures=\"" + count(Verdict::differ) + "\" errors=\"" +

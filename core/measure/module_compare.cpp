@@ -1,10 +1,14 @@
 // The module's entry: two files and a request -> a report.
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
+#include <OpenImageIO/imageio.h>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <new>
+#include <span>
 
 #include "core/error.h"
 #include "core/measure/analyse.h"
@@ -12,12 +16,29 @@
 #include "core/measure/error_picture.h"
 #include "core/measure/judge.h"
 #include "core/measure/module_exr.h"
-#include "core/measure/module_png.h"
 #include "core/measure/reduce_pictures.h"
 #include "core/measure/words.h"
+#include "core/text.h"
 
 namespace airlight::measure {
 namespace {
+
+// The whole PNG file in memory. Throws RunError.
+std::vector<std::byte> encode_png(const Raster& raster) {
+  std::vector<unsigned char> bytes;
+  OIIO::Filesystem::IOVecOutput proxy(bytes);
+  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create("png");
+  if (!output) throw RunError("OpenImageIO has no PNG writer: " + one_line(OIIO::geterror()));
+  OIIO::ImageSpec spec(raster.width(), raster.height(), 3, OIIO::TypeUInt8);
+  spec.attribute("oiio:ColorSpace", "sRGB");
+  spec.attribute("png:compressionLevel", 4);
+  if (!output->set_ioproxy(&proxy) || !output->open("memory.png", spec) ||
+      !output->write_image(OIIO::TypeUInt8, raster.rgb().data()) || !output->close()) {
+    throw RunError("cannot encode a PNG: " + one_line(output->geterror()));
+  }
+  const auto encoded = std::as_bytes(std::span(bytes));
+  return {encoded.begin(), encoded.end()};
+}
 
 std::string size_words(const PixelFrame& frame) {
   return std::to_string(frame.width) + "x" + std::to_string(frame.height);
@@ -26,12 +47,6 @@ std::string size_words(const PixelFrame& frame) {
 std::string window_words(const PixelFrame& frame) {
   return std::to_string(frame.columns) + "x" + std::to_string(frame.rows) + " pixels stored from (" +
          std::to_string(frame.left) + ", " + std::to_string(frame.top) + ")";
-}
-
-std::string listed(const std::vector<std::string>& names, const char* between) {
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : between) + name;
-  return list;
 }
 
 void require_same_frame(const std::string& file_a, const PixelFrame& a, const std::string& file_b,
@@ -46,7 +61,7 @@ void require_same_frame(const std::string& file_a, const PixelFrame& a, const st
 }
 
 std::optional<std::size_t> place_of(const ExrLayer& layer, const std::string& channel) {
-  const auto found = std::find(layer.channels.begin(), layer.channels.end(), channel);
+  const auto found = std::ranges::find(layer.channels, channel);
   if (found == layer.channels.end()) return std::nullopt;
   return static_cast<std::size_t>(found - layer.channels.begin());
 }
@@ -57,7 +72,7 @@ std::vector<std::size_t> places_of(const ExrHeader& header, const ExrLayer& laye
   for (const std::string& channel : channels) {
     const auto place = place_of(layer, channel);
     if (!place) {
-      throw InputError(header.file + ": has no channel '" + channel + "'; it has " + listed(layer.channels, ", "));
+      throw InputError(header.file + ": has no channel '" + channel + "'; it has " + joined(layer.channels, ", "));
     }
     places.push_back(*place);
   }
@@ -74,14 +89,14 @@ std::vector<std::string> choose_channels(const ComparisonRequest& request, const
     if (place_of(b, channel)) common.push_back(channel);
   }
   const auto all_but_alpha = [&](const ExrLayer& layer) {
-    return std::all_of(layer.channels.begin(), layer.channels.end(), [&](const std::string& channel) {
-      return channel == "A" || std::find(common.begin(), common.end(), channel) != common.end();
+    return std::ranges::all_of(layer.channels, [&](const std::string& channel) {
+      return channel == "A" || std::ranges::find(common, channel) != common.end();
     });
   };
   if (common.empty() || !all_but_alpha(a) || !all_but_alpha(b)) {
-    std::string message = "channels differ: " + request.a + " has " + listed(a.channels, " ") + ", " + request.b +
-                          " has " + listed(b.channels, " ");
-    if (!common.empty()) message += "; compare what both have with --channels " + listed(common, ",");
+    std::string message = "channels differ: " + request.a + " has " + joined(a.channels, " ") + ", " + request.b +
+                          " has " + joined(b.channels, " ");
+    if (!common.empty()) message += "; compare what both have with --channels " + joined(common, ",");
     throw InputError(message);
   }
   if (a.channels.size() != b.channels.size()) {
@@ -136,8 +151,8 @@ std::string words(const Chromaticities& c) {
 // Numbers of two colour spaces are not to be compared. Chromaticities are printed with four or five digits.
 void require_same_colours(const ExrHeader& a, const ExrHeader& b, const std::vector<std::string>& channels) {
   constexpr double kPrinted = 6e-5;
-  const bool colours = std::any_of(channels.begin(), channels.end(),
-                                   [](const std::string& name) { return name == "R" || name == "G" || name == "B"; });
+  const bool colours =
+      std::ranges::any_of(channels, [](const std::string& name) { return name == "R" || name == "G" || name == "B"; });
   for (std::size_t i = 0; colours && i < a.chromaticities.size(); ++i) {
     if (std::abs(a.chromaticities[i] - b.chromaticities[i]) > kPrinted) {
       throw InputError("colour spaces differ: " + a.file + " has " + words(a.chromaticities) + "; " + b.file + " has " +
@@ -200,7 +215,7 @@ void note_other_layers(const ComparisonRequest& request, const ExrHeader& header
   for (const ExrLayer& layer : header.layers) {
     if (layer.name != compared) others.push_back(layer.name.empty() ? "the main picture" : layer.name);
   }
-  if (!others.empty()) report.notes.push_back(header.file + ": not compared: " + listed(others, ", "));
+  if (!others.empty()) report.notes.push_back(header.file + ": not compared: " + joined(others, ", "));
 }
 
 void count_nonfinite(const PicturePair& pair, ComparisonReport& report) {

@@ -62,9 +62,8 @@ void add_channels(std::vector<ExrLayer>& layers, const OIIO::ImageSpec& spec, in
     const std::string& full = spec.channelnames[static_cast<std::size_t>(i)];
     const std::size_t dot = full.rfind('.');
     const std::string layer_name = dot != std::string::npos ? full.substr(0, dot) : part > 0 ? part_name : "";
-    auto layer = std::find_if(layers.begin(), layers.end(), [&](const ExrLayer& candidate) {
-      return candidate.name == layer_name && candidate.part == part;
-    });
+    auto layer = std::ranges::find_if(
+        layers, [&](const ExrLayer& candidate) { return candidate.name == layer_name && candidate.part == part; });
     if (layer == layers.end()) {
       ExrLayer& added = layers.emplace_back();
       added.name = layer_name;
@@ -83,7 +82,7 @@ void add_channels(std::vector<ExrLayer>& layers, const OIIO::ImageSpec& spec, in
 void read_attributes(ExrHeader& header, const OIIO::ImageSpec& spec) {
   std::array<float, 8> values{};
   if (spec.getattribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), values.data())) {
-    std::copy(values.begin(), values.end(), header.chromaticities.begin());
+    std::ranges::copy(values, header.chromaticities.begin());
   }
   if (const std::optional<std::string> preset = text_of(spec, kPresetKey); preset && !preset->empty()) {
     header.preset = *preset;

@@ -4,7 +4,7 @@
 #include "core/error.h"
 #include "core/measure/preset_difference.h"
 #include "core/measure/view_geometry.h"
-#include "core/measure/words.h"
+#include "core/scene/printable.h"
 #include "core/scene/rules.h"
 #include "core/text.h"
 
@@ -17,7 +17,7 @@ json parse(std::string_view text) {
   try {
     return json::parse(text);
   } catch (const json::exception& problem) {
-    throw InputError(std::string("the preset that it carries is not JSON: ") + cut(problem.what()));
+    throw InputError(std::string("the preset that it carries is not JSON: ") + shortened(problem.what()));
   }
 }
 
@@ -26,7 +26,7 @@ Enum choice(const json& object, const char* key, const Names& names, const char*
   const std::string name = object.at(key).get<std::string>();
   const std::optional<Enum> known = named<Enum>(names, name);
   if (!known) {
-    throw InputError(std::string("the preset that it carries has the unknown ") + what + " '" + cut(name) + "'");
+    throw InputError(std::string("the preset that it carries has the unknown ") + what + " '" + shortened(name) + "'");
   }
   return *known;
 }
@@ -54,7 +54,7 @@ Viewpoint viewpoint_from_preset(std::string_view resolved_preset) {
     viewpoint.ground_radius = preset.at("planet").at("radius_km").get<double>();
     return viewpoint;
   } catch (const json::exception& problem) {
-    throw InputError(std::string("the preset that it carries does not tell the camera: ") + cut(problem.what()));
+    throw InputError(std::string("the preset that it carries does not tell the camera: ") + shortened(problem.what()));
   }
 }
 
@@ -73,8 +73,7 @@ std::vector<KeyDifference> preset_difference(std::string_view a, std::string_vie
   for (const auto& [pointer, value] : flat_b.items()) {
     if (!flat_a.contains(pointer)) differences.push_back({pointer, "", value.dump()});
   }
-  std::sort(differences.begin(), differences.end(),
-            [](const KeyDifference& x, const KeyDifference& y) { return x.pointer < y.pointer; });
+  std::ranges::sort(differences, [](const KeyDifference& x, const KeyDifference& y) { return x.pointer < y.pointer; });
   return differences;
 }
 

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "core/measure/words.h"
+#include "core/scene/printable.h"
 
 namespace airlight::measure {
 namespace {
@@ -50,8 +51,8 @@ std::string describe_keys(const ComparisonReport& report, std::size_t most) {
   std::string text;
   for (std::size_t i = 0; i < std::min(most, report.preset_keys.size()); ++i) {
     const KeyDifference& key = report.preset_keys[i];
-    text += "  " + cut(key.pointer) + ": A " + (key.a.empty() ? "absent" : cut(key.a)) + ", B " +
-            (key.b.empty() ? "absent" : cut(key.b)) + "\n";
+    text += "  " + shortened(key.pointer) + ": A " + (key.a.empty() ? "absent" : shortened(key.a)) + ", B " +
+            (key.b.empty() ? "absent" : shortened(key.b)) + "\n";
   }
   if (report.preset_keys.size() > most) {
     text += "  and " + std::to_string(report.preset_keys.size() - most) + " more keys\n";
@@ -76,8 +77,7 @@ std::string describe_nonfinite(const ComparisonReport& report) {
 }
 
 bool all_equal(const AreaReport& area) {
-  return std::all_of(area.channels.begin(), area.channels.end(),
-                     [](const ChannelReport& channel) { return channel.absolute.max == 0.0; });
+  return std::ranges::all_of(area.channels, [](const ChannelReport& channel) { return channel.absolute.max == 0.0; });
 }
 
 std::string describe_figures(const ComparisonReport& report) {
@@ -189,15 +189,15 @@ std::string describe_all(const std::vector<NamedReport>& entries) {
   std::string text = std::to_string(entries.size()) + (entries.size() == 1 ? " pair" : " pairs");
   const char* between = ": ";
   for (const Verdict verdict : {Verdict::pass, Verdict::warn, Verdict::differ, Verdict::cannot_compare}) {
-    const auto count = std::count_if(entries.begin(), entries.end(),
-                                     [&](const NamedReport& entry) { return entry.report.verdict == verdict; });
+    const auto count =
+        std::ranges::count_if(entries, [&](const NamedReport& entry) { return entry.report.verdict == verdict; });
     if (count == 0) continue;
     text += between + std::to_string(count) + " " + verdict_words(verdict);
     between = ", ";
   }
   const std::vector<const NamedReport*> sorted = worst_first(entries);
   const auto compared =
-      std::find_if(sorted.begin(), sorted.end(), [](const NamedReport* entry) { return !entry->report.areas.empty(); });
+      std::ranges::find_if(sorted, [](const NamedReport* entry) { return !entry->report.areas.empty(); });
   if (compared != sorted.end()) {
     const NamedReport* worst = *compared;
     const ChannelReport& pooled = worst->report.areas.front().channels.back();
@@ -216,8 +216,7 @@ std::vector<const NamedReport*> worst_first(const std::vector<NamedReport>& entr
     const ErrorSummary& relative = entry->report.areas.front().channels.back().relative;
     return std::tuple(0, relative.max, relative.mean);
   };
-  std::stable_sort(sorted.begin(), sorted.end(),
-                   [&](const NamedReport* x, const NamedReport* y) { return error(x) > error(y); });
+  std::ranges::stable_sort(sorted, [&](const NamedReport* x, const NamedReport* y) { return error(x) > error(y); });
   return sorted;
 }
 

@@ -26,11 +26,6 @@ std::string verdict_words(Verdict verdict) {
   return "cannot compare";
 }
 
-std::string cut(const std::string& text) {
-  constexpr std::size_t kLongest = 80;
-  return text.size() <= kLongest ? text : text.substr(0, kLongest) + "...";
-}
-
 std::string one_line(std::string text) {
   while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
   for (char& letter : text) {

@@ -16,9 +16,6 @@ std::string percent(double fraction);
 // "pass", "pass with warnings", "differ", "cannot compare".
 std::string verdict_words(Verdict verdict);
 
-// At most 80 bytes of it, "..." at the end where it was longer.
-std::string cut(const std::string& text);
-
 // One line: what libraries say over several.
 std::string one_line(std::string text);
 

@@ -25,10 +25,9 @@ device::GroundData narrowed_ground(const physics::GroundData& g) {
   out.shape.water_rows = g.shape.water_rows;
   out.shape.water_levels = g.shape.water_levels;
   out.shape.slope_variance = narrowed(g.shape.slope_variance);
-  std::copy(std::begin(g.albedo_first), std::end(g.albedo_first), std::begin(out.albedo_first));
-  std::copy(std::begin(g.water_first), std::end(g.water_first), std::begin(out.water_first));
-  std::transform(std::begin(g.glint_share), std::end(g.glint_share), std::begin(out.glint_share),
-                 [](double x) { return narrowed(x); });
+  std::ranges::copy(g.albedo_first, std::begin(out.albedo_first));
+  std::ranges::copy(g.water_first, std::begin(out.water_first));
+  std::ranges::transform(g.glint_share, std::begin(out.glint_share), [](double x) { return narrowed(x); });
   return out;
 }
 

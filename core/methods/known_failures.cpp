@@ -20,7 +20,7 @@ double asymmetry_of(const Scene& scene) {
   double most = 0.0;
   double g = kUnknown;
   for (const Medium& medium : scene.media) {
-    const double scattering = *std::max_element(medium.scattering.begin(), medium.scattering.end());
+    const double scattering = *std::ranges::max_element(medium.scattering);
     if (medium.phase_g != 0.0 && scattering > most) {
       most = scattering;
       g = medium.phase_g;
@@ -112,20 +112,20 @@ double light_kept(const Scene& scene, const Air& air) {
   const OpticalDepths depths = air.depths();
   const double of_air = depths.extinction > 0.0 ? depths.scattering / depths.extinction : 0.0;
   const Spectrum& ground = scene.planet.ground_albedo;
-  return std::min(of_air, *std::max_element(ground.begin(), ground.end()));
+  return std::min(of_air, *std::ranges::max_element(ground));
 }
 
 std::vector<std::string_view> known_failures_of(const SkyMethod& method, const Scene& scene, const Air& air) {
   std::vector<std::string_view> causes;
   for (const KnownFailure& known : method.validity.known_failures) {
-    const bool here = std::all_of(known.where.begin(), known.where.end(), [&](const Limit& limit) {
+    const bool here = std::ranges::all_of(known.where, [&](const Limit& limit) {
       if (limit.quantity == Quantity::view) {
         return share_between(scene, limit.minimum, limit.maximum) >= kNotableShare;
       }
       const double value = value_of(limit.quantity, method, scene, air);
       return value >= limit.minimum && value <= limit.maximum;
     });
-    if (here && std::find(causes.begin(), causes.end(), known.cause) == causes.end()) {
+    if (here && std::ranges::find(causes, known.cause) == causes.end()) {
       causes.push_back(known.cause);
     }
   }

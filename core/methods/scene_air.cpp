@@ -28,10 +28,10 @@ class Shelf {
   Air find(const Scene& scene, const AirOptions& options) {
     const std::lock_guard lock(mutex_);
     const auto same_matter = [&](const Air& air) { return air.media() == scene.media && air.planet() == scene.planet; };
-    auto found = std::find_if(airs_.begin(), airs_.end(),
-                              [&](const Air& air) { return air.options() == options && same_matter(air); });
+    auto found =
+        std::ranges::find_if(airs_, [&](const Air& air) { return air.options() == options && same_matter(air); });
     if (found == airs_.end()) {
-      found = std::find_if(airs_.begin(), airs_.end(), same_matter);
+      found = std::ranges::find_if(airs_, same_matter);
       airs_.push_front(found == airs_.end() ? Air(scene.media, scene.planet, options) : found->with(options));
       if (airs_.size() > kRememberedAirs) {
         airs_.pop_back();

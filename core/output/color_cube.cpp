@@ -207,8 +207,8 @@ void ColorCube::prepare(std::span<const float> rgba, const ColorTransform& trans
   const auto settle = [&](std::uint32_t index, std::uint8_t found, std::uint8_t done) {
     marks_[index] = static_cast<std::uint8_t>((marks_[index] & ~found) | (pays ? done : 0));
   };
-  std::for_each(cells.begin(), cells.end(), [&](std::uint32_t cell) { settle(cell, kCellFound, kCellDone); });
-  std::for_each(nodes.begin(), nodes.end(), [&](std::uint32_t node) { settle(node, kNodeFound, kNodeDone); });
+  std::ranges::for_each(cells, [&](std::uint32_t cell) { settle(cell, kCellFound, kCellDone); });
+  std::ranges::for_each(nodes, [&](std::uint32_t node) { settle(node, kNodeFound, kNodeDone); });
 }
 
 void ColorCube::evaluate_cells(std::span<const std::uint32_t> new_cells, std::span<const std::uint32_t> new_nodes,

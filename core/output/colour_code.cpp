@@ -50,8 +50,8 @@ std::optional<double> encoding_exponent(const ColourCode& code) {
 std::optional<ColourCode> colour_code_of_display(std::string_view name) {
   const std::string words = lower(name);
   for (const NamedCode& display : kDisplays) {
-    if (std::all_of(display.words.begin(), display.words.end(),
-                    [&](std::string_view word) { return words.find(word) != std::string::npos; })) {
+    if (std::ranges::all_of(display.words,
+                            [&](std::string_view word) { return words.find(word) != std::string::npos; })) {
       return display.code;
     }
   }

@@ -64,16 +64,15 @@ Config open_config(const std::string& asked) {
 // OpenColorIO itself answers a wrong name with a message about colour spaces.
 void require_name(const char* what, const std::string& name, const std::vector<std::string>& choices,
                   const std::string& where) {
-  if (std::find(choices.begin(), choices.end(), name) != choices.end()) {
+  if (std::ranges::find(choices, name) != choices.end()) {
     return;
   }
   std::string message = std::string(what) + " '" + name + "' is not in " + where;
   if (const std::optional<std::string> nearest = nearest_name(name, choices)) {
     message += "; did you mean '" + *nearest + "'?";
   }
-  throw InputError(message + " Choose one of " + joined_of(choices, [](const std::string& choice) {
-                     return "'" + choice + "'";
-                   }));
+  throw InputError(message + " Choose one of " +
+                   joined_of(choices, [](const std::string& choice) { return "'" + choice + "'"; }));
 }
 
 std::vector<std::string> displays_of(const ocio::Config& config) {
@@ -218,8 +217,8 @@ PixelImage DisplayTransform::apply(const RadianceImage& image, const AddedLight&
   PixelImage pixels = make_pixels(image.width, image.height, state_->settings.pixels);
   std::size_t done = 0;
   DisplayRows rows(*this, image.width, image.height, [&](const PixelImage& part) {
-    std::copy(part.bytes.begin(), part.bytes.end(), pixels.bytes.data() + (part.bits == 8 ? done : 0));
-    std::copy(part.words.begin(), part.words.end(), pixels.words.data() + (part.bits == 16 ? done : 0));
+    std::ranges::copy(part.bytes, pixels.bytes.data() + (part.bits == 8 ? done : 0));
+    std::ranges::copy(part.words, pixels.words.data() + (part.bits == 16 ? done : 0));
     done += part.bytes.size() + part.words.size();
   });
   rows.add(image, light, exposure);

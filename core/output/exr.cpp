@@ -62,7 +62,7 @@ ExrSink sink_into(std::vector<std::byte>& bytes) {
     if (position + piece.size() > bytes.size()) {
       bytes.resize(position + piece.size());
     }
-    std::copy(piece.begin(), piece.end(), bytes.begin() + static_cast<std::ptrdiff_t>(position));
+    std::ranges::copy(piece, bytes.begin() + static_cast<std::ptrdiff_t>(position));
   };
 }
 
@@ -149,7 +149,7 @@ imf::Header make_header(int width, int height, const ExrOptions& options) {
   }
   if (options.world_to_camera) {
     Imath::M44f matrix;
-    std::copy(options.world_to_camera->begin(), options.world_to_camera->end(), matrix.getValue());
+    std::ranges::copy(*options.world_to_camera, matrix.getValue());
     imf::addWorldToCamera(header, matrix);
   }
   if (!options.comments.empty()) {

@@ -46,9 +46,9 @@ struct FrameAttributes {
 struct ExrOptions {
   bool half = true;                                  // else 32-bit float
   WorkingSpace space = WorkingSpace::linear_rec709;  // that the channels given are in
-  bool latlong = false;                  // an equirectangular picture: tagged as an environment map
-  bool cube = false;                     // OpenEXR's stack of six faces: tagged likewise
-  std::optional<float> white_luminance;  // cd/m2 of radiance (1, 1, 1)
+  bool latlong = false;                              // an equirectangular picture: tagged as an environment map
+  bool cube = false;                                 // OpenEXR's stack of six faces: tagged likewise
+  std::optional<float> white_luminance;              // cd/m2 of radiance (1, 1, 1)
   std::optional<std::array<float, 16>> world_to_camera;
   std::string comments;
   std::optional<FrameAttributes> frame;

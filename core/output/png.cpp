@@ -71,7 +71,7 @@ void add_code_points(Writer& writer, const ColourCode& colours) {
   std::array<png_byte, 4> data{static_cast<png_byte>(colours.primaries), static_cast<png_byte>(colours.transfer), 0, 1};
   constexpr std::array<png_byte, 5> kName{'c', 'I', 'C', 'P', 0};
   png_unknown_chunk chunk{};
-  std::copy(kName.begin(), kName.end(), chunk.name);
+  std::ranges::copy(kName, chunk.name);
   chunk.data = data.data();
   chunk.size = data.size();
   chunk.location = PNG_HAVE_IHDR;
@@ -94,7 +94,7 @@ void add_colours(Writer& writer, const ColourCode& colours) {
 
 void add_texts(Writer& writer, const std::map<std::string, std::string>& texts) {
   for (const auto& [key, value] : texts) {
-    const bool ascii = std::all_of(value.begin(), value.end(), [](char c) { return static_cast<signed char>(c) >= 0; });
+    const bool ascii = std::ranges::all_of(value, [](char c) { return static_cast<signed char>(c) >= 0; });
     png_text text{};
     text.compression = ascii ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
     text.key = const_cast<char*>(key.c_str());  // libpng copies both

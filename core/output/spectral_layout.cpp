@@ -21,7 +21,8 @@ std::string origin_of_colours(const SpectralImage& spectrum) {
 std::map<std::string, std::string> spectral_attributes(const SpectralImage& spectrum) {
   std::string sunlight;
   for (std::size_t k = 0; k < spectrum.nm.size(); ++k) {
-    sunlight += shortest(static_cast<float>(spectrum.nm[k])) + "nm:" + shortest(static_cast<float>(spectrum.sunlight[k])) + ";";
+    sunlight +=
+        shortest(static_cast<float>(spectrum.nm[k])) + "nm:" + shortest(static_cast<float>(spectrum.sunlight[k])) + ";";
   }
   return {{"spectralLayoutVersion", "1.0"},
           {"emissiveUnits", spectrum.unit},

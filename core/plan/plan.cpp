@@ -67,10 +67,8 @@ void Plan::add_pass(PassDesc desc) {
 BufferId Plan::add_readback(ImageId image) {
   const ImageDesc& source = images_.at(image.index);
   assert(!source.half);
-  const BufferId buffer = add_buffer({.name = source.name + " readback",
-                                      .bytes = source.bytes(),
-                                      .host_readable = true,
-                                      .zeroed = false});
+  const BufferId buffer =
+      add_buffer({.name = source.name + " readback", .bytes = source.bytes(), .host_readable = true, .zeroed = false});
   readbacks_.push_back({image, buffer});
   return buffer;
 }

@@ -34,7 +34,7 @@ struct Later {
 
 bool must_run(const Plan& plan, const PassDesc& pass, const std::vector<bool>& kept, const std::vector<bool>& seen,
               const Later& later) {
-  return std::any_of(pass.writes.begin(), pass.writes.end(), [&](const Binding& write) {
+  return std::ranges::any_of(pass.writes, [&](const Binding& write) {
     const std::size_t s = slot(plan, write.resource);
     if (kept[s]) return false;
     const bool only_for_skipped_passes = later.touched[s] && !later.touched_in_run[s];
@@ -55,8 +55,8 @@ std::vector<bool> run_flags(const Plan& plan, const std::vector<bool>& kept, con
       later.touched[slot(plan, binding.resource)] = true;
       if (runs[i]) later.touched_in_run[slot(plan, binding.resource)] = true;
     };
-    std::for_each(pass.reads.begin(), pass.reads.end(), touch);
-    std::for_each(pass.writes.begin(), pass.writes.end(), touch);
+    std::ranges::for_each(pass.reads, touch);
+    std::ranges::for_each(pass.writes, touch);
   }
   return runs;
 }
@@ -102,8 +102,7 @@ std::vector<bool> barriers_before(const Plan& plan, const std::vector<bool>& run
     const PassDesc& pass = plan.passes()[i];
     const auto was_written = [&](const Binding& b) { return written[slot(plan, b.resource)]; };
     const auto was_touched = [&](const Binding& b) { return was_written(b) || read[slot(plan, b.resource)]; };
-    barriers[i] = std::any_of(pass.reads.begin(), pass.reads.end(), was_written) ||
-                  std::any_of(pass.writes.begin(), pass.writes.end(), was_touched);
+    barriers[i] = std::ranges::any_of(pass.reads, was_written) || std::ranges::any_of(pass.writes, was_touched);
     if (barriers[i]) {
       written.assign(written.size(), false);
       read.assign(read.size(), false);

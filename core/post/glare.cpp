@@ -97,8 +97,7 @@ GlareSources add_glare_sources(Plan& plan, const std::vector<GlarePoint>& all) {
   for (const GlarePoint& point : all) {
     points.push_back(packed(point));
   }
-  return {plan.add_buffer(filled_buffer("glare_sources", bytes_of(points))),
-          static_cast<std::uint32_t>(points.size())};
+  return {plan.add_buffer(filled_buffer("glare_sources", bytes_of(points))), static_cast<std::uint32_t>(points.size())};
 }
 
 RadianceImage glare_picture(const Scene& scene, const std::vector<GlarePoint>& points, const Tile& tile) {

@@ -1,6 +1,5 @@
 #include "core/render/band_passes.h"
 
-
 #include "core/plan/bytes.h"
 
 namespace airlight {

@@ -84,7 +84,7 @@ void take_roots(RadianceImage& variance) {
 
 void add_new_lines(std::vector<std::string>& lines, const std::vector<std::string>& more) {
   for (const std::string& line : more) {
-    if (std::find(lines.begin(), lines.end(), line) == lines.end()) {
+    if (std::ranges::find(lines, line) == lines.end()) {
       lines.push_back(line);
     }
   }

@@ -53,7 +53,7 @@ std::size_t pixels_of(const Tile& tile) {
 }
 
 Layer& find(std::vector<Layer>& layers, std::string_view name) {
-  const auto found = std::find_if(layers.begin(), layers.end(), [&](const Layer& layer) { return layer.name == name; });
+  const auto found = std::ranges::find_if(layers, [&](const Layer& layer) { return layer.name == name; });
   assert(found != layers.end());
   return *found;
 }
@@ -142,7 +142,8 @@ void put_band(Layer& whole, const Layer& band, const Tile& tile, int height) {
 
 LayerPasses add_layer_passes(Plan& plan, const Scene& scene, const Tile& tile, const std::string& kept_as) {
   assert(method_of(scene).add_layer_passes != nullptr);
-  return method_of(scene).add_layer_passes(plan, scene, air_of(scene), {.directions = {}, .tile = tile, .kept_as = kept_as});
+  return method_of(scene).add_layer_passes(plan, scene, air_of(scene),
+                                           {.directions = {}, .tile = tile, .kept_as = kept_as});
 }
 
 BufferId add_dark(Plan& plan, std::size_t pixels) {

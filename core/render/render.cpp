@@ -218,8 +218,7 @@ void finish(const DeviceOnDemand& device, const Scene& scene, const RenderReques
 }
 
 Rendering render(const DeviceOnDemand& device, const Scene& scene, const RenderRequest& request) {
-  return samples(scene) ? render_here(device, scene, request)
-                                                    : render_there(device(), scene, request);
+  return samples(scene) ? render_here(device, scene, request) : render_there(device(), scene, request);
 }
 
 Plan plan_for(const Scene& scene, const RenderRequest& request) {
@@ -292,8 +291,7 @@ std::vector<float> probe_picture(const DeviceOnDemand& device, const Scene& scen
     return rgb;
   }
   std::vector<std::string> ignored;
-  const RadianceImage pairs =
-      pairs_of(device, scene, View{.directions = directions, .as_picture = true}, ignored);
+  const RadianceImage pairs = pairs_of(device, scene, View{.directions = directions, .as_picture = true}, ignored);
   for (int i = 0; i < pairs.width; i += 2) {
     rgb.insert(rgb.end(), pairs.at(i, 0), pairs.at(i, 0) + 3);
   }

@@ -1,6 +1,5 @@
 #include "core/render/table_reads.h"
 
-
 #include "core/plan/bytes.h"
 
 namespace airlight {
@@ -35,7 +34,8 @@ void TableReads::take(const RunResult& result, std::vector<NamedStatistics>& sta
     }
     if (read.contents) {
       dumps.push_back({image.name, static_cast<int>(image.extent.width), static_cast<int>(image.extent.height),
-                       values_of<float>(result.contents(*read.contents)), image.text ? image.text() : TableText{}, image.channels});
+                       values_of<float>(result.contents(*read.contents)), image.text ? image.text() : TableText{},
+                       image.channels});
     }
   }
 }

@@ -131,9 +131,9 @@ void TiledRender::render_tile(Band& band, const Tile& tile) {
 // Rows of an image of the host's, `rows` being their place in the picture.
 Picture TiledRender::add_upload(Plan& plan, const RadianceImage& image, int first_row, const Tile& rows) const {
   const std::size_t row = 4 * static_cast<std::size_t>(rows.width);
-  BufferDesc buffer =
-      filled_buffer("radiance", bytes_of(std::span(image.rgba).subspan(static_cast<std::size_t>(first_row) * row,
-                                                                       row * static_cast<std::size_t>(rows.height))));
+  BufferDesc buffer = filled_buffer("radiance", bytes_of(std::span(image.rgba)
+                                                             .subspan(static_cast<std::size_t>(first_row) * row,
+                                                                      row * static_cast<std::size_t>(rows.height))));
   buffer.host_readable = true;
   return picture_of(plan.add_buffer(std::move(buffer)), rows);
 }

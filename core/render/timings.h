@@ -13,7 +13,7 @@ template <class Timing>
 void add_timings(std::vector<Timing>& all, const std::vector<Timing>& more) {
   for (const Timing& timing : more) {
     const auto same = [&](const Timing& other) { return other.name == timing.name; };
-    const auto found = std::find_if(all.begin(), all.end(), same);
+    const auto found = std::ranges::find_if(all, same);
     if (found == all.end()) {
       all.push_back(timing);
     } else {

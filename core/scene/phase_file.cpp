@@ -120,7 +120,7 @@ class PhaseFile {
     if (fields.front() == "lambda") {
       form_ = Form::cosmoscout;
       table_.angles_deg = numbers(fields, 1, fields.size() - 1);
-    } else if (std::any_of(fields.begin(), fields.end(), [](auto field) { return column_of(field).has_value(); })) {
+    } else if (std::ranges::any_of(fields, [](auto field) { return column_of(field).has_value(); })) {
       form_ = Form::aeronet;
       for (std::size_t i = 0; i < fields.size(); ++i) {
         if (const auto column = column_of(fields[i])) {

@@ -52,7 +52,7 @@ bool is_zone_file(const fs::path& file) {
 // A name that leads out of the folder is none.
 bool stays_inside(const fs::path& name) {
   return !name.empty() && name.is_relative() &&
-         std::none_of(name.begin(), name.end(), [](const fs::path& part) { return part == ".." || part == "."; });
+         std::ranges::none_of(name, [](const fs::path& part) { return part == ".." || part == "."; });
 }
 
 std::vector<std::string> zone_names(const fs::path& folder) {

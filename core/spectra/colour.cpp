@@ -95,7 +95,7 @@ double illuminance(const Curve& light) {
 BandColours band_colours(const Curve& sun, White white) {
   const std::vector<Rgb> found = colours_of(fine_bands(), sun, white);
   BandColours colours;
-  std::copy(found.begin(), found.end(), colours.begin());
+  std::ranges::copy(found, colours.begin());
   return colours;
 }
 

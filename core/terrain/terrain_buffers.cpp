@@ -20,7 +20,7 @@ device::TerrainData narrowed_shape(const physics::TerrainData& t) {
   out.columns = t.columns;
   out.rows = t.rows;
   out.levels = t.levels;
-  std::copy(std::begin(t.level_first), std::end(t.level_first), std::begin(out.level_first));
+  std::ranges::copy(t.level_first, std::begin(out.level_first));
   out.colour_columns = t.colour_columns;
   out.colour_rows = t.colour_rows;
   out.sunward_east = narrowed(t.sunward_east);

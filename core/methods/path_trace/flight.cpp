@@ -106,7 +106,7 @@ std::vector<double> Flight::corners() const {
         break;
     }
   }
-  std::sort(list.begin(), list.end());
+  std::ranges::sort(list);
   list.erase(std::unique(list.begin(), list.end()), list.end());
   return list;
 }

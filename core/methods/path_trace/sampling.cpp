@@ -113,8 +113,7 @@ bool Sampling::keep_is_due() const {
 
 // Whether every pixel is prepared and has at least so many.
 bool Sampling::all_at(std::uint64_t batches) const {
-  return fewest_batches() >= batches &&
-         std::all_of(pixels_.begin(), pixels_.end(), [](const Pixel& p) { return p.prepared; });
+  return fewest_batches() >= batches && std::ranges::all_of(pixels_, [](const Pixel& p) { return p.prepared; });
 }
 
 bool Sampling::enough() const {
@@ -125,7 +124,7 @@ bool Sampling::enough() const {
     return false;
   }
   const std::uint64_t fewest = fewest_batches();
-  const bool met = std::all_of(sums_.begin(), sums_.end(), [&](const PixelSums& s) { return s.batches == fewest; });
+  const bool met = std::ranges::all_of(sums_, [&](const PixelSums& s) { return s.batches == fewest; });
   return (rules_.batches > 0 && fewest >= rules_.batches) ||
          (rules_.target_error > 0.0 && met && is_goal(fewest) && error_ <= rules_.target_error);
 }

@@ -53,7 +53,6 @@ class Sampling {
   std::string overrun() const;
 
  private:
-
   bool enough() const;
   bool all_at(std::uint64_t batches) const;
   void pass(std::uint64_t goal);

@@ -61,7 +61,7 @@ std::vector<double> SingleScattering::corners(const Ray& ray) const {
   const physics::Physics::ShadowCrossings shadow = physics_.shadow_crossings(physics_.scene.planet, ray);
   add(shadow.first);
   add(shadow.second);
-  std::sort(list.begin(), list.end());
+  std::ranges::sort(list);
   return list;
 }
 

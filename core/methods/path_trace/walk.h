@@ -7,9 +7,9 @@
 
 #include "core/methods/path_trace/flight.h"
 #include "core/methods/path_trace/phase_sampling.h"
+#include "core/methods/path_trace/random.h"
 #include "core/methods/path_trace/single_scattering.h"
 #include "core/methods/path_trace/sky_guide.h"
-#include "core/methods/path_trace/walk_numbers.h"
 #include "core/methods/path_trace/wavelengths.h"
 
 namespace airlight {

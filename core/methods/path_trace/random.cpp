@@ -1,4 +1,4 @@
-#include "core/methods/path_trace/walk_numbers.h"
+#include "core/methods/path_trace/random.h"
 
 #include <array>
 #include <cmath>
