@@ -37,35 +37,17 @@ void store(uint block, uvec2 texel, uint slice, vec3 light) {
   imageStore(volume_out, ivec3(block * kSkyColumns + texel.x, texel.y, slice), vec4(volume_code(light), 1.0));
 }
 
-void store_single(uint i, SkyFactors factors, uvec2 texel, uint slice, vec3 scale) {
-  if (scatters(i)) {
-    store(single_block(i), texel, slice, factors.single[i] * scale);
-  }
-}
-
-vec3 folded_light(uint i, SkyFactors factors, float nu) {
-  return folded(i) ? factors.single[i] * medium_phase(i, nu) : vec3(0.0);
-}
-
 void store_slice(SkyFactors factors, Ray ray, uvec2 texel, uint slice) {
   vec3 scale = vec3(1.0) / max(gathered_share(factors.depth), vec3(1e-30));
-  store_single(0u, factors, texel, slice, scale);
-  store_single(1u, factors, texel, slice, scale);
-  store_single(2u, factors, texel, slice, scale);
-  store_single(3u, factors, texel, slice, scale);
-  store_single(4u, factors, texel, slice, scale);
-  store_single(5u, factors, texel, slice, scale);
-  store_single(6u, factors, texel, slice, scale);
-  store_single(7u, factors, texel, slice, scale);
+  UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
+    if (scatters(i)) {
+      store(single_block(i), texel, slice, factors.single[i] * scale);
+    }
+  }
   vec3 light = factors.diffuse;
-  light += folded_light(0u, factors, ray.nu);
-  light += folded_light(1u, factors, ray.nu);
-  light += folded_light(2u, factors, ray.nu);
-  light += folded_light(3u, factors, ray.nu);
-  light += folded_light(4u, factors, ray.nu);
-  light += folded_light(5u, factors, ray.nu);
-  light += folded_light(6u, factors, ray.nu);
-  light += folded_light(7u, factors, ray.nu);
+  UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
+    light += folded(i) ? factors.single[i] * medium_phase(i, ray.nu) : vec3(0.0);
+  }
   store(diffuse_block(), texel, slice, light * scale / volume_carrier(ray.nu));
 }
 

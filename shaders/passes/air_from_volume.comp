@@ -52,13 +52,8 @@ void main() {
   SegmentTransfer segment = segment_transfer(depth);
   float w = texel_from_unit(z, float(kSlices));
   vec3 source = fetch_block(diffuse_block(), at, w) * volume_carrier(at.nu);
-  source += single_at(0u, at, w);
-  source += single_at(1u, at, w);
-  source += single_at(2u, at, w);
-  source += single_at(3u, at, w);
-  source += single_at(4u, at, w);
-  source += single_at(5u, at, w);
-  source += single_at(6u, at, w);
-  source += single_at(7u, at, w);
+  UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
+    source += single_at(i, at, w);
+  }
   write_air(span.index, source * depth * segment.mean * scene.sun.irradiance, segment.through);
 }
