@@ -108,7 +108,7 @@ ChoiceReport choose_rendering(const Scene& scene, const ChoiceWish& wish, const 
       status->say("choosing method and quality: path-trace judges " + std::to_string(probes.directions.size()) +
                   " pixels");
     }
-    return choice::trace_probes(whole, probes, target_error, {});
+    return choice::trace_probes(whole, probes, target_error);
   };
   if (wish.limit_ms > 0.0) {
     chart::TableTimes tables;

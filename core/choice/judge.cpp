@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 
 #include "core/methods/method.h"
 #include "core/methods/scene_air.h"
@@ -31,17 +32,18 @@ bool can_be_traced(const Scene& scene) {
   return find_method("path-trace")->info.knows_spheres || scene.spheres.empty();
 }
 
-Traced trace_probes(const Scene& scene, const Probes& probes, double target_error,
-                    const std::function<bool(double)>& report) {
+Traced trace_probes(const Scene& scene, const Probes& probes, double target_error) {
   const SkyMethod& method = *find_method("path-trace");
   Scene traced = with_quality(scene, method, {"judge", {{"seed", kSeed}, {"samples", kMostSamples}}});
   traced.render.parameters.insert_or_assign("target_error", target_error);
-  traced.render.parameters.insert_or_assign("time_limit_s", kMostSeconds);
   if (traced.spectra) {
     traced.spectra->wavelengths = kMostWavelengths;
   }
   HostOptions options;
-  options.report = report;
+  const std::clock_t start = std::clock();
+  options.report = [start](double /*done*/) {
+    return static_cast<double>(std::clock() - start) < kMostCpuSeconds * CLOCKS_PER_SEC;
+  };
   const HostPicture picture =
       method.render_on_host(traced, air_of(traced), View{.directions = probes.directions}, options);
   return {rgb_of(picture.radiance), rgb_of(picture.standard_error)};

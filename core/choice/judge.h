@@ -24,11 +24,10 @@ using TraceFunction = std::function<Traced(const Scene& scene, const Probes& pro
 bool can_be_traced(const Scene& scene);
 
 // By the method's own sampler, of spectra at all wavelengths; as noisy as it is after kMostSamples a probe or
-// kMostSeconds. `report` as HostOptions has it. One scene gives the same samples but where the time was up.
-Traced trace_probes(const Scene& scene, const Probes& probes, double target_error,
-                    const std::function<bool(double)>& report);
+// kMostCpuSeconds of all threads. One scene gives the same samples but where that time was up.
+Traced trace_probes(const Scene& scene, const Probes& probes, double target_error);
 inline constexpr int kMostSamples = 1 << 16;
-inline constexpr double kMostSeconds = 30.0;
+inline constexpr double kMostCpuSeconds = 60.0;
 
 // Bounds on the mean relative error over the picture, two standard errors either way, what the paths' noise adds to it
 // taken off: of the distance d between radiance and a noisy truth the noise n alone would make the mean of a normal
