@@ -11,8 +11,8 @@ namespace airlight::choice {
 // The error that every reference has, however fine its tables: harmonics above the degree are missing.
 double common_error(const Scene& scene);
 
-// The error of the plain reference. Nothing is assumed where the sun is far below the horizon, or low over thick air, or
-// a phase function is sharper than most or peaks backward.
+// The error of the plain reference. Nothing is assumed where the sun is far below the horizon, or low over thick air,
+// or a phase function is sharper than most or peaks backward.
 std::optional<double> plain_reference_error(const Scene& scene);
 
 // The error of the method's defaults, that of the scene's wavelengths included. Something is assumed down to a sun of
