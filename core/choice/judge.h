@@ -27,7 +27,7 @@ bool can_be_traced(const Scene& scene);
 // kMostCpuSeconds of all threads. One scene gives the same samples but where that time was up.
 Traced trace_probes(const Scene& scene, const Probes& probes, double target_error);
 inline constexpr int kMostSamples = 1 << 16;
-inline constexpr double kMostCpuSeconds = 60.0;
+inline constexpr double kMostCpuSeconds = 20.0;
 
 // Bounds on the mean relative error over the picture, two standard errors either way, what the paths' noise adds to it
 // taken off: of the distance d between radiance and a noisy truth the noise n alone would make the mean of a normal
