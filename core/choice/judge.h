@@ -31,8 +31,9 @@ inline constexpr double kMostCpuSeconds = 20.0;
 
 // Bounds on the mean relative error over the picture, two standard errors either way, what the paths' noise adds to it
 // taken off: of the distance d between radiance and a noisy truth the noise n alone would make the mean of a normal
-// distribution's magnitude, and d^2 = error^2 + n^2. Where errors or noise differ from probe to probe the root of that
-// is more than the error, never less.
+// distribution's magnitude, and d^2 is taken for error^2 + n^2. Uneven errors or noise make the result greater than the
+// error; of an error that is alike everywhere and far below the noise 0.8 is found, which the two standard errors
+// cover.
 struct Judgement {
   double at_least = 0.0;
   double at_most = 0.0;
