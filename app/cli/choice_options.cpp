@@ -103,12 +103,12 @@ ChoiceReport choose_rendering(const Scene& scene, const ChoiceWish& wish, const 
     tell_what("probing", candidate);
     return probe_picture(device, candidate, probes.directions);
   };
-  looks.trace = [&](const Scene& whole, const choice::Probes& probes, double target_error) {
+  looks.trace = [&](const Scene& whole, const choice::Probes& probes, const choice::TraceOrder& order) {
     if (status) {
       status->say("choosing method and quality: path-trace judges " + std::to_string(probes.directions.size()) +
                   " pixels");
     }
-    return choice::trace_probes(whole, probes, target_error);
+    return choice::trace_probes(whole, probes, order);
   };
   if (wish.limit_ms > 0.0) {
     chart::TableTimes tables;

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
+#include <numbers>
 
+#include "core/clock.h"
+#include "core/error.h"
 #include "core/methods/method.h"
 #include "core/methods/scene_air.h"
 
@@ -11,7 +13,23 @@ namespace airlight::choice {
 namespace {
 
 constexpr double kDark = 1e-12;  // of the sun's irradiance
-constexpr int kSeed = 3;         // neither the method's own nor that of the chart's truth
+constexpr int kSeed = 3;         // the first run's: neither the method's own nor that of the chart's truth
+constexpr double kBatch = 16.0;  // samples
+constexpr double kFewestSamples = 2.0 * kBatch;
+constexpr double kMostSamples = 1 << 20;
+
+// Of this process, all threads.
+double cpu_seconds() {
+  return 1e-3 * process_cpu_ms();
+}
+
+// What the deviation found from so many normal values is of their distribution's, in the mean; 1 where they are many.
+double share_of_deviation(double count) {
+  const double freedom = std::max(count - 1.0, 0.0);
+  return freedom > 0.0
+             ? std::sqrt(2.0 / freedom) * std::exp(std::lgamma(0.5 * freedom + 0.5) - std::lgamma(0.5 * freedom))
+             : 1.0;
+}
 
 bool is_below(double share, const Scene& scene, std::span<const float> radiance) {
   const double limit = share * *std::ranges::max_element(scene.sun.irradiance);
@@ -26,37 +44,85 @@ std::vector<float> rgb_of(const RadianceImage& image) {
   return values;
 }
 
+// Mean magnitude of a normal value of this mean and deviation (a folded normal distribution's).
+double folded_mean(double mean, double deviation) {
+  const double ratio = mean / deviation;
+  return deviation * measure::kMeanOfNormal * std::exp(-0.5 * ratio * ratio) +
+         mean * std::erf(ratio / std::numbers::sqrt2);
+}
+
+// The error alike everywhere that adds `excess` to the mean distance that noise alone makes.
+double error_behind(double excess, double noise) {
+  if (excess <= 0.0 || noise <= 0.0) {
+    return std::max(excess, 0.0);
+  }
+  double low = excess;
+  double high = noise + excess;
+  for (int i = 0; i < 50; ++i) {
+    const double middle = 0.5 * (low + high);
+    const bool more = folded_mean(middle, noise / measure::kMeanOfNormal) > noise + excess;
+    (more ? high : low) = middle;
+  }
+  return high;
+}
+
 }  // namespace
 
 bool can_be_traced(const Scene& scene) {
   return find_method("path-trace")->info.knows_spheres || scene.spheres.empty();
 }
 
-Traced trace_probes(const Scene& scene, const Probes& probes, double target_error) {
+Traced trace_probes(const Scene& scene, const Probes& probes, const TraceOrder& order) {
   const SkyMethod& method = *find_method("path-trace");
-  Scene traced = with_quality(scene, method, {"judge", {{"seed", kSeed}, {"samples", kMostSamples}}});
-  traced.render.parameters.insert_or_assign("target_error", target_error);
+  const int samples = static_cast<int>(std::min(order.samples, kMostSamples));
+  Scene traced = with_quality(scene, method, {"judge", {{"seed", order.seed}, {"samples", samples}}});
+  traced.render.parameters.insert_or_assign("target_error", order.target_error);
   if (traced.spectra) {
     traced.spectra->wavelengths = kMostWavelengths;
   }
   HostOptions options;
-  const std::clock_t start = std::clock();
-  options.report = [start](double /*done*/) {
-    return static_cast<double>(std::clock() - start) < kMostCpuSeconds * CLOCKS_PER_SEC;
-  };
-  const HostPicture picture =
-      method.render_on_host(traced, air_of(traced), View{.directions = probes.directions}, options);
-  return {rgb_of(picture.radiance), rgb_of(picture.standard_error)};
+  const double end = cpu_seconds() + order.cpu_seconds;
+  options.report = [end](double /*done*/) { return cpu_seconds() < end; };
+  try {
+    const HostPicture picture =
+        method.render_on_host(traced, air_of(traced), View{.directions = probes.directions}, options);
+    const auto taken = static_cast<double>(picture.samples);
+    return {rgb_of(picture.radiance), rgb_of(picture.standard_error), taken, taken / kBatch};
+  } catch (const RunError&) {
+    return {};  // stopped before the first batches
+  }
+}
+
+Traced together(const Traced& a, const Traced& b) {
+  if (a.radiance.empty() || b.radiance.empty()) {
+    return a.radiance.empty() ? b : a;
+  }
+  Traced sum = a;
+  sum.samples += b.samples;
+  sum.batches += b.batches - 1.0;  // each run tells its own mean
+  const double share = b.samples / sum.samples;
+  for (std::size_t i = 0; i < sum.radiance.size(); ++i) {
+    sum.radiance[i] = static_cast<float>(std::lerp(double{a.radiance[i]}, double{b.radiance[i]}, share));
+    sum.standard_error[i] =
+        static_cast<float>(std::hypot((1.0 - share) * a.standard_error[i], share * b.standard_error[i]));
+  }
+  return sum;
 }
 
 Judgement judge(std::span<const float> radiance, const Traced& truth, std::span<const double> weights) {
-  constexpr double kMeanOfNormal = 0.798;  // mean magnitude over standard deviation
-  constexpr double kSpreads = 2.0;
-  const measure::SampleError distance = measure::sample_error(radiance, truth.radiance, weights);
-  const double noise = kMeanOfNormal * measure::sample_noise(truth.radiance, truth.standard_error, weights);
-  const auto without_noise = [&](double d) { return std::sqrt(std::max(d * d - noise * noise, 0.0)); };
-  return {without_noise(std::max(distance.mean - kSpreads * distance.spread, 0.0)),
-          without_noise(distance.mean + kSpreads * distance.spread)};
+  constexpr double kAbove = 2.0;             // spreads
+  constexpr double kSpreadOfNormal = 0.756;  // of a magnitude, over its mean
+  constexpr double kBelow = 3.0;             // one look too low in a row of them ends a search
+  std::vector<float> sigma = truth.standard_error;
+  const auto mend = static_cast<float>(1.0 / share_of_deviation(truth.batches));
+  std::ranges::transform(sigma, sigma.begin(), [mend](float s) { return mend * s; });
+  const measure::NoisyError found = measure::noisy_error(radiance, truth.radiance, sigma, weights);
+  // Of few probes the spread is itself a guess, and no less than that of a normal value's magnitude.
+  const double spread =
+      std::max(found.spread,
+               kSpreadOfNormal * found.noise / std::sqrt(static_cast<double>(std::max<std::size_t>(found.used, 1))));
+  return {error_behind(found.excess - kBelow * spread, found.noise),
+          error_behind(std::max(found.excess, 0.0) + kAbove * spread, found.noise)};
 }
 
 double dark_radiance(const Scene& scene, const std::vector<float>& reference) {
@@ -64,30 +130,63 @@ double dark_radiance(const Scene& scene, const std::vector<float>& reference) {
   return is_below(kNight, scene, reference) ? kDark * *std::ranges::max_element(scene.sun.irradiance) : 0.0;
 }
 
+Judgement Judge::told(std::span<const float> radiance) const {
+  return was_asked() ? judge(radiance, traced_, probes_.weights) : Judgement{0.0, measure::kWorstError};
+}
+
+// Few paths miss what seldom comes and matters, and tell errors that more of them take back: what they say against a
+// picture is only believed where it is far off or they are many.
+bool Judge::is_settled(const Judgement& verdict, double share) const {
+  constexpr double kEnoughBatches = 8.0;
+  constexpr double kFine = 0.5;  // noise / tolerance
+  constexpr double kFinest = 0.25;
+  constexpr double kFarOff = 3.0;  // error / tolerance
+  const double noise = measure::sample_noise(traced_.radiance, traced_.standard_error, probes_.weights) / tolerance_;
+  if (traced_.batches < kEnoughBatches) {
+    return false;
+  }
+  return noise <= kFinest || verdict.at_most <= share * tolerance_ ||
+         verdict.at_least > (noise <= kFine ? 1.0 : kFarOff) * tolerance_;
+}
+
 Judgement Judge::tell(std::span<const float> radiance, double share) {
   constexpr double kFirst = 0.04;  // standard error / radiance
-  constexpr double kOutOfTime = 1.5;
-  while (true) {
-    if (was_asked()) {
-      const Judgement verdict = told(radiance);
-      const bool finest = noise_ <= tolerance_ || noise_of(traced_) > kOutOfTime * noise_;
-      if (verdict.at_most <= share * tolerance_ || verdict.at_least > tolerance_ || finest) {
-        return verdict;
-      }
-    }
-    noise_ = std::max(was_asked() ? 0.5 * noise_ : kFirst, was_asked() ? tolerance_ : 2.0 * tolerance_);
-    traced_ = trace_(scene_, probes_, noise_);
+  if (!was_asked()) {
+    trace_more(std::max(kFirst, 2.0 * tolerance_));
   }
+  Judgement verdict = told(radiance);
+  while (was_asked() && !is_settled(verdict, share) && trace_more(0.0)) {
+    verdict = told(radiance);
+  }
+  return verdict;
 }
 
-double Judge::noise_of(const Traced& traced) const {
-  return measure::sample_noise(traced.radiance, traced.standard_error, probes_.weights);
+// As many samples again as there are, or until the noise is as small as that. False: there is no time for more.
+bool Judge::trace_more(double target_error) {
+  TraceOrder order{.seed = kSeed + runs_,
+                   .target_error = target_error,
+                   .samples = kMostSamples,
+                   .cpu_seconds = kMostCpuSeconds - cpu_seconds_};
+  if (was_asked()) {
+    const double affordable = order.cpu_seconds * traced_.samples / std::max(cpu_seconds_, 1e-6);
+    order.samples = std::min({traced_.samples, affordable, kMostSamples - traced_.samples});
+    if (order.samples < kFewestSamples) {
+      return false;
+    }
+  }
+  const double start = cpu_seconds();
+  const Traced more = trace_(scene_, probes_, order);
+  cpu_seconds_ += cpu_seconds() - start;
+  ++runs_;
+  traced_ = together(traced_, more);
+  return !more.radiance.empty();
 }
 
-double Judge::darkness(const std::vector<float>& radiance) const {
+double Judge::darkness(const std::vector<float>& radiance) {
   constexpr double kAnyNoise = 1e9;
   const double dark = dark_radiance(scene_, radiance);
-  return dark > 0.0 && is_below(kDark, scene_, trace_(scene_, probes_, kAnyNoise).radiance) ? dark : 0.0;
+  const bool seen = dark > 0.0 && (was_asked() || trace_more(kAnyNoise));
+  return seen && is_below(kDark, scene_, traced_.radiance) ? dark : 0.0;
 }
 
 }  // namespace airlight::choice

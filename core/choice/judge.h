@@ -15,25 +15,34 @@ namespace airlight::choice {
 struct Traced {
   std::vector<float> radiance;        // RGB of each probe
   std::vector<float> standard_error;  // the same
+  double samples = 0.0;               // a probe
+  double batches = 0.0;               // the standard error is told by the differences of so many
 };
 
-// `target_error`: mean over the probes of standard error / radiance that is good enough.
-using TraceFunction = std::function<Traced(const Scene& scene, const Probes& probes, double target_error)>;
+// One run of path-trace: of one seed the same samples each time, but where the time was up.
+struct TraceOrder {
+  int seed = 0;
+  double target_error = 0.0;  // mean over the probes of standard error / radiance that is good enough; 0: none is
+  double samples = 0.0;       // a probe, at most
+  double cpu_seconds = 0.0;   // of all threads, at most
+};
+
+// Of no probe where the time was up before there was a standard error.
+using TraceFunction = std::function<Traced(const Scene& scene, const Probes& probes, const TraceOrder& order)>;
 
 // Whether path-trace renders such a scene: there are no spheres in it.
 bool can_be_traced(const Scene& scene);
 
-// By the method's own sampler, of spectra at all wavelengths; as noisy as it is after kMostSamples a probe or
-// kMostCpuSeconds of all threads. One scene gives the same samples but where that time was up.
-Traced trace_probes(const Scene& scene, const Probes& probes, double target_error);
-inline constexpr int kMostSamples = 1 << 16;
-inline constexpr double kMostCpuSeconds = 20.0;
+// By the method's own sampler, of spectra at all wavelengths.
+Traced trace_probes(const Scene& scene, const Probes& probes, const TraceOrder& order);
 
-// Bounds on the mean relative error over the picture, two standard errors either way, what the paths' noise adds to it
-// taken off: of the distance d between radiance and a noisy truth the noise n alone would make the mean of a normal
-// distribution's magnitude, and d^2 is taken for error^2 + n^2. Uneven errors or noise make the result greater than the
-// error; of an error that is alike everywhere and far below the noise 0.8 is found, which the two standard errors
-// cover.
+// Both runs as one; their seeds differ.
+Traced together(const Traced& a, const Traced& b);
+
+// Bounds on the mean relative error over the picture, two standard errors up and three down: the error that, alike
+// everywhere and with the paths' noise, normal and alike everywhere, makes the mean distance from the truth what it is.
+// Errors or noise that are uneven make no greater distance by a greater mean (a normal value's mean magnitude is convex
+// in its mean and deviation), so the upper bound holds for them too.
 struct Judgement {
   double at_least = 0.0;
   double at_most = 0.0;
@@ -46,31 +55,36 @@ Judgement judge(std::span<const float> radiance, const Traced& truth, std::span<
 // it so far from the light.
 double dark_radiance(const Scene& scene, const std::vector<float>& reference);
 
-// Path-trace's verdicts on pictures of one scene at the same probes. Nothing is traced before it is asked.
+// Path-trace's verdicts on pictures of one scene at the same probes. Nothing is traced before it is asked; every sample
+// counts in all verdicts after it.
 class Judge {
  public:
+  static constexpr double kMostCpuSeconds = 20.0;  // of tracing, in all
+
   Judge(const Scene& scene, const Probes& probes, double tolerance, const TraceFunction& trace)
       : scene_(scene), probes_(probes), tolerance_(tolerance), trace_(trace) {}
 
   // Radiance at the probes: by paths as many as it takes to tell whether its error is below `share` of the tolerance or
-  // above the tolerance, until their noise is as small as the tolerance or time is up.
+  // above the tolerance, until their noise is a quarter of the tolerance or time is up.
   Judgement tell(std::span<const float> radiance, double share);
-  // By the paths that there are.
-  Judgement told(std::span<const float> radiance) const { return judge(radiance, traced_, probes_.weights); }
+  // By the paths that there are. Without any an error may be as great as can be.
+  Judgement told(std::span<const float> radiance) const;
   // dark_radiance() of a picture, where few paths bring no more light either.
-  double darkness(const std::vector<float>& radiance) const;
+  double darkness(const std::vector<float>& radiance);
   bool was_asked() const { return !traced_.radiance.empty(); }
   const Probes& probes() const { return probes_; }
 
  private:
-  double noise_of(const Traced& traced) const;
+  bool is_settled(const Judgement& verdict, double share) const;
+  bool trace_more(double target_error);
 
   const Scene& scene_;
   Probes probes_;
   double tolerance_;
   const TraceFunction& trace_;
   Traced traced_;
-  double noise_ = 0.0;  // standard error / radiance that traced_ was to have, halved each time
+  int runs_ = 0;
+  double cpu_seconds_ = 0.0;  // spent
 };
 
 }  // namespace airlight::choice

@@ -27,4 +27,16 @@ SampleError sample_error(std::span<const float> a, std::span<const float> refere
 double sample_noise(std::span<const float> reference, std::span<const float> sigma,
                     std::span<const double> weights = {});
 
+// What a noisy reference tells of an error: the mean of distance / reference over the same samples is `noise`, which a
+// normal distribution of `sigma` alone would make it, and `excess`, by which it is more than that.
+struct NoisyError {
+  double noise = 0.0;
+  double excess = 0.0;  // below 0 by chance
+  double spread = 0.0;  // standard error of `excess`, 0 with fewer than two samples
+  std::size_t used = 0;
+};
+NoisyError noisy_error(std::span<const float> a, std::span<const float> reference, std::span<const float> sigma,
+                       std::span<const double> weights = {});
+inline constexpr double kMeanOfNormal = 0.7978845608028654;  // mean magnitude over standard deviation
+
 }  // namespace airlight::measure

@@ -86,8 +86,9 @@ std::vector<Honesty> judge_honesty(Executor& executor, const Scene& scene, const
     }
     return values;
   };
-  const choice::Looks looks{probe, [](const Scene& whole, const choice::Probes& probes, double target_error) {
-                              return choice::trace_probes(whole, probes, target_error);
+  const choice::Looks looks{probe,
+                            [](const Scene& whole, const choice::Probes& probes, const choice::TraceOrder& order) {
+                              return choice::trace_probes(whole, probes, order);
                             }};
   const choice::Candidate fine = choice::reference(scene, true);
   if (of_reference != nullptr) {
