@@ -161,7 +161,7 @@ Judgement Judge::tell(std::span<const float> radiance, double share) {
   return verdict;
 }
 
-// As many samples again as there are, or until the noise is as small as that. False: there is no time for more.
+// Half as many samples again as there are, or until the noise is as small as that. False: there is no time for more.
 bool Judge::trace_more(double target_error) {
   TraceOrder order{.seed = kSeed + runs_,
                    .target_error = target_error,
@@ -169,8 +169,8 @@ bool Judge::trace_more(double target_error) {
                    .cpu_seconds = kMostCpuSeconds - cpu_seconds_};
   if (was_asked()) {
     const double affordable = order.cpu_seconds * traced_.samples / std::max(cpu_seconds_, 1e-6);
-    order.samples = std::min({traced_.samples, affordable, kMostSamples - traced_.samples});
-    if (order.samples < kFewestSamples) {
+    order.samples = std::max(kFewestSamples, std::min(0.5 * traced_.samples, affordable));
+    if (affordable < kFewestSamples || traced_.samples >= kMostSamples) {
       return false;
     }
   }
