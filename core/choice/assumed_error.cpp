@@ -22,12 +22,39 @@ double brightest_ground(const Scene& scene) {
   return std::ranges::max(scene.planet.ground_albedo);
 }
 
-// Whether the table of moments has enough suns in dusk. Dusk is as wide as the angle by which the horizon falls up to
-// the top of the air, on Earth 10 degrees; the table's suns stand as far apart on every planet, and on one a hundred
-// times as large all of dusk falls between two of them.
-bool dusk_is_resolved(const Planet& planet, double widest) {
-  const double dusk = std::acos(planet.ground_radius / (planet.ground_radius + planet.atmosphere_height));
-  return dusk > 4.0 * kDegree && dusk < widest * kDegree;
+// The altitude above which a thousandth of all scattering is left.
+double scattering_height(const Air& air) {
+  constexpr double kLeft = 0.001;
+  const Column& column = air.column();
+  std::vector<double> strength;
+  double total = 0.0;
+  for (std::size_t m = 0; m < air.media().size(); ++m) {
+    strength.push_back(std::ranges::max(air.media()[m].scattering));
+    total += strength.back() * column.amount[m];
+  }
+  double above = 0.0;
+  std::size_t cell = column.cells();
+  while (cell > 0 && above < kLeft * total) {
+    --cell;
+    for (std::size_t m = 0; m < strength.size(); ++m) {
+      above += strength[m] * column.density[cell][m] * column.width(cell);
+    }
+  }
+  return column.edges[cell];
+}
+
+// The angle by which the horizon falls from the ground up to an altitude.
+double dip(const Planet& planet, double altitude) {
+  return std::acos(planet.ground_radius / (planet.ground_radius + altitude));
+}
+
+// Whether the table of moments has enough suns in dusk. Dusk is as wide as the horizon's dip up to the top of what
+// scatters, on Earth 7 degrees; the table's suns stand as far apart on every planet, and on one a hundred times as
+// large all of dusk falls between two of them.
+bool dusk_is_resolved(const Scene& scene, double widest) {
+  const Planet& planet = scene.planet;
+  return dip(planet, scattering_height(air_of(scene))) > 4.0 * kDegree &&
+         dip(planet, planet.atmosphere_height) < widest * kDegree;
 }
 
 // The error of rendering at `auto` or more wavelengths instead of all: core/SPECTRA.md has 0.02 to 0.42 % over clear
@@ -87,16 +114,17 @@ std::optional<double> plain_reference_error(const Scene& scene) {
   const Air air = air_of(scene);
   const OpticalDepths depths = air.depths();
   const double scattering = depths.scattering;
-  if (!peaks_are_familiar(air)) {
+  if (!peaks_are_familiar(air) || is_beside_the_top(scene)) {
     return std::nullopt;
   }
   if (is_day(scene) && scattering <= (depths.abrupt > 0.0 ? 0.6 : 1.0)) {
     return 0.0005 + common_error(scene);
   }
-  if (is_day(scene) && dusk_is_resolved(scene.planet, 30.0)) {
+  if (is_day(scene) && dusk_is_resolved(scene, 30.0)) {
     return std::max(kThick, common_error(scene));
   }
-  if (scene.sun.elevation >= -7.0 * kDegree && scattering <= 0.4 && dusk_is_resolved(scene.planet, 30.0)) {
+  const bool some_is_lit = scene.sun.elevation > -dip(scene.planet, scattering_height(air));
+  if (scene.sun.elevation >= -7.0 * kDegree && some_is_lit && scattering <= 0.4 && dusk_is_resolved(scene, 30.0)) {
     return 0.009 + common_error(scene);
   }
   return std::nullopt;
@@ -109,7 +137,7 @@ std::optional<double> default_error(const Scene& scene) {
   const std::optional<double> wavelengths = wavelengths_error(scene);
   const std::optional<double> plain = plain_reference_error(scene);
   if (scene.terrain || scene.ground || !scene.spheres.empty() || scene.sun.elevation < kLowestSun ||
-      !dusk_is_resolved(scene.planet, 14.0) || is_beside_the_top(scene) || !wavelengths || !plain) {
+      !dusk_is_resolved(scene, 14.0) || !wavelengths || !plain) {
     return std::nullopt;
   }
   return *plain + (is_day(scene) ? kTable : kTableAtDusk) + *wavelengths;

@@ -70,7 +70,7 @@ struct Ground {
       truth = looks.probe(made.front().scene, probes);
     }
     const std::optional<double> known = plain_reference_error(lighter.scene);
-    if (known && *known <= enough) {
+    if (known && *known <= enough && !judge.was_asked()) {
       known_error += *known;
     } else if (can_be_traced(scene)) {
       judge_reference(tolerance);
@@ -192,8 +192,11 @@ bool default_will_do(const Scene& scene, const std::string& only) {
   return (only.empty() || only == "orders") && !search_may_pay(scene);
 }
 
-// `orders` at its defaults, where that is sure to do and no search may pay.
+// `orders` at its defaults, where that is sure to do and no search may pay: where nothing shines, that is black.
 std::optional<Choice> sure_choice(const Scene& scene, double tolerance, const std::string& only) {
+  if (default_will_do(scene, only) && std::ranges::max(scene.sun.irradiance) <= 0.0) {
+    return only_choice(default_candidate(scene), 0.0);
+  }
   const std::optional<double> error = default_error(scene);
   if (!error || *error > tolerance || !default_will_do(scene, only)) {
     return std::nullopt;

@@ -110,7 +110,7 @@ Traced together(const Traced& a, const Traced& b) {
 }
 
 Judgement judge(std::span<const float> radiance, const Traced& truth, std::span<const double> weights) {
-  constexpr double kAbove = 2.0;             // spreads
+  constexpr double kAbove = 2.5;             // spreads
   constexpr double kSpreadOfNormal = 0.756;  // of a magnitude, over its mean
   constexpr double kBelow = 3.0;             // one look too low in a row of them ends a search
   std::vector<float> sigma = truth.standard_error;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <utility>
 
 #include "core/chart/pixels.h"
 #include "core/chart/truth.h"
@@ -18,7 +19,6 @@ namespace {
 constexpr std::uint64_t kSameKinds = 8;
 constexpr int kColumns = 96;  // by 32 x 24 a row of pixels at the horizon could be a tenth of a picture
 constexpr int kRows = 72;
-constexpr double kMeanOfNormal = 0.798;  // mean magnitude over standard deviation
 
 Scene random_scene(std::uint64_t seed) {
   const RandomPresetOptions options{.largest_side = 200, .method_keys = false};
@@ -71,16 +71,16 @@ Traced trace(const Scene& scene, const std::filesystem::path& folder) {
 
 double error_against(const Traced& truth, const std::vector<float>& radiance, double dark) {
   const double error = measure::sample_error(radiance, truth.radiance, truth.probes.weights, dark).mean;
-  const double noise = kMeanOfNormal * truth.noise;
+  const double noise = measure::kMeanOfNormal * truth.noise;
   return std::sqrt(std::max(error * error - noise * noise, 0.0));
 }
 
 std::vector<Honesty> judge_honesty(Executor& executor, const Scene& scene, const std::vector<double>& tolerances,
                                    double* of_reference, const Traced* traced) {
-  std::map<std::string, std::vector<float>> known;
+  std::map<std::pair<std::string, std::size_t>, std::vector<float>> known;  // by scene and count of probes
   const auto device = [&]() -> Executor& { return executor; };
   const auto probe = [&](const Scene& candidate, const choice::Probes& probes) {
-    std::vector<float>& values = known[to_json(candidate)];
+    std::vector<float>& values = known[{to_json(candidate), probes.directions.size()}];
     if (values.empty()) {
       values = probe_picture(device, candidate, probes.directions);
     }
@@ -104,7 +104,8 @@ std::vector<Honesty> judge_honesty(Executor& executor, const Scene& scene, const
       traced != nullptr ? std::vector<float>() : probe_picture(device, fine.scene, pixels.directions);
   const auto error_of = [&](const Scene& chosen, double dark) {
     if (traced != nullptr) {
-      return error_against(*traced, picture_values(executor, chosen, traced->probes), dark);
+      return error_against(*traced, picture_values(executor, chosen, traced->probes),
+                           std::max(dark, choice::dark_radiance(scene, traced->radiance)));
     }
     return measure::sample_error(lattice_values(executor, chosen, kColumns, kRows), truth, {}, dark).mean;
   };
@@ -123,8 +124,9 @@ std::vector<Honesty> judge_honesty(Executor& executor, const Scene& scene, const
       result.estimated = choice.best ? choice.best->error : 0.0;
       result.measured = error_of(choice::default_candidate(scene).scene, choice.dark);
     }
-    result.noise = traced != nullptr ? kMeanOfNormal * traced->noise : 0.0;
+    result.noise = traced != nullptr ? measure::kMeanOfNormal * traced->noise : 0.0;
     result.known = choice.reference_error;
+    result.sees_light = traced == nullptr || std::ranges::any_of(traced->radiance, [](float x) { return x > 0.0F; });
     results.push_back(std::move(result));
   }
   return results;

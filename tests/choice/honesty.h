@@ -25,9 +25,10 @@ struct Honesty {
   double known = 0.0;      // of it: what the reference is not sure of
   double measured = 0.0;   // mean relative error over pixels of the picture; where refused: of `orders` by its defaults
   double noise = 0.0;      // the judge's own
+  bool sees_light = true;  // where the judge looks; else no refusal is in vain
   bool can_be_judged() const { return noise <= tolerance; }
   bool missed() const { return !refused && can_be_judged() && measured > tolerance; }
-  bool refused_in_vain() const { return refused && can_be_judged() && measured <= tolerance; }
+  bool refused_in_vain() const { return refused && sees_light && can_be_judged() && measured <= tolerance; }
 };
 
 // path-trace in directions of a scene's picture.
