@@ -153,6 +153,16 @@ TEST(Tolerance, TheDefaultIsLookedAtInAShadowAsHighAsTheAir) {
   EXPECT_FALSE(default_error(scene));
 }
 
+// What is assumed of the reference is not believed against paths that say otherwise (seed 1227).
+TEST(Tolerance, PathsCountMoreThanWhatIsKnown) {
+  Scene scene = preset("noon");
+  scene.sun.elevation = -0.1;
+  ASSERT_FALSE(default_error(scene));
+  ASSERT_LT(plain_reference_error(scene).value_or(1.0), 0.015);
+  EXPECT_TRUE(choose_for_tolerance(scene, 0.03, "", wrong_by([](const Scene&) { return 0.01; })).chosen);
+  EXPECT_FALSE(choose_for_tolerance(scene, 0.03, "", wrong_by([](const Scene&) { return 0.06; })).chosen);
+}
+
 // A picture without light is black by any method.
 TEST(Tolerance, NothingIsLookedAtWhereNothingShines) {
   Scene scene = preset("noon");
