@@ -5,51 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <random>
 
 #include "core/choice/assumed_error.h"
 #include "core/choice/leave_out.h"
-#include "core/clock.h"
 #include "core/methods/scene_air.h"
-#include "tests/choice/preset_scene.h"
+#include "tests/choice/looks.h"
 
 namespace airlight::choice {
 namespace {
-
-// Paths that find the truth, 1, with as much noise as so few samples leave, at least 0.2 %.
-Traced trace_of_one(const Scene& /*scene*/, const Probes& probes, const TraceOrder& order) {
-  constexpr double kNoise = 0.512;  // of one sample
-  const double wanted = order.target_error > 0.0 ? std::pow(kNoise / order.target_error, 2.0) : order.samples;
-  Traced traced;
-  traced.samples = std::clamp(16.0 * std::ceil(wanted / 16.0), 32.0, std::max(order.samples, 32.0));
-  traced.batches = traced.samples / 16.0;
-  const auto noise = static_cast<float>(kNoise / std::sqrt(traced.samples));
-  std::mt19937 random(static_cast<unsigned int>(4 + order.seed));
-  std::normal_distribution<float> normal(1.0F, noise);
-  traced.radiance.resize(3 * probes.directions.size());
-  std::ranges::generate(traced.radiance, [&] { return normal(random); });
-  traced.standard_error.assign(traced.radiance.size(), noise);
-  return traced;
-}
-
-// Radiance 1 in each direction, wrong by what `error` says of the scene.
-Looks wrong_by(const std::function<double(const Scene&)>& error, int* calls = nullptr) {
-  const auto probe = [=](const Scene& scene, const Probes& probes) {
-    if (calls != nullptr) {
-      ++*calls;
-    }
-    return std::vector<float>(3 * probes.directions.size(), static_cast<float>(1.0 + error(scene)));
-  };
-  return {probe, trace_of_one};
-}
-
-// Four parts in a hundred for 8 steps, less in proportion.
-double by_steps(const Scene& scene) {
-  const auto steps = scene.render.parameters.find("steps");
-  const bool marches = steps != scene.render.parameters.end();
-  return marches ? 0.32 / std::get<int>(steps->second) : 0.5;
-}
 
 TEST(Tolerance, TakesTheFirstOfRisingCostThatIsWithinIt) {
   Scene scene = preset("orbit");
@@ -118,55 +81,6 @@ TEST(Tolerance, LooksAtNothingWhereTheDefaultIsSureAndNoSearchPays) {
   EXPECT_EQ(choose_for_tolerance(preset("orbit", {64, 36}), 0.05, "", probe).probes, 0U);
 }
 
-// Found against path-trace: 17 and 82 % beside the top of the air, 8.6 % in air as high as a tenth of the planet.
-TEST(Tolerance, TheDefaultIsLookedAtWhereItsTableMayFail) {
-  const Scene noon = preset("noon");
-  ASSERT_TRUE(default_error(noon));
-  Scene scene = noon;
-  scene.camera.altitude = noon.planet.atmosphere_height;
-  EXPECT_FALSE(default_error(scene));
-  scene.camera.altitude = 1.0001 * noon.planet.atmosphere_height;
-  EXPECT_FALSE(default_error(scene)) << "82 % off (seed 1042)";
-  EXPECT_FALSE(plain_reference_error(scene)) << "1.8 % off (seed 1227)";
-  scene.camera.altitude = 2.0 * noon.planet.atmosphere_height;
-  EXPECT_TRUE(default_error(scene));
-  scene = noon;
-  scene.planet.atmosphere_height = 500.0;
-  EXPECT_FALSE(default_error(scene));
-  scene = noon;
-  scene.sun.elevation = -0.08;
-  EXPECT_FALSE(default_error(scene));
-  scene.sun.elevation = -0.06;
-  EXPECT_GT(*default_error(scene), *default_error(noon));
-}
-
-// Dusk is as wide as what scatters, not as the air: on a large planet 25 % were missed in the dark (seed 1436).
-TEST(Tolerance, TheReferenceIsLookedAtWhereNothingThatScattersIsLit) {
-  const auto below = [](double altitude, double sun_elevation) {
-    Scene scene = preset("noon");
-    scene.sun.elevation = sun_elevation;
-    for (Medium& medium : scene.media) {
-      medium.density.profile = DensityProfile::constant;
-      medium.density.below = altitude;
-      medium.scattering = {1e-4, 1e-4, 1e-4};
-    }
-    return plain_reference_error(scene).has_value();
-  };
-  EXPECT_TRUE(below(16.0, -0.06)) << "dusk is 4.1 degrees wide";
-  EXPECT_FALSE(below(16.0, -0.08));
-  EXPECT_FALSE(below(2.0, -0.01)) << "dusk is 1.4 degrees wide, the table's suns stand as far apart";
-}
-
-// What is assumed of the reference is not believed against paths that say otherwise (seed 1227).
-TEST(Tolerance, PathsCountMoreThanWhatIsKnown) {
-  Scene scene = preset("noon");
-  scene.sun.elevation = -0.1;
-  ASSERT_FALSE(default_error(scene));
-  ASSERT_LT(plain_reference_error(scene).value_or(1.0), 0.015);
-  EXPECT_TRUE(choose_for_tolerance(scene, 0.03, "", wrong_by([](const Scene&) { return 0.01; })).chosen);
-  EXPECT_FALSE(choose_for_tolerance(scene, 0.03, "", wrong_by([](const Scene&) { return 0.06; })).chosen);
-}
-
 // A picture without light is black by any method.
 TEST(Tolerance, NothingIsLookedAtWhereNothingShines) {
   Scene scene = preset("noon");
@@ -178,85 +92,6 @@ TEST(Tolerance, NothingIsLookedAtWhereNothingShines) {
   EXPECT_EQ(choice.chosen->method, "orders");
   EXPECT_EQ(choice.error, 0.0);
   EXPECT_EQ(calls, 0);
-}
-
-// Molecules and a haze of optical depth 0.05 by the text between the lines, the sun at 30 degrees.
-Scene haze(const std::string& molecules, const std::string& phase, const std::string& more = "{}") {
-  return resolve(parse_preset(R"({"airlight": 1, "media": [
-      {"name": "molecules", "scattering_per_km": )" +
-                                  molecules + R"(, "phase": {"function": "rayleigh"},
-       "density": {"profile": "exponential", "scale_height_km": 8}},
-      {"name": "haze", "scattering_per_km": 0.042, "phase": )" +
-                                  phase + R"(,
-       "density": {"profile": "exponential", "scale_height_km": 1.2}}],
-    "sun": {"elevation_deg": 30}, "render": )" +
-                                  more + "}",
-                              "test", {}),
-                 method_infos());
-}
-
-constexpr const char* kBlue = "[0.0058, 0.0136, 0.0331]";
-constexpr const char* kForward = R"({"function": "henyey-greenstein", "g": 0.8})";
-
-// What is known of haze lets the defaults be taken at 1 % without a search, and not at a tenth of that.
-TEST(Tolerance, HazeIsServedAtOnce) {
-  int calls = 0;
-  const Looks probe = wrong_by(by_steps, &calls);
-  const Scene scene = haze(kBlue, kForward);
-  const Choice fine = choose_for_tolerance(scene, 0.01, "", probe);
-  ASSERT_TRUE(fine.chosen);
-  EXPECT_EQ(fine.chosen->quality, "default");
-  EXPECT_EQ(fine.error, *default_error(scene));
-  EXPECT_EQ(calls, 0);
-  (void)choose_for_tolerance(scene, 0.001, "", probe);
-  EXPECT_GT(calls, 0);
-}
-
-// `auto` wavelengths are few enough to be known, and what they err is in the bound; fewer have to be looked at.
-TEST(Tolerance, KnowsTheDefaultOfSpectraAndOfTables) {
-  int calls = 0;
-  const Looks probe = wrong_by(by_steps, &calls);
-  const std::string air = R"({"at_nm": 550, "value": 0.0125, "exponent": -4})";
-  Scene scene = haze(air, kForward);
-  ASSERT_TRUE(scene.spectra);
-  EXPECT_EQ(choose_for_tolerance(scene, 0.03, "", probe).chosen->quality, "default");
-  EXPECT_EQ(calls, 0);
-  Scene channels = scene;
-  channels.spectra.reset();
-  EXPECT_GE(*default_error(scene), *default_error(channels) + 0.002);
-  scene.sun.elevation = -0.05;
-  EXPECT_TRUE(default_error(scene));
-  scene.spectra->wavelengths = 24;
-  EXPECT_TRUE(default_error(scene));
-  scene.spectra->wavelengths = 3;  // `auto` takes six there
-  EXPECT_FALSE(default_error(scene));
-  const Scene table = haze(
-      kBlue, R"({"function": "table", "angles_deg": [0, 20, 90, 180], "values": [1.768, 0.442, 0.01768, 0.01768]})");
-  EXPECT_TRUE(default_error(table));
-  EXPECT_GT(*default_error(table), *default_error(haze(kBlue, R"({"function": "rayleigh"})")))
-      << "as peaked as its mean cosine says";
-}
-
-// Peaks of -0.9 and 0.95 were 2 and 35 % off (seeds 1027, 1033).
-TEST(Tolerance, OfSharpAndBackwardPeaksNothingIsAssumed) {
-  for (const char* g : {"0.95", "-0.6"}) {
-    const Scene scene = haze(kBlue, std::string(R"({"function": "henyey-greenstein", "g": )") + g + "}");
-    EXPECT_FALSE(plain_reference_error(scene)) << g;
-    EXPECT_FALSE(default_error(scene)) << g;
-  }
-}
-
-// Over a planet of 604 548 km at sunset the plain reference was 53 % off and vouched for what was as wrong.
-TEST(Tolerance, TheReferenceIsLookedAtWhereDuskFallsBetweenItsSuns) {
-  Scene scene = preset("noon");
-  scene.sun.elevation = 0.0;
-  EXPECT_TRUE(plain_reference_error(scene));
-  for (const double radius : {20.0, 604548.0}) {
-    scene.planet.ground_radius = radius;
-    EXPECT_FALSE(plain_reference_error(scene)) << radius;
-  }
-  scene.sun.elevation = 0.1;
-  EXPECT_TRUE(plain_reference_error(scene)) << "by day it is sound";
 }
 
 // Deep in the night methods differ by factors in what nobody could see; brighter than starlight they may not be.
@@ -285,124 +120,6 @@ TEST(Tolerance, ByNightAllThatIsDarkIsAlike) {
   const Choice twilight = choose_for_tolerance(scene, 0.03, "orders", darkness(1e-14, 2e-14));
   EXPECT_FALSE(twilight.chosen);
   EXPECT_EQ(twilight.dark, 0.0);
-}
-
-// Below what is assumed of haze by day paths tell, as many as it takes and no more.
-TEST(Tolerance, PathTraceJudgesWhatNobodyKnows) {
-  const Scene scene = haze(kBlue, kForward);
-  const double tolerance = 0.5 * *default_error(scene);
-  std::vector<TraceOrder> runs;
-  const auto judged = [&](double error) {
-    runs.clear();
-    Looks looks = wrong_by([=](const Scene&) { return error; });
-    looks.trace = [&](const Scene& s, const Probes& probes, const TraceOrder& order) {
-      runs.push_back(order);
-      return trace_of_one(s, probes, order);
-    };
-    return choose_for_tolerance(scene, tolerance, "orders", looks);
-  };
-  const Choice good = judged(0.1 * tolerance);
-  ASSERT_TRUE(good.chosen);
-  EXPECT_EQ(good.chosen->quality, "default");
-  EXPECT_GT(good.traced, 100U);
-  EXPECT_LE(good.error, tolerance);
-  EXPECT_GE(good.error, 0.1 * tolerance);
-  const std::size_t few = runs.size();
-  EXPECT_GT(runs.front().target_error, 1.5 * tolerance);
-  const Choice close = judged(0.9 * tolerance);
-  ASSERT_TRUE(close.chosen);
-  EXPECT_GE(close.error, 0.9 * tolerance);
-  EXPECT_GT(runs.size(), few) << "the first looks could not tell";
-  const Choice bad = judged(1.5 * tolerance);
-  EXPECT_FALSE(bad.chosen);
-  ASSERT_TRUE(bad.best);
-  EXPECT_GE(bad.best->error, 1.5 * tolerance);
-  for (std::size_t i = 1; i < runs.size(); ++i) {
-    EXPECT_GE(runs[i].samples, i > 1 ? runs[i - 1].samples : 1.0) << "on top of all before";
-    EXPECT_NE(runs[i].seed, runs[i - 1].seed) << "the same samples again would tell nothing";
-  }
-  const Choice hopeless = judged(0.2);
-  EXPECT_FALSE(hopeless.chosen);
-  EXPECT_EQ(runs.size(), 1U) << "few paths tell that";
-}
-
-// Time is of all runs together, and what they found counts although it is not enough.
-TEST(Tolerance, TheJudgesTimeIsUpOnce) {
-  const Scene scene = haze(kBlue, kForward);
-  const double tolerance = 0.5 * *default_error(scene);
-  double left = Judge::kMostCpuSeconds;
-  Looks looks = wrong_by([=](const Scene&) { return 0.9 * tolerance; });
-  std::vector<double> allowed;
-  looks.trace = [&](const Scene& s, const Probes& probes, const TraceOrder& order) {
-    allowed.push_back(order.cpu_seconds);
-    const double start = process_cpu_ms();
-    while (process_cpu_ms() < start + 20.0) {
-    }
-    return trace_of_one(s, probes, order);
-  };
-  const Choice choice = choose_for_tolerance(scene, tolerance, "orders", looks);
-  ASSERT_FALSE(allowed.empty());
-  for (const double seconds : allowed) {
-    EXPECT_LE(seconds, left);
-    left = seconds - 0.02;
-  }
-  looks.trace = [&](const Scene&, const Probes&, const TraceOrder&) { return Traced{}; };
-  const Choice without = choose_for_tolerance(scene, tolerance, "orders", looks);
-  EXPECT_FALSE(without.chosen) << "no paths, no verdict";
-}
-
-// Two runs are as one of all their samples.
-TEST(Tolerance, RunsOfPathsAreOne) {
-  Probes probes;
-  probes.directions.resize(4000);
-  const Traced few = trace_of_one({}, probes, {.seed = 1, .samples = 64.0});
-  const Traced many = trace_of_one({}, probes, {.seed = 2, .samples = 192.0});
-  const Traced both = together(few, many);
-  EXPECT_EQ(both.samples, 256.0);
-  EXPECT_EQ(both.batches, 15.0);
-  EXPECT_EQ(together({}, many).radiance, many.radiance);
-  EXPECT_EQ(together(many, {}).radiance, many.radiance);
-  double squares = 0.0;
-  for (const float x : both.radiance) {
-    squares += (x - 1.0) * (x - 1.0);
-  }
-  const double deviation = std::sqrt(squares / static_cast<double>(both.radiance.size()));
-  EXPECT_NEAR(both.standard_error.front(), 0.512 / 16.0, 1e-6);
-  EXPECT_NEAR(deviation, 0.512 / 16.0, 0.03 * 0.512 / 16.0);
-}
-
-// The noise of the paths is taken off, and no error is told smaller than it is.
-TEST(Tolerance, AJudgementHoldsTheErrorBetweenItsBounds) {
-  Probes probes;
-  probes.directions.resize(128);
-  probes.weights.assign(128, 1.0);
-  for (const double noise : {0.002, 0.01, 0.02}) {
-    const Traced truth = trace_of_one({}, probes, {.target_error = noise, .samples = 1 << 16});
-    for (const double error : {0.0, 0.005, 0.01, 0.05}) {
-      const std::vector<float> radiance(3 * 128, static_cast<float>(1.0 + error));
-      const Judgement verdict = judge(radiance, truth, probes.weights);
-      EXPECT_LE(verdict.at_least, 1.03 * error) << noise;
-      EXPECT_GE(verdict.at_most, 0.98 * error) << noise;
-      EXPECT_LE(verdict.at_most, error + 0.6 * noise + 0.002) << noise << " " << error;
-    }
-  }
-}
-
-// Of two batches the deviation is told too small, in the mean.
-TEST(Tolerance, AJudgementKnowsWhatFewBatchesTell) {
-  constexpr std::size_t kCount = 20000;
-  std::mt19937 random(5);
-  std::normal_distribution<float> normal(1.0F, 0.02F);
-  Traced truth{
-      .radiance = std::vector<float>(3 * kCount), .standard_error = std::vector<float>(3 * kCount), .batches = 2.0};
-  for (std::size_t i = 0; i < 3 * kCount; ++i) {
-    const float a = normal(random);
-    const float b = normal(random);
-    truth.radiance[i] = 0.5F * (a + b);
-    truth.standard_error[i] = 0.5F * std::abs(a - b);
-  }
-  const Judgement verdict = judge(std::vector<float>(3 * kCount, 1.0F), truth, std::vector<double>(kCount, 1.0));
-  EXPECT_LT(verdict.at_most, 0.0035) << "of a noise of 0.014, and no error at all";
 }
 
 TEST(Tolerance, ThatNothingReachesNamesTheBest) {

@@ -1,0 +1,145 @@
+// How wrong pictures are by paths, of which tests have their own.
+#include "core/choice/judge.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "core/choice/assumed_error.h"
+#include "core/clock.h"
+#include "tests/choice/looks.h"
+
+namespace airlight::choice {
+namespace {
+
+// What is assumed of the reference is not believed against paths that say otherwise (seed 1227).
+TEST(Tolerance, PathsCountMoreThanWhatIsKnown) {
+  Scene scene = preset("noon");
+  scene.sun.elevation = -0.1;
+  ASSERT_FALSE(default_error(scene));
+  ASSERT_LT(plain_reference_error(scene).value_or(1.0), 0.015);
+  EXPECT_TRUE(choose_for_tolerance(scene, 0.03, "", wrong_by([](const Scene&) { return 0.01; })).chosen);
+  EXPECT_FALSE(choose_for_tolerance(scene, 0.03, "", wrong_by([](const Scene&) { return 0.06; })).chosen);
+}
+
+// Below what is assumed of haze by day paths tell, as many as it takes and no more.
+TEST(Tolerance, PathTraceJudgesWhatNobodyKnows) {
+  const Scene scene = haze(kBlue, kForward);
+  const double tolerance = 0.5 * *default_error(scene);
+  std::vector<TraceOrder> runs;
+  const auto judged = [&](double error) {
+    runs.clear();
+    Looks looks = wrong_by([=](const Scene&) { return error; });
+    looks.trace = [&](const Scene& s, const Probes& probes, const TraceOrder& order) {
+      runs.push_back(order);
+      return trace_of_one(s, probes, order);
+    };
+    return choose_for_tolerance(scene, tolerance, "orders", looks);
+  };
+  const Choice good = judged(0.1 * tolerance);
+  ASSERT_TRUE(good.chosen);
+  EXPECT_EQ(good.chosen->quality, "default");
+  EXPECT_GT(good.traced, 100U);
+  EXPECT_LE(good.error, tolerance);
+  EXPECT_GE(good.error, 0.1 * tolerance);
+  const std::size_t few = runs.size();
+  EXPECT_GT(runs.front().target_error, 1.5 * tolerance);
+  const Choice close = judged(0.9 * tolerance);
+  ASSERT_TRUE(close.chosen);
+  EXPECT_GE(close.error, 0.9 * tolerance);
+  EXPECT_GT(runs.size(), few) << "the first looks could not tell";
+  const Choice bad = judged(1.5 * tolerance);
+  EXPECT_FALSE(bad.chosen);
+  ASSERT_TRUE(bad.best);
+  EXPECT_GE(bad.best->error, 1.5 * tolerance);
+  for (std::size_t i = 1; i < runs.size(); ++i) {
+    EXPECT_GE(runs[i].samples, i > 1 ? runs[i - 1].samples : 1.0) << "on top of all before";
+    EXPECT_NE(runs[i].seed, runs[i - 1].seed) << "the same samples again would tell nothing";
+  }
+  const Choice hopeless = judged(0.2);
+  EXPECT_FALSE(hopeless.chosen);
+  EXPECT_EQ(runs.size(), 1U) << "few paths tell that";
+}
+
+// Time is of all runs together, and what they found counts although it is not enough.
+TEST(Tolerance, TheJudgesTimeIsUpOnce) {
+  const Scene scene = haze(kBlue, kForward);
+  const double tolerance = 0.5 * *default_error(scene);
+  double left = Judge::kMostCpuSeconds;
+  Looks looks = wrong_by([=](const Scene&) { return 0.9 * tolerance; });
+  std::vector<double> allowed;
+  looks.trace = [&](const Scene& s, const Probes& probes, const TraceOrder& order) {
+    allowed.push_back(order.cpu_seconds);
+    const double start = process_cpu_ms();
+    while (process_cpu_ms() < start + 20.0) {
+    }
+    return trace_of_one(s, probes, order);
+  };
+  const Choice choice = choose_for_tolerance(scene, tolerance, "orders", looks);
+  ASSERT_FALSE(allowed.empty());
+  for (const double seconds : allowed) {
+    EXPECT_LE(seconds, left);
+    left = seconds - 0.02;
+  }
+  looks.trace = [&](const Scene&, const Probes&, const TraceOrder&) { return Traced{}; };
+  const Choice without = choose_for_tolerance(scene, tolerance, "orders", looks);
+  EXPECT_FALSE(without.chosen) << "no paths, no verdict";
+}
+
+// Two runs are as one of all their samples.
+TEST(Tolerance, RunsOfPathsAreOne) {
+  Probes probes;
+  probes.directions.resize(4000);
+  const Traced few = trace_of_one({}, probes, {.seed = 1, .samples = 64.0});
+  const Traced many = trace_of_one({}, probes, {.seed = 2, .samples = 192.0});
+  const Traced both = together(few, many);
+  EXPECT_EQ(both.samples, 256.0);
+  EXPECT_EQ(both.batches, 15.0);
+  EXPECT_EQ(together({}, many).radiance, many.radiance);
+  EXPECT_EQ(together(many, {}).radiance, many.radiance);
+  double squares = 0.0;
+  for (const float x : both.radiance) {
+    squares += (x - 1.0) * (x - 1.0);
+  }
+  const double deviation = std::sqrt(squares / static_cast<double>(both.radiance.size()));
+  EXPECT_NEAR(both.standard_error.front(), 0.512 / 16.0, 1e-6);
+  EXPECT_NEAR(deviation, 0.512 / 16.0, 0.03 * 0.512 / 16.0);
+}
+
+// The noise of the paths is taken off, and no error is told smaller than it is.
+TEST(Tolerance, AJudgementHoldsTheErrorBetweenItsBounds) {
+  Probes probes;
+  probes.directions.resize(128);
+  probes.weights.assign(128, 1.0);
+  for (const double noise : {0.002, 0.01, 0.02}) {
+    const Traced truth = trace_of_one({}, probes, {.target_error = noise, .samples = 1 << 16});
+    for (const double error : {0.0, 0.005, 0.01, 0.05}) {
+      const std::vector<float> radiance(3 * 128, static_cast<float>(1.0 + error));
+      const Judgement verdict = judge(radiance, truth, probes.weights);
+      EXPECT_LE(verdict.at_least, 1.03 * error) << noise;
+      EXPECT_GE(verdict.at_most, 0.98 * error) << noise;
+      EXPECT_LE(verdict.at_most, error + 0.6 * noise + 0.002) << noise << " " << error;
+    }
+  }
+}
+
+// Of two batches the deviation is told too small, in the mean.
+TEST(Tolerance, AJudgementKnowsWhatFewBatchesTell) {
+  constexpr std::size_t kCount = 20000;
+  std::mt19937 random(5);
+  std::normal_distribution<float> normal(1.0F, 0.02F);
+  Traced truth{
+      .radiance = std::vector<float>(3 * kCount), .standard_error = std::vector<float>(3 * kCount), .batches = 2.0};
+  for (std::size_t i = 0; i < 3 * kCount; ++i) {
+    const float a = normal(random);
+    const float b = normal(random);
+    truth.radiance[i] = 0.5F * (a + b);
+    truth.standard_error[i] = 0.5F * std::abs(a - b);
+  }
+  const Judgement verdict = judge(std::vector<float>(3 * kCount, 1.0F), truth, std::vector<double>(kCount, 1.0));
+  EXPECT_LT(verdict.at_most, 0.0035) << "of a noise of 0.014, and no error at all";
+}
+
+}  // namespace
+}  // namespace airlight::choice
