@@ -7,6 +7,7 @@
 
 #include "core/air/air.h"
 #include "core/physics/physics.h"
+#include "core/post/post.h"
 #include "core/radiance_image.h"
 #include "core/scene/scene.h"
 
@@ -17,6 +18,9 @@ bool draw_sun_disc(RadianceImage& picture, const Scene& scene, const Air& air, c
 
 // Statistics of rows, as their pass leaves them (post.h), for summarize().
 std::vector<std::byte> row_statistics_of(const RadianceImage& rows, double brightest, bool signed_colours);
+
+// Of a table read back. A pass for it would take a first start's compiler longer than the host takes for the table.
+Statistics table_statistics(const RadianceImage& table);
 
 // The sun's glare over this much of the scene's picture, scene-linear, before bloom's intensity. `points`: of
 // glare_points().

@@ -39,10 +39,9 @@ bool sun_disc_shows(const Scene& scene, const Picture& picture);
 // The table of transmittance that is enough for the disc.
 ImageId add_disc_transmittance(Plan& plan, const Air& air);
 
-// Row statistics of a picture or a table, for summarize(). `brightest`: of brightest_metered(). `signed_colours`:
+// Row statistics of a picture, for summarize(). `brightest`: of brightest_metered(). `signed_colours`:
 // channels may be negative, luminance not.
 BufferId add_picture_statistics(Plan& plan, const Picture& picture, double brightest, bool signed_colours = false);
-BufferId add_table_statistics(Plan& plan, ImageId table);
 
 struct Statistics {
   double metered_luminance = 0.0;  // geometric mean, each texel weighed by the root of its luminance; 0: all is black

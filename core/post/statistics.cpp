@@ -34,20 +34,13 @@ std::uint32_t bits(double x) {
   return std::bit_cast<std::uint32_t>(static_cast<float>(x));
 }
 
-BufferId add_rows(Plan& plan, std::string name, std::uint32_t height, std::string key) {
-  return plan.add_buffer({.name = std::move(name),
-                          .bytes = height * sizeof(RowStatistics),
-                          .host_readable = true,
-                          .key = std::move(key),
-                          .zeroed = false});
-}
-
-constexpr double kNoLimit = std::numeric_limits<float>::max();
-
 }  // namespace
 
 BufferId add_picture_statistics(Plan& plan, const Picture& picture, double brightest, bool signed_colours) {
-  const BufferId rows = add_rows(plan, "picture_statistics", picture.height, {});
+  const BufferId rows = plan.add_buffer({.name = "picture_statistics",
+                                         .bytes = picture.height * sizeof(RowStatistics),
+                                         .host_readable = true,
+                                         .zeroed = false});
   plan.add_pass({.name = "picture_statistics",
                  .shader = "picture_statistics",
                  .reads = {{"picture", picture.buffer}},
@@ -58,17 +51,9 @@ BufferId add_picture_statistics(Plan& plan, const Picture& picture, double brigh
   return rows;
 }
 
-BufferId add_table_statistics(Plan& plan, ImageId table) {
-  const ImageDesc& image = plan.images()[table.index];
-  const std::string name = image.name + "_statistics";
-  const BufferId rows = add_rows(plan, name, image.extent.height, image.key.empty() ? "" : image.key + " statistics");
-  plan.add_pass({.name = name,
-                 .shader = "table_statistics",
-                 .reads = {{"table", table}},
-                 .writes = {{"rows_out", rows}},
-                 .grid = {64, image.extent.height, 1},
-                 .push_constants = {image.extent.width, image.extent.height, bits(kNoLimit)}});
-  return rows;
+Statistics table_statistics(const RadianceImage& table) {
+  return summarize(row_statistics_of(table, std::numeric_limits<double>::max(), false),
+                   static_cast<std::uint32_t>(table.width));
 }
 
 Statistics summarize(std::span<const std::byte> rows, std::uint32_t width) {

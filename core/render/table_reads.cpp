@@ -1,19 +1,15 @@
 #include "core/render/table_reads.h"
 
+#include <utility>
+
 #include "core/plan/bytes.h"
+#include "core/post/host_post.h"
 
 namespace airlight {
 
-TableReads::TableReads(Plan& plan, const Sky& sky, bool dump) {
+TableReads::TableReads(Plan& plan, const Sky& sky, bool dump) : dump_(dump) {
   const auto add = [&](ImageId table, bool sound) {
-    Read read{plan.images()[table.index], {}, {}};
-    if (sound) {
-      read.rows = add_table_statistics(plan, table);
-    }
-    if (dump) {
-      read.contents = plan.add_readback(table);
-    }
-    reads_.push_back(std::move(read));
+    reads_.push_back({plan.images()[table.index], plan.add_readback(table), sound});
   };
   for (const ImageId table : sky.tables) {
     add(table, true);
@@ -29,13 +25,14 @@ void TableReads::take(const RunResult& result, std::vector<NamedStatistics>& sta
                       std::vector<TableDump>& dumps) const {
   for (const Read& read : reads_) {
     const ImageDesc& image = read.image;
-    if (read.rows) {
-      statistics.push_back({image.name, summarize(result.contents(*read.rows), image.extent.width)});
+    RadianceImage table{static_cast<int>(image.extent.width), static_cast<int>(image.extent.height),
+                        values_of<float>(result.contents(read.contents))};
+    if (read.sound) {
+      statistics.push_back({image.name, table_statistics(table)});
     }
-    if (read.contents) {
-      dumps.push_back({image.name, static_cast<int>(image.extent.width), static_cast<int>(image.extent.height),
-                       values_of<float>(result.contents(*read.contents)), image.text ? image.text() : TableText{},
-                       image.channels});
+    if (dump_) {
+      dumps.push_back({image.name, table.width, table.height, std::move(table.rgba),
+                       image.text ? image.text() : TableText{}, image.channels});
     }
   }
 }

@@ -2,7 +2,6 @@
 // What is read back of a picture's tables: statistics of those that must be sound, and all of them where they are
 // dumped.
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,9 +36,10 @@ class TableReads {
  private:
   struct Read {
     ImageDesc image;
-    std::optional<BufferId> rows;
-    std::optional<BufferId> contents;
+    BufferId contents;
+    bool sound = false;  // it must be
   };
+  bool dump_;
   std::vector<Read> reads_;
 };
 
