@@ -53,6 +53,9 @@ inline vec3 operator/(vec3 a, real b) {
 
 using std::cos, std::exp, std::floor, std::log, std::pow, std::sin, std::sqrt, std::tan;
 
+inline real inversesqrt(real x) {
+  return 1.0 / std::sqrt(x);
+}
 inline real atan(real y, real x) {
   return std::atan2(y, x);
 }

@@ -67,11 +67,12 @@ struct RayPoint {
 RayPoint point_on_ray(PlanetData planet, Ray ray, real t) {
   real r = planet.ground_radius + ray.h;
   real q = t * (2.0 * r * ray.mu + t);
-  real r_there = sqrt(max(r * r + q, 0.0));
+  real squared = max(r * r + q, 1e-30);
+  real inverse = inversesqrt(squared);
   RayPoint point;
-  point.h = clamp(ray.h + q / (r_there + r), 0.0, planet.atmosphere_height);
-  point.mu = clamp((r * ray.mu + t) / r_there, -1.0, 1.0);
-  point.mu_sun = clamp((r * ray.mu_sun + t * ray.nu) / r_there, -1.0, 1.0);
+  point.h = clamp(ray.h + q / (squared * inverse + r), 0.0, planet.atmosphere_height);
+  point.mu = clamp((r * ray.mu + t) * inverse, -1.0, 1.0);
+  point.mu_sun = clamp((r * ray.mu_sun + t * ray.nu) * inverse, -1.0, 1.0);
   return point;
 }
 

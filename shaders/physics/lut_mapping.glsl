@@ -21,8 +21,15 @@ TransmittanceCoordinate transmittance_coordinate(PlanetData planet, real h, real
   real rho = horizon_distance(planet, h);
   real nearest = planet.atmosphere_height - h;
   real farthest = rho + horizon_of_top;
+  // distance_to_top() less its least value, over the greatest's excess, in one quotient.
+  real along = (planet.ground_radius + h) * mu;
+  real across = 2.0 * planet.ground_radius + planet.atmosphere_height + h;
+  real root = sqrt(max(along * along + nearest * across, 0.0));
+  bool up = mu > 0.0;
+  real excess = up ? nearest * (across - root - along) : root - along - nearest;
+  real scale = up ? root + along : 1.0;
   TransmittanceCoordinate c;
-  c.x = clamp((distance_to_top(planet, h, mu) - nearest) / (farthest - nearest), 0.0, 1.0);
+  c.x = clamp(excess / (scale * (farthest - nearest)), 0.0, 1.0);
   c.y = clamp(rho / horizon_of_top, 0.0, 1.0);
   return c;
 }

@@ -178,10 +178,10 @@ Air with_medium(Air air, uint i, real h, real rise, vec3 phase) {
   if (i < medium_count()) {
     MediumData m = medium(i);
     real d = step_density(density_profile(i), m, h, rise);
-    vec3 scattering = m.scattering * d;
-    air.scattering = air.scattering + scattering;
-    air.phase_scattering = air.phase_scattering + scattering * phase;
-    air.extinction = air.extinction + scattering + m.absorption * d;
+    // What stands in brackets is the same along a ray.
+    air.scattering = air.scattering + m.scattering * d;
+    air.phase_scattering = air.phase_scattering + (m.scattering * phase) * d;
+    air.extinction = air.extinction + (m.scattering + m.absorption) * d;
   }
   return air;
 }

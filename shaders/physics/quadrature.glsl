@@ -6,9 +6,9 @@ struct Step {
   real width;
 };
 
-// Edge i of n on a leg of the given length that starts (rising) or ends (falling) at the lowest point.
-real leg_edge(uint distribution, bool rising, real length_, real i, real n) {
-  real u = i / n;
+// The edge at a share u of the steps on a leg of the given length that starts (rising) or ends (falling) at the lowest
+// point.
+real leg_edge(uint distribution, bool rising, real length_, real u) {
   if (distribution == kStepsUniform) {
     return length_ * u;
   }
@@ -35,16 +35,18 @@ real step_end(uint distribution, real falling, real length_, uint before, uint i
   real first = 0.0;
   real leg = length_;
   real index = real(i);
-  real count = real(n);
+  real one = 1.0 / real(n);  // step's share: quotients that are the same for all steps
   bool rising = falling < length_;
   if (distribution != kStepsUniform && before < n && before > 0u) {
     rising = i >= before;
     first = rising ? falling : 0.0;
     leg = rising ? length_ - falling : falling;
     index = rising ? real(i - before) : real(i);
-    count = rising ? real(n - before) : real(before);
+    real one_rising = 1.0 / real(n - before);
+    real one_falling = 1.0 / real(before);
+    one = rising ? one_rising : one_falling;
   }
-  return first + leg_edge(distribution, rising, leg, index + 1.0, count);
+  return first + leg_edge(distribution, rising, leg, (index + 1.0) * one);
 }
 
 Step step_between(real start, real end) {

@@ -11,26 +11,31 @@ struct SegmentTransfer {
   vec3 through;  // transmittance of the whole step
 };
 
-// (1 - exp(-x))/x for x >= 0. The quotient loses digits as x falls (more steps would make a picture worse), so a
-// Taylor series below 1/2: its first term left out is x^8/9! = 1.1e-8 there.
-real mean_transmittance(real x) {
-  const real kThird = 1.0 / 3.0;
-  const real kSixth = 1.0 / 6.0;
-  const real kSeventh = 1.0 / 7.0;
-  real series =
-      1.0 -
-      x * 0.5 *
-          (1.0 -
-           x * kThird * (1.0 - x * 0.25 * (1.0 - x * 0.2 * (1.0 - x * kSixth * (1.0 - x * kSeventh * (1.0 - x * 0.125))))));
-  real quotient = (1.0 - exp(-x)) / max(x, 0.5);
-  return x < 0.5 ? series : quotient;
+// (1 - exp(-x))/x for 0 <= x < 1/2: 1 at 0, and of that form the polynomial of this degree whose greatest error is least,
+// 1.8e-9. Two terms fewer than a Taylor series takes for 1.1e-8.
+real thin_mean_transmittance(real x) {
+  return 1.0 -
+         x * (0.49999987516386 -
+              x * (0.16666308791649 - x * (0.04163324627352 - x * (0.00819612570380 - x * 0.00112823200036))));
 }
 
-// Of a step of optical depth x. exp(-x) = 1 - x (1 - exp(-x))/x: where the series holds no exponential is taken, whose
-// error on the software device (1e-6, always the same way) would grow with the number of steps.
+// The same for x >= 1/2, where the quotient loses no digits; as x falls it would, and more steps would make a picture
+// worse.
+real thick_mean_transmittance(real x) { return (1.0 - exp(-x)) / max(x, 0.5); }
+
+real mean_transmittance(real x) { return x < 0.5 ? thin_mean_transmittance(x) : thick_mean_transmittance(x); }
+
+// Of a step of optical depth x. exp(-x) = 1 - x (1 - exp(-x))/x: where the polynomial holds no exponential is taken, whose
+// error on the software device (1e-6, always the same way) would grow with the number of steps. Most steps are thin in
+// all channels.
 SegmentTransfer segment_transfer(vec3 x) {
   SegmentTransfer s;
-  s.mean = vec3(mean_transmittance(x.x), mean_transmittance(x.y), mean_transmittance(x.z));
+  s.mean = vec3(thin_mean_transmittance(x.x), thin_mean_transmittance(x.y), thin_mean_transmittance(x.z));
+  if (max(max(x.x, x.y), x.z) >= 0.5) {
+    s.mean = vec3(x.x < 0.5 ? s.mean.x : thick_mean_transmittance(x.x),
+                  x.y < 0.5 ? s.mean.y : thick_mean_transmittance(x.y),
+                  x.z < 0.5 ? s.mean.z : thick_mean_transmittance(x.z));
+  }
   s.through = max(vec3(1.0) - x * s.mean, vec3(0.0));
   return s;
 }

@@ -3,9 +3,10 @@
 //   vec3 transmittance_to_top(PlanetData planet, real h, real mu);  from h along mu, the ground not in the way
 
 // The same toward the sun: zero in the planet's shadow. No fade around the local horizon: air high up is lit while
-// the ground is dark, and that light is the twilight.
+// the ground is dark, and that light is the twilight. meets_ground() without its quotient, hence the tangent is lit to
+// rounding alone; transmittance_coordinate() takes the same root.
 vec3 transmittance_to_sun(PlanetData planet, real h, real mu_sun) {
-  real lit = meets_ground(planet, h, mu_sun) ? 0.0 : 1.0;
+  real lit = (planet.ground_radius + h) * mu_sun < -horizon_distance(planet, h) ? 0.0 : 1.0;
   return transmittance_to_top(planet, h, mu_sun) * lit;
 }
 
