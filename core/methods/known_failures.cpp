@@ -33,7 +33,8 @@ double steps_of(const SkyMethod& method, const Scene& scene) {
   for (const ParameterInfo& info : method.info.parameters) {
     if (info.key == "steps") {
       const int steps = scene.render.get<int>("steps");
-      return steps < std::get<int>(info.default_value) ? steps : kUnknown;
+      const int usual = std::get<int>(info.default_value);  // 0: as many as the scene needs
+      return steps > 0 && (usual == 0 || steps < usual) ? steps : kUnknown;
     }
   }
   return kUnknown;

@@ -13,10 +13,10 @@
 namespace airlight {
 namespace {
 
-const std::array<ParameterInfo, 9> kParameters{steps_parameter(32),
-                                               step_distribution_parameter(),
+const std::array<ParameterInfo, 9> kParameters{automatic_steps_parameter(),
+                                               automatic_distribution_parameter(),
                                                jitter_parameter(),
-                                               resolution_parameter(),
+                                               automatic_resolution_parameter(),
                                                phase_parameter(),
                                                transmittance_lut_parameter(),
                                                multiple_scattering_lut_parameter(),
@@ -33,27 +33,65 @@ SkyPasses add_march(Plan& plan, const Scene& scene, const Air& air, const View& 
   return {target.radiance, tables.list()};
 }
 
-LayerPasses add_layers(Plan& plan, const Scene& scene, const Air& air, const View& view) {
-  return add_march_layers(plan, scene, air, view, add_march_tables(plan, scene, air));
+void settle(RenderSettings& settings, const Scene& scene, const Air& air) {
+  settings.parameters.insert_or_assign("resolution", std::string(halves(scene) ? "half" : "full"));
+  write_steps(settings, march_steps(scene, air));
 }
 
+std::vector<std::string> spared(const Scene& scene, const Air& air) {
+  std::vector<std::string> lines;
+  if (const MarchSteps steps = march_steps(scene, air);
+      steps_are_automatic(scene.render) && steps.count < kUsualSteps) {
+    lines.push_back("steps: in air so smooth " + std::to_string(steps.count) + " Gauss-Legendre nodes do in place of " +
+                    std::to_string(kUsualSteps) + " steps");
+  }
+  if (scene.render.get<std::string>("resolution") == "auto" && halves(scene)) {
+    lines.emplace_back("pixels: so fine that most go bilinearly between a march in four");
+  }
+  return lines;
+}
+
+// Steps of one node, and no corners to go between, keep light apart.
+void keep_apart(RenderSettings& settings) {
+  auto& resolution = std::get<std::string>(settings.parameters.at("resolution"));
+  resolution = resolution == "auto" ? "full" : resolution;
+  if (steps_are_automatic(settings)) {
+    write_steps(settings, {kUsualSteps, physics::kStepsQuadratic});
+  }
+}
+
+LayerPasses add_layers(Plan& plan, const Scene& scene, const Air& air, const View& view) {
+  Scene apart = scene;
+  keep_apart(apart.render);
+  return add_march_layers(plan, apart, air, view, add_march_tables(plan, scene, air));
+}
+
+// A quality says all that the default leaves to the scene: candidates are judged by directions, which know no picture.
 Quality with_steps(std::string_view label, int steps) {
-  return {label, {{"steps", steps}}};
+  return {label,
+          {{"steps", steps}, {"step_distribution", std::string("quadratic")}, {"resolution", std::string("full")}}};
 }
 
 Quality with_tables(std::string_view label, int steps, TableSize transmittance, TableSize multiple_scattering) {
-  return {label,
-          {{"steps", steps}, {"transmittance_lut", transmittance}, {"multiple_scattering_lut", multiple_scattering}}};
+  Quality quality = with_steps(label, steps);
+  quality.parameters.emplace_back("transmittance_lut", transmittance);
+  quality.parameters.emplace_back("multiple_scattering_lut", multiple_scattering);
+  return quality;
 }
 
 Quality with_key(std::string_view label, int steps, std::string_view key, std::string value,
                  bool may_be_chosen = true) {
-  return {label, {{"steps", steps}, {key, std::move(value)}}, may_be_chosen};
+  Quality quality = with_steps(label, steps);
+  std::erase_if(quality.parameters, [&](const auto& parameter) { return parameter.first == key; });
+  quality.parameters.emplace_back(key, std::move(value));
+  quality.may_be_chosen = may_be_chosen;
+  return quality;
 }
 
 // How much of the chart a key is worth: each with its cost and error beside the plain march's.
 std::vector<Quality> keys_of_the_ladder() {
-  return {with_key("8, Gauss-Legendre", 8, "step_distribution", "gauss-legendre"),
+  return {{"default", {}, false},
+          with_key("8, Gauss-Legendre", 8, "step_distribution", "gauss-legendre"),
           with_key("16, Gauss-Legendre", 16, "step_distribution", "gauss-legendre"),
           with_key("8, blue noise", 8, "jitter", "blue-noise", false),
           with_key("16, blue noise", 16, "jitter", "blue-noise", false),
@@ -85,7 +123,10 @@ SkyMethod march_method() {
   method.validity.known_failures = march_failures();
   method.converged = converged_march();
   method.add_passes = add_march;
+  method.settle = settle;
+  method.spared = spared;
   method.add_layer_passes = add_layers;
+  method.keep_apart = keep_apart;
   method.layers_refusal = march_layers_refusal;
   method.left_out = march_left_out;
   method.single_scattering = {{"multiple_scattering_scale", 0.0}};

@@ -15,21 +15,9 @@ namespace {
 
 constexpr std::string_view kScale = "multiple_scattering_scale";
 using parameter::kNoLimit;
-// In the order of the codes physics::kStepsUniform, ...
-constexpr std::array<std::string_view, 3> kDistributions{"uniform", "quadratic", "gauss-legendre"};
 constexpr std::array<std::string_view, 2> kPhases{"media", "schlick"};
 
 }  // namespace
-
-ParameterInfo steps_parameter(int default_steps) {
-  return parameter::whole_number("steps", 1, 4096, default_steps, "steps along the view ray");
-}
-
-ParameterInfo step_distribution_parameter() {
-  return parameter::choice("step_distribution", kDistributions, "quadratic",
-                           "where the steps along the view ray stand: evenly; dense toward the ray's lowest point; or "
-                           "two Gauss-Legendre nodes a panel, panels split at the planet's shadow");
-}
 
 ParameterInfo phase_parameter() {
   return parameter::choice(
@@ -90,9 +78,12 @@ std::vector<KnownFailure> march_failures() {
 }
 
 Converged converged_march() {
-  return {
-      "march",
-      {{"steps", 1024}, {"transmittance_lut", TableSize{512, 128}}, {"multiple_scattering_lut", TableSize{128, 48}}}};
+  return {"march",
+          {{"steps", 1024},
+           {"step_distribution", std::string("quadratic")},
+           {"resolution", std::string("full")},
+           {"transmittance_lut", TableSize{512, 128}},
+           {"multiple_scattering_lut", TableSize{128, 48}}}};
 }
 
 std::vector<ImageId> MarchTables::list() const {
@@ -118,21 +109,16 @@ MarchTables add_march_tables(Plan& plan, const Scene& scene, const Air& air) {
   return tables;
 }
 
-std::uint32_t step_distribution_code(const Scene& scene) {
-  const std::string& name = scene.render.get<std::string>("step_distribution");
-  return static_cast<std::uint32_t>(std::ranges::find(kDistributions, name) - kDistributions.begin());
-}
-
 std::vector<Specialization> march_specialization(const Plan& plan, const Scene& scene, const Air& air,
                                                  const MarchTables& tables) {
   std::vector<Specialization> constants = sunlight_specialization(plan, air, tables.transmittance);
   add_scattering_size(constants, plan, tables.multiple_scattering);
-  constants.push_back({"kStepDistribution", step_distribution_code(scene)});
+  constants.push_back({"kStepDistribution", march_steps(scene, air).distribution});
   return constants;
 }
 
-double march_cost(const Scene& scene) {
-  return 4.0 + scene.render.get<int>("steps");
+double march_cost(int steps) {
+  return 4.0 + steps;
 }
 
 std::vector<std::string> march_left_out(const Scene& scene, const Plan&) {
@@ -147,7 +133,9 @@ std::string march_layers_refusal(const Scene& scene) {
     return ground_layers_refusal(scene);
   }
   const std::array<std::pair<const char*, std::vector<std::string>>, 3> known{
-      {{"step_distribution", {"quadratic", "uniform"}}, {"jitter", {"none"}}, {"resolution", {"full"}}}};
+      {{"step_distribution", {"quadratic", "uniform", "auto"}},
+       {"jitter", {"none"}},
+       {"resolution", {"full", "auto"}}}};
   for (const auto& [key, values] : known) {
     const auto found = scene.render.parameters.find(key);
     if (found == scene.render.parameters.end()) {
@@ -167,14 +155,14 @@ physics::HostTable host_table(const HostTables& tables, const std::string& name)
   return found == tables.end() ? physics::HostTable() : found->second;
 }
 
-RayFormula march_formula(physics::Physics p, const Scene& scene, const Air&, const HostTables& tables) {
+RayFormula march_formula(physics::Physics p, const Scene& scene, const Air& air, const HostTables& tables) {
   p.transmittance_lut = host_table(tables, "transmittance");
   p.multiple_scattering_lut = host_table(tables, "multiple_scattering");
   p.ground_irradiance_lut = host_table(tables, "ground_irradiance");
-  const auto steps = static_cast<physics::uint>(scene.render.get<int>("steps"));
-  return [p, steps, distribution = step_distribution_code(scene),
-          place = place_in_step(scene)](const physics::Physics::Ray& ray) mutable {
-    return p.march_at(p.scene.planet, p.scene.sun, ray, steps, distribution, place, p.scene.multiple_scattering_scale)
+  return [p, steps = march_steps(scene, air), place = place_in_step(scene)](const physics::Physics::Ray& ray) mutable {
+    return p
+        .march_at(p.scene.planet, p.scene.sun, ray, static_cast<physics::uint>(steps.count), steps.distribution, place,
+                  p.scene.multiple_scattering_scale)
         .radiance;
   };
 }
@@ -189,12 +177,13 @@ void add_march_pass(Plan& plan, const Scene& scene, const Air& air, const MarchT
   constants.push_back({"kGroundReflects", tables.reflects ? 1u : 0u});
   std::vector<Binding> reads = march_reads(tables);
   reads.push_back({"ground_irradiance_lut", tables.ground_irradiance});
+  const int steps = march_steps(scene, air).count;
   add_marched_picture(plan, scene,
                       {.shader = "sky_march",
                        .reads = std::move(reads),
-                       .push_constants = {static_cast<std::uint32_t>(scene.render.get<int>("steps"))},
+                       .push_constants = {static_cast<std::uint32_t>(steps)},
                        .specialization = std::move(constants),
-                       .cost = march_cost(scene)},
+                       .cost = march_cost(steps)},
                       target);
 }
 
@@ -216,7 +205,7 @@ LayerPasses add_march_layers(Plan& plan, const Scene& scene, const Air& air, con
   return add_layers_pass(plan, scene, air, view,
                          {.shader = "layers_march",
                           .reads = std::move(reads),
-                          .push_constants = {static_cast<std::uint32_t>(scene.render.get<int>("steps"))},
+                          .push_constants = {static_cast<std::uint32_t>(march_steps(scene, air).count)},
                           .specialization = std::move(constants)},
                          tables.transmittance);
 }

@@ -3,14 +3,13 @@
 
 #include <vector>
 
+#include "core/methods/march_steps.h"
 #include "core/methods/method.h"
 #include "core/methods/sky_pass.h"
 
 namespace airlight {
 
 // Parameters by the keys that add_march_tables() and add_march_pass() read.
-ParameterInfo steps_parameter(int default_steps);
-ParameterInfo step_distribution_parameter();
 ParameterInfo phase_parameter();
 ParameterInfo transmittance_lut_parameter();
 ParameterInfo multiple_scattering_lut_parameter();
@@ -34,11 +33,8 @@ struct MarchTables {
 
 MarchTables add_march_tables(Plan& plan, const Scene& scene, const Air& air);
 
-// The value of kStepDistribution that the scene asks for.
-std::uint32_t step_distribution_code(const Scene& scene);
-
 // PassDesc::cost of a march along one ray.
-double march_cost(const Scene& scene);
+double march_cost(int steps);
 
 // SkyMethod's members for methods that march: what their keys leave out, keys that keep no light apart, the march in
 // double.

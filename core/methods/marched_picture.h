@@ -9,6 +9,10 @@ namespace airlight {
 
 ParameterInfo jitter_parameter();
 ParameterInfo resolution_parameter();
+ParameterInfo automatic_resolution_parameter();
+
+// Whether the camera's picture is marched at half resolution.
+bool halves(const Scene& scene);
 
 // Where in its step each source is evaluated along a listed direction, which is no pixel: 0.5, the middle, unless
 // render.jitter is "fixed". Throws InputError where the steps are such that they cannot be jittered.

@@ -194,6 +194,9 @@ struct SkyMethod {
   // Writes into the settings what `auto` stands for in this scene where it follows the air, so that all wavelengths of
   // it are rendered alike. Null: nothing does.
   void (*settle)(RenderSettings&, const Scene&, const Air&) = nullptr;
+  // What its picture does without because the scene needs it not, where the keys leave that to the scene, a line each;
+  // null: nothing.
+  std::vector<std::string> (*spared)(const Scene&, const Air&) = nullptr;
   HostPicture (*render_on_host)(const Scene&, const Air&, const View&, const HostOptions&) = nullptr;
   // What of the scene's wishes is not done because it would take for ever, a line each; null: nothing.
   std::vector<std::string> (*bounds)(const Scene&, const Air&) = nullptr;
@@ -203,6 +206,9 @@ struct SkyMethod {
   SpanPasses (*add_span_passes)(Plan&, const Scene&, const Air&, const Spans&, const SpanWay&) = nullptr;
   // Whether SpanWay::volume holds for the scene's camera. Null: never.
   bool (*has_volume)(const Scene&) = nullptr;
+  // Writes into the settings what `auto` stands for in a picture with layers, where not all of it keeps light apart.
+  // Null: it does.
+  void (*keep_apart)(RenderSettings&) = nullptr;
   // Why it does not for this scene, though it does in general; empty: it does. Null: it always does.
   std::string (*layers_refusal)(const Scene&) = nullptr;
   // What the picture does without as this plan has it, a line each. Null: nothing.

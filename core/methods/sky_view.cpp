@@ -91,7 +91,7 @@ ImageId add_sky_view_table(Plan& plan, const Scene& scene, const Air& air, const
                  .grid = extent,
                  .push_constants = {static_cast<std::uint32_t>(scene.render.get<int>("steps")), sky_rows(scene)},
                  .specialization = constants_of(plan, scene, air, tables),
-                 .cost = march_cost(scene)});
+                 .cost = march_cost(scene.render.get<int>("steps"))});
   return out;
 }
 

@@ -249,6 +249,13 @@ std::string layers_refusal(const Scene& scene) {
   return refusal == nullptr ? std::string() : refusal(scene);
 }
 
+Scene kept_apart(Scene scene) {
+  if (const auto keep_apart = method_of(scene).keep_apart; keep_apart != nullptr) {
+    keep_apart(scene.render);
+  }
+  return scene;
+}
+
 std::string methods_with_layers() {
   return joined_of(methods(), [](const SkyMethod& method) {
     return method.add_layer_passes != nullptr ? method.info.name : std::string_view();

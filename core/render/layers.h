@@ -35,6 +35,9 @@ std::vector<Layer> layers_of(const Scene& scene);
 // knows. Empty: it can.
 std::string layers_refusal(const Scene& scene);
 
+// The scene as its picture is rendered together with its layers.
+Scene kept_apart(Scene scene);
+
 // The methods that tell layers apart, for messages: "nested, march, sky-view, orders".
 std::string methods_with_layers();
 

@@ -37,6 +37,7 @@ Frame sky_frame(const Scene& scene, const RenderRequest& request) {
   Frame frame;
   const Sky sky = add_sky(frame.plan, scene, View{}, true);
   frame.picture = picture_of(scene, sky.radiance);
+  frame.left_out = spared_by(scene);
   note_disc(frame.left_out, sky.disc);
   frame.tables.emplace(frame.plan, sky, request.tables);
   frame.rows = add_picture_statistics(frame.plan, frame.picture, brightest_metered(scene), scene.spectra.has_value());
@@ -218,7 +219,10 @@ void finish(const DeviceOnDemand& device, const Scene& scene, const RenderReques
 }
 
 Rendering render(const DeviceOnDemand& device, const Scene& scene, const RenderRequest& request) {
-  return samples(scene) ? render_here(device, scene, request) : render_there(device(), scene, request);
+  if (samples(scene)) {
+    return render_here(device, scene, request);
+  }
+  return request.layers ? render_there(device(), kept_apart(scene), request) : render_there(device(), scene, request);
 }
 
 Plan plan_for(const Scene& scene, const RenderRequest& request) {

@@ -147,6 +147,11 @@ HostPicture render_on_host(const Scene& scene, const View& view, const HostOptio
   return method_of(scene).render_on_host(scene, air_of(scene), view, options);
 }
 
+std::vector<std::string> spared_by(const Scene& scene) {
+  const auto spared = method_of(scene).spared;
+  return spared == nullptr ? std::vector<std::string>() : spared(scene, air_of(scene));
+}
+
 Rgb transmittance_unit(const Scene& scene) {
   return scene.spectra ? sun_colour(band_colours(scene.spectra->sun, scene.spectra->white)) : Rgb{1.0, 1.0, 1.0};
 }

@@ -32,6 +32,9 @@ std::vector<physics::GlarePoint> glare_points_of(const Scene& scene);
 // The picture by a host method, which has no disc.
 HostPicture render_on_host(const Scene& scene, const View& view, const HostOptions& options);
 
+// As SkyMethod::spared.
+std::vector<std::string> spared_by(const Scene& scene);
+
 // What a listed direction's second value is to be divided by to be a transmittance.
 Rgb transmittance_unit(const Scene& scene);
 

@@ -274,6 +274,7 @@ Rendering TiledRender::run() {
     host_ = render_on_host(scene_, View{}, request_.picture.host);
     out_.undone = host_.notes;
   }
+  out_.left_out = spared_by(scene_);
   Plan whole;  // never run
   if (!add_sun_disc(whole, scene_, air_, std::nullopt, picture_of(BufferId{}, whole_rows(0, scene_.image.height)))) {
     out_.left_out.push_back("sun disc: switched off, outside the picture or behind the planet");
@@ -346,6 +347,10 @@ Rendering rows_of(const Rendering& whole, int first, int count) {
 
 Rendering render_tiled(const DeviceOnDemand& device, const Scene& scene, const TiledRequest& request) {
   assert(request.tile.width > 0 && request.tile.height > 0);
+  if (request.picture.layers) {
+    const Scene apart = kept_apart(scene);
+    return TiledRender(device, apart, request).run();
+  }
   return TiledRender(device, scene, request).run();
 }
 

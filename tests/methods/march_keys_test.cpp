@@ -199,7 +199,7 @@ double worst_difference(const RadianceImage& a, const RadianceImage& b) {
 }
 
 const Parameters kHalf{{"resolution", std::string("half")}, {"multiple_scattering_scale", 0.0}};
-const Parameters kFull{{"multiple_scattering_scale", 0.0}};
+const Parameters kFull{{"resolution", std::string("full")}, {"multiple_scattering_scale", 0.0}};
 
 // From the ground, the air and space, odd and even, every projection, ground in sight: never further off than the
 // contrast that is let through (0.04, at the coarsest pixels, above the horizon from 12 km), ground and sky never
