@@ -50,13 +50,14 @@ ParameterInfo sun_fade_parameter() {
 
 std::vector<KnownFailure> march_table_failures() {
   using enum Quantity;
+  constexpr std::string_view few_rows =
+      "thick air over a white ground, haze that throws light back sooner: too few rows of the table of multiple "
+      "scattering stand near the ground; 48 in render.multiple_scattering_lut mend it, more steps do not";
   return {
       {"EJ", {{steps, 0, 16}}, "few steps"},
       {"EJ", {{table_size, 0, 40}}, "coarse tables"},
-      {"EJ",
-       {{optical_depth, 0.15, 1e9}, {light_kept, 0.99, 1}},
-       "thick air over a white ground: too few rows of the table of multiple scattering stand near the ground; 48 in "
-       "render.multiple_scattering_lut mend it, more steps do not"},
+      {"EJ", {{optical_depth, 0.15, 1e9}, {light_kept, 0.99, 1}}, few_rows},
+      {"EJ", {{optical_depth, 0.09, 1e9}, {light_kept, 0.99, 1}, {asymmetry, -1, -0.95}}, few_rows},
       {"EJ",
        {{sun_elevation, -90, -2}},
        "late dusk: the table of multiple scattering has too few columns where light falls by a factor a degree; a "
