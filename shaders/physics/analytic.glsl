@@ -1,6 +1,9 @@
 // A closed-form sky, `exponential`: no march, no table. Single scattering of each medium is its column along the ray
 // times the mean of an exponential whose exponent (view depth plus sun depth) is linear along that column; light
 // scattered more than once is the same with an isotropic source whose logarithm is linear.
+// A medium that stands low has its depth in the first part of a higher one's column. The line with the right mean is too
+// dark at the near end, from which the light of a deep ray comes; the line along the first part is too dark elsewhere.
+// The brighter of the two holds.
 // The includer defines:
 //   AnalyticMedium analytic_medium(uint i);  AnalyticDiffuse analytic_diffuse();  bool scatters(uint i);
 //   real share_above(uint i, uint j);  real share_below(uint i, uint j);
@@ -95,6 +98,9 @@ LegLight rising_leg(PlanetData planet, Ray ray, Leg leg, real camera_mu_sun, Pha
       vec3 single_far = dark_depth;
       vec3 diffuse_near = near_source;
       vec3 diffuse_far = far_source;
+      vec3 sun_depth = dark_depth;   // at the near end
+      vec3 single_rise = vec3(0.0);  // over the whole column, as steep as at the near end
+      vec3 diffuse_rise = far_source - near_source;
       for (uint j = 0u; j < medium_count(); j++) {
         Shares s = shares_of(share_above(i, j));
         vec3 extinction = extinction_of(j);
@@ -102,9 +108,15 @@ LegLight rising_leg(PlanetData planet, Ray ray, Leg leg, real camera_mu_sun, Pha
         single_far = single_far + extinction * (lit_columns[j] * (1.0 - s.upper) + sun_far[j] * s.upper);
         diffuse_near = diffuse_near + extinction * (columns[j] * (1.0 - s.lower));
         diffuse_far = diffuse_far + extinction * (columns[j] * (1.0 - s.upper));
+        real steep = 1.0 / max(s.lower, 1e-6);
+        sun_depth = sun_depth + extinction * sun_columns[j];
+        single_rise = single_rise + extinction * (max(lit_columns[j] - sun_columns[j], 0.0) * steep);
+        diffuse_rise = diffuse_rise + extinction * (columns[j] * steep);
       }
-      vec3 single = mean_exponential3(single_near, single_far) * (p.of[i] * lit_columns[i]);
-      vec3 diffuse = mean_exponential3(diffuse_near, diffuse_far) * columns[i];
+      vec3 single = max(mean_exponential3(single_near, single_far),
+                        mean_exponential3(sun_depth, sun_depth + single_rise)) * (p.of[i] * lit_columns[i]);
+      vec3 diffuse = max(mean_exponential3(diffuse_near, diffuse_far),
+                         mean_exponential3(near_source, near_source + diffuse_rise)) * columns[i];
       light.radiance = light.radiance + medium(i).scattering * (single + diffuse);
     }
   }

@@ -98,7 +98,7 @@ TEST_P(Holds, WhereNothingIsKnownAgainstIt) {
 #if defined(__SANITIZE_ADDRESS__)
 INSTANTIATE_TEST_SUITE_P(Method, Holds, testing::Values("march"));  // orders bakes thick air for two minutes
 #else
-INSTANTIATE_TEST_SUITE_P(Method, Holds, testing::Values("nested", "march", "sky-view", "orders"));
+INSTANTIATE_TEST_SUITE_P(Method, Holds, testing::Values("nested", "march", "sky-view", "analytic", "orders"));
 #endif
 
 // A step along the view too few: far from converged, and named so.
