@@ -51,8 +51,9 @@ Candidate reference(const Scene& scene, bool fine) {
     quality.label = "192 steps, degree 6 or more, large tables";
     quality.parameters.insert(quality.parameters.end(),
                               {{"moments_lut", TableSize{96, 24}}, {"transmittance_lut", TableSize{512, 128}}});
-    if (moment_settings(air_of(with_quality(scene, *find_method("orders"), {})), -1, 0, {96, 24}).degree < 6) {
-      quality.parameters.emplace_back("degree", std::string("6"));
+    const Air air = air_of(with_quality(scene, *find_method("orders"), {}));
+    if (moment_settings(air, {.size = {96, 24}}).degree < kMostClearDegree) {
+      quality.parameters.emplace_back("degree", std::to_string(kMostClearDegree));
     }
   }
   Scene near_truth = with_quality(scene, *find_method("orders"), quality);

@@ -162,7 +162,7 @@ m = block - l * (l + 1) / 2
 
 }  // namespace
 
-MomentSettings moment_settings(const Air& air, int degree, int orders, TableSize size) {
+MomentSettings moment_settings(const Air& air, const MomentRequest& request) {
   constexpr double kThick = 0.02;
   constexpr int kMostOrders = 40;
   constexpr double kHazy = 0.4;
@@ -176,11 +176,10 @@ MomentSettings moment_settings(const Air& air, int degree, int orders, TableSize
   const auto counted = [&](double depth) { return static_cast<int>(std::min(depth, kMostOrders - 4.0)); };
   settings.shells = shell_rows > 0;
   settings.sharp = std::ranges::any_of(air.media(), is_sharp);
-  // Who asks for more than degree 6 means haze: so all wavelengths of a scene have the table of the haziest.
-  settings.hazy = !settings.shells && (air.depths().scattering > kHazy || degree > 6);
-  settings.degree = degree >= 0 ? degree : !thick ? 2 : settings.shells ? 8 : settings.hazy ? 8 : 5;
+  settings.hazy = !settings.shells && (request.hazy || air.depths().scattering > kHazy);
+  settings.degree = request.degree.value_or(!thick ? 2 : settings.shells || settings.hazy ? 8 : 5);
   settings.delta = thick;
-  settings.size = size;
+  settings.size = request.size;
   if (settings.shells) {
     // Until the orders fall alike everywhere: a level slab of optical depth 5 that absorbs nothing is off by 60 to 230
     // % at its foot with 12 orders, by 3 with 18, and no longer changes from 24 on.
@@ -199,15 +198,15 @@ MomentSettings moment_settings(const Air& air, int degree, int orders, TableSize
     if (bounce > 0.5 && depths.backward > kThick) {
       settings.orders = std::max(settings.orders, 8);
     }
-    settings.size[1] = settings.hazy ? hazy_rows(size[1]) : size[1];
+    settings.size[1] = settings.hazy ? hazy_rows(request.size[1]) : request.size[1];
   }
   const Planet& planet = air.planet();
-  if (settings.shells && orders == 0 && planet.atmosphere_height < kLevel * planet.ground_radius) {
+  if (settings.shells && !request.orders && planet.atmosphere_height < kLevel * planet.ground_radius) {
     const bool deep = depths.scaled > kDeep || depths.forward + depths.backward > kPeaked;
     settings.corrections = deep ? 4 : 2;
     settings.level_degree = std::min(settings.degree, deep ? 3 : 2);
   }
-  settings.orders = orders > 0 ? std::max(orders, 2) : settings.orders;
+  settings.orders = std::max(request.orders.value_or(settings.orders), 2);
   settings.wished_orders = settings.orders;
   if (bake_steps(settings, 4) > kMostBakeSteps) {
     settings.corrections = 0;  // these take about as many steps

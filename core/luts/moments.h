@@ -3,6 +3,7 @@
 // irradiance 1. It depends on the air and the planet alone: a whole day uses one bake.
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/air/air.h"
@@ -26,10 +27,21 @@ struct MomentSettings {
   bool hazy = false;       // without shells, and thick enough that light changes within the lowest rows
 };
 
-// What this air needs (`degree` -1, `orders` 0 choose): degree 2, or where forward-peaked media are thick, with
-// delta-scaling, 5, in hazy air and by shells 8; three orders before the tail in thin air, more with the optical depth.
-// By shells, and in hazy air, there are more rows than `size` says.
-MomentSettings moment_settings(const Air& air, int degree, int orders, TableSize size);
+// What is asked of the table.
+struct MomentRequest {
+  std::optional<int> degree = {};  // else as the air needs
+  std::optional<int> orders = {};
+  TableSize size{48, 12};
+  bool hazy = false;  // as in hazy air, whatever this air is: all wavelengths of a scene have the table of the haziest
+};
+
+// The highest degree that clear air has: more is for hazy air and for shells.
+inline constexpr int kMostClearDegree = 6;
+
+// What this air needs: degree 2, or where forward-peaked media are thick, with delta-scaling, 5, in hazy air and by
+// shells 8; three orders before the tail in thin air, more with the optical depth. By shells, and in hazy air, there
+// are more rows than `size` says.
+MomentSettings moment_settings(const Air& air, const MomentRequest& request);
 
 // Mean extinction toward the top of the atmosphere (sun_table_mu() x edges of shells): what the passes read in place of
 // the transmittance table where the air is cut into shells.

@@ -64,9 +64,15 @@ bool looks_from_space(const Scene& scene, const Air& air) {
 }
 
 MomentSettings settings_of(const Scene& scene, const Air& air) {
-  const std::string& degree = scene.render.get<std::string>("degree");
-  return moment_settings(air, degree == "auto" ? -1 : degree.front() - '0', scene.render.get<int>("orders"),
-                         scene.render.get<TableSize>("moments_lut"));
+  MomentRequest request{.size = scene.render.get<TableSize>("moments_lut")};
+  if (const std::string& degree = scene.render.get<std::string>("degree"); degree != "auto") {
+    request.degree = degree.front() - '0';
+    request.hazy = request.degree > kMostClearDegree;
+  }
+  if (const int orders = scene.render.get<int>("orders"); orders > 0) {
+    request.orders = orders;
+  }
+  return moment_settings(air, request);
 }
 
 std::uint32_t steps_of(const Scene& scene, const MomentSettings& settings) {

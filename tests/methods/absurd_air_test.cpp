@@ -81,7 +81,7 @@ TEST(AbsurdAir, BoundsTheOrdersAndSaysSo) {
   ASSERT_EQ(orders.bounds(wide, air_of(wide)).size(), 1U);
   EXPECT_NE(orders.bounds(wide, air_of(wide)).front().find(" of 64 orders of scattering are computed"),
             std::string::npos);
-  const MomentSettings settings = moment_settings(air_of(wide), -1, 64, {1024, 12});
+  const MomentSettings settings = moment_settings(air_of(wide), {.orders = 64, .size = {1024, 12}});
   EXPECT_GE(settings.orders, 2);
   EXPECT_LT(settings.orders, 64);
   EXPECT_EQ(settings.wished_orders, 64);
