@@ -16,4 +16,15 @@ struct RadianceImage {
   }
 };
 
+// Pixels of four channels without their alpha.
+template <class Value>
+std::vector<Value> rgb_of(const std::vector<Value>& rgba) {
+  std::vector<Value> rgb;
+  rgb.reserve(rgba.size() / 4 * 3);
+  for (std::size_t i = 0; i < rgba.size(); i += 4) {
+    rgb.insert(rgb.end(), {rgba[i], rgba[i + 1], rgba[i + 2]});
+  }
+  return rgb;
+}
+
 }  // namespace airlight

@@ -12,6 +12,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -20,6 +21,7 @@
 #include "core/error.h"
 #include "core/file_descriptor.h"
 #include "core/output/atomic_file.h"
+#include "core/radiance_image.h"
 
 namespace airlight::cli {
 namespace {
@@ -171,15 +173,8 @@ Film::~Film() {
 }
 
 void Film::add(const PixelImage& picture) {
-  std::vector<std::uint8_t> rgb;
-  std::span<const std::uint8_t> bytes = picture.bytes;
-  if (picture.channels == 4) {
-    for (std::size_t i = 0; i < bytes.size(); i += 4) {
-      rgb.insert(rgb.end(), {bytes[i], bytes[i + 1], bytes[i + 2]});
-    }
-    bytes = rgb;
-  }
-  if (!write_all(input_, std::as_bytes(bytes))) {
+  const std::vector<std::uint8_t> opaque = picture.channels == 4 ? rgb_of(picture.bytes) : picture.bytes;
+  if (!write_all(input_, std::as_bytes(std::span(opaque)))) {
     fail();
   }
 }

@@ -30,12 +30,6 @@ Scene truth_scene(const Scene& scene, const TruthRules& rules) {
   return truth;
 }
 
-void append_rgb(std::vector<float>& values, const RadianceImage& image) {
-  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
-    values.insert(values.end(), {image.rgba[i], image.rgba[i + 1], image.rgba[i + 2]});
-  }
-}
-
 // A line of samples and target, then six numbers a pixel.
 std::string text_of(const Truth& truth) {
   std::ostringstream out;
@@ -97,8 +91,8 @@ Truth find_truth(const Scene& scene, const PixelSet& pixels, const std::filesyst
   const HostPicture picture =
       find_method("path-trace")->render_on_host(traced, air_of(traced), View{.directions = pixels.directions}, options);
   Truth truth;
-  append_rgb(truth.radiance, picture.radiance);
-  append_rgb(truth.standard_error, picture.standard_error);
+  truth.radiance = rgb_of(picture.radiance.rgba);
+  truth.standard_error = rgb_of(picture.standard_error.rgba);
   truth.samples = static_cast<double>(picture.samples);
   truth.target_error = rules.target_error;
   const std::string text = text_of(truth);

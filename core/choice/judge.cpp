@@ -36,14 +36,6 @@ bool is_below(double share, const Scene& scene, std::span<const float> radiance)
   return std::ranges::all_of(radiance, [&](float x) { return std::abs(double{x}) <= limit; });
 }
 
-std::vector<float> rgb_of(const RadianceImage& image) {
-  std::vector<float> values;
-  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
-    values.insert(values.end(), {image.rgba[i], image.rgba[i + 1], image.rgba[i + 2]});
-  }
-  return values;
-}
-
 // Mean magnitude of a normal value of this mean and deviation (a folded normal distribution's).
 double folded_mean(double mean, double deviation) {
   const double ratio = mean / deviation;
@@ -87,7 +79,7 @@ Traced trace_probes(const Scene& scene, const Probes& probes, const TraceOrder& 
     const HostPicture picture =
         method.render_on_host(traced, air_of(traced), View{.directions = probes.directions}, options);
     const auto taken = static_cast<double>(picture.samples);
-    return {rgb_of(picture.radiance), rgb_of(picture.standard_error), taken, taken / kBatch};
+    return {rgb_of(picture.radiance.rgba), rgb_of(picture.standard_error.rgba), taken, taken / kBatch};
   } catch (const RunError&) {
     return {};  // stopped before the first batches
   }
