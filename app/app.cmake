@@ -28,5 +28,5 @@ foreach(library IN ITEMS OpenEXR OpenColorIO OpenImageIO nlohmann_json CLI11 PNG
   endif()
   string(APPEND libraries "  ${library} ${version}\\n")
 endforeach()
-set_source_files_properties(${PROJECT_SOURCE_DIR}/app/cli/version.cpp PROPERTIES
+set_source_files_properties(${PROJECT_SOURCE_DIR}/app/commands/version.cpp PROPERTIES
                             COMPILE_DEFINITIONS "AIRLIGHT_LIBRARIES=\"${libraries}\"")

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "app/cli/terminal.h"
-#include "app/render/picture_files.h"
 #include "core/error.h"
 #include "core/output/half_block.h"
 #include "core/scene/json_format.h"

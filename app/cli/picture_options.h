@@ -14,6 +14,10 @@
 
 namespace airlight::cli {
 
+// Views of `--view` that no OCIO config knows.
+inline constexpr const char* kGpuView = "gpu";                // the GPU tone curve
+inline constexpr const char* kDiagnosticView = "diagnostic";  // what kind of number each pixel holds
+
 struct PictureOptions {
   bool full_float = false;
   bool half_float = false;
@@ -61,9 +65,8 @@ RenderRequest request_for(const Scene& scene, bool exr, bool png);
 void require_layers(const PictureOptions& options, const Scene& scene, bool exr, const std::string& command);
 
 // Where the EXR and the PNG go as the two options say: a name in .png after -o is the PNG's, and "-" is standard
-// output,
-// "/dev/stdout" from here on. Throws InputError: two PNGs, two pictures or --json too on standard output, a terminal
-// there. `command`: "render".
+// output, "/dev/stdout" from here on. Throws InputError: two PNGs, two pictures or --json too on standard output, a
+// terminal there. `command`: "render".
 struct PictureNames {
   std::optional<std::string> exr;
   std::optional<std::string> png;

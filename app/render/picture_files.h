@@ -9,16 +9,13 @@
 #include <string_view>
 #include <vector>
 
+#include "app/cli/picture_options.h"
 #include "core/output/display.h"
 #include "core/output/exr.h"
 #include "core/output/png.h"
 #include "core/render/render.h"
 
 namespace airlight::cli {
-
-// Views of `--view` that no OCIO config knows.
-inline constexpr const char* kGpuView = "gpu";                // the GPU tone curve
-inline constexpr const char* kDiagnosticView = "diagnostic";  // what kind of number each pixel holds
 
 // The attribute of an EXR that says what its PNG was exposed by.
 inline constexpr const char* kExposureKey = "airlight:exposure";

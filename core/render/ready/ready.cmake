@@ -7,12 +7,12 @@ endif()
 add_library(airlight_ready STATIC)
 target_link_libraries(airlight_ready PUBLIC airlight_flags)
 if(NOT AIRLIGHT_TOOL OR NOT SPIRV-Tools-opt_FOUND)
-  target_sources(airlight_ready PRIVATE ${PROJECT_SOURCE_DIR}/core/gpu/ready/none.cpp)
+  target_sources(airlight_ready PRIVATE ${PROJECT_SOURCE_DIR}/core/render/ready/none.cpp)
   return()
 endif()
 
-add_executable(freeze_presets ${PROJECT_SOURCE_DIR}/core/gpu/ready/freeze_presets.cpp
-               ${PROJECT_SOURCE_DIR}/core/gpu/ready/none.cpp ${AIRLIGHT_PROGRAM_SOURCES})
+add_executable(freeze_presets ${PROJECT_SOURCE_DIR}/core/render/ready/freeze_presets.cpp
+               ${PROJECT_SOURCE_DIR}/core/render/ready/none.cpp ${AIRLIGHT_PROGRAM_SOURCES})
 target_link_libraries(freeze_presets PRIVATE airlight_gpu_core airlight_scene)
 set(ready_source ${PROJECT_BINARY_DIR}/ready_modules.cpp)
 add_custom_command(
