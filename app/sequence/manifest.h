@@ -24,8 +24,6 @@ class SequenceManifest {
   void write_now_and_then();
   void write();
 
-  std::size_t frames_whole() const { return whole_; }
-
  private:
   // 24 bytes a frame are all that a sequence takes of memory for each of its frames.
   struct Record {

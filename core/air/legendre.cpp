@@ -34,16 +34,7 @@ LegendreMoments formula_moments(physics::Physics& p, physics::uint kind, double 
 }  // namespace
 
 void add_moments(LegendreMoments& moments, vec3 light, double nu) {
-  double before = 1.0;
-  double polynomial = nu;
-  moments[0] = moments[0] + light;
-  for (std::size_t l = 1; l < moments.size(); ++l) {
-    moments[l] = moments[l] + light * polynomial;
-    const double n = static_cast<double>(l);
-    const double next = ((2.0 * n + 1.0) * nu * polynomial - n * before) / (n + 1.0);
-    before = polynomial;
-    polynomial = next;
-  }
+  for_each_polynomial(moments.size(), nu, [&](std::size_t l, double p) { moments[l] = moments[l] + light * p; });
 }
 
 LegendreMoments legendre_moments(physics::Physics& p, physics::uint medium) {

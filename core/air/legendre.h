@@ -12,6 +12,21 @@ using LegendreMoments = std::array<physics::vec3, physics::kLegendreMoments>;  /
 // Integral of p(nu) P_l(nu) over the sphere, l from 0; to 1e-6. Of the medium's phase function.
 LegendreMoments legendre_moments(physics::Physics& p, physics::uint medium);
 
+// Calls visit(l, P_l(nu)) for l below `count`.
+template <class Visit>
+void for_each_polynomial(std::size_t count, double nu, Visit visit) {
+  double before = 1.0;
+  double polynomial = nu;
+  visit(std::size_t{0}, 1.0);
+  for (std::size_t l = 1; l < count; ++l) {
+    visit(l, polynomial);
+    const double n = static_cast<double>(l);
+    const double next = ((2.0 * n + 1.0) * nu * polynomial - n * before) / (n + 1.0);
+    before = polynomial;
+    polynomial = next;
+  }
+}
+
 // Adds `light` at the cosine nu.
 void add_moments(LegendreMoments& moments, physics::vec3 light, double nu);
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/air/legendre.h"
+
 namespace airlight {
 namespace {
 
@@ -48,21 +50,6 @@ double kept_of(std::size_t degree) {
   return x <= 0.0 ? 1.0 : 0.5 + 0.5 * std::cos(std::numbers::pi * x);
 }
 
-// Calls visit(degree, P_degree(nu)).
-template <class Visit>
-void for_each_polynomial(double nu, Visit visit) {
-  double before = 1.0;
-  double polynomial = nu;
-  visit(0, 1.0);
-  for (std::size_t l = 1; l < kGatherDegrees; ++l) {
-    visit(l, polynomial);
-    const double n = static_cast<double>(l);
-    const double next = ((2.0 * n + 1.0) * nu * polynomial - n * before) / (n + 1.0);
-    before = polynomial;
-    polynomial = next;
-  }
-}
-
 // Divides the table of logarithms that begins there by its integral.
 void normalise(std::vector<vec3>& samples, std::size_t first) {
   vec3 norm(0.0);
@@ -79,12 +66,13 @@ void add_gathered(std::vector<vec3>& samples, std::size_t first) {
   std::array<vec3, kGatherDegrees> moments{};
   for_each_node([&](std::size_t k, double share, double angle, double weight) {
     const vec3 value = between(samples, first + k, share) * weight;
-    for_each_polynomial(std::cos(angle), [&](std::size_t l, double p) { moments[l] = moments[l] + value * p; });
+    for_each_polynomial(kGatherDegrees, std::cos(angle),
+                        [&](std::size_t l, double p) { moments[l] = moments[l] + value * p; });
   });
   constexpr double kLeast = 1e-3;  // the series undershoots a little beside a sharp peak
   for (std::size_t k = 0; k < kSamples; ++k) {
     vec3 sum(0.0);
-    for_each_polynomial(sample_cosine(k), [&](std::size_t l, double p) {
+    for_each_polynomial(kGatherDegrees, sample_cosine(k), [&](std::size_t l, double p) {
       sum = sum + moments[l] * (kept_of(l) * p * (2.0 * static_cast<double>(l) + 1.0) / (4.0 * std::numbers::pi));
     });
     samples.push_back(log(max(sum, vec3(kLeast))));

@@ -26,34 +26,45 @@ Box whole_picture(const Scene& scene) {
   return {0.0, 0.0, static_cast<double>(scene.image.width), static_cast<double>(scene.image.height)};
 }
 
-// Two directions at right angles to the axis and to one another.
-std::array<vec3, 2> across(const vec3& axis) {
-  const vec3 any = std::abs(axis.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0);
-  const vec3 a = physics::normalize(any - axis * physics::dot(any, axis));
-  return {a, vec3(axis.y * a.z - axis.z * a.y, axis.z * a.x - axis.x * a.z, axis.x * a.y - axis.y * a.x)};
+constexpr Box kNoBox{1e300, 1e300, -1e300, -1e300};
+
+void extend(Box& box, const physics::vec2& at) {
+  box = {std::min(box.low_x, at.x), std::min(box.low_y, at.y), std::max(box.high_x, at.x), std::max(box.high_y, at.y)};
+}
+
+// The rim's points are joined by chords, and the device computes in floats.
+Box with_slack(const Box& box) {
+  const double slack_x = 1e-4 + 1e-3 * (box.high_x - box.low_x);
+  const double slack_y = 1e-4 + 1e-3 * (box.high_y - box.low_y);
+  return {box.low_x - slack_x, box.low_y - slack_y, box.high_x + slack_x, box.high_y + slack_y};
+}
+
+std::array<vec3, 720> rim_points(const vec3& sun, double radius) {
+  const auto [a, b] = across(sun);
+  std::array<vec3, 720> rim;
+  for (std::size_t i = 0; i < rim.size(); ++i) {
+    const double t = 2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(rim.size());
+    rim[i] = sun * std::cos(radius) + (a * std::cos(t) + b * std::sin(t)) * std::sin(radius);
+  }
+  return rim;
 }
 
 // Nothing: the disc is behind the camera.
 std::optional<Box> rim_box(physics::Physics& p, const Scene& scene) {
-  constexpr int kRim = 720;
   const physics::uint projection = projection_code(scene.camera.projection);
   const bool round = scene.camera.projection == Projection::equirectangular;
   const vec3 sun = p.scene.sun.direction;
-  const auto [a, b] = across(sun);
-  const double radius = scene.sun.disc.angular_radius;
   const double width = scene.image.width;
   const double middle = p.pixel_of(p.scene.camera, projection, sun).x;
-  Box box{1e300, 1e300, -1e300, -1e300};
-  int behind = 0;
-  for (int i = 0; i < kRim; ++i) {
-    const double t = 2.0 * std::numbers::pi * i / kRim;
-    const vec3 rim = sun * std::cos(radius) + (a * std::cos(t) + b * std::sin(t)) * std::sin(radius);
-    const auto at = p.pixel_of(p.scene.camera, projection, rim);
-    const double x = round ? middle + std::remainder(at.x - middle, width) : at.x;
+  const auto rim = rim_points(sun, scene.sun.disc.angular_radius);
+  Box box = kNoBox;
+  std::size_t behind = 0;
+  for (const vec3& point : rim) {
+    const auto at = p.pixel_of(p.scene.camera, projection, point);
     behind += at.in_front ? 0 : 1;
-    box = {std::min(box.low_x, x), std::min(box.low_y, at.y), std::max(box.high_x, x), std::max(box.high_y, at.y)};
+    extend(box, {round ? middle + std::remainder(at.x - middle, width) : at.x, at.y});
   }
-  if (behind == kRim) {
+  if (behind == rim.size()) {
     return std::nullopt;
   }
   return behind > 0 ? whole_picture(scene) : box;
@@ -78,41 +89,27 @@ std::optional<Box> disc_box(physics::Physics& p, const Scene& scene) {
       physics::dot(p.scene.sun.direction, p.scene.camera.forward) < -std::cos(radius)) {
     return whole_picture(scene);  // around the point straight behind
   }
-  // The rim's points are joined by chords, and the device computes in floats.
-  const double slack_x = 1e-4 + 1e-3 * (box->high_x - box->low_x);
-  const double slack_y = 1e-4 + 1e-3 * (box->high_y - box->low_y);
-  return Box{box->low_x - slack_x, box->low_y - slack_y, box->high_x + slack_x, box->high_y + slack_y};
-}
-
-void extend(Box& box, const physics::vec2& at) {
-  box = {std::min(box.low_x, at.x), std::min(box.low_y, at.y), std::max(box.high_x, at.x), std::max(box.high_y, at.y)};
+  return with_slack(*box);
 }
 
 // A part of a map that is cut: a face of a cube, a quadrant of an octahedral map. `holds`: whether a direction, in the
 // axes of in_camera, falls on it; `pixel_of`: where, continued beyond its edges.
 template <class Holds, class PixelOf>
 std::optional<Box> part_box(physics::Physics& p, const Scene& scene, const Box& part, Holds holds, PixelOf pixel_of) {
-  constexpr int kRim = 720;
   const vec3 sun = p.scene.sun.direction;
-  const auto [a, b] = across(sun);
-  const double radius = scene.sun.disc.angular_radius;
-  Box box{1e300, 1e300, -1e300, -1e300};
-  bool touched = holds(p.in_camera(p.scene.camera, sun));
-  for (int i = 0; i < kRim; ++i) {
-    const double t = 2.0 * std::numbers::pi * i / kRim;
-    const vec3 rim = sun * std::cos(radius) + (a * std::cos(t) + b * std::sin(t)) * std::sin(radius);
-    touched = touched || holds(p.in_camera(p.scene.camera, rim));
+  const auto rim = rim_points(sun, scene.sun.disc.angular_radius);
+  const auto is_held = [&](const vec3& direction) { return holds(p.in_camera(p.scene.camera, direction)); };
+  if (!is_held(sun) && std::ranges::none_of(rim, is_held)) {
+    return std::nullopt;
   }
-  for (int i = 0; touched && i < kRim; ++i) {
-    const double t = 2.0 * std::numbers::pi * i / kRim;
-    const vec3 rim = sun * std::cos(radius) + (a * std::cos(t) + b * std::sin(t)) * std::sin(radius);
-    extend(box, pixel_of(p.in_camera(p.scene.camera, rim)));
+  Box box = kNoBox;
+  for (const vec3& point : rim) {
+    extend(box, pixel_of(p.in_camera(p.scene.camera, point)));
   }
-  const double slack_x = 1e-4 + 1e-3 * (box.high_x - box.low_x);
-  const double slack_y = 1e-4 + 1e-3 * (box.high_y - box.low_y);
-  box = {std::max(box.low_x - slack_x, part.low_x), std::max(box.low_y - slack_y, part.low_y),
-         std::min(box.high_x + slack_x, part.high_x), std::min(box.high_y + slack_y, part.high_y)};
-  return touched && box.low_x < box.high_x && box.low_y < box.high_y ? std::optional(box) : std::nullopt;
+  box = with_slack(box);
+  box = {std::max(box.low_x, part.low_x), std::max(box.low_y, part.low_y), std::min(box.high_x, part.high_x),
+         std::min(box.high_y, part.high_y)};
+  return box.low_x < box.high_x && box.low_y < box.high_y ? std::optional(box) : std::nullopt;
 }
 
 std::vector<Box> cube_boxes(physics::Physics& p, const Scene& scene) {
@@ -212,6 +209,12 @@ bool wholly_set(physics::Physics& p, const Scene& scene) {
 }
 
 }  // namespace
+
+std::array<vec3, 2> across(const vec3& axis) {
+  const vec3 any = std::abs(axis.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0);
+  const vec3 a = physics::normalize(any - axis * physics::dot(any, axis));
+  return {a, physics::cross(axis, a)};
+}
 
 std::vector<DiscPart> disc_parts(physics::Physics& p, const Scene& scene, const Tile& tile) {
   std::vector<DiscPart> parts;

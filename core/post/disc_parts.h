@@ -1,6 +1,7 @@
 #pragma once
 // Where the sun's disc stands in a picture.
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -21,6 +22,9 @@ struct DiscPart {
   DiscRectangle pixels;  // that it may touch
   physics::Physics::DiscBox box;
 };
+
+// Two directions at right angles to the axis and to one another.
+std::array<physics::vec3, 2> across(const physics::vec3& axis);
 
 // The parts of the disc that can be seen in the tile: one, or several where the picture is a map that is cut. No two
 // overlap. Empty: the disc is switched off, outside the tile or wholly behind the planet. `p`: the scene's geometry.

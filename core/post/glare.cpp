@@ -8,6 +8,7 @@
 
 #include "core/air/scene_block.h"
 #include "core/plan/bytes.h"
+#include "core/post/disc_parts.h"
 #include "core/post/host_post.h"
 #include "core/post/post.h"
 #include "core/spheres/spheres.h"
@@ -34,9 +35,7 @@ std::vector<GlarePoint> disc_sources(const Scene& scene, const Air& air) {
     p.terrain_maps = terrain_of(scene);
   }
   const vec3 sun = p.scene.sun.direction;
-  const vec3 any = std::abs(sun.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0);
-  const vec3 a = physics::normalize(any - sun * physics::dot(any, sun));
-  const vec3 b(sun.y * a.z - sun.z * a.y, sun.z * a.x - sun.x * a.z, sun.x * a.y - sun.y * a.x);
+  const auto [a, b] = across(sun);
   const double radius = scene.sun.disc.angular_radius;
   const double half = std::sin(0.5 * radius);
   const double area = 4.0 * std::numbers::pi * half * half / kPoints;

@@ -151,18 +151,6 @@ ShRadiance project_to_sh(const RadianceImage& latlong, double azimuth) {
   return sum;
 }
 
-Vector3 irradiance_from_sh(const ShRadiance& radiance, const Vector3& normal) {
-  const std::array<double, 9> basis = sh_basis(normal);
-  Vector3 sum{};
-  for (std::size_t k = 0; k < 9; ++k) {
-    const double cosine = k == 0 ? pi : (k < 4 ? 2.0 * pi / 3.0 : 0.25 * pi);
-    for (std::size_t c = 0; c < 3; ++c) {
-      sum[c] += cosine * radiance[k][c] * basis[k];
-    }
-  }
-  return sum;
-}
-
 RadianceImage irradiance_map(const RadianceImage& latlong, double latlong_azimuth, int width, int height,
                              double azimuth) {
   physics::Physics p;

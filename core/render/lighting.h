@@ -23,11 +23,6 @@ using ShRadiance = std::array<Vector3, 9>;
 // the integral of the basis over its solid angle.
 ShRadiance project_to_sh(const RadianceImage& latlong, double azimuth);
 
-// Irradiance of a surface with this unit normal: the sum over degrees l of A_l L_lm Y_lm, where A_0 = pi, A_1 = 2 pi/3,
-// A_2 = pi/4 are those of the clamped cosine. [RH01] eq. 9; within 1 % of the mean for most lights, and negative where
-// one small light stands alone.
-Vector3 irradiance_from_sh(const ShRadiance& radiance, const Vector3& normal);
-
 // Irradiance over normals as an equirectangular map whose centre is the normal toward `azimuth`: the sum of radiance x
 // cosine over the sphere, by the exact integral of the direction over each pixel of the sky.
 RadianceImage irradiance_map(const RadianceImage& latlong, double latlong_azimuth, int width, int height,

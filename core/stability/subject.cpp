@@ -25,18 +25,6 @@ TableSize scaled(const ParameterInfo& info, TableSize size, double greater) {
   return size;
 }
 
-void set_parameters(Scene& scene, const SkyMethod& method,
-                    const std::vector<std::pair<std::string_view, ParameterValue>>& values) {
-  scene.render.method = method.info.name;
-  scene.render.parameters.clear();
-  for (const ParameterInfo& info : method.info.parameters) {
-    scene.render.parameters.emplace(info.key, info.default_value);
-  }
-  for (const auto& [key, value] : values) {
-    scene.render.parameters.at(std::string(key)) = value;
-  }
-}
-
 }  // namespace
 
 std::vector<Subject> subjects() {
@@ -83,7 +71,7 @@ bool takes_part(const Subject& subject, const Sweep& sweep) {
 }
 
 Scene rendered_by(const Subject& subject, Scene scene, const Place& place) {
-  set_parameters(scene, *subject.method, subject.parameters);
+  scene = with_quality(std::move(scene), *subject.method, {.label = {}, .parameters = subject.parameters});
   for (const ParameterInfo& info : subject.method->info.parameters) {
     ParameterValue& value = scene.render.parameters.at(std::string(info.key));
     if (info.key == "steps" && place.given(Quantity::steps)) {
@@ -97,9 +85,8 @@ Scene rendered_by(const Subject& subject, Scene scene, const Place& place) {
 
 Scene converged_for(const Subject& subject, Scene scene, const Place&) {
   const Converged& converged = subject.method->converged;
-  set_parameters(scene, converged.method.empty() ? *subject.method : *find_method(converged.method),
-                 converged.parameters);
-  return scene;
+  const SkyMethod& method = converged.method.empty() ? *subject.method : *find_method(converged.method);
+  return with_quality(std::move(scene), method, {.label = {}, .parameters = converged.parameters});
 }
 
 }  // namespace airlight::stability

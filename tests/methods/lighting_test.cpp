@@ -48,6 +48,21 @@ double dot(const Vector3& a, const Vector3& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+// Irradiance of a surface with this unit normal: the sum over degrees l of A_l L_lm Y_lm, where A_0 = pi, A_1 = 2 pi/3,
+// A_2 = pi/4 are those of the clamped cosine. [RH01] eq. 9; within 1 % of the mean for most lights, and negative where
+// one small light stands alone.
+Vector3 irradiance_from_sh(const ShRadiance& radiance, const Vector3& normal) {
+  const std::array<double, 9> basis = sh_basis(normal);
+  Vector3 sum{};
+  for (std::size_t k = 0; k < 9; ++k) {
+    const double cosine = k == 0 ? pi : (k < 4 ? 2.0 * pi / 3.0 : 0.25 * pi);
+    for (std::size_t c = 0; c < 3; ++c) {
+      sum[c] += cosine * radiance[k][c] * basis[k];
+    }
+  }
+  return sum;
+}
+
 TEST(Harmonics, AreOrthonormal) {
   constexpr int kRows = 64;
   std::array<std::array<double, 9>, 9> products{};
