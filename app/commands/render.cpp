@@ -1,4 +1,3 @@
-#include <iterator>
 #include <memory>
 
 #include "app/commands/commands.h"

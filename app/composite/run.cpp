@@ -7,7 +7,6 @@
 
 #include "app/cli/json_writer.h"
 #include "app/cli/picture_options.h"
-#include "app/cli/stopwatch.h"
 #include "app/cli/terminal.h"
 #include "app/composite/air.h"
 #include "app/composite/foreground.h"

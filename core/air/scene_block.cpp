@@ -5,7 +5,6 @@
 #include <cstring>
 #include <iterator>
 #include <numbers>
-#include <span>
 
 #include "core/plan/bytes.h"
 #include "core/plan/plan.h"

@@ -4,7 +4,6 @@
 #include <fstream>
 #include <iomanip>
 #include <optional>
-#include <span>
 #include <sstream>
 
 #include "core/error.h"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <set>
 
-#include "core/choice/leave_out.h"
 #include "core/luts/moments.h"
 #include "core/methods/scene_air.h"
 

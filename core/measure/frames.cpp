@@ -1,7 +1,6 @@
 #include "core/measure/frames.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <map>
 

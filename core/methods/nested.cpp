@@ -2,7 +2,6 @@
 
 #include <array>
 #include <string>
-#include <utility>
 
 #include "core/error.h"
 #include "core/luts/luts.h"

@@ -18,7 +18,6 @@
 #include "core/methods/spectral_sums.h"
 #include "core/scene/parameters.h"
 #include "core/spheres/spheres.h"
-#include "core/terrain/terrain_buffers.h"
 
 namespace airlight {
 namespace {

@@ -6,7 +6,6 @@
 #include <functional>
 
 #include "core/luts/luts.h"
-#include "core/methods/scene_air.h"
 #include "core/methods/sky_pass.h"
 #include "core/terrain/terrain_buffers.h"
 

@@ -5,9 +5,7 @@
 #include "core/air/scene_block.h"
 #include "core/luts/luts.h"
 #include "core/methods/orders_parts.h"
-#include "core/methods/scene_air.h"
 #include "core/methods/sky_pass.h"
-#include "core/terrain/terrain_buffers.h"
 
 namespace airlight::orders {
 namespace {

@@ -2,8 +2,6 @@
 
 #include <OpenColorIO/OpenColorIO.h>
 
-#include <algorithm>
-
 #include "core/error.h"
 #include "core/output/parallel.h"
 #include "core/text.h"

@@ -1,6 +1,5 @@
 // The sun's glare: points of its disc as sources, found on the host in double.
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>

@@ -1,7 +1,6 @@
 #include "core/render/render.h"
 
 #include <algorithm>
-#include <cassert>
 #include <span>
 #include <utility>
 

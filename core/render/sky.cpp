@@ -1,8 +1,5 @@
 #include "core/render/sky.h"
 
-#include <algorithm>
-#include <cassert>
-
 #include "core/methods/scene_air.h"
 #include "core/methods/sky_pass.h"
 #include "core/methods/spectral_sums.h"

@@ -1,6 +1,5 @@
 #include "core/render/spectrum.h"
 
-#include <algorithm>
 #include <array>
 #include <cassert>
 #include <utility>

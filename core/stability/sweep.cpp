@@ -1,6 +1,5 @@
 #include "core/stability/sweep.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 

@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "core/air/scene_block.h"
 #include "core/terrain/terrain.h"
 #include "core/text.h"
 
