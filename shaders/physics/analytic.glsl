@@ -3,7 +3,7 @@
 // scattered more than once is the same with an isotropic source whose logarithm is linear.
 // A medium that stands low has its depth in the first part of a higher one's column. The line with the right mean is too
 // dark at the near end, from which the light of a deep ray comes; the line along the first part is too dark elsewhere.
-// The brighter of the two holds.
+// The brighter of the two holds, by a smooth passage.
 // The includer defines:
 //   AnalyticMedium analytic_medium(uint i);  AnalyticDiffuse analytic_diffuse();  bool scatters(uint i);
 //   real share_above(uint i, uint j);  real share_below(uint i, uint j);
@@ -22,6 +22,12 @@ Shares shares_of(real mean_above) {
   s.lower = min(2.0 * mean_above, 1.0);
   s.upper = max(2.0 * mean_above - 1.0, 0.0);
   return s;
+}
+
+// The first, or the second where that is far greater.
+vec3 smooth_max(vec3 a, vec3 b) {
+  vec3 more = max(b - a, vec3(0.0));
+  return a + more * more / max(more + a * 0.2, vec3(1e-30));
 }
 
 // The logarithm of scattered light moved to another place of the sun, within what a slope at the camera may be trusted.
@@ -113,11 +119,12 @@ LegLight rising_leg(PlanetData planet, Ray ray, Leg leg, real camera_mu_sun, Pha
         single_rise = single_rise + extinction * (max(lit_columns[j] - sun_columns[j], 0.0) * steep);
         diffuse_rise = diffuse_rise + extinction * (columns[j] * steep);
       }
-      vec3 single = max(mean_exponential3(single_near, single_far),
-                        mean_exponential3(sun_depth, sun_depth + single_rise)) * (p.of[i] * lit_columns[i]);
-      vec3 diffuse = max(mean_exponential3(diffuse_near, diffuse_far),
-                         mean_exponential3(near_source, near_source + diffuse_rise)) * columns[i];
-      light.radiance = light.radiance + medium(i).scattering * (single + diffuse);
+      vec3 single = smooth_max(mean_exponential3(single_near, single_far),
+                               mean_exponential3(sun_depth, sun_depth + single_rise));
+      vec3 diffuse = smooth_max(mean_exponential3(diffuse_near, diffuse_far),
+                                mean_exponential3(near_source, near_source + diffuse_rise));
+      single = single * (p.of[i] * lit_columns[i]);
+      light.radiance = light.radiance + medium(i).scattering * (single + diffuse * columns[i]);
     }
   }
   return light;
