@@ -39,10 +39,10 @@ Traced trace_probes(const Scene& scene, const Probes& probes, const TraceOrder& 
 // Both runs as one; their seeds differ.
 Traced together(const Traced& a, const Traced& b);
 
-// Bounds on the mean relative error over the picture, two and a half standard errors up and three down: the error that, alike
-// everywhere and with the paths' noise, normal and alike everywhere, makes the mean distance from the truth what it is.
-// Errors or noise that are uneven make no greater distance by a greater mean (a normal value's mean magnitude is convex
-// in its mean and deviation), so the upper bound holds for them too.
+// Bounds on the mean relative error over the picture, two and a half standard errors up and three down: the error that,
+// alike everywhere and with the paths' noise, normal and alike everywhere, makes the mean distance from the truth what
+// it is. Errors or noise that are uneven make no greater distance by a greater mean (a normal value's mean magnitude is
+// convex in its mean and deviation), so the upper bound holds for them too.
 struct Judgement {
   double at_least = 0.0;
   double at_most = 0.0;

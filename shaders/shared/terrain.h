@@ -13,16 +13,16 @@ struct TerrainData {
   real texel;  // km between heights
   uint columns;
   uint rows;
-  uint levels;                      // of maxima; level 0 are the cells between four heights
+  uint levels;                       // of maxima; level 0 are the cells between four heights
   uint level_first[kTerrainLevels];  // where a level's maxima begin behind the heights
   uint colour_columns;
   uint colour_rows;
   // The table of shadows: rows along the way to the sun, counted from its left.
   real sunward_east;
   real sunward_north;
-  real shadow_along;   // of the first texel, km along that way
-  real shadow_aside;   // and across it
-  real shadow_texel;   // km
+  real shadow_along;  // of the first texel, km along that way
+  real shadow_aside;  // and across it
+  real shadow_texel;  // km
   uint shadow_columns;
   uint shadow_rows;
 };
