@@ -39,9 +39,9 @@ if(AIRLIGHT_SANITIZE)
   # Other tests' formulas at thousands of steps.
   set(test_filter_physics "-March.AgreesWithBruteForce*:March.MoreSteps*:Distributions.ComeToTheSameLight*")
   # What they run, others of this room run too. LeftBehind.EveryCommandSays* ends programs at a moment of theirs and starts
-  # them again where it came late: 31 CPU-s, sanitized.
+  # them again where it came late: 31 CPU-s, sanitized. Tolerance.ThatNothing* is refused as TimeLimitChooses* is.
   set(test_filter_cli "-Examples.*:Install.*:Package.*:Page.*:*Keys.*:LeftBehind.NothingPrepared*:SpectralExr.IsRead*:\
-LeftBehind.EveryCommandSays*:StabilityCommand.Leaves*")
+LeftBehind.EveryCommandSays*:StabilityCommand.Leaves*:Tolerance.ThatNothing*")
   set(test_filter_stability "-Method/Holds.*")
 endif()
 
