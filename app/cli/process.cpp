@@ -38,7 +38,11 @@ pid_t start_process(const std::vector<std::string>& words, const ProcessOptions&
   ::sigemptyset(&broken_pipe);
   ::sigaddset(&broken_pipe, SIGPIPE);
   ::posix_spawnattr_setsigdefault(&attributes, &broken_pipe);
-  ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF | (options.apart ? POSIX_SPAWN_SETPGROUP : 0));
+  sigset_t none;  // held back, whatever this thread does
+  ::sigemptyset(&none);
+  ::posix_spawnattr_setsigmask(&attributes, &none);
+  ::posix_spawnattr_setflags(
+      &attributes, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK | (options.apart ? POSIX_SPAWN_SETPGROUP : 0));
   pid_t process = 0;
   const int problem = ::posix_spawnp(&process, pointers[0], &actions, &attributes, pointers.data(), environ);
   ::posix_spawnattr_destroy(&attributes);
@@ -47,6 +51,12 @@ pid_t start_process(const std::vector<std::string>& words, const ProcessOptions&
     throw RunError(words.front() + ": cannot be started: " + std::strerror(problem));
   }
   return problem == 0 ? process : 0;
+}
+
+void wait_until_ended(pid_t process) {
+  siginfo_t ignored;
+  while (::waitid(P_PID, static_cast<id_t>(process), &ignored, WEXITED | WNOWAIT) < 0 && errno == EINTR) {
+  }
 }
 
 int exit_code_of(pid_t process) {

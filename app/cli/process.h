@@ -21,6 +21,9 @@ struct ProcessOptions {
 // Throws RunError when it cannot be started for another reason.
 pid_t start_process(const std::vector<std::string>& words, const ProcessOptions& options);
 
+// Waits for its end, but leaves its exit code, and with it its number, to exit_code_of().
+void wait_until_ended(pid_t process);
+
 // Waits for its end: the exit code, 128 + its number for a signal.
 int exit_code_of(pid_t process);
 

@@ -11,6 +11,7 @@
 #include "app/cli/process.h"
 #include "core/error.h"
 #include "core/file_descriptor.h"
+#include "core/output/atomic_file.h"
 
 namespace airlight::cli {
 namespace {
@@ -35,14 +36,20 @@ std::vector<std::string> plot(const std::string& command, const std::filesystem:
                               const std::vector<std::string>& endings) {
   namespace fs = std::filesystem;
   const std::string part = "plot-" + std::to_string(std::hash<std::string>{}(folder.string())) + ".part" + prefix;
+  std::vector<fs::path> parts;
+  for (const std::string& ending : endings) {
+    parts.push_back(folder / (part + ending));
+  }
+  FilesOfAnother drawn(parts);
   std::array<int, 2> errors{};
   if (::pipe2(errors.data(), O_CLOEXEC) != 0) {
     throw RunError(command + ": gnuplot cannot be started: " + std::strerror(errno));
   }
   const FileDescriptor output(errors[0]);
   FileDescriptor input(errors[1]);
-  const pid_t gnuplot =
-      start_process({"gnuplot", "-e", "out='" + part + "'", script}, {.folder = folder, .errors = input.get()});
+  const pid_t gnuplot = drawn.started_by([&] {
+    return start_process({"gnuplot", "-e", "out='" + part + "'", script}, {.folder = folder, .errors = input.get()});
+  });
   input.close();
   if (gnuplot == 0) {
     throw RunError(command +
@@ -51,18 +58,15 @@ std::vector<std::string> plot(const std::string& command, const std::filesystem:
                    script + "' in " + folder.string());
   }
   const std::string messages = read_all(output.get());
+  wait_until_ended(gnuplot);
+  drawn.ended();
   const int exit_code = exit_code_of(gnuplot);
   std::vector<std::string> written;
-  for (const std::string& ending : endings) {
-    std::error_code error;
-    if (exit_code == 0) {
-      const fs::path file = folder / (prefix + ending);
-      fs::rename(folder / (part + ending), file, error);
-      if (!error) {
-        written.push_back(file.string());
-      }
+  for (std::size_t i = 0; i < endings.size() && exit_code == 0; ++i) {
+    const fs::path file = folder / (prefix + endings[i]);
+    if (drawn.rename(i, file)) {
+      written.push_back(file.string());
     }
-    fs::remove(folder / (part + ending), error);
   }
   if (written.size() != endings.size()) {
     const std::string said = messages.substr(0, messages.find_last_not_of(" \n") + 1);

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
@@ -11,6 +12,7 @@
 #include <csignal>
 #include <cstring>
 #include <ctime>
+#include <deque>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -157,7 +159,23 @@ int open_in_place(const std::string& file) {
   return fd;
 }
 
+// Of the program that writes for this process; 0: none.
+std::atomic<pid_t> other_program = 0;
+static_assert(std::atomic<pid_t>::is_always_lock_free, "a signal handler reads it");
+
+constexpr std::array kEndingSignals = {SIGINT, SIGTERM, SIGHUP};
+
+// Waits until it writes no more. Async-signal-safe.
+void kill_other_program() noexcept {
+  if (const pid_t process = other_program.exchange(0); process > 0) {
+    ::kill(process, SIGKILL);
+    while (::waitpid(process, nullptr, 0) < 0 && errno == EINTR) {
+    }
+  }
+}
+
 void end_on_signal(int signal_number) {
+  kill_other_program();
   remove_temporary_files();
   write_last_words(signal_number);
   ::signal(signal_number, SIG_DFL);
@@ -303,6 +321,48 @@ void FileInProgress::commit() {
   remember_whole(state_->name);
 }
 
+struct FilesOfAnother::State {
+  std::deque<Temporary> files;
+};
+
+FilesOfAnother::FilesOfAnother(const std::vector<fs::path>& files) : state_(std::make_unique<State>()) {
+  for (const fs::path& file : files) {
+    state_->files.emplace_back(file.string());
+  }
+}
+
+FilesOfAnother::~FilesOfAnother() {
+  kill_other_program();
+}
+
+pid_t FilesOfAnother::started_by(const std::function<pid_t()>& start) {
+  sigset_t ending;
+  sigemptyset(&ending);
+  for (const int signal_number : kEndingSignals) {
+    sigaddset(&ending, signal_number);
+  }
+  sigset_t before;
+  ::pthread_sigmask(SIG_BLOCK, &ending, &before);
+  pid_t process = 0;
+  try {
+    process = start();
+    other_program.store(process);
+  } catch (...) {
+    ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+    throw;
+  }
+  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  return process;
+}
+
+void FilesOfAnother::ended() noexcept {
+  other_program.store(0);
+}
+
+bool FilesOfAnother::rename(std::size_t index, const fs::path& target) {
+  return state_->files[index].rename_to(target.string());
+}
+
 void remove_abandoned_files(const fs::path& folder,
                             const std::function<bool(const std::string& name)>& is_target) noexcept {
   try {
@@ -349,7 +409,7 @@ void end_in_good_order_on_signals() {
   struct sigaction action {};
   action.sa_handler = end_on_signal;
   sigemptyset(&action.sa_mask);
-  for (const int signal_number : {SIGINT, SIGTERM, SIGHUP}) {
+  for (const int signal_number : kEndingSignals) {
     struct sigaction before {};
     ::sigaction(signal_number, nullptr, &before);
     if (before.sa_handler != SIG_IGN) {  // as nohup sets SIGHUP

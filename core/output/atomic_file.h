@@ -1,6 +1,8 @@
 #pragma once
 // Files that appear whole or not at all: written under a temporary name in the same folder, synced, then renamed.
 
+#include <sys/types.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -8,6 +10,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace airlight {
 
@@ -43,6 +46,27 @@ class FileInProgress {
   // At a byte position. Throws RunError, and then again in commit().
   void write(std::uint64_t position, std::span<const std::byte> contents);
   void commit();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+// Files that another program, started by this process, writes under temporary names. They are removed when this object
+// goes, unless they were renamed, and when a signal ends this process, which kills that program first. One at a time.
+class FilesOfAnother {
+ public:
+  explicit FilesOfAnother(const std::vector<std::filesystem::path>& files);
+  FilesOfAnother(const FilesOfAnother&) = delete;
+  FilesOfAnother& operator=(const FilesOfAnother&) = delete;
+  ~FilesOfAnother();
+
+  // Calls `start`, which returns the program's number or 0 for none; a signal waits until that is known.
+  pid_t started_by(const std::function<pid_t()>& start);
+  // It has ended, but is not yet waited for.
+  void ended() noexcept;
+  // False: there is no such file, or it cannot be renamed.
+  bool rename(std::size_t index, const std::filesystem::path& target);
 
  private:
   struct State;

@@ -19,6 +19,9 @@ bool draw_sun_disc(RadianceImage& picture, const Scene& scene, const Air& air, c
 // Statistics of rows, as their pass leaves them (post.h), for summarize().
 std::vector<std::byte> row_statistics_of(const RadianceImage& rows, double brightest, bool signed_colours);
 
+// Of the scene's picture, read back.
+Statistics picture_statistics(const RadianceImage& radiance, const Scene& scene);
+
 // Of a table read back. A pass for it would take a first start's compiler longer than the host takes for the table.
 Statistics table_statistics(const RadianceImage& table);
 

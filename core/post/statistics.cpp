@@ -1,34 +1,66 @@
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <numeric>
 
-#include "core/physics/vector.h"
 #include "core/post/host_post.h"
 #include "core/post/post.h"
 
-// The passes' text on double.
-namespace airlight::physics::row_statistics {
-namespace {
-
-#include "shaders/shared/statistics.h"
-
-bool is_finite(real x) {
-  return std::isfinite(x);
-}
-
-#include "shaders/post/luminance.glsl"
-#include "shaders/post/row_statistics.glsl"
-
-}  // namespace
-}  // namespace airlight::physics::row_statistics
-
-namespace airlight {
+// The pass's text, on float as there: a picture has millions of texels, each of which takes a logarithm.
+namespace airlight::row_statistics {
 namespace {
 
 using real = float;
 using uint = std::uint32_t;
+using std::log;
+using std::max;
+using std::min;
+using std::sqrt;
+
+struct vec3 {
+  real x, y, z;
+};
+
+real clamp(real x, real least, real most) {
+  return min(max(x, least), most);
+}
+
+// As there: not what the compiler may reason away.
+bool is_finite(real x) {
+  return (std::bit_cast<uint>(x) & 0x7f800000U) != 0x7f800000U;
+}
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wconversion"  // numbers in GLSL are doubles in C++
+#pragma GCC diagnostic ignored "-Wfloat-conversion"
+#include "shaders/post/luminance.glsl"
+#include "shaders/post/row_statistics.glsl"
 #include "shaders/shared/statistics.h"
+#pragma GCC diagnostic pop
+
+constexpr uint kLanes = 64;  // sums of so many parts, so that those of long rows are exact, as the pass's are
+
+RowStatistics row_of(const float* texels, uint width, real brightest, bool signed_colours) {
+  std::array<RowStatistics, kLanes> partial;
+  partial.fill(empty_statistics(width));
+  for (uint x = 0; x < width; ++x) {
+    const float* texel = texels + 4 * static_cast<std::size_t>(x);
+    RowStatistics& lane = partial[x % kLanes];
+    lane = with_texel(lane, {texel[0], texel[1], texel[2]}, texel[3], x, brightest, signed_colours);
+  }
+  return std::accumulate(partial.begin() + 1, partial.end(), partial.front(), sum_of);
+}
+
+}  // namespace
+}  // namespace airlight::row_statistics
+
+namespace airlight {
+namespace {
+
+using row_statistics::RowStatistics;
 
 std::uint32_t bits(double x) {
   return std::bit_cast<std::uint32_t>(static_cast<float>(x));
@@ -45,14 +77,19 @@ BufferId add_picture_statistics(Plan& plan, const Picture& picture, double brigh
                  .shader = "picture_statistics",
                  .reads = {{"picture", picture.buffer}},
                  .writes = {{"rows_out", rows}},
-                 .grid = {64, picture.height, 1},
+                 .grid = {256, picture.height, 1},
                  .push_constants = {picture.width, picture.height, bits(brightest)},
                  .specialization = {{"kSigned", signed_colours ? 1U : 0U}}});
   return rows;
 }
 
+Statistics picture_statistics(const RadianceImage& radiance, const Scene& scene) {
+  return summarize(row_statistics_of(radiance, brightest_metered(scene), scene.spectra.has_value()),
+                   static_cast<std::uint32_t>(radiance.width));
+}
+
 Statistics table_statistics(const RadianceImage& table) {
-  return summarize(row_statistics_of(table, std::numeric_limits<double>::max(), false),
+  return summarize(row_statistics_of(table, static_cast<double>(std::numeric_limits<float>::max()), false),
                    static_cast<std::uint32_t>(table.width));
 }
 
@@ -79,23 +116,10 @@ Statistics summarize(std::span<const std::byte> rows, std::uint32_t width) {
 }
 
 std::vector<std::byte> row_statistics_of(const RadianceImage& rows, double brightest, bool signed_colours) {
-  namespace host = physics::row_statistics;
   std::vector<std::byte> bytes(static_cast<std::size_t>(rows.height) * sizeof(RowStatistics));
   for (int y = 0; y < rows.height; ++y) {
-    host::RowStatistics sum = host::empty_statistics(static_cast<physics::uint>(rows.width));
-    for (int x = 0; x < rows.width; ++x) {
-      const float* pixel = rows.at(x, y);
-      const auto channel = [&](int c) { return static_cast<double>(pixel[c]); };
-      sum = host::with_texel(sum, {channel(0), channel(1), channel(2)}, channel(3), static_cast<physics::uint>(x),
-                             brightest, signed_colours);
-    }
-    const RowStatistics row{static_cast<float>(sum.weight),
-                            static_cast<float>(sum.log_luminance_sum),
-                            static_cast<float>(sum.max_luminance),
-                            sum.not_finite,
-                            sum.negative,
-                            sum.outside,
-                            sum.first_bad};
+    const RowStatistics row = row_statistics::row_of(rows.at(0, y), static_cast<std::uint32_t>(rows.width),
+                                                     static_cast<float>(brightest), signed_colours);
     std::memcpy(bytes.data() + static_cast<std::size_t>(y) * sizeof row, &row, sizeof row);
   }
   return bytes;

@@ -4,6 +4,10 @@
 
 namespace airlight {
 
+bool host_measures(const Executor& executor) {
+  return executor.device().is_cpu;
+}
+
 BandPasses::BandPasses(Plan& plan, const Scene& scene, const Picture& band, const BandWork& work)
     : band_(band), work_(work) {
   if (work.statistics) {

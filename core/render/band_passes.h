@@ -21,6 +21,10 @@ struct BandWork {
   double exposure = 1.0;
 };
 
+// Whether the host makes a picture's statistics: where the device is the processor, a pass would first need a compiler,
+// and the host reads the same memory.
+bool host_measures(const Executor& executor);
+
 class BandPasses {
  public:
   BandPasses(Plan& plan, const Scene& scene, const Picture& band, const BandWork& work);

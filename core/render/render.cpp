@@ -7,6 +7,7 @@
 #include "core/methods/scene_air.h"
 #include "core/plan/bytes.h"
 #include "core/post/host_post.h"
+#include "core/render/band_passes.h"
 #include "core/render/sky.h"
 #include "core/render/timings.h"
 
@@ -16,7 +17,7 @@ namespace {
 struct Frame {
   Plan plan;
   Picture picture;
-  BufferId rows;
+  std::optional<BufferId> rows;  // statistics; none: the host makes them of the picture
   std::optional<TableReads> tables;
   std::vector<std::string> left_out;
 };
@@ -31,15 +32,17 @@ void note_disc(std::vector<std::string>& left_out, bool shines) {
   }
 }
 
-// Sky, disc and statistics: everything before the exposure is known.
-Frame sky_frame(const Scene& scene, const RenderRequest& request) {
+// Sky, disc and, with `measured`, statistics: everything before the exposure is known.
+Frame sky_frame(const Scene& scene, const RenderRequest& request, bool measured) {
   Frame frame;
   const Sky sky = add_sky(frame.plan, scene, View{}, true);
   frame.picture = picture_of(scene, sky.radiance);
   frame.left_out = spared_by(scene);
   note_disc(frame.left_out, sky.disc);
   frame.tables.emplace(frame.plan, sky, request.tables);
-  frame.rows = add_picture_statistics(frame.plan, frame.picture, brightest_metered(scene), scene.spectra.has_value());
+  if (measured) {
+    frame.rows = add_picture_statistics(frame.plan, frame.picture, brightest_metered(scene), scene.spectra.has_value());
+  }
   return frame;
 }
 
@@ -153,14 +156,15 @@ namespace {
 
 Rendering render_there(Executor& executor, const Scene& scene, const RenderRequest& request) {
   Rendering out;
-  Frame frame = sky_frame(scene, request);
+  Frame frame = sky_frame(scene, request, !host_measures(executor));
   RunResult result = executor.run(frame.plan, request.host.report);
   Timings{out.passes, out.host}.add(result);
   frame.tables->take(result, out.tables_statistics, out.tables);
   out.left_out = std::move(frame.left_out);
-  out.picture = summarize(result.contents(frame.rows), frame.picture.width);
-  out.exposure = exposure_for(scene, out.picture);
   out.radiance = image_from(result.contents(frame.picture.buffer), scene.image.width, scene.image.height);
+  out.picture = frame.rows ? summarize(result.contents(*frame.rows), frame.picture.width)
+                           : picture_statistics(out.radiance, scene);
+  out.exposure = exposure_for(scene, out.picture);
   if (!out.fault().empty()) {
     return out;
   }
@@ -201,9 +205,7 @@ void open_for_finish(const DeviceOnDemand& device, const Scene& scene, const Ren
 }
 
 void finish(const DeviceOnDemand& device, const Scene& scene, const RenderRequest& request, Rendering& out) {
-  const bool signed_colours = scene.spectra.has_value();
-  out.picture = summarize(row_statistics_of(out.radiance, brightest_metered(scene), signed_colours),
-                          static_cast<std::uint32_t>(scene.image.width));
+  out.picture = picture_statistics(out.radiance, scene);
   out.exposure = exposure_for(scene, out.picture);
   if (!out.fault().empty()) {
     return;
@@ -229,7 +231,7 @@ Plan plan_for(const Scene& scene, const RenderRequest& request) {
   Picture picture;
   const bool wants_bloom = request.bloom && scene.bloom.enabled;
   if (!samples(scene)) {
-    Frame frame = sky_frame(scene, request);
+    Frame frame = sky_frame(scene, request, true);
     plan = std::move(frame.plan);
     picture = frame.picture;
   } else if (request.gpu_tone || (wants_bloom && scene.bloom.model == BloomModel::chain)) {

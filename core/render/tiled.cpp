@@ -77,6 +77,8 @@ class TiledRender {
   void render_band(Band& band, int rows, const BandWork& work);
   Sky add_tile(Plan& plan, const Tile& tile);
   void run_rows(Plan& plan, const Picture& rows, const BandWork& work, Band& band);
+  void add_statistics(std::span<const std::byte> rows);
+  void measure(const Band& band);
   void take_host_rows(const Tile& rows, const BandWork& work, Band& band);
   void render_tile(Band& band, const Tile& tile);
   Picture add_upload(Plan& plan, const RadianceImage& image, int first_row, const Tile& rows) const;
@@ -140,21 +142,34 @@ Picture TiledRender::add_upload(Plan& plan, const RadianceImage& image, int firs
 
 // Runs the plan that makes or holds these rows, and takes them and all that is made of them.
 void TiledRender::run_rows(Plan& plan, const Picture& rows, const BandWork& work, Band& band) {
-  const BandPasses passes(plan, scene_, rows, work);
+  const bool host_measures_them = work.statistics && host_measures(device_());
+  BandWork on_device = work;
+  on_device.statistics = work.statistics && !host_measures_them;
+  const BandPasses passes(plan, scene_, rows, on_device);
   const RunResult result = run_plan(plan);
   const Tile tile = whole_rows(band.y, static_cast<int>(rows.height));
   put(band.rows.radiance, result.contents(rows.buffer), tile);
   passes.take(result, band.rows);
-  const std::span<const std::byte> measured = passes.statistics(result);
-  rows_.insert(rows_.end(), measured.begin(), measured.end());
+  if (host_measures_them) {
+    measure(band);
+  } else {
+    add_statistics(passes.statistics(result));
+  }
+}
+
+void TiledRender::add_statistics(std::span<const std::byte> rows) {
+  rows_.insert(rows_.end(), rows.begin(), rows.end());
+}
+
+// By the host.
+void TiledRender::measure(const Band& band) {
+  add_statistics(row_statistics_of(band.rows.radiance, brightest_metered(scene_), scene_.spectra.has_value()));
 }
 
 // The same without a device.
 void TiledRender::take_host_rows(const Tile& rows, const BandWork& work, Band& band) {
   if (work.statistics) {
-    const std::vector<std::byte> measured =
-        row_statistics_of(band.rows.radiance, brightest_metered(scene_), scene_.spectra.has_value());
-    rows_.insert(rows_.end(), measured.begin(), measured.end());
+    measure(band);
   }
   if (work.glare != nullptr && work.bloom_picture) {
     band.rows.bloom = glare_picture(scene_, *work.glare, rows);

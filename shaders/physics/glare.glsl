@@ -23,16 +23,21 @@ real glare_spread(real angle, real blur) {
 // Between unit vectors, to full precision at any angle.
 real angle_between(vec3 a, vec3 b) { return 2.0 * atan(length(a - b), length(a + b)); }
 
+vec3 glare_of_point(GlarePoint point, real angle, real pixel_blur) {
+  return point.irradiance * glare_spread(angle, sqrt(point.blur * point.blur + pixel_blur * pixel_blur));
+}
+
 // The glare of the points near by, of their sum further off, where the two are one.
 vec3 glare_along(vec3 direction, uint points, real pixel_blur) {
   GlarePoint all = glare_point(0u);
-  bool is_far = angle_between(direction, all.direction) > all.far;
-  uint end = is_far ? 1u : points;
+  real from_all = angle_between(direction, all.direction);
+  if (from_all > all.far) {
+    return glare_of_point(all, from_all, pixel_blur);
+  }
   vec3 sum = vec3(0.0);
-  for (uint i = is_far ? 0u : 1u; i < end; i++) {
+  for (uint i = 1u; i < points; i++) {
     GlarePoint point = glare_point(i);
-    real blur = sqrt(point.blur * point.blur + pixel_blur * pixel_blur);
-    sum = sum + point.irradiance * glare_spread(angle_between(direction, point.direction), blur);
+    sum = sum + glare_of_point(point, angle_between(direction, point.direction), pixel_blur);
   }
   return sum;
 }

@@ -33,3 +33,15 @@ RowStatistics with_texel(RowStatistics s, vec3 value, real alpha, uint x, real b
   s.first_bad = !finite || negative ? min(s.first_bad, x) : s.first_bad;
   return s;
 }
+
+// Of the texels of both.
+RowStatistics sum_of(RowStatistics a, RowStatistics b) {
+  a.weight += b.weight;
+  a.log_luminance_sum += b.log_luminance_sum;
+  a.max_luminance = max(a.max_luminance, b.max_luminance);
+  a.not_finite += b.not_finite;
+  a.negative += b.negative;
+  a.outside += b.outside;
+  a.first_bad = min(a.first_bad, b.first_bad);
+  return a;
+}

@@ -76,6 +76,9 @@ TEST_F(LeftBehind, EveryCommandSaysWhatIsWhole) {
         Case{{"stability", "-o", ".", "--quick", "-q", "--method", "analytic", "--sweep", "planet-radius"},
              "stability.csv",
              "maps are whole; the same command goes on"},
+        Case{{"stability", "-o", ".", "--quick", "-q", "--method", "analytic", "--sweep", "planet-radius"},
+             "plot-",  // while gnuplot draws
+             "maps are whole; the same command goes on"},
         Case{{"chart", "sky.json", "-o", ".", "-q", "--size", "16x9", "--truth-error", "5%", "--truth", ".", "--method",
               "march"},
              "chart.csv",

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/methods/scene_air.h"
+#include "core/plan/bytes.h"
 #include "core/post/post.h"
 #include "tests/methods/render_fixture.h"
 
@@ -55,26 +56,76 @@ TEST(HostPost, DrawsTheSunsDiscThatThePassDraws) {
   }
 }
 
+Statistics by_pass(const RadianceImage& image, const Scene& scene, bool signed_colours) {
+  Plan plan;
+  plan.scene_data = device_scene_bytes(air_of(scene), scene);
+  const BufferId buffer = plan.add_buffer(filled_buffer("radiance", bytes_of(image.rgba)));
+  const BufferId rows = add_picture_statistics(plan, picture_of(buffer, {0, 0, image.width, image.height}),
+                                               brightest_metered(scene), signed_colours);
+  return summarize(executor().run(plan).contents(rows), static_cast<std::uint32_t>(image.width));
+}
+
+Statistics by_host(const RadianceImage& image, const Scene& scene, bool signed_colours) {
+  return summarize(row_statistics_of(image, brightest_metered(scene), signed_colours),
+                   static_cast<std::uint32_t>(image.width));
+}
+
+void expect_the_same(const RadianceImage& image, const Scene& scene, bool signed_colours) {
+  const Statistics host = by_host(image, scene, signed_colours);
+  const Statistics pass = by_pass(image, scene, signed_colours);
+  EXPECT_NEAR(host.metered_luminance, pass.metered_luminance, 1e-5 * pass.metered_luminance);
+  EXPECT_NEAR(host.max_luminance, pass.max_luminance, 1e-6 * pass.max_luminance);
+  EXPECT_EQ(host.not_finite, pass.not_finite);
+  EXPECT_EQ(host.negative, pass.negative);
+  EXPECT_EQ(host.outside, pass.outside);
+  EXPECT_EQ(host.first_bad_x, pass.first_bad_x);
+  EXPECT_EQ(host.first_bad_y, pass.first_bad_y);
+}
+
 TEST(HostPost, MeasuresWhatThePassMeasures) {
   Scene scene = discs().front();
+  scene.image = {200, 11};  // no whole number of the pass's lanes
   scene.camera.vertical_fov = 1.0;
-  const Rendering rendering = render_now(scene);
-  RadianceImage image = rendering.radiance;
-  Statistics found = summarize(row_statistics_of(image, brightest_metered(scene), false), 48);
-  EXPECT_NEAR(found.metered_luminance, rendering.picture.metered_luminance, 1e-4 * found.metered_luminance);
-  EXPECT_NEAR(found.max_luminance, rendering.picture.max_luminance, 1e-5 * found.max_luminance);
-  EXPECT_TRUE(found.sound());
-  image.rgba[4 * (48 * 3 + 7)] = NAN;
-  image.rgba[4 * (48 * 5 + 2) + 1] = -1.0F;
-  found = summarize(row_statistics_of(image, brightest_metered(scene), false), 48);
-  EXPECT_EQ(found.not_finite, 1U);
-  EXPECT_EQ(found.negative, 1U);
-  EXPECT_EQ(found.first_bad_x, 7U);
+  RadianceImage image = render_now(scene).radiance;
+  const auto pixel = [&](int x, int y) { return image.rgba.data() + 4 * (200 * y + x); };
+  expect_the_same(image, scene, false);
+  ASSERT_TRUE(by_host(image, scene, false).sound());
+  pixel(60, 1)[3] = 0.0F;   // not metered
+  pixel(61, 1)[0] = 1e30F;  // brighter than what is metered
+  pixel(62, 1)[0] = 0.0F;
+  pixel(62, 1)[1] = 0.0F;
+  pixel(62, 1)[2] = 0.0F;
+  expect_the_same(image, scene, false);
+  pixel(170, 3)[0] = NAN;
+  pixel(7, 4)[2] = INFINITY;
+  pixel(2, 5)[1] = -1.0F;
+  pixel(3, 5)[1] = -1e-6F;  // a colour outside, of positive luminance
+  expect_the_same(image, scene, false);
+  expect_the_same(image, scene, true);
+  const Statistics found = by_host(image, scene, false);
+  EXPECT_EQ(found.not_finite, 2U);
+  EXPECT_EQ(found.negative, 2U);
+  EXPECT_EQ(found.first_bad_x, 170U);
   EXPECT_EQ(found.first_bad_y, 3U);
-  image.rgba[4 * (48 * 5 + 2) + 1] = -1e-6F;  // a colour outside, of positive luminance
-  found = summarize(row_statistics_of(image, brightest_metered(scene), true), 48);
-  EXPECT_EQ(found.negative, 0U);
-  EXPECT_EQ(found.outside, 1U);
+  EXPECT_EQ(by_host(image, scene, true).negative, 1U);
+  EXPECT_EQ(by_host(image, scene, true).outside, 2U);
+}
+
+// Whoever measures, the host or a pass, a long row's mean is that of the row.
+TEST(HostPost, MeasuresLongRows) {
+  const Scene scene = earth();
+  RadianceImage row{16384, 1, {}};
+  double weights = 0.0;
+  double logs = 0.0;
+  for (int x = 0; x < row.width; ++x) {
+    const float value = 1e-3F * static_cast<float>(1 + x % 97);
+    row.rgba.insert(row.rgba.end(), {value, value, value, 1.0F});
+    weights += std::sqrt(static_cast<double>(value));
+    logs += std::sqrt(static_cast<double>(value)) * std::log(static_cast<double>(value));
+  }
+  const double mean = std::exp(logs / weights);
+  EXPECT_NEAR(by_host(row, scene, false).metered_luminance, mean, 1e-5 * mean);
+  EXPECT_NEAR(by_pass(row, scene, false).metered_luminance, mean, 1e-5 * mean);
 }
 
 TEST(HostPost, GlaresAsThePassDoes) {

@@ -33,7 +33,7 @@ Scene all_round(Scene scene, double altitude, int width, int height);
 Span span_at(int x, int y, double distance);
 std::vector<Span> spans_at(const Scene& scene, double distance);
 
-// Every value of picture and tables is finite and not negative, by the device's own count and by the host's.
+// Every value of picture and tables is finite and not negative, by the rendering's own count and by the test's.
 void expect_sound(const Rendering& rendering, const std::string& what);
 
 double channel_of(const RadianceImage& image, int x, int y, std::size_t c);
