@@ -20,6 +20,8 @@ using std::max;
 using std::min;
 using std::sqrt;
 
+#include "shaders/shared/statistics.h"  // by itself: what comes next is written with its types
+
 struct vec3 {
   real x, y, z;
 };
@@ -38,7 +40,6 @@ bool is_finite(real x) {
 #pragma GCC diagnostic ignored "-Wfloat-conversion"
 #include "shaders/post/luminance.glsl"
 #include "shaders/post/row_statistics.glsl"
-#include "shaders/shared/statistics.h"
 #pragma GCC diagnostic pop
 
 constexpr uint kLanes = 64;  // sums of so many parts, so that those of long rows are exact, as the pass's are
