@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "core/clock.h"
+#include "core/error.h"
 #include "core/gpu/frame.h"
 #include "core/gpu/kept_files.h"
 #include "core/gpu/physical_device.h"
@@ -27,6 +28,21 @@ std::string wanted_device(const DeviceOptions& options) {
   return options.name_substring.empty() ? environment("AIRLIGHT_DEVICE") : options.name_substring;
 }
 
+// Where no device is named, the software device's driver alone, if there is one and it can be used. The validation
+// layer would count what the loader says of a driver that is not there.
+std::unique_ptr<Instance> open_instance(const DeviceOptions& options) {
+  const bool validation = wants_validation(options);
+  if (!validation && wanted_device(options).empty()) {
+    try {
+      auto software = std::make_unique<Instance>(validation, Drivers::software);
+      if (choose(physical_devices(*software), "").info.is_cpu) return software;
+    } catch (const RunError&) {
+      // No such driver: all of them are opened.
+    }
+  }
+  return std::make_unique<Instance>(validation);
+}
+
 // A folder of its own for each kind, so that nothing else in the user's is ever taken for code, or removed.
 std::filesystem::path cache_folder(const DeviceOptions& options, const char* kind) {
   const std::filesystem::path folder = options.cache_folder ? *options.cache_folder : user_cache_folder();
@@ -49,8 +65,8 @@ SamplerHandle make_sampler(const Device& device) {
 
 struct Executor::Impl {
   Impl(const DeviceOptions& options, std::span<const EmbeddedShader> extra_shaders)
-      : instance(wants_validation(options)),
-        device(instance, wanted_device(options)),
+      : instance(open_instance(options)),
+        device(*instance, wanted_device(options)),
         pipelines(device, extra_shaders, cache_folder(options, "modules")),
         cache(device, options.kept_bytes_max),
         frame(device),
@@ -62,7 +78,7 @@ struct Executor::Impl {
   }
 
   Stopwatch stopwatch;
-  Instance instance;
+  std::unique_ptr<Instance> instance;
   double instance_milliseconds = stopwatch.lap();
   Device device;
   PipelineCache pipelines;

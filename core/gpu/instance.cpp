@@ -6,7 +6,9 @@
 #include <array>
 #include <atomic>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -17,6 +19,10 @@ namespace airlight {
 namespace {
 
 constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
+
+// What the loader reads when it makes an instance: patterns of the names of drivers' manifests.
+constexpr const char* kSelect = "VK_LOADER_DRIVERS_SELECT";
+constexpr const char* kSoftware = "lvp*";
 
 std::atomic<int> message_count = 0;
 
@@ -51,6 +57,17 @@ void keep_libraries_loaded() {
   }
 }
 
+// The loader can be told by the environment alone; other programs that are started must not be told.
+VkResult create_instance(const VkInstanceCreateInfo& info, Drivers drivers, VkInstance& instance) {
+  static std::mutex mutex;
+  const std::scoped_lock lock(mutex);
+  const bool selects = drivers == Drivers::software && std::getenv(kSelect) == nullptr;
+  if (selects) setenv(kSelect, kSoftware, 0);
+  const VkResult result = vkCreateInstance(&info, nullptr, &instance);
+  if (selects) unsetenv(kSelect);
+  return result;
+}
+
 void require_validation_layer() {
   std::uint32_t count = 0;
   check(vkEnumerateInstanceLayerProperties(&count, nullptr), "list the Vulkan layers");
@@ -65,7 +82,7 @@ void require_validation_layer() {
 
 }  // namespace
 
-Instance::Instance(bool validation) {
+Instance::Instance(bool validation, Drivers drivers) {
   open_loader();
   if (validation) require_validation_layer();
 
@@ -87,7 +104,7 @@ Instance::Instance(bool validation) {
                                   .ppEnabledLayerNames = &kValidationLayer,
                                   .enabledExtensionCount = validation ? 1U : 0U,
                                   .ppEnabledExtensionNames = kExtensions.data()};
-  const VkResult result = vkCreateInstance(&info, nullptr, &instance_);
+  const VkResult result = create_instance(info, drivers, instance_);
   if (result == VK_ERROR_INCOMPATIBLE_DRIVER) throw RunError(kNoVulkanDevice);
   check(result, "open Vulkan");
   keep_libraries_loaded();

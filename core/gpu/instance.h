@@ -5,10 +5,14 @@
 
 namespace airlight {
 
+// The drivers that are opened: all that are installed, or Mesa's of the software device alone, which takes two thirds
+// of the time. Where the user selects drivers by $VK_LOADER_DRIVERS_SELECT, those.
+enum class Drivers { all, software };
+
 class Instance {
  public:
   // Throws RunError: no loader, no driver, or a validation layer asked for and not installed.
-  explicit Instance(bool validation);
+  explicit Instance(bool validation, Drivers drivers = Drivers::all);
   ~Instance();
   Instance(const Instance&) = delete;
   Instance& operator=(const Instance&) = delete;

@@ -1,6 +1,7 @@
 #include "core/scene/preset.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -35,12 +36,15 @@ FileText read_file(const fs::path& file) {
   if (!stream) {
     return {.text = {}, .problem = std::strerror(errno != 0 ? errno : ENOENT)};
   }
-  std::string text(kLargestFile + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  std::string text;
+  std::array<char, 16384> piece;  // a preset has a few kilobytes: room for the largest is 4096 pages to clear
+  while (stream && text.size() <= kLargestFile) {
+    stream.read(piece.data(), piece.size());
+    text.append(piece.data(), static_cast<std::size_t>(stream.gcount()));
+  }
   if (stream.bad()) {
     return {.text = {}, .problem = std::strerror(errno != 0 ? errno : EIO)};
   }
-  text.resize(static_cast<std::size_t>(stream.gcount()));
   if (text.size() > kLargestFile) {
     return {.text = {}, .problem = "is larger than 16 MiB"};
   }

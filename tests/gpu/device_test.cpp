@@ -3,13 +3,19 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 
 #include "core/gpu/executor.h"
+#include "core/gpu/instance.h"
 #include "core/gpu/physical_device.h"
 #include "tests/gpu/gpu_fixture.h"
 
 namespace airlight {
 namespace {
+
+namespace fs = std::filesystem;
 
 // Some of what follows is known of the software device alone.
 bool has_software_device() {
@@ -40,6 +46,69 @@ TEST(Device, IsChosenBySubstringThenByTheEnvironment) {
   EXPECT_NE(message.find("llvmpipe"), std::string::npos) << message;
   const ScopedEnvironment named("AIRLIGHT_DEVICE", "llvmpipe");
   EXPECT_EQ(failure({}), "");
+}
+
+// Manifests of drivers under other names, all of the software device's library.
+class Manifests {
+ public:
+  explicit Manifests(const std::vector<std::string>& names) : folder_(make_folder()) {
+    for (const std::string& name : names) {
+      const fs::path file = folder_ / name;
+      std::ofstream(file) << R"({"ICD": {"api_version": "1.1.230", "library_path": "libvulkan_lvp.so"},)"
+                          << R"( "file_format_version": "1.0.0"})";
+      files_ += (files_.empty() ? "" : ":") + file.string();
+    }
+  }
+  ~Manifests() { fs::remove_all(folder_); }
+  Manifests(const Manifests&) = delete;
+  Manifests& operator=(const Manifests&) = delete;
+
+  const char* files() const { return files_.c_str(); }
+
+ private:
+  static fs::path make_folder() {
+    std::string name = (fs::temp_directory_path() / "airlight-manifests-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a folder " + name);
+    return name;
+  }
+
+  fs::path folder_;
+  std::string files_;
+};
+
+std::size_t devices_of(Drivers drivers) {
+  return physical_devices(Instance(false, drivers)).size();
+}
+
+TEST(Device, OfTheSoftwareDeviceTheDriverAloneIsOpened) {
+  if (!has_software_device()) GTEST_SKIP() << "no software device";
+  const ScopedEnvironment none("AIRLIGHT_DEVICE", nullptr);
+  const ScopedEnvironment unset("VK_LOADER_DRIVERS_SELECT", nullptr);
+  const Manifests manifests({"a_card.json", "lvp_icd.json"});
+  const ScopedEnvironment drivers("VK_DRIVER_FILES", manifests.files());
+  EXPECT_EQ(devices_of(Drivers::all), 2U);
+  EXPECT_EQ(devices_of(Drivers::software), 1U);
+  EXPECT_EQ(std::getenv("VK_LOADER_DRIVERS_SELECT"), nullptr) << "what is started from here inherits it";
+  EXPECT_EQ(failure({}), "");
+  EXPECT_EQ(list_devices().size(), 2U);
+}
+
+TEST(Device, IsFoundWhereTheSoftwareDeviceHasNoDriver) {
+  if (!has_software_device()) GTEST_SKIP() << "no software device";
+  const ScopedEnvironment none("AIRLIGHT_DEVICE", nullptr);
+  const ScopedEnvironment unset("VK_LOADER_DRIVERS_SELECT", nullptr);
+  const Manifests manifests({"a_card.json"});
+  const ScopedEnvironment drivers("VK_DRIVER_FILES", manifests.files());
+  EXPECT_EQ(failure({}), "");
+}
+
+TEST(Device, DriversThatTheUserSelectsStay) {
+  if (!has_software_device()) GTEST_SKIP() << "no software device";
+  const ScopedEnvironment selected("VK_LOADER_DRIVERS_SELECT", "a_*");
+  const Manifests manifests({"a_card.json", "lvp_icd.json", "a_second_card.json"});
+  const ScopedEnvironment drivers("VK_DRIVER_FILES", manifests.files());
+  EXPECT_EQ(devices_of(Drivers::software), 2U);
+  EXPECT_STREQ(std::getenv("VK_LOADER_DRIVERS_SELECT"), "a_*");
 }
 
 TEST(Device, ListsWhatTheMachineHas) {
