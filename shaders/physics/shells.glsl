@@ -163,8 +163,8 @@ vec3 mean_extinction_to_top(PlanetData planet, real h, real mu) {
 // goes evenly from `near` to `far` along the step of optical depth `through`. Written from the end where it is least:
 // the exponent never rises.
 real mean_sunlight(real near, real far, real through) {
-  real rise = far + through - near;
-  return rise >= 0.0 ? exp(-near) * mean_transmittance(rise) : exp(-far - through) * mean_transmittance(-rise);
+  real past = far + through;
+  return exp(-min(near, past)) * mean_transmittance(abs(past - near));
 }
 
 vec3 mean_sunlight3(vec3 near, vec3 far, vec3 through) {
