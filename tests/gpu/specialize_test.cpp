@@ -90,6 +90,16 @@ TEST(Specialize, FreezesTheWorkgroupSize) {
   EXPECT_FALSE(after.workgroup_size_ids[0].has_value());
 }
 
+TEST(Specialize, KeepsExpressionsThatTheOptimiserFoldsOutOfOrder) {
+  const EmbeddedShader& source = shader(test_shaders(), "folded_vector");
+  for (const std::uint32_t columns : {32U, 64U}) {  // 64 - 1 is the constant that stands further down
+    const std::vector<ConstantValue> constants = {{0, columns}};
+    const std::vector<std::uint32_t> frozen = specialize(source.name, source.spirv, constants);
+    EXPECT_EQ(validation_problem(frozen), "") << columns;
+    EXPECT_EQ(open_constants(frozen), 0U) << columns;
+  }
+}
+
 TEST(Specialize, RefusesBrokenWords) {
   const std::vector<std::uint32_t> broken = {spv::MagicNumber, 0x10500, 0, 9, 0, 0xFFFFFFFF};
   EXPECT_NE(message_of<std::logic_error>([&] { specialize("torn", broken, {}); }).find("shader torn"),
