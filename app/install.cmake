@@ -17,7 +17,7 @@ add_custom_command(
 set(changelog ${documents}/changelog.gz)
 set(copyright ${documents}/copyright)
 # Packages whose code is inside the program: headers and static libraries.
-set(included libcli11-dev nlohmann-json3-dev libvulkan-volk-dev libvulkan-dev spirv-headers spirv-tools)
+set(included libcli11-dev nlohmann-json3-dev libeigen3-dev nettle-dev libvulkan-volk-dev libvulkan-dev spirv-headers spirv-tools)
 set(sources ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${PROJECT_SOURCE_DIR}/LICENSE
             ${PROJECT_SOURCE_DIR}/app/project_documents.cmake)
 add_custom_command(
