@@ -34,12 +34,13 @@ std::string validation_problem(std::span<const std::uint32_t> words) {
   return tools.Validate(words.data(), words.size(), options) ? "" : "invalid: " + problem;
 }
 
-// Those that a pipeline could still set. An expression of constants (OpSpecConstantOp) is none.
+// Those that a pipeline could still set. Vectors and expressions of constants (OpSpecConstantComposite,
+// OpSpecConstantOp) are none.
 std::size_t open_constants(std::span<const std::uint32_t> words) {
   std::size_t count = 0;
   for (std::size_t at = 5; at < words.size(); at += words[at] >> spv::WordCountShift) {
     const std::uint32_t opcode = words[at] & spv::OpCodeMask;
-    if (opcode >= spv::OpSpecConstantTrue && opcode < spv::OpSpecConstantOp) ++count;
+    if (opcode >= spv::OpSpecConstantTrue && opcode <= spv::OpSpecConstant) ++count;
     if (opcode == spv::OpDecorate && words[at + 2] == spv::DecorationSpecId) ++count;
   }
   return count;
