@@ -4,10 +4,10 @@ set(AIRLIGHT_SHADERS_FROM "" CACHE PATH
 find_program(GLSLANG glslangValidator REQUIRED)
 find_program(SPIRV_OPT spirv-opt REQUIRED)
 find_program(SPIRV_VAL spirv-val REQUIRED)
-# Kept by name, so that a plan's bindings answer to the GLSL as written and not to what the optimiser finds in use.
+# Bindings keep their names, so that those of a plan match the GLSL as written, not what the optimiser finds in use.
 set(AIRLIGHT_SPIRV_OPT_FLAGS -O --preserve-bindings --preserve-spec-constants)
 
-# Libraries of nothing but data, alike whatever flags a build has. The other build makes them, or sees that they stand.
+# Libraries of pure data do not depend on a build's flags. The other build makes them, or checks that they exist.
 if(AIRLIGHT_SHADERS_FROM)
   set(taken airlight_shaders airlight_ready)
   if(AIRLIGHT_TESTS)
@@ -61,7 +61,7 @@ function(airlight_embed_shaders target function)
     string(APPEND entries " kShader_${name},")
   endforeach()
   list(LENGTH ARGN count)
-  # Written at once, and left alone when it already says so: no rebuild on every configure.
+  # Written when configuring, but only if its text changes, so that a configure run does not rebuild it.
   file(CONFIGURE OUTPUT ${directory}/table.cpp @ONLY CONTENT "#include <array>
 
 #include \"core/gpu/embedded_shaders.h\"

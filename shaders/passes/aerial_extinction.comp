@@ -23,7 +23,7 @@ float slice_end(Ray ray, uint slice) {
   return slice_distance(scene.planet, ray, float(slice) / float(kExtinctionSlices - 1u));
 }
 
-// Optical depth up to the end of slices [first, last), from that before them; stored where `stores`.
+// Optical depth up to the end of slices [first, last), given the depth before them; stores each mean if `stores`.
 vec3 gather(vec3 depth, Ray ray, uint row, uint first, uint last, bool stores) {
   float from = first == 0u ? 0.0 : slice_end(ray, first - 1u);
   for (uint slice = first; slice < last; slice++) {

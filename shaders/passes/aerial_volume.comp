@@ -20,7 +20,7 @@ layout(constant_id = 27) const uint kTeam = 1u;  // threads a direction: 1, 2, 4
 layout(set = 0, binding = 4) uniform writeonly image3D volume_out;
 layout(push_constant, scalar) uniform Push { uint steps; };  // from slice to slice; at least 2
 
-// Cut where the planet's shadow begins and ends.
+// Factors of a stretch of the ray, cut where the planet's shadow begins and ends.
 SkyFactors stretch(Ray ray, ShadowCrossings shadow, float from, float to) {
   SkyFactors factors = no_air();
   float at = from;
@@ -51,13 +51,13 @@ void store_slice(SkyFactors factors, Ray ray, uvec2 texel, uint slice) {
   store(diffuse_block(), texel, slice, light * scale / volume_carrier(ray.nu));
 }
 
-// The first slice, at the camera, holds the limit there: that of a short way.
+// The first slice stands at the camera and holds the limit there, taken from a short way.
 float slice_end(Ray ray, uint slice) {
   float z = slice == 0u ? 0.01 / float(kSlices) : float(slice) / float(kSlices - 1u);
   return slice_distance(scene.planet, ray, z);
 }
 
-// Gathers slices [first, last), behind what stands before them, and stores them where `stores`.
+// Gathers slices [first, last) behind `factors`, the light before them, and stores them if `stores`.
 SkyFactors gather(SkyFactors factors, Ray ray, uvec2 texel, uint first, uint last, bool stores) {
   ShadowCrossings shadow = shadow_crossings(scene.planet, ray);
   float from = first == 0u ? 0.0 : slice_end(ray, first - 1u);
@@ -74,7 +74,7 @@ SkyFactors gather(SkyFactors factors, Ray ray, uvec2 texel, uint first, uint las
 
 shared SkyFactors parts[64];
 
-// What a team's members before this one gather.
+// Sum over the members of the team before this one.
 SkyFactors before(SkyFactors own, uint part) {
   uint thread = gl_LocalInvocationIndex;
   parts[thread] = own;

@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// What air_spans.comp marches, from the aerial volume: a fetch for the mean extinction, one for each medium that is not
-// folded, times its phase function here, and one for all other light.
+// The result of air_spans.comp, taken from the aerial volume: a fetch for the mean extinction, one for each medium that
+// is not folded, times its phase function here, and one for all other light.
 #include "shared/device.glsl"
 #include "shared/picture_ray.glsl"
 #include "shared/sky_table.glsl"

@@ -41,7 +41,7 @@ void main() {
   Ray ray = ray_up_to(scene.planet, h, direction.y, whole, span.distance_);
   ray.at_ground = false;
   float before = air_entry(scene.planet, h, direction.y).distance_;
-  // The picture's steps over the part in which shadows stand, as dense over a shorter way.
+  // The picture's density of steps over the part with shadows, on a shorter way.
   Ray shaded = whole;
   shaded.length_ = min(whole.length_, max(track_distance(scene.planet, current_track, shadow_end) - before, 0.0));
   shaded.at_ground = false;

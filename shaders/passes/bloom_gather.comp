@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
-// Adds a band of the picture's rows to the sums of the bloom's grid: of the rows of the grid that the band touches.
+// Adds a band of the picture's rows to the sums of the bloom's grid, for those rows of the grid that the band touches.
 
 layout(local_size_x = 16, local_size_y = 16) in;
 layout(scalar, set = 0, binding = 0) readonly buffer Picture { vec4 values[]; } picture;
@@ -9,9 +9,9 @@ layout(scalar, set = 0, binding = 1) buffer Sums { vec4 values[]; } sums_out;
 layout(push_constant, scalar) uniform Push {
   uvec2 picture_size;
   uvec2 grid_size;
-  uint first_row;       // of the picture, in the band
+  uint first_row;       // the band's first row in the picture
   uint end_row;
-  uint first_grid_row;  // in the sums
+  uint first_grid_row;  // first row of the grid in the sums
   uint grid_rows;
 };
 #include "post/bloom_grid.glsl"

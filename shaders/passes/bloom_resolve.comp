@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
-// The finished chain at the picture's own pixels: of the rows from `first_row` on.
+// The finished chain at the picture's own pixels, for the rows from `first_row` on.
 #include "post/bloom.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;

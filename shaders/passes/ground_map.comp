@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Adds the ground by its map to a picture whose ground is black: of each pixel the part below the true horizon, lit by
+// Adds the ground by its map to a picture whose ground is black: the part of each pixel below the true horizon, lit by
 // sun and sky, seen through the air before it.
 #include "shared/device.glsl"
 #include "shared/tables.glsl"

@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// The mean extinction between camera and ground, over the way through the air: one thread a texel. By
-// kDeltaScaled without what the peaks of phase functions scatter, as `orders` has it.
+// The mean extinction between camera and ground, over the way through the air: one thread a texel. With kDeltaScaled it
+// leaves out what the peaks of phase functions scatter, as `orders` does.
 #include "shared/device.glsl"
 #include "shared/moment_shape.glsl"
 

@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// The picture's table of factors as sky_factors.comp makes it, but with the shared block apart: one for each folded
-// medium, the diffuse light and the ground. Interpolation is linear, so they still add up to the shared one.
+// sky_factors.comp's table with the shared block split: one block for each folded medium, for the diffuse light and for
+// the ground. Interpolation is linear, so these blocks still add up to the shared one.
 #include "shared/device.glsl"
 #include "shared/tables.glsl"
 #include "shared/moment_table.glsl"

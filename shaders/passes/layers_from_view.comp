@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// The layers of a picture from the sky-view table with its light apart; the transmittance by a march of its own, and the
-// ground's rays too where the picture's march.
+// The layers of a picture from the sky-view table with its light apart. The transmittance is a march of its own; so are
+// the ground's rays where the picture marches them.
 #include "shared/device.glsl"
 #include "shared/tables.glsl"
 #include "shared/scattering_tables.glsl"

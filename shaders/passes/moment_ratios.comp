@@ -1,6 +1,6 @@
 #version 460
-// The table of moments in halves, which a GPU's samplers filter several times as fast. Good for the ratios; not for the
-// logarithms of the first and the last block, whose digits are those of the light's size.
+// The table of moments in halves, which a GPU's samplers filter several times as fast. Halves suffice for the ratios,
+// but not for the logarithms in the first and the last block, where a rounding scales the light itself.
 
 layout(local_size_x = 64) in;
 layout(set = 0, binding = 0) uniform sampler2D moments;

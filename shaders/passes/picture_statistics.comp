@@ -6,7 +6,8 @@
 #include "shared/statistics.h"
 #include "post/luminance.glsl"
 
-// As many as fill a GPU. A processor, to which each step of the sum below is dear, leaves this to its host.
+// As many lanes as fill a GPU. On a processor each step of the sum below costs much, so its host computes the
+// statistics.
 const uint kLanes = 256u;
 layout(local_size_x = 256) in;
 layout(constant_id = 0) const uint kSigned = 0u;  // 1: a colour may have negative channels

@@ -20,7 +20,7 @@ layout(push_constant, scalar) uniform Push { uint steps; };
 
 shared SkyFactors parts[64];
 
-// The whole ray's in the first of the threads that share it.
+// Returns the whole ray's factors to the first of the threads that share the ray.
 SkyFactors shared_sky_factors(Ray ray, uint part) {
   uint thread = gl_LocalInvocationIndex;
   uint panels = (steps + 1u) / 2u;
@@ -53,7 +53,7 @@ void main() {
   if (kTeam == 1u && outside) {
     return;
   }
-  // By component: SPIRV-Tools may put a folded vector of constants before its parts (core/gpu/specialize.cpp).
+  // Assigned by component: SPIRV-Tools may put a folded vector of constants before its parts (core/gpu/specialize.cpp).
   Ray ray = table_ray(uvec2(min(texel.x, kSkyColumns - 1u), min(texel.y, rows - 1u)));
   SkyFactors factors;
   if (kTeam == 1u) {

@@ -50,7 +50,7 @@ void main() {
     if (kGroundMarches != 0u || kProjection == kProjectionListed) {
       Ray ray = air_ray(one.direction);
       bool from_march = kGroundMarches != 0u && ray.at_ground;
-      // The march takes no step on a ray of no length.
+      // The march takes no step on a ray of negative length.
       ray.length_ = from_march || kProjection == kProjectionListed ? ray.length_ : -1.0;
       PathRadiance path =
           march(scene.planet, scene.sun, ray, steps, kStepDistribution, scene.multiple_scattering_scale);

@@ -32,7 +32,7 @@ void main() {
   for (uint i = 0u; i < rays.count; i++) {
     WeightedRay one = weighted_ray(pixel, view, rays, i);
     Ray ray = air_ray(one.direction);
-    // The march takes no step on a ray of no length.
+    // The march takes no step on a ray of negative length.
     ray.length_ = from.holds ? -1.0 : ray.length_;
     PathRadiance path =
         march_at(scene.planet, scene.sun, ray, steps, kStepDistribution, place_in_step(pixel), scene.multiple_scattering_scale);

@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// The view march with a march to the sun at each of its steps [N93, O05], one pixel a thread: no table at all, hence
+// The view march with a march to the sun at each of its steps [N93, O05], one pixel a thread. Without any table it has
 // single scattering and a ground lit by the sun alone.
 #include "shared/device.glsl"
 #include "shared/nested_light.glsl"
@@ -24,7 +24,7 @@ void main() {
   for (uint i = 0u; i < rays.count; i++) {
     WeightedRay one = weighted_ray(pixel, view, rays, i);
     Ray ray = air_ray(one.direction);
-    // The march takes no step on a ray of no length.
+    // The march takes no step on a ray of negative length.
     ray.length_ = from.holds ? -1.0 : ray.length_;
     PathRadiance path =
         march_at(scene.planet, scene.sun, ray, steps, kStepDistribution, place_in_step(pixel), 0.0);

@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// The view march on the table of moments, one pixel a thread: for small pictures, listed directions and views from
-// space, where a table of view directions does not pay or does not hold.
+// The view march on the table of moments, one pixel a thread, for small pictures, listed directions and views from
+// space: a table of view directions would not pay or would not hold.
 #include "shared/device.glsl"
 #include "shared/tables.glsl"
 #include "shared/moment_table.glsl"

@@ -1,8 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Spheres, the sky, the ground and the air before and behind them, with the spheres' shadow on ground and air: the view
-// march on the table of moments along each pixel's ray, and on along what mirrors send it to. Where a pixel holds an
-// edge, a shadow's or a mirror it is the mean over rays through all of it.
+// Spheres, the sky, the ground and the air before and behind them, with the spheres' shadow on ground and air. It is
+// the view march on the table of moments along each pixel's ray and along the rays that mirrors reflect. A pixel with
+// an edge, a shadow's edge or a mirror is the mean over rays through all of it.
 #define AIRLIGHT_SUN_SHARE
 #include "shared/device.glsl"
 #include "shared/tables.glsl"
@@ -12,9 +12,9 @@
 #include "shared/horizon_pixels.glsl"
 
 layout(constant_id = 28) const uint kShafts = 1u;    // 0: the air is lit as if there were no spheres
-layout(constant_id = 29) const uint kDiscShows = 1u;  // in mirrors
+layout(constant_id = 29) const uint kDiscShows = 1u;  // 1: the disc shows in mirrors
 
-// Where the march of the ray at hand begins, and where it goes.
+// Start and direction of the march of the ray at hand.
 vec3 current_start = vec3(0.0);
 vec3 current_direction = vec3(0.0);
 
@@ -38,12 +38,12 @@ layout(push_constant, scalar) uniform Push {
   uint steps;
 };
 
-const uint kEdgeSide = 4u;  // rays across such a pixel
-const uint kSegments = 6u;  // of a ray from mirror to mirror; what would go on is lost
+const uint kEdgeSide = 4u;  // rays across a pixel with an edge, a shadow's edge or a mirror
+const uint kSegments = 6u;  // most segments of a ray from mirror to mirror; light beyond the last is lost
 
 struct Seen {
   vec3 radiance;
-  vec3 transmittance;  // up to what the ray meets first
+  vec3 transmittance;  // up to the ray's first hit
 };
 
 // `spread`: angle between neighbouring rays.
@@ -101,7 +101,7 @@ vec3 direction_at(uvec2 pixel, vec2 place) {
   return view_ray(scene.camera, kProjection, at.x, at.y).direction;
 }
 
-// Whether the pixel, which reaches so far from its middle, holds a sphere's edge or a mirror.
+// Whether the pixel, which extends by `reach` from its middle, holds a sphere's edge or a mirror.
 bool holds_edge(vec3 direction, float reach) {
   bool edge = false;
   for (uint i = 0u; i < sphere_count(); i++) {
@@ -115,7 +115,7 @@ bool holds_edge(vec3 direction, float reach) {
   return edge;
 }
 
-// Whether its corners lie on the ground in different shades.
+// Whether the pixel's corners on the ground differ in their share of the sun.
 bool holds_shadow(uvec2 pixel) {
   float h = scene.camera.altitude;
   float least = 1.0;

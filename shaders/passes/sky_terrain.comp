@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Terrain, the ground and the air before and behind them, with the terrain's shadow in the air: the view march on the
-// table of moments along each pixel's ray. Where a pixel holds an edge it is the mean over rays through all of it.
+// table of moments along each pixel's ray. A pixel with an edge is the mean over rays through all of it.
 #define AIRLIGHT_SUN_SHARE
 #include "shared/device.glsl"
 #include "shared/tables.glsl"
@@ -57,7 +57,7 @@ vec3 direction_at(uvec2 pixel, vec2 place) {
                   float(pixel.y + scene.tile.y) + place.y).direction;
 }
 
-// Whether the pixel's corners see things at distances too far apart to be one slope.
+// Whether the pixel's corners see things at distances too different to lie on one slope.
 bool holds_edge(uvec2 pixel) {
   float nearest = 1e9;
   float farthest = 0.0;

@@ -1,15 +1,15 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
-// Adds three wavelengths of a picture to its colours: a column of the matrix for each.
+// Adds a picture of three wavelengths to a picture in colours, each wavelength by its column of the matrix.
 
 layout(local_size_x = 64) in;
 layout(scalar, set = 0, binding = 0) readonly buffer Part { vec4 values[]; } part;
 layout(scalar, set = 0, binding = 1) buffer Picture { vec4 values[]; } picture;
 layout(push_constant, scalar) uniform Push {
-  uint count;  // of vec4s
+  uint count;  // number of vec4s
   uint first;  // not 0: the picture holds nothing so far
-  vec3 red;    // the colours of the part's channels
+  vec3 red;    // colours of the part's channels
   vec3 green;
   vec3 blue;
 };

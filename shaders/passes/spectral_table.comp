@@ -1,8 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
-// Tables of three wavelengths each as one in colours: a column of the matrix for each wavelength. What is linear in the
-// light is the same whether the sum is taken of tables or of pictures.
+// Adds two tables of three wavelengths each to a table in colours, each wavelength by its column of the matrix. Sums
+// over wavelengths may be taken of tables as of pictures where the picture is linear in the table.
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = 0) uniform sampler2D before;
@@ -12,8 +12,8 @@ layout(set = 0, binding = 3, rgba32f) uniform writeonly image2D sum_out;
 layout(push_constant, scalar) uniform Push {
   uint width;
   uint height;
-  uint first;      // not 0: there is nothing before
-  vec3 colours[6];  // of the channels of both parts
+  uint first;      // not 0: no table precedes
+  vec3 colours[6];  // for the channels of both parts
 };
 
 void main() {

@@ -5,7 +5,7 @@
 #include "shared/tables.glsl"
 #include "shared/terrain_maps.glsl"
 
-vec2 terrain_shadow(uint k) { return vec2(0.0); }  // asks nobody
+vec2 terrain_shadow(uint k) { return vec2(0.0); }  // not called
 
 #include "physics/terrain.glsl"
 

@@ -1,8 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
-// Exposure, bloom, tone curve, sRGB encoding. The chain is sampled here: bloom at the picture's size, written by one pass
-// and read by the next, would be 32 bytes a pixel.
+// Exposure, bloom, tone curve, sRGB encoding. The chain is sampled here: bloom at the picture's size, written by one
+// pass and read by the next, would be 32 bytes a pixel.
 #define real float
 #include "shared/tables.h"
 #include "shared/tone_pixel.glsl"
@@ -15,7 +15,7 @@ layout(push_constant, scalar) uniform Push {
   uint rows;
   float exposure;
   float bloom_intensity;
-  uint first_row;  // of the picture's height
+  uint first_row;  // row of the whole picture that the first of `rows` is
   uint height;
 };
 

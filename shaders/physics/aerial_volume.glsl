@@ -1,14 +1,14 @@
 // The air up to things, tabulated over view directions (sky_table.glsl) and distances along each: the aerial volume.
-// What light gathers grows with distance from nothing, so the table holds what does not: the mean extinction up to a
-// slice, and the light gathered over 1 - transmittance, which is the mean source function. Both have a limit at the
-// camera, and together they give nothing there and the whole ray at its end.
+// Gathered light starts at 0 and grows with distance, so the table holds two quantities that do not: the mean
+// extinction up to a slice, and the light gathered over 1 - transmittance, which is the mean source function. Both have
+// a limit at the camera. Together they give no light at the camera and all of the ray's light at its end.
 
-// Slices stand evenly over the root of the distance from the ray's lowest point, where air is densest, as steps do.
+// Slices stand as steps do, evenly over the root of the distance from the ray's lowest point, where air is densest.
 real lowest_distance(PlanetData planet, Ray ray) {
   return clamp(-(planet.ground_radius + ray.h) * ray.mu, 0.0, max(ray.length_, 0.0));
 }
 
-// z: unit range over the slices; the whole ray's.
+// Distance along the ray to the slice coordinate z, which goes from 0 to 1 over the whole ray.
 real slice_distance(PlanetData planet, Ray ray, real z) {
   real lowest = lowest_distance(planet, ray);
   real near = path_coordinate(lowest, 0.0);
@@ -23,8 +23,8 @@ real slice_coordinate(PlanetData planet, Ray ray, real distance_) {
   return clamp((path_coordinate(lowest, distance_) - near) / max(far - near, 1e-12), 0.0, 1.0);
 }
 
-// Steps up to a thing, as dense as those of `steps` from a ray's lowest point to the top of the air. A ray that runs
-// through all of the air takes all of them, and any takes `fewest`.
+// Number of steps up to a thing, as dense as `steps` steps from a ray's lowest point to the top of the air. A ray
+// through all of the air takes `steps`; no ray takes less than `fewest`.
 uint steps_up_to(PlanetData planet, Ray ray, real distance_, uint fewest, uint steps) {
   real lowest = lowest_distance(planet, ray);
   real all = ray.at_ground ? ray.length_ + distance_to_top(planet, ray.h, -ray.mu) : ray.length_ - lowest;

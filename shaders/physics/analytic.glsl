@@ -1,17 +1,17 @@
 // A closed-form sky, `exponential`: no march, no table. Single scattering of each medium is its column along the ray
 // times the mean of an exponential whose exponent (view depth plus sun depth) is linear along that column; light
 // scattered more than once is the same with an isotropic source whose logarithm is linear.
-// A medium that stands low has its depth in the first part of a higher one's column. The line with the right mean is too
-// dark at the near end, from which the light of a deep ray comes; the line along the first part is too dark elsewhere.
-// The brighter of the two holds, by a smooth passage.
+// A medium that stands low has its depth in the first part of a higher one's column. The line with the right mean is
+// too dark at the near end, from which the light of a deep ray comes. The line along the first part is too dark
+// elsewhere. The result is the brighter of the two, with a smooth passage between them.
 // The includer defines:
 //   AnalyticMedium analytic_medium(uint i);  AnalyticDiffuse analytic_diffuse();  bool scatters(uint i);
 //   real share_above(uint i, uint j);  real share_below(uint i, uint j);
 
 vec3 extinction_of(uint i) { return medium(i).scattering + medium(i).absorption; }
 
-// How medium j's column divides along medium i's: the shares of it above i's lower and above i's upper end that make a
-// straight line between the two have the right mean.
+// How medium j's column divides along medium i's: the shares of j's column above i's lower end and above i's upper end.
+// The straight line between the two shares has the right mean.
 struct Shares {
   real lower;
   real upper;
@@ -24,18 +24,18 @@ Shares shares_of(real mean_above) {
   return s;
 }
 
-// The first, or the second where that is far greater.
+// Returns a, or b where b is far greater; smooth between.
 vec3 smooth_max(vec3 a, vec3 b) {
   vec3 more = max(b - a, vec3(0.0));
   return a + more * more / max(more + a * 0.2, vec3(1e-30));
 }
 
-// The logarithm of scattered light moved to another place of the sun, within what a slope at the camera may be trusted.
+// Moves the logarithm of scattered light to another sun position, as far as a slope taken at the camera can be trusted.
 vec3 moved(vec3 light, real mu_sun, real camera_mu_sun) {
   return light + max(min(analytic_diffuse().slope * (mu_sun - camera_mu_sun), vec3(2.0)), vec3(-20.0));
 }
 
-// Distance at which a ray that starts in the planet's shadow leaves it: the half cylinder of its radius behind it.
+// Distance at which a ray that starts in the planet's shadow, a half cylinder behind the planet, leaves it.
 real shadow_exit(PlanetData planet, Ray ray) {
   real r = planet.ground_radius + ray.h;
   real a = max(1.0 - ray.nu * ray.nu, 1e-12);
@@ -57,12 +57,12 @@ struct LegLight {
   vec3 depth;     // optical depth along it
 };
 
-// From altitude h to the middle of a medium's column along a ray outward.
+// Distance from altitude h to the middle of a medium's column along an outward ray.
 real mean_distance(AnalyticMedium a, real h, real column) {
   return (a.scale_height + max(a.base - h, 0.0)) * column / max(column_above(a, h), 1e-30);
 }
 
-// Up to the top, from the ray's start or its lowest point. Single scattering begins where the planet's shadow ends.
+// The leg up to the top, from the ray's start or lowest point. Single scattering begins where the planet's shadow ends.
 LegLight rising_leg(PlanetData planet, Ray ray, Leg leg, real camera_mu_sun, Phases p) {
   RayPoint start = point_on_ray(planet, ray, leg.start);
   bool night = meets_ground(planet, start.h, start.mu_sun);
@@ -88,7 +88,7 @@ LegLight rising_leg(PlanetData planet, Ray ray, Leg leg, real camera_mu_sun, Pha
     weight = weight + scattered;
     distance_sum = distance_sum + scattered * mean_distance(a, near.h, lit_columns[j]);
   }
-  // Where the light of the leg comes from on average.
+  // The point that the leg's light comes from on average.
   RayPoint far = point_on_ray(planet, ray, min(dawn + distance_sum / max(weight, 1e-30), leg.end));
   real sun_far[kMaxMedia];
   for (uint j = 0u; j < medium_count(); j++) {
@@ -130,7 +130,8 @@ LegLight rising_leg(PlanetData planet, Ray ray, Leg leg, real camera_mu_sun, Pha
   return light;
 }
 
-// Down to the ground, or to the lowest point of a ray that misses it: the first leg of a ray, nothing ahead of it.
+// The leg down to the ground, or to the lowest point of a ray that misses it: a ray's first leg, with no depth before
+// it.
 LegLight falling_leg(PlanetData planet, Ray ray, Leg leg, real camera_mu_sun, Phases p) {
   RayPoint near = point_on_ray(planet, ray, leg.start);
   RayPoint far = point_on_ray(planet, ray, leg.end);

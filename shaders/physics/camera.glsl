@@ -1,5 +1,5 @@
-// Pixel -> view direction and back, in the preset's frame (x east, y up, -z north). Rays come from basis vectors, never from an
-// inverted matrix at planet-centric coordinates.
+// Pixel -> view direction and back, in the preset's frame (x east, y up, -z north). Rays come from basis vectors, never
+// from an inverted matrix at planet-centric coordinates.
 
 struct ViewRay {
   vec3 direction;
@@ -78,7 +78,7 @@ ViewRay view_ray(CameraData camera, uint projection, real x, real y) {
   return perspective_ray(camera, x, y);
 }
 
-// Where a direction falls: the inverse of view_ray, side by side with it.
+// The pixel coordinates that a direction falls on: the inverse of view_ray().
 struct PixelPoint {
   real x;
   real y;
@@ -137,8 +137,8 @@ PixelPoint pixel_of(CameraData camera, uint projection, vec3 direction) {
   return point;
 }
 
-// Both maps project a plane, centrally: an area at the point p of a plane whose normal n has n.p = 1 spans 1/|p|^3 of
-// itself, the octahedron's (with |x| + |y| + |z| = 1) as the map shows it from above.
+// The cube map and the octahedral map project planes centrally. An area at the point p of a plane with normal n,
+// n.p = 1, spans 1/|p|^3 of itself as solid angle; areas on the octahedron |x| + |y| + |z| = 1 are those of the map.
 real map_solid_angle_density(CameraData camera, uint projection, real x, real y) {
   vec3 p;
   real pixel;

@@ -26,7 +26,7 @@ real lowest_altitude(PlanetData planet, real h, real mu) {
   return h - (planet.ground_radius + h) * mu * mu / (1.0 + sqrt(max(1.0 - mu * mu, 0.0)));
 }
 
-// From altitude h to space along any mu, the planet not in the way.
+// Column from altitude h to space along any mu, as if the planet were not in the way.
 real column_to_space(PlanetData planet, AnalyticMedium a, real h, real mu) {
   real outward = column_outward(planet, a, h, abs(mu));
   if (mu >= 0.0) {

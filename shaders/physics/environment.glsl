@@ -15,7 +15,7 @@ struct CubePoint {
   real v;
 };
 
-// To the right of, above and toward the camera's azimuth.
+// Components of a direction to the right of, above and toward the camera's azimuth.
 vec3 in_camera(CameraData camera, vec3 direction) {
   return vec3(dot(direction, camera.right), dot(direction, camera.up), dot(direction, camera.forward));
 }
@@ -44,13 +44,13 @@ vec3 cube_face_direction(uint face, real u, real v) {
   return vec3(-u, -v, -1.0);
 }
 
-// The component of `local` along a face's axis; the face is in front where it is positive.
+// The component of `local` along a face's axis; a positive one means that the face is in front.
 real cube_face_distance(uint face, vec3 local) {
   real along = face < 2u ? -local.x : (face < 4u ? local.y : local.z);
   return face == 0u || face == 2u || face == 4u ? along : -along;
 }
 
-// Where a direction meets a face's plane, beyond the face too. Only for positive cube_face_distance.
+// The point where a direction meets a face's plane, which may lie beyond the face. cube_face_distance must be positive.
 CubePoint cube_face_point(uint face, vec3 local) {
   vec3 p = local / cube_face_distance(face, local);
   CubePoint point;
@@ -106,7 +106,7 @@ CubeCell cube_cell(CameraData camera, uint face) {
   return cell;
 }
 
-// kNoFace in a cross's corners.
+// The face at a place given in sides; kNoFace in a cross's corners.
 uint cube_face_at(CameraData camera, real column, real row) {
   if (camera.cube_layout != kCubeCross) {
     return uint(clamp(camera.cube_layout == kCubeStrip ? column : row, 0.0, 5.0));
@@ -156,8 +156,8 @@ vec3 octahedral_direction(real u, real v) {
   return vec3(u < 0.0 ? -x : x, y, v < 0.0 ? z : -z);
 }
 
-// The square's point for a direction continued over the octahedron's face of the signs given, beyond the face too.
-// Only where dot(signs, local) is positive.
+// The square's point for a direction continued over the octahedron's face of these signs, which may lie beyond the
+// face. dot(signs, local) must be positive.
 vec2 octahedral_point(vec3 local, vec3 signs) {
   vec3 p = local / dot(signs, local);
   real x = signs.x * p.x;

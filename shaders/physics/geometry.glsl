@@ -1,5 +1,6 @@
 // Distances and directions on a sphere with an atmosphere, from altitude h (km) and zenith cosine mu.
-// The radius is never the state: r*r - R*R loses 2.9 % of the horizon's distance at 1 m in 32 bits; h*(2R+h) none.
+// Altitude is the state, never the radius: at 1 m r*r - R*R loses 2.9 % of the horizon's distance in 32 bits; h*(2R+h)
+// 0.
 
 // Distance to the horizon from altitude h.
 real horizon_distance(PlanetData planet, real h) { return sqrt(h * (2.0 * planet.ground_radius + h)); }
@@ -7,12 +8,12 @@ real horizon_distance(PlanetData planet, real h) { return sqrt(h * (2.0 * planet
 // Zenith cosine of the true horizon, in -1 to 0. A direction below it meets the ground; the tangent does not.
 real horizon_mu(PlanetData planet, real h) { return -horizon_distance(planet, h) / (planet.ground_radius + h); }
 
-// Whether the planet hides direction mu from altitude h. At h = 0 every direction below the plane is hidden, at
-// distance 0: no ray that starts on the ground runs through the planet.
+// Whether the planet hides direction mu from altitude h. At h = 0 it hides every direction below the plane, at distance
+// 0, so that no ray from the ground runs through the planet.
 bool meets_ground(PlanetData planet, real h, real mu) { return mu < horizon_mu(planet, h); }
 
-// Distance to the top of the atmosphere from inside, never clipped by the ground. The rearranged root for mu > 0:
-// the textbook one is wrong by 0.7 % at 99.9 km in 32 bits.
+// Distance to the top of the atmosphere from inside, never clipped by the ground. mu > 0 takes the rearranged root: the
+// textbook root is wrong by 0.7 % at 99.9 km in 32 bits.
 real distance_to_top(PlanetData planet, real h, real mu) {
   real r = planet.ground_radius + h;
   real gap = planet.atmosphere_height - h;
@@ -24,15 +25,15 @@ real distance_to_top(PlanetData planet, real h, real mu) {
   return root - r * mu;
 }
 
-// Distance to the ground for a direction with meets_ground(); 0 on the ground.
+// Distance to the ground for a direction with meets_ground(); 0 from a start on the ground.
 real distance_to_ground(PlanetData planet, real h, real mu) {
   real r = planet.ground_radius + h;
   real c = h * (2.0 * planet.ground_radius + h);
   return c / (sqrt(max(r * r * mu * mu - c, 0.0)) - r * mu);
 }
 
-// Distance from altitude h, space allowed, to the ground or else to where the ray leaves the air; negative where it meets
-// neither.
+// Distance from altitude h, which may be in space, to the ground or else to the point where the ray leaves the air. It
+// is negative for a ray that meets neither.
 real distance_to_end(PlanetData planet, real h, real mu) {
   if (meets_ground(planet, h, mu)) {
     return distance_to_ground(planet, h, mu);
@@ -63,7 +64,7 @@ struct RayPoint {
   real mu_sun;
 };
 
-// h + q/(r' + r) with q = t(2 r mu + t) holds to 0.03 m in 32 bits where sqrt(r*r + q) - R is good to 0.5 m.
+// h + q/(r' + r) with q = t(2 r mu + t) is accurate to 0.03 m in 32 bits, sqrt(r*r + q) - R only to 0.5 m.
 RayPoint point_on_ray(PlanetData planet, Ray ray, real t) {
   real r = planet.ground_radius + ray.h;
   real q = t * (2.0 * r * ray.mu + t);
@@ -76,7 +77,7 @@ RayPoint point_on_ray(PlanetData planet, Ray ray, real t) {
   return point;
 }
 
-// Where a ray from altitude h, space allowed, enters the air.
+// The point where a ray from altitude h, which may be in space, enters the air.
 struct AirEntry {
   bool misses;     // the ray meets no air
   real distance_;  // from its start, 0 inside the air
@@ -99,8 +100,8 @@ AirEntry air_entry(PlanetData planet, real h, real mu) {
   return entry;
 }
 
-// The part inside the atmosphere of the ray from altitude h >= 0 (space allowed). length_ < 0 where there is none:
-// looking past the air, or away from the planet.
+// The part inside the atmosphere of the ray from altitude h >= 0, which may be in space. length_ < 0 for a ray that
+// misses the air or looks away from the planet.
 Ray ray_in_atmosphere(PlanetData planet, real h, real mu, real mu_sun, real nu) {
   Ray ray;
   ray.h = h;
@@ -128,8 +129,8 @@ Ray ray_in_atmosphere(PlanetData planet, real h, real mu, real mu_sun, real nu) 
   return ray;
 }
 
-// The same ray up to a thing at `distance_` from the camera, at altitude h and zenith cosine mu there. A thing below the
-// ground stands on it; one before the air leaves none.
+// The same ray cut at a thing at `distance_` from the camera; h and mu are the camera's. A thing below the ground
+// counts as standing on it. A thing before the air leaves a ray of length 0.
 Ray ray_up_to(PlanetData planet, real h, real mu, Ray ray, real distance_) {
   real inside = distance_ - air_entry(planet, h, mu).distance_;
   if (ray.length_ >= 0.0 && inside < ray.length_) {

@@ -1,7 +1,7 @@
-// What the air between camera and ground takes, as `orders` has it: by delta_scaled() without what the peaks of phase
+// The extinction between camera and ground as `orders` has it: with delta_scaled(), without what the peaks of phase
 // functions scatter.
 
-// Optical depth over length, where steps are dense toward the ground.
+// Optical depth over length. Steps are dense toward the ground.
 vec3 mean_extinction(PlanetData planet, Ray ray) {
   const uint kSteps = 512u;
   Phases none = equal_phases(0.0);

@@ -8,17 +8,17 @@
 //   real ground_water_texel(uint k);   share of water, likewise
 //   real ground_glint_share(uint i);   GroundData::glint_share
 
-// Where a ray from altitude h meets the ground.
+// The point where a ray from altitude h meets the ground.
 struct GroundPlace {
   bool hit;
   vec3 up;         // unit, from the planet's centre
-  real cosine;     // between it and the way back to the camera
+  real cosine;     // between `up` and the way back to the camera
   real distance_;  // km
 };
 
-// By the angle under the true horizon, as a difference of angles: from afar the digits of the direction itself are all
-// that is lost. With b the distance of the ray from the planet's centre,
-// R^2 - b^2 = r^2 sin(horizon - angle) sin(horizon + angle), angles from the nadir.
+// Computed from the angle under the true horizon, a difference of angles, so that from afar only the direction's own
+// rounding is lost. With b the distance of the ray from the planet's centre, R^2 - b^2 = r^2 sin(horizon - angle)
+// sin(horizon + angle), angles from the nadir.
 GroundPlace ground_place(PlanetData planet, real h, vec3 direction) {
   real r = planet.ground_radius + h;
   real sigma = sqrt(direction.x * direction.x + direction.z * direction.z);
@@ -78,11 +78,11 @@ real water_at(MapCorner c) {
          ground_water_texel(c.at[2]) * c.weight[2] + ground_water_texel(c.at[3]) * c.weight[3];
 }
 
-// Which levels hold means over an angle at the planet's centre.
+// The two levels whose means are over about this angle at the planet's centre.
 struct MapLevel {
   uint finer;
   uint coarser;
-  real share;  // of the coarser
+  real share;  // of the coarser level
 };
 
 MapLevel map_level(uint rows, uint levels, real angle) {
@@ -94,10 +94,9 @@ MapLevel map_level(uint rows, uint levels, real angle) {
   return found;
 }
 
-// What the ground is at a place.
 struct Ground {
   vec3 albedo;
-  real water;  // share of it
+  real water;  // share of water
 };
 
 vec3 albedo_of_level(GroundShape g, uint level, real turn, real down) {
@@ -108,7 +107,7 @@ real water_of_level(GroundShape g, uint level, real turn, real down) {
   return water_at(map_corner(g.water_rows >> level, ground_water_first(level), turn, down));
 }
 
-// Over an angle at the planet's centre.
+// The ground's mean over an angle at the planet's centre.
 Ground ground_mean(vec3 up, real angle) {
   GroundShape g = ground_shape();
   real north = dot(up, g.pole);
@@ -131,12 +130,12 @@ Ground ground_mean(vec3 up, real angle) {
   return ground;
 }
 
-// Over the footprint of a pixel of this angle: as many means as its length has widths, up to eight, along the way that
-// the camera looks; at the limb, where it is longer yet, wider ones.
+// The ground's mean over a pixel's footprint: as many means as the footprint's length has widths, up to eight, along
+// the camera's heading. At the limb, where the footprint is longer still, the means are wider.
 Ground ground_in_pixel(PlanetData planet, GroundPlace place, vec3 direction, real pixel) {
   const real kMost = 8.0;
   real across = pixel * place.distance_ / planet.ground_radius;
-  // Toward the limb as long as the part of the planet that the pixel's far side still sees.
+  // Toward the limb the footprint is as long as the part of the planet that the pixel's far side still sees.
   real slant = max(place.cosine, sqrt(2.0 * across));
   real long_ = across / max(slant, 1e-6);
   real parts = clamp(floor(long_ / max(across, 1e-12) + 0.5), 1.0, kMost);
@@ -164,8 +163,8 @@ real glint_share(real mu_sun) {
   return low + (ground_glint_share(i + 1u) - low) * (x - real(i));
 }
 
-// Radiance that the ground sends to the camera: of the sun's beam, of irradiance `beam` on a plane that faces it, what
-// waves do not mirror is left to the Lambertian ground, with the light of the sky, `sky` on level ground.
+// Radiance that the ground sends to the camera. `beam`: the sun's irradiance on a plane that faces it; `sky`: the sky's
+// irradiance on level ground. The Lambertian ground reflects the sky's light and what the waves leave of the beam.
 vec3 ground_sends(Ground ground, vec3 up, vec3 to_sun, vec3 to_camera, vec3 beam, vec3 sky) {
   real variance = ground_shape().slope_variance;
   real mu_sun = max(dot(up, to_sun), 0.0);

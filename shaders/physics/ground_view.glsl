@@ -1,7 +1,6 @@
-// How what the air between camera and ground takes is tabulated (ground_extinction.glsl).
+// Axis of the table of extinction between camera and ground (ground_extinction.glsl).
 
-// The table of mean extinction between camera and ground, over the logarithm of the way through the air: from straight
-// down to the horizon.
+// The table holds mean extinction over the logarithm of the way through the air, from straight down to the horizon.
 struct ViewRange {
   real top;  // altitude where the rays start, km
   real nearest;
@@ -20,7 +19,7 @@ real unit_from_way(ViewRange range, real way) {
   return clamp(log(max(way, 1e-9) / range.nearest) / log(range.farthest / range.nearest), 0.0, 1.0);
 }
 
-// The way of a ray from the ground up, of which optical depths are found.
+// The ray up from the ground whose way is at x; its optical depth goes into the table.
 Ray ray_of_unit(PlanetData planet, ViewRange range, real x) {
   real way = range.nearest * exp(log(range.farthest / range.nearest) * x);
   real rise = range.top * (2.0 * planet.ground_radius + range.top) - way * way;

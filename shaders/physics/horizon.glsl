@@ -1,15 +1,15 @@
 // The planet's edge across a pixel: which part of the pixel lies below the true horizon, and the few rays whose mean is
-// the pixel. Light changes by a step there and smoothly elsewhere, so that each side is one ray in its middle; from
-// space the air above the edge is thinner than a few pixels, and is cut into strips along it.
+// the pixel. Light changes by a step at the edge and smoothly on either side, so that each side is one ray in its
+// middle. From space the air above the edge is thinner than a few pixels and is cut into strips along the edge.
 
-// Sine of the angle of a direction above the true horizon from altitude h, as the sine of a difference: zenith cosines
-// that from space lie close together would lose digits in theirs.
+// Sine of a direction's angle above the true horizon from altitude h. It is computed as the sine of a difference: from
+// space the zenith cosines lie so close together that their own difference would lose digits.
 real above_horizon(PlanetData planet, real h, vec3 direction) {
   real sigma = sqrt(direction.x * direction.x + direction.z * direction.z);
   return direction.y * (planet.ground_radius / (planet.ground_radius + h)) - sigma * horizon_mu(planet, h);
 }
 
-// The same of the top of the air; 0 inside the air.
+// Sine of the angle of the top of the air above the true horizon; 0 inside the air.
 real air_edge(PlanetData planet, real h) {
   real over = h - planet.atmosphere_height;
   if (over <= 0.0) {
@@ -21,7 +21,7 @@ real air_edge(PlanetData planet, real h) {
   return mu_top * (planet.ground_radius / r) - (top / r) * horizon_mu(planet, h);
 }
 
-// A square of side 1 whose level is a plane, 0 in the middle: slopes of the level along its sides, greater >= lesser >= 0.
+// A square of side 1 with a level that is a plane, 0 in the middle, of slopes greater >= lesser >= 0 along its sides.
 struct TiltedPixel {
   real greater;
   real lesser;
@@ -29,7 +29,7 @@ struct TiltedPixel {
 
 real half_range(TiltedPixel pixel) { return 0.5 * (pixel.greater + pixel.lesser); }
 
-// Share of it below a level: a corner's triangle grows as a square, then a strip evenly.
+// Share of the pixel below a level. It grows as a square over the triangle at a corner, then linearly.
 real area_below(TiltedPixel pixel, real level) {
   real depth = max(half_range(pixel) - abs(level), 0.0);
   real corner = 0.5 * depth * depth / max(pixel.greater * pixel.lesser, 1e-30);
@@ -54,12 +54,12 @@ const uint kRingStrips = 4u;
 
 // The rays of a pixel.
 struct PixelRays {
-  uint count;       // 1: its centre's alone
-  real centre;      // level of its centre above the horizon
-  real slope_x;     // of the level, a pixel
+  uint count;       // 1: the centre's ray alone
+  real centre;      // level of the pixel's centre above the horizon
+  real slope_x;     // of the level, per pixel
   real slope_y;
   real ground;      // share below the horizon
-  bool ring;        // from space: the rest in strips
+  bool ring;        // from space: the part above the horizon is cut into strips
   TiltedPixel tilt;
 };
 
@@ -99,7 +99,7 @@ struct PixelRay {
   real x;       // from the pixel's centre, in pixels
   real y;
   real share;   // of the pixel
-  bool ground;  // it stands for what lies below the horizon
+  bool ground;  // the ray stands for the part below the horizon
 };
 
 // Ray i of several. The one below the horizon is the last.
@@ -126,7 +126,7 @@ PixelRay ray_of_pixel(PixelRays rays, uint i) {
   return ray;
 }
 
-// On the side of the horizon that the ray stands for, whatever rounding says.
+// Moves the direction to the side of the horizon that its ray stands for, where rounding has put it on the other.
 vec3 held_to_side(PlanetData planet, real h, vec3 direction, bool ground) {
   real horizon = horizon_mu(planet, h);
   real under = horizon - max(-horizon * 2e-7, 1e-12);
@@ -134,7 +134,7 @@ vec3 held_to_side(PlanetData planet, real h, vec3 direction, bool ground) {
   return direction;
 }
 
-// How far a pixel reaches at most from its centre, as an angle.
+// The greatest angle between a pixel's centre and its corners.
 real pixel_reach(CameraData camera, uint projection) {
   real width = real(camera.width);
   real height = real(camera.height);
@@ -153,9 +153,9 @@ real pixel_reach(CameraData camera, uint projection) {
   return 1.5 * tan(camera.half_fov) / (0.5 * height);
 }
 
-// The rays of the pixel around x, y; `direction`: its centre's.
+// The rays of the pixel around x, y; `direction`: that of its centre.
 PixelRays pixel_rays(PlanetData planet, CameraData camera, uint projection, real x, real y, vec3 direction) {
-  const real kHalf = 0.49;  // of a pixel: not across the cut of a map
+  const real kHalf = 0.49;  // in pixels; below a half, so as not to cross the cut of a map
   real h = camera.altitude;
   real centre = above_horizon(planet, h, direction);
   real edge = air_edge(planet, h);
@@ -170,7 +170,7 @@ PixelRays pixel_rays(PlanetData planet, CameraData camera, uint projection, real
   return rays_of_pixel(centre, (right - left) / (2.0 * kHalf), (lower - upper) / (2.0 * kHalf), edge);
 }
 
-// Direction of its ray i.
+// Direction of one of the pixel's rays.
 vec3 pixel_direction(PlanetData planet, CameraData camera, uint projection, real x, real y, PixelRay ray) {
   vec3 direction = view_ray(camera, projection, x + ray.x, y + ray.y).direction;
   return held_to_side(planet, camera.altitude, direction, ray.ground);

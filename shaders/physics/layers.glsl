@@ -1,4 +1,4 @@
-// The light of a ray apart by where it comes from: what `--layers` writes.
+// A ray's light kept apart by its origin: what `--layers` writes.
 
 struct LightLayers {
   vec3 single[kMaxMedia];  // scattered once, by each medium, W/(m2 sr)

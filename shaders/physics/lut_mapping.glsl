@@ -4,9 +4,9 @@
 real texel_from_unit(real x, real n) { return (0.5 + x * (n - 1.0)) / n; }
 real unit_from_texel(real u, real n) { return (u * n - 0.5) / (n - 1.0); }
 
-// Transmittance to the top of the atmosphere over (mu, h) [B08 sec. 4, as evaluated in B17]: x from the distance to
-// the top between its least (zenith) and greatest (horizon) value, y from the distance to the horizon. The distance is
-// never clipped by the ground, in either direction.
+// Transmittance to the top of the atmosphere over (mu, h) [B08 sec. 4, as evaluated in B17]: x from the distance to the
+// top between its least (zenith) and greatest (horizon) value, y from the distance to the horizon. The ground never
+// clips the distance to the top, neither in the map nor in its inverse.
 struct TransmittanceCoordinate {
   real x;
   real y;
@@ -21,7 +21,7 @@ TransmittanceCoordinate transmittance_coordinate(PlanetData planet, real h, real
   real rho = horizon_distance(planet, h);
   real nearest = planet.atmosphere_height - h;
   real farthest = rho + horizon_of_top;
-  // distance_to_top() less its least value, over the greatest's excess, in one quotient.
+  // (distance_to_top() - its least value) / (its greatest value - its least value), as one quotient.
   real along = (planet.ground_radius + h) * mu;
   real across = 2.0 * planet.ground_radius + planet.atmosphere_height + h;
   real root = sqrt(max(along * along + nearest * across, 0.0));
@@ -42,7 +42,7 @@ TransmittanceState transmittance_state(PlanetData planet, real x, real y) {
             planet.atmosphere_height);
   real nearest = planet.atmosphere_height - s.h;
   real path = nearest + x * (rho + horizon_of_top - nearest);
-  // horizon_of_top^2 - rho^2 as a product: both are near 1100 km, their difference is what counts.
+  // horizon_of_top^2 - rho^2 as a product: both squares' roots are near 1100 km, and their difference is what counts.
   real gap = (horizon_of_top - rho) * (horizon_of_top + rho);
   s.mu = path <= 0.0
              ? 1.0

@@ -101,14 +101,14 @@ Step placed(Step s, real place) {
   return s;
 }
 
-// Where two neighbouring steps that share a source evaluate it; at place 0.5 that is where they meet.
+// The place where two neighbouring steps evaluate the source that they share; at place 0.5 the steps meet there.
 real placed_in_pair(real start, real middle, real end, real place) {
   return middle + (2.0 * place - 1.0) * (place < 0.5 ? middle - start : end - middle);
 }
 
 // Marches by steps in which source and extinction are constant. Quadratic steps are short where the air is dense, so
-// two of them share one fetch of light scattered more than once, where they meet: the picture moves by 0.03 to 0.08 % in
-// the mean. Uniform steps fetch it each, as it would move by 1.4 %.
+// two of them share one fetch of light scattered more than once, at the point where they meet. This moves the picture
+// by 0.03 to 0.08 % in the mean. Uniform steps fetch it in each step: sharing would move the picture by 1.4 %.
 PathRadiance march_steps(PlanetData planet, SunData sun, Ray ray, uint steps, uint distribution, real place,
                          real scattering_scale) {
   PathRadiance path;
@@ -136,7 +136,7 @@ PathRadiance march_steps(PlanetData planet, SunData sun, Ray ray, uint steps, ui
   return path;
 }
 
-// The place that kJitterFixed puts each source at.
+// The place within each step that kJitterFixed takes.
 const real kFixedPlace = 0.3;
 
 // Marches along the ray. `place`: where in its step each source is evaluated, 0.5 unless jittered; Gauss-Legendre nodes

@@ -16,7 +16,7 @@ LightLayers with_layered_step(LightLayers layers, PlanetData planet, SunData sun
   return layers;
 }
 
-// As march().
+// march() with the light kept apart.
 LightLayers march_layers(PlanetData planet, SunData sun, Ray ray, uint steps, uint distribution,
                          real scattering_scale) {
   LightLayers layers = no_layers();

@@ -4,7 +4,7 @@
 //   uint medium_count();  uint density_profile(uint i);  uint phase_of(uint i);  bool phase_is_sharp(uint i);
 //   MediumData medium(uint i);
 //   vec2 density_layer(uint k);  vec3 phase_sample(uint k);
-//   uint most_layers();  no medium has more, 0 where none has any
+//   uint most_layers();  layers of the medium with the most, 0 where none has any
 
 // The later of two layers, `step` apart, that lies at or below h.
 uint layer_below(MediumData m, real h, uint low, uint step) {
@@ -17,9 +17,9 @@ uint layer_below(MediumData m, real h, uint low, uint step) {
   return low;
 }
 
-// Piecewise linear between [altitude, density] pairs, constant outside. A search by halves, written out: a loop over
-// 256 layers in a march of 512 steps outruns the 65535 turns that the software device grants a shader, which then ends
-// its loops without a word. Steps as long as the longest list fold away.
+// Piecewise linear between [altitude, density] pairs, constant outside. The search by halves is written out: a loop
+// over 256 layers in a march of 512 steps exceeds the 65535 turns that the software device grants a shader, which then
+// ends its loops silently. Steps as long as the longest list fold away.
 real layered_density(MediumData m, real h) {
   vec2 first = density_layer(m.first_layer);
   if (h <= first.x) {
@@ -62,8 +62,8 @@ real density(uint profile, MediumData m, real h) {
   return layered_density(m, h);
 }
 
-// Mean of exp(-x) over x from a to b: (exp(-a) - exp(-b))/(b - a), and where that loses digits the mean of the ends
-// times tanh(d/2)/(d/2) of their distance d.
+// Mean of exp(-x) over x from a to b: (exp(-a) - exp(-b))/(b - a). Where that loses digits it is the mean of the ends
+// times tanh(d/2)/(d/2), d = b - a.
 real mean_exponential(real a, real b) {
   real first = exp(-a);
   real last = exp(-b);
@@ -72,27 +72,28 @@ real mean_exponential(real a, real b) {
   return abs(d) < 0.3 ? near : (first - last) / d;
 }
 
-// Mean density over a step of a ray around altitude h, along which altitude goes up by `rise` or, below 0, down: a fog's
-// in closed form, level steps included, as it may be thinner than a step is high; any other medium's in the middle.
+// Mean density over a step of a ray around altitude h, along which altitude rises by `rise` (falls where it is
+// negative). A height fog may be thinner than a step is high, so its mean is in closed form, level steps included. Any
+// other medium's density is taken in the middle.
 real step_density(uint profile, MediumData m, real h, real rise) {
   if (profile != kDensityHeightFog) {
     return density(profile, m, h);
   }
   real height = abs(rise);
   real low = h - 0.5 * height - m.below;
-  real even = clamp(-low / max(height, 1e-12), 0.0, 1.0);  // the share at or below the base
+  real even = clamp(-low / max(height, 1e-12), 0.0, 1.0);  // the share of the step at or below the base
   real above = mean_exponential(max(low, 0.0) / m.scale_height, max(low + height, 0.0) / m.scale_height);
   return even + (1.0 - even) * above;
 }
 
-// A step of a ray, which may be as high as a shell.
+// A step of a ray that may be as high as a shell.
 struct Stretch {
-  real h;      // in its middle
-  real rise;   // from its near end to its far end, below 0 where it goes down
-  real bulge;  // by which both ends stand above the tangent in the middle, times 4
+  real h;      // of the step's middle
+  real rise;   // from the near end to the far end, below 0 where the ray goes down
+  real bulge;  // height of both ends above the tangent in the middle, times 4
 };
 
-// Of a step of this length around its middle.
+// The stretch of a step of this width around its middle.
 Stretch stretch_of(PlanetData planet, RayPoint middle, real width) {
   Stretch s;
   s.h = middle.h;
@@ -101,9 +102,8 @@ Stretch stretch_of(PlanetData planet, RayPoint middle, real width) {
   return s;
 }
 
-// Mean density over it, by Gauss's rule of three nodes where the profile is smooth: a shell may be four scale heights
-// high, where the density in its middle is half of the mean. Others are straight lines within a shell, or have
-// a closed form.
+// Mean density over a stretch. A smooth profile takes Gauss's rule of three nodes: in a shell of four scale heights the
+// density in the middle is half of the mean. Other profiles are straight lines within a shell, or have a closed form.
 real stretch_density(uint profile, MediumData m, Stretch s) {
   if (profile != kDensityExponential && profile != kDensityLorentzian) {
     return step_density(profile, m, s.h, s.rise);
@@ -114,9 +114,9 @@ real stretch_density(uint profile, MediumData m, Stretch s) {
   return (5.0 * sides + 8.0 * density(profile, m, s.h)) * (1.0 / 18.0);
 }
 
-// Loops over the media have a constant number of turns and are marked UNROLL, so that the build makes straight code of
-// them: only then do the specialisation constants fold, and a march on the software device runs at twice the speed. A
-// turn beyond medium_count() costs nothing.
+// Loops over the media have a constant number of turns and are marked UNROLL, so that the build unrolls them. Only then
+// do the specialisation constants fold and a march on the software device run at twice the speed. A turn beyond
+// medium_count() costs nothing.
 
 // Phase function of each medium for one angle: constant along a ray.
 struct Phases {
@@ -144,7 +144,7 @@ Phases phases(real nu) {
   return p;
 }
 
-// For those who gather light over all directions by a few of them.
+// The phase function for integrals over all directions by a few of them.
 vec3 gathered_phase(uint i, real nu) {
   if (i < medium_count() && (phase_of(i) == kPhaseTable || phase_is_sharp(i))) {
     return gathered_by_table(medium(i).phase_table, nu);
@@ -178,7 +178,7 @@ Air with_medium(Air air, uint i, real h, real rise, vec3 phase) {
   if (i < medium_count()) {
     MediumData m = medium(i);
     real d = step_density(density_profile(i), m, h, rise);
-    // What stands in brackets is the same along a ray.
+    // The product in brackets is constant along a ray.
     air.scattering = air.scattering + m.scattering * d;
     air.phase_scattering = air.phase_scattering + (m.scattering * phase) * d;
     air.extinction = air.extinction + (m.scattering + m.absorption) * d;

@@ -1,5 +1,5 @@
-// Where the moments M_lm of a table stand, block by block, and what is stored of them: log M_00, the ratios M_lm / M_00,
-// and in the last block the logarithm of the ground's irradiance.
+// Places of a table's moments M_lm, block by block. The table stores log M_00, the ratios M_lm / M_00 and, in the last
+// block, the logarithm of the ground's irradiance.
 // The includer defines:
 //   uint moment_degree();  the highest l kept, 0 to 8
 

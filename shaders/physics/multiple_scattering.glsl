@@ -1,10 +1,10 @@
 // Orders of scattering from the second up as isotropic light [H20 sec. 5.5.1].
 
-// What one direction of the sphere contributes at a point.
+// Contribution of one direction of the sphere at a point.
 struct ScatteringGather {
   vec3 second_order;  // radiance that arrives after one scattering event or the ground, isotropic phase there, 1/sr
-  // The part of a unit isotropic field that arrives along this direction, 1. The ground's reflection belongs to it:
-  // without it the sky over albedo 0.3 is 4.6 % too dark on average, with it 2.0 %.
+  // The part of a unit isotropic field that arrives along this direction. It includes the ground's reflection: without
+  // it the sky over albedo 0.3 is 4.6 % too dark on average, with it 2.0 %.
   vec3 transfer;
 };
 
@@ -50,7 +50,7 @@ ScatteringGather gather_scattering(PlanetData planet, SunData sun, Ray ray, uint
 }
 
 // All orders from the mean over directions of second order and transfer: a geometric series [H20 eq. 9]. In thick air
-// that absorbs nothing the transfer nears 1; then the sum is held to a thousand orders.
+// without absorption the transfer nears 1; the sum is limited to a thousand orders.
 vec3 sum_of_orders(vec3 second_order, vec3 transfer) {
   return second_order / max(vec3(1.0) - transfer, vec3(1e-3));
 }

@@ -1,16 +1,16 @@
-// The sun in the waves of an ocean. Facets of the surface are mirrors whose slopes are normally distributed, alike in all
-// directions: C. Cox and W. Munk, Measurement of the Roughness of the Sea Surface from Photographs of the Sun's Glitter,
-// Journal of the Optical Society of America 44, 1954 [CM54]. Facets that hide one another are left out as by
-// B. Smith, Geometrical shadowing of a random rough surface, IEEE Transactions on Antennas and Propagation 15, 1967, of
-// both ways together, so that no more light leaves than arrives.
+// The sun in the waves of an ocean. Facets of the surface are mirrors whose slopes are normally distributed, alike in
+// all directions: C. Cox and W. Munk, Measurement of the Roughness of the Sea Surface from Photographs of the Sun's
+// Glitter, Journal of the Optical Society of America 44, 1954 [CM54]. Hidden facets: B. Smith, Geometrical shadowing of
+// a random rough surface, IEEE Transactions on Antennas and Propagation 15, 1967, for both ways together: no more light
+// leaves than arrives.
 
 const real kWaterIndex = 1.34;
 
-// Mean square slope of a clean surface, both directions together, by the wind at 12.5 m, m/s: their fit of 1 to 14 m/s
-// [CM54].
+// Mean square slope of a clean surface, both directions together, for a wind in m/s at 12.5 m: the fit of [CM54] for 1
+// to 14 m/s.
 real ocean_slope_variance(real wind) { return 0.003 + 0.00512 * wind; }
 
-// Share of unpolarized light that still water mirrors, of the cosine to its normal: Fresnel's, by the cosine inside.
+// Share of unpolarized light that still water mirrors, by the cosine to its normal: Fresnel's equations.
 real water_reflectance(real cosine) {
   real inside = sqrt(1.0 - (1.0 - cosine * cosine) / (kWaterIndex * kWaterIndex));
   real across = (cosine - kWaterIndex * inside) / (cosine + kWaterIndex * inside);
@@ -18,8 +18,9 @@ real water_reflectance(real cosine) {
   return 0.5 * (across * across + along * along);
 }
 
-// Smith's integral over the slopes that hide a direction of this zenith cosine, times the cosine: finite at the horizon.
-// The error function by M. Abramowitz and I. Stegun, Handbook of Mathematical Functions, 7.1.26: within 1.5e-7.
+// Smith's integral over the slopes that hide a direction of this zenith cosine, times the cosine: finite at the
+// horizon. The error function is M. Abramowitz and I. Stegun, Handbook of Mathematical Functions, 7.1.26: within
+// 1.5e-7.
 real hiding_slopes(real variance, real mu) {
   real spread = sqrt(variance * max(1.0 - mu * mu, 0.0));
   real a = mu / max(spread, 1e-9);
@@ -28,8 +29,8 @@ real hiding_slopes(real variance, real mu) {
   return max(exp(-min(a * a, 80.0)) * (spread / (2.0 * sqrt(kPi)) - 0.5 * mu * tail), 0.0);
 }
 
-// Radiance that the waves mirror from a sun whose beam, of irradiance 1 on a plane that faces it, arrives there, 1/sr.
-// All directions are unit vectors away from the surface, `up` its vertical.
+// Radiance that the waves mirror toward the camera for a beam of irradiance 1 on a plane that faces the sun, 1/sr. All
+// directions are unit vectors away from the surface, `up` its vertical.
 real ocean_glint(real variance, vec3 up, vec3 to_sun, vec3 to_camera) {
   real mu_sun = dot(up, to_sun);
   real mu = dot(up, to_camera);

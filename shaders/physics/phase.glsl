@@ -13,7 +13,7 @@ vec3 phase_depolarized(vec3 gamma, real nu) {
   return (vec3(1.0 + nu * nu) + gamma * (3.0 - nu * nu)) / (vec3(1.0) + gamma * 2.0) * (3.0 / (16.0 * kPi));
 }
 
-// 1 + g*g - 2*g*nu as (1-|g|)^2 + 2|g| times the distance from the peak: no cancellation in the peak of either sign,
+// 1 + g*g - 2*g*nu as (1-|g|)^2 + 2|g| times the distance from the peak. It does not cancel in the peak of either sign,
 // where the plain form loses all digits at |g| = 0.99.
 real phase_peak(real g, real nu) {
   real strength = abs(g);
@@ -34,7 +34,7 @@ real phase_cornette_shanks(real g, real nu) {
 }
 
 // [S93]: k approximates Henyey-Greenstein's g without the power 3/2. The cubic leaves -1 to 1 where |g| > 0.938 (a pole
-// in the forward peak, negative beside it); held there, the peak is that of Henyey-Greenstein at g = 0.99.
+// in the forward peak, negative beside it). It is limited, so that the peak is that of Henyey-Greenstein at g = 0.99.
 real schlick_k(real g) { return clamp(1.55 * g - 0.55 * g * g * g, -0.9999, 0.9999); }
 
 real phase_schlick(real g, real nu) {

@@ -1,12 +1,12 @@
-// A phase function by table: logarithms of its values, by channel, at kPhaseSamples scattering angles that go with the
-// square of an even coordinate, angle = pi x^2: dense in the forward peak, 0.35 degrees apart at the other end. Between
-// samples the logarithm is linear in x.
-// Behind each table stands the same function without what few directions do not resolve, for those who gather light over
-// all of them: its peak is spread, its low moments are kept.
+// A phase function by table: logarithms of its values, by channel, at kPhaseSamples scattering angles, angle = pi x^2
+// with x evenly spaced: dense in the forward peak, 0.35 degrees apart at the other end. Between samples the logarithm
+// is linear in x.
+// Behind each table stands a smoothed copy for integrals over all directions by a few of them: its peak is spread so
+// that they resolve it, its low moments are kept.
 // The includer defines:
 //   vec3 phase_sample(uint k);  of all tables, one behind the other
 
-// In samples, 0 to kPhaseSamples - 1.
+// Place in the table in samples, 0 to kPhaseSamples - 1.
 real phase_table_place(real nu) {
   real angle = atan(sqrt(max((1.0 - nu) * (1.0 + nu), 0.0)), nu);
   return sqrt(angle / kPi) * real(kPhaseSamples - 1u);

@@ -1,5 +1,5 @@
-// Where the steps of a march stand. The air is densest at a ray's lowest point, so steps grow with the square of the
-// distance from it, on both sides where the ray dips and rises again.
+// Places of a march's steps. The air is densest at a ray's lowest point, so steps grow with the square of the distance
+// from it, on both sides where the ray dips and rises again.
 
 struct Step {
   real t;      // where the source is evaluated: the middle of the step
@@ -16,7 +16,7 @@ real leg_edge(uint distribution, bool rising, real length_, real u) {
   return rising ? length_ * u * u : length_ * (1.0 - v * v);
 }
 
-// How many of n steps lie before the lowest point.
+// Number of steps, of n, before the lowest point.
 uint falling_steps(real falling, real length_, uint n) {
   if (falling <= 0.0) {
     return 0u;
@@ -29,13 +29,13 @@ uint falling_steps(real falling, real length_, uint n) {
   return uint(clamp(count, 1.0, real(n) - 1.0));
 }
 
-// End of step i of n along a ray whose lowest point is at distance `falling` (<= 0: it rises from the start; >= length_:
-// it falls to its end). Step 0 starts at 0, any other where the one before ends.
+// End of step i of n along a ray whose lowest point is at distance `falling` (<= 0: it rises from the start; >=
+// length_: it falls to its end). Step 0 starts at 0, any other step at the end of the one before.
 real step_end(uint distribution, real falling, real length_, uint before, uint i, uint n) {
   real first = 0.0;
   real leg = length_;
   real index = real(i);
-  real one = 1.0 / real(n);  // step's share: quotients that are the same for all steps
+  real one = 1.0 / real(n);  // a step's share; quotients that are the same for all steps
   bool rising = falling < length_;
   if (distribution != kStepsUniform && before < n && before > 0u) {
     rising = i >= before;
@@ -56,7 +56,7 @@ Step step_between(real start, real end) {
   return s;
 }
 
-// Step i alone; a loop over all of them does better to keep each one's end.
+// Step i alone. A loop over all steps should keep each step's end instead.
 Step ray_step(uint distribution, real falling, real length_, uint before, uint i, uint n) {
   real start = i > 0u ? step_end(distribution, falling, length_, before, i - 1u, n) : 0.0;
   return step_between(start, step_end(distribution, falling, length_, before, i, n));

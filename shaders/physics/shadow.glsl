@@ -1,7 +1,7 @@
 // The planet's shadow along a ray.
 
-// Where the planet's shadow begins or ends along a ray, as two distances in order; outside 0 to length_ where there is
-// no such crossing. The shadow is the half cylinder of the planet's radius behind it.
+// Distances at which the planet's shadow begins or ends along a ray, in order; a crossing that does not exist lies
+// outside 0 to length_. The shadow is the half cylinder of the planet's radius behind it.
 struct ShadowCrossings {
   real first;
   real second;

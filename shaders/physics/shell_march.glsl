@@ -1,10 +1,10 @@
-// The rays of `orders` through shells (shells.glsl): the same two integrals as order_radiance() and sky_factors(), with
-// steps from edge to edge, sunlight that falls exponentially within a step, and the diffuse source taken where the step
-// shines from on average.
+// The rays of `orders` through shells (shells.glsl). The two integrals are those of order_radiance() and sky_factors(),
+// with steps from edge to edge and sunlight that falls exponentially within a step. The diffuse source is taken at the
+// point of the step that its light comes from on average.
 // The includer defines, beside what the moments ask for:
-//   vec3 fetch_sun_table(real x, real y);  mean extinction toward the sun over (sun_table_coordinate(), row), unit range
+//   vec3 fetch_sun_table(real x, real y);  mean extinction toward the sun; x: sun_table_coordinate(), y: row, 0 to 1
 
-// Optical depth toward the sun, the ground not in the way; `row`: shell_coordinate() of h.
+// Optical depth toward the sun, as if the ground were not in the way; `row`: shell_coordinate() of h.
 vec3 sun_depth(PlanetData planet, real h, real row, real mu_sun) {
   real mu = max(mu_sun, horizon_mu(planet, h));
   return fetch_sun_table(sun_table_coordinate(planet, h, mu), row) * distance_to_top(planet, h, mu);
@@ -15,9 +15,9 @@ vec3 shell_sun_irradiance(PlanetData planet, real mu_sun) {
   return mu_sun > 0.0 ? exp(-sun_depth(planet, 0.0, 0.0, mu_sun)) * mu_sun : vec3(0.0);
 }
 
-// Interpolates between two rows whose logarithms are a and b. Deep in even air a diffuse field is linear, and in air that
-// absorbs nothing each order repeats the error of the one before. Below a low sun it falls steeply: there the result is
-// exponential. `bend`: see bend_between().
+// Interpolates between two rows whose logarithms are a and b. Deep in even air a diffuse field is linear, and in air
+// without absorption each order repeats the error of the one before, so the result is linear. Below a low sun the field
+// falls steeply, so there the result is exponential. `bend`: see bend_between().
 vec3 between_rows(vec3 a, vec3 b, real part, vec3 bend) {
   vec3 low = exp(a);
   vec3 high = exp(b);
@@ -31,10 +31,10 @@ vec3 between_rows(vec3 a, vec3 b, real part, vec3 bend) {
 real lesser(real a, real b) { return a * b <= 0.0 ? 0.0 : (a < 0.0 ? max(a, b) : min(a, b)); }
 
 // Returns how far the isotropic moment bends away from the straight line between two rows: half its second difference
-// over the shell. The shells below and above tell one each; the two differ where the air has an edge, and the lesser
-// holds. Next to the air's ends a diffuse field bulges up, and each order loses again what a straight line loses there.
-// The bend is at most a quarter of the two rows' sum: between shells much thinner than itself, at an optical depth of
-// 178, a thick shell got so much more than its rows hold that orders grew.
+// over the shell. The shells below and above yield one value each. The two differ where the air has an edge; the lesser
+// is returned. Next to the air's ends a diffuse field bulges up; a straight line loses the bulge, in each order anew.
+// The bend is limited to a quarter of the two rows' sum: a thick shell at an optical depth of 178, between much thinner
+// ones, got so much more than its rows hold that orders grew.
 vec3 bend_between(uint shell, real x, vec3 low, vec3 high) {
   real intervals = real(shell_rows() - 1u);
   real width = shell_altitude(shell + 1u) - shell_altitude(shell);
@@ -64,8 +64,8 @@ vec3 bend_between(uint shell, real x, vec3 low, vec3 high) {
   return max(min(bend, most), vec3(0.0) - most);
 }
 
-// Light scattered into the ray by the diffuse field, W/(m2 sr km), at distance t in a known shell. In the ratios of
-// moments each row weighs as much as its isotropic moment.
+// Light scattered into the ray by the diffuse field, W/(m2 sr km), at distance t in a known shell. Each row's ratios of
+// moments are weighed by the row's isotropic moment.
 vec3 shell_source(PlanetData planet, MomentTableData table, DiffuseAir air, Ray ray, uint shell, real t) {
   RayPoint point = point_on_ray(planet, ray, t);
   MomentCoordinate c = moment_coordinate(table, point.h, point.mu_sun);
@@ -85,7 +85,7 @@ vec3 sun_depth_on_ray(PlanetData planet, Ray ray, uint shell, real t) {
   return sun_depth(planet, point.h, shell_coordinate(shell, point.h), point.mu_sun);
 }
 
-// Radiance of one order through shells, as order_radiance() has it; `parts`: of each shell.
+// order_radiance() through shells; `parts`: steps in each shell.
 vec3 shell_order_radiance(PlanetData planet, MomentTableData table, Ray ray, uint parts, bool first) {
   Phases p = gathered_phases(ray.nu);
   ShadowCrossings shadow = shadow_crossings(planet, ray);
@@ -93,7 +93,7 @@ vec3 shell_order_radiance(PlanetData planet, MomentTableData table, Ray ray, uin
   vec3 radiance = vec3(0.0);
   vec3 transmittance = vec3(1.0);
   vec3 near = first ? sun_depth_on_ray(planet, ray, walk.shell, 0.0) : vec3(0.0);
-  vec3 behind = vec3(0.0);  // what even air without end would send
+  vec3 behind = vec3(0.0);  // radiance of endless even air with the last step's source
   bool deep = false;
   uint count = most_steps(parts);
   for (uint i = 0u; i < count; i++) {
@@ -137,7 +137,7 @@ vec3 shell_order_radiance(PlanetData planet, MomentTableData table, Ray ray, uin
   return radiance;
 }
 
-// The factors of air cut into shells, as air_factors() has them.
+// air_factors() for air cut into shells.
 SkyFactors shell_air_factors(PlanetData planet, MomentTableData table, Ray ray, uint parts) {
   SkyFactors factors = no_air();
   Phases none = equal_phases(0.0);
@@ -174,7 +174,7 @@ SkyFactors shell_air_factors(PlanetData planet, MomentTableData table, Ray ray, 
   return factors;
 }
 
-// The ground's light under air cut into shells, as ground_light() has it.
+// ground_light() under air cut into shells.
 vec3 shell_ground_light(PlanetData planet, MomentTableData table, Ray ray, vec3 transmittance) {
   RayPoint end = point_on_ray(planet, ray, ray.length_);
   vec3 irradiance = shell_sun_irradiance(planet, end.mu_sun) * sun_share(ray, ray.length_, 0.0) +
@@ -182,7 +182,7 @@ vec3 shell_ground_light(PlanetData planet, MomentTableData table, Ray ray, vec3 
   return transmittance * planet.ground_albedo * irradiance / kPi;
 }
 
-// The factors of air cut into shells with the ground behind it, as sky_factors() has them.
+// sky_factors() for air cut into shells, the ground behind it.
 SkyFactors shell_sky_factors(PlanetData planet, MomentTableData table, Ray ray, uint parts) {
   SkyFactors factors = shell_air_factors(planet, table, ray, parts);
   if (ray.at_ground && ray.length_ >= 0.0) {

@@ -4,7 +4,7 @@
 //   uint shell_rows();              edges, from the ground to the top of the atmosphere
 //   real shell_altitude(uint k);    rising with k
 
-// The later of two edges, `step` apart, that lies below h, or at h for a ray that rises.
+// The later of two edges, `step` apart, that lies below h, or at h where the ray rises.
 uint edge_below(real h, bool rising, uint low, uint step) {
   uint next = low + step;
   if (next + 1u < shell_rows()) {
@@ -16,7 +16,7 @@ uint edge_below(real h, bool rising, uint low, uint step) {
   return low;
 }
 
-// The shell that a ray runs through first, from altitude h. A search by halves, as in layered_density.
+// The first shell of a ray from altitude h. The search by halves is written out as in layered_density().
 uint shell_of(real h, bool rising) {
   uint k = edge_below(h, rising, 0u, 32u);  // half of kMaxShellRows
   k = edge_below(h, rising, k, 16u);
@@ -27,7 +27,7 @@ uint shell_of(real h, bool rising) {
   return k;
 }
 
-// Where h stands in its shell, 0 to 1, and between the rows, unit range over all of them.
+// Place of h in its shell, 0 to 1. shell_coordinate(): place between the rows, 0 to 1 over all of them.
 real shell_part(uint shell, real h) {
   real low = shell_altitude(shell);
   real high = shell_altitude(shell + 1u);
@@ -38,18 +38,18 @@ real shell_coordinate(uint shell, real h) { return (real(shell) + shell_part(she
 
 // Steps of a ray, one after the other. No step crosses an edge, the lowest point or the planet's shadow.
 struct ShellWalk {
-  real from;  // this step, as distances
+  real from;  // this step's ends, as distances
   real to;
-  real entry;  // where the ray entered the shell, and where it leaves it or turns in it
+  real entry;  // where the ray entered the shell; `leave`: where it leaves it or turns in it
   real leave;
   uint shell;
-  uint part;     // parts of the shell begun
+  uint part;     // parts of the shell begun so far
   bool rising;
-  bool turning;  // leaves by rising again in the same shell
+  bool turning;  // the ray turns in the shell and leaves it rising
   bool done;
 };
 
-// (h - edge)(2R + h + edge): r^2 less the edge's, as a product.
+// r^2 - r_edge^2 as a product: (h - edge)(2R + h + edge).
 real squared_gap(PlanetData planet, real h, real edge) { return (h - edge) * (2.0 * planet.ground_radius + h + edge); }
 
 ShellWalk with_leave(ShellWalk walk, PlanetData planet, Ray ray) {
@@ -58,7 +58,7 @@ ShellWalk with_leave(ShellWalk walk, PlanetData planet, Ray ray) {
   if (!walk.rising) {
     real c = squared_gap(planet, ray.h, shell_altitude(walk.shell));
     real discriminant = a * a - c;
-    // Whether the ground is met is the ray's to say.
+    // The ray itself knows whether it meets the ground.
     walk.turning = walk.shell == 0u ? !ray.at_ground : discriminant <= 0.0;
     walk.leave = walk.turning ? -a : c / (sqrt(max(discriminant, 0.0)) - a);
   } else {
@@ -85,7 +85,7 @@ ShellWalk next_shell(ShellWalk walk, PlanetData planet, Ray ray) {
   return with_leave(walk, planet, ray);
 }
 
-// The first step of the walk is found by next_step().
+// The walk before its first step, which next_step() finds.
 ShellWalk shell_walk(PlanetData planet, Ray ray) {
   ShellWalk walk;
   walk.from = 0.0;
@@ -117,8 +117,8 @@ ShellWalk next_step(ShellWalk walk, PlanetData planet, Ray ray, ShadowCrossings 
 uint most_steps(uint parts) { return 2u * shell_rows() * parts + 3u; }
 
 // The table of the sun's light: for each row the mean extinction along the ray to the top of the atmosphere, over
-// zenith cosines from the row's true horizon (x = 0) to the zenith, densest at the horizon. Exact in even air, however
-// long the ray; the optical depth is the mean times the length.
+// zenith cosines from the row's true horizon (x = 0) to the zenith, densest at the horizon. The optical depth is the
+// mean times the length. The mean is exact in even air, however long the ray.
 real sun_table_mu(PlanetData planet, real h, real x) {
   real horizon = horizon_mu(planet, h);
   return horizon + (1.0 - horizon) * x * x;
@@ -129,7 +129,7 @@ real sun_table_coordinate(PlanetData planet, real h, real mu) {
   return sqrt(clamp((mu - horizon) / (1.0 - horizon), 0.0, 1.0));
 }
 
-// By Gauss's rule of three points in each shell.
+// Integrated by Gauss's rule of three points in each shell.
 vec3 mean_extinction_to_top(PlanetData planet, real h, real mu) {
   Ray ray;
   ray.h = h;
@@ -159,9 +159,9 @@ vec3 mean_extinction_to_top(PlanetData planet, real h, real mu) {
   return ray.length_ > 0.0 ? depth / ray.length_ : extinction_at(h);
 }
 
-// Mean over a step of the transmittance from the sun to a point and on to the step's start; the sun's optical depth
-// goes evenly from `near` to `far` along the step of optical depth `through`. Written from the end where it is least:
-// the exponent never rises.
+// Mean over a step of the transmittance from the sun to a point and on to the step's start. The sun's optical depth is
+// linear from `near` to `far` along the step, whose own optical depth is `through`. The exponential is taken
+// from the end with the least depth, so that its exponent never rises.
 real mean_sunlight(real near, real far, real through) {
   real past = far + through;
   return exp(-min(near, past)) * mean_transmittance(abs(past - near));
@@ -172,8 +172,8 @@ vec3 mean_sunlight3(vec3 near, vec3 far, vec3 through) {
               mean_sunlight(near.z, far.z, through.z));
 }
 
-// Where in a step of optical depth x, 0 to 1, the light that reaches its start comes from on average: 1/x - 1/(e^x - 1).
-// A source evaluated there is integrated without error if it is linear. Below 1 by series: the quotients cancel.
+// Place in a step of optical depth x, 0 to 1, that the light at its start comes from on average: 1/x - 1/(e^x - 1). A
+// linear source evaluated there is integrated without error. Below x = 1 it is a series, since the quotients cancel.
 real source_place(real x) {
   real x2 = x * x;
   real series = 0.5 - x * (1.0 / 12.0) * (1.0 - x2 * (1.0 / 60.0) * (1.0 - x2 * (1.0 / 42.0)));

@@ -1,15 +1,15 @@
-// The light of a ray as smooth factors: single scattering of each medium without its phase function, and all the rest.
-// The factors vary slowly over the sky where the phase functions do not, so they may be tabulated coarsely and the
-// phase functions multiplied in at the pixel.
+// The light of a ray as smooth factors: single scattering of each medium without its phase function, and all other
+// light. The factors vary slowly over the sky, so that a table of them may be coarse; phase functions vary fast, and
+// the pixel multiplies them in.
 // The includer defines, for this file and shell_march.glsl:
-//   real sun_share(Ray ray, real t, real width);  of the sun that terrain leaves, mean over a step; 1 without terrain
+//   real sun_share(Ray ray, real t, real width);  share of the sun past terrain or spheres, mean over a step
 
 struct SkyFactors {
   vec3 single[kMaxMedia];  // 1/sr after multiplication by the medium's phase function
   vec3 diffuse;            // light scattered more than once, and the ground, W/(m2 sr)
-  vec3 transmittance;      // of light whose scattering into a delta-scaled forward peak counts as none
-  vec3 depth;              // optical depth, as this transmittance has it
-  vec3 peaks;              // optical depth of those peaks
+  vec3 transmittance;      // delta-scaled: scattering into the forward peak counts as none
+  vec3 depth;              // optical depth of this transmittance
+  vec3 peaks;              // optical depth of the forward peaks
 };
 
 SkyFactors no_air() {
@@ -24,7 +24,7 @@ SkyFactors no_air() {
   return factors;
 }
 
-// Of a beam of light, from which scattering takes whatever its angle.
+// Transmittance of a beam, from which scattering takes light whatever its angle.
 vec3 beam_transmittance(SkyFactors factors) { return factors.transmittance * exp(-factors.peaks); }
 
 vec3 phased(SkyFactors factors, Phases p) {
@@ -43,7 +43,7 @@ struct NodeLight {
   vec3 peaks;
 };
 
-// `share`: of the sun, that reaches it.
+// `share`: the part of the sun that reaches the node.
 NodeLight node_light(PlanetData planet, MomentTableData table, Ray ray, real t, real share) {
   RayPoint point = point_on_ray(planet, ray, t);
   DiffuseAir air = diffuse_air(densities_at(point.h), equal_phases(0.0));
@@ -72,8 +72,8 @@ SkyFactors with_panel_light(SkyFactors factors, NodeLight near, NodeLight far, r
   return factors;
 }
 
-// Of the air alone, the ground left out, along panels [first, last) of `panels`: what reaches the first one's near end.
-// Node by node, as order_radiance().
+// Factors of the air without the ground along panels [first, last) of `panels`, as they reach the near end of panel
+// `first`. It goes node by node, as order_radiance() does.
 SkyFactors air_factors_between(PlanetData planet, MomentTableData table, Ray ray, uint panels, uint first, uint last) {
   SkyFactors factors = no_air();
   StepPlan plan = plan_steps(planet, ray, panels);
@@ -99,13 +99,13 @@ SkyFactors air_factors_between(PlanetData planet, MomentTableData table, Ray ray
   return factors;
 }
 
-// By two Gauss-Legendre nodes a panel, so that an odd number of steps is one more.
+// Two Gauss-Legendre nodes a panel: an odd number of steps is rounded up.
 SkyFactors air_factors(PlanetData planet, MomentTableData table, Ray ray, uint steps) {
   uint panels = (steps + 1u) / 2u;
   return air_factors_between(planet, table, ray, panels, 0u, panels);
 }
 
-// Of a ray's near part and the far part behind it.
+// Factors of a ray's near part and the far part behind it.
 SkyFactors joined(SkyFactors near, SkyFactors far) {
   UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
     near.single[i] = near.single[i] + near.transmittance * far.single[i];
@@ -117,7 +117,7 @@ SkyFactors joined(SkyFactors near, SkyFactors far) {
   return near;
 }
 
-// Light of the ground where the ray ends on it, seen through air of this transmittance, for a sun of irradiance 1.
+// Light of the ground at the ray's end, seen through air of this transmittance, for a sun of irradiance 1.
 vec3 ground_light(PlanetData planet, MomentTableData table, Ray ray, vec3 transmittance) {
   RayPoint end = point_on_ray(planet, ray, ray.length_);
   real facing = max(end.mu_sun, 0.0) * sun_share(ray, ray.length_, 0.0);

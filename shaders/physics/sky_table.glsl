@@ -21,11 +21,11 @@ struct SkyTableCoordinate {
 struct SkyTableState {
   real mu;
   real cos_azimuth;
-  real length_;  // of a ray to the ground
+  real length_;  // for a ray to the ground
 };
 
-// Ground: y from the root of the distance's logarithm. Light gathered over metres and over kilometres both resolve, and
-// so do angles around straight down, where the logarithm alone grows with their square.
+// Ground: y from the root of the distance's logarithm. It resolves light gathered over metres and over kilometres. It
+// also resolves angles around straight down; the logarithm alone grows with the square of such an angle.
 real ground_row(real h, real horizon, real path) {
   real scale = max(h, 1e-5);
   return sqrt(clamp(log(1.0 + (path - h) / scale) / max(log(1.0 + (horizon - h) / scale), 1e-6), 0.0, 1.0));

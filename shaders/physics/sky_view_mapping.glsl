@@ -1,9 +1,9 @@
 // The sky-view table [H20 sec. 5.3]: radiance as seen from one altitude inside the air, by azimuth from the sun (x) and
 // by elevation above the true horizon or depression below it (y). Sky and ground have rows of their own, so that no
 // fetch mixes the two.
-// x: the chord sin(azimuth/2), dense around the sun. The sky is the same on both sides of the sun, so it is even in the
-// chord: the first column stands half a texel from azimuth 0, and clamping makes the other half its mirror image.
-// Interpolation crosses the sun's azimuth without a crease. The last column stands at azimuth 180 degrees exactly.
+// x: the chord sin(azimuth/2), dense around the sun. The sky is the same on both sides of the sun, hence even in the
+// chord. The first column stands half a texel from azimuth 0, and clamping makes the other half its mirror image, so
+// that interpolation crosses the sun's azimuth without a crease. The last column stands at azimuth 180 degrees exactly.
 // y: the square root of the angle from the horizon, dense beside it. The first row of each part is the horizon, the
 // last the zenith or the nadir.
 
@@ -24,7 +24,7 @@ struct SkyViewCoordinate {
 // Angle from the horizontal down to the true horizon.
 real horizon_depression(PlanetData planet, real h) { return atan(horizon_distance(planet, h), planet.ground_radius); }
 
-// The chord by the distance of two unit vectors: an azimuth's cosine has no digits left beside the sun.
+// The chord is computed from the distance of two unit vectors: an azimuth's cosine has no digits left beside the sun.
 SkyViewCoordinate sky_view_coordinate(PlanetData planet, real h, vec3 view, vec3 sun) {
   real across = sqrt(view.x * view.x + view.z * view.z);
   real depression = horizon_depression(planet, h);
@@ -49,7 +49,7 @@ Ray sky_view_ray(PlanetData planet, real h, SkyViewCoordinate c, real mu_sun) {
   real cos_azimuth = 1.0 - 2.0 * c.chord * c.chord;
   Ray ray;
   ray.h = h;
-  // Below 0 on the ground itself, where the ray to the ground has no length.
+  // Kept below 0 on the ground itself, where the ray to the ground has length 0.
   ray.mu = c.ground ? min(sin(elevation), -1e-9) : sin(elevation);
   ray.mu_sun = mu_sun;
   real across = cos(elevation) * sqrt(max(1.0 - mu_sun * mu_sun, 0.0));

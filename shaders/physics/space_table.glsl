@@ -1,8 +1,9 @@
-// The table of factors of a camera above the air; sky_table.glsl has that of one inside. Rows are those of a camera at
-// the top of the air, where rays enter: ground and limb. Columns go by the sun's zenith cosine at a ray's foot, which
-// is where it meets the ground, else its lowest point: the terminator lies along a column, however far the camera.
+// The table of factors of a camera above the air; sky_table.glsl has that of a camera inside. Rows are those of a
+// camera at the top of the air, where rays enter: ground and limb. Columns go by the sun's zenith cosine at a ray's
+// foot, its point on the ground or else its lowest point. The terminator therefore lies along a column, however far the
+// camera.
 
-const uint kSectionNoAir = 3u;  // the ray passes by
+const uint kSectionNoAir = 3u;  // the ray misses the air
 
 // Three fifths of the columns stand within this of the terminator, in the sun's zenith cosine.
 const real kTerminatorWidth = 0.2;
@@ -14,11 +15,12 @@ real terminator_mu(real coordinate) { return kTerminatorWidth * coordinate / (1.
 // The foot of the rays of one row, from a camera at altitude h, and the sun there over all azimuths.
 struct RayFoot {
   real inside;  // distance from the point of entry
-  real middle;  // of the sun's zenith cosines there
-  real half_;   // of their range
+  real middle;  // of the sun's zenith cosines at the foot
+  real half_;   // half their range
 };
 
-// mu, across: zenith cosine of the view at the camera, and its sine; entry, mu_top: the point of entry.
+// mu, across: cosine and sine of the zenith angle at the camera; way: distance to the point of entry; mu_top: cosine
+// there.
 RayFoot ray_foot(PlanetData planet, real h, real mu_sun, real mu, real across, real way, real mu_top, bool at_ground) {
   real top = planet.atmosphere_height;
   real r_top = planet.ground_radius + top;
@@ -31,7 +33,7 @@ RayFoot ray_foot(PlanetData planet, real h, real mu_sun, real mu, real across, r
   return foot;
 }
 
-// Where the sun is as high from all sides, columns go by the azimuth alone.
+// Where the sun's zenith cosine at the foot hardly varies with azimuth, columns go by the azimuth alone.
 const real kSameSun = 1e-4;
 
 real foot_column(RayFoot foot, real cos_azimuth) {
@@ -54,7 +56,7 @@ real column_azimuth(RayFoot foot, real x) {
   return clamp((terminator_mu(low + (high - low) * x) - foot.middle) / foot.half_, -1.0, 1.0);
 }
 
-// The place of a view from altitude h above the air, by its zenith cosine mu and its sine.
+// The place in the table of a view from altitude h above the air, given its zenith cosine mu and sine.
 SkyTableCoordinate space_table_coordinate(PlanetData planet, real h, real mu_sun, real mu, real across,
                                           real cos_azimuth) {
   AirEntry entry = air_entry(planet, h, mu);

@@ -1,6 +1,6 @@
 // Light that a sphere sends back, for a sun of irradiance 1.
 
-// What the sun and the sky give to a point at `point` from the camera, which lies in the planet's air.
+// A point's altitude and vertical. The point is given from the camera and lies in the planet's air.
 struct SpherePlace {
   real h;  // altitude, km
   vec3 up;
@@ -16,7 +16,7 @@ SpherePlace sphere_place(PlanetData planet, real camera_altitude, vec3 point) {
   return place;
 }
 
-// The sky's on a surface with this normal.
+// The sky's irradiance on a surface with this normal.
 vec3 sky_irradiance(MomentTableData table, SpherePlace place, vec3 normal, vec3 sun) {
   real mu = clamp(dot(normal, place.up), -1.0, 1.0);
   real mu_sun = dot(sun, place.up);
@@ -27,7 +27,8 @@ vec3 sky_irradiance(MomentTableData table, SpherePlace place, vec3 normal, vec3 
   return moment_irradiance(table, place.h, mu_sun, mu, cos_azimuth);
 }
 
-// Mean of the irradiance over all normals: a quarter of what comes from all around, half of one hemisphere's even light.
+// Mean of the irradiance over all normals: a quarter of the light from all around, half of a hemisphere's if that is
+// even.
 vec3 mean_sky_irradiance(MomentTableData table, SpherePlace place, vec3 sun) {
   MomentCoordinate c = moment_coordinate(table, place.h, dot(sun, place.up));
   if (shell_rows() > 0u) {
@@ -36,9 +37,9 @@ vec3 mean_sky_irradiance(MomentTableData table, SpherePlace place, vec3 sun) {
   return exp(fetch_moment(0u, c.x, c.y)) * (kPi * 0.28209479177387814);
 }
 
-// Radiance of a sphere that is no mirror toward where `direction` comes from; `past`: share of the sun that other
-// spheres leave. A translucent one is 0.7 of its term by thickness, lit by the mean over all normals, over 0.3 of the
-// matte one.
+// Radiance of a sphere, not a mirror, seen along `direction`; `past`: share of the sun that other spheres leave. A
+// translucent sphere is 0.3 of the matte one plus 0.7 of its term by thickness, which is lit by the mean over all
+// normals.
 vec3 sphere_radiance(PlanetData planet, MomentTableData table, SphereData s, SpherePlace place, vec3 normal,
                      vec3 direction, vec3 sun, real past) {
   vec3 direct = sun_through_air(planet, place.h, dot(sun, place.up)) * past;
@@ -51,8 +52,8 @@ vec3 sphere_radiance(PlanetData planet, MomentTableData table, SphereData s, Sph
   return s.albedo * irradiance / kPi;
 }
 
-// Radiance of the disc's middle, W/(m2 sr), in a mirror whose ray stands for a cone that spreads by `spread`: the
-// disc's light over as much of the sky as disc and cone take together, a paraboloid that integrates to it.
+// Radiance of the disc, W/(m2 sr), in a mirror whose ray stands for a cone that spreads by `spread`. The disc's light
+// is spread over the sky that disc and cone take together, as a paraboloid with the disc's integral.
 vec3 mirrored_disc(SunData sun, vec3 direction, real spread) {
   real square = sun.angular_radius * sun.angular_radius;
   real wide = square + 2.25 * spread * spread;

@@ -1,4 +1,4 @@
-// Spheres before the sky: where rays meet them, and their shadow. Places are from the camera, km, in its frame.
+// Spheres before the sky: where rays meet them, and their shadow. Positions are from the camera, km, in its frame.
 // The includer defines:
 //   uint sphere_count();
 //   SphereData sphere(uint i);
@@ -9,7 +9,7 @@ struct SphereHit {
   real distance_;  // km
 };
 
-// Distance along a ray to where it enters the sphere; negative where it does not.
+// Distance along a ray to where it enters the sphere; negative where it misses it.
 real distance_to_sphere(SphereData s, vec3 origin, vec3 direction) {
   vec3 to = s.centre - origin;
   real along = dot(to, direction);
@@ -18,7 +18,7 @@ real distance_to_sphere(SphereData s, vec3 origin, vec3 direction) {
   return inside > 0.0 ? along - sqrt(max(inside, 0.0)) : -1.0;
 }
 
-// The nearest but `skip`, which the ray leaves.
+// The nearest sphere but `skip`, which the ray leaves.
 SphereHit nearest_sphere(vec3 origin, vec3 direction, uint skip) {
   SphereHit nearest;
   nearest.hit = false;
@@ -34,8 +34,8 @@ SphereHit nearest_sphere(vec3 origin, vec3 direction, uint skip) {
   return nearest;
 }
 
-// Share of the sun's disc that the sphere leaves at a point: 1 where the two do not overlap, what a whole overlap leaves
-// where one lies in the other, and between them as the part of a limb-darkened disc that a straight edge has passed.
+// Share of the sun's disc that the sphere leaves at a point: 1 where the two do not overlap; where one lies within the
+// other, what a whole overlap leaves. In between it follows a limb-darkened disc behind a moving straight edge.
 real sun_past_sphere(SphereData s, vec3 point, vec3 sun, real sun_radius) {
   vec3 to = s.centre - point;
   real along = dot(to, sun);
@@ -51,7 +51,7 @@ real sun_past_sphere(SphereData s, vec3 point, vec3 sun, real sun_radius) {
   return 1.0 - whole * (1.0 - x * x * (3.0 - 2.0 * x));
 }
 
-// Past all of them but `skip`, the one that the point lies on.
+// Share that all spheres leave but `skip`, on which the point lies.
 real sun_past_spheres(vec3 point, vec3 sun, real sun_radius, uint skip) {
   real share = 1.0;
   for (uint i = 0u; i < sphere_count(); i++) {
@@ -60,8 +60,8 @@ real sun_past_spheres(vec3 point, vec3 sun, real sun_radius, uint skip) {
   return share;
 }
 
-// The part of a ray in the sphere's shadow, a cylinder of its width: there the share of the sun is about a half at the
-// rim, and what the penumbra adds outside it takes away inside. Empty where from > to.
+// The part of a ray in the sphere's shadow, taken as a cylinder of the sphere's width. At its rim the share of the sun
+// is about a half: what the penumbra takes away inside it adds outside. Empty where from > to.
 struct ShadowSpan {
   real from;
   real to;
@@ -85,14 +85,14 @@ ShadowSpan shadow_of_sphere(SphereData s, vec3 origin, vec3 direction, vec3 sun)
     real behind = abs(nu) > 1e-9 ? -start_along / nu : (start_along < 0.0 ? 1e30 : -1e30);
     span.from = (-b - root) / a;
     span.to = (root - b) / a;
-    // Behind the middle, as seen from the sun.
+    // The shadow begins behind the sphere's middle, as seen from the sun.
     span.from = nu < -1e-9 ? max(span.from, behind) : span.from;
     span.to = nu < -1e-9 ? span.to : min(span.to, behind);
   }
   return span;
 }
 
-// Share of the sun over a step of a ray, its middle at t; of a point where the step has no width.
+// Share of the sun over a step of a ray with its middle at t; at that point where the step has no width.
 real spheres_sunlit(vec3 origin, vec3 direction, vec3 sun, real sun_radius, real t, real width) {
   if (width <= 0.0) {
     return sun_past_spheres(origin + direction * t, sun, sun_radius, kNoSphere);
@@ -106,7 +106,7 @@ real spheres_sunlit(vec3 origin, vec3 direction, vec3 sun, real sun_radius, real
   return share;
 }
 
-// The part inside the air of a ray from any place, whose vertical is its own.
+// The part inside the air of a ray from any place, relative to that place's own vertical.
 Ray ray_from(PlanetData planet, real camera_altitude, vec3 origin, vec3 direction, vec3 sun) {
   real r = planet.ground_radius + camera_altitude;
   real rise = 2.0 * r * origin.y + dot(origin, origin);
@@ -116,12 +116,12 @@ Ray ray_from(PlanetData planet, real camera_altitude, vec3 origin, vec3 directio
   return ray_in_atmosphere(planet, h, dot(direction, up), dot(sun, up), dot(direction, sun));
 }
 
-// Share of a white matte sphere's light that a term by thickness adds: the view ray refracted at index 1.5, the signed
-// distance to the surface summed at 0.1, 0.3, ... below 2.5 radii along it, thickness = max(0, -sum),
-// s = strength (2.5/2)^3 / thickness, smoothstep(0, 2, s^0.6). A published form of the demo scene, whose strength is 16;
-// its light has no source of its own. `cosine`: between the normal and the way back to the camera, 0 to 1.
-// On a sphere the points need no coordinates: from the surface along the refracted ray, |p + t d|^2 = 1 - 2 t c + t^2
-// with c the cosine inside.
+// Thickness term of a white matte sphere's light: the view ray refracted at index 1.5, the signed distance to the
+// surface summed at 0.1, 0.3, ... below 2.5 radii along it, thickness = max(0, -sum), s = strength (2.5/2)^3 /
+// thickness, smoothstep(0, 2, s^0.6). It is a published form of the demo scene, whose strength is 16; its light has no
+// source of its own. `cosine`: between the normal and the way back to the camera, 0 to 1.
+// A sphere needs no coordinates of the points: along the refracted ray |p + t d|^2 = 1 - 2 t c + t^2, c the cosine
+// inside.
 real subsurface_thickness(real cosine) {
   const real kIndex = 1.5;
   const uint kPoints = 12u;
@@ -134,7 +134,7 @@ real subsurface_thickness(real cosine) {
   return max(-sum, 0.0);
 }
 
-// Without thickness, where s has no end, it is 1.
+// Share at this thickness; 1 without thickness, where s is infinite.
 real subsurface_share(real thickness, real strength) {
   const real kReach = 2.5;
   real s = strength * (0.5 * kReach) * (0.5 * kReach) * (0.5 * kReach) / max(thickness, 1e-6);

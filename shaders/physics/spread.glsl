@@ -7,5 +7,5 @@ const uint kSpreadY = 2447445414u;
 // The threshold of the pixel in column x, row y, as a 32-bit fraction.
 uint spread_bits(uint x, uint y) { return x * kSpreadX + y * kSpreadY; }
 
-// The same from 0 to 1, neither of them reached.
+// The threshold of that pixel between 0 and 1, both excluded.
 real spread_place(uint x, uint y) { return (real(spread_bits(x, y) >> 8u) + 0.5) / 16777216.0; }

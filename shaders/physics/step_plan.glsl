@@ -1,7 +1,7 @@
 // Steps split where a ray's light has a kink: at the planet's shadow and at the lowest point.
 
-// Steps uniform in s = +-sqrt(distance from the lowest point), apart on up to three intervals that no shadow's edge and
-// no lowest point lies inside; fewer than three steps are not apart.
+// Steps uniform in s = +-sqrt(distance from the lowest point). Up to three intervals have steps of their own, so that
+// no shadow's edge and no lowest point lies inside a step. Fewer than three steps are not split.
 struct StepPlan {
   real lowest;  // distance of the ray's lowest point
   real s0;      // ends of the intervals
@@ -23,7 +23,7 @@ StepPlan plan_steps(PlanetData planet, Ray ray, uint n) {
   plan.lowest = clamp(-(planet.ground_radius + ray.h) * ray.mu, 0.0, ray.length_);
   real first = shadow.first;
   real second = shadow.second;
-  // A lowest point inside takes the place of a crossing that is not there.
+  // A lowest point on the ray takes the place of a crossing that does not exist.
   if (second >= ray.length_ && plan.lowest > 0.0 && plan.lowest < ray.length_) {
     second = max(first, plan.lowest);
     first = min(first, plan.lowest);
@@ -36,7 +36,7 @@ StepPlan plan_steps(PlanetData planet, Ray ray, uint n) {
   plan.s1 = path_coordinate(plan.lowest, first);
   plan.s2 = path_coordinate(plan.lowest, second);
   plan.s3 = path_coordinate(plan.lowest, ray.length_);
-  // An interval that is there gets a step at least.
+  // An interval that is not empty gets at least one step.
   uint in_second = plan.s2 > plan.s1 ? 1u : 0u;
   uint in_third = plan.s3 > plan.s2 ? 1u : 0u;
   real scale = real(n) / max(plan.s3 - plan.s0, 1e-12);

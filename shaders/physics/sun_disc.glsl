@@ -1,7 +1,7 @@
 // The sun's disc in a pixel: limb-darkened, seen through the air, each sample hidden by the planet on its own.
-// Declared before: scene, transmittance_to_top(), bool disc_is_hidden(vec3 direction) by more than the planet.
+// The includer defines before it: scene, transmittance_to_top(), bool disc_is_hidden(vec3 direction) (planet apart).
 
-// At the camera, in this direction.
+// Radiance of the disc at the camera, in this direction.
 vec3 disc_radiance(vec3 direction) {
   real profile = disc_profile(scene.sun, length(direction - scene.sun.direction));
   Ray ray = ray_in_atmosphere(scene.planet, scene.camera.altitude, direction.y, scene.sun.direction.y, 1.0);
@@ -9,7 +9,7 @@ vec3 disc_radiance(vec3 direction) {
   return ray.at_ground || disc_is_hidden(direction) ? vec3(0.0) : scene.sun.disc_radiance * through * profile;
 }
 
-// Solid angle of the pixel around this point, by two points a side: exact where the density is a cubic.
+// Solid angle of the pixel around this point, by two points a side: exact for a cubic density.
 real pixel_solid_angle(uint projection, real x, real y) {
   const real offset = 0.28867513;
   real sum = 0.0;
@@ -21,8 +21,8 @@ real pixel_solid_angle(uint projection, real x, real y) {
   return 0.25 * sum;
 }
 
-// Where the disc is looked for: its bounding box in pixels, which may reach beyond a round picture's seam, and the
-// samples of a pixel, across and down.
+// The disc's bounding box in pixels, which may reach beyond a round picture's seam, and the number of samples in a
+// pixel, across and down.
 struct DiscBox {
   vec2 low;
   vec2 high;
@@ -35,7 +35,7 @@ struct DiscBox {
 vec3 disc_in_pixel(uint projection, real x, real y, DiscBox box) {
   bool inside = view_ray(scene.camera, projection, x, y).inside;
   if (projection == kProjectionEquirectangular) {
-    // As near to the disc as going round allows.
+    // The column as near to the disc as whole turns allow.
     real around = real(scene.camera.width);
     x += floor((0.5 * (box.low.x + box.high.x) - x) / around + 0.5) * around;
   }
@@ -43,7 +43,7 @@ vec3 disc_in_pixel(uint projection, real x, real y, DiscBox box) {
   real top = max(y - 0.5, box.low.y);
   real width = min(x + 0.5, box.high.x) - left;
   real height = min(y + 0.5, box.high.y) - top;
-  // Written as a loop that runs no turn: a branch not taken still runs, masked, on a software device.
+  // The loop may run no turn, in place of a branch: a branch not taken still runs, masked, on a software device.
   uint turns = width > 0.0 && height > 0.0 && inside ? box.across * box.down : 0u;
   vec3 sum = vec3(0.0);
   for (uint i = 0u; i < turns; i++) {

@@ -1,6 +1,6 @@
 // Light that reaches a surface in the air, by the tables of `orders`.
 
-// Irradiance of a surface of any slope by the light that the table of moments holds: a cosine spreads the harmonics of
+// Irradiance of a surface of any slope by the light that the table of moments holds. A cosine spreads the harmonics of
 // degree l by pi, 2 pi/3, pi/4, 0, -pi/24, 0, pi/64, 0, -pi/128 (Ramamoorthi and Hanrahan, An Efficient Representation
 // for Irradiance Environment Maps, SIGGRAPH 2001). mu: zenith cosine of the normal; azimuth from the sun's.
 vec3 moment_irradiance(MomentTableData table, real h, real mu_sun, real mu, real cos_azimuth) {
@@ -24,7 +24,7 @@ vec3 moment_irradiance(MomentTableData table, real h, real mu_sun, real mu, real
   return moment_source_of(exp(fetch_moment(0u, c.x, c.y)), c, cosine, mu, cos_azimuth);
 }
 
-// Toward the sun from altitude h, zero in the planet's shadow.
+// Transmittance toward the sun from altitude h, zero in the planet's shadow.
 vec3 sun_through_air(PlanetData planet, real h, real mu_sun) {
   if (shell_rows() > 0u) {
     real lit = meets_ground(planet, h, mu_sun) ? 0.0 : 1.0;

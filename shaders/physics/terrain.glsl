@@ -1,18 +1,18 @@
 // Terrain on the sphere: where a ray meets it, and where its shadow stands in the air.
-// A ray from the camera keeps its heading, so that it is traced in the plane of heading and vertical: altitude over the
+// A ray from the camera keeps its heading and is traced in the plane of heading and vertical: altitude over the
 // distance along the ground, in closed form with the planet's curvature.
 // The includer defines:
 //   TerrainData terrain_shape();
 //   real terrain_height(uint k);       km, row by row, then the maxima of each level
-//   uint terrain_level(uint level);    where those of a level begin
-//   vec2 terrain_shadow(uint k);       altitudes below which the sun is wholly hidden, and above which it is whole
+//   uint terrain_level(uint level);    index of the level's first maximum
+//   vec2 terrain_shadow(uint k);       altitude up to which the sun is wholly hidden, and from which on it is whole
 //   vec3 terrain_colour(uint k);       albedo
 
 // A ray of the camera along the ground.
 struct GroundTrack {
   real h;      // altitude of its start
   real mu;     // zenith cosine there
-  real sigma;  // and sine, held above zero
+  real sigma;  // its sine, held above zero
   real east;   // heading
   real north;
 };
@@ -28,7 +28,7 @@ GroundTrack ground_track(real h, vec3 direction) {
   return track;
 }
 
-// Altitude at distance s along the ground, by half the angle at the planet's centre: no difference of radii in it.
+// Altitude at distance s along the ground, from half the angle at the planet's centre, without a difference of radii.
 real track_altitude(PlanetData planet, GroundTrack track, real s) {
   real half_angle = 0.5 * s / planet.ground_radius;
   real a = sin(half_angle);
@@ -38,20 +38,20 @@ real track_altitude(PlanetData planet, GroundTrack track, real s) {
          2.0 * (planet.ground_radius + track.h) * a * (track.mu * c + track.sigma * a) / max(ahead, 1e-7);
 }
 
-// Distance from the camera there.
+// Distance from the camera to the track's point at distance s along the ground.
 real track_distance(PlanetData planet, GroundTrack track, real s) {
   real angle = s / planet.ground_radius;
   real ahead = track.sigma * cos(angle) - track.mu * sin(angle);
   return (planet.ground_radius + track.h) * sin(angle) / max(ahead, 1e-7);
 }
 
-// The inverse: distance along the ground of the ray's point at t, for a ray from altitude h along mu.
+// track_distance()'s inverse: distance along the ground to the point at t of a ray from altitude h along mu.
 real ground_distance(PlanetData planet, real h, real mu, real t) {
   real sigma = sqrt(max(1.0 - mu * mu, 0.0));
   return planet.ground_radius * atan(t * sigma, planet.ground_radius + h + t * mu);
 }
 
-// Places in the map, in columns and rows.
+// A place in the map, in columns and rows.
 real map_column(TerrainData t, real east, real north) {
   real x = (east - t.centre_east) * t.across_east + (north - t.centre_north) * t.across_north;
   return x / t.texel + 0.5 * real(t.columns - 1u);
@@ -62,7 +62,7 @@ real map_row(TerrainData t, real east, real north) {
   return 0.5 * real(t.rows - 1u) - y / t.texel;
 }
 
-// Bilinear between heights; at the map's edge where it is outside.
+// Bilinear between heights; outside the map the height at its edge.
 real map_height(TerrainData t, real column, real row) {
   real x = clamp(column, 0.0, real(t.columns - 1u));
   real y = clamp(row, 0.0, real(t.rows - 1u));
@@ -108,7 +108,7 @@ real clearance(PlanetData planet, TerrainData t, GroundTrack track, real s) {
   return track_altitude(planet, track, s) - map_height(t, map_column(t, east, north), map_row(t, east, north));
 }
 
-// Between a, where the ray is above the terrain, and b, where it is below it.
+// The meeting between a, where the ray is above the terrain, and b, where it is below it.
 real meeting(PlanetData planet, TerrainData t, GroundTrack track, real a, real b) {
   for (uint i = 0u; i < 14u; i++) {
     real middle = 0.5 * (a + b);
@@ -119,7 +119,7 @@ real meeting(PlanetData planet, TerrainData t, GroundTrack track, real a, real b
   return b;
 }
 
-// End of the cell of 2^level heights that the line is in just behind s.
+// End of the cell of 2^level heights in which the line is at `ahead`, just behind s.
 real cell_end(real ahead, real p, real d, real size) {
   if (abs(d) < 1e-12) {
     return 1e30;
@@ -128,8 +128,8 @@ real cell_end(real ahead, real p, real d, real size) {
   return ((d > 0.0 ? cell + 1.0 : cell) * size - p) / d;
 }
 
-// The first meeting with the terrain, found through maxima over cells of 2, 4, 8 ... heights: a cell whose highest
-// point lies below the ray is passed as a whole.
+// The first meeting with the terrain, found through maxima over cells of 2, 4, 8 ... heights: the ray skips a cell
+// whose highest point lies below it.
 TerrainHit terrain_hit(PlanetData planet, GroundTrack track) {
   TerrainData t = terrain_shape();
   TerrainHit result;
@@ -192,8 +192,8 @@ TerrainHit terrain_hit(PlanetData planet, GroundTrack track) {
   return result;
 }
 
-// Share of the sun's disc that the terrain leaves at a place and altitude: between the shadow of the disc's upper and
-// lower limb it rises as the part of a limb-darkened disc that a straight edge has passed.
+// Share of the sun's disc that the terrain leaves at a place and altitude. Between the shadows of the disc's upper and
+// lower limb it rises as a limb-darkened disc does behind a moving straight edge.
 real terrain_sunlit(TerrainData t, real east, real north, real h) {
   real along = (east * t.sunward_east + north * t.sunward_north - t.shadow_along) / t.shadow_texel;
   real aside = (east * t.sunward_north - north * t.sunward_east - t.shadow_aside) / t.shadow_texel;
@@ -216,8 +216,8 @@ real terrain_sunlit(TerrainData t, real east, real north, real h) {
   return x * x * (3.0 - 2.0 * x);
 }
 
-// Its mean over a step of a ray from the camera, `start` along the ground and with the track's heading: by the middles
-// of equal parts, as the edge of a shadow may cross the step anywhere.
+// Mean of terrain_sunlit() over a step of a ray from the camera, `start` along the ground and with the track's heading.
+// It samples the middles of equal parts, as the edge of a shadow may cross the step anywhere.
 real step_sunlit(PlanetData planet, GroundTrack track, real start, Ray ray, real t, real width) {
   TerrainData shape = terrain_shape();
   const uint kParts = 8u;

@@ -1,4 +1,4 @@
-// Light that terrain sends to the camera: Lambertian, lit by the sun past other terrain and by the sky.
+// Light that terrain sends to the camera. It is Lambertian, lit by the sun past other terrain and by the sky.
 
 // Slopes of the terrain along the map's columns and rows over `reach` columns.
 struct MapSlope {
@@ -31,8 +31,8 @@ vec3 map_albedo(TerrainData t, real column, real row) {
   return upper * (1.0 - v) + lower * v;
 }
 
-// Radiance that leaves the terrain at `ground` along the track, for a sun of irradiance 1. `footprint`: width of the
-// pixel there, km, over which the slope is taken.
+// Radiance that leaves the terrain at distance `ground` along the track, for a sun of irradiance 1. The slope is taken
+// over `footprint`, the pixel's width there, km.
 vec3 terrain_radiance(PlanetData planet, MomentTableData table, vec3 sun, GroundTrack track, real ground,
                       real footprint) {
   TerrainData t = terrain_shape();

@@ -1,6 +1,7 @@
 // Optical depth to the top of the atmosphere by quadrature: what the transmittance table holds.
 
-// Along mu from altitude h, never clipped by the ground, `steps` midpoints (dense toward the lowest point).
+// Optical depth along mu from altitude h, not clipped by the ground, by `steps` midpoints, dense toward the lowest
+// point.
 vec3 optical_depth_to_top(PlanetData planet, real h, real mu, uint steps) {
   Ray ray;
   ray.h = h;

@@ -1,6 +1,6 @@
-// A texel of the bloom's grid: its sum so far, and what the picture's rows from `first_row` to before `end_row` add to
-// it. The includer declares `picture`, those rows. A sum that goes on from band to band is that of the whole picture to
-// the last bit: its terms come in the same order, and none is fused with another.
+// The sum of a texel of the bloom's grid, with what the picture's rows from `first_row` to before `end_row` add to it.
+// The includer declares `picture`, those rows. A sum over bands equals the sum over the whole picture to the last bit:
+// its terms come in the same order, and none is fused with another.
 vec3 grid_sum(vec3 so_far, uvec2 texel, vec2 scale, uint width, uint first_row, uint end_row) {
   vec2 low = vec2(texel) * scale;
   vec2 high = low + scale;

@@ -1,7 +1,7 @@
-// Statistics of a row, texel by texel: counts what is not finite or negative, and sums what the exposure's meter needs. A
-// texel weighs as the root of its luminance does: what is black weighs nothing, a ground 600 times darker than the sky
-// next to nothing, and the mean is as bright for a picture k times as bright.
-// Declared before: RowStatistics, luminance_bt709(), bool is_finite(real).
+// Statistics of a row, texel by texel: counts of bad values, and the sums for the exposure's meter. A texel weighs as
+// the root of its luminance: black weighs nothing, ground 600 times darker than the sky next to nothing. In a picture k
+// times as bright the mean is k times as bright.
+// The includer declares before it: RowStatistics, luminance_bt709(), bool is_finite(real).
 
 RowStatistics empty_statistics(uint width) {
   RowStatistics s;
@@ -15,7 +15,7 @@ RowStatistics empty_statistics(uint width) {
   return s;
 }
 
-// With the texel at column x. Alpha 0 leaves it out of the meter; what exceeds `brightest` counts as being so bright;
+// Adds the texel at column x. Alpha 0 leaves it out of the meter; a luminance above `brightest` counts as `brightest`;
 // signed colours may have negative channels, but no negative luminance.
 RowStatistics with_texel(RowStatistics s, vec3 value, real alpha, uint x, real brightest, bool signed_colours) {
   bool finite = is_finite(value.x) && is_finite(value.y) && is_finite(value.z);
@@ -34,7 +34,7 @@ RowStatistics with_texel(RowStatistics s, vec3 value, real alpha, uint x, real b
   return s;
 }
 
-// Of the texels of both.
+// Sum of two rows' statistics, or of two parts of a row.
 RowStatistics sum_of(RowStatistics a, RowStatistics b) {
   a.weight += b.weight;
   a.log_luminance_sum += b.log_luminance_sum;

@@ -1,15 +1,16 @@
-// Shape of the aerial volume: columns and rows of the picture's table of factors, blocks side by side as there, slices
-// along each ray.
+// Shape of the aerial volume: columns, rows and blocks of the picture's table of factors, and slices along each ray.
 
 layout(constant_id = 28) const uint kSlices = 16u;
-// The mean extinction is alike all around and hence cheap: its slices stand closer, so that transmittance falls evenly.
+// The mean extinction does not depend on azimuth and is cheap: its slices are denser, so that transmittance falls
+// The mean extinction is the same for all azimuths and cheap: its slices are closer, so that transmittance falls
+// evenly.
 const uint kExtinctionSlices = 4u * kSlices;
 
-// In the shared block all air stands before the ground.
+// The carrier of the shared block, in which all air stands before the ground.
 float volume_carrier(float nu) { return shared_carrier(kSectionSky, nu); }
 
-// Mean sources, for a sun of irradiance 1, as roots in halves: from 1e-15 to 1000 they are good to a thousandth, and below
-// fade to 0.
+// The volume holds the root of the mean source, for a sun of irradiance 1, in halves. Sources from 1e-15 to 1000 are
+// good to a thousandth; smaller ones fade to 0.
 const float kVolumeUnit = 2048.0;
 
 vec3 volume_code(vec3 source) { return sqrt(source) * kVolumeUnit; }

@@ -1,4 +1,4 @@
-// What every pass that computes light includes: the scene block, the specialisation constants, the physics in float.
+// Included by every pass that computes light: the scene block, the specialisation constants, the physics in float.
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_EXT_control_flow_attributes : require
 #define UNROLL [[unroll]]  // before a loop: spirv-opt writes its turns out (shaders.cmake)
@@ -19,13 +19,13 @@ uint medium_count() { return kMediumCount; }
 uint density_profile(uint i) { return (kDensityProfiles >> (kBitsPerMedium * i)) & 15u; }
 uint phase_of(uint i) { return (kPhaseFunctions >> (kBitsPerMedium * i)) & kPhaseCodes; }
 bool phase_is_sharp(uint i) { return ((kPhaseFunctions >> (kBitsPerMedium * i)) & kPhaseSharp) != 0u; }
-// Taken out of the block once, at the start of main: loaded again at each step they were a quarter of a march's time on
-// the software device.
+// The media are copied out of the block once, at the start of main. Loading them at each step cost a quarter of a
+// march's time on the software device.
 MediumData loaded_media[kMaxMedia] = scene.media;
 MediumData medium(uint i) { return loaded_media[i]; }
 vec2 density_layer(uint k) { return scene.layers[k]; }
 uint most_layers() { return kMostLayers; }
-// Behind the block in the plan's scene data; all zeros where no medium has a table.
+// The tables stand behind the block in the plan's scene data; all zeros where no medium has a table.
 layout(scalar, set = 0, binding = 15) readonly buffer SceneTables { vec4 values[]; } scene_tables;
 vec3 phase_sample(uint k) { return scene_tables.values[k].xyz; }
 bool sun_fade_enabled() { return kSunFade != 0u; }

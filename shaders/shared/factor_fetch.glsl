@@ -15,7 +15,7 @@ vec3 fetch_factor(uint block, FactorPlace at) {
   return textureLod(factors_lut, vec2(u, at.v), 0.0).rgb;
 }
 
-// Fetches light that is, or would be, in the shared block.
+// Fetches light that is in the shared block, or in a block apart with the shared block's carrier.
 vec3 fetch_shared(uint block, FactorPlace at) {
   return fetch_factor(block, at) * shared_carrier(at.section, at.nu);
 }

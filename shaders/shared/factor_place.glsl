@@ -1,6 +1,6 @@
-// Where a direction falls in the picture's table of factors.
+// Place of a direction in the picture's table of factors.
 
-// In each block.
+// The place is the same in each block.
 struct FactorPlace {
   float x;
   float v;
@@ -10,7 +10,7 @@ struct FactorPlace {
 
 FactorPlace factor_place(vec3 d) {
   vec3 s = scene.sun.direction;
-  // The tiny term keeps the zenith, of the view or of the sun, away from a division by 0.
+  // The tiny term prevents a division by 0 where the view or the sun is at the zenith.
   float across = sqrt((d.x * d.x + d.z * d.z) * (s.x * s.x + s.z * s.z));
   float cos_azimuth = (d.x * s.x + d.z * s.z) / max(across, 1e-20);
   SkyTableCoordinate c;

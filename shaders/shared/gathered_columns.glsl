@@ -1,5 +1,5 @@
-// The columns of the table of moments, one a sun, that an order is gathered at: `count` of them, spread evenly, both
-// ends among them.
+// The columns of the table of moments, one per sun elevation, at which an order is gathered: `count` columns, spread
+// evenly, both ends included.
 
 uint gathered_column(uint count, uint i) { return (i * (kMomentColumns - 1u) + (count - 1u) / 2u) / (count - 1u); }
 
@@ -9,7 +9,7 @@ struct GatheredColumns {
   float part;  // 0 at low, 1 at high
 };
 
-// The two gathered ones that stand next to a column.
+// The two gathered columns on either side of a column.
 GatheredColumns gathered_around(uint count, uint column) {
   uint i = min(column * (count - 1u) / (kMomentColumns - 1u), count - 2u);
   i = i > 0u && gathered_column(count, i) > column ? i - 1u : i;

@@ -13,7 +13,7 @@ layout(scalar, set = 0, binding = 7) uniform SceneBlock { SceneData scene; };
 #include "physics/camera.glsl"
 #include "shared/picture_ray.glsl"
 
-// The sum first, then the points.
+// Point 0 is the sum of the points that follow.
 layout(scalar, set = 0, binding = 8) readonly buffer Sources { GlarePoint values[]; } sources;
 
 GlarePoint glare_point(uint i) { return sources.values[i]; }

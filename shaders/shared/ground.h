@@ -4,8 +4,8 @@
 const uint kGroundLevels = 14u;
 const uint kGlintShares = 33u;
 
-// A map is a picture over the planet, rows from the north pole, twice as many columns from longitude -180 eastward,
-// and means of it: each level has half the rows of the one before it.
+// A map is a picture over the planet, rows from the north pole, twice as many columns as rows, from longitude -180
+// eastward. Its levels are means of it: each has half the rows of the one before.
 struct GroundShape {
   vec3 pole;       // the planet's axes in the camera's frame: north pole,
   vec3 greenwich;  // longitude 0 on the equator,
@@ -19,7 +19,7 @@ struct GroundShape {
 
 struct GroundData {
   GroundShape shape;
-  uint albedo_first[kGroundLevels];  // where a level begins
+  uint albedo_first[kGroundLevels];  // index of each level's first texel
   uint water_first[kGroundLevels];
-  real glint_share[kGlintShares];  // of the sun's light, mirrored by waves, over the root of the sun's zenith cosine
+  real glint_share[kGlintShares];  // share of the sun's light that waves mirror, by the root of its zenith cosine
 };

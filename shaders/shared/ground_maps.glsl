@@ -5,7 +5,7 @@ layout(scalar, set = 0, binding = 10) readonly buffer GroundHead { GroundData he
 layout(scalar, set = 0, binding = 11) readonly buffer GroundAlbedo { uint values[]; } ground_albedo;
 layout(scalar, set = 0, binding = 12) readonly buffer GroundWater { uint values[]; } ground_water;
 
-// Taken out of the buffer once, as the media are.
+// Copied out of the buffer once, like the media.
 GroundShape loaded_ground = ground_head.head.shape;
 GroundShape ground_shape() { return loaded_ground; }
 uint ground_albedo_first(uint level) { return ground_head.head.albedo_first[level]; }
@@ -19,7 +19,7 @@ vec3 ground_albedo_texel(uint k) {
   return root * root;
 }
 
-// Four texels a word.
+// Four texels in each word.
 float ground_water_texel(uint k) {
   return float((ground_water.values[k >> 2u] >> (8u * (k & 3u))) & 255u) / 255.0;
 }

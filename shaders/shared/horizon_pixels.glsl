@@ -1,10 +1,10 @@
-// The rays whose mean is a pixel of the tile at hand: one, but at the planet's edge.
+// The rays whose mean is a pixel of the tile at hand: one ray, several at the planet's edge.
 #include "physics/horizon.glsl"
 
 vec2 pixel_centre(uvec2 pixel) { return vec2(pixel.x + scene.tile.x, pixel.y + scene.tile.y) + 0.5; }
 
-// Where a pixel is little work, those at the edge are a pass of their own over a list of them: code that is not run still
-// takes its time on a software device, masked, and made a pass of one fetch twice as long.
+// Where a pixel is little work, the pixels at the edge are a pass of their own over a list. Code that is not run still
+// takes its time on a software device, masked: it made a pass of one fetch twice as long.
 const uint kEdgesLeftOut = 0u;
 const uint kEdgesFound = 1u;
 const uint kEdgesListed = 2u;  // in `directions`: x and y of a pixel of the tile

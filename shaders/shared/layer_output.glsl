@@ -1,5 +1,5 @@
-// Where the layers of a picture go: planes of floats, three a layer, over the pixels of the tile at hand. First the
-// single scattering of each medium that scatters, then multiple scattering, the ground, the transmittance.
+// Layout of a picture's layers: planes of floats, three per layer, over the pixels of the tile at hand. The order is
+// single scattering of each medium that scatters, multiple scattering, the ground, the transmittance.
 #include "shared/scattering_media.glsl"
 #include "shared/picture_ray.glsl"
 #include "shared/horizon_pixels.glsl"

@@ -1,5 +1,5 @@
-// Which rays a march of the picture takes, at what place of their steps, and where the light goes: every pixel; or at
-// half resolution the corners of pixels two apart, and then every pixel from the four corners around it.
+// The rays that a march of the picture takes, the place in their steps, and where the light goes. A march takes every
+// pixel. At half resolution it takes the corners of pixels two apart, then every pixel from the four corners around it.
 #include "shared/sky_output.glsl"
 #include "shared/horizon_pixels.glsl"
 #include "physics/spread.glsl"
@@ -7,13 +7,13 @@
 layout(constant_id = 23) const uint kJitter = kJitterNone;
 layout(constant_id = 24) const uint kPart = 0u;  // kPartWhole, ...
 
-// Radiance, and 1 where the ray ends on the ground.
+// rgb: radiance; a: 1 where the ray ends on the ground.
 layout(scalar, set = 0, binding = 11) readonly buffer HalfRadiance { vec4 values[]; } half_radiance;
 
-// The pixel of the whole picture that a pixel of the tile at hand is.
+// A pixel of the tile at hand as a pixel of the whole picture.
 uvec2 whole_pixel(uvec2 pixel) { return pixel + uvec2(scene.tile.x, scene.tile.y); }
 
-// Pairs of pixels are those of the whole picture, whatever tile is at hand: its corners start at a pair's.
+// Pairs of pixels are those of the whole picture in every tile: a tile's corners start at those of a pair.
 ViewRay marched_ray(uvec2 pixel) {
   if (kPart == kPartHalf) {
     return view_ray(scene.camera, kProjection, 2.0 * float(pixel.x + scene.tile.x / 2u),
@@ -22,7 +22,7 @@ ViewRay marched_ray(uvec2 pixel) {
   return pixel_ray(pixel);
 }
 
-// A corner is a point; its planet's edge is the pixels' around it.
+// A corner is a single ray; the pixels around it take the planet's edge into account.
 PixelRays marched_rays(uvec2 pixel, ViewRay view) {
   if (kPart == kPartHalf) {
     return one_ray(0.0);
@@ -44,8 +44,8 @@ struct Upsampled {
   bool holds;  // false: the pixel is to be marched
 };
 
-// How far from the sun, or from the point opposite to it, in distances between corners: a peak of a phase function may
-// stand between four corners that know nothing of it.
+// Distance from the sun, or from the point opposite to it, in distances between corners. A peak of a phase function may
+// stand between four corners that do not see it.
 float corners_from_peak(uvec2 pixel, vec3 direction) {
   uvec2 at = whole_pixel(pixel);
   vec3 next = view_ray(scene.camera, kProjection, float(at.x) + 0.5, float(at.y) + 2.5).direction;
@@ -53,9 +53,10 @@ float corners_from_peak(uvec2 pixel, vec3 direction) {
   return off / max(length(next - direction), 1e-12);
 }
 
-// Bilinear between the corners, of which a pixel's centre is a quarter and three quarters of their distance away. It
-// holds where all of them and the pixel agree on whether their rays end on the ground, no channel differs by more than
-// a quarter (of an exponential between such corners the middle of the chord is 0.6 % too bright), and no peak is near.
+// Bilinear between the corners; a pixel's centre is a quarter and three quarters of their distance away from them.
+// `holds` requires that the corners and the pixel agree on whether their rays end on the ground, that no channel
+// differs by more than a quarter (an exponential between such corners makes the chord's middle 0.6 % too bright), and
+// that no peak is near.
 Upsampled upsampled(uvec2 pixel, uint width, vec3 direction, bool at_ground) {
   Upsampled from;
   from.radiance = vec3(0.0);

@@ -1,4 +1,4 @@
-// Sunlight by a march to the sun, and no other light: what the passes of `nested` share.
+// Light for the passes of `nested`: sunlight by a march to the sun, and no other.
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = 5) const uint kGroundReflects = 0u;

@@ -6,7 +6,7 @@ const uint kMaxMedia = 8u;
 const uint kMaxDensityLayers = 256u;
 const uint kMaxShellRows = 64u;
 const uint kPhaseSamples = 1024u;   // of a phase function by table
-const uint kLegendreMoments = 10u;  // 0 to 9: what delta-scaling leaves out of degree 8 is the last
+const uint kLegendreMoments = 10u;  // 0 to 9: delta-scaling to degree 8 takes the last one as the peak
 
 struct PlanetData {
   real ground_radius;
@@ -23,7 +23,7 @@ struct MediumData {
   real below;  // the density is 1 up to there: where `constant` ends and a height fog begins to fall
   real g;
   vec3 depolarization;  // Chandrasekhar's gamma, of molecules
-  uint phase_table;     // which of the scene's tables, of a phase function by table
+  uint phase_table;     // index among the scene's tables, for a phase function by table
   uint first_layer;
   uint layer_count;
   vec3 legendre[kLegendreMoments];  // of the phase function: integral of p(nu) P_l(nu) over the sphere, from l = 0
@@ -39,7 +39,7 @@ struct SunData {
   real fade_bias;
 };
 
-// Axes of the table of radiance moments (physics/moments.glsl), from the planet and the air alone.
+// Axes of the table of radiance moments (physics/moments.glsl). They follow from the planet and the air alone.
 struct MomentTableData {
   real top;              // altitude of the highest row: hardly any scattering stands above
   real elevation_scale;  // sun elevation = elevation_scale sinh(v)
@@ -57,14 +57,14 @@ struct CameraData {
   uint width;
   uint height;
   uint cube_layout;
-  // Zenith cosines of pixels' centres between which the planet's edge may cross a pixel; it crosses none beyond them.
+  // The planet's edge may cross a pixel only if the zenith cosine of the pixel's centre lies between these two.
   real edge_low;
   real edge_high;
 };
 
 // The rectangle of the picture that a plan renders: all of it, or a tile.
 struct TileData {
-  uint x;  // of its upper left pixel
+  uint x;  // column of its upper left pixel
   uint y;
   uint width;
 };
@@ -77,7 +77,7 @@ struct SceneData {
   MomentTableData moments;
   MediumData media[kMaxMedia];
   vec2 layers[kMaxDensityLayers];  // altitude, density
-  uint shell_rows;                 // 0: this air is not gone through by shells (physics/shells.glsl)
+  uint shell_rows;                 // 0: this air is not cut into shells (physics/shells.glsl)
   real shell_altitudes[kMaxShellRows];
   TileData tile;
 };

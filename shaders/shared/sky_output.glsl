@@ -1,9 +1,9 @@
-// Where a sky pass gets its view rays and puts its radiance: the camera's pixels, or listed directions.
+// A sky pass's view rays and its output of radiance, for the camera's pixels or for listed directions.
 
 #include "shared/picture_ray.glsl"
 
 layout(scalar, set = 0, binding = 8) readonly buffer Directions { vec4 values[]; } directions;
-// Rows from the top; for listed directions radiance and transmittance in turn.
+// Rows from the top. For listed directions radiance and transmittance alternate.
 layout(scalar, set = 0, binding = 9) writeonly buffer Radiance { vec4 values[]; } radiance_out;
 
 ViewRay pixel_ray(uvec2 pixel) {

@@ -1,9 +1,9 @@
-// Rays of the picture, each through a pixel's centre up to a distance. Whole rows of the picture: a word a pixel, its
-// distance, infinite where nothing is. Else a list: two words a ray, its pixel (column in the lower half, row in the
-// upper) and its distance. One thread a ray.
+// Rays of the picture, each through a pixel's centre up to a distance, one thread per ray. Whole rows of the picture:
+// one word per pixel, its distance, infinite where nothing is. A list: two words per ray, its pixel (column in the
+// lower half, row in the upper) and its distance.
 // The includer defines:
-//   uint span_columns, span_count;  threads a row, of a list too, and in all
-//   uint first_row;                 of the picture, that whole rows begin with
+//   uint span_columns, span_count;  threads per row, also of a list; threads in all
+//   uint first_row;                 the picture's row that whole rows begin with
 
 layout(constant_id = 29) const uint kWholeRows = 0u;
 layout(std430, set = 0, binding = 8) readonly buffer Spans { uint words[]; } spans;

@@ -12,5 +12,5 @@ struct SphereData {
   real radius;  // km
   vec3 albedo;
   uint material;          // kSphereMatte, ...
-  real scatter_strength;  // of translucent
+  real scatter_strength;  // for a translucent sphere
 };

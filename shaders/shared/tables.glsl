@@ -1,6 +1,6 @@
 // The transmittance table as a sampler, and the physics that fetches it. Bindings 1 to 3 belong to the tables.
 
-// Sizes are constants, so that a map to texel centres is one multiplication and one addition.
+// Sizes are constants, so that the map to texel centres is one multiplication and one addition.
 layout(constant_id = 7) const uint kTransmittanceWidth = 256u;
 layout(constant_id = 8) const uint kTransmittanceHeight = 64u;
 layout(set = 0, binding = 1) uniform sampler2D transmittance_lut;

@@ -13,8 +13,8 @@ const uint kPhaseCornetteShanks = 2u;
 const uint kPhaseSchlick = 3u;
 const uint kPhaseIsotropic = 4u;
 const uint kPhaseTable = 5u;
-const uint kPhaseDepolarized = 6u;  // Rayleigh's, of molecules that are not round
-const uint kPhaseSharp = 8u;        // beside one of those above: a table stands in where light is gathered
+const uint kPhaseDepolarized = 6u;  // Rayleigh's with depolarisation, for molecules that are not round
+const uint kPhaseSharp = 8u;        // flag beside a code above: a table replaces the function where light is gathered
 
 const uint kProjectionPerspective = 0u;
 const uint kProjectionEquirectangular = 1u;
@@ -32,12 +32,12 @@ const uint kStepsUniform = 0u;
 const uint kStepsQuadratic = 1u;
 const uint kStepsGaussLegendre = 2u;
 
-// What a march of the picture is for.
+// Part of the picture that a march takes.
 const uint kPartWhole = 0u;
-const uint kPartHalf = 1u;       // every second pixel's corner each way
-const uint kPartUpsampled = 2u;  // all pixels from those
+const uint kPartHalf = 1u;       // the corners of every second pixel in both directions
+const uint kPartUpsampled = 2u;  // all pixels, from those corners
 
-// Where in a step of the march its light is taken.
+// Place in each step of a march where its light is taken.
 const uint kJitterNone = 0u;   // in the middle
 const uint kJitterFixed = 1u;  // at the same place of every step
 const uint kJitterBlueNoise = 2u;
@@ -49,7 +49,7 @@ const uint kToneExponential = 3u;
 const uint kToneClamp = 4u;
 const uint kToneNone = 5u;
 
-// Four bits a medium: which density profile, which phase function (its code in three, then kPhaseSharp).
+// Four bits per medium hold its density profile; four more its phase function (three of code, then kPhaseSharp).
 const uint kBitsPerMedium = 4u;
 const uint kPhaseCodes = 7u;
 
@@ -59,4 +59,4 @@ const uint kTransmittanceSteps = 40u;
 const uint kGroundIrradianceDirections = 64u;  // 8 zenith cosines x 8 azimuths
 const uint kGroundIrradianceSize = 64u;
 const uint kMaxDegree = 8u;    // of moments
-const uint kMaxMoments = 45u;  // up to it
+const uint kMaxMoments = 45u;  // up to kMaxDegree

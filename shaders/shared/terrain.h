@@ -1,11 +1,11 @@
-// Terrain as the shaders see it, the same text in C++ (core/physics): what opens the buffer of heights.
-// Places on the ground are east and north of the camera's ground point in km, by azimuthal equidistance: a ray from the
-// camera is a straight line there.
+// Terrain as the shaders see it, at the start of the buffer of heights; the same text in C++ (core/physics). Places on
+// the ground are east and north of the camera's ground point in km, by azimuthal equidistance, in which a ray from the
+// camera is a straight line.
 
 const uint kTerrainLevels = 14u;
 
 struct TerrainData {
-  // The map of heights: columns rise along `across`, rows fall along what stands 90 degrees left of it.
+  // The map of heights: columns run along `across`, rows against the direction 90 degrees left of it.
   real centre_east;
   real centre_north;
   real across_east;
@@ -13,15 +13,15 @@ struct TerrainData {
   real texel;  // km between heights
   uint columns;
   uint rows;
-  uint levels;                       // of maxima; level 0 are the cells between four heights
-  uint level_first[kTerrainLevels];  // where a level's maxima begin behind the heights
+  uint levels;                       // of maxima; level 0 is the cells between four heights
+  uint level_first[kTerrainLevels];  // index of each level's first maximum in the buffer
   uint colour_columns;
   uint colour_rows;
-  // The table of shadows: rows along the way to the sun, counted from its left.
+  // The table of shadows: each row runs along the way to the sun; rows are counted from the left of that way.
   real sunward_east;
   real sunward_north;
-  real shadow_along;  // of the first texel, km along that way
-  real shadow_aside;  // and across it
+  real shadow_along;  // of the first texel, along the way to the sun, km
+  real shadow_aside;  // of the first texel, across it, km
   real shadow_texel;  // km
   uint shadow_columns;
   uint shadow_rows;

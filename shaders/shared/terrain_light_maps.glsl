@@ -1,4 +1,4 @@
-// What else who lights the terrain reads: its shadow, its albedo.
+// Further inputs of the terrain's light: its shadow, its albedo.
 layout(scalar, set = 0, binding = 11) readonly buffer TerrainShadow { vec2 values[]; } terrain_shadows;
 layout(scalar, set = 0, binding = 12) readonly buffer TerrainColour { uint values[]; } terrain_colours;
 

@@ -6,7 +6,7 @@ layout(scalar, set = 0, binding = 10) readonly buffer Terrain {
   float heights[];
 } terrain;
 
-// Taken out of the buffer once, as the media are.
+// Copied out of the buffer once, like the media.
 TerrainData loaded_terrain = terrain.shape;
 TerrainData terrain_shape() { return loaded_terrain; }
 uint terrain_level(uint level) { return terrain.shape.level_first[level]; }

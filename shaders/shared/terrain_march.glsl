@@ -2,7 +2,7 @@
 // The includer defines before it:
 //   const uint kShafts;  0: the air is lit as if there were no terrain
 
-// The ray at hand along the ground: the track of the camera's, and where the march's part of it begins.
+// The camera's track of the ray at hand, and the distance along it where the march's part of the ray begins.
 GroundTrack current_track;
 float current_start = 0.0;
 
@@ -17,9 +17,9 @@ float sun_share(Ray ray, float t, float width) {
 #include "physics/sky_factors.glsl"
 #include "shared/shell_table.glsl"
 
-// Of a ray of the camera's along this direction, which begins `before` km from it: in two parts, so that the part in
-// which shadows stand has steps enough for them. `near`, `far`: steps of each. `shadow_end`: km along the ground from
-// the camera beyond which no shadow is known.
+// Factors of a ray from the camera along this direction that begins `before` km from it. The ray is marched in two
+// parts, so that the part with shadows has enough steps. `near`, `far`: steps of each part. `shadow_end`: km along the
+// ground from the camera beyond which no shadow is known.
 SkyFactors terrain_factors(Ray ray, vec3 direction, float before, float shadow_end, uint near, uint far) {
   current_start = ground_distance(scene.planet, scene.camera.altitude, direction.y, before);
   float cut = max(track_distance(scene.planet, current_track, shadow_end) - before, 0.0);
