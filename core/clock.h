@@ -1,5 +1,5 @@
 #pragma once
-// How long things take.
+// Clocks: elapsed time and CPU time.
 
 #include <sys/resource.h>
 

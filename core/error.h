@@ -1,5 +1,5 @@
 #pragma once
-// The two ways the outside world goes wrong. Thrown with the place and the remedy, caught in app/main.cpp alone.
+// The two kinds of failure that come from outside. The message names place and remedy; app/main.cpp alone catches them.
 
 #include <stdexcept>
 #include <string>
@@ -8,9 +8,9 @@ namespace airlight {
 
 // A preset, an option or a file given by the user is wrong: exit code 2.
 struct InputError : std::runtime_error {
-  // One problem: a line break in it stands in a name, and is shown as \n.
+  // One problem. A line break in the message is part of a name and is shown as \n.
   using std::runtime_error::runtime_error;
-  // Several, a line each.
+  // Several problems, a line each.
   static InputError of_lines(const std::string& lines) {
     InputError error(lines);
     error.has_lines = true;

@@ -33,7 +33,7 @@ class FileDescriptor {
   int fd_;
 };
 
-// All of it, however the system divides it; false where it fails, and errno says why.
+// Writes all bytes, in as many calls as the system needs. False where it fails; errno has the reason.
 inline bool write_all(int fd, std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
     const ssize_t count = ::write(fd, bytes.data(), bytes.size());

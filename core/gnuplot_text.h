@@ -6,7 +6,7 @@
 
 namespace airlight {
 
-// In single quotes gnuplot takes everything as it stands but a quote, which is doubled.
+// Within single quotes gnuplot takes every character as it stands, except a single quote, which must be doubled.
 inline std::string gnuplot_text(std::string_view text) {
   std::string out = "'";
   for (const char c : text) {

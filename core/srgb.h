@@ -5,7 +5,7 @@
 
 namespace airlight {
 
-// 0 to 1 into 0 to 1, and back; outside they go on straight or as the power does.
+// sRGB's curve from 0 to 1 into 0 to 1, and its inverse. Outside it continues, below as a line, above as the power.
 template <class Real>
 Real srgb_encoded(Real linear) {
   return linear <= Real(0.0031308) ? Real(12.92) * linear : Real(1.055) * std::pow(linear, 1 / Real(2.4)) - Real(0.055);

@@ -1,5 +1,5 @@
 #pragma once
-// Words and numbers as messages have them.
+// Words and numbers in the form that messages use.
 
 #include <algorithm>
 #include <array>
@@ -15,14 +15,14 @@
 
 namespace airlight {
 
-// So many significant digits, in the shortest form: "0.0123", "1.5e-07", "inf".
+// The number with so many significant digits, in the shortest form: "0.0123", "1.5e-07", "inf".
 inline std::string rounded(double value, int digits) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.*g", digits, value);
   return text.data();
 }
 
-// With as many digits as tell it from any other: "6360", "0.1".
+// The number with the fewest digits that tell it from any other: "6360", "0.1".
 template <std::floating_point Number>
 std::string shortest(Number value) {
   std::array<char, 32> text{};
@@ -34,7 +34,7 @@ inline std::string percent(double share, int digits) {
   return rounded(100.0 * share, digits) + " %";
 }
 
-// The whole text as one finite number.
+// The number that the whole text is, if finite.
 template <class Number>
 std::optional<Number> number_from(std::string_view text) {
   Number value{};
@@ -43,7 +43,7 @@ std::optional<Number> number_from(std::string_view text) {
   return whole && std::isfinite(static_cast<double>(value)) ? std::optional(value) : std::nullopt;
 }
 
-// What stands between the separators: one more than there are of them.
+// The pieces between the separators: one more than there are separators.
 inline std::vector<std::string> split(std::string_view text, char separator) {
   std::vector<std::string> parts;
   for (std::size_t start = 0; start <= text.size(); start += parts.back().size() + 1) {
@@ -77,7 +77,7 @@ std::string joined(const Words& words, std::string_view separator = ", ") {
   return text;
 }
 
-// The same of the words that the items have; empty ones are passed over.
+// The words of the items, joined; empty words are skipped.
 template <class Items, class WordOf>
 std::string joined_of(const Items& items, WordOf word_of, std::string_view separator = ", ") {
   std::vector<std::string> words;
@@ -88,7 +88,7 @@ std::string joined_of(const Items& items, WordOf word_of, std::string_view separ
   return joined(words, separator);
 }
 
-// The enumerator of that name; `names` stand in the enumerators' order.
+// The enumerator of that name; `names` are in the order of the enumerators.
 template <class Enum, class Names>
 std::optional<Enum> named(const Names& names, std::string_view name) {
   const auto found = std::ranges::find(names, name);

@@ -1,5 +1,5 @@
 #pragma once
-// The pixels of a picture that are compared with the truth: an even lattice, as the truth of each one is dear.
+// The pixels of a picture that are compared with the truth: an even lattice, since the truth of each pixel is costly.
 
 #include <cstddef>
 #include <span>
@@ -20,7 +20,7 @@ struct PixelSet {
 // At most `columns` x `rows` pixels of the scene's picture; those outside a fisheye's circle are left out.
 PixelSet lattice(const Scene& scene, int columns, int rows);
 
-// What is judged: the sky, or every pixel where the camera stands above the air and where there is no sky.
+// The judged pixels: those of the sky, or every pixel where the camera stands above the air or the picture has no sky.
 bool judges_whole_picture(const Scene& scene, const PixelSet& pixels);
 PixelSet judged(const Scene& scene, const PixelSet& pixels);
 

@@ -10,7 +10,7 @@
 
 namespace airlight::chart {
 
-// The quality that renders a scene with spectra by the three channels that stand for them (Scene::spectra).
+// The quality that renders a scene with spectra by its three channels alone (Scene::spectra).
 inline constexpr std::string_view kThreeChannels = "three channels";
 
 struct ChartedQuality {
@@ -18,8 +18,8 @@ struct ChartedQuality {
   Scene scene;
 };
 
-// The method's sweep. Of a scene with spectra, for a method that renders any number of wavelengths in one pass over the
-// pixels, also its defaults at 3, 4, 6, 12 and 24 wavelengths, and the three channels.
+// The method's sweep. For a scene with spectra and a method that renders any number of wavelengths in one pass over the
+// pixels, it also has the method's defaults at 3, 4, 6, 12 and 24 wavelengths, and the three channels.
 std::vector<ChartedQuality> charted_qualities(const Scene& scene, const SkyMethod& method);
 
 }  // namespace airlight::chart

@@ -22,11 +22,11 @@ struct RunOrder {
   std::vector<NamedScene> scenes;
   std::vector<std::string> methods;  // of the registry
   Settings settings;                 // lattice and truth
-  double budget_s = 0.0;             // 0: none; half of it at most goes to the truth
+  double budget_s = 0.0;             // 0: no limit; at most half of it goes to the truth
   std::filesystem::path truth_folder;
-  std::vector<Point> known;  // of an earlier run: not measured again where their key is still the same
+  std::vector<Point> known;  // points of an earlier run, kept where their key is still the same
   std::string version;       // of airlight
-  // A fresh device: each method of each scene gets one, so that its first picture is a first one.
+  // Opens a fresh device. Each method of each scene gets one, so that its first picture really is the first.
   std::function<std::unique_ptr<Executor>()> open_device;
   std::function<bool(double done)> progress;            // 0 to 1
   std::function<void(const std::vector<Point>&)> keep;  // after each new point: all so far
@@ -34,7 +34,7 @@ struct RunOrder {
 
 struct RunOutcome {
   std::vector<Point> points;
-  std::vector<std::string> left_out;  // "SCENE METHOD QUALITY", for want of time
+  std::vector<std::string> left_out;  // "SCENE METHOD QUALITY", omitted for want of time
   std::size_t resumed = 0;            // points taken over from an earlier run
   DeviceInfo device;
   bool cpu_time = false;  // Point::time_ms is the process's CPU time, not the device's

@@ -1,5 +1,5 @@
 #pragma once
-// What a chart shows and how closely it looks: presets/chart.json, and the options over it.
+// The contents of a chart and its accuracy: presets/chart.json, and the options that override it.
 
 #include <string>
 #include <string_view>
@@ -11,7 +11,7 @@ namespace airlight::chart {
 
 struct Settings {
   std::vector<std::string> scenes;  // built-in presets or files
-  ImageSize image;                  // at which pictures are timed
+  ImageSize image;                  // size at which pictures are timed
   int compared_columns = 48;        // the lattice of pixels at which the error is taken
   int compared_rows = 27;
   double truth_error = 0.001;  // mean relative standard error of the truth

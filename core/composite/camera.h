@@ -1,5 +1,5 @@
 #pragma once
-// The camera that a picture's header tells of, as a preset has it.
+// The camera in a picture's header, as a preset has it.
 
 #include <array>
 #include <optional>
@@ -22,10 +22,10 @@ struct FileCamera {
   std::optional<double> vertical_fov;  // rad; known from world_to_ndc alone
 };
 
-// From whichever matrices there are; world_to_ndc, which holds the lens as well, wins. Without it the camera looks
-// along -z if its space is right-handed, as airlight's and Blender's, and along +z if it is left-handed, as
-// RenderMan's. `unit_km`: the world's unit. Throws InputError, beginning with `file`: neither matrix, one that cannot
-// be inverted, a shifted lens, no perspective.
+// Takes the camera from the matrices that exist; world_to_ndc, which also holds the lens, has precedence. Without it
+// the camera looks along -z if its space is right-handed, as in airlight and Blender, and along +z if it is
+// left-handed, as in RenderMan. `unit_km`: the world's unit. Throws InputError, beginning with `file`: neither matrix,
+// one that cannot be inverted, a shifted lens, no perspective.
 FileCamera camera_of(const std::string& file, const std::optional<Matrix>& world_to_camera,
                      const std::optional<Matrix>& world_to_ndc, UpAxis up, double unit_km);
 

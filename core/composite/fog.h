@@ -1,6 +1,6 @@
 #pragma once
-// The simple fogs of the game world, as closed forms in distance: for people who want their look. None of them knows
-// the sun's height, the light scattered more than once or the colour of the sky behind.
+// The simple fogs of game engines, as closed forms in distance, for people who want their look. None of them depends on
+// the sun's height, on light scattered more than once or on the colour of the sky behind.
 
 #include <optional>
 #include <string_view>
@@ -28,7 +28,7 @@ struct Fog {
   double sun_power = 8.0;
   double amount = 0.5;   // a of the height fog
   double falloff = 0.3;  // b of the height fog, per unit of height
-  bool exact = false;    // of the height fog: 1 - exp(-amount) in place of the amount held to 0 to 1
+  bool exact = false;    // of the height fog: 1 - exp(-amount) in place of the amount clamped to 0 to 1
   physics::vec3 extinction{0.02, 0.025, 0.03};
   physics::vec3 inscatter{0.015, 0.02, 0.025};
 };
@@ -43,7 +43,7 @@ struct FogRay {
 // (a/b) exp(-b y) (1 - exp(-b t v_y)) / v_y, and its limit a exp(-b y) t for level rays.
 double height_fog_amount(const Fog& fog, const FogRay& ray);
 
-// What the fog makes of a colour c behind it: c times `keeps` plus `adds`.
+// Effect of the fog on a colour c behind it: c times `keeps` plus `adds`.
 struct FogTerms {
   physics::vec3 keeps;
   physics::vec3 adds;

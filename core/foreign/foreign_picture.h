@@ -1,6 +1,6 @@
 #pragma once
 // Pictures of other programs: any file that OpenImageIO reads, flat or deep, as planes of floats over the display
-// window. The work is done by the module that links OpenImageIO, loaded when it is needed.
+// window. The module that links OpenImageIO reads them; it is loaded when it is needed.
 
 #include <array>
 #include <cstdint>
@@ -23,15 +23,15 @@ struct Picture {
   int height = 0;
   std::vector<Channel> channels;
   bool deep = false;
-  std::vector<std::uint32_t> samples;  // deep: of each pixel
-  // Row-vector matrices as OpenEXR has them, where the file says so.
+  std::vector<std::uint32_t> samples;  // of a deep file: number of samples of each pixel
+  // Row-vector matrices in OpenEXR's convention, where the file has them.
   std::optional<std::array<double, 16>> world_to_camera;
   std::optional<std::array<double, 16>> world_to_ndc;
   std::optional<std::array<float, 8>> chromaticities;  // CIE xy of red, green, blue, white
   bool srgb = false;                                   // display-encoded: the module has decoded R, G and B to linear
   bool is_airlight = false;                            // carries a preset of ours
 
-  // Null where there is none of that name.
+  // Null where there is no channel of that name.
   const Channel* find(const std::string& name) const;
   // "R, G, B, ViewLayer.Depth.Z", for messages.
   std::string channel_list() const;
@@ -40,7 +40,7 @@ struct Picture {
 // Throws InputError: missing, a folder, not readable, damaged; RunError where the module cannot be loaded.
 Picture read_picture(const std::string& file);
 
-// The module's entry. Never throws: `problem` is one line, empty where all went well.
+// The module's entry. Never throws: `problem` is one line, empty on success.
 inline constexpr const char* kReadEntry = "airlight_read_picture";
 using ReadFunction = void (*)(const std::string& file, Picture& picture, std::string& problem);
 

@@ -1,5 +1,5 @@
 #pragma once
-// What the passes of a run bind, as descriptor sets.
+// The descriptor sets that the passes of a run bind.
 
 #include <span>
 

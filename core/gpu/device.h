@@ -10,7 +10,7 @@
 
 namespace airlight {
 
-// Where memory lies. `shared` is fast for device and host alike and exists on devices for which Device::is_unified.
+// A kind of memory. `shared` is fast for both device and host and exists on devices for which Device::is_unified.
 enum class MemoryPlace { device, shared, upload, readback };
 
 struct DeviceLimits {
@@ -36,7 +36,7 @@ class Device {
   VkDevice get() const { return device_; }
   VkQueue queue() const { return queue_; }
   std::uint32_t queue_family() const { return queue_family_; }
-  // Whether images of 16 bits a channel have no more.
+  // Whether images of 16 bits a channel are stored in 16 bits.
   bool keeps_halves() const { return halves_; }
   void keep_halves(bool keeps) { halves_ = keeps; }
   const DeviceInfo& info() const { return info_; }

@@ -27,12 +27,12 @@ struct DeviceOptions {
   std::string name_substring = {};  // empty: $AIRLIGHT_DEVICE, else the software device, else the first usable one
   // Load the validation layer; every message is counted and printed to stderr. AIRLIGHT_VALIDATION=1 does the same.
   bool validation = false;
-  std::optional<bool> halves = {};  // whether images of 16 bits a channel have no more; without: on all but processors
-  std::optional<bool> teams = {};   // whether passes get them (PassDesc::team); without: on all but processors
-  // Where what only saves time is kept from one start to the next; empty: nowhere. Without: user_cache_folder().
+  std::optional<bool> halves = {};  // whether 16-bit images are stored so; absent: except on processors
+  std::optional<bool> teams = {};   // whether passes get teams (PassDesc::team); absent: except on processors
+  // Folder for data that saves time at later starts; empty: none. Absent: user_cache_folder().
   std::optional<std::filesystem::path> cache_folder = {};
-  bool stores_tables = false;  // in that folder, for later starts; false: each executor bakes its own
-  std::size_t kept_bytes_max = std::size_t{1} << 30;  // kept resources beyond it go, the least recently used first
+  bool stores_tables = false;                         // also tables, in that folder; false: each executor bakes its own
+  std::size_t kept_bytes_max = std::size_t{1} << 30;  // beyond it the least recently used kept resources go
 };
 
 struct PassTiming {
@@ -58,14 +58,14 @@ struct RunResult {
 struct MemoryUse {  // images and buffers that an executor holds on the device
   std::size_t resources = 0;
   std::size_t bytes = 0;
-  std::size_t kept_bytes = 0;  // of these, kept by key
+  std::size_t kept_bytes = 0;  // of these, those kept by key
 };
 
 class Executor {
  public:
   // Opens the device. Throws RunError: no Vulkan loader or device (names the Debian package that brings one), no
   // device of that name (lists the names), a device that lacks features (lists each).
-  // `extra_shaders` stand beside airlight's own and win where names meet; they must outlive the executor.
+  // `extra_shaders` are added to airlight's own and replace those of the same name; they must outlive the executor.
   explicit Executor(const DeviceOptions& options, std::span<const EmbeddedShader> extra_shaders = {});
   ~Executor();
   Executor(const Executor&) = delete;
@@ -73,8 +73,8 @@ class Executor {
 
   // Checks the plan, builds what is missing, runs it and waits. Throws RunError when the device runs out of memory
   // (says what was asked for) or fails; std::logic_error when a binding name does not match its shader (names both).
-  // `report`: called some times a second with what is done, 0 to 1, of the threads of all passes; each pass is then a
-  // submission of its own.
+  // `report`: called some times a second with the share of all passes' threads that is done, 0 to 1; each pass is then
+  // a submission of its own.
   RunResult run(const Plan& plan, const std::function<void(double done)>& report = {});
 
   const DeviceInfo& device() const;

@@ -1,6 +1,6 @@
 #pragma once
-// What one run in flight needs for itself: command buffer, fence, descriptor sets, timestamp queries. All of it is used
-// again by the next run.
+// Objects of one run in flight: command buffer, fence, descriptor sets, timestamp queries. The next run uses all of
+// them again.
 
 #include <cstdint>
 #include <functional>
@@ -11,7 +11,7 @@
 
 namespace airlight {
 
-// Descriptors of each kind that a run's passes have together.
+// Number of descriptors of each kind over all passes of a run.
 struct DescriptorCounts {
   std::uint32_t sets = 0;
   std::uint32_t uniform_blocks = 0;
@@ -26,10 +26,10 @@ class Frame {
  public:
   explicit Frame(const Device& device);
 
-  // Opens the command buffer; what earlier runs recorded and allocated is gone.
+  // Opens the command buffer and drops what earlier runs recorded and allocated.
   VkCommandBuffer begin(const DescriptorCounts& descriptors, std::uint32_t timestamps);
-  // Closes it, submits it and waits for its end, calling `tick` some times a second. Throws RunError when the device
-  // fails.
+  // Closes the command buffer, submits it and waits for its end, calling `tick` some times a second. Throws RunError
+  // when the device fails.
   void submit_and_wait(const std::function<void()>& tick = {});
   // Opens the command buffer once more, for the rest of the same run.
   VkCommandBuffer begin_rest();

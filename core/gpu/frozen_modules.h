@@ -1,5 +1,5 @@
 #pragma once
-// Where a pipeline's frozen module comes from: the program itself, the user's folder, or the optimiser.
+// Source of a pipeline's frozen module: the program itself, the user's folder, or the optimiser.
 
 #include <span>
 #include <string>
@@ -19,7 +19,7 @@ class FrozenModules {
  public:
   explicit FrozenModules(std::filesystem::path folder) : cache_(std::move(folder), ".module") {}
 
-  // Words that are the program's own, or owned here.
+  // A module's words, either the program's or owned here.
   class Words {
    public:
     explicit Words(std::span<const std::uint32_t> embedded) : words_(embedded) {}
@@ -33,9 +33,9 @@ class FrozenModules {
     std::span<const std::uint32_t> words_;
   };
 
-  // From any thread. `made`: whether the optimiser had to make it.
+  // May be called from any thread. `made`: whether the optimiser had to make the module.
   Words get(const EmbeddedShader& shader, std::span<const ConstantValue> constants, bool& made) const;
-  // To be called after some were made.
+  // To be called after modules were made.
   void trim() const { cache_.trim(); }
 
  private:

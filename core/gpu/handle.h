@@ -7,13 +7,13 @@
 
 namespace airlight {
 
-// kDestroy points to the function pointer, not to the function: the loader is opened at run time.
+// kDestroy points to the function pointer, not to the function, since the loader is opened at run time.
 template <class T, auto* kDestroy>
 class Handle {
  public:
   Handle() = default;
   Handle(VkDevice device, T handle) : device_(device), handle_(handle) {}
-  // What Vulkan makes by that function. Throws RunError "cannot DOING: ...".
+  // Makes the handle by Vulkan's function `create`. Throws RunError "cannot DOING: ...".
   template <class Info>
   static Handle make(VkDevice device, VkResult (*create)(VkDevice, const Info*, const VkAllocationCallbacks*, T*),
                      const Info& info, std::string_view doing) {

@@ -5,13 +5,13 @@
 
 namespace airlight {
 
-// The drivers that are opened: all that are installed, or Mesa's of the software device alone, which takes two thirds
-// of the time. Where the user selects drivers by $VK_LOADER_DRIVERS_SELECT, those.
+// The drivers to open: all that are installed, or Mesa's software device alone, which takes two thirds of the time.
+// $VK_LOADER_DRIVERS_SELECT, where the user sets it, decides instead.
 enum class Drivers { all, software };
 
 class Instance {
  public:
-  // Throws RunError: no loader, no driver, or a validation layer asked for and not installed.
+  // Throws RunError where there is no loader, no driver, or no validation layer though one was asked for.
   explicit Instance(bool validation, Drivers drivers = Drivers::all);
   ~Instance();
   Instance(const Instance&) = delete;

@@ -3,8 +3,8 @@
 // processes at once.
 //
 // Modules are code, so a file counts only where nobody else can have put it there or changed it: folder and file belong
-// to the user, others may not write to them, and the file says what it holds and carries its hash. Whatever is wrong
-// with folder or file, it is as if nothing were kept; no error, since nothing is lost but time.
+// to the user, others may not write to them, and the file says what it holds and carries its hash. A fault in folder or
+// file counts as if nothing were kept. It is no error, since only time is lost.
 
 #include <cstdint>
 #include <filesystem>
@@ -17,26 +17,26 @@
 
 namespace airlight {
 
-// Where airlight keeps what only saves time: $AIRLIGHT_CACHE, else $XDG_CACHE_HOME/airlight, else
-// $HOME/.cache/airlight. Empty where $AIRLIGHT_CACHE is "off" or empty, and where the others name no absolute path.
+// Folder for data that saves time at later starts: $AIRLIGHT_CACHE, else $XDG_CACHE_HOME/airlight, else
+// $HOME/.cache/airlight. Empty where $AIRLIGHT_CACHE is "off" or empty, and where the others hold no absolute path.
 std::filesystem::path user_cache_folder();
 
 class KeptFiles {
  public:
   static constexpr std::uint64_t kBytesMax = std::uint64_t{64} << 20U;
-  static constexpr std::size_t kWordsMax = std::size_t{4} << 20U;  // of one file; longer ones are not kept
+  static constexpr std::size_t kWordsMax = std::size_t{4} << 20U;  // of one file; longer files are not kept
 
-  // `folder` empty: keeps nothing. It is made, with up to two folders above it, when something is first kept. `ending`:
-  // of the files' names, ".module".
+  // `folder` empty: nothing is kept. The folder, with up to two above it, is made when the first file is kept.
+  // `ending`: of the files' names, ".module".
   KeptFiles(std::filesystem::path folder, std::string ending, std::uint64_t bytes_max = kBytesMax)
       : folder_(std::move(folder)), ending_(std::move(ending)), bytes_max_(bytes_max) {}
 
-  // Empty where it is not kept.
+  // The words of this key; empty where they are not kept.
   std::vector<std::uint32_t> find(const Digest& key) const;
-  // The file is there as a whole or not at all; one that is there already is replaced.
+  // Writes the file whole or not at all, and replaces an existing one.
   void keep(const Digest& key, std::span<const std::uint32_t> words) const;
-  // The least recently used files go until the rest has no more than the bound, and with them what killed processes
-  // left half written.
+  // Removes the least recently used files until the rest is within the bound, and half-written files of killed
+  // processes.
   void trim() const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// A pass against its shader: what the plan names and what the shader declares, brought together. No Vulkan in here.
+// Matches a pass with its shader: the names in the plan with the shader's declarations. No Vulkan in here.
 
 #include <array>
 #include <cstdint>
@@ -22,14 +22,14 @@ struct ConstantValue {
 };
 
 struct MatchedPass {
-  std::vector<MatchedBinding> bindings;  // without what comes with the scene
-  std::vector<ConstantValue> constants;  // sorted; those that the pass sets
+  std::vector<MatchedBinding> bindings;  // without those that come with the scene
+  std::vector<ConstantValue> constants;  // those that the pass sets, sorted
   std::array<std::uint32_t, 3> workgroup_size{1, 1, 1};
   std::array<std::uint32_t, 3> workgroups{1, 1, 1};
 };
 
 // Throws std::logic_error naming pass, shader and name: a binding or constant that the shader lacks, a binding of the
-// shader that the pass leaves out, another kind, dimension or format, something only read that the shader may write,
+// shader that the pass leaves out, another kind, dimension or format, a read-only resource that the shader may write,
 // another count of push constants, too little scene data.
 // `teams`: whether the pass's teams are used.
 MatchedPass match(const Plan& plan, const PassDesc& pass, const ShaderInfo& shader, bool teams = false);

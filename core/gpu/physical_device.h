@@ -1,5 +1,5 @@
 #pragma once
-// What devices the machine has, and what airlight needs that they lack.
+// The machine's devices, and the features that airlight needs and they lack.
 
 #include <cstdint>
 #include <vector>
@@ -16,7 +16,7 @@ inline constexpr const char* kNoVulkanDevice =
 struct PhysicalDevice {
   VkPhysicalDevice handle = nullptr;
   DeviceInfo info;
-  std::uint32_t queue_family = 0;  // the first that computes, and writes timestamps if any does both
+  std::uint32_t queue_family = 0;  // the first that computes; if any also writes timestamps, the first of these
 };
 
 // In the loader's order. Throws RunError naming the package of a driver when there is none.

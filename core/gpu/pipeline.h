@@ -16,7 +16,7 @@
 
 namespace airlight {
 
-// What all pipelines of one shader share.
+// Objects that all pipelines of one shader share.
 struct ShaderProgram {
   ShaderInfo info;
   EmbeddedShader source;
@@ -28,8 +28,8 @@ VkDescriptorType descriptor_type(BindingKind kind);
 
 class PipelineCache {
  public:
-  // Shaders by name: those of airlight and `extra`, which wins where names meet. `folder`: where frozen modules are
-  // kept; empty: nowhere.
+  // Shaders by name: airlight's and `extra`, which replace airlight's of the same name. `folder`: for frozen modules;
+  // empty: none.
   PipelineCache(const Device& device, std::span<const EmbeddedShader> extra, std::filesystem::path folder);
 
   // Throws std::logic_error listing the names that exist.
@@ -39,12 +39,12 @@ class PipelineCache {
     const ShaderProgram* program;
     std::vector<ConstantValue> constants;
   };
-  // One pipeline for each request, in order; what is missing is compiled on all the machine's threads.
+  // One pipeline for each request, in order. Missing ones are compiled on all the machine's threads.
   std::vector<VkPipeline> pipelines(const std::vector<Request>& requests);
 
  private:
   using Key = std::pair<std::string, std::vector<ConstantValue>>;
-  // `made`: whether the optimiser was at work.
+  // `made`: whether the optimiser had to make the module.
   PipelineHandle compile(const Request& request, bool& made) const;
 
   const Device& device_;

@@ -1,5 +1,5 @@
 #pragma once
-// Frozen modules that the build made: what the shipped presets ask for, so that their first start needs no optimiser.
+// Frozen modules that the build made for the shipped presets, so that their first start needs no optimiser.
 
 #include <cstdint>
 #include <span>

@@ -24,7 +24,7 @@ class Buffer {
 
   VkBuffer get() const { return buffer_.get(); }
   std::size_t bytes() const { return bytes_; }
-  // Empty in device memory.
+  // Empty for a buffer in device memory.
   std::span<std::byte> mapped() const { return mapped_; }
 
  private:
@@ -36,31 +36,31 @@ class Buffer {
 };
 
 struct Resource {
-  std::string shape;  // what another resource must have in common to take its place
+  std::string shape;  // must be equal for another resource to take its place
   std::string key;    // empty: not kept
   std::optional<Image> image;
   std::optional<Buffer> buffer;
   std::uint64_t last_run = 0;
   bool has_layout = false;    // images: the general one, since its first run
-  bool has_contents = false;  // kept: what the key promises is there
+  bool has_contents = false;  // kept ones: the contents that the key promises
 
   std::size_t bytes() const { return image ? image->bytes() : buffer->bytes(); }
 };
 
 class ResourceCache {
  public:
-  // Kept resources beyond kept_limit bytes go, the least recently used first, but never one of the current run.
+  // When kept resources exceed kept_limit bytes, the least recently used go first, but never one of the current run.
   ResourceCache(const Device& device, std::size_t kept_limit) : device_(device), kept_limit_(kept_limit) {}
 
-  // Opens a run: what it asks for from now on stays for its whole length.
+  // Opens a run: resources requested from now on stay until its end.
   void begin_run() { ++run_; }
-  // Closes it: what the last few runs had no use for is given back.
+  // Closes the run and frees resources that the last few runs did not use.
   void end_run();
 
   Resource& image(const ImageDesc& desc);
   Resource& buffer(const BufferDesc& desc, MemoryPlace place);
 
-  // Whether a kept resource is there with its contents; if so it stays for the run.
+  // Whether a kept resource exists with its contents; if so, it stays for the run.
   bool holds(const ImageDesc& desc);
   bool holds(const BufferDesc& desc, MemoryPlace place);
 

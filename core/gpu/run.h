@@ -12,7 +12,7 @@
 
 namespace airlight {
 
-// What outlives a run.
+// Objects that outlive a run.
 struct Machinery {
   const Device& device;
   PipelineCache& pipelines;
@@ -23,7 +23,7 @@ struct Machinery {
   const StoredTables& tables;
 };
 
-// Executor::run() of a plan that was checked.
+// Executor::run() for a plan that is already checked.
 RunResult run_plan(const Machinery& machinery, const Plan& plan, const std::function<void(double)>& report);
 
 }  // namespace airlight

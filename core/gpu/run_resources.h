@@ -1,5 +1,5 @@
 #pragma once
-// The images and buffers of one run of one plan, out of the cache.
+// The images and buffers of one run of one plan, taken from the cache.
 
 #include <cstdint>
 #include <map>
@@ -18,30 +18,30 @@ class RunResources {
  public:
   RunResources(const Device& device, ResourceCache& cache, const StoredTables& tables, const Plan& plan);
 
-  // Whether a resource with a key holds what the key promises. Asked once for all of them, before anything is
-  // allocated, so that nothing of this plan is given up for something else of it.
+  // Whether a resource with a key holds what the key promises. All are looked up once, before anything is allocated, so
+  // that no resource of this plan is freed for another of the same plan.
   bool is_kept(ResourceId id) const { return held_.contains(id); }
 
-  // Allocates what the steps and the host need. Throws std::logic_error when something kept is read that nobody has
+  // Allocates what the steps and the host need. Throws std::logic_error when a kept resource is read that nobody has
   // made, RunError when the device is out of memory.
   void acquire(std::span<const Step> steps);
 
   Resource& at(ResourceId id) const;
-  // Null where the run has no use for it.
+  // Null where the run does not use it.
   Resource* image(std::size_t index) const { return images_[index]; }
   Resource* buffer(std::size_t index) const { return buffers_[index]; }
-  // Where the host reads a buffer that it cannot reach; null where it can, or need not.
+  // The host-readable copy of a buffer that the host cannot read directly; null where it can, or need not.
   Resource* download(std::size_t index) const { return downloads_[index]; }
-  // What an earlier start of the program made of an image; empty where it did not, or where the image is here already.
+  // An image's contents from an earlier start of the program; empty where there are none or the image is here already.
   std::span<const std::uint32_t> stored(std::uint32_t image) const;
-  // Where the host reads an image that the steps make and that later starts may ask for; null where they may not.
+  // The host-readable copy of an image that the steps make and later starts may ask for; null for other images.
   Resource* store(std::size_t image) const { return stores_[image]; }
-  // Holds one of the plan's scenes; null when it is empty.
+  // The buffer of one of the plan's scenes; null when the scene is empty.
   const Resource* scene(std::size_t index) const { return scenes_[index]; }
-  // A buffer for this run that the host fills with the contents of another.
+  // A buffer for this run that the host fills with the contents of `of`.
   const Buffer& upload(const BufferDesc& of, std::span<const std::byte> contents);
 
-  // To be called once the run has come to its end: what it made is there.
+  // To be called at the end of the run: marks what it made as present.
   void remember(std::span<const Step> steps);
 
  private:
@@ -56,7 +56,7 @@ class RunResources {
   const Plan& plan_;
   ResourceCache& cache_;
   const StoredTables& tables_;
-  // One place for all buffers that shaders see, so that a kept one is found whatever else a plan says of it.
+  // One kind of memory for all buffers that shaders see, so that a kept one is found whatever else a plan says of it.
   MemoryPlace buffer_place_;
   std::set<ResourceId> held_;
   std::map<std::uint32_t, std::vector<std::uint32_t>> stored_;  // by image

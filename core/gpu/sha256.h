@@ -1,5 +1,5 @@
 #pragma once
-// SHA-256 (FIPS 180-4) by nettle: what kept files are named and checked by.
+// SHA-256 (FIPS 180-4) by nettle, for the names and checks of kept files.
 
 #include <array>
 #include <cstddef>

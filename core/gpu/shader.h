@@ -1,5 +1,5 @@
 #pragma once
-// What a compiled shader says about itself: binding names and types, workgroup size, constants. No Vulkan in here.
+// Reflection of a compiled shader: binding names and types, workgroup size, constants. No Vulkan in here.
 
 #include <array>
 #include <cstdint>
@@ -22,12 +22,12 @@ struct ShaderBinding {
   BindingKind kind = BindingKind::storage_buffer;
   std::uint32_t binding = 0;
   bool is_3d = false;           // images
-  bool is_half = false;         // storage images without a format, for those of 16 bits a channel
+  bool is_half = false;         // storage images without a format, meant for 16 bits a channel
   bool writable = false;        // storage images and buffers not declared readonly
   std::size_t block_bytes = 0;  // uniform block; storage buffer without its unsized array
 };
 
-// Part of the plan's scene data, which is no pass's to bind: the uniform block, and the storage buffer `scene_tables`.
+// Whether the binding belongs to the plan's scene data, not to passes: the uniform block, the buffer `scene_tables`.
 bool comes_with_scene(const ShaderBinding& binding);
 
 struct SpecializationConstant {
@@ -36,7 +36,7 @@ struct SpecializationConstant {
   std::uint32_t default_value = 0;  // its bits
 };
 
-// One member of the uniform block, at any depth: "media.scattering" is the member of the first element of an array.
+// One member of the uniform block, at any depth. "media.scattering" is the member of the first element of an array.
 struct BlockMember {
   std::string path;
   std::uint32_t offset = 0;        // from the block's start, bytes

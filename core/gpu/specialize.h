@@ -1,8 +1,8 @@
 #pragma once
-// A shader's module with a pipeline's constants written into it, and without what they leave unused. No Vulkan in here.
+// A shader's module with a pipeline's constants written into it and unused code removed. No Vulkan in here.
 //
-// A driver that is handed a module and the constants beside it translates all of the module first: nine tenths of a
-// sky shader are media, harmonics and options that a scene does not have. core/FIGURES.md has what that costs.
+// A driver that gets a module and the constants beside it translates all of the module first. Nine tenths of a sky
+// shader are media, harmonics and options that a scene does not have. core/FIGURES.md has the cost.
 
 #include <cstdint>
 #include <span>
@@ -17,12 +17,12 @@ namespace airlight {
 // Whether this program was built with SPIRV-Tools' optimiser.
 bool can_specialize();
 
-// Names all that the result depends on besides module and constants.
+// Names all that the result depends on, apart from module and constants.
 std::string specializer_version();
 
 // The module for these values; constants that are not listed keep their defaults. The result has no specialization
-// constant left and no names; bindings, push constants and workgroup size stay. Throws std::logic_error naming the
-// shader on SPIR-V that cannot be read.
+// constants and no names; bindings, push constants and workgroup size stay. Throws std::logic_error naming the shader
+// on SPIR-V that cannot be read.
 std::vector<std::uint32_t> specialize(std::string_view shader, std::span<const std::uint32_t> spirv,
                                       std::span<const ConstantValue> constants);
 

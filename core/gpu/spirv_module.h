@@ -23,8 +23,8 @@ struct SpirvDecorations {
   bool is_workgroup_size = false;
 };
 
-// A type, constant or global variable: its opcode and operands behind the result id (and behind the result type, which
-// stands apart).
+// A type, constant or global variable: its opcode and the operands after the result id. The result type is a member of
+// its own.
 struct SpirvDefinition {
   std::uint16_t opcode = 0;
   std::uint32_t type = 0;  // result type, 0 for types
@@ -37,7 +37,7 @@ class SpirvModule {
   SpirvModule(std::string_view shader, std::span<const std::uint32_t> words);
 
   const std::string& entry_point() const { return entry_point_; }
-  // LocalSize, or what LocalSizeId's constants hold; 0 where the module says neither.
+  // LocalSize, or the constants of LocalSizeId; 0 where the module has neither.
   const std::array<std::uint32_t, 3>& local_size() const { return local_size_; }
   std::string name(std::uint32_t id) const;
   std::string member_name(std::uint32_t id, std::uint32_t member) const;

@@ -1,5 +1,5 @@
 #pragma once
-// A pass that runs, with all that its recording needs.
+// A pass that runs, with everything needed to record it.
 
 #include "core/gpu/match.h"
 #include "core/gpu/pipeline.h"
@@ -18,7 +18,7 @@ struct Step {
   bool writes(ResourceId id) const;
 };
 
-// Throws RunError naming pass, limit and what was asked for when the step is more than the device takes.
+// Throws RunError naming pass, limit and size when the step exceeds the device's limits.
 void check_limits(const Plan& plan, const Step& step, const Device& device);
 
 }  // namespace airlight

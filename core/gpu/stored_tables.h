@@ -1,6 +1,6 @@
 #pragma once
-// Tables that the air alone makes (ImageDesc::stored), kept in the user's cache folder: a later start with the same air
-// reads what this one baked, every bit of it.
+// Tables that depend on the air alone (ImageDesc::stored), kept in the user's cache folder. A later start with the same
+// air reads them back bit for bit.
 
 #include <cstdint>
 #include <filesystem>
@@ -16,25 +16,25 @@ namespace airlight {
 
 class StoredTables {
  public:
-  // `folder` empty: nothing is stored. `teams`: whether passes get them, as sums of teams round otherwise.
+  // `folder` empty: nothing is stored. `teams`: whether passes get teams, whose sums round differently.
   StoredTables(std::filesystem::path folder, const DeviceInfo& device, bool teams);
 
-  // Whether the table is to be stored, and there is a place for it.
+  // Whether the table is to be stored and a folder exists.
   bool takes(const ImageDesc& table) const;
-  // Empty where the table is not there, or is not to be stored.
+  // Empty where the table is not stored.
   std::vector<std::uint32_t> find(const ImageDesc& table) const;
   void keep(const ImageDesc& table, std::span<const std::uint32_t> words) const;
-  // To be called after some were kept.
+  // To be called after tables were kept.
   void trim() const { files_.trim(); }
 
  private:
   Digest key_of(const ImageDesc& table) const;
 
-  std::string maker_;  // program, device and driver: whose rounding it is; empty: nothing is stored
+  std::string maker_;  // program, device and driver, which decide the rounding; empty: nothing is stored
   KeptFiles files_;
 };
 
-// What no other build of the program shares, of its linker's note; empty where the linker wrote none.
+// An id from the linker's note that no other build of the program has; empty where the linker wrote none.
 std::string program_build();
 
 }  // namespace airlight

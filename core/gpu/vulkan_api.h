@@ -1,5 +1,5 @@
 #pragma once
-// Vulkan's C API. volk opens the loader at run time, so that a machine without one gets an error of ours instead of a
+// Vulkan's C API. volk opens the loader at run time, so that a machine without one gets our error message instead of a
 // failure of the dynamic linker.
 
 #include <volk.h>
@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-// What is left out of a structure of Vulkan's is zero, and means that there is none.
+// Members left out of a Vulkan structure are zero, which means none.
 #pragma GCC diagnostic ignored "-Wmissing-field-initializers"
 
 namespace airlight {

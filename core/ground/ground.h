@@ -1,6 +1,6 @@
 #pragma once
-// The ground of a scene by maps as those who light it want it: albedo and water with means of them, and what waves
-// mirror. What the files hold is in the scene already; nothing here reads a file.
+// A scene's ground by maps, ready for lighting: albedo and water with means of them, and what waves mirror. The scene
+// already holds the files' contents; nothing here reads a file.
 
 #include <memory>
 #include <string>
@@ -10,14 +10,14 @@
 
 namespace airlight {
 
-// As the camera stands over it, north up in the preset's frame; null where the planet has one albedo. The maps of a
-// planet are the same object as long as they are the last ones asked for.
+// The ground as the camera stands over it, north up in the preset's frame; null where the planet has one albedo. As
+// long as a planet's maps are the last ones asked for, all grounds share them.
 std::shared_ptr<const physics::HostGround> ground_of(const Scene& scene);
 
-// Mean reflectance of the map over the planet, by area: what the air is lit by from below.
+// Mean reflectance of the map over the planet, by area: the ground's part in lighting the air from below.
 Spectrum mean_albedo(const GroundFiles& files);
 
-// Two grounds of one key have the same maps, wherever the camera is.
+// Two grounds with equal keys have the same maps, wherever the camera is.
 std::string ground_key(const Scene& scene);
 
 // Share of the sun's light that an ocean of this slope variance mirrors, by quadrature over the slopes of its waves.

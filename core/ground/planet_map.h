@@ -11,14 +11,14 @@ struct PlanetLevel {
   std::vector<float> values;
 };
 
-// The picture, then half its rows and so on to one. Each texel is a mean over the area that its level stands for: as
-// wide as it is high on the planet, though columns crowd toward the poles.
+// The picture, then half its rows and so on to one. Each texel is a mean over the area that its level stands for, as
+// wide as it is high on the planet, although columns crowd toward the poles.
 std::vector<PlanetLevel> planet_levels(PlanetLevel picture, int channels);
 
 // Mean over the planet, by area.
 std::vector<double> planet_mean(const PlanetLevel& picture, int channels);
 
-// The picture with `rows` rows, each texel the mean of what it covers.
+// The picture with `rows` rows, each texel the mean over its area in the picture.
 PlanetLevel resampled(const PlanetLevel& picture, int rows, int channels);
 
 }  // namespace airlight

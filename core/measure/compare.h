@@ -1,6 +1,6 @@
 #pragma once
-// Comparing two EXR files: a request and a report, both plain data. The work is done by the module airlight_compare,
-// which alone links OpenImageIO and is loaded when it is needed: linking it into the tool would cost every start of the
+// Comparison of two EXR files: a request and a report, both plain data. The module airlight_compare does the work; it
+// alone links OpenImageIO and is loaded when needed. Linked into the tool, OpenImageIO would cost every start of the
 // tool 0.2 CPU-s and 130 MB.
 
 #include <cstddef>
@@ -15,12 +15,12 @@
 
 namespace airlight::measure {
 
-// Limits as idiff's, on the absolute difference of any channel, or in standard errors where those are given. An absent
-// limit does not judge.
+// Limits on the absolute difference of any channel, like idiff's, or on the difference in standard errors where those
+// are given. An absent limit is not judged.
 struct Limits {
   std::optional<double> fail;       // a pixel fails above it
-  double fail_percent = 0.0;        // of the pixels that may fail
-  std::optional<double> hard_fail;  // no pixel may be above it
+  double fail_percent = 0.0;        // share of pixels that may fail
+  std::optional<double> hard_fail;  // no pixel may exceed it
   std::optional<double> warn;
   double warn_percent = 0.0;
   std::optional<double> hard_warn;
@@ -34,16 +34,16 @@ struct ComparisonRequest {
   std::string a;
   std::string b;                             // the reference
   std::vector<std::string> standard_errors;  // files; several add in quadrature
-  std::string standard_error_layer;          // empty: the one called like a standard error, else the main picture
+  std::string standard_error_layer;          // empty: the layer named like a standard error, else the main picture
   std::string layer;                         // empty: the main picture
   std::vector<std::string> channels;         // empty: all of the layer
   std::string view_preset;                   // resolved preset that says where pixels look; empty: the files' own
   bool allow_nonfinite = false;
   Limits limits;
-  bool heatmap = false;  // to be drawn
+  bool heatmap = false;  // draw one
   bool side_by_side = false;
   std::optional<double> heatmap_max;  // the scale's top; absent: from the picture
-  std::size_t shown_pixels = 0;       // at most so many of each picture are handed back for a page
+  std::size_t shown_pixels = 0;       // most pixels of each picture to return for a page
 };
 
 struct PixelReport {
@@ -81,30 +81,30 @@ struct NonfiniteCount {
   std::size_t nan_b = 0, infinite_b = 0;
 };
 
-// A limit in force, as people read it, and what was measured against it.
+// A limit in force, in words, and the value measured against it.
 struct LimitCheck {
   std::string limit;     // "mean relative error (--rel-mean)"
   std::string allowed;   // "0.005"
   std::string measured;  // "0.0123"
   bool holds = true;
   bool only_warns = false;
-  std::string reason;  // where it does not hold: a line that says so
+  std::string reason;  // if the limit does not hold: a line that says so
 };
 
 enum class Verdict { pass, warn, differ, cannot_compare };
 
 struct ComparisonReport {
   Verdict verdict = Verdict::cannot_compare;
-  std::string problem;               // why it cannot be compared; one line
+  std::string problem;               // reason why the files cannot be compared; one line
   std::vector<std::string> reasons;  // what failed or warned, a line each
   std::vector<LimitCheck> checks;    // every limit in force
-  std::vector<std::string> notes;    // what to know besides
+  std::vector<std::string> notes;    // further information
   int width = 0;
   int height = 0;
   std::vector<std::string> channels;
   bool presets_known = false;  // both files carry one
   std::vector<KeyDifference> preset_keys;
-  std::vector<NonfiniteCount> nonfinite;  // channels that hold any
+  std::vector<NonfiniteCount> nonfinite;  // channels with at least one
   std::size_t unequal_nonfinite = 0;      // pixels
   std::size_t pixels = 0;
   std::size_t pixels_over_fail = 0;
@@ -116,7 +116,7 @@ struct ComparisonReport {
   std::optional<ShownPictures> shown;
 };
 
-// The module's one entry, by this name. Never throws: what goes wrong is in the report.
+// The module's one entry, by this name. Never throws: failures are in the report.
 inline constexpr const char* kCompareEntry = "airlight_compare";
 using CompareFunction = void (*)(const ComparisonRequest& request, ComparisonReport& report);
 

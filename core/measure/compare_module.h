@@ -5,11 +5,11 @@
 
 namespace airlight::measure {
 
-// Looks beside the running program, then where both are installed (../lib/airlight/modules from there). Loaded once,
-// kept for the life of the process. Throws RunError when it is missing or does not load.
+// Loads the module from beside the running program, else from the installed place (../lib/airlight/modules from there),
+// once for the life of the process. Throws RunError when it is missing or does not load.
 CompareFunction load_compare();
 
-// Any entry of the same module, loaded likewise.
+// Any entry of the same module, which is loaded in the same way.
 void* module_entry(const char* name);
 
 }  // namespace airlight::measure

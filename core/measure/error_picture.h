@@ -1,5 +1,5 @@
 #pragma once
-// The pictures that show where two pictures differ.
+// Pictures that show the differences between two pictures.
 
 #include <optional>
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace airlight::measure {
 
-// What a heat map's colours mean.
+// The scale of a heat map's colours.
 struct ErrorScale {
   bool logarithmic = true;
   double low = 1e-5;   // everything below has the lowest colour
@@ -20,8 +20,8 @@ struct ErrorScale {
   double fraction(double error) const;
 };
 
-// Relative errors: three decades below the power of ten that holds the largest, or below `top`. Standard errors: linear
-// from 0 to 6, or to `top`.
+// For relative errors: three decades below the power of ten above the largest error, or below `top`. For standard
+// errors: linear from 0 to 6, or to `top`.
 ErrorScale scale_for(std::span<const float> errors, bool in_sigmas, std::optional<double> top);
 
 // One picture's planes as they are to be shown; grey where there is one plane.
@@ -31,7 +31,7 @@ struct ShownPicture {
   std::span<const float> blue;
 };
 
-// Brings the brightest tenth's lower edge to near white: robust against a black ground and against the sun's disc.
+// An exposure that brings the lower edge of the brightest tenth near white, whatever a black ground or the disc hold.
 double exposure_for(const ShownPicture& picture);
 
 struct PictureSize {
@@ -42,7 +42,7 @@ struct PictureSize {
 // The errors with the scale drawn below, numbered. Small pictures are enlarged by a whole factor.
 Raster draw_heatmap(std::span<const float> errors, PictureSize size, const ErrorScale& scale);
 
-// A, B and the errors in a row; A and B with the exposure that suits B.
+// A, B and the errors in a row; A and B both with the exposure for B.
 Raster draw_side_by_side(const ShownPicture& a, const ShownPicture& b, std::span<const float> errors, PictureSize size,
                          const ErrorScale& scale);
 

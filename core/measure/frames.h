@@ -1,5 +1,5 @@
 #pragma once
-// Which file is compared with which: two files, two folders, or two frame patterns such as sky.####.exr.
+// Pairs of files to compare: two files, two folders, or two frame patterns such as sky.####.exr.
 
 #include <optional>
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace airlight::measure {
 
-// "sky.####.exr": a run of # in the file's name stands for a frame number of at least so many digits, padded with zeros
-// (as many as needed when there is one #).
+// "sky.####.exr": a run of # in the file's name stands for a frame number with at least as many digits, padded with
+// zeros. One # stands for as many digits as needed.
 struct FramePattern {
   std::string folder;  // "." where none is given
   std::string before;
@@ -20,7 +20,7 @@ struct FramePattern {
 // None when the name has no #. Throws InputError when it has two runs, or one in a folder's name.
 std::optional<FramePattern> frame_pattern(const std::string& path);
 
-// The frame that a file name shows, if it is one of the pattern's.
+// The frame number in a file name; none where the name is not of the pattern.
 std::optional<long> frame_number(const FramePattern& pattern, std::string_view file_name);
 
 struct FilePair {
@@ -28,7 +28,7 @@ struct FilePair {
   std::string a;
   std::string b;
   std::vector<std::string> standard_errors;
-  std::string problem;  // why this pair cannot be compared: one side is missing
+  std::string problem;  // reason why this pair cannot be compared: one side is missing
 };
 
 struct FilePairs {
@@ -36,7 +36,7 @@ struct FilePairs {
   std::vector<FilePair> pairs;
 };
 
-// Throws InputError: nothing there, unlike kinds, no EXR files, none that match.
+// Throws InputError: nothing there, unlike kinds, no EXR files, no matching files.
 FilePairs pair_files(const std::string& a, const std::string& b, const std::vector<std::string>& standard_errors);
 
 }  // namespace airlight::measure

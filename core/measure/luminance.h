@@ -10,7 +10,7 @@ namespace airlight::measure {
 // CIE xy of red, green, blue and white, in the order of OpenEXR's `chromaticities`.
 using Chromaticities = std::array<double, 8>;
 
-// ITU-R BT.709 with D65: what an EXR without the attribute means.
+// ITU-R BT.709 with D65: the meaning of an EXR without the attribute.
 inline constexpr Chromaticities kBt709 = {0.64, 0.33, 0.30, 0.60, 0.15, 0.06, 0.3127, 0.3290};
 
 // Weights that add up to 1. Primaries on a line give those of BT.709.

@@ -19,17 +19,17 @@ inline constexpr double kRelativeFloor = 1e-3;  // of mean|b|
 // never equals a non-finite one.
 enum class NonfiniteRule { never_equal, equal_to_same };
 
-// Bits that say where a pixel lies; which bit means what is the caller's (view_geometry.h has the sky's).
+// Bits that tell the region of a pixel. The caller defines their meaning (view_geometry.h has the sky's).
 using RegionBits = std::uint8_t;
 
-// The pixels that a figure is about: all of them, or those with any of `wanted` set. `bits` holds one value a pixel;
-// channels laid end to end share it.
+// The pixels of a figure: all, or those with any of `wanted` set. `bits` holds one value a pixel; channels laid end to
+// end share it.
 struct Area {
   std::span<const RegionBits> bits = {};
   RegionBits wanted = 0;
 };
 
-// Percentiles by nearest rank. A value that cannot be compared has an infinite error and counts as the largest.
+// Percentiles by nearest rank. A value that cannot be compared has an infinite error, the largest of all.
 struct ErrorSummary {
   std::size_t count = 0;     // values in the area; 0 leaves the figures NaN
   std::size_t infinite = 0;  // errors without a figure: NaN or infinity, or a black reference
@@ -41,7 +41,7 @@ struct ErrorSummary {
   std::size_t worst = 0;  // index of the first largest error
 };
 
-// Sums from which RMS, PSNR and bias follow; those of several channels add.
+// Sums for RMS, PSNR and bias; those of several channels add.
 struct Deviation {
   std::size_t count = 0;
   double sum_squares = 0.0;
@@ -52,10 +52,10 @@ struct Deviation {
   Deviation& operator+=(const Deviation& other);
   double rms() const;
   double psnr() const;  // dB below B's largest magnitude; infinite when equal
-  double bias() const;  // (mean a - mean b) / |mean b|: what random noise averages out of
+  double bias() const;  // (mean a - mean b) / |mean b|, from which random noise averages out
 };
 
-// Squared distances in units of the standard error. Near 1 per value when only noise separates the two.
+// Squared distances in units of the standard error: near 1 per value when only noise separates the two.
 struct ChiSquare {
   std::size_t count = 0;  // values with a standard error above 0
   double sum = 0.0;
@@ -71,7 +71,7 @@ double mean_magnitude(std::span<const float> values);
 std::vector<float> absolute_errors(std::span<const float> a, std::span<const float> b,
                                    NonfiniteRule rule = NonfiniteRule::never_equal);
 
-// With the floor taken from `reference_mean`, or from mean_magnitude(b).
+// The floor comes from `reference_mean`, or from mean_magnitude(b).
 std::vector<float> relative_errors(std::span<const float> a, std::span<const float> b, double reference_mean,
                                    NonfiniteRule rule = NonfiniteRule::never_equal);
 std::vector<float> relative_errors(std::span<const float> a, std::span<const float> b);

@@ -10,7 +10,7 @@
 
 namespace airlight::measure {
 
-// Channels of one layer in one part. A layer is what stands before the last dot of a channel's name; channels without a
+// Channels of one layer in one part. The layer is the part of a channel's name before the last dot. Channels without a
 // dot belong to the main picture in the first part, and to a layer of the part's name in the others.
 struct ExrLayer {
   std::string name;       // empty: the main picture
@@ -19,7 +19,7 @@ struct ExrLayer {
   PixelFrame frame;
   std::vector<std::string> channels;  // "R"
   std::vector<int> indexes;           // in the part
-  std::vector<float> units;           // what the values read are multiplied by
+  std::vector<float> units;           // factors for the values read
 };
 
 struct ExrHeader {
@@ -32,10 +32,10 @@ struct ExrHeader {
 // Throws InputError: missing, a directory, not an EXR, damaged, deep data.
 ExrHeader read_exr_header(const std::string& file);
 
-// Throws InputError that lists the layers there are. An empty name means the main picture, or the only layer.
+// An empty name means the main picture, or the only layer. Throws InputError that lists the existing layers.
 const ExrLayer& find_layer(const ExrHeader& header, const std::string& name);
 
-// Channels of the layer by their places there. Throws InputError when the file is damaged or cut short.
+// Channels of the layer, by their index there. Throws InputError when the file is damaged or cut short.
 std::vector<std::vector<float>> read_exr_channels(const ExrHeader& header, const ExrLayer& layer,
                                                   const std::vector<std::size_t>& places);
 

@@ -1,5 +1,5 @@
 #pragma once
-// A text of an EXR's header through OpenImageIO, whole where it stands in pieces. Only modules see this header.
+// A text in an EXR's header, through OpenImageIO, joined where it is stored in pieces. Only modules see this header.
 
 #include <OpenImageIO/imageio.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-// A comparison as one HTML page that needs nothing beside itself.
+// A comparison as one HTML page without further files.
 
 #include <cstddef>
 #include <string>
@@ -10,11 +10,11 @@
 
 namespace airlight::measure {
 
-// Pixels of each picture that a page of so many pairs may hold: 960x540 of a single one, and together at most 1.5
-// million, which is 19 MB of page.
+// Pixels of each picture on a page of so many pairs: 960x540 for a single pair, at most 1.5 million for all together,
+// which make 19 MB of page.
 std::size_t page_pixels(std::size_t pairs);
 
-// Every pair, the worst first. `a`, `b`: what was compared, as the user named it.
+// All pairs, the worst first. `a`, `b`: the names that the user gave to what was compared.
 std::string html_page(const std::vector<NamedReport>& entries, std::string_view a, std::string_view b);
 
 // core/measure/page.html, embedded at build time.

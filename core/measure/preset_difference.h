@@ -1,5 +1,5 @@
 #pragma once
-// The presets that two pictures carry: what differs between them is most often why the pictures do.
+// Differences between the presets in two pictures, which most often explain the differences between the pictures.
 
 #include <string>
 #include <string_view>

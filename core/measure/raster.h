@@ -27,7 +27,7 @@ class Raster {
   int height() const { return height_; }
   const std::vector<std::uint8_t>& rgb() const { return rgb_; }
   Colour at(int x, int y) const;
-  void set(int x, int y, Colour colour);  // outside: nothing
+  void set(int x, int y, Colour colour);  // no effect outside
   void fill(const Rectangle& area, Colour colour);
 
   // Letters of 5 x 7 dots, each `scale` pixels wide; small letters are written as capitals, unknown ones as a box.

@@ -20,19 +20,19 @@ struct NamedReport {
 // Everything about one pair: presets first, then notes, figures and the verdict. Several lines.
 std::string describe(const NamedReport& entry, const Limits& in_force);
 
-// One line; where it is no plain pass, lines of reasons and causes as well.
+// One line; more lines with reasons and causes unless it is a plain pass.
 std::string describe_briefly(const NamedReport& entry);
 
-// Why, a line each: the first preset keys that differ, the worst pixel, the pictures that show it. May be empty.
+// Causes, a line each: the first preset keys that differ, the worst pixel, the pictures that show it. May be empty.
 std::string describe_causes(const NamedReport& entry);
 
-// What cannot be compared first, then by the largest and the mean relative error of the colour channels pooled.
+// Pairs that cannot be compared first, then by the largest and the mean relative error of the colour channels pooled.
 std::vector<const NamedReport*> worst_first(const std::vector<NamedReport>& entries);
 
 // "3 pairs: 1 pass, 1 differs, 1 cannot be compared; largest relative error ... in ..."
 std::string describe_all(const std::vector<NamedReport>& entries);
 
-// The worst of all: a pair that cannot be compared weighs more than one that differs.
+// The worst verdict. A pair that cannot be compared is worse than one that differs.
 Verdict overall(const std::vector<NamedReport>& entries);
 
 // A JUnit test suite: a case for each pair, a <failure> where they differ, an <error> where they cannot be compared.

@@ -1,5 +1,5 @@
 #pragma once
-// Where each pixel of a picture looks, and which part of the sky that is.
+// The direction of each pixel of a picture, and its region of the sky.
 
 #include <array>
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace airlight::measure {
 
-// What of a scene decides where a pixel looks. Angles in radians, lengths in km.
+// The part of a scene that determines pixels' directions. Angles in radians, lengths in km.
 struct Viewpoint {
   Camera camera;
   double sun_elevation = 0.0;
@@ -19,11 +19,11 @@ struct Viewpoint {
   double ground_radius = 6360.0;
 };
 
-// The picture's size and the part of it that a file holds.
+// The picture's size and the stored part of it.
 struct PixelFrame {
   int width = 0;  // of the whole picture
   int height = 0;
-  int left = 0;  // the part that is stored
+  int left = 0;  // of the stored part
   int top = 0;
   int columns = 0;
   int rows = 0;
@@ -35,7 +35,7 @@ struct LookDirection {
   double sun_distance = 0.0;
 };
 
-// A pixel may lie in several.
+// A pixel may lie in several regions.
 enum Region : RegionBits {
   kAureole = 1,  // within kAureoleRadius of the sun and above the true horizon
   kHorizon = 2,  // less than kHorizonBand above the true horizon
@@ -56,13 +56,13 @@ struct RegionName {
 inline constexpr std::array<RegionName, 5> kRegions = {
     {{kSky, "sky"}, {kAureole, "sun aureole"}, {kHorizon, "horizon band"}, {kZenith, "zenith"}, {kGround, "ground"}}};
 
-// The centre of a stored pixel; none outside a fisheye's circle.
+// Direction of a stored pixel's centre; none outside a fisheye's circle.
 std::optional<LookDirection> look_direction(const Viewpoint& viewpoint, const PixelFrame& frame, int column, int row);
 
 // One value for each stored pixel, row by row; 0 outside a fisheye's circle.
 std::vector<RegionBits> classify(const Viewpoint& viewpoint, const PixelFrame& frame);
 
-// From a preset of format 1 with every key written out, as the EXRs carry it. Throws InputError.
+// The viewpoint of a preset of format 1 with every key written out, as EXRs hold it. Throws InputError.
 Viewpoint viewpoint_from_preset(std::string_view resolved_preset);
 
 }  // namespace airlight::measure

@@ -1,5 +1,5 @@
 #pragma once
-// Numbers and verdicts as people read them.
+// Numbers and verdicts in words for people.
 
 #include <string>
 
@@ -16,7 +16,7 @@ std::string percent(double fraction);
 // "pass", "pass with warnings", "differ", "cannot compare".
 std::string verdict_words(Verdict verdict);
 
-// One line: what libraries say over several.
+// Text of several lines, such as libraries write, as one line.
 std::string one_line(std::string text);
 
 }  // namespace airlight::measure

@@ -1,5 +1,5 @@
 #pragma once
-// The numbers that the closed-form skies need beside the scene (shaders/shared/analytic.h), by quadrature in double.
+// The inputs of the closed-form skies beside the scene (shaders/shared/analytic.h), by quadrature in double.
 
 #include <cstddef>
 #include <vector>

@@ -1,5 +1,5 @@
 #pragma once
-// The pixels that the planet's edge crosses: means over a few rays each (shaders/physics/horizon.glsl).
+// The pixels that the planet's edge crosses. Each is a mean over a few rays (shaders/physics/horizon.glsl).
 
 #include <cstdint>
 #include <memory>
@@ -14,8 +14,8 @@ struct EdgePixel {
   std::uint32_t y = 0;
 };
 
-// The tile's pixels at the edge, in no order that matters. The last few lists are remembered, so that frames and
-// candidates that share a camera find theirs made.
+// The tile's pixels at the edge; their order has no meaning. The last few lists are remembered, so that frames and
+// candidates with the same camera share one.
 std::shared_ptr<const std::vector<EdgePixel>> edge_pixels(const Scene& scene, const Tile& tile);
 
 }  // namespace airlight

@@ -1,5 +1,5 @@
 #pragma once
-// What the picture's table of factors (shaders/physics/sky_table.glsl, space_table.glsl) says of itself.
+// Description of the picture's table of factors (shaders/physics/sky_table.glsl, space_table.glsl).
 
 #include <cstdint>
 #include <string>
@@ -10,18 +10,18 @@
 
 namespace airlight {
 
-// What of scene and table the text needs.
+// The inputs of the description, from scene and table.
 struct FactorLayout {
   Planet planet;
   double camera_altitude = 0.0;         // km
   double sun_mu = 0.0;                  // the sun's zenith cosine
-  std::vector<std::string> apart = {};  // names of the media that have a block each, in order
+  std::vector<std::string> apart = {};  // names of the media with a block of their own, in order
   std::uint32_t columns = 0;
   std::uint32_t ground_rows = 0;
   std::uint32_t limb_rows = 0;
   std::uint32_t sky_rows = 0;  // 0: the camera is above the air
-  bool rayleigh = false;       // whether the last block is over 1 + nu^2 above the true horizon
-  bool in_colours = false;     // a sum over wavelengths, of a scene with spectra
+  bool rayleigh = false;       // whether the last block is divided by 1 + nu^2 above the true horizon
+  bool in_colours = false;     // whether the table is a sum over wavelengths, for a scene with spectra
 };
 
 TableText factor_text(const FactorLayout& layout);

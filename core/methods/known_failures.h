@@ -1,5 +1,5 @@
 #pragma once
-// Where a method is known to fail, for the scene at hand.
+// The known failures of a method for the scene at hand.
 
 #include <string_view>
 #include <vector>
@@ -8,12 +8,12 @@
 
 namespace airlight {
 
-// The causes of those of the method's known failures that the scene lies in: by sun, camera, air, planet and ground; by
-// steps and tables where they are fewer or smaller than the method's own; by the view where a tenth of the picture or
-// more looks there.
+// The causes of those known failures of the method whose region contains the scene. Sun, camera, air, planet and ground
+// count. Steps and tables count where they are fewer or smaller than the method's own. A view counts where a tenth of
+// the picture or more has it.
 std::vector<std::string_view> known_failures_of(const SkyMethod& method, const Scene& scene, const Air& air);
 
-// Quantity::light_kept of a scene: of the channel that keeps most.
+// Quantity::light_kept of a scene, for the channel that keeps most.
 double light_kept(const Scene& scene, const Air& air);
 
 }  // namespace airlight

@@ -1,5 +1,5 @@
 #pragma once
-// What the methods share that march on the tables of transmittance and multiple scattering: parameters, tables, pass.
+// Shared by the methods that march on the tables of transmittance and multiple scattering: parameters, tables, pass.
 
 #include <vector>
 
@@ -9,23 +9,23 @@
 
 namespace airlight {
 
-// Parameters by the keys that add_march_tables() and add_march_pass() read.
+// The parameters whose keys add_march_tables() and add_march_pass() read.
 ParameterInfo phase_parameter();
 ParameterInfo transmittance_lut_parameter();
 ParameterInfo multiple_scattering_lut_parameter();
 ParameterInfo multiple_scattering_scale_parameter();
 ParameterInfo sun_fade_parameter();
 
-// What every march on these tables fails at, for Validity::known_failures, and what one along each pixel's ray does.
+// For Validity::known_failures: the failures of every march on these tables, and of marches along each pixel's ray.
 std::vector<KnownFailure> march_table_failures();
 std::vector<KnownFailure> march_failures();
-// The march with neither steps nor tables to be seen, for SkyMethod::converged.
+// For SkyMethod::converged: the march with steps and tables so fine that neither shows.
 Converged converged_march();
 
 struct MarchTables {
   ImageId transmittance;
   ImageId multiple_scattering;
-  ImageId ground_irradiance;  // the multiple-scattering table under a black ground, which fetches nothing
+  ImageId ground_irradiance;  // under a black ground, which fetches nothing, it is the multiple-scattering table
   bool reflects = false;
 
   std::vector<ImageId> list() const;
@@ -36,8 +36,7 @@ MarchTables add_march_tables(Plan& plan, const Scene& scene, const Air& air);
 // PassDesc::cost of a march along one ray.
 double march_cost(int steps);
 
-// SkyMethod's members for methods that march: what their keys leave out, keys that keep no light apart, the march in
-// double.
+// Members of SkyMethod for methods that march: left_out, layers_refusal and formula.
 std::vector<std::string> march_left_out(const Scene& scene, const Plan& plan);
 std::string march_layers_refusal(const Scene& scene);
 RayFormula march_formula(physics::Physics p, const Scene& scene, const Air& air, const HostTables& tables);
@@ -49,17 +48,17 @@ physics::HostTable host_table(const HostTables& tables, const std::string& name)
 std::vector<Specialization> march_specialization(const Plan& plan, const Scene& scene, const Air& air,
                                                  const MarchTables& tables);
 
-// The tables by the names that such a pass gives them.
+// Bindings of the tables by the names in such a pass's shader.
 std::vector<Binding> march_reads(const MarchTables& tables);
 
 // The pass that marches every pixel or listed direction.
 void add_march_pass(Plan& plan, const Scene& scene, const Air& air, const MarchTables& tables, const SkyTarget& target);
 
-// The ground by its maps, over a picture of these tables whose ground is black; nothing where the scene has none.
+// Adds the ground by its maps to a picture of these tables with a black ground. No effect where the scene has no maps.
 void add_march_ground(Plan& plan, const Scene& scene, const Air& air, const MarchTables& tables,
                       const SkyTarget& target);
 
-// The pass of the same march that keeps its light apart.
+// Adds the pass of the same march that keeps light apart.
 LayerPasses add_march_layers(Plan& plan, const Scene& scene, const Air& air, const View& view,
                              const MarchTables& tables);
 

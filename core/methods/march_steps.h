@@ -1,5 +1,5 @@
 #pragma once
-// How many steps a march takes and where they stand: by its keys, and what these leave to the scene.
+// Number and distribution of a march's steps, by its keys and, where these say `auto`, by the scene.
 
 #include <cstdint>
 
@@ -7,7 +7,7 @@
 
 namespace airlight {
 
-// The keys of `march`, which may leave both to the scene, and of methods whose steps are always told.
+// Keys of methods whose steps are always given, then those of `march`, which may leave both to the scene.
 ParameterInfo steps_parameter(int default_steps);
 ParameterInfo step_distribution_parameter();
 ParameterInfo automatic_steps_parameter();
@@ -21,13 +21,13 @@ struct MarchSteps {
 
 MarchSteps march_steps(const Scene& scene, const Air& air);
 
-// The value of kStepDistribution that the keys tell; quadratic where they leave it to the scene.
+// The value of kStepDistribution by the keys; quadratic where they leave it to the scene.
 std::uint32_t step_distribution_code(const Scene& scene);
 
 // Whether steps, their distribution and their places are all left to the scene.
 bool steps_are_automatic(const RenderSettings& settings);
 
-// Quadratic ones, where no count is told.
+// Number of quadratic steps where no count is given.
 inline constexpr int kUsualSteps = 32;
 
 // Writes the choice into the settings.

@@ -1,11 +1,11 @@
 #pragma once
-// One maker a method; registry.cpp lists them.
+// One factory function for each method; registry.cpp lists them.
 
 #include "core/methods/method.h"
 
 namespace airlight {
 
-// A failure that methods share.
+// A failure shared by several methods.
 inline KnownFailure rounding_at_the_horizon() {
   return {"R",
           {{Quantity::view, -0.003, 0.003}},

@@ -1,5 +1,5 @@
 #pragma once
-// The light of a scene scattered once, in a few dozen directions: what wavelengths and their matrix are judged by.
+// The light of a scene scattered once, in a few dozen directions, by which wavelengths and their matrix are judged.
 
 #include <array>
 #include <vector>
@@ -9,9 +9,9 @@
 
 namespace airlight {
 
-// Spectra of sunlight scattered once or reflected by the ground, over the sun's, in a few dozen directions around the
-// camera, and of the sun seen through the air. Then the same as if each were scattered once more. Rays are walked once,
-// by the same steps for all wavelengths. Of a scene that has spectra, which must outlive this.
+// Spectra, over the sun's, of sunlight scattered once or reflected by the ground, in a few dozen directions around the
+// camera, and of the sun seen through the air; then the same light scattered once more. Rays are walked once, by the
+// same steps for all wavelengths. The scene must have spectra and outlive this.
 class SampledSky {
  public:
   SampledSky(const Scene& scene, const BandColours& colours);
@@ -32,17 +32,17 @@ class SampledSky {
     double albedo = 0.0;
   };
 
-  // A part of a ray that the sun lights.
+  // A lit part of a ray.
   struct LitStep {
     Columns here{};
-    Columns passed{};  // from the sun to it and from it to the camera
+    Columns passed{};  // from the sun to the step and on to the camera
   };
 
   struct Walk {
     double nu = 0.0;
     std::vector<LitStep> steps;
     double ground_cosine = 0.0;  // of the sun, where the ray ends on lit ground; else 0
-    Columns by_ground{};         // from the sun to the ground and from there to the camera
+    Columns by_ground{};         // from the sun to the ground and on to the camera
   };
 
   template <typename Value>

@@ -1,5 +1,5 @@
 #pragma once
-// A scene's air as its method wants it.
+// A scene's air with the options of its method.
 
 #include "core/air/air.h"
 #include "core/air/scene_block.h"
@@ -7,13 +7,13 @@
 
 namespace airlight {
 
-// What the method's own keys say of the air; a key that is not there says nothing.
+// The options that the method's own keys set; a missing key sets none.
 AirOptions air_options(const RenderSettings& settings);
 
-// The last few airs are remembered: all frames, qualities and tiles of one air find it made.
+// The last few airs are remembered, so that frames, qualities and tiles of the same air share it.
 Air air_of(const Scene& scene);
 
-// formulas_of() its air.
+// formulas_of() the scene's air.
 physics::Physics make_physics(const Scene& scene);
 
 }  // namespace airlight

@@ -1,5 +1,5 @@
 #pragma once
-// What every sky pass on the device shares: its output, its view rays, its size.
+// Parts that all sky passes on the device share: output, view rays, size.
 
 #include <cstdint>
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace airlight {
 
-// The radiance buffer is carried under this key, so that a second plan can expose what the first one rendered.
+// The radiance buffer is carried under this key, so that a second plan can expose the first one's picture.
 inline constexpr std::string_view kRadianceKey = "frame radiance";
 
 struct SkyTarget {
@@ -21,33 +21,33 @@ struct SkyTarget {
   std::uint32_t projection = 0;  // kProjection
 };
 
-// The buffer of a picture: carried under that key, but for a tile's.
+// The radiance buffer of a picture, carried under that key; a tile's is not carried.
 BufferDesc radiance_buffer(const View& view, std::size_t bytes);
 
-// What of the camera's picture the view shows.
+// The part of the camera's picture that the view shows.
 Tile tile_of(const Scene& scene, const View& view);
 
 // The grid of the camera's picture, or of its tile.
 Extent picture_grid(const Scene& scene, const View& view);
 
-// The key of a table that depends on the picture at hand; empty where no later plan needs it.
+// The key of a table that depends on the picture; empty where no later plan needs the table.
 std::string picture_table_key(const View& view, std::string_view table);
 
-// A buffer for LayerPasses::planes, and the constants beside the method's own that its pass takes.
+// A buffer for LayerPasses::planes, and the constants that its pass takes beside the method's own.
 BufferId add_layer_planes(Plan& plan, const Scene& scene, const Air& air, const View& view);
 void add_layer_constants(std::vector<Specialization>& constants, const Scene& scene, const Air& air);
 
-// A whole pass of that kind: what is the same in every method's is added to `pass`, whose push constants follow the
+// Adds a whole pass of layers: completes `pass` with what all methods' passes share. Its push constants follow the
 // grid's width and height.
 LayerPasses add_layers_pass(Plan& plan, const Scene& scene, const Air& air, const View& view, PassDesc pass,
                             std::optional<ImageId> transmittance);
 
-// Adds the buffers that a sky pass writes and reads for this view.
+// Adds the buffers that a sky pass of this view writes and reads.
 SkyTarget add_sky_target(Plan& plan, const Scene& scene, const View& view);
 
-// Adds a sky pass whose pixels are little work, and a second one over those that the planet's edge crosses, if any. The
-// pass: shaders/shared/horizon_pixels.glsl, which reads `directions`; its push constants begin with the grid's width
-// and height.
+// Adds a sky pass with little work per pixel, and a second one over the pixels that the planet's edge crosses, if any.
+// The pass uses shaders/shared/horizon_pixels.glsl and reads `directions`; its push constants begin with the grid's
+// width and height.
 void add_pass_with_edges(Plan& plan, const Scene& scene, const View& view, const SkyTarget& target, PassDesc pass);
 
 }  // namespace airlight

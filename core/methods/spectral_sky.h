@@ -10,7 +10,7 @@ namespace airlight {
 // Three wavelengths of a scene. Its channels are radiance over the sun's, times the irradiance that the preset gives.
 struct WavelengthGroup {
   Scene scene;                   // without spectra
-  std::array<Rgb, 3> colours{};  // of its channels; 0 for one that only fills the group up
+  std::array<Rgb, 3> colours{};  // of its channels; 0 for a channel that only fills the group up
 };
 
 struct SpectralScene {
@@ -20,16 +20,16 @@ struct SpectralScene {
   std::vector<WavelengthGroup> groups;
 };
 
-// The scene's wavelengths, with a matrix fitted to its sampled sky; automatic ones are the fewest, in whole groups,
-// whose matrix renders it to 0.4 %. Of a scene that has spectra. The last few matrices are remembered:
-// all tiles of a picture find theirs made.
+// The scene's wavelengths, with a matrix fitted to its sampled sky. Automatic ones are the fewest, in whole groups,
+// whose matrix renders that sky to 0.4 %. The scene must have spectra. The last few matrices are remembered, so that
+// all tiles of a picture share one.
 SpectralScene spectral_scene(const Scene& scene);
 
-// The same at wavelengths of one's own. The matrix is that of their cells (cell_matrix), close to the truth where
-// they are dense.
+// The same at given wavelengths. The matrix is that of their cells (cell_matrix), close to the truth where they are
+// dense.
 SpectralScene spectral_scene_at(const Scene& scene, const Nodes& nodes);
 
-// Colours of transmittance, over that of sunlight above the air.
+// Colours of transmittance, relative to sunlight above the air.
 std::array<Rgb, 3> over_the_sun(std::array<Rgb, 3> colours, const Rgb& sun);
 
 // Media that scatter at any wavelength of the groups, bit i for medium i.

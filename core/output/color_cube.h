@@ -1,5 +1,5 @@
 #pragma once
-// An expensive colour transform, evaluated only at the points of a fine grid that a picture needs, and interpolated
+// An expensive colour transform, evaluated only at those points of a fine grid that a picture needs, and interpolated
 // between them. A sky covers a thin sheet of all colours: ten thousand points serve two million pixels.
 
 #include <cstddef>
@@ -18,13 +18,13 @@ class ColorCube {
  public:
   ColorCube();
 
-  // Evaluates the transform at the points that these pixels need and that no pixels before needed, unless that is
-  // dearer than to transform all pixels so far: then these go through the transform. What is evaluated depends on the
-  // pixels given so far, and on how they were divided between calls.
+  // Evaluates the transform at the points that these pixels need and earlier ones did not. If that would cost more than
+  // to transform all pixels so far, these pixels go through the transform instead. The evaluated points depend on the
+  // pixels given so far and on how they were divided between calls.
   void prepare(std::span<const float> rgba, const ColorTransform& transform);
 
-  // Transforms pixels in place. Colours outside the grid or not prepared for, non-finite ones, and those where the
-  // transform bends too sharply go through it.
+  // Transforms pixels in place. Colours outside the grid, colours that were not prepared, non-finite ones, and those
+  // where the transform bends too sharply go through the transform itself.
   void apply(std::span<float> rgba, const ColorTransform& transform) const;
 
   // Points evaluated so far.
@@ -37,7 +37,7 @@ class ColorCube {
   void evaluate_cells(std::span<const std::uint32_t> cells, std::span<const std::uint32_t> nodes,
                       const ColorTransform& transform);
 
-  // RGB of each grid point and a mark, red fastest; untouched pages cost no memory.
+  // RGB and a mark for each grid point, red fastest. Untouched pages cost no memory.
   std::unique_ptr<float[], Free> values_;
   std::vector<std::uint8_t> marks_;  // of each cell, by its first node, and of each node
   std::size_t credit_ = 0;           // points that may still be evaluated

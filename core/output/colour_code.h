@@ -1,5 +1,5 @@
 #pragma once
-// How display-encoded pixels are meant, by the code points of ITU-T H.273: what PNGs and films say of themselves.
+// The meaning of display-encoded pixels, as the code points of ITU-T H.273 in PNGs and films.
 
 #include <array>
 #include <optional>
@@ -19,10 +19,10 @@ inline constexpr ColourCode kSrgbCode{1, 13};
 // CIE xy of white, red, green and blue.
 std::array<double, 8> primaries_of(const ColourCode& code);
 
-// The exponent that takes light to code values; nothing where no exponent comes near.
+// The exponent that takes light to code values; none where no exponent comes near.
 std::optional<double> encoding_exponent(const ColourCode& code);
 
-// The code of a display of an OpenColorIO config, by its usual name, such as "sRGB - Display" or "Rec.2100-PQ -
+// The code of a display of an OpenColorIO config, found by its usual name, such as "sRGB - Display" or "Rec.2100-PQ -
 // Display".
 std::optional<ColourCode> colour_code_of_display(std::string_view name);
 

@@ -1,5 +1,5 @@
 #pragma once
-// From scene-linear radiance to what a screen shows, through OpenColorIO.
+// Scene-linear radiance to display colours, through OpenColorIO.
 
 #include <functional>
 #include <memory>
@@ -16,8 +16,8 @@ struct DisplaySettings {
   std::string display;  // empty: the config's default
   std::string view;     // empty: the display's default
   QuantizeOptions pixels;
-  // Transform every pixel by OpenColorIO itself. Otherwise an 8-bit picture is interpolated between transformed colours
-  // wherever that stays within half a code (about 5 times cheaper); 16 bits are always exact.
+  // Transforms every pixel by OpenColorIO itself. Otherwise an 8-bit picture is interpolated between transformed
+  // colours wherever that stays within half a code (about 5 times cheaper); 16 bits are always exact.
   bool exact = false;
 };
 
@@ -27,7 +27,7 @@ struct AddedLight {
   float intensity = 0.0F;
 };
 
-// The config read, its names checked: made before rendering, so that a wrong name costs no render.
+// The config, read and with its names checked. It is made before rendering, so that a wrong name costs no render.
 class DisplayTransform {
  public:
   // Throws InputError: config missing or broken, unknown display or view (with the choices and the nearest).
@@ -39,8 +39,8 @@ class DisplayTransform {
   const std::string& display() const;
   const std::string& view() const;
   const std::string& config() const;          // the path, or "the built-in config"
-  const std::string& warning() const;         // what had to be assumed about the config; mostly empty
-  std::optional<ColourCode> colours() const;  // what its pixels are, where that is known
+  const std::string& warning() const;         // assumption made about the config; usually empty
+  std::optional<ColourCode> colours() const;  // meaning of its pixels, where known
 
   // (image + intensity * light) * exposure, transformed. Alpha passes unchanged.
   PixelImage apply(const RadianceImage& image, const AddedLight& light, float exposure) const;
@@ -51,11 +51,11 @@ class DisplayTransform {
   std::unique_ptr<State> state_;
 };
 
-// A picture that comes row by row: the same pixels as DisplayTransform::apply() makes of it at once, however the rows
-// were divided.
+// The display transform of a picture that comes row by row. The pixels equal those of DisplayTransform::apply() on the
+// whole picture, however the rows are divided.
 class DisplayRows {
  public:
-  // Takes finished rows from the top.
+  // Takes finished rows, from the top.
   using Sink = std::function<void(const PixelImage& rows)>;
 
   // The transform must outlive it.
@@ -64,7 +64,7 @@ class DisplayRows {
   DisplayRows(const DisplayRows&) = delete;
   DisplayRows& operator=(const DisplayRows&) = delete;
 
-  // The next rows. With the last of the picture the sink gets what is left.
+  // Adds the next rows. With the picture's last row the sink gets all that remains.
   void add(const RadianceImage& rows, const AddedLight& light, float exposure);
 
  private:

@@ -20,7 +20,7 @@
 
 namespace airlight {
 
-// One channel of the picture, read where it lies: `first` is the sample of the top left pixel.
+// One channel of the picture, read in place; `first` is the sample of the top left pixel.
 struct ExrChannel {
   std::string name;  // "R", or "LAYER.R"
   const float* first = nullptr;
@@ -32,7 +32,7 @@ struct ExrChannel {
 void add_channels(std::vector<ExrChannel>& channels, std::string_view layer, const RadianceImage& image,
                   bool with_alpha = false);
 
-// What is said of a frame of a sequence, under OpenEXR's standard names; what is not known is absent.
+// Description of a sequence's frame, under OpenEXR's standard names; unknown members are absent.
 struct FrameAttributes {
   std::string label;                         // for `comments`: "frame 12, 2026-06-21T05:00:00+02:00"
   std::optional<int> number;                 // imageCounter
@@ -45,22 +45,22 @@ struct FrameAttributes {
 
 struct ExrOptions {
   bool half = true;                                  // else 32-bit float
-  WorkingSpace space = WorkingSpace::linear_rec709;  // that the channels given are in
+  WorkingSpace space = WorkingSpace::linear_rec709;  // space of the given channels
   bool latlong = false;                              // an equirectangular picture: tagged as an environment map
   bool cube = false;                                 // OpenEXR's stack of six faces: tagged likewise
   std::optional<float> white_luminance;              // cd/m2 of radiance (1, 1, 1)
   std::optional<std::array<float, 16>> world_to_camera;
   std::string comments;
   std::optional<FrameAttributes> frame;
-  // The file is one of SMPTE ST 2065-4, the ACES image container: half, uncompressed, of red, green and blue in
-  // ACES2065-1, perhaps with alpha, and nothing else.
+  // Writes an ACES image container, SMPTE ST 2065-4: half, uncompressed, red, green and blue in ACES2065-1, perhaps
+  // with alpha, and nothing else.
   bool aces_container = false;
   std::optional<Provenance> provenance;
   std::map<std::string, std::string> strings;  // further attributes
   std::map<std::string, float> numbers;
 };
 
-// Samples that the file could not hold, or should not have been given; alpha is not counted.
+// Number of samples that the file could not hold, or that were faulty; alpha is not counted.
 struct ExrCounts {
   std::size_t samples = 0;
   std::size_t clamped = 0;      // above 65504 (infinity too), stored as 65504; half only
@@ -74,23 +74,23 @@ struct ExrFile {
   ExrCounts counts;
 };
 
-// Takes bytes at a position: mostly at the end, once back to the beginning.
+// Takes bytes at a position, usually the end, once the beginning.
 using ExrSink = std::function<void(std::uint64_t position, std::span<const std::byte> bytes)>;
 
-// A file whose rows are given from the top, some at a time: the same bytes as encode_exr() makes of all of them. Throws
-// RunError, and what the sink throws.
+// An EXR whose rows are given from the top, some at a time. The bytes equal those of encode_exr() on all rows. Throws
+// RunError, and whatever the sink throws.
 class ExrRows {
  public:
-  // `channels`: names and formats; their samples are not read. `options` as of encode_exr().
+  // `channels`: names and formats; their samples are not read. `options`: as for encode_exr().
   ExrRows(ExrSink sink, int width, int height, std::span<const ExrChannel> channels, const ExrOptions& options);
   ~ExrRows();
   ExrRows(const ExrRows&) = delete;
   ExrRows& operator=(const ExrRows&) = delete;
 
-  // The next rows; `channels` in the order given, `first` the sample at the left of the first of these rows.
+  // Adds the next rows; `channels` in the order given, `first` the sample at the left of the first of these rows.
   void add(int rows, std::span<const ExrChannel> channels);
 
-  // After the last row. `numbers`: attributes of ExrOptions::numbers that are known only now.
+  // To be called after the last row. `numbers`: those attributes of ExrOptions::numbers that are known only now.
   ExrCounts finish(const std::map<std::string, float>& numbers = {});
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// Floats to IEEE halves for the EXR, counting what a half cannot hold.
+// Converts floats to IEEE halves for the EXR and counts values that a half cannot hold.
 
 #include <cstddef>
 #include <cstdint>
@@ -13,12 +13,12 @@ namespace airlight {
 void convert_to_half(const float* samples, std::size_t stride, std::size_t count, std::uint16_t* halves,
                      ExrCounts& counts);
 
-// The counts that do not depend on the format: samples, negative, nan.
+// Counts that do not depend on the format: samples, negative, nan.
 void count_samples(const float* samples, std::size_t stride, std::size_t count, ExrCounts& counts);
 
-// What halves would lose of a picture that people could see; empty: nothing. Samples above 65504; or more than a
-// hundredth of those that matter, no darker than 1/256 of `typical` (its metered luminance), below 2^-16, where a half
-// has fewer than 8 bits.
+// The visible loss of a picture in halves; empty: none. It is a loss if a sample exceeds 65504, or if more than a
+// hundredth of the samples that matter, those no darker than 1/256 of `typical` (the picture's metered luminance), are
+// below 2^-16, where a half has fewer than 8 bits.
 std::string half_loss(const RadianceImage& image, double typical);
 
 void add_counts(ExrCounts& total, const ExrCounts& part);

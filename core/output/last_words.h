@@ -1,14 +1,15 @@
 #pragma once
-// What a run says when a signal ends it: which of its work is whole.
+// The message of a run that a signal ends: which of its work is whole.
 
 #include <string>
 
 namespace airlight {
 
-// A file of this run that is whole: write_file() and FileInProgress tell.
+// Notes a whole file of this run; write_file() and FileInProgress call it.
 void remember_whole(const std::string& file);
 
-// Said in place of those, from now on: "3 of 8 maps are whole; the same command goes on from there".
+// Replaces the list of whole files by this text from now on: "3 of 8 maps are whole; the same command goes on from
+// there".
 void say_when_ended(const std::string& text);
 
 // "SIGINT". Async-signal-safe.

@@ -1,7 +1,6 @@
 #pragma once
-// A text as attributes that every reader of EXR takes: ffmpeg loses its way in an attribute that it does not know and
-// that has more than 255 bytes. A longer text stands in pieces, NAME:000, NAME:001 and so on, never cut within a
-// character.
+// A long text as attributes that every reader of EXR accepts. ffmpeg fails on an unknown attribute of more than 255
+// bytes, so a longer text is stored in pieces, NAME:000, NAME:001 and so on, never cut within a character.
 
 #include <cstddef>
 #include <cstdio>
@@ -20,7 +19,7 @@ inline std::string piece_name(const std::string& name, std::size_t index) {
   return name + number;
 }
 
-// The bytes of the text's beginning, at most `most`, that end where a character of UTF-8 does.
+// Number of bytes from `first` on, at most `most`, that end at the end of a UTF-8 character.
 inline std::size_t whole_characters(const std::string& text, std::size_t first, std::size_t most) {
   if (text.size() - first <= most) {
     return text.size() - first;
@@ -46,8 +45,8 @@ inline std::vector<std::pair<std::string, std::string>> attributes_of(const std:
   return pieces;
 }
 
-// The text of that name, in one attribute or in pieces; nothing where there is none. `find` gives an attribute's text,
-// as std::optional<std::string>.
+// The text of that name, whether in one attribute or in pieces; none where it does not exist. `find` returns an
+// attribute's text as std::optional<std::string>.
 template <class Find>
 std::optional<std::string> text_in(const std::string& name, const Find& find) {
   if (std::optional<std::string> whole = find(name)) {

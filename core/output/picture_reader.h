@@ -1,5 +1,5 @@
 #pragma once
-// Pictures of ours read back, for previews and contact sheets.
+// Reads pictures of ours back, for previews and contact sheets.
 
 #include <filesystem>
 #include <optional>

@@ -27,19 +27,19 @@ struct PixelImage {
 };
 
 struct PngOptions {
-  // What the pixels are, said as sRGB or cICP, with gAMA and cHRM for older readers; nothing leaves it unsaid.
+  // Colours of the pixels, written as sRGB or cICP, with gAMA and cHRM for older readers; absent: not written.
   std::optional<ColourCode> colours = kSrgbCode;
   std::map<std::string, std::string> texts;  // tEXt chunks such as Software, Description; UTF-8 becomes iTXt
-  bool smallest = false;                     // four times the work for a file to keep in a repository
+  bool smallest = false;                     // four times the work, for a file kept in a repository
 };
 
-// A file whose rows are given from the top, some at a time: the same bytes as encode_png() makes of all of them. Throws
-// RunError, and what the sink throws.
+// A PNG whose rows are given from the top, some at a time. The bytes equal those of encode_png() on all rows. Throws
+// RunError, and whatever the sink throws.
 class PngRows {
  public:
   using Sink = std::function<void(std::span<const std::byte> bytes)>;
 
-  // `format`: channels and bits, and the width; its pixels are not read.
+  // `format`: channels, bits and width; its pixels are not read.
   PngRows(Sink sink, const PixelImage& format, int height, const PngOptions& options);
   ~PngRows();
   PngRows(const PngRows&) = delete;

@@ -1,5 +1,5 @@
 #pragma once
-// What a PNG says of itself in tEXt and uncompressed iTXt chunks, read from chunk to chunk without its pixels.
+// A PNG's tEXt and uncompressed iTXt chunks, read from chunk to chunk without the pixels.
 
 #include <cstdint>
 #include <istream>
@@ -10,10 +10,10 @@ namespace airlight {
 
 struct PngTexts {
   std::map<std::string, std::string> texts;  // by keyword
-  bool is_whole = false;                     // the last chunk ends it, where the file does
+  bool is_whole = false;                     // the last chunk is there and ends where the file ends
 };
 
-// From the start of the stream; what was read up to the damage where the file is cut short.
+// Reads from the start of the stream; of a damaged or cut file, all up to the damage.
 PngTexts read_png_texts(std::istream& in, std::uint64_t file_size);
 
 }  // namespace airlight

@@ -7,7 +7,7 @@ inline constexpr const char* kPresetKey = "airlight:preset";
 inline constexpr const char* kMethodKey = "airlight:method";
 inline constexpr const char* kVersionKey = "airlight:version";
 inline constexpr const char* kDeviceKey = "airlight:device";
-// The hash of a sequence's frame, in its PNG too: everything that makes the file what it is, see app/sequence/job.h.
+// The hash of a sequence's frame, in its PNG too: of everything that determines the file, see app/sequence/job.h.
 inline constexpr const char* kHashKey = "airlight:hash";
 
 }  // namespace airlight

@@ -9,15 +9,15 @@
 
 namespace airlight {
 
-// "S0.550,000000nm": Stokes' first component; a comma, as a point would begin a layer's name.
+// "S0.550,000000nm": Stokes' first component. The decimal mark is a comma, since a point would begin a layer's name.
 std::string spectral_channel_name(double nm);
 
-// Attributes of the file, all strings: spectralLayoutVersion and emissiveUnits by the layout; airlight:sunlight, the
-// sunlight above the air in the layout's writing of a spectrum ("380nm:1.07;390nm:1.1;"), unit times sr; and
-// airlight:picture, where the colours come from.
+// Attributes of the file, all strings. spectralLayoutVersion and emissiveUnits follow the layout. airlight:sunlight is
+// the sunlight above the air, unit times sr, in the layout's notation of a spectrum ("380nm:1.07;390nm:1.1;").
+// airlight:picture is the origin of the colours.
 std::map<std::string, std::string> spectral_attributes(const SpectralImage& spectrum);
 
-// Where the colours beside a spectrum come from, in words.
+// The origin of the colours beside a spectrum, in words.
 std::string origin_of_colours(const SpectralImage& spectrum);
 
 }  // namespace airlight

@@ -1,5 +1,5 @@
 #pragma once
-// Tables as EXR files that say what their texels stand for.
+// Tables as EXR files that describe their texels.
 
 #include <filesystem>
 #include <optional>
@@ -11,8 +11,8 @@
 namespace airlight {
 
 // A table of four floats a texel as a float EXR. The attributes are `airlight:quantity`, `airlight:unit`, for each axis
-// `airlight:axis:ALONG` ("NAME [UNIT]: MAPPING", a line each where several go along one), `airlight:constants`,
-// `airlight:decode` and, where the channels are not the preset's, `airlight:channels`.
+// `airlight:axis:ALONG` ("NAME [UNIT]: MAPPING", a line each where several axes share one direction),
+// `airlight:constants`, `airlight:decode` and, where the channels are not the preset's, `airlight:channels`.
 struct Table {
   int width = 0;
   int height = 0;

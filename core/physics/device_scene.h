@@ -1,5 +1,5 @@
 #pragma once
-// The scene's uniform block as the device reads it: shaders/shared/scene.h on float, scalar layout.
+// The scene's uniform block in the device's layout: shaders/shared/scene.h on float, scalar layout.
 
 namespace airlight::device {
 

@@ -10,7 +10,7 @@ namespace airlight::physics {
 
 #define UNROLL  // a mark for the shaders' compiler
 
-// In the order of their needs.
+// The order follows the dependencies of these files.
 // clang-format off
 #include "shaders/shared/scene.h"
 #include "shaders/shared/tables.h"
@@ -102,7 +102,7 @@ struct Physics {
                              (0.5 + y * (moments_lut.height - 1)) / moments_lut.height);
   }
 
-// In the order of their needs.
+// The order follows the dependencies of these files.
 // clang-format off
 #include "shaders/physics/phase.glsl"
 #include "shaders/physics/phase_table.glsl"
@@ -139,7 +139,7 @@ struct Physics {
   uint sphere_count() const { return static_cast<uint>(spheres.size()); }
   const SphereData& sphere(uint i) const { return spheres[i]; }
 #include "shaders/physics/spheres.glsl"
-  GroundTrack ray_track = {};  // of the ray at hand, whose air the terrain's shadow stands in
+  GroundTrack ray_track = {};  // of the ray at hand, through air with the terrain's shadow
   real ray_start = 0.0;        // where the march begins along it
   real sun_share(const Ray& ray, real t, real width) {
     const bool shadowed = terrain_maps != nullptr && terrain_maps->shadows != nullptr;
@@ -152,7 +152,7 @@ struct Physics {
 #include "shaders/physics/lut_mapping.glsl"
 #include "shaders/physics/transmittance.glsl"
 #include "shaders/physics/transmittance_lut.glsl"
-  uint sun_steps = 0;  // 0: sunlight from the table; else by a march of so many steps, as `nested` has it
+  uint sun_steps = 0;  // 0: sunlight from the table; else by a march of so many steps, as in `nested`
   vec3 transmittance_to_top(PlanetData planet, real h, real mu) {
     return sun_steps > 0 ? exp(-optical_depth_to_top(planet, h, mu, sun_steps)) : table_transmittance(planet, h, mu);
   }

@@ -1,5 +1,5 @@
 #pragma once
-// Plain values as buffers hold them, and back.
+// Plain values to the bytes of a buffer, and back.
 
 #include <cstddef>
 #include <cstring>
@@ -12,14 +12,14 @@
 
 namespace airlight {
 
-// Of a vector, an array, a span.
+// The bytes of a vector, an array or a span.
 template <class Values>
 std::vector<std::byte> bytes_of(const Values& values) {
   const auto bytes = std::as_bytes(std::span(values));
   return {bytes.begin(), bytes.end()};
 }
 
-// Of one structure.
+// The bytes of one structure.
 template <class T>
 std::vector<std::byte> bytes_of_one(const T& value) {
   return bytes_of(std::span(&value, 1));

@@ -19,21 +19,20 @@ struct Extent {
   std::uint32_t depth = 1;  // > 1: a 3-D image
 };
 
-// Four floats a texel, of 32 bits or of 16. `key` not empty: the contents depend on nothing but what the key says, and
-// they are kept by the executor for later plans; passes that would only make again what is kept are skipped (see
-// passes_to_run).
+// Four floats a texel, of 32 bits or of 16. A `key` says all that the contents depend on. With a key the executor keeps
+// the contents for later plans and skips passes that would only make them again (see passes_to_run).
 struct ImageDesc {
   std::string name = {};
   Extent extent = {};
   std::string key = {};
-  // 16 bits, which a GPU's samplers filter several times as fast; a processor, which has to widen them, keeps 32. Not
-  // for the host to read.
+  // Stored in 16 bits, which a GPU's samplers filter several times as fast; a processor would have to widen them and
+  // keeps 32. The host cannot read such an image.
   bool half = false;
-  bool stored = false;  // with a key that later starts of the program may ask for again: worth a file of the user's
-  // Of a table that may be written to a file; empty: of no use outside the plan. A function, as most plans ask for
-  // none.
+  bool stored = false;  // in a file of the user's, with a key that later starts of the program may ask for again
+  // For a table that may be written to a file; empty: of no use outside the plan. It is a function, since most plans do
+  // not ask for the text.
   std::function<TableText()> text = {};
-  std::string channels = {};  // what red, green and blue are, where not the scene's channels; set by Plan::add_image
+  std::string channels = {};  // meaning of red, green and blue, where not the scene's channels; set by Plan::add_image
   std::size_t bytes() const;  // tightly packed
 };
 
@@ -43,12 +42,13 @@ struct BufferDesc {
   bool host_readable = false;
   std::vector<std::byte> contents = {};  // empty: starts as zeros; else exactly `bytes` long
   std::string key = {};
-  // With a key: kept, but made anew by every plan that has a pass for it; a later plan without one reads what is there.
+  // With a key: kept, but made anew by every plan that has a pass for it. A later plan without such a pass reads what
+  // is there.
   bool carried = false;
-  bool scratch = false;  // what it holds at the end is of no use: no pass runs for it alone
+  bool scratch = false;  // its contents at the end are of no use: no pass runs for it alone
   bool zeroed = true;    // false: starts undefined, for a buffer that its pass writes whole (33 MB of zeros cost ms)
-  // In place of `contents` where those take long to find: asked when a pass that reads them runs, as most plans are
-  // only looked at.
+  // Replaces `contents` where they take long to compute. It is called when a pass that reads them runs, since most
+  // plans are never run.
   std::function<std::vector<std::byte>()> contents_when_run = {};
   bool has_contents() const { return !contents.empty() || contents_when_run; }
 };
@@ -77,20 +77,22 @@ struct PassDesc {
   std::string name = {};    // for timings and errors; the shader's name when empty
   std::string shader = {};  // file name in shaders/passes without .comp
   std::vector<Binding> reads = {};
-  std::vector<Binding> writes = {};  // a resource read and written stands here only
-  Extent grid = {};                  // in threads; workgroups are rounded up
+  std::vector<Binding> writes = {};  // a resource that is both read and written stands here only
+  Extent grid = {};                  // threads; workgroups are rounded up
   std::vector<std::uint32_t> push_constants = {};
   std::vector<Specialization> specialization = {};
-  // Threads that share a point of the grid where it is too small to fill a device other than a processor: there the
-  // grid is so many times as wide, and the shader's constant kTeam says how many they are. Else kTeam is 1.
+  // Number of threads that share a point of the grid, where the grid is too small to fill a device other than a
+  // processor. There the grid is so many times as wide, and the shader's constant kTeam is that number. Elsewhere kTeam
+  // is 1.
   std::uint32_t team = 1;
-  // Predicted, of one thread: in steps of `march` at one pixel, about 20 ns of one core of a software device. On
-  // hardware the ratios are much the same, as fetches and steps are what both spend on. Measured by `airlight chart`.
+  // Predicted cost of one thread in steps of `march` at one pixel, each about 20 ns of one core of a software device.
+  // On hardware the ratios are much the same, since both spend their time on fetches and steps. Measured by `airlight
+  // chart`.
   double cost = 1.0;
   std::uint32_t scene = 0;  // which of the plan's scenes its uniform block holds; set by Plan::add_pass
 };
 
-// What every device can begin a storage buffer's range at.
+// Alignment of a storage buffer's range that every device supports.
 inline constexpr std::size_t kSceneTablesAlignment = 256;
 
 constexpr std::size_t scene_tables_offset(std::size_t block_bytes) {
@@ -99,14 +101,14 @@ constexpr std::size_t scene_tables_offset(std::size_t block_bytes) {
 
 class Plan {
  public:
-  // The one uniform block, `scene` in every shader that declares it, and behind it, from the next multiple of
-  // kSceneTablesAlignment on, what the storage buffer `scene_tables` of a shader holds.
+  // The bytes of the one uniform block, `scene` in every shader that declares it, and behind it, from the next multiple
+  // of kSceneTablesAlignment on, those of the storage buffer `scene_tables`.
   std::vector<std::byte> scene_data;
 
-  // From here on passes read another scene, of as many bytes, and what is added has the suffix behind name and key.
-  // `channels`: ImageDesc::channels of what is added.
+  // From here on added passes read another scene, of as many bytes, and whatever is added gets the suffix to name and
+  // key. `channels`: ImageDesc::channels of what is added.
   void begin_scene(std::vector<std::byte> data, std::string suffix, std::string channels);
-  // The first scene again.
+  // Returns to the first scene.
   void end_scene();
   // The scene that the pass reads.
   const std::vector<std::byte>& scene_of(const PassDesc& pass) const;
@@ -115,7 +117,8 @@ class Plan {
 
   ImageId add_image(ImageDesc desc);
   BufferId add_buffer(BufferDesc desc);
-  // One buffer for all scenes of the plan: of a second of this name the first, which holds the same, is returned.
+  // Adds one buffer for all scenes of the plan. A second call with this name returns the first buffer, whose contents
+  // are equal.
   BufferId add_shared_buffer(BufferDesc desc);
   void add_pass(PassDesc desc);
   // Copies an image to a new host-readable buffer after the last pass, tightly packed, rows from the top.
@@ -144,22 +147,22 @@ class Plan {
 // "image transmittance", for messages.
 std::string describe(const Plan& plan, ResourceId id);
 
-// The pass's name, or its shader's when it has none.
+// The pass's name; its shader's where it has none.
 const std::string& pass_name(const PassDesc& pass);
 
-// Throws std::logic_error naming pass and resource: something read that no earlier pass wrote (and that has neither
-// contents nor a key), something both read and written in one pass, an empty grid, an unknown id, a repeated name.
+// Throws std::logic_error naming pass and resource: a resource read before any pass writes it (without contents or a
+// key), a resource both read and written in one pass, an empty grid, an unknown id, a repeated name.
 void check(const Plan& plan);
 
-// Tells whether what a kept resource's key promises is already there.
+// Tells whether a kept resource already has what its key promises.
 using IsKept = std::function<bool(ResourceId)>;
 
-// One flag a pass: false where running it would only make again what is kept, or what nobody but such passes reads. A
-// kept resource that some pass must write after all is made from its first writer on.
+// One flag a pass: false where the pass would only make what is kept, or what only such passes read. A kept resource
+// that some pass must write after all is made from its first writer on.
 std::vector<bool> passes_to_run(const Plan& plan, const IsKept& is_kept);
 
-// One flag a pass: whether a memory barrier must stand before it, that is, whether it touches something written, or
-// overwrites something read, since the last barrier. Passes that do not run (flag false in `runs`) touch nothing.
+// One flag a pass: whether a memory barrier must stand before it, because since the last barrier something it touches
+// was written or something it overwrites was read. Passes that do not run (flag false in `runs`) touch nothing.
 std::vector<bool> barriers_before(const Plan& plan);
 std::vector<bool> barriers_before(const Plan& plan, const std::vector<bool>& runs);
 

@@ -1,6 +1,6 @@
 #pragma once
-// What the numbers of a table are and what its texels stand for: in words, and as a program that a reader can run. Each
-// text stands beside the pass that makes its table; presets/README.md, "Tables", tells users how to read it.
+// Description of a table's numbers and texels, in words and as a program that a reader can run. Each text stands beside
+// the pass that makes its table; presets/README.md, "Tables", tells users how to read it.
 
 #include <string>
 #include <string_view>
@@ -17,13 +17,12 @@ struct TableAxis {
 };
 
 struct TableText {
-  std::string quantity;  // of red, green and blue alike
+  std::string quantity;  // the same for red, green and blue
   std::string unit;
   std::vector<TableAxis> axes;
-  // Assignments, a line each, by which the texel in column i and row j of a table of width x height texels gives the
-  // quantities that the axes name; `constants` come first. Operators + - * / < >= and parentheses, numbers, `pi`, lists
-  // in brackets, and of numpy's functions: abs, arctan2, clip, exp, floor, log, maximum, minimum, sin, sinh, sqrt,
-  // take, where.
+  // Assignments, one a line, that compute the axes' quantities for the texel in column i and row j of a table of width
+  // x height texels. `constants` come first. Operators + - * / < >= and parentheses, numbers, `pi`, lists in brackets,
+  // and of numpy's functions: abs, arctan2, clip, exp, floor, log, maximum, minimum, sin, sinh, sqrt, take, where.
   std::string constants;
   std::string decode;
 };

@@ -1,5 +1,5 @@
 #pragma once
-// The size of the bloom's finest grid, which it is made on and gathered into.
+// The size of the bloom's finest grid, on which bloom is computed and into which bands are gathered.
 
 #include "core/plan/plan.h"
 #include "core/scene/scene.h"

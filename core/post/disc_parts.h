@@ -1,5 +1,5 @@
 #pragma once
-// Where the sun's disc stands in a picture.
+// The place of the sun's disc in a picture.
 
 #include <array>
 #include <cstdint>
@@ -19,15 +19,15 @@ struct DiscRectangle {
 };
 
 struct DiscPart {
-  DiscRectangle pixels;  // that it may touch
+  DiscRectangle pixels;  // that the disc may touch
   physics::Physics::DiscBox box;
 };
 
 // Two directions at right angles to the axis and to one another.
 std::array<physics::vec3, 2> across(const physics::vec3& axis);
 
-// The parts of the disc that can be seen in the tile: one, or several where the picture is a map that is cut. No two
-// overlap. Empty: the disc is switched off, outside the tile or wholly behind the planet. `p`: the scene's geometry.
+// The visible parts of the disc in the tile: one, or several where the picture is a map that is cut. No two overlap.
+// Empty: the disc is switched off, outside the tile or wholly behind the planet. `p`: the scene's geometry.
 std::vector<DiscPart> disc_parts(physics::Physics& p, const Scene& scene, const Tile& tile);
 
 }  // namespace airlight

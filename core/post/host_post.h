@@ -1,6 +1,6 @@
 #pragma once
-// What happens to a picture after the sky, on the host, for a method that renders there: the formulas of the passes
-// (post.h), on double. Transmittance is integrated where the passes read a table.
+// A picture's post-processing on the host, for a method that renders there: the formulas of the passes (post.h), on
+// double. Transmittance is integrated where the passes read a table.
 
 #include <cstddef>
 #include <vector>
@@ -13,19 +13,19 @@
 
 namespace airlight {
 
-// Adds the sun's disc to this much of the scene's picture. False: nothing of it can be seen there.
+// Adds the sun's disc to the tile of the scene's picture. False: no part of the disc shows there.
 bool draw_sun_disc(RadianceImage& picture, const Scene& scene, const Air& air, const Tile& tile);
 
-// Statistics of rows, as their pass leaves them (post.h), for summarize().
+// Statistics of rows in the format of their pass (post.h), for summarize().
 std::vector<std::byte> row_statistics_of(const RadianceImage& rows, double brightest, bool signed_colours);
 
-// Of the scene's picture, read back.
+// Statistics of the scene's picture, read back.
 Statistics picture_statistics(const RadianceImage& radiance, const Scene& scene);
 
-// Of a table read back. A pass for it would take a first start's compiler longer than the host takes for the table.
+// Statistics of a table, read back. At a first start a pass for it would take longer to compile than the host takes.
 Statistics table_statistics(const RadianceImage& table);
 
-// The sun's glare over this much of the scene's picture, scene-linear, before bloom's intensity. `points`: of
+// The sun's glare over the tile of the scene's picture, scene-linear, before bloom's intensity. `points`: from
 // glare_points().
 RadianceImage glare_picture(const Scene& scene, const std::vector<physics::GlarePoint>& points, const Tile& tile);
 

@@ -1,6 +1,5 @@
 #pragma once
-// What happens to a band of whole rows on the device, once its radiance is there: the part of a picture's
-// post-processing that goes row by row.
+// Post-processing of a band of whole rows on the device, once its radiance is there: those parts that go row by row.
 
 #include <optional>
 #include <string>
@@ -10,28 +9,28 @@
 
 namespace airlight {
 
-// What is to be made of a band.
+// The results that a band shall have.
 struct BandWork {
   bool statistics = false;
-  BloomGathering* gathering = nullptr;  // add the band to it
+  BloomGathering* gathering = nullptr;  // if not null, add the band to it
   std::string chain;                    // the key of the picture's bloom chain; empty: there is none
   const std::vector<physics::GlarePoint>* glare = nullptr;  // the sun glares
-  bool bloom_picture = false;                               // read bloom back
+  bool bloom_picture = false;                               // read the bloom back
   bool gpu_tone = false;
   double exposure = 1.0;
 };
 
-// Whether the host makes a picture's statistics: where the device is the processor, a pass would first need a compiler,
-// and the host reads the same memory.
+// Whether the host computes a picture's statistics. Where the device is the processor, a pass would first need a
+// compiler, and the host reads the same memory.
 bool host_measures(const Executor& executor);
 
 class BandPasses {
  public:
   BandPasses(Plan& plan, const Scene& scene, const Picture& band, const BandWork& work);
 
-  // The statistics of its rows; empty unless they were asked for.
+  // The statistics of its rows; empty unless asked for.
   std::span<const std::byte> statistics(const RunResult& result) const;
-  // Bloom and tone curve into `rows`, sums into the gathering.
+  // Takes bloom and tone curve into `rows`, and sums into the gathering.
   void take(const RunResult& result, Rendering& rows) const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// Groups of wavelengths rendered one after the other on the host, and the sum of what they give.
+// Groups of wavelengths rendered one after the other on the host, and the sum of their results.
 
 #include <string>
 
@@ -9,14 +9,14 @@
 
 namespace airlight {
 
-// Each group has random numbers, a checkpoint and a share of the report of its own.
+// Each group has its own random numbers, checkpoint and share of the report.
 class GroupRuns {
  public:
-  // `options`: of the whole; `suffix`: of the checkpoints' names, before the group's number. Must outlive the runs.
+  // `options`: of the whole, must outlive the runs; `suffix`: precedes the group's number in the checkpoints' names.
   GroupRuns(const HostOptions& options, std::size_t count, std::string suffix);
 
-  // The options of group g, whose scene gets its seed. Throws RunError where the report has stopped an earlier one:
-  // what was stopped in one group must not count as a picture.
+  // The options of group g; sets the seed of its scene. Throws RunError where the report has stopped an earlier group:
+  // a stopped group must not count as a picture.
   HostOptions start(Scene& group, std::size_t g);
 
  private:
@@ -26,11 +26,11 @@ class GroupRuns {
   bool stopped_ = false;
 };
 
-// Adds a group's picture, its channels as colours, to the sum; alpha is the greatest.
+// Adds a group's picture, its channels as colours, to the sum; alpha is the maximum.
 void add_part(RadianceImage& sum, const RadianceImage& part, const std::array<Rgb, 3>& colours);
 
-// The same of standard errors into a variance. Groups are independent; the channels of one, which share their paths,
-// err together at worst.
+// Adds a group's standard errors to a variance. Groups are independent. The channels of one group share their paths, so
+// their errors are taken as fully correlated, the worst case.
 void add_error(RadianceImage& variance, const RadianceImage& part, const std::array<Rgb, 3>& colours);
 void take_roots(RadianceImage& variance);
 

@@ -1,5 +1,5 @@
 #pragma once
-// A picture's light apart by where it comes from, and what compositing asks for beside it.
+// A picture's light kept apart by its origin, and further planes for compositing.
 
 #include <string>
 #include <vector>
@@ -22,26 +22,27 @@ struct Layer {
   Layer like() const { return {name, channels, is_light, {}}; }
 };
 
-// Depth where a ray meets neither ground nor air, km: finite, and beyond all that is there.
+// Depth where a ray meets neither ground nor air, km: finite, and beyond everything in the scene.
 inline constexpr float kNoDistance = 1e10F;
 
-// The layers of a scene's picture, without planes: the single scattering of each medium that scatters, by the medium's
-// name as far as a channel can be called so; multiple (scattered more than once), sun (the disc), ground (reflected by
-// it, seen through the air), all W/(m2 sr); transmittance to the ground or to space; depth, the distance to the ground
-// or to where the ray leaves the air, km; N, the ground's normal in the preset's frame, 0 where there is none.
+// The layers of a scene's picture, without planes. Light, all in W/(m2 sr): the single scattering of each medium that
+// scatters, named after the medium as far as a channel's name permits; multiple (scattered more than once), sun (the
+// disc), ground (reflected by it, seen through the air). Others: transmittance to the ground or to space; depth, the
+// distance to the ground or to where the ray leaves the air, km; N, the ground's normal in the preset's frame, 0 where
+// there is none.
 std::vector<Layer> layers_of(const Scene& scene);
 
-// Why this scene's picture cannot be told apart though its method has layers: keys of render that its march alone
-// knows. Empty: it can.
+// Why this scene's picture has no layers though its method has them: keys of render that only its march knows. Empty:
+// it has layers.
 std::string layers_refusal(const Scene& scene);
 
-// The scene as its picture is rendered together with its layers.
+// The scene as it is rendered together with its layers.
 Scene kept_apart(Scene scene);
 
-// The methods that tell layers apart, for messages: "nested, march, sky-view, orders".
+// The methods that have layers, for messages: "nested, march, sky-view, orders".
 std::string methods_with_layers();
 
-// The layers of one tile, by a method that has them. `kept_as`: as View::kept_as. Adds to `timings`.
+// The layers of one tile, for a method that has them. `kept_as`: as View::kept_as. Adds to `timings`.
 std::vector<Layer> render_layers(Executor& executor, const Scene& scene, const Tile& tile, const std::string& kept_as,
                                  const Timings& timings);
 
@@ -49,8 +50,8 @@ std::vector<Layer> render_layers(Executor& executor, const Scene& scene, const T
 inline constexpr std::size_t kLayerBandBytes = std::size_t{32} << 20;
 std::vector<Layer> render_layers(Executor& executor, const Scene& scene, const Timings& timings);
 
-// What is not finite, or negative where that means nothing; `width`: of the rows. `signed_colours`: a channel of a
-// colour may be negative, its luminance not.
+// Counts values that are not finite, or negative in a layer where that is wrong; `width`: of the rows.
+// `signed_colours`: a channel of a colour may be negative, its luminance not.
 Statistics layer_statistics(const Layer& layer, int width, bool signed_colours = false);
 
 }  // namespace airlight

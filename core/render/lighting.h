@@ -1,7 +1,7 @@
 #pragma once
-// A sky as image-based lighting takes it: what it gives a diffuse surface, as a map over normals and as spherical
-// harmonics [RH01], and the sun apart from it, so that no renderer has to find a tiny disc by chance.
-// Directions are in the preset's frame (x east, y up, -z north); colours in linear BT.709, in the unit of the sun's
+// A sky for image-based lighting: its effect on a diffuse surface, as a map over normals and as spherical harmonics
+// [RH01], and the sun apart, so that no renderer has to find a tiny disc by chance.
+// Directions are in the preset's frame (x east, y up, -z north), colours in linear BT.709, in the unit of the sun's
 // irradiance.
 
 #include <array>
@@ -19,17 +19,17 @@ std::array<double, 9> sh_basis(const Vector3& direction);
 // RGB coefficients of radiance in that order: the integral of radiance x basis over the sphere, W/m2 and the like.
 using ShRadiance = std::array<Vector3, 9>;
 
-// Takes an equirectangular picture whose centre looks at `azimuth` (radians), and multiplies each pixel's radiance by
-// the integral of the basis over its solid angle.
+// Projects an equirectangular picture whose centre looks at `azimuth` (radians): multiplies each pixel's radiance by
+// the integral of the basis over the pixel's solid angle.
 ShRadiance project_to_sh(const RadianceImage& latlong, double azimuth);
 
-// Irradiance over normals as an equirectangular map whose centre is the normal toward `azimuth`: the sum of radiance x
+// Irradiance over normals, an equirectangular map whose centre is the normal toward `azimuth`: the sum of radiance x
 // cosine over the sphere, by the exact integral of the direction over each pixel of the sky.
 RadianceImage irradiance_map(const RadianceImage& latlong, double latlong_azimuth, int width, int height,
                              double azimuth);
 
-// The sun as a directional light: what its disc, limb-darkened, dimmed by the air and cut by the planet, sends to the
-// camera's place. sun.disc.visible and radiance_scale, which are the picture's, do not change it.
+// The sun as a directional light: the light that reaches the camera's place from its disc, limb-darkened, dimmed by the
+// air and cut by the planet. It ignores sun.disc.visible and radiance_scale, which concern the picture alone.
 struct SunLight {
   Vector3 direction{};          // to the disc's centre
   double elevation = 0.0;       // radians
@@ -37,7 +37,7 @@ struct SunLight {
   double angular_radius = 0.0;  // radians
   Vector3 irradiance{};         // on a plane that faces it
   Vector3 irradiance_above_air{};
-  double visible_share = 0.0;  // of the disc's light, before the air: what the planet leaves
+  double visible_share = 0.0;  // share of the disc's light that the planet leaves, before the air
 };
 SunLight sun_light(const DeviceOnDemand& device, const Scene& scene);
 
@@ -50,8 +50,8 @@ struct Lighting {
   SunLight sun;
 };
 
-// The light of the whole sphere around the camera's place, ground included, whatever the camera looks at. The sky is
-// rendered by the scene's method into a picture of its own. Throws RunError where that holds a NaN, infinity or
+// The light of the whole sphere around the camera's place, ground included, in whatever direction the camera looks. The
+// scene's method renders the sky into a picture of its own. Throws RunError where that holds a NaN, infinity or
 // negative value.
 Lighting lighting_of(const DeviceOnDemand& device, const Scene& scene, const HostOptions& host);
 

@@ -1,15 +1,15 @@
 #pragma once
-// Exposure held over pictures: metered once, on a small picture of a midday or of one frame.
+// Exposure shared by several pictures: metered once, on a small picture of a midday or of one frame.
 
 #include "core/render/render.h"
 
 namespace airlight {
 
-// The scene by the light of a midday: the sun 45 degrees high at the camera's back.
+// The scene at midday: the sun 45 degrees high at the camera's back.
 Scene by_day(const Scene& scene);
 
-// The scene's picture, automatically exposed: of more than 65 536 pixels a smaller one; of a method that samples one
-// of 2304 pixels with 32 samples each. Throws RunError where it is at fault.
+// The scene's picture, automatically exposed. A picture of more than 65 536 pixels is rendered smaller; a method that
+// samples renders one of 2304 pixels with 32 samples each. Throws RunError where it is at fault.
 Rendering metered_picture(const DeviceOnDemand& device, const Scene& scene);
 
 // The exposure of that picture, without compensation, to four digits, so that devices agree on it.

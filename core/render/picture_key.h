@@ -4,7 +4,7 @@
 
 namespace airlight {
 
-// Unlike those of all other pictures of this process: what several plans of one picture share is kept under it.
+// A key that no other picture of this process has. Several plans of one picture share resources under it.
 std::string picture_key();
 
 }  // namespace airlight

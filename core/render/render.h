@@ -18,23 +18,23 @@
 
 namespace airlight {
 
-// Opens the device on first use: a method on the host alone needs none.
+// Opens the device on first use: a method on the host needs none.
 using DeviceOnDemand = std::function<Executor&()>;
 
 struct RenderRequest {
   bool bloom = false;         // compute bloom where the scene asks for it and anything exceeds the threshold
-  bool bloom_picture = true;  // read bloom back at the picture's size; without, the GPU tone curve alone sees it
+  bool bloom_picture = true;  // read bloom back at the picture's size; false: only the GPU tone curve sees it
   bool gpu_tone = false;      // also run the GPU tone curve
   bool tables = false;        // read the tables back
-  bool layers = false;        // of a method that has add_layer_passes
-  HostOptions host;           // of a method on the host; `report` hears of the device too
+  bool layers = false;        // for a method that has add_layer_passes
+  HostOptions host;           // for a method on the host; `report` also hears of the device
 };
 
 struct Rendering {
   RadianceImage radiance;
-  std::optional<RadianceImage> standard_error;  // of a method that samples
-  std::optional<SpectralImage> spectrum;        // of render_spectrum()
-  std::optional<RadianceImage> bloom;           // before intensity; absent where nothing glows or nobody asked
+  std::optional<RadianceImage> standard_error;  // for a method that samples
+  std::optional<SpectralImage> spectrum;        // from render_spectrum()
+  std::optional<RadianceImage> bloom;           // before intensity; absent where nothing glows or it was not asked for
   std::vector<std::uint16_t> encoded;           // gpu_tone: RGBA, sRGB-encoded, 0 to 65535
   double exposure = 1.0;
   Statistics picture;
@@ -42,27 +42,28 @@ struct Rendering {
   std::vector<TableDump> tables;
   std::vector<Layer> layers;
   std::vector<NamedStatistics> layer_statistics;
-  std::vector<std::string> left_out;  // what this picture did not need, with the reason
-  std::vector<std::string> undone;    // what it did need and would never have ended
+  std::vector<std::string> left_out;  // parts that this picture does not need, with the reason
+  std::vector<std::string> undone;    // parts that it needs but that would not have ended
   std::vector<PassTiming> passes;
   std::vector<Milestone> host;
 
-  // Empty, or one line that names the first table, layer or the picture that holds a NaN, an infinity or a negative
-  // value, and where.
+  // Empty, or one line that names the first of the tables, the layers and the picture with a NaN, an infinity or a
+  // negative value, and its place.
   std::string fault() const;
   std::string picture_fault() const;  // the same without the layers
 };
 
-// Throws RunError when the device fails; a poisoned result is returned, not thrown: see Rendering::fault().
+// Throws RunError when the device fails. A poisoned result is returned, not thrown: see Rendering::fault().
 Rendering render(const DeviceOnDemand& device, const Scene& scene, const RenderRequest& request);
 
-// Opens the device where finish() would need it: hours of samples must not end in a machine that lacks one.
+// Opens the device where finish() would need it, before hours of samples are spent on a machine that lacks one.
 void open_for_finish(const DeviceOnDemand& device, const Scene& scene, const RenderRequest& request);
 
-// What of a rendering follows from its radiance, the disc included: statistics, exposure, bloom, tone curve.
+// Computes everything in a rendering that follows from its radiance with the disc: statistics, exposure, bloom, tone
+// curve.
 void finish(const DeviceOnDemand& device, const Scene& scene, const RenderRequest& request, Rendering& out);
 
-// Every pass that render() would run at most, and the tables' sizes; opens no device.
+// A plan with every pass that render() may run, and the tables' sizes; opens no device.
 Plan plan_for(const Scene& scene, const RenderRequest& request);
 
 struct ProbeResult {
@@ -79,7 +80,7 @@ struct ProbeResults {
 // The scene's method in listed directions from the camera's place.
 ProbeResults probe(const DeviceOnDemand& device, const Scene& scene, const std::vector<Direction>& directions);
 
-// RGB of listed directions as pixels of the scene's picture would have them, without the sun's disc.
+// RGB of listed directions as in the scene's picture, without the sun's disc.
 std::vector<float> probe_picture(const DeviceOnDemand& device, const Scene& scene,
                                  const std::vector<Direction>& directions);
 

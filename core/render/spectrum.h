@@ -10,26 +10,26 @@
 
 namespace airlight {
 
-// How far colours that are summed from the planes may be off, by sunlight scattered once, for the picture to be that
-// sum: a share.
+// Greatest error, a share, of colours summed from the planes, judged by sunlight scattered once, at which the picture
+// is that sum.
 inline constexpr double kTellsColours = 2e-3;
 
-// Spectral radiance for radiance over the sun's, and its unit. Relative suns: sun.irradiance times sun.spectrum, which
-// is W/(m2 nm) where that is ASTM G-173. With an absolute unit: scaled so that sunlight above the air has the
-// illuminance that the unit gives it.
+// Factor from radiance over the sun's to spectral radiance, and the unit. For relative suns: sun.irradiance times
+// sun.spectrum, in W/(m2 nm) where that is ASTM G-173. With an absolute unit: scaled so that sunlight above the air has
+// the illuminance of the unit.
 struct SpectralUnit {
-  double scale = 1.0;  // of sun.spectrum
+  double scale = 1.0;  // times sun.spectrum
   std::string name;
 };
 SpectralUnit spectral_unit(const Scene& scene);
 
-// The picture of a scene with spectra, and beside it its spectrum: radiance averaged over the nodes' bands, sun's disc
-// included. Its colours are the spectrum's own where it tells them to kTellsColours, else they are render()'s. Layers
-// and tables are not rendered. Throws as render(); a fault at any wavelength is the result's.
+// The picture of a scene with spectra together with its spectrum: radiance averaged over the nodes' bands, sun's disc
+// included. The colours are the spectrum's own if it yields them to kTellsColours, else render()'s. Layers and tables
+// are not rendered. Throws as render() does; a fault at any wavelength is the result's fault.
 Rendering render_spectrum(const DeviceOnDemand& device, const Scene& scene, const RenderRequest& request,
                           const Nodes& nodes);
 
-// Every pass that one group of the wavelengths takes at most; opens no device.
+// A plan with every pass that one group of the wavelengths may run; opens no device.
 Plan plan_for_spectrum(const Scene& scene, const Nodes& nodes);
 
 struct SpectralProbe {
@@ -43,7 +43,7 @@ struct SpectralProbes {
   std::vector<std::string> undone;        // as Rendering::undone
 };
 
-// As probe(), at listed wavelengths.
+// probe() at listed wavelengths.
 SpectralProbes probe_spectrum(const DeviceOnDemand& device, const Scene& scene,
                               const std::vector<Direction>& directions, const Nodes& nodes);
 

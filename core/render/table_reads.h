@@ -1,6 +1,5 @@
 #pragma once
-// What is read back of a picture's tables: statistics of those that must be sound, and all of them where they are
-// dumped.
+// Reads a picture's tables back: statistics of those that must be sound, and the whole of all that are dumped.
 
 #include <string>
 #include <vector>
@@ -22,7 +21,7 @@ struct TableDump {
 };
 
 struct NamedStatistics {
-  std::string name;  // of a table, or "picture"
+  std::string name;  // of a table; or "picture"
   Statistics statistics;
 };
 
@@ -30,14 +29,14 @@ class TableReads {
  public:
   TableReads(Plan& plan, const Sky& sky, bool dump);
 
-  // After a run of that plan.
+  // To be called after a run of that plan.
   void take(const RunResult& result, std::vector<NamedStatistics>& statistics, std::vector<TableDump>& dumps) const;
 
  private:
   struct Read {
     ImageDesc image;
     BufferId contents;
-    bool sound = false;  // it must be
+    bool sound = false;  // must be sound
   };
   bool dump_;
   std::vector<Read> reads_;

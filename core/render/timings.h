@@ -1,5 +1,5 @@
 #pragma once
-// Times of what several plans of one picture have run.
+// Times of several plans of one picture.
 
 #include <algorithm>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace airlight {
 
-// Each name once, with the sum of its times; of PassTiming or Milestone.
+// Adds up times, one entry for each name; for PassTiming or Milestone.
 template <class Timing>
 void add_timings(std::vector<Timing>& all, const std::vector<Timing>& more) {
   for (const Timing& timing : more) {
@@ -22,7 +22,7 @@ void add_timings(std::vector<Timing>& all, const std::vector<Timing>& more) {
   }
 }
 
-// Where the times of several runs go.
+// The lists that collect the times of several runs.
 struct Timings {
   std::vector<PassTiming>& passes;
   std::vector<Milestone>& host;

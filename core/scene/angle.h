@@ -6,7 +6,7 @@ namespace airlight {
 double radians_from_degrees(double degrees);
 
 // The shortest decimal number of degrees that radians_from_degrees() turns into exactly these radians. Every angle of a
-// resolved scene came from degrees, so it has one; for another value the nearest, within one ulp of the radians.
+// resolved scene comes from degrees and has one. For any other value it is the nearest, within one ulp of the radians.
 double degrees_from_radians(double radians);
 
 }  // namespace airlight

@@ -4,7 +4,7 @@
 //   {"file": "x.csv", "scale": 1}                          lines of nm,value; "#" begins a comment
 //   {"at_nm": 550, "value": 0.01, "exponent": -1.3}        value x (nm / at_nm)^exponent
 //   {"named": "air", "scale": 1}                           a published one, times a number
-//   {"named": "ozone", "dobson_units": 300}                over the column of its medium
+//   {"named": "ozone", "dobson_units": 300}                by the column of its medium
 //   {"black_body_k": 5772}
 
 #include <array>
@@ -25,20 +25,20 @@ inline constexpr Range kKelvin{.minimum = 100.0, .maximum = 100000.0};
 inline constexpr Range kDobsonUnits{.minimum = 0.0, .maximum = 1e6};
 inline constexpr Range kShapeValue{.minimum = 0.0, .maximum = 1e9};
 
-// A file that a preset names: beside that preset; for an option, in the working directory.
+// Path of a file that a preset names: relative to that preset; to the working directory where an option names it.
 std::filesystem::path file_beside(const PresetValue& value, const std::string& name);
 
-// Collects the curves of a preset; without one, the scene keeps its three channels.
+// Collects the curves of a preset. A scene without any keeps its three channels.
 class CurveReader {
  public:
-  // The value of `key`: its channels where it is a number or three, and the curve either way.
+  // The value of `key`: its channels where it is one number or three, and the curve in either case.
   Spectrum read(const Section& section, std::string_view key, Curve& curve);
-  // The same of a medium's absorption, where ozone may be given by its column: km of density 1 straight up.
+  // The same for a medium's absorption. Ozone may be given by its column: `column` is the medium's at density 1, km.
   Spectrum read(const Section& section, std::string_view key, double column, Curve& curve);
   // Reads sun.spectrum; where it is absent, the curve is the sun's.
   Curve read_shape(const Section& section, std::string_view key);
 
-  // A curve that somebody else has read.
+  // Adds a curve that another reader has read.
   void add(const std::string& pointer);
 
   bool any() const { return any_; }

@@ -1,5 +1,5 @@
 #pragma once
-// JSON text -> PresetValue, each value with its line. Its source file is the only one that includes the JSON library.
+// JSON text -> PresetValue, each value with its line. Only json_text.cpp includes the JSON library.
 
 #include <optional>
 #include <string>
@@ -13,7 +13,7 @@ namespace airlight {
 // a double, nesting beyond kMaxNesting.
 PresetValue parse_json_text(std::string_view text, std::string_view source);
 
-// The same for one value given in an option, without lines; nothing when the text is not JSON at all.
+// The value of one option, without lines; none when the text is not JSON at all.
 std::optional<PresetValue> try_parse_json_value(std::string_view text, std::string_view source);
 
 // "/a~1b/0" from its parts: the pointer of one key below another, escaped by RFC 6901.

@@ -10,7 +10,7 @@ namespace airlight {
 
 struct KeyFrame {
   int at = 0;  // the frame's number
-  // The values that a frame sets, by JSON pointer: one number each, or three of a spectrum.
+  // The values that a frame sets, by JSON pointer: one number, or three of a spectrum.
   std::map<std::string, std::vector<double>, std::less<>> values;
 };
 

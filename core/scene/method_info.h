@@ -1,6 +1,6 @@
 #pragma once
-// What a rendering method takes under `render.*`: plain data, so that the preset's rules, `airlight methods`,
-// the schema and the documentation all read the same list.
+// A rendering method's parameters under `render.*`, as plain data: the preset's rules, `airlight methods`, the schema
+// and the documentation all read this list.
 
 #include <array>
 #include <span>
@@ -27,7 +27,7 @@ enum class ParameterKind { boolean, integer, number, choice, table_size, sun_fad
 struct ParameterInfo {
   std::string_view key;  // without "render."
   ParameterKind kind = ParameterKind::number;
-  double minimum = 0.0;  // of an integer, a number, each side of a table size
+  double minimum = 0.0;  // for an integer, a number, each side of a table size
   double maximum = 0.0;  // infinity: no upper limit
   ParameterValue default_value;
   std::span<const std::string_view> choices = {};

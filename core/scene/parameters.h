@@ -1,5 +1,5 @@
 #pragma once
-// Rows of a method's list of what it takes under `render.*`.
+// Rows of a method's list of parameters under `render.*`.
 
 #include <limits>
 

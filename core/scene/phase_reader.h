@@ -1,5 +1,5 @@
 #pragma once
-// A medium's phase function, as `media[].phase` says it.
+// Reads a medium's phase function from `media[].phase`.
 
 #include <string>
 #include <vector>
@@ -10,10 +10,10 @@ namespace airlight {
 
 inline constexpr std::size_t kMostPhaseAngles = 4096;
 
-// Fills in the medium's phase function. A table over the wavelength is a curve of the preset's.
+// Fills in the medium's phase function. A table over the wavelength counts as a curve of the preset.
 void read_phase(const Section& phase, Medium& medium, MediumSpectra& spectra, CurveReader& curves);
 
-// Lines for people: what the integrals of tables were as read, where they were not 1.
+// Lines for people: the integrals of tables as read, where they were not 1.
 std::vector<std::string> phase_notes(const Scene& scene);
 
 }  // namespace airlight

@@ -1,10 +1,10 @@
 #pragma once
 // From radiance in the linear working space (BT.709) to luminance, where `sun.unit` gives it an absolute size.
 //
-// The luminance of a scene with spectra and D65 as white is Y of CIE 1931. Three channels are no spectrum: a medium's
+// For a scene with spectra and D65 as white, luminance is Y of CIE 1931. Three channels are no spectrum: a medium's
 // coefficients stand for wavelengths near 680, 550 and 440 nm, and luminance is their BT.709 sum, not an integral over
-// V(lambda). For `W/m2` the efficacy is that of sunlight above the air, whatever the light has gone through; that of
-// blue sky alone is higher, that of a low red sun lower.
+// V(lambda). For `W/m2` the efficacy is that of sunlight above the air, whatever the light has gone through; blue sky
+// alone has a higher one, a low red sun a lower one.
 
 #include <optional>
 #include <string_view>
@@ -21,12 +21,12 @@ constexpr double bt709_luminance(const Spectrum& rgb) {
 // Solar illuminance constant of the IES, lux.
 inline constexpr double kSunlight = 128000.0;
 
-// That over the total solar irradiance of Kopp and Lean 2011, 1361 W/m2:
-// lm per W of sunlight above the air, its infrared included.
+// kSunlight over the total solar irradiance of Kopp and Lean 2011, 1361 W/m2: lm per W of sunlight above the air, its
+// infrared included.
 inline constexpr double kSunlightEfficacy = kSunlight / 1361.0;
 
-// Luminance in cd/m2 of the radiance (1, 1, 1), which is what OpenEXR's whiteLuminance holds; also lux per unit of
-// irradiance. None: the unit says nothing of it.
+// Luminance in cd/m2 of the radiance (1, 1, 1), the value of OpenEXR's whiteLuminance; also lux per unit of irradiance.
+// None: the unit does not determine it.
 constexpr std::optional<double> white_luminance(SunUnit unit) {
   switch (unit) {
     case SunUnit::relative:

@@ -1,5 +1,5 @@
 #pragma once
-// JSON text <-> Preset: a tree of values that remember where they came from. The only part that knows the JSON library.
+// JSON text <-> Preset: a tree of values that remember their source. Only this part knows the JSON library.
 
 #include <filesystem>
 #include <map>
@@ -23,7 +23,7 @@ struct PresetValue {
   bool inherited = false;  // came from a file named by `extends`
 };
 
-// What stands under a key; null where nothing does, or `value` is null or no object.
+// The value under a key; null where there is none, or where `value` is null or no object.
 template <class Value>
 Value* member(Value* value, std::string_view key) {
   auto* object = value == nullptr ? nullptr : std::get_if<PresetObject>(&value->data);
@@ -31,7 +31,7 @@ Value* member(Value* value, std::string_view key) {
   return object == nullptr || found == object->end() ? nullptr : &found->second;
 }
 
-// The same where it is a T.
+// The value under a key if it is a T.
 template <class T, class Value>
 auto* member_as(Value* value, std::string_view key) {
   Value* found = member(value, key);
@@ -46,12 +46,12 @@ struct Preset {
 // Presets that are not on disk: file name -> text.
 using BundledPresets = std::map<std::string, std::string_view, std::less<>>;
 
-// Reads a file and everything it extends; `media` merge by name, other objects key by key. What `extends` names is a
-// file, by a path relative to the one that names it, or else by its bare name ("earth") one of `bundled`.
-// Throws InputError: missing file, syntax (line and column), duplicate key, `extends` cycle.
+// Reads a file and everything it extends; `media` merge by name, other objects key by key. `extends` names a file by a
+// path relative to the file that names it, or else one of `bundled` by its bare name ("earth"). Throws InputError:
+// missing file, syntax (line and column), duplicate key, `extends` cycle.
 Preset load_preset(const std::filesystem::path& file, const BundledPresets& bundled = {});
 
-// The same from text; `base` is the folder that `extends` is relative to.
+// The same for a text; `base` is the folder that `extends` is relative to.
 Preset parse_preset(std::string_view text, std::string_view source, const std::filesystem::path& base,
                     const BundledPresets& bundled = {});
 
@@ -59,19 +59,19 @@ Preset parse_preset(std::string_view text, std::string_view source, const std::f
 Preset parse_bundled_preset(const std::string& file, const BundledPresets& bundled);
 
 // Applies "POINTER=JSON" (RFC 6901 pointer, e.g. /camera/pitch_deg=20). A value that is not JSON is taken as a string.
-// Throws InputError when the pointer is malformed or leads through something that is not an object or array.
-// Messages name `source`, the option as typed; without it "--set ASSIGNMENT".
+// Throws InputError when the pointer is malformed or leads through something that is not an object or array. Messages
+// name `source`, the option as typed; by default "--set ASSIGNMENT".
 void apply_override(Preset& preset, std::string_view assignment);
 void apply_override(Preset& preset, std::string_view assignment, const std::string& source);
 
-// Puts a value where an RFC 6901 pointer leads, making the objects on the way. Throws InputError as apply_override
-// does; `source` says in messages who asks.
+// Puts a value at the place of an RFC 6901 pointer and makes objects on the way. Throws InputError as apply_override
+// does; messages name `source`.
 void put_value(Preset& preset, std::string_view pointer, PresetValue value, const std::string& source);
 
-// How an exposure that is no number is metered, as a preset spells it: "auto", "day", "lock:12".
+// The metering of an exposure that is no number, in a preset's spelling: "auto", "day", "lock:12".
 std::string metering_text(const Display& display);
 
-// The whole scene as a preset of format 1, every key written out, so that resolving it again gives the same scene.
+// The whole scene as a preset of format 1 with every key written out; resolved again, it gives the same scene.
 std::string to_json(const Scene& scene);
 
 }  // namespace airlight

@@ -1,5 +1,5 @@
 #pragma once
-// Collects what is wrong with a preset, so that all of it is reported at once.
+// Collects the problems of a preset, so that all are reported at once.
 
 #include <string>
 #include <string_view>
@@ -11,13 +11,13 @@ namespace airlight {
 
 class Problems {
  public:
-  // `at` gives file and line; for something missing, the object that lacks it.
+  // `at` gives file and line; for a missing key it is the object that lacks the key.
   void add(const PresetValue& at, std::string_view pointer, std::string_view message);
 
   bool any() const { return !problems_.empty(); }
 
-  // Throws InputError with one line for each problem, by file and line, and a count of those beyond kMostProblems;
-  // returns when there is none.
+  // Throws InputError with one line for each problem, by file and line, and a count of those beyond kMostProblems.
+  // Returns when there is none.
   void throw_if_any();
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// `render.*`: the method and what it takes, by the methods' own lists.
+// `render.*`: the method and its parameters, by the methods' own lists.
 
 #include <span>
 
@@ -12,8 +12,8 @@ namespace airlight {
 
 RenderSettings read_render_settings(const Section& root, std::span<const MethodInfo> methods);
 
-// A parameter as a row of the rules: range, choices, meaning. The sides of a table size and the two numbers of a sun
-// fade each follow it.
+// A parameter as a row of the rules: range, choices, meaning. Both sides of a table size and both numbers of a sun fade
+// follow it.
 Rule rule_of(const ParameterInfo& parameter);
 
 // The value as JSON text; empty for an absent one.

@@ -14,7 +14,7 @@ namespace airlight {
 //   FILE: POINTER: what is wrong; what was expected; what to do
 Scene resolve(const Preset& preset, std::span<const MethodInfo> methods);
 
-// People's text: every value with its unit, for `check -v` and `--dry-run`.
+// The scene for people: every value with its unit, for `check -v` and `--dry-run`.
 std::string describe(const Scene& scene);
 
 }  // namespace airlight

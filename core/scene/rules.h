@@ -1,6 +1,6 @@
 #pragma once
-// The rules of preset format 1 as one table: resolve() reads by it, and tests hold presets/README.md and the JSON
-// Schema to it. What a method takes under `render.*` stands in its MethodInfo instead.
+// The rules of preset format 1 as one table. resolve() reads by it; tests compare presets/README.md and the JSON Schema
+// with it. A method's parameters under `render.*` are in its MethodInfo instead.
 
 #include <array>
 #include <limits>
@@ -21,7 +21,7 @@ struct Range {
 
 inline constexpr double kFarthest = 1e7;  // km
 
-// Of a layer; of all other altitudes too.
+// For altitudes of layers and all others.
 inline constexpr Range kLayerAltitude{.minimum = 0.0, .maximum = kFarthest};
 
 enum class RuleType {
@@ -33,18 +33,18 @@ enum class RuleType {
   integer,       // a number without fraction
   number,        // a finite number
   spectrum,      // a number or three
-  curve,         // the same, or a curve over the wavelength
+  curve,         // as spectrum, or a curve over the wavelength
   shape,         // a curve over the wavelength
   wavelengths,   // a whole number or "auto"
   choice,        // one of the listed strings; default_text without quotes
   method,        // the name of a method
-  exposure,      // a number or how it is metered
+  exposure,      // a number, or a way of metering
   media,         // an array of media
   spheres,       // an array of spheres
   angles,        // an array of numbers, ascending
   phase_values,  // an array of numbers, or of such arrays
   layers,        // an array of [altitude, density], altitudes ascending; the range is the density's
-  key_frames,    // an array of objects: a frame's number and what keys are then
+  key_frames,    // an array of objects: a frame's number and its values of keys
 };
 
 struct Rule {
@@ -55,7 +55,7 @@ struct Rule {
   std::string_view default_text = {};  // empty: none
   bool required = false;
   std::span<const std::string_view> choices = {};
-  // Only where the neighbouring choice is one of these, e.g. where `density.profile` is "tent"; empty: always.
+  // Applies only where the neighbouring choice is one of these, e.g. where `density.profile` is "tent"; empty: always.
   std::span<const std::string_view> only_for = {};
   std::string_view meaning = {};
   std::string_view hint = {};  // ends the message about a number out of range
@@ -66,7 +66,7 @@ std::span<const Rule> rules();
 // "-90 to 90 degrees", "at least 0 per km", "above 0 and below 180 degrees".
 std::string range_text(const Range& range, std::string_view unit);
 
-// What a value of the rule looks like: "a whole number, 1 to 65536 pixels".
+// The expected form of a value: "a whole number, 1 to 65536 pixels".
 std::string expectation(const Rule& rule);
 
 // Wavelengths of a curve in a preset.

@@ -1,6 +1,6 @@
 #pragma once
-// A validated scene in internal units: km, radians, spectra in the linear working space. Made by resolve(), then read
-// only. ../shared rules of the preset format stand in presets/README.md.
+// A validated scene in internal units: km, radians, spectra in the linear working space. resolve() makes it; all others
+// only read it. presets/README.md has the rules of the preset format.
 
 #include <array>
 #include <map>
@@ -42,7 +42,7 @@ struct Density {
   double scale_height = 1.0;  // km
   double center = 0.0;        // km
   double half_width = 1.0;    // km
-  double below = 1.0;         // km; the density is 1 up to there
+  double below = 1.0;         // km; the density is 1 up to this altitude
   std::vector<DensityLayer> layers;
   bool operator==(const Density&) const = default;
 };
@@ -54,9 +54,9 @@ struct Medium {
   Density density;
   PhaseFunction phase = PhaseFunction::isotropic;
   double phase_g = 0.8;
-  Spectrum depolarization{};     // Chandrasekhar's gamma, of rayleigh
-  PhaseTable phase_table{};      // of table
-  Spectrum phase_wavelengths{};  // nm, at which the channels look into it
+  Spectrum depolarization{};     // Chandrasekhar's gamma, for rayleigh
+  PhaseTable phase_table{};      // for table
+  Spectrum phase_wavelengths{};  // nm, at which each channel reads it
   bool operator==(const Medium&) const = default;
 };
 
@@ -67,18 +67,18 @@ struct Planet {
   bool operator==(const Planet&) const = default;
 };
 
-// A mountain range made from a number.
+// A mountain range generated from a seed.
 struct Ridge {
   int seed = 1;
   double height = 2.0;  // km, of the highest peak
 };
 
-// What the files of a terrain hold; read where they are named (core/foreign), as the scene knows no pictures.
+// Contents of a terrain's files. core/foreign reads them where they are named, since the scene knows no pictures.
 struct TerrainFiles {
-  std::string identity;  // of the files as they were read
+  std::string identity;  // of the files at the time they were read
   int columns = 0;
   int rows = 0;
-  std::vector<float> heights;  // values as the file has them, rows from the top; empty: a ridge's are made
+  std::vector<float> heights;  // values as in the file, rows from the top; empty: a ridge's are generated
   int colour_columns = 0;
   int colour_rows = 0;
   std::vector<float> colours;  // linear R, G, B; empty: one albedo
@@ -94,8 +94,8 @@ struct Terrain {
   double bearing = 0.0;   // rad, of the map's centre from the camera's ground point, clockwise from north
   double distance = 0.0;  // km, likewise
   double turn = 0.0;      // rad, of the map's upper edge, clockwise from north
-  Spectrum albedo{};      // of all of it, or what the map's colours are multiplied by
-  // Of a map's colour: channel c's reflectance is the sum of mix[c][j] x colour j. Channels may be wavelengths.
+  Spectrum albedo{};      // of the whole terrain, or the factor of the map's colours
+  // For a map's colour: channel c's reflectance is the sum of mix[c][j] x colour j. Channels may be wavelengths.
   std::array<Spectrum, 3> mix{{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
   std::shared_ptr<const TerrainFiles> files;
 };
@@ -107,17 +107,17 @@ struct Ocean {
   bool operator==(const Ocean&) const = default;
 };
 
-// What the files of a ground hold, pictures twice as wide as high over the whole planet, rows from the north pole;
-// read where they are named, as a terrain's.
+// Contents of a ground's files: pictures twice as wide as high over the whole planet, rows from the north pole. They
+// are read where they are named, like a terrain's.
 struct GroundFiles {
-  std::string identity;  // of the files as they were read
+  std::string identity;  // of the files at the time they were read
   int colour_rows = 0;
   std::vector<float> colours;  // linear R, G, B; empty: one albedo
   int water_rows = 0;
-  std::vector<float> water;  // share of water; empty: all of it, or none without an ocean
+  std::vector<float> water;  // share of water; empty: all water, or none without an ocean
 };
 
-// A ground that is more than one albedo.
+// A ground with more than one albedo.
 struct GroundMap {
   std::string albedo_map;  // file name, absolute; empty: the planet's one albedo
   std::optional<Ocean> ocean;
@@ -126,13 +126,13 @@ struct GroundMap {
 
 // A ball before the sky.
 struct Sphere {
-  double azimuth = 0.0;    // rad, of its centre as the camera sees it, clockwise from north
+  double azimuth = 0.0;    // rad, of its centre as seen from the camera, clockwise from north
   double elevation = 0.0;  // rad
   double distance = 0.0;   // km, of its centre
   double radius = 0.0;     // km
   SphereMaterial material = SphereMaterial::matte;
   Spectrum albedo{};
-  double scatter_strength = 16.0;  // of translucent
+  double scatter_strength = 16.0;  // for a translucent sphere
   bool operator==(const Sphere&) const = default;
 };
 
@@ -147,7 +147,7 @@ struct Sun {
   double elevation = 0.0;  // rad
   double azimuth = 0.0;    // rad, clockwise from north
   Spectrum irradiance{1.0, 1.0, 1.0};
-  SunUnit unit = SunUnit::relative;  // of irradiance; radiance is in the same per steradian
+  SunUnit unit = SunUnit::relative;  // of irradiance; radiance is in this unit per steradian
   SunDisc disc;
 };
 
@@ -157,23 +157,23 @@ struct Camera {
   double pitch = 0.0;       // rad
   double roll = 0.0;        // rad
   Projection projection = Projection::perspective;
-  double vertical_fov = 0.0;  // rad; of perspective and fisheye
+  double vertical_fov = 0.0;  // rad; for perspective and fisheye
   CubeLayout cube_layout = CubeLayout::stack;
-  double latitude = 0.0;   // rad, of the place on the planet that it stands over; north positive
+  double latitude = 0.0;   // rad, of the camera's place on the planet; north positive
   double longitude = 0.0;  // rad, east positive
 };
 
-// The whole sphere, upright: pitch and roll are 0 and there is no field of view.
+// A map of the whole sphere, upright: pitch and roll are 0 and there is no field of view.
 constexpr bool is_map(Projection projection) {
   return projection != Projection::perspective && projection != Projection::fisheye;
 }
 
-// A map whose edges are cut through the sky rather than laid around it.
+// A map whose edges run through the sky instead of around it.
 constexpr bool is_cut(Projection projection) {
   return projection == Projection::cube || projection == Projection::octahedral;
 }
 
-// Whether some pixels look nowhere: black with alpha 0.
+// Whether some pixels have no direction: black with alpha 0.
 constexpr bool has_outside(const Camera& camera) {
   return camera.projection == Projection::fisheye ||
          (camera.projection == Projection::cube && camera.cube_layout == CubeLayout::cross);
@@ -184,7 +184,7 @@ struct ImageSize {
   int height = 720;
 };
 
-// A rectangle of a picture's pixels; x, y of the upper left one.
+// A rectangle of a picture's pixels; x, y: its upper left one.
 struct Tile {
   int x = 0;
   int y = 0;
@@ -192,13 +192,13 @@ struct Tile {
   int height = 0;
 };
 
-// The chosen method and every parameter that it takes, defaults filled in. A parameter inherited through `extends`
-// that the method does not take is left out.
+// The chosen method and all its parameters, defaults filled in. Inherited parameters (`extends`) that the method does
+// not have are left out.
 struct RenderSettings {
   std::string method = "orders";
   std::map<std::string, ParameterValue, std::less<>> parameters;
 
-  // The named parameter; asking for one that the method does not declare, or with another type, is a mistake of ours.
+  // The named parameter. To ask for one that the method does not declare, or with another type, is a programming error.
   template <class T>
   const T& get(std::string_view key) const {
     return std::get<T>(parameters.find(key)->second);
@@ -210,20 +210,20 @@ enum class BloomModel { glare, chain };
 struct Bloom {
   BloomModel model = BloomModel::glare;
   bool enabled = true;
-  bool in_exr = false;  // the preset asks for bloom itself: it becomes a layer of the EXR
+  bool in_exr = false;  // the preset itself asks for bloom, which becomes a layer of the EXR
   double intensity = 0.04;
-  double threshold = 1.0;  // of a chain, on exposed luminance
-  int levels = 5;          // of a chain
+  double threshold = 1.0;  // for a chain, on exposed luminance
+  int levels = 5;          // for a chain
 };
 
-// Whose light an exposure that is no number goes by: the picture's own, a midday's, or that of a sequence's frame.
+// The light that meters an exposure that is no number: the picture's own, a midday's, or that of a sequence's frame.
 enum class Metering { picture, day, frame };
 
 struct Display {
   std::optional<double> exposure;  // a linear factor; absent: metered
   Metering metering = Metering::picture;
-  int metered_frame = 0;      // of Metering::frame
-  double compensation = 0.0;  // stops, added to either
+  int metered_frame = 0;      // for Metering::frame
+  double compensation = 0.0;  // stops, added in either case
   std::string display;        // empty: the OCIO config's default
   std::string view;           // empty: the OCIO config's default; "gpu": the GPU tone curve
   ToneCurve tonemap = ToneCurve::aces;
@@ -236,11 +236,11 @@ struct MediumSpectra {
   bool operator==(const MediumSpectra&) const = default;
 };
 
-// Over the wavelength, what else stands for three channels.
+// The curves over the wavelength that three channels stand for elsewhere.
 struct SceneSpectra {
-  std::vector<MediumSpectra> media;  // as the scene's
+  std::vector<MediumSpectra> media;  // in the order of the scene's
   Curve ground_albedo;
-  std::vector<Curve> spheres;  // albedo, as the scene's
+  std::vector<Curve> spheres;  // albedo, in the order of the scene's
   Curve terrain_albedo;
   Curve sun;                // above the air, up to a factor
   int wavelengths = 0;      // 0: auto
@@ -254,7 +254,7 @@ struct Scene {
   std::string description;
   Planet planet;
   std::optional<Terrain> terrain;
-  std::optional<GroundMap> ground;  // with a map of albedo its mean is in planet.ground_albedo
+  std::optional<GroundMap> ground;  // with a map of albedo, planet.ground_albedo is its mean
   std::vector<Sphere> spheres;
   std::vector<Medium> media;
   Sun sun;
@@ -264,8 +264,8 @@ struct Scene {
   Bloom bloom;
   Display display;
   std::optional<KeyFrames> sequence;  // absent: the preset has no key frames
-  // Absent: the three channels of media, ground and sun are all there is. Present: they stand for 615, 541 and 449 nm,
-  // and the sun's irradiance is its colour.
+  // Absent: the scene has only the three channels of media, ground and sun. Present: these stand for 615, 541 and 449
+  // nm, and the sun's irradiance is its colour.
   std::optional<SceneSpectra> spectra;
 };
 

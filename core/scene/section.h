@@ -1,6 +1,6 @@
 #pragma once
-// Reads one object of a preset by the table of rules: what is absent gets its default, what is wrong is reported and
-// gets it too, so that reading goes on and finds the next problem.
+// Reads one object of a preset by the table of rules. An absent value gets its default. A wrong value is reported and
+// gets the default too, so that reading continues and finds the next problem.
 
 #include <cstddef>
 #include <optional>
@@ -17,7 +17,7 @@ namespace airlight {
 
 class Section {
  public:
-  // `value`: the object, or null where the preset is silent. `context`: the nearest thing that is there, for messages.
+  // `value`: the object, or null where the preset has none. `context`: the nearest existing value, for messages.
   // `prefix`: the rules' name of the object, e.g. "media[]"; "" is the preset itself.
   Section(Problems& problems, const PresetValue* value, const PresetValue& context, std::string pointer,
           std::string prefix);
@@ -26,9 +26,9 @@ class Section {
   // An element of the array `key`, an object.
   Section element(std::string_view key, const PresetArray& array, std::size_t index) const;
 
-  // Reports every key that has no rule here, with the nearest that has.
+  // Reports every key without a rule here, with the nearest that has one.
   void refuse_unknown_keys() const;
-  // From here on rules that hold for some choices only are those of `choice`; reports keys of the other choices.
+  // From here on, of the rules for particular choices only those of `choice` apply; reports keys of the other choices.
   void choose(std::string_view choice);
 
   double number(std::string_view key) const;
@@ -36,9 +36,10 @@ class Section {
   bool boolean(std::string_view key) const;
   std::string text(std::string_view key) const;
   Spectrum spectrum(std::string_view key) const;
-  // The array `key`; null, and reported, where it is none or its length is outside its rule. `things`: its elements.
+  // The array `key`; null, with a report, where it is no array or its length is outside its rule. `things`: its
+  // elements.
   const PresetArray* list(std::string_view key, const PresetValue& value, std::string_view things) const;
-  // The index of the choice in the rule's list; nothing when it is required and missing, or unknown.
+  // The index of the choice in the rule's list; none when it is required and missing, or unknown.
   std::optional<std::size_t> choice(std::string_view key) const;
 
   const PresetValue* find(std::string_view key) const;
@@ -47,7 +48,7 @@ class Section {
   std::string pointer_to(std::string_view key) const;
   Problems& problems() const { return problems_; }
   const Rule& rule(std::string_view key) const;
-  // The value of `key`; reports it where it is required and missing.
+  // The value of `key`; reports a required key that is missing.
   const PresetValue* value_of(std::string_view key) const;
   Site site(std::string_view key, const PresetValue& value) const;
   void complain(std::string_view key, const PresetValue& value, std::string_view message) const;
@@ -63,7 +64,7 @@ class Section {
   std::string pointer_;
   std::string prefix_;
   std::string choice_;
-  bool broken_ = false;  // there, but no object: reported once, and nothing in it is missing
+  bool broken_ = false;  // it exists but is no object: reported once, and its keys do not count as missing
 };
 
 }  // namespace airlight

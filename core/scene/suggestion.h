@@ -8,8 +8,8 @@
 
 namespace airlight {
 
-// The candidate with the fewest typing slips (letters added, lost, changed or swapped), or that the name is a part of;
-// nothing when all are far.
+// The candidate with the fewest typing slips (letters added, lost, changed or swapped), or one that contains the name;
+// none when all are far.
 std::optional<std::string> nearest_name(std::string_view name, std::span<const std::string> candidates);
 
 }  // namespace airlight

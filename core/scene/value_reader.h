@@ -1,5 +1,5 @@
 #pragma once
-// Reads one value by one rule. What is wrong is reported, and `out` keeps what it held.
+// Reads one value by one rule. A wrong value is reported, and `out` keeps its value.
 
 #include <cstddef>
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace airlight {
 
-// Where a value stands and what is expected there.
+// The place of a value and its rule.
 struct Site {
   Problems& problems;
   const PresetValue& value;
@@ -33,7 +33,7 @@ bool read_choice(const Site& site, std::size_t& out);
 // "1.2 is outside -0.99 to 0.99", "180 is not above 0 and below 180 degrees".
 std::string out_of_range(double value, const Rule& rule);
 
-// "; did you mean \"march\"?", or nothing when no name is near.
+// "; did you mean \"march\"?", or empty when no name is near.
 std::string did_you_mean(std::string_view typed, std::span<const std::string> names);
 
 }  // namespace airlight

@@ -1,5 +1,5 @@
 #pragma once
-// Threads that work off a short queue, so that whoever fills it is held back instead of filling the memory.
+// Threads that work off a short queue. Whoever fills the queue has to wait, so that it does not fill the memory.
 
 #include <condition_variable>
 #include <cstddef>
@@ -14,14 +14,14 @@ namespace airlight::sequence {
 
 class BoundedWorkers {
  public:
-  // At most `waiting` pieces of work wait while `threads` others are in hand.
+  // At most `waiting` pieces of work wait while `threads` pieces are being done.
   BoundedWorkers(unsigned threads, std::size_t waiting);
-  // Drops what waits, lets what is in hand come to its end.
+  // Drops waiting work and finishes the work being done.
   ~BoundedWorkers();
   BoundedWorkers(const BoundedWorkers&) = delete;
   BoundedWorkers& operator=(const BoundedWorkers&) = delete;
 
-  // Waits until there is room. Throws what the first piece of work to fail has thrown; from then on none is begun.
+  // Waits until there is room. Rethrows the exception of the first piece of work that failed; after it none is begun.
   void add(std::function<void()> work);
 
   // Returns when all work is done. Throws as add() does.

@@ -7,7 +7,7 @@
 
 namespace airlight::sequence {
 
-// Since 1970-01-01 00:00, 86400 s a day (no leap seconds), of UTC or of a local clock: the name says which.
+// Since 1970-01-01 00:00, 86400 s a day (no leap seconds), by UTC or by a local clock; variables' names tell which.
 using Milliseconds = std::int64_t;
 
 inline constexpr Milliseconds kSecond = 1000;

@@ -17,14 +17,14 @@ struct Thumbnail {
   std::string label;
 };
 
-// Which of `frames` a sheet of at most `most` shows: evenly spread, the first and the last among them; ascending.
+// Indices of the `frames` on a sheet of at most `most`: evenly spread, with the first and the last; ascending.
 std::vector<std::size_t> frames_shown(std::size_t frames, std::size_t most);
 
-// At most `largest_side` pixels on each side; smaller pictures stay. `channels` of the source are 3 or 4, the fourth is
-// dropped. Averages in light: by squares, near enough to sRGB's curve.
+// A picture reduced to at most `largest_side` pixels on each side; smaller pictures stay. The source has 3 or 4
+// `channels`; the fourth is dropped. It averages light: the squares of the values, close to sRGB's curve.
 Thumbnail shrink(int width, int height, int channels, const std::vector<std::uint8_t>& pixels, int largest_side);
 
-// All in a grid whose columns make it about 16:9. At least one.
+// All thumbnails, at least one, in a grid whose columns make it about 16:9.
 measure::Raster contact_sheet(const std::vector<Thumbnail>& thumbnails);
 
 }  // namespace airlight::sequence

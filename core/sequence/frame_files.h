@@ -1,5 +1,5 @@
 #pragma once
-// Names of a sequence's files: "sky.####.exr" and a frame's number.
+// Names of a sequence's files: a pattern such as "sky.####.exr", and a frame's number.
 
 #include <string>
 
@@ -10,15 +10,15 @@ namespace airlight::sequence {
 
 using measure::FramePattern;
 
-// Throws InputError: no #, two runs of them, one in a folder's name, another ending. `option` is in messages.
+// Throws InputError: no #, two runs of them, one in a folder's name, another ending. `option`: for messages.
 FramePattern require_pattern(const std::string& path, const std::string& ending, const std::string& option);
 
 // "day/sky.0007.exr"; a number with more digits than the pattern has keeps them all.
 std::string frame_file(const FramePattern& pattern, long number);
 
-// "day/sky.manifest.json", and "day/sky.manifest.3-of-16.json" of one shard of several.
+// "day/sky.manifest.json"; "day/sky.manifest.3-of-16.json" for one shard of several.
 std::string manifest_file(const FramePattern& pattern, const Shard& shard);
-// The same for a name that the user chose: the shard goes before the ending.
+// The manifest's name for a name that the user chose: the shard is inserted before the ending.
 std::string manifest_file(const std::string& chosen, const Shard& shard);
 
 }  // namespace airlight::sequence

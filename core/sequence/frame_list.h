@@ -1,5 +1,5 @@
 #pragma once
-// The frames of a sequence, made one by one as they are asked for: a million of them take no memory.
+// The frames of a sequence, made one by one on demand: a million of them take no memory.
 
 #include <cstddef>
 #include <optional>
@@ -25,7 +25,7 @@ struct SunPath {
   std::optional<Air> refraction = {};  // absent: the true elevation
 };
 
-// The sun's elevation, from `first` in equal steps, either way.
+// The sun's elevation, from `first` in equal steps, up or down.
 struct Sweep {
   double first_deg = 0.0;
   double step_deg = 1.0;
@@ -36,48 +36,49 @@ using FrameSource = std::variant<SunPath, Sweep, KeyFrames>;
 
 struct FrameTime {
   Milliseconds utc = 0;
-  int offset_seconds = 0;  // of the clocks there and then
+  int offset_seconds = 0;  // of the clocks there at that time
 };
 
 // "2026-06-21T05:00:00+02:00".
 std::string iso_text(const FrameTime& time);
 
 struct Frame {
-  long number = 0;  // in its file's name
+  long number = 0;  // number in its file's name
   std::optional<FrameTime> time;
   // The preset's keys in this frame, each a JSON pointer and its value: one number, or three of a spectrum.
   std::vector<std::pair<std::string, std::vector<double>>> keys;
 };
 
-// What the command line says of a sun path, as typed; an empty zone is UTC.
+// A sun path as typed on the command line; an empty zone is UTC.
 struct SunPathOrder {
   std::string date, from, to, step, zone;
   Place place;
   std::optional<Air> refraction = {};
 };
 
-// Both ends count where the step meets them; a `to` before `from` is on the next day. Throws InputError: malformed, a
-// step of 0, an unknown zone, a time that the clocks of that day skip, a place that is none.
+// Both ends count if the step meets them; a `to` before `from` is on the next day. Throws InputError: malformed, a step
+// of 0, an unknown zone, a time that the clocks skip on that day, an invalid place.
 SunPath make_sun_path(const SunPathOrder& order);
 
-// One moment, the order's `from`: a path of one frame. `command`: whose options messages name, "render". Throws
-// InputError likewise.
+// One moment, the order's `from`, as a path of one frame. `command`: the command whose options messages name, "render".
+// Throws InputError like make_sun_path().
 SunPath make_moment(const SunPathOrder& order, const std::string& command);
 
 // "-12:90:1" = FROM:TO:STEP in degrees. Throws InputError: malformed, outside -90 to 90, a step that does not lead from
-// one to the other.
+// FROM to TO.
 Sweep parse_sweep(std::string_view text, const std::string& option);
 
 std::size_t frame_count(const FrameSource& source);
 
-// Parts of a frame that cost nothing; `index` below frame_count().
+// Those parts of a frame that cost nothing; `index` is below frame_count().
 long frame_number(const FrameSource& source, std::size_t index);
 std::optional<FrameTime> frame_time(const FrameSource& source, std::size_t index);
 
-// `index` below frame_count(). Frames of a sun path and of a sweep are numbered from 1, key frames by their own `at`.
+// `index` is below frame_count(). Frames of a sun path and of a sweep are numbered from 1, key frames by their own
+// `at`.
 Frame frame_at(const FrameSource& source, std::size_t index);
 
-// Every I-th of N: "3/16" are the frames 3, 19, 35, ... counted from 1.
+// Every N-th frame from the I-th on: "3/16" has the frames 3, 19, 35, ... counted from 1.
 struct Shard {
   std::size_t index = 1;  // 1 to count
   std::size_t count = 1;
@@ -86,7 +87,7 @@ struct Shard {
 // Throws InputError.
 Shard parse_shard(std::string_view text, const std::string& option);
 
-// How many of `frames` the shard has, and which is its k-th, both from 0.
+// The shard's number of `frames`, and its k-th frame; k and frame count from 0.
 std::size_t shard_size(const Shard& shard, std::size_t frames);
 std::size_t shard_frame(const Shard& shard, std::size_t k);
 

@@ -1,18 +1,18 @@
 #pragma once
-// Where the sun stands in the sky of a place, by ERFA (the IAU's SOFA routines under a free licence).
+// The sun's position in the sky of a place, by ERFA (the IAU's SOFA routines under a free licence).
 
 #include "core/sequence/civil_time.h"
 
 namespace airlight::sequence {
 
-// On WGS84. Latitude -90 to 90 and longitude -180 to 360 degrees, north and east positive; altitude in km.
+// A place on WGS84. Latitude -90 to 90 and longitude -180 to 360 degrees, north and east positive; altitude in km.
 struct Place {
   double latitude_deg = 0.0;
   double longitude_deg = 0.0;
   double altitude_km = 0.0;
 };
 
-// Where the centre of the disc is seen from the place (parallax and aberration included).
+// Direction of the disc's centre as seen from the place, parallax and aberration included.
 struct SunAngles {
   double elevation_deg = 0.0;  // above the plane square to the ellipsoid's normal, without refraction
   double azimuth_deg = 0.0;    // clockwise from north, 0 to 360
@@ -28,9 +28,9 @@ struct Air {
   double temperature_c = 10.0;
 };
 
-// What the air lifts the sun by, degrees, at a true elevation: Saemundsson, Sky and Telescope 72 (1986) 70, as in Reda
-// and Andreas, Solar Position Algorithm, NREL/TP-560-34302 (2003, revised 2008), eq. 42. As there, 0 for a disc that
-// stands wholly below the horizon (under -0.83 degrees).
+// Angle by which the air lifts the sun, degrees, at a true elevation: Saemundsson, Sky and Telescope 72 (1986) 70, as
+// in Reda and Andreas, Solar Position Algorithm, NREL/TP-560-34302 (2003, revised 2008), eq. 42. As there, it is 0 for
+// a disc wholly below the horizon (under -0.83 degrees).
 double refraction_deg(double true_elevation_deg, const Air& air);
 
 }  // namespace airlight::sequence

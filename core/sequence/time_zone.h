@@ -1,5 +1,5 @@
 #pragma once
-// Clocks of a place: the system's time zone files (RFC 8536), read by cctz, or a fixed offset.
+// A place's clocks: the system's time zone files (RFC 8536), read by cctz, or a fixed offset.
 
 #include <filesystem>
 #include <memory>
@@ -26,7 +26,7 @@ TimeZone find_zone(std::string_view name, const std::string& option, const std::
 // Seconds east of UTC.
 int offset_at(const TimeZone& zone, Milliseconds utc);
 
-// The moment at which the clocks show this; the earlier one where they show it twice, none where they skip it.
+// The moment at which the clocks show `local`: the earlier one where they show it twice, none where they skip it.
 std::optional<Milliseconds> utc_of(const TimeZone& zone, Milliseconds local);
 
 }  // namespace airlight::sequence

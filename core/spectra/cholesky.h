@@ -7,7 +7,7 @@
 
 namespace airlight {
 
-// A x = b for a symmetric positive A, by Cholesky's factors in its lower half.
+// Solves A x = b for a symmetric positive A by Cholesky factors in A's lower half.
 class Cholesky {
  public:
   Cholesky(std::vector<double> a, std::size_t n) : l_(std::move(a)), n_(n) {

@@ -6,15 +6,15 @@
 
 namespace airlight {
 
-// Linear between samples and constant outside of them; without samples the power law value (nm / at_nm)^exponent, a
-// number where the exponent is 0.
+// Linear between samples, constant outside them. Without samples it is the power law value (nm / at_nm)^exponent, a
+// plain number where the exponent is 0.
 struct Curve {
   std::vector<double> wavelengths = {};  // ascending
   std::vector<double> values = {};       // as many
   double at_nm = 550.0;
   double value = 0.0;
   double exponent = 0.0;
-  // What a preset writes to get it again; empty: a number, or the samples.
+  // The preset's JSON for this curve; empty: a number, or the samples.
   std::string json = {};
 
   bool is_sampled() const { return !wavelengths.empty(); }
@@ -25,7 +25,7 @@ Curve constant_curve(double value);
 
 double value_at(const Curve& curve, double nm);
 
-// The mean from `low` to `high`, exact for samples; of a power law by Simpson's rule.
+// The mean from `low` to `high`: exact for samples, by Simpson's rule for a power law.
 double mean_over(const Curve& curve, double low, double high);
 
 // The curve times a number.

@@ -13,16 +13,16 @@ struct Observer {
 };
 const Observer& observer();
 
-// Above the air, W/(m2 nm), 365 to 835 nm.
+// Sunlight above the air, W/(m2 nm), 365 to 835 nm.
 const Curve& solar_irradiance();
 
-// m2 a molecule, 365 to 835 nm.
+// m2 per molecule, 365 to 835 nm.
 const Curve& ozone_cross_section();
 
 inline constexpr double kMoleculesPerDobsonUnit = 2.6868e20;  // per m2
 
-// 1/km of dry air with 360 ppm CO2 at 288.15 K and 1013.25 hPa: the fit of Bodhaine and others 1999, eq. 29, 250 to
-// 850 nm.
+// Scattering coefficient, 1/km, of dry air with 360 ppm CO2 at 288.15 K and 1013.25 hPa: the fit of Bodhaine and others
+// 1999, eq. 29, 250 to 850 nm.
 double rayleigh_scattering(double nm);
 
 // Planck's law over its value at 560 nm.

@@ -1,5 +1,5 @@
 #pragma once
-// The spheres of a scene as those who trace and light them want them.
+// The spheres of a scene, ready for tracing and lighting.
 
 #include <vector>
 
@@ -9,10 +9,10 @@
 
 namespace airlight {
 
-// In the camera's place, km.
+// Centres relative to the camera, km.
 std::vector<physics::SphereData> spheres_of(const Scene& scene);
 
-// The same in a plan, under a name of its own there (shaders/shared/sphere_list.glsl).
+// The same spheres in a plan, as a buffer of this name (shaders/shared/sphere_list.glsl).
 BufferId add_spheres(Plan& plan, const char* name, const Scene& scene);
 
 }  // namespace airlight

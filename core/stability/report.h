@@ -1,5 +1,5 @@
 #pragma once
-// What the examination found: numbers for programs, one page for people, a map a sweep.
+// The examination's results: numbers for programs, one page for people, a map for each sweep.
 
 #include <string>
 #include <vector>
@@ -17,19 +17,19 @@ struct Examination {
   std::vector<Block> blocks;
 };
 
-// One row a cell. The first line tells what made it, the last whether it is complete.
+// One row a cell. The first line names version, device and form; the last says whether the table is complete.
 std::string csv_text(const Examination& examination, bool complete);
 
-// The blocks of an earlier csv_text() of the same version, device and form that was left incomplete; none else.
-// Blocks that do not fit the sweeps are left out.
+// The blocks of an earlier, incomplete csv_text() of the same version, device and form; otherwise none. Blocks that do
+// not fit the sweeps are left out.
 std::vector<Block> unfinished_blocks(const std::string& csv, const Examination& now);
 
 // The page, in Markdown.
 std::string summary_text(const Examination& examination);
 
-// A gnuplot script that draws SWEEP.svg and SWEEP.png of each sweep: a panel a subject, the error as colour, cells that
-// fail marked by the letter of their worst symptom, those without a number blank. File names follow the text `out`.
-// Needs gnuplot 5.4.
+// A gnuplot script that draws SWEEP.svg and SWEEP.png for each sweep: a panel for each subject, the error as colour,
+// failing cells marked by the letter of their worst symptom, cells without a number blank. File names follow the text
+// `out`. Needs gnuplot 5.4.
 std::string map_script(const Examination& examination);
 
 // The numbers of all blocks, in their order.

@@ -1,5 +1,5 @@
 #pragma once
-// One place looked at by one method on the device, and the same formulas on the host in double.
+// One place, rendered by one method on the device and by the same formulas on the host in double.
 
 #include <vector>
 
@@ -13,7 +13,7 @@ namespace airlight::stability {
 struct Shot {
   std::vector<physics::vec3> radiance;       // one a direction
   std::vector<physics::vec3> transmittance;  // empty for a picture
-  // The tables by name as the device filled them, where they were asked for: what the formulas in double fetch from.
+  // The tables by name as the device filled them, if asked for; the formulas in double read them.
   HostTables tables;
 };
 
@@ -25,8 +25,8 @@ struct ShotOptions {
 Shot shoot(const DeviceOnDemand& device, const Scene& scene, const std::vector<Direction>& directions,
            const ShotOptions& options);
 
-// The radiance of the scene's method by its own formulas in double, from the device's tables, in the same directions
-// rounded to 32 bits as the device gets them. Empty where the method has no such form here.
+// The radiance by the method's own formulas in double, from the device's tables, in the same directions rounded to 32
+// bits as on the device. Empty where the method has no such formulas here.
 std::vector<physics::vec3> in_double(const Scene& scene, const Shot& shot, const std::vector<Direction>& directions);
 
 }  // namespace airlight::stability

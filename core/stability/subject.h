@@ -1,5 +1,5 @@
 #pragma once
-// What is examined: each method of the registry, and variants of it that take another path through the shaders.
+// The subjects: each method of the registry, and variants of it that take another path through the shaders.
 
 #include <string>
 #include <utility>
@@ -25,10 +25,10 @@ struct LeftOut {
 std::vector<Subject> subjects();
 std::vector<LeftOut> subjects_left_out();
 
-// Whether anything that the sweep varies reaches the subject: an analytic sky has no steps.
+// Whether any quantity of the sweep affects the subject: an analytic sky, for example, has no steps.
 bool takes_part(const Subject& subject, const Sweep& sweep);
 
-// The scene as the subject renders it, with the place's steps and table sizes, and as its converged quality does.
+// The scene as the subject renders it, with the place's steps and table sizes; the second is at converged quality.
 Scene rendered_by(const Subject& subject, Scene scene, const Place& place);
 Scene converged_for(const Subject& subject, Scene scene, const Place& place);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Where `airlight stability` looks: sweeps over two quantities at a time, and the scene at each of their places.
+// The sweeps of `airlight stability`, over two quantities at a time, and the scene at each of their places.
 
 #include <array>
 #include <string>
@@ -26,12 +26,12 @@ enum class Form { quick, brief, full };  // quick: for CI
 
 struct Sweep {
   std::string name;   // of its picture, "sun-altitude"
-  std::string title;  // one sentence: what is swept, in what scene
+  std::string title;  // one sentence: the swept quantities, and the scene
   Quantity x;
   Quantity y;
   std::vector<double> xs;
   std::vector<double> ys;
-  Place base;           // what both leave alone
+  Place base;           // fixed quantities, neither x nor y
   bool narrow = false;  // x is the view: a row is one picture of a column of pixels a degree high at the horizon
   bool energy = false;  // the air's global balance of energy is taken at each place
 };
@@ -43,13 +43,13 @@ std::string_view quantity_name(Quantity q);
 
 Place place_of(const Sweep& sweep, std::size_t x, std::size_t y);
 
-// The scene at a place without a method. Earth's air [H20, Table 1] over a ground of albedo 0.3; where an optical depth
-// is given, air of that depth that absorbs nothing over a white ground: of molecules, or of haze where an asymmetry is
-// given. The same kinds of media everywhere, so that no cell needs a shader of its own. Every number is a 32-bit
-// float's.
+// The scene at a place, without a method. It is Earth's air [H20, Table 1] over a ground of albedo 0.3. Where an
+// optical depth is given, it is air of that depth without absorption over a white ground: molecules, or haze where an
+// asymmetry is given. All scenes have the same kinds of media, so that no cell needs a shader of its own. Every number
+// is a 32-bit float's.
 Scene scene_at(const Place& place);
 
-// A camera whose pixels are the directions in which the place is looked at: all round, or a narrow column.
+// A camera whose pixels are the sweep's directions: all round, or a narrow column.
 Scene looking(Scene scene, const Sweep& sweep);
 
 // The directions of the pixels of the scene's camera, row by row.

@@ -12,10 +12,10 @@ struct TerrainBuffers {
   BufferId colours;
 };
 
-// For who traces it, under a name of its own in the plan (shaders/shared/terrain_maps.glsl).
+// Adds the heights, for tracing, as a buffer of this name (shaders/shared/terrain_maps.glsl).
 BufferId add_terrain_heights(Plan& plan, const char* name, const physics::HostTerrain& terrain);
 
-// For who lights it too; `terrain` has its shadow.
+// Adds all maps, for tracing and lighting; `terrain` has its shadow.
 TerrainBuffers add_terrain(Plan& plan, const physics::HostTerrain& terrain);
 
 }  // namespace airlight

@@ -1,9 +1,7 @@
 // Shape of the aerial volume: columns, rows and blocks of the picture's table of factors, and slices along each ray.
 
 layout(constant_id = 28) const uint kSlices = 16u;
-// The mean extinction does not depend on azimuth and is cheap: its slices are denser, so that transmittance falls
-// The mean extinction is the same for all azimuths and cheap: its slices are closer, so that transmittance falls
-// evenly.
+// Mean extinction is the same for all azimuths, hence cheap: its slices are denser, for an even fall of transmittance.
 const uint kExtinctionSlices = 4u * kSlices;
 
 // The carrier of the shared block, in which all air stands before the ground.

@@ -1,5 +1,5 @@
 #pragma once
-// An integral along a ray by panels that are halved until both halves together agree with the whole.
+// An integral along a ray. Panels are halved until both halves together agree with the whole.
 
 #include <cmath>
 #include <vector>
@@ -16,14 +16,14 @@ inline bool within(physics::vec3 error, physics::vec3 limit) {
   return error.x <= limit.x && error.y <= limit.y && error.z <= limit.z;
 }
 
-// `Value`: numbers side by side, each of which is found to 1e-6 of its own integral, with absolute() and within().
-// `Integrand`: Value at a place.
+// `Value`: numbers side by side, with absolute() and within(); each is found to 1e-6 of its own integral. `Integrand`:
+// yields the Value at a place.
 template <class Value, class Integrand>
 class AdaptiveSum {
  public:
   AdaptiveSum(const Integrand& f, const GaussRule& rule) : f_(f), rule_(rule) {}
 
-  // Between the first and the last of these places, which stand where the integrand is not smooth.
+  // The integral from the first to the last of these places, at which the integrand is not smooth.
   Value over(const std::vector<double>& corners) {
     std::vector<Value> panels;
     for (std::size_t k = 0; k + 1 < corners.size(); ++k) {
@@ -44,7 +44,7 @@ class AdaptiveSum {
   static constexpr double kTolerance = 1e-6;
   static constexpr double kNegligible = 1e-16;  // radiance, far below any night sky
   static constexpr int kMostLevels = 24;
-  static constexpr int kMostPanels = 20000;  // an edge that no corner tells takes some 50
+  static constexpr int kMostPanels = 20000;  // an edge that is no corner takes some 50
 
   Value panel(double from, double to) const {
     Value sum(0.0);
@@ -72,7 +72,7 @@ class AdaptiveSum {
 
   const Integrand& f_;
   const GaussRule& rule_;
-  Value total_ = Value(0.0);  // what the integral is known to be so far
+  Value total_ = Value(0.0);  // best estimate of the integral so far
   int panels_ = kMostPanels;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// What is known of every pixel so far, and the file that keeps it.
+// The sums of every pixel so far, and the file that keeps them.
 
 #include <array>
 #include <cstdint>
@@ -17,10 +17,11 @@ struct PixelSums {
   std::array<double, 3> squares{};
 };
 
-// Everything that the sums depend on, one `POINTER value` a line: two equal texts mean that sums may be added.
+// Everything that the sums depend on, one `POINTER value` a line. Sums may be added if and only if their texts are
+// equal.
 std::string checkpoint_identity(const Scene& scene, const View& view);
 
-// Whether `file` exists. Throws InputError when it holds anything but the sums of this identity, whole.
+// Whether `file` exists. Throws InputError unless it holds the sums of this identity, whole.
 bool read_checkpoint(const std::string& file, const std::string& identity, std::span<PixelSums> pixels);
 
 // Replaces the file in one step: a crash leaves the old one or the new one. Throws RunError.

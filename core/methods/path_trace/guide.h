@@ -1,6 +1,6 @@
 #pragma once
-// A rough guess of the light that meets a point, to send samples where it is. It steers the choice of vertices, whose
-// density the estimate divides by, and enters no result: a bad guess costs samples, never truth.
+// A rough guess of the light that meets a point, to send samples where the light is. It steers the choice of vertices,
+// by whose density the estimate is divided, and enters no result: a bad guess costs samples, never truth.
 
 #include <array>
 #include <vector>
@@ -15,17 +15,17 @@ inline Channels channels_of(const physics::vec3& v) {
   return {v.x, v.y, v.z};
 }
 
-// A layer of the air as the guide sees it.
+// The guide's model of a layer of the air.
 struct GuideShell {
   double altitude;     // km
   Channels depth;      // vertical optical depth
-  Channels scattered;  // share of what collides that scatters
-  Channels asymmetry;  // mean cosine of what scatters
+  Channels scattered;  // share of extinction that is scattering
+  Channels asymmetry;  // mean cosine of the scattering
 };
 
 class Guide {
  public:
-  // Light that arrives, for a sun of irradiance 1, over the isotropic phase.
+  // Light that arrives, for a sun of irradiance 1, divided by the isotropic phase function.
   struct Light {
     Channels sun;  // direct
     Channels sky;  // scattered or reflected before
@@ -35,7 +35,7 @@ class Guide {
 
   const Light& in_air(std::size_t shell, double mu_sun) const { return at(shell + 1, mu_sun); }
 
-  // What the ground reflects for albedo 1, on the same scale.
+  // Light that ground of albedo 1 reflects, on the same scale.
   const Light& on_ground(double mu_sun) const { return at(0, mu_sun); }
 
  private:

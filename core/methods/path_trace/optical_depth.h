@@ -1,6 +1,6 @@
 #pragma once
-// Optical depth along any ray of the air by Gauss quadrature of each medium's density, in double. Error at most 1e-7 of
-// the medium's depth: far below what any number of samples can see.
+// Optical depth along any ray of the air by Gauss quadrature of each medium's density, in double. The error is at most
+// 1e-7 of the medium's depth, far below the noise of any number of samples.
 
 #include <array>
 #include <vector>
@@ -22,19 +22,20 @@ inline Columns operator+(Columns a, const Columns& b) {
 
 class OpticalDepth {
  public:
-  // `physics` is read only (its functions are GLSL's and know no const) and must live as long as this.
+  // `physics` is only read (its functions are GLSL's, which have no const) and must outlive this.
   explicit OpticalDepth(physics::Physics& physics);
 
-  // From altitude h along zenith cosine mu over a distance that stays inside the atmosphere and above the ground.
+  // Optical depth from altitude h along zenith cosine mu over a distance that stays inside the atmosphere and above the
+  // ground.
   physics::vec3 along(double h, double mu, double distance) const;
 
-  // To the top of the atmosphere; the ground must not be in the way.
+  // Optical depth to the top of the atmosphere; the ground must not be in the way.
   physics::vec3 to_top(double h, double mu) const;
 
-  // The optical depth of such columns.
+  // Optical depth of such columns.
   physics::vec3 through(const Columns& columns) const;
 
-  // Columns of the media that extinguish anything, along the same ways.
+  // Columns of the media that extinguish, along the same ways.
   Columns columns_along(double h, double mu, double distance) const;
   Columns columns_to_top(double h, double mu) const;
 

@@ -8,23 +8,23 @@
 
 namespace airlight {
 
-// Draws scattering angles of each medium, and knows how likely it draws them.
+// Draws scattering angles of each medium and tells the density of its draws.
 class PhaseSampler {
  public:
   explicit PhaseSampler(physics::Physics& physics);
 
-  // Cosine of the scattering angle, distributed as 2 pi density(medium, nu). u in [0, 1); further numbers from `random`
-  // where a function has no closed inverse.
+  // Cosine of the scattering angle, distributed as 2 pi density(medium, nu). u in [0, 1); `random` gives further
+  // numbers where a function has no closed inverse.
   double sample(physics::uint medium, double u, Random& random) const;
 
-  // 1/sr: the medium's `phase` at nu where it is a formula that all channels share; else near the channels' mean.
+  // 1/sr: `phase`, the medium's at nu, where it is a formula that all channels share; else close to the channels' mean.
   double density(physics::uint medium, double nu, physics::vec3 phase) const;
 
   // Whether the medium scatters mostly forward, or mostly back.
   bool is_peaked(physics::uint medium) const;
 
  private:
-  // How a phase function by table is drawn from: an interval, then a cosine evenly within it.
+  // The way to draw from a phase function by table: first an interval, then a cosine evenly within it.
   struct Table {
     std::vector<double> ends;  // of the intervals' shares, summed
     std::vector<double> shares;

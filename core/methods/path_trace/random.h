@@ -1,5 +1,5 @@
 #pragma once
-// Random numbers as a function of what they are for: the same whatever the order or the number of threads.
+// Random numbers as a function of their purpose: the same whatever the order or the number of threads.
 
 #include <algorithm>
 #include <cstddef>
@@ -22,7 +22,7 @@ class Random {
   Random(std::uint64_t seed, std::uint64_t pixel, std::uint64_t sample)
       : state_(mix_bits(mix_bits(mix_bits(seed + kGoldenGamma) + pixel + kGoldenGamma) + sample + kGoldenGamma)) {}
 
-  // In [0, 1), multiples of 2^-53.
+  // A multiple of 2^-53 in [0, 1).
   double uniform() {
     state_ += kGoldenGamma;
     return static_cast<double>(mix_bits(state_) >> 11) * 0x1p-53;
@@ -48,8 +48,8 @@ class WalkNumbers {
   int dimension_ = 0;
 };
 
-// Draws an entry of a list of weights. `left`: a number in [0, sum of the weights); afterwards how far into the entry
-// it fell, in [0, 1), to be used again.
+// Draws an entry of a list of weights. `left`: a number in [0, sum of the weights). Afterwards it is the place within
+// the drawn entry, in [0, 1), which may serve as the next random number.
 template <class Weight>
 std::size_t draw(std::size_t count, Weight weight, double& left) {
   std::size_t last = 0;

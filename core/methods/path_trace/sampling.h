@@ -1,6 +1,6 @@
 #pragma once
-// Rounds of samples over all pixels, on all threads, until enough is known: the same sums whatever the threads, the
-// interruptions and the resumptions.
+// Rounds of samples over all pixels, on all threads, until enough is known. The sums are the same whatever the number
+// of threads, interruptions and resumptions.
 
 #include <atomic>
 #include <chrono>
@@ -15,14 +15,15 @@
 
 namespace airlight {
 
-// When to stop: at the first of those that are set. Two batches are always taken, or there would be no standard error.
+// Sampling stops at the first of those limits that are set. It always takes two batches, since a standard error needs
+// two.
 struct StopRules {
   std::uint64_t batches = 0;  // a pixel; 0: no such limit
   double time_limit_s = 0.0;  // 0: no such limit
   double target_error = 0.0;  // mean relative standard error; 0: no such limit
 };
 
-// A pixel's direction, and all that is known of it.
+// A pixel's rays and results so far.
 struct Pixel {
   std::vector<SampledRay> rays;
   physics::vec3 single{};  // the first order
@@ -31,16 +32,17 @@ struct Pixel {
 
 class Sampling {
  public:
-  // `pixels` without those that show nothing; numbers of the random streams are their places in `ids`.
+  // `pixels` without those that show nothing; `ids`: their numbers in the random streams.
   Sampling(const PathTracer& tracer, const StopRules& rules, const HostOptions& options, std::vector<Pixel> pixels,
            std::vector<std::uint64_t> ids, std::string identity);
 
-  // Throws InputError (a foreign checkpoint), RunError (stopped before two batches, or the checkpoint's disk failed).
+  // Throws InputError (a checkpoint of another scene), RunError (stopped before two batches, or a checkpoint could not
+  // be written).
   void run();
 
   const std::vector<Pixel>& pixels() const { return pixels_; }
 
-  // Pixel k's, for a sun of irradiance 1.
+  // Results of pixel k, for a sun of irradiance 1.
   physics::vec3 radiance(std::size_t k) const;
   physics::vec3 standard_error(std::size_t k) const;
 
@@ -49,7 +51,7 @@ class Sampling {
 
   std::uint64_t fewest_batches() const;
 
-  // A line that tells by how much the time limit could not be kept; empty: it was, or there is none.
+  // A line that tells by how much the time limit was exceeded; empty: not at all, or there is none.
   std::string overrun() const;
 
  private:
@@ -74,10 +76,10 @@ class Sampling {
   Clock::time_point began_ = Clock::now();
   Clock::time_point kept_ = Clock::now();
   std::atomic<std::size_t> next_ = 0;  // the pixel that a worker takes up next
-  std::atomic<bool> pause_ = false;    // workers finish their batch and come home
-  bool stop_ = false;                  // the listener, or the time limit
-  double first_batches_s_ = 0.0;       // what every pixel's first ones took; 0: not yet known
-  double error_ = 0.0;                 // when all pixels last met; 0: not known
+  std::atomic<bool> pause_ = false;    // workers finish their batch and return
+  bool stop_ = false;                  // set by the listener or the time limit
+  double first_batches_s_ = 0.0;       // time of every pixel's first batches; 0: not yet known
+  double error_ = 0.0;                 // at the last meeting of all workers; 0: not known
 };
 
 }  // namespace airlight

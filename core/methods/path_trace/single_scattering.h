@@ -15,22 +15,22 @@ namespace airlight {
 // Each medium's density at altitude h.
 Columns densities_at(physics::Physics& physics, double h);
 
-// A ray in space, asked for where the ground has maps or terrain.
+// A ray in space, needed where the ground has maps or terrain.
 struct Footing {
   physics::vec3 up;         // unit, where the ray begins, in the camera's frame
   physics::vec3 direction;  // unit
-  double pixel = 0.0;       // angle that the ray stands for
-  bool on_terrain = false;  // where it ends
+  double pixel = 0.0;       // angle that the ray represents
+  bool on_terrain = false;  // the ray ends on terrain
 };
 
-// Radiance of the ground at `up` for a beam of the sun of this irradiance on a plane that faces it, sent back along
-// `direction`; by its maps, else by the planet's albedo. Sunlight of irradiance 1 on level ground is `mu_sun`.
+// Radiance of the ground at `up`, sent back along `direction`, for a sun beam of this irradiance on a plane that faces
+// it; by the ground's maps, else by the planet's albedo. Sunlight of irradiance 1 gives level ground `mu_sun`.
 physics::vec3 ground_reflects(physics::Physics& physics, physics::vec3 up, physics::vec3 direction, double mu_sun,
                               physics::vec3 beam);
-// A place on terrain, so far above it that its own slope does not hide the sun from it.
+// A place so far above the terrain that the terrain's own slope does not hide the sun from it.
 physics::vec3 above_terrain(physics::vec3 place);
 
-// The ground's albedo at `up` for light from everywhere.
+// The ground's albedo at `up` for light from all directions.
 physics::vec3 ground_albedo_at(physics::Physics& physics, physics::vec3 up);
 
 class SingleScattering {
@@ -39,14 +39,14 @@ class SingleScattering {
                    std::vector<double> edges,                // altitudes at which the air is not smooth, km
                    const TracedTerrain* terrain = nullptr);  // must live as long as this
 
-  // Radiance for a sun of irradiance 1: scattered once in the air, or reflected once by the ground at the ray's end.
+  // Radiance for a sun of irradiance 1, scattered once in the air or reflected once by the ground at the ray's end.
   physics::vec3 radiance(const physics::Physics::Ray& ray, const Footing& footing = {}) const;
   Wide radiance(const physics::Physics::Ray& ray, const Footing& footing, const Wavelengths& all) const;
 
   // Rays whose panels ran out before their radiance was known to 1e-6.
   std::uint64_t cut_rays() const { return cut_rays_; }
 
-  // Direct sunlight at `place`, which counts from the planet's centre; zero where terrain hides the sun too.
+  // Direct sunlight at `place`, a vector from the planet's centre; zero also where terrain hides the sun.
   physics::vec3 sunlight_at(physics::vec3 place, double h, double mu_sun) const;
 
   // Direct sunlight at altitude h on a plane that faces the sun; zero in the planet's shadow.

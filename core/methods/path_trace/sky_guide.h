@@ -1,6 +1,6 @@
 #pragma once
-// Where the light that meets a point comes from, roughly, as a density over directions: the horizon more than the
-// zenith, the sun's side more than the other, the ground by its albedo. Like the guide it steers and enters no result.
+// A rough density over the directions that a point's light comes from: the horizon more than the zenith, the sun's side
+// more than the other, the ground by its albedo. Like the guide it steers and enters no result.
 
 #include <array>
 #include <mutex>
@@ -10,12 +10,12 @@
 
 namespace airlight {
 
-// The directions at a place: its vertical, and the sun's azimuth.
+// Directions at a place: its vertical and the sun's azimuth.
 struct SkyFrame {
   SkyFrame(physics::Physics& physics, double h, physics::vec3 up, bool at_ground);
 
   double h;
-  double horizon;  // its zenith cosine
+  double horizon;  // zenith cosine of the horizon
   double mu_sun;
   bool at_ground;
   physics::vec3 up;
@@ -26,19 +26,19 @@ class SkyGuide {
  public:
   SkyGuide(physics::Physics& physics, const Flight& flight);
 
-  // u, turn in [0, 1); `weight`: what each channel of the path carries.
+  // u, turn in [0, 1); `weight`: the light that each channel of the path carries.
   physics::vec3 draw_direction(const SkyFrame& frame, const Channels& weight, double u, double turn) const;
 
-  // The density of directions drawn so, 1/sr.
+  // The density of directions from draw_direction(), 1/sr.
   double density(const SkyFrame& frame, const Channels& weight, physics::vec3 direction) const;
 
  private:
   static constexpr std::size_t kAbove = 16;  // bins of zenith cosine above the horizon
   static constexpr std::size_t kBelow = 8;
-  static constexpr std::size_t kAround = 6;  // bins of azimuth from the sun's, either side alike
+  static constexpr std::size_t kAround = 6;  // bins of azimuth from the sun's, which serve both sides
   static constexpr std::size_t kSuns = 16;   // zenith angles of the sun
 
-  // One altitude and sun, one channel: shares of the directions.
+  // Shares of the directions for one altitude, one sun and one channel.
   struct Sky {
     std::array<double, kAbove + kBelow> rows;                         // of each zenith bin, sum 1
     std::array<std::array<double, kAround>, kAbove + kBelow> shares;  // of each azimuth bin within it, sum 1
@@ -52,8 +52,8 @@ class SkyGuide {
   const Flight& flight_;
   double first_sun_;  // zenith angle, rad
   double sun_step_;
-  // One for each place (a shell; the ground after the last) and sun, three channels each. The thread that first asks
-  // for one fills it; all threads would fill it alike.
+  // One for each place (the shells, then the ground) and sun, three channels each. The thread that first needs an entry
+  // fills it; every thread would fill it equally.
   mutable std::vector<std::array<Sky, 3>> skies_;
   mutable std::vector<std::once_flag> filled_;
 };

@@ -1,6 +1,6 @@
 #pragma once
-// Terrain for paths: where any ray meets it, by steps as long as the map's steepest slope allows. It shares the map
-// with the shaders, and neither their track along a heading nor their table of shadows.
+// Terrain for paths: the first meeting of any ray, by steps as long as the map's steepest slope permits. It shares the
+// map with the shaders, but neither their track along a heading nor their table of shadows.
 
 #include <memory>
 #include <optional>
@@ -14,17 +14,17 @@ class TracedTerrain {
  public:
   TracedTerrain(const Scene& scene, std::shared_ptr<const physics::HostTerrain> maps);
 
-  // Distance to the first meeting along `direction` (unit) from `from`, a place from the planet's centre in the
-  // camera's frame, km; nothing nearer than `limit`.
+  // Distance to the first meeting along `direction` (unit) from `from`, a vector from the planet's centre in the
+  // camera's frame, km. Meetings nearer than `limit` do not count.
   std::optional<double> hit(physics::vec3 from, physics::vec3 direction, double limit) const;
 
-  // Whether it stands between the place and the middle of the sun's disc.
+  // Whether terrain stands between the place and the middle of the sun's disc.
   bool hides_sun(physics::vec3 from) const { return hit(from, sun_, kFar).has_value(); }
 
   // The normal and the albedo of the terrain under a place.
   physics::vec3 normal(physics::vec3 place) const;
   physics::vec3 albedo(physics::vec3 place) const;
-  // Where that is on the map, in columns and rows.
+  // The place on the map, in columns and rows.
   physics::vec2 on_map(physics::vec3 place) const;
 
  private:
@@ -32,7 +32,7 @@ class TracedTerrain {
   struct MapPlace {
     double column;
     double row;
-    double beside;  // km from the map along the ground, 0 above it
+    double beside;  // km from the map along the ground; 0 above the map
   };
   MapPlace map_place(physics::vec3 place) const;
   double clearance(physics::vec3 place) const;
@@ -40,8 +40,8 @@ class TracedTerrain {
   mutable physics::Physics physics_;
   physics::vec3 sun_;
   double radius_;    // of the planet
-  double highest_;   // point of the terrain, km
-  double steepest_;  // slope between neighbouring heights
+  double highest_;   // highest point of the terrain, km
+  double steepest_;  // steepest slope between neighbouring heights
 };
 
 }  // namespace airlight

@@ -1,5 +1,5 @@
 #pragma once
-// A scene ready to be traced: one estimate of a direction's radiance at a time, all for a sun of irradiance 1.
+// A scene prepared for tracing: one estimate of a direction's radiance at a time, for a sun of irradiance 1.
 
 #include <cstdint>
 #include <optional>
@@ -15,26 +15,26 @@ namespace airlight {
 struct SampledRay {
   physics::vec3 direction;
   double share = 1.0;
-  double pixel = 0.0;  // angle that it stands for
+  double pixel = 0.0;  // angle that the ray represents
 };
 
 class PathTracer {
  public:
-  // `wall`: View::wall, or infinity. `all`: null for a scene of three channels; else its wavelengths, whose steering()
-  // is the scene: radiance is then in the picture's colours. Must live as long as this.
+  // `wall`: View::wall, or infinity. `all`: null for a scene of three channels; else its wavelengths, with a scene that
+  // is their steering(), and radiance is in the picture's colours. `all` must outlive this.
   PathTracer(const Air& air, const Scene& scene, const Wavelengths* all, std::uint64_t seed, int max_orders,
              double wall);
   PathTracer(const PathTracer&) = delete;
   PathTracer& operator=(const PathTracer&) = delete;
 
-  // `pixel`: angle that the ray stands for, over which a map of the ground is averaged.
+  // `pixel`: angle that the ray represents, over which a map of the ground is averaged.
   WalkStart start(physics::vec3 direction, double pixel = 0.0) const {
     WalkStart start = walk_.start(direction, wall_);
     start.pixel = pixel;
     return start;
   }
 
-  // The first order: exact.
+  // The first order, which is exact.
   physics::vec3 single(const WalkStart& start) const;
 
   // Whether there are further orders to sample.
@@ -43,18 +43,19 @@ class PathTracer {
   // The higher orders: mean of kBatch samples, one independent estimate. `scratch` is overwritten.
   physics::vec3 batch(const WalkStart& start, std::uint64_t pixel, std::uint64_t batch, FlightPlan& scratch) const;
 
-  // Paths and rays that were cut short because they would never have ended.
+  // Number of paths and of rays that were cut short because they would not have ended.
   std::uint64_t cut_paths() const { return walk_.cut_paths(); }
   std::uint64_t cut_rays() const { return single_.cut_rays(); }
 
-  // From the camera to the ray's end, 1 where it misses the air; of wavelengths, the colour of sunlight behind it.
+  // From the camera to the ray's end, 1 where it misses the air; with wavelengths, the colour of sunlight behind the
+  // air.
   physics::vec3 transmittance(const WalkStart& start) const;
 
   physics::vec3 direction(double elevation, double azimuth) const {
     return physics_.direction_from_angles(elevation, azimuth);
   }
 
-  // The rays of a pixel: its centre's, several at the planet's edge (shaders/physics/horizon.glsl), none outside a
+  // The rays of a pixel: its centre's; several at the planet's edge (shaders/physics/horizon.glsl); none outside a
   // fisheye's circle.
   std::vector<SampledRay> pixel_rays(int x, int y) const;
 
@@ -63,7 +64,7 @@ class PathTracer {
   bool holds_terrain_edge(int x, int y) const;
   physics::vec3 view(double x, double y) const;
 
-  mutable physics::Physics physics_;  // GLSL's functions know no const; none of them writes
+  mutable physics::Physics physics_;  // never written; GLSL's functions have no const
   OpticalDepth depth_;
   Flight flight_;
   SkyGuide guide_;

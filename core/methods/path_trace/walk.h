@@ -1,5 +1,5 @@
 #pragma once
-// Light of all higher orders: random walks from the camera, each vertex lit by the sun.
+// Light of all higher orders, by random walks from the camera in which the sun lights each vertex.
 
 #include <atomic>
 #include <cstdint>
@@ -14,31 +14,31 @@
 
 namespace airlight {
 
-// A camera ray, ready to be walked from many times.
+// A camera ray, prepared for many walks.
 struct WalkStart {
   physics::vec3 up;         // unit, away from the planet's centre, where the ray enters the air
   physics::vec3 direction;  // unit
   physics::Physics::Ray ray;
   FlightPlan plan;
-  double pixel = 0.0;  // angle that the ray stands for
+  double pixel = 0.0;  // angle that the ray represents
 };
 
 class Walk {
  public:
-  // `max_orders`: scatterings and reflections of a path, at most; 0: kMostScatterings.
+  // `max_orders`: most scatterings and reflections of a path; 0: kMostScatterings.
   Walk(physics::Physics& physics, const OpticalDepth& depth, const SingleScattering& single, const Flight& flight,
        const SkyGuide& guide, int max_orders, const TracedTerrain* terrain = nullptr);
 
-  // `wall`: where a black wall ends the ray, km.
+  // `wall`: distance at which a black wall ends the ray, km.
   WalkStart start(physics::vec3 direction, double wall) const;
 
-  // One estimate of the radiance from two scatterings or reflections on, for a sun of irradiance 1. `plan` is room to
-  // work in.
+  // One estimate of the radiance after two or more scatterings or reflections, for a sun of irradiance 1. `plan` is
+  // scratch memory.
   physics::vec3 sample(const WalkStart& start, WalkNumbers& numbers, FlightPlan& plan) const;
   // One estimate at all wavelengths, added to the path's sum.
   void sample(const WalkStart& start, WalkNumbers& numbers, FlightPlan& plan, WidePath& wide) const;
 
-  // Paths that were ended after kMostScatterings though no limit was asked for.
+  // Number of paths that ended after kMostScatterings without a limit from the user.
   std::uint64_t cut_paths() const { return cut_paths_; }
   static constexpr int kMostScatterings = 10000;
 

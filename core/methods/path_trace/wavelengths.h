@@ -1,7 +1,7 @@
 #pragma once
-// All wavelengths of a scene on one path. The path is chosen for three channels that stand for them, by the sum of what
-// the three bring: the balance heuristic over their densities (Veach and Guibas 1995; Wilkie et al. 2014 for spectra).
-// Every wavelength then counts what it brings along that path over the density of the choice.
+// All wavelengths of a scene on one path. The path is chosen for three channels that represent the wavelengths, by the
+// sum of the three contributions: the balance heuristic over their densities (Veach and Guibas 1995; Wilkie et al. 2014
+// for spectra). The contribution of every wavelength is divided by the density of that choice.
 
 #include <array>
 #include <cmath>
@@ -13,7 +13,7 @@
 
 namespace airlight {
 
-// One number a wavelength; those beyond the scene's stay 0.
+// One number for each wavelength; entries beyond the scene's wavelengths stay 0.
 struct Wide {
   alignas(32) std::array<double, kMostWavelengths> at{};
 
@@ -57,26 +57,26 @@ class Wavelengths {
  public:
   explicit Wavelengths(const SpectralScene& spectral);
 
-  // A scene of three channels whose coefficients are means over all wavelengths, weighted by what each adds to red,
-  // green and blue: what scatters or reflects at any wavelength does so in one of them.
+  // A scene of three channels whose coefficients are means over all wavelengths, weighted by each one's share of red,
+  // green and blue. Whatever scatters or reflects at any wavelength does so in one of the channels.
   const Scene& steering() const { return steering_; }
 
   // Each medium's phase function at a cosine of the scattering angle, 1/sr.
   using Phases = std::array<Wide, physics::kMaxMedia>;
   Phases phases(double nu) const;
 
-  // Coefficient times phase function, 1/(km sr), where the media have these densities.
+  // Coefficient times phase function, 1/(km sr), for media of these densities.
   Wide scattered(const Columns& densities, const Phases& phases) const;
   Wide scattered(const Columns& densities, double nu) const;
 
-  // exp(-optical depth) through such columns.
+  // exp(-optical depth) of such columns.
   Wide transmittance(const Columns& columns) const;
 
   const Wide& albedo() const { return albedo_; }
-  // Of the terrain at a column and row of its map.
+  // Albedo of the terrain at a column and row of its map.
   Wide terrain_albedo(physics::vec2 at) const;
 
-  // The picture's colour of radiance over the sun's.
+  // The picture's colour of a radiance that is relative to the sun's.
   physics::vec3 colour(const Wide& radiance) const;
 
  private:
@@ -87,11 +87,11 @@ class Wavelengths {
   std::array<Wide, physics::kMaxMedia> extinction_;
   Wide albedo_;
   std::vector<Rgb> colours_;
-  mutable std::vector<physics::Physics> groups_;       // of three wavelengths each; GLSL's functions know no const
+  mutable std::vector<physics::Physics> groups_;       // of three wavelengths each; GLSL's functions have no const
   std::array<bool, physics::kMaxMedia> same_phase_{};  // at all wavelengths
 };
 
-// What the wavelengths carry along one path after another, over the densities of its choices.
+// The light that the wavelengths carry along one path after another, over the densities of the path's choices.
 class WidePath {
  public:
   explicit WidePath(const Wavelengths& all) : all_(all) {}
@@ -99,14 +99,14 @@ class WidePath {
   const Wavelengths& wavelengths() const { return all_; }
 
   void begin();
-  // On to the next vertex, through these columns, chosen with this density.
+  // Moves to the next vertex, through these columns, chosen with this density.
   void fly(const Columns& columns, double density);
   // Turns into a direction chosen with this density, 1/sr: in air, or at the ground (`cosine` over pi).
   void scatter(const Columns& densities, double nu, double density);
   void reflect(const Wide& albedo, double cosine, double density);
-  // Is worth so much more, since it might have ended.
+  // Multiplies the path's weight, to make up for paths that ended.
   void survive(double factor);
-  // Adds sunlight that comes through these columns and is sent back along the path: scattered, or reflected.
+  // Adds sunlight that comes through these columns and is scattered or reflected back along the path.
   void add_scattered(const Columns& to_sun, const Columns& densities, double nu);
   void add_reflected(const Columns& to_sun, const Wide& albedo, double cosine);
 
@@ -116,9 +116,9 @@ class WidePath {
   void add(const Columns& to_sun, const Wide& sent_back);
 
   const Wavelengths& all_;
-  Wide carry_;        // but for the transmittance of
+  Wide carry_;        // without the transmittance of
   Columns passed_{};  // these columns, km at density 1,
-  int flights_ = 0;   // of so many flights
+  int flights_ = 0;   // and of this many flights
   Wide sum_;
 };
 
