@@ -1,13 +1,13 @@
-# How long the compiler takes. The preset `dev` does without all of this: it compiles every source on its own and so finds
-# the header that one forgot to include.
+# Settings that shorten compilation. The preset `dev` uses none of them: it compiles every source on its own and so
+# finds a header that someone forgot to include.
 
 # The standard library's headers, compiled once for all targets of the same flags.
 set(airlight_standard_headers
     <algorithm> <array> <cmath> <cstdint> <functional> <map> <memory> <optional> <span> <string> <string_view> <utility>
     <variant> <vector>)
 
-# Where no time is spent at run time the compiler's counts: what reads words and writes them is optimised little, and not
-# at all with the sanitizers, and so are tests.
+# Code that takes no time at run time is compiled for short compilation: code that reads and writes text is optimised
+# little, and with the sanitizers not at all; so are tests.
 set(airlight_little)
 set(airlight_test_options)
 if(AIRLIGHT_SANITIZE)
@@ -18,7 +18,7 @@ elseif(CMAKE_BUILD_TYPE STREQUAL "Release")
   set(airlight_test_options -O0)
 endif()
 
-# An object library that holds nothing but the precompiled headers NAME, compiled with OPTIONS; POSITION_INDEPENDENT says
+# An object library that contains only the precompiled headers NAME, compiled with OPTIONS; POSITION_INDEPENDENT:
 # whether with -fPIC.
 function(airlight_precompiled name position_independent options)
   set(source ${PROJECT_BINARY_DIR}/${name}.cpp)
@@ -30,7 +30,7 @@ function(airlight_precompiled name position_independent options)
   target_precompile_headers(${name} PRIVATE ${ARGN})
 endfunction()
 
-# Sources that name things as their neighbours do, in namespaces without a name: compiled on their own.
+# Sources whose unnamed namespaces use the same names as their neighbours': compiled on their own.
 file(GLOB airlight_own_names CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/app/commands/*.cpp)
 foreach(source IN ITEMS
         app/cli/process core/choice/probes core/gpu/executor
@@ -45,7 +45,7 @@ foreach(source IN ITEMS
   list(APPEND airlight_own_names ${PROJECT_SOURCE_DIR}/${source}.cpp)
 endforeach()
 
-# airlight_compile_together(TARGET...): several sources in one go, so that what they include is read and made once.
+# airlight_compile_together(TARGET...): compiles several sources in one go, so that their shared headers are read once.
 function(airlight_compile_together)
   if(NOT AIRLIGHT_QUICK_COMPILE)
     return()
@@ -54,13 +54,13 @@ function(airlight_compile_together)
   foreach(target IN LISTS ARGN)
     if(TARGET ${target})
       set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
-      # A class with a member of a type of its own source's: fine, as only that source knows the class.
+      # A class may have a member of a type from its own source's unnamed namespace: only that source knows the class.
       target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
     endif()
   endforeach()
 endfunction()
 
-# airlight_optimise_little(TARGET...): targets that do not exist are passed over.
+# airlight_optimise_little(TARGET...): targets that do not exist are skipped.
 function(airlight_optimise_little)
   if(AIRLIGHT_QUICK_COMPILE)
     airlight_precompiled(airlight_headers_little OFF "${airlight_little}" ${airlight_standard_headers})
@@ -76,10 +76,10 @@ function(airlight_optimise_little)
   endforeach()
 endfunction()
 
-# airlight_precompile(TARGET...): the others, alike.
+# airlight_precompile(TARGET...): the same for all other targets.
 function(airlight_precompile)
   airlight_compile_together(${ARGN})
-  # Not where the compiler optimises fully: GCC 12 forgets that precompiled headers are the system's and warns of them.
+  # Not used where the compiler optimises fully: GCC 12 then warns of precompiled system headers as if they were ours.
   if(NOT AIRLIGHT_QUICK_COMPILE OR CMAKE_BUILD_TYPE STREQUAL "Release")
     return()
   endif()

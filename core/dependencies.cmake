@@ -3,10 +3,10 @@ find_package(OpenEXR CONFIG REQUIRED)
 find_package(CLI11 CONFIG REQUIRED)
 find_package(nlohmann_json CONFIG REQUIRED)
 find_package(PNG REQUIRED)
-# The sun's place (liberfa-dev): a small C library without a CMake package.
+# The sun's position (liberfa-dev): a small C library without a CMake package.
 find_path(ERFA_INCLUDE_DIR erfa.h REQUIRED)
 find_library(ERFA_LIBRARY erfa REQUIRED)
-# Clocks of the world (libcctz-dev), without a CMake package as well.
+# Time zones (libcctz-dev), also without a CMake package.
 find_path(CCTZ_INCLUDE_DIR cctz/time_zone.h REQUIRED)
 find_library(CCTZ_LIBRARY cctz REQUIRED)
 find_package(OpenImageIO CONFIG REQUIRED)

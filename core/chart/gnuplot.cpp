@@ -15,7 +15,7 @@
 namespace airlight::chart {
 namespace {
 
-// Okabe and Ito's palette: told apart by everyone.
+// Okabe and Ito's palette, which colour-blind people can tell apart too.
 constexpr std::array<std::string_view, 7> kColours{"#999999", "#E69F00", "#0072B2", "#009E73",
                                                    "#D55E00", "#CC79A7", "#56B4E9"};
 
@@ -32,7 +32,7 @@ std::string array_of(const std::string& name, const std::vector<std::string>& va
   return "array " + name + "[" + std::to_string(values.size()) + "] = [" + joined_of(values, gnuplot_text) + "]\n";
 }
 
-// The axes hold all that is shown, and some room.
+// The ranges of the axes: all that is shown, with some room.
 struct Ranges {
   double x_low = std::numeric_limits<double>::infinity();
   double x_high = 0.0;
@@ -56,7 +56,7 @@ struct Ranges {
   }
   std::string text() const {
     std::ostringstream out;
-    // Decades alone where there are many.
+    // Many decades: marks at whole decades alone.
     const bool few = y_high / y_low < 300.0;
     out << "set ytics " << (few ? "(0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100)" : "autofreq") << "\n";
     out << "set xrange [" << x_low << ":" << x_high << "]\nset yrange [" << y_low << ":" << y_high << "]\n";
@@ -81,8 +81,8 @@ std::string margins(const Area& area) {
   return out.str();
 }
 
-// Points of the frontier in the order in which they are worth a label: the ends, then what is farthest from those that
-// have one.
+// Points of the frontier in the order of their claim to a label: the two ends, then always the one farthest from those
+// that already have one.
 std::vector<Label> wanted_labels(const std::vector<Point>& points, const std::string& scene) {
   std::vector<Label> wanted;
   std::vector<const Point*> rest;
@@ -161,7 +161,7 @@ set datafile columnheaders
 set datafile missing NaN
 )";
 
-// A row shows where its scene and method are those of the panel and the curve.
+// A row is drawn where its scene is the panel's and its method the curve's.
 constexpr std::string_view kBody = R"(
 is(name, value) = stringcolumn(name) eq value
 percent(name) = 100 * column(name)

@@ -32,7 +32,7 @@ PixelSet lattice(const Scene& scene, int columns, int rows) {
       if (!ray.inside) {
         continue;
       }
-      // The truth is traced at points; what the planet's edge crosses is a mean.
+      // The truth is traced at points, but a pixel that the planet's edge crosses is a mean.
       if (physics.pixel_rays(physics.scene.planet, physics.scene.camera, projection, x + 0.5, y + 0.5, ray.direction)
               .count > 1) {
         continue;

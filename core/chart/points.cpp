@@ -74,7 +74,7 @@ const std::vector<Column>& columns() {
        }},
       number_column("share_timed", &Point::share_timed),
       text_column("key", &Point::key),
-      // For gnuplot, which cuts a quoted text at its first comma.
+      // A column for gnuplot, which cuts a quoted text at its first comma.
       {"label",
        [](const Point& p) {
          std::string label = p.quality;

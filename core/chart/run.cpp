@@ -54,7 +54,7 @@ double cost_of(const Scene& scene, const SkyMethod& method, const PixelSet& pixe
   return choice::predicted_cost(plan).total();
 }
 
-// What a point takes in all, from what one picture takes.
+// Time to measure a point, given the time of one picture.
 double measuring_s(double picture_s, const Task& task) {
   const TimingRules rules;
   if (task.method->render_on_host != nullptr) {
@@ -93,7 +93,7 @@ class ChartRun {
     }
   }
 
-  // A third of the work, as far as anybody can tell beforehand.
+  // About a third of the work; the true share is unknown beforehand.
   static constexpr double kTruthShare = 0.35;
 
   void find_truths() {
@@ -145,7 +145,8 @@ class ChartRun {
     return nullptr;
   }
 
-  // Tasks go by rising cost, so that a short budget charts the cheap end of every scene; each method has its device.
+  // Tasks go by rising cost, so that a short budget charts the cheap end of every scene. Each method has its own
+  // device.
   void measure_scene(std::size_t i) {
     const std::string& name = order_.scenes[i].name;
     std::vector<Task> tasks = tasks_of(i);
@@ -171,7 +172,8 @@ class ChartRun {
       for (const Task* task : mine) {
         method_share += task->cost;
       }
-      // What other methods left over is there for this one; a method's dearest qualities go first when time is short.
+      // Time that other methods left over is available to this one. When time is short, a method omits its dearest
+      // qualities.
       const double limit = share * (done + method_share) / total;
       for (const Task* task : mine) {
         done += task->cost;

@@ -19,7 +19,7 @@ namespace {
 struct Sky {
   std::vector<Plan> plans;
   std::vector<BufferId> radiance;
-  std::set<std::string, std::less<>> table_passes;  // those whose output is kept for later pictures
+  std::set<std::string, std::less<>> table_passes;  // passes whose output is kept for later pictures
   std::string table_keys;
 };
 
@@ -32,7 +32,7 @@ Sky sky_of(const Scene& scene, std::size_t tile_bytes) {
   Sky sky;
   const int rows = rows_of_tile(scene, tile_bytes);
   const bool whole = rows == scene.image.height;
-  const std::string own = whole ? std::string() : picture_key();  // of what the tiles of this picture share
+  const std::string own = whole ? std::string() : picture_key();  // key of what this picture's tiles share
   for (int y = 0; y < scene.image.height; y += rows) {
     const Tile tile{0, y, scene.image.width, std::min(rows, scene.image.height - y)};
     const View view = whole ? View{} : View{.directions = {}, .tile = tile, .kept_as = own};
@@ -73,7 +73,7 @@ std::vector<RunResult> run(Executor& executor, const Sky& sky) {
   return results;
 }
 
-// Another planet by a hair: the same shaders on tables that are not there yet.
+// A planet that differs by a hair: the same shaders, but tables that are not there yet.
 Scene neighbour(Scene scene, int n) {
   auto radius = static_cast<float>(scene.planet.ground_radius);
   for (int i = 0; i < n; ++i) {
@@ -130,7 +130,7 @@ Timing time_on_device(Executor& executor, const Scene& scene, const PixelSet& pi
   };
   while (!enough()) {
     if (sky.plans.size() > 1) {
-      sky = sky_of(scene, rules.tile_bytes);  // a picture of its own
+      sky = sky_of(scene, rules.tile_bytes);  // another picture's plans
     }
     const double cpu_before = process_cpu_ms();
     const Clock::time_point start = Clock::now();
@@ -144,7 +144,8 @@ Timing time_on_device(Executor& executor, const Scene& scene, const PixelSet& pi
     }
   }
   if (sky.plans.size() > 1) {
-    // What a run leaves is there until the next: once more, each tile taken before the next one runs.
+    // A run's results stay until the next run: the picture is rendered once more, and each tile is read before the
+    // next.
     sky = sky_of(scene, rules.tile_bytes);
     for (std::size_t i = 0; i < sky.plans.size(); ++i) {
       append(rgba, executor.run(sky.plans[i]).contents(sky.radiance[i]));

@@ -17,8 +17,8 @@ Rgb behind_air(const Thing& thing, const AirTo& air, const Rgb& sky) {
 Rgb behind_air(std::span<const Thing> things, std::span<const AirTo> airs, const Rgb& sky) {
   assert(things.size() == airs.size());
   Rgb out{};
-  Rgb before{};        // the air's light up to the last sample
-  float clear = 1.0F;  // what the samples so far let through
+  Rgb before{};        // radiance of the air up to the last sample
+  float clear = 1.0F;  // transmittance of the samples so far
   for (std::size_t i = 0; i < things.size(); ++i) {
     for (std::size_t c = 0; c < 3; ++c) {
       out[c] += clear * (airs[i].radiance[c] - before[c] + things[i].colour[c] * airs[i].transmittance[c]);
@@ -37,7 +37,7 @@ std::vector<Thing> split(const Thing& thing, int parts) {
   Thing part = thing;
   double share = 1.0 / parts;
   if (alpha >= 1.0) {
-    // Opaque: nothing behind the first part is seen.
+    // An opaque thing hides everything behind its first part.
     return {thing};
   }
   if (alpha > 0.0) {

@@ -17,7 +17,7 @@ SquareOfRows square(const Matrix& matrix) {
   return Eigen::Map<const SquareOfRows>(matrix.data());
 }
 
-// Nothing of a matrix that has no inverse, or that holds what is no number.
+// None for a matrix without an inverse, or with a value that is not a number.
 std::optional<SquareOfRows> inverse(const Matrix& matrix) {
   Eigen::FullPivLU<SquareOfRows> factors(square(matrix));
   factors.setThreshold(1e-300);  // units and lenses may be far apart
@@ -25,7 +25,7 @@ std::optional<SquareOfRows> inverse(const Matrix& matrix) {
   return there ? std::optional<SquareOfRows>(factors.inverse()) : std::nullopt;
 }
 
-// Into the preset's frame: x east, y up, -z north.
+// Converts into the preset's frame: x east, y up, -z north.
 vec3 in_preset(const vec3& v, UpAxis up) {
   return up == UpAxis::y ? v : vec3{v.x, v.z, -v.y};
 }
@@ -46,7 +46,7 @@ FileCamera angles_of(const Place& place, double unit_km) {
   if (level > 1e-6) {
     camera.azimuth = std::atan2(f.x, -f.z);
   } else {
-    // Straight up or down, where the picture's upper edge looks tells the azimuth.
+    // When the camera looks straight up or down, the direction of the picture's upper edge gives the azimuth.
     camera.azimuth = f.y > 0.0 ? std::atan2(-place.up.x, place.up.z) : std::atan2(place.up.x, -place.up.z);
   }
   const double sin_azimuth = std::sin(camera.azimuth);
@@ -82,7 +82,7 @@ FileCamera from_world_to_ndc(const std::string& file, const Matrix& matrix, UpAx
   if (!back) {
     throw InputError(file + ": its worldToNDC cannot be inverted; give the camera by the preset (--camera preset)");
   }
-  // The camera's place is what has no image: it goes to (0, 0, z, 0).
+  // The camera's place is the point without an image: it is mapped to (0, 0, z, 0).
   const Row centre = Row(0.0, 0.0, 1.0, 0.0) * *back;
   if (!(std::abs(centre[3]) > 1e-12 * (std::abs(centre[0]) + std::abs(centre[1]) + std::abs(centre[2])))) {
     throw InputError(file + ": its worldToNDC is no perspective; give the camera by the preset (--camera preset)");

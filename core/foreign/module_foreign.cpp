@@ -53,7 +53,7 @@ void read_attributes(Picture& picture, const OIIO::ImageSpec& spec) {
   picture.is_airlight = measure::text_of(spec, kPresetKey).has_value();
 }
 
-// Where a stored pixel lies in the display window, -1 outside of it.
+// Index of a stored pixel in the display window, -1 outside of it.
 std::ptrdiff_t place_of(const OIIO::ImageSpec& spec, int column, int row) {
   const int x = spec.x + column - spec.full_x;
   const int y = spec.y + row - spec.full_y;

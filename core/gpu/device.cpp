@@ -15,7 +15,7 @@ constexpr VkMemoryPropertyFlags kHost = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK
 constexpr VkMemoryPropertyFlags kHostCached = kHost | VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
 constexpr VkMemoryPropertyFlags kDevice = VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
 
-// Flags to look for, the best first; the last are always there (but for `shared`).
+// Memory flags in order of preference; the last always exist (except for `shared`).
 std::initializer_list<VkMemoryPropertyFlags> wanted_flags(MemoryPlace place) {
   static constexpr auto kDeviceOnly = {kDevice, VkMemoryPropertyFlags{0}};
   static constexpr auto kShared = {kDevice | kHostCached};

@@ -28,8 +28,8 @@ std::string wanted_device(const DeviceOptions& options) {
   return options.name_substring.empty() ? environment("AIRLIGHT_DEVICE") : options.name_substring;
 }
 
-// Where no device is named, the software device's driver alone, if there is one and it can be used. The validation
-// layer would count what the loader says of a driver that is not there.
+// Where no device is named, opens the software device's driver alone, if it exists and can be used. Not with the
+// validation layer, which would count the loader's messages about a missing driver.
 std::unique_ptr<Instance> open_instance(const DeviceOptions& options) {
   const bool validation = wants_validation(options);
   if (!validation && wanted_device(options).empty()) {
@@ -37,13 +37,13 @@ std::unique_ptr<Instance> open_instance(const DeviceOptions& options) {
       auto software = std::make_unique<Instance>(validation, Drivers::software);
       if (choose(physical_devices(*software), "").info.is_cpu) return software;
     } catch (const RunError&) {
-      // No such driver: all of them are opened.
+      // The driver does not exist: all drivers are opened below.
     }
   }
   return std::make_unique<Instance>(validation);
 }
 
-// A folder of its own for each kind, so that nothing else in the user's is ever taken for code, or removed.
+// A folder of its own for each kind, so that no other file in the user's folder is ever taken for code, or removed.
 std::filesystem::path cache_folder(const DeviceOptions& options, const char* kind) {
   const std::filesystem::path folder = options.cache_folder ? *options.cache_folder : user_cache_folder();
   return folder.empty() ? folder : folder / kind;

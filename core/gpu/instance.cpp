@@ -20,7 +20,7 @@ namespace {
 
 constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
 
-// What the loader reads when it makes an instance: patterns of the names of drivers' manifests.
+// The loader reads this variable when it makes an instance: patterns of the names of drivers' manifests.
 constexpr const char* kSelect = "VK_LOADER_DRIVERS_SELECT";
 constexpr const char* kSoftware = "lvp*";
 
@@ -57,7 +57,7 @@ void keep_libraries_loaded() {
   }
 }
 
-// The loader can be told by the environment alone; other programs that are started must not be told.
+// Only the environment can tell the loader, but it must not tell programs that are started meanwhile.
 VkResult create_instance(const VkInstanceCreateInfo& info, Drivers drivers, VkInstance& instance) {
   static std::mutex mutex;
   const std::scoped_lock lock(mutex);
@@ -113,7 +113,7 @@ Instance::Instance(bool validation, Drivers drivers) {
 }
 
 void Instance::add_messenger() {
-  // Asked for by instance: another instance without validation would clear the process-wide function pointer.
+  // Looked up through the instance: another instance without validation would clear the process-wide function pointer.
   const auto create = reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(
       vkGetInstanceProcAddr(instance_, "vkCreateDebugUtilsMessengerEXT"));
   const VkDebugUtilsMessengerCreateInfoEXT info = messenger_info();

@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kPart = ".part-";
-constexpr std::time_t kAbandoned = 600;  // seconds after which nobody is still writing
+constexpr std::time_t kAbandoned = 600;  // seconds after which a partial file counts as abandoned
 
 struct Header {
   std::array<char, 16> magic{'a', 'i', 'r', 'l', 'i', 'g', 'h', 't', ' ', 'k', 'e', 'p', 't', ' ', ' ', '1'};
@@ -41,7 +41,7 @@ bool is_ours_alone(const struct stat& status) {
   return status.st_uid == ::geteuid() && (status.st_mode & (S_IWGRP | S_IWOTH)) == 0;
 }
 
-// No descriptor where there is no such folder or others may write to it.
+// No descriptor where the folder does not exist or others may write to it.
 FileDescriptor open_folder(const fs::path& folder) {
   if (folder.empty()) return FileDescriptor();
   FileDescriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
@@ -79,7 +79,7 @@ bool is_older(const Entry& a, const Entry& b) {
   return a.used.tv_sec != b.used.tv_sec ? a.used.tv_sec < b.used.tv_sec : a.used.tv_nsec < b.used.tv_nsec;
 }
 
-// Files of ours in the folder, other than those that somebody is writing; what nobody goes on writing is removed.
+// Our files in the folder, except those being written; abandoned partial files are removed.
 std::vector<Entry> entries_of(int folder, const std::string& ending) {
   std::vector<Entry> entries;
   const int again = ::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -117,7 +117,7 @@ std::vector<std::uint32_t> KeptFiles::find(const Digest& key) const {
   const FileDescriptor folder = open_folder(folder_);
   if (!folder) return {};
   const std::string name = hexadecimal(key) + ending_;
-  // A pipe of that name must not block, nor a link lead elsewhere.
+  // Opening must not block on a pipe of that name, nor follow a link.
   const FileDescriptor file(::openat(folder.get(), name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
   struct stat status {};
   if (!file || ::fstat(file.get(), &status) != 0 || !S_ISREG(status.st_mode) || !is_ours_alone(status)) return {};
@@ -133,7 +133,7 @@ std::vector<std::uint32_t> KeptFiles::find(const Digest& key) const {
   }
   const Header expected{.key = key, .contents = sha256(std::as_bytes(std::span(words)))};
   if (header != expected) return {};
-  (void)::futimens(file.get(), nullptr);  // when it was used last; a folder that is only read goes without
+  (void)::futimens(file.get(), nullptr);  // records its last use; fails harmlessly in a read-only folder
   return words;
 }
 
@@ -146,7 +146,7 @@ void KeptFiles::keep(const Digest& key, std::span<const std::uint32_t> words) co
   const std::string name = hexadecimal(key) + ending_;
   const std::string part =
       hexadecimal(key) + std::string(kPart) + std::to_string(::getpid()) + "-" + std::to_string(count++);
-  ::unlinkat(folder.get(), part.c_str(), 0);  // of a killed process that had this number
+  ::unlinkat(folder.get(), part.c_str(), 0);  // left by a killed process with the same number
   FileDescriptor file(::openat(folder.get(), part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600));
   if (!file) return;
   const Header header{.key = key, .contents = sha256(std::as_bytes(words))};

@@ -68,7 +68,7 @@ PhysicalDevice inspect(VkPhysicalDevice handle) {
 
   std::vector<std::string>& missing = device.info.missing;
   if (version < VK_API_VERSION_1_2) {
-    // Nothing newer may be asked of it.
+    // Features of later versions must not be queried.
     missing.push_back("Vulkan 1.2 (it has " + device.info.api_version + ")");
     return device;
   }

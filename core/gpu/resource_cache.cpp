@@ -5,13 +5,13 @@
 namespace airlight {
 namespace {
 
-// A tool alternates a few plans (picture, bloom, tone curve) frame by frame: their resources outlive one round of them.
+// The tool alternates a few plans (picture, bloom, tone curve) frame by frame: resources outlive one round of them.
 constexpr std::uint64_t kIdleRuns = 4;
 
 constexpr VkBufferUsageFlags kUsage = VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
                                       VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
 
-// vkCmdFillBuffer leaves a tail that is no whole word.
+// Rounds up to whole words, since vkCmdFillBuffer leaves an incomplete word at the end untouched.
 std::size_t whole_words(std::size_t bytes) {
   return (bytes + 3) / 4 * 4;
 }

@@ -68,8 +68,8 @@ class Run {
   const std::function<void(double)>& report_;
   RunResources resources_;
   std::vector<Step> steps_;
-  double done_ = 0.0;         // of all, submitted and waited for
-  double executed_ms_ = 0.0;  // of submissions while recording went on
+  double done_ = 0.0;         // of all work, submitted and waited for
+  double executed_ms_ = 0.0;  // of submissions made while recording went on
 };
 
 RunResult Run::execute() {
@@ -99,7 +99,7 @@ void Run::choose_steps() {
   const std::vector<bool> barriers = barriers_before(plan_, runs);
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const PassDesc& pass = plan_.passes()[i];
-    // A skipped pass is matched all the same: a mistake in it shows in every run.
+    // A skipped pass is matched too, so that a mistake in it shows in every run.
     const ShaderProgram& program = machinery_.pipelines.program(pass.shader);
     Step step{&pass, &program, match(plan_, pass, program.info, machinery_.teams), barriers[i]};
     if (!runs[i]) continue;
@@ -148,7 +148,7 @@ void Run::record() {
   record_downloads(commands);
 }
 
-// New images get their layout, and what earlier runs wrote becomes visible to this one.
+// Gives new images their layout, and makes earlier runs' writes visible to this one.
 void Run::record_start(VkCommandBuffer commands) const {
   if (query_count() > 0) vkCmdResetQueryPool(commands, machinery_.frame.timestamps(), 0, query_count());
   std::vector<VkImageMemoryBarrier> layouts;
@@ -205,7 +205,7 @@ void Run::record_contents(VkCommandBuffer commands) {
   }
 }
 
-// All of an image, tightly packed in a buffer.
+// The whole image, tightly packed in a buffer.
 VkBufferImageCopy whole(const Extent& extent) {
   return {.bufferOffset = 0,
           .imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
@@ -295,7 +295,7 @@ void Run::hand_out(RunResult& result) const {
   }
 }
 
-// Whether there were any.
+// Returns whether there were any.
 bool Run::store_tables() const {
   bool any = false;
   for (std::uint32_t i = 0; i < plan_.images().size(); ++i) {

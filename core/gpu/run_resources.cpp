@@ -44,7 +44,7 @@ Resource& RunResources::acquire(ResourceId id) {
   const BufferId buffer = std::get<BufferId>(id);
   Resource*& place = buffers_[buffer.index];
   if (place == nullptr) {
-    // A readback's buffer is written by the copy alone: no shader sees it.
+    // Only the copy writes a readback's buffer; no shader sees it.
     const bool is_readback = std::any_of(plan_.readbacks().begin(), plan_.readbacks().end(),
                                          [&](const Plan::Readback& readback) { return readback.buffer == buffer; });
     place = &cache_.buffer(plan_.buffers()[buffer.index], is_readback ? MemoryPlace::readback : buffer_place_);

@@ -35,7 +35,7 @@ void describe_block(const SpirvModule& module, const Pointee& block, bool is_sto
   binding.block_bytes = module.bytes_of(block.type);
   if (binding.name.empty()) binding.name = module.name(block.type);
   if (!is_storage) return;
-  // `readonly` on a block lands on each of its members.
+  // `readonly` on a block is stored as a decoration of each member.
   for (std::uint32_t i = 0; i < block.definition.operands.size(); ++i) {
     if (!module.member_decorations(block.type, i).read_only) binding.writable = true;
   }
@@ -102,7 +102,7 @@ void add_variable(const SpirvModule& module, std::uint32_t id, const SpirvDefini
   info.bindings.push_back(std::move(binding));
 }
 
-// gl_WorkGroupSize as a composite takes the place of the literal size; a part may be a specialization constant.
+// gl_WorkGroupSize as a composite replaces the literal size; its parts may be specialization constants.
 void add_workgroup_size(const SpirvModule& module, const SpirvDefinition& composite, ShaderInfo& info) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::uint32_t part = composite.operands[axis];

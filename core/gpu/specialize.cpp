@@ -15,7 +15,7 @@ namespace airlight {
 
 namespace {
 
-// To be raised with every change of passes.
+// To be raised with every change of the passes.
 constexpr const char* kPasses = "passes 2";
 
 void register_freezing(spvtools::Optimizer& optimizer, std::span<const ConstantValue> constants) {
@@ -73,8 +73,8 @@ std::vector<std::uint32_t> optimized(std::string_view shader, std::span<const st
 
 }  // namespace
 
-// Folding may put a composite constant before one of its parts, where that has the value of a constant that stands
-// further down (seen with SPIRV-Tools 2023.1): such a module keeps its expressions.
+// Folding may put a composite constant before one of its parts, if that part's value equals a constant further down
+// (seen with SPIRV-Tools 2023.1). Such a module keeps its expressions.
 std::vector<std::uint32_t> specialize(std::string_view shader, std::span<const std::uint32_t> spirv,
                                       std::span<const ConstantValue> constants) {
   std::vector<std::uint32_t> folded = optimized(shader, spirv, constants, true);

@@ -38,7 +38,7 @@ SpirvModule::SpirvModule(std::string_view shader, std::span<const std::uint32_t>
     const std::size_t count = words[at] >> spv::WordCountShift;
     if (count == 0 || at + count > words.size()) refuse("the SPIR-V is cut off");
     const auto opcode = static_cast<std::uint16_t>(words[at] & spv::OpCodeMask);
-    if (opcode == spv::OpFunction) return;  // all that is asked for stands before the first function
+    if (opcode == spv::OpFunction) return;  // all that is needed stands before the first function
     read_instruction(opcode, words.subspan(at + 1, count - 1));
     at += count;
   }

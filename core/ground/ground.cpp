@@ -101,7 +101,7 @@ std::shared_ptr<const HostGround> made_ground(const Scene& scene) {
   return out;
 }
 
-// Columns of the camera's frame: x east, y up, -z north.
+// The planet's axes in the camera's frame: x east, y up, -z north.
 void place_camera(GroundData& head, const Camera& camera) {
   const double s = std::sin(camera.latitude);
   const double c = std::cos(camera.latitude);
@@ -121,7 +121,7 @@ double glint_share(double slope_variance, double mu_sun) {
   const vec3 up(0.0, 1.0, 0.0);
   const vec3 sun(std::sqrt(1.0 - mu * mu), mu, 0.0);
   double sum = 0.0;
-  // Equal shares of the slopes: rings of equal probability, and directions around.
+  // Equal shares of the slopes: rings of equal probability, and directions around each.
   for (int i = 0; i < kParts; ++i) {
     const double square = -slope_variance * std::log((i + 0.5) / kParts);
     const double upright = 1.0 / std::sqrt(1.0 + square);
@@ -132,7 +132,7 @@ double glint_share(double slope_variance, double mu_sun) {
       const double facing = dot(facet, sun);
       const vec3 away = facet * (2.0 * facing) - sun;
       if (facing > 0.0 && away.y > 0.0) {
-        // The slopes' density cancels: what is left is a share of radiance over it, times the solid angles' ratio.
+        // The slopes' density cancels: the summand is the radiance over that density, times the ratio of solid angles.
         const double density = std::exp(-square / slope_variance) / (std::numbers::pi * slope_variance);
         sum += p.ocean_glint(slope_variance, up, sun, away) * away.y * 4.0 * facing * std::pow(upright, 3) / density;
       }

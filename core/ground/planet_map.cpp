@@ -14,12 +14,12 @@ std::size_t at(int row, int column, int columns, int channels, int c) {
          static_cast<std::size_t>(c);
 }
 
-// Share of the sphere between the pole and a place in rows.
+// Share of the sphere between the north pole and a row coordinate.
 double area_above(double row, int rows) {
   return 0.5 * (1.0 - std::cos(std::numbers::pi * row / rows));
 }
 
-// The part of texel k of `from` that lies in texel i of `to`, in texels of `from`: low and high end.
+// The part of texel k of `from` within texel i of `to`, as its low and high end in texels of `from`.
 struct Overlap {
   double low;
   double high;
@@ -38,7 +38,7 @@ int last_of(int i, int to, int from) {
   return static_cast<int>((static_cast<long long>(i + 1) * from + to - 1) / to) - 1;
 }
 
-// Each row over as many columns as are as wide on the planet as the row is high.
+// Averages each row over as many columns as are as wide on the planet as the row is high.
 void spread_toward_poles(PlanetLevel& level, int channels) {
   const int columns = 2 * level.rows;
   std::vector<double> sums(static_cast<std::size_t>(columns) + 1);
@@ -50,7 +50,7 @@ void spread_toward_poles(PlanetLevel& level, int channels) {
         sums[static_cast<std::size_t>(i) + 1] =
             sums[static_cast<std::size_t>(i)] + static_cast<double>(level.values[at(j, i, columns, channels, c)]);
       }
-      // Of the row from its start to x columns, once round and more.
+      // Integral of the row from its start to x columns, also over more than one turn.
       const auto up_to = [&](double x) {
         const double turns = std::floor(x / columns);
         const double rest = x - turns * columns;

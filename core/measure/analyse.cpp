@@ -6,7 +6,8 @@
 namespace airlight::measure {
 namespace {
 
-// A plane without a standard error is exact there (alpha, which no sample touches): idiff's threshold, else infinite.
+// A plane without a standard error (alpha, which no sample touches) is judged as exact: errors up to idiff's threshold
+// are 0, larger ones infinite.
 constexpr float kExactTolerance = 1e-6F;
 
 struct PlaneErrors {
@@ -19,7 +20,7 @@ struct PlaneErrors {
   std::vector<float> sigmas;  // empty: none
 };
 
-// Planes laid end to end, so that one index tells plane and pixel.
+// Planes laid end to end: an index gives the plane and the pixel.
 struct Group {
   std::string name;
   std::vector<const PlaneErrors*> members;
@@ -97,7 +98,7 @@ ChannelReport report_group(const PicturePair& pair, const Group& group, const Ar
   return report;
 }
 
-// What each pixel is judged by: the largest over the planes.
+// The value that judges each pixel: the largest over the planes.
 std::vector<float> judged_pixels(const PicturePair& pair, const std::vector<PlaneErrors>& planes) {
   std::vector<float> largest(planes.front().absolute.size(), 0.0F);
   for (const PlaneErrors& plane : planes) {

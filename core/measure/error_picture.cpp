@@ -16,7 +16,7 @@ constexpr double kSigmaTop = 6.0;
 constexpr int kIntervals = 3;           // of the scale; decades when it is logarithmic
 constexpr double kBrightExposed = 1.2;  // shown as 0.7 of white
 
-// How far a picture is enlarged and how large the letters are.
+// Enlargement of a picture, and size of the letters.
 struct Layout {
   int zoom = 1;
   int text = 1;
@@ -30,7 +30,7 @@ struct Layout {
 Layout layout_for(PictureSize size) {
   Layout layout;
   layout.zoom = std::max(1, (kSmallestShown + size.width - 1) / size.width);
-  while (layout.zoom > 1 && layout.zoom * size.height > 4 * kSmallestShown) --layout.zoom;  // a tall strip
+  while (layout.zoom > 1 && layout.zoom * size.height > 4 * kSmallestShown) --layout.zoom;  // for a tall strip
   layout.panel_width = std::max(layout.zoom * size.width, kSmallestShown);
   layout.panel_height = layout.zoom * size.height;
   layout.text = std::max(1, layout.panel_width / 480);
@@ -84,7 +84,7 @@ std::vector<Tick> ticks_of(const ErrorScale& scale) {
   return ticks;
 }
 
-// The bar with a number at each tick, and what the colour outside it means.
+// The bar with a number at each tick, and the meaning of the colour outside it.
 void draw_scale(Raster& raster, int left, int top, const Layout& layout, const ErrorScale& scale) {
   const std::string outside = "NAN/INF";
   const int t = layout.text;
@@ -158,7 +158,7 @@ ErrorScale scale_for(std::span<const float> errors, bool in_sigmas, std::optiona
   for (const float error : errors) {
     if (std::isfinite(error)) largest = std::max(largest, static_cast<double>(error));
   }
-  // 1e-6: a largest error of a power of ten, to the precision of floats, stays within its decade.
+  // 1e-6: a largest error that is a power of ten up to float precision stays within its decade.
   const double decade = largest > 0.0 ? std::ceil(std::log10(largest) - 1e-6) : -2.0;
   scale.high = top.value_or(std::pow(10.0, decade));
   scale.low = scale.high * std::pow(10.0, -kIntervals);

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What the user named, opened up: files by a key that the other side's share.
+// The files of one side, by keys that both sides share.
 struct Collection {
   enum class Kind { file, folder, pattern };
   Kind kind = Kind::file;
@@ -55,7 +55,7 @@ std::map<std::string, std::string> files_in_folder(const std::string& folder) {
   return files;
 }
 
-// The key is the frame's number, padded so that keys sort as numbers do.
+// The frame's number, padded so that keys sort like numbers.
 std::string frame_key(long frame) {
   std::string digits = std::to_string(frame);
   return std::string(20 - std::min<std::size_t>(20, digits.size()), '0') + digits;
@@ -145,7 +145,7 @@ std::optional<long> frame_number(const FramePattern& pattern, std::string_view f
   const std::string_view digits = file_name.substr(pattern.before.size(), file_name.size() - around);
   const bool all_digits = std::ranges::all_of(digits, [](char c) { return c >= '0' && c <= '9'; });
   const std::size_t least = static_cast<std::size_t>(pattern.digits);
-  // More digits than the pattern's only where the number needs them: each frame has one spelling.
+  // More digits than the pattern only where the number needs them: each frame has one spelling.
   if (!all_digits || digits.size() < least || (digits.size() > least && digits.front() == '0')) return std::nullopt;
   return number_from<long>(digits);
 }

@@ -28,7 +28,7 @@ std::string percent_words(double percent) {
   return number(percent) + " % of pixels";
 }
 
-// --fail and --warn: so many pixels may be above.
+// --fail and --warn: a share of pixels may exceed the limit.
 LimitCheck pixel_check(const char* option, double limit, double allowed, std::size_t count,
                        const ComparisonReport& report, const std::string& unit) {
   LimitCheck check;

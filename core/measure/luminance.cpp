@@ -5,13 +5,13 @@
 
 namespace airlight::measure {
 
-// White's chromaticity is the mean of the primaries' weighted by S = X + Y + Z, and Y = y S, so each weight is the
-// white point's barycentric coordinate in the triangle of primaries times y / y_white.
+// White's chromaticity is the mean of the primaries' chromaticities, weighted by S = X + Y + Z. Since Y = y S, each
+// weight is the white point's barycentric coordinate in the triangle of primaries times y / y_white.
 std::array<double, 3> luminance_weights(const Chromaticities& c) {
   const auto cross = [](double ax, double ay, double bx, double by) { return ax * by - ay * bx; };
   const double white_x = c[6];
   const double white_y = c[7];
-  // The doubled area of the triangle, and the coordinates as ratios to it.
+  // Twice the triangle's area, and the coordinates as ratios to it.
   const double whole = cross(c[2] - c[0], c[3] - c[1], c[4] - c[0], c[5] - c[1]);
   const double green = cross(white_x - c[0], white_y - c[1], c[4] - c[0], c[5] - c[1]) / whole;
   const double blue = cross(c[2] - c[0], c[3] - c[1], white_x - c[0], white_y - c[1]) / whole;

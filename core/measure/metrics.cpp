@@ -23,7 +23,7 @@ float stored(double error) {
   return static_cast<float>(std::min(error, static_cast<double>(std::numeric_limits<float>::max())));
 }
 
-// Calls visit(index) for each value of the area; without a division for each of millions.
+// Calls visit(index) for each value of the area, without a division per value.
 template <class Visit>
 void visit_area(const Area& area, std::size_t count, Visit visit) {
   if (area.bits.empty()) {
@@ -58,7 +58,7 @@ double ratio(double difference, double unit) {
   return difference == 0.0 ? 0.0 : difference / unit;  // 0 / 0 is no error; x / 0 is infinite
 }
 
-// The value of nearest rank, moving it to its place among values[0, end).
+// Returns the value of nearest rank and moves it to its place among values[0, end).
 double take_percentile(std::vector<float>& values, std::size_t end, double fraction, std::size_t& rank) {
   const double exact = std::ceil(fraction * static_cast<double>(values.size()) - 1e-9);
   rank = static_cast<std::size_t>(std::max(exact, 1.0)) - 1;

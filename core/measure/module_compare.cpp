@@ -79,8 +79,8 @@ std::vector<std::size_t> places_of(const ExrHeader& header, const ExrLayer& laye
   return places;
 }
 
-// The channels to compare: those asked for, else all. Alpha that only one of them has is left out, with a note: the
-// picture is in the colours. Anything else must be in both.
+// The channels to compare: the requested ones, else all. Alpha that only one picture has is left out, with a note,
+// since the picture is in the colours. All other channels must be in both.
 std::vector<std::string> choose_channels(const ComparisonRequest& request, const ExrLayer& a, const ExrLayer& b,
                                          std::vector<std::string>& notes) {
   if (!request.channels.empty()) return request.channels;
@@ -106,7 +106,7 @@ std::vector<std::string> choose_channels(const ComparisonRequest& request, const
   return common;
 }
 
-// The layer of a standard-error file: by name, or the one that is called so, or the main picture.
+// The layer of a standard-error file: by name, else the one called standard error, else the main picture.
 const ExrLayer& find_sigma_layer(const ExrHeader& header, const std::string& name) {
   if (!name.empty()) return find_layer(header, name);
   for (const char* usual : {"standard_error", "standard-error", "stderr"}) {
@@ -148,7 +148,7 @@ std::string words(const Chromaticities& c) {
          number(c[4]) + " " + number(c[5]) + ", white " + number(c[6]) + " " + number(c[7]);
 }
 
-// Numbers of two colour spaces are not to be compared. Chromaticities are printed with four or five digits.
+// Refuses pictures in different colour spaces. Chromaticities are printed with four or five digits.
 void require_same_colours(const ExrHeader& a, const ExrHeader& b, const std::vector<std::string>& channels) {
   constexpr double kPrinted = 6e-5;
   const bool colours =
@@ -183,7 +183,7 @@ PicturePair read_pair(const ComparisonRequest& request, const ExrHeader& a, cons
   return pair;
 }
 
-// From where the pictures were taken: what the request says, else the reference's own preset, else A's.
+// The viewpoint of the pictures: the request's, else that of the reference's preset, else that of A's.
 void find_viewpoint(const ComparisonRequest& request, const ExrHeader& a, const ExrHeader& b, PicturePair& pair,
                     ComparisonReport& report) {
   if (!request.view_preset.empty()) {
@@ -220,7 +220,7 @@ void note_other_layers(const ComparisonRequest& request, const ExrHeader& header
 
 void count_nonfinite(const PicturePair& pair, ComparisonReport& report) {
   const auto count = [&](const std::vector<float>& values, std::size_t& nan, std::size_t& infinite) {
-    // Only read from: ImageBuf wraps memory that it may write to.
+    // ImageBuf wraps memory that it could write to, but here it is only read.
     float* const pixels = const_cast<float*>(values.data());
     const OIIO::ImageBuf buffer(OIIO::ImageSpec(pair.frame.columns, pair.frame.rows, 1, OIIO::TypeFloat), pixels);
     const OIIO::ImageBufAlgo::PixelStats stats = OIIO::ImageBufAlgo::computePixelStats(buffer);

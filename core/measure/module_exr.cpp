@@ -74,7 +74,7 @@ void add_channels(std::vector<ExrLayer>& layers, const OIIO::ImageSpec& spec, in
     }
     layer->channels.push_back(dot == std::string::npos ? full : full.substr(dot + 1));
     layer->indexes.push_back(i);
-    // OpenImageIO reads integers as fractions of their range; an identifier is to be compared as a number.
+    // OpenImageIO reads integers as fractions of their range; identifiers must be compared as numbers.
     layer->units.push_back(spec.channelformat(i) == OIIO::TypeUInt32 ? 4294967295.0F : 1.0F);
   }
 }

@@ -22,7 +22,7 @@ std::string code(std::string_view text) {
   return element("code", xml_escaped(text));
 }
 
-// The first `texts` columns hold words, the others numbers.
+// The first `texts` columns are text, the others numbers.
 std::string table(const std::string& caption, std::size_t texts, const Cells& heads, const std::vector<Cells>& rows) {
   std::string html = element("caption", caption) + "<thead><tr>";
   for (std::size_t i = 0; i < heads.size(); ++i) {
@@ -238,7 +238,7 @@ std::string html_page(const std::vector<NamedReport>& entries, std::string_view 
   std::string page(page_template());
   fill(page, "colours", colour_list());
   fill(page, "title", xml_escaped("airlight diff: " + std::string(a) + " against " + std::string(b)));
-  fill(page, "content", content);  // last: what it holds is not searched
+  fill(page, "content", content);  // last, since text inside it is not searched
   return page;
 }
 

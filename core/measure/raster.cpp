@@ -6,8 +6,8 @@
 namespace airlight::measure {
 namespace {
 
-// The letters of write(): seven rows of five dots from the top, the leftmost in the highest of the five bits. Small
-// letters give capitals.
+// The letters of write(): seven rows of five dots from the top, the leftmost dot in the highest of the five bits. Small
+// letters become capitals.
 using GlyphRows = std::array<std::uint8_t, 7>;
 
 struct Glyph {

@@ -25,7 +25,7 @@ std::string row(const std::string& name, const std::vector<std::string>& cells) 
   return line + "\n";
 }
 
-// Mean, median, percentiles and largest, and what `more` there is.
+// Mean, median, percentiles and largest, then the `more` cells.
 std::vector<std::string> cells(const ErrorSummary& e, std::string (*text)(double),
                                std::initializer_list<std::string> more) {
   std::vector<std::string> all{text(e.mean), text(e.p50), text(e.p95), text(e.p99), text(e.max)};
@@ -46,7 +46,7 @@ std::vector<std::string> sigma_cells(const ChannelReport& channel) {
                {number(channel.chi_square->per_value()), std::to_string(channel.chi_square->unequal_exact)});
 }
 
-// A line for each key that differs, up to `most`.
+// A line for each key that differs, at most `most`.
 std::string describe_keys(const ComparisonReport& report, std::size_t most) {
   std::string text;
   for (std::size_t i = 0; i < std::min(most, report.preset_keys.size()); ++i) {
@@ -210,7 +210,7 @@ std::string describe_all(const std::vector<NamedReport>& entries) {
 std::vector<const NamedReport*> worst_first(const std::vector<NamedReport>& entries) {
   std::vector<const NamedReport*> sorted;
   for (const NamedReport& entry : entries) sorted.push_back(&entry);
-  // An error that cannot be known stands before an infinite one.
+  // A pair without a known error comes before one with an infinite error.
   const auto error = [](const NamedReport* entry) {
     if (entry->report.areas.empty()) return std::tuple(1, 0.0, 0.0);
     const ErrorSummary& relative = entry->report.areas.front().channels.back().relative;

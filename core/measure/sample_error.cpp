@@ -16,7 +16,7 @@ double weight_of(std::span<const double> weights, std::size_t i) {
   return weights.empty() ? 1.0 : weights[i];
 }
 
-// What an error is measured against where the reference is darker: kRelativeFloor of the channel's mean.
+// Least value that an error is relative to: kRelativeFloor of the channel's mean.
 std::array<double, kChannels> floors_of(std::span<const float> reference, std::span<const double> weights) {
   std::array<double, kChannels> sum{};
   double total = 0.0;

@@ -17,11 +17,11 @@ using physics::Physics;
 using physics::vec3;
 
 constexpr int kShells = 400;
-constexpr unsigned int kSteps = 12;  // along a gathering ray, and from each of them toward the sun
+constexpr unsigned int kSteps = 12;  // along a gathering ray, and from each step toward the sun
 constexpr unsigned int kColumnSteps = 64;
 constexpr unsigned int kDirections = physics::kMultipleScatteringDirections;
-constexpr double kBlack = 1e-30;  // what the logarithm takes for black
-// A base lower than this share of the mean altitude is none: a plain exponential cut off at the top must have none.
+constexpr double kBlack = 1e-30;  // stands for black in the logarithm
+// A base lower than this share of the mean altitude counts as none: a plain exponential cut off at the top has none.
 constexpr double kLeastBase = 0.1;
 constexpr double kSunStep = 0.01;  // of the sun's zenith cosine, for the slope
 
@@ -63,8 +63,8 @@ class Profile {
     return a;
   }
 
-  // Mean over medium i between two altitudes of the share of medium j there that stands higher. One half where either
-  // is absent.
+  // Between two altitudes: the share of medium j above a point, as the mean over medium i. One half where either is
+  // absent.
   double share_above(unsigned int i, unsigned int j, double low, double high) const {
     double all_i = 0.0;
     double all_j = 0.0;
@@ -79,7 +79,7 @@ class Profile {
     return all_i > 0.0 && all_j > 0.0 ? sum / (all_i * all_j) : 0.5;
   }
 
-  // The altitude above which this share of the scattering above h stands; h where there is none.
+  // The altitude above which this share of the scattering above h stands; h where there is no scattering.
   double altitude_of_share(const Physics& p, double h, double share) const {
     const std::vector<double> part = scattering_above(p, h);
     const double all = std::accumulate(part.begin(), part.end(), 0.0);
@@ -93,7 +93,7 @@ class Profile {
     return h;
   }
 
-  // Its mean altitude over h.
+  // Mean altitude of that scattering, above h.
   double mean_height(const Physics& p, double h) const {
     const std::vector<double> part = scattering_above(p, h);
     const double all = std::accumulate(part.begin(), part.end(), 0.0);
@@ -127,8 +127,8 @@ class Profile {
   std::vector<Row> columns_;
 };
 
-// Along the horizontal over straight up; 1 where there is no air. At most what an exponential of a metre over the
-// largest planet has, sqrt(pi R / 2 H): beyond it the steps straight up have missed the air.
+// Optical depth along the horizontal over that along the vertical; 1 where there is no air. It is limited to that of an
+// exponential of a metre over the largest planet, sqrt(pi R / 2 H): beyond this the vertical steps have missed the air.
 vec3 horizon_mass(Physics& p, double h) {
   constexpr double kMost = 1.25e5;
   const vec3 level = p.optical_depth_to_top(p.scene.planet, h, 0.0, kColumnSteps);
@@ -136,7 +136,7 @@ vec3 horizon_mass(Physics& p, double h) {
   return physics::min(physics::max(level / physics::max(up, vec3(kBlack)), vec3(1.0)), vec3(kMost));
 }
 
-// Isotropic multiple scattering [H20] at one place, as the table of `march` has it, by its logarithm.
+// Logarithm of isotropic multiple scattering [H20] at one place, as in the table of `march`.
 vec3 log_diffuse(Physics& p, double h, double mu_sun) {
   vec3 second_order(0.0);
   vec3 transfer(0.0);

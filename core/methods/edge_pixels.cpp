@@ -12,7 +12,7 @@ namespace {
 
 using Pixels = std::vector<EdgePixel>;
 
-// Squares of the tile, halved as long as the edge may cross them.
+// Squares of the tile, halved while the edge may cross them.
 class Search {
  public:
   Search(const Scene& scene, const Tile& tile)
@@ -46,11 +46,11 @@ class Search {
       take(x, y);
       return;
     }
-    // Across the cut between two faces of a cube a square is not one.
+    // A square that spans the cut between two faces of a cube is no square of directions.
     const auto face = static_cast<int>(projection_ == physics::kProjectionCube ? p_.cube_side(p_.scene.camera) : 0.0);
     const bool cut = face > 0 && ((tile_.x + x) / face != (tile_.x + x + side - 1) / face ||
                                   (tile_.y + y) / face != (tile_.y + y + side - 1) / face);
-    // From the middle of a square to a corner of it: side / sqrt(2) pixels. Angles exceed differences of cosines.
+    // A square's corner is side / sqrt(2) pixels from its middle. Differences of angles exceed those of cosines.
     const double over = direction(x + 0.5 * side, y + 0.5 * side).y - horizon_;
     const double around = 1.1 * reach_ * side;
     if (!cut && (over < -around || over > 1.1 * edge_ + around)) {
@@ -81,7 +81,7 @@ class Search {
   Pixels found_;
 };
 
-// All that the list depends on.
+// Everything that the list depends on.
 using Key = std::array<double, 15>;
 
 Key key_of(const Scene& scene, const Tile& tile) {

@@ -42,7 +42,7 @@ std::vector<Binding> add_ground_buffers(Plan& plan, const Scene& scene) {
           add("ground_water", bytes_of(*ground->water), key + " water")};
 }
 
-// Those of the constants that a shader's own list may hold.
+// The constants without those of this prefix, which belong to other shaders.
 std::vector<Specialization> without(std::vector<Specialization> constants, std::string_view prefix) {
   std::erase_if(constants, [&](const Specialization& c) { return c.name.starts_with(prefix); });
   return constants;

@@ -15,7 +15,7 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kDegrees = 180.0 / std::numbers::pi;  // in a radian
 constexpr double kNotableShare = 0.1;                  // of a picture
 
-// The asymmetry of the medium that scatters most among those that prefer a direction; unknown where none does.
+// The asymmetry of the medium that scatters most among the anisotropic ones; unknown where all are isotropic.
 double asymmetry_of(const Scene& scene) {
   double most = 0.0;
   double g = kUnknown;
@@ -40,7 +40,7 @@ double steps_of(const SkyMethod& method, const Scene& scene) {
   return kUnknown;
 }
 
-// The greater side of the table that is smallest beside its default.
+// The greater side of the table that is smallest relative to its default.
 double table_size_of(const SkyMethod& method, const Scene& scene) {
   double least = 1.0;
   double size = kUnknown;
@@ -59,7 +59,7 @@ double table_size_of(const SkyMethod& method, const Scene& scene) {
   return size;
 }
 
-// Share of the picture, by a lattice of its pixels, that looks between these elevations above the true horizon.
+// Share of the picture between these elevations above the true horizon, by a lattice of its pixels.
 double share_between(const Scene& scene, double low, double high) {
   constexpr int kSide = 33;
   physics::Physics p = geometry_of(scene);

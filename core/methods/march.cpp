@@ -51,7 +51,7 @@ std::vector<std::string> spared(const Scene& scene, const Air& air) {
   return lines;
 }
 
-// Steps of one node, and no corners to go between, keep light apart.
+// Light is kept apart only by steps of one node and without interpolation between corners.
 void keep_apart(RenderSettings& settings) {
   auto& resolution = std::get<std::string>(settings.parameters.at("resolution"));
   resolution = resolution == "auto" ? "full" : resolution;
@@ -66,7 +66,7 @@ LayerPasses add_layers(Plan& plan, const Scene& scene, const Air& air, const Vie
   return add_march_layers(plan, apart, air, view, add_march_tables(plan, scene, air));
 }
 
-// A quality says all that the default leaves to the scene: candidates are judged by directions, which know no picture.
+// A quality sets all that the default leaves to the scene: candidates are judged by directions, without a picture.
 Quality with_steps(std::string_view label, int steps) {
   return {label,
           {{"steps", steps}, {"step_distribution", std::string("quadratic")}, {"resolution", std::string("full")}}};
@@ -88,7 +88,7 @@ Quality with_key(std::string_view label, int steps, std::string_view key, std::s
   return quality;
 }
 
-// How much of the chart a key is worth: each with its cost and error beside the plain march's.
+// The contribution of each key to the chart, with its cost and error beside the plain march's.
 std::vector<Quality> keys_of_the_ladder() {
   return {{"default", {}, false},
           with_key("8, Gauss-Legendre", 8, "step_distribution", "gauss-legendre"),

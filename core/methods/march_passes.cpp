@@ -105,7 +105,7 @@ MarchTables add_march_tables(Plan& plan, const Scene& scene, const Air& air) {
   const RenderSettings& settings = scene.render;
   MarchTables tables;
   tables.transmittance = add_transmittance(plan, air, settings.get<TableSize>("transmittance_lut"));
-  // Scaled by nothing, it need not be more than a table that can be bound.
+  // A table that is scaled by 0 need only be large enough to be bound.
   const bool single = settings.get<double>(kScale) == 0.0;
   tables.multiple_scattering = add_multiple_scattering(
       plan, air, tables.transmittance, single ? TableSize{2, 2} : settings.get<TableSize>("multiple_scattering_lut"));

@@ -13,7 +13,7 @@ namespace airlight {
 namespace {
 
 constexpr std::string_view kAutomatic = "auto";
-// In the order of the codes physics::kStepsUniform, ..., then what stands for none of them.
+// In the order of the codes physics::kStepsUniform, ...; the last stands for none of them.
 constexpr std::array<std::string_view, 4> kDistributions{"uniform", "quadratic", "gauss-legendre", kAutomatic};
 
 constexpr std::string_view kWhere =
@@ -33,8 +33,8 @@ bool is_smooth(DensityProfile profile) {
   return profile == DensityProfile::exponential || profile == DensityProfile::lorentzian;
 }
 
-// Whether no medium that counts has an edge or a kink, as a panel of two nodes sees neither. Ozone by layers has kinks
-// of no account.
+// Whether no medium of account has an edge or a kink: a panel of two nodes resolves neither. The kinks of ozone by
+// layers do not matter.
 bool is_smooth(const Air& air) {
   constexpr double kScattering = 0.01;  // vertical optical depths
   constexpr double kAbsorption = 0.1;
@@ -49,8 +49,8 @@ bool is_smooth(const Air& air) {
   return true;
 }
 
-// Optical depth of a ray as long as a level one from the ground through air that is everywhere as thick as where it is
-// thickest, mean of the channels.
+// Optical depth of a ray as long as a level one from the ground, through air everywhere as dense as at its densest;
+// mean of the channels.
 double level_depth(const Air& air) {
   double most = 0.0;
   for (const Column::PerMedium& density : air.column().density) {
@@ -64,14 +64,14 @@ double level_depth(const Air& air) {
   return most * std::sqrt(planet.atmosphere_height * (2.0 * planet.ground_radius + planet.atmosphere_height));
 }
 
-// Whether all ground in sight of the camera lies in daylight: in dusk light falls by a factor within a panel.
+// Whether all visible ground lies in daylight: in dusk light falls by a factor within a panel.
 bool sees_day_alone(const Scene& scene) {
   const double radius = scene.planet.ground_radius;
   const double h = std::max(scene.camera.altitude, 0.0);
   return scene.sun.elevation >= std::atan2(std::sqrt(h * (2.0 * radius + h)), radius);
 }
 
-// Whether a tenth of the air or more is above the camera: from higher up, rays graze air that is thin beside a panel.
+// Whether a tenth of the air or more is above the camera: from higher up, rays graze air that is thin next to a panel.
 bool is_below_the_air(const Scene& scene, const Air& air) {
   constexpr double kShareAbove = 0.1;
   const Column& column = air.column();
@@ -83,8 +83,8 @@ bool is_below_the_air(const Scene& scene, const Air& air) {
   return all - column.depth[static_cast<std::size_t>(above - column.edges.begin())] >= kShareAbove * all;
 }
 
-// So many nodes, two a panel, that the first panel of a level ray has an optical depth of 1.1 or less, as panels grow
-// with the square of their number; 14 at least. None where as many as that cost what usual steps do, or more.
+// The number of nodes, two a panel, that gives the first panel of a level ray an optical depth of at most 1.1; panels
+// grow with the square of their number. At least 14 nodes; none where they would cost as much as the usual steps.
 int nodes_for(const Scene& scene, const Air& air) {
   constexpr double kFewestPanels = 7.0;
   constexpr double kMostPanels = 12.0;

@@ -17,7 +17,7 @@ namespace {
 constexpr std::array<std::string_view, 3> kJitters{"none", "fixed", "blue-noise"};
 constexpr std::array<std::string_view, 3> kResolutions{"full", "half", "auto"};
 
-// A method that lacks the key goes by its default.
+// A method without the key uses the key's default.
 std::string choice_of(const Scene& scene, const std::string& key, std::string_view otherwise) {
   const auto found = scene.render.parameters.find(key);
   return found == scene.render.parameters.end() ? std::string(otherwise) : std::get<std::string>(found->second);
@@ -49,15 +49,15 @@ double pixel_angle(const Scene& scene) {
       return scene.camera.vertical_fov / std::min(width, height);
     case Projection::cube:
     case Projection::octahedral:
-      return std::numbers::pi;  // across a map's cuts there is nothing to go between
+      return std::numbers::pi;  // no interpolation across a map's cuts
     case Projection::perspective:
       break;
   }
   return 2.0 * std::tan(0.5 * scene.camera.vertical_fov) / height;
 }
 
-// Of pixels finer than this the half resolution's own error is some hundredths of the march's: 0.002 to 0.006 % in the
-// mean.
+// For pixels finer than this the error of the half resolution itself is some hundredths of the march's: 0.002 to 0.006
+// % in the mean.
 constexpr double kFinePixel = 0.15 * std::numbers::pi / 180.0;
 
 PassDesc part_of(PassDesc pass, std::uint32_t part, Extent grid, BufferId out, BufferId corners) {

@@ -23,7 +23,7 @@ const std::array<ParameterInfo, 7> kParameters{
     phase_parameter(),
     sun_fade_parameter()};
 
-// The software device (Mesa's llvmpipe) ends a shader's loops, without a word, after 65535 turns of all of them.
+// The software device (Mesa's llvmpipe) silently ends a shader's loops after 65535 turns of all of them together.
 constexpr long long kMostTurns = 65535;
 
 void refuse_too_many_turns(long long steps, long long sun_steps) {
@@ -33,7 +33,8 @@ void refuse_too_many_turns(long long steps, long long sun_steps) {
   }
 }
 
-// Whether the several rays of a pixel at the planet's edge are within those turns as well; else it is its middle's ray.
+// Whether the several rays of a pixel at the planet's edge fit into these turns; otherwise the pixel is its middle's
+// ray.
 bool fits_edges(const Scene& scene) {
   const bool from_space = scene.camera.altitude > scene.planet.atmosphere_height;
   const long long rays = from_space ? physics::Physics{}.kRingStrips + 1 : 2;
@@ -50,7 +51,7 @@ std::vector<Specialization> constants_of(const Scene& scene, const Air& air) {
   return constants;
 }
 
-// The steps, which follow the grid's sides.
+// The push constants after the grid's sides: the numbers of steps.
 std::vector<std::uint32_t> push_constants_of(const Scene& scene) {
   const int steps = scene.render.get<int>("steps");
   const int sun_steps = scene.render.get<int>("sun_steps");

@@ -17,7 +17,7 @@ constexpr physics::uint kSunSteps = 16;
 
 }  // namespace
 
-// `value` is what a curve has at this wavelength.
+// `value` returns a curve's value at this wavelength.
 template <typename Value>
 SampledSky::Coefficients SampledSky::coefficients(double nm, Value value) const {
   const SceneSpectra& curves = *scene_.spectra;
@@ -30,7 +30,7 @@ SampledSky::Coefficients SampledSky::coefficients(double nm, Value value) const 
   return c;
 }
 
-// Those that the camera's picture may hold light from: sky and ground, or from space the disc and the limb.
+// Zenith cosines that the camera's picture may show: sky and ground; from space the disc and the limb.
 std::vector<double> SampledSky::zenith_cosines() {
   const double top = scene_.planet.atmosphere_height;
   const double horizon = p_.horizon_mu(planet(), scene_.camera.altitude);
@@ -180,7 +180,7 @@ double SampledSky::radiance(const Walk& walk, const Coefficients& c) {
   return light;
 }
 
-// By direction: scattered once, the sun, then all scattered once more.
+// In order: each direction's light scattered once, the sun, then all of these scattered once more.
 std::vector<SampledSky::Spectrum> SampledSky::spectra(const std::vector<Coefficients>& wavelengths) {
   std::vector<Spectrum> all;
   for (const Walk& walk : walks_) {
@@ -241,7 +241,7 @@ std::vector<ColouredSpectrum> SampledSky::at(const Nodes& nodes) {
   const std::vector<Spectrum> light = spectra(wavelengths);
   std::vector<ColouredSpectrum> samples;
   for (std::size_t i = 0; i < light.size(); ++i) {
-    // Nothing scatters where all are black.
+    // Black in all channels: nothing scatters there.
     if (std::ranges::any_of(colours_[i], [](double channel) { return channel != 0.0; })) {
       samples.push_back({light[i], colours_[i]});
     }

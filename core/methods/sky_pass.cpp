@@ -93,7 +93,7 @@ namespace {
 
 constexpr std::uint32_t kEdgeColumns = 64;
 
-// In rows of kEdgeColumns, the last one filled up with a pixel that stands there already.
+// A list in rows of kEdgeColumns. The last row is filled up with a pixel that is already in the list.
 BufferId add_edge_list(Plan& plan, const std::vector<EdgePixel>& pixels) {
   const std::size_t count = (pixels.size() + kEdgeColumns - 1) / kEdgeColumns * kEdgeColumns;
   std::vector<float> values;

@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::array<std::string_view, 2> kGroundRays{"table", "march"};
 
-// The table holds the ground too: against marching those pixels that costs a mean 0.03 % (worst scene tried) and saves
-// nine tenths of the time of a picture one third ground.
+// The table holds the ground too. Compared with marching those pixels, this costs 0.03 % in the mean (worst scene
+// tried) and saves nine tenths of the time of a picture one third ground.
 const std::array<ParameterInfo, 9> kParameters{
     parameter::table_size("sky_view_lut", 4, 4096, TableSize{192, 108},
                           "sky-view table, azimuths from the sun x angles from the horizon"),
@@ -54,7 +54,7 @@ std::vector<Specialization> constants_of(const Plan& plan, const Scene& scene, c
   return constants;
 }
 
-// The map of sky_view_ray().
+// The text for the map of sky_view_ray().
 TableText sky_view_text(double ground_radius, double altitude, std::uint32_t rows_above) {
   return {.quantity = "radiance seen from the camera, for a sun of the preset's irradiance",
           .unit = "unit of sun.irradiance / sr",
@@ -73,7 +73,7 @@ elevation_rad = where(j < sky_rows, up * up * (pi / 2 + dip) - dip, -dip - down 
 )"};
 }
 
-// It depends on the sun's elevation and the camera's altitude too, and is made anew for each picture.
+// The table also depends on the sun's elevation and the camera's altitude, and is made anew for each picture.
 ImageId add_sky_view_table(Plan& plan, const Scene& scene, const Air& air, const View& view,
                            const MarchTables& tables) {
   const TableSize size = scene.render.get<TableSize>("sky_view_lut");
@@ -95,7 +95,7 @@ ImageId add_sky_view_table(Plan& plan, const Scene& scene, const Air& air, const
   return out;
 }
 
-// The constants of a pass that fetches from such a table, or from one with blocks of its size.
+// The constants of a pass that reads such a table, or one with blocks of its size.
 std::vector<Specialization> fetch_constants(const Plan& plan, const Scene& scene, const Air& air,
                                             const MarchTables& tables) {
   const TableSize size = scene.render.get<TableSize>("sky_view_lut");
@@ -143,7 +143,7 @@ SkyPasses add_sky_view(Plan& plan, const Scene& scene, const Air& air, const Vie
   return {target.radiance, list};
 }
 
-// The same table with its light apart, in blocks side by side.
+// The table with its light apart, in blocks side by side.
 ImageId add_layers_table(Plan& plan, const Scene& scene, const Air& air, const View& view, const MarchTables& tables) {
   const TableSize size = scene.render.get<TableSize>("sky_view_lut");
   const auto columns = static_cast<std::uint32_t>(size[0]);

@@ -13,15 +13,15 @@
 namespace airlight {
 namespace {
 
-// Of a change in the matrix against the samples' mean, where the directions are too alike to tell.
+// Weight of a change in the matrix against the samples' mean, for directions too alike to determine the matrix.
 constexpr double kStiffness = 1e-4;
 
-// What `auto` chooses among, in whole groups, and when it is content: so much of the samples, which the whole sky,
-// scattered more than once, exceeds by little.
+// `auto` chooses the first of these, in whole groups, whose error over the samples is at most kEnough. The error over
+// the whole sky, scattered more than once, is little more.
 constexpr std::array<int, 4> kAutomaticWavelengths{3, 6, 12, 24};
 constexpr double kEnough = 0.004;
 
-// `primaries`: the reflectances that the colours of maps are made of.
+// `primaries`: the reflectances that make up the colours of maps.
 Scene group_scene(const Scene& scene, const Nodes& nodes, const std::array<std::size_t, 3>& at,
                   const std::array<Curve, 3>& primaries) {
   Scene group = scene;
@@ -49,7 +49,7 @@ Scene group_scene(const Scene& scene, const Nodes& nodes, const std::array<std::
   return group;
 }
 
-// Wavelengths and matrix of a scene, and all of the scene that they depend on.
+// Wavelengths and matrix of a scene, with all parts of the scene that they depend on.
 struct Fit {
   std::vector<Medium> media;
   Planet planet;
@@ -96,7 +96,7 @@ struct Fit {
   }
 
  private:
-  // Returns what is left of the samples' errors.
+  // Returns the remaining error of the samples.
   double fit(SampledSky& sky, const BandColours& colours, int count) {
     nodes = nodes_for(count);
     const std::vector<ColouredSpectrum> samples = sky.at(nodes);

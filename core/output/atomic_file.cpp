@@ -34,7 +34,7 @@ constexpr std::size_t kMaxPath = 4096;  // Linux PATH_MAX
 constexpr std::size_t kMaxName = 255;   // NAME_MAX of every common file system
 constexpr std::size_t kMaxTemporaries = 32;
 
-// Temporary names that a signal handler may read at any moment: fixed storage, published by the state's store.
+// Temporary names that a signal handler may read at any time: fixed storage, published by storing the state.
 struct TemporaryName {
   enum State { free, reserved, live };
   std::atomic<int> state = free;
@@ -43,7 +43,7 @@ struct TemporaryName {
 static_assert(std::atomic<int>::is_always_lock_free, "a signal handler reads it");
 std::array<TemporaryName, kMaxTemporaries> temporaries;
 
-// Registers a name for its life, and unlinks the file unless it was renamed.
+// Registers a name for the object's life; then unlinks the file unless it was renamed.
 class Temporary {
  public:
   explicit Temporary(const std::string& path) {
@@ -97,7 +97,7 @@ class Temporary {
   throw RunError(file + ": cannot " + doing + ": " + std::strerror(error) + hint);
 }
 
-// A descriptor of this process by name: even when it is a regular file, it is the caller's and stays where it is.
+// Whether the name is a descriptor of this process. Even a regular file is then the caller's and is not replaced.
 bool names_descriptor(const fs::path& file) {
   const std::string name = file.lexically_normal().string();
   return name == "/dev/stdout" || name == "/dev/stderr" || name.starts_with("/dev/fd/") || name.starts_with("/proc/");
@@ -109,7 +109,7 @@ bool is_special(const fs::path& file) {
   return names_descriptor(file) || (::stat(file.c_str(), &status) == 0 && !S_ISREG(status.st_mode));
 }
 
-// What a symbolic link points to, so that the rename replaces that file and not the link.
+// The target of a symbolic link, so that the rename replaces the target and not the link.
 fs::path behind_links(const fs::path& file) {
   std::error_code error;
   fs::path target = fs::canonical(file, error);
@@ -122,7 +122,7 @@ fs::path folder_of(const fs::path& file) {
 
 constexpr const char* kTemporaryMark = ".part-";
 
-// Unlike those of all other processes, on machines that share the folder too.
+// A name that no other process uses, nor one on another machine that shares the folder.
 std::string temporary_name(const fs::path& file) {
   std::array<char, 65> host{};
   ::gethostname(host.data(), host.size() - 1);
@@ -133,12 +133,12 @@ std::string temporary_name(const fs::path& file) {
 
 using Pieces = std::function<std::span<const std::byte>()>;
 
-// All of them at once.
+// All contents as one piece.
 Pieces one_piece(std::span<const std::byte> contents) {
   return [contents]() mutable { return std::exchange(contents, {}); };
 }
 
-// The descriptor of this process that the name means; -1: none.
+// The descriptor of this process that the name denotes; -1: none.
 int descriptor_called(const std::string& name) {
   constexpr std::string_view kFolder = "/dev/fd/";
   if (name == "/dev/stdout" || name == "/dev/stderr") {
@@ -147,8 +147,8 @@ int descriptor_called(const std::string& name) {
   return name.starts_with(kFolder) ? number_from<int>(name.substr(kFolder.size())).value_or(-1) : -1;
 }
 
-// An open descriptor is written from where it stands: opened by its name, a file that the shell appends to would be
-// emptied, and a socket could not be opened at all.
+// An open descriptor is written from its current position. Opened by its name, a file that the shell appends to would
+// be emptied, and a socket could not be opened at all.
 int open_in_place(const std::string& file) {
   const int descriptor = descriptor_called(fs::path(file).lexically_normal().string());
   const int fd = descriptor >= 0 ? ::fcntl(descriptor, F_DUPFD_CLOEXEC, 0)
@@ -159,13 +159,13 @@ int open_in_place(const std::string& file) {
   return fd;
 }
 
-// Of the program that writes for this process; 0: none.
+// Process number of the program that writes for this process; 0: none.
 std::atomic<pid_t> other_program = 0;
 static_assert(std::atomic<pid_t>::is_always_lock_free, "a signal handler reads it");
 
 constexpr std::array kEndingSignals = {SIGINT, SIGTERM, SIGHUP};
 
-// Waits until it writes no more. Async-signal-safe.
+// Kills the program and waits until it writes no more. Async-signal-safe.
 void kill_other_program() noexcept {
   if (const pid_t process = other_program.exchange(0); process > 0) {
     ::kill(process, SIGKILL);
@@ -238,7 +238,7 @@ void write_file(const fs::path& file, const Pieces& next) {
 }
 
 struct FileInProgress::State {
-  // In place where there is no target that a rename could replace.
+  // Writes in place where there is no target that a rename could replace.
   State(std::string name_given, const fs::path& target_file, bool in_place)
       : name(std::move(name_given)), target(target_file) {
     if (!in_place) {
@@ -247,7 +247,7 @@ struct FileInProgress::State {
     out.emplace(in_place ? open_in_place(name) : open_new(temporary->path(), name));
   }
 
-  // `path` may have been left by a killed process that had this number.
+  // A killed process with the same number may have left `path`.
   static int open_new(const char* path, const std::string& name) {
     ::unlink(path);
     const int fd = ::open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
@@ -274,7 +274,7 @@ FileInProgress::FileInProgress(const fs::path& file, Order order) {
   if (in_place) {
     return;
   }
-  (void)::flock(state_->out->get(), LOCK_EX | LOCK_NB);  // tells remove_abandoned_files() that somebody is at work
+  (void)::flock(state_->out->get(), LOCK_EX | LOCK_NB);  // tells remove_abandoned_files() that a writer is at work
   struct stat older {};
   if (::stat(state_->target.c_str(), &older) == 0 && ::fchmod(state_->out->get(), older.st_mode & 07777) != 0) {
     fail(name, "keep the permissions", errno);
@@ -374,7 +374,7 @@ void remove_abandoned_files(const fs::path& folder,
       }
       const FileDescriptor left(::open(entry.path().c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
       struct stat status {};
-      // An empty one may be a moment old, its writer about to lock it.
+      // An empty file may be a moment old, before its writer locks it.
       constexpr ::time_t kLongAgo = 600;
       const bool abandoned = left.get() >= 0 && ::flock(left.get(), LOCK_EX | LOCK_NB) == 0 &&
                              ::fstat(left.get(), &status) == 0 &&

@@ -21,7 +21,8 @@ namespace {
 constexpr std::uint32_t kSubdivision = 3;
 constexpr float kOffset = 0x1p-10F;
 constexpr std::uint32_t kOctaves = 16;  // up to 2^6: beyond, as in the sun's disc, the exact transform is used
-// Where interpolation misses the middle of a cell by more, as at the edge of the display's gamut, it is not used.
+// Interpolation is not used in cells whose middle it misses by more than this, such as at the edge of the display's
+// gamut.
 constexpr float kTolerance = 0.4F / 255.0F;
 constexpr float kSmooth = 1.0F;  // in the fourth value of a cell's first node
 
@@ -48,7 +49,7 @@ Place place_of(const float* rgb) {
   place.red = std::bit_cast<std::uint32_t>(rgb[0] + kOffset) - kOffsetBits;
   place.green = std::bit_cast<std::uint32_t>(rgb[1] + kOffset) - kOffsetBits;
   place.blue = std::bit_cast<std::uint32_t>(rgb[2] + kOffset) - kOffsetBits;
-  // Negative, too large and NaN all wrap or grow beyond kEnd.
+  // Negative values, too large ones and NaN all wrap or grow beyond kEnd.
   place.inside = (place.red < kEnd) & (place.green < kEnd) & (place.blue < kEnd);
   return place;
 }
@@ -58,7 +59,7 @@ std::size_t first_node(const Place& place) {
          (place.blue >> kShift) * kStride[2];
 }
 
-// Linear in the tetrahedron of six that holds the fractions: exact on the diagonal from black to white.
+// Linear in that one of six tetrahedra that holds the fractions: exact on the diagonal from black to white.
 void interpolate(const float* values, const Place& place, float* out) {
   constexpr std::uint32_t kFraction = (1U << kShift) - 1;
   constexpr float kUnit = 1.0F / static_cast<float>(1U << kShift);
@@ -87,7 +88,7 @@ void interpolate(const float* values, const Place& place, float* out) {
 
 constexpr std::uint8_t kCellFound = 1, kCellDone = 2, kNodeFound = 4, kNodeDone = 8;
 
-// The cells that these pixels touch for the first time; sets kCellFound at them.
+// The cells that these pixels are the first to touch; sets kCellFound for them.
 std::vector<std::uint32_t> new_cells(std::span<const float> rgba, std::vector<std::uint8_t>& marks) {
   constexpr std::size_t kAtOnce = 4 * 4096;
   const int parts = static_cast<int>((rgba.size() + kAtOnce - 1) / kAtOnce);
@@ -121,7 +122,7 @@ std::size_t corner_node(std::size_t cell, std::size_t corner) {
   return cell + (corner & 1) * kStride[0] + (corner >> 1 & 1) * kStride[1] + (corner >> 2) * kStride[2];
 }
 
-// The corners of those cells that are not done, each once; sets kNodeFound at them.
+// Those corners of the cells that are not done, each once; sets kNodeFound for them.
 std::vector<std::uint32_t> new_nodes(std::span<const std::uint32_t> cells, std::vector<std::uint8_t>& marks) {
   std::vector<std::uint32_t> nodes;
   for (const std::uint32_t cell : cells) {
@@ -136,7 +137,7 @@ std::vector<std::uint32_t> new_nodes(std::span<const std::uint32_t> cells, std::
   return nodes;
 }
 
-// The transform at each node, moved by `shift` of a cell along the three axes.
+// The transform at each node, shifted by `shift` of a cell along the three axes.
 std::vector<float> evaluate(std::span<const std::uint32_t> nodes, float shift, const ColorTransform& transform) {
   std::vector<float> rgba(4 * nodes.size(), 1.0F);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -156,7 +157,7 @@ float unit(float value) {
   return std::clamp(value, 0.0F, 1.0F);
 }
 
-// Whether the four diagonals of a cell all meet in its middle, where the transform gives `truth`.
+// Whether all four diagonals of a cell meet the transform's value `truth` in its middle.
 bool is_smooth(const float* values, std::size_t cell, const float* truth) {
   for (std::size_t corner = 0; corner < 4; ++corner) {
     const float* const one = values + 4 * corner_node(cell, corner);

@@ -8,7 +8,7 @@
 namespace airlight {
 namespace {
 
-// In the order of preference: the first whose words all stand in the display's name.
+// In order of preference: the first entry whose words all occur in the display's name.
 struct NamedCode {
   std::array<std::string_view, 2> words;
   ColourCode code;
@@ -41,7 +41,7 @@ std::optional<double> encoding_exponent(const ColourCode& code) {
     case 1:
       return 1.0 / 2.4;  // BT.1886
     case 13:
-      return 0.45455;  // the PNG standard's word for sRGB
+      return 0.45455;  // the PNG standard's value for sRGB
     default:
       return std::nullopt;
   }

@@ -61,7 +61,7 @@ Config open_config(const std::string& asked) {
   }
 }
 
-// OpenColorIO itself answers a wrong name with a message about colour spaces.
+// Checks a name, since OpenColorIO answers a wrong one with a message about colour spaces.
 void require_name(const char* what, const std::string& name, const std::vector<std::string>& choices,
                   const std::string& where) {
   if (std::ranges::find(choices, name) != choices.end()) {
@@ -104,8 +104,8 @@ std::string linear_rec709_in(const ocio::Config& config) {
   return {};
 }
 
-// Our scene-linear Rec.709 to a display and view. A config without that space is entered through ACES2065-1 if it says
-// which space that is, else its scene_linear is taken to be ours, with a warning.
+// Transform from our scene-linear Rec.709 to a display and view. A config without that space is entered through
+// ACES2065-1 if it says which space that is; else its scene_linear is assumed to be ours, with a warning.
 ocio::ConstTransformRcPtr make_transform(const Config& config, const std::string& display, const std::string& view,
                                          std::string& warning) {
   auto to_view = ocio::DisplayViewTransform::Create();
@@ -139,7 +139,7 @@ ocio::ConstTransformRcPtr make_transform(const Config& config, const std::string
   return to_view;
 }
 
-// Nothing for a view of raw numbers.
+// None for a view of raw numbers.
 std::optional<ColourCode> colours_of(const ocio::Config& config, const std::string& display, const std::string& view) {
   const char* const name = config.getDisplayViewColorSpaceName(display.c_str(), view.c_str());
   const ocio::ConstColorSpaceRcPtr space = config.getColorSpace(name);
@@ -225,8 +225,8 @@ PixelImage DisplayTransform::apply(const RadianceImage& image, const AddedLight&
   return pixels;
 }
 
-// Rows are gathered into blocks that depend on the picture's size alone, since what the colour cube evaluates depends
-// on them.
+// Rows are gathered into blocks that depend only on the picture's size, since the blocks determine what the colour cube
+// evaluates.
 struct DisplayRows::State {
   const DisplayTransform::State& transform;
   int width, height;

@@ -35,7 +35,7 @@ namespace {
 
 namespace imf = OPENEXR_IMF_NAMESPACE;
 
-// Rows converted to half at a time: whole blocks of ZIP (16), enough of them for every thread.
+// Number of rows converted to half at a time: whole blocks of ZIP (16), enough of them for every thread.
 constexpr int kRowsAtOnce = 128;
 // OpenEXR's own default since 3.1.3; at 1080p half 59 CPU-ms and 0.44 MB, where 1 takes 40 and 0.70, 6 takes 158 and
 // 0.42.
@@ -80,7 +80,7 @@ void add_text(imf::Header& header, const std::string& name, const std::string& t
   }
 }
 
-// A standard attribute, which every reader looks for in one piece.
+// Shortens a standard attribute, which every reader expects in one piece.
 std::string at_most_one_attribute(const std::string& text) {
   const std::string more = "...";
   return text.size() <= kLongestAttribute
@@ -95,7 +95,8 @@ void add_provenance(imf::Header& header, const Provenance& provenance) {
   add_text(header, kDeviceKey, provenance.device);
 }
 
-// Hours, minutes, seconds and frames at a whole rate; nothing that the code of 24 hours and its two digits cannot hold.
+// Hours, minutes, seconds and frames at a whole rate; none beyond 24 hours or where the rate needs more than two
+// digits.
 std::optional<imf::TimeCode> time_code(int number, int frames_a_second) {
   constexpr int kMostFrames = 60;
   if (number < 0 || frames_a_second < 1 || frames_a_second > kMostFrames || number / frames_a_second >= 24 * 3600) {
@@ -127,10 +128,10 @@ void add_frame(imf::Header& header, const FrameAttributes& frame) {
 
 // OpenEXR's latlong map has longitude +pi at the left edge, falling to the right, with +z at longitude 0 and +x at
 // pi/2: seen from inside with y up, +x lies left of +z. Ours has azimuth a0 + 180 (2 x/W - 1) degrees, so that
-// longitude = a0 - a. Looking at our centre, east of north lies right, and our frame is right-handed too: the two
-// pictures differ by a rotation about y (by a0 - 180 degrees, none when the camera looks south), never by a mirror
-// image, and the tag is right. OpenEXR puts the outer pixels' centres on the poles and on +-180 degrees, we their
-// edges.
+// longitude = a0 - a. At our centre, east of north lies to the right, and our frame is right-handed too. The two
+// pictures therefore differ by a rotation about y (by a0 - 180 degrees, none when the camera looks south), not by a
+// mirror image, and the tag is right. OpenEXR puts the centres of the outer pixels on the poles and on +-180 degrees;
+// we put their edges there.
 imf::Header make_header(int width, int height, const ExrOptions& options) {
   imf::Header header(width, height);
   header.compression() = options.aces_container ? imf::NO_COMPRESSION : imf::ZIP_COMPRESSION;
@@ -179,11 +180,11 @@ bool is_alpha(const std::string& name) {
   return name == "A" || name.ends_with(".A");
 }
 
-// Rows `y` and on of a channel that is stored as it lies.
+// Rows from `y` on of a channel that is stored in place.
 imf::Slice float_slice(const ExrChannel& channel, int width, int y) {
   const std::size_t step = channel.stride * sizeof(float);
   const std::size_t row = step * static_cast<std::size_t>(width);
-  // OpenEXR wants the place of row 0, and only reads through the pointer that it takes as char*.
+  // OpenEXR expects the address of row 0, and only reads through the pointer that it takes as char*.
   const auto first = reinterpret_cast<std::uintptr_t>(channel.first) - row * static_cast<std::size_t>(y);
   return imf::Slice(imf::FLOAT, reinterpret_cast<char*>(first), step, row);
 }
@@ -202,7 +203,7 @@ void add_channels(std::vector<ExrChannel>& channels, std::string_view layer, con
 struct ExrRows::State {
   SinkStream stream;
   ExrSink sink;
-  std::vector<std::byte> head;  // what was written before the first row
+  std::vector<std::byte> head;  // bytes written before the first row
   std::unique_ptr<imf::OutputFile> file;
   int width = 0;
   int y = 0;  // of the next row
@@ -256,14 +257,14 @@ template <class Work>
 void encoding(const Work& work) {
   try {
     work();
-  } catch (const RunError&) {  // the sink's: it has said what and where
+  } catch (const RunError&) {  // of the sink, whose message is complete
     throw;
   } catch (const std::exception& error) {
     throw RunError(std::string("EXR: cannot encode the picture: ") + error.what());
   }
 }
 
-// Where the value of a float attribute stands in a header.
+// Offset of a float attribute's value in a header.
 std::size_t place_of_number(std::span<const std::byte> head, const std::string& name) {
   using namespace std::string_literals;
   const std::string mark = name + "\0float\0\4\0\0\0"s;

@@ -26,7 +26,7 @@ std::int64_t little_endian_int(const std::string& bytes, std::size_t at) {
   return value;
 }
 
-// Chunks of a scan-line file; 0 when the header does not tell.
+// Number of chunks of a scan-line file; 0 when the header does not tell.
 std::int64_t chunk_count(const ExrHeader& header) {
   const auto window = header.attributes.find("dataWindow");
   const auto compression = header.attributes.find("compression");
@@ -44,7 +44,7 @@ std::int64_t chunk_count(const ExrHeader& header) {
   return (rows + kRowsOfChunk[code] - 1) / kRowsOfChunk[code];
 }
 
-// The last chunk ends where the file does, and none is missing from the table of places.
+// True if the last chunk ends where the file ends, and the table of offsets lacks none.
 bool is_whole_exr(std::istream& in, const ExrHeader& header, std::uint64_t file_size) {
   const std::int64_t chunks = chunk_count(header);
   if (chunks == 0 || header.end + 8 * static_cast<std::uint64_t>(chunks) > file_size) {
@@ -58,7 +58,7 @@ bool is_whole_exr(std::istream& in, const ExrHeader& header, std::uint64_t file_
     }
     last = std::max(last, place);
   }
-  in.seekg(static_cast<std::streamoff>(last + 4));  // behind the number of its first row
+  in.seekg(static_cast<std::streamoff>(last + 4));  // after the number of its first row
   return last + 8 + read_little_endian(in, 4) == file_size;
 }
 

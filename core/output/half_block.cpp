@@ -7,12 +7,12 @@
 namespace airlight {
 namespace {
 
-// Bit patterns of floats without their sign; as integers they order like the numbers themselves.
+// Bit patterns of floats without their sign; as integers they have the order of the numbers.
 constexpr std::int32_t kLargestHalf = 0x477fe000;     // 65504
 constexpr std::int32_t kSmallestNormal = 0x38800000;  // 2^-14
 constexpr std::int32_t kInfinity = 0x7f800000;
 
-// Integer selects instead of branches, so that the loop over samples becomes vector code.
+// Integer selects instead of branches, so that the loop over samples can be vectorised.
 std::uint16_t half_bits(float sample) {
   const std::uint32_t bits = std::bit_cast<std::uint32_t>(sample);
   const std::uint32_t sign = (bits >> 16) & 0x8000U;

@@ -14,8 +14,8 @@
 namespace airlight {
 namespace {
 
-// A signal handler may read at any moment: texts stand in fixed storage, and the newest is published by its number. A
-// text is overwritten only after several newer ones.
+// Texts stand in fixed storage, since a signal handler may read at any time. The newest is published by its number, and
+// a text is overwritten only after several newer ones.
 constexpr std::size_t kLongest = 1024;
 std::array<std::array<char, kLongest>, 8> last_texts;
 std::atomic<unsigned> newest = 0;  // 0: none
@@ -23,7 +23,7 @@ static_assert(std::atomic<unsigned>::is_always_lock_free, "a signal handler read
 
 std::mutex writing;
 unsigned whole_files = 0;
-bool has_own_words = false;  // a command says better than a count what is whole
+bool has_own_words = false;  // a command's own words are better than a count of whole files
 
 void publish(const std::string& text) {
   const unsigned number = newest.load() + 1;
@@ -76,7 +76,7 @@ void say_when_ended(const std::string& text) {
 void write_last_words(int signal_number) noexcept {
   const unsigned number = newest.load();
   const char* text = last_texts[number % last_texts.size()].data();
-  // A line of progress and the terminal's own ^C stand before it.
+  // Clears a line of progress and the terminal's own ^C.
   write_text(::isatty(STDERR_FILENO) == 1 ? "\r\033[K" : "");
   write_text("airlight: stopped by ");
   write_text(signal_name(signal_number));

@@ -22,7 +22,7 @@ RadianceImage blank(const Imath::Box2i& window) {
   return image;
 }
 
-// PREFIX.R to PREFIX.A into the image, A filled with 1 where it is missing.
+// Reads PREFIX.R to PREFIX.A into the image; A becomes 1 where it is missing.
 void add_slices(imf::FrameBuffer& frame, RadianceImage& image, const Imath::Box2i& window, const std::string& prefix) {
   for (std::size_t c = 0; c < 4; ++c) {
     const std::string name = prefix + "RGBA"[c];

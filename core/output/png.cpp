@@ -23,7 +23,7 @@ constexpr int kSmallestZlibLevel = 9;
 constexpr int kFilter = PNG_FILTER_SUB;
 constexpr std::size_t kIdatBytes = 1U << 18;
 
-// Everything that libpng's callbacks reach; nothing with a destructor may live in a frame that longjmp leaves.
+// Everything that libpng's callbacks reach. No frame that longjmp leaves may hold an object with a destructor.
 struct Buffer {
   std::vector<std::byte> bytes;
   std::string error;
@@ -66,7 +66,7 @@ class Writer {
   png_infop info_ = nullptr;
 };
 
-// libpng 1.6 has no word for cICP: primaries, transfer, matrix (none: RGB), full range.
+// libpng 1.6 does not know cICP: primaries, transfer, matrix (none: RGB), full range.
 void add_code_points(Writer& writer, const ColourCode& colours) {
   std::array<png_byte, 4> data{static_cast<png_byte>(colours.primaries), static_cast<png_byte>(colours.transfer), 0, 1};
   constexpr std::array<png_byte, 5> kName{'c', 'I', 'C', 'P', 0};
@@ -116,7 +116,7 @@ void write_rows(Writer& writer, const PixelImage& image) {
   }
 }
 
-// The functions below are false when libpng gave up; Buffer::error says why.
+// The functions below return false when libpng gave up; Buffer::error has the reason.
 
 bool begin(Writer& writer, const PixelImage& image, int height, const PngOptions& options) {
   if (setjmp(png_jmpbuf(writer.png())) != 0) {
@@ -161,7 +161,7 @@ bool end(Writer& writer) {
 struct PngRows::State {
   explicit State(Sink to) : sink(std::move(to)), writer(buffer) {}
 
-  // No exception may go through libpng: what it has written is handed on between its calls.
+  // No exception may pass through libpng, so its output is handed on between its calls.
   void hand_on(bool went_well) {
     if (!went_well) {
       throw RunError("PNG: cannot encode the picture: " + buffer.error);

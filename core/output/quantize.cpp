@@ -9,14 +9,14 @@
 namespace airlight {
 namespace {
 
-// The thresholds that shaders have too.
+// The same thresholds as the shaders'.
 struct Spread {
   using real = double;
   using uint = std::uint32_t;
 #include "shaders/physics/spread.glsl"
 };
 
-// The channels take thresholds a third of the range apart, so that their errors cancel in the luminance.
+// The channels' thresholds are a third of the range apart, so that their errors cancel in the luminance.
 constexpr std::uint32_t kStepChannel = 1431655765U;
 constexpr std::size_t kThresholds = 256;
 
@@ -41,7 +41,7 @@ float unit(float value) {
   return value > 0.0F ? (value < 1.0F ? value : 1.0F) : 0.0F;
 }
 
-// Within a step of the ends the triangle would be cut off and shift the mean: the even thresholds serve there, and
+// Within a step of the ends the triangle would be cut off and shift the mean. There the even thresholds are used, which
 // keep pure black and white pure.
 std::uint8_t dithered(float value, std::size_t index, const Thresholds& thresholds) {
   const float scaled = unit(value) * 255.0F;

@@ -48,7 +48,7 @@ class SignalsWait {
   sigset_t before_{};
 };
 
-// Folders beside the targets, one for each of their folders, removed with everything in them.
+// Folders beside the targets, one for each target folder; they are removed with all that is in them.
 class Staging {
  public:
   Staging() = default;
@@ -71,7 +71,7 @@ class Staging {
   std::map<fs::path, fs::path> folders_;
 };
 
-// With the permissions of `target`, and on the disk when it returns.
+// The copy gets the permissions of `target` and is on the disk when the function returns.
 void copy_file(const fs::path& from, const fs::path& staged, const fs::path& target) {
   struct stat status {};
   if (::stat(target.c_str(), &status) != 0) fail(target, "read");
@@ -94,7 +94,7 @@ void copy_file(const fs::path& from, const fs::path& staged, const fs::path& tar
 struct Staged {
   fs::path target;
   fs::path fresh;
-  fs::path old;  // a second name of the target's file, or a copy where there are no second names
+  fs::path old;  // a second name of the target's file, or a copy where second names are impossible
 };
 
 void put_back(const std::vector<Staged>& files, std::size_t count) {
@@ -108,7 +108,7 @@ void replace_files(const std::vector<Replacement>& replacements) {
   Staging staging;
   std::vector<Staged> files;
   for (const Replacement& replacement : replacements) {
-    // Delivered as `signals` ends.
+    // The signal itself is delivered when `signals` ends.
     if (signals.one_came()) throw RunError(replacement.to.string() + ": interrupted; nothing was replaced");
     std::error_code problem;
     const fs::path target = fs::canonical(replacement.to, problem);

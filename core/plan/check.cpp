@@ -1,4 +1,4 @@
-// What makes a plan unsound, found without a device.
+// Checks a plan for errors that can be found without a device.
 
 #include <set>
 #include <stdexcept>
@@ -41,7 +41,7 @@ void check_names(const Plan& plan) {
   }
 }
 
-// Which resources hold something, as passes are gone through in order.
+// The resources that hold something, as the passes are visited in order.
 class Contents {
  public:
   explicit Contents(const Plan& plan) {

@@ -1,4 +1,4 @@
-// Which passes of a plan run, and where barriers go.
+// Decides which passes of a plan run, and where barriers go.
 
 #include <algorithm>
 
@@ -16,7 +16,7 @@ std::size_t slot_count(const Plan& plan) {
   return plan.images().size() + plan.buffers().size();
 }
 
-// One flag a slot: whether the host or a later plan gets to see it, so that it must hold its contents after the run.
+// One flag a slot: whether the host or a later plan reads it, so that it must keep its contents after the run.
 std::vector<bool> seen_afterwards(const Plan& plan) {
   std::vector<bool> seen(slot_count(plan), false);
   for (std::size_t i = 0; i < plan.buffers().size(); ++i) {
@@ -26,7 +26,7 @@ std::vector<bool> seen_afterwards(const Plan& plan) {
   return seen;
 }
 
-// Flags a slot, for the passes gone through backwards so far: who touches a resource after this point.
+// One flag a slot, over the passes visited backwards so far: which later passes touch a resource.
 struct Later {
   std::vector<bool> touched;         // by any pass; scratch counts as touched
   std::vector<bool> touched_in_run;  // by a pass that runs
@@ -78,7 +78,7 @@ std::vector<bool> passes_to_run(const Plan& plan, const IsKept& is_kept) {
     bool unchanged = true;
     for (std::size_t i = 0; i < runs.size(); ++i) {
       if (!runs[i]) continue;
-      // Written again in place, perhaps on top of what an earlier pass made: that one has to run as well.
+      // The pass writes again in place, perhaps over what an earlier pass made: that one has to run as well.
       for (const Binding& write : plan.passes()[i].writes) {
         const std::size_t s = slot(plan, write.resource);
         if (kept[s]) unchanged = false;

@@ -22,8 +22,8 @@ std::uint32_t bits(double x) {
 // Every device that airlight runs on takes images of this many texels a side.
 constexpr double kMostTexels = 16384.0;
 
-// A level of the chain: what a texel spans, in pixels of the picture, and the image, which is never finer than the
-// picture or larger than a device takes.
+// A level of the chain: a texel's width in pixels of the picture, and the image, which is never finer than the picture
+// nor larger than a device permits.
 struct Level {
   double texel = 1.0;
   Extent extent;
@@ -44,7 +44,7 @@ struct Taps {
   double y = 0.0;
 };
 
-// One texel of a level in texture coordinates: as the level's size was rounded, or by angle where the image is coarser.
+// One texel of a level in texture coordinates: by the level's rounded size, or by angle where the image is coarser.
 Taps taps_of(const Picture& picture, const Level& level) {
   if (level.coarsened) {
     return {level.texel / picture.width, level.texel / picture.height};
@@ -64,7 +64,7 @@ Picture whole_picture(const Scene& scene) {
   return picture_of(BufferId{}, {0, 0, scene.image.width, scene.image.height});
 }
 
-// In pixels of the picture.
+// Width of a base texel in pixels of the picture.
 double base_texel(const Scene& scene) {
   return kBaseTexelAngle / pixel_angle(scene);
 }
@@ -77,7 +77,7 @@ Level chain_level(const Scene& scene, int level) {
   return level_of(whole_picture(scene), base_texel(scene) * std::exp2(level));
 }
 
-// What the device keeps of a picture's bloom under a key. One level alone is its own sum.
+// The image of a picture's bloom that the device keeps under a key. A single level is its own sum.
 ImageDesc bloom_desc(const Scene& scene, const std::string& key) {
   return {
       .name = scene.bloom.levels > 1 ? "bloom_up1" : "bloom_down1", .extent = chain_level(scene, 1).extent, .key = key};
@@ -120,7 +120,7 @@ BufferId add_picture_buffer(Plan& plan, const char* name, const Picture& picture
        .zeroed = false});
 }
 
-// What a pass reads to have the glare at its pixels (shared/glare_pixel.glsl).
+// Adds the bindings that a pass needs for the glare at its pixels (shared/glare_pixel.glsl).
 void read_glare(PassDesc& pass, const Scene& scene, const GlareSources& sources) {
   pass.reads.push_back({"sources", sources.points});
   pass.push_constants.insert(pass.push_constants.end(), {sources.count, bits(glare_pixel_blur(scene))});

@@ -10,7 +10,7 @@ namespace airlight {
 namespace {
 
 constexpr std::size_t kTexel = 4 * sizeof(float);
-// The most that one buffer takes of the sums on their way to the device.
+// Most bytes of sums in one buffer on the way to the device.
 constexpr std::size_t kFillBytes = std::size_t{32} << 20;
 
 }  // namespace
@@ -19,7 +19,7 @@ BloomGathering::BloomGathering(const Scene& scene)
     : picture_{static_cast<std::uint32_t>(scene.image.width), static_cast<std::uint32_t>(scene.image.height), 1},
       grid_(bloom_grid(scene)) {}
 
-// A row more than the shader, which computes in floats, may find on either side: it adds nothing there.
+// One row more on either side than the shader, which computes in floats, may touch; that row adds nothing.
 BloomGathering::Rows BloomGathering::touched(const Picture& band) const {
   const double scale = static_cast<double>(picture_.height) / grid_.height;
   const double first = std::floor(band.y / scale) - 1.0;

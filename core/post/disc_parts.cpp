@@ -13,8 +13,8 @@ namespace {
 
 using physics::vec3;
 
-// The disc's bounding box in pixels from the upper left corner. Across a round picture's seam it goes on beyond 0 or
-// the width.
+// The disc's bounding box in pixels from the upper left corner. Across a round picture's seam it continues below 0 or
+// beyond the width.
 struct Box {
   double low_x = 0.0;
   double low_y = 0.0;
@@ -32,7 +32,7 @@ void extend(Box& box, const physics::vec2& at) {
   box = {std::min(box.low_x, at.x), std::min(box.low_y, at.y), std::max(box.high_x, at.x), std::max(box.high_y, at.y)};
 }
 
-// The rim's points are joined by chords, and the device computes in floats.
+// Enlarges the box: chords join the rim's points, and the device computes in floats.
 Box with_slack(const Box& box) {
   const double slack_x = 1e-4 + 1e-3 * (box.high_x - box.low_x);
   const double slack_y = 1e-4 + 1e-3 * (box.high_y - box.low_y);
@@ -49,7 +49,7 @@ std::array<vec3, 720> rim_points(const vec3& sun, double radius) {
   return rim;
 }
 
-// Nothing: the disc is behind the camera.
+// None where the disc is behind the camera.
 std::optional<Box> rim_box(physics::Physics& p, const Scene& scene) {
   const physics::uint projection = projection_code(scene.camera.projection);
   const bool round = scene.camera.projection == Projection::equirectangular;
@@ -78,7 +78,7 @@ std::optional<Box> disc_box(physics::Physics& p, const Scene& scene) {
   const double radius = scene.sun.disc.angular_radius;
   if (scene.camera.projection == Projection::equirectangular &&
       std::abs(scene.sun.elevation) + radius > 0.5 * std::numbers::pi) {
-    // Over a pole: every column, from the pole to the rim.
+    // The disc covers a pole: every column, from the pole to the rim.
     const bool zenith = scene.sun.elevation > 0.0;
     box = Box{0.0, zenith ? 0.0 : box->low_y, static_cast<double>(scene.image.width),
               zenith ? box->high_y : static_cast<double>(scene.image.height)};
@@ -93,7 +93,7 @@ std::optional<Box> disc_box(physics::Physics& p, const Scene& scene) {
 }
 
 // A part of a map that is cut: a face of a cube, a quadrant of an octahedral map. `holds`: whether a direction, in the
-// axes of in_camera, falls on it; `pixel_of`: where, continued beyond its edges.
+// axes of in_camera, falls on it; `pixel_of`: the direction's pixel, also beyond the part's edges.
 template <class Holds, class PixelOf>
 std::optional<Box> part_box(physics::Physics& p, const Scene& scene, const Box& part, Holds holds, PixelOf pixel_of) {
   const vec3 sun = p.scene.sun.direction;
@@ -160,7 +160,7 @@ std::vector<Box> octahedral_boxes(physics::Physics& p, const Scene& scene) {
   return boxes;
 }
 
-// No two of them overlap.
+// Boxes of which no two overlap.
 std::vector<Box> disc_boxes(physics::Physics& p, const Scene& scene) {
   if (scene.camera.projection == Projection::cube) {
     return cube_boxes(p, scene);
@@ -188,7 +188,7 @@ DiscRectangle pixels_of(const Scene& scene, const Box& box) {
           static_cast<std::uint32_t>(bottom - top)};
 }
 
-// What of the rectangle lies in the tile.
+// The part of the rectangle that lies in the tile.
 DiscRectangle within(const DiscRectangle& all, const Tile& tile) {
   const auto count = [](int n) { return static_cast<std::uint32_t>(n); };
   const std::uint32_t left = std::max(all.left, count(tile.x));

@@ -1,4 +1,4 @@
-// Automatic exposure as an eye adapts [W94]: full by day, less and less in twilight, at an end in the night.
+// Automatic exposure as an eye adapts [W94]: full by day, less and less in twilight, ending in the night.
 
 #include <algorithm>
 #include <cmath>
@@ -12,24 +12,24 @@ namespace airlight {
 namespace {
 
 constexpr double kMiddleGrey = 0.18;
-// cd/m2 of a clear sky at noon, which the meter brings to middle grey.
+// Luminance of a clear sky at noon, cd/m2, which the meter brings to middle grey.
 constexpr double kNoon = 3000.0;
 
-// cd/m2 of the radiance (1, 1, 1); 0: there is no light to tell by. A sun of no unit counts as Earth's, whatever its
-// number: the exposure follows the picture's look, not its unit.
+// Luminance of the radiance (1, 1, 1), cd/m2; 0: there is no light to determine it. A sun without a unit counts as
+// Earth's, whatever its number: the exposure follows the picture's look, not its unit.
 double luminance_of_one(const Scene& scene) {
   const double sun = bt709_luminance(scene.sun.irradiance);
   return white_luminance(scene.sun.unit).value_or(sun > 0.0 ? kSunlight / sun : 0.0);
 }
 
-// The least difference in luminance that an eye adapted to so many cd/m2 sees [W94], after Blackwell's data, but for
-// a constant factor.
+// The least difference in luminance that an eye adapted to so many cd/m2 sees [W94], after Blackwell's data, up to a
+// constant factor.
 double least_seen(double luminance) {
   return std::pow(1.219 + std::pow(luminance, 0.4), 2.5);
 }
 
-// Per cd/m2. What is just seen there is shown as what is just seen at noon: in proportion to 1/luminance by day, and
-// below some cd/m2 hardly more than at none, where it ends at 0.12.
+// Exposure per cd/m2. A just visible difference is shown like a just visible one at noon: in proportion to 1/luminance
+// by day. Below some cd/m2 it hardly rises any more and ends at 0.12.
 double adapted_exposure(double luminance) {
   return kMiddleGrey / kNoon * least_seen(kNoon) / least_seen(luminance);
 }

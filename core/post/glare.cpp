@@ -25,7 +25,7 @@ constexpr double kFar = 24.0;  // radii of the disc: from there on it is a point
 
 using physics::GlarePoint;
 
-// Points of equal area.
+// Points of equal area on the disc.
 std::vector<GlarePoint> disc_sources(const Scene& scene, const Air& air) {
   physics::Physics p = formulas_of(air, scene);
   p.sun_steps = physics::kTransmittanceSteps;

@@ -9,7 +9,7 @@
 #include "core/post/host_post.h"
 #include "core/post/post.h"
 
-// The pass's text, on float as there: a picture has millions of texels, each of which takes a logarithm.
+// The pass's own text, also on float: a picture has millions of texels, each of which takes a logarithm.
 namespace airlight::row_statistics {
 namespace {
 
@@ -30,7 +30,7 @@ real clamp(real x, real least, real most) {
   return min(max(x, least), most);
 }
 
-// As there: not what the compiler may reason away.
+// As in the pass, by bits: the compiler could optimise std::isfinite() away.
 bool is_finite(real x) {
   return (std::bit_cast<uint>(x) & 0x7f800000U) != 0x7f800000U;
 }
@@ -42,7 +42,7 @@ bool is_finite(real x) {
 #include "shaders/post/row_statistics.glsl"
 #pragma GCC diagnostic pop
 
-constexpr uint kLanes = 64;  // sums of so many parts, so that those of long rows are exact, as the pass's are
+constexpr uint kLanes = 64;  // number of partial sums, so that those of long rows are exact, as in the pass
 
 RowStatistics row_of(const float* texels, uint width, real brightest, bool signed_colours) {
   std::array<RowStatistics, kLanes> partial;

@@ -9,7 +9,7 @@
 namespace airlight {
 namespace {
 
-// The random numbers of one group are not those of another.
+// Gives each group random numbers of its own.
 void take_seed(Scene& scene, std::size_t group) {
   const auto seed = scene.render.parameters.find("seed");
   if (seed != scene.render.parameters.end() && group > 0) {

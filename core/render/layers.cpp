@@ -21,7 +21,7 @@ namespace {
 
 using physics::vec3;
 
-// What the layers that no medium names are called, and channels of the EXR that stand beside them.
+// Names of the layers that no medium gives its name to, and of the EXR's other channels.
 const std::set<std::string>& taken_names() {
   static const std::set<std::string> names{"multiple", "sun", "ground", "transmittance", "depth",         "N", "R",
                                            "G",        "B",   "A",      "bloom",         "standard_error"};
@@ -30,7 +30,7 @@ const std::set<std::string>& taken_names() {
 
 constexpr std::size_t kLongestName = 200;  // a channel's is at most 255 bytes
 
-// A dot would begin a channel's name; what some program takes for an operator or a space becomes an underscore.
+// A dot would begin a channel's name. Characters that some program takes for an operator or a space become underscores.
 std::string channel_name(const std::string& medium, std::size_t index) {
   std::string name = medium.substr(0, kLongestName);
   for (char& c : name) {
@@ -62,7 +62,7 @@ std::vector<float> floats(std::span<const std::byte> bytes, std::size_t first, s
   return values_of<float>(bytes.subspan(first * sizeof(float), count * sizeof(float)));
 }
 
-// From the device's planes, which stand in the order of layers_of() but for the sun.
+// Reads the device's planes, which are in the order of layers_of() without the sun.
 void take_planes(std::vector<Layer>& layers, std::span<const std::byte> bytes, std::size_t pixels) {
   std::size_t first = 0;
   for (Layer& layer : layers) {
@@ -116,12 +116,12 @@ void add_geometry(std::vector<Layer>& layers, const Scene& scene, const Tile& ti
   }
 }
 
-// Media that scatter, at any wavelength.
+// Media that scatter at any wavelength, as bits.
 std::uint32_t scattering_media_of(const Scene& scene) {
   return scene.spectra ? scattering_media(spectral_scene(scene)) : air_of(scene).scattering_media();
 }
 
-// Rows of a band whose buffers on the device fill no more than kLayerBandBytes.
+// Number of rows in a band whose device buffers take at most kLayerBandBytes.
 int band_rows(const Scene& scene) {
   const std::size_t layers = static_cast<std::size_t>(std::popcount(scattering_media_of(scene))) + 3;
   const std::size_t row = (3 * layers + 4) * sizeof(float) * static_cast<std::size_t>(scene.image.width);
@@ -179,13 +179,13 @@ void add_channels(Layer& layer, std::span<const float> channels, const std::arra
   }
 }
 
-// The layers of one group of wavelengths, and their sum over the groups on the host, where they go anyway.
+// The layers of one group of wavelengths at a time, and their sum over the groups on the host, which needs them anyway.
 void render_in_colours(std::vector<Layer>& layers, Executor& executor, const Scene& scene, const Tile& tile,
                        const std::string& kept_as, const Timings& timings) {
   const SpectralScene spectral = spectral_scene(scene);
   const std::uint32_t all = scattering_media(spectral);
   const std::size_t pixels = pixels_of(tile);
-  const std::size_t lights = static_cast<std::size_t>(std::popcount(all)) + 3;  // as layers_of() lists them
+  const std::size_t lights = static_cast<std::size_t>(std::popcount(all)) + 3;  // in the order of layers_of()
   for (std::size_t i = 0; i < lights; ++i) {
     layers[i].planes.assign(3 * pixels, 0.0F);
   }
@@ -296,7 +296,7 @@ Statistics layer_statistics(const Layer& layer, int width, bool signed_colours) 
   for (std::size_t i = 0; i < layer.planes.size(); ++i) {
     const std::size_t at = i % pixels;
     const bool finite = std::isfinite(layer.planes[i]);
-    // The first channel of a colour speaks for all three.
+    // The first channel of a colour counts for all three.
     const auto plane = [&](std::size_t c) { return static_cast<double>(layer.planes[c * pixels + at]); };
     const double value = !in_colours  ? static_cast<double>(layer.planes[i])
                          : i < pixels ? bt709_luminance({plane(0), plane(1), plane(2)})

@@ -14,7 +14,7 @@ namespace {
 using physics::vec3;
 using std::numbers::pi;
 
-// The sky that lighting is taken from: 1.9 degrees a pixel. A finer one changes no coefficient by 0.3 % of the first.
+// Size of the sky for lighting: 1.9 degrees a pixel. A finer one changes no coefficient by 0.3 % of the first.
 constexpr ImageSize kSkySize{192, 96};
 
 struct Node {
@@ -88,7 +88,7 @@ std::vector<DiscPoint> disc_points(const physics::Physics& p, const Sun& sun) {
   constexpr int kRings = 12;
   constexpr int kAround = 24;
   const vec3 s = p.scene.sun.direction;
-  // East of it, and above it on the disc.
+  // East of the disc's centre, and above it.
   const vec3 a(std::cos(sun.azimuth), 0.0, std::sin(sun.azimuth));
   const vec3 b(-std::sin(sun.azimuth) * std::sin(sun.elevation), std::cos(sun.elevation),
                std::cos(sun.azimuth) * std::sin(sun.elevation));

@@ -14,7 +14,7 @@ constexpr double kMostPixels = 65536.0;
 constexpr double kMostSampledPixels = 2304.0;  // of a method that samples, a few each
 constexpr int kSamples = 32;
 
-// A smaller size of the same shape. A map that is cut stays a multiple of its layout.
+// A smaller size of the same shape. For a map that is cut it stays a multiple of its layout.
 ImageSize metered_size(const Scene& scene, double most_pixels) {
   const ImageSize& image = scene.image;
   const double smaller =
@@ -27,7 +27,7 @@ ImageSize metered_size(const Scene& scene, double most_pixels) {
   return {std::max(1, static_cast<int>(image.width * smaller)), std::max(1, static_cast<int>(image.height * smaller))};
 }
 
-// The method that samples, of few samples: no limit of its own makes the exposure wait.
+// The sampling method with few samples and without limits of its own, so that metering does not wait.
 RenderSettings few_samples(RenderSettings settings) {
   settings.parameters["samples"] = kSamples;
   settings.parameters["time_limit_s"] = 0.0;

@@ -17,7 +17,7 @@ namespace {
 struct Frame {
   Plan plan;
   Picture picture;
-  std::optional<BufferId> rows;  // statistics; none: the host makes them of the picture
+  std::optional<BufferId> rows;  // statistics; none: the host computes them from the picture
   std::optional<TableReads> tables;
   std::vector<std::string> left_out;
 };
@@ -32,7 +32,7 @@ void note_disc(std::vector<std::string>& left_out, bool shines) {
   }
 }
 
-// Sky, disc and, with `measured`, statistics: everything before the exposure is known.
+// Sky, disc and, with `measured`, statistics: all passes before the exposure is known.
 Frame sky_frame(const Scene& scene, const RenderRequest& request, bool measured) {
   Frame frame;
   const Sky sky = add_sky(frame.plan, scene, View{}, true);
@@ -46,7 +46,7 @@ Frame sky_frame(const Scene& scene, const RenderRequest& request, bool measured)
   return frame;
 }
 
-// A picture of the host's, for passes that read it. No contents, in a plan that is only looked at.
+// A buffer with a picture of the host's, for passes that read it. A plan that is only inspected gets no contents.
 BufferDesc uploaded(const Scene& scene, const RadianceImage& radiance) {
   const std::size_t size =
       4 * sizeof(float) * static_cast<std::size_t>(scene.image.width) * static_cast<std::size_t>(scene.image.height);
@@ -98,8 +98,8 @@ bool wanted_bloom_glows(const Scene& scene, const RenderRequest& request, Render
   return glows;
 }
 
-// Bloom and tone curve of the picture, which an earlier plan has left on the device under the buffer's key, or which
-// the buffer brings.
+// Bloom and tone curve of a picture that an earlier plan has left on the device under the buffer's key, or that the
+// buffer contains.
 void run_post(Executor& executor, const Scene& scene, const RenderRequest& request, BufferDesc buffer, bool glows,
               Rendering& out) {
   PostFrame post;
@@ -180,7 +180,7 @@ Rendering render_there(Executor& executor, const Scene& scene, const RenderReque
   return out;
 }
 
-// The device is opened for a bloom chain and for the tone curve of the GPU alone.
+// The device is opened only for a bloom chain and for the GPU tone curve.
 Rendering render_here(const DeviceOnDemand& device, const Scene& scene, const RenderRequest& request) {
   open_for_finish(device, scene, request);
   Rendering out;
@@ -247,7 +247,7 @@ Plan plan_for(const Scene& scene, const RenderRequest& request) {
 
 namespace {
 
-// Radiance and transmittance of each listed direction, in turn. `undone`: gets the method's notes.
+// Radiance and transmittance of each listed direction, alternating. `undone`: gets the method's notes.
 RadianceImage pairs_of(const DeviceOnDemand& device, const Scene& scene, const View& view,
                        std::vector<std::string>& undone) {
   const auto count = static_cast<int>(view.directions.size());

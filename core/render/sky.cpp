@@ -30,7 +30,7 @@ SkyPasses add_groups(Plan& plan, const Scene& scene, const SpectralScene& spectr
   return all;
 }
 
-// The disc as it is seen through the groups' tables of transmittance, one each, or through some added here.
+// The disc seen through the groups' tables of transmittance, one each, or through tables added here.
 bool add_coloured_disc(Plan& plan, const Scene& scene, const SpectralScene& spectral, std::vector<ImageId> tables,
                        const Picture& picture) {
   if (!sun_disc_shows(scene, picture)) {

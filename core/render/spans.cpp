@@ -30,7 +30,7 @@ Six floats_at(std::span<const std::byte> bytes, std::size_t i) {
   return six;
 }
 
-// shaders/shared/span_air_packed.glsl: of two words each, the lower 21 bits, the next 21 and the next.
+// shaders/shared/span_air_packed.glsl: in each pair of words, three values of 21 bits, lowest bits first.
 Six packed_at(std::span<const std::byte> bytes, std::size_t i) {
   std::array<std::uint64_t, 2> words;
   std::memcpy(words.data(), bytes.data() + i * sizeof words, sizeof words);
@@ -42,7 +42,7 @@ Six packed_at(std::span<const std::byte> bytes, std::size_t i) {
   return six;
 }
 
-// A colour may have negative channels, but no negative luminance.
+// Throws on unsound values. A colour may have negative channels, but no negative luminance.
 void require_sound(const Span& span, const AirTo& air, bool in_colours) {
   for (const auto* triple : {&air.radiance, &air.transmittance}) {
     const double luminance = bt709_luminance({double{(*triple)[0]}, double{(*triple)[1]}, double{(*triple)[2]}});
@@ -56,7 +56,7 @@ void require_sound(const Span& span, const AirTo& air, bool in_colours) {
   }
 }
 
-// Adds the light and the transmittance of three channels, as colours.
+// Adds the light and the transmittance of three channels, converted to colours.
 void add_part(std::span<AirTo> sums, std::span<const std::byte> bytes, bool packed, const std::array<Rgb, 3>& radiance,
               const std::array<Rgb, 3>& transmittance) {
   const auto add = [](std::array<float, 3>& sum, const float* channels, const std::array<Rgb, 3>& colours) {
@@ -72,7 +72,7 @@ void add_part(std::span<AirTo> sums, std::span<const std::byte> bytes, bool pack
   }
 }
 
-// What a part of the air before things is rendered with.
+// The inputs for rendering a part of the air before things.
 struct SpanWork {
   Executor& executor;
   const SkyMethod& method;
@@ -80,7 +80,7 @@ struct SpanWork {
   std::vector<PassTiming>* passes;
 };
 
-// Three channels of the spans: the scene's own, or a group of wavelengths. `plan`: has their scene.
+// Adds three channels of the spans: the scene's own, or a group of wavelengths. `plan`: has their scene.
 void add_channels(const SpanWork& work, Plan plan, const Scene& scene, const Spans& spans, std::span<AirTo> sums,
                   const std::array<Rgb, 3>& radiance, const std::array<Rgb, 3>& transmittance) {
   const SpanPasses added = work.method.add_span_passes(plan, scene, air_of(scene), spans, work.way);
@@ -91,7 +91,7 @@ void add_channels(const SpanWork& work, Plan plan, const Scene& scene, const Spa
   add_part(sums, result.contents(added.air), added.packed, radiance, transmittance);
 }
 
-// Parts of at most kMostSpans, or of a row.
+// Parts of at most kMostSpans, or of one row.
 std::vector<Spans> parts_of(const Spans& spans, std::size_t width) {
   std::vector<Spans> parts;
   for (std::size_t first = 0; first < spans.list.size(); first += kMostSpans) {
@@ -124,7 +124,7 @@ void add_part_of_picture(const SpanWork& work, const Scene& scene, const Spans& 
   const SpectralScene spectral = spectral_scene(scene);
   for (std::size_t g = 0; g < spectral.groups.size(); ++g) {
     const WavelengthGroup& group = spectral.groups[g];
-    // As for the sky, whose tables of the group's light are there then.
+    // The group is set up as for the sky, so that its tables of light are already there.
     Plan plan;
     begin_group(plan, spectral, g, {0, 0, scene.image.width, scene.image.height});
     add_channels(work, std::move(plan), group.scene, spans, sums, group.colours,

@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kAbsolute = "W.m^-2.sr^-1.nm^-1";
 
-// Numbers that the preset gives without a unit, over steradians.
+// Unit of numbers that the preset gives without one, per steradian.
 constexpr const char* kPresetsOwn = "sun.spectrum.sr^-1";
 
 bool is_solar(const Curve& curve) {
@@ -31,7 +31,7 @@ SpectralImage described(const Scene& scene, const Nodes& nodes) {
   return image;
 }
 
-// What the channels of a group, radiance over the sun's times its irradiance, are multiplied by.
+// Factors for the channels of a group, which are radiance over the sun's times its irradiance.
 std::vector<double> channel_scales(const Scene& scene, const Nodes& nodes) {
   std::vector<double> scales;
   for (std::size_t k = 0; k < nodes.nm.size(); ++k) {
@@ -106,7 +106,7 @@ Rendering render_spectrum(const DeviceOnDemand& device, const Scene& scene, cons
     }
     finish(device, scene, request, out);
   } else {
-    Scene other = scene;  // whose seed is not the picture's
+    Scene other = scene;  // with a seed other than the picture's
     RenderRequest last = request;
     last.host = runs.start(other, count - 1);
     Rendering picture = render(device, scene, last);

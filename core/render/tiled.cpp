@@ -50,7 +50,7 @@ void put(std::vector<Layer>& band, const std::vector<Layer>& tile_layers, const 
   }
 }
 
-// Once through the picture: to measure it, or to hand it on.
+// One round through the picture: to measure it, or to deliver it.
 enum class Round { measuring, delivering };
 
 class TiledRender {
@@ -100,7 +100,7 @@ class TiledRender {
   std::string chain_key_;                   // of the finished chain; empty: none
   std::vector<physics::GlarePoint> glare_;  // empty: none
 
-  std::optional<TableReads> table_reads_;  // of the first tile's plan: the tables are made, and looked at, with it
+  std::optional<TableReads> table_reads_;  // of the first tile's plan, which makes the tables
   bool tables_seen_ = false;
 };
 
@@ -130,7 +130,7 @@ void TiledRender::render_tile(Band& band, const Tile& tile) {
   put(band.rows.radiance, result.contents(sky.radiance), tile);
 }
 
-// Rows of an image of the host's, `rows` being their place in the picture.
+// Uploads rows of an image of the host's; `rows` is their place in the picture.
 Picture TiledRender::add_upload(Plan& plan, const RadianceImage& image, int first_row, const Tile& rows) const {
   const std::size_t row = 4 * static_cast<std::size_t>(rows.width);
   BufferDesc buffer = filled_buffer("radiance", bytes_of(std::span(image.rgba)
@@ -140,7 +140,7 @@ Picture TiledRender::add_upload(Plan& plan, const RadianceImage& image, int firs
   return picture_of(plan.add_buffer(std::move(buffer)), rows);
 }
 
-// Runs the plan that makes or holds these rows, and takes them and all that is made of them.
+// Runs the plan that makes or holds these rows, and takes the rows and all results of them.
 void TiledRender::run_rows(Plan& plan, const Picture& rows, const BandWork& work, Band& band) {
   const bool host_measures_them = work.statistics && host_measures(device_());
   BandWork on_device = work;
@@ -161,12 +161,12 @@ void TiledRender::add_statistics(std::span<const std::byte> rows) {
   rows_.insert(rows_.end(), rows.begin(), rows.end());
 }
 
-// By the host.
+// Measures the band on the host.
 void TiledRender::measure(const Band& band) {
   add_statistics(row_statistics_of(band.rows.radiance, brightest_metered(scene_), scene_.spectra.has_value()));
 }
 
-// The same without a device.
+// Takes rows without a device.
 void TiledRender::take_host_rows(const Tile& rows, const BandWork& work, Band& band) {
   if (work.statistics) {
     measure(band);
@@ -176,7 +176,7 @@ void TiledRender::take_host_rows(const Tile& rows, const BandWork& work, Band& b
   }
 }
 
-// Sums over rows are taken of whole rows, whatever tiles they were made of: as in the picture rendered at once.
+// Sums over rows are taken over whole rows, whatever tiles make them up, as in a picture rendered at once.
 void TiledRender::render_band(Band& band, int rows, const BandWork& work) {
   const int width = scene_.image.width;
   const Tile whole = whole_rows(band.y, rows);
@@ -265,7 +265,7 @@ void TiledRender::go_through(Round round, double from, double to) {
   }
 }
 
-// Before the picture is handed on, and of a chain after it was measured.
+// Called before the picture is delivered; for a chain, after it was measured.
 void TiledRender::make_bloom() {
   if (!wants_bloom()) {
     return;

@@ -13,7 +13,7 @@ double radians_from_degrees(double degrees) {
 }
 
 double degrees_from_radians(double radians) {
-  // Multiplication there and division back are each wrong by half an ulp, so the wanted number is at most a few
+  // The multiplication there and the division back are each wrong by half an ulp, so the wanted number is at most a few
   // neighbours away.
   constexpr int kNeighbours = 4;
   if (radians == 0.0) {

@@ -19,7 +19,7 @@ std::string_view name_of_map(Projection projection) {
   }
 }
 
-// A map is the whole sphere in its upright frame; a tilt would have to be thrown away.
+// Refuses a tilt for a map: a map is the whole sphere in its upright frame, and the tilt would have no effect.
 void refuse_tilt(const Section& camera, std::string_view key, Projection projection) {
   const PresetValue* value = camera.find(key);
   const auto* degrees = value == nullptr ? nullptr : std::get_if<double>(&value->data);
@@ -30,7 +30,7 @@ void refuse_tilt(const Section& camera, std::string_view key, Projection project
   }
 }
 
-// Empty where the size suits the projection, else what it should be, with the nearest that suits.
+// Empty where the size suits the projection; else the rule for the size, with the nearest suitable one.
 std::string wanted_size(const Camera& camera, const ImageSize& image) {
   if (!is_cut(camera.projection)) {
     return {};

@@ -16,7 +16,7 @@
 namespace airlight {
 namespace {
 
-// What the eye sees, nm.
+// Wavelengths that the eye sees, nm.
 constexpr double kVisibleFrom = 380.0;
 constexpr double kVisibleTo = 780.0;
 
@@ -113,7 +113,7 @@ class Form {
     return true;
   }
 
-  // `place`: of a file.
+  // `place`: place in a file; empty: none.
   void check_samples(std::string_view key, const std::string& place) {
     const std::vector<double>& x = curve_.wavelengths;
     const auto descent = std::ranges::adjacent_find(x, [](double a, double b) { return b <= a; });
@@ -156,7 +156,7 @@ class Form {
     return true;
   }
 
-  // One line: two numbers apart by a comma, a semicolon, a tab or spaces.
+  // One line: two numbers separated by a comma, a semicolon, a tab or spaces.
   static bool parse(std::string_view line, double& nm, double& value) {
     constexpr std::string_view kBetween = " ,;\t\r";
     const auto take = [&](double& number) {
@@ -224,7 +224,7 @@ class Form {
     return true;
   }
 
-  // Samples of a law in the fine bands' range, every 5 nm.
+  // Samples a law every 5 nm over the range of the fine bands.
   template <class Law>
   void sample(Law law) {
     for (double nm = fine_bands().front().low; nm <= fine_bands().back().high; nm += 5.0) {

@@ -10,7 +10,7 @@
 namespace airlight {
 namespace {
 
-// The column of a density that goes in a straight line from (h0, d0) to (h1, d1), cut off at the top.
+// The column of a density that is linear from (h0, d0) to (h1, d1), cut off at the top.
 double straight_column(double h0, double d0, double h1, double d1, double top) {
   const double end = std::min(h1, top);
   if (end <= h0) {
@@ -33,14 +33,14 @@ double layers_column(const std::vector<DensityLayer>& layers, double top) {
   return column + layers.back().density * std::max(top - layers.back().altitude, 0.0);
 }
 
-// Up to altitude h, of a tent that rises from center - width.
+// The column up to altitude h of a tent that rises from center - half_width.
 double tent_below(const Density& d, double h) {
   const double x = std::clamp((h - d.center) / d.half_width, -1.0, 1.0);
   const double part = x < 0.0 ? 0.5 * (1.0 + x) * (1.0 + x) : 1.0 - 0.5 * (1.0 - x) * (1.0 - x);
   return part * d.half_width;
 }
 
-// By Gauss and Legendre's two points in pieces of at most a quarter of a scale.
+// By Gauss and Legendre's two points, in pieces of at most a quarter of a scale.
 double lorentzian_column(const Density& d, double top) {
   physics::Physics formulas;
   physics::MediumData medium{};

@@ -28,7 +28,7 @@ void require_one_source(const Section& planet, const Section& section, const Ter
   }
 }
 
-// The map is laid on the sphere around the camera: farther round it would meet itself.
+// Refuses a map too far away: it is laid on the sphere around the camera and would otherwise meet itself.
 void require_near(const Section& section, const Terrain& terrain, const Planet& on) {
   constexpr double kMost = 0.3;  // of the radius
   const double reach = terrain.distance + 0.75 * terrain.width;

@@ -28,7 +28,7 @@ Place place_of(std::string_view text, std::size_t offset) {
 }
 
 // Reads the text for the parser and keeps the line of the last character that the parser took. The parser looks one
-// character past a number: a line break counts only once something after it was taken.
+// character beyond a number, so a line break counts only once a character after it was taken.
 struct CountingIterator {
   using iterator_category = std::input_iterator_tag;
   using value_type = char;
@@ -58,13 +58,14 @@ struct CountingIterator {
   bool operator!=(const CountingIterator& other) const { return at != other.at; }
 };
 
-// "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error while ...": what follows the place.
+// The part after the place in "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error while
+// ...".
 std::string library_reason(std::string_view what) {
   const std::size_t column = what.find("column ");
   const std::size_t colon = column == std::string_view::npos ? column : what.find(": ", column);
   std::string reason(colon == std::string_view::npos ? what : what.substr(colon + 2));
   std::ranges::replace(reason, '\n', ' ');
-  // The library quotes all that it last read, were it the rest of the file.
+  // The library quotes all that it last read, even if that is the rest of the file.
   constexpr std::string_view kQuote = "last read: '";
   const std::size_t quote = reason.find(kQuote);
   const std::size_t end = reason.rfind('\'');
@@ -79,7 +80,7 @@ bool is_word(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '+' || c == '-';
 }
 
-// The library tells how many characters it had read when it gave up; an editor wants where the offending word begins.
+// The library tells the number of characters that it had read; an editor needs the start of the offending word.
 std::size_t token_start(std::string_view text, std::size_t read, std::string_view reason) {
   if (read == 0 || read > text.size()) {
     return text.size();
@@ -101,17 +102,17 @@ std::size_t token_start(std::string_view text, std::size_t read, std::string_vie
   return start;
 }
 
-// Builds the tree from the parser's events. The stack holds pointers into the tree: a container's elements move only
-// when a sibling is added, and then no deeper frame is open.
+// Builds the tree from the parser's events. The stack holds pointers into the tree. A container's elements move only
+// when a sibling is added, and at that moment no deeper frame is open.
 class TreeBuilder {
  public:
-  // An option's value has no lines worth naming: `lines` is false there.
+  // `lines` is false for an option's value, whose lines need not be named.
   TreeBuilder(std::string_view text, std::string_view source, bool lines, int& line)
       : text_(text), source_(source), lines_(lines), line_(line) {}
 
   PresetValue take_root() { return std::move(root_); }
   const std::string& problem() const { return problem_; }
-  bool is_json() const { return is_json_; }  // false: the problem is the syntax, not what it says
+  bool is_json() const { return is_json_; }  // false: the text is not JSON
 
   bool null() { return leaf(std::monostate{}); }
   bool boolean(bool value) { return leaf(value); }
@@ -203,7 +204,7 @@ class TreeBuilder {
     std::string pointer;
     for (const Frame& frame : stack_) {
       const auto* array = std::get_if<PresetArray>(&frame.value->data);
-      // Inside an array the failing value is the one that would come next, unless a deeper frame holds it already.
+      // In an array the failing value is the next one, unless a deeper frame already holds it.
       const bool innermost = &frame == &stack_.back();
       pointer =
           pointer_below(pointer, array == nullptr ? frame.key : std::to_string(array->size() - (innermost ? 0U : 1U)));
@@ -254,7 +255,7 @@ std::string pointer_below(std::string_view parent, std::string_view key) {
 }
 
 PresetValue parse_json_text(std::string_view text, std::string_view source) {
-  // The library takes a zero byte for the end of the text, and would not see what follows.
+  // The library takes a zero byte for the end of the text and would ignore what follows.
   const std::size_t zero = text.find('\0');
   if (zero != std::string_view::npos) {
     const Place place = place_of(text, zero);

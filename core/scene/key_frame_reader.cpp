@@ -24,7 +24,7 @@ std::string rule_key(std::string_view pointer) {
   return key;
 }
 
-// Whether the key takes whole numbers alone. A parameter that any method takes so, no method takes otherwise.
+// Whether the key takes only whole numbers. No parameter takes whole numbers in one method and others in another.
 bool is_whole(std::string_view pointer, std::span<const MethodInfo> methods) {
   const std::string key = rule_key(pointer);
   for (const Rule& rule : rules()) {

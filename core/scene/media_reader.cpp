@@ -101,7 +101,7 @@ Medium read_medium(const Section& section, double top, CurveReader& curves, Scen
   return medium;
 }
 
-// Told by its quantity; asked only where every number of it is within its range.
+// Refuses opaque media by their optical depth; called only where all their numbers are within their ranges.
 void refuse_opaque(const PresetArray& array, const std::vector<Medium>& media, const std::vector<MediumSpectra>& curves,
                    double top, Problems& problems) {
   for (std::size_t i = 0; i < media.size(); ++i) {

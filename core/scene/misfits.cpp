@@ -7,7 +7,7 @@
 namespace airlight {
 namespace {
 
-// The methods that know a thing, where the scene's does not; else nothing.
+// The methods that support a feature, if the scene's does not; else empty.
 std::string who_knows(const Scene& scene, bool MethodInfo::*knows, std::span<const MethodInfo> methods) {
   const bool known = std::ranges::any_of(
       methods, [&](const MethodInfo& method) { return method.name == scene.render.method && method.*knows; });
@@ -16,7 +16,7 @@ std::string who_knows(const Scene& scene, bool MethodInfo::*knows, std::span<con
   });
 }
 
-// What spheres do not go with: a method that knows none, terrain.
+// Refuses spheres beside terrain, or with a method that does not support spheres.
 void refuse_spheres_beside(const Section& root, const Scene& scene, std::span<const MethodInfo> methods) {
   const Section section = root.child("scene");
   const PresetValue& spheres = *section.find("spheres");
@@ -31,7 +31,7 @@ void refuse_spheres_beside(const Section& root, const Scene& scene, std::span<co
   }
 }
 
-// What terrain does not go with: a method that knows none.
+// Refuses terrain with a method that does not support it.
 void refuse_terrain_beside(const Section& root, const Scene& scene, std::span<const MethodInfo> methods) {
   if (const std::string names = who_knows(scene, &MethodInfo::knows_terrain, methods); !names.empty()) {
     const Section planet = root.child("planet");
@@ -41,7 +41,8 @@ void refuse_terrain_beside(const Section& root, const Scene& scene, std::span<co
   }
 }
 
-// What a ground by maps does not go with: a method that knows none, curves over the wavelength, terrain, spheres.
+// Refuses a ground by maps beside curves over the wavelength, terrain or spheres, or with a method that does not
+// support it.
 void refuse_ground_map_beside(const Section& root, const Scene& scene, bool curves,
                               std::span<const MethodInfo> methods) {
   const Section planet = root.child("planet");

@@ -50,7 +50,7 @@ PresetValue& element(PresetArray& array, const std::string& key, const std::stri
   return array[*index];
 }
 
-// What the pointer leads to; keys that are not there yet are made, so that a preset may be silent about an object.
+// The value that the pointer leads to. Missing keys are made on the way, so that a preset may omit an object.
 PresetValue& descend(PresetValue& root, std::span<const std::string> keys, const std::string& source) {
   PresetValue* at = &root;
   std::string pointer;
@@ -75,8 +75,8 @@ PresetValue& descend(PresetValue& root, std::span<const std::string> keys, const
   return *at;
 }
 
-// Another method chosen on the command line builds on the file as `extends` does: what the file says for its own
-// method is not held against it.
+// Another method chosen on the command line extends the file as `extends` does: parameters that the file sets for its
+// own method are no error.
 void release_render_keys(Preset& preset) {
   auto& render = std::get<PresetObject>(std::get<PresetObject>(preset.root.data).at("render").data);
   for (auto& [key, value] : render) {
@@ -101,7 +101,7 @@ void apply_override(Preset& preset, std::string_view assignment, const std::stri
   }
   const std::string_view pointer = assignment.substr(0, equals);
   const std::string_view text = assignment.substr(equals + 1);
-  split_pointer(pointer, source);  // a bad pointer is told before a bad value
+  split_pointer(pointer, source);  // a bad pointer is reported before a bad value
   PresetValue value;
   if (std::optional<PresetValue> parsed = try_parse_json_value(text, source)) {
     value = *std::move(parsed);

@@ -83,7 +83,7 @@ class PhaseFile {
 
   void refuse(const std::string& what) { problem_ = name_ + ":" + std::to_string(line_) + ": " + what; }
 
-  // Nothing where one of them is no number: that is told.
+  // Empty where one of them is no number, which is reported.
   std::vector<double> numbers(const std::vector<std::string_view>& fields, std::size_t first, std::size_t count) {
     std::vector<double> values;
     for (std::size_t i = first; i < first + count; ++i) {

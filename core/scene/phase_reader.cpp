@@ -19,7 +19,7 @@ std::string row_name(const PhaseTable& table, std::size_t row) {
   return table.wavelengths_nm.empty() ? "" : "at " + format_number(table.wavelengths_nm[row]) + " nm ";
 }
 
-// What is wrong with an ascending list of so many values; empty: nothing.
+// The error in an ascending list of values; empty: none.
 std::string list_problem(const std::vector<double>& list, const Range& range, std::string_view unit) {
   if (list.size() < 2 || list.size() > kMostPhaseAngles) {
     return std::to_string(list.size()) + " of them; expected 2 to " + std::to_string(kMostPhaseAngles);
@@ -81,7 +81,7 @@ std::string normalise(PhaseTable& table) {
     if (std::abs(integral / whole - 1.0) > std::abs(table.integral - 1.0)) {
       table.integral = integral / whole;
     }
-    // Again where values are so small that they count as more than they are: what is read is read the same again.
+    // Repeated where small values count as more than they are, so that a written table reads back unchanged.
     for (double rest = integral; std::abs(rest - 1.0) > kExact; rest = sphere_integral(table, row)) {
       for (double& value : table.rows[row]) {
         value /= rest;
@@ -95,7 +95,7 @@ class TableReader {
  public:
   explicit TableReader(const Section& phase) : phase_(phase) {}
 
-  // A table that holds, or one of equal values, what is wrong told.
+  // A table that is valid; after a reported problem one of equal values.
   PhaseTable read() {
     if (phase_.find("file") != nullptr) {
       read_file();
@@ -212,7 +212,7 @@ class TableReader {
 
   const Section& phase_;
   PhaseTable table_;
-  std::string place_;  // of a file, before what is wrong with it
+  std::string place_;  // place in a file, put before a message
   bool good_ = true;
 };
 

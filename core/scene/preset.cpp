@@ -17,10 +17,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// No preset is near this size: a device or a picture given by mistake is refused before it fills the memory.
+// No preset is near this size. A device or a picture given by mistake is refused before it fills the memory.
 constexpr std::size_t kLargestFile = std::size_t{16} << 20U;
 
-// A file's text, or why there is none.
+// A file's text, or the reason why there is none.
 struct FileText {
   std::string text;
   std::string problem;
@@ -80,7 +80,7 @@ void mark_inherited(PresetValue& value) {
 
 void merge_object(PresetValue& base, PresetValue&& over);
 
-// A density with a profile of its own replaces the inherited one whole: the old profile's keys would be strays.
+// A density with a profile of its own replaces the inherited one whole: the old profile's keys would not apply.
 bool replaces_whole(std::string_view key, const PresetValue& over) {
   const auto* object = std::get_if<PresetObject>(&over.data);
   // A curve over the wavelength is one value.
@@ -109,14 +109,14 @@ void merge_media(PresetArray& base, PresetArray&& over) {
   }
 }
 
-// A phase function of its own leaves nothing of the inherited one but g, whose keys would be strays.
+// A phase function of its own keeps only g of the inherited one: the others' keys would not apply.
 void drop_other_function(PresetObject& base, const PresetValue& over) {
   if (std::get<PresetObject>(over.data).contains("function")) {
     std::erase_if(base, [](const auto& entry) { return entry.first != "g"; });
   }
 }
 
-// A file of another format stays an error in the file that builds on it.
+// The version of a file of another format is kept, so that it is an error in the file that extends it, too.
 bool is_foreign_version(std::string_view key, const PresetValue& base) {
   const auto* version = std::get_if<double>(&base.data);
   return key == "airlight" && (version == nullptr || *version != 1.0);
@@ -160,7 +160,7 @@ void find_file(PresetValue* object, std::string_view key, const fs::path& folder
   }
 }
 
-// Names of files in a preset are relative to its own folder, wherever the program runs.
+// Makes names of files in a preset relative to the preset's folder, wherever the program runs.
 void find_files(PresetValue& root, const fs::path& folder) {
   PresetValue* planet = member(&root, "planet");
   find_file(planet, "albedo_map", folder);
@@ -169,7 +169,7 @@ void find_files(PresetValue& root, const fs::path& folder) {
   find_file(member(planet, "terrain"), "albedo_map", folder);
 }
 
-// The file of a chain that `root` builds on. Takes the key out when it is one; a wrong type is resolve()'s to refuse.
+// The file that `root` extends. The key is removed if it names one; resolve() refuses a wrong type.
 struct Extension {
   std::string name;
   std::string place;  // FILE:LINE: /extends
@@ -193,7 +193,7 @@ fs::path identity(const fs::path& file) {
   return error ? file.lexically_normal() : canonical;
 }
 
-// Where a chain stands: a text on disk, or one of the bundle.
+// One preset of a chain: a text on disk, or one of the bundle.
 struct Link {
   std::string text;
   std::string source;  // for messages
@@ -208,7 +208,7 @@ Link bundled_link(const std::string& file, std::string_view text) {
   return {.text = std::string(text), .source = file, .folder = {}, .bundled = true, .id = std::string(kBundled) + file};
 }
 
-// What `extends` names, as seen from the link that names it.
+// The link that `extends` names, seen from the link with the `extends`.
 Link follow(const Link& from, const Extension& extension, const BundledPresets& bundled) {
   const bool bare = extension.name.find('/') == std::string::npos;
   const bool has_ending = extension.name.ends_with(".json");
@@ -245,7 +245,7 @@ Link follow(const Link& from, const Extension& extension, const BundledPresets& 
                    (bundled.empty() ? "" : ", or a built-in one by its name"));
 }
 
-// Follows `extends` from the user's text to the file that builds on nothing, then merges back.
+// Follows `extends` from the user's text to the file that extends none, then merges backward.
 Preset load_chain(Link link, const BundledPresets& bundled) {
   const std::string source = link.source;
   std::vector<PresetValue> chain;

@@ -85,7 +85,7 @@ std::optional<TableSize> read_table_size(const Site& site) {
   return size;
 }
 
-// The value by its kind. Where it is wrong that is reported, and the result is the default.
+// The value by its kind. A wrong value is reported, and the result is the default.
 ParameterValue read_parameter(const Section& render, const ParameterInfo& parameter, const PresetValue& value) {
   const Rule rule = rule_of(parameter);
   const Site site{render.problems(), value, render.pointer_to(parameter.key), rule};
@@ -123,7 +123,7 @@ void refuse_key(const Section& render, const std::string& key, const PresetValue
     return find_parameter(method, key) != nullptr ? method.name : std::string_view();
   });
   if (!others.empty()) {
-    // A key that no method takes is refused even if inherited: a misspelt one is wrong wherever it stands.
+    // A key that no method has is refused even if inherited: a misspelt key is wrong in any file.
     if (chosen != nullptr && !value.inherited) {
       render.complain(key, value,
                       "the method " + json_string(chosen->name) + " does not take this key; it belongs to " + others +
@@ -146,7 +146,7 @@ void refuse_key(const Section& render, const std::string& key, const PresetValue
 }  // namespace
 
 Rule rule_of(const ParameterInfo& parameter) {
-  // A method's "no limit" ends where the squares of numbers leave a 32-bit float.
+  // A method's "no limit" ends where squares of numbers exceed a 32-bit float.
   constexpr double kLargest = 1e9;
   Rule rule{
       .key = parameter.key,

@@ -76,7 +76,7 @@ void check_root(const Section& root) {
     }
   }
   root.text("$schema");
-  // Loading a file takes the key out once it has been followed.
+  // Loading a file removes the key once it has been followed.
   if (const PresetValue* extends = root.find("extends")) {
     const bool is_text = std::holds_alternative<std::string>(extends->data);
     root.complain("extends", *extends,
@@ -85,7 +85,7 @@ void check_root(const Section& root) {
   }
 }
 
-// What says how curves become colours; without curves it says nothing.
+// The keys that determine how curves become colours; without curves they have no effect.
 void read_colours(const Section& root, bool has_curves, SceneSpectra& spectra) {
   for (const char* key : {"image", "render"}) {
     const PresetValue* value = root.find(key);
@@ -114,7 +114,7 @@ void read_colours(const Section& root, bool has_curves, SceneSpectra& spectra) {
   }
 }
 
-// What stands for the curves where three channels are looked at.
+// Three channels that stand for the curves where code reads channels.
 void fill_channels(Scene& scene) {
   const SceneSpectra& spectra = *scene.spectra;
   const Nodes nodes = nodes_for(3);
@@ -168,7 +168,7 @@ Scene read_scene(const Section& root, std::span<const MethodInfo> methods) {
   return scene;
 }
 
-// Each key frame's values in the preset: what is wrong then is wrong with them.
+// Checks each key frame's values in the preset; an error found then is an error in them.
 void check_key_frames(const Preset& preset, std::span<const MethodInfo> methods, Problems& problems) {
   for_each_key_frame(
       preset, [&](const Preset& frame) { read_scene(Section(problems, &frame.root, frame.root, "", ""), methods); });

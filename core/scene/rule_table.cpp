@@ -5,13 +5,13 @@
 namespace airlight {
 namespace {
 
-// Where the format says only "> 0" or ">= 0", these are what any sky needs and what the 32-bit arithmetic of the
-// shaders holds with squares and ratios to spare. Planet and air: a metre; fourteen times the Sun.
+// Ranges for which the format says only "> 0" or ">= 0". They cover any sky and leave the shaders' 32-bit arithmetic
+// room for squares and ratios. Planet and air: a metre to fourteen times the Sun.
 constexpr Range kSize{.minimum = 1e-3, .maximum = kFarthest};
-// Within the air: a millimetre.
+// Within the air: from a millimetre.
 constexpr Range kLength{.minimum = 1e-6, .maximum = kFarthest};
 constexpr Range kAltitude = kLayerAltitude;
-constexpr Range kCoefficient{.minimum = 0.0, .maximum = 1e5};  // the light of a centimetre
+constexpr Range kCoefficient{.minimum = 0.0, .maximum = 1e5};  // a mean free path of a centimetre
 constexpr Range kFactor{.minimum = 0.0, .maximum = 1e6};
 constexpr Range kIrradiance{.minimum = 0.0, .maximum = 1e9};
 constexpr Range kTerrainWidth{.minimum = 1e-3, .maximum = 2000.0};

@@ -28,7 +28,7 @@ class JsonObject {
   JsonObject& spectrum(std::string_view key, const Spectrum& value) {
     return add(key, json_list({value.begin(), value.end()}));
   }
-  // The curve where the scene has any.
+  // Writes the curve where the scene has one.
   JsonObject& spectrum(std::string_view key, const Spectrum& value, const Curve* curve) {
     return curve == nullptr ? spectrum(key, value) : add(key, curve_json(*curve));
   }
@@ -74,7 +74,7 @@ std::string density_json(const Density& density) {
   return object.str();
 }
 
-// What is not there is not stated, so that EXRs of before and after the keys carry the same preset.
+// Absent parts are not written, so that EXRs from before and after the keys existed have the same preset.
 std::string phase_json(const Medium& medium, const MediumSpectra* curves) {
   JsonObject object(4);
   object.text("function", name_of(medium.phase, kPhaseNames)).number("g", medium.phase_g);
@@ -112,7 +112,7 @@ std::string media_json(const Scene& scene) {
   return "[" + text + JsonObject::indent(1) + "]";
 }
 
-// The sun's own spectrum has no text of its own.
+// The sun's default spectrum has no text of its own.
 std::string sun_curve_json(const Curve& curve) {
   return curve.json.empty() ? "{\"named\": \"solar\"}" : curve.json;
 }
@@ -138,7 +138,7 @@ std::string terrain_json(const Terrain& terrain, const Curve* albedo) {
   return object.str();
 }
 
-// The number that read as metres gives these km, to the last bit.
+// The number of metres that is read back as these km, to the last bit.
 double metres(double km) {
   constexpr double kMetres = 1e3;
   const double near = km * kMetres;
@@ -150,7 +150,7 @@ double metres(double km) {
   return near;
 }
 
-// "grey-18" and "chrome" come out as what they stand for.
+// "grey-18" and "chrome" are written as the material and albedo that they stand for.
 std::string spheres_json(const Scene& scene) {
   std::string text;
   for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
@@ -196,7 +196,7 @@ std::string planet_json(const Scene& scene) {
   return object.str();
 }
 
-// The default unit is not stated, so that EXRs of before and after the key carry the same preset.
+// The default unit is not written, so that EXRs from before and after the key existed have the same preset.
 std::string sun_json(const Scene& scene) {
   const Sun& sun = scene.sun;
   JsonObject object(2);
@@ -253,7 +253,7 @@ std::string render_json(const Scene& scene) {
   return object.str();
 }
 
-// Bloom that is on by default is not stated: stated, it would ask for a layer in the EXR.
+// Bloom that is on by default is not written: written, it would ask for a layer in the EXR.
 std::string bloom_json(const Bloom& bloom) {
   JsonObject object(2);
   if (!bloom.enabled || bloom.in_exr) {

@@ -42,7 +42,7 @@ std::vector<std::string> known_keys(std::string_view prefix) {
   return {keys.begin(), keys.end()};
 }
 
-// Where else a key of this very name lives: "/sun/elevation_deg" for one written a level too high.
+// Other places of a key with this name: "/sun/elevation_deg" for one written a level too high.
 std::string place_elsewhere(std::string_view key) {
   for (const Rule& rule : rules()) {
     if (rule.key.ends_with("." + std::string(key))) {

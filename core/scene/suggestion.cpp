@@ -8,7 +8,7 @@
 namespace airlight {
 namespace {
 
-// Longer names are nobody's typing slip, and the distance below costs the product of the lengths.
+// No typing slip is longer than this, and the distance below costs the product of the lengths.
 constexpr std::size_t kLongestName = 64;
 
 // Optimal string alignment: insertions, deletions, substitutions and swaps of neighbours cost one each.

@@ -20,7 +20,7 @@ BoundedWorkers::~BoundedWorkers() {
 
 void BoundedWorkers::add(std::function<void()> work) {
   std::unique_lock lock(mutex_);
-  // A free thread takes it at once, whatever may wait.
+  // A free thread takes the work at once, whatever else waits.
   changed_.wait(lock, [&] { return failure_ || queue_.size() + in_hand_ < waiting_max_ + threads_.size(); });
   throw_failure();
   queue_.push_back(std::move(work));
@@ -52,7 +52,7 @@ void BoundedWorkers::run() {
     } catch (...) {
       problem = std::current_exception();
     }
-    work = nullptr;  // what it holds goes before the next is let in
+    work = nullptr;  // frees what the work holds before the next is let in
     lock.lock();
     --in_hand_;
     if (problem && !failure_) failure_ = problem;

@@ -15,7 +15,7 @@ namespace {
 
 namespace chrono = std::chrono;
 
-// All of the text as a whole number of `fewest` to `most` digits; nothing else.
+// The whole text as a whole number of `fewest` to `most` digits; else none.
 std::optional<int> digits(std::string_view text, std::size_t fewest, std::size_t most) {
   const bool fits = text.size() >= fewest && text.size() <= most && !text.starts_with('-');
   return fits ? number_from<int>(text) : std::nullopt;
@@ -33,7 +33,7 @@ Milliseconds unit_of(char letter) {
   return letter == 'h' ? kHour : letter == 'm' ? kMinute : letter == 's' ? kSecond : 0;
 }
 
-// "1h30m" -> its length; nothing when it is not made of numbers with units.
+// "1h30m" -> its length; none when it is not made of numbers with units.
 std::optional<Milliseconds> length_of(std::string_view text) {
   constexpr double kLongest = 1000.0 * 366.0 * static_cast<double>(kDay);
   double total = 0.0;

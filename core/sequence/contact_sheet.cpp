@@ -22,7 +22,7 @@ Span span_of(int pixel, int small, int large) {
   return {edge(pixel), std::max(edge(pixel) + 1, edge(pixel + 1))};
 }
 
-// Near 16:9, and rather a little off it than with holes in the last row.
+// Number of columns for a shape near 16:9. Rather a little off it than with empty cells in the last row.
 int column_count(int count, int cell_width, int cell_height) {
   constexpr double kWeightOfShape = 0.3;  // 10 % off the shape are as bad as 3 % of the cells empty
   const double ideal = std::sqrt(count * 16.0 / 9.0 * cell_height / cell_width);

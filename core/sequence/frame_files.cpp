@@ -14,7 +14,7 @@ std::string shard_suffix(const Shard& shard) {
   return shard.count == 1 ? "" : "." + std::to_string(shard.index) + "-of-" + std::to_string(shard.count);
 }
 
-// A folder only where the user named one: "./" in front of every name would be noise.
+// Puts the folder before the name only if the user named one, since "./" before every name would be noise.
 std::string in_folder(const FramePattern& pattern, const std::string& name) {
   return pattern.folder == "." ? name : (fs::path(pattern.folder) / name).string();
 }

@@ -15,13 +15,13 @@ namespace {
 constexpr const char* kElevation = "/sun/elevation_deg";
 constexpr const char* kAzimuth = "/sun/azimuth_deg";
 
-// 4 mm of the sun's path on the ground: the last digits of a double depend on the machine's libm, and would be seen in
-// presets and names of frames.
+// 1e-6 degrees are 4 mm of the sun's path on the ground. The last digits of a double depend on the machine's libm and
+// would show in presets and names of frames.
 double round_to_micro(double value) {
   return std::round(value * 1e6) / 1e6 + 0.0;  // never -0
 }
 
-// To 15 digits: -1.6 and not -1.5999999999999996.
+// Rounds to 15 digits: -1.6 and not -1.5999999999999996.
 double without_rounding_noise(double value) {
   char text[40];
   const auto written = std::to_chars(text, text + sizeof text, value, std::chars_format::general, 15);
@@ -61,7 +61,7 @@ SunPath path_from(const SunPathOrder& order, const std::string& prefix, const st
   return path;
 }
 
-// The value of one pointer at a frame, from the key frames that have it around; empty where none has.
+// The value of one pointer at a frame, from the key frames with that pointer on both sides; empty where none has it.
 std::vector<double> value_at(const KeyFrames& sequence, const std::string& pointer, double at) {
   const KeyFrame* before = nullptr;
   const KeyFrame* after = nullptr;

@@ -10,9 +10,8 @@ namespace {
 
 constexpr double kUnixEpoch = 2440587.5;  // Julian date of 1970-01-01 00:00
 
-// TT - UT, s: from leap seconds while there are any, else the mean course of history in Morrison and Stephenson,
-// Journal for the History of Astronomy 35 (2004) 327. The sun moves 0.04 arc seconds in a second: a rough value will
-// do.
+// TT - UT, s: from leap seconds where they exist, else the mean course of history in Morrison and Stephenson, Journal
+// for the History of Astronomy 35 (2004) 327. The sun moves 0.04 arc seconds in a second, so a rough value suffices.
 double delta_t(Milliseconds utc) {
   constexpr double kTerrestrialMinusAtomic = 32.184;
   const CivilDate date = date_of(utc);
@@ -39,18 +38,19 @@ Earth earth_at(double tt) {
     return earth;
   }
   constexpr int kEarthAndMoon = 3;
-  (void)eraPlan94(kUnixEpoch, tt, kEarthAndMoon, heliocentric);  // a year outside 1000 to 3000 is but a warning
+  (void)eraPlan94(kUnixEpoch, tt, kEarthAndMoon, heliocentric);  // a year outside 1000 to 3000 is only a warning
   eraCp(heliocentric[0], earth.from_sun);
   eraCp(heliocentric[1], earth.velocity);
   return earth;
 }
 
-// From the Earth's centre to the sun as it is seen, m, J2000's axes: aberration bends, light time is in the motion.
+// Vector from the Earth's centre to the apparent sun, m, J2000's axes. Aberration is applied; light time is part of the
+// motion.
 void apparent_sun(Earth earth, double out[3]) {
   double direction[3], seen[3], velocity[3], distance = 0.0;
   eraSxp(-1.0, earth.from_sun, direction);
   eraPn(direction, &distance, direction);
-  eraSxp(ERFA_AULT / ERFA_DAYSEC, earth.velocity, velocity);  // over that of light
+  eraSxp(ERFA_AULT / ERFA_DAYSEC, earth.velocity, velocity);  // in units of the speed of light
   const double speed = eraPm(velocity);
   eraAb(direction, velocity, distance, std::sqrt(1.0 - speed * speed), seen);
   eraSxp(distance * ERFA_DAU, seen, out);

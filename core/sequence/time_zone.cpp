@@ -49,7 +49,7 @@ bool is_zone_file(const fs::path& file) {
   return stream.read(magic.data(), magic.size()) && std::string_view(magic.data(), magic.size()) == "TZif";
 }
 
-// A name that leads out of the folder is none.
+// Whether the name stays inside the folder; a name that leads out of it is no zone.
 bool stays_inside(const fs::path& name) {
   return !name.empty() && name.is_relative() &&
          std::ranges::none_of(name, [](const fs::path& part) { return part == ".." || part == "."; });

@@ -11,9 +11,9 @@
 namespace airlight {
 namespace {
 
-// Three: where a matrix made for the scene does best from noon to a sun of 3 degrees. More: fitted, with free matrices,
-// to 1608 spectra of single scattering over clear and hazy air (sun 60 to -6 degrees, aerosol depth 0.005 to 0.5, ozone
-// 220 to 450 DU) and to skies of all orders.
+// Three: the wavelengths at which a matrix made for the scene does best from noon to a sun of 3 degrees. More: fitted,
+// with free matrices, to 1608 spectra of single scattering over clear and hazy air (sun 60 to -6 degrees, aerosol depth
+// 0.005 to 0.5, ozone 220 to 450 DU) and to skies of all orders.
 constexpr std::array<double, 3> kThree{449, 541, 615};
 constexpr std::array<double, 4> kFour{446, 526, 582, 648};
 constexpr std::array<double, 5> kFive{439, 487, 539, 601, 643};
@@ -39,9 +39,9 @@ std::span<const double> fitted_nodes(int count) {
 
 constexpr double kNarrow = 10.0;
 
-// Bands are as wide as a fine one where two do not overlap. Half the gap to each neighbour is too wide: the mean of
-// ozone's absorption is not what light after a long way through it has met (3.4 % where this is 0.7, sun at 0.5
-// degrees).
+// Bands are as wide as a fine one where two do not overlap. Half the gap to each neighbour would be too wide: the mean
+// of ozone's absorption differs from the absorption that light meets on a long way through it (3.4 % instead of 0.7,
+// sun at 0.5 degrees).
 Nodes with_bands(std::span<const double> nm) {
   return listed_nodes({nm.begin(), nm.end()}, kNarrow);
 }
@@ -68,7 +68,7 @@ Equations equations_of(const std::vector<ColouredSpectrum>& samples, std::size_t
   Equations e{std::vector<double>(n * n), std::vector<double>(n)};
   for (const ColouredSpectrum& sample : samples) {
     const Rgb& colour = sample.colour;
-    // A channel near 0 beside the others is no place for relative errors.
+    // A channel near 0 beside the others is unfit for relative errors.
     const double most = std::max({std::fabs(colour[0]), std::fabs(colour[1]), std::fabs(colour[2])});
     const double scale = std::max(std::fabs(colour[channel]), 0.02 * most);
     if (!(scale > 0.0)) {
@@ -141,7 +141,7 @@ ColourMatrix fitted_matrix(const std::vector<ColouredSpectrum>& samples, const C
     for (std::size_t i = 0; i < n; ++i) {
       trace += e.left[i * n + i];
     }
-    // Without samples the prior alone, its sum mended.
+    // Without samples the result is the prior, with its sum corrected.
     const double ridge = trace > 0.0 ? stiffness * trace / static_cast<double>(n) : 1.0;
     for (std::size_t i = 0; i < n; ++i) {
       e.left[i * n + i] += ridge;
@@ -149,7 +149,7 @@ ColourMatrix fitted_matrix(const std::vector<ColouredSpectrum>& samples, const C
     }
     const Cholesky factors(std::move(e.left), n);
     std::vector<double> row = factors.solve(std::move(e.right));
-    // The nearest, in the same measure, whose sum is the sun's colour.
+    // The nearest row, in the same measure, whose sum is the sun's colour.
     const std::vector<double> one = factors.solve(std::vector<double>(n, 1.0));
     const double missing = (sun[c] - sum_of(row)) / sum_of(one);
     for (std::size_t i = 0; i < n; ++i) {
@@ -177,15 +177,15 @@ ColourMatrix lit_matrix(ColourMatrix matrix, const ColourMatrix& plain) {
 }
 
 ColourMatrix universal_matrix(const Nodes& nodes, const BandColours& colours) {
-  // Air scatters by the power 0 to 1 of Rayleigh's law, and light has gone through so many verticals of it, of haze and
-  // of ozone (300 DU each).
+  // Air scatters by the power 0 to 1 of Rayleigh's law. The light has passed through so many verticals of air, of haze
+  // and of ozone (300 DU each).
   constexpr std::array<double, 3> kPowers{0.0, 0.4, 1.0};
   constexpr std::array<double, 5> kAir{0.0, 1.0, 4.0, 10.0, 25.0};
   constexpr std::array<double, 3> kHaze{0.0, 0.3, 2.0};
   constexpr std::array<double, 4> kOzone{0.0, 2.0, 8.0, 20.0};
   constexpr double kOzoneMolecules = 300.0 * kMoleculesPerDobsonUnit;
 
-  // A wavelength's logarithms of what each part of the air leaves of light.
+  // For a wavelength: the logarithms of what each part of the air transmits.
   struct Wavelength {
     double scatters = 0.0;
     double air = 0.0;

@@ -13,7 +13,7 @@ double log_of(double value) {
   return std::log(std::max(value, kSmallest));
 }
 
-// Where x stands in an ascending list: between k and k + 1, so much of the way.
+// The place of x in an ascending list: between k and k + 1, at this fraction of the way.
 struct Place {
   std::size_t k = 0;
   double share = 0.0;

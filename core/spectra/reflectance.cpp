@@ -7,8 +7,8 @@ namespace {
 
 constexpr std::size_t kBands = kFineBands;
 
-// What is minimised as a matrix, sum of (x[b + 1] - x[b])^2, with sum over c of (A x)[c]^2 added: where A x is given
-// that changes nothing, and makes it definite.
+// The matrix of the minimised sum of (x[b + 1] - x[b])^2, plus the sum over c of (A x)[c]^2. As A x is given, the added
+// sum does not change the minimum, but it makes the matrix definite.
 std::vector<double> slopes_and_colours(const std::array<std::array<double, kBands>, 3>& a) {
   std::vector<double> matrix(kBands * kBands);
   for (std::size_t i = 0; i < kBands; ++i) {
@@ -38,7 +38,7 @@ std::array<Curve, 3> reflectances_of_primaries(const Curve& sun, White white) {
     }
   }
   const Cholesky slopes(slopes_and_colours(a), kBands);
-  std::array<std::vector<double>, 3> towards;  // the least slope toward a unit of each multiplier
+  std::array<std::vector<double>, 3> towards;  // the least slope for a unit of each multiplier
   std::vector<double> gram(9);
   for (std::size_t c = 0; c < 3; ++c) {
     towards[c] = slopes.solve({a[c].begin(), a[c].end()});

@@ -18,7 +18,7 @@ std::string first_line(const Examination& e) {
   return "# " + e.version + ", stability, " + e.form + ", " + e.device + "\n";
 }
 
-// Shortest form that reads back as the same number; a NaN, which stands for "not taken", as nothing.
+// Shortest form that reads back as the same number; a NaN ("not taken") is written as nothing.
 std::string text_of(double value) {
   if (std::isnan(value)) {
     return {};

@@ -22,11 +22,11 @@ constexpr double kAlmostTop = 0.999;  // of the air's height: some methods march
 
 struct Weighted {
   std::vector<Direction> directions;
-  std::vector<double> weights;  // |mu| d omega, mirror images counted in
+  std::vector<double> weights;  // |mu| d omega, mirror images included
 };
 
-// Directions between two zenith cosines, dense next to the first of them and to the azimuth opposite to the sun: light
-// scattered back stands in a peak there.
+// Directions between two zenith cosines, dense next to the first of them and next to the azimuth opposite the sun,
+// where light scattered back has a peak.
 void add_band(Weighted& out, double mu_from, double mu_to, int nodes) {
   const GaussRule rule = gauss_legendre(nodes);
   const GaussRule around = gauss_legendre(kHalfAzimuths);
@@ -62,8 +62,8 @@ double upward_flux(const Shot& shot, const std::vector<double>& weights, std::si
   return sum;
 }
 
-// The share of the sunlight on the sphere around the planet at this altitude that passes through the rim of the air and
-// meets neither air nor ground.
+// Share of the sunlight on the sphere around the planet at this altitude that passes through the rim of the air without
+// meeting air or ground.
 physics::vec3 passing_share(physics::Physics p, double altitude) {
   const physics::PlanetData& planet = p.scene.planet;
   const GaussRule rule = gauss_legendre(kRimNodes);

@@ -15,7 +15,7 @@ using physics::vec3;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kAureole = 0.26;  // rad: near the sun a peaked phase function is no measure of energy
 
-// Everything that a picture of a place depends on, of a sweep's direction set.
+// A key of all that a picture of a place depends on, with the sweep's set of directions.
 std::string key_of(const Scene& scene, const Place& place, const Sweep& sweep) {
   std::string key = scene.render.method + (sweep.narrow ? " narrow" : " round");
   for (const Quantity q : {Quantity::sun_elevation, Quantity::altitude, Quantity::optical_depth, Quantity::asymmetry,
@@ -44,13 +44,13 @@ void count_unsound(Cell& cell, const vec3& v, double most) {
   }
 }
 
-// A value that is not finite would make every mean so; it is counted already.
+// Replaces values that are not finite, which would spoil every mean; they are already counted.
 vec3 finite(const vec3& v) {
   const auto of = [](double x) { return std::isfinite(x) ? x : 0.0; };
   return {of(v.x), of(v.y), of(v.z)};
 }
 
-// The mean over the directions away from the sun, each by the solid angle that its row stands for.
+// The mean over the directions away from the sun, each weighted by the solid angle of its row.
 double mean_brightness(const std::vector<vec3>& radiance, const std::vector<Direction>& directions,
                        const Scene& scene) {
   double sum = 0.0;
@@ -81,7 +81,7 @@ double mean_converged(const std::vector<Look>& looks) {
   return sum;
 }
 
-// The cells of one picture: one, or in a narrow sweep one a pixel, from the lowest up.
+// The cells of one picture: a single one, or in a narrow sweep one a pixel, from the lowest up.
 std::vector<Examined> examine_place(const DeviceOnDemand& device, const Subject& subject, const Sweep& sweep,
                                     const Place& place, ConvergedShots& kept) {
   const Scene looked = looking(scene_at(place), sweep);
@@ -107,7 +107,7 @@ std::vector<Examined> examine_place(const DeviceOnDemand& device, const Subject&
   return out;
 }
 
-// The global balance depends on air and method, not on where sun and camera stand.
+// The global balance depends on air and method, not on the place of sun and camera.
 class Energies {
  public:
   double of(const DeviceOnDemand& device, const Subject& subject, const Sweep& sweep, const Place& place) {
@@ -129,7 +129,7 @@ void take_jumps(std::vector<Examined>& all, std::size_t width, double mean_of_al
   const auto between = [&](std::size_t i, std::size_t j) {
     const double mean = std::max(mean_converged(all[i].looks), mean_converged(all[j].looks));
     const double jump = jump_between(all[i].looks, all[j].looks, std::max(mean, mean_of_all));
-    // It belongs to the cell that errs more.
+    // The jump belongs to the cell with the larger error.
     Cell& worse = all[i].cell.error > all[j].cell.error ? all[i].cell : all[j].cell;
     worse.jump = std::max(worse.jump, jump);
   };
@@ -155,7 +155,7 @@ Block examine(const DeviceOnDemand& device, const Subject& subject, const Sweep&
       report(std::min(done, 1.0));
     }
   };
-  // Column by column: what changes along x is often the air, whose tables serve the whole column.
+  // Column by column: the quantity along x is often of the air, whose tables serve the whole column.
   for (std::size_t x = 0; x < (sweep.narrow ? 1 : width); ++x) {
     for (std::size_t y = 0; y < height; ++y) {
       const Place place = place_of(sweep, x, y);
@@ -171,7 +171,7 @@ Block examine(const DeviceOnDemand& device, const Subject& subject, const Sweep&
     }
   }
   for (std::size_t y = 0; y < height; ++y) {
-    // Directions of a narrow row stand against the row's mean: one alone may be black.
+    // Directions of a narrow row are relative to the row's mean, since a single one may be black.
     double row = 0.0;
     for (std::size_t x = 0; sweep.narrow && x < width; ++x) {
       row += mean_converged(all[y * width + x].looks) / static_cast<double>(width);

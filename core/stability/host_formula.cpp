@@ -1,4 +1,4 @@
-// The methods' formulas on the host in double: what the device's 32 bits are measured against.
+// The methods' formulas on the host in double, with which the device's 32 bits are compared.
 
 #include "core/methods/scene_air.h"
 #include "core/stability/shot.h"

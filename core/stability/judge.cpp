@@ -17,9 +17,9 @@ constexpr double kMostNarrowJump = 0.01;   // between directions a fortieth of a
 constexpr double kMostJump = 0.05;         // between cells of the coarse sweeps
 constexpr double kExplainedBySlope = 0.5;  // of the converged radiance's own change
 constexpr double kMostEnergy = 1.01;       // the quadrature over the globe is good to less than 1 %
-constexpr double kGlory = -0.9;            // an asymmetry as sharp as this sends light back within a few degrees
+constexpr double kGlory = -0.9;            // asymmetry at least as sharp as this sends light back within a few degrees
 constexpr double kLeastEnergy = 0.9;       // where nothing absorbs
-constexpr double kMostBrightness = 2.0;    // no air under one sun is brighter than that all round
+constexpr double kMostBrightness = 2.0;    // air under one sun is never brighter than this, all round
 constexpr double kFloor = 1e-3;
 constexpr double kBlack = 1e-12;  // radiance under a sun of irradiance 1: starlight is brighter
 

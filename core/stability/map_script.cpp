@@ -10,7 +10,7 @@
 namespace airlight::stability {
 namespace {
 
-constexpr double kLowError = 1e-5;  // of the colours; what is less has the darkest
+constexpr double kLowError = 1e-5;  // of the colours; smaller errors have the darkest
 constexpr int kAcross = 2;          // panels in a row
 constexpr int kPanelWidth = 520;
 constexpr int kPanelHeight = 330;
@@ -28,7 +28,7 @@ std::string palette() {
   return text + ")\n";
 }
 
-// Rows "column row error letter": the letter is that of the worst symptom, "-" where there is none.
+// Rows "column row error letter", with the letter of the worst symptom, "-" for none.
 std::string data_block(const std::string& name, const Sweep& sweep, const Block& block) {
   std::ostringstream out;
   out << "$" << name << " << EOD\n";

@@ -35,7 +35,7 @@ struct Readback {
   BufferId buffer;
 };
 
-// The tables that are kept from plan to plan: of the air, not of the picture.
+// The tables kept from plan to plan, which depend on the air and not on the picture.
 std::vector<Readback> read_tables(Plan& plan) {
   std::vector<Readback> list;
   for (std::uint32_t i = 0; i < plan.images().size(); ++i) {

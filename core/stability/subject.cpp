@@ -16,7 +16,7 @@ bool has_tables(const SkyMethod& method) {
                      [](const ParameterInfo& info) { return info.kind == ParameterKind::table_size; });
 }
 
-// The greater side as wished, the other in the default's proportion, both within the parameter's limits.
+// The greater side as requested, the other in the default's proportion, both within the parameter's limits.
 TableSize scaled(const ParameterInfo& info, TableSize size, double greater) {
   const double factor = greater / std::max(size[0], size[1]);
   for (int& side : size) {

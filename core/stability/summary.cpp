@@ -34,7 +34,7 @@ std::string worst_text(char symptom, double worst) {
   }
 }
 
-// What one cause explains, over all sweeps and symptoms: one row of the page.
+// All that one cause explains, over sweeps and symptoms: one row of the page.
 struct Row {
   std::string cause;
   std::vector<std::pair<char, double>> worst;  // by symptom

@@ -51,7 +51,7 @@ std::vector<double> doublings(double first, double last) {
   return out;
 }
 
-// n - 1 more between each two.
+// Inserts n - 1 values between each two.
 std::vector<double> refined(const std::vector<double>& list, int n) {
   std::vector<double> out;
   for (std::size_t i = 0; i + 1 < list.size(); ++i) {
@@ -81,7 +81,7 @@ std::vector<double> column_views() {
   return out;
 }
 
-// How a form thins or refines the lists above.
+// The form's version of a list above, thinned or whole.
 std::vector<double> of_form(const std::vector<double>& list, Form form, std::size_t quick, std::size_t brief) {
   return form == Form::quick ? thinned(list, quick) : thinned(list, form == Form::brief ? brief : 1);
 }
@@ -93,7 +93,7 @@ Place at(double sun, double altitude) {
   return place;
 }
 
-// The same over a white ground, in air that absorbs nothing.
+// The same over a white ground, in air without absorption.
 Place white_at(double sun, double altitude) {
   Place place = at(sun, altitude);
   place.set(light_kept, 1.0);
@@ -207,8 +207,8 @@ std::vector<Sweep> sweeps(Form form) {
                   .x = asymmetry,
                   .y = optical_depth,
                   .xs = quick ? std::vector<double>{-0.95, 0.4, 0.8} : of_form(kAsymmetries, form, 6, 4),
-                  // A thicker haze takes `orders` a minute of a processor a cell; the full form has it. From 0.4 on it
-                  // is cut into shells, which the molecules above show to a quick run.
+                  // A thicker haze takes `orders` a minute of processor time a cell, so only the full form has it. From
+                  // 0.4 on the air is cut into shells, which a quick run tests with the molecules above.
                   .ys = quick                ? std::vector<double>{0.3}
                         : form == Form::full ? powers(0.01, 100.0, 2)
                                              : powers(0.01, 1.0, 1),

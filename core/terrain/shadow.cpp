@@ -1,5 +1,5 @@
 // The terrain's shadow as a table: at each place the altitude below which the sun is hidden. One sweep along the way
-// from the sun does: what a place is shaded by is the terrain next to it on that way, or what that is shaded by.
+// from the sun is enough: a place is shaded by the terrain next to it on that way, or by what shades that terrain.
 
 #include <algorithm>
 #include <array>
@@ -19,8 +19,8 @@ using physics::HostTerrain;
 using physics::TerrainData;
 
 constexpr double kMostTexels = 4e6;
-constexpr double kLongest = 300.0;  // km: behind the map beyond that a shadow goes on as it is there
-constexpr double kNothing = -1e4;   // km: what casts no shadow
+constexpr double kLongest = 300.0;  // km behind the map; a shadow does not change further on
+constexpr double kNothing = -1e4;   // km: height of terrain that casts no shadow
 
 struct Span2 {
   double low = std::numeric_limits<double>::infinity();
@@ -31,7 +31,7 @@ struct Span2 {
   }
 };
 
-// How far behind the map a shadow of this height still stands above the ground.
+// Distance behind the map up to which a shadow of this height is above the ground.
 double shadow_length(double height, double elevation, double radius) {
   const double e = std::max(elevation, 0.0);
   const double left = e * e - 2.0 * height / radius;
@@ -58,7 +58,7 @@ void place_table(TerrainData& t, const Scene& scene, double highest) {
   const double low_sun = scene.sun.elevation + along.low / radius - scene.sun.disc.angular_radius;
   along.low -= shadow_length(highest, low_sun, radius);
   const double area = (along.high - along.low) * (aside.high - aside.low);
-  // Finer than the map, whose heights it cuts across.
+  // Finer than the map, since it cuts across the map's heights.
   t.shadow_texel = std::max(0.25 * t.texel, std::sqrt(area / kMostTexels));
   t.shadow_along = along.low;
   t.shadow_aside = aside.low;

@@ -17,13 +17,13 @@ namespace {
 using physics::HostTerrain;
 using physics::TerrainData;
 
-// Heights at or below the ground sphere are put here, km: so far under it that rounding does not lift them.
+// Altitude for heights at or below the ground sphere, km: so low that rounding does not lift them above it.
 constexpr double kUnderground = -1e-3;
 
 constexpr int kRidgeColumns = 1024;
 constexpr int kRidgeRows = 512;
 
-// -1 to 1, of a corner of the grid (the finalizer of MurmurHash3).
+// A number from -1 to 1 for a corner of the grid (the finalizer of MurmurHash3).
 double corner(std::uint32_t seed, int x, int y, int octave) {
   std::uint32_t n = seed * 0x9E3779B9U + static_cast<std::uint32_t>(x) * 0x85EBCA6BU +
                     static_cast<std::uint32_t>(y) * 0xC2B2AE35U + static_cast<std::uint32_t>(octave) * 0x27D4EB2FU;
@@ -47,7 +47,7 @@ double noise(std::uint32_t seed, double x, double y, int octave) {
   return std::lerp(upper, lower, v);
 }
 
-// Ridged noise: sharp where each octave changes its sign, rough where the ones before are high. About 0 to 1.
+// Ridged noise, about 0 to 1: sharp where an octave changes its sign, rough where the previous octaves are high.
 double ridged(std::uint32_t seed, double x, double y) {
   constexpr int kOctaves = 8;
   double sum = 0.0;
@@ -69,7 +69,7 @@ double smooth(double x) {
   return t * t * (3.0 - 2.0 * t);
 }
 
-// A seeded mountain range: heights in km, row by row, 0 at the edges; the highest is as high as the ridge says.
+// A seeded mountain range: heights in km, row by row, 0 at the edges; the highest is the ridge's height.
 std::vector<double> ridge_heights(const Ridge& ridge) {
   constexpr double kFeatures = 9.0;  // of the coarsest octave along the range
   const auto seed = static_cast<std::uint32_t>(ridge.seed);
@@ -170,7 +170,7 @@ void put_colours(HostTerrain& out, const Terrain& terrain) {
   }
 }
 
-// Without albedo.
+// The terrain at its place, without albedo.
 HostTerrain placed(const Terrain& terrain) {
   HostTerrain out;
   TerrainData& t = out.shape;
@@ -230,7 +230,7 @@ std::string terrain_key(const Terrain& terrain) {
 }
 
 std::shared_ptr<const HostTerrain> terrain_of(const Scene& scene) {
-  constexpr std::size_t kKept = 4;  // two groups of wavelengths, and what stands for all
+  constexpr std::size_t kKept = 4;  // two groups of wavelengths, and the channels that stand for all
   struct Kept {
     std::string key;
     std::string heights;

@@ -40,7 +40,7 @@ std::string header_of(const std::string& identity) {
   return std::string(kMagic) + identity + "\n";
 }
 
-// The first line in which two identities differ: what the scene has, and what the file has.
+// The first line in which two identities differ: the scene's and the file's.
 std::string difference(std::string_view scene, std::string_view file) {
   while (!scene.empty() || !file.empty()) {
     const std::string_view a = scene.substr(0, scene.find('\n'));

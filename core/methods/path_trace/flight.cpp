@@ -11,21 +11,21 @@ using physics::vec3;
 
 namespace {
 
-// How far a density may bend within a shell, as a share of it; vertical optical depth of a shell that counts as thin,
-// and as nothing; how many thin shells are too many.
+// Greatest bend of a density within a shell, as a share of it; vertical optical depth of a thin shell, and of a
+// negligible one; number of thin shells that is too many.
 constexpr double kStraight = 0.15;
 constexpr double kThin = 0.45;
 constexpr double kNothing = 1e-9;
 constexpr std::size_t kManyShells = 48;
 constexpr std::size_t kMostShells = 512;  // 66 KB of guide each
 
-// Part of a guided choice that goes by collisions alone, next to the guided part of 1.
+// Weight of the unguided part of a choice, by collisions alone, next to the guided part of 1.
 constexpr double kUnguided = 0.25;
 
 // Altitudes nearer than this share of the shell to its edges count as inside: a profile may jump at an edge.
 constexpr double kInside = 1e-6;
 
-// exp(-x) well enough to share out samples.
+// exp(-x), accurate enough to distribute samples.
 double rough_transmittance(double x) {
   return 1.0 / (1.0 + x * (1.0 + x * (0.5 + x * (1.0 / 6.0))));
 }
@@ -34,8 +34,8 @@ double rough_transmittance(double x) {
 
 Flight::Flight(physics::Physics& physics, const OpticalDepth& depth) : physics_(physics) {
   const std::vector<double> ends = this->corners();
-  // Thicker where thick air asks for more shells than pay; then more bent, where they would fill the memory. Neither
-  // enters a result: shells only steer samples.
+  // Shells are thicker where thick air would need more of them than pay, then more bent where they would fill the
+  // memory. Neither changes a result: shells only steer samples.
   const auto divide_all = [&](const Thinness& thin) {
     edges_.assign(1, 0.0);
     for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
@@ -123,7 +123,7 @@ Flight::Coefficients Flight::at(double h) const {
   return {channels_of(extinction), channels_of(scattering)};
 }
 
-// Mean cosine of what scatters.
+// Mean cosine of the scattering.
 Channels Flight::asymmetry_at(double h) const {
   vec3 forward(0.0);
   vec3 all(0.0);
@@ -146,7 +146,7 @@ Channels Flight::asymmetry_at(double h) const {
   return mean;
 }
 
-// Appends the edges above `low`, so close that a line through the ends of each shell meets its middle, and that no
+// Appends the edges above `low`, so close that the straight line through the ends of each shell meets its middle and no
 // shell is thick.
 void Flight::divide(double low, double high, const Thinness& thin) {
   const double middle = 0.5 * (low + high);
@@ -184,7 +184,7 @@ std::size_t Flight::shell_of(double h) const {
   return static_cast<std::size_t>(std::upper_bound(edges_.begin() + 1, edges_.end() - 1, h) - edges_.begin()) - 1;
 }
 
-// Writes down one ray's way through the shells. `guide` may be null.
+// Records one ray's way through the shells. `guide` may be null.
 class Flight::Planner {
  public:
   Planner(const Guide* guide, const physics::Physics::Ray& ray, double r, double sun_weight, FlightPlan& plan)
@@ -233,14 +233,14 @@ class Flight::Planner {
     }
   }
 
-  // Steered as level ground is.
+  // Terrain is steered like level ground.
   void add_terrain(const Channels& albedo) {
     add_ground(albedo);
     plan_.on_terrain = true;
   }
 
-  // Sums up, and puts a part of the choice back on what collides and scatters: no share falls far below that, however
-  // wrong the guide is.
+  // Sums up, and returns a part of the choice to collisions and scattering: no share falls far below its unguided one,
+  // however wrong the guide is.
   void finish() {
     Channels plain = ground_;
     plan_.total = plan_.ground;

@@ -1,4 +1,4 @@
-// Drawing from a plan: which panel or surface a path goes to, and where in it.
+// Draws from a plan: the panel or surface that a path goes to, and the place in it.
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ double weigh(const Channels& weight, const Channels& share) {
   return weight[0] * share[0] + weight[1] * share[1] + weight[2] * share[2];
 }
 
-// A place in one panel by the channel's exponential, with the extinction linear over the panel. u in [0, 1).
+// A place in one panel, by the channel's exponential with linear extinction over the panel. u in [0, 1).
 double place_in(const FlightPlan::Panel& panel, std::size_t channel, double u) {
   const double enter = panel.enter[channel];
   const double slope = (panel.leave[channel] - enter) / panel.width;
@@ -23,7 +23,7 @@ double place_in(const FlightPlan::Panel& panel, std::size_t channel, double u) {
   return divisor > 0.0 ? std::min(2.0 * depth / divisor, panel.width) : 0.0;
 }
 
-// How dense that choice is at x, 1/km.
+// Density of that choice at x, 1/km.
 double density_in(const FlightPlan::Panel& panel, std::size_t channel, double x) {
   const double enter = panel.enter[channel];
   const double slope = (panel.leave[channel] - enter) / panel.width;

@@ -20,7 +20,7 @@ constexpr double kFadePerDegree = 0.3;
 // Mean slant of diffuse light: its path through a level shell over the shell's height.
 constexpr double kSlant = 1.66;
 
-// What no guess is allowed to fall below, so that everything stays possible.
+// Lower limit of every guess, so that every choice remains possible.
 constexpr double kLeast = 1e-9;
 
 Channels channels(vec3 v) {
@@ -44,7 +44,8 @@ Guide::Guide(physics::Physics& physics, const OpticalDepth& depth, const std::ve
   }
 }
 
-// Sunlight at every altitude of a vertical, on which the sun stands equally high everywhere, and what becomes of it.
+// Fills in direct sunlight at every altitude of a vertical, on which the sun has the same elevation everywhere, and the
+// light of all orders.
 void Guide::fill_column(physics::Physics& physics, const OpticalDepth& depth, const std::vector<GuideShell>& shells,
                         int node) {
   const double mu = mu_of(node);
@@ -66,12 +67,12 @@ void Guide::fill_column(physics::Physics& physics, const OpticalDepth& depth, co
   }
 }
 
-// Light of all orders by two streams, up and down, added shell by shell: from the ground, what is below a shell's top
-// sends up by itself and reflects; then from the top, what comes down.
+// Light of all orders by two streams, up and down, shell by shell. From the ground up: the light that everything below
+// a shell's top sends up, and its reflectance. Then from the top down: the downward light.
 void Guide::add_orders(const std::vector<GuideShell>& shells, double albedo, int node, std::size_t c) {
   const auto light = [&](std::size_t row) -> Light& { return rows_[row * kNodes + static_cast<std::size_t>(node)]; };
   struct Layer {
-    double reflects, passes, up, down;  // of light that enters; of sunlight scattered inside
+    double reflects, passes, up, down;  // for light that enters; for sunlight scattered inside
     double below_reflects, below_sends;
   };
   std::vector<Layer> layers;
@@ -96,13 +97,13 @@ void Guide::add_orders(const std::vector<GuideShell>& shells, double albedo, int
     falls = (layer.passes * falls + layer.down + layer.reflects * layer.below_sends) /
             (1.0 - layer.reflects * layer.below_reflects);
     rises = layer.below_reflects * falls + layer.below_sends;
-    // Twice the flux over both halves of the sphere, as much as a sun that scatters isotropically.
+    // Twice the flux over both half spheres: as much as a sun that scatters isotropically.
     light(k + 1).sky[c] = above + falls + rises;
   }
   light(0).sky[c] = 4.0 * falls;
 }
 
-// Light also comes from the side where the sun stands higher.
+// Light also comes from the side where the sun is higher.
 void Guide::spread(std::size_t row) {
   for (int node = kNodes - 2; node >= 0; --node) {
     const double degrees = (std::asin(mu_of(node + 1)) - std::asin(mu_of(node))) * 180.0 / std::numbers::pi;

@@ -9,10 +9,10 @@
 namespace airlight {
 namespace {
 
-// Raised whenever the same seed no longer means the same samples.
+// To be raised whenever the same seed gives other samples.
 constexpr int kSampler = 1;
 
-// Collects `POINTER value` lines. 17 digits bring a double back to the bit.
+// Collects `POINTER value` lines. 17 digits restore a double exactly.
 class Lines {
  public:
   void add(const std::string& pointer, double value) {
@@ -74,7 +74,7 @@ void add_matter(Lines& lines, const std::string& at, const Scene& scene) {
   }
 }
 
-// Three by three, with their colours, which are what is summed.
+// The groups of three wavelengths, with their colours, whose sum is the picture.
 void add_wavelengths(Lines& lines, const SpectralScene& spectral) {
   lines.add("wavelengths", static_cast<double>(spectral.nodes.nm.size()));
   for (std::size_t g = 0; g < spectral.groups.size(); ++g) {

@@ -11,7 +11,7 @@ using physics::vec3;
 namespace {
 
 constexpr int kMostNodes = 12;
-// Scale heights after which an exponential medium is over: exp(-18) = 1.5e-8 of it is left out.
+// Number of scale heights at which an exponential medium ends: exp(-18) = 1.5e-8 of it is left out.
 constexpr double kOver = 18.0;
 
 }  // namespace
@@ -66,9 +66,9 @@ void OpticalDepth::add_pieces(uint i) {
   }
 }
 
-// Narrow around the peak, whose poles lie at half_width above and below the real axis; nowhere more than two scale
-// heights, and not where nothing is left: exp(-80) of the largest coefficient over the longest path is a depth of
-// 1e-22.
+// Pieces are narrow around the peak, whose poles lie at half_width above and below the real axis, and nowhere longer
+// than two scale heights. They end where nothing is left: exp(-80) of the largest coefficient over the longest path is
+// a depth of 1e-22.
 void OpticalDepth::add_lorentzian(uint i, const MediumData& m) {
   constexpr double kGone = 80.0;
   const double top = std::min(physics_.scene.planet.atmosphere_height, kGone * m.scale_height);
@@ -82,7 +82,7 @@ void OpticalDepth::add_lorentzian(uint i, const MediumData& m) {
   }
 }
 
-// Each segment as layers of its own, so that a look-up does not walk through all of them.
+// Each segment becomes layers of its own, so that a look-up need not pass through all of them.
 void OpticalDepth::add_layers(uint i, const MediumData& m) {
   const double top = physics_.scene.planet.atmosphere_height;
   const auto altitude = [&](uint k) { return physics_.density_layer(m.first_layer + k).x; };
@@ -99,7 +99,7 @@ void OpticalDepth::add_layers(uint i, const MediumData& m) {
   add_piece(Shape::constant, i, part, altitude(m.layer_count - 1), top);
 }
 
-// The ray as one way up, or as two from its lowest point.
+// Visits the ray as one climb, or as two from its lowest point.
 template <class Visit>
 void OpticalDepth::for_each_climb(double h, double mu, double distance, const Visit& visit) const {
   const physics::Physics::Ray ray{h, mu, 0.0, 0.0, distance, false};
@@ -204,7 +204,8 @@ double OpticalDepth::column(const Piece& piece, const Climb& path) const {
   if (piece.shape == Shape::constant) {
     return (to - from) * physics_.density(piece.profile, piece.medium, 0.5 * (low + high));
   }
-  // On a small planet altitude bends sharply along the ray: panels no longer than twice the radius where they begin.
+  // On a small planet altitude bends sharply along the ray: a panel is at most twice as long as the radius at its
+  // start.
   double sum = 0.0;
   double r = physics_.scene.planet.ground_radius + low;
   while (to - from > 2.0 * r) {
@@ -215,7 +216,7 @@ double OpticalDepth::column(const Piece& piece, const Climb& path) const {
   return sum + panel(piece, path, from, to);
 }
 
-// `fall`: scale heights between the ends.
+// `fall`: scale heights between the panel's ends.
 const GaussRule& OpticalDepth::rule_for(const Piece& piece, double r, double length, double fall) const {
   if (piece.shape == Shape::linear) {
     return plain_[length < 0.1 * r ? 3 : 10];

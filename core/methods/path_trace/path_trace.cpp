@@ -1,5 +1,5 @@
 // `path-trace`: an unbiased estimate of every order of scattering on the processor, with its standard error. It shares
-// the medium and the phase functions with the shaders, and nothing else: no march, no segment integral, no table.
+// with the shaders only the medium and the phase functions: no march, no segment integral, no table.
 
 #include <algorithm>
 #include <array>
@@ -58,7 +58,7 @@ void set_pixel(RadianceImage& image, std::size_t k, vec3 value) {
   image.rgba[4 * k + 3] = 1.0f;
 }
 
-// What to sample: `ids` are places in the picture.
+// The rays to sample; `ids` are places in the picture.
 struct Targets {
   int width = 0;
   int height = 1;
@@ -94,7 +94,7 @@ Targets targets_of(const PathTracer& tracer, const Scene& scene, const View& vie
   return targets;
 }
 
-// `all`, `identity`: as PathTracer and Sampling want them.
+// `all`, `identity`: as for PathTracer and Sampling.
 HostPicture trace(const Scene& scene, const Air& air, const Wavelengths* all, const View& view,
                   const HostOptions& options, const std::string& identity) {
   const RenderSettings& settings = scene.render;

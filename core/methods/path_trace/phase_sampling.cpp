@@ -29,7 +29,7 @@ double sample_henyey_greenstein(double g, double u) {
   return (a + g * (0.5 * (a * a + 3.0) + g * (a + 0.5 * g * (a * a - 1.0)))) / (d * d);
 }
 
-// [C92] is Henyey-Greenstein times 1 + nu^2, up to a constant: accept that share.
+// [C92] is, up to a constant, Henyey-Greenstein times 1 + nu^2: the draw is accepted with a chance in proportion to it.
 double sample_cornette_shanks(double g, double u, Random& random) {
   while (true) {
     const double nu = sample_henyey_greenstein(g, u);
@@ -40,12 +40,12 @@ double sample_cornette_shanks(double g, double u, Random& random) {
   }
 }
 
-// [S93], with its k.
+// [S93], for its k.
 double sample_schlick(double k, double u) {
   return (2.0 * u - 1.0 + k) / (1.0 - k + 2.0 * u * k);
 }
 
-constexpr double kPeaked = 0.3;  // mean cosine, either way
+constexpr double kPeaked = 0.3;  // mean cosine, forward or back
 
 }  // namespace
 
@@ -78,7 +78,7 @@ double PhaseSampler::sample(physics::uint medium, double u, Random& random) cons
   } else if (kind == physics::kPhaseSchlick) {
     nu = sample_schlick(physics_.schlick_k(g), u);
   } else if (kind == physics::kPhaseDepolarized) {
-    // Isotropic for so much of it, Rayleigh's for the rest.
+    // A mixture: isotropic with this probability, else Rayleigh's.
     const double gamma = mean_depolarization(medium);
     nu = random.uniform() < 3.0 * gamma / (1.0 + 2.0 * gamma) ? nu : sample_rayleigh(u);
   } else if (kind == physics::kPhaseTable) {
@@ -118,7 +118,7 @@ bool PhaseSampler::is_peaked(physics::uint medium) const {
 
 vec3 around(vec3 axis, double nu, double turn) {
   const double sine = std::sqrt(std::max((1.0 - nu) * (1.0 + nu), 0.0));
-  // Two axes across, without a branch that loses digits (Duff et al. 2017).
+  // Two axes across, by a form that loses no digits (Duff et al. 2017).
   const double sign = std::copysign(1.0, axis.z);
   const double a = -1.0 / (sign + axis.z);
   const double b = axis.x * axis.y * a;

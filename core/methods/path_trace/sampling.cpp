@@ -21,8 +21,8 @@ constexpr std::uint64_t kFewest = 2;  // batches
 constexpr std::size_t kPixelsATurn = 8;
 constexpr std::chrono::milliseconds kGlance{100};
 
-// Batches at which all pixels meet: 2, 3, ... 16, then an eighth more each time. They depend on nothing but the number
-// reached, so that a run that was interrupted stops where an uninterrupted one does.
+// Numbers of batches at which all pixels meet: 2, 3, ... 16, then an eighth more each time. They depend only on the
+// number reached, so that an interrupted run stops where an uninterrupted one does.
 std::uint64_t goal_after(std::uint64_t batches) {
   std::uint64_t goal = kFewest;
   while (goal <= batches) {
@@ -111,7 +111,7 @@ bool Sampling::keep_is_due() const {
   return seconds_since(kept_) >= options_.checkpoint_interval_s;
 }
 
-// Whether every pixel is prepared and has at least so many.
+// Whether every pixel is prepared and has at least so many batches.
 bool Sampling::all_at(std::uint64_t batches) const {
   return fewest_batches() >= batches && std::ranges::all_of(pixels_, [](const Pixel& p) { return p.prepared; });
 }
@@ -129,7 +129,7 @@ bool Sampling::enough() const {
          (rules_.target_error > 0.0 && met && is_goal(fewest) && error_ <= rules_.target_error);
 }
 
-// One batch after another, so that a pixel's sums are added in one order.
+// Adds one batch after another, so that a pixel's sums are always added in the same order.
 void Sampling::bring_forward(std::size_t k, std::uint64_t goal, FlightPlan& scratch) {
   Pixel& pixel = pixels_[k];
   PixelSums& sums = sums_[k];
@@ -191,18 +191,18 @@ double Sampling::fraction_done(std::uint64_t from, std::uint64_t goal) const {
   if (rules_.target_error > 0.0 && error_ > 0.0) {
     done = std::max(done, rules_.target_error * rules_.target_error / (error_ * error_));
   }
-  // Whatever stops it, each pixel's first batches are taken.
+  // Each pixel's first batches are taken, whatever stops the run.
   return std::min({done, batches / static_cast<double>(kFewest), 1.0});
 }
 
-// Between glances of the main thread: who wants the workers back?
+// Called by the main thread now and then: decides whether the workers must return.
 void Sampling::look_around(std::uint64_t from, std::uint64_t goal) {
   stop_ = stop_ || (options_.report && !options_.report(fraction_done(from, goal)));
   stop_ = stop_ || (from >= kFewest && rules_.time_limit_s > 0.0 && seconds() >= rules_.time_limit_s);
   pause_ = stop_ || (!options_.checkpoint.empty() && keep_is_due());
 }
 
-// Brings every pixel to the goal; comes back early to stop, or to write the checkpoint.
+// Brings every pixel to the goal. It returns early to stop, or to write the checkpoint.
 void Sampling::pass(std::uint64_t goal) {
   const std::uint64_t from = std::min(fewest_batches(), goal);
   next_ = 0;

@@ -40,7 +40,7 @@ vec3 SingleScattering::sunlight(double h, double mu_sun) const {
   return exp(-depth_.to_top(h, mu_sun));
 }
 
-// Where the ray crosses an edge of the air or of the planet's shadow, turns upward, begins and ends.
+// The distances at which the ray begins, ends, turns upward, and crosses an edge of the air or of the planet's shadow.
 std::vector<double> SingleScattering::corners(const Ray& ray) const {
   std::vector<double> list{0.0, ray.length_};
   const auto add = [&](double t) {
@@ -128,7 +128,7 @@ vec3 SingleScattering::radiance(const Ray& ray, const Footing& footing) const {
   return sum;
 }
 
-// A beam weaker than this share of the sun above the air counts as none, and no ray looks whether terrain hides it.
+// A beam weaker than this share of the sun above the air counts as none; no ray then looks for terrain before the sun.
 constexpr double kNoBeam = 1e-12;
 
 vec3 SingleScattering::sunlight_at(vec3 place, double h, double mu_sun) const {
@@ -139,10 +139,10 @@ vec3 SingleScattering::sunlight_at(vec3 place, double h, double mu_sun) const {
 
 namespace {
 
-constexpr double kDark = 1e-9;  // nothing behind air that lets through so little is seen
+constexpr double kDark = 1e-9;  // transmittance behind which nothing is visible
 
-// Many short steps, denser toward the camera: shadows of terrain have edges everywhere. `step`: of its middle and its
-// width, false where nothing behind it is seen.
+// Many short steps, denser toward the camera, since shadows of terrain have edges everywhere. `step`: gets each step's
+// middle and width; it returns false where nothing behind it is visible.
 template <class F>
 void for_short_steps(const Ray& ray, F step) {
   constexpr int kShadowSteps = 800;
@@ -187,7 +187,7 @@ vec3 SingleScattering::seen_terrain(const Ray& ray, const Footing& footing) cons
   return beam * terrain_->albedo(place) * (facing / std::numbers::pi);
 }
 
-// Over the ray's footprint.
+// The ground over the ray's footprint.
 vec3 SingleScattering::seen_ground(const Ray& ray, const Footing& footing, vec3 beam, double mu_sun) const {
   if (!physics_.ground_maps) {
     return ground_reflects(physics_, footing.up, footing.direction, mu_sun, beam);
@@ -226,7 +226,7 @@ bool SingleScattering::is_lit(vec3 place, double h, double mu_sun) const {
   return sun.x + sun.y + sun.z > 0.0;
 }
 
-// As for three channels, which tell what is dark.
+// As for three channels, which decide what counts as dark.
 Wide SingleScattering::through_shadows(const Ray& ray, const Footing& footing, const Wavelengths& all) const {
   const WideIntegrand integrand{*this, all, ray, all.phases(ray.nu)};
   Wide sum;

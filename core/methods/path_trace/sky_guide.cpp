@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-// Something horizontal.
+// Any horizontal unit vector.
 vec3 across(vec3 up) {
   const vec3 other = std::abs(up.x) < 0.5 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0);
   return normalize(cross(up, other));
@@ -32,7 +32,7 @@ SkyFrame::SkyFrame(physics::Physics& physics, double altitude, vec3 vertical, bo
   toward_sun = size > 1e-6 ? level / size : across(up);
 }
 
-// Zenith cosine of edge `row` of the bins: from the nadir up, dense toward the horizon on both sides.
+// Zenith cosine of edge `row` of the bins, from the nadir up, dense toward the horizon on both sides.
 double SkyGuide::edge(double horizon, std::size_t row) {
   if (row <= kBelow) {
     const double v = 1.0 - static_cast<double>(row) / kBelow;
@@ -48,7 +48,7 @@ SkyGuide::SkyGuide(physics::Physics& physics, const Flight& flight)
       skies_((flight.shell_count() + 1) * kSuns),
       filled_((flight.shell_count() + 1) * kSuns) {
   const physics::PlanetData& planet = physics.scene.planet;
-  // How far from below the camera a path gets: to what the camera sees, and over the air's own horizon twice.
+  // Greatest distance of a path from below the camera: to the camera's horizon, then twice the air's own horizon.
   const auto reach = [&](double h) { return std::acos(planet.ground_radius / (planet.ground_radius + h)); };
   const double far = reach(physics.scene.camera.altitude) + 2.0 * reach(planet.atmosphere_height);
   const double zenith = std::acos(std::clamp(physics.scene.sun.direction.y, -1.0, 1.0));
@@ -67,7 +67,7 @@ void SkyGuide::fill(std::size_t place, std::size_t sun) const {
   FlightPlan plan;
   for (std::size_t row = 0; row < kAbove + kBelow; ++row) {
     const double mu = 0.5 * (edge(horizon, row) + edge(horizon, row + 1));
-    // What the ground receives goes by the cosine.
+    // The ground's share of a direction is in proportion to the cosine.
     const double share = (at_ground ? std::max(mu, 0.0) : 1.0) * (edge(horizon, row + 1) - edge(horizon, row));
     for (Sky& sky : channels) {
       sky.rows[row] = 0.0;
@@ -112,7 +112,7 @@ vec3 SkyGuide::draw_direction(const SkyFrame& frame, const Channels& weight, dou
       sky.rows.size(), [&](std::size_t k) { return sky.rows[k]; }, u);
   const double low = edge(frame.horizon, row);
   const double mu = std::clamp(low + u * (edge(frame.horizon, row + 1) - low), -1.0, 1.0);
-  // One half turn is the mirror of the other.
+  // Either half turn mirrors the other.
   const double side = turn < 0.5 ? 1.0 : -1.0;
   double place = 2.0 * turn - (turn < 0.5 ? 0.0 : 1.0);
   const std::size_t bin = draw(
@@ -153,7 +153,7 @@ double SkyGuide::density(const SkyFrame& frame, const Channels& weight, vec3 dir
   for (std::size_t c = 0; c < 3; ++c) {
     sum += weight[c] / all * channels[c].rows[row] * channels[c].shares[row][bin];
   }
-  // The bins of this very altitude: the guide's shell has its own horizon.
+  // The bins of this very altitude: the guide's shell has another horizon.
   const double height = edge(frame.horizon, row + 1) - edge(frame.horizon, row);
   return sum / (height * 2.0 * kPi / kAround);
 }

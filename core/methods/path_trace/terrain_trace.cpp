@@ -11,11 +11,11 @@ using physics::vec3;
 
 namespace {
 
-constexpr double kNear = 1e-5;      // km: so close to the terrain is on it
+constexpr double kNear = 1e-5;      // km: nearer than this to the terrain is on it
 constexpr double kShortest = 2e-4;  // km, of a step
 constexpr double kPartOfCell = 0.05;
 constexpr int kMostSteps = 20000;
-constexpr double kStretch = 1.02;  // of distances on the map against those in the air, with room to spare
+constexpr double kStretch = 1.02;  // most that distances on the map exceed those in the air, with some room
 
 double steepest_slope(const physics::HostTerrain& maps) {
   const physics::TerrainData& t = maps.shape;
@@ -72,7 +72,7 @@ std::optional<double> TracedTerrain::hit(vec3 from, vec3 direction, double limit
     const double over = r - radius_ - highest_;
     const double mu = dot(place, direction) / r;
     if (over > 0.0) {
-      // On to where the ray comes down to the highest peak, if it does.
+      // Moves on to where the ray comes down to the highest peak, if it does.
       const double summit = radius_ + highest_;
       const double square = summit * summit - r * r * (1.0 - mu * mu);
       if (mu >= 0.0 || square <= 0.0) {
@@ -98,7 +98,7 @@ std::optional<double> TracedTerrain::hit(vec3 from, vec3 direction, double limit
     }
     before = t;
     const double safe = std::max(clear / (1.0 + kStretch * steepest_), at.beside / kStretch);
-    // Over rough maps that would be next to nothing: what stands within a small part of a cell is not missed.
+    // Over rough maps that step would be next to nothing: a small part of a cell misses no terrain of note.
     const double across = std::sqrt(std::max(1.0 - mu * mu, 0.0));
     const double part =
         at.beside > 0.0 ? 0.0 : kPartOfCell * physics_.terrain_maps->shape.texel / std::max(across, 0.01);
@@ -114,7 +114,7 @@ vec3 TracedTerrain::normal(vec3 place) const {
   const double to_east = slope.across * t.across_east - slope.up * t.across_north;
   const double to_north = slope.across * t.across_north + slope.up * t.across_east;
   const vec3 up = normalize(place);
-  // The map's east and north at the camera, carried along the great circle to the place.
+  // The map's east and north at the camera, moved along the great circle to the place.
   const double level = std::hypot(up.x, up.z);
   const vec3 heading = level > 1e-12 ? vec3(up.x / level, 0.0, up.z / level) : vec3(0.0, 0.0, -1.0);
   const vec3 ahead = heading * up.y - vec3(0.0, level, 0.0);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kEdgeSide = 4;  // rays across a pixel that holds terrain's edge
 
-// Where waves alone send light back, paths still have to go to the ground: what steers them needs an albedo there.
+// Where only waves reflect light, paths still have to reach the ground: the guide needs an albedo there.
 physics::Physics formulas_with_ground(const Air& air, const Scene& scene) {
   constexpr double kGlint = 0.05;
   physics::Physics p = formulas_of(air, scene);
@@ -82,7 +82,7 @@ vec3 PathTracer::view(double x, double y) const {
   return physics_.view_ray(physics_.scene.camera, projection_, x, y).direction;
 }
 
-// Whether its corners see things a seventh apart.
+// Whether the pixel's corners see things at distances a seventh apart.
 bool PathTracer::holds_terrain_edge(int x, int y) const {
   constexpr double kNothing = 1e9;
   const vec3 camera(0.0, physics_.scene.planet.ground_radius + physics_.scene.camera.altitude, 0.0);
@@ -96,9 +96,9 @@ bool PathTracer::holds_terrain_edge(int x, int y) const {
   return farthest > 1.15 * nearest;
 }
 
-// Along its wider side.
+// The pixel's angle along its wider side.
 double PathTracer::pixel_angle(int x, int y) const {
-  constexpr double kHalf = 0.49;  // not across the cut of a map
+  constexpr double kHalf = 0.49;  // below a half, so as not to cross the cut of a map
   const physics::CameraData& camera = physics_.scene.camera;
   const auto span = [&](double dx, double dy) {
     const auto a = physics_.view_ray(camera, projection_, x + 0.5 + dx, y + 0.5 + dy).direction;

@@ -15,20 +15,21 @@ using physics::vec3;
 namespace {
 
 // Shares of the directions at a vertex: around the sun where a peaked medium scatters (its light was scattered forward
-// before), by the sky guide, and the rest by the phase functions around the path. Chosen by trial for least variance.
+// before), by the sky guide, and the rest by the phase functions around the path. The values give the least variance in
+// trials.
 constexpr double kTowardSun = 0.3;  // times the share of peaked media
 constexpr double kTowardSky = 0.8;
 constexpr double kTowardSkyPeaked = 0.2;
 constexpr double kTowardSkyGround = 0.8;
 
 // Vertices up to this order are guided. Later ones go by physics alone, where collisions and phase functions leave
-// weights nearly equal: over the dozens of orders that thick air needs even a good guide's errors would multiply, and
-// where peaked media are thick the guide, which knows no peaks, is not that good.
+// weights nearly equal: over the dozens of orders of thick air the errors even of a good guide would multiply. Where
+// peaked media are thick the guide, which knows no peaks, is not a good one.
 int guided_orders(double forward_depth) {
   return forward_depth < 0.4 ? 8 : 2;
 }
 
-// A path goes on for certain while its worth is this share of what it began with.
+// A path always continues while its worth is at least this share of its initial worth.
 constexpr double kSurvival = 0.5;
 
 double largest_ratio(vec3 a, vec3 b) {
@@ -48,20 +49,21 @@ struct Walk::State {
   vec3 direction;
   double mu_sun;
   bool at_ground = false;
-  bool on_terrain = false;  // of at_ground
+  bool on_terrain = false;  // at_ground: on terrain
   vec3 normal = vec3(0.0);  // of ground or terrain
   vec3 albedo = vec3(0.0);
-  Wide wide_albedo;        // at all wavelengths, where there are
-  vec3 carry = vec3(1.0);  // transmittances and coefficients so far over the density of their choice
+  Wide wide_albedo;        // at all wavelengths, if there are any
+  vec3 carry = vec3(1.0);  // transmittances and coefficients so far, over the density of their choices
   std::array<vec3, physics::kMaxMedia> scattering;  // of each medium here, 1/km
   Columns densities{};                              // of each medium here
-  vec3 sum = vec3(0.0);                             // what the sun sent back along the path
-  // From the planet's centre; on terrain so far above it that it does not hide what is before it.
+  vec3 sum = vec3(0.0);                             // sunlight sent back along the path
+  // The vertex from the planet's centre. A vertex on terrain is moved so far up that the terrain does not hide what is
+  // before it.
   vec3 place(const physics::PlanetData& planet) const {
     const vec3 point = up * (planet.ground_radius + h);
     return on_terrain ? above_terrain(point) : point;
   }
-  WidePath* wide = nullptr;  // all wavelengths in place of `sum`: the channels above then only steer
+  WidePath* wide = nullptr;  // if set, replaces `sum` with all wavelengths; the channels above then only steer
 };
 
 Walk::Walk(physics::Physics& physics, const OpticalDepth& depth, const SingleScattering& single, const Flight& flight,
@@ -95,7 +97,7 @@ WalkStart Walk::start(vec3 direction, double wall) const {
   return start;
 }
 
-// How far along the ray anything can be seen: in thick air not to its end, and looking for terrain takes time.
+// Length of the ray beyond which nothing is visible. In thick air it ends early, which saves the search for terrain.
 double Walk::seen_length(const physics::Physics::Ray& ray) const {
   constexpr double kOpaque = 30.0;  // optical depth
   const auto least = [](vec3 v) { return std::min({v.x, v.y, v.z}); };
@@ -111,7 +113,7 @@ double Walk::seen_length(const physics::Physics::Ray& ray) const {
   return ray.length_;
 }
 
-// Ends the ray on the terrain that it meets; the terrain's albedo there.
+// Ends the ray on the first terrain; returns the terrain's albedo there.
 std::optional<Channels> Walk::cut_at_terrain(vec3 place, vec3 direction, physics::Physics::Ray& ray) const {
   if (terrain_ == nullptr || !(ray.length_ > 0.0)) {
     return std::nullopt;
@@ -125,7 +127,7 @@ std::optional<Channels> Walk::cut_at_terrain(vec3 place, vec3 direction, physics
   return channels_of(terrain_->albedo(place + direction * *hit));
 }
 
-// To the next vertex; false where there is none.
+// Moves to the next vertex; false where there is none.
 bool Walk::fly(State& state, const FlightPlan& plan, double u) const {
   const Collision collision = Flight::choose(plan, channels_of(state.carry), u);
   if (!collision.happens) {
@@ -167,7 +169,7 @@ bool Walk::fly(State& state, const FlightPlan& plan, double u) const {
   return true;
 }
 
-// Sunlight that the vertex sends back along the path.
+// Sunlight that the vertex scatters or reflects back along the path.
 vec3 Walk::from_sun(const State& state) const {
   const vec3 beam = terrain_ == nullptr
                         ? single_.sunlight(state.h, state.mu_sun)
@@ -188,7 +190,7 @@ vec3 Walk::from_sun(const State& state) const {
   return arrives * scattered;
 }
 
-// Adds what from_sun() has, at all wavelengths, to their sums.
+// Adds from_sun() at all wavelengths to their sums.
 void Walk::add_from_sun(const State& state) const {
   if (physics_.meets_ground(physics_.scene.planet, state.h, state.mu_sun)) {
     return;
@@ -205,10 +207,10 @@ void Walk::add_from_sun(const State& state) const {
   }
 }
 
-// Directions that a vertex may send a path on to, and how dense each is.
+// The directions in which a vertex may continue a path, and their densities.
 class Walk::Lobes {
  public:
-  // Without `guided` the phase functions alone, or the cosine.
+  // Without `guided`: only the phase functions, or the cosine.
   Lobes(physics::Physics& physics, const PhaseSampler& phases, const SkyGuide& guide, const State& state, bool guided)
       : physics_(physics),
         phases_(phases),
@@ -242,7 +244,7 @@ class Walk::Lobes {
     }
   }
 
-  // A black place of a map.
+  // True for a black place of a map.
   bool send_nothing() const { return weight_[0] + weight_[1] + weight_[2] <= 0.0; }
 
   vec3 draw_direction(double u, double turn, Random& random) const {

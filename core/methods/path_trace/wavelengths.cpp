@@ -12,14 +12,15 @@ using physics::vec3;
 
 namespace {
 
-// Flights whose columns are summed before their transmittance is taken: few, that no exponential runs out of range.
+// Number of flights whose columns are summed before their transmittance is taken: few, so that no exponential
+// underflows.
 constexpr int kFlightsTogether = 6;
 
 std::array<double, 3> three_of(vec3 v) {
   return {v.x, v.y, v.z};
 }
 
-// Means of the groups' channels by weights of sum 1 for each channel of the mean.
+// Means of the groups' channels; each channel's weights add up to 1.
 Scene mean_scene(const SpectralScene& spectral, const std::vector<Rgb>& weights) {
   Scene mean = spectral.groups.front().scene;
   for (std::size_t c = 0; c < 3; ++c) {

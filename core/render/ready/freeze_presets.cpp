@@ -41,7 +41,7 @@ struct Shaders {
   std::map<std::string, ShaderInfo, std::less<>> infos;
 };
 
-// On processors and on other devices, which share a point among threads.
+// Collects the modules for processors and for other devices, which share a point among threads.
 void want(const Plan& plan, const Shaders& shaders, Wanted& wanted) {
   for (const PassDesc& pass : plan.passes()) {
     for (const bool teams : {false, true}) {
@@ -61,8 +61,8 @@ Plan listed_directions(const Scene& scene) {
   return plan;
 }
 
-// A level map of few heights in place of the scene's: the heights and their shadow, most of a second each, are contents
-// of buffers, and a module knows only that there are some.
+// Replaces the scene's terrain by a level map of few heights. The heights and their shadow take most of a second each,
+// but they are contents of buffers, which a module does not depend on.
 void level_terrain(Scene& scene) {
   if (!scene.terrain) return;
   TerrainFiles files;
@@ -73,8 +73,8 @@ void level_terrain(Scene& scene) {
   scene.terrain->files = std::make_shared<const TerrainFiles>(std::move(files));
 }
 
-// What `render`, `sequence`, `luts` and `probe` ask for: pictures small and large, the sun on either side of the
-// horizon, an EXR alone, a picture by OpenColorIO and one by the tone curve on the device.
+// Collects the modules that `render`, `sequence`, `luts` and `probe` need: pictures small and large, the sun on either
+// side of the horizon, an EXR alone, a picture by OpenColorIO and one by the tone curve on the device.
 void want_all_of(const std::string& preset, const Shaders& shaders, Wanted& wanted) {
   Scene own = resolve(load_preset(preset), method_infos());
   level_terrain(own);

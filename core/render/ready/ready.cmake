@@ -1,5 +1,5 @@
-# ready_modules(): frozen modules of the shipped presets, made by a program of this build; none where the tool or
-# SPIRV-Tools is left out.
+# ready_modules(): frozen modules of the shipped presets, made by a program of this build. There are none where the tool
+# or SPIRV-Tools is left out.
 if(AIRLIGHT_SHADERS_FROM)
   airlight_take_shaders(airlight_ready)
   return()
