@@ -1,4 +1,4 @@
-# Before a first file is copied: is every file there, and can every folder be made or written?
+# Run before the first file is copied: checks that every file exists and every folder can be made or written.
 foreach(file IN LISTS airlight_files)
   if(NOT EXISTS "${file}")
     message(FATAL_ERROR "airlight: ${file} is missing, so nothing is installed; build the program first: "

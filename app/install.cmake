@@ -1,10 +1,10 @@
-# What `cmake --install` and CPack put where. All of it is there once the target `airlight` is built.
+# Destinations of `cmake --install` and CPack. All files exist once the target `airlight` is built.
 include(GNUInstallDirs)
 find_program(GZIP gzip REQUIRED)
 
 set(documents ${PROJECT_BINARY_DIR}/documents)
 
-# Made by the program itself, as soon as it is linked.
+# The program itself makes these files as soon as it is linked.
 set(made_by_program ${documents}/airlight.1.gz ${documents}/airlight.bash ${documents}/_airlight
                     ${documents}/airlight.fish)
 add_custom_command(
@@ -16,7 +16,7 @@ add_custom_command(
 
 set(changelog ${documents}/changelog.gz)
 set(copyright ${documents}/copyright)
-# Packages whose code is inside the program: headers and static libraries.
+# Packages whose code is part of the program: headers and static libraries.
 set(included libcli11-dev nlohmann-json3-dev libeigen3-dev nettle-dev libvulkan-volk-dev libvulkan-dev spirv-headers spirv-tools)
 set(sources ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${PROJECT_SOURCE_DIR}/LICENSE
             ${PROJECT_SOURCE_DIR}/app/project_documents.cmake)
@@ -30,7 +30,7 @@ add_custom_command(
 add_custom_target(airlight_documents DEPENDS ${changelog} ${copyright})
 add_dependencies(airlight airlight_documents)
 
-# All or nothing: before a first file is copied, every file is there and every folder can be written.
+# All or nothing: before the first file is copied, all files are checked to exist and all folders to be writable.
 set(manual_folder ${CMAKE_INSTALL_MANDIR}/man1)
 set(shared_folder ${CMAKE_INSTALL_DATADIR}/airlight)
 set(about_folder ${CMAKE_INSTALL_DATADIR}/doc/airlight)
@@ -43,7 +43,7 @@ set(installed_folders ${CMAKE_INSTALL_BINDIR} ${AIRLIGHT_MODULE_FOLDER} ${manual
 install(CODE "set(airlight_files \"${installed_files}\")
   set(airlight_folders \"${installed_folders}\")
   set(airlight_build \"${PROJECT_BINARY_DIR}\")
-  # Where zsh looks: Debian's packages have a folder of their own.
+  # The folder that zsh searches; Debian's packages have one of their own.
   set(airlight_zsh \"site-functions\")
   if(CMAKE_INSTALL_PREFIX MATCHES \"/usr/?$\")
     set(airlight_zsh \"vendor-completions\")
@@ -78,7 +78,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_MAINTAINER "${AIRLIGHT_MAINTAINER}")
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# What is opened at run time by name, so that no linker knows of it: the Vulkan loader, a driver, the zones' files.
+# Libraries and files opened at run time by name, unknown to the linker: the Vulkan loader, a driver, the zones' files.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libvulkan1, mesa-vulkan-drivers | vulkan-icd, tzdata")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "ffmpeg, gnuplot-nox | gnuplot")
 include(CPack)

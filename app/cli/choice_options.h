@@ -19,21 +19,21 @@ struct ChoiceWish {
 struct ChoiceReport {
   ChoiceWish wish;
   choice::Choice choice;
-  double probing_ms = 0.0;      // by the clock, shaders compiled and near-truth tables made included
+  double probing_ms = 0.0;      // by the clock, with the time for compiling shaders and making near-truth tables
   double probing_cpu_ms = 0.0;  // of all threads
 };
 
 // "50ms", "2s", "1min", "1h" in ms. Throws InputError: "PLACE: ...".
 double milliseconds_from(const std::string& text, const std::string& place);
 
-// Throws InputError where the preset asks for what no tolerance measures (render.sun_fade, another scale of multiple
-// scattering), or where nothing reaches the tolerance or fits the time: names the best that can be had.
+// Throws InputError where the preset asks for something that no tolerance measures (render.sun_fade, another scale of
+// multiple scattering), or where nothing reaches the tolerance or fits the time; the message names the best possible.
 ChoiceReport choose_rendering(const Scene& scene, const ChoiceWish& wish, const DeviceOnDemand& device, bool quiet);
 
-// One line: what was chosen and how wrong it is.
+// One line: the choice and its error.
 std::string summary(const ChoiceReport& report);
 
-// What was tried, what was left out, for --dry-run and -v; ends with a line feed.
+// The candidates tried and the parts left out, for --dry-run and -v; ends with a line feed.
 std::string explanation(const ChoiceReport& report);
 
 // The value of "choice" in --json.

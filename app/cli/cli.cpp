@@ -1,4 +1,4 @@
-// From the words typed to a command that runs: CLI11 parses, the messages are ours.
+// Turns the typed words into a command that runs: CLI11 parses, the messages are ours.
 #include "app/cli/cli.h"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ std::string how_to_see_help(const Tool& tool, const Command& command) {
                    "'; usage: " + usage_line(tool, command));
 }
 
-// CLI11 knows what is wrong, and a value's message is ours already; the rest is told by what was typed.
+// Reports a parse error. A message about a value is already ours; the others are made here from the typed words.
 [[noreturn]] void refuse(const Tool& tool, const Command& command, const CLI::App& app, const Words& words,
                          const CLI::ParseError& error) {
   if (dynamic_cast<const CLI::ValidationError*>(&error) != nullptr) {
@@ -58,7 +58,7 @@ std::string how_to_see_help(const Tool& tool, const Command& command) {
   throw InputError(place_of(tool, command) + error.what() + "; " + how_to_see_help(tool, command));
 }
 
-// Words that nothing takes. "--" is one of them for CLI11.
+// Words that nothing takes. CLI11 counts "--" as one of them.
 Words unknown_words(const CLI::App& app) {
   Words extra = app.remaining();
   extra.erase(std::remove(extra.begin(), extra.end(), "--"), extra.end());
@@ -80,8 +80,8 @@ void parse(const Tool& tool, const Command& command, const Words& words) {
   }
 }
 
-// "--png --json" would write a file named --json, and "--png= x" one named x: a value that looks like one of the
-// command's options is refused unless it is joined by "=", and so is an empty one.
+// Refuses a value that looks like one of the command's options, unless "=" joins it, and an empty value. Otherwise
+// "--png --json" would write a file named --json, and "--png= x" one named x.
 void refuse_swallowed_option(const Tool& tool, const Command& command, const Words& words) {
   const Words names = all_option_names(command);
   const auto known = [&](const std::string& word) {
@@ -107,7 +107,7 @@ void refuse_swallowed_option(const Tool& tool, const Command& command, const Wor
   }
 }
 
-// "-o=sky.exr" as people write it; to CLI11 the value begins with the "=".
+// Takes the "=" out of "-o=sky.exr", as people write it; for CLI11 the value would begin with it.
 Words without_short_equals(const Command& command, Words words) {
   for (std::size_t i = 0; i < words.size() && words[i] != "--"; ++i) {
     const bool is_short = words[i].size() > 3 && words[i][0] == '-' && words[i][1] != '-' && words[i][2] == '=';
@@ -122,7 +122,7 @@ Words without_short_equals(const Command& command, Words words) {
   return words;
 }
 
-// Options whose value may be left out get what it stands for.
+// Gives options whose value was left out the value that it stands for.
 Words with_implied_values(const Command& command, Words words) {
   for (const Option& option : command.options) {
     const Words own = option.implied.empty() ? Words() : option_names(option);

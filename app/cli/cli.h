@@ -1,6 +1,6 @@
 #pragma once
-// Commands as data. From one definition come parsing, --help, shell completion and the man page. CLI11, which parses
-// and lays out the help, costs 14 s of compile a file: cli11.h names the two that know it.
+// Commands as data. One definition gives parsing, --help, shell completion and the man page. CLI11, which parses and
+// lays out the help, costs 14 s of compilation a file; only the two files named in cli11.h include it.
 
 #include <functional>
 #include <optional>
@@ -11,12 +11,12 @@
 
 namespace airlight::cli {
 
-// Where a value goes. A bool is a flag; an optional tells "not given" from any value; a vector takes every repetition
-// (of an option) or every word (of the last positional). Of anything else that is repeated the last counts.
+// The variable that gets a value. A bool is a flag; an optional distinguishes "not given" from any value; a vector
+// takes every repetition (of an option) or every word (of the last positional). Otherwise the last repetition counts.
 using Target = std::variant<bool*, int*, double*, std::string*, std::optional<int>*, std::optional<double>*,
                             std::optional<std::string>*, std::vector<std::string>*, std::vector<double>*>;
 
-// What the shell offers while the value is typed.
+// What the shell completes while the value is typed.
 enum class Completes { nothing, file, folder };
 
 struct Range {
@@ -24,7 +24,7 @@ struct Range {
   double maximum = 0.0;
 };
 
-// What a % after a number means: nothing that is taken; a hundredth; what the number is anyhow.
+// Meaning of a % after a number: not accepted; a hundredth; none, since the number is in percent anyway.
 enum class Percent { no, share, points };
 
 struct Option {
@@ -33,13 +33,12 @@ struct Option {
   std::string help;     // one sentence without a full stop; the range, the choices and "repeatable" are added to it
   Target target = {};
   Completes completes = Completes::nothing;
-  std::optional<Range> range = {};        // of a number, both ends allowed
+  std::optional<Range> range = {};        // for a number, both ends allowed
   std::vector<std::string> choices = {};  // the only values allowed
-  std::vector<std::string> offers = {};   // values that the shell offers besides, not enforced
+  std::vector<std::string> offers = {};   // further values that the shell offers, not enforced
   Percent percent = Percent::no;
   std::string group = {};  // the heading in the help; empty: "Options"
-  // What stands for the value of an option where it may be left out. The word after the option is its value where it
-  // begins with a digit.
+  // The value of an option that is given without one. The word after the option is its value if it begins with a digit.
   std::string implied = {};
 };
 
@@ -91,7 +90,7 @@ struct Tool {
 // names the nearest known command or option.
 int run_tool(const Tool& tool, int argc, const char* const* argv);
 
-// People's help for the whole tool or one command; `bold` marks the headings for a terminal.
+// Help for people, on the whole tool or one command; `bold` marks the headings for a terminal.
 std::string help_text(const Tool& tool, bool bold);
 std::string help_text(const Tool& tool, const Command& command, bool bold);
 
@@ -101,8 +100,8 @@ std::string completion_script(const Tool& tool, std::string_view shell);
 // The manual page, section 1, in roff's man macros.
 std::string manual_page(const Tool& tool);
 
-// " (did you mean 'NAME'?)", or nothing when no name is near. Names of one letter, "-o", are never near: a slip turns
-// any of them into any other.
+// " (did you mean 'NAME'?)", or empty when no name is near. Names of one letter, such as "-o", are never near: one slip
+// turns any of them into any other.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& names);
 
 // --- Helpers of the files above -----------------------------------------------------------------------------------

@@ -10,7 +10,7 @@
 
 namespace airlight::cli {
 
-// Parsing it checks every value and fills the command's targets. Its ValidationError says "--option: what is wrong".
+// Parsing with it checks every value and fills the command's targets. Its ValidationError says "--option: PROBLEM".
 std::unique_ptr<CLI::App> cli11_app(const Command& command);
 
 }  // namespace airlight::cli

@@ -9,7 +9,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-// Inside single quotes; the same rule holds in the three shells but for fish's backslash.
+// Quotes within single quotes; the same rule holds in all three shells, except for fish's backslash.
 std::string shell_quoted(const std::string& text) {
   std::string result = "'";
   for (const char c : text) {
@@ -36,7 +36,7 @@ const char* bash_files(Completes completes) {
   return "";
 }
 
-// A line a match, so that spaces in names stay. What is written with quotes or backslashes matches nothing here and is
+// One match a line, so that spaces in names stay. Words typed with quotes or backslashes match nothing here and are
 // left to readline, which knows them.
 constexpr const char* kBashOffer = R"(_airlight_offer() {  # words, and -f or -d for files or folders
   mapfile -t COMPREPLY < <(compgen $2 -P "$before" -W "$1" -- "$current")
@@ -47,8 +47,8 @@ constexpr const char* kBashOffer = R"(_airlight_offer() {  # words, and -f or -d
 }
 )";
 
-// The word under the cursor and the one before it: --option=value comes in three words where COMP_WORDBREAKS holds '=',
-// else in one.
+// The word under the cursor and the one before it. --option=value comes as three words where COMP_WORDBREAKS holds '=',
+// else as one.
 constexpr const char* kBashWords = R"(  local IFS=$' \t\n' before= command= word
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]}
   if [[ $current == = ]]; then
@@ -98,7 +98,7 @@ std::string bash_script(const Tool& tool) {
          bash_offer(first, Completes::nothing) + " ;;\n  esac\n}\ncomplete -F _" + tool.name + " " + tool.name + "\n";
 }
 
-// zsh's _arguments reads ':' and brackets in a specification.
+// Escapes ':' and brackets, which have a meaning in a specification of zsh's _arguments.
 std::string zsh_text(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -152,7 +152,7 @@ std::string zsh_script(const Tool& tool) {
   return "#compdef " + tool.name + "\n_" + tool.name + "() {\n  local -a commands=(\n" + list +
          "  )\n  if (( CURRENT == 2 )); then\n    _describe command commands\n    return\n  fi\n" +
          "  local command=$words[2]\n  shift words\n  (( CURRENT-- ))\n  case $command in\n" + cases + "  esac\n}\n" +
-         // Loaded from a folder of $fpath, the file is the function's first call.
+         // When zsh loads the file from a folder of $fpath, this is the function's first call.
          "if [[ $funcstack[1] == _" + tool.name + " ]]; then\n  _" + tool.name + " \"$@\"\nelse\n  compdef _" +
          tool.name + " " + tool.name + "\nfi\n";
 }

@@ -1,5 +1,5 @@
 #pragma once
-// One frame of a sequence as a scene, and the exposure that a scene holds over frames.
+// One frame of a sequence as a scene, and an exposure that holds for several frames.
 
 #include <functional>
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace airlight::cli {
 
-// The preset with the frame's keys put in, judged like any other. Throws InputError that names the frame.
+// The scene of the preset with the frame's keys put in. Throws InputError that names the frame.
 Scene frame_scene(const Preset& preset, const sequence::Frame& frame);
 
 // The frame of that number. Throws InputError where there is none: "PLACE: there is no frame 99; ...".
@@ -19,9 +19,9 @@ sequence::Frame frame_numbered(const sequence::FrameSource& source, int number, 
 // Whether the scene's exposure is that of one frame.
 bool locks_frame(const Scene& scene);
 
-// The exposure that the scene asks to be metered on a day or on a frame, as a factor: a function of the preset and
-// that frame alone, whoever asks, whatever was rendered before. `frame`: finds that frame. Nothing where the scene
-// states its exposure, or each picture is metered on its own.
+// The exposure that the scene asks to be metered on a day or on a frame, as a factor. It depends only on the preset and
+// that frame, not on earlier renders. `frame`: finds that frame. None where the scene states its exposure, or each
+// picture is metered on its own.
 std::optional<double> held_exposure(const DeviceOnDemand& device, const Scene& scene,
                                     const std::function<Scene()>& frame);
 

@@ -10,13 +10,13 @@
 namespace airlight::cli {
 namespace {
 
-// Where the help of an option begins: in a narrow window below its name.
+// Column of an option's help; in a narrow window the help is below the name.
 std::size_t help_column(std::size_t width) {
   constexpr std::size_t kNarrow = 70;
   return width < kNarrow ? 10 : 30;
 }
 
-// Words of `text` in lines of `width`, every line but the first indented by `indent` when laid out.
+// Words of `text` in lines of `width`. Every line but the first will be indented by `indent`.
 std::string wrapped(const std::string& text, std::size_t width, std::size_t indent, const std::string& margin) {
   std::istringstream words(text);
   std::string result;
@@ -42,11 +42,11 @@ class HelpFormatter : public CLI::Formatter {
     column_width(column_);
   }
 
-  // What CLI11 puts last, the subcommands, people look for first.
+  // Puts the subcommands first, where people look for them; CLI11 puts them last.
   std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
     const std::string text = make_description(app) + make_usage(app, std::move(name)) + make_positionals(app) +
                              make_subcommands(app, mode) + make_groups(app, mode) + make_footer(app);
-    return replaced(text, "\n\n\n", "\n\n");  // CLI11 parts the groups, and so do the headings
+    return replaced(text, "\n\n\n", "\n\n");  // both CLI11 and the headings put space between groups
   }
 
   std::string make_usage(const CLI::App*, std::string) const override {
@@ -68,7 +68,7 @@ class HelpFormatter : public CLI::Formatter {
 
   std::string make_option(const CLI::Option* option, bool is_positional) const override {
     const std::string name = option->get_name(is_positional, !is_positional);
-    // Long names align below one another whether or not there is a short one.
+    // Long names align, whether or not there is a short one.
     const std::string aligned = name.starts_with("--") ? "    " + name : replaced(name, ",", ", ");
     return row(aligned + (is_positional || option->get_option_text().empty() ? "" : " " + option->get_option_text()),
                option->get_description());

@@ -1,12 +1,12 @@
 #pragma once
-// Ctrl-C and its like for a long run that wants to stop in good order: the first asks it to, the second ends it.
+// Ctrl-C and similar signals for a long run: the first asks it to stop in good order, the second ends it.
 
 #include <csignal>
 
 namespace airlight::cli {
 
-// From its making on, the first SIGINT, SIGTERM or SIGHUP is noted, and the next does what it did before. One at a
-// time.
+// While it exists, the first SIGINT, SIGTERM or SIGHUP is only noted, and the next has its previous effect. One object
+// at a time.
 class Interruption {
  public:
   Interruption();
@@ -14,7 +14,7 @@ class Interruption {
   Interruption(const Interruption&) = delete;
   Interruption& operator=(const Interruption&) = delete;
 
-  // The signal's number; 0: none came. Any thread may ask.
+  // The signal's number; 0: none came. May be called from any thread.
   static int signal();
 };
 

@@ -17,7 +17,7 @@ class JsonWriter {
   JsonWriter& end_object() { return close('}'); }
   JsonWriter& begin_array() { return open('['); }
   JsonWriter& end_array() { return close(']'); }
-  JsonWriter& key(std::string_view name);  // then one value
+  JsonWriter& key(std::string_view name);  // one value must follow
 
   JsonWriter& value(std::string_view text) { return raw(json_string(text)); }
   JsonWriter& value(const char* text) { return value(std::string_view(text)); }
@@ -33,8 +33,8 @@ class JsonWriter {
   }
   JsonWriter& text_or_null(std::string_view text) { return text.empty() ? null() : value(text); }
   JsonWriter& null() { return raw("null"); }
-  JsonWriter& raw(std::string_view json);  // a value that is JSON already
-  // A whole array.
+  JsonWriter& raw(std::string_view json);  // a value in JSON
+  // Writes a whole array.
   template <class Values>
   JsonWriter& values(const Values& all) {
     begin_array();
@@ -44,7 +44,7 @@ class JsonWriter {
     return end_array();
   }
 
-  // The text, with a line feed at its end.
+  // The text, ending with a line feed.
   std::string take();
 
  private:

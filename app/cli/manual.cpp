@@ -5,7 +5,8 @@
 namespace airlight::cli {
 namespace {
 
-// roff reads a backslash anywhere, a bare hyphen as a typographic one, and a dot or an apostrophe at a line's start.
+// Escapes characters with a meaning in roff: backslashes, hyphens (typographic if bare), dots and apostrophes at a
+// line's start.
 std::string roff(const std::string& text) {
   std::string result;
   bool line_start = true;

@@ -17,7 +17,7 @@ bool is_ocio_view(const std::string& view) {
   return view != kGpuView && view != kDiagnosticView;
 }
 
-// The exposure as the preset has it: a factor, or the word.
+// The exposure in a preset's form: a factor, or a word.
 std::string exposure_json(const std::string& text) {
   constexpr std::string_view kLock = "lock:";
   constexpr double kMostStops = 29.0;

@@ -1,5 +1,5 @@
 #pragma once
-// The options that say how pixels become files, shared by every command that writes pictures.
+// The options for turning pixels into files, shared by every command that writes pictures.
 
 #include <optional>
 #include <string>
@@ -34,10 +34,10 @@ struct PictureOptions {
 // How many bits an EXR's samples have.
 struct ExrDepth {
   bool half = true;
-  std::string why = {};  // what made it 32 bits without being asked; empty: nothing did
+  std::string why = {};  // what required 32 bits that were not asked for; empty: nothing
 };
 
-// The depth that --half or --float asks for, else that which the picture needs.
+// The depth that --half or --float asks for, else the depth that the picture needs.
 ExrDepth exr_depth(const PictureOptions& options, const Rendering& rendering);
 
 // Throws InputError where --half and --float were both given. `command`: "render".
@@ -51,22 +51,22 @@ std::vector<Option> picture_options(PictureOptions& options);
 
 std::vector<Override> overrides(const PictureOptions& options);
 
-// --tile, of commands that take pictures of any size.
+// --tile, for commands whose pictures may have any size.
 Option tile_option(std::optional<std::string>& tile);
 
-// None for the views gpu and diagnostic. Throws InputError for a config, display or view that is not there.
+// None for the views gpu and diagnostic. Throws InputError for a config, display or view that does not exist.
 std::optional<DisplayTransform> display_transform(const PictureOptions& options, const Scene& scene);
 
-// What has to be rendered for the files wanted.
+// The request that the wanted files need.
 RenderRequest request_for(const Scene& scene, bool exr, bool png);
 
-// For --layers. Throws InputError where they cannot be had: no EXR to hold them, or a
-// method that does not tell them apart (its name, and those that do). `command`: "render".
+// Checks --layers. Throws InputError where layers are impossible: no EXR to hold them, or a method without layers (the
+// message names it and those that have them). `command`: "render".
 void require_layers(const PictureOptions& options, const Scene& scene, bool exr, const std::string& command);
 
-// Where the EXR and the PNG go as the two options say: a name in .png after -o is the PNG's, and "-" is standard
-// output, "/dev/stdout" from here on. Throws InputError: two PNGs, two pictures or --json too on standard output, a
-// terminal there. `command`: "render".
+// The names of EXR and PNG by the two options. A name in .png after -o is the PNG's; "-" is standard output,
+// "/dev/stdout" from here on. Throws InputError: two PNGs, two pictures or also --json on standard output, a terminal
+// there. `command`: "render".
 struct PictureNames {
   std::optional<std::string> exr;
   std::optional<std::string> png;
@@ -74,7 +74,7 @@ struct PictureNames {
 PictureNames picture_names(std::optional<std::string> output, std::optional<std::string> png, bool json,
                            const std::string& command);
 
-// Throws InputError unless the name ends as it should; devices may be called anything. `option`: "render: --png".
+// Throws InputError unless the name has the ending; devices may have any name. `option`: "render: --png".
 void require_ending(const std::string& file, const std::string& option, const std::string& ending);
 
 }  // namespace airlight::cli

@@ -1,5 +1,5 @@
 #pragma once
-// Where on Earth and on which day: the options from which the sun's place follows.
+// Place on Earth and date: the options that determine the sun's position.
 
 #include <optional>
 #include <string>
@@ -13,7 +13,7 @@ namespace airlight::cli {
 
 struct PlaceOptions {
   std::optional<std::string> date;
-  std::optional<std::string> time;  // of one picture
+  std::optional<std::string> time;  // for one picture
   std::optional<std::string> zone;
   std::optional<double> latitude;
   std::optional<double> longitude;
@@ -25,14 +25,14 @@ struct PlaceOptions {
 
 // --date, then `times`, then --lat, --lon, --tz, --place-altitude, --refraction, --pressure, --temperature.
 std::vector<Option> place_options(PlaceOptions& options, std::vector<Option> times);
-// The option of a single picture.
+// The option for a single picture.
 Option time_option(PlaceOptions& options);
 
 // Both throw InputError; `command`: "render".
 sequence::Place place_of(const PlaceOptions& options);
 std::optional<sequence::Air> air_of(const PlaceOptions& options, const std::string& command);
 
-// The sun of one picture; nothing where no option speaks of it. Throws InputError.
+// The sun of one picture; empty where no option concerns it. Throws InputError.
 std::vector<Override> sun_overrides(const PlaceOptions& options, const SceneOptions& scene, const std::string& command);
 
 }  // namespace airlight::cli

@@ -19,10 +19,10 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kEnding = ".json";
 
-// No preset and no picture's header is near this size: what an endless pipe gives does not fill the memory.
+// No preset and no picture's header is near this size. The limit keeps an endless pipe from filling the memory.
 constexpr std::size_t kLongestStream = std::size_t{16} << 20U;
 
-// What comes out of a pipe, which can be read once: a preset, or a picture of which the header is enough.
+// The preset in a stream that can be read only once: a preset, or a picture of which the header is enough.
 Preset from_stream(std::istream& in, const std::string& name) {
   std::string text(kLongestStream, '\0');
   in.read(text.data(), static_cast<std::streamsize>(text.size()));

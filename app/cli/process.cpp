@@ -38,7 +38,7 @@ pid_t start_process(const std::vector<std::string>& words, const ProcessOptions&
   ::sigemptyset(&broken_pipe);
   ::sigaddset(&broken_pipe, SIGPIPE);
   ::posix_spawnattr_setsigdefault(&attributes, &broken_pipe);
-  sigset_t none;  // held back, whatever this thread does
+  sigset_t none;  // no signal is blocked, whatever this thread does
   ::sigemptyset(&none);
   ::posix_spawnattr_setsigmask(&attributes, &none);
   ::posix_spawnattr_setflags(

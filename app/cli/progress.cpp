@@ -17,7 +17,7 @@ namespace {
 
 bool drawn = false;
 
-// Work that is over sooner needs no line.
+// Work that ends sooner shows no line.
 constexpr auto kPatience = std::chrono::seconds(2);
 
 std::string bar(double done, double spent) {
@@ -28,7 +28,7 @@ std::string bar(double done, double spent) {
     text += i < filled ? '#' : ' ';
   }
   char numbers[64];
-  // Before anything is done nobody knows what is left.
+  // Before any work is done the remaining time is unknown.
   const bool known = done > 0.0;
   std::snprintf(numbers, sizeof numbers, "] %3.0f %%, %.0f s %s \033[K", 100.0 * done,
                 known ? spent * (1.0 - done) / done : spent, known ? "left" : "so far");
@@ -67,7 +67,7 @@ struct TerminalStatus::State {
   Clock::time_point start = Clock::now();
   std::jthread drawer;
 
-  // With the lock held.
+  // The caller holds the lock.
   void draw() const {
     char seconds[32];
     std::snprintf(seconds, sizeof seconds, ", %.0f s\033[K", seconds_since(start));

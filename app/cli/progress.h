@@ -1,5 +1,5 @@
 #pragma once
-// A line on the terminal that tells how far a long render is and how long it will still take.
+// A line on the terminal with the progress of a long render and its remaining time.
 
 #include <functional>
 #include <memory>
@@ -7,18 +7,18 @@
 
 namespace airlight::cli {
 
-// To be called with what is done, 0 to 1; always lets the work go on. Empty unless standard error is a terminal.
+// A function to call with the share done, 0 to 1; it never stops the work. Empty unless standard error is a terminal.
 std::function<bool(double done)> terminal_progress();
 
 // Removes the line that terminal_progress() has drawn.
 void clear_progress();
 
-// A line on the terminal that tells what is being done and for how long, for work whose end nobody knows. Where
-// standard error is no terminal it shows nothing.
+// A line on the terminal with the current activity and its duration, for work of unknown length. It shows nothing where
+// standard error is no terminal.
 class TerminalStatus {
  public:
   TerminalStatus();
-  ~TerminalStatus();  // takes the line away
+  ~TerminalStatus();  // removes the line
   TerminalStatus(const TerminalStatus&) = delete;
   TerminalStatus& operator=(const TerminalStatus&) = delete;
 

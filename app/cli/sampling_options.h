@@ -1,5 +1,5 @@
 #pragma once
-// The options of a method that samples: when to stop, and a file to go on from.
+// The options of a method that samples: when to stop, and a file to continue from.
 
 #include <optional>
 #include <string>
@@ -13,7 +13,7 @@ namespace airlight::cli {
 
 struct SamplingOptions {
   std::optional<int> samples;
-  std::optional<std::string> time_limit;  // of a method that samples; of the others app/cli/choice_options.h
+  std::optional<std::string> time_limit;  // for a method that samples; for the others see app/cli/choice_options.h
   std::optional<double> target_error;
   std::string checkpoint;
 };
@@ -23,11 +23,11 @@ Option share_option(const std::string& name, const std::string& help, std::optio
 
 std::vector<Option> sampling_options(SamplingOptions& options);
 
-// `samples`: the preset's method samples, so a time limit is its own. Throws InputError when that is no time.
+// `samples`: the preset's method samples, so a time limit is its own. Throws InputError when the limit is no time.
 std::vector<Override> overrides(const SamplingOptions& options, bool samples);
 
-// How the method runs: its checkpoint, with which it stops at an Interruption, and a line on the terminal that tells
-// how far it is unless `quiet`. Throws InputError when the checkpoint cannot be written.
+// Options for running the method: its checkpoint, with which it stops at an Interruption, and a line of progress on the
+// terminal unless `quiet`. Throws InputError when the checkpoint cannot be written.
 HostOptions host_options(const SamplingOptions& options, bool quiet);
 
 }  // namespace airlight::cli

@@ -22,9 +22,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostPixels = 4096;  // a side: with its maxima 90 MB of heights, near what one buffer may hold
+constexpr int kMostPixels = 4096;  // on a side: with its maxima 90 MB of heights, near what one buffer may hold
 
-// Tells a file as it is on the disk from another one of its name, which is read again.
+// Identifies a file as it is on the disk. If it changes, its identity changes and it is read again.
 std::string identity_of(const std::string& file) {
   std::error_code ignored;
   const auto size = fs::file_size(file, ignored);
@@ -34,7 +34,7 @@ std::string identity_of(const std::string& file) {
 
 constexpr int kMostMapPixels = 16384;  // across a whole planet
 
-// `key`: the preset's, for messages. `planet`: a picture twice as wide as high.
+// `key`: the preset's key, for messages. `planet`: the picture must be twice as wide as high.
 foreign::Picture picture_for(const std::string& file, const std::string& key, bool planet) {
   try {
     foreign::Picture picture = foreign::read_picture(file);
@@ -83,7 +83,7 @@ void read_heights(TerrainFiles& files, const std::string& file) {
   files.rows = picture.height;
   files.heights = picture.channels.front().values;
   require_finite(files.heights, file, key);
-  // Heights are no light: what was taken for sRGB by the file's format is taken back.
+  // Heights are no light, so the decoding of a file whose format counts as sRGB is undone.
   if (picture.srgb) {
     std::transform(files.heights.begin(), files.heights.end(), files.heights.begin(), srgb_encoded<float>);
   }
@@ -134,7 +134,7 @@ void read_water(GroundFiles& files, const std::string& file) {
   }
 }
 
-// What identity says of these files, in their order.
+// The identities of these files, in their order.
 std::string identities_of(std::initializer_list<std::string> files) {
   std::string identity;
   for (const std::string& file : files) {
@@ -143,7 +143,7 @@ std::string identities_of(std::initializer_list<std::string> files) {
   return identity;
 }
 
-// Files as `read` fills them in; the last ones are kept: the frames of a sequence share them.
+// Files as filled in by `read`. The last ones are kept, so that a sequence's frames share them.
 template <class Files, class Read>
 std::shared_ptr<const Files> remembered(const std::string& identity, const Read& read) {
   static std::mutex mutex;

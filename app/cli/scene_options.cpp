@@ -24,12 +24,12 @@ std::vector<std::string> method_names() {
   return names;
 }
 
-// Other programs' words for ours.
+// Other programs' names for our projections.
 std::string projection_called(const std::string& name) {
   return name == "latlong" ? "equirectangular" : name;
 }
 
-// The preset's camera without what only a picture of its own projection has.
+// Removes from the preset's camera what only a picture of its own projection has.
 void leave_projection(Preset& preset, const std::string& projection) {
   auto* camera = member_as<PresetObject>(&preset.root, "camera");
   if (camera == nullptr) {
@@ -47,7 +47,7 @@ void leave_projection(Preset& preset, const std::string& projection) {
   }
 }
 
-// A map as fine as a latlong of the preset's width.
+// The size of a map as fine as a latlong of the preset's width.
 std::optional<ImageSize> size_that_suits(const Preset& preset, const std::string& projection) {
   const auto* number = member_as<double>(member(&preset.root, "image"), "width");
   const int width = number == nullptr ? ImageSize{}.width : static_cast<int>(std::clamp(*number, 4.0, 65536.0));
@@ -88,7 +88,7 @@ void apply_projection(Preset& preset, const SceneOptions& options) {
   }
 }
 
-// The options that are one number of the preset.
+// The options that set one number of the preset.
 struct NumberOption {
   const char* name;
   const char* pointer;

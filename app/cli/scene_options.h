@@ -1,6 +1,6 @@
 #pragma once
 // The options that choose and change a scene, shared by every command that renders. Each one but the device's becomes
-// an override of the preset, so that one validator sees everything.
+// an override of the preset, so that one validator checks everything.
 
 #include <optional>
 #include <string>
@@ -17,7 +17,7 @@ namespace airlight::cli {
 // A key of the preset, changed by an option.
 struct Override {
   std::string assignment;  // "POINTER=JSON"
-  std::string typed;       // what messages speak of: "--view filmic"
+  std::string typed;       // the option as typed, for messages: "--view filmic"
 };
 
 struct SceneOptions {
@@ -36,11 +36,11 @@ struct SceneOptions {
   bool no_cache = false;
 };
 
-// "1920x1080"; nothing where it is no two whole numbers.
+// "1920x1080"; none where the text is not two whole numbers.
 std::optional<ImageSize> size_from(const std::string& text);
 
 Positional preset_positional(SceneOptions& options);
-// --sun-elevation, --sun-azimuth, --altitude, --method, --set, and the device's.
+// --sun-elevation, --sun-azimuth, --altitude, --method, --set, and those of the device.
 std::vector<Option> scene_options(SceneOptions& options);
 // --projection, --azimuth, --pitch, --fov, --size.
 std::vector<Option> camera_options(SceneOptions& options);
@@ -48,12 +48,12 @@ Option size_option(SceneOptions& options);
 // --device, --no-cache.
 std::vector<Option> device_options(SceneOptions& options);
 
-// The preset with the options' overrides, then `further` ones, then those of --set applied, not yet judged. Another
-// projection takes nothing from the preset that only its own could have: its field of view, and for a map its tilt;
-// unless --size says more the picture gets a size that suits. Throws InputError.
+// The preset after the overrides of the options, then `further`, then --set; not yet judged. Another projection drops
+// what only the preset's own could have: its field of view, and for a map its tilt. Unless --size is given the picture
+// gets a suitable size. Throws InputError.
 Preset chosen_preset(const SceneOptions& options, const std::vector<Override>& further = {});
 
-// The same, judged. Throws InputError.
+// The scene of that preset. Throws InputError.
 Scene load_scene(const SceneOptions& options, const std::vector<Override>& further = {});
 
 DeviceOptions wanted_device(const SceneOptions& options);
@@ -61,7 +61,7 @@ DeviceOptions wanted_device(const SceneOptions& options);
 // Opens the device of --device when first asked; `owner` keeps it open.
 DeviceOnDemand device_on_demand(const SceneOptions& options, std::unique_ptr<Executor>& owner);
 
-// Throws RunError when the validation layer has had anything to say.
+// Throws RunError when the validation layer has sent any message.
 void require_valid_vulkan();
 
 }  // namespace airlight::cli

@@ -24,7 +24,7 @@ bool is_stream(const std::string& name) {
   return name == "-" || (::stat(name.c_str(), &status) == 0 && (S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode)));
 }
 
-// All that comes out of a descriptor, in a file without a name.
+// A copy of all that a descriptor yields, in a file without a name.
 FileDescriptor copy_of(int from, const std::string& name) {
   FileDescriptor copy(::memfd_create("airlight", MFD_CLOEXEC));
   if (!copy) fail(name, "copied");

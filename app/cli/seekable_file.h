@@ -1,5 +1,5 @@
 #pragma once
-// An input in which one can go back, whatever the user named: a file as it is, a pipe or standard input as a copy.
+// A seekable input for whatever the user named: a file itself; a copy of a pipe or of standard input.
 
 #include <string>
 
@@ -12,9 +12,9 @@ class SeekableFile {
   // "-" is standard input. Throws InputError when the pipe cannot be read.
   explicit SeekableFile(const std::string& name);
 
-  const std::string& name() const { return name_; }  // as people know it
+  const std::string& name() const { return name_; }  // for people
   const std::string& path() const { return path_; }  // to be opened
-  // A text that speaks of the path, by the name.
+  // The text with the name in place of the path.
   std::string told(std::string text) const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// Where a run's time goes: every stretch between two laps has a name, and nothing is left unnamed.
+// The times of a run's stretches: each stretch between two laps has a name, and none is left out.
 
 #include <chrono>
 #include <string>
@@ -15,7 +15,7 @@ struct Lap {
 
 class Stopwatch {
  public:
-  // The first lap, "process start", is what the process took before main: CPU time, as it is spent linking libraries.
+  // The first lap, "process start", is the CPU time that the process took before main, mostly for linking libraries.
   Stopwatch();
 
   // Ends the stretch that began with the previous lap.

@@ -81,7 +81,7 @@ void complain(const std::exception& error) {
 }
 
 void tell(std::string_view text) {
-  // Nobody is left to tell when this fails.
+  // If this write fails there is nobody left to tell.
   (void)!std::fwrite(text.data(), 1, text.size(), stderr);
 }
 

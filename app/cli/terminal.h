@@ -1,5 +1,5 @@
 #pragma once
-// Standard output and standard error: colour only where a person looks, and a closed pipe is no disaster.
+// Standard output and standard error: colour only on a terminal, and no failure when a pipe is closed.
 
 #include <cstddef>
 #include <exception>
@@ -17,17 +17,18 @@ bool stdout_is_terminal();
 // Columns for text on standard output: the terminal's, 40 to 120; 80 where it goes elsewhere.
 std::size_t line_width();
 
-// Writes to standard output: what the user asked for, and what another program may read.
+// Writes to standard output: requested results, which another program may read.
 void print(std::string_view text);
 
-// Hands on what was printed so far, for a reader that waits for each line.
+// Flushes what was printed so far, for a reader that waits for each line.
 void flush_stdout();
 
-// Writes one or more lines to standard error, each prefixed with the tool's name. Control characters that a name of a
-// file or a text of somebody's brought along are escaped, and what is longer than any message is cut.
+// Writes one or more lines to standard error, each prefixed with the tool's name. Control characters from names of
+// files or foreign texts are escaped, and overlong messages are cut.
 void complain(std::string_view lines);
 
-// What an error says: one line, however many line breaks the names in it have, or the several lines of an InputError.
+// Writes an error's message: one line, however many line breaks names in it have, or the several lines of an
+// InputError.
 void complain(const std::exception& error);
 
 // Writes to standard error without a prefix: progress, timings, notes for people.

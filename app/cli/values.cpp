@@ -24,7 +24,7 @@ std::string expected_number(bool whole, const std::optional<Range>& range, Perce
   return text + (share ? "; write for example 0.5% or 0.005" : "");
 }
 
-// The value that a target holds, whether given once, optional or repeated.
+// The type of the value that a target holds, whether single, optional or repeated.
 template <class T>
 struct Held {
   using type = T;
@@ -61,8 +61,8 @@ CLI::Validator one_of(const Words& choices) {
       "");
 }
 
-// CLI11 would read a number by way of a long double, rounded twice, and take infinity.
-// A leading + is taken off, as people write it, and a % by what it means.
+// CLI11 would read a number through a long double, rounded twice, and accept infinity. A leading + is dropped, as
+// people write it; a % is dropped according to its meaning.
 template <class T>
 CLI::Validator a_number(const std::optional<Range>& range, Percent percent) {
   return CLI::Validator(
@@ -87,11 +87,11 @@ T value_from(const std::string& word) {
   if constexpr (std::is_same_v<T, std::string>) {
     return word;
   } else {
-    return number_from<T>(word).value();  // judged before
+    return number_from<T>(word).value();  // already checked
   }
 }
 
-// What CLI11 calls with the words that have passed.
+// CLI11 calls it with the words that have passed the checks.
 CLI::callback_t store_in(const Target& target) {
   return [target](const Words& words) {
     std::visit(

@@ -42,7 +42,7 @@ Nodes wavelengths_from(const std::string& text, const std::string& option) {
     throw InputError(what + " has a step of " + format_number(step) + " nm; expected at least " +
                      format_number(kLeastStep) + like);
   }
-  // A rounding error does not take the last one.
+  // A rounding error must not lose the last wavelength.
   const auto count = static_cast<std::size_t>(std::floor((last - first) / step + 1e-9)) + 1;
   if (count < kFewest || count > kMost) {
     throw InputError(what + " is " + (count < kFewest ? "one wavelength" : std::to_string(count) + " wavelengths") +

@@ -1,5 +1,5 @@
 #pragma once
-// --spectral and --spectrum: which wavelengths, and whether a scene has any.
+// --spectral and --spectrum: the wavelengths, and whether a scene has any.
 
 #include <string>
 
@@ -10,9 +10,9 @@ namespace airlight::cli {
 
 inline constexpr const char* kUsualWavelengths = "380:780:10";
 
-// "380:780:10" = FIRST:LAST:STEP in nm: from FIRST in steps to at most LAST, each standing for the band around it that
-// is as wide as the step and at most 10 nm. Throws InputError: malformed, outside 360 to 830, a step that is too small
-// or leads nowhere, fewer than 2 or more than 96 of them. `option`: "render: --spectral".
+// "380:780:10" = FIRST:LAST:STEP in nm: from FIRST in steps to at most LAST. Each wavelength stands for a band around
+// it as wide as the step, at most 10 nm. Throws InputError: malformed, outside 360 to 830, a step that is too small or
+// leads nowhere, fewer than 2 or more than 96 wavelengths. `option`: "render: --spectral".
 Nodes wavelengths_from(const std::string& text, const std::string& option);
 
 // Throws InputError for a scene of three channels.

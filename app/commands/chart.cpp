@@ -53,7 +53,7 @@ std::vector<std::string> chosen_methods(const Given& given) {
   return chosen;
 }
 
-// In the user's cache, as truths serve every chart; beside the chart where there is none.
+// The user's cache folder, since truths serve every chart; beside the chart where there is none.
 fs::path truth_folder(const Given& given) {
   if (!given.truth_folder.empty()) {
     return given.truth_folder;
@@ -122,7 +122,7 @@ chart::RunOrder order_of(const Given& given, chart::Settings& settings) {
   order.known = read_points(given.folder);
   order.version = AIRLIGHT_VERSION;
   DeviceOptions wanted = wanted_device(given.scene);
-  wanted.stores_tables = false;  // they are timed
+  wanted.stores_tables = false;  // the tables' times are measured
   order.open_device = [wanted] { return std::make_unique<Executor>(wanted); };
   order.keep = [folder = fs::path(given.folder)](const std::vector<chart::Point>& points) {
     write_points(folder, points);

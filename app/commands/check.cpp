@@ -27,7 +27,8 @@ struct Given {
   bool quiet = false;
 };
 
-// The names of the OCIO config in force; a preset's display or view that is not among them is told with its place.
+// Checks names against the OCIO config in force. A preset's display or view that the config lacks is reported with its
+// place.
 void check_names(const Preset& preset, Scene scene, const PictureOptions& options) {
   const auto place = [&](const char* key) {
     const PresetValue* value = member(member(&preset.root, "display"), key);
@@ -45,7 +46,7 @@ void check_names(const Preset& preset, Scene scene, const PictureOptions& option
   }
 }
 
-// A line for each problem; none: the preset is good, and `scene` what it says.
+// The problems, a line each. None: the preset is good, and `scene` is its scene.
 std::string problems_of(const Given& given, const std::string& argument, std::string& source, Scene& scene) {
   try {
     Preset preset = find_preset(argument);
@@ -70,7 +71,7 @@ void write_problems(JsonWriter& json, const std::string& lines) {
   json.end_array();
 }
 
-// Every problem of every file is told before the command fails.
+// Reports every problem of every file before the command fails.
 int check_presets(const Given& given) {
   bool all_good = true;
   JsonWriter json;

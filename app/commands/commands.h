@@ -1,5 +1,5 @@
 #pragma once
-// Every command of the tool: one function and one line in main.cpp each.
+// Every command of the tool: each has one function here and one line in main.cpp.
 
 #include "app/cli/cli.h"
 
@@ -17,7 +17,8 @@ Command presets_command();
 Command diff_command();
 Command chart_command();
 Command stability_command();
-// These describe the whole tool, which must outlive them; help those commands that the tool has by then.
+// Commands that describe the whole tool, which must outlive them. help_command() helps with all commands that the tool
+// has when it runs.
 Command help_command(const Tool& tool);
 Command completion_command(const Tool& tool);
 Command man_command(const Tool& tool);

@@ -68,7 +68,7 @@ std::string picture_for(const std::string& file, const measure::FilePairs& pairs
   return (path.parent_path() / (path.stem().string() + "." + name + path.extension().string())).string();
 }
 
-// All names that will be written, checked before any work.
+// Checks all names of output files before any work.
 void require_outputs(const Given& given, const measure::FilePairs& pairs) {
   std::vector<std::string> outputs;
   for (const measure::FilePair& pair : pairs.pairs) {
@@ -100,7 +100,7 @@ std::string resolved_preset(const std::string& source) {
   return source.empty() ? std::string() : to_json(resolve(find_preset(source), method_infos()));
 }
 
-// Text or a PNG; nothing where there is none.
+// Writes a text or a PNG; does nothing where there is none.
 template <class Contents>
 void write(const std::string& file, const Contents& contents, std::vector<std::string>& written) {
   if (contents.empty()) return;
@@ -108,7 +108,7 @@ void write(const std::string& file, const Contents& contents, std::vector<std::s
   written.push_back(file);
 }
 
-// Speaks of the pair's files by the names that people gave them.
+// Names the pair's files as the user named them.
 void tell_by_name(const std::vector<SeekableFile>& inputs, NamedReport& entry) {
   for (const SeekableFile& input : inputs) {
     entry.report.problem = input.told(entry.report.problem);
@@ -140,8 +140,8 @@ NamedReport compare_pair(const Given& given, const measure::FilePairs& pairs, co
   return entry;
 }
 
-// Figures go to standard output, or to standard error beside --json. A single pair that cannot be compared is an error
-// of one line.
+// Prints figures to standard output, or to standard error beside --json. A single pair that cannot be compared is an
+// error of one line.
 void tell_people(const Given& given, bool several, const NamedReport& entry, const measure::Limits& in_force) {
   const auto say = [&](const std::string& text) {
     const std::string shown = printable(text, true);
@@ -193,7 +193,7 @@ int diff(Given given) {
     throw InputError("diff: --update takes whole files; compare them whole, without --layer and --channels");
   }
   given.request.view_preset = resolved_preset(given.camera_from);
-  // Pipes are read once and in the order given.
+  // Pipes are read once, in the order given.
   std::vector<SeekableFile> inputs;
   for (std::string* name : {&given.a, &given.b}) {
     inputs.emplace_back(*name);
@@ -227,7 +227,7 @@ int diff(Given given) {
   }
   if (!given.junit.empty()) write(given.junit, measure::junit_xml(entries), written);
   if (!given.html.empty()) write(given.html, measure::html_page(entries, inputs[0].name(), inputs[1].name()), written);
-  // Where a pair cannot be compared the update throws, after all reports are written.
+  // If a pair cannot be compared the update throws, after all reports are written.
   const auto finish = [&](const std::vector<std::string>& replaced) {
     if (given.json) print(diff_json(entries, in_force, written, replaced));
   };
@@ -269,7 +269,7 @@ const char* const kDescription =
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
-// What judges.
+// The limits that decide the verdict.
 std::vector<Option> limit_options(measure::Limits& limits) {
   const Range positive{0.0, kNoLimit};
   const Range share{0.0, 100.0};
@@ -301,7 +301,7 @@ std::vector<Option> limit_options(measure::Limits& limits) {
   };
 }
 
-// What is compared, and what is written.
+// The choice of what is compared, and the outputs.
 std::vector<Option> other_options(Given& given) {
   const auto text = [](const char* name, const char* metavar, const char* help, Target target,
                        Completes completes = Completes::nothing) {

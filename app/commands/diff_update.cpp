@@ -16,7 +16,7 @@ ReferenceUpdate::ReferenceUpdate(const measure::FilePairs& pairs) {
   for (const measure::FilePair& pair : pairs.pairs) {
     if (!pair.problem.empty()) continue;
     std::error_code problem;
-    if (!fs::is_regular_file(pair.b, problem)) continue;  // the comparison says so
+    if (!fs::is_regular_file(pair.b, problem)) continue;  // the comparison reports it
     require_writable(pair.b);
     seen_.push_back({pair.a, fs::file_size(pair.a, problem), fs::last_write_time(pair.a, problem)});
   }

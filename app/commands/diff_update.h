@@ -1,5 +1,5 @@
 #pragma once
-// `airlight diff --update`: the new pictures become the references.
+// `airlight diff --update`: replaces the references by the new pictures.
 
 #include <filesystem>
 #include <string>
@@ -12,11 +12,11 @@ namespace airlight::cli {
 
 class ReferenceUpdate {
  public:
-  // Before comparing. Throws InputError where a reference cannot be written.
+  // To be made before comparing. Throws InputError where a reference cannot be written.
   explicit ReferenceUpdate(const measure::FilePairs& pairs);
 
-  // Replaces the references of all pairs that differ, and tells which. Nothing is replaced, by an InputError, where a
-  // pair could not be compared or a new picture has changed since; or by a RunError where writing fails.
+  // Replaces the references of all pairs that differ, and prints which. Replaces nothing and throws InputError if a
+  // pair could not be compared or a new picture has changed since, RunError if writing fails.
   std::vector<std::string> take(const std::vector<measure::NamedReport>& entries) const;
 
  private:

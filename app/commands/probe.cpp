@@ -195,7 +195,7 @@ void require_sound(const std::vector<ListedDirection>& listed, const SpectralPro
   }
 }
 
-// A colour of a scene with spectra may have a negative channel, but no negative luminance.
+// Throws on unsound values. With spectra a colour may have a negative channel, but no negative luminance.
 void require_sound(const std::vector<ListedDirection>& listed, const std::vector<ProbeResult>& results,
                    bool signed_colours) {
   for (std::size_t i = 0; i < results.size(); ++i) {

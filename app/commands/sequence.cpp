@@ -46,7 +46,7 @@ struct Given {
   bool quiet = false;
 };
 
-// The options of a sun path: name and whether it was given. The first six make one.
+// The options of a sun path, with whether each was given. The first six make up a path.
 struct PathOption {
   const char* name;
   bool given;
@@ -78,11 +78,11 @@ sequence::SunPath sun_path_of(const Given& given) {
                                   air_of(given.place, "sequence")});
 }
 
-// From where the frames come: the command line before the preset.
+// The source of the frames: the command line has precedence over the preset.
 FrameSource source_of(const Given& given, const Scene& scene) {
   const std::vector<PathOption> path = path_options(given);
   const auto first = std::ranges::find_if(path, [](const PathOption& option) { return option.given; });
-  air_of(given.place, "sequence");  // refuses what belongs to it where it is not asked for
+  air_of(given.place, "sequence");  // refuses its further options where none is asked for
   if (given.sweep && first != path.end()) {
     throw InputError(std::string("sequence: --sun-elevation and ") + first->name +
                      " both move the sun; choose a sweep or a sun path");
@@ -105,7 +105,7 @@ FrameSource source_of(const Given& given, const Scene& scene) {
       "--lon), a sweep (--sun-elevation -12:90:1), or a preset with key frames (\"sequence\")");
 }
 
-// What the frames set, nobody else can.
+// Refuses overrides of keys that the frames set.
 void refuse_idle_overrides(const Given& given, const FrameSource& source) {
   const sequence::Frame frame = sequence::frame_at(source, 0);
   for (const std::string& assignment : given.scene.set) {
@@ -117,8 +117,8 @@ void refuse_idle_overrides(const Given& given, const FrameSource& source) {
   }
 }
 
-// The options of sampling but the limit, of the look, and --set; then the limit, which only a method that samples
-// takes.
+// The preset with the options of sampling and of the look, and --set; then the time limit, which only a method that
+// samples takes.
 Preset preset_of(const Given& given) {
   std::vector<Override> further = overrides(given.sampling, false);
   for (Override& override : overrides(given.picture)) {
@@ -169,13 +169,13 @@ SequenceJob job_of(const Given& given) {
   job.preset = preset_of(given);
   job.scene = judged(job.preset);
   require_layers(given.picture, job.scene, job.exr.has_value(), "sequence");
-  tile_for(job.tile, job.scene, given.picture.layers, "sequence");  // throws for what is no tile
+  tile_for(job.tile, job.scene, given.picture.layers, "sequence");  // throws if it is no tile
   job.source = source_of(given, job.scene);
   refuse_idle_overrides(given, job.source);
   std::get<PresetObject>(job.preset.root.data).erase("sequence");
   job.scene.sequence.reset();
   if (locks_frame(job.scene)) {
-    locked_frame(job);  // which must be there
+    locked_frame(job);  // throws if it does not exist
   }
   job.manifest = given.manifest ? sequence::manifest_file(*given.manifest, job.shard)
                                 : sequence::manifest_file(job.exr ? *job.exr : *job.png, job.shard);
@@ -187,7 +187,7 @@ SequenceJob job_of(const Given& given) {
   return job;
 }
 
-// Everything that can be known to fail is said before anything is rendered.
+// Reports everything that can be known to fail before anything is rendered.
 void check_targets(const SequenceJob& job, const SequencePictures& pictures) {
   const Targets files = files_of(job, sequence::frame_number(job.source, 0));
   for (const std::string& file : {files.exr, files.png, job.manifest}) {
@@ -211,7 +211,7 @@ std::string frame_json(const SequenceJob& job, const sequence::Frame& frame) {
   return json.end_object().end_object().take();
 }
 
-// Frame by frame, as it would be rendered.
+// Prints the frames as they would be rendered.
 int dry_run(const SequenceJob& job) {
   const std::size_t frames = sequence::shard_size(job.shard, sequence::frame_count(job.source));
   for (std::size_t k = 0; k < frames; ++k) {
@@ -245,7 +245,7 @@ int run(const Given& given) {
   check_targets(job, pictures);
   const SequenceOutcome outcome = run_sequence(job);
   if (outcome.signal != 0) {
-    return 128 + outcome.signal;  // as a shell says it
+    return 128 + outcome.signal;  // as in a shell
   }
   make_pictures(pictures, job);
   return 0;
@@ -305,7 +305,7 @@ std::vector<Option> sequence_options(Given& given) {
   append(options, without(scene_options(given.scene), {"--sun-elevation", "--sun-azimuth"}));
   append(options, camera_options(given.scene));
   append(options, without(sampling_options(given.sampling), {"--checkpoint", "--time-limit"}));
-  // Unlike render's: one choice of method and quality would have to hold for all frames.
+  // It differs from render's, since one choice of method and quality would have to hold for all frames.
   append(options, grouped("Method", {{"--time-limit", "TIME",
                                       "Of a method that samples: stop sampling a frame after so long, e.g. 50ms, 2s, "
                                       "1min",

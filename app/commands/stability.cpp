@@ -113,7 +113,7 @@ std::string whole_maps(double done, double all) {
          " maps are whole; the same command goes on from there";
 }
 
-// Every block that is not there yet; the file of numbers is complete up to the last block at any time.
+// Examines every block that is missing. At any time the file of numbers is complete up to the last block.
 void examine_all(Examination& e, const fs::path& csv, const DeviceOnDemand& device, bool quiet) {
   const std::vector<Block> before = unfinished_blocks(contents_of(csv), e);
   if (!before.empty() && !quiet) {

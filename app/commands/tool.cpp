@@ -1,4 +1,4 @@
-// The commands that tell of the tool itself.
+// Commands about the tool itself.
 #include <algorithm>
 #include <memory>
 

@@ -15,8 +15,8 @@ Rgb rgb(const physics::vec3& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
-// Distances in the fog's own unit, km; heights above the ground along the flat vertical, as the published forms have
-// it.
+// Distances are in the fog's own unit, km; heights are above the ground along the flat vertical, as in the published
+// forms.
 void fill_with_fog(const std::vector<Sample>& samples, const Scene& scene, const composite::Fog& fog, double unit,
                    std::vector<AirTo>& airs) {
   physics::Physics p = geometry_of(scene);
@@ -35,7 +35,7 @@ void fill_with_fog(const std::vector<Sample>& samples, const Scene& scene, const
   }
 }
 
-// The volume where the order wants it, or where a tolerance allows it.
+// Whether to use the volume: where the order asks for it, or where a tolerance permits it.
 bool takes_volume(const CompositeOrder& order, const std::vector<Span>& spans, const Scene& scene,
                   const DeviceOnDemand& device, const SpanWay& volume, FrontAir& out) {
   const SkyMethod& method = method_of(scene);
@@ -66,7 +66,7 @@ std::vector<Span> spans_of(const std::vector<Sample>& samples, const Scene& scen
   return spans;
 }
 
-// A list takes 24 bytes a thing with what comes back, whole rows of the picture 20 a pixel.
+// A list takes 24 bytes a thing, results included; whole rows of the picture take 20 bytes a pixel.
 bool as_rows(const std::vector<Sample>& samples, const std::vector<Span>& spans, const Scene& scene) {
   const auto width = static_cast<std::size_t>(scene.image.width);
   const bool is_picture = samples.size() == width * static_cast<std::size_t>(scene.image.height);

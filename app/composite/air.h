@@ -1,5 +1,5 @@
 #pragma once
-// The air in front of the samples of a picture.
+// The air before the samples of a picture.
 
 #include <cstdint>
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace airlight::cli {
 
-// One ray up to a distance that a sample, or a part of one, stands at.
+// One ray up to the distance of a sample, or of a part of one.
 struct Sample {
   std::uint32_t pixel = 0;
   composite::Thing thing;
@@ -20,9 +20,9 @@ struct Sample {
 };
 
 struct FrontAir {
-  std::vector<AirTo> airs;             // of each sample; nothing before those without depth
+  std::vector<AirTo> airs;             // for each sample; without depth there is no air before it
   std::string way;                     // "march", "volume" or the fog's name
-  std::optional<double> volume_error;  // measured where a tolerance asked
+  std::optional<double> volume_error;  // measured if a tolerance was given
   std::vector<PassTiming> passes;
 };
 

@@ -63,7 +63,7 @@ std::string beauty_layer(const Picture& picture, const std::string& wanted) {
   return found.front();
 }
 
-// Z beside X and Y is a part of a vector.
+// Whether it is a depth channel: Z beside X and Y is a part of a vector.
 bool is_depth(const Picture& picture, const std::string& name) {
   const std::string last = lower(last_of(name));
   const bool vector = picture.find(in_layer(layer_of(name), "X")) != nullptr;
@@ -77,7 +77,7 @@ const Channel& depth_channel(const Picture& picture, const std::string& wanted) 
       found.push_back(&channel);
     }
   }
-  // A main Z wins over those of layers.
+  // A main Z has precedence over those of layers.
   for (const Channel* channel : found) {
     if (channel->name == "Z") {
       return *channel;
@@ -118,7 +118,7 @@ WorkingSpace space_of(const CompositeOrder& order, const Picture& picture) {
                    joined(names) + " they are nearest to");
 }
 
-// The file's camera where it is wanted and there; else the preset's. Returns which, for people.
+// Sets the file's camera if it is wanted and exists, else the preset's. Returns which one, for people.
 std::string set_camera(const CompositeOrder& order, const Picture& picture, double unit, Scene& scene) {
   const bool there = picture.world_to_camera || picture.world_to_ndc;
   if (order.camera == "preset" || (order.camera == "auto" && !there)) {
@@ -161,7 +161,7 @@ composite::DepthKind kind_of(const CompositeOrder& order, const Picture& picture
   return planar ? composite::DepthKind::planar : composite::DepthKind::distance;
 }
 
-// The distance of an edge pixel that the depth's one sample missed: the mean of the covered pixels around it.
+// Distance for an edge pixel that the depth's one sample missed: the mean of the covered pixels around it.
 float distance_around(const std::vector<float>& distances, int width, int height, int x, int y) {
   double sum = 0.0;
   int count = 0;
@@ -176,7 +176,7 @@ float distance_around(const std::vector<float>& distances, int width, int height
   return count > 0 ? static_cast<float>(sum / count) : composite::kSky;
 }
 
-// Flat pictures: what has no depth is the sky's, and of what is half covered the edge is found.
+// For flat pictures: pixels without depth belong to the sky, and half-covered pixels get the edge's distance.
 void settle_flat(Foreground& fore) {
   const std::vector<float> read = fore.distances;
   const int width = fore.picture.width;

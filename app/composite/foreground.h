@@ -1,5 +1,5 @@
 #pragma once
-// The picture that the air is put into, read and understood: its light in linear Rec.709, its cover, its distances.
+// The picture that gets the air, decoded: its light in linear Rec.709, its coverage, its distances.
 
 #include <cstdint>
 #include <string>
@@ -13,29 +13,29 @@
 namespace airlight::cli {
 
 struct Foreground {
-  foreign::Picture picture;              // as read; its other channels pass unchanged
+  foreign::Picture picture;              // as read; other channels pass unchanged
   std::array<std::string, 3> colours{};  // channel names of red, green, blue
   std::string alpha;                     // empty: none
   WorkingSpace space = WorkingSpace::linear_rec709;
-  std::vector<composite::Thing> things;  // of each pixel; deep: of each sample
-  std::vector<float> distances;          // km, likewise
-  std::vector<float> backs;              // deep with ZBack: km where each sample ends; else empty
-  std::vector<std::uint32_t> pixel_of;   // deep: the pixel of each sample; else empty
-  std::string camera;                    // where the camera comes from, for people
+  std::vector<composite::Thing> things;  // one for each pixel; for a deep picture for each sample
+  std::vector<float> distances;          // km, one for each thing
+  std::vector<float> backs;              // for a deep picture with ZBack: km at which each sample ends; else empty
+  std::vector<std::uint32_t> pixel_of;   // for a deep picture: the pixel of each sample; else empty
+  std::string camera;                    // source of the camera, for people
   composite::DepthCounts counts;
   std::size_t replaced = 0;  // opaque pixels without depth: the other program's own background
 };
 
 struct DepthPlace {
   std::string file;
-  std::string channel;  // empty: the only one of depths
+  std::string channel;  // empty: the only depth channel
 };
 
-// Takes --depth "FILE:CHANNEL" apart at the last colon, unless no channel could follow it.
+// Splits --depth "FILE:CHANNEL" at the last colon, unless no channel could follow it.
 DepthPlace depth_place(const std::string& text, const std::string& beauty);
 
-// Reads the files and sets the scene's picture size and, where the file tells it, its camera. Throws InputError: files
-// that cannot be read, channels that are missing (those present are listed), sizes that differ, unknown primaries.
+// Reads the files; sets the scene's picture size and, if the file has one, its camera. Throws InputError: files that
+// cannot be read, missing channels (existing ones are listed), differing sizes, unknown primaries.
 Foreground read_foreground(const CompositeOrder& order, const std::string& beauty, const std::string& depth,
                            Scene& scene);
 

@@ -20,7 +20,7 @@ std::optional<double> number(const std::string& text) {
 // A parameter of the fogs: one number or three.
 struct Parameter {
   std::string name;
-  std::string kinds;  // that have it
+  std::string kinds;  // fogs that have it
   double Fog::*value = nullptr;
   physics::vec3 Fog::*colour = nullptr;
 };

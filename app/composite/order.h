@@ -1,5 +1,5 @@
 #pragma once
-// What `airlight composite` was asked for.
+// The options of `airlight composite`.
 
 #include <optional>
 #include <string>
@@ -15,7 +15,7 @@ namespace airlight::cli {
 struct CompositeOrder {
   SceneOptions scene;
   std::string beauty;  // a file or a pattern of frames
-  std::string layer;   // of the beauty: "ViewLayer.Combined"; empty: found
+  std::string layer;   // of the beauty: "ViewLayer.Combined"; empty: found automatically
   std::string depth;   // FILE, FILE:CHANNEL or :CHANNEL; empty: in the beauty's file
   std::string depth_kind = "auto";
   std::string unit = "auto";  // of depth and camera: "m", "km", ... or metres as a number

@@ -1,4 +1,4 @@
-// `airlight composite`: the air put into the pictures of other programs.
+// `airlight composite`: adds the air to the pictures of other programs.
 
 #include <algorithm>
 #include <filesystem>
@@ -29,7 +29,7 @@ namespace {
 namespace fs = std::filesystem;
 using composite::Rgb;
 
-// Parts that a deep sample with a back is cut into.
+// Number of parts of a deep sample with a back.
 constexpr int kParts = 4;
 
 // One frame's pixels, in linear Rec.709, rows from the top.
@@ -64,7 +64,7 @@ std::vector<Sample> samples_of(const Foreground& fore) {
     }
   }
   if (!fore.pixel_of.empty()) {
-    // Nearest first, and what has no depth last.
+    // Nearest first; samples without depth last.
     std::ranges::stable_sort(samples, [](const Sample& a, const Sample& b) {
       return a.pixel != b.pixel ? a.pixel < b.pixel : a.distance < b.distance;
     });
@@ -72,7 +72,7 @@ std::vector<Sample> samples_of(const Foreground& fore) {
   return samples;
 }
 
-// Things that the terrain hides are none: there the picture shows the terrain.
+// Removes things that the terrain hides: there the picture shows the terrain.
 void hide_behind_terrain(std::vector<Sample>& samples, const Scene& scene) {
   const auto terrain = terrain_of(scene);
   const physics::uint projection = projection_code(scene.camera.projection);
@@ -95,7 +95,7 @@ void hide_behind_terrain(std::vector<Sample>& samples, const Scene& scene) {
   });
 }
 
-// `with_air`: inscatter and transmittance too.
+// `with_air`: also returns inscatter and transmittance.
 Composite blended(const Foreground& fore, const std::vector<Sample>& samples, const std::vector<AirTo>& airs,
                   const RadianceImage& sky, bool with_air) {
   const auto pixels = static_cast<std::size_t>(fore.picture.width) * static_cast<std::size_t>(fore.picture.height);
@@ -146,7 +146,7 @@ std::vector<float> planes_in(const std::vector<Rgb>& colours, WorkingSpace space
   return converted(std::move(image), WorkingSpace::linear_rec709, space).rgba;
 }
 
-// The file: the colours in place of the beauty's, its other channels as they were, the layers asked for.
+// The file: the new colours in place of the beauty's, its other channels unchanged, the requested layers.
 ExrFile encoded(const CompositeOrder& order, const Foreground& fore, const Composite& made,
                 const PictureContext& context) {
   const WorkingSpace space = order.colorspace.empty() ? fore.space : *working_space(order.colorspace);
@@ -217,7 +217,7 @@ void tell_about(const CompositeOrder& order, const Foreground& fore, const Frame
        told(order, air) + "\n" + frame.output + "\n");
 }
 
-// Milliseconds of the device by pass.
+// The device's milliseconds by pass.
 void write_passes(JsonWriter& json, const std::vector<PassTiming>& passes) {
   json.begin_object();
   for (const PassTiming& pass : passes) {
@@ -325,7 +325,8 @@ void require_spans(const Scene& scene, bool by_method) {
                    " does not tell the air before a thing from the sky behind it; choose " + names + " with --method");
 }
 
-// A second run over its own output would put the air in twice, and the picture without it would be lost.
+// Refuses an output that is also the input: a second run would add the air twice, and the picture without air would be
+// lost.
 void require_other_file(const Frame& frame) {
   for (const std::string& input : {frame.beauty, depth_place(frame.depth, frame.beauty).file}) {
     std::error_code absent;

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kQuarter = 0.5 * std::numbers::pi;
 
-// From a cube's axes (shaders/physics/environment.glsl) to the camera that looks along one: +X lies to the left of the
-// cube's azimuth; above and below, the upper edge is that of a camera that looks back.
+// From a cube's axis (shaders/physics/environment.glsl) to the camera that looks along it. +X lies to the left of the
+// cube's azimuth. The upper edges of the faces above and below are those of a camera that looks back.
 struct Face {
   const char* name;
   double turn;  // added to the azimuth

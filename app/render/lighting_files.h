@@ -15,7 +15,7 @@ std::string lighting_json_file(const std::string& exr);
 // One JSON object; colours in the working space of the pictures.
 std::string lighting_json(const Lighting& lighting, const PictureContext& context);
 
-// Both encoded, then written. Returns their names. Throws RunError.
+// Encodes both files, then writes them. Returns their names. Throws RunError.
 std::vector<std::string> write_lighting(const std::string& exr, const Lighting& lighting,
                                         const PictureContext& context);
 

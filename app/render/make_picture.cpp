@@ -95,7 +95,7 @@ std::optional<Lighting> wanted_lighting(const Means& means, const DeviceOnDemand
   return lighting;
 }
 
-// What stands beside the picture: tables, and what lighting asks for.
+// Adds further files: tables, and those for lighting.
 void add_further_files(const Means& means, const PictureContext& context, const std::optional<Lighting>& lighting,
                        std::vector<std::string>& files) {
   const auto append = [&](const std::vector<std::string>& more, const char* lap) {
@@ -111,7 +111,7 @@ void add_further_files(const Means& means, const PictureContext& context, const 
   }
 }
 
-// Colours that no screen of linear Rec.709 has, where the file says them in that space.
+// Warns of colours outside linear Rec.709 where the file's colours are in that space.
 void warn_of_gamut(const RenderOrder& given, const Rendering& rendering) {
   if (!given.quiet && rendering.picture.outside > 0 && working_space_of(given.picture) == WorkingSpace::linear_rec709) {
     complain(
@@ -145,7 +145,7 @@ void tell_undone(const RenderOrder& given, const Rendering& rendering) {
   }
 }
 
-// All of the picture, or the faces that it is cut into.
+// The whole picture as one part, or the faces of a cube.
 std::vector<TiledPart> parts_of(const Means& means, const Scene& scene) {
   if (!means.given.cube_faces) {
     return {{scene, 0, means.targets}};
@@ -201,7 +201,7 @@ bool render_in_tiles(const Means& means, const Scene& scene, const ImageSize& ti
   const RenderOrder& given = means.given;
   const DeviceOnDemand device = device_on_demand(given.scene, means.executor);
   if (!samples(scene)) {
-    device();  // its name stands in the header, before the first tile
+    device();  // its name stands in the header, which precedes the first tile
   }
   const bool is_asked = given.picture.full_float || given.picture.half_float || means.targets.exr.empty();
   const ExrDepth depth = exr_depth(given.picture, is_asked ? Rendering{} : metered_picture(device, scene));

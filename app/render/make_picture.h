@@ -1,5 +1,5 @@
 #pragma once
-// A checked scene rendered and written: picture, tables, lighting and what is told of them.
+// Renders and writes a checked scene: picture, tables, lighting and messages about them.
 
 #include <memory>
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace airlight::cli {
 
-// What a picture is made with, beside the scene.
+// The inputs for making a picture, apart from the scene.
 struct Means {
   const RenderOrder& given;
   const Targets& targets;
@@ -21,15 +21,15 @@ struct Means {
   const std::optional<ChoiceReport>& choice;
   std::unique_ptr<Executor>& executor;
   Stopwatch& watch;
-  std::optional<Nodes> spectral;  // wavelengths of --spectral
+  std::optional<Nodes> spectral;  // for --spectral
 };
 
 RenderRequest request_of(const Scene& scene, const Targets& targets);
 
-// From a checked scene to files on disk. False: it was interrupted, and its samples are kept.
+// Renders and writes a checked scene. False: it was interrupted, and its samples are kept.
 bool render_and_publish(const Means& means, const Scene& scene);
 
-// The same tile by tile.
+// Renders and writes it tile by tile.
 bool render_in_tiles(const Means& means, const Scene& scene, const ImageSize& tile);
 
 }  // namespace airlight::cli

@@ -37,7 +37,7 @@ struct NumberKind {
   bool (*holds)(float value);
 };
 
-// In the order of precedence; the last holds for everything.
+// In order of precedence; the last kind holds all other numbers.
 const std::array<NumberKind, 5>& number_kinds() {
   static const std::array<NumberKind, 5> kinds{{
       {"NaN magenta", {1.0F, 0.0F, 1.0F}, [](float v) { return std::isnan(v); }},
@@ -58,7 +58,7 @@ const std::array<float, 3>& diagnostic_colour(const float* rgb) {
   return number_kinds().back().colour;
 }
 
-// What is true of this very picture, whatever its preset is called and says of itself.
+// Facts about this very picture, whatever its preset's name and description are.
 std::string comments_of(const PictureContext& context) {
   const Scene& scene = context.scene;
   std::string text = scene.name.empty() ? "" : scene.name + ": ";
@@ -159,7 +159,7 @@ void PictureChannels::add_layer(const Layer& layer) {
   const bool ours = !is_colour || space_ == WorkingSpace::linear_rec709;
   const std::vector<float>& planes = ours ? layer.planes : planes_.emplace_back(converted_planes(layer.planes));
   for (std::size_t c = 0; c < layer.channels.size(); ++c) {
-    // A half has no kilometre right beyond 2048.
+    // Depths are floats: beyond 2048 a half is not exact to a kilometre.
     const bool is_depth = layer.name == "depth";
     channels_.push_back({layer.name + "." + layer.channels[c], planes.data() + c * plane, 1, is_depth});
   }

@@ -17,7 +17,7 @@
 
 namespace airlight::cli {
 
-// The attribute of an EXR that says what its PNG was exposed by.
+// The EXR's attribute with the exposure of its PNG.
 inline constexpr const char* kExposureKey = "airlight:exposure";
 
 // The quality that was chosen for the picture, and its error.
@@ -31,16 +31,16 @@ struct PictureContext {
   const Rendering& rendering;
   Provenance provenance;
   std::optional<ChoiceNote> choice = {};
-  std::vector<std::string> left_out = {};  // by that choice, unless the rendering says so itself
-  std::string exr_hash = {};               // of a sequence's frame, see app/sequence/job.h; empty: none is written
+  std::vector<std::string> left_out = {};  // by that choice; empty where the rendering names them
+  std::string exr_hash = {};               // for a sequence's frame, see app/sequence/job.h; empty: none is written
   std::string png_hash = {};
   WorkingSpace space = WorkingSpace::linear_rec709;  // of the EXR's colours
   std::optional<FrameAttributes> frame = {};         // of a sequence
 };
 
-// The channels of an EXR of this context, read from its rendering, which must outlive them: the beauty and what stands
-// beside it. In another space than linear Rec.709 all light is converted, and the transmittance as the colour of white
-// seen through the air.
+// The channels of an EXR of this context: the beauty and further channels, read from its rendering, which must outlive
+// them. In another space than linear Rec.709 all light is converted, and the transmittance as the colour of white seen
+// through the air.
 class PictureChannels {
  public:
   explicit PictureChannels(const PictureContext& context);
@@ -62,7 +62,7 @@ class PictureChannels {
 
 // Whether the picture is an environment map as OpenEXR's latlong is: equirectangular, twice as wide as high.
 bool is_latlong(const Scene& scene);
-// For an equirectangular picture that is none; else empty.
+// A warning for an equirectangular picture that is no latlong; else empty.
 std::string latlong_warning(const Scene& scene);
 
 ExrOptions exr_options(const PictureContext& context, bool half);
@@ -72,8 +72,8 @@ ExrFile picture_exr(const PictureContext& context, bool half);
 // A PNG whose rows come in bands: the same bytes as picture_png() makes of all of them.
 class PicturePng {
  public:
-  // `context`: its scene's image is the whole one, its rendering has perhaps the first rows alone. `transform`, which
-  // must outlive it: none for the two views above.
+  // `context`: its scene's image is the whole one; its rendering may hold the first rows only. `transform`, which must
+  // outlive this: none for the two views above.
   PicturePng(PngRows::Sink sink, const PictureContext& context, const std::optional<DisplayTransform>& transform,
              int bits);
   ~PicturePng();
@@ -91,11 +91,11 @@ class PicturePng {
 std::vector<std::byte> picture_png(const PictureContext& context, const std::optional<DisplayTransform>& transform,
                                    int bits);
 
-// Colours NaN magenta, infinity yellow, negative blue, finite light grey and zero black. In a pixel of several kinds
-// the first of this list wins.
+// NaN is magenta, infinity yellow, negative blue, finite light grey, zero black. A pixel of several kinds has the
+// colour of the first of them.
 RadianceImage diagnostic_picture(const RadianceImage& radiance);
 
-// What the colours mean, for the message that goes with such a picture.
+// The meaning of the colours, for the message with such a picture.
 std::string diagnostic_legend();
 
 }  // namespace airlight::cli

@@ -87,7 +87,7 @@ std::string names_of(const Plan& plan, const std::vector<Binding>& bindings) {
              : joined_of(bindings, [&](const Binding& binding) { return resource_name(plan, binding.resource); });
 }
 
-// What the time between two laps went into, each name once; the rest has a row, so that the parts add up.
+// The parts of the time between two laps, each name once. A row for the rest makes the parts add up.
 std::string parts_of_render(const RenderReport& report, double wall_ms) {
   std::string text;
   double rest = wall_ms;
@@ -175,7 +175,7 @@ std::string details(const RenderReport& report) {
   char text[160];
   std::string out = "method " + report.scene.render.method;
   out += report.device ? " on " + report.device->name + " (" + report.device->driver + ")\n" : "\n";
-  // What the choice left out stands in its explanation.
+  // Parts left out by the choice are listed in its explanation.
   const std::vector<std::string> told = report.choice ? report.choice->choice.left_out : std::vector<std::string>();
   for (const std::string& reason : rendering.left_out) {
     const bool is_told = std::ranges::find(told, reason) != told.end();

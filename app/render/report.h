@@ -1,5 +1,5 @@
 #pragma once
-// What a finished render says of itself: for people, and as JSON for programs.
+// Reports on a finished render: for people, and as JSON for programs.
 
 #include <optional>
 #include <string>
@@ -22,9 +22,9 @@ struct RenderReport {
   std::optional<ExrCounts> exr;
   std::string exr_format;              // "half" or "float"
   std::string view;                    // of the PNG: "DISPLAY / VIEW"; empty: no PNG
-  std::optional<ChoiceReport> choice;  // of --tolerance and --time-limit
+  std::optional<ChoiceReport> choice;  // for --tolerance and --time-limit
   const Stopwatch& watch;
-  std::optional<ImageSize> tile = {};  // of a picture rendered in tiles
+  std::optional<ImageSize> tile = {};  // for a picture rendered in tiles
 };
 
 // One object with a line feed.
@@ -33,18 +33,18 @@ std::string json_report(const RenderReport& report);
 // Every stretch of the run by name, with the parts of the render below it.
 std::string timings_table(const RenderReport& report);
 
-// What -v tells: device, method, what was left out, the picture's numbers.
+// Output of -v: device, method, parts left out, the picture's numbers.
 std::string details(const RenderReport& report);
 
-// One line each: values clamped on half, and what else the files could not hold.
+// One line each: values clamped on conversion to half, and other values that the files could not hold.
 std::vector<std::string> exr_warnings(const ExrCounts& counts);
 
-// What --dry-run --json prints: where the files would go, the preset resolved, the passes.
-// `wavelengths`: of --spectral, nm, whose groups of three have these passes each.
+// Output of --dry-run --json: names of the files, the resolved preset, the passes. `wavelengths`: of --spectral, nm;
+// each group of three has these passes.
 std::string json_of_plan(const Scene& scene, const Plan& plan, const std::vector<std::string>& files,
                          const std::optional<ChoiceReport>& choice, const std::vector<double>& wavelengths = {});
 
-// What --dry-run says of --spectral.
+// Output of --dry-run about --spectral.
 std::string spectral_text(const Nodes& wavelengths);
 
 // The passes of a plan with what each reads and writes, for --dry-run.

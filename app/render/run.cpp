@@ -52,7 +52,7 @@ sequence::Frame locked_frame(const Scene& scene) {
   return frame_numbered(*scene.sequence, scene.display.metered_frame, place);
 }
 
-// Nothing where method and quality are the preset's.
+// None where method and quality are the preset's.
 std::optional<ChoiceWish> choice_wish(const RenderOrder& given, const Scene& scene) {
   const bool by_time = given.sampling.time_limit && !samples(scene);
   if (!given.tolerance && !by_time) {
@@ -83,7 +83,7 @@ std::optional<ChoiceWish> choice_wish(const RenderOrder& given, const Scene& sce
   return wish;
 }
 
-// The scene with the exposure of a day or of one of the preset's own key frames, where it asks for one.
+// The scene with the exposure of a day or of one of the preset's own key frames, if it asks for one.
 Scene with_held_exposure(const RenderOrder& given, Scene scene, const DeviceOnDemand& device) {
   const std::optional<double> held = held_exposure(device, scene, [&] {
     Scene frame = frame_scene(chosen_preset(given.scene, overrides(given.picture)), locked_frame(scene));
@@ -108,7 +108,7 @@ int dry_run(const RenderOrder& given, const Scene& scene, const Targets& targets
   return 0;
 }
 
-// The tile of a picture that is rendered in tiles. Throws InputError for layers and tiles that cannot be had.
+// The tile size of a picture rendered in tiles. Throws InputError for impossible layers or tiles.
 std::optional<ImageSize> tile_of(const RenderOrder& given, const Scene& scene, const Targets& targets) {
   require_layers(given.picture, scene, !targets.exr.empty(), "render");
   return tile_for(given.tile, scene, given.picture.layers, "render");
@@ -126,7 +126,8 @@ void warn(const Scene& scene, const Targets& targets, const std::optional<Displa
   }
 }
 
-// Ctrl-C leaves the checkpoint with all samples taken so far, and no picture. The exit code, as a shell says it.
+// On Ctrl-C the checkpoint keeps all samples taken so far, and no picture is written. Returns the exit code, as in a
+// shell.
 int interruptible(const RenderOrder& given, const std::function<bool()>& publish_all) {
   const Interruption interruption;
   bool whole = false;
@@ -135,7 +136,7 @@ int interruptible(const RenderOrder& given, const std::function<bool()>& publish
   } catch (const RunError&) {
     clear_progress();
     if (Interruption::signal() == 0) {
-      throw;  // no sampling that was stopped
+      throw;  // it is not a sampling run that was stopped
     }
   }
   if (whole) {
@@ -149,7 +150,7 @@ int interruptible(const RenderOrder& given, const std::function<bool()>& publish
 
 constexpr const char* kSpectral = "render: --spectral";
 
-// Wavelengths times pixels, at most: they are kept in memory, 512 MiB of them, until the EXR is encoded.
+// Most wavelengths times pixels: they are kept in memory, 512 MiB of them, until the EXR is encoded.
 constexpr std::size_t kMostSpectralSamples = std::size_t{1} << 27;
 
 void require_fit(const Scene& scene, std::size_t wavelengths) {
@@ -163,7 +164,7 @@ void require_fit(const Scene& scene, std::size_t wavelengths) {
   }
 }
 
-// The wavelengths of --spectral; nothing where it is not given. Throws InputError where they cannot be had.
+// The wavelengths of --spectral; none where it is not given. Throws InputError where they are impossible.
 std::optional<Nodes> spectral_wavelengths(const RenderOrder& given, const Scene& scene, const Targets& targets) {
   if (!given.spectral) {
     return std::nullopt;
@@ -201,7 +202,7 @@ int run_render(const RenderOrder& given) {
     require_cube_stack(scene);
   }
   if (locks_frame(scene)) {
-    locked_frame(scene);  // which must be there
+    locked_frame(scene);  // throws if it does not exist
   }
   const Targets targets = choose_targets(given);
   const std::optional<Nodes> spectral = spectral_wavelengths(given, scene, targets);
@@ -230,7 +231,7 @@ int run_render(const RenderOrder& given) {
     warn(scene, targets, transform, choice.has_value());
   }
   for (const std::string& file : targets.files()) {
-    remove_abandoned_files_of(file);  // half written by runs that were killed
+    remove_abandoned_files_of(file);  // left half written by killed runs
   }
   scene = with_held_exposure(given, std::move(scene), device_on_demand(given.scene, executor));
   const Means means{given, targets, transform, choice, executor, watch, spectral};

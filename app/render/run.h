@@ -1,5 +1,5 @@
 #pragma once
-// From the options of `airlight render` to files on disk.
+// Carries out `airlight render`, from options to files on disk.
 
 #include <optional>
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace airlight::cli {
 
-// What the command line asks for.
+// The command line's options.
 struct RenderOrder {
   SceneOptions scene;
   PlaceOptions place;
@@ -32,7 +32,7 @@ struct RenderOrder {
   bool verbose = false;
 };
 
-// Returns the exit code. Throws InputError and RunError; then no file was touched.
+// Returns the exit code. Throws InputError and RunError; then no file has been changed.
 int run_render(const RenderOrder& given);
 
 }  // namespace airlight::cli

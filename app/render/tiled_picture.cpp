@@ -24,7 +24,7 @@ ImageSize tile_from(const std::string& text, const Scene& scene, bool layers, co
   return tile;
 }
 
-// The files of a part while they are written.
+// The files of a part, while they are being written.
 class PartFiles {
  public:
   PartFiles(const TiledPart& part, const TiledOrder& order) : part_(part), order_(order) {
@@ -36,7 +36,7 @@ class PartFiles {
     }
   }
 
-  // What of the band's rows is the part's.
+  // Writes the part's share of the band's rows.
   void add(const Band& band) {
     const int first = std::max(part_.first_row, band.y);
     const int end = std::min(part_.first_row + part_.scene.image.height, band.y + band.rows.radiance.height);
@@ -118,7 +118,7 @@ class PartFiles {
 
 using AllFiles = std::vector<std::unique_ptr<PartFiles>>;
 
-// Nothing, where the picture is sound.
+// Returns if the picture is sound, else throws.
 void require_sound(const Scene& scene, const Rendering& rendering, const TiledOrder& order, const AllFiles& files) {
   if (rendering.fault().empty()) {
     return;
@@ -130,7 +130,7 @@ void require_sound(const Scene& scene, const Rendering& rendering, const TiledOr
   });
 }
 
-// Both files of all parts, the EXRs first.
+// Finishes both files of all parts, the EXRs first.
 void finish(TiledPicture& done, const TiledOrder& order, const AllFiles& files) {
   double exr_ms = 0.0;
   double png_ms = 0.0;

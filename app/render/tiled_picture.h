@@ -12,15 +12,15 @@
 
 namespace airlight::cli {
 
-// What is rendered in tiles when nobody says so: radiance beyond what every device takes in one buffer.
+// Larger pictures are rendered in tiles by default: their radiance exceeds the buffer that every device supports.
 inline constexpr std::size_t kMostUntiledPixels = kTileBytes / (4 * sizeof(float));
 
-// `option`: of --tile, "WxH". Nothing: the picture is rendered as a whole, as it is small. Throws InputError for what
-// is no size, or larger than a device's buffers. `command`: "render".
+// `option`: of --tile, "WxH". None: the picture is small and rendered as a whole. Throws InputError for a text that is
+// no size, or a size beyond a device's buffers. `command`: "render".
 std::optional<ImageSize> tile_for(const std::optional<std::string>& option, const Scene& scene, bool layers,
                                   const std::string& command);
 
-// One picture among the files: all rows, or those of a cube's face, which are a picture of that scene.
+// One picture among the files: all rows, or the rows of a cube's face, which are a picture of `scene`.
 struct TiledPart {
   Scene scene;
   int first_row = 0;
@@ -35,20 +35,20 @@ struct TiledOrder {
   bool half = true;
   int bits = 8;
   std::string source;  // the preset as the user named it, for messages
-  // What stands in the headers of a part's files, beside its pixels.
+  // The context for the headers of a part's files.
   std::function<PictureContext(const Scene& scene, const Rendering& rendering)> context;
   std::function<void(double done)> report = {};
-  std::function<bool()> dropped = {};  // asked at the end: nobody wants the picture any more
+  std::function<bool()> dropped = {};  // asked at the end: true if the picture is not wanted any more
 };
 
 struct TiledPicture {
-  Rendering rendering;  // without pixels; its layers are names alone
+  Rendering rendering;  // without pixels; its layers have only names
   ExrCounts counts;
-  std::vector<std::string> files;  // none: it was dropped
+  std::vector<std::string> files;  // empty: it was dropped
 };
 
-// Throws RunError, and leaves no file: the device fails, the disk is full, a table, the picture or a layer is at fault
-// (the PNG of the diagnostic view is left then).
+// Throws RunError and leaves no file when the device fails, the disk is full, or a table, the picture or a layer is at
+// fault (then the PNG of the diagnostic view is left).
 TiledPicture write_tiled(const DeviceOnDemand& device, const Scene& scene, const TiledOrder& order);
 
 }  // namespace airlight::cli

@@ -1,5 +1,5 @@
 #pragma once
-// Whether a method's own claim covers a scene.
+// Whether a method's claim covers a scene.
 
 #include <string>
 #include <vector>
@@ -12,18 +12,18 @@ namespace airlight::cli {
 // "a sun below -2 degrees (it is at -4)": each limit that the scene exceeds; empty where the claim holds.
 std::vector<std::string> exceeded_limits(const Validity& validity, const Scene& scene);
 
-// One line for the user when the scene's method does not claim it: why, what it leaves out, which methods do. Empty
-// where it does.
+// One line for the user when the scene's method does not claim to hold for it: why, what the method leaves out, which
+// methods do hold. Empty where it does.
 std::string validity_warning(const Scene& scene);
 
 // One line where the scene lies in a region in which its method, at its quality, is known to fail: the causes, and
-// which methods hold. Empty where it does not.
+// which methods hold. Otherwise empty.
 std::string known_failure_warning(const Scene& scene);
 
-// What of the scene's wishes its method does not do because it would take for ever, a line each.
+// The scene's wishes that its method does not fulfil because that would not end, a line each.
 std::vector<std::string> bound_warnings(const Scene& scene);
 
-// These lines, as each command that renders tells them. A failure that is known is not told where the picture's own
+// These warnings, as each command that renders prints them. A known failure is not mentioned where the picture's own
 // error is measured.
 std::vector<std::string> scene_warnings(const Scene& scene, bool error_is_measured = false);
 

@@ -52,7 +52,7 @@ std::string transfer_name(int code) {
   return code == 13 ? "iec61966-2-1" : code == 16 ? "smpte2084" : code == 18 ? "arib-std-b67" : "bt709";
 }
 
-// From RGB by the matrix that the stream says, not by ffmpeg's guess; narrow range, as players expect.
+// Converts from RGB by the matrix that the stream names, not by ffmpeg's guess; narrow range, as players expect.
 std::vector<std::string> mp4_arguments(const std::optional<ColourCode>& colours) {
   const bool wide = colours && colours->primaries == 9;
   const std::string matrix = wide ? "bt2020nc" : "bt709";
@@ -153,9 +153,9 @@ Film::Film(const std::string& file, int width, int height, int frames_a_second,
   }
   const FileDescriptor output(ends[0]);
   input_ = ends[1];
-  // ffmpeg's for its life: tells remove_abandoned_film() that it is at work.
+  // ffmpeg holds the lock for its life, which tells remove_abandoned_film() that it is at work.
   (void)::flock(messages.get(), LOCK_EX | LOCK_NB);
-  // Ctrl-C is ours to handle: what ffmpeg has made so far is removed.
+  // We handle Ctrl-C, and remove what ffmpeg has written so far.
   process_ = start_process(arguments(file, temporary_, width, height, frames_a_second, colours),
                            {.input = output.get(), .output = messages.get(), .errors = messages.get(), .apart = true});
   if (process_ == 0) {
@@ -186,7 +186,7 @@ void Film::finish() {
   }
 }
 
-// True when ffmpeg has come to a good end.
+// True when ffmpeg ended successfully.
 bool Film::wait() {
   if (input_ >= 0) {
     ::close(std::exchange(input_, -1));

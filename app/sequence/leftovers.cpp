@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Numbers ascend with the index.
+// Frame numbers rise with the index.
 bool has_frame(const sequence::FrameSource& source, long number) {
   const auto indexes = std::views::iota(std::size_t{0}, sequence::frame_count(source));
   return std::ranges::binary_search(indexes, number, {},
@@ -35,7 +35,7 @@ void add_frames_beyond(std::vector<std::string>& files, const sequence::FramePat
     if (!number || has_frame(source, *number) || entry->is_symlink(ignored)) {
       continue;
     }
-    // The hash is written by `airlight sequence` alone.
+    // Only `airlight sequence` writes the hash.
     const std::optional<FrameMark> mark = read_frame_mark(entry->path());
     if (mark && !mark->hash.empty()) {
       files.push_back(pattern.folder == "." ? name : entry->path().string());

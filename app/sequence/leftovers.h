@@ -1,5 +1,5 @@
 #pragma once
-// What earlier runs have left beside a sequence's frames: frames that are no part of it, and files half written.
+// Files of earlier runs beside a sequence's frames: frames that do not belong to it, and half-written files.
 
 #include <string>
 #include <vector>
@@ -8,14 +8,14 @@
 
 namespace airlight::cli {
 
-// Whole frames of `airlight sequence` whose names match the job's patterns, but with numbers that the whole sequence
-// does not have, such as those of a run with a finer step; by name. Files of anything else are not among them.
+// Whole frames of `airlight sequence` whose names match the job's patterns, but whose numbers the whole sequence does
+// not have, such as those of a run with a finer step; sorted by name. Other files are never among them.
 std::vector<std::string> frames_beyond(const SequenceJob& job);
 
-// Removes them where the job says so; else tells of them, in one line.
+// Removes these frames if the job says so; otherwise reports them in one line.
 void tidy_frames_beyond(const SequenceJob& job);
 
-// Removes what killed runs have left half written of frames and manifest.
+// Removes half-written frames and manifests of killed runs.
 void remove_half_written(const SequenceJob& job);
 
 }  // namespace airlight::cli

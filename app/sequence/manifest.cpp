@@ -43,8 +43,8 @@ SequenceManifest::SequenceManifest(const SequenceJob& job)
   next_write_ = Clock::now() + std::chrono::seconds(5);
 }
 
-// Each frame stands on a line of its own: the file is never held whole. What is no such line is passed over: the
-// manifest is a report, and wrong figures in it are the worst that can come of it.
+// Each frame is a line of its own, so that the file is never held whole. Other lines are skipped: the manifest is a
+// report, and at worst its figures are wrong.
 void SequenceManifest::read_earlier() {
   std::ifstream file(job_.manifest, std::ios::binary);
   const long first = records_.empty() ? 0 : sequence::frame_number(job_.source, 0);

@@ -12,25 +12,24 @@ namespace airlight::cli {
 
 class SequenceManifest {
  public:
-  // Takes over from an earlier manifest of that name what it says of the time that frames took.
+  // Takes the frames' times over from an earlier manifest of that name.
   explicit SequenceManifest(const SequenceJob& job);
 
-  // The k-th frame of the shard is whole on disk. `milliseconds`: from its scene to its files; below 0: it was there
-  // before, and the earlier manifest's figure stands if it is of the same hash.
+  // Notes that the k-th frame of the shard is whole on disk. `milliseconds`: from its scene to its files; below 0: it
+  // already existed, and the earlier manifest's figure is kept if that has the same hash.
   void add(std::size_t k, const std::string& hash, const Scene& scene, double milliseconds);
 
-  // Writes the file, whole or not at all, now and then when called often: when it takes a hundredth of the time at
-  // most.
+  // Writes the file, whole or not at all. Called often, it writes only now and then: at most a hundredth of the time.
   void write_now_and_then();
   void write();
 
  private:
-  // 24 bytes a frame are all that a sequence takes of memory for each of its frames.
+  // A sequence takes only these 24 bytes of memory for each frame.
   struct Record {
     std::uint64_t hash = 0;
     std::int32_t elevation = 0;  // millionths of a degree
     std::int32_t azimuth = 0;
-    float milliseconds = -1.0F;  // below 0: not known
+    float milliseconds = -1.0F;  // below 0: unknown
     bool is_whole = false;
   };
   void read_earlier();

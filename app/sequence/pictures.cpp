@@ -49,7 +49,7 @@ class FrameReader {
   std::optional<DisplayTransform> transform_;
 };
 
-// What tells a frame from its neighbours: the time, or the sun's elevation, or its number.
+// The label that tells a frame from its neighbours: the time, or the sun's elevation, or its number.
 std::string label_of(const SequenceJob& job, std::size_t index) {
   const sequence::Frame frame = sequence::frame_at(job.source, index);
   if (frame.time) {
@@ -82,7 +82,7 @@ void make_preview(const SequencePictures& pictures, const SequenceJob& job, cons
   Film film(*pictures.preview, first.width, first.height, pictures.frames_a_second, reader.colours());
   for (std::size_t index = 0; index < frames; ++index) {
     if (Interruption::signal() != 0) {
-      return;  // the film goes with its end
+      return;  // its destructor removes the film
     }
     const PixelImage picture = index == 0 ? first : reader.read(index);
     if (picture.width != first.width || picture.height != first.height) {

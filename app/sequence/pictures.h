@@ -1,5 +1,5 @@
 #pragma once
-// A finished sequence for people: a film by ffmpeg, and a sheet of small pictures.
+// Pictures of a finished sequence for people: a film by ffmpeg, and a contact sheet.
 
 #include <optional>
 #include <string>
@@ -14,12 +14,12 @@ struct SequencePictures {
   std::optional<std::string> contact_sheet;  // FILE.png
 };
 
-// Before anything is rendered. Throws InputError: another ending, a place that cannot be written, no ffmpeg, one shard
-// of several, EXRs alone under a view that only the renderer can show.
+// To be called before anything is rendered. Throws InputError: another ending, a file that cannot be written, no
+// ffmpeg, one shard of several, only EXRs under a view that only the renderer can show.
 void check_pictures(const SequencePictures& pictures, const SequenceJob& job);
 
-// Makes the pictures of a sequence whose frames are all whole. Reads them back: the PNGs where the job has them, else
-// the EXRs through the display transform. Tells the files written. Throws RunError.
+// Makes the pictures of a sequence whose frames are all whole. It reads them back: the PNGs if the job has them, else
+// the EXRs through the display transform. Prints the names of the files. Throws RunError.
 void make_pictures(const SequencePictures& pictures, const SequenceJob& job);
 
 }  // namespace airlight::cli

@@ -169,7 +169,7 @@ void SequenceReport::end(const std::string& stopped) {
   tell(text + "\n" + job_.manifest + "\n");
 }
 
-// The rate is that of rendered frames: what is kept takes no time, and would promise too much.
+// The rate counts rendered frames only: kept frames take no time and would make it too high.
 void SequenceReport::draw_bar() {
   constexpr auto kInterval = std::chrono::milliseconds(100);
   constexpr int kWidth = 30;

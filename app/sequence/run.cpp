@@ -30,14 +30,14 @@ namespace {
 // Encoding spreads over the cores within a frame; a second thread fills the gaps of writing and syncing.
 constexpr unsigned kEncoders = 2;
 
-// Kinds of warnings, as the last line counts their frames.
+// Kinds of warnings, in words for the last line with their frames' number.
 constexpr const char* kUnclaimed = "are outside what their method claims to hold for";
 constexpr const char* kBounded = "are rendered with fewer orders of scattering than asked for";
 constexpr const char* kUndone = "lack light that would have taken for ever to find";
 constexpr const char* kLossy = "have samples that half floats do not hold";
 
-// Frames that wait to be encoded: one hides the differences from frame to frame. Of frames that would fill the memory
-// none waits, and one is in hand.
+// Number of frames that wait to be encoded. One is enough to even out differences between frames. Frames so large that
+// they would fill the memory do not wait, and only one is in work.
 struct Room {
   unsigned threads = kEncoders;
   std::size_t waiting = 1;
@@ -49,7 +49,7 @@ Room room_for(const ImageSize& image, bool layers) {
   return pixels > kLargePixels ? Room{1, 0} : Room{};
 }
 
-// A frame on its way: what the encoder needs of it, and what is told of it.
+// A frame on its way: inputs of the encoder and of the report.
 struct Work {
   std::size_t k = 0;  // in the shard
   Scene scene;
@@ -93,7 +93,7 @@ class Runner {
   SequenceManifest manifest_;
   std::mutex manifest_mutex_;
   std::optional<DisplayTransform> transform_;
-  std::string display_;  // config, display and view of the PNGs, wherever their names came from
+  std::string display_;  // config, display and view of the PNGs, from options or preset
   std::unique_ptr<Executor> executor_;
 };
 
@@ -134,13 +134,13 @@ void Runner::encode(const Work& work) {
   finished(work.k, work.scene, report);
 }
 
-// A frame larger than memory, into its files as it is rendered. False when a signal has cut it short: it is dropped.
+// Renders a frame larger than memory into its files. False when a signal has cut it short: the frame is dropped.
 bool Runner::render_in_tiles(const std::shared_ptr<Work>& work, const ImageSize& tile) {
   const Clock::time_point start = Clock::now();
   const Scene& scene = work->scene;
   const Targets& files = work->report.files;
   const DeviceOnDemand device = device_on_demand(job_.scene_options, executor_);
-  device();  // its name stands in the header, before the first tile
+  device();  // its name stands in the header, which precedes the first tile
   const bool is_asked = job_.picture.full_float || job_.picture.half_float || files.exr.empty();
   const ExrDepth depth = exr_depth(job_.picture, is_asked ? Rendering{} : metered_picture(device, scene));
   if (!depth.why.empty()) {
@@ -216,7 +216,7 @@ bool Runner::render_frame(std::size_t k, sequence::BoundedWorkers& encoders) {
   return true;
 }
 
-// A day's or a frame's exposure becomes the preset's own, so that every frame, and its hash, has the number.
+// Makes a day's or a frame's exposure the preset's own, so that every frame, and its hash, has the number.
 void Runner::hold_exposure() {
   const std::optional<double> held = held_exposure(device_on_demand(job_.scene_options, executor_), job_.scene,
                                                    [&] { return scene_of(job_, locked_frame(job_)); });
@@ -254,7 +254,7 @@ SequenceOutcome Runner::run() {
     report_.end("");
     try {
       manifest_.write();
-    } catch (const RunError&) {  // the disk that is full already: the first error is the one to tell
+    } catch (const RunError&) {  // the disk is already full: the first error is reported
     }
     throw RunError(std::string(error.what()) + "; " + whole_so_far());
   }

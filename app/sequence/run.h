@@ -1,5 +1,5 @@
 #pragma once
-// From a sequence's job to its frames on disk: the device renders the next frame while threads encode the last.
+// Renders a sequence's job to frames on disk: the device renders the next frame while threads encode the last.
 
 #include <string>
 
@@ -8,12 +8,12 @@
 namespace airlight::cli {
 
 struct SequenceOutcome {
-  int signal = 0;         // that stopped it; 0: none did
+  int signal = 0;         // that stopped it; 0: none
   bool complete = false;  // every frame of the shard is whole
 };
 
-// Frames that are done already are passed over unless the job says to overwrite them. Throws RunError: the device or
-// the disk failed; the frames before are whole, and the manifest says which.
+// Skips finished frames unless the job says to overwrite them. Throws RunError when the device or the disk fails;
+// earlier frames are whole, and the manifest lists them.
 SequenceOutcome run_sequence(const SequenceJob& job);
 
 }  // namespace airlight::cli
