@@ -1,5 +1,5 @@
-// Linked into every test program: what they keep goes below the build folder, for all of them together and for the
-// programs that they start, and not into the home of who runs them. AIRLIGHT_CACHE, if set, wins.
+// Linked into every test program. Kept files of the tests, and of the programs that they start, go below the build
+// folder, one for all, and not into the user's home. AIRLIGHT_CACHE, if set, has precedence.
 
 #include <cstdlib>
 

@@ -1,4 +1,4 @@
-// test_cli of a build that takes that of another: the same tests, told to start this build's tool.
+// test_cli of a build that uses another build's test_cli: the same tests, started with this build's tool.
 
 #include <unistd.h>
 

@@ -1,4 +1,4 @@
-// What a sanitized build runs with, compiled into its programs so that it holds however they are started.
+// Options of a sanitized build, compiled into its programs so that they hold however a program is started.
 
 extern "C" {
 

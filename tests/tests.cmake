@@ -1,21 +1,21 @@
 find_package(GTest REQUIRED)
 include(GoogleTest)
 
-# Sanitized tests stand apart by name, since scripts/test runs both builds in one go.
+# Sanitized tests have their own prefix, since scripts/test runs both builds in one go.
 set(test_prefix)
 set(test_properties TIMEOUT 600)
 if(AIRLIGHT_SANITIZE)
   set(test_prefix sanitized.)
-  # GCC 12's leak checker now and then crashes on the threads that OpenImageIO leaves running at exit, so leaks are
-  # looked for in the rooms that do without it.
+  # GCC 12's leak checker now and then crashes on the threads that OpenImageIO leaves running at exit. Leaks are
+  # therefore looked for only in rooms without OpenImageIO.
   set(test_properties_measure ENVIRONMENT "ASAN_OPTIONS=detect_leaks=0")
   set(test_properties_cli ${test_properties_measure})
-  # The plain build's tests heard the validation layer out; here it would be a third of the time.
+  # The plain build's tests already check the validation layer; here it would take a third of the time.
   foreach(room IN ITEMS methods cli choice stability)
     list(APPEND test_properties_${room} ENVIRONMENT_MODIFICATION "AIRLIGHT_VALIDATION=set:0")
   endforeach()
-  # Nor is there anything to see where a test only varies what the device computes or which numbers go through one
-  # formula: the sanitizers look at the host, whose ways (by gcov's count of branches taken) others of this room take.
+  # Left out: tests that only vary what the device computes or which numbers go through one formula. The sanitizers
+  # check the host, whose branches (by gcov's count of branches taken) other tests of this room cover.
   set(left_out_methods
       # pictures and tables of the device against a closer one, a formula or path-trace
       FalseFriends.* OrdersTable.* OrdersByShells.* HalfResolution.* SunDisc.* Schlick.* *Agreement* Bloom.Is* Beam.*
@@ -34,23 +34,25 @@ if(AIRLIGHT_SANITIZE)
       Profiles/PathTraceOpticalDepth.*/4)
   list(JOIN left_out_methods ":" left_out_methods)
   set(test_filter_methods "-${left_out_methods}")
-  # The device's numbers against those of physics; the optimiser on every shader, ours and the tests' own: others freeze.
+  # The device's numbers against those of physics, and the optimiser on every shader, ours and the tests' own; other
+  # tests freeze shaders too.
   set(test_filter_gpu "-Parity.*:MarchParity.*:Specialize.LeavesNothingOpen*")
   # Other tests' formulas at thousands of steps.
   set(test_filter_physics "-March.AgreesWithBruteForce*:March.MoreSteps*:Distributions.ComeToTheSameLight*")
-  # What they run, others of this room run too. LeftBehind.EveryCommandSays* ends programs at a moment of theirs and starts
-  # them again where it came late: 31 CPU-s, sanitized. Tolerance.ThatNothing* is refused as TimeLimitChooses* is.
+  # Other tests of this room run the same code. LeftBehind.EveryCommandSays* ends programs at a certain moment and
+  # starts them again where the signal came late: 31 CPU-s, sanitized. Tolerance.ThatNothing* is refused as
+  # TimeLimitChooses* is.
   set(test_filter_cli "-Examples.*:Install.*:Package.*:Page.*:*Keys.*:LeftBehind.NothingPrepared*:SpectralExr.IsRead*:\
 LeftBehind.EveryCommandSays*:StabilityCommand.Leaves*:Tolerance.ThatNothing*")
   set(test_filter_stability "-Method/Holds.*")
 endif()
 
-# One process each: their tests take milliseconds, less than a program's start, which with OpenImageIO's libraries is a
-# fifth of a second.
+# One process for each of these rooms: their tests take milliseconds, less than a program's start, which with
+# OpenImageIO's libraries is a fifth of a second.
 set(rooms_together spectra plan scene composite output chart measure sequence app)
 if(AIRLIGHT_SANITIZE)
-  # Here a start is up to half of a test that opens the device: alone the commands' tests, which start programs of their
-  # own, stand apart. What is wrong ends a part, and its output names the test.
+  # In this build a start takes up to half of a test that opens the device. Only the commands' tests, which start
+  # programs of their own, run one by one. An error ends a part, and its output names the test.
   list(APPEND rooms_together physics gpu choice stability methods)
   set(shards_methods 4)
 endif()
@@ -65,8 +67,8 @@ if(AIRLIGHT_QUICK_COMPILE)
   endif()
 endif()
 
-# The build that the shaders are taken from has frozen what its tests asked for: sanitized, SPIRV-Tools' optimiser, which
-# allocates by the million and is none of our code, was three quarters of the methods' tests. Those of test_gpu and of
+# Uses the frozen modules of the build that the shaders come from. Sanitized, SPIRV-Tools' optimiser, which allocates by
+# the million and is none of our code, took three quarters of the methods' tests. The tests of test_gpu and of
 # LeftBehind freeze anew.
 set(test_cache ${PROJECT_BINARY_DIR})
 if(AIRLIGHT_SHADERS_FROM)
@@ -75,8 +77,8 @@ endif()
 set_property(SOURCE ${PROJECT_SOURCE_DIR}/tests/cache_folder.cpp APPEND PROPERTY
              COMPILE_DEFINITIONS AIRLIGHT_CACHE_FOLDER="${test_cache}/cache")
 
-# What takes long starts first, so that no core waits for it in the end, and the plain build's before the sanitized one's,
-# which finds the software device's pipelines in Mesa's cache then: test_cost(VARIABLE ROOM).
+# Long tests start first, so that no core waits for them in the end. The plain build's start before the sanitized one's,
+# which then finds the software device's pipelines in Mesa's cache: test_cost(VARIABLE ROOM).
 function(test_cost result room)
   set(cost 1000)
   if(AIRLIGHT_SANITIZE)
@@ -96,7 +98,7 @@ function(airlight_test_program room)
   target_compile_options(test_${room} PRIVATE ${airlight_test_options})
   set(headers airlight_test_headers)
   if(AIRLIGHT_SANITIZE AND room STREQUAL "cli")
-    # The program that these tests start is sanitized; they themselves only start it and look at what it leaves.
+    # The program that these tests start is sanitized; the tests only start it and look at its output.
     target_compile_options(test_cli PRIVATE -fno-sanitize=all)
     set(headers airlight_driver_headers)
   endif()
@@ -109,10 +111,10 @@ function(airlight_test_program room)
   target_compile_definitions(test_${room} PRIVATE AIRLIGHT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 endfunction()
 
-# test_ROOM, and what CTest is told of it.
+# Adds test_ROOM and its tests for CTest.
 function(airlight_test_room room)
   if(room STREQUAL "cli" AND AIRLIGHT_SHADERS_FROM)
-    # These tests start the tool and look at what it leaves: the other build's do, with this one's tool.
+    # These tests start the tool and look at its output: the other build's test_cli does this with this build's tool.
     add_executable(test_cli ${PROJECT_SOURCE_DIR}/tests/cli_of_another_build.cpp)
     target_compile_definitions(test_cli PRIVATE AIRLIGHT_DRIVER="${AIRLIGHT_SHADERS_FROM}/test_cli")
     add_dependencies(test_cli taken_shaders)
@@ -163,7 +165,7 @@ if(SPIRV-Tools-opt_FOUND)
 endif()
 airlight_test_room(scene airlight_scene airlight_gpu nlohmann_json::nlohmann_json)
 airlight_test_room(methods airlight_gpu airlight_scene airlight_output airlight_measure OpenEXR::OpenEXR Eigen3::Eigen)
-# Not optimised, Eigen's loops take twenty times as long.
+# Without optimisation Eigen's loops take twenty times as long.
 set_source_files_properties(tests/methods/slab.cpp PROPERTIES COMPILE_OPTIONS -O1 SKIP_PRECOMPILE_HEADERS ON
                                                               SKIP_UNITY_BUILD_INCLUSION ON)
 airlight_test_room(composite airlight_composite)
@@ -188,15 +190,15 @@ if(TARGET test_measure)
   add_dependencies(test_measure airlight_compare)
 endif()
 
-# Random input by the number: presets by the token, EXRs by the byte, valid presets anywhere in their ranges. The counts
-# are what CI has time for; scripts/fuzz goes on for as long as one likes.
+# Random input by number: presets by the token, EXRs by the byte, valid presets anywhere in their ranges. The counts are
+# those that CI has time for; scripts/fuzz runs as long as one likes.
 if(AIRLIGHT_TOOL)
   file(GLOB fuzz_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/fuzz/*.cpp)
   add_executable(airlight_fuzz ${fuzz_sources} ${AIRLIGHT_PROGRAM_SOURCES})
   target_link_libraries(airlight_fuzz PRIVATE airlight_flags airlight_gpu airlight_scene airlight_output)
   target_compile_options(airlight_fuzz PRIVATE ${airlight_test_options})
-  # The first of texts and EXRs run sanitized alone, which finds what the plain build would. Of scenes the plain one goes
-  # first, so that the software device's pipelines are in Mesa's cache.
+  # Texts and EXRs begin only sanitized, which also finds what the plain build would. Scenes run plain first, so that
+  # the software device's pipelines are in Mesa's cache.
   set(fuzz_cases texts:1000:3000 exrs:1000:1000 scenes:0:20)
   if(AIRLIGHT_SANITIZE)
     set(fuzz_cases texts:0:1000 exrs:0:1000 scenes:0:8)
@@ -213,14 +215,14 @@ if(AIRLIGHT_TOOL)
   endforeach()
 endif()
 
-# Only where Slurm is there anyhow: a cluster of one node for a quarter of a minute, most of it waiting.
+# Only where Slurm is installed: a cluster of one node for a quarter of a minute, most of it waiting.
 find_program(SBATCH sbatch)
 if(SBATCH AND AIRLIGHT_TOOL AND NOT AIRLIGHT_SANITIZE)
   add_test(NAME slurm COMMAND ${PROJECT_SOURCE_DIR}/scripts/test-slurm $<TARGET_FILE:airlight>)
   set_tests_properties(slurm PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 300)
 endif()
 
-# Likewise only where Blender is there: three pictures of a sphere, 10 seconds.
+# Only where Blender is installed: three pictures of a sphere, 10 seconds.
 find_program(BLENDER blender)
 if(BLENDER AND AIRLIGHT_TOOL AND NOT AIRLIGHT_SANITIZE)
   add_test(NAME blender COMMAND ${PROJECT_SOURCE_DIR}/scripts/test-blender $<TARGET_FILE:airlight>)

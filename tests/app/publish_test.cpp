@@ -1,5 +1,5 @@
-// What happens to a rendering that holds values which no picture may hold. The preset's ranges leave no way to such a
-// rendering through the command line, so it is made by hand.
+// Publishing of a rendering with invalid values. The preset's ranges do not permit such a rendering through the command
+// line, so the test makes it by hand.
 #include "app/render/publish.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What a sequence does with half films, and what its bar says.
+// Half-written films of a sequence, and the text of its bar.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/file.h>
@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The film of a run that is at work, which holds the lock on ffmpeg's messages, is left.
+// The film of a run at work, which holds the lock on ffmpeg's messages, stays.
 TEST(SequenceFilm, AtWorkIsLeft) {
   const Scratch scratch;
   scratch.write("day.mp4.part-1", "half a film");

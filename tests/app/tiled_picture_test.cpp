@@ -13,14 +13,14 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-// A rendering in tiles that holds what no picture may hold; see publish_test.cpp for whole ones.
+// A rendering in tiles with invalid values; publish_test.cpp has whole ones.
 TEST(TiledPicture, AFaultIsShownByTheDiagnosticView) {
   const Scratch scratch;
   scratch.write("sky.json", small_preset());
   cli::SceneOptions options;
   options.preset = scratch.path() / "sky.json";
   Scene scene = cli::load_scene(options);
-  scene.sun.irradiance = {1e38, 1e38, 1e38};  // no preset may say so
+  scene.sun.irradiance = {1e38, 1e38, 1e38};  // not possible in a preset
   scene.sun.disc.radiance_scale = 1e30;
   scene.sun.disc.angular_radius = 0.2;
   std::unique_ptr<Executor> executor;

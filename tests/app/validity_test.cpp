@@ -74,10 +74,10 @@ TEST(Validity, AKnownFailureIsTold) {
       << cli::known_failure_warning(scene);
   ASSERT_FALSE(cli::scene_warnings(scene).empty());
   EXPECT_EQ(cli::scene_warnings(scene).front(), cli::known_failure_warning(scene));
-  EXPECT_TRUE(cli::scene_warnings(scene, true).empty());  // by a tolerance, which has measured the error
+  EXPECT_TRUE(cli::scene_warnings(scene, true).empty());  // with a tolerance, which has measured the error
 }
 
-// Only where nothing absorbs: molecules over a white ground, not over a grey one.
+// The failure exists only where nothing absorbs: for molecules over a white ground, not over a grey one.
 TEST(Validity, WhatKeepsAllLightIsAQuantityOfItsOwn) {
   Scene scene = rendered_by("march");
   scene.planet.ground_albedo = {1.0, 1.0, 1.0};
@@ -90,7 +90,7 @@ TEST(Validity, WhatKeepsAllLightIsAQuantityOfItsOwn) {
   EXPECT_EQ(cli::known_failure_warning(scene), "");
 }
 
-// The quality that the method has by itself is claimed; what is coarser is not.
+// The method's own quality is covered by its claim; a coarser one is not.
 TEST(Validity, FewStepsAreTold) {
   Scene scene = rendered_by("march");
   scene.render.parameters["steps"] = 8;

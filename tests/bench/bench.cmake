@@ -1,5 +1,5 @@
-# airlight_bench: times every pass on a device and checks its pictures. It links airlight_gpu and Google Benchmark alone,
-# so the folder that it is built into runs on any x86-64 Linux that has a Vulkan loader and driver.
+# airlight_bench: times every pass on a device and checks its pictures. It links only airlight_gpu and Google Benchmark,
+# so the folder that it is built into runs on any x86-64 Linux with a Vulkan loader and driver.
 find_package(benchmark CONFIG REQUIRED)
 
 set(bench_folder ${PROJECT_BINARY_DIR}/airlight_bench)

@@ -28,10 +28,11 @@ namespace {
 
 constexpr std::array<ImageSize, 3> kSizes{{{1280, 720}, {1920, 1080}, {3840, 2160}}};
 
-// Seconds of table passes, in place of --benchmark_min_time: on a GPU they are a hundredth of what an iteration takes.
+// Least seconds of table passes, in place of --benchmark_min_time: on a GPU they are a hundredth of an iteration's
+// time.
 constexpr double kTablesMinTime = 0.02;
 
-// User and system time of all threads so far: on a software device, what the picture really costs.
+// User and system time of all threads so far: the real cost of a picture on a software device.
 double cpu_milliseconds() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -41,8 +42,8 @@ double cpu_milliseconds() {
   return milliseconds(usage.ru_utime) + milliseconds(usage.ru_stime);
 }
 
-// The same passes with nothing copied from or to the host: that is no part of a pass, yet at 3840x2160 takes longer
-// than most of them, and a GPU that waits for it clocks down.
+// The plan's passes without copies from or to the host. A copy is no part of a pass, yet at 3840x2160 it takes longer
+// than most passes, and a GPU that waits for it clocks down.
 Plan without_copies(const Plan& plan) {
   Plan out;
   out.scene_data = plan.scene_data;
@@ -56,7 +57,7 @@ Plan without_copies(const Plan& plan) {
   return out;
 }
 
-// The passes that make what is kept from picture to picture, by name.
+// Names of the passes whose results are kept from picture to picture.
 std::set<std::string> table_passes(const Plan& plan) {
   const std::vector<bool> runs = passes_to_run(plan, [](ResourceId) { return true; });
   std::set<std::string> names;
@@ -68,7 +69,7 @@ std::set<std::string> table_passes(const Plan& plan) {
 
 using PassFilter = std::function<bool(const std::string& pass)>;
 
-// Each iteration runs the next plan in turn; counts the passes that the filter lets through.
+// Each iteration runs the next plan in turn; the time is that of the passes that the filter lets through.
 void time_plans(benchmark::State& state, Executor& executor, std::span<const Plan> plans, const PassFilter& counted) {
   std::map<std::string, double> milliseconds;
   double cpu = 0.0;
@@ -105,9 +106,10 @@ void time_picture(benchmark::State& state, Executor& executor, const Scene& scen
   time_plans(state, executor, plans, [](const std::string&) { return true; });
 }
 
-// The plan's picture shows no disc, which may bring a table of its own, and is seen from space, where most methods
-// work pixel by pixel: uncounted work that holds a GPU's clock up. Tables alone leave it idle between two runs, and it
-// clocks down by a factor of two and more. A software device has no use for that, and gets one pixel.
+// A scene for timing tables. Its picture shows no disc, which may bring a table of its own. It is seen from space,
+// where most methods work pixel by pixel; this uncounted work keeps a GPU's clock up. With tables alone the GPU would
+// be idle between runs and clock down by a factor of two and more. A software device does not need this and gets one
+// pixel.
 Scene for_tables(const SkyMethod& method, const Scene& from, bool is_cpu) {
   Scene scene = rendered_by(method, from, is_cpu ? ImageSize{1, 1} : kSizes.back());
   scene.sun.disc.visible = false;
@@ -116,7 +118,8 @@ Scene for_tables(const SkyMethod& method, const Scene& from, bool is_cpu) {
   return scene;
 }
 
-// Two planets in turn, whose grounds differ by a hair: an executor that keeps nothing else has to make all tables anew.
+// Two planets in turn whose grounds differ by a hair, so that an executor that keeps nothing else makes all tables
+// anew.
 void time_tables(benchmark::State& state, Executor& executor, const SkyMethod& method, const Scene& from, bool& warm) {
   const Scene scene = for_tables(method, from, executor.device().is_cpu);
   Scene other = scene;
@@ -125,11 +128,11 @@ void time_tables(benchmark::State& state, Executor& executor, const SkyMethod& m
   const std::set<std::string> names = table_passes(plans[0]);
   if (!warm) executor.run(plans[0]);
   warm = true;
-  executor.run(plans[1]);  // throws out the first one's, whatever ran last
+  executor.run(plans[1]);  // discards the first plan's tables, whatever ran last
   time_plans(state, executor, plans, [&](const std::string& pass) { return names.contains(pass); });
 }
 
-// `body(state)`; its failure becomes this benchmark's and the session's.
+// Registers `body(state)`. Its failure is recorded for this benchmark and the session.
 template <class Body>
 benchmark::internal::Benchmark& register_one(Session& session, const std::string& name, Body body) {
   return *benchmark::RegisterBenchmark(name.c_str(),
@@ -158,7 +161,7 @@ void register_picture(Session& session, const SkyMethod& method, const NamedScen
   }
 }
 
-// Of things all over the picture, from 20 m at its foot to 60 km at its top.
+// Distances of things all over the picture, from 20 m at its foot to 60 km at its top.
 std::vector<float> distances(ImageSize size) {
   std::vector<float> all;
   for (int y = 0; y < size.height; ++y) {
@@ -168,7 +171,7 @@ std::vector<float> distances(ImageSize size) {
   return all;
 }
 
-// The same, pixel by pixel.
+// The same distances as a list of pixels.
 std::vector<Span> list_of(const std::vector<float>& distances, ImageSize size) {
   std::vector<Span> spans;
   spans.reserve(distances.size());
@@ -186,7 +189,7 @@ struct AirQuality {
   bool volume;
   std::string key;
   int value;
-  bool listed = false;  // thing by thing, as of a picture that has few, else row by row
+  bool listed = false;  // listed one by one, as for a picture with few things; else row by row
 };
 
 const std::vector<AirQuality>& air_qualities() {
@@ -222,7 +225,7 @@ double light_error(const std::vector<AirTo>& a, const std::vector<AirTo>& exact)
   return sum;
 }
 
-// Against the march in 768 steps before 96x54 things of the same picture.
+// Error against the march in 768 steps, before 96x54 things of the same picture.
 double air_error(Executor& executor, Scene scene, const AirQuality& quality) {
   scene.image = {96, 54};
   const std::vector<float> ends = distances(scene.image);

@@ -1,5 +1,5 @@
 #pragma once
-// What is timed, as Google Benchmark's registrations; the time of each is the sum of its passes' device timestamps.
+// The benchmarks, registered with Google Benchmark. The time of each is the sum of its passes' device timestamps.
 
 #include <optional>
 
@@ -10,8 +10,8 @@ namespace airlight::bench {
 // The devices' state, opened on first use. `failed`: a benchmark could not run.
 class Session {
  public:
-  Executor& pictures();  // keeps tables, as the tool does
-  Executor& tables();    // keeps none that the plan at hand does not name
+  Executor& pictures();  // keeps tables, like the tool
+  Executor& tables();    // keeps no tables but those that the plan names
   bool failed = false;
 
  private:

@@ -46,7 +46,7 @@ Moments moments_of(std::span<const float> rgba) {
 
 bool agree(const Moments& expected, const Moments& found) {
   for (std::size_t c = 0; c < 3; ++c) {
-    // Written so that a NaN disagrees.
+    // Written so that a NaN counts as a difference.
     const bool mean_agrees = std::abs(found.mean[c] - expected.mean[c]) <= kMeanTolerance * std::abs(expected.mean[c]);
     const bool log_agrees = std::abs(found.log[c] - expected.log[c]) <= kLogTolerance;
     if (!mean_agrees || !log_agrees) return false;

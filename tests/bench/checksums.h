@@ -1,5 +1,5 @@
 #pragma once
-// Checksums of pictures that hold across devices: moments within a tolerance, kept in a text file.
+// Checksums of pictures that are valid across devices: moments within a tolerance, kept in a text file.
 
 #include <array>
 #include <map>
@@ -10,8 +10,8 @@
 
 namespace airlight::bench {
 
-// Of a picture, for each channel: the mean, then the mean natural logarithm of max(value, 1e-9), which sees the dark
-// parts as well as the bright ones.
+// Moments of a picture, for each channel: the mean, then the mean natural logarithm of max(value, 1e-9), which depends
+// on dark and bright parts alike.
 struct Moments {
   std::array<double, 3> mean{};
   std::array<double, 3> log{};
@@ -21,7 +21,7 @@ struct Moments {
 inline constexpr double kMeanTolerance = 1e-3;  // relative
 inline constexpr double kLogTolerance = 1e-3;   // absolute: a thousandth of the value, everywhere
 
-// Four floats a pixel; the fourth is not looked at.
+// Four floats a pixel; the fourth is ignored.
 Moments moments_of(std::span<const float> rgba);
 
 bool agree(const Moments& expected, const Moments& found);

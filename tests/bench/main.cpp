@@ -53,7 +53,7 @@ std::optional<std::string> value_of(std::string_view name, const std::vector<std
   return arguments[++i];
 }
 
-// What Google Benchmark has left of the command line.
+// Parses the arguments that Google Benchmark has left.
 Options parse(const std::vector<std::string>& arguments) {
   Options options;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
@@ -84,7 +84,7 @@ std::string device_text(const DeviceInfo& device) {
   return device.name + ", " + device.driver + ", Vulkan " + device.api_version;
 }
 
-// Returns how many pictures differ.
+// Returns the number of pictures that differ.
 std::size_t check_pictures(Session& session, const std::string& file) {
   const Checksums expected = read_checksums(file);
   const Checksums found = render_checked_pictures(session.pictures());

@@ -9,7 +9,7 @@ namespace {
 
 constexpr ImageSize kCheckedSize{256, 144};
 
-// The middle of each of the 65536 steps, so that no value is 0 and the logarithm sees no cliff.
+// Each of the 65536 steps by its middle, so that no value is 0 and its logarithm is finite.
 std::vector<float> displayed(const std::vector<std::uint16_t>& encoded) {
   std::vector<float> values;
   values.reserve(encoded.size());

@@ -1,6 +1,6 @@
 #pragma once
-// What is rendered and timed: the clear air of Hillaire 2020, Table 1, under suns from noon to twilight, in haze, from
-// an aeroplane and from orbit. Built here, since no preset can be read on a bare machine.
+// The scenes that are rendered and timed: the clear air of Hillaire 2020, Table 1, under suns from noon to twilight, in
+// haze, from an aeroplane and from orbit. They are built here, since a bare machine cannot read presets.
 
 #include <string_view>
 #include <vector>
@@ -15,7 +15,7 @@ struct NamedScene {
   Scene scene;  // without a method
 };
 
-// The first is the one that whole frames are timed with: the sun's disc is in view.
+// Whole frames are timed with the first one: it has the sun's disc in view.
 const std::vector<NamedScene>& scenes();
 
 // The scene by a method with its default parameters.

@@ -14,7 +14,7 @@
 namespace airlight::chart {
 namespace {
 
-// A decade each way on 400 x 200 pixels, letters of 10 x 20.
+// A decade in each direction on 400 x 200 pixels, letters of 10 x 20.
 constexpr Frame kFrame{1.0, 10.0, 1.0, 10.0, 400.0, 200.0, 10.0, 20.0};
 
 struct Box {

@@ -1,4 +1,4 @@
-// The chart's points as data: frontier, means over the scenes, the table and its way back.
+// The chart's points as data: frontier, means over the scenes, the table written and read back.
 #include "core/chart/points.h"
 
 #include <gtest/gtest.h>

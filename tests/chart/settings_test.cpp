@@ -1,4 +1,4 @@
-// What a chart shows unless told otherwise, and the pixels that it compares.
+// The default contents of a chart, and the pixels that it compares.
 #include "core/chart/settings.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// A picture that is timed in tiles is the picture that is timed at once.
+// A picture timed in tiles equals the picture timed as a whole.
 #include "core/chart/timing.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What people get wrong, each told in one line that names it, with exit code 2 and nothing written.
+// Users' errors: each is reported in one line that names it, with exit code 2 and nothing written.
 #include <gtest/gtest.h>
 
 #include "tests/cli/process.h"
@@ -8,7 +8,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-// One line, which names all `parts`; nothing on standard output.
+// Expects one line that contains all `parts`, and nothing on standard output.
 void expect_refused(const Outcome& outcome, const Words& parts) {
   EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
   EXPECT_EQ(outcome.out, "") << outcome.err;
@@ -78,7 +78,7 @@ const std::vector<BadArguments>& bad_arguments() {
       {{"chart", "-o", "c", "--budget", "0"}, {"--budget"}},
       {{"completion", "tcsh"}, {"'tcsh' is not one of bash, zsh, fish"}},
       {{"--versoin"}, {"unknown option '--versoin'", "did you mean '--version'?"}},
-      // What was typed is what the message speaks of.
+      // The message names the option as typed.
       {{"render", "earth-noon", "--pitch", "91"}, {"--pitch 91: /camera/pitch_deg", "-90 to 90 degrees"}},
       {{"render", "earth-noon", "--fov", "180"}, {"--fov 180: /camera/vertical_fov_deg", "fisheye"}},
       {{"render", "earth-noon", "--altitude", "-1"}, {"--altitude -1: /camera/altitude_km", "inside the planet"}},
@@ -133,7 +133,7 @@ struct BadPreset {
   Words parts;
 };
 
-// A preset that is good but for `extra`.
+// A preset that is valid except for `extra`.
 std::string preset_with(const std::string& extra) {
   return R"({"airlight": 1, "extends": "earth", )" + extra + "}";
 }

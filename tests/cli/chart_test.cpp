@@ -1,4 +1,4 @@
-// The command chart: its files, going on where it was, and what it refuses. render --tolerance and --time-limit.
+// The command chart: its files, its resumption, its refusals. Also render --tolerance and --time-limit.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -14,7 +14,7 @@ using Names = std::vector<std::string>;
 
 class Chart : public SmallSky {
  protected:
-  // A rough truth: what is tested is not how good it is.
+  // A rough truth, since its accuracy is not tested.
   Outcome chart(const std::map<std::string, std::string>& environment = {}) const {
     Start start;
     start.environment = environment;
@@ -57,7 +57,7 @@ TEST_F(Chart, WritesItsFilesAndGoesOnWhereItWas) {
   EXPECT_TRUE(contains(again.err, "7 of 7 points were there already")) << again.err;
   EXPECT_EQ(scratch_.read("c/chart.csv"), table);
 
-  // A point that is missing is measured anew, the others stay.
+  // A missing point is measured anew; the others stay.
   scratch_.write("c/chart.csv", table.substr(0, table.rfind('\n', table.size() - 2) + 1));
   EXPECT_TRUE(contains(chart().err, "6 of 7 points were there already"));
 

@@ -1,4 +1,4 @@
-// The completion scripts as a person meets them: keys typed into an interactive shell.
+// The completion scripts in use: keys typed into an interactive shell.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -17,8 +17,8 @@ class TypedKeys : public testing::Test {
     }
   }
 
-  // What the shell makes of `keys`: the line's words, each in brackets, as a program would get them. Ctrl-A, a command
-  // and Enter after the keys turn the completed line into its arguments.
+  // The shell's completion of `keys`: the line's words, each in brackets, as a program would get them. Ctrl-A, a
+  // command and Enter after the keys turn the completed line into that command's arguments.
   std::string words(const std::string& shell, const std::string& setup, const std::string& keys) {
     Start start;
     start.environment = {{"TERM", "xterm"}, {"HOME", scratch_.path().string()}, {"PS1", "$ "}};
@@ -29,7 +29,7 @@ class TypedKeys : public testing::Test {
     return outcome.out.substr(at + 6, outcome.out.find_first_of("\r\n", at) - at - 6);
   }
 
-  // Debian's base has bash; the others are tried where they are installed.
+  // Debian's base has bash; the other shells are tested where they are installed.
   bool has(const char* shell) { return run(scratch_.path(), {shell, "-c", "true"}).exit_code == 0; }
 
   Scratch scratch_;
@@ -100,7 +100,7 @@ TEST_F(ZshKeys, CommandsValuesAndNames) {
   EXPECT_EQ(typed("airlight render it\t"), "[airlight][render][it's $5.json]");
 }
 
-// fish tells its candidates without a terminal, one a line, a description after a tab.
+// fish prints its candidates without a terminal, one a line, each description after a tab.
 TEST_F(TypedKeys, FishOffersCommandsValuesAndNames) {
   if (!has("fish")) GTEST_SKIP() << "fish is not installed";
   scratch_.write("airlight.fish", airlight(scratch_.path(), {"completion", "fish"}).out);

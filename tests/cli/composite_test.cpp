@@ -1,4 +1,4 @@
-// `airlight composite` on pictures that the test makes: what passes unchanged, what joins, what is refused.
+// `airlight composite` on pictures that the test makes: channels that pass unchanged, agreement with the sky, refusals.
 #include <ImfChannelList.h>
 #include <ImfDeepFrameBuffer.h>
 #include <ImfDeepScanLineOutputFile.h>
@@ -23,7 +23,7 @@ constexpr int kWidth = 24;
 constexpr int kHeight = 16;
 constexpr std::size_t kPixels = kWidth * kHeight;
 
-// A picture of R, G, B, A, Z and a further channel, each even.
+// A picture of R, G, B, A, Z and a further channel, each with one value all over.
 struct Beauty {
   float light = 0.0F;
   float alpha = 0.0F;
@@ -79,7 +79,7 @@ TEST_F(CompositeTool, WhereNothingIsThePictureIsTheSkyBitForBit) {
   }
 }
 
-// A micrometre of air is none: the beauty comes through, alpha and the further channel as they were.
+// A micrometre of air counts as none: the beauty comes through, with alpha and the further channel unchanged.
 TEST_F(CompositeTool, BeforeAThingAtTheLensIsNoAir) {
   Beauty{.light = 0.25F, .alpha = 1.0F, .z = 1e-6F}.write(path("in.exr"));
   ASSERT_EQ(composite({"--beauty", "in.exr", "-o", "out.exr", "-q", "--scale", "2"}).exit_code, 0);
@@ -91,8 +91,8 @@ TEST_F(CompositeTool, BeforeAThingAtTheLensIsNoAir) {
   EXPECT_TRUE(contains(scratch_.read("out.exr"), std::string("id\0", 3)));
 }
 
-// A black plane that recedes joins the sky: its colour at 10 000 km, past all air, is the sky's above the horizon but
-// for half of the steps on the way, which are good to a thousandth.
+// A black plane that recedes merges with the sky. Its colour at 10 000 km, beyond all air, is the sky's above the
+// horizon, except for half of the steps on the way, which are good to a thousandth.
 TEST_F(CompositeTool, FarThingsJoinTheSky) {
   const RadianceImage expected = sky();
   Beauty{.light = 0.0F, .alpha = 1.0F, .z = 1e7F}.write(path("in.exr"));
@@ -106,7 +106,7 @@ TEST_F(CompositeTool, FarThingsJoinTheSky) {
   }
 }
 
-// Planar depth of 1 km and the distance that it is at the picture's corner.
+// A planar depth of 1 km, and the distance of that depth at the picture's corner.
 TEST_F(CompositeTool, PlanarDepthIsLongerTowardTheCorners) {
   Beauty{.alpha = 1.0F, .z = 10000.0F}.write(path("in.exr"));
   const Names layers{"--layers", "inscatter,transmittance", "-q", "--beauty", "in.exr", "-o"};
@@ -131,7 +131,7 @@ TEST_F(CompositeTool, FramesByPattern) {
   EXPECT_TRUE(contains(done.out, "out.0001.exr") && contains(done.out, "out.0007.exr")) << done.out;
 }
 
-// One sample a pixel, and a clear one before it: as the flat picture.
+// A sample in each pixel with a clear one before it, equivalent to the flat picture.
 void write_deep(const std::filesystem::path& file, float light, float alpha, float z) {
   Imf::Header header(kWidth, kHeight);
   header.setType(Imf::DEEPSCANLINE);
@@ -181,7 +181,7 @@ TEST_F(CompositeTool, ASimpleFog) {
   EXPECT_NEAR(picture("out.exr").at(5, 5)[0], kept + 0.5F * (1.0F - kept), 1e-5F);
 }
 
-// A picture of ours has air in it: that is told, and what to do where it has no depth.
+// A picture of ours already has air in it: the message says so, and what to do where it has no depth.
 TEST_F(CompositeTool, APictureOfAirlightsHasItsAirAlready) {
   for (const char* name : {"plain.exr", "plate.exr"}) {
     Names words{"render", "sky.json", "--method", "orders", "-q", "-o", name, "--size", "24x16"};
@@ -200,8 +200,8 @@ TEST_F(CompositeTool, APictureOfAirlightsHasItsAirAlready) {
   EXPECT_FALSE(contains(ground.err, "is a picture of airlight's")) << ground.err;
 }
 
-// The thing's share has the air before it, the rest the whole sky's, behind the thing as well; the volume agrees with
-// the march, and a tolerance takes it where it may.
+// The thing's share has the air before it; the rest has the whole sky's light, also behind the thing. The volume agrees
+// with the march, and a tolerance uses it where permitted.
 TEST_F(CompositeTool, TheAerialVolumeBeforeTransparentThings) {
   const RadianceImage behind = sky();
   Beauty{.light = 0.1F, .alpha = 1.0F, .z = 9000.0F}.write(path("opaque.exr"));
@@ -245,7 +245,7 @@ TEST_F(CompositeTool, APlateOfBlenders) {
   int ridges = 0;
   for (std::size_t i = 320; i < z.size(); ++i) {
     ASSERT_TRUE(std::isfinite(is[i]) && is[i] > 0.0F) << i;
-    // Where a far ridge stands before the sky: most of its light is the air's, and it is no brighter than the sky.
+    // At a far ridge before the sky most light is the air's, and it is no brighter than the sky.
     if (z[i] > 15e3F && z[i] < 1e9F && z[i - 320] >= 1e9F) {
       EXPECT_GT(is[i], 4.0F * was[i]) << i;
       EXPECT_GT(is[i], 0.3F * is[i - 320]) << i;

@@ -19,11 +19,11 @@ TEST(DiffExample, PassesTheUnchangedAndFailsTheChangedWithAHeatMap) {
   EXPECT_TRUE(contains(scratch.read("report.html"), "<code>/media/0/scattering_per_km/0</code>"));
 }
 
-// A reference that the change does not touch is a check that checks nothing: the script must say so.
+// If the change does not affect the reference, the check checks nothing, and the script must say so.
 TEST(DiffExample, FailsWhereTheChangeIsNotFound) {
   const Scratch scratch;
   const std::string script = AIRLIGHT_SOURCE_DIR "/scripts/diff-example";
-  // Renders as ever, and finds every two pictures equal.
+  // Renders as usual, but finds any two pictures equal.
   const auto blind =
       scratch.write("blind", "#!/bin/sh\n[ \"$1\" = diff ] && exit 0\nexec " + tool_program() + " \"$@\"\n");
   std::filesystem::permissions(blind, std::filesystem::perms::owner_all);

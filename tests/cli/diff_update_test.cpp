@@ -1,4 +1,4 @@
-// `airlight diff --update`, and what reports of folders and JUnit say about causes.
+// `airlight diff --update`, and the causes in reports of folders and in JUnit.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -33,7 +33,7 @@ TEST_F(DiffUpdate, TakesWhatDiffersAndLeavesWhatPasses) {
   EXPECT_EQ(scratch_.read("old/near.exr"), near_before);
   EXPECT_EQ(json::parse(outcome.out)["references_replaced"], json{"old/sub/far.exr"});
   EXPECT_EQ(json::parse(outcome.out)["verdict"], "differ");
-  // What changes is shown before.
+  // The differences are shown before the replacement.
   EXPECT_LT(outcome.err.find("sub/far.exr: differ"), outcome.err.find("Replaced the reference old/sub/far.exr"));
   EXPECT_EQ(scratch_.files(), names);
   const Outcome again = diff({"new", "old", "--rel-max", "0.01", "--update"});
@@ -63,7 +63,7 @@ TEST_F(DiffUpdate, RefusesPartsOfFiles) {
   EXPECT_EQ(scratch_.read("b.exr"), before);
 }
 
-// A mount on one reference makes its rename fail after the other's: that one must come back.
+// A mount on one reference makes its rename fail after the other's, which must then be undone.
 TEST_F(DiffUpdate, PutsBackWhatWasReplacedWhereALaterOneFails) {
   write("new/1.exr", 0.75F);
   write("new/2.exr", 0.75F);

@@ -1,4 +1,4 @@
-// The commands that the README and the commands' own help show must run as shown.
+// The commands in the README and in the commands' own help must run as shown.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 using Names = std::vector<std::string>;
 
-// A folder as the examples assume it: the presets, a preset of one's own, a list of directions, and the tool on PATH.
+// A folder as the examples assume it: the presets, a preset of the user's, a list of directions, and the tool on PATH.
 class Examples : public testing::Test {
  protected:
   void SetUp() override {
@@ -74,12 +74,12 @@ TEST_F(Examples, OfTheReadmeRun) {
   }
 }
 
-// The shell of a workflow's steps: what stands after "run:", or below it where that is "|".
+// The shell text of a workflow's steps: the text after "run:", or the lines below it where it is "|".
 Names workflow_steps(const fs::path& file) {
   std::ifstream stream(file);
   Names steps;
   bool inside = false;
-  std::size_t deeper_than = std::string::npos;  // a block goes on while lines stand deeper than its "run:"
+  std::size_t deeper_than = std::string::npos;  // a block continues while its lines are indented deeper than its "run:"
   for (std::string line; std::getline(stream, line);) {
     if (line.rfind("```", 0) == 0) inside = line == "```yaml";
     if (!inside) continue;
@@ -97,7 +97,7 @@ Names workflow_steps(const fs::path& file) {
   return steps;
 }
 
-// The workflow passes over unchanged references, fails over others, and leaves its report either way.
+// The workflow passes with unchanged references, fails with others, and leaves its report in either case.
 TEST_F(Examples, WorkflowOfTheReadmeChecksReferences) {
   const Names steps = workflow_steps(fs::path(AIRLIGHT_SOURCE_DIR) / "README.md");
   ASSERT_EQ(steps.size(), 3U);
@@ -118,7 +118,7 @@ TEST_F(Examples, WorkflowOfTheReadmeChecksReferences) {
 }
 
 TEST_F(Examples, OfEveryHelpTextRun) {
-  // diff's examples compare pictures that only a user has; tests/diff runs that command.
+  // diff's examples compare pictures that only a user has; tests/cli/diff_test.cpp runs that command.
   for (const char* command : {"render", "sequence", "luts", "probe", "check", "methods", "devices", "presets", "chart",
                               "stability", "completion", "man"}) {
     const Outcome help = airlight(scratch_.path(), {command, "--help"});

@@ -1,4 +1,4 @@
-// Exposure as a process has it: held over a sequence, the same from every shard, in stops, refused in one line.
+// Exposure in the tool: held over a sequence, the same from every shard, in stops, refused in one line.
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ class Exposed : public Sequence {
     words.insert(words.end(), more.begin(), more.end());
     return words;
   }
-  // By frame, what the EXRs say that they are shown by.
+  // The exposure in each frame's EXR.
   std::vector<double> exposures(const std::string& folder, Names more) {
     make_folder(folder);
     more.insert(more.end(), {"-o", folder + "/f.#.exr"});
@@ -35,8 +35,8 @@ class Exposed : public Sequence {
   }
 };
 
-// Automatic, locked and a day's: each shard makes of its frames what the whole run makes of them, byte for byte, and so
-// does a run that finds some of them there.
+// With automatic, locked and a day's exposure each shard's frames equal those of the whole run, byte for byte; so do
+// those of a run that finds some of them already there.
 TEST_F(Exposed, AShardMakesTheFramesOfTheWholeRun) {
   for (const std::string mode : {"auto", "lock:2", "day"}) {
     const std::string whole = "whole-" + mode;
@@ -50,7 +50,7 @@ TEST_F(Exposed, AShardMakesTheFramesOfTheWholeRun) {
     into(whole, {});
     into(parts, {"--shard", "2/3"});
     into(parts, {"--shard", "3/3"});
-    into(parts, {});  // the first third is left to a run of all
+    into(parts, {});  // the first third is left for a run of all
     EXPECT_EQ(pictures(parts).size(), 10U);
     EXPECT_TRUE(pictures(whole) == pictures(parts)) << mode;
   }
@@ -77,7 +77,7 @@ TEST_F(Exposed, ADayIsHeldWhateverTheFrames) {
   for (const double exposure : day) {
     EXPECT_EQ(exposure, day.front());
   }
-  // As a render of the same view has it.
+  // The same exposure as in a render of the same view.
   ASSERT_EQ(tool({"render", "sky.json", "-q", "-o", "one.exr", "--exposure", "day", "--sun-elevation", "-3"}).exit_code,
             0);
   EXPECT_EQ(exposure_of("one.exr"), day.front());
@@ -96,7 +96,7 @@ TEST_F(Exposed, StopsAndCompensation) {
   EXPECT_EQ(exposure_of("low.exr"), 0.25);
 }
 
-// A frame's EXR has the number in its preset: rendered again it is exposed alike, whatever it was locked to.
+// A frame's EXR has the exposure in its preset. Rendered again it has the same exposure, whatever it was locked to.
 TEST_F(Exposed, AFrameRendersAgainAsItWas) {
   const double locked = exposures("locked", {"--exposure", "lock:4", "--ev", "1"}).front();
   ASSERT_EQ(tool({"render", "locked/f.1.exr", "-q", "-o", "again.exr"}).exit_code, 0);
@@ -149,7 +149,7 @@ TEST_F(Exposed, WhatIsNoExposureIsRefusedInOneLine) {
   EXPECT_EQ(scratch_.files(), before);
 }
 
-// Frames of dusk and night keep their digits, and the run says so once; forced to halves it warns.
+// Frames of dusk and night keep their digits as floats, and the run says so once; forced to halves it warns.
 TEST_F(Exposed, FramesTooDarkForHalvesHaveFloats) {
   const auto shades = [&](const std::string& file) {
     const RadianceImage picture = read_exr_picture(scratch_.path() / file).radiance;

@@ -1,4 +1,4 @@
-// Debian's ffmpeg reads what the tool writes: the decoder of EXRs is its own, not OpenEXR's.
+// Debian's ffmpeg reads the tool's files; its decoder of EXRs is its own, not OpenEXR's.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -30,7 +30,7 @@ class Ffmpeg : public testing::Test {
   Scratch scratch_;
 };
 
-// Its planes stand in the order green, blue, red.
+// The planes are in the order green, blue, red.
 void expect_the_picture(const std::string& planes, const RadianceImage& picture) {
   const std::size_t pixels = picture.rgba.size() / 4;
   ASSERT_EQ(planes.size(), 3 * pixels * sizeof(float));
@@ -43,7 +43,7 @@ void expect_the_picture(const std::string& planes, const RadianceImage& picture)
 }
 
 TEST_F(Ffmpeg, DecodesAFrameToTheSamePixels) {
-  const std::string long_text(700, 'x');  // in a comment that would be longer than ffmpeg reads
+  const std::string long_text(700, 'x');  // as a single comment longer than ffmpeg reads
   const Names base = {"render", "sky.json", "-q", "-o", "a.exr", "--set", "/description=\"" + long_text + "\""};
   for (const Names& more : {Names{}, Names{"--float"}, Names{"--layers"}}) {
     Names words = base;

@@ -1,4 +1,4 @@
-// planet.albedo_map and planet.ocean from files, and what is refused.
+// planet.albedo_map and planet.ocean from files, and refusals.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,7 +12,7 @@ namespace {
 
 class GroundTool : public testing::Test {
  protected:
-  // A map of one value, red alone in its eastern half.
+  // A map with one value; with `red_east` its eastern half is red.
   void map(const std::string& name, float value, int width = 64, int height = 32, bool red_east = false) const {
     const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     const std::vector<float> red(pixels, value);
@@ -48,7 +48,7 @@ class GroundTool : public testing::Test {
   Scratch scratch_;
 };
 
-// Where a map is one value it is that albedo, by every method that knows maps.
+// A map of a single value equals that albedo, with every method that supports maps.
 TEST_F(GroundTool, AMapOfOneValueIsThatAlbedo) {
   map("grey.exr", 0.25F);
   for (const std::string method : {"orders", "march", "sky-view"}) {
@@ -69,7 +69,7 @@ TEST_F(GroundTool, TheCameraStandsWhereItSays) {
   const RadianceImage east = rendered({"--set", "/camera/longitude_deg=90"}, "east.exr");
   EXPECT_GT(east.at(4, 3)[0], 2.0F * east.at(4, 3)[1]);
   EXPECT_LT(west.at(4, 3)[0], 1.5F * west.at(4, 3)[1]);
-  // A picture carries its preset, maps and place; tiles are the picture.
+  // A picture carries its preset with maps and place; tiles equal the picture.
   const Outcome outcome = tool({"render", "east.exr", "-o", "again.exr", "--float", "-q"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(read_exr_picture(scratch_.path() / "again.exr").radiance.rgba, east.rgba);
@@ -77,7 +77,7 @@ TEST_F(GroundTool, TheCameraStandsWhereItSays) {
   EXPECT_EQ(scratch_.read("tiles.exr"), scratch_.read("east.exr"));
 }
 
-// The sun in the waves stands where it is mirrored, over water alone; a probe says the same as the picture.
+// The sun's glint stands where the waves mirror it, over water only; a probe agrees with the picture.
 TEST_F(GroundTool, WavesMirrorTheSunOverWater) {
   map("water.exr", 1.0F);
   map("land.exr", 0.0F);

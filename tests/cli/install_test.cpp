@@ -1,4 +1,4 @@
-// What `cmake --install` and the Debian package hold, and that it works where it was not built.
+// Contents of `cmake --install` and of the Debian package, and their use outside the build folder.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Beside the presets, whose list is the source's.
+// The files beside the presets, whose list is that of the source.
 std::vector<std::string> expected_files(const std::string& zsh_folder) {
   std::vector<std::string> files = {"bin/airlight",
                                     "lib/airlight/modules/airlight_compare.so",
@@ -41,7 +41,7 @@ std::vector<std::string> files_below(const fs::path& folder) {
   return files;
 }
 
-// Used from / with nothing but the installed folder on PATH before the system's own.
+// Uses the tool from / with only the installed folder before the system's own on PATH.
 void expect_that_it_works(const fs::path& prefix, const Scratch& scratch) {
   Start start;
   start.environment = {{"PATH", (prefix / "bin").string() + ":/usr/bin:/bin"}, {"OUT", scratch.path().string()}};

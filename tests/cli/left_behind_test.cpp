@@ -1,4 +1,4 @@
-// What a run leaves in the folder when its disk is full or it is ended: whole files or none.
+// Files left in the folder by a run whose disk is full or that is ended: whole files or none.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,8 +22,8 @@ TEST_F(LeftBehind, NothingByAFullDisk) {
   EXPECT_EQ(scratch_.files(), Names{"sky.json"});
 }
 
-// A limit on the size of files is a full disk by another name: each command says so in a line and takes its temporary
-// file along.
+// A limit on the size of files stands for a full disk: each command reports it in a line and removes its temporary
+// file.
 TEST_F(LeftBehind, NothingBeyondAFileSizeLimit) {
   for (const Names& arguments : {Names{"render", "sky.json", "-q", "-o", "a.exr", "--float", "--size", "128x72"},
                                  Names{"render", "sky.json", "-q", "--png", "a.png", "--size", "512x288"},
@@ -45,7 +45,7 @@ TEST_F(LeftBehind, NothingBeyondAFileSizeLimit) {
   }
 }
 
-// What an ended command says, whichever it is: what of its work is whole.
+// Every command, when ended, says which of its work is whole.
 TEST_F(LeftBehind, EveryCommandSaysWhatIsWhole) {
   ASSERT_EQ(tool({"render", "sky.json", "-q", "-o", "one.exr", "--size", "512x288"}).exit_code, 0);
   for (const char* folder : {"a", "b"}) {
@@ -84,7 +84,7 @@ TEST_F(LeftBehind, EveryCommandSaysWhatIsWhole) {
              "chart.csv",
              "of the chart "}}) {
     int ended = 0;
-    // Some tries more, as a run may be over before the signal comes.
+    // Several tries, since a run may be over before the signal comes.
     for (const int signal : {SIGINT, SIGTERM, SIGINT, SIGTERM, SIGINT, SIGTERM}) {
       if (ended == 2) {
         break;
@@ -93,7 +93,7 @@ TEST_F(LeftBehind, EveryCommandSaysWhatIsWhole) {
       start.kill_signal = signal;
       start.kill_at_file = c.at_file;
       const Outcome outcome = tool(c.arguments, start);
-      const bool had_ended = contains(outcome.err, "2 files are whole, s.png the last");  // when the signal was heard
+      const bool had_ended = contains(outcome.err, "2 files are whole, s.png the last");  // when the signal came
       if (outcome.signal == signal && !had_ended) {
         ++ended;
         EXPECT_TRUE(contains(outcome.err, signal == SIGINT ? "airlight: stopped by SIGINT: " : "stopped by SIGTERM: "))
@@ -113,7 +113,7 @@ TEST_F(LeftBehind, EveryCommandSaysWhatIsWhole) {
   }
 }
 
-// Names and keys that would command a terminal are shown, not obeyed.
+// Control characters in names and keys are shown, not passed to the terminal.
 TEST_F(LeftBehind, NoControlCharacterReachesTheTerminal) {
   const std::string evil = "a\x1b[31m\nairlight: all is well.json";
   const std::filesystem::path file = scratch_.write(evil, "{\"airlight\": 1, \"\\u001b[2J\\n\": 1}");
@@ -133,7 +133,7 @@ TEST_F(LeftBehind, NoControlCharacterReachesTheTerminal) {
   EXPECT_EQ(lines_of(tool({"check", evil}).err).size(), 2U);  // an unknown key, and no media
 }
 
-// Killed at many moments of its run, the tool leaves whole files or none, and no temporary ones where it can help it.
+// Killed at many moments of its run, the tool leaves whole files or none, and no temporary ones where it can avoid it.
 TEST_F(LeftBehind, NoHalfFileByAKilledRun) {
   const Names arguments = {"render", "earth-noon", "-q", "-o", "a.exr", "--png", "a.png", "--size", "320x180"};
   ASSERT_EQ(tool(arguments).exit_code, 0);
@@ -162,7 +162,7 @@ TEST_F(LeftBehind, NoHalfFileByAKilledRun) {
   EXPECT_GT(killed, 0) << "no run was slow enough to be killed";
 }
 
-// Ended in the middle of writing, as by Ctrl-C, the tool takes its temporary file along.
+// Ended in the middle of writing, as by Ctrl-C, the tool removes its temporary file.
 TEST_F(LeftBehind, NoTemporaryFileByATerminatedWrite) {
   int ended_early = 0;
   for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
@@ -178,8 +178,8 @@ TEST_F(LeftBehind, NoTemporaryFileByATerminatedWrite) {
   EXPECT_GT(ended_early, 0);
 }
 
-// The user's cache: prepared shaders, nothing at all with --no-cache, and no word about a place that cannot be had. A
-// sky of one medium, as none that ships has, so that something has to be prepared.
+// The user's cache: it holds prepared shaders, but nothing with --no-cache, and an impossible place causes no message.
+// No shipped preset has a sky of one medium, so there is something to prepare.
 TEST_F(LeftBehind, PreparedShadersUnlessTheCacheIsOff) {
   const Names render = {"render", "sky.json", "-q", "-o", "a.exr"};
   const auto cached = [&](const Names& arguments, std::map<std::string, std::string> environment) {
@@ -230,11 +230,12 @@ TEST_F(LeftBehind, TablesThatMakeTheSamePicture) {
   EXPECT_TRUE(scratch_.read("a.exr") != picture);
 }
 
-// The build froze what they ask for: whatever a preset's first start prepares anew would lie in the cache.
+// The build froze the modules that shipped presets need; anything that a first start prepares anew would be in the
+// cache.
 TEST_F(LeftBehind, NothingPreparedForPresetsThatShip) {
   Start start;
   start.environment = {{"AIRLIGHT_CACHE", (scratch_.path() / "cache").string()},
-                       {"AIRLIGHT_VALIDATION", "0"}};  // four fifths of the time, for what other tests look at
+                       {"AIRLIGHT_VALIDATION", "0"}};  // four fifths of the time, for checks that other tests make
   const auto expect_nothing_prepared = [&](const Names& arguments) {
     ASSERT_EQ(tool(arguments, start).exit_code, 0) << arguments[1];
     const Names files = scratch_.files();

@@ -1,4 +1,4 @@
-// Units, colour spaces, maps and lighting as the tool writes them.
+// Units, colour spaces, maps and lighting in the tool's files.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +18,7 @@ using Names = std::vector<std::string>;
 
 class Maps : public SmallSky {
  protected:
-  // The small sky with further words; must succeed.
+  // Renders the small sky with further words; must succeed.
   void render(Names words) const {
     words.insert(words.begin(), {"render", "sky.json", "-q", "--float"});
     const Outcome outcome = tool(words);
@@ -74,7 +74,7 @@ TEST_F(Maps, TheExrSaysHowBrightWhiteIs) {
   EXPECT_NEAR(white_luminance_in(scratch_.read("c.exr")).value_or(0.0F), 94.049F, 1e-3F);
 }
 
-// Pixel by pixel the matrix; the PNG byte by byte the same; diff names the spaces and stops.
+// The EXR's pixels are the matrix applied; the PNG is the same byte for byte; diff names the spaces and stops.
 TEST_F(Maps, AColourSpaceChangesTheExrAlone) {
   render({"-o", "a.exr", "--png", "a.png"});
   render({"-o", "b.exr", "--png", "b.png", "--colorspace", "ACES2065-1"});
@@ -93,7 +93,7 @@ TEST_F(Maps, AColourSpaceChangesTheExrAlone) {
   EXPECT_EQ(diff.exit_code, 2);
   EXPECT_TRUE(contains(diff.err, "colour spaces differ")) << diff.err;
   EXPECT_TRUE(contains(diff.err, "--colorspace")) << diff.err;
-  // The preset in it renders the picture of its preset again.
+  // Its preset renders the first picture again.
   ASSERT_EQ(tool({"render", "b.exr", "-q", "--float", "-o", "c.exr"}).exit_code, 0);
   EXPECT_EQ(tool({"diff", "c.exr", "a.exr"}).exit_code, 0);
   ASSERT_EQ(tool({"render", "b.exr", "-q", "--float", "-o", "d.exr", "--colorspace", "ACES2065-1"}).exit_code, 0);
@@ -121,7 +121,7 @@ TEST_F(Maps, ASequenceInAnotherSpaceIsDoneAgainAndShownTheSame) {
   EXPECT_LE(worst, 2);  // half floats against floats
 }
 
-// Faces of the three layouts are the same pixels; those of six files too, each a picture that renders itself again.
+// Faces of the three layouts have the same pixels; so have those of six files, each of which renders itself again.
 TEST_F(Maps, LayoutsHoldTheSameFaces) {
   render(kCube + Names{"--size", "8x48", "-o", "stack.exr", "--png", "stack.png"});
   render(kCube + Names{"--set", "/camera/cube_layout=strip", "--size", "48x8", "-o", "strip.exr"});
@@ -135,7 +135,7 @@ TEST_F(Maps, LayoutsHoldTheSameFaces) {
   for (int face = 0; face < 6; ++face) {
     const RadianceImage one = picture("six." + std::string(names[face]) + ".exr");
     ASSERT_EQ(one.height, 8);
-    // The rows beside the horizon are means whose shares round by where a face stands in the picture.
+    // Rows beside the horizon are means, whose shares depend on a face's place in the picture by rounding.
     for (int k = 0; k < 64; ++k) {
       const int x = k % 8;
       const int y = k / 8;
@@ -178,7 +178,7 @@ TEST_F(Maps, IrradianceGoesWithTheCameraAndItsHarmonicsWithTheWorld) {
   ASSERT_EQ(light["spherical_harmonics"]["coefficients"].size(), 9U);
   EXPECT_EQ(light["colorspace"], "linear-rec709");
   EXPECT_EQ(light["irradiance_unit"], "relative");
-  // The sun's irradiance is probe's transmittance, but for the disc's width.
+  // The sun's irradiance is probe's transmittance, up to the effect of the disc's width.
   const Json sun = light["sun"];
   const Json probe = Json::parse(tool({"probe", "sky.json", "--elevation", "30", "--azimuth", "0", "--json"}).out);
   for (std::size_t c = 0; c < 3; ++c) {

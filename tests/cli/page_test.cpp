@@ -18,8 +18,8 @@ class Page : public DiffFixture {
     }
   }
 
-  // What `steps`, run after the page's own script with `v` the first viewer, leaves in the object `told`. Errors of the
-  // page's own script are told as well.
+  // The object `told` after `steps`, which run after the page's own script with `v` as the first viewer. It also has
+  // errors of the page's own script.
   json in_browser(const std::string& steps) {
     std::string page = scratch_.read("r.html");
     page.insert(page.find("<script>"),
@@ -52,7 +52,7 @@ class Page : public DiffFixture {
   }
 };
 
-// What the page shows of an exposed value; the page has its own copy of the formula.
+// The page's value for an exposed value; the page has its own copy of the formula.
 json grey(double exposed) {
   const int code = measure::display_code(exposed);
   return json{code, code, code};

@@ -21,16 +21,16 @@ struct Start {
   int kill_signal = 0;                             // sent after kill_after_ms; 0: none
   int kill_after_ms = 0;
   std::string kill_at_file;   // instead: as soon as a file with this in its name is in the folder
-  bool close_output = false;  // nobody reads standard output
+  bool close_output = false;  // standard output has no reader
 };
 
 // Runs a program with its arguments and waits. The working folder is `folder`.
 Outcome run(const std::filesystem::path& folder, const std::vector<std::string>& words, const Start& start = {});
 
-// The tool under test: of the build that this is compiled in, or what $AIRLIGHT_TOOL_UNDER_TEST names.
+// The tool under test: that of this build, or the one that $AIRLIGHT_TOOL_UNDER_TEST names.
 const std::string& tool_program();
 
-// It with these arguments.
+// Runs the tool with these arguments.
 Outcome airlight(const std::filesystem::path& folder, std::vector<std::string> arguments, const Start& start = {});
 
 // A fresh folder, removed with everything in it.
@@ -54,7 +54,7 @@ std::vector<std::string> lines_of(const std::string& text);
 
 bool contains(const std::string& text, const std::string& part);
 
-// A valid preset that renders in no time.
+// A valid preset that renders very fast.
 std::string small_preset();
 
 }  // namespace airlight::test

@@ -1,4 +1,4 @@
-// What render, luts and check refuse: presets, pictures, places.
+// Refusals of render, luts and check: presets, pictures, places.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -33,7 +33,7 @@ struct BadPreset {
   Names parts;
 };
 
-// Each preset but for the one mistake is small_preset().
+// Each preset is small_preset() with one mistake.
 std::vector<BadPreset> bad_presets() {
   const auto with = [](const std::string& from, const std::string& to) {
     std::string text = small_preset();
@@ -102,7 +102,7 @@ TEST_F(Refusal, AForeignOrDamagedExrIsRefused) {
 }
 
 TEST_F(Refusal, PlacesThatCannotBeWrittenAreSaidFirst) {
-  // Without a driver a render would exit 1: exit 2 shows that the place was looked at before.
+  // Without a driver a render would exit 1; exit 2 shows that the place is checked first.
   const Start no_driver = without_driver();
   std::filesystem::create_directory(scratch_.path() / "folder.exr");
   EXPECT_EQ(tool({"render", "sky.json", "-o", "folder.exr"}, no_driver).exit_code, 2);

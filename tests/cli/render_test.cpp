@@ -104,7 +104,7 @@ TEST_F(Cli, TimingsNameEveryPartAndAddUp) {
   const Outcome outcome =
       tool({"render", "sky.json", "-o", "a.exr", "--png", "a.png", "--timings", "--json", "--no-cache"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  // The whole of a row's name: figures stand behind it, two spaces away at the least.
+  // The whole name of a row; the figures follow after at least two spaces.
   for (const char* name :
        {"process start", "preset and checks", "OCIO config", "render", "instance", "device", "pipelines",
         "pass transmittance", "pass sky", "submission and waiting", "readback", "EXR, encoding",
@@ -122,7 +122,7 @@ TEST_F(Cli, TimingsNameEveryPartAndAddUp) {
 }
 
 TEST_F(Cli, DryRunOpensNoDeviceAndWritesNothing) {
-  // Without any driver: a device would not open.
+  // Without a driver a device could not be opened.
   const Outcome outcome = tool({"render", "sky.json", "--dry-run"}, without_driver());
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   for (const char* part : {"8 km", "degrees", "transmittance, 256x64 threads", "sky_orders"}) {

@@ -60,7 +60,7 @@ TEST_F(Sampling, NeedsNoVulkanDevice) {
   EXPECT_EQ(probed.exit_code, 0) << probed.err;
 }
 
-// Whenever it comes, the checkpoint stays, and the next run ends with the picture of a run that nobody stopped.
+// Whenever it is interrupted, the checkpoint stays, and the next run ends with the picture of an uninterrupted run.
 TEST_F(Sampling, ThatIsInterruptedKeepsItsSamples) {
   const Names command = {"render",    "sky.json", "-q",           "--size", "48x27", "--method", "path-trace",
                          "--samples", "128",      "--checkpoint", "state",  "-o",    "sky.exr"};

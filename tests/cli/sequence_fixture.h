@@ -1,5 +1,5 @@
 #pragma once
-// What the tests of sequence share: a small preset in a folder of its own, six frames of a morning.
+// Shared by the tests of sequence: a small preset in a folder of its own, six frames of a morning.
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ class Sequence : public SmallSky {
   Outcome shell(const std::string& line) const {
     return run(scratch_.path(), {"bash", "-c", "airlight=" + tool_program() + "\n" + line});
   }
-  // Files of a folder by name, without its manifests, as they report times.
+  // Files of a folder by name, without its manifests, which contain times.
   std::map<std::string, std::string> pictures(const std::string& folder) const {
     std::map<std::string, std::string> found;
     for (const std::string& name : scratch_.files()) {
@@ -39,7 +39,7 @@ class Sequence : public SmallSky {
   void make_folder(const std::string& name) const { std::filesystem::create_directory(scratch_.path() / name); }
 };
 
-// "rendered" or "kept" of each frame of --json, by its number.
+// "rendered" or "kept" for each frame of --json, by its number.
 inline Names statuses(const std::string& json_lines) {
   std::map<int, std::string> found;
   for (const std::string& line : lines_of(json_lines)) {

@@ -1,4 +1,4 @@
-// What a sequence's frames say of themselves, and what is done with frames and half files of earlier runs.
+// Descriptions in a sequence's frames, and the treatment of frames and half-written files of earlier runs.
 #include <fcntl.h>
 #include <sys/file.h>
 
@@ -105,7 +105,7 @@ TEST_F(Sequence, HalfFilesOfKilledRunsGo) {
   }
 }
 
-// Each kind is told once, of the first frame that has it, and its frames are counted; probe tells the same.
+// Each kind is reported once, for the first frame that has it, and its frames are counted; probe reports the same.
 TEST_F(Sequence, WhatBoundsTheWorkIsToldOnceAndCounted) {
   scratch_.write("milk.json", R"({"airlight": 1, "image": {"width": 2, "height": 1}, "camera": {"altitude_km": 50},
     "media": [{"name": "milk", "scattering_per_km": 9000, "density": {"profile": "constant", "below_km": 100}}],
@@ -125,7 +125,7 @@ TEST_F(Sequence, WhatBoundsTheWorkIsToldOnceAndCounted) {
   EXPECT_EQ(tool({"probe", "milk.json", "-q", "--elevation", "60", "--azimuth", "0"}).err, "");
 }
 
-// Told before the device is opened, which none is here: what is bounded takes its whole time.
+// Reported before the device is opened, since bounded work takes its whole time; here there is no device.
 TEST_F(Sequence, OrdersLeftToTheTailAreTold) {
   scratch_.write("thick.json", R"({"airlight": 1, "image": {"width": 4, "height": 2},
     "media": [{"name": "fog", "scattering_per_km": 9000, "density": {"profile": "layers",

@@ -1,4 +1,4 @@
-// sequence stopped, killed, resumed, shared among processes, and on a full disk: every frame is whole.
+// A sequence that is stopped, killed, resumed, shared among processes, or on a full disk: every frame is whole.
 #include <algorithm>
 #include <csignal>
 #include <thread>
@@ -30,7 +30,7 @@ TEST_F(SequenceResume, ASecondRunKeepsWhatIsWholeAndOfThePreset) {
   fs::copy_file(scratch_.path() / "s.6.exr", scratch_.path() / "s.5.exr", fs::copy_options::overwrite_existing);
   EXPECT_EQ(statuses(tool(words).out), (Names{"kept", "rendered", "rendered", "rendered", "rendered", "kept"}));
   EXPECT_EQ(statuses(tool(words).out), Names(6, "kept"));
-  // Options that make other files, each with a hash of its own.
+  // Options that give other files, each with a hash of its own.
   EXPECT_EQ(statuses(tool(morning({"--png", "s.#.png", "--json", "--bits", "16"})).out), Names(6, "rendered"));
   EXPECT_EQ(statuses(tool(morning({"-o", "s.#.exr", "--json"})).out), Names(6, "kept"));
   EXPECT_EQ(statuses(tool(morning({"-o", "s.#.exr", "--json", "--float"})).out), Names(6, "rendered"));
@@ -63,14 +63,14 @@ TEST_F(SequenceResume, KilledAndResumedIsTheSameAsUninterrupted) {
   EXPECT_GT(killed, 0) << "no run was slow enough to be killed";
   const Outcome last = tool(words);
   EXPECT_EQ(last.exit_code, 0) << last.err;
-  // What the kills left half written is gone, too, but for empty files: those may be another run's, a moment old.
+  // Half-written files of the kills are gone too. Empty ones stay: they may be a moment old and another run's.
   auto resumed = pictures("killed");
   std::erase_if(resumed, [](const auto& file) { return contains(file.first, ".part-") && file.second.empty(); });
   EXPECT_EQ(resumed, whole);
   EXPECT_EQ(Json::parse(scratch_.read("killed/s.manifest.json"))["frames"].size(), 6U);
 }
 
-// The frame in hand comes to its end, the manifest says what there is, and the same command goes on.
+// The frame in work is finished, the manifest lists what there is, and the same command continues.
 TEST_F(SequenceResume, StoppedBySignalsItLeavesWholeFramesAndSaysSo) {
   Names words = morning({"-o", "s.#.exr", "--size", "192x108"});
   words[9] = "1m";  // --step
@@ -110,7 +110,7 @@ TEST_F(SequenceResume, ShardsAreTheWhole) {
   }
   EXPECT_EQ(pictures("shards"), pictures("whole"));
   EXPECT_EQ(Json::parse(scratch_.read("shards/s.manifest.2-of-4.json"))["frames"].size(), 2U);
-  // More machines than frames: nothing to do is no failure.
+  // More machines than frames: a shard without work does not fail.
   EXPECT_EQ(tool(morning({"-q", "-o", "shards/s.#.exr", "--shard", "9/9"})).exit_code, 0);
   // One more run without --shard finds all of it.
   EXPECT_EQ(statuses(tool(morning({"-o", "shards/s.#.exr", "--json"})).out), Names(6, "kept"));

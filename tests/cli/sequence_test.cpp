@@ -1,4 +1,4 @@
-// sequence as a process: what it writes, shows and refuses.
+// sequence as a process: its files, its output, its refusals.
 #include <gtest/gtest.h>
 #include <pty.h>
 #include <sys/wait.h>
@@ -35,7 +35,7 @@ TEST_F(Sequence, WritesFramesPicturesAndAManifest) {
   EXPECT_EQ(last["png"], "show.6.png");
   EXPECT_EQ(last["hash"].get<std::string>().size(), 16U);
   EXPECT_GT(last["milliseconds"].get<double>(), 0.0);
-  // Paris at 8:30 summer time on the solstice: 23 degrees high in the east by north (any almanac).
+  // Paris at 8:30 summer time on the solstice: the sun is 23 degrees high in the east by north (any almanac).
   EXPECT_NEAR(last["sun_elevation_deg"].get<double>(), 23.5, 1.0);
   EXPECT_NEAR(last["sun_azimuth_deg"].get<double>(), 81.0, 1.5);
   // Plain lines where there is no terminal: one a frame, a summary, the manifest.
@@ -66,7 +66,7 @@ TEST_F(Sequence, KeyFramesAnimateAnyKeyAndNumberTheFiles) {
   EXPECT_EQ(manifest["frames"][1]["frame"], 9);
   EXPECT_EQ(manifest["frames"][1]["time"], nullptr);
   EXPECT_EQ(manifest["frames"][1]["sun_elevation_deg"], 0.0);
-  // The frame's own preset has no key frames left, the preset rendered as it is keeps them.
+  // The frame's own preset has no key frames; the preset rendered as it is keeps them.
   EXPECT_EQ(tool({"sequence", "k.09.exr", "-o", "z.#.exr"}).exit_code, 2);
   const Outcome other = tool({"sequence", "keys.json", "-o", "z.#.exr", "--sun-elevation", "1:2:1", "--dry-run"});
   EXPECT_EQ(lines_of(other.out).size(), 2U);
@@ -193,7 +193,7 @@ TEST_F(Sequence, PreviewAndContactSheetShowTheFrames) {
   }
 }
 
-// What the tool prints to a terminal of that kind.
+// The tool's output on a terminal of that kind.
 std::string on_terminal(const fs::path& folder, const Names& arguments, const char* kind) {
   int master = -1;
   const pid_t child = ::forkpty(&master, nullptr, nullptr, nullptr);

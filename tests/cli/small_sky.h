@@ -1,5 +1,5 @@
 #pragma once
-// A test of the tool in a folder of its own with a small preset, sky.json.
+// A fixture for tests of the tool: a folder of its own with a small preset, sky.json.
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ class SmallSky : public testing::Test {
   Scratch scratch_;
 };
 
-// Finds no Vulkan driver.
+// A start in which no Vulkan driver is found.
 inline Start without_driver() {
   Start start;
   start.environment = {{"VK_DRIVER_FILES", "/nowhere"}, {"VK_ICD_FILENAMES", "/nowhere"}};

@@ -1,4 +1,4 @@
-// Spectral EXRs, read by a program that knows nothing of ours: OpenImageIO for Python.
+// Spectral EXRs, read by a foreign program: OpenImageIO for Python.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -11,7 +11,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-// Spectra of air, haze and ozone, in few pixels, of which one holds the sun's disc.
+// Spectra of air, haze and ozone in a few pixels, one of which has the sun's disc.
 std::string spectral_preset(const std::string& elevation, const std::string& more) {
   return R"({"airlight": 1, "planet": {"ground_albedo": 0.2}, "media": [
     {"name": "air", "scattering_per_km": {"named": "air"},
@@ -38,8 +38,8 @@ class SpectralExr : public testing::Test {
   Scratch scratch_;
 };
 
-// The colours in the file are its spectrum's, integrated elsewhere, to 0.3 %: by day, with the sun at the horizon and
-// at dusk, with the sun as white and with D65. A channel near 0 beside the others has no share of its own.
+// The file's colours equal its spectrum, integrated by the other program, to 0.3 %: by day, with the sun at the horizon
+// and at dusk, with the sun as white and with D65. A channel near 0 beside the others is not compared by itself.
 TEST_F(SpectralExr, IsReadByAnotherProgramAndIntegrated) {
   const Words python{"/usr/bin/python3", AIRLIGHT_SOURCE_DIR "/tests/cli/spectral_exr.py"};
   struct Sky {

@@ -1,4 +1,4 @@
-// scene.spheres as a user meets it: its picture, and what is refused.
+// scene.spheres in use: its picture, and refusals.
 #include <gtest/gtest.h>
 
 #include "core/output/picture_reader.h"
@@ -42,7 +42,7 @@ TEST_F(SphereTool, AlbedoMayBeACurve) {
   preset(R"([{"distance_m": 5, "radius_m": 1, "material": "matte",
               "albedo": {"wavelengths_nm": [400, 700], "values": [0.1, 0.9]}}])",
          R"(, "render": {"wavelengths": 6}, "sun": {"elevation_deg": 40, "azimuth_deg": 180})");
-  // All else by numbers that hold for every wavelength.
+  // All other values are numbers that hold for every wavelength.
   const Outcome outcome = tool({"render", "set.json", "-o", "set.exr", "--float", "-q", "--set",
                                 "/media/0/scattering_per_km={\"named\": \"air\"}"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;

@@ -1,4 +1,4 @@
-// stability: the files it leaves, and that an interrupted run goes on.
+// stability: its files, and the resumption of an interrupted run.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ TEST(StabilityCommand, LeavesNumbersPicturesAndAPage) {
   EXPECT_TRUE(contains(scratch.read("map/stability.md"), "few steps"));
 }
 
-// A row that no run would compute tells what was taken over and what was computed again.
+// A row that no run would compute shows what was taken over and what was computed again.
 TEST(StabilityCommand, GoesOnWhereItWasInterruptedAndRemakesWhatIsComplete) {
   const Scratch scratch;
   ASSERT_EQ(airlight(scratch.path(), kSmall).exit_code, 0);

@@ -1,4 +1,4 @@
-// planet.terrain from files, and what is refused.
+// planet.terrain from files, and refusals.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -30,7 +30,7 @@ class TerrainTool : public testing::Test {
     write_exr(scratch_.path() / name, 4, 4, channels, options);
   }
 
-  // A plateau of these keys, seen from above.
+  // A plateau with these keys, seen from above.
   void preset(const std::string& terrain, const std::string& more = "") const {
     scratch_.write("sky.json", R"({"airlight": 1, "extends": "earth-hillaire2020", "planet": {"terrain": )" + terrain +
                                    R"(}, "sun": {"elevation_deg": 50}, "camera": {"altitude_km": 3, "pitch_deg": -60},
@@ -49,7 +49,7 @@ TEST_F(TerrainTool, HeightsAreKilometresOfTheFileAndColoursItsReflectance) {
   preset(R"({"height_map": "plateau.exr", "albedo_map": "red.exr", "width_km": 30, "highest_km": 0.001, "albedo": 1})");
   Outcome outcome = tool({"render", "sky.json", "-o", "sky.exr", "--float", "-q"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  // Straight down to the plateau, 1.8 km of air away, lit by the sun through what is above it.
+  // Straight down to the plateau through 1.8 km of air, lit by the sun through the air above it.
   outcome = tool({"probe", "sky.json", "--elevation", "-90", "--azimuth", "0"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const RadianceImage picture = read_exr_picture(scratch_.path() / "sky.exr").radiance;
@@ -63,7 +63,7 @@ TEST_F(TerrainTool, HeightsAreKilometresOfTheFileAndColoursItsReflectance) {
   EXPECT_EQ(read_exr_picture(scratch_.path() / "again.exr").radiance.rgba, picture.rgba);
 }
 
-// A wall before the range stands before it in the air that it shades; one behind it is hidden. The volume holds no
+// A wall before the range stands in the air that the range shades; a wall behind it is hidden. The volume has no
 // shadows.
 TEST_F(TerrainTool, ThingsOfACompositeStandBeforeItOrBehindIt) {
   constexpr int kWide = 16;
@@ -164,7 +164,7 @@ TEST_F(TerrainTool, NonsenseIsRefusedInOneLine) {
     preset(c.terrain);
     for (const char* command : {"check", "render"}) {
       if (command == std::string("render") && !contains(c.terrain, "height_map")) {
-        continue;  // what the preset alone shows to be wrong all commands refuse alike
+        continue;  // all commands refuse alike whatever is wrong in the preset itself
       }
       const Outcome outcome = tool({command, "sky.json"});
       EXPECT_EQ(outcome.exit_code, 2) << c.terrain;

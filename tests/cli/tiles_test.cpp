@@ -1,4 +1,4 @@
-// --tile and --layers as a user meets them: the files, what is refused, and what is left behind.
+// --tile and --layers in use: files, refusals, leftovers.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -46,7 +46,7 @@ TEST_F(Tiles, TheFileIsTheSameByteForByte) {
   EXPECT_EQ(scratch_.read("odd32.exr"), scratch_.read("whole32.exr"));
 }
 
-// Everything that a render may write: as a whole, and in tiles that divide nothing.
+// Every output of a render, as a whole and in tiles that divide nothing evenly.
 TEST_F(Tiles, EveryOutputIsTheSameByteForByte) {
   const Names disc = {"--set", "/sun/disc/angular_radius_deg=2"};
   const std::vector<Names> wishes = {
@@ -102,7 +102,7 @@ TEST_F(Tiles, FramesOfASequenceAreTheSameByteForByte) {
   EXPECT_TRUE(contains(again.err, "0 frames rendered, 2 kept")) << again.err;
 }
 
-// A PNG goes onward and may go through a pipe; an EXR has its table of places at the beginning.
+// A PNG is written forward and may go through a pipe; an EXR has its table of offsets at the beginning.
 TEST_F(Tiles, APngInTilesGoesThroughAPipe) {
   const std::string& program = tool_program();
   const Outcome outcome = run(scratch_.path(), {"sh", "-c",
@@ -123,7 +123,7 @@ TEST_F(Tiles, WhatIsNoTileIsRefusedInOneLine) {
 }
 
 TEST_F(Tiles, ADiskThatFillsUpLeavesNothing) {
-  // A file larger than allowed fails as one on a full disk does: in the middle of writing.
+  // A file beyond the size limit fails like one on a full disk, in the middle of writing.
   const std::string& program = tool_program();
   const Outcome outcome =
       run(scratch_.path(), {"sh", "-c",
@@ -159,7 +159,7 @@ TEST_F(Tiles, LayersAreNamedAndCompared) {
   EXPECT_EQ(Json::parse(tool({"render", "sky.json", "-o", "plain.exr", "--json"}).out).count("layers"), 0U);
 }
 
-// In any space the light layers' sum is the picture; here of one pixel in each face of a cube.
+// In any colour space the sum of the light layers is the picture; here for one pixel in each face of a cube.
 TEST_F(Tiles, LayersGoWithSpacesAndFaces) {
   const Names cube = {"render",
                       "sky.json",

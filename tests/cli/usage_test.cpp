@@ -112,7 +112,7 @@ TEST(Usage, ALostStandardOutputIsAnErrorAClosedPipeIsNot) {
   EXPECT_EQ(closed.err, "");
 }
 
-// What the tool prints to a terminal of so many columns.
+// The tool's output on a terminal of so many columns.
 std::string on_terminal(const char* no_color, unsigned short columns = 80) {
   int master = -1;
   winsize size{};
@@ -143,7 +143,7 @@ TEST(Usage, ColourOnATerminalUnlessRefused) {
   EXPECT_FALSE(contains(airlight(scratch.path(), {"--help"}).out, "\033["));
 }
 
-// The longest line but those of examples, which are to be copied.
+// The longest line except examples, which are meant for copying.
 std::size_t longest_line(const std::string& help) {
   std::size_t longest = 0;
   for (const std::string& line : lines_of(help)) {

@@ -1,4 +1,4 @@
-// What people type first works: names of files and pipes, projections, places, percentages; --json for programs.
+// The words that people try first: names of files and pipes, projections, places, percentages; --json for programs.
 #include <gtest/gtest.h>
 #include <pty.h>
 #include <sys/wait.h>
@@ -59,7 +59,8 @@ TEST_F(Words, TheCameraByOptions) {
   EXPECT_EQ(camera["vertical_fov_deg"], 30);
 }
 
-// An equirectangular picture is OpenEXR's latlong where it is twice as wide as high, and says so otherwise.
+// An equirectangular picture is tagged as OpenEXR's latlong if it is twice as wide as high; otherwise a message says
+// so.
 TEST_F(Words, OnlyTwoToOneIsTaggedAsALatlong) {
   const Outcome good = tool({"render", "sky.json", "--projection", "latlong", "-o", "good.exr"});
   EXPECT_EQ(good.exit_code, 0);
@@ -71,7 +72,7 @@ TEST_F(Words, OnlyTwoToOneIsTaggedAsALatlong) {
   EXPECT_FALSE(contains(scratch_.read("odd.exr"), "envmap"));
 }
 
-// The almanac: at Greenwich on the equinox of 2026 (20 March, 14:46 UTC) the sun stands over the equator; at noon of
+// By the almanac, at Greenwich on the equinox of 2026 (20 March, 14:46 UTC) the sun stands over the equator; at noon of
 // mean time it is 7.5 minutes before the meridian.
 TEST_F(Words, TheSunOfAPlace) {
   const Json sun = dry_run(
@@ -100,7 +101,7 @@ TEST_F(Words, ADashIsStandardOutput) {
   EXPECT_EQ(tool({"render", "sky.json", "-o", "sky.exr", "-q"}).exit_code, 0);
   EXPECT_EQ(exr.out.size(), scratch_.read("sky.exr").size());
   EXPECT_EQ(tool({"render", "sky.json", "--png", "-"}).out.substr(1, 3), "PNG");
-  // What the shell appends to keeps what it has.
+  // A file that the shell appends to keeps its contents.
   EXPECT_EQ(shell("echo first > all; airlight render sky.json -o - -q >> all").exit_code, 0);
   EXPECT_EQ(scratch_.read("all").substr(0, 10), "first\n\x76\x2f\x31\x01");
 }
@@ -144,7 +145,7 @@ TEST_F(Words, WhatDoesNotExistIsNamed) {
   }
 }
 
-// One object, and nothing else, on standard output.
+// Standard output is one object and nothing else.
 TEST_F(Words, JsonFromEveryCommandThatAnswers) {
   const std::vector<std::pair<Names, std::string>> commands = {
       {{"render", "sky.json", "-o", "a.exr", "--json"}, "files"},
@@ -229,7 +230,7 @@ TEST_F(Words, TimingsNameEachPassOnceAndTheirPartsAddUp) {
   EXPECT_EQ(count, 1);
 }
 
-// What the tool shows on a terminal while it searches.
+// The tool's output on a terminal while it searches.
 TEST_F(Words, ToleranceShowsProgressOnATerminal) {
   int master = -1;
   const pid_t child = ::forkpty(&master, nullptr, nullptr, nullptr);
@@ -247,7 +248,7 @@ TEST_F(Words, ToleranceShowsProgressOnATerminal) {
   ::waitpid(child, nullptr, 0);
   ::close(master);
   EXPECT_TRUE(contains(text, "choosing method and quality: probing ")) << text;
-  EXPECT_TRUE(contains(text, "\r\033[K")) << text;  // and it is taken away
+  EXPECT_TRUE(contains(text, "\r\033[K")) << text;  // and it is removed
   EXPECT_FALSE(contains(tool({"render", "sky.json", "-o", "b.exr", "--sun-elevation=-5", "--tolerance", "10%"}).err,
                         "choosing"));
 }

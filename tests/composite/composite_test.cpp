@@ -1,4 +1,4 @@
-// Depth, blending, cameras and fogs of `airlight composite`, by hand.
+// Depth, blending, cameras and fogs of `airlight composite`, checked by hand-computed values.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -47,12 +47,12 @@ TEST(CompositeBlend, OpaqueAndEmptyAndHalf) {
   const Rgb opaque = behind_air({{0.5F, 0.5F, 0.5F}, 1.0F}, kAir, kSkyColour);
   EXPECT_FLOAT_EQ(opaque[0], 0.5F * 0.9F + 0.1F);
   EXPECT_EQ(behind_air({{}, 0.0F}, AirTo{{}, {1.0F, 1.0F, 1.0F}}, kSkyColour), kSkyColour);  // bit for bit
-  // Half a thing: what shows through it is the whole sky, air before it included.
+  // Half a thing: the whole sky, including the air before the thing, shows through it.
   const Rgb half = behind_air({{0.25F, 0.25F, 0.25F}, 0.5F}, kAir, kSkyColour);
   EXPECT_FLOAT_EQ(half[2], 0.25F * 0.7F + 0.5F * 0.3F + 0.5F * 4.0F);
 }
 
-// One sample is what a flat pixel is, and a sample of no cover changes nothing.
+// One sample equals a flat pixel, and a sample without cover changes nothing.
 TEST(CompositeBlend, DeepAgreesWithFlat) {
   const Thing thing{{0.2F, 0.3F, 0.4F}, 0.6F};
   const AirTo nearer{{0.05F, 0.1F, 0.15F}, {0.95F, 0.9F, 0.85F}};
@@ -66,7 +66,7 @@ TEST(CompositeBlend, DeepAgreesWithFlat) {
   EXPECT_EQ(behind_air(std::span<const Thing>(), {}, kSkyColour), kSkyColour);
 }
 
-// The parts let through and send together what the whole does.
+// The parts together transmit and send what the whole does.
 TEST(CompositeBlend, SplitSamplesAddUp) {
   const Thing thing{{0.3F, 0.6F, 0.9F}, 0.7F};
   Rgb sum{};
@@ -83,7 +83,7 @@ TEST(CompositeBlend, SplitSamplesAddUp) {
   }
 }
 
-// Our own matrix, read back: every angle and the altitude.
+// Our own matrix, read back, gives every angle and the altitude.
 TEST(CompositeCamera, WorldToCameraGivesBackTheAngles) {
   for (const double pitch : {-90.0, -30.0, 0.0, 10.0, 80.0}) {
     Camera camera;
@@ -92,7 +92,7 @@ TEST(CompositeCamera, WorldToCameraGivesBackTheAngles) {
     camera.pitch = pitch * kDegree;
     camera.roll = std::abs(pitch) == 90.0 ? 0.0 : 25.0 * kDegree;
     const CameraBasis b = camera_basis(camera);
-    // Rows of the inverse are the axes and the place in the world; the matrix itself is its transpose's.
+    // The rows of the inverse are the axes and the place in the world. The matrix has the transposed axes.
     const physics::vec3 back = b.forward * -1.0;
     const Matrix m{b.right.x, b.up.x, back.x, 0.0, b.right.y,        b.up.y,        back.y,        0.0,
                    b.right.z, b.up.z, back.z, 0.0, -2.5 * b.right.y, -2.5 * b.up.y, -2.5 * back.y, 1.0};
@@ -111,7 +111,8 @@ TEST(CompositeCamera, WorldToCameraGivesBackTheAngles) {
   }
 }
 
-// Blender's world: z up, y north, metres; a camera 100 m up that looks north and 10 degrees down through a lens of 40.
+// Blender's world: z up, y north, metres. The camera is 100 m up and looks north, 10 degrees down, through a 40 degree
+// lens.
 TEST(CompositeCamera, WorldToNdcHoldsTheLens) {
   const double s = std::sin(10.0 * kDegree);
   const double c = std::cos(10.0 * kDegree);
@@ -140,7 +141,7 @@ Fog fog_of_kind(FogKind kind) {
   return fog;
 }
 
-// The published forms at one distance, by numbers worked out by hand.
+// The published forms at one distance, with numbers computed by hand.
 TEST(CompositeFog, ClosedForms) {
   const FogRay ray{10.0, 0.0, 0.2, 0.9};
   const FogTerms even = fog_terms(fog_of_kind(FogKind::exponential), ray);
@@ -155,7 +156,7 @@ TEST(CompositeFog, ClosedForms) {
   EXPECT_NEAR(parts.adds.x, 0.5 * (1.0 - std::exp(-0.15)), 1e-12);
 }
 
-// The amount is the integral of a exp(-b y) along the ray: by ten thousand midpoints, level, rising and falling.
+// The amount is the integral of a exp(-b y) along the ray, here by ten thousand midpoints: level, rising and falling.
 TEST(CompositeFog, HeightFogIsAnIntegral) {
   const Fog fog = fog_of_kind(FogKind::height);
   for (const double rise : {-0.1, -1e-9, 0.0, 1e-9, 1e-3, 0.5}) {

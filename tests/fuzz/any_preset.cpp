@@ -24,7 +24,7 @@ double number_of(std::string_view text, double otherwise) {
   return value;
 }
 
-// What is usual for a key without a default.
+// A usual value of a key without a default.
 double usual(std::string_view key) {
   if (key.ends_with("scale_height_km") || key.ends_with("below_km") || key.ends_with("half_width_km")) {
     return 8.0;
@@ -57,7 +57,7 @@ double within(Random& random, Range range, double middle) {
   return std::clamp(value, range.minimum, range.maximum);
 }
 
-// What stands on the planet beside its air: one of them, as none goes with another.
+// The things on the planet besides its air: at most one kind, since no two go together.
 enum class Things { none, spheres, terrain, ground_maps };
 
 class Writer {
@@ -75,7 +75,8 @@ class Writer {
     text += things == Things::spheres ? ", \"scene\": {\"spheres\": [" + spheres() + "]}" : "";
     const bool square = projection_ == "octahedral";
     const int any_side = 1 + static_cast<int>(random_.below(9));
-    // All pixels are alike to a method on the host, and a cube of nine a side in thick air is a minute of paths.
+    // Small cubes for a method on the host: all pixels cost it the same, and nine a side in thick air is a minute of
+    // paths.
     const int side =
         projection_ == "cube" && method.render_on_host != nullptr ? std::min(any_side, kLargestTracedCube) : any_side;
     const int columns = projection_ == "cube" ? side * cube_cells_[0] : side;
@@ -95,7 +96,7 @@ class Writer {
   std::string spectrum(const Rule& rule) {
     const double middle = number_of(rule.default_text, 0.0);
     const double around = middle != 0.0 ? middle : usual(rule.key);
-    // Coefficients anywhere in their range mostly make air that is refused.
+    // Coefficients from their whole range mostly give air that is refused.
     const bool mild = rule.key.ends_with("per_km") && random_.chance(0.8);
     const auto one = [&] {
       return mild ? format_number(random_.chance(0.1) ? 0.0 : around * random_.log_uniform(0.01, 100.0))
@@ -131,7 +132,7 @@ class Writer {
     }
   }
 
-  // The keys of one object, those of its objects too; `choice`: what its profile or projection is.
+  // The keys of one object and of the objects in it; `choice`: its profile or projection.
   std::string object(std::string_view section) {
     std::string choice;
     for (const Rule& rule : rules()) {
@@ -154,7 +155,7 @@ class Writer {
       const bool fits = rule.only_for.empty() || std::ranges::find(rule.only_for, choice) != rule.only_for.end();
       const bool upright = projection_ != "perspective" && projection_ != "fisheye" &&
                            (key == "pitch_deg" || key == "roll_deg" || key == "vertical_fov_deg");
-      // Texts are no numbers to try; the cut maps have no bloom.
+      // Not texts, which are no numbers to try; not bloom where the map is cut.
       const bool left_out = key == "display" || key == "view" || key == "enabled" || (section == "camera" && upright);
       if (key.find_first_of(".[") != std::string::npos || !fits || left_out) {
         continue;
@@ -188,7 +189,7 @@ class Writer {
                          : Things::none;
   }
 
-  // One that knows them.
+  // A method that supports these things.
   const SkyMethod& any_method(Things things) {
     for (;;) {
       const SkyMethod& method = random_.pick(methods());
@@ -201,7 +202,7 @@ class Writer {
     }
   }
 
-  // The planet's own keys with those of its ground. Maps are names alone: who renders the scene fills them.
+  // The planet's own keys and those of its ground. Maps are only names: the caller that renders the scene fills them.
   std::string planet(const std::string& own, Things things) {
     std::string more;
     if (things == Things::terrain) {
@@ -252,7 +253,7 @@ class Writer {
     return "[" + text + "]";
   }
 
-  // A phase function of any shape, with the integral that is asked for.
+  // A phase function of any shape, with the required integral.
   std::string table() {
     PhaseTable made;
     made.rows.emplace_back();
@@ -294,7 +295,7 @@ class Writer {
         return std::to_string(static_cast<int>(random_.uniform(info.minimum, std::min(most, 2e9))));
       }
       case ParameterKind::number:
-        // No clock decides what a fuzzer does.
+        // A fuzzer's results must not depend on a clock.
         return info.key.ends_with("_s") || info.key == "target_error" ? "0" : number(rule_of(info).range, 1.0);
       case ParameterKind::table_size: {
         const double most = std::min(info.maximum, kLargestTable);

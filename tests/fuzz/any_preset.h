@@ -1,6 +1,6 @@
 #pragma once
-// Presets anywhere within the documented ranges: the table of rules and the methods' own lists say what there is, so
-// that a key that is new to them is tried as well.
+// Presets anywhere within the documented ranges. The table of rules and the methods' own lists are the source, so that
+// a new key is tried as well.
 
 #include <string>
 
@@ -8,8 +8,8 @@
 
 namespace airlight::fuzz {
 
-// JSON text. Each number is within its range, mostly near what is usual, often anywhere in it, sometimes at its end;
-// tables, steps and samples stay small. Whether all of them together make a scene is resolve()'s to say.
+// JSON text. Each number is within its range, mostly near a usual value, often anywhere, sometimes at an end; tables,
+// steps and samples stay small. Whether the numbers together make a scene is for resolve() to judge.
 std::string any_preset(Random& random);
 
 }  // namespace airlight::fuzz

@@ -32,7 +32,7 @@ bool is_word(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '+' || c == '-' || c == '_';
 }
 
-// Strings with their quotes, words and numbers, everything else by itself.
+// Strings with their quotes, words and numbers; every other character by itself.
 Words tokens_of(const std::string& text) {
   Words tokens;
   for (std::size_t i = 0; i < text.size();) {
@@ -171,7 +171,7 @@ std::string fault_of_message(const std::string& message) {
   return printable(message, true) == message ? "" : "a message that a terminal obeys";
 }
 
-// Runs something that may throw what is for people.
+// Runs something that may throw errors meant for people.
 template <class Work>
 Outcome guarded(Work work) {
   Outcome outcome;
@@ -232,7 +232,7 @@ std::vector<float> any_values(Random& random, std::size_t count) {
   return values;
 }
 
-// What files of the names in the preset might hold.
+// Possible contents of the files named in the preset.
 void fill_maps(Scene& scene, std::uint64_t seed) {
   Random random(~seed);
   if (scene.terrain && (!scene.terrain->height_map.empty() || !scene.terrain->albedo_map.empty())) {

@@ -1,5 +1,5 @@
 #pragma once
-// One case of each kind, by its number: nothing where the program does what it should, else what is wrong.
+// One case of each kind, by its number: an empty outcome where the program behaves, else its fault.
 
 #include <cstdint>
 #include <filesystem>
@@ -9,20 +9,20 @@ namespace airlight::fuzz {
 
 struct Outcome {
   std::string fault = {};  // empty: none
-  std::string input = {};  // what made it: a preset, an EXR
+  std::string input = {};  // input that caused it: a preset, an EXR
   bool refused = false;    // by a message: this one
   std::string message = {};
 };
 
-// A preset changed by the token: every answer is a scene that its own text gives again, or a message that is short and
-// holds nothing that a terminal obeys.
+// A preset with changed tokens. The answer must be a scene that its own text gives again, or a short message without
+// anything that controls a terminal.
 Outcome text_case(std::uint64_t seed);
 
-// An EXR of ours changed by the byte, read by everything that reads one.
+// An EXR of ours with changed bytes, read by every reader of EXRs.
 Outcome exr_case(std::uint64_t seed, const std::filesystem::path& folder);
 
-// A valid preset anywhere in the documented ranges, rendered at a few pixels: every number of the picture is finite and
-// none is negative, or the scene is refused.
+// A valid preset anywhere in the documented ranges, rendered at a few pixels. All numbers of the picture are finite and
+// not negative, or the scene is refused.
 Outcome scene_case(std::uint64_t seed);
 
 // The text of scene_case().

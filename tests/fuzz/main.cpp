@@ -1,6 +1,6 @@
 // airlight_fuzz KIND [--count N] [--first SEED] [--seconds S] [--keep DIR] [--tell refused]
-// Cases by their numbers, each kind of fault told with its number; inputs that made one go to DIR. A case that ends the
-// process is told like any other: cases run in a child, and the next child goes on behind it.
+// Runs cases by their numbers and reports each fault with its case's number; inputs that caused faults go to DIR. Cases
+// run in a child process. If a case ends it, that is reported too, and the next child continues after it.
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
@@ -33,7 +33,7 @@ struct Order {
   fs::path keep;
 };
 
-// What the child tells, in memory that both see.
+// The child's results, in memory shared with the parent.
 struct Shared {
   std::uint64_t next = 0;  // the case at work
   std::uint64_t refused = 0;

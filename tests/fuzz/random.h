@@ -1,5 +1,5 @@
 #pragma once
-// Numbers by a seed, the same on every machine: the standard's engines are, its distributions are not.
+// Random numbers by a seed, the same on every machine: the standard fixes its engines, but not its distributions.
 
 #include <cmath>
 #include <cstdint>

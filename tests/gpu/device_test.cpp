@@ -1,4 +1,4 @@
-// Opening a device: what there is, what is refused and how it is said.
+// Opening a device: devices listed, refusals and their messages.
 
 #include <dlfcn.h>
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Some of what follows is known of the software device alone.
+// Some tests below apply only to the software device.
 bool has_software_device() {
   const std::vector<DeviceInfo> devices = list_devices();
   return std::any_of(devices.begin(), devices.end(), [](const DeviceInfo& device) { return device.is_cpu; });
@@ -68,7 +68,7 @@ fs::path software_library() {
   return found;
 }
 
-// Manifests of drivers under other names, each of a copy of the software device's library.
+// Manifests of drivers with other names, each for a copy of the software device's library.
 class Manifests {
  public:
   explicit Manifests(const std::vector<std::string>& names) : folder_(make_folder()) {
@@ -99,7 +99,7 @@ class Manifests {
   std::string files_;
 };
 
-// As a user starts the program: no device named, no drivers selected, no validation layer.
+// The environment in which a user starts the program: no device named, no drivers selected, no validation layer.
 struct PlainStart {
   ScopedEnvironment device{"AIRLIGHT_DEVICE", nullptr};
   ScopedEnvironment validation{"AIRLIGHT_VALIDATION", nullptr};
@@ -154,7 +154,7 @@ TEST(Device, ListsWhatTheMachineHas) {
 }
 
 TEST(Device, SaysWhichPackageBringsADriver) {
-  const ScopedEnvironment no_validation("AIRLIGHT_VALIDATION", nullptr);  // it would count the loader's complaint
+  const ScopedEnvironment no_validation("AIRLIGHT_VALIDATION", nullptr);  // it would count the loader's message
   const ScopedEnvironment drivers("VK_DRIVER_FILES", "/nonexistent.json");
   const ScopedEnvironment old_name("VK_ICD_FILENAMES", "/nonexistent.json");
   const char* expected =

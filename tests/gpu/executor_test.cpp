@@ -1,4 +1,4 @@
-// Plans on a real device: what comes back, what it took, what is refused.
+// Plans on a real device: results, timings, refusals.
 
 #include "core/gpu/executor.h"
 
@@ -81,7 +81,7 @@ TEST(Executor, TimesPassesAndItsOwnWork) {
   EXPECT_LE(passes, second.host[2].milliseconds) << "passes take longer than the run that holds them";
 }
 
-// With a listener each pass is a submission of its own: the results are the same, and what is done rises.
+// With a listener each pass is a submission of its own. The results are the same, and the reported share rises.
 TEST(Executor, ReportsWhatIsDone) {
   Executor executor({}, test_shaders());
   RampPlan p = ramp_plan({300, 100});
@@ -170,7 +170,7 @@ TEST(Executor, FillsAndSamplesVolumes) {
   EXPECT_EQ(texel[2], 4.0F);
 }
 
-// What tests/gpu/shaders/constants.comp reports.
+// Output of tests/gpu/shaders/constants.comp.
 struct Report {
   std::uint32_t count;
   float scale;
@@ -216,12 +216,12 @@ TEST(Executor, PassesConstantsSceneAndPushConstants) {
   EXPECT_EQ(set.width, 16U);
   EXPECT_EQ(set.invocations, 32U);  // two workgroups
 
-  // Another value is another pipeline, and the first one is still there.
+  // Another value gives another pipeline, and the first one still exists.
   EXPECT_EQ(report_of(executor, {{"kCount", 12}}).count, 12U);
   EXPECT_EQ(report_of(executor, {}).count, 3U);
 }
 
-// A module under another's name: whoever computes with it has read it from the folder.
+// A module is stored under another's name: a result computed with it shows that it was read from the folder.
 TEST(Executor, KeepsPreparedShadersInItsFolderAlone) {
   if (!can_specialize()) GTEST_SKIP() << "built without SPIRV-Tools";
   std::string name = (std::filesystem::temp_directory_path() / "airlight-cache-XXXXXX").string();

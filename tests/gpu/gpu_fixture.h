@@ -1,5 +1,5 @@
 #pragma once
-// What the device tests share.
+// Shared by the device tests.
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@
 namespace airlight {
 
 // Every executor of these tests runs under the validation layer (validation_environment.cpp), which must stay silent
-// but for what a test announces here.
+// except for messages announced here.
 void expect_validation_messages(int count);
 
 // Sets or, with null, unsets an environment variable until the end of the scope.

@@ -1,4 +1,4 @@
-// Modules kept on disk: found again as they were, and never taken from a file that could be anything else.
+// Modules kept on disk: found again unchanged, and never taken from a file that could be anything else.
 
 #include "core/gpu/kept_files.h"
 

@@ -1,4 +1,4 @@
-// What an executor keeps between runs, and that it keeps no more.
+// Resources that an executor keeps between runs, and that it keeps no others.
 
 #include <gtest/gtest.h>
 
@@ -38,7 +38,7 @@ const std::vector<std::string> kCopyAlone = {"copy_numbers"};
 TEST(Kept, IsMadeOnceForAKey) {
   Executor executor({}, test_shaders());
   EXPECT_EQ(run_kept(executor, "five", 5).passes, kBoth);
-  // Another amount under the same key would be a caller's mistake; it shows that nothing was made.
+  // A caller must not use another amount under the same key; here it shows that nothing was made.
   const KeptRun again = run_kept(executor, "five", 6);
   EXPECT_EQ(again.passes, kCopyAlone);
   EXPECT_EQ(again.numbers, std::vector<std::uint32_t>(8, 5));
@@ -68,7 +68,7 @@ TEST(Kept, ImagesOutliveOtherPlans) {
   EXPECT_EQ(run(8), 7.0F);
 }
 
-// The least recently used goes first; what the current plan uses stays, whatever the limit.
+// The least recently used resource goes first. The current plan's resources stay, whatever the limit.
 TEST(Kept, IsBounded) {
   constexpr std::size_t kCount = 16384;  // 64 KiB
   DeviceOptions options;
@@ -133,7 +133,7 @@ TEST(Kept, CarriedIsMadeAnew) {
   for (int i = 0; i < 2; ++i) {
     EXPECT_EQ(values_of<std::uint32_t>(executor.run(reader).contents(copy)), std::vector<std::uint32_t>(8, 6));
   }
-  // The host may be the one that makes it.
+  // The host may make it.
   const auto fill = [&](std::uint32_t value) {
     Plan plan;
     const std::vector<std::uint32_t> numbers(8, value);
@@ -149,7 +149,7 @@ TEST(Kept, CarriedIsMadeAnew) {
   EXPECT_EQ(values_of<std::uint32_t>(executor.run(reader).contents(copy)), std::vector<std::uint32_t>(8, 42));
 }
 
-// Contents that take long to find are asked for when a pass that reads them runs, and at no other time.
+// Contents that take long to compute are requested when a pass that reads them runs, and at no other time.
 TEST(Kept, ContentsAreFoundWhenTheyAreNeeded) {
   Executor executor({}, test_shaders());
   int asked = 0;
@@ -202,7 +202,7 @@ std::size_t resident_bytes() {
   return resident * 4096;
 }
 
-// A sequence: the picture's plan and another one in turn, hundreds of times.
+// A sequence: the picture's plan and another one alternate, hundreds of times.
 TEST(Executor, DoesNotGrowOverManyRuns) {
   Executor executor({}, test_shaders());
   const auto frame = [&](std::uint32_t i) {
@@ -269,7 +269,7 @@ TEST(Stored, TablesOutliveTheirExecutor) {
   expect(run_stored(options, "plain", 7, false), true, 7.0F, "not to be stored");
   EXPECT_FALSE(std::filesystem::exists(folder / "tables"));
   expect(run_stored(options, "a", 7), true, 7.0F, "the first");
-  // Another ramp under the same key would be a caller's mistake; it shows that nothing was made.
+  // A caller must not use another ramp under the same key; here it shows that nothing was made.
   expect(run_stored(options, "a", 8), false, 7.0F, "the second");
   expect(run_stored(options, "b", 9), true, 9.0F, "another key");
   expect(run_stored({.teams = true, .cache_folder = folder, .stores_tables = true}, "a", 8), true, 8.0F,

@@ -9,7 +9,7 @@
 namespace airlight {
 namespace {
 
-// A pass that fits this shader, to be spoilt.
+// A pass that fits this shader; tests then spoil it.
 class Match : public testing::Test {
  protected:
   Match() {
@@ -148,7 +148,7 @@ TEST_F(Match, RefusesTooLittleData) {
   EXPECT_EQ(refusal(), "pass sky, shader march: the uniform block scene has 32 bytes, the plan's scene data 28");
 }
 
-// The scene's tables are no pass's to bind: they stand behind the block.
+// No pass binds the scene's tables: they follow the scene block.
 TEST_F(Match, TakesTheScenesTablesFromItsData) {
   shader_.bindings.push_back({.name = "scene_tables", .kind = BindingKind::storage_buffer, .binding = 15});
   plan_.scene_data.resize(kSceneTablesAlignment + 16);

@@ -1,4 +1,4 @@
-// Which function parity_calls.glsl calls; the same text in GLSL and C++.
+// Codes of the functions that parity_calls.glsl calls; the same text in GLSL and C++.
 
 const uint kCallHorizon = 0u;
 const uint kCallDistances = 1u;

@@ -1,5 +1,5 @@
 #pragma once
-// What the parity tests share: the calls on double, inputs, and comparison with a bound for each result.
+// Shared by the parity tests: the calls on double, inputs, and comparison with a bound for each result.
 
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ using physics::HostCalls;
 using Inputs = std::array<float, 6>;
 using Values = std::array<double, 6>;
 
-// What a result may be off by: the larger of the two decides.
+// Permitted difference of a result: the larger of the two.
 struct Bound {
   double absolute = 0.0;
   double relative = 0.0;
@@ -37,7 +37,7 @@ struct Bound {
 inline constexpr Bound kExact{};
 using Bounds = std::array<Bound, 6>;
 
-// Numbers that a float holds, so that host and device start from the same.
+// Numbers that a float holds, so that host and device have the same inputs.
 inline double as_float(double x) {
   return static_cast<double>(static_cast<float>(x));
 }
@@ -64,7 +64,7 @@ inline Scene float_exact(Scene scene) {
   return scene;
 }
 
-// Seeded; the standard's distributions differ from library to library, its engines do not.
+// Seeded random numbers. The standard's distributions differ from library to library; its engines do not.
 class Random {
  public:
   double uniform(double low, double high) {
@@ -92,7 +92,7 @@ class Random {
   std::mt19937_64 engine_{20250611};
 };
 
-// Three floats that add up to a direction's (mu, mu_sun, nu): a true triple of vectors.
+// Three floats that are a direction's (mu, mu_sun, nu), derived from actual vectors.
 struct Cosines {
   float mu;
   float mu_sun;

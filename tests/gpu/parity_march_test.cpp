@@ -24,7 +24,7 @@ Error summary(std::vector<double> errors) {
   return {errors[errors.size() / 2], errors.back()};
 }
 
-// Over texels and channels, relative to the larger of the value and a floor times the table's greatest.
+// Error over texels and channels, relative to the larger of the value and `floor` times the table's greatest.
 Error compare(const TableDump& device, const HostTable& host, double floor) {
   EXPECT_EQ(device.width, host.width) << device.name;
   EXPECT_EQ(device.height, host.height) << device.name;
@@ -80,7 +80,7 @@ void expect_tables(const Scene& scene, double transmittance, double scattering) 
 }
 
 // Transmittance: exp of a depth of some tens that is good to 3e-6. Scattering: the rows of sun elevation cross the
-// planet's shadow, where a step that is lit or not moves by a float's rounding.
+// planet's shadow, where a float's rounding decides whether a step is lit.
 TEST(TableParity, Earth) {
   expect_tables(for_march(earth()), 5e-5, 3e-4);
 }
@@ -129,7 +129,7 @@ class MarchParity : public testing::Test {
   Executor executor_{{}, test_shaders()};
 
  private:
-  // As a table on the device holds it: floats.
+  // As floats, like a table on the device.
   static ImageId upload(Plan& plan, const std::string& name, const HostTable& table) {
     std::vector<float> texels;
     for (const vec3& texel : table.texels) {
@@ -193,7 +193,7 @@ void MarchParity::expect_paths(const Scene& wished, unsigned int steps, unsigned
   EXPECT_LE(error.median, typical);
 }
 
-// The samplers of a device weigh with 8 bits of fraction at least; the software device's do with a float's.
+// A device's samplers weigh with at least 8 bits of fraction; the software device's weigh with a float's.
 TEST_F(MarchParity, EarthWithTheDefaultSteps) {
   expect_paths(earth(), 32, physics::kStepsQuadratic, 1e-5, 2e-3);
 }
@@ -206,13 +206,13 @@ TEST_F(MarchParity, EveryKindOfMediumOverBrightGround) {
   expect_paths(every_kind(), 32, physics::kStepsQuadratic, 1e-5, 2e-3);
 }
 
-// A step that rounding moves from one part of the ray to another, or one node across the shadow's edge, is no error of
-// the formula: the typical ray is held as tightly.
+// It is no error of the formula if rounding moves a step from one part of the ray to another, or a node across the
+// shadow's edge. The typical ray has the same tight bound.
 TEST_F(MarchParity, GaussLegendrePanels) {
   expect_paths(earth(), 15, physics::kStepsGaussLegendre, 1e-5, 2e-3);
 }
 
-// Rounding does not add up: at 4096 steps as close as at 32.
+// Rounding errors do not accumulate: 4096 steps are as close as 32.
 TEST_F(MarchParity, ManySteps) {
   expect_paths(earth(), 4096, physics::kStepsQuadratic, 1e-5, 2e-3);
 }

@@ -1,6 +1,6 @@
-// Each function of shaders/physics on the device in float against the same text on double. Bounds say whose error they
-// are; where nothing else is said they are about three times what the software device shows, for other drivers: Vulkan
-// grants 2.5 ulp to a division, 3 to a square root by way of its inverse, 2^-11 absolute to sin and cos in the range.
+// Each function of shaders/physics on the device in float against the same text on double. Bounds name the source of
+// the error. Other bounds are about three times the software device's error, for other drivers: Vulkan grants 2.5 ulp
+// to a division, 3 to a square root by way of its inverse, 2^-11 absolute to sin and cos in the range.
 
 #include "tests/gpu/parity_fixture.h"
 
@@ -49,7 +49,7 @@ class Parity : public testing::Test {
     return values;
   }
 
-  // Compares and leaves in the test's record the share of each bound that was used.
+  // Compares, and records the share of each bound that was used.
   void compare(const Scene& wished, unsigned int function, const std::vector<Inputs>& inputs, const Bounds& bounds) {
     const Scene scene = float_exact(wished);
     const std::vector<Values> device = on_device(scene, function, inputs);
@@ -84,13 +84,13 @@ Executor* Parity::executor_ = nullptr;
 
 constexpr int kCount = 20000;
 
-// Directions further from the true horizon than a float can tell.
+// Directions far enough from the true horizon for a float to tell.
 bool clear_of_horizon(double h, double mu) {
   physics::Physics p = make_physics(vacuum());
   return std::abs(mu - p.horizon_mu(p.scene.planet, h)) > 3e-7;
 }
 
-// Through the radius a float is wrong by 2.9 % at 1 m and by 100 % at 0.1 m.
+// Computed with the radius, a float would be wrong by 2.9 % at 1 m and by 100 % at 0.1 m.
 TEST_F(Parity, Horizon) {
   std::vector<Inputs> inputs{{0.0f}, {1e-4f}, {1e-3f}, {99.9f}, {100.0f}, {500.0f}, {4e5f}};
   Random random;
@@ -147,7 +147,7 @@ TEST_F(Parity, RaysFromInsideAndFromSpace) {
   // From space the ray's lowest point is known to r^2 1e-7 / R: 3e-4 km from 40 000 km, more than that along the ray.
   compare(vacuum(), physics::kCallRay, space,
           {kExact, Bound{1e-4, 0.0}, Bound{1e-4, 0.0}, kExact, Bound{0.1, 2e-3}, kExact});
-  // Away from the planet and past its limb: no air, whatever the rounding.
+  // Away from the planet and past its limb there is no air, whatever the rounding.
   std::vector<Inputs> away;
   for (int i = 0; i < 1000; ++i) {
     const double far = random.log_uniform(100.001, 1e6);
@@ -181,7 +181,8 @@ TEST_F(Parity, PhaseFunctions) {
     const double g = i % 10 < 5 ? random.uniform(-0.99, 0.99) : (i % 20 < 10 ? 0.99 : -0.99);
     inputs.push_back({kind, static_cast<float>(g), static_cast<float>(random.cosine())});
   }
-  // In the peak at |g| = 0.99 the denominator is 1e-4: Schlick's 1 - k nu has 6e-8 of 1 there, squared.
+  // In the peak at |g| = 0.99 the denominator is 1e-4: Schlick's 1 - k nu has a rounding error of 6e-8 there, and is
+  // squared.
   compare(vacuum(), physics::kCallPhase, inputs, {Bound{1e-8, 3e-3}});
   std::vector<Inputs> mild;
   for (const Inputs& x : inputs) {
@@ -229,7 +230,7 @@ TEST_F(Parity, Steps) {
     const int step = static_cast<int>(random.uniform(0.0, count - 0.5));
     inputs.push_back({static_cast<float>(i % 2), falling, length, static_cast<float>(step), static_cast<float>(count)});
   }
-  // How many steps fall before the lowest point may round either way: such rays are left out of the comparison.
+  // The number of steps before the lowest point may round either way; such rays are not compared.
   const Scene scene = float_exact(vacuum());
   const std::vector<Values> device = on_device(scene, physics::kCallStep, inputs);
   const std::vector<Values> host = on_host(scene, physics::kCallStep, inputs);
@@ -260,7 +261,7 @@ TEST_F(Parity, TransmittanceMap) {
         i % 10 == 0 ? random.uniform(-1.0, horizon) : horizon + (1.0 - horizon) * random.log_uniform(1e-7, 1.0);
     inputs.push_back({static_cast<float>(h), static_cast<float>(mu)});
   }
-  // In units of the whole axis: 2e-6 is a 2000th of a texel at 256 x 64.
+  // In units of the whole axis; 2e-6 is a 2000th of a texel at 256 x 64.
   compare(vacuum(), physics::kCallTransmittanceCoordinate, inputs, {Bound{2e-6, 0.0}, Bound{1e-6, 0.0}});
 }
 
@@ -273,11 +274,11 @@ TEST_F(Parity, TransmittanceTexels) {
     }
   }
   const std::vector<Inputs> below_top(inputs.begin(), inputs.end() - 256);
-  // The bottom rows' altitude comes from a square: relative; the zenith's mu from a difference of squares over a path
-  // of 100 to 2 km.
+  // Relative in the bottom rows, whose altitude comes from a square; the zenith's mu comes from a difference of squares
+  // over a path of 100 to 2 km.
   compare(vacuum(), physics::kCallTransmittanceState, below_top,
           {Bound{1e-9, 1e-6}, Bound{3e-6, 0.0}, Bound{2e-6, 0.0}, Bound{1e-6, 0.0}});
-  // Back where it came from, on the device itself: to a 200th of a texel in every row but the top one.
+  // The way back, on the device itself: to a 200th of a texel in every row but the top one.
   const std::vector<Values> found = on_device(vacuum(), physics::kCallTransmittanceState, inputs);
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const double tolerance = i < below_top.size() ? 0.005 : 0.5;
@@ -345,8 +346,8 @@ TEST_F(Parity, SunDiscAndFade) {
   compare(fade_off, physics::kCallDisc, inputs, {Bound{3e-4, 0.0}, kExact});
 }
 
-// sin and cos on the software device are good to 1e-7 or so; Vulkan grants 2^-11 = 4.9e-4 within -pi to pi, which no
-// desktop driver uses up: 2e-6 rad is a 30th of a pixel at 65536 columns.
+// sin and cos on the software device are good to about 1e-7. Vulkan grants 2^-11 = 4.9e-4 within -pi to pi, but no
+// desktop driver is that far off: 2e-6 rad is a 30th of a pixel at 65536 columns.
 TEST_F(Parity, ViewRays) {
   Random random;
   const ImageSize cube_sizes[] = {{300, 1800}, {1536, 256}, {1023, 1364}};

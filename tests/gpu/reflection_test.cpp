@@ -1,4 +1,4 @@
-// What a shader says about itself, after optimisation.
+// Reflection of a shader, after optimisation.
 
 #include <gtest/gtest.h>
 

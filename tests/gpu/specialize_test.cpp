@@ -1,4 +1,4 @@
-// A module with its constants frozen: nothing left to choose, the same interface, and what it computes.
+// A module with its constants frozen: no constant is open, and interface and results are the same.
 
 #include "core/gpu/specialize.h"
 
@@ -34,8 +34,8 @@ std::string validation_problem(std::span<const std::uint32_t> words) {
   return tools.Validate(words.data(), words.size(), options) ? "" : "invalid: " + problem;
 }
 
-// Those that a pipeline could still set. Vectors and expressions of constants (OpSpecConstantComposite,
-// OpSpecConstantOp) are none.
+// The constants that a pipeline could still set. Vectors and expressions of constants (OpSpecConstantComposite,
+// OpSpecConstantOp) do not count.
 std::size_t open_constants(std::span<const std::uint32_t> words) {
   std::size_t count = 0;
   for (std::size_t at = 5; at < words.size(); at += words[at] >> spv::WordCountShift) {

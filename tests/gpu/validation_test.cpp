@@ -1,4 +1,4 @@
-// That silence under the validation layer means something: a mistake is heard.
+// The validation layer reports a mistake, so its silence in other tests has a meaning.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// The module's entry on files: everything that reading them can bring.
+// The module's entry on files, with all cases that reading them can bring.
 #include "core/measure/compare.h"
 
 #include <gtest/gtest.h>
@@ -92,7 +92,7 @@ TEST_F(Compare, ReadsValuesExactly) {
   EXPECT_EQ(pooled.worst_relative.b, 0.5);
 }
 
-// Debian's idiff lets two pictures of NaN pass, under -hardfail too.
+// Debian's idiff passes two pictures of NaN, even with -hardfail.
 TEST_F(Compare, AllNanDoesNotPass) {
   ComparisonRequest request;
   request.a = write("a.exr", kNan);

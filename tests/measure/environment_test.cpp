@@ -1,4 +1,4 @@
-// Maps of the whole sphere against what others take them for: OpenEXR's own functions, and OpenImageIO's lookup in a
+// Maps of the whole sphere against other programs' conventions: OpenEXR's own functions, and OpenImageIO's lookup in a
 // file of ours.
 
 #include <OpenEXR/ImfEnvmap.h>
@@ -18,7 +18,7 @@ namespace {
 namespace imf = OPENEXR_IMF_NAMESPACE;
 using physics::vec3;
 
-// A direction in OpenEXR's axes, which a map turns with the camera: +Z to its azimuth, +Y up, +X to the left.
+// A direction in OpenEXR's axes, which turn with the camera: +Z to its azimuth, +Y up, +X to the left.
 vec3 openexr_axes(const physics::Physics& p, const vec3& d) {
   const physics::CameraData& camera = p.scene.camera;
   return {-physics::dot(d, camera.right), physics::dot(d, camera.up), physics::dot(d, camera.forward)};
@@ -43,8 +43,8 @@ void expect_same(const vec3& ours, const Imath::V3f& theirs, const std::string& 
   EXPECT_NEAR(ours.z, static_cast<double>(unit.z), 1e-5) << where;
 }
 
-// OpenEXR lays the outer pixels' centres on an edge, we their outer borders: its position p among n pixels is our
-// n p / (n - 1).
+// OpenEXR puts the outer pixels' centres on an edge, we put their outer borders there: its position p among n pixels is
+// our n p / (n - 1).
 double stretched(float position, int pixels) {
   return static_cast<double>(position) * pixels / (pixels - 1);
 }
@@ -82,7 +82,7 @@ TEST(EnvironmentMap, LatitudeAndLongitudeAreOpenExrs) {
   }
 }
 
-// One direction of the sky at the same place of both maps, found by OpenEXR: they can stand for one another.
+// OpenEXR finds a direction of the sky at the same place in both maps, so that one can replace the other.
 TEST(EnvironmentMap, CubeAndLatlongOfOneCameraLieInTheSameAxes) {
   const Scene cube = map_of(Projection::cube, 0.7, 8, 48);
   const Scene latlong = map_of(Projection::equirectangular, 0.7, 64, 32);
@@ -100,7 +100,7 @@ TEST(EnvironmentMap, CubeAndLatlongOfOneCameraLieInTheSameAxes) {
   }
 }
 
-// A picture that holds its own directions, written as EXR and looked up by OpenImageIO.
+// A picture of its own directions, written as EXR and looked up by OpenImageIO.
 TEST(EnvironmentMap, OpenImageIoFindsDirectionsInALatlongFile) {
   const Scene scene = map_of(Projection::equirectangular, 2.0, 128, 64);
   physics::Physics p = make_physics(scene);
@@ -119,7 +119,7 @@ TEST(EnvironmentMap, OpenImageIoFindsDirectionsInALatlongFile) {
   options.latlong = true;
   const auto file = std::filesystem::temp_directory_path() / ("airlight-latlong-" + std::to_string(getpid()) + ".exr");
   write_exr(file, 128, 64, channels, options);
-  // The shared one: OpenImageIO 2.4 deletes one of our own by a class without a virtual destructor.
+  // The shared texture system: OpenImageIO 2.4 deletes one of our own by a class without a virtual destructor.
   OIIO::TextureSystem* textures = OIIO::TextureSystem::create(true);
   std::mt19937 random(3);
   std::normal_distribution<float> normal;
@@ -130,7 +130,7 @@ TEST(EnvironmentMap, OpenImageIoFindsDirectionsInALatlongFile) {
     OIIO::TextureOpt how;
     ASSERT_TRUE(textures->environment(OIIO::ustring(file.string()), how, d, still, still, 3, found.data()))
         << textures->geterror();
-    // A pixel is 2.8 degrees; OpenImageIO, too, takes the outer pixels' centres for the edges, half of one.
+    // A pixel is 2.8 degrees; OpenImageIO, too, takes the outer pixels' centres as the edges, which is half a pixel.
     EXPECT_NEAR(found[0] - 1.0F, d.x, 0.05F) << d;
     EXPECT_NEAR(found[1] - 1.0F, d.y, 0.05F) << d;
     EXPECT_NEAR(found[2] - 1.0F, d.z, 0.05F) << d;

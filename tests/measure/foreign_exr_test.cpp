@@ -1,4 +1,4 @@
-// EXR files that others write: several parts, parts of a picture, whole numbers, other primaries.
+// EXR files of other programs: several parts, parts of a picture, whole numbers, other primaries.
 #include <ImfChannelList.h>
 #include <ImfDeepFrameBuffer.h>
 #include <ImfDeepScanLineOutputFile.h>
@@ -143,7 +143,7 @@ TEST_F(ForeignExr, PartsAreLayers) {
   EXPECT_EQ(compare(path("a.exr"), path("b.exr"), "beauty").verdict, Verdict::pass);
 }
 
-// Of BT.2020's primaries red has 0.2627 of the luminance.
+// Red has 0.2627 of the luminance of BT.2020's primaries.
 TEST_F(ForeignExr, LuminanceIsOfItsOwnPrimaries) {
   const Imf::Chromaticities wide({0.708F, 0.292F}, {0.170F, 0.797F}, {0.131F, 0.046F}, {0.3127F, 0.3290F});
   write_rgb(path("a.exr"), 2.0F, wide);

@@ -93,7 +93,7 @@ TEST(Judge, NanFailsUnderAnyLimits) {
   EXPECT_EQ(report.verdict, Verdict::differ);
   EXPECT_EQ(report.unequal_nonfinite, 1U);
   EXPECT_EQ(compare(with(&Limits::relative_p95, 1e30), 1, nan).verdict, Verdict::differ);
-  // Allowed: equal to its kind, yet never to a number.
+  // Equal to its own kind is allowed, but never equal to a number.
   EXPECT_EQ(compare(generous, 1, nan, {}, NonfiniteRule::equal_to_same).verdict, Verdict::differ);
 }
 

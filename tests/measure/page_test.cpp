@@ -1,4 +1,4 @@
-// The page's structure, and the pictures that travel in it. tests/cli/page_test.cpp looks at it in a browser.
+// The page's structure and its pictures. tests/cli/page_test.cpp looks at it in a browser.
 #include "core/measure/page.h"
 
 #include <gtest/gtest.h>
@@ -51,7 +51,7 @@ TEST(ReducePictures, MarksWhatIsNotFiniteAndShowsNegativesAsBlack) {
 }
 
 TEST(ReducePictures, TakesMeansOfPicturesAndTheLargestOfErrors) {
-  // 5 x 3 by 2: the last column and row of blocks are half ones.
+  // 5 x 3 pixels in blocks of 2: the last column and row of blocks are half blocks.
   std::vector<float> a(15, 2.0F);
   std::vector<float> errors(15, 0.0F);
   a[0] = 6.0F;
@@ -102,7 +102,7 @@ std::string sample_page() {
                    "b & c");
 }
 
-// Throws where an element is closed that is not the last one opened. Script and style are text to HTML.
+// Throws where an element is closed that was not the last one opened. HTML treats script and style as text.
 void check_nesting(std::string page) {
   constexpr std::array<std::string_view, 3> kVoid = {"meta", "input", "br"};
   std::vector<std::string> open;
@@ -165,7 +165,7 @@ TEST(Page, PutsTheUnknownFirstThenTheWorst) {
   EXPECT_NE(page.find("is not there &amp; never was"), std::string::npos);
 }
 
-// All that stands in tables, so that it reads without a script.
+// Everything is in tables, so that it can be read without a script.
 TEST(Page, TablesHoldKeysLimitsRegionsAndTheWorstPixel) {
   const std::string page = sample_page();
   for (const char* part :

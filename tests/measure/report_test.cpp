@@ -8,7 +8,7 @@
 namespace airlight::measure {
 namespace {
 
-// The part of XML 1.0 that a report uses; throws where a parser would refuse.
+// Checks the part of XML 1.0 that a report uses; throws where a parser would refuse.
 class XmlCheck {
  public:
   explicit XmlCheck(std::string_view text) : text_(text) {}

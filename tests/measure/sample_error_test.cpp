@@ -33,7 +33,7 @@ TEST(SampleError, CutsOffWhatHasNoFigure) {
 }
 
 TEST(SampleError, SpreadIsThatOfAMean) {
-  // Errors 0 and 0.2 in turn, 50 each: their standard deviation is 0.1, that of their mean a tenth of it.
+  // 50 errors each of 0 and 0.2, alternating: their standard deviation is 0.1, that of their mean a tenth of it.
   std::vector<float> a;
   std::vector<float> reference;
   for (int i = 0; i < 100; ++i) {

@@ -1,4 +1,4 @@
-// Valid presets that no sky has: each is drawn in finite numbers, with bounded work and memory, or said to be too much.
+// Valid presets with impossible skies: each is rendered in finite numbers, with bounded work and memory, or refused.
 #include <algorithm>
 
 #include "core/luts/moments.h"
@@ -52,7 +52,7 @@ TEST(AbsurdAir, IsDrawnInFiniteNumbers) {
            Case{"a film on the ground of the largest planet", thin_layers(2, 1e-3),
                 R"("render": {"method": "analytic", "variant": "exponential"},
                    "planet": {"radius_km": 1e7, "atmosphere_height_km": 17000, "ground_albedo": 1})"},
-           // 1e9 pieces of two scale heights filled 13.9 GB.
+           // Without a limit, 1e9 pieces of two scale heights filled 13.9 GB.
            Case{"a lorentzian that is over far below the top", kSharpLorentzian,
                 std::string(kPathTrace) + R"(, "planet": {"radius_km": 110, "atmosphere_height_km": 1e7})"},
        }) {
@@ -60,7 +60,7 @@ TEST(AbsurdAir, IsDrawnInFiniteNumbers) {
   }
 }
 
-// An endless walk through air that absorbs nothing is ended, and said to be.
+// An endless walk through air without absorption is ended, and reported.
 TEST(AbsurdAir, EndsAPathThatWouldNeverEnd) {
   Scene scene =
       scene_of(R"({"name": "milk", "scattering_per_km": 9000, "density": {"profile": "constant", "below_km": 100}})",

@@ -1,4 +1,4 @@
-// The aerial volume against the march along each ray: what such tables get wrong elsewhere.
+// The aerial volume against the march along each ray, with the errors that such tables have elsewhere.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,11 +18,11 @@ struct AerialCase {
   double altitude;  // km
   double sun;       // degrees
   double haze;      // times Hillaire's
-  double mean;      // bounds on the error of the radiance, about twice what was measured
+  double mean;      // bounds on the error of the radiance, about twice the measured one
   double worst;
 };
 
-// All around, over black ground.
+// A view all around, over black ground.
 Scene aerial_scene(const AerialCase& c) {
   Scene scene = earth();
   for (Medium& medium : scene.media) {
@@ -89,7 +89,8 @@ TEST(AerialVolume, NothingLiesBeforeAThingAtTheCamera) {
   }
 }
 
-// No dark band where the slices end, none between them: light only grows with the distance, transmittance only falls.
+// No dark band at the end of the slices and none between them: light only grows with the distance, transmittance only
+// falls.
 TEST(AerialVolume, LightGrowsAlongEveryRay) {
   for (const AerialCase& c : kAerialCases) {
     const Scene scene = aerial_scene(c);
@@ -105,7 +106,7 @@ TEST(AerialVolume, LightGrowsAlongEveryRay) {
   }
 }
 
-// A thing beyond all air has the sky's light before it: over black ground nothing else is there.
+// A thing beyond all air has the sky's light before it: over black ground there is no other light.
 TEST(AerialVolume, FarThingsJoinTheSkyAtTheHorizonAndAcrossTheTop) {
   for (const AerialCase& c : kAerialCases) {
     Scene scene = aerial_scene(c);
@@ -126,8 +127,8 @@ TEST(AerialVolume, FarThingsJoinTheSkyAtTheHorizonAndAcrossTheTop) {
   }
 }
 
-// The aureole is as sharp as the phase function, however coarse the table; and a mountain before the sun shows the
-// light of the air before it alone.
+// The aureole is as sharp as the phase function, however coarse the table. A mountain before the sun shows only the
+// light of the air before it.
 TEST(AerialVolume, TheAureoleIsSharpAndAMountainHidesIt) {
   Scene scene = aerial_scene({"", 0.1, 10.0, 3.0, 0.0, 0.0});
   scene.camera.projection = Projection::perspective;
@@ -148,7 +149,8 @@ TEST(AerialVolume, TheAureoleIsSharpAndAMountainHidesIt) {
   EXPECT_LT(from_volume(scene, spans_at(scene, 0.2))[middle].radiance[0], 0.1F * whole);
 }
 
-// Up to a, and from there on to b, is what is there up to b: straight up, where the sun stands alike all the way.
+// The air up to a and from there to b add up to the air up to b: straight up, where the sun has the same angle all the
+// way.
 TEST(AerialVolume, AddsUpAlongARay) {
   Scene scene = aerial_scene({"", 0.5, 20.0, 1.0, 0.0, 0.0});
   scene.camera.projection = Projection::perspective;

@@ -1,7 +1,7 @@
 // Every method of the device against the references of tests/truth, region by region, within tests/truth/bounds.json.
 //
-// AIRLIGHT_FIGURES=FILE appends what was found, a line a region: scene,method,region,mean,p95,max (CSV);
-// scripts/update-agreement makes core/AGREEMENT.md of it.
+// AIRLIGHT_FIGURES=FILE appends the results, a line a region: scene,method,region,mean,p95,max (CSV);
+// scripts/update-agreement makes core/AGREEMENT.md of them.
 
 #include <cstdlib>
 #include <fstream>
@@ -28,7 +28,7 @@ std::vector<std::string> names() {
   }
   std::sort(list.begin(), list.end());
 #if defined(__SANITIZE_ADDRESS__)
-  // The figures are the plain build's to judge; here it is the host's code alone.
+  // The plain build judges the figures; the sanitized build only runs the host's code.
   std::vector<std::string> few;
   for (std::size_t i = 0; i < list.size(); i += 6) {
     few.push_back(list[i]);
@@ -46,7 +46,7 @@ void note(const std::string& scene, std::string_view method, const RegionError& 
   }
 }
 
-// What the reference's own noise looks like as an error: mean of |x| of a normal x, over the region.
+// The reference's own noise as an error: mean of |x| of a normal x, over the region.
 std::vector<RegionError> noise_errors(const Scene& scene, const RadianceImage& truth, const RadianceImage& sigma) {
   RadianceImage off = truth;
   for (std::size_t i = 0; i < off.rgba.size(); ++i) {

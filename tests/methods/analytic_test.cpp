@@ -1,5 +1,4 @@
-// The closed-form skies: against marched single scattering, in limits that are known, and never outside what a sky may
-// be.
+// The closed-form skies: against marched single scattering, in known limits, and within the bounds of any sky.
 
 #include <cmath>
 
@@ -76,8 +75,8 @@ TEST(Analytic, SingleScatteringIsNearTheMarch) {
   }
 }
 
-// Level on ever larger planets the depth of haze and molecules goes far beyond 1: the light is that of the near air.
-// The bound is one and a half times what was measured.
+// On ever larger planets the level depth of haze and molecules goes far beyond 1: the light is that of the near air.
+// The bound is one and a half times the measured error.
 TEST(Analytic, ADeepRayShinesFromItsNearEnd) {
   for (const double radius : {6360.0, 1e5, 1e6}) {
     Scene scene = earth();
@@ -145,7 +144,7 @@ TEST(Analytic, ThinAirScattersItsColumn) {
   }
 }
 
-// Straight up through the whole air, which both variants have exactly.
+// Straight up through all the air, where both variants are exact.
 TEST(Analytic, ZenithTransmittanceIsTheQuadrature) {
   Physics p = with_sun(every_kind(), 30.0);
   const vec3 truth = physics::exp(-p.optical_depth_to_top(p.scene.planet, 0.001, 1.0, 4000));
@@ -157,7 +156,7 @@ TEST(Analytic, ZenithTransmittanceIsTheQuadrature) {
   }
 }
 
-// The lower the view, the less comes through; the higher the sun, the brighter the zenith.
+// The lower the view, the lower the transmittance; the higher the sun, the brighter the zenith.
 TEST(Analytic, IsMonotone) {
   for (const Variant variant : {Variant::zenith_density, Variant::exponential}) {
     Physics p = with_sun(earth(), 30.0);
@@ -194,8 +193,7 @@ TEST(Analytic, IsContinuousAtSunset) {
   }
 }
 
-// The device in float is the same formulas in double. 2e-3: a ray to the ground from near it is a difference of
-// columns.
+// The device in float against the same formulas in double. 2e-3: a ray to the near ground is a difference of columns.
 TEST(Analytic, OnTheDeviceIsItsFormulasInDouble) {
   for (const Variant variant : {Variant::zenith_density, Variant::exponential}) {
     for (const double altitude : {0.5, 8.0, 300.0}) {

@@ -1,4 +1,4 @@
-// The transmittance that probes and layers tell, in haze so thick and peaked that `orders` computes it delta-scaled.
+// The transmittance in probes and layers, in haze so thick and peaked that `orders` computes it delta-scaled.
 
 #include <algorithm>
 #include <cmath>
@@ -24,8 +24,8 @@ Scene thick_haze(const std::string& method) {
   return scene;
 }
 
-// exp(-depth) straight up, and along other rays the quadrature of the extinction on double: scattering takes light out
-// of a beam whatever its angle.
+// exp(-depth) straight up; along other rays the quadrature of the extinction on double. Scattering takes light out of a
+// beam whatever its angle.
 void expect_beam_as_on_double(Scene scene, const std::string& what) {
   if (scene.render.parameters.contains("steps")) {
     scene.render.parameters.insert_or_assign("steps", 512);
@@ -59,7 +59,8 @@ TEST(Beam, ProbesTellItsTransmittance) {
   }
 }
 
-// The search among layers takes as many steps as the longest list needs: lists at and beside powers of two.
+// The search among layers takes as many steps as the longest list needs: lists of powers of two and of neighbouring
+// lengths.
 TEST(Beam, GoesThroughEachOfManyLayers) {
   for (const int count : {1, 2, 3, 16, 17, 256}) {
     Scene scene = thick_haze("march");
@@ -78,7 +79,8 @@ TEST(Beam, GoesThroughEachOfManyLayers) {
   }
 }
 
-// Layers as the probe; the air before things takes less out of a thing's light, and the same sky stands behind it.
+// Layers agree with the probe. The air before things takes less out of a thing's light, and the same sky stands behind
+// it.
 TEST(Beam, LayersTellItAndThingsSeeMore) {
   for (const char* tabulate : {"never", "always"}) {
     Scene scene = all_round(thick_haze("orders"), 0.1, 8, 4);

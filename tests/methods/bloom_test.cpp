@@ -1,4 +1,4 @@
-// Bloom: as wide in angle at 135 lines as at 1080, its energy with it; nothing else of the picture touched.
+// Bloom has the same angular width and energy at 135 lines and at 1080, and nothing else of the picture changes.
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace airlight::test {
 namespace {
 
-// 135 lines over its 30 degrees have the pixels of 270 over 60.
+// 135 lines over 30 degrees have the pixels of 270 over 60.
 Scene chained_sun(int lines) {
   return lone_sun(lines, BloomModel::chain);
 }
@@ -41,7 +41,8 @@ Glow glow_of(const Scene& scene, const RadianceImage& bloom) {
   return glow;
 }
 
-// In mips of the picture's own size the glow's radius is 5.9, 4.6, 3.4 degrees at 270, 540, 1080 lines.
+// For comparison: in mips of the picture's own size the glow's radius would be 5.9, 4.6, 3.4 degrees at 270, 540, 1080
+// lines.
 TEST(Bloom, IsAsWideInAngleAtEveryResolution) {
   std::vector<Glow> glows;
   for (const int lines : {135, 270, 540, 1080}) {
@@ -99,7 +100,7 @@ TEST(Bloom, IsLeftOutWhereNothingExceedsItsThreshold) {
   EXPECT_FALSE(with_bloom(scene).bloom.has_value());
 }
 
-// A picture that goes all the way round has no seam: the glow of a sun on its edge is that of a sun in its middle.
+// A picture that goes all the way round has no seam: a sun on its edge glows like one in its middle.
 TEST(Bloom, GoesOnAcrossTheSeam) {
   Scene scene = all_round(chained_sun(8), 0.001, 144, 72);
   scene.sun.azimuth = 0.0;

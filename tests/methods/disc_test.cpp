@@ -1,4 +1,4 @@
-// The sun's disc: whole over the ground, cut by the horizon pixel by pixel, its energy kept in coarse pictures.
+// The sun's disc: whole over the ground, cut by the horizon pixel by pixel, with its energy kept in coarse pictures.
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +33,7 @@ Scene close_up(Scene scene, double fov_deg, int size) {
   return with_method(scene, any_method(), true);
 }
 
-// The disc's light above an elevation, by its own profile: strips of the disc, `through` the air at each elevation.
+// The disc's light above an elevation, by its own profile: strips of the disc; `through`: the air at each elevation.
 template <class Through>
 double irradiance_above(const Scene& scene, double horizon, const Through& through) {
   const double radius = scene.sun.disc.angular_radius;
@@ -104,8 +104,8 @@ TEST(SunDisc, KeepsItsEnergyInCoarseEquirectangularPictures) {
   }
 }
 
-// Over a face's middle, its edge, a corner of three faces, a fold, a pole. A pixel of 15 degrees across a fold has its
-// solid angle from four points to 2 %.
+// The disc over a face's middle, its edge, a corner of three faces, a fold, a pole. A pixel of 15 degrees across a fold
+// has its solid angle, by four points, to 2 %.
 TEST(SunDisc, KeepsItsEnergyInMapsThatAreCut) {
   const std::pair<Projection, ImageSize> maps[] = {{Projection::cube, {5, 30}},
                                                    {Projection::cube, {24, 32}},
@@ -135,7 +135,7 @@ TEST(SunDisc, KeepsItsEnergyInMapsThatAreCut) {
   }
 }
 
-// Published code shows the disc whole as long as its centre is up, and through the ground.
+// Published code shows the disc whole while its centre is up, and through the ground.
 TEST(SunDisc, IsCutByTheHorizonPixelByPixel) {
   for (const double altitude : {0.0, 0.001, 10.0, 500.0}) {
     for (const double above : {0.2, 0.0, -0.1}) {
@@ -181,7 +181,7 @@ TEST(SunDisc, IsHiddenBehindThePlanet) {
   }
 }
 
-// A transmittance table that is not held at its texel centres shows the horizon sun 5 to 17 % too dark.
+// A transmittance table that is not sampled at its texel centres makes the horizon sun 5 to 17 % too dark.
 TEST(SunDisc, IsSeenThroughTheAir) {
   struct Case {
     double altitude;

@@ -1,4 +1,4 @@
-// Automatic exposure: what counts in the meter, how far it follows the dusk, and what it is held to.
+// Automatic exposure: the meter's rules, its course through dusk, and its limit.
 
 #include <cmath>
 #include <numbers>
@@ -25,7 +25,7 @@ double exposure_of(const Scene& scene) {
   return render_now(scene).exposure;
 }
 
-// How bright the picture's light comes out, 0.18 by day.
+// Brightness at which the picture is shown, 0.18 by day.
 double shown(const Scene& scene) {
   const Rendering rendering = render_now(scene);
   return rendering.exposure * rendering.picture.metered_luminance;
@@ -41,7 +41,7 @@ TEST(Exposure, BringsADayToMiddleGrey) {
   }
 }
 
-// Each step down of the sun gives a picture no brighter, and an exposure no lower, up to an end that no night exceeds.
+// Each step of the sun downward gives no brighter picture and no lower exposure, up to a limit that no night exceeds.
 TEST(Exposure, FallsBehindAsTheSunSinksAndEnds) {
   double last_exposure = 0.0;
   double last_shown = 1.0;
@@ -58,14 +58,14 @@ TEST(Exposure, FallsBehindAsTheSunSinksAndEnds) {
   for (Medium& medium : dark.media) {
     medium.scattering = {};
   }
-  const double end = exposure_of(dark);  // no light at all: the end itself
+  const double end = exposure_of(dark);  // without any light: the limit itself
   EXPECT_GT(end, last_exposure);
   EXPECT_LT(end, 1.02 * last_exposure);
   // 0.12 for each cd/m2, of 128 000 lux of sunlight.
   EXPECT_NEAR(end / 128000.0, 0.12, 0.01);
 }
 
-// From frame to frame of a sweep by a quarter of a degree: less than a third of a stop, the steepest dusk included.
+// From frame to frame of a sweep by a quarter of a degree: less than a third of a stop, even in the steepest dusk.
 TEST(Exposure, IsSmoothThroughTheDusk) {
   double last = 0.0;
   for (double sun = 2.0; sun >= -9.0; sun -= 0.25) {
@@ -77,7 +77,7 @@ TEST(Exposure, IsSmoothThroughTheDusk) {
   }
 }
 
-// Ward's curve itself, by its published constants: the least difference seen, shown as large at any hour.
+// Ward's curve itself, by its published constants: the least visible difference is shown equally large at any hour.
 TEST(Exposure, IsWardsContrastBasedScale) {
   const auto least_seen = [](double luminance) { return 0.0594 * std::pow(1.219 + std::pow(luminance, 0.4), 2.5); };
   for (const double luminance : {1e-6, 1e-3, 1.0, 50.0, 3000.0, 1e5}) {
@@ -90,7 +90,7 @@ TEST(Exposure, IsWardsContrastBasedScale) {
   }
 }
 
-// Below the horizon over black ground there is nothing but a metre of air: it may not lift the sky to white.
+// Below the horizon over black ground there is only a metre of air, which must not raise the exposure of the sky.
 TEST(Exposure, BlackGroundDoesNotCount) {
   Scene scene = earth_at(30.0, 0.0);
   std::vector<double> found;
@@ -104,7 +104,7 @@ TEST(Exposure, BlackGroundDoesNotCount) {
   }
 }
 
-// The corners of a fisheye's picture are empty: a picture with more of them is exposed alike.
+// The corners of a fisheye's picture are empty: a picture with more of them has the same exposure.
 TEST(Exposure, EmptyPixelsDoNotCount) {
   Scene scene = earth_at(30.0, 90.0);
   scene.camera.projection = Projection::fisheye;
@@ -152,7 +152,7 @@ TEST(Exposure, StopsDouble) {
   EXPECT_DOUBLE_EQ(exposure_of(scene), 0.75);
 }
 
-// Metered apart, and small, a large picture comes to what it is metered as a whole.
+// Metered separately and small, a large picture has the exposure that it has as a whole.
 TEST(Exposure, MeteredApartIsThatOfThePicture) {
   Scene scene = earth_at(30.0);
   EXPECT_NEAR(metered_exposure_now(scene) / exposure_of(scene), 1.0, 1e-3);
@@ -165,7 +165,7 @@ TEST(Exposure, MeteredApartIsThatOfThePicture) {
   EXPECT_NEAR(metered_exposure_now(cube) / exposure_of(cube), 1.0, 0.01);
 }
 
-// Whatever hour the scene is at, its day is the same.
+// The day exposure of a scene does not depend on its hour.
 TEST(Exposure, ADayIsTheSameAtEveryHour) {
   const double noon = metered_exposure_now(by_day(earth_at(60.0)));
   Scene night = earth_at(-30.0);

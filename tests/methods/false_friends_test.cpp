@@ -1,4 +1,4 @@
-// What published sky code gets wrong, each with its cost: none of it here, by any method.
+// Errors of published sky code, each with its cost; no method here has them.
 
 #include <algorithm>
 #include <cmath>
@@ -65,7 +65,7 @@ TEST(FalseFriends, MoreStepsAreNeverWorse) {
   }
 }
 
-// Loops within loops: Mesa's llvmpipe ends a shader's loops after 65535 turns in all, and the rest of the ray is dark.
+// Nested loops: Mesa's llvmpipe ends a shader's loops after 65535 turns in all, and the rest of the ray is dark.
 TEST(FalseFriends, LongLoopsRunToTheirEnd) {
   std::vector<DensityLayer> list;
   for (int i = 0; i < 256; ++i) {
@@ -189,7 +189,7 @@ TEST(FalseFriends, TwilightIsLitByTheSunAloft) {
       const std::vector<ProbeResult> found = probe_now(with_method(scene, method), views);
       for (std::size_t i = 0; i < views.size(); ++i) {
         const double single = BruteForce(p).radiance(scene.camera.altitude, vector_of(views[i]), 2000, 100).x;
-        // Light scattered more than once adds up to as much again in red. A tenth less: noise, and 16 steps.
+        // Light scattered more than once adds as much again in red. The tenth less is for noise, and for 16 steps.
         EXPECT_GT(found[i].radiance[0], 0.85 * single) << method.info.name << ", sun " << sun << ", view " << i;
         EXPECT_LT(found[i].radiance[0], 3.0 * single) << method.info.name << ", sun " << sun << ", view " << i;
         red.push_back(found[i].radiance[0]);
@@ -201,14 +201,14 @@ TEST(FalseFriends, TwilightIsLitByTheSunAloft) {
   }
 }
 
-// Strict "> 0" on the hit distance, altitudes as length(p) - R: rays through the planet, NaN below 0.25 m, ground
-// pixels 31 % off at 0.5 m. Seen from within a metre of the ground, sky and ground are what they are from 2 m.
+// Errors of a strict "> 0" on the hit distance and of altitudes as length(p) - R: rays through the planet, NaN below
+// 0.25 m, ground pixels 31 % off at 0.5 m. From within a metre of the ground, sky and ground must look as from 2 m.
 TEST(FalseFriends, NothingHappensNearTheGround) {
   const std::vector<Direction> views =
       directions({{60.0, 30.0}, {5.0, 90.0}, {0.5, 0.0}, {-1.0, 10.0}, {-20.0, 60.0}, {-90.0, 0.0}});
   for (const SkyMethod& method : methods()) {
     if (!on_device(method)) {
-      continue;  // noise hides what is looked for
+      continue;  // noise would hide the effect
     }
     Scene scene = earth();
     scene.planet.ground_albedo = {0.3, 0.3, 0.3};
@@ -272,7 +272,7 @@ TEST(FalseFriends, ThePlanetCastsItsShadow) {
   }
 }
 
-// A mirrored table has a seam at the sun's azimuth: across it the picture is smooth and symmetric.
+// A mirrored table has a seam at the sun's azimuth. The picture must be smooth and symmetric across it.
 TEST(FalseFriends, TheSkyIsSymmetricAboutTheSun) {
   for (const SkyMethod& method : methods()) {
     if (!on_device(method)) {

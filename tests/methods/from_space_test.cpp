@@ -1,4 +1,5 @@
-// The planet from far: the halo at its limb, its night side and its shadow, and how evenly neighbouring pixels go.
+// The planet from far: the halo at its limb, its night side and its shadow, and the smoothness between neighbouring
+// pixels.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,14 +25,14 @@ Scene toward_limb(double distance, double lens, int rows, double azimuth = 0.0) 
   return scene;
 }
 
-// Km by which the middle column's ray passes above the ground; below 0: it meets it.
+// Km by which the middle column's ray passes above the ground; negative where it meets the ground.
 double passes_at(const Scene& scene, int row) {
   physics::Physics p = make_physics(scene);
   const auto d = p.view_ray(p.scene.camera, projection_code(scene.camera.projection), 1.5, row + 0.5).direction;
   return (scene.planet.ground_radius + scene.camera.altitude) * std::hypot(d.x, d.z) - scene.planet.ground_radius;
 }
 
-// 3 radii off, a lens of 10 degrees would show the halo in three rows of 720; this one has a row for each km.
+// From 3 radii a lens of 10 degrees would show the halo in three rows of 720; this lens has a row for each km.
 TEST(FromSpace, TheLimbIsAThinBlueHalo) {
   const double distance = 3.0 * earth().planet.ground_radius;
   Scene scene = toward_limb(distance, 1.0, 300);
@@ -76,7 +77,7 @@ TEST(FromSpace, LitGroundShowsThroughTheAir) {
   EXPECT_LT(rim[0] / rim[2], 0.7F * middle[0] / middle[2]);
 }
 
-// Where next to no air is left above the camera, the limb is as thin as from space: the picture's table against a march
+// With hardly any air above the camera the limb is as thin as from space. The picture's table is compared with a march
 // of each pixel, half a degree to either side of the true horizon.
 TEST(FromSpace, TheLimbIsResolvedFromInsideTheThinnestAir) {
   for (const double altitude : {60.0, 80.0, 95.0, 100.0}) {
@@ -116,7 +117,7 @@ TEST(FromSpace, DayGoesOverIntoNight) {
   }
 }
 
-// The night limb, with the sun behind the planet: light stands above the shadow's edge alone.
+// The night limb, with the sun behind the planet: only above the shadow's edge is there light.
 TEST(FromSpace, ThePlanetThrowsItsShadowThroughTheAir) {
   const double distance = 3.0 * earth().planet.ground_radius;
   Scene scene = toward_limb(distance, 1.0, 300);
@@ -133,7 +134,7 @@ TEST(FromSpace, ThePlanetThrowsItsShadowThroughTheAir) {
   }
 }
 
-// 32-bit floats against double along the very same rays, and against the neighbours: no band, no jitter.
+// 32-bit floats against double along the same rays, and against their neighbours: no band, no jitter.
 TEST(FromSpace, NeighbouringPixelsGoEvenlyFromAHundredThousandKilometres) {
   for (const double lens : {10.0, 1.0}) {
     Scene scene = toward_limb(1e5, lens, 720);

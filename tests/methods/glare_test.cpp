@@ -1,4 +1,5 @@
-// The sun's glare in pictures: its light by the point spread, round, as wide at every resolution, none where no sun is.
+// The sun's glare in pictures: its light follows the point spread, is round, as wide at every resolution, none without
+// a sun.
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +36,8 @@ TEST(GlarePicture, IsTheSunsLightByThePointSpreadAtEveryResolution) {
   }
 }
 
-// As far from the sun along the rows, the columns and the diagonals; smooth over the change from points to their sum.
+// At equal distances from the sun the glare is equal along rows, columns and diagonals, and smooth over the change from
+// points to their sum.
 TEST(GlarePicture, IsRoundAndSmooth) {
   const Scene scene = sun_in_the_middle(301);
   const RadianceImage glare = *with_bloom(scene).bloom;
@@ -71,7 +73,7 @@ TEST(GlarePicture, ComesFromWhatIsSeenOfTheDisc) {
   EXPECT_EQ(light_at(-0.3), 0.0);
 }
 
-// Scattered in the eye, it veils the ground as it veils the sky: no edge stands where the horizon is.
+// The light is scattered in the eye, so it veils ground and sky alike: no edge stands at the horizon.
 TEST(GlarePicture, VeilsTheGroundAsItVeilsTheSky) {
   Scene scene = sun_in_the_middle(61);
   scene.camera.altitude = 1e-6;
@@ -95,7 +97,7 @@ TEST(GlarePicture, IsNotOutsideAFisheyesCircle) {
   EXPECT_GT(channel_of(*rendering.bloom, 0, 15, 1), 0.0);
 }
 
-// The air takes from the glare what it takes from the disc.
+// The air attenuates the glare as it attenuates the disc.
 TEST(GlarePicture, ComesThroughTheAir) {
   Scene scene = sun_in_the_middle(31);
   const RadianceImage above = *with_bloom(scene).bloom;

@@ -1,5 +1,5 @@
 #pragma once
-// What the tests of the two models of bloom share.
+// Shared by the tests of both models of bloom.
 
 #include <algorithm>
 #include <cmath>
@@ -34,8 +34,8 @@ inline Rendering with_bloom(const Scene& scene) {
   return render_now(scene, request);
 }
 
-// The tone pass finds the glow by itself: what it shows is the picture and the glow that others are given. At least a
-// hundred values are brighter than `dark` and none of those clipped.
+// The tone pass takes the glow by itself: it shows the picture plus the glow that others get. At least a hundred values
+// are brighter than `dark`, and none of those is clipped.
 inline void expect_glow_in_tone_curve(Scene scene, double dark) {
   scene.display.tonemap = ToneCurve::clamp;
   scene.display.exposure = 0.5;

@@ -24,9 +24,9 @@ std::vector<fs::path> cases() {
 
 class Golden : public testing::TestWithParam<fs::path> {};
 
-// The pictures were made on Mesa's llvmpipe, which gives the same bits every time: what moves there is a change of
-// ours. Other drivers filter tables with fewer bits and have their own exp, sin and sqrt: bounds.json says how far one
-// was.
+// The pictures were made on Mesa's llvmpipe, which gives the same bits every time, so that any difference there is a
+// change of ours. Other drivers filter tables with fewer bits and have their own exp, sin and sqrt; bounds.json has the
+// measured distance of one.
 TEST_P(Golden, RendersAsBefore) {
   const Scene scene = scene_from_file(GetParam() / "preset.json");
   const std::optional<RadianceImage> expected = read_layer(GetParam() / "expected.exr");
@@ -63,7 +63,7 @@ TEST(GoldenFolder, HoldsItsCases) {
   EXPECT_GE(cases().size(), 6U);
 }
 
-// The helpers with indices in them.
+// Tests of the helpers with indices in them.
 TEST(PictureFile, FindsAnErrorInItsRegionAndChannel) {
   Scene scene = all_round(earth(), 0.001, 16, 8);
   RadianceImage a{16, 8, std::vector<float>(4 * 16 * 8, 1.0f)};

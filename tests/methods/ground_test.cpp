@@ -55,8 +55,8 @@ struct Views {
   double highest;
 };
 
-// The mean that lights the air from below is not what lies under it, and the glint's light is not scattered again:
-// that is the bound. path-trace has both.
+// The bound covers two simplifications: the mean albedo, not the ground below, lights the air from below, and the
+// glint's light is not scattered again. path-trace has neither.
 TEST(GroundSky, AgreesWithPathTrace) {
   for (const Views& v : {Views{2.0, -80.0, -4.0}, Views{9000.0, -88.0, -68.0}}) {
     std::vector<Direction> directions;
@@ -96,7 +96,8 @@ TEST(GroundSky, AgreesWithPathTrace) {
   }
 }
 
-// Of one value everywhere: by every method that knows maps the picture with that albedo, the planet's edge included.
+// A map of one value gives the picture with that albedo, the planet's edge included, with every method that supports
+// maps.
 TEST(GroundSky, AMapOfOneValueIsThatAlbedo) {
   for (const char* method : {"orders", "march", "sky-view"}) {
     for (const double altitude : {0.05, 30.0, 12720.0, 1e5}) {
@@ -126,7 +127,7 @@ TEST(GroundSky, AMapOfOneValueIsThatAlbedo) {
   }
 }
 
-// Texels far smaller than a pixel, black and white in turn, from 100 000 km: a grey planet, even at limb and poles.
+// Texels far smaller than a pixel, alternately black and white, from 100 000 km: a grey planet, even at limb and poles.
 TEST(GroundSky, FromFarFineTexelsAreTheirMean) {
   Scene fine = with_method(earth(), *find_method("orders"));
   fine.camera.altitude = 1e5;

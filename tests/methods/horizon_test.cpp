@@ -1,4 +1,4 @@
-// The planet's edge in pictures: each pixel along it is the mean over its area.
+// The planet's edge in pictures: each pixel on it is the mean over its area.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace airlight::test {
 namespace {
 
-// A bright ground under a clear sky, the horizon aslant.
+// A bright ground under a clear sky, with a slanting horizon.
 Scene aslant(const SkyMethod& method, double altitude) {
   Scene scene = with_method(earth(), method, true);
   scene.planet.ground_albedo = {0.7, 0.5, 0.3};
@@ -63,7 +63,8 @@ TEST(HorizonPixels, AreMeansOverTheirAreaByEveryMethod) {
         ++crossed;
         for (std::size_t c = 0; c < 3; ++c) {
           const double truth = mean_of_block(fine, x, y, kSide, c);
-          // A pixel is 2.5 degrees high, over which the sky above the horizon bends: 3.4 % is the most, `analytic`'s.
+          // A pixel is 2.5 degrees high, over which the sky above the horizon is curved: `analytic` is the worst with
+          // 3.4 %.
           EXPECT_NEAR(channel_of(coarse, x, y, c), truth, 0.045 * truth) << method.info.name << " " << x << ", " << y;
         }
       }

@@ -1,4 +1,4 @@
-// What follows the sky on the host, for a method that samples there, against the passes that do it on the device.
+// Post-processing on the host, for a method that samples there, against the device's passes.
 #include "core/post/host_post.h"
 
 #include <cmath>
@@ -111,7 +111,7 @@ TEST(HostPost, MeasuresWhatThePassMeasures) {
   EXPECT_EQ(by_host(image, scene, true).outside, 2U);
 }
 
-// Whoever measures, the host or a pass, a long row's mean is that of the row.
+// The mean of a long row is right, whether the host or a pass computes it.
 TEST(HostPost, MeasuresLongRows) {
   const Scene scene = earth();
   RadianceImage row{16384, 1, {}};

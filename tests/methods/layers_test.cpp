@@ -1,4 +1,4 @@
-// What --layers writes: the light layers' sum is the picture, and each is what it says.
+// The layers of --layers: the light layers' sum is the picture, and each layer is what its name says.
 
 #include <algorithm>
 #include <cmath>
@@ -82,7 +82,7 @@ Scene small_sky(double altitude) {
   return scene;
 }
 
-// Every preset that comes along, by the method with the fewest shaders to make; the others follow below.
+// Every shipped preset, by the method with the fewest shaders to make; the other methods follow below.
 TEST(Layers, SumUpToThePicture_Presets) {
   int presets = 0;
   for (const auto& entry : fs::directory_iterator(fs::path(AIRLIGHT_SOURCE_DIR) / "presets")) {
@@ -100,7 +100,7 @@ TEST(Layers, SumUpToThePicture_Presets) {
   EXPECT_GE(presets, 8);
 }
 
-// Every method that has layers, each way it has of rendering: march, nested, orders by pixel, by tables and by shells,
+// Every method with layers, in each of its ways of rendering: march, nested, orders by pixel, by tables and by shells,
 // sky-view from its table, with marched ground, and from space.
 TEST(Layers, SumUpToThePicture_Methods) {
   for (const SkyMethod& method : methods()) {
@@ -126,8 +126,8 @@ TEST(Layers, SumUpToThePicture_Methods) {
   EXPECT_LT(greatest_gap(layered(named("nested", mixed))), kHalf) << "five media";
 }
 
-// A medium's layer is the whole picture of a world in which it alone scatters, and only once, the others taking as much
-// out of the light as before.
+// A medium's layer is the whole picture of a world in which only that medium scatters, once, and the other media
+// attenuate as before.
 TEST(Layers, AMediumsLayerIsAWorldInWhichItAloneScatters) {
   const Scene scene = named("march", small_sky(0.001));
   const Rendering all = layered(scene);
@@ -175,7 +175,7 @@ TEST(Layers, NoAirLeavesGroundAndSun) {
   EXPECT_GT(largest(layer(rendering, "sun")), 1.0);
 }
 
-// One scatterer over black ground, by single scattering: its layer alone has light.
+// One scatterer over black ground, with single scattering: only its layer has light.
 TEST(Layers, OneMediumAndNoMoreScatteringLeavesOneLayer) {
   Scene scene = small_sky(0.001);
   scene.planet.ground_albedo = {};

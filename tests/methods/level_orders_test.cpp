@@ -43,7 +43,7 @@ Level level_air(double single_scattering_albedo, double ground_albedo) {
   return level;
 }
 
-// Green's values as a matrix of one m: from the moments by l, then by row, and for m = 0 the irradiance behind them.
+// Green's values as a matrix for one m: first the moments by l, each by row, and for m = 0 the irradiance after them.
 MatrixXd matrix_of(const Level& level, int m, double lost) {
   const std::vector<float> values = level_orders(level.air, level.shape, 8, false, lost);
   EXPECT_EQ(values.size(), 3 * level.shape.values());
@@ -89,8 +89,8 @@ void over_cosines(const Use& use) {
   }
 }
 
-// Light from the top alone, alike from everywhere, over white ground and through air that absorbs nothing: however it
-// is scattered, it is alike everywhere. What the orders add is what the unscattered light lacks of that.
+// Light that enters only at the top, equal from all directions, over white ground and through air without absorption,
+// is equal everywhere, however it is scattered. The orders add exactly what the unscattered light lacks of that.
 TEST(LevelOrders, LightFromEverywhereStaysLightFromEverywhere) {
   const Level level = level_air(1.0, 1.0);
   const Index rows = level.shape.rows;
@@ -114,7 +114,7 @@ TEST(LevelOrders, LightFromEverywhereStaysLightFromEverywhere) {
   }
 }
 
-// One order by rays in many short pieces, between rows a straight line.
+// One order by rays in many short pieces, with straight lines between rows.
 MatrixXd one_order(const Level& level, int m, double single_scattering_albedo, double ground_albedo) {
   constexpr int kPieces = 64;
   const Index rows = level.shape.rows;
@@ -128,7 +128,7 @@ MatrixXd one_order(const Level& level, int m, double single_scattering_albedo, d
     over_cosines([&](double mu, double share) {
       for (const bool upward : {true, false}) {
         const double toward = upward ? mu : -mu;
-        VectorXd sent = VectorXd::Zero(rows);  // by what a row's share in the pieces sends here, over the moment
+        VectorXd sent = VectorXd::Zero(rows);  // for each row: dimmed path length, by its share of each piece
         for (Index k = 0; k + 1 < rows; ++k) {
           const double low = level.altitudes[static_cast<std::size_t>(k)];
           const double width = level.altitudes[static_cast<std::size_t>(k) + 1] - low;
@@ -170,7 +170,7 @@ TEST(LevelOrders, AreTheSumOfOrdersOneByOne) {
   const Level level = level_air(0.9, 0.3);
   for (int m = 0; m < kHarmonics; ++m) {
     const MatrixXd order = (1.0 - kLost) * one_order(level, m, 0.9, 0.3);
-    VectorXd source = VectorXd::Ones(order.rows());  // of all unknowns alike, but more at the top
+    VectorXd source = VectorXd::Ones(order.rows());  // equal in all unknowns, but larger at the top
     source.tail(order.rows() / 2) *= 2.0;
     VectorXd last = source;
     VectorXd sum = VectorXd::Zero(source.size());

@@ -49,8 +49,8 @@ double dot(const Vector3& a, const Vector3& b) {
 }
 
 // Irradiance of a surface with this unit normal: the sum over degrees l of A_l L_lm Y_lm, where A_0 = pi, A_1 = 2 pi/3,
-// A_2 = pi/4 are those of the clamped cosine. [RH01] eq. 9; within 1 % of the mean for most lights, and negative where
-// one small light stands alone.
+// A_2 = pi/4 belong to the clamped cosine. [RH01] eq. 9; within 1 % of the mean for most lights, and negative for a
+// single small light.
 Vector3 irradiance_from_sh(const ShRadiance& radiance, const Vector3& normal) {
   const std::array<double, 9> basis = sh_basis(normal);
   Vector3 sum{};
@@ -149,7 +149,7 @@ Scene scene_at(double elevation) {
   return with_method(scene, *find_method("march"), true);
 }
 
-// A disc so small that the air is the same all over it.
+// A disc so small that the air is the same over all of it.
 TEST(Lighting, TheSunIsWhatTheAirLeavesOfIt) {
   Scene scene = scene_at(25.0);
   scene.sun.disc.angular_radius = 0.01 * kDegree;
@@ -163,7 +163,7 @@ TEST(Lighting, TheSunIsWhatTheAirLeavesOfIt) {
   EXPECT_NEAR(sun.direction[1], std::sin(25.0 * kDegree), 1e-12);
 }
 
-// In empty space the planet alone takes from it: half of a disc whose centre stands on the horizon, all of one below.
+// In empty space only the planet hides the sun: half of a disc whose centre is on the horizon, all of one below.
 TEST(Lighting, ThePlanetCutsTheSun) {
   Scene scene = vacuum();
   scene.camera.altitude = 0.0;
@@ -182,7 +182,7 @@ TEST(Lighting, ThePlanetCutsTheSun) {
   EXPECT_LT(cap, 0.1955);
 }
 
-// Against a sky of seven times as many pixels, where it is hardest: an aureole on the horizon.
+// Against a sky of seven times as many pixels, in the hardest case: an aureole on the horizon.
 TEST(Lighting, TheSkyItIsTakenFromIsFineEnough) {
   for (const double elevation : {1.0, 60.0}) {
     Scene scene = scene_at(elevation);
@@ -198,7 +198,7 @@ TEST(Lighting, TheSkyItIsTakenFromIsFineEnough) {
   }
 }
 
-// The whole of it, on a real sky: map and harmonics agree, and the ground's own irradiance is what the map has for up.
+// On a real sky map and harmonics agree, and the ground's own irradiance is the map's value for up.
 TEST(Lighting, MapAndHarmonicsOfASkyAgree) {
   Scene scene = scene_at(30.0);
   scene.camera = {.azimuth = 2.0, .pitch = 0.3, .vertical_fov = 1.0};

@@ -14,7 +14,7 @@ TEST(Maps, EachPixelIsTheSkyInItsDirection) {
       continue;  // its samples are random
     }
     for (const Projection projection : {Projection::cube, Projection::octahedral}) {
-      // The rays are the same for every method; a pipeline costs.
+      // The rays are the same for every method, and a pipeline is costly.
       if (projection == Projection::octahedral && method.info.name != "march") {
         continue;
       }

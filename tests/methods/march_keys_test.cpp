@@ -42,7 +42,7 @@ Scene dusk() {
   return scene;
 }
 
-// Relative error by pixel of a march of few steps, jittered or not, against one of many.
+// Relative error by pixel of a march of few steps, jittered or not, against one of many steps.
 class Bands {
  public:
   explicit Bands(const char* jitter) {
@@ -64,7 +64,7 @@ class Bands {
     return sum;
   }
 
-  // What the eye sees as bands: error that stays when it is averaged over 8 x 8 pixels, less the mean of all.
+  // Bands as the eye sees them: the error that remains when it is averaged over 8 x 8 pixels, less the mean of all.
   double coarse() const {
     double sum = 0.0;
     const double middle = mean();
@@ -80,7 +80,7 @@ class Bands {
     return std::sqrt(sum / (few_.height / 8 * few_.width / 8));
   }
 
-  // Of neighbours in a column, the error's slow part taken away.
+  // Autocorrelation of the error between neighbours in a column, without the error's slow part.
   double autocorrelation() const {
     double together = 0.0;
     double alone = 0.0;
@@ -127,7 +127,7 @@ TEST(Jitter, IsTheSameOnEveryRun) {
   EXPECT_FALSE(once.rgba == picture(scene, "march", {{"steps", 8}}).rgba);
 }
 
-// Listed directions have no pixel: blue noise leaves them in the middle, "fixed" is the host's formula at 0.3.
+// Listed directions have no pixel: with blue noise they use the middle; "fixed" is the host's formula at 0.3.
 TEST(Jitter, OfListedDirections) {
   const std::vector<Direction> views{{0.1, 0.2}, {0.6, 2.0}, {1.4, -1.0}};
   const Scene scene = earth();
@@ -159,8 +159,8 @@ TEST(Jitter, IsRefusedWhereNodesMustNotMove) {
   }
 }
 
-// Over every patch of 8 x 8 pixels the places have the mean of a step, where random ones miss it by 0.036 (one sigma);
-// and of all pixels a thousandth have each thousandth of the step.
+// Over every patch of 8 x 8 pixels the places have the mean of a step; random ones would miss it by 0.036 (one sigma).
+// Of all pixels a thousandth has each thousandth of the step.
 TEST(BlueNoise, IsEvenInEveryPatch) {
   physics::Physics p{};
   double worst = 0.0;
@@ -201,9 +201,8 @@ double worst_difference(const RadianceImage& a, const RadianceImage& b) {
 const Parameters kHalf{{"resolution", std::string("half")}, {"multiple_scattering_scale", 0.0}};
 const Parameters kFull{{"resolution", std::string("full")}, {"multiple_scattering_scale", 0.0}};
 
-// From the ground, the air and space, odd and even, every projection, ground in sight: never further off than the
-// contrast that is let through (0.04, at the coarsest pixels, above the horizon from 12 km), ground and sky never
-// mixed.
+// From the ground, the air and space, odd and even, every projection, ground in sight: the error never exceeds the
+// permitted contrast (0.04, at the coarsest pixels, above the horizon from 12 km), and ground and sky are never mixed.
 TEST(HalfResolution, IsCloseEverywhere) {
   struct Frame {
     Projection projection;
@@ -232,7 +231,7 @@ TEST(HalfResolution, IsCloseEverywhere) {
   }
 }
 
-// The row of pixels over which the horizon runs, and those that touch it, are marched: bit for bit as in full.
+// The row of pixels with the horizon, and those that touch it, are marched: bit for bit as in full resolution.
 TEST(HalfResolution, KeepsTheHorizonSharpAndSavesTheRest) {
   Scene scene = earth();
   scene.planet.ground_albedo = {0.9, 0.9, 0.9};
@@ -262,7 +261,7 @@ TEST(HalfResolution, KeepsTheHorizonSharpAndSavesTheRest) {
   EXPECT_LT(equal, 40 * 120 / 4);
 }
 
-// The disc is a pass of its own over all pixels: what it adds is the same.
+// The disc is a pass of its own over all pixels: its contribution is the same.
 TEST(HalfResolution, LeavesTheDiscAlone) {
   Scene scene = earth();
   scene.camera.pitch = scene.sun.elevation;
@@ -284,7 +283,7 @@ TEST(HalfResolution, LeavesTheDiscAlone) {
   EXPECT_NEAR(greatest(disc(kFull)), brightest, 1e-6 * brightest);
 }
 
-// One formula: as if the media themselves said so. Rayleigh's and an isotropic one stay.
+// With one formula for all: as if each medium asked for it. Rayleigh's and an isotropic function stay.
 TEST(Schlick, ForAllIsThatOfTheMedia) {
   Scene scene = earth();
   scene.media.push_back(medium("dust", {1e-3, 2e-3, 3e-3}, {}, exponential(2.0), PhaseFunction::cornette_shanks, 0.7));
@@ -297,7 +296,7 @@ TEST(Schlick, ForAllIsThatOfTheMedia) {
   EXPECT_FALSE(by_key.rgba == picture(scene, "nested", {}).rgba);
 }
 
-// What the stability tests ask of every method, of each key: thick and thin and no air, the ground, the top, space.
+// The stability tests' conditions for each key: thick, thin and no air, the ground, the top, space.
 TEST(Keys, AreSoundAtEveryEdge) {
   struct Case {
     const char* method;

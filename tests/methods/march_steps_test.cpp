@@ -1,4 +1,4 @@
-// What the march takes where its keys leave its steps and its resolution to the scene.
+// The march's choices where its keys leave steps and resolution to the scene.
 
 #include "core/methods/march_steps.h"
 
@@ -35,7 +35,7 @@ Scene by_day(double altitude = 0.001, double elevation = 20.0) {
   return marched(scene);
 }
 
-// Haze that is `share` times as thick as the air's own aerosol takes more nodes, until they cost what steps do.
+// Haze `share` times as thick as the air's own aerosol takes more nodes, until they cost as much as steps.
 TEST(AutomaticSteps, AreNodesInSmoothAirAsManyAsItsThicknessAsksFor) {
   const auto hazy = [](double share) {
     Scene scene = by_day();
@@ -71,7 +71,7 @@ TEST(AutomaticSteps, AreQuadraticWhereADensityHasAnEdge) {
     scene.media.back().scattering = {1e-3, 1e-3, 1e-3};  // of no account
     EXPECT_EQ(chosen(scene).count, 14);
   }
-  // Thin, but the ground's air is thick.
+  // The whole air is thin, but the air at the ground is thick.
   Scene low = by_day();
   fog.density = exponential(0.1);
   low.media.push_back(fog);
@@ -103,7 +103,7 @@ TEST(AutomaticSteps, LeaveWhatIsToldAsItIs) {
   EXPECT_EQ(told({{"jitter", text("blue-noise")}}), kUsual);
 }
 
-// Half resolution, from pixels so fine on that it adds nothing, unless anything is told.
+// Half resolution is used where pixels are so fine that it adds no error, unless a key is given.
 TEST(AutomaticSteps, HalveFinePixelsAlone) {
   Scene scene = by_day();
   scene.camera.vertical_fov = 60.0 * kDegree;
@@ -132,7 +132,7 @@ Scene narrow() {
   return scene;
 }
 
-// The picture that is chosen is the one that its keys make, bit for bit.
+// The chosen picture is the one that its keys give, bit for bit.
 TEST(AutomaticSteps, MakeThePictureOfTheirKeys) {
   const Scene scene = narrow();
   const Scene told =
@@ -143,7 +143,7 @@ TEST(AutomaticSteps, MakeThePictureOfTheirKeys) {
   EXPECT_FALSE(chosen_picture.radiance.rgba == render_now(marched(scene, {{"steps", 32}})).radiance.rgba);
 }
 
-// With layers it is what keeps light apart.
+// With layers the choice is one that keeps light apart.
 TEST(AutomaticSteps, KeepLightApartWithLayers) {
   RenderRequest request;
   request.layers = true;

@@ -38,7 +38,7 @@ double worst_difference(const RadianceImage& a, const RadianceImage& b) {
   return worst;
 }
 
-// 2 %: the pixel beside the setting sun's horizon, where the table's transmittance changes by 4 % in 0.01 degree. All
+// 2 %: at the pixel beside the setting sun's horizon the table's transmittance changes by 4 % in 0.01 degree. All
 // others stay within 0.3 %.
 TEST(Nested, IsTheMarchOfSingleScatteringWhereBothConverge) {
   struct Place {
@@ -49,7 +49,7 @@ TEST(Nested, IsTheMarchOfSingleScatteringWhereBothConverge) {
        {Place{0.001, 60.0}, Place{0.001, 5.0}, Place{0.5, -2.0}, Place{10.0, 20.0}, Place{300.0, 30.0}}) {
     Scene scene = without_disc(all_round(earth(), place.altitude, 32, 17));
     scene.sun.elevation = place.sun * kDegree;
-    // From space a pixel at the edge is five rays, and the software device grants all loops 65535 turns.
+    // From space a pixel at the edge is five rays, and the software device grants all loops together 65535 turns.
     const int steps = place.altitude > 100.0 ? 192 : 256;
     const Scene nested = with_parameters(scene, "nested", {{"steps", steps}, {"sun_steps", 64}});
     const Scene march = with_parameters(
@@ -98,8 +98,8 @@ TEST(Nested, BakesNoTableButTheOneThatTheDiscIsSeenThrough) {
   EXPECT_TRUE(plan_for(scene, {}).images().empty());
 }
 
-// The same table, so the same disc as in a method that has one of its own. 1e-5: the disc is 1e6 times the sky, in
-// float.
+// The disc comes from the same table, so it equals that of a method with one of its own. 1e-5: the disc is 1e6 times as
+// bright as the sky, in float.
 TEST(Nested, HasTheDiscOfTheOtherMethods) {
   Scene scene = earth();
   scene.camera.pitch = scene.sun.elevation;

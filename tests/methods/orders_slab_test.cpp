@@ -30,7 +30,7 @@ constexpr std::size_t kCases = 2;
 constexpr std::size_t kCases = 8;
 #endif
 
-// The same air over the optical depth, but an exponential over the altitude: in level air no different.
+// The same air over the optical depth, but exponential over the altitude: for level air this makes no difference.
 void thin_out(Scene& scene, double scale_height) {
   const double before = scene.planet.atmosphere_height;
   scene.planet.atmosphere_height = 100.0;
@@ -62,7 +62,7 @@ TEST_P(OrdersSlab, RadianceAtTopAndBottomMeetsAddingAndDoubling) {
     scene.sun.elevation = std::asin(judge.nodes()[static_cast<std::size_t>(sun)]);
     scene = with_method(scene, *find_method("orders"));
     if (c.optical_depth > 5.0) {
-      // Half of the default's sun elevations, half of a minute: the worst errors are 2.8 % with either.
+      // Half of the default's sun elevations save half of a minute; the worst error is 2.8 % with either.
       scene.render.parameters["moments_lut"] = TableSize{24, 12};
     }
     for (const bool top : {true, false}) {
@@ -99,9 +99,9 @@ std::vector<LevelCase> cases() {
                               {"rayleigh 5, albedo 1", 5, 1, 0},
                               {"HG 0.75, 1", 1, 1, 0.75},
                               {"HG 0.75, 8", 8, 1, 0.75},
-                              // Apart from the slabs that the corrections were chosen by.
+                              // These slabs are not among those by which the corrections were chosen.
                               {"rayleigh 0.7, ground 0.8", 0.7, 1, 0, 0.8},
-                              // All light of a low sun is scattered in few shells, each some scale heights high.
+                              // All light of a low sun is scattered in a few shells, each some scale heights high.
                               {"rayleigh 10, ground 1, thinning out", 10, 1, 0, 1, 8.0}};
   list.resize(kCases);
   return list;

@@ -57,7 +57,7 @@ Scene all_of_it(double altitude, double albedo, double sun) {
   return scene;
 }
 
-// Straight down from low over a bright ground, a row of the table is tens of degrees high in a map of distances alone.
+// Seen from low over a bright ground, straight down a row of a table of distances alone would be tens of degrees high.
 TEST(OrdersTable, IsThePictureByPixel) {
   for (const double altitude : {0.01, 2.0, 60.0}) {
     for (const double albedo : {0.0, 0.8}) {
@@ -91,7 +91,7 @@ TEST(OrdersTable, IsThePictureByPixelFromSpace) {
   }
 }
 
-// Sizes that are powers of two as well: their constants coincide with others of the shaders.
+// Includes sizes that are powers of two, whose constants coincide with others of the shaders.
 TEST(OrdersTable, MayHaveAnySize) {
   for (const TableSize size : {TableSize{8, 16}, TableSize{16, 32}, TableSize{32, 64}, TableSize{17, 31}}) {
     for (const double altitude : {0.01, 500.0}) {
@@ -105,7 +105,7 @@ TEST(OrdersTable, MayHaveAnySize) {
   }
 }
 
-// On a GPU four threads share a ray's steps; in another order of sums it is the same table.
+// On a GPU four threads share a ray's steps. The sums come in another order, but the table is the same.
 TEST(OrdersTable, ByTeamsIsTheSame) {
   Scene scene = with_method(all_of_it(2.0, 0.3, 1.0), *find_method("orders"));
   scene.render.parameters.insert_or_assign("tabulate", std::string("always"));
@@ -115,7 +115,7 @@ TEST(OrdersTable, ByTeamsIsTheSame) {
   EXPECT_LT(gaps(together, alone, 0, 36).most, 1e-4);
 }
 
-// Folding all media blurs the aureole and nothing else: without a forward peak it changes nothing at all.
+// Folding all media blurs only the aureole: without a forward peak it changes nothing.
 TEST(OrdersTable, FoldingBlursTheAureoleAlone) {
   Scene scene = all_of_it(0.01, 0.3, 20.0);
   const RadianceImage apart = by_table(scene, "always", "smooth");
@@ -132,8 +132,8 @@ TEST(OrdersTable, FoldingBlursTheAureoleAlone) {
   EXPECT_EQ(by_table(scene, "always", "smooth").rgba, by_table(scene, "always", "all").rgba);
 }
 
-// At an optical depth of 178 a shell stands between much thinner ones: what it was given between its rows made orders
-// grow from the twentieth on, to 1e30 of what arrives.
+// At an optical depth of 178 a thick shell stands between much thinner ones. Without a limit on the bend between its
+// rows, orders grew from the twentieth on, to 1e30 of the arriving light.
 TEST(OrdersByShells, NoOrderOutgrowsTheOneBefore) {
   Scene scene = all_round(earth(), 99.9, 16, 8);
   scene.media.resize(1);

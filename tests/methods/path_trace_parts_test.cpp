@@ -1,4 +1,4 @@
-// The path tracer's parts, each against a truth of its own.
+// The path tracer's parts, each against an independent truth.
 
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ TEST(PathTraceGauss, FallingRuleIntegratesEighteenScaleHeights) {
   EXPECT_NEAR(sum, 1.0 - std::exp(-18.0), 1e-8);
 }
 
-// Where a function that rises from `from` to `to` reaches a value; an end where it does not.
+// Place where a function that rises from `from` to `to` reaches a value; an end where it does not.
 double where(double value, double from, double to, const std::function<double(double)>& f) {
   for (int k = 0; k < 60; ++k) {
     const double middle = 0.5 * (from + to);
@@ -120,8 +120,8 @@ struct Parts {
   Flight flight;
 };
 
-// Whatever the plan, dividing by the choice's density must give the integral of anything: here of scattering times
-// transmittance, per channel, and of the light that the ground reflects.
+// Whatever the plan, division by the choice's density must give any integral: here of scattering times transmittance,
+// per channel, and of the light that the ground reflects.
 TEST(PathTraceFlight, DividingByItsDensityGivesTheIntegral) {
   Scene scene = earth(30, 0, 0.4);
   Density cloud;
@@ -185,7 +185,7 @@ TEST(PathTraceFlight, NothingHappensInAVacuumOverBlackGround) {
   EXPECT_FALSE(Flight::choose(plan, {1, 1, 1}, 0.5).happens);
 }
 
-// The density is one (it integrates to 1 at every altitude, also far from the middle of a shell), and it is that of the
+// The density integrates to 1 at every altitude, also far from the middle of a shell, and it is the density of the
 // draws.
 TEST(PathTraceSkyGuide, DrawsMeetTheDensity) {
   Parts parts(earth(2, 0, 0.3));

@@ -1,4 +1,4 @@
-// The directions that the path tracer draws.
+// The path tracer's draws of directions.
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ struct PhaseCase {
 
 class PathTracePhase : public testing::TestWithParam<PhaseCase> {};
 
-// Chi-square of drawn cosines over bins that crowd into the peak, whose shares come from phase_value by quadrature.
+// Chi-square of drawn cosines over bins that crowd into the peak; their expected shares are phase_value by quadrature.
 TEST_P(PathTracePhase, SamplesFollowPhaseValue) {
   const auto [phase, g] = GetParam();
   Scene scene = earth(20, 0);
@@ -82,8 +82,8 @@ INSTANTIATE_TEST_SUITE_P(
                     PhaseCase{PhaseFunction::schlick, 0.8}, PhaseCase{PhaseFunction::schlick, 0.99},
                     PhaseCase{PhaseFunction::schlick, -0.95}));
 
-// Tables and depolarised molecules, whose channels differ: the density told is that of what is drawn, its integral is
-// 1, and no channel's phase function is so far above it that weights explode.
+// Tables and depolarised molecules, whose channels differ: the density is that of the draws, its integral is 1, and no
+// channel's phase function exceeds it so far that weights explode.
 TEST(PathTracePhase, SamplesFollowTheDensityTold) {
   Scene scene = earth(20, 0);
   PhaseTable table;

@@ -1,4 +1,4 @@
-// How path-trace runs: seeds, threads, checkpoints, stop rules, and whether its standard error is honest.
+// Runs of path-trace: seeds, threads, checkpoints, stop rules, and the honesty of its standard error.
 
 #include <gtest/gtest.h>
 
@@ -138,7 +138,7 @@ TEST_F(Checkpoint, NoTemporaryFileIsLeft) {
   }
 }
 
-// The spread over seeds is what the standard error says it is.
+// The spread over seeds agrees with the standard error.
 TEST(PathTraceRun, StandardErrorIsHonest) {
   Scene scene = earth(5, 0.5, 0.4);
   set(scene, "samples", 160);
@@ -213,7 +213,7 @@ TEST(PathTraceRun, ReportsRisingFractionsUpToOne) {
   EXPECT_GT(last, 0.8);
 }
 
-// A time limit that is over at once does not end the first samples, and progress says so.
+// A time limit that is over at once does not stop the first samples, and progress says so.
 TEST(PathTraceRun, ReportsTheFirstSamplesWhateverTheTimeLimit) {
   Scene scene = earth(40, 0.001, 0.3);
   set(scene, "time_limit_s", 1e-9);

@@ -95,7 +95,7 @@ inline HostPicture trace(const Scene& scene, const std::vector<Direction>& direc
   return trace(scene, View{directions}, {});
 }
 
-// Integral by halving until nothing changes; corners of the integrand fall between ever smaller panels.
+// Integral by halving until nothing changes, so that corners of the integrand fall between ever smaller panels.
 inline double integrate(const std::function<double(double)>& f, double a, double b, int levels = 40) {
   static const GaussRule rule = gauss_legendre(10);
   const auto panel = [&](double from, double to) {

@@ -10,7 +10,7 @@
 namespace airlight {
 namespace {
 
-// The judge itself: nothing is lost without absorption, and one thin layer is single scattering.
+// A test of the reference itself: it loses nothing without absorption, and one thin layer is single scattering.
 TEST(SlabJudge, ConservesEnergyAndIsRightWhenThin) {
   for (const double ground_albedo : {0.0, 1.0}) {
     const int sun = 9;

@@ -19,7 +19,7 @@ const float* standard_error(const HostPicture& picture, std::size_t k) {
   return picture.standard_error.at(static_cast<int>(k), 0);
 }
 
-// As the air thins, radiance is coefficient x phase function x length x irradiance, and nothing else.
+// As the air thins, radiance becomes coefficient x phase function x length x irradiance.
 TEST(PathTrace, ThinAirScattersOnce) {
   const double length = 10.0 / std::sin(radians(30));
   for (const double thin : {1e-4, 1e-7}) {
@@ -45,7 +45,7 @@ struct ByHand {
     const double ozone = std::max(0.0, 1.0 - std::abs(h - 25.0) / 15.0);
     return 13.558e-3 * std::exp(-h / 8.0) + 4.44e-3 * std::exp(-h / 1.2) + 1.881e-3 * ozone;
   }
-  // From radius r along mu over length t.
+  // Optical depth from radius r along mu over length t.
   static double depth(double r, double mu, double t) {
     double sum = 0.0;
     constexpr int kSteps = 2000;
@@ -56,7 +56,7 @@ struct ByHand {
     return sum;
   }
   static double to_top(double r, double mu) { return -r * mu + std::sqrt(r * r * mu * mu - r * r + 6460.0 * 6460.0); }
-  // A ray up from the ground.
+  // Single scattering along a ray up from the ground.
   static double single(double elevation, double azimuth, double sun) {
     const double r = 6360.001;
     const double mu = std::sin(elevation);
@@ -108,7 +108,7 @@ TEST(PathTrace, FirstOrderMeetsQuadrature) {
   }
 }
 
-// What the ground sends straight up through the air: albedo / pi x mu x both transmittances.
+// Light that the ground sends straight up through the air: albedo / pi x mu x both transmittances.
 TEST(PathTrace, FirstOrderHoldsTheSunlitGround) {
   Scene scene = slab(0.5, 0.0, PhaseFunction::isotropic, 0.0);
   scene.planet.ground_albedo = {0.2, 0.5, 1.0};
@@ -121,7 +121,7 @@ TEST(PathTrace, FirstOrderHoldsTheSunlitGround) {
   EXPECT_NEAR(radiance(picture, 0)[0], 0.2 * expected, 1e-4 * expected);
 }
 
-// A small planet whose air absorbs nothing over white ground: all sunlight that meets it leaves again, scattered or
+// A small planet with air that absorbs nothing over white ground: all sunlight that meets it leaves again, scattered or
 // past the limb. Gauss over the sun's height, equal areas over the sky below a camera at the top.
 TEST(PathTrace, WhatEntersLeaves) {
   constexpr double kRadius = 60.0;
@@ -159,7 +159,7 @@ TEST(PathTrace, WhatEntersLeaves) {
     }
   }
   for (std::size_t c = 0; c < 3; ++c) {
-    // Straight past the limb, as a share of what the disc of the atmosphere receives.
+    // Light straight past the limb, as a share of what the disc of the atmosphere receives.
     double past = 0.0;
     constexpr int kSteps = 4000;
     for (int k = 0; k < kSteps; ++k) {
@@ -180,8 +180,8 @@ TEST(PathTrace, WhatEntersLeaves) {
   }
 }
 
-// Sun and eye may change places: radiance / cosine of the sun stays. Layered haze over coloured ground on a flat
-// planet.
+// Sun and eye may change places: radiance over the cosine of the sun stays the same. Layered haze over coloured ground
+// on a flat planet.
 TEST(PathTrace, SunAndEyeMayChangePlaces) {
   Scene scene = earth(0, 100.0, 0.3);
   scene.planet.ground_radius = 1e6;
@@ -202,7 +202,7 @@ TEST(PathTrace, SunAndEyeMayChangePlaces) {
   }
 }
 
-// Three channels traced together must be what each would be alone.
+// Three channels traced together give what each would give alone.
 TEST(PathTrace, ChannelsDoNotDisturbEachOther) {
   Scene scene = earth(3, 0.0, 0.5);
   scene.media[0].scattering = {1e-4, 0.02, 0.5};
@@ -229,8 +229,8 @@ TEST(PathTrace, ChannelsDoNotDisturbEachOther) {
   }
 }
 
-// A peaked medium that scatters nothing, everywhere or where the path is, must not end paths: its share of the light is
-// 0 of 0.
+// A peaked medium that scatters nothing, everywhere or at the path's place, must not end paths: its share of the light
+// is 0 of 0.
 TEST(PathTrace, AbsentMediaChangeNothing) {
   Scene clear = earth(20, 2.0, 0.8);
   clear.media.resize(1);
@@ -280,7 +280,7 @@ TEST(PathTrace, ScalesWithItsUnits) {
   }
 }
 
-// Every corner that has broken sky code elsewhere: finite, never negative, and light where there is light.
+// Every corner case that has broken sky code elsewhere: finite, never negative, and light where there is light.
 TEST(PathTrace, StaysFiniteAtEveryCorner) {
   const double top = 100.0;
   std::vector<Direction> directions;

@@ -34,7 +34,7 @@ double mean_difference(const RadianceImage& a, const RadianceImage& b) {
   return sum / static_cast<double>(a.rgba.size());
 }
 
-// A table of Henyey-Greenstein's values renders what the formula does, march, table, harmonics or closed form.
+// A table of Henyey-Greenstein's values renders like the formula by march, table, harmonics or closed form.
 TEST(PhaseTables, OfAFormulaRenderAsTheFormula) {
   Scene scene = all_round(earth(), 0.001, 24, 12);
   scene.sun.disc.visible = false;
@@ -51,7 +51,7 @@ TEST(PhaseTables, OfAFormulaRenderAsTheFormula) {
   }
 }
 
-// In light of all orders the moments of the table count as well: against random walks, which know none.
+// Light of all orders depends on the table's moments too; random walks, which use no moments, are the reference.
 TEST(PhaseTables, OrdersAgreesWithPathTrace) {
   Scene scene = all_round(earth(), 0.001, 16, 8);
   scene.sun.disc.visible = false;
@@ -67,15 +67,15 @@ TEST(PhaseTables, OrdersAgreesWithPathTrace) {
   const Rendering found = render_now(with_method(scene, *find_method("orders")));
   // 0.4 % of it is the truth's noise.
   EXPECT_LT(mean_difference(found.radiance, truth.radiance), 0.012);
-  // By a formula of another mean cosine the same sky is somewhere else.
+  // With a formula of another mean cosine the same sky differs.
   Scene formula = scene;
   formula.media[1].phase = PhaseFunction::henyey_greenstein;
   formula.media[1].phase_g = 0.2;
   EXPECT_GT(mean_difference(render_now(with_method(formula, *find_method("orders"))).radiance, truth.radiance), 0.03);
 }
 
-// Blue scattered more forward than red: the aureole is bluer than the sky away from the sun, in the three channels of a
-// group and in the colours made of it.
+// Blue is scattered more forward than red, so the aureole is bluer than the sky away from the sun, in the three
+// channels of a group and in the colours made of them.
 TEST(PhaseTables, OverTheWavelengthColourTheAureole) {
   const auto scene = [](const std::string& phase) {
     return resolve(parse_preset(R"({"airlight": 1, "media": [{"name": "dust", "scattering_per_km": 0.02, "phase": )" +

@@ -1,4 +1,4 @@
-// presets/earth-physical.json against what daylight measures.
+// presets/earth-physical.json against measured daylight.
 //
 // Illuminance of level ground under a clear sky, sun and sky together: the fits of Janiczek and DeYoung 1987 (US Naval
 // Observatory Circular 171) to measured daylight, log10 of lux by powers of the sun's elevation over 90 degrees; and at
@@ -31,7 +31,8 @@ Spectrum spectrum_of(const std::array<double, 3>& rgb) {
   return {rgb[0], rgb[1], rgb[2]};
 }
 
-// Of the sky alone on the horizontal ground: sum of luminance x sine of the elevation x solid angle, exact over a row.
+// Illuminance of the sky alone on level ground: sum of luminance x sine of the elevation x solid angle, exact over a
+// row.
 double sky_illuminance(Scene scene) {
   scene = all_round(scene, scene.camera.altitude, 192, 96);
   scene.camera.pitch = 0.0;
@@ -69,8 +70,8 @@ TEST(Photometry, TheSunAboveTheAirHas128000Lux) {
   EXPECT_NEAR(bt709_luminance(sun), 1.0, 1e-5) << "weights of four digits";
 }
 
-// The light of a black body on ground that reflects from 600 nm on, seen through no air: E sin(h) / pi times what of it
-// an eye sees, by Planck's law and V(lambda) of CIE 1924 every 10 nm from 380.
+// Light of a black body on ground that reflects from 600 nm on, seen through no air: E sin(h) / pi times the share
+// visible to an eye, by Planck's law and V(lambda) of CIE 1924 every 10 nm from 380.
 TEST(Photometry, LuminanceIsPhotopic) {
   const Scene scene = resolve(parse_preset(R"({"airlight": 1, "planet": {"ground_albedo":
       {"wavelengths_nm": [360, 599.5, 600.5, 830], "values": [0, 0, 1, 1]}},

@@ -1,5 +1,5 @@
 #pragma once
-// EXRs and small JSON files as the picture tests read them.
+// Reads EXRs and small JSON files for the picture tests.
 
 #include <filesystem>
 #include <map>
@@ -32,11 +32,11 @@ struct RegionError {
   double max = 0.0;
 };
 
-// Relative errors as core/measure has them, channels pooled, for each region of the view that holds any pixel.
 // The picture with the reference's pixels where the planet's edge crosses them: a reference traced at the pixels'
-// middles knows no mean over their area. HorizonPixels holds those.
+// middles has no mean over their area. The tests HorizonPixels check those pixels.
 RadianceImage without_edge(const Scene& scene, RadianceImage picture, const RadianceImage& reference);
 
+// Relative errors as in core/measure, channels pooled, for each region of the view that has any pixel.
 std::vector<RegionError> region_errors(const Scene& scene, const RadianceImage& a, const RadianceImage& b);
 
 }  // namespace airlight::test

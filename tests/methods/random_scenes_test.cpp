@@ -1,4 +1,4 @@
-// Scenes that nobody thought of: valid presets by a seed, each rendered small.
+// Unforeseen scenes: valid presets by a seed, each rendered small.
 
 #include <algorithm>
 
@@ -11,9 +11,9 @@ namespace airlight::test {
 namespace {
 
 constexpr std::uint64_t kScenes = 200;  // two times kSameKinds
-// A new list of profiles and phase functions is a new set of pipelines, two to three seconds of a software device's
-// compiler: a hundred scenes in a row share one. Seeds whose lists are long and differ: eight media of four profiles
-// and five phase functions. airlight_fuzz has a new list in each scene.
+// A new list of profiles and phase functions needs new pipelines, two to three seconds of a software device's compiler,
+// so a hundred scenes in a row share one list. The seeds are ones whose lists are long and differ: eight media of four
+// profiles and five phase functions. airlight_fuzz has a new list in each scene.
 constexpr std::uint64_t kSameKinds = 100;
 constexpr std::uint64_t kKindsOf[] = {40, 160};
 constexpr std::uint64_t kOrdersTurn = 20;
@@ -27,7 +27,7 @@ Scene random_scene(std::uint64_t seed) {
   return resolve(parse_preset(random_preset(seed), "random " + std::to_string(seed), {}), method_infos());
 }
 
-// Its own planet, sun, camera and coefficients, the kinds of media of another.
+// A scene with its own planet, sun, camera and coefficients, and with the kinds of media of another.
 Scene scene_of(std::uint64_t seed, std::uint64_t kinds_of) {
   Scene scene = random_scene(seed);
   const std::vector<Medium> own = scene.media;
@@ -47,7 +47,7 @@ TEST(RandomScenes, AreSoundByTheirOwnMethod) {
   for (std::uint64_t seed = 0; seed < kScenes; seed += kStride) {
     Scene scene = scene_of(seed, kKindsOf[seed / kSameKinds]);
     scene.image = {16, 9};
-    // Thick air bakes for seconds by `orders`, which is whose turn it is where none is stated: one in twenty.
+    // Thick air takes `orders`, the default method, seconds to bake: one scene in twenty.
     if (scene.render.method == "orders" && seed % kOrdersTurn != 0) {
       scene = with_method(scene, *find_method("march"));
     }
@@ -56,7 +56,7 @@ TEST(RandomScenes, AreSoundByTheirOwnMethod) {
     lit += greatest(rendering.radiance) > 0.0 ? 1 : 0;
     ++rendered;
   }
-  // Night, space and black ground leave some dark; most are not.
+  // Night, space and black ground leave some scenes dark, but not most.
   EXPECT_GT(lit, rendered / 2);
 }
 

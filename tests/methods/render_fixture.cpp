@@ -129,10 +129,10 @@ double solid_angle(const Scene& scene, int x, int y) {
     return 2.0 * std::numbers::pi / width * (sine(y) - sine(y + 1.0));
   }
   if (is_cut(scene.camera.projection)) {
-    // By the triangles that a 4 x 4 grid of directions spans on the sphere (Van Oosterom and Strackee 1983).
+    // The triangles that a 4 x 4 grid of directions spans on the sphere (Van Oosterom and Strackee 1983).
     physics::Physics p = make_physics(scene);
     const auto at = [&](int i, int j) {
-      // Drawn in a hair: a corner may lie on a face's edge.
+      // Moved inward by a hair, since a corner may lie on a face's edge.
       const auto inner = [](int k) { return std::clamp(0.25 * k, 1e-9, 1.0 - 1e-9); };
       return p.view_ray(p.scene.camera, projection_code(scene.camera.projection), x + inner(i), y + inner(j)).direction;
     };
@@ -148,7 +148,7 @@ double solid_angle(const Scene& scene, int x, int y) {
     }
     return sum;
   }
-  // Flat pictures by 8 x 8 points: cos^3 of the angle over the squared distance to the picture's plane, and
+  // Flat pictures: 8 x 8 points, by cos^3 of the angle over the squared distance to the picture's plane, and by
   // sin(angle)/angle for the equidistant fisheye.
   const bool fisheye = scene.camera.projection == Projection::fisheye;
   const double pixel = fisheye ? scene.camera.vertical_fov / std::min(width, height)

@@ -33,13 +33,14 @@ Scene all_round(Scene scene, double altitude, int width, int height);
 Span span_at(int x, int y, double distance);
 std::vector<Span> spans_at(const Scene& scene, double distance);
 
-// Every value of picture and tables is finite and not negative, by the rendering's own count and by the test's.
+// Expects every value of picture and tables to be finite and not negative, by the rendering's own count and by the
+// test's.
 void expect_sound(const Rendering& rendering, const std::string& what);
 
 double channel_of(const RadianceImage& image, int x, int y, std::size_t c);
 double greatest(const RadianceImage& image);
 
-// Of a pixel, by its projection.
+// Solid angle of a pixel, by its projection.
 double solid_angle(const Scene& scene, int x, int y);
 // Sum of radiance x solid angle over a picture.
 double flux(const Scene& scene, const RadianceImage& image, std::size_t c);

@@ -54,7 +54,7 @@ TEST(SkyView, ConvergesToTheMarchAsItsTableGrows) {
 }
 
 // Across the sun's azimuth the radiance is even and its slope passes through zero: the second difference over a quarter
-// of a texel is that of a smooth peak. A table with a column at azimuth 0 has a crease there, a hundred times more.
+// of a texel is that of a smooth peak. A table with a column at azimuth 0 has a crease there, a hundred times as much.
 TEST(SkyView, HasNoSeamAtTheSunsAzimuth) {
   Scene scene = at(0.001, 20.0, "sky-view");
   scene.sun.azimuth = 0.9;
@@ -96,8 +96,8 @@ TEST(SkyView, MarchesFromAboveTheAir) {
   EXPECT_TRUE(std::ranges::none_of(plan.images(), [](const ImageDesc& image) { return image.name == "sky_view"; }));
 }
 
-// Above and below the horizon each probe is the march's, whichever part of the table it comes from. 1 %: beside the
-// horizon the path changes by tens of kilometres in a hundredth of a degree.
+// Above and below the horizon each probe agrees with the march, from either part of the table. 1 %: beside the horizon
+// the path changes by tens of kilometres in a hundredth of a degree.
 TEST(SkyView, IsTheMarchOnEitherSideOfTheHorizon) {
   for (const double altitude : {0.001, 0.3, 12.0}) {
     const Scene table = at(altitude, 15.0, "sky-view");

@@ -14,7 +14,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// What a level layer reflects and lets through of the radiance at the nodes, in one mode of azimuth.
+// Reflection and transmission of a level layer, for the radiance at the nodes in one mode of azimuth.
 struct Layer {
   MatrixXd reflect;
   MatrixXd transmit;
@@ -25,7 +25,7 @@ MatrixXd bounced(const MatrixXd& a, const MatrixXd& b) {
   return (MatrixXd::Identity(a.rows(), a.cols()) - a).partialPivLu().solve(b);
 }
 
-// A layer above another, of which only what leaves at its own top and what arrives below both is kept.
+// A layer above another. Only light that leaves at its own top and light that arrives below both is kept.
 Layer over(const Layer& upper, const Layer& lower) {
   const MatrixXd arrives = bounced(upper.reflect * lower.reflect, upper.transmit);
   return {upper.reflect + upper.transmit * lower.reflect * arrives, lower.transmit * arrives};
@@ -50,7 +50,7 @@ VectorXd legendre(int m, int count, double x) {
   return y;
 }
 
-// So thin that it scatters no light twice.
+// A layer so thin that it scatters no light twice.
 Layer thin_layer(const SlabCase& slab, const VectorXd& nodes, const VectorXd& weights, int m, double depth) {
   const int count = static_cast<int>(slab.moments.size());
   MatrixXd y(count - m, nodes.size());

@@ -20,8 +20,8 @@ class Slab {
 
   const std::vector<double>& nodes() const { return nodes_; }  // zenith cosines, 0 to 1
 
-  // Upward radiance at the top along zenith cosine nodes[i], and downward scattered radiance at the bottom; azimuth
-  // from that of the sun as the viewer sees it.
+  // Upward radiance at the top along zenith cosine nodes[i], and downward scattered radiance at the bottom. The azimuth
+  // is counted from the sun's as the viewer sees it.
   double reflected(std::size_t i, double azimuth) const;
   double transmitted(std::size_t i, double azimuth) const;
 

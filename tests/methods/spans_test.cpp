@@ -35,7 +35,7 @@ TEST(Spans, NothingLiesBeforeAThingAtTheCamera) {
   }
 }
 
-// Row by row or thing by thing, by both ways; and where nothing is there is no air.
+// Row by row and thing by thing agree, in both ways; where there is no thing there is no air.
 TEST(Spans, RowsAreAsAList) {
   const Scene scene = all_round(hazy(0.1), 0.1, 16, 8);
   std::vector<Span> list;
@@ -62,7 +62,8 @@ TEST(Spans, RowsAreAsAList) {
   }
 }
 
-// Suns from a billionth to a billion: the volume's halves and the answer's 21 bits hold what floats do.
+// The sun's unit does not matter: from a billionth to a billion, the volume's halves and the result's 21 bits hold what
+// floats do.
 TEST(Spans, TheSunsUnitIsNoMatter) {
   Scene scene = all_round(hazy(0.1), 0.1, 16, 8);
   const std::vector<Span> spans = spans_at(scene, 20.0);
@@ -83,8 +84,8 @@ TEST(Spans, TheSunsUnitIsNoMatter) {
   }
 }
 
-// Over black ground, where the whole ray's light is the air's.
-// What halves cost the air against floats, which processors keep in their place.
+// The error of halves, against the floats that processors keep in their place. Over black ground the whole ray's light
+// is the air's.
 TEST(Spans, HalvesAreGoodToTwoThousandths) {
   Scene scene = all_round(hazy(0.1), 0.1, 16, 8);
   const std::vector<Span> spans = spans_at(scene, 20.0);
@@ -115,7 +116,7 @@ TEST(Spans, BeyondTheAirTheyAreTheSky) {
     scene.sun.disc.visible = false;
     const Rendering sky = render_now(scene);
     const std::vector<AirTo> airs = air_to(executor(), scene, spans_at(scene, 1e6));
-    Scene finer = scene;  // half of its steps are the picture's
+    Scene finer = scene;  // spans take half of the picture's steps
     finer.render.parameters.insert_or_assign("steps", 96);
     const std::vector<AirTo> finer_airs = air_to(executor(), finer, spans_at(scene, 1e6));
     physics::Physics p = make_physics(scene);
@@ -124,12 +125,12 @@ TEST(Spans, BeyondTheAirTheyAreTheSky) {
       for (int x = 0; x < 16; ++x) {
         const auto view = p.view_ray(p.scene.camera, projection, x + 0.5, y + 0.5);
         if (p.pixel_rays(p.scene.planet, p.scene.camera, projection, x + 0.5, y + 0.5, view.direction).count > 1) {
-          continue;  // the picture's is a mean across the planet's edge
+          continue;  // the picture's value is a mean across the planet's edge
         }
         for (std::size_t c = 0; c < 3; ++c) {
           const float whole = sky.radiance.at(x, y)[c];
-          // From within the air a ray to the ground takes fewer steps: only as many as its part of the air asks for.
-          // The moments' ratios in halves are good to 5e-4.
+          // From within the air a ray to the ground takes fewer steps, only as many as its part of the air needs. The
+          // moments' ratios in halves are good to 5e-4.
           const float bound = altitude < 100.0 && y >= 4 ? 2e-3F : 5e-4F;
           const auto i = static_cast<std::size_t>(16 * y + x);
           EXPECT_NEAR(finer_airs[i].radiance[c], whole, bound * whole) << altitude << " km, " << x << ", " << y;
@@ -140,7 +141,8 @@ TEST(Spans, BeyondTheAirTheyAreTheSky) {
   }
 }
 
-// Up to a, and from there on to b, is what is there up to b: straight up, where the sun stands alike all the way.
+// The air up to a and from there to b add up to the air up to b: straight up, where the sun has the same angle all the
+// way.
 TEST(Spans, AddUpAlongARay) {
   for (const char* shells : {"never", "always"}) {
     Scene scene = hazy(0.5);
@@ -162,7 +164,7 @@ TEST(Spans, AddUpAlongARay) {
   }
 }
 
-// Against ten thousand midpoints in double; and light only grows with the distance.
+// Against ten thousand midpoints in double. Light only grows with the distance.
 TEST(Spans, TransmittanceIsThatOfTheAirBetween) {
   const Scene scene = all_round(hazy(0.5), 0.5, 16, 8);
   physics::Physics p = make_physics(scene);
@@ -191,7 +193,7 @@ TEST(Spans, TransmittanceIsThatOfTheAirBetween) {
   }
 }
 
-// A black wall at 1, 10, 50 and 200 km, seen from 500 m by path-trace and by orders.
+// A black wall at 1, 10, 50 and 200 km, from 500 m, with path-trace and with orders.
 TEST(Spans, AgreeWithPathTraceBeforeABlackWall) {
   Scene scene = hazy(0.5);
   scene.planet.ground_albedo = {0.3, 0.3, 0.3};

@@ -13,8 +13,8 @@
 namespace airlight::test {
 namespace {
 
-// Where nothing depends on the wavelength the colour is that of the sun, whatever the number of wavelengths: the
-// picture of three channels, disc and all.
+// Where nothing depends on the wavelength the colour is the sun's, whatever the number of wavelengths: the picture of
+// three channels, disc included.
 TEST(Spectral, GreyIsGrey) {
   const Scene grey = scene_of(clear_air("0.02", R"({"elevation_deg": 10, "irradiance": 2})"));
   const Scene six =
@@ -37,7 +37,7 @@ TEST(Spectral, GreyIsGrey) {
       sum += b;
       expected_sum += a;
     }
-    // Sums of five in floats; walks of other seeds meet in the mean.
+    // Sums of five in floats. Walks of other seeds agree in the mean.
     EXPECT_LT(exact ? worst : std::fabs(sum / expected_sum - 1.0), exact ? 2e-5 : 0.02) << method.info.name;
     const std::vector<Direction> up{{1.0, 0.3}};
     EXPECT_NEAR(probe_now(all, up)[0].transmittance[1] / probe_now(one, up)[0].transmittance[1], 1.0, 1e-5)
@@ -63,8 +63,8 @@ TEST(Spectral, TransmittanceIsTheSunsColour) {
   }
 }
 
-// Sunlight scattered once by the reference's adaptive quadrature, at all 48 wavelengths, is the truth of the colours
-// that a few wavelengths give: the judge shares neither nodes nor matrix.
+// The reference is sunlight scattered once at all 48 wavelengths, by adaptive quadrature. It shares neither nodes nor
+// matrix with the few wavelengths that are tested.
 TEST(Spectral, FewWavelengthsComeCloseToAll) {
   const std::string extra = R"(, "render": {"method": "path-trace", "max_orders": 1, "wavelengths": )";
   const std::vector<Direction> directions{{0.03, 0.2}, {0.3, 1.0}, {1.0, 3.0}, {1.5, 0.0}, {0.1, 3.1}};
@@ -91,8 +91,7 @@ TEST(Spectral, FewWavelengthsComeCloseToAll) {
   }
 }
 
-// The sun of a lamp of 3000 K is white where white is the sun, and orange under D65; twice the light is twice as
-// bright.
+// The sun is a lamp of 3000 K: white where white is the sun, orange under D65. Twice the light is twice as bright.
 TEST(Spectral, WhiteIsWhatThePresetSays) {
   const auto light = [](const std::string& white, double irradiance) {
     const Scene scene = scene_of(R"({"airlight": 1, "media": [{"name": "air", "scattering_per_km": 0.02,
@@ -124,7 +123,7 @@ std::string wavelengths(int count, const std::string& more = "") {
   return R"(, "render": {"wavelengths": )" + std::to_string(count) + more + "}";
 }
 
-// The light of some air, ground and haze, at dusk of its own: what all 48 wavelengths see, by `orders`.
+// Earth's air, with what `air` changes, by day or dusk. `count`: wavelengths; 0: the default number.
 Scene dusk_or_day(const std::string& air, const std::string& sun, int count, const std::string& more = "") {
   return scene_of(R"({"airlight": 1, "extends": ")" AIRLIGHT_SOURCE_DIR
                   R"(/presets/earth.json", "sun": {"elevation_deg": )" +
@@ -156,8 +155,8 @@ double mean_error_of(const RadianceImage& found, const RadianceImage& truth) {
   return sum / count;
 }
 
-// The number that `auto` takes keeps the error of a sky of all orders below half a percent, and is the smaller where
-// that is enough. The bounds are a third above what scripts/spectral-errors measures.
+// The number that `auto` chooses keeps the error of a sky of all orders below half a percent, and is the smaller one
+// where that suffices. The bounds are a third above the results of scripts/spectral-errors.
 TEST(Spectral, AutomaticWavelengthsKeepTheError) {
   struct Sky {
     const char* air;
@@ -179,8 +178,8 @@ TEST(Spectral, AutomaticWavelengthsKeepTheError) {
   }
 }
 
-// From tables: one pass over the pixels, whatever the number of wavelengths, and the same as the pictures of each
-// three of them, disc and all, added by the matrix.
+// With tables there is one pass over the pixels, whatever the number of wavelengths. The result equals the pictures of
+// each three wavelengths, disc included, added by the matrix.
 TEST(Spectral, PixelsKnowOfNoWavelengths) {
   Scene scene = dusk_or_day("", "4", 7, R"(, "method": "orders", "tabulate": "always", "steps": 16)");
   scene.sun.disc.visible = true;
@@ -209,7 +208,7 @@ TEST(Spectral, PixelsKnowOfNoWavelengths) {
   }
 }
 
-// What the sky's groups have made of the air's light serves the air before things.
+// The air before things uses the sky's tables of the groups.
 TEST(Spectral, ThingsFindTheSkysTables) {
   const Scene scene = dusk_or_day("", "5", 6, R"(, "method": "orders", "tabulate": "always")");
   ASSERT_EQ(render_now(scene).fault(), "");
@@ -223,7 +222,7 @@ TEST(Spectral, ThingsFindTheSkysTables) {
   }
 }
 
-// In the same colours as picture and probe: layers, the air before things, and the light that glares.
+// Layers, the air before things and the light that glares have the same colours as picture and probe.
 TEST(Spectral, AllIsInTheSameColours) {
   Scene scene = dusk_or_day("", "4", 5, R"(, "method": "orders", "steps": 16)");
   RenderRequest request;
@@ -237,13 +236,13 @@ TEST(Spectral, AllIsInTheSameColours) {
   const ProbeResult probed = probe_now(scene, {turned}).front();
   const auto transmittance =
       std::ranges::find_if(rendering.layers, [](const Layer& layer) { return layer.name == "transmittance"; });
-  // Its transmittance is that of light whose forward peak counts as unscattered: tests/methods/beam_test.cpp.
+  // Its transmittance counts the forward peak's light as unscattered: tests/methods/beam_test.cpp.
   Scene finer = scene;  // rays to things take half of the picture's steps
   finer.render.parameters.insert_or_assign("steps", 32);
   const AirTo whole = air_to(executor(), finer, std::vector<Span>{{5, 0, 1e6F}}).front();
   for (std::size_t c = 0; c < 3; ++c) {
     EXPECT_NEAR(static_cast<double>(transmittance->planes[128 * c + pixel]) / probed.transmittance[c], 1.0, 1e-4) << c;
-    // They fetch the moments' ratios in halves, which are good to 5e-4.
+    // These rays read the moments' ratios in halves, which are good to 5e-4.
     EXPECT_NEAR(static_cast<double>(whole.radiance[c]) / probed.radiance[c], 1.0, 5e-4) << c;
   }
   const Direction at_sun{scene.sun.elevation, scene.sun.azimuth};

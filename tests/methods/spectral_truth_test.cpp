@@ -1,4 +1,4 @@
-// All wavelengths on one path: the same light as three at a time, and what `orders` is judged by.
+// All wavelengths on one path: the same light as three at a time, and the reference for `orders`.
 
 #include <cmath>
 
@@ -14,7 +14,8 @@
 namespace airlight::test {
 namespace {
 
-// Air whose depolarisation follows the wavelength, dust by a table that does, ozone, and a ground that is green alone.
+// Air whose depolarisation depends on the wavelength, dust by a table that does too, ozone, and a ground that is only
+// green.
 Scene many_coloured(int wavelengths, double sun_elevation, int samples) {
   Scene scene = resolve(parse_preset(R"({"airlight": 1,
       "planet": {"ground_albedo": {"wavelengths_nm": [500, 530, 560], "values": [0, 0.6, 0]}},
@@ -39,7 +40,7 @@ Scene many_coloured(int wavelengths, double sun_elevation, int samples) {
 
 const std::vector<Direction> kAround{{0.02, 0.2}, {0.3, 1.0}, {1.0, 3.0}, {1.5, 0.0}, {0.1, 3.1}, {-0.4, 2.0}};
 
-// What three channels make of the wavelengths, three by three, by paths of their own.
+// The wavelengths rendered three by three, each group by its own paths.
 struct ByGroups {
   std::vector<double> radiance;
   std::vector<double> transmittance;
@@ -69,7 +70,7 @@ ByGroups by_groups(const Scene& scene) {
   return sum;
 }
 
-// Once scattered there is no noise: the same quadrature of the same coefficients.
+// Light scattered once has no noise: the same quadrature of the same coefficients.
 TEST(SpectralTruth, SingleScatteringIsThatOfEachWavelength) {
   for (const double sun : {40.0, -3.0}) {
     Scene scene = many_coloured(7, sun, 32);
@@ -84,7 +85,7 @@ TEST(SpectralTruth, SingleScatteringIsThatOfEachWavelength) {
   }
 }
 
-// All orders, within what the standard errors allow: of 36 values one in 15000 would lie 4 of them off.
+// All orders, within the standard errors: of 36 values one in 15000 would be 4 of them off.
 TEST(SpectralTruth, OnePathForAllIsWorthAPathForEach) {
   double squares = 0.0;
   int count = 0;
@@ -104,8 +105,8 @@ TEST(SpectralTruth, OnePathForAllIsWorthAPathForEach) {
   EXPECT_LT(squares / count, 1.6);
 }
 
-// `orders` at its defaults, wavelengths and all, in clear air, by day and at dusk: the goal of 0.8 % (1.5 % below -2
-// degrees), and what 2 standard errors of the truth add.
+// `orders` at its defaults, wavelengths included, in clear air, by day and at dusk: within the goal of 0.8 % (1.5 %
+// below -2 degrees) plus 2 standard errors of the truth.
 TEST(SpectralTruth, OrdersIsNearPathTraceAtAllWavelengths) {
   const std::string air = R"({"airlight": 1, "planet": {"radius_km": 6371, "ground_albedo": 0.15}, "media": [
       {"name": "rayleigh", "scattering_per_km": {"named": "air"},

@@ -28,8 +28,8 @@ Nodes every(double first, double last, double step) {
   return listed_nodes(nm, std::min(step, 10.0));
 }
 
-// At each wavelength the picture of three channels that have that wavelength's coefficients, disc and all, times the
-// sunlight there. Four wavelengths: one group is whole, one is filled up.
+// At each wavelength the picture is that of three channels with that wavelength's coefficients, disc included, times
+// the sunlight there. With four wavelengths one group is whole and one is filled up.
 TEST(Spectrum, EachWavelengthIsAPictureOfItsOwn) {
   const std::vector<double> nm{420.0, 500.0, 580.0, 660.0};
   const auto coefficient = [&](std::size_t k) { return 0.01 * (1.0 + static_cast<double>(k)); };
@@ -61,7 +61,7 @@ TEST(Spectrum, EachWavelengthIsAPictureOfItsOwn) {
           ASSERT_NEAR(value, other, 1e-5 * other + 1e-9) << method.info.name << ", " << nm[k] << " nm, pixel " << i;
         }
       }
-      // Walks of other numbers meet in the mean.
+      // Walks with other random numbers agree in the mean.
       EXPECT_NEAR(sum / expected_sum, 1.0, on_device(method) ? 1e-5 : 0.02) << method.info.name << ", " << nm[k];
     }
   }
@@ -83,8 +83,8 @@ TEST(Spectrum, ProbeTellsTransmittanceByWavelength) {
       << "a sky is blue";
 }
 
-// With a unit, and D65 as white, the spectrum has the luminance that its colour has: 683 lm/W times the integral over
-// y. (Sunlight as white changes the channels' ratio, and with it the luminance that they tell of any other light.)
+// With a unit, and D65 as white, the spectrum has the luminance of its colour: 683 lm/W times the integral over y.
+// (Sunlight as white changes the channels' ratio, and with it the luminance of any other light.)
 TEST(Spectrum, AbsoluteUnitsAgreeWithLuminance) {
   for (const char* sun :
        {R"({"elevation_deg": 20, "irradiance": 1361, "unit": "W/m2", "disc": {"visible": false}})",
@@ -118,7 +118,7 @@ TEST(Spectrum, RelativeUnitsAreThePresets) {
   EXPECT_EQ(spectral_unit(scene).scale, 1.0);
 }
 
-// From too few wavelengths to tell colours the picture is that without a spectrum, to the bit; from many it agrees with
+// With too few wavelengths for colours the picture is the one without a spectrum, to the bit; with many it agrees with
 // the exact sum of all 48.
 TEST(Spectrum, PictureIsTheIntegralOrTheScenesOwn) {
   const Scene scene = scene_of(clear_air(R"({"named": "air"})", R"({"elevation_deg": 2})",

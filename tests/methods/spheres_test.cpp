@@ -1,5 +1,5 @@
-// Spheres in the picture of `orders`: their light against that of the sky without them, their shadows against the
-// sunlight that they hide, their edges against finer pictures.
+// Spheres in the picture of `orders`: their light against the light of the sky without them, their shadows against the
+// hidden sunlight, their edges against finer pictures.
 #include "core/spheres/spheres.h"
 
 #include <gtest/gtest.h>
@@ -78,7 +78,7 @@ Direction direction_of(const vec3& d) {
   return {std::asin(d.y), std::atan2(d.x, -d.z)};
 }
 
-// What sun and sky without the ball give a surface: by a picture of all directions and the sun's transmittance.
+// Irradiance of a surface by sun and sky without the ball: by a picture of all directions and the sun's transmittance.
 vec3 irradiance_on(const Scene& scene, const vec3& normal) {
   const Scene bare = without_spheres(scene);
   const Scene round = all_round(bare, scene.camera.altitude, 96, 48);
@@ -172,7 +172,7 @@ TEST(SphereSky, TranslucentOnesAreLitFromBehind) {
   for (const vec3& pole : poles) {
     sky = sky + irradiance_on(dark, pole) / 6.0;
   }
-  // Six normals hold the sky's mean; of the sun its own is a quarter of what faces it.
+  // Six normals yield the sky's mean; the sun's mean is a quarter of the irradiance of a surface that faces it.
   Physics p = make_physics(scene);
   const ProbeResult sun = probe_now(without_spheres(scene), {{scene.sun.elevation, scene.sun.azimuth}}).front();
   double facing = 0.0;
@@ -188,7 +188,7 @@ TEST(SphereSky, TranslucentOnesAreLitFromBehind) {
   }
 }
 
-// Behind the ball, on the line from the sun through it, the ground has the sky's light alone.
+// Behind the ball, on the line from the sun through it, only the sky lights the ground.
 TEST(SphereSky, ThrowShadowsOnTheGround) {
   Scene scene = ball_scene(SphereMaterial::matte);
   scene.sun.azimuth = 90.0 * kDegree;  // the shadow falls to the left
@@ -209,8 +209,8 @@ TEST(SphereSky, ThrowShadowsOnTheGround) {
   }
 }
 
-// A ball of kilometres in haze: what its shadow takes from the air behind it is the single scattering of the sunlight
-// that it hides, by points along the ray with the disc's penumbra.
+// A ball of kilometres in haze. Its shadow takes from the air behind it the single scattering of the hidden sunlight,
+// computed at points along the ray with the disc's penumbra.
 TEST(SphereSky, ShaftsAreTheSunlightThatIsHidden) {
   for (const char* shells : {"never", "always"}) {
     Scene scene = ball_scene(SphereMaterial::matte, shells);
@@ -275,7 +275,7 @@ TEST(SphereSky, HideTheDisc) {
   EXPECT_FALSE(sun_glares(scene, air_of(scene)));
 }
 
-// Where no ray meets a ball the picture is the sky's without them; along their edges it is the mean over each pixel.
+// Rays that meet no ball show the sky as without them; along the balls' edges a pixel is the mean over its area.
 TEST(SphereSky, EdgesAreMeansAndTheRestIsTheSky) {
   constexpr int kSide = 8;
   for (const SphereMaterial material : {SphereMaterial::matte, SphereMaterial::mirror}) {

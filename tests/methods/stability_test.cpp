@@ -10,7 +10,7 @@
 namespace airlight::test {
 namespace {
 
-// The picture is checked, and its brightest value is returned.
+// Checks the picture and returns its brightest value.
 double checked(const Scene& scene, const std::string& what) {
   RenderRequest request;
   request.tables = true;
@@ -27,8 +27,8 @@ void for_each_method(const F& f) {
   }
 }
 
-// As for_each_method(); sanitized, the two whose tables and passes are the most, as what these tests change is on the
-// device alone, where no sanitizer looks.
+// for_each_method(), but with the sanitizers only the two methods with the most tables and passes: these tests vary
+// what the device computes, where no sanitizer looks.
 template <class F>
 void for_each_shader(const F& f) {
   for_each_method([&](const SkyMethod& method) {
@@ -51,7 +51,7 @@ double next_float(double x, double toward) {
   return static_cast<double>(std::nextafter(static_cast<float>(x), static_cast<float>(toward)));
 }
 
-// On the ground, a hair above it, at the heights where others break, at the top, an ulp to either side, outside.
+// On the ground, a hair above it, at heights where other code fails, at the top, an ulp to either side, outside.
 std::vector<double> altitudes() {
   return {0.0,
           std::numeric_limits<double>::denorm_min(),
@@ -141,12 +141,12 @@ TEST(Stability, AirOfEveryThickness) {
     for (const double depth : {0.0, 1e-30, 1e-6, 1.0, 30.0, 1000.0}) {
       for (const double absorbed : {0.0, 1.0}) {
         for (const double albedo : {0.0, 1.0}) {
-          // f_ms nears 1 where nothing absorbs; a sampling method would follow its paths for minutes there.
+          // f_ms nears 1 where nothing absorbs; a sampling method would follow paths for minutes there.
           if (!on_device(method) && absorbed == 0.0 && depth > 1.0) {
             continue;
           }
-          // A black ground behind such air tells nothing that the white one, where light dies out slowest, does not;
-          // and either is seconds of tables.
+          // A black ground behind such air tests nothing beyond the white one, where light dies out slowest, and each
+          // takes seconds of tables.
           if (depth > 1.0 && absorbed == 0.0 && albedo == 0.0) {
             continue;
           }
@@ -168,8 +168,8 @@ TEST(Stability, AirOfEveryThickness) {
   });
 }
 
-// All kinds by the two methods with the most tables and passes, a third of them by each of the others, whose shaders
-// know media by the same functions.
+// Each kind of medium with the two methods that have the most tables and passes, a third of the kinds with each other
+// method, whose shaders treat media by the same functions.
 TEST(Stability, OneMediumOfEachKind) {
   std::size_t turn = 0;
   for_each_method([&](const SkyMethod& method) {
@@ -250,7 +250,7 @@ TEST(Stability, PicturesOfEverySize) {
   });
 }
 
-// A kept table must not be used by a scene that asks for another: the order of scenes changes no picture.
+// A kept table must not be used by a scene that needs another: the order of scenes changes no picture.
 TEST(Stability, WhatWasRenderedBeforeChangesNothing) {
   for_each_shader([](const SkyMethod& method) {
     if (!on_device(method)) {
@@ -271,7 +271,7 @@ TEST(Stability, WhatWasRenderedBeforeChangesNothing) {
         value = SunFade{0.0, 0.0};
         scenes.push_back(other);
       } else if (parameter.kind == ParameterKind::choice) {
-        // One of a list: each is a set of pipelines. The march's keys have tests of their own.
+        // Only one choice of a list, since each needs its own pipelines. The march's keys have tests of their own.
         const auto isnt_default = [&](std::string_view choice) {
           return parameter.default_value != ParameterValue(std::string(choice));
         };
@@ -284,7 +284,7 @@ TEST(Stability, WhatWasRenderedBeforeChangesNothing) {
       other.planet.ground_albedo = albedo;
       scenes.push_back(other);
     }
-    // Forward on one device, backward on another: what a scene leaves behind meets different scenes.
+    // Forward on one device, backward on another, so that what a scene leaves behind meets different scenes.
     Executor there{{}};
     Executor back{{}};
     std::vector<RadianceImage> pictures;

@@ -1,5 +1,5 @@
-// Every table that is written to a file, decoded by the attributes of that file alone, against direct evaluation in
-// double of what they say it holds.
+// Every table that is written to a file: decoded by that file's attributes alone, and compared with direct evaluation
+// in double of what they describe.
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
@@ -25,7 +25,7 @@ namespace imf = OPENEXR_IMF_NAMESPACE;
 using physics::vec3;
 using Quantities = std::map<std::string, double>;
 
-// A table as a stranger finds it.
+// A table as an outside program reads it.
 struct TableFile {
   std::map<std::string, std::string> texts;
   physics::HostTable table;
@@ -114,7 +114,7 @@ std::vector<std::pair<int, int>> texels(const TableFile& file, int apart) {
   return all;
 }
 
-// `truth` gives what a texel of these quantities should hold, or nothing where it cannot tell.
+// `truth` returns the value that a texel of these quantities should have, or none where it cannot tell.
 void compare(const TableFile& file, int apart, const Bound& bound,
              const std::function<std::optional<vec3>(const Quantities&)>& truth) {
   struct Pair {
@@ -149,7 +149,7 @@ TEST(TableText, Transmittance) {
   const Scene scene = table_scene("march", 0.2, 10.0);
   const auto files = tables_of(scene);
   physics::Physics p = physics_of(scene, files);
-  // By as many steps as the table's own; with 1000 a ray it is 2e-3 off, where the ozone has its kinks.
+  // With as many steps as the table's own; with 1000 a ray the table is 2e-3 off, at the kinks of the ozone.
   compare(files.at("transmittance"), 5, {0.0, 2e-5}, [&](const Quantities& q) -> std::optional<vec3> {
     return physics::exp(
         -p.optical_depth_to_top(p.scene.planet, q.at("altitude_km"), q.at("mu"), physics::kTransmittanceSteps));
@@ -179,7 +179,7 @@ TEST(TableText, MultipleScatteringAndGroundIrradiance) {
   });
 }
 
-// Not beside the true horizon, where rounding decides whether a ray meets the ground.
+// Directions beside the true horizon, where rounding decides whether a ray meets the ground; they are not compared.
 bool beside_horizon(physics::Physics& p, double h, double mu) {
   return std::abs(mu - p.horizon_mu(p.scene.planet, h)) < 1e-5;
 }
@@ -257,7 +257,7 @@ FieldMoments gathered(const RayFormula& radiance, physics::Physics& p, double h,
   return sums;
 }
 
-// By the sky of the same table: what the directions of a bake leave out is 4.3 % at most.
+// The sky is that of the same table. The directions of a bake leave out 4.3 % at most.
 TEST(TableText, Moments) {
   for (const bool shells : {false, true}) {
     Scene scene = table_scene("orders", 0.2, 10.0);
@@ -319,7 +319,7 @@ TEST(TableText, Factors) {
     EXPECT_EQ(block_of("aerosol"), 0) << parts;
     EXPECT_EQ(block_of("rayleigh"), -1) << parts;
     compare(file, 7, {0.01, 1e-5}, [&](const Quantities& q) -> std::optional<vec3> {
-      // Straight along the top of the air a ray has no length.
+      // A ray straight along the top of the air has length 0.
       if (beside_horizon(p, altitude, q.at("mu"))) {
         return std::nullopt;
       }
@@ -336,7 +336,7 @@ TEST(TableText, Factors) {
   }
 }
 
-// Whatever the method and the scene, nothing is written that says nothing of itself, and all that is named is decoded.
+// For every method and scene: each written table has a description, and each quantity named in it is decoded.
 TEST(TableText, EveryTableHasOne) {
   for (const SkyMethod& method : methods()) {
     if (!on_device(method)) {

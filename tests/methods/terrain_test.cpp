@@ -14,7 +14,7 @@
 namespace airlight::test {
 namespace {
 
-// Seen by a camera that looks at it.
+// The range, with a camera that looks at it.
 Scene range(double elevation) {
   Scene scene = range_in_haze("orders", elevation);
   scene.camera.azimuth = 90.0 * kDegree;
@@ -63,8 +63,8 @@ TEST(TerrainSky, HidesTheDisc) {
   }
 }
 
-// What the shadow takes from the sky over the range: the radiance with it and without differ by the single scattering
-// of the sunlight that the terrain hides.
+// The shadow's effect on the sky over the range: the radiances with and without it differ by the single scattering of
+// the sunlight that the terrain hides.
 TEST(TerrainSky, ShaftsAreTheSunlightThatIsHidden) {
   for (const char* shells : {"never", "always"}) {
     Scene scene = range(4.0);
@@ -111,8 +111,8 @@ TEST(TerrainSky, ShaftsAreTheSunlightThatIsHidden) {
   }
 }
 
-// An edge is a mixture: nowhere does a pixel of the crest leave the range of what stands above and below it, and the
-// crest's pixels have many values, not two.
+// An edge is a mixture: no pixel of the crest is outside the range of the values above and below it, and the crest's
+// pixels have many values, not two.
 TEST(TerrainSky, EdgesAreSmooth) {
   Scene scene = range(30.0);
   scene.sun.azimuth = 270.0 * kDegree;

@@ -1,5 +1,5 @@
-// Terrain by path-trace, which walks to it by steps of its own: where rays meet it against the shaders' way, and what
-// `orders` makes of its picture and of its shadow in the air.
+// Terrain by path-trace, which finds it by steps of its own: where rays meet it, against the shaders' way; and its
+// picture and its shadow in the air, against `orders`.
 #include "core/methods/path_trace/terrain_trace.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ TEST(TracedTerrain, IsMetWhereTheShadersMeetIt) {
     const auto theirs = p.terrain_hit(p.scene.planet, p.ground_track(scene.camera.altitude, view));
     const auto ours = traced.hit(camera_of(scene), view, 1e3);
     const bool same = theirs.hit == ours.has_value() && (!ours || std::abs(*ours - theirs.distance_) < 0.02);
-    apart += same ? 0 : 1;  // grazes, between the three points of a cell that theirs looks at
+    apart += same ? 0 : 1;  // grazes between the three points of a cell that the shaders' way looks at
     hits += ours ? 1 : 0;
   }
   EXPECT_GT(hits, 500);
@@ -108,7 +108,7 @@ HostPicture traced_at(const Scene& scene, const std::vector<Direction>& directio
   return find_method("path-trace")->render_on_host(traced, air_of(traced), View{directions}, {});
 }
 
-// The light that shadows take out of the sky over the range: path-trace of one scattering with terrain and without, in
+// The light that shadows take out of the sky over the range: path-trace of one scattering with and without terrain, in
 // directions that end on nothing.
 TEST(TerrainTruth, ShaftsAreWhatPathTraceTakesOutOfTheSky) {
   const Scene scene = range_in_haze("orders", 4.0);
@@ -140,7 +140,7 @@ TEST(TerrainTruth, ShaftsAreWhatPathTraceTakesOutOfTheSky) {
   EXPECT_GT(greatest_share, 0.1) << "no shaft to see";
 }
 
-// The air before things that stand before the range or over it, with its shadow: a black wall, seen by path-trace.
+// The air before things in front of the range or over it, with the range's shadow: a black wall, against path-trace.
 TEST(TerrainTruth, TheAirBeforeThingsIsPathTraces) {
   Scene scene = range_in_haze("orders", 4.0);
   scene.camera.projection = Projection::equirectangular;
@@ -188,8 +188,7 @@ TEST(TerrainTruth, TheAirBeforeThingsIsPathTraces) {
   EXPECT_GT(most_shaded, 0.1);
 }
 
-// All orders, terrain darkening and lighting the air as `orders` leaves out: slopes in sun and shade, and the sky over
-// them.
+// All orders: `orders` ignores that terrain darkens and lights the air. Slopes in sun and shade, and the sky over them.
 TEST(TerrainTruth, OrdersIsNearPathTrace) {
   struct Case {
     double elevation;  // of the sun
@@ -199,7 +198,8 @@ TEST(TerrainTruth, OrdersIsNearPathTrace) {
     double worst;
     double bias;
   };
-  // Slopes in the range's own shadow are too bright: light scattered twice comes to them from air that is dark.
+  // Slopes in the range's own shadow are too bright: `orders` gives them light scattered twice from air that is really
+  // dark.
   for (const Case& c : {Case{35.0, true, 256, 0.025, 0.02, 0.02}, Case{35.0, false, 256, 0.03, 0.03, 0.03},
                         Case{4.0, true, 1024, 1.0, 2.5, 0.65}, Case{4.0, false, 256, 0.065, 0.07, 0.07}}) {
     const Scene scene = range_in_haze("orders", c.elevation);
@@ -225,9 +225,9 @@ TEST(TerrainTruth, OrdersIsNearPathTrace) {
   }
 }
 
-// A scene with curves and a red and green map over its slopes: `orders` at three wavelengths against paths that carry
-// twelve. Blue, of which slopes send back 8 %, is a tenth too bright, as on grey slopes of that albedo: the sky that
-// slopes hide from one another is not made good by their own light there.
+// A scene with curves and a red and green map over its slopes: `orders` at three wavelengths against paths with twelve.
+// Blue, of which slopes reflect 8 %, is a tenth too bright, as on grey slopes of that albedo: slopes hide the sky from
+// one another, and at such an albedo their own light does not make up for it.
 TEST(TerrainTruth, SpectraAndTheirMapsArePathTraces) {
   Scene scene = scene_of(clear_air(R"({"named": "air"})", R"({"elevation_deg": 35, "azimuth_deg": 90})",
                                    R"(, "render": {"method": "orders"})"));

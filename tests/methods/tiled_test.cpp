@@ -1,4 +1,4 @@
-// A picture in tiles is the picture, bit for bit, whatever the tiles.
+// A picture in tiles equals the whole picture, bit for bit, for any tiles.
 
 #include "core/render/tiled.h"
 
@@ -91,7 +91,7 @@ TEST(Tiled, IsThePictureByEveryMethod) {
   expect_the_same(tabulated, "orders by a table");
 }
 
-// Corners of pixels two apart, and the mask of noise, stand where the whole picture has them.
+// Corners of pixels two apart and the mask of noise have the same places as in the whole picture.
 TEST(Tiled, KeysOfTheMarchKnowNoTiles) {
   Scene scene = sky("march", Projection::perspective);
   scene.camera.vertical_fov = 0.6;  // pixels fine enough to go between
@@ -101,7 +101,7 @@ TEST(Tiled, KeysOfTheMarchKnowNoTiles) {
   expect_the_same(scene, "half resolution and blue noise");
 }
 
-// Two pictures after one another must not share what belongs to one of them.
+// Two successive pictures must not share what belongs to one of them.
 TEST(Tiled, TablesOfAPictureAreItsOwn) {
   Scene scene = sky("sky-view", Projection::equirectangular);
   in_tiles(scene, {41, 7});
@@ -121,8 +121,8 @@ TEST(Tiled, LayersAreThoseOfThePicture) {
   }
 }
 
-// Bloom, tone curve and exposure, which are of the whole picture: gone through twice. The picture is finer than the
-// bloom's grid, so that texels of the grid lie across bands.
+// Bloom, tone curve and exposure depend on the whole picture, so the tiles are gone through twice. The picture is finer
+// than the bloom's grid, so that texels of the grid lie across bands.
 void expect_same_bloom(Projection projection, BloomModel model) {
   Scene scene = sky("march", projection);
   scene.bloom.model = model;
@@ -174,7 +174,7 @@ TEST(Tiled, ADimPictureHasNoBloomAndSaysSo) {
   }
 }
 
-// What a method computes on the host is taken through the same passes in bands.
+// The picture of a method on the host goes through the same passes in bands.
 TEST(Tiled, AMethodOnTheHostGoesInBandsToo) {
   Scene scene = sky("path-trace", Projection::fisheye);
   scene.image = {12, 11};
@@ -211,7 +211,7 @@ TEST(Tiled, AFaultEndsItAndIsTold) {
   EXPECT_LT(tiles.rgba.size(), 4U * 41 * 23);
 }
 
-// What nobody cut is cut so that neither device nor host holds much of it.
+// Default tiles keep the memory of both device and host small.
 TEST(Tiled, UsualTilesFillNoMoreThanTheirBudget) {
   Scene scene = earth();
   for (const ImageSize& size : {ImageSize{32768, 16384}, ImageSize{65536, 65536}, ImageSize{3, 65536}}) {

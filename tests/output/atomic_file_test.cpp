@@ -119,14 +119,14 @@ TEST(WriteFileDeathTest, ASignalInTheMiddleLeavesNoTemporary) {
   }
 }
 
-// As a user without rights, whoever runs the tests.
+// Drops all rights, whoever runs the tests.
 void become_nobody() {
   if (::getuid() == 0 && ::setuid(65534) != 0) {
     std::exit(3);
   }
 }
 
-// In a sticky folder one may create files, but not replace another user's.
+// In a sticky folder a user may create files, but not replace another user's.
 TEST(WriteFileDeathTest, AFailedReplacementIsAnErrorAndLeavesNoTemporary) {
   if (::getuid() != 0) {
     GTEST_SKIP() << "needs two users";

@@ -89,7 +89,7 @@ TEST(ColorCube, IsWithinHalfACodeOfThePlainView) {
   EXPECT_LT(worst_error("Un-tone-mapped"), 0.2);
 }
 
-// Piecewise linear interpolation leaves a linear function as it is: positions, strides and weights are right.
+// Piecewise linear interpolation leaves a linear function unchanged if positions, strides and weights are right.
 TEST(ColorCube, LeavesALinearTransformAlone) {
   const ColorTransform mix = [](std::span<float> rgba) {
     for (std::size_t i = 0; i < rgba.size(); i += 4) {
@@ -167,7 +167,7 @@ TEST(ColorCube, SendsColoursOutsideTheGridThroughTheTransform) {
   EXPECT_EQ(rgba[outside.size()], 7.0F);  // the first colour on the grid
 }
 
-// Colours that come later are prepared for later, and none twice.
+// Later colours are prepared later, and no point twice.
 TEST(ColorCube, GrowsWithThePicture) {
   const ColorTransform exact = transform_of(processor_of("ACES 1.0 - SDR Video"));
   std::atomic<std::size_t> evaluated = 0;

@@ -88,7 +88,7 @@ TEST_F(Display, RawPassesThrough) {
 }
 
 // ACES 1.0: a scene grey of 18 % becomes 4.8 nits between the cinema's 0.02 and 48, then goes from dark to dim surround
-// (exponent 0.9811) for a screen. More light is never darker.
+// (exponent 0.9811) for a screen. More light is never shown darker.
 TEST_F(Display, AcesShowsMiddleGreyAtATenthAndIsMonotone) {
   std::vector<float> values = {0.18F};
   for (int i = 0; i < 400; ++i) {
@@ -212,7 +212,7 @@ TEST_F(Display, ConfigComesFromTheOptionThenTheVariable) {
   EXPECT_EQ(DisplayTransform(settings).display(), "sRGB - Display");
 }
 
-// A config whose scene_linear is not Rec.709 is entered through ACES2065-1, not by mistaking one for the other.
+// A config whose scene_linear is not Rec.709 is entered through ACES2065-1; the two are not confused.
 TEST_F(Display, AConfigWithoutRec709IsEnteredThroughTheInterchangeSpace) {
   const Folder folder;
   std::string text(kEmbeddedConfig);
@@ -289,7 +289,7 @@ TEST_F(Display, AConfigThatNamesAMissingTableGivesTheReason) {
   EXPECT_NE(message.find("none.cube"), std::string::npos) << message;
 }
 
-// However a picture is divided, its pixels are the same: of one size that is interpolated, and of one that is not.
+// A picture's pixels do not depend on its division into rows, for a size that is interpolated and one that is not.
 TEST_F(Display, RowsMakeTheSamePixels) {
   for (const auto& [width, height] : {std::pair{1024, 1100}, {31, 17}}) {
     RadianceImage image{width, height, {}};

@@ -171,7 +171,7 @@ TEST(Exr, AFrameSaysWhenAndWhere) {
   EXPECT_FALSE(imf::hasTimeCode(imf::InputFile((folder / "b.exr").c_str()).header()));
 }
 
-// SMPTE ST 2065-4 allows no compression but none, and flags the file.
+// SMPTE ST 2065-4 permits only uncompressed files, and flags them.
 TEST(Exr, AnAcesContainerIsOne) {
   const Folder folder;
   const RadianceImage image = numbered(4, 2);
@@ -223,7 +223,7 @@ TEST(Exr, HalfClampsAndCountsFloatKeepsAll) {
   EXPECT_EQ(read_channel(folder / "float.exr", "G")[0], 1e-6F);
 }
 
-// The camera looks east and 30 degrees up: what lies there falls on -z, what lies south of it to the right on +x.
+// The camera looks east and 30 degrees up: that direction falls on -z; south, to its right, on +x.
 TEST(Exr, WorldToCameraLooksDownMinusZ) {
   const double up = std::numbers::pi / 6;
   const Axis forward = {std::cos(up), std::sin(up), 0};
@@ -241,8 +241,8 @@ TEST(Exr, WorldToCameraLooksDownMinusZ) {
   EXPECT_NEAR(matrix.determinant(), 1.0F, 1e-6F);
 }
 
-// Our equirectangular pixel against OpenEXR's own idea of the direction. With the camera looking south the frames agree
-// as they stand; OpenEXR lays the outer pixels' centres on the poles and on +-180 degrees, hence half a pixel.
+// Our equirectangular pixels against OpenEXR's own directions. With the camera looking south the frames agree as they
+// are. OpenEXR puts the outer pixels' centres on the poles and on +-180 degrees, hence the half pixel.
 TEST(Exr, LatlongTagAgreesWithOurDirections) {
   const int width = 360, height = 180;
   const Imath::Box2i window(Imath::V2i(0, 0), Imath::V2i(width - 1, height - 1));

@@ -1,4 +1,4 @@
-// Whole files are known for what they are, and a file cut anywhere is not whole.
+// Whole files are recognised, and a file cut anywhere is not whole.
 #include "core/output/frame_state.h"
 
 #include <gtest/gtest.h>

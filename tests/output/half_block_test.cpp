@@ -21,7 +21,7 @@ std::vector<std::uint16_t> halves_of(const std::vector<float>& samples, ExrCount
   return halves;
 }
 
-// Imath's conversion is the truth, on a sweep that meets every exponent and, with an odd step, every rounding case.
+// Imath's conversion is the reference, on a sweep over every exponent and, with an odd step, every rounding case.
 TEST(HalfBlock, AgreesWithImath) {
   std::vector<float> samples;
   for (std::uint64_t bits = 0; bits < (1ULL << 32); bits += 4099) {
@@ -71,7 +71,7 @@ TEST(HalfBlock, ReadsStridedSamplesAcrossBlocks) {
   }
 }
 
-// Alpha, the fourth of each pixel, is no light.
+// Alpha, the fourth value of each pixel, is no light.
 TEST(HalfBlock, SaysWhatHalvesWouldLose) {
   const auto loss = [](std::size_t place, float value, float typical = 1.0F) {
     RadianceImage image{7, 1, std::vector<float>(28, 1.0F)};

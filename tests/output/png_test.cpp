@@ -27,7 +27,7 @@ PixelImage numbered(int channels, int bits) {
   return image;
 }
 
-// Walks the chunks, so that the test does not believe the library that wrote them.
+// Walks the chunks itself, independently of the library that wrote them.
 std::vector<std::pair<std::string, std::string>> chunks_of(const std::string& png) {
   std::vector<std::pair<std::string, std::string>> chunks;
   for (std::size_t at = 8; at + 12 <= png.size();) {
@@ -138,7 +138,7 @@ TEST(Png, RowsMakeTheSameBytes) {
   }
 }
 
-// By the PNG standard: sRGB with its words for older readers; else cICP, with a gamma where one comes near.
+// By the PNG standard: sRGB with its chunks for older readers; else cICP, with a gamma where one comes near.
 TEST(Png, SaysWhatItsColoursAre) {
   const Folder folder;
   const auto chunks = [&](const std::string& display) {

@@ -39,7 +39,7 @@ TEST(Provenance, ComesBackAsWritten) {
   EXPECT_EQ(read_provenance(folder / "a.exr"), kMade);
 }
 
-// The whole of it in one attribute, as older files have it.
+// The whole text in one attribute, as in older files.
 TEST(Provenance, OfOnePieceIsRead) {
   const Folder folder;
   const std::string start("\x76\x2f\x31\x01\x02\0\0\0airlight:preset\0string\0", 31);
@@ -102,7 +102,7 @@ TEST(Provenance, SaysWhatIsWrongWithAFile) {
   EXPECT_FALSE(is_exr(folder / "none.exr"));
 }
 
-// Cut anywhere: either the header is whole and says what it said, or there is one clear error.
+// A file cut anywhere: either the header is whole and yields the same, or there is one clear error.
 TEST(Provenance, CutShortIsRefusedUnlessTheHeaderIsWhole) {
   const Folder folder;
   write_sky(folder / "a.exr", kMade);

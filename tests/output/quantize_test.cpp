@@ -64,7 +64,7 @@ TEST(Dither, KeepsTheMeanOfEveryChannel) {
   }
 }
 
-// Blue-ish noise: even blocks of 8 x 8 pixels keep the mean, where random thresholds miss it by 0.06 (one sigma).
+// Nearly blue noise: even blocks of 8 x 8 pixels keep the mean; random thresholds would miss it by 0.06 (one sigma).
 TEST(Dither, KeepsTheMeanOfSmallPatches) {
   const PixelImage pixels = quantize(flat(128, 128, 100.4F / 255), {});
   double worst = 0;

@@ -50,7 +50,7 @@ TEST(ReplaceFiles, NothingWhereASourceIsMissing) {
   EXPECT_EQ(folder.names(), (Names{"new", "old1", "old2"}));
 }
 
-// Ends the process with 7 where a limit on the file's size, standing for a full disk, stops the second copy.
+// Ends the process with 7 if a limit on the file's size, standing for a full disk, stops the second copy.
 [[noreturn]] void replace_under_a_limit(const Folder& folder) {
   std::signal(SIGXFSZ, SIG_IGN);
   const rlimit limit{1000, 1000};
@@ -73,7 +73,7 @@ TEST(ReplaceFiles, NothingWhereTheDiskIsFull) {
   EXPECT_EQ(folder.names(), (Names{"large", "old1", "old2", "small"}));
 }
 
-// The source is a pipe that tells when it is read and then keeps the copy waiting for the signal.
+// The source is a pipe, which shows when it is being read and then keeps the copy waiting for the signal.
 TEST(ReplaceFiles, ASignalDuringTheCopiesEndsWithNothingReplaced) {
   const Folder folder;
   test::put(folder / "new", "new");

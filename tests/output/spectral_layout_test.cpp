@@ -7,7 +7,7 @@
 namespace airlight {
 namespace {
 
-// As the paper's authors find channels of a spectrum: Stokes' component, a number with a comma, a unit.
+// The paper's authors' pattern for channels of a spectrum: Stokes' component, a number with a comma, a unit.
 const std::regex kChannel(R"(^S([0-3])\.(\d*,?\d*([Ee][+-]?\d+)?)(Y|Z|E|P|T|G|M|k|h|da|d|c|m|u|n|p)?(m|Hz)$)");
 
 TEST(SpectralLayout, ChannelsAreNamedByTheWavelength) {

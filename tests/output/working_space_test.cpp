@@ -56,7 +56,7 @@ Vector xyz(double x, double y) {
 ColorMatrix to_xyz(const Chromaticities& c) {
   ColorMatrix m{};
   for (std::size_t primary = 0; primary < 3; ++primary) {
-    // By x, y and z themselves: a primary may have y = 0.
+    // From x, y and z themselves, since a primary may have y = 0.
     const double x = static_cast<double>(c[2 * primary]);
     const double y = static_cast<double>(c[2 * primary + 1]);
     m[0][primary] = x;

@@ -1,4 +1,4 @@
-// Where the slices of the aerial volume stand, and how many steps a cut ray takes.
+// Places of the aerial volume's slices, and the number of steps of a cut ray.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -63,14 +63,14 @@ TEST(AerialVolume, StepsOfACutRayAreAsDenseAsTheWholeOnes) {
       before = steps;
     }
   }
-  // Straight down through all of the air, as straight up.
+  // Straight down through all the air takes as many steps as straight up.
   const Physics::Ray down = p.ray_in_atmosphere(planet, planet.atmosphere_height, -1.0, 0.3, 0.1);
   EXPECT_EQ(p.steps_up_to(planet, down, down.length_, 2, 48), 48U);
   const Physics::Ray up = p.ray_in_atmosphere(planet, 0.0, 1.0, 0.3, 0.1);
   EXPECT_EQ(p.steps_up_to(planet, up, 0.25 * up.length_, 2, 48), 24U);
 }
 
-// 1 - exp(-x), relative to x, to what the series of mean_transmittance() is good for.
+// 1 - exp(-x), relative to x, as accurate as the series of mean_transmittance().
 TEST(AerialVolume, TheShareTakenOutOfLight) {
   Physics p;
   for (const double x : {0.0, 1e-12, 1e-3, 0.4, 0.6, 5.0}) {
@@ -78,7 +78,7 @@ TEST(AerialVolume, TheShareTakenOutOfLight) {
   }
 }
 
-// Part after part is where the whole ray is.
+// Successive parts lie where the whole ray is.
 TEST(AerialVolume, APartOfARayRunsAlongIt) {
   Physics p = make_physics(earth());
   const auto& planet = p.scene.planet;

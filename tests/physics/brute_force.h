@@ -1,5 +1,5 @@
 #pragma once
-// A judge that shares no distance, map, segment or table with the march.
+// A reference that shares no distance, map, segment or table with the march.
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace airlight::test {
 
 // Single scattering by brute force: positions as vectors, shadow by the closest approach of the sun's ray, optical
-// depths by uniform midpoints. Shares the media and the phase functions, no distance, no map, no segment, no table.
+// depths by uniform midpoints. It shares the media and the phase functions, but no distance, map, segment or table.
 class BruteForce {
  public:
   explicit BruteForce(physics::Physics& p) : p_(p) {}
@@ -23,7 +23,7 @@ class BruteForce {
     const auto phases = p_.phases(physics::dot(view, sun));
     physics::vec3 sum;
     physics::vec3 depth;
-    // Steps grow as the cube of their number: dense at the camera, and nothing like the march's own.
+    // Steps grow as the cube of their number: dense at the camera, and unlike the march's own.
     double at = 0.0;
     for (int i = 0; i < steps; ++i) {
       const double next = length * std::pow((i + 1.0) / steps, 3);

@@ -1,4 +1,4 @@
-// Pixel -> direction for each projection, as presets/README.md words it.
+// Pixel -> direction for each projection, as described in presets/README.md.
 
 #include <gtest/gtest.h>
 
@@ -145,7 +145,7 @@ TEST(Camera, FisheyeIsEquidistant) {
   EXPECT_TRUE(ray_at(scene, 199.9, 50.0).inside);
   EXPECT_FALSE(ray_at(scene, 200.1, 50.0).inside);
   EXPECT_FALSE(ray_at(scene, 0.5, 0.5).inside);
-  // The pixel next to the axis does not fall into a hole of 0/0.
+  // The pixel next to the axis must not become 0/0.
   expect_angles(look(scene, 150.0 + 50e-7, 50.0), 0.0, 30.0 + 45e-7);
 }
 
@@ -197,7 +197,7 @@ TEST(Camera, PixelsComeBackFromTheirDirections) {
   EXPECT_FALSE(p.pixel_of(p.scene.camera, physics::kProjectionPerspective, -p.scene.camera.forward).in_front);
 }
 
-// The area that a small square of the picture spans on the unit sphere: its sides' cross product.
+// The area of a small square of the picture on the unit sphere: its sides' cross product.
 TEST(Camera, SolidAngleIsTheAreaOnTheSphere) {
   constexpr double kSide = 1e-3;
   for (const Scene& scene : every_view()) {

@@ -1,5 +1,5 @@
-// Columns of exponentials on a sphere in closed form, against quadrature and against the special function they stand
-// for.
+// Columns of exponentials on a sphere in closed form, against quadrature and against the special function that they
+// approximate.
 
 #include <gtest/gtest.h>
 
@@ -55,7 +55,7 @@ TEST(Columns, OfAnExponentialAreItsQuadrature) {
   }
 }
 
-// A tent and a slab: the column straight up is theirs, the slanted one within 3 % down to 10 degrees.
+// A tent and a slab: the vertical column is exact, the slanted one within 3 % down to 10 degrees.
 TEST(Columns, OfOtherProfilesKeepColumnMeanAndSpread) {
   for (const Density& density : {tent(25.0, 15.0), constant(4.0), lorentzian(20.0, 12.0, 4.0)}) {
     Scene scene = vacuum();

@@ -1,4 +1,5 @@
-// Every distribution of steps: the ray covered once, the same light in the end, and sound where air is thick or absent.
+// Every distribution of steps covers the ray once, converges to the same light, and is sound where air is thick or
+// absent.
 
 #include <gtest/gtest.h>
 
@@ -40,7 +41,7 @@ Scene fog(double optical_depth) {
   return scene;
 }
 
-// Twice two panels and more, split at lowest point and shadow.
+// Twice two panels and more, split at the lowest point and at the shadow.
 TEST(GaussPanels, CoverTheRay) {
   Physics p = make_physics(earth());
   for (const Physics::Ray& ray : rays_of(p)) {
@@ -58,7 +59,7 @@ TEST(GaussPanels, CoverTheRay) {
   }
 }
 
-// Air that takes nothing out under light equal everywhere: a ray brings what it hides, whatever the steps.
+// A scattering medium in light that is equal everywhere: the ray gains as much light as it hides, whatever the steps.
 TEST(Distributions, MakeAndLoseNoLight) {
   for (const double depth : {0.0, 1e-30, 1e-6, 0.1, 1.0, 30.0, 1000.0}) {
     Physics p = make_physics(fog(depth));
@@ -88,7 +89,7 @@ vec3 lit(Physics& p, double h, double elevation, unsigned int n, unsigned int di
   return p.march_at(p.scene.planet, p.scene.sun, ray, n, distribution, place, 0.0).radiance;
 }
 
-// Sunlight by 40 steps of its own, no table: smooth.
+// Sunlight by 40 steps of its own, without a table, is smooth.
 Physics tableless(const Scene& scene, double sun) {
   Physics p = make_physics(scene);
   p.sun_steps = 40;
@@ -105,8 +106,9 @@ struct Sight {
 constexpr Sight kSights[] = {{60.0, 0.001, 80.0}, {60.0, 0.001, 2.0}, {5.0, 0.001, 20.0},  {-3.0, 0.001, 6.0},
                              {20.0, 10.0, -2.0},  {5.0, 99.9, -8.0},  {20.0, 400.0, -17.5}};
 
-// However few the steps, and wherever the planet's shadow and the lowest point cut the ray, which at -1 degrees it
-// has: none of it is left out. Lengths stand so close that a cut falls within less than a step of the ray's end too.
+// No part of the ray is left out, however few the steps and wherever the planet's shadow, which a sun at -1 degrees
+// already has, and the lowest point cut the ray. Lengths are so close that a cut also falls within less than a step of
+// the ray's end.
 TEST(Distributions, PlannedStepsCoverTheRay) {
   for (const double sun : {-1.0, -3.0, -6.0}) {
     for (const double elevation : {-3.0, -1.0, 0.5, 3.75, 30.0}) {
@@ -131,7 +133,7 @@ TEST(Distributions, PlannedStepsCoverTheRay) {
   }
 }
 
-// One picture in the end, and on the way to it no number of steps worse than half as many by much.
+// All converge to one picture, and more steps are never much worse than half as many.
 TEST(Distributions, ComeToTheSameLightAndMoreStepsAreNeverWorse) {
   for (const Scene& scene : {earth(), fog(3.0)}) {
     for (const Sight& sight : kSights) {
@@ -141,7 +143,7 @@ TEST(Distributions, ComeToTheSameLightAndMoreStepsAreNeverWorse) {
         double before = 1e9;
         for (unsigned int n = 8; n <= 2048; n *= 4) {
           const double error = std::abs(lit(p, sight.altitude, sight.elevation, n, distribution).y / truth.y - 1.0);
-          // Twice: where errors of either sign meet, a coarse rule may be right by chance.
+          // Twice: where errors of opposite sign meet, a coarse rule may be right by chance.
           EXPECT_LE(error, std::max(2.0 * before, 2e-3)) << "sun " << sight.sun << " from " << sight.altitude
                                                          << ", rule " << distribution << ", " << n << " steps";
           before = error;
@@ -152,7 +154,8 @@ TEST(Distributions, ComeToTheSameLightAndMoreStepsAreNeverWorse) {
   }
 }
 
-// Fourth order in smooth air: steps halved, a sixteenth of the error, where those of constant light have a quarter.
+// Fourth order in smooth air: half the steps' width gives a sixteenth of the error; steps of constant light give a
+// quarter.
 TEST(Distributions, GaussLegendreIsOfFourthOrder) {
   Physics p = tableless(earth(), 40.0);
   p.media = 2;  // without ozone, whose density has kinks
@@ -165,7 +168,7 @@ TEST(Distributions, GaussLegendreIsOfFourthOrder) {
   EXPECT_LT(error(16, physics::kStepsGaussLegendre), 0.1 * error(16, physics::kStepsQuadratic));
 }
 
-// The middle is exactly the march without the key; over all places the light is the same in the mean.
+// The middle is exactly the march without the key; over all places the mean light is the same.
 TEST(Jitter, IsUnbiasedOverTheStep) {
   Physics p = tableless(earth(), 20.0);
   for (const unsigned int distribution : {physics::kStepsUniform, physics::kStepsQuadratic}) {

@@ -115,7 +115,7 @@ TEST(Geometry, DistancesAreTheRoots) {
   }
 }
 
-// A strict "> 0" on the hit distance lets rays that start on the ground march through the planet.
+// With a strict "> 0" on the hit distance, rays that start on the ground would march through the planet.
 TEST(Geometry, ARayThatStartsOnTheGroundEndsThere) {
   Physics p{};
   for (const World& world : kWorlds) {
@@ -143,7 +143,7 @@ TEST(Geometry, RaysEndOnTheGroundOrAtTheTop) {
       for (const double mu : cosines()) {
         const auto ray = p.ray_in_atmosphere(planet, h, mu, 0.4, -0.2);
         ASSERT_GE(ray.length_, 0.0);
-        // Not through the clamp of point_on_ray: the altitude of the end, in 80 bits.
+        // The altitude of the ray's end in 80 bits, without the clamp of point_on_ray.
         const Wide r = Wide(world.radius) + h;
         const Wide t = ray.length_;
         const Wide end = h + t * (2.0L * r * mu + t) / (std::sqrt(r * r + t * (2.0L * r * mu + t)) + r);
@@ -218,7 +218,7 @@ TEST(Geometry, AtTheTopTheAirLiesBelow) {
     EXPECT_EQ(p.ray_in_atmosphere(planet, 100.0, mu, 0.2, 0.3).length_, 0.0) << mu;
   }
   EXPECT_NEAR(p.ray_in_atmosphere(planet, 100.0, -1.0, 0.2, -0.2).length_, 100.0, 1e-9);
-  // One ulp outside, inside and on it are the same place.
+  // One ulp outside, inside and exactly on it are the same place.
   for (const double mu : {-1.0, -0.5, -0.01}) {
     const double at = p.ray_in_atmosphere(planet, 100.0, mu, 0.2, 0.3).length_;
     EXPECT_NEAR(p.ray_in_atmosphere(planet, std::nextafter(100.0, 0.0), mu, 0.2, 0.3).length_, at, 1e-6);

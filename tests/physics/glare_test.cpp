@@ -1,4 +1,4 @@
-// The point spread of glare: normalised, how much of it goes how far, and beside another measured one.
+// The point spread of glare: its norm, its distribution over the angle, and a comparison with another measured one.
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ TEST(Glare, IsNormalisedOverTheHalfSphere) {
   EXPECT_NEAR(share(1e-5, 90.0), 1.0, 0.01);
 }
 
-// What presets/README.md says of it.
+// The figures of presets/README.md.
 TEST(Glare, HasASmallCoreAndALongTail) {
   EXPECT_NEAR(share(1e-5, 0.2666), 0.73, 0.03);
   EXPECT_NEAR(share(1.0, 90.0), 0.16, 0.01);
@@ -35,7 +35,7 @@ TEST(Glare, HasASmallCoreAndALongTail) {
 }
 
 // Spencer's eye beside the standard observer of Vos and van den Berg (CIE 135/1, 1999) without age: 10/a^3 + 5/a^2 per
-// steradian at a degrees, good from 0.1 to 30 degrees. Both are means over eyes that differ as much.
+// steradian at a degrees, good from 0.1 to 30 degrees. Both are means over eyes, which differ from one another as much.
 TEST(Glare, FallsOffAsTheStandardObserversDoes) {
   physics::Physics p{};
   for (const double a : {0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 30.0}) {

@@ -32,7 +32,7 @@ double fresnel_by_angles(double cosine) {
   return 0.5 * (s * s + p * p);
 }
 
-// Smith's integral by quadrature: what slopes steeper than the direction hide of it.
+// Smith's integral by quadrature: the share of a direction that slopes steeper than it hide.
 double hidden_by_slopes(double variance, double mu) {
   const double steep = mu / std::sqrt(1.0 - mu * mu);
   const double width = std::sqrt(variance);
@@ -57,7 +57,7 @@ TEST(OceanGlint, SlopesHideWhatQuadratureSays) {
   }
 }
 
-// Cox and Munk's facets written down again: in slopes, with angles.
+// Cox and Munk's facets written anew: in slopes, with angles.
 TEST(OceanGlint, IsTheMirrorsOfAllSlopes) {
   Physics p;
   std::mt19937_64 engine(11);
@@ -92,8 +92,8 @@ TEST(OceanGlint, IsTheMirrorsOfAllSlopes) {
   EXPECT_GT(bright, 300);
 }
 
-// Over all directions above level ground, of what leaves it in a direction, times its cosine. The sun stands in the
-// plane of x: the glint is narrow around its azimuth.
+// Integral over all directions above level ground of the leaving radiance times the direction's cosine. The sun is in
+// the plane of x: the glint is narrow around its azimuth.
 template <class F>
 double over_upper_directions(const F& leaving) {
   const auto ring = [&](double mu) {
@@ -104,7 +104,7 @@ double over_upper_directions(const F& leaving) {
   return integral(ring, 0.0, 0.2, 40) + integral(ring, 0.2, 1.0, 100);
 }
 
-// What leaves over all directions, found over directions and not over slopes; never more than arrives.
+// All leaving light, summed over directions instead of slopes; never more than arrives.
 TEST(OceanGlint, SendsBackTheShareThatIsTakenFromTheGround) {
   Physics p;
   const vec3 up(0.0, 1.0, 0.0);
@@ -121,7 +121,7 @@ TEST(OceanGlint, SendsBackTheShareThatIsTakenFromTheGround) {
   }
 }
 
-// A white ocean sends back all of the sun's light and no more, whatever the sun.
+// A white ocean sends back exactly the sun's light, whatever the sun.
 TEST(OceanGlint, AWhiteGroundUnderItLosesNothing) {
   Scene scene = earth();
   scene.planet.ground_albedo = {1.0, 1.0, 1.0};
@@ -138,7 +138,7 @@ TEST(OceanGlint, AWhiteGroundUnderItLosesNothing) {
   }
 }
 
-// By the sphere's equation in long double, from a metre to 100 000 km, down to the limb.
+// Against the sphere's equation in long double, from a metre to 100 000 km, down to the limb.
 TEST(GroundMap, RaysMeetTheSphere) {
   for (const double h : {0.001, 2.0, 400.0, 12720.0, 1e5}) {
     Scene scene = earth();
@@ -202,8 +202,8 @@ TEST(GroundMap, LiesAroundTheCameraByLatitudeAndLongitude) {
   }
 }
 
-// Stripes along meridians one texel wide, black and white: means over a pixel are grey wherever it looks, at the poles
-// too, and the mean over the planet is a half.
+// Stripes along meridians one texel wide, black and white: means over a pixel are grey wherever it looks, the poles
+// included, and the mean over the planet is a half.
 TEST(GroundMap, PixelsWiderThanItsTexelsSeeTheirMean) {
   constexpr int kRows = 64;
   Scene scene = mapped(0.0, 0.0, kRows);
@@ -266,7 +266,7 @@ TEST(GroundMap, StripesFadeTowardThePoles) {
   }
 }
 
-// The footprint of a slanting pixel, against a mean over the ground that its rays meet.
+// The footprint of a slanting pixel, against a mean over the points where its rays meet the ground.
 TEST(GroundMap, ASlantingPixelIsTheMeanOfItsFootprint) {
   Scene scene = mapped(20.0, 30.0, 720);
   auto files = std::make_shared<GroundFiles>(*scene.ground->files);

@@ -24,7 +24,7 @@ TEST(Horizon, AnglesAboveItAreDifferencesOfAngles) {
       EXPECT_NEAR(p.above_horizon(planet, h, view), std::sin(off), 1e-13) << h << " km, " << off;
     }
   }
-  // The air's top from orbit, by its own sine.
+  // The air's top from orbit, by its sine.
   const double r = planet.ground_radius + 400.0;
   const double top = -std::acos((planet.ground_radius + planet.atmosphere_height) / r);
   const double edge = -std::acos(planet.ground_radius / r);

@@ -1,5 +1,5 @@
 #pragma once
-// The tables baked on the host in double: what shaders/passes do on the device, texel by texel.
+// The tables baked on the host in double, texel by texel as in shaders/passes.
 
 #include "core/physics/physics.h"
 
@@ -13,7 +13,7 @@ inline physics::HostTable empty_table(int width, int height) {
   return table;
 }
 
-// texel(x, y) with both in the unit range over the texel centres.
+// texel(x, y): both run over the texel centres from 0 to 1.
 template <class F>
 physics::HostTable filled_table(int width, int height, const F& texel) {
   physics::HostTable table = empty_table(width, height);
@@ -37,7 +37,7 @@ inline physics::HostTable transmittance_table(physics::Physics& p, int width, in
   });
 }
 
-// Mean over the 64 directions of what a point gathers.
+// Mean of a point's gather over the 64 directions.
 inline physics::Physics::ScatteringGather mean_gather(physics::Physics& p, double h, double mu_sun) {
   physics::Physics::ScatteringGather mean{};
   for (unsigned int k = 0; k < physics::kMultipleScatteringDirections; ++k) {

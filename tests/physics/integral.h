@@ -1,5 +1,5 @@
 #pragma once
-// Quadrature for closed forms: far from the rules that the shaders use.
+// Quadrature for closed forms, unlike the rules of the shaders.
 
 #include <array>
 #include <cstddef>
@@ -32,8 +32,7 @@ double integral(const F& f, double a, double b, int panels) {
   return sum;
 }
 
-// Over the sphere, of a function of the cosine to an axis. The panels halve toward both poles, where peaks
-// stand.
+// Integral over the sphere of a function of the cosine to an axis. The panels halve toward both poles, where peaks are.
 template <class F>
 double sphere_integral(const F& f) {
   double sum = 0.0;

@@ -1,4 +1,4 @@
-// Light kept apart: in double its sum is the march's radiance to rounding, and each part vanishes with its cause.
+// Light kept apart: in double its sum is the march's radiance up to rounding, and each part vanishes with its cause.
 
 #include <gtest/gtest.h>
 
@@ -57,7 +57,7 @@ TEST(MarchLayers, EachVanishesWithItsCause) {
   EXPECT_GT(channel(layers.single[0], 1), 0.0);
 }
 
-// Both ways round: what leaves the air at a distance comes in there.
+// In both directions: a ray that leaves the air at a distance enters it there in reverse.
 TEST(Geometry, DistanceToTheEndOfARay) {
   Physics p = make_physics(earth());
   const physics::PlanetData planet = p.scene.planet;
@@ -68,7 +68,7 @@ TEST(Geometry, DistanceToTheEndOfARay) {
   EXPECT_NEAR(p.distance_to_end(planet, 400.0, -1.0), 400.0, 1e-9);
   EXPECT_LT(p.distance_to_end(planet, 400.0, 0.1), 0.0) << "away from the planet";
   EXPECT_LT(p.distance_to_end(planet, 400.0, -0.05), 0.0) << "past the air";
-  // A ray that grazes the air at 50 km leaves it as far behind its lowest point as it entered before.
+  // A ray that grazes the air at 50 km leaves it as far after its lowest point as it entered before it.
   const double r = radius + 400.0;
   const double lowest = radius + 50.0;
   const double half = std::sqrt((radius + top) * (radius + top) - lowest * lowest);

@@ -1,4 +1,4 @@
-// Each table's map and its inverse: on every texel centre, both ways, at the corners, in order.
+// Each table's map and its inverse: on every texel centre, in both directions, at the corners, in order.
 
 #include <gtest/gtest.h>
 
@@ -121,8 +121,8 @@ TEST(LutMapping, TransmittanceIsMonotonous) {
   }
 }
 
-// Below the horizon the map stays the distance to the top, not to the ground: the table's far edge is the horizon, its
-// neighbour below clamps to it, and nothing jumps.
+// Below the horizon the map still uses the distance to the top, not to the ground: the table's far edge is the horizon,
+// directions just below are clamped to it, and nothing jumps.
 TEST(LutMapping, IsNeverClippedByTheGround) {
   Physics p{};
   const PlanetData& planet = kPlanets[0];
@@ -153,12 +153,12 @@ TEST(LutMapping, ScatteringMapAndInverseAreInverseOnEveryTexel) {
     EXPECT_EQ(p.scattering_state(planet, 0.0, 0.0).mu_sun, -1.0);
     EXPECT_EQ(p.scattering_state(planet, 1.0, 1.0).h, planet.atmosphere_height);
     EXPECT_EQ(p.scattering_state(planet, 1.0, 1.0).mu_sun, 1.0);
-    // One unit a name: an altitude of 0.01 km is 0.01 km, whatever the atmosphere's height.
+    // x and y have one unit each: an altitude of 0.01 km is 0.01 km, whatever the atmosphere's height.
     EXPECT_NEAR(p.scattering_coordinate(planet, 0.01 * planet.atmosphere_height, 0.0).y, 0.01, 1e-15);
   }
 }
 
-// The host's table: centres exact, linear between, held outside. What the tests trust in place of a sampler.
+// The host's table: exact at centres, linear between, constant outside. Tests use it in place of a sampler.
 TEST(HostTable, SamplesAsTheDeviceDoes) {
   physics::HostTable table;
   table.width = 3;

@@ -1,4 +1,4 @@
-// The view march against brute force in Cartesian coordinates, and what must not change it.
+// The view march against brute force in Cartesian coordinates, and changes that must not affect it.
 
 #include <gtest/gtest.h>
 
@@ -64,7 +64,7 @@ TEST(March, AgreesWithBruteForceSingleScattering) {
   }
 }
 
-// Published code at 2048 steps is worse than at 64. Against 65536 steps the error never grows but for rounding.
+// Published code at 2048 steps is worse than at 64. Here the error against 65536 steps never grows, except by rounding.
 TEST(March, MoreStepsAreNeverWorse) {
   Physics p = baked(earth(), {256, 64, 8, 64});
   for (const double sun : {60.0, 5.0, -2.0}) {
@@ -76,7 +76,7 @@ TEST(March, MoreStepsAreNeverWorse) {
         double before = 1.0;
         for (unsigned int steps = 32; steps <= 4096; steps *= 4) {
           const double error = std::abs(march_along(p, h, direction, steps).radiance.z / reference.z - 1.0);
-          // Half as large at four times the steps, or below 2e-4: the shadow's edge falls where it falls in a step.
+          // Half as large with four times the steps, or below 2e-4, as the shadow's edge may fall anywhere in a step.
           EXPECT_LE(error, std::max(0.5 * before, 2e-4)) << sun << ", " << h << ", " << elevation << ": " << steps;
           before = std::max(error, 1e-12);
         }
@@ -96,7 +96,7 @@ TEST(March, TransmittanceIsThatOfThePath) {
   }
 }
 
-// In proportion to the air, down to nothing; and nothing at all in a vacuum.
+// The light is in proportion to the air, down to nothing, and nothing at all in a vacuum.
 TEST(March, GoesBlackAsTheMediumVanishes) {
   double before = 0.0;
   for (const double share : {1e-3, 1e-6, 1e-12, 1e-30, 1e-300}) {

@@ -1,4 +1,4 @@
-// Densities over altitude and the coefficients made of them.
+// Densities over altitude, and the coefficients that follow.
 
 #include <gtest/gtest.h>
 
@@ -43,7 +43,7 @@ TEST(Density, OfAFogOverAStepIsTheIntegral) {
     for (const double rise : {0.0, 1e-14, 1e-9, 1e-4, 0.015, 0.03, 0.1, -0.1, 0.4, 2.5}) {
       const double low = h - 0.5 * std::abs(rise);
       const double high = h + 0.5 * std::abs(rise);
-      // From its kink on the integrand is smooth.
+      // Beyond its kink the integrand is smooth.
       const double kink = std::clamp(0.3, low, high);
       const double sum = integral(density, low, kink, 64) + integral(density, kink, high, 64);
       const double truth = std::abs(rise) < 1e-12 ? density(h) : sum / std::abs(rise);
@@ -53,7 +53,7 @@ TEST(Density, OfAFogOverAStepIsTheIntegral) {
   }
 }
 
-// Along whole rays on the sphere a march of few steps holds the fog's optical depth, of level rays too.
+// Along whole rays on the sphere a march of few steps has the fog's optical depth, even along level rays.
 TEST(OpticalDepth, OfAFogIsHeldByFewSteps) {
   Scene scene = vacuum();
   scene.media = {medium("fog", {1.0, 1.0, 1.0}, {}, height_fog(0.1, 0.05))};
@@ -100,7 +100,7 @@ TEST(Density, LayersAreLinearBetweenTheirPointsAndConstantOutside) {
   EXPECT_EQ(density_at(layers({{5.0, 0.7}}), 50.0), 0.7);
 }
 
-// Each medium of a scene reads its own layers, not those of the medium before.
+// Each medium of a scene reads its own layers, not those of the medium before it.
 TEST(Density, LayersOfSeveralMediaStandApart) {
   Scene scene = vacuum();
   scene.media = {medium("a", {}, {}, layers({{0.0, 1.0}, {10.0, 0.0}})), medium("b", {}, {}, exponential(8.0)),
@@ -121,7 +121,7 @@ TEST(Density, OfAColumnAddsUp) {
   EXPECT_NEAR(column(layers({{0.0, 1.0}, {2.0, 0.5}, {10.0, 0.0}}), 100), 1.5 + 2.0, 1e-12);
 }
 
-// Eight media are gone through by eight written-out calls: each must count, with its own coefficients and phase.
+// Loops over eight media are unrolled calls: each medium must count, with its own coefficients and phase.
 TEST(Air, AddsUpItsMediaEachWithItsOwnPhase) {
   for (std::size_t count = 0; count <= 8; ++count) {
     Scene scene = vacuum();
@@ -183,7 +183,7 @@ TEST(OpticalDepth, OfASlantedColumnIsTheIntegralOfExtinction) {
             return p.extinction_at(std::max(altitude, 0.0)).x;
           },
           0.0, length, 4000);
-      // 1e-3: a midpoint knows nothing of where `constant` ends within its step.
+      // 1e-3: a midpoint rule does not resolve where `constant` ends within its step.
       EXPECT_NEAR(p.optical_depth_to_top(p.scene.planet, h, mu, 4096).x / depth, 1.0, 1e-3) << h << ", " << mu;
       EXPECT_NEAR(p.optical_depth_to_top(p.scene.planet, h, mu, physics::kTransmittanceSteps).x / depth, 1.0, 0.05)
           << h << ", " << mu;

@@ -82,8 +82,8 @@ TEST(Phase, HasKnownValues) {
   EXPECT_NEAR(formulas.phase_schlick(0.0, 0.3), formulas.phase_isotropic(), 1e-16);
 }
 
-// [C50], [Bu95]: the norm is 1 for any gamma, 0 is Rayleigh's function, 1 the isotropic one; backward and forward are
-// alike; and 1 - 3 rho / 4 or so of the second moment is left.
+// [C50], [Bu95]: the norm is 1 for any gamma; 0 is Rayleigh's function, 1 the isotropic one; backward and forward are
+// equal; and about 1 - 3 rho / 4 of the second moment remains.
 TEST(Phase, DepolarizedLiesBetweenRayleighAndIsotropic) {
   for (const double gamma : {0.0, 0.0147, 0.3, 1.0}) {
     const auto phase = [&](double nu) { return formulas.phase_depolarized(physics::vec3(gamma), nu).y; };
@@ -115,7 +115,8 @@ TEST(Phase, ATableOfAFormulaIsTheFormula) {
   }
 }
 
-// The moments that delta-scaling and the harmonics take: of Rayleigh's function P_2 has 1/10, of the mixture its share.
+// The moments for delta-scaling and the harmonics: P_2 of Rayleigh's function is 1/10, that of the mixture its share of
+// this.
 TEST(Phase, MomentsOfDepolarizedMolecules) {
   Scene scene = earth();
   scene.media[0].depolarization = {0.0, 0.0148, 1.0};
@@ -128,7 +129,7 @@ TEST(Phase, MomentsOfDepolarizedMolecules) {
   EXPECT_EQ(make_physics(earth()).phase_of(0), physics::kPhaseRayleigh);
 }
 
-// An edge that no formula has stays where it is: the values between the table's angles are within 1 % of exponentials.
+// An edge that no formula has stays in place: between the table's angles the values are within 1 % of exponentials.
 TEST(Phase, ATableKeepsItsEdges) {
   PhaseTable table;
   table.angles_deg = {0.0, 1.0, 20.0, 137.0, 138.0, 180.0};

@@ -1,4 +1,4 @@
-// Where the steps of a march stand: they cover the ray once, in order.
+// Places of a march's steps: they cover the ray once, in order.
 
 #include <gtest/gtest.h>
 
@@ -54,7 +54,7 @@ TEST(Quadrature, UniformStepsAreEqual) {
   }
 }
 
-// Quadratic steps grow away from the lowest point, and an edge stands on it.
+// Quadratic steps grow away from the lowest point, at which an edge lies.
 TEST(Quadrature, QuadraticStepsAreDensestAtTheLowestPoint) {
   Physics p{};
   for (const Leg& leg : {Leg{-50.0, 100.0}, Leg{30.0, 100.0}, Leg{100.0, 100.0}}) {

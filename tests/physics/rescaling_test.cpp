@@ -1,4 +1,4 @@
-// Lengths times k and coefficients over k change nothing: no length is hidden in a formula.
+// Lengths times k and coefficients over k change nothing, so no length is hidden in a formula.
 
 #include <gtest/gtest.h>
 
@@ -74,7 +74,7 @@ TEST(Rescaling, ChangesNoPicture) {
       for (const double k : kScales) {
         Scene other = rescaled(scene, k);
         Physics q = make_physics(other);
-        // Their own tables are compared above; these are the same ones, so that the march alone is judged.
+        // Both use the same tables, which are compared above, so that only the march is tested.
         q.transmittance_lut = p.transmittance_lut;
         q.multiple_scattering_lut = p.multiple_scattering_lut;
         q.ground_irradiance_lut = p.ground_irradiance_lut;

@@ -1,4 +1,4 @@
-// Multiple scattering: energy, isotropic phase at both events, ground and sky irradiance.
+// Multiple scattering: energy, the isotropic phase at both events, ground and sky irradiance.
 
 #include <gtest/gtest.h>
 
@@ -52,7 +52,7 @@ TEST(MultipleScattering, DirectionsCoverTheSphereEvenly) {
 }
 
 // Without absorption, over white ground, a unit field arrives whole from every direction that ends on the ground, and
-// less what leaves to space from every other.
+// from every other direction less the light that leaves to space.
 TEST(MultipleScattering, LosesNothingWithoutAbsorptionOverWhiteGround) {
   for (const double depth : {1e-4, 0.3, 5.0, 1000.0}) {
     Physics p = with_transmittance(lossless(depth));
@@ -86,7 +86,7 @@ TEST(MultipleScattering, AbsorptionAndDarkGroundTakeTheirShare) {
     auto ray = p.ray_in_atmosphere(p.scene.planet, 100.0, -1.0, 0.3, 0.0);
     return p.gather_scattering(p.scene.planet, p.scene.sun, ray, 4096).transfer.x;
   };
-  // T = exp(-depth): what the ground sends up comes through it, the air's own light is the albedo of the rest.
+  // T = exp(-depth): the ground's light comes through it; the air's own light is the albedo times 1 - T.
   EXPECT_NEAR(straight_down(half), 1.0 - std::exp(-0.3) + 0.25 * std::exp(-0.3), 1e-5);
   EXPECT_NEAR(straight_down(absorbing), 0.5 * (1.0 - std::exp(-0.6)) + 0.25 * std::exp(-0.6), 1e-5);
   EXPECT_NEAR(straight_down(black), 0.5 * (1.0 - std::exp(-0.6)), 1e-5);
@@ -111,7 +111,7 @@ TEST(MultipleScattering, HasTheIsotropicPhaseAtBothEvents) {
   EXPECT_EQ(seen.second_order.z, 0.0);
 }
 
-// The inner march has the planet's shadow: at midnight nothing is lit below the shadow's edge.
+// The inner march uses the planet's shadow: at midnight nothing below the shadow's edge is lit.
 TEST(MultipleScattering, StaysDarkInThePlanetsShadow) {
   Physics p = with_transmittance(earth());
   const auto midnight = mean_gather(p, 0.0, -1.0);
@@ -129,13 +129,13 @@ TEST(MultipleScattering, SumsAGeometricSeries) {
   EXPECT_DOUBLE_EQ(sum.x, 0.25);
   EXPECT_DOUBLE_EQ(sum.y, 2.0);
   EXPECT_NEAR(sum.z, 30.0, 1e-12);
-  // As the transfer nears 1 the sum stays finite; a rounding beyond 1 does not turn it negative.
+  // The sum stays finite as the transfer nears 1, and a rounding beyond 1 does not turn it negative.
   EXPECT_NEAR(p.sum_of_orders(second, vec3(1.0, 1.0, 1.0 + 1e-9)).x, 250.0, 1e-9);
   EXPECT_GT(p.sum_of_orders(second, vec3(1.0, 1.0, 1.0 + 1e-9)).z, 0.0);
 }
 
-// At noon the ground gets no more light than arrives, in any channel: with a table 4 pi too bright it gets 1.3 to 2
-// times as much in blue.
+// At noon no channel gives the ground more light than arrives; a table 4 pi too bright gives 1.3 to 2 times as much in
+// blue.
 TEST(MultipleScattering, GivesTheGroundNoMoreThanArrives) {
   const auto arrives = [](const Scene& scene) {
     Physics p = make_physics(scene);
@@ -154,8 +154,8 @@ TEST(MultipleScattering, GivesTheGroundNoMoreThanArrives) {
   EXPECT_GT(arrives(scene).z, 1.0);  // the test can tell
 }
 
-// Conservative Rayleigh air, sun at the zenith, black ground: what reaches the ground is a slab's transmittance, by
-// Eddington's approximation (5 - exp(-tau)) / (4 + 3 tau) for a sun at the zenith; the curvature counts for nothing.
+// Conservative Rayleigh air, sun at the zenith, black ground: the light at the ground is a slab's transmittance, by
+// Eddington's approximation (5 - exp(-tau)) / (4 + 3 tau) for a sun at the zenith; the curvature has no effect.
 TEST(MultipleScattering, TransmitsWhatASlabTransmits) {
   Scene scene = vacuum();
   scene.media = {medium("air", {0.25 / 8.0, 0.25 / 8.0, 0.25 / 8.0}, {}, exponential(8.0), PhaseFunction::rayleigh)};

@@ -1,5 +1,5 @@
 #pragma once
-// Scenes that the tests of physics, device and methods build on, made without a preset.
+// Scenes for the tests of physics, device and methods, made without a preset.
 
 #include <cmath>
 #include <numbers>
@@ -19,8 +19,8 @@ inline Medium medium(std::string name, Spectrum scattering, Spectrum absorption,
   return {std::move(name), scattering, absorption, std::move(density), phase, g};
 }
 
-// A medium's phase function by a table of Henyey-Greenstein's, at angles that crowd into the peak; by channel another
-// g, whose wavelengths are 600, 500 and 400 nm.
+// A medium's phase function by a table of Henyey-Greenstein's, at angles that crowd into the peak. Each channel has
+// another g, at the wavelengths 600, 500 and 400 nm.
 inline PhaseTable peaked_table(const std::vector<double>& asymmetries, int angles = 400) {
   PhaseTable table;
   physics::Physics formulas;
@@ -88,7 +88,7 @@ inline Density layers(std::vector<DensityLayer> list) {
   return d;
 }
 
-// A planet of Earth's size without air; the sun at 30 degrees in the north, its disc as the presets have it.
+// A planet of Earth's size without air; the sun at 30 degrees in the north, with the presets' disc.
 inline Scene vacuum() {
   Scene scene;
   scene.sun.elevation = 30.0 * kDegree;

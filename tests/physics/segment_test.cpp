@@ -22,7 +22,7 @@ TEST(Segment, MeanTransmittanceIsExpm1OverX) {
   EXPECT_EQ(p.mean_transmittance(1e300), 1e-300);
 }
 
-// Of a step: each channel as if it were alone, whatever the others are.
+// Transfer of a step: each channel is as if it were alone, whatever the others are.
 TEST(Segment, TransferIsThatOfEachChannel) {
   Physics p{};
   for (const physics::vec3 x : {physics::vec3(0.0, 1e-9, 0.1), physics::vec3(0.499, 0.5, 3.0),
@@ -35,7 +35,7 @@ TEST(Segment, TransferIsThatOfEachChannel) {
   }
 }
 
-// Steps through air that does not change add up to the whole, however many there are.
+// Steps through constant air add up to the whole, however many there are.
 TEST(Segment, AddsUpToTheWholePath) {
   Physics p{};
   for (const double depth : {1e-9, 1e-3, 0.7, 20.0}) {

@@ -70,7 +70,7 @@ TEST(Shells, HaveEdgesWhereADensityJumpsOrBends) {
             static_cast<std::size_t>(physics::kMaxShellRows));
 }
 
-// Thin layers at the foot of thick air: each is a shell by itself, and the rest asks for nearly all that were wished.
+// Thin layers below thick air: each is a shell by itself, and the rest takes nearly all the shells requested.
 TEST(Shells, AreNeverMoreThanThereIsRoomFor) {
   std::size_t most = 0;
   for (int count = 1; count <= 30; ++count) {
@@ -89,7 +89,7 @@ TEST(Shells, AreNeverMoreThanThereIsRoomFor) {
   EXPECT_EQ(most, physics::kMaxShellRows) << "no scene asked for more than there is room for";
 }
 
-// A shell whose edges are one number in 32 bits divides by its height of 0.
+// A shell whose edges are the same number in 32 bits would divide by its height of 0.
 TEST(Shells, StandApartIn32Bits) {
   Scene scene = vacuum();
   scene.planet.atmosphere_height = 1e6;

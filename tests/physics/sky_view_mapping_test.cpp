@@ -75,7 +75,7 @@ TEST(SkyViewMapping, FirstRowsHoldTheTrueHorizon) {
   }
 }
 
-// A coordinate of either part falls between that part's own first and last texel centre: nothing mixes sky and ground.
+// A coordinate of either part lies between that part's own first and last texel centre: no fetch mixes sky and ground.
 TEST(SkyViewMapping, NoFetchStraddlesTheHorizon) {
   Physics p = make_physics(earth());
   EXPECT_DOUBLE_EQ(p.texel_in_part(1.0, 0, kSkyRows, kRows), (kSkyRows - 0.5) / kRows);
@@ -83,7 +83,7 @@ TEST(SkyViewMapping, NoFetchStraddlesTheHorizon) {
   EXPECT_DOUBLE_EQ(p.texel_in_part(1.0, kSkyRows, kRows - kSkyRows, kRows), (kRows - 0.5) / kRows);
 }
 
-// Clamped at the edge, a fetch within half a texel of the sun's azimuth is the first column on either side: no crease.
+// Within half a texel of the sun's azimuth a clamped fetch is the first column on either side: no crease.
 TEST(SkyViewMapping, IsEvenAndFlatAcrossTheSunsAzimuth) {
   Physics p = make_physics(earth());
   const physics::PlanetData& planet = p.scene.planet;

@@ -1,5 +1,5 @@
 // The map of the table of factors of a camera above the air, and its inverse: on every texel, at the planet's edge, and
-// where rays pass the air by.
+// for rays that miss the air.
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ using physics::Physics;
 constexpr double kGround = 6360.0;
 constexpr double kTop = 100.0;
 
-// The camera's zenith cosine of a ray that passes the planet's centre at `off` km, and its sine.
+// Zenith cosine at the camera, and its sine, of a ray that passes the planet's centre at `off` km.
 struct View {
   double mu;
   double across;
@@ -34,7 +34,7 @@ TEST(SpaceTable, RayAndCoordinateAreInverseOnEveryTexel) {
   for (const double h : {100.001, 120.0, 500.0, 2.0 * kGround, 1e5}) {
     for (const double mu_sun : {1.0, 0.7, 0.02, -0.3, -1.0}) {
       for (const physics::uint section : {physics::uint{0}, physics::uint{1}}) {
-        // The first row of the ground is the foot below the camera; the last of the limb grazes the top of the air.
+        // In the ground's first row the foot is below the camera; the limb's last row grazes the top of the air.
         for (int row = 1; row + 1 < kTableRows; ++row) {
           for (int column = 0; column < kColumns; ++column) {
             const double x = static_cast<double>(column) / (kColumns - 1);
@@ -57,7 +57,7 @@ TEST(SpaceTable, RayAndCoordinateAreInverseOnEveryTexel) {
   }
 }
 
-// The ray of a texel is what the ray of its view has inside the air, by the formula for any ray.
+// A texel's ray is the part inside the air of its view's ray, by the formula for any ray.
 TEST(SpaceTable, ATexelsRayIsThatOfItsView) {
   Physics p = make_physics(earth());
   const physics::PlanetData& planet = p.scene.planet;
@@ -76,7 +76,7 @@ TEST(SpaceTable, ATexelsRayIsThatOfItsView) {
   }
 }
 
-// Columns go by the sun at the foot: that of the terminator is the same column on every row that it crosses.
+// Columns go by the sun at the foot: the terminator's column is the same in every row that it crosses.
 TEST(SpaceTable, TheTerminatorLiesWhereTheSunAtTheFootIsLevel) {
   Physics p = make_physics(earth());
   const physics::PlanetData& planet = p.scene.planet;

@@ -1,5 +1,5 @@
 // Spheres in double: the term by thickness against vectors in space, hits and shadows against points along rays, the
-// mirrored disc against the light that it holds.
+// mirrored disc against its total light.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,8 +25,8 @@ SphereData sphere_at(const vec3& centre, double radius) {
   return s;
 }
 
-// The published form as it reads: a ray that comes from above meets the unit sphere at an angle to its normal, is bent
-// by Snell's law, and the distance to the surface is summed at listed points.
+// The published form, literally: a ray from above meets the unit sphere at an angle to its normal and is bent by
+// Snell's law; the distance to the surface is summed at listed points.
 double share_in_space(double incidence, double strength) {
   const vec3 point(std::sin(incidence), std::cos(incidence), 0.0);
   const double bent = std::asin(std::sin(incidence) / 1.5);
@@ -166,7 +166,7 @@ TEST(Spheres, RaysLeaveThemInTheirOwnVertical) {
   }
 }
 
-// Whatever cone a mirror's ray stands for, over all directions the disc's light is there.
+// Whatever cone a mirror's ray stands for, the integral over all directions is the disc's light.
 TEST(Spheres, MirrorsKeepTheDiscsLight) {
   Physics p = make_physics(earth());
   physics::SunData sun = p.scene.sun;

@@ -55,7 +55,7 @@ TEST(Sunlight, IsFadedOnlyWhereTheSceneAsksForIt) {
   EXPECT_EQ(faded.sun_fade(faded.scene.sun, 0.5), 1.0);
 }
 
-// Fetches along the line from the table agree with the integral: a row of the table off by half a texel is 5 to 17 %
+// Fetches along the line from the table agree with the integral: a table row that is off by half a texel is 5 to 17 %
 // too dark at the horizon.
 TEST(Sunlight, FetchedFromTheTableIsTheIntegral) {
   Physics p = make_physics(earth());
@@ -69,7 +69,7 @@ TEST(Sunlight, FetchedFromTheTableIsTheIntegral) {
       const auto fetched = p.transmittance_to_top(planet, h, mu);
       for (std::size_t c = 0; c < 3; ++c) {
         const double expected = std::exp(-channel(depth, c));
-        // 2 %: the table's 64 rows of altitude. Sunlight below 1e-3 counts for nothing.
+        // 2 %: the table has 64 rows of altitude. Sunlight below 1e-3 is of no account.
         EXPECT_NEAR(channel(fetched, c), expected, 0.02 * expected + 2e-5) << h << ", " << mu << ", channel " << c;
       }
     }

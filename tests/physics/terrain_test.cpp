@@ -1,5 +1,5 @@
-// Terrain in double: where rays meet it and what its shadow hides, by walking along rays in space; the light on slopes
-// by quadrature.
+// Terrain in double: its meetings with rays and its shadow, by steps along rays in space; the light on slopes, by
+// quadrature.
 #include "core/terrain/terrain.h"
 
 #include <gtest/gtest.h>
@@ -77,7 +77,7 @@ double height_under(const Scene& scene, const vec3& point) {
                    row - j);
 }
 
-// Above the terrain or, below 0, under it.
+// Height above the terrain; negative under it.
 double clearance_at(const Scene& scene, const vec3& point) {
   return physics::length(point) - scene.planet.ground_radius - height_under(scene, point);
 }
@@ -120,7 +120,7 @@ TEST(Terrain, IsMetWhereARayInSpaceFirstGoesUnderIt) {
   EXPECT_LT(hits, 590);
 }
 
-// Points in the air about the hills, whole disc, limb and shadow.
+// Points in the air around the hills, with whole disc, limb and shadow.
 TEST(Terrain, HidesOfTheSunWhatRaysToItMeet) {
   int wrong = 0;
   double sum = 0.0;
@@ -143,7 +143,7 @@ TEST(Terrain, HidesOfTheSunWhatRaysToItMeet) {
       const double ground = std::max(height_under(scene, up * scene.planet.ground_radius), 0.0);
       const double h = ground + 0.02 + 1.5 * uniform(engine) * uniform(engine);
       const vec3 start = up * (scene.planet.ground_radius + h);
-      // The disc from its lower limb to its upper: a straight edge passes it so.
+      // The disc from its lower limb to its upper one, as a straight edge passes over it.
       int seen = 0;
       constexpr int kParts = 8;
       for (int part = 0; part < kParts; ++part) {
@@ -192,7 +192,7 @@ TEST(Terrain, ShadowOfAStepIsTheMeanAlongIt) {
   }
 }
 
-// A field that is harmonics up to degree 2 and nowhere negative lights a slope by the integral of its cosine.
+// A field of harmonics up to degree 2, nowhere negative, lights a slope by the integral of its cosine.
 TEST(Terrain, SlopesAreLitByTheIntegralOfTheField) {
   Physics p = make_physics(earth());
   p.degree = 2;

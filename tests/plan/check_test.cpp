@@ -1,4 +1,4 @@
-// What check() refuses, and what its messages name.
+// Plans that check() refuses, and the names in its messages.
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ std::string refusal(const Plan& plan) {
   return "";
 }
 
-// A plan with one sound pass, to be spoilt.
+// A plan with one sound pass; tests then spoil it.
 struct Sample {
   Plan plan;
   ImageId table;

@@ -1,4 +1,4 @@
-// Where barriers go, and which passes kept resources spare.
+// Places of barriers, and passes that kept resources make unnecessary.
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ namespace {
 
 using Flags = std::vector<bool>;
 
-// Buffers by letter; a pass is written as what it reads and what it writes.
+// Buffers named by letters; a pass is written as its reads and its writes.
 class Letters {
  public:
   // "K" is kept, "h" is read by the host, "C" is carried; the others live for one run.
@@ -129,7 +129,7 @@ TEST(Kept, APassWithoutReadersRuns) {
   EXPECT_EQ(Letters("a").pass("", "a").runs_with(""), (Flags{true}));
 }
 
-// Sums that some pass may want, beside what leads to something kept.
+// Sums that some pass may want, beside those that lead to something kept.
 TEST(Kept, ScratchMakesNoPassRun) {
   Plan plan;
   const BufferId sums = plan.add_buffer({.name = "sums", .bytes = 4, .scratch = true});
@@ -145,11 +145,12 @@ TEST(Kept, ScratchMakesNoPassRun) {
 }
 
 TEST(Kept, WrittenAgainItIsMadeFromTheStart) {
-  // The second pass adds to K and must run for h: K's first writer has to run as well, or K would be added to twice.
+  // The second pass adds to K and must run for h: K's first writer has to run as well, or the pass would add to K
+  // twice.
   EXPECT_EQ(Letters("Kh").pass("", "K").pass("", "Kh").runs_with("K"), (Flags{true, true}));
-  // So has what only that first writer reads.
+  // So must a pass whose result only that first writer reads.
   EXPECT_EQ(Letters("aKh").pass("", "a").pass("a", "K").pass("", "Kh").runs_with("K"), (Flags{true, true, true}));
-  // Two passes on K alone are both spared.
+  // Two passes that only make K are both skipped.
   EXPECT_EQ(Letters("Kh").pass("", "K").pass("", "K").pass("K", "h").runs_with("K"), (Flags{false, false, true}));
 }
 

@@ -13,7 +13,7 @@ Density density_of(const std::string& json) {
   return scene_from(R"({"airlight": 1, "media": [{"name": "m", "density": )" + json + "}]}").media.front().density;
 }
 
-// By the density that every method evaluates, in steps.
+// The column by summing the density that every method evaluates.
 double summed_column(const Density& density, double top) {
   Scene scene;
   scene.media.push_back({.name = "m", .scattering = {}, .absorption = {}, .density = density});
@@ -65,7 +65,7 @@ std::string fog(double scattering) {
          std::to_string(scattering) + R"(, 0], "density": {"profile": "constant", "below_km": 20}}]})";
 }
 
-// What ended `orders` or made pictures that were not finite, in small.
+// Air that ended `orders` or gave pictures that were not finite, in small.
 TEST(AirLimits, RefuseWhatNoSkyHas) {
   struct Case {
     const char* text;

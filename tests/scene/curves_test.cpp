@@ -39,7 +39,7 @@ TEST(Curves, AreReadInEveryForm) {
   EXPECT_GT(value_at(lamp.spectra->sun, 700.0), 1.5);
 }
 
-// What stands for the curve where three channels are looked at: 615, 541 and 449 nm.
+// The channels that stand for the curves in code for three channels: 615, 541 and 449 nm.
 TEST(Curves, FillTheChannels) {
   const Scene scene = scene_from(with_scattering(kSamples, R"("sun": {"irradiance": 3})"));
   const double nm[] = {615.0, 541.0, 449.0};
@@ -49,7 +49,7 @@ TEST(Curves, FillTheChannels) {
   }
 }
 
-// 300 DU are a layer of 3 mm: the optical depth straight up is that of so many molecules, whatever the density's shape.
+// 300 DU are a layer of 3 mm: the vertical optical depth is that of so many molecules, whatever the density's shape.
 TEST(Curves, OfOzoneHaveTheColumnAskedFor) {
   for (const char* density : {R"({"profile": "tent", "center_km": 25, "half_width_km": 15})",
                               R"({"profile": "exponential", "scale_height_km": 7})",
@@ -115,7 +115,7 @@ TEST_F(CurveFile, IsReadBesideThePreset) {
   const Scene scene = resolve(load_preset(preset), local_methods());
   EXPECT_EQ(value_at(scene.spectra->media[0].scattering, 700.0), 0.01);
   EXPECT_NEAR(value_at(scene.spectra->media[0].scattering, 550.0), 0.02, 1e-15);
-  // Inlined, so that an EXR carries the whole preset.
+  // The file's samples are written out, so that an EXR carries the whole preset.
   EXPECT_EQ(scene_from(to_json(scene)).spectra->media[0].scattering.values, scene.spectra->media[0].scattering.values);
 }
 
@@ -207,7 +207,7 @@ TEST(Curves, ThatEndInSightAreTold) {
   EXPECT_TRUE(curve_warnings(scene_from(with_scattering(R"({"named": "air"})"))).empty());
 }
 
-// One value: a file that builds on another replaces a curve whole.
+// A curve is one value: a file that extends another replaces it whole.
 class CurveMerge : public FolderTest {};
 TEST_F(CurveMerge, ReplacesACurveWhole) {
   write("base.json", with_scattering(kSamples));

@@ -1,4 +1,4 @@
-// presets/README.md and the JSON Schema say what the rules say. AIRLIGHT_UPDATE_DOCS=1 rewrites them from the rules.
+// presets/README.md and the JSON Schema agree with the rules. AIRLIGHT_UPDATE_DOCS=1 rewrites them from the rules.
 
 #include <gtest/gtest.h>
 
@@ -67,7 +67,7 @@ TEST(Readme, ListsEveryKey) {
   expect_section("keys", key_table());
 }
 
-// chart.json lists presets and is none.
+// chart.json is a list of presets, not a preset.
 bool is_preset(const fs::path& file) {
   return file.extension() == ".json" && file.stem() != "chart";
 }
@@ -121,10 +121,11 @@ TEST(Schema, TakesRandomPresets) {
 // Whether the schema and resolve() both refuse the preset with one value changed.
 void expect_both(bool good, const std::string& pointer, const Json& value) {
   static const Json schema = shipped_schema();
-  // The schema cannot know a projection that may be inherited: the file states it.
+  // The schema cannot know an inherited projection, so the file states it.
   Json preset = Json::parse(with_one_medium(R"("camera": {"projection": "perspective"})"));
   if (pointer.starts_with("/planet/terrain/")) {
-    // A whole one around the key: of a map where the key belongs to maps, on a planet that the farthest fits on.
+    // A whole terrain around the key: by a map where the key belongs to maps, on a planet large enough for the
+    // farthest.
     const bool of_map = pointer.find("est_km") != std::string::npos;
     const Json source = of_map ? Json("heights.png") : Json{{"seed", 1}, {"height_km", 1}};
     preset["planet"] = {{"radius_km", 1e5}, {"terrain", {{"width_km", 10}, {of_map ? "height_map" : "ridge", source}}}};

@@ -128,7 +128,7 @@ TEST_F(Extends, RefusesAMissingFile) {
                 "/: is a directory; expected a preset, by a path relative to the file that names it");
 }
 
-// A bundle of one built-in preset, of which another makes its own.
+// A bundle of a built-in preset and one that extends it.
 const BundledPresets& bundle() {
   static const BundledPresets presets = {
       {"base.json", kBase}, {"thick.json", R"({"airlight": 1, "extends": "base.json", "planet": {"radius_km": 7}})"}};
@@ -145,7 +145,7 @@ TEST_F(Extends, FindsBuiltInPresetsByTheirNames) {
   EXPECT_EQ(resolve(parse_bundled_preset("thick.json", bundle()), local_methods()).planet.ground_radius, 7);
 }
 
-// A file beside the preset comes first; the built-in ones build on built-in ones all the same.
+// A file beside the preset has precedence, but built-in presets still extend built-in ones.
 TEST_F(Extends, AFileBesideThePresetComesBeforeABuiltInOne) {
   write("base.json", R"({"airlight": 1, "planet": {"radius_km": 5},
     "media": [{"name": "a", "density": {"profile": "constant", "below_km": 1}}]})");

@@ -1,4 +1,4 @@
-// `sequence`: what key frames may say, and that what they say of a key is judged as the key itself is.
+// `sequence`: valid key frames, and the same checks for a key in them as for the key itself.
 
 #include <gtest/gtest.h>
 

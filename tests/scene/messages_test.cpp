@@ -1,4 +1,4 @@
-// What a message quotes of an input: little of it, and nothing that a terminal obeys.
+// A message quotes little of an input, and nothing that controls a terminal.
 #include <algorithm>
 
 #include "core/error.h"
@@ -39,7 +39,7 @@ TEST(Printable, IsShortenedBetweenCharacters) {
   EXPECT_EQ(quoted_text("a\"b\\\n"), "\"a\\\"b\\\\\\n\"");
 }
 
-// No control character but the break between two problems, no line that goes on and on.
+// Expects no control character but the break between two problems, and no very long line.
 void expect_short_and_plain(const std::string& message, std::size_t most_lines) {
   EXPECT_FALSE(message.empty());
   EXPECT_EQ(printable(message, true), message);

@@ -1,5 +1,5 @@
-// Syntax: comments, lines and columns, what is refused before the rules are asked. And texts nobody would write: the
-// answer is always an InputError, never a crash.
+// Syntax: comments, lines and columns, errors found before the rules apply. Also texts that nobody would write: the
+// result is always an InputError, never a crash.
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ TEST(Syntax, TakesComments) {
   EXPECT_EQ(scene_from(with_one_medium("\"name\": \"a // b\"")).name, "a // b");
 }
 
-// The reason is the JSON library's; ours are the place and what follows it.
+// The reason is the JSON library's text; the place and the text after it are ours.
 void expect_syntax_error(const std::string& text, const std::string& place) {
   const std::string message = problems_of(text);
   const std::string expected = "test:" + place + ": not JSON: syntax error";
@@ -50,7 +50,7 @@ TEST(Syntax, CountsLinesPastNumbersAndWindowsLineEnds) {
             "test:7: /name: 7 is not a string; expected a string");
 }
 
-// The parser has read a line break before it knows that a number ends.
+// The parser reads a line break before it knows that a number has ended.
 TEST(Syntax, CountsTheLineOfANumberThatEndsItsLine) {
   EXPECT_EQ(problems_of(with_one_medium("\n\"planet\": {\"ground_albedo\": [\n2\n,\n0\n,\n3]}")),
             "test:3: /planet/ground_albedo/0: 2 is outside 0 to 1\n"

@@ -25,7 +25,7 @@ std::string table(const std::string& angles, const std::string& values, const st
   return R"({"function": "table", "angles_deg": )" + angles + R"(, "values": )" + values + extra + "}";
 }
 
-// Per steradian or with mean 1: the same function, whose integral is 1 after reading.
+// Per steradian or with mean 1: the same function, with integral 1 after reading.
 TEST(PhaseTables, AreNormalisedAndSaySo) {
   const Scene mean = scene_from(with_phase(table("[0, 90, 180]", "[1, 1, 1]")));
   EXPECT_NEAR(mean.media[0].phase_table.rows[0][1], kIsotropic, 1e-12);
@@ -55,7 +55,8 @@ TEST(PhaseTables, ComeBackFromJson) {
   }
 }
 
-// Rows over the wavelength are a curve: they do not go with three channels, and wavelengths between are in between.
+// Rows over the wavelength are a curve: they are refused beside three channels, and wavelengths between are
+// interpolated.
 TEST(PhaseTables, OverTheWavelengthMakeAScenesSpectra) {
   const std::string rows = table("[0, 90, 180]", "[[1, 1, 1], [1.2, 0.9, 1.1]]", R"(, "wavelengths_nm": [440, 670])");
   const Scene scene = scene_from(with_phase(rows));
@@ -173,7 +174,7 @@ TEST_F(PhaseFile, IsMissing) {
                                           "function");
 }
 
-// A function of its own leaves the inherited table behind, and keeps g.
+// Another function drops the inherited table, and keeps g.
 TEST_F(PhaseFile, IsNotInheritedByAnotherFunction) {
   write("base.json", with_phase(R"({"function": "table", "g": 0.3, "angles_deg": [0, 180], "values": [1, 1]})"));
   const auto over = write("over.json", R"({"airlight": 1, "extends": "base.json", "media": [{"name": "a", )"

@@ -1,4 +1,4 @@
-// The presets that ship, by the methods that ship.
+// The shipped presets, by the shipped methods.
 
 #include <gtest/gtest.h>
 
@@ -94,8 +94,8 @@ TEST(Presets, EarthHillaire2020IsTheAirOfItsTable1) {
   EXPECT_EQ(earth.planet.ground_albedo, (Spectrum{0, 0, 0}));
 }
 
-// The density of the US Standard Atmosphere 1976 over that at the ground, and what stands above the ground: Rayleigh's
-// optical depth by Bodhaine 1999, the haze's by its preset.
+// The density of the US Standard Atmosphere 1976 relative to that at the ground, and the optical depths above the
+// ground: Rayleigh's by Bodhaine 1999, the haze's by its preset.
 TEST(Presets, EarthIsTheUsStandardAtmosphere) {
   const Scene earth = load("earth");
   ASSERT_TRUE(earth.spectra);
@@ -128,7 +128,7 @@ TEST(Presets, EarthIsTheUsStandardAtmosphere) {
   EXPECT_NEAR(value_at(earth.spectra->ground_albedo, 550), 0.12, 1e-9);
 }
 
-// All others have spectra too, and none warns of its curves.
+// All other presets have spectra too, and no curve causes a warning.
 TEST(Presets, HaveSpectraButThoseThatSayOtherwise) {
   for (const fs::path& file : shipped()) {
     const std::string name = file.stem();

@@ -1,5 +1,5 @@
 #pragma once
-// Valid presets by a seed, as JSON text: the same on every machine. For tests that want scenes nobody thought of.
+// Valid presets by a seed, as JSON text, the same on every machine: for tests of scenes that nobody thought of.
 
 #include <array>
 #include <cmath>
@@ -67,7 +67,7 @@ class RandomPreset {
     return out.str();
   }
 
-  // A number or three, some of them nothing.
+  // One number or three, some of them 0.
   std::string spectrum(double low, double high) {
     if (chance(0.1)) {
       return "0";
@@ -122,7 +122,7 @@ class RandomPreset {
     std::string text;
     const int count = integer(1, 8);
     for (int i = 0; i < count; ++i) {
-      // A vertical optical depth of about 1e-3 to 3 in all.
+      // The total vertical optical depth is about 1e-3 to 3.
       const double strength = 10.0 / (atmosphere_ * count);
       text += (text.empty() ? "" : ", ") + (R"({"name": "medium )" + std::to_string(i)) +
               R"(", "scattering_per_km": )" + spectrum(1e-3 * strength, strength) + R"(, "absorption_per_km": )" +

@@ -64,8 +64,8 @@ TEST(Bloom, BecomesALayerOnlyWhenStated) {
   EXPECT_FALSE(scene_from(with_one_medium(R"("bloom": {"levels": 3})")).bloom.in_exr);
 }
 
-// Every value differs from its default: a key that is not written, or not read, is seen.
-// Beside terrain it is refused.
+// Every value differs from its default, so that a key that is not written or not read is noticed. It is a test of its
+// own since terrain excludes it.
 TEST(RoundTrip, KeepsAGroundByMaps) {
   const std::string text = with_one_medium(R"(
     "planet": {"albedo_map": "/maps/earth.png", "ocean": {"wind_m_per_s": 7.5, "mask_map": "/maps/water.png"}},

@@ -1,5 +1,5 @@
 #pragma once
-// presets/README.md's tables and the JSON Schema as the rules would have them.
+// The tables of presets/README.md and the JSON Schema, made from the rules.
 
 #include <span>
 #include <string>
@@ -11,7 +11,7 @@ namespace airlight::test {
 // Every key of the format: | key | type and range | default | meaning |.
 std::string key_table();
 
-// What each method takes under `render.*`.
+// Each method's parameters under `render.*`.
 std::string parameter_table(std::span<const MethodInfo> methods);
 
 // presets/schema/preset-1.schema.json, JSON Schema 2020-12.

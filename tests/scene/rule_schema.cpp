@@ -1,5 +1,5 @@
-// The JSON Schema. It knows one file, not what the file inherits: a key that a profile or projection does not take is
-// refused where the file itself names the profile; what is required may be inherited where the file extends another.
+// The JSON Schema. It sees one file, not what the file inherits. A key that a profile or projection does not have is
+// refused where the file itself names the profile. Required keys may be inherited where the file extends another.
 
 #include <algorithm>
 #include <map>
@@ -122,7 +122,7 @@ Json type_schema(const Rule& rule) {
   return {};
 }
 
-// Of several rules for one key, each for its own choices, what any of them allows.
+// The union of several rules for one key, each for its own choices.
 Rule widest(const Rule& rule) {
   Rule all = rule;
   for (const Rule& other : rules()) {
@@ -184,7 +184,7 @@ std::string last_part(std::string_view key) {
   return std::string(key.substr(key.rfind('.') + 1));
 }
 
-// Rules that hold for some choices: within the file that states the choice, that choice's own rule and no other key.
+// Rules for particular choices: in a file that states the choice, that choice's own rule holds and no other key.
 void add_choice(Json& root, const Rule& selector) {
   Json& owner = owner_of(root, selector.key);
   const std::string prefix(selector.key.substr(0, selector.key.rfind('.') + 1));
@@ -230,7 +230,7 @@ void add_tilt(Json& root) {
   }
 }
 
-// A key frame's other keys are pointers. What they lead to is resolve()'s to judge.
+// A key frame's other keys are pointers; resolve() checks what they lead to.
 void add_key_frames(Json& root) {
   Json& sequence = root["properties"]["sequence"];
   sequence["required"] = {"frames"};
@@ -256,8 +256,8 @@ Json parameter_schema(const ParameterInfo& parameter) {
   }
 }
 
-// A key that several methods take in different ranges is allowed what any of them allows; where the file itself names
-// the method, what that one allows, and no key of another.
+// A key that several methods have in different ranges may have any value that one of them permits. Where the file
+// itself names the method, only that method's ranges and keys hold.
 void add_methods(Json& root, std::span<const MethodInfo> methods) {
   Json& render = root["properties"]["render"];
   std::map<std::string, Json> variants;

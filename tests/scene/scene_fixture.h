@@ -1,5 +1,5 @@
 #pragma once
-// What the tests of this room share: two small methods, presets from text, files in a folder of their own.
+// Shared by the tests of core/scene: two small methods, presets from text, files in a folder of their own.
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 
 namespace airlight::test {
 
-// `march` with the parameters of the preset format, and `still` with a boolean and nothing in common but `steps`.
+// `march` with the parameters of the preset format, and `still` with a boolean, which shares only `steps` with it.
 std::span<const MethodInfo> local_methods();
 
 // A preset of one medium with more keys put in: {"airlight": 1, "media": [...], EXTRA}.
@@ -19,14 +19,14 @@ std::string with_one_medium(std::string_view extra);
 
 Scene scene_from(std::string_view text);
 
-// What the exception says, "" when there is none.
+// The exception's message, "" when there is none.
 std::string problems_of(std::string_view text);
 std::string problems_of_file(const std::filesystem::path& file);
 
-// Every value of two scenes, exactly.
+// Expects every value of two scenes to be exactly equal.
 void expect_same(const Scene& a, const Scene& b);
 
-// A folder that is gone after the test.
+// A folder that is removed after the test.
 class FolderTest : public testing::Test {
  protected:
   FolderTest();

@@ -46,7 +46,7 @@ bool required_fits(const Json& names, const Json& value) {
          std::ranges::all_of(names, [&](const Json& name) { return value.contains(name.get<std::string>()); });
 }
 
-// The schemas of the patterns that a key matches.
+// The schemas of those patterns that a key matches.
 std::vector<Json> pattern_schemas(const Json& schema, const std::string& key) {
   std::vector<Json> found;
   const auto patterns = schema.find("patternProperties");
@@ -60,7 +60,7 @@ std::vector<Json> pattern_schemas(const Json& schema, const std::string& key) {
   return found;
 }
 
-// The keywords that look at the value itself.
+// The keywords that concern the value itself.
 bool own_keyword_fits(const std::string& keyword, const Json& argument, const Json& value, const Json& schema) {
   if (keyword == "$schema" || keyword == "title" || keyword == "description" || keyword == "default" ||
       keyword == "then") {

@@ -80,7 +80,7 @@ TEST(SunPaths, OverMidnightOneFrameAndAStepLongerThanTheDay) {
   EXPECT_EQ(frame_count(make_sun_path(order)), 5U);
 }
 
-// On the night of the change the clock jumps, the sun does not: steps are of real time.
+// On the night of the change the clock jumps but the sun does not: steps are in real time.
 TEST(SunPaths, StepsAreOfRealTimeOverAChangeOfTheClocks) {
   SunPathOrder order = paris_day();
   order.date = "2026-03-29";

@@ -1,4 +1,4 @@
-// The sun's place against published values, against events that define it, and against another published formula.
+// The sun's position against published values, against events that define it, and against another published formula.
 #include "core/sequence/sun_position.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ TEST(SunPosition, IsThePublishedExampleOfTheSolarPositionAlgorithm) {
   EXPECT_NEAR(sun.azimuth_deg, 194.34024, 0.001);
   const double lifted = sun.elevation_deg + refraction_deg(sun.elevation_deg, {820.0, 11.0});
   EXPECT_NEAR(90.0 - lifted, 50.11162, 0.001);
-  // Without refraction: what their eq. 42 leaves when it is taken off again, solved by hand: 39.88838 - 0.01633.
+  // Without refraction: the result of removing their eq. 42, solved by hand: 39.88838 - 0.01633.
   EXPECT_NEAR(sun.elevation_deg, 39.87205, 0.001);
 }
 
@@ -73,8 +73,8 @@ double around(double degrees) {
   return std::remainder(degrees, 360.0);
 }
 
-// 0.01 degrees of his, 0.0024 of parallax, 0.005 of nutation in his sidereal time, and over centuries 0.02 more of his
-// own. Both theories used here, before 1900 and after, are met.
+// The bound: 0.01 degrees of Meeus, 0.0024 of parallax, 0.005 of nutation in his sidereal time, and over centuries 0.02
+// more of his. Both theories used here, from 1900 to 2100 and outside, are covered.
 TEST(SunPosition, AgreesWithMeeusOverEightCenturies) {
   for (int year = kFirstYear; year <= kLastYear; year += 25) {
     for (const Place& place : {Place{48.85, 2.35}, Place{-33.9, 151.2}, Place{69.6, 18.9}, Place{0.0, -78.5}}) {
@@ -92,7 +92,7 @@ TEST(SunPosition, AgreesWithMeeusOverEightCenturies) {
   }
 }
 
-// Where one theory of the Earth's path takes over from the other.
+// Years where one theory of the Earth's path replaces the other.
 TEST(SunPosition, DoesNotJumpWhereTheTheoryChanges) {
   for (const int year : {1900, 2100}) {
     const Milliseconds change = utc({year, 1, 1}, 12, 0);

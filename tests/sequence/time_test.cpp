@@ -1,4 +1,4 @@
-// Dates, times, steps and zones: what is read, what is refused, and every offset against the C library's.
+// Dates, times, steps and zones: accepted texts, refusals, and every offset against the C library's.
 #include <gtest/gtest.h>
 #include <time.h>
 

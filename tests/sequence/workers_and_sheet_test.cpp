@@ -145,7 +145,8 @@ TEST(ContactSheet, PutsEachPictureInItsPlace) {
   EXPECT_EQ(sheet.at(4 + 31, 4 + 33 + 17)[0], 170);
   EXPECT_EQ(sheet.at(4 + 2 * 36, 4 + 33)[0], 250);
   EXPECT_EQ(contact_sheet({thumbnails.front()}).height(), 33 + 4);
-  // 24 squares: 6 columns of 4 full rows, and not 7 with four holes in the last, though those are nearer to 16:9.
+  // 24 squares: 6 columns of 4 full rows, not 7 columns with four holes in the last row, though these are nearer to
+  // 16:9.
   const measure::Raster full =
       contact_sheet(std::vector<Thumbnail>(24, {100, 100, std::vector<std::uint8_t>(30000), ""}));
   EXPECT_EQ(full.width(), 6 * 104 + 4);

@@ -39,8 +39,8 @@ TEST(Observer, TellsIlluminance) {
   EXPECT_NEAR(illuminance(solar_irradiance()), 130.6e3, 3.2e3);
 }
 
-// The cells of the fine bands' middles are the fine bands, to the bit; those of other wavelengths integrate a straight
-// line, and give the sun its colour.
+// The cells of the fine bands' middles are the fine bands, to the bit. The cells of other wavelengths integrate a
+// straight line, and give the sun its colour.
 TEST(Nodes, ListedOnesIntegrate) {
   std::vector<double> middles;
   for (const WaveBand& band : fine_bands()) {
@@ -107,7 +107,7 @@ TEST(Colours, WhiteIsWhatWasAskedFor) {
   const Rgb white = colour_of(band_colours(solar_irradiance(), White::equal_energy), even);
   EXPECT_NEAR(white[0] / white[1], 1.0, 1e-12);
   EXPECT_NEAR(white[2] / white[1], 1.0, 1e-12);
-  // The sun above the air is warmer than D65 and has the luminance 1.
+  // Sunlight above the air is warmer than D65 and has luminance 1.
   const Rgb warm = sun_colour(band_colours(solar_irradiance(), White::d65));
   EXPECT_NEAR(luminance(warm), 1.0, 1e-4);
   EXPECT_GT(warm[0], 1.05);
@@ -166,8 +166,8 @@ TEST(Matrix, OfAllBandsIsExact) {
   }
 }
 
-// A spectrum that the universal matrix was not made for: a clear zenith, the sun through 1.7 verticals, over bright
-// sand. Errors of a few wavelengths fall as they grow in number.
+// A spectrum outside those that the universal matrix was fitted to: a clear zenith, the sun through 1.7 verticals, over
+// bright sand. The error falls as the number of wavelengths grows.
 TEST(Matrix, OfFewWavelengthsComesClose) {
   const BandColours colours = band_colours(solar_irradiance(), White::sun);
   const auto zenith = [](double nm) {
@@ -194,7 +194,7 @@ TEST(Matrix, OfFewWavelengthsComesClose) {
   EXPECT_LT(worst(6), 0.006);
 }
 
-// Samples that a matrix can meet, it meets; where they say nothing the prior stays.
+// The matrix meets samples that can be met; where they determine nothing the prior stays.
 TEST(Matrix, IsFittedToItsSamples) {
   const BandColours colours = band_colours(solar_irradiance(), White::sun);
   const Nodes nodes = nodes_for(4);
@@ -222,7 +222,7 @@ TEST(Matrix, IsFittedToItsSamples) {
   }
 }
 
-// A column that would make light dark is mended at no cost to the sum; one that is sound is left alone.
+// A column that would give dark light is corrected without changing the sum; a sound column stays unchanged.
 TEST(Matrix, HasNoDarkColumns) {
   const auto luminance = [](const Rgb& c) { return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; };
   const ColourMatrix plain{{0.1, 0.1, 0.6}, {0.3, 0.7, 0.3}, {0.6, 0.2, 0.1}};

@@ -19,7 +19,7 @@ std::array<double, kFineBands> by_bands(const std::array<Curve, 3>& primaries, c
   return sum;
 }
 
-// In sunlight a surface has its colour again, under each white; a grey one is grey at all wavelengths.
+// In sunlight a surface has its colour again, under each white. A grey one is grey at all wavelengths.
 TEST(Reflectances, HaveTheirColourInSunlight) {
   for (const White white : {White::sun, White::d65, White::equal_energy}) {
     const auto primaries = reflectances_of_primaries(solar_irradiance(), white);
@@ -54,7 +54,7 @@ TEST(Reflectances, AreTheSmoothest) {
     for (std::size_t b = 0; b < change.size(); ++b) {
       change[b] = std::sin(0.37 * k * static_cast<double>(b) + k);
     }
-    // Without colour: what the three primaries would have of it is taken away.
+    // A change without colour: the colour's share by the three primaries is subtracted.
     const std::array<double, kFineBands> same = by_bands(primaries, colour_of(colours, change));
     for (const double by : {-0.01, 0.01}) {
       std::array<double, kFineBands> other = best;

@@ -1,4 +1,4 @@
-// The map of failures: that it finds what is broken, and that the methods hold where nothing is known against them.
+// The map of failures: it finds what is broken, and the methods hold where no failure is known.
 
 #include <gtest/gtest.h>
 
@@ -52,8 +52,8 @@ Look look(double asked, double converged, double in_double) {
 
 class Holds : public testing::TestWithParam<const char*> {};
 
-// Every second place along a sweep, and its last: `orders` bakes thick air for seconds a place.
-// The views of a column are its pixels, and stay.
+// Keeps every second place along a sweep, and its last, since `orders` takes seconds a place to bake thick air. The
+// views of a column are its pixels and all stay.
 void thin(Sweep& sweep) {
   if (sweep.x == Quantity::view) {
     return;
@@ -90,7 +90,7 @@ TEST_P(Holds, WhereNothingIsKnownAgainstIt) {
   for (const Block& block : e.blocks) {
     cells += block.cells.size();
   }
-  // An explanation for everything would prove nothing: most cells must hold.
+  // An explanation for everything would prove nothing, so most cells must hold.
   EXPECT_LT(failing, cells / 3);
   EXPECT_EQ(Executor::validation_message_count(), 0);
 }
@@ -101,7 +101,7 @@ INSTANTIATE_TEST_SUITE_P(Method, Holds, testing::Values("march"));  // orders ba
 INSTANTIATE_TEST_SUITE_P(Method, Holds, testing::Values("nested", "march", "sky-view", "analytic", "orders"));
 #endif
 
-// A step along the view too few: far from converged, and named so.
+// One step too few along the view gives an error far from convergence, and the symptom says so.
 TEST(StabilityMap, FindsOneStepWanting) {
   Sweep sweep = sweep_named("steps");
   sweep.xs = {1, 64};
@@ -118,7 +118,7 @@ TEST(StabilityMap, FindsOneStepWanting) {
   EXPECT_EQ(found.front().cause, "few steps");
 }
 
-// Thin air over a white ground: what its disc does not catch passes by.
+// Thin air over a white ground: light that the disc does not catch passes by.
 TEST(StabilityMap, AWhitePlanetReturnsAllLight) {
   Sweep sweep = sweep_named("optical-depth");
   sweep.xs = {1e-4};
@@ -127,7 +127,7 @@ TEST(StabilityMap, AWhitePlanetReturnsAllLight) {
   EXPECT_NEAR(share, 1.0, 2e-3);
 }
 
-// Where nothing absorbs all light comes back: from haze with sharp peaks, forward and backward, which slip through the
+// Where nothing absorbs, all light comes back: from haze with sharp forward and backward peaks, which lie between the
 // directions by which light is gathered, and from deep air.
 TEST(StabilityMap, OrdersKeepsAllLightWhereNothingAbsorbs) {
   const Subject orders = subject_named("orders");
@@ -137,7 +137,7 @@ TEST(StabilityMap, OrdersKeepsAllLightWhereNothingAbsorbs) {
   Sweep molecules = sweep_named("optical-depth");
   molecules.xs = {10.0};
   for (const Place& place : {place_of(haze, 0, 0), place_of(haze, 1, 0), place_of(molecules, 0, 0)}) {
-    // 1.2 % is what degree 2 makes of a peak backward.
+    // 1.2 %: the effect of degree 2 on a backward peak.
     const double most = place[Quantity::asymmetry] < 0.0 ? 0.0125 : 0.01;
     EXPECT_NEAR(returned_share(kDevice, orders, place), 1.0, most)
         << place[Quantity::asymmetry] << ", " << place[Quantity::optical_depth];
@@ -194,7 +194,7 @@ TEST(StabilityMap, ACauseHoldsInItsRegionAndForItsSymptomsAlone) {
   EXPECT_EQ(explanation(subject, place, 'E'), "claims nothing for optical depths above 2");
 }
 
-// Of every method, and of `orders` by its table, which is the default.
+// Checks core/STABILITY.md for every method; for `orders` with its table, the default.
 TEST(StabilityMap, TheMapLeavesNothingUnexplained) {
   std::ifstream file(AIRLIGHT_SOURCE_DIR "/core/STABILITY.md");
   const std::string map((std::istreambuf_iterator<char>(file)), {});
@@ -202,7 +202,7 @@ TEST(StabilityMap, TheMapLeavesNothingUnexplained) {
   EXPECT_EQ(map.find("**not explained**"), std::string::npos);
 }
 
-// scripts/stability remakes the map. A cause that explains no cell of it excuses nothing: it is to go.
+// scripts/stability remakes the map. A cause that explains no cell of it excuses nothing and must be removed.
 TEST(StabilityMap, EachKnownFailureExplainsACell) {
   std::ifstream file(AIRLIGHT_SOURCE_DIR "/core/STABILITY.md");
   std::map<std::string, std::string> by_subject;
@@ -287,7 +287,7 @@ TEST(StabilityMap, TheSummaryNamesWhatIsNotExplained) {
   EXPECT_EQ(text.find("Every failing region"), std::string::npos);
 }
 
-// The colour of each cell and the letter of each that fails; blank where there is no number.
+// The colour of each cell, and the letter of each failing one; blank where there is no number.
 TEST(StabilityMap, AMapShowsEveryCell) {
   Examination e = small_examination();
   e.blocks[0].cells[0].not_finite = 1;

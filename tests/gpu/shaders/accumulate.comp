@@ -1,6 +1,6 @@
 #version 460
 #extension GL_EXT_scalar_block_layout : require
-// Adds what the pass pushes to every number.
+// Adds the pushed number to every number.
 layout(local_size_x = 32) in;
 layout(scalar, set = 0, binding = 0) buffer Numbers {
   uint values[];

@@ -1,6 +1,6 @@
 #version 460
 #extension GL_EXT_scalar_block_layout : require
-// One of each thing that reflection reports; most of it unused, as a pass that includes more than it needs.
+// One of each thing that reflection reports; most are unused, as in a pass that includes more than it needs.
 layout(local_size_x = 16, local_size_y = 4, local_size_z = 2) in;
 layout(constant_id = 7) const uint kCount = 3u;
 layout(constant_id = 2) const float kScale = 0.5;

@@ -1,6 +1,6 @@
 #version 460
 #extension GL_EXT_scalar_block_layout : require
-// A vector of constants whose parts fold to a constant that the module names further down.
+// A vector of constants whose parts fold to a constant that the module declares further down.
 layout(local_size_x = 1) in;
 layout(constant_id = 0) const uint kColumns = 64u;
 layout(constant_id = 1) const uint kRows = 4u;

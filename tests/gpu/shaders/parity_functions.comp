@@ -3,7 +3,7 @@
 // One function of shaders/physics over an array of inputs.
 #include "shared/device.glsl"
 
-// The functions called fetch no sunlight; the physics that declares them does.
+// The called functions fetch no sunlight, but the physics that declares them needs this function.
 vec3 transmittance_to_top(PlanetData planet, real h, real mu) { return vec3(1.0); }
 
 #include "physics/sunlight.glsl"

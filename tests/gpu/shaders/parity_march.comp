@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// The view march on tables that the host made, over an array of rays; parity_test.cpp holds it against the host's.
+// The view march on tables made by the host, over an array of rays; parity_test.cpp compares it with the host's.
 #include "shared/device.glsl"
 #include "shared/tables.glsl"
 #include "shared/scattering_tables.glsl"

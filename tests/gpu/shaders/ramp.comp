@@ -1,5 +1,5 @@
 #version 460
-// Each texel its own number, plus what the pass pushes.
+// Each texel gets its own number plus the pushed one.
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = 0, rgba32f) writeonly uniform image2D ramp_out;
 layout(push_constant) uniform Push {
