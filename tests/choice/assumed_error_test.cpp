@@ -1,4 +1,4 @@
-// What is known of a scene before anything is looked at.
+// Errors that are assumed of a scene before any probe.
 #include "core/choice/assumed_error.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,8 @@
 namespace airlight::choice {
 namespace {
 
-// Found against path-trace: 17 and 82 % beside the top of the air, 8.6 % in air as high as a tenth of the planet.
+// Errors of the default against path-trace: 17 and 82 % beside the top of the air, 8.6 % in air as high as a tenth of
+// the planet. There it must be probed.
 TEST(Tolerance, TheDefaultIsLookedAtWhereItsTableMayFail) {
   const Scene noon = preset("noon");
   ASSERT_TRUE(default_error(noon));
@@ -30,7 +31,8 @@ TEST(Tolerance, TheDefaultIsLookedAtWhereItsTableMayFail) {
   EXPECT_GT(*default_error(scene), *default_error(noon));
 }
 
-// Dusk is as wide as what scatters, not as the air: on a large planet 25 % were missed in the dark (seed 1436).
+// Dusk is as wide as the scattering air, not as all the air: on a large planet errors of 25 % in the dark were missed
+// (seed 1436).
 TEST(Tolerance, TheReferenceIsLookedAtWhereNothingThatScattersIsLit) {
   const auto below = [](double altitude, double sun_elevation) {
     Scene scene = preset("noon");
@@ -47,7 +49,7 @@ TEST(Tolerance, TheReferenceIsLookedAtWhereNothingThatScattersIsLit) {
   EXPECT_FALSE(below(2.0, -0.01)) << "dusk is 1.4 degrees wide, the table's suns stand as far apart";
 }
 
-// What is known of haze lets the defaults be taken at 1 % without a search, and not at a tenth of that.
+// By the error assumed for haze the defaults are taken at 1 % without a search, but not at a tenth of that.
 TEST(Tolerance, HazeIsServedAtOnce) {
   int calls = 0;
   const Looks probe = wrong_by(by_steps, &calls);
@@ -61,7 +63,7 @@ TEST(Tolerance, HazeIsServedAtOnce) {
   EXPECT_GT(calls, 0);
 }
 
-// `auto` wavelengths are few enough to be known, and what they err is in the bound; fewer have to be looked at.
+// The error of `auto` wavelengths is known and included in the bound; fewer wavelengths have to be probed.
 TEST(Tolerance, KnowsTheDefaultOfSpectraAndOfTables) {
   int calls = 0;
   const Looks probe = wrong_by(by_steps, &calls);
@@ -95,7 +97,7 @@ TEST(Tolerance, OfSharpAndBackwardPeaksNothingIsAssumed) {
   }
 }
 
-// Over a planet of 604 548 km at sunset the plain reference was 53 % off and vouched for what was as wrong.
+// Over a planet of 604 548 km at sunset the plain reference was 53 % off and confirmed renderings as wrong.
 TEST(Tolerance, TheReferenceIsLookedAtWhereDuskFallsBetweenItsSuns) {
   Scene scene = preset("noon");
   scene.sun.elevation = 0.0;

@@ -1,4 +1,4 @@
-// Which method and quality a picture gets, with probes that need no device.
+// The choice of method and quality for a picture, with probes that need no device.
 #include "core/choice/choose.h"
 
 #include <gtest/gtest.h>
@@ -31,8 +31,8 @@ TEST(Tolerance, TakesTheFirstOfRisingCostThatIsWithinIt) {
   }
 }
 
-// Of a scene with spectra the fewest wavelengths are taken that many more vouch for, and what they err is in the bound;
-// a number that the preset asks for stays.
+// For a scene with spectra the choice takes the fewest wavelengths that agree with many more, and includes their error
+// in the bound. A number that the preset gives stays.
 TEST(Tolerance, TakesTheFewestWavelengths) {
   Scene scene = preset("earth");
   scene.sun.elevation = -0.1;
@@ -81,7 +81,7 @@ TEST(Tolerance, LooksAtNothingWhereTheDefaultIsSureAndNoSearchPays) {
   EXPECT_EQ(choose_for_tolerance(preset("orbit", {64, 36}), 0.05, "", probe).probes, 0U);
 }
 
-// A picture without light is black by any method.
+// A picture without light is black by any method and needs no probe.
 TEST(Tolerance, NothingIsLookedAtWhereNothingShines) {
   Scene scene = preset("noon");
   scene.camera.altitude = scene.planet.atmosphere_height;
@@ -94,7 +94,7 @@ TEST(Tolerance, NothingIsLookedAtWhereNothingShines) {
   EXPECT_EQ(calls, 0);
 }
 
-// Deep in the night methods differ by factors in what nobody could see; brighter than starlight they may not be.
+// Deep in the night methods differ by factors in invisible light; none may be brighter than starlight.
 TEST(Tolerance, ByNightAllThatIsDarkIsAlike) {
   Scene scene = preset("noon");
   scene.sun.elevation = -0.6;
@@ -132,7 +132,7 @@ TEST(Tolerance, ThatNothingReachesNamesTheBest) {
   const auto& sweep = find_method("march")->sweep;
   const auto judged = std::ranges::count_if(sweep, [](const Quality& quality) { return quality.may_be_chosen; });
   EXPECT_EQ(choice.tried.size(), static_cast<std::size_t>(judged));
-  // Noise and corners between which pixels lie are errors of places in the picture, which no probe would see.
+  // Noise, and interpolation between corners, err at places in the picture, where no probe would see it.
   EXPECT_LT(choice.tried.size(), sweep.size());
   for (const Tried& tried : choice.tried) {
     EXPECT_EQ(tried.quality.find("noise"), std::string::npos) << tried.quality;
@@ -169,7 +169,7 @@ TEST(Tolerance, GivesMethodsNoSceneThatTheyDoNotClaim) {
 }
 
 TEST(TimeLimit, TakesTheMostAccurateThatFits) {
-  // A device of a nanosecond a step.
+  // A device that takes a nanosecond a step.
   const auto error = [](const Scene& s) {
     const bool near_truth = s.render.method == "orders" && s.render.get<int>("steps") == 192;
     const bool plain = s.render.method == "march" && s.render.get<std::string>("step_distribution") == "quadratic" &&

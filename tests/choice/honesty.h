@@ -12,8 +12,8 @@
 
 namespace airlight::test {
 
-// A valid scene nobody thought of, of up to 200 pixels a side; eight in a row share the kinds of their media, as a new
-// list of kinds is a second of a software device's compiler.
+// An unforeseen valid scene of up to 200 pixels a side. Eight in a row share the kinds of their media, since a new list
+// of kinds costs a software device's compiler a second.
 Scene honesty_scene(std::uint64_t seed);
 
 struct Honesty {
@@ -38,14 +38,14 @@ struct Traced {
   double noise = 0.0;  // mean of standard error / radiance
 };
 
-// Kept in `folder` from run to run.
+// Traces the scene; the result is kept in `folder` from run to run.
 Traced trace(const Scene& scene, const std::filesystem::path& folder);
 
-// Mean relative error in those directions, without what the noise adds to it.
+// Mean relative error in those directions, without the noise's share.
 double error_against(const Traced& truth, const std::vector<float>& radiance, double dark);
 
-// For each tolerance, by probes that are remembered from one to the next. `of_reference`: the mean relative error of
-// the plain reference against the fine one, at the probes. The judge is path-trace, in `traced`, or else the fine
+// Judges each tolerance, with probes that are remembered from one to the next. `of_reference`: the mean relative error
+// of the plain reference against the fine one, at the probes. The judge is path-trace, in `traced`, or else the fine
 // reference over an even lattice of pixels.
 std::vector<Honesty> judge_honesty(Executor& executor, const Scene& scene, const std::vector<double>& tolerances,
                                    double* of_reference = nullptr, const Traced* traced = nullptr);

@@ -1,8 +1,8 @@
 // Tolerances are kept: random valid scenes, rendered as chosen, against a near-truth picture.
 //
 // AIRLIGHT_TOLERANCE=FIRST:LAST judges the scenes of these seeds instead of the few below, by path-trace, whose samples
-// stay in AIRLIGHT_TOLERANCE_TRUTH, and writes each result to AIRLIGHT_TOLERANCE_LIST: what scripts/tolerance does.
-// AIRLIGHT_TOLERANCE_FIT writes what core/choice's assumed errors are fitted to.
+// stay in AIRLIGHT_TOLERANCE_TRUTH, and writes each result to AIRLIGHT_TOLERANCE_LIST; scripts/tolerance uses it.
+// AIRLIGHT_TOLERANCE_FIT writes the data to which core/choice's assumed errors are fitted.
 #include "tests/choice/honesty.h"
 
 #include <gtest/gtest.h>

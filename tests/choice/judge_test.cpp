@@ -1,4 +1,4 @@
-// How wrong pictures are by paths, of which tests have their own.
+// The error of pictures judged by paths; the tests supply the paths.
 #include "core/choice/judge.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace airlight::choice {
 namespace {
 
-// What is assumed of the reference is not believed against paths that say otherwise (seed 1227).
+// An assumed error of the reference is dropped where paths contradict it (seed 1227).
 TEST(Tolerance, PathsCountMoreThanWhatIsKnown) {
   Scene scene = preset("noon");
   scene.sun.elevation = -0.1;
@@ -23,7 +23,7 @@ TEST(Tolerance, PathsCountMoreThanWhatIsKnown) {
   EXPECT_FALSE(choose_for_tolerance(scene, 0.03, "", wrong_by([](const Scene&) { return 0.06; })).chosen);
 }
 
-// Below what is assumed of haze by day paths tell, as many as it takes and no more.
+// Below the error assumed for haze by day, paths decide, as many as needed and no more.
 TEST(Tolerance, PathTraceJudgesWhatNobodyKnows) {
   const Scene scene = haze(kBlue, kForward);
   const double tolerance = 0.5 * *default_error(scene);
@@ -62,7 +62,7 @@ TEST(Tolerance, PathTraceJudgesWhatNobodyKnows) {
   EXPECT_EQ(runs.size(), 1U) << "few paths tell that";
 }
 
-// Time is of all runs together, and what they found counts although it is not enough.
+// The time limit covers all runs together, and their results count even if they are not enough.
 TEST(Tolerance, TheJudgesTimeIsUpOnce) {
   const Scene scene = haze(kBlue, kForward);
   const double tolerance = 0.5 * *default_error(scene);
@@ -87,7 +87,7 @@ TEST(Tolerance, TheJudgesTimeIsUpOnce) {
   EXPECT_FALSE(without.chosen) << "no paths, no verdict";
 }
 
-// Two runs are as one of all their samples.
+// Two runs equal one run with all their samples.
 TEST(Tolerance, RunsOfPathsAreOne) {
   Probes probes;
   probes.directions.resize(4000);
@@ -107,7 +107,7 @@ TEST(Tolerance, RunsOfPathsAreOne) {
   EXPECT_NEAR(deviation, 0.512 / 16.0, 0.03 * 0.512 / 16.0);
 }
 
-// The noise of the paths is taken off, and no error is told smaller than it is.
+// The paths' noise is subtracted, and no error is reported smaller than it is.
 TEST(Tolerance, AJudgementHoldsTheErrorBetweenItsBounds) {
   Probes probes;
   probes.directions.resize(128);
@@ -124,7 +124,7 @@ TEST(Tolerance, AJudgementHoldsTheErrorBetweenItsBounds) {
   }
 }
 
-// Of two batches the deviation is told too small, in the mean.
+// The deviation estimated from two batches is, in the mean, too small.
 TEST(Tolerance, AJudgementKnowsWhatFewBatchesTell) {
   constexpr std::size_t kCount = 20000;
   std::mt19937 random(5);

@@ -1,5 +1,5 @@
 #pragma once
-// Looks through which a choice sees what a test wants, and scenes to choose for.
+// Probes that return what a test wants, and scenes to choose for.
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 
 namespace airlight::choice {
 
-// Paths that find the truth, 1, with as much noise as so few samples leave, at least 0.2 %.
+// Paths whose result is the truth, 1, with the noise of so few samples, at least 0.2 %.
 inline Traced trace_of_one(const Scene& /*scene*/, const Probes& probes, const TraceOrder& order) {
   constexpr double kNoise = 0.512;  // of one sample
   const double wanted = order.target_error > 0.0 ? std::pow(kNoise / order.target_error, 2.0) : order.samples;
@@ -28,7 +28,7 @@ inline Traced trace_of_one(const Scene& /*scene*/, const Probes& probes, const T
   return traced;
 }
 
-// Radiance 1 in each direction, wrong by what `error` says of the scene.
+// Radiance 1 in each direction, with the scene's `error`.
 inline Looks wrong_by(const std::function<double(const Scene&)>& error, int* calls = nullptr) {
   const auto probe = [=](const Scene& scene, const Probes& probes) {
     if (calls != nullptr) {
@@ -39,14 +39,14 @@ inline Looks wrong_by(const std::function<double(const Scene&)>& error, int* cal
   return {probe, trace_of_one};
 }
 
-// Four parts in a hundred for 8 steps, less in proportion.
+// An error of 4 % for 8 steps, in inverse proportion to the steps.
 inline double by_steps(const Scene& scene) {
   const auto steps = scene.render.parameters.find("steps");
   const bool marches = steps != scene.render.parameters.end();
   return marches ? 0.32 / std::get<int>(steps->second) : 0.5;
 }
 
-// Molecules and a haze of optical depth 0.05 by the text between the lines, the sun at 30 degrees.
+// Molecules and a haze of optical depth 0.05, by the given JSON texts; the sun at 30 degrees.
 inline Scene haze(const std::string& molecules, const std::string& phase, const std::string& more = "{}") {
   return resolve(parse_preset(R"({"airlight": 1, "media": [
       {"name": "molecules", "scattering_per_km": )" +

@@ -7,7 +7,7 @@
 
 namespace airlight::choice {
 
-// Of three channels, but where a test asks for spectra.
+// With three channels, unless a test asks for spectra.
 inline Scene preset(const std::string& name, ImageSize size = {1280, 720}) {
   const std::string file = (name.starts_with("earth") ? "" : "earth-hillaire2020-") + name + ".json";
   Scene scene = resolve(load_preset(AIRLIGHT_SOURCE_DIR "/presets/" + file), method_infos());

@@ -1,4 +1,4 @@
-// Where a picture is looked at, and what looking costs.
+// Places of the probes in a picture, and their cost.
 #include "core/choice/probes.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ struct Shares {
   double by_count = 0.0;
 };
 
-// Of the probes within two degrees of the horizon.
+// Shares of the probes within two degrees of the horizon.
 Shares beside_the_horizon(const Probes& probes) {
   Shares shares;
   double total = 0.0;
@@ -56,7 +56,7 @@ TEST(Probes, AreDenserAtTheHorizonYetStandForAllPixelsAlike) {
   EXPECT_NEAR(of_probes.by_weight, of_pixels.by_weight, 0.2 * of_pixels.by_weight);
 }
 
-// A row of pixels at the horizon may be the one that is wrong: each has a chance to be looked at.
+// A single row of pixels at the horizon may be wrong, so each row has a chance of a probe.
 TEST(Probes, StandInEveryRowOfPixels) {
   const Scene scene = preset("noon", {160, 150});
   physics::Physics p = make_physics(scene);
@@ -69,7 +69,8 @@ TEST(Probes, StandInEveryRowOfPixels) {
   EXPECT_GT(rows.size(), 100U) << "of 150 rows";
 }
 
-// By what is predicted, as no test may fail by the clock: near-truth tables and rays, against the march that they save.
+// By predicted cost, since no test may depend on the clock: near-truth tables and rays, against the march that they
+// save.
 TEST(Probes, CostLessThanAFifthOfAMarchAtFullSize) {
   const Scene scene = preset("noon");
   Scene rays = scene;
