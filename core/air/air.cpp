@@ -46,8 +46,14 @@ int layer_below_share(const physics::Physics& p, const Column& column, double sh
   return std::clamp(static_cast<int>(std::ceil(kLayers * h / column.edges.back())), 1, kLayers);
 }
 
+// How far under the horizon the sun of the table's last column stands, for a horizon that falls by `dip` up to the
+// highest row: light scattered twice no longer matters there.
+double lowest_sun(double dip) {
+  return std::min(0.5 * std::numbers::pi, 5.0 * dip + 0.02);
+}
+
 // Axes of the moment table: the altitude under which all but 1.5e-4 of the vertical scattering optical depth lies, and
-// sun elevations from nadir to zenith, densest around the horizon.
+// sun elevations up to the zenith, densest around the horizon, and down to a sun so low that no light is left.
 physics::MomentTableData moment_axes(physics::Physics& p, const Column& column) {
   constexpr double kLeftAbove = 1.5e-4;
   physics::MomentTableData table;
@@ -55,19 +61,18 @@ physics::MomentTableData moment_axes(physics::Physics& p, const Column& column) 
   const double dip = -std::asin(p.horizon_mu(p.scene.planet, table.top));
   table.elevation_scale = std::clamp(0.7 * dip, 0.01, 0.35);
   table.v_high = std::asinh(0.5 * std::numbers::pi / table.elevation_scale);
-  table.v_low = -table.v_high;
+  table.v_low = -std::asinh(lowest_sun(dip) / table.elevation_scale);
   return table;
 }
 
-// The same where the table's rows are edges of shells: up to the top of the atmosphere, and down to a sun so low that
-// light scattered twice no longer matters, as a flat planet's night needs no columns.
+// The same where the table's rows are edges of shells, up to the top of the atmosphere.
 physics::MomentTableData shell_moment_axes(physics::Physics& p) {
   physics::MomentTableData table;
   table.top = p.scene.planet.atmosphere_height;
   const double dip = -std::asin(p.horizon_mu(p.scene.planet, table.top));
   table.elevation_scale = std::clamp(0.7 * dip, 0.05, 0.35);
   table.v_high = std::asinh(0.5 * std::numbers::pi / table.elevation_scale);
-  table.v_low = -std::asinh(std::min(0.5 * std::numbers::pi, 5.0 * dip + 0.02) / table.elevation_scale);
+  table.v_low = -std::asinh(lowest_sun(dip) / table.elevation_scale);
   return table;
 }
 
@@ -132,6 +137,9 @@ void put_phases(physics::Physics& p, const std::vector<Medium>& media, bool schl
     p.phase_functions |= (code_of(media[i], schlick) | sharp) << (physics::kBitsPerMedium * i);
     const LegendreMoments moments = legendre_moments(p, static_cast<physics::uint>(i));
     std::ranges::copy(moments, std::begin(p.scene.media[i].legendre));
+    for (std::size_t l = 0; l + 1 < moments.size(); ++l) {
+      p.scene.media[i].peak[l] = p.forward_peak(static_cast<physics::uint>(l), moments[l], moments[l + 1]);
+    }
   }
 }
 

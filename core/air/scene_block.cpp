@@ -76,7 +76,9 @@ device::MediumData narrow(const physics::MediumData& from) {
   m.phase_table = from.phase_table;
   m.first_layer = from.first_layer;
   m.layer_count = from.layer_count;
-  std::ranges::transform(from.legendre, std::begin(m.legendre), [](const vec3& x) { return narrowed(x); });
+  const auto narrow_each = [](const vec3& x) { return narrowed(x); };
+  std::ranges::transform(from.legendre, std::begin(m.legendre), narrow_each);
+  std::ranges::transform(from.peak, std::begin(m.peak), narrow_each);
   return m;
 }
 

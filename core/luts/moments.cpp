@@ -77,7 +77,7 @@ OrderWay stepped_way(int order, const MomentSettings& settings) {
 OrderWay shell_way(int order, const MomentSettings& settings) {
   const int degree = std::min(settings.degree, order <= 6 ? 8 : 6);
   if (order == 1) {
-    return {degree, settings.delta || settings.sharp ? OrderQuadrature{16, 16, 12, 1} : OrderQuadrature{10, 10, 6, 1}};
+    return {degree, settings.peaked || settings.sharp ? OrderQuadrature{16, 16, 12, 1} : OrderQuadrature{10, 10, 6, 1}};
   }
   const int zeniths = degree > 6 ? 8 : 6;
   return {degree, {zeniths, zeniths, degree + 1, 1}};
@@ -160,6 +160,18 @@ m = block - l * (l + 1) / 2
 )"};
 }
 
+// Whether harmonics up to `degree` leave a forward peak of some medium that scatters.
+bool leaves_a_peak(const Air& air, int degree) {
+  constexpr double kLeast = 1e-4;  // quadrature leaves less in a smooth phase function
+  for (std::size_t i = 0; i < air.media().size(); ++i) {
+    const physics::vec3& peak = air.formulas().scene.media[i].peak[static_cast<std::size_t>(degree)];
+    if ((air.scattering_media() >> i & 1U) != 0 && std::max({peak.x, peak.y, peak.z}) > kLeast) {
+      return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 MomentSettings moment_settings(const Air& air, const MomentRequest& request) {
@@ -178,7 +190,8 @@ MomentSettings moment_settings(const Air& air, const MomentRequest& request) {
   settings.sharp = std::ranges::any_of(air.media(), is_sharp);
   settings.hazy = !settings.shells && (request.hazy || air.depths().scattering > kHazy);
   settings.degree = request.degree.value_or(!thick ? 2 : settings.shells || settings.hazy ? 8 : 5);
-  settings.delta = thick;
+  settings.peaked = thick;
+  settings.delta = leaves_a_peak(air, settings.degree);
   settings.size = request.size;
   if (settings.shells) {
     // Until the orders fall alike everywhere: a level slab of optical depth 5 that absorbs nothing is off by 60 to 230

@@ -16,7 +16,8 @@ inline constexpr double kMostBakeSteps = 2e9;
 
 struct MomentSettings {
   int degree = 2;          // highest harmonic kept, 0 to 8; orders after the second keep fewer
-  bool delta = false;      // forward peaks as unscattered light [W76]
+  bool delta = false;      // forward peaks as unscattered light (forward_peak() of shaders/physics/moments.glsl)
+  bool peaked = false;     // forward-peaked media are thick: by shells the first order takes more directions
   int orders = 3;          // computed one by one; the rest is a geometric series
   int wished_orders = 3;   // more than `orders` where those would take kMostBakeSteps
   TableSize size{48, 12};  // sun elevations x altitudes
@@ -38,9 +39,9 @@ struct MomentRequest {
 // The highest degree that clear air has: more is for hazy air and for shells.
 inline constexpr int kMostClearDegree = 6;
 
-// What this air needs: degree 2, or where forward-peaked media are thick, with delta-scaling, 5, in hazy air and by
-// shells 8; three orders before the tail in thin air, more with the optical depth. By shells, and in hazy air, there
-// are more rows than `size` says.
+// What this air needs: degree 2, or where forward-peaked media are thick 5, in hazy air and by shells 8; three orders
+// before the tail in thin air, more with the optical depth. By shells, and in hazy air, there are more rows than `size`
+// says.
 MomentSettings moment_settings(const Air& air, const MomentRequest& request);
 
 // Mean extinction toward the top of the atmosphere (sun_table_mu() x edges of shells): what the passes read in place of

@@ -115,9 +115,23 @@ Harmonics harmonics(real mu, real cos_azimuth) {
   return y;
 }
 
+// The share f of a medium's scattering that counts as light that was not scattered, where the field's harmonics are kept
+// up to degree N (`l`): from the Legendre moments chi_N (`kept`) and chi_(N+1) (`next`) of its phase function.
+// Scattering multiplies the field's harmonics of degree l by chi_l. With a share f unscattered, and moments
+// (chi_l - f) / (1 - f) for the rest, those up to N are multiplied by chi_l exactly whatever f is, and all above N by f.
+// f = 0 loses what a forward peak keeps of them; f = chi_(N+1) [W76] keeps too much, as chi_l falls with l. f is the mean
+// of chi_l over all l > N, for a field whose harmonics fall by r a degree and chi_l = chi_(N+1) q^(l-N-1) with
+// q = chi_(N+1) / chi_N: f = chi_(N+1) (1 - r) / (1 - r q). A field falls the faster the higher N is: r = 60 /
+// (60 + (N + 1)^2) suits Earth's skies, clear at N = 2 and hazy at N = 5 and 6, and dust at N = 8.
+vec3 forward_peak(uint l, vec3 kept, vec3 next) {
+  vec3 q = min(max(next, vec3(0.0)) / max(kept, vec3(1e-6)), vec3(1.0));
+  real n = real(l + 1u);
+  return max(next, vec3(0.0)) / (vec3(1.0) + (vec3(1.0) - q) * (60.0 / (n * n)));
+}
+
 // The air as diffuse light meets it: scattering by degree, sum over media of scattering times the phase function's
-// Legendre moment (no further 4 pi: convolution on the sphere), and extinction. Delta-scaled, the part f = moment of
-// degree N+1 of each phase function counts as light that was not scattered.
+// Legendre moment (no further 4 pi: convolution on the sphere), and extinction. With delta_scaled() forward_peak() of
+// each medium counts as light that was not scattered.
 struct DiffuseAir {
   vec3 extinction;
   vec3 peaks;             // 1/km, what delta-scaling leaves out of it
@@ -129,7 +143,7 @@ DiffuseAir with_diffuse_medium(DiffuseAir air, uint i, real d, vec3 phase) {
   if (i < medium_count()) {
     MediumData m = medium(i);
     vec3 scattering = m.scattering * d;
-    vec3 f = delta_scaled() ? max(m.legendre[moment_degree() + 1u], vec3(0.0)) : vec3(0.0);
+    vec3 f = delta_scaled() ? m.peak[moment_degree()] : vec3(0.0);
     air.extinction = air.extinction + m.absorption * d + scattering * (vec3(1.0) - f);
     air.peaks = air.peaks + scattering * f;
     air.phase_scattering = air.phase_scattering + scattering * phase;

@@ -6,7 +6,7 @@ const uint kMaxMedia = 8u;
 const uint kMaxDensityLayers = 256u;
 const uint kMaxShellRows = 64u;
 const uint kPhaseSamples = 1024u;   // of a phase function by table
-const uint kLegendreMoments = 10u;  // 0 to 9: delta-scaling to degree 8 takes the last one as the peak
+const uint kLegendreMoments = 10u;  // 0 to 9: the peak above degree 8 follows from the last two
 
 struct PlanetData {
   real ground_radius;
@@ -27,6 +27,7 @@ struct MediumData {
   uint first_layer;
   uint layer_count;
   vec3 legendre[kLegendreMoments];  // of the phase function: integral of p(nu) P_l(nu) over the sphere, from l = 0
+  vec3 peak[kLegendreMoments - 1u];  // by the degree kept: forward_peak() of physics/moments.glsl
 };
 
 struct SunData {

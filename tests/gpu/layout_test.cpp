@@ -65,6 +65,7 @@ std::map<std::string, std::size_t> host_offsets() {
   AIRLIGHT_MEMBER(media[0].first_layer);
   AIRLIGHT_MEMBER(media[0].layer_count);
   AIRLIGHT_MEMBER(media[0].legendre);
+  AIRLIGHT_MEMBER(media[0].peak);
   AIRLIGHT_MEMBER(layers);
   AIRLIGHT_MEMBER(shell_rows);
   AIRLIGHT_MEMBER(shell_altitudes);

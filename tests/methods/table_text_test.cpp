@@ -309,6 +309,7 @@ TEST(TableText, Factors) {
     const auto settings_columns = std::get<TableSize>(scene.render.parameters.find("moments_lut")->second)[0];
     p.moments_lut = files.at("moments").table;
     p.moment_columns = static_cast<physics::uint>(settings_columns);
+    p.delta = true;  // the aerosol has a peak
     const TableFile& file = files.at("sky_factors");
     const std::string& parts = file.texts.at("airlight:quantity");
     const auto block_of = [&](const std::string& medium) {
