@@ -57,8 +57,8 @@ bool dusk_is_resolved(const Scene& scene, double widest) {
          dip(planet, planet.atmosphere_height) < widest * kDegree;
 }
 
-// The error of rendering at `auto` or more wavelengths instead of all: core/SPECTRA.md has 0.02 to 0.42 % over clear
-// and dusty skies, 0.85 in haze of an optical depth of 0.9. Nothing is known of fewer.
+// The error of rendering at `auto` or more wavelengths instead of all: core/SPECTRA.md has 0.1 to 0.45 % over clear
+// and dusty skies with the sun above -4 degrees. Nothing is known of fewer.
 std::optional<double> wavelengths_error(const Scene& scene) {
   if (!scene.spectra) {
     return 0.0;
