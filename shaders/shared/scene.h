@@ -26,7 +26,7 @@ struct MediumData {
   uint phase_table;     // index among the scene's tables, for a phase function by table
   uint first_layer;
   uint layer_count;
-  vec3 legendre[kLegendreMoments];  // of the phase function: integral of p(nu) P_l(nu) over the sphere, from l = 0
+  vec3 legendre[kLegendreMoments];   // of the phase function: integral of p(nu) P_l(nu) over the sphere, from l = 0
   vec3 peak[kLegendreMoments - 1u];  // by the degree kept: forward_peak() of physics/moments.glsl
 };
 

@@ -25,8 +25,9 @@ Direction direction_at(const Scene& scene, int x, int y) {
   return angles_of(d);
 }
 
-// Optical depths from the scene's camera along a zenith cosine up to a distance, km, by ten thousand midpoints in double:
-// of the air as `orders` takes it, whose forward peaks above degree 2 count as light not scattered, and of those peaks.
+// Optical depths from the scene's camera along a zenith cosine up to a distance, km, by ten thousand midpoints in
+// double: of the air as `orders` takes it, whose forward peaks above degree 2 count as light not scattered, and of
+// those peaks.
 struct Depths {
   physics::vec3 scaled;
   physics::vec3 peaks;

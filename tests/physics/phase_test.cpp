@@ -162,5 +162,31 @@ TEST(Phase, SchlickStandsForHenyeyGreenstein) {
   }
 }
 
+// Henyey-Greenstein has the moments g^l. The share is their mean above degree N, the weights falling by r a degree,
+// here summed term by term; it grows from nothing to the moment N + 1 itself as the peak gets sharp.
+TEST(Phase, ForwardPeakIsTheMeanOfAllMomentsAboveTheDegreeKept) {
+  for (const double g : {0.1, 0.5, 0.8, 0.95, 0.999}) {
+    for (unsigned int n = 0; n <= physics::kMaxDegree; ++n) {
+      const double r = 60.0 / (60.0 + (n + 1.0) * (n + 1.0));
+      double sum = 0.0;
+      double weights = 0.0;
+      double weight = 1.0;
+      for (unsigned int l = n + 1; l < n + 4000; ++l) {
+        sum += weight * std::pow(g, l);
+        weights += weight;
+        weight *= r;
+      }
+      const double peak = formulas.forward_peak(n, physics::vec3(std::pow(g, n)), physics::vec3(std::pow(g, n + 1))).x;
+      EXPECT_NEAR(peak, sum / weights, 1e-9) << g << ", degree " << n;
+      EXPECT_LT(peak, std::pow(g, n + 1));
+    }
+  }
+  EXPECT_EQ(formulas.forward_peak(2, physics::vec3(0.5), physics::vec3(-0.4)).x, 0.0);  // a backward peak has none
+  EXPECT_EQ(formulas.forward_peak(2, physics::vec3(0.1), physics::vec3(0.0)).x, 0.0);   // nor has Rayleigh's function
+  const physics::Physics p = make_physics(earth());
+  EXPECT_NEAR(p.medium(0).peak[2].x, 0.0, 1e-4);
+  EXPECT_NEAR(p.medium(1).peak[2].x, 0.512 / (1.0 + 0.2 * 60.0 / 9.0), 1e-4);  // g 0.8
+}
+
 }  // namespace
 }  // namespace airlight::test
