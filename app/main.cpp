@@ -6,7 +6,7 @@
 #include "app/cli/terminal.h"
 #include "app/commands/commands.h"
 #include "core/error.h"
-#include "core/output/atomic_file.h"
+#include "core/output/ending.h"
 
 namespace airlight::cli {
 namespace {

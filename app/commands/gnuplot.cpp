@@ -11,7 +11,7 @@
 #include "app/cli/process.h"
 #include "core/error.h"
 #include "core/file_descriptor.h"
-#include "core/output/atomic_file.h"
+#include "core/output/ending.h"
 
 namespace airlight::cli {
 namespace {

@@ -3,87 +3,28 @@
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
-#include <atomic>
 #include <cerrno>
-#include <csignal>
 #include <cstring>
 #include <ctime>
-#include <deque>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
-#include <thread>
 #include <utility>
 
 #include "core/error.h"
 #include "core/file_descriptor.h"
 #include "core/output/last_words.h"
+#include "core/output/temporary.h"
 #include "core/text.h"
 
 namespace airlight {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::size_t kMaxPath = 4096;  // Linux PATH_MAX
-constexpr std::size_t kMaxName = 255;   // NAME_MAX of every common file system
-constexpr std::size_t kMaxTemporaries = 32;
-
-// Temporary names that a signal handler may read at any time: fixed storage, published by storing the state.
-struct TemporaryName {
-  enum State { free, reserved, live };
-  std::atomic<int> state = free;
-  std::array<char, kMaxPath> path{};
-};
-static_assert(std::atomic<int>::is_always_lock_free, "a signal handler reads it");
-std::array<TemporaryName, kMaxTemporaries> temporaries;
-
-// Registers a name for the object's life; then unlinks the file unless it was renamed.
-class Temporary {
- public:
-  explicit Temporary(const std::string& path) {
-    if (path.size() >= kMaxPath) {
-      throw RunError(path + ": " + std::strerror(ENAMETOOLONG));
-    }
-    while (slot_ == nullptr) {
-      for (TemporaryName& slot : temporaries) {
-        int expected = TemporaryName::free;
-        if (slot.state.compare_exchange_strong(expected, TemporaryName::reserved)) {
-          slot_ = &slot;
-          break;
-        }
-      }
-      if (slot_ == nullptr) {  // more writers at once than slots: wait for one of them
-        std::this_thread::yield();
-      }
-    }
-    std::memcpy(slot_->path.data(), path.c_str(), path.size() + 1);
-    slot_->state.store(TemporaryName::live);
-  }
-  Temporary(const Temporary&) = delete;
-  Temporary& operator=(const Temporary&) = delete;
-  ~Temporary() {
-    if (!renamed_) {
-      ::unlink(path());
-    }
-    slot_->state.store(TemporaryName::free);
-  }
-
-  const char* path() const { return slot_->path.data(); }
-  bool rename_to(const std::string& target) {
-    renamed_ = ::rename(path(), target.c_str()) == 0;
-    return renamed_;
-  }
-
- private:
-  TemporaryName* slot_ = nullptr;
-  bool renamed_ = false;
-};
 
 [[noreturn]] void fail(const std::string& file, const char* doing, int error) {
   std::string hint;
@@ -120,6 +61,7 @@ fs::path folder_of(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
+constexpr std::size_t kMaxName = 255;  // NAME_MAX of every common file system
 constexpr const char* kTemporaryMark = ".part-";
 
 // A name that no other process uses, nor one on another machine that shares the folder.
@@ -157,29 +99,6 @@ int open_in_place(const std::string& file) {
     fail(file, "open", errno);
   }
   return fd;
-}
-
-// Process number of the program that writes for this process; 0: none.
-std::atomic<pid_t> other_program = 0;
-static_assert(std::atomic<pid_t>::is_always_lock_free, "a signal handler reads it");
-
-constexpr std::array kEndingSignals = {SIGINT, SIGTERM, SIGHUP};
-
-// Kills the program and waits until it writes no more. Async-signal-safe.
-void kill_other_program() noexcept {
-  if (const pid_t process = other_program.exchange(0); process > 0) {
-    ::kill(process, SIGKILL);
-    while (::waitpid(process, nullptr, 0) < 0 && errno == EINTR) {
-    }
-  }
-}
-
-void end_on_signal(int signal_number) {
-  kill_other_program();
-  remove_temporary_files();
-  write_last_words(signal_number);
-  ::signal(signal_number, SIG_DFL);
-  ::raise(signal_number);
 }
 
 }  // namespace
@@ -321,48 +240,6 @@ void FileInProgress::commit() {
   remember_whole(state_->name);
 }
 
-struct FilesOfAnother::State {
-  std::deque<Temporary> files;
-};
-
-FilesOfAnother::FilesOfAnother(const std::vector<fs::path>& files) : state_(std::make_unique<State>()) {
-  for (const fs::path& file : files) {
-    state_->files.emplace_back(file.string());
-  }
-}
-
-FilesOfAnother::~FilesOfAnother() {
-  kill_other_program();
-}
-
-pid_t FilesOfAnother::started_by(const std::function<pid_t()>& start) {
-  sigset_t ending;
-  sigemptyset(&ending);
-  for (const int signal_number : kEndingSignals) {
-    sigaddset(&ending, signal_number);
-  }
-  sigset_t before;
-  ::pthread_sigmask(SIG_BLOCK, &ending, &before);
-  pid_t process = 0;
-  try {
-    process = start();
-    other_program.store(process);
-  } catch (...) {
-    ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
-    throw;
-  }
-  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
-  return process;
-}
-
-void FilesOfAnother::ended() noexcept {
-  other_program.store(0);
-}
-
-bool FilesOfAnother::rename(std::size_t index, const fs::path& target) {
-  return state_->files[index].rename_to(target.string());
-}
-
 void remove_abandoned_files(const fs::path& folder,
                             const std::function<bool(const std::string& name)>& is_target) noexcept {
   try {
@@ -393,28 +270,6 @@ void remove_abandoned_files_of(const fs::path& file) noexcept {
     remove_abandoned_files(folder_of(file), [&](const std::string& name) { return name == file.filename(); });
   } catch (const std::exception&) {
     return;  // out of memory
-  }
-}
-
-void remove_temporary_files() noexcept {
-  for (const TemporaryName& slot : temporaries) {
-    if (slot.state.load() == TemporaryName::live) {
-      ::unlink(slot.path.data());
-    }
-  }
-}
-
-void end_in_good_order_on_signals() {
-  std::signal(SIGXFSZ, SIG_IGN);  // the write fails instead, as on a full disk
-  struct sigaction action {};
-  action.sa_handler = end_on_signal;
-  sigemptyset(&action.sa_mask);
-  for (const int signal_number : kEndingSignals) {
-    struct sigaction before {};
-    ::sigaction(signal_number, nullptr, &before);
-    if (before.sa_handler != SIG_IGN) {  // as nohup sets SIGHUP
-      ::sigaction(signal_number, &action, nullptr);
-    }
   }
 }
 

@@ -1,8 +1,6 @@
 #pragma once
 // Files that appear whole or not at all: written under a temporary name in the same folder, synced, then renamed.
 
-#include <sys/types.h>
-
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -52,27 +50,6 @@ class FileInProgress {
   std::unique_ptr<State> state_;
 };
 
-// Temporary files that another program, started by this process, writes. The destructor removes those that were not
-// renamed. A signal that ends this process first kills the program, then removes them. One object at a time.
-class FilesOfAnother {
- public:
-  explicit FilesOfAnother(const std::vector<std::filesystem::path>& files);
-  FilesOfAnother(const FilesOfAnother&) = delete;
-  FilesOfAnother& operator=(const FilesOfAnother&) = delete;
-  ~FilesOfAnother();
-
-  // Calls `start`, which returns the program's process number, or 0 for none. Signals wait until it is known.
-  pid_t started_by(const std::function<pid_t()>& start);
-  // To be called when the program has ended, but before it is waited for.
-  void ended() noexcept;
-  // False where the file does not exist or cannot be renamed.
-  bool rename(std::size_t index, const std::filesystem::path& target);
-
- private:
-  struct State;
-  std::unique_ptr<State> state_;
-};
-
 // Removes temporary files that killed writers have left in a folder, for targets whose name `is_target` accepts.
 // Writers lock their temporary file, so that those still at work, here or on another machine, keep theirs. Never
 // throws: a file that cannot be removed stays.
@@ -81,13 +58,5 @@ void remove_abandoned_files(const std::filesystem::path& folder,
 
 // The same for the temporary files of this one target.
 void remove_abandoned_files_of(const std::filesystem::path& file) noexcept;
-
-// Unlinks the temporary files of every write_file() now running. Async-signal-safe.
-void remove_temporary_files() noexcept;
-
-// From now on SIGINT, SIGTERM and SIGHUP remove the temporary files, report what is whole (core/output/last_words.h)
-// and end the process as they otherwise would. A file beyond the size limit then fails to be written, as on a full
-// disk, instead of ending the process by SIGXFSZ.
-void end_in_good_order_on_signals();
 
 }  // namespace airlight

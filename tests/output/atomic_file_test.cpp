@@ -7,6 +7,7 @@
 #include <csignal>
 #include <span>
 
+#include "core/output/ending.h"
 #include "tests/output/files.h"
 
 namespace airlight {
