@@ -24,14 +24,15 @@ Command root_command(Tool& tool) {
   command.name = tool.name;
   command.summary = tool.summary;
   command.description =
-      "airlight computes the sky of a planet from a preset, a JSON file that describes air, sun, camera and method, on "
-      "any Vulkan device or on the processor alone, without a display. It writes scene-linear radiance as OpenEXR and "
-      "a picture for people as PNG.\n\n"
-      "What another program may read goes to standard output, everything for people to standard error.";
+      "airlight computes the sky of a planet from a preset. A preset is a JSON file that describes air, sun, camera "
+      "and method. airlight runs on any Vulkan device or on the processor alone, and needs no display. It writes "
+      "scene-linear radiance as OpenEXR and a picture for people as PNG.\n\n"
+      "airlight writes what another program may read to standard output, and everything for people to standard error.";
   command.examples = {{"airlight render earth-sunset", "Write out/earth-sunset.exr and out/earth-sunset.png"},
-                      {"airlight presets", "List the presets that the program brings along"}};
-  command.options = {{"--version", "", "Print the version; with -v also the libraries'", &given->version},
-                     {"-v,--verbose", "", "With --version: more detail", &given->verbose}};
+                      {"airlight presets", "List the built-in presets"}};
+  command.options = {
+      {"--version", "", "Print the version; with -v also the versions of the libraries", &given->version},
+      {"-v,--verbose", "", "Print more detail with --version", &given->verbose}};
   command.run = [given, &tool] {
     if (given->version) {
       print(tool.name + " " + tool.version + "\n" + (given->verbose ? library_versions() : ""));
@@ -55,13 +56,13 @@ int run(int argc, char** argv) {
   tool.commands.push_back(help_command(tool));
   tool.root = root_command(tool);
   tool.environment = {
-      {"AIRLIGHT_DEVICE", "Part of the name of the Vulkan device to use when --device is not given"},
+      {"AIRLIGHT_DEVICE", "Part of the name of the Vulkan device to use if --device is not given"},
       {"AIRLIGHT_CACHE",
-       "Folder that keeps prepared shaders and tables from start to start, in place of $XDG_CACHE_HOME/airlight; off "
+       "Folder that keeps prepared shaders and tables from start to start (default: $XDG_CACHE_HOME/airlight); off "
        "keeps none"},
-      {"AIRLIGHT_VALIDATION", "1 loads the Vulkan validation layer; any message of it makes the run fail"},
-      {"OCIO", "The OpenColorIO configuration to use when --ocio-config is not given"},
-      {"NO_COLOR", "Any value but an empty one keeps colour off the terminal"}};
+      {"AIRLIGHT_VALIDATION", "1 loads the Vulkan validation layer; if it gives any message, the run fails"},
+      {"OCIO", "OpenColorIO config to use if --ocio-config is not given"},
+      {"NO_COLOR", "Any value that is not empty turns off colour on the terminal"}};
   const int code = run_tool(tool, argc, argv);
   finish_stdout();
   return code;

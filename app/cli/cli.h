@@ -30,7 +30,7 @@ enum class Percent { no, share, points };
 struct Option {
   std::string names;    // "-o,--output": short first, the last one is the name in messages
   std::string metavar;  // what the value is called: "FILE.exr"; empty for a flag
-  std::string help;     // one sentence without a full stop; the range, the choices and "repeatable" are added to it
+  std::string help;     // without a full stop at the end, since the range, the choices and "repeatable" are added
   Target target = {};
   Completes completes = Completes::nothing;
   std::optional<Range> range = {};        // for a number, both ends allowed

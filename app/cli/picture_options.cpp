@@ -40,34 +40,36 @@ std::vector<Option> picture_options(PictureOptions& options) {
   return grouped(
       "Picture",
       {{"--exposure", "auto|EV|lock:FRAME|day",
-        "Of the PNG: auto, by the picture's own light as an eye adapts; EV, stops over a factor of 1; lock:FRAME, as "
-        "auto has that frame of the sequence; day, as auto has this view with the sun 45 degrees high behind it",
+        "Exposure of the PNG. auto: from the picture's own light, as an eye adapts. EV: stops over a factor of 1. "
+        "lock:FRAME: what auto gives that frame of the sequence. day: what auto gives this view with the sun 45 "
+        "degrees high behind the camera",
         &options.exposure},
-       {"--ev", "STOPS", "Brighter or darker than that, e.g. +1", &options.compensation, Completes::nothing,
-        Range{-30.0, 30.0}},
+       {"--ev", "STOPS", "Stops to add to the exposure of the PNG, e.g. +1 to double it", &options.compensation,
+        Completes::nothing, Range{-30.0, 30.0}},
        {"--layers", "",
-        "Also write into the EXR: each medium's single scattering under its name, multiple, sun and ground, whose sum "
-        "is the picture, and transmittance, depth (km) and N, the ground's normal",
+        "Also write layers into the EXR: the single scattering of each medium under its name, multiple, sun and "
+        "ground, whose sum is the picture; transmittance, depth (km) and N, the normal of the ground",
         &options.layers},
        {"--float", "",
-        "32-bit floats in the EXR; else 16-bit ones where they hold the picture, and 32-bit ones elsewhere",
+        "Write 32-bit floats into the EXR (default: 16-bit floats if they hold the picture, otherwise 32-bit floats)",
         &options.full_float},
-       {"--half", "", "16-bit floats in the EXR, with a warning where they lose something", &options.half_float},
+       {"--half", "", "Write 16-bit floats into the EXR, and warn if they lose something", &options.half_float},
        {"--colorspace",
         "NAME",
-        "Linear space of the EXR's colours (default: linear-rec709); its chromaticities stand in the header, and the "
-        "PNG stays as it is",
+        "Linear colour space of the EXR (default: linear-rec709). The header holds its chromaticities. The PNG does "
+        "not change",
         &options.colorspace,
         Completes::nothing,
         {},
         {working_space_names().begin(), working_space_names().end()}},
-       {"--ocio-config", "FILE", "OpenColorIO config for the PNG; else $OCIO, else the built-in one",
-        &options.ocio_config, Completes::file},
-       {"--display", "NAME", "Display of the OCIO config", &options.display},
+       {"--ocio-config", "FILE",
+        "OpenColorIO config for the PNG (default: $OCIO; if it is not set, the built-in config)", &options.ocio_config,
+        Completes::file},
+       {"--display", "NAME", "Display of the OpenColorIO config", &options.display},
        {"--view",
         "NAME",
-        "View of the OCIO display, or gpu for the GPU tone curve, or diagnostic for a picture that colours NaN, "
-        "infinite, negative, zero and other numbers apart",
+        "View of the OpenColorIO display, or gpu for the GPU tone curve, or diagnostic. The diagnostic picture shows "
+        "NaN, infinite, negative, zero and other numbers in different colours",
         &options.view,
         Completes::nothing,
         {},
@@ -75,7 +77,7 @@ std::vector<Option> picture_options(PictureOptions& options) {
         {kGpuView, kDiagnosticView}},
        {"--bits",
         "N",
-        "Bits of a channel in the PNG; 8 are dithered",
+        "Bits of each channel of the PNG (default: 8). 8 bits are dithered",
         &options.bits,
         Completes::nothing,
         {},
@@ -83,11 +85,10 @@ std::vector<Option> picture_options(PictureOptions& options) {
 }
 
 Option tile_option(std::optional<std::string>& tile) {
-  return {
-      "--tile", "WxH",
-      "Render in tiles of this size, streamed into the files, in bounded memory; else in rows of tiles from 8388609 "
-      "pixels on. The files are the same",
-      &tile};
+  return {"--tile", "WxH",
+          "Render in tiles of this size and stream them into the files, in bounded memory. The files are the same. "
+          "Without --tile, airlight does this in rows of tiles if a picture has more than 8388608 pixels",
+          &tile};
 }
 
 ExrDepth exr_depth(const PictureOptions& options, const Rendering& rendering) {

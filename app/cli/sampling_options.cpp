@@ -20,15 +20,15 @@ Option share_option(const std::string& name, const std::string& help, std::optio
 std::vector<Option> sampling_options(SamplingOptions& options) {
   return grouped(
       "Method",
-      {{"--samples", "N", "Samples a pixel, of a method that samples", &options.samples, Completes::nothing,
+      {{"--samples", "N", "Samples per pixel, for a method that samples", &options.samples, Completes::nothing,
         Range{1.0, 2147483647.0}},
        {"--time-limit", "TIME",
-        "With its unit, e.g. 50ms, 2s, 1min; choose the most accurate method and quality whose tables and picture take "
-        "the device no longer; with a method that samples: stop sampling after so long",
+        "Choose the most accurate method and quality whose tables and picture take the device no longer than this, "
+        "e.g. 50ms, 2s, 1min. With a method that samples: stop sampling after this time",
         &options.time_limit},
        share_option("--target-error", "Stop sampling when the mean standard error is this small, e.g. 0.5%",
                     options.target_error),
-       {"--checkpoint", "FILE", "Keep the samples in this file, and go on from it when it is there",
+       {"--checkpoint", "FILE", "Keep the samples in this file. If the file exists, continue from its samples",
         &options.checkpoint, Completes::file}});
 }
 

@@ -116,23 +116,23 @@ std::optional<ImageSize> size_from(const std::string& text) {
 
 Positional preset_positional(SceneOptions& options) {
   return {.metavar = "PRESET",
-          .help = "preset file, built-in preset, EXR or PNG of airlight's, or - for standard input",
+          .help = "preset file, built-in preset, EXR or PNG written by airlight, or - for standard input",
           .target = &options.preset,
           .offers = built_in_names()};
 }
 
 std::vector<Option> scene_options(SceneOptions& options) {
   std::vector<Option> scene =
-      grouped("Scene", {{"--sun-elevation", "DEG", "The sun's height above the horizon", &options.sun_elevation},
-                        {"--sun-azimuth", "DEG", "The sun's azimuth, clockwise from north", &options.sun_azimuth},
-                        {"--altitude", "KM", "The camera's height above the ground", &options.altitude},
+      grouped("Scene", {{"--sun-elevation", "DEG", "Height of the sun above the horizon", &options.sun_elevation},
+                        {"--sun-azimuth", "DEG", "Azimuth of the sun, clockwise from north", &options.sun_azimuth},
+                        {"--altitude", "KM", "Height of the camera above the ground", &options.altitude},
                         {"--set", "POINTER=JSON",
-                         "Change any key of the preset, e.g. /planet/ground_albedo=0.3; checked as the preset is, and "
-                         "applied after the other options",
+                         "Change any key of the preset, e.g. /planet/ground_albedo=0.3; airlight checks it like the "
+                         "preset and applies it after the other options",
                          &options.set}});
   scene.push_back({.names = "--method",
                    .metavar = "NAME",
-                   .help = "How to compute the sky ('airlight methods')",
+                   .help = "Method that computes the sky; 'airlight methods' lists them",
                    .target = &options.method,
                    .offers = method_names(),
                    .group = "Method"});
@@ -143,31 +143,30 @@ std::vector<Option> scene_options(SceneOptions& options) {
 std::vector<Option> camera_options(SceneOptions& options) {
   std::vector<std::string> projections(kProjectionNames.begin(), kProjectionNames.end());
   projections.emplace_back("latlong");
-  return grouped("Camera",
-                 {{.names = "--projection",
-                   .metavar = "NAME",
-                   .help = "The picture's projection. A map of the whole sphere (equirectangular or latlong, "
-                           "cube, octahedral) is upright and, without --size, the preset's width around the "
-                           "horizon",
-                   .target = &options.projection,
-                   .choices = projections},
-                  {"--azimuth", "DEG", "Where the camera looks, clockwise from north", &options.azimuth},
-                  {"--pitch", "DEG", "How far up it looks", &options.pitch},
-                  {"--fov", "DEG", "The angle from the picture's lower to its upper edge", &options.field_of_view},
-                  size_option(options)});
+  return grouped(
+      "Camera",
+      {{.names = "--projection",
+        .metavar = "NAME",
+        .help = "Projection of the picture. A map of the whole sphere (equirectangular or latlong, cube, octahedral) "
+                "is upright. Without --size, its width around the horizon is the preset's width",
+        .target = &options.projection,
+        .choices = projections},
+       {"--azimuth", "DEG", "Direction in which the camera looks, clockwise from north", &options.azimuth},
+       {"--pitch", "DEG", "Angle of the camera above the horizon", &options.pitch},
+       {"--fov", "DEG", "Field of view, from the lower to the upper edge of the picture", &options.field_of_view},
+       size_option(options)});
 }
 
 std::vector<Option> device_options(SceneOptions& options) {
-  return {
-      {"--device", "SUBSTRING", "The first Vulkan device with this in its name ('airlight devices')", &options.device},
-      {"--no-cache", "",
-       "Read nothing from the user's cache folder and write nothing there: shaders are prepared and "
-       "tables baked anew",
-       &options.no_cache}};
+  return {{"--device", "SUBSTRING",
+           "Use the first Vulkan device whose name contains this text; 'airlight devices' lists them", &options.device},
+          {"--no-cache", "",
+           "Neither read nor write the user's cache folder. airlight then prepares shaders and bakes tables anew",
+           &options.no_cache}};
 }
 
 Option size_option(SceneOptions& options) {
-  return {"--size", "WxH", "The picture's size in pixels", &options.size};
+  return {"--size", "WxH", "Size of the picture in pixels", &options.size};
 }
 
 Preset chosen_preset(const SceneOptions& options, const std::vector<Override>& further) {

@@ -175,37 +175,43 @@ Command chart_command() {
   const auto given = std::make_shared<Given>();
   Command command;
   command.name = "chart";
-  command.summary = "Chart what every method costs against how wrong it is";
+  command.summary = "Chart the error of every method against its time";
   command.description =
-      "Times every method at every quality of its list on each preset and compares the pictures with path-trace: mean "
-      "relative error and 95th percentile over the sky, or over all that is not black from above the air, without the "
-      "sun's disc. Of a preset with spectra the truth has 48 wavelengths, and methods that render any number of them "
-      "in "
-      "one pass are charted at 3 to 24 and in three channels. Writes chart.csv, chart.json, the gnuplot script "
-      "chart.gp and, by gnuplot, chart.svg and chart.png "
-      "into the folder: a panel a preset and one over all, the points on the frontier joined, the three channels a "
-      "diamond.\n\n"
-      "The time is that of a picture whose kept tables are there: the median of several by device timestamps, or on a "
-      "software device the CPU time of all threads, which other programs disturb less. What tables and the first "
-      "picture cost besides stands in the files. path-trace is timed at the compared pixels and scaled up.\n\n"
-      "Truths are kept in $XDG_CACHE_HOME/airlight/truth, with --no-cache in the chart's folder. A run that was "
-      "interrupted, or had no time for every point, "
-      "goes on from chart.csv when it is started again.";
+      "airlight times every method on each preset, at every quality of the method's list. It compares the pictures "
+      "with those of path-trace, which are the truth. The error is the mean relative error and its 95th percentile "
+      "over the sky, without the sun's disc. From above the air, or without sky in the picture, it is that over "
+      "everything that is not black. If a preset has spectra, the truth has 48 wavelengths. Methods that render any "
+      "number of wavelengths in one pass are then charted at 3 to 24 wavelengths and in three channels.\n\n"
+      "airlight writes chart.csv, chart.json and the gnuplot script chart.gp into the folder. gnuplot draws chart.svg "
+      "and chart.png: one panel for each preset and, with several presets, one for all of them. A line joins the "
+      "points on the frontier. A diamond marks the three channels.\n\n"
+      "The time is that of a picture whose kept tables are already made. It is the median of several pictures, by "
+      "device timestamps. On a software device it is the CPU time of all threads, which other programs disturb less. "
+      "The files also hold what the tables and the first picture cost. path-trace is timed at the compared pixels "
+      "only, and its time is scaled up.\n\n"
+      "airlight keeps the truths in the folder truth of its cache folder ($XDG_CACHE_HOME/airlight), or of the chart's "
+      "folder with --no-cache. If a run was interrupted, or had no time for every point, the same command continues "
+      "from chart.csv.";
   command.examples = {{"airlight chart my-sky.json -o chart --size 64x36 --method orders --method march --budget 5",
-                       "Two methods on a preset of one's own, in some seconds"}};
+                       "Two methods on a preset of your own, in a few seconds"}};
   command.positionals = {{.metavar = "PRESET",
-                          .help = "presets to chart; without one those of presets/chart.json",
+                          .help = "presets to chart (default: those of presets/chart.json)",
                           .target = &given->presets,
                           .required = false,
                           .offers = built_in_names()}};
   command.options = {
-      {"-o,--output", "DIR", "Folder for the chart; made if need be", &given->folder, Completes::folder},
-      {"--budget", "SECONDS", "Take about so long: half of it at most for the truth, the dearest points left out",
+      {"-o,--output", "DIR", "Folder for the chart; airlight makes it if it is missing", &given->folder,
+       Completes::folder},
+      {"--budget", "SECONDS",
+       "Take about this long (default: no limit). At most half of it is for the truth. The points that cost most are "
+       "left out",
        &given->budget, Completes::nothing, Range{1.0, 1e6}},
-      {"--method", "NAME", "Chart this method alone", &given->methods},
-      share_option("--truth-error", "Mean standard error of the truth, such as 0.1%", given->truth_error),
+      {"--method", "NAME", "Chart only this method", &given->methods},
+      share_option("--truth-error", "Mean standard error of the truth, e.g. 0.1% (default: that of presets/chart.json)",
+                   given->truth_error),
       {"--truth", "DIR", "Folder that keeps the truths from run to run", &given->truth_folder, Completes::folder},
-      {"--size", "WxH", "The pictures' size in pixels when they are timed", &given->scene.size},
+      {"--size", "WxH", "Size in pixels of the timed pictures (default: that of presets/chart.json)",
+       &given->scene.size},
       {"--set", "POINTER=JSON", "Change any key of every preset, e.g. /sun/elevation_deg=3", &given->scene.set},
       {"--json", "", "Also print chart.json on standard output", &given->json},
       {"-q,--quiet", "", "Say nothing but errors", &given->quiet}};

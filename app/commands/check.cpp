@@ -111,28 +111,28 @@ Command check_command() {
   const auto given = std::make_shared<Given>();
   Command command;
   command.name = "check";
-  command.summary = "Find every problem of presets";
+  command.summary = "Find every problem in presets";
   command.description =
-      "Each problem stands on a line of its own: file and line, the key as a JSON pointer, what is wrong, what was "
-      "expected. A display and its view are looked up in the OpenColorIO config. Exit code 2 when there is any.";
-  command.examples = {{"airlight check my-sky.json", "Say whether a preset is good, or everything that is not"},
+      "Each problem is printed on a line of its own: file and line, the key as a JSON pointer, what is wrong, and what "
+      "was expected. airlight looks up the display and its view in the OpenColorIO config. The exit code is 2 if there "
+      "is any problem.";
+  command.examples = {{"airlight check my-sky.json", "Say that a preset is good, or list everything that is wrong"},
                       {"airlight check -v earth-noon", "Also print the whole scene with its units"}};
   command.positionals = {{"PRESET",
-                          "preset file, built-in preset, EXR of airlight's, or - for standard input",
+                          "preset file, built-in preset, EXR or PNG written by airlight, or - for standard input",
                           &given->presets,
                           true,
                           Completes::file,
                           {},
                           built_in_names()}};
   command.options = {
-      {"--set", "POINTER=JSON", "Check with a key changed, e.g. /camera/pitch_deg=20", &given->set},
+      {"--set", "POINTER=JSON", "Check the preset with this key changed, e.g. /camera/pitch_deg=20", &given->set},
       {"--ocio-config", "FILE",
-       "The OpenColorIO config that has the display and the view; else $OCIO, else the "
-       "built-in one",
+       "OpenColorIO config that has the display and the view (default: $OCIO; if it is not set, the built-in config)",
        &given->picture.ocio_config, Completes::file},
-      {"--json", "", "Print one JSON object: each preset, whether it is good, its problems", &given->json},
-      {"-q,--quiet", "", "Say nothing about good presets", &given->quiet},
-      {"-v,--verbose", "", "Print the resolved scene with its units", &given->verbose}};
+      {"--json", "", "Print one JSON object: each preset, whether it is good, and its problems", &given->json},
+      {"-q,--quiet", "", "Print nothing about good presets but warnings", &given->quiet},
+      {"-v,--verbose", "", "Also print the resolved scene with its units", &given->verbose}};
   command.run = [given] { return check_presets(*given); };
   return command;
 }

@@ -24,9 +24,10 @@ std::string devices_json() {
 Command devices_command() {
   Command command;
   command.name = "devices";
-  command.summary = "List the Vulkan devices and what those that cannot be used lack";
-  command.examples = {{"airlight devices", "List the devices"},
-                      {"airlight render earth-noon --device llvmpipe", "Use the first device of that name"}};
+  command.summary = "List the Vulkan devices, and what an unusable device lacks";
+  command.examples = {
+      {"airlight devices", "List the devices"},
+      {"airlight render earth-noon --device llvmpipe", "Use the first device whose name contains llvmpipe"}};
   const auto json = std::make_shared<bool>(false);
   command.options = {{"--json", "", "Print one JSON object", json.get()}};
   command.run = [json] {

@@ -243,29 +243,30 @@ int diff(Given given) {
 }
 
 const char* const kDescription =
-    "Compares A with the reference B, both EXR files, two folders of them, or two frame patterns such as sky.####.exr: "
-    "each channel, luminance and the colour channels pooled; relative and absolute error, RMS, PSNR, the worst pixel; "
-    "by "
-    "region of the sky where a preset tells the camera (B's own, A's, or --camera-from's): sky, sun aureole (10 "
-    "degrees "
-    "around the sun), horizon band (3 degrees above the true horizon), zenith (15 degrees), ground. Presets that both "
-    "files carry are compared first.\n\n"
-    "Relative error is |a-b| / max(|b|, 0.001 mean|b|), the mean over the whole picture of a channel; PSNR is against "
-    "B's largest value. NaN and infinity equal nothing, and fail under any limits. Colours of "
-    "files whose chromaticities differ are not compared.\n\n"
-    "Without limits two pictures pass when no channel of any pixel differs by more than 1e-6 (--fail's default, as "
-    "idiff's). Where only --rel-... limits are given, they alone judge. With --standard-error, --fail, --hardfail, "
-    "--warn and --hardwarn are in standard errors, and without limits these hold: --fail 4 --failpercent 0.5 "
-    "--chi-square 1.5. A pixel whose standard error is 0 must be equal.\n\n"
-    "--html writes one file that needs no network: all pairs by their error; A, B and the error under a wipe slider "
-    "with exposure and zoom; limits, regions, the worst pixel and the preset's keys that differ. Pictures are in it as "
-    "linear values, reduced by a whole factor where one has more than 518400 pixels or all together more than 1.5 "
-    "million; figures are those of the whole pictures.\n\n"
-    "--update replaces each reference that differs by its new picture, all or none, and asks nothing: it compares and "
-    "reports first; where one pair cannot be compared, or writing fails, every reference stays as it was. References "
-    "that pass stay too. After a kill between two renames each file is whole; the same command again goes on.\n\n"
-    "Exit code: 0 the pictures pass, perhaps with warnings; 1 they differ; 2 they cannot be compared. With --update: 0 "
-    "the references are up to date; 1 writing failed; 2 a pair cannot be compared.";
+    "airlight compares A with the reference B. Both are EXR files, or folders of them, or frame patterns such as "
+    "sky.####.exr. It compares each channel, the luminance, and the colour channels pooled. It reports relative and "
+    "absolute error, RMS, PSNR and the worst pixel.\n\n"
+    "If a preset tells the camera, it reports them for each region of the sky too: sky, sun aureole (10 degrees around "
+    "the sun), horizon band (3 degrees above the true horizon), zenith (15 degrees) and ground. That preset is "
+    "--camera-from's, otherwise B's own, otherwise A's. If both files carry a preset, airlight compares the presets "
+    "first.\n\n"
+    "Relative error is |a-b| / max(|b|, 0.001 mean|b|), with the mean over the whole picture of a channel. PSNR is "
+    "relative to B's largest value. NaN and infinity equal nothing unless --allow-nonfinite is given, and fail under "
+    "any limits. airlight does not compare the colours of files whose chromaticities differ.\n\n"
+    "Without limits, two pictures pass if no channel of any pixel differs by more than 1e-6. This is the default of "
+    "--fail, as in idiff. If only --rel-... limits are given, only these decide. With --standard-error, the values of "
+    "--fail, --hardfail, --warn and --hardwarn are in standard errors. These limits then hold if none is given: --fail "
+    "4 --failpercent 0.5 --chi-square 1.5. A pixel whose standard error is 0 must be equal.\n\n"
+    "--html writes one file that needs no network. It lists all pairs, the largest error first. It shows A, B and the "
+    "error under a wipe slider, with exposure and zoom. It lists limits, regions, the worst pixel and the keys of the "
+    "presets that differ. Its pictures have linear values. They are reduced by a whole factor if one has more than "
+    "518400 pixels, or if all together have more than 1.5 million. The figures are those of the whole pictures.\n\n"
+    "--update replaces each reference that differs with its new picture: all of them or none. It compares and reports "
+    "first, and does not ask before it replaces. If one pair cannot be compared, or if writing fails, every reference "
+    "stays as it was. References that pass stay too. If the run is killed between two renames, each file is whole; the "
+    "same command continues from there.\n\n"
+    "The exit code is 0 if the pictures pass, perhaps with warnings; 1 if they differ; 2 if they cannot be compared. "
+    "With --update it is 0 if the references are up to date; 1 if writing failed; 2 if a pair cannot be compared.";
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
@@ -281,23 +282,26 @@ std::vector<Option> limit_options(measure::Limits& limits) {
     return option;
   };
   return {
-      number("--fail", "VALUE", "A pixel fails when a channel differs by more", &limits.fail, positive),
-      in_percent(number("--failpercent", "PERCENT", "So many pixels may fail", &limits.fail_percent, share),
-                 Percent::points),
-      number("--hardfail", "VALUE", "No pixel may differ by more", &limits.hard_fail, positive),
-      number("--warn", "VALUE", "As --fail, for a warning", &limits.warn, positive),
-      in_percent(number("--warnpercent", "PERCENT", "As --failpercent, for a warning", &limits.warn_percent, share),
-                 Percent::points),
-      number("--hardwarn", "VALUE", "As --hardfail, for a warning", &limits.hard_warn, positive),
+      number("--fail", "VALUE", "A pixel fails if a channel differs by more than this", &limits.fail, positive),
       in_percent(
-          number("--rel-mean", "ERROR", "Largest mean relative error, e.g. 0.5%", &limits.relative_mean, positive),
-          Percent::share),
+          number("--failpercent", "PERCENT", "Percentage of the pixels that may fail", &limits.fail_percent, share),
+          Percent::points),
+      number("--hardfail", "VALUE", "No pixel may differ by more than this", &limits.hard_fail, positive),
+      number("--warn", "VALUE", "Like --fail, but for a warning", &limits.warn, positive),
       in_percent(
-          number("--rel-p95", "ERROR", "Largest 95th percentile of the relative error", &limits.relative_p95, positive),
-          Percent::share),
-      in_percent(number("--rel-max", "ERROR", "Largest relative error", &limits.relative_max, positive),
+          number("--warnpercent", "PERCENT", "Like --failpercent, but for a warning", &limits.warn_percent, share),
+          Percent::points),
+      number("--hardwarn", "VALUE", "Like --hardfail, but for a warning", &limits.hard_warn, positive),
+      in_percent(number("--rel-mean", "ERROR", "Largest mean relative error that passes, e.g. 0.5%",
+                        &limits.relative_mean, positive),
                  Percent::share),
-      number("--chi-square", "VALUE", "Largest chi-square per value", &limits.chi_square, positive),
+      in_percent(number("--rel-p95", "ERROR", "Largest 95th percentile of the relative error that passes",
+                        &limits.relative_p95, positive),
+                 Percent::share),
+      in_percent(number("--rel-max", "ERROR", "Largest relative error that passes", &limits.relative_max, positive),
+                 Percent::share),
+      number("--chi-square", "VALUE", "Largest chi-square per value that passes; needs --standard-error",
+             &limits.chi_square, positive),
   };
 }
 
@@ -309,34 +313,39 @@ std::vector<Option> other_options(Given& given) {
   };
   return {
       text("--layer", "NAME", "Compare this layer instead of the main picture", &given.request.layer),
-      text("--channels", "LIST", "Compare these channels alone, e.g. R,G,B", &given.channels),
-      text("--allow-nonfinite", "", "NaN equals NaN, and infinity itself", &given.request.allow_nonfinite),
-      text("--standard-error", "FILE.exr", "Judge in units of this standard error; several add in quadrature",
+      text("--channels", "LIST", "Compare only these channels, e.g. R,G,B", &given.channels),
+      text("--allow-nonfinite", "", "Let NaN equal NaN, and infinity equal infinity of the same sign",
+           &given.request.allow_nonfinite),
+      text("--standard-error", "FILE.exr",
+           "Judge in units of the standard error in this file; several files add in quadrature",
            &given.request.standard_errors, Completes::file),
-      text("--standard-error-layer", "NAME", "Its layer (default: standard_error or stderr, else the main picture)",
+      text("--standard-error-layer", "NAME",
+           "Layer of the standard error in its file (default: standard_error, standard-error or stderr; without these, "
+           "the main picture)",
            &given.request.standard_error_layer),
-      text("--camera-from", "PRESET", "Take camera, sun and planet from a preset or from an EXR of airlight's",
+      text("--camera-from", "PRESET",
+           "Take camera, sun and planet from this preset, or from an EXR or PNG written by airlight",
            &given.camera_from, Completes::file),
-      text("--heatmap", "FILE.png", "Write a picture of the error with its scale; of several pairs FILE.NAME.png each",
+      text("--heatmap", "FILE.png",
+           "Write a picture of the error with its scale. With several pairs, FILE.NAME.png is that of each pair",
            &given.heatmap, Completes::file),
       text("--side-by-side", "FILE.png", "Write A, B and the error in a row", &given.side_by_side, Completes::file),
       Option{"--heatmap-max",
              "VALUE",
-             "Top of the error's scale (default: the power of ten above the largest, or 6 "
-             "standard errors)",
+             "Top of the error's scale (default: the power of ten above the largest error, or 6 standard errors)",
              &given.request.heatmap_max,
              Completes::nothing,
              Range{1e-30, 1e30},
              {},
              {}},
-      text("--html", "FILE.html", "Write one page with pictures, limits, regions and preset keys, for any browser",
+      text("--html", "FILE.html", "Write one page for any browser, with pictures, limits, regions and preset keys",
            &given.html, Completes::file),
-      text("--update", "", "Take A's pictures as references where they differ, after telling how; see above",
+      text("--update", "", "Replace the references that differ with the pictures of A, after the report; see above",
            &given.update),
       text("--junit", "FILE.xml", "Write the result as JUnit XML", &given.junit, Completes::file),
-      text("--json", "", "Print one JSON object; text for people goes to standard error", &given.json),
-      text("-q,--quiet", "", "Tell only what does not pass", &given.quiet),
-      text("-v,--verbose", "", "Tell all figures of each of several pairs", &given.verbose),
+      text("--json", "", "Print one JSON object. The text for people then goes to standard error", &given.json),
+      text("-q,--quiet", "", "Report only what does not pass", &given.quiet),
+      text("-v,--verbose", "", "Report all figures of each pair when there are several", &given.verbose),
   };
 }
 
@@ -351,12 +360,12 @@ Command diff_command() {
   command.examples = {
       {"airlight diff out/sky.exr expected.exr", "Fail on any difference above 1e-6"},
       {"airlight diff march.exr truth.exr --rel-mean 2% --rel-p95 5% --heatmap error.png",
-       "Judge a method and show where it is wrong"},
+       "Judge a method, and show where it is wrong"},
       {"airlight diff a.exr truth.exr --standard-error truth.exr", "Judge in units of the truth's noise"},
       {"airlight diff 'new/sky.####.exr' 'old/sky.####.exr' --junit diff.xml", "Compare two sequences for CI"},
       {"airlight diff new references --rel-mean 0.1% --html report.html",
-       "Compare two folders and show it in one page"},
-      {"airlight diff new references --rel-mean 0.1% --update", "Take what changed as references"}};
+       "Compare two folders, and show the result in one page"},
+      {"airlight diff new references --rel-mean 0.1% --update", "Take the changed pictures as references"}};
   command.positionals = {
       {"A", "picture (- for standard input), folder or frame pattern", &given->a, true, Completes::file, {}, {}},
       {"B", "the reference, of the same kind", &given->b, true, Completes::file, {}, {}}};

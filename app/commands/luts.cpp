@@ -53,15 +53,15 @@ Command luts_command() {
   command.name = "luts";
   command.summary = "Write every table of a preset's method as a float EXR and a picture";
   command.description =
-      "The EXR's attributes say what the numbers are (airlight:quantity, airlight:unit), what the axes stand for "
-      "(airlight:axis:x, airlight:axis:y) and how to compute that for a texel (airlight:constants, airlight:decode); "
-      "presets/README.md, Tables, has the language. The picture shows the largest value as white.";
+      "The attributes of the EXR say what the numbers are (airlight:quantity, airlight:unit), what the axes stand for "
+      "(airlight:axis:x, airlight:axis:y), and how to compute this for a texel (airlight:constants, airlight:decode). "
+      "presets/README.md, section Tables, explains the language. The picture shows the largest value as white.";
   command.examples = {{"airlight luts earth-noon -o tables", "Write tables/transmittance.exr, .png and the others"}};
   command.positionals = {preset_positional(given->scene)};
-  command.options = {
-      {"-o,--output", "DIR", "Folder for the tables; made if need be", &given->folder, Completes::folder}};
+  command.options = {{"-o,--output", "DIR", "Folder for the tables; airlight makes it if it is missing", &given->folder,
+                      Completes::folder}};
   append(command.options, scene_options(given->scene));
-  command.options.push_back({"--json", "", "Print one JSON object with the files' names", &given->json});
+  command.options.push_back({"--json", "", "Print one JSON object with the names of the files", &given->json});
   command.options.push_back({"-q,--quiet", "", "Say nothing but errors", &given->quiet});
   command.run = [given] { return run_luts(*given); };
   return command;

@@ -94,7 +94,7 @@ std::string methods_json() {
 Command methods_command() {
   Command command;
   command.name = "methods";
-  command.summary = "List the rendering methods, where each holds, and what it takes under render.*";
+  command.summary = "List the rendering methods, the scenes that each holds for, and its keys under render";
   command.examples = {{"airlight methods", "List the methods"}};
   const auto json = std::make_shared<bool>(false);
   command.options = {{"--json", "", "Print one JSON object", json.get()}};

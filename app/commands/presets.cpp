@@ -50,13 +50,16 @@ Command presets_command() {
   Command command;
   command.name = "presets";
   command.summary = "List the built-in presets, or print one";
-  command.description = "With a name, prints that preset with every key written out: a start for one's own.";
-  command.examples = {{"airlight presets", "List the built-in presets with what they show"},
-                      {"airlight presets earth-noon > my-sky.json", "Start a preset of one's own"}};
+  command.description =
+      "If you give a name, airlight prints that preset with every key written out. You can start your own preset from "
+      "it.";
+  command.examples = {{"airlight presets", "List the built-in presets and what they show"},
+                      {"airlight presets earth-noon > my-sky.json", "Start a preset of your own"}};
   command.positionals = {
       {"NAME", "a built-in preset to print", name.get(), false, Completes::nothing, {}, built_in_names()}};
   const auto json = std::make_shared<bool>(false);
-  command.options = {{"--json", "", "List as one JSON object; a preset is JSON anyhow", json.get()}};
+  command.options = {
+      {"--json", "", "Print the list as one JSON object; a preset is always printed as JSON", json.get()}};
   command.run = [name, json] {
     if (!*name && *json) {
       print(presets_json());

@@ -266,38 +266,38 @@ Command probe_command() {
   const auto given = std::make_shared<Given>();
   Command command;
   command.name = "probe";
-  command.summary = "Print radiance and transmittance in listed directions, as seen from the camera's place";
+  command.summary = "Print radiance and transmittance in given directions, as seen from the camera's place";
   command.description =
-      "The sun's disc is left out: what is printed is the light of the sky, and of the ground where the direction "
-      "meets "
-      "it. Transmittance is that along the direction, to the ground or to space.\n\n"
-      "Luminance in cd/m2 is added where the preset's sun.unit is W/m2 or lux.\n\n"
-      "With --spectrum, which takes a preset that has spectra, a line a wavelength: spectral radiance, transmittance, "
-      "and the sunlight above the air, each the mean over a band around the wavelength as wide as the step, at most 10 "
-      "nm. The last line says the unit, as 'airlight render --help' tells it of --spectral.";
+      "airlight prints the light of the sky, and of the ground where the direction meets it. The sun's disc is left "
+      "out. Transmittance is that of the air along the direction, to the ground or to space.\n\n"
+      "If the preset's sun.unit is W/m2 or lux, airlight also prints the luminance in cd/m2.\n\n"
+      "--spectrum needs a preset that has spectra. It prints one line for each wavelength: spectral radiance, "
+      "transmittance, and the sunlight above the air. Each value is the mean over a band around the wavelength. The "
+      "band is as wide as the step, and at most 10 nm. The last line says the unit. 'airlight render --help' explains "
+      "the unit under --spectral.";
   command.examples = {
       {"airlight probe earth-noon --elevation 90 --azimuth 0", "The zenith"},
       {"airlight probe earth-noon --elevation 10 --azimuth 0 --elevation 10 --azimuth 180 --json",
        "Two directions, as JSON"},
       {"airlight probe earth-physical --elevation 90 --azimuth 0", "The zenith in cd/m2"},
       {"airlight probe earth --elevation 90 --azimuth 0 --spectrum 400:700:50",
-       "The zenith's spectrum, every 50 nm; --spectrum alone is every 10 nm from 380 to 780"},
-      {"airlight probe earth-noon --csv directions.csv", "Directions from a file of ELEVATION,AZIMUTH lines"}};
+       "The spectrum of the zenith, every 50 nm; --spectrum alone means every 10 nm from 380 to 780"},
+      {"airlight probe earth-noon --csv directions.csv", "Directions from a file with ELEVATION,AZIMUTH on each line"}};
   command.positionals = {preset_positional(given->scene)};
   command.options = {
-      {"--elevation", "DEG", "Height of a direction above the horizon", &given->elevations, Completes::nothing,
+      {"--elevation", "DEG", "Angle of a direction above the horizon", &given->elevations, Completes::nothing,
        Range{-90.0, 90.0}},
       {"--azimuth", "DEG", "Azimuth of the same direction, clockwise from north", &given->azimuths},
-      {"--csv", "FILE", "Directions from a file, ELEVATION,AZIMUTH a line; - for standard input", &given->csv,
-       Completes::file},
+      {"--csv", "FILE", "Read directions from this file, with ELEVATION,AZIMUTH on each line; - for standard input",
+       &given->csv, Completes::file},
       {.names = "--spectrum",
        .metavar = "[FIRST:LAST:STEP]",
-       .help = std::string("Print spectra at these wavelengths in nm; alone it means ") + kUsualWavelengths,
+       .help = std::string("Print spectra at these wavelengths in nm; --spectrum alone means ") + kUsualWavelengths,
        .target = &given->spectrum,
        .implied = kUsualWavelengths}};
   append(command.options, scene_options(given->scene));
   command.options.push_back({"--json", "", "Print JSON", &given->json});
-  command.options.push_back({"-q,--quiet", "", "No warnings", &given->quiet});
+  command.options.push_back({"-q,--quiet", "", "Print no warnings", &given->quiet});
   command.run = [given] { return run_probe(*given); };
   return command;
 }

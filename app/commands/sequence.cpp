@@ -254,34 +254,35 @@ int run(const Given& given) {
 std::vector<Option> frame_options(Given& given) {
   return place_options(
       given.place,
-      {{"--from", "HH:MM", "The first frame's time of day, on the clocks of --tz", &given.from},
-       {"--to", "HH:MM", "The last frame's, if the step meets it; earlier than --from: on the next day", &given.to},
-       {"--step", "TIME", "From frame to frame: a number with h, m or s, e.g. 5m or 1h30m", &given.step}});
+      {{"--from", "HH:MM", "Time of day of the first frame, in the time zone of --tz", &given.from},
+       {"--to", "HH:MM", "Time of day of the last frame, if the step meets it. A time before --from is on the next day",
+        &given.to},
+       {"--step", "TIME", "Time from frame to frame: a number with h, m or s, e.g. 5m or 1h30m", &given.step}});
 }
 
 std::vector<Option> run_options(Given& given) {
   return grouped(
       "Run",
-      {{"--overwrite", "", "Render frames anew that are there, whole and of this very preset", &given.overwrite},
-       {"--shard", "I/N", "Render every N-th frame from the I-th on, as one of N machines does, e.g. 3/16",
+      {{"--overwrite", "", "Render again the frames that are already whole and of this preset", &given.overwrite},
+       {"--shard", "I/N", "Render every N-th frame from the I-th on, e.g. 3/16 on the third of 16 machines",
         &given.shard},
-       {"--manifest", "FILE.json", "Where the list of frames goes; else beside them, as NAME.manifest.json",
+       {"--manifest", "FILE.json", "File for the list of frames (default: NAME.manifest.json beside the frames)",
         &given.manifest, Completes::file},
-       {"--preview", "FILE", "Make a film of the frames, .mp4 or .gif; needs ffmpeg", &given.pictures.preview,
+       {"--preview", "FILE", "Make a film of the frames, .mp4 or .gif; this needs ffmpeg", &given.pictures.preview,
         Completes::file},
-       {"--preview-rate", "N", "The film's frames a second; else those of --fps", &given.preview_rate,
+       {"--preview-rate", "N", "Frames per second of the film (default: --fps)", &given.preview_rate,
         Completes::nothing, Range{1.0, 1000.0}},
-       {"--contact-sheet", "FILE.png", "Make a sheet of small pictures, at most 60, evenly spread",
+       {"--contact-sheet", "FILE.png", "Make a sheet of small pictures of at most 60 frames, evenly spread",
         &given.pictures.contact_sheet, Completes::file},
        {"--clean", "",
-        "Remove older frames that match the names but are no part of this sequence, such as those of a finer step",
+        "Remove older frames whose names match but that are not part of this sequence, e.g. those of a finer step",
         &given.clean},
-       {"--fps", "N", "Frames a second, for the frames' headers and the preview", &given.frames_a_second,
-        Completes::nothing, Range{1.0, 1000.0}},
+       {"--fps", "N", "Frames per second, for the headers of the frames and for the preview (default: 24)",
+        &given.frames_a_second, Completes::nothing, Range{1.0, 1000.0}},
        tile_option(given.tile),
-       {"--yes", "", "More than a million frames are meant", &given.yes},
-       {"--dry-run", "", "List the frames; open no device, write nothing", &given.dry_run},
-       {"--json", "", "Print one JSON object a frame on standard output, and one at the end", &given.json},
+       {"--yes", "", "Allow more than a million frames", &given.yes},
+       {"--dry-run", "", "List the frames, but open no device and write nothing", &given.dry_run},
+       {"--json", "", "Print one JSON object for each frame on standard output, and one at the end", &given.json},
        {"-q,--quiet", "", "Say nothing but errors", &given.quiet}});
 }
 
@@ -289,9 +290,9 @@ std::vector<Option> sequence_options(Given& given) {
   std::vector<Option> options = grouped(
       "Output",
       {{"-o,--output", "PATTERN.exr",
-        "Write the frames here, # for their numbers: sky.####.exr; a name in .png is that of --png", &given.exr,
-        Completes::file},
-       {"--png", "PATTERN.png", "Write pictures for people here, e.g. sky.####.png", &given.png, Completes::file}});
+        "Write the EXR frames here, with # for their numbers: sky.####.exr. A name that ends in .png is that of --png",
+        &given.exr, Completes::file},
+       {"--png", "PATTERN.png", "Write the pictures for people here, e.g. sky.####.png", &given.png, Completes::file}});
   const auto without = [](std::vector<Option> all, const std::vector<std::string>& left_out) {
     std::erase_if(all,
                   [&](const Option& option) { return std::ranges::find(left_out, option.names) != left_out.end(); });
@@ -300,15 +301,16 @@ std::vector<Option> sequence_options(Given& given) {
   append(options, frame_options(given));
   append(options, grouped("Sweep of the sun",
                           {{"--sun-elevation", "FROM:TO:STEP",
-                            "Instead of a path: sweep the sun's elevation, in degrees, e.g. -12:90:1", &given.sweep},
-                           {"--sun-azimuth", "DEG", "The sun's azimuth in a sweep", &given.scene.sun_azimuth}}));
+                            "Sweep the sun's elevation, in degrees, instead of a path, e.g. -12:90:1", &given.sweep},
+                           {"--sun-azimuth", "DEG", "Azimuth of the sun in a sweep, clockwise from north",
+                            &given.scene.sun_azimuth}}));
   append(options, without(scene_options(given.scene), {"--sun-elevation", "--sun-azimuth"}));
   append(options, camera_options(given.scene));
   append(options, without(sampling_options(given.sampling), {"--checkpoint", "--time-limit"}));
   // It differs from render's, since one choice of method and quality would have to hold for all frames.
   append(options, grouped("Method", {{"--time-limit", "TIME",
-                                      "Of a method that samples: stop sampling a frame after so long, e.g. 50ms, 2s, "
-                                      "1min",
+                                      "Stop sampling a frame after this time, e.g. 50ms, 2s, 1min, with a method that "
+                                      "samples",
                                       &given.sampling.time_limit}}));
   append(options, picture_options(given.picture));
   append(options, run_options(given));
@@ -323,19 +325,20 @@ Command sequence_command() {
   command.name = "sequence";
   command.summary = "Render a day, a sweep of the sun or key frames to numbered files";
   command.description =
-      "What changes from frame to frame is one of three: the sun's path over a place (--date, --from, --to, --step, "
-      "--lat, --lon), a sweep of its elevation, or the preset's own key frames (the key sequence). The path is that of "
-      "the sun's centre, good to 0.01 degrees, without refraction unless --refraction asks for it.\n\n"
-      "Exposure is automatic, from each frame's own light: steady by day, it follows the dusk as an eye does and "
-      "leaves "
-      "the night dark, the same in every shard. --exposure lock:FRAME holds one frame's, --exposure day a midday's. "
-      "The "
-      "EXRs have 16-bit floats where those hold the frame, else 32-bit ones.\n\n"
-      "A run may be stopped and given again: frames that are whole and carry the hash of their preset are kept. Every "
-      "file appears whole or not at all, whatever ends the run. Ctrl-C finishes the frame in hand (exit code 130); "
-      "twice, it drops it.\n\n"
-      "The manifest lists frames, times, sun angles, files, hashes and milliseconds as JSON. Many machines share a "
-      "sequence by --shard; scripts/slurm-sequence submits it to Slurm.";
+      "One of three things changes from frame to frame: the sun's path over a place (--date, --from, --to, --step, "
+      "--lat, --lon), a sweep of the sun's elevation (--sun-elevation), or the preset's own key frames (its key "
+      "sequence). The path is that of the sun's centre. It is good to 0.01 degrees, and has no refraction unless "
+      "--refraction is given.\n\n"
+      "The exposure is automatic by default. It comes from each frame's own light, so a frame has the same exposure in "
+      "every shard. It is steady by day, follows the dusk as an eye does, and leaves the night dark. --exposure "
+      "lock:FRAME gives all frames the exposure of one frame. --exposure day gives them that of a midday. The EXRs "
+      "have 16-bit floats if these hold the frame, otherwise 32-bit floats.\n\n"
+      "You may stop a run and start the same command again. airlight then keeps the frames that are whole and carry "
+      "the hash of their preset. Every file appears whole or not at all, whatever ends the run. Ctrl-C finishes the "
+      "frame in hand; with a method that samples, it drops the frame. The exit code is then 130. A second Ctrl-C drops "
+      "the frame and ends the run at once.\n\n"
+      "The manifest is a JSON file that lists frames, times, sun angles, files, hashes and milliseconds. Several "
+      "machines share a sequence with --shard. scripts/slurm-sequence submits a sequence to Slurm.";
   command.examples = {
       {"airlight sequence earth-noon -o 'day.####.exr' --date 2026-06-21 --from 06:00 --to 18:00 --step 6h --lat 48.85 "
        "--lon 2.35 --tz Europe/Paris --size 64x36",
@@ -344,7 +347,7 @@ Command sequence_command() {
        "The sun from 6 degrees below the horizon to 6 above"},
       {"airlight sequence earth-noon -o 'day.####.exr' --date 2026-06-21 --from 00:00 --to 24:00 --step 1m --lat 69.65 "
        "--lon 18.96 --tz Europe/Oslo --dry-run",
-       "List the frames of a day that knows no night"}};
+       "List the frames of a day without a night"}};
   command.positionals = {preset_positional(given->scene)};
   command.options = sequence_options(*given);
   command.run = [given] { return run(*given); };

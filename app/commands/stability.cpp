@@ -200,31 +200,32 @@ Command stability_command() {
   command.name = "stability";
   command.summary = "Map where each method fails: over sun, altitude, horizon, air, planet, steps and tables";
   command.description =
-      "Each cell of a sweep is examined for values that are not finite or negative, for its error against a converged "
-      "quality of the same method, for steps between neighbours that the radiance's slope does not explain, for energy "
-      "gained, and for what the device's 32 bits lose against the same formulas in double. DIR/stability.md is the "
-      "summary, DIR/stability.csv has every number, DIR/SWEEP.svg and .png are a map for each sweep, drawn by gnuplot "
-      "from DIR/stability.gp. A run that was interrupted "
-      "goes on where it stopped when it is started again with the same folder and options.";
+      "airlight examines each cell of a sweep. It looks for values that are negative or not finite. It measures the "
+      "error against a converged quality of the same method (analytic and sky-view: of march). It looks for steps "
+      "between neighbours that the slope of the radiance does not explain, and for energy gained or lost. It measures "
+      "what the 32 bits of the device lose against the same formulas in double.\n\n"
+      "DIR/stability.md is the summary. DIR/stability.csv has every number. DIR/SWEEP.svg and .png are a map for each "
+      "sweep; gnuplot draws them from DIR/stability.gp. If a run was interrupted, start it again with the same folder "
+      "and options: it continues where it stopped.";
   command.examples = {{"airlight stability -o stability --quick --sweep steps --method march",
                        "One small map of one method, in seconds"}};
-  command.options = {
-      {"-o,--output", "DIR", "Folder for the results; made if need be", &given->folder, Completes::folder},
-      {"--short", "", "A coarse net, minutes on two processor cores; the default", &given->brief},
-      {"--full", "", "A fine net, an hour or more on two processor cores", &given->full},
-      {"--quick", "", "The coarsest net, for a check of a change", &given->quick},
-      {.names = "--sweep",
-       .metavar = "NAME",
-       .help = "Only this sweep",
-       .target = &given->sweeps,
-       .choices = sweep_names()},
-      {.names = "--method",
-       .metavar = "NAME",
-       .help = "Only this method",
-       .target = &given->methods,
-       .choices = subject_names()},
-      {"--json", "", "Print one JSON object: the maps made and the files written", &given->json},
-      {"-q,--quiet", "", "No progress, no notes", &given->quiet}};
+  command.options = {{"-o,--output", "DIR", "Folder for the results; airlight makes it if it is missing",
+                      &given->folder, Completes::folder},
+                     {"--short", "", "Use a coarse grid: minutes on two processor cores (the default)", &given->brief},
+                     {"--full", "", "Use a fine grid: an hour or more on two processor cores", &given->full},
+                     {"--quick", "", "Use the coarsest grid, to check a change", &given->quick},
+                     {.names = "--sweep",
+                      .metavar = "NAME",
+                      .help = "Examine only this sweep",
+                      .target = &given->sweeps,
+                      .choices = sweep_names()},
+                     {.names = "--method",
+                      .metavar = "NAME",
+                      .help = "Examine only this method",
+                      .target = &given->methods,
+                      .choices = subject_names()},
+                     {"--json", "", "Print one JSON object with the maps made and the files written", &given->json},
+                     {"-q,--quiet", "", "Print no progress and no notes", &given->quiet}};
   append(command.options, device_options(given->scene));
   command.run = [given] { return run_stability(*given); };
   return command;

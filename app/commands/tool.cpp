@@ -17,7 +17,7 @@ Command help_command(const Tool& tool) {
   Command command;
   command.name = "help";
   command.summary = "Explain the tool or a command";
-  command.examples = {{"airlight help render", "Everything that render takes"}};
+  command.examples = {{"airlight help render", "Explain render and all its options"}};
   command.positionals = {{.metavar = "COMMAND",
                           .help = "the command to explain",
                           .target = name.get(),
@@ -52,7 +52,7 @@ Command completion_command(const Tool& tool) {
       "it where the shell looks for completions.";
   command.examples = {
       {"source <(airlight completion bash)", "bash: complete airlight in this shell"},
-      {"airlight completion zsh > ~/.zfunc/_airlight", "zsh: for a folder that is on $fpath before compinit runs"},
+      {"airlight completion zsh > ~/.zfunc/_airlight", "zsh: in a folder that is on $fpath before compinit runs"},
       {"airlight completion fish > ~/.config/fish/completions/airlight.fish", "fish: for every shell from now on"}};
   command.positionals = {
       {"SHELL", "bash, zsh or fish", shell.get(), true, Completes::nothing, {"bash", "zsh", "fish"}, {}}};
