@@ -96,8 +96,8 @@ std::vector<std::string> write_chart(const ChartFiles& files, const chart::RunOu
   text.methods = with_points(files.methods, &Point::method);
   text.over_all = std::ranges::any_of(points, [](const Point& p) { return p.scene == chart::kAllScenes; });
   text.title = plot_title(files, outcome);
-  text.time_label = std::string(outcome.cpu_time ? "CPU-ms of all threads" : "ms by device timestamps") +
-                    " for a picture, its kept tables made before";
+  text.time_label = std::string("time of a picture whose kept tables are there, by ") +
+                    (outcome.cpu_time ? "the CPU's clock, all threads added" : "device timestamps");
   write_file(files.folder / "chart.gp", chart::gnuplot_script(text, points));
   std::vector<std::string> names;
   for (const char* name : {"chart.csv", "chart.json", "chart.gp"}) {

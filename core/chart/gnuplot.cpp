@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <map>
 #include <sstream>
 #include <string_view>
+#include <utility>
 
 #include "core/chart/labels.h"
 #include "core/chart/qualities.h"
@@ -32,6 +35,32 @@ std::string array_of(const std::string& name, const std::vector<std::string>& va
   return "array " + name + "[" + std::to_string(values.size()) + "] = [" + joined_of(values, gnuplot_text) + "]\n";
 }
 
+// A time in the unit that keeps it short: "20 \xC2\xB5s", "100 ms", "2 s".
+std::string time_text(double ms) {
+  if (ms < 1.0) {
+    return rounded(1e3 * ms, 3) + " \xC2\xB5s";
+  }
+  return ms < 1e3 ? rounded(ms, 3) + " ms" : rounded(1e-3 * ms, 3) + " s";
+}
+
+// Marks of times with their labels: 1, 2 and 5 of each decade where there are few, else whole decades, and of those
+// only each second or third one is labelled where there are more than `most`.
+std::string time_marks(double low, double high, int most) {
+  const auto first = static_cast<int>(std::floor(std::log10(low)));
+  const auto last = static_cast<int>(std::floor(std::log10(high)));
+  const int stride = (last - first + most) / most;
+  const std::vector<double> in_decade = 3 * (last - first) < most ? std::vector{1.0, 2.0, 5.0} : std::vector{1.0};
+  std::vector<std::string> marks;
+  for (int decade = first; decade <= last; ++decade) {
+    for (const double factor : in_decade) {
+      const double ms = factor * std::pow(10.0, decade);
+      const bool labelled = (last - decade) % stride == 0;
+      marks.push_back(gnuplot_text(labelled ? time_text(ms) : "") + " " + rounded(ms, 3));
+    }
+  }
+  return "set xtics (" + joined(marks, ", ") + ")\n";
+}
+
 // The ranges of the axes: all that is shown, with some room.
 struct Ranges {
   double x_low = std::numeric_limits<double>::infinity();
@@ -54,15 +83,66 @@ struct Ranges {
     const double high = std::pow(y_high / y_low, 0.05) * 1.2;
     return {x_low / wide, x_high * wide, y_low / high, y_high * high};
   }
-  std::string text() const {
+  std::string text(bool large) const {
     std::ostringstream out;
-    // Many decades: marks at whole decades alone.
-    const bool few = y_high / y_low < 300.0;
+    // A small panel, or many decades: marks at whole decades alone.
+    const bool few = y_high / y_low < (large ? 3000.0 : 300.0);
     out << "set ytics " << (few ? "(0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100)" : "autofreq") << "\n";
+    out << time_marks(x_low, x_high, large ? 12 : 3);
     out << "set xrange [" << x_low << ":" << x_high << "]\nset yrange [" << y_low << ":" << y_high << "]\n";
     return out.str();
   }
 };
+
+// The method, of several, all of whose points are so much dearer than every other that the axis would be mostly empty;
+// its points are told in a line. None: empty.
+std::string far_method(const std::vector<Point>& points) {
+  constexpr double kFar = 100.0;
+  std::map<std::string, std::pair<double, double>> times;  // least and greatest
+  for (const Point& point : points) {
+    const auto [place, is_new] = times.try_emplace(point.method, point.time_ms, point.time_ms);
+    place->second.first = std::min(place->second.first, point.time_ms);
+    place->second.second = std::max(place->second.second, point.time_ms);
+  }
+  for (const auto& [method, own] : times) {
+    const bool is_far = times.size() > 1 && std::ranges::all_of(times, [&](const auto& other) {
+                          return other.first == method || other.second.second * kFar < own.first;
+                        });
+    if (is_far) {
+      return method;
+    }
+  }
+  return {};
+}
+
+std::vector<Point> shown_of(const std::vector<Point>& points) {
+  const std::string far = far_method(points);
+  std::vector<Point> shown;
+  std::ranges::copy_if(points, std::back_inserter(shown), [&](const Point& point) { return point.method != far; });
+  return shown;
+}
+
+// Tells the points of the far method in that scene at the right edge, at the height of their errors.
+std::string far_label(const std::vector<Point>& points, const std::string& scene, const Ranges& ranges) {
+  const std::string far = far_method(points);
+  Ranges own;
+  for (const Point& point : points) {
+    if (point.method == far && point.scene == scene) {
+      own.x_low = std::min(own.x_low, point.time_ms);
+      own.x_high = std::max(own.x_high, point.time_ms);
+      own.y_low = std::min(own.y_low, 100.0 * point.error_mean);
+      own.y_high = std::max(own.y_high, 100.0 * point.error_mean);
+    }
+  }
+  if (own.x_high == 0.0) {
+    return {};
+  }
+  const double middle = std::clamp(std::sqrt(own.y_low * own.y_high), ranges.y_low, ranges.y_high);
+  return "set label " +
+         gnuplot_text(far + ": " + time_text(own.x_low) + " to " + time_text(own.x_high) + " for " +
+                      rounded(own.y_high, 2) + " to " + rounded(own.y_low, 2) + " % \xE2\x86\x92") +
+         " at graph 0.99, first " + rounded(middle, 6) + " right noenhanced front font words tc rgb '#666666'\n";
+}
 
 Ranges ranges_of(const std::vector<Point>& points, bool over_all) {
   Ranges ranges;
@@ -171,7 +251,6 @@ front(s, v) = is("scene", s) && column("frontier") == 1 ? v : NaN
 inside(s, v) = is("scene", s) ? v : NaN
 
 set logscale xy
-set format x "%.0s%c"
 set format y "%g %%"
 set grid xtics ytics lc rgb "#e4e4e4" lt 1
 set tics nomirror
@@ -212,7 +291,7 @@ constexpr std::string_view kTail = R"(  unset multiplot
 
 std::string small_panels(const std::vector<std::string>& scenes, const Ranges& ranges) {
   const int rows = (static_cast<int>(scenes.size()) + kColumns - 1) / kColumns;
-  std::string script = "  unset key\n  unset xlabel\n  unset ylabel\n  size = 0.6\n" + ranges.text();
+  std::string script = "  unset key\n  unset xlabel\n  unset ylabel\n  size = 0.6\n" + ranges.text(false);
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     const auto column = static_cast<int>(i) % kColumns;
     const int row = static_cast<int>(i) / kColumns;
@@ -230,8 +309,12 @@ std::string small_panels(const std::vector<std::string>& scenes, const Ranges& r
 
 std::string gnuplot_script(const PlotText& text, const std::vector<Point>& points) {
   std::vector<std::string> colours;
+  std::vector<std::string> methods;  // shown
   for (std::size_t i = 0; i < text.methods.size(); ++i) {
-    colours.emplace_back(kColours[i % kColours.size()]);
+    if (text.methods[i] != far_method(points)) {
+      methods.push_back(text.methods[i]);
+      colours.emplace_back(kColours[i % kColours.size()]);
+    }
   }
   const std::string large = text.over_all ? std::string(kAllScenes) : text.scenes.front();
   std::vector<std::string> small = text.scenes;
@@ -239,18 +322,19 @@ std::string gnuplot_script(const PlotText& text, const std::vector<Point>& point
     small.erase(small.begin());
   }
   const Area area = small.empty() ? kLargeAlone : kLarge;
-  const Ranges ranges = ranges_of(points, text.over_all);
+  const std::vector<Point> shown = shown_of(points);
+  const Ranges ranges = ranges_of(shown, text.over_all);
   std::string script(kHead);
   script += "heading = " + gnuplot_text(text.title) + "\ntime_label = " + gnuplot_text(text.time_label) + "\n";
   script += "three = " + gnuplot_text(std::string(kThreeChannels)) + "\n";
-  script += array_of("methods", text.methods) + array_of("colours", colours);
+  script += array_of("methods", methods) + array_of("colours", colours);
   script += kBody;
   script +=
       "  size = 1.0\n  set format y '%g %%'\n  set xlabel time_label offset 0,0.4\n  set ylabel 'mean relative error' "
       "offset 1,0\n";
   script += "  set key at screen 0.53, screen 0.962 center top vertical maxrows 2 samplen 1.5\n";
-  script += ranges.text() + margins(area);
-  script += label_commands(points, large, ranges, area, 7);
+  script += ranges.text(true) + margins(area);
+  script += label_commands(shown, large, ranges, area, 7) + far_label(points, large, ranges);
   script +=
       "  set label 'faster, and nearer to the truth: \xE2\x86\x99' at graph 0.012, graph 0.035 left front font words"
       " tc rgb '#666666'\n";
@@ -260,7 +344,7 @@ std::string gnuplot_script(const PlotText& text, const std::vector<Point>& point
   script += kLegend;
   script += "  eval(panel.legend)\n";
   if (!small.empty()) {
-    script += small_panels(small, ranges_of(points, false));
+    script += small_panels(small, ranges_of(shown, false));
   }
   return script + std::string(kTail);
 }

@@ -163,5 +163,35 @@ TEST(Script, NamesScenesAndMethodsAsTheyAre) {
   EXPECT_EQ(alone.find("it''s"), std::string::npos) << alone;
 }
 
+// The truth costs ten thousand times what other methods do: the axis ends before it, and a line tells its points.
+TEST(Script, AMethodFarFromAllOthersIsToldInALine) {
+  const auto point = [](std::string method, double time, double error) {
+    Point p;
+    p.scene = "noon";
+    p.method = std::move(method);
+    p.quality = "q";
+    p.time_ms = time;
+    p.error_mean = error;
+    p.floor = 0.001;
+    return p;
+  };
+  std::vector<Point> points{point("march", 0.05, 0.1), point("march", 2.0, 0.01), point("path-trace", 3e4, 0.05),
+                            point("path-trace", 3e5, 0.02)};
+  mark_frontier(points);
+  const PlotText text{{"noon"}, {"march", "path-trace"}, false, "on a device", "time"};
+  const std::string script = gnuplot_script(text, points);
+  EXPECT_NE(script.find("path-trace: 30 s to 300 s for 5 to 2 %"), std::string::npos) << script;
+  EXPECT_NE(script.find("array methods[1] = ['march']"), std::string::npos) << script;
+  EXPECT_NE(script.find("'50 \xC2\xB5s' 0.05"), std::string::npos) << "a mark has its unit\n" << script;
+  EXPECT_NE(script.find("'2 ms' 2"), std::string::npos) << script;
+  EXPECT_EQ(script.find("e+0"), std::string::npos) << "no mark in powers\n" << script;
+
+  points[2].time_ms = 150.0;  // within a hundred times of the dearest other
+  points[3].time_ms = 190.0;
+  const std::string near = gnuplot_script(text, points);
+  EXPECT_NE(near.find("array methods[2] = ['march', 'path-trace']"), std::string::npos) << near;
+  EXPECT_EQ(near.find("path-trace: 0.15 s"), std::string::npos) << near;
+}
+
 }  // namespace
 }  // namespace airlight::chart
