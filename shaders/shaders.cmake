@@ -1,6 +1,6 @@
 # GLSL -> SPIR-V -> validated -> optimised -> validated -> embedded as C++ arrays.
 set(AIRLIGHT_SHADERS_FROM "" CACHE PATH
-    "Another build of this tree, whose shaders, frozen modules and test_cli are taken as they are")
+    "Another build of this tree, whose shaders, frozen modules and objects of tests are taken as they are")
 find_program(GLSLANG glslangValidator REQUIRED)
 find_program(SPIRV_OPT spirv-opt REQUIRED)
 find_program(SPIRV_VAL spirv-val REQUIRED)
@@ -16,6 +16,15 @@ if(AIRLIGHT_SHADERS_FROM)
   list(TRANSFORM taken REPLACE "(.+)" "${AIRLIGHT_SHADERS_FROM}/lib\\1.a" OUTPUT_VARIABLE taken_files)
   if(AIRLIGHT_TESTS AND AIRLIGHT_TOOL)
     list(APPEND taken test_cli)  # starts the tool that it is told to (tests.cmake)
+    file(GLOB lists CONFIGURE_DEPENDS ${AIRLIGHT_SHADERS_FROM}/test_*.objects)
+    foreach(file IN LISTS lists)
+      get_filename_component(test ${file} NAME_WE)
+      file(STRINGS ${file} objects)
+      list(TRANSFORM objects REPLACE "/\\./" "/")
+      list(APPEND taken ${test})
+      list(APPEND taken_files ${objects})
+    endforeach()
+    list(REMOVE_DUPLICATES taken)
   endif()
   add_custom_target(taken_shaders COMMAND ${CMAKE_COMMAND} --build ${AIRLIGHT_SHADERS_FROM} --target ${taken}
                     BYPRODUCTS ${taken_files} COMMENT "Shaders of ${AIRLIGHT_SHADERS_FROM}" VERBATIM)

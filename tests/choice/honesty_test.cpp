@@ -15,15 +15,12 @@
 
 #include "core/methods/scene_air.h"
 #include "core/scene/angle.h"
+#include "tests/this_build.h"
 
 namespace airlight::test {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr std::uint64_t kFew = 6;
-#else
-constexpr std::uint64_t kFew = 7;
-#endif
+const std::uint64_t kFew = sanitized() ? 6 : 7;
 
 const std::vector<double> kTolerances{0.1, 0.03, 0.01};
 

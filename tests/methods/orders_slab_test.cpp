@@ -7,6 +7,7 @@
 #include "tests/methods/path_trace_scene.h"
 #include "tests/methods/render_fixture.h"
 #include "tests/methods/slab.h"
+#include "tests/this_build.h"
 
 namespace airlight::test {
 namespace {
@@ -24,11 +25,7 @@ void PrintTo(const LevelCase& c, std::ostream* out) {
   *out << c.name;
 }
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr std::size_t kCases = 2;
-#else
-constexpr std::size_t kCases = 8;
-#endif
+const std::size_t kCases = sanitized() ? 2 : 8;
 
 // The same air over the optical depth, but exponential over the altitude: for level air this makes no difference.
 void thin_out(Scene& scene, double scale_height) {

@@ -6,6 +6,7 @@
 #include "core/scene/resolve.h"
 #include "tests/methods/render_fixture.h"
 #include "tests/scene/random_preset.h"
+#include "tests/this_build.h"
 
 namespace airlight::test {
 namespace {
@@ -17,11 +18,7 @@ constexpr std::uint64_t kScenes = 200;  // two times kSameKinds
 constexpr std::uint64_t kSameKinds = 100;
 constexpr std::uint64_t kKindsOf[] = {40, 160};
 constexpr std::uint64_t kOrdersTurn = 20;
-#if defined(__SANITIZE_ADDRESS__)
-constexpr std::uint64_t kStride = 25;
-#else
-constexpr std::uint64_t kStride = 1;
-#endif
+const std::uint64_t kStride = sanitized() ? 25 : 1;
 
 Scene random_scene(std::uint64_t seed) {
   return resolve(parse_preset(random_preset(seed), "random " + std::to_string(seed), {}), method_infos());

@@ -95,11 +95,7 @@ TEST_P(Holds, WhereNothingIsKnownAgainstIt) {
   EXPECT_EQ(Executor::validation_message_count(), 0);
 }
 
-#if defined(__SANITIZE_ADDRESS__)
-INSTANTIATE_TEST_SUITE_P(Method, Holds, testing::Values("march"));  // orders bakes thick air for two minutes
-#else
 INSTANTIATE_TEST_SUITE_P(Method, Holds, testing::Values("nested", "march", "sky-view", "analytic", "orders"));
-#endif
 
 // One step too few along the view gives an error far from convergence, and the symptom says so.
 TEST(StabilityMap, FindsOneStepWanting) {

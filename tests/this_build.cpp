@@ -1,0 +1,24 @@
+// Linked into every test program, and compiled anew in every build: what differs from build to build.
+#include "tests/this_build.h"
+
+#include <cstdlib>
+
+namespace {
+
+// Kept files of the tests, and of the programs that they start, go below the build folder, one for all, and not into
+// the user's home. AIRLIGHT_CACHE, if set, has precedence.
+const int set = ::setenv("AIRLIGHT_CACHE", AIRLIGHT_CACHE_FOLDER, 0);
+
+}  // namespace
+
+namespace airlight::test {
+
+bool sanitized() {
+#if defined(__SANITIZE_ADDRESS__)
+  return true;
+#else
+  return false;
+#endif
+}
+
+}  // namespace airlight::test
