@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "core/huge_pages.h"
+
 namespace airlight {
 namespace {
 
@@ -41,6 +43,7 @@ Buffer::Buffer(const Device& device, std::size_t bytes, VkBufferUsageFlags usage
   void* address = nullptr;
   check(vkMapMemory(device.get(), memory_.get(), 0, VK_WHOLE_SIZE, 0, &address), "map " + std::string(what));
   mapped_ = {static_cast<std::byte*>(address), bytes};
+  prefer_huge_pages(address, bytes);  // the software device's memory is the process's own
 }
 
 void ResourceCache::end_run() {

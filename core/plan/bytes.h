@@ -2,12 +2,14 @@
 // Plain values to the bytes of a buffer, and back.
 
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "core/huge_pages.h"
 #include "core/plan/plan.h"
 
 namespace airlight {
@@ -25,11 +27,19 @@ std::vector<std::byte> bytes_of_one(const T& value) {
   return bytes_of(std::span(&value, 1));
 }
 
+// The values that the bytes hold. The bytes need no alignment.
 template <class T>
 std::vector<T> values_of(std::span<const std::byte> bytes) {
-  std::vector<T> values(bytes.size() / sizeof(T));
-  if (!values.empty()) {
-    std::memcpy(values.data(), bytes.data(), values.size() * sizeof(T));
+  const std::size_t count = bytes.size() / sizeof(T);
+  std::vector<T> values;
+  values.reserve(count);
+  prefer_huge_pages(values.data(), count * sizeof(T));
+  if (reinterpret_cast<std::uintptr_t>(bytes.data()) % alignof(T) == 0) {
+    const T* first = reinterpret_cast<const T*>(bytes.data());
+    values.assign(first, first + count);  // written once: resize() would first fill it with zeros
+  } else {
+    values.resize(count);
+    std::memcpy(values.data(), bytes.data(), count * sizeof(T));
   }
   return values;
 }
