@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/huge_pages.h"
 #include "core/output/color_cube.h"
 #include "core/output/embedded_config.h"
 #include "core/output/parallel.h"
@@ -292,7 +293,10 @@ DisplayRows::DisplayRows(const DisplayTransform& transform, int width, int heigh
                                            0,
                                            {},
                                            {}})) {
-  state_->block.resize(state_->row_length() * static_cast<std::size_t>(state_->block_rows));
+  const std::size_t values = state_->row_length() * static_cast<std::size_t>(state_->block_rows);
+  state_->block.reserve(values);
+  prefer_huge_pages(state_->block.data(), values * sizeof(float));
+  state_->block.resize(values);
   if (state_->transform.interpolates(width, height)) {
     state_->cube.emplace();
   }
