@@ -43,8 +43,8 @@ std::string time_text(double ms) {
   return ms < 1e3 ? rounded(ms, 3) + " ms" : rounded(1e-3 * ms, 3) + " s";
 }
 
-// Marks of times with their labels: 1, 2 and 5 of each decade where there are few, else whole decades, and of those
-// only each second or third one is labelled where there are more than `most`.
+// Marks of times with their labels. The marks are 1, 2 and 5 in each decade if about `most` labels hold them, otherwise
+// whole decades. If there are more than `most` decades, only each second or third one has a label.
 std::string time_marks(double low, double high, int most) {
   const auto first = static_cast<int>(std::floor(std::log10(low)));
   const auto last = static_cast<int>(std::floor(std::log10(high)));
@@ -94,8 +94,8 @@ struct Ranges {
   }
 };
 
-// The method, of several, all of whose points are so much dearer than every other that the axis would be mostly empty;
-// its points are told in a line. None: empty.
+// Name of the method each of whose points takes more than a hundred times as long as any point of another method; empty
+// if there is none. It would leave most of the axis empty, so the chart tells its points in a line of text.
 std::string far_method(const std::vector<Point>& points) {
   constexpr double kFar = 100.0;
   std::map<std::string, std::pair<double, double>> times;  // least and greatest
@@ -115,16 +115,15 @@ std::string far_method(const std::vector<Point>& points) {
   return {};
 }
 
-std::vector<Point> shown_of(const std::vector<Point>& points) {
-  const std::string far = far_method(points);
+std::vector<Point> without_method(const std::vector<Point>& points, const std::string& far) {
   std::vector<Point> shown;
   std::ranges::copy_if(points, std::back_inserter(shown), [&](const Point& point) { return point.method != far; });
   return shown;
 }
 
 // Tells the points of the far method in that scene at the right edge, at the height of their errors.
-std::string far_label(const std::vector<Point>& points, const std::string& scene, const Ranges& ranges) {
-  const std::string far = far_method(points);
+std::string far_label(const std::string& far, const std::vector<Point>& points, const std::string& scene,
+                      const Ranges& ranges) {
   Ranges own;
   for (const Point& point : points) {
     if (point.method == far && point.scene == scene) {
@@ -309,9 +308,10 @@ std::string small_panels(const std::vector<std::string>& scenes, const Ranges& r
 
 std::string gnuplot_script(const PlotText& text, const std::vector<Point>& points) {
   std::vector<std::string> colours;
-  std::vector<std::string> methods;  // shown
+  const std::string far = far_method(points);
+  std::vector<std::string> methods;  // with points in the panels
   for (std::size_t i = 0; i < text.methods.size(); ++i) {
-    if (text.methods[i] != far_method(points)) {
+    if (text.methods[i] != far) {
       methods.push_back(text.methods[i]);
       colours.emplace_back(kColours[i % kColours.size()]);
     }
@@ -322,7 +322,7 @@ std::string gnuplot_script(const PlotText& text, const std::vector<Point>& point
     small.erase(small.begin());
   }
   const Area area = small.empty() ? kLargeAlone : kLarge;
-  const std::vector<Point> shown = shown_of(points);
+  const std::vector<Point> shown = without_method(points, far);
   const Ranges ranges = ranges_of(shown, text.over_all);
   std::string script(kHead);
   script += "heading = " + gnuplot_text(text.title) + "\ntime_label = " + gnuplot_text(text.time_label) + "\n";
@@ -334,7 +334,7 @@ std::string gnuplot_script(const PlotText& text, const std::vector<Point>& point
       "offset 1,0\n";
   script += "  set key at screen 0.53, screen 0.962 center top vertical maxrows 2 samplen 1.5\n";
   script += ranges.text(true) + margins(area);
-  script += label_commands(shown, large, ranges, area, 7) + far_label(points, large, ranges);
+  script += label_commands(shown, large, ranges, area, 7) + far_label(far, points, large, ranges);
   script +=
       "  set label 'faster, and nearer to the truth: \xE2\x86\x99' at graph 0.012, graph 0.035 left front font words"
       " tc rgb '#666666'\n";

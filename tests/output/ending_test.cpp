@@ -70,11 +70,25 @@ TEST(FilesOfAnotherDeathTest, ASignalAfterTheStartEndsTheProgramAndLeavesNoFile)
   EXPECT_EQ(folder.names(), std::set<std::string>{});
 }
 
-TEST(FilesOfAnother, WithoutAProgramNothingWaits) {
+// A handler that still waited for the program would never end.
+TEST(FilesOfAnotherDeathTest, ASignalAfterAStartThatFailedEndsTheProcess) {
+  const Folder folder;
+  EXPECT_EXIT(
+      {
+        ::signal(SIGINT, SIG_DFL);
+        end_in_good_order_on_signals();
+        FilesOfAnother drawn({folder / "a"});
+        EXPECT_THROW(drawn.started_by([]() -> pid_t { throw 1; }), int);
+        ::alarm(5);
+        ::raise(SIGINT);
+      },
+      KilledBySignal(SIGINT), "stopped by SIGINT");
+}
+
+TEST(FilesOfAnother, FilesThatExistAreRenamed) {
   const Folder folder;
   FilesOfAnother drawn({folder / "a", folder / "b"});
   EXPECT_EQ(drawn.started_by([] { return pid_t{0}; }), 0);
-  EXPECT_THROW(drawn.started_by([]() -> pid_t { throw 1; }), int);
   test::put(folder / "a", "x");
   test::put(folder / "b", "x");
   EXPECT_TRUE(drawn.rename(0, folder / "c"));
