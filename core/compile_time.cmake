@@ -30,30 +30,46 @@ function(airlight_precompiled name position_independent options)
   target_precompile_headers(${name} PRIVATE ${ARGN})
 endfunction()
 
-# Sources whose unnamed namespaces use the same names as their neighbours': compiled on their own.
-file(GLOB airlight_own_names CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/app/commands/*.cpp)
-foreach(source IN ITEMS
-        app/cli/process core/choice/probes core/gpu/executor
-        core/gpu/vulkan_api core/methods/analytic core/methods/march core/methods/nested core/methods/orders
-        core/methods/path_trace/optical_depth core/methods/path_trace/path_trace
-        core/methods/path_trace/single_scattering core/methods/sky_view core/output/quantize core/post/bloom
-        core/post/sun_disc core/render/render core/stability/sweep tests/chart/settings_test
-        tests/app/publish_test tests/cli/render_test tests/measure/metrics_test tests/methods/golden_test
-        tests/methods/march_keys_test tests/methods/nested_test tests/methods/orders_slab_test
-        tests/physics/quadrature_test tests/physics/sunlight_test tests/scene/override_test tests/scene/rule_schema
-        tests/scene/scene_fixture tests/scene/schema_check tests/sequence/time_test)
-  list(APPEND airlight_own_names ${PROJECT_SOURCE_DIR}/${source}.cpp)
+# The methods' sources use the same names in their unnamed namespaces: one of them at most is compiled with others.
+set(airlight_own_names)
+foreach(source IN ITEMS analytic march nested orders sky_view path_trace/path_trace)
+  list(APPEND airlight_own_names ${PROJECT_SOURCE_DIR}/core/methods/${source}.cpp)
 endforeach()
+
+# Holds the code of volk, whose header must not have been read before.
+set_source_files_properties(${PROJECT_SOURCE_DIR}/core/gpu/vulkan_api.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+
+# Sources in a unit: more make less work, and fewer units than processors would make it longer.
+set(airlight_batch 12)
+
+# Orders the target's sources such that each unit has at most one of those with their own names: in its middle, since
+# the sources that have options of their own do not count.
+function(airlight_apart target)
+  get_target_property(sources ${target} SOURCES)
+  set(apart)
+  foreach(source IN LISTS airlight_own_names)
+    if(source IN_LIST sources)
+      list(REMOVE_ITEM sources ${source})
+      list(APPEND apart ${source})
+    endif()
+  endforeach()
+  math(EXPR place "${airlight_batch} / 2")
+  foreach(source IN LISTS apart)
+    list(INSERT sources ${place} ${source})
+    math(EXPR place "${place} + ${airlight_batch}")
+  endforeach()
+  set_target_properties(${target} PROPERTIES SOURCES "${sources}")
+endfunction()
 
 # airlight_compile_together(TARGET...): compiles several sources in one go, so that their shared headers are read once.
 function(airlight_compile_together)
   if(NOT AIRLIGHT_QUICK_COMPILE)
     return()
   endif()
-  set_source_files_properties(${airlight_own_names} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   foreach(target IN LISTS ARGN)
     if(TARGET ${target})
-      set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
+      airlight_apart(${target})
+      set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${airlight_batch})
       # A class may have a member of a type from its own source's unnamed namespace: only that source knows the class.
       target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
     endif()

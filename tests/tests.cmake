@@ -63,7 +63,7 @@ if(AIRLIGHT_SANITIZE)
 endif()
 
 # One process for each of these rooms: their tests take milliseconds, less than a program's start, which with
-# OpenImageIO's libraries is a fifth of a second.
+# OpenImageIO's libraries is a fifth of a second. Other rooms have a process for each suite, cli for each test.
 set(rooms_together spectra plan scene composite output chart measure sequence app)
 if(AIRLIGHT_SANITIZE)
   # In this build a start takes up to half of a test that opens the device. Only the commands' tests, which start
@@ -89,8 +89,10 @@ set(test_cache ${PROJECT_BINARY_DIR})
 if(AIRLIGHT_SHADERS_FROM)
   set(test_cache ${AIRLIGHT_SHADERS_FROM})
 endif()
-set_property(SOURCE ${PROJECT_SOURCE_DIR}/tests/this_build.cpp APPEND PROPERTY
-             COMPILE_DEFINITIONS AIRLIGHT_CACHE_FOLDER="${test_cache}/cache")
+# Part of every test program, and compiled once a build.
+add_library(airlight_this_build OBJECT ${PROJECT_SOURCE_DIR}/tests/this_build.cpp)
+target_link_libraries(airlight_this_build PRIVATE airlight_flags)
+target_compile_definitions(airlight_this_build PRIVATE AIRLIGHT_CACHE_FOLDER="${test_cache}/cache")
 
 # Long tests start first, so that no core waits for them in the end. The plain build's start before the sanitized one's,
 # which then finds the software device's pipelines in Mesa's cache: test_cost(VARIABLE ROOM).
@@ -146,11 +148,10 @@ function(airlight_test_program room)
   if(AIRLIGHT_SANITIZE AND EXISTS "${AIRLIGHT_SHADERS_FROM}/${list_file}" AND NOT room STREQUAL "physics")
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${AIRLIGHT_SHADERS_FROM}/${list_file})
     file(STRINGS ${AIRLIGHT_SHADERS_FROM}/${list_file} taken)
-    list(FILTER taken EXCLUDE REGEX "/this_build\\.cpp")
     list(TRANSFORM taken REPLACE "/\\./" "/")  # as Ninja names them
   endif()
   if(taken)
-    add_executable(test_${room} ${PROJECT_SOURCE_DIR}/tests/this_build.cpp ${AIRLIGHT_PROGRAM_SOURCES} ${taken})
+    add_executable(test_${room} $<TARGET_OBJECTS:airlight_this_build> ${AIRLIGHT_PROGRAM_SOURCES} ${taken})
     add_dependencies(test_${room} taken_shaders)
     airlight_archives(archives ${ARGN})
     list(TRANSFORM archives REPLACE "(.+)" "$<TARGET_FILE:\\1>")
@@ -162,7 +163,7 @@ function(airlight_test_program room)
   if(room STREQUAL "app")
     list(APPEND sources ${PROJECT_SOURCE_DIR}/tests/cli/process.cpp)
   endif()
-  add_executable(test_${room} ${sources} ${PROJECT_SOURCE_DIR}/tests/this_build.cpp ${AIRLIGHT_PROGRAM_SOURCES})
+  add_executable(test_${room} ${sources} $<TARGET_OBJECTS:airlight_this_build> ${AIRLIGHT_PROGRAM_SOURCES})
   file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/${list_file} CONTENT "$<JOIN:$<TARGET_OBJECTS:test_${room}>,\n>\n")
   target_link_libraries(test_${room} PRIVATE airlight_flags GTest::gtest GTest::gtest_main ${ARGN})
   target_compile_options(test_${room} PRIVATE ${airlight_test_options})
@@ -175,9 +176,7 @@ function(airlight_test_program room)
   if(AIRLIGHT_QUICK_COMPILE)
     target_precompile_headers(test_${room} REUSE_FROM ${headers})
   endif()
-  if(NOT room STREQUAL "output")  # its tests read and write the same few kinds of file by helpers of the same names
-    airlight_compile_together(test_${room})
-  endif()
+  airlight_compile_together(test_${room})
   target_compile_definitions(test_${room} PRIVATE AIRLIGHT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 endfunction()
 
@@ -215,12 +214,29 @@ function(airlight_test_room room)
     endforeach()
     return()
   endif()
-  set(filter)
-  if(test_filter_${room})
-    set(filter TEST_FILTER ${test_filter_${room}})
+  if(room STREQUAL "cli")
+    set(filter)
+    if(test_filter_cli)
+      set(filter TEST_FILTER ${test_filter_cli})
+    endif()
+    gtest_discover_tests(test_cli TEST_PREFIX ${test_prefix}cli. ${filter} DISCOVERY_TIMEOUT 60
+                         PROPERTIES ${test_properties} ${test_properties_cli} ${cost})
+    return()
   endif()
-  gtest_discover_tests(test_${room} TEST_PREFIX ${test_prefix}${room}. ${filter} DISCOVERY_TIMEOUT 60
-                       PROPERTIES ${test_properties} ${test_properties_${room}} ${cost})
+  # One process a suite: its tests share the device and its pipelines.
+  set(suites ${PROJECT_BINARY_DIR}/test_${room}_suites.cmake)
+  string(REPLACE ";" " " properties "${test_properties};${test_properties_${room}};${cost}")
+  add_custom_command(TARGET test_${room} POST_BUILD
+                     COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:test_${room}> -DPREFIX=${room}.
+                             "-DPROPERTIES=${properties}" -DOUT=${suites}
+                             -P ${PROJECT_SOURCE_DIR}/tests/discover_suites.cmake
+                     BYPRODUCTS ${suites} VERBATIM)
+  file(WRITE ${suites}.all "include(\"${suites}\" OPTIONAL RESULT_VARIABLE found)
+if(NOT found)
+  add_test(${room}.was-not-built test_${room})
+endif()
+")
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${suites}.all)
 endfunction()
 
 airlight_test_room(spectra airlight_spectra)

@@ -33,8 +33,8 @@ std::string how_to_see_help(const Tool& tool, const Command& command) {
 }
 
 // Reports a parse error. A message about a value is already ours; the others are made here from the typed words.
-[[noreturn]] void refuse(const Tool& tool, const Command& command, const CLI::App& app, const Words& words,
-                         const CLI::ParseError& error) {
+[[noreturn]] void refuse_words(const Tool& tool, const Command& command, const CLI::App& app, const Words& words,
+                               const CLI::ParseError& error) {
   if (dynamic_cast<const CLI::ValidationError*>(&error) != nullptr) {
     throw InputError(place_of(tool, command) + error.what());
   }
@@ -73,7 +73,7 @@ void parse(const Tool& tool, const Command& command, const Words& words) {
     if (const Words extra = unknown_words(*app); !extra.empty()) {
       refuse_extra(tool, command, extra);
     }
-    refuse(tool, command, *app, words, error);
+    refuse_words(tool, command, *app, words, error);
   }
   if (const Words extra = unknown_words(*app); !extra.empty()) {
     refuse_extra(tool, command, extra);

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Given {
+struct ChartGiven {
   SceneOptions scene;  // of each preset
   std::vector<std::string> presets;
   std::vector<std::string> methods;
@@ -33,7 +33,7 @@ struct Given {
   bool quiet = false;
 };
 
-std::vector<std::string> chosen_methods(const Given& given) {
+std::vector<std::string> chosen_methods(const ChartGiven& given) {
   std::vector<std::string> known;
   for (const SkyMethod& method : methods()) {
     known.emplace_back(method.info.name);
@@ -54,7 +54,7 @@ std::vector<std::string> chosen_methods(const Given& given) {
 }
 
 // The user's cache folder, since truths serve every chart; beside the chart where there is none.
-fs::path truth_folder(const Given& given) {
+fs::path truth_folder(const ChartGiven& given) {
   if (!given.truth_folder.empty()) {
     return given.truth_folder;
   }
@@ -76,7 +76,7 @@ std::string whole_points(std::size_t count) {
          " whole; the same command goes on from there";
 }
 
-chart::Settings settings_of(const Given& given) {
+chart::Settings settings_of(const ChartGiven& given) {
   chart::Settings settings = chart::parse_settings(embedded_chart_list(), "presets/chart.json");
   if (!given.presets.empty()) {
     settings.scenes = given.presets;
@@ -93,7 +93,7 @@ chart::Settings settings_of(const Given& given) {
   return settings;
 }
 
-chart::RunOrder order_of(const Given& given, chart::Settings& settings) {
+chart::RunOrder order_of(const ChartGiven& given, chart::Settings& settings) {
   chart::RunOrder order;
   for (const std::string& preset : settings.scenes) {
     SceneOptions options = given.scene;
@@ -135,7 +135,7 @@ chart::RunOrder order_of(const Given& given, chart::Settings& settings) {
   return order;
 }
 
-int run_chart_command(const Given& given) {
+int run_chart_command(const ChartGiven& given) {
   if (given.folder.empty()) {
     throw InputError("chart: no folder given; write -o DIR");
   }
@@ -172,7 +172,7 @@ int run_chart_command(const Given& given) {
 }  // namespace
 
 Command chart_command() {
-  const auto given = std::make_shared<Given>();
+  const auto given = std::make_shared<ChartGiven>();
   Command command;
   command.name = "chart";
   command.summary = "Chart the error of every method against its time";

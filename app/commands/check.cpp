@@ -18,7 +18,7 @@
 namespace airlight::cli {
 namespace {
 
-struct Given {
+struct CheckGiven {
   std::vector<std::string> presets;
   std::vector<std::string> set;
   PictureOptions picture;  // for its OCIO config
@@ -47,7 +47,7 @@ void check_names(const Preset& preset, Scene scene, const PictureOptions& option
 }
 
 // The problems, a line each. None: the preset is good, and `scene` is its scene.
-std::string problems_of(const Given& given, const std::string& argument, std::string& source, Scene& scene) {
+std::string problems_of(const CheckGiven& given, const std::string& argument, std::string& source, Scene& scene) {
   try {
     Preset preset = find_preset(argument);
     source = preset.source;
@@ -72,7 +72,7 @@ void write_problems(JsonWriter& json, const std::string& lines) {
 }
 
 // Reports every problem of every file before the command fails.
-int check_presets(const Given& given) {
+int check_presets(const CheckGiven& given) {
   bool all_good = true;
   JsonWriter json;
   json.begin_object().key("presets").begin_array();
@@ -108,7 +108,7 @@ int check_presets(const Given& given) {
 }  // namespace
 
 Command check_command() {
-  const auto given = std::make_shared<Given>();
+  const auto given = std::make_shared<CheckGiven>();
   Command command;
   command.name = "check";
   command.summary = "Find every problem in presets";

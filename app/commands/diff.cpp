@@ -31,7 +31,7 @@ namespace fs = std::filesystem;
 using measure::NamedReport;
 using measure::Verdict;
 
-struct Given {
+struct DiffGiven {
   std::string a;
   std::string b;
   measure::ComparisonRequest request;
@@ -69,7 +69,7 @@ std::string picture_for(const std::string& file, const measure::FilePairs& pairs
 }
 
 // Checks all names of output files before any work.
-void require_outputs(const Given& given, const measure::FilePairs& pairs) {
+void require_outputs(const DiffGiven& given, const measure::FilePairs& pairs) {
   std::vector<std::string> outputs;
   for (const measure::FilePair& pair : pairs.pairs) {
     for (const std::string& file : {given.heatmap, given.side_by_side}) {
@@ -117,7 +117,7 @@ void tell_by_name(const std::vector<SeekableFile>& inputs, NamedReport& entry) {
   }
 }
 
-NamedReport compare_pair(const Given& given, const measure::FilePairs& pairs, const measure::FilePair& pair,
+NamedReport compare_pair(const DiffGiven& given, const measure::FilePairs& pairs, const measure::FilePair& pair,
                          std::vector<std::string>& written) {
   NamedReport entry{.name = pair.name, .a = pair.a, .b = pair.b, .report = {}, .pictures = {}};
   if (!pair.problem.empty()) {
@@ -142,7 +142,7 @@ NamedReport compare_pair(const Given& given, const measure::FilePairs& pairs, co
 
 // Prints figures to standard output, or to standard error beside --json. A single pair that cannot be compared is an
 // error of one line.
-void tell_people(const Given& given, bool several, const NamedReport& entry, const measure::Limits& in_force) {
+void tell_people(const DiffGiven& given, bool several, const NamedReport& entry, const measure::Limits& in_force) {
   const auto say = [&](const std::string& text) {
     const std::string shown = printable(text, true);
     given.json ? tell(shown) : print(shown);
@@ -169,7 +169,7 @@ int exit_code(Verdict verdict) {
   return 2;
 }
 
-void tell_replaced(const Given& given, const std::vector<std::string>& replaced) {
+void tell_replaced(const DiffGiven& given, const std::vector<std::string>& replaced) {
   if (given.quiet && replaced.empty()) return;
   std::string text;
   for (const std::string& file : replaced) text += "Replaced the reference " + file + "\n";
@@ -183,7 +183,7 @@ std::string compared_so_far(std::size_t done, std::size_t all, const std::string
          (junit.empty() ? "" : "; " + printable(shortened(junit, 200)) + " was not written");
 }
 
-int diff(Given given) {
+int diff(DiffGiven given) {
   const bool in_sigmas = !given.request.standard_errors.empty();
   if (given.request.limits.chi_square && !in_sigmas) {
     throw InputError("diff: --chi-square needs --standard-error FILE");
@@ -306,7 +306,7 @@ std::vector<Option> limit_options(measure::Limits& limits) {
 }
 
 // The choice of what is compared, and the outputs.
-std::vector<Option> other_options(Given& given) {
+std::vector<Option> other_options(DiffGiven& given) {
   const auto text = [](const char* name, const char* metavar, const char* help, Target target,
                        Completes completes = Completes::nothing) {
     return Option{name, metavar, help, target, completes, {}, {}, {}};
@@ -352,7 +352,7 @@ std::vector<Option> other_options(Given& given) {
 }  // namespace
 
 Command diff_command() {
-  const auto given = std::make_shared<Given>();
+  const auto given = std::make_shared<DiffGiven>();
   Command command;
   command.name = "diff";
   command.summary = "Compare two EXR files, folders or frame sequences";

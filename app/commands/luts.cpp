@@ -11,14 +11,14 @@
 namespace airlight::cli {
 namespace {
 
-struct Given {
+struct LutsGiven {
   SceneOptions scene;
   std::string folder;
   bool json = false;
   bool quiet = false;
 };
 
-int run_luts(const Given& given) {
+int run_luts(const LutsGiven& given) {
   if (given.folder.empty()) {
     throw InputError("luts: no folder given; write -o DIR");
   }
@@ -48,7 +48,7 @@ int run_luts(const Given& given) {
 }  // namespace
 
 Command luts_command() {
-  const auto given = std::make_shared<Given>();
+  const auto given = std::make_shared<LutsGiven>();
   Command command;
   command.name = "luts";
   command.summary = "Write every table of a preset's method as a float EXR and a picture";

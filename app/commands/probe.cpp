@@ -19,7 +19,7 @@
 namespace airlight::cli {
 namespace {
 
-struct Given {
+struct ProbeGiven {
   SceneOptions scene;
   std::vector<double> elevations;
   std::vector<double> azimuths;
@@ -34,7 +34,7 @@ struct ListedDirection {
   double azimuth_deg = 0.0;
 };
 
-std::optional<double> number(std::string text) {
+std::optional<double> stripped_number(std::string text) {
   std::erase_if(text, [](char c) { return c == ' ' || c == '\t' || c == '\r'; });
   return number_from<double>(text);
 }
@@ -48,8 +48,8 @@ std::vector<ListedDirection> read_csv(std::istream& in, const std::string& name)
       continue;
     }
     const std::vector<std::string> cells = split(line, ',');
-    const std::optional<double> e = number(cells.front());
-    const std::optional<double> a = number(cells.size() > 1 ? cells[1] : std::string());
+    const std::optional<double> e = stripped_number(cells.front());
+    const std::optional<double> a = stripped_number(cells.size() > 1 ? cells[1] : std::string());
     const bool heading = !e && !a && directions.empty();
     if (heading) {
       continue;
@@ -67,7 +67,7 @@ std::vector<ListedDirection> read_csv(std::istream& in, const std::string& name)
   return directions;
 }
 
-std::vector<ListedDirection> directions_of(const Given& given) {
+std::vector<ListedDirection> directions_of(const ProbeGiven& given) {
   if (!given.csv.empty()) {
     if (!given.elevations.empty() || !given.azimuths.empty()) {
       throw InputError("probe: --csv and --elevation, --azimuth exclude each other; give one or the other");
@@ -216,7 +216,7 @@ void tell_warnings(const std::vector<std::string>& warnings) {
   }
 }
 
-int print_spectra(const Given& given, const Scene& scene, const std::vector<ListedDirection>& listed,
+int print_spectra(const ProbeGiven& given, const Scene& scene, const std::vector<ListedDirection>& listed,
                   const std::vector<Direction>& directions, const Nodes& nodes) {
   std::unique_ptr<Executor> executor;
   const SpectralProbes results = probe_spectrum(device_on_demand(given.scene, executor), scene, directions, nodes);
@@ -229,7 +229,7 @@ int print_spectra(const Given& given, const Scene& scene, const std::vector<List
   return 0;
 }
 
-int run_probe(const Given& given) {
+int run_probe(const ProbeGiven& given) {
   const Scene scene = load_scene(given.scene);
   std::optional<Nodes> nodes;
   if (given.spectrum) {
@@ -263,7 +263,7 @@ int run_probe(const Given& given) {
 }  // namespace
 
 Command probe_command() {
-  const auto given = std::make_shared<Given>();
+  const auto given = std::make_shared<ProbeGiven>();
   Command command;
   command.name = "probe";
   command.summary = "Print radiance and transmittance in given directions, as seen from the camera's place";

@@ -25,7 +25,7 @@ using sequence::FrameSource;
 
 constexpr std::size_t kManyFrames = 1'000'000;
 
-struct Given {
+struct SequenceGiven {
   SceneOptions scene;
   SamplingOptions sampling;
   PictureOptions picture;
@@ -53,7 +53,7 @@ struct PathOption {
   bool needed;
 };
 
-std::vector<PathOption> path_options(const Given& given) {
+std::vector<PathOption> path_options(const SequenceGiven& given) {
   const PlaceOptions& place = given.place;
   return {{"--date", place.date.has_value(), true},    {"--from", given.from.has_value(), true},
           {"--to", given.to.has_value(), true},        {"--step", given.step.has_value(), true},
@@ -62,7 +62,7 @@ std::vector<PathOption> path_options(const Given& given) {
           {"--refraction", place.refraction, false}};
 }
 
-sequence::SunPath sun_path_of(const Given& given) {
+sequence::SunPath sun_path_of(const SequenceGiven& given) {
   const std::string missing = joined_of(
       path_options(given), [](const PathOption& option) { return option.needed && !option.given ? option.name : ""; });
   if (!missing.empty()) {
@@ -79,7 +79,7 @@ sequence::SunPath sun_path_of(const Given& given) {
 }
 
 // The source of the frames: the command line has precedence over the preset.
-FrameSource source_of(const Given& given, const Scene& scene) {
+FrameSource source_of(const SequenceGiven& given, const Scene& scene) {
   const std::vector<PathOption> path = path_options(given);
   const auto first = std::ranges::find_if(path, [](const PathOption& option) { return option.given; });
   air_of(given.place, "sequence");  // refuses its further options where none is asked for
@@ -106,7 +106,7 @@ FrameSource source_of(const Given& given, const Scene& scene) {
 }
 
 // Refuses overrides of keys that the frames set.
-void refuse_idle_overrides(const Given& given, const FrameSource& source) {
+void refuse_idle_overrides(const SequenceGiven& given, const FrameSource& source) {
   const sequence::Frame frame = sequence::frame_at(source, 0);
   for (const std::string& assignment : given.scene.set) {
     const std::string pointer = assignment.substr(0, assignment.find('='));
@@ -119,7 +119,7 @@ void refuse_idle_overrides(const Given& given, const FrameSource& source) {
 
 // The preset with the options of sampling and of the look, and --set; then the time limit, which only a method that
 // samples takes.
-Preset preset_of(const Given& given) {
+Preset preset_of(const SequenceGiven& given) {
   std::vector<Override> further = overrides(given.sampling, false);
   for (Override& override : overrides(given.picture)) {
     further.push_back(std::move(override));
@@ -142,7 +142,7 @@ Preset preset_of(const Given& given) {
   return preset;
 }
 
-SequenceJob job_of(const Given& given) {
+SequenceJob job_of(const SequenceGiven& given) {
   SequenceJob job;
   job.scene_options = given.scene;
   job.picture = given.picture;
@@ -235,7 +235,7 @@ int dry_run(const SequenceJob& job) {
   return 0;
 }
 
-int run(const Given& given) {
+int run(const SequenceGiven& given) {
   const SequenceJob job = job_of(given);
   if (given.dry_run) {
     return dry_run(job);
@@ -251,7 +251,7 @@ int run(const Given& given) {
   return 0;
 }
 
-std::vector<Option> frame_options(Given& given) {
+std::vector<Option> frame_options(SequenceGiven& given) {
   return place_options(
       given.place,
       {{"--from", "HH:MM", "Time of day of the first frame, in the time zone of --tz", &given.from},
@@ -260,7 +260,7 @@ std::vector<Option> frame_options(Given& given) {
        {"--step", "TIME", "Time from frame to frame: a number with h, m or s, e.g. 5m or 1h30m", &given.step}});
 }
 
-std::vector<Option> run_options(Given& given) {
+std::vector<Option> run_options(SequenceGiven& given) {
   return grouped(
       "Run",
       {{"--overwrite", "", "Render again the frames that are already whole and of this preset", &given.overwrite},
@@ -286,7 +286,7 @@ std::vector<Option> run_options(Given& given) {
        {"-q,--quiet", "", "Say nothing but errors", &given.quiet}});
 }
 
-std::vector<Option> sequence_options(Given& given) {
+std::vector<Option> sequence_options(SequenceGiven& given) {
   std::vector<Option> options = grouped(
       "Output",
       {{"-o,--output", "PATTERN.exr",
@@ -320,7 +320,7 @@ std::vector<Option> sequence_options(Given& given) {
 }  // namespace
 
 Command sequence_command() {
-  const auto given = std::make_shared<Given>();
+  const auto given = std::make_shared<SequenceGiven>();
   Command command;
   command.name = "sequence";
   command.summary = "Render a day, a sweep of the sun or key frames to numbered files";

@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace stability;
 
-struct Given {
+struct StabilityGiven {
   std::string folder;
   std::vector<std::string> methods;
   std::vector<std::string> sweeps;
@@ -55,14 +55,14 @@ bool wanted(const std::vector<std::string>& chosen, const std::string& name) {
   return chosen.empty() || std::ranges::find(chosen, name) != chosen.end();
 }
 
-Form form_of(const Given& given) {
+Form form_of(const StabilityGiven& given) {
   if (given.quick + given.brief + given.full > 1) {
     throw InputError("stability: --quick, --short and --full exclude each other; give one");
   }
   return given.quick ? Form::quick : given.full ? Form::full : Form::brief;
 }
 
-Examination wanted_examination(const Given& given, const DeviceInfo& device) {
+Examination wanted_examination(const StabilityGiven& given, const DeviceInfo& device) {
   const Form form = form_of(given);
   Examination e;
   e.version = std::string("airlight ") + AIRLIGHT_VERSION;
@@ -165,7 +165,7 @@ std::string stability_json(const Examination& e, const fs::path& folder) {
   return json.end_array().end_object().take();
 }
 
-int run_stability(const Given& given) {
+int run_stability(const StabilityGiven& given) {
   if (given.folder.empty()) {
     throw InputError("stability: no folder given; write -o DIR");
   }
@@ -195,7 +195,7 @@ int run_stability(const Given& given) {
 }  // namespace
 
 Command stability_command() {
-  const auto given = std::make_shared<Given>();
+  const auto given = std::make_shared<StabilityGiven>();
   Command command;
   command.name = "stability";
   command.summary = "Map where each method fails: over sun, altitude, horizon, air, planet, steps and tables";

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "core/error.h"
+#include "core/scene/angle.h"
 #include "core/text.h"
 
 namespace airlight::cli {
@@ -139,15 +139,14 @@ std::string set_camera(const CompositeOrder& order, const Picture& picture, doub
     scene.camera.projection = Projection::perspective;
     scene.camera.vertical_fov = *camera.vertical_fov;
   }
-  constexpr double kDegrees = 180.0 / std::numbers::pi;
   char text[160];
   std::snprintf(text, sizeof text, "camera: the file's, %.6g km high, azimuth %.4g", camera.altitude,
-                camera.azimuth * kDegrees + 0.0);
+                camera.azimuth / kDegree + 0.0);
   std::string told = text;
   if (!is_map(scene.camera.projection)) {
-    std::snprintf(text, sizeof text, ", pitch %.4g, roll %.4g, %s %.4g", camera.pitch * kDegrees + 0.0,
-                  camera.roll * kDegrees + 0.0, camera.vertical_fov ? "field of view" : "the preset's field of view",
-                  scene.camera.vertical_fov * kDegrees);
+    std::snprintf(text, sizeof text, ", pitch %.4g, roll %.4g, %s %.4g", camera.pitch / kDegree + 0.0,
+                  camera.roll / kDegree + 0.0, camera.vertical_fov ? "field of view" : "the preset's field of view",
+                  scene.camera.vertical_fov / kDegree);
     told += text;
   }
   return told;

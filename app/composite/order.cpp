@@ -12,7 +12,7 @@ namespace {
 using composite::Fog;
 using composite::FogKind;
 
-std::optional<double> number(const std::string& text) {
+std::optional<double> non_negative(const std::string& text) {
   const std::optional<double> value = number_from<double>(text);
   return value && *value >= 0.0 ? value : std::nullopt;
 }
@@ -58,7 +58,7 @@ void set(Fog& fog, const std::string& kind, const std::string& assignment) {
     const std::vector<std::string> words = split(assignment.substr(equals + 1), ',');
     std::vector<double> values;
     for (const std::string& word : words) {
-      if (const std::optional<double> value = number(word)) {
+      if (const std::optional<double> value = non_negative(word)) {
         values.push_back(*value);
       }
     }
@@ -109,7 +109,7 @@ std::optional<double> unit_km(const std::string& text) {
       return unit.km;
     }
   }
-  const std::optional<double> metres = number(text);
+  const std::optional<double> metres = non_negative(text);
   if (!metres || *metres == 0.0) {
     throw InputError("composite: --depth-unit: '" + text +
                      "' is no unit; write mm, cm, m, km, in, ft or the unit's length in metres");

@@ -119,7 +119,8 @@ class PartFiles {
 using AllFiles = std::vector<std::unique_ptr<PartFiles>>;
 
 // Returns if the picture is sound, else throws.
-void require_sound(const Scene& scene, const Rendering& rendering, const TiledOrder& order, const AllFiles& files) {
+void require_sound_parts(const Scene& scene, const Rendering& rendering, const TiledOrder& order,
+                         const AllFiles& files) {
   if (rendering.fault().empty()) {
     return;
   }
@@ -184,7 +185,7 @@ TiledPicture write_tiled(const DeviceOnDemand& device, const Scene& scene, const
   if (order.dropped && order.dropped()) {
     return done;
   }
-  require_sound(scene, done.rendering, order, files);
+  require_sound_parts(scene, done.rendering, order, files);
   finish(done, order, files);
   if (order.request.layers) {
     done.rendering.layers = layers_of(scene);

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/air/legendre.h"
+#include "core/scene/angle.h"
 
 namespace airlight {
 namespace {
@@ -105,7 +106,7 @@ std::shared_ptr<const std::vector<vec3>> phase_samples(const std::vector<Medium>
     const std::size_t first = all->size();
     for (std::size_t k = 0; k < kSamples; ++k) {
       const auto value = [&](std::size_t c) {
-        const double degrees = angle_of(static_cast<double>(k)) * 180.0 / std::numbers::pi;
+        const double degrees = angle_of(static_cast<double>(k)) / kDegree;
         return std::log(medium.phase == PhaseFunction::table
                             ? phase_at(medium.phase_table, medium.phase_wavelengths[c], degrees)
                             : p.phase_value(formula_of(medium.phase), medium.phase_g, sample_cosine(k)));

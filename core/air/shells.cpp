@@ -8,10 +8,6 @@ namespace {
 
 constexpr int kMostRows = 1024;  // of a table of moments
 
-bool is_smooth(DensityProfile profile) {
-  return profile == DensityProfile::exponential || profile == DensityProfile::lorentzian;
-}
-
 // Two to five times the rows of the table, the most from an optical depth of 3 on: a forward-scattering slab of depth 8
 // is 3.9 % off with four times, 2.8 % with five.
 int wished_rows(int moment_rows, double depth) {
@@ -92,6 +88,10 @@ ScatteringDepths scattering_between_rows(const Column& column, const std::vector
 }
 
 }  // namespace
+
+bool is_smooth(DensityProfile profile) {
+  return profile == DensityProfile::exponential || profile == DensityProfile::lorentzian;
+}
 
 int hazy_rows(int moment_rows) {
   return std::clamp((5 * moment_rows + 1) / 3, moment_rows, kMostRows);

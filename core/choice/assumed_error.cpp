@@ -5,11 +5,11 @@
 
 #include "core/methods/scene_air.h"
 #include "core/methods/spectral_sky.h"
+#include "core/scene/angle.h"
 
 namespace airlight::choice {
 namespace {
 
-constexpr double kDegree = 0.017453292519943295;
 constexpr double kLowSun = kDegree;  // elevation
 
 bool is_day(const Scene& scene) {

@@ -5,14 +5,13 @@
 #include <optional>
 
 #include "core/air/scene_block.h"
+#include "core/scene/angle.h"
 
 namespace airlight::choice {
 namespace {
 
 using physics::Physics;
 using physics::vec3;
-
-constexpr double kDegree = 0.017453292519943295;
 
 // 1 / plastic number: multiples of it and of its square fill the unit square evenly.
 constexpr double kPlastic = 0.7548776662466927;

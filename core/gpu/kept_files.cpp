@@ -32,7 +32,7 @@ struct Header {
 };
 static_assert(sizeof(Header) == 80 && std::is_trivially_copyable_v<Header>);
 
-std::optional<std::string> environment(const char* name) {
+std::optional<std::string> environment_value(const char* name) {
   const char* value = std::getenv(name);
   return value == nullptr ? std::nullopt : std::optional<std::string>(value);
 }
@@ -105,10 +105,10 @@ std::vector<Entry> entries_of(int folder, const std::string& ending) {
 }  // namespace
 
 fs::path user_cache_folder() {
-  if (const auto chosen = environment("AIRLIGHT_CACHE")) return *chosen == "off" ? fs::path() : fs::path(*chosen);
-  const auto cache = environment("XDG_CACHE_HOME");
+  if (const auto chosen = environment_value("AIRLIGHT_CACHE")) return *chosen == "off" ? fs::path() : fs::path(*chosen);
+  const auto cache = environment_value("XDG_CACHE_HOME");
   if (cache && fs::path(*cache).is_absolute()) return fs::path(*cache) / "airlight";
-  const auto home = environment("HOME");
+  const auto home = environment_value("HOME");
   if (home && fs::path(*home).is_absolute()) return fs::path(*home) / ".cache" / "airlight";
   return {};
 }

@@ -16,7 +16,7 @@ namespace {
 
 constexpr VkPipelineStageFlags kCompute = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT;
 constexpr VkPipelineStageFlags kTransfer = VK_PIPELINE_STAGE_TRANSFER_BIT;
-constexpr VkPipelineStageFlags kHost = VK_PIPELINE_STAGE_HOST_BIT;
+constexpr VkPipelineStageFlags kHostStage = VK_PIPELINE_STAGE_HOST_BIT;
 constexpr VkAccessFlags kShaderAccess =
     VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT | VK_ACCESS_UNIFORM_READ_BIT;
 constexpr VkAccessFlags kTransferAccess = VK_ACCESS_TRANSFER_READ_BIT | VK_ACCESS_TRANSFER_WRITE_BIT;
@@ -248,7 +248,7 @@ void Run::record_step(VkCommandBuffer commands, const Step& step, std::uint32_t 
 
 void Run::record_downloads(VkCommandBuffer commands) const {
   memory_barrier(commands, {kCompute, VK_ACCESS_SHADER_WRITE_BIT},
-                 {kTransfer | kHost, VK_ACCESS_TRANSFER_READ_BIT | VK_ACCESS_HOST_READ_BIT});
+                 {kTransfer | kHostStage, VK_ACCESS_TRANSFER_READ_BIT | VK_ACCESS_HOST_READ_BIT});
   bool any = false;
   for (const Plan::Readback& readback : plan_.readbacks()) {
     const VkBufferImageCopy region = whole(plan_.images()[readback.image.index].extent);
@@ -270,7 +270,7 @@ void Run::record_downloads(VkCommandBuffer commands) const {
     any = true;
   }
   if (any) {
-    memory_barrier(commands, {kTransfer, VK_ACCESS_TRANSFER_WRITE_BIT}, {kHost, VK_ACCESS_HOST_READ_BIT});
+    memory_barrier(commands, {kTransfer, VK_ACCESS_TRANSFER_WRITE_BIT}, {kHostStage, VK_ACCESS_HOST_READ_BIT});
   }
 }
 

@@ -15,7 +15,6 @@ using Eigen::MatrixXd;
 using Eigen::RowVectorXd;
 using physics::Physics;
 
-constexpr double kPi = std::numbers::pi;
 constexpr int kNodes = 8;  // zenith cosines a hemisphere, dense at the horizon
 constexpr Index kDegrees = physics::kMaxDegree + 1;
 
@@ -83,12 +82,12 @@ class OneOrder {
   void gather(Index row, const Physics::Harmonics& y, double share, const Arrival& arrival) {
     for (Index m = 0; m < harmonics_; ++m) {
       MatrixXd& order = by_m_[static_cast<std::size_t>(m)];
-      const double angle = share * (m == 0 ? 2.0 * kPi : kPi);
+      const double angle = share * (m == 0 ? 2.0 * std::numbers::pi : std::numbers::pi);
       for (Index to = m; to < harmonics_; ++to) {
         const double taken = angle * harmonic(y, to, m);
         add_sent(order.row((to - m) * rows_ + row), m, taken, y, arrival);
         if (m == 0) {
-          order(to * rows_ + row, order.cols() - 1) += taken * arrival.ground * albedo_ / kPi;
+          order(to * rows_ + row, order.cols() - 1) += taken * arrival.ground * albedo_ / std::numbers::pi;
         }
       }
     }
@@ -97,7 +96,7 @@ class OneOrder {
   // What arrives on the ground.
   void gather_irradiance(const Physics::Harmonics& y, double share, double mu, const Arrival& arrival) {
     MatrixXd& order = by_m_.front();
-    add_sent(order.row(order.rows() - 1), 0, share * 2.0 * kPi * mu, y, arrival);
+    add_sent(order.row(order.rows() - 1), 0, share * 2.0 * std::numbers::pi * mu, y, arrival);
   }
 
   const std::vector<MatrixXd>& by_m() const { return by_m_; }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/measure/metrics.h"
+#include "core/scene/angle.h"
 #include "core/scene/scene.h"
 
 namespace airlight::measure {
@@ -44,7 +45,6 @@ enum Region : RegionBits {
   kGround = 16,  // below it
 };
 
-inline constexpr double kDegree = 0.017453292519943295;
 inline constexpr double kAureoleRadius = 10.0 * kDegree;
 inline constexpr double kHorizonBand = 3.0 * kDegree;
 inline constexpr double kZenithRadius = 15.0 * kDegree;

@@ -4,16 +4,15 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numbers>
 
 #include "core/air/scene_block.h"
+#include "core/scene/angle.h"
 
 namespace airlight {
 namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-constexpr double kDegrees = 180.0 / std::numbers::pi;  // in a radian
-constexpr double kNotableShare = 0.1;                  // of a picture
+constexpr double kNotableShare = 0.1;  // of a picture
 
 // The asymmetry of the medium that scatters most among the anisotropic ones; unknown where all are isotropic.
 double asymmetry_of(const Scene& scene) {
@@ -75,7 +74,7 @@ double share_between(const Scene& scene, double low, double high) {
         continue;
       }
       const double y = ray.direction.y;
-      const double above = kDegrees * (std::asin(std::clamp(y, -1.0, 1.0)) - horizon);
+      const double above = (std::asin(std::clamp(y, -1.0, 1.0)) - horizon) / kDegree;
       inside += above >= low && above <= high ? 1 : 0;
       ++all;
     }
@@ -86,7 +85,7 @@ double share_between(const Scene& scene, double low, double high) {
 double value_of(Quantity quantity, const SkyMethod& method, const Scene& scene, const Air& air) {
   switch (quantity) {
     case Quantity::sun_elevation:
-      return kDegrees * scene.sun.elevation;
+      return scene.sun.elevation / kDegree;
     case Quantity::altitude:
       return scene.camera.altitude;
     case Quantity::optical_depth:

@@ -1,7 +1,6 @@
 // `march`: the view ray is marched on tables of transmittance and isotropic multiple scattering [H20].
 
 #include <array>
-#include <numbers>
 #include <string>
 #include <utility>
 
@@ -9,6 +8,7 @@
 #include "core/methods/march_passes.h"
 #include "core/methods/marched_picture.h"
 #include "core/methods/methods.h"
+#include "core/scene/angle.h"
 
 namespace airlight {
 namespace {
@@ -118,7 +118,7 @@ SkyMethod march_method() {
                   with_steps("512", 512)};
   const std::vector<Quality> keys = keys_of_the_ladder();
   method.sweep.insert(method.sweep.end(), keys.begin(), keys.end());
-  method.validity.sun_elevation_min = -6.0 * std::numbers::pi / 180.0;
+  method.validity.sun_elevation_min = -6.0 * kDegree;
   method.validity.optical_depth_max = 5.0;
   method.validity.known_failures = march_failures();
   method.converged = converged_march();

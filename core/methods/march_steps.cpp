@@ -6,6 +6,7 @@
 #include <numeric>
 #include <string>
 
+#include "core/air/shells.h"
 #include "core/physics/physics.h"
 #include "core/scene/parameters.h"
 
@@ -27,10 +28,6 @@ double mean(const Spectrum& s) {
 
 double extinction(const Medium& medium) {
   return mean(medium.scattering) + mean(medium.absorption);
-}
-
-bool is_smooth(DensityProfile profile) {
-  return profile == DensityProfile::exponential || profile == DensityProfile::lorentzian;
 }
 
 // Whether no medium of account has an edge or a kink: a panel of two nodes resolves neither. The kinks of ozone by
@@ -85,7 +82,7 @@ bool is_below_the_air(const Scene& scene, const Air& air) {
 
 // The number of nodes, two a panel, that gives the first panel of a level ray an optical depth of at most 1.1; panels
 // grow with the square of their number. At least 14 nodes; none where they would cost as much as the usual steps.
-int nodes_for(const Scene& scene, const Air& air) {
+int panel_nodes_for(const Scene& scene, const Air& air) {
   constexpr double kFewestPanels = 7.0;
   constexpr double kMostPanels = 12.0;
   constexpr double kPanelDepth = 1.1;
@@ -130,7 +127,7 @@ bool steps_are_automatic(const RenderSettings& settings) {
 
 MarchSteps march_steps(const Scene& scene, const Air& air) {
   if (steps_are_automatic(scene.render)) {
-    if (const int nodes = nodes_for(scene, air); nodes > 0) {
+    if (const int nodes = panel_nodes_for(scene, air); nodes > 0) {
       return {nodes, physics::kStepsGaussLegendre};
     }
   }

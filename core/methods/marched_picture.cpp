@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/methods/march_steps.h"
 #include "core/physics/physics.h"
+#include "core/scene/angle.h"
 #include "core/scene/parameters.h"
 
 namespace airlight {
@@ -36,10 +37,10 @@ std::uint32_t jitter_code(const Scene& scene, bool listed) {
 }
 
 // Between corners further apart than twice this a sky is no longer nearly linear, and nothing would be saved.
-constexpr double kCoarsestPixel = 2.0 * std::numbers::pi / 180.0;
+constexpr double kCoarsestPixel = 2.0 * kDegree;
 
 // Greatest angle from a pixel to the next.
-double pixel_angle(const Scene& scene) {
+double greatest_pixel_angle(const Scene& scene) {
   const double width = scene.image.width;
   const double height = scene.image.height;
   switch (scene.camera.projection) {
@@ -58,7 +59,7 @@ double pixel_angle(const Scene& scene) {
 
 // For pixels finer than this the error of the half resolution itself is some hundredths of the march's: 0.002 to 0.006
 // % in the mean.
-constexpr double kFinePixel = 0.15 * std::numbers::pi / 180.0;
+constexpr double kFinePixel = 0.15 * kDegree;
 
 PassDesc part_of(PassDesc pass, std::uint32_t part, Extent grid, BufferId out, BufferId corners) {
   pass.name = part == physics::kPartHalf ? "sky_half" : "sky";
@@ -94,8 +95,8 @@ ParameterInfo automatic_resolution_parameter() {
 
 bool halves(const Scene& scene) {
   const std::string resolution = choice_of(scene, "resolution", "full");
-  const bool fine = steps_are_automatic(scene.render) && pixel_angle(scene) <= kFinePixel;
-  return (resolution == "half" && pixel_angle(scene) <= kCoarsestPixel) || (resolution == "auto" && fine);
+  const bool fine = steps_are_automatic(scene.render) && greatest_pixel_angle(scene) <= kFinePixel;
+  return (resolution == "half" && greatest_pixel_angle(scene) <= kCoarsestPixel) || (resolution == "auto" && fine);
 }
 
 double place_in_step(const Scene& scene) {

@@ -36,7 +36,7 @@ using orders::ray_cost;
 using orders::settings_of;
 using orders::steps_of;
 
-constexpr std::array<std::string_view, 10> kDegrees{"auto", "0", "1", "2", "3", "4", "5", "6", "7", "8"};
+constexpr std::array<std::string_view, 10> kDegreeChoices{"auto", "0", "1", "2", "3", "4", "5", "6", "7", "8"};
 constexpr std::array<std::string_view, 2> kFolded{"smooth", "all"};
 constexpr std::array<std::string_view, 3> kWhen{"auto", "always", "never"};
 
@@ -46,7 +46,7 @@ const std::array<ParameterInfo, 12> kParameters{
     parameter::table_size(
         "moments_lut", 2, 1024, TableSize{48, 12},
         "table of radiance moments, sun elevations x altitudes; in hazy air, and by shells, of more altitudes"),
-    parameter::choice("degree", kDegrees, "auto",
+    parameter::choice("degree", kDegreeChoices, "auto",
                       "highest spherical harmonic kept; auto: 2, or where forward-peaked media are thick 5, in hazy "
                       "air and by shells 8"),
     parameter::whole_number("orders", 0, 64, 0,

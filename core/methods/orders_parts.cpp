@@ -183,7 +183,7 @@ std::uint32_t add_shadowed_terrain(Plan& plan, const Scene& scene, std::vector<B
   reads.push_back({"terrain_shadows", buffers.shadows});
   reads.push_back({"terrain_colours", buffers.colours});
   constants.push_back({"kShafts", scene.render.get<bool>("volumetric_shadows") ? 1U : 0U});
-  return std::bit_cast<std::uint32_t>(static_cast<float>(shadow_reach(terrain->shape)));
+  return push_constant(shadow_reach(terrain->shape));
 }
 
 }  // namespace airlight::orders

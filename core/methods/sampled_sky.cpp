@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/methods/scene_air.h"
+#include "core/scene/angle.h"
 
 namespace airlight {
 namespace {
@@ -37,7 +38,7 @@ std::vector<double> SampledSky::zenith_cosines() {
   std::vector<double> mus;
   if (scene_.camera.altitude <= top) {
     for (const double degrees : {0.5, 2.0, 6.0, 14.0, 30.0, 55.0, 85.0}) {
-      mus.push_back(std::max(std::sin(degrees * std::numbers::pi / 180.0), horizon));
+      mus.push_back(std::max(std::sin(degrees * kDegree), horizon));
     }
     for (const double share : {0.02, 0.1, 0.5}) {
       mus.push_back(horizon - share * (1.0 + horizon));
@@ -138,7 +139,7 @@ void SampledSky::walk_to_sun() {
 }
 
 SampledSky::Columns SampledSky::phases(double nu, const Coefficients& c) {
-  const double degrees = std::atan2(std::sqrt((1.0 - nu) * (1.0 + nu)), nu) * 180.0 / std::numbers::pi;
+  const double degrees = std::atan2(std::sqrt((1.0 - nu) * (1.0 + nu)), nu) / kDegree;
   Columns phases{};
   for (physics::uint i = 0; i < p_.media; ++i) {
     const Medium& medium = scene_.media[i];
@@ -213,8 +214,7 @@ std::vector<SampledSky::Spectrum> SampledSky::spectra(const std::vector<Coeffici
 SampledSky::SampledSky(const Scene& scene, const BandColours& colours) : scene_(scene), p_(make_physics(scene)) {
   for (const double mu : zenith_cosines()) {
     for (const double azimuth : {0.0, 40.0, 100.0, 180.0}) {
-      if (Walk found = walk(mu, azimuth * std::numbers::pi / 180.0);
-          !found.steps.empty() || found.ground_cosine > 0.0) {
+      if (Walk found = walk(mu, azimuth * kDegree); !found.steps.empty() || found.ground_cosine > 0.0) {
         walks_.push_back(std::move(found));
       }
     }

@@ -3,11 +3,11 @@
 
 #include <array>
 #include <bit>
-#include <numbers>
 
 #include "core/methods/ground_pass.h"
 #include "core/methods/march_passes.h"
 #include "core/methods/methods.h"
+#include "core/scene/angle.h"
 #include "core/scene/parameters.h"
 
 namespace airlight {
@@ -200,7 +200,7 @@ SkyMethod sky_view_method() {
                   with_table("192 x 108", {192, 108}, 32),
                   with_table("192 x 108, 128 steps", {192, 108}, 128),
                   with_table("384 x 216, 512 steps", {384, 216}, 512)};
-  method.validity.sun_elevation_min = -6.0 * std::numbers::pi / 180.0;
+  method.validity.sun_elevation_min = -6.0 * kDegree;
   method.validity.optical_depth_max = 5.0;
   method.validity.known_failures = march_table_failures();
   method.validity.known_failures.push_back(

@@ -13,7 +13,7 @@ namespace {
 void push_colours(std::vector<std::uint32_t>& push, const std::array<Rgb, 3>& colours) {
   for (const Rgb& colour : colours) {
     for (const double channel : colour) {
-      push.push_back(std::bit_cast<std::uint32_t>(static_cast<float>(channel)));
+      push.push_back(push_constant(channel));
     }
   }
 }

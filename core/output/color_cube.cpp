@@ -153,12 +153,9 @@ std::vector<float> evaluate(std::span<const std::uint32_t> nodes, float shift, c
   return rgba;
 }
 
-float unit(float value) {
-  return std::clamp(value, 0.0F, 1.0F);
-}
-
 // Whether all four diagonals of a cell meet the transform's value `truth` in its middle.
 bool is_smooth(const float* values, std::size_t cell, const float* truth) {
+  const auto unit = [](float value) { return std::clamp(value, 0.0F, 1.0F); };
   for (std::size_t corner = 0; corner < 4; ++corner) {
     const float* const one = values + 4 * corner_node(cell, corner);
     const float* const other = values + 4 * corner_node(cell, 7 - corner);

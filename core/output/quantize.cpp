@@ -37,14 +37,14 @@ Thresholds make_thresholds() {
 }
 
 // Comparisons in this order turn NaN into 0.
-float unit(float value) {
+float unit_or_zero(float value) {
   return value > 0.0F ? (value < 1.0F ? value : 1.0F) : 0.0F;
 }
 
 // Within a step of the ends the triangle would be cut off and shift the mean. There the even thresholds are used, which
 // keep pure black and white pure.
 std::uint8_t dithered(float value, std::size_t index, const Thresholds& thresholds) {
-  const float scaled = unit(value) * 255.0F;
+  const float scaled = unit_or_zero(value) * 255.0F;
   const bool near_end = scaled < 1.0F || scaled > 254.0F;
   return static_cast<std::uint8_t>(
       static_cast<int>(scaled + (near_end ? thresholds.even[index] : thresholds.triangular[index])));
@@ -61,7 +61,7 @@ void dither_row(std::span<const float> encoded, int y, int channels, std::uint8_
       shifted += kStepChannel;
     }
     if (channels == 4) {
-      *out++ = static_cast<std::uint8_t>(unit(encoded[i + 3]) * 255.0F + 0.5F);
+      *out++ = static_cast<std::uint8_t>(unit_or_zero(encoded[i + 3]) * 255.0F + 0.5F);
     }
     position += spread.kSpreadX;
   }
@@ -71,7 +71,7 @@ template <class Word>
 void round_row(std::span<const float> encoded, int channels, float largest, Word* out) {
   for (std::size_t i = 0; i < encoded.size(); i += 4) {
     for (std::size_t c = 0; c < static_cast<std::size_t>(channels); ++c) {
-      *out++ = static_cast<Word>(unit(encoded[i + c]) * largest + 0.5F);
+      *out++ = static_cast<Word>(unit_or_zero(encoded[i + c]) * largest + 0.5F);
     }
   }
 }

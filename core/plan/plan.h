@@ -1,6 +1,7 @@
 #pragma once
 // A list of compute passes as plain data: no Vulkan types, nothing opened, testable without a device.
 
+#include <bit>
 #include <compare>
 #include <cstddef>
 #include <cstdint>
@@ -72,6 +73,11 @@ struct Specialization {
   std::string name;  // as the shader spells the constant
   std::uint32_t value = 0;
 };
+
+// The word of a push constant that the shader declares as float.
+constexpr std::uint32_t push_constant(double value) {
+  return std::bit_cast<std::uint32_t>(static_cast<float>(value));
+}
 
 struct PassDesc {
   std::string name = {};    // for timings and errors; the shader's name when empty

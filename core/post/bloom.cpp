@@ -15,10 +15,6 @@ namespace {
 // The chain's finest grid: 720 lines over 60 degrees.
 constexpr double kBaseTexelAngle = std::numbers::pi / 3.0 / 720.0;
 
-std::uint32_t bits(double x) {
-  return std::bit_cast<std::uint32_t>(static_cast<float>(x));
-}
-
 // Every device that airlight runs on takes images of this many texels a side.
 constexpr double kMostTexels = 16384.0;
 
@@ -100,7 +96,8 @@ std::vector<Level> add_levels(Plan& plan, const Scene& scene, ImageId base, doub
                    .reads = {{"source", source.image}},
                    .writes = {{"level_out", out.image}},
                    .grid = out.extent,
-                   .push_constants = {bits(taps.x), bits(taps.y), bits(scene.bloom.threshold), bits(exposure)},
+                   .push_constants = {push_constant(taps.x), push_constant(taps.y),
+                                      push_constant(scene.bloom.threshold), push_constant(exposure)},
                    .specialization = {{"kWrap", wrap(scene)}, {"kFirst", level == 1 ? 1u : 0u}}});
     levels.push_back(out);
     source = out;
@@ -123,7 +120,7 @@ BufferId add_picture_buffer(Plan& plan, const char* name, const Picture& picture
 // Adds the bindings that a pass needs for the glare at its pixels (shared/glare_pixel.glsl).
 void read_glare(PassDesc& pass, const Scene& scene, const GlareSources& sources) {
   pass.reads.push_back({"sources", sources.points});
-  pass.push_constants.insert(pass.push_constants.end(), {sources.count, bits(glare_pixel_blur(scene))});
+  pass.push_constants.insert(pass.push_constants.end(), {sources.count, push_constant(glare_pixel_blur(scene))});
   pass.specialization.push_back({"kProjection", projection_code(scene.camera.projection)});
 }
 
@@ -177,7 +174,7 @@ ImageId add_bloom(Plan& plan, const Scene& scene, ImageId base, double exposure,
                    .reads = {{"coarser", sum}, {"level", levels[i].image}},
                    .writes = {{"sum_out", out}},
                    .grid = levels[i].extent,
-                   .push_constants = {bits(taps.x), bits(taps.y)},
+                   .push_constants = {push_constant(taps.x), push_constant(taps.y)},
                    .specialization = {{"kWrap", wrap(scene)}}});
     sum = out;
   }
@@ -216,10 +213,10 @@ BufferId add_tonemap(Plan& plan, const Scene& scene, const Picture& picture, con
                 .reads = {{"picture", picture.buffer}},
                 .writes = {{"encoded_out", encoded}},
                 .grid = {picture.width, picture.height, 1},
-                .push_constants = {picture.width, picture.height, bits(exposure)},
+                .push_constants = {picture.width, picture.height, push_constant(exposure)},
                 .specialization = {{"kCurve", kCurves[static_cast<std::size_t>(scene.display.tonemap)]}}};
   if (glow) {
-    pass.push_constants.push_back(bits(scene.bloom.intensity));
+    pass.push_constants.push_back(push_constant(scene.bloom.intensity));
     if (const auto* sources = std::get_if<GlareSources>(&*glow)) {
       pass.shader = "tonemap_glare";
       read_glare(pass, scene, *sources);

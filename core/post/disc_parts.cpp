@@ -22,7 +22,7 @@ struct Box {
   double high_y = 0.0;
 };
 
-Box whole_picture(const Scene& scene) {
+Box whole_box(const Scene& scene) {
   return {0.0, 0.0, static_cast<double>(scene.image.width), static_cast<double>(scene.image.height)};
 }
 
@@ -67,7 +67,7 @@ std::optional<Box> rim_box(physics::Physics& p, const Scene& scene) {
   if (behind == rim.size()) {
     return std::nullopt;
   }
-  return behind > 0 ? whole_picture(scene) : box;
+  return behind > 0 ? whole_box(scene) : box;
 }
 
 std::optional<Box> disc_box(physics::Physics& p, const Scene& scene) {
@@ -87,7 +87,7 @@ std::optional<Box> disc_box(physics::Physics& p, const Scene& scene) {
   }
   if (scene.camera.projection == Projection::fisheye &&
       physics::dot(p.scene.sun.direction, p.scene.camera.forward) < -std::cos(radius)) {
-    return whole_picture(scene);  // around the point straight behind
+    return whole_box(scene);  // around the point straight behind
   }
   return with_slack(*box);
 }

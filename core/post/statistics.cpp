@@ -63,10 +63,6 @@ namespace {
 
 using row_statistics::RowStatistics;
 
-std::uint32_t bits(double x) {
-  return std::bit_cast<std::uint32_t>(static_cast<float>(x));
-}
-
 }  // namespace
 
 BufferId add_picture_statistics(Plan& plan, const Picture& picture, double brightest, bool signed_colours) {
@@ -79,7 +75,7 @@ BufferId add_picture_statistics(Plan& plan, const Picture& picture, double brigh
                  .reads = {{"picture", picture.buffer}},
                  .writes = {{"rows_out", rows}},
                  .grid = {256, picture.height, 1},
-                 .push_constants = {picture.width, picture.height, bits(brightest)},
+                 .push_constants = {picture.width, picture.height, push_constant(brightest)},
                  .specialization = {{"kSigned", signed_colours ? 1U : 0U}}});
   return rows;
 }

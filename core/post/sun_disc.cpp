@@ -15,10 +15,6 @@ namespace {
 
 constexpr TableSize kDiscTransmittance{256, 64};  // of a method without a table
 
-std::uint32_t bits(double x) {
-  return std::bit_cast<std::uint32_t>(static_cast<float>(x));
-}
-
 Tile tile_of(const Picture& picture) {
   const auto count = [](std::uint32_t n) { return static_cast<int>(n); };
   return {count(picture.x), count(picture.y), count(picture.width), count(picture.height)};
@@ -66,7 +62,8 @@ bool add_sun_disc(Plan& plan, const Scene& scene, const Air& air, std::optional<
                    .writes = {{"radiance_out", picture.buffer}},
                    .grid = {pixels.width, pixels.height, 1},
                    .push_constants = {pixels.left, pixels.top, pixels.width, pixels.height, box.across, box.down,
-                                      bits(box.low.x), bits(box.low.y), bits(box.high.x), bits(box.high.y)},
+                                      push_constant(box.low.x), push_constant(box.low.y), push_constant(box.high.x),
+                                      push_constant(box.high.y)},
                    .specialization = constants});
   }
   return true;

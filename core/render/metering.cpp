@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kMostPixels = 65536.0;
 constexpr double kMostSampledPixels = 2304.0;  // of a method that samples, a few each
-constexpr int kSamples = 32;
+constexpr int kMeteringSamples = 32;
 
 // A smaller size of the same shape. For a map that is cut it stays a multiple of its layout.
 ImageSize metered_size(const Scene& scene, double most_pixels) {
@@ -29,7 +29,7 @@ ImageSize metered_size(const Scene& scene, double most_pixels) {
 
 // The sampling method with few samples and without limits of its own, so that metering does not wait.
 RenderSettings few_samples(RenderSettings settings) {
-  settings.parameters["samples"] = kSamples;
+  settings.parameters["samples"] = kMeteringSamples;
   settings.parameters["time_limit_s"] = 0.0;
   settings.parameters["target_error"] = 0.0;
   return settings;

@@ -14,7 +14,7 @@
 namespace airlight {
 namespace {
 
-struct Frame {
+struct PlannedFrame {
   Plan plan;
   Picture picture;
   std::optional<BufferId> rows;  // statistics; none: the host computes them from the picture
@@ -33,8 +33,8 @@ void note_disc(std::vector<std::string>& left_out, bool shines) {
 }
 
 // Sky, disc and, with `measured`, statistics: all passes before the exposure is known.
-Frame sky_frame(const Scene& scene, const RenderRequest& request, bool measured) {
-  Frame frame;
+PlannedFrame sky_frame(const Scene& scene, const RenderRequest& request, bool measured) {
+  PlannedFrame frame;
   const Sky sky = add_sky(frame.plan, scene, View{}, true);
   frame.picture = picture_of(scene, sky.radiance);
   frame.left_out = spared_by(scene);
@@ -53,7 +53,7 @@ BufferDesc uploaded(const Scene& scene, const RadianceImage& radiance) {
   return {.name = "radiance", .bytes = size, .host_readable = true, .contents = bytes_of(radiance.rgba)};
 }
 
-Tile whole_picture(const Scene& scene) {
+Tile whole_tile(const Scene& scene) {
   return {0, 0, scene.image.width, scene.image.height};
 }
 
@@ -156,7 +156,7 @@ namespace {
 
 Rendering render_there(Executor& executor, const Scene& scene, const RenderRequest& request) {
   Rendering out;
-  Frame frame = sky_frame(scene, request, !host_measures(executor));
+  PlannedFrame frame = sky_frame(scene, request, !host_measures(executor));
   RunResult result = executor.run(frame.plan, request.host.report);
   Timings{out.passes, out.host}.add(result);
   frame.tables->take(result, out.tables_statistics, out.tables);
@@ -190,7 +190,7 @@ Rendering render_here(const DeviceOnDemand& device, const Scene& scene, const Re
     out.standard_error = std::move(host.standard_error);
   }
   out.radiance = std::move(host.radiance);
-  note_disc(out.left_out, draw_disc_over(out.radiance, scene, whole_picture(scene)));
+  note_disc(out.left_out, draw_disc_over(out.radiance, scene, whole_tile(scene)));
   finish(device, scene, request, out);
   return out;
 }
@@ -215,7 +215,7 @@ void finish(const DeviceOnDemand& device, const Scene& scene, const RenderReques
   if (request.gpu_tone || (glows && on_device)) {
     run_post(device(), scene, request, uploaded(scene, out.radiance), glows, out);
   } else if (glows) {
-    out.bloom = glare_picture(scene, glare_points_of(scene), whole_picture(scene));
+    out.bloom = glare_picture(scene, glare_points_of(scene), whole_tile(scene));
   }
 }
 
@@ -231,7 +231,7 @@ Plan plan_for(const Scene& scene, const RenderRequest& request) {
   Picture picture;
   const bool wants_bloom = request.bloom && scene.bloom.enabled;
   if (!samples(scene)) {
-    Frame frame = sky_frame(scene, request, true);
+    PlannedFrame frame = sky_frame(scene, request, true);
     plan = std::move(frame.plan);
     picture = frame.picture;
   } else if (request.gpu_tone || (wants_bloom && scene.bloom.model == BloomModel::chain)) {

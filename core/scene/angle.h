@@ -1,7 +1,11 @@
 #pragma once
 // Degrees stand in presets and messages, radians in the scene.
 
+#include <numbers>
+
 namespace airlight {
+
+inline constexpr double kDegree = std::numbers::pi / 180.0;  // in radians
 
 double radians_from_degrees(double degrees);
 

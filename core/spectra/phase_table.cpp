@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/scene/angle.h"
+
 namespace airlight {
 namespace {
 
@@ -47,12 +49,11 @@ double phase_at(const PhaseTable& table, double nm, double angle_deg) {
 
 // The antiderivative of p sin t with p = exp(a + b t) is p (b sin t - cos t) / (1 + b^2).
 double sphere_integral(const PhaseTable& table, std::size_t row) {
-  constexpr double kRadian = std::numbers::pi / 180.0;
   const std::vector<double>& values = table.rows[row];
   double sum = 0.0;
   for (std::size_t k = 0; k + 1 < values.size(); ++k) {
-    const double from = table.angles_deg[k] * kRadian;
-    const double to = table.angles_deg[k + 1] * kRadian;
+    const double from = table.angles_deg[k] * kDegree;
+    const double to = table.angles_deg[k + 1] * kDegree;
     const double b = (log_of(values[k + 1]) - log_of(values[k])) / (to - from);
     const auto at = [&](double value, double t) {
       return std::max(value, kSmallest) * (b * std::sin(t) - std::cos(t)) / (1.0 + b * b);

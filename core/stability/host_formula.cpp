@@ -9,10 +9,6 @@ namespace {
 using physics::Physics;
 using physics::vec3;
 
-double as_float(double x) {
-  return static_cast<double>(static_cast<float>(x));
-}
-
 vec3 as_floats(const vec3& v) {
   return {as_float(v.x), as_float(v.y), as_float(v.z)};
 }

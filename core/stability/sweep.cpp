@@ -18,10 +18,6 @@ constexpr int kGridRows = 19;             // the middle one is level
 constexpr double kScaleHeight = 8.0;      // km, of molecules
 constexpr double kHazeScaleHeight = 1.2;  // km
 
-double as_float(double x) {
-  return static_cast<double>(static_cast<float>(x));
-}
-
 // Every n-th of a list, the last one always.
 std::vector<double> thinned(const std::vector<double>& list, std::size_t n) {
   std::vector<double> out;

@@ -10,6 +10,11 @@
 
 namespace airlight::stability {
 
+// As the device takes it.
+constexpr double as_float(double x) {
+  return static_cast<double>(static_cast<float>(x));
+}
+
 // A value for each Quantity; NaN: the scene's or the method's own.
 class Place {
  public:

@@ -18,9 +18,9 @@ namespace {
 using physics::HostTerrain;
 using physics::TerrainData;
 
-constexpr double kMostTexels = 4e6;
-constexpr double kLongest = 300.0;  // km behind the map; a shadow does not change further on
-constexpr double kNothing = -1e4;   // km: height of terrain that casts no shadow
+constexpr double kMostShadowTexels = 4e6;
+constexpr double kLongest = 300.0;   // km behind the map; a shadow does not change further on
+constexpr double kNoTerrain = -1e4;  // km: height of terrain that casts no shadow
 
 struct Span2 {
   double low = std::numeric_limits<double>::infinity();
@@ -59,7 +59,7 @@ void place_table(TerrainData& t, const Scene& scene, double highest) {
   along.low -= shadow_length(highest, low_sun, radius);
   const double area = (along.high - along.low) * (aside.high - aside.low);
   // Finer than the map, since it cuts across the map's heights.
-  t.shadow_texel = std::max(0.25 * t.texel, std::sqrt(area / kMostTexels));
+  t.shadow_texel = std::max(0.25 * t.texel, std::sqrt(area / kMostShadowTexels));
   t.shadow_along = along.low;
   t.shadow_aside = aside.low;
   t.shadow_columns = static_cast<physics::uint>(std::ceil((along.high - along.low) / t.shadow_texel)) + 2U;
@@ -81,21 +81,21 @@ std::vector<physics::vec2> swept(const Scene& scene, const std::shared_ptr<const
   std::vector<physics::vec2> shadows(static_cast<std::size_t>(t.shadow_columns) * t.shadow_rows);
   for (physics::uint j = 0; j < t.shadow_rows; ++j) {
     const double aside = t.shadow_aside + j * t.shadow_texel;
-    std::array<double, 2> shadow{kNothing, kNothing};  // of the disc's upper and lower limb
-    double terrain = kNothing;
+    std::array<double, 2> shadow{kNoTerrain, kNoTerrain};  // of the disc's upper and lower limb
+    double terrain = kNoTerrain;
     for (physics::uint k = t.shadow_columns; k-- > 0;) {
       const double along = t.shadow_along + k * t.shadow_texel;
       const double elevation = scene.sun.elevation + (along + 0.5 * t.shadow_texel) / scene.planet.ground_radius;
       for (std::size_t edge = 0; edge < 2; ++edge) {
         const double slope = slope_of(elevation + (edge == 0 ? limb : -limb));
-        shadow[edge] = std::max(std::max(shadow[edge], terrain) - slope * t.shadow_texel, kNothing);
+        shadow[edge] = std::max(std::max(shadow[edge], terrain) - slope * t.shadow_texel, kNoTerrain);
       }
       const double east = along * t.sunward_east + aside * t.sunward_north;
       const double north = along * t.sunward_north - aside * t.sunward_east;
       const double column = p.map_column(t, east, north);
       const double row = p.map_row(t, east, north);
       const bool on_map = column >= 0.0 && row >= 0.0 && column <= t.columns - 1.0 && row <= t.rows - 1.0;
-      terrain = on_map ? p.map_height(t, column, row) : kNothing;
+      terrain = on_map ? p.map_height(t, column, row) : kNoTerrain;
       shadows[static_cast<std::size_t>(j) * t.shadow_columns + k] = {shadow[0], shadow[1]};
     }
   }

@@ -21,7 +21,7 @@ std::string shipped() {
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
-std::string refusal(const std::string& text) {
+std::string settings_refusal(const std::string& text) {
   try {
     parse_settings(text, "chart.json");
   } catch (const InputError& error) {
@@ -40,16 +40,17 @@ TEST(Settings, ThatShipNameEightScenes) {
 
 TEST(Settings, ThatAreWrongAreRefusedByKey) {
   const std::string rest = R"(, "image": [64, 36], "compared_pixels": [4, 3], "truth_error": 0.01})";
-  EXPECT_EQ(refusal(R"({"scenes": ["earth-noon"])" + rest), "");
-  EXPECT_NE(refusal(R"({"scenes": [])" + rest).find("/scenes: expected an array"), std::string::npos);
-  EXPECT_NE(refusal(R"({"scenes": [3])" + rest).find("/scenes"), std::string::npos);
-  EXPECT_NE(refusal(R"({"scenes": ["a"], "colour": 1)" + rest).find("/colour"), std::string::npos);
-  EXPECT_NE(refusal(R"({"scenes": ["a"], "image": [64, 36], "compared_pixels": [4, 3]})").find("/truth_error"),
+  EXPECT_EQ(settings_refusal(R"({"scenes": ["earth-noon"])" + rest), "");
+  EXPECT_NE(settings_refusal(R"({"scenes": [])" + rest).find("/scenes: expected an array"), std::string::npos);
+  EXPECT_NE(settings_refusal(R"({"scenes": [3])" + rest).find("/scenes"), std::string::npos);
+  EXPECT_NE(settings_refusal(R"({"scenes": ["a"], "colour": 1)" + rest).find("/colour"), std::string::npos);
+  EXPECT_NE(settings_refusal(R"({"scenes": ["a"], "image": [64, 36], "compared_pixels": [4, 3]})").find("/truth_error"),
             std::string::npos);
-  EXPECT_NE(refusal(R"({"scenes": ["a"], "image": [64.5, 36], "compared_pixels": [4, 3], "truth_error": 0.01})")
-                .find("/image: expected [width, height]"),
-            std::string::npos);
-  EXPECT_NE(refusal("[]").find("an object"), std::string::npos);
+  EXPECT_NE(
+      settings_refusal(R"({"scenes": ["a"], "image": [64.5, 36], "compared_pixels": [4, 3], "truth_error": 0.01})")
+          .find("/image: expected [width, height]"),
+      std::string::npos);
+  EXPECT_NE(settings_refusal("[]").find("an object"), std::string::npos);
 }
 
 Scene wide_scene() {

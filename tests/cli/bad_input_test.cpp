@@ -6,10 +6,10 @@
 namespace airlight::test {
 namespace {
 
-using Words = std::vector<std::string>;
+using WordList = std::vector<std::string>;
 
 // Expects one line that contains all `parts`, and nothing on standard output.
-void expect_refused(const Outcome& outcome, const Words& parts) {
+void expect_refused(const Outcome& outcome, const WordList& parts) {
   EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
   EXPECT_EQ(outcome.out, "") << outcome.err;
   EXPECT_EQ(lines_of(outcome.err).size(), 1U) << outcome.err;
@@ -20,8 +20,8 @@ void expect_refused(const Outcome& outcome, const Words& parts) {
 }
 
 struct BadArguments {
-  Words arguments;
-  Words parts;  // of the one line
+  WordList arguments;
+  WordList parts;  // of the one line
 };
 
 const std::vector<BadArguments>& bad_arguments() {
@@ -130,7 +130,7 @@ TEST(BadInput, ArgumentsAreOneLineAndExitCodeTwo) {
 
 struct BadPreset {
   std::string text;
-  Words parts;
+  WordList parts;
 };
 
 // A preset that is valid except for `extra`.
@@ -172,12 +172,12 @@ TEST(BadInput, PresetsAreOneLineAndExitCodeTwo) {
   for (const BadPreset& row : rows) {
     scratch.write("preset.json", row.text);
     SCOPED_TRACE(row.text);
-    Words parts = row.parts;
+    WordList parts = row.parts;
     parts.emplace_back("preset.json");  // and where
     expect_refused(airlight(scratch.path(), {"render", "preset.json"}), parts);
     expect_refused(airlight(scratch.path(), {"check", "preset.json"}), parts);
   }
-  EXPECT_EQ(scratch.files(), Words{"preset.json"});
+  EXPECT_EQ(scratch.files(), WordList{"preset.json"});
 }
 
 }  // namespace

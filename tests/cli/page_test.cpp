@@ -8,7 +8,7 @@
 namespace airlight::test {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 
 class Page : public DiffFixture {
  protected:
@@ -20,7 +20,7 @@ class Page : public DiffFixture {
 
   // The object `told` after `steps`, which run after the page's own script with `v` as the first viewer. It also has
   // errors of the page's own script.
-  json in_browser(const std::string& steps) {
+  Json in_browser(const std::string& steps) {
     std::string page = scratch_.read("r.html");
     page.insert(page.find("<script>"),
                 "<script>const failures = []; onerror = text => { failures.push(text); };</script>\n");
@@ -46,16 +46,16 @@ class Page : public DiffFixture {
     const std::size_t end = outcome.out.find("END", from);
     if (from == std::string::npos || end == std::string::npos) {
       ADD_FAILURE() << outcome.out.substr(0, 2000) << outcome.err;
-      return json::object();
+      return Json::object();
     }
-    return json::parse(outcome.out.substr(from + 4, end - from - 4));
+    return Json::parse(outcome.out.substr(from + 4, end - from - 4));
   }
 };
 
 // The page's value for an exposed value; the page has its own copy of the formula.
-json grey(double exposed) {
+Json grey(double exposed) {
   const int code = measure::display_code(exposed);
-  return json{code, code, code};
+  return Json{code, code, code};
 }
 
 TEST_F(Page, DrawsBothPicturesAndTheErrorWithExposureAndZoom) {
@@ -63,7 +63,7 @@ TEST_F(Page, DrawsBothPicturesAndTheErrorWithExposureAndZoom) {
   write("a.exr", 0.5F, 0.75F);
   write("b.exr", 0.5F);
   ASSERT_EQ(diff({"a.exr", "b.exr", "--html", "r.html", "-q"}).exit_code, 1);
-  const json told = in_browser(R"(
+  const Json told = in_browser(R"(
     told.size = [v.canvas.width, v.canvas.height];
     set('wipe', 100); told.new = at(0, 0); told.rest = at(5, 3);
     set('wipe', 0); told.reference = at(0, 0);
@@ -73,20 +73,20 @@ TEST_F(Page, DrawsBothPicturesAndTheErrorWithExposureAndZoom) {
     set('left', 'reference'); set('wipe', 50); told.left = at(0, 2); told.right = at(7, 2); told.mark = at(4, 0);
     v.part('out').click(); const zoom = v.zoom; v.part('in').click(); told.zoomed = v.zoom / zoom;
     told.width = v.canvas.style.width === `${8 * v.zoom}px`;)");
-  EXPECT_EQ(told["failures"], json::array());
-  EXPECT_EQ(told["size"], (json{8, 4}));
+  EXPECT_EQ(told["failures"], Json::array());
+  EXPECT_EQ(told["size"], (Json{8, 4}));
   EXPECT_EQ(told["new"], grey(1.8));
   EXPECT_EQ(told["rest"], grey(1.2));
   EXPECT_EQ(told["reference"], grey(1.2));
   const measure::Colour worst = measure::error_colour(std::log(0.5 / 1e-3) / std::log(1e3));
   for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(told["error"][k].get<int>(), worst[k], 2) << k;
-  EXPECT_EQ(told["equal"], json(measure::error_colour(0.0)));
+  EXPECT_EQ(told["equal"], Json(measure::error_colour(0.0)));
   EXPECT_EQ(told["darker"], grey(0.9));
   EXPECT_EQ(told["stops"], "-1 EV");
   EXPECT_EQ(told["back"], grey(1.8));
   EXPECT_EQ(told["left"], grey(1.2));
   EXPECT_EQ(told["right"], grey(1.2));
-  EXPECT_EQ(told["mark"], (json{255, 0, 255}));
+  EXPECT_EQ(told["mark"], (Json{255, 0, 255}));
   EXPECT_EQ(told["zoomed"], 2);
   EXPECT_EQ(told["width"], true);
 }
@@ -95,7 +95,7 @@ TEST_F(Page, WorksByKeyboardAndTellsValues) {
   write("a.exr", 0.5F, 0.75F);
   write("b.exr", 0.5F);
   ASSERT_EQ(diff({"a.exr", "b.exr", "--html", "r.html", "-q"}).exit_code, 1);
-  const json told = in_browser(R"(
+  const Json told = in_browser(R"(
     told.focus = v.canvas.tabIndex; told.label = v.canvas.getAttribute('aria-label');
     press('w'); told.worst = v.part('values').textContent; told.zoom = v.zoom;
     press('ArrowRight'); press('ArrowDown'); told.next = v.part('values').textContent;
@@ -103,7 +103,7 @@ TEST_F(Page, WorksByKeyboardAndTellsValues) {
     told.controls = [...v.figure.querySelectorAll('select, input')].every(c => c.closest('label'));
     told.headings = [...document.querySelectorAll('h1, h2')].length;
     told.captions = [...document.querySelectorAll('table')].every(t => t.caption && t.tHead);)");
-  EXPECT_EQ(told["failures"], json::array());
+  EXPECT_EQ(told["failures"], Json::array());
   EXPECT_EQ(told["focus"], 0);
   EXPECT_TRUE(contains(told["label"], "Arrow keys")) << told["label"];
   EXPECT_TRUE(contains(told["worst"], "Pixel (0, 0): new 0.75 0.75 0.75; reference 0.5 0.5 0.5; error about 0.5"))

@@ -27,14 +27,14 @@ TEST_F(Refusal, CheckFindsEveryProblemOfEveryFile) {
   EXPECT_TRUE(contains(verbose.out, "scale height 8 km")) << verbose.out;
 }
 
-struct BadPreset {
+struct WrongPreset {
   const char* what;
   std::string text;
   Names parts;
 };
 
 // Each preset is small_preset() with one mistake.
-std::vector<BadPreset> bad_presets() {
+std::vector<WrongPreset> bad_presets() {
   const auto with = [](const std::string& from, const std::string& to) {
     std::string text = small_preset();
     const std::size_t at = text.find(from);
@@ -73,7 +73,7 @@ std::vector<BadPreset> bad_presets() {
 }
 
 TEST_F(Refusal, ABadPresetIsOneLineAndNoFile) {
-  for (const BadPreset& bad : bad_presets()) {
+  for (const WrongPreset& bad : bad_presets()) {
     scratch_.write("sky.json", bad.text);
     const Outcome outcome = tool({"render", "sky.json"});
     EXPECT_EQ(outcome.exit_code, 2) << bad.what << ": " << outcome.err;

@@ -9,7 +9,7 @@
 namespace airlight::test {
 namespace {
 
-using Words = std::vector<std::string>;
+using WordList = std::vector<std::string>;
 
 // Spectra of air, haze and ozone in a few pixels, one of which has the sun's disc.
 std::string spectral_preset(const std::string& elevation, const std::string& more) {
@@ -29,8 +29,8 @@ std::string spectral_preset(const std::string& elevation, const std::string& mor
 
 class SpectralExr : public testing::Test {
  protected:
-  void render(const Words& more) const {
-    Words words{"render", "sky.json", "-q", "-o", "sky.exr", "--spectral"};
+  void render(const WordList& more) const {
+    WordList words{"render", "sky.json", "-q", "-o", "sky.exr", "--spectral"};
     words.insert(words.end(), more.begin(), more.end());
     const Outcome outcome = airlight(scratch_.path(), words);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -41,7 +41,7 @@ class SpectralExr : public testing::Test {
 // The file's colours equal its spectrum, integrated by the other program, to 0.3 %: by day, with the sun at the horizon
 // and at dusk, with the sun as white and with D65. A channel near 0 beside the others is not compared by itself.
 TEST_F(SpectralExr, IsReadByAnotherProgramAndIntegrated) {
-  const Words python{"/usr/bin/python3", AIRLIGHT_SOURCE_DIR "/tests/cli/spectral_exr.py"};
+  const WordList python{"/usr/bin/python3", AIRLIGHT_SOURCE_DIR "/tests/cli/spectral_exr.py"};
   struct Sky {
     const char* sun;
     const char* white;
@@ -49,7 +49,7 @@ TEST_F(SpectralExr, IsReadByAnotherProgramAndIntegrated) {
   for (const Sky& sky : {Sky{"40", "sun"}, Sky{"1", "D65"}, Sky{"-4", "sun"}}) {
     scratch_.write("sky.json", spectral_preset(sky.sun, std::string(R"(, "white": ")") + sky.white + "\""));
     render({"380:780:10"});
-    Words words = python;
+    WordList words = python;
     words.insert(words.end(), {"sky.exr", sky.white, "380:780:10"});
     const Outcome read = run(scratch_.path(), words);
     if (read.exit_code == 77) {
@@ -101,9 +101,10 @@ TEST_F(SpectralExr, IsToldAsJson) {
 
 TEST_F(SpectralExr, ProbePrintsSpectra) {
   scratch_.write("sky.json", spectral_preset("20", ""));
-  const Words words{"probe", "sky.json", "--elevation", "90", "--azimuth", "0", "--elevation", "5", "--azimuth", "90"};
-  const auto with = [&](const Words& more) {
-    Words all = words;
+  const WordList words{"probe", "sky.json",    "--elevation", "90",        "--azimuth",
+                       "0",     "--elevation", "5",           "--azimuth", "90"};
+  const auto with = [&](const WordList& more) {
+    WordList all = words;
     all.insert(all.end(), more.begin(), more.end());
     return airlight(scratch_.path(), all);
   };
@@ -126,11 +127,11 @@ TEST_F(SpectralExr, BadInputIsOneLine) {
   scratch_.write("sky.json", spectral_preset("20", ""));
   scratch_.write("three.json", small_preset());
   struct Bad {
-    Words words;
-    Words parts;
+    WordList words;
+    WordList parts;
   };
   const auto range = [](const std::string& text) {
-    return Words{"render", "sky.json", "-o", "a.exr", "--spectral", text};
+    return WordList{"render", "sky.json", "-o", "a.exr", "--spectral", text};
   };
   const std::vector<Bad> all = {
       {range("380-780"), {"render: --spectral: '380-780' is not FIRST:LAST:STEP in nm", "380:780:10"}},
@@ -167,7 +168,7 @@ TEST_F(SpectralExr, BadInputIsOneLine) {
       EXPECT_TRUE(contains(outcome.err, part)) << "expected '" << part << "' in: " << outcome.err;
     }
   }
-  EXPECT_EQ(scratch_.files(), (Words{"sky.json", "three.json"}));
+  EXPECT_EQ(scratch_.files(), (WordList{"sky.json", "three.json"}));
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace airlight::measure {
 namespace {
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNotANumber = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInf = std::numeric_limits<float>::infinity();
 
 TEST(Metrics, RelativeErrorIsOfTheReference) {
@@ -81,7 +81,7 @@ TEST(Metrics, AreaChoosesPixelsInEveryChannelLaidEndToEnd) {
 }
 
 TEST(Metrics, NonfiniteEqualsNothing) {
-  const std::vector<float> values = {kNan, kInf, -kInf, 1.0F};
+  const std::vector<float> values = {kNotANumber, kInf, -kInf, 1.0F};
   const std::vector<float> errors = absolute_errors(values, values);
   EXPECT_EQ(errors[0], kInf);
   EXPECT_EQ(errors[1], kInf);
@@ -96,18 +96,18 @@ TEST(Metrics, NonfiniteEqualsNothing) {
 }
 
 TEST(Metrics, NonfiniteMayEqualItsOwnKindAlone) {
-  const std::vector<float> a = {kNan, kInf, kInf, kNan, 1.0F};
-  const std::vector<float> b = {kNan, kInf, -kInf, 1.0F, kInf};
+  const std::vector<float> a = {kNotANumber, kInf, kInf, kNotANumber, 1.0F};
+  const std::vector<float> b = {kNotANumber, kInf, -kInf, 1.0F, kInf};
   const std::vector<float> errors = absolute_errors(a, b, NonfiniteRule::equal_to_same);
   EXPECT_EQ(errors, (std::vector<float>{0.0F, 0.0F, kInf, kInf, kInf}));
   EXPECT_EQ(relative_errors(a, b, 1.0, NonfiniteRule::equal_to_same), errors);
-  const std::vector<float> same = {kNan, 2.0F};
+  const std::vector<float> same = {kNotANumber, 2.0F};
   EXPECT_EQ(deviation(same, same, {}, NonfiniteRule::equal_to_same).rms(), 0.0);
 }
 
 TEST(Metrics, MeanMagnitudeLeavesNonfiniteOut) {
-  EXPECT_DOUBLE_EQ(mean_magnitude(std::vector<float>{kNan, -2.0F, kInf, 4.0F}), 3.0);
-  EXPECT_EQ(mean_magnitude(std::vector<float>{kNan}), 0.0);
+  EXPECT_DOUBLE_EQ(mean_magnitude(std::vector<float>{kNotANumber, -2.0F, kInf, 4.0F}), 3.0);
+  EXPECT_EQ(mean_magnitude(std::vector<float>{kNotANumber}), 0.0);
 }
 
 TEST(Metrics, RmsPsnrAndBias) {

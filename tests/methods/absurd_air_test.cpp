@@ -10,7 +10,7 @@
 namespace airlight::test {
 namespace {
 
-Scene scene_of(const std::string& media, const std::string& rest) {
+Scene absurd_scene(const std::string& media, const std::string& rest) {
   const std::string text =
       R"({"airlight": 1, "image": {"width": 8, "height": 4}, "media": [)" + media + "], " + rest + "}";
   return resolve(parse_preset(text, "absurd", {}), method_infos());
@@ -56,15 +56,15 @@ TEST(AbsurdAir, IsDrawnInFiniteNumbers) {
            Case{"a lorentzian that is over far below the top", kSharpLorentzian,
                 std::string(kPathTrace) + R"(, "planet": {"radius_km": 110, "atmosphere_height_km": 1e7})"},
        }) {
-    expect_sound(render_now(scene_of(c.media, c.rest)), c.what);
+    expect_sound(render_now(absurd_scene(c.media, c.rest)), c.what);
   }
 }
 
 // An endless walk through air without absorption is ended, and reported.
 TEST(AbsurdAir, EndsAPathThatWouldNeverEnd) {
-  Scene scene =
-      scene_of(R"({"name": "milk", "scattering_per_km": 9000, "density": {"profile": "constant", "below_km": 100}})",
-               std::string(kPathTrace) + R"(, "camera": {"altitude_km": 50})");
+  Scene scene = absurd_scene(
+      R"({"name": "milk", "scattering_per_km": 9000, "density": {"profile": "constant", "below_km": 100}})",
+      std::string(kPathTrace) + R"(, "camera": {"altitude_km": 50})");
   scene.image = {1, 1};
   const Rendering rendering = render_now(scene);
   expect_sound(rendering, "milk");
@@ -75,9 +75,9 @@ TEST(AbsurdAir, EndsAPathThatWouldNeverEnd) {
 TEST(AbsurdAir, BoundsTheOrdersAndSaysSo) {
   const SkyMethod& orders = *find_method("orders");
   const std::string thick = thin_layers(14, 9000.0);
-  const Scene usual = scene_of(thick, R"("render": {"method": "orders"})");
+  const Scene usual = absurd_scene(thick, R"("render": {"method": "orders"})");
   EXPECT_TRUE(orders.bounds(usual, air_of(usual)).empty()) << "the default size has time for all orders";
-  const Scene wide = scene_of(thick, R"("render": {"method": "orders", "moments_lut": [1024, 12], "orders": 64})");
+  const Scene wide = absurd_scene(thick, R"("render": {"method": "orders", "moments_lut": [1024, 12], "orders": 64})");
   ASSERT_EQ(orders.bounds(wide, air_of(wide)).size(), 1U);
   EXPECT_NE(orders.bounds(wide, air_of(wide)).front().find(" of 64 orders of scattering are computed"),
             std::string::npos);

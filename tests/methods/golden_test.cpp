@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<fs::path> cases() {
+std::vector<fs::path> golden_cases() {
   std::vector<fs::path> list;
   for (const fs::directory_entry& entry : fs::directory_iterator(fs::path(AIRLIGHT_SOURCE_DIR) / "tests/golden")) {
     if (entry.is_directory()) {
@@ -51,16 +51,16 @@ TEST_P(Golden, RendersAsBefore) {
   }
 }
 
-std::string name_of(const testing::TestParamInfo<fs::path>& info) {
+std::string golden_name(const testing::TestParamInfo<fs::path>& info) {
   std::string name = info.param.filename();
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Cases, Golden, testing::ValuesIn(cases()), name_of);
+INSTANTIATE_TEST_SUITE_P(Cases, Golden, testing::ValuesIn(golden_cases()), golden_name);
 
 TEST(GoldenFolder, HoldsItsCases) {
-  EXPECT_GE(cases().size(), 6U);
+  EXPECT_GE(golden_cases().size(), 6U);
 }
 
 // Tests of the helpers with indices in them.

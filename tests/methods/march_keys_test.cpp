@@ -19,7 +19,7 @@ Scene keyed(Scene scene, std::string_view method, const Parameters& values) {
   return scene;
 }
 
-std::string text(const char* value) {
+std::string choice(const char* value) {
   return value;
 }
 
@@ -47,7 +47,7 @@ class Bands {
  public:
   explicit Bands(const char* jitter) {
     const Scene scene = dusk();
-    few_ = picture(scene, "march", {{"steps", 8}, {"jitter", text(jitter)}});
+    few_ = picture(scene, "march", {{"steps", 8}, {"jitter", choice(jitter)}});
     many_ = picture(scene, "march", {{"steps", 1024}});
   }
 
@@ -120,7 +120,7 @@ TEST(Jitter, TurnsBandsIntoGrain) {
 }
 
 TEST(Jitter, IsTheSameOnEveryRun) {
-  const Scene scene = keyed(dusk(), "march", {{"steps", 8}, {"jitter", text("blue-noise")}});
+  const Scene scene = keyed(dusk(), "march", {{"steps", 8}, {"jitter", choice("blue-noise")}});
   const RadianceImage once = render_now(scene).radiance;
   Executor another{{}};
   EXPECT_TRUE(once.rgba == render([&]() -> Executor& { return another; }, scene, {}).radiance.rgba);
@@ -132,7 +132,7 @@ TEST(Jitter, OfListedDirections) {
   const std::vector<Direction> views{{0.1, 0.2}, {0.6, 2.0}, {1.4, -1.0}};
   const Scene scene = earth();
   const auto probes = [&](const char* jitter) {
-    return probe_now(keyed(scene, "nested", {{"jitter", text(jitter)}, {"sun_steps", 8}}), views);
+    return probe_now(keyed(scene, "nested", {{"jitter", choice(jitter)}, {"sun_steps", 8}}), views);
   };
   const auto none = probes("none");
   const auto noise = probes("blue-noise");
@@ -154,7 +154,7 @@ TEST(Jitter, OfListedDirections) {
 TEST(Jitter, IsRefusedWhereNodesMustNotMove) {
   for (const char* jitter : {"fixed", "blue-noise"}) {
     const Scene scene =
-        keyed(earth(), "march", {{"jitter", text(jitter)}, {"step_distribution", text("gauss-legendre")}});
+        keyed(earth(), "march", {{"jitter", choice(jitter)}, {"step_distribution", choice("gauss-legendre")}});
     EXPECT_THROW(render_now(scene), InputError) << jitter;
   }
 }
@@ -184,7 +184,7 @@ TEST(BlueNoise, IsEvenInEveryPatch) {
   EXPECT_LT(all.back(), 1.0);
 }
 
-double worst_difference(const RadianceImage& a, const RadianceImage& b) {
+double worst_gap(const RadianceImage& a, const RadianceImage& b) {
   double mean = 0.0;
   for (const float x : b.rgba) {
     mean += static_cast<double>(x) / static_cast<double>(b.rgba.size());
@@ -198,7 +198,7 @@ double worst_difference(const RadianceImage& a, const RadianceImage& b) {
   return worst;
 }
 
-const Parameters kHalf{{"resolution", std::string("half")}, {"multiple_scattering_scale", 0.0}};
+const Parameters kHalfResolution{{"resolution", std::string("half")}, {"multiple_scattering_scale", 0.0}};
 const Parameters kFull{{"resolution", std::string("full")}, {"multiple_scattering_scale", 0.0}};
 
 // From the ground, the air and space, odd and even, every projection, ground in sight: the error never exceeds the
@@ -220,9 +220,9 @@ TEST(HalfResolution, IsCloseEverywhere) {
       scene.camera.projection = frame.projection;
       scene.camera.pitch = frame.projection == Projection::equirectangular ? 0.0 : -10.0 * kDegree;
       scene.image = frame.size;
-      const RadianceImage half = picture(scene, "march", kHalf);
+      const RadianceImage half = picture(scene, "march", kHalfResolution);
       const RadianceImage full = picture(scene, "march", kFull);
-      EXPECT_LT(worst_difference(half, full), 0.05)
+      EXPECT_LT(worst_gap(half, full), 0.05)
           << frame.size.width << " x " << frame.size.height << " from " << altitude << " km";
       for (std::size_t i = 3; i < full.rgba.size(); i += 4) {
         ASSERT_EQ(half.rgba[i], full.rgba[i]);  // a fisheye's circle
@@ -238,7 +238,7 @@ TEST(HalfResolution, KeepsTheHorizonSharpAndSavesTheRest) {
   scene.camera.altitude = 1.0;
   scene.camera.vertical_fov = 30.0 * kDegree;
   scene.image = {40, 120};
-  const RadianceImage half = picture(scene, "march", kHalf);
+  const RadianceImage half = picture(scene, "march", kHalfResolution);
   const RadianceImage full = picture(scene, "march", kFull);
   physics::Physics p = make_physics(scene);
   const double horizon = p.horizon_mu(p.scene.planet, 1.0);
@@ -277,7 +277,7 @@ TEST(HalfResolution, LeavesTheDiscAlone) {
     }
     return alone;
   };
-  const RadianceImage half = disc(kHalf);
+  const RadianceImage half = disc(kHalfResolution);
   const double brightest = greatest(half);
   EXPECT_GT(brightest, 1000.0);
   EXPECT_NEAR(greatest(disc(kFull)), brightest, 1e-6 * brightest);
@@ -291,7 +291,7 @@ TEST(Schlick, ForAllIsThatOfTheMedia) {
   Scene said = scene;
   said.media[1].phase = PhaseFunction::schlick;
   said.media[3].phase = PhaseFunction::schlick;
-  const RadianceImage by_key = picture(scene, "nested", {{"phase", text("schlick")}});
+  const RadianceImage by_key = picture(scene, "nested", {{"phase", choice("schlick")}});
   EXPECT_TRUE(by_key.rgba == picture(said, "nested", {}).rgba);
   EXPECT_FALSE(by_key.rgba == picture(scene, "nested", {}).rgba);
 }
@@ -302,8 +302,8 @@ TEST(Keys, AreSoundAtEveryEdge) {
     const char* method;
     Parameters keys;
   };
-  const Case cases[] = {{"march", {{"step_distribution", text("gauss-legendre")}}},
-                        {"nested", {{"resolution", text("half")}, {"jitter", text("blue-noise")}}}};
+  const Case cases[] = {{"march", {{"step_distribution", choice("gauss-legendre")}}},
+                        {"nested", {{"resolution", choice("half")}, {"jitter", choice("blue-noise")}}}};
   for (const Case& one : cases) {
     for (const double share : {0.0, 1e-30, 1.0, 1e4}) {
       for (const double altitude : {0.0, 100.0, 500.0}) {

@@ -89,7 +89,7 @@ TEST_P(OrdersSlab, RadianceAtTopAndBottomMeetsAddingAndDoubling) {
   }
 }
 
-std::vector<LevelCase> cases() {
+std::vector<LevelCase> level_cases() {
   std::vector<LevelCase> list{{"rayleigh 0.2, albedo 0.5", 0.2, 0.5, 0},
                               {"rayleigh 0.2, albedo 1", 0.2, 1, 0},
                               {"rayleigh 5, albedo 0.5", 5, 0.5, 0},
@@ -104,7 +104,7 @@ std::vector<LevelCase> cases() {
   return list;
 }
 
-INSTANTIATE_TEST_SUITE_P(Published, OrdersSlab, testing::ValuesIn(cases()));
+INSTANTIATE_TEST_SUITE_P(Published, OrdersSlab, testing::ValuesIn(level_cases()));
 
 }  // namespace
 }  // namespace airlight::test

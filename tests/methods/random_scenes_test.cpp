@@ -25,7 +25,7 @@ Scene random_scene(std::uint64_t seed) {
 }
 
 // A scene with its own planet, sun, camera and coefficients, and with the kinds of media of another.
-Scene scene_of(std::uint64_t seed, std::uint64_t kinds_of) {
+Scene random_scene_of(std::uint64_t seed, std::uint64_t kinds_of) {
   Scene scene = random_scene(seed);
   const std::vector<Medium> own = scene.media;
   scene.media = random_scene(kinds_of).media;
@@ -42,7 +42,7 @@ TEST(RandomScenes, AreSoundByTheirOwnMethod) {
   int lit = 0;
   int rendered = 0;
   for (std::uint64_t seed = 0; seed < kScenes; seed += kStride) {
-    Scene scene = scene_of(seed, kKindsOf[seed / kSameKinds]);
+    Scene scene = random_scene_of(seed, kKindsOf[seed / kSameKinds]);
     scene.image = {16, 9};
     // Thick air takes `orders`, the default method, seconds to bake: one scene in twenty.
     if (scene.render.method == "orders" && seed % kOrdersTurn != 0) {
@@ -60,7 +60,7 @@ TEST(RandomScenes, AreSoundByTheirOwnMethod) {
 TEST(RandomScenes, AreSoundByEveryMethod) {
   for (const SkyMethod& method : methods()) {
     for (std::uint64_t seed = 1000; seed < 1012; seed += std::min<std::uint64_t>(kStride, 6)) {
-      Scene scene = scene_of(seed, 1000);
+      Scene scene = random_scene_of(seed, 1000);
       scene.render.parameters.clear();
       scene = with_method(scene, method, true);
       scene.image = on_device(method) ? ImageSize{16, 9} : ImageSize{4, 3};

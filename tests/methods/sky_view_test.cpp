@@ -23,7 +23,7 @@ Scene with_table(Scene scene, int width, int height) {
 }
 
 // Mean of |a - b|/b over all values.
-double mean_difference(const RadianceImage& a, const RadianceImage& b) {
+double mean_relative_difference(const RadianceImage& a, const RadianceImage& b) {
   double sum = 0.0;
   double count = 0.0;
   for (std::size_t i = 0; i < a.rgba.size(); ++i) {
@@ -42,12 +42,12 @@ TEST(SkyView, ConvergesToTheMarchAsItsTableGrows) {
       double before = 1.0;
       for (const int scale : {1, 2, 4}) {
         const Scene scene = with_table(at(altitude, sun, "sky-view"), 24 * scale, 15 * scale);
-        const double error = mean_difference(render_now(scene).radiance, march);
+        const double error = mean_relative_difference(render_now(scene).radiance, march);
         EXPECT_LT(error, 0.4 * before) << altitude << " km, sun at " << sun << ", scale " << scale;
         before = error;
       }
       // Measured: 0.02 to 0.05 %.
-      const double error = mean_difference(render_now(at(altitude, sun, "sky-view")).radiance, march);
+      const double error = mean_relative_difference(render_now(at(altitude, sun, "sky-view")).radiance, march);
       EXPECT_LT(error, 0.001) << altitude << " km, sun at " << sun;
     }
   }

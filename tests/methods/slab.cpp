@@ -15,7 +15,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 // Reflection and transmission of a level layer, for the radiance at the nodes in one mode of azimuth.
-struct Layer {
+struct SlabLayer {
   MatrixXd reflect;
   MatrixXd transmit;
 };
@@ -26,7 +26,7 @@ MatrixXd bounced(const MatrixXd& a, const MatrixXd& b) {
 }
 
 // A layer above another. Only light that leaves at its own top and light that arrives below both is kept.
-Layer over(const Layer& upper, const Layer& lower) {
+SlabLayer over(const SlabLayer& upper, const SlabLayer& lower) {
   const MatrixXd arrives = bounced(upper.reflect * lower.reflect, upper.transmit);
   return {upper.reflect + upper.transmit * lower.reflect * arrives, lower.transmit * arrives};
 }
@@ -51,7 +51,7 @@ VectorXd legendre(int m, int count, double x) {
 }
 
 // A layer so thin that it scatters no light twice.
-Layer thin_layer(const SlabCase& slab, const VectorXd& nodes, const VectorXd& weights, int m, double depth) {
+SlabLayer thin_layer(const SlabCase& slab, const VectorXd& nodes, const VectorXd& weights, int m, double depth) {
   const int count = static_cast<int>(slab.moments.size());
   MatrixXd y(count - m, nodes.size());
   for (Index i = 0; i < nodes.size(); ++i) {
@@ -65,8 +65,8 @@ Layer thin_layer(const SlabCase& slab, const VectorXd& nodes, const VectorXd& we
   }
   const VectorXd way = depth * nodes.cwiseInverse();
   const MatrixXd scattered = 0.5 * slab.single_scattering_albedo * way * weights.transpose();
-  Layer layer{scattered.cwiseProduct(y.transpose() * back.asDiagonal() * y),
-              scattered.cwiseProduct(y.transpose() * forward.asDiagonal() * y)};
+  SlabLayer layer{scattered.cwiseProduct(y.transpose() * back.asDiagonal() * y),
+                  scattered.cwiseProduct(y.transpose() * forward.asDiagonal() * y)};
   layer.transmit.diagonal() += VectorXd::Ones(way.size()) - way;
   return layer;
 }
@@ -94,7 +94,7 @@ Slab::Slab(const SlabCase& slab, int nodes_per_hemisphere, int sun) {
   const VectorXd weights = Eigen::Map<VectorXd>(weights_.data(), n);
   constexpr int kDoublings = 32;
   for (int m = 0; m < static_cast<int>(slab.moments.size()); ++m) {
-    Layer layer = thin_layer(slab, nodes, weights, m, std::ldexp(slab.optical_depth, -kDoublings));
+    SlabLayer layer = thin_layer(slab, nodes, weights, m, std::ldexp(slab.optical_depth, -kDoublings));
     for (int k = 0; k < kDoublings; ++k) {
       layer = over(layer, layer);
     }

@@ -19,17 +19,13 @@ using test::message_of;
 using testing::ExitedWithCode;
 using testing::KilledBySignal;
 
-std::span<const std::byte> bytes_of(const std::string& text) {
-  return std::as_bytes(std::span(text));
-}
-
-std::string refusal(const std::filesystem::path& file) {
+std::string writing_refusal(const std::filesystem::path& file) {
   return message_of<InputError>([&] { require_writable(file); });
 }
 
 TEST(WriteFile, NewFileHasTheContentsAndNothingIsLeftBeside) {
   const Folder folder;
-  write_file(folder / "a.bin", bytes_of("hello"));
+  write_file(folder / "a.bin", test::text_bytes("hello"));
   EXPECT_EQ(contents_of(folder / "a.bin"), "hello");
   EXPECT_EQ(folder.names(), std::set<std::string>{"a.bin"});
 }
@@ -38,7 +34,7 @@ TEST(WriteFile, ReplacesAnOlderFileAndKeepsItsPermissions) {
   const Folder folder;
   test::put(folder / "a.bin", "older and longer");
   ASSERT_EQ(::chmod((folder / "a.bin").c_str(), 0640), 0);
-  write_file(folder / "a.bin", bytes_of("new"));
+  write_file(folder / "a.bin", test::text_bytes("new"));
   EXPECT_EQ(contents_of(folder / "a.bin"), "new");
   struct stat status {};
   ASSERT_EQ(::stat((folder / "a.bin").c_str(), &status), 0);
@@ -49,7 +45,7 @@ TEST(WriteFile, FollowsASymbolicLink) {
   const Folder folder;
   test::put(folder / "real.bin", "old");
   std::filesystem::create_symlink("real.bin", folder / "link.bin");
-  write_file(folder / "link.bin", bytes_of("new"));
+  write_file(folder / "link.bin", test::text_bytes("new"));
   EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.bin"));
   EXPECT_EQ(contents_of(folder / "real.bin"), "new");
 }
@@ -57,18 +53,18 @@ TEST(WriteFile, FollowsASymbolicLink) {
 TEST(WriteFile, LongestNameOfTheFileSystem) {
   const Folder folder;
   const std::string name(255, 'n');
-  write_file(folder / name, bytes_of("x"));
+  write_file(folder / name, test::text_bytes("x"));
   EXPECT_EQ(folder.names(), std::set<std::string>{name});
 }
 
 TEST(WriteFile, AFullDeviceIsAnErrorWithItsReason) {
-  const std::string message = message_of<RunError>([] { write_file("/dev/full", bytes_of("x")); });
+  const std::string message = message_of<RunError>([] { write_file("/dev/full", test::text_bytes("x")); });
   EXPECT_NE(message.find("/dev/full: cannot write: No space left on device; free some space"), std::string::npos)
       << message;
 }
 
 TEST(WriteFile, NullDeviceIsWrittenInPlace) {
-  write_file("/dev/null", bytes_of("x"));
+  write_file("/dev/null", test::text_bytes("x"));
   struct stat status {};
   ASSERT_EQ(::stat("/dev/null", &status), 0);
   EXPECT_TRUE(S_ISCHR(status.st_mode));
@@ -76,7 +72,8 @@ TEST(WriteFile, NullDeviceIsWrittenInPlace) {
 
 TEST(WriteFile, MissingFolderIsAnError) {
   const Folder folder;
-  const std::string message = message_of<RunError>([&] { write_file(folder / "none" / "a.bin", bytes_of("x")); });
+  const std::string message =
+      message_of<RunError>([&] { write_file(folder / "none" / "a.bin", test::text_bytes("x")); });
   EXPECT_NE(message.find("cannot create: No such file or directory"), std::string::npos) << message;
 }
 
@@ -94,7 +91,7 @@ TEST(WriteFileDeathTest, AFailedWriteLeavesTheOlderFileAndNoTemporary) {
       {
         limit_file_size(SIG_IGN);
         const std::string big(100000, 'x');
-        const std::string message = message_of<RunError>([&] { write_file(folder / "a.bin", bytes_of(big)); });
+        const std::string message = message_of<RunError>([&] { write_file(folder / "a.bin", test::text_bytes(big)); });
         std::exit(message.find("a.bin: cannot write: File too large") != std::string::npos ? 0 : 1);
       },
       ExitedWithCode(0), "");
@@ -113,7 +110,7 @@ TEST(WriteFileDeathTest, ASignalInTheMiddleLeavesNoTemporary) {
           ::signal(SIGINT, SIG_DFL);
           end_in_good_order_on_signals();
           limit_file_size([](int) { ::raise(raised); });
-          write_file(folder / "a.bin", bytes_of(std::string(100000, 'x')));
+          write_file(folder / "a.bin", test::text_bytes(std::string(100000, 'x')));
         },
         KilledBySignal(signal_number), "");
     EXPECT_EQ(folder.names(), std::set<std::string>{});
@@ -139,7 +136,8 @@ TEST(WriteFileDeathTest, AFailedReplacementIsAnErrorAndLeavesNoTemporary) {
   EXPECT_EXIT(
       {
         become_nobody();
-        const std::string message = message_of<RunError>([&] { write_file(folder / "a.bin", bytes_of("new")); });
+        const std::string message =
+            message_of<RunError>([&] { write_file(folder / "a.bin", test::text_bytes("new")); });
         std::exit(message.find("a.bin: cannot replace: Operation not permitted") != std::string::npos ? 0 : 1);
       },
       ExitedWithCode(0), "");
@@ -161,12 +159,13 @@ TEST(RequireWritable, NamesTheProblemAndTheRemedy) {
   const Folder folder;
   test::put(folder / "file", "x");
   const std::string root = folder.path().string();
-  EXPECT_EQ(refusal(""), "output file: the name is empty; give one such as sky.exr");
-  EXPECT_EQ(refusal(root), root + ": is a directory; name a file in it, such as " + root + "/sky.exr");
-  EXPECT_EQ(refusal(root + "/none/a.exr"), root + "/none/a.exr: the directory " + root +
-                                               "/none does not exist; create it with: mkdir -p " + root + "/none");
-  EXPECT_NE(refusal(root + "/none/").find("names a directory, not a file"), std::string::npos);
-  EXPECT_NE(refusal(root + "/file/a.exr").find(root + "/file is a file, not a directory"), std::string::npos);
+  EXPECT_EQ(writing_refusal(""), "output file: the name is empty; give one such as sky.exr");
+  EXPECT_EQ(writing_refusal(root), root + ": is a directory; name a file in it, such as " + root + "/sky.exr");
+  EXPECT_EQ(
+      writing_refusal(root + "/none/a.exr"),
+      root + "/none/a.exr: the directory " + root + "/none does not exist; create it with: mkdir -p " + root + "/none");
+  EXPECT_NE(writing_refusal(root + "/none/").find("names a directory, not a file"), std::string::npos);
+  EXPECT_NE(writing_refusal(root + "/file/a.exr").find(root + "/file is a file, not a directory"), std::string::npos);
 }
 
 TEST(RequireWritableDeathTest, RefusesAFolderOrFileWithoutRights) {
@@ -180,7 +179,7 @@ TEST(RequireWritableDeathTest, RefusesAFolderOrFileWithoutRights) {
   EXPECT_EXIT(
       {
         become_nobody();
-        const std::string message = refusal(closed / "a.exr");
+        const std::string message = writing_refusal(closed / "a.exr");
         std::exit(message.find("cannot be written (Permission denied); choose a folder of your own") !=
                           std::string::npos
                       ? 0
@@ -190,7 +189,7 @@ TEST(RequireWritableDeathTest, RefusesAFolderOrFileWithoutRights) {
   EXPECT_EXIT(
       {
         become_nobody();
-        const std::string message = refusal(folder / "old.exr");
+        const std::string message = writing_refusal(folder / "old.exr");
         std::exit(message.find("old.exr: cannot be written (Permission denied)") != std::string::npos ? 0 : 1);
       },
       ExitedWithCode(0), "");

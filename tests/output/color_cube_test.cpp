@@ -18,7 +18,7 @@ namespace {
 
 namespace ocio = OCIO_NAMESPACE;
 
-constexpr int kWidth = 768, kHeight = 512;
+constexpr int kBlockWidth = 768, kBlockHeight = 512;
 
 ocio::ConstCPUProcessorRcPtr processor_of(const char* view) {
   std::istringstream text(kEmbeddedConfig);
@@ -39,9 +39,9 @@ ColorTransform transform_of(const ocio::ConstCPUProcessorRcPtr& processor) {
 
 // A picture of sky-like colours: from 2^-6 to 2^5 across, from orange through grey to blue downwards.
 void sky_row(int y, std::span<float> rgba) {
-  const float tint = static_cast<float>(y) / kHeight - 0.5F;
-  for (int x = 0; x < kWidth; ++x) {
-    const float light = std::exp2(11.0F * static_cast<float>(x) / kWidth - 6.0F);
+  const float tint = static_cast<float>(y) / kBlockHeight - 0.5F;
+  for (int x = 0; x < kBlockWidth; ++x) {
+    const float light = std::exp2(11.0F * static_cast<float>(x) / kBlockWidth - 6.0F);
     float* const pixel = &rgba[4 * static_cast<std::size_t>(x)];
     pixel[0] = light * std::exp2(-5.0F * tint);
     pixel[1] = light;
@@ -54,9 +54,9 @@ using Rows = std::function<void(int y, std::span<float> rgba)>;
 
 // Prepared for the whole picture at once.
 ColorCube cube_of(const Rows& row, const ColorTransform& transform) {
-  std::vector<float> picture(4 * static_cast<std::size_t>(kWidth) * kHeight);
-  for (int y = 0; y < kHeight; ++y) {
-    row(y, std::span(picture).subspan(static_cast<std::size_t>(y) * 4 * kWidth, 4 * kWidth));
+  std::vector<float> picture(4 * static_cast<std::size_t>(kBlockWidth) * kBlockHeight);
+  for (int y = 0; y < kBlockHeight; ++y) {
+    row(y, std::span(picture).subspan(static_cast<std::size_t>(y) * 4 * kBlockWidth, 4 * kBlockWidth));
   }
   ColorCube cube;
   cube.prepare(picture, transform);
@@ -68,8 +68,8 @@ double worst_error(const char* view) {
   const ColorCube cube = cube_of(sky_row, exact);
   EXPECT_GT(cube.points(), 0U);
   double worst = 0;
-  std::vector<float> fast(4 * kWidth), truth(4 * kWidth);
-  for (int y = 0; y < kHeight; ++y) {
+  std::vector<float> fast(4 * kBlockWidth), truth(4 * kBlockWidth);
+  for (int y = 0; y < kBlockHeight; ++y) {
     sky_row(y, fast);
     sky_row(y, truth);
     cube.apply(fast, exact);
@@ -103,8 +103,8 @@ TEST(ColorCube, LeavesALinearTransformAlone) {
   ASSERT_GT(cube.points(), 0U);
   const auto inside = [](const float* rgb) { return std::max({rgb[0], rgb[1], rgb[2]}) < 63.0F; };
   std::size_t compared = 0;
-  std::vector<float> fast(4 * kWidth), truth(4 * kWidth), source;
-  for (int y = 0; y < kHeight; ++y) {
+  std::vector<float> fast(4 * kBlockWidth), truth(4 * kBlockWidth), source;
+  for (int y = 0; y < kBlockHeight; ++y) {
     sky_row(y, fast);
     sky_row(y, truth);
     source = truth;
@@ -117,7 +117,7 @@ TEST(ColorCube, LeavesALinearTransformAlone) {
       }
     }
   }
-  EXPECT_GT(compared, 4U * kWidth * kHeight / 2);
+  EXPECT_GT(compared, 4U * kBlockWidth * kBlockHeight / 2);
 }
 
 // A step inside a cell: interpolation would smear it.
@@ -129,8 +129,8 @@ TEST(ColorCube, LeavesSharpBendsToTheTransform) {
   };
   const ColorCube cube = cube_of(sky_row, step);
   ASSERT_GT(cube.points(), 0U);
-  std::vector<float> fast(4 * kWidth), truth(4 * kWidth);
-  for (int y = 0; y < kHeight; ++y) {
+  std::vector<float> fast(4 * kBlockWidth), truth(4 * kBlockWidth);
+  for (int y = 0; y < kBlockHeight; ++y) {
     sky_row(y, fast);
     sky_row(y, truth);
     cube.apply(fast, step);
@@ -155,7 +155,7 @@ TEST(ColorCube, SendsColoursOutsideTheGridThroughTheTransform) {
   const ColorTransform mark = [](std::span<float> rgba) { std::fill(rgba.begin(), rgba.end(), 7.0F); };
   const ColorCube cube = cube_of(row, mark);
   ASSERT_GT(cube.points(), 0U);
-  std::vector<float> rgba(4 * kWidth);
+  std::vector<float> rgba(4 * kBlockWidth);
   row(0, rgba);
   std::atomic<std::size_t> exact = 0;
   cube.apply(rgba, [&](std::span<float> pixels) {
@@ -173,10 +173,11 @@ TEST(ColorCube, GrowsWithThePicture) {
   std::atomic<std::size_t> evaluated = 0;
   const ColorTransform counted = [&](std::span<float> rgba) { evaluated += rgba.size() / 4; };
   ColorCube cube;
-  std::vector<float> half(4 * static_cast<std::size_t>(kWidth) * kHeight / 2);
+  std::vector<float> half(4 * static_cast<std::size_t>(kBlockWidth) * kBlockHeight / 2);
   for (const int part : {0, 1, 0, 1}) {
-    for (int y = 0; y < kHeight / 2; ++y) {
-      sky_row(part * kHeight / 2 + y, std::span(half).subspan(static_cast<std::size_t>(y) * 4 * kWidth, 4 * kWidth));
+    for (int y = 0; y < kBlockHeight / 2; ++y) {
+      sky_row(part * kBlockHeight / 2 + y,
+              std::span(half).subspan(static_cast<std::size_t>(y) * 4 * kBlockWidth, 4 * kBlockWidth));
     }
     cube.prepare(half, counted);
   }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 #include <string>
 
 #include "core/error.h"
@@ -17,8 +16,6 @@ namespace {
 
 using test::Folder;
 using test::message_of;
-
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 // The tests choose the config themselves.
 class Display : public testing::Test {
@@ -125,7 +122,7 @@ TEST_F(Display, FisheyeAlphaIsKept) {
 
 TEST_F(Display, NanBecomesBlackAndSpoilsNoNeighbour) {
   const PixelImage pixels =
-      DisplayTransform(settings_of("Un-tone-mapped")).apply(greys({0.18F, kNan, 0.18F}), {}, 1.0F);
+      DisplayTransform(settings_of("Un-tone-mapped")).apply(greys({0.18F, test::kNan, 0.18F}), {}, 1.0F);
   EXPECT_EQ(pixels.bytes, (std::vector<std::uint8_t>{118, 118, 118, 0, 0, 0, 118, 118, 118}));
 }
 

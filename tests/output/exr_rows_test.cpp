@@ -88,16 +88,12 @@ TEST(ExrRows, WhatTheSinkSaysIsSaid) {
             "sky.exr: no space");
 }
 
-std::span<const std::byte> bytes_of(const std::string& text) {
-  return std::as_bytes(std::span(text));
-}
-
 TEST(FileInProgress, AppearsWhenItIsWholeWhateverTheOrder) {
   const Folder folder;
   test::put(folder / "a.exr", "older");
   FileInProgress file(folder / "a.exr");
-  file.write(5, bytes_of(" world"));
-  file.write(0, bytes_of("hello"));
+  file.write(5, test::text_bytes(" world"));
+  file.write(0, test::text_bytes("hello"));
   EXPECT_EQ(contents_of(folder / "a.exr"), "older");
   EXPECT_EQ(folder.names().size(), 2U);
   file.commit();
@@ -108,7 +104,7 @@ TEST(FileInProgress, AppearsWhenItIsWholeWhateverTheOrder) {
 TEST(FileInProgress, LeavesNothingWithoutItsEnd) {
   const Folder folder;
   test::put(folder / "a.exr", "older");
-  { FileInProgress(folder / "a.exr").write(0, bytes_of("half")); }
+  { FileInProgress(folder / "a.exr").write(0, test::text_bytes("half")); }
   EXPECT_EQ(contents_of(folder / "a.exr"), "older");
   EXPECT_EQ(folder.names(), std::set<std::string>{"a.exr"});
 }

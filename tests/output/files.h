@@ -1,5 +1,5 @@
 #pragma once
-// Folders and files of the tests.
+// Folders, files and values of the tests.
 
 #include <unistd.h>
 
@@ -9,7 +9,9 @@
 #include <fstream>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <set>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -17,6 +19,9 @@
 #include "core/error.h"
 
 namespace airlight::test {
+
+inline constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 // An empty folder for the life of a test.
 class Folder {
@@ -51,6 +56,10 @@ class Folder {
 inline std::string contents_of(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+inline std::span<const std::byte> text_bytes(const std::string& text) {
+  return std::as_bytes(std::span(text));
 }
 
 inline void put(const std::filesystem::path& file, const std::string& contents) {

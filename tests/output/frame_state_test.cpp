@@ -111,16 +111,12 @@ TEST(PictureReader, GivesBackWhatWasWritten) {
             std::string::npos);
 }
 
-std::span<const std::byte> bytes_of(const std::string& text) {
-  return std::as_bytes(std::span(text));
-}
-
 TEST(WriteFile, InPiecesIsTheSameAsAtOnce) {
   const Folder folder;
   const std::vector<std::string> pieces = {"one ", "two ", "three"};
   std::size_t next = 0;
   write_file(folder / "a.txt",
-             [&] { return next < pieces.size() ? bytes_of(pieces[next++]) : std::span<const std::byte>(); });
+             [&] { return next < pieces.size() ? test::text_bytes(pieces[next++]) : std::span<const std::byte>(); });
   EXPECT_EQ(contents_of(folder / "a.txt"), "one two three");
 }
 
@@ -134,7 +130,7 @@ TEST(AbandonedFiles, GoAndThoseAtWorkStay) {
   write_file(folder / "sky.1.exr", [&]() -> std::span<const std::byte> {
     static const std::string text = "newer";
     if (calls++ == 0) {
-      return bytes_of(text);
+      return test::text_bytes(text);
     }
     remove_abandoned_files(folder.path(), is_frame);  // another run begins while this one writes
     return {};

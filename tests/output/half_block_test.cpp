@@ -6,14 +6,12 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <vector>
+
+#include "tests/output/files.h"
 
 namespace airlight {
 namespace {
-
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 std::vector<std::uint16_t> halves_of(const std::vector<float>& samples, ExrCounts& counts, std::size_t stride = 1) {
   std::vector<std::uint16_t> halves(samples.size() / stride);
@@ -44,8 +42,8 @@ TEST(HalfBlock, AgreesWithImath) {
 }
 
 TEST(HalfBlock, CountsWhatAHalfCannotHold) {
-  const std::vector<float> samples = {0.0F,    1.0F,   65504.0F, 65505.0F, 1e9F, kInfinity, 6.2e-5F,
-                                      6.0e-5F, 1e-10F, -1.0F,    -1e9F,    kNan, -0.0F,     -kInfinity};
+  const std::vector<float> samples = {0.0F,   1.0F,  65504.0F, 65505.0F,   1e9F,  test::kInfinity, 6.2e-5F, 6.0e-5F,
+                                      1e-10F, -1.0F, -1e9F,    test::kNan, -0.0F, -test::kInfinity};
   ExrCounts counts;
   const std::vector<std::uint16_t> halves = halves_of(samples, counts);
   EXPECT_EQ(counts.samples, samples.size());
@@ -60,7 +58,7 @@ TEST(HalfBlock, CountsWhatAHalfCannotHold) {
 TEST(HalfBlock, ReadsStridedSamplesAcrossBlocks) {
   std::vector<float> samples(4 * 3000);
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    samples[i] = i % 4 == 0 ? static_cast<float>(i / 4) / 2048.0F : kNan;
+    samples[i] = i % 4 == 0 ? static_cast<float>(i / 4) / 2048.0F : test::kNan;
   }
   ExrCounts counts;
   const std::vector<std::uint16_t> halves = halves_of(samples, counts, 4);
@@ -91,7 +89,7 @@ TEST(HalfBlock, SaysWhatHalvesWouldLose) {
 }
 
 TEST(HalfBlock, CountsWithoutConversion) {
-  const std::vector<float> samples = {1e9F, 1e-9F, -1.0F, kNan};
+  const std::vector<float> samples = {1e9F, 1e-9F, -1.0F, test::kNan};
   ExrCounts counts;
   count_samples(samples.data(), 1, samples.size(), counts);
   EXPECT_EQ(counts.samples, 4U);

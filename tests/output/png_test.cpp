@@ -15,7 +15,7 @@ namespace {
 
 using test::Folder;
 
-PixelImage numbered(int channels, int bits) {
+PixelImage numbered_pixels(int channels, int bits) {
   PixelImage image{33, 17, channels, bits, {}, {}};
   for (int i = 0; i < 33 * 17 * channels; ++i) {
     if (bits == 8) {
@@ -53,7 +53,7 @@ std::string chunk(const std::string& png, const std::string& type) {
 TEST(Png, EightBitsComeBack) {
   const Folder folder;
   for (const int channels : {3, 4}) {
-    const PixelImage image = numbered(channels, 8);
+    const PixelImage image = numbered_pixels(channels, 8);
     write_png(folder / "a.png", image, {});
     png_image read{};
     read.version = PNG_IMAGE_VERSION;
@@ -71,7 +71,7 @@ TEST(Png, EightBitsComeBack) {
 TEST(Png, SixteenBitsComeBack) {
   const Folder folder;
   for (const int channels : {3, 4}) {
-    const PixelImage image = numbered(channels, 16);
+    const PixelImage image = numbered_pixels(channels, 16);
     write_png(folder / "a.png", image, {});
     std::FILE* const file = std::fopen((folder / "a.png").c_str(), "rb");
     ASSERT_NE(file, nullptr);
@@ -97,26 +97,26 @@ TEST(Png, CarriesTextsAsciiAndNot) {
   const Folder folder;
   PngOptions options;
   options.texts = {{"Software", "airlight 1.2.3"}, {"Description", "μ of the air"}};
-  write_png(folder / "a.png", numbered(3, 8), options);
+  write_png(folder / "a.png", numbered_pixels(3, 8), options);
   const std::string png = test::contents_of(folder / "a.png");
   EXPECT_EQ(chunk(png, "tEXt"), std::string("Software\0airlight 1.2.3", 23));
   EXPECT_NE(chunk(png, "iTXt").find("μ of the air"), std::string::npos);
 }
 
 TEST(Png, EqualPicturesGiveEqualBytes) {
-  EXPECT_EQ(encode_png(numbered(3, 8), {}), encode_png(numbered(3, 8), {}));
+  EXPECT_EQ(encode_png(numbered_pixels(3, 8), {}), encode_png(numbered_pixels(3, 8), {}));
 }
 
 TEST(Png, AnEncoderErrorIsOurs) {
   PngOptions options;
   options.texts = {{"", "a text without a keyword, which the format forbids"}};
-  EXPECT_NE(test::message_of<RunError>([&] { encode_png(numbered(3, 8), options); }).find("PNG: cannot encode"),
+  EXPECT_NE(test::message_of<RunError>([&] { encode_png(numbered_pixels(3, 8), options); }).find("PNG: cannot encode"),
             std::string::npos);
 }
 
 TEST(Png, RowsMakeTheSameBytes) {
   for (const int bits : {8, 16}) {
-    const PixelImage whole = numbered(3, bits);
+    const PixelImage whole = numbered_pixels(3, bits);
     const PngOptions options{.colours = kSrgbCode, .texts = {{"Software", "test"}}};
     std::vector<std::byte> bytes;
     PngRows rows([&](std::span<const std::byte> part) { bytes.insert(bytes.end(), part.begin(), part.end()); }, whole,
@@ -142,7 +142,7 @@ TEST(Png, RowsMakeTheSameBytes) {
 TEST(Png, SaysWhatItsColoursAre) {
   const Folder folder;
   const auto chunks = [&](const std::string& display) {
-    write_png(folder / "a.png", numbered(3, 8), {.colours = colour_code_of_display(display), .texts = {}});
+    write_png(folder / "a.png", numbered_pixels(3, 8), {.colours = colour_code_of_display(display), .texts = {}});
     const std::string png = test::contents_of(folder / "a.png");
     return std::array{chunk(png, "sRGB"), chunk(png, "cICP"), chunk(png, "gAMA"), chunk(png, "cHRM")};
   };

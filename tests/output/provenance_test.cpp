@@ -28,7 +28,7 @@ void write_sky(const std::filesystem::path& file, const std::optional<Provenance
   write_exr(file, 40, 30, channels, options);
 }
 
-std::string refusal(const std::filesystem::path& file) {
+std::string reading_refusal(const std::filesystem::path& file) {
   return message_of<InputError>([&] { read_provenance(file); });
 }
 
@@ -85,7 +85,7 @@ TEST(Provenance, APngTellsItToo) {
   test::put(folder / "cut.png", whole.substr(0, whole.size() - 30));
   EXPECT_EQ(read_provenance(folder / "cut.png"), kMade);
   write_png(folder / "foreign.png", {2, 1, 3, 8, std::vector<std::uint8_t>(6), {}}, {});
-  EXPECT_NE(refusal(folder / "foreign.png").find("has no text airlight:preset"), std::string::npos);
+  EXPECT_NE(reading_refusal(folder / "foreign.png").find("has no text airlight:preset"), std::string::npos);
 }
 
 TEST(Provenance, SaysWhatIsWrongWithAFile) {
@@ -93,11 +93,11 @@ TEST(Provenance, SaysWhatIsWrongWithAFile) {
   write_sky(folder / "foreign.exr", std::nullopt);
   test::put(folder / "text.exr", "{\"airlight\": 1}");
   test::put(folder / "empty.exr", "");
-  EXPECT_NE(refusal(folder / "foreign.exr").find("was not written by airlight"), std::string::npos);
-  EXPECT_NE(refusal(folder / "text.exr").find("is not an EXR file"), std::string::npos);
-  EXPECT_NE(refusal(folder / "empty.exr").find("is not an EXR file"), std::string::npos);
-  EXPECT_NE(refusal(folder / "none.exr").find("no such file"), std::string::npos);
-  EXPECT_NE(refusal(folder.path()).find("is not a file"), std::string::npos);
+  EXPECT_NE(reading_refusal(folder / "foreign.exr").find("was not written by airlight"), std::string::npos);
+  EXPECT_NE(reading_refusal(folder / "text.exr").find("is not an EXR file"), std::string::npos);
+  EXPECT_NE(reading_refusal(folder / "empty.exr").find("is not an EXR file"), std::string::npos);
+  EXPECT_NE(reading_refusal(folder / "none.exr").find("no such file"), std::string::npos);
+  EXPECT_NE(reading_refusal(folder.path()).find("is not a file"), std::string::npos);
   EXPECT_FALSE(is_exr(folder / "text.exr"));
   EXPECT_FALSE(is_exr(folder / "none.exr"));
 }
@@ -127,7 +127,8 @@ TEST(Provenance, ADamagedSizeTakesNoMemory) {
   const std::string start("\x76\x2f\x31\x01\x02\0\0\0airlight:preset\0string\0", 31);
   for (const std::string size : {"\xff\xff\xff\x7f", "\xff\xff\xff\xff"}) {
     test::put(folder / "a.exr", start + size + "{}");
-    EXPECT_NE(refusal(folder / "a.exr").find("longer than the file"), std::string::npos) << refusal(folder / "a.exr");
+    EXPECT_NE(reading_refusal(folder / "a.exr").find("longer than the file"), std::string::npos)
+        << reading_refusal(folder / "a.exr");
   }
 }
 

@@ -4,14 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
+
+#include "tests/output/files.h"
 
 namespace airlight {
 namespace {
-
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 RadianceImage flat(int width, int height, float value) {
   return {width, height,
@@ -24,14 +22,14 @@ double mean_of(const std::vector<std::uint8_t>& bytes) {
 
 TEST(Quantize, SixteenBitsAreRounded) {
   RadianceImage image = flat(2, 1, 0.0F);
-  image.rgba = {0.5F, 1.0F, -0.1F, 0.25F, kNan, kInfinity, 1.5F, 1.0F};
+  image.rgba = {0.5F, 1.0F, -0.1F, 0.25F, test::kNan, test::kInfinity, 1.5F, 1.0F};
   const PixelImage pixels = quantize(image, {.bits = 16, .dither = true, .alpha = true});
   EXPECT_EQ(pixels.words, (std::vector<std::uint16_t>{32768, 65535, 0, 16384, 0, 65535, 65535, 65535}));
 }
 
 TEST(Quantize, EightBitsWithoutDitherAreRounded) {
   RadianceImage image = flat(2, 1, 0.0F);
-  image.rgba = {0.5F, 1.0F, -0.1F, 1.0F, kNan, kInfinity, 0.4980F, 0.0F};
+  image.rgba = {0.5F, 1.0F, -0.1F, 1.0F, test::kNan, test::kInfinity, 0.4980F, 0.0F};
   const PixelImage pixels = quantize(image, {.bits = 8, .dither = false, .alpha = false});
   EXPECT_EQ(pixels.channels, 3);
   EXPECT_EQ(pixels.bytes, (std::vector<std::uint8_t>{128, 255, 0, 0, 255, 127}));
@@ -81,7 +79,7 @@ TEST(Dither, KeepsTheMeanOfSmallPatches) {
 }
 
 TEST(Dither, LeavesPureBlackAndWhiteAlone) {
-  for (const float value : {0.0F, 1.0F, -1.0F, 2.0F, kNan}) {
+  for (const float value : {0.0F, 1.0F, -1.0F, 2.0F, test::kNan}) {
     const PixelImage pixels = quantize(flat(256, 64, value), {});
     const std::uint8_t expected = value >= 1.0F ? 255 : 0;
     EXPECT_TRUE(std::all_of(pixels.bytes.begin(), pixels.bytes.end(), [&](std::uint8_t b) { return b == expected; }))

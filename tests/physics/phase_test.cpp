@@ -12,7 +12,7 @@ namespace {
 
 using physics::Physics;
 
-Physics formulas{};
+Physics phase_formulas{};
 constexpr double kAsymmetries[] = {-0.99, -0.95, -0.8, -0.5, -0.1, 0.0, 1e-6, 0.1, 0.5, 0.76, 0.8, 0.93, 0.95, 0.99};
 constexpr unsigned int kKinds[] = {physics::kPhaseRayleigh, physics::kPhaseHenyeyGreenstein,
                                    physics::kPhaseCornetteShanks, physics::kPhaseSchlick, physics::kPhaseIsotropic};
@@ -32,7 +32,7 @@ double first_moment(unsigned int kind, double g) {
     case physics::kPhaseCornetteShanks:
       return 3.0 * g * (4.0 + g * g) / (5.0 * (2.0 + g * g));  // [C92]
     case physics::kPhaseSchlick:
-      return schlick_moment(formulas.schlick_k(g));
+      return schlick_moment(phase_formulas.schlick_k(g));
     default:
       return 0.0;
   }
@@ -41,7 +41,7 @@ double first_moment(unsigned int kind, double g) {
 TEST(Phase, IntegratesToOne) {
   for (const unsigned int kind : kKinds) {
     for (const double g : kAsymmetries) {
-      EXPECT_NEAR(sphere_integral([&](double nu) { return formulas.phase_value(kind, g, nu); }), 1.0, 1e-9)
+      EXPECT_NEAR(sphere_integral([&](double nu) { return phase_formulas.phase_value(kind, g, nu); }), 1.0, 1e-9)
           << "kind " << kind << ", g " << g;
     }
   }
@@ -50,7 +50,7 @@ TEST(Phase, IntegratesToOne) {
 TEST(Phase, HasTheFirstMomentOfItsClosedForm) {
   for (const unsigned int kind : kKinds) {
     for (const double g : kAsymmetries) {
-      EXPECT_NEAR(sphere_integral([&](double nu) { return nu * formulas.phase_value(kind, g, nu); }),
+      EXPECT_NEAR(sphere_integral([&](double nu) { return nu * phase_formulas.phase_value(kind, g, nu); }),
                   first_moment(kind, g), 1e-9)
           << "kind " << kind << ", g " << g;
     }
@@ -60,39 +60,40 @@ TEST(Phase, HasTheFirstMomentOfItsClosedForm) {
 TEST(Phase, ScattersForwardForPositiveG) {
   for (const unsigned int kind :
        {physics::kPhaseHenyeyGreenstein, physics::kPhaseCornetteShanks, physics::kPhaseSchlick}) {
-    EXPECT_GT(formulas.phase_value(kind, 0.8, 1.0), 10.0 * formulas.phase_value(kind, 0.8, -1.0)) << kind;
+    EXPECT_GT(phase_formulas.phase_value(kind, 0.8, 1.0), 10.0 * phase_formulas.phase_value(kind, 0.8, -1.0)) << kind;
     for (const double g : kAsymmetries) {
       for (const double nu : {-1.0, -0.999, -0.3, 0.0, 0.7, 0.99999, 1.0}) {
-        const double value = formulas.phase_value(kind, g, nu);
+        const double value = phase_formulas.phase_value(kind, g, nu);
         EXPECT_GT(value, 0.0) << kind << ", g " << g << ", nu " << nu;
-        EXPECT_NEAR(formulas.phase_value(kind, -g, -nu) / value, 1.0, 1e-9) << kind << ", g " << g << ", nu " << nu;
+        EXPECT_NEAR(phase_formulas.phase_value(kind, -g, -nu) / value, 1.0, 1e-9)
+            << kind << ", g " << g << ", nu " << nu;
       }
     }
   }
 }
 
 TEST(Phase, HasKnownValues) {
-  EXPECT_NEAR(formulas.phase_isotropic(), 0.07957747154594767, 1e-16);
-  EXPECT_NEAR(formulas.phase_rayleigh(0.0), 3.0 / (16.0 * std::numbers::pi), 1e-16);
-  EXPECT_NEAR(formulas.phase_rayleigh(1.0), 3.0 / (8.0 * std::numbers::pi), 1e-16);
+  EXPECT_NEAR(phase_formulas.phase_isotropic(), 0.07957747154594767, 1e-16);
+  EXPECT_NEAR(phase_formulas.phase_rayleigh(0.0), 3.0 / (16.0 * std::numbers::pi), 1e-16);
+  EXPECT_NEAR(phase_formulas.phase_rayleigh(1.0), 3.0 / (8.0 * std::numbers::pi), 1e-16);
   // (1+g) / (4 pi (1-g)^2) in the forward direction.
-  EXPECT_NEAR(formulas.phase_henyey_greenstein(0.99, 1.0), 1.99 / (4.0 * std::numbers::pi * 1e-4), 1e-6);
-  EXPECT_NEAR(formulas.phase_henyey_greenstein(0.0, 0.3), formulas.phase_isotropic(), 1e-16);
-  EXPECT_NEAR(formulas.phase_cornette_shanks(0.0, 0.3), formulas.phase_rayleigh(0.3), 1e-16);
-  EXPECT_NEAR(formulas.phase_schlick(0.0, 0.3), formulas.phase_isotropic(), 1e-16);
+  EXPECT_NEAR(phase_formulas.phase_henyey_greenstein(0.99, 1.0), 1.99 / (4.0 * std::numbers::pi * 1e-4), 1e-6);
+  EXPECT_NEAR(phase_formulas.phase_henyey_greenstein(0.0, 0.3), phase_formulas.phase_isotropic(), 1e-16);
+  EXPECT_NEAR(phase_formulas.phase_cornette_shanks(0.0, 0.3), phase_formulas.phase_rayleigh(0.3), 1e-16);
+  EXPECT_NEAR(phase_formulas.phase_schlick(0.0, 0.3), phase_formulas.phase_isotropic(), 1e-16);
 }
 
 // [C50], [Bu95]: the norm is 1 for any gamma; 0 is Rayleigh's function, 1 the isotropic one; backward and forward are
 // equal; and about 1 - 3 rho / 4 of the second moment remains.
 TEST(Phase, DepolarizedLiesBetweenRayleighAndIsotropic) {
   for (const double gamma : {0.0, 0.0147, 0.3, 1.0}) {
-    const auto phase = [&](double nu) { return formulas.phase_depolarized(physics::vec3(gamma), nu).y; };
+    const auto phase = [&](double nu) { return phase_formulas.phase_depolarized(physics::vec3(gamma), nu).y; };
     EXPECT_NEAR(sphere_integral(phase), 1.0, 1e-9) << gamma;
     EXPECT_NEAR(phase(0.3), phase(-0.3), 1e-16);
     EXPECT_NEAR(phase(0.0) / phase(1.0), (1.0 + 3.0 * gamma) / (2.0 + 2.0 * gamma), 1e-12) << gamma;
   }
-  EXPECT_EQ(formulas.phase_depolarized(physics::vec3(0.0), 0.4).x, formulas.phase_rayleigh(0.4));
-  EXPECT_NEAR(formulas.phase_depolarized(physics::vec3(1.0), 0.4).x, formulas.phase_isotropic(), 1e-16);
+  EXPECT_EQ(phase_formulas.phase_depolarized(physics::vec3(0.0), 0.4).x, phase_formulas.phase_rayleigh(0.4));
+  EXPECT_NEAR(phase_formulas.phase_depolarized(physics::vec3(1.0), 0.4).x, phase_formulas.phase_isotropic(), 1e-16);
 }
 
 // A table of Henyey-Greenstein's values is that function, channel by channel: values, norm, and moments g^l.
@@ -153,7 +154,7 @@ TEST(Phase, ATableKeepsItsEdges) {
 TEST(Phase, SchlickStandsForHenyeyGreenstein) {
   double before = -2.0;
   for (double g = -0.99; g <= 0.9905; g += 0.01) {
-    const double k = formulas.schlick_k(g);
+    const double k = phase_formulas.schlick_k(g);
     EXPECT_LT(std::abs(k), 1.0) << g;
     EXPECT_GE(k, before) << g;
     before = k;
@@ -176,13 +177,16 @@ TEST(Phase, ForwardPeakIsTheMeanOfAllMomentsAboveTheDegreeKept) {
         weights += weight;
         weight *= r;
       }
-      const double peak = formulas.forward_peak(n, physics::vec3(std::pow(g, n)), physics::vec3(std::pow(g, n + 1))).x;
+      const double peak =
+          phase_formulas.forward_peak(n, physics::vec3(std::pow(g, n)), physics::vec3(std::pow(g, n + 1))).x;
       EXPECT_NEAR(peak, sum / weights, 1e-9) << g << ", degree " << n;
       EXPECT_LT(peak, std::pow(g, n + 1));
     }
   }
-  EXPECT_EQ(formulas.forward_peak(2, physics::vec3(0.5), physics::vec3(-0.4)).x, 0.0);  // a backward peak has none
-  EXPECT_EQ(formulas.forward_peak(2, physics::vec3(0.1), physics::vec3(0.0)).x, 0.0);   // nor has Rayleigh's function
+  EXPECT_EQ(phase_formulas.forward_peak(2, physics::vec3(0.5), physics::vec3(-0.4)).x,
+            0.0);  // a backward peak has none
+  EXPECT_EQ(phase_formulas.forward_peak(2, physics::vec3(0.1), physics::vec3(0.0)).x,
+            0.0);  // nor has Rayleigh's function
   const physics::Physics p = make_physics(earth());
   EXPECT_NEAR(p.medium(0).peak[2].x, 0.0, 1e-4);
   EXPECT_NEAR(p.medium(1).peak[2].x, 0.512 / (1.0 + 0.2 * 60.0 / 9.0), 1e-4);  // g 0.8

@@ -16,12 +16,12 @@ constexpr double kGround = 6360.0;
 constexpr double kTop = 100.0;
 
 // Zenith cosine at the camera, and its sine, of a ray that passes the planet's centre at `off` km.
-struct View {
+struct SpaceView {
   double mu;
   double across;
 };
 
-View past(double off, double h) {
+SpaceView past(double off, double h) {
   const double across = off / (kGround + h);
   return {-std::sqrt(1.0 - across * across), across};
 }
@@ -42,7 +42,7 @@ TEST(SpaceTable, RayAndCoordinateAreInverseOnEveryTexel) {
             const Physics::Ray ray = p.space_table_ray(planet, h, mu_sun, x, section, y);
             ASSERT_EQ(ray.at_ground, section == 0);
             ASSERT_GT(ray.length_, 0.0);
-            const View view = past((kGround + kTop) * std::sqrt(1.0 - ray.mu * ray.mu), h);
+            const SpaceView view = past((kGround + kTop) * std::sqrt(1.0 - ray.mu * ray.mu), h);
             const double level = view.across * std::sqrt(1.0 - mu_sun * mu_sun);
             const double azimuth = level > 0.0 ? (ray.nu - view.mu * mu_sun) / level : 2.0 * x - 1.0;
             const auto back = p.space_table_coordinate(planet, h, mu_sun, view.mu, view.across, azimuth);
@@ -65,7 +65,7 @@ TEST(SpaceTable, ATexelsRayIsThatOfItsView) {
     for (const double y : {0.2, 0.6, 0.9}) {
       for (const physics::uint section : {physics::uint{0}, physics::uint{1}}) {
         const Physics::Ray texel = p.space_table_ray(planet, h, 0.3, 0.4, section, y);
-        const View view = past((kGround + kTop) * std::sqrt(1.0 - texel.mu * texel.mu), h);
+        const SpaceView view = past((kGround + kTop) * std::sqrt(1.0 - texel.mu * texel.mu), h);
         const Physics::Ray ray = p.ray_in_atmosphere(planet, h, view.mu, 0.3, texel.nu);
         EXPECT_NEAR(ray.mu, texel.mu, 1e-9);
         EXPECT_NEAR(ray.mu_sun, texel.mu_sun, 1e-9);
@@ -100,13 +100,13 @@ TEST(SpaceTable, RaysThatMissTheAirHaveNoSection) {
   const physics::PlanetData& planet = p.scene.planet;
   for (const double h : {101.0, 500.0, 1e5}) {
     for (const double off : {kGround + kTop + 0.5, kGround + h}) {
-      const View view = past(off, h);
+      const SpaceView view = past(off, h);
       EXPECT_EQ(p.space_table_coordinate(planet, h, 0.3, view.mu, view.across, 0.2).section, p.kSectionNoAir);
     }
     EXPECT_EQ(p.space_table_coordinate(planet, h, 0.3, 1.0, 0.0, 0.2).section, p.kSectionNoAir);
-    const View limb = past(kGround + 0.5 * kTop, h);
+    const SpaceView limb = past(kGround + 0.5 * kTop, h);
     EXPECT_EQ(p.space_table_coordinate(planet, h, 0.3, limb.mu, limb.across, 0.2).section, p.kSectionLimb);
-    const View ground = past(kGround - 1.0, h);
+    const SpaceView ground = past(kGround - 1.0, h);
     EXPECT_EQ(p.space_table_coordinate(planet, h, 0.3, ground.mu, ground.across, 0.2).section, p.kSectionGround);
   }
 }

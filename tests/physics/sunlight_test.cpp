@@ -14,14 +14,14 @@ namespace {
 using physics::Physics;
 using physics::SunData;
 
-Physics with_transmittance(const Scene& scene) {
+Physics in_sunlight(const Scene& scene) {
   Physics p = make_physics(scene);
   p.transmittance_lut = transmittance_table(p, 64, 32);
   return p;
 }
 
 TEST(Sunlight, EndsAtThePlanetsShadow) {
-  Physics p = with_transmittance(vacuum());
+  Physics p = in_sunlight(vacuum());
   const auto& planet = p.scene.planet;
   for (const double h : {0.0, 1e-4, 1e-3, 1.0, 30.0, 99.99, 100.0}) {
     const double horizon = p.horizon_mu(planet, h);
@@ -35,7 +35,7 @@ TEST(Sunlight, EndsAtThePlanetsShadow) {
 
 // Two degrees after sunset air from 3.9 km up is lit: R (1/cos 2 deg - 1).
 TEST(Sunlight, ReachesHighAirAfterSunset) {
-  Physics p = with_transmittance(vacuum());
+  Physics p = in_sunlight(vacuum());
   const double edge = 6360.0 * (1.0 / std::cos(2.0 * kDegree) - 1.0);
   const double mu_sun = std::sin(-2.0 * kDegree);
   EXPECT_EQ(p.transmittance_to_sun(p.scene.planet, edge * 1.0001, mu_sun).x, 1.0);

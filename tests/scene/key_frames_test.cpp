@@ -9,12 +9,12 @@
 namespace airlight::test {
 namespace {
 
-std::string problems_with(const std::string& sequence) {
+std::string sequence_problems(const std::string& sequence) {
   return problems_of(with_one_medium("\"sequence\": " + sequence));
 }
 
 void expect_problem(const std::string& sequence, const std::vector<std::string>& parts) {
-  const std::string problems = problems_with(sequence);
+  const std::string problems = sequence_problems(sequence);
   EXPECT_NE(problems, "") << sequence;
   for (const std::string& part : parts) {
     EXPECT_NE(problems.find(part), std::string::npos) << "expected '" << part << "' in: " << problems;

@@ -14,47 +14,47 @@
 namespace airlight::test {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json number_schema(const Range& range, std::string_view type = "number") {
-  Json schema = {{"type", type}};
+OrderedJson number_schema(const Range& range, std::string_view type = "number") {
+  OrderedJson schema = {{"type", type}};
   schema[range.minimum_excluded ? "exclusiveMinimum" : "minimum"] = range.minimum;
   schema[range.maximum_excluded ? "exclusiveMaximum" : "maximum"] = range.maximum;
   return schema;
 }
 
-Json array_schema(const Json& items, int minimum, int maximum) {
+OrderedJson array_schema(const OrderedJson& items, int minimum, int maximum) {
   return {{"type", "array"}, {"items", items}, {"minItems", minimum}, {"maxItems", maximum}};
 }
 
-Json strings(std::span<const std::string_view> names) {
-  Json list = Json::array();
+OrderedJson strings(std::span<const std::string_view> names) {
+  OrderedJson list = OrderedJson::array();
   for (const std::string_view name : names) {
     list.push_back(name);
   }
   return list;
 }
 
-Json layers_schema(const Rule& rule) {
-  const Json pair = {{"type", "array"},
-                     {"prefixItems", {number_schema(kLayerAltitude), number_schema(rule.range)}},
-                     {"minItems", 2},
-                     {"maxItems", 2}};
+OrderedJson layers_schema(const Rule& rule) {
+  const OrderedJson pair = {{"type", "array"},
+                            {"prefixItems", {number_schema(kLayerAltitude), number_schema(rule.range)}},
+                            {"minItems", 2},
+                            {"maxItems", 2}};
   return array_schema(pair, 1, kMaxDensityLayers);
 }
 
 // The forms of core/scene/curve_reader.h.
-Json curve_schema(const Range& range) {
-  const Json value = number_schema(range);
-  const Json object = {{"type", "object"}, {"additionalProperties", false}};
-  const auto form = [&](const Json& properties, const Json& required) {
-    Json schema = object;
+OrderedJson curve_schema(const Range& range) {
+  const OrderedJson value = number_schema(range);
+  const OrderedJson object = {{"type", "object"}, {"additionalProperties", false}};
+  const auto form = [&](const OrderedJson& properties, const OrderedJson& required) {
+    OrderedJson schema = object;
     schema["properties"] = properties;
     schema["required"] = required;
     return schema;
   };
-  const Json factor = {{"type", "number"}, {"minimum", 0.0}};
-  Json plain = Json::array();
+  const OrderedJson factor = {{"type", "number"}, {"minimum", 0.0}};
+  OrderedJson plain = OrderedJson::array();
   for (const std::string_view name : kPlainCurveNames) {
     plain.push_back(name);
   }
@@ -71,7 +71,7 @@ Json curve_schema(const Range& range) {
             form({{"black_body_k", number_schema(kKelvin)}}, {"black_body_k"})}}};
 }
 
-Json type_schema(const Rule& rule) {
+OrderedJson type_schema(const Rule& rule) {
   switch (rule.type) {
     case RuleType::version:
       return {{"const", 1}};
@@ -90,7 +90,7 @@ Json type_schema(const Rule& rule) {
     case RuleType::spectrum:
       return {{"anyOf", {number_schema(rule.range), array_schema(number_schema(rule.range), 3, 3)}}};
     case RuleType::curve: {
-      Json schema = curve_schema(rule.range);
+      OrderedJson schema = curve_schema(rule.range);
       schema["anyOf"].insert(schema["anyOf"].begin(),
                              {number_schema(rule.range), array_schema(number_schema(rule.range), 3, 3)});
       return schema;
@@ -98,20 +98,20 @@ Json type_schema(const Rule& rule) {
     case RuleType::shape:
       return curve_schema(kShapeValue);
     case RuleType::wavelengths:
-      return {{"anyOf", {number_schema(rule.range, "integer"), Json{{"const", "auto"}}}}};
+      return {{"anyOf", {number_schema(rule.range, "integer"), OrderedJson{{"const", "auto"}}}}};
     case RuleType::choice:
       return {{"enum", strings(rule.choices)}};
     case RuleType::exposure:
       return {{"anyOf",
-               {number_schema(rule.range), Json{{"enum", {"auto", "day"}}},
-                Json{{"type", "string"}, {"pattern", "^lock:[0-9]{1,8}$"}}}}};
+               {number_schema(rule.range), OrderedJson{{"enum", {"auto", "day"}}},
+                OrderedJson{{"type", "string"}, {"pattern", "^lock:[0-9]{1,8}$"}}}}};
     case RuleType::media:
     case RuleType::spheres:
       return {{"type", "array"}, {"minItems", rule.range.minimum}, {"maxItems", rule.range.maximum}};
     case RuleType::angles:
       return array_schema(number_schema(rule.range), 1, kMaxCurveSamples);
     case RuleType::phase_values: {
-      const Json row = array_schema(number_schema(rule.range), 2, kMaxCurveSamples);
+      const OrderedJson row = array_schema(number_schema(rule.range), 2, kMaxCurveSamples);
       return {{"anyOf", {row, array_schema(row, 1, kMaxCurveSamples)}}};
     }
     case RuleType::layers:
@@ -143,26 +143,26 @@ Rule widest(const Rule& rule) {
 }
 
 // The description ends with the unit; the default is what an editor fills in.
-Json annotated(Json schema, const Rule& rule) {
+OrderedJson annotated(OrderedJson schema, const Rule& rule) {
   std::string text(rule.meaning);
   if (!rule.unit.empty()) {
     text += " [" + std::string(rule.unit) + "]";
   }
   schema["description"] = text;
   if (!rule.default_text.empty() && rule.only_for.empty()) {
-    const Json value = Json::parse(rule.default_text, nullptr, false);
-    schema["default"] = value.is_discarded() ? Json(rule.default_text) : value;
+    const OrderedJson value = OrderedJson::parse(rule.default_text, nullptr, false);
+    schema["default"] = value.is_discarded() ? OrderedJson(rule.default_text) : value;
   }
   return schema;
 }
 
-Json object_schema() {
-  return {{"type", "object"}, {"properties", Json::object()}, {"additionalProperties", false}};
+OrderedJson object_schema() {
+  return {{"type", "object"}, {"properties", OrderedJson::object()}, {"additionalProperties", false}};
 }
 
 // The schema of the object that holds a rule's key, made on the way: "media[].density" from the root.
-Json& owner_of(Json& root, std::string_view key) {
-  Json* at = &root;
+OrderedJson& owner_of(OrderedJson& root, std::string_view key) {
+  OrderedJson* at = &root;
   for (std::size_t dot = key.find('.'); dot != std::string_view::npos; dot = key.find('.')) {
     std::string name(key.substr(0, dot));
     key.remove_prefix(dot + 1);
@@ -170,8 +170,8 @@ Json& owner_of(Json& root, std::string_view key) {
     if (is_array) {
       name.resize(name.size() - 2);
     }
-    Json& property = (*at)["properties"][name];
-    Json& object = is_array ? property["items"] : property;
+    OrderedJson& property = (*at)["properties"][name];
+    OrderedJson& object = is_array ? property["items"] : property;
     if (object.is_null()) {
       object = object_schema();
     }
@@ -185,12 +185,12 @@ std::string last_part(std::string_view key) {
 }
 
 // Rules for particular choices: in a file that states the choice, that choice's own rule holds and no other key.
-void add_choice(Json& root, const Rule& selector) {
-  Json& owner = owner_of(root, selector.key);
+void add_choice(OrderedJson& root, const Rule& selector) {
+  OrderedJson& owner = owner_of(root, selector.key);
   const std::string prefix(selector.key.substr(0, selector.key.rfind('.') + 1));
   const std::string selector_name = last_part(selector.key);
   for (const std::string_view choice : selector.choices) {
-    Json then = Json::object();
+    OrderedJson then = OrderedJson::object();
     std::map<std::string, bool> taken;
     for (const Rule& rule : rules()) {
       if (!rule.key.starts_with(prefix) || rule.only_for.empty()) {
@@ -220,9 +220,9 @@ void add_choice(Json& root, const Rule& selector) {
 }
 
 // A map of the whole sphere cannot be tilted.
-void add_tilt(Json& root) {
-  for (Json& condition : root["properties"]["camera"]["allOf"]) {
-    const Json& projection = condition["if"]["properties"]["projection"]["const"];
+void add_tilt(OrderedJson& root) {
+  for (OrderedJson& condition : root["properties"]["camera"]["allOf"]) {
+    const OrderedJson& projection = condition["if"]["properties"]["projection"]["const"];
     if (projection == "equirectangular" || projection == "cube" || projection == "octahedral") {
       condition["then"]["properties"]["pitch_deg"] = {{"const", 0}};
       condition["then"]["properties"]["roll_deg"] = {{"const", 0}};
@@ -231,22 +231,22 @@ void add_tilt(Json& root) {
 }
 
 // A key frame's other keys are pointers; resolve() checks what they lead to.
-void add_key_frames(Json& root) {
-  Json& sequence = root["properties"]["sequence"];
+void add_key_frames(OrderedJson& root) {
+  OrderedJson& sequence = root["properties"]["sequence"];
   sequence["required"] = {"frames"};
-  Json& frame = sequence["properties"]["frames"]["items"];
+  OrderedJson& frame = sequence["properties"]["frames"]["items"];
   frame["required"] = {"at"};
-  const Json number = {{"type", "number"}};
+  const OrderedJson number = {{"type", "number"}};
   frame["patternProperties"]["^/"] = {{"anyOf", {number, array_schema(number, 3, 3)}}};
 }
 
-Json parameter_schema(const ParameterInfo& parameter) {
+OrderedJson parameter_schema(const ParameterInfo& parameter) {
   const Rule rule = rule_of(parameter);
   switch (parameter.kind) {
     case ParameterKind::table_size:
       return array_schema(type_schema(rule), 2, 2);
     case ParameterKind::sun_fade: {
-      Json schema = object_schema();
+      OrderedJson schema = object_schema();
       schema["properties"]["scale"] = number_schema(rule.range);
       schema["properties"]["bias"] = number_schema(rule.range);
       return schema;
@@ -258,17 +258,17 @@ Json parameter_schema(const ParameterInfo& parameter) {
 
 // A key that several methods have in different ranges may have any value that one of them permits. Where the file
 // itself names the method, only that method's ranges and keys hold.
-void add_methods(Json& root, std::span<const MethodInfo> methods) {
-  Json& render = root["properties"]["render"];
-  std::map<std::string, Json> variants;
+void add_methods(OrderedJson& root, std::span<const MethodInfo> methods) {
+  OrderedJson& render = root["properties"]["render"];
+  std::map<std::string, OrderedJson> variants;
   std::map<std::string, std::string> meanings;
-  Json names = Json::array();
+  OrderedJson names = OrderedJson::array();
   for (const MethodInfo& method : methods) {
     names.push_back(method.name);
     for (const ParameterInfo& parameter : method.parameters) {
       const std::string key(parameter.key);
-      const Json schema = parameter_schema(parameter);
-      Json& known = variants[key];
+      const OrderedJson schema = parameter_schema(parameter);
+      OrderedJson& known = variants[key];
       if (std::ranges::find(known, schema) == known.end()) {
         known.push_back(schema);
       }
@@ -276,14 +276,14 @@ void add_methods(Json& root, std::span<const MethodInfo> methods) {
     }
   }
   for (const auto& [key, known] : variants) {
-    Json property = known.size() == 1 ? known[0] : Json{{"anyOf", known}};
+    OrderedJson property = known.size() == 1 ? known[0] : OrderedJson{{"anyOf", known}};
     property["description"] = meanings[key];
     render["properties"][key] = property;
   }
   render["properties"]["method"].erase("type");
   render["properties"]["method"]["enum"] = names;
   for (const MethodInfo& method : methods) {
-    Json own = Json::object();
+    OrderedJson own = OrderedJson::object();
     for (const auto& [key, known] : variants) {
       own[key] = false;
     }
@@ -299,15 +299,15 @@ void add_methods(Json& root, std::span<const MethodInfo> methods) {
 }  // namespace
 
 std::string json_schema(std::span<const MethodInfo> methods) {
-  Json root = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
-               {"title", "airlight preset, format 1"},
-               {"description", "Made from the rules in core/scene/rule_table.cpp and the methods' own lists."},
-               {"type", "object"},
-               {"properties", Json::object()},
-               {"additionalProperties", false},
-               {"anyOf", {{{"required", {"airlight", "media"}}}, {{"required", {"extends"}}}}}};
+  OrderedJson root = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+                      {"title", "airlight preset, format 1"},
+                      {"description", "Made from the rules in core/scene/rule_table.cpp and the methods' own lists."},
+                      {"type", "object"},
+                      {"properties", OrderedJson::object()},
+                      {"additionalProperties", false},
+                      {"anyOf", {{{"required", {"airlight", "media"}}}, {{"required", {"extends"}}}}}};
   for (const Rule& rule : rules()) {
-    Json& property = owner_of(root, rule.key)["properties"][last_part(rule.key)];
+    OrderedJson& property = owner_of(root, rule.key)["properties"][last_part(rule.key)];
     if (property.is_null()) {
       property = annotated(type_schema(widest(rule)), rule);
     }

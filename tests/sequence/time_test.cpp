@@ -13,7 +13,7 @@ namespace airlight::sequence::test {
 namespace {
 
 template <class Call>
-std::string refusal(const Call& call) {
+std::string time_refusal(const Call& call) {
   try {
     call();
   } catch (const InputError& error) {
@@ -35,12 +35,12 @@ TEST(Dates, ComeBackAndFollowTheCalendar) {
 
 TEST(Dates, RefuseWhatTheCalendarLacks) {
   for (const char* text : {"", "2026", "2026-6-21", "21.06.2026", "2026-06-21x", "2026-06", "-026-06-21"}) {
-    EXPECT_TRUE(contains(refusal([&] { parse_date(text, "--date"); }), "write YYYY-MM-DD")) << text;
+    EXPECT_TRUE(contains(time_refusal([&] { parse_date(text, "--date"); }), "write YYYY-MM-DD")) << text;
   }
   for (const char* text : {"2026-02-29", "2026-13-01", "2026-00-10", "2026-04-31"}) {
-    EXPECT_TRUE(contains(refusal([&] { parse_date(text, "--date"); }), "has no day")) << text;
+    EXPECT_TRUE(contains(time_refusal([&] { parse_date(text, "--date"); }), "has no day")) << text;
   }
-  EXPECT_TRUE(contains(refusal([] { parse_date("1582-10-15", "--date"); }), "1582 is outside 1600 to 2400"));
+  EXPECT_TRUE(contains(time_refusal([] { parse_date("1582-10-15", "--date"); }), "1582 is outside 1600 to 2400"));
 }
 
 TEST(Times, OfDay) {
@@ -48,7 +48,7 @@ TEST(Times, OfDay) {
   EXPECT_EQ(parse_time_of_day("5:07:09", "--from"), (5 * 3600 + 7 * 60 + 9) * kSecond);
   EXPECT_EQ(parse_time_of_day("24:00", "--to"), kDay);
   for (const char* text : {"", "5", "25:00", "24:01", "05:60", "05:00:60", "05:0", "-1:00", "5 pm", "05:00:00:00"}) {
-    EXPECT_TRUE(contains(refusal([&] { parse_time_of_day(text, "--from"); }), "is not a time of day")) << text;
+    EXPECT_TRUE(contains(time_refusal([&] { parse_time_of_day(text, "--from"); }), "is not a time of day")) << text;
   }
 }
 
@@ -58,10 +58,10 @@ TEST(Steps, WithTheirUnits) {
   EXPECT_EQ(parse_step("90s", "--step"), 90 * kSecond);
   EXPECT_EQ(parse_step("0.25s", "--step"), 250);
   for (const char* text : {"", "5", "m", "5x", "-5m", "5 m", "1e400s", "inf"}) {
-    EXPECT_TRUE(contains(refusal([&] { parse_step(text, "--step"); }), "is not a length of time")) << text;
+    EXPECT_TRUE(contains(time_refusal([&] { parse_step(text, "--step"); }), "is not a length of time")) << text;
   }
   for (const char* text : {"0s", "0m", "0.0001s"}) {
-    EXPECT_TRUE(contains(refusal([&] { parse_step(text, "--step"); }), "never gets from --from to --to")) << text;
+    EXPECT_TRUE(contains(time_refusal([&] { parse_step(text, "--step"); }), "never gets from --from to --to")) << text;
   }
 }
 
@@ -103,20 +103,20 @@ TEST(Zones, FixedOffsets) {
   EXPECT_EQ(offset_at(find_zone("-3", ""), 0), -10800);
   EXPECT_EQ(offset_at(find_zone("UTC", ""), 0), 0);
   for (const char* name : {"+", "+16", "+02:60", "+2:0", "+12345", "+02:00x", "2"}) {
-    EXPECT_NE(refusal([&] { find_zone(name, "--tz"); }), "") << name;
+    EXPECT_NE(time_refusal([&] { find_zone(name, "--tz"); }), "") << name;
   }
 }
 
 TEST(Zones, UnknownOnesAreRefusedWithTheNearest) {
-  const std::string typo = refusal([] { find_zone("Europe/Pariss", "--tz"); });
+  const std::string typo = time_refusal([] { find_zone("Europe/Pariss", "--tz"); });
   EXPECT_TRUE(contains(typo, "--tz: no time zone 'Europe/Pariss'")) << typo;
   EXPECT_TRUE(contains(typo, "did you mean 'Europe/Paris'?")) << typo;
   EXPECT_EQ(typo.find('\n'), std::string::npos);
   for (const char* name :
        {"", "/etc/passwd", "../zoneinfo/UTC", "Europe", "Europe/../UTC", "zone.tab", "posixrules2"}) {
-    EXPECT_TRUE(contains(refusal([&] { find_zone(name, "--tz"); }), "no time zone '")) << name;
+    EXPECT_TRUE(contains(time_refusal([&] { find_zone(name, "--tz"); }), "no time zone '")) << name;
   }
-  const std::string none = refusal([] { find_zone("Europe/Paris", "--tz", "/nowhere"); });
+  const std::string none = time_refusal([] { find_zone("Europe/Paris", "--tz", "/nowhere"); });
   EXPECT_TRUE(contains(none, "tzdata") && contains(none, "/nowhere")) << none;
 }
 
@@ -129,7 +129,7 @@ TEST(Zones, ADamagedFileIsRefusedWhereverItIsCut) {
   for (std::size_t length = 4; length + 30 < data.size(); length += 7) {
     const std::string name = "Cut" + std::to_string(length);  // a name that was read once is remembered
     std::ofstream(folder / name, std::ios::binary) << data.substr(0, length);
-    EXPECT_TRUE(contains(refusal([&] { find_zone(name, "--tz", folder); }), "is damaged")) << length;
+    EXPECT_TRUE(contains(time_refusal([&] { find_zone(name, "--tz", folder); }), "is damaged")) << length;
   }
   std::filesystem::remove_all(folder);
 }

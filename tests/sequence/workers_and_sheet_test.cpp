@@ -67,7 +67,7 @@ TEST(BoundedWorkers, WithoutRoomToWaitEachIsTakenAtOnce) {
   EXPECT_EQ(done, 20);
 }
 
-std::string refusal(const std::string& path) {
+std::string pattern_refusal(const std::string& path) {
   try {
     require_pattern(path, ".exr", "-o");
   } catch (const InputError& error) {
@@ -86,9 +86,9 @@ TEST(FrameFiles, AreNamedByThePattern) {
     const std::string name = frame_file(pattern, number).substr(4);
     EXPECT_EQ(measure::frame_number(pattern, name), number) << name;  // as diff reads them
   }
-  EXPECT_NE(refusal("sky.exr").find("write for example sky.####.exr"), std::string::npos);
-  EXPECT_NE(refusal("sky.####.png").find("does not end in .exr"), std::string::npos);
-  EXPECT_NE(refusal("a#b#.exr").find("two places"), std::string::npos);
+  EXPECT_NE(pattern_refusal("sky.exr").find("write for example sky.####.exr"), std::string::npos);
+  EXPECT_NE(pattern_refusal("sky.####.png").find("does not end in .exr"), std::string::npos);
+  EXPECT_NE(pattern_refusal("a#b#.exr").find("two places"), std::string::npos);
 }
 
 TEST(FrameFiles, AndTheManifestBesideThem) {

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "core/scene/angle.h"
 
 namespace airlight {
 
@@ -106,7 +107,7 @@ void Guide::add_orders(const std::vector<GuideShell>& shells, double albedo, int
 // Light also comes from the side where the sun is higher.
 void Guide::spread(std::size_t row) {
   for (int node = kNodes - 2; node >= 0; --node) {
-    const double degrees = (std::asin(mu_of(node + 1)) - std::asin(mu_of(node))) * 180.0 / std::numbers::pi;
+    const double degrees = (std::asin(mu_of(node + 1)) - std::asin(mu_of(node))) / kDegree;
     const double fade = std::pow(kFadePerDegree, degrees);
     for (std::size_t c = 0; c < 3; ++c) {
       const double beside = rows_[row * kNodes + static_cast<std::size_t>(node) + 1].sky[c];

@@ -15,7 +15,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 // Any horizontal unit vector.
-vec3 across(vec3 up) {
+vec3 some_level(vec3 up) {
   const vec3 other = std::abs(up.x) < 0.5 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0);
   return normalize(cross(up, other));
 }
@@ -29,7 +29,7 @@ SkyFrame::SkyFrame(physics::Physics& physics, double altitude, vec3 vertical, bo
   mu_sun = std::clamp(dot(up, sun), -1.0, 1.0);
   const vec3 level = sun - up * mu_sun;
   const double size = length(level);
-  toward_sun = size > 1e-6 ? level / size : across(up);
+  toward_sun = size > 1e-6 ? level / size : some_level(up);
 }
 
 // Zenith cosine of edge `row` of the bins, from the nadir up, dense toward the horizon on both sides.
