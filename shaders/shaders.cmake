@@ -5,7 +5,15 @@ find_program(GLSLANG glslangValidator REQUIRED)
 find_program(SPIRV_OPT spirv-opt REQUIRED)
 find_program(SPIRV_VAL spirv-val REQUIRED)
 # Bindings keep their names, so that those of a plan match the GLSL as written, not what the optimiser finds in use.
-set(AIRLIGHT_SPIRV_OPT_FLAGS -O --preserve-bindings --preserve-spec-constants)
+# Functions inlined, variables in registers. Loops are unrolled once the constants are known (core/gpu/specialize.cpp):
+# unrolled here, modules would be three times as large, and most of it for constants that a pipeline does not have.
+set(AIRLIGHT_SPIRV_OPT_FLAGS
+    --wrap-opkill --eliminate-dead-branches --merge-return --inline-entry-points-exhaustive --eliminate-dead-functions
+    --eliminate-dead-code-aggressive --private-to-local --eliminate-local-single-block --eliminate-local-single-store
+    --eliminate-dead-code-aggressive --scalar-replacement=100 --convert-local-access-chains
+    --eliminate-local-single-block --eliminate-local-single-store --eliminate-dead-code-aggressive --ssa-rewrite
+    --eliminate-dead-code-aggressive --redundancy-elimination --simplify-instructions --eliminate-dead-code-aggressive
+    --merge-blocks --preserve-bindings --preserve-spec-constants)
 
 # Libraries of pure data do not depend on a build's flags. The other build makes them, or checks that they exist.
 if(AIRLIGHT_SHADERS_FROM)

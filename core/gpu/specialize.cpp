@@ -16,7 +16,7 @@ namespace airlight {
 namespace {
 
 // To be raised with every change of the passes.
-constexpr const char* kPasses = "passes 2";
+constexpr const char* kPasses = "passes 3";
 
 void register_freezing(spvtools::Optimizer& optimizer, std::span<const ConstantValue> constants) {
   std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> values;
@@ -26,12 +26,27 @@ void register_freezing(spvtools::Optimizer& optimizer, std::span<const ConstantV
       .RegisterPass(spvtools::CreateFreezeSpecConstantValuePass());
 }
 
+// Constant values, also through branches and phis, and the code that they leave.
 void register_folding(spvtools::Optimizer& optimizer) {
-  optimizer.RegisterPass(spvtools::CreateFoldSpecConstantOpAndCompositePass())
-      .RegisterPass(spvtools::CreateCCPPass())
-      .RegisterPass(spvtools::CreateDeadBranchElimPass())
+  optimizer.RegisterPass(spvtools::CreateCCPPass()).RegisterPass(spvtools::CreateDeadBranchElimPass());
+}
+
+void register_cleaning(spvtools::Optimizer& optimizer) {
+  optimizer.RegisterPass(spvtools::CreateAggressiveDCEPass()).RegisterPass(spvtools::CreateBlockMergePass());
+}
+
+// Loops that ask for it, and arrays whose indices are constants after it.
+void register_unrolling(spvtools::Optimizer& optimizer) {
+  optimizer.RegisterPass(spvtools::CreateLoopUnrollPass(true));
+  register_folding(optimizer);
+  optimizer.RegisterPass(spvtools::CreateSimplificationPass())
       .RegisterPass(spvtools::CreateAggressiveDCEPass())
-      .RegisterPass(spvtools::CreateBlockMergePass());
+      .RegisterPass(spvtools::CreateScalarReplacementPass())
+      .RegisterPass(spvtools::CreateLocalAccessChainConvertPass())
+      .RegisterPass(spvtools::CreateLocalSingleBlockLoadStoreElimPass())
+      .RegisterPass(spvtools::CreateAggressiveDCEPass())
+      .RegisterPass(spvtools::CreateSSARewritePass())
+      .RegisterPass(spvtools::CreateAggressiveDCEPass());
 }
 
 }  // namespace
@@ -61,7 +76,15 @@ std::vector<std::uint32_t> optimized(std::string_view shader, std::span<const st
   optimizer.SetMessageConsumer(
       [&](spv_message_level_t, const char*, const spv_position_t&, const char* message) { problem = message; });
   register_freezing(optimizer, constants);
-  if (folds) register_folding(optimizer);
+  if (folds) {
+    optimizer.RegisterPass(spvtools::CreateFoldSpecConstantOpAndCompositePass());
+    register_folding(optimizer);
+    register_cleaning(optimizer);
+    register_unrolling(optimizer);
+    register_folding(optimizer);
+    optimizer.RegisterPass(spvtools::CreateSimplificationPass());
+    register_cleaning(optimizer);
+  }
   spvtools::OptimizerOptions options;
   options.set_run_validator(false);  // done by the caller
   std::vector<std::uint32_t> result;
