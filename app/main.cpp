@@ -6,6 +6,7 @@
 #include "app/cli/terminal.h"
 #include "app/commands/commands.h"
 #include "core/error.h"
+#include "core/huge_pages.h"
 #include "core/output/ending.h"
 
 namespace airlight::cli {
@@ -73,6 +74,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using namespace airlight;
+  prefer_huge_heap();
   cli::ignore_broken_pipes();
   end_in_good_order_on_signals();
   try {

@@ -21,7 +21,9 @@ if(AIRLIGHT_SANITIZE)
       FalseFriends.* OrdersTable.* OrdersByShells.* HalfResolution.* SunDisc.* Schlick.* *Agreement* Bloom.Is* Beam.*
       AerialVolume.LightGrows* AerialVolume.IsTheMarch* Layers.Transmittance* PhaseTables.OrdersAgrees*
       Spectral.Automatic* Spectral.GreyIsGrey Spectrum.PictureIs* Spectrum.Absolute* SpectralTruth.OrdersIsNear*
-      TerrainSky.Shafts* TerrainSky.FarFrom* Analytic.IsMonotone Analytic.OnTheDevice* Analytic.SingleScattering*
+      TerrainSky.Shafts* TerrainSky.FarFrom* TerrainTruth.OrdersIsNear* Spans.Transmittance* SpectralTruth.OnePath*
+      SphereSky.Shafts* TableText.Moments TableText.Factors Analytic.IsMonotone Analytic.OnTheDevice*
+      Analytic.SingleScattering*
       # scenes that differ in numbers and in the device's pipelines
       Stability.Air* Stability.CameraAndSun* Stability.OneMedium* Stability.Rays* Stability.Sharpest*
       Stability.WhatWasRendered*

@@ -1,13 +1,18 @@
-// Linked into every test program, and compiled anew in every build: what differs from build to build.
+// Part of every test program, compiled once a build: what differs from build to build.
 #include "tests/this_build.h"
 
 #include <cstdlib>
+
+#include "core/huge_pages.h"
 
 namespace {
 
 // Kept files of the tests, and of the programs that they start, go below the build folder, one for all, and not into
 // the user's home. AIRLIGHT_CACHE, if set, has precedence.
 const int set = ::setenv("AIRLIGHT_CACHE", AIRLIGHT_CACHE_FOLDER, 0);
+
+// As the tool does.
+const bool huge = (airlight::prefer_huge_heap(), true);
 
 }  // namespace
 

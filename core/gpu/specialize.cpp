@@ -26,7 +26,7 @@ void register_freezing(spvtools::Optimizer& optimizer, std::span<const ConstantV
       .RegisterPass(spvtools::CreateFreezeSpecConstantValuePass());
 }
 
-// Constant values, also through branches and phis, and the code that they leave.
+// Constant values, also through branches and phis, and the branches that they decide.
 void register_folding(spvtools::Optimizer& optimizer) {
   optimizer.RegisterPass(spvtools::CreateCCPPass()).RegisterPass(spvtools::CreateDeadBranchElimPass());
 }
@@ -35,18 +35,28 @@ void register_cleaning(spvtools::Optimizer& optimizer) {
   optimizer.RegisterPass(spvtools::CreateAggressiveDCEPass()).RegisterPass(spvtools::CreateBlockMergePass());
 }
 
-// Loops that ask for it, and arrays whose indices are constants after it.
-void register_unrolling(spvtools::Optimizer& optimizer) {
-  optimizer.RegisterPass(spvtools::CreateLoopUnrollPass(true));
-  register_folding(optimizer);
-  optimizer.RegisterPass(spvtools::CreateSimplificationPass())
-      .RegisterPass(spvtools::CreateAggressiveDCEPass())
-      .RegisterPass(spvtools::CreateScalarReplacementPass())
+// Arrays whose indices are constants become variables in registers.
+void register_scalars(spvtools::Optimizer& optimizer) {
+  optimizer.RegisterPass(spvtools::CreateScalarReplacementPass())
       .RegisterPass(spvtools::CreateLocalAccessChainConvertPass())
       .RegisterPass(spvtools::CreateLocalSingleBlockLoadStoreElimPass())
       .RegisterPass(spvtools::CreateAggressiveDCEPass())
       .RegisterPass(spvtools::CreateSSARewritePass())
       .RegisterPass(spvtools::CreateAggressiveDCEPass());
+}
+
+// What a pipeline's constants leave of a module, its loops that ask for it written out.
+void register_folded_unrolling(spvtools::Optimizer& optimizer) {
+  optimizer.RegisterPass(spvtools::CreateFoldSpecConstantOpAndCompositePass());
+  register_folding(optimizer);
+  register_cleaning(optimizer);
+  optimizer.RegisterPass(spvtools::CreateLoopUnrollPass(true));
+  register_folding(optimizer);
+  optimizer.RegisterPass(spvtools::CreateSimplificationPass()).RegisterPass(spvtools::CreateAggressiveDCEPass());
+  register_scalars(optimizer);
+  register_folding(optimizer);
+  optimizer.RegisterPass(spvtools::CreateSimplificationPass());
+  register_cleaning(optimizer);
 }
 
 }  // namespace
@@ -77,13 +87,9 @@ std::vector<std::uint32_t> optimized(std::string_view shader, std::span<const st
       [&](spv_message_level_t, const char*, const spv_position_t&, const char* message) { problem = message; });
   register_freezing(optimizer, constants);
   if (folds) {
-    optimizer.RegisterPass(spvtools::CreateFoldSpecConstantOpAndCompositePass());
-    register_folding(optimizer);
-    register_cleaning(optimizer);
-    register_unrolling(optimizer);
-    register_folding(optimizer);
-    optimizer.RegisterPass(spvtools::CreateSimplificationPass());
-    register_cleaning(optimizer);
+    register_folded_unrolling(optimizer);
+  } else {
+    optimizer.RegisterPass(spvtools::CreateLoopUnrollPass(true));
   }
   spvtools::OptimizerOptions options;
   options.set_run_validator(false);  // done by the caller

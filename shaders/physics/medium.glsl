@@ -114,8 +114,8 @@ real stretch_density(uint profile, MediumData m, Stretch s) {
   return (5.0 * sides + 8.0 * density(profile, m, s.h)) * (1.0 / 18.0);
 }
 
-// Loops over the media have a constant number of turns and are marked UNROLL, so that the build unrolls them. Only then
-// do the specialisation constants fold and a march on the software device run at twice the speed. A turn beyond
+// Loops over the media have a constant number of turns and are marked UNROLL, so that they are written out when a
+// pipeline's constants are known. Only then does a march on the software device run at twice the speed. A turn beyond
 // medium_count() costs nothing.
 
 // Phase function of each medium for one angle: constant along a ray.

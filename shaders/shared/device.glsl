@@ -1,7 +1,7 @@
 // Included by every pass that computes light: the scene block, the specialisation constants, the physics in float.
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_EXT_control_flow_attributes : require
-#define UNROLL [[unroll]]  // before a loop: spirv-opt writes its turns out (shaders.cmake)
+#define UNROLL [[unroll]]  // before a loop: its turns are written out (core/gpu/specialize.cpp)
 #define real float
 #include "shared/scene.h"
 #include "shared/tables.h"
