@@ -1,5 +1,6 @@
 #pragma once
-// A shader's module with a pipeline's constants written into it and unused code removed. No Vulkan in here.
+// A shader's module with a pipeline's constants written into it, unused code removed and loops over media written out.
+// No Vulkan in here.
 //
 // A driver that gets a module and the constants beside it translates all of the module first. Nine tenths of a sky
 // shader are media, harmonics and options that a scene does not have. core/FIGURES.md has the cost.
