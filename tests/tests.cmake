@@ -289,9 +289,9 @@ if(AIRLIGHT_TOOL)
   target_compile_options(airlight_fuzz PRIVATE ${airlight_test_options})
   # Texts and EXRs begin only sanitized, which also finds what the plain build would. Scenes run plain first, so that
   # the software device's pipelines are in Mesa's cache.
-  set(fuzz_cases texts:1000:3000 exrs:500:500 scenes:0:20)
+  set(fuzz_cases texts:1000:3000 exrs:1000:4000 scenes:0:20)
   if(AIRLIGHT_SANITIZE)
-    set(fuzz_cases texts:0:1000 exrs:0:500 scenes:0:8)
+    set(fuzz_cases texts:0:1000 exrs:0:1000 scenes:0:8)
   endif()
   test_cost(fuzz_cost fuzz)
   foreach(case IN LISTS fuzz_cases)

@@ -7,6 +7,7 @@ list(FILTER measure_sources EXCLUDE REGEX "/module_[^/]*\\.cpp$")
 
 # The same module reads other programs' pictures.
 list(APPEND compare_sources ${PROJECT_SOURCE_DIR}/core/foreign/module_foreign.cpp
+                            ${PROJECT_SOURCE_DIR}/core/output/exr_header.cpp
                             ${PROJECT_SOURCE_DIR}/core/scene/printable.cpp)  # of messages
 list(APPEND measure_sources ${PROJECT_SOURCE_DIR}/core/foreign/foreign_picture.cpp)
 

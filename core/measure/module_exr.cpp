@@ -7,18 +7,18 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <stdexcept>
 
 #include "core/error.h"
 #include "core/measure/module_text.h"
 #include "core/measure/words.h"
+#include "core/output/exr_header.h"
+#include "core/output/first_bytes.h"
 #include "core/output/provenance_keys.h"
 #include "core/text.h"
 
 namespace airlight::measure {
 namespace {
-
-// An EXR's first four bytes.
-constexpr std::array<unsigned char, 4> kMagic = {0x76, 0x2f, 0x31, 0x01};
 
 void require_exr(const std::string& file) {
   std::error_code ignored;
@@ -26,12 +26,9 @@ void require_exr(const std::string& file) {
   if (!std::filesystem::exists(file, ignored)) throw InputError(file + ": no such file; expected an EXR file");
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw InputError(file + ": cannot be opened for reading; check its permissions");
-  std::array<char, 4> start{};
-  stream.read(start.data(), start.size());
-  const bool same = stream.gcount() == 4 && std::equal(start.begin(), start.end(), kMagic.begin(), [](char x, int y) {
-                      return static_cast<unsigned char>(x) == y;
-                    });
-  if (!same) throw InputError(file + ": is not an EXR file (its first bytes are not those of OpenEXR)");
+  if (!starts_with(stream, kExrMagic)) {
+    throw InputError(file + ": is not an EXR file (its first bytes are not those of OpenEXR)");
+  }
 }
 
 InputError damaged(const std::string& file, const std::string& reason) {
@@ -40,6 +37,11 @@ InputError damaged(const std::string& file, const std::string& reason) {
 
 std::unique_ptr<OIIO::ImageInput> open(const std::string& file) {
   std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create("openexr");
+  try {
+    require_room_for_exr(file);
+  } catch (const std::runtime_error& reason) {
+    throw damaged(file, reason.what());
+  }
   if (!input) throw RunError("OpenImageIO has no OpenEXR reader: " + one_line(OIIO::geterror()));
   OIIO::ImageSpec spec;
   if (!input->open(file, spec)) throw damaged(file, input->geterror());

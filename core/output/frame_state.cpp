@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstring>
 #include <fstream>
 #include <stdexcept>
 
@@ -17,36 +16,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Rows of a chunk by OpenEXR's code of the compression: none, RLE, ZIPS, ZIP, PIZ, PXR24, B44, B44A, DWAA, DWAB.
-constexpr std::array<std::int64_t, 10> kRowsOfChunk = {1, 1, 1, 16, 32, 16, 32, 32, 32, 256};
-
-std::int64_t little_endian_int(const std::string& bytes, std::size_t at) {
-  std::int32_t value = 0;
-  std::memcpy(&value, bytes.data() + at, sizeof value);  // EXR's order is that of every machine with Vulkan
-  return value;
-}
-
-// Number of chunks of a scan-line file; 0 when the header does not tell.
-std::int64_t chunk_count(const ExrHeader& header) {
-  const auto window = header.attributes.find("dataWindow");
-  const auto compression = header.attributes.find("compression");
-  if (header.flags > 0x400 || (header.flags & 0x200) != 0 || window == header.attributes.end() ||
-      compression == header.attributes.end() || window->second.value.size() != 16 ||
-      compression->second.value.size() != 1) {
-    return 0;
-  }
-  const auto code = static_cast<std::size_t>(static_cast<unsigned char>(compression->second.value[0]));
-  const std::int64_t rows =
-      little_endian_int(window->second.value, 12) - little_endian_int(window->second.value, 4) + 1;
-  if (code >= kRowsOfChunk.size() || rows < 1) {
-    return 0;
-  }
-  return (rows + kRowsOfChunk[code] - 1) / kRowsOfChunk[code];
-}
+constexpr std::uint32_t kPlainFlags = 0x400;  // at most long names: neither deep nor of several parts
 
 // True if the last chunk ends where the file ends, and the table of offsets lacks none.
 bool is_whole_exr(std::istream& in, const ExrHeader& header, std::uint64_t file_size) {
-  const std::int64_t chunks = chunk_count(header);
+  const bool is_of_scan_lines = header.flags <= kPlainFlags && !is_tiled(header);
+  const std::int64_t chunks = is_of_scan_lines ? chunk_count(header) : 0;
   if (chunks == 0 || header.end + 8 * static_cast<std::uint64_t>(chunks) > file_size) {
     return false;
   }

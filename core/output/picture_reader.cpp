@@ -10,6 +10,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "core/output/exr_header.h"
 
 namespace airlight {
 namespace {
@@ -36,6 +37,7 @@ void add_slices(imf::FrameBuffer& frame, RadianceImage& image, const Imath::Box2
 
 ExrPicture read_exr_picture(const std::filesystem::path& file) {
   try {
+    require_room_for_exr(file);
     imf::InputFile in(file.c_str());
     const Imath::Box2i window = in.header().dataWindow();
     ExrPicture picture;

@@ -1,6 +1,5 @@
 #include "core/output/provenance.h"
 
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -10,22 +9,12 @@
 
 #include "core/error.h"
 #include "core/output/exr_header.h"
+#include "core/output/first_bytes.h"
 #include "core/output/png_texts.h"
 #include "core/output/provenance_keys.h"
 
 namespace airlight {
 namespace {
-
-constexpr std::array<char, 4> kExrMagic = {'\x76', '\x2f', '\x31', '\x01'};
-constexpr std::array<char, 4> kPngMagic = {'\x89', 'P', 'N', 'G'};
-
-bool starts_with(std::istream& in, const std::array<char, 4>& magic) {
-  std::array<char, 4> found{};
-  const bool same = in.read(found.data(), found.size()) && found == magic;
-  in.clear();
-  in.seekg(0);
-  return same;
-}
 
 using Find = std::function<std::optional<std::string>(const std::string& name)>;
 

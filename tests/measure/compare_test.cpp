@@ -243,6 +243,19 @@ TEST_F(Compare, BrokenBytesNeverCrash) {
   }
 }
 
+TEST_F(Compare, ALengthBeyondTheFileIsTold) {
+  ComparisonRequest request;
+  request.b = write("b.exr", 0.5F);
+  std::ostringstream whole;
+  whole << std::ifstream(request.b, std::ios::binary).rdbuf();
+  std::string bytes = whole.str();
+  const std::string window("dataWindow\0box2i\0", 17);
+  const std::size_t last_row = bytes.find(window) + window.size() + 4 + 12;
+  bytes[last_row + 3] = '\x3f';
+  request.a = put("long.exr", bytes);
+  expect_problem(request, "long.exr: damaged or cut short: it has fewer bytes than its header asks for");
+}
+
 TEST_F(Compare, ForeignFilesAreTold) {
   ComparisonRequest request;
   request.b = write("b.exr", 0.5F);
