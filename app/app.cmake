@@ -11,7 +11,7 @@ add_custom_command(
 # Everything but main, so that tests can call it.
 list(REMOVE_ITEM app_sources ${PROJECT_SOURCE_DIR}/app/main.cpp)
 add_library(airlight_app STATIC ${app_sources} ${embedded_presets})
-target_link_libraries(airlight_app PUBLIC airlight_gpu airlight_composite airlight_scene airlight_output airlight_measure airlight_sequence
+target_link_libraries(airlight_app PUBLIC airlight_gpu airlight_composite airlight_scene airlight_output airlight_measure airlight_foreign airlight_sequence
                                    airlight_chart airlight_stability
                                    PRIVATE CLI11::CLI11)
 target_compile_definitions(airlight_app PUBLIC AIRLIGHT_VERSION="${PROJECT_VERSION}")

@@ -36,7 +36,7 @@ set(shared_folder ${CMAKE_INSTALL_DATADIR}/airlight)
 set(about_folder ${CMAKE_INSTALL_DATADIR}/doc/airlight)
 set(bash_folder ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 set(fish_folder ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
-set(installed_files $<TARGET_FILE:airlight> $<TARGET_FILE:airlight_compare> ${made_by_program} ${changelog}
+set(installed_files $<TARGET_FILE:airlight> $<TARGET_FILE:airlight_foreign_module> ${made_by_program} ${changelog}
                     ${copyright})
 set(installed_folders ${CMAKE_INSTALL_BINDIR} ${AIRLIGHT_MODULE_FOLDER} ${manual_folder} ${shared_folder}
                       ${about_folder} ${bash_folder} ${fish_folder} ${CMAKE_INSTALL_DATADIR}/zsh)
@@ -51,7 +51,7 @@ install(CODE "set(airlight_files \"${installed_files}\")
 install(SCRIPT ${PROJECT_SOURCE_DIR}/app/check_install.cmake)
 
 install(TARGETS airlight RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(TARGETS airlight_compare LIBRARY DESTINATION ${AIRLIGHT_MODULE_FOLDER})
+install(TARGETS airlight_foreign_module LIBRARY DESTINATION ${AIRLIGHT_MODULE_FOLDER})
 install(FILES ${documents}/airlight.1.gz DESTINATION ${manual_folder})
 install(FILES ${documents}/airlight.bash DESTINATION ${bash_folder} RENAME airlight)
 install(FILES ${documents}/airlight.fish DESTINATION ${fish_folder})

@@ -102,4 +102,12 @@ inline std::string lower(std::string_view text) {
   return out;
 }
 
+// Text of several lines, such as libraries write, as one line.
+inline std::string one_line(std::string text) {
+  text.erase(text.find_last_not_of("\n ") + 1);
+  std::ranges::replace_if(
+      text, [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  return text;
+}
+
 }  // namespace airlight

@@ -276,9 +276,6 @@ if(TARGET test_cli)
   target_compile_definitions(test_cli PRIVATE AIRLIGHT_BINARY="$<TARGET_FILE:airlight>"
                                               AIRLIGHT_BUILD_DIR="${PROJECT_BINARY_DIR}")
 endif()
-if(TARGET test_measure)
-  add_dependencies(test_measure airlight_compare)
-endif()
 
 # Random input by number: presets by the token, EXRs by the byte, valid presets anywhere in their ranges. The counts are
 # those that CI has time for; scripts/fuzz runs as long as one likes.

@@ -11,7 +11,7 @@
 #include "app/commands/diff_json.h"
 #include "app/commands/diff_update.h"
 #include "core/error.h"
-#include "core/measure/compare_module.h"
+#include "core/measure/compare.h"
 #include "core/measure/frames.h"
 #include "core/measure/judge.h"
 #include "core/measure/page.h"
@@ -131,7 +131,7 @@ NamedReport compare_pair(const DiffGiven& given, const measure::FilePairs& pairs
   request.heatmap = !given.heatmap.empty();
   request.side_by_side = !given.side_by_side.empty();
   if (!given.html.empty()) request.shown_pixels = measure::page_pixels(pairs.pairs.size());
-  measure::load_compare()(request, entry.report);
+  entry.report = measure::compare(request);
   write(picture_for(given.heatmap, pairs, pair), entry.report.heatmap_png, entry.pictures);
   write(picture_for(given.side_by_side, pairs, pair), entry.report.side_by_side_png, entry.pictures);
   written.insert(written.end(), entry.pictures.begin(), entry.pictures.end());

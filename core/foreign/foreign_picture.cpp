@@ -1,7 +1,7 @@
 #include "core/foreign/foreign_picture.h"
 
 #include "core/error.h"
-#include "core/measure/compare_module.h"
+#include "core/foreign/module.h"
 
 namespace airlight::foreign {
 
@@ -24,7 +24,7 @@ std::string Picture::channel_list() const {
 }
 
 Picture read_picture(const std::string& file) {
-  static const auto read = reinterpret_cast<ReadFunction>(measure::module_entry(kReadEntry));
+  static const auto read = reinterpret_cast<ReadFunction>(module_entry(kReadEntry));
   Picture picture;
   std::string problem;
   read(file, picture, problem);

@@ -10,16 +10,14 @@
 
 #include "core/error.h"
 #include "core/foreign/foreign_picture.h"
-#include "core/measure/module_text.h"
-#include "core/measure/words.h"
+#include "core/foreign/module_text.h"
 #include "core/output/exr_header.h"
 #include "core/output/provenance_keys.h"
 #include "core/srgb.h"
+#include "core/text.h"
 
 namespace airlight::foreign {
 namespace {
-
-using measure::one_line;
 
 std::unique_ptr<OIIO::ImageInput> open(const std::string& file) {
   std::error_code ignored;
@@ -57,7 +55,7 @@ void read_attributes(Picture& picture, const OIIO::ImageSpec& spec) {
     picture.chromaticities = xy;
   }
   picture.srgb = spec.get_string_attribute("oiio:ColorSpace") == "sRGB";
-  picture.is_airlight = measure::text_of(spec, kPresetKey).has_value();
+  picture.is_airlight = text_of(spec, kPresetKey).has_value();
 }
 
 // Index of a stored pixel in the display window, -1 outside of it.
@@ -155,12 +153,11 @@ void read(const std::string& file, Picture& picture) {
 extern "C" __attribute__((visibility("default"))) void airlight_read_picture(const std::string& file,
                                                                              airlight::foreign::Picture& picture,
                                                                              std::string& problem) {
-  using airlight::measure::one_line;
   try {
     airlight::foreign::read(file, picture);
   } catch (const std::bad_alloc&) {
     problem = file + ": not enough memory to read it";
   } catch (const std::exception& error) {
-    problem = one_line(error.what());
+    problem = airlight::one_line(error.what());
   }
 }

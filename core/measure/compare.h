@@ -1,7 +1,5 @@
 #pragma once
-// Comparison of two EXR files: a request and a report, both plain data. The module airlight_compare does the work; it
-// alone links OpenImageIO and is loaded when needed. Linked into the tool, OpenImageIO would cost every start of the
-// tool 0.2 CPU-s and 130 MB.
+// Comparison of two EXR files: a request and a report, both plain data.
 
 #include <cstddef>
 #include <limits>
@@ -116,8 +114,7 @@ struct ComparisonReport {
   std::optional<ShownPictures> shown;
 };
 
-// The module's one entry, by this name. Never throws: failures are in the report.
-inline constexpr const char* kCompareEntry = "airlight_compare";
-using CompareFunction = void (*)(const ComparisonRequest& request, ComparisonReport& report);
+// Never throws: failures are in the report.
+ComparisonReport compare(const ComparisonRequest& request);
 
 }  // namespace airlight::measure

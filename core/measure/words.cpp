@@ -26,12 +26,4 @@ std::string verdict_words(Verdict verdict) {
   return "cannot compare";
 }
 
-std::string one_line(std::string text) {
-  while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
-  for (char& letter : text) {
-    if (letter == '\n' || letter == '\r') letter = ' ';
-  }
-  return text;
-}
-
 }  // namespace airlight::measure

@@ -16,7 +16,4 @@ std::string percent(double fraction);
 // "pass", "pass with warnings", "differ", "cannot compare".
 std::string verdict_words(Verdict verdict);
 
-// Text of several lines, such as libraries write, as one line.
-std::string one_line(std::string text);
-
 }  // namespace airlight::measure

@@ -66,14 +66,6 @@ ExrSink sink_into(std::vector<std::byte>& bytes) {
   };
 }
 
-void start_threads() {
-  static std::once_flag once;
-  std::call_once(once, [] {
-    const unsigned cores = std::min(std::thread::hardware_concurrency(), 16U);
-    imf::setGlobalThreadCount(cores > 1 ? static_cast<int>(cores) : 0);
-  });
-}
-
 void add_text(imf::Header& header, const std::string& name, const std::string& text) {
   for (const auto& [piece_name, piece] : attributes_of(name, text)) {
     header.insert(piece_name, imf::StringAttribute(piece));
@@ -191,6 +183,14 @@ imf::Slice float_slice(const ExrChannel& channel, int width, int y) {
 
 }  // namespace
 
+void start_exr_threads() {
+  static std::once_flag once;
+  std::call_once(once, [] {
+    const unsigned cores = std::min(std::thread::hardware_concurrency(), 16U);
+    imf::setGlobalThreadCount(cores > 1 ? static_cast<int>(cores) : 0);
+  });
+}
+
 void add_channels(std::vector<ExrChannel>& channels, std::string_view layer, const RadianceImage& image,
                   bool with_alpha) {
   const std::string prefix = layer.empty() ? std::string() : std::string(layer) + ".";
@@ -281,7 +281,7 @@ std::size_t place_of_number(std::span<const std::byte> head, const std::string& 
 ExrRows::ExrRows(ExrSink sink, int width, int height, std::span<const ExrChannel> channels, const ExrOptions& options)
     : state_(std::make_unique<State>(std::move(sink), width, options.half)) {
   assert(width > 0 && height > 0 && !channels.empty());
-  start_threads();
+  start_exr_threads();
   encoding([&] {
     imf::Header header = make_header(width, height, options);
     for (const ExrChannel& channel : channels) {

@@ -98,6 +98,9 @@ class ExrRows {
   std::unique_ptr<State> state_;
 };
 
+// Lets OpenEXR use all cores, at most 16, from now on.
+void start_exr_threads();
+
 // The whole file in memory, for write_file().
 ExrFile encode_exr(int width, int height, std::span<const ExrChannel> channels, const ExrOptions& options);
 

@@ -261,6 +261,17 @@ struct Refused {
   std::string named;
 };
 
+TEST_F(CompositeTool, AMissingModuleIsSaidPlainly) {
+  Beauty{}.write(path("good.exr"));
+  std::filesystem::copy_file(tool_program(), path("airlight"));
+  const Outcome done = run(scratch_.path(), {path("airlight").string(), "composite", "sky.json", "--method", "orders",
+                                             "--beauty", "good.exr", "-o", "o.exr"});
+  EXPECT_EQ(done.exit_code, 1);
+  EXPECT_TRUE(contains(done.err, "airlight_foreign.so: is neither at")) << done.err;
+  EXPECT_EQ(lines_of(done.err).size(), 1U) << done.err;
+  EXPECT_FALSE(std::filesystem::exists(path("o.exr")));
+}
+
 TEST_F(CompositeTool, RefusesWithPlaceAndRemedy) {
   Beauty{.z_name = "far"}.write(path("in.exr"));
   Beauty{}.write(path("good.exr"));

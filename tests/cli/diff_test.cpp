@@ -239,14 +239,5 @@ TEST_F(Diff, ToolItselfDoesNotLinkOpenImageIo) {
   EXPECT_EQ(outcome.out.find("OpenImageIO"), std::string::npos);
 }
 
-TEST_F(Diff, MissingModuleIsSaidPlainly) {
-  write("a.exr", 1.0F);
-  std::filesystem::copy_file(tool_program(), scratch_.path() / "airlight");
-  const Outcome outcome = run(scratch_.path(), {(scratch_.path() / "airlight").string(), "diff", "a.exr", "a.exr"});
-  EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_NE(outcome.err.find("airlight_compare.so: is neither at"), std::string::npos) << outcome.err;
-  EXPECT_EQ(lines_of(outcome.err).size(), 1U);
-}
-
 }  // namespace
 }  // namespace airlight::test

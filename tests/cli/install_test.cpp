@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 // The files beside the presets, whose list is that of the source.
 std::vector<std::string> expected_files(const std::string& zsh_folder) {
   std::vector<std::string> files = {"bin/airlight",
-                                    "lib/airlight/modules/airlight_compare.so",
+                                    "lib/airlight/modules/airlight_foreign.so",
                                     "share/airlight/presets/README.md",
                                     "share/airlight/presets/plates/hills.exr",
                                     "share/airlight/presets/schema/preset-1.schema.json",

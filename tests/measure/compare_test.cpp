@@ -1,4 +1,4 @@
-// The module's entry on files, with all cases that reading them can bring.
+// The comparison of files, with all cases that reading them can bring.
 #include "core/measure/compare.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,6 @@
 #include <limits>
 #include <sstream>
 
-#include "core/measure/compare_module.h"
 #include "core/output/exr.h"
 
 namespace airlight::measure {
@@ -55,11 +54,7 @@ class Compare : public testing::Test {
     return path(name);
   }
 
-  static ComparisonReport compare(const ComparisonRequest& request) {
-    ComparisonReport report;
-    load_compare()(request, report);
-    return report;
-  }
+  static ComparisonReport compare(const ComparisonRequest& request) { return measure::compare(request); }
   static ComparisonReport compare(const std::string& a, const std::string& b) {
     ComparisonRequest request;
     request.a = a;

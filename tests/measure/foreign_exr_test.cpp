@@ -17,7 +17,6 @@
 #include <stdexcept>
 
 #include "core/measure/compare.h"
-#include "core/measure/compare_module.h"
 
 namespace airlight::measure {
 namespace {
@@ -39,9 +38,7 @@ class ForeignExr : public testing::Test {
     request.a = a;
     request.b = b;
     request.layer = layer;
-    ComparisonReport report;
-    load_compare()(request, report);
-    return report;
+    return measure::compare(request);
   }
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// EXR files through OpenImageIO, as the comparison needs them. Only the module sees this header.
+// The layers of an EXR, as the comparison needs them.
 
 #include <optional>
 #include <string>
@@ -17,26 +17,26 @@ struct ExrLayer {
   std::string part_name;  // empty: the part has none
   int part = 0;
   PixelFrame frame;
-  std::vector<std::string> channels;  // "R"
-  std::vector<int> indexes;           // in the part
-  std::vector<float> units;           // factors for the values read
+  std::vector<std::string> channels;    // "R"; colours first, then alpha, depth, the rest by name
+  std::vector<std::string> full_names;  // of the same: "bloom.R"
+  std::vector<bool> whole_numbers;      // stored as such
 };
 
-struct ExrHeader {
+struct LayeredExr {
   std::string file;
   std::vector<ExrLayer> layers;
   Chromaticities chromaticities = kBt709;
   std::optional<std::string> preset;
 };
 
-// Throws InputError: missing, a directory, not an EXR, damaged, deep data.
-ExrHeader read_exr_header(const std::string& file);
+// Throws InputError: missing, a directory, not an EXR, damaged, deep data, channels of fewer samples than pixels.
+LayeredExr read_exr_layers(const std::string& file);
 
 // An empty name means the main picture, or the only layer. Throws InputError that lists the existing layers.
-const ExrLayer& find_layer(const ExrHeader& header, const std::string& name);
+const ExrLayer& find_layer(const LayeredExr& exr, const std::string& name);
 
 // Channels of the layer, by their index there. Throws InputError when the file is damaged or cut short.
-std::vector<std::vector<float>> read_exr_channels(const ExrHeader& header, const ExrLayer& layer,
+std::vector<std::vector<float>> read_exr_channels(const LayeredExr& exr, const ExrLayer& layer,
                                                   const std::vector<std::size_t>& places);
 
 }  // namespace airlight::measure

@@ -1,15 +1,16 @@
-#include "core/measure/compare_module.h"
+#include "core/foreign/module.h"
 
 #include <dlfcn.h>
 
 #include <filesystem>
+#include <string>
 
 #include "core/error.h"
 
-namespace airlight::measure {
+namespace airlight::foreign {
 namespace {
 
-constexpr const char* kModuleFile = "airlight_compare.so";
+constexpr const char* kModuleFile = "airlight_foreign.so";
 
 std::filesystem::path find_module() {
   std::error_code problem;
@@ -23,7 +24,7 @@ std::filesystem::path find_module() {
     if (std::filesystem::exists(candidate, problem)) return candidate;
   }
   throw RunError(std::string(kModuleFile) + ": is neither at " + beside.string() + " nor at " + installed.string() +
-                 "; build the target airlight_compare or install it with the program");
+                 "; build the target airlight_foreign_module or install it with the program");
 }
 
 void* open_module() {
@@ -44,9 +45,4 @@ void* module_entry(const char* name) {
   return entry;
 }
 
-CompareFunction load_compare() {
-  static const auto compare = reinterpret_cast<CompareFunction>(module_entry(kCompareEntry));
-  return compare;
-}
-
-}  // namespace airlight::measure
+}  // namespace airlight::foreign

@@ -1,43 +1,24 @@
-// The module's entry: two files and a request -> a report.
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imagebuf.h>
-#include <OpenImageIO/imagebufalgo.h>
-#include <OpenImageIO/imageio.h>
+#include "core/measure/compare.h"
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <new>
-#include <span>
 
 #include "core/error.h"
 #include "core/measure/analyse.h"
-#include "core/measure/compare.h"
 #include "core/measure/error_picture.h"
+#include "core/measure/exr_layers.h"
 #include "core/measure/judge.h"
-#include "core/measure/module_exr.h"
 #include "core/measure/reduce_pictures.h"
 #include "core/measure/words.h"
+#include "core/output/png.h"
 #include "core/text.h"
 
 namespace airlight::measure {
 namespace {
 
-// The whole PNG file in memory. Throws RunError.
-std::vector<std::byte> encode_png(const Raster& raster) {
-  std::vector<unsigned char> bytes;
-  OIIO::Filesystem::IOVecOutput proxy(bytes);
-  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create("png");
-  if (!output) throw RunError("OpenImageIO has no PNG writer: " + one_line(OIIO::geterror()));
-  OIIO::ImageSpec spec(raster.width(), raster.height(), 3, OIIO::TypeUInt8);
-  spec.attribute("oiio:ColorSpace", "sRGB");
-  spec.attribute("png:compressionLevel", 4);
-  if (!output->set_ioproxy(&proxy) || !output->open("memory.png", spec) ||
-      !output->write_image(OIIO::TypeUInt8, raster.rgb().data()) || !output->close()) {
-    throw RunError("cannot encode a PNG: " + one_line(output->geterror()));
-  }
-  const auto encoded = std::as_bytes(std::span(bytes));
-  return {encoded.begin(), encoded.end()};
+std::vector<std::byte> png_of(const Raster& raster) {
+  return encode_png({.width = raster.width(), .height = raster.height(), .bytes = raster.rgb(), .words = {}}, {});
 }
 
 std::string size_words(const PixelFrame& frame) {
@@ -66,7 +47,7 @@ std::optional<std::size_t> place_of(const ExrLayer& layer, const std::string& ch
   return static_cast<std::size_t>(found - layer.channels.begin());
 }
 
-std::vector<std::size_t> places_of(const ExrHeader& header, const ExrLayer& layer,
+std::vector<std::size_t> places_of(const LayeredExr& header, const ExrLayer& layer,
                                    const std::vector<std::string>& channels) {
   std::vector<std::size_t> places;
   for (const std::string& channel : channels) {
@@ -107,7 +88,7 @@ std::vector<std::string> choose_channels(const ComparisonRequest& request, const
 }
 
 // The layer of a standard-error file: by name, else the one called standard error, else the main picture.
-const ExrLayer& find_sigma_layer(const ExrHeader& header, const std::string& name) {
+const ExrLayer& find_sigma_layer(const LayeredExr& header, const std::string& name) {
   if (!name.empty()) return find_layer(header, name);
   for (const char* usual : {"standard_error", "standard-error", "stderr"}) {
     for (const ExrLayer& layer : header.layers) {
@@ -119,7 +100,7 @@ const ExrLayer& find_sigma_layer(const ExrHeader& header, const std::string& nam
 
 // Adds one file's standard errors in quadrature; alpha may be absent from it.
 void add_standard_error(const ComparisonRequest& request, const std::string& file, PicturePair& pair) {
-  const ExrHeader header = read_exr_header(file);
+  const LayeredExr header = read_exr_layers(file);
   const ExrLayer& layer = find_sigma_layer(header, request.standard_error_layer);
   require_same_frame(request.a, pair.frame, file, layer.frame);
   std::vector<std::string> channels;
@@ -149,7 +130,7 @@ std::string words(const Chromaticities& c) {
 }
 
 // Refuses pictures in different colour spaces. Chromaticities are printed with four or five digits.
-void require_same_colours(const ExrHeader& a, const ExrHeader& b, const std::vector<std::string>& channels) {
+void require_same_colours(const LayeredExr& a, const LayeredExr& b, const std::vector<std::string>& channels) {
   constexpr double kPrinted = 6e-5;
   const bool colours =
       std::ranges::any_of(channels, [](const std::string& name) { return name == "R" || name == "G" || name == "B"; });
@@ -162,7 +143,7 @@ void require_same_colours(const ExrHeader& a, const ExrHeader& b, const std::vec
   }
 }
 
-PicturePair read_pair(const ComparisonRequest& request, const ExrHeader& a, const ExrHeader& b,
+PicturePair read_pair(const ComparisonRequest& request, const LayeredExr& a, const LayeredExr& b,
                       std::vector<std::string>& notes) {
   const ExrLayer& layer_a = find_layer(a, request.layer);
   const ExrLayer& layer_b = find_layer(b, request.layer);
@@ -184,13 +165,13 @@ PicturePair read_pair(const ComparisonRequest& request, const ExrHeader& a, cons
 }
 
 // The viewpoint of the pictures: the request's, else that of the reference's preset, else that of A's.
-void find_viewpoint(const ComparisonRequest& request, const ExrHeader& a, const ExrHeader& b, PicturePair& pair,
+void find_viewpoint(const ComparisonRequest& request, const LayeredExr& a, const LayeredExr& b, PicturePair& pair,
                     ComparisonReport& report) {
   if (!request.view_preset.empty()) {
     pair.viewpoint = viewpoint_from_preset(request.view_preset);
     return;
   }
-  const ExrHeader& teller = b.preset ? b : a;
+  const LayeredExr& teller = b.preset ? b : a;
   if (!teller.preset) return;
   try {
     pair.viewpoint = viewpoint_from_preset(*teller.preset);
@@ -199,7 +180,7 @@ void find_viewpoint(const ComparisonRequest& request, const ExrHeader& a, const 
   }
 }
 
-void compare_presets(const ExrHeader& a, const ExrHeader& b, ComparisonReport& report) {
+void compare_presets(const LayeredExr& a, const LayeredExr& b, ComparisonReport& report) {
   if (!a.preset || !b.preset) return;
   try {
     report.preset_keys = preset_difference(*a.preset, *b.preset);
@@ -209,7 +190,7 @@ void compare_presets(const ExrHeader& a, const ExrHeader& b, ComparisonReport& r
   }
 }
 
-void note_other_layers(const ComparisonRequest& request, const ExrHeader& header, ComparisonReport& report) {
+void note_other_layers(const ComparisonRequest& request, const LayeredExr& header, ComparisonReport& report) {
   std::vector<std::string> others;
   const std::string& compared = find_layer(header, request.layer).name;
   for (const ExrLayer& layer : header.layers) {
@@ -219,13 +200,9 @@ void note_other_layers(const ComparisonRequest& request, const ExrHeader& header
 }
 
 void count_nonfinite(const PicturePair& pair, ComparisonReport& report) {
-  const auto count = [&](const std::vector<float>& values, std::size_t& nan, std::size_t& infinite) {
-    // ImageBuf wraps memory that it could write to, but here it is only read.
-    float* const pixels = const_cast<float*>(values.data());
-    const OIIO::ImageBuf buffer(OIIO::ImageSpec(pair.frame.columns, pair.frame.rows, 1, OIIO::TypeFloat), pixels);
-    const OIIO::ImageBufAlgo::PixelStats stats = OIIO::ImageBufAlgo::computePixelStats(buffer);
-    nan = static_cast<std::size_t>(stats.nancount[0]);
-    infinite = static_cast<std::size_t>(stats.infcount[0]);
+  const auto count = [](const std::vector<float>& values, std::size_t& nan, std::size_t& infinite) {
+    nan = static_cast<std::size_t>(std::ranges::count_if(values, [](float x) { return std::isnan(x); }));
+    infinite = static_cast<std::size_t>(std::ranges::count_if(values, [](float x) { return std::isinf(x); }));
   };
   for (const Plane& plane : pair.planes) {
     NonfiniteCount entry;
@@ -240,17 +217,17 @@ void draw(const ComparisonRequest& request, const PicturePair& pair, const std::
           ComparisonReport& report) {
   const ErrorScale scale = scale_for(errors, pair.in_sigmas, request.heatmap_max);
   const PictureSize size{pair.frame.columns, pair.frame.rows};
-  if (request.heatmap) report.heatmap_png = encode_png(draw_heatmap(errors, size, scale));
+  if (request.heatmap) report.heatmap_png = png_of(draw_heatmap(errors, size, scale));
   if (request.side_by_side) {
-    report.side_by_side_png = encode_png(draw_side_by_side(shown_planes(pair.planes, &Plane::a),
-                                                           shown_planes(pair.planes, &Plane::b), errors, size, scale));
+    report.side_by_side_png = png_of(draw_side_by_side(shown_planes(pair.planes, &Plane::a),
+                                                       shown_planes(pair.planes, &Plane::b), errors, size, scale));
   }
   if (request.shown_pixels > 0) report.shown = reduce_pictures(pair, errors, scale, request.shown_pixels);
 }
 
-void compare(const ComparisonRequest& request, ComparisonReport& report) {
-  const ExrHeader a = read_exr_header(request.a);
-  const ExrHeader b = read_exr_header(request.b);
+void compare_into(const ComparisonRequest& request, ComparisonReport& report) {
+  const LayeredExr a = read_exr_layers(request.a);
+  const LayeredExr b = read_exr_layers(request.b);
   compare_presets(a, b, report);
   PicturePair pair = read_pair(request, a, b, report.notes);
   find_viewpoint(request, a, b, pair, report);
@@ -264,18 +241,19 @@ void compare(const ComparisonRequest& request, ComparisonReport& report) {
 }
 
 }  // namespace
-}  // namespace airlight::measure
 
-extern "C" __attribute__((visibility("default"))) void airlight_compare(
-    const airlight::measure::ComparisonRequest& request, airlight::measure::ComparisonReport& report) {
-  using airlight::measure::one_line;
+ComparisonReport compare(const ComparisonRequest& request) {
+  ComparisonReport report;
   try {
-    airlight::measure::compare(request, report);
-    return;
+    compare_into(request, report);
+    return report;
   } catch (const std::bad_alloc&) {
     report.problem = request.a + ", " + request.b + ": not enough memory to compare them";
   } catch (const std::exception& problem) {
     report.problem = one_line(problem.what());
   }
-  report.verdict = airlight::measure::Verdict::cannot_compare;
+  report.verdict = Verdict::cannot_compare;
+  return report;
 }
+
+}  // namespace airlight::measure

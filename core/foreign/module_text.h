@@ -1,5 +1,6 @@
 #pragma once
-// A text in an EXR's header, through OpenImageIO, joined where it is stored in pieces. Only modules see this header.
+// A text in a picture's header, through OpenImageIO, joined where it is stored in pieces. Only the module sees this
+// header.
 
 #include <OpenImageIO/imageio.h>
 
@@ -8,7 +9,7 @@
 
 #include "core/output/long_text.h"
 
-namespace airlight::measure {
+namespace airlight::foreign {
 
 inline std::optional<std::string> text_of(const OIIO::ImageSpec& spec, const std::string& name) {
   return text_in(name, [&](const std::string& key) {
@@ -17,4 +18,4 @@ inline std::optional<std::string> text_of(const OIIO::ImageSpec& spec, const std
   });
 }
 
-}  // namespace airlight::measure
+}  // namespace airlight::foreign
