@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <vector>
 
 namespace airlight {
 
@@ -21,6 +22,16 @@ inline void prefer_huge_pages(const void* memory, std::size_t bytes) noexcept {
   if (last > first) {
     (void)::madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
   }
+}
+
+// `count` values of zero, in large pages where they span them.
+template <class T>
+std::vector<T> large_vector(std::size_t count) {
+  std::vector<T> values;
+  values.reserve(count);
+  prefer_huge_pages(values.data(), count * sizeof(T));
+  values.resize(count);
+  return values;
 }
 
 // The main thread's heap in pages of 2 MiB from now on, grown by 64 MiB at a time and kept to the end, since compilers

@@ -1,7 +1,12 @@
 #include "core/measure/analyse.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
+#include <span>
+
+#include "core/gpu/in_parallel.h"
 
 namespace airlight::measure {
 namespace {
@@ -9,6 +14,8 @@ namespace {
 // A plane without a standard error (alpha, which no sample touches) is judged as exact: errors up to idiff's threshold
 // are 0, larger ones infinite.
 constexpr float kExactTolerance = 1e-6F;
+
+constexpr std::size_t kFewestForThreads = 100'000;  // pixels
 
 struct PlaneErrors {
   std::string name;
@@ -59,37 +66,45 @@ PixelReport place(const PicturePair& pair, const Group& group, std::size_t index
   return report;
 }
 
-std::vector<float> all_errors(const Group& group, std::vector<float> PlaneErrors::*errors) {
-  std::vector<float> all;
-  for (const PlaneErrors* plane : group.members) {
-    all.insert(all.end(), (plane->*errors).begin(), (plane->*errors).end());
-  }
-  return all;
+ErrorSummary summarize_group(const Group& group, std::vector<float> PlaneErrors::*errors, const Area& area,
+                             std::vector<float>& scratch) {
+  std::vector<std::span<const float>> channels;
+  for (const PlaneErrors* plane : group.members) channels.emplace_back(plane->*errors);
+  return summarize(channels, area, scratch);
 }
 
-ErrorSummary summarize_group(const Group& group, std::vector<float> PlaneErrors::*errors, const Area& area) {
-  if (group.members.size() == 1) return summarize(group.members.front()->*errors, area);
-  return summarize(all_errors(group, errors), area);
-}
+using Scratch = std::array<std::vector<float>, 3>;
 
-ChannelReport report_group(const PicturePair& pair, const Group& group, const Area& area, const Limits& limits) {
+ChannelReport report_group(const PicturePair& pair, const Group& group, const Area& area, const Limits& limits,
+                           Scratch& scratch) {
   ChannelReport report;
   report.name = group.name;
-  report.absolute = summarize_group(group, &PlaneErrors::absolute, area);
-  report.relative = summarize_group(group, &PlaneErrors::relative, area);
   const bool has_sigma =
       std::ranges::all_of(group.members, [](const PlaneErrors* plane) { return plane->sigma != nullptr; });
   if (has_sigma) {
-    report.sigma = summarize_group(group, &PlaneErrors::sigmas, area);
+    report.sigma.emplace();
     report.chi_square.emplace();
   }
-  for (const PlaneErrors* plane : group.members) {
-    report.deviation += deviation(*plane->a, *plane->b, area, pair.nonfinite);
-    if (has_sigma) *report.chi_square += chi_square(*plane->a, *plane->b, *plane->sigma, area, pair.nonfinite);
-    const std::vector<float>& judged = has_sigma ? plane->sigmas : plane->absolute;
-    if (pair.in_sigmas && !has_sigma) continue;
-    if (limits.fail) report.over_fail += count_over(judged, *limits.fail, area);
-    if (limits.warn) report.over_warn += count_over(judged, *limits.warn, area);
+  const auto add_sums = [&] {
+    for (const PlaneErrors* plane : group.members) {
+      report.deviation += deviation(*plane->a, *plane->b, area, pair.nonfinite);
+      if (has_sigma) *report.chi_square += chi_square(*plane->a, *plane->b, *plane->sigma, area, pair.nonfinite);
+      const std::vector<float>& judged = has_sigma ? plane->sigmas : plane->absolute;
+      if (pair.in_sigmas && !has_sigma) continue;
+      if (limits.fail) report.over_fail += count_over(judged, *limits.fail, area);
+      if (limits.warn) report.over_warn += count_over(judged, *limits.warn, area);
+    }
+  };
+  const std::array<std::function<void()>, 4> parts = {
+      [&] { report.absolute = summarize_group(group, &PlaneErrors::absolute, area, scratch[0]); },
+      [&] { report.relative = summarize_group(group, &PlaneErrors::relative, area, scratch[1]); }, add_sums,
+      [&] {
+        if (has_sigma) report.sigma = summarize_group(group, &PlaneErrors::sigmas, area, scratch[2]);
+      }};
+  if (group.members.front()->absolute.size() < kFewestForThreads) {
+    for (const std::function<void()>& part : parts) part();
+  } else {
+    in_parallel(parts.size(), [&](std::size_t i) { parts[i](); });
   }
   if (report.absolute.count > 0) {
     report.worst_absolute = place(pair, group, report.absolute.worst);
@@ -146,11 +161,12 @@ std::vector<Group> groups_of(const std::vector<PlaneErrors>& planes, const std::
 
 void report_areas(const PicturePair& pair, const std::vector<Group>& groups, const Limits& limits,
                   ComparisonReport& report) {
+  Scratch scratch;
   const auto add = [&](std::string_view name, const Area& area, std::size_t pixels) {
     AreaReport& entry = report.areas.emplace_back();
     entry.name = name;
     entry.pixels = pixels;
-    for (const Group& group : groups) entry.channels.push_back(report_group(pair, group, area, limits));
+    for (const Group& group : groups) entry.channels.push_back(report_group(pair, group, area, limits, scratch));
   };
   add("picture", {}, report.pixels);
   if (!pair.viewpoint) return;
@@ -179,12 +195,12 @@ std::vector<std::size_t> colour_planes(const std::vector<Plane>& planes) {
 std::vector<float> analyse(const PicturePair& pair, const Limits& limits, ComparisonReport& report) {
   report.width = pair.frame.width;
   report.height = pair.frame.height;
-  std::vector<PlaneErrors> planes;
-  planes.reserve(pair.planes.size());
-  for (const Plane& plane : pair.planes) {
-    report.channels.push_back(plane.name);
-    planes.push_back(errors_of(plane.name, plane.a, plane.b, plane.sigma, pair.nonfinite));
-  }
+  std::vector<PlaneErrors> planes(pair.planes.size());
+  for (const Plane& plane : pair.planes) report.channels.push_back(plane.name);
+  in_parallel(planes.size(), [&](std::size_t i) {
+    const Plane& plane = pair.planes[i];
+    planes[i] = errors_of(plane.name, plane.a, plane.b, plane.sigma, pair.nonfinite);
+  });
   report.pixels = planes.front().absolute.size();
   report.unequal_nonfinite = unequal_nonfinite_pixels(planes);
 

@@ -18,6 +18,7 @@
 #include <stdexcept>
 
 #include "core/error.h"
+#include "core/huge_pages.h"
 #include "core/output/exr.h"
 #include "core/output/exr_header.h"
 #include "core/output/first_bytes.h"
@@ -179,7 +180,7 @@ std::vector<std::vector<float>> read_exr_channels(const LayeredExr& exr, const E
     imf::FrameBuffer frame;
     for (std::size_t k = 0; k < places.size(); ++k) {
       const std::string& name = layer.full_names[places[k]];
-      channels[k].resize(pixels);
+      channels[k] = large_vector<float>(pixels);
       if (layer.whole_numbers[places[k]]) {
         numbers[k].resize(pixels);
         frame.insert(name, imf::Slice::Make(imf::UINT, numbers[k].data(), window));

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/huge_pages.h"
+
 namespace airlight::measure {
 
 // White's chromaticity is the mean of the primaries' chromaticities, weighted by S = X + Y + Z. Since Y = y S, each
@@ -25,7 +27,7 @@ std::array<double, 3> luminance_weights(const Chromaticities& c) {
 
 std::vector<float> luminance(std::span<const float> red, std::span<const float> green, std::span<const float> blue,
                              const std::array<double, 3>& weights) {
-  std::vector<float> result(red.size());
+  std::vector<float> result = large_vector<float>(red.size());
   for (std::size_t i = 0; i < red.size(); ++i) {
     result[i] =
         static_cast<float>(weights[0] * static_cast<double>(red[i]) + weights[1] * static_cast<double>(green[i]) +

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/huge_pages.h"
+
 namespace airlight::measure {
 namespace {
 
@@ -42,7 +44,7 @@ void visit_area(const Area& area, std::size_t count, Visit visit) {
 template <class Measure>
 std::vector<float> errors_of(std::span<const float> a, std::span<const float> b, NonfiniteRule rule, Measure measure) {
   assert(a.size() == b.size());
-  std::vector<float> errors(a.size());
+  std::vector<float> errors = large_vector<float>(a.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
     const Pairing pairing = pair_up(a[i], b[i], rule);
     if (pairing == Pairing::finite) {
@@ -59,7 +61,7 @@ double ratio(double difference, double unit) {
 }
 
 // Returns the value of nearest rank and moves it to its place among values[0, end).
-double take_percentile(std::vector<float>& values, std::size_t end, double fraction, std::size_t& rank) {
+double take_percentile(std::span<float> values, std::size_t end, double fraction, std::size_t& rank) {
   const double exact = std::ceil(fraction * static_cast<double>(values.size()) - 1e-9);
   rank = static_cast<std::size_t>(std::max(exact, 1.0)) - 1;
   const auto begin = values.begin();
@@ -137,30 +139,41 @@ std::vector<float> sigma_errors(std::span<const float> a, std::span<const float>
                    [&](double difference, std::size_t i) { return ratio(difference, static_cast<double>(sigma[i])); });
 }
 
-ErrorSummary summarize(std::span<const float> errors, const Area& area) {
+ErrorSummary summarize(std::span<const std::span<const float>> channels, const Area& area,
+                       std::vector<float>& scratch) {
   ErrorSummary summary;
-  std::vector<float> chosen;
-  chosen.reserve(errors.size());
+  std::size_t all = 0;
+  for (const std::span<const float> errors : channels) all += errors.size();
+  if (scratch.size() < all) scratch = large_vector<float>(all);
   double sum = 0.0;
   float largest = -1.0F;
-  visit_area(area, errors.size(), [&](std::size_t i) {
-    chosen.push_back(errors[i]);
-    sum += static_cast<double>(errors[i]);
-    if (std::isinf(errors[i])) ++summary.infinite;
-    if (errors[i] > largest) {
-      largest = errors[i];
-      summary.worst = i;
-    }
-  });
-  summary.count = chosen.size();
-  if (chosen.empty()) return summary;
-  summary.mean = sum / static_cast<double>(chosen.size());
+  std::size_t before = 0;  // values of the channels before
+  for (const std::span<const float> errors : channels) {
+    visit_area(area, errors.size(), [&](std::size_t i) {
+      scratch[summary.count++] = errors[i];
+      sum += static_cast<double>(errors[i]);
+      if (std::isinf(errors[i])) ++summary.infinite;
+      if (errors[i] > largest) {
+        largest = errors[i];
+        summary.worst = before + i;
+      }
+    });
+    before += errors.size();
+  }
+  if (summary.count == 0) return summary;
+  summary.mean = sum / static_cast<double>(summary.count);
   summary.max = static_cast<double>(largest);
+  const std::span<float> chosen = std::span(scratch).first(summary.count);
   std::size_t rank = chosen.size();
   summary.p99 = take_percentile(chosen, rank, 0.99, rank);
   summary.p95 = take_percentile(chosen, rank, 0.95, rank);
   summary.p50 = take_percentile(chosen, rank, 0.50, rank);
   return summary;
+}
+
+ErrorSummary summarize(std::span<const float> errors, const Area& area) {
+  std::vector<float> scratch;
+  return summarize(std::span(&errors, 1), area, scratch);
 }
 
 std::size_t count_over(std::span<const float> errors, double threshold, const Area& area) {

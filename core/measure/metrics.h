@@ -82,6 +82,10 @@ std::vector<float> sigma_errors(std::span<const float> a, std::span<const float>
 
 ErrorSummary summarize(std::span<const float> errors, const Area& area = {});
 
+// The same of several channels, laid end to end. `scratch` is for the chosen errors; one for many calls saves the time
+// that new memory takes.
+ErrorSummary summarize(std::span<const std::span<const float>> channels, const Area& area, std::vector<float>& scratch);
+
 // Errors above the threshold; an infinite error is above every threshold.
 std::size_t count_over(std::span<const float> errors, double threshold, const Area& area = {});
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/air/scene_block.h"
+#include "core/output/parallel.h"
 
 namespace airlight::measure {
 namespace {
@@ -69,26 +70,29 @@ std::optional<LookDirection> look_direction(const Viewpoint& viewpoint, const Pi
 }
 
 std::vector<RegionBits> classify(const Viewpoint& viewpoint, const PixelFrame& frame) {
-  Looker looker(viewpoint, frame);
-  const double horizon = looker.horizon_elevation();
-  std::vector<RegionBits> regions;
-  regions.reserve(static_cast<std::size_t>(frame.columns) * static_cast<std::size_t>(frame.rows));
-  for (int row = 0; row < frame.rows; ++row) {
-    for (int column = 0; column < frame.columns; ++column) {
-      const Physics::ViewRay ray = ray_of(looker, frame, column, row);
-      int bits = 0;
-      if (ray.inside && looker.meets_ground(ray.direction)) {
-        bits = kGround;
-      } else if (ray.inside) {
-        const double elevation = elevation_of(ray.direction);
-        bits = kSky;
-        if (looker.sun_distance(ray.direction) <= kAureoleRadius) bits |= kAureole;
-        if (elevation - horizon <= kHorizonBand) bits |= kHorizon;
-        if (elevation >= 90.0 * kDegree - kZenithRadius) bits |= kZenith;
+  const auto columns = static_cast<std::size_t>(frame.columns);
+  std::vector<RegionBits> regions(columns * static_cast<std::size_t>(frame.rows));
+  for_row_strips(frame.rows, [&](int first, int end) {
+    Looker looker(viewpoint, frame);
+    const double horizon = looker.horizon_elevation();
+    for (int row = first; row < end; ++row) {
+      for (int column = 0; column < frame.columns; ++column) {
+        const Physics::ViewRay ray = ray_of(looker, frame, column, row);
+        int bits = 0;
+        if (ray.inside && looker.meets_ground(ray.direction)) {
+          bits = kGround;
+        } else if (ray.inside) {
+          const double elevation = elevation_of(ray.direction);
+          bits = kSky;
+          if (looker.sun_distance(ray.direction) <= kAureoleRadius) bits |= kAureole;
+          if (elevation - horizon <= kHorizonBand) bits |= kHorizon;
+          if (elevation >= 90.0 * kDegree - kZenithRadius) bits |= kZenith;
+        }
+        regions[static_cast<std::size_t>(row) * columns + static_cast<std::size_t>(column)] =
+            static_cast<RegionBits>(bits);
       }
-      regions.push_back(static_cast<RegionBits>(bits));
     }
-  }
+  });
   return regions;
 }
 

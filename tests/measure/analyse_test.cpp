@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -47,6 +48,49 @@ TEST(Analyse, PoolsTheColoursAndAddsLuminance) {
   EXPECT_EQ(report.pixels_over_fail, 2U);
   EXPECT_EQ(report.largest, 1.0);
   EXPECT_EQ(map, (std::vector<float>{1.0F, 1.0F}));
+}
+
+// Large pictures are analysed by several threads.
+TEST(Analyse, ALargePictureHasTheFiguresOfItsValues) {
+  constexpr int kColumns = 400;
+  constexpr int kRows = 300;
+  std::vector<Plane> planes;
+  std::vector<float> all;  // relative errors of the pooled channels
+  unsigned state = 1;
+  for (const char* name : {"R", "G", "B"}) {
+    Plane plane{name, {}, std::vector<float>(std::size_t{kColumns} * kRows, 1.0F), {}};
+    for (std::size_t i = 0; i < plane.b.size(); ++i) {
+      state = state * 1664525U + 1013904223U;
+      plane.a.push_back(1.0F + static_cast<float>(state >> 8) / 16777216.0F);
+      all.push_back(plane.a.back() - 1.0F);
+    }
+    plane.sigma.assign(plane.a.size(), 0.5F);
+    planes.push_back(plane);
+  }
+  PicturePair pair = pair_of(planes, kColumns, kRows);
+  pair.in_sigmas = true;
+  Limits limits;
+  limits.fail = 1.0;
+  ComparisonReport report;
+  analyse(pair, limits, report);
+  const ChannelReport& pooled = report.areas.front().channels.back();
+  std::vector<float> sorted = all;
+  std::ranges::sort(sorted);
+  const auto rank = [&](double share) {
+    return static_cast<double>(sorted[static_cast<std::size_t>(share * 360000) - 1]);
+  };
+  EXPECT_EQ(pooled.relative.count, 360000U);
+  EXPECT_EQ(pooled.relative.p50, rank(0.50));
+  EXPECT_EQ(pooled.relative.p95, rank(0.95));
+  EXPECT_EQ(pooled.relative.p99, rank(0.99));
+  EXPECT_EQ(pooled.relative.max, static_cast<double>(sorted.back()));
+  EXPECT_EQ(pooled.relative.worst, static_cast<std::size_t>(std::ranges::max_element(all) - all.begin()));
+  EXPECT_EQ(pooled.absolute.p50, rank(0.50));
+  ASSERT_TRUE(pooled.sigma && pooled.chi_square);
+  EXPECT_EQ(pooled.sigma->p50, 2.0 * rank(0.50));
+  EXPECT_EQ(pooled.chi_square->count, 360000U);
+  EXPECT_EQ(pooled.deviation.count, 360000U);
+  EXPECT_EQ(pooled.over_fail, static_cast<std::size_t>(std::ranges::count_if(all, [](float e) { return e > 0.5F; })));
 }
 
 TEST(Analyse, WithoutRgbEveryChannelIsPooled) {

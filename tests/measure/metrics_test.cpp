@@ -80,6 +80,20 @@ TEST(Metrics, AreaChoosesPixelsInEveryChannelLaidEndToEnd) {
   EXPECT_EQ(summarize(errors, {.bits = bits, .wanted = 4}).count, 0U);
 }
 
+TEST(Metrics, ScratchOfACallBeforeChangesNothing) {
+  const std::vector<RegionBits> bits = {1, 2, 3};
+  const std::vector<float> one = {1, 2, 3};
+  const std::vector<float> other = {10, 20, 30};
+  const std::vector<std::span<const float>> both = {one, other};
+  std::vector<float> scratch;
+  EXPECT_EQ(summarize(both, {}, scratch).max, 30.0);
+  const ErrorSummary part = summarize(both, {.bits = bits, .wanted = 1}, scratch);
+  EXPECT_EQ(part.count, 4U);
+  EXPECT_EQ(part.p50, 3.0);
+  EXPECT_EQ(part.worst, 5U);
+  EXPECT_EQ(summarize(std::span(both).first(1), {}, scratch).p99, 3.0);
+}
+
 TEST(Metrics, NonfiniteEqualsNothing) {
   const std::vector<float> values = {kNotANumber, kInf, -kInf, 1.0F};
   const std::vector<float> errors = absolute_errors(values, values);
