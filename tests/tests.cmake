@@ -9,6 +9,7 @@ if(AIRLIGHT_SANITIZE)
   # GCC 12's leak checker now and then crashes on the threads that OpenImageIO leaves running at exit. Leaks are
   # therefore looked for only in rooms without OpenImageIO.
   set(test_properties_measure ENVIRONMENT "ASAN_OPTIONS=detect_leaks=0")
+  set(test_properties_foreign ${test_properties_measure})
   set(test_properties_cli ${test_properties_measure})
   # The plain build's tests already check the validation layer; here it would take a third of the time.
   foreach(room IN ITEMS methods cli choice stability)
@@ -69,7 +70,7 @@ endif()
 
 # One process for each of these rooms: their tests take milliseconds, less than a program's start, which with
 # OpenImageIO's libraries is a fifth of a second. Other rooms have a process for each suite, cli for each test.
-set(rooms_together spectra plan scene composite output chart measure sequence app)
+set(rooms_together spectra plan scene composite output chart measure foreign sequence app)
 if(AIRLIGHT_SANITIZE)
   # In this build a start takes up to half of a test that opens the device. Only the commands' tests, which start
   # programs of their own, run one by one. An error ends a part, and its output names the test.
@@ -78,10 +79,10 @@ if(AIRLIGHT_SANITIZE)
 endif()
 
 if(AIRLIGHT_QUICK_COMPILE)
-  airlight_precompiled(airlight_test_headers OFF "${airlight_test_options}" ${airlight_standard_headers} <gtest/gtest.h>)
+  airlight_precompiled(airlight_test_headers "${airlight_test_options}" ${airlight_standard_headers} <gtest/gtest.h>)
   target_link_libraries(airlight_test_headers PRIVATE GTest::gtest)
   if(AIRLIGHT_SANITIZE AND NOT AIRLIGHT_SHADERS_FROM)
-    airlight_precompiled(airlight_driver_headers OFF "${airlight_test_options};-fno-sanitize=all" ${airlight_standard_headers}
+    airlight_precompiled(airlight_driver_headers "${airlight_test_options};-fno-sanitize=all" ${airlight_standard_headers}
                          <gtest/gtest.h>)
     target_link_libraries(airlight_driver_headers PRIVATE GTest::gtest)
   endif()
@@ -265,11 +266,15 @@ if(AIRLIGHT_TOOL)
   airlight_test_room(choice airlight_choice airlight_chart airlight_scene)
   airlight_test_room(chart airlight_chart)
   airlight_test_room(measure airlight_measure airlight_output OpenEXR::OpenEXR OpenImageIO::OpenImageIO)
+  airlight_test_room(foreign airlight_foreign OpenEXR::OpenEXR)
   airlight_test_room(sequence airlight_sequence)
   airlight_test_room(stability airlight_stability)
   airlight_test_room(app airlight_app)
   target_compile_definitions(test_app PRIVATE AIRLIGHT_BINARY="")  # starts none
   airlight_test_room(cli airlight_app nlohmann_json::nlohmann_json OpenEXR::OpenEXR)
+endif()
+if(TARGET test_foreign)
+  add_dependencies(test_foreign airlight_foreign_module)
 endif()
 if(TARGET test_cli)
   add_dependencies(test_cli airlight)

@@ -1,7 +1,11 @@
 #include "core/foreign/foreign_picture.h"
 
+#include <fstream>
+
 #include "core/error.h"
+#include "core/foreign/exr_picture.h"
 #include "core/foreign/module.h"
+#include "core/output/first_bytes.h"
 
 namespace airlight::foreign {
 
@@ -24,6 +28,10 @@ std::string Picture::channel_list() const {
 }
 
 Picture read_picture(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (in && starts_with(in, kExrMagic)) {
+    return read_exr_picture(file);
+  }
   static const auto read = reinterpret_cast<ReadFunction>(module_entry(kReadEntry));
   Picture picture;
   std::string problem;

@@ -1,6 +1,6 @@
 #pragma once
 // Pictures of other programs: any file that OpenImageIO reads, flat or deep, as planes of floats over the display
-// window. The module that links OpenImageIO reads them; it is loaded when it is needed.
+// window. EXRs are read by OpenEXR, all others by the module that links OpenImageIO, which is loaded when it is needed.
 
 #include <array>
 #include <cstdint>

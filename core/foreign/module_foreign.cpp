@@ -6,12 +6,10 @@
 #include <filesystem>
 #include <memory>
 #include <new>
-#include <stdexcept>
 
 #include "core/error.h"
 #include "core/foreign/foreign_picture.h"
 #include "core/foreign/module_text.h"
-#include "core/output/exr_header.h"
 #include "core/output/provenance_keys.h"
 #include "core/srgb.h"
 #include "core/text.h"
@@ -23,11 +21,6 @@ std::unique_ptr<OIIO::ImageInput> open(const std::string& file) {
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored)) throw InputError(file + ": is a directory; expected a picture");
   if (!std::filesystem::exists(file, ignored)) throw InputError(file + ": no such file; expected a picture");
-  try {
-    require_room_for_exr(file);
-  } catch (const std::runtime_error& reason) {
-    throw InputError(file + ": cannot be read: the EXR is damaged or cut short: " + reason.what());
-  }
   std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(file);
   if (!input) throw InputError(file + ": cannot be read: " + one_line(OIIO::geterror()));
   return input;

@@ -19,6 +19,7 @@
 
 #include "core/error.h"
 #include "core/huge_pages.h"
+#include "core/output/channel_order.h"
 #include "core/output/exr.h"
 #include "core/output/exr_header.h"
 #include "core/output/first_bytes.h"
@@ -69,49 +70,29 @@ PixelFrame frame_of(const imf::Header& header) {
           .rows = data.max.y - data.min.y + 1};
 }
 
-// Place of a channel among those of its layer.
-std::pair<std::size_t, std::string> rank(const std::string& channel) {
-  constexpr std::array<std::string_view, 5> kFirst = {"R", "G", "B", "A", "Z"};
-  const auto found = std::ranges::find(kFirst, std::string_view(channel));
-  return {static_cast<std::size_t>(found - kFirst.begin()), channel};
-}
-
 void add_channels(LayeredExr& exr, const imf::Header& header, int part) {
   std::string part_name = header.hasName() ? header.name() : "";
   if (part_name.empty() && part > 0) part_name = std::to_string(part);
-  struct Found {
-    std::string layer;
-    std::string channel;
-    std::string full_name;
-    bool whole_numbers = false;
-  };
-  std::vector<Found> all;
+  std::vector<std::string> names;
   for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel) {
-    const std::string full = channel.name();
+    names.emplace_back(channel.name());
     if (channel.channel().xSampling != 1 || channel.channel().ySampling != 1) {
-      throw InputError(exr.file + ": channel '" + full +
+      throw InputError(exr.file + ": channel '" + names.back() +
                        "' has fewer samples than the picture has pixels; write it with one for each pixel");
     }
-    const std::size_t dot = full.rfind('.');
-    const std::string layer = dot != std::string::npos ? full.substr(0, dot) : part > 0 ? part_name : "";
-    all.push_back(
-        {layer, dot == std::string::npos ? full : full.substr(dot + 1), full, channel.channel().type == imf::UINT});
   }
-  std::ranges::sort(all, [](const Found& a, const Found& b) {
-    return std::pair(a.layer, rank(a.channel)) < std::pair(b.layer, rank(b.channel));
-  });
-  for (const Found& found : all) {
-    if (exr.layers.empty() || exr.layers.back().part != part || exr.layers.back().name != found.layer) {
+  std::ranges::sort(names, is_listed_before);
+  for (const std::string& full_name : names) {
+    const std::string layer_name = layer_of(full_name).empty() && part > 0 ? part_name : layer_of(full_name);
+    if (exr.layers.empty() || exr.layers.back().part != part || exr.layers.back().name != layer_name) {
       ExrLayer& added = exr.layers.emplace_back();
-      added.name = found.layer;
+      added.name = layer_name;
       added.part_name = part_name;
       added.part = part;
       added.frame = frame_of(header);
     }
-    ExrLayer& layer = exr.layers.back();
-    layer.channels.push_back(found.channel);
-    layer.full_names.push_back(found.full_name);
-    layer.whole_numbers.push_back(found.whole_numbers);
+    exr.layers.back().channels.push_back(name_in_layer(full_name));
+    exr.layers.back().full_names.push_back(full_name);
   }
 }
 
@@ -173,7 +154,6 @@ std::vector<std::vector<float>> read_exr_channels(const LayeredExr& exr, const E
   const PixelFrame& stored = layer.frame;
   const std::size_t pixels = static_cast<std::size_t>(stored.columns) * static_cast<std::size_t>(stored.rows);
   std::vector<std::vector<float>> channels(places.size());
-  std::vector<std::vector<std::uint32_t>> numbers(places.size());
   try {
     imf::InputPart part(*input, layer.part);
     const Imath::Box2i& window = part.header().dataWindow();
@@ -181,12 +161,7 @@ std::vector<std::vector<float>> read_exr_channels(const LayeredExr& exr, const E
     for (std::size_t k = 0; k < places.size(); ++k) {
       const std::string& name = layer.full_names[places[k]];
       channels[k] = large_vector<float>(pixels);
-      if (layer.whole_numbers[places[k]]) {
-        numbers[k].resize(pixels);
-        frame.insert(name, imf::Slice::Make(imf::UINT, numbers[k].data(), window));
-      } else {
-        frame.insert(name, imf::Slice::Make(imf::FLOAT, channels[k].data(), window));
-      }
+      frame.insert(name, imf::Slice::Make(imf::FLOAT, channels[k].data(), window));
     }
     part.setFrameBuffer(frame);
     part.readPixels(window.min.y, window.max.y);
@@ -194,9 +169,6 @@ std::vector<std::vector<float>> read_exr_channels(const LayeredExr& exr, const E
     throw;
   } catch (const std::exception& reason) {
     throw damaged(exr.file, reason.what());
-  }
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    std::ranges::transform(numbers[k], channels[k].begin(), [](std::uint32_t n) { return static_cast<float>(n); });
   }
   return channels;
 }

@@ -19,7 +19,6 @@ struct ExrLayer {
   PixelFrame frame;
   std::vector<std::string> channels;    // "R"; colours first, then alpha, depth, the rest by name
   std::vector<std::string> full_names;  // of the same: "bloom.R"
-  std::vector<bool> whole_numbers;      // stored as such
 };
 
 struct LayeredExr {
