@@ -261,11 +261,12 @@ struct Refused {
   std::string named;
 };
 
+// EXRs need no module.
 TEST_F(CompositeTool, AMissingModuleIsSaidPlainly) {
-  Beauty{}.write(path("good.exr"));
+  scratch_.write("plate.png", "which no EXR is");
   std::filesystem::copy_file(tool_program(), path("airlight"));
   const Outcome done = run(scratch_.path(), {path("airlight").string(), "composite", "sky.json", "--method", "orders",
-                                             "--beauty", "good.exr", "-o", "o.exr"});
+                                             "--beauty", "plate.png", "-o", "o.exr"});
   EXPECT_EQ(done.exit_code, 1);
   EXPECT_TRUE(contains(done.err, "airlight_foreign.so: is neither at")) << done.err;
   EXPECT_EQ(lines_of(done.err).size(), 1U) << done.err;
