@@ -100,14 +100,14 @@ Row placed(const imf::Header& header, int row) {
   const Imath::Box2i& display = header.displayWindow();
   const Imath::Box2i& data = header.dataWindow();
   const int y = data.min.y + row;
-  if (y < display.min.y || y > display.max.y) {
-    return {};
-  }
   const int left = std::max(data.min.x, display.min.x);
   const int right = std::min(data.max.x, display.max.x);
+  if (y < display.min.y || y > display.max.y || left > right) {
+    return {};
+  }
   const std::size_t width = size_of(display.size().x + 1);
   return {size_of(y - display.min.y) * width + size_of(left - display.min.x), left - data.min.x,
-          std::max(left, right + 1) - data.min.x};
+          right + 1 - data.min.x};
 }
 
 void read_flat(Picture& picture, imf::MultiPartInputFile& file, int part, const std::string& prefix) {

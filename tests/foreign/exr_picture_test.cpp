@@ -118,7 +118,8 @@ TEST_F(ForeignExr, ChannelsLayersAndAttributes) {
 }
 
 TEST_F(ForeignExr, AStoredPartBesideOrWithinTheDisplayWindow) {
-  for (const Imath::V2i& corner : {Imath::V2i(1, 2), Imath::V2i(-2, -1), Imath::V2i(5, 4), Imath::V2i(0, -9)}) {
+  for (const Imath::V2i& corner : {Imath::V2i(1, 2), Imath::V2i(-2, -1), Imath::V2i(5, 4), Imath::V2i(0, -9),
+                                   Imath::V2i(-9, 0), Imath::V2i(9, 1)}) {
     const Imath::Box2i data(corner, corner + Imath::V2i(3, 2));
     write_flat(file(), imf::Header(Imath::Box2i({0, 0}, {kColumns - 1, kRows - 1}), data), {"B", "G", "R"});
     SCOPED_TRACE(corner.x);
@@ -214,7 +215,7 @@ void write_deep(const std::string& file, const imf::Header& header, const Write&
 }
 
 TEST_F(ForeignExr, DeepLinesAndTiles) {
-  for (const Imath::V2i& corner : {Imath::V2i(0, 0), Imath::V2i(2, 1), Imath::V2i(-2, -1)}) {
+  for (const Imath::V2i& corner : {Imath::V2i(0, 0), Imath::V2i(2, 1), Imath::V2i(-2, -1), Imath::V2i(-20, 0)}) {
     imf::Header header(Imath::Box2i({0, 0}, {kColumns - 1, kRows - 1}),
                        Imath::Box2i(corner, corner + Imath::V2i(kColumns - 1, kRows - 1)));
     header.channels().insert("A", imf::Channel(imf::FLOAT));
