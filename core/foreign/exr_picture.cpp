@@ -10,8 +10,6 @@
 #include <OpenEXR/ImfMatrixAttribute.h>
 #include <OpenEXR/ImfMultiPartInputFile.h>
 #include <OpenEXR/ImfPartType.h>
-#include <OpenEXR/ImfStandardAttributes.h>
-#include <OpenEXR/ImfStringAttribute.h>
 
 #include <algorithm>
 #include <memory>
@@ -20,10 +18,9 @@
 
 #include "core/error.h"
 #include "core/huge_pages.h"
-#include "core/output/channel_order.h"
 #include "core/output/exr.h"
 #include "core/output/exr_header.h"
-#include "core/output/long_text.h"
+#include "core/output/exr_parts.h"
 #include "core/output/provenance_keys.h"
 #include "core/srgb.h"
 #include "core/text.h"
@@ -35,13 +32,6 @@ namespace imf = OPENEXR_IMF_NAMESPACE;
 
 std::size_t size_of(int count) {
   return static_cast<std::size_t>(count);
-}
-
-std::optional<std::string> text_of(const imf::Header& header, const std::string& name) {
-  return text_in(name, [&](const std::string& key) {
-    const auto* found = header.findTypedAttribute<imf::StringAttribute>(key);
-    return found == nullptr ? std::nullopt : std::optional(found->value());
-  });
 }
 
 std::optional<std::array<double, 16>> matrix_of(const imf::Header& header, const std::string& name) {
@@ -65,26 +55,9 @@ void read_attributes(Picture& picture, const imf::Header& header) {
   picture.deep = is_deep(header);
   picture.world_to_camera = matrix_of(header, "worldToCamera");
   picture.world_to_ndc = matrix_of(header, "worldToNDC");
-  if (imf::hasChromaticities(header)) {
-    const imf::Chromaticities& c = imf::chromaticities(header);
-    picture.chromaticities = {c.red.x, c.red.y, c.green.x, c.green.y, c.blue.x, c.blue.y, c.white.x, c.white.y};
-  }
+  picture.chromaticities = chromaticities_of<float>(header);
   picture.srgb = text_of(header, "oiio:ColorSpace") == "sRGB";
   picture.is_airlight = text_of(header, kPresetKey).has_value();
-}
-
-// Full names, as they are listed.
-std::vector<std::string> names_of(const Picture& picture, const imf::Header& header) {
-  std::vector<std::string> names;
-  for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel) {
-    names.emplace_back(channel.name());
-    if (channel.channel().xSampling != 1 || channel.channel().ySampling != 1) {
-      throw InputError(picture.file + ": cannot be read: channel '" + names.back() +
-                       "' has fewer samples than the picture has pixels; write it with one for each pixel");
-    }
-  }
-  std::ranges::sort(names, is_listed_before);
-  return names;
 }
 
 // Index in the display window of the first stored pixel of a row; the picture has it and those after it for the
@@ -114,7 +87,7 @@ void read_flat(Picture& picture, imf::MultiPartInputFile& file, int part, const 
   imf::InputPart input(file, part);
   const imf::Header& header = input.header();
   const Imath::Box2i& data = header.dataWindow();
-  const std::vector<std::string> names = names_of(picture, header);
+  const std::vector<std::string> names = channel_names(header, picture.file);
   const std::size_t columns = size_of(data.size().x + 1);
   const int rows = data.size().y + 1;
   std::vector<std::vector<float>> stored;
@@ -203,7 +176,7 @@ DeepSamples read_deep_samples(imf::MultiPartInputFile& file, const std::vector<s
 
 void read_deep(Picture& picture, imf::MultiPartInputFile& file) {
   const imf::Header& header = file.header(0);
-  const std::vector<std::string> names = names_of(picture, header);
+  const std::vector<std::string> names = channel_names(header, picture.file);
   const DeepSamples samples = read_deep_samples(file, names);
   for (const std::string& name : names) {
     picture.channels.push_back({name, header.channels()[name].type == imf::HALF, {}});

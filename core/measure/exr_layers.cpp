@@ -6,8 +6,6 @@
 #include <OpenEXR/ImfInputPart.h>
 #include <OpenEXR/ImfMultiPartInputFile.h>
 #include <OpenEXR/ImfPartType.h>
-#include <OpenEXR/ImfStandardAttributes.h>
-#include <OpenEXR/ImfStringAttribute.h>
 
 #include <algorithm>
 #include <array>
@@ -19,11 +17,10 @@
 
 #include "core/error.h"
 #include "core/huge_pages.h"
-#include "core/output/channel_order.h"
 #include "core/output/exr.h"
 #include "core/output/exr_header.h"
+#include "core/output/exr_parts.h"
 #include "core/output/first_bytes.h"
-#include "core/output/long_text.h"
 #include "core/output/provenance_keys.h"
 #include "core/text.h"
 
@@ -73,16 +70,7 @@ PixelFrame frame_of(const imf::Header& header) {
 void add_channels(LayeredExr& exr, const imf::Header& header, int part) {
   std::string part_name = header.hasName() ? header.name() : "";
   if (part_name.empty() && part > 0) part_name = std::to_string(part);
-  std::vector<std::string> names;
-  for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel) {
-    names.emplace_back(channel.name());
-    if (channel.channel().xSampling != 1 || channel.channel().ySampling != 1) {
-      throw InputError(exr.file + ": channel '" + names.back() +
-                       "' has fewer samples than the picture has pixels; write it with one for each pixel");
-    }
-  }
-  std::ranges::sort(names, is_listed_before);
-  for (const std::string& full_name : names) {
+  for (const std::string& full_name : channel_names(header, exr.file)) {
     const std::string layer_name = layer_of(full_name).empty() && part > 0 ? part_name : layer_of(full_name);
     if (exr.layers.empty() || exr.layers.back().part != part || exr.layers.back().name != layer_name) {
       ExrLayer& added = exr.layers.emplace_back();
@@ -97,14 +85,8 @@ void add_channels(LayeredExr& exr, const imf::Header& header, int part) {
 }
 
 void read_attributes(LayeredExr& exr, const imf::Header& header) {
-  if (imf::hasChromaticities(header)) {
-    const imf::Chromaticities& c = imf::chromaticities(header);
-    exr.chromaticities = {c.red.x, c.red.y, c.green.x, c.green.y, c.blue.x, c.blue.y, c.white.x, c.white.y};
-  }
-  const std::optional<std::string> preset = text_in(kPresetKey, [&](const std::string& key) {
-    const auto* found = header.findTypedAttribute<imf::StringAttribute>(key);
-    return found == nullptr ? std::nullopt : std::optional(found->value());
-  });
+  exr.chromaticities = chromaticities_of<double>(header).value_or(kBt709);
+  const std::optional<std::string> preset = text_of(header, kPresetKey);
   if (preset && !preset->empty()) {
     exr.preset = *preset;
   }

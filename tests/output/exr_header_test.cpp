@@ -45,6 +45,28 @@ std::string scan_lines(const Folder& folder) {
   return contents_of(file);
 }
 
+std::string two_parts(const Folder& folder) {
+  const std::string file = (folder / "parts.exr").string();
+  std::array<imf::Header, 2> parts = {header_of(8, 40), header_of(8, 3)};
+  parts[0].setName("one");
+  parts[1].setName("two");
+  for (imf::Header& part : parts) {
+    part.displayWindow() = parts[0].displayWindow();
+    part.setType(imf::SCANLINEIMAGE);
+    part.compression() = imf::PIZ_COMPRESSION;
+  }
+  parts[1].insert("lastWords", imf::StringAttribute("of the second part"));
+  {
+    imf::MultiPartOutputFile out(file.c_str(), parts.data(), 2);
+    for (int part = 0; part < 2; ++part) {
+      imf::OutputPart rows(out, part);
+      rows.setFrameBuffer({});
+      rows.writePixels(part == 0 ? 40 : 3);
+    }
+  }
+  return contents_of(file);
+}
+
 // What is said of the bytes; empty if nothing.
 std::string refusal(const Folder& folder, const std::string& bytes) {
   test::put(folder / "b.exr", bytes);
@@ -80,23 +102,7 @@ TEST(ExrRoom, WholeFilesOfEveryKindHaveIt) {
     }
   }
   EXPECT_EQ(refusal(folder, contents_of(file)), "");
-  std::array<imf::Header, 2> parts = {header_of(8, 40), header_of(8, 3)};
-  parts[0].setName("one");
-  parts[1].setName("two");
-  for (imf::Header& part : parts) {
-    part.displayWindow() = parts[0].displayWindow();
-    part.setType(imf::SCANLINEIMAGE);
-    part.compression() = imf::PIZ_COMPRESSION;
-  }
-  {
-    imf::MultiPartOutputFile out(file.c_str(), parts.data(), 2);
-    for (int part = 0; part < 2; ++part) {
-      imf::OutputPart rows(out, part);
-      rows.setFrameBuffer({});
-      rows.writePixels(part == 0 ? 40 : 3);
-    }
-  }
-  EXPECT_EQ(refusal(folder, contents_of(file)), "");
+  EXPECT_EQ(refusal(folder, two_parts(folder)), "");
   EXPECT_EQ(refusal(folder, "no EXR"), "");
   EXPECT_EQ(refusal(folder, ""), "");
   EXPECT_NO_THROW(require_room_for_exr(folder / "missing.exr"));
@@ -162,24 +168,8 @@ TEST(ExrRoom, TilesAndPartsAreCounted) {
   const std::string window_type = std::string("dataWindow\0box2i\0", 17);
   EXPECT_EQ(refusal(folder, with_number(contents_of(file), window_type, 4 + 8, 0x3fffffff)),
             "it has fewer bytes than its header asks for");
-  std::array<imf::Header, 2> parts = {header_of(8, 40), header_of(8, 3)};
-  parts[0].setName("one");
-  parts[1].setName("two");
-  for (imf::Header& part : parts) {
-    part.displayWindow() = parts[0].displayWindow();
-    part.setType(imf::SCANLINEIMAGE);
-  }
-  parts[1].insert("lastWords", imf::StringAttribute("of the second part"));
-  {
-    imf::MultiPartOutputFile out(file.c_str(), parts.data(), 2);
-    for (int part = 0; part < 2; ++part) {
-      imf::OutputPart rows(out, part);
-      rows.setFrameBuffer({});
-      rows.writePixels(part == 0 ? 40 : 3);
-    }
-  }
   const std::string string_type = std::string("lastWords\0string\0", 17);
-  EXPECT_EQ(refusal(folder, with_number(contents_of(file), string_type, 0, 0x7f000000)),
+  EXPECT_EQ(refusal(folder, with_number(two_parts(folder), string_type, 0, 0x7f000000)),
             "its header is longer than the file");
 }
 
