@@ -20,29 +20,26 @@ float sun_share(Ray ray, float t, float width) {
 // Factors of a ray from the camera along this direction that begins `before` km from it. The ray is marched in two
 // parts, so that the part with shadows has enough steps. `near`, `far`: steps of each part. `shadow_end`: km along the
 // ground from the camera beyond which no shadow is known.
+// Each turn makes its part from the ray anew. A struct that the loop carries from turn to turn ends NVIDIA's compiler
+// (580.159: SIGSEGV in vkCreateComputePipelines, once the module is in SSA form and simplified).
 SkyFactors terrain_factors(Ray ray, vec3 direction, float before, float shadow_end, uint near, uint far) {
-  current_start = ground_distance(scene.planet, scene.camera.altitude, direction.y, before);
+  float start = ground_distance(scene.planet, scene.camera.altitude, direction.y, before);
   float cut = max(track_distance(scene.planet, current_track, shadow_end) - before, 0.0);
-  Ray part = ray;
-  part.length_ = min(ray.length_, cut);
-  part.at_ground = ray.at_ground && part.length_ >= ray.length_;
-  float joint = part.length_;
+  float joint = min(ray.length_, cut);
+  RayPoint point = point_on_ray(scene.planet, ray, joint);
+  float joint_start = start + ground_distance(scene.planet, ray.h, ray.mu, joint);
   uint parts = ray.length_ > joint ? 2u : 1u;
-  SkyFactors factors;
+  SkyFactors factors = no_air();
   for (uint i = 0u; i < parts; i++) {
-    SkyFactors found = scene_sky_factors(part, i == 0u ? near : far);
-    if (i == 0u) {
-      factors = found;
-    } else {
-      factors = joined(factors, found);
-    }
-    RayPoint point = point_on_ray(scene.planet, ray, joint);
-    part = ray;
-    part.h = point.h;
-    part.mu = point.mu;
-    part.mu_sun = point.mu_sun;
-    part.length_ = ray.length_ - joint;
-    current_start += ground_distance(scene.planet, ray.h, ray.mu, joint);
+    bool first = i == 0u;
+    Ray part = ray;
+    part.h = first ? ray.h : point.h;
+    part.mu = first ? ray.mu : point.mu;
+    part.mu_sun = first ? ray.mu_sun : point.mu_sun;
+    part.length_ = first ? joint : ray.length_ - joint;
+    part.at_ground = ray.at_ground && i + 1u == parts;
+    current_start = first ? start : joint_start;
+    factors = joined(factors, scene_sky_factors(part, first ? near : far));
   }
   return factors;
 }
