@@ -16,6 +16,10 @@ add_custom_command(
 
 set(changelog ${documents}/changelog.gz)
 set(copyright ${documents}/copyright)
+# The pages and the pictures in them, in the folders of the source, so that their links lead to one another.
+file(GLOB pages CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/app/*.md
+     ${PROJECT_SOURCE_DIR}/core/*.md ${PROJECT_SOURCE_DIR}/presets/*.md ${PROJECT_SOURCE_DIR}/presets/gallery/chart-*.png
+     ${PROJECT_SOURCE_DIR}/presets/gallery/day.png ${PROJECT_SOURCE_DIR}/tests/truth/*.md)
 # Packages whose code is part of the program: headers and static libraries.
 set(included libcli11-dev nlohmann-json3-dev libeigen3-dev nettle-dev libvulkan-volk-dev libvulkan-dev spirv-headers spirv-tools)
 set(sources ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${PROJECT_SOURCE_DIR}/LICENSE
@@ -56,10 +60,14 @@ install(FILES ${documents}/airlight.1.gz DESTINATION ${manual_folder})
 install(FILES ${documents}/airlight.bash DESTINATION ${bash_folder} RENAME airlight)
 install(FILES ${documents}/airlight.fish DESTINATION ${fish_folder})
 install(FILES ${documents}/_airlight DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/\${airlight_zsh}")
-install(FILES ${airlight_preset_files} ${PROJECT_SOURCE_DIR}/presets/README.md DESTINATION ${shared_folder}/presets)
+install(FILES ${airlight_preset_files} DESTINATION ${shared_folder}/presets)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/presets/schema ${PROJECT_SOURCE_DIR}/presets/plates
         DESTINATION ${shared_folder}/presets)
 install(FILES ${changelog} ${copyright} DESTINATION ${about_folder})
+foreach(page IN LISTS pages)
+  get_filename_component(folder ${page} DIRECTORY)
+  install(FILES ${PROJECT_SOURCE_DIR}/${page} DESTINATION ${about_folder}/${folder})
+endforeach()
 
 # The Debian package; scripts/package makes it.
 set(CPACK_GENERATOR DEB)

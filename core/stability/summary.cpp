@@ -137,7 +137,7 @@ std::string summary_text(const Examination& e) {
                      e.device + ". Each cell of a sweep is looked at in many directions and compared with a " +
                      "converged quality of the same method (`sky-view` and `analytic`: of `march`), and the device's " +
                      "32 bits with the same formulas in double. What a method leaves out by design is no failure " +
-                     "here; README.md has that.\n\n";
+                     "here; `airlight methods` has that.\n\n";
   text += unexplained == 0 ? "Every failing region has a known cause.\n"
                            : "**" + std::to_string(unexplained) + " failing regions are not explained.**\n";
   for (const Subject& subject : e.subjects) {

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <set>
 
+#include "tests/cli/pages.h"
 #include "tests/cli/process.h"
 
 namespace airlight::test {
@@ -11,11 +13,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The files beside the presets, whose list is that of the source.
+// Besides what is named here, the presets and the pages with their pictures, whose lists are those of the source.
 std::vector<std::string> expected_files(const std::string& zsh_folder) {
   std::vector<std::string> files = {"bin/airlight",
                                     "lib/airlight/modules/airlight_foreign.so",
-                                    "share/airlight/presets/README.md",
                                     "share/airlight/presets/plates/hills.exr",
                                     "share/airlight/presets/schema/preset-1.schema.json",
                                     "share/bash-completion/completions/airlight",
@@ -28,6 +29,16 @@ std::vector<std::string> expected_files(const std::string& zsh_folder) {
     const std::string name = entry.path().filename().string();
     if (entry.path().extension() == ".json" && name != "chart.json") files.push_back("share/airlight/presets/" + name);
   }
+  std::set<fs::path> documents;
+  for (const Document& page : pages_below(AIRLIGHT_SOURCE_DIR)) {
+    const fs::path room = page.file.parent_path();
+    if (room != "app" && room != "core" && room != "presets" && room != "tests/truth") continue;
+    documents.insert(page.file);
+    for (const fs::path link : page.links) {
+      if (link.extension() == ".png") documents.insert((room / link).lexically_normal());
+    }
+  }
+  for (const fs::path& document : documents) files.push_back("share/doc/airlight/" + document.string());
   std::sort(files.begin(), files.end());
   return files;
 }
@@ -69,6 +80,7 @@ TEST(Install, PutsEverythingInPlaceAndMayBeMoved) {
       run(scratch.path(), {"cmake", "--install", AIRLIGHT_BUILD_DIR, "--prefix", (scratch.path() / "first").string()});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(files_below(scratch.path() / "first"), expected_files("site-functions"));
+  EXPECT_EQ(dead_links(scratch.path() / "first/share/doc/airlight"), std::vector<std::string>());
   fs::rename(scratch.path() / "first", scratch.path() / "moved to");
   expect_that_it_works(scratch.path() / "moved to", scratch);
   EXPECT_TRUE(contains(scratch.read("moved to/share/doc/airlight/copyright"), "MIT License"));
