@@ -11,8 +11,11 @@
 namespace airlight {
 namespace {
 
-constexpr double kMiddleGrey = 0.18;
-// Luminance of a clear sky at noon, cd/m2, which the meter brings to middle grey.
+// What the meter reads by day comes out at this, which the default view shows as sRGB 127 (0.265 as 118, 0.18 as 91).
+// A camera's meter takes what it sees for a grey card, sRGB 118. Most of what this one sees is sky: a sixth of a stop
+// more shows that as photographs do. At noon a grey card that lies in the sun is at 150, one that stands at 73.
+constexpr double kDay = 0.30;
+// Luminance of a clear sky at noon, cd/m2, which is shown so.
 constexpr double kNoon = 3000.0;
 
 // Luminance of the radiance (1, 1, 1), cd/m2; 0: there is no light to determine it. A sun without a unit counts as
@@ -29,9 +32,9 @@ double least_seen(double luminance) {
 }
 
 // Exposure per cd/m2. A just visible difference is shown like a just visible one at noon: in proportion to 1/luminance
-// by day. Below some cd/m2 it hardly rises any more and ends at 0.12.
+// by day. Below some cd/m2 it hardly rises any more and ends at 0.20.
 double adapted_exposure(double luminance) {
-  return kMiddleGrey / kNoon * least_seen(kNoon) / least_seen(luminance);
+  return kDay / kNoon * least_seen(kNoon) / least_seen(luminance);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Exposure in the tool: held over a sequence, the same from every shard, in stops, refused in one line.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -176,6 +177,30 @@ TEST_F(Exposed, FramesTooDarkForHalvesHaveFloats) {
   EXPECT_EQ(shades("free.1.exr"), shades("half.1.exr"));
   EXPECT_GT(shades("free.3.exr"), 500U);
   EXPECT_LT(shades("half.3.exr"), 3U);  // black
+}
+
+// A pixel of a PNG of 8 bits, its middle column.
+std::array<int, 3> code_at(const PixelImage& image, int row) {
+  std::array<int, 3> code{};
+  const std::size_t first = 3 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) +
+                                 static_cast<std::size_t>(image.width) / 2);
+  for (std::size_t c = 0; c < 3; ++c) {
+    code[c] = static_cast<int>(image.bytes[first + c]);
+  }
+  return code;
+}
+
+// The sky at noon with the sun at one's back, as photographs have it: zenith about (70, 115, 180), horizon about
+// (170, 195, 220), three quarters of either at least.
+TEST_F(Exposed, ANoonIsAsBrightAsAPhotograph) {
+  ASSERT_EQ(tool({"render", "earth-noon", "--size", "64x36", "-q", "--png", "noon.png"}).exit_code, 0);
+  const PixelImage noon = read_png_picture(scratch_.path() / "noon.png");
+  const std::array<int, 3> zenith = code_at(noon, 0);
+  const std::array<int, 3> horizon = code_at(noon, 30);
+  for (std::size_t c = 0; c < 3; ++c) {
+    EXPECT_NEAR(zenith[c], std::array{61, 100, 157}[c], std::array{9, 15, 24}[c]) << c;
+    EXPECT_NEAR(horizon[c], std::array{149, 171, 193}[c], 29) << c;
+  }
 }
 
 }  // namespace
