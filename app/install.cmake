@@ -72,7 +72,11 @@ endforeach()
 # The Debian package; scripts/package makes it.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME airlight)
-set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
+# Names the release whose libraries the package needs, as Debian's backports do: 0.1.0~deb12 is older than 0.1.0~deb13,
+# so that an upgrade of the release brings the other package, and both are older than a package of Debian's own.
+cmake_host_system_information(RESULT release QUERY DISTRIB_INFO)
+string(REGEX REPLACE "^debian" "deb" release "${release_ID}${release_VERSION_ID}")
+set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION}~${release})
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "headless sky renderer with measured accuracy")
 set(CPACK_PACKAGE_DESCRIPTION
     "Renders skies of Earth-like and other atmospheres from JSON presets by Vulkan\n\

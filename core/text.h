@@ -105,8 +105,8 @@ inline std::string lower(std::string_view text) {
 // Text of several lines, such as libraries write, as one line.
 inline std::string one_line(std::string text) {
   text.erase(text.find_last_not_of("\n ") + 1);
-  std::ranges::replace_if(
-      text, [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  const auto ends_line = [](char c) { return c == '\n' || c == '\r'; };
+  std::ranges::replace_if(text, ends_line, ' ');
   return text;
 }
 

@@ -30,7 +30,7 @@ Interruption::Interruption() {
   for (std::size_t i = 0; i < kSignals.size(); ++i) {
     ::sigaction(kSignals[i], nullptr, &before[i]);
   }
-  struct sigaction action {};
+  struct sigaction action = {};
   action.sa_handler = note;
   action.sa_flags = SA_RESTART;  // a file being written is finished
   sigemptyset(&action.sa_mask);

@@ -7,6 +7,7 @@
 #include "app/cli/preset_source.h"
 #include "app/cli/scene_files.h"
 #include "core/error.h"
+#include "core/member.h"
 #include "core/methods/method.h"
 #include "core/scene/json_format.h"
 #include "core/scene/preset.h"
@@ -92,7 +93,7 @@ void apply_projection(Preset& preset, const SceneOptions& options) {
 struct NumberOption {
   const char* name;
   const char* pointer;
-  std::optional<double> SceneOptions::*value;
+  MemberOf<SceneOptions, std::optional<double>> value;
 };
 
 constexpr std::array<NumberOption, 6> kNumbers{{

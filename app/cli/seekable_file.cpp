@@ -20,7 +20,7 @@ namespace {
 }
 
 bool is_stream(const std::string& name) {
-  struct stat status {};
+  struct stat status = {};
   return name == "-" || (::stat(name.c_str(), &status) == 0 && (S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode)));
 }
 

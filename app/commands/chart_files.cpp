@@ -7,6 +7,7 @@
 #include "app/cli/json_writer.h"
 #include "app/commands/gnuplot.h"
 #include "core/chart/gnuplot.h"
+#include "core/member.h"
 #include "core/output/atomic_file.h"
 
 namespace airlight::cli {
@@ -82,7 +83,7 @@ std::vector<std::string> write_chart(const ChartFiles& files, const chart::RunOu
   const std::vector<Point> points = finished(outcome.points, files.scenes);
   write_points(files.folder, points);
   write_file(files.folder / "chart.json", chart_json(files, outcome));
-  const auto with_points = [&](const std::vector<std::string>& names, std::string Point::*member) {
+  const auto with_points = [&](const std::vector<std::string>& names, MemberOf<Point, std::string> member) {
     std::vector<std::string> kept;
     for (const std::string& name : names) {
       if (std::ranges::any_of(points, [&](const Point& p) { return p.*member == name; })) {

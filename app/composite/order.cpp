@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "core/member.h"
 #include "core/text.h"
 
 namespace airlight::cli {
@@ -21,8 +22,8 @@ std::optional<double> non_negative(const std::string& text) {
 struct Parameter {
   std::string name;
   std::string kinds;  // fogs that have it
-  double Fog::*value = nullptr;
-  physics::vec3 Fog::*colour = nullptr;
+  MemberOf<Fog, double> value = nullptr;
+  MemberOf<Fog, physics::vec3> colour = nullptr;
 };
 
 const std::array<Parameter, 8>& parameters() {

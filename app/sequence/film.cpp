@@ -52,31 +52,19 @@ std::string transfer_name(int code) {
   return code == 13 ? "iec61966-2-1" : code == 16 ? "smpte2084" : code == 18 ? "arib-std-b67" : "bt709";
 }
 
-// Converts from RGB by the matrix that the stream names, not by ffmpeg's guess; narrow range, as players expect.
+// Converts from RGB by the matrix that the stream names, not by ffmpeg's guess; narrow range, as players expect. The
+// frames carry the names, since FFmpeg 7 takes them from there and not from options of the output.
 std::vector<std::string> mp4_arguments(const std::optional<ColourCode>& colours) {
   const bool wide = colours && colours->primaries == 9;
-  const std::string matrix = wide ? "bt2020nc" : "bt709";
-  std::vector<std::string> words = {"-vf",
-                                    "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=" +
-                                        std::string(wide ? "bt2020" : "bt709") + ":out_range=tv",
-                                    "-c:v",
-                                    "libx264",
-                                    "-crf",
-                                    "18",
-                                    "-pix_fmt",
-                                    "yuv420p",
-                                    "-movflags",
-                                    "+faststart",
-                                    "-colorspace",
-                                    matrix,
-                                    "-color_range",
-                                    "tv"};
+  std::string filters =
+      "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=" + std::string(wide ? "bt2020" : "bt709") +
+      ":out_range=tv,setparams=range=tv:colorspace=" + (wide ? "bt2020nc" : "bt709");
   if (colours) {
-    words.insert(words.end(), {"-color_primaries", primaries_name(colours->primaries), "-color_trc",
-                               transfer_name(colours->transfer)});
+    filters +=
+        ":color_primaries=" + primaries_name(colours->primaries) + ":color_trc=" + transfer_name(colours->transfer);
   }
-  words.insert(words.end(), {"-f", "mp4"});
-  return words;
+  return {"-vf",      filters,   "-c:v",      "libx264",    "-crf", "18",
+          "-pix_fmt", "yuv420p", "-movflags", "+faststart", "-f",   "mp4"};
 }
 
 std::vector<std::string> arguments(const std::string& file, const std::string& target, int width, int height,

@@ -63,6 +63,10 @@ void put_picture(physics::Physics& p, const Scene& scene) {
   p.scene.tile.width = camera.width;
 }
 
+device::vec2 narrow(const physics::vec2& from) {
+  return {narrowed(from.x), narrowed(from.y)};
+}
+
 device::MediumData narrow(const physics::MediumData& from) {
   device::MediumData m{};
   m.scattering = narrowed(from.scattering);
@@ -145,9 +149,7 @@ device::SceneData narrowed(const physics::SceneData& data) {
   out.moments = {narrowed(data.moments.top), narrowed(data.moments.elevation_scale), narrowed(data.moments.v_low),
                  narrowed(data.moments.v_high)};
   std::ranges::transform(data.media, std::begin(out.media), [](const physics::MediumData& m) { return narrow(m); });
-  std::ranges::transform(data.layers, std::begin(out.layers), [](const physics::vec2& layer) {
-    return device::vec2{narrowed(layer.x), narrowed(layer.y)};
-  });
+  std::ranges::transform(data.layers, std::begin(out.layers), [](const physics::vec2& v) { return narrow(v); });
   out.shell_rows = data.shell_rows;
   std::ranges::transform(data.shell_altitudes, std::begin(out.shell_altitudes), [](double h) { return narrowed(h); });
   out.tile = {data.tile.x, data.tile.y, data.tile.width};

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/member.h"
 #include "core/scene/json_format.h"
 
 namespace airlight::chart {
@@ -27,7 +28,7 @@ bool parse(const std::string& cell, double& value) {
   return end.ec == std::errc() && end.ptr == cell.data() + cell.size();
 }
 
-Column text_column(std::string_view name, std::string Point::*member) {
+Column text_column(std::string_view name, MemberOf<Point, std::string> member) {
   return {name,
           [member](const Point& p) {
             std::string quoted = "\"";
@@ -42,7 +43,7 @@ Column text_column(std::string_view name, std::string Point::*member) {
           }};
 }
 
-Column number_column(std::string_view name, double Point::*member) {
+Column number_column(std::string_view name, MemberOf<Point, double> member) {
   return {name, [member](const Point& p) { return format_number(p.*member); },
           [member](Point& p, const std::string& cell) { return parse(cell, p.*member); }};
 }
@@ -116,7 +117,7 @@ std::string headings() {
   return line;
 }
 
-double geometric_mean(const std::vector<const Point*>& points, double Point::*member) {
+double geometric_mean(const std::vector<const Point*>& points, MemberOf<Point, double> member) {
   constexpr double kSmallest = 1e-9;
   double sum = 0.0;
   for (const Point* point : points) {
@@ -168,8 +169,8 @@ std::vector<Point> over_all_scenes(const std::vector<Point>& points) {
     mean.scene = kAllScenes;
     mean.method = quality.first;
     mean.quality = quality.second;
-    for (double Point::*member : {&Point::time_ms, &Point::error_mean, &Point::error_p95, &Point::floor, &Point::cpu_ms,
-                                  &Point::device_ms, &Point::share_timed}) {
+    for (const MemberOf<Point, double> member : {&Point::time_ms, &Point::error_mean, &Point::error_p95, &Point::floor,
+                                                 &Point::cpu_ms, &Point::device_ms, &Point::share_timed}) {
       mean.*member = geometric_mean(of_quality, member);
     }
     for (const Point* point : of_quality) {

@@ -57,15 +57,13 @@ Candidate reference(const Scene& scene, bool fine) {
   }
   Scene near_truth = with_quality(scene, *find_method("orders"), quality);
   const Plan plan = plan_of(near_truth);
-  return make(
-      std::move(near_truth), std::string(quality.label), [](ResourceId) { return false; }, plan);
+  return make(std::move(near_truth), std::string(quality.label), kNothingIsKept, plan);
 }
 
 Candidate default_candidate(const Scene& scene) {
   Scene with = with_quality(scene, *find_method("orders"), {});
   const Plan plan = plan_of(with);
-  return make(
-      std::move(with), "default", [](ResourceId) { return false; }, plan);
+  return make(std::move(with), "default", kNothingIsKept, plan);
 }
 
 std::vector<Candidate> candidates(const Scene& scene, double tolerance, const std::string& only,

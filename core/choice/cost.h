@@ -12,9 +12,10 @@ struct Cost {
   double total() const { return tables + picture; }
 };
 
+inline constexpr auto kNothingIsKept = [](ResourceId) { return false; };
+
 // `is_there`: tables that are made already and cost nothing.
-Cost predicted_cost(
-    const Plan& plan, const IsKept& is_there = [](ResourceId) { return false; });
+Cost predicted_cost(const Plan& plan, const IsKept& is_there = kNothingIsKept);
 
 // Whether a plan keeps this for later plans as a table (the frame's radiance, carried anew each time, is none).
 bool is_table(const Plan& plan, ResourceId id);

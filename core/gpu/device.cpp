@@ -1,7 +1,13 @@
 #include "core/gpu/device.h"
 
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <cstdint>
 #include <cstdio>
 #include <initializer_list>
 
@@ -32,6 +38,22 @@ std::initializer_list<VkMemoryPropertyFlags> wanted_flags(MemoryPlace place) {
       return kReadback;
   }
   return kDeviceOnly;
+}
+
+bool files_are_limited() {
+  rlimit limit{};
+  return ::getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+}
+
+// Whether the last byte can be read: the kernel is asked, because reading it would end the process by SIGBUS.
+bool is_there(VkDevice device, VkDeviceMemory memory, std::uint64_t bytes) {
+  void* start = nullptr;
+  check(vkMapMemory(device, memory, 0, VK_WHOLE_SIZE, 0, &start), "map memory");
+  const auto page = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
+  const std::uintptr_t last = (reinterpret_cast<std::uintptr_t>(start) + bytes - 1) / page * page;
+  const bool fails = ::madvise(reinterpret_cast<void*>(last), page, MADV_POPULATE_READ) != 0 && errno == EFAULT;
+  vkUnmapMemory(device, memory);
+  return !fails;
 }
 
 }  // namespace
@@ -124,7 +146,13 @@ MemoryHandle Device::allocate(const VkMemoryRequirements& needs, MemoryPlace pla
     throw RunError("the device " + info_.name + " is out of memory: asked for " + asked);
   }
   check(result, "allocate " + asked);
-  return {device_, memory};
+  MemoryHandle handle(device_, memory);
+  // Mesa's software device may keep its memory in a file, and gives out what a limit on files denies it.
+  if (info_.is_cpu && files_are_limited() && !is_there(device_, memory, needs.size)) {
+    throw RunError("the device " + info_.name + " keeps its memory in a file and cannot have " + asked +
+                   "; raise the limit on the size of files (ulimit -f)");
+  }
+  return handle;
 }
 
 std::string describe_bytes(std::uint64_t bytes) {

@@ -45,7 +45,7 @@ bool is_ours_alone(const struct stat& status) {
 FileDescriptor open_folder(const fs::path& folder) {
   if (folder.empty()) return FileDescriptor();
   FileDescriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  struct stat status {};
+  struct stat status = {};
   if (opened && ::fstat(opened.get(), &status) == 0 && is_ours_alone(status)) return opened;
   return FileDescriptor();
 }
@@ -71,7 +71,7 @@ bool read_all(int fd, void* target, std::size_t bytes) {
 
 struct Entry {
   std::string name;
-  struct timespec used {};
+  struct timespec used = {};
   std::uint64_t bytes = 0;
 };
 
@@ -88,7 +88,7 @@ std::vector<Entry> entries_of(int folder, const std::string& ending) {
   for (const dirent* entry = ::readdir(listing.get()); entry != nullptr; entry = ::readdir(listing.get())) {
     const std::string name = entry->d_name;
     const bool is_part = name.find(kPart) != std::string::npos;
-    struct stat status {};
+    struct stat status = {};
     if ((!is_part && !name.ends_with(ending)) || ::fstatat(folder, name.c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0 ||
         !S_ISREG(status.st_mode)) {
       continue;
@@ -119,7 +119,7 @@ std::vector<std::uint32_t> KeptFiles::find(const Digest& key) const {
   const std::string name = hexadecimal(key) + ending_;
   // Opening must not block on a pipe of that name, nor follow a link.
   const FileDescriptor file(::openat(folder.get(), name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
-  struct stat status {};
+  struct stat status = {};
   if (!file || ::fstat(file.get(), &status) != 0 || !S_ISREG(status.st_mode) || !is_ours_alone(status)) return {};
   const auto size = static_cast<std::size_t>(status.st_size);
   if (size <= sizeof(Header) || size > sizeof(Header) + kWordsMax * sizeof(std::uint32_t) ||

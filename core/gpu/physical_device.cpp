@@ -50,8 +50,8 @@ std::string describe(const DeviceInfo& device) {
 }
 
 std::string list(const std::vector<PhysicalDevice>& devices) {
-  return joined_of(
-      devices, [](const PhysicalDevice& device) { return describe(device.info); }, "; ");
+  const auto described = [](const PhysicalDevice& device) { return describe(device.info); };
+  return joined_of(devices, described, "; ");
 }
 
 PhysicalDevice inspect(VkPhysicalDevice handle) {

@@ -4,6 +4,7 @@
 
 #include <volk.h>
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "core/gpu/in_parallel.h"
+#include "core/member.h"
 
 namespace airlight::measure {
 namespace {
@@ -66,7 +67,7 @@ PixelReport place(const PicturePair& pair, const Group& group, std::size_t index
   return report;
 }
 
-ErrorSummary summarize_group(const Group& group, std::vector<float> PlaneErrors::*errors, const Area& area,
+ErrorSummary summarize_group(const Group& group, MemberOf<PlaneErrors, std::vector<float>> errors, const Area& area,
                              std::vector<float>& scratch) {
   std::vector<std::span<const float>> channels;
   for (const PlaneErrors* plane : group.members) channels.emplace_back(plane->*errors);

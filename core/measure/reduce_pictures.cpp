@@ -98,7 +98,7 @@ std::vector<std::byte> reduced_errors(const Blocks& blocks, const std::vector<fl
 
 }  // namespace
 
-ShownPicture shown_planes(const std::vector<Plane>& planes, std::vector<float> Plane::*side) {
+ShownPicture shown_planes(const std::vector<Plane>& planes, MemberOf<Plane, std::vector<float>> side) {
   const std::vector<std::size_t> colours = colour_planes(planes);
   const bool grey = colours.size() != 3;
   return {planes[colours[0]].*side, planes[colours[grey ? 0 : 1]].*side, planes[colours[grey ? 0 : 2]].*side};

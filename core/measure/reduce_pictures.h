@@ -3,6 +3,7 @@
 #include "core/measure/analyse.h"
 #include "core/measure/error_picture.h"
 #include "core/measure/shown_pictures.h"
+#include "core/member.h"
 
 namespace airlight::measure {
 
@@ -11,6 +12,6 @@ ShownPictures reduce_pictures(const PicturePair& pair, const std::vector<float>&
                               std::size_t most_pixels);
 
 // The planes of A or of B that are shown: red, green and blue, or one plane three times.
-ShownPicture shown_planes(const std::vector<Plane>& planes, std::vector<float> Plane::*side);
+ShownPicture shown_planes(const std::vector<Plane>& planes, MemberOf<Plane, std::vector<float>> side);
 
 }  // namespace airlight::measure

@@ -384,7 +384,7 @@ SkyMethod orders_method() {
   method.add_span_passes = orders::add_spans;
   // The volume holds no shadows.
   method.has_volume = [](const Scene& scene) { return inside_the_air(scene) && !scene.terrain; };
-  method.all_tables = {{"tabulate", std::string("always")}};
+  method.all_tables.emplace_back("tabulate", std::string("always"));
   method.left_out = left_out;
   method.formula = formula;
   return method;

@@ -46,7 +46,7 @@ bool names_descriptor(const fs::path& file) {
 
 // A pipe, a device, /dev/stdout: nothing that a rename could replace.
 bool is_special(const fs::path& file) {
-  struct stat status {};
+  struct stat status = {};
   return names_descriptor(file) || (::stat(file.c_str(), &status) == 0 && !S_ISREG(status.st_mode));
 }
 
@@ -108,7 +108,7 @@ void require_writable(const fs::path& file) {
   if (name.empty()) {
     throw InputError("output file: the name is empty; give one such as sky.exr");
   }
-  struct stat status {};
+  struct stat status = {};
   const bool exists = ::stat(file.c_str(), &status) == 0;
   if (exists && S_ISDIR(status.st_mode)) {
     throw InputError(name + ": is a directory; name a file in it, such as " + (file / "sky.exr").string());
@@ -194,7 +194,7 @@ FileInProgress::FileInProgress(const fs::path& file, Order order) {
     return;
   }
   (void)::flock(state_->out->get(), LOCK_EX | LOCK_NB);  // tells remove_abandoned_files() that a writer is at work
-  struct stat older {};
+  struct stat older = {};
   if (::stat(state_->target.c_str(), &older) == 0 && ::fchmod(state_->out->get(), older.st_mode & 07777) != 0) {
     fail(name, "keep the permissions", errno);
   }
@@ -250,7 +250,7 @@ void remove_abandoned_files(const fs::path& folder,
         continue;
       }
       const FileDescriptor left(::open(entry.path().c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
-      struct stat status {};
+      struct stat status = {};
       // An empty file may be a moment old, before its writer locks it.
       constexpr ::time_t kLongAgo = 600;
       const bool abandoned = left.get() >= 0 && ::flock(left.get(), LOCK_EX | LOCK_NB) == 0 &&

@@ -71,11 +71,11 @@ class EndingSignalsBlocked {
 
 void end_in_good_order_on_signals() {
   std::signal(SIGXFSZ, SIG_IGN);  // the write fails instead, as on a full disk
-  struct sigaction action {};
+  struct sigaction action = {};
   action.sa_handler = end_on_signal;
   sigemptyset(&action.sa_mask);
   for (const int signal_number : kEndingSignals) {
-    struct sigaction before {};
+    struct sigaction before = {};
     ::sigaction(signal_number, nullptr, &before);
     if (before.sa_handler != SIG_IGN) {  // as nohup sets SIGHUP
       ::sigaction(signal_number, &action, nullptr);

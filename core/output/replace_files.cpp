@@ -73,7 +73,7 @@ class Staging {
 
 // The copy gets the permissions of `target` and is on the disk when the function returns.
 void copy_file(const fs::path& from, const fs::path& staged, const fs::path& target) {
-  struct stat status {};
+  struct stat status = {};
   if (::stat(target.c_str(), &status) != 0) fail(target, "read");
   const FileDescriptor in(::open(from.c_str(), O_RDONLY | O_CLOEXEC));
   if (in.get() < 0) fail(from, "open");

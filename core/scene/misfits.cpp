@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/member.h"
 #include "core/scene/json_format.h"
 #include "core/scene/readers.h"
 #include "core/text.h"
@@ -8,7 +9,7 @@ namespace airlight {
 namespace {
 
 // The methods that support a feature, if the scene's does not; else empty.
-std::string who_knows(const Scene& scene, bool MethodInfo::*knows, std::span<const MethodInfo> methods) {
+std::string who_knows(const Scene& scene, MemberOf<MethodInfo, bool> knows, std::span<const MethodInfo> methods) {
   const bool known = std::ranges::any_of(
       methods, [&](const MethodInfo& method) { return method.name == scene.render.method && method.*knows; });
   return known ? "" : joined_of(methods, [&](const MethodInfo& method) {

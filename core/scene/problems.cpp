@@ -29,8 +29,8 @@ void Problems::throw_if_any() {
     return a.source != b.source ? a.source < b.source : a.line < b.line;
   });
   const std::size_t told = std::min(problems_.size(), kMostProblems);
-  std::string text = joined_of(
-      std::span(problems_).first(told), [](const Problem& p) { return p.text; }, "\n");
+  const auto text_of = [](const Problem& p) { return p.text; };
+  std::string text = joined_of(std::span(problems_).first(told), text_of, "\n");
   if (problems_.size() > told) {
     const std::size_t more = problems_.size() - told;
     text += "\n" + printable(problems_[told].source) + ": " + std::to_string(more) +

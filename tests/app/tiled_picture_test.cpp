@@ -25,14 +25,13 @@ TEST(TiledPicture, AFaultIsShownByTheDiagnosticView) {
   scene.sun.disc.angular_radius = 0.2;
   std::unique_ptr<Executor> executor;
   const std::optional<DisplayTransform> none;
+  const auto context = [](const Scene& part, const Rendering& rows) { return cli::PictureContext{part, rows, {}}; };
   const cli::TiledOrder order{.tile = {9, 5},
                               .request = {},
                               .parts = {{scene, 0, scratch.path() / "a.exr", scratch.path() / "a.png"}},
                               .transform = none,
                               .source = "sky.json",
-                              .context = [](const Scene& part, const Rendering& rows) {
-                                return cli::PictureContext{part, rows, {}};
-                              }};
+                              .context = context};
   const auto message = [&] {
     try {
       cli::write_tiled(cli::device_on_demand(options, executor), scene, order);

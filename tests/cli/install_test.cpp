@@ -128,6 +128,11 @@ TEST(Package, HoldsEverythingAndNamesWhatItNeeds) {
                                                 "dpkg-deb -x airlight_*.deb root && dpkg-deb -f airlight_*.deb "
                                                 "Package Depends"});
   ASSERT_EQ(unpacked.exit_code, 0) << unpacked.err;
+  // A package needs the libraries of one release, which its file's name tells.
+  const Outcome named = run(scratch.path(), {"sh", "-c",
+                                             ". /etc/os-release && case $ID in debian) ID=deb ;; esac && "
+                                             "ls airlight_*\"~$ID${VERSION_ID}_\"*.deb"});
+  EXPECT_EQ(named.exit_code, 0) << named.err;
   for (const char* needed : {"libvulkan1", "mesa-vulkan-drivers | vulkan-icd", "tzdata", "libopenexr-",
                              "libopenimageio2", "libopencolorio2", "libpng16", "liberfa1", "libc6"}) {
     EXPECT_TRUE(contains(unpacked.out, needed)) << needed << " is not in " << unpacked.out;

@@ -158,6 +158,34 @@ Outcome airlight(const fs::path& folder, std::vector<std::string> arguments, con
   return run(folder, arguments, start);
 }
 
+std::vector<std::string> mount_privately() {
+  const Scratch scratch;
+  for (const char* option : {"-m", "-rm"}) {
+    if (run(scratch.path(), {"unshare", option, "mount", "-t", "tmpfs", "none", "."}).exit_code == 0) {
+      return {"unshare", option};
+    }
+  }
+  return {};
+}
+
+Outcome airlight_on_a_small_disk(const fs::path& folder, const std::string& size,
+                                 const std::vector<std::string>& arguments) {
+  const Scratch disk;
+  Start start;
+  start.environment = {{"DISK", disk.path().string()}, {"SIZE", size}};
+  // A user is root in there, and Mesa would look for its cache in root's home.
+  const std::string script =
+      "mount -t tmpfs -o size=$SIZE none \"$DISK\" && cp -R . \"$DISK\" && cd \"$DISK\" || exit 3\n"
+      "export XDG_CACHE_HOME=\"${XDG_CACHE_HOME:-${HOME:-/tmp}/.cache}\"\n"
+      "\"$0\" \"$@\"; code=$?\n"
+      "cp -R . \"$OLDPWD\" || exit 3\n"
+      "exit $code";
+  std::vector<std::string> words = mount_privately();
+  words.insert(words.end(), {"sh", "-c", script, tool_program()});
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  return run(folder, words, start);
+}
+
 Scratch::Scratch() {
   std::string pattern = (fs::temp_directory_path() / "airlight-test-XXXXXX").string();
   if (::mkdtemp(pattern.data()) == nullptr) {

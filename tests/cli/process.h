@@ -33,6 +33,15 @@ const std::string& tool_program();
 // Runs the tool with these arguments.
 Outcome airlight(const std::filesystem::path& folder, std::vector<std::string> arguments, const Start& start = {});
 
+// Words that go before a command which mounts, so that nobody else sees what it mounts: "unshare -m" as root, or what
+// gives a user such a view where the kernel allows it. Empty where this process may not mount.
+std::vector<std::string> mount_privately();
+
+// Runs the tool on a disk of this size ("100k") that holds the files of `folder` and is full early. Afterwards `folder`
+// also has the files that the tool left there. Needs mount_privately().
+Outcome airlight_on_a_small_disk(const std::filesystem::path& folder, const std::string& size,
+                                 const std::vector<std::string>& arguments);
+
 // A fresh folder, removed with everything in it.
 class Scratch {
  public:

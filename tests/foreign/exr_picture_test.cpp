@@ -256,7 +256,7 @@ TEST_F(ForeignExr, DamageIsOneLine) {
   EXPECT_NE(refusal(whole.substr(0, whole.size() - 2)).find("damaged or cut short"), std::string::npos);
   imf::Header header(4, 4);
   header.channels().insert("BY", imf::Channel(imf::HALF, 2, 2));
-  { imf::OutputFile(file().c_str(), header); }
+  imf::OutputFile(file().c_str(), header);
   EXPECT_NE(refusal(contents_of(file())).find("channel 'BY' has fewer samples"), std::string::npos);
 }
 

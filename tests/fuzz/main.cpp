@@ -72,7 +72,7 @@ void work(const Order& order, Shared& shared, Clock::time_point start, const fs:
   for (; !enough(order, shared, start); ++shared.next) {
     const Clock::time_point began = Clock::now();
     Outcome outcome = run_case(order, shared.next, folder);
-    struct rusage used {};
+    struct rusage used = {};
     ::getrusage(RUSAGE_SELF, &used);
     if (outcome.fault.empty() && used.ru_maxrss > most_kilobytes(order.kind)) {
       outcome.fault = "took " + std::to_string(used.ru_maxrss >> 10) + " MiB";

@@ -180,15 +180,12 @@ TEST(Device, ListsEachMissingFeature) {
   software.info.name = "Software";
   software.info.is_cpu = true;
   const char* lacks = "Old Card, lacks Vulkan 1.2 (it has 1.1.0), scalarBlockLayout and timestamps on a compute queue";
-  EXPECT_EQ(message_of<RunError>([&] {
-              choose({old, good}, "old");
-            }),
-            std::string("the Vulkan device cannot be used: ") + lacks);
-  EXPECT_EQ(message_of<RunError>([&] { choose({old}, ""); }), std::string("no Vulkan device can be used: ") + lacks);
-  EXPECT_EQ(message_of<RunError>([&] {
-              choose({good, software}, "nvidia");
-            }),
-            "no Vulkan device is named \"nvidia\"; there are: Good Card; Software");
+  const auto said = [](const std::vector<PhysicalDevice>& devices, std::string_view name) {
+    return message_of<RunError>([&] { choose(devices, name); });
+  };
+  EXPECT_EQ(said({old, good}, "old"), std::string("the Vulkan device cannot be used: ") + lacks);
+  EXPECT_EQ(said({old}, ""), std::string("no Vulkan device can be used: ") + lacks);
+  EXPECT_EQ(said({good, software}, "nvidia"), "no Vulkan device is named \"nvidia\"; there are: Good Card; Software");
   const std::vector<PhysicalDevice> all = {old, good, software};
   EXPECT_EQ(choose(all, "").info.name, "Software");
   EXPECT_EQ(choose(all, "good").info.name, "Good Card");

@@ -84,7 +84,7 @@ TEST_F(KeptFilesTest, FindsWhatItKept) {
   EXPECT_TRUE(cache.find(key_of("c")).empty());
   EXPECT_EQ(file_count(), 2U) << "nothing half written stays";
 
-  struct stat status {};
+  struct stat status = {};
   ASSERT_EQ(::stat(folder().c_str(), &status), 0);
   EXPECT_EQ(status.st_mode & 07777U, 0700U);
   ASSERT_EQ(::stat(file_of(key_of("a")).c_str(), &status), 0);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/measure/analyse.h"
+#include "core/member.h"
 
 namespace airlight::measure {
 namespace {
@@ -27,7 +28,7 @@ ComparisonReport compare(const Limits& given, int count, float difference, std::
   return report;
 }
 
-Limits with(std::optional<double> Limits::*member, double value) {
+Limits with(MemberOf<Limits, std::optional<double>> member, double value) {
   Limits limits;
   limits.*member = value;
   return limits;

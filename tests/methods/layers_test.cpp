@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <string_view>
 
 #include "core/scene/preset.h"
 #include "core/scene/resolve.h"
@@ -14,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const Layer& layer(const Rendering& rendering, const std::string& name) {
+const Layer& layer(const Rendering& rendering, std::string_view name) {
   const auto found = std::find_if(rendering.layers.begin(), rendering.layers.end(),
                                   [&](const Layer& candidate) { return candidate.name == name; });
   EXPECT_NE(found, rendering.layers.end()) << name;

@@ -36,7 +36,7 @@ TEST(WriteFile, ReplacesAnOlderFileAndKeepsItsPermissions) {
   ASSERT_EQ(::chmod((folder / "a.bin").c_str(), 0640), 0);
   write_file(folder / "a.bin", test::text_bytes("new"));
   EXPECT_EQ(contents_of(folder / "a.bin"), "new");
-  struct stat status {};
+  struct stat status = {};
   ASSERT_EQ(::stat((folder / "a.bin").c_str(), &status), 0);
   EXPECT_EQ(status.st_mode & 0777, 0640U);
 }
@@ -65,7 +65,7 @@ TEST(WriteFile, AFullDeviceIsAnErrorWithItsReason) {
 
 TEST(WriteFile, NullDeviceIsWrittenInPlace) {
   write_file("/dev/null", test::text_bytes("x"));
-  struct stat status {};
+  struct stat status = {};
   ASSERT_EQ(::stat("/dev/null", &status), 0);
   EXPECT_TRUE(S_ISCHR(status.st_mode));
 }

@@ -104,7 +104,7 @@ TEST(FileInProgress, AppearsWhenItIsWholeWhateverTheOrder) {
 TEST(FileInProgress, LeavesNothingWithoutItsEnd) {
   const Folder folder;
   test::put(folder / "a.exr", "older");
-  { FileInProgress(folder / "a.exr").write(0, test::text_bytes("half")); }
+  FileInProgress(folder / "a.exr").write(0, test::text_bytes("half"));
   EXPECT_EQ(contents_of(folder / "a.exr"), "older");
   EXPECT_EQ(folder.names(), std::set<std::string>{"a.exr"});
 }

@@ -41,9 +41,8 @@ TEST(ReplaceFiles, NothingWhereASourceIsMissing) {
   test::put(folder / "new", "new");
   test::put(folder / "old1", "old1");
   test::put(folder / "old2", "old2");
-  const std::string message = message_of<RunError>([&] {
-    replace_files({{folder / "new", folder / "old1"}, {folder / "gone", folder / "old2"}});
-  });
+  const std::vector<Replacement> both = {{folder / "new", folder / "old1"}, {folder / "gone", folder / "old2"}};
+  const std::string message = message_of<RunError>([&] { replace_files(both); });
   EXPECT_NE(message.find("gone: cannot open: No such file"), std::string::npos) << message;
   EXPECT_NE(message.find("nothing was replaced"), std::string::npos) << message;
   EXPECT_EQ(contents_of(folder / "old1"), "old1");
@@ -55,9 +54,8 @@ TEST(ReplaceFiles, NothingWhereASourceIsMissing) {
   std::signal(SIGXFSZ, SIG_IGN);
   const rlimit limit{1000, 1000};
   ::setrlimit(RLIMIT_FSIZE, &limit);
-  const std::string message = message_of<RunError>([&] {
-    replace_files({{folder / "small", folder / "old1"}, {folder / "large", folder / "old2"}});
-  });
+  const std::vector<Replacement> both = {{folder / "small", folder / "old1"}, {folder / "large", folder / "old2"}};
+  const std::string message = message_of<RunError>([&] { replace_files(both); });
   std::exit(message.find("cannot write") != std::string::npos ? 7 : 1);
 }
 

@@ -47,16 +47,16 @@ Collision Flight::choose(const FlightPlan& plan, const Channels& weight, double 
     return {true, true, plan.length, 1.0};
   }
   left -= ground;
-  const std::size_t k = draw(
-      plan.panels.size(), [&](std::size_t j) { return weigh(weight, plan.panels[j].share); }, left);
+  const auto weight_of = [&](std::size_t j) { return weigh(weight, plan.panels[j].share); };
+  const std::size_t k = draw(plan.panels.size(), weight_of, left);
   const FlightPlan::Panel& panel = plan.panels[k];
   Channels part;
   for (std::size_t c = 0; c < 3; ++c) {
     part[c] = weight[c] * panel.share[c];
   }
   left *= part[0] + part[1] + part[2];
-  const std::size_t channel = draw(
-      3, [&](std::size_t c) { return part[c]; }, left);
+  const auto part_of = [&](std::size_t c) { return part[c]; };
+  const std::size_t channel = draw(3, part_of, left);
   const double x = place_in(panel, channel, left);
   double density = 0.0;
   for (std::size_t c = 0; c < 3; ++c) {

@@ -105,18 +105,18 @@ const std::array<SkyGuide::Sky, 3>& SkyGuide::skies(const SkyFrame& frame) const
 
 vec3 SkyGuide::draw_direction(const SkyFrame& frame, const Channels& weight, double u, double turn) const {
   u *= weight[0] + weight[1] + weight[2];
-  const std::size_t channel = draw(
-      3, [&](std::size_t c) { return weight[c]; }, u);
+  const auto weight_of = [&](std::size_t c) { return weight[c]; };
+  const std::size_t channel = draw(3, weight_of, u);
   const Sky& sky = skies(frame)[channel];
-  const std::size_t row = draw(
-      sky.rows.size(), [&](std::size_t k) { return sky.rows[k]; }, u);
+  const auto share_of_row = [&](std::size_t k) { return sky.rows[k]; };
+  const std::size_t row = draw(sky.rows.size(), share_of_row, u);
   const double low = edge(frame.horizon, row);
   const double mu = std::clamp(low + u * (edge(frame.horizon, row + 1) - low), -1.0, 1.0);
   // Either half turn mirrors the other.
   const double side = turn < 0.5 ? 1.0 : -1.0;
   double place = 2.0 * turn - (turn < 0.5 ? 0.0 : 1.0);
-  const std::size_t bin = draw(
-      kAround, [&](std::size_t k) { return sky.shares[row][k]; }, place);
+  const auto share_of_bin = [&](std::size_t k) { return sky.shares[row][k]; };
+  const std::size_t bin = draw(kAround, share_of_bin, place);
   const double azimuth = kPi * (static_cast<double>(bin) + place) / kAround;
   const double sine = std::sqrt(std::max(1.0 - mu * mu, 0.0));
   const vec3 aside = cross(frame.up, frame.toward_sun);

@@ -42,9 +42,10 @@ Scene mean_scene(const SpectralScene& spectral, const std::vector<Rgb>& weights)
     if (mean.terrain) {
       mean.terrain->albedo[c] = sum([](const Scene& s) { return s.terrain->albedo; });
       for (std::size_t j = 0; j < 3; ++j) {
-        mean.terrain->mix[c][j] = sum([j](const Scene& s) {
+        const auto mix = [j](const Scene& s) {
           return Spectrum{s.terrain->mix[0][j], s.terrain->mix[1][j], s.terrain->mix[2][j]};
-        });
+        };
+        mean.terrain->mix[c][j] = sum(mix);
       }
     }
     for (std::size_t i = 0; i < mean.spheres.size(); ++i) {
