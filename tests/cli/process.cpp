@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/inotify.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -86,15 +87,23 @@ void read_both(Pipe& out, Pipe& err, Outcome& outcome) {
   }
 }
 
-// Returns when a file with `part` in its name is there, or the process has closed its output.
+bool holds(const fs::path& folder, const std::string& part) {
+  return std::any_of(fs::directory_iterator(folder), fs::directory_iterator(), [&](const fs::directory_entry& entry) {
+    return (entry.path().filename().string() + "/").find(part) != std::string::npos;
+  });
+}
+
+// Returns when there is a file with `part` in its name, or the process has closed its output. Some files are there for
+// two milliseconds: the kernel wakes this thread as soon as there is a new one.
 void wait_for_file(const fs::path& folder, const std::string& part, const std::atomic<bool>& ended) {
-  while (!ended) {
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-      if (entry.path().filename().string().find(part) != std::string::npos) {
-        return;
-      }
-    }
+  pollfd news{::inotify_init1(IN_CLOEXEC | IN_NONBLOCK), POLLIN, 0};
+  ::inotify_add_watch(news.fd, folder.c_str(), IN_CREATE | IN_MOVED_TO);
+  std::array<char, 4096> events;
+  while (!ended && !holds(folder, part)) {
+    ::poll(&news, 1, 10);
+    (void)!::read(news.fd, events.data(), events.size());
   }
+  ::close(news.fd);
 }
 
 }  // namespace
@@ -123,11 +132,10 @@ Outcome run(const fs::path& folder, const std::vector<std::string>& words, const
   std::thread killer;
   if (start.kill_signal != 0) {
     killer = std::thread([&] {
-      if (start.kill_at_file.empty()) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(start.kill_after_ms));
-      } else {
+      if (!start.kill_at_file.empty()) {
         wait_for_file(folder, start.kill_at_file, ended);
       }
+      std::this_thread::sleep_for(std::chrono::milliseconds(start.kill_after_ms));
       ::kill(child, start.kill_signal);  // not reaped yet: the id is still the child's
     });
   }

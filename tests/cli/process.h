@@ -18,9 +18,9 @@ struct Outcome {
 struct Start {
   std::string input;                               // on standard input
   std::map<std::string, std::string> environment;  // added to the test's own
-  int kill_signal = 0;                             // sent after kill_after_ms; 0: none
+  int kill_signal = 0;                             // sent kill_after_ms after the start; 0: none
   int kill_after_ms = 0;
-  std::string kill_at_file;   // instead: as soon as a file with this in its name is in the folder
+  std::string kill_at_file;   // or after a file with this in its name is in the folder; / is the name's end
   bool close_output = false;  // standard output has no reader
 };
 
