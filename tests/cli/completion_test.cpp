@@ -36,7 +36,7 @@ class TypedKeys : public testing::Test {
 };
 
 const std::string kBash =
-    "source <(" + tool_program() + " completion bash); show() { printf '%s' WORDS:; printf '[%s]' \"$@\"; echo; }";
+    "source <(airlight completion bash); show() { printf '%s' WORDS:; printf '[%s]' \"$@\"; echo; }";
 
 class BashKeys : public TypedKeys {
  protected:

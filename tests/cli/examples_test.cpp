@@ -25,9 +25,8 @@ struct ExampleFolder {
 
   Outcome shell(const std::string& line) const {
     Start start;
-    start.environment["PATH"] = fs::path(tool_program()).parent_path().string() + ":" + std::getenv("PATH");
     start.environment["HOME"] = home.string();
-    return run(scratch.path(), {"bash", "-c", line}, start);
+    return test::shell(scratch.path(), line, start);
   }
 
   Scratch scratch;

@@ -48,11 +48,18 @@ struct Pipe {
   }
 };
 
+void put_tool_on_path() {
+  const fs::path folder = tool_program().parent_path();
+  const char* path = std::getenv("PATH");
+  if (!folder.empty() && path != nullptr) ::setenv("PATH", (folder.string() + ":" + path).c_str(), 1);
+}
+
 [[noreturn]] void become(const fs::path& folder, const std::vector<std::string>& words, const Start& start, int in,
                          int out, int err) {
   ::dup2(in, STDIN_FILENO);
   ::dup2(out, STDOUT_FILENO);
   ::dup2(err, STDERR_FILENO);
+  put_tool_on_path();
   for (const auto& [name, value] : start.environment) {
     ::setenv(name.c_str(), value.c_str(), 1);
   }
@@ -145,10 +152,14 @@ Outcome run(const fs::path& folder, const std::vector<std::string>& words, const
   return outcome;
 }
 
-const std::string& tool_program() {
-  static const std::string program = [] {
+Outcome shell(const fs::path& folder, const std::string& line, const Start& start) {
+  return run(folder, {"bash", "-c", line}, start);
+}
+
+const fs::path& tool_program() {
+  static const fs::path program = [] {
     const char* named = std::getenv("AIRLIGHT_TOOL_UNDER_TEST");
-    return std::string(named == nullptr ? AIRLIGHT_BINARY : named);
+    return fs::path(named == nullptr ? AIRLIGHT_BINARY : named);
   }();
   return program;
 }

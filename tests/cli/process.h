@@ -24,11 +24,16 @@ struct Start {
   bool close_output = false;  // standard output has no reader
 };
 
-// Runs a program with its arguments and waits. The working folder is `folder`.
+// Runs a program with its arguments and waits. The working folder is `folder`. PATH begins with the folder of the tool
+// under test, so `airlight` is that tool to a shell wherever the build lies.
 Outcome run(const std::filesystem::path& folder, const std::vector<std::string>& words, const Start& start = {});
 
-// The tool under test: that of this build, or the one that $AIRLIGHT_TOOL_UNDER_TEST names.
-const std::string& tool_program();
+// A line of bash.
+Outcome shell(const std::filesystem::path& folder, const std::string& line, const Start& start = {});
+
+// The tool under test: that of this build, or the one that $AIRLIGHT_TOOL_UNDER_TEST names. A path, not a string, so
+// that it cannot be put into a shell's line, where a space would end it.
+const std::filesystem::path& tool_program();
 
 // Runs the tool with these arguments.
 Outcome airlight(const std::filesystem::path& folder, std::vector<std::string> arguments, const Start& start = {});

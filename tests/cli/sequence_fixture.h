@@ -23,9 +23,6 @@ inline Names morning(Names more = {}) {
 
 class Sequence : public SmallSky {
  protected:
-  Outcome shell(const std::string& line) const {
-    return run(scratch_.path(), {"bash", "-c", "airlight=" + tool_program() + "\n" + line});
-  }
   // Files of a folder by name, without its manifests, which contain times.
   std::map<std::string, std::string> pictures(const std::string& folder) const {
     std::map<std::string, std::string> found;
