@@ -16,6 +16,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "tests/without_root.h"
+
 namespace airlight::test {
 namespace {
 
@@ -68,6 +70,7 @@ void put_tool_on_path() {
     argv.push_back(const_cast<char*>(word.c_str()));
   }
   argv.push_back(nullptr);
+  if (start.without_root) give_up_roots_rights();
   if (::chdir(folder.c_str()) == 0) {
     ::execvp(argv[0], argv.data());
   }

@@ -22,6 +22,7 @@ struct Start {
   int kill_after_ms = 0;
   std::string kill_at_file;   // instead: as soon as a file with this in its name is in the folder
   bool close_output = false;  // standard output has no reader
+  bool without_root = false;  // what root may do beyond others is given up
 };
 
 // Runs a program with its arguments and waits. The working folder is `folder`. PATH begins with the folder of the tool
