@@ -28,7 +28,7 @@ TEST(TiledPicture, AFaultIsShownByTheDiagnosticView) {
   const auto context = [](const Scene& part, const Rendering& rows) { return cli::PictureContext{part, rows, {}}; };
   const cli::TiledOrder order{.tile = {9, 5},
                               .request = {},
-                              .parts = {{scene, 0, scratch.path() / "a.exr", scratch.path() / "a.png"}},
+                              .parts = {{scene, 0, {scratch.path() / "a.exr", scratch.path() / "a.png"}}},
                               .transform = none,
                               .source = "sky.json",
                               .context = context};

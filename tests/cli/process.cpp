@@ -116,7 +116,9 @@ Outcome run(const fs::path& folder, const std::vector<std::string>& words, const
   Pipe err;
   const pid_t child = ::fork();
   if (child == 0) {
-    std::signal(SIGPIPE, SIG_DFL);
+    for (const int signal_number : {SIGPIPE, SIGINT, SIGHUP, SIGQUIT}) {
+      std::signal(signal_number, SIG_DFL);  // ignored where the tests run by nohup or in a script's background
+    }
     become(folder, words, start, in.read_end(), out.write_end(), err.write_end());
   }
   in.close_read();
