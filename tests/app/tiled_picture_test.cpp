@@ -11,8 +11,6 @@
 namespace airlight::test {
 namespace {
 
-using Names = std::vector<std::string>;
-
 // A rendering in tiles with invalid values; publish_test.cpp has whole ones.
 TEST(TiledPicture, AFaultIsShownByTheDiagnosticView) {
   const Scratch scratch;

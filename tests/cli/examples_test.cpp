@@ -13,7 +13,6 @@ namespace airlight::test {
 namespace {
 
 namespace fs = std::filesystem;
-using Names = std::vector<std::string>;
 
 // A folder as the examples assume it: the presets, a preset of the user's, and the tool on PATH. Its user's home is the
 // folder itself unless it is another one.

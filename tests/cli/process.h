@@ -8,6 +8,8 @@
 
 namespace airlight::test {
 
+using Names = std::vector<std::string>;
+
 struct Outcome {
   int exit_code = -1;  // -1: ended by `signal`
   int signal = 0;
@@ -27,7 +29,7 @@ struct Start {
 
 // Runs a program with its arguments and waits. The working folder is `folder`. PATH begins with the folder of the tool
 // under test, so `airlight` is that tool to a shell wherever the build lies.
-Outcome run(const std::filesystem::path& folder, const std::vector<std::string>& words, const Start& start = {});
+Outcome run(const std::filesystem::path& folder, const Names& words, const Start& start = {});
 
 // A line of bash.
 Outcome shell(const std::filesystem::path& folder, const std::string& line, const Start& start = {});
@@ -37,7 +39,7 @@ Outcome shell(const std::filesystem::path& folder, const std::string& line, cons
 const std::filesystem::path& tool_program();
 
 // Runs the tool with these arguments.
-Outcome airlight(const std::filesystem::path& folder, std::vector<std::string> arguments, const Start& start = {});
+Outcome airlight(const std::filesystem::path& folder, Names arguments, const Start& start = {});
 
 // Words that go before a command which mounts, so that nobody else sees what it mounts: "unshare -m" as root, or what
 // gives a user such a view where the kernel allows it. Empty where this process may not mount.
@@ -59,13 +61,13 @@ class Scratch {
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path write(const std::string& name, const std::string& text) const;
   std::string read(const std::string& name) const;
-  std::vector<std::string> files() const;  // of the whole tree, relative, sorted; folders left out
+  Names files() const;  // of the whole tree, relative, sorted; folders left out
 
  private:
   std::filesystem::path path_;
 };
 
-std::vector<std::string> lines_of(const std::string& text);
+Names lines_of(const std::string& text);
 
 bool contains(const std::string& text, const std::string& part);
 

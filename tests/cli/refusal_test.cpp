@@ -9,8 +9,6 @@
 namespace airlight::test {
 namespace {
 
-using Names = std::vector<std::string>;
-
 class Refusal : public SmallSky {};
 
 TEST_F(Refusal, CheckFindsEveryProblemOfEveryFile) {

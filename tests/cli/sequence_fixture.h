@@ -11,8 +11,6 @@
 
 namespace airlight::test {
 
-using Names = std::vector<std::string>;
-
 // Six frames of a morning over Paris.
 inline Names morning(Names more = {}) {
   Names words = {"sequence", "sky.json", "--date", "2026-06-21", "--from", "06:00", "--to", "08:30",

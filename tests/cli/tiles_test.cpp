@@ -13,7 +13,6 @@ namespace airlight::test {
 namespace {
 
 using Json = nlohmann::json;
-using Names = std::vector<std::string>;
 
 class Tiles : public SmallSky {
  protected:
