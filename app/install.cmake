@@ -34,7 +34,8 @@ add_custom_command(
 add_custom_target(airlight_documents DEPENDS ${changelog} ${copyright})
 add_dependencies(airlight airlight_documents)
 
-# All or nothing: before the first file is copied, all files are checked to exist and all folders to be writable.
+# All or nothing: before the first file is copied, all files are checked to exist and all folders to be writable. The
+# folders are then made, readable by all whatever the umask is.
 set(manual_folder ${CMAKE_INSTALL_MANDIR}/man1)
 set(shared_folder ${CMAKE_INSTALL_DATADIR}/airlight)
 set(about_folder ${CMAKE_INSTALL_DATADIR}/doc/airlight)
@@ -42,16 +43,16 @@ set(bash_folder ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 set(fish_folder ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 set(installed_files $<TARGET_FILE:airlight> $<TARGET_FILE:airlight_foreign_module> ${made_by_program} ${changelog}
                     ${copyright})
-set(installed_folders ${CMAKE_INSTALL_BINDIR} ${AIRLIGHT_MODULE_FOLDER} ${manual_folder} ${shared_folder}
-                      ${about_folder} ${bash_folder} ${fish_folder} ${CMAKE_INSTALL_DATADIR}/zsh)
+set(installed_folders ${CMAKE_INSTALL_BINDIR} ${AIRLIGHT_MODULE_FOLDER} ${manual_folder} ${shared_folder}/presets
+                      ${about_folder} ${bash_folder} ${fish_folder})
 install(CODE "set(airlight_files \"${installed_files}\")
-  set(airlight_folders \"${installed_folders}\")
   set(airlight_build \"${PROJECT_BINARY_DIR}\")
   # The folder that zsh searches; Debian's packages have one of their own.
   set(airlight_zsh \"site-functions\")
   if(CMAKE_INSTALL_PREFIX MATCHES \"/usr/?$\")
     set(airlight_zsh \"vendor-completions\")
-  endif()")
+  endif()
+  set(airlight_folders \"${installed_folders};${CMAKE_INSTALL_DATADIR}/zsh/\${airlight_zsh}\")")
 install(SCRIPT ${PROJECT_SOURCE_DIR}/app/check_install.cmake)
 
 install(TARGETS airlight RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})

@@ -4,7 +4,7 @@
 cmake_minimum_required(VERSION 3.22)
 file(MAKE_DIRECTORY ${OUT})
 
-file(STRINGS ${SOURCE}/CHANGELOG.md lines)
+file(STRINGS ${SOURCE}/CHANGELOG.md lines ENCODING UTF-8)
 set(text)
 set(versions)
 set(signature)

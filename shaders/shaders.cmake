@@ -15,6 +15,14 @@ set(AIRLIGHT_SPIRV_OPT_FLAGS
     --eliminate-dead-code-aggressive --redundancy-elimination --simplify-instructions --eliminate-dead-code-aggressive
     --merge-blocks --preserve-bindings --preserve-spec-constants)
 
+# Reads test_ROOM.objects of another build, as Ninja names the files. Without the encoding CMake would end a line at a
+# letter beyond ASCII: airlight_objects(VARIABLE FILE).
+function(airlight_objects result file)
+  file(STRINGS ${file} objects ENCODING UTF-8)
+  list(TRANSFORM objects REPLACE "/\\./" "/")
+  set(${result} "${objects}" PARENT_SCOPE)
+endfunction()
+
 # Libraries of pure data do not depend on a build's flags. The other build makes them, or checks that they exist.
 if(AIRLIGHT_SHADERS_FROM)
   set(taken airlight_shaders airlight_ready)
@@ -27,8 +35,7 @@ if(AIRLIGHT_SHADERS_FROM)
     file(GLOB lists CONFIGURE_DEPENDS ${AIRLIGHT_SHADERS_FROM}/test_*.objects)
     foreach(file IN LISTS lists)
       get_filename_component(test ${file} NAME_WE)
-      file(STRINGS ${file} objects)
-      list(TRANSFORM objects REPLACE "/\\./" "/")
+      airlight_objects(objects ${file})
       list(APPEND taken ${test})
       list(APPEND taken_files ${objects})
     endforeach()

@@ -3,7 +3,7 @@ include(GoogleTest)
 
 # Sanitized tests have their own prefix, since scripts/test runs both builds in one go.
 set(test_prefix)
-set(test_properties TIMEOUT 600)
+set(test_properties TIMEOUT 600 SKIP_RETURN_CODE 77)
 if(AIRLIGHT_SANITIZE)
   set(test_prefix sanitized.)
   # GCC 12's leak checker now and then crashes on the threads that OpenImageIO leaves running at exit. Leaks are
@@ -66,6 +66,8 @@ if(AIRLIGHT_SANITIZE)
   list(JOIN left_out_cli ":" left_out_cli)
   set(test_filter_cli "-${left_out_cli}")
   set(test_filter_stability "-Method/Holds.*")
+  # AddressSanitizer has a heap of its own.
+  set(test_filter_plan "-HugePages.*")
 endif()
 
 # One process for each of these rooms: their tests take milliseconds, less than a program's start, which with
@@ -88,6 +90,16 @@ if(AIRLIGHT_QUICK_COMPILE)
   endif()
 endif()
 
+# `scripts/test --quick` runs the tests with the label `quick`: all but those that scripts/update-long measured as long.
+set(long_list ${PROJECT_SOURCE_DIR}/tests/long.txt)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${long_list})
+file(STRINGS ${long_list} long_lines REGEX "^[^#]" ENCODING UTF-8)
+foreach(line IN LISTS long_lines)
+  if(line MATCHES "^([^ ]+) ([^ ]+)")
+    string(APPEND long_${CMAKE_MATCH_1} ":${CMAKE_MATCH_2}")  # as a filter
+  endif()
+endforeach()
+
 # Uses the frozen modules of the build that the shaders come from. Sanitized, SPIRV-Tools' optimiser, which allocates by
 # the million and is none of our code, took three quarters of the methods' tests. The tests of test_gpu and of
 # LeftBehind freeze anew.
@@ -97,7 +109,7 @@ if(AIRLIGHT_SHADERS_FROM)
 endif()
 # Part of every test program, and compiled once a build.
 add_library(airlight_this_build OBJECT ${PROJECT_SOURCE_DIR}/tests/this_build.cpp)
-target_link_libraries(airlight_this_build PRIVATE airlight_flags)
+target_link_libraries(airlight_this_build PRIVATE airlight_flags GTest::gtest)
 target_compile_definitions(airlight_this_build PRIVATE AIRLIGHT_CACHE_FOLDER="${test_cache}/cache")
 
 # Long tests start first, so that no core waits for them in the end. The plain build's start before the sanitized one's,
@@ -153,8 +165,7 @@ function(airlight_test_program room)
   set(taken)
   if(AIRLIGHT_SANITIZE AND EXISTS "${AIRLIGHT_SHADERS_FROM}/${list_file}" AND NOT room STREQUAL "physics")
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${AIRLIGHT_SHADERS_FROM}/${list_file})
-    file(STRINGS ${AIRLIGHT_SHADERS_FROM}/${list_file} taken)
-    list(TRANSFORM taken REPLACE "/\\./" "/")  # as Ninja names them
+    airlight_objects(taken ${AIRLIGHT_SHADERS_FROM}/${list_file})
   endif()
   if(taken)
     add_executable(test_${room} $<TARGET_OBJECTS:airlight_this_build> ${AIRLIGHT_PROGRAM_SOURCES} ${taken})
@@ -170,6 +181,7 @@ function(airlight_test_program room)
     list(APPEND sources ${PROJECT_SOURCE_DIR}/tests/cli/process.cpp)
   endif()
   add_executable(test_${room} ${sources} $<TARGET_OBJECTS:airlight_this_build> ${AIRLIGHT_PROGRAM_SOURCES})
+  set_property(TARGET test_${room} APPEND PROPERTY LINK_DEPENDS ${long_list})  # tells which tests are long, once linked
   file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/${list_file} CONTENT "$<JOIN:$<TARGET_OBJECTS:test_${room}>,\n>\n")
   target_link_libraries(test_${room} PRIVATE airlight_flags GTest::gtest GTest::gtest_main ${ARGN})
   set(options ${airlight_test_options})
@@ -218,7 +230,7 @@ function(airlight_test_room room)
         string(APPEND name .${shard}-of-${shards})
       endif()
       add_test(NAME ${name} COMMAND test_${room} ${filter})
-      set_tests_properties(${name} PROPERTIES ${test_properties} ${test_properties_${room}} ${cost})
+      set_tests_properties(${name} PROPERTIES ${test_properties} ${test_properties_${room}} ${cost} LABELS quick)
       if(shards GREATER 1)
         math(EXPR index "${shard} - 1")
         set_property(TEST ${name} PROPERTY ENVIRONMENT GTEST_TOTAL_SHARDS=${shards} GTEST_SHARD_INDEX=${index})
@@ -227,12 +239,14 @@ function(airlight_test_room room)
     return()
   endif()
   if(room STREQUAL "cli")
-    set(filter)
-    if(test_filter_cli)
-      set(filter TEST_FILTER ${test_filter_cli})
+    set(options TEST_PREFIX ${test_prefix}cli. DISCOVERY_TIMEOUT 60 PROPERTIES ${test_properties} ${test_properties_cli}
+                ${cost})
+    if(AIRLIGHT_SANITIZE)
+      gtest_discover_tests(test_cli TEST_FILTER ${test_filter_cli} ${options})
+    else()
+      gtest_discover_tests(test_cli TEST_FILTER "-${long_cli}" ${options} LABELS quick)
+      gtest_discover_tests(test_cli TEST_FILTER ":${long_cli}" ${options})
     endif()
-    gtest_discover_tests(test_cli TEST_PREFIX ${test_prefix}cli. ${filter} DISCOVERY_TIMEOUT 60
-                         PROPERTIES ${test_properties} ${test_properties_cli} ${cost})
     return()
   endif()
   # One process a suite: its tests share the device and its pipelines.
@@ -240,7 +254,7 @@ function(airlight_test_room room)
   string(REPLACE ";" " " properties "${test_properties};${test_properties_${room}};${cost}")
   add_custom_command(TARGET test_${room} POST_BUILD
                      COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:test_${room}> -DPREFIX=${room}.
-                             "-DPROPERTIES=${properties}" -DOUT=${suites}
+                             "-DPROPERTIES=${properties}" "-DLONG=${long_${room}}" -DOUT=${suites}
                              -P ${PROJECT_SOURCE_DIR}/tests/discover_suites.cmake
                      BYPRODUCTS ${suites} VERBATIM)
   file(WRITE ${suites}.all "include(\"${suites}\" OPTIONAL RESULT_VARIABLE found)
@@ -308,6 +322,9 @@ if(AIRLIGHT_TOOL)
     list(GET case 1 first)
     list(GET case 2 count)
     add_test(NAME ${test_prefix}fuzz.${kind} COMMAND airlight_fuzz ${kind} --first ${first} --count ${count})
+    if(NOT kind STREQUAL "scenes")  # tens of seconds
+      set_property(TEST ${test_prefix}fuzz.${kind} PROPERTY LABELS quick)
+    endif()
     set_tests_properties(${test_prefix}fuzz.${kind} PROPERTIES ${test_properties} ${fuzz_cost}
                          ENVIRONMENT "AIRLIGHT_VALIDATION=0;ASAN_OPTIONS=detect_leaks=0")
   endforeach()
@@ -333,4 +350,5 @@ if(CLANG_FORMAT AND NOT AIRLIGHT_SANITIZE)
        ${PROJECT_SOURCE_DIR}/core/*.h ${PROJECT_SOURCE_DIR}/core/*.cpp ${PROJECT_SOURCE_DIR}/tests/*.h
        ${PROJECT_SOURCE_DIR}/tests/*.cpp)
   add_test(NAME format COMMAND ${CLANG_FORMAT} --dry-run -Werror ${formatted})
+  set_tests_properties(format PROPERTIES LABELS quick)
 endif()

@@ -6,7 +6,6 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <ranges>
 
 #include "app/cli/terminal.h"
 #include "core/error.h"
@@ -20,9 +19,17 @@ namespace fs = std::filesystem;
 
 // Frame numbers rise with the index.
 bool has_frame(const sequence::FrameSource& source, long number) {
-  const auto indexes = std::views::iota(std::size_t{0}, sequence::frame_count(source));
-  return std::ranges::binary_search(indexes, number, {},
-                                    [&](std::size_t i) { return sequence::frame_number(source, i); });
+  const std::size_t count = sequence::frame_count(source);
+  std::size_t first = 0;
+  for (std::size_t end = count; first < end;) {
+    const std::size_t middle = first + (end - first) / 2;
+    if (sequence::frame_number(source, middle) < number) {
+      first = middle + 1;
+    } else {
+      end = middle;
+    }
+  }
+  return first < count && sequence::frame_number(source, first) == number;
 }
 
 void add_frames_beyond(std::vector<std::string>& files, const sequence::FramePattern& pattern,

@@ -104,12 +104,12 @@ std::string far_method(const std::vector<Point>& points) {
     place->second.first = std::min(place->second.first, point.time_ms);
     place->second.second = std::max(place->second.second, point.time_ms);
   }
-  for (const auto& [method, own] : times) {
+  for (const auto& own : times) {
     const bool is_far = times.size() > 1 && std::ranges::all_of(times, [&](const auto& other) {
-                          return other.first == method || other.second.second * kFar < own.first;
+                          return other.first == own.first || other.second.second * kFar < own.second.first;
                         });
     if (is_far) {
-      return method;
+      return own.first;
     }
   }
   return {};

@@ -12,10 +12,11 @@ std::vector<ChartedQuality> charted_qualities(const Scene& scene, const SkyMetho
   }
   const Scene defaults = with_quality(scene, method, {});
   for (const int count : {3, 4, 6, 12, 24}) {
-    ChartedQuality& more = all.emplace_back(std::to_string(count) + " wavelengths", defaults);
-    more.scene.spectra->wavelengths = count;
+    all.push_back({std::to_string(count) + " wavelengths", defaults});
+    all.back().scene.spectra->wavelengths = count;
   }
-  all.emplace_back(std::string(kThreeChannels), defaults).scene.spectra.reset();
+  all.push_back({std::string(kThreeChannels), defaults});
+  all.back().scene.spectra.reset();
   return all;
 }
 

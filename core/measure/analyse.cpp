@@ -173,7 +173,7 @@ void report_areas(const PicturePair& pair, const std::vector<Group>& groups, con
   if (!pair.viewpoint) return;
   const std::vector<RegionBits> bits = classify(*pair.viewpoint, pair.frame);
   for (const auto& [region, name] : kRegions) {
-    const auto pixels = std::ranges::count_if(bits, [&](RegionBits b) { return (b & region) != 0; });
+    const auto pixels = std::ranges::count_if(bits, [wanted = region](RegionBits b) { return (b & wanted) != 0; });
     if (pixels > 0) add(name, {.bits = bits, .wanted = region}, static_cast<std::size_t>(pixels));
   }
 }

@@ -308,7 +308,7 @@ std::vector<TableDump> bake_tables(const DeviceOnDemand& device, const Scene& sc
   one_pixel.image = {1, 1};
   const SkyMethod& method = method_of(scene);
   for (const auto& [key, value] : method.all_tables) {
-    const auto is_it = [&key = key](const ParameterInfo& parameter) { return parameter.key == key; };
+    const auto is_it = [&name = key](const ParameterInfo& parameter) { return parameter.key == name; };
     ParameterValue& chosen = one_pixel.render.parameters.find(key)->second;
     chosen = chosen == std::ranges::find_if(method.info.parameters, is_it)->default_value ? value : chosen;
   }

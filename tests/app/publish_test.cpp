@@ -14,7 +14,6 @@ namespace airlight::test {
 namespace {
 
 using cli::PublishOrder;
-using Names = std::vector<std::string>;
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();

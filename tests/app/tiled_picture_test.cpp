@@ -11,8 +11,6 @@
 namespace airlight::test {
 namespace {
 
-using Names = std::vector<std::string>;
-
 // A rendering in tiles with invalid values; publish_test.cpp has whole ones.
 TEST(TiledPicture, AFaultIsShownByTheDiagnosticView) {
   const Scratch scratch;
@@ -28,7 +26,7 @@ TEST(TiledPicture, AFaultIsShownByTheDiagnosticView) {
   const auto context = [](const Scene& part, const Rendering& rows) { return cli::PictureContext{part, rows, {}}; };
   const cli::TiledOrder order{.tile = {9, 5},
                               .request = {},
-                              .parts = {{scene, 0, scratch.path() / "a.exr", scratch.path() / "a.png"}},
+                              .parts = {{scene, 0, {scratch.path() / "a.exr", scratch.path() / "a.png"}}},
                               .transform = none,
                               .source = "sky.json",
                               .context = context};

@@ -10,7 +10,6 @@ namespace airlight::test {
 namespace {
 
 using Json = nlohmann::json;
-using Names = std::vector<std::string>;
 
 class Chart : public SmallSky {
  protected:

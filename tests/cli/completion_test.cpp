@@ -29,14 +29,14 @@ class TypedKeys : public testing::Test {
     return outcome.out.substr(at + 6, outcome.out.find_first_of("\r\n", at) - at - 6);
   }
 
-  // Debian's base has bash; the other shells are tested where they are installed.
+  // Debian's base has bash, scripts/setup test brings the other shells.
   bool has(const char* shell) { return run(scratch_.path(), {shell, "-c", "true"}).exit_code == 0; }
 
   Scratch scratch_;
 };
 
 const std::string kBash =
-    "source <(" + tool_program() + " completion bash); show() { printf '%s' WORDS:; printf '[%s]' \"$@\"; echo; }";
+    "source <(airlight completion bash); show() { printf '%s' WORDS:; printf '[%s]' \"$@\"; echo; }";
 
 class BashKeys : public TypedKeys {
  protected:
@@ -77,7 +77,7 @@ class ZshKeys : public TypedKeys {
  protected:
   void SetUp() override {
     TypedKeys::SetUp();
-    if (!has("zsh")) GTEST_SKIP() << "zsh is not installed";
+    if (!has("zsh")) GTEST_SKIP() << "zsh is not installed; scripts/setup test does it";
     const std::string script = airlight(scratch_.path(), {"completion", "zsh"}).out;
     std::filesystem::create_directory(scratch_.path() / "fpath");
     scratch_.write("fpath/_airlight", script);
@@ -102,7 +102,7 @@ TEST_F(ZshKeys, CommandsValuesAndNames) {
 
 // fish prints its candidates without a terminal, one a line, each description after a tab.
 TEST_F(TypedKeys, FishOffersCommandsValuesAndNames) {
-  if (!has("fish")) GTEST_SKIP() << "fish is not installed";
+  if (!has("fish")) GTEST_SKIP() << "fish is not installed; scripts/setup test does it";
   scratch_.write("airlight.fish", airlight(scratch_.path(), {"completion", "fish"}).out);
   const auto offers = [&](const std::string& line) {
     Start start;

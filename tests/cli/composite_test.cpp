@@ -17,8 +17,6 @@
 namespace airlight::test {
 namespace {
 
-using Names = std::vector<std::string>;
-
 constexpr int kWidth = 24;
 constexpr int kHeight = 16;
 constexpr std::size_t kPixels = kWidth * kHeight;

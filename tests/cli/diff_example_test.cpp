@@ -24,8 +24,7 @@ TEST(DiffExample, FailsWhereTheChangeIsNotFound) {
   const Scratch scratch;
   const std::string script = AIRLIGHT_SOURCE_DIR "/scripts/diff-example";
   // Renders as usual, but finds any two pictures equal.
-  const auto blind =
-      scratch.write("blind", "#!/bin/sh\n[ \"$1\" = diff ] && exit 0\nexec " + tool_program() + " \"$@\"\n");
+  const auto blind = scratch.write("blind", "#!/bin/sh\n[ \"$1\" = diff ] && exit 0\nexec airlight \"$@\"\n");
   std::filesystem::permissions(blind, std::filesystem::perms::owner_all);
   const Outcome outcome = run(scratch.path(), {script, blind.string(), scratch.path().string()});
   EXPECT_EQ(outcome.exit_code, 1);

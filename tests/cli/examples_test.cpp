@@ -13,7 +13,6 @@ namespace airlight::test {
 namespace {
 
 namespace fs = std::filesystem;
-using Names = std::vector<std::string>;
 
 // A folder as the examples assume it: the presets, a preset of the user's, and the tool on PATH. Its user's home is the
 // folder itself unless it is another one.
@@ -25,9 +24,8 @@ struct ExampleFolder {
 
   Outcome shell(const std::string& line) const {
     Start start;
-    start.environment["PATH"] = fs::path(tool_program()).parent_path().string() + ":" + std::getenv("PATH");
     start.environment["HOME"] = home.string();
-    return run(scratch.path(), {"bash", "-c", line}, start);
+    return test::shell(scratch.path(), line, start);
   }
 
   Scratch scratch;

@@ -9,8 +9,6 @@
 namespace airlight::test {
 namespace {
 
-using Names = std::vector<std::string>;
-
 class Ffmpeg : public testing::Test {
  protected:
   void SetUp() override {

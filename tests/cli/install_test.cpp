@@ -52,6 +52,15 @@ std::vector<std::string> files_below(const fs::path& folder) {
   return files;
 }
 
+// All may read what is installed, and enter its folders, whatever the umask of whoever installed it.
+void expect_rights_for_all(const fs::path& prefix) {
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(prefix)) {
+    const bool enter = entry.is_directory() || entry.path() == prefix / "bin/airlight";
+    const auto wanted = static_cast<fs::perms>(enter ? 0555 : 0444);
+    EXPECT_EQ(entry.status().permissions() & wanted, wanted) << entry.path();
+  }
+}
+
 // Uses the tool from / with only the installed folder before the system's own on PATH.
 void expect_that_it_works(const fs::path& prefix, const Scratch& scratch) {
   Start start;
@@ -76,9 +85,10 @@ void expect_that_it_works(const fs::path& prefix, const Scratch& scratch) {
 
 TEST(Install, PutsEverythingInPlaceAndMayBeMoved) {
   const Scratch scratch;
-  const Outcome outcome =
-      run(scratch.path(), {"cmake", "--install", AIRLIGHT_BUILD_DIR, "--prefix", (scratch.path() / "first").string()});
+  const Outcome outcome = run(scratch.path(), {"sh", "-c", "umask 077; exec cmake --install \"$0\" --prefix \"$1\"",
+                                               AIRLIGHT_BUILD_DIR, (scratch.path() / "first").string()});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  expect_rights_for_all(scratch.path() / "first");
   EXPECT_EQ(files_below(scratch.path() / "first"), expected_files("site-functions"));
   EXPECT_EQ(dead_links(scratch.path() / "first/share/doc/airlight"), std::vector<std::string>());
   fs::rename(scratch.path() / "first", scratch.path() / "moved to");
@@ -94,12 +104,17 @@ TEST(Install, NothingIsCopiedWhereAFileIsMissing) {
   for (std::size_t at = script.find(made); at != std::string::npos; at = script.find(made, at)) {
     script.replace(at, made.size(), "never-made");
   }
+  const std::string told = "set(airlight_build \"";
+  const std::size_t from = script.find(told) + told.size();
+  const std::string far = "/" + std::string(100, 'x');
+  script.replace(from, script.find('"', from) - from, far + "/someone's build");
   const std::string file = build.write("cmake_install.cmake", script).string();
   const Outcome outcome =
       run(build.path(), {"cmake", "-DCMAKE_INSTALL_PREFIX=" + (scratch.path() / "prefix").string(), "-P", file});
   EXPECT_NE(outcome.exit_code, 0);
-  EXPECT_TRUE(contains(outcome.err, "never-made is missing")) << outcome.err;
-  EXPECT_TRUE(contains(outcome.err, "--target airlight")) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "never-made is missing, so nothing is installed;")) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "cmake --build '" + far + "/someone'\\''s build' --target airlight\n"))
+      << outcome.err;
   EXPECT_FALSE(fs::exists(scratch.path() / "prefix"));
 }
 
@@ -122,7 +137,7 @@ TEST(Package, HoldsEverythingAndNamesWhatItNeeds) {
     }
   }
   const Outcome made = run(
-      scratch.path(), {"cpack", "--config", AIRLIGHT_BUILD_DIR "/CPackConfig.cmake", "-B", scratch.path().string()});
+      scratch.path(), {"sh", "-c", "umask 077; exec cpack --config \"$0/CPackConfig.cmake\" -B .", AIRLIGHT_BUILD_DIR});
   ASSERT_EQ(made.exit_code, 0) << made.err << made.out;
   const Outcome unpacked = run(scratch.path(), {"sh", "-c",
                                                 "dpkg-deb -x airlight_*.deb root && dpkg-deb -f airlight_*.deb "
@@ -137,6 +152,7 @@ TEST(Package, HoldsEverythingAndNamesWhatItNeeds) {
                              "libopenimageio2", "libopencolorio2", "libpng16", "liberfa1", "libc6"}) {
     EXPECT_TRUE(contains(unpacked.out, needed)) << needed << " is not in " << unpacked.out;
   }
+  expect_rights_for_all(scratch.path() / "root/usr");
   EXPECT_EQ(files_below(scratch.path() / "root/usr"), expected_files("vendor-completions"));
   expect_that_it_works(scratch.path() / "root/usr", scratch);
 }

@@ -12,8 +12,6 @@
 namespace airlight::test {
 namespace {
 
-using Names = std::vector<std::string>;
-
 class LeftBehind : public SmallSky {};
 
 TEST_F(LeftBehind, NothingByAFullDisk) {

@@ -14,7 +14,6 @@ namespace airlight::test {
 namespace {
 
 using Json = nlohmann::json;
-using Names = std::vector<std::string>;
 
 class Maps : public SmallSky {
  protected:

@@ -14,7 +14,7 @@ class Page : public DiffFixture {
  protected:
   void SetUp() override {
     if (run(scratch_.path(), {"sh", "-c", "command -v chromium"}).exit_code != 0) {
-      GTEST_SKIP() << "chromium is not installed";
+      GTEST_SKIP() << "chromium is not installed; scripts/setup test does it";
     }
   }
 

@@ -17,6 +17,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "tests/without_root.h"
+
 namespace airlight::test {
 namespace {
 
@@ -49,11 +51,18 @@ struct Pipe {
   }
 };
 
+void put_tool_on_path() {
+  const fs::path folder = tool_program().parent_path();
+  const char* path = std::getenv("PATH");
+  if (!folder.empty() && path != nullptr) ::setenv("PATH", (folder.string() + ":" + path).c_str(), 1);
+}
+
 [[noreturn]] void become(const fs::path& folder, const std::vector<std::string>& words, const Start& start, int in,
                          int out, int err) {
   ::dup2(in, STDIN_FILENO);
   ::dup2(out, STDOUT_FILENO);
   ::dup2(err, STDERR_FILENO);
+  put_tool_on_path();
   for (const auto& [name, value] : start.environment) {
     ::setenv(name.c_str(), value.c_str(), 1);
   }
@@ -62,6 +71,7 @@ struct Pipe {
     argv.push_back(const_cast<char*>(word.c_str()));
   }
   argv.push_back(nullptr);
+  if (start.without_root) give_up_roots_rights();
   if (::chdir(folder.c_str()) == 0) {
     ::execvp(argv[0], argv.data());
   }
@@ -115,7 +125,9 @@ Outcome run(const fs::path& folder, const std::vector<std::string>& words, const
   Pipe err;
   const pid_t child = ::fork();
   if (child == 0) {
-    std::signal(SIGPIPE, SIG_DFL);
+    for (const int signal_number : {SIGPIPE, SIGINT, SIGHUP, SIGQUIT}) {
+      std::signal(signal_number, SIG_DFL);  // ignored where the tests run by nohup or in a script's background
+    }
     become(folder, words, start, in.read_end(), out.write_end(), err.write_end());
   }
   in.close_read();
@@ -153,10 +165,14 @@ Outcome run(const fs::path& folder, const std::vector<std::string>& words, const
   return outcome;
 }
 
-const std::string& tool_program() {
-  static const std::string program = [] {
+Outcome shell(const fs::path& folder, const std::string& line, const Start& start) {
+  return run(folder, {"bash", "-c", line}, start);
+}
+
+const fs::path& tool_program() {
+  static const fs::path program = [] {
     const char* named = std::getenv("AIRLIGHT_TOOL_UNDER_TEST");
-    return std::string(named == nullptr ? AIRLIGHT_BINARY : named);
+    return fs::path(named == nullptr ? AIRLIGHT_BINARY : named);
   }();
   return program;
 }

@@ -8,6 +8,8 @@
 
 namespace airlight::test {
 
+using Names = std::vector<std::string>;
+
 struct Outcome {
   int exit_code = -1;  // -1: ended by `signal`
   int signal = 0;
@@ -22,16 +24,22 @@ struct Start {
   int kill_after_ms = 0;
   std::string kill_at_file;   // or after a file with this in its name is in the folder; / is the name's end
   bool close_output = false;  // standard output has no reader
+  bool without_root = false;  // what root may do beyond others is given up
 };
 
-// Runs a program with its arguments and waits. The working folder is `folder`.
-Outcome run(const std::filesystem::path& folder, const std::vector<std::string>& words, const Start& start = {});
+// Runs a program with its arguments and waits. The working folder is `folder`. PATH begins with the folder of the tool
+// under test, so `airlight` is that tool to a shell wherever the build lies.
+Outcome run(const std::filesystem::path& folder, const Names& words, const Start& start = {});
 
-// The tool under test: that of this build, or the one that $AIRLIGHT_TOOL_UNDER_TEST names.
-const std::string& tool_program();
+// A line of bash.
+Outcome shell(const std::filesystem::path& folder, const std::string& line, const Start& start = {});
+
+// The tool under test: that of this build, or the one that $AIRLIGHT_TOOL_UNDER_TEST names. A path, not a string, so
+// that it cannot be put into a shell's line, where a space would end it.
+const std::filesystem::path& tool_program();
 
 // Runs the tool with these arguments.
-Outcome airlight(const std::filesystem::path& folder, std::vector<std::string> arguments, const Start& start = {});
+Outcome airlight(const std::filesystem::path& folder, Names arguments, const Start& start = {});
 
 // Words that go before a command which mounts, so that nobody else sees what it mounts: "unshare -m" as root, or what
 // gives a user such a view where the kernel allows it. Empty where this process may not mount.
@@ -53,13 +61,13 @@ class Scratch {
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path write(const std::string& name, const std::string& text) const;
   std::string read(const std::string& name) const;
-  std::vector<std::string> files() const;  // of the whole tree, relative, sorted; folders left out
+  Names files() const;  // of the whole tree, relative, sorted; folders left out
 
  private:
   std::filesystem::path path_;
 };
 
-std::vector<std::string> lines_of(const std::string& text);
+Names lines_of(const std::string& text);
 
 bool contains(const std::string& text, const std::string& part);
 

@@ -14,7 +14,6 @@ namespace airlight::test {
 namespace {
 
 using Json = nlohmann::json;
-using Names = std::vector<std::string>;
 
 Start with_input(const std::string& text) {
   Start start;

@@ -9,8 +9,6 @@
 namespace airlight::test {
 namespace {
 
-using Names = std::vector<std::string>;
-
 class Sampling : public SmallSky {};
 
 TEST_F(Sampling, StopsAndGoesOnFromACheckpoint) {

@@ -11,8 +11,6 @@
 
 namespace airlight::test {
 
-using Names = std::vector<std::string>;
-
 // Six frames of a morning over Paris.
 inline Names morning(Names more = {}) {
   Names words = {"sequence", "sky.json", "--date", "2026-06-21", "--from", "06:00", "--to", "08:30",
@@ -23,9 +21,6 @@ inline Names morning(Names more = {}) {
 
 class Sequence : public SmallSky {
  protected:
-  Outcome shell(const std::string& line) const {
-    return run(scratch_.path(), {"bash", "-c", "airlight=" + tool_program() + "\n" + line});
-  }
   // Files of a folder by name, without its manifests, which contain times.
   std::map<std::string, std::string> pictures(const std::string& folder) const {
     std::map<std::string, std::string> found;

@@ -13,6 +13,7 @@ class SmallSky : public testing::Test {
   Outcome tool(const std::vector<std::string>& arguments, const Start& start = {}) const {
     return airlight(scratch_.path(), arguments, start);
   }
+  Outcome shell(const std::string& line) const { return test::shell(scratch_.path(), line); }
   Scratch scratch_;
 };
 

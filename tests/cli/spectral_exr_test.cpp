@@ -53,7 +53,7 @@ TEST_F(SpectralExr, IsReadByAnotherProgramAndIntegrated) {
     words.insert(words.end(), {"sky.exr", sky.white, "380:780:10"});
     const Outcome read = run(scratch_.path(), words);
     if (read.exit_code == 77) {
-      GTEST_SKIP() << "OpenImageIO for Python is not installed; scripts/setup does it: " << read.out;
+      GTEST_SKIP() << "OpenImageIO for Python is not installed; scripts/setup test does it: " << read.out;
     }
     ASSERT_EQ(read.exit_code, 0) << read.out << read.err;
     std::istringstream text(read.out);

@@ -13,7 +13,6 @@ namespace airlight::test {
 namespace {
 
 using Json = nlohmann::json;
-using Names = std::vector<std::string>;
 
 class Tiles : public SmallSky {
  protected:
@@ -104,10 +103,9 @@ TEST_F(Tiles, FramesOfASequenceAreTheSameByteForByte) {
 
 // A PNG is written forward and may go through a pipe; an EXR has its table of offsets at the beginning.
 TEST_F(Tiles, APngInTilesGoesThroughAPipe) {
-  const std::string& program = tool_program();
-  const Outcome outcome = run(scratch_.path(), {"sh", "-c",
-                                                program + " render sky.json -q --png a.png && " + program +
-                                                    " render sky.json -q --tile 8x3 --png /dev/stdout | cat > b.png"});
+  const Outcome outcome = shell(
+      "airlight render sky.json -q --png a.png && "
+      "airlight render sky.json -q --tile 8x3 --png /dev/stdout | cat > b.png");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_FALSE(scratch_.read("a.png").empty());
   EXPECT_TRUE(scratch_.read("b.png") == scratch_.read("a.png"));

@@ -101,7 +101,7 @@ TEST(Usage, DashDashEndsTheOptions) {
 
 TEST(Usage, ALostStandardOutputIsAnErrorAClosedPipeIsNot) {
   const Scratch scratch;
-  const Outcome full = run(scratch.path(), {"sh", "-c", tool_program() + " methods > /dev/full"});
+  const Outcome full = shell(scratch.path(), "airlight methods > /dev/full");
   EXPECT_EQ(full.exit_code, 1);
   EXPECT_TRUE(contains(full.err, "cannot write standard output")) << full.err;
   Start start;
@@ -207,15 +207,15 @@ TEST(Completion, ScriptsParseAndNameEverything) {
 
 TEST(Completion, BashOffersOptionsValuesAndCommands) {
   const Scratch scratch;
-  scratch.write("complete.sh", "source <(" + tool_program() +
-                                   " completion bash)\n"
-                                   "try() { COMP_WORDS=(\"$@\"); COMP_CWORD=$(($# - 1)); COMPREPLY=(); _airlight; echo "
-                                   "\"${COMPREPLY[*]}\"; }\n"
-                                   "try airlight rend\n"
-                                   "try airlight render --sun-el\n"
-                                   "try airlight render x --bits ''\n"
-                                   "try airlight render earth-suns\n"
-                                   "try airlight render x --method mar\n");
+  scratch.write("complete.sh",
+                "source <(airlight completion bash)\n"
+                "try() { COMP_WORDS=(\"$@\"); COMP_CWORD=$(($# - 1)); COMPREPLY=(); _airlight; echo "
+                "\"${COMPREPLY[*]}\"; }\n"
+                "try airlight rend\n"
+                "try airlight render --sun-el\n"
+                "try airlight render x --bits ''\n"
+                "try airlight render earth-suns\n"
+                "try airlight render x --method mar\n");
   const Outcome outcome = run(scratch.path(), {"bash", "complete.sh"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(lines_of(outcome.out),

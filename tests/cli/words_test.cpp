@@ -14,13 +14,9 @@ namespace airlight::test {
 namespace {
 
 using Json = nlohmann::json;
-using Names = std::vector<std::string>;
 
 class Words : public SmallSky {
  protected:
-  Outcome shell(const std::string& line) const {
-    return run(scratch_.path(), {"bash", "-c", "airlight() { " + tool_program() + " \"$@\"; }; " + line});
-  }
   Json dry_run(Names arguments) const {
     arguments.insert(arguments.begin(), {"render", "--dry-run", "--json"});
     const Outcome outcome = tool(arguments);

@@ -25,7 +25,8 @@ class PathTracePhase : public testing::TestWithParam<PhaseCase> {};
 
 // Chi-square of drawn cosines over bins that crowd into the peak; their expected shares are phase_value by quadrature.
 TEST_P(PathTracePhase, SamplesFollowPhaseValue) {
-  const auto [phase, g] = GetParam();
+  const PhaseFunction phase = GetParam().phase;
+  const double g = GetParam().g;
   Scene scene = earth(20, 0);
   scene.media = {medium(phase, g, {1, 1, 1}, {0, 0, 0}, exponential(8))};
   physics::Physics physics = make_physics(scene);

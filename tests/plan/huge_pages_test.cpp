@@ -31,7 +31,8 @@ bool is_advised(const std::string& name) {
 }
 
 TEST(HugePages, HoldTheHeap) {  // this_build.cpp has asked for them
-  if (sanitized() || !has_huge_pages()) GTEST_SKIP() << "no large pages, or AddressSanitizer's heap";
+  if (sanitized()) GTEST_SKIP() << "AddressSanitizer has a heap of its own";
+  if (!has_huge_pages()) GTEST_SKIP() << "this machine's kernel gives no large pages";
   EXPECT_TRUE(is_advised("[heap]"));
 }
 

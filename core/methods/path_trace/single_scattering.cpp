@@ -88,8 +88,8 @@ double distance_from_camera(const physics::Physics& physics, vec3 up) {
 }  // namespace
 
 vec3 above_terrain(vec3 place) {
-  constexpr double kOver = 1e-4;  // km
-  return place * (1.0 + kOver / length(place));
+  constexpr double kAbove = 1e-4;  // km
+  return place * (1.0 + kAbove / length(place));
 }
 
 vec3 ground_albedo_at(physics::Physics& physics, vec3 up) {
