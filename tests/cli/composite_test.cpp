@@ -283,7 +283,7 @@ TEST_F(CompositeTool, RefusesWithPlaceAndRemedy) {
       {{}, "--beauty"},
       {{"--beauty", "good.exr"}, "-o"},
       {{"--beauty", "none.exr", "-o", "o.exr"}, "none.exr: no such file"},
-      {{"--beauty", "text.exr", "-o", "o.exr"}, "text.exr: cannot be read"},
+      {{"--beauty", "text.exr", "-o", "o.exr"}, "text.exr: is no picture that airlight reads; expected EXR, PNG"},
       {{"--beauty", "in.exr", "-o", "o.exr"}, "has no depth channel"},
       {{"--beauty", "in.exr", "-o", "o.exr"}, "render it with a depth pass (Z)"},
       {{"--beauty", "in.exr", "-o", "o.exr"}, "far"},  // those present are listed
