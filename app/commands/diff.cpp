@@ -267,7 +267,8 @@ const char* const kDescription =
     "518400 pixels, or if all together have more than 1.5 million. The figures are those of the whole pictures.\n\n"
     "--update replaces each reference that differs with its new picture: all of them or none. It compares and reports "
     "first, and does not ask before it replaces. If one pair cannot be compared, or if writing fails, every reference "
-    "stays as it was. References that pass stay too. If the run is killed between two renames, each file is whole; the "
+    "stays as it was. A reference that is a link out of its folder is refused. References that pass stay too. If the "
+    "run is killed between two renames, each file is whole; the "
     "same command continues from there.\n\n"
     "The exit code is 0 if the pictures pass, perhaps with warnings; 1 if they differ; 2 if they cannot be compared. "
     "With --update it is 0 if the references are up to date; 1 if writing failed; 2 if a pair cannot be compared.";

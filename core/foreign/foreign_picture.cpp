@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "core/foreign/exr_picture.h"
+#include "core/foreign/jpeg_extent.h"
 #include "core/foreign/module.h"
 #include "core/foreign/tiff_extent.h"
 #include "core/output/first_bytes.h"
@@ -48,6 +49,7 @@ Picture read_picture(const std::string& file, const Accept& accept) {
   }
   try {
     require_whole_tiff(file);
+    require_whole_jpeg(file);
   } catch (const std::exception& reason) {
     throw InputError(file + ": damaged or cut short: " + reason.what() + "; write or copy it again");
   }

@@ -98,6 +98,12 @@ std::optional<KeyFrames> read_key_frames(const Section& root, std::span<const Me
                          expectation(section.rule("frames")));
     return sequence;
   }
+  if (array->size() > kMostKeyFrames) {
+    section.complain("frames", *value,
+                     quoted(*value) + "; expected " + expectation(section.rule("frames")) +
+                         ": leave out those that lie between others");
+    return sequence;
+  }
   std::set<std::string, std::less<>> seen;  // most frames have the same keys
   for (std::size_t i = 0; i < array->size(); ++i) {
     sequence.frames.push_back(read_key_frame(section.element("frames", *array, i), sequence));

@@ -159,6 +159,8 @@ TEST_F(TerrainTool, NonsenseIsRefusedInOneLine) {
            {R"({"height_map": ".", "width_km": 9})", "is a directory"},
            {R"({"height_map": "dot.exr", "width_km": 9})", "is 1x1; expected 2 to 4096 pixels a side"},
            {R"({"height_map": "holes.exr", "width_km": 9})", "1024 values are not finite, the first at (0, 0)"},
+           {R"({"height_map": "plateau.exr", "width_km": 0.1, "lowest_km": -10, "highest_km": -1})",
+            "/planet/terrain/highest_km: -1 leaves no point of the map above the ground"},
            {R"({"height_map": "plateau.exr", "width_km": 9, "highest_km": 5})",
             "/camera/altitude_km: 3 km is inside the terrain, which is 5 km high there"}}) {
     preset(c.terrain);

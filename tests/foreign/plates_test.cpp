@@ -71,6 +71,15 @@ TEST_F(Plates, ATiffThatIsCutShortIsRefused) {
   }
 }
 
+// libjpeg would give grey for what is missing. A thumbnail in the header has an end of its own.
+TEST_F(Plates, AJpegThatIsCutShortIsRefused) {
+  const std::string start("\xff\xd8\xff\xe1\0\6\xff\xd9zz\xff\xda\0\2", 14);
+  const std::string cut = put("cut.jpg", start + "pixels");
+  EXPECT_EQ(refusal(cut), cut + ": damaged or cut short: it has no end; write or copy it again");
+  const std::string whole = put("whole.jpg", start + "pixels\xff\xd9");
+  EXPECT_EQ(refusal(whole).find("it has no end"), std::string::npos) << refusal(whole);  // though it is none
+}
+
 TEST_F(Plates, TheHeaderIsJudgedBeforeThePixels) {
   const auto refuse = [](const Picture& header) { throw InputError("no " + std::to_string(header.width)); };
   // Behind this header there are no pixels.
@@ -94,7 +103,7 @@ TEST_F(Plates, AWindowFarLargerThanTheDataIsRefused) {
   };
   write(30001);
   EXPECT_EQ(refusal(file), file +
-                               ": its display window is 30001x30001 pixels, and only 16x9 are stored; crop the window "
+                               ": its display window is 30001x30001 pixels, and 16x9 are stored; crop the window "
                                "to what is there");
   write(1000);
   EXPECT_EQ(read_picture(file).channels.front().values.size(), 1000000U);
