@@ -2,11 +2,13 @@
 #include <exception>
 #include <memory>
 #include <new>
+#include <system_error>
 
 #include "app/cli/terminal.h"
 #include "app/commands/commands.h"
 #include "core/error.h"
 #include "core/huge_pages.h"
+#include "core/memory_limit.h"
 #include "core/output/ending.h"
 
 namespace airlight::cli {
@@ -85,7 +87,14 @@ int main(int argc, char** argv) {
   } catch (const RunError& error) {
     cli::complain(error);
   } catch (const std::bad_alloc&) {
-    cli::complain("out of memory; ask for a smaller picture with --size");
+    cli::complain("out of memory; ask for a smaller picture with --size" + memory_limit_words());
+  } catch (const std::system_error& error) {
+    const bool memory =
+        error.code() == std::errc::resource_unavailable_try_again || error.code() == std::errc::not_enough_memory;
+    cli::complain(memory ? "out of memory: no further thread can be started; ask for a smaller picture with --size, or "
+                           "permit more processes (ulimit -u)" +
+                               memory_limit_words()
+                         : std::string("internal error: ") + error.what());
   } catch (const std::exception& error) {
     cli::complain(std::string("internal error: ") + error.what());
   }

@@ -7,6 +7,7 @@
 #include <iostream>
 #include <sstream>
 
+#include "app/cli/carried_preset.h"
 #include "app/cli/cli.h"
 #include "app/cli/embedded_presets.h"
 #include "core/error.h"
@@ -23,7 +24,7 @@ constexpr std::string_view kEnding = ".json";
 constexpr std::size_t kLongestStream = std::size_t{16} << 20U;
 
 // The preset in a stream that can be read only once: a preset, or a picture of which the header is enough.
-Preset from_stream(std::istream& in, const std::string& name) {
+Preset from_stream(std::istream& in, const std::string& name, bool any_file) {
   std::string text(kLongestStream, '\0');
   in.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (in.bad()) {
@@ -32,7 +33,7 @@ Preset from_stream(std::istream& in, const std::string& name) {
   text.resize(static_cast<std::size_t>(in.gcount()));
   std::istringstream again(text);
   if (is_exr(again) || is_png(again)) {
-    return parse_preset(read_provenance(again, name).preset_json, name, fs::current_path());
+    return carried_preset(read_provenance(again, name), name, fs::current_path(), any_file);
   }
   if (in) {
     throw InputError(name + ": is larger than 16 MiB; expected a preset (JSON) or an EXR or PNG of airlight's");
@@ -54,9 +55,9 @@ bool is_bare_name(const std::string& argument) {
 
 }  // namespace
 
-Preset find_preset(const std::string& argument) {
+Preset find_preset(const std::string& argument, bool any_file) {
   if (argument == "-") {
-    return from_stream(std::cin, "standard input");
+    return from_stream(std::cin, "standard input", any_file);
   }
   std::error_code error;
   const fs::file_status status = fs::status(argument, error);
@@ -71,15 +72,22 @@ Preset find_preset(const std::string& argument) {
     if (!in) {
       throw InputError(argument + ": cannot be read: " + std::strerror(errno != 0 ? errno : EIO));
     }
-    return from_stream(in, argument);
+    return from_stream(in, argument, any_file);
   }
   if (is_exr(argument) || is_png(argument)) {
-    return parse_preset(read_provenance(argument).preset_json, argument, fs::path(argument).parent_path());
+    return carried_preset(read_provenance(argument), argument, fs::path(argument).parent_path(), any_file);
   }
   if (is_file && (argument.ends_with(".exr") || argument.ends_with(".png"))) {
     throw InputError(argument + ": is no picture: its first bytes are neither an EXR's nor a PNG's");
   }
   return load_preset(argument, embedded_presets());
+}
+
+Option allow_files_option(bool& any_file) {
+  return {
+      "--allow-files", "",
+      "Let the preset inside an EXR or PNG name files anywhere. Otherwise it may name those beside the picture alone",
+      &any_file};
 }
 
 std::vector<std::string> built_in_names() {

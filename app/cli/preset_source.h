@@ -6,12 +6,17 @@
 #include <string_view>
 #include <vector>
 
+#include "app/cli/cli.h"
 #include "core/scene/preset.h"
 
 namespace airlight::cli {
 
 // Throws InputError: no such file or name (with the nearest), a picture without our preset, any error in reading it.
-Preset find_preset(const std::string& argument);
+// `any_file`: the preset of a picture may name files anywhere (carried_preset).
+Preset find_preset(const std::string& argument, bool any_file = false);
+
+// --allow-files sets it.
+Option allow_files_option(bool& any_file);
 
 // The built-in presets' names, in order, without ".json".
 std::vector<std::string> built_in_names();

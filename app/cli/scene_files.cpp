@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <mutex>
@@ -37,41 +38,46 @@ constexpr int kMostMapPixels = 16384;  // across a whole planet
 // `key`: the preset's key, for messages. `planet`: the picture must be twice as wide as high.
 foreign::Picture picture_for(const std::string& file, const std::string& key, bool planet) {
   try {
-    foreign::Picture picture = foreign::read_picture(file);
     const int least = key.ends_with("height_map") || planet ? 2 : 1;
     const int most = planet ? kMostMapPixels : kMostPixels;
-    if (picture.deep) {
-      throw InputError(file + ": is a deep picture; expected a flat one");
-    }
-    if (std::min(picture.width, picture.height) < least || std::max(picture.width, picture.height) > most) {
-      throw InputError(file + ": is " + std::to_string(picture.width) + "x" + std::to_string(picture.height) +
-                       "; expected " + std::to_string(least) + " to " + std::to_string(most) +
-                       " pixels a side: resize it");
-    }
-    if (planet && picture.width != 2 * picture.height) {
-      throw InputError(file + ": is " + std::to_string(picture.width) + "x" + std::to_string(picture.height) +
-                       "; expected twice as wide as high, the whole planet equirectangular: resize it");
-    }
-    return picture;
+    return foreign::read_picture(file, [&](const foreign::Picture& picture) {
+      if (picture.deep) {
+        throw InputError(file + ": is a deep picture; expected a flat one");
+      }
+      if (std::min(picture.width, picture.height) < least || std::max(picture.width, picture.height) > most) {
+        throw InputError(file + ": is " + std::to_string(picture.width) + "x" + std::to_string(picture.height) +
+                         "; expected " + std::to_string(least) + " to " + std::to_string(most) +
+                         " pixels a side: resize it");
+      }
+      if (planet && picture.width != 2 * picture.height) {
+        throw InputError(file + ": is " + std::to_string(picture.width) + "x" + std::to_string(picture.height) +
+                         "; expected twice as wide as high, the whole planet equirectangular: resize it");
+      }
+    });
   } catch (const InputError& error) {
     throw InputError(key + ": " + error.what());
   }
 }
 
-void require_finite(const std::vector<float>& values, const std::string& file, const std::string& key) {
-  const auto bad = std::ranges::count_if(values, [](float x) { return !std::isfinite(x); });
+// `values`: as many of each pixel of the picture, in its order.
+void require_finite(const std::vector<float>& values, const foreign::Picture& picture, const std::string& key) {
+  const auto is_bad = [](float x) { return !std::isfinite(x); };
+  const auto bad = std::ranges::count_if(values, is_bad);
   if (bad > 0) {
-    throw InputError(key + ": " + file + ": " + std::to_string(bad) +
-                     " values are not finite; expected a height or a reflectance everywhere: fill the holes");
+    const std::int64_t pixels = std::int64_t{picture.width} * picture.height;
+    const auto at = (std::ranges::find_if(values, is_bad) - values.begin()) / (std::ssize(values) / pixels);
+    throw InputError(key + ": " + picture.file + ": " + std::to_string(bad) + " values are not finite, the first at (" +
+                     std::to_string(at % picture.width) + ", " + std::to_string(at / picture.width) +
+                     "); expected a height or a reflectance everywhere: fill the holes");
   }
 }
 
-void require_reflectances(const std::vector<float>& values, const std::string& file, const std::string& key) {
-  require_finite(values, file, key);
+void require_reflectances(const std::vector<float>& values, const foreign::Picture& picture, const std::string& key) {
+  require_finite(values, picture, key);
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
   const float bad = *least < 0.0F ? *least : *most;
   if (bad < 0.0F || bad > 1.0F) {
-    throw InputError(key + ": " + file + ": holds the value " + format_number(static_cast<double>(bad)) +
+    throw InputError(key + ": " + picture.file + ": holds the value " + format_number(static_cast<double>(bad)) +
                      "; expected 0 to 1, what part of the light is sent back: scale the picture");
   }
 }
@@ -82,7 +88,7 @@ void read_heights(TerrainFiles& files, const std::string& file) {
   files.columns = picture.width;
   files.rows = picture.height;
   files.heights = picture.channels.front().values;
-  require_finite(files.heights, file, key);
+  require_finite(files.heights, picture, key);
   // Heights are no light, so the decoding of a file whose format counts as sRGB is undone.
   if (picture.srgb) {
     std::transform(files.heights.begin(), files.heights.end(), files.heights.begin(), srgb_encoded<float>);
@@ -112,7 +118,7 @@ void read_colours(TerrainFiles& files, const std::string& file) {
   files.colour_columns = picture.width;
   files.colour_rows = picture.height;
   files.colours = colours_of(picture);
-  require_finite(files.colours, file, key);
+  require_finite(files.colours, picture, key);
 }
 
 void read_planet(GroundFiles& files, const std::string& file) {
@@ -120,7 +126,7 @@ void read_planet(GroundFiles& files, const std::string& file) {
   const foreign::Picture picture = picture_for(file, key, true);
   files.colour_rows = picture.height;
   files.colours = colours_of(picture);
-  require_reflectances(files.colours, file, key);
+  require_reflectances(files.colours, picture, key);
 }
 
 void read_water(GroundFiles& files, const std::string& file) {
@@ -128,7 +134,7 @@ void read_water(GroundFiles& files, const std::string& file) {
   const foreign::Picture picture = picture_for(file, key, true);
   files.water_rows = picture.height;
   files.water = picture.channels.front().values;
-  require_reflectances(files.water, file, key);
+  require_reflectances(files.water, picture, key);
   if (picture.srgb) {
     std::transform(files.water.begin(), files.water.end(), files.water.begin(), srgb_encoded<float>);
   }

@@ -130,7 +130,8 @@ std::vector<Option> scene_options(SceneOptions& options) {
                         {"--set", "POINTER=JSON",
                          "Change any key of the preset, e.g. /planet/ground_albedo=0.3; airlight checks it like the "
                          "preset and applies it after the other options",
-                         &options.set}});
+                         &options.set},
+                        allow_files_option(options.allow_files)});
   scene.push_back({.names = "--method",
                    .metavar = "NAME",
                    .help = "Method that computes the sky; 'airlight methods' lists them",
@@ -171,7 +172,7 @@ Option size_option(SceneOptions& options) {
 }
 
 Preset chosen_preset(const SceneOptions& options, const std::vector<Override>& further) {
-  Preset preset = find_preset(options.preset);
+  Preset preset = find_preset(options.preset, options.allow_files);
   if (options.method) {
     apply(preset, {"/render/method=" + json_string(*options.method), "--method " + *options.method});
   }

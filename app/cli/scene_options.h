@@ -34,6 +34,7 @@ struct SceneOptions {
   std::optional<std::string> method;
   std::string device;
   bool no_cache = false;
+  bool allow_files = false;
 };
 
 // "1920x1080"; none where the text is not two whole numbers.

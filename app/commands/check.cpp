@@ -10,6 +10,7 @@
 #include "app/commands/commands.h"
 #include "core/error.h"
 #include "core/methods/method.h"
+#include "core/output/provenance.h"
 #include "core/scene/curve_reader.h"
 #include "core/scene/phase_reader.h"
 #include "core/scene/printable.h"
@@ -22,6 +23,7 @@ struct CheckGiven {
   std::vector<std::string> presets;
   std::vector<std::string> set;
   PictureOptions picture;  // for its OCIO config
+  bool allow_files = false;
   bool json = false;
   bool verbose = false;
   bool quiet = false;
@@ -46,16 +48,23 @@ void check_names(const Preset& preset, Scene scene, const PictureOptions& option
   }
 }
 
-// The problems, a line each. None: the preset is good, and `scene` is its scene.
-std::string problems_of(const CheckGiven& given, const std::string& argument, std::string& source, Scene& scene) {
+struct Checked {
+  std::string source;
+  std::string version;   // of the airlight that made the picture, where the preset comes from one
+  std::string problems;  // a line each; empty: the preset is good, and `scene` is its scene
+  Scene scene;
+};
+
+std::string problems_of(const CheckGiven& given, const std::string& argument, Checked& checked) {
   try {
-    Preset preset = find_preset(argument);
-    source = preset.source;
+    Preset preset = find_preset(argument, given.allow_files);
+    checked.source = preset.source;
+    checked.version = preset.version;
     for (const std::string& assignment : given.set) {
       apply_override(preset, assignment);
     }
-    scene = judged(preset);
-    check_names(preset, scene, given.picture);
+    checked.scene = judged(preset);
+    check_names(preset, checked.scene, given.picture);
     return {};
   } catch (const InputError& error) {
     return error.has_lines ? error.what() : printable(error.what());
@@ -71,31 +80,45 @@ void write_problems(JsonWriter& json, const std::string& lines) {
   json.end_array();
 }
 
+void tell_notes(const CheckGiven& given, const Checked& checked) {
+  for (const std::string& warning : curve_warnings(checked.scene)) {
+    complain("warning: " + checked.source + ": " + warning);
+  }
+  if (given.quiet) {
+    return;
+  }
+  std::vector<std::string> notes = phase_notes(checked.scene);
+  notes.push_back(version_note(checked.version, AIRLIGHT_VERSION));
+  for (const std::string& note : notes) {
+    if (!note.empty()) {
+      complain("note: " + checked.source + ": " + note);
+    }
+  }
+}
+
 // Reports every problem of every file before the command fails.
 int check_presets(const CheckGiven& given) {
   bool all_good = true;
   JsonWriter json;
   json.begin_object().key("presets").begin_array();
   for (const std::string& argument : given.presets) {
-    std::string source = argument;
-    Scene scene;
-    const std::string problems = problems_of(given, argument, source, scene);
-    all_good = all_good && problems.empty();
-    json.begin_object().key("preset").value(source).key("good").value(problems.empty());
-    write_problems(json, problems);
-    json.end_object();
-    if (problems.empty()) {
-      for (const std::string& warning : curve_warnings(scene)) {
-        complain("warning: " + source + ": " + warning);
-      }
-      for (const std::string& note : given.quiet ? std::vector<std::string>() : phase_notes(scene)) {
-        complain("note: " + source + ": " + note);
-      }
+    Checked checked{.source = argument, .version = {}, .problems = {}, .scene = {}};
+    checked.problems = problems_of(given, argument, checked);
+    const bool good = checked.problems.empty();
+    all_good = all_good && good;
+    json.begin_object().key("preset").value(checked.source).key("good").value(good);
+    if (!checked.version.empty()) {
+      json.key("airlight").value(checked.version);
     }
-    if (!problems.empty()) {
-      complain(problems);
-    } else if (!given.quiet && !given.json) {
-      print(source + ": good\n" + (given.verbose ? describe(scene) : std::string()));
+    write_problems(json, checked.problems);
+    json.end_object();
+    if (good) {
+      tell_notes(given, checked);
+    } else {
+      complain(checked.problems);
+    }
+    if (good && !given.quiet && !given.json) {
+      print(checked.source + ": good\n" + (given.verbose ? describe(checked.scene) : std::string()));
     }
   }
   json.end_array().end_object();
@@ -115,7 +138,7 @@ Command check_command() {
   command.description =
       "Each problem is printed on a line of its own: file and line, the key as a JSON pointer, what is wrong, and what "
       "was expected. airlight looks up the display and its view in the OpenColorIO config. The exit code is 2 if there "
-      "is any problem.";
+      "is any problem. A note says so if another version of airlight made the picture that carries the preset.";
   command.examples = {{"airlight check my-sky.json", "Say that a preset is good, or list everything that is wrong"},
                       {"airlight check -v earth-noon", "Also print the whole scene with its units"}};
   command.positionals = {{"PRESET",
@@ -130,6 +153,7 @@ Command check_command() {
       {"--ocio-config", "FILE",
        "OpenColorIO config that has the display and the view (default: $OCIO; if it is not set, the built-in config)",
        &given->picture.ocio_config, Completes::file},
+      allow_files_option(given->allow_files),
       {"--json", "", "Print one JSON object: each preset, whether it is good, and its problems", &given->json},
       {"-q,--quiet", "", "Print nothing about good presets but warnings", &given->quiet},
       {"-v,--verbose", "", "Also print the resolved scene with its units", &given->verbose}};

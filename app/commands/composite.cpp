@@ -42,7 +42,8 @@ Command composite_command() {
       {"-o,--output", "FILE.exr", "Write the picture with air here, with #### for the number of a frame",
        &given->output, Completes::file},
       {"--beauty", "FILE",
-       "Picture that gets the air, in any format that OpenImageIO reads; with ####, every frame that exists",
+       "Picture that gets the air, in EXR, PNG, TIFF, HDR or another format of pictures; with ####, every frame that "
+       "exists",
        &given->beauty, Completes::file},
       {"--layer", "NAME",
        "Layer of the beauty, e.g. ViewLayer.Combined (default: the main picture, a layer Combined, or the only layer "

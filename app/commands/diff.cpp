@@ -41,6 +41,7 @@ struct DiffGiven {
   std::string side_by_side;
   std::string junit;
   std::string html;
+  bool allow_files = false;
   bool update = false;
   bool json = false;
   bool verbose = false;
@@ -96,8 +97,8 @@ void require_outputs(const DiffGiven& given, const measure::FilePairs& pairs) {
   }
 }
 
-std::string resolved_preset(const std::string& source) {
-  return source.empty() ? std::string() : to_json(resolve(find_preset(source), method_infos()));
+std::string resolved_preset(const std::string& source, bool any_file) {
+  return source.empty() ? std::string() : to_json(resolve(find_preset(source, any_file), method_infos()));
 }
 
 // Writes a text or a PNG; does nothing where there is none.
@@ -192,7 +193,8 @@ int diff(DiffGiven given) {
   if (given.update && (!given.channels.empty() || !given.request.layer.empty())) {
     throw InputError("diff: --update takes whole files; compare them whole, without --layer and --channels");
   }
-  given.request.view_preset = resolved_preset(given.camera_from);
+  given.request.version = AIRLIGHT_VERSION;
+  given.request.view_preset = resolved_preset(given.camera_from, given.allow_files);
   // Pipes are read once, in the order given.
   std::vector<SeekableFile> inputs;
   for (std::string* name : {&given.a, &given.b}) {
@@ -209,7 +211,7 @@ int diff(DiffGiven given) {
   const measure::FilePairs pairs = measure::pair_files(given.a, given.b, given.request.standard_errors);
   require_outputs(given, pairs);
   std::optional<ReferenceUpdate> update;
-  if (given.update) update.emplace(pairs);
+  if (given.update) update.emplace(pairs, given.b);
   const measure::Limits in_force = measure::limits_in_force(given.request.limits, in_sigmas);
 
   std::vector<NamedReport> entries;
@@ -225,6 +227,8 @@ int diff(DiffGiven given) {
     const std::string summary = printable(measure::describe_all(entries), true);
     given.json ? tell(summary) : print(summary);
   }
+  // The files are written from here on: the words claim nothing of them.
+  say_when_ended(compared_so_far(entries.size(), pairs.pairs.size(), {}));
   if (!given.junit.empty()) write(given.junit, measure::junit_xml(entries), written);
   if (!given.html.empty()) write(given.html, measure::html_page(entries, inputs[0].name(), inputs[1].name()), written);
   // If a pair cannot be compared the update throws, after all reports are written.
@@ -249,7 +253,7 @@ const char* const kDescription =
     "If a preset tells the camera, it reports them for each region of the sky too: sky, sun aureole (10 degrees around "
     "the sun), horizon band (3 degrees above the true horizon), zenith (15 degrees) and ground. That preset is "
     "--camera-from's, otherwise B's own, otherwise A's. If both files carry a preset, airlight compares the presets "
-    "first.\n\n"
+    "first. It says which file another version of airlight made.\n\n"
     "Relative error is |a-b| / max(|b|, 0.001 mean|b|), with the mean over the whole picture of a channel. PSNR is "
     "relative to B's largest value. NaN and infinity equal nothing unless --allow-nonfinite is given, and fail under "
     "any limits. airlight does not compare the colours of files whose chromaticities differ.\n\n"
@@ -263,7 +267,8 @@ const char* const kDescription =
     "518400 pixels, or if all together have more than 1.5 million. The figures are those of the whole pictures.\n\n"
     "--update replaces each reference that differs with its new picture: all of them or none. It compares and reports "
     "first, and does not ask before it replaces. If one pair cannot be compared, or if writing fails, every reference "
-    "stays as it was. References that pass stay too. If the run is killed between two renames, each file is whole; the "
+    "stays as it was. A reference that is a link out of its folder is refused. References that pass stay too. If the "
+    "run is killed between two renames, each file is whole; the "
     "same command continues from there.\n\n"
     "The exit code is 0 if the pictures pass, perhaps with warnings; 1 if they differ; 2 if they cannot be compared. "
     "With --update it is 0 if the references are up to date; 1 if writing failed; 2 if a pair cannot be compared.";
@@ -326,6 +331,7 @@ std::vector<Option> other_options(DiffGiven& given) {
       text("--camera-from", "PRESET",
            "Take camera, sun and planet from this preset, or from an EXR or PNG written by airlight",
            &given.camera_from, Completes::file),
+      allow_files_option(given.allow_files),
       text("--heatmap", "FILE.png",
            "Write a picture of the error with its scale. With several pairs, FILE.NAME.png is that of each pair",
            &given.heatmap, Completes::file),

@@ -12,11 +12,30 @@ namespace fs = std::filesystem;
 using measure::NamedReport;
 using measure::Verdict;
 
-ReferenceUpdate::ReferenceUpdate(const measure::FilePairs& pairs) {
+namespace {
+
+// A link in a folder of references may lead anywhere; the user named the folder, not what lies behind the link.
+void require_inside(const std::string& reference, const std::string& references) {
+  std::error_code problem;
+  const fs::path given(references);
+  const fs::path folder = fs::canonical(fs::is_directory(given) ? given : given.parent_path() / ".", problem);
+  const fs::path real = fs::canonical(reference, problem);
+  if (!problem && std::mismatch(folder.begin(), folder.end(), real.begin(), real.end()).first != folder.end()) {
+    throw InputError("diff: --update: " + reference + " is a link to " + real.string() + ", outside of " +
+                     folder.string() +
+                     "; nothing was replaced: put a copy in the link's place, or update that file by "
+                     "its own name");
+  }
+}
+
+}  // namespace
+
+ReferenceUpdate::ReferenceUpdate(const measure::FilePairs& pairs, const std::string& references) {
   for (const measure::FilePair& pair : pairs.pairs) {
     if (!pair.problem.empty()) continue;
     std::error_code problem;
     if (!fs::is_regular_file(pair.b, problem)) continue;  // the comparison reports it
+    if (pairs.several) require_inside(pair.b, references);
     require_writable(pair.b);
     seen_.push_back({pair.a, fs::file_size(pair.a, problem), fs::last_write_time(pair.a, problem)});
   }

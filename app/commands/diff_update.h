@@ -12,8 +12,9 @@ namespace airlight::cli {
 
 class ReferenceUpdate {
  public:
-  // To be made before comparing. Throws InputError where a reference cannot be written.
-  explicit ReferenceUpdate(const measure::FilePairs& pairs);
+  // To be made before comparing. `references`: the folder or the pattern that holds them. Throws InputError where a
+  // reference cannot be written, or is a link that leads out of the folder.
+  ReferenceUpdate(const measure::FilePairs& pairs, const std::string& references);
 
   // Replaces the references of all pairs that differ, and prints which. Replaces nothing and throws InputError if a
   // pair could not be compared or a new picture has changed since, RunError if writing fails.

@@ -6,6 +6,7 @@
 #include "app/commands/commands.h"
 #include "app/render/table_files.h"
 #include "core/error.h"
+#include "core/output/finite.h"
 #include "core/scene/preset.h"
 
 namespace airlight::cli {
@@ -29,6 +30,13 @@ int run_luts(const LutsGiven& given) {
   require_valid_vulkan();
   if (tables.empty()) {
     throw InputError("luts: the method " + scene.render.method + " uses no tables; choose another with --method");
+  }
+  for (const TableDump& table : tables) {
+    const std::string fault =
+        finite_fault("the table " + table.name, table.rgba, static_cast<std::size_t>(table.width), 4);
+    if (!fault.empty()) {
+      throw RunError(given.scene.preset + ": " + fault + "; nothing was written");
+    }
   }
   const Provenance provenance{to_json(scene), scene.render.method, AIRLIGHT_VERSION, executor->device().name};
   JsonWriter json;

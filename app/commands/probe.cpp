@@ -1,8 +1,8 @@
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <iostream>
 #include <memory>
+#include <sstream>
 
 #include "app/cli/json_writer.h"
 #include "app/cli/scene_options.h"
@@ -13,6 +13,7 @@
 #include "core/error.h"
 #include "core/render/spectrum.h"
 #include "core/scene/angle.h"
+#include "core/scene/named_file.h"
 #include "core/scene/photometry.h"
 #include "core/text.h"
 
@@ -75,11 +76,13 @@ std::vector<ListedDirection> directions_of(const ProbeGiven& given) {
     if (given.csv == "-") {
       return read_csv(std::cin, "standard input");
     }
-    std::ifstream file(given.csv);
-    if (!file) {
-      throw InputError(given.csv + ": cannot be read; --csv needs a file of ELEVATION,AZIMUTH lines");
+    const NamedText named = read_named_text(given.csv);
+    if (!named.problem.empty()) {
+      throw InputError(given.csv + ": cannot be read: " + named.problem +
+                       "; --csv needs a file of ELEVATION,AZIMUTH lines, or - for standard input");
     }
-    return read_csv(file, given.csv);
+    std::istringstream lines(named.text);
+    return read_csv(lines, given.csv);
   }
   if (given.elevations.size() != given.azimuths.size()) {
     throw InputError("probe: " + std::to_string(given.elevations.size()) + " elevations but " +

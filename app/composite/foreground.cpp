@@ -265,6 +265,7 @@ Foreground read_foreground(const CompositeOrder& order, const std::string& beaut
   if (fore.picture.deep) {
     index_samples(fore);
   }
+  fore.mended = mend_light(fore.picture, fore.colours, fore.alpha, fore.pixel_of);
   fore.things = things_of(fore, order.scale);
   if (z.values.size() != fore.things.size()) {
     throw InputError(place.file + ": its " + z.name + " has " + std::to_string(z.values.size()) + " samples where " +

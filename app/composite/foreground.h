@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/composite/mend.h"
 #include "app/composite/order.h"
 #include "core/composite/blend.h"
 #include "core/foreign/foreign_picture.h"
@@ -13,7 +14,7 @@
 namespace airlight::cli {
 
 struct Foreground {
-  foreign::Picture picture;              // as read; other channels pass unchanged
+  foreign::Picture picture;              // as read, its light mended; other channels pass unchanged
   std::array<std::string, 3> colours{};  // channel names of red, green, blue
   std::string alpha;                     // empty: none
   WorkingSpace space = WorkingSpace::linear_rec709;
@@ -23,6 +24,7 @@ struct Foreground {
   std::vector<std::uint32_t> pixel_of;   // for a deep picture: the pixel of each sample; else empty
   std::string camera;                    // source of the camera, for people
   composite::DepthCounts counts;
+  MendedLight mended;
   std::size_t replaced = 0;  // opaque pixels without depth: the other program's own background
 };
 

@@ -18,6 +18,7 @@
 #include "core/error.h"
 #include "core/measure/frames.h"
 #include "core/output/atomic_file.h"
+#include "core/output/finite.h"
 #include "core/output/parallel.h"
 #include "core/sequence/frame_files.h"
 #include "core/terrain/terrain.h"
@@ -198,6 +199,9 @@ void tell_about(const CompositeOrder& order, const Foreground& fore, const Frame
   if (order.quiet) {
     return;
   }
+  for (const std::string& warning : mended_warnings(fore.mended, frame.beauty)) {
+    complain("warning: " + warning);
+  }
   if (fore.counts.nan > 0) {
     complain("warning: " + frame.beauty + ": " + std::to_string(fore.counts.nan) +
              " depths are not numbers; they are taken as sky");
@@ -232,6 +236,8 @@ std::string as_json(const Foreground& fore, const Frame& frame, const FrontAir& 
   json.key("samples").value(static_cast<double>(fore.things.size()));
   json.key("sky").value(static_cast<double>(fore.counts.sky));
   json.key("nan_depths").value(static_cast<double>(fore.counts.nan));
+  json.key("mended_colours").value(static_cast<double>(fore.mended.colours.count));
+  json.key("mended_alphas").value(static_cast<double>(fore.mended.alphas.count));
   json.key("background_replaced").value(static_cast<double>(fore.replaced));
   json.key("air").value(air.way).key("volume_error").value(air.volume_error);
   json.key("air_passes_ms");
@@ -263,6 +269,13 @@ void composite_frame(const CompositeOrder& order, const Frame& frame, const Devi
   const FrontAir air = air_before(order, samples, scene, device);
   require_valid_vulkan();
   const Composite made = blended(fore, samples, air.airs, sky.radiance, !order.layers.empty());
+  const auto width = static_cast<std::size_t>(fore.picture.width);
+  for (const auto& [name, colours] : {std::pair{"the picture", &made.colours}, {"inscatter", &made.inscatter}}) {
+    const std::string fault = finite_fault(name, planes_in(*colours, WorkingSpace::linear_rec709), width, 4);
+    if (!fault.empty()) {
+      throw RunError(frame.beauty + ": " + fault + "; nothing was written: look for values near the largest float");
+    }
+  }
   const PictureContext context{
       scene, sky, {to_json(scene), scene.render.method, AIRLIGHT_VERSION, device().device().name}};
   const ExrFile file = encoded(order, fore, made, context);

@@ -1,6 +1,7 @@
 #include "app/sequence/manifest.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -12,6 +13,7 @@
 #include "core/output/atomic_file.h"
 #include "core/scene/angle.h"
 #include "core/scene/json_text.h"
+#include "core/scene/named_file.h"
 
 namespace airlight::cli {
 namespace {
@@ -46,9 +48,13 @@ SequenceManifest::SequenceManifest(const SequenceJob& job)
 // Each frame is a line of its own, so that the file is never held whole. Other lines are skipped: the manifest is a
 // report, and at worst its figures are wrong.
 void SequenceManifest::read_earlier() {
+  if (!named_file_problem(job_.manifest).empty()) {
+    return;
+  }
   std::ifstream file(job_.manifest, std::ios::binary);
   const long first = records_.empty() ? 0 : sequence::frame_number(job_.source, 0);
-  for (std::string text; std::getline(file, text);) {
+  for (std::array<char, 4096> line; file.getline(line.data(), line.size());) {  // a longer line is none of ours
+    std::string text = line.data();
     if (!text.starts_with(kFrameStart)) {
       continue;
     }

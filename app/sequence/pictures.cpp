@@ -59,11 +59,15 @@ std::string label_of(const SequenceJob& job, std::size_t index) {
   return sweep ? format_number(frame.keys.front().second.front()) + " deg" : std::to_string(frame.number);
 }
 
-void make_contact_sheet(const std::string& file, const SequenceJob& job, const FrameReader& reader) {
+// False where a signal ended it; nothing is written then.
+bool make_contact_sheet(const std::string& file, const SequenceJob& job, const FrameReader& reader) {
   constexpr std::size_t kMostFrames = 60;
   constexpr int kLargestSide = 160;
   std::vector<sequence::Thumbnail> thumbnails;
   for (const std::size_t index : sequence::frames_shown(sequence::frame_count(job.source), kMostFrames)) {
+    if (Interruption::signal() != 0) {
+      return false;
+    }
     const PixelImage picture = reader.read(index);
     thumbnails.push_back(
         sequence::shrink(picture.width, picture.height, picture.channels, picture.bytes, kLargestSide));
@@ -74,6 +78,7 @@ void make_contact_sheet(const std::string& file, const SequenceJob& job, const F
   options.smallest = true;
   options.texts["Software"] = std::string("airlight ") + AIRLIGHT_VERSION;
   write_png(file, {sheet.width(), sheet.height(), 3, 8, sheet.rgb(), {}}, options);
+  return true;
 }
 
 void make_preview(const SequencePictures& pictures, const SequenceJob& job, const FrameReader& reader) {
@@ -130,16 +135,22 @@ void make_pictures(const SequencePictures& pictures, const SequenceJob& job) {
     remove_abandoned_film(*pictures.preview);
   }
   const FrameReader reader(job);
+  std::string whole = "the frames";
+  std::string missing;
   if (pictures.contact_sheet) {
-    make_contact_sheet(*pictures.contact_sheet, job, reader);
-    tell(job.quiet ? "" : *pictures.contact_sheet + "\n");
+    const bool made = make_contact_sheet(*pictures.contact_sheet, job, reader);
+    tell(job.quiet || !made ? "" : *pictures.contact_sheet + "\n");
+    (made ? whole : missing) += made ? " and " + *pictures.contact_sheet : "the contact sheet";
   }
   if (pictures.preview && Interruption::signal() == 0) {
     make_preview(pictures, job, reader);
   }
   if (const int signal = Interruption::signal(); signal != 0) {
-    throw RunError(std::string("stopped by ") + signal_name(signal) +
-                   ": the frames are whole, the preview was not made");
+    if (pictures.preview) {
+      missing += missing.empty() ? "the preview" : ", the preview";
+    }
+    throw RunError(std::string("stopped by ") + signal_name(signal) + ": " + whole + " are whole" +
+                   (missing.empty() ? "" : "; not made: " + missing));
   }
   if (pictures.preview) {
     tell(job.quiet ? "" : *pictures.preview + "\n");

@@ -12,11 +12,15 @@
 #include <OpenEXR/ImfPartType.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <limits>
 #include <memory>
 #include <new>
+#include <stdexcept>
 #include <vector>
 
 #include "core/error.h"
+#include "core/foreign/header_check.h"
 #include "core/huge_pages.h"
 #include "core/output/exr.h"
 #include "core/output/exr_header.h"
@@ -49,9 +53,12 @@ bool is_deep(const imf::Header& header) {
 }
 
 void read_attributes(Picture& picture, const imf::Header& header) {
-  const Imath::V2i size = header.displayWindow().size();
-  picture.width = size.x + 1;
-  picture.height = size.y + 1;
+  const Imath::Box2i& window = header.displayWindow();
+  const auto side = [](std::int64_t low, std::int64_t high) {
+    return static_cast<int>(std::clamp<std::int64_t>(high - low + 1, 0, std::numeric_limits<int>::max()));
+  };
+  picture.width = side(window.min.x, window.max.x);
+  picture.height = side(window.min.y, window.max.y);
   picture.deep = is_deep(header);
   picture.world_to_camera = matrix_of(header, "worldToCamera");
   picture.world_to_ndc = matrix_of(header, "worldToNDC");
@@ -123,9 +130,17 @@ struct DeepSamples {
   std::vector<std::vector<float>> values;
 };
 
+// The counts of a damaged file may ask for any memory.
+void require_room_for_samples(std::size_t values, std::uintmax_t file_bytes) {
+  constexpr std::uintmax_t kMostBytesFromOne = 1032;  // by deflate; two bytes a value
+  if (values > file_bytes * kMostBytesFromOne / 2) {
+    throw std::runtime_error("it has fewer bytes than its samples ask for");
+  }
+}
+
 template <class Part, class ReadCounts, class ReadPixels>
-DeepSamples deep_samples(Part& input, const std::vector<std::string>& names, const ReadCounts& read_counts,
-                         const ReadPixels& read_pixels) {
+DeepSamples deep_samples(Part& input, std::uintmax_t file_bytes, const std::vector<std::string>& names,
+                         const ReadCounts& read_counts, const ReadPixels& read_pixels) {
   const Imath::Box2i& data = input.header().dataWindow();
   const std::size_t columns = size_of(data.size().x + 1);
   const std::size_t pixels = columns * size_of(data.size().y + 1);
@@ -148,6 +163,7 @@ DeepSamples deep_samples(Part& input, const std::vector<std::string>& names, con
   read_counts(data);
   std::size_t all = 0;
   for (const unsigned count : samples.counts) all += count;
+  require_room_for_samples(all * names.size(), file_bytes);
   for (std::size_t c = 0; c < names.size(); ++c) {
     float* next = samples.values.emplace_back(all).data();
     for (std::size_t i = 0; i < pixels; ++i) {
@@ -159,25 +175,27 @@ DeepSamples deep_samples(Part& input, const std::vector<std::string>& names, con
   return samples;
 }
 
-DeepSamples read_deep_samples(imf::MultiPartInputFile& file, const std::vector<std::string>& names) {
+DeepSamples read_deep_samples(imf::MultiPartInputFile& file, const std::string& name,
+                              const std::vector<std::string>& names) {
+  const std::uintmax_t bytes = std::filesystem::file_size(name);
   if (file.header(0).type() == imf::DEEPTILE) {
     imf::DeepTiledInputPart input(file, 0);
     const int across = input.numXTiles(0) - 1;
     const int down = input.numYTiles(0) - 1;
     return deep_samples(
-        input, names, [&](const Imath::Box2i&) { input.readPixelSampleCounts(0, across, 0, down, 0); },
+        input, bytes, names, [&](const Imath::Box2i&) { input.readPixelSampleCounts(0, across, 0, down, 0); },
         [&](const Imath::Box2i&) { input.readTiles(0, across, 0, down, 0); });
   }
   imf::DeepScanLineInputPart input(file, 0);
   return deep_samples(
-      input, names, [&](const Imath::Box2i& data) { input.readPixelSampleCounts(data.min.y, data.max.y); },
+      input, bytes, names, [&](const Imath::Box2i& data) { input.readPixelSampleCounts(data.min.y, data.max.y); },
       [&](const Imath::Box2i& data) { input.readPixels(data.min.y, data.max.y); });
 }
 
 void read_deep(Picture& picture, imf::MultiPartInputFile& file) {
   const imf::Header& header = file.header(0);
   const std::vector<std::string> names = channel_names(header, picture.file);
-  const DeepSamples samples = read_deep_samples(file, names);
+  const DeepSamples samples = read_deep_samples(file, picture.file, names);
   for (const std::string& name : names) {
     picture.channels.push_back({name, header.channels()[name].type == imf::HALF, {}});
   }
@@ -204,7 +222,7 @@ void read_deep(Picture& picture, imf::MultiPartInputFile& file) {
 
 }  // namespace
 
-Picture read_exr_picture(const std::string& file) {
+Picture read_exr_picture(const std::string& file, const Accept& accept) {
   Picture picture;
   picture.file = file;
   std::unique_ptr<imf::MultiPartInputFile> input;
@@ -219,6 +237,9 @@ Picture read_exr_picture(const std::string& file) {
   }
   try {
     read_attributes(picture, input->header(0));
+    const Imath::Box2i& data = input->header(0).dataWindow();
+    require_acceptable(picture, std::int64_t{data.max.x} - data.min.x + 1, std::int64_t{data.max.y} - data.min.y + 1,
+                       accept);
     if (picture.deep) {
       read_deep(picture, *input);
       return picture;

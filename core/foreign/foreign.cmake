@@ -1,7 +1,8 @@
 # Other programs' pictures: EXRs by OpenEXR, all others through OpenImageIO by a module that is loaded when it is needed.
 # Linking OpenImageIO would cost every start of the tool 0.2 CPU-s and 130 MB.
 add_library(airlight_foreign STATIC ${CMAKE_CURRENT_LIST_DIR}/exr_picture.cpp
-            ${CMAKE_CURRENT_LIST_DIR}/foreign_picture.cpp ${CMAKE_CURRENT_LIST_DIR}/module.cpp)
+            ${CMAKE_CURRENT_LIST_DIR}/foreign_picture.cpp ${CMAKE_CURRENT_LIST_DIR}/module.cpp
+            ${CMAKE_CURRENT_LIST_DIR}/jpeg_extent.cpp ${CMAKE_CURRENT_LIST_DIR}/tiff_extent.cpp)
 target_link_libraries(airlight_foreign PUBLIC airlight_flags PRIVATE airlight_output OpenEXR::OpenEXR ${CMAKE_DL_LIBS})
 
 add_library(airlight_foreign_module MODULE ${CMAKE_CURRENT_LIST_DIR}/module_foreign.cpp)

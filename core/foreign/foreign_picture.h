@@ -1,11 +1,13 @@
 #pragma once
-// Pictures of other programs: any file that OpenImageIO reads, flat or deep, as planes of floats over the display
-// window. EXRs are read by OpenEXR, all others by the module that links OpenImageIO, which is loaded when it is needed.
+// Pictures of other programs, flat or deep, as planes of floats over the display window. EXRs are read by OpenEXR, the
+// other formats of kPictureFormats by the module that links OpenImageIO, which is loaded when it is needed.
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace airlight::foreign {
@@ -37,11 +39,21 @@ struct Picture {
   std::string channel_list() const;
 };
 
-// Throws InputError: missing, a folder, not readable, damaged; RunError where the module cannot be loaded.
-Picture read_picture(const std::string& file);
+// The formats that the module opens, as OpenImageIO calls them. Among its others are some that make pictures of
+// nothing, or hand the file to a large decoder.
+inline constexpr std::array<std::string_view, 10> kPictureFormats{"openexr", "png", "tiff", "hdr", "jpeg",
+                                                                  "webp",    "pnm", "bmp",  "dpx", "targa"};
+inline constexpr std::string_view kPictureFormatWords = "EXR, PNG, TIFF, HDR, JPEG, WebP, PNM, BMP, DPX or TGA";
+
+// Told the header, before a pixel is decoded: width, height, depth or not. Throws InputError to refuse the picture.
+using Accept = std::function<void(const Picture& header)>;
+
+// Throws InputError: missing, no regular file, of another format, not readable, damaged, a window far larger than what
+// is stored, or what `accept` throws; RunError where the module cannot be loaded.
+Picture read_picture(const std::string& file, const Accept& accept = {});
 
 // The module's entry. Never throws: `problem` is one line, empty on success.
 inline constexpr const char* kReadEntry = "airlight_read_picture";
-using ReadFunction = void (*)(const std::string& file, Picture& picture, std::string& problem);
+using ReadFunction = void (*)(const std::string& file, const Accept& accept, Picture& picture, std::string& problem);
 
 }  // namespace airlight::foreign

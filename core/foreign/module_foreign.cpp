@@ -3,12 +3,12 @@
 #include <OpenImageIO/deepdata.h>
 #include <OpenImageIO/imageio.h>
 
-#include <filesystem>
 #include <memory>
 #include <new>
 
 #include "core/error.h"
 #include "core/foreign/foreign_picture.h"
+#include "core/foreign/header_check.h"
 #include "core/foreign/module_text.h"
 #include "core/output/provenance_keys.h"
 #include "core/srgb.h"
@@ -17,13 +17,19 @@
 namespace airlight::foreign {
 namespace {
 
+// The file by the first of the formats whose own reader knows it.
 std::unique_ptr<OIIO::ImageInput> open(const std::string& file) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored)) throw InputError(file + ": is a directory; expected a picture");
-  if (!std::filesystem::exists(file, ignored)) throw InputError(file + ": no such file; expected a picture");
-  std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(file);
-  if (!input) throw InputError(file + ": cannot be read: " + one_line(OIIO::geterror()));
-  return input;
+  for (const std::string_view format : kPictureFormats) {
+    std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(std::string(format));
+    if (!input || !input->valid_file(file)) {
+      continue;
+    }
+    OIIO::ImageSpec spec;
+    if (!input->open(file, spec)) throw InputError(file + ": cannot be read: " + one_line(input->geterror()));
+    return input;
+  }
+  OIIO::geterror();
+  throw InputError(file + ": is no picture that airlight reads; expected " + std::string(kPictureFormatWords));
 }
 
 std::optional<std::array<double, 16>> matrix_of(const OIIO::ImageSpec& spec, std::initializer_list<const char*> names) {
@@ -71,7 +77,7 @@ void read_flat(Picture& picture, OIIO::ImageInput& input, int part, const std::s
   const std::size_t first = picture.channels.size();
   const auto pixels = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
   for (std::size_t c = 0; c < channels; ++c) {
-    picture.channels.push_back({prefix + spec.channelnames[c],
+    picture.channels.push_back({prefix + std::string(spec.channel_name(static_cast<int>(c))),
                                 spec.channelformat(static_cast<int>(c)) == OIIO::TypeHalf, std::vector<float>(pixels)});
   }
   for (std::size_t i = 0; picture.srgb && i < all.size(); ++i) {
@@ -121,11 +127,11 @@ void read_deep(Picture& picture, OIIO::ImageInput& input) {
   }
 }
 
-void read(const std::string& file, Picture& picture) {
+void read(const std::string& file, const Accept& accept, Picture& picture) {
   const std::unique_ptr<OIIO::ImageInput> input = open(file);
   picture.file = file;
   read_attributes(picture, input->spec());
-  if (picture.width <= 0 || picture.height <= 0) throw InputError(file + ": holds no pixels");
+  require_acceptable(picture, input->spec().width, input->spec().height, accept);
   if (picture.deep) {
     read_deep(picture, *input);
     return;
@@ -144,10 +150,11 @@ void read(const std::string& file, Picture& picture) {
 }  // namespace airlight::foreign
 
 extern "C" __attribute__((visibility("default"))) void airlight_read_picture(const std::string& file,
+                                                                             const airlight::foreign::Accept& accept,
                                                                              airlight::foreign::Picture& picture,
                                                                              std::string& problem) {
   try {
-    airlight::foreign::read(file, picture);
+    airlight::foreign::read(file, accept, picture);
   } catch (const std::bad_alloc&) {
     problem = file + ": not enough memory to read it";
   } catch (const std::exception& error) {

@@ -14,6 +14,7 @@
 
 #include "core/error.h"
 #include "core/gpu/physical_device.h"
+#include "core/memory_limit.h"
 
 namespace airlight {
 namespace {
@@ -80,9 +81,19 @@ void require_validation_layer() {
                  " is not installed; install the package vulkan-validationlayers");
 }
 
+// Mesa's software device takes 800 to 970 MiB of addresses for small pictures. Where far less is permitted, its
+// libraries use memory that they did not get, and the process dies.
+void require_memory() {
+  constexpr unsigned long long kLeast = 768;  // MiB
+  if (const auto limit = memory_limit(); limit && *limit < kLeast) {
+    throw RunError("out of memory: a Vulkan device needs about 1 GiB of addresses" + memory_limit_words());
+  }
+}
+
 }  // namespace
 
 Instance::Instance(bool validation, Drivers drivers) {
+  require_memory();
   open_loader();
   if (validation) require_validation_layer();
 

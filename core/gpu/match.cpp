@@ -122,7 +122,8 @@ class Matcher {
 
   void match_constants(MatchedPass& matched) const {
     std::vector<Specialization> all = pass_.specialization;
-    if (pass_.team > 1) all.push_back({"kTeam", team_});
+    const auto is_team = [](const SpecializationConstant& constant) { return constant.name == "kTeam"; };
+    if (pass_.team > 1 || std::ranges::any_of(shader_.constants, is_team)) all.push_back({"kTeam", team_});
     for (const Specialization& wanted : all) {
       const auto found = std::ranges::find_if(shader_.constants,
                                               [&](const SpecializationConstant& c) { return c.name == wanted.name; });
@@ -134,6 +135,11 @@ class Matcher {
         refuse("specialization constant " + wanted.name + " is set twice");
       }
       matched.constants.push_back({found->id, wanted.value});
+    }
+    for (const SpecializationConstant& constant : shader_.constants) {
+      if (std::ranges::none_of(matched.constants, [&](const ConstantValue& set) { return set.id == constant.id; })) {
+        refuse("the pass sets no value of the specialization constant " + constant.name);
+      }
     }
     std::ranges::sort(matched.constants);
   }

@@ -28,10 +28,9 @@ struct MatchedPass {
   std::array<std::uint32_t, 3> workgroups{1, 1, 1};
 };
 
-// Throws std::logic_error naming pass, shader and name: a binding or constant that the shader lacks, a binding of the
-// shader that the pass leaves out, another kind, dimension or format, a read-only resource that the shader may write,
-// another count of push constants, too little scene data.
-// `teams`: whether the pass's teams are used.
+// Throws std::logic_error naming pass, shader and name: a binding or constant that the shader lacks, a binding or
+// constant of the shader that the pass leaves out, another kind, dimension or format, a read-only resource that the
+// shader may write, another count of push constants, too little scene data. `teams`: whether the pass's teams are used.
 MatchedPass match(const Plan& plan, const PassDesc& pass, const ShaderInfo& shader, bool teams = false);
 
 }  // namespace airlight

@@ -85,12 +85,12 @@ std::vector<Specialization> medium_specialization(const Air& air) {
   return {{"kMediumCount", p.media},
           {"kDensityProfiles", p.density_profiles},
           {"kPhaseFunctions", p.phase_functions},
+          {"kSunFade", p.fade ? 1U : 0U},
           {"kMostLayers", most == 0 ? 0 : std::bit_ceil(most)}};
 }
 
 std::vector<Specialization> sunlight_specialization(const Plan& plan, const Air& air, ImageId transmittance) {
   std::vector<Specialization> constants = medium_specialization(air);
-  constants.push_back({"kSunFade", air.formulas().fade ? 1u : 0u});
   const Extent extent = extent_in(plan, transmittance);
   constants.push_back({"kTransmittanceWidth", extent.width});
   constants.push_back({"kTransmittanceHeight", extent.height});

@@ -230,8 +230,10 @@ MomentSettings moment_settings(const Air& air, const MomentRequest& request) {
   return settings;
 }
 
-void add_moment_constants(std::vector<Specialization>& constants, const MomentSettings& settings) {
+void add_moment_constants(std::vector<Specialization>& constants, const MomentSettings& settings,
+                          std::optional<int> source_degree) {
   constants.push_back({"kMomentDegree", static_cast<std::uint32_t>(settings.degree)});
+  constants.push_back({"kSourceDegree", static_cast<std::uint32_t>(source_degree.value_or(settings.degree))});
   constants.push_back({"kDeltaScaled", settings.delta ? 1u : 0u});
   constants.push_back({"kMomentColumns", static_cast<std::uint32_t>(settings.size[0])});
   constants.push_back({"kMomentRows", static_cast<std::uint32_t>(settings.size[1])});
@@ -284,9 +286,8 @@ ImageId add_order(Bake& bake, const std::string& name, ImageId before, const Ord
   }
   const ImageId out = bake.plan.add_image({.name = name, .extent = atlas_extent(bake.settings), .key = {}});
   std::vector<Specialization> constants = sunlight_specialization(bake.plan, bake.air, bake.sunlight);
-  add_moment_constants(constants, bake.settings);
+  add_moment_constants(constants, bake.settings, way.degree);
   constants.push_back({"kFirstOrder", before == bake.sunlight ? 1u : 0u});
-  constants.push_back({"kSourceDegree", static_cast<std::uint32_t>(way.degree)});
   bake.plan.add_pass({.name = name,
                       .shader = "orders_bake",
                       .reads = {{"transmittance_lut", bake.sunlight},

@@ -53,7 +53,9 @@ ImageId add_sun_table(Plan& plan, const Air& air, const MomentSettings& settings
 // `sunlight`: the transmittance table, or the sun table.
 ImageId add_moments(Plan& plan, const Air& air, ImageId sunlight, const MomentSettings& settings);
 
-// kMomentDegree, kDeltaScaled, kMomentColumns, kMomentRows, kShellRows.
-void add_moment_constants(std::vector<Specialization>& constants, const MomentSettings& settings);
+// kMomentDegree, kSourceDegree, kDeltaScaled, kMomentColumns, kMomentRows, kShellRows. `source_degree`: absent, that of
+// the moments.
+void add_moment_constants(std::vector<Specialization>& constants, const MomentSettings& settings,
+                          std::optional<int> source_degree = {});
 
 }  // namespace airlight

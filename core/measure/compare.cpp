@@ -12,6 +12,7 @@
 #include "core/measure/reduce_pictures.h"
 #include "core/measure/words.h"
 #include "core/output/png.h"
+#include "core/output/provenance.h"
 #include "core/text.h"
 
 namespace airlight::measure {
@@ -190,6 +191,12 @@ void compare_presets(const LayeredExr& a, const LayeredExr& b, ComparisonReport&
   }
 }
 
+void note_version(const std::string& ours, const LayeredExr& exr, ComparisonReport& report) {
+  if (const std::string note = version_note(exr.version, ours); !note.empty()) {
+    report.notes.push_back(exr.file + ": " + note);
+  }
+}
+
 void note_other_layers(const ComparisonRequest& request, const LayeredExr& header, ComparisonReport& report) {
   std::vector<std::string> others;
   const std::string& compared = find_layer(header, request.layer).name;
@@ -231,6 +238,8 @@ void compare_into(const ComparisonRequest& request, ComparisonReport& report) {
   compare_presets(a, b, report);
   PicturePair pair = read_pair(request, a, b, report.notes);
   find_viewpoint(request, a, b, pair, report);
+  note_version(request.version, a, report);
+  note_version(request.version, b, report);
   note_other_layers(request, a, report);
   note_other_layers(request, b, report);
   count_nonfinite(pair, report);

@@ -36,6 +36,7 @@ struct ComparisonRequest {
   std::string layer;                         // empty: the main picture
   std::vector<std::string> channels;         // empty: all of the layer
   std::string view_preset;                   // resolved preset that says where pixels look; empty: the files' own
+  std::string version;                       // of the program that compares; empty: not told
   bool allow_nonfinite = false;
   Limits limits;
   bool heatmap = false;  // draw one

@@ -22,6 +22,7 @@
 #include "core/output/exr_parts.h"
 #include "core/output/first_bytes.h"
 #include "core/output/provenance_keys.h"
+#include "core/scene/named_file.h"
 #include "core/text.h"
 
 namespace airlight::measure {
@@ -33,6 +34,8 @@ void require_exr(const std::string& file) {
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored)) throw InputError(file + ": is a directory; expected an EXR file");
   if (!std::filesystem::exists(file, ignored)) throw InputError(file + ": no such file; expected an EXR file");
+  if (const std::string problem = named_file_problem(file); !problem.empty())
+    throw InputError(file + ": " + problem + "; expected an EXR file");
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw InputError(file + ": cannot be opened for reading; check its permissions");
   if (!starts_with(stream, kExrMagic)) {
@@ -89,6 +92,7 @@ void read_attributes(LayeredExr& exr, const imf::Header& header) {
   const std::optional<std::string> preset = text_of(header, kPresetKey);
   if (preset && !preset->empty()) {
     exr.preset = *preset;
+    exr.version = text_of(header, kVersionKey).value_or("");
   }
 }
 

@@ -26,6 +26,7 @@ struct LayeredExr {
   std::vector<ExrLayer> layers;
   Chromaticities chromaticities = kBt709;
   std::optional<std::string> preset;
+  std::string version;  // of the airlight that wrote it; empty: another program did
 };
 
 // Throws InputError: missing, a directory, not an EXR, damaged, deep data, channels of fewer samples than pixels.

@@ -32,6 +32,7 @@ SkyPasses add_analytic(Plan& plan, const Scene& scene, const Air& air, const Vie
   constants.push_back({"kProjection", target.projection});
   constants.push_back(
       {"kVariant", is_exponential(scene) ? physics::kAnalyticExponential : physics::kAnalyticZenithDensity});
+  constants.push_back({"kEdges", physics::kEdgesFound});
   constants.push_back({"kScatteringMedia", air.scattering_media()});
   plan.add_pass({.name = "sky",
                  .shader = "sky_analytic",

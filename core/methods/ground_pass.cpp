@@ -85,7 +85,8 @@ void add_ground_map(Plan& plan, const Scene& scene, const SkyTarget& target, Gro
   reads.push_back({"ground_irradiance_lut", light.irradiance});
   reads.push_back({"directions", target.directions});
   std::vector<Specialization> constants =
-      without(without(without(std::move(light.constants), "kMoment"), "kDelta"), "kShell");
+      without(without(without(without(std::move(light.constants), "kMoment"), "kSource"), "kDelta"), "kShell");
+  constants.push_back({"kEdges", physics::kEdgesFound});
   constants.push_back({"kProjection", target.projection});
   const std::uint32_t columns = plan.images()[light.irradiance.index].extent.width;
   constants.push_back({"kIrradianceColumns", light.sky ? columns : 0U});

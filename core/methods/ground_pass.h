@@ -13,7 +13,7 @@ struct GroundLight {
   ImageId transmittance;
   ImageId irradiance;                     // of the sky on level ground, over (1 + mu_sun)/2
   bool sky = true;                        // false: the sky sends no light, and `irradiance` is any image
-  std::vector<Specialization> constants;  // of transmittance_lut; kMomentDegree, kDeltaScaled where the method has them
+  std::vector<Specialization> constants;  // of transmittance_lut and of the table of moments
 };
 
 // Passes added between these two see the scene with a black ground. No effect where the scene has no maps.

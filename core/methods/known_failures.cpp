@@ -14,18 +14,24 @@ namespace {
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kNotableShare = 0.1;  // of a picture
 
-// The asymmetry of the medium that scatters most among the anisotropic ones; unknown where all are isotropic.
-double asymmetry_of(const Scene& scene) {
+// The mean cosine of the medium that scatters most among those that scatter forward and back unequally, mean of the
+// channels; unknown where there is none. Rounded to what the moments' quadrature holds, so that a limit that is just
+// met holds.
+double asymmetry_of(const Air& air) {
+  constexpr double kDigits = 1e3;
   double most = 0.0;
-  double g = kUnknown;
-  for (const Medium& medium : scene.media) {
-    const double scattering = *std::ranges::max_element(medium.scattering);
-    if (medium.phase_g != 0.0 && scattering > most) {
+  double asymmetry = kUnknown;
+  for (std::size_t i = 0; i < air.media().size(); ++i) {
+    const physics::vec3& first = air.formulas().scene.media[i].legendre[1];
+    const double mean = std::round((first.x + first.y + first.z) / 3.0 * kDigits) / kDigits;
+    const Spectrum depth = air.scattering_depth(i);
+    const double scattering = *std::ranges::max_element(depth);
+    if (mean != 0.0 && scattering > most) {
       most = scattering;
-      g = medium.phase_g;
+      asymmetry = mean;
     }
   }
-  return g;
+  return asymmetry;
 }
 
 double steps_of(const SkyMethod& method, const Scene& scene) {
@@ -91,7 +97,7 @@ double value_of(Quantity quantity, const SkyMethod& method, const Scene& scene, 
     case Quantity::optical_depth:
       return air.depths().extinction;
     case Quantity::asymmetry:
-      return asymmetry_of(scene);
+      return asymmetry_of(air);
     case Quantity::planet_radius:
       return scene.planet.ground_radius;
     case Quantity::steps:

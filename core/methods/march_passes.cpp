@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/luts/luts.h"
+#include "core/luts/moments.h"
 #include "core/methods/ground_pass.h"
 #include "core/methods/marched_picture.h"
 #include "core/methods/methods.h"
@@ -182,6 +183,7 @@ void add_march_pass(Plan& plan, const Scene& scene, const Air& air, const MarchT
                     const SkyTarget& target) {
   std::vector<Specialization> constants = march_specialization(plan, scene, air, tables);
   constants.push_back({"kGroundReflects", tables.reflects ? 1u : 0u});
+  constants.push_back({"kEdges", physics::kEdgesFound});
   std::vector<Binding> reads = march_reads(tables);
   reads.push_back({"ground_irradiance_lut", tables.ground_irradiance});
   const int steps = march_steps(scene, air).count;
@@ -196,17 +198,20 @@ void add_march_pass(Plan& plan, const Scene& scene, const Air& air, const MarchT
 
 void add_march_ground(Plan& plan, const Scene& scene, const Air& air, const MarchTables& tables,
                       const SkyTarget& target) {
+  std::vector<Specialization> constants = sunlight_specialization(plan, air, tables.transmittance);
+  add_moment_constants(constants, {});  // no part of a peak is taken as unscattered
   add_ground_map(plan, scene, target,
                  {.transmittance = tables.transmittance,
                   .irradiance = tables.ground_irradiance,
                   .sky = tables.reflects,
-                  .constants = sunlight_specialization(plan, air, tables.transmittance)});
+                  .constants = std::move(constants)});
 }
 
 LayerPasses add_march_layers(Plan& plan, const Scene& scene, const Air& air, const View& view,
                              const MarchTables& tables) {
   std::vector<Specialization> constants = march_specialization(plan, scene, air, tables);
   constants.push_back({"kGroundReflects", tables.reflects ? 1u : 0u});
+  constants.push_back({"kEdges", physics::kEdgesFound});
   std::vector<Binding> reads = march_reads(tables);
   reads.push_back({"ground_irradiance_lut", tables.ground_irradiance});
   return add_layers_pass(plan, scene, air, view,

@@ -51,7 +51,7 @@ enum class Quantity {
   altitude,       // of the camera, km
   view,           // elevation above the true horizon, degrees
   optical_depth,  // of the whole air along the vertical
-  asymmetry,      // g of the medium that scatters
+  asymmetry,      // mean cosine of the scattering by the medium that does most, molecules left out
   planet_radius,  // km
   steps,          // render.steps
   table_size,     // greater side of the tables, texels

@@ -44,8 +44,7 @@ bool fits_edges(const Scene& scene) {
 
 std::vector<Specialization> constants_of(const Scene& scene, const Air& air) {
   std::vector<Specialization> constants = medium_specialization(air);
-  constants.push_back({"kEdges", fits_edges(scene) ? 1u : 0u});
-  constants.push_back({"kSunFade", air.formulas().fade ? 1u : 0u});
+  constants.push_back({"kEdges", fits_edges(scene) ? physics::kEdgesFound : physics::kEdgesLeftOut});
   constants.push_back({"kGroundReflects", air.ground_reflects() ? 1u : 0u});
   constants.push_back({"kStepDistribution", step_distribution_code(scene)});
   return constants;

@@ -179,6 +179,7 @@ std::optional<SkyPasses> add_spectral(Plan& plan, const Scene& scene, const Spec
 // The pass over terrain and the air about it.
 void add_terrain_sky(Plan& plan, const Scene& scene, const SkyTarget& target, const Light& light) {
   std::vector<Specialization> constants = light.constants;
+  constants.push_back({"kEdges", physics::kEdgesFound});
   constants.push_back({"kProjection", target.projection});
   std::vector<Binding> reads = light.reads();
   reads.push_back({"directions", target.directions});
@@ -196,6 +197,7 @@ void add_terrain_sky(Plan& plan, const Scene& scene, const SkyTarget& target, co
 // The pass over spheres, the ground and the air about them.
 void add_sphere_sky(Plan& plan, const Scene& scene, const SkyTarget& target, const Light& light) {
   std::vector<Specialization> constants = light.constants;
+  constants.push_back({"kEdges", physics::kEdgesFound});
   constants.push_back({"kProjection", target.projection});
   constants.push_back({"kShafts", scene.render.get<bool>("volumetric_shadows") ? 1U : 0U});
   constants.push_back({"kDiscShows", scene.sun.disc.visible ? 1U : 0U});
@@ -241,6 +243,7 @@ SkyPasses add_orders(Plan& plan, const Scene& scene, const Air& air, const View&
     more.push_back(add_tabulated_sky(plan, scene, air, view, target, light));
   } else {
     light.constants.push_back({"kProjection", target.projection});
+    light.constants.push_back({"kEdges", physics::kEdgesFound});
     std::vector<Binding> reads = light.reads();
     reads.push_back({"directions", target.directions});
     plan.add_pass({.name = "sky",
@@ -270,6 +273,7 @@ LayerPasses add_layers(Plan& plan, const Scene& scene, const Air& air, const Vie
   } else {
     add_layer_constants(constants, scene, air);
   }
+  constants.push_back({"kEdges", physics::kEdgesFound});
   const Extent grid = picture_grid(scene, view);
   const BufferId planes = add_layer_planes(plan, scene, air, view);
   plan.add_pass({.name = "layers",

@@ -241,8 +241,9 @@ std::vector<ColouredSpectrum> SampledSky::at(const Nodes& nodes) {
   const std::vector<Spectrum> light = spectra(wavelengths);
   std::vector<ColouredSpectrum> samples;
   for (std::size_t i = 0; i < light.size(); ++i) {
-    // Black in all channels: nothing scatters there.
-    if (std::ranges::any_of(colours_[i], [](double channel) { return channel != 0.0; })) {
+    // Nothing scatters there, or so little that no float holds it: the square of its inverse would be no number.
+    constexpr double kLeast = 1e-36;
+    if (std::ranges::any_of(colours_[i], [](double channel) { return std::abs(channel) > kLeast; })) {
       samples.push_back({light[i], colours_[i]});
     }
   }

@@ -109,7 +109,7 @@ BufferId add_edge_list(Plan& plan, const std::vector<EdgePixel>& pixels) {
 
 void add_pass_with_edges(Plan& plan, const Scene& scene, const View& view, const SkyTarget& target, PassDesc pass) {
   PassDesc edges = pass;
-  pass.specialization.push_back({"kEdges", 0});
+  pass.specialization.push_back({"kEdges", physics::kEdgesLeftOut});
   plan.add_pass(std::move(pass));
   const auto pixels =
       target.projection == physics::kProjectionListed ? nullptr : edge_pixels(scene, tile_of(scene, view));
@@ -119,7 +119,7 @@ void add_pass_with_edges(Plan& plan, const Scene& scene, const View& view, const
   const BufferId list = add_edge_list(plan, *pixels);
   const auto rows = static_cast<std::uint32_t>((pixels->size() + kEdgeColumns - 1) / kEdgeColumns);
   edges.name += "_edge";
-  edges.specialization.push_back({"kEdges", 2});
+  edges.specialization.push_back({"kEdges", physics::kEdgesListed});
   for (Binding& read : edges.reads) {
     read.resource = read.name == "directions" ? ResourceId(list) : read.resource;
   }

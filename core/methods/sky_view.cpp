@@ -172,11 +172,13 @@ LayerPasses add_layers(Plan& plan, const Scene& scene, const Air& air, const Vie
   const ImageId table = add_layers_table(plan, scene, air, view, tables);
   std::vector<Binding> reads = reads_of(tables);
   reads.push_back({"layers_view_lut", table});
+  std::vector<Specialization> constants = fetch_constants(plan, scene, air, tables);
+  constants.push_back({"kEdges", physics::kEdgesFound});
   return add_layers_pass(plan, scene, air, view,
                          {.shader = "layers_from_view",
                           .reads = std::move(reads),
                           .push_constants = {static_cast<std::uint32_t>(scene.render.get<int>("steps"))},
-                          .specialization = fetch_constants(plan, scene, air, tables)},
+                          .specialization = std::move(constants)},
                          tables.transmittance);
 }
 

@@ -36,6 +36,13 @@ Find texts_of_png(std::istream& in, std::uint64_t size) {
 
 }  // namespace
 
+std::string version_note(const std::string& theirs, const std::string& ours) {
+  if (theirs.empty() || ours.empty() || theirs == ours) {
+    return {};
+  }
+  return "airlight " + theirs + " made it, and this is airlight " + ours + "; the same preset may look otherwise";
+}
+
 bool is_exr(std::istream& in) {
   return starts_with(in, kExrMagic);
 }

@@ -17,6 +17,10 @@ struct Provenance {
   bool operator==(const Provenance&) const = default;
 };
 
+// Says that another version of airlight than `ours` wrote a file; empty where the same did, where `theirs` is unknown,
+// or where `ours` is.
+std::string version_note(const std::string& theirs, const std::string& ours);
+
 // Looks at the first four bytes; false for a file that is missing or cannot be read.
 bool is_exr(const std::filesystem::path& file);
 bool is_png(const std::filesystem::path& file);

@@ -116,11 +116,6 @@ void add_geometry(std::vector<Layer>& layers, const Scene& scene, const Tile& ti
   }
 }
 
-// Media that scatter at any wavelength, as bits.
-std::uint32_t scattering_media_of(const Scene& scene) {
-  return scene.spectra ? scattering_media(spectral_scene(scene)) : air_of(scene).scattering_media();
-}
-
 // Number of rows in a band whose device buffers take at most kLayerBandBytes.
 int band_rows(const Scene& scene) {
   const std::size_t layers = static_cast<std::size_t>(std::popcount(scattering_media_of(scene))) + 3;
@@ -224,6 +219,10 @@ void render_in_colours(std::vector<Layer>& layers, Executor& executor, const Sce
 }
 
 }  // namespace
+
+std::uint32_t scattering_media_of(const Scene& scene) {
+  return scene.spectra ? scattering_media(spectral_scene(scene)) : air_of(scene).scattering_media();
+}
 
 std::vector<Layer> layers_of(const Scene& scene) {
   std::vector<Layer> layers;

@@ -1,6 +1,7 @@
 #pragma once
 // A picture's light kept apart by its origin, and further planes for compositing.
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,9 @@ inline constexpr float kNoDistance = 1e10F;
 // distance to the ground or to where the ray leaves the air, km; N, the ground's normal in the preset's frame, 0 where
 // there is none.
 std::vector<Layer> layers_of(const Scene& scene);
+
+// Media that scatter at any wavelength of the picture, bit i for medium i: those with a layer of their own.
+std::uint32_t scattering_media_of(const Scene& scene);
 
 // Why this scene's picture has no layers though its method has them: keys of render that only its march knows. Empty:
 // it has layers.

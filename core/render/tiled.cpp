@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t kUsualTilePixels = std::size_t{1} << 21;
 
 std::size_t layer_planes(const Scene& scene) {
-  return 3 * (static_cast<std::size_t>(std::popcount(air_of(scene).scattering_media())) + 3);
+  return 3 * (static_cast<std::size_t>(std::popcount(scattering_media_of(scene))) + 3);
 }
 
 // Copies rows of a tile to their columns of the band.

@@ -1,15 +1,14 @@
 #include "core/scene/curve_reader.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
+#include <sstream>
 
 #include "core/scene/json_format.h"
 #include "core/scene/json_text.h"
+#include "core/scene/named_file.h"
 #include "core/spectra/data.h"
 #include "core/text.h"
 
@@ -144,21 +143,26 @@ class Form {
     }
     const double scale = number("scale", {.minimum = 0.0, .maximum = 1e30}, {}, 1.0);
     const std::filesystem::path file = file_beside(site_.value, *name);
-    errno = 0;
-    std::ifstream stream(file);
-    if (!stream || std::filesystem::is_directory(file)) {
-      complain("file", file.string() + " cannot be read" +
-                           (errno != 0 ? std::string(": ") + std::strerror(errno) : "") +
-                           "; expected lines of nm,value");
+    const NamedText named = read_named_text(file);
+    if (!named.problem.empty()) {
+      complain("file", file.string() + " cannot be read: " + named.problem + "; expected lines of nm,value");
       return true;
     }
+    std::istringstream stream(named.text);
     read_lines(stream, file.string(), scale);
     return true;
   }
 
+  // A line of words, such as "wavelength,albedo". One that begins with a number is a sample, good or bad.
+  static bool is_heading(std::string_view line) {
+    double number = 0.0;
+    line.remove_prefix(std::min(line.find_first_not_of(kBetween), line.size()));
+    return line.find_first_of("+-.") != 0 &&
+           std::from_chars(line.data(), line.data() + line.size(), number).ec == std::errc::invalid_argument;
+  }
+
   // One line: two numbers separated by a comma, a semicolon, a tab or spaces.
   static bool parse(std::string_view line, double& nm, double& value) {
-    constexpr std::string_view kBetween = " ,;\t\r";
     const auto take = [&](double& number) {
       line.remove_prefix(std::min(line.find_first_not_of(kBetween), line.size()));
       const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), number);
@@ -183,7 +187,7 @@ class Form {
       double nm = 0.0;
       double value = 0.0;
       if (!parse(line, nm, value)) {
-        if (!may_be_heading) {
+        if (!may_be_heading || !is_heading(line)) {
           complain("file", place + json_string(line.substr(0, 40)) + " is not nm,value; expected two numbers");
           curve_ = constant_curve(values().minimum);
           return;
@@ -283,6 +287,8 @@ class Form {
     curve_.json = "{\"black_body_k\": " + format_number(kelvin) + "}";
     return true;
   }
+
+  static constexpr std::string_view kBetween = " ,;\t\r";  // numbers of a line
 
   const Site& site_;
   const PresetObject& object_;

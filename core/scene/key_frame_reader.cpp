@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cctype>
+#include <set>
 
 #include "core/scene/readers.h"
 
@@ -97,10 +98,17 @@ std::optional<KeyFrames> read_key_frames(const Section& root, std::span<const Me
                          expectation(section.rule("frames")));
     return sequence;
   }
+  if (array->size() > kMostKeyFrames) {
+    section.complain("frames", *value,
+                     quoted(*value) + "; expected " + expectation(section.rule("frames")) +
+                         ": leave out those that lie between others");
+    return sequence;
+  }
+  std::set<std::string, std::less<>> seen;  // most frames have the same keys
   for (std::size_t i = 0; i < array->size(); ++i) {
     sequence.frames.push_back(read_key_frame(section.element("frames", *array, i), sequence));
     for (const auto& [pointer, values] : sequence.frames.back().values) {
-      if (is_whole(pointer, methods)) sequence.whole.insert(pointer);
+      if (seen.insert(pointer).second && is_whole(pointer, methods)) sequence.whole.insert(pointer);
     }
   }
   return sequence;

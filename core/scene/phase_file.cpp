@@ -1,16 +1,15 @@
 #include "core/scene/phase_file.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 #include <map>
 #include <optional>
+#include <sstream>
 #include <string_view>
 #include <vector>
 
 #include "core/scene/json_format.h"
+#include "core/scene/named_file.h"
 #include "core/text.h"
 
 namespace airlight {
@@ -132,6 +131,8 @@ class PhaseFile {
       form_ = Form::plain;
       table_.rows.emplace_back();
       take_angle(fields);
+    } else if (fields.size() == 2 && (number_from<double>(fields[0]) || number_from<double>(fields[1]))) {
+      numbers(fields, 0, 2);  // tells which of the two is none
     }
   }
 
@@ -199,12 +200,11 @@ class PhaseFile {
 }  // namespace
 
 std::string read_phase_file(const std::filesystem::path& file, PhaseTable& table) {
-  errno = 0;
-  std::ifstream stream(file);
-  if (!stream || std::filesystem::is_directory(file)) {
-    return file.string() + " cannot be read" + (errno != 0 ? std::string(": ") + std::strerror(errno) : "") +
-           "; expected a table of a phase function";
+  const NamedText named = read_named_text(file);
+  if (!named.problem.empty()) {
+    return file.string() + " cannot be read: " + named.problem + "; expected a table of a phase function";
   }
+  std::istringstream stream(named.text);
   return PhaseFile(file.string(), table).read(stream);
 }
 

@@ -19,14 +19,19 @@ std::string row_name(const PhaseTable& table, std::size_t row) {
   return table.wavelengths_nm.empty() ? "" : "at " + format_number(table.wavelengths_nm[row]) + " nm ";
 }
 
+// The first of the values that is out of range; empty: none.
+std::string outside_problem(const std::vector<double>& list, const Range& range, std::string_view unit) {
+  const auto outside = std::ranges::find_if(list, [&](double x) { return !range.contains(x); });
+  return outside == list.end() ? std::string() : format_number(*outside) + " is outside " + range_text(range, unit);
+}
+
 // The error in an ascending list of values; empty: none.
 std::string list_problem(const std::vector<double>& list, const Range& range, std::string_view unit) {
   if (list.size() < 2 || list.size() > kMostPhaseAngles) {
     return std::to_string(list.size()) + " of them; expected 2 to " + std::to_string(kMostPhaseAngles);
   }
-  const auto outside = std::ranges::find_if(list, [&](double x) { return !range.contains(x); });
-  if (outside != list.end()) {
-    return format_number(*outside) + " is outside " + range_text(range, unit);
+  if (std::string outside = outside_problem(list, range, unit); !outside.empty()) {
+    return outside;
   }
   const auto descent = std::ranges::adjacent_find(list, [](double a, double b) { return b <= a; });
   if (descent != list.end()) {
@@ -191,9 +196,9 @@ class TableReader {
     refuse("angles_deg", angles_problem(table_.angles_deg, phase_.rule("angles_deg").range));
     const std::size_t wavelengths = table_.wavelengths_nm.size();
     if (wavelengths > 0 || table_.rows.size() > 1) {
-      refuse("wavelengths_nm", wavelengths == 1
-                                   ? std::string()
-                                   : list_problem(table_.wavelengths_nm, phase_.rule("wavelengths_nm").range, "nm"));
+      const Range& range = phase_.rule("wavelengths_nm").range;
+      refuse("wavelengths_nm", wavelengths == 1 ? outside_problem(table_.wavelengths_nm, range, "nm")
+                                                : list_problem(table_.wavelengths_nm, range, "nm"));
       if (wavelengths != table_.rows.size()) {
         refuse("values", std::to_string(table_.rows.size()) + " rows for " + std::to_string(wavelengths) +
                              " wavelengths; expected as many of both");

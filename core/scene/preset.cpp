@@ -1,13 +1,10 @@
 #include "core/scene/preset.h"
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 
 #include "core/error.h"
 #include "core/scene/json_text.h"
+#include "core/scene/named_file.h"
 #include "core/scene/printable.h"
 #include "core/scene/suggestion.h"
 #include "core/text.h"
@@ -16,40 +13,6 @@ namespace airlight {
 namespace {
 
 namespace fs = std::filesystem;
-
-// No preset is near this size. A device or a picture given by mistake is refused before it fills the memory.
-constexpr std::size_t kLargestFile = std::size_t{16} << 20U;
-
-// A file's text, or the reason why there is none.
-struct FileText {
-  std::string text;
-  std::string problem;
-};
-
-FileText read_file(const fs::path& file) {
-  std::error_code error;
-  if (fs::is_directory(file, error)) {
-    return {.text = {}, .problem = "is a directory"};
-  }
-  errno = 0;
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) {
-    return {.text = {}, .problem = std::strerror(errno != 0 ? errno : ENOENT)};
-  }
-  std::string text;
-  std::array<char, 16384> piece;  // a preset has a few kilobytes: room for the largest is 4096 pages to clear
-  while (stream && text.size() <= kLargestFile) {
-    stream.read(piece.data(), piece.size());
-    text.append(piece.data(), static_cast<std::size_t>(stream.gcount()));
-  }
-  if (stream.bad()) {
-    return {.text = {}, .problem = std::strerror(errno != 0 ? errno : EIO)};
-  }
-  if (text.size() > kLargestFile) {
-    return {.text = {}, .problem = "is larger than 16 MiB"};
-  }
-  return {.text = std::move(text), .problem = {}};
-}
 
 std::string place_of(const PresetValue& value) {
   std::string place = value.source;
@@ -222,7 +185,7 @@ Link follow(const Link& from, const Extension& extension, const BundledPresets& 
   if (!on_disk && bare && known != bundled.end()) {
     return bundled_link(known->first, known->second);
   }
-  const FileText read = read_file(file);
+  const NamedText read = read_named_text(file);
   if (read.problem.empty()) {
     return {.text = read.text,
             .source = file.string(),
@@ -275,7 +238,7 @@ Preset load_chain(Link link, const BundledPresets& bundled) {
 }  // namespace
 
 Preset load_preset(const fs::path& file, const BundledPresets& bundled) {
-  const FileText read = read_file(file);
+  const NamedText read = read_named_text(file);
   if (!read.problem.empty()) {
     throw InputError(file.string() + ": cannot be read: " + read.problem + "; expected a preset (a JSON file)");
   }

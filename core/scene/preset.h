@@ -41,6 +41,7 @@ auto* member_as(Value* value, std::string_view key) {
 struct Preset {
   std::string source;  // as the user named it
   PresetValue root;
+  std::string version = {};  // of the airlight that wrote the picture which carries it; empty: none carries it
 };
 
 // Presets that are not on disk: file name -> text.

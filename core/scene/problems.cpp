@@ -18,7 +18,7 @@ void Problems::add(const PresetValue& at, std::string_view pointer, std::string_
   if (!pointer.empty()) {
     text += shown_pointer(pointer) + ": ";
   }
-  problems_.push_back({.source = at.source, .line = at.line, .text = text + std::string(message)});
+  problems_.push_back({.source = at.source, .line = at.line, .text = text + printable(message)});
 }
 
 void Problems::throw_if_any() {

@@ -30,6 +30,9 @@ Camera read_camera(const Section& root);
 ImageSize read_image(const Section& root, const Camera& camera);
 Bloom read_bloom(const Section& root, const Camera& camera);
 
+// A scene is checked for each of them.
+inline constexpr std::size_t kMostKeyFrames = 20000;
+
 // Reads `sequence`; none where the preset has none. Here the keys' values are only checked to be numbers.
 std::optional<KeyFrames> read_key_frames(const Section& root, std::span<const MethodInfo> methods);
 

@@ -93,8 +93,8 @@ constexpr auto kRules = std::to_array<Rule>({
     row(RuleType::curve, "planet.ground_albedo", kUnit, "", "0", "Lambertian reflectance of the ground"),
 
     plain(RuleType::text, "planet.albedo_map",
-          "a picture of reflectances over the whole planet, by a path relative to this file: any that OpenImageIO "
-          "reads, equirectangular, twice as wide as high, north up, longitude 0 in its middle; linear, or sRGB where "
+          "a picture of reflectances over the whole planet, by a path relative to this file (section Files), "
+          "equirectangular, twice as wide as high, north up, longitude 0 in its middle; linear, or sRGB where "
           "the file says so. It takes the place of `ground_albedo`; the camera is over `camera.latitude_deg` and "
           "`camera.longitude_deg`. Not with curves over the wavelength, terrain or spheres"),
     number("planet.ocean.wind_m_per_s", kWind, "m/s", "5",
@@ -105,8 +105,8 @@ constexpr auto kRules = std::to_array<Rule>({
           "water"),
 
     plain(RuleType::text, "planet.terrain.height_map",
-          "a picture of heights, by a path relative to this file: any that OpenImageIO reads, its first channel, row "
-          "by row from the upper edge, pixels square; black is 0 and white 1, floats stand as they are. What ends up "
+          "a picture of heights, by a path relative to this file (section Files), its first channel, row by row "
+          "from the upper edge, pixels square; black is 0 and white 1, floats stand as they are. What ends up "
           "at or below 0 km lies under the ground sphere. Of `height_map` and `ridge` exactly one; of the methods "
           "`orders` and `path-trace` know terrain"),
     row(RuleType::integer, "planet.terrain.ridge.seed", Range{.minimum = 0.0, .maximum = 1e9}, "", "1",

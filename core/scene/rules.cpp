@@ -84,7 +84,7 @@ std::string expectation(const Rule& rule) {
     case RuleType::layers:
       return "an array of [altitude_km, density], altitudes ascending";
     case RuleType::key_frames:
-      return "an array of at least one {\"at\": NUMBER, \"/POINTER\": VALUE, ...}";
+      return "an array of 1 to 20000 {\"at\": NUMBER, \"/POINTER\": VALUE, ...}";
   }
   return {};
 }

@@ -86,9 +86,15 @@ void Section::refuse_unknown_keys() const {
   if (object_ == nullptr) {
     return;
   }
+  constexpr int kMostLookedUp = 100;  // a search for each of a million keys takes minutes
+  int looked_up = 0;
   const std::vector<std::string> known = known_keys(prefix_);
   for (const auto& [key, value] : *object_) {
     if (std::ranges::find(known, key) != known.end()) {
+      continue;
+    }
+    if (++looked_up > kMostLookedUp) {
+      complain(key, value, "unknown key");
       continue;
     }
     std::string message = "unknown key" + did_you_mean(key, known);

@@ -190,6 +190,14 @@ HostTerrain placed(const Terrain& terrain) {
   return out;
 }
 
+// A map may reach below the ground, but not with all of it: then there is nothing to see, and no shadow to place.
+void refuse_sunken(const Scene& scene, const HostTerrain& terrain) {
+  if (terrain.heights->back() <= 0.0F) {
+    throw InputError("/planet/terrain/highest_km: " + rounded(scene.terrain->highest, 6) +
+                     " leaves no point of the map above the ground; raise it above 0, or remove the terrain");
+  }
+}
+
 void refuse_buried_camera(const Scene& scene, const std::shared_ptr<const HostTerrain>& terrain) {
   physics::Physics p;
   p.terrain_maps = terrain;
@@ -250,6 +258,7 @@ std::shared_ptr<const HostTerrain> terrain_of(const Scene& scene) {
     kept.resize(std::min(kept.size(), kKept));
     found = kept.begin();
   }
+  refuse_sunken(scene, *found->terrain);
   refuse_buried_camera(scene, found->terrain);
   return found->terrain;
 }

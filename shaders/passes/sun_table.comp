@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // Mean extinction toward the top of the atmosphere over (zenith cosine, row of altitude), for air cut into shells.
 #include "shared/device.glsl"
-#include "shared/moment_shape.glsl"
+#include "shared/shell_rows.glsl"
 
 real shell_altitude(uint k) { return scene.shell_altitudes[k]; }
 

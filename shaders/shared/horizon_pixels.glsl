@@ -5,9 +5,6 @@ vec2 pixel_centre(uvec2 pixel) { return vec2(pixel.x + scene.tile.x, pixel.y + s
 
 // Where a pixel is little work, the pixels at the edge are a pass of their own over a list. Code that is not run still
 // takes its time on a software device, masked: it made a pass of one fetch twice as long.
-const uint kEdgesLeftOut = 0u;
-const uint kEdgesFound = 1u;
-const uint kEdgesListed = 2u;  // in `directions`: x and y of a pixel of the tile
 layout(constant_id = 30) const uint kEdges = kEdgesFound;
 
 PixelRays rays_at(uvec2 pixel, ViewRay view) {

@@ -32,6 +32,11 @@ const uint kStepsUniform = 0u;
 const uint kStepsQuadratic = 1u;
 const uint kStepsGaussLegendre = 2u;
 
+// Pixels at the planet's edge.
+const uint kEdgesLeftOut = 0u;
+const uint kEdgesFound = 1u;
+const uint kEdgesListed = 2u;  // in `directions`: x and y of a pixel of the tile
+
 // Part of the picture that a march takes.
 const uint kPartWhole = 0u;
 const uint kPartHalf = 1u;       // the corners of every second pixel in both directions

@@ -226,6 +226,54 @@ TEST_F(CompositeTool, TheAerialVolumeBeforeTransparentThings) {
   }
 }
 
+// Light that is no number would spread over all that is computed of it.
+TEST_F(CompositeTool, LightThatIsNoNumberIsMendedAndTold) {
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  const auto write = [&](const std::string& name, float red, float alpha) {
+    std::array<std::vector<float>, 5> planes;
+    std::vector<ExrChannel> channels;
+    for (std::size_t c = 0; c < planes.size(); ++c) {
+      planes[c].assign(kPixels, c == 4 ? 1000.0F : c == 3 ? 1.0F : 0.25F);
+      channels.push_back({std::string(1, "RGBAZ"[c]), planes[c].data(), 1, true});
+    }
+    planes[0][kWidth + 5] = red;  // at (5, 1)
+    planes[3][kWidth + 5] = alpha;
+    ExrOptions options;
+    options.half = false;
+    write_exr(path(name), kWidth, kHeight, channels, options);
+  };
+  write("good.exr", 0.25F, 1.0F);
+  ASSERT_EQ(composite({"--beauty", "good.exr", "-o", "expected.exr"}).exit_code, 0);
+  const RadianceImage expected = picture("expected.exr");
+  const auto expect = [&](const std::string& told, bool same) {
+    const Outcome done = composite({"--beauty", "bad.exr", "-o", "out.exr"});
+    ASSERT_EQ(done.exit_code, 0) << done.err;
+    EXPECT_TRUE(contains(done.err, "bad.exr: 1 " + told + ", the first at (5, 1)")) << done.err;
+    const RadianceImage found = picture("out.exr");
+    for (std::size_t i = 0; i < found.rgba.size(); ++i) {
+      ASSERT_TRUE(std::isfinite(found.rgba[i])) << i;
+      if (same || i / 4 != kWidth + 5) {
+        ASSERT_EQ(found.rgba[i], expected.rgba[i]) << i;
+      }
+    }
+  };
+  write("bad.exr", 0.25F, kNan);
+  expect("alphas are not numbers and are taken as opaque", true);
+  for (const float red : {kNan, kInfinity, -kInfinity}) {
+    write("bad.exr", red, 1.0F);
+    expect("colours hold NaN or infinity and are taken as black", false);
+  }
+  // Finite light that the space of the output cannot hold is refused.
+  write("bad.exr", 3e38F, 1.0F);
+  std::filesystem::remove(path("out.exr"));
+  const Outcome refused = composite({"--beauty", "bad.exr", "-o", "out.exr", "--scale", "10"});
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_TRUE(contains(refused.err, "the picture holds ")) << refused.err;
+  EXPECT_TRUE(contains(refused.err, "values that are not finite, the first at column 5, row 1")) << refused.err;
+  EXPECT_FALSE(std::filesystem::exists(path("out.exr")));
+}
+
 // A plate of Blender's (scripts/blender-plate): hills, towers and a plain to beyond the horizon, lit but without air.
 TEST_F(CompositeTool, APlateOfBlenders) {
   const std::string plate = std::string(AIRLIGHT_SOURCE_DIR) + "/presets/plates/hills.exr";
@@ -281,7 +329,7 @@ TEST_F(CompositeTool, RefusesWithPlaceAndRemedy) {
       {{}, "--beauty"},
       {{"--beauty", "good.exr"}, "-o"},
       {{"--beauty", "none.exr", "-o", "o.exr"}, "none.exr: no such file"},
-      {{"--beauty", "text.exr", "-o", "o.exr"}, "text.exr: cannot be read"},
+      {{"--beauty", "text.exr", "-o", "o.exr"}, "text.exr: is no picture that airlight reads; expected EXR, PNG"},
       {{"--beauty", "in.exr", "-o", "o.exr"}, "has no depth channel"},
       {{"--beauty", "in.exr", "-o", "o.exr"}, "render it with a depth pass (Z)"},
       {{"--beauty", "in.exr", "-o", "o.exr"}, "far"},  // those present are listed

@@ -53,6 +53,26 @@ TEST_F(DiffUpdate, RefusesAllWhereOneCannotBeCompared) {
   EXPECT_TRUE(contains(scratch_.read("r.xml"), "errors=\"1\""));
 }
 
+// A link in a folder of references may lead anywhere.
+TEST_F(DiffUpdate, ReplacesNothingOutsideOfTheFolder) {
+  write_folders();
+  write("precious.exr", 0.5F);
+  const std::string before = scratch_.read("precious.exr");
+  std::filesystem::remove(scratch_.path() / "old/sub/far.exr");
+  std::filesystem::create_symlink("../../precious.exr", scratch_.path() / "old/sub/far.exr");
+  const Outcome outcome = diff({"new", "old", "--update"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_TRUE(contains(outcome.err, "old/sub/far.exr is a link to ")) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "nothing was replaced")) << outcome.err;
+  EXPECT_EQ(scratch_.read("precious.exr"), before);
+  // A link within the folder leads to a reference, which is replaced.
+  std::filesystem::remove(scratch_.path() / "old/sub/far.exr");
+  write("old/sub/target", 0.5F);
+  std::filesystem::create_symlink("target", scratch_.path() / "old/sub/far.exr");
+  EXPECT_EQ(diff({"new", "old", "--update"}).exit_code, 0);
+  EXPECT_EQ(scratch_.read("old/sub/target"), scratch_.read("new/sub/far.exr"));
+}
+
 TEST_F(DiffUpdate, RefusesPartsOfFiles) {
   write("a.exr", 0.5F, 0.75F);
   write("b.exr", 0.5F);

@@ -155,10 +155,12 @@ TEST_F(TerrainTool, NonsenseIsRefusedInOneLine) {
            {ridge + R"(, "albedo": 2})", "/planet/terrain/albedo: 2 is outside 0 to 1"},
            {ridge + R"(, "albedo_map": "nowhere.png"})", "/planet/terrain/albedo_map: "},
            {R"({"height_map": "nowhere.tif", "width_km": 9})", "nowhere.tif: no such file"},
-           {R"({"height_map": "text.tif", "width_km": 9})", "text.tif: cannot be read"},
+           {R"({"height_map": "text.tif", "width_km": 9})", "text.tif: is no picture that airlight reads"},
            {R"({"height_map": ".", "width_km": 9})", "is a directory"},
            {R"({"height_map": "dot.exr", "width_km": 9})", "is 1x1; expected 2 to 4096 pixels a side"},
-           {R"({"height_map": "holes.exr", "width_km": 9})", "1024 values are not finite"},
+           {R"({"height_map": "holes.exr", "width_km": 9})", "1024 values are not finite, the first at (0, 0)"},
+           {R"({"height_map": "plateau.exr", "width_km": 0.1, "lowest_km": -10, "highest_km": -1})",
+            "/planet/terrain/highest_km: -1 leaves no point of the map above the ground"},
            {R"({"height_map": "plateau.exr", "width_km": 9, "highest_km": 5})",
             "/camera/altitude_km: 3 km is inside the terrain, which is 5 km high there"}}) {
     preset(c.terrain);

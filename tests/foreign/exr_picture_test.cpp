@@ -29,7 +29,7 @@ using test::contents_of;
 Picture by_module(const std::string& file) {
   Picture picture;
   std::string problem;
-  reinterpret_cast<ReadFunction>(module_entry(kReadEntry))(file, picture, problem);
+  reinterpret_cast<ReadFunction>(module_entry(kReadEntry))(file, {}, picture, problem);
   EXPECT_EQ(problem, "");
   return picture;
 }

@@ -3,15 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <exception>
 #include <fstream>
+#include <functional>
 #include <memory>
+#include <numbers>
 #include <vector>
 
-#include "core/error.h"
+#include "app/composite/order.h"
 #include "core/ground/ground.h"
 #include "core/methods/method.h"
 #include "core/output/exr.h"
+#include "core/output/finite.h"
 #include "core/output/frame_state.h"
 #include "core/output/picture_reader.h"
 #include "core/render/render.h"
@@ -21,6 +23,7 @@
 #include "core/scene/resolve.h"
 #include "core/scene/rules.h"
 #include "tests/fuzz/any_preset.h"
+#include "tests/fuzz/guarded.h"
 
 namespace airlight::fuzz {
 namespace {
@@ -160,36 +163,6 @@ std::string changed(Random& random, const std::string& text) {
   return out;
 }
 
-std::string fault_of_message(const std::string& message) {
-  constexpr std::size_t kLongest = (kMostProblems + 1) * 700;
-  if (message.empty()) {
-    return "an empty message";
-  }
-  if (message.size() > kLongest || static_cast<std::size_t>(std::ranges::count(message, '\n')) > kMostProblems) {
-    return "a message of " + std::to_string(message.size()) + " bytes";
-  }
-  return printable(message, true) == message ? "" : "a message that a terminal obeys";
-}
-
-// Runs something that may throw errors meant for people.
-template <class Work>
-Outcome guarded(Work work) {
-  Outcome outcome;
-  try {
-    outcome.fault = work();
-  } catch (const InputError& error) {
-    outcome.refused = true;
-    outcome.message = error.what();
-    outcome.fault = fault_of_message(error.has_lines ? error.what() : printable(error.what()));
-  } catch (const RunError& error) {
-    outcome.refused = true;
-    outcome.message = error.what();
-  } catch (const std::exception& error) {
-    outcome.fault = std::string("an exception that nobody expects: ") + error.what();
-  }
-  return outcome;
-}
-
 std::string fault_of_picture(const Rendering& rendering) {
   if (std::string fault = rendering.fault(); !fault.empty()) {
     return fault;
@@ -273,22 +246,24 @@ Executor& device() {
 
 }  // namespace
 
-Outcome text_case(std::uint64_t seed) {
-  Random random(seed);
-  const std::string text = changed(random, any_preset(random));
-  Outcome outcome = guarded([&]() -> std::string {
-    const Scene scene = resolve(parse_preset(text, "fuzz", "/nonexistent"), method_infos());
-    const std::string again = to_json(scene);
-    const Scene same = resolve(parse_preset(again, "again", {}), method_infos());
-    return to_json(same) == again ? "" : "the scene's own text gives another scene";
-  });
-  outcome.input = text;
-  return outcome;
+std::string fault_of_message(const std::string& message) {
+  constexpr std::size_t kLongest = (kMostProblems + 1) * 700;
+  if (message.empty()) {
+    return "an empty message";
+  }
+  if (message.size() > kLongest || static_cast<std::size_t>(std::ranges::count(message, '\n')) > kMostProblems) {
+    return "a message of " + std::to_string(message.size()) + " bytes";
+  }
+  return printable(message, true) == message ? "" : "a message that a terminal obeys";
 }
 
-Outcome exr_case(std::uint64_t seed, const fs::path& folder) {
-  Random random(seed);
-  std::vector<char> bytes = whole_exr(folder);
+void add(Outcome& outcome, const Outcome& part) {
+  outcome.fault = outcome.fault.empty() ? part.fault : outcome.fault;
+  outcome.refused = outcome.refused || part.refused;
+  outcome.message += part.message.empty() ? "" : part.message + " | ";
+}
+
+void change_bytes(Random& random, std::vector<char>& bytes) {
   for (std::uint64_t changes = 1 + random.below(3); changes > 0 && !bytes.empty(); --changes) {
     const auto at = static_cast<std::ptrdiff_t>(
         random.below(random.chance(0.7) ? std::min<std::size_t>(bytes.size(), 900) : bytes.size()));
@@ -308,30 +283,44 @@ Outcome exr_case(std::uint64_t seed, const fs::path& folder) {
         break;
     }
   }
+}
+
+Outcome text_case(std::uint64_t seed) {
+  Random random(seed);
+  const std::string text = changed(random, any_preset(random));
+  Outcome outcome = guarded([&]() -> std::string {
+    const Scene scene = resolve(parse_preset(text, "fuzz", "/nonexistent"), method_infos());
+    const std::string again = to_json(scene);
+    const Scene same = resolve(parse_preset(again, "again", {}), method_infos());
+    return to_json(same) == again ? "" : "the scene's own text gives another scene";
+  });
+  outcome.input = text;
+  return outcome;
+}
+
+Outcome exr_case(std::uint64_t seed, const fs::path& folder) {
+  Random random(seed);
+  std::vector<char> bytes = whole_exr(folder);
+  change_bytes(random, bytes);
   const fs::path file = folder / "broken.exr";
   std::ofstream(file, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   Outcome outcome;
-  const auto add = [&](const Outcome& part) {
-    outcome.fault = outcome.fault.empty() ? part.fault : outcome.fault;
-    outcome.refused = outcome.refused || part.refused;
-    outcome.message += part.message.empty() ? "" : part.message + " | ";
-  };
-  add(guarded([&]() -> std::string {
-    is_exr(file);
-    const Provenance provenance = read_provenance(file);
-    resolve(parse_preset(provenance.preset_json, file.string(), {}), method_infos());
-    return {};
-  }));
-  add(guarded([&]() -> std::string {
-    read_frame_mark(file);
-    return {};
-  }));
-  add(guarded([&]() -> std::string {
-    const ExrPicture picture = read_exr_picture(file);
-    const auto pixels =
-        static_cast<std::size_t>(picture.radiance.width) * static_cast<std::size_t>(picture.radiance.height);
-    return picture.radiance.rgba.size() == 4 * pixels ? "" : "a picture without all its pixels";
-  }));
+  add(outcome, guarded([&]() -> std::string {
+        is_exr(file);
+        const Provenance provenance = read_provenance(file);
+        resolve(parse_preset(provenance.preset_json, file.string(), {}), method_infos());
+        return {};
+      }));
+  add(outcome, guarded([&]() -> std::string {
+        read_frame_mark(file);
+        return {};
+      }));
+  add(outcome, guarded([&]() -> std::string {
+        const ExrPicture picture = read_exr_picture(file);
+        const auto pixels =
+            static_cast<std::size_t>(picture.radiance.width) * static_cast<std::size_t>(picture.radiance.height);
+        return picture.radiance.rgba.size() == 4 * pixels ? "" : "a picture without all its pixels";
+      }));
   outcome.input.assign(bytes.begin(), bytes.end());
   return outcome;
 }
@@ -355,6 +344,115 @@ Outcome scene_case(std::uint64_t seed) {
     request.host.threads = 1;
     return fault_of_picture(render([]() -> Executor& { return device(); }, scene, request));
   });
+  outcome.input = text;
+  return outcome;
+}
+
+namespace {
+
+const DeviceOnDemand kDevice = []() -> Executor& { return device(); };
+
+// A plate for composite_case, of one pixel's size with the preset's picture.
+void write_any_plate(Random& random, const fs::path& file, int width, int height) {
+  constexpr std::array kOdd{NAN, INFINITY, -INFINITY, -1.0F, 0.0F, 1e-40F};
+  std::array<std::vector<float>, 5> planes;
+  std::vector<ExrChannel> channels;
+  for (std::size_t c = 0; c < planes.size(); ++c) {
+    for (int i = 0; i < width * height; ++i) {
+      const double most = c == 4 ? 1e6 : 1.0;
+      planes[c].push_back(random.chance(0.2) ? random.pick(kOdd)
+                                             : static_cast<float>(random.log_uniform(1e-3 * most, most)));
+    }
+    channels.push_back({std::string(1, "RGBAZ"[c]), planes[c].data(), 1, true});
+  }
+  ExrOptions options;
+  options.half = false;
+  write_exr(file, width, height, channels, options);
+}
+
+std::string fault_of_composite(Random& random, const std::string& preset, const fs::path& folder) {
+  const fs::path plate = folder / "plate.exr";
+  const fs::path depth = folder / "depth.exr";
+  write_any_plate(random, plate, 6, 4);
+  write_any_plate(random, depth, 6, 4);
+  const fs::path file = folder / "preset.json";
+  std::ofstream(file) << preset;
+  cli::CompositeOrder order;
+  order.scene.preset = file.string();
+  order.scene.no_cache = true;
+  order.beauty = plate.string();
+  order.depth = random.chance(0.5) ? depth.string() + ":Z" : "";
+  order.layers = random.chance(0.5) ? "inscatter,transmittance" : "";
+  order.aerial = random.chance(0.3) ? "volume" : "";
+  order.fog = random.chance(0.1) ? "height" : "";
+  order.output = (folder / "composite.exr").string();
+  order.quiet = true;
+  cli::run_composite(order);
+  const ExrPicture made = read_exr_picture(order.output);
+  return finite_fault("the composite", made.radiance.rgba, static_cast<std::size_t>(made.radiance.width), 4);
+}
+
+std::string fault_of_tables(const Scene& scene) {
+  for (const TableDump& table : bake_tables(kDevice, scene)) {
+    const std::string fault = finite_fault(table.name, table.rgba, static_cast<std::size_t>(table.width), 4);
+    if (!fault.empty()) {
+      return "luts: " + fault;
+    }
+  }
+  return {};
+}
+
+std::string fault_of_directions(Random& random, const Scene& scene) {
+  std::vector<Direction> directions{{0.5 * std::numbers::pi, 0.0}, {-0.5 * std::numbers::pi, 1.0}};
+  for (int i = 0; i < 4; ++i) {
+    directions.push_back({random.uniform(-1.57, 1.57), random.uniform(-4.0, 4.0)});
+  }
+  for (const ProbeResult& result : probe(kDevice, scene, directions).directions) {
+    for (const double value : {result.radiance[0], result.radiance[1], result.radiance[2], result.transmittance[0],
+                               result.transmittance[1], result.transmittance[2]}) {
+      if (!std::isfinite(value) || (value < 0.0 && !scene.spectra)) {
+        return "probe: " + std::to_string(value);
+      }
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+Outcome method_case(std::uint64_t seed, const fs::path& folder) {
+  Random random(~seed);
+  const std::string text = scene_text(seed);
+  Outcome outcome;
+  outcome.refused = true;  // until a method takes it
+  for (const SkyMethod& method : methods()) {
+    const std::string name(method.info.name);
+    const auto part = [&](const std::string& what, const std::function<std::string(const Scene&)>& work) {
+      const Outcome done = guarded([&]() -> std::string {
+        Preset preset = parse_preset(text, "fuzz", {});
+        apply_override(preset, "/render={\"method\": " + json_string(name) +
+                                   (method.render_on_host != nullptr ? ", \"samples\": 4}" : "}"));
+        Scene scene = resolve(preset, method_infos());
+        fill_maps(scene, seed);
+        return work(scene);
+      });
+      outcome.refused = outcome.refused && done.refused;
+      outcome.fault = outcome.fault.empty() && !done.fault.empty() ? name + ", " + what + done.fault : outcome.fault;
+      outcome.message += done.message.empty() ? "" : name + ": " + done.message + " | ";
+    };
+    part("", [&](const Scene& scene) {
+      RenderRequest request;
+      request.host.threads = 1;
+      return fault_of_picture(render(kDevice, scene, request));
+    });
+    part("", [&](const Scene& scene) { return fault_of_directions(random, scene); });
+    if (method.add_passes != nullptr) {
+      part("", fault_of_tables);
+    }
+    if (method.add_span_passes != nullptr) {
+      part("composite: ", [&](const Scene& scene) { return fault_of_composite(random, to_json(scene), folder); });
+    }
+  }
   outcome.input = text;
   return outcome;
 }

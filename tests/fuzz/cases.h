@@ -28,4 +28,8 @@ Outcome scene_case(std::uint64_t seed);
 // The text of scene_case().
 std::string scene_text(std::uint64_t seed);
 
+// The scene of that text by every method that takes it, as a picture and as tables, in some directions, and as the air
+// before a plate, whose light and depth may be anything.
+Outcome method_case(std::uint64_t seed, const std::filesystem::path& folder);
+
 }  // namespace airlight::fuzz

@@ -7,14 +7,18 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <string>
+#include <string_view>
 
 #include "tests/fuzz/cases.h"
+#include "tests/fuzz/file_cases.h"
 
 namespace airlight::fuzz {
 namespace {
@@ -24,8 +28,22 @@ using Clock = std::chrono::steady_clock;
 
 // Memory that any case of a few pixels may take, in kB. A broken file's may not take what its numbers ask for.
 long most_kilobytes(const std::string& kind) {
-  return kind == "exrs" ? 512L << 10 : 3L << 20;
+  return kind == "exrs" ? 512L << 10 : 1L << 20;
 }
+
+// Time of the processor that a case may take; not by the clock, since other programs run too.
+constexpr double kMostSeconds = 60.0;
+
+double processor_seconds() {
+  struct rusage used {};
+  ::getrusage(RUSAGE_SELF, &used);
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return seconds(used.ru_utime) + seconds(used.ru_stime);
+}
+
+constexpr std::array<std::string_view, 6> kKinds{"texts", "exrs", "scenes", "files", "plates", "methods"};
 
 struct Order {
   std::string kind;
@@ -61,7 +79,11 @@ Outcome run_case(const Order& order, std::uint64_t number, const fs::path& folde
   if (order.kind == "texts") {
     return text_case(number);
   }
-  return order.kind == "exrs" ? exr_case(number, folder) : scene_case(number);
+  return order.kind == "exrs"      ? exr_case(number, folder)
+         : order.kind == "files"   ? file_case(number, folder)
+         : order.kind == "plates"  ? plate_case(number, folder)
+         : order.kind == "methods" ? method_case(number, folder)
+                                   : scene_case(number);
 }
 
 bool enough(const Order& order, const Shared& shared, Clock::time_point start) {
@@ -71,11 +93,15 @@ bool enough(const Order& order, const Shared& shared, Clock::time_point start) {
 void work(const Order& order, Shared& shared, Clock::time_point start, const fs::path& folder) {
   for (; !enough(order, shared, start); ++shared.next) {
     const Clock::time_point began = Clock::now();
+    const double before = processor_seconds();
     Outcome outcome = run_case(order, shared.next, folder);
     struct rusage used = {};
     ::getrusage(RUSAGE_SELF, &used);
     if (outcome.fault.empty() && used.ru_maxrss > most_kilobytes(order.kind)) {
       outcome.fault = "took " + std::to_string(used.ru_maxrss >> 10) + " MiB";
+    }
+    if (outcome.fault.empty() && processor_seconds() - before > kMostSeconds) {
+      outcome.fault = "took " + std::to_string(processor_seconds() - before) + " s of the processor";
     }
     if (since(began) > shared.slowest) {
       shared.slowest = since(began);
@@ -127,9 +153,9 @@ int run(const Order& order) {
                   static_cast<unsigned long long>(shared.next), by_signal ? "signal" : "exit code",
                   by_signal ? WTERMSIG(status) : WEXITSTATUS(status));
       keep(order, shared.next,
-           order.kind == "scenes"  ? scene_text(shared.next)
-           : order.kind == "texts" ? "see its number"
-                                   : "");
+           order.kind == "scenes" || order.kind == "methods" ? scene_text(shared.next)
+           : order.kind == "texts" || order.kind == "files"  ? "see its number"
+                                                             : "");
       if (order.kind == "exrs") {
         std::error_code ignored;
         fs::copy_file(folder / "broken.exr", order.keep / ("exrs-" + std::to_string(shared.next) + ".exr"), ignored);
@@ -151,7 +177,7 @@ int run(const Order& order) {
 int main(int argc, char** argv) {
   airlight::fuzz::Order order;
   order.kind = argc > 1 ? argv[1] : "";
-  bool good = order.kind == "texts" || order.kind == "exrs" || order.kind == "scenes";
+  bool good = std::ranges::find(airlight::fuzz::kKinds, order.kind) != airlight::fuzz::kKinds.end();
   for (int i = 2; good && i < argc; i += 2) {
     const std::string name = argv[i];
     const char* value = i + 1 < argc ? argv[i + 1] : nullptr;
@@ -175,7 +201,8 @@ int main(int argc, char** argv) {
   }
   if (!good) {
     std::fprintf(stderr,
-                 "usage: airlight_fuzz texts|exrs|scenes [--count N] [--first SEED] [--seconds S] [--keep DIR] "
+                 "usage: airlight_fuzz texts|exrs|scenes|files|plates|methods [--count N] [--first SEED] [--seconds S] "
+                 "[--keep DIR] "
                  "[--tell refused]\n");
     return 2;
   }

@@ -33,7 +33,8 @@ class Match : public testing::Test {
              .reads = {{"table_lut", table_}},
              .writes = {{"sky_out", picture_}, {"rows", rows_}},
              .grid = {17, 9},
-             .push_constants = {1, 2}};
+             .push_constants = {1, 2},
+             .specialization = {{"kCount", 3}, {"kFlag", 0}}};
   }
 
   std::string refusal() const {
@@ -63,7 +64,7 @@ TEST_F(Match, RoundsWorkgroupsUp) {
   pass_.grid = {16, 8, 1};
   EXPECT_EQ(match(plan_, pass_, shader_).workgroups, (std::array<std::uint32_t, 3>{2, 2, 1}));
   shader_.workgroup_size_ids[0] = 7;
-  pass_.specialization = {{"kCount", 5}};
+  pass_.specialization[0].value = 5;
   EXPECT_EQ(match(plan_, pass_, shader_).workgroups, (std::array<std::uint32_t, 3>{4, 2, 1}));
 }
 
@@ -72,9 +73,12 @@ TEST_F(Match, WidensTheGridForTeams) {
   pass_.grid = {17, 9, 1};
   pass_.team = 4;
   EXPECT_EQ(match(plan_, pass_, shader_, true).workgroups, (std::array<std::uint32_t, 3>{9, 3, 1}));
-  EXPECT_EQ(match(plan_, pass_, shader_, true).constants, (std::vector<ConstantValue>{{9, 4}}));
+  EXPECT_EQ(match(plan_, pass_, shader_, true).constants, (std::vector<ConstantValue>{{2, 0}, {7, 3}, {9, 4}}));
   EXPECT_EQ(match(plan_, pass_, shader_).workgroups, (std::array<std::uint32_t, 3>{3, 3, 1}));
-  EXPECT_EQ(match(plan_, pass_, shader_).constants, (std::vector<ConstantValue>{{9, 1}}));
+  EXPECT_EQ(match(plan_, pass_, shader_).constants, (std::vector<ConstantValue>{{2, 0}, {7, 3}, {9, 1}}));
+  pass_.team = 1;  // and the constant is set all the same
+  EXPECT_EQ(match(plan_, pass_, shader_, true).constants, (std::vector<ConstantValue>{{2, 0}, {7, 3}, {9, 1}}));
+  pass_.team = 4;
   shader_.constants.pop_back();
   EXPECT_NE(refusal().find("no specialization constant named kTeam"), std::string::npos) << refusal();
 }
@@ -88,6 +92,11 @@ TEST_F(Match, RefusesABindingThatTheShaderLacks) {
 TEST_F(Match, RefusesABindingLeftOut) {
   pass_.writes.pop_back();
   EXPECT_EQ(refusal(), "pass sky, shader march: the pass binds nothing to rows, a storage buffer");
+}
+
+TEST_F(Match, RefusesAConstantLeftOut) {
+  pass_.specialization.pop_back();
+  EXPECT_EQ(refusal(), "pass sky, shader march: the pass sets no value of the specialization constant kFlag");
 }
 
 TEST_F(Match, TheSceneIsNotBoundByName) {
@@ -171,7 +180,7 @@ TEST_F(Match, RefusesConstantsThatTheShaderLacks) {
   pass_.specialization = {{"kCount", 5}, {"kCount", 6}};
   EXPECT_EQ(refusal(), "pass sky, shader march: specialization constant kCount is set twice");
   shader_.workgroup_size_ids[0] = 7;
-  pass_.specialization = {{"kCount", 0}};
+  pass_.specialization = {{"kCount", 0}, {"kFlag", 1}};
   EXPECT_EQ(refusal(), "pass sky, shader march: a side of the workgroup is 0");
 }
 

@@ -151,6 +151,31 @@ TEST(PathTracePhase, SamplesFollowTheDensityTold) {
   }
 }
 
+// A sharp phase function has samples among the tables' for those who gather light, but no table to draw from.
+TEST(PathTracePhase, ATableBehindASharpPhaseFunctionIsItsOwn) {
+  Scene scene = earth(20, 0);
+  const auto flat = [](double forward, double back) {
+    PhaseTable table{.angles_deg = {0.0, 90.0, 90.001, 180.0}, .wavelengths_nm = {}, .rows = {}};
+    table.rows = {{forward, forward, back, back}};
+    return table;
+  };
+  const Medium sharp = medium(PhaseFunction::henyey_greenstein, 0.99, {1, 1, 1}, {0, 0, 0}, exponential(8));
+  Medium onward = medium(PhaseFunction::table, 0.0, {1, 1, 1}, {0, 0, 0}, exponential(8));
+  Medium back = onward;
+  onward.phase_table = flat(1.0, 1e-6);
+  back.phase_table = flat(1e-6, 1.0);
+  scene.media = {sharp, onward, back};
+  physics::Physics physics = make_physics(scene);
+  const PhaseSampler sampler(physics);
+  Random random(13, 0, 0);
+  for (int k = 1; k < 10; ++k) {
+    EXPECT_GT(sampler.sample(1, k / 10.0, random), -1e-3);
+    EXPECT_LT(sampler.sample(2, k / 10.0, random), 1e-3);
+  }
+  EXPECT_GT(sampler.density(1, 0.5, physics.medium_phase(1, 0.5)), 0.1);
+  EXPECT_GT(sampler.density(2, -0.5, physics.medium_phase(2, -0.5)), 0.1);
+}
+
 TEST(PathTracePhase, AroundKeepsTheAngleAndGoesAllTheWay) {
   for (const vec3 axis : {vec3(0, 0, 1), vec3(0, 0, -1), vec3(1, 0, 0), normalize(vec3(1, -2, 3))}) {
     vec3 mean(0.0);

@@ -13,6 +13,26 @@
 namespace airlight::test {
 namespace {
 
+// Night in thin low air, and the sun under a planet of fog: sampled light so small that its square is 0, to which no
+// matrix can be fitted.
+TEST(Spectral, ASkyWithoutLightHasAMatrix) {
+  const std::string night = R"({"airlight": 1, "media": [{"name": "m0", "density": {"profile": "exponential",
+      "scale_height_km": 0.05}, "scattering_per_km": {"at_nm": 550, "value": 2.7919085376757803e-05, "exponent": -1.3}}],
+      "sun": {"elevation_deg": -4}})";
+  const std::string fog = R"({"airlight": 1, "planet": {"radius_km": 100}, "media": [{"name": "m0", "density":
+      {"profile": "height-fog", "scale_height_km": 0.1, "base_km": 0}, "scattering_per_km": 1000}, {"name": "m1",
+      "density": {"profile": "height-fog", "scale_height_km": 1e7, "base_km": 1}, "scattering_per_km":
+      {"named": "air", "scale": 1}}], "sun": {"elevation_deg": -90}, "render": {"method": "analytic"}})";
+  for (const std::string& text : {night, fog}) {
+    for (const Rgb& colour : spectral_scene(scene_of(text)).matrix) {
+      EXPECT_TRUE(std::isfinite(colour[0] + colour[1] + colour[2])) << text;
+    }
+  }
+  Scene scene = scene_of(night);
+  scene.image = {8, 8};
+  EXPECT_EQ(render_now(scene).fault(), "");
+}
+
 // Where nothing depends on the wavelength the colour is the sun's, whatever the number of wavelengths: the picture of
 // three channels, disc included.
 TEST(Spectral, GreyIsGrey) {

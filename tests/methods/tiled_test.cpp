@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "tests/methods/render_fixture.h"
+#include "tests/methods/spectral_scene.h"
 
 namespace airlight::test {
 namespace {
@@ -224,6 +225,17 @@ TEST(Tiled, UsualTilesFillNoMoreThanTheirBudget) {
       EXPECT_LE(pixels * band_pixel_bytes(scene, layers), kBandBytes);
     }
   }
+}
+
+// A medium that scatters at few wavelengths has a layer; so tiles have room for it.
+TEST(Tiled, TilesHaveRoomForEveryLayer) {
+  const Scene scene = scene_of(clear_air(R"({"wavelengths_nm": [400, 401, 409, 410], "values": [0, 0.1, 0.1, 0]})",
+                                         "{}", R"(, "render": {"method": "march", "wavelengths": 48})"));
+  const std::vector<Layer> layers = layers_of(scene);
+  EXPECT_EQ(layers.front().name, "air");
+  const auto is_of_light = [](const Layer& layer) { return layer.channels == "RGB" && layer.name != "sun"; };
+  const auto planes = static_cast<std::size_t>(3 * std::ranges::count_if(layers, is_of_light));
+  EXPECT_EQ(tile_pixel_bytes(scene, true), planes * sizeof(float));
 }
 
 }  // namespace

@@ -131,6 +131,18 @@ TEST_F(CurveFile, IsRefusedByLine) {
   expect("400,1\n400,2\n", ": 400 nm does not follow 400; expected ascending wavelengths");
   expect("100,1\n400,2\n", ":1: 100 is outside 200 to 4000 nm");
   expect("300,1\n400,-2\n", ":2: -1 is outside 0 to 100000 per km");
+  // A first line that begins with a number is a sample, not a heading.
+  expect("400,nan\n500,1\n600,1\n", ":1: \"400,nan\" is not nm,value; expected two numbers");
+  expect("nan,1\n500,1\n600,1\n", ":1: \"nan,1\" is not nm,value; expected two numbers");
+  expect("+400,1\n500,1\n600,1\n", ":1: \"+400,1\" is not nm,value; expected two numbers");
+}
+
+// Some editors begin a file so; the first sample must not be taken for a heading.
+TEST_F(CurveFile, MayBeginWithAByteOrderMark) {
+  const Scene scene = resolve(load_preset(preset_with("\xef\xbb\xbf"
+                                                      "400,0.06\n500,0.02\n700,0.02\n")),
+                              local_methods());
+  EXPECT_EQ(scene.spectra->media[0].scattering.wavelengths, (std::vector<double>{400.0, 500.0, 700.0}));
 }
 
 TEST_F(CurveFile, IsMissing) {

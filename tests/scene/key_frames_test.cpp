@@ -4,6 +4,7 @@
 
 #include "core/methods/method.h"
 #include "core/scene/preset.h"
+#include "core/scene/readers.h"
 #include "tests/scene/scene_fixture.h"
 
 namespace airlight::test {
@@ -86,6 +87,19 @@ TEST(KeyFrames, NameTheLineOfTheValue) {
       "\"exponential\", \"scale_height_km\": 8}}],\n\"sequence\": {\"frames\": [\n"
       "{\"at\": 0,\n\"/sun/elevation_deg\": 99}]}}");
   EXPECT_NE(problems.find(":4: /sun/elevation_deg"), std::string::npos) << problems;
+}
+
+// Each is checked as a scene of its own, so there is a bound.
+TEST(KeyFrames, AreBounded) {
+  std::string frames;
+  for (std::size_t i = 0; i <= kMostKeyFrames; ++i) {
+    frames += (i == 0 ? "" : ",") + std::string("{\"at\": ") + std::to_string(i) + "}";
+  }
+  EXPECT_EQ(problems_of(R"({"airlight": 1, "media": [{"name": "a", "density": {"profile": "exponential",
+                           "scale_height_km": 8}}], "sequence": {"frames": [)" +
+                        frames + "]}}"),
+            "test:2: /sequence/frames: an array of 20001; expected an array of 1 to 20000 {\"at\": NUMBER, "
+            "\"/POINTER\": VALUE, ...}: leave out those that lie between others");
 }
 
 }  // namespace

@@ -102,5 +102,35 @@ TEST(Messages, TellTwentyProblemsAndCountTheRest) {
   EXPECT_FALSE(InputError("a\nb").has_lines);
 }
 
+// Text 77002527 of the fuzzer: a second message quoted the method's name as JSON does, which leaves U+202E as it is.
+TEST(Messages, NoNameInThemIsObeyedByATerminal) {
+  const std::string problems = problems_of(
+      R"({"airlight": 1, "media": [{"name": "a", "density": {"profile": "exponential", "scale_height_km": 8}}],
+          "planet": {"terrain": {"ridge": {}, "width_km": 40}}, "render": {"method": "\u202e"}})");
+  EXPECT_NE(problems.find("knows no terrain"), std::string::npos) << problems;
+  EXPECT_EQ(printable(problems, true), problems);
+}
+
+// A NUL ended the message where it stands.
+TEST(Messages, ANameWithANulIsToldWhole) {
+  const std::string problems = problems_of(
+      R"({"airlight": 1, "media": [{"name": "a", "scattering_per_km": {"file": "a\u0000b.csv"},
+          "density": {"profile": "exponential", "scale_height_km": 8}}]})");
+  EXPECT_NE(problems.find("a\\u0000b.csv cannot be read: no file has a NUL in its name; expected lines of nm,value"),
+            std::string::npos)
+      << problems;
+}
+
+// The search for what was meant is for people, not for a million keys.
+TEST(Messages, AMillionUnknownKeysAreNotSearchedFor) {
+  std::string keys;
+  for (int i = 0; i < 1000; ++i) {
+    keys += ", \"altitude_km" + std::to_string(i) + "\": 1";
+  }
+  const std::string problems = problems_of(R"({"airlight": 1, "camera": {"roll_deg": 0)" + keys + "}}");
+  EXPECT_NE(problems.find("did you mean \"altitude_km\"?"), std::string::npos) << problems;
+  EXPECT_NE(problems.find("problems more"), std::string::npos) << problems;
+}
+
 }  // namespace
 }  // namespace airlight::test

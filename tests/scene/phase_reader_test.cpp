@@ -141,6 +141,13 @@ TEST_F(PhaseFile, OfAeronet) {
   EXPECT_NEAR(found.rows[1][2], kIsotropic, 1e-12);
 }
 
+TEST_F(PhaseFile, MayBeginWithAByteOrderMark) {
+  EXPECT_EQ(read("\xef\xbb\xbf"
+                 "0,1\n90,1\n180,1\n")
+                .angles_deg,
+            (std::vector<double>{0.0, 90.0, 180.0}));
+}
+
 TEST_F(PhaseFile, OfLines) {
   const PhaseTable found = read("# measured\nangle,value\n0,1\n90,1\n180 , 1\r\n");
   EXPECT_TRUE(found.wavelengths_nm.empty());
@@ -165,6 +172,8 @@ TEST_F(PhaseFile, IsRefusedByLine) {
                  "(columns ANGLE[NNNnm]), or lines of angle,value");
   expect("0,1\n90,1\n170,1\n", "x.csv: ends at 170 degrees; expected angles from 0 to 180");
   expect("lambda,0,90,180\n440,1,1,1\n550,1,1,1\n", "x.csv: 4.4e11 is outside 200 to 4000 nm");
+  expect("lambda,0,90,180\n440,1,1,1\n", "x.csv: 4.4e11 is outside 200 to 4000 nm");
+  expect("0,nan\n90,1\n180,1\n", place + ":1: \"nan\" in field 2; expected a number");
 }
 
 TEST_F(PhaseFile, IsMissing) {

@@ -50,13 +50,13 @@ constexpr double kPeaked = 0.3;  // mean cosine, forward or back
 }  // namespace
 
 PhaseSampler::PhaseSampler(physics::Physics& physics) : physics_(physics) {
+  tables_.resize(physics.medium_count());
   for (physics::uint i = 0; i < physics.medium_count(); ++i) {
-    if (physics.phase_of(i) != physics::kPhaseTable) {
-      continue;
+    if (physics.phase_of(i) == physics::kPhaseTable) {
+      Table& table = tables_[i];
+      table.shares = interval_shares(physics, physics.medium(i).phase_table);
+      std::partial_sum(table.shares.begin(), table.shares.end(), std::back_inserter(table.ends));
     }
-    Table table{.ends = {}, .shares = interval_shares(physics, physics.medium(i).phase_table)};
-    std::partial_sum(table.shares.begin(), table.shares.end(), std::back_inserter(table.ends));
-    tables_.push_back(std::move(table));
   }
 }
 
@@ -82,7 +82,7 @@ double PhaseSampler::sample(physics::uint medium, double u, Random& random) cons
     const double gamma = mean_depolarization(medium);
     nu = random.uniform() < 3.0 * gamma / (1.0 + 2.0 * gamma) ? nu : sample_rayleigh(u);
   } else if (kind == physics::kPhaseTable) {
-    const Table& table = table_of(medium);
+    const Table& table = tables_[medium];
     const double at = u * table.ends.back();
     const auto found = std::upper_bound(table.ends.begin(), table.ends.end() - 1, at);
     const auto k = static_cast<std::size_t>(found - table.ends.begin());
@@ -98,7 +98,7 @@ double PhaseSampler::density(physics::uint medium, double nu, vec3 phase) const 
     return physics_.phase_depolarized(vec3(mean_depolarization(medium)), nu).x;
   }
   if (kind == physics::kPhaseTable) {
-    const Table& table = table_of(medium);
+    const Table& table = tables_[medium];
     const std::size_t k = std::min(static_cast<std::size_t>(physics_.phase_table_place(nu)), table.shares.size() - 1);
     const double width = 2.0 * std::numbers::pi * (sample_cosine(k) - sample_cosine(k + 1));
     return table.shares[k] / (table.ends.back() * width);

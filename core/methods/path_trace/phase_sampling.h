@@ -29,11 +29,10 @@ class PhaseSampler {
     std::vector<double> ends;  // of the intervals' shares, summed
     std::vector<double> shares;
   };
-  const Table& table_of(physics::uint medium) const { return tables_[physics_.medium(medium).phase_table]; }
   double mean_depolarization(physics::uint medium) const;
 
   physics::Physics& physics_;
-  std::vector<Table> tables_;
+  std::vector<Table> tables_;  // by medium; empty for those without a table
 };
 
 // The unit vector at cosine nu from `axis`, `turn` in [0, 1) of a full turn around it.

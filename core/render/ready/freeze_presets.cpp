@@ -69,6 +69,7 @@ void level_terrain(Scene& scene) {
   files.columns = 4;
   files.rows = 4;
   files.heights.assign(16, 0.0F);
+  files.heights.front() = 1.0F;
   scene.terrain->ridge.reset();
   scene.terrain->files = std::make_shared<const TerrainFiles>(std::move(files));
 }

@@ -1,0 +1,43 @@
+#pragma once
+// What a case may throw, as its outcome.
+
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+#include "core/scene/printable.h"
+#include "tests/fuzz/cases.h"
+#include "tests/fuzz/random.h"
+
+namespace airlight::fuzz {
+
+// Why a message is none for people; empty: it is.
+std::string fault_of_message(const std::string& message);
+
+// Runs something that may throw errors meant for people. It returns the fault that it finds.
+template <class Work>
+Outcome guarded(Work work) {
+  Outcome outcome;
+  try {
+    outcome.fault = work();
+  } catch (const InputError& error) {
+    outcome.refused = true;
+    outcome.message = error.what();
+    outcome.fault = fault_of_message(error.has_lines ? error.what() : printable(error.what()));
+  } catch (const RunError& error) {
+    outcome.refused = true;
+    outcome.message = error.what();
+  } catch (const std::exception& error) {
+    outcome.fault = std::string("an exception that nobody expects: ") + error.what();
+  }
+  return outcome;
+}
+
+// Adds the outcome of a part of a case.
+void add(Outcome& outcome, const Outcome& part);
+
+// Changes some bytes, most of them among the first.
+void change_bytes(Random& random, std::vector<char>& bytes);
+
+}  // namespace airlight::fuzz
