@@ -188,8 +188,8 @@ TEST(Files, ThatFailWhileTheyAreReadAreRefused) {
 TEST_F(FolderTest, FilesWithoutPermissionAreRefused) {
   const std::filesystem::path file = write("secret.json", with_one_medium(""));
   std::filesystem::permissions(file, std::filesystem::perms::none);
-  EXPECT_EQ(without_root([&] { return problems_of_file(file); }),
-            file.string() + ": cannot be read: Permission denied; expected a preset (a JSON file)");
+  const std::string told = without_root([&] { return problems_of_file(file); });
+  EXPECT_EQ(told, file.string() + ": cannot be read: Permission denied; expected a preset (a JSON file)");
 }
 
 }  // namespace
