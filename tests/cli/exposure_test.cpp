@@ -198,8 +198,8 @@ TEST_F(Exposed, ANoonIsAsBrightAsAPhotograph) {
   const std::array<int, 3> zenith = code_at(noon, 0);
   const std::array<int, 3> horizon = code_at(noon, 30);
   for (std::size_t c = 0; c < 3; ++c) {
-    EXPECT_NEAR(zenith[c], std::array{61, 100, 157}[c], std::array{9, 15, 24}[c]) << c;
-    EXPECT_NEAR(horizon[c], std::array{149, 171, 193}[c], 29) << c;
+    EXPECT_NEAR(zenith[c], (std::array{61, 100, 157}[c]), (std::array{9, 15, 24}[c])) << c;
+    EXPECT_NEAR(horizon[c], (std::array{149, 171, 193}[c]), 29) << c;
   }
 }
 
