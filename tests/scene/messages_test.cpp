@@ -2,7 +2,10 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "core/methods/method.h"
+#include "core/scene/preset.h"
 #include "core/scene/printable.h"
+#include "core/scene/resolve.h"
 #include "tests/scene/scene_fixture.h"
 
 namespace airlight::test {
@@ -104,9 +107,14 @@ TEST(Messages, TellTwentyProblemsAndCountTheRest) {
 
 // Text 77002527 of the fuzzer: a second message quoted the method's name as JSON does, which leaves U+202E as it is.
 TEST(Messages, NoNameInThemIsObeyedByATerminal) {
-  const std::string problems = problems_of(
-      R"({"airlight": 1, "media": [{"name": "a", "density": {"profile": "exponential", "scale_height_km": 8}}],
-          "planet": {"terrain": {"ridge": {}, "width_km": 40}}, "render": {"method": "\u202e"}})");
+  const std::string text =
+      with_one_medium(R"("planet": {"terrain": {"ridge": {}, "width_km": 40}}, "render": {"method": "\u202e"})");
+  std::string problems;
+  try {
+    resolve(parse_preset(text, "test", {}), method_infos());
+  } catch (const InputError& error) {
+    problems = error.what();
+  }
   EXPECT_NE(problems.find("knows no terrain"), std::string::npos) << problems;
   EXPECT_EQ(printable(problems, true), problems);
 }
