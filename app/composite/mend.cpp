@@ -36,7 +36,7 @@ MendedLight mend_light(foreign::Picture& picture, const std::array<std::string, 
   }
   if (std::vector<float>* const opacity = alpha.empty() ? nullptr : values_of(picture, alpha)) {
     for (std::size_t i = 0; i < opacity->size(); ++i) {
-      if (std::isnan((*opacity)[i])) {
+      if (!std::isfinite((*opacity)[i])) {
         count(mended.alphas, i);
         (*opacity)[i] = 1.0F;
       }
@@ -54,7 +54,7 @@ std::vector<std::string> mended_warnings(const MendedLight& mended, const std::s
     }
   };
   tell(mended.colours, " colours hold NaN or infinity and are taken as black");
-  tell(mended.alphas, " alphas are not numbers and are taken as opaque");
+  tell(mended.alphas, " alphas hold NaN or infinity and are taken as opaque");
   return lines;
 }
 

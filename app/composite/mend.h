@@ -20,7 +20,7 @@ struct Mended {
 
 struct MendedLight {
   Mended colours;  // NaN or infinity in one of R, G and B: the sample is taken as black
-  Mended alphas;   // NaN: the sample is taken as opaque
+  Mended alphas;   // NaN or infinity: the sample is taken as opaque
 };
 
 // Mends the channels of these names in place. `alpha`: empty where there is none. `pixel_of`: the pixel of each sample

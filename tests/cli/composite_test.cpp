@@ -258,8 +258,10 @@ TEST_F(CompositeTool, LightThatIsNoNumberIsMendedAndTold) {
       }
     }
   };
-  write("bad.exr", 0.25F, kNan);
-  expect("alphas are not numbers and are taken as opaque", true);
+  for (const float alpha : {kNan, kInfinity}) {
+    write("bad.exr", 0.25F, alpha);
+    expect("alphas hold NaN or infinity and are taken as opaque", true);
+  }
   for (const float red : {kNan, kInfinity, -kInfinity}) {
     write("bad.exr", red, 1.0F);
     expect("colours hold NaN or infinity and are taken as black", false);

@@ -203,16 +203,17 @@ const std::vector<std::string>& names_of(const fs::path& folder) {
 struct FileKey {
   const char* before;
   const char* after;
+  const char* good;  // a file that suits
 };
 constexpr std::array<FileKey, 8> kFileKeys{
-    {{"/planet/ground_albedo={\"file\": ", "}"},
-     {"/media/0/scattering_per_km={\"file\": ", "}"},
-     {"/sun/spectrum={\"file\": ", "}"},
-     {"/media/0/phase={\"function\": \"table\", \"file\": ", "}"},
-     {"/planet/albedo_map=", ""},
-     {"/planet/ocean={\"mask_map\": ", "}"},
-     {"/planet/terrain={\"width_km\": 10, \"height_map\": ", "}"},
-     {"/planet/terrain={\"width_km\": 10, \"ridge\": {}, \"albedo_map\": ", "}"}}};
+    {{"/planet/ground_albedo={\"file\": ", "}", "curve.csv"},
+     {"/media/0/scattering_per_km={\"file\": ", "}", "mark.csv"},
+     {"/sun/spectrum={\"file\": ", "}", "curve.csv"},
+     {"/media/0/phase={\"function\": \"table\", \"file\": ", "}", "phase.csv"},
+     {"/planet/albedo_map=", "", "whole.png"},
+     {"/planet/ocean={\"mask_map\": ", "}", "whole.tif"},
+     {"/planet/terrain={\"width_km\": 10, \"height_map\": ", "}", "whole.hdr"},
+     {"/planet/terrain={\"width_km\": 10, \"ridge\": {}, \"albedo_map\": ", "}", "whole.exr"}}};
 
 std::string absolute(const fs::path& folder, const std::string& name) {
   return name.empty() || name.front() == '/' ? name : (folder / name).string();
@@ -261,7 +262,7 @@ Outcome file_case(std::uint64_t seed, const fs::path& folder) {
   std::vector<std::string> assignments;
   for (std::uint64_t count = 1 + random.below(2); count > 0; --count) {
     const FileKey& key = random.pick(kFileKeys);
-    const std::string name = absolute(folder, random.pick(names));
+    const std::string name = absolute(folder, random.chance(0.4) ? key.good : random.pick(names));
     const bool has_escape = name.find("\\u") != std::string::npos;
     assignments.push_back(key.before + (has_escape ? "\"" + name + "\"" : json_string(name)) + key.after);
   }
