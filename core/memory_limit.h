@@ -10,7 +10,7 @@ namespace airlight {
 
 // MiB of addresses that the process may take (ulimit -v); none where there is no limit.
 inline std::optional<unsigned long long> memory_limit() {
-  struct rlimit limit {};
+  struct rlimit limit = {};
   if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) {
     return std::nullopt;
   }

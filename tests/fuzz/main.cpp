@@ -35,7 +35,7 @@ long most_kilobytes(const std::string& kind) {
 constexpr double kMostSeconds = 60.0;
 
 double processor_seconds() {
-  struct rusage used {};
+  struct rusage used = {};
   ::getrusage(RUSAGE_SELF, &used);
   const auto seconds = [](const timeval& t) {
     return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
