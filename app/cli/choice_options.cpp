@@ -81,8 +81,8 @@ double milliseconds_from(const std::string& text, const std::string& place) {
   throw InputError(place + ": '" + text + "' is no time; write for example 50ms, 2s or 1min");
 }
 
-ChoiceReport choose_rendering(const Scene& scene, const ChoiceWish& wish, const DeviceOnDemand& device, bool quiet) {
-  refuse_departures(scene);
+ChoiceReport choose_rendering(const Stage& stage, const ChoiceWish& wish, const DeviceOnDemand& device, bool quiet) {
+  refuse_departures(stage.scene());
   ChoiceReport report;
   report.wish = wish;
   const Clock::time_point start = Clock::now();
@@ -92,18 +92,18 @@ ChoiceReport choose_rendering(const Scene& scene, const ChoiceWish& wish, const 
     status.emplace();
   }
   int tried = 0;
-  const auto tell_what = [&](const char* doing, const Scene& candidate) {
+  const auto tell_what = [&](const char* doing, const Stage& candidate) {
     if (status) {
-      status->say("choosing method and quality: " + std::string(doing) + " " + candidate.render.method + " (" +
+      status->say("choosing method and quality: " + std::string(doing) + " " + candidate.scene().render.method + " (" +
                   std::to_string(++tried) + " so far)");
     }
   };
   choice::Looks looks;
-  looks.probe = [&](const Scene& candidate, const choice::Probes& probes) {
+  looks.probe = [&](const Stage& candidate, const choice::Probes& probes) {
     tell_what("probing", candidate);
     return probe_picture(device, candidate, probes.directions);
   };
-  looks.trace = [&](const Scene& whole, const choice::Probes& probes, const choice::TraceOrder& order) {
+  looks.trace = [&](const Stage& whole, const choice::Probes& probes, const choice::TraceOrder& order) {
     if (status) {
       status->say("choosing method and quality: path-trace judges " + std::to_string(probes.directions.size()) +
                   " pixels");
@@ -112,14 +112,14 @@ ChoiceReport choose_rendering(const Scene& scene, const ChoiceWish& wish, const 
   };
   if (wish.limit_ms > 0.0) {
     chart::TableTimes tables;
-    const choice::TimeFunction time = [&](const Scene& candidate) {
+    const choice::TimeFunction time = [&](const Stage& candidate) {
       tell_what("timing", candidate);
       const chart::Timing timing = chart::time_on_device(device(), candidate, {}, quick(), tables);
       return timing.device_ms + timing.tables_ms;
     };
-    report.choice = choice::choose_for_time(scene, wish.limit_ms, wish.method, looks, time);
+    report.choice = choice::choose_for_time(stage, wish.limit_ms, wish.method, looks, time);
   } else {
-    report.choice = choice::choose_for_tolerance(scene, wish.tolerance, wish.method, looks);
+    report.choice = choice::choose_for_tolerance(stage, wish.tolerance, wish.method, looks);
   }
   report.probing_ms = milliseconds_since(start);
   report.probing_cpu_ms = process_cpu_ms() - cpu;

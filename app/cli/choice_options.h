@@ -28,7 +28,7 @@ double milliseconds_from(const std::string& text, const std::string& place);
 
 // Throws InputError where the preset asks for something that no tolerance measures (render.sun_fade, another scale of
 // multiple scattering), or where nothing reaches the tolerance or fits the time; the message names the best possible.
-ChoiceReport choose_rendering(const Scene& scene, const ChoiceWish& wish, const DeviceOnDemand& device, bool quiet);
+ChoiceReport choose_rendering(const Stage& stage, const ChoiceWish& wish, const DeviceOnDemand& device, bool quiet);
 
 // One line: the choice and its error.
 std::string summary(const ChoiceReport& report);

@@ -4,6 +4,7 @@
 
 #include "app/cli/scene_files.h"
 #include "core/error.h"
+#include "core/methods/ready.h"
 #include "core/render/metering.h"
 
 namespace airlight::cli {
@@ -25,7 +26,7 @@ PresetValue value_of(const std::vector<double>& values) {
 
 }  // namespace
 
-Scene frame_scene(const Preset& preset, const sequence::Frame& frame) {
+Scene frame_scene(const Preset& preset, const sequence::Frame& frame, const Scene& like) {
   const std::string place = "frame " + std::to_string(frame.number);
   Preset with = preset;
   for (const auto& [pointer, values] : frame.keys) {
@@ -33,7 +34,7 @@ Scene frame_scene(const Preset& preset, const sequence::Frame& frame) {
     value.source = place;
     put_value(with, pointer, std::move(value), place);
   }
-  return judged(with);
+  return judged(with, &like);
 }
 
 sequence::Frame frame_numbered(const sequence::FrameSource& source, int number, const std::string& place) {
@@ -51,12 +52,13 @@ bool locks_frame(const Scene& scene) {
   return scene.display.metering == Metering::frame && !scene.display.exposure;
 }
 
-std::optional<double> held_exposure(const DeviceOnDemand& device, const Scene& scene,
+std::optional<double> held_exposure(const DeviceOnDemand& device, const Stage& stage,
                                     const std::function<Scene()>& frame) {
+  const Scene& scene = stage.scene();
   if (scene.display.exposure || scene.display.metering == Metering::picture) {
     return std::nullopt;
   }
-  return metered_exposure(device, locks_frame(scene) ? frame() : by_day(scene));
+  return metered_exposure(device, ready(locks_frame(scene) ? frame() : by_day(scene), stage));
 }
 
 }  // namespace airlight::cli

@@ -5,18 +5,17 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <vector>
 
 #include "core/error.h"
 #include "core/foreign/foreign_picture.h"
-#include "core/ground/ground.h"
 #include "core/methods/method.h"
 #include "core/scene/json_format.h"
 #include "core/scene/resolve.h"
 #include "core/srgb.h"
-#include "core/terrain/terrain.h"
+#include "core/things/ground.h"
+#include "core/things/terrain.h"
 
 namespace airlight::cli {
 namespace {
@@ -149,27 +148,24 @@ std::string identities_of(std::initializer_list<std::string> files) {
   return identity;
 }
 
-// Files as filled in by `read`. The last ones are kept, so that a sequence's frames share them.
+// The files of `like`, if they are the same, or else as filled in by `read`.
 template <class Files, class Read>
-std::shared_ptr<const Files> remembered(const std::string& identity, const Read& read) {
-  static std::mutex mutex;
-  static std::shared_ptr<const Files> last;
-  const std::lock_guard lock(mutex);
-  if (last == nullptr || last->identity != identity) {
-    auto files = std::make_shared<Files>();
-    files->identity = identity;
-    read(*files);
-    last = files;
+std::shared_ptr<const Files> taken_over(const std::shared_ptr<const Files>& like, const std::string& identity,
+                                        const Read& read) {
+  if (like != nullptr && like->identity == identity) {
+    return like;
   }
-  return last;
+  auto files = std::make_shared<Files>();
+  files->identity = identity;
+  read(*files);
+  return files;
 }
 
-std::shared_ptr<const TerrainFiles> files_of(const Terrain& terrain) {
+std::shared_ptr<const TerrainFiles> files_of(const Terrain& terrain, const std::shared_ptr<const TerrainFiles>& like) {
   if (terrain.height_map.empty() && terrain.albedo_map.empty()) {
     return nullptr;
   }
-  const std::string identity = identities_of({terrain.height_map, terrain.albedo_map});
-  return remembered<TerrainFiles>(identity, [&](TerrainFiles& files) {
+  return taken_over(like, identities_of({terrain.height_map, terrain.albedo_map}), [&](TerrainFiles& files) {
     if (!terrain.height_map.empty()) {
       read_heights(files, terrain.height_map);
     }
@@ -179,12 +175,12 @@ std::shared_ptr<const TerrainFiles> files_of(const Terrain& terrain) {
   });
 }
 
-std::shared_ptr<const GroundFiles> files_of(const GroundMap& ground) {
+std::shared_ptr<const GroundFiles> files_of(const GroundMap& ground, const std::shared_ptr<const GroundFiles>& like) {
   const std::string mask = ground.ocean ? ground.ocean->mask_map : std::string();
   if (ground.albedo_map.empty() && mask.empty()) {
     return nullptr;
   }
-  return remembered<GroundFiles>(identities_of({ground.albedo_map, mask}), [&](GroundFiles& files) {
+  return taken_over(like, identities_of({ground.albedo_map, mask}), [&](GroundFiles& files) {
     if (!ground.albedo_map.empty()) {
       read_planet(files, ground.albedo_map);
     }
@@ -194,17 +190,28 @@ std::shared_ptr<const GroundFiles> files_of(const GroundMap& ground) {
   });
 }
 
+void fill_terrain(Scene& scene, const Terrain* like) {
+  Terrain& terrain = *scene.terrain;
+  terrain.files = files_of(terrain, like == nullptr ? nullptr : like->files);
+  if (terrain.ridge) {
+    const bool same = like != nullptr && like->ridge == terrain.ridge;
+    terrain.ridge_heights = same ? like->ridge_heights : ridge_heights_of(*terrain.ridge);
+  }
+  const auto heights = std::make_shared<const physics::HostTerrain>(placed_heights(terrain));
+  refuse_sunken(terrain, *heights);
+  refuse_buried_camera(scene.camera.altitude, heights);
+}
+
 }  // namespace
 
-Scene judged(const Preset& preset) {
+Scene judged(const Preset& preset, const Scene* like) {
   Scene scene = resolve(preset, method_infos());
   try {
     if (scene.terrain) {
-      scene.terrain->files = files_of(*scene.terrain);
-      terrain_of(scene);
+      fill_terrain(scene, like != nullptr && like->terrain ? &*like->terrain : nullptr);
     }
     if (scene.ground) {
-      scene.ground->files = files_of(*scene.ground);
+      scene.ground->files = files_of(*scene.ground, like != nullptr && like->ground ? like->ground->files : nullptr);
       if (scene.ground->files && !scene.ground->files->colours.empty()) {
         scene.planet.ground_albedo = mean_albedo(*scene.ground->files);
       }

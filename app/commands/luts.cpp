@@ -6,6 +6,7 @@
 #include "app/commands/commands.h"
 #include "app/render/table_files.h"
 #include "core/error.h"
+#include "core/methods/ready.h"
 #include "core/output/finite.h"
 #include "core/scene/preset.h"
 
@@ -26,7 +27,7 @@ int run_luts(const LutsGiven& given) {
   const Scene scene = load_scene(given.scene);
   require_folder(given.folder);
   std::unique_ptr<Executor> executor;
-  const std::vector<TableDump> tables = bake_tables(device_on_demand(given.scene, executor), scene);
+  const std::vector<TableDump> tables = bake_tables(device_on_demand(given.scene, executor), ready(scene));
   require_valid_vulkan();
   if (tables.empty()) {
     throw InputError("luts: the method " + scene.render.method + " uses no tables; choose another with --method");

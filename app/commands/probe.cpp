@@ -11,6 +11,7 @@
 #include "app/commands/commands.h"
 #include "app/render/validity.h"
 #include "core/error.h"
+#include "core/methods/ready.h"
 #include "core/render/spectrum.h"
 #include "core/scene/angle.h"
 #include "core/scene/named_file.h"
@@ -219,10 +220,10 @@ void tell_warnings(const std::vector<std::string>& warnings) {
   }
 }
 
-int print_spectra(const ProbeGiven& given, const Scene& scene, const std::vector<ListedDirection>& listed,
+int print_spectra(const ProbeGiven& given, const Stage& stage, const std::vector<ListedDirection>& listed,
                   const std::vector<Direction>& directions, const Nodes& nodes) {
   std::unique_ptr<Executor> executor;
-  const SpectralProbes results = probe_spectrum(device_on_demand(given.scene, executor), scene, directions, nodes);
+  const SpectralProbes results = probe_spectrum(device_on_demand(given.scene, executor), stage, directions, nodes);
   require_valid_vulkan();
   require_sound(listed, results);
   if (!given.quiet) {
@@ -233,7 +234,8 @@ int print_spectra(const ProbeGiven& given, const Scene& scene, const std::vector
 }
 
 int run_probe(const ProbeGiven& given) {
-  const Scene scene = load_scene(given.scene);
+  const Stage stage = ready(load_scene(given.scene));
+  const Scene& scene = stage.scene();
   std::optional<Nodes> nodes;
   if (given.spectrum) {
     nodes = wavelengths_from(*given.spectrum, "probe: --spectrum");
@@ -242,7 +244,7 @@ int run_probe(const ProbeGiven& given) {
   const std::vector<ListedDirection> listed = directions_of(given);
   check_directions(listed);
   if (!given.quiet) {
-    tell_warnings(scene_warnings(scene));
+    tell_warnings(scene_warnings(stage));
   }
   std::vector<Direction> directions;
   directions.reserve(listed.size());
@@ -250,12 +252,12 @@ int run_probe(const ProbeGiven& given) {
     directions.push_back({radians_from_degrees(direction.elevation_deg), radians_from_degrees(direction.azimuth_deg)});
   }
   if (nodes) {
-    return print_spectra(given, scene, listed, directions, *nodes);
+    return print_spectra(given, stage, listed, directions, *nodes);
   }
   std::unique_ptr<Executor> executor;
-  const ProbeResults results = probe(device_on_demand(given.scene, executor), scene, directions);
+  const ProbeResults results = probe(device_on_demand(given.scene, executor), stage, directions);
   require_valid_vulkan();
-  require_sound(listed, results.directions, scene.spectra.has_value());
+  require_sound(listed, results.directions, stage.in_colours());
   if (!given.quiet) {
     tell_warnings(results.undone);
   }

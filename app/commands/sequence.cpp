@@ -13,6 +13,7 @@
 #include "app/sequence/run.h"
 #include "core/error.h"
 #include "core/methods/method.h"
+#include "core/methods/ready.h"
 #include "core/output/atomic_file.h"
 #include "core/scene/json_format.h"
 #include "core/scene/resolve.h"
@@ -169,7 +170,8 @@ SequenceJob job_of(const SequenceGiven& given) {
   job.preset = preset_of(given);
   job.scene = judged(job.preset);
   require_layers(given.picture, job.scene, job.exr.has_value(), "sequence");
-  tile_for(job.tile, job.scene, given.picture.layers, "sequence");  // throws if it is no tile
+  job.stage = ready(job.scene);
+  tile_for(job.tile, *job.stage, given.picture.layers, "sequence");  // throws if it is no tile
   job.source = source_of(given, job.scene);
   refuse_idle_overrides(given, job.source);
   std::get<PresetObject>(job.preset.root.data).erase("sequence");

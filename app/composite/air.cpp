@@ -36,9 +36,10 @@ void fill_with_fog(const std::vector<Sample>& samples, const Scene& scene, const
 }
 
 // Whether to use the volume: where the order asks for it, or where a tolerance permits it.
-bool takes_volume(const CompositeOrder& order, const std::vector<Span>& spans, const Scene& scene,
+bool takes_volume(const CompositeOrder& order, const std::vector<Span>& spans, const Stage& stage,
                   const DeviceOnDemand& device, const SpanWay& volume, FrontAir& out) {
-  const SkyMethod& method = method_of(scene);
+  const Scene& scene = stage.scene();
+  const SkyMethod& method = stage.method();
   const bool holds = method.has_volume != nullptr && method.has_volume(scene);
   if (order.aerial == "volume" && !holds) {
     throw InputError(order.beauty +
@@ -50,7 +51,7 @@ bool takes_volume(const CompositeOrder& order, const std::vector<Span>& spans, c
   if (!order.tolerance || !holds) {
     return order.aerial == "volume";
   }
-  out.volume_error = choice::volume_error(device(), scene, spans, volume);
+  out.volume_error = choice::volume_error(device(), stage, spans, volume);
   return *out.volume_error <= *order.tolerance;
 }
 
@@ -81,15 +82,16 @@ bool as_rows(const std::vector<Sample>& samples, const std::vector<Span>& spans,
   return is_picture && 24 * spans.size() > 20 * samples.size() && in_order();
 }
 
-void march_or_fetch(const CompositeOrder& order, const std::vector<Sample>& samples, const Scene& scene,
+void march_or_fetch(const CompositeOrder& order, const std::vector<Sample>& samples, const Stage& stage,
                     const DeviceOnDemand& device, FrontAir& out) {
+  const Scene& scene = stage.scene();
   out.way = "march";
   std::vector<Span> spans = spans_of(samples, scene);
   if (spans.empty()) {
     return;
   }
   SpanWay way{true, picture_key()};
-  if (!takes_volume(order, spans, scene, device, way, out)) {
+  if (!takes_volume(order, spans, stage, device, way, out)) {
     way = {};
   }
   out.way = way.volume ? "volume" : "march";
@@ -100,10 +102,10 @@ void march_or_fetch(const CompositeOrder& order, const std::vector<Sample>& samp
     for (const Sample& sample : samples) {
       distances.push_back(sample.distance);
     }
-    out.airs = air_to_all(device(), scene, distances, way, &out.passes);
+    out.airs = air_to_all(device(), stage, distances, way, &out.passes);
     return;
   }
-  const std::vector<AirTo> found = air_to(device(), scene, spans, way, &out.passes);
+  const std::vector<AirTo> found = air_to(device(), stage, spans, way, &out.passes);
   out.airs.assign(samples.size(), AirTo{{}, {1.0F, 1.0F, 1.0F}});
   auto next = found.begin();
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -115,16 +117,16 @@ void march_or_fetch(const CompositeOrder& order, const std::vector<Sample>& samp
 
 }  // namespace
 
-FrontAir air_before(const CompositeOrder& order, const std::vector<Sample>& samples, const Scene& scene,
+FrontAir air_before(const CompositeOrder& order, const std::vector<Sample>& samples, const Stage& stage,
                     const DeviceOnDemand& device) {
   FrontAir out;
   const auto clear_all = [&] { out.airs.assign(samples.size(), AirTo{{}, {1.0F, 1.0F, 1.0F}}); };
   if (const std::optional<composite::Fog> fog = fog_of(order)) {
     clear_all();
     out.way = order.fog;
-    fill_with_fog(samples, scene, *fog, unit_km(order.unit).value_or(1.0), out.airs);
+    fill_with_fog(samples, stage.scene(), *fog, unit_km(order.unit).value_or(1.0), out.airs);
   } else {
-    march_or_fetch(order, samples, scene, device, out);
+    march_or_fetch(order, samples, stage, device, out);
     if (out.airs.empty()) {
       clear_all();
     }

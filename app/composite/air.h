@@ -27,7 +27,7 @@ struct FrontAir {
 };
 
 // Throws InputError where the order wants the volume and the camera stands above the air.
-FrontAir air_before(const CompositeOrder& order, const std::vector<Sample>& samples, const Scene& scene,
+FrontAir air_before(const CompositeOrder& order, const std::vector<Sample>& samples, const Stage& stage,
                     const DeviceOnDemand& device);
 
 // "air: the aerial volume, ...", for people.

@@ -17,11 +17,11 @@
 #include "core/air/scene_block.h"
 #include "core/error.h"
 #include "core/measure/frames.h"
+#include "core/methods/ready.h"
 #include "core/output/atomic_file.h"
 #include "core/output/finite.h"
 #include "core/output/parallel.h"
 #include "core/sequence/frame_files.h"
-#include "core/terrain/terrain.h"
 #include "core/text.h"
 
 namespace airlight::cli {
@@ -74,8 +74,9 @@ std::vector<Sample> samples_of(const Foreground& fore) {
 }
 
 // Removes things that the terrain hides: there the picture shows the terrain.
-void hide_behind_terrain(std::vector<Sample>& samples, const Scene& scene) {
-  const auto terrain = terrain_of(scene);
+void hide_behind_terrain(std::vector<Sample>& samples, const Stage& stage) {
+  const Scene& scene = stage.scene();
+  const auto terrain = stage.whole().things.terrain();
   const physics::uint projection = projection_code(scene.camera.projection);
   const auto width = static_cast<std::uint32_t>(scene.image.width);
   for_row_strips(static_cast<int>(samples.size()), [&](int first, int end) {
@@ -247,26 +248,29 @@ std::string as_json(const Foreground& fore, const Frame& frame, const FrontAir& 
   return json.end_object().take();
 }
 
-void composite_frame(const CompositeOrder& order, const Frame& frame, const DeviceOnDemand& device) {
-  Scene scene = load_scene(order.scene);
+// `preset`: the preset's own scene. A frame has its camera.
+void composite_frame(const CompositeOrder& order, const Frame& frame, const Stage& preset,
+                     const DeviceOnDemand& device) {
+  Scene scene = preset.scene();
   const Foreground fore = read_foreground(order, frame.beauty, frame.depth, scene);
+  const Stage stage = ready(scene, preset);
   if (!order.quiet) {
-    for (const std::string& warning : scene_warnings(scene)) {
+    for (const std::string& warning : scene_warnings(stage)) {
       complain("warning: " + warning);
     }
   }
   std::vector<Sample> samples = samples_of(fore);
   if (scene.terrain) {
-    hide_behind_terrain(samples, scene);
+    hide_behind_terrain(samples, stage);
   }
   Rendering sky;
   if (needs_sky(samples, fore)) {
-    sky = render(device, scene, {});
+    sky = render(device, stage, {});
     if (!sky.fault().empty()) {
       throw RunError(order.scene.preset + ": " + sky.fault() + "; nothing was written");
     }
   }
-  const FrontAir air = air_before(order, samples, scene, device);
+  const FrontAir air = air_before(order, samples, stage, device);
   require_valid_vulkan();
   const Composite made = blended(fore, samples, air.airs, sky.radiance, !order.layers.empty());
   const auto width = static_cast<std::size_t>(fore.picture.width);
@@ -355,7 +359,8 @@ void require_other_file(const Frame& frame) {
 int run_composite(const CompositeOrder& order) {
   check(order);
   const std::vector<Frame> frames = frames_of(order);
-  require_spans(load_scene(order.scene), order.fog.empty());
+  const Stage preset = ready(load_scene(order.scene));
+  require_spans(preset.scene(), order.fog.empty());
   for (const Frame& frame : frames) {
     require_ending(frame.output, "composite: -o", ".exr");
     require_other_file(frame);
@@ -364,7 +369,7 @@ int run_composite(const CompositeOrder& order) {
   std::unique_ptr<Executor> executor;
   const DeviceOnDemand device = device_on_demand(order.scene, executor);
   for (const Frame& frame : frames) {
-    composite_frame(order, frame, device);
+    composite_frame(order, frame, preset, device);
   }
   return 0;
 }

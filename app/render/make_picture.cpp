@@ -84,12 +84,12 @@ Published publish_pictures(const Means& means, const PictureContext& context, bo
   return all;
 }
 
-std::optional<Lighting> wanted_lighting(const Means& means, const DeviceOnDemand& device, const Scene& scene,
+std::optional<Lighting> wanted_lighting(const Means& means, const DeviceOnDemand& device, const Stage& stage,
                                         const HostOptions& host) {
   if (!means.given.irradiance) {
     return std::nullopt;
   }
-  Lighting lighting = lighting_of(device, scene, host);
+  Lighting lighting = lighting_of(device, stage, host);
   clear_progress();
   means.watch.lap("irradiance");
   return lighting;
@@ -165,14 +165,15 @@ RenderRequest request_of(const Scene& scene, const Targets& targets) {
   return request;
 }
 
-bool render_and_publish(const Means& means, const Scene& scene) {
+bool render_and_publish(const Means& means, const Stage& stage) {
+  const Scene& scene = stage.scene();
   const RenderOrder& given = means.given;
   RenderRequest request = request_of(scene, means.targets);
   request.layers = given.picture.layers;
   request.host = host_options(given.sampling, given.quiet);
   const DeviceOnDemand device = device_on_demand(given.scene, means.executor);
   Rendering rendering =
-      means.spectral ? render_spectrum(device, scene, request, *means.spectral) : render(device, scene, request);
+      means.spectral ? render_spectrum(device, stage, request, *means.spectral) : render(device, stage, request);
   clear_progress();
   if (Interruption::signal() != 0) {
     return false;
@@ -184,27 +185,28 @@ bool render_and_publish(const Means& means, const Scene& scene) {
     rendering.left_out.insert(rendering.left_out.begin(), left_out.begin(), left_out.end());
   }
   const std::optional<Lighting> lighting =
-      rendering.fault().empty() ? wanted_lighting(means, device, scene, request.host) : std::nullopt;
+      rendering.fault().empty() ? wanted_lighting(means, device, stage, request.host) : std::nullopt;
   require_valid_vulkan();
   const PictureContext context = context_of(means, scene, rendering);
   const ExrDepth depth = means.targets.exr.empty() ? ExrDepth{} : exr_depth(given.picture, rendering);
   Published done = publish_pictures(means, context, depth.half);
   add_further_files(means, context, lighting, done.files);
-  const Plan plan = plan_for(scene, request);
+  const Plan plan = plan_for(stage, request);
   RenderReport report{scene,    rendering, plan, device_of(means), done.files,
                       done.exr, {},        {},   means.choice,     means.watch};
   tell(means, report, depth);
   return true;
 }
 
-bool render_in_tiles(const Means& means, const Scene& scene, const ImageSize& tile) {
+bool render_in_tiles(const Means& means, const Stage& stage, const ImageSize& tile) {
+  const Scene& scene = stage.scene();
   const RenderOrder& given = means.given;
   const DeviceOnDemand device = device_on_demand(given.scene, means.executor);
-  if (!samples(scene)) {
+  if (!samples(stage)) {
     device();  // its name stands in the header, which precedes the first tile
   }
   const bool is_asked = given.picture.full_float || given.picture.half_float || means.targets.exr.empty();
-  const ExrDepth depth = exr_depth(given.picture, is_asked ? Rendering{} : metered_picture(device, scene));
+  const ExrDepth depth = exr_depth(given.picture, is_asked ? Rendering{} : metered_picture(device, stage));
   TiledOrder order{.tile = tile,
                    .request = request_of(scene, means.targets),
                    .parts = parts_of(means, scene),
@@ -215,7 +217,7 @@ bool render_in_tiles(const Means& means, const Scene& scene, const ImageSize& ti
                    .context = {}};
   order.request.layers = given.picture.layers;
   order.request.host = host_options(given.sampling, given.quiet);
-  if (!samples(scene)) {
+  if (!samples(stage)) {
     order.report = std::exchange(order.request.host.report, {});
   }
   const std::vector<std::string> left_out = means.choice ? means.choice->choice.left_out : std::vector<std::string>();
@@ -225,8 +227,8 @@ bool render_in_tiles(const Means& means, const Scene& scene, const ImageSize& ti
     return context;
   };
   order.dropped = [] { return Interruption::signal() != 0; };
-  const std::optional<Lighting> lighting = wanted_lighting(means, device, scene, order.request.host);
-  TiledPicture done = write_tiled(device, scene, order);
+  const std::optional<Lighting> lighting = wanted_lighting(means, device, stage, order.request.host);
+  TiledPicture done = write_tiled(device, stage, order);
   clear_progress();
   if (Interruption::signal() != 0) {
     return false;
@@ -237,7 +239,7 @@ bool render_in_tiles(const Means& means, const Scene& scene, const ImageSize& ti
   done.rendering.left_out.insert(done.rendering.left_out.begin(), left_out.begin(), left_out.end());
   const PictureContext context = context_of(means, scene, done.rendering);
   add_further_files(means, context, lighting, done.files);
-  const Plan plan = plan_for(scene, {});
+  const Plan plan = plan_for(stage, {});
   RenderReport report{scene, done.rendering, plan, device_of(means), done.files, {}, {}, {}, means.choice, means.watch};
   if (!means.targets.exr.empty()) {
     report.exr = done.counts;

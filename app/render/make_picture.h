@@ -26,10 +26,10 @@ struct Means {
 
 RenderRequest request_of(const Scene& scene, const Targets& targets);
 
-// Renders and writes a checked scene. False: it was interrupted, and its samples are kept.
-bool render_and_publish(const Means& means, const Scene& scene);
+// Renders and writes a checked scene that is ready. False: it was interrupted, and its samples are kept.
+bool render_and_publish(const Means& means, const Stage& stage);
 
 // Renders and writes it tile by tile.
-bool render_in_tiles(const Means& means, const Scene& scene, const ImageSize& tile);
+bool render_in_tiles(const Means& means, const Stage& stage, const ImageSize& tile);
 
 }  // namespace airlight::cli

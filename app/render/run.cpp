@@ -19,6 +19,7 @@
 #include "app/render/tiled_picture.h"
 #include "app/render/validity.h"
 #include "core/error.h"
+#include "core/methods/ready.h"
 #include "core/output/atomic_file.h"
 #include "core/output/last_words.h"
 #include "core/render/spectrum.h"
@@ -83,22 +84,25 @@ std::optional<ChoiceWish> choice_wish(const RenderOrder& given, const Scene& sce
   return wish;
 }
 
-// The scene with the exposure of a day or of one of the preset's own key frames, if it asks for one.
-Scene with_held_exposure(const RenderOrder& given, Scene scene, const DeviceOnDemand& device) {
-  const std::optional<double> held = held_exposure(device, scene, [&] {
-    Scene frame = frame_scene(chosen_preset(given.scene, overrides(given.picture)), locked_frame(scene));
+// The stage with the exposure of a day or of one of the preset's own key frames, if it asks for one.
+Stage with_held_exposure(const RenderOrder& given, const Stage& stage, const DeviceOnDemand& device) {
+  Scene scene = stage.scene();
+  const std::optional<double> held = held_exposure(device, stage, [&] {
+    Scene frame = frame_scene(chosen_preset(given.scene, overrides(given.picture)), locked_frame(scene), scene);
     frame.render = scene.render;
     return frame;
   });
-  if (held) {
-    scene.display.exposure = held;
+  if (!held) {
+    return stage;
   }
-  return scene;
+  scene.display.exposure = held;
+  return ready(scene, stage);
 }
 
-int dry_run(const RenderOrder& given, const Scene& scene, const Targets& targets, const std::optional<Nodes>& spectral,
+int dry_run(const RenderOrder& given, const Stage& stage, const Targets& targets, const std::optional<Nodes>& spectral,
             const std::optional<ChoiceReport>& choice) {
-  const Plan plan = spectral ? plan_for_spectrum(scene, *spectral) : plan_for(scene, request_of(scene, targets));
+  const Scene& scene = stage.scene();
+  const Plan plan = spectral ? plan_for_spectrum(stage, *spectral) : plan_for(stage, request_of(scene, targets));
   if (given.json) {
     print(json_of_plan(scene, plan, targets.files(), choice, spectral ? spectral->nm : std::vector<double>()));
     return 0;
@@ -109,15 +113,15 @@ int dry_run(const RenderOrder& given, const Scene& scene, const Targets& targets
 }
 
 // The tile size of a picture rendered in tiles. Throws InputError for impossible layers or tiles.
-std::optional<ImageSize> tile_of(const RenderOrder& given, const Scene& scene, const Targets& targets) {
-  require_layers(given.picture, scene, !targets.exr.empty(), "render");
-  return tile_for(given.tile, scene, given.picture.layers, "render");
+std::optional<ImageSize> tile_of(const RenderOrder& given, const Stage& stage, const Targets& targets) {
+  require_layers(given.picture, stage.scene(), !targets.exr.empty(), "render");
+  return tile_for(given.tile, stage, given.picture.layers, "render");
 }
 
-void warn(const Scene& scene, const Targets& targets, const std::optional<DisplayTransform>& transform,
+void warn(const Stage& stage, const Targets& targets, const std::optional<DisplayTransform>& transform,
           bool error_is_measured) {
-  std::vector<std::string> warnings = scene_warnings(scene, error_is_measured);
-  warnings.push_back(targets.exr.empty() ? std::string() : latlong_warning(scene));
+  std::vector<std::string> warnings = scene_warnings(stage, error_is_measured);
+  warnings.push_back(targets.exr.empty() ? std::string() : latlong_warning(stage.scene()));
   warnings.push_back(transform ? transform->warning() : std::string());
   for (const std::string& warning : warnings) {
     if (!warning.empty()) {
@@ -196,7 +200,7 @@ std::optional<Nodes> spectral_wavelengths(const RenderOrder& given, const Scene&
 int run_render(const RenderOrder& given) {
   Stopwatch watch;
   require_one_depth(given.picture, "render");
-  Scene scene = scene_of(given);
+  const Scene scene = scene_of(given);
   const std::optional<ChoiceWish> wish = choice_wish(given, scene);
   if (given.cube_faces) {
     require_cube_stack(scene);
@@ -206,7 +210,8 @@ int run_render(const RenderOrder& given) {
   }
   const Targets targets = choose_targets(given);
   const std::optional<Nodes> spectral = spectral_wavelengths(given, scene, targets);
-  std::optional<ImageSize> tile = wish ? std::nullopt : tile_of(given, scene, targets);
+  Stage stage = ready(scene);
+  std::optional<ImageSize> tile = wish ? std::nullopt : tile_of(given, stage, targets);
   if (!given.dry_run) {
     check_targets(given, targets);
   }
@@ -214,29 +219,29 @@ int run_render(const RenderOrder& given) {
   std::unique_ptr<Executor> executor;
   std::optional<ChoiceReport> choice;
   if (wish) {
-    choice = choose_rendering(scene, *wish, device_on_demand(given.scene, executor), given.quiet);
-    scene = choice->choice.chosen->scene;
-    tile = tile_of(given, scene, targets);
+    choice = choose_rendering(stage, *wish, device_on_demand(given.scene, executor), given.quiet);
+    stage = choice->choice.chosen->stage;
+    tile = tile_of(given, stage, targets);
     watch.lap("choice of method and quality");
   }
   if (given.dry_run) {
-    return dry_run(given, scene, targets, spectral, choice);
+    return dry_run(given, stage, targets, spectral, choice);
   }
   std::optional<DisplayTransform> transform;
   if (!targets.png.empty()) {
-    transform = display_transform(given.picture, scene);
+    transform = display_transform(given.picture, stage.scene());
     watch.lap("OCIO config");
   }
   if (!given.quiet) {
-    warn(scene, targets, transform, choice.has_value());
+    warn(stage, targets, transform, choice.has_value());
   }
   for (const std::string& file : targets.files()) {
     remove_abandoned_files_of(file);  // left half written by killed runs
   }
-  scene = with_held_exposure(given, std::move(scene), device_on_demand(given.scene, executor));
+  stage = with_held_exposure(given, stage, device_on_demand(given.scene, executor));
   const Means means{given, targets, transform, choice, executor, watch, spectral};
   const auto publish_all = [&] {
-    return tile ? render_in_tiles(means, scene, *tile) : render_and_publish(means, scene);
+    return tile ? render_in_tiles(means, stage, *tile) : render_and_publish(means, stage);
   };
   return given.sampling.checkpoint.empty() ? (publish_all(), 0) : interruptible(given, publish_all);
 }

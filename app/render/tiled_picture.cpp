@@ -10,13 +10,14 @@
 namespace airlight::cli {
 namespace {
 
-ImageSize tile_from(const std::string& text, const Scene& scene, bool layers, const std::string& option) {
+ImageSize tile_from(const std::string& text, const Stage& stage, bool layers, const std::string& option) {
+  const ImageSize& image = stage.scene().image;
   const std::optional<ImageSize> typed = size_from(text);
   if (!typed || typed->width < 1 || typed->height < 1) {
     throw InputError(option + ": '" + text + "' is no size; write WIDTHxHEIGHT in pixels, for example 2048x1024");
   }
-  const ImageSize tile{std::min(typed->width, scene.image.width), std::min(typed->height, scene.image.height)};
-  const std::size_t most = kTileBytes / tile_pixel_bytes(scene, layers);
+  const ImageSize tile{std::min(typed->width, image.width), std::min(typed->height, image.height)};
+  const std::size_t most = kTileBytes / tile_pixel_bytes(stage, layers);
   if (static_cast<std::size_t>(tile.width) * static_cast<std::size_t>(tile.height) > most) {
     throw InputError(option + ": '" + text + "' is too large for the buffers of a device; a tile of this picture" +
                      (layers ? " with layers" : "") + " has at most " + std::to_string(most) + " pixels");
@@ -153,16 +154,18 @@ void finish(TiledPicture& done, const TiledOrder& order, const AllFiles& files) 
 
 }  // namespace
 
-std::optional<ImageSize> tile_for(const std::optional<std::string>& option, const Scene& scene, bool layers,
+std::optional<ImageSize> tile_for(const std::optional<std::string>& option, const Stage& stage, bool layers,
                                   const std::string& command) {
   if (option) {
-    return tile_from(*option, scene, layers, command + ": --tile");
+    return tile_from(*option, stage, layers, command + ": --tile");
   }
-  const std::size_t pixels = static_cast<std::size_t>(scene.image.width) * static_cast<std::size_t>(scene.image.height);
-  return pixels > kMostUntiledPixels ? std::optional(usual_tile(scene, layers)) : std::nullopt;
+  const ImageSize& image = stage.scene().image;
+  const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+  return pixels > kMostUntiledPixels ? std::optional(usual_tile(stage, layers)) : std::nullopt;
 }
 
-TiledPicture write_tiled(const DeviceOnDemand& device, const Scene& scene, const TiledOrder& order) {
+TiledPicture write_tiled(const DeviceOnDemand& device, const Stage& stage, const TiledOrder& order) {
+  const Scene& scene = stage.scene();
   AllFiles files;
   bool shown = false;
   for (const TiledPart& part : order.parts) {
@@ -181,14 +184,14 @@ TiledPicture write_tiled(const DeviceOnDemand& device, const Scene& scene, const
       file->add(band);
     }
   };
-  TiledPicture done{render_tiled(device, scene, request), {}, {}};
+  TiledPicture done{render_tiled(device, stage, request), {}, {}};
   if (order.dropped && order.dropped()) {
     return done;
   }
   require_sound_parts(scene, done.rendering, order, files);
   finish(done, order, files);
   if (order.request.layers) {
-    done.rendering.layers = layers_of(scene);
+    done.rendering.layers = layers_of(stage);
   }
   return done;
 }

@@ -17,7 +17,7 @@ inline constexpr std::size_t kMostUntiledPixels = kTileBytes / (4 * sizeof(float
 
 // `option`: of --tile, "WxH". None: the picture is small and rendered as a whole. Throws InputError for a text that is
 // no size, or a size beyond a device's buffers. `command`: "render".
-std::optional<ImageSize> tile_for(const std::optional<std::string>& option, const Scene& scene, bool layers,
+std::optional<ImageSize> tile_for(const std::optional<std::string>& option, const Stage& stage, bool layers,
                                   const std::string& command);
 
 // One picture among the files: all rows, or the rows of a cube's face, which are a picture of `scene`.
@@ -49,6 +49,6 @@ struct TiledPicture {
 
 // Throws RunError and leaves no file when the device fails, the disk is full, or a table, the picture or a layer is at
 // fault (then the PNG of the diagnostic view is left).
-TiledPicture write_tiled(const DeviceOnDemand& device, const Scene& scene, const TiledOrder& order);
+TiledPicture write_tiled(const DeviceOnDemand& device, const Stage& stage, const TiledOrder& order);
 
 }  // namespace airlight::cli

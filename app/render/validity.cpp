@@ -1,7 +1,7 @@
 #include "app/render/validity.h"
 
 #include "core/methods/known_failures.h"
-#include "core/methods/scene_air.h"
+#include "core/methods/ready.h"
 #include "core/scene/angle.h"
 #include "core/scene/curve_reader.h"
 #include "core/text.h"
@@ -9,18 +9,20 @@
 namespace airlight::cli {
 namespace {
 
-std::string methods_that_hold(const Scene& scene) {
+std::string methods_that_hold(const Stage& stage) {
+  const Scene& scene = stage.scene();
   return joined_of(methods(), [&](const SkyMethod& method) {
     const Scene rendered = scene.render.method == method.info.name ? scene : with_quality(scene, method, {});
-    const bool holds = exceeded_limits(method.validity, scene).empty() &&
-                       known_failures_of(method, rendered, air_of(rendered)).empty();
+    const bool holds = exceeded_limits(method.validity, stage).empty() &&
+                       known_failures_of(method, ready(rendered, stage).whole()).empty();
     return holds ? method.info.name : std::string_view();
   });
 }
 
 }  // namespace
 
-std::vector<std::string> exceeded_limits(const Validity& validity, const Scene& scene) {
+std::vector<std::string> exceeded_limits(const Validity& validity, const Stage& stage) {
+  const Scene& scene = stage.scene();
   std::vector<std::string> limits;
   if (scene.sun.elevation < validity.sun_elevation_min) {
     limits.push_back("a sun below " + rounded(degrees_from_radians(validity.sun_elevation_min), 4) +
@@ -30,7 +32,7 @@ std::vector<std::string> exceeded_limits(const Validity& validity, const Scene& 
     limits.push_back("a camera above " + rounded(validity.altitude_max, 4) + " km (it is at " +
                      rounded(scene.camera.altitude, 4) + ")");
   }
-  const double depth = air_of(scene).depths().extinction;
+  const double depth = stage.whole().air.depths().extinction;
   if (depth > validity.optical_depth_max) {
     limits.push_back("air of a vertical optical depth above " + rounded(validity.optical_depth_max, 4) + " (it is " +
                      rounded(depth, 4) + ")");
@@ -38,42 +40,41 @@ std::vector<std::string> exceeded_limits(const Validity& validity, const Scene& 
   return limits;
 }
 
-std::string validity_warning(const Scene& scene) {
-  const Validity& validity = method_of(scene).validity;
-  const std::string reasons = joined(exceeded_limits(validity, scene), ", nor for ");
+std::string validity_warning(const Stage& stage) {
+  const Validity& validity = stage.method().validity;
+  const std::string reasons = joined(exceeded_limits(validity, stage), ", nor for ");
   if (reasons.empty()) {
     return {};
   }
-  std::string text = "method " + scene.render.method + " does not claim to hold for " + reasons;
+  std::string text = "method " + stage.scene().render.method + " does not claim to hold for " + reasons;
   text += validity.leaves_out.empty() ? "" : "; it leaves out " + std::string(validity.leaves_out);
-  const std::string better = methods_that_hold(scene);
+  const std::string better = methods_that_hold(stage);
   return text + (better.empty() ? "" : "; methods that do: " + better);
 }
 
-std::string known_failure_warning(const Scene& scene) {
-  const SkyMethod& method = method_of(scene);
-  const std::string causes = joined(known_failures_of(method, scene, air_of(scene)), "; ");
+std::string known_failure_warning(const Stage& stage) {
+  const std::string causes = joined(known_failures_of(stage.method(), stage.whole()), "; ");
   if (causes.empty()) {
     return {};
   }
-  const std::string better = methods_that_hold(scene);
-  return "method " + scene.render.method + " is known to be wrong here: " + causes +
+  const std::string better = methods_that_hold(stage);
+  return "method " + stage.scene().render.method + " is known to be wrong here: " + causes +
          (better.empty() ? "" : "; methods that hold: " + better);
 }
 
-std::vector<std::string> bound_warnings(const Scene& scene) {
-  const auto bounds = method_of(scene).bounds;
-  return bounds == nullptr ? std::vector<std::string>() : bounds(scene, air_of(scene));
+std::vector<std::string> bound_warnings(const Stage& stage) {
+  const auto bounds = stage.method().bounds;
+  return bounds == nullptr ? std::vector<std::string>() : bounds(stage.whole());
 }
 
-std::vector<std::string> scene_warnings(const Scene& scene, bool error_is_measured) {
-  std::vector<std::string> warnings = bound_warnings(scene);
-  if (std::string claim = validity_warning(scene); !claim.empty()) {
+std::vector<std::string> scene_warnings(const Stage& stage, bool error_is_measured) {
+  std::vector<std::string> warnings = bound_warnings(stage);
+  if (std::string claim = validity_warning(stage); !claim.empty()) {
     warnings.insert(warnings.begin(), std::move(claim));
-  } else if (std::string failure = error_is_measured ? std::string() : known_failure_warning(scene); !failure.empty()) {
+  } else if (std::string failure = error_is_measured ? std::string() : known_failure_warning(stage); !failure.empty()) {
     warnings.insert(warnings.begin(), std::move(failure));
   }
-  const std::vector<std::string> curves = curve_warnings(scene);
+  const std::vector<std::string> curves = curve_warnings(stage.scene());
   warnings.insert(warnings.end(), curves.begin(), curves.end());
   return warnings;
 }

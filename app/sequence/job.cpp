@@ -24,7 +24,7 @@ Targets files_of(const SequenceJob& job, long frame_number) {
 }
 
 Scene scene_of(const SequenceJob& job, const sequence::Frame& frame) {
-  return frame_scene(job.preset, frame);
+  return frame_scene(job.preset, frame, job.scene);
 }
 
 sequence::Frame locked_frame(const SequenceJob& job) {

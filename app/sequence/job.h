@@ -12,6 +12,7 @@
 #include "core/scene/scene.h"
 #include "core/sequence/frame_files.h"
 #include "core/sequence/frame_list.h"
+#include "core/stage/stage.h"
 
 namespace airlight::cli {
 
@@ -19,6 +20,7 @@ struct SequenceJob {
   SceneOptions scene_options;  // for the device
   Preset preset;               // with all overrides, without its own key frames
   Scene scene;                 // of that preset, for everything that no frame changes
+  std::optional<Stage> stage;  // of that scene: frames take over from it what is equal
   sequence::FrameSource source;
   sequence::Shard shard;
   std::optional<sequence::FramePattern> exr;  // at least one of the two

@@ -17,6 +17,7 @@
 #include "core/clock.h"
 #include "core/error.h"
 #include "core/methods/method.h"
+#include "core/methods/ready.h"
 #include "core/output/atomic_file.h"
 #include "core/output/last_words.h"
 #include "core/render/metering.h"
@@ -64,6 +65,7 @@ class Runner {
  public:
   explicit Runner(const SequenceJob& job)
       : job_(job),
+        stage_(*job_.stage),
         report_(job_),
         manifest_(job_),
         transform_(job.png ? display_transform(job.picture, job.scene) : std::nullopt),
@@ -89,6 +91,7 @@ class Runner {
   std::string whole_so_far() const;
 
   SequenceJob job_;
+  Stage stage_;  // of the last frame, from which the next takes over what is equal
   SequenceReport report_;
   SequenceManifest manifest_;
   std::mutex manifest_mutex_;
@@ -142,7 +145,7 @@ bool Runner::render_in_tiles(const std::shared_ptr<Work>& work, const ImageSize&
   const DeviceOnDemand device = device_on_demand(job_.scene_options, executor_);
   device();  // its name stands in the header, which precedes the first tile
   const bool is_asked = job_.picture.full_float || job_.picture.half_float || files.exr.empty();
-  const ExrDepth depth = exr_depth(job_.picture, is_asked ? Rendering{} : metered_picture(device, scene));
+  const ExrDepth depth = exr_depth(job_.picture, is_asked ? Rendering{} : metered_picture(device, stage_));
   if (!depth.why.empty()) {
     report_.took_floats(work->report.number, depth.why);
   }
@@ -158,7 +161,7 @@ bool Runner::render_in_tiles(const std::shared_ptr<Work>& work, const ImageSize&
   order.request.host.report = [](double) { return Interruption::signal() == 0; };
   order.context = [&](const Scene& part, const Rendering& rendering) { return context_of(*work, part, rendering); };
   order.dropped = [&] { return samples(scene) && Interruption::signal() != 0; };
-  const TiledPicture done = write_tiled(device, scene, order);
+  const TiledPicture done = write_tiled(device, stage_, order);
   require_valid_vulkan();
   if (done.files.empty()) {
     return false;
@@ -191,20 +194,21 @@ bool Runner::render_frame(std::size_t k, sequence::BoundedWorkers& encoders) {
     finished(k, scene, report);
     return true;
   }
-  if (std::string warning = validity_warning(scene); !warning.empty()) {
+  stage_ = ready(scene, stage_);
+  if (std::string warning = validity_warning(stage_); !warning.empty()) {
     report_.warn(frame.number, kUnclaimed, {std::move(warning)});
-  } else if (std::string failure = known_failure_warning(scene); !failure.empty()) {
+  } else if (std::string failure = known_failure_warning(stage_); !failure.empty()) {
     report_.warn(frame.number, kUnclaimed, {std::move(failure)});
   }
-  report_.warn(frame.number, kBounded, bound_warnings(scene));
-  if (const std::optional<ImageSize> tile = tile_for(job_.tile, scene, job_.picture.layers, "sequence")) {
+  report_.warn(frame.number, kBounded, bound_warnings(stage_));
+  if (const std::optional<ImageSize> tile = tile_for(job_.tile, stage_, job_.picture.layers, "sequence")) {
     return render_in_tiles(work, *tile);
   }
   const Clock::time_point start = Clock::now();
   RenderRequest request = request_for(scene, job_.exr.has_value(), job_.png.has_value());
   request.layers = job_.picture.layers;
   request.host.report = [](double) { return Interruption::signal() == 0; };
-  work->rendering = render(device_on_demand(job_.scene_options, executor_), scene, request);
+  work->rendering = render(device_on_demand(job_.scene_options, executor_), stage_, request);
   require_valid_vulkan();
   if (samples(scene) && Interruption::signal() != 0) {
     return false;
@@ -218,7 +222,7 @@ bool Runner::render_frame(std::size_t k, sequence::BoundedWorkers& encoders) {
 
 // Makes a day's or a frame's exposure the preset's own, so that every frame, and its hash, has the number.
 void Runner::hold_exposure() {
-  const std::optional<double> held = held_exposure(device_on_demand(job_.scene_options, executor_), job_.scene,
+  const std::optional<double> held = held_exposure(device_on_demand(job_.scene_options, executor_), stage_,
                                                    [&] { return scene_of(job_, locked_frame(job_)); });
   if (held) {
     apply_override(job_.preset, "/display/exposure=" + format_number(*held));

@@ -172,7 +172,10 @@ std::vector<std::byte> device_scene_bytes(const Air& air, const Scene& scene) {
 }
 
 std::vector<std::byte> device_scene_bytes(const Air& air, const Scene& scene, const Tile& tile) {
-  const physics::Physics p = formulas_of(air, scene);
+  return device_scene_bytes(formulas_of(air, scene), tile);
+}
+
+std::vector<std::byte> device_scene_bytes(const physics::Physics& p, const Tile& tile) {
   device::SceneData data = narrowed(p.scene);
   data.tile = {static_cast<unsigned int>(tile.x), static_cast<unsigned int>(tile.y),
                static_cast<unsigned int>(tile.width)};

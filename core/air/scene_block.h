@@ -22,6 +22,7 @@ physics::Physics geometry_of(const Scene& scene);
 // For Plan::scene_data, the block and its tables; of a plan that renders one tile of the picture, or all of it.
 std::vector<std::byte> device_scene_bytes(const Air& air, const Scene& scene);
 std::vector<std::byte> device_scene_bytes(const Air& air, const Scene& scene, const Tile& tile);
+std::vector<std::byte> device_scene_bytes(const physics::Physics& p, const Tile& tile);
 
 // In float: a number, a vector, the block.
 inline float narrowed(double x) {

@@ -7,7 +7,7 @@ std::vector<ChartedQuality> charted_qualities(const Scene& scene, const SkyMetho
   for (const Quality& quality : method.sweep) {
     all.push_back({std::string(quality.label), with_quality(scene, method, quality)});
   }
-  if (!scene.spectra || method.add_spectral_passes == nullptr) {
+  if (!scene.spectra || method.add_coloured_passes == nullptr) {
     return all;
   }
   const Scene defaults = with_quality(scene, method, {});

@@ -12,6 +12,7 @@
 #include "core/hash.h"
 #include "core/measure/sample_error.h"
 #include "core/methods/method.h"
+#include "core/methods/ready.h"
 #include "core/render/sky.h"
 #include "core/scene/preset.h"
 
@@ -21,6 +22,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 struct SceneTruth {
+  Stage stage;
   PixelSet pixels;
   Truth truth;
   double noise = 0.0;
@@ -30,8 +32,8 @@ struct SceneTruth {
 struct Task {
   const SkyMethod* method = nullptr;
   std::string quality;  // its label
-  Scene scene;
-  std::string key;
+  Stage stage;
+  std::string key = {};
   double cost = 0.0;
 };
 
@@ -44,13 +46,13 @@ std::string shader_text() {
   return text;
 }
 
-double cost_of(const Scene& scene, const SkyMethod& method, const PixelSet& pixels) {
-  if (method.render_on_host != nullptr) {
+double cost_of(const Stage& stage, const PixelSet& pixels) {
+  if (samples(stage)) {
     constexpr double kSample = 500.0;  // 10 us
-    return kSample * static_cast<double>(pixels.places.size()) * scene.render.get<int>("samples");
+    return kSample * static_cast<double>(pixels.places.size()) * stage.scene().render.get<int>("samples");
   }
   Plan plan;
-  add_sky(plan, scene, View{}, false);
+  add_sky(plan, stage, View{}, false);
   return choice::predicted_cost(plan).total();
 }
 
@@ -100,7 +102,7 @@ class ChartRun {
     const std::size_t count = order_.scenes.size();
     for (std::size_t i = 0; i < count; ++i) {
       const Scene& scene = order_.scenes[i].scene;
-      SceneTruth found;
+      SceneTruth found{.stage = ready(scene), .pixels = {}, .truth = {}};
       found.pixels = judged(scene, lattice(scene, order_.settings.compared_columns, order_.settings.compared_rows));
       TruthRules rules;
       rules.target_error = order_.settings.truth_error;
@@ -111,7 +113,7 @@ class ChartRun {
         report(kTruthShare * (static_cast<double>(i) + done) / static_cast<double>(count));
         return true;
       };
-      found.truth = find_truth(scene, found.pixels, order_.truth_folder, rules, progress);
+      found.truth = find_truth(found.stage, found.pixels, order_.truth_folder, rules, progress);
       found.noise = measure::sample_noise(found.truth.radiance, found.truth.standard_error);
       truths_.push_back(std::move(found));
     }
@@ -122,14 +124,11 @@ class ChartRun {
     for (const std::string& name : order_.methods) {
       const SkyMethod& method = *find_method(name);
       for (ChartedQuality& quality : charted_qualities(order_.scenes[i].scene, method)) {
-        Task task;
-        task.method = &method;
-        task.quality = std::move(quality.label);
-        task.scene = std::move(quality.scene);
-        task.cost = cost_of(task.scene, method, truths_[i].pixels);
-        task.key =
-            hash_text(to_json(task.scene) + truth_name(task.scene, truths_[i].pixels) + shaders_ + order_.version +
-                      out_.device.name + out_.device.driver + std::to_string(truths_[i].truth.samples));
+        Task task{&method, std::move(quality.label), ready(quality.scene, truths_[i].stage)};
+        task.cost = cost_of(task.stage, truths_[i].pixels);
+        task.key = hash_text(to_json(task.stage.scene()) + truth_name(task.stage, truths_[i].pixels) + shaders_ +
+                             order_.version + out_.device.name + out_.device.driver +
+                             std::to_string(truths_[i].truth.samples));
         tasks.push_back(std::move(task));
       }
     }
@@ -202,7 +201,7 @@ class ChartRun {
     const SceneTruth& truth = truths_[i];
     const bool host = task.method->render_on_host != nullptr;
     const Timing timing =
-        host ? time_on_host(task.scene, truth.pixels) : time_on_device(*device_, task.scene, truth.pixels, {}, tables);
+        host ? time_on_host(task.stage, truth.pixels) : time_on_device(*device_, task.stage, truth.pixels, {}, tables);
     const measure::SampleError error = measure::sample_error(timing.pixels, truth.truth.radiance);
     wall_ms = timing.wall_ms;
     Point point;

@@ -9,6 +9,7 @@
 
 #include "core/choice/cost.h"
 #include "core/clock.h"
+#include "core/methods/ready.h"
 #include "core/render/picture_key.h"
 #include "core/render/sky.h"
 
@@ -28,7 +29,8 @@ int rows_of_tile(const Scene& scene, std::size_t most_bytes) {
   return std::clamp(static_cast<int>(most_bytes / row), 1, scene.image.height);
 }
 
-Sky sky_of(const Scene& scene, std::size_t tile_bytes) {
+Sky sky_of(const Stage& stage, std::size_t tile_bytes) {
+  const Scene& scene = stage.scene();
   Sky sky;
   const int rows = rows_of_tile(scene, tile_bytes);
   const bool whole = rows == scene.image.height;
@@ -37,7 +39,7 @@ Sky sky_of(const Scene& scene, std::size_t tile_bytes) {
     const Tile tile{0, y, scene.image.width, std::min(rows, scene.image.height - y)};
     const View view = whole ? View{} : View{.directions = {}, .tile = tile, .kept_as = own};
     Plan& plan = sky.plans.emplace_back();
-    sky.radiance.push_back(add_sky(plan, scene, view, false).radiance);
+    sky.radiance.push_back(add_sky(plan, stage, view, false).radiance);
   }
   const Plan& first = sky.plans.front();
   const auto is_kept_longer = [&](ResourceId id) {
@@ -83,11 +85,11 @@ Scene neighbour(Scene scene, int n) {
   return scene;
 }
 
-double time_tables(Executor& executor, const Scene& scene, std::size_t tile_bytes) {
+double time_tables(Executor& executor, const Stage& stage, std::size_t tile_bytes) {
   constexpr int kBakes = 3;
   std::vector<double> bakes;
   for (int n = 1; n <= kBakes; ++n) {
-    const Sky sky = sky_of(neighbour(scene, n), tile_bytes);
+    const Sky sky = sky_of(ready(neighbour(stage.scene(), n), stage), tile_bytes);
     bakes.push_back(milliseconds_of(run(executor, sky), sky, true));
   }
   return median(std::move(bakes));
@@ -110,9 +112,9 @@ double median(std::vector<double> values) {
   return 0.5 * (*middle + *std::max_element(values.begin(), middle));
 }
 
-Timing time_on_device(Executor& executor, const Scene& scene, const PixelSet& pixels, const TimingRules& rules,
+Timing time_on_device(Executor& executor, const Stage& stage, const PixelSet& pixels, const TimingRules& rules,
                       TableTimes& tables) {
-  Sky sky = sky_of(scene, rules.tile_bytes);
+  Sky sky = sky_of(stage, rules.tile_bytes);
   const Clock::time_point begin = Clock::now();
   run(executor, sky);
   const double first_ms = milliseconds_since(begin);
@@ -130,7 +132,7 @@ Timing time_on_device(Executor& executor, const Scene& scene, const PixelSet& pi
   };
   while (!enough()) {
     if (sky.plans.size() > 1) {
-      sky = sky_of(scene, rules.tile_bytes);  // another picture's plans
+      sky = sky_of(stage, rules.tile_bytes);  // another picture's plans
     }
     const double cpu_before = process_cpu_ms();
     const Clock::time_point start = Clock::now();
@@ -146,7 +148,7 @@ Timing time_on_device(Executor& executor, const Scene& scene, const PixelSet& pi
   if (sky.plans.size() > 1) {
     // A run's results stay until the next run: the picture is rendered once more, and each tile is read before the
     // next.
-    sky = sky_of(scene, rules.tile_bytes);
+    sky = sky_of(stage, rules.tile_bytes);
     for (std::size_t i = 0; i < sky.plans.size(); ++i) {
       append(rgba, executor.run(sky.plans[i]).contents(sky.radiance[i]));
     }
@@ -159,17 +161,18 @@ Timing time_on_device(Executor& executor, const Scene& scene, const PixelSet& pi
   timing.first_ms = std::max(0.0, first_ms - timing.wall_ms);
   if (!sky.table_passes.empty()) {
     const auto known = tables.find(sky.table_keys);
-    timing.tables_ms = known != tables.end() ? known->second : time_tables(executor, scene, rules.tile_bytes);
+    timing.tables_ms = known != tables.end() ? known->second : time_tables(executor, stage, rules.tile_bytes);
     tables[sky.table_keys] = timing.tables_ms;
   }
   return timing;
 }
 
-Timing time_on_host(const Scene& scene, const PixelSet& pixels) {
+Timing time_on_host(const Stage& stage, const PixelSet& pixels) {
+  const Scene& scene = stage.scene();
   Timing timing;
   const double cpu_before = process_cpu_ms();
   const Clock::time_point start = Clock::now();
-  const HostPicture picture = render_on_host(scene, View{.directions = pixels.directions}, {});
+  const HostPicture picture = stage.method().render_on_host(stage, View{.directions = pixels.directions}, {});
   const auto of_picture = static_cast<double>(scene.image.width) * static_cast<double>(scene.image.height);
   timing.share = static_cast<double>(pixels.places.size()) / of_picture;
   timing.wall_ms = milliseconds_since(start);

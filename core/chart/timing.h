@@ -34,12 +34,12 @@ struct Timing {
 // Cost of tables by all that they depend on, since most of a method's qualities share their tables.
 using TableTimes = std::map<std::string, double>;
 
-// Times the scene's method on the device: sky passes alone, without disc, statistics and bloom.
-Timing time_on_device(Executor& executor, const Scene& scene, const PixelSet& pixels, const TimingRules& rules,
+// Times the stage's method on the device: sky passes alone, without disc, statistics and bloom.
+Timing time_on_device(Executor& executor, const Stage& stage, const PixelSet& pixels, const TimingRules& rules,
                       TableTimes& tables);
 
-// Times the scene's method on the host, once, for the listed pixels alone.
-Timing time_on_host(const Scene& scene, const PixelSet& pixels);
+// Times the stage's method on the host, once, for the listed pixels alone.
+Timing time_on_host(const Stage& stage, const PixelSet& pixels);
 
 double median(std::vector<double> values);  // of at least one
 

@@ -11,7 +11,7 @@
 #include "core/measure/sample_error.h"
 #include "core/methods/method.h"
 #include "core/methods/path_trace/checkpoint.h"
-#include "core/methods/scene_air.h"
+#include "core/methods/ready.h"
 #include "core/output/atomic_file.h"
 
 namespace airlight::chart {
@@ -19,14 +19,14 @@ namespace {
 
 constexpr int kSeed = 2;
 
-Scene truth_scene(const Scene& scene, const TruthRules& rules) {
-  Scene truth = with_quality(scene, *find_method("path-trace"), {"truth", {{"seed", kSeed}}});
+Stage truth_stage(const Stage& stage, const TruthRules& rules) {
+  Scene truth = with_quality(stage.scene(), *find_method("path-trace"), {"truth", {{"seed", kSeed}}});
   truth.render.parameters.insert_or_assign("target_error", rules.target_error);
   truth.render.parameters.insert_or_assign("time_limit_s", rules.time_limit_s);
   if (truth.spectra) {
     truth.spectra->wavelengths = kMostWavelengths;
   }
-  return truth;
+  return ready(truth, stage);
 }
 
 // A line of samples and target, then six numbers a pixel.
@@ -68,13 +68,13 @@ std::optional<Truth> read_truth(const std::filesystem::path& file, std::size_t p
 
 }  // namespace
 
-std::string truth_name(const Scene& scene, const PixelSet& pixels) {
-  return hash_text(checkpoint_identity(truth_scene(scene, {}), View{.directions = pixels.directions}));
+std::string truth_name(const Stage& stage, const PixelSet& pixels) {
+  return hash_text(checkpoint_identity(truth_stage(stage, {}), View{.directions = pixels.directions}));
 }
 
-Truth find_truth(const Scene& scene, const PixelSet& pixels, const std::filesystem::path& folder,
+Truth find_truth(const Stage& stage, const PixelSet& pixels, const std::filesystem::path& folder,
                  const TruthRules& rules, const std::function<bool(double)>& report) {
-  const std::filesystem::path samples = folder / truth_name(scene, pixels);
+  const std::filesystem::path samples = folder / truth_name(stage, pixels);
   const std::filesystem::path finished = samples.string() + ".txt";
   if (std::optional<Truth> known = read_truth(finished, pixels.places.size())) {
     const double noise = measure::sample_noise(known->radiance, known->standard_error);
@@ -86,9 +86,8 @@ Truth find_truth(const Scene& scene, const PixelSet& pixels, const std::filesyst
   options.report = report;
   options.checkpoint = samples.string();
   options.checkpoint_interval_s = 10.0;
-  const Scene traced = truth_scene(scene, rules);
-  const HostPicture picture =
-      find_method("path-trace")->render_on_host(traced, air_of(traced), View{.directions = pixels.directions}, options);
+  const Stage traced = truth_stage(stage, rules);
+  const HostPicture picture = traced.method().render_on_host(traced, View{.directions = pixels.directions}, options);
   Truth truth;
   truth.radiance = rgb_of(picture.radiance.rgba);
   truth.standard_error = rgb_of(picture.standard_error.rgba);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/chart/pixels.h"
-#include "core/scene/scene.h"
+#include "core/stage/stage.h"
 
 namespace airlight::chart {
 
@@ -26,13 +26,13 @@ struct Truth {
 };
 
 // A short name for the truth's file, made of all that the truth depends on: scene, camera, pixels, sampler and seed.
-std::string truth_name(const Scene& scene, const PixelSet& pixels);
+std::string truth_name(const Stage& stage, const PixelSet& pixels);
 
 // Returns FOLDER/truth_name.txt where it is good enough: at the target, or as good as an earlier run with this target
 // or a finer one was given time for. Otherwise continues from FOLDER/truth_name, which holds the samples, and writes
 // both. The seed differs from that of the charted method. Throws RunError when a file cannot be written, InputError
 // when one is damaged.
-Truth find_truth(const Scene& scene, const PixelSet& pixels, const std::filesystem::path& folder,
+Truth find_truth(const Stage& stage, const PixelSet& pixels, const std::filesystem::path& folder,
                  const TruthRules& rules, const std::function<bool(double)>& report);
 
 }  // namespace airlight::chart

@@ -47,10 +47,10 @@ measure::SampleError transmittance_error(const std::vector<AirTo>& a, const std:
 
 }  // namespace
 
-double volume_error(Executor& executor, const Scene& scene, std::span<const Span> spans, const SpanWay& volume) {
+double volume_error(Executor& executor, const Stage& stage, std::span<const Span> spans, const SpanWay& volume) {
   const std::vector<Span> probes = probes_of(spans);
-  const std::vector<AirTo> exact = air_to(executor, scene, probes);
-  const std::vector<AirTo> tabulated = air_to(executor, scene, probes, volume);
+  const std::vector<AirTo> exact = air_to(executor, stage, probes);
+  const std::vector<AirTo> tabulated = air_to(executor, stage, probes, volume);
   const measure::SampleError light = measure::sample_error(radiances(tabulated), radiances(exact));
   return std::max(error_bound(light, 0.0), error_bound(transmittance_error(tabulated, exact), 0.0));
 }

@@ -9,6 +9,6 @@ namespace airlight::choice {
 
 // A bound on the volume's mean error against the march, measured at up to 256 of the spans: the greater of the
 // radiance's, relative, and the transmittance's. No span: 0.
-double volume_error(Executor& executor, const Scene& scene, std::span<const Span> spans, const SpanWay& volume);
+double volume_error(Executor& executor, const Stage& stage, std::span<const Span> spans, const SpanWay& volume);
 
 }  // namespace airlight::choice

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/methods/scene_air.h"
-#include "core/methods/spectral_sky.h"
+#include "core/methods/ready.h"
 #include "core/scene/angle.h"
 
 namespace airlight::choice {
@@ -51,26 +50,27 @@ double dip(const Planet& planet, double altitude) {
 // Whether the table of moments has enough suns in dusk. Dusk is as wide as the horizon's dip up to the top of what
 // scatters, on Earth 7 degrees; the table's suns stand as far apart on every planet, and on one a hundred times as
 // large all of dusk falls between two of them.
-bool dusk_is_resolved(const Scene& scene, double widest) {
-  const Planet& planet = scene.planet;
-  return dip(planet, scattering_height(air_of(scene))) > 4.0 * kDegree &&
+bool dusk_is_resolved(const Stage& stage, double widest) {
+  const Planet& planet = stage.scene().planet;
+  return dip(planet, scattering_height(stage.whole().air)) > 4.0 * kDegree &&
          dip(planet, planet.atmosphere_height) < widest * kDegree;
 }
 
 // The error of rendering at `auto` or more wavelengths instead of all: core/SPECTRA.md has 0.1 to 0.45 % over clear
 // and dusty skies with the sun above -4 degrees. Nothing is known of fewer.
-std::optional<double> wavelengths_error(const Scene& scene) {
+std::optional<double> wavelengths_error(const Stage& stage) {
+  const Scene& scene = stage.scene();
   if (!scene.spectra) {
     return 0.0;
   }
   if (scene.spectra->wavelengths > 0) {
     Scene by_itself = scene;
     by_itself.spectra->wavelengths = 0;
-    if (static_cast<std::size_t>(scene.spectra->wavelengths) < spectral_scene(by_itself).nodes.nm.size()) {
+    if (static_cast<std::size_t>(scene.spectra->wavelengths) < ready(by_itself, stage).basis().nodes.nm.size()) {
       return std::nullopt;
     }
   }
-  return 0.001 + 0.008 * std::min(1.0, air_of(scene).depths().scattering);
+  return 0.001 + 0.008 * std::min(1.0, stage.whole().air.depths().scattering);
 }
 
 // Whether phase functions are as peaked as those of tests/truth and core/SPECTRA.md: mean cosines from -0.3 to 0.82. By
@@ -99,8 +99,9 @@ bool is_beside_the_top(const Scene& scene) {
 
 // By the references of tests/truth and the scenes of core/SPECTRA.md: 0.2 to 0.3 % in clear air over dark ground, up to
 // 0.7 % over snow and 2 % in twilight over it, 0.4 to 1.2 % in haze and dust.
-double common_error(const Scene& scene) {
-  const Air air = air_of(scene);
+double common_error(const Stage& stage) {
+  const Scene& scene = stage.scene();
+  const Air& air = stage.whole().air;
   const OpticalDepths depths = air.depths();
   const double some = std::min(1.0, depths.peaked / 0.04);
   const double peaks =
@@ -109,35 +110,37 @@ double common_error(const Scene& scene) {
          0.03 * std::min(1.0, depths.abrupt / 0.1);
 }
 
-std::optional<double> plain_reference_error(const Scene& scene) {
+std::optional<double> plain_reference_error(const Stage& stage) {
   constexpr double kThick = 0.05;  // by day
-  const Air air = air_of(scene);
+  const Scene& scene = stage.scene();
+  const Air& air = stage.whole().air;
   const OpticalDepths depths = air.depths();
   const double scattering = depths.scattering;
   if (!peaks_are_familiar(air) || is_beside_the_top(scene)) {
     return std::nullopt;
   }
   if (is_day(scene) && scattering <= (depths.abrupt > 0.0 ? 0.6 : 1.0)) {
-    return 0.0005 + common_error(scene);
+    return 0.0005 + common_error(stage);
   }
-  if (is_day(scene) && dusk_is_resolved(scene, 30.0)) {
-    return std::max(kThick, common_error(scene));
+  if (is_day(scene) && dusk_is_resolved(stage, 30.0)) {
+    return std::max(kThick, common_error(stage));
   }
   const bool some_is_lit = scene.sun.elevation > -dip(scene.planet, scattering_height(air));
-  if (scene.sun.elevation >= -7.0 * kDegree && some_is_lit && scattering <= 0.4 && dusk_is_resolved(scene, 30.0)) {
-    return 0.009 + common_error(scene);
+  if (scene.sun.elevation >= -7.0 * kDegree && some_is_lit && scattering <= 0.4 && dusk_is_resolved(stage, 30.0)) {
+    return 0.009 + common_error(stage);
   }
   return std::nullopt;
 }
 
-std::optional<double> default_error(const Scene& scene) {
+std::optional<double> default_error(const Stage& stage) {
+  const Scene& scene = stage.scene();
   constexpr double kTable = 0.001;
   constexpr double kTableAtDusk = 0.011;
   constexpr double kLowestSun = -4.0 * kDegree;  // below it 5.6 % was seen over bright ground
-  const std::optional<double> wavelengths = wavelengths_error(scene);
-  const std::optional<double> plain = plain_reference_error(scene);
+  const std::optional<double> wavelengths = wavelengths_error(stage);
+  const std::optional<double> plain = plain_reference_error(stage);
   if (scene.terrain || scene.ground || !scene.spheres.empty() || scene.sun.elevation < kLowestSun ||
-      !dusk_is_resolved(scene, 14.0) || !wavelengths || !plain) {
+      !dusk_is_resolved(stage, 14.0) || !wavelengths || !plain) {
     return std::nullopt;
   }
   return *plain + (is_day(scene) ? kTable : kTableAtDusk) + *wavelengths;

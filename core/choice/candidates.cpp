@@ -4,15 +4,15 @@
 #include <set>
 
 #include "core/luts/moments.h"
-#include "core/methods/scene_air.h"
+#include "core/methods/ready.h"
 
 namespace airlight::choice {
 namespace {
 
 // The scene's passes and tables. A plan without the scene block cannot be run; it says what it costs.
-Plan plan_of(const Scene& scene) {
+Plan plan_of(const Stage& stage) {
   Plan plan;
-  find_method(scene.render.method)->add_passes(plan, scene, air_of(scene), View{});
+  stage.method().add_passes(plan, stage.whole(), View{});
   return plan;
 }
 
@@ -22,69 +22,69 @@ bool claims(const Validity& validity, const Scene& scene, double optical_depth) 
 }
 
 // What this choice leaves out of the picture, a line each.
-std::vector<std::string> left_out(const Scene& scene, const SkyMethod& method, const Plan& plan) {
-  std::vector<std::string> lines =
-      method.left_out == nullptr ? std::vector<std::string>() : method.left_out(scene, plan);
+std::vector<std::string> left_out(const Stage& stage, const Plan& plan) {
+  const auto left_out = stage.method().left_out;
+  std::vector<std::string> lines = left_out == nullptr ? std::vector<std::string>() : left_out(stage.scene(), plan);
   if (std::ranges::all_of(plan.images(), [](const ImageDesc& image) { return image.key.empty(); })) {
     lines.push_back("tables kept from picture to picture: the method needs none");
   }
   return lines;
 }
 
-Candidate make(Scene scene, std::string quality, const IsKept& is_there, const Plan& plan) {
-  Candidate candidate;
-  candidate.method = scene.render.method;
-  candidate.left_out = left_out(scene, *find_method(candidate.method), plan);
-  candidate.scene = std::move(scene);
-  candidate.quality = std::move(quality);
-  candidate.cost = predicted_cost(plan, is_there);
-  return candidate;
+Candidate make(const Stage& stage, std::string quality, const IsKept& is_there, const Plan& plan) {
+  return {stage, stage.scene().render.method, std::move(quality), left_out(stage, plan),
+          predicted_cost(plan, is_there)};
+}
+
+// Nothing is made yet.
+Candidate alone(const Stage& stage, std::string quality) {
+  return make(
+      stage, std::move(quality), [](ResourceId) { return false; }, plan_of(stage));
 }
 
 }  // namespace
 
-Candidate reference(const Scene& scene, bool fine) {
+Candidate reference(const Stage& stage, bool fine) {
   constexpr int kSteps = 192;
+  const SkyMethod& orders = *find_method("orders");
   Quality quality{"192 steps", {{"steps", kSteps}, {"tabulate", std::string("never")}}};
   if (fine) {
     quality.label = "192 steps, degree 6 or more, large tables";
     quality.parameters.insert(quality.parameters.end(),
                               {{"moments_lut", TableSize{96, 24}}, {"transmittance_lut", TableSize{512, 128}}});
-    const Air air = air_of(with_quality(scene, *find_method("orders"), {}));
+    const Air air = ready(with_quality(stage.scene(), orders, {}), stage).whole().air;
     if (moment_settings(air, {.size = {96, 24}}).degree < kMostClearDegree) {
       quality.parameters.emplace_back("degree", std::to_string(kMostClearDegree));
     }
   }
-  Scene near_truth = with_quality(scene, *find_method("orders"), quality);
-  const Plan plan = plan_of(near_truth);
-  return make(std::move(near_truth), std::string(quality.label), kNothingIsKept, plan);
+  return alone(ready(with_quality(stage.scene(), orders, quality), stage), std::string(quality.label));
 }
 
-Candidate default_candidate(const Scene& scene) {
-  Scene with = with_quality(scene, *find_method("orders"), {});
-  const Plan plan = plan_of(with);
-  return make(std::move(with), "default", kNothingIsKept, plan);
+Candidate default_candidate(const Stage& stage) {
+  return alone(ready(with_quality(stage.scene(), *find_method("orders"), {}), stage), "default");
 }
 
-std::vector<Candidate> candidates(const Scene& scene, double tolerance, const std::string& only,
+std::vector<Candidate> candidates(const Stage& stage, double tolerance, const std::string& only,
                                   const std::vector<Candidate>& made) {
+  const Scene& scene = stage.scene();
   std::set<std::string> keys;
   for (const Candidate& candidate : made) {
-    const Plan plan = plan_of(candidate.scene);
+    const Plan plan = plan_of(candidate.stage);
     for (const ImageDesc& image : plan.images()) {
       if (!image.key.empty()) {
         keys.insert(image.key);
       }
     }
   }
-  const OpticalDepths depths = air_of(scene).depths();
+  const OpticalDepths depths = stage.whole().air.depths();
   std::vector<Candidate> all;
-  const auto add = [&](Scene with, std::string label) {
+  const auto add = [&](const Scene& scene_with, std::string label) {
+    const Stage with = ready(scene_with, stage);
     const Plan plan = plan_of(with);
     const IsKept is_there = [&](ResourceId id) {
       return is_table(plan, id) && keys.contains(plan.images()[std::get<ImageId>(id).index].key);
     };
-    all.push_back(make(std::move(with), std::move(label), is_there, plan));
+    all.push_back(make(with, std::move(label), is_there, plan));
   };
   for (const SkyMethod& method : methods()) {
     const bool wanted = only.empty() || method.info.name == only;
@@ -105,7 +105,7 @@ std::vector<Candidate> candidates(const Scene& scene, double tolerance, const st
         for (const auto& [key, value] : method.single_scattering) {
           single.render.parameters.insert_or_assign(std::string(key), value);
         }
-        add(std::move(single), std::string(quality.label) + ", single scattering");
+        add(single, std::string(quality.label) + ", single scattering");
       }
     }
   }

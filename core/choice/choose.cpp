@@ -7,6 +7,7 @@
 
 #include "core/choice/assumed_error.h"
 #include "core/choice/leave_out.h"
+#include "core/methods/ready.h"
 
 namespace airlight::choice {
 namespace {
@@ -20,9 +21,10 @@ double mean_at_most(const measure::SampleError& measured) {
   return measured.mean + kSpreads * measured.spread;
 }
 
-Candidate reference_at(Scene scene, int wavelengths) {
+Stage at_wavelengths(const Stage& stage, int wavelengths) {
+  Scene scene = stage.scene();
   scene.spectra->wavelengths = wavelengths;
-  return reference(scene, false);
+  return ready(scene, stage);
 }
 
 std::string percent_line(int wavelengths, double error) {
@@ -51,24 +53,24 @@ struct Ground {
   double dark = 0.0;
   Judge& judge;
 
-  Ground(const Scene& wanted, double tolerance, double enough, const Looks& through, Probes at, Judge& judged_by)
-      : scene(wanted),
+  Ground(const Stage& wanted, double tolerance, double enough, const Looks& through, Probes at, Judge& judged_by)
+      : scene(wanted.scene()),
         looks(through),
-        lighter(leave_out_media(scene, 0.25 * tolerance)),
+        lighter(leave_out_media(wanted, 0.25 * tolerance)),
         probes(std::move(at)),
         judge(judged_by) {
     known_error = lighter.error;
-    if (lighter.scene.spectra && !probes.directions.empty()) {
+    if (lighter.stage.in_colours() && !probes.directions.empty()) {
       settle_wavelengths(tolerance);
     }
-    made = {reference(lighter.scene, false)};
+    made = {reference(lighter.stage, false)};
     if (probes.directions.empty()) {
       return;
     }
     if (truth.empty()) {
-      truth = looks.probe(made.front().scene, probes);
+      truth = looks.probe(made.front().stage, probes);
     }
-    const std::optional<double> known = plain_reference_error(lighter.scene);
+    const std::optional<double> known = plain_reference_error(lighter.stage);
     if (known && *known <= enough && !judge.was_asked()) {
       known_error += *known;
     } else if (can_be_traced(scene)) {
@@ -83,26 +85,25 @@ struct Ground {
     constexpr int kMany = 24;
     constexpr double kOfMany = 0.0005;  // what many are off all 48, over the skies of core/SPECTRA.md
     constexpr double kShare = 0.4;      // of a tolerance, that the spectrum may take up
-    SceneSpectra& spectra = *lighter.scene.spectra;
-    const int wished = spectra.wavelengths;
+    const int wished = lighter.stage.scene().spectra->wavelengths;
     if (wished == kMostWavelengths) {
       return;
     }
     const int many = wished < kMany ? kMany : kMostWavelengths;
-    const std::vector<float> better = looks.probe(reference_at(lighter.scene, many).scene, probes);
-    const double night = dark_radiance(lighter.scene, better);
+    const std::vector<float> better = looks.probe(reference(at_wavelengths(lighter.stage, many), false).stage, probes);
+    const double night = dark_radiance(lighter.stage.scene(), better);
     const std::vector<int> counts = wished != 0 ? std::vector<int>{wished} : std::vector<int>{3, 6, 12};
     double error = 0.0;
     for (const int count : counts) {
-      spectra.wavelengths = count;
-      truth = looks.probe(reference_at(lighter.scene, count).scene, probes);
+      lighter.stage = at_wavelengths(lighter.stage, count);
+      truth = looks.probe(reference(lighter.stage, false).stage, probes);
       error = mean_at_most(measure::sample_error(truth, better, probes.weights, night)) + kOfMany;
       if (error <= kShare * tolerance) {
         break;
       }
     }
     known_error += error;
-    lighter.reasons.push_back(percent_line(spectra.wavelengths, error));
+    lighter.reasons.push_back(percent_line(lighter.stage.scene().spectra->wavelengths, error));
   }
 
   // The plain reference, and the fine one where that may do better. What was left out and the wavelengths are in the
@@ -116,8 +117,8 @@ struct Ground {
     }
     Judgement verdict = judge.tell(plain, kReferenceShare);
     if (verdict.at_most > kReferenceShare * tolerance && verdict.at_least <= kHopeless * tolerance) {
-      made.push_back(reference(lighter.scene, true));
-      std::vector<float> better = looks.probe(made.back().scene, probes);
+      made.push_back(reference(lighter.stage, true));
+      std::vector<float> better = looks.probe(made.back().stage, probes);
       const Judgement of_better = judge.told(every(better, kTracedOf));
       if (of_better.at_most < verdict.at_most) {
         verdict = of_better;
@@ -131,12 +132,12 @@ struct Ground {
   // fine one is still away from the limit is less than half of their distance.
   void refine() {
     constexpr double kRemains = 0.5;
-    made.push_back(reference(lighter.scene, true));
-    std::vector<float> better = looks.probe(made.back().scene, probes);
-    dark = dark_radiance(lighter.scene, better);
+    made.push_back(reference(lighter.stage, true));
+    std::vector<float> better = looks.probe(made.back().stage, probes);
+    dark = dark_radiance(lighter.stage.scene(), better);
     if (dark == 0.0) {
       known_error +=
-          common_error(lighter.scene) + kRemains * mean_at_most(measure::sample_error(truth, better, probes.weights));
+          common_error(lighter.stage) + kRemains * mean_at_most(measure::sample_error(truth, better, probes.weights));
     }
     truth = std::move(better);
   }
@@ -146,7 +147,7 @@ struct Ground {
     if (probes.directions.empty()) {
       return 0.0;  // nothing of the planet is in the picture
     }
-    const std::vector<float> radiance = looks.probe(candidate.scene, probes);
+    const std::vector<float> radiance = looks.probe(candidate.stage, probes);
     const double bound = error_bound(measure::sample_error(radiance, truth, probes.weights, dark), known_error);
     const bool judged = judge.was_asked() && dark == 0.0 && candidate.method == "orders";
     return judged ? std::min(bound, judge.told(every(radiance, kTracedOf)).at_most) : bound;
@@ -187,30 +188,30 @@ Choice only_choice(const Candidate& candidate, double error) {
   return choice;
 }
 
-bool default_will_do(const Scene& scene, const std::string& only) {
-  return (only.empty() || only == "orders") && !search_may_pay(scene);
+bool default_will_do(const Stage& stage, const std::string& only) {
+  return (only.empty() || only == "orders") && !search_may_pay(stage);
 }
 
 // `orders` at its defaults, where that is sure to do and no search may pay: where nothing shines, that is black.
-std::optional<Choice> sure_choice(const Scene& scene, double tolerance, const std::string& only) {
-  if (default_will_do(scene, only) && std::ranges::max(scene.sun.irradiance) <= 0.0) {
-    return only_choice(default_candidate(scene), 0.0);
+std::optional<Choice> sure_choice(const Stage& stage, double tolerance, const std::string& only) {
+  if (default_will_do(stage, only) && std::ranges::max(stage.scene().sun.irradiance) <= 0.0) {
+    return only_choice(default_candidate(stage), 0.0);
   }
-  const std::optional<double> error = default_error(scene);
-  if (!error || *error > tolerance || !default_will_do(scene, only)) {
+  const std::optional<double> error = default_error(stage);
+  if (!error || *error > tolerance || !default_will_do(stage, only)) {
     return std::nullopt;
   }
-  return only_choice(default_candidate(scene), *error);
+  return only_choice(default_candidate(stage), *error);
 }
 
 // The same, where path-trace says that it does.
-std::optional<Choice> judged_choice(const Scene& scene, double tolerance, const std::string& only,
+std::optional<Choice> judged_choice(const Stage& stage, double tolerance, const std::string& only,
                                     const ProbeFunction& probe, Judge& judge) {
-  if (!default_will_do(scene, only) || !can_be_traced(scene) || judge.probes().directions.empty()) {
+  if (!default_will_do(stage, only) || !can_be_traced(stage.scene()) || judge.probes().directions.empty()) {
     return std::nullopt;
   }
-  const Candidate candidate = default_candidate(scene);
-  const std::vector<float> radiance = probe(candidate.scene, judge.probes());
+  const Candidate candidate = default_candidate(stage);
+  const std::vector<float> radiance = probe(candidate.stage, judge.probes());
   const double dark = judge.darkness(radiance);
   const Judgement verdict = dark > 0.0 ? Judgement{} : judge.tell(radiance, 1.0);
   if (verdict.at_most > tolerance) {
@@ -233,7 +234,7 @@ std::vector<Candidate> likely_to_fit(const std::vector<Candidate>& all, double l
   std::map<std::string, std::vector<Candidate>> fitting;
   for (const Candidate& candidate : all) {
     if (!ms_per_cost.contains(candidate.method)) {
-      const double ms = time(candidate.scene);
+      const double ms = time(candidate.stage);
       fastest[candidate.method] = ms;
       ms_per_cost[candidate.method] = ms / std::max(candidate.cost.total(), 1.0);
     }
@@ -256,27 +257,27 @@ double error_bound(const measure::SampleError& measured, double reference_error)
   return kSafety * mean_at_most(measured) + reference_error;
 }
 
-bool search_may_pay(const Scene& scene) {
+bool search_may_pay(const Stage& stage) {
   // In units of Cost, of which a core of the software device does some hundred million a second: twice what probes,
   // plans and the shaders of candidates take.
   constexpr double kSearch = 2e7;
   constexpr double kCheapestPixel = 2.0;
-  const double pixels = static_cast<double>(scene.image.width) * scene.image.height;
-  return default_candidate(scene).cost.picture - kCheapestPixel * pixels > kSearch;
+  const double pixels = static_cast<double>(stage.scene().image.width) * stage.scene().image.height;
+  return default_candidate(stage).cost.picture - kCheapestPixel * pixels > kSearch;
 }
 
-Choice choose_for_tolerance(const Scene& scene, double tolerance, const std::string& only, const Looks& looks) {
-  if (std::optional<Choice> choice = sure_choice(scene, tolerance, only)) {
+Choice choose_for_tolerance(const Stage& stage, double tolerance, const std::string& only, const Looks& looks) {
+  if (std::optional<Choice> choice = sure_choice(stage, tolerance, only)) {
     return *std::move(choice);
   }
-  const Probes probes = choose_probes(scene, kProbes);
-  Judge judge(scene, every(probes, kTracedOf), tolerance, looks.trace);
-  if (std::optional<Choice> choice = judged_choice(scene, tolerance, only, looks.probe, judge)) {
+  const Probes probes = choose_probes(stage.scene(), kProbes);
+  Judge judge(stage, every(probes, kTracedOf), tolerance, looks.trace);
+  if (std::optional<Choice> choice = judged_choice(stage, tolerance, only, looks.probe, judge)) {
     return *std::move(choice);
   }
-  const Ground ground(scene, tolerance, kReferenceShare * tolerance, looks, probes, judge);
+  const Ground ground(stage, tolerance, kReferenceShare * tolerance, looks, probes, judge);
   Choice choice = ground.begin();
-  for (const Candidate& candidate : candidates(ground.lighter.scene, tolerance, only, ground.made)) {
+  for (const Candidate& candidate : candidates(ground.lighter.stage, tolerance, only, ground.made)) {
     const Tried tried{candidate.method, candidate.quality, candidate.cost.total(), ground.bound_of(candidate), 0.0};
     note(choice, tried);
     if (tried.error <= tolerance) {
@@ -287,18 +288,18 @@ Choice choose_for_tolerance(const Scene& scene, double tolerance, const std::str
   return choice;
 }
 
-Choice choose_for_time(const Scene& scene, double limit_ms, const std::string& only, const Looks& looks,
+Choice choose_for_time(const Stage& stage, double limit_ms, const std::string& only, const Looks& looks,
                        const TimeFunction& time) {
   constexpr double kClose = 0.01;    // how well errors are told apart
   constexpr double kAnything = 1e9;  // that is known of the reference serves: no tolerance hangs on it
-  const Probes probes = choose_probes(scene, kProbes);
-  Judge judge(scene, every(probes, kTracedOf), kClose, looks.trace);
-  const Ground ground(scene, kClose, kAnything, looks, probes, judge);
+  const Probes probes = choose_probes(stage.scene(), kProbes);
+  Judge judge(stage, every(probes, kTracedOf), kClose, looks.trace);
+  const Ground ground(stage, kClose, kAnything, looks, probes, judge);
   Choice choice = ground.begin();
   std::map<std::string, double> fastest;
   std::vector<std::pair<Tried, Candidate>> ranked;
   // A picture's time holds its tables, whoever else has made them.
-  const std::vector<Candidate> all = candidates(ground.lighter.scene, kClose, only, {});
+  const std::vector<Candidate> all = candidates(ground.lighter.stage, kClose, only, {});
   for (const Candidate& candidate : likely_to_fit(all, limit_ms, time, fastest)) {
     const Tried tried{candidate.method, candidate.quality, candidate.cost.total(), ground.bound_of(candidate), 0.0};
     ranked.emplace_back(tried, candidate);
@@ -306,7 +307,7 @@ Choice choose_for_time(const Scene& scene, double limit_ms, const std::string& o
   std::ranges::stable_sort(ranked, {}, [](const auto& entry) { return entry.first.error; });
   for (auto& [tried, candidate] : ranked) {
     if (!choice.chosen) {
-      tried.ms = time(candidate.scene);
+      tried.ms = time(candidate.stage);
     }
     note(choice, tried);
     if (!choice.chosen && tried.ms <= limit_ms) {

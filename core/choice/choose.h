@@ -14,8 +14,8 @@
 
 namespace airlight::choice {
 
-// RGB, three values a direction, of the scene's method as its picture would have them there.
-using ProbeFunction = std::function<std::vector<float>(const Scene& scene, const Probes& probes)>;
+// RGB, three values a direction, of the stage's method as its picture would have them there.
+using ProbeFunction = std::function<std::vector<float>(const Stage& stage, const Probes& probes)>;
 
 // What a choice looks at a scene through.
 struct Looks {
@@ -47,11 +47,11 @@ struct Choice {
 // A tolerance is of the mean relative error over the picture without the sun's disc; see measure::sample_error(). Where
 // `orders` at its defaults is sure to hold it and no search may pay, nothing is probed. Where nothing that is fine
 // enough is known of the reference, path-trace judges it.
-Choice choose_for_tolerance(const Scene& scene, double tolerance, const std::string& only, const Looks& looks);
+Choice choose_for_tolerance(const Stage& stage, double tolerance, const std::string& only, const Looks& looks);
 
 // `time`: ms that the device takes for the scene's tables and picture.
-using TimeFunction = std::function<double(const Scene& scene)>;
-Choice choose_for_time(const Scene& scene, double limit_ms, const std::string& only, const Looks& looks,
+using TimeFunction = std::function<double(const Stage& stage)>;
+Choice choose_for_time(const Stage& stage, double limit_ms, const std::string& only, const Looks& looks,
                        const TimeFunction& time);
 
 // The bound that a tolerance is held against, from what the probes say and what is known of the reference.
@@ -59,6 +59,6 @@ double error_bound(const measure::SampleError& measured, double reference_error)
 
 // Whether what a search may save is more than it costs: not where the pixels of `orders` at its defaults are fetches
 // from a table, nor for a small picture.
-bool search_may_pay(const Scene& scene);
+bool search_may_pay(const Stage& stage);
 
 }  // namespace airlight::choice

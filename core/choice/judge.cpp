@@ -7,7 +7,7 @@
 #include "core/clock.h"
 #include "core/error.h"
 #include "core/methods/method.h"
-#include "core/methods/scene_air.h"
+#include "core/methods/ready.h"
 
 namespace airlight::choice {
 namespace {
@@ -64,10 +64,10 @@ bool can_be_traced(const Scene& scene) {
   return find_method("path-trace")->info.knows_spheres || scene.spheres.empty();
 }
 
-Traced trace_probes(const Scene& scene, const Probes& probes, const TraceOrder& order) {
+Traced trace_probes(const Stage& stage, const Probes& probes, const TraceOrder& order) {
   const SkyMethod& method = *find_method("path-trace");
   const int samples = static_cast<int>(std::min(order.samples, kMostSamples));
-  Scene traced = with_quality(scene, method, {"judge", {{"seed", order.seed}, {"samples", samples}}});
+  Scene traced = with_quality(stage.scene(), method, {"judge", {{"seed", order.seed}, {"samples", samples}}});
   traced.render.parameters.insert_or_assign("target_error", order.target_error);
   if (traced.spectra) {
     traced.spectra->wavelengths = kMostWavelengths;
@@ -77,7 +77,7 @@ Traced trace_probes(const Scene& scene, const Probes& probes, const TraceOrder& 
   options.report = [end](double /*done*/) { return cpu_seconds() < end; };
   try {
     const HostPicture picture =
-        method.render_on_host(traced, air_of(traced), View{.directions = probes.directions}, options);
+        method.render_on_host(ready(traced, stage), View{.directions = probes.directions}, options);
     const auto taken = static_cast<double>(picture.samples);
     return {rgb_of(picture.radiance.rgba), rgb_of(picture.standard_error.rgba), taken, taken / kBatch};
   } catch (const RunError&) {
@@ -167,7 +167,7 @@ bool Judge::trace_more(double target_error) {
     }
   }
   const double start = cpu_seconds();
-  const Traced more = trace_(scene_, probes_, order);
+  const Traced more = trace_(stage_, probes_, order);
   cpu_seconds_ += cpu_seconds() - start;
   ++runs_;
   traced_ = together(traced_, more);
@@ -176,9 +176,9 @@ bool Judge::trace_more(double target_error) {
 
 double Judge::darkness(const std::vector<float>& radiance) {
   constexpr double kAnyNoise = 1e9;
-  const double dark = dark_radiance(scene_, radiance);
+  const double dark = dark_radiance(stage_.scene(), radiance);
   const bool seen = dark > 0.0 && (was_asked() || trace_more(kAnyNoise));
-  return seen && is_below(kDark, scene_, traced_.radiance) ? dark : 0.0;
+  return seen && is_below(kDark, stage_.scene(), traced_.radiance) ? dark : 0.0;
 }
 
 }  // namespace airlight::choice

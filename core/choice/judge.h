@@ -28,13 +28,13 @@ struct TraceOrder {
 };
 
 // Of no probe where the time was up before there was a standard error.
-using TraceFunction = std::function<Traced(const Scene& scene, const Probes& probes, const TraceOrder& order)>;
+using TraceFunction = std::function<Traced(const Stage& stage, const Probes& probes, const TraceOrder& order)>;
 
 // Whether path-trace renders such a scene: there are no spheres in it.
 bool can_be_traced(const Scene& scene);
 
 // By the method's own sampler, of spectra at all wavelengths.
-Traced trace_probes(const Scene& scene, const Probes& probes, const TraceOrder& order);
+Traced trace_probes(const Stage& stage, const Probes& probes, const TraceOrder& order);
 
 // Both runs as one; their seeds differ.
 Traced together(const Traced& a, const Traced& b);
@@ -61,8 +61,8 @@ class Judge {
  public:
   static constexpr double kMostCpuSeconds = 20.0;  // of tracing, in all
 
-  Judge(const Scene& scene, const Probes& probes, double tolerance, const TraceFunction& trace)
-      : scene_(scene), probes_(probes), tolerance_(tolerance), trace_(trace) {}
+  Judge(const Stage& stage, const Probes& probes, double tolerance, const TraceFunction& trace)
+      : stage_(stage), probes_(probes), tolerance_(tolerance), trace_(trace) {}
 
   // Radiance at the probes: by paths as many as it takes to tell whether its error is below `share` of the tolerance or
   // above the tolerance, until their noise is a quarter of the tolerance or time is up.
@@ -78,7 +78,7 @@ class Judge {
   bool is_settled(const Judgement& verdict, double share) const;
   bool trace_more(double target_error);
 
-  const Scene& scene_;
+  Stage stage_;
   Probes probes_;
   double tolerance_;
   const TraceFunction& trace_;

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/methods/scene_air.h"
+#include "core/methods/ready.h"
 
 namespace airlight::choice {
 namespace {
@@ -71,11 +71,12 @@ double scattering_share(const Air& air, std::size_t medium) {
 
 }  // namespace
 
-Lighter leave_out_media(const Scene& scene, double allowed) {
+Lighter leave_out_media(const Stage& stage, double allowed) {
+  const Scene& scene = stage.scene();
   if (scene.spectra) {
-    return {scene, {}, 0.0};  // three channels do not tell what a medium is to the other wavelengths
+    return {stage, {}, 0.0};  // three channels do not tell what a medium is to the other wavelengths
   }
-  const Air air = air_of(scene);
+  const Air& air = stage.whole().air;
   const std::uint32_t scattering = air.scattering_media();
   std::vector<std::pair<double, std::size_t>> effects;
   for (std::size_t i = 0; i < scene.media.size(); ++i) {
@@ -87,7 +88,7 @@ Lighter leave_out_media(const Scene& scene, double allowed) {
     effects.emplace_back(effect, i);
   }
   std::ranges::sort(effects);
-  Lighter lighter{scene, {}, 0.0};
+  Lighter lighter{stage, {}, 0.0};
   std::vector<std::size_t> gone;
   for (const auto& [effect, i] : effects) {
     if (lighter.error + effect > allowed || gone.size() + 1 == scene.media.size()) {
@@ -100,8 +101,12 @@ Lighter leave_out_media(const Scene& scene, double allowed) {
     lighter.reasons.push_back("medium " + scene.media[i].name + ": " + text);
   }
   std::ranges::sort(gone, std::greater<>());
-  for (const std::size_t i : gone) {
-    lighter.scene.media.erase(lighter.scene.media.begin() + static_cast<std::ptrdiff_t>(i));
+  if (!gone.empty()) {
+    Scene without = scene;
+    for (const std::size_t i : gone) {
+      without.media.erase(without.media.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+    lighter.stage = ready(without, stage);
   }
   return lighter;
 }

@@ -24,16 +24,16 @@ bool is_exponential(const Scene& scene) {
   return scene.render.get<std::string>("variant") == "exponential";
 }
 
-SkyPasses add_analytic(Plan& plan, const Scene& scene, const Air& air, const View& view) {
-  const SkyTarget target = add_sky_target(plan, scene, view);
+SkyPasses add_analytic(Plan& plan, const Part& part, const View& view) {
+  const SkyTarget target = add_sky_target(plan, part.scene, view);
   const BufferId data =
-      plan.add_buffer(filled_buffer("analytic", analytic_bytes(make_analytic_physics(air, scene).analytic)));
-  std::vector<Specialization> constants = medium_specialization(air);
+      plan.add_buffer(filled_buffer("analytic", analytic_bytes(make_analytic_physics(part).analytic)));
+  std::vector<Specialization> constants = medium_specialization(part.air);
   constants.push_back({"kProjection", target.projection});
   constants.push_back(
-      {"kVariant", is_exponential(scene) ? physics::kAnalyticExponential : physics::kAnalyticZenithDensity});
+      {"kVariant", is_exponential(part.scene) ? physics::kAnalyticExponential : physics::kAnalyticZenithDensity});
   constants.push_back({"kEdges", physics::kEdgesFound});
-  constants.push_back({"kScatteringMedia", air.scattering_media()});
+  constants.push_back({"kScatteringMedia", part.air.scattering_media()});
   plan.add_pass({.name = "sky",
                  .shader = "sky_analytic",
                  .reads = {{"analytic", data}, {"directions", target.directions}},
@@ -45,10 +45,10 @@ SkyPasses add_analytic(Plan& plan, const Scene& scene, const Air& air, const Vie
   return {target.radiance, {}};
 }
 
-RayFormula formula(physics::Physics p, const Scene& scene, const Air& air, const HostTables&) {
-  physics::Physics closed = make_analytic_physics(air, scene);
+RayFormula formula(physics::Physics p, const Part& part, const HostTables&) {
+  physics::Physics closed = make_analytic_physics(part);
   closed.scene.sun = p.scene.sun;
-  return [closed, exponential = is_exponential(scene)](const physics::Physics::Ray& ray) mutable {
+  return [closed, exponential = is_exponential(part.scene)](const physics::Physics::Ray& ray) mutable {
     const physics::PlanetData& planet = closed.scene.planet;
     const physics::SunData& sun = closed.scene.sun;
     return exponential ? closed.analytic_exponential(planet, sun, ray, sun.direction.y).radiance

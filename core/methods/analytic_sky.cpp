@@ -180,8 +180,8 @@ vec3 log_sky_irradiance(Physics& p) {
 
 }  // namespace
 
-Physics make_analytic_physics(const Air& air, const Scene& scene) {
-  Physics p = formulas_of(air, scene);
+Physics make_analytic_physics(const Part& part) {
+  Physics p = formulas_of(part.air, part.scene);
   p.sun_steps = kSteps;
   const Profile profile(p);
   const double top = p.scene.planet.atmosphere_height;

@@ -4,13 +4,13 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/air/air.h"
 #include "core/scene/scene.h"
+#include "core/stage/stage.h"
 
 namespace airlight {
 
 // The scene's physics with its AnalyticData filled in.
-physics::Physics make_analytic_physics(const Air& air, const Scene& scene);
+physics::Physics make_analytic_physics(const Part& part);
 
 // The same data in float, as the shader reads it.
 std::vector<std::byte> analytic_bytes(const physics::AnalyticData& data);

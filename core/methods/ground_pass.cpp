@@ -5,9 +5,8 @@
 #include <utility>
 
 #include "core/air/scene_block.h"
-#include "core/ground/ground.h"
-#include "core/methods/scene_air.h"
 #include "core/plan/bytes.h"
+#include "core/things/ground.h"
 
 namespace airlight {
 namespace {
@@ -31,12 +30,12 @@ device::GroundData narrowed_ground(const physics::GroundData& g) {
   return out;
 }
 
-std::vector<Binding> add_ground_buffers(Plan& plan, const Scene& scene) {
-  const auto ground = ground_of(scene);
+std::vector<Binding> add_ground_buffers(Plan& plan, const Part& part) {
+  const auto ground = part.things.ground();
   const auto add = [&](const char* name, std::vector<std::byte> contents, const std::string& buffer_key) {
     return Binding{name, plan.add_buffer(filled_buffer(name, std::move(contents), buffer_key))};
   };
-  const std::string key = ground_key(scene);
+  const std::string key = ground_key(part.scene);
   return {add("ground_head", bytes_of_one(narrowed_ground(ground->head)), {}),
           add("ground_albedo", bytes_of(*ground->albedo), key + " albedo"),
           add("ground_water", bytes_of(*ground->water), key + " water")};
@@ -61,25 +60,25 @@ ImageId add_ground_view(Plan& plan, std::vector<Specialization> constants) {
 
 }  // namespace
 
-void begin_black_ground(Plan& plan, const Scene& scene, const View& view) {
-  if (scene.ground) {
-    Scene black = scene;
-    black.planet.ground_albedo = {};
-    plan.begin_scene(device_scene_bytes(air_of(black), black, tile_of(scene, view)), " over a black ground", {});
+void begin_black_ground(Plan& plan, const Part& part, const View& view) {
+  if (part.scene.ground) {
+    physics::Physics black = formulas_of(part.air, part.scene);
+    black.scene.planet.ground_albedo = {};
+    plan.begin_scene(device_scene_bytes(black, tile_of(part.scene, view)), " over a black ground", {});
   }
 }
 
-void end_black_ground(Plan& plan, const Scene& scene) {
-  if (scene.ground) {
+void end_black_ground(Plan& plan, const Part& part) {
+  if (part.scene.ground) {
     plan.end_scene();
   }
 }
 
-void add_ground_map(Plan& plan, const Scene& scene, const SkyTarget& target, GroundLight light) {
-  if (!scene.ground) {
+void add_ground_map(Plan& plan, const Part& part, const SkyTarget& target, GroundLight light) {
+  if (!part.scene.ground) {
     return;
   }
-  std::vector<Binding> reads = add_ground_buffers(plan, scene);
+  std::vector<Binding> reads = add_ground_buffers(plan, part);
   reads.push_back({"ground_view", add_ground_view(plan, without(light.constants, "kTransmittance"))});
   reads.push_back({"transmittance_lut", light.transmittance});
   reads.push_back({"ground_irradiance_lut", light.irradiance});

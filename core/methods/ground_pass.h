@@ -17,11 +17,11 @@ struct GroundLight {
 };
 
 // Passes added between these two see the scene with a black ground. No effect where the scene has no maps.
-void begin_black_ground(Plan& plan, const Scene& scene, const View& view);
-void end_black_ground(Plan& plan, const Scene& scene);
+void begin_black_ground(Plan& plan, const Part& part, const View& view);
+void end_black_ground(Plan& plan, const Part& part);
 
 // Adds the ground's light to the target. No effect where the scene has no maps.
-void add_ground_map(Plan& plan, const Scene& scene, const SkyTarget& target, GroundLight light);
+void add_ground_map(Plan& plan, const Part& part, const SkyTarget& target, GroundLight light);
 
 // Irradiance of the sky from the table of moments, for GroundLight. `constants`: of that table.
 ImageId add_moment_irradiance(Plan& plan, ImageId moments, std::vector<Specialization> constants);

@@ -88,24 +88,24 @@ double share_between(const Scene& scene, double low, double high) {
   return all > 0 ? static_cast<double>(inside) / all : 0.0;
 }
 
-double value_of(Quantity quantity, const SkyMethod& method, const Scene& scene, const Air& air) {
+double value_of(Quantity quantity, const SkyMethod& method, const Part& part) {
   switch (quantity) {
     case Quantity::sun_elevation:
-      return scene.sun.elevation / kDegree;
+      return part.scene.sun.elevation / kDegree;
     case Quantity::altitude:
-      return scene.camera.altitude;
+      return part.scene.camera.altitude;
     case Quantity::optical_depth:
-      return air.depths().extinction;
+      return part.air.depths().extinction;
     case Quantity::asymmetry:
-      return asymmetry_of(air);
+      return asymmetry_of(part.air);
     case Quantity::planet_radius:
-      return scene.planet.ground_radius;
+      return part.scene.planet.ground_radius;
     case Quantity::steps:
-      return steps_of(method, scene);
+      return steps_of(method, part.scene);
     case Quantity::table_size:
-      return table_size_of(method, scene);
+      return table_size_of(method, part.scene);
     case Quantity::light_kept:
-      return light_kept(scene, air);
+      return light_kept(part);
     case Quantity::view:
       break;  // a range of the picture, not a number
   }
@@ -114,21 +114,21 @@ double value_of(Quantity quantity, const SkyMethod& method, const Scene& scene, 
 
 }  // namespace
 
-double light_kept(const Scene& scene, const Air& air) {
-  const OpticalDepths depths = air.depths();
+double light_kept(const Part& part) {
+  const OpticalDepths depths = part.air.depths();
   const double of_air = depths.extinction > 0.0 ? depths.scattering / depths.extinction : 0.0;
-  const Spectrum& ground = scene.planet.ground_albedo;
+  const Spectrum& ground = part.scene.planet.ground_albedo;
   return std::min(of_air, *std::ranges::max_element(ground));
 }
 
-std::vector<std::string_view> known_failures_of(const SkyMethod& method, const Scene& scene, const Air& air) {
+std::vector<std::string_view> known_failures_of(const SkyMethod& method, const Part& part) {
   std::vector<std::string_view> causes;
   for (const KnownFailure& known : method.validity.known_failures) {
     const bool here = std::ranges::all_of(known.where, [&](const Limit& limit) {
       if (limit.quantity == Quantity::view) {
-        return share_between(scene, limit.minimum, limit.maximum) >= kNotableShare;
+        return share_between(part.scene, limit.minimum, limit.maximum) >= kNotableShare;
       }
-      const double value = value_of(limit.quantity, method, scene, air);
+      const double value = value_of(limit.quantity, method, part);
       return value >= limit.minimum && value <= limit.maximum;
     });
     if (here && std::ranges::find(causes, known.cause) == causes.end()) {

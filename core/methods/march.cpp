@@ -23,29 +23,28 @@ const std::array<ParameterInfo, 9> kParameters{automatic_steps_parameter(),
                                                multiple_scattering_scale_parameter(),
                                                sun_fade_parameter()};
 
-SkyPasses add_march(Plan& plan, const Scene& scene, const Air& air, const View& view) {
-  const SkyTarget target = add_sky_target(plan, scene, view);
-  const MarchTables tables = add_march_tables(plan, scene, air);
-  begin_black_ground(plan, scene, view);
-  add_march_pass(plan, scene, air, tables, target);
-  end_black_ground(plan, scene);
-  add_march_ground(plan, scene, air, tables, target);
+SkyPasses add_march(Plan& plan, const Part& part, const View& view) {
+  const SkyTarget target = add_sky_target(plan, part.scene, view);
+  const MarchTables tables = add_march_tables(plan, part);
+  begin_black_ground(plan, part, view);
+  add_march_pass(plan, part, tables, target);
+  end_black_ground(plan, part);
+  add_march_ground(plan, part, tables, target);
   return {target.radiance, tables.list()};
 }
 
-void settle(RenderSettings& settings, const Scene& scene, const Air& air) {
-  settings.parameters.insert_or_assign("resolution", std::string(halves(scene) ? "half" : "full"));
-  write_steps(settings, march_steps(scene, air));
+void settle(RenderSettings& settings, const Part& part) {
+  settings.parameters.insert_or_assign("resolution", std::string(halves(part.scene) ? "half" : "full"));
+  write_steps(settings, march_steps(part));
 }
 
-std::vector<std::string> spared(const Scene& scene, const Air& air) {
+std::vector<std::string> spared(const Part& part) {
   std::vector<std::string> lines;
-  if (const MarchSteps steps = march_steps(scene, air);
-      steps_are_automatic(scene.render) && steps.count < kUsualSteps) {
+  if (const MarchSteps steps = march_steps(part); steps_are_automatic(part.scene.render) && steps.count < kUsualSteps) {
     lines.push_back("steps: in air so smooth " + std::to_string(steps.count) + " Gauss-Legendre nodes do in place of " +
                     std::to_string(kUsualSteps) + " steps");
   }
-  if (scene.render.get<std::string>("resolution") == "auto" && halves(scene)) {
+  if (part.scene.render.get<std::string>("resolution") == "auto" && halves(part.scene)) {
     lines.emplace_back("pixels: so fine that most go bilinearly between a march in four");
   }
   return lines;
@@ -60,10 +59,10 @@ void keep_apart(RenderSettings& settings) {
   }
 }
 
-LayerPasses add_layers(Plan& plan, const Scene& scene, const Air& air, const View& view) {
-  Scene apart = scene;
-  keep_apart(apart.render);
-  return add_march_layers(plan, apart, air, view, add_march_tables(plan, scene, air));
+LayerPasses add_layers(Plan& plan, const Part& part, const View& view) {
+  Part apart = part;
+  keep_apart(apart.scene.render);
+  return add_march_layers(plan, apart, view, add_march_tables(plan, part));
 }
 
 // A quality sets all that the default leaves to the scene: candidates are judged by directions, without a picture.

@@ -102,26 +102,26 @@ std::vector<ImageId> MarchTables::list() const {
   return tables;
 }
 
-MarchTables add_march_tables(Plan& plan, const Scene& scene, const Air& air) {
-  const RenderSettings& settings = scene.render;
+MarchTables add_march_tables(Plan& plan, const Part& part) {
+  const RenderSettings& settings = part.scene.render;
   MarchTables tables;
-  tables.transmittance = add_transmittance(plan, air, settings.get<TableSize>("transmittance_lut"));
+  tables.transmittance = add_transmittance(plan, part.air, settings.get<TableSize>("transmittance_lut"));
   // A table that is scaled by 0 need only be large enough to be bound.
   const bool single = settings.get<double>(kScale) == 0.0;
-  tables.multiple_scattering = add_multiple_scattering(
-      plan, air, tables.transmittance, single ? TableSize{2, 2} : settings.get<TableSize>("multiple_scattering_lut"));
-  tables.reflects = air.ground_reflects();
-  tables.ground_irradiance = tables.reflects
-                                 ? add_ground_irradiance(plan, air, tables.transmittance, tables.multiple_scattering)
-                                 : tables.multiple_scattering;
+  tables.multiple_scattering =
+      add_multiple_scattering(plan, part.air, tables.transmittance,
+                              single ? TableSize{2, 2} : settings.get<TableSize>("multiple_scattering_lut"));
+  tables.reflects = part.air.ground_reflects();
+  tables.ground_irradiance =
+      tables.reflects ? add_ground_irradiance(plan, part.air, tables.transmittance, tables.multiple_scattering)
+                      : tables.multiple_scattering;
   return tables;
 }
 
-std::vector<Specialization> march_specialization(const Plan& plan, const Scene& scene, const Air& air,
-                                                 const MarchTables& tables) {
-  std::vector<Specialization> constants = sunlight_specialization(plan, air, tables.transmittance);
+std::vector<Specialization> march_specialization(const Plan& plan, const Part& part, const MarchTables& tables) {
+  std::vector<Specialization> constants = sunlight_specialization(plan, part.air, tables.transmittance);
   add_scattering_size(constants, plan, tables.multiple_scattering);
-  constants.push_back({"kStepDistribution", march_steps(scene, air).distribution});
+  constants.push_back({"kStepDistribution", march_steps(part).distribution});
   return constants;
 }
 
@@ -163,11 +163,11 @@ physics::HostTable host_table(const HostTables& tables, const std::string& name)
   return found == tables.end() ? physics::HostTable() : found->second;
 }
 
-RayFormula march_formula(physics::Physics p, const Scene& scene, const Air& air, const HostTables& tables) {
+RayFormula march_formula(physics::Physics p, const Part& part, const HostTables& tables) {
   p.transmittance_lut = host_table(tables, "transmittance");
   p.multiple_scattering_lut = host_table(tables, "multiple_scattering");
   p.ground_irradiance_lut = host_table(tables, "ground_irradiance");
-  return [p, steps = march_steps(scene, air), place = place_in_step(scene)](const physics::Physics::Ray& ray) mutable {
+  return [p, steps = march_steps(part), place = place_in_step(part.scene)](const physics::Physics::Ray& ray) mutable {
     return p
         .march_at(p.scene.planet, p.scene.sun, ray, static_cast<physics::uint>(steps.count), steps.distribution, place,
                   p.scene.multiple_scattering_scale)
@@ -179,15 +179,14 @@ std::vector<Binding> march_reads(const MarchTables& tables) {
   return {{"transmittance_lut", tables.transmittance}, {"multiple_scattering_lut", tables.multiple_scattering}};
 }
 
-void add_march_pass(Plan& plan, const Scene& scene, const Air& air, const MarchTables& tables,
-                    const SkyTarget& target) {
-  std::vector<Specialization> constants = march_specialization(plan, scene, air, tables);
+void add_march_pass(Plan& plan, const Part& part, const MarchTables& tables, const SkyTarget& target) {
+  std::vector<Specialization> constants = march_specialization(plan, part, tables);
   constants.push_back({"kGroundReflects", tables.reflects ? 1u : 0u});
   constants.push_back({"kEdges", physics::kEdgesFound});
   std::vector<Binding> reads = march_reads(tables);
   reads.push_back({"ground_irradiance_lut", tables.ground_irradiance});
-  const int steps = march_steps(scene, air).count;
-  add_marched_picture(plan, scene,
+  const int steps = march_steps(part).count;
+  add_marched_picture(plan, part.scene,
                       {.shader = "sky_march",
                        .reads = std::move(reads),
                        .push_constants = {static_cast<std::uint32_t>(steps)},
@@ -196,28 +195,26 @@ void add_march_pass(Plan& plan, const Scene& scene, const Air& air, const MarchT
                       target);
 }
 
-void add_march_ground(Plan& plan, const Scene& scene, const Air& air, const MarchTables& tables,
-                      const SkyTarget& target) {
-  std::vector<Specialization> constants = sunlight_specialization(plan, air, tables.transmittance);
+void add_march_ground(Plan& plan, const Part& part, const MarchTables& tables, const SkyTarget& target) {
+  std::vector<Specialization> constants = sunlight_specialization(plan, part.air, tables.transmittance);
   add_moment_constants(constants, {});  // no part of a peak is taken as unscattered
-  add_ground_map(plan, scene, target,
+  add_ground_map(plan, part, target,
                  {.transmittance = tables.transmittance,
                   .irradiance = tables.ground_irradiance,
                   .sky = tables.reflects,
                   .constants = std::move(constants)});
 }
 
-LayerPasses add_march_layers(Plan& plan, const Scene& scene, const Air& air, const View& view,
-                             const MarchTables& tables) {
-  std::vector<Specialization> constants = march_specialization(plan, scene, air, tables);
+LayerPasses add_march_layers(Plan& plan, const Part& part, const View& view, const MarchTables& tables) {
+  std::vector<Specialization> constants = march_specialization(plan, part, tables);
   constants.push_back({"kGroundReflects", tables.reflects ? 1u : 0u});
   constants.push_back({"kEdges", physics::kEdgesFound});
   std::vector<Binding> reads = march_reads(tables);
   reads.push_back({"ground_irradiance_lut", tables.ground_irradiance});
-  return add_layers_pass(plan, scene, air, view,
+  return add_layers_pass(plan, part, view,
                          {.shader = "layers_march",
                           .reads = std::move(reads),
-                          .push_constants = {static_cast<std::uint32_t>(march_steps(scene, air).count)},
+                          .push_constants = {static_cast<std::uint32_t>(march_steps(part).count)},
                           .specialization = std::move(constants)},
                          tables.transmittance);
 }

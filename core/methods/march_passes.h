@@ -31,7 +31,7 @@ struct MarchTables {
   std::vector<ImageId> list() const;
 };
 
-MarchTables add_march_tables(Plan& plan, const Scene& scene, const Air& air);
+MarchTables add_march_tables(Plan& plan, const Part& part);
 
 // PassDesc::cost of a march along one ray.
 double march_cost(int steps);
@@ -39,27 +39,24 @@ double march_cost(int steps);
 // Members of SkyMethod for methods that march: left_out, layers_refusal and formula.
 std::vector<std::string> march_left_out(const Scene& scene, const Plan& plan);
 std::string march_layers_refusal(const Scene& scene);
-RayFormula march_formula(physics::Physics p, const Scene& scene, const Air& air, const HostTables& tables);
+RayFormula march_formula(physics::Physics p, const Part& part, const HostTables& tables);
 
 // The table of this name, empty where there is none.
 physics::HostTable host_table(const HostTables& tables, const std::string& name);
 
 // The specialisation constants of a pass that marches on these tables.
-std::vector<Specialization> march_specialization(const Plan& plan, const Scene& scene, const Air& air,
-                                                 const MarchTables& tables);
+std::vector<Specialization> march_specialization(const Plan& plan, const Part& part, const MarchTables& tables);
 
 // Bindings of the tables by the names in such a pass's shader.
 std::vector<Binding> march_reads(const MarchTables& tables);
 
 // The pass that marches every pixel or listed direction.
-void add_march_pass(Plan& plan, const Scene& scene, const Air& air, const MarchTables& tables, const SkyTarget& target);
+void add_march_pass(Plan& plan, const Part& part, const MarchTables& tables, const SkyTarget& target);
 
 // Adds the ground by its maps to a picture of these tables with a black ground. No effect where the scene has no maps.
-void add_march_ground(Plan& plan, const Scene& scene, const Air& air, const MarchTables& tables,
-                      const SkyTarget& target);
+void add_march_ground(Plan& plan, const Part& part, const MarchTables& tables, const SkyTarget& target);
 
 // Adds the pass of the same march that keeps light apart.
-LayerPasses add_march_layers(Plan& plan, const Scene& scene, const Air& air, const View& view,
-                             const MarchTables& tables);
+LayerPasses add_march_layers(Plan& plan, const Part& part, const View& view, const MarchTables& tables);
 
 }  // namespace airlight

@@ -69,10 +69,10 @@ bool sees_day_alone(const Scene& scene) {
 }
 
 // Whether a tenth of the air or more is above the camera: from higher up, rays graze air that is thin next to a panel.
-bool is_below_the_air(const Scene& scene, const Air& air) {
+bool is_below_the_air(const Part& part) {
   constexpr double kShareAbove = 0.1;
-  const Column& column = air.column();
-  const auto above = std::ranges::lower_bound(column.edges, scene.camera.altitude);
+  const Column& column = part.air.column();
+  const auto above = std::ranges::lower_bound(column.edges, part.scene.camera.altitude);
   if (above == column.edges.end()) {
     return false;
   }
@@ -82,14 +82,14 @@ bool is_below_the_air(const Scene& scene, const Air& air) {
 
 // The number of nodes, two a panel, that gives the first panel of a level ray an optical depth of at most 1.1; panels
 // grow with the square of their number. At least 14 nodes; none where they would cost as much as the usual steps.
-int panel_nodes_for(const Scene& scene, const Air& air) {
+int panel_nodes_for(const Part& part) {
   constexpr double kFewestPanels = 7.0;
   constexpr double kMostPanels = 12.0;
   constexpr double kPanelDepth = 1.1;
-  if (!is_smooth(air) || !sees_day_alone(scene) || !is_below_the_air(scene, air)) {
+  if (!is_smooth(part.air) || !sees_day_alone(part.scene) || !is_below_the_air(part)) {
     return 0;
   }
-  const double panels = std::max(std::ceil(std::sqrt(level_depth(air) / kPanelDepth)), kFewestPanels);
+  const double panels = std::max(std::ceil(std::sqrt(level_depth(part.air) / kPanelDepth)), kFewestPanels);
   return panels <= kMostPanels ? 2 * static_cast<int>(panels) : 0;
 }
 
@@ -125,14 +125,14 @@ bool steps_are_automatic(const RenderSettings& settings) {
   return is("steps", 0) && is("step_distribution", std::string(kAutomatic)) && is("jitter", std::string("none"));
 }
 
-MarchSteps march_steps(const Scene& scene, const Air& air) {
-  if (steps_are_automatic(scene.render)) {
-    if (const int nodes = panel_nodes_for(scene, air); nodes > 0) {
+MarchSteps march_steps(const Part& part) {
+  if (steps_are_automatic(part.scene.render)) {
+    if (const int nodes = panel_nodes_for(part); nodes > 0) {
       return {nodes, physics::kStepsGaussLegendre};
     }
   }
-  const int wished = scene.render.get<int>("steps");
-  return {wished > 0 ? wished : kUsualSteps, step_distribution_code(scene)};
+  const int wished = part.scene.render.get<int>("steps");
+  return {wished > 0 ? wished : kUsualSteps, step_distribution_code(part.scene)};
 }
 
 std::uint32_t step_distribution_code(const Scene& scene) {

@@ -19,7 +19,7 @@ struct MarchSteps {
   bool operator==(const MarchSteps&) const = default;
 };
 
-MarchSteps march_steps(const Scene& scene, const Air& air);
+MarchSteps march_steps(const Part& part);
 
 // The value of kStepDistribution by the keys; quadratic where they leave it to the scene.
 std::uint32_t step_distribution_code(const Scene& scene);

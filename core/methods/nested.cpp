@@ -42,11 +42,11 @@ bool fits_edges(const Scene& scene) {
   return rays * turns <= kMostTurns;
 }
 
-std::vector<Specialization> constants_of(const Scene& scene, const Air& air) {
-  std::vector<Specialization> constants = medium_specialization(air);
-  constants.push_back({"kEdges", fits_edges(scene) ? physics::kEdgesFound : physics::kEdgesLeftOut});
-  constants.push_back({"kGroundReflects", air.ground_reflects() ? 1u : 0u});
-  constants.push_back({"kStepDistribution", step_distribution_code(scene)});
+std::vector<Specialization> constants_of(const Part& part) {
+  std::vector<Specialization> constants = medium_specialization(part.air);
+  constants.push_back({"kEdges", fits_edges(part.scene) ? physics::kEdgesFound : physics::kEdgesLeftOut});
+  constants.push_back({"kGroundReflects", part.air.ground_reflects() ? 1u : 0u});
+  constants.push_back({"kStepDistribution", step_distribution_code(part.scene)});
   return constants;
 }
 
@@ -58,22 +58,23 @@ std::vector<std::uint32_t> push_constants_of(const Scene& scene) {
   return {static_cast<std::uint32_t>(steps), static_cast<std::uint32_t>(sun_steps)};
 }
 
-SkyPasses add_nested(Plan& plan, const Scene& scene, const Air& air, const View& view) {
-  const SkyTarget target = add_sky_target(plan, scene, view);
-  add_marched_picture(plan, scene,
-                      {.shader = "sky_nested",
-                       .push_constants = push_constants_of(scene),
-                       .specialization = constants_of(scene, air),
-                       .cost = 4.0 + scene.render.get<int>("steps") * (1.0 + scene.render.get<int>("sun_steps"))},
-                      target);
+SkyPasses add_nested(Plan& plan, const Part& part, const View& view) {
+  const SkyTarget target = add_sky_target(plan, part.scene, view);
+  add_marched_picture(
+      plan, part.scene,
+      {.shader = "sky_nested",
+       .push_constants = push_constants_of(part.scene),
+       .specialization = constants_of(part),
+       .cost = 4.0 + part.scene.render.get<int>("steps") * (1.0 + part.scene.render.get<int>("sun_steps"))},
+      target);
   return {target.radiance, {}};
 }
 
-LayerPasses add_layers(Plan& plan, const Scene& scene, const Air& air, const View& view) {
-  return add_layers_pass(plan, scene, air, view,
+LayerPasses add_layers(Plan& plan, const Part& part, const View& view) {
+  return add_layers_pass(plan, part, view,
                          {.shader = "layers_nested",
-                          .push_constants = push_constants_of(scene),
-                          .specialization = constants_of(scene, air)},
+                          .push_constants = push_constants_of(part.scene),
+                          .specialization = constants_of(part)},
                          std::nullopt);
 }
 
@@ -81,13 +82,13 @@ std::vector<std::string> left_out(const Scene&, const Plan&) {
   return {"multiple scattering: it adds less than the tolerance"};
 }
 
-RayFormula formula(physics::Physics p, const Scene& scene, const Air&, const HostTables&) {
-  p.sun_steps = static_cast<physics::uint>(scene.render.get<int>("sun_steps"));
+RayFormula formula(physics::Physics p, const Part& part, const HostTables&) {
+  p.sun_steps = static_cast<physics::uint>(part.scene.render.get<int>("sun_steps"));
   p.multiple_scattering_lut = {1, 1, {physics::vec3(0.0)}};
   p.ground_irradiance_lut = {1, 1, {physics::vec3(0.0)}};
-  const auto steps = static_cast<physics::uint>(scene.render.get<int>("steps"));
-  return [p, steps, distribution = step_distribution_code(scene),
-          place = place_in_step(scene)](const physics::Physics::Ray& ray) mutable {
+  const auto steps = static_cast<physics::uint>(part.scene.render.get<int>("steps"));
+  return [p, steps, distribution = step_distribution_code(part.scene),
+          place = place_in_step(part.scene)](const physics::Physics::Ray& ray) mutable {
     return p.march_at(p.scene.planet, p.scene.sun, ray, steps, distribution, place, 0.0).radiance;
   };
 }

@@ -13,11 +13,10 @@
 #include "core/methods/march_passes.h"
 #include "core/methods/methods.h"
 #include "core/methods/orders_parts.h"
-#include "core/methods/scene_air.h"
 #include "core/methods/sky_pass.h"
 #include "core/methods/spectral_sums.h"
 #include "core/scene/parameters.h"
-#include "core/spheres/spheres.h"
+#include "core/things/spheres.h"
 
 namespace airlight {
 namespace {
@@ -74,22 +73,23 @@ const std::array<ParameterInfo, 12> kParameters{
                          "whether the air in the shadow of terrain and spheres is without the sun's light"),
     phase_parameter()};
 
-bool tabulates(const Scene& scene, const Air& air, const View& view) {
-  const std::string& choice = scene.render.get<std::string>("tabulate");
+bool tabulates(const Part& part, const View& view) {
+  const std::string& choice = part.scene.render.get<std::string>("tabulate");
   const bool holds = view.directions.empty() || view.as_picture;
-  const long long enough = looks_from_space(scene, air) ? 131072 : 16384;  // about four times the table's rays
-  const bool pays = scene.image.width * static_cast<long long>(scene.image.height) >= enough;
-  return holds && !scene.terrain && scene.spheres.empty() && (choice == "always" || (choice == "auto" && pays));
+  const long long enough = looks_from_space(part) ? 131072 : 16384;  // about four times the table's rays
+  const bool pays = part.scene.image.width * static_cast<long long>(part.scene.image.height) >= enough;
+  return holds && !part.scene.terrain && part.scene.spheres.empty() &&
+         (choice == "always" || (choice == "auto" && pays));
 }
 
-void settle(RenderSettings& settings, const Scene& scene, const Air& air) {
-  const MomentSettings made = settings_of(scene, air);
+void settle(RenderSettings& settings, const Part& part) {
+  const MomentSettings made = settings_of(part);
   settings.parameters.insert_or_assign("shells", std::string(made.shells ? "always" : "never"));
   settings.parameters.insert_or_assign("degree", std::to_string(made.degree));
 }
 
-std::vector<std::string> bounds(const Scene& scene, const Air& air) {
-  const MomentSettings settings = settings_of(scene, air);
+std::vector<std::string> bounds(const Part& part) {
+  const MomentSettings settings = settings_of(part);
   if (settings.orders == settings.wished_orders) {
     return {};
   }
@@ -99,12 +99,12 @@ std::vector<std::string> bounds(const Scene& scene, const Air& air) {
           "; a geometric tail stands for the rest, and nothing vouches for its error"};
 }
 
-void add_factor_pixels(Plan& plan, const Scene& scene, const Air& air, const View& view, const FactorTable& table,
+void add_factor_pixels(Plan& plan, const Part& part, const View& view, const FactorTable& table,
                        const SkyTarget& target, ImageId factors) {
-  std::vector<Specialization> constants = medium_specialization(air);
+  std::vector<Specialization> constants = medium_specialization(part.air);
   constants.push_back({"kProjection", target.projection});
   add_table_constants(constants, table);
-  add_pass_with_edges(plan, scene, view, target,
+  add_pass_with_edges(plan, part, view, target,
                       {.name = "sky",
                        .shader = "sky_from_factors",
                        .reads = {{"factors_lut", factors}, {"directions", target.directions}},
@@ -116,25 +116,25 @@ void add_factor_pixels(Plan& plan, const Scene& scene, const Air& air, const Vie
 }
 
 // Returns the table.
-ImageId add_tabulated_sky(Plan& plan, const Scene& scene, const Air& air, const View& view, const SkyTarget& target,
-                          const Light& light) {
-  const FactorTable table = factor_table(scene, air, air.scattering_media(), false);
-  const ImageId factors = add_factors(plan, "sky_factors", scene, table, view, light);
-  add_factor_pixels(plan, scene, air, view, table, target, factors);
+ImageId add_tabulated_sky(Plan& plan, const Part& part, const View& view, const SkyTarget& target, const Light& light) {
+  const FactorTable table = factor_table(part, part.air.scattering_media(), false);
+  const ImageId factors = add_factors(plan, "sky_factors", part.scene, table, view, light);
+  add_factor_pixels(plan, part, view, table, target, factors);
   return factors;
 }
 
 // Whether the media that the pixels multiply by their phase function are the same at all wavelengths but for how much
 // they scatter and absorb.
-bool phases_are_alike(const Scene& scene, const SpectralScene& spectral, std::uint32_t apart) {
-  for (const WavelengthGroup& group : spectral.groups) {
-    for (std::size_t i = 0; i < scene.media.size(); ++i) {
-      Medium alike = group.scene.media[i];
-      alike.scattering = scene.media[i].scattering;
-      alike.absorption = scene.media[i].absorption;
-      alike.phase_wavelengths = scene.media[i].phase_wavelengths;
+bool phases_are_alike(const Stage& stage, std::uint32_t apart) {
+  const std::vector<Medium>& media = stage.scene().media;
+  for (const Part& part : stage.parts()) {
+    for (std::size_t i = 0; i < media.size(); ++i) {
+      Medium alike = part.scene.media[i];
+      alike.scattering = media[i].scattering;
+      alike.absorption = media[i].absorption;
+      alike.phase_wavelengths = media[i].phase_wavelengths;
       const bool by_wavelength = alike.phase == PhaseFunction::table && alike.phase_table.rows.size() > 1;
-      if ((apart >> i & 1u) != 0 && (by_wavelength || alike != scene.media[i])) {
+      if ((apart >> i & 1u) != 0 && (by_wavelength || alike != media[i])) {
         return false;
       }
     }
@@ -144,46 +144,45 @@ bool phases_are_alike(const Scene& scene, const SpectralScene& spectral, std::ui
 
 // The phase functions stand outside of the factors, so factors of all wavelengths are summed into colours, and the
 // pixels know of none.
-std::optional<SkyPasses> add_spectral(Plan& plan, const Scene& scene, const SpectralScene& spectral, const View& view) {
-  const Air air = air_of(scene);
-  if (!tabulates(scene, air, view)) {
+std::optional<SkyPasses> add_coloured(Plan& plan, const Stage& stage, const View& view) {
+  const Part& whole = stage.whole();
+  if (!tabulates(whole, view)) {
     return std::nullopt;
   }
-  const FactorTable table = factor_table(scene, air, scattering_media(spectral), false);
-  if (!phases_are_alike(scene, spectral, table.apart)) {
+  const FactorTable table = factor_table(whole, stage.scattering_media(), false);
+  if (!phases_are_alike(stage, table.apart)) {
     return std::nullopt;
   }
-  const SkyTarget target = add_sky_target(plan, scene, view);
+  const SkyTarget target = add_sky_target(plan, whole.scene, view);
   SkyPasses passes{target.radiance, {}};
   std::vector<ImageId> factors;
   std::vector<std::array<Rgb, 3>> colours;
-  for (std::size_t g = 0; g < spectral.groups.size(); ++g) {
-    const Scene& group = spectral.groups[g].scene;
-    begin_group(plan, spectral, g, tile_of(scene, view));
-    const Light light = add_light(plan, group, air_of(group));
-    factors.push_back(add_factors(plan, "sky_factors", group, table, view, light));
+  for (const Part& part : stage.parts()) {
+    begin_part(plan, part, tile_of(whole.scene, view));
+    const Light light = add_light(plan, part);
+    factors.push_back(add_factors(plan, "sky_factors", part.scene, table, view, light));
     passes.tables.push_back(light.transmittance);
     std::ranges::copy(light.more(), std::back_inserter(passes.more_tables));
     passes.more_tables.push_back(factors.back());
-    colours.push_back(spectral.groups[g].colours);
+    colours.push_back(part.colours);
   }
   plan.end_scene();
   const std::string name = "sky_factors_in_colours";
   const ImageId sum = add_colour_table(plan, name, picture_table_key(view, name), factors, colours,
-                                       [layout = layout_of(scene, table, true)] { return factor_text(layout); });
+                                       [layout = layout_of(whole.scene, table, true)] { return factor_text(layout); });
   passes.more_tables.push_back(sum);
-  add_factor_pixels(plan, scene, air, view, table, target, sum);
+  add_factor_pixels(plan, whole, view, table, target, sum);
   return passes;
 }
 
 // The pass over terrain and the air about it.
-void add_terrain_sky(Plan& plan, const Scene& scene, const SkyTarget& target, const Light& light) {
+void add_terrain_sky(Plan& plan, const Part& part, const SkyTarget& target, const Light& light) {
   std::vector<Specialization> constants = light.constants;
   constants.push_back({"kEdges", physics::kEdgesFound});
   constants.push_back({"kProjection", target.projection});
   std::vector<Binding> reads = light.reads();
   reads.push_back({"directions", target.directions});
-  const std::uint32_t reach = add_shadowed_terrain(plan, scene, reads, constants);
+  const std::uint32_t reach = add_shadowed_terrain(plan, part, reads, constants);
   plan.add_pass({.name = "sky",
                  .shader = "sky_terrain",
                  .reads = std::move(reads),
@@ -215,32 +214,32 @@ void add_sphere_sky(Plan& plan, const Scene& scene, const SkyTarget& target, con
 }
 
 // The ground by its maps, over a picture whose ground is black.
-void add_ground(Plan& plan, const Scene& scene, const Air& air, const SkyTarget& target, const Light& light) {
-  if (!scene.ground) {
+void add_ground(Plan& plan, const Part& part, const SkyTarget& target, const Light& light) {
+  if (!part.scene.ground) {
     return;
   }
   GroundLight lit;
   lit.transmittance = light.transmittance;
-  const MomentSettings settings = settings_of(scene, air);
-  std::vector<Specialization> constants = medium_specialization(air);
+  const MomentSettings settings = settings_of(part);
+  std::vector<Specialization> constants = medium_specialization(part.air);
   add_moment_constants(constants, settings);
   lit.irradiance = add_moment_irradiance(plan, light.moments, constants);
-  lit.constants = sunlight_specialization(plan, air, light.transmittance);
+  lit.constants = sunlight_specialization(plan, part.air, light.transmittance);
   add_moment_constants(lit.constants, settings);
-  add_ground_map(plan, scene, target, std::move(lit));
+  add_ground_map(plan, part, target, std::move(lit));
 }
 
-SkyPasses add_orders(Plan& plan, const Scene& scene, const Air& air, const View& view) {
-  const SkyTarget target = add_sky_target(plan, scene, view);
-  Light light = add_light(plan, scene, air);
+SkyPasses add_orders(Plan& plan, const Part& part, const View& view) {
+  const SkyTarget target = add_sky_target(plan, part.scene, view);
+  Light light = add_light(plan, part);
   std::vector<ImageId> more = light.more();
-  begin_black_ground(plan, scene, view);
-  if (scene.terrain) {
-    add_terrain_sky(plan, scene, target, light);
-  } else if (!scene.spheres.empty()) {
-    add_sphere_sky(plan, scene, target, light);
-  } else if (tabulates(scene, air, view)) {
-    more.push_back(add_tabulated_sky(plan, scene, air, view, target, light));
+  begin_black_ground(plan, part, view);
+  if (part.scene.terrain) {
+    add_terrain_sky(plan, part, target, light);
+  } else if (!part.scene.spheres.empty()) {
+    add_sphere_sky(plan, part.scene, target, light);
+  } else if (tabulates(part, view)) {
+    more.push_back(add_tabulated_sky(plan, part, view, target, light));
   } else {
     light.constants.push_back({"kProjection", target.projection});
     light.constants.push_back({"kEdges", physics::kEdgesFound});
@@ -255,27 +254,27 @@ SkyPasses add_orders(Plan& plan, const Scene& scene, const Air& air, const View&
                    .specialization = light.constants,
                    .cost = ray_cost(light.steps)});
   }
-  end_black_ground(plan, scene);
-  add_ground(plan, scene, air, target, light);
+  end_black_ground(plan, part);
+  add_ground(plan, part, target, light);
   return {target.radiance, {light.transmittance}, std::move(more)};
 }
 
-LayerPasses add_layers(Plan& plan, const Scene& scene, const Air& air, const View& view) {
-  const Light light = add_light(plan, scene, air);
-  const bool tabulated = tabulates(scene, air, view);
+LayerPasses add_layers(Plan& plan, const Part& part, const View& view) {
+  const Light light = add_light(plan, part);
+  const bool tabulated = tabulates(part, view);
   std::vector<Binding> reads = light.reads();
   std::vector<Specialization> constants = light.constants;
   if (tabulated) {
-    const FactorTable table = factor_table(scene, air, air.scattering_media(), true);
-    reads.push_back({"factors_lut", add_factors(plan, "layers_factors", scene, table, view, light)});
+    const FactorTable table = factor_table(part, part.air.scattering_media(), true);
+    reads.push_back({"factors_lut", add_factors(plan, "layers_factors", part.scene, table, view, light)});
     add_table_constants(constants, table);
-    constants.push_back({"kProjection", projection_code(scene.camera.projection)});
+    constants.push_back({"kProjection", projection_code(part.scene.camera.projection)});
   } else {
-    add_layer_constants(constants, scene, air);
+    add_layer_constants(constants, part);
   }
   constants.push_back({"kEdges", physics::kEdgesFound});
-  const Extent grid = picture_grid(scene, view);
-  const BufferId planes = add_layer_planes(plan, scene, air, view);
+  const Extent grid = picture_grid(part.scene, view);
+  const BufferId planes = add_layer_planes(plan, part, view);
   plan.add_pass({.name = "layers",
                  .shader = tabulated ? "layers_from_factors" : "layers_orders",
                  .reads = std::move(reads),
@@ -297,15 +296,16 @@ std::vector<std::string> left_out(const Scene& scene, const Plan& plan) {
           " pixels are too few to pay for it"};
 }
 
-RayFormula formula(physics::Physics p, const Scene& scene, const Air& air, const HostTables& tables) {
-  const MomentSettings settings = settings_of(scene, air);
+RayFormula formula(physics::Physics p, const Part& part, const HostTables& tables) {
+  const MomentSettings settings = settings_of(part);
   p.transmittance_lut = host_table(tables, "transmittance");
   p.moments_lut = host_table(tables, "moments");
   p.sun_table = host_table(tables, "sun_table");
   p.moment_columns = static_cast<physics::uint>(settings.size[0]);
   p.degree = static_cast<physics::uint>(settings.degree);
   p.delta = settings.delta;
-  return [p, by_shells = settings.shells, steps = steps_of(scene, settings)](const physics::Physics::Ray& ray) mutable {
+  return [p, by_shells = settings.shells,
+          steps = steps_of(part.scene, settings)](const physics::Physics::Ray& ray) mutable {
     const physics::PlanetData& planet = p.scene.planet;
     const auto factors = by_shells ? p.shell_sky_factors(planet, p.scene.moments, ray, steps)
                                    : p.sky_factors(planet, p.scene.moments, ray, steps);
@@ -382,7 +382,7 @@ SkyMethod orders_method() {
   method.converged = {
       "", {{"steps", 1024}, {"transmittance_lut", TableSize{512, 128}}, {"moments_lut", TableSize{96, 24}}}};
   method.add_passes = add_orders;
-  method.add_spectral_passes = add_spectral;
+  method.add_coloured_passes = add_coloured;
   method.settle = settle;
   method.add_layer_passes = add_layers;
   method.add_span_passes = orders::add_spans;

@@ -7,7 +7,7 @@
 
 #include "core/luts/luts.h"
 #include "core/methods/sky_pass.h"
-#include "core/terrain/terrain_buffers.h"
+#include "core/things/terrain_buffers.h"
 
 namespace airlight::orders {
 namespace {
@@ -43,35 +43,35 @@ bool inside_the_air(const Scene& scene) {
   return scene.camera.altitude <= scene.planet.atmosphere_height;
 }
 
-bool looks_from_space(const Scene& scene, const Air& air) {
+bool looks_from_space(const Part& part) {
   constexpr double kLeftAbove = 1e-3;  // of what scatters
-  if (!inside_the_air(scene)) {
+  if (!inside_the_air(part.scene)) {
     return true;
   }
-  const Column& column = air.column();
+  const Column& column = part.air.column();
   double above = 0.0;
   double all = 0.0;
   for (std::size_t k = 0; k < column.cells(); ++k) {
     double here = 0.0;
-    for (std::size_t i = 0; i < air.media().size(); ++i) {
-      here += column.density[k][i] * std::ranges::max(air.media()[i].scattering) * column.width(k);
+    for (std::size_t i = 0; i < part.air.media().size(); ++i) {
+      here += column.density[k][i] * std::ranges::max(part.air.media()[i].scattering) * column.width(k);
     }
     all += here;
-    above += column.middle(k) > scene.camera.altitude ? here : 0.0;
+    above += column.middle(k) > part.scene.camera.altitude ? here : 0.0;
   }
   return above < kLeftAbove * all;
 }
 
-MomentSettings settings_of(const Scene& scene, const Air& air) {
-  MomentRequest request{.size = scene.render.get<TableSize>("moments_lut")};
-  if (const std::string& degree = scene.render.get<std::string>("degree"); degree != "auto") {
+MomentSettings settings_of(const Part& part) {
+  MomentRequest request{.size = part.scene.render.get<TableSize>("moments_lut")};
+  if (const std::string& degree = part.scene.render.get<std::string>("degree"); degree != "auto") {
     request.degree = degree.front() - '0';
     request.hazy = request.degree > kMostClearDegree;
   }
-  if (const int orders = scene.render.get<int>("orders"); orders > 0) {
+  if (const int orders = part.scene.render.get<int>("orders"); orders > 0) {
     request.orders = orders;
   }
-  return moment_settings(air, request);
+  return moment_settings(part.air, request);
 }
 
 std::uint32_t steps_of(const Scene& scene, const MomentSettings& settings) {
@@ -80,15 +80,15 @@ std::uint32_t steps_of(const Scene& scene, const MomentSettings& settings) {
   return static_cast<std::uint32_t>(settings.shells ? std::max((steps + shells / 2) / shells, 1) : steps);
 }
 
-Light add_light(Plan& plan, const Scene& scene, const Air& air) {
+Light add_light(Plan& plan, const Part& part) {
   Light light;
-  light.transmittance = add_transmittance(plan, air, scene.render.get<TableSize>("transmittance_lut"));
-  const MomentSettings settings = settings_of(scene, air);
-  light.sunlight = settings.shells ? add_sun_table(plan, air, settings) : light.transmittance;
-  light.moments = add_moments(plan, air, light.sunlight, settings);
-  light.constants = sunlight_specialization(plan, air, light.sunlight);
+  light.transmittance = add_transmittance(plan, part.air, part.scene.render.get<TableSize>("transmittance_lut"));
+  const MomentSettings settings = settings_of(part);
+  light.sunlight = settings.shells ? add_sun_table(plan, part.air, settings) : light.transmittance;
+  light.moments = add_moments(plan, part.air, light.sunlight, settings);
+  light.constants = sunlight_specialization(plan, part.air, light.sunlight);
   add_moment_constants(light.constants, settings);
-  light.steps = steps_of(scene, settings);
+  light.steps = steps_of(part.scene, settings);
   light.by_shells = settings.shells;
   return light;
 }
@@ -97,20 +97,20 @@ double ray_cost(std::uint32_t steps) {
   return 10.0 + 2.5 * steps;
 }
 
-FactorTable factor_table(const Scene& scene, const Air& air, std::uint32_t media, bool layers) {
-  const TableSize size = scene.render.get<TableSize>("sky_lut");
+FactorTable factor_table(const Part& part, std::uint32_t media, bool layers) {
+  const TableSize size = part.scene.render.get<TableSize>("sky_lut");
   const auto columns = static_cast<std::uint32_t>(size[0]);
   const auto sky = static_cast<std::uint32_t>(size[1]);
-  const bool from_space = looks_from_space(scene, air);
-  const std::uint32_t rayleigh = media_with(air, PhaseFunction::rayleigh, media);
-  const bool all = scene.render.get<std::string>("fold") == "all";
-  const std::uint32_t folded = all ? media_wider_than_a_column(air, size[0], media)
-                                   : rayleigh | media_with(air, PhaseFunction::isotropic, media);
+  const bool from_space = looks_from_space(part);
+  const std::uint32_t rayleigh = media_with(part.air, PhaseFunction::rayleigh, media);
+  const bool all = part.scene.render.get<std::string>("fold") == "all";
+  const std::uint32_t folded = all ? media_wider_than_a_column(part.air, size[0], media)
+                                   : rayleigh | media_with(part.air, PhaseFunction::isotropic, media);
   const std::uint32_t apart = layers ? media : media & ~folded;
   return {.columns = from_space ? 4 * columns : columns,
           .ground_rows = from_space ? 6 * sky : sky / 2,
           .limb_rows = from_space ? 2 * sky : 3 * sky / 4,
-          .sky_rows = inside_the_air(scene) ? sky : 0,
+          .sky_rows = inside_the_air(part.scene) ? sky : 0,
           .apart = apart,
           .folded = folded,
           .rayleigh = (folded & rayleigh) != 0,
@@ -175,14 +175,14 @@ ImageId add_factors(Plan& plan, const std::string& shader, const Scene& scene, c
 }
 
 // Adds the terrain and its shadow to what a pass reads. Returns how far shadows stand, as a push constant.
-std::uint32_t add_shadowed_terrain(Plan& plan, const Scene& scene, std::vector<Binding>& reads,
+std::uint32_t add_shadowed_terrain(Plan& plan, const Part& part, std::vector<Binding>& reads,
                                    std::vector<Specialization>& constants) {
-  const std::shared_ptr<const physics::HostTerrain> terrain = shadowed_terrain(scene);
+  const std::shared_ptr<const physics::HostTerrain> terrain = part.things.shadowed_terrain();
   const TerrainBuffers buffers = add_terrain(plan, *terrain);
   reads.push_back({"terrain", buffers.heights});
   reads.push_back({"terrain_shadows", buffers.shadows});
   reads.push_back({"terrain_colours", buffers.colours});
-  constants.push_back({"kShafts", scene.render.get<bool>("volumetric_shadows") ? 1U : 0U});
+  constants.push_back({"kShafts", part.scene.render.get<bool>("volumetric_shadows") ? 1U : 0U});
   return push_constant(shadow_reach(terrain->shape));
 }
 

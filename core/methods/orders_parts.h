@@ -15,9 +15,9 @@ namespace airlight::orders {
 bool inside_the_air(const Scene& scene);
 
 // From above the air, or where next to nothing of it is left above: planet and limb are seen as a whole.
-bool looks_from_space(const Scene& scene, const Air& air);
+bool looks_from_space(const Part& part);
 
-MomentSettings settings_of(const Scene& scene, const Air& air);
+MomentSettings settings_of(const Part& part);
 
 // What the sky passes take: steps along a ray, or parts of a shell, so many that a ray from the ground up has as many.
 std::uint32_t steps_of(const Scene& scene, const MomentSettings& settings);
@@ -39,7 +39,7 @@ struct Light {
   }
 };
 
-Light add_light(Plan& plan, const Scene& scene, const Air& air);
+Light add_light(Plan& plan, const Part& part);
 
 // Predicted cost of one ray of so many steps (PassDesc::cost).
 double ray_cost(std::uint32_t steps);
@@ -60,7 +60,7 @@ struct FactorTable {
 
 // From space the rows resolve the halo of the limb, and the terminator at the middle of the disc. `media`: those that
 // scatter. `layers`: all of them apart, else the folded ones share the last block with the diffuse light.
-FactorTable factor_table(const Scene& scene, const Air& air, std::uint32_t media, bool layers);
+FactorTable factor_table(const Part& part, std::uint32_t media, bool layers);
 
 void add_table_constants(std::vector<Specialization>& constants, const FactorTable& table);
 
@@ -72,10 +72,10 @@ ImageId add_factors(Plan& plan, const std::string& shader, const Scene& scene, c
                     const View& view, const Light& light);
 
 // Adds the terrain and its shadow to what a pass reads. Returns how far shadows stand, as a push constant.
-std::uint32_t add_shadowed_terrain(Plan& plan, const Scene& scene, std::vector<Binding>& reads,
+std::uint32_t add_shadowed_terrain(Plan& plan, const Part& part, std::vector<Binding>& reads,
                                    std::vector<Specialization>& constants);
 
 // SkyMethod::add_span_passes of the method.
-SpanPasses add_spans(Plan& plan, const Scene& scene, const Air& air, const Spans& spans, const SpanWay& way);
+SpanPasses add_spans(Plan& plan, const Part& part, const Spans& spans, const SpanWay& way);
 
 }  // namespace airlight::orders

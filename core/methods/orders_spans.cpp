@@ -49,10 +49,10 @@ std::uint32_t span_steps(const Scene& scene, const Light& light) {
 
 // Two thirds of the picture's table each way. What it leaves out shows far less: light before things is gathered over
 // less air, and divided by what the transmittance takes.
-FactorTable volume_table(Scene scene, const Air& air) {
-  auto& size = std::get<TableSize>(scene.render.parameters.find("sky_lut")->second);
+FactorTable volume_table(Part part) {
+  auto& size = std::get<TableSize>(part.scene.render.parameters.find("sky_lut")->second);
   size = {std::max(2 * size[0] / 3, 8), std::max(2 * size[1] / 3, 8)};
-  return factor_table(scene, air, air.scattering_media(), false);
+  return factor_table(part, part.air.scattering_media(), false);
 }
 
 // The aerial volume and the mean extinction beside it (shaders/physics/aerial_volume.glsl).
@@ -95,31 +95,31 @@ std::vector<Binding> add_volume(Plan& plan, const Scene& scene, const Light& lig
 
 }  // namespace
 
-SpanPasses add_spans(Plan& plan, const Scene& scene, const Air& air, const Spans& spans, const SpanWay& way) {
-  const Light light = add_light(plan, scene, air);
-  const SpanInput input = add_span_input(plan, scene, spans);
+SpanPasses add_spans(Plan& plan, const Part& part, const Spans& spans, const SpanWay& way) {
+  const Light light = add_light(plan, part);
+  const SpanInput input = add_span_input(plan, part.scene, spans);
   std::vector<Binding> reads = light.reads();
   std::vector<Specialization> constants = light.constants;
   std::vector<std::uint32_t> push{input.columns, input.count, spans.first_row};
   if (way.volume) {
-    const FactorTable table = volume_table(scene, air);
-    reads = add_volume(plan, scene, light, table, way.kept_as);
-    constants = medium_specialization(air);
+    const FactorTable table = volume_table(part);
+    reads = add_volume(plan, part.scene, light, table, way.kept_as);
+    constants = medium_specialization(part.air);
     add_table_constants(constants, table);
-    constants.push_back({"kSlices", static_cast<std::uint32_t>(scene.render.get<int>("aerial_slices"))});
+    constants.push_back({"kSlices", static_cast<std::uint32_t>(part.scene.render.get<int>("aerial_slices"))});
   } else {
-    push.push_back(span_steps(scene, light));
+    push.push_back(span_steps(part.scene, light));
   }
   const char* shader = way.volume ? "air_from_volume" : "air_spans";
-  if (scene.terrain) {
+  if (part.scene.terrain) {
     shader = "air_spans_terrain";
-    push.push_back(add_shadowed_terrain(plan, scene, reads, constants));
+    push.push_back(add_shadowed_terrain(plan, part, reads, constants));
   } else if (!way.volume) {
     reads.push_back({"moment_ratios_lut", add_ratios(plan, light.moments)});
   }
   reads.push_back({"spans", input.list});
   constants.push_back({"kWholeRows", spans.rows.empty() ? 0U : 1U});
-  constants.push_back({"kProjection", projection_code(scene.camera.projection)});
+  constants.push_back({"kProjection", projection_code(part.scene.camera.projection)});
   const BufferId found = plan.add_buffer({.name = "air",
                                           .bytes = input.count * std::size_t{way.volume ? 16U : 24U},
                                           .host_readable = true,
@@ -131,7 +131,7 @@ SpanPasses add_spans(Plan& plan, const Scene& scene, const Air& air, const Spans
                  .grid = {std::min(input.columns, input.count), (input.count + input.columns - 1) / input.columns, 1},
                  .push_constants = std::move(push),
                  .specialization = std::move(constants),
-                 .cost = way.volume ? 3.0 : ray_cost(span_steps(scene, light))});
+                 .cost = way.volume ? 3.0 : ray_cost(span_steps(part.scene, light))});
   return {found, way.volume};
 }
 

@@ -30,6 +30,10 @@ bool samples(const Scene& scene) {
   return method_of(scene).render_on_host != nullptr;
 }
 
+bool samples(const Stage& stage) {
+  return stage.method().render_on_host != nullptr;
+}
+
 Scene with_quality(Scene scene, const SkyMethod& method, const Quality& quality) {
   scene.render.method = method.info.name;
   scene.render.parameters.clear();

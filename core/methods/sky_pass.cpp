@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/air/scene_block.h"
-#include "core/methods/edge_pixels.h"
 #include "core/plan/bytes.h"
+#include "core/things/edge_pixels.h"
 
 namespace airlight {
 namespace {
@@ -50,28 +50,28 @@ std::string picture_table_key(const View& view, std::string_view table) {
   return view.kept_as.empty() ? std::string() : view.kept_as + " " + std::string(table);
 }
 
-BufferId add_layer_planes(Plan& plan, const Scene& scene, const Air& air, const View& view) {
-  const Extent grid = picture_grid(scene, view);
-  const auto layers = static_cast<std::size_t>(std::popcount(air.scattering_media())) + 3;
+BufferId add_layer_planes(Plan& plan, const Part& part, const View& view) {
+  const Extent grid = picture_grid(part.scene, view);
+  const auto layers = static_cast<std::size_t>(std::popcount(part.air.scattering_media())) + 3;
   return plan.add_buffer({.name = "layers",
                           .bytes = 3 * layers * grid.width * grid.height * sizeof(float),
                           .host_readable = true,
                           .zeroed = false});
 }
 
-void add_layer_constants(std::vector<Specialization>& constants, const Scene& scene, const Air& air) {
-  constants.push_back({"kProjection", projection_code(scene.camera.projection)});
-  constants.push_back({"kScatteringMedia", air.scattering_media()});
+void add_layer_constants(std::vector<Specialization>& constants, const Part& part) {
+  constants.push_back({"kProjection", projection_code(part.scene.camera.projection)});
+  constants.push_back({"kScatteringMedia", part.air.scattering_media()});
 }
 
-LayerPasses add_layers_pass(Plan& plan, const Scene& scene, const Air& air, const View& view, PassDesc pass,
+LayerPasses add_layers_pass(Plan& plan, const Part& part, const View& view, PassDesc pass,
                             std::optional<ImageId> transmittance) {
-  const BufferId planes = add_layer_planes(plan, scene, air, view);
+  const BufferId planes = add_layer_planes(plan, part, view);
   pass.name = "layers";
   pass.writes = {{"layers_out", planes}};
-  pass.grid = picture_grid(scene, view);
+  pass.grid = picture_grid(part.scene, view);
   pass.push_constants.insert(pass.push_constants.begin(), {pass.grid.width, pass.grid.height});
-  add_layer_constants(pass.specialization, scene, air);
+  add_layer_constants(pass.specialization, part);
   plan.add_pass(std::move(pass));
   return {planes, transmittance};
 }
@@ -93,6 +93,19 @@ namespace {
 
 constexpr std::uint32_t kEdgeColumns = 64;
 
+// The pixels of the tile that the planet's edge crosses, from the tile's upper left one.
+std::vector<EdgePixel> edges_in(const Part& part, const Tile& tile) {
+  std::vector<EdgePixel> pixels;
+  for (const EdgePixel& pixel : part.things.edge_pixels()) {
+    const auto x = static_cast<int>(pixel.x) - tile.x;
+    const auto y = static_cast<int>(pixel.y) - tile.y;
+    if (x >= 0 && y >= 0 && x < tile.width && y < tile.height) {
+      pixels.push_back({static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y)});
+    }
+  }
+  return pixels;
+}
+
 // A list in rows of kEdgeColumns. The last row is filled up with a pixel that is already in the list.
 BufferId add_edge_list(Plan& plan, const std::vector<EdgePixel>& pixels) {
   const std::size_t count = (pixels.size() + kEdgeColumns - 1) / kEdgeColumns * kEdgeColumns;
@@ -107,17 +120,18 @@ BufferId add_edge_list(Plan& plan, const std::vector<EdgePixel>& pixels) {
 
 }  // namespace
 
-void add_pass_with_edges(Plan& plan, const Scene& scene, const View& view, const SkyTarget& target, PassDesc pass) {
+void add_pass_with_edges(Plan& plan, const Part& part, const View& view, const SkyTarget& target, PassDesc pass) {
   PassDesc edges = pass;
   pass.specialization.push_back({"kEdges", physics::kEdgesLeftOut});
   plan.add_pass(std::move(pass));
-  const auto pixels =
-      target.projection == physics::kProjectionListed ? nullptr : edge_pixels(scene, tile_of(scene, view));
-  if (pixels == nullptr || pixels->empty()) {
+  const std::vector<EdgePixel> pixels = target.projection == physics::kProjectionListed
+                                            ? std::vector<EdgePixel>()
+                                            : edges_in(part, tile_of(part.scene, view));
+  if (pixels.empty()) {
     return;
   }
-  const BufferId list = add_edge_list(plan, *pixels);
-  const auto rows = static_cast<std::uint32_t>((pixels->size() + kEdgeColumns - 1) / kEdgeColumns);
+  const BufferId list = add_edge_list(plan, pixels);
+  const auto rows = static_cast<std::uint32_t>((pixels.size() + kEdgeColumns - 1) / kEdgeColumns);
   edges.name += "_edge";
   edges.specialization.push_back({"kEdges", physics::kEdgesListed});
   for (Binding& read : edges.reads) {

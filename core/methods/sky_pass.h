@@ -34,12 +34,12 @@ Extent picture_grid(const Scene& scene, const View& view);
 std::string picture_table_key(const View& view, std::string_view table);
 
 // A buffer for LayerPasses::planes, and the constants that its pass takes beside the method's own.
-BufferId add_layer_planes(Plan& plan, const Scene& scene, const Air& air, const View& view);
-void add_layer_constants(std::vector<Specialization>& constants, const Scene& scene, const Air& air);
+BufferId add_layer_planes(Plan& plan, const Part& part, const View& view);
+void add_layer_constants(std::vector<Specialization>& constants, const Part& part);
 
 // Adds a whole pass of layers: completes `pass` with what all methods' passes share. Its push constants follow the
 // grid's width and height.
-LayerPasses add_layers_pass(Plan& plan, const Scene& scene, const Air& air, const View& view, PassDesc pass,
+LayerPasses add_layers_pass(Plan& plan, const Part& part, const View& view, PassDesc pass,
                             std::optional<ImageId> transmittance);
 
 // Adds the buffers that a sky pass of this view writes and reads.
@@ -48,6 +48,6 @@ SkyTarget add_sky_target(Plan& plan, const Scene& scene, const View& view);
 // Adds a sky pass with little work per pixel, and a second one over the pixels that the planet's edge crosses, if any.
 // The pass uses shaders/shared/horizon_pixels.glsl and reads `directions`; its push constants begin with the grid's
 // width and height.
-void add_pass_with_edges(Plan& plan, const Scene& scene, const View& view, const SkyTarget& target, PassDesc pass);
+void add_pass_with_edges(Plan& plan, const Part& part, const View& view, const SkyTarget& target, PassDesc pass);
 
 }  // namespace airlight

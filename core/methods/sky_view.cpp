@@ -47,9 +47,8 @@ std::vector<Binding> reads_of(const MarchTables& tables) {
   return reads;
 }
 
-std::vector<Specialization> constants_of(const Plan& plan, const Scene& scene, const Air& air,
-                                         const MarchTables& tables) {
-  std::vector<Specialization> constants = march_specialization(plan, scene, air, tables);
+std::vector<Specialization> constants_of(const Plan& plan, const Part& part, const MarchTables& tables) {
+  std::vector<Specialization> constants = march_specialization(plan, part, tables);
   constants.push_back({"kGroundReflects", tables.reflects ? 1u : 0u});
   return constants;
 }
@@ -74,110 +73,109 @@ elevation_rad = where(j < sky_rows, up * up * (pi / 2 + dip) - dip, -dip - down 
 }
 
 // The table also depends on the sun's elevation and the camera's altitude, and is made anew for each picture.
-ImageId add_sky_view_table(Plan& plan, const Scene& scene, const Air& air, const View& view,
-                           const MarchTables& tables) {
-  const TableSize size = scene.render.get<TableSize>("sky_view_lut");
+ImageId add_sky_view_table(Plan& plan, const Part& part, const View& view, const MarchTables& tables) {
+  const TableSize size = part.scene.render.get<TableSize>("sky_view_lut");
   const Extent extent{static_cast<std::uint32_t>(size[0]), static_cast<std::uint32_t>(size[1]), 1};
   const ImageId out =
       plan.add_image({.name = "sky_view",
                       .extent = extent,
                       .key = picture_table_key(view, "sky_view"),
-                      .text = [radius = scene.planet.ground_radius, altitude = scene.camera.altitude,
-                               rows = sky_rows(scene)] { return sky_view_text(radius, altitude, rows); }});
-  plan.add_pass({.name = "sky_view",
-                 .shader = "sky_view",
-                 .reads = reads_of(tables),
-                 .writes = {{"sky_view_out", out}},
-                 .grid = extent,
-                 .push_constants = {static_cast<std::uint32_t>(scene.render.get<int>("steps")), sky_rows(scene)},
-                 .specialization = constants_of(plan, scene, air, tables),
-                 .cost = march_cost(scene.render.get<int>("steps"))});
+                      .text = [radius = part.scene.planet.ground_radius, altitude = part.scene.camera.altitude,
+                               rows = sky_rows(part.scene)] { return sky_view_text(radius, altitude, rows); }});
+  plan.add_pass(
+      {.name = "sky_view",
+       .shader = "sky_view",
+       .reads = reads_of(tables),
+       .writes = {{"sky_view_out", out}},
+       .grid = extent,
+       .push_constants = {static_cast<std::uint32_t>(part.scene.render.get<int>("steps")), sky_rows(part.scene)},
+       .specialization = constants_of(plan, part, tables),
+       .cost = march_cost(part.scene.render.get<int>("steps"))});
   return out;
 }
 
 // The constants of a pass that reads such a table, or one with blocks of its size.
-std::vector<Specialization> fetch_constants(const Plan& plan, const Scene& scene, const Air& air,
-                                            const MarchTables& tables) {
-  const TableSize size = scene.render.get<TableSize>("sky_view_lut");
-  std::vector<Specialization> constants = constants_of(plan, scene, air, tables);
+std::vector<Specialization> fetch_constants(const Plan& plan, const Part& part, const MarchTables& tables) {
+  const TableSize size = part.scene.render.get<TableSize>("sky_view_lut");
+  std::vector<Specialization> constants = constants_of(plan, part, tables);
   constants.push_back({"kSkyViewWidth", static_cast<std::uint32_t>(size[0])});
   constants.push_back({"kSkyViewHeight", static_cast<std::uint32_t>(size[1])});
-  constants.push_back({"kSkyViewSkyRows", sky_rows(scene)});
-  constants.push_back({"kGroundMarches", ground_marches(scene) ? 1u : 0u});
+  constants.push_back({"kSkyViewSkyRows", sky_rows(part.scene)});
+  constants.push_back({"kGroundMarches", ground_marches(part.scene) ? 1u : 0u});
   return constants;
 }
 
-void add_fetch_pass(Plan& plan, const Scene& scene, const Air& air, const View& view, const MarchTables& tables,
-                    ImageId sky_view, const SkyTarget& target) {
-  std::vector<Specialization> constants = fetch_constants(plan, scene, air, tables);
+void add_fetch_pass(Plan& plan, const Part& part, const View& view, const MarchTables& tables, ImageId sky_view,
+                    const SkyTarget& target) {
+  std::vector<Specialization> constants = fetch_constants(plan, part, tables);
   constants.push_back({"kProjection", target.projection});
   std::vector<Binding> reads = reads_of(tables);
   reads.push_back({"sky_view_lut", sky_view});
   reads.push_back({"directions", target.directions});
-  add_pass_with_edges(plan, scene, view, target,
+  add_pass_with_edges(plan, part, view, target,
                       {.name = "sky",
                        .shader = "sky_from_view",
                        .reads = std::move(reads),
                        .writes = {{"radiance_out", target.radiance}},
                        .grid = target.grid,
                        .push_constants = {target.grid.width, target.grid.height,
-                                          static_cast<std::uint32_t>(scene.render.get<int>("steps"))},
+                                          static_cast<std::uint32_t>(part.scene.render.get<int>("steps"))},
                        .specialization = std::move(constants),
                        .cost = 5.0});
 }
 
-SkyPasses add_sky_view(Plan& plan, const Scene& scene, const Air& air, const View& view) {
-  const SkyTarget target = add_sky_target(plan, scene, view);
-  const MarchTables tables = add_march_tables(plan, scene, air);
+SkyPasses add_sky_view(Plan& plan, const Part& part, const View& view) {
+  const SkyTarget target = add_sky_target(plan, part.scene, view);
+  const MarchTables tables = add_march_tables(plan, part);
   std::vector<ImageId> list = tables.list();
-  begin_black_ground(plan, scene, view);
-  if (scene.camera.altitude >= scene.planet.atmosphere_height) {
-    add_march_pass(plan, scene, air, tables, target);
+  begin_black_ground(plan, part, view);
+  if (part.scene.camera.altitude >= part.scene.planet.atmosphere_height) {
+    add_march_pass(plan, part, tables, target);
   } else {
-    const ImageId sky_view = add_sky_view_table(plan, scene, air, view, tables);
-    add_fetch_pass(plan, scene, air, view, tables, sky_view, target);
+    const ImageId sky_view = add_sky_view_table(plan, part, view, tables);
+    add_fetch_pass(plan, part, view, tables, sky_view, target);
     list.push_back(sky_view);
   }
-  end_black_ground(plan, scene);
-  add_march_ground(plan, scene, air, tables, target);
+  end_black_ground(plan, part);
+  add_march_ground(plan, part, tables, target);
   return {target.radiance, list};
 }
 
 // The table with its light apart, in blocks side by side.
-ImageId add_layers_table(Plan& plan, const Scene& scene, const Air& air, const View& view, const MarchTables& tables) {
-  const TableSize size = scene.render.get<TableSize>("sky_view_lut");
+ImageId add_layers_table(Plan& plan, const Part& part, const View& view, const MarchTables& tables) {
+  const TableSize size = part.scene.render.get<TableSize>("sky_view_lut");
   const auto columns = static_cast<std::uint32_t>(size[0]);
   const auto rows = static_cast<std::uint32_t>(size[1]);
-  const auto blocks = static_cast<std::uint32_t>(std::popcount(air.scattering_media())) + 2;
+  const auto blocks = static_cast<std::uint32_t>(std::popcount(part.air.scattering_media())) + 2;
   const ImageId out = plan.add_image(
       {.name = "layers_view", .extent = {columns * blocks, rows, 1}, .key = picture_table_key(view, "layers_view")});
-  std::vector<Specialization> constants = constants_of(plan, scene, air, tables);
-  constants.push_back({"kScatteringMedia", air.scattering_media()});
-  plan.add_pass(
-      {.name = "layers_view",
-       .shader = "layers_view",
-       .reads = reads_of(tables),
-       .writes = {{"layers_view_out", out}},
-       .grid = {columns, rows, 1},
-       .push_constants = {columns, static_cast<std::uint32_t>(scene.render.get<int>("steps")), sky_rows(scene)},
-       .specialization = std::move(constants)});
+  std::vector<Specialization> constants = constants_of(plan, part, tables);
+  constants.push_back({"kScatteringMedia", part.air.scattering_media()});
+  plan.add_pass({.name = "layers_view",
+                 .shader = "layers_view",
+                 .reads = reads_of(tables),
+                 .writes = {{"layers_view_out", out}},
+                 .grid = {columns, rows, 1},
+                 .push_constants = {columns, static_cast<std::uint32_t>(part.scene.render.get<int>("steps")),
+                                    sky_rows(part.scene)},
+                 .specialization = std::move(constants)});
   return out;
 }
 
-LayerPasses add_layers(Plan& plan, const Scene& scene, const Air& air, const View& view) {
-  const MarchTables tables = add_march_tables(plan, scene, air);
-  if (scene.camera.altitude >= scene.planet.atmosphere_height) {
-    return add_march_layers(plan, scene, air, view, tables);
+LayerPasses add_layers(Plan& plan, const Part& part, const View& view) {
+  const MarchTables tables = add_march_tables(plan, part);
+  if (part.scene.camera.altitude >= part.scene.planet.atmosphere_height) {
+    return add_march_layers(plan, part, view, tables);
   }
-  const ImageId table = add_layers_table(plan, scene, air, view, tables);
+  const ImageId table = add_layers_table(plan, part, view, tables);
   std::vector<Binding> reads = reads_of(tables);
   reads.push_back({"layers_view_lut", table});
-  std::vector<Specialization> constants = fetch_constants(plan, scene, air, tables);
+  std::vector<Specialization> constants = fetch_constants(plan, part, tables);
   constants.push_back({"kEdges", physics::kEdgesFound});
-  return add_layers_pass(plan, scene, air, view,
+  return add_layers_pass(plan, part, view,
                          {.shader = "layers_from_view",
                           .reads = std::move(reads),
-                          .push_constants = {static_cast<std::uint32_t>(scene.render.get<int>("steps"))},
+                          .push_constants = {static_cast<std::uint32_t>(part.scene.render.get<int>("steps"))},
                           .specialization = std::move(constants)},
                          tables.transmittance);
 }

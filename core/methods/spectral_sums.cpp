@@ -1,11 +1,8 @@
 #include "core/methods/spectral_sums.h"
 
 #include <algorithm>
-#include <bit>
 #include <cassert>
-
-#include "core/methods/scene_air.h"
-#include "core/text.h"
+#include <utility>
 
 namespace airlight {
 namespace {
@@ -18,25 +15,15 @@ void push_colours(std::vector<std::uint32_t>& push, const std::array<Rgb, 3>& co
   }
 }
 
-std::string suffix_of(std::size_t group) {
-  return " of group " + std::to_string(group);
-}
-
-// "R 441.5 nm, G 548 nm, B 608 nm".
-std::string channels_of(const SpectralScene& spectral, std::size_t group) {
-  std::string text;
-  for (std::size_t c = 0; c < 3; ++c) {
-    const std::size_t node = std::min(3 * group + c, spectral.nodes.nm.size() - 1);
-    text += (c > 0 ? ", " : "") + std::string(1, "RGB"[c]) + " " + shortest(spectral.nodes.nm[node]) + " nm";
-  }
-  return text;
-}
-
 }  // namespace
 
-void begin_group(Plan& plan, const SpectralScene& spectral, std::size_t group, const Tile& tile) {
-  const Scene& scene = spectral.groups[group].scene;
-  plan.begin_scene(device_scene_bytes(air_of(scene), scene, tile), suffix_of(group), channels_of(spectral, group));
+void begin_part(Plan& plan, const Part& part, const Tile& tile) {
+  std::vector<std::byte> scene = device_scene_bytes(part.air, part.scene, tile);
+  if (part.suffix.empty()) {
+    plan.scene_data = std::move(scene);
+  } else {
+    plan.begin_scene(std::move(scene), part.suffix, part.channels);
+  }
 }
 
 ImageId add_colour_table(Plan& plan, const std::string& name, const std::string& key,
@@ -65,15 +52,14 @@ ImageId add_colour_table(Plan& plan, const std::string& name, const std::string&
   return sum;
 }
 
-void add_colours(Plan& plan, BufferId part, BufferId picture, const std::array<Rgb, 3>& colours, std::size_t group,
-                 bool first) {
+void add_colours(Plan& plan, BufferId buffer, BufferId picture, const Part& part, bool first) {
   constexpr std::uint32_t kRow = 65536;  // of the shader: a device takes 65535 workgroups a row at least
   const auto count = static_cast<std::uint32_t>(plan.buffers()[picture.index].bytes / (4 * sizeof(float)));
   std::vector<std::uint32_t> push{count, first ? 1U : 0U};
-  push_colours(push, colours);
-  plan.add_pass({.name = "spectral_sum" + suffix_of(group),
+  push_colours(push, part.colours);
+  plan.add_pass({.name = "spectral_sum" + part.suffix,
                  .shader = "spectral_sum",
-                 .reads = {{"part", part}},
+                 .reads = {{"part", buffer}},
                  .writes = {{"picture", picture}},
                  .grid = {std::min(count, kRow), (count + kRow - 1) / kRow, 1},
                  .push_constants = std::move(push)});

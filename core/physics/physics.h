@@ -31,7 +31,7 @@ struct HostTable {
   vec3 fetch_unit(real x, real y) const;  // unit range over the texel centres
 };
 
-// Terrain as its buffers have it (core/terrain).
+// Terrain as its buffers have it (core/things).
 struct HostTerrain {
   TerrainData shape;
   std::shared_ptr<const std::vector<float>> heights;  // km, row by row from the top, then the maxima of each level
@@ -39,7 +39,7 @@ struct HostTerrain {
   std::shared_ptr<const std::vector<vec2>> shadows;   // null: no sun has been asked for
 };
 
-// The ground's maps as their buffers have them (core/ground).
+// The ground's maps as their buffers have them (core/things).
 struct HostGround {
   GroundData head;
   std::shared_ptr<const std::vector<uint>> albedo;  // square roots, 10 bits a channel, level by level

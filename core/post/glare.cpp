@@ -10,8 +10,7 @@
 #include "core/post/disc_parts.h"
 #include "core/post/host_post.h"
 #include "core/post/post.h"
-#include "core/spheres/spheres.h"
-#include "core/terrain/terrain.h"
+#include "core/things/spheres.h"
 
 namespace airlight {
 namespace {
@@ -26,16 +25,14 @@ constexpr double kFar = 24.0;  // radii of the disc: from there on it is a point
 using physics::GlarePoint;
 
 // Points of equal area on the disc.
-std::vector<GlarePoint> disc_sources(const Scene& scene, const Air& air) {
-  physics::Physics p = formulas_of(air, scene);
+std::vector<GlarePoint> disc_sources(const Part& part) {
+  physics::Physics p = formulas_of(part.air, part.scene);
   p.sun_steps = physics::kTransmittanceSteps;
-  p.spheres = spheres_of(scene);
-  if (scene.terrain) {
-    p.terrain_maps = terrain_of(scene);
-  }
+  p.spheres = spheres_of(part.scene);
+  p.terrain_maps = part.things.terrain();
   const vec3 sun = p.scene.sun.direction;
   const auto [a, b] = across(sun);
-  const double radius = scene.sun.disc.angular_radius;
+  const double radius = part.scene.sun.disc.angular_radius;
   const double half = std::sin(0.5 * radius);
   const double area = 4.0 * std::numbers::pi * half * half / kPoints;
   std::vector<GlarePoint> sources;
@@ -69,23 +66,23 @@ std::array<float, 8> packed(const GlarePoint& point) {
 
 }  // namespace
 
-bool sun_glares(const Scene& scene, const Air& air) {
-  if (!scene.sun.disc.visible) {
+bool sun_glares(const Part& part) {
+  if (!part.scene.sun.disc.visible) {
     return false;
   }
-  const physics::Physics p = geometry_of(scene);
-  const bool is_behind = scene.camera.projection == Projection::perspective &&
+  const physics::Physics p = geometry_of(part.scene);
+  const bool is_behind = part.scene.camera.projection == Projection::perspective &&
                          physics::dot(p.scene.sun.direction, p.scene.camera.forward) <= 0.0;
-  const vec3 light = sum_of(disc_sources(scene, air)).irradiance;
+  const vec3 light = sum_of(disc_sources(part)).irradiance;
   return !is_behind && light.x + light.y + light.z > 0.0;
 }
 
-std::vector<GlarePoint> glare_points(const Scene& scene, const Air& air) {
-  std::vector<GlarePoint> points = disc_sources(scene, air);
+std::vector<GlarePoint> glare_points(const Part& part) {
+  std::vector<GlarePoint> points = disc_sources(part);
   GlarePoint all = sum_of(points);
   const double length = physics::length(all.direction);
   all.direction = length > 0.0 ? all.direction * (1.0 / length) : points.front().direction;
-  all.far = kFar * scene.sun.disc.angular_radius;
+  all.far = kFar * part.scene.sun.disc.angular_radius;
   points.insert(points.begin(), all);
   return points;
 }

@@ -5,16 +5,16 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/air/air.h"
 #include "core/physics/physics.h"
 #include "core/post/post.h"
 #include "core/radiance_image.h"
 #include "core/scene/scene.h"
+#include "core/stage/stage.h"
 
 namespace airlight {
 
 // Adds the sun's disc to the tile of the scene's picture. False: no part of the disc shows there.
-bool draw_sun_disc(RadianceImage& picture, const Scene& scene, const Air& air, const Tile& tile);
+bool draw_sun_disc(RadianceImage& picture, const Part& part, const Tile& tile);
 
 // Statistics of rows in the format of their pass (post.h), for summarize().
 std::vector<std::byte> row_statistics_of(const RadianceImage& rows, double brightest, bool signed_colours);

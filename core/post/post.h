@@ -9,10 +9,10 @@
 #include <variant>
 #include <vector>
 
-#include "core/air/air.h"
 #include "core/physics/physics.h"
 #include "core/plan/plan.h"
 #include "core/scene/scene.h"
+#include "core/stage/stage.h"
 
 namespace airlight {
 
@@ -30,8 +30,7 @@ Picture picture_of(BufferId buffer, const Tile& tile);
 // Adds the sun's disc where the camera can see it. Returns false, and adds nothing, where the disc is switched off,
 // outside the picture or tile, or wholly behind the planet. The disc is seen through the method's transmittance table;
 // where there is none, one is added here.
-bool add_sun_disc(Plan& plan, const Scene& scene, const Air& air, std::optional<ImageId> transmittance,
-                  const Picture& picture);
+bool add_sun_disc(Plan& plan, const Part& part, std::optional<ImageId> transmittance, const Picture& picture);
 
 // Whether add_sun_disc() would add the disc.
 bool sun_disc_shows(const Scene& scene, const Picture& picture);
@@ -68,14 +67,14 @@ double exposure_for(const Scene& scene, const Statistics& statistics);
 double brightest_metered(const Scene& scene);
 
 // Whether there is bloom to see: a sun before the camera, or, for a chain, any pixel above the threshold.
-bool bloom_glows(const Scene& scene, const Air& air, const Statistics& statistics, double exposure);
+bool bloom_glows(const Part& part, const Statistics& statistics, double exposure);
 
 // Why there is no bloom, for people.
 std::string no_bloom(const Scene& scene);
 
 // Points of the sun's disc as the camera sees them through the air, their sum first, for the glare around them
 // (physics/glare.glsl).
-std::vector<physics::GlarePoint> glare_points(const Scene& scene, const Air& air);
+std::vector<physics::GlarePoint> glare_points(const Part& part);
 
 // The points on the device.
 struct GlareSources {
@@ -86,7 +85,7 @@ struct GlareSources {
 GlareSources add_glare_sources(Plan& plan, const std::vector<physics::GlarePoint>& points);
 
 // Whether any light of the disc reaches the camera past the planet, from before the camera.
-bool sun_glares(const Scene& scene, const Air& air);
+bool sun_glares(const Part& part);
 
 // Bloom, scene-linear, before `intensity`, as passes that show it read it: a finished chain, or sources of glare.
 using Glow = std::variant<ImageId, GlareSources>;

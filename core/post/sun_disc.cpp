@@ -7,8 +7,8 @@
 #include "core/post/disc_parts.h"
 #include "core/post/host_post.h"
 #include "core/post/post.h"
-#include "core/spheres/spheres.h"
-#include "core/terrain/terrain_buffers.h"
+#include "core/things/spheres.h"
+#include "core/things/terrain_buffers.h"
 
 namespace airlight {
 namespace {
@@ -36,24 +36,23 @@ ImageId add_disc_transmittance(Plan& plan, const Air& air) {
   return add_transmittance(plan, air, kDiscTransmittance);
 }
 
-bool add_sun_disc(Plan& plan, const Scene& scene, const Air& air, std::optional<ImageId> transmittance,
-                  const Picture& picture) {
-  physics::Physics p = geometry_of(scene);
-  const std::vector<DiscPart> parts = disc_parts(p, scene, tile_of(picture));
+bool add_sun_disc(Plan& plan, const Part& part, std::optional<ImageId> transmittance, const Picture& picture) {
+  physics::Physics p = geometry_of(part.scene);
+  const std::vector<DiscPart> parts = disc_parts(p, part.scene, tile_of(picture));
   if (parts.empty()) {
     return false;
   }
-  const ImageId table = transmittance ? *transmittance : add_disc_transmittance(plan, air);
-  std::vector<Specialization> constants = sunlight_specialization(plan, air, table);
-  constants.push_back({"kProjection", projection_code(scene.camera.projection)});
+  const ImageId table = transmittance ? *transmittance : add_disc_transmittance(plan, part.air);
+  std::vector<Specialization> constants = sunlight_specialization(plan, part.air, table);
+  constants.push_back({"kProjection", projection_code(part.scene.camera.projection)});
   std::vector<Binding> reads{{"transmittance_lut", table}};
   const char* shader = "sun_disc";
-  if (scene.terrain) {
+  if (part.scene.terrain) {
     shader = "sun_disc_terrain";
-    reads.push_back({"terrain", add_terrain_heights(plan, "terrain before the disc", *terrain_of(scene))});
-  } else if (!scene.spheres.empty()) {
+    reads.push_back({"terrain", add_terrain_heights(plan, "terrain before the disc", *part.things.terrain())});
+  } else if (!part.scene.spheres.empty()) {
     shader = "sun_disc_spheres";
-    reads.push_back({"spheres", add_spheres(plan, "spheres before the disc", scene)});
+    reads.push_back({"spheres", add_spheres(plan, "spheres before the disc", part.scene)});
   }
   for (const auto& [pixels, box] : parts) {
     plan.add_pass({.name = "sun_disc",
@@ -69,11 +68,11 @@ bool add_sun_disc(Plan& plan, const Scene& scene, const Air& air, std::optional<
   return true;
 }
 
-bool draw_sun_disc(RadianceImage& picture, const Scene& scene, const Air& air, const Tile& tile) {
-  physics::Physics p = formulas_of(air, scene);
+bool draw_sun_disc(RadianceImage& picture, const Part& part, const Tile& tile) {
+  physics::Physics p = formulas_of(part.air, part.scene);
   p.sun_steps = physics::kTransmittanceSteps;
-  const std::vector<DiscPart> parts = disc_parts(p, scene, tile);
-  const physics::uint projection = projection_code(scene.camera.projection);
+  const std::vector<DiscPart> parts = disc_parts(p, part.scene, tile);
+  const physics::uint projection = projection_code(part.scene.camera.projection);
   for (const auto& [pixels, box] : parts) {
     for (std::uint32_t y = pixels.top; y < pixels.top + pixels.height; ++y) {
       for (std::uint32_t x = pixels.left; x < pixels.left + pixels.width; ++x) {

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "core/methods/method.h"
-#include "core/methods/scene_air.h"
+#include "core/methods/ready.h"
 #include "core/methods/spectral_sums.h"
 #include "core/plan/bytes.h"
 #include "core/render/picture_key.h"
@@ -62,39 +62,12 @@ std::vector<float> floats(std::span<const std::byte> bytes, std::size_t first, s
   return values_of<float>(bytes.subspan(first * sizeof(float), count * sizeof(float)));
 }
 
-// Reads the device's planes, which are in the order of layers_of() without the sun.
-void take_planes(std::vector<Layer>& layers, std::span<const std::byte> bytes, std::size_t pixels) {
-  std::size_t first = 0;
-  for (Layer& layer : layers) {
-    if ((layer.is_light && layer.name != "sun") || layer.name == "transmittance") {
-      layer.planes = floats(bytes, first, 3 * pixels);
-      first += 3 * pixels;
-    }
-  }
-  assert(first * sizeof(float) == bytes.size());
-}
-
-void take_disc(Layer& sun, std::span<const std::byte> bytes, std::size_t pixels) {
-  sun.planes.assign(3 * pixels, 0.0F);
-  if (bytes.empty()) {
-    return;
-  }
-  const std::vector<float> rgba = floats(bytes, 0, 4 * pixels);
-  for (std::size_t i = 0; i < pixels; ++i) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      sun.planes[c * pixels + i] = rgba[4 * i + c];
-    }
-  }
-}
-
 // Depth and normals in double, from the geometry alone.
 void add_geometry(std::vector<Layer>& layers, const Scene& scene, const Tile& tile) {
   physics::Physics p = geometry_of(scene);
   const std::size_t pixels = pixels_of(tile);
   std::vector<float>& depth = find(layers, "depth").planes;
   std::vector<float>& normal = find(layers, "N").planes;
-  depth.assign(pixels, 0.0F);
-  normal.assign(3 * pixels, 0.0F);
   const physics::PlanetData planet = p.scene.planet;
   const double h = scene.camera.altitude;
   const physics::uint projection = projection_code(scene.camera.projection);
@@ -117,11 +90,11 @@ void add_geometry(std::vector<Layer>& layers, const Scene& scene, const Tile& ti
 }
 
 // Number of rows in a band whose device buffers take at most kLayerBandBytes.
-int band_rows(const Scene& scene) {
-  const std::size_t layers = static_cast<std::size_t>(std::popcount(scattering_media_of(scene))) + 3;
-  const std::size_t row = (3 * layers + 4) * sizeof(float) * static_cast<std::size_t>(scene.image.width);
-  return static_cast<int>(
-      std::clamp<std::size_t>(kLayerBandBytes / row, 1, static_cast<std::size_t>(scene.image.height)));
+int band_rows(const Stage& stage) {
+  const ImageSize& image = stage.scene().image;
+  const std::size_t layers = static_cast<std::size_t>(std::popcount(stage.scattering_media())) + 3;
+  const std::size_t row = (3 * layers + 4) * sizeof(float) * static_cast<std::size_t>(image.width);
+  return static_cast<int>(std::clamp<std::size_t>(kLayerBandBytes / row, 1, static_cast<std::size_t>(image.height)));
 }
 
 void put_band(Layer& whole, const Layer& band, const Tile& tile, int height) {
@@ -133,31 +106,6 @@ void put_band(Layer& whole, const Layer& band, const Tile& tile, int height) {
     const float* from = band.planes.data() + c * pixels;
     std::copy(from, from + pixels, whole.planes.data() + c * plane + first);
   }
-}
-
-LayerPasses add_layer_passes(Plan& plan, const Scene& scene, const Tile& tile, const std::string& kept_as) {
-  assert(method_of(scene).add_layer_passes != nullptr);
-  return method_of(scene).add_layer_passes(plan, scene, air_of(scene),
-                                           {.directions = {}, .tile = tile, .kept_as = kept_as});
-}
-
-BufferId add_dark(Plan& plan, std::size_t pixels) {
-  return plan.add_buffer({.name = "disc", .bytes = 4 * pixels * sizeof(float), .host_readable = true});
-}
-
-void render_channels(std::vector<Layer>& layers, Executor& executor, const Scene& scene, const Tile& tile,
-                     const std::string& kept_as, const Timings& timings) {
-  const Air air = air_of(scene);
-  Plan plan;
-  plan.scene_data = device_scene_bytes(air, scene, tile);
-  const LayerPasses passes = add_layer_passes(plan, scene, tile, kept_as);
-  const std::size_t pixels = pixels_of(tile);
-  const BufferId disc = add_dark(plan, pixels);
-  const bool shines = add_sun_disc(plan, scene, air, passes.transmittance, picture_of(disc, tile));
-  const RunResult result = executor.run(plan);
-  timings.add(result);
-  take_planes(layers, result.contents(passes.planes), pixels);
-  take_disc(find(layers, "sun"), shines ? result.contents(disc) : std::span<const std::byte>(), pixels);
 }
 
 // Adds three channels as colours to a layer.
@@ -174,59 +122,66 @@ void add_channels(Layer& layer, std::span<const float> channels, const std::arra
   }
 }
 
-// The layers of one group of wavelengths at a time, and their sum over the groups on the host, which needs them anyway.
-void render_in_colours(std::vector<Layer>& layers, Executor& executor, const Scene& scene, const Tile& tile,
-                       const std::string& kept_as, const Timings& timings) {
-  const SpectralScene spectral = spectral_scene(scene);
-  const std::uint32_t all = scattering_media(spectral);
-  const std::size_t pixels = pixels_of(tile);
-  const std::size_t lights = static_cast<std::size_t>(std::popcount(all)) + 3;  // in the order of layers_of()
-  for (std::size_t i = 0; i < lights; ++i) {
-    layers[i].planes.assign(3 * pixels, 0.0F);
-  }
-  for (std::size_t g = 0; g < spectral.groups.size(); ++g) {
-    const WavelengthGroup& group = spectral.groups[g];
-    Plan plan;
-    begin_group(plan, spectral, g, tile);
-    const LayerPasses passes = add_layer_passes(plan, group.scene, tile, kept_as);
-    plan.end_scene();
-    const RunResult result = executor.run(plan);
-    timings.add(result);
-    const std::span<const std::byte> bytes = result.contents(passes.planes);
-    const std::uint32_t own = air_of(group.scene).scattering_media();
-    std::size_t plane = 0;
-    std::uint32_t medium = 0;
-    for (std::size_t i = 0; i < lights; ++i, ++medium) {
-      while (i + 3 < lights && (all >> medium & 1u) == 0) {
-        ++medium;
-      }
-      if (i + 3 < lights && (own >> medium & 1u) == 0) {
-        continue;
-      }
-      const bool is_share = layers[i].name == "transmittance";
-      add_channels(layers[i], floats(bytes, plane, 3 * pixels),
-                   is_share ? over_the_sun(group.colours, spectral.sun) : group.colours, pixels);
-      plane += 3 * pixels;
+// Planes of red, green and blue from pixels of four floats.
+std::vector<float> planes_of(std::span<const std::byte> bytes, std::size_t pixels) {
+  const std::vector<float> rgba = floats(bytes, 0, 4 * pixels);
+  std::vector<float> planes(3 * pixels);
+  for (std::size_t i = 0; i < pixels; ++i) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      planes[c * pixels + i] = rgba[4 * i + c];
     }
   }
+  return planes;
+}
+
+// Adds the device's planes of a part: those of layers_of() up to transmittance, without the media that do not scatter
+// in this part. `media`: those that scatter in any.
+void add_planes(std::vector<Layer>& layers, std::span<const std::byte> bytes, const Part& part, std::uint32_t media,
+                std::size_t pixels) {
+  std::size_t layer = 0;
+  std::size_t plane = 0;
+  const auto add = [&](bool is_there, const std::array<Rgb, 3>& colours) {
+    if (is_there) {
+      add_channels(layers[layer], floats(bytes, plane, 3 * pixels), colours, pixels);
+      plane += 3 * pixels;
+    }
+    ++layer;
+  };
+  for (std::uint32_t medium = 0; media >> medium != 0; ++medium) {
+    if ((media >> medium & 1u) != 0) {
+      add((part.air.scattering_media() >> medium & 1u) != 0, part.colours);
+    }
+  }
+  add(true, part.colours);  // multiple
+  add(true, part.colours);  // ground
+  add(true, part.shares);   // transmittance
+  assert(plane * sizeof(float) == bytes.size());
+}
+
+// One part's share of all layers.
+void render_part(std::vector<Layer>& layers, Executor& executor, const Stage& stage, const Part& part, const View& view,
+                 const Timings& timings) {
+  const std::size_t pixels = pixels_of(*view.tile);
   Plan plan;
-  plan.scene_data = device_scene_bytes(air_of(scene), scene, tile);
-  const BufferId disc = add_dark(plan, pixels);
-  const bool shines = add_disc_over(plan, scene, disc, tile);
-  const RunResult result = shines ? executor.run(plan) : RunResult{};
+  begin_part(plan, part, *view.tile);
+  const LayerPasses passes = stage.method().add_layer_passes(plan, part, view);
+  const BufferId disc = plan.add_buffer({.name = "disc", .bytes = 4 * pixels * sizeof(float), .host_readable = true});
+  const bool shines = add_sun_disc(plan, part, passes.transmittance, picture_of(disc, *view.tile));
+  plan.end_scene();
+  const RunResult result = executor.run(plan);
   timings.add(result);
-  take_disc(find(layers, "sun"), shines ? result.contents(disc) : std::span<const std::byte>(), pixels);
+  add_planes(layers, result.contents(passes.planes), part, stage.scattering_media(), pixels);
+  if (shines) {
+    add_channels(find(layers, "sun"), planes_of(result.contents(disc), pixels), part.colours, pixels);
+  }
 }
 
 }  // namespace
 
-std::uint32_t scattering_media_of(const Scene& scene) {
-  return scene.spectra ? scattering_media(spectral_scene(scene)) : air_of(scene).scattering_media();
-}
-
-std::vector<Layer> layers_of(const Scene& scene) {
+std::vector<Layer> layers_of(const Stage& stage) {
+  const Scene& scene = stage.scene();
   std::vector<Layer> layers;
-  const std::uint32_t scattering = scattering_media_of(scene);
+  const std::uint32_t scattering = stage.scattering_media();
   std::set<std::string> taken = taken_names();
   for (std::size_t i = 0; i < scene.media.size(); ++i) {
     if ((scattering >> i & 1u) != 0) {
@@ -248,11 +203,14 @@ std::string layers_refusal(const Scene& scene) {
   return refusal == nullptr ? std::string() : refusal(scene);
 }
 
-Scene kept_apart(Scene scene) {
-  if (const auto keep_apart = method_of(scene).keep_apart; keep_apart != nullptr) {
-    keep_apart(scene.render);
+Stage kept_apart(const Stage& stage) {
+  const auto keep_apart = stage.method().keep_apart;
+  if (keep_apart == nullptr) {
+    return stage;
   }
-  return scene;
+  Scene scene = stage.scene();
+  keep_apart(scene.render);
+  return ready(scene, stage);
 }
 
 std::string methods_with_layers() {
@@ -261,27 +219,29 @@ std::string methods_with_layers() {
   });
 }
 
-std::vector<Layer> render_layers(Executor& executor, const Scene& scene, const Tile& tile, const std::string& kept_as,
+std::vector<Layer> render_layers(Executor& executor, const Stage& stage, const Tile& tile, const std::string& kept_as,
                                  const Timings& timings) {
-  std::vector<Layer> layers = layers_of(scene);
-  if (scene.spectra) {
-    render_in_colours(layers, executor, scene, tile, kept_as, timings);
-  } else {
-    render_channels(layers, executor, scene, tile, kept_as, timings);
+  std::vector<Layer> layers = layers_of(stage);
+  for (Layer& layer : layers) {
+    layer.planes.assign(layer.channels.size() * pixels_of(tile), 0.0F);
   }
-  add_geometry(layers, scene, tile);
+  for (const Part& part : stage.parts()) {
+    render_part(layers, executor, stage, part, {.directions = {}, .tile = tile, .kept_as = kept_as}, timings);
+  }
+  add_geometry(layers, stage.scene(), tile);
   return layers;
 }
 
-std::vector<Layer> render_layers(Executor& executor, const Scene& scene, const Timings& timings) {
-  std::vector<Layer> layers = layers_of(scene);
+std::vector<Layer> render_layers(Executor& executor, const Stage& stage, const Timings& timings) {
+  std::vector<Layer> layers = layers_of(stage);
   const std::string key = picture_key();
-  const int rows = band_rows(scene);
-  for (int y = 0; y < scene.image.height; y += rows) {
-    const Tile tile{0, y, scene.image.width, std::min(rows, scene.image.height - y)};
-    const std::vector<Layer> band = render_layers(executor, scene, tile, key, timings);
+  const ImageSize& image = stage.scene().image;
+  const int rows = band_rows(stage);
+  for (int y = 0; y < image.height; y += rows) {
+    const Tile tile{0, y, image.width, std::min(rows, image.height - y)};
+    const std::vector<Layer> band = render_layers(executor, stage, tile, key, timings);
     for (std::size_t i = 0; i < layers.size(); ++i) {
-      put_band(layers[i], band[i], tile, scene.image.height);
+      put_band(layers[i], band[i], tile, image.height);
     }
   }
   return layers;

@@ -1,7 +1,6 @@
 #pragma once
 // A picture's light kept apart by its origin, and further planes for compositing.
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -26,33 +25,30 @@ struct Layer {
 // Depth where a ray meets neither ground nor air, km: finite, and beyond everything in the scene.
 inline constexpr float kNoDistance = 1e10F;
 
-// The layers of a scene's picture, without planes. Light, all in W/(m2 sr): the single scattering of each medium that
+// The layers of a stage's picture, without planes. Light, all in W/(m2 sr): the single scattering of each medium that
 // scatters, named after the medium as far as a channel's name permits; multiple (scattered more than once), sun (the
 // disc), ground (reflected by it, seen through the air). Others: transmittance to the ground or to space; depth, the
 // distance to the ground or to where the ray leaves the air, km; N, the ground's normal in the preset's frame, 0 where
 // there is none.
-std::vector<Layer> layers_of(const Scene& scene);
-
-// Media that scatter at any wavelength of the picture, bit i for medium i: those with a layer of their own.
-std::uint32_t scattering_media_of(const Scene& scene);
+std::vector<Layer> layers_of(const Stage& stage);
 
 // Why this scene's picture has no layers though its method has them: keys of render that only its march knows. Empty:
 // it has layers.
 std::string layers_refusal(const Scene& scene);
 
-// The scene as it is rendered together with its layers.
-Scene kept_apart(Scene scene);
+// The stage as it is rendered together with its layers.
+Stage kept_apart(const Stage& stage);
 
 // The methods that have layers, for messages: "nested, march, sky-view, orders".
 std::string methods_with_layers();
 
 // The layers of one tile, for a method that has them. `kept_as`: as View::kept_as. Adds to `timings`.
-std::vector<Layer> render_layers(Executor& executor, const Scene& scene, const Tile& tile, const std::string& kept_as,
+std::vector<Layer> render_layers(Executor& executor, const Stage& stage, const Tile& tile, const std::string& kept_as,
                                  const Timings& timings);
 
 // The layers of the whole picture, on the device in bands of at most kLayerBandBytes.
 inline constexpr std::size_t kLayerBandBytes = std::size_t{32} << 20;
-std::vector<Layer> render_layers(Executor& executor, const Scene& scene, const Timings& timings);
+std::vector<Layer> render_layers(Executor& executor, const Stage& stage, const Timings& timings);
 
 // Counts values that are not finite, or negative in a layer where that is wrong; `width`: of the rows.
 // `signed_colours`: a channel of a colour may be negative, its luminance not.

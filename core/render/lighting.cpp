@@ -5,8 +5,8 @@
 
 #include "core/air/scene_block.h"
 #include "core/error.h"
-#include "core/spheres/spheres.h"
-#include "core/terrain/terrain.h"
+#include "core/methods/ready.h"
+#include "core/things/spheres.h"
 
 namespace airlight {
 namespace {
@@ -170,7 +170,8 @@ RadianceImage irradiance_map(const RadianceImage& latlong, double latlong_azimut
   return map;
 }
 
-SunLight sun_light(const DeviceOnDemand& device, const Scene& scene) {
+SunLight sun_light(const DeviceOnDemand& device, const Stage& stage) {
+  const Scene& scene = stage.scene();
   physics::Physics p = geometry_of(scene);
   SunLight light{.direction = numbers_of(p.scene.sun.direction),
                  .elevation = scene.sun.elevation,
@@ -180,9 +181,7 @@ SunLight sun_light(const DeviceOnDemand& device, const Scene& scene) {
   std::vector<Direction> directions;
   std::vector<double> shares;
   p.spheres = spheres_of(scene);
-  if (scene.terrain) {
-    p.terrain_maps = terrain_of(scene);
-  }
+  p.terrain_maps = stage.whole().things.terrain();
   const auto is_hidden = [&](const Direction& d) {
     return p.disc_is_hidden(p.direction_from_angles(d.elevation, d.azimuth));
   };
@@ -194,7 +193,7 @@ SunLight sun_light(const DeviceOnDemand& device, const Scene& scene) {
       light.visible_share += point.share;
     }
   }
-  const std::vector<ProbeResult> probes = probe(device, scene, directions).directions;
+  const std::vector<ProbeResult> probes = probe(device, stage, directions).directions;
   for (std::size_t i = 0; i < probes.size(); ++i) {
     for (std::size_t c = 0; c < 3; ++c) {
       light.irradiance[c] += scene.sun.irradiance[c] * probes[i].transmittance[c] * shares[i];
@@ -203,7 +202,8 @@ SunLight sun_light(const DeviceOnDemand& device, const Scene& scene) {
   return light;
 }
 
-Lighting lighting_of(const DeviceOnDemand& device, const Scene& scene, const HostOptions& host) {
+Lighting lighting_of(const DeviceOnDemand& device, const Stage& stage, const HostOptions& host) {
+  const Scene& scene = stage.scene();
   Scene sky = scene;
   sky.camera = {.altitude = scene.camera.altitude, .projection = Projection::equirectangular};
   sky.image = kSkySize;
@@ -212,12 +212,12 @@ Lighting lighting_of(const DeviceOnDemand& device, const Scene& scene, const Hos
   RenderRequest request;
   request.host = host;
   request.host.checkpoint.clear();  // which is the picture's
-  const Rendering rendering = render(device, sky, request);
+  const Rendering rendering = render(device, ready(sky, stage), request);
   if (const std::string fault = rendering.fault(); !fault.empty()) {
     throw RunError("the sky for the irradiance: " + fault);
   }
   return {irradiance_map(rendering.radiance, 0.0, kIrradianceWidth, kIrradianceHeight, scene.camera.azimuth),
-          project_to_sh(rendering.radiance, 0.0), sun_light(device, scene)};
+          project_to_sh(rendering.radiance, 0.0), sun_light(device, stage)};
 }
 
 }  // namespace airlight

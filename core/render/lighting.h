@@ -39,7 +39,7 @@ struct SunLight {
   Vector3 irradiance_above_air{};
   double visible_share = 0.0;  // share of the disc's light that the planet leaves, before the air
 };
-SunLight sun_light(const DeviceOnDemand& device, const Scene& scene);
+SunLight sun_light(const DeviceOnDemand& device, const Stage& stage);
 
 inline constexpr int kIrradianceWidth = 64;
 inline constexpr int kIrradianceHeight = 32;
@@ -53,6 +53,6 @@ struct Lighting {
 // The light of the whole sphere around the camera's place, ground included, in whatever direction the camera looks. The
 // scene's method renders the sky into a picture of its own. Throws RunError where that holds a NaN, infinity or
 // negative value.
-Lighting lighting_of(const DeviceOnDemand& device, const Scene& scene, const HostOptions& host);
+Lighting lighting_of(const DeviceOnDemand& device, const Stage& stage, const HostOptions& host);
 
 }  // namespace airlight

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/error.h"
+#include "core/methods/ready.h"
 
 namespace airlight {
 namespace {
@@ -49,22 +50,23 @@ Scene by_day(const Scene& scene) {
   return day;
 }
 
-Rendering metered_picture(const DeviceOnDemand& device, const Scene& scene) {
+Rendering metered_picture(const DeviceOnDemand& device, const Stage& stage) {
+  const Scene& scene = stage.scene();
   Scene small = scene;
-  small.image = metered_size(scene, samples(scene) ? kMostSampledPixels : kMostPixels);
+  small.image = metered_size(scene, samples(stage) ? kMostSampledPixels : kMostPixels);
   small.display = {};
-  if (samples(scene)) {
+  if (samples(stage)) {
     small.render = few_samples(scene.render);
   }
-  Rendering rendering = render(device, small, {});
+  Rendering rendering = render(device, ready(small, stage), {});
   if (const std::string fault = rendering.fault(); !fault.empty()) {
     throw RunError("the picture that the exposure is metered on: " + fault);
   }
   return rendering;
 }
 
-double metered_exposure(const DeviceOnDemand& device, const Scene& scene) {
-  return four_digits(metered_picture(device, scene).exposure);
+double metered_exposure(const DeviceOnDemand& device, const Stage& stage) {
+  return four_digits(metered_picture(device, stage).exposure);
 }
 
 }  // namespace airlight

@@ -4,7 +4,7 @@
 #include <span>
 #include <utility>
 
-#include "core/methods/scene_air.h"
+#include "core/methods/ready.h"
 #include "core/plan/bytes.h"
 #include "core/post/host_post.h"
 #include "core/render/band_passes.h"
@@ -33,15 +33,16 @@ void note_disc(std::vector<std::string>& left_out, bool shines) {
 }
 
 // Sky, disc and, with `measured`, statistics: all passes before the exposure is known.
-PlannedFrame sky_frame(const Scene& scene, const RenderRequest& request, bool measured) {
+PlannedFrame sky_frame(const Stage& stage, const RenderRequest& request, bool measured) {
+  const Scene& scene = stage.scene();
   PlannedFrame frame;
-  const Sky sky = add_sky(frame.plan, scene, View{}, true);
+  const Sky sky = add_sky(frame.plan, stage, View{}, true);
   frame.picture = picture_of(scene, sky.radiance);
-  frame.left_out = spared_by(scene);
+  frame.left_out = spared_by(stage);
   note_disc(frame.left_out, sky.disc);
   frame.tables.emplace(frame.plan, sky, request.tables);
   if (measured) {
-    frame.rows = add_picture_statistics(frame.plan, frame.picture, brightest_metered(scene), scene.spectra.has_value());
+    frame.rows = add_picture_statistics(frame.plan, frame.picture, brightest_metered(scene), stage.in_colours());
   }
   return frame;
 }
@@ -63,18 +64,20 @@ struct PostFrame {
   std::optional<BufferId> encoded;
 };
 
-Glow add_glow(Plan& plan, const Scene& scene, const Picture& picture, double exposure) {
+Glow add_glow(Plan& plan, const Stage& stage, const Picture& picture, double exposure) {
+  const Scene& scene = stage.scene();
   if (scene.bloom.model == BloomModel::glare) {
-    return add_glare_sources(plan, glare_points_of(scene));
+    return add_glare_sources(plan, glare_points_of(stage));
   }
   return add_bloom(plan, scene, add_bloom_base(plan, scene, picture), exposure);
 }
 
-void add_post(PostFrame& post, const Scene& scene, const Picture& picture, const RenderRequest& request, bool glows,
+void add_post(PostFrame& post, const Stage& stage, const Picture& picture, const RenderRequest& request, bool glows,
               double exposure) {
+  const Scene& scene = stage.scene();
   std::optional<Glow> glow;
   if (glows && (request.bloom_picture || request.gpu_tone)) {
-    glow = add_glow(post.plan, scene, picture, exposure);
+    glow = add_glow(post.plan, stage, picture, exposure);
   }
   if (glow && request.bloom_picture) {
     post.bloom = add_glow_picture(post.plan, scene, picture, *glow);
@@ -89,9 +92,10 @@ RadianceImage image_from(std::span<const std::byte> bytes, int width, int height
 }
 
 // Whether there is bloom to see in the picture.
-bool wanted_bloom_glows(const Scene& scene, const RenderRequest& request, Rendering& out) {
+bool wanted_bloom_glows(const Stage& stage, const RenderRequest& request, Rendering& out) {
+  const Scene& scene = stage.scene();
   const bool wants_bloom = request.bloom && scene.bloom.enabled;
-  const bool glows = wants_bloom && bloom_glows(scene, air_of(scene), out.picture, out.exposure);
+  const bool glows = wants_bloom && bloom_glows(stage.whole(), out.picture, out.exposure);
   if (wants_bloom && !glows) {
     out.left_out.push_back(no_bloom(scene));
   }
@@ -100,12 +104,13 @@ bool wanted_bloom_glows(const Scene& scene, const RenderRequest& request, Render
 
 // Bloom and tone curve of a picture that an earlier plan has left on the device under the buffer's key, or that the
 // buffer contains.
-void run_post(Executor& executor, const Scene& scene, const RenderRequest& request, BufferDesc buffer, bool glows,
+void run_post(Executor& executor, const Stage& stage, const RenderRequest& request, BufferDesc buffer, bool glows,
               Rendering& out) {
+  const Scene& scene = stage.scene();
   PostFrame post;
-  post.plan.scene_data = device_scene_bytes(air_of(scene), scene);
+  post.plan.scene_data = device_scene_bytes(stage.whole().air, scene);
   const Picture picture = picture_of(scene, post.plan.add_buffer(std::move(buffer)));
-  add_post(post, scene, picture, request, glows, out.exposure);
+  add_post(post, stage, picture, request, glows, out.exposure);
   RunResult result = executor.run(post.plan);
   Timings{out.passes, out.host}.add(result);
   if (post.bloom) {
@@ -116,10 +121,11 @@ void run_post(Executor& executor, const Scene& scene, const RenderRequest& reque
   }
 }
 
-void add_layers(Rendering& out, Executor& executor, const Scene& scene) {
-  out.layers = render_layers(executor, scene, {out.passes, out.host});
+void add_layers(Rendering& out, Executor& executor, const Stage& stage) {
+  out.layers = render_layers(executor, stage, {out.passes, out.host});
   for (const Layer& layer : out.layers) {
-    out.layer_statistics.push_back({layer.name, layer_statistics(layer, scene.image.width, scene.spectra.has_value())});
+    out.layer_statistics.push_back(
+        {layer.name, layer_statistics(layer, stage.scene().image.width, stage.in_colours())});
   }
 }
 
@@ -154,9 +160,10 @@ std::string Rendering::fault() const {
 
 namespace {
 
-Rendering render_there(Executor& executor, const Scene& scene, const RenderRequest& request) {
+Rendering render_there(Executor& executor, const Stage& stage, const RenderRequest& request) {
+  const Scene& scene = stage.scene();
   Rendering out;
-  PlannedFrame frame = sky_frame(scene, request, !host_measures(executor));
+  PlannedFrame frame = sky_frame(stage, request, !host_measures(executor));
   RunResult result = executor.run(frame.plan, request.host.report);
   Timings{out.passes, out.host}.add(result);
   frame.tables->take(result, out.tables_statistics, out.tables);
@@ -168,96 +175,99 @@ Rendering render_there(Executor& executor, const Scene& scene, const RenderReque
   if (!out.fault().empty()) {
     return out;
   }
-  const bool glows = wanted_bloom_glows(scene, request, out);
+  const bool glows = wanted_bloom_glows(stage, request, out);
   if (glows || request.gpu_tone) {
     BufferDesc carried = frame.plan.buffers()[frame.picture.buffer.index];
     carried.contents.clear();
-    run_post(executor, scene, request, std::move(carried), glows, out);
+    run_post(executor, stage, request, std::move(carried), glows, out);
   }
   if (request.layers) {
-    add_layers(out, executor, scene);
+    add_layers(out, executor, stage);
   }
   return out;
 }
 
 // The device is opened only for a bloom chain and for the GPU tone curve.
-Rendering render_here(const DeviceOnDemand& device, const Scene& scene, const RenderRequest& request) {
-  open_for_finish(device, scene, request);
+Rendering render_here(const DeviceOnDemand& device, const Stage& stage, const RenderRequest& request) {
+  open_for_finish(device, stage, request);
   Rendering out;
-  HostPicture host = render_on_host(scene, View{}, request.host);
+  HostPicture host = stage.method().render_on_host(stage, View{}, request.host);
   out.undone = std::move(host.notes);
   if (!host.standard_error.rgba.empty()) {
     out.standard_error = std::move(host.standard_error);
   }
   out.radiance = std::move(host.radiance);
-  note_disc(out.left_out, draw_disc_over(out.radiance, scene, whole_tile(scene)));
-  finish(device, scene, request, out);
+  note_disc(out.left_out, draw_disc_over(out.radiance, stage, whole_tile(stage.scene())));
+  finish(device, stage, request, out);
   return out;
 }
 
 }  // namespace
 
-void open_for_finish(const DeviceOnDemand& device, const Scene& scene, const RenderRequest& request) {
-  const bool wants_chain = request.bloom && scene.bloom.enabled && scene.bloom.model == BloomModel::chain;
+void open_for_finish(const DeviceOnDemand& device, const Stage& stage, const RenderRequest& request) {
+  const Bloom& bloom = stage.scene().bloom;
+  const bool wants_chain = request.bloom && bloom.enabled && bloom.model == BloomModel::chain;
   if (wants_chain || request.gpu_tone) {
     device();
   }
 }
 
-void finish(const DeviceOnDemand& device, const Scene& scene, const RenderRequest& request, Rendering& out) {
+void finish(const DeviceOnDemand& device, const Stage& stage, const RenderRequest& request, Rendering& out) {
+  const Scene& scene = stage.scene();
   out.picture = picture_statistics(out.radiance, scene);
   out.exposure = exposure_for(scene, out.picture);
   if (!out.fault().empty()) {
     return;
   }
-  const bool glows = wanted_bloom_glows(scene, request, out);
-  const bool on_device = !samples(scene) || scene.bloom.model == BloomModel::chain;
+  const bool glows = wanted_bloom_glows(stage, request, out);
+  const bool on_device = !samples(stage) || scene.bloom.model == BloomModel::chain;
   if (request.gpu_tone || (glows && on_device)) {
-    run_post(device(), scene, request, uploaded(scene, out.radiance), glows, out);
+    run_post(device(), stage, request, uploaded(scene, out.radiance), glows, out);
   } else if (glows) {
-    out.bloom = glare_picture(scene, glare_points_of(scene), whole_tile(scene));
+    out.bloom = glare_picture(scene, glare_points_of(stage), whole_tile(scene));
   }
 }
 
-Rendering render(const DeviceOnDemand& device, const Scene& scene, const RenderRequest& request) {
-  if (samples(scene)) {
-    return render_here(device, scene, request);
+Rendering render(const DeviceOnDemand& device, const Stage& stage, const RenderRequest& request) {
+  if (samples(stage)) {
+    return render_here(device, stage, request);
   }
-  return request.layers ? render_there(device(), kept_apart(scene), request) : render_there(device(), scene, request);
+  return render_there(device(), request.layers ? kept_apart(stage) : stage, request);
 }
 
-Plan plan_for(const Scene& scene, const RenderRequest& request) {
+Plan plan_for(const Stage& stage, const RenderRequest& request) {
+  const Scene& scene = stage.scene();
   Plan plan;
   Picture picture;
   const bool wants_bloom = request.bloom && scene.bloom.enabled;
-  if (!samples(scene)) {
-    PlannedFrame frame = sky_frame(scene, request, true);
+  if (!samples(stage)) {
+    PlannedFrame frame = sky_frame(stage, request, true);
     plan = std::move(frame.plan);
     picture = frame.picture;
   } else if (request.gpu_tone || (wants_bloom && scene.bloom.model == BloomModel::chain)) {
-    plan.scene_data = device_scene_bytes(air_of(scene), scene);
+    plan.scene_data = device_scene_bytes(stage.whole().air, scene);
     picture = picture_of(scene, plan.add_buffer(uploaded(scene, {})));
   } else {
     return plan;  // nothing runs on a device
   }
   PostFrame post{std::move(plan), {}, {}};
-  add_post(post, scene, picture, request, wants_bloom, 1.0);
+  add_post(post, stage, picture, request, wants_bloom, 1.0);
   return std::move(post.plan);
 }
 
 namespace {
 
 // Radiance and transmittance of each listed direction, alternating. `undone`: gets the method's notes.
-RadianceImage pairs_of(const DeviceOnDemand& device, const Scene& scene, const View& view,
+RadianceImage pairs_of(const DeviceOnDemand& device, const Stage& stage, const View& view,
                        std::vector<std::string>& undone) {
   const auto count = static_cast<int>(view.directions.size());
-  if (!samples(scene)) {
+  if (!samples(stage)) {
     Plan plan;
-    const Sky sky = add_sky(plan, scene, view, false);
+    const Sky sky = add_sky(plan, stage, view, false);
     const RunResult result = device().run(plan);
     return image_from(result.contents(sky.radiance), 2 * count, 1);
   }
-  HostPicture host = render_on_host(scene, view, {});
+  HostPicture host = stage.method().render_on_host(stage, view, {});
   undone = std::move(host.notes);
   RadianceImage pairs{2 * count, 1, {}};
   for (int i = 0; i < count; ++i) {
@@ -270,13 +280,13 @@ RadianceImage pairs_of(const DeviceOnDemand& device, const Scene& scene, const V
 
 }  // namespace
 
-ProbeResults probe(const DeviceOnDemand& device, const Scene& scene, const std::vector<Direction>& directions) {
+ProbeResults probe(const DeviceOnDemand& device, const Stage& stage, const std::vector<Direction>& directions) {
   ProbeResults results;
   if (directions.empty()) {
     return results;
   }
-  const RadianceImage pairs = pairs_of(device, scene, View{directions}, results.undone);
-  const Rgb unit = transmittance_unit(scene);
+  const RadianceImage pairs = pairs_of(device, stage, View{directions}, results.undone);
+  const Rgb unit = stage.sunlight();
   for (std::size_t i = 0; i < directions.size(); ++i) {
     ProbeResult r;
     r.direction = directions[i];
@@ -289,24 +299,24 @@ ProbeResults probe(const DeviceOnDemand& device, const Scene& scene, const std::
   return results;
 }
 
-std::vector<float> probe_picture(const DeviceOnDemand& device, const Scene& scene,
+std::vector<float> probe_picture(const DeviceOnDemand& device, const Stage& stage,
                                  const std::vector<Direction>& directions) {
   std::vector<float> rgb;
   if (directions.empty()) {
     return rgb;
   }
   std::vector<std::string> ignored;
-  const RadianceImage pairs = pairs_of(device, scene, View{.directions = directions, .as_picture = true}, ignored);
+  const RadianceImage pairs = pairs_of(device, stage, View{.directions = directions, .as_picture = true}, ignored);
   for (int i = 0; i < pairs.width; i += 2) {
     rgb.insert(rgb.end(), pairs.at(i, 0), pairs.at(i, 0) + 3);
   }
   return rgb;
 }
 
-std::vector<TableDump> bake_tables(const DeviceOnDemand& device, const Scene& scene) {
-  Scene one_pixel = scene;
+std::vector<TableDump> bake_tables(const DeviceOnDemand& device, const Stage& stage) {
+  Scene one_pixel = stage.scene();
   one_pixel.image = {1, 1};
-  const SkyMethod& method = method_of(scene);
+  const SkyMethod& method = stage.method();
   for (const auto& [key, value] : method.all_tables) {
     const auto is_it = [&name = key](const ParameterInfo& parameter) { return parameter.key == name; };
     ParameterValue& chosen = one_pixel.render.parameters.find(key)->second;
@@ -314,7 +324,7 @@ std::vector<TableDump> bake_tables(const DeviceOnDemand& device, const Scene& sc
   }
   RenderRequest request;
   request.tables = true;
-  return render(device, one_pixel, request).tables;
+  return render(device, ready(one_pixel, stage), request).tables;
 }
 
 }  // namespace airlight

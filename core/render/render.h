@@ -54,17 +54,17 @@ struct Rendering {
 };
 
 // Throws RunError when the device fails. A poisoned result is returned, not thrown: see Rendering::fault().
-Rendering render(const DeviceOnDemand& device, const Scene& scene, const RenderRequest& request);
+Rendering render(const DeviceOnDemand& device, const Stage& stage, const RenderRequest& request);
 
 // Opens the device where finish() would need it, before hours of samples are spent on a machine that lacks one.
-void open_for_finish(const DeviceOnDemand& device, const Scene& scene, const RenderRequest& request);
+void open_for_finish(const DeviceOnDemand& device, const Stage& stage, const RenderRequest& request);
 
 // Computes everything in a rendering that follows from its radiance with the disc: statistics, exposure, bloom, tone
 // curve.
-void finish(const DeviceOnDemand& device, const Scene& scene, const RenderRequest& request, Rendering& out);
+void finish(const DeviceOnDemand& device, const Stage& stage, const RenderRequest& request, Rendering& out);
 
 // A plan with every pass that render() may run, and the tables' sizes; opens no device.
-Plan plan_for(const Scene& scene, const RenderRequest& request);
+Plan plan_for(const Stage& stage, const RenderRequest& request);
 
 struct ProbeResult {
   Direction direction;
@@ -78,13 +78,13 @@ struct ProbeResults {
 };
 
 // The scene's method in listed directions from the camera's place.
-ProbeResults probe(const DeviceOnDemand& device, const Scene& scene, const std::vector<Direction>& directions);
+ProbeResults probe(const DeviceOnDemand& device, const Stage& stage, const std::vector<Direction>& directions);
 
 // RGB of listed directions as in the scene's picture, without the sun's disc.
-std::vector<float> probe_picture(const DeviceOnDemand& device, const Scene& scene,
+std::vector<float> probe_picture(const DeviceOnDemand& device, const Stage& stage,
                                  const std::vector<Direction>& directions);
 
 // The tables alone.
-std::vector<TableDump> bake_tables(const DeviceOnDemand& device, const Scene& scene);
+std::vector<TableDump> bake_tables(const DeviceOnDemand& device, const Stage& stage);
 
 }  // namespace airlight

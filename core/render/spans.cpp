@@ -10,8 +10,7 @@
 #include <utility>
 
 #include "core/error.h"
-#include "core/methods/scene_air.h"
-#include "core/methods/spectral_sky.h"
+#include "core/methods/method.h"
 #include "core/methods/spectral_sums.h"
 #include "core/render/timings.h"
 #include "core/scene/photometry.h"
@@ -72,23 +71,18 @@ void add_part(std::span<AirTo> sums, std::span<const std::byte> bytes, bool pack
   }
 }
 
-// The inputs for rendering a part of the air before things.
-struct SpanWork {
-  Executor& executor;
-  const SkyMethod& method;
-  const SpanWay& way;
-  std::vector<PassTiming>* passes;
-};
-
-// Adds three channels of the spans: the scene's own, or a group of wavelengths. `plan`: has their scene.
-void add_channels(const SpanWork& work, Plan plan, const Scene& scene, const Spans& spans, std::span<AirTo> sums,
-                  const std::array<Rgb, 3>& radiance, const std::array<Rgb, 3>& transmittance) {
-  const SpanPasses added = work.method.add_span_passes(plan, scene, air_of(scene), spans, work.way);
-  const RunResult result = work.executor.run(plan);
-  if (work.passes != nullptr) {
-    add_timings(*work.passes, result.passes);
+// Adds one part's light and transmittance up to the spans.
+void add_air(Executor& executor, const Stage& stage, const Part& part, const Spans& spans, const SpanWay& way,
+             std::vector<PassTiming>* passes, std::span<AirTo> sums) {
+  const ImageSize& image = stage.scene().image;
+  Plan plan;
+  begin_part(plan, part, {0, 0, image.width, image.height});  // as for the sky, so that its tables are already there
+  const SpanPasses added = stage.method().add_span_passes(plan, part, spans, way);
+  const RunResult result = executor.run(plan);
+  if (passes != nullptr) {
+    add_timings(*passes, result.passes);
   }
-  add_part(sums, result.contents(added.air), added.packed, radiance, transmittance);
+  add_part(sums, result.contents(added.air), added.packed, part.colours, part.shares);
 }
 
 // Parts of at most kMostSpans, or of one row.
@@ -113,39 +107,21 @@ Span one_of(const Spans& spans, std::size_t i, std::size_t width) {
                                    static_cast<std::uint16_t>(spans.first_row + i / width), spans.rows[i]};
 }
 
-void add_part_of_picture(const SpanWork& work, const Scene& scene, const Spans& spans, std::span<AirTo> sums) {
-  constexpr std::array<Rgb, 3> kAsTheyAre{{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
-  if (!scene.spectra) {
-    Plan plan;
-    plan.scene_data = device_scene_bytes(air_of(scene), scene);
-    add_channels(work, std::move(plan), scene, spans, sums, kAsTheyAre, kAsTheyAre);
-    return;
-  }
-  const SpectralScene spectral = spectral_scene(scene);
-  for (std::size_t g = 0; g < spectral.groups.size(); ++g) {
-    const WavelengthGroup& group = spectral.groups[g];
-    // The group is set up as for the sky, so that its tables of light are already there.
-    Plan plan;
-    begin_group(plan, spectral, g, {0, 0, scene.image.width, scene.image.height});
-    add_channels(work, std::move(plan), group.scene, spans, sums, group.colours,
-                 over_the_sun(group.colours, spectral.sun));
-  }
-}
-
-std::vector<AirTo> air_of_spans(Executor& executor, const Scene& scene, const Spans& spans, const SpanWay& way,
+std::vector<AirTo> air_of_spans(Executor& executor, const Stage& stage, const Spans& spans, const SpanWay& way,
                                 std::vector<PassTiming>* passes) {
-  const SkyMethod& method = method_of(scene);
-  assert(method.add_span_passes != nullptr);
-  assert(!way.volume || (method.has_volume != nullptr && method.has_volume(scene)));
-  const auto width = static_cast<std::size_t>(scene.image.width);
+  assert(stage.method().add_span_passes != nullptr);
+  assert(!way.volume || (stage.method().has_volume != nullptr && stage.method().has_volume(stage.scene())));
+  const auto width = static_cast<std::size_t>(stage.scene().image.width);
   std::vector<AirTo> all(spans.size());
   std::span<AirTo> rest = all;
-  for (const Spans& part : parts_of(spans, width)) {
-    const std::span<AirTo> sums = rest.first(part.size());
-    rest = rest.subspan(part.size());
-    add_part_of_picture({executor, method, way, passes}, scene, part, sums);
+  for (const Spans& some : parts_of(spans, width)) {
+    const std::span<AirTo> sums = rest.first(some.size());
+    rest = rest.subspan(some.size());
+    for (const Part& part : stage.parts()) {
+      add_air(executor, stage, part, some, way, passes, sums);
+    }
     for (std::size_t i = 0; i < sums.size(); ++i) {
-      require_sound(one_of(part, i, width), sums[i], scene.spectra.has_value());
+      require_sound(one_of(some, i, width), sums[i], stage.in_colours());
     }
   }
   return all;
@@ -153,16 +129,16 @@ std::vector<AirTo> air_of_spans(Executor& executor, const Scene& scene, const Sp
 
 }  // namespace
 
-std::vector<AirTo> air_to(Executor& executor, const Scene& scene, std::span<const Span> spans, const SpanWay& way,
+std::vector<AirTo> air_to(Executor& executor, const Stage& stage, std::span<const Span> spans, const SpanWay& way,
                           std::vector<PassTiming>* passes) {
-  return air_of_spans(executor, scene, {.list = spans}, way, passes);
+  return air_of_spans(executor, stage, {.list = spans}, way, passes);
 }
 
-std::vector<AirTo> air_to_all(Executor& executor, const Scene& scene, std::span<const float> distances,
+std::vector<AirTo> air_to_all(Executor& executor, const Stage& stage, std::span<const float> distances,
                               const SpanWay& way, std::vector<PassTiming>* passes) {
   assert(distances.size() ==
-         static_cast<std::size_t>(scene.image.width) * static_cast<std::size_t>(scene.image.height));
-  return air_of_spans(executor, scene, {.rows = distances}, way, passes);
+         static_cast<std::size_t>(stage.scene().image.width) * static_cast<std::size_t>(stage.scene().image.height));
+  return air_of_spans(executor, stage, {.rows = distances}, way, passes);
 }
 
 }  // namespace airlight

@@ -4,11 +4,12 @@
 #include <cassert>
 #include <utility>
 
-#include "core/methods/sampled_sky.h"
-#include "core/render/group_runs.h"
+#include "core/methods/ready.h"
 #include "core/render/timings.h"
 #include "core/scene/photometry.h"
 #include "core/spectra/data.h"
+#include "core/stage/sampled_sky.h"
+#include "core/stage/sums.h"
 
 namespace airlight {
 namespace {
@@ -40,9 +41,11 @@ std::vector<double> channel_scales(const Scene& scene, const Nodes& nodes) {
   return scales;
 }
 
-bool tells_colours(const Scene& scene, const SpectralScene& listed) {
-  const BandColours colours = band_colours(scene.spectra->sun, scene.spectra->white);
-  return mean_error(listed.matrix, SampledSky(scene, colours).at(listed.nodes)) <= kTellsColours;
+bool tells_colours(const Stage& listed) {
+  const SceneSpectra& spectra = *listed.scene().spectra;
+  const BandColours colours = band_colours(spectra.sun, spectra.white);
+  SampledSky sky(listed.scene(), listed.whole().air, colours);
+  return mean_error(listed.basis().matrix, sky.at(listed.basis().nodes)) <= kTellsColours;
 }
 
 void add_planes(SpectralImage& spectrum, const RadianceImage& part, std::size_t first,
@@ -79,37 +82,38 @@ SpectralUnit spectral_unit(const Scene& scene) {
   return {1.0, is_solar(sun) ? kAbsolute : kPresetsOwn};
 }
 
-Rendering render_spectrum(const DeviceOnDemand& device, const Scene& scene, const RenderRequest& request,
+Rendering render_spectrum(const DeviceOnDemand& device, const Stage& stage, const RenderRequest& request,
                           const Nodes& nodes) {
-  SpectralScene listed = spectral_scene_at(scene, nodes);
+  const Scene& scene = stage.scene();
+  const Stage listed = ready_at(scene, nodes, stage);
   SpectralImage spectrum = described(scene, nodes);
-  spectrum.tells_colours = tells_colours(scene, listed);
+  spectrum.tells_colours = tells_colours(listed);
   const std::vector<double> scales = channel_scales(scene, nodes);
-  const std::size_t count = listed.groups.size() + (spectrum.tells_colours ? 0 : 1);
+  const std::size_t count = listed.parts().size() + (spectrum.tells_colours ? 0 : 1);
   GroupRuns runs(request.host, count, ".wavelengths");
-  open_for_finish(device, scene, request);
+  open_for_finish(device, stage, request);
   Rendering out;
-  for (std::size_t g = 0; g < listed.groups.size(); ++g) {
-    Scene& group = listed.groups[g].scene;
+  for (std::size_t g = 0; g < listed.parts().size(); ++g) {
+    Scene group = listed.parts()[g].scene;
     RenderRequest plain;
     plain.host = runs.start(group, g);
-    Rendering part = render(device, group, plain);
+    Rendering part = render(device, ready(group, listed), plain);
     if (!part.fault().empty()) {
       return part;
     }
     add_planes(spectrum, part.radiance, 3 * g, scales);
-    add_group(out, std::move(part), listed.groups[g].colours);
+    add_group(out, std::move(part), listed.parts()[g].colours);
   }
   if (spectrum.tells_colours) {
     if (out.standard_error) {
       take_roots(*out.standard_error);
     }
-    finish(device, scene, request, out);
+    finish(device, stage, request, out);
   } else {
-    Scene other = scene;  // with a seed other than the picture's
+    Scene other = scene;  // whose seed is not used: the picture is that of a render without a spectrum
     RenderRequest last = request;
     last.host = runs.start(other, count - 1);
-    Rendering picture = render(device, scene, last);
+    Rendering picture = render(device, stage, last);
     add_timings(picture.passes, out.passes);
     add_timings(picture.host, out.host);
     out = std::move(picture);
@@ -118,21 +122,23 @@ Rendering render_spectrum(const DeviceOnDemand& device, const Scene& scene, cons
   return out;
 }
 
-Plan plan_for_spectrum(const Scene& scene, const Nodes& nodes) {
-  return plan_for(spectral_scene_at(scene, nodes).groups.front().scene, {});
+Plan plan_for_spectrum(const Stage& stage, const Nodes& nodes) {
+  const Stage listed = ready_at(stage.scene(), nodes, stage);
+  return plan_for(ready(listed.parts().front().scene, listed), {});
 }
 
-SpectralProbes probe_spectrum(const DeviceOnDemand& device, const Scene& scene,
+SpectralProbes probe_spectrum(const DeviceOnDemand& device, const Stage& stage,
                               const std::vector<Direction>& directions, const Nodes& nodes) {
-  SpectralScene listed = spectral_scene_at(scene, nodes);
+  const Scene& scene = stage.scene();
+  const Stage listed = ready_at(scene, nodes, stage);
   const std::vector<double> scales = channel_scales(scene, nodes);
   const HostOptions quiet;
-  GroupRuns runs(quiet, listed.groups.size(), "");
+  GroupRuns runs(quiet, listed.parts().size(), "");
   SpectralProbes all{described(scene, nodes), std::vector<SpectralProbe>(directions.size()), {}};
-  for (std::size_t g = 0; g < listed.groups.size(); ++g) {
-    Scene& group = listed.groups[g].scene;
+  for (std::size_t g = 0; g < listed.parts().size(); ++g) {
+    Scene group = listed.parts()[g].scene;
     runs.start(group, g);
-    const ProbeResults found = probe(device, group, directions);
+    const ProbeResults found = probe(device, ready(group, listed), directions);
     for (std::size_t i = 0; i < directions.size(); ++i) {
       for (std::size_t c = 0; c < 3 && 3 * g + c < nodes.nm.size(); ++c) {
         all.directions[i].radiance.push_back(scales[3 * g + c] * found.directions[i].radiance[c]);

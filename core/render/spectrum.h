@@ -26,11 +26,11 @@ SpectralUnit spectral_unit(const Scene& scene);
 // The picture of a scene with spectra together with its spectrum: radiance averaged over the nodes' bands, sun's disc
 // included. The colours are the spectrum's own if it yields them to kTellsColours, else render()'s. Layers and tables
 // are not rendered. Throws as render() does; a fault at any wavelength is the result's fault.
-Rendering render_spectrum(const DeviceOnDemand& device, const Scene& scene, const RenderRequest& request,
+Rendering render_spectrum(const DeviceOnDemand& device, const Stage& stage, const RenderRequest& request,
                           const Nodes& nodes);
 
 // A plan with every pass that one group of the wavelengths may run; opens no device.
-Plan plan_for_spectrum(const Scene& scene, const Nodes& nodes);
+Plan plan_for_spectrum(const Stage& stage, const Nodes& nodes);
 
 struct SpectralProbe {
   std::vector<double> radiance;       // by wavelength, as SpectralImage has it; without the sun's disc
@@ -44,7 +44,7 @@ struct SpectralProbes {
 };
 
 // probe() at listed wavelengths.
-SpectralProbes probe_spectrum(const DeviceOnDemand& device, const Scene& scene,
+SpectralProbes probe_spectrum(const DeviceOnDemand& device, const Stage& stage,
                               const std::vector<Direction>& directions, const Nodes& nodes);
 
 }  // namespace airlight

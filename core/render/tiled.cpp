@@ -7,7 +7,6 @@
 #include <optional>
 #include <utility>
 
-#include "core/methods/scene_air.h"
 #include "core/plan/bytes.h"
 #include "core/post/host_post.h"
 #include "core/render/band_passes.h"
@@ -20,8 +19,8 @@ namespace {
 
 constexpr std::size_t kUsualTilePixels = std::size_t{1} << 21;
 
-std::size_t layer_planes(const Scene& scene) {
-  return 3 * (static_cast<std::size_t>(std::popcount(scattering_media_of(scene))) + 3);
+std::size_t layer_planes(const Stage& stage) {
+  return 3 * (static_cast<std::size_t>(std::popcount(stage.scattering_media())) + 3);
 }
 
 // Copies rows of a tile to their columns of the band.
@@ -55,13 +54,13 @@ enum class Round { measuring, delivering };
 
 class TiledRender {
  public:
-  TiledRender(const DeviceOnDemand& device, const Scene& scene, const TiledRequest& request)
+  TiledRender(const DeviceOnDemand& device, const Stage& stage, const TiledRequest& request)
       : device_(device),
-        scene_(scene),
+        stage_(stage),
+        scene_(stage_.scene()),
         request_(request),
-        air_(air_of(scene)),
         kept_as_(picture_key()),
-        gathering_(scene) {}
+        gathering_(scene_) {}
 
   Rendering run();
 
@@ -88,9 +87,9 @@ class TiledRender {
   Statistics statistics() const { return summarize(rows_, static_cast<std::uint32_t>(scene_.image.width)); }
 
   const DeviceOnDemand& device_;
+  const Stage stage_;
   const Scene& scene_;
   const TiledRequest& request_;
-  const Air air_;
   std::string kept_as_;
   HostPicture host_;  // of a method on the host
   Rendering out_;
@@ -116,7 +115,7 @@ RunResult TiledRender::run_plan(const Plan& plan) {
 
 // Sky and disc of a tile, by a method on the device.
 Sky TiledRender::add_tile(Plan& plan, const Tile& tile) {
-  const Sky sky = add_sky(plan, scene_, {.directions = {}, .tile = tile, .kept_as = kept_as_}, true);
+  const Sky sky = add_sky(plan, stage_, {.directions = {}, .tile = tile, .kept_as = kept_as_}, true);
   if (!std::exchange(tables_seen_, true)) {
     table_reads_.emplace(plan, sky, request_.picture.tables);
   }
@@ -163,7 +162,7 @@ void TiledRender::add_statistics(std::span<const std::byte> rows) {
 
 // Measures the band on the host.
 void TiledRender::measure(const Band& band) {
-  add_statistics(row_statistics_of(band.rows.radiance, brightest_metered(scene_), scene_.spectra.has_value()));
+  add_statistics(row_statistics_of(band.rows.radiance, brightest_metered(scene_), stage_.in_colours()));
 }
 
 // Takes rows without a device.
@@ -185,9 +184,9 @@ void TiledRender::render_band(Band& band, int rows, const BandWork& work) {
   Plan plan;
   if (!host_.radiance.rgba.empty()) {
     band.rows.radiance = rows_of(host_.radiance, band.y, rows);
-    draw_disc_over(band.rows.radiance, scene_, whole);
+    draw_disc_over(band.rows.radiance, stage_, whole);
     if (wants_chain() || work.gpu_tone) {
-      plan.scene_data = device_scene_bytes(air_, scene_, whole);
+      plan.scene_data = device_scene_bytes(stage_.whole().air, scene_, whole);
       run_rows(plan, add_upload(plan, band.rows.radiance, 0, whole), work, band);
     } else {
       take_host_rows(whole, work, band);
@@ -196,7 +195,7 @@ void TiledRender::render_band(Band& band, int rows, const BandWork& work) {
     for (int x = 0; x < width; x += request_.tile.width) {
       render_tile(band, {x, band.y, std::min(request_.tile.width, width - x), rows});
     }
-    plan.scene_data = device_scene_bytes(air_, scene_, whole);
+    plan.scene_data = device_scene_bytes(stage_.whole().air, scene_, whole);
     run_rows(plan, add_upload(plan, band.rows.radiance, 0, whole), work, band);
   } else {
     const Sky sky = add_tile(plan, whole);
@@ -206,13 +205,13 @@ void TiledRender::render_band(Band& band, int rows, const BandWork& work) {
 
 void TiledRender::add_layers(Band& band, int rows) {
   const int width = scene_.image.width;
-  band.rows.layers = layers_of(scene_);
+  band.rows.layers = layers_of(stage_);
   for (int x = 0; x < width; x += request_.tile.width) {
     const Tile tile{x, band.y, std::min(request_.tile.width, width - x), rows};
-    put(band.rows.layers, render_layers(device_(), scene_, tile, kept_as_, {out_.passes, out_.host}), tile, width);
+    put(band.rows.layers, render_layers(device_(), stage_, tile, kept_as_, {out_.passes, out_.host}), tile, width);
   }
   for (const Layer& layer : band.rows.layers) {
-    Statistics found = layer_statistics(layer, width, scene_.spectra.has_value());
+    Statistics found = layer_statistics(layer, width, stage_.in_colours());
     found.first_bad_y += static_cast<std::uint32_t>(band.y);
     if (!found.sound() || band.y == 0) {
       out_.layer_statistics.push_back({layer.name, found});
@@ -245,7 +244,7 @@ void TiledRender::go_through(Round round, double from, double to) {
   }
   const int height = scene_.image.height;
   const std::size_t row =
-      band_pixel_bytes(scene_, request_.picture.layers) * static_cast<std::size_t>(scene_.image.width);
+      band_pixel_bytes(stage_, request_.picture.layers) * static_cast<std::size_t>(scene_.image.width);
   const int most_rows = std::max(1, static_cast<int>(kBandBytes / row));
   for (int y = 0; y < height && !stops();) {
     const int rows = std::min({request_.tile.height, most_rows, height - y});
@@ -270,12 +269,12 @@ void TiledRender::make_bloom() {
   if (!wants_bloom()) {
     return;
   }
-  if (!bloom_glows(scene_, air_, out_.picture, out_.exposure)) {
+  if (!bloom_glows(stage_.whole(), out_.picture, out_.exposure)) {
     out_.left_out.push_back(no_bloom(scene_));
     return;
   }
   if (!wants_chain()) {
-    glare_ = glare_points_of(scene_);
+    glare_ = glare_points_of(stage_);
     return;
   }
   chain_key_ = "bloom of " + kept_as_;
@@ -285,13 +284,13 @@ void TiledRender::make_bloom() {
 }
 
 Rendering TiledRender::run() {
-  if (samples(scene_)) {
-    host_ = render_on_host(scene_, View{}, request_.picture.host);
+  if (samples(stage_)) {
+    host_ = stage_.method().render_on_host(stage_, View{}, request_.picture.host);
     out_.undone = host_.notes;
   }
-  out_.left_out = spared_by(scene_);
+  out_.left_out = spared_by(stage_);
   Plan whole;  // never run
-  if (!add_sun_disc(whole, scene_, air_, std::nullopt, picture_of(BufferId{}, whole_rows(0, scene_.image.height)))) {
+  if (!add_sun_disc(whole, stage_.whole(), std::nullopt, picture_of(BufferId{}, whole_rows(0, scene_.image.height)))) {
     out_.left_out.push_back("sun disc: switched off, outside the picture or behind the planet");
   }
   two_rounds_ = wants_chain() || (request_.exposure_first && !scene_.display.exposure);
@@ -310,18 +309,18 @@ Rendering TiledRender::run() {
 
 }  // namespace
 
-std::size_t tile_pixel_bytes(const Scene& scene, bool layers) {
-  return sizeof(float) * std::max<std::size_t>(4, layers ? layer_planes(scene) : 0);
+std::size_t tile_pixel_bytes(const Stage& stage, bool layers) {
+  return sizeof(float) * std::max<std::size_t>(4, layers ? layer_planes(stage) : 0);
 }
 
-std::size_t band_pixel_bytes(const Scene& scene, bool layers) {
-  return sizeof(float) * (4 + (layers ? layer_planes(scene) + 3 + 1 + 3 : 0));
+std::size_t band_pixel_bytes(const Stage& stage, bool layers) {
+  return sizeof(float) * (4 + (layers ? layer_planes(stage) + 3 + 1 + 3 : 0));
 }
 
-ImageSize usual_tile(const Scene& scene, bool layers) {
-  const std::size_t pixels = kUsualTilePixels * 4 * sizeof(float) / band_pixel_bytes(scene, layers);
-  const auto rows = static_cast<int>(pixels / static_cast<std::size_t>(scene.image.width));
-  return {scene.image.width, std::max(1, rows)};
+ImageSize usual_tile(const Stage& stage, bool layers) {
+  const std::size_t pixels = kUsualTilePixels * 4 * sizeof(float) / band_pixel_bytes(stage, layers);
+  const auto rows = static_cast<int>(pixels / static_cast<std::size_t>(stage.scene().image.width));
+  return {stage.scene().image.width, std::max(1, rows)};
 }
 
 RadianceImage rows_of(const RadianceImage& whole, int first, int count) {
@@ -360,13 +359,9 @@ Rendering rows_of(const Rendering& whole, int first, int count) {
   return rows;
 }
 
-Rendering render_tiled(const DeviceOnDemand& device, const Scene& scene, const TiledRequest& request) {
+Rendering render_tiled(const DeviceOnDemand& device, const Stage& stage, const TiledRequest& request) {
   assert(request.tile.width > 0 && request.tile.height > 0);
-  if (request.picture.layers) {
-    const Scene apart = kept_apart(scene);
-    return TiledRender(device, apart, request).run();
-  }
-  return TiledRender(device, scene, request).run();
+  return TiledRender(device, request.picture.layers ? kept_apart(stage) : stage, request).run();
 }
 
 }  // namespace airlight

@@ -34,14 +34,14 @@ inline constexpr std::size_t kTileBytes = std::size_t{128} << 20;
 inline constexpr std::size_t kBandBytes = std::size_t{64} << 20;
 
 // Bytes of one pixel in the greatest of a tile's buffers on the device, and of a band's on the host.
-std::size_t tile_pixel_bytes(const Scene& scene, bool layers);
-std::size_t band_pixel_bytes(const Scene& scene, bool layers);
+std::size_t tile_pixel_bytes(const Stage& stage, bool layers);
+std::size_t band_pixel_bytes(const Stage& stage, bool layers);
 
 // Size of a default tile: whole rows with about 32 MiB of radiance.
-ImageSize usual_tile(const Scene& scene, bool layers);
+ImageSize usual_tile(const Stage& stage, bool layers);
 
 // The rendering comes without pixels. A fault ends it before the faulty band, unless past_faults. A method on the host
 // renders the whole picture first and passes its rows on in bands.
-Rendering render_tiled(const DeviceOnDemand& device, const Scene& scene, const TiledRequest& request);
+Rendering render_tiled(const DeviceOnDemand& device, const Stage& stage, const TiledRequest& request);
 
 }  // namespace airlight

@@ -71,6 +71,7 @@ struct Planet {
 struct Ridge {
   int seed = 1;
   double height = 2.0;  // km, of the highest peak
+  bool operator==(const Ridge&) const = default;
 };
 
 // Contents of a terrain's files. core/foreign reads them where they are named, since the scene knows no pictures.
@@ -98,6 +99,7 @@ struct Terrain {
   // For a map's colour: channel c's reflectance is the sum of mix[c][j] x colour j. Channels may be wavelengths.
   std::array<Spectrum, 3> mix{{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
   std::shared_ptr<const TerrainFiles> files;
+  std::shared_ptr<const std::vector<double>> ridge_heights;  // km; null: made when they are asked for
 };
 
 // The wind-blown water of a planet.

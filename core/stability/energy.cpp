@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/methods/scene_air.h"
+#include "core/methods/ready.h"
 #include "core/physics/gauss.h"
 
 namespace airlight::stability {
@@ -85,7 +85,8 @@ double returned_share(const DeviceOnDemand& device, const Subject& subject, cons
   Scene scene = scene_at(place);
   scene.camera.altitude = kAlmostTop * scene.planet.atmosphere_height;
   scene.sun.azimuth = 0.0;
-  const physics::Physics p = make_physics(rendered_by(subject, scene, place));
+  const Stage stage = ready(rendered_by(subject, scene, place));
+  const physics::Physics p = formulas_of(stage.whole().air, stage.scene());
   const double horizon = physics::Physics(p).horizon_mu(p.scene.planet, scene.camera.altitude);
   const physics::vec3 passing = passing_share(p, scene.camera.altitude);
   double out[3] = {passing.x, passing.y, passing.z};

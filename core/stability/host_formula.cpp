@@ -1,6 +1,6 @@
 // The methods' formulas on the host in double, with which the device's 32 bits are compared.
 
-#include "core/methods/scene_air.h"
+#include "core/methods/ready.h"
 #include "core/stability/shot.h"
 
 namespace airlight::stability {
@@ -20,11 +20,11 @@ std::vector<vec3> in_double(const Scene& scene, const Shot& shot, const std::vec
   if (method.formula == nullptr) {
     return {};
   }
-  const Air air = air_of(scene);
-  Physics p = formulas_of(air, scene);
+  const Part part = ready(scene).whole();
+  Physics p = formulas_of(part.air, scene);
   const vec3 sun = as_floats(p.scene.sun.direction);
   p.scene.sun.direction = sun;
-  const RayFormula radiance = method.formula(p, scene, air, shot.tables);
+  const RayFormula radiance = method.formula(p, part, shot.tables);
   std::vector<vec3> out;
   for (const Direction& d : directions) {
     const vec3 view = as_floats(p.direction_from_angles(d.elevation, d.azimuth));

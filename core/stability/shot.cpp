@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-#include "core/methods/scene_air.h"
+#include "core/methods/ready.h"
 
 namespace airlight::stability {
 namespace {
@@ -52,10 +52,10 @@ Shot shoot(const DeviceOnDemand& device, const Scene& scene, const std::vector<D
            const ShotOptions& options) {
   Shot shot;
   Plan plan;
-  const Air air = air_of(scene);
-  plan.scene_data = device_scene_bytes(air, scene);
+  const Stage stage = ready(scene);
+  plan.scene_data = device_scene_bytes(stage.whole().air, scene);
   const View view{directions, options.as_picture};
-  const SkyPasses sky = find_method(scene.render.method)->add_passes(plan, scene, air, view);
+  const SkyPasses sky = stage.method().add_passes(plan, stage.whole(), view);
   const std::vector<Readback> readbacks = options.tables ? read_tables(plan) : std::vector<Readback>();
   const RunResult result = device().run(plan);
   const std::vector<float> rgba = floats_of(result.contents(sky.radiance));

@@ -6,6 +6,7 @@
 
 #include "app/cli/scene_options.h"
 #include "core/error.h"
+#include "core/methods/ready.h"
 #include "tests/cli/process.h"
 
 namespace airlight::test {
@@ -32,7 +33,7 @@ TEST(TiledPicture, AFaultIsShownByTheDiagnosticView) {
                               .context = context};
   const auto message = [&] {
     try {
-      cli::write_tiled(cli::device_on_demand(options, executor), scene, order);
+      cli::write_tiled(cli::device_on_demand(options, executor), ready(scene), order);
     } catch (const RunError& error) {
       return std::string(error.what());
     }
@@ -44,7 +45,7 @@ TEST(TiledPicture, AFaultIsShownByTheDiagnosticView) {
   cli::TiledOrder shown = order;
   scene.display.view = "diagnostic";
   shown.parts.front().scene = scene;
-  EXPECT_THROW(cli::write_tiled(cli::device_on_demand(options, executor), scene, shown), RunError);
+  EXPECT_THROW(cli::write_tiled(cli::device_on_demand(options, executor), ready(scene), shown), RunError);
   EXPECT_EQ(scratch.files(), (Names{"a.png", "sky.json"}));
 }
 

@@ -18,10 +18,10 @@
 
 #include "core/air/scene_block.h"
 #include "core/luts/luts.h"
-#include "core/methods/scene_air.h"
 #include "core/render/render.h"
 #include "core/render/spans.h"
 #include "tests/bench/scenes.h"
+#include "tests/of_scene.h"
 
 namespace airlight::bench {
 namespace {

@@ -86,7 +86,7 @@ TEST(Qualities, OfASpectralSceneHaveWavelengths) {
     const auto with = [&](const std::string& label) {
       return std::ranges::find(all, label, [](const ChartedQuality& q) { return q.label; });
     };
-    const bool many = method.add_spectral_passes != nullptr;
+    const bool many = method.add_coloured_passes != nullptr;
     EXPECT_EQ(all.size(), method.sweep.size() + (many ? 6 : 0)) << method.info.name;
     if (many) {
       EXPECT_EQ(with("4 wavelengths")->scene.spectra->wavelengths, 4);

@@ -12,6 +12,7 @@
 #include "core/chart/truth.h"
 #include "core/error.h"
 #include "core/measure/view_geometry.h"
+#include "core/methods/ready.h"
 
 namespace airlight::chart {
 namespace {
@@ -95,17 +96,17 @@ TEST(Truth, IsNamedByWhatItDependsOn) {
   scene.media.resize(1);
   scene.media[0].scattering = {1e-2, 1e-2, 1e-2};
   const PixelSet set = lattice(scene, 4, 3);
-  const std::string name = truth_name(scene, set);
+  const std::string name = truth_name(ready(scene), set);
   EXPECT_EQ(name.size(), 16U);
-  EXPECT_EQ(name, truth_name(scene, set));
+  EXPECT_EQ(name, truth_name(ready(scene), set));
   Scene exposed = scene;
   exposed.display.exposure = 3.0;
   exposed.render.method = "analytic";
-  EXPECT_EQ(name, truth_name(exposed, set)) << "what no radiance depends on makes no new truth";
+  EXPECT_EQ(name, truth_name(ready(exposed), set)) << "what no radiance depends on makes no new truth";
   Scene lower = scene;
   lower.sun.elevation = 0.1;
-  EXPECT_NE(name, truth_name(lower, set));
-  EXPECT_NE(name, truth_name(scene, lattice(scene, 5, 3)));
+  EXPECT_NE(name, truth_name(ready(lower), set));
+  EXPECT_NE(name, truth_name(ready(scene), lattice(scene, 5, 3)));
 }
 
 TEST(Truth, OfSpectraIsAtAllWavelengths) {
@@ -116,15 +117,15 @@ TEST(Truth, OfSpectraIsAtAllWavelengths) {
   scene.spectra->ground_albedo = constant_curve(0.3);
   scene.spectra->sun = constant_curve(1.0);
   const PixelSet set = lattice(scene, 4, 3);
-  const std::string name = truth_name(scene, set);
+  const std::string name = truth_name(ready(scene), set);
   Scene fewer = scene;
   fewer.spectra->wavelengths = 4;
-  EXPECT_EQ(name, truth_name(fewer, set)) << "however many the picture has";
+  EXPECT_EQ(name, truth_name(ready(fewer), set)) << "however many the picture has";
   Scene bluer = scene;
   bluer.spectra->media[0].scattering = constant_curve(2e-2);
-  EXPECT_NE(name, truth_name(bluer, set));
+  EXPECT_NE(name, truth_name(ready(bluer), set));
   scene.spectra.reset();
-  EXPECT_NE(name, truth_name(scene, set)) << "three channels have a truth of their own";
+  EXPECT_NE(name, truth_name(ready(scene), set)) << "three channels have a truth of their own";
 }
 
 TEST(Median, IsTheMiddle) {

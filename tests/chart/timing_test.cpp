@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/methods/method.h"
+#include "core/methods/ready.h"
 #include "core/scene/preset.h"
 #include "core/scene/resolve.h"
 
@@ -21,8 +22,8 @@ TEST(TimedPicture, IsTheSameInTiles) {
     const TimingRules once{.most_runs = 1, .fewest_runs = 1};
     TimingRules tiled = once;
     tiled.tile_bytes = 5 * 32 * 16;  // four tiles, the last of three rows
-    const Timing whole = time_on_device(executor, scene, pixels, once, tables);
-    const Timing parts = time_on_device(executor, scene, pixels, tiled, tables);
+    const Timing whole = time_on_device(executor, ready(scene), pixels, once, tables);
+    const Timing parts = time_on_device(executor, ready(scene), pixels, tiled, tables);
     EXPECT_EQ(whole.pixels, parts.pixels) << method;
     EXPECT_EQ(tables.size(), 1U) << method << ": the tiles' own tables are no kept ones";
   }

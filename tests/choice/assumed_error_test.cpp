@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/choice/looks.h"
+#include "tests/choice/of_scene.h"
 
 namespace airlight::choice {
 namespace {

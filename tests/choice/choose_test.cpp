@@ -8,8 +8,8 @@
 
 #include "core/choice/assumed_error.h"
 #include "core/choice/leave_out.h"
-#include "core/methods/scene_air.h"
 #include "tests/choice/looks.h"
+#include "tests/choice/of_scene.h"
 
 namespace airlight::choice {
 namespace {
@@ -45,15 +45,15 @@ TEST(Tolerance, TakesTheFewestWavelengths) {
   };
   const Choice rough = chosen_for(0.2);
   ASSERT_TRUE(rough.chosen);
-  EXPECT_EQ(rough.chosen->scene.spectra->wavelengths, 3);
+  EXPECT_EQ(rough.chosen->stage.scene().spectra->wavelengths, 3);
   EXPECT_GT(rough.reference_error, 0.03);
   const Choice fine = chosen_for(0.05);
   ASSERT_TRUE(fine.chosen);
-  EXPECT_EQ(fine.chosen->scene.spectra->wavelengths, 6);
+  EXPECT_EQ(fine.chosen->stage.scene().spectra->wavelengths, 6);
   EXPECT_GT(fine.reference_error, 0.004);
   scene.spectra->wavelengths = 3;
   EXPECT_FALSE(chosen_for(0.02).chosen);
-  EXPECT_EQ(chosen_for(0.2).chosen->scene.spectra->wavelengths, 3);
+  EXPECT_EQ(chosen_for(0.2).chosen->stage.scene().spectra->wavelengths, 3);
 }
 
 TEST(Tolerance, LooksAtNothingWhereTheDefaultIsSureAndNoSearchPays) {
@@ -99,12 +99,13 @@ TEST(Tolerance, ByNightAllThatIsDarkIsAlike) {
   Scene scene = preset("noon");
   scene.sun.elevation = -0.6;
   const auto darkness = [](double near_truth, double others) {
-    const auto probe = [=](const Scene& s, const Probes& probes) {
-      const bool judge = s.render.method == "orders" && s.render.get<int>("steps") == 192;
+    const auto probe = [=](const Stage& s, const Probes& probes) {
+      const RenderSettings& render = s.scene().render;
+      const bool judge = render.method == "orders" && render.get<int>("steps") == 192;
       return std::vector<float>(3 * probes.directions.size(), static_cast<float>(judge ? near_truth : others));
     };
-    const auto trace = [=](const Scene& s, const Probes& probes, const TraceOrder& order) {
-      Traced traced = trace_of_one(s, probes, order);
+    const auto trace = [=](const Stage&, const Probes& probes, const TraceOrder& order) {
+      Traced traced = trace_of_one(probes, order);
       for (std::vector<float>* values : {&traced.radiance, &traced.standard_error}) {
         std::ranges::transform(*values, values->begin(), [=](float x) { return static_cast<float>(near_truth) * x; });
       }
@@ -176,7 +177,8 @@ TEST(TimeLimit, TakesTheMostAccurateThatFits) {
                        s.render.get<std::string>("phase") == "media";
     return near_truth ? 0.0 : plain ? by_steps(s) : 0.4;
   };
-  const TimeFunction time = [](const Scene& s) {
+  const TimeFunction time = [](const Stage& stage) {
+    const Scene& s = stage.scene();
     const auto steps = s.render.parameters.find("steps");
     return s.render.method == "march" ? 1.0 * std::get<int>(steps->second) : 3.0;
   };
@@ -242,7 +244,7 @@ TEST(Media, ThatChangeNothingAreLeftOut) {
   const Lighter lighter = leave_out_media(scene, 0.0025);
   ASSERT_EQ(lighter.reasons.size(), 1U);
   EXPECT_NE(lighter.reasons[0].find("trace"), std::string::npos);
-  EXPECT_EQ(lighter.scene.media.size(), 3U);
+  EXPECT_EQ(lighter.stage.scene().media.size(), 3U);
   EXPECT_GT(lighter.error, 0.0);
   EXPECT_LT(lighter.error, 0.0025);
 }
@@ -257,7 +259,7 @@ TEST(Media, ThatScatterWhereNothingElseDoesStay) {
   high.density.half_width = 4.0;
   scene.media = {scene.media[1], high};
   EXPECT_TRUE(leave_out_media(scene, 0.0025).reasons.empty() ||
-              leave_out_media(scene, 0.0025).scene.media.front().name == "aerosol");
+              leave_out_media(scene, 0.0025).stage.scene().media.front().name == "aerosol");
   scene.media = {high};
   EXPECT_TRUE(leave_out_media(scene, 0.9).reasons.empty()) << "the last one always stays";
 }

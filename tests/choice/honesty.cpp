@@ -11,6 +11,7 @@
 #include "core/render/render.h"
 #include "core/scene/preset.h"
 #include "core/scene/resolve.h"
+#include "tests/choice/of_scene.h"
 #include "tests/scene/random_preset.h"
 
 namespace airlight::test {
@@ -63,7 +64,7 @@ Traced trace(const Scene& scene, const std::filesystem::path& folder) {
   if (pixels.directions.empty()) {
     return traced;
   }
-  const chart::Truth truth = chart::find_truth(scene, pixels, folder, rules, {});
+  const chart::Truth truth = chart::find_truth(ready(scene), pixels, folder, rules, {});
   traced.radiance = truth.radiance;
   traced.noise = measure::sample_noise(truth.radiance, truth.standard_error, traced.probes.weights);
   return traced;
@@ -79,15 +80,15 @@ std::vector<Honesty> judge_honesty(Executor& executor, const Scene& scene, const
                                    double* of_reference, const Traced* traced) {
   std::map<std::pair<std::string, std::size_t>, std::vector<float>> known;  // by scene and count of probes
   const auto device = [&]() -> Executor& { return executor; };
-  const auto probe = [&](const Scene& candidate, const choice::Probes& probes) {
-    std::vector<float>& values = known[{to_json(candidate), probes.directions.size()}];
+  const auto probe = [&](const Stage& candidate, const choice::Probes& probes) {
+    std::vector<float>& values = known[{to_json(candidate.scene()), probes.directions.size()}];
     if (values.empty()) {
       values = probe_picture(device, candidate, probes.directions);
     }
     return values;
   };
   const choice::Looks looks{probe,
-                            [](const Scene& whole, const choice::Probes& probes, const choice::TraceOrder& order) {
+                            [](const Stage& whole, const choice::Probes& probes, const choice::TraceOrder& order) {
                               return choice::trace_probes(whole, probes, order);
                             }};
   const choice::Candidate fine = choice::reference(scene, true);
@@ -95,13 +96,13 @@ std::vector<Honesty> judge_honesty(Executor& executor, const Scene& scene, const
     const choice::Probes probes = choice::choose_probes(scene, 256);
     *of_reference = probes.directions.empty()
                         ? 0.0
-                        : measure::sample_error(probe(choice::reference(scene, false).scene, probes),
-                                                probe(fine.scene, probes), probes.weights)
+                        : measure::sample_error(probe(choice::reference(scene, false).stage, probes),
+                                                probe(fine.stage, probes), probes.weights)
                               .mean;
   }
   const chart::PixelSet pixels = chart::lattice(scene, kColumns, kRows);
   const std::vector<float> truth =
-      traced != nullptr ? std::vector<float>() : probe_picture(device, fine.scene, pixels.directions);
+      traced != nullptr ? std::vector<float>() : probe_picture(device, fine.stage, pixels.directions);
   const auto error_of = [&](const Scene& chosen, double dark) {
     if (traced != nullptr) {
       return error_against(*traced, picture_values(executor, chosen, traced->probes),
@@ -119,10 +120,10 @@ std::vector<Honesty> judge_honesty(Executor& executor, const Scene& scene, const
       result.method = choice.chosen->method;
       result.quality = choice.chosen->quality;
       result.estimated = choice.error;
-      result.measured = error_of(choice.chosen->scene, choice.dark);
+      result.measured = error_of(choice.chosen->stage.scene(), choice.dark);
     } else {
       result.estimated = choice.best ? choice.best->error : 0.0;
-      result.measured = error_of(choice::default_candidate(scene).scene, choice.dark);
+      result.measured = error_of(choice::default_candidate(scene).stage.scene(), choice.dark);
     }
     result.noise = traced != nullptr ? measure::kMeanOfNormal * traced->noise : 0.0;
     result.known = choice.reference_error;

@@ -13,8 +13,8 @@
 #include <fstream>
 #include <string>
 
-#include "core/methods/scene_air.h"
 #include "core/scene/angle.h"
+#include "tests/choice/of_scene.h"
 #include "tests/this_build.h"
 
 namespace airlight::test {
@@ -72,7 +72,7 @@ TEST(Honesty, DISABLED_WhatOrdersErrs) {
     const auto error_of = [&](const Scene& candidate) {
       return error_against(traced, picture_values(executor, candidate, traced.probes), 0.0);
     };
-    const double plain = error_of(choice::reference(scene, false).scene);
+    const double plain = error_of(choice::reference(scene, false).stage.scene());
     const double by_default = error_of(with_quality(scene, *find_method("orders"), {}));
     const OpticalDepths depths = air_of(scene).depths();
     const Spectrum& albedo = scene.planet.ground_albedo;

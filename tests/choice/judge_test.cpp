@@ -9,6 +9,7 @@
 #include "core/choice/assumed_error.h"
 #include "core/clock.h"
 #include "tests/choice/looks.h"
+#include "tests/choice/of_scene.h"
 
 namespace airlight::choice {
 namespace {
@@ -31,9 +32,9 @@ TEST(Tolerance, PathTraceJudgesWhatNobodyKnows) {
   const auto judged = [&](double error) {
     runs.clear();
     Looks looks = wrong_by([=](const Scene&) { return error; });
-    looks.trace = [&](const Scene& s, const Probes& probes, const TraceOrder& order) {
+    looks.trace = [&](const Stage&, const Probes& probes, const TraceOrder& order) {
       runs.push_back(order);
-      return trace_of_one(s, probes, order);
+      return trace_of_one(probes, order);
     };
     return choose_for_tolerance(scene, tolerance, "orders", looks);
   };
@@ -69,12 +70,12 @@ TEST(Tolerance, TheJudgesTimeIsUpOnce) {
   double left = Judge::kMostCpuSeconds;
   Looks looks = wrong_by([=](const Scene&) { return 0.9 * tolerance; });
   std::vector<double> allowed;
-  looks.trace = [&](const Scene& s, const Probes& probes, const TraceOrder& order) {
+  looks.trace = [&](const Stage&, const Probes& probes, const TraceOrder& order) {
     allowed.push_back(order.cpu_seconds);
     const double start = process_cpu_ms();
     while (process_cpu_ms() < start + 20.0) {
     }
-    return trace_of_one(s, probes, order);
+    return trace_of_one(probes, order);
   };
   const Choice choice = choose_for_tolerance(scene, tolerance, "orders", looks);
   ASSERT_FALSE(allowed.empty());
@@ -82,7 +83,7 @@ TEST(Tolerance, TheJudgesTimeIsUpOnce) {
     EXPECT_LE(seconds, left);
     left = seconds - 0.02;
   }
-  looks.trace = [&](const Scene&, const Probes&, const TraceOrder&) { return Traced{}; };
+  looks.trace = [&](const Stage&, const Probes&, const TraceOrder&) { return Traced{}; };
   const Choice without = choose_for_tolerance(scene, tolerance, "orders", looks);
   EXPECT_FALSE(without.chosen) << "no paths, no verdict";
 }
@@ -91,8 +92,8 @@ TEST(Tolerance, TheJudgesTimeIsUpOnce) {
 TEST(Tolerance, RunsOfPathsAreOne) {
   Probes probes;
   probes.directions.resize(4000);
-  const Traced few = trace_of_one({}, probes, {.seed = 1, .samples = 64.0});
-  const Traced many = trace_of_one({}, probes, {.seed = 2, .samples = 192.0});
+  const Traced few = trace_of_one(probes, {.seed = 1, .samples = 64.0});
+  const Traced many = trace_of_one(probes, {.seed = 2, .samples = 192.0});
   const Traced both = together(few, many);
   EXPECT_EQ(both.samples, 256.0);
   EXPECT_EQ(both.batches, 15.0);
@@ -113,7 +114,7 @@ TEST(Tolerance, AJudgementHoldsTheErrorBetweenItsBounds) {
   probes.directions.resize(128);
   probes.weights.assign(128, 1.0);
   for (const double noise : {0.002, 0.01, 0.02}) {
-    const Traced truth = trace_of_one({}, probes, {.target_error = noise, .samples = 1 << 16});
+    const Traced truth = trace_of_one(probes, {.target_error = noise, .samples = 1 << 16});
     for (const double error : {0.0, 0.005, 0.01, 0.05}) {
       const std::vector<float> radiance(3 * 128, static_cast<float>(1.0 + error));
       const Judgement verdict = judge(radiance, truth, probes.weights);

@@ -13,7 +13,7 @@
 namespace airlight::choice {
 
 // Paths whose result is the truth, 1, with the noise of so few samples, at least 0.2 %.
-inline Traced trace_of_one(const Scene& /*scene*/, const Probes& probes, const TraceOrder& order) {
+inline Traced trace_of_one(const Probes& probes, const TraceOrder& order) {
   constexpr double kNoise = 0.512;  // of one sample
   const double wanted = order.target_error > 0.0 ? std::pow(kNoise / order.target_error, 2.0) : order.samples;
   Traced traced;
@@ -30,13 +30,15 @@ inline Traced trace_of_one(const Scene& /*scene*/, const Probes& probes, const T
 
 // Radiance 1 in each direction, with the scene's `error`.
 inline Looks wrong_by(const std::function<double(const Scene&)>& error, int* calls = nullptr) {
-  const auto probe = [=](const Scene& scene, const Probes& probes) {
+  const auto probe = [=](const Stage& stage, const Probes& probes) {
+    const Scene& scene = stage.scene();
     if (calls != nullptr) {
       ++*calls;
     }
     return std::vector<float>(3 * probes.directions.size(), static_cast<float>(1.0 + error(scene)));
   };
-  return {probe, trace_of_one};
+  return {probe,
+          [](const Stage&, const Probes& probes, const TraceOrder& order) { return trace_of_one(probes, order); }};
 }
 
 // An error of 4 % for 8 steps, in inverse proportion to the steps.

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "core/choice/candidates.h"
-#include "core/methods/scene_air.h"
+#include "tests/choice/of_scene.h"
 #include "tests/choice/preset_scene.h"
 
 namespace airlight::choice {

@@ -10,7 +10,7 @@
 #include "core/composite/depth.h"
 #include "core/composite/fog.h"
 #include "core/error.h"
-#include "core/methods/scene_air.h"
+#include "tests/of_scene.h"
 
 namespace airlight::composite {
 namespace {

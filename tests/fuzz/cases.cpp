@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "app/composite/order.h"
-#include "core/ground/ground.h"
 #include "core/methods/method.h"
 #include "core/output/exr.h"
 #include "core/output/finite.h"
@@ -22,8 +21,10 @@
 #include "core/scene/printable.h"
 #include "core/scene/resolve.h"
 #include "core/scene/rules.h"
+#include "core/things/ground.h"
 #include "tests/fuzz/any_preset.h"
 #include "tests/fuzz/guarded.h"
+#include "tests/of_scene.h"
 
 namespace airlight::fuzz {
 namespace {

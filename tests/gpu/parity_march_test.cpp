@@ -6,6 +6,7 @@
 #include "core/render/render.h"
 #include "core/scene/preset.h"
 #include "tests/gpu/parity_fixture.h"
+#include "tests/of_scene.h"
 #include "tests/physics/host_tables.h"
 
 namespace airlight::test {

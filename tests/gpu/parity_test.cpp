@@ -3,6 +3,7 @@
 // to a division, 3 to a square root by way of its inverse, 2^-11 absolute to sin and cos in the range.
 
 #include "tests/gpu/parity_fixture.h"
+#include "tests/of_scene.h"
 
 namespace airlight::test {
 namespace {

@@ -9,8 +9,8 @@
 #include <filesystem>
 #include <random>
 
-#include "core/methods/scene_air.h"
 #include "core/output/exr.h"
+#include "tests/of_scene.h"
 
 namespace airlight {
 namespace {

@@ -2,10 +2,10 @@
 #include <algorithm>
 
 #include "core/luts/moments.h"
-#include "core/methods/scene_air.h"
 #include "core/scene/preset.h"
 #include "core/scene/resolve.h"
 #include "tests/methods/render_fixture.h"
+#include "tests/of_scene.h"
 
 namespace airlight::test {
 namespace {
@@ -76,11 +76,10 @@ TEST(AbsurdAir, BoundsTheOrdersAndSaysSo) {
   const SkyMethod& orders = *find_method("orders");
   const std::string thick = thin_layers(14, 9000.0);
   const Scene usual = absurd_scene(thick, R"("render": {"method": "orders"})");
-  EXPECT_TRUE(orders.bounds(usual, air_of(usual)).empty()) << "the default size has time for all orders";
+  EXPECT_TRUE(orders.bounds(part_of(usual)).empty()) << "the default size has time for all orders";
   const Scene wide = absurd_scene(thick, R"("render": {"method": "orders", "moments_lut": [1024, 12], "orders": 64})");
-  ASSERT_EQ(orders.bounds(wide, air_of(wide)).size(), 1U);
-  EXPECT_NE(orders.bounds(wide, air_of(wide)).front().find(" of 64 orders of scattering are computed"),
-            std::string::npos);
+  ASSERT_EQ(orders.bounds(part_of(wide)).size(), 1U);
+  EXPECT_NE(orders.bounds(part_of(wide)).front().find(" of 64 orders of scattering are computed"), std::string::npos);
   const MomentSettings settings = moment_settings(air_of(wide), {.orders = 64, .size = {1024, 12}});
   EXPECT_GE(settings.orders, 2);
   EXPECT_LT(settings.orders, 64);

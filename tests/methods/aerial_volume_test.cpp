@@ -6,6 +6,7 @@
 
 #include "core/render/picture_key.h"
 #include "tests/methods/render_fixture.h"
+#include "tests/of_scene.h"
 
 namespace airlight::test {
 namespace {

@@ -4,6 +4,7 @@
 
 #include "core/methods/analytic_sky.h"
 #include "tests/methods/render_fixture.h"
+#include "tests/of_scene.h"
 
 namespace airlight::test {
 namespace {
@@ -29,7 +30,7 @@ Physics::PathRadiance sky_of(Physics& p, Variant variant, const Physics::Ray& ra
 Physics with_sun(Scene scene, double elevation_deg, double altitude = 0.001) {
   scene.sun.elevation = elevation_deg * kDegree;
   scene.camera.altitude = altitude;
-  return make_analytic_physics(air_of(scene), scene);
+  return make_analytic_physics(part_of(scene));
 }
 
 void leave_out_diffuse(Physics& p) {
@@ -203,7 +204,7 @@ TEST(Analytic, OnTheDeviceIsItsFormulasInDouble) {
       scene = with_method(scene, *find_method("analytic"));
       scene.render.parameters.at("variant") =
           std::string(variant == Variant::exponential ? "exponential" : "zenith-density");
-      Physics p = make_analytic_physics(air_of(scene), scene);
+      Physics p = make_analytic_physics(part_of(scene));
       for (const double elevation : {70.0, 5.0, -3.0, -10.0, -16.0, -50.0}) {
         const auto host = sky_of(p, variant, ray_of(p, altitude, elevation * kDegree, 0.7));
         const ProbeResult probe = probe_now(scene, {{elevation * kDegree, 0.7}}).front();

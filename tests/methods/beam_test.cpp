@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/methods/scene_air.h"
 #include "core/render/layers.h"
 #include "core/render/spans.h"
 #include "tests/methods/render_fixture.h"
+#include "tests/of_scene.h"
 
 namespace airlight::test {
 namespace {

@@ -5,6 +5,7 @@
 #include "core/render/render.h"
 #include "core/scene/preset.h"
 #include "core/scene/resolve.h"
+#include "tests/of_scene.h"
 
 namespace airlight::test {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "core/render/metering.h"
 #include "tests/methods/render_fixture.h"
+#include "tests/of_scene.h"
 
 namespace airlight::test {
 namespace {

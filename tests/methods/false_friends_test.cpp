@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "tests/methods/render_fixture.h"
+#include "tests/of_scene.h"
 #include "tests/physics/brute_force.h"
 #include "tests/physics/host_tables.h"
 

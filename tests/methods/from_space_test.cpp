@@ -6,8 +6,8 @@
 #include <cmath>
 #include <vector>
 
-#include "core/methods/scene_air.h"
 #include "tests/methods/render_fixture.h"
+#include "tests/of_scene.h"
 
 namespace airlight::test {
 namespace {

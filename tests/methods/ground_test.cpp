@@ -1,13 +1,13 @@
 // The planet's ground by maps in pictures: against path-trace, against one albedo, and from far.
-#include "core/ground/ground.h"
+#include "core/things/ground.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/methods/scene_air.h"
 #include "tests/methods/render_fixture.h"
+#include "tests/of_scene.h"
 
 namespace airlight::test {
 namespace {
@@ -70,7 +70,7 @@ TEST(GroundSky, AgreesWithPathTrace) {
     Scene traced = patched("path-trace");
     traced.camera.altitude = v.altitude;
     traced.render.parameters.find("samples")->second = 512;
-    const HostPicture truth = find_method("path-trace")->render_on_host(traced, air_of(traced), View{directions}, {});
+    const HostPicture truth = airlight::traced(traced, View{directions}, {});
     double least = 1e9;
     double most = 0.0;
     for (const char* method : {"orders", "march"}) {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/methods/scene_air.h"
 #include "tests/methods/render_fixture.h"
+#include "tests/of_scene.h"
 
 namespace airlight::test {
 namespace {

@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "core/methods/scene_air.h"
 #include "core/plan/bytes.h"
 #include "core/post/post.h"
 #include "tests/methods/render_fixture.h"
+#include "tests/of_scene.h"
 
 namespace airlight::test {
 namespace {
@@ -43,7 +43,7 @@ TEST(HostPost, DrawsTheSunsDiscThatThePassDraws) {
   for (Scene scene : discs()) {
     const RadianceImage with = render_now(scene).radiance;
     RadianceImage drawn = black(scene);
-    ASSERT_TRUE(draw_sun_disc(drawn, scene, air_of(scene), whole(scene)));
+    ASSERT_TRUE(draw_sun_disc(drawn, part_of(scene), whole(scene)));
     scene.sun.disc.visible = false;
     const RadianceImage without = render_now(scene).radiance;
     const double most = greatest(drawn);
@@ -52,7 +52,7 @@ TEST(HostPost, DrawsTheSunsDiscThatThePassDraws) {
       const double pass = static_cast<double>(with.rgba[i]) - static_cast<double>(without.rgba[i]);
       EXPECT_NEAR(static_cast<double>(drawn.rgba[i]), pass, 3e-3 * most) << i;
     }
-    EXPECT_FALSE(draw_sun_disc(drawn, scene, air_of(scene), whole(scene)));
+    EXPECT_FALSE(draw_sun_disc(drawn, part_of(scene), whole(scene)));
   }
 }
 
@@ -136,7 +136,7 @@ TEST(HostPost, GlaresAsThePassDoes) {
     request.bloom = true;
     const Rendering rendering = render_now(scene, request);
     ASSERT_TRUE(rendering.bloom);
-    const RadianceImage glare = glare_picture(scene, glare_points(scene, air_of(scene)), whole(scene));
+    const RadianceImage glare = glare_picture(scene, glare_points(part_of(scene)), whole(scene));
     ASSERT_EQ(glare.rgba.size(), rendering.bloom->rgba.size());
     for (std::size_t i = 0; i < glare.rgba.size(); ++i) {
       EXPECT_NEAR(glare.rgba[i], rendering.bloom->rgba[i], 2e-4F * std::abs(glare.rgba[i])) << i;

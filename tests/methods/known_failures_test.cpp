@@ -9,6 +9,8 @@
 #include "core/air/air.h"
 #include "core/methods/method.h"
 
+#include "tests/of_scene.h"
+
 namespace airlight {
 namespace {
 
@@ -29,7 +31,7 @@ bool tells_of_glory(const Medium& haze) {
   Scene scene;
   scene.media = {medium_of(PhaseFunction::rayleigh, 0.03), haze};
   scene = with_quality(scene, method, {});
-  const auto causes = known_failures_of(method, scene, Air(scene.media, scene.planet));
+  const auto causes = known_failures_of(method, part_of(scene));
   return std::ranges::find(causes, kGlory) != causes.end();
 }
 

@@ -9,6 +9,7 @@
 #include "core/scene/resolve.h"
 #include "tests/methods/picture_file.h"
 #include "tests/methods/render_fixture.h"
+#include "tests/of_scene.h"
 
 namespace airlight::test {
 namespace {
@@ -273,7 +274,7 @@ TEST(Layers, AreCalledByTheirMediaAsFarAsAChannelCanBe) {
   }
   scene.media.push_back(medium("ozone", {}, {1e-3, 1e-3, 1e-3}, exponential(8.0)));
   std::vector<std::string> names;
-  for (const Layer& l : layers_of(scene)) {
+  for (const Layer& l : layers_of(ready(scene))) {
     names.push_back(l.name);
   }
   EXPECT_EQ(names, (std::vector<std::string>{"mie", "a_dusty_haze_", "sun_2", "medium4", "a_dusty_haze__2", "multiple",

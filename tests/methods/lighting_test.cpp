@@ -7,6 +7,7 @@
 #include <random>
 
 #include "tests/methods/render_fixture.h"
+#include "tests/of_scene.h"
 
 namespace airlight::test {
 namespace {

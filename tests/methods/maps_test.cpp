@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "core/methods/scene_air.h"
 #include "tests/methods/render_fixture.h"
+#include "tests/of_scene.h"
 
 namespace airlight::test {
 namespace {

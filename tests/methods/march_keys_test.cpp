@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "tests/methods/render_fixture.h"
+#include "tests/of_scene.h"
 
 namespace airlight::test {
 namespace {

@@ -3,11 +3,11 @@
 #include "core/methods/march_steps.h"
 
 #include "core/methods/marched_picture.h"
-#include "core/methods/scene_air.h"
-#include "core/methods/spectral_sky.h"
 #include "core/scene/preset.h"
 #include "core/scene/resolve.h"
+#include "core/stage/wavelengths.h"
 #include "tests/methods/render_fixture.h"
+#include "tests/of_scene.h"
 
 namespace airlight::test {
 namespace {
@@ -23,7 +23,7 @@ std::string text(const char* value) {
 }
 
 MarchSteps chosen(const Scene& scene) {
-  return march_steps(scene, air_of(scene));
+  return march_steps(part_of(scene));
 }
 
 constexpr MarchSteps kUsual{kUsualSteps, physics::kStepsQuadratic};
@@ -169,7 +169,8 @@ TEST(AutomaticSteps, AreTheSameAtAllWavelengths) {
   scene.spectra->wavelengths = 24;
   const MarchSteps steps = chosen(scene);
   EXPECT_EQ(steps.distribution, physics::kStepsGaussLegendre);
-  for (const WavelengthGroup& group : spectral_scene(scene).groups) {
+  const Stage stage = ready(scene);
+  for (const Part& group : stage.parts()) {
     EXPECT_EQ(chosen(group.scene), steps);
     EXPECT_EQ(halves(group.scene), halves(scene));
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tests/methods/render_fixture.h"
+#include "tests/of_scene.h"
 #include "tests/physics/scenes.h"
 
 namespace airlight::test {

@@ -10,8 +10,8 @@
 #include "core/methods/path_trace/phase_sampling.h"
 #include "core/methods/path_trace/random.h"
 #include "core/methods/path_trace/sky_guide.h"
-#include "core/methods/scene_air.h"
 #include "path_trace_scene.h"
+#include "tests/of_scene.h"
 
 namespace airlight {
 namespace {

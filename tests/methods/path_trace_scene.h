@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "core/methods/method.h"
-#include "core/methods/scene_air.h"
 #include "core/physics/gauss.h"
 #include "core/scene/scene.h"
+#include "tests/of_scene.h"
 
 namespace airlight {
 
@@ -88,7 +88,7 @@ inline Scene slab(double optical_depth, double single_scattering_albedo, PhaseFu
 }
 
 inline HostPicture trace(const Scene& scene, const View& view = {}, const HostOptions& options = {}) {
-  return find_method("path-trace")->render_on_host(scene, air_of(scene), view, options);
+  return airlight::traced(scene, view, options);
 }
 
 inline HostPicture trace(const Scene& scene, const std::vector<Direction>& directions) {

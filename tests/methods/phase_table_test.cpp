@@ -3,9 +3,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/methods/spectral_sky.h"
 #include "core/scene/preset.h"
 #include "core/scene/resolve.h"
+#include "core/stage/wavelengths.h"
 #include "tests/methods/render_fixture.h"
 
 namespace airlight::test {

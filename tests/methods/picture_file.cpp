@@ -12,9 +12,9 @@
 
 #include "core/measure/metrics.h"
 #include "core/methods/method.h"
-#include "core/methods/scene_air.h"
 #include "core/scene/preset.h"
 #include "core/scene/resolve.h"
+#include "tests/of_scene.h"
 
 namespace airlight::test {
 namespace {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "tests/of_scene.h"
+
 namespace airlight::test {
 namespace {
 

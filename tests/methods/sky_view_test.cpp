@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tests/methods/render_fixture.h"
+#include "tests/of_scene.h"
 
 namespace airlight::test {
 namespace {

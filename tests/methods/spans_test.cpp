@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/methods/scene_air.h"
 #include "tests/methods/render_fixture.h"
+#include "tests/of_scene.h"
 
 namespace airlight::test {
 namespace {
@@ -232,7 +232,7 @@ TEST(Spans, AgreeWithPathTraceBeforeABlackWall) {
     const std::vector<ProbeResult> open = probe_now(scene, directions);
     View view{directions};
     view.wall = wall;
-    const HostPicture truth = find_method("path-trace")->render_on_host(traced, air_of(traced), view, {});
+    const HostPicture truth = airlight::traced(traced, view, {});
     for (std::size_t i = 0; i < pixels.size(); ++i) {
       if (pixels[i].second > 32 && wall > 5.0) {
         continue;  // the ground, which is not black, stands before the wall

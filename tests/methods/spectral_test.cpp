@@ -2,13 +2,13 @@
 
 #include <cmath>
 
-#include "core/methods/scene_air.h"
-#include "core/methods/spectral_sky.h"
 #include "core/render/layers.h"
 #include "core/render/sky.h"
 #include "core/render/spans.h"
+#include "core/stage/wavelengths.h"
 #include "tests/methods/render_fixture.h"
 #include "tests/methods/spectral_scene.h"
+#include "tests/of_scene.h"
 
 namespace airlight::test {
 namespace {
@@ -24,7 +24,8 @@ TEST(Spectral, ASkyWithoutLightHasAMatrix) {
       "density": {"profile": "height-fog", "scale_height_km": 1e7, "base_km": 1}, "scattering_per_km":
       {"named": "air", "scale": 1}}], "sun": {"elevation_deg": -90}, "render": {"method": "analytic"}})";
   for (const std::string& text : {night, fog}) {
-    for (const Rgb& colour : spectral_scene(scene_of(text)).matrix) {
+    const Stage stage = ready(scene_of(text));
+    for (const Rgb& colour : stage.basis().matrix) {
       EXPECT_TRUE(std::isfinite(colour[0] + colour[1] + colour[2])) << text;
     }
   }
@@ -192,7 +193,7 @@ TEST(Spectral, AutomaticWavelengthsKeepTheError) {
                    {"name": "ozone", "absorption_per_km": 0}], )";
   for (const Sky& sky : {Sky{"", "40", 0.0035, 3}, Sky{"", "-4", 0.003, 6}, Sky{dust, "3", 0.003, 3}}) {
     const Scene chosen = dusk_or_day(sky.air, sky.sun, 0);
-    EXPECT_EQ(spectral_scene(chosen).nodes.nm.size(), sky.wavelengths) << sky.air << sky.sun;
+    EXPECT_EQ(ready(chosen).basis().nodes.nm.size(), sky.wavelengths) << sky.air << sky.sun;
     const RadianceImage truth = render_now(dusk_or_day(sky.air, sky.sun, 48)).radiance;
     EXPECT_LT(mean_error_of(render_now(chosen).radiance, truth), sky.bound) << sky.air << sky.sun;
   }
@@ -213,7 +214,8 @@ TEST(Spectral, PixelsKnowOfNoWavelengths) {
   EXPECT_EQ(passes("spectral_sum"), 0);
   const RadianceImage found = render_now(scene).radiance;
   std::vector<double> expected(found.rgba.size());
-  for (const WavelengthGroup& group : spectral_scene(scene).groups) {
+  const Stage stage = ready(scene);
+  for (const Part& group : stage.parts()) {
     const RadianceImage part = render_now(group.scene).radiance;
     for (std::size_t i = 0; i < expected.size(); ++i) {
       for (std::size_t k = 0; k < 3 && i % 4 < 3; ++k) {
@@ -269,7 +271,7 @@ TEST(Spectral, AllIsInTheSameColours) {
   Scene marched = with_method(scene, *find_method("march"));  // `orders` leaves the forward peak of haze in the beam
   marched.render.parameters.insert_or_assign("steps", 512);
   const ProbeResult sun = probe_now(marched, {at_sun}).front();
-  const physics::vec3 glare = glare_points_of(scene).front().irradiance;
+  const physics::vec3 glare = glare_points_of(ready(scene)).front().irradiance;
   const auto over_sun = [&](double light, std::size_t c) {
     return light / (scene.sun.irradiance[c] * sun.transmittance[c]);
   };

@@ -2,14 +2,14 @@
 
 #include <cmath>
 
-#include "core/methods/scene_air.h"
-#include "core/methods/spectral_sky.h"
 #include "core/render/render.h"
 #include "core/render/sky.h"
 #include "core/scene/preset.h"
 #include "core/scene/resolve.h"
+#include "core/stage/wavelengths.h"
 #include "tests/methods/path_trace_scene.h"
 #include "tests/methods/render_fixture.h"
+#include "tests/of_scene.h"
 
 namespace airlight::test {
 namespace {
@@ -51,7 +51,8 @@ ByGroups by_groups(const Scene& scene) {
   const std::size_t count = 3 * kAround.size();
   ByGroups sum{std::vector<double>(count), std::vector<double>(count), std::vector<double>(count)};
   int seed = 100;
-  for (const WavelengthGroup& group : spectral_scene(scene).groups) {
+  const Stage stage = ready(scene);
+  for (const Part& group : stage.parts()) {
     Scene three = group.scene;
     set(three, "seed", ++seed);
     const HostPicture part = trace(three, kAround);

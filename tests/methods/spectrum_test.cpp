@@ -8,6 +8,7 @@
 #include "core/spectra/data.h"
 #include "tests/methods/render_fixture.h"
 #include "tests/methods/spectral_scene.h"
+#include "tests/of_scene.h"
 
 namespace airlight::test {
 namespace {

@@ -1,6 +1,6 @@
 // Spheres in the picture of `orders`: their light against the light of the sky without them, their shadows against the
 // hidden sunlight, their edges against finer pictures.
-#include "core/spheres/spheres.h"
+#include "core/things/spheres.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <numbers>
 
 #include "core/methods/path_trace/optical_depth.h"
-#include "core/methods/scene_air.h"
 #include "core/post/post.h"
 #include "tests/methods/render_fixture.h"
+#include "tests/of_scene.h"
 
 namespace airlight::test {
 namespace {
@@ -269,10 +269,10 @@ TEST(SphereSky, HideTheDisc) {
   scene.camera.pitch = 20.0 * kDegree;
   scene.camera.vertical_fov = 6.0 * kDegree;
   EXPECT_GT(greatest(render_now(scene).radiance), 1e3);
-  EXPECT_TRUE(sun_glares(scene, air_of(scene)));
+  EXPECT_TRUE(sun_glares(part_of(scene)));
   scene.spheres[0].elevation = scene.sun.elevation;
   EXPECT_LT(greatest(render_now(scene).radiance), 1.0);
-  EXPECT_FALSE(sun_glares(scene, air_of(scene)));
+  EXPECT_FALSE(sun_glares(part_of(scene)));
 }
 
 // Rays that meet no ball show the sky as without them; along the balls' edges a pixel is the mean over its area.

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "tests/methods/render_fixture.h"
+#include "tests/of_scene.h"
 #include "tests/this_build.h"
 
 namespace airlight::test {

@@ -1,15 +1,15 @@
 // Terrain in the picture of `orders`: against the picture without it, and its shadow in the air against single
 // scattering along the ray by quadrature.
-#include "core/terrain/terrain.h"
+#include "core/things/terrain.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "core/methods/path_trace/optical_depth.h"
-#include "core/methods/scene_air.h"
 #include "core/post/post.h"
 #include "tests/methods/terrain_scene.h"
+#include "tests/of_scene.h"
 
 namespace airlight::test {
 namespace {
@@ -59,7 +59,7 @@ TEST(TerrainSky, HidesTheDisc) {
     const RadianceImage with = render_now(scene).radiance;
     const RadianceImage without = render_now(dark).radiance;
     EXPECT_EQ(greatest(with) > 2.0 * greatest(without), above);
-    EXPECT_EQ(sun_glares(scene, air_of(scene)), above);
+    EXPECT_EQ(sun_glares(part_of(scene)), above);
   }
 }
 

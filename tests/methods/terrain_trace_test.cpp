@@ -7,11 +7,11 @@
 #include <cmath>
 #include <random>
 
-#include "core/methods/scene_air.h"
 #include "core/render/spans.h"
-#include "core/terrain/terrain.h"
+#include "core/things/terrain.h"
 #include "tests/methods/spectral_scene.h"
 #include "tests/methods/terrain_scene.h"
+#include "tests/of_scene.h"
 
 namespace airlight::test {
 namespace {
@@ -105,7 +105,7 @@ HostPicture traced_at(const Scene& scene, const std::vector<Direction>& directio
   Scene traced = with_method(scene, *find_method("path-trace"));
   traced.render.parameters.insert_or_assign("samples", samples);
   traced.render.parameters.insert_or_assign("max_orders", orders);
-  return find_method("path-trace")->render_on_host(traced, air_of(traced), View{directions}, {});
+  return airlight::traced(traced, View{directions}, {});
 }
 
 // The light that shadows take out of the sky over the range: path-trace of one scattering with and without terrain, in
@@ -172,7 +172,7 @@ TEST(TerrainTruth, TheAirBeforeThingsIsPathTraces) {
     traced.render.parameters.insert_or_assign("samples", 512);
     View view{directions};
     view.wall = wall;
-    const HostPicture truth = find_method("path-trace")->render_on_host(traced, air_of(traced), view, {});
+    const HostPicture truth = airlight::traced(traced, view, {});
     for (std::size_t i = 0; i < spans.size(); ++i) {
       for (std::size_t c = 0; c < 3; ++c) {
         const double want = static_cast<double>(truth.radiance.at(static_cast<int>(i), 0)[c]);

@@ -6,6 +6,7 @@
 
 #include "tests/methods/render_fixture.h"
 #include "tests/methods/spectral_scene.h"
+#include "tests/of_scene.h"
 
 namespace airlight::test {
 namespace {
@@ -218,24 +219,24 @@ TEST(Tiled, UsualTilesFillNoMoreThanTheirBudget) {
   for (const ImageSize& size : {ImageSize{32768, 16384}, ImageSize{65536, 65536}, ImageSize{3, 65536}}) {
     scene.image = size;
     for (const bool layers : {false, true}) {
-      const ImageSize tile = usual_tile(scene, layers);
+      const ImageSize tile = usual_tile(ready(scene), layers);
       const auto pixels = static_cast<std::size_t>(tile.width) * static_cast<std::size_t>(tile.height);
       EXPECT_GE(tile.height, 1);
-      EXPECT_LE(pixels * tile_pixel_bytes(scene, layers), kTileBytes);
-      EXPECT_LE(pixels * band_pixel_bytes(scene, layers), kBandBytes);
+      EXPECT_LE(pixels * tile_pixel_bytes(ready(scene), layers), kTileBytes);
+      EXPECT_LE(pixels * band_pixel_bytes(ready(scene), layers), kBandBytes);
     }
   }
 }
 
 // A medium that scatters at few wavelengths has a layer; so tiles have room for it.
 TEST(Tiled, TilesHaveRoomForEveryLayer) {
-  const Scene scene = scene_of(clear_air(R"({"wavelengths_nm": [400, 401, 409, 410], "values": [0, 0.1, 0.1, 0]})",
-                                         "{}", R"(, "render": {"method": "march", "wavelengths": 48})"));
-  const std::vector<Layer> layers = layers_of(scene);
+  const Stage stage = ready(scene_of(clear_air(R"({"wavelengths_nm": [400, 401, 409, 410], "values": [0, 0.1, 0.1, 0]})",
+                                         "{}", R"(, "render": {"method": "march", "wavelengths": 48})")));
+  const std::vector<Layer> layers = layers_of(stage);
   EXPECT_EQ(layers.front().name, "air");
   const auto is_of_light = [](const Layer& layer) { return layer.channels == "RGB" && layer.name != "sun"; };
   const auto planes = static_cast<std::size_t>(3 * std::ranges::count_if(layers, is_of_light));
-  EXPECT_EQ(tile_pixel_bytes(scene, true), planes * sizeof(float));
+  EXPECT_EQ(tile_pixel_bytes(stage, true), planes * sizeof(float));
 }
 
 }  // namespace

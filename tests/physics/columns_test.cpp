@@ -43,7 +43,7 @@ TEST(Columns, OfAnExponentialAreItsQuadrature) {
   for (const double scale_height : {1.2, 8.0}) {
     Scene scene = vacuum();
     scene.media = {medium("air", {1.0, 1.0, 1.0}, {}, exponential(scale_height))};
-    Physics p = make_analytic_physics(air_of(scene), scene);
+    Physics p = make_analytic_physics(part_of(scene));
     EXPECT_DOUBLE_EQ(p.analytic.media[0].base, 0.0);
     for (const double h : {0.0, 3.0, 10.0}) {
       for (const double mu : {1.0, 0.4, 0.05, 0.0, 0.9 * p.horizon_mu(p.scene.planet, h)}) {
@@ -60,7 +60,7 @@ TEST(Columns, OfOtherProfilesKeepColumnMeanAndSpread) {
   for (const Density& density : {tent(25.0, 15.0), constant(4.0), lorentzian(20.0, 12.0, 4.0)}) {
     Scene scene = vacuum();
     scene.media = {medium("air", {1.0, 1.0, 1.0}, {}, density)};
-    Physics p = make_analytic_physics(air_of(scene), scene);
+    Physics p = make_analytic_physics(part_of(scene));
     for (const double mu : {1.0, 0.5, 0.17}) {
       const double truth = p.optical_depth_to_top(p.scene.planet, 0.0, mu, 4000).x;
       EXPECT_NEAR(p.column_to_space(p.scene.planet, p.analytic.media[0], 0.0, mu), truth, 0.03 * truth) << mu;

@@ -1,6 +1,6 @@
 // The ground by maps and the sun in an ocean's waves, in double: against quadrature over slopes and directions, and
 // against the planet's sphere in space.
-#include "core/ground/ground.h"
+#include "core/things/ground.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-#include "core/ground/planet_map.h"
+#include "core/things/planet_map.h"
 #include "tests/physics/integral.h"
 #include "tests/physics/scenes.h"
 

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/methods/scene_air.h"
 #include "core/scene/scene.h"
+#include "tests/of_scene.h"
 
 namespace airlight::test {
 

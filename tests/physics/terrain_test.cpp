@@ -1,6 +1,6 @@
 // Terrain in double: its meetings with rays and its shadow, by steps along rays in space; the light on slopes, by
 // quadrature.
-#include "core/terrain/terrain.h"
+#include "core/things/terrain.h"
 
 #include <gtest/gtest.h>
 

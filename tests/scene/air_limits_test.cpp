@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "core/methods/method.h"
-#include "core/methods/scene_air.h"
 #include "core/scene/density_column.h"
+#include "tests/of_scene.h"
 #include "tests/scene/scene_fixture.h"
 
 namespace airlight::test {

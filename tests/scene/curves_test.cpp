@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "core/methods/scene_air.h"
 #include "core/scene/curve_reader.h"
 #include "core/scene/density_column.h"
 #include "core/spectra/data.h"
+#include "tests/of_scene.h"
 #include "tests/scene/scene_fixture.h"
 
 namespace airlight::test {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/methods/scene_air.h"
+#include "tests/of_scene.h"
 #include "tests/scene/scene_fixture.h"
 
 namespace airlight::test {

@@ -19,7 +19,7 @@ struct PixelSums {
 
 // Everything that the sums depend on, one `POINTER value` a line. Sums may be added if and only if their texts are
 // equal.
-std::string checkpoint_identity(const Scene& scene, const View& view);
+std::string checkpoint_identity(const Stage& stage, const View& view);
 
 // Whether `file` exists. Throws InputError unless it holds the sums of this identity, whole.
 bool read_checkpoint(const std::string& file, const std::string& identity, std::span<PixelSums> pixels);

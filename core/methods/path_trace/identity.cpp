@@ -1,10 +1,9 @@
 #include <cstdio>
 
-#include "core/ground/ground.h"
 #include "core/methods/path_trace/checkpoint.h"
 #include "core/methods/path_trace/walk.h"
-#include "core/methods/spectral_sky.h"
-#include "core/terrain/terrain.h"
+#include "core/things/ground.h"
+#include "core/things/terrain.h"
 
 namespace airlight {
 namespace {
@@ -75,16 +74,17 @@ void add_matter(Lines& lines, const std::string& at, const Scene& scene) {
 }
 
 // The groups of three wavelengths, with their colours, whose sum is the picture.
-void add_wavelengths(Lines& lines, const SpectralScene& spectral) {
-  lines.add("wavelengths", static_cast<double>(spectral.nodes.nm.size()));
-  for (std::size_t g = 0; g < spectral.groups.size(); ++g) {
+void add_wavelengths(Lines& lines, const Stage& stage) {
+  lines.add("wavelengths", static_cast<double>(stage.basis().nodes.nm.size()));
+  for (std::size_t g = 0; g < stage.parts().size(); ++g) {
+    const Part& part = stage.parts()[g];
     const std::string at = "group " + std::to_string(g) + " ";
-    add_matter(lines, at, spectral.groups[g].scene);
-    if (spectral.groups[g].scene.terrain) {
-      lines.add(at + terrain_key(*spectral.groups[g].scene.terrain), 1.0);
+    add_matter(lines, at, part.scene);
+    if (part.scene.terrain) {
+      lines.add(at + terrain_key(*part.scene.terrain), 1.0);
     }
     for (std::size_t c = 0; c < 3; ++c) {
-      lines.add(at + "colour " + std::to_string(c), spectral.groups[g].colours[c]);
+      lines.add(at + "colour " + std::to_string(c), part.colours[c]);
     }
   }
 }
@@ -105,7 +105,8 @@ void add_camera(Lines& lines, const Scene& scene) {
 
 }  // namespace
 
-std::string checkpoint_identity(const Scene& scene, const View& view) {
+std::string checkpoint_identity(const Stage& stage, const View& view) {
+  const Scene& scene = stage.scene();
   Lines lines;
   lines.add("sampler", kSampler);
   lines.add("batch", kBatch);
@@ -113,8 +114,8 @@ std::string checkpoint_identity(const Scene& scene, const View& view) {
   lines.add("/render/max_orders", scene.render.get<int>("max_orders"));
   lines.add("/planet/radius_km", scene.planet.ground_radius);
   lines.add("/planet/atmosphere_height_km", scene.planet.atmosphere_height);
-  if (scene.spectra) {
-    add_wavelengths(lines, spectral_scene(scene));
+  if (stage.in_colours()) {
+    add_wavelengths(lines, stage);
   } else {
     add_matter(lines, "", scene);
   }

@@ -7,7 +7,6 @@
 #include "core/methods/methods.h"
 #include "core/methods/path_trace/sampling.h"
 #include "core/methods/path_trace/tracer.h"
-#include "core/methods/scene_air.h"
 #include "core/scene/parameters.h"
 
 namespace airlight {
@@ -95,10 +94,11 @@ Targets targets_of(const PathTracer& tracer, const Scene& scene, const View& vie
 }
 
 // `all`, `identity`: as for PathTracer and Sampling.
-HostPicture trace(const Scene& scene, const Air& air, const Wavelengths* all, const View& view,
-                  const HostOptions& options, const std::string& identity) {
+HostPicture trace(const Part& part, const Wavelengths* all, const View& view, const HostOptions& options,
+                  const std::string& identity) {
+  const Scene& scene = part.scene;
   const RenderSettings& settings = scene.render;
-  const PathTracer tracer(air, scene, all, static_cast<std::uint64_t>(settings.get<int>("seed")),
+  const PathTracer tracer(part, all, static_cast<std::uint64_t>(settings.get<int>("seed")),
                           settings.get<int>("max_orders"), view.wall.value_or(kNoLimit));
   Targets targets = targets_of(tracer, scene, view);
   HostPicture picture;
@@ -133,13 +133,13 @@ HostPicture trace(const Scene& scene, const Air& air, const Wavelengths* all, co
   return picture;
 }
 
-HostPicture render(const Scene& scene, const Air& air, const View& view, const HostOptions& options) {
-  const std::string identity = checkpoint_identity(scene, view);
-  if (!scene.spectra) {
-    return trace(scene, air, nullptr, view, options, identity);
+HostPicture render(const Stage& stage, const View& view, const HostOptions& options) {
+  const std::string identity = checkpoint_identity(stage, view);
+  if (!stage.in_colours()) {
+    return trace(stage.whole(), nullptr, view, options, identity);
   }
-  const Wavelengths all(spectral_scene(scene));
-  return trace(all.steering(), air_of(all.steering()), &all, view, options, identity);
+  const Wavelengths all(stage);
+  return trace(all.steering(), &all, view, options, identity);
 }
 
 Quality with_samples(std::string_view label, int samples) {

@@ -4,8 +4,6 @@
 #include <cmath>
 
 #include "core/air/scene_block.h"
-#include "core/ground/ground.h"
-#include "core/terrain/terrain.h"
 
 namespace airlight {
 
@@ -16,11 +14,11 @@ namespace {
 constexpr int kEdgeSide = 4;  // rays across a pixel that holds terrain's edge
 
 // Where only waves reflect light, paths still have to reach the ground: the guide needs an albedo there.
-physics::Physics formulas_with_ground(const Air& air, const Scene& scene) {
+physics::Physics formulas_with_ground(const Part& part) {
   constexpr double kGlint = 0.05;
-  physics::Physics p = formulas_of(air, scene);
-  p.ground_maps = ground_of(scene);
-  if (scene.ground && scene.ground->ocean) {
+  physics::Physics p = formulas_of(part.air, part.scene);
+  p.ground_maps = part.things.ground();
+  if (part.scene.ground && part.scene.ground->ocean) {
     p.scene.planet.ground_albedo = min(p.scene.planet.ground_albedo + vec3(kGlint), vec3(1.0));
   }
   return p;
@@ -28,20 +26,20 @@ physics::Physics formulas_with_ground(const Air& air, const Scene& scene) {
 
 }  // namespace
 
-PathTracer::PathTracer(const Air& air, const Scene& scene, const Wavelengths* all, std::uint64_t seed, int max_orders,
-                       double wall)
-    : physics_(formulas_with_ground(air, scene)),
+PathTracer::PathTracer(const Part& part, const Wavelengths* all, std::uint64_t seed, int max_orders, double wall)
+    : physics_(formulas_with_ground(part)),
       depth_(physics_),
       flight_(physics_, depth_),
       guide_(physics_, flight_),
-      terrain_(scene.terrain ? std::optional<TracedTerrain>(std::in_place, scene, terrain_of(scene)) : std::nullopt),
+      terrain_(part.scene.terrain ? std::optional<TracedTerrain>(std::in_place, part.scene, part.things.terrain())
+                                  : std::nullopt),
       single_(physics_, depth_, flight_.corners(), terrain_ ? &*terrain_ : nullptr),
       walk_(physics_, depth_, single_, flight_, guide_, max_orders, terrain_ ? &*terrain_ : nullptr),
       all_(all),
       seed_(seed),
       max_orders_(max_orders),
       wall_(wall),
-      projection_(projection_code(scene.camera.projection)) {}
+      projection_(projection_code(part.scene.camera.projection)) {}
 
 vec3 PathTracer::single(const WalkStart& start) const {
   const Footing footing{start.up, start.direction, start.pixel, start.plan.on_terrain};

@@ -5,7 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include "core/air/air.h"
 #include "core/methods/path_trace/walk.h"
 #include "core/scene/scene.h"
 
@@ -20,10 +19,9 @@ struct SampledRay {
 
 class PathTracer {
  public:
-  // `wall`: View::wall, or infinity. `all`: null for a scene of three channels; else its wavelengths, with a scene that
-  // is their steering(), and radiance is in the picture's colours. `all` must outlive this.
-  PathTracer(const Air& air, const Scene& scene, const Wavelengths* all, std::uint64_t seed, int max_orders,
-             double wall);
+  // `wall`: View::wall, or infinity. `all`: null for three channels; else the wavelengths whose steering() the part is,
+  // and radiance is in the picture's colours. `all` must outlive this.
+  PathTracer(const Part& part, const Wavelengths* all, std::uint64_t seed, int max_orders, double wall);
   PathTracer(const PathTracer&) = delete;
   PathTracer& operator=(const PathTracer&) = delete;
 

@@ -1,9 +1,8 @@
 #include "core/methods/path_trace/wavelengths.h"
 
 #include <algorithm>
-
-#include "core/methods/scene_air.h"
-#include "core/terrain/terrain.h"
+#include <span>
+#include <utility>
 
 namespace airlight {
 
@@ -20,14 +19,14 @@ std::array<double, 3> three_of(vec3 v) {
   return {v.x, v.y, v.z};
 }
 
-// Means of the groups' channels; each channel's weights add up to 1.
-Scene mean_scene(const SpectralScene& spectral, const std::vector<Rgb>& weights) {
-  Scene mean = spectral.groups.front().scene;
+// Means of the parts' channels; each channel's weights add up to 1.
+Scene mean_scene(std::span<const Part> parts, const std::vector<Rgb>& weights) {
+  Scene mean = parts.front().scene;
   for (std::size_t c = 0; c < 3; ++c) {
     const auto sum = [&](const auto& spectrum_of) {
       double total = 0.0;
       for (std::size_t k = 0; k < weights.size(); ++k) {
-        total += weights[k][c] * spectrum_of(spectral.groups[k / 3].scene)[k % 3];
+        total += weights[k][c] * spectrum_of(parts[k / 3].scene)[k % 3];
       }
       return total;
     };
@@ -71,18 +70,23 @@ std::vector<Rgb> shares_of(const std::vector<Rgb>& colours) {
   return shares;
 }
 
+Part mean_part(const Stage& stage) {
+  Scene mean = mean_scene(stage.parts(), shares_of(stage.basis().matrix));
+  Air air(mean.media, mean.planet, stage.parts().front().air.options());
+  Things things(mean, {&stage.whole().things});
+  return {std::move(mean), std::move(air), std::move(things)};
+}
+
 }  // namespace
 
-Wavelengths::Wavelengths(const SpectralScene& spectral)
-    : count_(spectral.nodes.nm.size()),
-      media_(spectral.groups.front().scene.media.size()),
-      steering_(mean_scene(spectral, shares_of(spectral.matrix))),
-      colours_(spectral.matrix) {
-  for (const WavelengthGroup& group : spectral.groups) {
-    groups_.push_back(formulas_of(air_of(group.scene), group.scene));
-    if (group.scene.terrain) {
-      groups_.back().terrain_maps = terrain_of(group.scene);
-    }
+Wavelengths::Wavelengths(const Stage& stage)
+    : count_(stage.basis().nodes.nm.size()),
+      media_(stage.scene().media.size()),
+      steering_(mean_part(stage)),
+      colours_(stage.basis().matrix) {
+  for (const Part& part : stage.parts()) {
+    groups_.push_back(formulas_of(part.air, part.scene));
+    groups_.back().terrain_maps = part.things.terrain();
   }
   for (std::size_t k = 0; k < count_; ++k) {
     const physics::Physics& p = groups_[k / 3];

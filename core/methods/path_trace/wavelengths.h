@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/methods/path_trace/optical_depth.h"
-#include "core/methods/spectral_sky.h"
+#include "core/stage/stage.h"
 
 namespace airlight {
 
@@ -55,11 +55,11 @@ inline bool within(const Wide& error, const Wide& limit) {
 
 class Wavelengths {
  public:
-  explicit Wavelengths(const SpectralScene& spectral);
+  explicit Wavelengths(const Stage& stage);
 
-  // A scene of three channels whose coefficients are means over all wavelengths, weighted by each one's share of red,
+  // Three channels whose coefficients are means over all wavelengths, weighted by each one's share of red,
   // green and blue. Whatever scatters or reflects at any wavelength does so in one of the channels.
-  const Scene& steering() const { return steering_; }
+  const Part& steering() const { return steering_; }
 
   // Each medium's phase function at a cosine of the scattering angle, 1/sr.
   using Phases = std::array<Wide, physics::kMaxMedia>;
@@ -82,7 +82,7 @@ class Wavelengths {
  private:
   std::size_t count_;
   std::size_t media_;
-  Scene steering_;
+  Part steering_;
   std::array<Wide, physics::kMaxMedia> scattering_;  // 1/km at density 1
   std::array<Wide, physics::kMaxMedia> extinction_;
   Wide albedo_;

@@ -16,7 +16,7 @@
 #include "core/gpu/in_parallel.h"
 #include "core/gpu/shader.h"
 #include "core/gpu/specialize.h"
-#include "core/methods/scene_air.h"
+#include "core/methods/ready.h"
 #include "core/render/render.h"
 #include "core/scene/resolve.h"
 
@@ -52,12 +52,11 @@ void want(const Plan& plan, const Shaders& shaders, Wanted& wanted) {
   }
 }
 
-Plan listed_directions(const Scene& scene) {
+Plan listed_directions(const Stage& stage) {
   const std::vector<Direction> directions(2);
-  const Air air = air_of(scene);
   Plan plan;
-  plan.scene_data = device_scene_bytes(air, scene);
-  find_method(scene.render.method)->add_passes(plan, scene, air, View{.directions = directions});
+  plan.scene_data = device_scene_bytes(stage.whole().air, stage.scene());
+  stage.method().add_passes(plan, stage.whole(), View{.directions = directions});
   return plan;
 }
 
@@ -80,21 +79,23 @@ void want_all_of(const std::string& preset, const Shaders& shaders, Wanted& want
   Scene own = resolve(load_preset(preset), method_infos());
   level_terrain(own);
   if (find_method(own.render.method)->add_passes == nullptr) return;
+  const Stage stage = ready(own);
   constexpr double kLowSun = -0.1;  // radians
   for (const double sun : {own.sun.elevation, kLowSun, 0.5}) {
     for (const ImageSize size : {own.image, ImageSize{1, 1}, ImageSize{1280, 720}}) {
       Scene scene = own;
       scene.sun.elevation = sun;
       scene.image = size;
+      const Stage changed = ready(scene, stage);
       for (int choice = 0; choice < 8; ++choice) {
         RenderRequest request;
         request.bloom = (choice & 1) != 0;
         request.bloom_picture = (choice & 2) != 0;
         request.gpu_tone = (choice & 4) != 0;
-        want(plan_for(scene, request), shaders, wanted);
+        want(plan_for(changed, request), shaders, wanted);
       }
     }
-    want(listed_directions(own), shaders, wanted);
+    want(listed_directions(stage), shaders, wanted);
   }
 }
 

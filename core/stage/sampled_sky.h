@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "core/air/air.h"
 #include "core/physics/physics.h"
 #include "core/scene/scene.h"
 
@@ -14,7 +15,7 @@ namespace airlight {
 // same steps for all wavelengths. The scene must have spectra and outlive this.
 class SampledSky {
  public:
-  SampledSky(const Scene& scene, const BandColours& colours);
+  SampledSky(const Scene& scene, const Air& air, const BandColours& colours);
 
   // Spectra at the nodes, and their colours by all fine bands.
   std::vector<ColouredSpectrum> at(const Nodes& nodes);

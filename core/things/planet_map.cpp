@@ -1,4 +1,4 @@
-#include "core/ground/planet_map.h"
+#include "core/things/planet_map.h"
 
 #include <algorithm>
 #include <cmath>

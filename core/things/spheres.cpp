@@ -1,4 +1,4 @@
-#include "core/spheres/spheres.h"
+#include "core/things/spheres.h"
 
 #include "core/air/scene_block.h"
 #include "core/plan/bytes.h"

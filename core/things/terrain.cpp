@@ -1,11 +1,9 @@
-#include "core/terrain/terrain.h"
+#include "core/things/terrain.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <deque>
-#include <mutex>
 #include <vector>
 
 #include "core/error.h"
@@ -96,7 +94,7 @@ std::vector<double> ridge_heights(const Ridge& ridge) {
 
 std::vector<double> heights_of(const Terrain& terrain) {
   if (terrain.ridge) {
-    return ridge_heights(*terrain.ridge);
+    return terrain.ridge_heights ? *terrain.ridge_heights : *ridge_heights_of(*terrain.ridge);
   }
   std::vector<double> heights;
   heights.reserve(terrain.files->heights.size());
@@ -170,8 +168,13 @@ void put_colours(HostTerrain& out, const Terrain& terrain) {
   }
 }
 
-// The terrain at its place, without albedo.
-HostTerrain placed(const Terrain& terrain) {
+}  // namespace
+
+std::shared_ptr<const std::vector<double>> ridge_heights_of(const Ridge& ridge) {
+  return std::make_shared<const std::vector<double>>(ridge_heights(ridge));
+}
+
+HostTerrain placed_heights(const Terrain& terrain) {
   HostTerrain out;
   TerrainData& t = out.shape;
   t.columns = static_cast<physics::uint>(terrain.ridge ? kRidgeColumns : terrain.files->columns);
@@ -191,14 +194,14 @@ HostTerrain placed(const Terrain& terrain) {
 }
 
 // A map may reach below the ground, but not with all of it: then there is nothing to see, and no shadow to place.
-void refuse_sunken(const Scene& scene, const HostTerrain& terrain) {
-  if (terrain.heights->back() <= 0.0F) {
-    throw InputError("/planet/terrain/highest_km: " + rounded(scene.terrain->highest, 6) +
+void refuse_sunken(const Terrain& terrain, const HostTerrain& maps) {
+  if (maps.heights->back() <= 0.0F) {
+    throw InputError("/planet/terrain/highest_km: " + rounded(terrain.highest, 6) +
                      " leaves no point of the map above the ground; raise it above 0, or remove the terrain");
   }
 }
 
-void refuse_buried_camera(const Scene& scene, const std::shared_ptr<const HostTerrain>& terrain) {
+void refuse_buried_camera(double altitude, const std::shared_ptr<const HostTerrain>& terrain) {
   physics::Physics p;
   p.terrain_maps = terrain;
   const TerrainData& t = terrain->shape;
@@ -206,14 +209,11 @@ void refuse_buried_camera(const Scene& scene, const std::shared_ptr<const HostTe
   const double row = p.map_row(t, 0.0, 0.0);
   const bool beside = column < 0.0 || row < 0.0 || column > t.columns - 1.0 || row > t.rows - 1.0;
   const double height = beside ? 0.0 : p.map_height(t, column, row);
-  if (height >= scene.camera.altitude) {
-    throw InputError("/camera/altitude_km: " + rounded(scene.camera.altitude, 6) +
-                     " km is inside the terrain, which is " + rounded(height, 4) +
-                     " km high there; raise the camera above it");
+  if (height >= altitude) {
+    throw InputError("/camera/altitude_km: " + rounded(altitude, 6) + " km is inside the terrain, which is " +
+                     rounded(height, 4) + " km high there; raise the camera above it");
   }
 }
-
-}  // namespace
 
 std::string height_key(const Terrain& terrain) {
   std::string key =
@@ -237,30 +237,10 @@ std::string terrain_key(const Terrain& terrain) {
   return key;
 }
 
-std::shared_ptr<const HostTerrain> terrain_of(const Scene& scene) {
-  constexpr std::size_t kKept = 4;  // two groups of wavelengths, and the channels that stand for all
-  struct Kept {
-    std::string key;
-    std::string heights;
-    std::shared_ptr<const HostTerrain> terrain;
-  };
-  static std::mutex mutex;
-  static std::deque<Kept> kept;  // the latest first
-  const std::string key = terrain_key(*scene.terrain);
-  const std::string heights = height_key(*scene.terrain);
-  const std::lock_guard lock(mutex);
-  auto found = std::ranges::find(kept, key, &Kept::key);
-  if (found == kept.end()) {
-    const auto same = std::ranges::find(kept, heights, &Kept::heights);
-    auto made = std::make_shared<HostTerrain>(same == kept.end() ? placed(*scene.terrain) : *same->terrain);
-    put_colours(*made, *scene.terrain);
-    kept.push_front({key, heights, std::move(made)});
-    kept.resize(std::min(kept.size(), kKept));
-    found = kept.begin();
-  }
-  refuse_sunken(scene, *found->terrain);
-  refuse_buried_camera(scene, found->terrain);
-  return found->terrain;
+HostTerrain with_albedo(const HostTerrain& heights, const Terrain& terrain) {
+  HostTerrain out = heights;
+  put_colours(out, terrain);
+  return out;
 }
 
 }  // namespace airlight

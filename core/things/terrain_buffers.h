@@ -2,7 +2,7 @@
 // A terrain's maps in a plan.
 
 #include "core/plan/plan.h"
-#include "core/terrain/terrain.h"
+#include "core/things/terrain.h"
 
 namespace airlight {
 

@@ -2,7 +2,6 @@
 // A scene's ground by maps, ready for lighting: albedo and water with means of them, and what waves mirror. The scene
 // already holds the files' contents; nothing here reads a file.
 
-#include <memory>
 #include <string>
 
 #include "core/physics/physics.h"
@@ -10,9 +9,11 @@
 
 namespace airlight {
 
-// The ground as the camera stands over it, north up in the preset's frame; null where the planet has one albedo. As
-// long as a planet's maps are the last ones asked for, all grounds share them.
-std::shared_ptr<const physics::HostGround> ground_of(const Scene& scene);
+// The planet's maps, without a place of the camera; `albedo`: where no map tells it.
+physics::HostGround planet_maps(const GroundMap& map, const Spectrum& albedo);
+
+// The ground as the camera stands over it, north up in the preset's frame.
+physics::HostGround seen_from(physics::HostGround maps, const Camera& camera);
 
 // Mean reflectance of the map over the planet, by area: the ground's part in lighting the air from below.
 Spectrum mean_albedo(const GroundFiles& files);

@@ -5,12 +5,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <mutex>
 #include <string>
 #include <vector>
 
-#include "core/terrain/terrain.h"
 #include "core/text.h"
+#include "core/things/terrain.h"
 
 namespace airlight {
 namespace {
@@ -39,9 +38,9 @@ double shadow_length(double height, double elevation, double radius) {
   return std::min(length, kLongest);
 }
 
-void place_table(TerrainData& t, const Scene& scene, double highest) {
-  t.sunward_east = std::sin(scene.sun.azimuth);
-  t.sunward_north = std::cos(scene.sun.azimuth);
+void place_table(TerrainData& t, const Sun& sun, double radius, double highest) {
+  t.sunward_east = std::sin(sun.azimuth);
+  t.sunward_north = std::cos(sun.azimuth);
   Span2 along;
   Span2 aside;
   for (const double x : {-0.5, 0.5}) {
@@ -54,8 +53,7 @@ void place_table(TerrainData& t, const Scene& scene, double highest) {
       aside.add(east * t.sunward_north - north * t.sunward_east);
     }
   }
-  const double radius = scene.planet.ground_radius;
-  const double low_sun = scene.sun.elevation + along.low / radius - scene.sun.disc.angular_radius;
+  const double low_sun = sun.elevation + along.low / radius - sun.disc.angular_radius;
   along.low -= shadow_length(highest, low_sun, radius);
   const double area = (along.high - along.low) * (aside.high - aside.low);
   // Finer than the map, since it cuts across the map's heights.
@@ -73,11 +71,11 @@ double slope_of(double elevation) {
 }
 
 // The table, swept row by row along the way from the sun.
-std::vector<physics::vec2> swept(const Scene& scene, const std::shared_ptr<const HostTerrain>& bare,
+std::vector<physics::vec2> swept(const Sun& sun, double radius, const std::shared_ptr<const HostTerrain>& bare,
                                  const TerrainData& t) {
   physics::Physics p;
   p.terrain_maps = bare;
-  const double limb = scene.sun.disc.angular_radius;
+  const double limb = sun.disc.angular_radius;
   std::vector<physics::vec2> shadows(static_cast<std::size_t>(t.shadow_columns) * t.shadow_rows);
   for (physics::uint j = 0; j < t.shadow_rows; ++j) {
     const double aside = t.shadow_aside + j * t.shadow_texel;
@@ -85,7 +83,7 @@ std::vector<physics::vec2> swept(const Scene& scene, const std::shared_ptr<const
     double terrain = kNoTerrain;
     for (physics::uint k = t.shadow_columns; k-- > 0;) {
       const double along = t.shadow_along + k * t.shadow_texel;
-      const double elevation = scene.sun.elevation + (along + 0.5 * t.shadow_texel) / scene.planet.ground_radius;
+      const double elevation = sun.elevation + (along + 0.5 * t.shadow_texel) / radius;
       for (std::size_t edge = 0; edge < 2; ++edge) {
         const double slope = slope_of(elevation + (edge == 0 ? limb : -limb));
         shadow[edge] = std::max(std::max(shadow[edge], terrain) - slope * t.shadow_texel, kNoTerrain);
@@ -114,28 +112,20 @@ double shadow_reach(const TerrainData& t) {
   return reach;
 }
 
-std::shared_ptr<const HostTerrain> shadowed_terrain(const Scene& scene) {
-  static std::mutex mutex;
-  static std::string last_key;
-  static HostTerrain last;  // the shape with the table's place, and the shadow
-  const std::shared_ptr<const HostTerrain> bare = terrain_of(scene);
+HostTerrain with_shadow(const std::shared_ptr<const HostTerrain>& heights, const Sun& sun, double planet_radius) {
+  HostTerrain out = *heights;
+  place_table(out.shape, sun, planet_radius, static_cast<double>(out.heights->back()));
+  out.shadows = std::make_shared<const std::vector<physics::vec2>>(swept(sun, planet_radius, heights, out.shape));
+  return out;
+}
+
+std::string shadow_key(const Scene& scene) {
   std::string key = height_key(*scene.terrain);
   for (const double number :
        {scene.sun.elevation, scene.sun.azimuth, scene.sun.disc.angular_radius, scene.planet.ground_radius}) {
     key += " " + shortest(number);
   }
-  const std::lock_guard lock(mutex);
-  if (key != last_key) {
-    last = *bare;
-    place_table(last.shape, scene, static_cast<double>(last.heights->back()));
-    last.shadows = std::make_shared<const std::vector<physics::vec2>>(swept(scene, bare, last.shape));
-    last_key = key;
-  }
-  auto out = std::make_shared<HostTerrain>(last);
-  out->colours = bare->colours;
-  out->shape.colour_columns = bare->shape.colour_columns;
-  out->shape.colour_rows = bare->shape.colour_rows;
-  return out;
+  return key;
 }
 
 }  // namespace airlight

@@ -1,11 +1,11 @@
-#include "core/methods/sampled_sky.h"
+#include "core/stage/sampled_sky.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 
-#include "core/methods/scene_air.h"
+#include "core/air/scene_block.h"
 #include "core/scene/angle.h"
 
 namespace airlight {
@@ -211,7 +211,8 @@ std::vector<SampledSky::Spectrum> SampledSky::spectra(const std::vector<Coeffici
   return all;
 }
 
-SampledSky::SampledSky(const Scene& scene, const BandColours& colours) : scene_(scene), p_(make_physics(scene)) {
+SampledSky::SampledSky(const Scene& scene, const Air& air, const BandColours& colours)
+    : scene_(scene), p_(formulas_of(air, scene)) {
   for (const double mu : zenith_cosines()) {
     for (const double azimuth : {0.0, 40.0, 100.0, 180.0}) {
       if (Walk found = walk(mu, azimuth * kDegree); !found.steps.empty() || found.ground_cosine > 0.0) {

@@ -1,4 +1,4 @@
-#include "core/terrain/terrain_buffers.h"
+#include "core/things/terrain_buffers.h"
 
 #include <algorithm>
 #include <iterator>

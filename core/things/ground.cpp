@@ -1,13 +1,12 @@
-#include "core/ground/ground.h"
+#include "core/things/ground.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <mutex>
 #include <numbers>
 #include <vector>
 
-#include "core/ground/planet_map.h"
+#include "core/things/planet_map.h"
 
 namespace airlight {
 namespace {
@@ -69,40 +68,42 @@ void put_water(HostGround& out, const std::vector<PlanetLevel>& levels) {
   out.water = std::move(water);
 }
 
-std::shared_ptr<const HostGround> made_ground(const Scene& scene) {
-  const GroundMap& map = *scene.ground;
+}  // namespace
+
+HostGround planet_maps(const GroundMap& map, const Spectrum& albedo) {
   const GroundFiles* files = map.files.get();
-  auto out = std::make_shared<HostGround>();
+  HostGround out;
   if (files != nullptr && !files->colours.empty()) {
-    put_albedo(*out, planet_levels(level_of(files->colours, files->colour_rows, kColourChannels), kColourChannels));
+    put_albedo(out, planet_levels(level_of(files->colours, files->colour_rows, kColourChannels), kColourChannels));
   } else {
     std::vector<float> same;
     for (int i = 0; i < 2; ++i) {
-      for (const double albedo : scene.planet.ground_albedo) {
-        same.push_back(static_cast<float>(albedo));
+      for (const double channel : albedo) {
+        same.push_back(static_cast<float>(channel));
       }
     }
-    put_albedo(*out, {{1, same}});
+    put_albedo(out, {{1, same}});
   }
   const bool masked = files != nullptr && !files->water.empty();
   if (masked) {
-    put_water(*out, planet_levels(level_of(files->water, files->water_rows, 1), 1));
+    put_water(out, planet_levels(level_of(files->water, files->water_rows, 1), 1));
   } else {
-    put_water(*out, {{1, {1.0F, 1.0F}}});
+    put_water(out, {{1, {1.0F, 1.0F}}});
   }
   if (map.ocean) {
     physics::Physics p;
-    out->head.shape.slope_variance = p.ocean_slope_variance(map.ocean->wind);
+    out.head.shape.slope_variance = p.ocean_slope_variance(map.ocean->wind);
     for (physics::uint i = 0; i < physics::kGlintShares; ++i) {
       const double root = i / (physics::kGlintShares - 1.0);
-      out->head.glint_share[i] = glint_share(out->head.shape.slope_variance, root * root);
+      out.head.glint_share[i] = glint_share(out.head.shape.slope_variance, root * root);
     }
   }
   return out;
 }
 
 // The planet's axes in the camera's frame: x east, y up, -z north.
-void place_camera(GroundData& head, const Camera& camera) {
+HostGround seen_from(HostGround maps, const Camera& camera) {
+  GroundData& head = maps.head;
   const double s = std::sin(camera.latitude);
   const double c = std::cos(camera.latitude);
   const double sl = std::sin(camera.longitude);
@@ -110,9 +111,8 @@ void place_camera(GroundData& head, const Camera& camera) {
   head.shape.pole = vec3(0.0, s, -c);
   head.shape.greenwich = vec3(-sl, c * cl, s * cl);
   head.shape.east = vec3(cl, c * sl, s * sl);
+  return maps;
 }
-
-}  // namespace
 
 double glint_share(double slope_variance, double mu_sun) {
   constexpr int kParts = 64;
@@ -154,24 +154,6 @@ std::string ground_key(const Scene& scene) {
     }
   }
   return key + (scene.ground->ocean ? " wind " + digits_of(scene.ground->ocean->wind) : "");
-}
-
-std::shared_ptr<const HostGround> ground_of(const Scene& scene) {
-  static std::mutex mutex;
-  static std::string last_key;
-  static std::shared_ptr<const HostGround> last;
-  if (!scene.ground) {
-    return nullptr;
-  }
-  const std::string key = ground_key(scene);
-  const std::lock_guard lock(mutex);
-  if (last == nullptr || key != last_key) {
-    last = made_ground(scene);
-    last_key = key;
-  }
-  auto placed = std::make_shared<HostGround>(*last);
-  place_camera(placed->head, scene.camera);
-  return placed;
 }
 
 }  // namespace airlight

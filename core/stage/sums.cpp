@@ -1,4 +1,4 @@
-#include "core/render/group_runs.h"
+#include "core/stage/sums.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,13 @@
 #pragma once
 // Groups of wavelengths rendered one after the other on the host, and the sum of their results.
 
+#include <array>
 #include <string>
+#include <vector>
 
-#include "core/methods/method.h"
-#include "core/methods/spectral_sky.h"
 #include "core/radiance_image.h"
+#include "core/spectra/colour.h"
+#include "core/stage/view.h"
 
 namespace airlight {
 

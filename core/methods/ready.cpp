@@ -1,0 +1,69 @@
+#include "core/methods/ready.h"
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "core/methods/method.h"
+
+namespace airlight {
+namespace {
+
+template <class T>
+T value_of(const RenderSettings& settings, std::string_view key, T otherwise) {
+  const auto found = settings.parameters.find(key);
+  const T* value = found == settings.parameters.end() ? nullptr : std::get_if<T>(&found->second);
+  return value == nullptr ? otherwise : *value;
+}
+
+Shells shells_of(const std::string& wish) {
+  return wish == "always" ? Shells::always : wish == "auto" ? Shells::where_needed : Shells::never;
+}
+
+// The options that the method's own keys set; a missing key sets none.
+AirOptions air_options(const RenderSettings& settings) {
+  AirOptions options;
+  if (const auto fade = settings.parameters.find("sun_fade"); fade != settings.parameters.end()) {
+    const SunFade* const value = std::get_if<SunFade>(&fade->second);
+    options.sun_fade = value == nullptr ? std::nullopt : std::optional(*value);
+  }
+  options.schlick = value_of<std::string>(settings, "phase", "media") == "schlick";
+  options.multiple_scattering_scale = value_of(settings, "multiple_scattering_scale", 1.0);
+  options.shells = shells_of(value_of<std::string>(settings, "shells", "never"));
+  options.moment_rows = value_of(settings, "moments_lut", TableSize{0, options.moment_rows})[1];
+  return options;
+}
+
+// All wavelengths of a scene are rendered alike.
+PartSettings settled(const Part& whole) {
+  RenderSettings render = whole.scene.render;
+  if (const auto settle = method_of(whole.scene).settle; settle != nullptr) {
+    settle(render, whole);
+  }
+  return {render, air_options(render)};
+}
+
+Stage made(const Scene& scene, const std::optional<Nodes>& listed, const Stage* like) {
+  const std::vector<Air> known = like == nullptr ? std::vector<Air>() : StageMaker::airs_of(*like);
+  const Things::Others others = like == nullptr ? Things::Others() : StageMaker::things_of(*like);
+  Part whole{scene, air_like(known, scene, air_options(scene.render)), Things(scene, others)};
+  return StageMaker{method_of(scene), std::move(whole), settled, listed, like}.make();
+}
+
+}  // namespace
+
+Stage ready(const Scene& scene) {
+  return made(scene, std::nullopt, nullptr);
+}
+
+Stage ready(const Scene& scene, const Stage& like) {
+  return made(scene, std::nullopt, &like);
+}
+
+Stage ready_at(const Scene& scene, const Nodes& nodes, const Stage& like) {
+  return made(scene, nodes, &like);
+}
+
+}  // namespace airlight

@@ -1,0 +1,16 @@
+#pragma once
+// The one door from a scene to what renders it.
+
+#include "core/stage/stage.h"
+
+namespace airlight {
+
+// Makes a scene ready to be rendered by its method. Of another stage, as that of the frame before or of another
+// quality, all is taken over that is equal: air, wavelengths, terrain and its shadow, maps.
+Stage ready(const Scene& scene);
+Stage ready(const Scene& scene, const Stage& like);
+
+// The same with these wavelengths as its parts; the scene must have spectra.
+Stage ready_at(const Scene& scene, const Nodes& nodes, const Stage& like);
+
+}  // namespace airlight

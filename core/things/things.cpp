@@ -1,0 +1,62 @@
+#include "core/things/things.h"
+
+#include <utility>
+
+#include "core/text.h"
+#include "core/things/ground.h"
+#include "core/things/terrain.h"
+
+namespace airlight {
+
+Things::Things(const Scene& scene, const Others& like) {
+  edges_ = kept<std::vector<EdgePixel>>(like, &Things::edges_, edge_key(scene),
+                                        [camera = scene.camera, planet = scene.planet, image = scene.image] {
+                                          Scene view;
+                                          view.camera = camera;
+                                          view.planet = planet;
+                                          view.image = image;
+                                          return edge_pixels_of(view);
+                                        });
+  if (scene.terrain) {
+    const Terrain& terrain = *scene.terrain;
+    heights_ = kept<TerrainMaps>(like, &Things::heights_, height_key(terrain), [terrain] {
+      return std::make_shared<const physics::HostTerrain>(placed_heights(terrain));
+    });
+    const OnDemand<TerrainMaps> heights = heights_.value;
+    colours_ = kept<TerrainMaps>(like, &Things::colours_, terrain_key(terrain), [terrain, heights] {
+      return std::make_shared<const physics::HostTerrain>(with_albedo(*heights.get(), terrain));
+    });
+    terrain_ = OnDemand<TerrainMaps>([terrain, colours = colours_.value, altitude = scene.camera.altitude] {
+      refuse_sunken(terrain, *colours.get());
+      refuse_buried_camera(altitude, colours.get());
+      return colours.get();
+    });
+    shadow_ = kept<TerrainMaps>(
+        like, &Things::shadow_, shadow_key(scene), [sun = scene.sun, radius = scene.planet.ground_radius, heights] {
+          return std::make_shared<const physics::HostTerrain>(with_shadow(heights.get(), sun, radius));
+        });
+  }
+  if (scene.ground) {
+    maps_ = kept<GroundMaps>(like, &Things::maps_, ground_key(scene),
+                             [map = *scene.ground, albedo = scene.planet.ground_albedo] {
+                               return std::make_shared<const physics::HostGround>(planet_maps(map, albedo));
+                             });
+    ground_ = OnDemand<GroundMaps>([maps = maps_.value, camera = scene.camera] {
+      return std::make_shared<const physics::HostGround>(seen_from(*maps.get(), camera));
+    });
+  }
+}
+
+std::shared_ptr<const physics::HostTerrain> Things::shadowed_terrain() const {
+  if (!terrain_) {
+    return nullptr;
+  }
+  const TerrainMaps bare = terrain();
+  auto out = std::make_shared<physics::HostTerrain>(*shadow_.value.get());
+  out->colours = bare->colours;
+  out->shape.colour_columns = bare->shape.colour_columns;
+  out->shape.colour_rows = bare->shape.colour_rows;
+  return out;
+}
+
+}  // namespace airlight
