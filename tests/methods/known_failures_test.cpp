@@ -8,7 +8,6 @@
 
 #include "core/air/air.h"
 #include "core/methods/method.h"
-
 #include "tests/of_scene.h"
 
 namespace airlight {

@@ -230,8 +230,9 @@ TEST(Tiled, UsualTilesFillNoMoreThanTheirBudget) {
 
 // A medium that scatters at few wavelengths has a layer; so tiles have room for it.
 TEST(Tiled, TilesHaveRoomForEveryLayer) {
-  const Stage stage = ready(scene_of(clear_air(R"({"wavelengths_nm": [400, 401, 409, 410], "values": [0, 0.1, 0.1, 0]})",
-                                         "{}", R"(, "render": {"method": "march", "wavelengths": 48})")));
+  const Stage stage =
+      ready(scene_of(clear_air(R"({"wavelengths_nm": [400, 401, 409, 410], "values": [0, 0.1, 0.1, 0]})", "{}",
+                               R"(, "render": {"method": "march", "wavelengths": 48})")));
   const std::vector<Layer> layers = layers_of(stage);
   EXPECT_EQ(layers.front().name, "air");
   const auto is_of_light = [](const Layer& layer) { return layer.channels == "RGB" && layer.name != "sun"; };
