@@ -45,6 +45,11 @@ set(installed_files $<TARGET_FILE:airlight> $<TARGET_FILE:airlight_foreign_modul
                     ${copyright})
 set(installed_folders ${CMAKE_INSTALL_BINDIR} ${AIRLIGHT_MODULE_FOLDER} ${manual_folder} ${shared_folder}/presets
                       ${about_folder} ${bash_folder} ${fish_folder})
+foreach(page IN LISTS pages)
+  get_filename_component(folder ${page} DIRECTORY)
+  list(APPEND installed_folders ${about_folder}/${folder})
+endforeach()
+list(REMOVE_DUPLICATES installed_folders)
 install(CODE "set(airlight_files \"${installed_files}\")
   set(airlight_build \"${PROJECT_BINARY_DIR}\")
   # The folder that zsh searches; Debian's packages have one of their own.
