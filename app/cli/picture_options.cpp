@@ -163,7 +163,7 @@ void require_layers(const PictureOptions& options, const Scene& scene, bool exr,
   }
   if (method_of(scene).add_layer_passes == nullptr) {
     throw InputError(command + ": --layers: " + scene.render.method +
-                     " does not tell its light apart; choose by --method one of " + methods_with_layers());
+                     " does not tell its light apart; choose --method " + methods_with_layers());
   }
   if (const std::string refusal = layers_refusal(scene); !refusal.empty()) {
     throw InputError(command + ": --layers: " + refusal);

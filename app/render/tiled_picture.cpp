@@ -166,6 +166,11 @@ std::optional<ImageSize> tile_for(const std::optional<std::string>& option, cons
 
 TiledPicture write_tiled(const DeviceOnDemand& device, const Stage& stage, const TiledOrder& order) {
   const Scene& scene = stage.scene();
+  if (needs_whole_picture(scene, order.request)) {
+    throw InputError(order.source +
+                     ": /bloom/model: a chain is made of the whole picture, and this one is rendered in tiles; set "
+                     "/bloom/model to \"glare\", or /bloom/enabled to false");
+  }
   AllFiles files;
   bool shown = false;
   for (const TiledPart& part : order.parts) {

@@ -47,8 +47,8 @@ struct TiledPicture {
   std::vector<std::string> files;  // empty: it was dropped
 };
 
-// Throws RunError and leaves no file when the device fails, the disk is full, or a table, the picture or a layer is at
-// fault (then the PNG of the diagnostic view is left).
+// Throws InputError for a bloom chain. Throws RunError and leaves no file when the device fails, the disk is full, or a
+// table, the picture or a layer is at fault (then the PNG of the diagnostic view is left).
 TiledPicture write_tiled(const DeviceOnDemand& device, const Stage& stage, const TiledOrder& order);
 
 }  // namespace airlight::cli

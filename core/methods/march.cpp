@@ -50,21 +50,6 @@ std::vector<std::string> spared(const Part& part) {
   return lines;
 }
 
-// Light is kept apart only by steps of one node and without interpolation between corners.
-void keep_apart(RenderSettings& settings) {
-  auto& resolution = std::get<std::string>(settings.parameters.at("resolution"));
-  resolution = resolution == "auto" ? "full" : resolution;
-  if (steps_are_automatic(settings)) {
-    write_steps(settings, {kUsualSteps, physics::kStepsQuadratic});
-  }
-}
-
-LayerPasses add_layers(Plan& plan, const Part& part, const View& view) {
-  Part apart = part;
-  keep_apart(apart.scene.render);
-  return add_march_layers(plan, apart, view, add_march_tables(plan, part));
-}
-
 // A quality sets all that the default leaves to the scene: candidates are judged by directions, without a picture.
 Quality with_steps(std::string_view label, int steps) {
   return {label,
@@ -124,9 +109,6 @@ SkyMethod march_method() {
   method.add_passes = add_march;
   method.settle = settle;
   method.spared = spared;
-  method.add_layer_passes = add_layers;
-  method.keep_apart = keep_apart;
-  method.layers_refusal = march_layers_refusal;
   method.left_out = march_left_out;
   method.single_scattering = {{"multiple_scattering_scale", 0.0}};
   method.formula = march_formula;

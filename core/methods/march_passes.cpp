@@ -136,28 +136,6 @@ std::vector<std::string> march_left_out(const Scene& scene, const Plan&) {
   return {"multiple scattering: the air is so thin that it adds less than the tolerance"};
 }
 
-std::string march_layers_refusal(const Scene& scene) {
-  if (scene.ground) {
-    return ground_layers_refusal(scene);
-  }
-  const std::array<std::pair<const char*, std::vector<std::string>>, 3> known{
-      {{"step_distribution", {"quadratic", "uniform", "auto"}},
-       {"jitter", {"none"}},
-       {"resolution", {"full", "auto"}}}};
-  for (const auto& [key, values] : known) {
-    const auto found = scene.render.parameters.find(key);
-    if (found == scene.render.parameters.end()) {
-      continue;
-    }
-    const std::string& value = std::get<std::string>(found->second);
-    if (std::ranges::find(values, value) == values.end()) {
-      return "render." + std::string(key) + " \"" + value + "\" keeps no light apart; set it to \"" + values.front() +
-             "\"";
-    }
-  }
-  return {};
-}
-
 physics::HostTable host_table(const HostTables& tables, const std::string& name) {
   const auto found = tables.find(name);
   return found == tables.end() ? physics::HostTable() : found->second;
@@ -203,20 +181,6 @@ void add_march_ground(Plan& plan, const Part& part, const MarchTables& tables, c
                   .irradiance = tables.ground_irradiance,
                   .sky = tables.reflects,
                   .constants = std::move(constants)});
-}
-
-LayerPasses add_march_layers(Plan& plan, const Part& part, const View& view, const MarchTables& tables) {
-  std::vector<Specialization> constants = march_specialization(plan, part, tables);
-  constants.push_back({"kGroundReflects", tables.reflects ? 1u : 0u});
-  constants.push_back({"kEdges", physics::kEdgesFound});
-  std::vector<Binding> reads = march_reads(tables);
-  reads.push_back({"ground_irradiance_lut", tables.ground_irradiance});
-  return add_layers_pass(plan, part, view,
-                         {.shader = "layers_march",
-                          .reads = std::move(reads),
-                          .push_constants = {static_cast<std::uint32_t>(march_steps(part).count)},
-                          .specialization = std::move(constants)},
-                         tables.transmittance);
 }
 
 }  // namespace airlight

@@ -36,9 +36,8 @@ MarchTables add_march_tables(Plan& plan, const Part& part);
 // PassDesc::cost of a march along one ray.
 double march_cost(int steps);
 
-// Members of SkyMethod for methods that march: left_out, layers_refusal and formula.
+// Members of SkyMethod for methods that march: left_out and formula.
 std::vector<std::string> march_left_out(const Scene& scene, const Plan& plan);
-std::string march_layers_refusal(const Scene& scene);
 RayFormula march_formula(physics::Physics p, const Part& part, const HostTables& tables);
 
 // The table of this name, empty where there is none.
@@ -55,8 +54,5 @@ void add_march_pass(Plan& plan, const Part& part, const MarchTables& tables, con
 
 // Adds the ground by its maps to a picture of these tables with a black ground. No effect where the scene has no maps.
 void add_march_ground(Plan& plan, const Part& part, const MarchTables& tables, const SkyTarget& target);
-
-// Adds the pass of the same march that keeps light apart.
-LayerPasses add_march_layers(Plan& plan, const Part& part, const View& view, const MarchTables& tables);
 
 }  // namespace airlight

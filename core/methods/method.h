@@ -136,9 +136,6 @@ struct SkyMethod {
   SpanPasses (*add_span_passes)(Plan&, const Part&, const Spans&, const SpanWay&) = nullptr;
   // Whether SpanWay::volume holds for the scene's camera. Null: never.
   bool (*has_volume)(const Scene&) = nullptr;
-  // Replaces `auto` in the settings for a picture with layers, where some meanings of `auto` do not keep light apart.
-  // Null: all do.
-  void (*keep_apart)(RenderSettings&) = nullptr;
   // Why layers are impossible for this scene, though the method has them; empty: they are possible. Null: they always
   // are.
   std::string (*layers_refusal)(const Scene&) = nullptr;

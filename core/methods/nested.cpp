@@ -70,14 +70,6 @@ SkyPasses add_nested(Plan& plan, const Part& part, const View& view) {
   return {target.radiance, {}};
 }
 
-LayerPasses add_layers(Plan& plan, const Part& part, const View& view) {
-  return add_layers_pass(plan, part, view,
-                         {.shader = "layers_nested",
-                          .push_constants = push_constants_of(part.scene),
-                          .specialization = constants_of(part)},
-                         std::nullopt);
-}
-
 std::vector<std::string> left_out(const Scene&, const Plan&) {
   return {"multiple scattering: it adds less than the tolerance"};
 }
@@ -128,8 +120,6 @@ SkyMethod nested_method() {
       rounding_at_the_horizon()};
   method.converged = {"", {{"steps", 512}, {"sun_steps", 120}}};
   method.add_passes = add_nested;
-  method.add_layer_passes = add_layers;
-  method.layers_refusal = march_layers_refusal;
   method.left_out = left_out;
   method.formula = formula;
   return method;

@@ -64,18 +64,6 @@ void add_layer_constants(std::vector<Specialization>& constants, const Part& par
   constants.push_back({"kScatteringMedia", part.air.scattering_media()});
 }
 
-LayerPasses add_layers_pass(Plan& plan, const Part& part, const View& view, PassDesc pass,
-                            std::optional<ImageId> transmittance) {
-  const BufferId planes = add_layer_planes(plan, part, view);
-  pass.name = "layers";
-  pass.writes = {{"layers_out", planes}};
-  pass.grid = picture_grid(part.scene, view);
-  pass.push_constants.insert(pass.push_constants.begin(), {pass.grid.width, pass.grid.height});
-  add_layer_constants(pass.specialization, part);
-  plan.add_pass(std::move(pass));
-  return {planes, transmittance};
-}
-
 SkyTarget add_sky_target(Plan& plan, const Scene& scene, const View& view) {
   const bool listed = !view.directions.empty();
   const auto count = static_cast<std::uint32_t>(view.directions.size());

@@ -37,11 +37,6 @@ std::string picture_table_key(const View& view, std::string_view table);
 BufferId add_layer_planes(Plan& plan, const Part& part, const View& view);
 void add_layer_constants(std::vector<Specialization>& constants, const Part& part);
 
-// Adds a whole pass of layers: completes `pass` with what all methods' passes share. Its push constants follow the
-// grid's width and height.
-LayerPasses add_layers_pass(Plan& plan, const Part& part, const View& view, PassDesc pass,
-                            std::optional<ImageId> transmittance);
-
 // Adds the buffers that a sky pass of this view writes and reads.
 SkyTarget add_sky_target(Plan& plan, const Scene& scene, const View& view);
 

@@ -2,7 +2,6 @@
 // Views from above the air march pixel by pixel.
 
 #include <array>
-#include <bit>
 
 #include "core/methods/ground_pass.h"
 #include "core/methods/march_passes.h"
@@ -141,45 +140,6 @@ SkyPasses add_sky_view(Plan& plan, const Part& part, const View& view) {
   return {target.radiance, list};
 }
 
-// The table with its light apart, in blocks side by side.
-ImageId add_layers_table(Plan& plan, const Part& part, const View& view, const MarchTables& tables) {
-  const TableSize size = part.scene.render.get<TableSize>("sky_view_lut");
-  const auto columns = static_cast<std::uint32_t>(size[0]);
-  const auto rows = static_cast<std::uint32_t>(size[1]);
-  const auto blocks = static_cast<std::uint32_t>(std::popcount(part.air.scattering_media())) + 2;
-  const ImageId out = plan.add_image(
-      {.name = "layers_view", .extent = {columns * blocks, rows, 1}, .key = picture_table_key(view, "layers_view")});
-  std::vector<Specialization> constants = constants_of(plan, part, tables);
-  constants.push_back({"kScatteringMedia", part.air.scattering_media()});
-  plan.add_pass({.name = "layers_view",
-                 .shader = "layers_view",
-                 .reads = reads_of(tables),
-                 .writes = {{"layers_view_out", out}},
-                 .grid = {columns, rows, 1},
-                 .push_constants = {columns, static_cast<std::uint32_t>(part.scene.render.get<int>("steps")),
-                                    sky_rows(part.scene)},
-                 .specialization = std::move(constants)});
-  return out;
-}
-
-LayerPasses add_layers(Plan& plan, const Part& part, const View& view) {
-  const MarchTables tables = add_march_tables(plan, part);
-  if (part.scene.camera.altitude >= part.scene.planet.atmosphere_height) {
-    return add_march_layers(plan, part, view, tables);
-  }
-  const ImageId table = add_layers_table(plan, part, view, tables);
-  std::vector<Binding> reads = reads_of(tables);
-  reads.push_back({"layers_view_lut", table});
-  std::vector<Specialization> constants = fetch_constants(plan, part, tables);
-  constants.push_back({"kEdges", physics::kEdgesFound});
-  return add_layers_pass(plan, part, view,
-                         {.shader = "layers_from_view",
-                          .reads = std::move(reads),
-                          .push_constants = {static_cast<std::uint32_t>(part.scene.render.get<int>("steps"))},
-                          .specialization = std::move(constants)},
-                         tables.transmittance);
-}
-
 Quality with_table(std::string_view label, TableSize size, int steps) {
   return {label, {{"sky_view_lut", size}, {"steps", steps}}};
 }
@@ -219,8 +179,6 @@ SkyMethod sky_view_method() {
       {"EJ", {{Quantity::asymmetry, -1, -0.9}}, "a glory sharper than the table's texels"});
   method.converged = converged_march();
   method.add_passes = add_sky_view;
-  method.add_layer_passes = add_layers;
-  method.layers_refusal = march_layers_refusal;
   method.left_out = march_left_out;
   method.single_scattering = {{"multiple_scattering_scale", 0.0}};
   return method;

@@ -166,7 +166,6 @@ struct Physics {
 #include "shaders/physics/spread.glsl"
 #include "shaders/physics/multiple_scattering.glsl"
 #include "shaders/physics/layers.glsl"
-#include "shaders/physics/march_layers.glsl"
 #include "shaders/physics/sky_view_mapping.glsl"
 #include "shaders/physics/columns.glsl"
 #include "shaders/physics/analytic.glsl"

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/air/scene_block.h"
-#include "core/post/bloom_grid.h"
 #include "core/post/post.h"
 
 namespace airlight {
@@ -73,22 +72,15 @@ Level chain_level(const Scene& scene, int level) {
   return level_of(whole_picture(scene), base_texel(scene) * std::exp2(level));
 }
 
-// The image of a picture's bloom that the device keeps under a key. A single level is its own sum.
-ImageDesc bloom_desc(const Scene& scene, const std::string& key) {
-  return {
-      .name = scene.bloom.levels > 1 ? "bloom_up1" : "bloom_down1", .extent = chain_level(scene, 1).extent, .key = key};
-}
-
 // The downsampled levels 1 to n, finest first.
-std::vector<Level> add_levels(Plan& plan, const Scene& scene, ImageId base, double exposure, const std::string& key) {
+std::vector<Level> add_levels(Plan& plan, const Scene& scene, ImageId base, double exposure) {
   const Picture picture = whole_picture(scene);
   Level source = base_level(scene);
   source.image = base;
   std::vector<Level> levels;
   for (int level = 1; level <= scene.bloom.levels; ++level) {
     Level out = chain_level(scene, level);
-    out.image = scene.bloom.levels == 1 ? plan.add_image(bloom_desc(scene, key))
-                                        : add_level(plan, "bloom_down", level, out.extent);
+    out.image = add_level(plan, "bloom_down", level, out.extent);
     const Taps taps = level == 1 ? Taps{base_texel(scene) / picture.width, base_texel(scene) / picture.height}
                                  : taps_of(picture, source);
     plan.add_pass({.name = "bloom_down" + std::to_string(level),
@@ -145,12 +137,8 @@ double pixel_angle(const Scene& scene) {
   return kBaseTexelAngle;
 }
 
-Extent bloom_grid(const Scene& scene) {
-  return base_level(scene).extent;
-}
-
 ImageId add_bloom_base(Plan& plan, const Scene& scene, const Picture& picture) {
-  const Extent extent = bloom_grid(scene);
+  const Extent extent = base_level(scene).extent;
   const ImageId base = add_level(plan, "bloom_base", 0, extent);
   plan.add_pass({.name = "bloom_base",
                  .shader = "bloom_base",
@@ -161,14 +149,13 @@ ImageId add_bloom_base(Plan& plan, const Scene& scene, const Picture& picture) {
   return base;
 }
 
-ImageId add_bloom(Plan& plan, const Scene& scene, ImageId base, double exposure, const std::string& key) {
+ImageId add_bloom(Plan& plan, const Scene& scene, ImageId base, double exposure) {
   const Picture picture = whole_picture(scene);
-  const std::vector<Level> levels = add_levels(plan, scene, base, exposure, key);
+  const std::vector<Level> levels = add_levels(plan, scene, base, exposure);
   ImageId sum = levels.back().image;
   for (std::size_t i = levels.size() - 1; i-- > 0;) {
     const Taps taps = taps_of(picture, levels[i + 1]);
-    const ImageId out = i == 0 ? plan.add_image(bloom_desc(scene, key))
-                               : add_level(plan, "bloom_up", static_cast<int>(i) + 1, levels[i].extent);
+    const ImageId out = add_level(plan, "bloom_up", static_cast<int>(i) + 1, levels[i].extent);
     plan.add_pass({.name = "bloom_up" + std::to_string(i + 1),
                    .shader = "bloom_up",
                    .reads = {{"coarser", sum}, {"level", levels[i].image}},
@@ -179,10 +166,6 @@ ImageId add_bloom(Plan& plan, const Scene& scene, ImageId base, double exposure,
     sum = out;
   }
   return sum;
-}
-
-ImageId add_kept_bloom(Plan& plan, const Scene& scene, const std::string& key) {
-  return plan.add_image(bloom_desc(scene, key));
 }
 
 BufferId add_glow_picture(Plan& plan, const Scene& scene, const Picture& picture, const Glow& glow) {

@@ -94,36 +94,9 @@ using Glow = std::variant<ImageId, GlareSources>;
 // that the glow's width is an angle. It is never finer than the picture.
 ImageId add_bloom_base(Plan& plan, const Scene& scene, const Picture& picture);
 
-// The same grid for a picture that is never whole, gathered from bands of whole rows, equal to the last bit.
-class BloomGathering {
- public:
-  explicit BloomGathering(const Scene& scene);
-
-  // Adds the next band, from the top; take() then gets the buffer's contents.
-  BufferId add_band(Plan& plan, const Picture& band) const;
-  void take(const Picture& band, std::span<const std::byte> sums);
-
-  // To be called after the last band.
-  ImageId add_base(Plan& plan) const;
-
- private:
-  struct Rows {
-    std::uint32_t first = 0;
-    std::uint32_t count = 0;
-  };
-  Rows touched(const Picture& band) const;  // rows of the grid
-
-  Extent picture_;
-  Extent grid_;
-  std::vector<float> sums_;  // four floats a texel, for the rows touched so far
-};
-
 // Bloom of a picture as a finished chain, scene-linear, before `intensity` [J14]: an image of the chain's first level,
-// to be sampled at the picture's own pixels. `base`: the finest grid. With a key it is kept for later plans.
-ImageId add_bloom(Plan& plan, const Scene& scene, ImageId base, double exposure, const std::string& key = {});
-
-// The image that add_bloom() of an earlier plan has kept under this key.
-ImageId add_kept_bloom(Plan& plan, const Scene& scene, const std::string& key);
+// to be sampled at the picture's own pixels. `base`: the finest grid.
+ImageId add_bloom(Plan& plan, const Scene& scene, ImageId base, double exposure);
 
 // The glow at the pixels of the picture or of a band of its rows, for the host: four floats a pixel. Glare needs the
 // plan's scene data to be of that band.

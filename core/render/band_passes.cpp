@@ -8,19 +8,13 @@ bool host_measures(const Executor& executor) {
   return executor.device().is_cpu;
 }
 
-BandPasses::BandPasses(Plan& plan, const Scene& scene, const Picture& band, const BandWork& work)
-    : band_(band), work_(work) {
+BandPasses::BandPasses(Plan& plan, const Scene& scene, const Picture& band, const BandWork& work) : band_(band) {
   if (work.statistics) {
     rows_ = add_picture_statistics(plan, band, brightest_metered(scene), scene.spectra.has_value());
-  }
-  if (work.gathering != nullptr) {
-    sums_ = work.gathering->add_band(plan, band);
   }
   std::optional<Glow> glow;
   if (work.glare != nullptr && (work.bloom_picture || work.gpu_tone)) {
     glow = add_glare_sources(plan, *work.glare);
-  } else if (!work.chain.empty() && (work.bloom_picture || work.gpu_tone)) {
-    glow = add_kept_bloom(plan, scene, work.chain);
   }
   if (glow && work.bloom_picture) {
     bloom_ = add_glow_picture(plan, scene, band, *glow);
@@ -35,9 +29,6 @@ std::span<const std::byte> BandPasses::statistics(const RunResult& result) const
 }
 
 void BandPasses::take(const RunResult& result, Rendering& rows) const {
-  if (sums_) {
-    work_.gathering->take(band_, result.contents(*sums_));
-  }
   if (bloom_) {
     rows.bloom = RadianceImage{static_cast<int>(band_.width), static_cast<int>(band_.height),
                                values_of<float>(result.contents(*bloom_))};

@@ -2,7 +2,6 @@
 // Post-processing of a band of whole rows on the device, once its radiance is there: those parts that go row by row.
 
 #include <optional>
-#include <string>
 
 #include "core/gpu/executor.h"
 #include "core/render/render.h"
@@ -12,8 +11,6 @@ namespace airlight {
 // The results that a band shall have.
 struct BandWork {
   bool statistics = false;
-  BloomGathering* gathering = nullptr;  // if not null, add the band to it
-  std::string chain;                    // the key of the picture's bloom chain; empty: there is none
   const std::vector<physics::GlarePoint>* glare = nullptr;  // the sun glares
   bool bloom_picture = false;                               // read the bloom back
   bool gpu_tone = false;
@@ -30,13 +27,12 @@ class BandPasses {
 
   // The statistics of its rows; empty unless asked for.
   std::span<const std::byte> statistics(const RunResult& result) const;
-  // Takes bloom and tone curve into `rows`, and sums into the gathering.
+  // Takes bloom and tone curve into `rows`.
   void take(const RunResult& result, Rendering& rows) const;
 
  private:
   Picture band_;
-  const BandWork& work_;
-  std::optional<BufferId> rows_, sums_, bloom_, encoded_;
+  std::optional<BufferId> rows_, bloom_, encoded_;
 };
 
 }  // namespace airlight

@@ -7,7 +7,6 @@
 #include <set>
 
 #include "core/methods/method.h"
-#include "core/methods/ready.h"
 #include "core/methods/spectral_sums.h"
 #include "core/plan/bytes.h"
 #include "core/render/picture_key.h"
@@ -201,16 +200,6 @@ std::vector<Layer> layers_of(const Stage& stage) {
 std::string layers_refusal(const Scene& scene) {
   const auto refusal = method_of(scene).layers_refusal;
   return refusal == nullptr ? std::string() : refusal(scene);
-}
-
-Stage kept_apart(const Stage& stage) {
-  const auto keep_apart = stage.method().keep_apart;
-  if (keep_apart == nullptr) {
-    return stage;
-  }
-  Scene scene = stage.scene();
-  keep_apart(scene.render);
-  return ready(scene, stage);
 }
 
 std::string methods_with_layers() {

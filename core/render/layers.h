@@ -32,14 +32,11 @@ inline constexpr float kNoDistance = 1e10F;
 // there is none.
 std::vector<Layer> layers_of(const Stage& stage);
 
-// Why this scene's picture has no layers though its method has them: keys of render that only its march knows. Empty:
-// it has layers.
+// Why this scene's picture has no layers though its method has them: things whose light is not kept apart. Empty: it
+// has layers.
 std::string layers_refusal(const Scene& scene);
 
-// The stage as it is rendered together with its layers.
-Stage kept_apart(const Stage& stage);
-
-// The methods that have layers, for messages: "nested, march, sky-view, orders".
+// The methods that have layers, for messages.
 std::string methods_with_layers();
 
 // The layers of one tile, for a method that has them. `kept_as`: as View::kept_as. Adds to `timings`.

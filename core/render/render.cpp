@@ -9,6 +9,7 @@
 #include "core/post/host_post.h"
 #include "core/render/band_passes.h"
 #include "core/render/sky.h"
+#include "core/render/tiled.h"
 #include "core/render/timings.h"
 
 namespace airlight {
@@ -205,9 +206,7 @@ Rendering render_here(const DeviceOnDemand& device, const Stage& stage, const Re
 }  // namespace
 
 void open_for_finish(const DeviceOnDemand& device, const Stage& stage, const RenderRequest& request) {
-  const Bloom& bloom = stage.scene().bloom;
-  const bool wants_chain = request.bloom && bloom.enabled && bloom.model == BloomModel::chain;
-  if (wants_chain || request.gpu_tone) {
+  if (needs_whole_picture(stage.scene(), request) || request.gpu_tone) {
     device();
   }
 }
@@ -232,7 +231,7 @@ Rendering render(const DeviceOnDemand& device, const Stage& stage, const RenderR
   if (samples(stage)) {
     return render_here(device, stage, request);
   }
-  return render_there(device(), request.layers ? kept_apart(stage) : stage, request);
+  return render_there(device(), stage, request);
 }
 
 Plan plan_for(const Stage& stage, const RenderRequest& request) {

@@ -55,18 +55,12 @@ enum class Round { measuring, delivering };
 class TiledRender {
  public:
   TiledRender(const DeviceOnDemand& device, const Stage& stage, const TiledRequest& request)
-      : device_(device),
-        stage_(stage),
-        scene_(stage_.scene()),
-        request_(request),
-        kept_as_(picture_key()),
-        gathering_(scene_) {}
+      : device_(device), stage_(stage), scene_(stage_.scene()), request_(request), kept_as_(picture_key()) {}
 
   Rendering run();
 
  private:
   bool wants_bloom() const { return request_.picture.bloom && scene_.bloom.enabled; }
-  bool wants_chain() const { return wants_bloom() && scene_.bloom.model == BloomModel::chain; }
   bool stops() const { return !request_.past_faults && !out_.fault().empty(); }
   Tile whole_rows(int y, int rows) const { return {0, y, scene_.image.width, rows}; }
   bool in_columns() const { return host_.radiance.rgba.empty() && request_.tile.width < scene_.image.width; }
@@ -94,9 +88,7 @@ class TiledRender {
   HostPicture host_;  // of a method on the host
   Rendering out_;
   std::vector<std::byte> rows_;  // statistics of all rows so far
-  BloomGathering gathering_;
   bool two_rounds_ = false;
-  std::string chain_key_;                   // of the finished chain; empty: none
   std::vector<physics::GlarePoint> glare_;  // empty: none
 
   std::optional<TableReads> table_reads_;  // of the first tile's plan, which makes the tables
@@ -185,7 +177,7 @@ void TiledRender::render_band(Band& band, int rows, const BandWork& work) {
   if (!host_.radiance.rgba.empty()) {
     band.rows.radiance = rows_of(host_.radiance, band.y, rows);
     draw_disc_over(band.rows.radiance, stage_, whole);
-    if (wants_chain() || work.gpu_tone) {
+    if (work.gpu_tone) {
       plan.scene_data = device_scene_bytes(stage_.whole().air, scene_, whole);
       run_rows(plan, add_upload(plan, band.rows.radiance, 0, whole), work, band);
     } else {
@@ -234,9 +226,7 @@ void TiledRender::deliver(Band& band) {
 void TiledRender::go_through(Round round, double from, double to) {
   BandWork work;
   work.statistics = !two_rounds_ || round == Round::measuring;
-  work.gathering = round == Round::measuring && wants_chain() ? &gathering_ : nullptr;
   if (round == Round::delivering) {
-    work.chain = chain_key_;
     work.glare = glare_.empty() ? nullptr : &glare_;
     work.bloom_picture = request_.picture.bloom_picture;
     work.gpu_tone = request_.picture.gpu_tone;
@@ -264,7 +254,7 @@ void TiledRender::go_through(Round round, double from, double to) {
   }
 }
 
-// Called before the picture is delivered; for a chain, after it was measured.
+// Called before the picture is delivered.
 void TiledRender::make_bloom() {
   if (!wants_bloom()) {
     return;
@@ -273,14 +263,7 @@ void TiledRender::make_bloom() {
     out_.left_out.push_back(no_bloom(scene_));
     return;
   }
-  if (!wants_chain()) {
-    glare_ = glare_points_of(stage_);
-    return;
-  }
-  chain_key_ = "bloom of " + kept_as_;
-  Plan plan;
-  add_bloom(plan, scene_, gathering_.add_base(plan), out_.exposure, chain_key_);
-  run_plan(plan);
+  glare_ = glare_points_of(stage_);
 }
 
 Rendering TiledRender::run() {
@@ -293,7 +276,7 @@ Rendering TiledRender::run() {
   if (!add_sun_disc(whole, stage_.whole(), std::nullopt, picture_of(BufferId{}, whole_rows(0, scene_.image.height)))) {
     out_.left_out.push_back("sun disc: switched off, outside the picture or behind the planet");
   }
-  two_rounds_ = wants_chain() || (request_.exposure_first && !scene_.display.exposure);
+  two_rounds_ = request_.exposure_first && !scene_.display.exposure;
   out_.exposure = scene_.display.exposure ? exposure_for(scene_, {}) : 1.0;
   if (two_rounds_) {
     go_through(Round::measuring, 0.0, 0.5);
@@ -308,6 +291,10 @@ Rendering TiledRender::run() {
 }
 
 }  // namespace
+
+bool needs_whole_picture(const Scene& scene, const RenderRequest& request) {
+  return request.bloom && scene.bloom.enabled && scene.bloom.model == BloomModel::chain;
+}
 
 std::size_t tile_pixel_bytes(const Stage& stage, bool layers) {
   return sizeof(float) * std::max<std::size_t>(4, layers ? layer_planes(stage) : 0);
@@ -361,7 +348,8 @@ Rendering rows_of(const Rendering& whole, int first, int count) {
 
 Rendering render_tiled(const DeviceOnDemand& device, const Stage& stage, const TiledRequest& request) {
   assert(request.tile.width > 0 && request.tile.height > 0);
-  return TiledRender(device, request.picture.layers ? kept_apart(stage) : stage, request).run();
+  assert(!needs_whole_picture(stage.scene(), request.picture));
+  return TiledRender(device, stage, request).run();
 }
 
 }  // namespace airlight

@@ -1,6 +1,6 @@
 #pragma once
 // A picture rendered tile by tile, never in memory as a whole, with the same pixels as render()'s, bit for bit. A first
-// pass over the picture measures what must be known of all of it (exposure, bloom).
+// pass over the picture measures its exposure where that must be known.
 
 #include <functional>
 
@@ -39,6 +39,9 @@ std::size_t band_pixel_bytes(const Stage& stage, bool layers);
 
 // Size of a default tile: whole rows with about 32 MiB of radiance.
 ImageSize usual_tile(const Stage& stage, bool layers);
+
+// Whether the request asks for a bloom chain: it is made of the whole picture, and no tiles have it.
+bool needs_whole_picture(const Scene& scene, const RenderRequest& request);
 
 // The rendering comes without pixels. A fault ends it before the faulty band, unless past_faults. A method on the host
 // renders the whole picture first and passes its rows on in bands.

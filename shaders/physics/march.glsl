@@ -1,6 +1,6 @@
 // The view march on tables of transmittance and isotropic multiple scattering: single scattering with the planet's
 // shadow at each step, multiple scattering as isotropic light [H20 sec. 5.5.2 eq. 10], the ground where the ray ends on
-// it. march_layers.glsl takes the same steps and keeps the light apart.
+// it.
 // The includer defines:
 //   vec3 fetch_multiple_scattering(real x, real y);  1/sr, for a sun of irradiance 1
 //   vec3 fetch_ground_irradiance(real x);            sky irradiance on the ground over x = (1 + mu_sun)/2

@@ -184,12 +184,22 @@ TEST_F(Tiles, LayersGoWithSpacesAndFaces) {
   EXPECT_TRUE(contains(scratch_.read("face.posx.exr"), "transmittance.R"));
 }
 
+// It is made of the whole picture; an EXR alone has no bloom.
+TEST_F(Tiles, ABloomChainIsRefused) {
+  const Names chain = {"render", "sky.json", "--tile", "16x8", "--set", "/bloom/model=chain"};
+  Names shown = chain;
+  shown.insert(shown.end(), {"--png", "a.png"});
+  expect_refusal(shown, "/bloom/model: a chain is made of the whole picture");
+  Names light = chain;
+  light.insert(light.end(), {"-o", "a.exr"});
+  EXPECT_EQ(tool(light).exit_code, 0);
+}
+
 TEST_F(Tiles, LayersThatCannotBeAreRefused) {
   expect_refusal({"render", "sky.json", "--png", "a.png", "--layers"}, "give -o FILE.exr too");
-  for (const std::string method : {"analytic", "path-trace"}) {
-    expect_refusal(
-        {"render", "sky.json", "-o", "a.exr", "--layers", "--method", method},
-        method + " does not tell its light apart; choose by --method one of nested, march, sky-view, orders");
+  for (const std::string method : {"analytic", "nested", "march", "sky-view", "path-trace"}) {
+    expect_refusal({"render", "sky.json", "-o", "a.exr", "--layers", "--method", method},
+                   method + " does not tell its light apart; choose --method orders");
   }
 }
 

@@ -84,7 +84,7 @@ Scene small_sky(double altitude) {
   return scene;
 }
 
-// Every shipped preset, by the method with the fewest shaders to make; the other methods follow below.
+// Every shipped preset whose things permit layers.
 TEST(Layers, SumUpToThePicture_Presets) {
   int presets = 0;
   for (const auto& entry : fs::directory_iterator(fs::path(AIRLIGHT_SOURCE_DIR) / "presets")) {
@@ -93,7 +93,10 @@ TEST(Layers, SumUpToThePicture_Presets) {
     }
     Scene scene = resolve(load_preset(entry.path()), method_infos());
     scene.image = {32, 18};
-    scene = with_method(std::move(scene), *find_method("nested"), true);
+    scene = named("orders", std::move(scene));
+    if (!layers_refusal(scene).empty()) {
+      continue;
+    }
     ++presets;
     const Rendering rendering = layered(scene);
     EXPECT_LT(greatest_gap(rendering), kHalf) << entry.path();
@@ -102,8 +105,7 @@ TEST(Layers, SumUpToThePicture_Presets) {
   EXPECT_GE(presets, 8);
 }
 
-// Every method with layers, in each of its ways of rendering: march, nested, orders by pixel, by tables and by shells,
-// sky-view from its table, with marched ground, and from space.
+// Every method with layers, in each of its ways of rendering: by pixel, by tables and by shells, and from space.
 TEST(Layers, SumUpToThePicture_Methods) {
   for (const SkyMethod& method : methods()) {
     if (method.add_layer_passes == nullptr) {
@@ -120,24 +122,25 @@ TEST(Layers, SumUpToThePicture_Methods) {
   put(tabulated, "shells", std::string("always"));
   put(tabulated, "orders", 2);
   EXPECT_LT(greatest_gap(layered(tabulated)), kHalf) << "orders by a table, by shells";
-  Scene marched = named("sky-view", small_sky(2.0));
-  put(marched, "ground_rays", std::string("march"));
-  EXPECT_LT(greatest_gap(layered(marched)), kHalf) << "sky-view with marched ground";
   Scene mixed = small_sky(2.0);
   mixed.media = every_kind().media;
-  EXPECT_LT(greatest_gap(layered(named("nested", mixed))), kHalf) << "five media";
+  EXPECT_LT(greatest_gap(layered(named("orders", mixed))), kHalf) << "five media";
 }
 
 // A medium's layer is the whole picture of a world in which only that medium scatters, once, and the other media
-// attenuate as before.
+// attenuate as before; by `march`, which can leave out the rest.
 TEST(Layers, AMediumsLayerIsAWorldInWhichItAloneScatters) {
-  const Scene scene = named("march", small_sky(0.001));
+  Scene scene = named("orders", small_sky(0.001));
+  scene.media[1].phase = PhaseFunction::isotropic;  // of a peak, `orders` takes a part as unscattered
+  put(scene, "steps", 192);
   const Rendering all = layered(scene);
+  scene = named("march", scene);
+  put(scene, "steps", 192);
+  put(scene, "multiple_scattering_scale", 0.0);
   for (std::size_t kept = 0; kept < 2; ++kept) {
     Scene alone = scene;
     alone.planet.ground_albedo = {};
     alone.sun.disc.visible = false;
-    put(alone, "multiple_scattering_scale", 0.0);
     for (std::size_t i = 0; i < alone.media.size(); ++i) {
       for (std::size_t c = 0; c < 3 && i != kept; ++c) {
         alone.media[i].absorption[c] += std::exchange(alone.media[i].scattering[c], 0.0);
@@ -155,14 +158,14 @@ TEST(Layers, AMediumsLayerIsAWorldInWhichItAloneScatters) {
       }
     }
     EXPECT_GT(most, 0.0);
-    EXPECT_LT(difference, 1e-5 * most) << medium.name;
+    EXPECT_LT(difference, 1e-3 * most) << medium.name;
   }
 }
 
 TEST(Layers, NoAirLeavesGroundAndSun) {
   Scene scene = small_sky(0.001);
   scene.media = {};
-  const Rendering rendering = layered(named("nested", scene));
+  const Rendering rendering = layered(named("orders", scene));
   std::vector<std::string> names;
   for (const Layer& l : rendering.layers) {
     names.push_back(l.name);
@@ -177,15 +180,16 @@ TEST(Layers, NoAirLeavesGroundAndSun) {
   EXPECT_GT(largest(layer(rendering, "sun")), 1.0);
 }
 
-// One scatterer over black ground, with single scattering: only its layer has light.
-TEST(Layers, OneMediumAndNoMoreScatteringLeavesOneLayer) {
+// One scatterer over black ground without a sun in the picture: its layer has light, and what it scatters again.
+TEST(Layers, OneMediumOverBlackGroundLeavesTwoLayers) {
   Scene scene = small_sky(0.001);
   scene.planet.ground_albedo = {};
   scene.sun.disc.visible = false;
   scene.media.resize(1);
-  const Rendering rendering = layered(named("nested", scene));
+  const Rendering rendering = layered(named("orders", scene));
   EXPECT_GT(largest(layer(rendering, "rayleigh")), 0.0);
-  for (const char* name : {"multiple", "ground", "sun"}) {
+  EXPECT_GT(largest(layer(rendering, "multiple")), 0.0);
+  for (const char* name : {"ground", "sun"}) {
     EXPECT_EQ(largest(layer(rendering, name)), 0.0) << name;
   }
 }
@@ -202,9 +206,7 @@ TEST(Layers, TransmittanceIsThatOfTheProbe) {
       continue;
     }
     Scene scene = named(std::string(method.info.name), small_sky(2.0));
-    if (method.info.name == "orders") {
-      put(scene, "tabulate", std::string("always"));
-    }
+    put(scene, "tabulate", std::string("always"));
     const Rendering rendering = layered(scene);
     std::vector<Direction> directions;
     for (int y = 0; y < scene.image.height; ++y) {
@@ -232,7 +234,7 @@ TEST(Layers, TransmittanceIsThatOfTheProbe) {
 
 // Closed forms straight up and down and level, from inside the air and from above it.
 TEST(Layers, DepthAndNormalsAreTheGeometrys) {
-  Scene scene = named("nested", vacuum());
+  Scene scene = named("orders", vacuum());
   scene.camera.projection = Projection::fisheye;
   scene.camera.vertical_fov = std::numbers::pi;
   scene.image = {9, 9};  // a pixel's centre lies on the axis

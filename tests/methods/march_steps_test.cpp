@@ -143,25 +143,6 @@ TEST(AutomaticSteps, MakeThePictureOfTheirKeys) {
   EXPECT_FALSE(chosen_picture.radiance.rgba == render_now(marched(scene, {{"steps", 32}})).radiance.rgba);
 }
 
-// With layers the choice is one that keeps light apart.
-TEST(AutomaticSteps, KeepLightApartWithLayers) {
-  RenderRequest request;
-  request.layers = true;
-  const Rendering with_layers = render_now(narrow(), request);
-  EXPECT_EQ(with_layers.fault(), "");
-  EXPECT_TRUE(with_layers.radiance.rgba == render_now(marched(narrow(), {{"steps", 32}})).radiance.rgba);
-  double gap = 0.0;
-  for (std::size_t i = 0; i < with_layers.radiance.rgba.size() / 4; ++i) {
-    double sum = 0.0;
-    for (const Layer& layer : with_layers.layers) {
-      sum += layer.is_light ? static_cast<double>(layer.planes[i]) : 0.0;
-    }
-    const auto red = static_cast<double>(with_layers.radiance.rgba[4 * i]);
-    gap = std::max(gap, std::abs(sum / red - 1.0));
-  }
-  EXPECT_LT(gap, 5e-4);
-}
-
 // All wavelengths of a scene are marched alike, though the air is thicker at some.
 TEST(AutomaticSteps, AreTheSameAtAllWavelengths) {
   Scene scene = resolve(load_preset(std::string(AIRLIGHT_SOURCE_DIR) + "/presets/earth-noon.json"), method_infos());
