@@ -236,13 +236,12 @@ double air_error(Executor& executor, Scene scene, const AirQuality& quality) {
 
 void time_air(benchmark::State& state, Executor& executor, const SkyMethod& method, const Scene& scene,
               const AirQuality& quality, double& error) {
-  const Air air = air_of(scene);
+  const Part part = part_of(scene);
   Plan plan;
-  plan.scene_data = device_scene_bytes(air, scene);
+  plan.scene_data = device_scene_bytes(part.air, scene);
   const std::vector<float> ends = distances(scene.image);
   const std::vector<Span> list = quality.listed ? list_of(ends, scene.image) : std::vector<Span>();
-  method.add_span_passes(plan, scene, air, quality.listed ? Spans{.list = list} : Spans{.rows = ends},
-                         {quality.volume, {}});
+  method.add_span_passes(plan, part, quality.listed ? Spans{.list = list} : Spans{.rows = ends}, {quality.volume, {}});
   const std::array plans{without_copies(plan)};
   if (error < 0.0) {
     error = air_error(executor, scene, quality);

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/render/render.h"
 #include "tests/bench/scenes.h"
+#include "tests/of_scene.h"
 
 namespace airlight::bench {
 namespace {
