@@ -325,7 +325,7 @@ if(AIRLIGHT_TOOL)
     list(GET case 1 first)
     list(GET case 2 count)
     add_test(NAME ${test_prefix}fuzz.${kind} COMMAND airlight_fuzz ${kind} --first ${first} --count ${count})
-    if(NOT kind STREQUAL "scenes")  # tens of seconds
+    if(NOT "${long_fuzz}:" MATCHES ":${kind}:")
       set_property(TEST ${test_prefix}fuzz.${kind} PROPERTY LABELS quick)
     endif()
     set_tests_properties(${test_prefix}fuzz.${kind} PROPERTIES ${test_properties} ${fuzz_cost}
