@@ -13,7 +13,7 @@ namespace {
 
 // What the meter reads by day comes out at this, which the default view shows as sRGB 127 (0.265 as 118, 0.18 as 91).
 // A camera's meter takes what it sees for a grey card, sRGB 118. Most of what this one sees is sky: a sixth of a stop
-// more shows that as photographs do. At noon a grey card that lies in the sun is at 150, one that stands at 73.
+// more shows that as photographs do. At noon a grey card that lies in the sun is at 157, one that stands at 71.
 constexpr double kDay = 0.30;
 // Luminance of a clear sky at noon, cd/m2, which is shown so.
 constexpr double kNoon = 3000.0;
