@@ -18,7 +18,7 @@ struct GroundLight {
 
 // Passes added between these two see the scene with a black ground. No effect where the scene has no maps.
 void begin_black_ground(Plan& plan, const Part& part, const View& view);
-void end_black_ground(Plan& plan, const Part& part);
+void end_black_ground(Plan& plan, const Part& part, const View& view);
 
 // Adds the ground's light to the target. No effect where the scene has no maps.
 void add_ground_map(Plan& plan, const Part& part, const SkyTarget& target, GroundLight light);
