@@ -85,12 +85,4 @@ ImageId add_moment_irradiance(Plan& plan, ImageId moments, std::vector<Specializ
   return out;
 }
 
-std::string ground_layers_refusal(const Scene& scene) {
-  if (!scene.ground) {
-    return {};
-  }
-  const char* key = scene.ground->albedo_map.empty() ? "planet.ocean" : "planet.albedo_map";
-  return std::string(key) + ": its light is not kept apart by layers; remove one of the two";
-}
-
 }  // namespace airlight

@@ -26,7 +26,4 @@ void add_ground_map(Plan& plan, const Part& part, const SkyTarget& target, Groun
 // Irradiance of the sky from the table of moments, for GroundLight. `constants`: of that table.
 ImageId add_moment_irradiance(Plan& plan, ImageId moments, std::vector<Specialization> constants);
 
-// Why the scene's ground rules out layers; empty where it does not.
-std::string ground_layers_refusal(const Scene& scene);
-
 }  // namespace airlight

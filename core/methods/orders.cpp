@@ -257,25 +257,35 @@ SkyPasses add_orders(Plan& plan, const Part& part, const View& view) {
 LayerPasses add_layers(Plan& plan, const Part& part, const View& view) {
   const Light light = add_light(plan, part);
   const bool tabulated = tabulates(part, view);
+  const bool things = part.things.stand_in_the_air() || part.scene.ground;
   std::vector<Binding> reads = light.reads();
   std::vector<Specialization> constants = light.constants;
-  if (tabulated) {
+  std::uint32_t steps = light.steps;
+  const char* shader = tabulated ? "layers_from_factors" : "layers_orders";
+  if (things) {
+    shader = "layers_things";
+    add_layer_constants(constants, part);
+    add_thing_constants(constants, part);
+    add_things_to_march(plan, part, reads, constants);
+    steps = steps_past_things(part, light);
+  } else if (tabulated) {
     const FactorTable table = factor_table(part, part.air.scattering_media(), true);
     reads.push_back({"factors_lut", add_factors(plan, "layers_factors", part.scene, table, view, light)});
     add_table_constants(constants, table);
     constants.push_back({"kProjection", projection_code(part.scene.camera.projection)});
+    constants.push_back({"kEdges", physics::kEdgesFound});
   } else {
     add_layer_constants(constants, part);
+    constants.push_back({"kEdges", physics::kEdgesFound});
   }
-  constants.push_back({"kEdges", physics::kEdgesFound});
   const Extent grid = picture_grid(part.scene, view);
   const BufferId planes = add_layer_planes(plan, part, view);
   plan.add_pass({.name = "layers",
-                 .shader = tabulated ? "layers_from_factors" : "layers_orders",
+                 .shader = shader,
                  .reads = std::move(reads),
                  .writes = {{"layers_out", planes}},
                  .grid = grid,
-                 .push_constants = {grid.width, grid.height, light.steps},
+                 .push_constants = {grid.width, grid.height, steps},
                  .specialization = std::move(constants)});
   return {planes, light.transmittance};
 }
@@ -316,14 +326,6 @@ SkyMethod orders_method() {
   method.info.knows_terrain = true;
   method.info.knows_spheres = true;
   method.info.knows_ground_maps = true;
-  method.layers_refusal = [](const Scene& scene) {
-    if (scene.ground) {
-      return ground_layers_refusal(scene);
-    }
-    const char* things = scene.terrain ? "planet.terrain" : scene.spheres.empty() ? nullptr : "scene.spheres";
-    return things == nullptr ? std::string()
-                             : std::string(things) + ": its light is not kept apart by layers; remove one of the two";
-  };
   method.validity.leaves_out = "harmonics above the degree kept";
   method.bounds = bounds;
   const std::string never = "never";
