@@ -60,6 +60,7 @@ struct Physics {
   uint moment_columns = 0;
   uint degree = 2;
   bool delta = false;
+  bool polarisation = false;
   HostTable sun_table;  // mean extinction to the top over the rows of shells (physics/shells.glsl)
   AnalyticData analytic;
   std::vector<GlarePoint> glare_points;             // the sum of the points first
@@ -83,6 +84,7 @@ struct Physics {
   uint moment_degree() const { return degree; }
   uint source_degree() const { return degree; }
   bool delta_scaled() const { return delta; }
+  bool polarised() const { return polarisation; }
   uint shell_rows() const { return scene.shell_rows; }
   real shell_altitude(uint k) const { return scene.shell_altitudes[k]; }
   vec3 fetch_sun_table(real x, real y) const { return sun_table.fetch_unit(x, y); }
@@ -144,6 +146,7 @@ struct Physics {
 #include "shaders/physics/things.glsl"
   real sun_share(const Ray& /*ray*/, real /*t*/, real /*width*/) const { return 1.0; }
 #include "shaders/physics/medium.glsl"
+#include "shaders/physics/polarisation.glsl"
 #include "shaders/physics/segment.glsl"
 #include "shaders/physics/quadrature.glsl"
 #include "shaders/physics/step_plan.glsl"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/methods/path_trace/analyser.h"
 #include "core/methods/path_trace/phase_sampling.h"
 
 namespace airlight {
@@ -53,7 +54,10 @@ struct Walk::State {
   vec3 normal = vec3(0.0);  // of ground or terrain
   vec3 albedo = vec3(0.0);
   Wide wide_albedo;        // at all wavelengths, if there are any
-  vec3 carry = vec3(1.0);  // transmittances and coefficients so far, over the density of their choices
+  Analyser<vec3> analyser = {};
+  vec3 axis = vec3(0.0);     // of the analyser
+  vec3 dipoles = vec3(0.0);  // coefficient of the molecules here that polarise
+  vec3 carry = vec3(1.0);    // transmittances and coefficients so far, over the density of their choices
   std::array<vec3, physics::kMaxMedia> scattering;  // of each medium here, 1/km
   Columns densities{};                              // of each medium here
   vec3 sum = vec3(0.0);                             // sunlight sent back along the path
@@ -166,6 +170,9 @@ bool Walk::fly(State& state, const FlightPlan& plan, double u) const {
     state.densities[i] = physics_.density(physics_.density_profile(i), m, state.h);
     state.scattering[i] = m.scattering * state.densities[i];
   }
+  physics::Physics::Densities densities{};
+  std::ranges::copy(state.densities, std::begin(densities.of));
+  state.dipoles = physics_.dipole_scattering(densities);
   return true;
 }
 
@@ -182,10 +189,10 @@ vec3 Walk::from_sun(const State& state) const {
   if (state.at_ground) {
     return ground_reflects(physics_, state.up, state.direction, state.mu_sun, arrives);
   }
-  const double nu = dot(state.direction, physics_.scene.sun.direction);
-  vec3 scattered(0.0);
+  const Bend bend = bend_of(state.direction, physics_.scene.sun.direction, state.axis);
+  vec3 scattered = state.analyser.correction(bend, state.dipoles);
   for (uint i = 0; i < physics_.medium_count(); ++i) {
-    scattered = scattered + state.scattering[i] * physics_.medium_phase(i, nu);
+    scattered = scattered + state.scattering[i] * physics_.medium_phase(i, bend.nu);
   }
   return arrives * scattered;
 }
@@ -203,7 +210,8 @@ void Walk::add_from_sun(const State& state) const {
     const double facing = state.on_terrain ? dot(state.normal, physics_.scene.sun.direction) : state.mu_sun;
     state.wide->add_reflected(to_sun, state.wide_albedo, std::max(facing, 0.0) / std::numbers::pi);
   } else {
-    state.wide->add_scattered(to_sun, state.densities, dot(state.direction, physics_.scene.sun.direction));
+    state.wide->add_scattered(to_sun, state.densities,
+                              bend_of(state.direction, physics_.scene.sun.direction, state.axis));
   }
 }
 
@@ -280,8 +288,9 @@ class Walk::Lobes {
       const double cosine = std::max(dot(direction, state_.normal), 0.0) / std::numbers::pi;
       return {state_.albedo * cosine, toward_sky_ * from_sky + (1.0 - toward_sky_) * cosine, 1.0};
     }
-    const double turned = std::clamp(dot(direction, state_.direction), -1.0, 1.0);
-    Choice choice{vec3(0.0), toward_sky_ * from_sky, 0.0};
+    const Bend bend = bend_of(state_.direction, direction, state_.axis);
+    const double turned = bend.nu;
+    Choice choice{state_.analyser.correction(bend, state_.dipoles), toward_sky_ * from_sky, 0.0};
     for (uint i = 0; i < count(); ++i) {
       const double toward_sun = phases_.density(i, to_sun, physics_.medium_phase(i, to_sun));
       const vec3 phase = physics_.medium_phase(i, turned);
@@ -319,10 +328,17 @@ bool Walk::turn(State& state, bool guided, WalkNumbers& numbers, FlightPlan& pla
   if (!(choice.density > 0.0)) {
     return false;
   }
+  const Bend bend = bend_of(state.direction, next, state.axis);
+  if (state.at_ground) {
+    state.analyser.forget();
+  } else {
+    state.analyser.turn(bend, state.dipoles, choice.scattered);
+  }
+  state.axis = bend.axis;
   if (state.wide != nullptr && state.at_ground) {
     state.wide->reflect(state.wide_albedo, std::max(dot(next, state.normal), 0.0) / std::numbers::pi, choice.density);
   } else if (state.wide != nullptr) {
-    state.wide->scatter(state.densities, std::clamp(dot(next, state.direction), -1.0, 1.0), choice.density);
+    state.wide->scatter(state.densities, bend, choice.density);
   }
   state.direction = next;
   state.carry = state.carry * choice.scattered / choice.density;
@@ -356,6 +372,7 @@ void Walk::walk(State& state, const WalkStart& start, WalkNumbers& numbers, Flig
   state.h = start.ray.h;
   state.up = start.up;
   state.direction = start.direction;
+  state.axis = some_axis(start.direction);
   if (!fly(state, start.plan, numbers.next())) {
     return;
   }

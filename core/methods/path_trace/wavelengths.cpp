@@ -4,6 +4,8 @@
 #include <span>
 #include <utility>
 
+#include "core/methods/polarisation.h"
+
 namespace airlight {
 
 using physics::uint;
@@ -87,6 +89,7 @@ Wavelengths::Wavelengths(const Stage& stage)
   for (const Part& part : stage.parts()) {
     groups_.push_back(formulas_of(part.air, part.scene));
     groups_.back().terrain_maps = part.things.terrain();
+    groups_.back().polarisation = polarises(part);
   }
   for (std::size_t k = 0; k < count_; ++k) {
     const physics::Physics& p = groups_[k / 3];
@@ -97,6 +100,13 @@ Wavelengths::Wavelengths(const Stage& stage)
     albedo_.at[k] = three_of(p.scene.planet.ground_albedo)[k % 3];
   }
   for (uint i = 0; i < media_; ++i) {
+    if (groups_.front().polarised() && groups_.front().is_molecular(i)) {
+      dipoles_[i] = scattering_[i];
+      for (std::size_t k = 0; k < count_; ++k) {
+        physics::Physics& p = groups_[k / 3];
+        dipoles_[i]->at[k] *= p.kDipole * three_of(p.dipole_share(i))[k % 3];
+      }
+    }
     same_phase_[i] = std::ranges::none_of(groups_, [i](const physics::Physics& p) {
       return p.phase_of(i) == physics::kPhaseTable || p.phase_of(i) == physics::kPhaseDepolarized;
     });
@@ -161,6 +171,16 @@ Wide Wavelengths::scattered(const Columns& densities, double nu) const {
   return sum;
 }
 
+std::optional<Wide> Wavelengths::dipoles(const Columns& densities) const {
+  std::optional<Wide> sum;
+  for (std::size_t i = 0; i < media_; ++i) {
+    if (dipoles_[i] && densities[i] > 0.0) {
+      sum = sum.value_or(Wide()) + *dipoles_[i] * densities[i];
+    }
+  }
+  return sum;
+}
+
 Wide Wavelengths::transmittance(const Columns& columns) const {
   Wide depth;
   for (std::size_t i = 0; i < media_; ++i) {
@@ -185,6 +205,7 @@ vec3 Wavelengths::colour(const Wide& radiance) const {
 }
 
 void WidePath::begin() {
+  analyser_ = {};
   carry_ = Wide(1.0);
   passed_ = {};
   flights_ = 0;
@@ -200,11 +221,24 @@ void WidePath::fly(const Columns& columns, double density) {
   carry_ = carry_ * (1.0 / density);
 }
 
-void WidePath::scatter(const Columns& densities, double nu, double density) {
-  carry_ = carry_ * all_.scattered(densities, nu) * (1.0 / density);
+Wide WidePath::sent_into(const Bend& bend, const Columns& densities, const std::optional<Wide>& dipoles) const {
+  const Wide all = all_.scattered(densities, bend.nu);
+  return dipoles ? all + analyser_.correction(bend, *dipoles) : all;
+}
+
+void WidePath::scatter(const Columns& densities, const Bend& bend, double density) {
+  const std::optional<Wide> dipoles = all_.dipoles(densities);
+  const Wide scattered = sent_into(bend, densities, dipoles);
+  if (dipoles) {
+    analyser_.turn(bend, *dipoles, scattered);
+  } else {
+    analyser_.forget();
+  }
+  carry_ = carry_ * scattered * (1.0 / density);
 }
 
 void WidePath::reflect(const Wide& albedo, double cosine, double density) {
+  analyser_.forget();
   carry_ = carry_ * albedo * (cosine / density);
 }
 
@@ -216,8 +250,8 @@ void WidePath::add(const Columns& to_sun, const Wide& sent_back) {
   sum_ = sum_ + carry_ * sent_back * all_.transmittance(passed_ + to_sun);
 }
 
-void WidePath::add_scattered(const Columns& to_sun, const Columns& densities, double nu) {
-  add(to_sun, all_.scattered(densities, nu));
+void WidePath::add_scattered(const Columns& to_sun, const Columns& densities, const Bend& bend) {
+  add(to_sun, sent_into(bend, densities, all_.dipoles(densities)));
 }
 
 void WidePath::add_reflected(const Columns& to_sun, const Wide& albedo, double cosine) {

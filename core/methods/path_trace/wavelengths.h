@@ -6,8 +6,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
+#include "core/methods/path_trace/analyser.h"
 #include "core/methods/path_trace/optical_depth.h"
 #include "core/stage/stage.h"
 
@@ -42,6 +44,9 @@ inline Wide operator*(const Wide& a, const Wide& b) {
 inline Wide operator*(const Wide& a, double b) {
   return each(a, a, [b](double x, double) { return x * b; });
 }
+inline Wide share_of(const Wide& part, const Wide& whole) {
+  return each(part, whole, [](double a, double b) { return share_of(a, b); });
+}
 inline Wide absolute(const Wide& a) {
   return each(a, a, [](double x, double) { return std::abs(x); });
 }
@@ -69,6 +74,9 @@ class Wavelengths {
   Wide scattered(const Columns& densities, const Phases& phases) const;
   Wide scattered(const Columns& densities, double nu) const;
 
+  // Coefficient of the molecules that polarise, as of Physics::dipole_scattering(); nothing where none does.
+  std::optional<Wide> dipoles(const Columns& densities) const;
+
   // exp(-optical depth) of such columns.
   Wide transmittance(const Columns& columns) const;
 
@@ -85,6 +93,7 @@ class Wavelengths {
   Part steering_;
   std::array<Wide, physics::kMaxMedia> scattering_;  // 1/km at density 1
   std::array<Wide, physics::kMaxMedia> extinction_;
+  std::array<std::optional<Wide>, physics::kMaxMedia> dipoles_;  // of molecules that polarise, at density 1
   Wide albedo_;
   std::vector<Rgb> colours_;
   mutable std::vector<physics::Physics> groups_;       // of three wavelengths each; GLSL's functions have no const
@@ -102,20 +111,22 @@ class WidePath {
   // Moves to the next vertex, through these columns, chosen with this density.
   void fly(const Columns& columns, double density);
   // Turns into a direction chosen with this density, 1/sr: in air, or at the ground (`cosine` over pi).
-  void scatter(const Columns& densities, double nu, double density);
+  void scatter(const Columns& densities, const Bend& bend, double density);
   void reflect(const Wide& albedo, double cosine, double density);
   // Multiplies the path's weight, to make up for paths that ended.
   void survive(double factor);
   // Adds sunlight that comes through these columns and is scattered or reflected back along the path.
-  void add_scattered(const Columns& to_sun, const Columns& densities, double nu);
+  void add_scattered(const Columns& to_sun, const Columns& densities, const Bend& bend);
   void add_reflected(const Columns& to_sun, const Wide& albedo, double cosine);
 
   const Wide& sum() const { return sum_; }  // of all paths so far
 
  private:
   void add(const Columns& to_sun, const Wide& sent_back);
+  Wide sent_into(const Bend& bend, const Columns& densities, const std::optional<Wide>& dipoles) const;
 
   const Wavelengths& all_;
+  Analyser<Wide> analyser_;
   Wide carry_;        // without the transmittance of
   Columns passed_{};  // these columns, km at density 1,
   int flights_ = 0;   // and of this many flights
