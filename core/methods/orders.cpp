@@ -325,6 +325,7 @@ SkyMethod orders_method() {
   method.info = {"orders", "successive orders of scattering as spherical-harmonic moments; near truth", kParameters};
   method.info.knows_terrain = true;
   method.info.knows_spheres = true;
+  method.info.knows_translucent_spheres = true;
   method.info.knows_ground_maps = true;
   method.validity.leaves_out = "harmonics above the degree kept";
   method.bounds = bounds;

@@ -19,9 +19,14 @@ struct ThingKind {
   bool (*stands_in)(const Scene&);
 };
 
-inline constexpr std::array<ThingKind, 3> kThingKinds{
+inline constexpr std::array<ThingKind, 4> kThingKinds{
     {{"terrain", "planet", {"terrain", ""}, &MethodInfo::knows_terrain, [](const Scene& s) { return !!s.terrain; }},
      {"spheres", "scene", {"spheres", ""}, &MethodInfo::knows_spheres, [](const Scene& s) { return !s.spheres.empty(); }},
+     {"translucent spheres",
+      "scene",
+      {"spheres", ""},
+      &MethodInfo::knows_translucent_spheres,
+      [](const Scene& s) { return std::ranges::count(s.spheres, SphereMaterial::translucent, &Sphere::material) > 0; }},
      {"maps of the ground",
       "planet",
       {"albedo_map", "ocean"},
