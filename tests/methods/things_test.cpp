@@ -50,7 +50,7 @@ void put_sea(Scene& scene) {
 Scene shore(unsigned int things, const char* shells = "never") {
   Scene scene = with_method(earth(), *find_method("orders"));
   scene.render.parameters.find("shells")->second = std::string(shells);
-  scene.planet.ground_albedo = {0.25, 0.25, 0.25};
+  scene.planet.ground_albedo = {kSeaAlbedo, kSeaAlbedo, kSeaAlbedo};
   scene.sun.elevation = 30.0 * kDegree;
   scene.sun.azimuth = 200.0 * kDegree;
   scene.sun.disc.visible = false;
@@ -206,7 +206,8 @@ TEST(Things, NoLightLeaksIntoShadows) {
   Shades shades;
   look_for_leaks(280.0 * kDegree, shades);
   look_for_leaks(25.0 * kDegree, shades);
-  const Physics p;
+  look_for_leaks(150.0 * kDegree, shades);
+  const Physics p{};
   for (const unsigned int what : {p.kMeetsGround, p.kMeetsTerrain, p.kMeetsSphere}) {
     EXPECT_GE(shades.dark[what], 3) << what;
     EXPECT_GT(shades.lit[what], 3) << what;
