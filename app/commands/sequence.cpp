@@ -8,7 +8,7 @@
 #include "app/cli/scene_files.h"
 #include "app/cli/terminal.h"
 #include "app/commands/commands.h"
-#include "app/render/tiled_picture.h"
+#include "app/render/tile_option.h"
 #include "app/sequence/pictures.h"
 #include "app/sequence/run.h"
 #include "core/error.h"

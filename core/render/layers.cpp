@@ -1,7 +1,6 @@
 #include "core/render/layers.h"
 
 #include <algorithm>
-#include <bit>
 #include <cassert>
 #include <cmath>
 #include <set>
@@ -9,7 +8,6 @@
 #include "core/methods/method.h"
 #include "core/methods/spectral_sums.h"
 #include "core/plan/bytes.h"
-#include "core/render/picture_key.h"
 #include "core/render/sky.h"
 #include "core/render/timings.h"
 #include "core/scene/photometry.h"
@@ -85,25 +83,6 @@ void add_geometry(std::vector<Layer>& layers, const Scene& scene, const Tile& ti
       normal[pixels + i] = static_cast<float>(up.y);
       normal[2 * pixels + i] = static_cast<float>(up.z);
     }
-  }
-}
-
-// Number of rows in a band whose device buffers take at most kLayerBandBytes.
-int band_rows(const Stage& stage) {
-  const ImageSize& image = stage.scene().image;
-  const std::size_t layers = static_cast<std::size_t>(std::popcount(stage.scattering_media())) + 3;
-  const std::size_t row = (3 * layers + 4) * sizeof(float) * static_cast<std::size_t>(image.width);
-  return static_cast<int>(std::clamp<std::size_t>(kLayerBandBytes / row, 1, static_cast<std::size_t>(image.height)));
-}
-
-void put_band(Layer& whole, const Layer& band, const Tile& tile, int height) {
-  const std::size_t plane = static_cast<std::size_t>(tile.width) * static_cast<std::size_t>(height);
-  const std::size_t first = static_cast<std::size_t>(tile.width) * static_cast<std::size_t>(tile.y);
-  const std::size_t pixels = pixels_of(tile);
-  whole.planes.resize(whole.channels.size() * plane);
-  for (std::size_t c = 0; c < whole.channels.size(); ++c) {
-    const float* from = band.planes.data() + c * pixels;
-    std::copy(from, from + pixels, whole.planes.data() + c * plane + first);
   }
 }
 
@@ -218,21 +197,6 @@ std::vector<Layer> render_layers(Executor& executor, const Stage& stage, const T
     render_part(layers, executor, stage, part, {.directions = {}, .tile = tile, .kept_as = kept_as}, timings);
   }
   add_geometry(layers, stage.scene(), tile);
-  return layers;
-}
-
-std::vector<Layer> render_layers(Executor& executor, const Stage& stage, const Timings& timings) {
-  std::vector<Layer> layers = layers_of(stage);
-  const std::string key = picture_key();
-  const ImageSize& image = stage.scene().image;
-  const int rows = band_rows(stage);
-  for (int y = 0; y < image.height; y += rows) {
-    const Tile tile{0, y, image.width, std::min(rows, image.height - y)};
-    const std::vector<Layer> band = render_layers(executor, stage, tile, key, timings);
-    for (std::size_t i = 0; i < layers.size(); ++i) {
-      put_band(layers[i], band[i], tile, image.height);
-    }
-  }
   return layers;
 }
 
