@@ -192,7 +192,7 @@ Published PictureWriter::publish(Rendering& rendering, Stopwatch& watch) {
     rendering.host.push_back({"EXR, encoding", exr_ms});
   }
   if (!order_.parts.front().files.png.empty()) {
-    rendering.host.push_back({"PNG, display transform and encoding", png_ms});
+    rendering.host.push_back({"PNG, transform and encoding", png_ms});
   }
   return done;
 }

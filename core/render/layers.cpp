@@ -11,6 +11,7 @@
 #include "core/render/sky.h"
 #include "core/render/timings.h"
 #include "core/scene/photometry.h"
+#include "core/stage/sums.h"
 #include "core/text.h"
 
 namespace airlight {
@@ -86,30 +87,17 @@ void add_geometry(std::vector<Layer>& layers, const Scene& scene, const Tile& ti
   }
 }
 
-// Adds three channels as colours to a layer.
-void add_channels(Layer& layer, std::span<const float> channels, const std::array<Rgb, 3>& colours,
-                  std::size_t pixels) {
+// Adds three channels as colours to a layer: channel k of pixel i stands at k plane + i step.
+void add_channels(Layer& layer, std::span<const float> channels, std::size_t plane, std::size_t step,
+                  const std::array<Rgb, 3>& colours) {
+  const std::size_t pixels = layer.planes.size() / 3;
   for (std::size_t i = 0; i < pixels; ++i) {
+    const auto channel = [&](std::size_t k) { return double{channels[k * plane + i * step]}; };
     for (std::size_t c = 0; c < 3; ++c) {
-      double sum = static_cast<double>(layer.planes[c * pixels + i]);
-      for (std::size_t k = 0; k < 3; ++k) {
-        sum += colours[k][c] * static_cast<double>(channels[k * pixels + i]);
-      }
-      layer.planes[c * pixels + i] = static_cast<float>(sum);
+      float& sum = layer.planes[c * pixels + i];
+      sum = static_cast<float>(add_colour(double{sum}, colours, c, channel(0), channel(1), channel(2)));
     }
   }
-}
-
-// Planes of red, green and blue from pixels of four floats.
-std::vector<float> planes_of(std::span<const std::byte> bytes, std::size_t pixels) {
-  const std::vector<float> rgba = floats(bytes, 0, 4 * pixels);
-  std::vector<float> planes(3 * pixels);
-  for (std::size_t i = 0; i < pixels; ++i) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      planes[c * pixels + i] = rgba[4 * i + c];
-    }
-  }
-  return planes;
 }
 
 // Adds the device's planes of a part: those of layers_of() up to transmittance, without the media that do not scatter
@@ -120,7 +108,7 @@ void add_planes(std::vector<Layer>& layers, std::span<const std::byte> bytes, co
   std::size_t plane = 0;
   const auto add = [&](bool is_there, const std::array<Rgb, 3>& colours) {
     if (is_there) {
-      add_channels(layers[layer], floats(bytes, plane, 3 * pixels), colours, pixels);
+      add_channels(layers[layer], floats(bytes, plane, 3 * pixels), pixels, 1, colours);
       plane += 3 * pixels;
     }
     ++layer;
@@ -150,7 +138,7 @@ void render_part(std::vector<Layer>& layers, Executor& executor, const Stage& st
   timings.add(result);
   add_planes(layers, result.contents(passes.planes), part, stage.scattering_media(), pixels);
   if (shines) {
-    add_channels(find(layers, "sun"), planes_of(result.contents(disc), pixels), part.colours, pixels);
+    add_channels(find(layers, "sun"), floats(result.contents(disc), 0, 4 * pixels), 1, 4, part.colours);
   }
 }
 
