@@ -34,3 +34,28 @@ vec3 sun_through_air(PlanetData planet, real h, real mu_sun) {
   }
   return transmittance_to_sun(planet, h, mu_sun);
 }
+
+// A place's altitude where the tables hold it.
+real altitude_in_air(PlanetData planet, Place place) { return clamp(place.h, 0.0, planet.atmosphere_height); }
+
+// The sky's irradiance on a surface with this normal.
+vec3 sky_irradiance(PlanetData planet, MomentTableData table, Place place, vec3 normal, vec3 sun) {
+  real mu = clamp(dot(normal, place.up), -1.0, 1.0);
+  real mu_sun = dot(sun, place.up);
+  vec3 level_normal = normal - place.up * mu;
+  vec3 level_sun = sun - place.up * mu_sun;
+  real lengths = length(level_normal) * length(level_sun);
+  real cos_azimuth = lengths > 1e-7 ? clamp(dot(level_normal, level_sun) / lengths, -1.0, 1.0) : 1.0;
+  return moment_irradiance(table, altitude_in_air(planet, place), mu_sun, mu, cos_azimuth);
+}
+
+// Mean of the irradiance over all normals: a quarter of the light from all around, half of a hemisphere's if that is
+// even.
+vec3 mean_sky_irradiance(PlanetData planet, MomentTableData table, Place place, vec3 sun) {
+  real h = altitude_in_air(planet, place);
+  MomentCoordinate c = moment_coordinate(table, h, dot(sun, place.up));
+  if (shell_rows() > 0u) {
+    c.y = shell_coordinate(shell_of(h, true), h);
+  }
+  return exp(fetch_moment(0u, c.x, c.y)) * (kPi * 0.28209479177387814);
+}

@@ -47,6 +47,11 @@ const uint kJitterNone = 0u;   // in the middle
 const uint kJitterFixed = 1u;  // at the same place of every step
 const uint kJitterBlueNoise = 2u;
 
+// Things of a scene, as bits.
+const uint kHasTerrain = 1u;
+const uint kHasSpheres = 2u;
+const uint kHasGroundMaps = 4u;  // planet.albedo_map, planet.ocean
+
 const uint kToneAces = 0u;
 const uint kToneReinhard = 1u;
 const uint kToneReinhardLuminance = 2u;

@@ -112,7 +112,7 @@ TEST_F(TerrainTool, ThingsOfACompositeStandBeforeItOrBehindIt) {
   }
   outcome = composite("near.exr", {"--aerial", "volume"});
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_TRUE(contains(outcome.err, "terrain shades the air")) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "things shade the air")) << outcome.err;
 }
 
 TEST_F(TerrainTool, TilesAreThePicture) {
