@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "core/error.h"
-#include "core/render/tiled.h"
 #include "core/scene/rules.h"
 
 namespace airlight::cli {
@@ -53,14 +52,6 @@ std::vector<FaceScene> face_scenes(const Scene& scene) {
     face.scene.camera.vertical_fov = kQuarter;
     face.scene.image.height = scene.image.width;
     faces.push_back(std::move(face));
-  }
-  return faces;
-}
-
-std::vector<CubeFace> cube_faces(const Scene& scene, const Rendering& rendering) {
-  std::vector<CubeFace> faces;
-  for (FaceScene& face : face_scenes(scene)) {
-    faces.push_back({face.name, std::move(face.scene), rows_of(rendering, face.first_row, scene.image.width)});
   }
   return faces;
 }

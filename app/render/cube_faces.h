@@ -5,27 +5,19 @@
 #include <string>
 #include <vector>
 
-#include "core/render/render.h"
+#include "core/scene/scene.h"
 
 namespace airlight::cli {
-
-struct CubeFace {
-  std::string name;  // "posx", "negx", "posy", "negy", "posz", "negz": OpenEXR's order
-  Scene scene;
-  Rendering rendering;
-};
 
 // Throws InputError unless the scene is a cube in the layout "stack".
 void require_cube_stack(const Scene& scene);
 
 struct FaceScene {
-  std::string name;
+  std::string name;  // "posx", "negx", "posy", "negy", "posz", "negz": OpenEXR's order
   Scene scene;
   int first_row = 0;  // in the stack
 };
 std::vector<FaceScene> face_scenes(const Scene& scene);
-
-std::vector<CubeFace> cube_faces(const Scene& scene, const Rendering& rendering);
 
 // "sky.exr", "posx" -> "sky.posx.exr"; empty stays empty.
 std::string face_file(const std::string& file, const std::string& face);

@@ -309,6 +309,8 @@ RayFormula formula(physics::Physics p, const Part& part, const HostTables& table
   p.moment_columns = static_cast<physics::uint>(settings.size[0]);
   p.degree = static_cast<physics::uint>(settings.degree);
   p.delta = settings.delta;
+  p.polarisation = settings.polarised;
+  p.molecules_alone = settings.molecules_alone;
   return [p, by_shells = settings.shells,
           steps = steps_of(part.scene, settings)](const physics::Physics::Ray& ray) mutable {
     const physics::PlanetData& planet = p.scene.planet;

@@ -61,6 +61,7 @@ struct Physics {
   uint degree = 2;
   bool delta = false;
   bool polarisation = false;
+  bool molecules_alone = false;  // molecules apart, no medium scatters with a direction
   HostTable sun_table;  // mean extinction to the top over the rows of shells (physics/shells.glsl)
   AnalyticData analytic;
   std::vector<GlarePoint> glare_points;             // the sum of the points first
@@ -83,6 +84,7 @@ struct Physics {
   vec3 fetch_ground_irradiance(real x) const { return ground_irradiance_lut.fetch_unit(x, 0.5); }
   uint moment_degree() const { return degree; }
   uint source_degree() const { return degree; }
+  uint scattered_degree() const { return molecules_alone ? 0u : degree; }
   bool delta_scaled() const { return delta; }
   bool polarised() const { return polarisation; }
   uint shell_rows() const { return scene.shell_rows; }

@@ -39,10 +39,6 @@ std::string methods_with_layers();
 std::vector<Layer> render_layers(Executor& executor, const Stage& stage, const Tile& tile, const std::string& kept_as,
                                  const Timings& timings);
 
-// The layers of the whole picture, on the device in bands of at most kLayerBandBytes.
-inline constexpr std::size_t kLayerBandBytes = std::size_t{32} << 20;
-std::vector<Layer> render_layers(Executor& executor, const Stage& stage, const Timings& timings);
-
 // Counts values that are not finite, or negative in a layer where that is wrong; `width`: of the rows.
 // `signed_colours`: a channel of a colour may be negative, its luminance not.
 Statistics layer_statistics(const Layer& layer, int width, bool signed_colours = false);

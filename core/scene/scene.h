@@ -212,6 +212,7 @@ struct Tile {
 // not have are left out.
 struct RenderSettings {
   std::string method = "orders";
+  bool polarisation = true;  // molecules polarise the light that they scatter
   std::map<std::string, ParameterValue, std::less<>> parameters;
 
   // The named parameter. To ask for one that the method does not declare, or with another type, is a programming error.

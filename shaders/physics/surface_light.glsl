@@ -8,6 +8,7 @@ vec3 moment_irradiance(MomentTableData table, real h, real mu_sun, real mu, real
   cosine.extinction = vec3(0.0);
   cosine.peaks = vec3(0.0);
   cosine.phase_scattering = vec3(0.0);
+  cosine.dipoles = vec3(0.0);
   cosine.degree[0] = vec3(kPi);
   cosine.degree[1] = vec3(kPi * 2.0 / 3.0);
   cosine.degree[2] = vec3(kPi / 4.0);
@@ -21,7 +22,8 @@ vec3 moment_irradiance(MomentTableData table, real h, real mu_sun, real mu, real
   if (shell_rows() > 0u) {
     c.y = shell_coordinate(shell_of(h, true), h);
   }
-  return moment_source_of(exp(fetch_moment(0u, c.x, c.y)), c, cosine, mu, cos_azimuth);
+  vec3 sum = harmonic_sum(source_degree(), c, cosine, harmonics(mu, cos_azimuth));
+  return max(sum, vec3(0.0)) * exp(fetch_moment(0u, c.x, c.y));
 }
 
 // Transmittance toward the sun from altitude h, zero in the planet's shadow.

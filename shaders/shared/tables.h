@@ -69,4 +69,6 @@ const uint kTransmittanceSteps = 40u;
 const uint kGroundIrradianceDirections = 64u;  // 8 zenith cosines x 8 azimuths
 const uint kGroundIrradianceSize = 64u;
 const uint kMaxDegree = 8u;    // of moments
-const uint kMaxMoments = 45u;  // up to kMaxDegree
+const uint kMaxHarmonics = 45u;  // up to kMaxDegree
+const uint kPolarisedMoments = 3u;
+const uint kMaxMoments = 48u;  // of both

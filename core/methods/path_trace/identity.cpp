@@ -131,7 +131,7 @@ std::string checkpoint_identity(const Stage& stage, const View& view) {
   lines.add("batch", kBatch);
   lines.add("/render/seed", scene.render.get<int>("seed"));
   lines.add("/render/max_orders", scene.render.get<int>("max_orders"));
-  lines.add("/render/polarisation", scene.render.get<bool>("polarisation") ? 1.0 : 0.0);
+  lines.add("/render/polarisation", scene.render.polarisation ? 1.0 : 0.0);
   lines.add("/planet/radius_km", scene.planet.ground_radius);
   lines.add("/planet/atmosphere_height_km", scene.planet.atmosphere_height);
   if (stage.in_colours()) {

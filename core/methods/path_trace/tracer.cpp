@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/air/scene_block.h"
-#include "core/methods/polarisation.h"
 
 namespace airlight {
 
@@ -19,7 +18,7 @@ physics::Physics formulas_with_ground(const Part& part) {
   constexpr double kGlint = 0.05;
   physics::Physics p = formulas_of(part.air, part.scene);
   p.ground_maps = part.things.ground();
-  p.polarisation = polarises(part);
+  p.polarisation = part.scene.render.polarisation;
   if (part.scene.ground && part.scene.ground->ocean) {
     p.scene.planet.ground_albedo = min(p.scene.planet.ground_albedo + vec3(kGlint), vec3(1.0));
   }

@@ -4,8 +4,6 @@
 #include <span>
 #include <utility>
 
-#include "core/methods/polarisation.h"
-
 namespace airlight {
 
 using physics::uint;
@@ -94,7 +92,7 @@ Wavelengths::Wavelengths(const Stage& stage)
   for (const Part& part : stage.parts()) {
     groups_.push_back(formulas_of(part.air, part.scene));
     part.things.put_into(groups_.back());
-    groups_.back().polarisation = polarises(part);
+    groups_.back().polarisation = part.scene.render.polarisation;
   }
   for (std::size_t k = 0; k < count_; ++k) {
     const physics::Physics& p = groups_[k / 3];

@@ -1,6 +1,7 @@
 #pragma once
-// A picture rendered tile by tile, never in memory as a whole, with the same pixels as render()'s, bit for bit. A first
-// pass over the picture measures its exposure where that must be known.
+// The one way of a picture from scene to sink: bands of its rows go through sky, disc, statistics, exposure, bloom,
+// tone curve and layers. A picture that fits into memory is one band. The pixels are the same bit for bit, whatever the
+// bands and tiles.
 
 #include <functional>
 
@@ -14,17 +15,16 @@ struct Band {
   Rendering rows;  // its pixels; left_out; the exposure where it is known before the last band
 };
 
-// `count` rows from `first` on, of a picture's pixels and of all further planes.
-RadianceImage rows_of(const RadianceImage& whole, int first, int count);
-Rendering rows_of(const Rendering& whole, int first, int count);
+// Whole rows of a picture's pixels and of all further planes.
+Pixels rows_of(const Pixels& whole, const Tile& rows);
 
-struct TiledRequest {
-  ImageSize tile;                   // its height is cut where a row of tiles would fill more than kBandBytes
+struct BandsRequest {
+  // A band is a row of such tiles, its height cut where it would fill more than kBandBytes. None: one band.
+  std::optional<ImageSize> tile = {};
   RenderRequest picture;            // as of render()
-  bool exposure_first = false;      // the bands must have their exposure
+  bool exposure_first = false;      // the bands must have their exposure; one band has it anyway
   bool past_faults = false;         // continue where a band holds values that are no radiance
   std::function<void(Band&)> sink;  // gets bands from the top and may empty them; its exceptions are passed on
-  std::function<void(double done)> report = {};  // after each band, with the share done, 0 to 1; may be empty
 };
 
 // Most bytes in a device's buffer for one tile: the most that every device takes (Mesa's software device takes no
@@ -32,6 +32,8 @@ struct TiledRequest {
 inline constexpr std::size_t kTileBytes = std::size_t{128} << 20;
 // Most bytes of one band on the host, and of its rows on the device.
 inline constexpr std::size_t kBandBytes = std::size_t{64} << 20;
+// Most bytes of a tile's layers on the device.
+inline constexpr std::size_t kLayerBytes = std::size_t{32} << 20;
 
 // Bytes of one pixel in the greatest of a tile's buffers on the device, and of a band's on the host.
 std::size_t tile_pixel_bytes(const Stage& stage, bool layers);
@@ -43,8 +45,12 @@ ImageSize usual_tile(const Stage& stage, bool layers);
 // Whether the request asks for a bloom chain: it is made of the whole picture, and no tiles have it.
 bool needs_whole_picture(const Scene& scene, const RenderRequest& request);
 
-// The rendering comes without pixels. A fault ends it before the faulty band, unless past_faults. A method on the host
-// renders the whole picture first and passes its rows on in bands.
-Rendering render_tiled(const DeviceOnDemand& device, const Stage& stage, const TiledRequest& request);
+// The rendering comes without pixels: the sink has them. A fault ends it before the faulty band, unless past_faults. A
+// method on the host renders the whole picture first and passes its rows on in bands, and so do the wavelengths of a
+// spectrum. Throws as render() does.
+Rendering render_bands(const DeviceOnDemand& device, const Stage& stage, const BandsRequest& request);
+
+// The same of a picture of which the pixels in `given` are made already, with its disc.
+Rendering render_bands(const DeviceOnDemand& device, const Stage& stage, const BandsRequest& request, Rendering given);
 
 }  // namespace airlight
