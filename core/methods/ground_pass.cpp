@@ -36,7 +36,8 @@ void begin_black_ground(Plan& plan, const Part& part, const View& view) {
   if (part.scene.ground) {
     physics::Physics black = formulas_of(part.air, part.scene);
     black.scene.planet.ground_albedo = {};
-    plan.begin_scene(device_scene_bytes(black, tile_of(part.scene, view)), part.suffix + " over a black ground", part.channels);
+    plan.begin_scene(device_scene_bytes(black, tile_of(part.scene, view)), part.suffix + " over a black ground",
+                     part.channels);
   }
 }
 

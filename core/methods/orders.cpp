@@ -387,7 +387,9 @@ SkyMethod orders_method() {
   method.add_layer_passes = add_layers;
   method.add_span_passes = orders::add_spans;
   // The volume holds no shadows.
-  method.has_volume = [](const Scene& scene) { return inside_the_air(scene) && !scene.terrain && scene.spheres.empty(); };
+  method.has_volume = [](const Scene& scene) {
+    return inside_the_air(scene) && !scene.terrain && scene.spheres.empty();
+  };
   method.all_tables.emplace_back("tabulate", std::string("always"));
   method.left_out = left_out;
   method.formula = formula;

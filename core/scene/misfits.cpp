@@ -15,8 +15,8 @@ void refuse_misfits(const Section& root, const Scene& scene, std::span<const Met
     }
     const Section section = root.child(kind.section);
     const std::string_view key = section.find(kind.keys[0]) != nullptr ? kind.keys[0] : kind.keys[1];
-    const std::string names = joined_of(
-        methods, [&](const MethodInfo& other) { return knows(other) ? other.name : std::string_view(); });
+    const std::string names =
+        joined_of(methods, [&](const MethodInfo& other) { return knows(other) ? other.name : std::string_view(); });
     section.complain(key, *section.find(key),
                      "the method " + json_string(scene.render.method) + " knows no " + std::string(kind.name) +
                          "; choose " + names + " with render.method or --method, or remove it");

@@ -21,17 +21,19 @@ struct ThingKind {
 
 inline constexpr std::array<ThingKind, 4> kThingKinds{
     {{"terrain", "planet", {"terrain", ""}, &MethodInfo::knows_terrain, [](const Scene& s) { return !!s.terrain; }},
-     {"spheres", "scene", {"spheres", ""}, &MethodInfo::knows_spheres, [](const Scene& s) { return !s.spheres.empty(); }},
+     {"spheres",
+      "scene",
+      {"spheres", ""},
+      &MethodInfo::knows_spheres,
+      [](const Scene& s) { return !s.spheres.empty(); }},
      {"translucent spheres",
       "scene",
       {"spheres", ""},
       &MethodInfo::knows_translucent_spheres,
       [](const Scene& s) { return std::ranges::count(s.spheres, SphereMaterial::translucent, &Sphere::material) > 0; }},
-     {"maps of the ground",
-      "planet",
-      {"albedo_map", "ocean"},
-      &MethodInfo::knows_ground_maps,
-      [](const Scene& s) { return !!s.ground; }}}};
+     {"maps of the ground", "planet", {"albedo_map", "ocean"}, &MethodInfo::knows_ground_maps, [](const Scene& s) {
+        return !!s.ground;
+      }}}};
 
 // Whether the method supports all things of the scene.
 inline bool knows_things_of(const MethodInfo& method, const Scene& scene) {

@@ -74,7 +74,8 @@ HostGround planet_maps(const GroundMap& map, const Spectrum& albedo) {
   const GroundFiles* files = map.files.get();
   HostGround out;
   if (files != nullptr && !files->colours.empty()) {
-    put_albedo(out, planet_levels(level_of(files->colours, files->colour_rows, kColourChannels), kColourChannels), map.mix);
+    put_albedo(out, planet_levels(level_of(files->colours, files->colour_rows, kColourChannels), kColourChannels),
+               map.mix);
   } else {
     std::vector<float> same;
     for (int i = 0; i < 2; ++i) {

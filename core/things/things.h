@@ -66,7 +66,7 @@ class Things {
   Keyed<TerrainMaps> colours_;     // heights with albedo
   OnDemand<TerrainMaps> terrain_;  // the same, the camera being outside
   std::vector<physics::SphereData> spheres_;
-  Keyed<GroundMaps> maps_;         // of the planet
+  Keyed<GroundMaps> maps_;  // of the planet
   OnDemand<GroundMaps> ground_;
   Keyed<std::vector<EdgePixel>> edges_;
 };

@@ -3,7 +3,7 @@
 #include "shared/spheres.h"
 #include "shared/ground.h"
 
-layout(constant_id = 15) const uint kThings = 0u;  // bits kHasTerrain, ...
+layout(constant_id = 33) const uint kThings = 0u;  // bits kHasTerrain, ...
 
 bool has_terrain() { return (kThings & kHasTerrain) != 0u; }
 bool has_ground_maps() { return (kThings & kHasGroundMaps) != 0u; }

@@ -23,9 +23,9 @@ struct FlightPlan {
     Channels share;  // expected contribution, by which the choice is made
   };
   std::vector<Panel> panels;
-  Channels ground{};        // `share` of the ground
-  Channels total{};         // over all panels and the ground
-  double length = 0.0;      // km
+  Channels ground{};             // `share` of the ground
+  Channels total{};              // over all panels and the ground
+  double length = 0.0;           // km
   ThingNumber thing = kNoThing;  // to which the ground's share belongs, above the ground
 };
 

@@ -123,7 +123,8 @@ vec3 SingleScattering::radiance(const Ray& ray, const Footing& footing) const {
     const vec3 sun_on_ground = things_ == nullptr
                                    ? sunlight(0.0, mu_sun)
                                    : sunlight_at(place_on(planet, ray, footing, ray.length_), 0.0, mu_sun);
-    sum = sum + exp(-depth_.along(ray.h, ray.mu, ray.length_)) * seen_ground(physics_, ray, footing, sun_on_ground, mu_sun);
+    sum = sum +
+          exp(-depth_.along(ray.h, ray.mu, ray.length_)) * seen_ground(physics_, ray, footing, sun_on_ground, mu_sun);
   }
   return sum;
 }
@@ -187,8 +188,8 @@ vec3 SingleScattering::seen_thing(const Ray& ray, const Footing& footing) const 
     return vec3(0.0);
   }
   const double facing = std::max(dot(things_->normal(place, footing.thing), physics_.scene.sun.direction), 0.0);
-  const vec3 beam = facing > 0.0 ? sunlight_at(off_thing(place, footing.thing), end.h, end.mu_sun, footing.thing)
-                                 : vec3(0.0);
+  const vec3 beam =
+      facing > 0.0 ? sunlight_at(off_thing(place, footing.thing), end.h, end.mu_sun, footing.thing) : vec3(0.0);
   return beam * things_->albedo(place, footing.thing) * (facing / std::numbers::pi);
 }
 
@@ -265,11 +266,10 @@ Wide SingleScattering::radiance(const Ray& ray, const Footing& footing, const Wa
       thing != kNoThing ? dot(things_->normal(place, thing), physics_.scene.sun.direction) : end.mu_sun;
   if (facing > 0.0 && is_lit(off_thing(place, thing), h, end.mu_sun, thing)) {
     const Columns columns = depth_.columns_along(ray.h, ray.mu, ray.length_) + depth_.columns_to_top(h, end.mu_sun);
-    const Wide sent = thing != kNoThing
-                          ? all.thing_albedo(*things_, place, thing) * (facing / std::numbers::pi)
-                          : all.of_groups([&](physics::Physics& group) {
-                              return seen_ground(group, ray, footing, vec3(1.0), end.mu_sun);
-                            });
+    const Wide sent = thing != kNoThing ? all.thing_albedo(*things_, place, thing) * (facing / std::numbers::pi)
+                                        : all.of_groups([&](physics::Physics& group) {
+                                            return seen_ground(group, ray, footing, vec3(1.0), end.mu_sun);
+                                          });
     sum = sum + all.transmittance(columns) * sent;
   }
   return sum;

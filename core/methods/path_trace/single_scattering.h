@@ -17,9 +17,9 @@ Columns densities_at(physics::Physics& physics, double h);
 
 // A ray in space, needed where the ground has maps or things stand.
 struct Footing {
-  physics::vec3 up;         // unit, where the ray begins, in the camera's frame
-  physics::vec3 direction;  // unit
-  double pixel = 0.0;       // angle that the ray represents
+  physics::vec3 up;              // unit, where the ray begins, in the camera's frame
+  physics::vec3 direction;       // unit
+  double pixel = 0.0;            // angle that the ray represents
   ThingNumber thing = kNoThing;  // on which the ray ends
 };
 
@@ -36,8 +36,8 @@ physics::vec3 ground_albedo_at(physics::Physics& physics, physics::vec3 up);
 class SingleScattering {
  public:
   SingleScattering(physics::Physics& physics, const OpticalDepth& depth,
-                   std::vector<double> edges,                // altitudes at which the air is not smooth, km
-                   const TracedThings* things = nullptr);    // must live as long as this
+                   std::vector<double> edges,              // altitudes at which the air is not smooth, km
+                   const TracedThings* things = nullptr);  // must live as long as this
 
   // Radiance for a sun of irradiance 1, scattered once in the air or reflected once by the ground at the ray's end.
   physics::vec3 radiance(const physics::Physics::Ray& ray, const Footing& footing = {}) const;

@@ -43,8 +43,8 @@ class PathTracer {
   std::uint64_t cut_paths() const { return walk_.cut_paths(); }
   std::uint64_t cut_rays() const { return single_.cut_rays(); }
 
-  // From the camera to the end of the chain's first part, 1 where it misses the air; with wavelengths, the colour of sunlight behind the
-  // air.
+  // From the camera to the end of the chain's first part, 1 where it misses the air; with wavelengths, the colour of
+  // sunlight behind the air.
   physics::vec3 transmittance(const Chain& chain) const;
 
   physics::vec3 direction(double elevation, double azimuth) const {

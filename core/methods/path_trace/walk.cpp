@@ -58,7 +58,7 @@ struct Walk::State {
   bool mirrors = false;
   vec3 normal = vec3(0.0);  // of ground or thing
   vec3 albedo = vec3(0.0);
-  Wide wide_albedo;        // at all wavelengths, if there are any
+  Wide wide_albedo;  // at all wavelengths, if there are any
   Analyser<vec3> analyser = {};
   vec3 axis = vec3(0.0);     // of the analyser
   vec3 dipoles = vec3(0.0);  // coefficient of the molecules here that polarise
@@ -120,8 +120,8 @@ std::optional<WalkStart> Walk::mirrored(const WalkStart& from, const Wavelengths
   start.up = normalize(place);
   start.ray = physics_.ray_in_atmosphere(planet, std::max(length(place) - planet.ground_radius, 0.0),
                                          dot(start.up, start.direction), dot(start.up, sun), dot(start.direction, sun));
-  start.weight = from.weight * things_->albedo(place, mirror) *
-                 exp(-depth_.along(from.ray.h, from.ray.mu, from.ray.length_));
+  start.weight =
+      from.weight * things_->albedo(place, mirror) * exp(-depth_.along(from.ray.h, from.ray.mu, from.ray.length_));
   if (all != nullptr) {
     start.wide_weight = from.wide_weight * all->thing_albedo(*things_, place, mirror) *
                         all->transmittance(depth_.columns_along(from.ray.h, from.ray.mu, from.ray.length_));
@@ -227,9 +227,9 @@ void Walk::stand_on_surface(State& state) const {
   state.mirrors = on_thing && things_->mirrors(state.thing);
   if (state.wide != nullptr) {
     const Wavelengths& all = state.wide->wavelengths();
-    state.wide_albedo =
-        on_thing ? all.thing_albedo(*things_, place, state.thing)
-                 : all.of_groups([&](physics::Physics& group) { return ground_albedo_at(group, state.up); });
+    state.wide_albedo = on_thing
+                            ? all.thing_albedo(*things_, place, state.thing)
+                            : all.of_groups([&](physics::Physics& group) { return ground_albedo_at(group, state.up); });
   }
 }
 
@@ -263,15 +263,15 @@ void Walk::add_from_sun(const State& state) const {
   if (physics_.meets_ground(physics_.scene.planet, state.h, state.mu_sun)) {
     return;
   }
-  if (state.mirrors ||
-      (things_ != nullptr && things_->hides_sun(state.place(physics_.scene.planet), state.thing))) {
+  if (state.mirrors || (things_ != nullptr && things_->hides_sun(state.place(physics_.scene.planet), state.thing))) {
     return;
   }
   const Columns to_sun = depth_.columns_to_top(state.h, state.mu_sun);
   if (state.at_ground && state.thing == kNoThing && physics_.ground_maps) {
     state.wide->add_reflected(to_sun, state.wide->wavelengths().of_groups([&](physics::Physics& group) {
       return ground_reflects(group, state.up, state.direction, state.mu_sun, vec3(1.0));
-    }), 1.0);
+    }),
+                              1.0);
   } else if (state.at_ground) {
     const double facing = dot(state.normal, physics_.scene.sun.direction);
     state.wide->add_reflected(to_sun, state.wide_albedo, std::max(facing, 0.0) / std::numbers::pi);
@@ -455,8 +455,8 @@ void Walk::walk(State& state, const WalkStart& start, WalkNumbers& numbers, Flig
   state.up = start.up;
   state.direction = start.direction;
   state.axis = some_axis(start.direction);
-  if (!fly(state, start.plan, numbers.next())) {
-    return;
+  if (!fly(state, start.plan, numbers.next()) || state.mirrors) {
+    return;  // what a mirror shows is a ray of its own
   }
   vec3 whole(0.0);  // what the path was worth when its standing was 1
   double standing = 1.0;

@@ -20,8 +20,8 @@ struct WalkStart {
   physics::vec3 direction;  // unit
   physics::Physics::Ray ray;
   FlightPlan plan;
-  double pixel = 0.0;                      // angle that the ray represents
-  physics::vec3 weight{1.0, 1.0, 1.0};     // of its light: of mirrors and the air before them
+  double pixel = 0.0;                   // angle that the ray represents
+  physics::vec3 weight{1.0, 1.0, 1.0};  // of its light: of mirrors and the air before them
   Wide wide_weight = Wide(1.0);
 };
 
