@@ -58,8 +58,9 @@ std::vector<float> floats(std::span<const std::byte> bytes, std::size_t first, s
 }
 
 // Depth and normals in double, from the geometry alone.
-void add_geometry(std::vector<Layer>& layers, const Scene& scene, const Tile& tile) {
+void add_geometry(std::vector<Layer>& layers, const Scene& scene, const Things& things, const Tile& tile) {
   physics::Physics p = geometry_of(scene);
+  things.put_into(p);
   const std::size_t pixels = pixels_of(tile);
   std::vector<float>& depth = find(layers, "depth").planes;
   std::vector<float>& normal = find(layers, "N").planes;
@@ -73,13 +74,15 @@ void add_geometry(std::vector<Layer>& layers, const Scene& scene, const Tile& ti
     if (!ray.inside) {
       continue;
     }
-    const double distance = p.distance_to_end(planet, h, ray.direction.y);
+    const auto sight = p.sight_of(ray.direction);
+    const auto hit = p.nearest_thing(planet, sight, physics::kNoSphere);
+    const double distance = hit.what == p.kMeetsSky ? p.distance_to_end(planet, h, ray.direction.y) : hit.distance_;
     depth[i] = distance < 0.0 ? kNoDistance : static_cast<float>(distance);
-    if (p.meets_ground(planet, h, ray.direction.y)) {
-      const vec3 up = physics::normalize(ray.direction * distance + vec3(0.0, planet.ground_radius + h, 0.0));
-      normal[i] = static_cast<float>(up.x);
-      normal[pixels + i] = static_cast<float>(up.y);
-      normal[2 * pixels + i] = static_cast<float>(up.z);
+    if (hit.what != p.kMeetsSky) {
+      const vec3 n = p.surface_at(planet, h, sight, hit, 0.0).normal;
+      normal[i] = static_cast<float>(n.x);
+      normal[pixels + i] = static_cast<float>(n.y);
+      normal[2 * pixels + i] = static_cast<float>(n.z);
     }
   }
 }
@@ -161,11 +164,6 @@ std::vector<Layer> layers_of(const Stage& stage) {
   return layers;
 }
 
-std::string layers_refusal(const Scene& scene) {
-  const auto refusal = method_of(scene).layers_refusal;
-  return refusal == nullptr ? std::string() : refusal(scene);
-}
-
 std::string methods_with_layers() {
   return joined_of(methods(), [](const SkyMethod& method) {
     return method.add_layer_passes != nullptr ? method.info.name : std::string_view();
@@ -181,7 +179,7 @@ std::vector<Layer> render_layers(Executor& executor, const Stage& stage, const T
   for (const Part& part : stage.parts()) {
     render_part(layers, executor, stage, part, {.directions = {}, .tile = tile, .kept_as = kept_as}, timings);
   }
-  add_geometry(layers, stage.scene(), tile);
+  add_geometry(layers, stage.scene(), stage.whole().things, tile);
   return layers;
 }
 

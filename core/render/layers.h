@@ -27,14 +27,10 @@ inline constexpr float kNoDistance = 1e10F;
 
 // The layers of a stage's picture, without planes. Light, all in W/(m2 sr): the single scattering of each medium that
 // scatters, named after the medium as far as a channel's name permits; multiple (scattered more than once), sun (the
-// disc), ground (reflected by it, seen through the air). Others: transmittance to the ground or to space; depth, the
-// distance to the ground or to where the ray leaves the air, km; N, the ground's normal in the preset's frame, 0 where
-// there is none.
+// disc), ground (sent back by the ground and things, seen through the air). Others: transmittance to the ray's end;
+// depth, the distance to the ground, to a thing or to where the ray leaves the air, km; N, the normal there in the
+// preset's frame, 0 where there is none.
 std::vector<Layer> layers_of(const Stage& stage);
-
-// Why this scene's picture has no layers though its method has them: things whose light is not kept apart. Empty: it
-// has layers.
-std::string layers_refusal(const Scene& scene);
 
 // The methods that have layers, for messages.
 std::string methods_with_layers();

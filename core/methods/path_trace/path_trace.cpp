@@ -152,6 +152,7 @@ SkyMethod path_trace_method() {
   SkyMethod method;
   method.info = {"path-trace", "unbiased Monte Carlo of all orders on the processor, with standard error", kParameters};
   method.info.knows_terrain = true;
+  method.info.knows_spheres = true;
   method.info.knows_ground_maps = true;
   method.validity.leaves_out = "the sun's disc in the picture";
   method.sweep = {with_samples("32", 32), with_samples("128", 128), with_samples("512", 512)};

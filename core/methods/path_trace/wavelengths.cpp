@@ -47,6 +47,11 @@ Scene mean_scene(std::span<const Part> parts, const std::vector<Rgb>& weights) {
         mean.terrain->mix[c][j] = sum(mix);
       }
     }
+    for (std::size_t j = 0; j < 3 && mean.ground; ++j) {
+      mean.ground->mix[c][j] = sum([j](const Scene& s) {
+        return Spectrum{s.ground->mix[0][j], s.ground->mix[1][j], s.ground->mix[2][j]};
+      });
+    }
     for (std::size_t i = 0; i < mean.spheres.size(); ++i) {
       mean.spheres[i].albedo[c] = sum([i](const Scene& s) { return s.spheres[i].albedo; });
     }
@@ -86,7 +91,8 @@ Wavelengths::Wavelengths(const Stage& stage)
       colours_(stage.basis().matrix) {
   for (const Part& part : stage.parts()) {
     groups_.push_back(formulas_of(part.air, part.scene));
-    groups_.back().terrain_maps = part.things.terrain();
+    part.things.put_into(groups_.back());
+    groups_.back().polarisation = part.scene.render.polarisation;
   }
   for (std::size_t k = 0; k < count_; ++k) {
     const physics::Physics& p = groups_[k / 3];
@@ -94,9 +100,15 @@ Wavelengths::Wavelengths(const Stage& stage)
       scattering_[i].at[k] = three_of(p.medium(i).scattering)[k % 3];
       extinction_[i].at[k] = three_of(p.medium(i).scattering + p.medium(i).absorption)[k % 3];
     }
-    albedo_.at[k] = three_of(p.scene.planet.ground_albedo)[k % 3];
   }
   for (uint i = 0; i < media_; ++i) {
+    if (groups_.front().polarised() && groups_.front().is_molecular(i)) {
+      dipoles_[i] = scattering_[i];
+      for (std::size_t k = 0; k < count_; ++k) {
+        physics::Physics& p = groups_[k / 3];
+        dipoles_[i]->at[k] *= p.kDipole * three_of(p.dipole_share(i))[k % 3];
+      }
+    }
     same_phase_[i] = std::ranges::none_of(groups_, [i](const physics::Physics& p) {
       return p.phase_of(i) == physics::kPhaseTable || p.phase_of(i) == physics::kPhaseDepolarized;
     });
@@ -110,25 +122,17 @@ Wavelengths::Phases Wavelengths::phases(double nu) const {
       phases[i] = Wide(groups_.front().medium_phase(i, nu).x);
       continue;
     }
-    for (std::size_t g = 0; g < groups_.size(); ++g) {
-      const std::array<double, 3> values = three_of(groups_[g].medium_phase(i, nu));
-      for (std::size_t c = 0; c < 3 && 3 * g + c < count_; ++c) {
-        phases[i].at[3 * g + c] = values[c];
-      }
-    }
+    phases[i] = of_groups([i, nu](physics::Physics& p) { return p.medium_phase(i, nu); });
   }
   return phases;
 }
 
-Wide Wavelengths::terrain_albedo(physics::vec2 at) const {
-  Wide albedo;
-  for (std::size_t g = 0; g < groups_.size(); ++g) {
-    const std::array<double, 3> values = three_of(groups_[g].map_albedo(groups_[g].terrain_shape(), at.x, at.y));
-    for (std::size_t c = 0; c < 3 && 3 * g + c < count_; ++c) {
-      albedo.at[3 * g + c] = values[c];
-    }
+Wide Wavelengths::thing_albedo(const TracedThings& things, vec3 place, ThingNumber thing) const {
+  if (thing != kOnTerrain) {
+    return of_groups([thing](physics::Physics& p) { return p.spheres[static_cast<std::size_t>(thing)].albedo; });
   }
-  return albedo;
+  const physics::vec2 at = things.on_map(place);
+  return of_groups([at](physics::Physics& p) { return p.map_albedo(p.terrain_shape(), at.x, at.y); });
 }
 
 Wide Wavelengths::scattered(const Columns& densities, const Phases& phases) const {
@@ -161,6 +165,16 @@ Wide Wavelengths::scattered(const Columns& densities, double nu) const {
   return sum;
 }
 
+std::optional<Wide> Wavelengths::dipoles(const Columns& densities) const {
+  std::optional<Wide> sum;
+  for (std::size_t i = 0; i < media_; ++i) {
+    if (dipoles_[i] && densities[i] > 0.0) {
+      sum = sum.value_or(Wide()) + *dipoles_[i] * densities[i];
+    }
+  }
+  return sum;
+}
+
 Wide Wavelengths::transmittance(const Columns& columns) const {
   Wide depth;
   for (std::size_t i = 0; i < media_; ++i) {
@@ -185,6 +199,7 @@ vec3 Wavelengths::colour(const Wide& radiance) const {
 }
 
 void WidePath::begin() {
+  analyser_ = {};
   carry_ = Wide(1.0);
   passed_ = {};
   flights_ = 0;
@@ -200,11 +215,24 @@ void WidePath::fly(const Columns& columns, double density) {
   carry_ = carry_ * (1.0 / density);
 }
 
-void WidePath::scatter(const Columns& densities, double nu, double density) {
-  carry_ = carry_ * all_.scattered(densities, nu) * (1.0 / density);
+Wide WidePath::sent_into(const Bend& bend, const Columns& densities, const std::optional<Wide>& dipoles) const {
+  const Wide all = all_.scattered(densities, bend.nu);
+  return dipoles ? all + analyser_.correction(bend, *dipoles) : all;
+}
+
+void WidePath::scatter(const Columns& densities, const Bend& bend, double density) {
+  const std::optional<Wide> dipoles = all_.dipoles(densities);
+  const Wide scattered = sent_into(bend, densities, dipoles);
+  if (dipoles) {
+    analyser_.turn(bend, *dipoles, scattered);
+  } else {
+    analyser_.forget();
+  }
+  carry_ = carry_ * scattered * (1.0 / density);
 }
 
 void WidePath::reflect(const Wide& albedo, double cosine, double density) {
+  analyser_.forget();
   carry_ = carry_ * albedo * (cosine / density);
 }
 
@@ -216,8 +244,8 @@ void WidePath::add(const Columns& to_sun, const Wide& sent_back) {
   sum_ = sum_ + carry_ * sent_back * all_.transmittance(passed_ + to_sun);
 }
 
-void WidePath::add_scattered(const Columns& to_sun, const Columns& densities, double nu) {
-  add(to_sun, all_.scattered(densities, nu));
+void WidePath::add_scattered(const Columns& to_sun, const Columns& densities, const Bend& bend) {
+  add(to_sun, sent_into(bend, densities, all_.dipoles(densities)));
 }
 
 void WidePath::add_reflected(const Columns& to_sun, const Wide& albedo, double cosine) {

@@ -6,9 +6,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
+#include "core/methods/path_trace/analyser.h"
 #include "core/methods/path_trace/optical_depth.h"
+#include "core/methods/path_trace/things_trace.h"
 #include "core/stage/stage.h"
 
 namespace airlight {
@@ -42,6 +45,9 @@ inline Wide operator*(const Wide& a, const Wide& b) {
 inline Wide operator*(const Wide& a, double b) {
   return each(a, a, [b](double x, double) { return x * b; });
 }
+inline Wide share_of(const Wide& part, const Wide& whole) {
+  return each(part, whole, [](double a, double b) { return share_of(a, b); });
+}
 inline Wide absolute(const Wide& a) {
   return each(a, a, [](double x, double) { return std::abs(x); });
 }
@@ -69,12 +75,28 @@ class Wavelengths {
   Wide scattered(const Columns& densities, const Phases& phases) const;
   Wide scattered(const Columns& densities, double nu) const;
 
+  // Coefficient of the molecules that polarise, as of Physics::dipole_scattering(); nothing where none does.
+  std::optional<Wide> dipoles(const Columns& densities) const;
+
   // exp(-optical depth) of such columns.
   Wide transmittance(const Columns& columns) const;
 
-  const Wide& albedo() const { return albedo_; }
-  // Albedo of the terrain at a column and row of its map.
-  Wide terrain_albedo(physics::vec2 at) const;
+  // Albedo of a thing at a place from the planet's centre.
+  Wide thing_albedo(const TracedThings& things, physics::vec3 place, ThingNumber thing) const;
+
+  // A value of formulas in three wavelengths, at all of them. `value`: takes physics::Physics&, returns a vec3.
+  template <class F>
+  Wide of_groups(const F& value) const {
+    Wide all;
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+      const physics::vec3 three = value(groups_[g]);
+      const std::array<double, 3> values{three.x, three.y, three.z};
+      for (std::size_t c = 0; c < 3 && 3 * g + c < count_; ++c) {
+        all.at[3 * g + c] = values[c];
+      }
+    }
+    return all;
+  }
 
   // The picture's colour of a radiance that is relative to the sun's.
   physics::vec3 colour(const Wide& radiance) const;
@@ -85,7 +107,7 @@ class Wavelengths {
   Part steering_;
   std::array<Wide, physics::kMaxMedia> scattering_;  // 1/km at density 1
   std::array<Wide, physics::kMaxMedia> extinction_;
-  Wide albedo_;
+  std::array<std::optional<Wide>, physics::kMaxMedia> dipoles_;  // of molecules that polarise, at density 1
   std::vector<Rgb> colours_;
   mutable std::vector<physics::Physics> groups_;       // of three wavelengths each; GLSL's functions have no const
   std::array<bool, physics::kMaxMedia> same_phase_{};  // at all wavelengths
@@ -102,20 +124,22 @@ class WidePath {
   // Moves to the next vertex, through these columns, chosen with this density.
   void fly(const Columns& columns, double density);
   // Turns into a direction chosen with this density, 1/sr: in air, or at the ground (`cosine` over pi).
-  void scatter(const Columns& densities, double nu, double density);
+  void scatter(const Columns& densities, const Bend& bend, double density);
   void reflect(const Wide& albedo, double cosine, double density);
   // Multiplies the path's weight, to make up for paths that ended.
   void survive(double factor);
   // Adds sunlight that comes through these columns and is scattered or reflected back along the path.
-  void add_scattered(const Columns& to_sun, const Columns& densities, double nu);
+  void add_scattered(const Columns& to_sun, const Columns& densities, const Bend& bend);
   void add_reflected(const Columns& to_sun, const Wide& albedo, double cosine);
 
   const Wide& sum() const { return sum_; }  // of all paths so far
 
  private:
   void add(const Columns& to_sun, const Wide& sent_back);
+  Wide sent_into(const Bend& bend, const Columns& densities, const std::optional<Wide>& dipoles) const;
 
   const Wavelengths& all_;
+  Analyser<Wide> analyser_;
   Wide carry_;        // without the transmittance of
   Columns passed_{};  // these columns, km at density 1,
   int flights_ = 0;   // and of this many flights
