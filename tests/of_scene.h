@@ -15,6 +15,7 @@
 #include "core/render/render.h"
 #include "core/render/spans.h"
 #include "core/render/spectrum.h"
+#include "core/render/tile_sizes.h"
 
 namespace airlight {
 

@@ -26,6 +26,13 @@ constexpr std::array<Face, 6> kFaces = {{{"posx", -kQuarter, 0.0},
                                          {"posz", 0.0, 0.0},
                                          {"negz", 2.0 * kQuarter, 0.0}}};
 
+std::string file_of(const std::string& file, const Face& face) {
+  const std::filesystem::path path(file);
+  return file.empty()
+             ? file
+             : (path.parent_path() / (path.stem().string() + "." + face.name + path.extension().string())).string();
+}
+
 }  // namespace
 
 void require_cube_stack(const Scene& scene) {
@@ -42,26 +49,21 @@ void require_cube_stack(const Scene& scene) {
                    "; it needs --set /camera/projection=cube in the layout stack, and a size such as --size 512x3072");
 }
 
-std::vector<FaceScene> face_scenes(const Scene& scene) {
-  std::vector<FaceScene> faces;
-  for (std::size_t i = 0; i < kFaces.size(); ++i) {
-    FaceScene face{kFaces[i].name, scene, static_cast<int>(i) * scene.image.width};
-    face.scene.camera.projection = Projection::perspective;
-    face.scene.camera.azimuth += kFaces[i].turn;
-    face.scene.camera.pitch = kFaces[i].pitch;
-    face.scene.camera.vertical_fov = kQuarter;
-    face.scene.image.height = scene.image.width;
-    faces.push_back(std::move(face));
+std::vector<PicturePart> face_parts(const Scene& scene, const Targets& files) {
+  std::vector<PicturePart> parts;
+  for (const Face& face : kFaces) {
+    PicturePart part{scene,
+                     static_cast<int>(parts.size()) * scene.image.width,
+                     {file_of(files.exr, face), file_of(files.png, face)}};
+    Camera& camera = part.scene.camera;
+    camera.projection = Projection::perspective;
+    camera.azimuth += face.turn;
+    camera.pitch = face.pitch;
+    camera.vertical_fov = kQuarter;
+    part.scene.image.height = scene.image.width;
+    parts.push_back(std::move(part));
   }
-  return faces;
-}
-
-std::string face_file(const std::string& file, const std::string& face) {
-  if (file.empty()) {
-    return file;
-  }
-  const std::filesystem::path path(file);
-  return (path.parent_path() / (path.stem().string() + "." + face + path.extension().string())).string();
+  return parts;
 }
 
 }  // namespace airlight::cli

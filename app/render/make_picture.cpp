@@ -60,22 +60,6 @@ PictureContext context_of(const Means& means, const Scene& scene, const Renderin
           .space = working_space_of(means.given.picture)};
 }
 
-Targets face_targets(const Targets& targets, const std::string& face) {
-  return {face_file(targets.exr, face), face_file(targets.png, face)};
-}
-
-// The whole picture as one part, or the faces of a cube.
-std::vector<PicturePart> parts_of(const Means& means, const Scene& scene) {
-  if (!means.given.cube_faces) {
-    return {{scene, 0, means.targets}};
-  }
-  std::vector<PicturePart> parts;
-  for (const FaceScene& face : face_scenes(scene)) {
-    parts.push_back({face.scene, face.first_row, face_targets(means.targets, face.name)});
-  }
-  return parts;
-}
-
 std::optional<Lighting> wanted_lighting(const Means& means, const DeviceOnDemand& device, const Stage& stage,
                                         const HostOptions& host) {
   if (!means.given.irradiance) {
@@ -156,7 +140,8 @@ bool make_picture(const Means& means, const Stage& stage, const std::optional<Im
   const DeviceOnDemand device = device_on_demand(given.scene, means.executor);
   const std::vector<std::string> left_out = left_out_by(means.choice);
   const auto context = [&](const Scene& part, const Rendering& rows) { return context_of(means, part, rows); };
-  PictureWriter writer({.parts = parts_of(means, scene),
+  const PicturePart whole{scene, 0, means.targets};
+  PictureWriter writer({.parts = given.cube_faces ? face_parts(scene, means.targets) : std::vector{whole},
                         .transform = means.transform,
                         .options = given.picture,
                         .depth = tile ? depth_in_tiles(given.picture, means.targets, device, stage) : std::nullopt,
@@ -164,14 +149,14 @@ bool make_picture(const Means& means, const Stage& stage, const std::optional<Im
                         .context = context});
   Rendering rendering = render_bands(device, stage, writer.bands(tile, request));
   clear_progress();
+  means.watch.lap("render");
+  const bool goes_on = rendering.fault().empty() && Interruption::signal() == 0;
+  const std::optional<Lighting> lighting = goes_on ? wanted_lighting(means, device, stage, request.host) : std::nullopt;
   if (Interruption::signal() != 0) {
     return false;
   }
-  means.watch.lap("render");
   tell_undone(given, rendering);
   rendering.left_out.insert(rendering.left_out.begin(), left_out.begin(), left_out.end());
-  const std::optional<Lighting> lighting =
-      rendering.fault().empty() ? wanted_lighting(means, device, stage, request.host) : std::nullopt;
   require_valid_vulkan();
   Published done = writer.publish(rendering, means.watch);
   if (request.layers) {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "core/render/bands.h"
+#include "core/render/tile_sizes.h"
 
 namespace airlight::cli {
 

@@ -24,8 +24,7 @@ Bloomed bloom_of(const Stage& stage) {
 }
 
 BufferDesc uploaded_radiance(const Tile& band) {
-  const std::size_t pixels = static_cast<std::size_t>(band.width) * static_cast<std::size_t>(band.height);
-  return {.name = "radiance", .bytes = 4 * sizeof(float) * pixels, .host_readable = true};
+  return {.name = "radiance", .bytes = 4 * sizeof(float) * pixels_of(band), .host_readable = true};
 }
 
 PostPasses::PostPasses(Plan& plan, const Scene& scene, const Picture& band, const RenderRequest& request,

@@ -1,11 +1,8 @@
 #include "core/render/bands.h"
 
 #include <algorithm>
-#include <bit>
 #include <cassert>
-#include <cstring>
 #include <optional>
-#include <type_traits>
 #include <utility>
 
 #include "core/plan/bytes.h"
@@ -14,45 +11,11 @@
 #include "core/render/picture_key.h"
 #include "core/render/sky.h"
 #include "core/render/spectrum.h"
+#include "core/render/tile_sizes.h"
 #include "core/render/timings.h"
 
 namespace airlight {
 namespace {
-
-constexpr std::size_t kUsualTilePixels = std::size_t{1} << 21;
-
-std::size_t layer_planes(const Stage& stage) {
-  return 3 * (static_cast<std::size_t>(std::popcount(stage.scattering_media())) + 3);
-}
-
-std::size_t pixels_of(int width, int height) {
-  return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-}
-
-// Copies rows of a tile to their columns of the band.
-void put(RadianceImage& band, std::span<const std::byte> tile_bytes, const Tile& tile) {
-  const std::size_t row = 4 * sizeof(float) * static_cast<std::size_t>(tile.width);
-  for (int y = 0; y < tile.height; ++y) {
-    std::memcpy(band.rgba.data() + 4 * (pixels_of(band.width, y) + static_cast<std::size_t>(tile.x)),
-                tile_bytes.data() + static_cast<std::size_t>(y) * row, row);
-  }
-}
-
-// Copies a tile's layers to their place in the band's.
-void put(std::vector<Layer>& layers, const Tile& band, const std::vector<Layer>& tile_layers, const Tile& tile) {
-  const std::size_t plane = pixels_of(band.width, band.height);
-  const std::size_t first = pixels_of(band.width, tile.y - band.y) + static_cast<std::size_t>(tile.x);
-  for (std::size_t i = 0; i < layers.size(); ++i) {
-    const std::size_t channels = layers[i].channels.size();
-    layers[i].planes.resize(plane * channels);
-    const float* from = tile_layers[i].planes.data();
-    for (std::size_t c = 0; c < channels; ++c) {
-      for (int y = 0; y < tile.height; ++y, from += tile.width) {
-        std::copy(from, from + tile.width, layers[i].planes.data() + c * plane + first + pixels_of(band.width, y));
-      }
-    }
-  }
-}
 
 // A band on its way.
 struct InWork {
@@ -164,7 +127,7 @@ std::function<void(double)> Bands::report_of(const Tile& tile) const {
   }
   const auto all = static_cast<double>(pixels_of(scene_.image.width, scene_.image.height));
   const auto before = static_cast<double>(pixels_of(scene_.image.width, tile.y) + pixels_of(tile.x, tile.height));
-  const auto pixels = static_cast<double>(pixels_of(tile.width, tile.height));
+  const auto pixels = static_cast<double>(pixels_of(tile));
   return [=, this](double done) { asked_.host.report(from_ + (to_ - from_) * (before + done * pixels) / all); };
 }
 
@@ -193,7 +156,7 @@ Picture Bands::add_sky_of(Plan& plan, const Tile& tile, bool carried) {
 
 void Bands::render_columns(InWork& band) {
   const Tile& whole = band.tile;
-  band.rows.radiance = {whole.width, whole.height, std::vector<float>(4 * pixels_of(whole.width, whole.height))};
+  band.rows.radiance = {whole.width, whole.height, std::vector<float>(4 * pixels_of(whole))};
   for (int x = 0; x < whole.width; x += tile_width()) {
     const Tile tile{x, whole.y, std::min(tile_width(), whole.width - x), whole.height};
     Plan plan;
@@ -356,61 +319,10 @@ Rendering Bands::run() {
   return std::move(out_);
 }
 
-// Rows of planes that stand one after the other, each as large as the picture.
-std::vector<float> rows_of(const std::vector<float>& planes, std::size_t count, const Tile& rows) {
-  std::vector<float> part;
-  const std::size_t plane = planes.size() / count;
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto begin = planes.begin() + static_cast<std::ptrdiff_t>(i * plane + pixels_of(rows.width, rows.y));
-    part.insert(part.end(), begin, begin + static_cast<std::ptrdiff_t>(pixels_of(rows.width, rows.height)));
-  }
-  return part;
-}
-
 }  // namespace
 
 bool needs_whole_picture(const Scene& scene, const RenderRequest& request) {
   return request.bloom && scene.bloom.enabled && scene.bloom.model == BloomModel::chain;
-}
-
-std::size_t tile_pixel_bytes(const Stage& stage, bool layers) {
-  return sizeof(float) * std::max<std::size_t>(4, layers ? layer_planes(stage) : 0);
-}
-
-std::size_t band_pixel_bytes(const Stage& stage, bool layers) {
-  return sizeof(float) * (4 + (layers ? layer_planes(stage) + 3 + 1 + 3 : 0));
-}
-
-ImageSize usual_tile(const Stage& stage, bool layers) {
-  const std::size_t pixels = kUsualTilePixels * 4 * sizeof(float) / band_pixel_bytes(stage, layers);
-  const auto rows = static_cast<int>(pixels / static_cast<std::size_t>(stage.scene().image.width));
-  return {stage.scene().image.width, std::max(1, rows)};
-}
-
-Pixels rows_of(const Pixels& whole, const Tile& rows) {
-  const auto first = static_cast<std::ptrdiff_t>(4 * pixels_of(rows.width, rows.y));
-  const auto end = first + static_cast<std::ptrdiff_t>(4 * pixels_of(rows.width, rows.height));
-  const auto cut = [&](const auto& values) {
-    return values.empty() ? values
-                          : std::remove_cvref_t<decltype(values)>(values.begin() + first, values.begin() + end);
-  };
-  const auto image = [&](const RadianceImage& all) { return RadianceImage{rows.width, rows.height, cut(all.rgba)}; };
-  Pixels part;
-  part.radiance = image(whole.radiance);
-  part.standard_error = whole.standard_error ? std::optional(image(*whole.standard_error)) : std::nullopt;
-  part.bloom = whole.bloom ? std::optional(image(*whole.bloom)) : std::nullopt;
-  part.encoded = cut(whole.encoded);
-  for (const Layer& layer : whole.layers) {
-    part.layers.push_back(layer.like());
-    part.layers.back().planes = rows_of(layer.planes, layer.channels.size(), rows);
-  }
-  if (whole.spectrum) {
-    part.spectrum = whole.spectrum->like();
-    for (const std::vector<float>& plane : whole.spectrum->planes) {
-      part.spectrum->planes.push_back(rows_of(plane, 1, rows));
-    }
-  }
-  return part;
 }
 
 Rendering render_bands(const DeviceOnDemand& device, const Stage& stage, const BandsRequest& request) {

@@ -15,32 +15,14 @@ struct Band {
   Rendering rows;  // its pixels; left_out; the exposure where it is known before the last band
 };
 
-// Whole rows of a picture's pixels and of all further planes.
-Pixels rows_of(const Pixels& whole, const Tile& rows);
-
 struct BandsRequest {
-  // A band is a row of such tiles, its height cut where it would fill more than kBandBytes. None: one band.
+  // A band is a row of such tiles, of at most kBandBytes (tile_sizes.h). None: one band.
   std::optional<ImageSize> tile = {};
   RenderRequest picture;            // as of render()
   bool exposure_first = false;      // the bands must have their exposure; one band has it anyway
   bool past_faults = false;         // continue where a band holds values that are no radiance
   std::function<void(Band&)> sink;  // gets bands from the top and may empty them; its exceptions are passed on
 };
-
-// Most bytes in a device's buffer for one tile: the most that every device takes (Mesa's software device takes no
-// more).
-inline constexpr std::size_t kTileBytes = std::size_t{128} << 20;
-// Most bytes of one band on the host, and of its rows on the device.
-inline constexpr std::size_t kBandBytes = std::size_t{64} << 20;
-// Most bytes of a tile's layers on the device.
-inline constexpr std::size_t kLayerBytes = std::size_t{32} << 20;
-
-// Bytes of one pixel in the greatest of a tile's buffers on the device, and of a band's on the host.
-std::size_t tile_pixel_bytes(const Stage& stage, bool layers);
-std::size_t band_pixel_bytes(const Stage& stage, bool layers);
-
-// Size of a default tile: whole rows with about 32 MiB of radiance.
-ImageSize usual_tile(const Stage& stage, bool layers);
 
 // Whether the request asks for a bloom chain: it is made of the whole picture, and no tiles have it.
 bool needs_whole_picture(const Scene& scene, const RenderRequest& request);

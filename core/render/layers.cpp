@@ -8,6 +8,7 @@
 #include "core/methods/method.h"
 #include "core/methods/spectral_sums.h"
 #include "core/plan/bytes.h"
+#include "core/render/pixels.h"
 #include "core/render/sky.h"
 #include "core/render/timings.h"
 #include "core/scene/photometry.h"
@@ -44,10 +45,6 @@ std::string unlike(const std::set<std::string>& taken, const std::string& name) 
     other = name + "_" + std::to_string(i);
   }
   return other;
-}
-
-std::size_t pixels_of(const Tile& tile) {
-  return static_cast<std::size_t>(tile.width) * static_cast<std::size_t>(tile.height);
 }
 
 Layer& find(std::vector<Layer>& layers, std::string_view name) {

@@ -10,12 +10,11 @@
 #include "core/gpu/executor.h"
 #include "core/methods/method.h"
 #include "core/post/post.h"
-#include "core/radiance_image.h"
 #include "core/render/layers.h"
+#include "core/render/pixels.h"
 #include "core/render/table_reads.h"
 #include "core/scene/scene.h"
 #include "core/spectra/colour.h"
-#include "core/spectral_image.h"
 
 namespace airlight {
 
@@ -32,16 +31,6 @@ struct RenderRequest {
   // it yields them to kTellsColours (core/render/spectrum.h); a fault at any wavelength is the result's fault.
   std::optional<Nodes> spectrum = {};
   HostOptions host = {};  // for a method on the host; `report` also hears of the device
-};
-
-// What a picture, or a band of its rows, holds.
-struct Pixels {
-  RadianceImage radiance;
-  std::optional<RadianceImage> standard_error;  // for a method that samples
-  std::optional<SpectralImage> spectrum;
-  std::optional<RadianceImage> bloom;  // before intensity; absent where nothing glows or it was not asked for
-  std::vector<std::uint16_t> encoded;  // gpu_tone: RGBA, sRGB-encoded, 0 to 65535
-  std::vector<Layer> layers;
 };
 
 struct Rendering : Pixels {

@@ -11,7 +11,7 @@
 #include "shared/shell_table.glsl"
 
 layout(local_size_x = 64) in;
-layout(constant_id = 16) const uint kFirstOrder = 0u;
+layout(constant_id = 15) const uint kFirstOrder = 0u;
 layout(set = 0, binding = 4, rgba32f) uniform writeonly image2D order_out;
 // z in 0 to 1 from the horizon; weight; cosine of the azimuth; +1 above the horizon, -1 below.
 layout(scalar, set = 0, binding = 5) readonly buffer Nodes { vec4 values[]; } nodes;
