@@ -77,7 +77,7 @@ struct Sky {
 };
 
 Scene sky(const Sky& s) {
-  Scene scene = earth(s.sun_deg, 0.001, 0.1);
+  Scene scene = airlight::earth(s.sun_deg, 0.001, 0.1);
   for (double& x : scene.media[0].scattering) x *= s.scattering;
   for (double& x : scene.media[0].depolarization) x = s.depolarisation;
   for (double& x : scene.media[1].scattering) x *= s.aerosol;
