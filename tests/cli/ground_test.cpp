@@ -146,14 +146,16 @@ TEST_F(GroundTool, WhatKnowsNoMapsSaysSo) {
 // Of a grey map under curves over the wavelength, beside terrain and a ball: its grey, as one albedo has it.
 TEST_F(GroundTool, StandsBesideCurvesAndOtherThings) {
   map("grey.exr", 0.25F);
-  const std::string others =
-      R"("terrain": {"ridge": {}, "width_km": 30, "distance_km": 20, "albedo": {"wavelengths_nm": [400, 700],
-         "values": [0.2, 0.2]}}})";
-  const std::string ball = R"(, "scene": {"spheres": [{"distance_m": 5, "radius_m": 1, "elevation_deg": -60}]})";
-  preset(R"({"albedo_map": "grey.exr", )" + others, ball);
-  const RadianceImage with = rendered({});
-  preset(R"({"ground_albedo": 0.25, )" + others, ball);
-  const RadianceImage without = rendered({});
+  const auto beside = [&](const std::string& ground) {
+    scratch_.write("sky.json", R"({"airlight": 1, "extends": "earth", "planet": {)" + ground + R"(,
+      "terrain": {"ridge": {}, "width_km": 30, "distance_km": 20}},
+      "scene": {"spheres": [{"distance_m": 5, "radius_m": 1, "elevation_deg": -60}]},
+      "sun": {"elevation_deg": 50, "disc": {"visible": false}}, "camera": {"altitude_km": 3, "pitch_deg": -70},
+      "image": {"width": 8, "height": 6}, "bloom": {"enabled": false}})");
+    return rendered({});
+  };
+  const RadianceImage with = beside(R"("albedo_map": "grey.exr")");
+  const RadianceImage without = beside(R"("ground_albedo": {"wavelengths_nm": [360, 830], "values": [0.25, 0.25]})");
   for (std::size_t i = 0; i < with.rgba.size(); ++i) {
     EXPECT_NEAR(with.rgba[i], without.rgba[i], 4e-3F * without.rgba[i]) << i;
   }
