@@ -62,7 +62,7 @@ struct Physics {
   bool delta = false;
   bool polarisation = false;
   bool molecules_alone = false;  // molecules apart, no medium scatters with a direction
-  HostTable sun_table;  // mean extinction to the top over the rows of shells (physics/shells.glsl)
+  HostTable sun_table;           // mean extinction to the top over the rows of shells (physics/shells.glsl)
   AnalyticData analytic;
   std::vector<GlarePoint> glare_points;             // the sum of the points first
   std::shared_ptr<const HostTerrain> terrain_maps;  // null: no terrain
