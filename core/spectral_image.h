@@ -14,6 +14,8 @@ struct SpectralImage {
   // since these planes are too few to yield colours.
   bool tells_colours = false;
   std::vector<std::vector<float>> planes;  // for each wavelength the pixels, row by row from the top
+
+  SpectralImage like() const { return {unit, nm, sunlight, tells_colours, {}}; }  // without planes
 };
 
 }  // namespace airlight

@@ -9,12 +9,13 @@
 #include "core/methods/known_failures.h"
 #include "core/methods/march_steps.h"
 #include "core/methods/ready.h"
+#include "core/render/bands.h"
 #include "core/render/lighting.h"
 #include "core/render/metering.h"
 #include "core/render/render.h"
 #include "core/render/spans.h"
 #include "core/render/spectrum.h"
-#include "core/render/tiled.h"
+#include "core/render/tile_sizes.h"
 
 namespace airlight {
 
@@ -40,12 +41,8 @@ inline std::shared_ptr<const physics::HostGround> ground_of(const Scene& scene) 
 inline Rendering render(const DeviceOnDemand& device, const Scene& scene, const RenderRequest& request) {
   return render(device, ready(scene), request);
 }
-inline Rendering render_tiled(const DeviceOnDemand& device, const Scene& scene, const TiledRequest& request) {
-  return render_tiled(device, ready(scene), request);
-}
-inline Rendering render_spectrum(const DeviceOnDemand& device, const Scene& scene, const RenderRequest& request,
-                                 const Nodes& nodes) {
-  return render_spectrum(device, ready(scene), request, nodes);
+inline Rendering render_bands(const DeviceOnDemand& device, const Scene& scene, const BandsRequest& request) {
+  return render_bands(device, ready(scene), request);
 }
 inline HostPicture traced(const Scene& scene, const View& view, const HostOptions& options = {}) {
   const Stage stage = ready(scene);

@@ -165,9 +165,6 @@ void require_layers(const PictureOptions& options, const Scene& scene, bool exr,
     throw InputError(command + ": --layers: " + scene.render.method +
                      " does not tell its light apart; choose --method " + methods_with_layers());
   }
-  if (const std::string refusal = layers_refusal(scene); !refusal.empty()) {
-    throw InputError(command + ": --layers: " + refusal);
-  }
 }
 
 PictureNames picture_names(std::optional<std::string> output, std::optional<std::string> png, bool json,

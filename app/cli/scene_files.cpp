@@ -13,6 +13,7 @@
 #include "core/methods/method.h"
 #include "core/scene/json_format.h"
 #include "core/scene/resolve.h"
+#include "core/spectra/reflectance.h"
 #include "core/srgb.h"
 #include "core/things/ground.h"
 #include "core/things/terrain.h"
@@ -214,6 +215,10 @@ Scene judged(const Preset& preset, const Scene* like) {
       scene.ground->files = files_of(*scene.ground, like != nullptr && like->ground ? like->ground->files : nullptr);
       if (scene.ground->files && !scene.ground->files->colours.empty()) {
         scene.planet.ground_albedo = mean_albedo(*scene.ground->files);
+        if (scene.spectra) {
+          scene.spectra->ground_albedo =
+              reflectance_of(scene.planet.ground_albedo, scene.spectra->sun, scene.spectra->white);
+        }
       }
     }
   } catch (const InputError& error) {

@@ -15,6 +15,7 @@
 #include "core/gpu/kept_files.h"
 #include "core/methods/method.h"
 #include "core/output/last_words.h"
+#include "core/scene/thing_kinds.h"
 
 namespace airlight::cli {
 namespace {
@@ -102,15 +103,12 @@ chart::RunOrder order_of(const ChartGiven& given, chart::Settings& settings) {
       options.size = std::to_string(settings.image.width) + "x" + std::to_string(settings.image.height);
     }
     Scene scene = load_scene(options);
-    if (scene.terrain || scene.ground) {
-      throw InputError("chart: " + preset +
-                       (scene.terrain ? ": planet.terrain" : ": planet.albedo_map or planet.ocean") +
-                       ": not all of the methods that a chart compares know it; choose a preset without");
-    }
-    if (!scene.spheres.empty()) {
-      throw InputError("chart: " + preset +
-                       ": scene.spheres: the path tracer, which the others are judged by, knows no "
-                       "spheres; choose a preset without");
+    for (const ThingKind& kind : kThingKinds) {
+      if (kind.stands_in(scene)) {
+        throw InputError("chart: " + preset + ": " + std::string(kind.section) + "." + std::string(kind.keys[0]) +
+                         ": not all of the methods that a chart compares know " + std::string(kind.name) +
+                         "; choose a preset without");
+      }
     }
     settings.image = scene.image;
     order.scenes.push_back({preset, std::move(scene)});

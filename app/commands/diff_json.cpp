@@ -76,6 +76,17 @@ void write_nonfinite(JsonWriter& json, const ComparisonReport& report) {
     json.key("nan_b").value(count.nan_b).key("infinite_b").value(count.infinite_b).end_object();
   }
   json.end_array();
+  const auto write_first = [&](const char* key, const std::optional<NonfinitePlace>& place) {
+    json.key(key);
+    if (!place) {
+      json.null();
+      return;
+    }
+    json.begin_object().key("x").value(place->x).key("y").value(place->y);
+    json.key("channel").value(place->channel).end_object();
+  };
+  write_first("first_nonfinite_a", report.first_nonfinite_a);
+  write_first("first_nonfinite_b", report.first_nonfinite_b);
 }
 
 void write_figures(JsonWriter& json, const ComparisonReport& report) {

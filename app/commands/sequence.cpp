@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 
 #include "app/cli/frame_scene.h"
@@ -8,7 +9,7 @@
 #include "app/cli/scene_files.h"
 #include "app/cli/terminal.h"
 #include "app/commands/commands.h"
-#include "app/render/tiled_picture.h"
+#include "app/render/tile_option.h"
 #include "app/sequence/pictures.h"
 #include "app/sequence/run.h"
 #include "core/error.h"
@@ -16,6 +17,7 @@
 #include "core/methods/ready.h"
 #include "core/output/atomic_file.h"
 #include "core/scene/json_format.h"
+#include "core/scene/named_file.h"
 #include "core/scene/resolve.h"
 #include "core/text.h"
 
@@ -189,8 +191,19 @@ SequenceJob job_of(const SequenceGiven& given) {
   return job;
 }
 
+// The list of frames is read before the first frame and replaced as it grows, which only a file can be.
+void require_manifest_file(const std::string& file) {
+  std::error_code ignored;
+  if (std::filesystem::exists(file, ignored)) {
+    if (const std::string problem = named_file_problem(file); !problem.empty()) {
+      throw InputError("sequence: --manifest: " + file + ": " + problem + "; name a file, such as frames.json");
+    }
+  }
+}
+
 // Reports everything that can be known to fail before anything is rendered.
 void check_targets(const SequenceJob& job, const SequencePictures& pictures) {
+  require_manifest_file(job.manifest);
   const Targets files = files_of(job, sequence::frame_number(job.source, 0));
   for (const std::string& file : {files.exr, files.png, job.manifest}) {
     if (!file.empty()) {

@@ -43,9 +43,10 @@ bool takes_volume(const CompositeOrder& order, const std::vector<Span>& spans, c
   const bool holds = method.has_volume != nullptr && method.has_volume(scene);
   if (order.aerial == "volume" && !holds) {
     throw InputError(order.beauty +
-                     (scene.terrain ? ": terrain shades the air, and --aerial volume holds no shadows; "
-                                    : ": the camera stands above the air, where --aerial volume does not "
-                                      "hold; ") +
+                     (stage.whole().things.stand_in_the_air()
+                          ? ": the scene's things shade the air, and --aerial volume holds no shadows; "
+                          : ": the camera stands above the air, where --aerial volume does not "
+                            "hold; ") +
                      "use --aerial march");
   }
   if (!order.tolerance || !holds) {

@@ -73,23 +73,22 @@ std::vector<Sample> samples_of(const Foreground& fore) {
   return samples;
 }
 
-// Removes things that the terrain hides: there the picture shows the terrain.
-void hide_behind_terrain(std::vector<Sample>& samples, const Stage& stage) {
+// Removes things that those of the scene hide: there the picture shows the scene's.
+void hide_behind_things(std::vector<Sample>& samples, const Stage& stage) {
   const Scene& scene = stage.scene();
-  const auto terrain = stage.whole().things.terrain();
   const physics::uint projection = projection_code(scene.camera.projection);
   const auto width = static_cast<std::uint32_t>(scene.image.width);
   for_row_strips(static_cast<int>(samples.size()), [&](int first, int end) {
     physics::Physics p = geometry_of(scene);
-    p.terrain_maps = terrain;
+    stage.whole().things.put_into(p);
     for (int i = first; i < end; ++i) {
       Sample& sample = samples[static_cast<std::size_t>(i)];
       if (!(sample.distance < composite::kSky)) {
         continue;
       }
       const auto view = p.view_ray(p.scene.camera, projection, sample.pixel % width + 0.5, sample.pixel / width + 0.5);
-      const auto hit = p.terrain_hit(p.scene.planet, p.ground_track(scene.camera.altitude, view.direction));
-      if (hit.hit && static_cast<double>(sample.distance) > hit.distance_) {
+      const auto hit = p.nearest_thing(p.scene.planet, p.sight_of(view.direction), physics::kNoSphere);
+      if (p.hits_thing(hit) && static_cast<double>(sample.distance) > hit.distance_) {
         sample.thing = {{}, 0.0F};
         sample.distance = composite::kSky;
       }
@@ -260,8 +259,8 @@ void composite_frame(const CompositeOrder& order, const Frame& frame, const Stag
     }
   }
   std::vector<Sample> samples = samples_of(fore);
-  if (scene.terrain) {
-    hide_behind_terrain(samples, stage);
+  if (stage.whole().things.stand_in_the_air()) {
+    hide_behind_things(samples, stage);
   }
   Rendering sky;
   if (needs_sky(samples, fore)) {
@@ -327,11 +326,6 @@ std::vector<Frame> frames_of(const CompositeOrder& order) {
 }
 
 void require_spans(const Scene& scene, bool by_method) {
-  if (!scene.spheres.empty()) {
-    throw InputError(
-        "composite: scene.spheres: the air is put before the things of one picture, and spheres would be among them; "
-        "remove scene.spheres from the preset");
-  }
   if (!by_method || method_of(scene).add_span_passes != nullptr) {
     return;
   }

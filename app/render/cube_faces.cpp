@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "core/error.h"
-#include "core/render/tiled.h"
 #include "core/scene/rules.h"
 
 namespace airlight::cli {
@@ -27,6 +26,13 @@ constexpr std::array<Face, 6> kFaces = {{{"posx", -kQuarter, 0.0},
                                          {"posz", 0.0, 0.0},
                                          {"negz", 2.0 * kQuarter, 0.0}}};
 
+std::string file_of(const std::string& file, const Face& face) {
+  const std::filesystem::path path(file);
+  return file.empty()
+             ? file
+             : (path.parent_path() / (path.stem().string() + "." + face.name + path.extension().string())).string();
+}
+
 }  // namespace
 
 void require_cube_stack(const Scene& scene) {
@@ -43,34 +49,21 @@ void require_cube_stack(const Scene& scene) {
                    "; it needs --set /camera/projection=cube in the layout stack, and a size such as --size 512x3072");
 }
 
-std::vector<FaceScene> face_scenes(const Scene& scene) {
-  std::vector<FaceScene> faces;
-  for (std::size_t i = 0; i < kFaces.size(); ++i) {
-    FaceScene face{kFaces[i].name, scene, static_cast<int>(i) * scene.image.width};
-    face.scene.camera.projection = Projection::perspective;
-    face.scene.camera.azimuth += kFaces[i].turn;
-    face.scene.camera.pitch = kFaces[i].pitch;
-    face.scene.camera.vertical_fov = kQuarter;
-    face.scene.image.height = scene.image.width;
-    faces.push_back(std::move(face));
+std::vector<PicturePart> face_parts(const Scene& scene, const Targets& files) {
+  std::vector<PicturePart> parts;
+  for (const Face& face : kFaces) {
+    PicturePart part{scene,
+                     static_cast<int>(parts.size()) * scene.image.width,
+                     {file_of(files.exr, face), file_of(files.png, face)}};
+    Camera& camera = part.scene.camera;
+    camera.projection = Projection::perspective;
+    camera.azimuth += face.turn;
+    camera.pitch = face.pitch;
+    camera.vertical_fov = kQuarter;
+    part.scene.image.height = scene.image.width;
+    parts.push_back(std::move(part));
   }
-  return faces;
-}
-
-std::vector<CubeFace> cube_faces(const Scene& scene, const Rendering& rendering) {
-  std::vector<CubeFace> faces;
-  for (FaceScene& face : face_scenes(scene)) {
-    faces.push_back({face.name, std::move(face.scene), rows_of(rendering, face.first_row, scene.image.width)});
-  }
-  return faces;
-}
-
-std::string face_file(const std::string& file, const std::string& face) {
-  if (file.empty()) {
-    return file;
-  }
-  const std::filesystem::path path(file);
-  return (path.parent_path() / (path.stem().string() + "." + face + path.extension().string())).string();
+  return parts;
 }
 
 }  // namespace airlight::cli

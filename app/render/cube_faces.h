@@ -2,32 +2,16 @@
 // `render --cube-faces`: a cube map as six pictures. Each is a perspective picture of 90 degrees and carries that
 // preset, so that a face can be rendered again, compared and tilted like any other picture.
 
-#include <string>
 #include <vector>
 
-#include "core/render/render.h"
+#include "app/render/publish.h"
 
 namespace airlight::cli {
-
-struct CubeFace {
-  std::string name;  // "posx", "negx", "posy", "negy", "posz", "negz": OpenEXR's order
-  Scene scene;
-  Rendering rendering;
-};
 
 // Throws InputError unless the scene is a cube in the layout "stack".
 void require_cube_stack(const Scene& scene);
 
-struct FaceScene {
-  std::string name;
-  Scene scene;
-  int first_row = 0;  // in the stack
-};
-std::vector<FaceScene> face_scenes(const Scene& scene);
-
-std::vector<CubeFace> cube_faces(const Scene& scene, const Rendering& rendering);
-
-// "sky.exr", "posx" -> "sky.posx.exr"; empty stays empty.
-std::string face_file(const std::string& file, const std::string& face);
+// A picture for each face, "sky.posx.exr" for "sky.exr", in OpenEXR's order: posx, negx, posy, negy, posz, negz.
+std::vector<PicturePart> face_parts(const Scene& scene, const Targets& files);
 
 }  // namespace airlight::cli

@@ -11,10 +11,6 @@
 #include "app/render/publish.h"
 #include "app/render/report.h"
 #include "app/render/table_files.h"
-#include "app/render/tiled_picture.h"
-#include "core/output/half_block.h"
-#include "core/render/metering.h"
-#include "core/render/spectrum.h"
 #include "core/scene/preset.h"
 
 namespace airlight::cli {
@@ -42,6 +38,10 @@ std::optional<ChoiceNote> note_of(const std::optional<ChoiceReport>& choice) {
   return choice ? std::optional(ChoiceNote{choice->choice.chosen->quality, choice->choice.error}) : std::nullopt;
 }
 
+std::vector<std::string> left_out_by(const std::optional<ChoiceReport>& choice) {
+  return choice ? choice->choice.left_out : std::vector<std::string>();
+}
+
 std::optional<DeviceInfo> device_of(const Means& means) {
   return means.executor ? std::optional(means.executor->device()) : std::nullopt;
 }
@@ -56,32 +56,8 @@ PictureContext context_of(const Means& means, const Scene& scene, const Renderin
           .rendering = rendering,
           .provenance = provenance_of(means, scene),
           .choice = note_of(means.choice),
+          .left_out = left_out_by(means.choice),
           .space = working_space_of(means.given.picture)};
-}
-
-Targets face_targets(const Targets& targets, const std::string& face) {
-  return {face_file(targets.exr, face), face_file(targets.png, face)};
-}
-
-// One picture, or the six of a cube.
-Published publish_pictures(const Means& means, const PictureContext& context, bool half) {
-  const RenderOrder& given = means.given;
-  const Targets& targets = means.targets;
-  const PublishOrder order{targets, given.scene.preset, half, given.picture.bits};
-  if (!given.cube_faces) {
-    return publish(context, order, means.transform, means.watch);
-  }
-  Published all;
-  for (const CubeFace& face : cube_faces(context.scene, context.rendering)) {
-    PublishOrder one = order;
-    one.targets = face_targets(targets, face.name);
-    const Published done = publish(context_of(means, face.scene, face.rendering), one, means.transform, means.watch);
-    all.files.insert(all.files.end(), done.files.begin(), done.files.end());
-    if (done.exr) {
-      add_counts(all.exr ? *all.exr : all.exr.emplace(), *done.exr);
-    }
-  }
-  return all;
 }
 
 std::optional<Lighting> wanted_lighting(const Means& means, const DeviceOnDemand& device, const Stage& stage,
@@ -145,107 +121,52 @@ void tell_undone(const RenderOrder& given, const Rendering& rendering) {
   }
 }
 
-// The whole picture as one part, or the faces of a cube.
-std::vector<TiledPart> parts_of(const Means& means, const Scene& scene) {
-  if (!means.given.cube_faces) {
-    return {{scene, 0, means.targets}};
-  }
-  std::vector<TiledPart> parts;
-  for (const FaceScene& face : face_scenes(scene)) {
-    parts.push_back({face.scene, face.first_row, face_targets(means.targets, face.name)});
-  }
-  return parts;
-}
-
 }  // namespace
 
-RenderRequest request_of(const Scene& scene, const Targets& targets) {
+RenderRequest request_of(const Means& means, const Scene& scene) {
+  const Targets& targets = means.targets;
   RenderRequest request = request_for(scene, !targets.exr.empty(), !targets.png.empty());
   request.tables = !targets.tables.empty();
+  request.layers = means.given.picture.layers;
+  request.spectrum = means.spectral;
+  request.host = host_options(means.given.sampling, means.given.quiet);
   return request;
 }
 
-bool render_and_publish(const Means& means, const Stage& stage) {
+bool make_picture(const Means& means, const Stage& stage, const std::optional<ImageSize>& tile) {
   const Scene& scene = stage.scene();
   const RenderOrder& given = means.given;
-  RenderRequest request = request_of(scene, means.targets);
-  request.layers = given.picture.layers;
-  request.host = host_options(given.sampling, given.quiet);
+  const RenderRequest request = request_of(means, scene);
   const DeviceOnDemand device = device_on_demand(given.scene, means.executor);
-  Rendering rendering =
-      means.spectral ? render_spectrum(device, stage, request, *means.spectral) : render(device, stage, request);
+  const std::vector<std::string> left_out = left_out_by(means.choice);
+  const auto context = [&](const Scene& part, const Rendering& rows) { return context_of(means, part, rows); };
+  const PicturePart whole{scene, 0, means.targets};
+  PictureWriter writer({.parts = given.cube_faces ? face_parts(scene, means.targets) : std::vector{whole},
+                        .transform = means.transform,
+                        .options = given.picture,
+                        .depth = tile ? depth_in_tiles(given.picture, means.targets, device, stage) : std::nullopt,
+                        .source = given.scene.preset,
+                        .context = context});
+  Rendering rendering = render_bands(device, stage, writer.bands(tile, request));
   clear_progress();
+  means.watch.lap("render");
+  const bool goes_on = rendering.fault().empty() && Interruption::signal() == 0;
+  const std::optional<Lighting> lighting = goes_on ? wanted_lighting(means, device, stage, request.host) : std::nullopt;
   if (Interruption::signal() != 0) {
     return false;
   }
-  means.watch.lap("render");
   tell_undone(given, rendering);
-  if (means.choice) {
-    const std::vector<std::string>& left_out = means.choice->choice.left_out;
-    rendering.left_out.insert(rendering.left_out.begin(), left_out.begin(), left_out.end());
-  }
-  const std::optional<Lighting> lighting =
-      rendering.fault().empty() ? wanted_lighting(means, device, stage, request.host) : std::nullopt;
+  rendering.left_out.insert(rendering.left_out.begin(), left_out.begin(), left_out.end());
   require_valid_vulkan();
-  const PictureContext context = context_of(means, scene, rendering);
-  const ExrDepth depth = means.targets.exr.empty() ? ExrDepth{} : exr_depth(given.picture, rendering);
-  Published done = publish_pictures(means, context, depth.half);
-  add_further_files(means, context, lighting, done.files);
+  Published done = writer.publish(rendering, means.watch);
+  if (request.layers) {
+    rendering.layers = layers_of(stage);
+  }
+  add_further_files(means, context_of(means, scene, rendering), lighting, done.files);
   const Plan plan = plan_for(stage, request);
-  RenderReport report{scene,    rendering, plan, device_of(means), done.files,
-                      done.exr, {},        {},   means.choice,     means.watch};
-  tell(means, report, depth);
-  return true;
-}
-
-bool render_in_tiles(const Means& means, const Stage& stage, const ImageSize& tile) {
-  const Scene& scene = stage.scene();
-  const RenderOrder& given = means.given;
-  const DeviceOnDemand device = device_on_demand(given.scene, means.executor);
-  if (!samples(stage)) {
-    device();  // its name stands in the header, which precedes the first tile
-  }
-  const bool is_asked = given.picture.full_float || given.picture.half_float || means.targets.exr.empty();
-  const ExrDepth depth = exr_depth(given.picture, is_asked ? Rendering{} : metered_picture(device, stage));
-  TiledOrder order{.tile = tile,
-                   .request = request_of(scene, means.targets),
-                   .parts = parts_of(means, scene),
-                   .transform = means.transform,
-                   .half = depth.half,
-                   .bits = given.picture.bits,
-                   .source = given.scene.preset,
-                   .context = {}};
-  order.request.layers = given.picture.layers;
-  order.request.host = host_options(given.sampling, given.quiet);
-  if (!samples(stage)) {
-    order.report = std::exchange(order.request.host.report, {});
-  }
-  const std::vector<std::string> left_out = means.choice ? means.choice->choice.left_out : std::vector<std::string>();
-  order.context = [&](const Scene& part, const Rendering& rendering) {
-    PictureContext context = context_of(means, part, rendering);
-    context.left_out = left_out;
-    return context;
-  };
-  order.dropped = [] { return Interruption::signal() != 0; };
-  const std::optional<Lighting> lighting = wanted_lighting(means, device, stage, order.request.host);
-  TiledPicture done = write_tiled(device, stage, order);
-  clear_progress();
-  if (Interruption::signal() != 0) {
-    return false;
-  }
-  means.watch.lap("render");
-  require_valid_vulkan();
-  tell_undone(given, done.rendering);
-  done.rendering.left_out.insert(done.rendering.left_out.begin(), left_out.begin(), left_out.end());
-  const PictureContext context = context_of(means, scene, done.rendering);
-  add_further_files(means, context, lighting, done.files);
-  const Plan plan = plan_for(stage, {});
-  RenderReport report{scene, done.rendering, plan, device_of(means), done.files, {}, {}, {}, means.choice, means.watch};
-  if (!means.targets.exr.empty()) {
-    report.exr = done.counts;
-  }
-  report.tile = tile;
-  tell(means, report, depth);
+  RenderReport report{scene, rendering, plan,         device_of(means), done.files, done.exr,
+                      {},    {},        means.choice, means.watch,      tile};
+  tell(means, report, done.depth);
   return true;
 }
 

@@ -21,15 +21,14 @@ struct Means {
   const std::optional<ChoiceReport>& choice;
   std::unique_ptr<Executor>& executor;
   Stopwatch& watch;
-  std::optional<Nodes> spectral;  // for --spectral
+  const std::optional<Nodes>& spectral;  // for --spectral
 };
 
-RenderRequest request_of(const Scene& scene, const Targets& targets);
+// What the files need of the rendering.
+RenderRequest request_of(const Means& means, const Scene& scene);
 
-// Renders and writes a checked scene that is ready. False: it was interrupted, and its samples are kept.
-bool render_and_publish(const Means& means, const Stage& stage);
-
-// Renders and writes it tile by tile.
-bool render_in_tiles(const Means& means, const Stage& stage, const ImageSize& tile);
+// Renders and writes a checked scene that is ready, in tiles where a size is given. False: it was interrupted, and its
+// samples are kept.
+bool make_picture(const Means& means, const Stage& stage, const std::optional<ImageSize>& tile);
 
 }  // namespace airlight::cli

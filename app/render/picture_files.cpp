@@ -196,12 +196,6 @@ PictureChannels::PictureChannels(const PictureContext& context) : space_(context
   }
 }
 
-ExrFile picture_exr(const PictureContext& context, bool half) {
-  const RadianceImage& radiance = context.rendering.radiance;
-  const PictureChannels channels(context);
-  return encode_exr(radiance.width, radiance.height, channels.list(), exr_options(context, half));
-}
-
 struct PicturePng::State {
   PngRows png;
   std::optional<DisplayRows> display = {};
@@ -247,16 +241,6 @@ void PicturePng::add(const Rendering& rows) {
 
 void PicturePng::finish() {
   state_->png.finish();
-}
-
-std::vector<std::byte> picture_png(const PictureContext& context, const std::optional<DisplayTransform>& transform,
-                                   int bits) {
-  std::vector<std::byte> bytes;
-  PicturePng png([&](std::span<const std::byte> part) { bytes.insert(bytes.end(), part.begin(), part.end()); }, context,
-                 transform, bits);
-  png.add(context.rendering);
-  png.finish();
-  return bytes;
 }
 
 RadianceImage diagnostic_picture(const RadianceImage& radiance) {

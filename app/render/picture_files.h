@@ -1,5 +1,5 @@
 #pragma once
-// A rendering as files in memory: the scene-linear EXR, and the PNG for people.
+// What the files of a picture hold: the scene-linear EXR, and the PNG for people.
 
 #include <cstddef>
 #include <deque>
@@ -67,9 +67,7 @@ std::string latlong_warning(const Scene& scene);
 
 ExrOptions exr_options(const PictureContext& context, bool half);
 
-ExrFile picture_exr(const PictureContext& context, bool half);
-
-// A PNG whose rows come in bands: the same bytes as picture_png() makes of all of them.
+// A PNG whose rows come in bands.
 class PicturePng {
  public:
   // `context`: its scene's image is the whole one; its rendering may hold the first rows only. `transform`, which must
@@ -87,9 +85,6 @@ class PicturePng {
   struct State;
   std::unique_ptr<State> state_;
 };
-
-std::vector<std::byte> picture_png(const PictureContext& context, const std::optional<DisplayTransform>& transform,
-                                   int bits);
 
 // NaN is magenta, infinity yellow, negative blue, finite light grey, zero black. A pixel of several kinds has the
 // colour of the first of them.

@@ -1,13 +1,15 @@
 #pragma once
-// Writes a rendering to disk: judges it first, encodes it whole, then writes.
+// A picture's bands into its files, which appear whole or not at all, and only if the picture is sound.
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/cli/stopwatch.h"
 #include "app/render/picture_files.h"
+#include "core/render/bands.h"
 
 namespace airlight::cli {
 
@@ -15,7 +17,7 @@ namespace airlight::cli {
 struct Targets {
   std::string exr;
   std::string png;
-  std::string tables = {};  // a folder, which publish() ignores
+  std::string tables = {};  // a folder, which is not of a picture
 
   const std::string& first() const { return exr.empty() ? png : exr; }
   // The pictures to be written.
@@ -26,26 +28,57 @@ struct Targets {
   }
 };
 
-struct PublishOrder {
-  Targets targets;
-  std::string source;  // the user's name of the preset, for messages
-  bool half = true;
-  int bits = 8;
+// One picture among the files: all rows, or the rows of a cube's face, which are a picture of `scene`.
+struct PicturePart {
+  Scene scene;
+  int first_row = 0;
+  Targets files;
 };
+
+struct PublishOrder {
+  std::vector<PicturePart> parts;                    // from the top, without a gap
+  const std::optional<DisplayTransform>& transform;  // none for the views gpu and diagnostic
+  PictureOptions options;
+  std::optional<ExrDepth> depth;  // of the EXR; none: as the first band needs it, which is the picture
+  std::string source;             // the preset as the user named it, for messages
+  // The context for the headers of a part's files.
+  std::function<PictureContext(const Scene& scene, const Rendering& rows)> context;
+};
+
+// The depth of an EXR whose bands come before the picture is known: as a small picture of the scene needs it. None
+// where no EXR is written.
+std::optional<ExrDepth> depth_in_tiles(const PictureOptions& options, const Targets& files,
+                                       const DeviceOnDemand& device, const Stage& stage);
 
 struct Published {
   std::vector<std::string> files;
   std::optional<ExrCounts> exr;
+  ExrDepth depth;
 };
 
-// Throws the RunError of a rendering at fault. `source`: the user's name of the preset; `png`: name of the PNG. If the
-// PNG shows the fault, as by the diagnostic view, `write_png` is called first.
-[[noreturn]] void refuse(const Scene& scene, const Rendering& rendering, const std::string& source,
-                         const std::string& png, const std::function<void()>& write_png);
+class PictureWriter {
+ public:
+  explicit PictureWriter(PublishOrder order);
+  ~PictureWriter();
+  PictureWriter(const PictureWriter&) = delete;
+  PictureWriter& operator=(const PictureWriter&) = delete;
 
-// `transform`: none for the views gpu and diagnostic. Laps are added to `watch`. Throws RunError for a rendering at
-// fault; then only the PNG of the diagnostic view is written.
-Published publish(const PictureContext& context, const PublishOrder& order,
-                  const std::optional<DisplayTransform>& transform, Stopwatch& watch);
+  // How a scene's bands are rendered for these files. In tiles a PNG goes through a pipe as it is made, and an EXR is
+  // refused there; otherwise the pipe gets it whole, from publish(). Throws InputError for a bloom chain in tiles.
+  BandsRequest bands(const std::optional<ImageSize>& tile, const RenderRequest& request);
+
+  void add(const Band& band);
+
+  // Lets the files appear. Throws RunError, and leaves no file, when the disk is full or the rendering is at fault
+  // (then the PNG of the diagnostic view is left). Laps are added to `watch`; encoding to the rendering's host times.
+  Published publish(Rendering& rendering, Stopwatch& watch);
+
+ private:
+  class PartFiles;
+  PublishOrder order_;
+  std::vector<std::unique_ptr<PartFiles>> files_;
+  std::optional<ExrDepth> depth_;
+  bool in_tiles_ = false;
+};
 
 }  // namespace airlight::cli

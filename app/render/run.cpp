@@ -16,14 +16,12 @@
 #include "app/render/make_picture.h"
 #include "app/render/report.h"
 #include "app/render/targets.h"
-#include "app/render/tiled_picture.h"
+#include "app/render/tile_option.h"
 #include "app/render/validity.h"
 #include "core/error.h"
 #include "core/methods/ready.h"
 #include "core/output/atomic_file.h"
 #include "core/output/last_words.h"
-#include "core/render/spectrum.h"
-#include "core/render/tiled.h"
 #include "core/scene/preset.h"
 #include "core/scene/resolve.h"
 
@@ -99,15 +97,16 @@ Stage with_held_exposure(const RenderOrder& given, const Stage& stage, const Dev
   return ready(scene, stage);
 }
 
-int dry_run(const RenderOrder& given, const Stage& stage, const Targets& targets, const std::optional<Nodes>& spectral,
-            const std::optional<ChoiceReport>& choice) {
+int dry_run(const Means& means, const Stage& stage) {
   const Scene& scene = stage.scene();
-  const Plan plan = spectral ? plan_for_spectrum(stage, *spectral) : plan_for(stage, request_of(scene, targets));
-  if (given.json) {
-    print(json_of_plan(scene, plan, targets.files(), choice, spectral ? spectral->nm : std::vector<double>()));
+  const std::optional<Nodes>& spectral = means.spectral;
+  const Plan plan = plan_for(stage, request_of(means, scene));
+  if (means.given.json) {
+    print(json_of_plan(scene, plan, means.targets.files(), means.choice,
+                       spectral ? spectral->nm : std::vector<double>()));
     return 0;
   }
-  const std::string why = choice ? summary(*choice) + "\n" + explanation(*choice) : "";
+  const std::string why = means.choice ? summary(*means.choice) + "\n" + explanation(*means.choice) : "";
   print(why + describe(scene) + (spectral ? spectral_text(*spectral) : "") + plan_text(plan));
   return 0;
 }
@@ -181,10 +180,7 @@ std::optional<Nodes> spectral_wavelengths(const RenderOrder& given, const Scene&
   const struct {
     bool given;
     const char* option;
-  } others[] = {{given.picture.layers, "--layers"},
-                {given.tables.has_value(), "--luts"},
-                {given.tile.has_value(), "--tile"},
-                {given.cube_faces, "--cube-faces"}};
+  } others[] = {{given.tables.has_value(), "--luts"}, {given.tile.has_value(), "--tile"}};
   for (const auto& other : others) {
     if (other.given) {
       throw InputError(std::string(kSpectral) + " does not go with " + other.option +
@@ -224,10 +220,11 @@ int run_render(const RenderOrder& given) {
     tile = tile_of(given, stage, targets);
     watch.lap("choice of method and quality");
   }
-  if (given.dry_run) {
-    return dry_run(given, stage, targets, spectral, choice);
-  }
   std::optional<DisplayTransform> transform;
+  const Means means{given, targets, transform, choice, executor, watch, spectral};
+  if (given.dry_run) {
+    return dry_run(means, stage);
+  }
   if (!targets.png.empty()) {
     transform = display_transform(given.picture, stage.scene());
     watch.lap("OCIO config");
@@ -239,10 +236,7 @@ int run_render(const RenderOrder& given) {
     remove_abandoned_files_of(file);  // left half written by killed runs
   }
   stage = with_held_exposure(given, stage, device_on_demand(given.scene, executor));
-  const Means means{given, targets, transform, choice, executor, watch, spectral};
-  const auto publish_all = [&] {
-    return tile ? render_in_tiles(means, stage, *tile) : render_and_publish(means, stage);
-  };
+  const auto publish_all = [&] { return make_picture(means, stage, tile); };
   return given.sampling.checkpoint.empty() ? (publish_all(), 0) : interruptible(given, publish_all);
 }
 

@@ -9,7 +9,7 @@
 #include "app/cli/terminal.h"
 #include "app/render/publish.h"
 #include "app/render/report.h"
-#include "app/render/tiled_picture.h"
+#include "app/render/tile_option.h"
 #include "app/render/validity.h"
 #include "app/sequence/leftovers.h"
 #include "app/sequence/manifest.h"
@@ -20,7 +20,6 @@
 #include "core/methods/ready.h"
 #include "core/output/atomic_file.h"
 #include "core/output/last_words.h"
-#include "core/render/metering.h"
 #include "core/scene/angle.h"
 #include "core/scene/json_format.h"
 #include "core/sequence/bounded_workers.h"
@@ -54,7 +53,9 @@ Room room_for(const ImageSize& image, bool layers) {
 struct Work {
   std::size_t k = 0;  // in the shard
   Scene scene;
-  Rendering rendering;
+  Rendering rendering;          // without pixels
+  std::optional<Band> picture;  // which its writer has not got yet
+  std::optional<PictureWriter> writer;
   std::string preset_json;
   FrameHashes hashes;
   FrameAttributes attributes;
@@ -84,9 +85,9 @@ class Runner {
   void hold_exposure();
   void render_all();
   bool render_frame(std::size_t k, sequence::BoundedWorkers& encoders);
-  bool render_in_tiles(const std::shared_ptr<Work>& work, const ImageSize& tile);
+  bool render_into(Work& work);
   PictureContext context_of(const Work& work, const Scene& scene, const Rendering& rendering) const;
-  void encode(const Work& work);
+  void encode(Work& work);
   void finished(std::size_t k, const Scene& scene, const FrameReport& report);
   std::string whole_so_far() const;
 
@@ -120,16 +121,16 @@ PictureContext Runner::context_of(const Work& work, const Scene& scene, const Re
           .frame = work.attributes};
 }
 
-void Runner::encode(const Work& work) {
+// Encodes what the frame's files do not have yet, and lets them appear.
+void Runner::encode(Work& work) {
   const Clock::time_point start = Clock::now();
-  const PictureContext context = context_of(work, work.scene, work.rendering);
-  const Targets& files = work.report.files;
-  const ExrDepth depth = files.exr.empty() ? ExrDepth{} : exr_depth(job_.picture, work.rendering);
+  if (work.picture) {
+    work.writer->add(*work.picture);
+  }
   Stopwatch laps;
-  const Published done = publish(
-      context, {files, "frame " + std::to_string(work.report.number), depth.half, job_.picture.bits}, transform_, laps);
-  if (!depth.why.empty()) {
-    report_.took_floats(work.report.number, depth.why);
+  const Published done = work.writer->publish(work.rendering, laps);
+  if (!done.depth.why.empty()) {
+    report_.took_floats(work.report.number, done.depth.why);
   }
   report_.warn(work.report.number, kLossy, done.exr ? exr_warnings(*done.exr) : std::vector<std::string>());
   FrameReport report = work.report;
@@ -137,39 +138,34 @@ void Runner::encode(const Work& work) {
   finished(work.k, work.scene, report);
 }
 
-// Renders a frame larger than memory into its files. False when a signal has cut it short: the frame is dropped.
-bool Runner::render_in_tiles(const std::shared_ptr<Work>& work, const ImageSize& tile) {
+// Renders a frame, in tiles into its files, else for encode(). False when a signal has cut it short: it is dropped.
+bool Runner::render_into(Work& work) {
   const Clock::time_point start = Clock::now();
-  const Scene& scene = work->scene;
-  const Targets& files = work->report.files;
   const DeviceOnDemand device = device_on_demand(job_.scene_options, executor_);
-  device();  // its name stands in the header, which precedes the first tile
-  const bool is_asked = job_.picture.full_float || job_.picture.half_float || files.exr.empty();
-  const ExrDepth depth = exr_depth(job_.picture, is_asked ? Rendering{} : metered_picture(device, stage_));
-  if (!depth.why.empty()) {
-    report_.took_floats(work->report.number, depth.why);
+  const std::optional<ImageSize> tile = tile_for(job_.tile, stage_, job_.picture.layers, "sequence");
+  const Targets& files = work.report.files;
+  work.writer.emplace(PublishOrder{
+      .parts = {{work.scene, 0, files}},
+      .transform = transform_,
+      .options = job_.picture,
+      .depth = tile ? depth_in_tiles(job_.picture, files, device, stage_) : std::nullopt,
+      .source = "frame " + std::to_string(work.report.number),
+      .context = [this, &work](const Scene& scene, const Rendering& rows) { return context_of(work, scene, rows); }});
+  RenderRequest request = request_for(work.scene, job_.exr.has_value(), job_.png.has_value());
+  request.layers = job_.picture.layers;
+  request.host.report = [](double) { return Interruption::signal() == 0; };
+  BandsRequest bands = work.writer->bands(tile, request);
+  if (!tile) {
+    bands.sink = [&work](Band& picture) { work.picture = std::move(picture); };
   }
-  TiledOrder order{.tile = tile,
-                   .request = request_for(scene, job_.exr.has_value(), job_.png.has_value()),
-                   .parts = {{scene, 0, files}},
-                   .transform = transform_,
-                   .half = depth.half,
-                   .bits = job_.picture.bits,
-                   .source = "frame " + std::to_string(work->report.number),
-                   .context = {}};
-  order.request.layers = job_.picture.layers;
-  order.request.host.report = [](double) { return Interruption::signal() == 0; };
-  order.context = [&](const Scene& part, const Rendering& rendering) { return context_of(*work, part, rendering); };
-  order.dropped = [&] { return samples(scene) && Interruption::signal() != 0; };
-  const TiledPicture done = write_tiled(device, stage_, order);
+  work.rendering = render_bands(device, stage_, bands);
   require_valid_vulkan();
-  if (done.files.empty()) {
+  if (samples(work.scene) && Interruption::signal() != 0) {
     return false;
   }
-  report_.warn(work->report.number, kUndone, done.rendering.undone);
-  work->report.rendered = true;
-  work->report.render_ms = milliseconds_since(start);
-  finished(work->k, scene, work->report);
+  report_.warn(work.report.number, kUndone, work.rendering.undone);
+  work.report.rendered = true;
+  work.report.render_ms = milliseconds_since(start);
   return true;
 }
 
@@ -201,21 +197,9 @@ bool Runner::render_frame(std::size_t k, sequence::BoundedWorkers& encoders) {
     report_.warn(frame.number, kUnclaimed, {std::move(failure)});
   }
   report_.warn(frame.number, kBounded, bound_warnings(stage_));
-  if (const std::optional<ImageSize> tile = tile_for(job_.tile, stage_, job_.picture.layers, "sequence")) {
-    return render_in_tiles(work, *tile);
-  }
-  const Clock::time_point start = Clock::now();
-  RenderRequest request = request_for(scene, job_.exr.has_value(), job_.png.has_value());
-  request.layers = job_.picture.layers;
-  request.host.report = [](double) { return Interruption::signal() == 0; };
-  work->rendering = render(device_on_demand(job_.scene_options, executor_), stage_, request);
-  require_valid_vulkan();
-  if (samples(scene) && Interruption::signal() != 0) {
+  if (!render_into(*work)) {
     return false;
   }
-  report_.warn(report.number, kUndone, work->rendering.undone);
-  report.rendered = true;
-  report.render_ms = milliseconds_since(start);
   encoders.add([this, work] { encode(*work); });
   return true;
 }

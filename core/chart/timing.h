@@ -7,7 +7,7 @@
 
 #include "core/chart/pixels.h"
 #include "core/gpu/executor.h"
-#include "core/render/tiled.h"
+#include "core/render/tile_sizes.h"
 #include "core/scene/scene.h"
 
 namespace airlight::chart {

@@ -5,6 +5,7 @@
 
 #include "core/luts/moments.h"
 #include "core/methods/ready.h"
+#include "core/scene/thing_kinds.h"
 
 namespace airlight::choice {
 namespace {
@@ -88,9 +89,7 @@ std::vector<Candidate> candidates(const Stage& stage, double tolerance, const st
   };
   for (const SkyMethod& method : methods()) {
     const bool wanted = only.empty() || method.info.name == only;
-    const bool draws = method.add_passes != nullptr && (!scene.terrain || method.info.knows_terrain) &&
-                       (scene.spheres.empty() || method.info.knows_spheres) &&
-                       (!scene.ground || method.info.knows_ground_maps);
+    const bool draws = method.add_passes != nullptr && knows_things_of(method.info, scene);
     if (!wanted || !draws || !claims(method.validity, scene, depths.extinction)) {
       continue;
     }

@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/methods/method.h"
 #include "core/methods/ready.h"
+#include "core/scene/thing_kinds.h"
 
 namespace airlight::choice {
 namespace {
@@ -61,7 +62,7 @@ double error_behind(double excess, double noise) {
 }  // namespace
 
 bool can_be_traced(const Scene& scene) {
-  return find_method("path-trace")->info.knows_spheres || scene.spheres.empty();
+  return knows_things_of(find_method("path-trace")->info, scene);
 }
 
 Traced trace_probes(const Stage& stage, const Probes& probes, const TraceOrder& order) {

@@ -30,7 +30,7 @@ struct TraceOrder {
 // Of no probe where the time was up before there was a standard error.
 using TraceFunction = std::function<Traced(const Stage& stage, const Probes& probes, const TraceOrder& order)>;
 
-// Whether path-trace renders such a scene: there are no spheres in it.
+// Whether path-trace renders such a scene: it knows all things in it.
 bool can_be_traced(const Scene& scene);
 
 // By the method's own sampler, of spectra at all wavelengths.

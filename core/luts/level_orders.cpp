@@ -17,12 +17,13 @@ using physics::Physics;
 
 constexpr int kNodes = 8;  // zenith cosines a hemisphere, dense at the horizon
 constexpr Index kDegrees = physics::kMaxDegree + 1;
+constexpr Index kPolarised = physics::kPolarisedMoments;
 
 // One shell of one channel.
 struct Shell {
   double height = 0.0;
   double extinction = 0.0;
-  RowVectorXd scattering;  // by degree
+  RowVectorXd scattering;  // by degree, then what dipoles scatter of P_m
 };
 
 std::vector<Shell> shells_of(Physics& p, std::size_t c) {
@@ -32,8 +33,9 @@ std::vector<Shell> shells_of(Physics& p, std::size_t c) {
     const double high = p.shell_altitude(k + 1);
     const auto air = p.diffuse_air(p.stretch_densities({.h = 0.5 * (low + high), .rise = high - low, .bulge = 0.0}),
                                    p.equal_phases(0.0));
-    Shell shell{high - low, channel(air.extinction, c), RowVectorXd(kDegrees)};
+    Shell shell{high - low, channel(air.extinction, c), RowVectorXd(kDegrees + 1)};
     std::ranges::transform(air.degree, shell.scattering.begin(), [c](const physics::vec3& v) { return channel(v, c); });
+    shell.scattering[kDegrees] = channel(air.dipoles, c) * p.kDipoleMoment;
     shells.push_back(shell);
   }
   return shells;
@@ -42,13 +44,13 @@ std::vector<Shell> shells_of(Physics& p, std::size_t c) {
 // Light that reaches a row along one zenith cosine: of what each row's moments of each degree send, and of what leaves
 // the ground.
 struct Arrival {
-  MatrixXd from;  // row x degree
+  MatrixXd from;  // row x columns of Shell::scattering
   double ground = 0.0;
 };
 
 Arrival arrival_at(Physics& p, const std::vector<Shell>& shells, std::size_t row, double mu, bool upward) {
   const auto rows = static_cast<Index>(shells.size()) + 1;
-  Arrival arrival{MatrixXd::Zero(rows, kDegrees)};
+  Arrival arrival{MatrixXd::Zero(rows, kDegrees + 1)};
   double through = 1.0;
   const std::size_t count = upward ? shells.size() - row : row;
   for (std::size_t i = 0; i < count; ++i) {
@@ -66,51 +68,91 @@ Arrival arrival_at(Physics& p, const std::vector<Shell>& shells, std::size_t row
   return arrival;
 }
 
-// One order of scattering, a matrix for each m: from the moments by l, then by row, and for m = 0 from the ground's
-// irradiance behind them.
+// How the moments of one m see light from a zenith cosine, and send it there: the factors of its azimuth's cosine and
+// sine. By l from m on, then of P_m, where there is one, Q and U.
+struct Patterns {
+  std::vector<double> intensity;
+  double q = 0.0;
+  double u = 0.0;
+
+  // Mean over the azimuth, but for a factor of the m.
+  double product(std::size_t a, std::size_t b, bool polarised) const {
+    return intensity[a] * intensity[b] + (polarised ? q * q + u * u : 0.0);
+  }
+};
+
+// One order of scattering, a matrix for each m: from the moments by l, then P_m, each by row, and for m = 0 from the
+// ground's irradiance behind them.
 class OneOrder {
  public:
   OneOrder(Physics& physics, Index rows, Index harmonics, double albedo)
       : physics_(physics), rows_(rows), harmonics_(harmonics), albedo_(albedo) {
     for (Index m = 0; m < harmonics; ++m) {
-      const Index size = (harmonics - m) * rows + (m == 0 ? 1 : 0);
+      const Index size = (harmonics - m + (has_polarised(m) ? 1 : 0)) * rows + (m == 0 ? 1 : 0);
       by_m_.emplace_back(MatrixXd::Zero(size, size));
     }
   }
 
   // What arrives at a row out of a direction of so much solid angle over 2 pi.
-  void gather(Index row, const Physics::Harmonics& y, double share, const Arrival& arrival) {
+  void gather(Index row, double mu, double share, const Arrival& arrival) {
     for (Index m = 0; m < harmonics_; ++m) {
       MatrixXd& order = by_m_[static_cast<std::size_t>(m)];
+      const Patterns patterns = patterns_of(mu, m);
       const double angle = share * (m == 0 ? 2.0 * std::numbers::pi : std::numbers::pi);
-      for (Index to = m; to < harmonics_; ++to) {
-        const double taken = angle * harmonic(y, to, m);
-        add_sent(order.row((to - m) * rows_ + row), m, taken, y, arrival);
+      const std::size_t count = patterns.intensity.size();
+      for (std::size_t to = 0; to < count; ++to) {
+        auto into = order.row(static_cast<Index>(to) * rows_ + row);
+        for (std::size_t from = 0; from < count; ++from) {
+          const bool both = has_polarised(m) && to + 1 == count && from + 1 == count;
+          add_sent(into, m, from, angle * patterns.product(to, from, both), arrival);
+        }
         if (m == 0) {
-          order(to * rows_ + row, order.cols() - 1) += taken * arrival.ground * albedo_ / std::numbers::pi;
+          into(order.cols() - 1) += angle * patterns.intensity[to] * arrival.ground * albedo_ / std::numbers::pi;
         }
       }
     }
   }
 
   // What arrives on the ground.
-  void gather_irradiance(const Physics::Harmonics& y, double share, double mu, const Arrival& arrival) {
+  void gather_irradiance(double share, double mu, const Arrival& arrival) {
     MatrixXd& order = by_m_.front();
-    add_sent(order.row(order.rows() - 1), 0, share * 2.0 * std::numbers::pi * mu, y, arrival);
+    const Patterns patterns = patterns_of(mu, 0);
+    for (std::size_t from = 0; from < patterns.intensity.size(); ++from) {
+      add_sent(order.row(order.rows() - 1), 0, from, share * 2.0 * std::numbers::pi * mu * patterns.intensity[from],
+               arrival);
+    }
   }
 
   const std::vector<MatrixXd>& by_m() const { return by_m_; }
 
  private:
-  double harmonic(const Physics::Harmonics& y, Index l, Index m) const {
-    return y.of[physics_.moment_place(static_cast<physics::uint>(l), static_cast<physics::uint>(m))];
+  bool has_polarised(Index m) const { return physics_.polarised() && m < kPolarised; }
+
+  Patterns patterns_of(double mu, Index m) const {
+    const Physics::Harmonics y = physics_.harmonics(mu, 1.0);
+    const auto harmonic = [&](Index l) {
+      return y.of[physics_.moment_place(static_cast<physics::uint>(l), static_cast<physics::uint>(m))];
+    };
+    Patterns patterns;
+    for (Index l = m; l < harmonics_; ++l) {
+      patterns.intensity.push_back(harmonic(l));
+    }
+    if (has_polarised(m)) {
+      patterns.intensity.push_back(harmonic(2));
+      patterns.q = physics_.quadrupole(mu, 1.0).e[m];
+      // Of the sine of m times the azimuth.
+      const double aside = m == 0 ? 0.0 : std::cos(0.25 * std::numbers::pi);
+      patterns.u = m == 0 ? 0.0 : m == 1 ? physics_.quadrupole(mu, 0.0).f[1] : physics_.quadrupole(mu, aside).f[2];
+    }
+    return patterns;
   }
 
+  // Adds what unknown `from` of this m sends along the direction.
   template <class Row>
-  void add_sent(Row&& into, Index m, double part, const Physics::Harmonics& y, const Arrival& arrival) const {
-    for (Index l = m; l < harmonics_; ++l) {
-      into.segment((l - m) * rows_, rows_) += part * harmonic(y, l, m) * arrival.from.col(l).transpose();
-    }
+  void add_sent(Row&& into, Index m, std::size_t from, double part, const Arrival& arrival) const {
+    const auto k = static_cast<Index>(from);
+    const Index column = m + k < harmonics_ ? m + k : kDegrees;
+    into.segment(k * rows_, rows_) += part * arrival.from.col(column).transpose();
   }
 
   Physics& physics_;
@@ -129,10 +171,9 @@ OneOrder one_order(Physics& p, const std::vector<Shell>& shells, Index harmonics
       const double share = 2.0 * gauss.nodes[node] * gauss.weights[node];
       for (const bool upward : {true, false}) {
         const Arrival arrival = arrival_at(p, shells, row, mu, upward);
-        const Physics::Harmonics y = p.harmonics(upward ? mu : -mu, 1.0);
-        order.gather(static_cast<Index>(row), y, share, arrival);
+        order.gather(static_cast<Index>(row), upward ? mu : -mu, share, arrival);
         if (row == 0 && upward) {
-          order.gather_irradiance(y, share, mu, arrival);
+          order.gather_irradiance(share, mu, arrival);
         }
       }
     }
@@ -150,9 +191,10 @@ MatrixXd all_orders(const MatrixXd& order) {
 
 std::size_t LevelShape::values() const {
   const auto r = static_cast<std::size_t>(rows);
-  std::size_t sum = static_cast<std::size_t>(degree + 1) * r * 2 + 1;  // to and from the irradiance
-  for (auto n = static_cast<std::size_t>(degree + 1); n > 0; --n) {
-    sum += n * n * r * r;
+  std::size_t sum = 1;
+  for (int m = 0; m <= degree; ++m) {
+    const auto n = static_cast<std::size_t>(degree + 1 - m + (polarised && m < static_cast<int>(kPolarised) ? 1 : 0));
+    sum += n * n * r * r + (m == 0 ? 2 * n * r : 0);  // to and from the irradiance
   }
   return sum;
 }
@@ -161,6 +203,7 @@ std::vector<float> level_orders(const Air& air, const LevelShape& shape, int tab
   Physics p = air.formulas();
   p.degree = static_cast<physics::uint>(table_degree);
   p.delta = delta;
+  p.polarisation = shape.polarised;
   std::vector<float> values(3 * shape.values());
   for (std::size_t c = 0; c < 3; ++c) {
     std::size_t at = c;

@@ -11,16 +11,18 @@
 
 namespace airlight {
 
-// Unknowns are the moments M_lm up to degree l and m at the rows, and the irradiance of the ground.
+// Unknowns are the moments M_lm up to degree l and m at the rows, of polarised light P_m up to m, too, and the
+// irradiance of the ground.
 struct LevelShape {
   int rows = 2;
   int degree = 0;  // harmonics up to it
+  bool polarised = false;
 
   std::size_t values() const;  // of the matrix, three channels each
 };
 
-// The matrix as the pass reads it, channels innermost: for each m, for each unknown that gives (by l, then by row;
-// after those of m = 0 the irradiance), for each l that takes, a value a row; at the end, what each unknown of m = 0
+// The matrix as the pass reads it, channels innermost: for each m, for each unknown that gives (by l, then P_m, each by
+// row; after those of m = 0 the irradiance), for each unknown that takes, a value a row; at the end, what each unknown of m = 0
 // gives to the irradiance. `lost`: the share of its light that each order is taken to lose besides, which keeps the sum
 // of the orders finite. `table_degree`, `delta`: of the table of moments.
 std::vector<float> level_orders(const Air& air, const LevelShape& shape, int table_degree, bool delta, double lost);

@@ -91,8 +91,12 @@ BufferId add_nodes(Plan& plan, const std::string& name, const OrderQuadrature& q
   return plan.add_buffer(filled_buffer(name, bytes_of(direction_nodes(q.up, q.down, q.half_azimuths))));
 }
 
+int harmonic_count(const MomentSettings& s) {
+  return (s.degree + 1) * (s.degree + 2) / 2;
+}
+
 int block_count(const MomentSettings& s) {
-  return (s.degree + 1) * (s.degree + 2) / 2 + 1;
+  return harmonic_count(s) + (s.polarised ? static_cast<int>(physics::kPolarisedMoments) : 0) + 1;
 }
 
 Extent atlas_extent(const MomentSettings& s) {
@@ -134,18 +138,24 @@ TableText moments_text(const Air& air, const MomentSettings& settings) {
   const physics::SceneData& scene = air.formulas().scene;
   const physics::MomentTableData& map = scene.moments;
   const std::string last = std::to_string(block_count(settings) - 1);
+  const int first = harmonic_count(settings);
+  const std::string molecules =
+      settings.polarised ? "; in blocks " + std::to_string(first) + " to " + std::to_string(first + 2) +
+                               " P_m / M_00, to which Q and U add as I does to M_2m"
+                         : "";
   return {.quantity =
               "moments M_lm of the radiance scattered or reflected at least once, over the real orthonormal "
               "harmonics of the direction, azimuths from the sun's: log of M_00 in block 0, M_lm / M_00 in "
-              "those behind it; log of the irradiance of that light on level ground in block " +
-              last + "; for a sun of irradiance 1",
+              "those behind it" +
+              molecules + "; log of the irradiance of that light on level ground in block " + last +
+              "; for a sun of irradiance 1",
           .unit = "1",
           .axes = {{"x", "mu_sun", "1", "zenith cosine of the sun, its elevation as a hyperbolic sine"},
                    {"y", "altitude_km", "km",
                     settings.shells ? "listed: the edges of shells" : "quadratic, from the ground to the highest row"},
-                   {"block", "l", "1", "degree of the harmonic; of no meaning in block " + last},
+                   {"block", "l", "1", "degree of the harmonic, 2 of P_m; of no meaning in block " + last},
                    {"block", "m", "1", "its order, 0 to l"}},
-          .constants = table_constant("columns", settings.size[0]) +
+          .constants = table_constant("columns", settings.size[0]) + table_constant("harmonics", first) +
                        (settings.shells ? row_altitudes(scene) : table_constant("highest_km", map.top)) +
                        table_constant("elevation_scale", map.elevation_scale) + table_constant("v_low", map.v_low) +
                        table_constant("v_high", map.v_high),
@@ -155,9 +165,13 @@ mu_sun = sin(elevation_scale * sinh(v))
 )") +
                     (settings.shells ? "altitude_km = take(altitudes_km, j)\n"
                                      : "altitude_km = highest_km * (j / (height - 1)) * (j / (height - 1))\n") +
-                    R"(l = floor((sqrt(8 * block + 1) - 1) / 2)
+                    (settings.polarised ? R"(polarised = block >= harmonics and block < harmonics + 3
+l = 2 if polarised else floor((sqrt(8 * block + 1) - 1) / 2)
+m = block - harmonics if polarised else block - l * (l + 1) / 2
+)"
+                                        : R"(l = floor((sqrt(8 * block + 1) - 1) / 2)
 m = block - l * (l + 1) / 2
-)"};
+)")};
 }
 
 // Whether harmonics up to `degree` leave a forward peak of some medium that scatters.
@@ -166,6 +180,21 @@ bool leaves_a_peak(const Air& air, int degree) {
   for (std::size_t i = 0; i < air.media().size(); ++i) {
     const physics::vec3& peak = air.formulas().scene.media[i].peak[static_cast<std::size_t>(degree)];
     if ((air.scattering_media() >> i & 1U) != 0 && std::max({peak.x, peak.y, peak.z}) > kLeast) {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool is_molecular(const Medium& medium) {
+  return medium.phase == PhaseFunction::rayleigh;
+}
+
+// Whether a medium that scatters is such a one.
+template <class Such>
+bool scatters_as(const Air& air, Such such) {
+  for (std::size_t i = 0; i < air.media().size(); ++i) {
+    if ((air.scattering_media() >> i & 1U) != 0 && such(air.media()[i])) {
       return true;
     }
   }
@@ -189,6 +218,10 @@ MomentSettings moment_settings(const Air& air, const MomentRequest& request) {
   settings.shells = shell_rows > 0;
   settings.sharp = std::ranges::any_of(air.media(), is_sharp);
   settings.hazy = !settings.shells && (request.hazy || air.depths().scattering > kHazy);
+  settings.polarised = request.polarised && scatters_as(air, [](const Medium& m) { return is_molecular(m); });
+  settings.molecules_alone = settings.polarised && !scatters_as(air, [](const Medium& m) {
+    return !is_molecular(m) && m.phase != PhaseFunction::isotropic;
+  });
   settings.degree = request.degree.value_or(!thick ? 2 : settings.shells || settings.hazy ? 8 : 5);
   settings.peaked = thick;
   settings.delta = leaves_a_peak(air, settings.degree);
@@ -235,6 +268,8 @@ void add_moment_constants(std::vector<Specialization>& constants, const MomentSe
   constants.push_back({"kMomentDegree", static_cast<std::uint32_t>(settings.degree)});
   constants.push_back({"kSourceDegree", static_cast<std::uint32_t>(source_degree.value_or(settings.degree))});
   constants.push_back({"kDeltaScaled", settings.delta ? 1u : 0u});
+  constants.push_back({"kMomentPolarised", settings.polarised ? 1u : 0u});
+  constants.push_back({"kMomentScattered", settings.molecules_alone ? 0u : static_cast<std::uint32_t>(settings.degree)});
   constants.push_back({"kMomentColumns", static_cast<std::uint32_t>(settings.size[0])});
   constants.push_back({"kMomentRows", static_cast<std::uint32_t>(settings.size[1])});
   constants.push_back({"kShellRows", settings.shells ? static_cast<std::uint32_t>(settings.size[1]) : 0u});
@@ -306,7 +341,8 @@ ImageDesc moments_image(const Bake& bake) {
   const MomentSettings& settings = bake.settings;
   const std::string key = "degree " + std::to_string(settings.degree) + " delta " + std::to_string(settings.delta) +
                           " orders " + std::to_string(settings.orders) + " corrections " +
-                          std::to_string(settings.corrections) + " level " + std::to_string(settings.level_degree);
+                          std::to_string(settings.corrections) + " level " + std::to_string(settings.level_degree) +
+                          " polarised " + std::to_string(settings.polarised);
   const Extent sources[] = {bake.plan.images()[bake.sunlight.index].extent};
   return {.name = "moments",
           .extent = atlas_extent(settings),
@@ -354,7 +390,7 @@ ImageId add_orders_at_once(Bake bake) {
   const MomentSettings& settings = bake.settings;
   const int all = settings.size[0];
   const auto some = static_cast<std::uint32_t>(std::min(all, std::max(16, all / 2)));
-  const LevelShape shape{settings.size[1], settings.level_degree};
+  const LevelShape shape{settings.size[1], settings.level_degree, settings.polarised};
   const BufferId level = bake.plan.add_buffer(
       {.name = "level_orders",
        .bytes = shape.values() * 3 * sizeof(float),

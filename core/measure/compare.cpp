@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <new>
 
 #include "core/error.h"
@@ -11,6 +12,7 @@
 #include "core/measure/judge.h"
 #include "core/measure/reduce_pictures.h"
 #include "core/measure/words.h"
+#include "core/member.h"
 #include "core/output/png.h"
 #include "core/output/provenance.h"
 #include "core/text.h"
@@ -206,7 +208,26 @@ void note_other_layers(const ComparisonRequest& request, const LayeredExr& heade
   if (!others.empty()) report.notes.push_back(header.file + ": not compared: " + joined(others, ", "));
 }
 
+std::optional<NonfinitePlace> first_nonfinite(const PicturePair& pair, MemberOf<Plane, std::vector<float>> side) {
+  std::optional<NonfinitePlace> place;
+  std::size_t first = std::numeric_limits<std::size_t>::max();
+  for (const Plane& plane : pair.planes) {
+    const std::vector<float>& values = plane.*side;
+    const auto found = std::ranges::find_if(values, [](float x) { return !std::isfinite(x); });
+    const auto index = static_cast<std::size_t>(found - values.begin());
+    if (found != values.end() && index < first) {
+      first = index;
+      const auto columns = static_cast<std::size_t>(pair.frame.columns);
+      place = NonfinitePlace{pair.frame.left + static_cast<int>(index % columns),
+                             pair.frame.top + static_cast<int>(index / columns), plane.name};
+    }
+  }
+  return place;
+}
+
 void count_nonfinite(const PicturePair& pair, ComparisonReport& report) {
+  report.first_nonfinite_a = first_nonfinite(pair, &Plane::a);
+  report.first_nonfinite_b = first_nonfinite(pair, &Plane::b);
   const auto count = [](const std::vector<float>& values, std::size_t& nan, std::size_t& infinite) {
     nan = static_cast<std::size_t>(std::ranges::count_if(values, [](float x) { return std::isnan(x); }));
     infinite = static_cast<std::size_t>(std::ranges::count_if(values, [](float x) { return std::isinf(x); }));

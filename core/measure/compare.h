@@ -80,6 +80,13 @@ struct NonfiniteCount {
   std::size_t nan_b = 0, infinite_b = 0;
 };
 
+// The first value of a picture that is NaN or infinite, row by row.
+struct NonfinitePlace {
+  int x = 0;  // from the upper left corner of the whole picture
+  int y = 0;
+  std::string channel;
+};
+
 // A limit in force, in words, and the value measured against it.
 struct LimitCheck {
   std::string limit;     // "mean relative error (--rel-mean)"
@@ -104,7 +111,8 @@ struct ComparisonReport {
   bool presets_known = false;  // both files carry one
   std::vector<KeyDifference> preset_keys;
   std::vector<NonfiniteCount> nonfinite;  // channels with at least one
-  std::size_t unequal_nonfinite = 0;      // pixels
+  std::optional<NonfinitePlace> first_nonfinite_a, first_nonfinite_b;
+  std::size_t unequal_nonfinite = 0;  // pixels
   std::size_t pixels = 0;
   std::size_t pixels_over_fail = 0;
   std::size_t pixels_over_warn = 0;

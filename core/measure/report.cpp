@@ -73,6 +73,14 @@ std::string describe_nonfinite(const ComparisonReport& report) {
             std::to_string(entry.infinite_a) + " infinite, B " + std::to_string(entry.nan_b) + " NaN and " +
             std::to_string(entry.infinite_b) + " infinite\n";
   }
+  const auto add = [&](const char* picture, const std::optional<NonfinitePlace>& place) {
+    if (place) {
+      text += std::string("The first of ") + picture + " is at column " + std::to_string(place->x) + ", row " +
+              std::to_string(place->y) + ", channel " + place->channel + "\n";
+    }
+  };
+  add("A", report.first_nonfinite_a);
+  add("B", report.first_nonfinite_b);
   return text;
 }
 

@@ -18,15 +18,12 @@ struct GroundLight {
 
 // Passes added between these two see the scene with a black ground. No effect where the scene has no maps.
 void begin_black_ground(Plan& plan, const Part& part, const View& view);
-void end_black_ground(Plan& plan, const Part& part);
+void end_black_ground(Plan& plan, const Part& part, const View& view);
 
 // Adds the ground's light to the target. No effect where the scene has no maps.
 void add_ground_map(Plan& plan, const Part& part, const SkyTarget& target, GroundLight light);
 
 // Irradiance of the sky from the table of moments, for GroundLight. `constants`: of that table.
 ImageId add_moment_irradiance(Plan& plan, ImageId moments, std::vector<Specialization> constants);
-
-// Why the scene's ground rules out layers; empty where it does not.
-std::string ground_layers_refusal(const Scene& scene);
 
 }  // namespace airlight

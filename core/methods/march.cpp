@@ -28,7 +28,7 @@ SkyPasses add_march(Plan& plan, const Part& part, const View& view) {
   const MarchTables tables = add_march_tables(plan, part);
   begin_black_ground(plan, part, view);
   add_march_pass(plan, part, tables, target);
-  end_black_ground(plan, part);
+  end_black_ground(plan, part, view);
   add_march_ground(plan, part, tables, target);
   return {target.radiance, tables.list()};
 }

@@ -136,9 +136,6 @@ struct SkyMethod {
   SpanPasses (*add_span_passes)(Plan&, const Part&, const Spans&, const SpanWay&) = nullptr;
   // Whether SpanWay::volume holds for the scene's camera. Null: never.
   bool (*has_volume)(const Scene&) = nullptr;
-  // Why layers are impossible for this scene, though the method has them; empty: they are possible. Null: they always
-  // are.
-  std::string (*layers_refusal)(const Scene&) = nullptr;
   // Parts of the method that the picture omits in this plan, a line each. Null: none.
   std::vector<std::string> (*left_out)(const Scene&, const Plan&) = nullptr;
   // Its own formulas in double. `p`: the scene's physics, which takes `tables`, by name as the device filled them.

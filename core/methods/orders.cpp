@@ -16,15 +16,14 @@
 #include "core/methods/sky_pass.h"
 #include "core/methods/spectral_sums.h"
 #include "core/scene/parameters.h"
-#include "core/things/spheres.h"
 
 namespace airlight {
 namespace {
 
 using orders::add_factors;
 using orders::add_light;
-using orders::add_shadowed_terrain;
 using orders::add_table_constants;
+using orders::add_things_to_march;
 using orders::factor_table;
 using orders::FactorTable;
 using orders::inside_the_air;
@@ -34,6 +33,7 @@ using orders::looks_from_space;
 using orders::ray_cost;
 using orders::settings_of;
 using orders::steps_of;
+using orders::steps_past_things;
 
 constexpr std::array<std::string_view, 10> kDegreeChoices{"auto", "0", "1", "2", "3", "4", "5", "6", "7", "8"};
 constexpr std::array<std::string_view, 2> kFolded{"smooth", "all"};
@@ -78,8 +78,7 @@ bool tabulates(const Part& part, const View& view) {
   const bool holds = view.directions.empty() || view.as_picture;
   const long long enough = looks_from_space(part) ? 131072 : 16384;  // about four times the table's rays
   const bool pays = part.scene.image.width * static_cast<long long>(part.scene.image.height) >= enough;
-  return holds && !part.scene.terrain && part.scene.spheres.empty() &&
-         (choice == "always" || (choice == "auto" && pays));
+  return holds && !part.things.stand_in_the_air() && (choice == "always" || (choice == "auto" && pays));
 }
 
 void settle(RenderSettings& settings, const Part& part) {
@@ -146,7 +145,7 @@ bool phases_are_alike(const Stage& stage, std::uint32_t apart) {
 // pixels know of none.
 std::optional<SkyPasses> add_coloured(Plan& plan, const Stage& stage, const View& view) {
   const Part& whole = stage.whole();
-  if (!tabulates(whole, view)) {
+  if (!tabulates(whole, view) || whole.scene.ground) {
     return std::nullopt;
   }
   const FactorTable table = factor_table(whole, stage.scattering_media(), false);
@@ -175,42 +174,32 @@ std::optional<SkyPasses> add_coloured(Plan& plan, const Stage& stage, const View
   return passes;
 }
 
-// The pass over terrain and the air about it.
-void add_terrain_sky(Plan& plan, const Part& part, const SkyTarget& target, const Light& light) {
-  std::vector<Specialization> constants = light.constants;
+// Constants of a pass over things (shaders/shared/thing_rays.glsl).
+void add_thing_constants(std::vector<Specialization>& constants, const Part& part) {
+  constexpr std::uint32_t kMirrorSegments = 6;
+  const bool mirrors = std::ranges::count(part.scene.spheres, SphereMaterial::mirror, &Sphere::material) > 0;
   constants.push_back({"kEdges", physics::kEdgesFound});
-  constants.push_back({"kProjection", target.projection});
-  std::vector<Binding> reads = light.reads();
-  reads.push_back({"directions", target.directions});
-  const std::uint32_t reach = add_shadowed_terrain(plan, part, reads, constants);
-  plan.add_pass({.name = "sky",
-                 .shader = "sky_terrain",
-                 .reads = std::move(reads),
-                 .writes = {{"radiance_out", target.radiance}},
-                 .grid = target.grid,
-                 .push_constants = {target.grid.width, target.grid.height, light.steps, reach},
-                 .specialization = std::move(constants),
-                 .cost = 3.0 * ray_cost(light.steps)});
+  constants.push_back({"kSegments", mirrors ? kMirrorSegments : 1U});
+  constants.push_back({"kDiscShows", part.scene.sun.disc.visible ? 1U : 0U});
 }
 
-// The pass over spheres, the ground and the air about them.
-void add_sphere_sky(Plan& plan, const Scene& scene, const SkyTarget& target, const Light& light) {
+// The pass over things, the ground and the air about them.
+void add_things_sky(Plan& plan, const Part& part, const SkyTarget& target, const Light& light) {
   std::vector<Specialization> constants = light.constants;
-  constants.push_back({"kEdges", physics::kEdgesFound});
   constants.push_back({"kProjection", target.projection});
-  constants.push_back({"kShafts", scene.render.get<bool>("volumetric_shadows") ? 1U : 0U});
-  constants.push_back({"kDiscShows", scene.sun.disc.visible ? 1U : 0U});
+  add_thing_constants(constants, part);
   std::vector<Binding> reads = light.reads();
   reads.push_back({"directions", target.directions});
-  reads.push_back({"spheres", add_spheres(plan, "spheres", scene)});
+  add_things_to_march(plan, part, reads, constants);
+  const std::uint32_t steps = steps_past_things(part, light);
   plan.add_pass({.name = "sky",
-                 .shader = "sky_spheres",
+                 .shader = "sky_things",
                  .reads = std::move(reads),
                  .writes = {{"radiance_out", target.radiance}},
                  .grid = target.grid,
-                 .push_constants = {target.grid.width, target.grid.height, light.steps},
+                 .push_constants = {target.grid.width, target.grid.height, steps},
                  .specialization = std::move(constants),
-                 .cost = 3.0 * ray_cost(light.steps)});
+                 .cost = 3.0 * ray_cost(steps)});
 }
 
 // The ground by its maps, over a picture whose ground is black.
@@ -229,58 +218,74 @@ void add_ground(Plan& plan, const Part& part, const SkyTarget& target, const Lig
   add_ground_map(plan, part, target, std::move(lit));
 }
 
+// The march along each pixel's ray.
+void add_marched_sky(Plan& plan, const SkyTarget& target, const Light& light) {
+  std::vector<Specialization> constants = light.constants;
+  constants.push_back({"kProjection", target.projection});
+  constants.push_back({"kEdges", physics::kEdgesFound});
+  std::vector<Binding> reads = light.reads();
+  reads.push_back({"directions", target.directions});
+  plan.add_pass({.name = "sky",
+                 .shader = "sky_orders",
+                 .reads = std::move(reads),
+                 .writes = {{"radiance_out", target.radiance}},
+                 .grid = target.grid,
+                 .push_constants = {target.grid.width, target.grid.height, light.steps},
+                 .specialization = std::move(constants),
+                 .cost = ray_cost(light.steps)});
+}
+
 SkyPasses add_orders(Plan& plan, const Part& part, const View& view) {
   const SkyTarget target = add_sky_target(plan, part.scene, view);
-  Light light = add_light(plan, part);
-  std::vector<ImageId> more = light.more();
-  begin_black_ground(plan, part, view);
-  if (part.scene.terrain) {
-    add_terrain_sky(plan, part, target, light);
-  } else if (!part.scene.spheres.empty()) {
-    add_sphere_sky(plan, part.scene, target, light);
-  } else if (tabulates(part, view)) {
-    more.push_back(add_tabulated_sky(plan, part, view, target, light));
-  } else {
-    light.constants.push_back({"kProjection", target.projection});
-    light.constants.push_back({"kEdges", physics::kEdgesFound});
-    std::vector<Binding> reads = light.reads();
-    reads.push_back({"directions", target.directions});
-    plan.add_pass({.name = "sky",
-                   .shader = "sky_orders",
-                   .reads = std::move(reads),
-                   .writes = {{"radiance_out", target.radiance}},
-                   .grid = target.grid,
-                   .push_constants = {target.grid.width, target.grid.height, light.steps},
-                   .specialization = light.constants,
-                   .cost = ray_cost(light.steps)});
+  const Light light = add_light(plan, part);
+  SkyPasses passes{target.radiance, {light.transmittance}, light.more()};
+  if (part.things.stand_in_the_air()) {
+    add_things_sky(plan, part, target, light);
+    return passes;
   }
-  end_black_ground(plan, part);
+  begin_black_ground(plan, part, view);
+  if (tabulates(part, view)) {
+    passes.more_tables.push_back(add_tabulated_sky(plan, part, view, target, light));
+  } else {
+    add_marched_sky(plan, target, light);
+  }
+  end_black_ground(plan, part, view);
   add_ground(plan, part, target, light);
-  return {target.radiance, {light.transmittance}, std::move(more)};
+  return passes;
 }
 
 LayerPasses add_layers(Plan& plan, const Part& part, const View& view) {
   const Light light = add_light(plan, part);
   const bool tabulated = tabulates(part, view);
+  const bool things = part.things.stand_in_the_air() || part.scene.ground;
   std::vector<Binding> reads = light.reads();
   std::vector<Specialization> constants = light.constants;
-  if (tabulated) {
+  std::uint32_t steps = light.steps;
+  const char* shader = tabulated ? "layers_from_factors" : "layers_orders";
+  if (things) {
+    shader = "layers_things";
+    add_layer_constants(constants, part);
+    add_thing_constants(constants, part);
+    add_things_to_march(plan, part, reads, constants);
+    steps = steps_past_things(part, light);
+  } else if (tabulated) {
     const FactorTable table = factor_table(part, part.air.scattering_media(), true);
     reads.push_back({"factors_lut", add_factors(plan, "layers_factors", part.scene, table, view, light)});
     add_table_constants(constants, table);
     constants.push_back({"kProjection", projection_code(part.scene.camera.projection)});
+    constants.push_back({"kEdges", physics::kEdgesFound});
   } else {
     add_layer_constants(constants, part);
+    constants.push_back({"kEdges", physics::kEdgesFound});
   }
-  constants.push_back({"kEdges", physics::kEdgesFound});
   const Extent grid = picture_grid(part.scene, view);
   const BufferId planes = add_layer_planes(plan, part, view);
   plan.add_pass({.name = "layers",
-                 .shader = tabulated ? "layers_from_factors" : "layers_orders",
+                 .shader = shader,
                  .reads = std::move(reads),
                  .writes = {{"layers_out", planes}},
                  .grid = grid,
-                 .push_constants = {grid.width, grid.height, light.steps},
+                 .push_constants = {grid.width, grid.height, steps},
                  .specialization = std::move(constants)});
   return {planes, light.transmittance};
 }
@@ -304,6 +309,8 @@ RayFormula formula(physics::Physics p, const Part& part, const HostTables& table
   p.moment_columns = static_cast<physics::uint>(settings.size[0]);
   p.degree = static_cast<physics::uint>(settings.degree);
   p.delta = settings.delta;
+  p.polarisation = settings.polarised;
+  p.molecules_alone = settings.molecules_alone;
   return [p, by_shells = settings.shells,
           steps = steps_of(part.scene, settings)](const physics::Physics::Ray& ray) mutable {
     const physics::PlanetData& planet = p.scene.planet;
@@ -320,15 +327,8 @@ SkyMethod orders_method() {
   method.info = {"orders", "successive orders of scattering as spherical-harmonic moments; near truth", kParameters};
   method.info.knows_terrain = true;
   method.info.knows_spheres = true;
+  method.info.knows_translucent_spheres = true;
   method.info.knows_ground_maps = true;
-  method.layers_refusal = [](const Scene& scene) {
-    if (scene.ground) {
-      return ground_layers_refusal(scene);
-    }
-    const char* things = scene.terrain ? "planet.terrain" : scene.spheres.empty() ? nullptr : "scene.spheres";
-    return things == nullptr ? std::string()
-                             : std::string(things) + ": its light is not kept apart by layers; remove one of the two";
-  };
   method.validity.leaves_out = "harmonics above the degree kept";
   method.bounds = bounds;
   const std::string never = "never";
@@ -387,7 +387,9 @@ SkyMethod orders_method() {
   method.add_layer_passes = add_layers;
   method.add_span_passes = orders::add_spans;
   // The volume holds no shadows.
-  method.has_volume = [](const Scene& scene) { return inside_the_air(scene) && !scene.terrain; };
+  method.has_volume = [](const Scene& scene) {
+    return inside_the_air(scene) && !scene.terrain && scene.spheres.empty();
+  };
   method.all_tables.emplace_back("tabulate", std::string("always"));
   method.left_out = left_out;
   method.formula = formula;

@@ -7,7 +7,7 @@
 
 #include "core/luts/luts.h"
 #include "core/methods/sky_pass.h"
-#include "core/things/terrain_buffers.h"
+#include "core/things/thing_buffers.h"
 
 namespace airlight::orders {
 namespace {
@@ -63,7 +63,7 @@ bool looks_from_space(const Part& part) {
 }
 
 MomentSettings settings_of(const Part& part) {
-  MomentRequest request{.size = part.scene.render.get<TableSize>("moments_lut")};
+  MomentRequest request{.size = part.scene.render.get<TableSize>("moments_lut"), .polarised = part.scene.render.polarisation};
   if (const std::string& degree = part.scene.render.get<std::string>("degree"); degree != "auto") {
     request.degree = degree.front() - '0';
     request.hazy = request.degree > kMostClearDegree;
@@ -174,16 +174,16 @@ ImageId add_factors(Plan& plan, const std::string& shader, const Scene& scene, c
   return factors;
 }
 
-// Adds the terrain and its shadow to what a pass reads. Returns how far shadows stand, as a push constant.
-std::uint32_t add_shadowed_terrain(Plan& plan, const Part& part, std::vector<Binding>& reads,
-                                   std::vector<Specialization>& constants) {
-  const std::shared_ptr<const physics::HostTerrain> terrain = part.things.shadowed_terrain();
-  const TerrainBuffers buffers = add_terrain(plan, *terrain);
-  reads.push_back({"terrain", buffers.heights});
-  reads.push_back({"terrain_shadows", buffers.shadows});
-  reads.push_back({"terrain_colours", buffers.colours});
+void add_things_to_march(Plan& plan, const Part& part, std::vector<Binding>& reads,
+                         std::vector<Specialization>& constants) {
+  const ThingInputs things = add_things(plan, part.scene, part.things);
+  reads.insert(reads.end(), things.reads.begin(), things.reads.end());
+  constants.insert(constants.end(), things.constants.begin(), things.constants.end());
   constants.push_back({"kShafts", part.scene.render.get<bool>("volumetric_shadows") ? 1U : 0U});
-  return push_constant(shadow_reach(terrain->shape));
+}
+
+std::uint32_t steps_past_things(const Part& part, const Light& light) {
+  return part.scene.terrain && !light.by_shells ? (light.steps + 1) / 2 : light.steps;
 }
 
 }  // namespace airlight::orders

@@ -71,9 +71,12 @@ FactorLayout layout_of(const Scene& scene, const FactorTable& table, bool in_col
 ImageId add_factors(Plan& plan, const std::string& shader, const Scene& scene, const FactorTable& table,
                     const View& view, const Light& light);
 
-// Adds the terrain and its shadow to what a pass reads. Returns how far shadows stand, as a push constant.
-std::uint32_t add_shadowed_terrain(Plan& plan, const Part& part, std::vector<Binding>& reads,
-                                   std::vector<Specialization>& constants);
+// Adds things to what a march reads that sees their shadows in the air.
+void add_things_to_march(Plan& plan, const Part& part, std::vector<Binding>& reads,
+                         std::vector<Specialization>& constants);
+
+// Steps of such a march: half of the picture's are 0.02 % off in the mean where terrain is in the air.
+std::uint32_t steps_past_things(const Part& part, const Light& light);
 
 // SkyMethod::add_span_passes of the method.
 SpanPasses add_spans(Plan& plan, const Part& part, const Spans& spans, const SpanWay& way);

@@ -43,8 +43,8 @@ ImageId add_ratios(Plan& plan, ImageId moments) {
 
 // Panels of two nodes bring a ray to a thing within a tenth of a percent at half of the picture's steps. Shells and
 // shadows ask for all of them.
-std::uint32_t span_steps(const Scene& scene, const Light& light) {
-  return light.by_shells || scene.terrain ? light.steps : (light.steps + 1) / 2;
+std::uint32_t span_steps(const Part& part, const Light& light) {
+  return light.by_shells || part.things.stand_in_the_air() ? light.steps : (light.steps + 1) / 2;
 }
 
 // Two thirds of the picture's table each way. What it leaves out shows far less: light before things is gathered over
@@ -108,12 +108,12 @@ SpanPasses add_spans(Plan& plan, const Part& part, const Spans& spans, const Spa
     add_table_constants(constants, table);
     constants.push_back({"kSlices", static_cast<std::uint32_t>(part.scene.render.get<int>("aerial_slices"))});
   } else {
-    push.push_back(span_steps(part.scene, light));
+    push.push_back(span_steps(part, light));
   }
   const char* shader = way.volume ? "air_from_volume" : "air_spans";
-  if (part.scene.terrain) {
-    shader = "air_spans_terrain";
-    push.push_back(add_shadowed_terrain(plan, part, reads, constants));
+  if (part.things.stand_in_the_air()) {
+    shader = "air_spans_things";
+    add_things_to_march(plan, part, reads, constants);
   } else if (!way.volume) {
     reads.push_back({"moment_ratios_lut", add_ratios(plan, light.moments)});
   }
@@ -131,7 +131,7 @@ SpanPasses add_spans(Plan& plan, const Part& part, const Spans& spans, const Spa
                  .grid = {std::min(input.columns, input.count), (input.count + input.columns - 1) / input.columns, 1},
                  .push_constants = std::move(push),
                  .specialization = std::move(constants),
-                 .cost = way.volume ? 3.0 : ray_cost(span_steps(part.scene, light))});
+                 .cost = way.volume ? 3.0 : ray_cost(span_steps(part, light))});
   return {found, way.volume};
 }
 

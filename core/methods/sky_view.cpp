@@ -135,7 +135,7 @@ SkyPasses add_sky_view(Plan& plan, const Part& part, const View& view) {
     add_fetch_pass(plan, part, view, tables, sky_view, target);
     list.push_back(sky_view);
   }
-  end_black_ground(plan, part);
+  end_black_ground(plan, part, view);
   add_march_ground(plan, part, tables, target);
   return {target.radiance, list};
 }

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -157,13 +158,15 @@ void write_file(const fs::path& file, const Pieces& next) {
 }
 
 struct FileInProgress::State {
-  // Writes in place where there is no target that a rename could replace.
-  State(std::string name_given, const fs::path& target_file, bool in_place)
+  // Writes in place where there is no target that a rename could replace, at once unless `late`.
+  State(std::string name_given, const fs::path& target_file, bool in_place, bool late)
       : name(std::move(name_given)), target(target_file) {
     if (!in_place) {
       temporary.emplace(temporary_name(target));
+      out.emplace(open_new(temporary->path(), name));
+    } else if (!late) {
+      out.emplace(open_in_place(name));
     }
-    out.emplace(in_place ? open_in_place(name) : open_new(temporary->path(), name));
   }
 
   // A killed process with the same number may have left `path`.
@@ -180,7 +183,8 @@ struct FileInProgress::State {
   fs::path target;
   std::optional<Temporary> temporary;
   std::optional<FileDescriptor> out;
-  int error = 0;  // of the first write that failed
+  std::vector<std::byte> held;  // of a target that is not open yet
+  int error = 0;                // of the first write that failed
 };
 
 FileInProgress::FileInProgress(const fs::path& file, Order order) {
@@ -189,7 +193,7 @@ FileInProgress::FileInProgress(const fs::path& file, Order order) {
   if (in_place && order == Order::any) {
     throw InputError(name + ": a picture in tiles needs a file in which one can go back; name one, such as sky.exr");
   }
-  state_ = std::make_unique<State>(name, in_place ? file : behind_links(file), in_place);
+  state_ = std::make_unique<State>(name, in_place ? file : behind_links(file), in_place, order == Order::held);
   if (in_place) {
     return;
   }
@@ -203,6 +207,12 @@ FileInProgress::FileInProgress(const fs::path& file, Order order) {
 FileInProgress::~FileInProgress() = default;
 
 void FileInProgress::write(std::uint64_t position, std::span<const std::byte> contents) {
+  if (!state_->out) {
+    std::vector<std::byte>& held = state_->held;
+    held.resize(std::max(held.size(), static_cast<std::size_t>(position) + contents.size()));
+    std::ranges::copy(contents, held.begin() + static_cast<std::ptrdiff_t>(position));
+    return;
+  }
   if (!state_->temporary) {
     if (!write_all(state_->out->get(), contents)) {
       state_->error = errno;
@@ -225,6 +235,10 @@ void FileInProgress::write(std::uint64_t position, std::span<const std::byte> co
 }
 
 void FileInProgress::commit() {
+  if (!state_->out) {
+    state_->out.emplace(open_in_place(state_->name));
+    write(0, state_->held);
+  }
   if (state_->error != 0) {
     fail(state_->name, "write", state_->error);
   }

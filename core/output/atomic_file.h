@@ -32,10 +32,12 @@ void write_file(const std::filesystem::path& file, const std::function<std::span
 // place.
 class FileInProgress {
  public:
-  enum class Order { any, onward };  // of pieces; onward: each one follows the last
+  // Of pieces. onward: each one follows the last. held: any, and what a rename cannot replace is opened at commit(),
+  // its contents kept in memory until then.
+  enum class Order { any, onward, held };
 
   // Throws RunError with the path and the system's reason. Throws InputError for a pipe, device or open descriptor,
-  // where no write can go back, unless the order is onward.
+  // where no write can go back, if the order is any.
   explicit FileInProgress(const std::filesystem::path& file, Order order = Order::any);
   FileInProgress(const FileInProgress&) = delete;
   FileInProgress& operator=(const FileInProgress&) = delete;

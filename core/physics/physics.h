@@ -64,6 +64,7 @@ struct Physics {
   uint degree = 2;
   bool delta = false;
   bool polarisation = false;
+  bool molecules_alone = false;  // molecules apart, no medium scatters with a direction
   HostTable sun_table;  // mean extinction to the top over the rows of shells (physics/shells.glsl)
   AnalyticData analytic{};
   std::vector<GlarePoint> glare_points;             // the sum of the points first
@@ -86,6 +87,7 @@ struct Physics {
   vec3 fetch_ground_irradiance(real x) const { return ground_irradiance_lut.fetch_unit(x, 0.5); }
   uint moment_degree() const { return degree; }
   uint source_degree() const { return degree; }
+  uint scattered_degree() const { return molecules_alone ? 0u : degree; }
   bool delta_scaled() const { return delta; }
   bool polarised() const { return polarisation; }
   uint shell_rows() const { return scene.shell_rows; }
@@ -127,6 +129,7 @@ struct Physics {
     return root * root;
   }
 #include "shaders/physics/terrain.glsl"
+  bool has_ground_maps() const { return ground_maps != nullptr; }
   const GroundShape& ground_shape() const { return ground_maps->head.shape; }
   uint ground_albedo_first(uint level) const { return ground_maps->head.albedo_first[level]; }
   uint ground_water_first(uint level) const { return ground_maps->head.water_first[level]; }
@@ -144,12 +147,9 @@ struct Physics {
   uint sphere_count() const { return static_cast<uint>(spheres.size()); }
   const SphereData& sphere(uint i) const { return spheres[i]; }
 #include "shaders/physics/spheres.glsl"
-  GroundTrack ray_track = {};  // of the ray at hand, through air with the terrain's shadow
-  real ray_start = 0.0;        // where the march begins along it
-  real sun_share(const Ray& ray, real t, real width) {
-    const bool shadowed = terrain_maps != nullptr && terrain_maps->shadows != nullptr;
-    return shadowed ? step_sunlit(scene.planet, ray_track, ray_start, ray, t, width) : 1.0;
-  }
+  bool has_terrain() const { return terrain_maps != nullptr; }
+#include "shaders/physics/things.glsl"
+  real sun_share(const Ray& /*ray*/, real /*t*/, real /*width*/) const { return 1.0; }
 #include "shaders/physics/medium.glsl"
 #include "shaders/physics/polarisation.glsl"
 #include "shaders/physics/segment.glsl"
@@ -162,9 +162,11 @@ struct Physics {
   vec3 transmittance_to_top(PlanetData planet, real h, real mu) {
     return sun_steps > 0 ? exp(-optical_depth_to_top(planet, h, mu, sun_steps)) : table_transmittance(planet, h, mu);
   }
+  Sight sight_of(const vec3& direction) {
+    return sight_from(scene.planet, scene.camera.altitude, vec3(0.0), direction, scene.sun.direction);
+  }
   bool disc_is_hidden(const vec3& direction) {
-    return nearest_sphere(vec3(0.0), direction, kNoSphere).hit ||
-           (terrain_maps != nullptr && terrain_hit(scene.planet, ground_track(scene.camera.altitude, direction)).hit);
+    return hits_thing(nearest_thing(scene.planet, sight_of(direction), kNoSphere));
   }
 #include "shaders/physics/sun_disc.glsl"
 #include "shaders/physics/sunlight.glsl"
@@ -189,6 +191,7 @@ struct Physics {
 #include "shaders/physics/surface_light.glsl"
 #include "shaders/physics/terrain_light.glsl"
 #include "shaders/physics/sphere_light.glsl"
+#include "shaders/physics/things_light.glsl"
 #include "shaders/physics/sky_table.glsl"
 #include "shaders/physics/space_table.glsl"
 #include "shaders/physics/aerial_volume.glsl"

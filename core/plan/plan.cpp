@@ -56,6 +56,12 @@ BufferId Plan::add_shared_buffer(BufferDesc desc) {
   return {static_cast<std::uint32_t>(buffers_.size() - 1)};
 }
 
+BufferId Plan::add_buffer_once(BufferDesc desc) {
+  desc.name += suffix_;
+  desc.key += desc.key.empty() ? "" : suffix_;
+  return add_shared_buffer(std::move(desc));
+}
+
 void Plan::add_pass(PassDesc desc) {
   desc.scene = current_scene_;
   if (!suffix_.empty()) {

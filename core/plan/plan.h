@@ -126,6 +126,8 @@ class Plan {
   // Adds one buffer for all scenes of the plan. A second call with this name returns the first buffer, whose contents
   // are equal.
   BufferId add_shared_buffer(BufferDesc desc);
+  // Likewise one buffer for the current scene.
+  BufferId add_buffer_once(BufferDesc desc);
   void add_pass(PassDesc desc);
   // Copies an image to a new host-readable buffer after the last pass, tightly packed, rows from the top.
   BufferId add_readback(ImageId image);

@@ -10,7 +10,6 @@
 #include "core/post/disc_parts.h"
 #include "core/post/host_post.h"
 #include "core/post/post.h"
-#include "core/things/spheres.h"
 
 namespace airlight {
 namespace {
@@ -28,8 +27,7 @@ using physics::GlarePoint;
 std::vector<GlarePoint> disc_sources(const Part& part) {
   physics::Physics p = formulas_of(part.air, part.scene);
   p.sun_steps = physics::kTransmittanceSteps;
-  p.spheres = spheres_of(part.scene);
-  p.terrain_maps = part.things.terrain();
+  part.things.put_into(p);
   const vec3 sun = p.scene.sun.direction;
   const auto [a, b] = across(sun);
   const double radius = part.scene.sun.disc.angular_radius;

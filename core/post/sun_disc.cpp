@@ -7,8 +7,7 @@
 #include "core/post/disc_parts.h"
 #include "core/post/host_post.h"
 #include "core/post/post.h"
-#include "core/things/spheres.h"
-#include "core/things/terrain_buffers.h"
+#include "core/things/thing_buffers.h"
 
 namespace airlight {
 namespace {
@@ -47,12 +46,11 @@ bool add_sun_disc(Plan& plan, const Part& part, std::optional<ImageId> transmitt
   constants.push_back({"kProjection", projection_code(part.scene.camera.projection)});
   std::vector<Binding> reads{{"transmittance_lut", table}};
   const char* shader = "sun_disc";
-  if (part.scene.terrain) {
-    shader = "sun_disc_terrain";
-    reads.push_back({"terrain", add_terrain_heights(plan, "terrain before the disc", *part.things.terrain())});
-  } else if (!part.scene.spheres.empty()) {
-    shader = "sun_disc_spheres";
-    reads.push_back({"spheres", add_spheres(plan, "spheres before the disc", part.scene)});
+  if (part.things.stand_in_the_air()) {
+    shader = "sun_disc_things";
+    const ThingInputs things = add_things(plan, part.scene, part.things);
+    reads.insert(reads.end(), things.reads.begin(), things.reads.end());
+    constants.insert(constants.end(), things.constants.begin(), things.constants.end());
   }
   for (const auto& [pixels, box] : parts) {
     plan.add_pass({.name = "sun_disc",
@@ -71,6 +69,7 @@ bool add_sun_disc(Plan& plan, const Part& part, std::optional<ImageId> transmitt
 bool draw_sun_disc(RadianceImage& picture, const Part& part, const Tile& tile) {
   physics::Physics p = formulas_of(part.air, part.scene);
   p.sun_steps = physics::kTransmittanceSteps;
+  part.things.put_into(p);
   const std::vector<DiscPart> parts = disc_parts(p, part.scene, tile);
   const physics::uint projection = projection_code(part.scene.camera.projection);
   for (const auto& [pixels, box] : parts) {

@@ -1,7 +1,6 @@
 #include "core/render/layers.h"
 
 #include <algorithm>
-#include <bit>
 #include <cassert>
 #include <cmath>
 #include <set>
@@ -9,10 +8,11 @@
 #include "core/methods/method.h"
 #include "core/methods/spectral_sums.h"
 #include "core/plan/bytes.h"
-#include "core/render/picture_key.h"
+#include "core/render/pixels.h"
 #include "core/render/sky.h"
 #include "core/render/timings.h"
 #include "core/scene/photometry.h"
+#include "core/stage/sums.h"
 #include "core/text.h"
 
 namespace airlight {
@@ -47,10 +47,6 @@ std::string unlike(const std::set<std::string>& taken, const std::string& name) 
   return other;
 }
 
-std::size_t pixels_of(const Tile& tile) {
-  return static_cast<std::size_t>(tile.width) * static_cast<std::size_t>(tile.height);
-}
-
 Layer& find(std::vector<Layer>& layers, std::string_view name) {
   const auto found = std::ranges::find_if(layers, [&](const Layer& layer) { return layer.name == name; });
   assert(found != layers.end());
@@ -62,8 +58,9 @@ std::vector<float> floats(std::span<const std::byte> bytes, std::size_t first, s
 }
 
 // Depth and normals in double, from the geometry alone.
-void add_geometry(std::vector<Layer>& layers, const Scene& scene, const Tile& tile) {
+void add_geometry(std::vector<Layer>& layers, const Scene& scene, const Things& things, const Tile& tile) {
   physics::Physics p = geometry_of(scene);
+  things.put_into(p);
   const std::size_t pixels = pixels_of(tile);
   std::vector<float>& depth = find(layers, "depth").planes;
   std::vector<float>& normal = find(layers, "N").planes;
@@ -77,60 +74,30 @@ void add_geometry(std::vector<Layer>& layers, const Scene& scene, const Tile& ti
     if (!ray.inside) {
       continue;
     }
-    const double distance = p.distance_to_end(planet, h, ray.direction.y);
+    const auto sight = p.sight_of(ray.direction);
+    const auto hit = p.nearest_thing(planet, sight, physics::kNoSphere);
+    const double distance = hit.what == p.kMeetsSky ? p.distance_to_end(planet, h, ray.direction.y) : hit.distance_;
     depth[i] = distance < 0.0 ? kNoDistance : static_cast<float>(distance);
-    if (p.meets_ground(planet, h, ray.direction.y)) {
-      const vec3 up = physics::normalize(ray.direction * distance + vec3(0.0, planet.ground_radius + h, 0.0));
-      normal[i] = static_cast<float>(up.x);
-      normal[pixels + i] = static_cast<float>(up.y);
-      normal[2 * pixels + i] = static_cast<float>(up.z);
+    if (hit.what != p.kMeetsSky) {
+      const vec3 n = p.surface_at(planet, h, sight, hit, 0.0).normal;
+      normal[i] = static_cast<float>(n.x);
+      normal[pixels + i] = static_cast<float>(n.y);
+      normal[2 * pixels + i] = static_cast<float>(n.z);
     }
   }
 }
 
-// Number of rows in a band whose device buffers take at most kLayerBandBytes.
-int band_rows(const Stage& stage) {
-  const ImageSize& image = stage.scene().image;
-  const std::size_t layers = static_cast<std::size_t>(std::popcount(stage.scattering_media())) + 3;
-  const std::size_t row = (3 * layers + 4) * sizeof(float) * static_cast<std::size_t>(image.width);
-  return static_cast<int>(std::clamp<std::size_t>(kLayerBandBytes / row, 1, static_cast<std::size_t>(image.height)));
-}
-
-void put_band(Layer& whole, const Layer& band, const Tile& tile, int height) {
-  const std::size_t plane = static_cast<std::size_t>(tile.width) * static_cast<std::size_t>(height);
-  const std::size_t first = static_cast<std::size_t>(tile.width) * static_cast<std::size_t>(tile.y);
-  const std::size_t pixels = pixels_of(tile);
-  whole.planes.resize(whole.channels.size() * plane);
-  for (std::size_t c = 0; c < whole.channels.size(); ++c) {
-    const float* from = band.planes.data() + c * pixels;
-    std::copy(from, from + pixels, whole.planes.data() + c * plane + first);
-  }
-}
-
-// Adds three channels as colours to a layer.
-void add_channels(Layer& layer, std::span<const float> channels, const std::array<Rgb, 3>& colours,
-                  std::size_t pixels) {
+// Adds three channels as colours to a layer: channel k of pixel i stands at k plane + i step.
+void add_channels(Layer& layer, std::span<const float> channels, std::size_t plane, std::size_t step,
+                  const std::array<Rgb, 3>& colours) {
+  const std::size_t pixels = layer.planes.size() / 3;
   for (std::size_t i = 0; i < pixels; ++i) {
+    const auto channel = [&](std::size_t k) { return double{channels[k * plane + i * step]}; };
     for (std::size_t c = 0; c < 3; ++c) {
-      double sum = static_cast<double>(layer.planes[c * pixels + i]);
-      for (std::size_t k = 0; k < 3; ++k) {
-        sum += colours[k][c] * static_cast<double>(channels[k * pixels + i]);
-      }
-      layer.planes[c * pixels + i] = static_cast<float>(sum);
+      float& sum = layer.planes[c * pixels + i];
+      sum = static_cast<float>(add_colour(double{sum}, colours, c, channel(0), channel(1), channel(2)));
     }
   }
-}
-
-// Planes of red, green and blue from pixels of four floats.
-std::vector<float> planes_of(std::span<const std::byte> bytes, std::size_t pixels) {
-  const std::vector<float> rgba = floats(bytes, 0, 4 * pixels);
-  std::vector<float> planes(3 * pixels);
-  for (std::size_t i = 0; i < pixels; ++i) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      planes[c * pixels + i] = rgba[4 * i + c];
-    }
-  }
-  return planes;
 }
 
 // Adds the device's planes of a part: those of layers_of() up to transmittance, without the media that do not scatter
@@ -141,7 +108,7 @@ void add_planes(std::vector<Layer>& layers, std::span<const std::byte> bytes, co
   std::size_t plane = 0;
   const auto add = [&](bool is_there, const std::array<Rgb, 3>& colours) {
     if (is_there) {
-      add_channels(layers[layer], floats(bytes, plane, 3 * pixels), colours, pixels);
+      add_channels(layers[layer], floats(bytes, plane, 3 * pixels), pixels, 1, colours);
       plane += 3 * pixels;
     }
     ++layer;
@@ -171,7 +138,7 @@ void render_part(std::vector<Layer>& layers, Executor& executor, const Stage& st
   timings.add(result);
   add_planes(layers, result.contents(passes.planes), part, stage.scattering_media(), pixels);
   if (shines) {
-    add_channels(find(layers, "sun"), planes_of(result.contents(disc), pixels), part.colours, pixels);
+    add_channels(find(layers, "sun"), floats(result.contents(disc), 0, 4 * pixels), 1, 4, part.colours);
   }
 }
 
@@ -197,11 +164,6 @@ std::vector<Layer> layers_of(const Stage& stage) {
   return layers;
 }
 
-std::string layers_refusal(const Scene& scene) {
-  const auto refusal = method_of(scene).layers_refusal;
-  return refusal == nullptr ? std::string() : refusal(scene);
-}
-
 std::string methods_with_layers() {
   return joined_of(methods(), [](const SkyMethod& method) {
     return method.add_layer_passes != nullptr ? method.info.name : std::string_view();
@@ -217,22 +179,7 @@ std::vector<Layer> render_layers(Executor& executor, const Stage& stage, const T
   for (const Part& part : stage.parts()) {
     render_part(layers, executor, stage, part, {.directions = {}, .tile = tile, .kept_as = kept_as}, timings);
   }
-  add_geometry(layers, stage.scene(), tile);
-  return layers;
-}
-
-std::vector<Layer> render_layers(Executor& executor, const Stage& stage, const Timings& timings) {
-  std::vector<Layer> layers = layers_of(stage);
-  const std::string key = picture_key();
-  const ImageSize& image = stage.scene().image;
-  const int rows = band_rows(stage);
-  for (int y = 0; y < image.height; y += rows) {
-    const Tile tile{0, y, image.width, std::min(rows, image.height - y)};
-    const std::vector<Layer> band = render_layers(executor, stage, tile, key, timings);
-    for (std::size_t i = 0; i < layers.size(); ++i) {
-      put_band(layers[i], band[i], tile, image.height);
-    }
-  }
+  add_geometry(layers, stage.scene(), stage.whole().things, tile);
   return layers;
 }
 

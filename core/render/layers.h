@@ -27,14 +27,10 @@ inline constexpr float kNoDistance = 1e10F;
 
 // The layers of a stage's picture, without planes. Light, all in W/(m2 sr): the single scattering of each medium that
 // scatters, named after the medium as far as a channel's name permits; multiple (scattered more than once), sun (the
-// disc), ground (reflected by it, seen through the air). Others: transmittance to the ground or to space; depth, the
-// distance to the ground or to where the ray leaves the air, km; N, the ground's normal in the preset's frame, 0 where
-// there is none.
+// disc), ground (sent back by the ground and things, seen through the air). Others: transmittance to the ray's end;
+// depth, the distance to the ground, to a thing or to where the ray leaves the air, km; N, the normal there in the
+// preset's frame, 0 where there is none.
 std::vector<Layer> layers_of(const Stage& stage);
-
-// Why this scene's picture has no layers though its method has them: things whose light is not kept apart. Empty: it
-// has layers.
-std::string layers_refusal(const Scene& scene);
 
 // The methods that have layers, for messages.
 std::string methods_with_layers();
@@ -42,10 +38,6 @@ std::string methods_with_layers();
 // The layers of one tile, for a method that has them. `kept_as`: as View::kept_as. Adds to `timings`.
 std::vector<Layer> render_layers(Executor& executor, const Stage& stage, const Tile& tile, const std::string& kept_as,
                                  const Timings& timings);
-
-// The layers of the whole picture, on the device in bands of at most kLayerBandBytes.
-inline constexpr std::size_t kLayerBandBytes = std::size_t{32} << 20;
-std::vector<Layer> render_layers(Executor& executor, const Stage& stage, const Timings& timings);
 
 // Counts values that are not finite, or negative in a layer where that is wrong; `width`: of the rows.
 // `signed_colours`: a channel of a colour may be negative, its luminance not.

@@ -6,7 +6,6 @@
 #include "core/air/scene_block.h"
 #include "core/error.h"
 #include "core/methods/ready.h"
-#include "core/things/spheres.h"
 
 namespace airlight {
 namespace {
@@ -180,8 +179,7 @@ SunLight sun_light(const DeviceOnDemand& device, const Stage& stage) {
                  .irradiance_above_air = scene.sun.irradiance};
   std::vector<Direction> directions;
   std::vector<double> shares;
-  p.spheres = spheres_of(scene);
-  p.terrain_maps = stage.whole().things.terrain();
+  stage.whole().things.put_into(p);
   const auto is_hidden = [&](const Direction& d) {
     return p.disc_is_hidden(p.direction_from_angles(d.elevation, d.azimuth));
   };

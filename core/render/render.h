@@ -10,11 +10,11 @@
 #include "core/gpu/executor.h"
 #include "core/methods/method.h"
 #include "core/post/post.h"
-#include "core/radiance_image.h"
 #include "core/render/layers.h"
+#include "core/render/pixels.h"
 #include "core/render/table_reads.h"
 #include "core/scene/scene.h"
-#include "core/spectral_image.h"
+#include "core/spectra/colour.h"
 
 namespace airlight {
 
@@ -27,20 +27,17 @@ struct RenderRequest {
   bool gpu_tone = false;      // also run the GPU tone curve
   bool tables = false;        // read the tables back
   bool layers = false;        // for a method that has add_layer_passes
-  HostOptions host;           // for a method on the host; `report` also hears of the device
+  // Wavelengths of a spectrum beside the picture, of a scene with spectra. The colours are then the spectrum's own if
+  // it yields them to kTellsColours (core/render/spectrum.h); a fault at any wavelength is the result's fault.
+  std::optional<Nodes> spectrum = {};
+  HostOptions host = {};  // for a method on the host; `report` also hears of the device
 };
 
-struct Rendering {
-  RadianceImage radiance;
-  std::optional<RadianceImage> standard_error;  // for a method that samples
-  std::optional<SpectralImage> spectrum;        // from render_spectrum()
-  std::optional<RadianceImage> bloom;           // before intensity; absent where nothing glows or it was not asked for
-  std::vector<std::uint16_t> encoded;           // gpu_tone: RGBA, sRGB-encoded, 0 to 65535
+struct Rendering : Pixels {
   double exposure = 1.0;
   Statistics picture;
   std::vector<NamedStatistics> tables_statistics;
   std::vector<TableDump> tables;
-  std::vector<Layer> layers;
   std::vector<NamedStatistics> layer_statistics;
   std::vector<std::string> left_out;  // parts that this picture does not need, with the reason
   std::vector<std::string> undone;    // parts that it needs but that would not have ended
@@ -53,17 +50,16 @@ struct Rendering {
   std::string picture_fault() const;  // the same without the layers
 };
 
-// Throws RunError when the device fails. A poisoned result is returned, not thrown: see Rendering::fault().
+// The whole picture in memory. Throws RunError when the device fails. A poisoned result is returned, not thrown: see
+// Rendering::fault().
 Rendering render(const DeviceOnDemand& device, const Stage& stage, const RenderRequest& request);
 
-// Opens the device where finish() would need it, before hours of samples are spent on a machine that lacks one.
-void open_for_finish(const DeviceOnDemand& device, const Stage& stage, const RenderRequest& request);
+// Opens the device where bloom or tone curve of a picture made on the host would need it, before hours of samples are
+// spent on a machine that lacks one.
+void open_for_post(const DeviceOnDemand& device, const Stage& stage, const RenderRequest& request);
 
-// Computes everything in a rendering that follows from its radiance with the disc: statistics, exposure, bloom, tone
-// curve.
-void finish(const DeviceOnDemand& device, const Stage& stage, const RenderRequest& request, Rendering& out);
-
-// A plan with every pass that render() may run, and the tables' sizes; opens no device.
+// A plan with every pass that render() may run, of a spectrum those of its first wavelengths, and the tables' sizes;
+// opens no device.
 Plan plan_for(const Stage& stage, const RenderRequest& request);
 
 struct ProbeResult {

@@ -56,9 +56,7 @@ bool add_disc(Plan& plan, const Stage& stage, std::vector<ImageId> tables, const
 }
 
 physics::vec3 in_colours(const physics::vec3& channels, const std::array<Rgb, 3>& colours) {
-  const auto sum = [&](std::size_t c) {
-    return colours[0][c] * channels.x + colours[1][c] * channels.y + colours[2][c] * channels.z;
-  };
+  const auto sum = [&](std::size_t c) { return add_colour(0.0, colours, c, channels.x, channels.y, channels.z); };
   return {sum(0), sum(1), sum(2)};
 }
 

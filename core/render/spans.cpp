@@ -14,6 +14,7 @@
 #include "core/methods/spectral_sums.h"
 #include "core/render/timings.h"
 #include "core/scene/photometry.h"
+#include "core/stage/sums.h"
 
 namespace airlight {
 namespace {
@@ -60,8 +61,8 @@ void add_part(std::span<AirTo> sums, std::span<const std::byte> bytes, bool pack
               const std::array<Rgb, 3>& transmittance) {
   const auto add = [](std::array<float, 3>& sum, const float* channels, const std::array<Rgb, 3>& colours) {
     for (std::size_t c = 0; c < 3; ++c) {
-      sum[c] += static_cast<float>(colours[0][c] * double{channels[0]} + colours[1][c] * double{channels[1]} +
-                                   colours[2][c] * double{channels[2]});
+      sum[c] += static_cast<float>(
+          add_colour(0.0, colours, c, double{channels[0]}, double{channels[1]}, double{channels[2]}));
     }
   };
   for (std::size_t i = 0; i < sums.size(); ++i) {

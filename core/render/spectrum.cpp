@@ -58,15 +58,18 @@ void add_planes(SpectralImage& spectrum, const RadianceImage& part, std::size_t 
   }
 }
 
-void add_group(Rendering& all, Rendering part, const std::array<Rgb, 3>& colours) {
-  add_part(all.radiance, part.radiance, colours);
-  if (part.standard_error) {
-    add_error(all.standard_error ? *all.standard_error : all.standard_error.emplace(), *part.standard_error, colours);
+// Adds a group's times and, where the spectrum `tells_colours`, what it gives to the picture.
+void add_group(Rendering& all, Rendering part, const std::array<Rgb, 3>& colours, bool tells_colours) {
+  if (tells_colours) {
+    add_part(all.radiance, part.radiance, colours);
+    if (part.standard_error) {
+      add_error(all.standard_error ? *all.standard_error : all.standard_error.emplace(), *part.standard_error, colours);
+    }
+    all.tables_statistics.insert(all.tables_statistics.end(), part.tables_statistics.begin(),
+                                 part.tables_statistics.end());
+    add_new_lines(all.left_out, part.left_out);
+    add_new_lines(all.undone, part.undone);
   }
-  all.tables_statistics.insert(all.tables_statistics.end(), part.tables_statistics.begin(),
-                               part.tables_statistics.end());
-  add_new_lines(all.left_out, part.left_out);
-  add_new_lines(all.undone, part.undone);
   add_timings(all.passes, part.passes);
   add_timings(all.host, part.host);
 }
@@ -82,49 +85,45 @@ SpectralUnit spectral_unit(const Scene& scene) {
   return {1.0, is_solar(sun) ? kAbsolute : kPresetsOwn};
 }
 
-Rendering render_spectrum(const DeviceOnDemand& device, const Stage& stage, const RenderRequest& request,
-                          const Nodes& nodes) {
+Rendering render_spectrum(const DeviceOnDemand& device, const Stage& stage, BandsRequest request) {
   const Scene& scene = stage.scene();
+  const Nodes nodes = *std::exchange(request.picture.spectrum, std::nullopt);
   const Stage listed = ready_at(scene, nodes, stage);
   SpectralImage spectrum = described(scene, nodes);
   spectrum.tells_colours = tells_colours(listed);
   const std::vector<double> scales = channel_scales(scene, nodes);
   const std::size_t count = listed.parts().size() + (spectrum.tells_colours ? 0 : 1);
-  GroupRuns runs(request.host, count, ".wavelengths");
-  open_for_finish(device, stage, request);
-  Rendering out;
+  const HostOptions whole = request.picture.host;
+  GroupRuns runs(whole, count, ".wavelengths");
+  open_for_post(device, stage, request.picture);
+  Rendering given;
   for (std::size_t g = 0; g < listed.parts().size(); ++g) {
     Scene group = listed.parts()[g].scene;
     RenderRequest plain;
     plain.host = runs.start(group, g);
     Rendering part = render(device, ready(group, listed), plain);
     if (!part.fault().empty()) {
+      Band faulty{0, part};
+      if (request.past_faults) {
+        request.sink(faulty);
+      }
       return part;
     }
     add_planes(spectrum, part.radiance, 3 * g, scales);
-    add_group(out, std::move(part), listed.parts()[g].colours);
+    add_group(given, std::move(part), listed.parts()[g].colours, spectrum.tells_colours);
   }
-  if (spectrum.tells_colours) {
-    if (out.standard_error) {
-      take_roots(*out.standard_error);
-    }
-    finish(device, stage, request, out);
-  } else {
+  if (given.standard_error) {
+    take_roots(*given.standard_error);
+  }
+  if (!spectrum.tells_colours) {
     Scene other = scene;  // whose seed is not used: the picture is that of a render without a spectrum
-    RenderRequest last = request;
-    last.host = runs.start(other, count - 1);
-    Rendering picture = render(device, stage, last);
-    add_timings(picture.passes, out.passes);
-    add_timings(picture.host, out.host);
-    out = std::move(picture);
+    request.picture.host = runs.start(other, count - 1);
   }
-  out.spectrum = std::move(spectrum);
+  SpectralImage told = spectrum.like();
+  given.spectrum = std::move(spectrum);
+  Rendering out = render_bands(device, stage, request, std::move(given));
+  out.spectrum = std::move(told);
   return out;
-}
-
-Plan plan_for_spectrum(const Stage& stage, const Nodes& nodes) {
-  const Stage listed = ready_at(stage.scene(), nodes, stage);
-  return plan_for(ready(listed.parts().front().scene, listed), {});
 }
 
 SpectralProbes probe_spectrum(const DeviceOnDemand& device, const Stage& stage,

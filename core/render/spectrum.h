@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/render/render.h"
+#include "core/render/bands.h"
 #include "core/spectra/colour.h"
 
 namespace airlight {
@@ -23,14 +23,9 @@ struct SpectralUnit {
 };
 SpectralUnit spectral_unit(const Scene& scene);
 
-// The picture of a scene with spectra together with its spectrum: radiance averaged over the nodes' bands, sun's disc
-// included. The colours are the spectrum's own if it yields them to kTellsColours, else render()'s. Layers and tables
-// are not rendered. Throws as render() does; a fault at any wavelength is the result's fault.
-Rendering render_spectrum(const DeviceOnDemand& device, const Stage& stage, const RenderRequest& request,
-                          const Nodes& nodes);
-
-// A plan with every pass that one group of the wavelengths may run; opens no device.
-Plan plan_for_spectrum(const Stage& stage, const Nodes& nodes);
+// render_bands() of a request for a spectrum: radiance averaged over the nodes' bands, sun's disc included, beside the
+// picture. Every three wavelengths are a picture of their own, which is kept in memory until its bands go on.
+Rendering render_spectrum(const DeviceOnDemand& device, const Stage& stage, BandsRequest request);
 
 struct SpectralProbe {
   std::vector<double> radiance;       // by wavelength, as SpectralImage has it; without the sun's disc

@@ -193,7 +193,7 @@ void describe_camera(Lines& lines, const Camera& camera, const ImageSize& image)
 }
 
 void describe_render(Lines& lines, const RenderSettings& render) {
-  lines.heading("render").line("method", render.method);
+  lines.heading("render").line("method", render.method).line("polarisation", render.polarisation ? "true" : "false");
   for (const auto& [key, value] : render.parameters) {
     const std::string text = json_text(value);
     lines.line(key, text.empty() ? "absent" : text);

@@ -40,7 +40,8 @@ struct MethodInfo {
   std::span<const ParameterInfo> parameters;
   bool knows_terrain = false;
   bool knows_spheres = false;
-  bool knows_ground_maps = false;  // planet.albedo_map, planet.ocean
+  bool knows_translucent_spheres = false;  // whose light follows a published form, not paths
+  bool knows_ground_maps = false;          // planet.albedo_map, planet.ocean
 };
 
 }  // namespace airlight

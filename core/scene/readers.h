@@ -41,8 +41,7 @@ std::optional<KeyFrames> read_key_frames(const Section& root, std::span<const Me
 // leads nowhere.
 void for_each_key_frame(const Preset& preset, const std::function<void(const Preset& frame)>& use);
 
-// Reports what is incompatible with terrain, a ground by maps and spheres: methods that do not support them, one
-// another, curves over the wavelength. `curves`: the preset has some.
-void refuse_misfits(const Section& root, const Scene& scene, bool curves, std::span<const MethodInfo> methods);
+// Reports things that the scene's method does not support.
+void refuse_misfits(const Section& root, const Scene& scene, std::span<const MethodInfo> methods);
 
 }  // namespace airlight

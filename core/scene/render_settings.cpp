@@ -1,6 +1,7 @@
 #include "core/scene/render_settings.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +14,9 @@
 
 namespace airlight {
 namespace {
+
+// Keys of `render` beside the method's own.
+constexpr std::array<std::string_view, 3> kOfEveryMethod{"method", "wavelengths", "polarisation"};
 
 const ParameterInfo* find_parameter(const MethodInfo& method, std::string_view key) {
   const auto found =
@@ -131,7 +135,7 @@ void refuse_key(const Section& render, const std::string& key, const PresetValue
     }
     return;
   }
-  std::vector<std::string> known = {"method", "wavelengths"};
+  std::vector<std::string> known(kOfEveryMethod.begin(), kOfEveryMethod.end());
   for (const MethodInfo& method : methods) {
     if (chosen == nullptr || &method == chosen) {
       for (const ParameterInfo& parameter : method.parameters) {
@@ -200,9 +204,10 @@ RenderSettings read_render_settings(const Section& root, std::span<const MethodI
   if (render.object() == nullptr) {
     return settings;
   }
+  settings.polarisation = render.boolean("polarisation");
   for (const auto& [key, value] : *render.object()) {
-    if (key == "method" || key == "wavelengths") {
-      continue;  // of every method
+    if (std::ranges::find(kOfEveryMethod, key) != kOfEveryMethod.end()) {
+      continue;
     }
     const ParameterInfo* parameter = method == nullptr ? nullptr : find_parameter(*method, key);
     if (parameter != nullptr) {

@@ -162,7 +162,7 @@ Scene read_scene(const Section& root, std::span<const MethodInfo> methods) {
     scene.spectra = std::move(spectra);
     fill_channels(scene);
   }
-  refuse_misfits(root, scene, curves.any(), methods);
+  refuse_misfits(root, scene, methods);
   scene.bloom = read_bloom(root, scene.camera);
   scene.display = read_display(root);
   return scene;

@@ -241,6 +241,10 @@ constexpr auto kRules = std::to_array<Rule>({
         "", "auto",
         "wavelengths that a scene with spectra is rendered at, in groups of three; \"auto\": the fewest of 3, 6, 12 "
         "and 24 that are wrong by at most 0.4 % for sunlight scattered once"),
+    row(RuleType::boolean, "render.polarisation", {}, "", "true",
+        "whether molecules polarise the light that they scatter, and scatter polarised light accordingly: of every "
+        "method that follows light scattered more than once by its direction; the others, by whose mean it is lit, "
+        "leave this out"),
     row(RuleType::method, "render.method", {}, "", "orders", "a method's name, see `airlight methods`"),
 
     row(RuleType::boolean, "bloom.enabled", {}, "", "true",

@@ -85,6 +85,20 @@ struct TerrainFiles {
   std::vector<float> colours;  // linear R, G, B; empty: one albedo
 };
 
+// For a map's colours: channel c's reflectance is the sum of mix[c][j] x colour j. Channels may be wavelengths.
+using ColourMix = std::array<Spectrum, 3>;
+inline constexpr ColourMix kColoursThemselves{{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
+
+// The reflectance in channel c of a map's colour.
+template <class T>
+double mixed(const ColourMix& mix, std::size_t c, const T* colour) {
+  double sum = 0.0;
+  for (std::size_t j = 0; j < 3; ++j) {
+    sum += mix[c][j] * static_cast<double>(colour[j]);
+  }
+  return sum;
+}
+
 struct Terrain {
   std::optional<Ridge> ridge;  // absent: a height map
   std::string height_map;      // file names, absolute; empty: none
@@ -96,8 +110,7 @@ struct Terrain {
   double distance = 0.0;  // km, likewise
   double turn = 0.0;      // rad, of the map's upper edge, clockwise from north
   Spectrum albedo{};      // of the whole terrain, or the factor of the map's colours
-  // For a map's colour: channel c's reflectance is the sum of mix[c][j] x colour j. Channels may be wavelengths.
-  std::array<Spectrum, 3> mix{{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
+  ColourMix mix = kColoursThemselves;
   std::shared_ptr<const TerrainFiles> files;
   std::shared_ptr<const std::vector<double>> ridge_heights;  // km; null: made when they are asked for
 };
@@ -123,6 +136,7 @@ struct GroundFiles {
 struct GroundMap {
   std::string albedo_map;  // file name, absolute; empty: the planet's one albedo
   std::optional<Ocean> ocean;
+  ColourMix mix = kColoursThemselves;
   std::shared_ptr<const GroundFiles> files;
 };
 
@@ -198,6 +212,7 @@ struct Tile {
 // not have are left out.
 struct RenderSettings {
   std::string method = "orders";
+  bool polarisation = true;  // molecules polarise the light that they scatter
   std::map<std::string, ParameterValue, std::less<>> parameters;
 
   // The named parameter. To ask for one that the method does not declare, or with another type, is a programming error.

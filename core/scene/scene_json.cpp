@@ -241,7 +241,7 @@ std::string camera_json(const Camera& camera) {
 std::string render_json(const Scene& scene) {
   const RenderSettings& render = scene.render;
   JsonObject object(2);
-  object.text("method", render.method);
+  object.text("method", render.method).boolean("polarisation", render.polarisation);
   if (scene.spectra && scene.spectra->wavelengths != 0) {
     object.number("wavelengths", scene.spectra->wavelengths);
   }

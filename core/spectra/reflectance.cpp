@@ -1,5 +1,7 @@
 #include "core/spectra/reflectance.h"
 
+#include <algorithm>
+
 #include "core/spectra/cholesky.h"
 
 namespace airlight {
@@ -61,6 +63,16 @@ std::array<Curve, 3> reflectances_of_primaries(const Curve& sun, White white) {
     }
   }
   return curves;
+}
+
+Curve reflectance_of(const std::array<double, 3>& colour, const Curve& sun, White white) {
+  const std::array<Curve, 3> primaries = reflectances_of_primaries(sun, white);
+  Curve sum = scaled(primaries[0], colour[0]);
+  for (std::size_t b = 0; b < sum.values.size(); ++b) {
+    sum.values[b] += colour[1] * primaries[1].values[b] + colour[2] * primaries[2].values[b];
+    sum.values[b] = std::clamp(sum.values[b], 0.0, 1.0);
+  }
+  return sum;
 }
 
 }  // namespace airlight

@@ -12,4 +12,7 @@ namespace airlight {
 // at all wavelengths; one of a strong colour may leave 0 to 1.
 std::array<Curve, 3> reflectances_of_primaries(const Curve& sun, White white);
 
+// That of a colour.
+Curve reflectance_of(const std::array<double, 3>& colour, const Curve& sun, White white);
+
 }  // namespace airlight

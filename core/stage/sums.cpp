@@ -47,12 +47,10 @@ void add_part(RadianceImage& sum, const RadianceImage& part, const std::array<Rg
     sum = {part.width, part.height, std::vector<float>(part.rgba.size())};
   }
   for (std::size_t i = 0; i < part.rgba.size(); i += 4) {
+    const float* channels = &part.rgba[i];
     for (std::size_t c = 0; c < 3; ++c) {
-      double value = static_cast<double>(sum.rgba[i + c]);
-      for (std::size_t k = 0; k < 3; ++k) {
-        value += colours[k][c] * static_cast<double>(part.rgba[i + k]);
-      }
-      sum.rgba[i + c] = static_cast<float>(value);
+      sum.rgba[i + c] = static_cast<float>(add_colour(double{sum.rgba[i + c]}, colours, c, double{channels[0]},
+                                                      double{channels[1]}, double{channels[2]}));
     }
     sum.rgba[i + 3] = std::max(sum.rgba[i + 3], part.rgba[i + 3]);
   }

@@ -28,6 +28,12 @@ class GroupRuns {
   bool stopped_ = false;
 };
 
+// Channel c of the colour of a part's three channels, added to a sum.
+inline double add_colour(double sum, const std::array<Rgb, 3>& colours, std::size_t c, double first, double second,
+                         double third) {
+  return sum + colours[0][c] * first + colours[1][c] * second + colours[2][c] * third;
+}
+
 // Adds a group's picture, its channels as colours, to the sum; alpha is the maximum.
 void add_part(RadianceImage& sum, const RadianceImage& part, const std::array<Rgb, 3>& colours);
 

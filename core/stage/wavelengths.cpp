@@ -64,7 +64,7 @@ ColourBasis basis_at(const SceneSpectra& spectra, const Nodes& nodes) {
 }
 
 PartScenes::PartScenes(const Scene& scene, const ColourBasis& basis) : scene_(scene), basis_(basis) {
-  if (scene.terrain && !scene.terrain->albedo_map.empty()) {
+  if ((scene.terrain && !scene.terrain->albedo_map.empty()) || (scene.ground && !scene.ground->albedo_map.empty())) {
     primaries_ = reflectances_of_primaries(scene.spectra->sun, scene.spectra->white);
   }
 }
@@ -103,6 +103,9 @@ Scene PartScenes::scene(std::size_t part) const {
       for (std::size_t j = 0; j < 3 && !group.terrain->albedo_map.empty(); ++j) {
         group.terrain->mix[c][j] = at_node(primaries_[j], nodes, at[c]);
       }
+    }
+    for (std::size_t j = 0; j < 3 && group.ground && !group.ground->albedo_map.empty(); ++j) {
+      group.ground->mix[c][j] = at_node(primaries_[j], nodes, at[c]);
     }
     group.sun.irradiance[c] = spectra.irradiance;
   }

@@ -29,23 +29,23 @@ PlanetLevel level_of(const std::vector<float>& values, int rows, int channels) {
   return rows > kMostGroundRows ? resampled(level, kMostGroundRows, channels) : level;
 }
 
-physics::uint packed_colour(const float* albedo) {
+physics::uint packed_colour(const ColourMix& mix, const float* colour) {
   physics::uint bits = 0;
   for (physics::uint c = 0; c < 3; ++c) {
-    const double root = std::sqrt(std::clamp(static_cast<double>(albedo[c]), 0.0, 1.0));
+    const double root = std::sqrt(std::clamp(mixed(mix, c, colour), 0.0, 1.0));
     bits |= static_cast<physics::uint>(std::lround(root * 1023.0)) << (10U * c);
   }
   return bits;
 }
 
-void put_albedo(HostGround& out, const std::vector<PlanetLevel>& levels) {
+void put_albedo(HostGround& out, const std::vector<PlanetLevel>& levels, const ColourMix& mix) {
   out.head.shape.albedo_rows = static_cast<physics::uint>(levels.front().rows);
   out.head.shape.albedo_levels = static_cast<physics::uint>(levels.size());
   auto albedo = std::make_shared<std::vector<physics::uint>>();
   for (std::size_t k = 0; k < levels.size(); ++k) {
     out.head.albedo_first[k] = static_cast<physics::uint>(albedo->size());
     for (std::size_t i = 0; i < levels[k].values.size(); i += kColourChannels) {
-      albedo->push_back(packed_colour(&levels[k].values[i]));
+      albedo->push_back(packed_colour(mix, &levels[k].values[i]));
     }
   }
   out.albedo = std::move(albedo);
@@ -74,7 +74,8 @@ HostGround planet_maps(const GroundMap& map, const Spectrum& albedo) {
   const GroundFiles* files = map.files.get();
   HostGround out;
   if (files != nullptr && !files->colours.empty()) {
-    put_albedo(out, planet_levels(level_of(files->colours, files->colour_rows, kColourChannels), kColourChannels));
+    put_albedo(out, planet_levels(level_of(files->colours, files->colour_rows, kColourChannels), kColourChannels),
+               map.mix);
   } else {
     std::vector<float> same;
     for (int i = 0; i < 2; ++i) {
@@ -82,7 +83,7 @@ HostGround planet_maps(const GroundMap& map, const Spectrum& albedo) {
         same.push_back(static_cast<float>(channel));
       }
     }
-    put_albedo(out, {{1, same}});
+    put_albedo(out, {{1, same}}, kColoursThemselves);
   }
   const bool masked = files != nullptr && !files->water.empty();
   if (masked) {
@@ -151,6 +152,11 @@ std::string ground_key(const Scene& scene) {
   if (!scene.ground->files || scene.ground->files->colours.empty()) {
     for (const double albedo : scene.planet.ground_albedo) {
       key += " " + digits_of(albedo);
+    }
+  }
+  for (std::size_t c = 0; c < 3 && scene.ground->mix != kColoursThemselves; ++c) {
+    for (const double share : scene.ground->mix[c]) {
+      key += " " + digits_of(share);
     }
   }
   return key + (scene.ground->ocean ? " wind " + digits_of(scene.ground->ocean->wind) : "");

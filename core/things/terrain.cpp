@@ -160,9 +160,7 @@ void put_colours(HostTerrain& out, const Terrain& terrain) {
   for (std::size_t i = 0; i + 2 < files->colours.size(); i += 3) {
     std::array<double, 3> albedo{};
     for (std::size_t c = 0; c < 3; ++c) {
-      for (std::size_t j = 0; j < 3; ++j) {
-        albedo[c] += terrain.albedo[c] * terrain.mix[c][j] * static_cast<double>(files->colours[i + j]);
-      }
+      albedo[c] = terrain.albedo[c] * mixed(terrain.mix, c, &files->colours[i]);
     }
     out.colours.push_back(packed(albedo));
   }

@@ -31,9 +31,6 @@ void refuse_sunken(const Terrain& terrain, const physics::HostTerrain& maps);
 // Throws InputError where a camera of this altitude stands inside the terrain.
 void refuse_buried_camera(double altitude, const std::shared_ptr<const physics::HostTerrain>& terrain);
 
-// Greatest distance of a shadow from the camera, km along the ground.
-double shadow_reach(const physics::TerrainData& shape);
-
 // Two terrains with equal height_key() have the same heights; with equal terrain_key() the same albedo too. Two scenes
 // with equal shadow_key() have the same shadow.
 std::string height_key(const Terrain& terrain);

@@ -100,8 +100,7 @@ std::vector<physics::vec2> swept(const Sun& sun, double radius, const std::share
   return shadows;
 }
 
-}  // namespace
-
+// Greatest distance of a shadow from the camera, km along the ground.
 double shadow_reach(const TerrainData& t) {
   double reach = 0.0;
   for (const double i : {0.0, t.shadow_columns - 1.0}) {
@@ -112,9 +111,12 @@ double shadow_reach(const TerrainData& t) {
   return reach;
 }
 
+}  // namespace
+
 HostTerrain with_shadow(const std::shared_ptr<const HostTerrain>& heights, const Sun& sun, double planet_radius) {
   HostTerrain out = *heights;
   place_table(out.shape, sun, planet_radius, static_cast<double>(out.heights->back()));
+  out.shape.shadow_reach = shadow_reach(out.shape);
   out.shadows = std::make_shared<const std::vector<physics::vec2>>(swept(sun, planet_radius, heights, out.shape));
   return out;
 }

@@ -4,6 +4,7 @@
 
 #include "core/text.h"
 #include "core/things/ground.h"
+#include "core/things/spheres.h"
 #include "core/things/terrain.h"
 
 namespace airlight {
@@ -36,6 +37,7 @@ Things::Things(const Scene& scene, const Others& like) {
           return std::make_shared<const physics::HostTerrain>(with_shadow(heights.get(), sun, radius));
         });
   }
+  spheres_ = spheres_of(scene);
   if (scene.ground) {
     maps_ = kept<GroundMaps>(like, &Things::maps_, ground_key(scene),
                              [map = *scene.ground, albedo = scene.planet.ground_albedo] {
@@ -57,6 +59,12 @@ std::shared_ptr<const physics::HostTerrain> Things::shadowed_terrain() const {
   out->shape.colour_columns = bare->shape.colour_columns;
   out->shape.colour_rows = bare->shape.colour_rows;
   return out;
+}
+
+void Things::put_into(physics::Physics& p) const {
+  p.terrain_maps = terrain();
+  p.spheres = spheres_;
+  p.ground_maps = ground();
 }
 
 }  // namespace airlight

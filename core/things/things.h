@@ -31,6 +31,15 @@ class Things {
   // albedo.
   std::shared_ptr<const physics::HostGround> ground() const { return ground_ ? ground_.get() : nullptr; }
 
+  std::vector<physics::SphereData> spheres() const { return spheres_; }
+
+  // Whether terrain or spheres stand in the air, so that a ray may end before the ground and the sun's light in the air
+  // is broken.
+  bool stand_in_the_air() const { return terrain_ || !spheres_.empty(); }
+
+  // Gives formulas all of these, terrain without shadow.
+  void put_into(physics::Physics& p) const;
+
   // The picture's pixels that the planet's edge crosses.
   const std::vector<EdgePixel>& edge_pixels() const { return edges_.value.get(); }
 
@@ -58,7 +67,8 @@ class Things {
   Keyed<TerrainMaps> shadow_;      // heights with a shadow
   Keyed<TerrainMaps> colours_;     // heights with albedo
   OnDemand<TerrainMaps> terrain_;  // the same, the camera being outside
-  Keyed<GroundMaps> maps_;         // of the planet
+  std::vector<physics::SphereData> spheres_;
+  Keyed<GroundMaps> maps_;  // of the planet
   OnDemand<GroundMaps> ground_;
   Keyed<std::vector<EdgePixel>> edges_;
 };

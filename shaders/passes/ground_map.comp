@@ -6,6 +6,10 @@
 #include "shared/tables.glsl"
 #include "shared/picture_ray.glsl"
 #include "shared/horizon_pixels.glsl"
+#include "shared/ground.h"
+
+bool has_ground_maps() { return true; }
+
 #include "shared/ground_maps.glsl"
 #include "physics/ground_view.glsl"
 

@@ -9,6 +9,7 @@ vec3 fetch_moment(uint k, float x, float y) { return vec3(0.0); }
 
 real shell_altitude(uint k) { return 0.0; }
 
+#include "physics/polarisation.glsl"
 #include "physics/moments.glsl"
 #include "physics/ground_view.glsl"
 #include "physics/ground_extinction.glsl"

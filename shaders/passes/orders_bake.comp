@@ -28,21 +28,21 @@ const uint kStride = kAtOnce + 1u;  // of a thread's moments: odd, so that threa
 shared vec3 partial[kStride * kThreads];
 shared vec3 isotropic;
 
-uint kept_moments() { return moment_place(source_degree() + 1u, 0u); }
+// Whether the order keeps moment k.
+bool is_kept(uint k) {
+  return k < moment_place(source_degree() + 1u, 0u) || (k >= harmonic_count() && k <= moment_count());
+}
 
 // Sums the moments from `first` on over the threads that took a direction, and stores them. The irradiance comes last.
-void store_moments(uint first, uvec2 node, uint lane, vec3 moments[kMaxMoments], vec3 irradiance) {
+void store_moments(uint first, uvec2 node, uint lane, vec3 moments[kMaxMoments + 1u]) {
   if (first > moment_count()) {
     return;
   }
   uint busy = min(directions, kThreads);
   if (lane < busy) {
     UNROLL for (uint j = 0u; j < kAtOnce; j++) {
-      if (first + j < kept_moments()) {
-        partial[lane * kStride + j] = moments[min(first + j, kMaxMoments - 1u)];
-      }
-      if (first + j == moment_count()) {
-        partial[lane * kStride + j] = irradiance;
+      if (is_kept(first + j)) {
+        partial[lane * kStride + j] = moments[min(first + j, kMaxMoments)];
       }
     }
   }
@@ -50,7 +50,7 @@ void store_moments(uint first, uvec2 node, uint lane, vec3 moments[kMaxMoments],
   uint k = first + lane;
   bool mine = lane < kAtOnce && k <= moment_count();
   vec3 sum = vec3(0.0);
-  if (mine && (k < kept_moments() || k == moment_count())) {
+  if (mine && is_kept(k)) {
     for (uint i = 0u; i < busy; i++) {
       sum += partial[i * kStride + lane];
     }
@@ -72,11 +72,10 @@ void main() {
   uint lane = gl_LocalInvocationID.x;
   MomentState state = moment_state(scene.moments, float(node.x) / float(kMomentColumns - 1u),
                                    float(node.y) / float(kMomentRows - 1u));
-  vec3 moments[kMaxMoments];
-  for (uint k = 0u; k < moment_count(); k++) {
+  vec3 moments[kMaxMoments + 1u];
+  for (uint k = 0u; k <= moment_count(); k++) {
     moments[k] = vec3(0.0);
   }
-  vec3 irradiance = vec3(0.0);
   float sin_sun = sqrt(max(1.0 - state.mu_sun * state.mu_sun, 0.0));
   for (uint d = lane; d < directions; d += kThreads) {
     vec4 q = nodes.values[d];
@@ -85,19 +84,28 @@ void main() {
     float nu = mu * state.mu_sun + sqrt(max(1.0 - mu * mu, 0.0)) * sin_sun * q.z;
     Ray ray = ray_in_atmosphere(scene.planet, state.h, mu, state.mu_sun, nu);
     float weight = q.y * gather_range(scene.planet, state.h, upward);
-    vec3 radiance;
+    Stokes light;
     if (shell_rows() > 0u) {
-      radiance = shell_order_radiance(scene.planet, scene.moments, ray, 1u, kFirstOrder != 0u) * weight;
+      light = shell_order_radiance(scene.planet, scene.moments, ray, 1u, kFirstOrder != 0u);
     } else {
-      radiance = order_radiance(scene.planet, scene.moments, ray, panels, kFirstOrder != 0u) * weight;
+      light = order_radiance(scene.planet, scene.moments, ray, panels, kFirstOrder != 0u);
     }
+    vec3 radiance = light.i * weight;
     Harmonics y = harmonics(mu, q.z);
-    for (uint k = 0u; k < kept_moments(); k++) {
+    for (uint k = 0u; k < moment_place(source_degree() + 1u, 0u); k++) {
       moments[k] += radiance * y.of[k];
     }
-    irradiance += radiance * (upward ? mu : 0.0);
+    if (polarised()) {
+      Quadrupole a = quadrupole(mu, q.z);
+      UNROLL for (uint m = 0u; m < kPolarisedMoments; m++) {
+        moments[polarised_place(m)] +=
+            radiance * y.of[moment_place(2u, m)] - (light.q * a.e[m] + light.u * a.f[m]) * weight;
+      }
+    }
+    moments[moment_count()] += radiance * (upward ? mu : 0.0);
   }
-  store_moments(0u, node, lane, moments, irradiance);
-  store_moments(16u, node, lane, moments, irradiance);
-  store_moments(32u, node, lane, moments, irradiance);
+  store_moments(0u, node, lane, moments);
+  store_moments(16u, node, lane, moments);
+  store_moments(32u, node, lane, moments);
+  store_moments(48u, node, lane, moments);
 }

@@ -21,7 +21,7 @@ layout(push_constant, scalar) uniform Push {
   uint start;  // 1: there is no field yet, as if it were 0
 };
 
-const uint kMostLevelMoments = 15u;  // up to degree 4
+const uint kMostLevelMoments = 18u;  // M_lm up to degree 4, and P_m
 shared vec3 missing[kMostLevelMoments * 64u + 1u];
 
 vec3 stored(sampler2D table, uint k, uint column, uint row) {
@@ -61,18 +61,26 @@ vec3 held(vec3 value, vec3 change) {
   return min(vec3(1.0), mix(down, up, greaterThan(change, vec3(0.0))));
 }
 
+// The moments that level air couples, of one m: by l, then P_m. Places among all of them, and in the table.
+uint level_harmonics() { return moment_place(kLevelDegree + 1u, 0u); }
+uint level_moments() { return level_harmonics() + moment_count() - harmonic_count(); }
+uint coupled(uint m) { return kLevelDegree + 1u - m + (polarised() && m < kPolarisedMoments ? 1u : 0u); }
+uint coupled_place(uint j, uint m) {
+  return j + m <= kLevelDegree ? moment_place(m + j, m) : level_harmonics() + m;
+}
+uint table_place(uint k) { return k < level_harmonics() ? k : polarised_place(k - level_harmonics()); }
+
 void main() {
   uint column = gl_WorkGroupID.y;
   uint row = gl_LocalInvocationID.x;
-  uint harmonics = kLevelDegree + 1u;
-  uint level_moments = moment_place(harmonics, 0u);
+  uint irradiance_place = level_moments() * kMomentRows;
   bool here = row < kMomentRows;
   if (here) {
-    for (uint k = 0u; k < level_moments; k++) {
-      missing[k * kMomentRows + row] = missing_at(k, column, row);
+    for (uint k = 0u; k < level_moments(); k++) {
+      missing[k * kMomentRows + row] = missing_at(table_place(k), column, row);
     }
     if (row == 0u) {
-      missing[level_moments * kMomentRows] = missing_at(moment_count(), column, 0u);
+      missing[irradiance_place] = missing_at(moment_count(), column, 0u);
     }
   }
   barrier();
@@ -80,25 +88,25 @@ void main() {
     return;
   }
   vec3 more[kMostLevelMoments];
-  for (uint k = 0u; k < level_moments; k++) {
+  for (uint k = 0u; k < level_moments(); k++) {
     more[k] = vec3(0.0);
   }
   uint at = row;
-  for (uint m = 0u; m < harmonics; m++) {
-    for (uint from = m; from < harmonics; from++) {
-      uint given = moment_place(from, m) * kMomentRows;
+  for (uint m = 0u; m <= kLevelDegree; m++) {
+    for (uint from = 0u; from < coupled(m); from++) {
+      uint given = coupled_place(from, m) * kMomentRows;
       for (uint j = 0u; j < kMomentRows; j++) {
         vec3 light = missing[given + j];
-        for (uint to = m; to < harmonics; to++) {
-          more[moment_place(to, m)] += level.values[at] * light;
+        for (uint to = 0u; to < coupled(m); to++) {
+          more[coupled_place(to, m)] += level.values[at] * light;
           at += kMomentRows;
         }
       }
     }
     if (m == 0u) {
-      vec3 light = missing[level_moments * kMomentRows];
-      for (uint to = 0u; to < harmonics; to++) {
-        more[moment_place(to, 0u)] += level.values[at] * light;
+      vec3 light = missing[irradiance_place];
+      for (uint to = 0u; to < coupled(0u); to++) {
+        more[coupled_place(to, 0u)] += level.values[at] * light;
         at += kMomentRows;
       }
     }
@@ -108,7 +116,10 @@ void main() {
   vec3 part = held(isotropic, change);
   isotropic = max(isotropic + part * change, vec3(1e-30));
   for (uint k = 0u; k < moment_count(); k++) {
-    change = missing_at(k, column, row) + (k < level_moments ? more[min(k, kMostLevelMoments - 1u)] : vec3(0.0));
+    bool harmonic = k < harmonic_count();
+    uint mine = harmonic ? k : level_harmonics() + k - harmonic_count();
+    bool level_too = !harmonic || k < level_harmonics();
+    change = missing_at(k, column, row) + (level_too ? more[min(mine, kMostLevelMoments - 1u)] : vec3(0.0));
     vec3 value = field_at(k, column, row) + part * change;
     vec3 code = moment_code(k, k == 0u ? isotropic : value, isotropic);
     imageStore(field_out, ivec2(k * kMomentColumns + column, row), vec4(code, 1.0));
@@ -117,12 +128,12 @@ void main() {
   change = missing_at(k, column, row);
   if (row == 0u) {
     uint last = at - row;
-    for (uint j = 0u; j < harmonics; j++) {
+    for (uint j = 0u; j < coupled(0u); j++) {
       for (uint i = 0u; i < kMomentRows; i++) {
-        change += level.values[last + j * kMomentRows + i] * missing[moment_place(j, 0u) * kMomentRows + i];
+        change += level.values[last + j * kMomentRows + i] * missing[coupled_place(j, 0u) * kMomentRows + i];
       }
     }
-    change += level.values[last + harmonics * kMomentRows] * missing[level_moments * kMomentRows];
+    change += level.values[last + coupled(0u) * kMomentRows] * missing[irradiance_place];
   }
   vec3 irradiance = field_at(k, column, row);
   vec3 value = irradiance + held(irradiance, change) * change;

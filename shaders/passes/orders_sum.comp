@@ -3,6 +3,7 @@
 // All orders: the sums plus a geometric tail from the last two orders, in log form.
 #extension GL_EXT_scalar_block_layout : require
 #define real float
+#include "shared/tables.h"
 #include "shared/moment_shape.glsl"
 #include "physics/order_tail.glsl"
 

@@ -139,3 +139,41 @@ Ray ray_up_to(PlanetData planet, real h, real mu, Ray ray, real distance_) {
   }
   return ray;
 }
+
+// Sine of a direction's angle above the true horizon from altitude h. It is computed as the sine of a difference: from
+// space the zenith cosines lie so close together that their own difference would lose digits.
+real above_horizon(PlanetData planet, real h, vec3 direction) {
+  real sigma = sqrt(direction.x * direction.x + direction.z * direction.z);
+  return direction.y * (planet.ground_radius / (planet.ground_radius + h)) - sigma * horizon_mu(planet, h);
+}
+
+// A point near the camera, its altitude and vertical. At the camera they are exact.
+struct Place {
+  vec3 point;  // from the camera
+  real h;      // km
+  vec3 up;
+};
+
+Place place_at(PlanetData planet, real camera_altitude, vec3 point) {
+  real r = planet.ground_radius + camera_altitude;
+  real rise = 2.0 * r * point.y + dot(point, point);
+  real lift = rise / (sqrt(r * r + rise) + r);
+  Place place;
+  place.point = point;
+  place.h = max(camera_altitude + lift, 0.0);
+  place.up = vec3(0.0, 1.0, 0.0) + (point - vec3(0.0, lift, 0.0)) / (r + lift);
+  return place;
+}
+
+// A vector of the camera's frame as a place with the vertical `up` has it, x east, y up, -z north: turned along the
+// great circle between the two.
+vec3 to_level(vec3 up, vec3 v) {
+  vec3 sum = up + vec3(0.0, 1.0, 0.0);
+  return v - sum * (dot(sum, v) / (1.0 + up.y)) + vec3(0.0, 2.0 * dot(up, v), 0.0);
+}
+
+// to_level()'s inverse.
+vec3 from_level(vec3 up, vec3 v) {
+  vec3 sum = up + vec3(0.0, 1.0, 0.0);
+  return v - sum * (dot(sum, v) / (1.0 + up.y)) + up * (2.0 * v.y);
+}

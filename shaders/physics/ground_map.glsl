@@ -1,6 +1,7 @@
 // The ground by a map over the planet: where a ray meets it, its albedo there over the pixel's footprint, and the light
 // that it sends back.
 // The includer defines:
+//   bool has_ground_maps();
 //   GroundShape ground_shape();
 //   uint ground_albedo_first(uint level);
 //   uint ground_water_first(uint level);
@@ -166,7 +167,7 @@ real glint_share(real mu_sun) {
 // Radiance that the ground sends to the camera. `beam`: the sun's irradiance on a plane that faces it; `sky`: the sky's
 // irradiance on level ground. The Lambertian ground reflects the sky's light and what the waves leave of the beam.
 vec3 ground_sends(Ground ground, vec3 up, vec3 to_sun, vec3 to_camera, vec3 beam, vec3 sky) {
-  real variance = ground_shape().slope_variance;
+  real variance = has_ground_maps() ? ground_shape().slope_variance : 0.0;
   real mu_sun = max(dot(up, to_sun), 0.0);
   real mirrored = 0.0;
   real left = mu_sun;

@@ -2,13 +2,6 @@
 // the pixel. Light changes by a step at the edge and smoothly on either side, so that each side is one ray in its
 // middle. From space the air above the edge is thinner than a few pixels and is cut into strips along the edge.
 
-// Sine of a direction's angle above the true horizon from altitude h. It is computed as the sine of a difference: from
-// space the zenith cosines lie so close together that their own difference would lose digits.
-real above_horizon(PlanetData planet, real h, vec3 direction) {
-  real sigma = sqrt(direction.x * direction.x + direction.z * direction.z);
-  return direction.y * (planet.ground_radius / (planet.ground_radius + h)) - sigma * horizon_mu(planet, h);
-}
-
 // Sine of the angle of the top of the air above the true horizon; 0 inside the air.
 real air_edge(PlanetData planet, real h) {
   real over = h - planet.atmosphere_height;

@@ -1,11 +1,17 @@
-// Places of a table's moments M_lm, block by block. The table stores log M_00, the ratios M_lm / M_00 and, in the last
-// block, the logarithm of the ground's irradiance.
+// Places of a table's moments, block by block: M_lm and, where light is polarised, P_m (moments.glsl). The table stores
+// log M_00, the ratios of the others to M_00 and, in the last block, the logarithm of the ground's irradiance.
 // The includer defines:
 //   uint moment_degree();  the highest l kept, 0 to 8
+//   bool polarised();
 
 uint moment_place(uint l, uint m) { return l * (l + 1u) / 2u + m; }
 
-uint moment_count() { return moment_place(moment_degree() + 1u, 0u); }
+uint harmonic_count() { return moment_place(moment_degree() + 1u, 0u); }
+
+// m: 0 to 2
+uint polarised_place(uint m) { return harmonic_count() + m; }
+
+uint moment_count() { return harmonic_count() + (polarised() ? kPolarisedMoments : 0u); }
 
 bool is_logarithm(uint k) { return k == 0u || k == moment_count(); }
 

@@ -1,9 +1,11 @@
 // Multiple scattering as a few spherical-harmonic moments of the radiance at each (altitude, sun elevation). The field
 // in a spherical shell under a collimated sun is mirror-symmetric about the plane of the local vertical and the sun,
 // so cosine harmonics suffice: M_lm = integral of L Y_lm, m >= 0, in the frame (up, sun's azimuth), orthonormal.
+// What molecules make of polarised light depends on three more numbers, P_m, in which Q and U count as I does in M_2m.
 // The logarithm and the ratios that are stored (moment_places.glsl) interpolate well over the many decades of a twilight.
 // The includer defines:
 //   uint source_degree();  the highest l of what is scattered again, at most as high
+//   uint scattered_degree();  the highest l that the media scatter, apart from what molecules do with polarised light
 //   bool delta_scaled();   whether forward peaks are taken as unscattered light [W76]
 //   uint shell_rows(), real shell_altitude(uint k);  rows at listed altitudes (shells.glsl); 0 rows: altitude = top y^2
 //   vec3 fetch_moment(uint k, real x, real y);  what is stored at k
@@ -45,7 +47,7 @@ MomentState moment_state(MomentTableData table, real x, real y) {
 
 // Real orthonormal cosine harmonics of direction (mu, azimuth from the sun's).
 struct Harmonics {
-  real of[kMaxMoments];
+  real of[kMaxHarmonics];
 };
 
 Harmonics harmonics(real mu, real cos_azimuth) {
@@ -115,6 +117,28 @@ Harmonics harmonics(real mu, real cos_azimuth) {
   return y;
 }
 
+// Y_2m is k.T.k of a symmetric, traceless T, k being the direction. E = theta.T.theta - phi.T.phi and F = 2 theta.T.phi,
+// with unit vectors theta down and phi toward growing azimuth, are to Q and U what Y_2m is to I.
+struct Quadrupole {
+  real e[kPolarisedMoments];
+  real f[kPolarisedMoments];
+};
+
+// The azimuth from the sun's is at most half a turn: its sine is not negative.
+Quadrupole quadrupole(real mu, real cos_azimuth) {
+  real s = sqrt(max(1.0 - mu * mu, 0.0));
+  real c = cos_azimuth;
+  real n = sqrt(max(1.0 - c * c, 0.0));
+  Quadrupole a;
+  a.e[0] = 0.94617469575756 * s * s;
+  a.e[1] = -1.0925484305920792 * s * mu * c;
+  a.e[2] = 0.54627421529603959 * (1.0 + mu * mu) * (2.0 * c * c - 1.0);
+  a.f[0] = 0.0;
+  a.f[1] = 1.0925484305920792 * s * n;
+  a.f[2] = -2.1850968611841584 * mu * n * c;
+  return a;
+}
+
 // The share f of a medium's scattering that counts as light that was not scattered, where the field's harmonics are kept
 // up to degree N (`l`): from the Legendre moments chi_N (`kept`) and chi_(N+1) (`next`) of its phase function.
 // Scattering multiplies the field's harmonics of degree l by chi_l. With a share f unscattered, and moments
@@ -136,6 +160,7 @@ struct DiffuseAir {
   vec3 extinction;
   vec3 peaks;             // 1/km, what delta-scaling leaves out of it
   vec3 phase_scattering;  // 1/(km sr) toward the sun's angle, by the whole phase function
+  vec3 dipoles;           // of polarised light: dipole_scattering() of the molecules, whose degree 2 is left out below
   vec3 degree[kMaxDegree + 1];
 };
 
@@ -143,13 +168,18 @@ DiffuseAir with_diffuse_medium(DiffuseAir air, uint i, real d, vec3 phase) {
   if (i < medium_count()) {
     MediumData m = medium(i);
     vec3 scattering = m.scattering * d;
-    vec3 f = delta_scaled() ? m.peak[moment_degree()] : vec3(0.0);
+    bool molecular = polarised() && is_molecular(i);
+    vec3 f = delta_scaled() && !molecular ? m.peak[moment_degree()] : vec3(0.0);
     air.extinction = air.extinction + m.absorption * d + scattering * (vec3(1.0) - f);
     air.peaks = air.peaks + scattering * f;
     air.phase_scattering = air.phase_scattering + scattering * phase;
     air.degree[0] = air.degree[0] + scattering * (vec3(1.0) - f);
-    UNROLL for (uint l = 1u; l <= kMaxDegree; l++) {
-      air.degree[l] = air.degree[l] + scattering * (m.legendre[l] - f);
+    if (molecular) {
+      air.dipoles = air.dipoles + scattering * dipole_share(i) * kDipole;
+    } else {
+      UNROLL for (uint l = 1u; l <= kMaxDegree; l++) {
+        air.degree[l] = air.degree[l] + scattering * (m.legendre[l] - f);
+      }
     }
   }
   return air;
@@ -160,6 +190,7 @@ DiffuseAir diffuse_air(Densities d, Phases p) {
   air.extinction = vec3(0.0);
   air.peaks = vec3(0.0);
   air.phase_scattering = vec3(0.0);
+  air.dipoles = vec3(0.0);
   UNROLL for (uint l = 0u; l <= kMaxDegree; l++) {
     air.degree[l] = vec3(0.0);
   }
@@ -176,8 +207,8 @@ DiffuseAir diffuse_air(Densities d, Phases p) {
 
 // The sum with what the moments of degree l scatter into the harmonics' direction, over the isotropic moment. Degrees
 // here and media above are gone through by calls: one run of spirv-opt writes out no loop in a loop.
-vec3 with_degree(vec3 sum, uint l, MomentCoordinate c, DiffuseAir air, Harmonics y) {
-  if (l <= source_degree()) {
+vec3 with_degree(vec3 sum, uint l, uint most, MomentCoordinate c, DiffuseAir air, Harmonics y) {
+  if (l <= most) {
     uint k = moment_place(l, 0u);
     vec3 part = fetch_moment(k, c.x, c.y) * y.of[k];
     UNROLL for (uint m = 1u; m <= l; m++) {
@@ -188,24 +219,62 @@ vec3 with_degree(vec3 sum, uint l, MomentCoordinate c, DiffuseAir air, Harmonics
   return sum;
 }
 
-// Light scattered into the direction (mu, azimuth) out of the field that the table holds at c, W/(m2 sr km); its
-// moment M_00 is given.
-vec3 moment_source_of(vec3 isotropic, MomentCoordinate c, DiffuseAir air, real mu, real cos_azimuth) {
-  Harmonics y = harmonics(mu, cos_azimuth);
-  vec3 sum = air.degree[0] * y.of[0];
-  sum = with_degree(sum, 1u, c, air, y);
-  sum = with_degree(sum, 2u, c, air, y);
-  sum = with_degree(sum, 3u, c, air, y);
-  sum = with_degree(sum, 4u, c, air, y);
-  sum = with_degree(sum, 5u, c, air, y);
-  sum = with_degree(sum, 6u, c, air, y);
-  sum = with_degree(sum, 7u, c, air, y);
-  sum = with_degree(sum, 8u, c, air, y);
-  // Truncated at a low degree the field may dip below zero opposite to a strong peak.
-  return max(sum, vec3(0.0)) * isotropic;
+// Of polarised light, which molecules alone scatter with more than its mean: a dipole's 3/(16 pi) times 16 pi/3 D/10.
+const real kDipoleMoment = 1.0 / (10.0 * kDipole);
+
+// What dipoles add to light scattered out of the field that the table holds at c, over its moment M_00.
+Stokes dipole_source(MomentCoordinate c, vec3 dipoles, Harmonics y, real mu, real cos_azimuth) {
+  Quadrupole a = quadrupole(mu, cos_azimuth);
+  Stokes sum;
+  sum.i = vec3(0.0);
+  sum.q = vec3(0.0);
+  sum.u = vec3(0.0);
+  UNROLL for (uint m = 0u; m < kPolarisedMoments; m++) {
+    vec3 part = fetch_moment(polarised_place(m), c.x, c.y);
+    sum.i = sum.i + part * y.of[moment_place(2u, m)];
+    sum.q = sum.q - part * a.e[m];
+    sum.u = sum.u - part * a.f[m];
+  }
+  vec3 strength = dipoles * kDipoleMoment;
+  sum.i = sum.i * strength;
+  sum.q = sum.q * strength;
+  sum.u = sum.u * strength;
+  return sum;
 }
 
-vec3 moment_source(MomentTableData table, DiffuseAir air, real h, real mu_sun, real mu, real cos_azimuth) {
+// The light that media of these degrees send into a direction, over the field's moment M_00; truncated
+// at a low degree it may dip below zero opposite to a strong peak.
+vec3 harmonic_sum(uint most, MomentCoordinate c, DiffuseAir air, Harmonics y) {
+  vec3 sum = air.degree[0] * y.of[0];
+  sum = with_degree(sum, 1u, most, c, air, y);
+  sum = with_degree(sum, 2u, most, c, air, y);
+  sum = with_degree(sum, 3u, most, c, air, y);
+  sum = with_degree(sum, 4u, most, c, air, y);
+  sum = with_degree(sum, 5u, most, c, air, y);
+  sum = with_degree(sum, 6u, most, c, air, y);
+  sum = with_degree(sum, 7u, most, c, air, y);
+  return with_degree(sum, 8u, most, c, air, y);
+}
+
+// Light scattered into the direction (mu, azimuth) out of the field that the table holds at c, W/(m2 sr km); its
+// moment M_00 is given. The azimuth from the sun's is at most half a turn; beyond it u has the other sign.
+Stokes moment_source_of(vec3 isotropic, MomentCoordinate c, DiffuseAir air, real mu, real cos_azimuth) {
+  Harmonics y = harmonics(mu, cos_azimuth);
+  vec3 sum = harmonic_sum(scattered_degree(), c, air, y);
+  Stokes source;
+  source.q = vec3(0.0);
+  source.u = vec3(0.0);
+  if (polarised()) {
+    Stokes dipoles = dipole_source(c, air.dipoles, y, mu, cos_azimuth);
+    sum = sum + dipoles.i;
+    source.q = dipoles.q * isotropic;
+    source.u = dipoles.u * isotropic;
+  }
+  source.i = max(sum, vec3(0.0)) * isotropic;
+  return source;
+}
+
+Stokes moment_source(MomentTableData table, DiffuseAir air, real h, real mu_sun, real mu, real cos_azimuth) {
   MomentCoordinate c = moment_coordinate(table, h, mu_sun);
   return moment_source_of(exp(fetch_moment(0u, c.x, c.y)), c, air, mu, cos_azimuth);
 }

@@ -66,7 +66,7 @@ vec3 bend_between(uint shell, real x, vec3 low, vec3 high) {
 
 // Light scattered into the ray by the diffuse field, W/(m2 sr km), at distance t in a known shell. Each row's ratios of
 // moments are weighed by the row's isotropic moment.
-vec3 shell_source(PlanetData planet, MomentTableData table, DiffuseAir air, Ray ray, uint shell, real t) {
+Stokes shell_source(PlanetData planet, MomentTableData table, DiffuseAir air, Ray ray, uint shell, real t) {
   RayPoint point = point_on_ray(planet, ray, t);
   MomentCoordinate c = moment_coordinate(table, point.h, point.mu_sun);
   real intervals = real(shell_rows() - 1u);
@@ -86,11 +86,11 @@ vec3 sun_depth_on_ray(PlanetData planet, Ray ray, uint shell, real t) {
 }
 
 // order_radiance() through shells; `parts`: steps in each shell.
-vec3 shell_order_radiance(PlanetData planet, MomentTableData table, Ray ray, uint parts, bool first) {
+Stokes shell_order_radiance(PlanetData planet, MomentTableData table, Ray ray, uint parts, bool first) {
   Phases p = gathered_phases(ray.nu);
   ShadowCrossings shadow = shadow_crossings(planet, ray);
   ShellWalk walk = shell_walk(planet, ray);
-  vec3 radiance = vec3(0.0);
+  Stokes radiance = no_light();
   vec3 transmittance = vec3(1.0);
   vec3 near = first ? sun_depth_on_ray(planet, ray, walk.shell, 0.0) : vec3(0.0);
   vec3 behind = vec3(0.0);  // radiance of endless even air with the last step's source
@@ -110,20 +110,29 @@ vec3 shell_order_radiance(PlanetData planet, MomentTableData table, Ray ray, uin
     if (first) {
       vec3 far = sun_depth_on_ray(planet, ray, walk.shell, walk.to);
       if (!meets_ground(planet, point.h, point.mu_sun)) {
-        radiance = radiance + transmittance * mean_sunlight3(near, far, step_depth) * air.phase_scattering * width;
+        vec3 sunlight = transmittance * mean_sunlight3(near, far, step_depth);
+        radiance.i = radiance.i + sunlight * air.phase_scattering * width;
+        radiance.q = radiance.q + sunlight * air.dipoles * width;
       }
       near = far;
     } else {
       real place = walk.from + width * source_place((step_depth.x + step_depth.y + step_depth.z) / 3.0);
-      vec3 source = shell_source(planet, table, air, ray, walk.shell, place);
-      radiance = radiance + transmittance * segment.mean * source * width;
-      behind = source / max(air.extinction, vec3(1e-30));
+      Stokes source = shell_source(planet, table, air, ray, walk.shell, place);
+      radiance.i = radiance.i + transmittance * segment.mean * source.i * width;
+      if (polarised()) {
+        radiance.q = radiance.q + transmittance * segment.mean * source.q * width;
+        radiance.u = radiance.u + transmittance * segment.mean * source.u * width;
+      }
+      behind = source.i / max(air.extinction, vec3(1e-30));
     }
     transmittance = transmittance * segment.through;
   }
+  if (first && polarised()) {
+    radiance = polarised_sunlight(radiance, ray);
+  }
   if (deep) {
     // Deep air loses light at its ends alone: a ten-thousandth lost by each order would count.
-    radiance = radiance + transmittance * behind;
+    radiance.i = radiance.i + transmittance * behind;
   } else if (ray.at_ground) {
     RayPoint end = point_on_ray(planet, ray, ray.length_);
     vec3 irradiance;
@@ -132,7 +141,7 @@ vec3 shell_order_radiance(PlanetData planet, MomentTableData table, Ray ray, uin
     } else {
       irradiance = moment_ground_irradiance(table, end.mu_sun);
     }
-    radiance = radiance + transmittance * planet.ground_albedo * irradiance / kPi;
+    radiance.i = radiance.i + transmittance * planet.ground_albedo * irradiance / kPi;
   }
   return radiance;
 }
@@ -165,7 +174,7 @@ SkyFactors shell_air_factors(PlanetData planet, MomentTableData table, Ray ray, 
       factors.single[m] = factors.single[m] + direct * scattering_of(m, densities);
     }
     real place = walk.from + width * source_place((step_depth.x + step_depth.y + step_depth.z) / 3.0);
-    vec3 source = shell_source(planet, table, air, ray, walk.shell, place);
+    vec3 source = shell_source(planet, table, air, ray, walk.shell, place).i;
     factors.diffuse = factors.diffuse + factors.transmittance * segment.mean * source * width;
     factors.transmittance = factors.transmittance * segment.through;
     factors.depth = factors.depth + step_depth;

@@ -52,7 +52,7 @@ NodeLight node_light(PlanetData planet, MomentTableData table, Ray ray, real t, 
   UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
     light.single[i] = direct * medium_scattering(i, point.h, 0.0);
   }
-  light.diffuse = moment_source(table, air, point.h, point.mu_sun, point.mu, cos_azimuth_at(point, ray.nu));
+  light.diffuse = moment_source(table, air, point.h, point.mu_sun, point.mu, cos_azimuth_at(point, ray.nu)).i;
   light.extinction = air.extinction;
   light.peaks = air.peaks;
   return light;

@@ -108,12 +108,8 @@ real spheres_sunlit(vec3 origin, vec3 direction, vec3 sun, real sun_radius, real
 
 // The part inside the air of a ray from any place, relative to that place's own vertical.
 Ray ray_from(PlanetData planet, real camera_altitude, vec3 origin, vec3 direction, vec3 sun) {
-  real r = planet.ground_radius + camera_altitude;
-  real rise = 2.0 * r * origin.y + dot(origin, origin);
-  real r_there = sqrt(r * r + rise);
-  vec3 up = (origin + vec3(0.0, r, 0.0)) / r_there;
-  real h = max(camera_altitude + rise / (r_there + r), 0.0);
-  return ray_in_atmosphere(planet, h, dot(direction, up), dot(sun, up), dot(direction, sun));
+  Place place = place_at(planet, camera_altitude, origin);
+  return ray_in_atmosphere(planet, place.h, dot(direction, place.up), dot(sun, place.up), dot(direction, sun));
 }
 
 // Thickness term of a white matte sphere's light: the view ray refracted at index 1.5, the signed distance to the

@@ -8,6 +8,7 @@ vec3 moment_irradiance(MomentTableData table, real h, real mu_sun, real mu, real
   cosine.extinction = vec3(0.0);
   cosine.peaks = vec3(0.0);
   cosine.phase_scattering = vec3(0.0);
+  cosine.dipoles = vec3(0.0);
   cosine.degree[0] = vec3(kPi);
   cosine.degree[1] = vec3(kPi * 2.0 / 3.0);
   cosine.degree[2] = vec3(kPi / 4.0);
@@ -21,7 +22,8 @@ vec3 moment_irradiance(MomentTableData table, real h, real mu_sun, real mu, real
   if (shell_rows() > 0u) {
     c.y = shell_coordinate(shell_of(h, true), h);
   }
-  return moment_source_of(exp(fetch_moment(0u, c.x, c.y)), c, cosine, mu, cos_azimuth);
+  vec3 sum = harmonic_sum(source_degree(), c, cosine, harmonics(mu, cos_azimuth));
+  return max(sum, vec3(0.0)) * exp(fetch_moment(0u, c.x, c.y));
 }
 
 // Transmittance toward the sun from altitude h, zero in the planet's shadow.
@@ -31,4 +33,29 @@ vec3 sun_through_air(PlanetData planet, real h, real mu_sun) {
     return exp(-sun_depth(planet, h, shell_coordinate(shell_of(h, true), h), mu_sun)) * lit;
   }
   return transmittance_to_sun(planet, h, mu_sun);
+}
+
+// A place's altitude where the tables hold it.
+real altitude_in_air(PlanetData planet, Place place) { return clamp(place.h, 0.0, planet.atmosphere_height); }
+
+// The sky's irradiance on a surface with this normal.
+vec3 sky_irradiance(PlanetData planet, MomentTableData table, Place place, vec3 normal, vec3 sun) {
+  real mu = clamp(dot(normal, place.up), -1.0, 1.0);
+  real mu_sun = dot(sun, place.up);
+  vec3 level_normal = normal - place.up * mu;
+  vec3 level_sun = sun - place.up * mu_sun;
+  real lengths = length(level_normal) * length(level_sun);
+  real cos_azimuth = lengths > 1e-7 ? clamp(dot(level_normal, level_sun) / lengths, -1.0, 1.0) : 1.0;
+  return moment_irradiance(table, altitude_in_air(planet, place), mu_sun, mu, cos_azimuth);
+}
+
+// Mean of the irradiance over all normals: a quarter of the light from all around, half of a hemisphere's if that is
+// even.
+vec3 mean_sky_irradiance(PlanetData planet, MomentTableData table, Place place, vec3 sun) {
+  real h = altitude_in_air(planet, place);
+  MomentCoordinate c = moment_coordinate(table, h, dot(sun, place.up));
+  if (shell_rows() > 0u) {
+    c.y = shell_coordinate(shell_of(h, true), h);
+  }
+  return exp(fetch_moment(0u, c.x, c.y)) * (kPi * 0.28209479177387814);
 }

@@ -8,13 +8,16 @@
 //   vec2 terrain_shadow(uint k);       altitude up to which the sun is wholly hidden, and from which on it is whole
 //   vec3 terrain_colour(uint k);       albedo
 
-// A ray of the camera along the ground.
+// A ray along the ground. The map is true around the camera, so a ray that starts elsewhere bends on it, by 1e-5 of its
+// length at 50 km on Earth; that is left out.
 struct GroundTrack {
   real h;      // altitude of its start
   real mu;     // zenith cosine there
   real sigma;  // its sine, held above zero
   real east;   // heading
   real north;
+  real from_east;  // its start on the map, km; 0 for a ray of the camera
+  real from_north;
 };
 
 GroundTrack ground_track(real h, vec3 direction) {
@@ -25,8 +28,31 @@ GroundTrack ground_track(real h, vec3 direction) {
   track.sigma = max(sigma, 1e-6);
   track.east = sigma > 1e-6 ? direction.x / sigma : 0.0;
   track.north = sigma > 1e-6 ? -direction.z / sigma : 1.0;
+  track.from_east = 0.0;
+  track.from_north = 0.0;
   return track;
 }
+
+// A point's place on the map, east and north of the camera's ground point, km.
+vec2 map_place(PlanetData planet, real camera_altitude, vec3 point) {
+  real level = sqrt(point.x * point.x + point.z * point.z);
+  real ground = planet.ground_radius * atan(level, planet.ground_radius + camera_altitude + point.y);
+  real scale = level > 1e-12 ? ground / level : 0.0;
+  return vec2(point.x * scale, -point.z * scale);
+}
+
+// The track of a ray from any place.
+GroundTrack track_from(PlanetData planet, real camera_altitude, Place place, vec3 direction) {
+  vec2 start = map_place(planet, camera_altitude, place.point);
+  GroundTrack track = ground_track(place.h, to_level(place.up, direction));
+  track.from_east = start.x;
+  track.from_north = start.y;
+  return track;
+}
+
+// Where the track is on the map at distance s along the ground.
+real track_east(GroundTrack track, real s) { return track.from_east + track.east * s; }
+real track_north(GroundTrack track, real s) { return track.from_north + track.north * s; }
 
 // Altitude at distance s along the ground, from half the angle at the planet's centre, without a difference of radii.
 real track_altitude(PlanetData planet, GroundTrack track, real s) {
@@ -103,8 +129,8 @@ struct TerrainHit {
 
 // Height of the ray above the terrain, at distance s along the ground.
 real clearance(PlanetData planet, TerrainData t, GroundTrack track, real s) {
-  real east = track.east * s;
-  real north = track.north * s;
+  real east = track_east(track, s);
+  real north = track_north(track, s);
   return track_altitude(planet, track, s) - map_height(t, map_column(t, east, north), map_row(t, east, north));
 }
 
@@ -136,10 +162,10 @@ TerrainHit terrain_hit(PlanetData planet, GroundTrack track) {
   result.hit = false;
   result.ground = 0.0;
   result.distance_ = 0.0;
-  real column0 = map_column(t, 0.0, 0.0);
-  real row0 = map_row(t, 0.0, 0.0);
-  real columns_a_km = map_column(t, track.east, track.north) - column0;
-  real rows_a_km = map_row(t, track.east, track.north) - row0;
+  real column0 = map_column(t, track.from_east, track.from_north);
+  real row0 = map_row(t, track.from_east, track.from_north);
+  real columns_a_km = map_column(t, track_east(track, 1.0), track_north(track, 1.0)) - column0;
+  real rows_a_km = map_row(t, track_east(track, 1.0), track_north(track, 1.0)) - row0;
   Interval part;
   part.from = 0.0;
   part.to = 1.5 * planet.ground_radius;
@@ -216,8 +242,8 @@ real terrain_sunlit(TerrainData t, real east, real north, real h) {
   return x * x * (3.0 - 2.0 * x);
 }
 
-// Mean of terrain_sunlit() over a step of a ray from the camera, `start` along the ground and with the track's heading.
-// It samples the middles of equal parts, as the edge of a shadow may cross the step anywhere.
+// Mean of terrain_sunlit() over a step of a ray that begins at `start` along the track. It samples the middles of equal
+// parts, as the edge of a shadow may cross the step anywhere.
 real step_sunlit(PlanetData planet, GroundTrack track, real start, Ray ray, real t, real width) {
   TerrainData shape = terrain_shape();
   const uint kParts = 8u;
@@ -232,7 +258,7 @@ real step_sunlit(PlanetData planet, GroundTrack track, real start, Ray ray, real
     real x = (real(i) + 0.5) / real(parts);
     real s = s0 + (s1 - s0) * x;
     real h = near.h + (far.h - near.h) * x - sag * x * (1.0 - x);
-    sum = sum + terrain_sunlit(shape, track.east * s, track.north * s, h);
+    sum = sum + terrain_sunlit(shape, track_east(track, s), track_north(track, s), h);
   }
   return sum / real(parts);
 }

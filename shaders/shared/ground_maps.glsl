@@ -1,9 +1,8 @@
 // The ground's maps as buffers.
-#include "shared/ground.h"
 
-layout(scalar, set = 0, binding = 10) readonly buffer GroundHead { GroundData head; } ground_head;
-layout(scalar, set = 0, binding = 11) readonly buffer GroundAlbedo { uint values[]; } ground_albedo;
-layout(scalar, set = 0, binding = 12) readonly buffer GroundWater { uint values[]; } ground_water;
+layout(scalar, set = 0, binding = 14) readonly buffer GroundHead { GroundData head; } ground_head;
+layout(scalar, set = 0, binding = 16) readonly buffer GroundAlbedo { uint values[]; } ground_albedo;
+layout(scalar, set = 0, binding = 17) readonly buffer GroundWater { uint values[]; } ground_water;
 
 // Copied out of the buffer once, like the media.
 GroundShape loaded_ground = ground_head.head.shape;

@@ -20,6 +20,7 @@ vec3 fetch_moment(uint k, float x, float y) {
 
 real shell_altitude(uint k) { return scene.shell_altitudes[k]; }
 
+#include "physics/polarisation.glsl"
 #include "physics/moments.glsl"
 
 #ifndef AIRLIGHT_SUN_SHARE

@@ -1,12 +1,11 @@
 // The scene's spheres as a buffer.
-#include "shared/spheres.h"
 
-layout(scalar, set = 0, binding = 10) readonly buffer Spheres {
+layout(scalar, set = 0, binding = 13) readonly buffer Spheres {
   uint count;
   SphereData of[];
 } spheres;
 
-uint sphere_count() { return spheres.count; }
+uint sphere_count() { return (kThings & kHasSpheres) != 0u ? spheres.count : 0u; }
 SphereData sphere(uint i) { return spheres.of[i]; }
 
 #include "physics/spheres.glsl"

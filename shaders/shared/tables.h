@@ -47,6 +47,11 @@ const uint kJitterNone = 0u;   // in the middle
 const uint kJitterFixed = 1u;  // at the same place of every step
 const uint kJitterBlueNoise = 2u;
 
+// Things of a scene, as bits.
+const uint kHasTerrain = 1u;
+const uint kHasSpheres = 2u;
+const uint kHasGroundMaps = 4u;  // planet.albedo_map, planet.ocean
+
 const uint kToneAces = 0u;
 const uint kToneReinhard = 1u;
 const uint kToneReinhardLuminance = 2u;
@@ -64,4 +69,6 @@ const uint kTransmittanceSteps = 40u;
 const uint kGroundIrradianceDirections = 64u;  // 8 zenith cosines x 8 azimuths
 const uint kGroundIrradianceSize = 64u;
 const uint kMaxDegree = 8u;    // of moments
-const uint kMaxMoments = 45u;  // up to kMaxDegree
+const uint kMaxHarmonics = 45u;  // up to kMaxDegree
+const uint kPolarisedMoments = 3u;
+const uint kMaxMoments = 48u;  // of both

@@ -25,4 +25,5 @@ struct TerrainData {
   real shadow_texel;  // km
   uint shadow_columns;
   uint shadow_rows;
+  real shadow_reach;  // greatest distance of a shadow from the camera, km along the ground
 };

@@ -13,8 +13,6 @@
 namespace airlight::test {
 namespace {
 
-using cli::PublishOrder;
-
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
@@ -37,30 +35,39 @@ Rendering poisoned(const Scene& scene) {
   return rendering;
 }
 
+cli::Targets both_in(const Scratch& scratch) {
+  return {(scratch.path() / "a.exr").string(), (scratch.path() / "a.png").string()};
+}
+
 // The message of the RunError that publishing throws; empty when it throws none.
-std::string refusal(const Scene& scene, const Rendering& rendering, const PublishOrder& order) {
+std::string refusal(const Scene& scene, const Rendering& picture, const cli::Targets& files) {
   cli::Stopwatch watch;
+  const std::optional<DisplayTransform> none;
+  cli::PictureWriter writer({.parts = {{scene, 0, files}},
+                             .transform = none,
+                             .options = {},
+                             .depth = {},
+                             .source = "sky.json",
+                             .context = [](const Scene& part, const Rendering& rows) {
+                               return cli::PictureContext{part, rows, {"{}", "march", "0", "none"}};
+                             }});
+  Rendering rendering = picture;
+  if (picture.fault().empty() || writer.bands({}, {}).past_faults) {
+    writer.add({0, picture});
+  }
   try {
-    cli::publish({scene, rendering, {"{}", "march", "0", "none"}}, order, std::nullopt, watch);
+    writer.publish(rendering, watch);
   } catch (const RunError& error) {
     return error.what();
   }
   return {};
 }
 
-PublishOrder order_in(const Scratch& scratch) {
-  PublishOrder order;
-  order.targets.exr = (scratch.path() / "a.exr").string();
-  order.targets.png = (scratch.path() / "a.png").string();
-  order.source = "sky.json";
-  return order;
-}
-
 TEST(Publish, APoisonedPictureIsNotWritten) {
   const Scratch scratch;
   Scene scene = scene_of(4, 3);
   scene.display.view = "gpu";
-  const std::string message = refusal(scene, poisoned(scene), order_in(scratch));
+  const std::string message = refusal(scene, poisoned(scene), both_in(scratch));
   for (const char* part : {"sky.json: the picture", "column 2", "row 1", "--view diagnostic"}) {
     EXPECT_NE(message.find(part), std::string::npos) << message;
   }
@@ -74,9 +81,9 @@ TEST(Publish, APoisonedTableIsNamed) {
   Statistics bad;
   bad.negative = 7;
   rendering.tables_statistics.push_back({"transmittance", bad});
-  PublishOrder order = order_in(scratch);
-  order.targets.png.clear();
-  const std::string message = refusal(scene, rendering, order);
+  cli::Targets files = both_in(scratch);
+  files.png.clear();
+  const std::string message = refusal(scene, rendering, files);
   EXPECT_NE(message.find("table transmittance"), std::string::npos) << message;
   EXPECT_TRUE(scratch.files().empty());
 }
@@ -84,7 +91,7 @@ TEST(Publish, APoisonedTableIsNamed) {
 TEST(Publish, TheDiagnosticViewIsWrittenNevertheless) {
   const Scratch scratch;
   const Scene scene = scene_of(4, 3);
-  const std::string message = refusal(scene, poisoned(scene), order_in(scratch));
+  const std::string message = refusal(scene, poisoned(scene), both_in(scratch));
   EXPECT_NE(message.find("NaN magenta"), std::string::npos) << message;
   EXPECT_EQ(scratch.files(), Names{"a.png"});
 }
@@ -95,7 +102,7 @@ TEST(Publish, ASoundPictureIsWritten) {
   Rendering rendering = poisoned(scene);
   rendering.radiance.rgba.assign(rendering.radiance.rgba.size(), 0.5F);
   rendering.picture = {};
-  EXPECT_EQ(refusal(scene, rendering, order_in(scratch)), "");
+  EXPECT_EQ(refusal(scene, rendering, both_in(scratch)), "");
   EXPECT_EQ(scratch.files(), (Names{"a.exr", "a.png"}));
 }
 

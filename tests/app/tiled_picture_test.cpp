@@ -1,10 +1,9 @@
-#include "app/render/tiled_picture.h"
-
 #include <gtest/gtest.h>
 
 #include <memory>
 
 #include "app/cli/scene_options.h"
+#include "app/render/publish.h"
 #include "core/error.h"
 #include "core/methods/ready.h"
 #include "tests/cli/process.h"
@@ -24,16 +23,21 @@ TEST(TiledPicture, AFaultIsShownByTheDiagnosticView) {
   scene.sun.disc.angular_radius = 0.2;
   std::unique_ptr<Executor> executor;
   const std::optional<DisplayTransform> none;
-  const auto context = [](const Scene& part, const Rendering& rows) { return cli::PictureContext{part, rows, {}}; };
-  const cli::TiledOrder order{.tile = {9, 5},
-                              .request = {},
-                              .parts = {{scene, 0, {scratch.path() / "a.exr", scratch.path() / "a.png"}}},
-                              .transform = none,
-                              .source = "sky.json",
-                              .context = context};
   const auto message = [&] {
+    cli::Stopwatch watch;
+    cli::PictureWriter writer({.parts = {{scene, 0, {scratch.path() / "a.exr", scratch.path() / "a.png"}}},
+                               .transform = none,
+                               .options = {},
+                               .depth = {},
+                               .source = "sky.json",
+                               .context = [](const Scene& part, const Rendering& rows) {
+                                 return cli::PictureContext{part, rows, {}};
+                               }});
     try {
-      cli::write_tiled(cli::device_on_demand(options, executor), ready(scene), order);
+      const Stage stage = ready(scene);
+      Rendering rendering =
+          render_bands(cli::device_on_demand(options, executor), stage, writer.bands(ImageSize{9, 5}, {}));
+      writer.publish(rendering, watch);
     } catch (const RunError& error) {
       return std::string(error.what());
     }
@@ -42,10 +46,8 @@ TEST(TiledPicture, AFaultIsShownByTheDiagnosticView) {
   scene.display.view = "gpu";
   EXPECT_TRUE(contains(message(), "no picture was written; --png FILE --view diagnostic shows where")) << message();
   EXPECT_EQ(scratch.files(), (Names{"sky.json"}));
-  cli::TiledOrder shown = order;
   scene.display.view = "diagnostic";
-  shown.parts.front().scene = scene;
-  EXPECT_THROW(cli::write_tiled(cli::device_on_demand(options, executor), ready(scene), shown), RunError);
+  EXPECT_TRUE(contains(message(), "NaN magenta"));
   EXPECT_EQ(scratch.files(), (Names{"a.png", "sky.json"}));
 }
 

@@ -79,6 +79,7 @@ TEST_F(Diff, AllNanDoesNotPass) {
   EXPECT_EQ(diff({"a.exr", "c.exr", "--allow-nonfinite", "--fail", "1e30"}).exit_code, 1);
   const Outcome told = diff({"a.exr", "c.exr"});
   EXPECT_NE(told.out.find("Channel G: A holds 32 NaN and 0 infinite, B 0 NaN and 0 infinite"), std::string::npos);
+  EXPECT_NE(told.out.find("The first of A is at column 0, row 0, channel R\n"), std::string::npos) << told.out;
 }
 
 TEST_F(Diff, DifferentSizesAreNotPadded) {

@@ -123,9 +123,7 @@ TEST_F(GroundTool, NonsenseIsRefusedInOneLine) {
            {R"({"ocean": {"waves": 1}})", "/planet/ocean/waves: unknown key"},
            {R"({"ocean": 5})", "/planet/ocean: "},
            {R"({"ocean": {"mask_map": "square.exr"}})", "/planet/ocean/mask_map: "},
-           {R"({"ocean": {"mask_map": "bright.exr"}})", "holds the value 1.5"},
-           {R"({"albedo_map": "grey.exr", "ocean": {}, "terrain": {"ridge": {}, "width_km": 40, "distance_km": 30}})",
-            "/planet/albedo_map: there is planet.terrain beside it"}}) {
+           {R"({"ocean": {"mask_map": "bright.exr"}})", "holds the value 1.5"}}) {
     preset(c.planet);
     const Outcome outcome = tool({"check", "sky.json"});
     EXPECT_EQ(outcome.exit_code, 2) << c.planet;
@@ -135,23 +133,32 @@ TEST_F(GroundTool, NonsenseIsRefusedInOneLine) {
   }
 }
 
-TEST_F(GroundTool, WhatKnowsOneAlbedoSaysSo) {
+TEST_F(GroundTool, WhatKnowsNoMapsSaysSo) {
   map("grey.exr", 0.25F);
   preset(R"({"albedo_map": "grey.exr"})");
   for (const std::string method : {"nested", "analytic"}) {
     const Outcome outcome = tool({"render", "sky.json", "--method", method});
     EXPECT_EQ(outcome.exit_code, 2) << method;
-    EXPECT_TRUE(contains(outcome.err, "knows one albedo alone; choose ")) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, "knows no maps of the ground; choose ")) << outcome.err;
   }
-  Outcome outcome = tool({"render", "sky.json", "--layers", "-o", "x.exr"});
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_TRUE(contains(outcome.err, "planet.albedo_map")) << outcome.err;
-  outcome = tool({"render", "sky.json", "--set", R"(/sun/spectrum={"named": "sun"})", "-o", "x.exr"});
-  EXPECT_EQ(outcome.exit_code, 2);
-  outcome = tool({"render", "sky.json", "--set",
-                  R"(/planet/ground_albedo={"wavelengths_nm": [400, 700], "values": [0, 1]})", "-o", "x.exr"});
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_TRUE(contains(outcome.err, "is lit in three channels alone")) << outcome.err;
+}
+
+// Of a grey map under curves over the wavelength, beside terrain and a ball: its grey, as one albedo has it.
+TEST_F(GroundTool, StandsBesideCurvesAndOtherThings) {
+  map("grey.exr", 0.25F);
+  const std::string others =
+      R"("terrain": {"ridge": {}, "width_km": 30, "distance_km": 20, "albedo": {"wavelengths_nm": [400, 700],
+         "values": [0.2, 0.2]}}})";
+  const std::string ball = R"(, "scene": {"spheres": [{"distance_m": 5, "radius_m": 1, "elevation_deg": -60}]})";
+  preset(R"({"albedo_map": "grey.exr", )" + others, ball);
+  const RadianceImage with = rendered({});
+  preset(R"({"ground_albedo": 0.25, )" + others, ball);
+  const RadianceImage without = rendered({});
+  for (std::size_t i = 0; i < with.rgba.size(); ++i) {
+    EXPECT_NEAR(with.rgba[i], without.rgba[i], 4e-3F * without.rgba[i]) << i;
+  }
+  const Outcome outcome = tool({"render", "sky.json", "--layers", "-o", "layers.exr", "-q"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
 }
 
 }  // namespace

@@ -89,6 +89,17 @@ TEST_F(NamedFiles, ProbeReadsAFile) {
   }
 }
 
+TEST_F(NamedFiles, AManifestIsAFile) {
+  for (const auto& [file, told] : kNoFiles) {
+    const Outcome outcome =
+        bounded({"sequence", "sky.json", "-o", "f.#.exr", "--sun-elevation", "1:2:1", "--manifest", file});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_TRUE(contains(outcome.err, std::string(file) + ": " + told)) << outcome.err;
+    EXPECT_EQ(lines_of(outcome.err).size(), 1U) << outcome.err;
+  }
+  EXPECT_FALSE(fs::exists(scratch_.path() / "f.1.exr"));
+}
+
 TEST_F(NamedFiles, APlateIsAFile) {
   for (const auto& [file, told] : kNoFiles) {
     const Outcome outcome = bounded({"composite", "sky.json", "--beauty", file, "-o", "out.exr"});

@@ -107,7 +107,7 @@ TEST_F(Cli, TimingsNameEveryPartAndAddUp) {
   for (const char* name :
        {"process start", "preset and checks", "OCIO config", "render", "instance", "device", "pipelines",
         "pass transmittance", "pass sky", "submission and waiting", "readback", "EXR, encoding",
-        "PNG, display transform and encoding", "EXR, writing", "PNG, writing", "total", "peak resident MiB"}) {
+        "PNG, transform and encoding", "EXR, writing", "PNG, writing", "total", "peak resident MiB"}) {
     EXPECT_TRUE(std::regex_search(outcome.err, std::regex("\n *" + std::string(name) + "  +[0-9]")))
         << name << " is missing in\n"
         << outcome.err;

@@ -99,6 +99,25 @@ TEST_F(SpectralExr, IsToldAsJson) {
   EXPECT_TRUE(contains(planned.out, "3 wavelengths from 500 to 600 nm")) << planned.out;
 }
 
+// Layers and faces have spectra beside them, each as it is alone.
+TEST_F(SpectralExr, GoesWithLayersAndFaces) {
+  scratch_.write("sky.json", spectral_preset("20", ""));
+  const Outcome layers =
+      shell(scratch_.path(),
+            "airlight render sky.json -q --method orders --layers --spectral 500:600:50 -o both.exr && "
+            "airlight render sky.json -q --method orders --float --layers -o layers.exr && "
+            "airlight render sky.json -q --method orders --spectral 500:600:50 -o spectrum.exr && "
+            "airlight diff both.exr layers.exr --layer haze --fail 0 && "
+            "airlight diff both.exr spectrum.exr --layer S0 --fail 0");
+  EXPECT_EQ(layers.exit_code, 0) << layers.out << layers.err;
+  const Outcome faces = shell(
+      scratch_.path(),
+      "airlight render sky.json -q --projection cube --size 8x48 --cube-faces --spectral 500:600:50 -o cube.exr && "
+      "airlight render cube.negy.exr -q --spectral 500:600:50 -o face.exr && "
+      "airlight diff cube.negy.exr face.exr --layer S0 --fail 1e-6");
+  EXPECT_EQ(faces.exit_code, 0) << faces.out << faces.err;
+}
+
 TEST_F(SpectralExr, ProbePrintsSpectra) {
   scratch_.write("sky.json", spectral_preset("20", ""));
   const WordList words{"probe", "sky.json",    "--elevation", "90",        "--azimuth",
@@ -149,11 +168,8 @@ TEST_F(SpectralExr, BadInputIsOneLine) {
       {{"render", "three.json", "-o", "a.exr", "--spectral", "380:780:10"},
        {"the preset has three channels and no spectra", "such as earth"}},
       {{"render", "sky.json", "--png", "a.png", "--spectral", "380:780:10"}, {"none is written", "-o FILE.exr"}},
-      {{"render", "sky.json", "-o", "a.exr", "--layers", "--spectral", "380:780:10"}, {"does not go with --layers"}},
       {{"render", "sky.json", "-o", "a.exr", "--luts", ".", "--spectral", "380:780:10"}, {"does not go with --luts"}},
       {{"render", "sky.json", "-o", "a.exr", "--tile", "8x8", "--spectral", "380:780:10"}, {"does not go with --tile"}},
-      {{"render", "sky.json", "-o", "a.exr", "--projection", "cube", "--cube-faces", "--spectral", "380:780:10"},
-       {"does not go with --cube-faces"}},
       {{"render", "sky.json", "-o", "a.exr", "--size", "4096x2048", "--spectral", "380:780:10"},
        {"4096x2048 are 8388608 pixels", "at most 3273603"}},
       {{"probe", "sky.json", "--elevation", "1", "--azimuth", "0", "--spectrum", "3"},

@@ -194,7 +194,7 @@ class Writer {
     for (;;) {
       const SkyMethod& method = random_.pick(methods());
       const MethodInfo& info = method.info;
-      if (things == Things::none || (things == Things::spheres && info.knows_spheres) ||
+      if (things == Things::none || (things == Things::spheres && info.knows_translucent_spheres) ||
           (things == Things::terrain && info.knows_terrain) ||
           (things == Things::ground_maps && info.knows_ground_maps)) {
         return method;

@@ -9,7 +9,6 @@
 #include <numbers>
 #include <vector>
 
-#include "app/composite/order.h"
 #include "core/methods/method.h"
 #include "core/output/exr.h"
 #include "core/output/finite.h"
@@ -264,6 +263,15 @@ void add(Outcome& outcome, const Outcome& part) {
   outcome.message += part.message.empty() ? "" : part.message + " | ";
 }
 
+std::string fault_of_composite(cli::CompositeOrder order, const fs::path& folder) {
+  order.scene.no_cache = true;
+  order.output = (folder / "composite.exr").string();
+  order.quiet = true;
+  cli::run_composite(order);
+  const ExrPicture made = read_exr_picture(order.output);
+  return finite_fault("the composite", made.radiance.rgba, static_cast<std::size_t>(made.radiance.width), 4);
+}
+
 void change_bytes(Random& random, std::vector<char>& bytes) {
   for (std::uint64_t changes = 1 + random.below(3); changes > 0 && !bytes.empty(); --changes) {
     const auto at = static_cast<std::ptrdiff_t>(
@@ -340,8 +348,7 @@ Outcome scene_case(std::uint64_t seed) {
     request.bloom = true;
     request.gpu_tone = seed % 4 == 0;
     const SkyMethod& method = *find_method(scene.render.method);
-    const bool refuses = method.layers_refusal != nullptr && !method.layers_refusal(scene).empty();
-    request.layers = method.add_layer_passes != nullptr && !refuses && seed % 5 == 0;
+    request.layers = method.add_layer_passes != nullptr && seed % 5 == 0;
     request.host.threads = 1;
     return fault_of_picture(render([]() -> Executor& { return device(); }, scene, request));
   });
@@ -371,7 +378,7 @@ void write_any_plate(Random& random, const fs::path& file, int width, int height
   write_exr(file, width, height, channels, options);
 }
 
-std::string fault_of_composite(Random& random, const std::string& preset, const fs::path& folder) {
+std::string fault_of_plates(Random& random, const std::string& preset, const fs::path& folder) {
   const fs::path plate = folder / "plate.exr";
   const fs::path depth = folder / "depth.exr";
   write_any_plate(random, plate, 6, 4);
@@ -380,17 +387,12 @@ std::string fault_of_composite(Random& random, const std::string& preset, const 
   std::ofstream(file) << preset;
   cli::CompositeOrder order;
   order.scene.preset = file.string();
-  order.scene.no_cache = true;
   order.beauty = plate.string();
   order.depth = random.chance(0.5) ? depth.string() + ":Z" : "";
   order.layers = random.chance(0.5) ? "inscatter,transmittance" : "";
   order.aerial = random.chance(0.3) ? "volume" : "";
   order.fog = random.chance(0.1) ? "height" : "";
-  order.output = (folder / "composite.exr").string();
-  order.quiet = true;
-  cli::run_composite(order);
-  const ExrPicture made = read_exr_picture(order.output);
-  return finite_fault("the composite", made.radiance.rgba, static_cast<std::size_t>(made.radiance.width), 4);
+  return fault_of_composite(order, folder);
 }
 
 std::string fault_of_tables(const Scene& scene) {
@@ -451,7 +453,7 @@ Outcome method_case(std::uint64_t seed, const fs::path& folder) {
       part("", fault_of_tables);
     }
     if (method.add_span_passes != nullptr) {
-      part("composite: ", [&](const Scene& scene) { return fault_of_composite(random, to_json(scene), folder); });
+      part("composite: ", [&](const Scene& scene) { return fault_of_plates(random, to_json(scene), folder); });
     }
   }
   outcome.input = text;

@@ -14,7 +14,6 @@
 
 #include "app/cli/scene_files.h"
 #include "app/composite/foreground.h"
-#include "app/composite/order.h"
 #include "core/foreign/foreign_picture.h"
 #include "core/methods/method.h"
 #include "core/output/exr.h"
@@ -219,11 +218,12 @@ std::string absolute(const fs::path& folder, const std::string& name) {
   return name.empty() || name.front() == '/' ? name : (folder / name).string();
 }
 
+constexpr const char* kSmallPreset =
+    R"({"airlight": 1, "media": [{"name": "air", "density": {"profile": "exponential", "scale_height_km": 8},
+        "scattering_per_km": 0.01}], "image": {"width": 4, "height": 2}})";
+
 Scene scene_with(const std::string& assignment) {
-  Preset preset = parse_preset(
-      R"({"airlight": 1, "media": [{"name": "air", "density": {"profile": "exponential", "scale_height_km": 8},
-          "scattering_per_km": 0.01}], "image": {"width": 4, "height": 2}})",
-      "fuzz", {});
+  Preset preset = parse_preset(kSmallPreset, "fuzz", {});
   apply_override(preset, assignment);
   return cli::judged(preset);
 }
@@ -319,6 +319,20 @@ Outcome plate_case(std::uint64_t seed, const fs::path& folder) {
             return fault_of(read_foreground(order, file.string(), depth, scene));
           }));
     }
+  }
+  // One in four reaches the picture: as the plate, or as a map of the planet before whose air a plate is put.
+  if (random.chance(0.25)) {
+    add(outcome, guarded([&]() -> std::string {
+          const bool is_map = random.chance(0.5);
+          const FileKey& key = kFileKeys[4 + random.below(2)];
+          put(folder / "preset.json", kSmallPreset);
+          cli::CompositeOrder order;
+          order.scene.preset = (folder / "preset.json").string();
+          order.scene.set = is_map ? std::vector{key.before + name + key.after} : std::vector<std::string>();
+          order.beauty = is_map ? (folder / "whole.exr").string() : file.string();
+          order.depth = (folder / "whole.exr").string() + ":Z";
+          return fault_of_composite(order, folder);
+        }));
   }
   const std::vector<char> bytes = bytes_of_file(file);
   outcome.input.assign(bytes.begin(), bytes.end());

@@ -12,7 +12,8 @@ namespace airlight::fuzz {
 // is refused by a short message, or it is a scene.
 Outcome file_case(std::uint64_t seed, const std::filesystem::path& folder);
 
-// A PNG, a TIFF, a Radiance picture, an EXR or a deep EXR with changed bytes, read as a plate and as each kind of map.
+// A PNG, a TIFF, a Radiance picture, an EXR or a deep EXR with changed bytes, read as a plate and as each kind of map;
+// some go through `composite`.
 Outcome plate_case(std::uint64_t seed, const std::filesystem::path& folder);
 
 }  // namespace airlight::fuzz

@@ -2,9 +2,11 @@
 // What a case may throw, as its outcome.
 
 #include <exception>
+#include <filesystem>
 #include <string>
 #include <vector>
 
+#include "app/composite/order.h"
 #include "core/error.h"
 #include "core/scene/printable.h"
 #include "tests/fuzz/cases.h"
@@ -36,6 +38,9 @@ Outcome guarded(Work work) {
 
 // Adds the outcome of a part of a case.
 void add(Outcome& outcome, const Outcome& part);
+
+// The fault of what `composite` writes by this order into a file of the folder.
+std::string fault_of_composite(cli::CompositeOrder order, const std::filesystem::path& folder);
 
 // Changes some bytes, most of them among the first.
 void change_bytes(Random& random, std::vector<char>& bytes);

@@ -10,6 +10,7 @@
 #include <limits>
 #include <sstream>
 
+#include "core/measure/report.h"
 #include "core/output/exr.h"
 
 namespace airlight::measure {
@@ -106,6 +107,30 @@ TEST_F(Compare, AllNanDoesNotPass) {
   EXPECT_EQ(compare(request).verdict, Verdict::pass);
   request.b = write("c.exr", std::numeric_limits<float>::infinity());
   EXPECT_EQ(compare(request).verdict, Verdict::differ);
+}
+
+// Row by row: a later channel's earlier row comes first, and of one pixel the first channel.
+TEST_F(Compare, TheFirstNonfiniteValueIsNamed) {
+  ComparisonRequest request;
+  request.a = write("a.exr", 0.5F);
+  request.b = write("b.exr", 0.5F);
+  EXPECT_FALSE(compare(request).first_nonfinite_a);
+  std::vector<float> red(32, 0.5F);
+  std::vector<float> green = red;
+  red[2 * 8 + 1] = std::numeric_limits<float>::infinity();
+  green[1 * 8 + 6] = -std::numeric_limits<float>::infinity();
+  green[3 * 8 + 7] = kNan;
+  const std::vector<ExrChannel> channels{
+      {"R", red.data(), 1, true}, {"G", green.data(), 1, true}, {"B", red.data(), 1, true}};
+  write_exr(request.b, 8, 4, channels, {});
+  const ComparisonReport report = compare(request);
+  EXPECT_FALSE(report.first_nonfinite_a);
+  ASSERT_TRUE(report.first_nonfinite_b);
+  EXPECT_EQ(report.first_nonfinite_b->x, 6);
+  EXPECT_EQ(report.first_nonfinite_b->y, 1);
+  EXPECT_EQ(report.first_nonfinite_b->channel, "G");
+  EXPECT_NE(describe({"", "a", "b", report}, {}).find("The first of B is at column 6, row 1, channel G\n"),
+            std::string::npos);
 }
 
 // Debian's idiff pads the smaller with zeros.

@@ -75,10 +75,11 @@ inline Scene earth(double sun_elevation_deg, double altitude_km, double albedo =
   return scene;
 }
 
-// A level slab: one medium of constant density, 10 km high, on a planet of a million km.
+// A level slab: one medium of constant density, 10 km high, on a planet of a million km. In scalar light, as its judge.
 inline Scene slab(double optical_depth, double single_scattering_albedo, PhaseFunction phase, double g) {
   Scene scene;
   set_path_trace(scene);
+  scene.render.polarisation = false;
   scene.planet.ground_radius = 1e6;
   scene.planet.atmosphere_height = 10.0;
   const double s = optical_depth / 10.0 * single_scattering_albedo;

@@ -14,7 +14,7 @@ namespace airlight::test {
 namespace {
 
 Rendering spectrum_now(const Scene& scene, const Nodes& nodes) {
-  return render_spectrum([]() -> Executor& { return executor(); }, scene, {}, nodes);
+  return render_now(scene, {.spectrum = nodes});
 }
 
 SpectralProbes spectra_now(const Scene& scene, const std::vector<Direction>& directions, const Nodes& nodes) {

@@ -311,6 +311,7 @@ TEST(TableText, Factors) {
     p.moments_lut = files.at("moments").table;
     p.moment_columns = static_cast<physics::uint>(settings_columns);
     p.delta = true;  // the aerosol has a peak
+    p.polarisation = true;
     const TableFile& file = files.at("sky_factors");
     const std::string& parts = file.texts.at("airlight:quantity");
     const auto block_of = [&](const std::string& medium) {

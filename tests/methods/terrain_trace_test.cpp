@@ -1,12 +1,11 @@
 // Terrain by path-trace, which finds it by steps of its own: where rays meet it, against the shaders' way; and its
 // picture and its shadow in the air, against `orders`.
-#include "core/methods/path_trace/terrain_trace.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
+#include "core/methods/path_trace/things_trace.h"
 #include "core/render/spans.h"
 #include "core/things/terrain.h"
 #include "tests/methods/spectral_scene.h"
@@ -47,7 +46,7 @@ TEST(TracedTerrain, HidesTheSunWhereTheTableOfShadowsSaysSo) {
   const Scene scene = range_in_haze("orders", 5.0);
   physics::Physics p = make_physics(scene);
   p.terrain_maps = shadowed_terrain(scene);
-  const TracedTerrain traced(scene, terrain_of(scene));
+  const TracedThings traced(part_of(scene));
   std::mt19937_64 engine(4);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   int hidden = 0;
@@ -68,7 +67,7 @@ TEST(TracedTerrain, HidesTheSunWhereTheTableOfShadowsSaysSo) {
       continue;
     }
     const double share = p.terrain_sunlit(shape, east, north, h);
-    const bool dark = traced.hides_sun(place);
+    const bool dark = traced.hides_sun(place, kNoThing);
     hidden += dark ? 1 : 0;
     wrong += std::abs(share - (dark ? 0.0 : 1.0)) > 0.75 ? 1 : 0;
   }

@@ -1,9 +1,8 @@
 // A picture in tiles equals the whole picture, bit for bit, for any tiles.
 
-#include "core/render/tiled.h"
-
 #include <algorithm>
 
+#include "core/render/bands.h"
 #include "tests/methods/render_fixture.h"
 #include "tests/methods/spectral_scene.h"
 #include "tests/of_scene.h"
@@ -16,13 +15,14 @@ struct Whole {
   std::vector<float> rgba;
   std::vector<std::vector<float>> layers;  // bands one after the other
   std::vector<float> bloom, standard_error;
+  std::vector<std::vector<float>> spectrum;
   std::vector<std::uint16_t> encoded;
   std::vector<double> exposures;  // as each band knew it
 };
 
 Whole in_tiles(const Scene& scene, ImageSize tile, const RenderRequest& picture = {}, bool exposure_first = false) {
   Whole whole;
-  TiledRequest request{.tile = tile, .picture = picture, .exposure_first = exposure_first, .sink = {}};
+  BandsRequest request{.tile = tile, .picture = picture, .exposure_first = exposure_first, .sink = {}};
   const auto append = [](auto& all, const auto& more) { all.insert(all.end(), more.begin(), more.end()); };
   request.sink = [&](const Band& band) {
     EXPECT_EQ(static_cast<std::size_t>(band.y) * static_cast<std::size_t>(4 * scene.image.width), whole.rgba.size());
@@ -31,13 +31,17 @@ Whole in_tiles(const Scene& scene, ImageSize tile, const RenderRequest& picture 
     append(whole.bloom, rows.bloom ? rows.bloom->rgba : std::vector<float>());
     append(whole.standard_error, rows.standard_error ? rows.standard_error->rgba : std::vector<float>());
     append(whole.encoded, rows.encoded);
+    whole.spectrum.resize(rows.spectrum ? rows.spectrum->planes.size() : 0);
+    for (std::size_t k = 0; k < whole.spectrum.size(); ++k) {
+      append(whole.spectrum[k], rows.spectrum->planes[k]);
+    }
     whole.exposures.push_back(rows.exposure);
     whole.layers.resize(rows.layers.size());
     for (std::size_t i = 0; i < rows.layers.size(); ++i) {
       append(whole.layers[i], rows.layers[i].planes);
     }
   };
-  whole.rendering = render_tiled([]() -> Executor& { return executor(); }, scene, request);
+  whole.rendering = render_bands([]() -> Executor& { return executor(); }, scene, request);
   return whole;
 }
 
@@ -120,6 +124,22 @@ TEST(Tiled, LayersAreThoseOfThePicture) {
   ASSERT_EQ(bands.layers.size(), whole.layers.size());
   for (std::size_t i = 0; i < whole.layers.size(); ++i) {
     EXPECT_EQ(bands.layers[i], whole.layers[i].planes) << whole.layers[i].name;
+  }
+}
+
+// Whether the spectrum's wavelengths tell the colours or are too few, its planes go in bands like all others.
+TEST(Tiled, ASpectrumIsThatOfThePicture) {
+  Scene scene = scene_of(clear_air(R"({"named": "air"})", "{}"));
+  scene.image = {12, 7};
+  std::vector<double> many(41);
+  std::ranges::generate(many, [x = 370.0]() mutable { return x += 10.0; });
+  for (const std::vector<double>& nm : {std::vector<double>{450.0, 550.0}, many}) {
+    const RenderRequest request{.spectrum = listed_nodes(nm, 10.0)};
+    const Rendering whole = render_now(scene, request);
+    const Whole bands = in_tiles(scene, {5, 3}, request);
+    EXPECT_EQ(whole.spectrum->tells_colours, nm.size() > 2);
+    EXPECT_EQ(bands.rgba, whole.radiance.rgba) << nm.size();
+    EXPECT_EQ(bands.spectrum, whole.spectrum->planes) << nm.size();
   }
 }
 

@@ -4,8 +4,12 @@
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfInputFile.h>
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -107,6 +111,22 @@ TEST(FileInProgress, LeavesNothingWithoutItsEnd) {
   FileInProgress(folder / "a.exr").write(0, test::text_bytes("half"));
   EXPECT_EQ(contents_of(folder / "a.exr"), "older");
   EXPECT_EQ(folder.names(), std::set<std::string>{"a.exr"});
+}
+
+// What no rename can replace is opened at the end, and gets its pieces in their order.
+TEST(FileInProgress, IsHeldForAPipe) {
+  const Folder folder;
+  const std::string pipe = (folder / "pipe").string();
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  FileInProgress file(pipe, FileInProgress::Order::held);  // nobody reads yet: to open it would wait
+  file.write(4, test::text_bytes("file"));
+  file.write(0, test::text_bytes("held"));
+  const int reader = ::open(pipe.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  file.commit();
+  std::array<char, 16> found{};
+  EXPECT_EQ(::read(reader, found.data(), found.size()), 8);
+  EXPECT_STREQ(found.data(), "heldfile");
+  ::close(reader);
 }
 
 TEST(FileInProgress, IsNoPipe) {

@@ -177,8 +177,8 @@ TEST(Shells, SourceStandsWhereTheStepShinesFrom) {
 TEST(Harmonics, AreOrthonormalUpToDegree8) {
   Physics p;
   constexpr int kAzimuths = 20;  // exact for cosines of up to 16 azimuths
-  for (int a = 0; a < static_cast<int>(physics::kMaxMoments); ++a) {
-    for (int b = a; b < static_cast<int>(physics::kMaxMoments); ++b) {
+  for (int a = 0; a < static_cast<int>(physics::kMaxHarmonics); ++a) {
+    for (int b = a; b < static_cast<int>(physics::kMaxHarmonics); ++b) {
       const double product = integral(
           [&](double mu) {
             double sum = 0.0;

@@ -191,7 +191,7 @@ class Flight::Planner {
       : guide_(guide), ray_(ray), r_(r), sun_weight_(sun_weight), plan_(plan) {
     plan_.panels.clear();
     plan_.length = ray.length_;
-    plan_.on_terrain = false;
+    plan_.thing = kNoThing;
     plan_.ground = {};
     plan_.total = {};
   }
@@ -231,12 +231,6 @@ class Flight::Planner {
       ground_[c] = albedo[c] * transmittance_[c];
       plan_.ground[c] = ground_[c] * (light ? light->sky[c] + (sun_weight_ > 0.0 ? light->sun[c] : 0.0) : 1.0);
     }
-  }
-
-  // Terrain is steered like level ground.
-  void add_terrain(const Channels& albedo) {
-    add_ground(albedo);
-    plan_.on_terrain = true;
   }
 
   // Sums up, and returns a part of the choice to collisions and scattering: no share falls far below its unguided one,
@@ -290,17 +284,17 @@ class Flight::Planner {
 };
 
 void Flight::plan_guided(const physics::Physics::Ray& ray, double sun_weight, FlightPlan& plan,
-                         const Channels* terrain) const {
+                         const Channels* thing) const {
   Planner planner(&*guide_, ray, physics_.scene.planet.ground_radius + ray.h, sun_weight, plan);
-  follow(ray, planner, terrain);
+  follow(ray, planner, thing);
 }
 
-void Flight::plan_plain(const physics::Physics::Ray& ray, FlightPlan& plan, const Channels* terrain) const {
+void Flight::plan_plain(const physics::Physics::Ray& ray, FlightPlan& plan, const Channels* thing) const {
   Planner planner(nullptr, ray, physics_.scene.planet.ground_radius + ray.h, 0.0, plan);
-  follow(ray, planner, terrain);
+  follow(ray, planner, thing);
 }
 
-void Flight::follow(const physics::Physics::Ray& ray, Planner& planner, const Channels* terrain) const {
+void Flight::follow(const physics::Physics::Ray& ray, Planner& planner, const Channels* thing) const {
   if (!(ray.length_ >= 0.0)) {
     return;
   }
@@ -332,8 +326,8 @@ void Flight::follow(const physics::Physics::Ray& ray, Planner& planner, const Ch
     }
     planner.add(ray.length_, k, here, shells_[k].high);
   }
-  if (terrain != nullptr) {
-    planner.add_terrain(*terrain);
+  if (thing != nullptr) {
+    planner.add_ground(*thing);  // steered like level ground
   }
   planner.finish();
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/methods/path_trace/guide.h"
+#include "core/methods/path_trace/things_trace.h"
 #include "core/physics/physics.h"
 
 namespace airlight {
@@ -22,10 +23,10 @@ struct FlightPlan {
     Channels share;  // expected contribution, by which the choice is made
   };
   std::vector<Panel> panels;
-  Channels ground{};        // `share` of the ground
-  Channels total{};         // over all panels and the ground
-  double length = 0.0;      // km
-  bool on_terrain = false;  // the ground's share belongs to terrain, above the ground
+  Channels ground{};             // `share` of the ground
+  Channels total{};              // over all panels and the ground
+  double length = 0.0;           // km
+  ThingNumber thing = kNoThing;  // to which the ground's share belongs, above the ground
 };
 
 struct Collision {
@@ -40,13 +41,13 @@ class Flight {
   Flight(physics::Physics& physics, const OpticalDepth& depth);
 
   // Shares by the light that the guide expects at each place. `sun_weight`: weight of direct sunlight there, 1 for
-  // isotropic air; 0 where sunlight is known without samples. `terrain`: albedo of the terrain at the ray's end above
-  // the ground; null: none.
+  // isotropic air; 0 where sunlight is known without samples. `thing`: albedo of the thing at the ray's end above the
+  // ground; null: none.
   void plan_guided(const physics::Physics::Ray& ray, double sun_weight, FlightPlan& plan,
-                   const Channels* terrain = nullptr) const;
+                   const Channels* thing = nullptr) const;
 
   // Shares by extinction and scattering alone.
-  void plan_plain(const physics::Physics::Ray& ray, FlightPlan& plan, const Channels* terrain = nullptr) const;
+  void plan_plain(const physics::Physics::Ray& ray, FlightPlan& plan, const Channels* thing = nullptr) const;
 
   // `weight`: the light that each channel of the path carries. u in [0, 1).
   static Collision choose(const FlightPlan& plan, const Channels& weight, double u);
@@ -83,7 +84,7 @@ class Flight {
   };
   void divide(double low, double high, const Thinness& thin);
   class Planner;
-  void follow(const physics::Physics::Ray& ray, Planner& planner, const Channels* terrain) const;
+  void follow(const physics::Physics::Ray& ray, Planner& planner, const Channels* thing) const;
 
   physics::Physics& physics_;
   std::vector<double> edges_;

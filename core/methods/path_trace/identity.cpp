@@ -73,6 +73,27 @@ void add_matter(Lines& lines, const std::string& at, const Scene& scene) {
   }
 }
 
+void add_things(Lines& lines, const std::string& at, const Scene& scene) {
+  if (scene.terrain) {
+    lines.add(at + terrain_key(*scene.terrain), 1.0);
+  }
+  if (scene.ground) {
+    lines.add(at + ground_key(scene), 1.0);
+  }
+  for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
+    const Sphere& sphere = scene.spheres[i];
+    const std::string here = at + "/scene/spheres/" + std::to_string(i);
+    lines.add(here + "/azimuth (rad)", sphere.azimuth);
+    lines.add(here + "/elevation (rad)", sphere.elevation);
+    lines.add(here + "/distance (km)", sphere.distance);
+    lines.add(here + "/radius (km)", sphere.radius);
+    lines.add(here + "/material", static_cast<int>(sphere.material));
+    for (std::size_t c = 0; c < 3; ++c) {
+      lines.add(here + "/albedo/" + std::to_string(c), sphere.albedo[c]);
+    }
+  }
+}
+
 // The groups of three wavelengths, with their colours, whose sum is the picture.
 void add_wavelengths(Lines& lines, const Stage& stage) {
   lines.add("wavelengths", static_cast<double>(stage.basis().nodes.nm.size()));
@@ -80,9 +101,7 @@ void add_wavelengths(Lines& lines, const Stage& stage) {
     const Part& part = stage.parts()[g];
     const std::string at = "group " + std::to_string(g) + " ";
     add_matter(lines, at, part.scene);
-    if (part.scene.terrain) {
-      lines.add(at + terrain_key(*part.scene.terrain), 1.0);
-    }
+    add_things(lines, at, part.scene);
     for (std::size_t c = 0; c < 3; ++c) {
       lines.add(at + "colour " + std::to_string(c), part.colours[c]);
     }
@@ -112,7 +131,7 @@ std::string checkpoint_identity(const Stage& stage, const View& view) {
   lines.add("batch", kBatch);
   lines.add("/render/seed", scene.render.get<int>("seed"));
   lines.add("/render/max_orders", scene.render.get<int>("max_orders"));
-  lines.add("/render/polarisation", scene.render.get<bool>("polarisation") ? 1.0 : 0.0);
+  lines.add("/render/polarisation", scene.render.polarisation ? 1.0 : 0.0);
   lines.add("/planet/radius_km", scene.planet.ground_radius);
   lines.add("/planet/atmosphere_height_km", scene.planet.atmosphere_height);
   if (stage.in_colours()) {
@@ -120,11 +139,9 @@ std::string checkpoint_identity(const Stage& stage, const View& view) {
   } else {
     add_matter(lines, "", scene);
   }
-  if (scene.terrain) {
-    lines.add(terrain_key(*scene.terrain), 1.0);
-  }
+  add_things(lines, "", scene);
   if (scene.ground) {
-    lines.add(ground_key(scene) + ", latitude (rad)", scene.camera.latitude);
+    lines.add("latitude (rad)", scene.camera.latitude);
     lines.add("longitude (rad)", scene.camera.longitude);
   }
   lines.add("/sun/elevation (rad)", scene.sun.elevation);

@@ -7,7 +7,6 @@
 #include "core/methods/methods.h"
 #include "core/methods/path_trace/sampling.h"
 #include "core/methods/path_trace/tracer.h"
-#include "core/methods/polarisation.h"
 #include "core/scene/parameters.h"
 
 namespace airlight {
@@ -19,7 +18,7 @@ using parameter::kMostInt;
 using parameter::kNoLimit;
 constexpr int kUsualSamples = 64;
 
-const std::array<ParameterInfo, 6> kParameters{
+const std::array<ParameterInfo, 5> kParameters{
     parameter::whole_number(
         "samples", 0, kMostInt, 0,
         "samples a pixel, in batches of 16, at least 32; 0: 64, or as many as time_limit_s and target_error ask for"),
@@ -32,8 +31,7 @@ const std::array<ParameterInfo, 6> kParameters{
                             "of the random numbers: one seed gives one picture, whatever the number of threads"),
     parameter::whole_number(
         "max_orders", 0, kMostInt, 0,
-        "scatterings and ground reflections on a path, at most; 1: single scattering, without noise; 0: 10000"),
-    polarisation_parameter()};
+        "scatterings and ground reflections on a path, at most; 1: single scattering, without noise; 0: 10000")};
 
 StopRules rules_of(const RenderSettings& settings) {
   StopRules rules;
@@ -154,6 +152,7 @@ SkyMethod path_trace_method() {
   SkyMethod method;
   method.info = {"path-trace", "unbiased Monte Carlo of all orders on the processor, with standard error", kParameters};
   method.info.knows_terrain = true;
+  method.info.knows_spheres = true;
   method.info.knows_ground_maps = true;
   method.validity.leaves_out = "the sun's disc in the picture";
   method.sweep = {with_samples("32", 32), with_samples("128", 128), with_samples("512", 512)};

@@ -136,7 +136,7 @@ void Sampling::bring_forward(std::size_t k, std::uint64_t goal, FlightPlan& scra
   if (pixel.prepared && sums.batches >= goal) {
     return;
   }
-  std::vector<WalkStart> starts;
+  std::vector<PathTracer::Chain> starts;
   for (const SampledRay& ray : pixel.rays) {
     starts.push_back(tracer_.start(ray.direction, ray.pixel));
   }

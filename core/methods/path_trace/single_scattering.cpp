@@ -30,8 +30,8 @@ struct SingleScattering::Integrand {
 };
 
 SingleScattering::SingleScattering(physics::Physics& physics, const OpticalDepth& depth, std::vector<double> edges,
-                                   const TracedTerrain* terrain)
-    : physics_(physics), depth_(depth), edges_(std::move(edges)), rule_(gauss_legendre(8)), terrain_(terrain) {}
+                                   const TracedThings* things)
+    : physics_(physics), depth_(depth), edges_(std::move(edges)), rule_(gauss_legendre(8)), things_(things) {}
 
 vec3 SingleScattering::sunlight(double h, double mu_sun) const {
   if (physics_.meets_ground(physics_.scene.planet, h, mu_sun)) {
@@ -87,9 +87,9 @@ double distance_from_camera(const physics::Physics& physics, vec3 up) {
 
 }  // namespace
 
-vec3 above_terrain(vec3 place) {
+vec3 off_thing(vec3 place, ThingNumber thing) {
   constexpr double kAbove = 1e-4;  // km
-  return place * (1.0 + kAbove / length(place));
+  return thing == kOnTerrain ? place * (1.0 + kAbove / length(place)) : place;
 }
 
 vec3 ground_albedo_at(physics::Physics& physics, vec3 up) {
@@ -109,39 +109,40 @@ vec3 SingleScattering::radiance(const Ray& ray, const Footing& footing) const {
     return vec3(0.0);
   }
   vec3 sum(0.0);
-  if (terrain_ != nullptr) {
+  if (things_ != nullptr) {
     sum = through_shadows(ray, footing);
   } else {
     sum = along<vec3>(ray, Integrand{*this, ray, physics_.phases(ray.nu)});
   }
-  if (footing.on_terrain) {
-    return sum + exp(-depth_.along(ray.h, ray.mu, ray.length_)) * seen_terrain(ray, footing);
+  if (footing.thing != kNoThing) {
+    return sum + exp(-depth_.along(ray.h, ray.mu, ray.length_)) * seen_thing(ray, footing);
   }
   if (ray.at_ground) {
     const physics::PlanetData& planet = physics_.scene.planet;
     const double mu_sun = physics_.point_on_ray(planet, ray, ray.length_).mu_sun;
-    const vec3 sun_on_ground = terrain_ == nullptr
+    const vec3 sun_on_ground = things_ == nullptr
                                    ? sunlight(0.0, mu_sun)
                                    : sunlight_at(place_on(planet, ray, footing, ray.length_), 0.0, mu_sun);
-    sum = sum + exp(-depth_.along(ray.h, ray.mu, ray.length_)) * seen_ground(ray, footing, sun_on_ground, mu_sun);
+    sum = sum +
+          exp(-depth_.along(ray.h, ray.mu, ray.length_)) * seen_ground(physics_, ray, footing, sun_on_ground, mu_sun);
   }
   return sum;
 }
 
-// A beam weaker than this share of the sun above the air counts as none; no ray then looks for terrain before the sun.
+// A beam weaker than this share of the sun above the air counts as none; no ray then looks for things before the sun.
 constexpr double kNoBeam = 1e-12;
 
-vec3 SingleScattering::sunlight_at(vec3 place, double h, double mu_sun) const {
+vec3 SingleScattering::sunlight_at(vec3 place, double h, double mu_sun, ThingNumber left) const {
   const vec3 beam = sunlight(h, mu_sun);
   const bool shines = std::max({beam.x, beam.y, beam.z}) > kNoBeam;
-  return shines && (terrain_ == nullptr || !terrain_->hides_sun(place)) ? beam : vec3(0.0);
+  return shines && (things_ == nullptr || !things_->hides_sun(place, left)) ? beam : vec3(0.0);
 }
 
 namespace {
 
 constexpr double kDark = 1e-9;  // transmittance behind which nothing is visible
 
-// Many short steps, denser toward the camera, since shadows of terrain have edges everywhere. `step`: gets each step's
+// Many short steps, denser toward the camera, since shadows have edges everywhere. `step`: gets each step's
 // middle and width; it returns false where nothing behind it is visible.
 template <class F>
 void for_short_steps(const Ray& ray, F step) {
@@ -178,28 +179,34 @@ vec3 SingleScattering::through_shadows(const Ray& ray, const Footing& footing) c
   return sum;
 }
 
-vec3 SingleScattering::seen_terrain(const Ray& ray, const Footing& footing) const {
+// A mirror's light comes along a ray of its own.
+vec3 SingleScattering::seen_thing(const Ray& ray, const Footing& footing) const {
   const physics::PlanetData& planet = physics_.scene.planet;
   const physics::Physics::RayPoint end = physics_.point_on_ray(planet, ray, ray.length_);
   const vec3 place = place_on(planet, ray, footing, ray.length_);
-  const double facing = std::max(dot(terrain_->normal(place), physics_.scene.sun.direction), 0.0);
-  const vec3 beam = facing > 0.0 ? sunlight_at(above_terrain(place), end.h, end.mu_sun) : vec3(0.0);
-  return beam * terrain_->albedo(place) * (facing / std::numbers::pi);
+  if (things_->mirrors(footing.thing)) {
+    return vec3(0.0);
+  }
+  const double facing = std::max(dot(things_->normal(place, footing.thing), physics_.scene.sun.direction), 0.0);
+  const vec3 beam =
+      facing > 0.0 ? sunlight_at(off_thing(place, footing.thing), end.h, end.mu_sun, footing.thing) : vec3(0.0);
+  return beam * things_->albedo(place, footing.thing) * (facing / std::numbers::pi);
 }
 
-// The ground over the ray's footprint.
-vec3 SingleScattering::seen_ground(const Ray& ray, const Footing& footing, vec3 beam, double mu_sun) const {
-  if (!physics_.ground_maps) {
-    return ground_reflects(physics_, footing.up, footing.direction, mu_sun, beam);
+// The ground over the ray's footprint, by the maps of `physics`.
+vec3 SingleScattering::seen_ground(physics::Physics& physics, const Ray& ray, const Footing& footing, vec3 beam,
+                                   double mu_sun) const {
+  if (!physics.ground_maps) {
+    return ground_reflects(physics, footing.up, footing.direction, mu_sun, beam);
   }
-  const physics::PlanetData& planet = physics_.scene.planet;
+  const physics::PlanetData& planet = physics.scene.planet;
   physics::Physics::GroundPlace place;
   place.hit = true;
   place.up = normalize(footing.up * (planet.ground_radius + ray.h) + footing.direction * ray.length_);
   place.cosine = std::max(-dot(place.up, footing.direction), 0.0);
-  place.distance_ = footing.pixel > 0.0 ? distance_from_camera(physics_, place.up) : 0.0;
-  const auto ground = physics_.ground_in_pixel(planet, place, footing.direction, footing.pixel);
-  return physics_.ground_sends(ground, place.up, physics_.scene.sun.direction, -footing.direction, beam, vec3(0.0));
+  place.distance_ = footing.pixel > 0.0 ? distance_from_camera(physics, place.up) : 0.0;
+  const auto ground = physics.ground_in_pixel(planet, place, footing.direction, footing.pixel);
+  return physics.ground_sends(ground, place.up, physics.scene.sun.direction, -footing.direction, beam, vec3(0.0));
 }
 
 // Radiance scattered once, per km of the ray, at all wavelengths.
@@ -221,8 +228,8 @@ struct SingleScattering::WideIntegrand {
   }
 };
 
-bool SingleScattering::is_lit(vec3 place, double h, double mu_sun) const {
-  const vec3 sun = sunlight_at(place, h, mu_sun);
+bool SingleScattering::is_lit(vec3 place, double h, double mu_sun, ThingNumber left) const {
+  const vec3 sun = sunlight_at(place, h, mu_sun, left);
   return sun.x + sun.y + sun.z > 0.0;
 }
 
@@ -245,21 +252,25 @@ Wide SingleScattering::radiance(const Ray& ray, const Footing& footing, const Wa
   if (!(ray.length_ >= 0.0)) {
     return {};
   }
-  Wide sum = terrain_ != nullptr ? through_shadows(ray, footing, all)
-                                 : along<Wide>(ray, WideIntegrand{*this, all, ray, all.phases(ray.nu)});
-  if (!ray.at_ground && !footing.on_terrain) {
+  Wide sum = things_ != nullptr ? through_shadows(ray, footing, all)
+                                : along<Wide>(ray, WideIntegrand{*this, all, ray, all.phases(ray.nu)});
+  const ThingNumber thing = footing.thing;
+  if ((!ray.at_ground && thing == kNoThing) || (things_ != nullptr && things_->mirrors(thing))) {
     return sum;
   }
   const physics::PlanetData& planet = physics_.scene.planet;
   const physics::Physics::RayPoint end = physics_.point_on_ray(planet, ray, ray.length_);
   const vec3 place = place_on(planet, ray, footing, ray.length_);
-  const double h = footing.on_terrain ? end.h : 0.0;
-  const double facing = footing.on_terrain ? dot(terrain_->normal(place), physics_.scene.sun.direction) : end.mu_sun;
-  const bool lit = terrain_ == nullptr || is_lit(footing.on_terrain ? above_terrain(place) : place, h, end.mu_sun);
-  if (facing > 0.0 && lit) {
+  const double h = thing != kNoThing ? end.h : 0.0;
+  const double facing =
+      thing != kNoThing ? dot(things_->normal(place, thing), physics_.scene.sun.direction) : end.mu_sun;
+  if (facing > 0.0 && is_lit(off_thing(place, thing), h, end.mu_sun, thing)) {
     const Columns columns = depth_.columns_along(ray.h, ray.mu, ray.length_) + depth_.columns_to_top(h, end.mu_sun);
-    const Wide albedo = footing.on_terrain ? all.terrain_albedo(terrain_->on_map(place)) : all.albedo();
-    sum = sum + all.transmittance(columns) * albedo * (facing / std::numbers::pi);
+    const Wide sent = thing != kNoThing ? all.thing_albedo(*things_, place, thing) * (facing / std::numbers::pi)
+                                        : all.of_groups([&](physics::Physics& group) {
+                                            return seen_ground(group, ray, footing, vec3(1.0), end.mu_sun);
+                                          });
+    sum = sum + all.transmittance(columns) * sent;
   }
   return sum;
 }

@@ -37,7 +37,6 @@ double steepest_slope(const physics::HostTerrain& maps) {
 
 TracedTerrain::TracedTerrain(const Scene& scene, std::shared_ptr<const physics::HostTerrain> maps)
     : physics_(geometry_of(scene)),
-      sun_(physics_.scene.sun.direction),
       radius_(scene.planet.ground_radius),
       highest_(static_cast<double>(maps->heights->back())),
       steepest_(steepest_slope(*maps)) {

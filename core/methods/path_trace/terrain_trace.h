@@ -18,9 +18,6 @@ class TracedTerrain {
   // camera's frame, km. Meetings nearer than `limit` do not count.
   std::optional<double> hit(physics::vec3 from, physics::vec3 direction, double limit) const;
 
-  // Whether terrain stands between the place and the middle of the sun's disc.
-  bool hides_sun(physics::vec3 from) const { return hit(from, sun_, kFar).has_value(); }
-
   // The normal and the albedo of the terrain under a place.
   physics::vec3 normal(physics::vec3 place) const;
   physics::vec3 albedo(physics::vec3 place) const;
@@ -28,7 +25,6 @@ class TracedTerrain {
   physics::vec2 on_map(physics::vec3 place) const;
 
  private:
-  static constexpr double kFar = 1e4;  // km
   struct MapPlace {
     double column;
     double row;
@@ -38,7 +34,6 @@ class TracedTerrain {
   double clearance(physics::vec3 place) const;
 
   mutable physics::Physics physics_;
-  physics::vec3 sun_;
   double radius_;    // of the planet
   double highest_;   // highest point of the terrain, km
   double steepest_;  // steepest slope between neighbouring heights

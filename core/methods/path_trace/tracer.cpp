@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/air/scene_block.h"
-#include "core/methods/polarisation.h"
 
 namespace airlight {
 
@@ -12,14 +11,14 @@ using physics::vec3;
 
 namespace {
 
-constexpr int kEdgeSide = 4;  // rays across a pixel that holds terrain's edge
+constexpr int kEdgeSide = 4;  // rays across a pixel that holds an edge
 
 // Where only waves reflect light, paths still have to reach the ground: the guide needs an albedo there.
 physics::Physics formulas_with_ground(const Part& part) {
   constexpr double kGlint = 0.05;
   physics::Physics p = formulas_of(part.air, part.scene);
   p.ground_maps = part.things.ground();
-  p.polarisation = polarises(part);
+  p.polarisation = part.scene.render.polarisation;
   if (part.scene.ground && part.scene.ground->ocean) {
     p.scene.planet.ground_albedo = min(p.scene.planet.ground_albedo + vec3(kGlint), vec3(1.0));
   }
@@ -33,40 +32,63 @@ PathTracer::PathTracer(const Part& part, const Wavelengths* all, std::uint64_t s
       depth_(physics_),
       flight_(physics_, depth_),
       guide_(physics_, flight_),
-      terrain_(part.scene.terrain ? std::optional<TracedTerrain>(std::in_place, part.scene, part.things.terrain())
-                                  : std::nullopt),
-      single_(physics_, depth_, flight_.corners(), terrain_ ? &*terrain_ : nullptr),
-      walk_(physics_, depth_, single_, flight_, guide_, max_orders, terrain_ ? &*terrain_ : nullptr),
+      things_(part),
+      single_(physics_, depth_, flight_.corners(), things_.none() ? nullptr : &things_),
+      walk_(physics_, depth_, single_, flight_, guide_, max_orders, things_.none() ? nullptr : &things_),
       all_(all),
       seed_(seed),
       max_orders_(max_orders),
       wall_(wall),
       projection_(projection_code(part.scene.camera.projection)) {}
 
-vec3 PathTracer::single(const WalkStart& start) const {
-  const Footing footing{start.up, start.direction, start.pixel, start.plan.on_terrain};
-  return all_ != nullptr ? all_->colour(single_.radiance(start.ray, footing, *all_))
-                         : single_.radiance(start.ray, footing);
+PathTracer::Chain PathTracer::start(vec3 direction, double pixel) const {
+  constexpr std::size_t kMostParts = 6;
+  Chain chain{walk_.start(direction, wall_)};
+  chain.front().pixel = pixel;
+  while (chain.size() < kMostParts) {
+    std::optional<WalkStart> next = walk_.mirrored(chain.back(), all_);
+    if (!next) {
+      break;
+    }
+    chain.push_back(std::move(*next));
+  }
+  return chain;
 }
 
-vec3 PathTracer::batch(const WalkStart& start, std::uint64_t pixel, std::uint64_t batch, FlightPlan& scratch) const {
-  if (all_ != nullptr) {
-    WidePath path(*all_);
+vec3 PathTracer::single(const Chain& chain) const {
+  vec3 sum(0.0);
+  for (const WalkStart& start : chain) {
+    const Footing footing{start.up, start.direction, start.pixel, start.plan.thing};
+    sum = sum + (all_ != nullptr ? all_->colour(single_.radiance(start.ray, footing, *all_) * start.wide_weight)
+                                 : single_.radiance(start.ray, footing) * start.weight);
+  }
+  return sum;
+}
+
+vec3 PathTracer::batch(const Chain& chain, std::uint64_t pixel, std::uint64_t batch, FlightPlan& scratch) const {
+  vec3 sum(0.0);
+  for (const WalkStart& start : chain) {
+    std::optional<WidePath> path;
+    if (all_ != nullptr) {
+      path.emplace(*all_);
+    }
     for (int k = 0; k < kBatch; ++k) {
       WalkNumbers numbers(seed_, pixel, batch, k);
-      walk_.sample(start, numbers, scratch, path);
+      if (path) {
+        walk_.sample(start, numbers, scratch, *path);
+      } else {
+        sum = sum + walk_.sample(start, numbers, scratch) * start.weight;
+      }
     }
-    return all_->colour(path.sum()) / kBatch;
-  }
-  vec3 sum(0.0);
-  for (int k = 0; k < kBatch; ++k) {
-    WalkNumbers numbers(seed_, pixel, batch, k);
-    sum = sum + walk_.sample(start, numbers, scratch);
+    if (path) {
+      sum = sum + all_->colour(path->sum() * start.wide_weight);
+    }
   }
   return sum / kBatch;
 }
 
-vec3 PathTracer::transmittance(const WalkStart& start) const {
+vec3 PathTracer::transmittance(const Chain& chain) const {
+  const WalkStart& start = chain.front();
   const bool passes = start.ray.length_ > 0.0;
   if (all_ != nullptr) {
     const auto columns = passes ? depth_.columns_along(start.ray.h, start.ray.mu, start.ray.length_) : Columns{};
@@ -82,18 +104,30 @@ vec3 PathTracer::view(double x, double y) const {
   return physics_.view_ray(physics_.scene.camera, projection_, x, y).direction;
 }
 
-// Whether the pixel's corners see things at distances a seventh apart.
-bool PathTracer::holds_terrain_edge(int x, int y) const {
+// Whether the pixel's corners see things at distances a seventh apart, a mirror, or sunlit and shaded ones.
+bool PathTracer::holds_edge(int x, int y) const {
   constexpr double kNothing = 1e9;
-  const vec3 camera(0.0, physics_.scene.planet.ground_radius + physics_.scene.camera.altitude, 0.0);
+  const physics::PlanetData& planet = physics_.scene.planet;
+  const double h = physics_.scene.camera.altitude;
+  const vec3 camera(0.0, planet.ground_radius + h, 0.0);
   double nearest = kNothing;
   double farthest = 0.0;
+  int lit = 0;
   for (int i = 0; i < 4; ++i) {
-    const auto hit = terrain_->hit(camera, view(x + (i % 2 == 0 ? 0.05 : 0.95), y + (i < 2 ? 0.05 : 0.95)), kNothing);
-    nearest = std::min(nearest, hit.value_or(kNothing));
-    farthest = std::max(farthest, hit.value_or(kNothing));
+    const vec3 direction = view(x + (i % 2 == 0 ? 0.05 : 0.95), y + (i < 2 ? 0.05 : 0.95));
+    const auto hit = things_.hit(camera, direction, kNothing, kNoThing);
+    const double distance = hit ? hit->distance : kNothing;
+    const ThingNumber thing = hit ? hit->thing : kNoThing;
+    if (things_.mirrors(thing)) {
+      return true;
+    }
+    nearest = std::min(nearest, distance);
+    farthest = std::max(farthest, distance);
+    const bool ground = physics_.meets_ground(planet, h, direction.y);
+    const double end = hit ? distance : ground ? physics_.distance_to_ground(planet, h, direction.y) : 0.0;
+    lit += things_.hides_sun(off_thing(camera + direction * end, thing), thing) && end > 0.0 ? 0 : 1;
   }
-  return farthest > 1.15 * nearest;
+  return farthest > 1.15 * nearest || (lit > 0 && lit < 4);
 }
 
 // The pixel's angle along its wider side.
@@ -115,12 +149,13 @@ std::vector<SampledRay> PathTracer::pixel_rays(int x, int y) const {
   if (!view.inside) {
     return {};
   }
-  if (terrain_ && holds_terrain_edge(x, y)) {
+  if (!things_.none() && holds_edge(x, y)) {
+    const double pixel = physics_.ground_maps ? pixel_angle(x, y) / kEdgeSide : 0.0;
     std::vector<SampledRay> all;
     for (int i = 0; i < kEdgeSide * kEdgeSide; ++i) {
       const double dx = (i % kEdgeSide + 0.5) / kEdgeSide;
       const double dy = (std::floor(static_cast<double>(i) / kEdgeSide) + 0.5) / kEdgeSide;
-      all.push_back({this->view(x + dx, y + dy), 1.0 / (kEdgeSide * kEdgeSide), 0.0});
+      all.push_back({this->view(x + dx, y + dy), 1.0 / (kEdgeSide * kEdgeSide), pixel});
     }
     return all;
   }

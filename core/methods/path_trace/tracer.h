@@ -25,29 +25,27 @@ class PathTracer {
   PathTracer(const PathTracer&) = delete;
   PathTracer& operator=(const PathTracer&) = delete;
 
-  // `pixel`: angle that the ray represents, over which a map of the ground is averaged.
-  WalkStart start(physics::vec3 direction, double pixel = 0.0) const {
-    WalkStart start = walk_.start(direction, wall_);
-    start.pixel = pixel;
-    return start;
-  }
+  // A ray from mirror to mirror, whose light is the sum of its parts'. `pixel`: angle that the ray represents, over
+  // which a map of the ground is averaged.
+  using Chain = std::vector<WalkStart>;
+  Chain start(physics::vec3 direction, double pixel = 0.0) const;
 
   // The first order, which is exact.
-  physics::vec3 single(const WalkStart& start) const;
+  physics::vec3 single(const Chain& chain) const;
 
   // Whether there are further orders to sample.
   bool has_higher_orders() const { return max_orders_ != 1; }
 
   // The higher orders: mean of kBatch samples, one independent estimate. `scratch` is overwritten.
-  physics::vec3 batch(const WalkStart& start, std::uint64_t pixel, std::uint64_t batch, FlightPlan& scratch) const;
+  physics::vec3 batch(const Chain& chain, std::uint64_t pixel, std::uint64_t batch, FlightPlan& scratch) const;
 
   // Number of paths and of rays that were cut short because they would not have ended.
   std::uint64_t cut_paths() const { return walk_.cut_paths(); }
   std::uint64_t cut_rays() const { return single_.cut_rays(); }
 
-  // From the camera to the ray's end, 1 where it misses the air; with wavelengths, the colour of sunlight behind the
-  // air.
-  physics::vec3 transmittance(const WalkStart& start) const;
+  // From the camera to the end of the chain's first part, 1 where it misses the air; with wavelengths, the colour of
+  // sunlight behind the air.
+  physics::vec3 transmittance(const Chain& chain) const;
 
   physics::vec3 direction(double elevation, double azimuth) const {
     return physics_.direction_from_angles(elevation, azimuth);
@@ -59,14 +57,14 @@ class PathTracer {
 
  private:
   double pixel_angle(int x, int y) const;
-  bool holds_terrain_edge(int x, int y) const;
+  bool holds_edge(int x, int y) const;
   physics::vec3 view(double x, double y) const;
 
   mutable physics::Physics physics_;  // never written; GLSL's functions have no const
   OpticalDepth depth_;
   Flight flight_;
   SkyGuide guide_;
-  std::optional<TracedTerrain> terrain_;
+  TracedThings things_;
   SingleScattering single_;
   Walk walk_;
   const Wavelengths* all_;

@@ -33,6 +33,10 @@ int guided_orders(double forward_depth) {
 // A path always continues while its worth is at least this share of its initial worth.
 constexpr double kSurvival = 0.5;
 
+vec3 mirrored_at(vec3 direction, vec3 normal) {
+  return normalize(direction - normal * (2.0 * dot(direction, normal)));
+}
+
 double largest_ratio(vec3 a, vec3 b) {
   double ratio = 0.0;
   for (std::size_t c = 0; c < 3; ++c) {
@@ -50,10 +54,11 @@ struct Walk::State {
   vec3 direction;
   double mu_sun;
   bool at_ground = false;
-  bool on_terrain = false;  // at_ground: on terrain
-  vec3 normal = vec3(0.0);  // of ground or terrain
+  ThingNumber thing = kNoThing;  // at_ground: on this
+  bool mirrors = false;
+  vec3 normal = vec3(0.0);  // of ground or thing
   vec3 albedo = vec3(0.0);
-  Wide wide_albedo;        // at all wavelengths, if there are any
+  Wide wide_albedo;  // at all wavelengths, if there are any
   Analyser<vec3> analyser = {};
   vec3 axis = vec3(0.0);     // of the analyser
   vec3 dipoles = vec3(0.0);  // coefficient of the molecules here that polarise
@@ -65,20 +70,20 @@ struct Walk::State {
   // before it.
   vec3 place(const physics::PlanetData& planet) const {
     const vec3 point = up * (planet.ground_radius + h);
-    return on_terrain ? above_terrain(point) : point;
+    return off_thing(point, thing);
   }
   WidePath* wide = nullptr;  // if set, replaces `sum` with all wavelengths; the channels above then only steer
 };
 
 Walk::Walk(physics::Physics& physics, const OpticalDepth& depth, const SingleScattering& single, const Flight& flight,
-           const SkyGuide& guide, int max_orders, const TracedTerrain* terrain)
+           const SkyGuide& guide, int max_orders, const TracedThings* things)
     : physics_(physics),
       depth_(depth),
       single_(single),
       flight_(flight),
       guide_(guide),
       phases_(physics),
-      terrain_(terrain),
+      things_(things),
       max_orders_(max_orders),
       guided_orders_(guided_orders(flight.forward_depth())) {}
 
@@ -96,8 +101,33 @@ WalkStart Walk::start(vec3 direction, double wall) const {
     start.up = normalize(start.up * r + direction * entry);
   }
   start.ray = physics_.ray_up_to(planet, h, direction.y, start.ray, wall);
-  const auto terrain = cut_at_terrain(start.up * (planet.ground_radius + start.ray.h), direction, start.ray);
-  flight_.plan_guided(start.ray, 0.0, start.plan, terrain ? &*terrain : nullptr);
+  const vec3 place = start.up * (planet.ground_radius + start.ray.h);
+  plan_flight(start.ray, place, direction, cut_at_things(place, direction, kNoThing, start.ray), 0.0, start.plan);
+  return start;
+}
+
+std::optional<WalkStart> Walk::mirrored(const WalkStart& from, const Wavelengths* all) const {
+  const ThingNumber mirror = from.plan.thing;
+  if (things_ == nullptr || !things_->mirrors(mirror)) {
+    return std::nullopt;
+  }
+  const physics::PlanetData& planet = physics_.scene.planet;
+  const vec3 sun = physics_.scene.sun.direction;
+  const vec3 place = from.up * (planet.ground_radius + from.ray.h) + from.direction * from.ray.length_;
+  WalkStart start;
+  start.pixel = from.pixel;
+  start.direction = mirrored_at(from.direction, things_->normal(place, mirror));
+  start.up = normalize(place);
+  start.ray = physics_.ray_in_atmosphere(planet, std::max(length(place) - planet.ground_radius, 0.0),
+                                         dot(start.up, start.direction), dot(start.up, sun), dot(start.direction, sun));
+  start.weight =
+      from.weight * things_->albedo(place, mirror) * exp(-depth_.along(from.ray.h, from.ray.mu, from.ray.length_));
+  if (all != nullptr) {
+    start.wide_weight = from.wide_weight * all->thing_albedo(*things_, place, mirror) *
+                        all->transmittance(depth_.columns_along(from.ray.h, from.ray.mu, from.ray.length_));
+  }
+  plan_flight(start.ray, place, start.direction, cut_at_things(place, start.direction, mirror, start.ray), 0.0,
+              start.plan);
   return start;
 }
 
@@ -117,18 +147,35 @@ double Walk::seen_length(const physics::Physics::Ray& ray) const {
   return ray.length_;
 }
 
-// Ends the ray on the first terrain; returns the terrain's albedo there.
-std::optional<Channels> Walk::cut_at_terrain(vec3 place, vec3 direction, physics::Physics::Ray& ray) const {
-  if (terrain_ == nullptr || !(ray.length_ > 0.0)) {
+// Ends the ray on the first thing.
+std::optional<TracedThings::Met> Walk::cut_at_things(vec3 place, vec3 direction, ThingNumber left,
+                                                     physics::Physics::Ray& ray) const {
+  if (things_ == nullptr || !(ray.length_ > 0.0)) {
     return std::nullopt;
   }
-  const std::optional<double> hit = terrain_->hit(place, direction, seen_length(ray));
-  if (!hit) {
-    return std::nullopt;
+  const std::optional<TracedThings::Met> met = things_->hit(place, direction, seen_length(ray), left);
+  if (met) {
+    ray.length_ = met->distance;
+    ray.at_ground = false;
   }
-  ray.length_ = *hit;
-  ray.at_ground = false;
-  return channels_of(terrain_->albedo(place + direction * *hit));
+  return met;
+}
+
+// Without `sun_weight`: not guided.
+void Walk::plan_flight(const physics::Physics::Ray& ray, vec3 place, vec3 direction,
+                       const std::optional<TracedThings::Met>& met, std::optional<double> sun_weight,
+                       FlightPlan& plan) const {
+  Channels albedo{};
+  if (met) {
+    albedo = channels_of(things_->albedo(place + direction * met->distance, met->thing));
+  }
+  const Channels* const thing = met ? &albedo : nullptr;
+  if (sun_weight) {
+    flight_.plan_guided(ray, *sun_weight, plan, thing);
+  } else {
+    flight_.plan_plain(ray, plan, thing);
+  }
+  plan.thing = met ? met->thing : kNoThing;
 }
 
 // Moves to the next vertex; false where there is none.
@@ -152,18 +199,13 @@ bool Walk::fly(State& state, const FlightPlan& plan, double u) const {
   }
   state.carry = state.carry * passed / collision.density;
   state.up = normalize(state.up * (planet.ground_radius + state.h) + state.direction * collision.distance);
-  state.on_terrain = collision.at_ground && plan.on_terrain;
-  state.h = collision.at_ground && !state.on_terrain ? 0.0 : point.h;
+  state.thing = collision.at_ground ? plan.thing : kNoThing;
+  state.h = collision.at_ground && state.thing == kNoThing ? 0.0 : point.h;
   state.mu_sun = point.mu_sun;
   state.at_ground = collision.at_ground;
+  state.mirrors = false;
   if (state.at_ground) {
-    const vec3 place = state.place(planet);
-    state.normal = state.on_terrain ? terrain_->normal(place) : state.up;
-    state.albedo = state.on_terrain ? terrain_->albedo(place) : ground_albedo_at(physics_, state.up);
-    if (state.wide != nullptr) {
-      const Wavelengths& all = state.wide->wavelengths();
-      state.wide_albedo = state.on_terrain ? all.terrain_albedo(terrain_->on_map(place)) : all.albedo();
-    }
+    stand_on_surface(state);
   }
   for (uint i = 0; i < physics_.medium_count(); ++i) {
     const physics::MediumData m = physics_.medium(i);
@@ -176,13 +218,32 @@ bool Walk::fly(State& state, const FlightPlan& plan, double u) const {
   return true;
 }
 
-// Sunlight that the vertex scatters or reflects back along the path.
+// What the vertex lies on.
+void Walk::stand_on_surface(State& state) const {
+  const vec3 place = state.place(physics_.scene.planet);
+  const bool on_thing = state.thing != kNoThing;
+  state.normal = on_thing ? things_->normal(place, state.thing) : state.up;
+  state.albedo = on_thing ? things_->albedo(place, state.thing) : ground_albedo_at(physics_, state.up);
+  state.mirrors = on_thing && things_->mirrors(state.thing);
+  if (state.wide != nullptr) {
+    const Wavelengths& all = state.wide->wavelengths();
+    state.wide_albedo = on_thing
+                            ? all.thing_albedo(*things_, place, state.thing)
+                            : all.of_groups([&](physics::Physics& group) { return ground_albedo_at(group, state.up); });
+  }
+}
+
+// Sunlight that the vertex scatters or reflects back along the path. That of mirrors is left out: they would have to
+// stand just so.
 vec3 Walk::from_sun(const State& state) const {
-  const vec3 beam = terrain_ == nullptr
+  if (state.mirrors) {
+    return vec3(0.0);
+  }
+  const vec3 beam = things_ == nullptr
                         ? single_.sunlight(state.h, state.mu_sun)
-                        : single_.sunlight_at(state.place(physics_.scene.planet), state.h, state.mu_sun);
+                        : single_.sunlight_at(state.place(physics_.scene.planet), state.h, state.mu_sun, state.thing);
   const vec3 arrives = state.carry * beam;
-  if (state.on_terrain) {
+  if (state.thing != kNoThing) {
     const double facing = std::max(dot(state.normal, physics_.scene.sun.direction), 0.0);
     return arrives * state.albedo * (facing / std::numbers::pi);
   }
@@ -202,12 +263,17 @@ void Walk::add_from_sun(const State& state) const {
   if (physics_.meets_ground(physics_.scene.planet, state.h, state.mu_sun)) {
     return;
   }
-  if (terrain_ != nullptr && terrain_->hides_sun(state.place(physics_.scene.planet))) {
+  if (state.mirrors || (things_ != nullptr && things_->hides_sun(state.place(physics_.scene.planet), state.thing))) {
     return;
   }
   const Columns to_sun = depth_.columns_to_top(state.h, state.mu_sun);
-  if (state.at_ground) {
-    const double facing = state.on_terrain ? dot(state.normal, physics_.scene.sun.direction) : state.mu_sun;
+  if (state.at_ground && state.thing == kNoThing && physics_.ground_maps) {
+    state.wide->add_reflected(to_sun, state.wide->wavelengths().of_groups([&](physics::Physics& group) {
+      return ground_reflects(group, state.up, state.direction, state.mu_sun, vec3(1.0));
+    }),
+                              1.0);
+  } else if (state.at_ground) {
+    const double facing = dot(state.normal, physics_.scene.sun.direction);
     state.wide->add_reflected(to_sun, state.wide_albedo, std::max(facing, 0.0) / std::numbers::pi);
   } else {
     state.wide->add_scattered(to_sun, state.densities,
@@ -318,6 +384,10 @@ class Walk::Lobes {
 
 // Chooses a direction and plans the flight along it; false where the path ends.
 bool Walk::turn(State& state, bool guided, WalkNumbers& numbers, FlightPlan& plan) const {
+  if (state.mirrors) {
+    reflect(state, guided, plan);
+    return true;
+  }
   const Lobes lobes(physics_, phases_, guide_, state, guided);
   if (lobes.send_nothing()) {
     return false;
@@ -342,17 +412,29 @@ bool Walk::turn(State& state, bool guided, WalkNumbers& numbers, FlightPlan& pla
   }
   state.direction = next;
   state.carry = state.carry * choice.scattered / choice.density;
+  take_off(state, guided ? std::optional(choice.sun_weight) : std::nullopt, plan);
+  return true;
+}
+
+// Turns as a mirror does.
+void Walk::reflect(State& state, bool guided, FlightPlan& plan) const {
+  state.direction = mirrored_at(state.direction, state.normal);
+  state.axis = some_axis(state.direction);
+  state.analyser.forget();
+  state.carry = state.carry * state.albedo;
+  if (state.wide != nullptr) {
+    state.wide->reflect(state.wide_albedo, 1.0, 1.0);
+  }
+  take_off(state, guided ? std::optional(1.0) : std::nullopt, plan);
+}
+
+// Plans the flight from the vertex along the path's direction; without `sun_weight`: not guided.
+void Walk::take_off(const State& state, std::optional<double> sun_weight, FlightPlan& plan) const {
   const vec3 sun = physics_.scene.sun.direction;
   physics::Physics::Ray ray = physics_.ray_in_atmosphere(physics_.scene.planet, state.h, dot(state.up, state.direction),
                                                          dot(state.up, sun), dot(state.direction, sun));
-  const auto met = cut_at_terrain(state.place(physics_.scene.planet), state.direction, ray);
-  const Channels* terrain = met ? &*met : nullptr;
-  if (guided) {
-    flight_.plan_guided(ray, choice.sun_weight, plan, terrain);
-  } else {
-    flight_.plan_plain(ray, plan, terrain);
-  }
-  return true;
+  const vec3 place = state.place(physics_.scene.planet);
+  plan_flight(ray, place, state.direction, cut_at_things(place, state.direction, state.thing, ray), sun_weight, plan);
 }
 
 vec3 Walk::sample(const WalkStart& start, WalkNumbers& numbers, FlightPlan& plan) const {
@@ -373,8 +455,8 @@ void Walk::walk(State& state, const WalkStart& start, WalkNumbers& numbers, Flig
   state.up = start.up;
   state.direction = start.direction;
   state.axis = some_axis(start.direction);
-  if (!fly(state, start.plan, numbers.next())) {
-    return;
+  if (!fly(state, start.plan, numbers.next()) || state.mirrors) {
+    return;  // what a mirror shows is a ray of its own
   }
   vec3 whole(0.0);  // what the path was worth when its standing was 1
   double standing = 1.0;

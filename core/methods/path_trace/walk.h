@@ -20,17 +20,21 @@ struct WalkStart {
   physics::vec3 direction;  // unit
   physics::Physics::Ray ray;
   FlightPlan plan;
-  double pixel = 0.0;  // angle that the ray represents
+  double pixel = 0.0;                   // angle that the ray represents
+  physics::vec3 weight{1.0, 1.0, 1.0};  // of its light: of mirrors and the air before them
+  Wide wide_weight = Wide(1.0);
 };
 
 class Walk {
  public:
   // `max_orders`: most scatterings and reflections of a path; 0: kMostScatterings.
   Walk(physics::Physics& physics, const OpticalDepth& depth, const SingleScattering& single, const Flight& flight,
-       const SkyGuide& guide, int max_orders, const TracedTerrain* terrain = nullptr);
+       const SkyGuide& guide, int max_orders, const TracedThings* things = nullptr);
 
-  // `wall`: distance at which a black wall ends the ray, km.
+  // A ray from the camera; `wall`: distance at which a black wall ends it, km.
   WalkStart start(physics::vec3 direction, double wall) const;
+  // The ray that a mirror makes of one that ends on it; nothing where the ray does not. `all`: null for three channels.
+  std::optional<WalkStart> mirrored(const WalkStart& from, const Wavelengths* all) const;
 
   // One estimate of the radiance after two or more scatterings or reflections, for a sun of irradiance 1. `plan` is
   // scratch memory.
@@ -50,9 +54,15 @@ class Walk {
   physics::vec3 from_sun(const State& state) const;
   void add_from_sun(const State& state) const;
   double seen_length(const physics::Physics::Ray& ray) const;
-  std::optional<Channels> cut_at_terrain(physics::vec3 place, physics::vec3 direction,
-                                         physics::Physics::Ray& ray) const;
+  std::optional<TracedThings::Met> cut_at_things(physics::vec3 place, physics::vec3 direction, ThingNumber left,
+                                                 physics::Physics::Ray& ray) const;
+  void plan_flight(const physics::Physics::Ray& ray, physics::vec3 place, physics::vec3 direction,
+                   const std::optional<TracedThings::Met>& met, std::optional<double> sun_weight,
+                   FlightPlan& plan) const;
+  void stand_on_surface(State& state) const;
   bool turn(State& state, bool guided, WalkNumbers& numbers, FlightPlan& plan) const;
+  void reflect(State& state, bool guided, FlightPlan& plan) const;
+  void take_off(const State& state, std::optional<double> sun_weight, FlightPlan& plan) const;
 
   physics::Physics& physics_;
   const OpticalDepth& depth_;
@@ -60,7 +70,7 @@ class Walk {
   const Flight& flight_;
   const SkyGuide& guide_;
   PhaseSampler phases_;
-  const TracedTerrain* terrain_;
+  const TracedThings* things_;
   int max_orders_;
   int guided_orders_;
   mutable std::atomic<std::uint64_t> cut_paths_ = 0;

@@ -4,8 +4,6 @@
 #include <span>
 #include <utility>
 
-#include "core/methods/polarisation.h"
-
 namespace airlight {
 
 using physics::uint;
@@ -49,6 +47,11 @@ Scene mean_scene(std::span<const Part> parts, const std::vector<Rgb>& weights) {
         mean.terrain->mix[c][j] = sum(mix);
       }
     }
+    for (std::size_t j = 0; j < 3 && mean.ground; ++j) {
+      mean.ground->mix[c][j] = sum([j](const Scene& s) {
+        return Spectrum{s.ground->mix[0][j], s.ground->mix[1][j], s.ground->mix[2][j]};
+      });
+    }
     for (std::size_t i = 0; i < mean.spheres.size(); ++i) {
       mean.spheres[i].albedo[c] = sum([i](const Scene& s) { return s.spheres[i].albedo; });
     }
@@ -88,8 +91,8 @@ Wavelengths::Wavelengths(const Stage& stage)
       colours_(stage.basis().matrix) {
   for (const Part& part : stage.parts()) {
     groups_.push_back(formulas_of(part.air, part.scene));
-    groups_.back().terrain_maps = part.things.terrain();
-    groups_.back().polarisation = polarises(part);
+    part.things.put_into(groups_.back());
+    groups_.back().polarisation = part.scene.render.polarisation;
   }
   for (std::size_t k = 0; k < count_; ++k) {
     const physics::Physics& p = groups_[k / 3];
@@ -97,7 +100,6 @@ Wavelengths::Wavelengths(const Stage& stage)
       scattering_[i].at[k] = three_of(p.medium(i).scattering)[k % 3];
       extinction_[i].at[k] = three_of(p.medium(i).scattering + p.medium(i).absorption)[k % 3];
     }
-    albedo_.at[k] = three_of(p.scene.planet.ground_albedo)[k % 3];
   }
   for (uint i = 0; i < media_; ++i) {
     if (groups_.front().polarised() && groups_.front().is_molecular(i)) {
@@ -120,25 +122,17 @@ Wavelengths::Phases Wavelengths::phases(double nu) const {
       phases[i] = Wide(groups_.front().medium_phase(i, nu).x);
       continue;
     }
-    for (std::size_t g = 0; g < groups_.size(); ++g) {
-      const std::array<double, 3> values = three_of(groups_[g].medium_phase(i, nu));
-      for (std::size_t c = 0; c < 3 && 3 * g + c < count_; ++c) {
-        phases[i].at[3 * g + c] = values[c];
-      }
-    }
+    phases[i] = of_groups([i, nu](physics::Physics& p) { return p.medium_phase(i, nu); });
   }
   return phases;
 }
 
-Wide Wavelengths::terrain_albedo(physics::vec2 at) const {
-  Wide albedo;
-  for (std::size_t g = 0; g < groups_.size(); ++g) {
-    const std::array<double, 3> values = three_of(groups_[g].map_albedo(groups_[g].terrain_shape(), at.x, at.y));
-    for (std::size_t c = 0; c < 3 && 3 * g + c < count_; ++c) {
-      albedo.at[3 * g + c] = values[c];
-    }
+Wide Wavelengths::thing_albedo(const TracedThings& things, vec3 place, ThingNumber thing) const {
+  if (thing != kOnTerrain) {
+    return of_groups([thing](physics::Physics& p) { return p.spheres[static_cast<std::size_t>(thing)].albedo; });
   }
-  return albedo;
+  const physics::vec2 at = things.on_map(place);
+  return of_groups([at](physics::Physics& p) { return p.map_albedo(p.terrain_shape(), at.x, at.y); });
 }
 
 Wide Wavelengths::scattered(const Columns& densities, const Phases& phases) const {

@@ -11,6 +11,7 @@
 
 #include "core/methods/path_trace/analyser.h"
 #include "core/methods/path_trace/optical_depth.h"
+#include "core/methods/path_trace/things_trace.h"
 #include "core/stage/stage.h"
 
 namespace airlight {
@@ -80,9 +81,22 @@ class Wavelengths {
   // exp(-optical depth) of such columns.
   Wide transmittance(const Columns& columns) const;
 
-  const Wide& albedo() const { return albedo_; }
-  // Albedo of the terrain at a column and row of its map.
-  Wide terrain_albedo(physics::vec2 at) const;
+  // Albedo of a thing at a place from the planet's centre.
+  Wide thing_albedo(const TracedThings& things, physics::vec3 place, ThingNumber thing) const;
+
+  // A value of formulas in three wavelengths, at all of them. `value`: takes physics::Physics&, returns a vec3.
+  template <class F>
+  Wide of_groups(const F& value) const {
+    Wide all;
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+      const physics::vec3 three = value(groups_[g]);
+      const std::array<double, 3> values{three.x, three.y, three.z};
+      for (std::size_t c = 0; c < 3 && 3 * g + c < count_; ++c) {
+        all.at[3 * g + c] = values[c];
+      }
+    }
+    return all;
+  }
 
   // The picture's colour of a radiance that is relative to the sun's.
   physics::vec3 colour(const Wide& radiance) const;
@@ -94,7 +108,6 @@ class Wavelengths {
   std::array<Wide, physics::kMaxMedia> scattering_;  // 1/km at density 1
   std::array<Wide, physics::kMaxMedia> extinction_;
   std::array<std::optional<Wide>, physics::kMaxMedia> dipoles_;  // of molecules that polarise, at density 1
-  Wide albedo_;
   std::vector<Rgb> colours_;
   mutable std::vector<physics::Physics> groups_;       // of three wavelengths each; GLSL's functions have no const
   std::array<bool, physics::kMaxMedia> same_phase_{};  // at all wavelengths

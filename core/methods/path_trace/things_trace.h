@@ -1,0 +1,51 @@
+#pragma once
+// The things of a scene for paths: terrain and spheres. It shares neither the shaders' march nor their tables.
+
+#include <optional>
+#include <vector>
+
+#include "core/methods/path_trace/terrain_trace.h"
+#include "core/stage/stage.h"
+
+namespace airlight {
+
+// What a ray ends on or a vertex lies on; from 0 on it is a sphere's number.
+using ThingNumber = int;
+inline constexpr ThingNumber kNoThing = -2;  // air or ground
+inline constexpr ThingNumber kOnTerrain = -1;
+
+class TracedThings {
+ public:
+  explicit TracedThings(const Part& part);
+
+  bool none() const { return !terrain_ && spheres_.empty(); }
+
+  struct Met {
+    double distance = 0.0;
+    ThingNumber thing = kNoThing;
+  };
+  // The first meeting along `direction` (unit) from `from`, a vector from the planet's centre in the camera's frame,
+  // km, nearer than `limit`. `left`: the sphere that the ray leaves.
+  std::optional<Met> hit(physics::vec3 from, physics::vec3 direction, double limit, ThingNumber left) const;
+
+  // Whether a thing stands between the place and the middle of the sun's disc.
+  bool hides_sun(physics::vec3 from, ThingNumber left) const { return hit(from, sun_, kFar, left).has_value(); }
+
+  physics::vec3 normal(physics::vec3 place, ThingNumber thing) const;
+  physics::vec3 albedo(physics::vec3 place, ThingNumber thing) const;
+  bool mirrors(ThingNumber thing) const;
+
+  // The place on the terrain's map, in columns and rows.
+  physics::vec2 on_map(physics::vec3 place) const { return terrain_->on_map(place); }
+
+ private:
+  static constexpr double kFar = 1e4;  // km
+
+  mutable physics::Physics physics_;
+  physics::vec3 camera_;  // from the planet's centre
+  physics::vec3 sun_;
+  std::vector<physics::SphereData> spheres_;
+  std::optional<TracedTerrain> terrain_;
+};
+
+}  // namespace airlight

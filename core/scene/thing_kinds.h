@@ -1,0 +1,44 @@
+#pragma once
+// What may stand in a scene's air or on its ground beside the planet itself, one row each.
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "core/member.h"
+#include "core/scene/method_info.h"
+#include "core/scene/scene.h"
+
+namespace airlight {
+
+struct ThingKind {
+  std::string_view name;                 // for messages, in the plural
+  std::string_view section;              // of the preset
+  std::array<std::string_view, 2> keys;  // in it, one of which puts the thing there
+  MemberOf<MethodInfo, bool> known;
+  bool (*stands_in)(const Scene&);
+};
+
+inline constexpr std::array<ThingKind, 4> kThingKinds{
+    {{"terrain", "planet", {"terrain", ""}, &MethodInfo::knows_terrain, [](const Scene& s) { return !!s.terrain; }},
+     {"spheres",
+      "scene",
+      {"spheres", ""},
+      &MethodInfo::knows_spheres,
+      [](const Scene& s) { return !s.spheres.empty(); }},
+     {"translucent spheres",
+      "scene",
+      {"spheres", ""},
+      &MethodInfo::knows_translucent_spheres,
+      [](const Scene& s) { return std::ranges::count(s.spheres, SphereMaterial::translucent, &Sphere::material) > 0; }},
+     {"maps of the ground", "planet", {"albedo_map", "ocean"}, &MethodInfo::knows_ground_maps, [](const Scene& s) {
+        return !!s.ground;
+      }}}};
+
+// Whether the method supports all things of the scene.
+inline bool knows_things_of(const MethodInfo& method, const Scene& scene) {
+  return std::ranges::all_of(kThingKinds,
+                             [&](const ThingKind& kind) { return !kind.stands_in(scene) || method.*kind.known; });
+}
+
+}  // namespace airlight

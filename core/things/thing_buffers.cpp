@@ -1,0 +1,140 @@
+#include "core/things/thing_buffers.h"
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+#include <utility>
+
+#include "core/air/scene_block.h"
+#include "core/physics/device_scene.h"
+#include "core/plan/bytes.h"
+#include "core/things/ground.h"
+
+namespace airlight {
+namespace {
+
+device::TerrainData narrowed_shape(const physics::TerrainData& t) {
+  device::TerrainData out{};
+  out.centre_east = narrowed(t.centre_east);
+  out.centre_north = narrowed(t.centre_north);
+  out.across_east = narrowed(t.across_east);
+  out.across_north = narrowed(t.across_north);
+  out.texel = narrowed(t.texel);
+  out.columns = t.columns;
+  out.rows = t.rows;
+  out.levels = t.levels;
+  std::ranges::copy(t.level_first, std::begin(out.level_first));
+  out.colour_columns = t.colour_columns;
+  out.colour_rows = t.colour_rows;
+  out.sunward_east = narrowed(t.sunward_east);
+  out.sunward_north = narrowed(t.sunward_north);
+  out.shadow_along = narrowed(t.shadow_along);
+  out.shadow_aside = narrowed(t.shadow_aside);
+  out.shadow_texel = narrowed(t.shadow_texel);
+  out.shadow_columns = t.shadow_columns;
+  out.shadow_rows = t.shadow_rows;
+  out.shadow_reach = narrowed(t.shadow_reach);
+  return out;
+}
+
+device::GroundData narrowed_ground(const physics::GroundData& g) {
+  device::GroundData out{};
+  out.shape.pole = narrowed(g.shape.pole);
+  out.shape.greenwich = narrowed(g.shape.greenwich);
+  out.shape.east = narrowed(g.shape.east);
+  out.shape.albedo_rows = g.shape.albedo_rows;
+  out.shape.albedo_levels = g.shape.albedo_levels;
+  out.shape.water_rows = g.shape.water_rows;
+  out.shape.water_levels = g.shape.water_levels;
+  out.shape.slope_variance = narrowed(g.shape.slope_variance);
+  std::ranges::copy(g.albedo_first, std::begin(out.albedo_first));
+  std::ranges::copy(g.water_first, std::begin(out.water_first));
+  std::ranges::transform(g.glint_share, std::begin(out.glint_share), [](double x) { return narrowed(x); });
+  return out;
+}
+
+// The bytes of a structure, and of values behind it.
+template <class Head, class Values>
+std::vector<std::byte> bytes_with(const Head& head, const Values& values) {
+  std::vector<std::byte> bytes = bytes_of_one(head);
+  const std::vector<std::byte> more = bytes_of(values);
+  bytes.insert(bytes.end(), more.begin(), more.end());
+  return bytes;
+}
+
+std::vector<std::byte> shadow_bytes(const std::vector<physics::vec2>& shadows) {
+  std::vector<device::vec2> out;
+  out.reserve(shadows.size());
+  for (const physics::vec2& shadow : shadows) {
+    out.push_back({narrowed(shadow.x), narrowed(shadow.y)});
+  }
+  return bytes_of(out);
+}
+
+// A terrain whose maps are a texel each.
+std::shared_ptr<const physics::HostTerrain> no_terrain() {
+  return std::make_shared<const physics::HostTerrain>(
+      physics::HostTerrain{physics::TerrainData{}, std::make_shared<const std::vector<float>>(1, 0.0F),
+                           std::vector<physics::uint>(1), std::make_shared<const std::vector<physics::vec2>>(1)});
+}
+
+std::shared_ptr<const physics::HostGround> no_ground_maps() {
+  const auto texel = std::make_shared<const std::vector<physics::uint>>(1);
+  return std::make_shared<const physics::HostGround>(physics::HostGround{physics::GroundData{}, texel, texel});
+}
+
+// The texts of large buffers are made when they are needed.
+std::vector<Binding> add_terrain(Plan& plan, std::shared_ptr<const physics::HostTerrain> terrain) {
+  terrain = terrain == nullptr ? no_terrain() : std::move(terrain);
+  const auto heights = [terrain] { return bytes_with(narrowed_shape(terrain->shape), *terrain->heights); };
+  const auto shadows = [terrain] { return shadow_bytes(*terrain->shadows); };
+  return {{"terrain",
+           plan.add_shared_buffer({.name = "terrain",
+                                   .bytes = sizeof(device::TerrainData) + terrain->heights->size() * sizeof(float),
+                                   .contents_when_run = heights})},
+          {"terrain_shadows", plan.add_shared_buffer({.name = "terrain_shadows",
+                                                      .bytes = terrain->shadows->size() * sizeof(device::vec2),
+                                                      .contents_when_run = shadows})},
+          {"terrain_colours", plan.add_buffer_once(filled_buffer("terrain_colours", bytes_of(terrain->colours)))}};
+}
+
+std::vector<Binding> add_spheres(Plan& plan, const std::vector<physics::SphereData>& spheres) {
+  std::vector<device::SphereData> all;
+  for (const physics::SphereData& s : spheres) {
+    all.push_back(
+        {narrowed(s.centre), narrowed(s.radius), narrowed(s.albedo), s.material, narrowed(s.scatter_strength)});
+  }
+  const auto count = static_cast<device::uint>(all.size());
+  return {{"spheres", plan.add_buffer_once(filled_buffer("spheres", bytes_with(count, all)))}};
+}
+
+void append(std::vector<Binding>& all, std::vector<Binding> more) {
+  std::ranges::move(more, std::back_inserter(all));
+}
+
+}  // namespace
+
+std::vector<Binding> add_ground_maps(Plan& plan, const Scene& scene, const Things& things) {
+  const auto maps = things.ground();
+  const auto ground = maps == nullptr ? no_ground_maps() : maps;
+  const std::string key = maps == nullptr ? "no ground maps" : ground_key(scene);
+  const auto add = [&](const char* name, std::vector<std::byte> contents, const std::string& buffer_key) {
+    return Binding{name, plan.add_buffer_once(filled_buffer(name, std::move(contents), buffer_key))};
+  };
+  return {add("ground_head", bytes_of_one(narrowed_ground(ground->head)), {}),
+          add("ground_albedo", bytes_of(*ground->albedo), key + " albedo"),
+          add("ground_water", bytes_of(*ground->water), key + " water")};
+}
+
+ThingInputs add_things(Plan& plan, const Scene& scene, const Things& things) {
+  ThingInputs inputs;
+  inputs.reads = add_terrain(plan, things.shadowed_terrain());
+  append(inputs.reads, add_spheres(plan, things.spheres()));
+  append(inputs.reads, add_ground_maps(plan, scene, things));
+  inputs.constants.push_back({"kThings", (scene.terrain ? physics::kHasTerrain : 0U) |
+                                             (scene.spheres.empty() ? 0U : physics::kHasSpheres) |
+                                             (scene.ground ? physics::kHasGroundMaps : 0U)});
+  return inputs;
+}
+
+}  // namespace airlight

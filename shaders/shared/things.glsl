@@ -1,0 +1,19 @@
+// The things of a scene as buffers, and what of them there is (core/things/thing_buffers.cpp).
+#include "shared/terrain.h"
+#include "shared/spheres.h"
+#include "shared/ground.h"
+
+layout(constant_id = 33) const uint kThings = 0u;  // bits kHasTerrain, ...
+
+bool has_terrain() { return (kThings & kHasTerrain) != 0u; }
+bool has_ground_maps() { return (kThings & kHasGroundMaps) != 0u; }
+
+#include "shared/terrain_maps.glsl"
+#include "shared/sphere_list.glsl"
+#include "shared/ground_maps.glsl"
+
+#include "physics/things.glsl"
+
+Sight sight_of(vec3 origin, vec3 direction) {
+  return sight_from(scene.planet, scene.camera.altitude, origin, direction, scene.sun.direction);
+}

@@ -1,0 +1,377 @@
+// Terrain, spheres and the ground by maps in one picture of `orders`.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/air/scene_block.h"
+#include "core/things/ground.h"
+#include "tests/methods/render_fixture.h"
+#include "tests/methods/spectral_scene.h"
+#include "tests/of_scene.h"
+
+namespace airlight::test {
+namespace {
+
+using physics::Physics;
+using physics::vec3;
+
+constexpr unsigned int kTerrain = 1;
+constexpr unsigned int kSpheres = 2;
+constexpr unsigned int kOcean = 4;
+constexpr unsigned int kAll = kTerrain | kSpheres | kOcean;
+
+Sphere ball(SphereMaterial material, double azimuth, double elevation, double distance, double radius) {
+  Sphere sphere;
+  sphere.azimuth = azimuth * kDegree;
+  sphere.elevation = elevation * kDegree;
+  sphere.distance = distance;
+  sphere.radius = radius;
+  sphere.material = material;
+  sphere.albedo = {0.6, 0.6, 0.6};
+  return sphere;
+}
+
+// What a map's 10 bits for the root of an albedo hold exactly, near 0.24.
+constexpr double kSeaAlbedo = (500.0 / 1023.0) * (500.0 / 1023.0);
+
+// A map of one albedo, and water everywhere.
+void put_sea(Scene& scene) {
+  auto files = std::make_shared<GroundFiles>();
+  files->identity = "sea";
+  files->colour_rows = 4;
+  files->colours.assign(3 * 4 * 8, static_cast<float>(kSeaAlbedo));
+  scene.ground = GroundMap{.albedo_map = "sea", .ocean = Ocean{}, .files = files};
+  scene.planet.ground_albedo = mean_albedo(*files);
+}
+
+// Mountains to the east, a ball of 600 m before them, one of 1 m and a mirror before the camera, the sea all about.
+Scene shore(unsigned int things, const char* shells = "never") {
+  Scene scene = with_method(earth(), *find_method("orders"));
+  scene.render.parameters.find("shells")->second = std::string(shells);
+  scene.planet.ground_albedo = {kSeaAlbedo, kSeaAlbedo, kSeaAlbedo};
+  scene.sun.elevation = 30.0 * kDegree;
+  scene.sun.azimuth = 200.0 * kDegree;
+  scene.sun.disc.visible = false;
+  scene.bloom.enabled = false;
+  scene.camera.altitude = 0.02;
+  scene.camera.azimuth = 90.0 * kDegree;
+  scene.camera.pitch = 0.0;
+  scene.camera.vertical_fov = 50.0 * kDegree;
+  scene.image = {40, 24};
+  if ((things & kTerrain) != 0) {
+    Terrain terrain;
+    terrain.ridge = Ridge{7, 1.6};
+    terrain.width = 20.0;
+    terrain.bearing = 90.0 * kDegree;
+    terrain.distance = 8.0;
+    terrain.turn = 90.0 * kDegree;
+    terrain.albedo = {0.4, 0.4, 0.4};
+    scene.terrain = terrain;
+  }
+  if ((things & kSpheres) != 0) {
+    scene.spheres = {ball(SphereMaterial::matte, 80.0, 8.0, 4.0, 0.6),
+                     ball(SphereMaterial::matte, 110.0, -6.0, 0.02, 0.002),
+                     ball(SphereMaterial::mirror, 98.0, -8.0, 0.02, 0.002)};
+  }
+  if ((things & kOcean) != 0) {
+    put_sea(scene);
+  }
+  return scene;
+}
+
+Physics formulas_with_things(const Scene& scene) {
+  const Part part = part_of(scene);
+  Physics p = formulas_of(part.air, part.scene);
+  part.things.put_into(p);
+  return p;
+}
+
+std::vector<Direction> lattice(const Scene& scene) {
+  std::vector<Direction> directions;
+  for (double elevation = -18.0; elevation < 16.0; elevation += 1.7) {
+    for (double azimuth = 62.0; azimuth < 120.0; azimuth += 2.9) {
+      directions.push_back({elevation * kDegree, azimuth * kDegree});
+    }
+  }
+  EXPECT_GT(directions.size(), 300u) << scene.name;
+  return directions;
+}
+
+// Where no thing shades another, a ray's light is that of a scene with the nearest thing alone.
+TEST(Things, ARayShowsTheNearestSurface) {
+  for (const unsigned int things : {kTerrain | kSpheres, kTerrain | kOcean, kSpheres | kOcean, kAll}) {
+    Scene scene = shore(things);
+    scene.sun.elevation = 85.0 * kDegree;
+    scene.render.parameters.find("volumetric_shadows")->second = false;
+    Physics p = formulas_with_things(scene);
+    const std::vector<Direction> directions = lattice(scene);
+    const std::vector<ProbeResult> all = probe_now(scene, directions);
+    std::array<std::vector<ProbeResult>, 4> alone;
+    for (const unsigned int what : {p.kMeetsGround, p.kMeetsTerrain, p.kMeetsSphere}) {
+      Scene one = shore(what == p.kMeetsGround ? things & kOcean : what == p.kMeetsTerrain ? kTerrain : kSpheres);
+      one.sun.elevation = scene.sun.elevation;
+      one.render = scene.render;
+      alone[what] = probe_now(one, directions);
+    }
+    alone[p.kMeetsSky] = alone[p.kMeetsGround];
+    std::array<int, 4> seen{};
+    for (std::size_t k = 0; k < directions.size(); ++k) {
+      const vec3 view = p.direction_from_angles(directions[k].elevation, directions[k].azimuth);
+      const auto sight = p.sight_of(view);
+      const auto hit = p.nearest_thing(p.scene.planet, sight, physics::kNoSphere);
+      if (hit.what == p.kMeetsSphere && p.spheres[hit.which].material == physics::kSphereMirror) {
+        continue;
+      }
+      const vec3 point = view * hit.distance_;
+      const bool under_a_ball =
+          p.sun_past_spheres(point, p.scene.sun.direction, p.scene.sun.angular_radius, hit.which) < 1.0;
+      if (hit.what != p.kMeetsSky && under_a_ball) {
+        continue;
+      }
+      ++seen[hit.what];
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double truth = alone[hit.what][k].radiance[c];
+        EXPECT_NEAR(all[k].radiance[c], truth, 0.004 * truth)
+            << things << ": " << hit.what << " at " << directions[k].elevation / kDegree << ", "
+            << directions[k].azimuth / kDegree;
+      }
+    }
+    EXPECT_GT(seen[p.kMeetsSky], 20) << things;
+    EXPECT_GT(seen[p.kMeetsGround], 20) << things;
+    EXPECT_EQ(seen[p.kMeetsTerrain] > 20, (things & kTerrain) != 0) << things;
+    EXPECT_EQ(seen[p.kMeetsSphere] > 5, (things & kSpheres) != 0) << things;
+  }
+}
+
+// In air that scatters nothing, what things hide from all of the sun's disc is black, and what faces all of it is lit.
+struct Shades {
+  std::array<int, 4> dark{};
+  std::array<int, 4> lit{};
+  int black = 0;  // of those that are lit
+};
+
+void look_for_leaks(double sun_azimuth, Shades& shades) {
+  Scene scene = shore(kAll);
+  scene.media = {scene.media[2]};
+  scene.planet.ground_albedo = {};  // what lights things from below
+  scene.sun.elevation = 14.0 * kDegree;
+  scene.sun.azimuth = sun_azimuth;
+  // Above the camera's eyes, so that its shadow is seen below it, on the water.
+  scene.spheres.push_back(ball(SphereMaterial::matte, 90.0, 12.0, 0.02, 0.006));
+  Physics p = formulas_with_things(scene);
+  const double h = scene.camera.altitude;
+  const vec3 sun = p.scene.sun.direction;
+  const vec3 side = physics::normalize(vec3(-sun.z, 0.0, sun.x));
+  const vec3 over =
+      vec3(sun.y * side.z - sun.z * side.y, sun.z * side.x - sun.x * side.z, sun.x * side.y - sun.y * side.x);
+  const std::vector<Direction> directions = lattice(scene);
+  const std::vector<ProbeResult> found = probe_now(scene, directions);
+  for (std::size_t k = 0; k < directions.size(); ++k) {
+    const vec3 view = p.direction_from_angles(directions[k].elevation, directions[k].azimuth);
+    const auto sight = p.sight_of(view);
+    const auto hit = p.nearest_thing(p.scene.planet, sight, physics::kNoSphere);
+    if (hit.what == p.kMeetsSky) {
+      EXPECT_EQ(found[k].radiance[1], 0.0);
+      continue;
+    }
+    const auto surface = p.surface_at(p.scene.planet, h, sight, hit, 0.0);
+    if (surface.mirrors) {
+      continue;
+    }
+    // Rays to points somewhat beyond the disc, as shadows on terrain are a table's.
+    const double reach = 2.5 * p.scene.sun.angular_radius;
+    int hidden = 0;
+    for (int i = 0; i < 5; ++i) {
+      const vec3 off = i == 0 ? vec3(0.0) : i == 1 ? side : i == 2 ? -side : i == 3 ? over : -over;
+      const vec3 toward = physics::normalize(sun + off * reach);
+      const vec3 start = surface.place.point + surface.normal * (hit.what == p.kMeetsTerrain ? 0.02 : 0.0);
+      const auto ray = p.sight_from(p.scene.planet, h, start, toward, sun);
+      hidden += p.hits_thing(p.nearest_thing(p.scene.planet, ray, hit.which)) ? 1 : 0;
+    }
+    const double facing = physics::dot(surface.normal, sun);
+    if (facing < 0.0 || hidden == 5) {
+      ++shades.dark[hit.what];
+      EXPECT_LT(found[k].radiance[1], 1e-4)
+          << hit.what << " at " << directions[k].elevation / kDegree << ", " << directions[k].azimuth / kDegree;
+    } else if (hidden == 0 && facing > 0.1) {
+      ++shades.lit[hit.what];
+      shades.black += found[k].radiance[1] > 0.01 * surface.ground.albedo.y ? 0 : 1;
+    }
+  }
+}
+
+TEST(Things, NoLightLeaksIntoShadows) {
+  Shades shades;
+  look_for_leaks(280.0 * kDegree, shades);
+  look_for_leaks(25.0 * kDegree, shades);
+  look_for_leaks(150.0 * kDegree, shades);
+  const Physics p{};
+  for (const unsigned int what : {p.kMeetsGround, p.kMeetsTerrain, p.kMeetsSphere}) {
+    EXPECT_GE(shades.dark[what], 3) << what;
+    EXPECT_GT(shades.lit[what], 3) << what;
+  }
+  EXPECT_LE(shades.black, 3) << "next to a shadow's edge";
+}
+
+// The mirror shows mountains and sea as a camera at its middle sees them, which is metres away from its surface.
+TEST(Things, MirrorsShowThings) {
+  for (const char* shells : {"never", "always"}) {
+    Scene scene = shore(kAll, shells);
+    // West of the camera, so that it shows what stands in the east.
+    scene.spheres = {ball(SphereMaterial::mirror, 270.0, -1.0, 0.02, 0.004)};
+    Physics p = formulas_with_things(scene);
+    std::vector<Direction> seen;
+    std::vector<Direction> mirrored;
+    std::array<int, 4> shown{};
+    for (double elevation = -9.0; elevation < 9.0; elevation += 0.9) {
+      for (double azimuth = 264.0; azimuth < 277.0; azimuth += 0.8) {
+        const Direction direction{elevation * kDegree, azimuth * kDegree};
+        const vec3 view = p.direction_from_angles(direction.elevation, direction.azimuth);
+        const auto sight = p.sight_of(view);
+        const auto hit = p.nearest_thing(p.scene.planet, sight, physics::kNoSphere);
+        if (hit.what != p.kMeetsSphere) {
+          continue;
+        }
+        const auto surface = p.surface_at(p.scene.planet, scene.camera.altitude, sight, hit, 0.0);
+        const vec3 away = view - surface.normal * (2.0 * physics::dot(view, surface.normal));
+        const auto second =
+            p.sight_from(p.scene.planet, scene.camera.altitude, surface.place.point, away, p.scene.sun.direction);
+        const auto behind = p.nearest_thing(p.scene.planet, second, hit.which);
+        if (behind.distance_ > 0.1) {  // the ground at hand stands elsewhere for a camera there
+          ++shown[behind.what];
+          seen.push_back(direction);
+          mirrored.push_back(angles_of(away));
+        }
+      }
+    }
+    Scene there = scene;
+    there.spheres.clear();
+    const std::vector<ProbeResult> found = probe_now(scene, seen);
+    const std::vector<ProbeResult> truth = probe_now(there, mirrored);
+    int apart = 0;
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      const double light = 0.6 * truth[i].radiance[1];
+      apart += std::abs(found[i].radiance[1] - light) > 0.02 * light ? 1 : 0;
+    }
+    // Edges of slopes and shadows stand elsewhere, too.
+    EXPECT_LE(apart, static_cast<int>(seen.size()) / 10) << shells << " of " << seen.size();
+    EXPECT_GT(shown[p.kMeetsTerrain], 10);
+    EXPECT_GT(shown[p.kMeetsGround], 3);
+    EXPECT_GT(shown[p.kMeetsSky], 10);
+  }
+}
+
+TEST(Things, TilesAreThePicture) {
+  for (const unsigned int things : {kTerrain | kSpheres, kTerrain | kOcean, kSpheres | kOcean, kAll}) {
+    Scene scene = shore(things);
+    scene.sun.disc.visible = true;
+    scene.image = {24, 14};
+    const Rendering whole = render_now(scene);
+    expect_sound(whole, std::to_string(things));
+    std::vector<float> rgba;
+    TiledRequest request{.tile = {7, 5}, .picture = {}, .exposure_first = false, .sink = {}};
+    request.sink = [&](const Band& band) {
+      rgba.insert(rgba.end(), band.rows.radiance.rgba.begin(), band.rows.radiance.rgba.end());
+    };
+    render_tiled([]() -> Executor& { return executor(); }, scene, request);
+    EXPECT_EQ(rgba, whole.radiance.rgba) << things;
+  }
+}
+
+TEST(Things, LayersSumUpToThePicture) {
+  for (const char* shells : {"never", "always"}) {
+    Scene scene = shore(kAll, shells);
+    scene.image = {24, 14};
+    RenderRequest request;
+    request.layers = true;
+    const Rendering rendering = render_now(scene, request);
+    EXPECT_EQ(rendering.fault(), "");
+    EXPECT_EQ(rendering.radiance.rgba, render_now(scene).radiance.rgba);
+    Physics p = formulas_with_things(scene);
+    const std::size_t plane = 24 * 14;
+    for (std::size_t i = 0; i < plane; ++i) {
+      const int x = static_cast<int>(i) % 24;
+      const int y = static_cast<int>(i) / 24;
+      double sum = 0.0;
+      const Layer* depth = nullptr;
+      for (const Layer& layer : rendering.layers) {
+        sum += layer.is_light ? static_cast<double>(layer.planes[plane + i]) : 0.0;
+        depth = layer.name == "depth" ? &layer : depth;
+      }
+      const double beauty = channel_of(rendering.radiance, x, y, 1);
+      EXPECT_NEAR(sum, beauty, 5e-4 * beauty) << x << ", " << y;
+      const auto ray = p.view_ray(p.scene.camera, physics::kProjectionPerspective, x + 0.5, y + 0.5);
+      const auto hit = p.nearest_thing(p.scene.planet, p.sight_of(ray.direction), physics::kNoSphere);
+      ASSERT_NE(depth, nullptr);
+      if (hit.what != p.kMeetsSky) {
+        EXPECT_NEAR(static_cast<double>(depth->planes[i]), hit.distance_, 1e-5 * hit.distance_) << x << ", " << y;
+      }
+    }
+  }
+}
+
+// With curves that are the same at all wavelengths the picture is that of three channels.
+TEST(Things, FlatCurvesAreThreeChannels) {
+  const auto made = [](const std::string& number, const std::string& sun, const std::string& render) {
+    Scene scene = scene_of(R"({"airlight": 1, "planet": {"ground_albedo": )" + number + R"(,
+      "ocean": {}, "albedo_map": "sea", "terrain": {"ridge": {"seed": 7, "height_km": 1.6}, "width_km": 20,
+      "bearing_deg": 90, "distance_km": 8, "turn_deg": 90, "albedo": 0.4}},
+      "scene": {"spheres": [{"azimuth_deg": 80, "elevation_deg": 8, "distance_m": 4000, "radius_m": 600, "material":
+      "matte", "albedo": 0.6}, {"azimuth_deg": 98, "elevation_deg": -8, "distance_m": 20, "radius_m": 2,
+      "material": "chrome"}]}, "media": [{"name": "air", "scattering_per_km": 0.02, "density":
+      {"profile": "exponential", "scale_height_km": 8}, "phase": {"function": "rayleigh"}}], "sun": )" +
+                           sun +
+                           R"(, "camera": {"altitude_km": 0.02, "azimuth_deg": 90, "vertical_fov_deg": 50},
+      "image": {"width": 20, "height": 12}, "bloom": {"enabled": false}, "render": )" +
+                           render + "}");
+    const std::string map = scene.ground->albedo_map;
+    put_sea(scene);
+    scene.ground->albedo_map = map;
+    return render_now(scene).radiance;
+  };
+  const std::string sun = R"({"elevation_deg": 30, "azimuth_deg": 200, "disc": {"visible": false})";
+  const RadianceImage three = made(std::to_string(kSeaAlbedo), sun + "}", R"({"method": "orders"})");
+  const RadianceImage curves = made(R"({"wavelengths_nm": [400, 700], "values": [)" + std::to_string(kSeaAlbedo) +
+                                        ", " + std::to_string(kSeaAlbedo) + "]}",
+                                    sun + "}", R"({"method": "orders", "wavelengths": 6})");
+  for (int k = 0; k < 20 * 12; ++k) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double truth = channel_of(three, k % 20, k / 20, c);
+      EXPECT_NEAR(channel_of(curves, k % 20, k / 20, c), truth, 1e-4 * truth) << k % 20 << ", " << k / 20;
+    }
+  }
+}
+
+// Mean error of orders against paths over directions that meet each thing, a mirror among them. path-trace's shadows
+// have no penumbra, and mountains and balls light one another there.
+TEST(Things, AgreeWithPathTrace) {
+  Scene scene = shore(kAll);
+  scene.ground->ocean.reset();
+  Scene traced = with_method(scene, *find_method("path-trace"));
+  traced.render.parameters.find("samples")->second = 1024;
+  Physics p = formulas_with_things(scene);
+  std::vector<Direction> directions;
+  std::array<int, 4> met{};
+  for (const Direction& direction : lattice(scene)) {
+    const vec3 view = p.direction_from_angles(direction.elevation, direction.azimuth);
+    const auto hit = p.nearest_thing(p.scene.planet, p.sight_of(view), physics::kNoSphere);
+    if (++met[hit.what] <= 8) {
+      directions.push_back(direction);
+    }
+  }
+  ASSERT_EQ(directions.size(), 32u);
+  const HostPicture truth = airlight::traced(traced, View{directions});
+  const std::vector<ProbeResult> found = probe_now(scene, directions);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    const double want = static_cast<double>(truth.radiance.at(static_cast<int>(i), 0)[1]);
+    sum += std::abs(found[i].radiance[1] / want - 1.0) / static_cast<double>(directions.size());
+  }
+  EXPECT_LT(sum, 0.065);
+  std::printf("orders among things: %.4f from path-trace\n", sum);
+}
+
+}  // namespace
+}  // namespace airlight::test
