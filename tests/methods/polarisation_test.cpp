@@ -13,8 +13,8 @@ namespace airlight::test {
 namespace {
 
 // Natraj, Li and Yung, Rayleigh scattering in planetary atmospheres: corrected tables through accurate computation of X
-// and Y functions, 2009: light out of the top of a level slab of optical depth 0.5 over black ground, for a sun of zenith
-// cosine 0.2 and irradiance pi. The scalar values are those of the same slab without polarisation.
+// and Y functions, 2009: light out of the top of a level slab of optical depth 0.5 over black ground, for a sun of
+// zenith cosine 0.2 and irradiance pi. The scalar values are those of the same slab without polarisation.
 struct Published {
   double mu;
   double azimuth_deg;
@@ -70,10 +70,10 @@ TEST(Polarisation, PathTraceMeetsPublishedSlabs) {
 struct Sky {
   const char* name;
   double sun_deg;
-  double aerosol;        // over that of Hillaire 2020
-  double scattering;     // the molecules', likewise
+  double aerosol;         // over that of Hillaire 2020
+  double scattering;      // the molecules', likewise
   double depolarisation;  // gamma
-  double bound;          // of the mean error
+  double bound;           // of the mean error
 };
 
 Scene sky(const Sky& s) {
