@@ -271,11 +271,11 @@ TEST(Things, TilesAreThePicture) {
     const Rendering whole = render_now(scene);
     expect_sound(whole, std::to_string(things));
     std::vector<float> rgba;
-    TiledRequest request{.tile = {7, 5}, .picture = {}, .exposure_first = false, .sink = {}};
+    BandsRequest request{.tile = ImageSize{7, 5}, .picture = {}, .sink = {}};
     request.sink = [&](const Band& band) {
       rgba.insert(rgba.end(), band.rows.radiance.rgba.begin(), band.rows.radiance.rgba.end());
     };
-    render_tiled([]() -> Executor& { return executor(); }, scene, request);
+    render_bands([]() -> Executor& { return executor(); }, scene, request);
     EXPECT_EQ(rgba, whole.radiance.rgba) << things;
   }
 }
