@@ -39,8 +39,8 @@ Candidate make(const Stage& stage, std::string quality, const IsKept& is_there, 
 
 // Nothing is made yet.
 Candidate alone(const Stage& stage, std::string quality) {
-  return make(
-      stage, std::move(quality), [](ResourceId) { return false; }, plan_of(stage));
+  const auto none = [](ResourceId) { return false; };
+  return make(stage, std::move(quality), none, plan_of(stage));
 }
 
 }  // namespace

@@ -22,9 +22,9 @@ struct LevelShape {
 };
 
 // The matrix as the pass reads it, channels innermost: for each m, for each unknown that gives (by l, then P_m, each by
-// row; after those of m = 0 the irradiance), for each unknown that takes, a value a row; at the end, what each unknown of m = 0
-// gives to the irradiance. `lost`: the share of its light that each order is taken to lose besides, which keeps the sum
-// of the orders finite. `table_degree`, `delta`: of the table of moments.
+// row; after those of m = 0 the irradiance), for each unknown that takes, a value a row; at the end, what each unknown
+// of m = 0 gives to the irradiance. `lost`: the share of its light that each order is taken to lose besides, which
+// keeps the sum of the orders finite. `table_degree`, `delta`: of the table of moments.
 std::vector<float> level_orders(const Air& air, const LevelShape& shape, int table_degree, bool delta, double lost);
 
 }  // namespace airlight

@@ -139,10 +139,10 @@ TableText moments_text(const Air& air, const MomentSettings& settings) {
   const physics::MomentTableData& map = scene.moments;
   const std::string last = std::to_string(block_count(settings) - 1);
   const int first = harmonic_count(settings);
-  const std::string molecules =
-      settings.polarised ? "; in blocks " + std::to_string(first) + " to " + std::to_string(first + 2) +
-                               " P_m / M_00, to which Q and U add as I does to M_2m"
-                         : "";
+  const std::string molecules = settings.polarised
+                                    ? "; in blocks " + std::to_string(first) + " to " + std::to_string(first + 2) +
+                                          " P_m / M_00, to which Q and U add as I does to M_2m"
+                                    : "";
   return {.quantity =
               "moments M_lm of the radiance scattered or reflected at least once, over the real orthonormal "
               "harmonics of the direction, azimuths from the sun's: log of M_00 in block 0, M_lm / M_00 in "
@@ -220,8 +220,8 @@ MomentSettings moment_settings(const Air& air, const MomentRequest& request) {
   settings.hazy = !settings.shells && (request.hazy || air.depths().scattering > kHazy);
   settings.polarised = request.polarised && scatters_as(air, [](const Medium& m) { return is_molecular(m); });
   settings.molecules_alone = settings.polarised && !scatters_as(air, [](const Medium& m) {
-    return !is_molecular(m) && m.phase != PhaseFunction::isotropic;
-  });
+                               return !is_molecular(m) && m.phase != PhaseFunction::isotropic;
+                             });
   settings.degree = request.degree.value_or(!thick ? 2 : settings.shells || settings.hazy ? 8 : 5);
   settings.peaked = thick;
   settings.delta = leaves_a_peak(air, settings.degree);
@@ -269,7 +269,8 @@ void add_moment_constants(std::vector<Specialization>& constants, const MomentSe
   constants.push_back({"kSourceDegree", static_cast<std::uint32_t>(source_degree.value_or(settings.degree))});
   constants.push_back({"kDeltaScaled", settings.delta ? 1u : 0u});
   constants.push_back({"kMomentPolarised", settings.polarised ? 1u : 0u});
-  constants.push_back({"kMomentScattered", settings.molecules_alone ? 0u : static_cast<std::uint32_t>(settings.degree)});
+  constants.push_back(
+      {"kMomentScattered", settings.molecules_alone ? 0u : static_cast<std::uint32_t>(settings.degree)});
   constants.push_back({"kMomentColumns", static_cast<std::uint32_t>(settings.size[0])});
   constants.push_back({"kMomentRows", static_cast<std::uint32_t>(settings.size[1])});
   constants.push_back({"kShellRows", settings.shells ? static_cast<std::uint32_t>(settings.size[1]) : 0u});

@@ -15,19 +15,19 @@ namespace airlight {
 inline constexpr double kMostBakeSteps = 2e9;
 
 struct MomentSettings {
-  int degree = 2;          // highest harmonic kept, 0 to 8; orders after the second keep fewer
-  bool delta = false;      // forward peaks as unscattered light (forward_peak() of shaders/physics/moments.glsl)
-  bool peaked = false;     // forward-peaked media are thick: by shells the first order takes more directions
-  int orders = 3;          // computed one by one; the rest is a geometric series
-  int wished_orders = 3;   // more than `orders` where those would take kMostBakeSteps
-  TableSize size{48, 12};  // sun elevations x altitudes
-  int corrections = 0;     // above 0: all orders are found at once, as a field corrected so often
-  int level_degree = 0;    // harmonics up to it are corrected as if the air were level (core/luts/level_orders.h)
-  bool shells = false;     // rows at the edges of shells (core/air/shells.h)
-  bool sharp = false;      // a medium's peak is gathered by a table, which many directions resolve
-  bool polarised = false;  // molecules polarise: P_m beside the harmonics
+  int degree = 2;                // highest harmonic kept, 0 to 8; orders after the second keep fewer
+  bool delta = false;            // forward peaks as unscattered light (forward_peak() of shaders/physics/moments.glsl)
+  bool peaked = false;           // forward-peaked media are thick: by shells the first order takes more directions
+  int orders = 3;                // computed one by one; the rest is a geometric series
+  int wished_orders = 3;         // more than `orders` where those would take kMostBakeSteps
+  TableSize size{48, 12};        // sun elevations x altitudes
+  int corrections = 0;           // above 0: all orders are found at once, as a field corrected so often
+  int level_degree = 0;          // harmonics up to it are corrected as if the air were level (core/luts/level_orders.h)
+  bool shells = false;           // rows at the edges of shells (core/air/shells.h)
+  bool sharp = false;            // a medium's peak is gathered by a table, which many directions resolve
+  bool polarised = false;        // molecules polarise: P_m beside the harmonics
   bool molecules_alone = false;  // beside them no medium scatters with a direction
-  bool hazy = false;       // without shells, and thick enough that light changes within the lowest rows
+  bool hazy = false;             // without shells, and thick enough that light changes within the lowest rows
 };
 
 // What is asked of the table.
@@ -36,7 +36,7 @@ struct MomentRequest {
   std::optional<int> orders = {};
   TableSize size{48, 12};
   bool polarised = false;  // where a medium scatters as molecules do
-  bool hazy = false;       // as in hazy air, whatever this air is: all wavelengths of a scene have the table of the haziest
+  bool hazy = false;  // as in hazy air, whatever this air is: all wavelengths of a scene have the table of the haziest
 };
 
 // The highest degree that clear air has: more is for hazy air and for shells.
@@ -51,13 +51,13 @@ MomentSettings moment_settings(const Air& air, const MomentRequest& request);
 // the transmittance table where the air is cut into shells.
 ImageId add_sun_table(Plan& plan, const Air& air, const MomentSettings& settings);
 
-// Bakes all orders; the image holds log M_00, the ratios M_lm / M_00 (of polarised light P_m / M_00, too) and the log of
-// the ground's irradiance, in blocks of size[0] columns side by side.
-// `sunlight`: the transmittance table, or the sun table.
+// Bakes all orders; the image holds log M_00, the ratios M_lm / M_00 (of polarised light P_m / M_00, too) and the log
+// of the ground's irradiance, in blocks of size[0] columns side by side. `sunlight`: the transmittance table, or the
+// sun table.
 ImageId add_moments(Plan& plan, const Air& air, ImageId sunlight, const MomentSettings& settings);
 
-// kMomentDegree, kSourceDegree, kMomentScattered, kMomentPolarised, kDeltaScaled, kMomentColumns, kMomentRows, kShellRows.
-// `source_degree`: absent, that of the moments.
+// kMomentDegree, kSourceDegree, kMomentScattered, kMomentPolarised, kDeltaScaled, kMomentColumns, kMomentRows,
+// kShellRows. `source_degree`: absent, that of the moments.
 void add_moment_constants(std::vector<Specialization>& constants, const MomentSettings& settings,
                           std::optional<int> source_degree = {});
 

@@ -63,7 +63,8 @@ bool looks_from_space(const Part& part) {
 }
 
 MomentSettings settings_of(const Part& part) {
-  MomentRequest request{.size = part.scene.render.get<TableSize>("moments_lut"), .polarised = part.scene.render.polarisation};
+  MomentRequest request{.size = part.scene.render.get<TableSize>("moments_lut"),
+                        .polarised = part.scene.render.polarisation};
   if (const std::string& degree = part.scene.render.get<std::string>("degree"); degree != "auto") {
     request.degree = degree.front() - '0';
     request.hazy = request.degree > kMostClearDegree;

@@ -31,9 +31,12 @@ struct HostTable {
   vec3 fetch_unit(real x, real y) const;  // unit range over the texel centres
 };
 
+// The shaders' structs have no initial values, as GLSL has none. Here they begin as zeros, which say that a thing is
+// absent: an ocean's slopes, for instance.
+
 // Terrain as its buffers have it (core/things).
 struct HostTerrain {
-  TerrainData shape;
+  TerrainData shape{};
   std::shared_ptr<const std::vector<float>> heights;  // km, row by row from the top, then the maxima of each level
   std::vector<uint> colours;                          // square roots of albedo, 10 bits a channel
   std::shared_ptr<const std::vector<vec2>> shadows;   // null: no sun has been asked for
@@ -41,13 +44,13 @@ struct HostTerrain {
 
 // The ground's maps as their buffers have them (core/things).
 struct HostGround {
-  GroundData head;
+  GroundData head{};
   std::shared_ptr<const std::vector<uint>> albedo;  // square roots, 10 bits a channel, level by level
   std::shared_ptr<const std::vector<uint>> water;   // shares, 8 bits each, likewise
 };
 
 struct Physics {
-  SceneData scene;
+  SceneData scene{};
   uint media = 0;
   uint density_profiles = 0;  // four bits a medium
   uint phase_functions = 0;   // four bits a medium
@@ -62,8 +65,8 @@ struct Physics {
   bool delta = false;
   bool polarisation = false;
   bool molecules_alone = false;  // molecules apart, no medium scatters with a direction
-  HostTable sun_table;  // mean extinction to the top over the rows of shells (physics/shells.glsl)
-  AnalyticData analytic;
+  HostTable sun_table;           // mean extinction to the top over the rows of shells (physics/shells.glsl)
+  AnalyticData analytic{};
   std::vector<GlarePoint> glare_points;             // the sum of the points first
   std::shared_ptr<const HostTerrain> terrain_maps;  // null: no terrain
   std::vector<SphereData> spheres;

@@ -8,15 +8,14 @@ namespace airlight {
 void refuse_misfits(const Section& root, const Scene& scene, std::span<const MethodInfo> methods) {
   for (const ThingKind& kind : kThingKinds) {
     const auto knows = [&](const MethodInfo& method) { return method.*kind.known; };
-    const auto has_method = [&](const MethodInfo& method) { return method.name == scene.render.method; };
-    const auto method = std::ranges::find_if(methods, has_method);
-    if (!kind.stands_in(scene) || (method != methods.end() && knows(*method))) {
+    const auto is_known = [&](const MethodInfo& method) { return method.name == scene.render.method && knows(method); };
+    const std::string names =
+        joined_of(methods, [&](const MethodInfo& other) { return knows(other) ? other.name : std::string_view(); });
+    if (!kind.stands_in(scene) || names.empty() || std::ranges::any_of(methods, is_known)) {
       continue;
     }
     const Section section = root.child(kind.section);
     const std::string_view key = section.find(kind.keys[0]) != nullptr ? kind.keys[0] : kind.keys[1];
-    const std::string names =
-        joined_of(methods, [&](const MethodInfo& other) { return knows(other) ? other.name : std::string_view(); });
     section.complain(key, *section.find(key),
                      "the method " + json_string(scene.render.method) + " knows no " + std::string(kind.name) +
                          "; choose " + names + " with render.method or --method, or remove it");

@@ -96,7 +96,7 @@ constexpr auto kRules = std::to_array<Rule>({
           "a picture of reflectances over the whole planet, by a path relative to this file (section Files), "
           "equirectangular, twice as wide as high, north up, longitude 0 in its middle; linear, or sRGB where "
           "the file says so. It takes the place of `ground_albedo`; the camera is over `camera.latitude_deg` and "
-          "`camera.longitude_deg`. Not with curves over the wavelength, terrain or spheres"),
+          "`camera.longitude_deg`. In a scene with curves a colour stands for a reflectance, as of terrain"),
     number("planet.ocean.wind_m_per_s", kWind, "m/s", "5",
            "at 12.5 m above an ocean, whose waves mirror the sun: the more wind the wider the glint; measured from 1 "
            "to 14"),
@@ -212,7 +212,7 @@ constexpr auto kRules = std::to_array<Rule>({
                            "from the left, `cross` 3 x 4 as they hang together")),
 
     row(RuleType::spheres, "scene.spheres", Range{.minimum = 1, .maximum = kMaxSpheres}, "", "",
-        "balls before the sky, as on a set; of the methods `orders` alone knows them"),
+        "balls, as on a set; `orders` and `path-trace` know them, `orders` alone translucent ones"),
     number("scene.spheres[].azimuth_deg", kAnyAngle, "degrees", "0",
            "where the camera sees the centre, clockwise from north"),
     number("scene.spheres[].elevation_deg", kRightAngle, "degrees", "0", "and how far above level"),

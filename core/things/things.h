@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/on_demand.h"
+#include "core/member.h"
 #include "core/physics/physics.h"
 #include "core/scene/scene.h"
 #include "core/things/edge_pixels.h"
@@ -50,7 +51,8 @@ class Things {
     OnDemand<T> value;
   };
   template <class T>
-  static Keyed<T> kept(const Others& like, Keyed<T> Things::*member, std::string key, std::function<T()> make) {
+  static Keyed<T> kept(const Others& like, MemberOf<Things, Keyed<T>> member, std::string key,
+                       std::function<T()> make) {
     for (const Things* other : like) {
       if ((other->*member).value && (other->*member).key == key) {
         return other->*member;

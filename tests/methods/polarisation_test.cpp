@@ -13,8 +13,8 @@ namespace airlight::test {
 namespace {
 
 // Natraj, Li and Yung, Rayleigh scattering in planetary atmospheres: corrected tables through accurate computation of X
-// and Y functions, 2009: light out of the top of a level slab of optical depth 0.5 over black ground, for a sun of zenith
-// cosine 0.2 and irradiance pi. The scalar values are those of the same slab without polarisation.
+// and Y functions, 2009: light out of the top of a level slab of optical depth 0.5 over black ground, for a sun of
+// zenith cosine 0.2 and irradiance pi. The scalar values are those of the same slab without polarisation.
 struct Published {
   double mu;
   double azimuth_deg;
@@ -70,14 +70,14 @@ TEST(Polarisation, PathTraceMeetsPublishedSlabs) {
 struct Sky {
   const char* name;
   double sun_deg;
-  double aerosol;        // over that of Hillaire 2020
-  double scattering;     // the molecules', likewise
+  double aerosol;         // over that of Hillaire 2020
+  double scattering;      // the molecules', likewise
   double depolarisation;  // gamma
-  double bound;          // of the mean error
+  double bound;           // of the mean error
 };
 
 Scene sky(const Sky& s) {
-  Scene scene = earth(s.sun_deg, 0.001, 0.1);
+  Scene scene = airlight::earth(s.sun_deg, 0.001, 0.1);
   for (double& x : scene.media[0].scattering) x *= s.scattering;
   for (double& x : scene.media[0].depolarization) x = s.depolarisation;
   for (double& x : scene.media[1].scattering) x *= s.aerosol;

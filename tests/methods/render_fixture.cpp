@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "tests/of_scene.h"
+#include "tests/shared_executor.h"
 
 namespace airlight::test {
 namespace {
@@ -18,6 +19,9 @@ class ValidationEnvironment : public testing::Environment {
 };
 
 const auto* const environment = testing::AddGlobalTestEnvironment(new ValidationEnvironment);
+
+auto* const shared_device = new SharedExecutor;
+const auto* const device_environment = testing::AddGlobalTestEnvironment(shared_device);
 
 constexpr TableSize kSmallTable{32, 16};
 constexpr int kFewSteps = 16;
@@ -40,8 +44,7 @@ void make_cheap(const ParameterInfo& parameter, ParameterValue& value) {
 }  // namespace
 
 Executor& executor() {
-  static Executor shared{{}};
-  return shared;
+  return shared_device->get();
 }
 
 Rendering render_now(const Scene& scene, const RenderRequest& request) {

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
+#include <memory>
 #include <numbers>
 #include <random>
 
@@ -235,6 +237,19 @@ TEST(GroundMap, PixelsWiderThanItsTexelsSeeTheirMean) {
     EXPECT_NEAR(p.ground_in_pixel(p.scene.planet, place, direction, 0.01).albedo.x, 0.5, 0.05);
   }
   EXPECT_GT(sharpest, 0.4);
+}
+
+// In memory that held other things: no part of the head may be left unwritten.
+TEST(GroundMap, WithoutAnOceanNothingMirrors) {
+  const Scene scene = mapped(0.0, 0.0);
+  alignas(physics::HostGround) std::byte used[sizeof(physics::HostGround)];
+  std::memset(used, 0x55, sizeof used);  // a double of 1e103
+  auto* const maps = ::new (used) physics::HostGround(planet_maps(*scene.ground, scene.planet.ground_albedo));
+  EXPECT_EQ(maps->head.shape.slope_variance, 0.0);
+  for (const double share : maps->head.glint_share) {
+    EXPECT_EQ(share, 0.0);
+  }
+  std::destroy_at(maps);
 }
 
 // Stripes eight texels wide are sharp at the equator, and one grey beside the poles, where they crowd into a pixel.

@@ -13,18 +13,17 @@
 #include "core/stability/energy.h"
 #include "core/stability/examine.h"
 #include "core/stability/report.h"
+#include "tests/shared_executor.h"
 
 namespace airlight::stability {
 namespace {
 
 using physics::vec3;
 
-Executor& executor() {
-  static Executor shared{{.validation = true}};
-  return shared;
-}
+auto* const shared_device = new test::SharedExecutor({.validation = true});
+const auto* const device_environment = testing::AddGlobalTestEnvironment(shared_device);
 
-const DeviceOnDemand kDevice = []() -> Executor& { return executor(); };
+const DeviceOnDemand kDevice = []() -> Executor& { return shared_device->get(); };
 
 Subject subject_named(const std::string& name) {
   for (const Subject& subject : subjects()) {
