@@ -165,9 +165,9 @@ mu_sun = sin(elevation_scale * sinh(v))
 )") +
                     (settings.shells ? "altitude_km = take(altitudes_km, j)\n"
                                      : "altitude_km = highest_km * (j / (height - 1)) * (j / (height - 1))\n") +
-                    (settings.polarised ? R"(polarised = block >= harmonics and block < harmonics + 3
-l = 2 if polarised else floor((sqrt(8 * block + 1) - 1) / 2)
-m = block - harmonics if polarised else block - l * (l + 1) / 2
+                    (settings.polarised ? R"(polarised = block >= harmonics
+l = 2 * polarised + (1 - polarised) * floor((sqrt(8 * block + 1) - 1) / 2)
+m = polarised * (block - harmonics) + (1 - polarised) * (block - l * (l + 1) / 2)
 )"
                                         : R"(l = floor((sqrt(8 * block + 1) - 1) / 2)
 m = block - l * (l + 1) / 2
