@@ -25,14 +25,13 @@ TEST(TiledPicture, AFaultIsShownByTheDiagnosticView) {
   const std::optional<DisplayTransform> none;
   const auto message = [&] {
     cli::Stopwatch watch;
+    const auto context = [](const Scene& part, const Rendering& rows) { return cli::PictureContext{part, rows, {}}; };
     cli::PictureWriter writer({.parts = {{scene, 0, {scratch.path() / "a.exr", scratch.path() / "a.png"}}},
                                .transform = none,
                                .options = {},
                                .depth = {},
                                .source = "sky.json",
-                               .context = [](const Scene& part, const Rendering& rows) {
-                                 return cli::PictureContext{part, rows, {}};
-                               }});
+                               .context = context});
     try {
       const Stage stage = ready(scene);
       Rendering rendering =

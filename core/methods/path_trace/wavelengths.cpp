@@ -48,9 +48,10 @@ Scene mean_scene(std::span<const Part> parts, const std::vector<Rgb>& weights) {
       }
     }
     for (std::size_t j = 0; j < 3 && mean.ground; ++j) {
-      mean.ground->mix[c][j] = sum([j](const Scene& s) {
+      const auto mix = [j](const Scene& s) {
         return Spectrum{s.ground->mix[0][j], s.ground->mix[1][j], s.ground->mix[2][j]};
-      });
+      };
+      mean.ground->mix[c][j] = sum(mix);
     }
     for (std::size_t i = 0; i < mean.spheres.size(); ++i) {
       mean.spheres[i].albedo[c] = sum([i](const Scene& s) { return s.spheres[i].albedo; });
