@@ -69,7 +69,8 @@ SkyMethod analytic_method() {
   method.validity.altitude_max = 10.0;
   method.validity.optical_depth_max = 1.0;
   method.validity.leaves_out =
-      "the density profiles' shapes beyond mean and spread, the direction of light scattered more than once, twilight";
+      "the density profiles' shapes beyond mean and spread, direction and polarisation of light scattered more than "
+      "once, twilight";
   method.sweep = {with_variant("zenith-density"), with_variant("exponential")};
   method.validity.error = 0.2;
   method.validity.known_failures = {

@@ -151,8 +151,8 @@ SkyMethod sky_view_method() {
   method.info = {"sky-view", "a table of what the camera sees, one fetch a pixel [H20]", kParameters};
   method.info.knows_ground_maps = true;
   method.validity.leaves_out =
-      "the direction of light scattered more than once, and detail finer than its table (an aureole sharper than g = "
-      "0.9)";
+      "direction and polarisation of light scattered more than once, and detail finer than its table (an aureole "
+      "sharper than g = 0.9)";
   method.sweep = {with_table("24 x 18, 8 steps", {24, 18}, 8),
                   with_table("48 x 27, 16 steps", {48, 27}, 16),
                   with_table("96 x 54, 16 steps", {96, 54}, 16),
