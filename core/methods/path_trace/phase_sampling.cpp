@@ -106,6 +106,11 @@ double PhaseSampler::density(physics::uint medium, double nu, vec3 phase) const 
   return phase.x;
 }
 
+double PhaseSampler::dipole_share(physics::uint medium) const {
+  const double gamma = mean_depolarization(medium);
+  return (1.0 - gamma) / (1.0 + 2.0 * gamma);
+}
+
 bool PhaseSampler::is_peaked(physics::uint medium) const {
   const physics::uint kind = physics_.phase_of(medium);
   const physics::MediumData m = physics_.medium(medium);

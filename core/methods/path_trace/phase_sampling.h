@@ -20,6 +20,9 @@ class PhaseSampler {
   // 1/sr: `phase`, the medium's at nu, where it is a formula that all channels share; else close to the channels' mean.
   double density(physics::uint medium, double nu, physics::vec3 phase) const;
 
+  // Of molecules, the mean over the channels of Physics::dipole_share().
+  double dipole_share(physics::uint medium) const;
+
   // Whether the medium scatters mostly forward, or mostly back.
   bool is_peaked(physics::uint medium) const;
 

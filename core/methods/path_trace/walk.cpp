@@ -306,6 +306,11 @@ class Walk::Lobes {
       peaked += phases.is_peaked(i) ? along_path_[i] : 0.0;
     }
     weight_ = channels_of(state.carry * scattering);
+    const double whole = weight_[0] + weight_[1] + weight_[2];
+    if (whole > 0.0) {
+      const vec3 shares(weight_[0] / whole, weight_[1] / whole, weight_[2] / whole);
+      analyser_ = {dot(state.analyser.q, shares), dot(state.analyser.u, shares)};
+    }
     peaked /= all;
     const double toward_sun = guided ? kTowardSun * peaked : 0.0;
     toward_sky_ = guided ? kTowardSky * (1.0 - peaked) + kTowardSkyPeaked * peaked : 0.0;
@@ -338,7 +343,14 @@ class Walk::Lobes {
     }
     const uint chosen = static_cast<uint>(lobe - 1) % n;
     const double nu = phases_.sample(chosen, u, random);
-    return around(lobe <= n ? state_.direction : physics_.scene.sun.direction, nu, turn);
+    if (lobe > n) {
+      return around(physics_.scene.sun.direction, nu, turn);
+    }
+    vec3 next = around(state_.direction, nu, turn);
+    while (polarises(chosen) && !(2.0 * random.uniform() < evenness(chosen, next))) {
+      next = around(state_.direction, nu, random.uniform());
+    }
+    return next;
   }
 
   struct Choice {
@@ -360,7 +372,8 @@ class Walk::Lobes {
     for (uint i = 0; i < count(); ++i) {
       const double toward_sun = phases_.density(i, to_sun, physics_.medium_phase(i, to_sun));
       const vec3 phase = physics_.medium_phase(i, turned);
-      choice.density += along_path_[i] * phases_.density(i, turned, phase) + around_sun_[i] * toward_sun;
+      const double along = phases_.density(i, turned, phase) + (polarises(i) ? uneven(i, bend) : 0.0);
+      choice.density += along_path_[i] * along + around_sun_[i] * toward_sun;
       choice.scattered = choice.scattered + state_.scattering[i] * phase;
       choice.sun_weight += mix_[i] * toward_sun * 4.0 * std::numbers::pi;
     }
@@ -370,7 +383,24 @@ class Walk::Lobes {
  private:
   uint count() const { return physics_.medium_count(); }
 
+  // Whether the medium scatters unevenly around the path, whose end tells polarised light.
+  bool polarises(uint i) const {
+    return (analyser_.q != 0.0 || analyser_.u != 0.0) && physics_.polarised() && physics_.is_molecular(i);
+  }
+
+  // What a molecule's density has beyond the mean around the path, 1/sr.
+  double uneven(uint i, const Bend& bend) const {
+    return analyser_.correction(bend, physics_.kDipole * phases_.dipole_share(i));
+  }
+
+  // How likely a molecule's lobe takes a direction over the mean around the path: 0 to 2.
+  double evenness(uint i, const vec3& direction) const {
+    const Bend bend = bend_of(state_.direction, direction, state_.axis);
+    return 1.0 + uneven(i, bend) / phases_.density(i, bend.nu, physics_.medium_phase(i, bend.nu));
+  }
+
   physics::Physics& physics_;
+  Analyser<double> analyser_;  // mean of the channels, by the light that they carry
   const PhaseSampler& phases_;
   const SkyGuide& guide_;
   const State& state_;
