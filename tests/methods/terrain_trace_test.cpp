@@ -199,7 +199,7 @@ TEST(TerrainTruth, OrdersIsNearPathTrace) {
   };
   // Slopes in the range's own shadow are too bright: `orders` gives them light scattered twice from air that is really
   // dark.
-  for (const Case& c : {Case{35.0, true, 256, 0.025, 0.025, 0.02}, Case{35.0, false, 256, 0.03, 0.03, 0.03},
+  for (const Case& c : {Case{35.0, true, 2048, 0.025, 0.025, 0.02}, Case{35.0, false, 256, 0.03, 0.03, 0.03},
                         Case{4.0, true, 1024, 1.0, 2.5, 0.8}, Case{4.0, false, 256, 0.065, 0.07, 0.07}}) {
     const Scene scene = range_in_haze("orders", c.elevation);
     physics::Physics p = make_physics(scene);
