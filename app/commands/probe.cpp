@@ -12,6 +12,7 @@
 #include "app/render/validity.h"
 #include "core/error.h"
 #include "core/methods/ready.h"
+#include "core/polarisation.h"
 #include "core/render/spectrum.h"
 #include "core/scene/angle.h"
 #include "core/scene/named_file.h"
@@ -115,6 +116,20 @@ std::optional<double> luminance_of(const Scene& scene, const ProbeResult& result
   return white ? std::optional(*white * bt709_luminance(result.radiance)) : std::nullopt;
 }
 
+// Writes Q, U, the degree and the angle that they stand for.
+template <class Values>
+void add_polarisation(JsonWriter& json, const Values& i, const Values& q, const Values& u) {
+  std::vector<double> degrees;
+  std::vector<double> angles;
+  for (std::size_t k = 0; k < i.size(); ++k) {
+    const Polarisation found = polarisation_of(i[k], q[k], u[k]);
+    degrees.push_back(found.degree);
+    angles.push_back(found.angle_deg);
+  }
+  json.key("stokes_q").values(q).key("stokes_u").values(u);
+  json.key("degree_of_polarisation").values(degrees).key("angle_of_polarisation_deg").values(angles);
+}
+
 std::string as_json(const Scene& scene, const std::vector<ListedDirection>& listed,
                     const std::vector<ProbeResult>& results) {
   JsonWriter json;
@@ -127,15 +142,31 @@ std::string as_json(const Scene& scene, const std::vector<ListedDirection>& list
       json.key("luminance_cd_per_m2").value(*luminance);
     }
     json.key("transmittance").values(results[i].transmittance);
+    if (results[i].q && results[i].u) {
+      add_polarisation(json, results[i].radiance, *results[i].q, *results[i].u);
+    }
     json.end_object();
   }
   return json.end_array().end_object().take();
 }
 
+std::string polarisation_text(const std::array<double, 3>& i, const std::array<double, 3>& q,
+                              const std::array<double, 3>& u) {
+  std::array<Polarisation, 3> found;
+  for (std::size_t c = 0; c < 3; ++c) {
+    found[c] = polarisation_of(i[c], q[c], u[c]);
+  }
+  char line[160];
+  std::snprintf(line, sizeof line, " %12.4f %6.4f %6.4f %12.2f %7.2f %7.2f", found[0].degree, found[1].degree,
+                found[2].degree, found[0].angle_deg, found[1].angle_deg, found[2].angle_deg);
+  return line;
+}
+
 std::string as_text(const Scene& scene, const std::vector<ListedDirection>& listed,
                     const std::vector<ProbeResult>& results) {
   std::string text = "elevation_deg azimuth_deg     radiance R           G           B  transmittance R    G        B";
-  text += white_luminance(scene.sun.unit) ? "  luminance cd/m2\n" : "\n";
+  text += white_luminance(scene.sun.unit) ? "  luminance cd/m2" : "";
+  text += results.front().q ? "  polarised R      G      B  angle_deg R       G       B\n" : "\n";
   for (std::size_t i = 0; i < results.size(); ++i) {
     char line[160];
     const auto& l = results[i].radiance;
@@ -146,6 +177,9 @@ std::string as_text(const Scene& scene, const std::vector<ListedDirection>& list
     if (const std::optional<double> luminance = luminance_of(scene, results[i])) {
       std::snprintf(line, sizeof line, " %16.6g", *luminance);
       text += line;
+    }
+    if (results[i].q && results[i].u) {
+      text += polarisation_text(l, *results[i].q, *results[i].u);
     }
     text += "\n";
   }
@@ -161,21 +195,33 @@ std::string as_json(const std::vector<ListedDirection>& listed, const SpectralPr
     json.begin_object();
     json.key("elevation_deg").value(listed[i].elevation_deg).key("azimuth_deg").value(listed[i].azimuth_deg);
     json.key("radiance").values(results.directions[i].radiance);
-    json.key("transmittance").values(results.directions[i].transmittance).end_object();
+    json.key("transmittance").values(results.directions[i].transmittance);
+    if (!results.directions[i].q.empty()) {
+      add_polarisation(json, results.directions[i].radiance, results.directions[i].q, results.directions[i].u);
+    }
+    json.end_object();
   }
   return json.end_array().end_object().take();
 }
 
 std::string as_text(const std::vector<ListedDirection>& listed, const SpectralProbes& results) {
   const SpectralImage& at = results.wavelengths;
-  std::string text = "elevation_deg azimuth_deg wavelength_nm       radiance transmittance       sunlight\n";
+  const bool polarised = !results.directions.front().q.empty();
+  std::string text = "elevation_deg azimuth_deg wavelength_nm       radiance transmittance       sunlight";
+  text += polarised ? " polarised angle_deg\n" : "\n";
   for (std::size_t i = 0; i < listed.size(); ++i) {
     for (std::size_t k = 0; k < at.nm.size(); ++k) {
       char line[160];
-      std::snprintf(line, sizeof line, "%13.4f %11.4f %13.4f %14.6e %13.6f %14.6e\n", listed[i].elevation_deg,
-                    listed[i].azimuth_deg, at.nm[k], results.directions[i].radiance[k],
-                    results.directions[i].transmittance[k], at.sunlight[k]);
+      const SpectralProbe& found = results.directions[i];
+      std::snprintf(line, sizeof line, "%13.4f %11.4f %13.4f %14.6e %13.6f %14.6e", listed[i].elevation_deg,
+                    listed[i].azimuth_deg, at.nm[k], found.radiance[k], found.transmittance[k], at.sunlight[k]);
       text += line;
+      if (polarised) {
+        const Polarisation light = polarisation_of(found.radiance[k], found.q[k], found.u[k]);
+        std::snprintf(line, sizeof line, " %9.4f %9.2f", light.degree, light.angle_deg);
+        text += line;
+      }
+      text += "\n";
     }
   }
   return text + "# radiance in " + at.unit + ", sunlight above the air in that times sr\n";
@@ -187,6 +233,14 @@ std::string as_text(const std::vector<ListedDirection>& listed, const SpectralPr
                  "; this is a mistake in airlight, please report it with the preset");
 }
 
+void require_finite(const ListedDirection& at, std::span<const double> values) {
+  for (const double value : values) {
+    if (!std::isfinite(value)) {
+      refuse_value(at, value);
+    }
+  }
+}
+
 void require_sound(const std::vector<ListedDirection>& listed, const SpectralProbes& results) {
   for (std::size_t i = 0; i < listed.size(); ++i) {
     for (const auto* values : {&results.directions[i].radiance, &results.directions[i].transmittance}) {
@@ -196,6 +250,8 @@ void require_sound(const std::vector<ListedDirection>& listed, const SpectralPro
         }
       }
     }
+    require_finite(listed[i], results.directions[i].q);
+    require_finite(listed[i], results.directions[i].u);
   }
 }
 
@@ -210,6 +266,10 @@ void require_sound(const std::vector<ListedDirection>& listed, const std::vector
           refuse_value(listed[i], value);
         }
       }
+    }
+    if (results[i].q && results[i].u) {
+      require_finite(listed[i], *results[i].q);
+      require_finite(listed[i], *results[i].u);
     }
   }
 }
@@ -234,7 +294,9 @@ int print_spectra(const ProbeGiven& given, const Stage& stage, const std::vector
 }
 
 int run_probe(const ProbeGiven& given) {
-  const Stage stage = ready(load_scene(given.scene));
+  Scene loaded = load_scene(given.scene);
+  loaded.camera.polariser.reset();  // light is told as it arrives
+  const Stage stage = ready(loaded);
   const Scene& scene = stage.scene();
   std::optional<Nodes> nodes;
   if (given.spectrum) {
@@ -276,6 +338,10 @@ Command probe_command() {
       "airlight prints the light of the sky, and of the ground where the direction meets it. The sun's disc is left "
       "out. Transmittance is that of the air along the direction, to the ground or to space.\n\n"
       "If the preset's sun.unit is W/m2 or lux, airlight also prints the luminance in cd/m2.\n\n"
+      "By the method orders airlight prints, for each channel, the share of the light that is polarised, and the angle "
+      "between its swing and the plane of direction and zenith, from -90 to 90 degrees. Angles above 0 lean from "
+      "downward toward growing azimuth. --json adds the Stokes parameters Q and U: Q is above 0 for light that swings "
+      "in that plane, U for light that leans by 45 degrees. Light arrives as told, before any camera.polariser.\n\n"
       "--spectrum needs a preset that has spectra. It prints one line for each wavelength: spectral radiance, "
       "transmittance, and the sunlight above the air. Each value is the mean over a band around the wavelength. The "
       "band is as wide as the step, and at most 10 nm. The last line says the unit. 'airlight render --help' explains "

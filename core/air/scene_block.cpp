@@ -39,16 +39,19 @@ std::uint32_t cube_layout_code(CubeLayout layout) {
 void put_picture(physics::Physics& p, const Scene& scene) {
   physics::SunData& sun = p.scene.sun;
   sun.direction = p.direction_from_angles(scene.sun.elevation, scene.sun.azimuth);
-  sun.irradiance = vector_of(scene.sun.irradiance);
+  const double passed = light_passed(scene.camera);
+  sun.irradiance = vector_of(scene.sun.irradiance) * passed;
   sun.angular_radius = scene.sun.disc.angular_radius;
   sun.limb_darkening = scene.sun.disc.limb_darkening;
-  sun.disc_radiance = disc_radiance(scene.sun);
+  sun.disc_radiance = disc_radiance(scene.sun) * passed;
   const CameraBasis basis = camera_basis(scene.camera);
   physics::CameraData& camera = p.scene.camera;
   camera.altitude = scene.camera.altitude;
   camera.right = basis.right;
   camera.up = basis.up;
   camera.forward = basis.forward;
+  const double filter = scene.camera.polariser.value_or(0.0);
+  camera.polariser = basis.up * std::cos(filter) + basis.right * std::sin(filter);
   camera.azimuth = scene.camera.azimuth;
   camera.half_fov = 0.5 * scene.camera.vertical_fov;
   camera.width = static_cast<physics::uint>(scene.image.width);
@@ -101,6 +104,7 @@ device::CameraData narrow(const physics::CameraData& from) {
           .right = narrowed(from.right),
           .up = narrowed(from.up),
           .forward = narrowed(from.forward),
+          .polariser = narrowed(from.polariser),
           .azimuth = narrowed(from.azimuth),
           .half_fov = narrowed(from.half_fov),
           .width = from.width,

@@ -47,4 +47,9 @@ struct CameraBasis {
 };
 CameraBasis camera_basis(const Camera& camera);
 
+// The share of light without polarisation that reaches the picture: a half through a polarising filter.
+inline double light_passed(const Camera& camera) {
+  return camera.polariser ? 0.5 : 1.0;
+}
+
 }  // namespace airlight

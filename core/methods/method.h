@@ -67,7 +67,8 @@ struct Quality {
 };
 
 // The passes of a GPU method, added to a plan. `radiance` holds a vec4 for each pixel, rows from the top (alpha 0
-// outside a fisheye's circle); for listed directions two vec4s each: radiance, then transmittance along the ray.
+// outside a fisheye's circle); for listed directions two vec4s each: radiance, then transmittance along the ray;
+// where the view asks for them, Q and U follow.
 // `tables` are the images that the method baked, for the dump and the check of their values. The first, if any, is
 // always the transmittance to the top of the atmosphere, through which the sun's disc is seen.
 struct SkyPasses {
@@ -77,7 +78,8 @@ struct SkyPasses {
 };
 
 // The light of a picture kept apart by its origin. `planes`: floats, three planes a layer over the view's tile: single
-// scattering of each medium that scatters, multiple scattering, the ground, then the transmittance along the ray.
+// scattering of each medium that scatters, multiple scattering, the ground, then the transmittance along the ray, and Q
+// and U where the view asks for them.
 struct LayerPasses {
   BufferId planes;
   std::optional<ImageId> transmittance;  // the method's table, if it has one, for the sun's disc
@@ -132,6 +134,8 @@ struct SkyMethod {
   std::vector<std::string> (*bounds)(const Part&) = nullptr;
   // The layers of the camera's picture. Null: the method cannot keep them apart.
   LayerPasses (*add_layer_passes)(Plan&, const Part&, const View&) = nullptr;
+  // Whether it tells Q and U of listed directions, and as layers (View::stokes).
+  bool has_stokes = false;
   // The air between the camera and things. Null: the method computes whole rays only.
   SpanPasses (*add_span_passes)(Plan&, const Part&, const Spans&, const SpanWay&) = nullptr;
   // Whether SpanWay::volume holds for the scene's camera. Null: never.

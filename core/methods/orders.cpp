@@ -34,6 +34,7 @@ using orders::ray_cost;
 using orders::settings_of;
 using orders::steps_of;
 using orders::steps_past_things;
+using orders::stokes_of;
 
 constexpr std::array<std::string_view, 10> kDegreeChoices{"auto", "0", "1", "2", "3", "4", "5", "6", "7", "8"};
 constexpr std::array<std::string_view, 2> kFolded{"smooth", "all"};
@@ -103,6 +104,7 @@ void add_factor_pixels(Plan& plan, const Part& part, const View& view, const Fac
   std::vector<Specialization> constants = medium_specialization(part.air);
   constants.push_back({"kProjection", target.projection});
   add_table_constants(constants, table);
+  constants.push_back({"kStokes", table.stokes});
   add_pass_with_edges(plan, part, view, target,
                       {.name = "sky",
                        .shader = "sky_from_factors",
@@ -116,7 +118,7 @@ void add_factor_pixels(Plan& plan, const Part& part, const View& view, const Fac
 
 // Returns the table.
 ImageId add_tabulated_sky(Plan& plan, const Part& part, const View& view, const SkyTarget& target, const Light& light) {
-  const FactorTable table = factor_table(part, part.air.scattering_media(), false);
+  const FactorTable table = factor_table(part, part.air.scattering_media(), false, stokes_of(part, view));
   const ImageId factors = add_factors(plan, "sky_factors", part.scene, table, view, light);
   add_factor_pixels(plan, part, view, table, target, factors);
   return factors;
@@ -148,7 +150,7 @@ std::optional<SkyPasses> add_coloured(Plan& plan, const Stage& stage, const View
   if (!tabulates(whole, view) || whole.scene.ground) {
     return std::nullopt;
   }
-  const FactorTable table = factor_table(whole, stage.scattering_media(), false);
+  const FactorTable table = factor_table(whole, stage.scattering_media(), false, stokes_of(whole, view));
   if (!phases_are_alike(stage, table.apart)) {
     return std::nullopt;
   }
@@ -184,9 +186,10 @@ void add_thing_constants(std::vector<Specialization>& constants, const Part& par
 }
 
 // The pass over things, the ground and the air about them.
-void add_things_sky(Plan& plan, const Part& part, const SkyTarget& target, const Light& light) {
+void add_things_sky(Plan& plan, const Part& part, const View& view, const SkyTarget& target, const Light& light) {
   std::vector<Specialization> constants = light.constants;
   constants.push_back({"kProjection", target.projection});
+  constants.push_back({"kStokes", stokes_of(part, view)});
   add_thing_constants(constants, part);
   std::vector<Binding> reads = light.reads();
   reads.push_back({"directions", target.directions});
@@ -219,8 +222,9 @@ void add_ground(Plan& plan, const Part& part, const SkyTarget& target, const Lig
 }
 
 // The march along each pixel's ray.
-void add_marched_sky(Plan& plan, const SkyTarget& target, const Light& light) {
+void add_marched_sky(Plan& plan, const Part& part, const View& view, const SkyTarget& target, const Light& light) {
   std::vector<Specialization> constants = light.constants;
+  constants.push_back({"kStokes", stokes_of(part, view)});
   constants.push_back({"kProjection", target.projection});
   constants.push_back({"kEdges", physics::kEdgesFound});
   std::vector<Binding> reads = light.reads();
@@ -240,14 +244,14 @@ SkyPasses add_orders(Plan& plan, const Part& part, const View& view) {
   const Light light = add_light(plan, part);
   SkyPasses passes{target.radiance, {light.transmittance}, light.more()};
   if (part.things.stand_in_the_air()) {
-    add_things_sky(plan, part, target, light);
+    add_things_sky(plan, part, view, target, light);
     return passes;
   }
   begin_black_ground(plan, part, view);
   if (tabulates(part, view)) {
     passes.more_tables.push_back(add_tabulated_sky(plan, part, view, target, light));
   } else {
-    add_marched_sky(plan, target, light);
+    add_marched_sky(plan, part, view, target, light);
   }
   end_black_ground(plan, part, view);
   add_ground(plan, part, target, light);
@@ -269,7 +273,7 @@ LayerPasses add_layers(Plan& plan, const Part& part, const View& view) {
     add_things_to_march(plan, part, reads, constants);
     steps = steps_past_things(part, light);
   } else if (tabulated) {
-    const FactorTable table = factor_table(part, part.air.scattering_media(), true);
+    const FactorTable table = factor_table(part, part.air.scattering_media(), true, stokes_of(part, view));
     reads.push_back({"factors_lut", add_factors(plan, "layers_factors", part.scene, table, view, light)});
     add_table_constants(constants, table);
     constants.push_back({"kProjection", projection_code(part.scene.camera.projection)});
@@ -278,6 +282,7 @@ LayerPasses add_layers(Plan& plan, const Part& part, const View& view) {
     add_layer_constants(constants, part);
     constants.push_back({"kEdges", physics::kEdgesFound});
   }
+  constants.push_back({"kStokes", stokes_of(part, view)});
   const Extent grid = picture_grid(part.scene, view);
   const BufferId planes = add_layer_planes(plan, part, view);
   plan.add_pass({.name = "layers",
@@ -329,6 +334,7 @@ SkyMethod orders_method() {
   method.info.knows_spheres = true;
   method.info.knows_translucent_spheres = true;
   method.info.knows_ground_maps = true;
+  method.info.knows_polarisers = true;
   method.validity.leaves_out = "harmonics above the degree kept, and polarisation by other media than molecules";
   method.bounds = bounds;
   const std::string never = "never";
@@ -385,6 +391,7 @@ SkyMethod orders_method() {
   method.add_coloured_passes = add_coloured;
   method.settle = settle;
   method.add_layer_passes = add_layers;
+  method.has_stokes = true;
   method.add_span_passes = orders::add_spans;
   // The volume holds no shadows.
   method.has_volume = [](const Scene& scene) {

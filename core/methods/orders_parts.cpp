@@ -98,15 +98,23 @@ double ray_cost(std::uint32_t steps) {
   return 10.0 + 2.5 * steps;
 }
 
-FactorTable factor_table(const Part& part, std::uint32_t media, bool layers) {
+std::uint32_t stokes_of(const Part& part, const View& view) {
+  if (view.stokes) {
+    return physics::kStokesKept;
+  }
+  return part.scene.camera.polariser ? physics::kStokesFiltered : physics::kStokesNone;
+}
+
+FactorTable factor_table(const Part& part, std::uint32_t media, bool layers, std::uint32_t stokes) {
   const TableSize size = part.scene.render.get<TableSize>("sky_lut");
   const auto columns = static_cast<std::uint32_t>(size[0]);
   const auto sky = static_cast<std::uint32_t>(size[1]);
   const bool from_space = looks_from_space(part);
   const std::uint32_t rayleigh = media_with(part.air, PhaseFunction::rayleigh, media);
   const bool all = part.scene.render.get<std::string>("fold") == "all";
-  const std::uint32_t folded = all ? media_wider_than_a_column(part.air, size[0], media)
-                                   : rayleigh | media_with(part.air, PhaseFunction::isotropic, media);
+  std::uint32_t folded = all ? media_wider_than_a_column(part.air, size[0], media)
+                             : rayleigh | media_with(part.air, PhaseFunction::isotropic, media);
+  folded &= stokes != physics::kStokesNone && !layers ? ~rayleigh : ~0u;
   const std::uint32_t apart = layers ? media : media & ~folded;
   return {.columns = from_space ? 4 * columns : columns,
           .ground_rows = from_space ? 6 * sky : sky / 2,
@@ -115,7 +123,8 @@ FactorTable factor_table(const Part& part, std::uint32_t media, bool layers) {
           .apart = apart,
           .folded = folded,
           .rayleigh = (folded & rayleigh) != 0,
-          .blocks = static_cast<std::uint32_t>(std::popcount(apart)) + 1};
+          .stokes = stokes,
+          .blocks = static_cast<std::uint32_t>(std::popcount(apart)) + (stokes != physics::kStokesNone ? 3 : 1)};
 }
 
 void add_table_constants(std::vector<Specialization>& constants, const FactorTable& table) {
@@ -161,6 +170,7 @@ ImageId add_factors(Plan& plan, const std::string& shader, const Scene& scene, c
                                           .text = std::move(text)});
   std::vector<Specialization> constants = light.constants;
   add_table_constants(constants, table);
+  constants.push_back({"kStokes", table.stokes});
   // A table of some thousand rays does not fill a GPU, whose threads would take the steps one after the other.
   const std::uint32_t team = shader == "sky_factors" && !light.by_shells ? 4 : 1;
   plan.add_pass({.name = shader,

@@ -44,6 +44,9 @@ Light add_light(Plan& plan, const Part& part);
 // Predicted cost of one ray of so many steps (PassDesc::cost).
 double ray_cost(std::uint32_t steps);
 
+// Whether the view's passes compute Q and U, and for what: kStokes.
+std::uint32_t stokes_of(const Part& part, const View& view);
+
 // The picture's own table of factors, as shaders/shared/sky_table.glsl is told of it.
 struct FactorTable {
   std::uint32_t columns;
@@ -53,14 +56,16 @@ struct FactorTable {
   std::uint32_t apart;   // media of a block each, bit i
   std::uint32_t folded;  // media whose phase function is in the table
   bool rayleigh;         // among the folded
+  std::uint32_t stokes;  // kStokes: unless none, Q and U of the diffuse light have a block each
   std::uint32_t blocks;
 
   std::uint32_t rows() const { return ground_rows + limb_rows + sky_rows; }
 };
 
 // From space the rows resolve the halo of the limb, and the terminator at the middle of the disc. `media`: those that
-// scatter. `layers`: all of them apart, else the folded ones share the last block with the diffuse light.
-FactorTable factor_table(const Part& part, std::uint32_t media, bool layers);
+// scatter. `layers`: all of them apart, else the folded ones share the last block with the diffuse light. With `stokes`
+// no molecules are folded.
+FactorTable factor_table(const Part& part, std::uint32_t media, bool layers, std::uint32_t stokes);
 
 void add_table_constants(std::vector<Specialization>& constants, const FactorTable& table);
 

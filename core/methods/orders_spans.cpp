@@ -52,7 +52,7 @@ std::uint32_t span_steps(const Part& part, const Light& light) {
 FactorTable volume_table(Part part) {
   auto& size = std::get<TableSize>(part.scene.render.parameters.find("sky_lut")->second);
   size = {std::max(2 * size[0] / 3, 8), std::max(2 * size[1] / 3, 8)};
-  return factor_table(part, part.air.scattering_media(), false);
+  return factor_table(part, part.air.scattering_media(), false, physics::kStokesNone);
 }
 
 // The aerial volume and the mean extinction beside it (shaders/physics/aerial_volume.glsl).

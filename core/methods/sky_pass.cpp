@@ -50,9 +50,13 @@ std::string picture_table_key(const View& view, std::string_view table) {
   return view.kept_as.empty() ? std::string() : view.kept_as + " " + std::string(table);
 }
 
+std::size_t vectors_of(const View& view) {
+  return view.stokes ? 4 : 2;
+}
+
 BufferId add_layer_planes(Plan& plan, const Part& part, const View& view) {
   const Extent grid = picture_grid(part.scene, view);
-  const auto layers = static_cast<std::size_t>(std::popcount(part.air.scattering_media())) + 3;
+  const auto layers = static_cast<std::size_t>(std::popcount(part.air.scattering_media())) + (view.stokes ? 5 : 3);
   return plan.add_buffer({.name = "layers",
                           .bytes = 3 * layers * grid.width * grid.height * sizeof(float),
                           .host_readable = true,
@@ -71,7 +75,7 @@ SkyTarget add_sky_target(Plan& plan, const Scene& scene, const View& view) {
   target.grid = listed ? Extent{count, 1, 1} : picture_grid(scene, view);
   target.projection = listed ? physics::kProjectionListed : projection_code(scene.camera.projection);
   const std::size_t vectors =
-      static_cast<std::size_t>(target.grid.width) * static_cast<std::size_t>(target.grid.height) * (listed ? 2 : 1);
+      static_cast<std::size_t>(target.grid.width) * static_cast<std::size_t>(target.grid.height) * (listed ? vectors_of(view) : 1);
   target.radiance = plan.add_buffer(radiance_buffer(view, vectors * 4 * sizeof(float)));
   target.directions = plan.add_buffer(filled_buffer("directions", direction_bytes(view)));
   return target;

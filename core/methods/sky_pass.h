@@ -33,6 +33,9 @@ Extent picture_grid(const Scene& scene, const View& view);
 // The key of a table that depends on the picture; empty where no later plan needs the table.
 std::string picture_table_key(const View& view, std::string_view table);
 
+// Vectors of each listed direction: radiance, transmittance and, where the view asks for them, Q and U.
+std::size_t vectors_of(const View& view);
+
 // A buffer for LayerPasses::planes, and the constants that its pass takes beside the method's own.
 BufferId add_layer_planes(Plan& plan, const Part& part, const View& view);
 void add_layer_constants(std::vector<Specialization>& constants, const Part& part);

@@ -64,6 +64,7 @@ struct Physics {
   uint degree = 2;
   bool delta = false;
   bool polarisation = false;
+  bool with_stokes = false;
   bool molecules_alone = false;  // molecules apart, no medium scatters with a direction
   HostTable sun_table;           // mean extinction to the top over the rows of shells (physics/shells.glsl)
   AnalyticData analytic{};
@@ -90,6 +91,7 @@ struct Physics {
   uint scattered_degree() const { return molecules_alone ? 0u : degree; }
   bool delta_scaled() const { return delta; }
   bool polarised() const { return polarisation; }
+  bool stokes() const { return with_stokes; }
   uint shell_rows() const { return scene.shell_rows; }
   real shell_altitude(uint k) const { return scene.shell_altitudes[k]; }
   vec3 fetch_sun_table(real x, real y) const { return sun_table.fetch_unit(x, y); }
@@ -152,6 +154,7 @@ struct Physics {
   real sun_share(const Ray& /*ray*/, real /*t*/, real /*width*/) const { return 1.0; }
 #include "shaders/physics/medium.glsl"
 #include "shaders/physics/polarisation.glsl"
+#include "shaders/physics/stokes.glsl"
 #include "shaders/physics/segment.glsl"
 #include "shaders/physics/quadrature.glsl"
 #include "shaders/physics/step_plan.glsl"

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/methods/ready.h"
+#include "core/methods/sky_pass.h"
 #include "core/plan/bytes.h"
 #include "core/render/after_sky.h"
 #include "core/render/bands.h"
@@ -86,7 +87,8 @@ Plan plan_for(const Stage& stage, const RenderRequest& request) {
 
 namespace {
 
-// Radiance and transmittance of each listed direction, alternating. `undone`: gets the method's notes.
+// Radiance and transmittance of each listed direction, alternating, or four values each with Q and U (View::stokes).
+// `undone`: gets the method's notes.
 RadianceImage pairs_of(const DeviceOnDemand& device, const Stage& stage, const View& view,
                        std::vector<std::string>& undone) {
   const auto count = static_cast<int>(view.directions.size());
@@ -94,7 +96,8 @@ RadianceImage pairs_of(const DeviceOnDemand& device, const Stage& stage, const V
     Plan plan;
     const Sky sky = add_sky(plan, stage, view, false);
     const RunResult result = device().run(plan);
-    return RadianceImage{2 * count, 1, values_of<float>(result.contents(sky.radiance))};
+    const int values = static_cast<int>(vectors_of(view)) * count;
+    return RadianceImage{values, 1, values_of<float>(result.contents(sky.radiance))};
   }
   HostPicture host = stage.method().render_on_host(stage, view, {});
   undone = std::move(host.notes);
@@ -114,14 +117,24 @@ ProbeResults probe(const DeviceOnDemand& device, const Stage& stage, const std::
   if (directions.empty()) {
     return results;
   }
-  const RadianceImage pairs = pairs_of(device, stage, View{directions}, results.undone);
+  const bool stokes = stage.method().has_stokes && stage.scene().render.polarisation;
+  const View view{.directions = directions, .stokes = stokes};
+  const RadianceImage pairs = pairs_of(device, stage, view, results.undone);
   const Rgb unit = stage.sunlight();
   for (std::size_t i = 0; i < directions.size(); ++i) {
     ProbeResult r;
     r.direction = directions[i];
+    const auto triple = [&](std::size_t k) {
+      const float* const at = pairs.at(static_cast<int>(vectors_of(view) * i + k), 0);
+      return std::array<double, 3>{double{at[0]}, double{at[1]}, double{at[2]}};
+    };
+    r.radiance = triple(0);
     for (std::size_t c = 0; c < 3; ++c) {
-      r.radiance[c] = static_cast<double>(pairs.rgba[8 * i + c]);
-      r.transmittance[c] = static_cast<double>(pairs.rgba[8 * i + 4 + c]) / unit[c];
+      r.transmittance[c] = triple(1)[c] / unit[c];
+    }
+    if (stokes) {
+      r.q = triple(2);
+      r.u = triple(3);
     }
     results.directions.push_back(r);
   }

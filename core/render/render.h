@@ -66,6 +66,10 @@ struct ProbeResult {
   Direction direction;
   std::array<double, 3> radiance{};       // without the sun's disc
   std::array<double, 3> transmittance{};  // to the ground or to space
+  // Of polarised light, by a method that tells them; q > 0 in the plane of direction and zenith, u > 0 leaning from
+  // downward toward growing azimuth.
+  std::optional<std::array<double, 3>> q{};
+  std::optional<std::array<double, 3>> u{};
 };
 
 struct ProbeResults {

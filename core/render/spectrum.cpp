@@ -140,8 +140,14 @@ SpectralProbes probe_spectrum(const DeviceOnDemand& device, const Stage& stage,
     const ProbeResults found = probe(device, ready(group, listed), directions);
     for (std::size_t i = 0; i < directions.size(); ++i) {
       for (std::size_t c = 0; c < 3 && 3 * g + c < nodes.nm.size(); ++c) {
-        all.directions[i].radiance.push_back(scales[3 * g + c] * found.directions[i].radiance[c]);
-        all.directions[i].transmittance.push_back(found.directions[i].transmittance[c]);
+        const ProbeResult& one = found.directions[i];
+        SpectralProbe& spectrum = all.directions[i];
+        spectrum.radiance.push_back(scales[3 * g + c] * one.radiance[c]);
+        spectrum.transmittance.push_back(one.transmittance[c]);
+        if (one.q && one.u) {
+          spectrum.q.push_back(scales[3 * g + c] * (*one.q)[c]);
+          spectrum.u.push_back(scales[3 * g + c] * (*one.u)[c]);
+        }
       }
     }
     add_new_lines(all.undone, found.undone);

@@ -30,6 +30,8 @@ Rendering render_spectrum(const DeviceOnDemand& device, const Stage& stage, Band
 struct SpectralProbe {
   std::vector<double> radiance;       // by wavelength, as SpectralImage has it; without the sun's disc
   std::vector<double> transmittance;  // to the ground or to space
+  std::vector<double> q;              // as ProbeResult has it, in the radiance's unit; empty: not told
+  std::vector<double> u;
 };
 
 struct SpectralProbes {

@@ -30,6 +30,15 @@ void refuse_tilt(const Section& camera, std::string_view key, Projection project
   }
 }
 
+// Refuses a filter for a map, in which no side is up.
+void refuse_filter_of_map(const Section& camera, Projection projection) {
+  if (is_map(projection)) {
+    camera.complain("polariser", *camera.find("polariser"),
+                    "a polarising filter turns with the camera, and " + std::string(name_of_map(projection)) +
+                        " has none; choose the projection \"perspective\" or \"fisheye\", or remove it");
+  }
+}
+
 // Empty where the size suits the projection; else the rule for the size, with the nearest suitable one.
 std::string wanted_size(const Camera& camera, const ImageSize& image) {
   if (!is_cut(camera.projection)) {
@@ -71,6 +80,12 @@ Camera read_camera(const Section& root) {
   const double field_of_view = radians_from_degrees(section.number("vertical_fov_deg"));
   if (camera.projection == Projection::cube) {
     camera.cube_layout = static_cast<CubeLayout>(section.choice("cube_layout").value_or(0));
+  }
+  if (section.find("polariser") != nullptr) {
+    const Section filter = section.child("polariser");
+    filter.refuse_unknown_keys();
+    camera.polariser = radians_from_degrees(filter.number("angle_deg"));
+    refuse_filter_of_map(section, camera.projection);
   }
   if (is_map(camera.projection)) {
     refuse_tilt(section, "pitch_deg", camera.projection);

@@ -189,6 +189,9 @@ void describe_camera(Lines& lines, const Camera& camera, const ImageSize& image)
   if (!is_map(camera.projection)) {
     lines.angle("vertical field of view", camera.vertical_fov);
   }
+  if (camera.polariser) {
+    lines.angle("polarising filter's axis", *camera.polariser);
+  }
   lines.line("image", std::to_string(image.width) + " x " + std::to_string(image.height) + " pixels");
 }
 

@@ -20,6 +20,12 @@ void refuse_misfits(const Section& root, const Scene& scene, std::span<const Met
                      "the method " + json_string(scene.render.method) + " knows no " + std::string(kind.name) +
                          "; choose " + names + " with render.method or --method, or remove it");
   }
+  if (scene.camera.polariser && !scene.render.polarisation) {
+    const Section camera = root.child("camera");
+    camera.complain("polariser", *camera.find("polariser"),
+                    "render.polarisation is false, and light without polarisation passes all filters alike; set it to "
+                    "true, or remove the filter");
+  }
 }
 
 }  // namespace airlight

@@ -175,6 +175,8 @@ struct Camera {
   Projection projection = Projection::perspective;
   double vertical_fov = 0.0;  // rad; for perspective and fisheye
   CubeLayout cube_layout = CubeLayout::stack;
+  // Axis of a polarising filter, rad from the picture's up, clockwise as the photographer sees it; absent: no filter.
+  std::optional<double> polariser = {};
   double latitude = 0.0;   // rad, of the camera's place on the planet; north positive
   double longitude = 0.0;  // rad, east positive
 };

@@ -235,6 +235,9 @@ std::string camera_json(const Camera& camera) {
   if (!is_map(camera.projection)) {
     object.degrees("vertical_fov_deg", camera.vertical_fov);
   }
+  if (camera.polariser) {
+    object.add("polariser", JsonObject(3).degrees("angle_deg", *camera.polariser).str());
+  }
   return object.str();
 }
 

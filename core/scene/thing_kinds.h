@@ -1,5 +1,5 @@
 #pragma once
-// What may stand in a scene's air or on its ground beside the planet itself, one row each.
+// What may stand in a scene's air, on its ground or before its camera beside the planet itself, one row each.
 
 #include <algorithm>
 #include <array>
@@ -19,7 +19,7 @@ struct ThingKind {
   bool (*stands_in)(const Scene&);
 };
 
-inline constexpr std::array<ThingKind, 4> kThingKinds{
+inline constexpr std::array<ThingKind, 5> kThingKinds{
     {{"terrain", "planet", {"terrain", ""}, &MethodInfo::knows_terrain, [](const Scene& s) { return !!s.terrain; }},
      {"spheres",
       "scene",
@@ -31,8 +31,13 @@ inline constexpr std::array<ThingKind, 4> kThingKinds{
       {"spheres", ""},
       &MethodInfo::knows_translucent_spheres,
       [](const Scene& s) { return std::ranges::count(s.spheres, SphereMaterial::translucent, &Sphere::material) > 0; }},
-     {"maps of the ground", "planet", {"albedo_map", "ocean"}, &MethodInfo::knows_ground_maps, [](const Scene& s) {
-        return !!s.ground;
+     {"maps of the ground",
+      "planet",
+      {"albedo_map", "ocean"},
+      &MethodInfo::knows_ground_maps,
+      [](const Scene& s) { return !!s.ground; }},
+     {"polarising filters", "camera", {"polariser", ""}, &MethodInfo::knows_polarisers, [](const Scene& s) {
+        return !!s.camera.polariser;
       }}}};
 
 // Whether the method supports all things of the scene.

@@ -33,6 +33,9 @@ struct View {
   // Renders listed directions as the camera's picture would, by the same tables; transmittance is not computed.
   bool as_picture = false;
   std::optional<Tile> tile = {};  // of the camera's picture: the part to render
+  // Asks for Q and U beside the light: after the transmittance of each listed direction, or as layers. They are what
+  // arrives at the lens.
+  bool stokes = false;
   // Distance from the camera of a black wall, km, for listed directions of a method on the host. It hides what is
   // behind it and lights nothing.
   std::optional<double> wall = {};

@@ -49,7 +49,7 @@ void main() {
   if (kTeam == 1u && row >= rows) {
     return;
   }
-  Ray ray = table_ray(uvec2(0u, min(row, rows - 1u)));
+  Ray ray = table_ray(uvec2(0u, min(row, rows - 1u))).ray;
   uint first = part * kExtinctionSlices / kTeam;
   uint last = (part + 1u) * kExtinctionSlices / kTeam;
   vec3 depth = vec3(0.0);

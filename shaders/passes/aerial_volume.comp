@@ -94,7 +94,7 @@ void main() {
   if (kTeam == 1u && !inside) {
     return;
   }
-  Ray ray = table_ray(uvec2(min(texel.x, kSkyColumns - 1u), min(texel.y, rows - 1u)));
+  Ray ray = table_ray(uvec2(min(texel.x, kSkyColumns - 1u), min(texel.y, rows - 1u))).ray;
   uint first = part * kSlices / kTeam;
   uint last = (part + 1u) * kSlices / kTeam;
   SkyFactors factors = no_air();

@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // sky_factors.comp's table with the shared block split: one block for each folded medium, for the diffuse light and for
 // the ground. Interpolation is linear, so these blocks still add up to the shared one.
+#define AIRLIGHT_STOKES
 #include "shared/device.glsl"
 #include "shared/tables.glsl"
 #include "shared/moment_table.glsl"
@@ -16,6 +17,8 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = 4, rgba32f) uniform writeonly image2D factors_out;
 layout(push_constant, scalar) uniform Push { uint steps; };
+
+#include "shared/stokes_blocks.glsl"
 
 void store(uint block, uvec2 texel, vec3 light) {
   imageStore(factors_out, ivec2(block * kSkyColumns + texel.x, texel.y), vec4(light * scene.sun.irradiance, 1.0));
@@ -33,7 +36,8 @@ void main() {
   if (texel.x >= kSkyColumns || texel.y >= kGroundRows + kLimbRows + kSkyRows) {
     return;
   }
-  Ray ray = table_ray(texel);
+  TableRay at = table_ray(texel);
+  Ray ray = at.ray;
   ApartFactors factors = scene_apart_factors(ray, steps);
   UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
     store_single(i, factors.air, texel, ray.nu);
@@ -41,4 +45,5 @@ void main() {
   float carrier = shared_carrier(section_of_row(texel.y), ray.nu);
   store(diffuse_block(), texel, factors.air.diffuse / carrier);
   store(diffuse_block() + 1u, texel, factors.ground / carrier);
+  store_stokes(diffuse_block() + 2u, factors.air, at.cos_azimuth, texel);
 }

@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // The layers of a picture from its table of factors with the ground apart; the transmittance by a march of its own.
+#define AIRLIGHT_STOKES
 #include "shared/device.glsl"
 #include "shared/tables.glsl"
 #include "shared/moment_table.glsl"
@@ -12,8 +13,9 @@
 #include "physics/sky_table.glsl"
 #include "physics/space_table.glsl"
 
-const uint kRestBlocks = 2u;
+const uint kRestBlocks = kStokes != kStokesNone ? 4u : 2u;
 #include "shared/factor_fetch.glsl"
+#include "shared/stokes_shown.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(push_constant, scalar) uniform Push {
@@ -24,13 +26,16 @@ layout(push_constant, scalar) uniform Push {
 
 LightLayers layers_along(vec3 direction) {
   FactorPlace at = factor_place(direction);
-  LightLayers layers;
+  LightLayers layers = no_layers();
   UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
     layers.single[i] = single_at(i, at);
   }
   layers.multiple = fetch_shared(diffuse_block(), at);
   layers.ground = fetch_shared(diffuse_block() + 1u, at);
   layers.transmittance = beam_transmittance(scene_apart_factors(air_ray(direction), steps).air);
+  if (stokes()) {
+    layers = with_polarised(layers, shown(with_stokes(no_light(), diffuse_block() + 2u, at, direction), direction));
+  }
   return layers;
 }
 

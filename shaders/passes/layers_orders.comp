@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // The layers of a picture by the view march on the table of moments, one pixel a thread.
+#define AIRLIGHT_STOKES
 #include "shared/device.glsl"
 #include "shared/tables.glsl"
 #include "shared/moment_table.glsl"
@@ -8,6 +9,7 @@
 #include "physics/orders.glsl"
 #include "physics/sky_factors.glsl"
 #include "shared/shell_table.glsl"
+#include "shared/stokes_march.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(push_constant, scalar) uniform Push {
@@ -17,16 +19,19 @@ layout(push_constant, scalar) uniform Push {
 };
 
 LightLayers layers_along(vec3 direction) {
-  Ray ray = air_ray(direction);
+  Ray ray = air_ray(ray_direction(direction));
   ApartFactors factors = scene_apart_factors(ray, steps);
   Phases p = phases(ray.nu);
-  LightLayers layers;
+  LightLayers layers = no_layers();
   UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
     layers.single[i] = factors.air.single[i] * p.of[i] * scene.sun.irradiance;
   }
   layers.multiple = factors.air.diffuse * scene.sun.irradiance;
   layers.ground = factors.ground * scene.sun.irradiance;
   layers.transmittance = beam_transmittance(factors.air);
+  if (stokes()) {
+    layers = with_polarised(layers, times(shown_along(factors.air, ray.nu, direction), scene.sun.irradiance));
+  }
   return layers;
 }
 

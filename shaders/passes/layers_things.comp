@@ -2,11 +2,15 @@
 #extension GL_GOOGLE_include_directive : require
 // The layers of a picture with things, one pixel a thread. What mirrors show counts as light of the surface.
 #define AIRLIGHT_SUN_SHARE
+#define AIRLIGHT_STOKES
 #include "shared/device.glsl"
 #include "shared/tables.glsl"
 #include "shared/moment_table.glsl"
 #include "shared/layer_output.glsl"
 #include "shared/thing_march.glsl"
+#include "shared/stokes_march.glsl"
+
+vec3 looking;  // direction of the first part of the ray at hand
 
 #define Gathered LightLayers
 
@@ -23,6 +27,9 @@ LightLayers with_air(LightLayers sum, SkyFactors air, float nu, vec3 through, bo
   }
   sum.multiple = air.diffuse * scene.sun.irradiance;
   sum.transmittance = beam_transmittance(air);
+  if (stokes()) {
+    sum = with_polarised(sum, times(shown_along(air, nu, looking), scene.sun.irradiance));
+  }
   return sum;
 }
 
@@ -50,7 +57,8 @@ void main() {
   LightLayers sum = empty_layers();
   for (uint i = 0u; i < rays.count; i++) {
     WeightedRay one = ray_of_thing_pixel(pixel, view, rays, i);
-    sum = with_share(sum, gathered_along(one.direction, rays.spread, steps), one.share);
+    looking = one.direction;
+    sum = with_share(sum, gathered_along(ray_direction(looking), rays.spread, steps), one.share);
   }
   write_layers(pixel, uvec2(width, height), view.inside, sum);
 }

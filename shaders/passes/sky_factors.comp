@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // The picture's light over view directions, factor by factor (physics/sky_table.glsl): one thread a direction, or
 // a team that shares its steps.
+#define AIRLIGHT_STOKES
 #include "shared/device.glsl"
 #include "shared/tables.glsl"
 #include "shared/moment_table.glsl"
@@ -41,6 +42,8 @@ void store_single(uint i, SkyFactors factors, uvec2 texel) {
   }
 }
 
+#include "shared/stokes_blocks.glsl"
+
 vec3 folded_light(uint i, SkyFactors factors, float nu) {
   return folded(i) ? factors.single[i] * medium_phase(i, nu) : vec3(0.0);
 }
@@ -54,7 +57,8 @@ void main() {
     return;
   }
   // Assigned by component: SPIRV-Tools may put a folded vector of constants before its parts (core/gpu/specialize.cpp).
-  Ray ray = table_ray(uvec2(min(texel.x, kSkyColumns - 1u), min(texel.y, rows - 1u)));
+  TableRay at = table_ray(uvec2(min(texel.x, kSkyColumns - 1u), min(texel.y, rows - 1u)));
+  Ray ray = at.ray;
   SkyFactors factors;
   if (kTeam == 1u) {
     factors = scene_sky_factors(ray, steps);
@@ -73,4 +77,5 @@ void main() {
   }
   light *= scene.sun.irradiance / shared_carrier(section_of_row(texel.y), ray.nu);
   imageStore(factors_out, ivec2(diffuse_block() * kSkyColumns + texel.x, texel.y), vec4(light, 1.0));
+  store_stokes(diffuse_block() + 1u, factors, at.cos_azimuth, texel);
 }

@@ -5,6 +5,8 @@ struct LightLayers {
   vec3 multiple;           // scattered more than once
   vec3 ground;             // reflected by the ground and seen through the air
   vec3 transmittance;      // from the camera to the ray's end
+  vec3 q;                  // of all light, where it is asked for
+  vec3 u;
 };
 
 LightLayers no_layers() {
@@ -15,6 +17,8 @@ LightLayers no_layers() {
   layers.multiple = vec3(0.0);
   layers.ground = vec3(0.0);
   layers.transmittance = vec3(1.0);
+  layers.q = vec3(0.0);
+  layers.u = vec3(0.0);
   return layers;
 }
 
@@ -32,7 +36,15 @@ LightLayers with_share(LightLayers sum, LightLayers one, real share) {
   sum.multiple = sum.multiple + one.multiple * share;
   sum.ground = sum.ground + one.ground * share;
   sum.transmittance = sum.transmittance + one.transmittance * share;
+  sum.q = sum.q + one.q * share;
+  sum.u = sum.u + one.u * share;
   return sum;
+}
+
+LightLayers with_polarised(LightLayers layers, Stokes light) {
+  layers.q = light.q;
+  layers.u = light.u;
+  return layers;
 }
 
 vec3 sum_of_layers(LightLayers layers) {

@@ -124,11 +124,11 @@ struct Quadrupole {
   real f[kPolarisedMoments];
 };
 
-// The azimuth from the sun's is at most half a turn: its sine is not negative.
-Quadrupole quadrupole(real mu, real cos_azimuth) {
+// `sine`: of the azimuth, or 1 for F over this sine.
+Quadrupole quadrupole_of(real mu, real cos_azimuth, real sine) {
   real s = sqrt(max(1.0 - mu * mu, 0.0));
   real c = cos_azimuth;
-  real n = sqrt(max(1.0 - c * c, 0.0));
+  real n = sine;
   Quadrupole a;
   a.e[0] = 0.94617469575756 * s * s;
   a.e[1] = -1.0925484305920792 * s * mu * c;
@@ -137,6 +137,13 @@ Quadrupole quadrupole(real mu, real cos_azimuth) {
   a.f[1] = 1.0925484305920792 * s * n;
   a.f[2] = -2.1850968611841584 * mu * n * c;
   return a;
+}
+
+// The azimuth from the sun's is at most half a turn: its sine is not negative.
+real sine_of_azimuth(real cos_azimuth) { return sqrt(max(1.0 - cos_azimuth * cos_azimuth, 0.0)); }
+
+Quadrupole quadrupole(real mu, real cos_azimuth) {
+  return quadrupole_of(mu, cos_azimuth, sine_of_azimuth(cos_azimuth));
 }
 
 // The share f of a medium's scattering that counts as light that was not scattered, where the field's harmonics are kept
@@ -223,12 +230,8 @@ vec3 with_degree(vec3 sum, uint l, uint most, MomentCoordinate c, DiffuseAir air
 const real kDipoleMoment = 1.0 / (10.0 * kDipole);
 
 // What dipoles add to light scattered out of the field that the table holds at c, over its moment M_00.
-Stokes dipole_source(MomentCoordinate c, vec3 dipoles, Harmonics y, real mu, real cos_azimuth) {
-  Quadrupole a = quadrupole(mu, cos_azimuth);
-  Stokes sum;
-  sum.i = vec3(0.0);
-  sum.q = vec3(0.0);
-  sum.u = vec3(0.0);
+Stokes dipole_source(MomentCoordinate c, vec3 dipoles, Harmonics y, Quadrupole a) {
+  Stokes sum = no_light();
   UNROLL for (uint m = 0u; m < kPolarisedMoments; m++) {
     vec3 part = fetch_moment(polarised_place(m), c.x, c.y);
     sum.i = sum.i + part * y.of[moment_place(2u, m)];
@@ -257,15 +260,13 @@ vec3 harmonic_sum(uint most, MomentCoordinate c, DiffuseAir air, Harmonics y) {
 }
 
 // Light scattered into the direction (mu, azimuth) out of the field that the table holds at c, W/(m2 sr km); its
-// moment M_00 is given. The azimuth from the sun's is at most half a turn; beyond it u has the other sign.
-Stokes moment_source_of(vec3 isotropic, MomentCoordinate c, DiffuseAir air, real mu, real cos_azimuth) {
+// moment M_00 is given. `sine`: of the azimuth; beyond half a turn from the sun's it is negative. u is proportional to it.
+Stokes moment_source_of(vec3 isotropic, MomentCoordinate c, DiffuseAir air, real mu, real cos_azimuth, real sine) {
   Harmonics y = harmonics(mu, cos_azimuth);
   vec3 sum = harmonic_sum(scattered_degree(), c, air, y);
-  Stokes source;
-  source.q = vec3(0.0);
-  source.u = vec3(0.0);
+  Stokes source = no_light();
   if (polarised()) {
-    Stokes dipoles = dipole_source(c, air.dipoles, y, mu, cos_azimuth);
+    Stokes dipoles = dipole_source(c, air.dipoles, y, quadrupole_of(mu, cos_azimuth, sine));
     sum = sum + dipoles.i;
     source.q = dipoles.q * isotropic;
     source.u = dipoles.u * isotropic;
@@ -274,9 +275,9 @@ Stokes moment_source_of(vec3 isotropic, MomentCoordinate c, DiffuseAir air, real
   return source;
 }
 
-Stokes moment_source(MomentTableData table, DiffuseAir air, real h, real mu_sun, real mu, real cos_azimuth) {
-  MomentCoordinate c = moment_coordinate(table, h, mu_sun);
-  return moment_source_of(exp(fetch_moment(0u, c.x, c.y)), c, air, mu, cos_azimuth);
+Stokes moment_source(MomentTableData table, DiffuseAir air, RayPoint point, real cos_azimuth, real sine) {
+  MomentCoordinate c = moment_coordinate(table, point.h, point.mu_sun);
+  return moment_source_of(exp(fetch_moment(0u, c.x, c.y)), c, air, point.mu, cos_azimuth, sine);
 }
 
 // Irradiance on the ground by the light that the table holds.

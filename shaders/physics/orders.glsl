@@ -6,14 +6,6 @@ struct OrderSource {
   vec3 extinction;
 };
 
-Stokes no_light() {
-  Stokes none;
-  none.i = vec3(0.0);
-  none.q = vec3(0.0);
-  none.u = vec3(0.0);
-  return none;
-}
-
 // The sum with what the two nodes of a panel send, behind air of this transmittance.
 Stokes with_nodes(Stokes sum, vec3 transmittance, Stokes near, Stokes far, PanelTransfer transfer) {
   sum.i = sum.i + transmittance * (near.i * transfer.near + far.i * transfer.far);
@@ -50,7 +42,8 @@ OrderSource order_source(PlanetData planet, MomentTableData table, Ray ray, Phas
     lit.source.i = sunlight * air.phase_scattering;
     lit.source.q = sunlight * air.dipoles;
   } else {
-    lit.source = moment_source(table, air, point.h, point.mu_sun, point.mu, cos_azimuth_at(point, ray.nu));
+    real c = cos_azimuth_at(point, ray.nu);
+    lit.source = moment_source(table, air, point, c, sine_of_azimuth(c));
   }
   lit.extinction = air.extinction;
   return lit;

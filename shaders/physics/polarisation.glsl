@@ -12,6 +12,14 @@ struct Stokes {
   vec3 u;
 };
 
+Stokes no_light() {
+  Stokes none;
+  none.i = vec3(0.0);
+  none.q = vec3(0.0);
+  none.u = vec3(0.0);
+  return none;
+}
+
 bool is_molecular(uint i) {
   return i < medium_count() && (phase_of(i) == kPhaseRayleigh || phase_of(i) == kPhaseDepolarized);
 }

@@ -64,10 +64,9 @@ vec3 bend_between(uint shell, real x, vec3 low, vec3 high) {
   return max(min(bend, most), vec3(0.0) - most);
 }
 
-// Light scattered into the ray by the diffuse field, W/(m2 sr km), at distance t in a known shell. Each row's ratios of
-// moments are weighed by the row's isotropic moment.
-Stokes shell_source(PlanetData planet, MomentTableData table, DiffuseAir air, Ray ray, uint shell, real t) {
-  RayPoint point = point_on_ray(planet, ray, t);
+// Light scattered into the ray by the diffuse field, W/(m2 sr km), at a point in a known shell. Each row's ratios of
+// moments are weighed by the row's isotropic moment. `sine`: as of moment_source_of().
+Stokes shell_source(MomentTableData table, DiffuseAir air, uint shell, RayPoint point, real cos_azimuth, real sine) {
   MomentCoordinate c = moment_coordinate(table, point.h, point.mu_sun);
   real intervals = real(shell_rows() - 1u);
   real part = shell_part(shell, point.h);
@@ -77,7 +76,7 @@ Stokes shell_source(PlanetData planet, MomentTableData table, DiffuseAir air, Ra
   real step_up = (above.x + above.y + above.z - below.x - below.y - below.z) / 3.0;
   real weight = part / (part + (1.0 - part) * exp(-clamp(step_up, -20.0, 20.0)));
   c.y = (real(shell) + weight) / intervals;
-  return moment_source_of(isotropic, c, air, point.mu, cos_azimuth_at(point, ray.nu));
+  return moment_source_of(isotropic, c, air, point.mu, cos_azimuth, sine);
 }
 
 vec3 sun_depth_on_ray(PlanetData planet, Ray ray, uint shell, real t) {
@@ -117,7 +116,9 @@ Stokes shell_order_radiance(PlanetData planet, MomentTableData table, Ray ray, u
       near = far;
     } else {
       real place = walk.from + width * source_place((step_depth.x + step_depth.y + step_depth.z) / 3.0);
-      Stokes source = shell_source(planet, table, air, ray, walk.shell, place);
+      RayPoint at = point_on_ray(planet, ray, place);
+      real c = cos_azimuth_at(at, ray.nu);
+      Stokes source = shell_source(table, air, walk.shell, at, c, sine_of_azimuth(c));
       radiance.i = radiance.i + transmittance * segment.mean * source.i * width;
       if (polarised()) {
         radiance.q = radiance.q + transmittance * segment.mean * source.q * width;
@@ -174,8 +175,10 @@ SkyFactors shell_air_factors(PlanetData planet, MomentTableData table, Ray ray, 
       factors.single[m] = factors.single[m] + direct * scattering_of(m, densities);
     }
     real place = walk.from + width * source_place((step_depth.x + step_depth.y + step_depth.z) / 3.0);
-    vec3 source = shell_source(planet, table, air, ray, walk.shell, place).i;
-    factors.diffuse = factors.diffuse + factors.transmittance * segment.mean * source * width;
+    RayPoint at = point_on_ray(planet, ray, place);
+    Stokes source = shell_source(table, air, walk.shell, at, cos_azimuth_at(at, ray.nu), sine_over_sun(at));
+    factors.diffuse = factors.diffuse + factors.transmittance * segment.mean * source.i * width;
+    factors = with_polarised(factors, factors.transmittance * segment.mean * width, source);
     factors.transmittance = factors.transmittance * segment.through;
     factors.depth = factors.depth + step_depth;
     factors.peaks = factors.peaks + air.peaks * width;

@@ -3,10 +3,13 @@
 // the pixel multiplies them in.
 // The includer defines, for this file and shell_march.glsl:
 //   real sun_share(Ray ray, real t, real width);  share of the sun past terrain or spheres, mean over a step
+//   bool stokes();  whether Q and U are asked for (stokes.glsl)
 
 struct SkyFactors {
   vec3 single[kMaxMedia];  // 1/sr after multiplication by the medium's phase function
   vec3 diffuse;            // light scattered more than once, and the ground, W/(m2 sr)
+  vec3 q;                  // of this light, where it is asked for; by the meridian plane
+  vec3 u;                  // likewise, over the sine that the azimuth from the sun's has where the sun is level
   vec3 transmittance;      // delta-scaled: scattering into the forward peak counts as none
   vec3 depth;              // optical depth of this transmittance
   vec3 peaks;              // optical depth of the forward peaks
@@ -18,6 +21,8 @@ SkyFactors no_air() {
     factors.single[i] = vec3(0.0);
   }
   factors.diffuse = vec3(0.0);
+  factors.q = vec3(0.0);
+  factors.u = vec3(0.0);
   factors.transmittance = vec3(1.0);
   factors.depth = vec3(0.0);
   factors.peaks = vec3(0.0);
@@ -35,13 +40,46 @@ vec3 phased(SkyFactors factors, Phases p) {
   return sum;
 }
 
+// The light that is not sunlight scattered once, by axes_across(); u over the sine. `c`: cosine of the azimuth from the
+// sun's at the camera. `mu_sun`: the sun's zenith cosine there.
+Stokes diffuse_stokes(SkyFactors factors, real c, real mu_sun, bool upward) {
+  Stokes light;
+  light.i = factors.diffuse;
+  light.q = factors.q;
+  light.u = factors.u * sqrt(max(1.0 - mu_sun * mu_sun, 0.0));
+  return by_sun_axes(light, c, upward);
+}
+
+// All light of a ray in direction d, by axes_across().
+Stokes stokes_along(SkyFactors factors, Phases p, vec3 d, vec3 sun) {
+  vec3 dipoles = vec3(0.0);
+  UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
+    dipoles = dipoles + (is_molecular(i) ? factors.single[i] * dipole_share(i) * kDipole : vec3(0.0));
+  }
+  Stokes light = diffuse_stokes(factors, azimuth_from_sun(d, sun).x, sun.y, d.y >= 0.0);
+  light.i = phased(factors, p);
+  return with_sunlight(light, dipoles, d, sun);
+}
+
 // Light scattered into the ray at a node of a panel, and the air there.
 struct NodeLight {
   vec3 single[kMaxMedia];  // 1/km, of each medium, without its phase function
-  vec3 diffuse;            // W/(m2 sr km)
+  Stokes diffuse;          // W/(m2 sr km); its u as that of the factors
   vec3 extinction;
   vec3 peaks;
 };
+
+// A straight ray leaves the vertical plane of its heading nowhere, so the sun's part across that plane is the same at
+// all of its points. U is proportional to this part: to the sine of the azimuth times the sine of the sun's zenith angle.
+real sine_over_sun(RayPoint point) { return 1.0 / max(sqrt(max(1.0 - point.mu_sun * point.mu_sun, 0.0)), 1e-3); }
+
+SkyFactors with_polarised(SkyFactors factors, vec3 share, Stokes light) {
+  if (stokes()) {
+    factors.q = factors.q + share * light.q;
+    factors.u = factors.u + share * light.u;
+  }
+  return factors;
+}
 
 // `share`: the part of the sun that reaches the node.
 NodeLight node_light(PlanetData planet, MomentTableData table, Ray ray, real t, real share) {
@@ -52,7 +90,7 @@ NodeLight node_light(PlanetData planet, MomentTableData table, Ray ray, real t, 
   UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
     light.single[i] = direct * medium_scattering(i, point.h, 0.0);
   }
-  light.diffuse = moment_source(table, air, point.h, point.mu_sun, point.mu, cos_azimuth_at(point, ray.nu)).i;
+  light.diffuse = moment_source(table, air, point, cos_azimuth_at(point, ray.nu), sine_over_sun(point));
   light.extinction = air.extinction;
   light.peaks = air.peaks;
   return light;
@@ -65,7 +103,8 @@ SkyFactors with_panel_light(SkyFactors factors, NodeLight near, NodeLight far, r
   UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
     factors.single[i] = factors.single[i] + a * near.single[i] + b * far.single[i];
   }
-  factors.diffuse = factors.diffuse + a * near.diffuse + b * far.diffuse;
+  factors.diffuse = factors.diffuse + a * near.diffuse.i + b * far.diffuse.i;
+  factors = with_polarised(with_polarised(factors, a, near.diffuse), b, far.diffuse);
   factors.transmittance = factors.transmittance * transfer.through;
   factors.depth = factors.depth + transfer.depth;
   factors.peaks = factors.peaks + (near.peaks + far.peaks) * (0.5 * width);
@@ -81,7 +120,7 @@ SkyFactors air_factors_between(PlanetData planet, MomentTableData table, Ray ray
   UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
     near.single[i] = vec3(0.0);
   }
-  near.diffuse = vec3(0.0);
+  near.diffuse = no_light();
   near.extinction = vec3(0.0);
   near.peaks = vec3(0.0);
   uint end = ray.length_ > 0.0 ? 2u * last : 2u * first;
@@ -111,6 +150,8 @@ SkyFactors joined(SkyFactors near, SkyFactors far) {
     near.single[i] = near.single[i] + near.transmittance * far.single[i];
   }
   near.diffuse = near.diffuse + near.transmittance * far.diffuse;
+  near.q = near.q + near.transmittance * far.q;
+  near.u = near.u + near.transmittance * far.u;
   near.transmittance = near.transmittance * far.transmittance;
   near.depth = near.depth + far.depth;
   near.peaks = near.peaks + far.peaks;

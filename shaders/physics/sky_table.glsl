@@ -24,6 +24,12 @@ struct SkyTableState {
   real length_;  // for a ray to the ground
 };
 
+// The ray that a texel stands for.
+struct TableRay {
+  Ray ray;
+  real cos_azimuth;  // from the sun's, at the camera
+};
+
 // Ground: y from the root of the distance's logarithm. It resolves light gathered over metres and over kilometres. It
 // also resolves angles around straight down; the logarithm alone grows with the square of such an angle.
 real ground_row(real h, real horizon, real path) {

@@ -68,23 +68,26 @@ SkyTableCoordinate space_table_coordinate(PlanetData planet, real h, real mu_sun
   return c;
 }
 
-// The part of a texel's ray inside the air. x, y: unit range; section: ground or limb.
-Ray space_table_ray(PlanetData planet, real h, real mu_sun, real x, uint section, real y) {
+// The part of a texel's ray inside the air. x, y: unit range; section: ground or limb. steepest: bound on its zenith
+// cosine.
+TableRay space_table_ray(PlanetData planet, real h, real mu_sun, real x, uint section, real y, real steepest) {
   real top = planet.atmosphere_height;
   real r = planet.ground_radius + h;
   real r_top = planet.ground_radius + top;
   SkyTableState state = sky_table_state(planet, top, 0.0, section, y);
+  TableRay found;
   Ray ray;
   ray.h = top;
-  ray.mu = min(state.mu, 0.0);
+  ray.mu = clamp(state.mu, -steepest, 0.0);
   ray.at_ground = section == kSectionGround;
   ray.length_ = ray.at_ground ? state.length_ : distance_to_top(planet, top, ray.mu);
   real across = min(r_top * sqrt(max(1.0 - ray.mu * ray.mu, 0.0)) / r, 1.0);
   real mu = -sqrt(1.0 - across * across);
   real way = (h - top) * (r + r_top) / max(-r_top * ray.mu - r * mu, 1e-9);
   RayFoot foot = ray_foot(planet, h, mu_sun, mu, across, way, ray.mu, ray.at_ground);
-  real azimuth = column_azimuth(foot, x);
-  ray.nu = clamp(mu * mu_sun + across * sqrt(max(1.0 - mu_sun * mu_sun, 0.0)) * azimuth, -1.0, 1.0);
+  found.cos_azimuth = column_azimuth(foot, x);
+  ray.nu = clamp(mu * mu_sun + across * sqrt(max(1.0 - mu_sun * mu_sun, 0.0)) * found.cos_azimuth, -1.0, 1.0);
   ray.mu_sun = clamp((r * mu_sun + way * ray.nu) / r_top, -1.0, 1.0);
-  return ray;
+  found.ray = ray;
+  return found;
 }

@@ -27,3 +27,19 @@ vec3 single_at(uint i, FactorPlace at) {
   uint block = single_block(i);
   return folded(i) ? fetch_shared(block, at) : fetch_factor(block, at) * medium_phase(i, at.nu);
 }
+
+// What dipoles scatter once, over nu^2 + 1.
+vec3 dipoles_at(FactorPlace at) {
+  vec3 sum = vec3(0.0);
+  UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
+    sum += is_molecular(i) ? single_at(i, at) / medium_phase(i, at.nu) * dipole_share(i) * kDipole : vec3(0.0);
+  }
+  return sum;
+}
+
+// With Q, which a block holds for light that is not sunlight scattered once, and U, which the next one holds.
+Stokes with_stokes(Stokes light, uint block, FactorPlace at, vec3 direction) {
+  light.q = fetch_factor(block, at);
+  light.u = fetch_factor(block + 1u, at);
+  return with_sunlight(light, dipoles_at(at), direction, scene.sun.direction);
+}

@@ -1,5 +1,6 @@
 // Layout of a picture's layers: planes of floats, three per layer, over the pixels of the tile at hand. The order is
-// single scattering of each medium that scatters, multiple scattering, the ground, the transmittance.
+// single scattering of each medium that scatters, multiple scattering, the ground, the transmittance, Q and U if asked
+// for.
 #include "shared/scattering_media.glsl"
 #include "shared/picture_ray.glsl"
 #include "shared/horizon_pixels.glsl"
@@ -29,4 +30,8 @@ void write_layers(uvec2 pixel, uvec2 size, bool inside, LightLayers layers) {
   write_layer(rest, pixel, size, inside, layers.multiple);
   write_layer(rest + 1u, pixel, size, inside, layers.ground);
   write_layer(rest + 2u, pixel, size, inside, layers.transmittance);
+  if (stokes()) {
+    write_layer(rest + 3u, pixel, size, inside, layers.q);
+    write_layer(rest + 4u, pixel, size, inside, layers.u);
+  }
 }

@@ -20,7 +20,14 @@ vec3 fetch_moment(uint k, float x, float y) {
 
 real shell_altitude(uint k) { return scene.shell_altitudes[k]; }
 
+#ifdef AIRLIGHT_STOKES
+#include "shared/stokes.glsl"
+#else
+bool stokes() { return false; }
+#endif
+
 #include "physics/polarisation.glsl"
+#include "physics/stokes.glsl"
 #include "physics/moments.glsl"
 
 #ifndef AIRLIGHT_SUN_SHARE

@@ -53,6 +53,7 @@ struct CameraData {
   vec3 right;
   vec3 up;
   vec3 forward;
+  vec3 polariser;  // axis of the polarising filter, across `forward`
   real azimuth;
   real half_fov;  // of the height (perspective), of the shorter side (fisheye)
   uint width;

@@ -24,3 +24,17 @@ void write_radiance(uvec2 pixel, bool inside, vec3 radiance, vec3 transmittance)
   }
   radiance_out.values[pixel.y * scene.tile.width + pixel.x] = inside ? vec4(radiance, 1.0) : vec4(0.0);
 }
+
+#ifdef AIRLIGHT_STOKES
+// Of listed directions Q and U may follow.
+void write_light(uvec2 pixel, bool inside, Stokes light, vec3 transmittance) {
+  if (kProjection == kProjectionListed && kStokes == kStokesKept) {
+    radiance_out.values[4u * pixel.x] = vec4(light.i, 1.0);
+    radiance_out.values[4u * pixel.x + 1u] = vec4(transmittance, 1.0);
+    radiance_out.values[4u * pixel.x + 2u] = vec4(light.q, 1.0);
+    radiance_out.values[4u * pixel.x + 3u] = vec4(light.u, 1.0);
+    return;
+  }
+  write_radiance(pixel, inside, light.i, transmittance);
+}
+#endif

@@ -3,6 +3,7 @@
 Ray section_ray(SkyTableState state, uint section) {
   float h = scene.camera.altitude;
   float mu_sun = scene.sun.direction.y;
+  state.mu = clamp(state.mu, -most_steep(), most_steep());
   float s = sqrt(max((1.0 - state.mu * state.mu) * (1.0 - mu_sun * mu_sun), 0.0));
   Ray ray = ray_in_atmosphere(scene.planet, h, state.mu, mu_sun, state.mu * mu_sun + s * state.cos_azimuth);
   if (section == kSectionGround) {
@@ -19,13 +20,16 @@ uint section_of_row(uint row) {
   return row < kGroundRows ? kSectionGround : row < kGroundRows + kLimbRows ? kSectionLimb : kSectionSky;
 }
 
-Ray table_ray(uvec2 texel) {
+TableRay table_ray(uvec2 texel) {
   uint section = section_of_row(texel.y);
   float x = float(texel.x) / float(kSkyColumns - 1u);
   float y = float(texel.y - section_first(section)) / float(section_rows(section) - 1u);
   if (table_from_space()) {
-    return space_table_ray(scene.planet, scene.camera.altitude, scene.sun.direction.y, x, section, y);
+    return space_table_ray(scene.planet, scene.camera.altitude, scene.sun.direction.y, x, section, y, most_steep());
   }
   SkyTableState state = sky_table_state(scene.planet, scene.camera.altitude, x, section, y);
-  return section_ray(state, section);
+  TableRay found;
+  found.ray = section_ray(state, section);
+  found.cos_azimuth = state.cos_azimuth;
+  return found;
 }

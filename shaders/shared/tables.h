@@ -37,6 +37,11 @@ const uint kEdgesLeftOut = 0u;
 const uint kEdgesFound = 1u;
 const uint kEdgesListed = 2u;  // in `directions`: x and y of a pixel of the tile
 
+// Q and U of a picture's light.
+const uint kStokesNone = 0u;
+const uint kStokesKept = 1u;      // put out beside it
+const uint kStokesFiltered = 2u;  // seen through the camera's polarising filter
+
 // Part of the picture that a march takes.
 const uint kPartWhole = 0u;
 const uint kPartHalf = 1u;       // the corners of every second pixel in both directions

@@ -39,7 +39,7 @@ TEST(SpaceTable, RayAndCoordinateAreInverseOnEveryTexel) {
           for (int column = 0; column < kColumns; ++column) {
             const double x = static_cast<double>(column) / (kColumns - 1);
             const double y = static_cast<double>(row) / (kTableRows - 1);
-            const Physics::Ray ray = p.space_table_ray(planet, h, mu_sun, x, section, y);
+            const Physics::Ray ray = p.space_table_ray(planet, h, mu_sun, x, section, y, 1.0).ray;
             ASSERT_EQ(ray.at_ground, section == 0);
             ASSERT_GT(ray.length_, 0.0);
             const SpaceView view = past((kGround + kTop) * std::sqrt(1.0 - ray.mu * ray.mu), h);
@@ -64,7 +64,7 @@ TEST(SpaceTable, ATexelsRayIsThatOfItsView) {
   for (const double h : {101.0, 500.0, 1e5}) {
     for (const double y : {0.2, 0.6, 0.9}) {
       for (const physics::uint section : {physics::uint{0}, physics::uint{1}}) {
-        const Physics::Ray texel = p.space_table_ray(planet, h, 0.3, 0.4, section, y);
+        const Physics::Ray texel = p.space_table_ray(planet, h, 0.3, 0.4, section, y, 1.0).ray;
         const SpaceView view = past((kGround + kTop) * std::sqrt(1.0 - texel.mu * texel.mu), h);
         const Physics::Ray ray = p.ray_in_atmosphere(planet, h, view.mu, 0.3, texel.nu);
         EXPECT_NEAR(ray.mu, texel.mu, 1e-9);
@@ -86,7 +86,7 @@ TEST(SpaceTable, TheTerminatorLiesWhereTheSunAtTheFootIsLevel) {
       double high = 1.0;
       for (int i = 0; i < 60; ++i) {
         const double middle = 0.5 * (low + high);
-        const Physics::Ray ray = p.space_table_ray(planet, 2.0 * kGround, 0.0, middle, 0, y);
+        const Physics::Ray ray = p.space_table_ray(planet, 2.0 * kGround, 0.0, middle, 0, y, 1.0).ray;
         (p.point_on_ray(planet, ray, ray.length_).mu_sun < 0.0 ? low : high) = middle;
       }
       return low;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/air/scene_block.h"
 #include "core/methods/methods.h"
 #include "core/methods/path_trace/sampling.h"
 #include "core/methods/path_trace/tracer.h"
@@ -112,7 +113,7 @@ HostPicture trace(const Part& part, const Wavelengths* all, const View& view, co
   }
   Sampling sampling(tracer, rules_of(settings), options, std::move(targets.pixels), targets.ids, identity);
   sampling.run();
-  const vec3 irradiance(scene.sun.irradiance[0], scene.sun.irradiance[1], scene.sun.irradiance[2]);
+  const vec3 irradiance = vector_of(scene.sun.irradiance) * light_passed(scene.camera);
   for (std::size_t k = 0; k < targets.ids.size(); ++k) {
     set_pixel(picture.radiance, targets.ids[k], sampling.radiance(k) * irradiance);
     set_pixel(picture.standard_error, targets.ids[k], sampling.standard_error(k) * irradiance);
@@ -154,6 +155,7 @@ SkyMethod path_trace_method() {
   method.info.knows_terrain = true;
   method.info.knows_spheres = true;
   method.info.knows_ground_maps = true;
+  method.info.knows_polarisers = true;
   method.validity.leaves_out = "polarisation by other media than molecules, the sun's disc in the picture";
   method.sweep = {with_samples("32", 32), with_samples("128", 128), with_samples("512", 512)};
   method.render_on_host = render;
