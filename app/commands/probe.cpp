@@ -294,9 +294,7 @@ int print_spectra(const ProbeGiven& given, const Stage& stage, const std::vector
 }
 
 int run_probe(const ProbeGiven& given) {
-  Scene loaded = load_scene(given.scene);
-  loaded.camera.polariser.reset();  // light is told as it arrives
-  const Stage stage = ready(loaded);
+  const Stage stage = ready(load_scene(given.scene));
   const Scene& scene = stage.scene();
   std::optional<Nodes> nodes;
   if (given.spectrum) {

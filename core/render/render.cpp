@@ -112,10 +112,19 @@ RadianceImage pairs_of(const DeviceOnDemand& device, const Stage& stage, const V
 
 }  // namespace
 
+Stage without_filter(const Stage& stage) {
+  Scene scene = stage.scene();
+  scene.camera.polariser.reset();
+  return ready(scene, stage);
+}
+
 ProbeResults probe(const DeviceOnDemand& device, const Stage& stage, const std::vector<Direction>& directions) {
   ProbeResults results;
   if (directions.empty()) {
     return results;
+  }
+  if (stage.scene().camera.polariser) {
+    return probe(device, without_filter(stage), directions);
   }
   const bool stokes = stage.method().has_stokes && stage.scene().render.polarisation;
   const View view{.directions = directions, .stokes = stokes};

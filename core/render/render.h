@@ -77,10 +77,13 @@ struct ProbeResults {
   std::vector<std::string> undone;  // as Rendering::undone
 };
 
-// The scene's method in listed directions from the camera's place.
+// The same scene without a polarising filter.
+Stage without_filter(const Stage& stage);
+
+// The scene's method in listed directions from the camera's place; before a polarising filter.
 ProbeResults probe(const DeviceOnDemand& device, const Stage& stage, const std::vector<Direction>& directions);
 
-// RGB of listed directions as in the scene's picture, without the sun's disc.
+// RGB of listed directions as in the scene's picture, behind its filter, without the sun's disc.
 std::vector<float> probe_picture(const DeviceOnDemand& device, const Stage& stage,
                                  const std::vector<Direction>& directions);
 

@@ -210,10 +210,11 @@ constexpr auto kRules = std::to_array<Rule>({
     only_for(kCube, choice("camera.cube_layout", kCubeLayoutNames, "stack",
                            "how the six faces stand: `stack`, OpenEXR's, is 1 x 6 of them from above, `strip` 6 x 1 "
                            "from the left, `cross` 3 x 4 as they hang together")),
-    number("camera.polariser.angle_deg", kAnyAngle, "degrees", "0",
-           "of an ideal polarising filter behind the lens: its axis from the picture's up, clockwise as the photographer "
-           "sees it. Light that is not polarised passes by half; `orders` and `path-trace` know it, for projections "
-           "`perspective` and `fisheye`"),
+    number(
+        "camera.polariser.angle_deg", kAnyAngle, "degrees", "0",
+        "of an ideal polarising filter behind the lens: its axis from the picture's up, clockwise as the photographer "
+        "sees it. Light that is not polarised passes by half; `orders` and `path-trace` know it, for projections "
+        "`perspective` and `fisheye`"),
 
     row(RuleType::spheres, "scene.spheres", Range{.minimum = 1, .maximum = kMaxSpheres}, "", "",
         "balls, as on a set; `orders` and `path-trace` know them, `orders` alone translucent ones"),

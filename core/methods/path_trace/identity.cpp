@@ -146,8 +146,13 @@ std::string checkpoint_identity(const Stage& stage, const View& view) {
   }
   lines.add("/sun/elevation (rad)", scene.sun.elevation);
   lines.add("/sun/azimuth (rad)", scene.sun.azimuth);
-  if (view.directions.empty()) {
+  if (scene.camera.polariser) {
+    lines.add("/camera/polariser/angle_deg (rad)", *scene.camera.polariser);
+  }
+  if (view.directions.empty() || scene.camera.polariser) {
     add_camera(lines, scene);
+  }
+  if (view.directions.empty()) {
     return lines.text();
   }
   lines.add("/camera/altitude_km", scene.camera.altitude);

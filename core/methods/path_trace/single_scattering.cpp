@@ -16,11 +16,12 @@ struct SingleScattering::Integrand {
   const SingleScattering& single;
   const Ray& ray;
   physics::Physics::Phases phases;
+  double uneven;  // as of the footing
 
   vec3 operator()(double t) const {
     physics::Physics& physics = single.physics_;
     const physics::Physics::RayPoint point = physics.point_on_ray(physics.scene.planet, ray, t);
-    const vec3 scattering = physics.air_at(point.h, phases).phase_scattering;
+    const vec3 scattering = single.scattered(point.h, phases, uneven);
     const vec3 sun = single.sunlight(point.h, point.mu_sun);
     if (!(sun.x > 0.0 || sun.y > 0.0 || sun.z > 0.0)) {
       return vec3(0.0);
@@ -32,6 +33,12 @@ struct SingleScattering::Integrand {
 SingleScattering::SingleScattering(physics::Physics& physics, const OpticalDepth& depth, std::vector<double> edges,
                                    const TracedThings* things)
     : physics_(physics), depth_(depth), edges_(std::move(edges)), rule_(gauss_legendre(8)), things_(things) {}
+
+// Coefficient times phase function, 1/(km sr).
+vec3 SingleScattering::scattered(double h, const physics::Physics::Phases& phases, double uneven) const {
+  const vec3 all = physics_.air_at(h, phases).phase_scattering;
+  return uneven == 0.0 ? all : all + physics_.dipole_scattering(physics_.densities_at(h)) * uneven;
+}
 
 vec3 SingleScattering::sunlight(double h, double mu_sun) const {
   if (physics_.meets_ground(physics_.scene.planet, h, mu_sun)) {
@@ -112,7 +119,7 @@ vec3 SingleScattering::radiance(const Ray& ray, const Footing& footing) const {
   if (things_ != nullptr) {
     sum = through_shadows(ray, footing);
   } else {
-    sum = along<vec3>(ray, Integrand{*this, ray, physics_.phases(ray.nu)});
+    sum = along<vec3>(ray, Integrand{*this, ray, physics_.phases(ray.nu), footing.uneven});
   }
   if (footing.thing != kNoThing) {
     return sum + exp(-depth_.along(ray.h, ray.mu, ray.length_)) * seen_thing(ray, footing);
@@ -172,7 +179,7 @@ vec3 SingleScattering::through_shadows(const Ray& ray, const Footing& footing) c
     const physics::Physics::RayPoint point = physics_.point_on_ray(planet, ray, t);
     const vec3 sun = sunlight_at(place_on(planet, ray, footing, t), point.h, point.mu_sun);
     if (sun.x + sun.y + sun.z > 0.0) {
-      sum = sum + through * physics_.air_at(point.h, phases).phase_scattering * sun * width;
+      sum = sum + through * scattered(point.h, phases, footing.uneven) * sun * width;
     }
     return true;
   });
@@ -215,6 +222,7 @@ struct SingleScattering::WideIntegrand {
   const Wavelengths& all;
   const Ray& ray;
   Wavelengths::Phases phases;
+  double uneven;  // as of the footing
 
   Wide operator()(double t) const {
     physics::Physics& physics = single.physics_;
@@ -224,7 +232,12 @@ struct SingleScattering::WideIntegrand {
     }
     const Columns columns =
         single.depth_.columns_along(ray.h, ray.mu, t) + single.depth_.columns_to_top(point.h, point.mu_sun);
-    return all.transmittance(columns) * all.scattered(densities_at(physics, point.h), phases);
+    const Columns densities = densities_at(physics, point.h);
+    Wide scattered = all.scattered(densities, phases);
+    if (const std::optional<Wide> dipoles = all.dipoles(densities); dipoles && uneven != 0.0) {
+      scattered = scattered + *dipoles * uneven;
+    }
+    return all.transmittance(columns) * scattered;
   }
 };
 
@@ -235,7 +248,7 @@ bool SingleScattering::is_lit(vec3 place, double h, double mu_sun, ThingNumber l
 
 // As for three channels, which decide what counts as dark.
 Wide SingleScattering::through_shadows(const Ray& ray, const Footing& footing, const Wavelengths& all) const {
-  const WideIntegrand integrand{*this, all, ray, all.phases(ray.nu)};
+  const WideIntegrand integrand{*this, all, ray, all.phases(ray.nu), footing.uneven};
   Wide sum;
   for_short_steps(ray, [&](double t, double width) {
     const physics::Physics::RayPoint point = physics_.point_on_ray(physics_.scene.planet, ray, t);
@@ -253,7 +266,7 @@ Wide SingleScattering::radiance(const Ray& ray, const Footing& footing, const Wa
     return {};
   }
   Wide sum = things_ != nullptr ? through_shadows(ray, footing, all)
-                                : along<Wide>(ray, WideIntegrand{*this, all, ray, all.phases(ray.nu)});
+                                : along<Wide>(ray, WideIntegrand{*this, all, ray, all.phases(ray.nu), footing.uneven});
   const ThingNumber thing = footing.thing;
   if ((!ray.at_ground && thing == kNoThing) || (things_ != nullptr && things_->mirrors(thing))) {
     return sum;

@@ -21,6 +21,7 @@ struct Footing {
   physics::vec3 direction;       // unit
   double pixel = 0.0;            // angle that the ray represents
   ThingNumber thing = kNoThing;  // on which the ray ends
+  double uneven = 0.0;           // what a filter adds to the phase function of dipoles, over kDipole
 };
 
 // Radiance of the ground at `up`, sent back along `direction`, for a sun beam of this irradiance on a plane that faces
@@ -56,6 +57,7 @@ class SingleScattering {
  private:
   struct Integrand;
   struct WideIntegrand;
+  physics::vec3 scattered(double h, const physics::Physics::Phases& phases, double uneven) const;
   template <class Value, class F>
   Value along(const physics::Physics::Ray& ray, const F& f) const;
   physics::vec3 through_shadows(const physics::Physics::Ray& ray, const Footing& footing) const;

@@ -19,6 +19,7 @@ physics::Physics formulas_with_ground(const Part& part) {
   physics::Physics p = formulas_of(part.air, part.scene);
   p.ground_maps = part.things.ground();
   p.polarisation = part.scene.render.polarisation;
+  p.with_stokes = part.scene.camera.polariser.has_value();
   if (part.scene.ground && part.scene.ground->ocean) {
     p.scene.planet.ground_albedo = min(p.scene.planet.ground_albedo + vec3(kGlint), vec3(1.0));
   }
@@ -58,7 +59,9 @@ PathTracer::Chain PathTracer::start(vec3 direction, double pixel) const {
 vec3 PathTracer::single(const Chain& chain) const {
   vec3 sum(0.0);
   for (const WalkStart& start : chain) {
-    const Footing footing{start.up, start.direction, start.pixel, start.plan.thing};
+    const Bend to_sun = bend_of(start.direction, physics_.scene.sun.direction, start.axis);
+    const double uneven = Analyser<double>{start.q, 0.0}.correction(to_sun, 1.0);
+    const Footing footing{start.up, start.direction, start.pixel, start.plan.thing, uneven};
     sum = sum + (all_ != nullptr ? all_->colour(single_.radiance(start.ray, footing, *all_) * start.wide_weight)
                                  : single_.radiance(start.ray, footing) * start.weight);
   }

@@ -92,6 +92,11 @@ WalkStart Walk::start(vec3 direction, double wall) const {
   const vec3 sun = physics_.scene.sun.direction;
   WalkStart start;
   start.direction = direction;
+  start.axis = some_axis(direction);
+  if (physics_.stokes()) {
+    start.axis = physics_.filter_axis(physics_.scene.camera, direction);
+    start.q = 1.0;
+  }
   start.up = vec3(0.0, 1.0, 0.0);
   const double h = physics_.scene.camera.altitude;
   start.ray = physics_.ray_in_atmosphere(planet, h, direction.y, sun.y, dot(direction, sun));
@@ -117,6 +122,7 @@ std::optional<WalkStart> Walk::mirrored(const WalkStart& from, const Wavelengths
   WalkStart start;
   start.pixel = from.pixel;
   start.direction = mirrored_at(from.direction, things_->normal(place, mirror));
+  start.axis = some_axis(start.direction);
   start.up = normalize(place);
   start.ray = physics_.ray_in_atmosphere(planet, std::max(length(place) - planet.ground_radius, 0.0),
                                          dot(start.up, start.direction), dot(start.up, sun), dot(start.direction, sun));
@@ -476,7 +482,7 @@ vec3 Walk::sample(const WalkStart& start, WalkNumbers& numbers, FlightPlan& plan
 void Walk::sample(const WalkStart& start, WalkNumbers& numbers, FlightPlan& plan, WidePath& wide) const {
   State state;
   state.wide = &wide;
-  wide.begin();
+  wide.begin(start.q);
   walk(state, start, numbers, plan);
 }
 
@@ -484,7 +490,8 @@ void Walk::walk(State& state, const WalkStart& start, WalkNumbers& numbers, Flig
   state.h = start.ray.h;
   state.up = start.up;
   state.direction = start.direction;
-  state.axis = some_axis(start.direction);
+  state.axis = start.axis;
+  state.analyser.q = vec3(start.q);
   if (!fly(state, start.plan, numbers.next()) || state.mirrors) {
     return;  // what a mirror shows is a ray of its own
   }

@@ -23,6 +23,8 @@ struct WalkStart {
   double pixel = 0.0;                   // angle that the ray represents
   physics::vec3 weight{1.0, 1.0, 1.0};  // of its light: of mirrors and the air before them
   Wide wide_weight = Wide(1.0);
+  physics::vec3 axis{};  // across the ray
+  double q = 0.0;        // how much Q by this axis counts: 1 behind a filter
 };
 
 class Walk {

@@ -199,8 +199,8 @@ vec3 Wavelengths::colour(const Wide& radiance) const {
   return {sum[0], sum[1], sum[2]};
 }
 
-void WidePath::begin() {
-  analyser_ = {};
+void WidePath::begin(double q) {
+  analyser_ = {Wide(q), Wide()};
   carry_ = Wide(1.0);
   passed_ = {};
   flights_ = 0;

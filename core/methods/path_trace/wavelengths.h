@@ -120,7 +120,7 @@ class WidePath {
 
   const Wavelengths& wavelengths() const { return all_; }
 
-  void begin();
+  void begin(double q);  // q: of the analyser
   // Moves to the next vertex, through these columns, chosen with this density.
   void fly(const Columns& columns, double density);
   // Turns into a direction chosen with this density, 1/sr: in air, or at the ground (`cosine` over pi).
