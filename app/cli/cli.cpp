@@ -127,7 +127,8 @@ Words with_implied_values(const Command& command, Words words) {
   for (const Option& option : command.options) {
     const Words own = option.implied.empty() ? Words() : option_names(option);
     for (std::size_t i = 0; i < words.size() && words[i] != "--"; ++i) {
-      const bool has_value = i + 1 < words.size() && words[i + 1][0] >= '0' && words[i + 1][0] <= '9';
+      const std::string next = i + 1 < words.size() ? words[i + 1] : "";
+      const bool has_value = (next[0] >= '0' && next[0] <= '9') || std::ranges::count(option.choices, next) > 0;
       if (std::ranges::find(own, words[i]) != own.end() && !has_value) {
         words[i] += "=" + option.implied;
       }

@@ -38,7 +38,8 @@ struct Option {
   std::vector<std::string> offers = {};   // further values that the shell offers, not enforced
   Percent percent = Percent::no;
   std::string group = {};  // the heading in the help; empty: "Options"
-  // The value of an option that is given without one. The word after the option is its value if it begins with a digit.
+  // The value of an option that is given without one. The word after the option is its value if it begins with a digit
+  // or is one of the choices.
   std::string implied = {};
 };
 

@@ -46,10 +46,15 @@ std::vector<Option> picture_options(PictureOptions& options) {
         &options.exposure},
        {"--ev", "STOPS", "Stops to add to the exposure of the PNG, e.g. +1 to double it", &options.compensation,
         Completes::nothing, Range{-30.0, 30.0}},
-       {"--layers", "",
-        "Also write layers into the EXR: the single scattering of each medium under its name, multiple, sun and "
-        "ground, whose sum is the picture; transmittance, depth (km) and N, the normal of the ground",
-        &options.layers},
+       {.names = "--layers",
+        .metavar = "[light|stokes]",
+        .help =
+            "Also write layers into the EXR: the single scattering of each medium under its name, multiple, sun and "
+            "ground, whose sum is the picture; transmittance, depth (km) and N, the normal of the ground. stokes "
+            "adds Q and U, which tell polarised light; --layers alone means light",
+        .target = &options.layers,
+        .choices = {kLightLayers, kStokesLayers},
+        .implied = kLightLayers},
        {"--float", "",
         "Write 32-bit floats into the EXR (default: 16-bit floats if they hold the picture, otherwise 32-bit floats)",
         &options.full_float},
@@ -154,8 +159,12 @@ RenderRequest request_for(const Scene& scene, bool exr, bool png) {
   return request;
 }
 
+LayerSet layer_set(const PictureOptions& options) {
+  return options.layers.empty() ? LayerSet::none : options.layers == kStokesLayers ? LayerSet::stokes : LayerSet::light;
+}
+
 void require_layers(const PictureOptions& options, const Scene& scene, bool exr, const std::string& command) {
-  if (!options.layers) {
+  if (options.layers.empty()) {
     return;
   }
   if (!exr) {
@@ -164,6 +173,14 @@ void require_layers(const PictureOptions& options, const Scene& scene, bool exr,
   if (method_of(scene).add_layer_passes == nullptr) {
     throw InputError(command + ": --layers: " + scene.render.method +
                      " does not tell its light apart; choose --method " + methods_with_layers());
+  }
+  if (scene.camera.polariser) {
+    throw InputError(command + ": --layers: layers hold light before the lens, where camera.polariser counts for " +
+                     "nothing; leave one of the two out");
+  }
+  if (layer_set(options) == LayerSet::stokes && !scene.render.polarisation) {
+    throw InputError(command + ": --layers stokes: render.polarisation is false, which leaves Q and U out; set it to " +
+                     "true, or write --layers");
   }
 }
 

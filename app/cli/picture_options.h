@@ -18,12 +18,16 @@ namespace airlight::cli {
 inline constexpr const char* kGpuView = "gpu";                // the GPU tone curve
 inline constexpr const char* kDiagnosticView = "diagnostic";  // what kind of number each pixel holds
 
+// Words of `--layers`.
+inline constexpr const char* kLightLayers = "light";
+inline constexpr const char* kStokesLayers = "stokes";
+
 struct PictureOptions {
   bool full_float = false;
   bool half_float = false;
   std::optional<std::string> exposure;
   std::optional<double> compensation;
-  bool layers = false;
+  std::string layers;  // empty: none; else a word of --layers
   std::string ocio_config;
   std::optional<std::string> display;
   std::optional<std::string> view;
@@ -59,6 +63,8 @@ std::optional<DisplayTransform> display_transform(const PictureOptions& options,
 
 // The request that the wanted files need.
 RenderRequest request_for(const Scene& scene, bool exr, bool png);
+
+LayerSet layer_set(const PictureOptions& options);
 
 // Checks --layers. Throws InputError where layers are impossible: no EXR to hold them, or a method without layers (the
 // message names it and those that have them). `command`: "render".

@@ -173,7 +173,7 @@ SequenceJob job_of(const SequenceGiven& given) {
   job.scene = judged(job.preset);
   require_layers(given.picture, job.scene, job.exr.has_value(), "sequence");
   job.stage = ready(job.scene);
-  tile_for(job.tile, *job.stage, given.picture.layers, "sequence");  // throws if it is no tile
+  tile_for(job.tile, *job.stage, layer_set(given.picture), "sequence");  // throws if it is no tile
   job.source = source_of(given, job.scene);
   refuse_idle_overrides(given, job.source);
   std::get<PresetObject>(job.preset.root.data).erase("sequence");

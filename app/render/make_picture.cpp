@@ -127,7 +127,7 @@ RenderRequest request_of(const Means& means, const Scene& scene) {
   const Targets& targets = means.targets;
   RenderRequest request = request_for(scene, !targets.exr.empty(), !targets.png.empty());
   request.tables = !targets.tables.empty();
-  request.layers = means.given.picture.layers;
+  request.layers = layer_set(means.given.picture);
   request.spectrum = means.spectral;
   request.host = host_options(means.given.sampling, means.given.quiet);
   return request;
@@ -159,8 +159,8 @@ bool make_picture(const Means& means, const Stage& stage, const std::optional<Im
   rendering.left_out.insert(rendering.left_out.begin(), left_out.begin(), left_out.end());
   require_valid_vulkan();
   Published done = writer.publish(rendering, means.watch);
-  if (request.layers) {
-    rendering.layers = layers_of(stage);
+  if (request.layers != LayerSet::none) {
+    rendering.layers = layers_of(stage, request.layers);
   }
   add_further_files(means, context_of(means, scene, rendering), lighting, done.files);
   const Plan plan = plan_for(stage, request);

@@ -139,6 +139,11 @@ ExrOptions exr_options(const PictureContext& context, bool half) {
     left_out.insert(left_out.end(), context.rendering.left_out.begin(), context.rendering.left_out.end());
     options.strings["airlight:left_out"] = joined(left_out, "\n");
   }
+  if (std::ranges::count(context.rendering.layers, "Q", &Layer::name) > 0) {
+    options.strings["airlight:stokes"] =
+        "Q, U: Q > 0 swings in the plane of direction and zenith, U > 0 leans from downward toward growing azimuth "
+        "(clockwise from above); degree sqrt(Q^2 + U^2)/I, angle atan2(U, Q)/2";
+  }
   if (context.rendering.spectrum) {
     options.strings.merge(spectral_attributes(*context.rendering.spectrum));
   }

@@ -114,7 +114,7 @@ int dry_run(const Means& means, const Stage& stage) {
 // The tile size of a picture rendered in tiles. Throws InputError for impossible layers or tiles.
 std::optional<ImageSize> tile_of(const RenderOrder& given, const Stage& stage, const Targets& targets) {
   require_layers(given.picture, stage.scene(), !targets.exr.empty(), "render");
-  return tile_for(given.tile, stage, given.picture.layers, "render");
+  return tile_for(given.tile, stage, layer_set(given.picture), "render");
 }
 
 void warn(const Stage& stage, const Targets& targets, const std::optional<DisplayTransform>& transform,

@@ -7,7 +7,7 @@
 namespace airlight::cli {
 namespace {
 
-ImageSize tile_from(const std::string& text, const Stage& stage, bool layers, const std::string& option) {
+ImageSize tile_from(const std::string& text, const Stage& stage, LayerSet layers, const std::string& option) {
   const ImageSize& image = stage.scene().image;
   const std::optional<ImageSize> typed = size_from(text);
   if (!typed || typed->width < 1 || typed->height < 1) {
@@ -17,14 +17,15 @@ ImageSize tile_from(const std::string& text, const Stage& stage, bool layers, co
   const std::size_t most = kTileBytes / tile_pixel_bytes(stage, layers);
   if (static_cast<std::size_t>(tile.width) * static_cast<std::size_t>(tile.height) > most) {
     throw InputError(option + ": '" + text + "' is too large for the buffers of a device; a tile of this picture" +
-                     (layers ? " with layers" : "") + " has at most " + std::to_string(most) + " pixels");
+                     (layers != LayerSet::none ? " with layers" : "") + " has at most " + std::to_string(most) +
+                     " pixels");
   }
   return tile;
 }
 
 }  // namespace
 
-std::optional<ImageSize> tile_for(const std::optional<std::string>& option, const Stage& stage, bool layers,
+std::optional<ImageSize> tile_for(const std::optional<std::string>& option, const Stage& stage, LayerSet layers,
                                   const std::string& command) {
   if (option) {
     return tile_from(*option, stage, layers, command + ": --tile");

@@ -13,7 +13,7 @@ inline constexpr std::size_t kMostUntiledPixels = kTileBytes / (4 * sizeof(float
 
 // `option`: of --tile, "WxH". None: the picture is small and rendered as a whole. Throws InputError for a text that is
 // no size, or a size beyond a device's buffers. `command`: "render".
-std::optional<ImageSize> tile_for(const std::optional<std::string>& option, const Stage& stage, bool layers,
+std::optional<ImageSize> tile_for(const std::optional<std::string>& option, const Stage& stage, LayerSet layers,
                                   const std::string& command);
 
 }  // namespace airlight::cli

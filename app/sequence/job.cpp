@@ -59,7 +59,10 @@ FrameHashes hashes_of(const PictureOptions& options, const std::string& display,
                     (options.full_float   ? ", float"
                      : options.half_float ? ", half"
                                           : "") +
-                    (is_ours ? "" : ", " + options.colorspace) + (options.layers ? ", layers" : "");
+                    (is_ours ? "" : ", " + options.colorspace) +
+                    (options.layers.empty()           ? ""
+                     : options.layers == kLightLayers ? ", layers"
+                                                      : ", layers " + options.layers);
   exr += ", " + std::to_string(frame.frames_a_second.value_or(0)) + " a second";
   for (const std::optional<float>& number : {frame.latitude, frame.longitude, frame.altitude}) {
     exr += number ? ", " + format_number(static_cast<double>(*number)) : "";

@@ -142,7 +142,7 @@ void Runner::encode(Work& work) {
 bool Runner::render_into(Work& work) {
   const Clock::time_point start = Clock::now();
   const DeviceOnDemand device = device_on_demand(job_.scene_options, executor_);
-  const std::optional<ImageSize> tile = tile_for(job_.tile, stage_, job_.picture.layers, "sequence");
+  const std::optional<ImageSize> tile = tile_for(job_.tile, stage_, layer_set(job_.picture), "sequence");
   const Targets& files = work.report.files;
   work.writer.emplace(PublishOrder{
       .parts = {{work.scene, 0, files}},
@@ -152,7 +152,7 @@ bool Runner::render_into(Work& work) {
       .source = "frame " + std::to_string(work.report.number),
       .context = [this, &work](const Scene& scene, const Rendering& rows) { return context_of(work, scene, rows); }});
   RenderRequest request = request_for(work.scene, job_.exr.has_value(), job_.png.has_value());
-  request.layers = job_.picture.layers;
+  request.layers = layer_set(job_.picture);
   request.host.report = [](double) { return Interruption::signal() == 0; };
   BandsRequest bands = work.writer->bands(tile, request);
   if (!tile) {
@@ -216,7 +216,7 @@ void Runner::hold_exposure() {
 
 void Runner::render_all() {
   const std::size_t frames = sequence::shard_size(job_.shard, sequence::frame_count(job_.source));
-  const Room room = room_for(job_.scene.image, job_.picture.layers);
+  const Room room = room_for(job_.scene.image, layer_set(job_.picture) != LayerSet::none);
   sequence::BoundedWorkers encoders(room.threads, room.waiting);
   for (std::size_t k = 0; k < frames && Interruption::signal() == 0; ++k) {
     if (!render_frame(k, encoders)) {

@@ -239,13 +239,14 @@ void Bands::process(InWork& band, bool measured, bool finished) {
 void Bands::add_layers(InWork& band) {
   const Tile& whole = band.tile;
   std::vector<Layer>& layers = band.rows.layers;
-  layers = layers_of(stage_);
-  const std::size_t row = sizeof(float) * (layer_planes(stage_) + 4) * static_cast<std::size_t>(tile_width());
+  layers = layers_of(stage_, asked_.layers);
+  const std::size_t row =
+      sizeof(float) * (layer_planes(stage_, asked_.layers) + 4) * static_cast<std::size_t>(tile_width());
   const int most_rows = static_cast<int>(std::max<std::size_t>(1, kLayerBytes / row));
   for (int y = whole.y; y < whole.y + whole.height; y += most_rows) {
     for (int x = 0; x < whole.width; x += tile_width()) {
       const Tile tile{x, y, std::min(tile_width(), whole.width - x), std::min(most_rows, whole.y + whole.height - y)};
-      put(layers, whole, render_layers(device_(), stage_, tile, key_, {out_.passes, out_.host}), tile);
+      put(layers, whole, render_layers(device_(), stage_, asked_.layers, tile, key_, {out_.passes, out_.host}), tile);
     }
   }
   for (const Layer& layer : layers) {
@@ -258,7 +259,7 @@ void Bands::add_layers(InWork& band) {
 }
 
 void Bands::deliver(InWork& band) {
-  if (asked_.layers && out_.picture_fault().empty()) {
+  if (asked_.layers != LayerSet::none && out_.picture_fault().empty()) {
     add_layers(band);
   }
   if (!stops()) {

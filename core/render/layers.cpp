@@ -22,8 +22,9 @@ using physics::vec3;
 
 // Names of the layers that no medium gives its name to, and of the EXR's other channels.
 const std::set<std::string>& taken_names() {
-  static const std::set<std::string> names{"multiple", "sun", "ground", "transmittance", "depth",         "N", "R",
-                                           "G",        "B",   "A",      "bloom",         "standard_error"};
+  static const std::set<std::string> names{
+      "multiple", "sun", "ground", "transmittance", "depth",         "N", "Q", "U", "R",
+      "G",        "B",   "A",      "bloom",         "standard_error"};
   return names;
 }
 
@@ -100,10 +101,10 @@ void add_channels(Layer& layer, std::span<const float> channels, std::size_t pla
   }
 }
 
-// Adds the device's planes of a part: those of layers_of() up to transmittance, without the media that do not scatter
-// in this part. `media`: those that scatter in any.
+// Adds the device's planes of a part: those of layers_of() up to transmittance or U, without the media that do not
+// scatter in this part. `media`: those that scatter in any.
 void add_planes(std::vector<Layer>& layers, std::span<const std::byte> bytes, const Part& part, std::uint32_t media,
-                std::size_t pixels) {
+                bool stokes, std::size_t pixels) {
   std::size_t layer = 0;
   std::size_t plane = 0;
   const auto add = [&](bool is_there, const std::array<Rgb, 3>& colours) {
@@ -118,9 +119,11 @@ void add_planes(std::vector<Layer>& layers, std::span<const std::byte> bytes, co
       add((part.air.scattering_media() >> medium & 1u) != 0, part.colours);
     }
   }
-  add(true, part.colours);  // multiple
-  add(true, part.colours);  // ground
-  add(true, part.shares);   // transmittance
+  add(true, part.colours);    // multiple
+  add(true, part.colours);    // ground
+  add(true, part.shares);     // transmittance
+  add(stokes, part.colours);  // Q
+  add(stokes, part.colours);  // U
   assert(plane * sizeof(float) == bytes.size());
 }
 
@@ -136,7 +139,7 @@ void render_part(std::vector<Layer>& layers, Executor& executor, const Stage& st
   plan.end_scene();
   const RunResult result = executor.run(plan);
   timings.add(result);
-  add_planes(layers, result.contents(passes.planes), part, stage.scattering_media(), pixels);
+  add_planes(layers, result.contents(passes.planes), part, stage.scattering_media(), view.stokes, pixels);
   if (shines) {
     add_channels(find(layers, "sun"), floats(result.contents(disc), 0, 4 * pixels), 1, 4, part.colours);
   }
@@ -144,7 +147,7 @@ void render_part(std::vector<Layer>& layers, Executor& executor, const Stage& st
 
 }  // namespace
 
-std::vector<Layer> layers_of(const Stage& stage) {
+std::vector<Layer> layers_of(const Stage& stage, LayerSet set) {
   const Scene& scene = stage.scene();
   std::vector<Layer> layers;
   const std::uint32_t scattering = stage.scattering_media();
@@ -158,9 +161,13 @@ std::vector<Layer> layers_of(const Stage& stage) {
   layers.push_back({"multiple", "RGB", true});
   layers.push_back({"ground", "RGB", true});
   layers.push_back({"transmittance", "RGB"});
+  if (set == LayerSet::stokes) {
+    layers.push_back({.name = "Q", .channels = "RGB", .is_signed = true});
+    layers.push_back({.name = "U", .channels = "RGB", .is_signed = true});
+  }
   layers.push_back({"sun", "RGB", true});
   layers.push_back({"depth", "Z"});
-  layers.push_back({"N", "XYZ"});
+  layers.push_back({.name = "N", .channels = "XYZ", .is_signed = true});
   return layers;
 }
 
@@ -170,14 +177,15 @@ std::string methods_with_layers() {
   });
 }
 
-std::vector<Layer> render_layers(Executor& executor, const Stage& stage, const Tile& tile, const std::string& kept_as,
-                                 const Timings& timings) {
-  std::vector<Layer> layers = layers_of(stage);
+std::vector<Layer> render_layers(Executor& executor, const Stage& stage, LayerSet set, const Tile& tile,
+                                 const std::string& kept_as, const Timings& timings) {
+  std::vector<Layer> layers = layers_of(stage, set);
+  const View view{.directions = {}, .tile = tile, .stokes = set == LayerSet::stokes, .kept_as = kept_as};
   for (Layer& layer : layers) {
     layer.planes.assign(layer.channels.size() * pixels_of(tile), 0.0F);
   }
   for (const Part& part : stage.parts()) {
-    render_part(layers, executor, stage, part, {.directions = {}, .tile = tile, .kept_as = kept_as}, timings);
+    render_part(layers, executor, stage, part, view, timings);
   }
   add_geometry(layers, stage.scene(), stage.whole().things, tile);
   return layers;
@@ -185,7 +193,6 @@ std::vector<Layer> render_layers(Executor& executor, const Stage& stage, const T
 
 Statistics layer_statistics(const Layer& layer, int width, bool signed_colours) {
   Statistics found;
-  const bool is_signed = layer.name == "N";
   const std::size_t pixels = layer.planes.size() / layer.channels.size();
   const bool in_colours = signed_colours && layer.channels == "RGB";
   for (std::size_t i = 0; i < layer.planes.size(); ++i) {
@@ -196,7 +203,7 @@ Statistics layer_statistics(const Layer& layer, int width, bool signed_colours) 
     const double value = !in_colours  ? static_cast<double>(layer.planes[i])
                          : i < pixels ? bt709_luminance({plane(0), plane(1), plane(2)})
                                       : 0.0;
-    if (finite && (!(value < 0.0) || is_signed)) {
+    if (finite && (!(value < 0.0) || layer.is_signed)) {
       continue;
     }
     if (found.sound()) {

@@ -22,11 +22,11 @@ namespace airlight {
 using DeviceOnDemand = std::function<Executor&()>;
 
 struct RenderRequest {
-  bool bloom = false;         // compute bloom where the scene asks for it and anything exceeds the threshold
-  bool bloom_picture = true;  // read bloom back at the picture's size; false: only the GPU tone curve sees it
-  bool gpu_tone = false;      // also run the GPU tone curve
-  bool tables = false;        // read the tables back
-  bool layers = false;        // for a method that has add_layer_passes
+  bool bloom = false;                // compute bloom where the scene asks for it and anything exceeds the threshold
+  bool bloom_picture = true;         // read bloom back at the picture's size; false: only the GPU tone curve sees it
+  bool gpu_tone = false;             // also run the GPU tone curve
+  bool tables = false;               // read the tables back
+  LayerSet layers = LayerSet::none;  // for a method that has add_layer_passes
   // Wavelengths of a spectrum beside the picture, of a scene with spectra. The colours are then the spectrum's own if
   // it yields them to kTellsColours (core/render/spectrum.h); a fault at any wavelength is the result's fault.
   std::optional<Nodes> spectrum = {};

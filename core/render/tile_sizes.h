@@ -3,6 +3,7 @@
 
 #include <cstddef>
 
+#include "core/render/layers.h"
 #include "core/stage/stage.h"
 
 namespace airlight {
@@ -16,13 +17,13 @@ inline constexpr std::size_t kBandBytes = std::size_t{64} << 20;
 inline constexpr std::size_t kLayerBytes = std::size_t{32} << 20;
 
 // Bytes of one pixel in the greatest of a tile's buffers on the device, and of a band's on the host.
-std::size_t tile_pixel_bytes(const Stage& stage, bool layers);
-std::size_t band_pixel_bytes(const Stage& stage, bool layers);
+std::size_t tile_pixel_bytes(const Stage& stage, LayerSet layers);
+std::size_t band_pixel_bytes(const Stage& stage, LayerSet layers);
 
 // Size of a default tile: whole rows with about 32 MiB of radiance.
-ImageSize usual_tile(const Stage& stage, bool layers);
+ImageSize usual_tile(const Stage& stage, LayerSet layers);
 
 // Planes of light among a tile's layers on the device.
-std::size_t layer_planes(const Stage& stage);
+std::size_t layer_planes(const Stage& stage, LayerSet layers);
 
 }  // namespace airlight

@@ -348,7 +348,9 @@ Outcome scene_case(std::uint64_t seed) {
     request.bloom = true;
     request.gpu_tone = seed % 4 == 0;
     const SkyMethod& method = *find_method(scene.render.method);
-    request.layers = method.add_layer_passes != nullptr && seed % 5 == 0;
+    if (method.add_layer_passes != nullptr && seed % 5 == 0) {
+      request.layers = seed % 2 == 0 ? LayerSet::light : LayerSet::stokes;
+    }
     request.host.threads = 1;
     return fault_of_picture(render([]() -> Executor& { return device(); }, scene, request));
   });

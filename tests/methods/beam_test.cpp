@@ -86,7 +86,7 @@ TEST(Beam, LayersTellItAndThingsSeeMore) {
     Scene scene = all_round(thick_haze("orders"), 0.1, 8, 4);
     scene.render.parameters.insert_or_assign("tabulate", std::string(tabulate));
     RenderRequest request;
-    request.layers = true;
+    request.layers = LayerSet::light;
     const Rendering rendering = render_now(scene, request);
     const auto layer = std::ranges::find_if(rendering.layers, [](const Layer& l) { return l.name == "transmittance"; });
     const AirTo whole = air_to(executor(), scene, std::vector<Span>{{3, 1, 1e6F}}).front();

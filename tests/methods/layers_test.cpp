@@ -34,7 +34,7 @@ double largest(const Layer& l) {
 
 Rendering layered(const Scene& scene) {
   RenderRequest request;
-  request.layers = true;
+  request.layers = LayerSet::light;
   const Rendering rendering = render_now(scene, request);
   EXPECT_EQ(rendering.fault(), "");
   return rendering;
@@ -273,7 +273,7 @@ TEST(Layers, AreCalledByTheirMediaAsFarAsAChannelCanBe) {
   }
   scene.media.push_back(medium("ozone", {}, {1e-3, 1e-3, 1e-3}, exponential(8.0)));
   std::vector<std::string> names;
-  for (const Layer& l : layers_of(ready(scene))) {
+  for (const Layer& l : layers_of(ready(scene), LayerSet::light)) {
     names.push_back(l.name);
   }
   EXPECT_EQ(names, (std::vector<std::string>{"mie", "a_dusty_haze_", "sun_2", "medium4", "a_dusty_haze__2", "multiple",
@@ -281,13 +281,13 @@ TEST(Layers, AreCalledByTheirMediaAsFarAsAChannelCanBe) {
 }
 
 TEST(Layers, AFaultNamesTheLayerAndThePlace) {
-  Layer bad{"mie", "RGB", true, std::vector<float>(3 * 8, 1.0f)};
+  Layer bad{.name = "mie", .channels = "RGB", .is_light = true, .planes = std::vector<float>(3 * 8, 1.0f)};
   bad.planes[8 + 5] = -1.0f;
   bad.planes[16 + 6] = std::numeric_limits<float>::quiet_NaN();
   Rendering rendering;
   rendering.layer_statistics = {{"sun", {}}, {bad.name, layer_statistics(bad, 4)}};
   EXPECT_EQ(rendering.fault(), "the layer mie holds 1 non-finite and 1 negative values, the first at column 1, row 1");
-  const Layer normals{"N", "XYZ", false, std::vector<float>(3 * 8, -1.0f)};
+  const Layer normals{.name = "N", .channels = "XYZ", .is_signed = true, .planes = std::vector<float>(3 * 8, -1.0f)};
   EXPECT_TRUE(layer_statistics(normals, 4).sound());
 }
 

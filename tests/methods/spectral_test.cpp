@@ -248,7 +248,7 @@ TEST(Spectral, ThingsFindTheSkysTables) {
 TEST(Spectral, AllIsInTheSameColours) {
   Scene scene = dusk_or_day("", "4", 5, R"(, "method": "orders", "steps": 16)");
   RenderRequest request;
-  request.layers = true;
+  request.layers = LayerSet::light;
   const Rendering rendering = render_now(scene, request);
   ASSERT_EQ(rendering.fault(), "");
   const std::size_t pixel = 5;  // of the highest row

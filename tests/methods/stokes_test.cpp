@@ -77,9 +77,9 @@ std::vector<Direction> sky_directions() {
 
 TEST(Stokes, OrdersAgreesWithPathTraceThroughFilters) {
   const FilteredSky skies[]{{"clear, sun at 20", 20.0, 1.0, 1.0, 0.004},
-                    {"clear, sun at -2", -2.0, 1.0, 1.0, 0.01},
-                    {"hazy, sun at 60", 60.0, 10.0, 1.0, 0.01},
-                    {"by shells, sun at 20", 20.0, 0.0, 6.0, 0.01}};
+                            {"clear, sun at -2", -2.0, 1.0, 1.0, 0.01},
+                            {"hazy, sun at 60", 60.0, 10.0, 1.0, 0.01},
+                            {"by shells, sun at 20", 20.0, 0.0, 6.0, 0.01}};
   const std::vector<Direction> directions = sky_directions();
   for (const FilteredSky& s : skies) {
     const std::vector<ProbeResult> found = probe_now(with_method(filtered_sky(s), *find_method("orders")), directions);

@@ -285,7 +285,7 @@ TEST(Things, LayersSumUpToThePicture) {
     Scene scene = shore(kAll, shells);
     scene.image = {24, 14};
     RenderRequest request;
-    request.layers = true;
+    request.layers = LayerSet::light;
     const Rendering rendering = render_now(scene, request);
     EXPECT_EQ(rendering.fault(), "");
     EXPECT_EQ(rendering.radiance.rgba, render_now(scene).radiance.rgba);

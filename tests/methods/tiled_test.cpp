@@ -118,7 +118,7 @@ TEST(Tiled, TablesOfAPictureAreItsOwn) {
 TEST(Tiled, LayersAreThoseOfThePicture) {
   const Scene scene = sky("orders", Projection::fisheye);
   RenderRequest request;
-  request.layers = true;
+  request.layers = LayerSet::light;
   const Rendering whole = render_now(scene, request);
   const Whole bands = in_tiles(scene, {13, 23}, request);
   ASSERT_EQ(bands.layers.size(), whole.layers.size());
@@ -233,7 +233,7 @@ TEST(Tiled, UsualTilesFillNoMoreThanTheirBudget) {
   Scene scene = earth();
   for (const ImageSize& size : {ImageSize{32768, 16384}, ImageSize{65536, 65536}, ImageSize{3, 65536}}) {
     scene.image = size;
-    for (const bool layers : {false, true}) {
+    for (const LayerSet layers : {LayerSet::none, LayerSet::light, LayerSet::stokes}) {
       const ImageSize tile = usual_tile(ready(scene), layers);
       const auto pixels = static_cast<std::size_t>(tile.width) * static_cast<std::size_t>(tile.height);
       EXPECT_GE(tile.height, 1);
@@ -248,11 +248,13 @@ TEST(Tiled, TilesHaveRoomForEveryLayer) {
   const Stage stage =
       ready(scene_of(clear_air(R"({"wavelengths_nm": [400, 401, 409, 410], "values": [0, 0.1, 0.1, 0]})", "{}",
                                R"(, "render": {"method": "march", "wavelengths": 48})")));
-  const std::vector<Layer> layers = layers_of(stage);
-  EXPECT_EQ(layers.front().name, "air");
-  const auto is_of_light = [](const Layer& layer) { return layer.channels == "RGB" && layer.name != "sun"; };
-  const auto planes = static_cast<std::size_t>(3 * std::ranges::count_if(layers, is_of_light));
-  EXPECT_EQ(tile_pixel_bytes(stage, true), planes * sizeof(float));
+  for (const LayerSet set : {LayerSet::light, LayerSet::stokes}) {
+    const std::vector<Layer> layers = layers_of(stage, set);
+    EXPECT_EQ(layers.front().name, "air");
+    const auto is_of_light = [](const Layer& layer) { return layer.channels == "RGB" && layer.name != "sun"; };
+    const auto planes = static_cast<std::size_t>(3 * std::ranges::count_if(layers, is_of_light));
+    EXPECT_EQ(tile_pixel_bytes(stage, set), planes * sizeof(float));
+  }
 }
 
 }  // namespace
