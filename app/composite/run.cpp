@@ -326,6 +326,11 @@ std::vector<Frame> frames_of(const CompositeOrder& order) {
 }
 
 void require_spans(const Scene& scene, bool by_method) {
+  if (scene.camera.polariser) {
+    throw InputError(
+        "composite: camera.polariser: nothing tells how the beauty's light is polarised, so no filter can "
+        "be put before it; take the filter out of the preset");
+  }
   if (!by_method || method_of(scene).add_span_passes != nullptr) {
     return;
   }

@@ -257,6 +257,7 @@ Scene scene_at(const Place& place) {
   scene.sun.disc.visible = false;
   scene.sun.disc.angular_radius = radians_from_degrees(0.2666);
   scene.camera.altitude = place[Quantity::altitude];
+  scene.camera.polariser.reset();
   scene.bloom.enabled = false;
   round_to_float(scene);
   return scene;

@@ -70,7 +70,10 @@ class Writer {
     std::string text = "{\"airlight\": 1, \"name\": \"any\"";
     for (const std::string_view section : {"planet", "sun", "camera", "bloom", "display"}) {
       const std::string own = object(section);
-      text += ", " + quoted(section) + ": " + (section == "planet" ? planet(own, things) : own);
+      text += ", " + quoted(section) + ": " +
+              (section == "planet"   ? planet(own, things)
+               : section == "camera" ? camera(own, method)
+                                     : own);
     }
     text += things == Things::spheres ? ", \"scene\": {\"spheres\": [" + spheres() + "]}" : "";
     const bool square = projection_ == "octahedral";
@@ -200,6 +203,16 @@ class Writer {
         return method;
       }
     }
+  }
+
+  // The camera's own keys, now and then with a filter before it.
+  std::string camera(const std::string& own, const SkyMethod& method) {
+    const bool has_up = projection_ == "perspective" || projection_ == "fisheye";
+    if (!method.info.knows_polarisers || !has_up || !random_.chance(0.3)) {
+      return own;
+    }
+    return own.substr(0, own.size() - 1) + (own == "{}" ? "" : ", ") + "\"polariser\": " + object("camera.polariser") +
+           "}";
   }
 
   // The planet's own keys and those of its ground. Maps are only names: the caller that renders the scene fills them.

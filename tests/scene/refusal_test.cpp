@@ -59,6 +59,14 @@ INSTANTIATE_TEST_SUITE_P(
              "/camera/pitch_deg: 5 is not 0; an equirectangular picture cannot be tilted: set it to 0"},
         Case{R"("camera": {"projection": "equirectangular", "roll_deg": -5})",
              "/camera/roll_deg: -5 is not 0; an equirectangular picture cannot be tilted: set it to 0"},
+        Case{R"("camera": {"polariser": {"angle_deg": "up"}})",
+             "/camera/polariser/angle_deg: \"up\" is not a number; expected a number, -1e6 to 1e6 degrees"},
+        Case{R"("camera": {"projection": "cube", "polariser": {}}, "image": {"width": 8, "height": 48})",
+             "/camera/polariser: a polarising filter turns with the camera, and a cube map has none; choose the "
+             "projection \"perspective\" or \"fisheye\", or remove it"},
+        Case{R"("camera": {"polariser": {}}, "render": {"polarisation": false})",
+             "/camera/polariser: render.polarisation is false, and light without polarisation passes all filters "
+             "alike; set it to true, or remove the filter"},
         Case{R"("image": {"width": 0})", "/image/width: 0 is outside 1 to 65536 pixels"},
         Case{R"("image": {"height": 65537})", "/image/height: 65537 is outside 1 to 65536 pixels"},
         Case{R"("image": {"width": 10.5})",

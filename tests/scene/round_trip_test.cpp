@@ -99,7 +99,7 @@ TEST(RoundTrip, KeepsEveryValue) {
     "sun": {"elevation_deg": -12.34, "azimuth_deg": 1234.5, "irradiance": [1.5, 1.6, 1.7], "unit": "W/m2",
             "disc": {"visible": false, "angular_radius_deg": 0.31, "limb_darkening": 0.1, "radiance_scale": 3}},
     "camera": {"altitude_km": 12, "azimuth_deg": 33.3, "pitch_deg": -7.7, "roll_deg": 181.1, "projection": "fisheye",
-               "vertical_fov_deg": 123.4},
+               "vertical_fov_deg": 123.4, "polariser": {"angle_deg": 32.5}},
     "image": {"width": 17, "height": 19},
     "render": {"method": "orders", "steps": 77, "transmittance_lut": [128, 32], "multiple_scattering_scale": 0,
                "sun_fade": {"scale": 10, "bias": 0.1}, "color": "warm"},
