@@ -351,6 +351,7 @@ Command probe_command() {
       {"airlight probe earth-physical --elevation 90 --azimuth 0", "The zenith in cd/m2"},
       {"airlight probe earth --elevation 90 --azimuth 0 --spectrum 400:700:50",
        "The spectrum of the zenith, every 50 nm; --spectrum alone means every 10 nm from 380 to 780"},
+      {"airlight probe earth-sunset --elevation 60 --azimuth 0 --json", "With the Stokes parameters Q and U"},
       {"airlight probe earth-noon --csv directions.csv", "Directions from a file with ELEVATION,AZIMUTH on each line"}};
   command.positionals = {preset_positional(given->scene)};
   command.options = {

@@ -77,7 +77,9 @@ Command render_command() {
       "for multiple, sun and ground. Their sum is R, G and B. transmittance reaches to the ground or to space. "
       "depth.Z is the distance in km to the ground or to the place where the ray leaves the air, always with 32 "
       "bits; it is 1e10 where the ray meets neither. N.X, .Y and .Z are the ground's normal (x east, y up, z south), "
-      "and 0 where there is no ground. Bloom, if the preset asks for it in the EXR, is a layer outside the sum. "
+      "and 0 where there is no ground. --layers stokes adds Q and U, the Stokes parameters of all light: Q is above 0 "
+      "for light that swings in the plane of direction and zenith, U for light that leans by 45 degrees from downward "
+      "toward growing azimuth. Bloom, if the preset asks for it in the EXR, is a layer outside the sum. "
       "--colorspace converts the layers of light. It converts the transmittance as the colour of white that is seen "
       "through the air.\n\n"
       "--spectral writes the layout of Fichet, Pacanowski and Wilkie (JCGT 2021): a channel such as S0.550,000000nm "
@@ -111,6 +113,8 @@ Command render_command() {
                       {"airlight render sky.exr -o again.exr", "Render the picture of an EXR again"},
                       {"airlight render earth-sunset --layers -o layers.exr --size 160x90",
                        "Rayleigh, mie, multiple, sun, ground, transmittance, depth and normals apart, for compositing"},
+                      {"airlight render earth-sunset --layers stokes -o stokes.exr --size 160x90",
+                       "Also Q and U, which tell how the light is polarised"},
                       {"airlight render earth --spectral 400:700:20 --size 32x18 -o spectral.exr",
                        "Spectral radiance for a spectral renderer, every 20 nm, and the picture beside it"},
                       {"airlight render earth-noon --size 640x360 --tile 200x100 -o tiles.exr",

@@ -59,9 +59,15 @@ TableText factor_text(const FactorLayout& layout) {
               std::to_string(i) + "; ";
   }
   TableText text;
-  text.quantity = "radiance seen from the camera, in parts: " + blocks + "all other light, over `carrier`, in block " +
-                  std::to_string(last) + "; for a sun of the preset's irradiance" +
-                  (layout.in_colours ? ", all wavelengths summed in linear Rec.709" : "");
+  text.quantity =
+      "radiance seen from the camera, in parts: " + blocks + "all other light, over `carrier`, in block " +
+      std::to_string(last) +
+      (layout.stokes ? "; Q of that light and, over the sine of the azimuth from the sun's, its U in the two "
+                       "blocks behind it, by the level direction to the sun's azimuth, carried along the "
+                       "great circle from the zenith, below level from the nadir"
+                     : "") +
+      "; for a sun of the preset's irradiance" + (layout.stokes ? ", behind a filter half of it" : "") +
+      (layout.in_colours ? ", all wavelengths summed in linear Rec.709" : "");
   text.unit = "unit of sun.irradiance / sr; where a phase function is left out, unit of sun.irradiance";
   text.axes = {{"x", "cos_azimuth", "1",
                 inside ? "cosine of the azimuth from the sun's, linear in the sine of its half"

@@ -21,6 +21,7 @@ struct FactorLayout {
   std::uint32_t limb_rows = 0;
   std::uint32_t sky_rows = 0;  // 0: the camera is above the air
   bool rayleigh = false;       // whether the last block is divided by 1 + nu^2 above the true horizon
+  bool stokes = false;         // two blocks more, of Q and U
   bool in_colours = false;     // whether the table is a sum over wavelengths, for a scene with spectra
 };
 

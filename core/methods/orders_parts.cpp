@@ -153,6 +153,7 @@ FactorLayout layout_of(const Scene& scene, const FactorTable& table, bool in_col
           .limb_rows = table.limb_rows,
           .sky_rows = table.sky_rows,
           .rayleigh = table.rayleigh,
+          .stokes = table.stokes != physics::kStokesNone,
           .in_colours = in_colours};
 }
 

@@ -341,5 +341,49 @@ TEST(Stokes, APictureThroughAFilterIsWhatProbesTell) {
   }
 }
 
+// Where light in the sun's vertical plane is not polarised, degrees from the sun or from the point opposite to it.
+struct Neutral {
+  const char* name;
+  double sun_deg;
+  double azimuth_deg;              // from the sun's
+  double from_deg, toward_deg;     // elevations between which Q changes sign
+  double zero_deg;                 // elevation of the sun, or of the point opposite
+  std::array<double, 3> expected;  // by optical depths 0.046, 0.108 and 0.265
+};
+
+// Of molecules over black ground; the values are those of an independent computation in double.
+constexpr Neutral kNeutral[]{{"Babinet, sun at 5", 5.0, 0.0, 6.0, 50.0, 5.0, {12.8, 17.5, 23.0}},
+                             {"Babinet, sun at 60", 60.0, 0.0, 61.0, 85.0, 60.0, {5.0, 6.8, 8.9}},
+                             {"Brewster, sun at 60", 60.0, 0.0, 59.0, 30.0, 60.0, {-5.6, -8.0, -11.5}},
+                             {"Arago, sun at 5", 5.0, 180.0, 2.0, 60.0, -5.0, {13.2, 18.1, 24.3}},
+                             {"Arago, sun at -2", -2.0, 180.0, 3.0, 60.0, 2.0, {13.3, 18.0, 22.7}}};
+
+TEST(Stokes, NeutralPointsStandWhereTheyBelong) {
+  constexpr int kPlaces = 400;
+  for (const Neutral& neutral : kNeutral) {
+    Scene scene = airlight::earth(neutral.sun_deg, 0.001, 0.0);
+    scene.media.resize(1);
+    std::vector<Direction> directions;
+    const auto elevation = [&](double k) {
+      return neutral.from_deg + (neutral.toward_deg - neutral.from_deg) * k / kPlaces;
+    };
+    for (int k = 0; k <= kPlaces; ++k) {
+      directions.push_back({radians(elevation(k)), radians(neutral.azimuth_deg)});
+    }
+    const std::vector<ProbeResult> found = probe_now(with_method(scene, *find_method("orders")), directions);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto crosses = [&](std::size_t k) { return (*found[k].q)[c] > 0.0 && (*found[k + 1].q)[c] <= 0.0; };
+      std::size_t k = 0;
+      while (k + 1 < found.size() && !crosses(k)) {
+        ++k;
+      }
+      ASSERT_LT(k + 1, found.size()) << neutral.name;
+      const double at = elevation(static_cast<double>(k) + 0.5) - neutral.zero_deg;
+      std::printf("%s, channel %zu: %.1f degrees, expected %.1f\n", neutral.name, c, at, neutral.expected[c]);
+      EXPECT_NEAR(at, neutral.expected[c], 0.5) << neutral.name;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace airlight::test
