@@ -4,8 +4,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <regex>
 
 #include "tests/cli/small_sky.h"
@@ -231,6 +233,29 @@ TEST_F(Cli, ProbeByOptionsAndByCsvAgree) {
   EXPECT_EQ(tool({"probe", "sky.json", "--json", "--csv", "d.csv"}).out, by_options.out);
   EXPECT_EQ(tool({"probe", "sky.json", "--json", "--csv", "-"}, with_input("90,0\n12.5,200\n")).out, by_options.out);
   EXPECT_EQ(lines_of(tool({"probe", "sky.json", "--csv", "d.csv"}).out).size(), 3U);
+}
+
+TEST_F(Cli, ProbeTellsPolarisationWhereTheMethodDoes) {
+  const Names zenith = {"probe", "sky.json", "-q", "--sun-elevation", "30", "--elevation", "60", "--azimuth", "180"};
+  const auto probed = [&](const Names& more) {
+    Names words = zenith;
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome outcome = tool(words);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return outcome.out;
+  };
+  const Json light = Json::parse(probed({"--json"}))["probes"][0];
+  const double i = light["radiance"][1].get<double>();
+  const double q = light["stokes_q"][1].get<double>();
+  const double u = light["stokes_u"][1].get<double>();
+  EXPECT_NEAR(light["degree_of_polarisation"][1].get<double>(), std::hypot(q, u) / i, 1e-9);
+  EXPECT_NEAR(light["angle_of_polarisation_deg"][1].get<double>(), std::atan2(u, q) * 90.0 / std::numbers::pi, 1e-9);
+  EXPECT_GT(std::hypot(q, u), 0.1 * i);
+  EXPECT_TRUE(contains(probed({}), "angle_deg R"));
+  // Light is told before the filter.
+  EXPECT_EQ(Json::parse(probed({"--json", "--set", "/camera/polariser={}"}))["probes"][0], light);
+  EXPECT_FALSE(contains(probed({"--json", "--method", "march"}), "stokes_q"));
+  EXPECT_FALSE(contains(probed({"--json", "--set", "/render/polarisation=false"}), "stokes_q"));
 }
 
 TEST_F(Cli, BadCsvNamesTheLine) {

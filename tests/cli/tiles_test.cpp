@@ -43,6 +43,13 @@ TEST_F(Tiles, TheFileIsTheSameByteForByte) {
   with({"-o", "whole32.exr", "--float"});
   with({"-o", "odd32.exr", "--float", "--tile", "19x7"});
   EXPECT_EQ(scratch_.read("odd32.exr"), scratch_.read("whole32.exr"));
+  with({"stokes", "-o", "stokes.exr", "--set", "/render/tabulate=\"always\""});
+  with({"stokes", "-o", "odd-stokes.exr", "--set", "/render/tabulate=\"always\"", "--tile", "19x7"});
+  EXPECT_EQ(scratch_.read("odd-stokes.exr"), scratch_.read("stokes.exr"));
+  for (const char* part : {"Q.R", "U.B", "airlight:stokes"}) {
+    EXPECT_TRUE(contains(scratch_.read("stokes.exr"), part)) << part;
+    EXPECT_FALSE(contains(scratch_.read("whole.exr"), part)) << part;
+  }
 }
 
 // Every output of a render, as a whole and in tiles that divide nothing evenly.
@@ -201,6 +208,31 @@ TEST_F(Tiles, LayersThatCannotBeAreRefused) {
     expect_refusal({"render", "sky.json", "-o", "a.exr", "--layers", "--method", method},
                    method + " does not tell its light apart; choose --method orders");
   }
+  const Names layers = {"render", "sky.json", "-o", "a.exr", "--set", "/render/polarisation=false", "--layers"};
+  Names stokes = layers;
+  stokes.push_back("stokes");
+  expect_refusal(stokes, "--layers stokes: render.polarisation is false");
+  expect_refusal({"render", "sky.json", "-o", "a.exr", "--set", "/camera/polariser={}", "--layers"},
+                 "--layers: layers hold light before the lens");
+}
+
+TEST_F(Tiles, APictureThroughAFilterIsTheSameByteForByte) {
+  const Names base = {"render", "sky.json",
+                      "-q",     "--float",
+                      "--size", "75x41",
+                      "--set",  "/render/tabulate=\"always\"",
+                      "--set",  "/camera/polariser/angle_deg=40"};
+  const auto with = [&](const Names& more) {
+    Names words = base;
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome outcome = tool(words);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  };
+  with({"-o", "whole.exr"});
+  with({"-o", "odd.exr", "--tile", "19x7"});
+  EXPECT_EQ(scratch_.read("odd.exr"), scratch_.read("whole.exr"));
+  with({"-o", "other.exr", "--set", "/camera/polariser/angle_deg=130"});
+  EXPECT_NE(scratch_.read("other.exr"), scratch_.read("whole.exr"));
 }
 
 TEST_F(Tiles, ASequenceHasLayersTooAndTellsFramesWithoutThemFromOthers) {
