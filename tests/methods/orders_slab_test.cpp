@@ -106,5 +106,37 @@ std::vector<LevelCase> level_cases() {
 
 INSTANTIATE_TEST_SUITE_P(Published, OrdersSlab, testing::ValuesIn(level_cases()));
 
+// The light of many directions together, as single ones may be off by what degree 8 leaves of a strong peak. With 12
+// azimuths in the first order it is 4.4 to 5.4 % too dark at depth 3 and 5.9 to 7.6 % at depth 10.
+TEST(OrdersSlabPeak, KeepsTheLightOfALowSun) {
+  constexpr double kPeak = 0.85;
+  for (const double depth : sanitized() ? std::vector<double>{3.0} : std::vector<double>{3.0, 10.0}) {
+    for (const int sun : {4, 7}) {
+      const Slab judge({depth, 1.0, henyey_greenstein_moments(kPeak, 96), 0.0}, 32, sun);
+      Scene scene = slab(depth, 1.0, PhaseFunction::henyey_greenstein, kPeak);
+      scene.sun.elevation = std::asin(judge.nodes()[static_cast<std::size_t>(sun)]);
+      scene = with_method(scene, *find_method("orders"));
+      for (const bool top : {true, false}) {
+        scene.camera.altitude = top ? scene.planet.atmosphere_height : 0.0;
+        std::vector<Direction> directions;
+        double expected = 0.0;
+        for (const std::size_t node : {8U, 16U, 24U, 30U}) {
+          for (const double azimuth : {0.3, 1.0, 1.9, 2.8}) {
+            directions.push_back({(top ? -1.0 : 1.0) * std::asin(judge.nodes()[node]), azimuth});
+            expected += top ? judge.reflected(node, azimuth) : judge.transmitted(node, azimuth);
+          }
+        }
+        double sum = 0.0;
+        for (const ProbeResult& found : probe_now(scene, directions)) {
+          sum += found.radiance[1];
+        }
+        std::printf("depth %g, sun %.3f, %s: %+.2f %%\n", depth, judge.nodes()[static_cast<std::size_t>(sun)],
+                    top ? "top" : "bottom", 100.0 * (sum / expected - 1.0));
+        EXPECT_NEAR(sum, expected, (depth > 5.0 ? 0.045 : 0.02) * expected);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace airlight::test
