@@ -118,6 +118,10 @@ Stage without_filter(const Stage& stage) {
   return ready(scene, stage);
 }
 
+View probe_view(const Stage& stage, const std::vector<Direction>& directions) {
+  return {.directions = directions, .stokes = stage.method().has_stokes && stage.scene().render.polarisation};
+}
+
 ProbeResults probe(const DeviceOnDemand& device, const Stage& stage, const std::vector<Direction>& directions) {
   ProbeResults results;
   if (directions.empty()) {
@@ -126,8 +130,7 @@ ProbeResults probe(const DeviceOnDemand& device, const Stage& stage, const std::
   if (stage.scene().camera.polariser) {
     return probe(device, without_filter(stage), directions);
   }
-  const bool stokes = stage.method().has_stokes && stage.scene().render.polarisation;
-  const View view{.directions = directions, .stokes = stokes};
+  const View view = probe_view(stage, directions);
   const RadianceImage pairs = pairs_of(device, stage, view, results.undone);
   const Rgb unit = stage.sunlight();
   for (std::size_t i = 0; i < directions.size(); ++i) {
@@ -141,7 +144,7 @@ ProbeResults probe(const DeviceOnDemand& device, const Stage& stage, const std::
     for (std::size_t c = 0; c < 3; ++c) {
       r.transmittance[c] = triple(1)[c] / unit[c];
     }
-    if (stokes) {
+    if (view.stokes) {
       r.q = triple(2);
       r.u = triple(3);
     }

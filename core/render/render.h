@@ -80,6 +80,9 @@ struct ProbeResults {
 // The same scene without a polarising filter.
 Stage without_filter(const Stage& stage);
 
+// What probe() asks of the method.
+View probe_view(const Stage& stage, const std::vector<Direction>& directions);
+
 // The scene's method in listed directions from the camera's place; before a polarising filter.
 ProbeResults probe(const DeviceOnDemand& device, const Stage& stage, const std::vector<Direction>& directions);
 

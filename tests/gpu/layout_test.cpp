@@ -41,6 +41,7 @@ std::map<std::string, std::size_t> host_offsets() {
   AIRLIGHT_MEMBER(camera.right);
   AIRLIGHT_MEMBER(camera.up);
   AIRLIGHT_MEMBER(camera.forward);
+  AIRLIGHT_MEMBER(camera.polariser);
   AIRLIGHT_MEMBER(camera.azimuth);
   AIRLIGHT_MEMBER(camera.half_fov);
   AIRLIGHT_MEMBER(camera.cube_layout);

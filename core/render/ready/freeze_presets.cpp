@@ -52,11 +52,12 @@ void want(const Plan& plan, const Shaders& shaders, Wanted& wanted) {
   }
 }
 
-Plan listed_directions(const Stage& stage) {
+Plan listed_directions(const Stage& given) {
+  const Stage stage = without_filter(given);
   const std::vector<Direction> directions(2);
   Plan plan;
   plan.scene_data = device_scene_bytes(stage.whole().air, stage.scene());
-  stage.method().add_passes(plan, stage.whole(), View{.directions = directions});
+  stage.method().add_passes(plan, stage.whole(), probe_view(stage, directions));
   return plan;
 }
 
