@@ -69,7 +69,7 @@ void add_ground_map(Plan& plan, const Part& part, const SkyTarget& target, Groun
                  .reads = std::move(reads),
                  .writes = {{"radiance_out", target.radiance}},
                  .grid = target.grid,
-                 .push_constants = {target.grid.width, target.grid.height},
+                 .push_constants = {target.grid.width, target.grid.height, target.vectors},
                  .specialization = std::move(constants),
                  .cost = 10.0});
 }

@@ -74,8 +74,8 @@ SkyTarget add_sky_target(Plan& plan, const Scene& scene, const View& view) {
   SkyTarget target;
   target.grid = listed ? Extent{count, 1, 1} : picture_grid(scene, view);
   target.projection = listed ? physics::kProjectionListed : projection_code(scene.camera.projection);
-  const std::size_t vectors = static_cast<std::size_t>(target.grid.width) *
-                              static_cast<std::size_t>(target.grid.height) * (listed ? vectors_of(view) : 1);
+  target.vectors = listed ? static_cast<std::uint32_t>(vectors_of(view)) : 1;
+  const std::size_t vectors = static_cast<std::size_t>(target.grid.width) * target.grid.height * target.vectors;
   target.radiance = plan.add_buffer(radiance_buffer(view, vectors * 4 * sizeof(float)));
   target.directions = plan.add_buffer(filled_buffer("directions", direction_bytes(view)));
   return target;

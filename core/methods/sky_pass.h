@@ -19,6 +19,7 @@ struct SkyTarget {
   BufferId directions;  // the listed directions, or one unused
   Extent grid;
   std::uint32_t projection = 0;  // kProjection
+  std::uint32_t vectors = 1;     // of each direction or pixel
 };
 
 // The radiance buffer of a picture, carried under that key; a tile's is not carried.

@@ -23,6 +23,7 @@ layout(constant_id = 29) const uint kViewColumns = 256u;
 layout(push_constant, scalar) uniform Push {
   uint width;
   uint height;
+  uint vectors;  // of each listed direction (core/methods/sky_pass.h)
 };
 
 ViewRay ray_here(uvec2 pixel) {
@@ -81,6 +82,6 @@ void main() {
   Ground ground = ground_in_pixel(scene.planet, place, direction, pixel_angle(pixel));
   vec3 light = ground_sends(ground, place.up, sun, -direction, beam, sky_on_ground(mu_sun));
   light *= share * through_air(place) * scene.sun.irradiance;
-  uint at = kProjection == kProjectionListed ? 2u * pixel.x : pixel.y * scene.tile.width + pixel.x;
+  uint at = kProjection == kProjectionListed ? vectors * pixel.x : pixel.y * scene.tile.width + pixel.x;
   radiance_out.values[at] += vec4(light, 0.0);
 }

@@ -352,6 +352,8 @@ TEST_F(CompositeTool, RefusesWithPlaceAndRemedy) {
       {{"--beauty", "good.exr", "-o", "o.exr", "--tolerance", "1%", "--fog", "height"}, "leave them out"},
       {{"--beauty", "near.exr", "-o", "o.exr", "--aerial", "volume", "--set", "/camera/altitude_km=500"},
        "near.exr: the camera stands above the air"},
+      {{"--beauty", "good.exr", "-o", "o.exr", "--set", "/camera/polariser={}"},
+       "composite: camera.polariser: nothing"},
       {{"--beauty", "good.####.exr", "-o", "o.####.exr"}, "no frame of this pattern"},
       {{"--beauty", "good.exr", "-o", "o.####.exr"}, "both as patterns"}};
   for (const Refused& refused : cases) {
