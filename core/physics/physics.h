@@ -55,6 +55,7 @@ struct Physics {
   uint density_profiles = 0;  // four bits a medium
   uint phase_functions = 0;   // four bits a medium
   bool fade = false;
+  bool lit_disc = false;
   std::shared_ptr<const std::vector<vec3>> phase_samples;  // logarithms, tables one behind the other; null: none
   HostTable transmittance_lut;
   HostTable multiple_scattering_lut;
@@ -81,6 +82,7 @@ struct Physics {
   uint most_layers() const { return kMaxDensityLayers; }
   vec3 phase_sample(uint k) const { return (*phase_samples)[k]; }
   bool sun_fade_enabled() const { return fade; }
+  bool disc_is_lit() const { return lit_disc; }
   bool ground_reflects() const { return ground_irradiance_lut.width > 0; }
   vec3 fetch_transmittance(real x, real y) const { return transmittance_lut.fetch_unit(x, y); }
   vec3 fetch_multiple_scattering(real x, real y) const { return multiple_scattering_lut.fetch_unit(x, y); }

@@ -22,8 +22,8 @@ using physics::vec3;
 
 // Names of the layers that no medium gives its name to, and of the EXR's other channels.
 const std::set<std::string>& taken_names() {
-  static const std::set<std::string> names{"multiple", "sun", "ground", "transmittance", "depth",         "N", "R",
-                                           "G",        "B",   "A",      "bloom",         "standard_error"};
+  static const std::set<std::string> names{"multiple", "sun", "moon", "ground", "transmittance", "depth",         "N",
+                                           "R",        "G",   "B",    "A",      "bloom",         "standard_error"};
   return names;
 }
 
@@ -101,9 +101,9 @@ void add_channels(Layer& layer, std::span<const float> channels, std::size_t pla
 }
 
 // Adds the device's planes of a part: those of layers_of() up to transmittance, without the media that do not scatter
-// in this part. `media`: those that scatter in any.
+// in this part. `media`: those that scatter in any; `lets_through`: whether the transmittance counts.
 void add_planes(std::vector<Layer>& layers, std::span<const std::byte> bytes, const Part& part, std::uint32_t media,
-                std::size_t pixels) {
+                std::size_t pixels, bool lets_through) {
   std::size_t layer = 0;
   std::size_t plane = 0;
   const auto add = [&](bool is_there, const std::array<Rgb, 3>& colours) {
@@ -118,16 +118,17 @@ void add_planes(std::vector<Layer>& layers, std::span<const std::byte> bytes, co
       add((part.air.scattering_media() >> medium & 1u) != 0, part.colours);
     }
   }
-  add(true, part.colours);  // multiple
-  add(true, part.colours);  // ground
-  add(true, part.shares);   // transmittance
-  assert(plane * sizeof(float) == bytes.size());
+  add(true, part.colours);         // multiple
+  add(true, part.colours);         // ground
+  add(lets_through, part.shares);  // transmittance
+  assert((plane + (lets_through ? 0 : 3 * pixels)) * sizeof(float) == bytes.size());
 }
 
 // One part's share of all layers.
 void render_part(std::vector<Layer>& layers, Executor& executor, const Stage& stage, const Part& part, const View& view,
                  const Timings& timings) {
   const std::size_t pixels = pixels_of(*view.tile);
+  const bool is_sun = stage.light().empty();
   Plan plan;
   begin_part(plan, part, *view.tile);
   const LayerPasses passes = stage.method().add_layer_passes(plan, part, view);
@@ -136,9 +137,10 @@ void render_part(std::vector<Layer>& layers, Executor& executor, const Stage& st
   plan.end_scene();
   const RunResult result = executor.run(plan);
   timings.add(result);
-  add_planes(layers, result.contents(passes.planes), part, stage.scattering_media(), pixels);
+  add_planes(layers, result.contents(passes.planes), part, stage.scattering_media(), pixels, is_sun);
   if (shines) {
-    add_channels(find(layers, "sun"), floats(result.contents(disc), 0, 4 * pixels), 1, 4, part.colours);
+    add_channels(find(layers, is_sun ? "sun" : "moon"), floats(result.contents(disc), 0, 4 * pixels), 1, 4,
+                 part.colours);
   }
 }
 
@@ -159,6 +161,9 @@ std::vector<Layer> layers_of(const Stage& stage) {
   layers.push_back({"ground", "RGB", true});
   layers.push_back({"transmittance", "RGB"});
   layers.push_back({"sun", "RGB", true});
+  if (scene.moon) {
+    layers.push_back({"moon", "RGB", true});
+  }
   layers.push_back({"depth", "Z"});
   layers.push_back({"N", "XYZ"});
   return layers;
@@ -176,9 +181,14 @@ std::vector<Layer> render_layers(Executor& executor, const Stage& stage, const T
   for (Layer& layer : layers) {
     layer.planes.assign(layer.channels.size() * pixels_of(tile), 0.0F);
   }
-  for (const Part& part : stage.parts()) {
-    render_part(layers, executor, stage, part, {.directions = {}, .tile = tile, .kept_as = kept_as}, timings);
-  }
+  const auto render_light = [&](const Stage& lit) {
+    const std::string kept = kept_as.empty() ? "" : kept_as + lit.light();
+    for (const Part& part : lit.parts()) {
+      render_part(layers, executor, lit, part, {.directions = {}, .tile = tile, .kept_as = kept}, timings);
+    }
+  };
+  render_light(stage);
+  std::ranges::for_each(stage.others(), render_light);
   add_geometry(layers, stage.scene(), stage.whole().things, tile);
   return layers;
 }

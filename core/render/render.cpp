@@ -86,9 +86,8 @@ Plan plan_for(const Stage& stage, const RenderRequest& request) {
 
 namespace {
 
-// Radiance and transmittance of each listed direction, alternating. `undone`: gets the method's notes.
-RadianceImage pairs_of(const DeviceOnDemand& device, const Stage& stage, const View& view,
-                       std::vector<std::string>& undone) {
+RadianceImage pairs_by_light(const DeviceOnDemand& device, const Stage& stage, const View& view,
+                             std::vector<std::string>& undone) {
   const auto count = static_cast<int>(view.directions.size());
   if (!samples(stage)) {
     Plan plan;
@@ -102,6 +101,21 @@ RadianceImage pairs_of(const DeviceOnDemand& device, const Stage& stage, const V
   for (int i = 0; i < count; ++i) {
     for (const RadianceImage* image : {&host.radiance, &host.transmittance}) {
       pairs.rgba.insert(pairs.rgba.end(), image->at(i, 0), image->at(i, 0) + 4);
+    }
+  }
+  return pairs;
+}
+
+// Radiance and transmittance of each listed direction, alternating. `undone`: gets the method's notes.
+RadianceImage pairs_of(const DeviceOnDemand& device, const Stage& stage, const View& view,
+                       std::vector<std::string>& undone) {
+  RadianceImage pairs = pairs_by_light(device, stage, view, undone);
+  for (const Stage& other : stage.others()) {
+    const RadianceImage more = pairs_by_light(device, other, view, undone);
+    for (std::size_t i = 0; i < pairs.rgba.size(); i += 8) {
+      for (std::size_t c = i; c < i + 3; ++c) {
+        pairs.rgba[c] += more.rgba[c];
+      }
     }
   }
   return pairs;

@@ -1,5 +1,8 @@
 #include "core/render/sky.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "core/methods/sky_pass.h"
 #include "core/methods/spectral_sums.h"
 #include "core/post/host_post.h"
@@ -26,7 +29,7 @@ SkyPasses add_parts(Plan& plan, const Stage& stage, const View& view) {
   plan.end_scene();
   all.radiance = plan.add_buffer(radiance_buffer(view, plan.buffers()[pictures.front().index].bytes));
   for (std::size_t g = 0; g < pictures.size(); ++g) {
-    add_colours(plan, pictures[g], all.radiance, stage.parts()[g], g == 0);
+    add_colours(plan, pictures[g], all.radiance, stage.parts()[g].colours, stage.parts()[g].suffix, g == 0);
   }
   return all;
 }
@@ -60,11 +63,24 @@ physics::vec3 in_colours(const physics::vec3& channels, const std::array<Rgb, 3>
   return {sum(0), sum(1), sum(2)};
 }
 
-}  // namespace
+std::vector<physics::GlarePoint> glare_points_by_light(const Stage& stage) {
+  std::vector<physics::GlarePoint> all;
+  for (const Part& part : stage.parts()) {
+    std::vector<physics::GlarePoint> points = glare_points(part);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      points[i].irradiance = in_colours(points[i].irradiance, part.colours);
+      if (all.size() == points.size()) {
+        points[i].irradiance = points[i].irradiance + all[i].irradiance;
+      }
+    }
+    all = std::move(points);
+  }
+  return all;
+}
 
-Sky add_sky(Plan& plan, const Stage& stage, const View& view, bool with_disc) {
+// The sky by the stage's own light.
+Sky add_sky_by_light(Plan& plan, const Stage& stage, const View& view, bool with_disc) {
   const Tile tile = tile_of(stage.scene(), view);
-  plan.scene_data = device_scene_bytes(stage.whole().air, stage.scene(), tile);
   std::optional<SkyPasses> sky;
   if (stage.in_colours() && stage.method().add_coloured_passes != nullptr) {
     sky = stage.method().add_coloured_passes(plan, stage, view);
@@ -84,12 +100,36 @@ Sky add_sky(Plan& plan, const Stage& stage, const View& view, bool with_disc) {
   return made;
 }
 
+}  // namespace
+
+Sky add_sky(Plan& plan, const Stage& stage, const View& view, bool with_disc) {
+  const Tile tile = tile_of(stage.scene(), view);
+  plan.scene_data = device_scene_bytes(stage.whole().air, stage.scene(), tile);
+  Sky all = add_sky_by_light(plan, stage, view, with_disc);
+  if (!view.directions.empty()) {
+    return all;
+  }
+  for (const Stage& other : stage.others()) {
+    View its_view = view;
+    its_view.kept_as += view.kept_as.empty() ? "" : other.light();
+    plan.begin_light(device_scene_bytes(other.whole().air, other.scene(), tile), other.light());
+    const Sky sky = add_sky_by_light(plan, other, its_view, with_disc);
+    plan.end_light();
+    add_colours(plan, sky.radiance, all.radiance, kAsTheyAre, other.light(), false);
+    all.disc = all.disc || sky.disc;
+  }
+  return all;
+}
+
 bool draw_disc_over(RadianceImage& rows, const Stage& stage, const Tile& tile) {
   bool shines = false;
+  for (const Stage& other : stage.others()) {
+    shines = draw_disc_over(rows, other, tile);
+  }
   for (const Part& part : stage.parts()) {
     RadianceImage disc{rows.width, rows.height, std::vector<float>(rows.rgba.size())};
-    shines = draw_sun_disc(disc, part, tile);
-    if (shines) {
+    if (draw_sun_disc(disc, part, tile)) {
+      shines = true;
       add_part(rows, disc, part.colours);
     }
   }
@@ -97,18 +137,21 @@ bool draw_disc_over(RadianceImage& rows, const Stage& stage, const Tile& tile) {
 }
 
 std::vector<physics::GlarePoint> glare_points_of(const Stage& stage) {
-  std::vector<physics::GlarePoint> all;
-  for (const Part& part : stage.parts()) {
-    std::vector<physics::GlarePoint> points = glare_points(part);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      points[i].irradiance = in_colours(points[i].irradiance, part.colours);
-      if (all.size() == points.size()) {
-        points[i].irradiance = points[i].irradiance + all[i].irradiance;
-      }
+  const auto light = [](const std::vector<physics::GlarePoint>& points) {
+    return physics::dot(points.front().irradiance, physics::vec3(1.0));
+  };
+  std::vector<physics::GlarePoint> brightest = glare_points_by_light(stage);
+  for (const Stage& other : stage.others()) {
+    std::vector<physics::GlarePoint> points = glare_points_by_light(other);
+    if (light(points) > light(brightest)) {
+      brightest = std::move(points);
     }
-    all = std::move(points);
   }
-  return all;
+  return brightest;
+}
+
+bool glares(const Stage& stage) {
+  return sun_glares(stage.whole()) || std::ranges::any_of(stage.others(), glares);
 }
 
 std::vector<std::string> spared_by(const Stage& stage) {

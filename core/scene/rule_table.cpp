@@ -25,6 +25,8 @@ constexpr Range kPhaseAngle{.minimum = 0.0, .maximum = 180.0};
 constexpr Range kPhaseValue{.minimum = 0.0, .maximum = 1e9};
 constexpr Range kRightAngle{.minimum = -90.0, .maximum = 90.0};
 constexpr Range kAnyAngle{.minimum = -1e6, .maximum = 1e6};
+constexpr Range kHalfTurns{.minimum = -180.0, .maximum = 180.0};
+constexpr Range kMoonDistance{.minimum = 1e4, .maximum = 1e7};
 constexpr Range kImageSide{.minimum = 1.0, .maximum = 65536.0};
 // 1e-4 degrees at irradiance 1e9 is a radiance of 1e20, far inside a 32-bit float.
 constexpr Range kDiscRadius{.minimum = 1e-4, .maximum = 10.0};
@@ -185,6 +187,19 @@ constexpr auto kRules = std::to_array<Rule>({
     number("sun.disc.angular_radius_deg", kDiscRadius, "degrees", "0.2666", "half the disc's angular diameter"),
     number("sun.disc.limb_darkening", kUnit, "", "0.6", "u in I(mu) = 1 - u (1 - mu)"),
     number("sun.disc.radiance_scale", kFactor, "", "1", "1: the disc's mean radiance is irradiance / solid angle"),
+
+    number("moon.elevation_deg", kRightAngle, "degrees", "30",
+           "of the moon's centre above the horizontal plane; without `moon` there is none"),
+    number("moon.azimuth_deg", kAnyAngle, "degrees", "0", "clockwise from north"),
+    number("moon.phase_deg", kHalfTurns, "degrees", "",
+           "angle between sun and camera as the moon sees them: 0 full, 90 the first quarter, -90 the last; absent: by "
+           "the place of `sun`"),
+    number("moon.illuminated", kUnit, "", "", "in place of `phase_deg`: lit share of the disc, of a waxing moon"),
+    number("moon.distance_km", kMoonDistance, "km", "384400",
+           "from the camera; the disc is 0.52 degrees wide at 384 400"),
+    number("moon.bright_limb_deg", kAnyAngle, "degrees", "",
+           "where the middle of the bright limb is on the disc, from straight up counter-clockwise; absent: toward "
+           "`sun`"),
 
     hinted("below 0 the camera is inside the planet",
            number("camera.altitude_km", kAltitude, "km", "0.001", "above the ground; above the atmosphere is allowed")),

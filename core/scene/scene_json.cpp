@@ -219,6 +219,16 @@ std::string sun_json(const Scene& scene) {
       .str();
 }
 
+std::string moon_json(const Moon& moon) {
+  return JsonObject(2)
+      .degrees("elevation_deg", moon.elevation)
+      .degrees("azimuth_deg", moon.azimuth)
+      .degrees("phase_deg", moon.lit.phase)
+      .number("distance_km", moon.distance)
+      .degrees("bright_limb_deg", moon.lit.bright_limb)
+      .str();
+}
+
 std::string camera_json(const Camera& camera) {
   JsonObject object(2);
   object.number("altitude_km", camera.altitude);
@@ -327,9 +337,11 @@ std::string to_json(const Scene& scene) {
   if (!scene.spheres.empty()) {
     object.add("scene", spheres_json(scene));
   }
-  object.add("media", media_json(scene))
-      .add("sun", sun_json(scene))
-      .add("camera", camera_json(scene.camera))
+  object.add("media", media_json(scene)).add("sun", sun_json(scene));
+  if (scene.moon) {
+    object.add("moon", moon_json(*scene.moon));
+  }
+  object.add("camera", camera_json(scene.camera))
       .add("image", image_json(scene))
       .add("render", render_json(scene))
       .add("bloom", bloom_json(scene.bloom))

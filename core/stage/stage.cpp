@@ -46,6 +46,10 @@ struct Stage::Content {
   mutable std::once_flag once = {};
   mutable std::atomic<bool> made = false;
   mutable std::vector<Part> parts = {};
+  std::function<std::vector<Stage>(const Stage&)> make_others = {};
+  std::string light = {};
+  mutable std::once_flag once_others = {};
+  mutable std::vector<Stage> others = {};
 
   void make_parts() const {
     const PartScenes scenes(whole.scene, basis.get());
@@ -88,6 +92,20 @@ std::span<const Part> Stage::parts() const {
   }
   std::call_once(content_->once, [this] { content_->make_parts(); });
   return content_->parts;
+}
+
+std::span<const Stage> Stage::others() const {
+  if (content_->make_others) {
+    std::call_once(content_->once_others, [this] {
+      parts();  // for their airs
+      content_->others = content_->make_others(*this);
+    });
+  }
+  return content_->others;
+}
+
+const std::string& Stage::light() const {
+  return content_->light;
 }
 
 const ColourBasis& Stage::basis() const {
@@ -149,7 +167,9 @@ Stage StageMaker::make() const {
                                                                         .inputs = std::move(inputs),
                                                                         .basis = std::move(basis),
                                                                         .known = std::move(known),
-                                                                        .known_things = std::move(known_things)}));
+                                                                        .known_things = std::move(known_things),
+                                                                        .make_others = others,
+                                                                        .light = light}));
 }
 
 Air air_like(const std::vector<Air>& known, const Scene& scene, const AirOptions& options) {
