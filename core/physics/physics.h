@@ -16,6 +16,7 @@ namespace airlight::physics {
 #include "shaders/shared/tables.h"
 #include "shaders/shared/analytic.h"
 #include "shaders/shared/glare.h"
+#include "shaders/shared/night.h"
 #include "shaders/shared/spheres.h"
 #include "shaders/shared/terrain.h"
 #include "shaders/shared/ground.h"
@@ -68,7 +69,11 @@ struct Physics {
   bool molecules_alone = false;  // molecules apart, no medium scatters with a direction
   HostTable sun_table;           // mean extinction to the top over the rows of shells (physics/shells.glsl)
   AnalyticData analytic{};
-  std::vector<GlarePoint> glare_points;             // the sum of the points first
+  std::vector<GlarePoint> glare_points;  // the sum of the points first
+  std::vector<vec3> night_texels;        // of what is beyond the air
+  std::vector<vec3> night_slopes;        // of what the air scatters
+  vec3 airglow{};
+  vec3 night_ground{};
   std::shared_ptr<const HostTerrain> terrain_maps;  // null: no terrain
   std::vector<SphereData> spheres;
   std::shared_ptr<const HostGround> ground_maps;  // null: one albedo
@@ -172,6 +177,12 @@ struct Physics {
   }
 #include "shaders/physics/sun_disc.glsl"
 #include "shaders/physics/sunlight.glsl"
+  vec3 night_map(uint i) const { return night_texels[i]; }
+  vec3 night_scattered(uint i) const { return night_slopes[i]; }
+  vec3 airglow_zenith() const { return airglow; }
+  vec3 night_on_ground() const { return night_ground; }
+#include "shaders/physics/night_sky.glsl"
+#include "shaders/physics/from_space.glsl"
 #include "shaders/physics/march.glsl"
 #include "shaders/physics/spread.glsl"
 #include "shaders/physics/multiple_scattering.glsl"

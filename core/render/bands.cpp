@@ -8,6 +8,7 @@
 #include "core/methods/ready.h"
 #include "core/plan/bytes.h"
 #include "core/post/host_post.h"
+#include "core/post/night_sky.h"
 #include "core/render/after_sky.h"
 #include "core/render/picture_key.h"
 #include "core/render/sky.h"
@@ -197,6 +198,9 @@ InWork Bands::begun(const Tile& band) {
   static_cast<Pixels&>(work.rows) = is_whole(band) ? std::move(made_) : rows_of(made_, band);
   if (lacks_disc_) {
     draw_disc_over(work.rows.radiance, stage_, band);
+    if (stage_.night() != nullptr) {
+      draw_night_sky(work.rows.radiance, stage_, band);
+    }
   }
   if (!is_made_ && tile_width() < band.width) {
     render_columns(work);

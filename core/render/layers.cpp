@@ -22,8 +22,9 @@ using physics::vec3;
 
 // Names of the layers that no medium gives its name to, and of the EXR's other channels.
 const std::set<std::string>& taken_names() {
-  static const std::set<std::string> names{"multiple", "sun", "moon", "ground", "transmittance", "depth",         "N",
-                                           "R",        "G",   "B",    "A",      "bloom",         "standard_error"};
+  static const std::set<std::string> names{
+      "multiple", "sun", "moon", "night_sky", "ground", "transmittance", "depth",
+      "N",        "R",   "G",    "B",         "A",      "bloom",         "standard_error"};
   return names;
 }
 
@@ -164,6 +165,9 @@ std::vector<Layer> layers_of(const Stage& stage) {
   if (scene.moon) {
     layers.push_back({"moon", "RGB", true});
   }
+  if (scene.night_sky || scene.stars) {
+    layers.push_back({"night_sky", "RGB", true});
+  }
   layers.push_back({"depth", "Z"});
   layers.push_back({"N", "XYZ"});
   return layers;
@@ -189,6 +193,13 @@ std::vector<Layer> render_layers(Executor& executor, const Stage& stage, const T
   };
   render_light(stage);
   std::ranges::for_each(stage.others(), render_light);
+  if (stage.night() != nullptr) {
+    Plan plan;
+    const BufferId night = add_night_picture(plan, stage, tile);
+    const RunResult result = executor.run(plan);
+    timings.add(result);
+    add_channels(find(layers, "night_sky"), floats(result.contents(night), 0, 4 * pixels_of(tile)), 1, 4, kAsTheyAre);
+  }
   add_geometry(layers, stage.scene(), stage.whole().things, tile);
   return layers;
 }

@@ -5,6 +5,7 @@
 
 #include "core/methods/ready.h"
 #include "core/plan/bytes.h"
+#include "core/post/night_sky.h"
 #include "core/render/after_sky.h"
 #include "core/render/bands.h"
 #include "core/render/sky.h"
@@ -116,6 +117,16 @@ RadianceImage pairs_of(const DeviceOnDemand& device, const Stage& stage, const V
       for (std::size_t c = i; c < i + 3; ++c) {
         pairs.rgba[c] += more.rgba[c];
       }
+    }
+  }
+  if (stage.scene().night_sky) {
+    physics::Physics p = night_formulas(stage);
+    for (std::size_t i = 0; i < view.directions.size(); ++i) {
+      const Direction& d = view.directions[i];
+      const physics::vec3 light = night_sky_along(p, p.direction_from_angles(d.elevation, d.azimuth));
+      pairs.rgba[8 * i] += narrowed(light.x);
+      pairs.rgba[8 * i + 1] += narrowed(light.y);
+      pairs.rgba[8 * i + 2] += narrowed(light.z);
     }
   }
   return pairs;

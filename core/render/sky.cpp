@@ -6,6 +6,8 @@
 #include "core/methods/sky_pass.h"
 #include "core/methods/spectral_sums.h"
 #include "core/post/host_post.h"
+#include "core/post/night_sky.h"
+#include "core/post/stars.h"
 #include "core/stage/sums.h"
 
 namespace airlight {
@@ -34,18 +36,13 @@ SkyPasses add_parts(Plan& plan, const Stage& stage, const View& view) {
   return all;
 }
 
-// The disc seen through the parts' tables of transmittance, one each, or through tables added here.
-bool add_disc(Plan& plan, const Stage& stage, std::vector<ImageId> tables, const Picture& picture) {
-  if (!stage.in_colours()) {
-    return add_sun_disc(plan, stage.whole(), tables.empty() ? std::nullopt : std::optional(tables.front()), picture);
-  }
-  if (!sun_disc_shows(stage.scene(), picture)) {
-    return false;
-  }
-  const Tile tile{static_cast<int>(picture.x), static_cast<int>(picture.y), static_cast<int>(picture.width),
-                  static_cast<int>(picture.height)};
-  std::vector<std::array<Rgb, 3>> colours;
+// A table of transmittance in the picture's colours: of the parts' tables, one each, or of tables added here.
+ImageId add_through(Plan& plan, const Stage& stage, std::vector<ImageId> tables, const Tile& tile) {
   const bool has_tables = !tables.empty();
+  if (!stage.in_colours()) {
+    return has_tables ? tables.front() : add_disc_transmittance(plan, stage.whole().air);
+  }
+  std::vector<std::array<Rgb, 3>> colours;
   for (const Part& part : stage.parts()) {
     if (!has_tables) {
       begin_part(plan, part, tile);
@@ -54,8 +51,16 @@ bool add_disc(Plan& plan, const Stage& stage, std::vector<ImageId> tables, const
     colours.push_back(part.shares);
   }
   plan.end_scene();
-  const ImageId through = add_colour_table(plan, "sunlight_colours", {}, tables, colours);
-  return add_sun_disc(plan, stage.whole(), through, picture);
+  return add_colour_table(plan, "sunlight_colours", {}, tables, colours);
+}
+
+void add_night(Plan& plan, const Stage& stage, ImageId through, const Picture& picture) {
+  if (stage.scene().night_sky) {
+    add_night_sky(plan, stage, through, picture);
+  }
+  if (stage.scene().stars) {
+    add_stars(plan, stage, through, picture);
+  }
 }
 
 physics::vec3 in_colours(const physics::vec3& channels, const std::array<Rgb, 3>& colours) {
@@ -89,13 +94,20 @@ Sky add_sky_by_light(Plan& plan, const Stage& stage, const View& view, bool with
     sky = add_parts(plan, stage, view);
   }
   Sky made{sky->radiance, sky->tables, false, sky->more_tables};
-  if (with_disc) {
-    std::vector<ImageId> through;
+  const Picture picture = picture_of(made.radiance, tile);
+  const bool shines = with_disc && sun_disc_shows(stage.scene(), picture);
+  const bool is_night = stage.night() != nullptr && view.directions.empty();
+  if (shines || is_night) {
+    std::vector<ImageId> tables;
     const std::size_t each = made.tables.size() / stage.parts().size();
     for (std::size_t g = 0; each > 0 && g < stage.parts().size(); ++g) {
-      through.push_back(made.tables[g * each]);
+      tables.push_back(made.tables[g * each]);
     }
-    made.disc = add_disc(plan, stage, std::move(through), picture_of(made.radiance, tile));
+    const ImageId through = add_through(plan, stage, std::move(tables), tile);
+    made.disc = shines && add_sun_disc(plan, stage.whole(), through, picture);
+    if (is_night) {
+      add_night(plan, stage, through, picture);
+    }
   }
   return made;
 }
@@ -119,6 +131,15 @@ Sky add_sky(Plan& plan, const Stage& stage, const View& view, bool with_disc) {
     all.disc = all.disc || sky.disc;
   }
   return all;
+}
+
+BufferId add_night_picture(Plan& plan, const Stage& stage, const Tile& tile) {
+  plan.scene_data = device_scene_bytes(stage.whole().air, stage.scene(), tile);
+  const std::size_t pixels = static_cast<std::size_t>(tile.width) * static_cast<std::size_t>(tile.height);
+  const BufferId picture =
+      plan.add_buffer({.name = "night", .bytes = 4 * pixels * sizeof(float), .host_readable = true});
+  add_night(plan, stage, add_through(plan, stage, {}, tile), picture_of(picture, tile));
+  return picture;
 }
 
 bool draw_disc_over(RadianceImage& rows, const Stage& stage, const Tile& tile) {

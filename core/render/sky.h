@@ -23,6 +23,9 @@ Sky add_sky(Plan& plan, const Stage& stage, const View& view, bool with_disc);
 // Draws the disc alone, on the host, over this tile of a picture of the stage. False: no part of it shows there.
 bool draw_disc_over(RadianceImage& rows, const Stage& stage, const Tile& tile);
 
+// Adds the night sky alone, over nothing, in this tile of the picture. Fills the plan's scene data.
+BufferId add_night_picture(Plan& plan, const Stage& stage, const Tile& tile);
+
 // The sources of the glare of the brightest light that the camera sees, in the picture's colours. Beside the sun's the
 // moon's does not show.
 std::vector<physics::GlarePoint> glare_points_of(const Stage& stage);

@@ -248,6 +248,18 @@ std::string describe(const Scene& scene) {
   if (scene.moon) {
     describe_moon(lines, *scene.moon);
   }
+  if (scene.night_sky) {
+    lines.heading("night sky")
+        .number("airglow", scene.night_sky->airglow)
+        .number("zodiacal light", scene.night_sky->zodiacal)
+        .number("starlight", scene.night_sky->starlight);
+  }
+  if (scene.stars) {
+    lines.heading("stars").number("magnitude limit", scene.stars->magnitude_limit);
+  }
+  if (scene.night_sky || scene.stars) {
+    lines.number("Julian date", scene.camera.julian_date);
+  }
   describe_camera(lines, scene.camera, scene.image);
   describe_render(lines, scene.render);
   if (scene.spectra) {

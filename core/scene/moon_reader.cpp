@@ -90,6 +90,26 @@ std::optional<Moon> read_moon(const Section& root, const Scene& scene) {
   return moon;
 }
 
+std::optional<NightSky> read_night_sky(const Section& root) {
+  if (root.find("night_sky") == nullptr) {
+    return std::nullopt;
+  }
+  const Section section = root.child("night_sky");
+  section.refuse_unknown_keys();
+  return NightSky{.airglow = section.number("airglow"),
+                  .zodiacal = section.number("zodiacal"),
+                  .starlight = section.number("starlight")};
+}
+
+std::optional<Stars> read_stars(const Section& root) {
+  if (root.find("stars") == nullptr) {
+    return std::nullopt;
+  }
+  const Section section = root.child("stars");
+  section.refuse_unknown_keys();
+  return Stars{.magnitude_limit = section.number("magnitude_limit")};
+}
+
 Spectrum moon_irradiance(const Moon& moon, const Sun& sun, const BandColours& colours) {
   std::array<double, kFineBands> over_sun{};
   std::ranges::transform(fine_bands(), over_sun.begin(),

@@ -154,6 +154,8 @@ Scene read_scene(const Section& root, std::span<const MethodInfo> methods) {
   scene.media = read_media(root, scene.planet, curves, spectra);
   scene.sun = read_sun(root, curves, spectra);
   scene.moon = read_moon(root, scene);
+  scene.night_sky = read_night_sky(root);
+  scene.stars = read_stars(root);
   scene.camera = read_camera(root);
   scene.image = read_image(root, scene.camera);
   scene.render = read_render_settings(root, methods);

@@ -27,6 +27,9 @@ constexpr Range kRightAngle{.minimum = -90.0, .maximum = 90.0};
 constexpr Range kAnyAngle{.minimum = -1e6, .maximum = 1e6};
 constexpr Range kHalfTurns{.minimum = -180.0, .maximum = 180.0};
 constexpr Range kMoonDistance{.minimum = 1e4, .maximum = 1e7};
+constexpr Range kNightFactor{.minimum = 0.0, .maximum = 1e4};
+constexpr Range kMagnitude{.minimum = -2.0, .maximum = 6.5};
+constexpr Range kJulianDate{.minimum = 2305447.5, .maximum = 2597641.5};  // the years 1600 to 2400
 constexpr Range kImageSide{.minimum = 1.0, .maximum = 65536.0};
 // 1e-4 degrees at irradiance 1e9 is a radiance of 1e20, far inside a 32-bit float.
 constexpr Range kDiscRadius{.minimum = 1e-4, .maximum = 10.0};
@@ -201,11 +204,27 @@ constexpr auto kRules = std::to_array<Rule>({
            "where the middle of the bright limb is on the disc, from straight up counter-clockwise; absent: toward "
            "`sun`"),
 
+    number(
+        "night_sky.airglow", kNightFactor, "", "1",
+        "factor on the glow of the air at 90 km, which is that of Paranal on a dark night; without `night_sky` there "
+        "is no such light, with `{}` all three. It is in cd/m2: a sun of no unit counts as 128 000 lux"),
+    number("night_sky.zodiacal", kNightFactor, "", "1",
+           "factor on sunlight from dust between the planets, which lies along the ecliptic"),
+    number("night_sky.starlight", kNightFactor, "", "1",
+           "factor on the light of stars fainter than magnitude 6.5, the Milky Way's with it"),
+
+    number("stars.magnitude_limit", kMagnitude, "", "6.5",
+           "of the faintest star drawn, in V; without `stars` there are none, with `{}` 8874, placed by the camera's "
+           "latitude, longitude and Julian date"),
+
     hinted("below 0 the camera is inside the planet",
            number("camera.altitude_km", kAltitude, "km", "0.001", "above the ground; above the atmosphere is allowed")),
     number("camera.latitude_deg", kRightAngle, "degrees", "0",
            "of the place that the camera is over, north positive: where it is on `planet.albedo_map`"),
     number("camera.longitude_deg", kAnyAngle, "degrees", "0", "likewise, east positive"),
+    number("camera.julian_date", kJulianDate, "days", "2451545",
+           "the time there, UTC, by which `stars` and `night_sky` are turned; 2451545 is noon on the first of January "
+           "2000"),
     number("camera.azimuth_deg", kAnyAngle, "degrees", "0", "where the picture's centre looks, clockwise from north"),
     number("camera.pitch_deg", kRightAngle, "degrees", "0",
            "elevation of the picture's centre; 0 for `equirectangular`, `cube` and `octahedral`"),

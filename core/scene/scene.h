@@ -188,6 +188,20 @@ struct Moon {
   bool operator==(const Moon&) const = default;
 };
 
+// The smooth light of a moonless night: factors on what it is on Earth.
+struct NightSky {
+  double airglow = 1.0;
+  double zodiacal = 1.0;
+  double starlight = 1.0;
+  bool operator==(const NightSky&) const = default;
+};
+
+// Stars as points, by the camera's place and time.
+struct Stars {
+  double magnitude_limit = 6.5;  // V
+  bool operator==(const Stars&) const = default;
+};
+
 struct Camera {
   double altitude = 0.001;  // km
   double azimuth = 0.0;     // rad
@@ -196,8 +210,9 @@ struct Camera {
   Projection projection = Projection::perspective;
   double vertical_fov = 0.0;  // rad; for perspective and fisheye
   CubeLayout cube_layout = CubeLayout::stack;
-  double latitude = 0.0;   // rad, of the camera's place on the planet; north positive
-  double longitude = 0.0;  // rad, east positive
+  double latitude = 0.0;           // rad, of the camera's place on the planet; north positive
+  double longitude = 0.0;          // rad, east positive
+  double julian_date = 2451545.0;  // UTC, of the night sky over that place
 };
 
 // A map of the whole sphere, upright: pitch and roll are 0 and there is no field of view.
@@ -298,6 +313,8 @@ struct Scene {
   std::vector<Medium> media;
   Sun sun;
   std::optional<Moon> moon;
+  std::optional<NightSky> night_sky;
+  std::optional<Stars> stars;
   Camera camera;
   ImageSize image;
   RenderSettings render;

@@ -229,11 +229,22 @@ std::string moon_json(const Moon& moon) {
       .str();
 }
 
+std::string night_sky_json(const NightSky& sky) {
+  return JsonObject(2)
+      .number("airglow", sky.airglow)
+      .number("zodiacal", sky.zodiacal)
+      .number("starlight", sky.starlight)
+      .str();
+}
+
 std::string camera_json(const Camera& camera) {
   JsonObject object(2);
   object.number("altitude_km", camera.altitude);
   if (camera.latitude != 0.0 || camera.longitude != 0.0) {
     object.degrees("latitude_deg", camera.latitude).degrees("longitude_deg", camera.longitude);
+  }
+  if (camera.julian_date != Camera{}.julian_date) {
+    object.number("julian_date", camera.julian_date);
   }
   object.degrees("azimuth_deg", camera.azimuth)
       .degrees("pitch_deg", camera.pitch)
@@ -340,6 +351,12 @@ std::string to_json(const Scene& scene) {
   object.add("media", media_json(scene)).add("sun", sun_json(scene));
   if (scene.moon) {
     object.add("moon", moon_json(*scene.moon));
+  }
+  if (scene.night_sky) {
+    object.add("night_sky", night_sky_json(*scene.night_sky));
+  }
+  if (scene.stars) {
+    object.add("stars", JsonObject(2).number("magnitude_limit", scene.stars->magnitude_limit).str());
   }
   object.add("camera", camera_json(scene.camera))
       .add("image", image_json(scene))

@@ -8,6 +8,8 @@ Scene by_moonlight(const Scene& scene) {
   const Moon& moon = *scene.moon;
   Scene lit = scene;
   lit.moon.reset();
+  lit.night_sky.reset();
+  lit.stars.reset();
   lit.sun = {.elevation = moon.elevation,
              .azimuth = moon.azimuth,
              .irradiance = moon.irradiance,

@@ -33,6 +33,16 @@ std::array<Rgb, 3> over_the_sun(std::array<Rgb, 3> colours, const Rgb& sun) {
   return colours;
 }
 
+// The same for a light of another spectrum than the sun's: relative to that light above the air.
+std::array<Rgb, 3> over_the_light(std::array<Rgb, 3> colours, const Scene& part, const Scene& whole) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      colours[k][c] *= whole.sun.irradiance[c] > 0.0 ? part.sun.irradiance[k] / whole.sun.irradiance[c] : 0.0;
+    }
+  }
+  return colours;
+}
+
 }  // namespace
 
 struct Stage::Content {
@@ -50,6 +60,7 @@ struct Stage::Content {
   std::string light = {};
   mutable std::once_flag once_others = {};
   mutable std::vector<Stage> others = {};
+  OnDemand<Night> night = {};
 
   void make_parts() const {
     const PartScenes scenes(whole.scene, basis.get());
@@ -64,9 +75,10 @@ struct Stage::Content {
       }
       Things things(scene, like);
       const std::array<Rgb, 3> colours = scenes.colours(g);
-      parts.push_back({std::move(scene), std::move(air), std::move(things), colours,
-                       over_the_sun(colours, basis.get().sun), " of group " + std::to_string(g),
-                       channels_of(basis.get(), scenes.nodes(g))});
+      const std::array<Rgb, 3> shares = whole.scene.spectra->light ? over_the_light(colours, scene, whole.scene)
+                                                                   : over_the_sun(colours, basis.get().sun);
+      parts.push_back({std::move(scene), std::move(air), std::move(things), colours, shares,
+                       " of group " + std::to_string(g), channels_of(basis.get(), scenes.nodes(g))});
     }
     known.clear();
     known_things.clear();
@@ -102,6 +114,10 @@ std::span<const Stage> Stage::others() const {
     });
   }
   return content_->others;
+}
+
+const Night* Stage::night() const {
+  return content_->night ? &content_->night.get() : nullptr;
 }
 
 const std::string& Stage::light() const {
@@ -151,6 +167,10 @@ Stage StageMaker::make() const {
     }
   }
   const Scene& scene = whole.scene;
+  OnDemand<Night> night;
+  if (scene.night_sky || scene.stars) {
+    night = OnDemand<Night>([scene = scene, air = whole.air] { return night_of(scene, air); });
+  }
   FitInputs inputs;
   OnDemand<ColourBasis> basis;
   if (scene.spectra && listed) {
@@ -169,7 +189,8 @@ Stage StageMaker::make() const {
                                                                         .known = std::move(known),
                                                                         .known_things = std::move(known_things),
                                                                         .make_others = others,
-                                                                        .light = light}));
+                                                                        .light = light,
+                                                                        .night = night}));
 }
 
 Air air_like(const std::vector<Air>& known, const Scene& scene, const AirOptions& options) {

@@ -13,6 +13,7 @@
 
 #include "core/air/air.h"
 #include "core/air/scene_block.h"
+#include "core/night/night.h"
 #include "core/scene/scene.h"
 #include "core/stage/wavelengths.h"
 #include "core/things/things.h"
@@ -53,6 +54,9 @@ class Stage {
   // The same scene in each further light: its sun is that light. The picture is the sum over this stage and these.
   // Their airs, things and wavelengths are this stage's.
   std::span<const Stage> others() const;
+
+  // Null: the scene has no night sky.
+  const Night* night() const;
 
   // Of what the light adds to a plan (Plan::begin_light); empty: the sun.
   const std::string& light() const;

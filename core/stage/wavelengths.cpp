@@ -113,6 +113,8 @@ Scene PartScenes::scene(std::size_t part) const {
     }
   }
   group.spectra.reset();
+  group.night_sky.reset();  // which has colours, no wavelengths
+  group.stars.reset();
   return group;
 }
 
