@@ -41,7 +41,8 @@ TEST(Exposure, GoesOnIntoANightWithLights) {
   const auto with_moon = [](Scene scene) {
     scene.sun.unit = SunUnit::lux;
     scene.sun.irradiance.fill(128000.0);
-    scene.moon = Moon{.elevation = 0.5, .over_sun = moonlight(0.3, kMeanMoonDistance)};
+    scene.moon.emplace().elevation = 0.5;
+    scene.moon->over_sun = moonlight(0.3, kMeanMoonDistance);
     scene.moon->irradiance.fill(0.2);
     return scene;
   };
