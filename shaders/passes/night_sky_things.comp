@@ -25,7 +25,7 @@ vec3 night_light(vec3 direction) {
     normal = slope.normal;
     albedo = slope.albedo;
   }
-  vec3 all = transmittance_to_top(scene.planet, h, direction.y);
-  vec3 behind = transmittance_to_top(scene.planet, max(place.h, 0.0), dot(direction, place.up));
-  return night_on_surface(scene.planet, h, direction, all, behind, albedo, dot(normal, place.up));
+  vec3 through = night_through(scene.planet, sight.ray, max(hit.distance_ - sight.before, 0.0));
+  vec3 all = night_through(scene.planet, sight.ray, distance_to_top(scene.planet, sight.ray.h, sight.ray.mu));
+  return night_on_surface(scene.planet, h, direction, through, all, albedo, dot(normal, place.up));
 }

@@ -48,13 +48,23 @@ vec3 night_beyond(vec3 direction) {
   return upper * (1.0 - v) + lower * v;
 }
 
-// What the camera sees of a thing in it. `all`, `behind`: transmittance along the ray to the top of the air, from the
-// camera and from the thing; `level`: cosine between the thing's normal and the vertical. The thing is lit evenly from
-// the half of the sky that it faces, and the air before it scatters its share of what the whole ray would.
-vec3 night_on_surface(PlanetData planet, real h, vec3 direction, vec3 all, vec3 behind, vec3 albedo, real level) {
-  vec3 through = min(all / max(behind, vec3(1e-6)), vec3(1.0));
-  vec3 before = (vec3(1.0) - through) / max(vec3(1.0) - all, vec3(1e-6));
-  vec3 air = night_scattered_at(planet, h, max(direction.y, horizon_mu(planet, h)), false) * min(before, vec3(1.0));
+// Transmittance of the first `distance_` km of a ray, by midpoints.
+vec3 night_through(PlanetData planet, Ray ray, real distance_) {
+  vec3 depth = vec3(0.0);
+  real width = distance_ / 16.0;
+  for (uint i = 0u; i < 16u; i++) {
+    RayPoint point = point_on_ray(planet, ray, (real(i) + 0.5) * width);
+    depth = depth + extinction_over(max(point.h, 0.0), width * point.mu) * width;
+  }
+  return exp(-depth);
+}
+
+// What the camera sees of a thing in it. `through`, `all`: transmittance up to the thing, and of the whole ray as if it
+// were not there; `level`: cosine between the thing's normal and the vertical. The thing is lit evenly from the half of
+// the sky that it faces, and the air before it scatters its share of what the whole ray would.
+vec3 night_on_surface(PlanetData planet, real h, vec3 direction, vec3 through, vec3 all, vec3 albedo, real level) {
+  vec3 before = min((vec3(1.0) - through) / max(vec3(1.0) - all, vec3(1e-6)), vec3(1.0));
+  vec3 air = night_scattered_at(planet, h, max(direction.y, horizon_mu(planet, h)), false) * before;
   return air + through * albedo * night_on_ground() * (0.5 * (1.0 + level) / kPi);
 }
 

@@ -130,6 +130,32 @@ TEST(NightSky, OfThePictureIsThatOfItsFormula) {
   }
 }
 
+// A thing close by sends back what lights it; one far off fades into what the air scatters along the whole ray.
+TEST(NightSky, LightsThingsAndFadesThemIntoTheAir) {
+  Scene scene = earth();
+  scene.night_sky = NightSky{};
+  const Stage stage = ready(scene);
+  physics::Physics p = night_formulas(stage);
+  const physics::PlanetData planet = p.scene.planet;
+  const double h = scene.camera.altitude;
+  const physics::vec3 level = p.direction_from_angles(0.01, 0.0);
+  const auto ray = p.ray_in_atmosphere(planet, h, level.y, 0.0, 0.0);
+  const physics::vec3 all = p.night_through(planet, ray, p.distance_to_top(planet, h, level.y));
+  const physics::vec3 white(1.0);
+  const physics::vec3 near = p.night_on_surface(planet, h, level, p.night_through(planet, ray, 0.0), all, white, 1.0);
+  EXPECT_NEAR(near.y, p.night_on_ground().y / std::numbers::pi, 1e-12 * near.y);
+  const physics::vec3 far = p.night_on_surface(planet, h, level, all, all, physics::vec3(0.0), 1.0);
+  EXPECT_NEAR(far.y, p.night_scattered_at(planet, h, level.y, false).y, 1e-9 * far.y);
+  const physics::vec3 through = p.night_through(planet, ray, 50.0);
+  EXPECT_GT(through.x, through.z);
+  EXPECT_NEAR(through.y,
+              std::exp(-p.optical_depth_to_top(planet, h, level.y, 400).y +
+                       p.optical_depth_to_top(planet, p.point_on_ray(planet, ray, 50.0).h,
+                                              p.point_on_ray(planet, ray, 50.0).mu, 400)
+                           .y),
+              0.01);
+}
+
 TEST(NightSky, IsALayer) {
   Scene scene = with_method(earth(), *find_method("orders"));
   scene.sun.elevation = -8.0 * kDegree;
