@@ -51,6 +51,18 @@ std::optional<sequence::Air> air_of(const PlaceOptions& options, const std::stri
                        options.temperature.value_or(standard.temperature_c)};
 }
 
+namespace {
+
+// The sections of which the preset must have one for a date to set this key; none: it sets it in any.
+std::vector<std::string> sections_with(const std::string& pointer) {
+  if (pointer.starts_with("/moon/")) {
+    return {"moon"};
+  }
+  return pointer.starts_with("/camera/") ? std::vector<std::string>{"night_sky", "stars"} : std::vector<std::string>();
+}
+
+}  // namespace
+
 std::vector<Override> sun_overrides(const PlaceOptions& options, const SceneOptions& scene,
                                     const std::string& command) {
   const std::optional<sequence::Air> air = air_of(options, command);
@@ -75,12 +87,14 @@ std::vector<Override> sun_overrides(const PlaceOptions& options, const SceneOpti
     throw InputError(command + ": " + (scene.sun_elevation ? "--sun-elevation" : "--sun-azimuth") +
                      " and --date both say where the sun stands; give one");
   }
-  const sequence::SunPath moment = sequence::make_moment(
+  sequence::SunPath moment = sequence::make_moment(
       {*options.date, *options.time, {}, {}, options.zone.value_or("UTC"), place_of(options), air}, command);
+  moment.moon = true;
+  moment.stars = true;
   std::vector<Override> all;
   for (const auto& [pointer, values] : sequence::frame_at(moment, 0).keys) {
-    all.push_back(
-        {pointer + "=" + format_number(values.front()), "--date " + *options.date + " --time " + *options.time});
+    all.push_back({pointer + "=" + format_number(values.front()),
+                   "--date " + *options.date + " --time " + *options.time, sections_with(pointer)});
   }
   return all;
 }

@@ -70,6 +70,10 @@ std::optional<ImageSize> size_that_suits(const Preset& preset, const std::string
 }
 
 void apply(Preset& preset, const Override& override) {
+  const auto has = [&](const std::string& section) { return member(&preset.root, section) != nullptr; };
+  if (!override.only_with.empty() && std::ranges::none_of(override.only_with, has)) {
+    return;
+  }
   apply_override(preset, override.assignment, override.typed);
 }
 

@@ -16,8 +16,9 @@ namespace airlight::cli {
 
 // A key of the preset, changed by an option.
 struct Override {
-  std::string assignment;  // "POINTER=JSON"
-  std::string typed;       // the option as typed, for messages: "--view filmic"
+  std::string assignment;                   // "POINTER=JSON"
+  std::string typed;                        // the option as typed, for messages: "--view filmic"
+  std::vector<std::string> only_with = {};  // applied if the preset has one of these sections; empty: always
 };
 
 struct SceneOptions {

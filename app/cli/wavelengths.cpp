@@ -61,6 +61,11 @@ void require_spectra(const Scene& scene, const std::string& option) {
                      ": the preset has three channels and no spectra; give it curves over the wavelength in place of " +
                      "[r, g, b] (presets/README.md, Curves), or take one that has, such as earth");
   }
+  if (scene.night_sky || scene.stars) {
+    throw InputError(option +
+                     ": night_sky and stars are known in red, green and blue alone, not by wavelength; remove " +
+                     "them from the preset");
+  }
 }
 
 }  // namespace airlight::cli

@@ -65,7 +65,7 @@ std::vector<PathOption> path_options(const SequenceGiven& given) {
           {"--refraction", place.refraction, false}};
 }
 
-sequence::SunPath sun_path_of(const SequenceGiven& given) {
+sequence::SunPath sun_path_of(const SequenceGiven& given, const Scene& scene) {
   const std::string missing = joined_of(
       path_options(given), [](const PathOption& option) { return option.needed && !option.given ? option.name : ""; });
   if (!missing.empty()) {
@@ -76,9 +76,12 @@ sequence::SunPath sun_path_of(const SequenceGiven& given) {
   if (given.scene.sun_azimuth) {
     throw InputError("sequence: --sun-azimuth: the sun path tells the azimuth; leave it out, or give --sun-elevation");
   }
-  return sequence::make_sun_path({*given.place.date, *given.from, *given.to, *given.step,
-                                  given.place.zone.value_or("UTC"), place_of(given.place),
-                                  air_of(given.place, "sequence")});
+  sequence::SunPath path =
+      sequence::make_sun_path({*given.place.date, *given.from, *given.to, *given.step, given.place.zone.value_or("UTC"),
+                               place_of(given.place), air_of(given.place, "sequence")});
+  path.moon = scene.moon.has_value();
+  path.stars = scene.night_sky.has_value() || scene.stars.has_value();
+  return path;
 }
 
 // The source of the frames: the command line has precedence over the preset.
@@ -98,7 +101,7 @@ FrameSource source_of(const SequenceGiven& given, const Scene& scene) {
     return sequence::parse_sweep(*given.sweep, "sequence: --sun-elevation");
   }
   if (first != path.end()) {
-    return sun_path_of(given);
+    return sun_path_of(given, scene);
   }
   if (scene.sequence) {
     return *scene.sequence;

@@ -35,8 +35,8 @@ std::string unit_of(const Scene& scene) {
   return unit.empty() ? "relative" : std::string(unit);
 }
 
-void write_sun(JsonWriter& json, const SunLight& sun, WorkingSpace space) {
-  json.key("sun").begin_object();
+void write_light(JsonWriter& json, const std::string& name, const SunLight& sun, WorkingSpace space) {
+  json.key(name).begin_object();
   json.key("direction").values(sun.direction);
   json.key("elevation_deg").value(degrees_from_radians(sun.elevation));
   json.key("azimuth_deg").value(degrees_from_radians(sun.azimuth));
@@ -45,9 +45,8 @@ void write_sun(JsonWriter& json, const SunLight& sun, WorkingSpace space) {
   json.key("irradiance_above_air").values(in_space(sun.irradiance_above_air, space));
   json.key("visible_share").value(sun.visible_share);
   json.key("meaning").value(
-      "irradiance on a plane that faces the sun, of the limb-darkened disc through the air, as far as the planet "
-      "leaves "
-      "it; not in the map and not in the harmonics");
+      "irradiance on a plane that faces the " + name +
+      ", of the disc through the air, as far as the planet leaves it; not in the map and not in the harmonics");
   json.end_object();
 }
 
@@ -87,7 +86,10 @@ std::string lighting_json(const Lighting& lighting, const PictureContext& contex
     json.values(in_space(rgb, context.space));
   }
   json.end_array().end_object();
-  write_sun(json, lighting.sun, context.space);
+  write_light(json, "sun", lighting.sun, context.space);
+  if (lighting.moon) {
+    write_light(json, "moon", *lighting.moon, context.space);
+  }
   return json.end_object().take();
 }
 

@@ -1,5 +1,7 @@
 #include "app/render/validity.h"
 
+#include <algorithm>
+
 #include "core/methods/known_failures.h"
 #include "core/methods/ready.h"
 #include "core/scene/angle.h"
@@ -8,6 +10,14 @@
 
 namespace airlight::cli {
 namespace {
+
+// The stage of the light that makes the picture: of a sun more than 18 degrees down nothing shows beside the moon's.
+const Stage& leading(const Stage& stage) {
+  constexpr double kNight = -18.0 * kDegree;
+  const auto is_up = [](const Stage& other) { return other.scene().sun.elevation > 0.0; };
+  const auto up = std::ranges::find_if(stage.others(), is_up);
+  return stage.scene().sun.elevation < kNight && up != stage.others().end() ? *up : stage;
+}
 
 std::string methods_that_hold(const Stage& stage) {
   const Scene& scene = stage.scene();
@@ -40,7 +50,8 @@ std::vector<std::string> exceeded_limits(const Validity& validity, const Stage& 
   return limits;
 }
 
-std::string validity_warning(const Stage& stage) {
+std::string validity_warning(const Stage& of) {
+  const Stage& stage = leading(of);
   const Validity& validity = stage.method().validity;
   const std::string reasons = joined(exceeded_limits(validity, stage), ", nor for ");
   if (reasons.empty()) {
@@ -52,7 +63,8 @@ std::string validity_warning(const Stage& stage) {
   return text + (better.empty() ? "" : "; methods that do: " + better);
 }
 
-std::string known_failure_warning(const Stage& stage) {
+std::string known_failure_warning(const Stage& of) {
+  const Stage& stage = leading(of);
   const std::string causes = joined(known_failures_of(stage.method(), stage.whole()), "; ");
   if (causes.empty()) {
     return {};

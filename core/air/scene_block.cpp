@@ -35,6 +35,18 @@ std::uint32_t cube_layout_code(CubeLayout layout) {
   return physics::kCubeStack;
 }
 
+// A ball's light: across the disc, from straight up to the left, by the bright limb; toward the camera by the phase.
+void put_lit_ball(physics::Physics& p, const Sun& light, physics::SunData& ball) {
+  const LitBall& lit = *light.disc.lit;
+  const double phase = std::clamp(std::abs(lit.phase), 0.0, 0.999 * std::numbers::pi);
+  const vec3 up = p.direction_from_angles(light.elevation + 0.5 * std::numbers::pi, light.azimuth);
+  const vec3 left = p.direction_from_angles(0.0, light.azimuth - 0.5 * std::numbers::pi);
+  const vec3 across = up * std::cos(lit.bright_limb) + left * std::sin(lit.bright_limb);
+  ball.lit_from = across * std::sin(phase) - ball.direction * std::cos(phase);
+  ball.lit_scale = p.lit_ball_scale(phase);
+  ball.earthshine = lit.earthshine;
+}
+
 // All but what belongs to the air: its fade stays.
 void put_picture(physics::Physics& p, const Scene& scene) {
   physics::SunData& sun = p.scene.sun;
@@ -44,6 +56,10 @@ void put_picture(physics::Physics& p, const Scene& scene) {
   sun.angular_radius = scene.sun.disc.angular_radius;
   sun.limb_darkening = scene.sun.disc.limb_darkening;
   sun.disc_radiance = disc_radiance(scene.sun) * passed;
+  p.lit_disc = scene.sun.disc.lit.has_value();
+  if (p.lit_disc) {
+    put_lit_ball(p, scene.sun, sun);
+  }
   const CameraBasis basis = camera_basis(scene.camera);
   physics::CameraData& camera = p.scene.camera;
   camera.altitude = scene.camera.altitude;
@@ -96,7 +112,10 @@ device::SunData narrow(const physics::SunData& from) {
           .limb_darkening = narrowed(from.limb_darkening),
           .disc_radiance = narrowed(from.disc_radiance),
           .fade_scale = narrowed(from.fade_scale),
-          .fade_bias = narrowed(from.fade_bias)};
+          .fade_bias = narrowed(from.fade_bias),
+          .lit_from = narrowed(from.lit_from),
+          .lit_scale = narrowed(from.lit_scale),
+          .earthshine = narrowed(from.earthshine)};
 }
 
 device::CameraData narrow(const physics::CameraData& from) {

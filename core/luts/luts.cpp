@@ -104,6 +104,9 @@ void add_scattering_size(std::vector<Specialization>& constants, const Plan& pla
 }
 
 ImageId add_transmittance(Plan& plan, const Air& air, TableSize size) {
+  if (const auto there = plan.table_of(table_key(air, "transmittance", size))) {
+    return *there;
+  }
   const ImageId out = plan.add_image({.name = "transmittance",
                                       .extent = extent_of(size),
                                       .key = table_key(air, "transmittance", size),
@@ -120,6 +123,9 @@ ImageId add_transmittance(Plan& plan, const Air& air, TableSize size) {
 
 ImageId add_multiple_scattering(Plan& plan, const Air& air, ImageId transmittance, TableSize size) {
   const Extent sources[] = {extent_in(plan, transmittance)};
+  if (const auto there = plan.table_of(table_key(air, "multiple_scattering", size, sources))) {
+    return *there;
+  }
   const ImageId out = plan.add_image({.name = "multiple_scattering",
                                       .extent = extent_of(size),
                                       .key = table_key(air, "multiple_scattering", size, sources),
@@ -139,6 +145,9 @@ ImageId add_multiple_scattering(Plan& plan, const Air& air, ImageId transmittanc
 ImageId add_ground_irradiance(Plan& plan, const Air& air, ImageId transmittance, ImageId multiple_scattering) {
   const TableSize size{static_cast<int>(physics::kGroundIrradianceSize), 1};
   const Extent sources[] = {extent_in(plan, transmittance), extent_in(plan, multiple_scattering)};
+  if (const auto there = plan.table_of(table_key(air, "ground_irradiance", size, sources))) {
+    return *there;
+  }
   const ImageId out = plan.add_image({.name = "ground_irradiance",
                                       .extent = extent_of(size),
                                       .key = table_key(air, "ground_irradiance", size, sources),

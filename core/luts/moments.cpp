@@ -307,6 +307,9 @@ void add_moment_constants(std::vector<Specialization>& constants, const MomentSe
 ImageId add_sun_table(Plan& plan, const Air& air, const MomentSettings& settings) {
   const TableSize size{256, settings.size[1]};
   const Extent extent{static_cast<std::uint32_t>(size[0]), static_cast<std::uint32_t>(size[1]), 1};
+  if (const auto there = plan.table_of(table_key(air, "sun_table", size))) {
+    return *there;
+  }
   const ImageId out = plan.add_image(
       {.name = "sun_table", .extent = extent, .key = table_key(air, "sun_table", size), .stored = true, .text = [air] {
          return sun_table_text(air);
@@ -366,18 +369,17 @@ ImageId add_order(Bake& bake, const std::string& name, ImageId before, const Ord
   return out;
 }
 
-ImageDesc moments_image(const Bake& bake) {
-  const MomentSettings& settings = bake.settings;
+ImageDesc moments_image(const Plan& plan, const Air& air, ImageId sunlight, const MomentSettings& settings) {
   const std::string key = "degree " + std::to_string(settings.degree) + " delta " + std::to_string(settings.delta) +
                           " orders " + std::to_string(settings.orders) + " corrections " +
                           std::to_string(settings.corrections) + " level " + std::to_string(settings.level_degree) +
                           " polarised " + std::to_string(settings.polarised);
-  const Extent sources[] = {bake.plan.images()[bake.sunlight.index].extent};
+  const Extent sources[] = {plan.images()[sunlight.index].extent};
   return {.name = "moments",
           .extent = atlas_extent(settings),
-          .key = table_key(bake.air, "moments " + key, settings.size, sources),
+          .key = table_key(air, "moments " + key, settings.size, sources),
           .stored = true,
-          .text = [air = bake.air, settings] { return moments_text(air, settings); }};
+          .text = [air, settings] { return moments_text(air, settings); }};
 }
 
 ImageId add_orders_one_by_one(Bake bake) {
@@ -387,7 +389,7 @@ ImageId add_orders_one_by_one(Bake bake) {
     orders.push_back(add_order(bake, "order" + std::to_string(order), order == 1 ? bake.sunlight : orders.back(),
                                order_way(order, settings), static_cast<std::uint32_t>(settings.size[0])));
   }
-  const ImageId moments = bake.plan.add_image(moments_image(bake));
+  const ImageId moments = bake.plan.add_image(moments_image(bake.plan, bake.air, bake.sunlight, settings));
   std::vector<Specialization> shape;
   add_moment_constants(shape, settings);
   bake.plan.add_pass({.name = "orders_sum",
@@ -436,7 +438,7 @@ ImageId add_orders_at_once(Bake bake) {
                : add_order(bake, "orders" + std::to_string(i), field, rough ? kRough : order_way(2, settings), some);
     const ImageId out = bake.plan.add_image(
         i == settings.corrections
-            ? moments_image(bake)
+            ? moments_image(bake.plan, bake.air, bake.sunlight, settings)
             : ImageDesc{.name = "field" + std::to_string(i), .extent = atlas_extent(settings), .key = {}});
     std::vector<Specialization> constants;
     add_moment_constants(constants, settings);
@@ -457,6 +459,9 @@ ImageId add_orders_at_once(Bake bake) {
 }  // namespace
 
 ImageId add_moments(Plan& plan, const Air& air, ImageId sunlight, const MomentSettings& settings) {
+  if (const auto there = plan.table_of(moments_image(plan, air, sunlight, settings).key)) {
+    return *there;
+  }
   Bake bake = begin_bake(plan, air, sunlight, settings);
   return settings.corrections > 0 ? add_orders_at_once(std::move(bake)) : add_orders_one_by_one(std::move(bake));
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/methods/method.h"
+#include "core/stage/lights.h"
 
 namespace airlight {
 namespace {
@@ -45,11 +46,26 @@ PartSettings settled(const Part& whole) {
   return {render, air_options(render)};
 }
 
-Stage made(const Scene& scene, const std::optional<Nodes>& listed, const Stage* like) {
+Stage made(const Scene& scene, const std::optional<Nodes>& listed, const Stage* like, const std::string& light = {});
+
+std::vector<Stage> further_lights(const Stage& stage, const std::optional<Nodes>& listed) {
+  Scene lit = by_moonlight(stage.scene());
+  if (lit.spectra) {
+    lit.spectra->wavelengths = static_cast<int>(stage.basis().nodes.nm.size());
+  }
+  return {made(lit, listed, &stage, " by moonlight")};
+}
+
+Stage made(const Scene& scene, const std::optional<Nodes>& listed, const Stage* like, const std::string& light) {
   const std::vector<Air> known = like == nullptr ? std::vector<Air>() : StageMaker::airs_of(*like);
   const Things::Others others = like == nullptr ? Things::Others() : StageMaker::things_of(*like);
   Part whole{scene, air_like(known, scene, air_options(scene.render)), Things(scene, others)};
-  return StageMaker{method_of(scene), std::move(whole), settled, listed, like}.make();
+  StageMaker maker{method_of(scene), std::move(whole), settled, listed, like};
+  maker.light = light;
+  if (scene.moon) {
+    maker.others = [listed](const Stage& stage) { return further_lights(stage, listed); };
+  }
+  return maker.make();
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ void push_colours(std::vector<std::uint32_t>& push, const std::array<Rgb, 3>& co
 void begin_part(Plan& plan, const Part& part, const Tile& tile) {
   std::vector<std::byte> scene = device_scene_bytes(part.air, part.scene, tile);
   if (part.suffix.empty()) {
-    plan.scene_data = std::move(scene);
+    plan.put_scene(std::move(scene));
   } else {
     plan.begin_scene(std::move(scene), part.suffix, part.channels);
   }
@@ -52,12 +52,13 @@ ImageId add_colour_table(Plan& plan, const std::string& name, const std::string&
   return sum;
 }
 
-void add_colours(Plan& plan, BufferId buffer, BufferId picture, const Part& part, bool first) {
+void add_colours(Plan& plan, BufferId buffer, BufferId picture, const std::array<Rgb, 3>& colours,
+                 const std::string& suffix, bool first) {
   constexpr std::uint32_t kRow = 65536;  // of the shader: a device takes 65535 workgroups a row at least
   const auto count = static_cast<std::uint32_t>(plan.buffers()[picture.index].bytes / (4 * sizeof(float)));
   std::vector<std::uint32_t> push{count, first ? 1U : 0U};
-  push_colours(push, part.colours);
-  plan.add_pass({.name = "spectral_sum" + part.suffix,
+  push_colours(push, colours);
+  plan.add_pass({.name = "spectral_sum" + suffix,
                  .shader = "spectral_sum",
                  .reads = {{"part", buffer}},
                  .writes = {{"picture", picture}},

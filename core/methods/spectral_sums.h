@@ -21,7 +21,9 @@ ImageId add_colour_table(Plan& plan, const std::string& name, const std::string&
                          const std::vector<ImageId>& tables, const std::vector<std::array<Rgb, 3>>& colours,
                          const std::function<TableText()>& text = {});
 
-// Adds a part's buffer of vec4s to one in colours; `first`: the latter holds nothing so far.
-void add_colours(Plan& plan, BufferId buffer, BufferId picture, const Part& part, bool first);
+// Adds a buffer of vec4s to one in colours, its channels as these; `suffix`: of the pass's name; `first`: the latter
+// buffer holds nothing so far.
+void add_colours(Plan& plan, BufferId buffer, BufferId picture, const std::array<Rgb, 3>& colours,
+                 const std::string& suffix, bool first);
 
 }  // namespace airlight

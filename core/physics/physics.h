@@ -16,6 +16,7 @@ namespace airlight::physics {
 #include "shaders/shared/tables.h"
 #include "shaders/shared/analytic.h"
 #include "shaders/shared/glare.h"
+#include "shaders/shared/night.h"
 #include "shaders/shared/spheres.h"
 #include "shaders/shared/terrain.h"
 #include "shaders/shared/ground.h"
@@ -55,6 +56,7 @@ struct Physics {
   uint density_profiles = 0;  // four bits a medium
   uint phase_functions = 0;   // four bits a medium
   bool fade = false;
+  bool lit_disc = false;
   std::shared_ptr<const std::vector<vec3>> phase_samples;  // logarithms, tables one behind the other; null: none
   HostTable transmittance_lut;
   HostTable multiple_scattering_lut;
@@ -68,7 +70,11 @@ struct Physics {
   bool molecules_alone = false;  // molecules apart, no medium scatters with a direction
   HostTable sun_table;           // mean extinction to the top over the rows of shells (physics/shells.glsl)
   AnalyticData analytic{};
-  std::vector<GlarePoint> glare_points;             // the sum of the points first
+  std::vector<GlarePoint> glare_points;  // the sum of the points first
+  std::vector<vec3> night_texels;        // of what is beyond the air
+  std::vector<vec3> night_slopes;        // of what the air scatters
+  vec3 airglow{};
+  vec3 night_ground{};
   std::shared_ptr<const HostTerrain> terrain_maps;  // null: no terrain
   std::vector<SphereData> spheres;
   std::shared_ptr<const HostGround> ground_maps;  // null: one albedo
@@ -82,6 +88,7 @@ struct Physics {
   uint most_layers() const { return kMaxDensityLayers; }
   vec3 phase_sample(uint k) const { return (*phase_samples)[k]; }
   bool sun_fade_enabled() const { return fade; }
+  bool disc_is_lit() const { return lit_disc; }
   bool ground_reflects() const { return ground_irradiance_lut.width > 0; }
   vec3 fetch_transmittance(real x, real y) const { return transmittance_lut.fetch_unit(x, y); }
   vec3 fetch_multiple_scattering(real x, real y) const { return multiple_scattering_lut.fetch_unit(x, y); }
@@ -173,6 +180,12 @@ struct Physics {
   }
 #include "shaders/physics/sun_disc.glsl"
 #include "shaders/physics/sunlight.glsl"
+  vec3 night_map(uint i) const { return night_texels[i]; }
+  vec3 night_scattered(uint i) const { return night_slopes[i]; }
+  vec3 airglow_zenith() const { return airglow; }
+  vec3 night_on_ground() const { return night_ground; }
+#include "shaders/physics/night_sky.glsl"
+#include "shaders/physics/from_space.glsl"
 #include "shaders/physics/march.glsl"
 #include "shaders/physics/spread.glsl"
 #include "shaders/physics/multiple_scattering.glsl"

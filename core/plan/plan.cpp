@@ -18,9 +18,32 @@ void Plan::begin_scene(std::vector<std::byte> data, std::string suffix, std::str
 }
 
 void Plan::end_scene() {
-  current_scene_ = 0;
+  current_scene_ = first_scene_;
   suffix_.clear();
   channels_.clear();
+}
+
+void Plan::put_scene(std::vector<std::byte> data) {
+  (first_scene_ == 0 ? scene_data : more_scenes_[first_scene_ - 1]) = std::move(data);
+}
+
+void Plan::begin_light(std::vector<std::byte> data, std::string suffix) {
+  more_scenes_.push_back(std::move(data));
+  first_scene_ = static_cast<std::uint32_t>(more_scenes_.size());
+  light_ = std::move(suffix);
+  end_scene();
+}
+
+void Plan::end_light() {
+  first_scene_ = 0;
+  light_.clear();
+  end_scene();
+}
+
+std::optional<ImageId> Plan::table_of(const std::string& key) const {
+  const auto found = light_.empty() ? images_.end() : std::ranges::find(images_, key + suffix_, &ImageDesc::key);
+  return found == images_.end() ? std::nullopt
+                                : std::optional(ImageId{static_cast<std::uint32_t>(found - images_.begin())});
 }
 
 const std::vector<std::byte>& Plan::scene(std::size_t index) const {
@@ -32,21 +55,23 @@ const std::vector<std::byte>& Plan::scene_of(const PassDesc& pass) const {
 }
 
 ImageId Plan::add_image(ImageDesc desc) {
-  desc.name += suffix_;
-  desc.key += desc.key.empty() ? "" : suffix_;
+  desc.name += suffix_ + light_;
+  desc.key += desc.key.empty() ? "" : desc.stored ? suffix_ : suffix_ + light_;
   desc.channels = channels_;
   images_.push_back(std::move(desc));
   return {static_cast<std::uint32_t>(images_.size() - 1)};
 }
 
 BufferId Plan::add_buffer(BufferDesc desc) {
-  desc.name += suffix_;
-  desc.key += desc.key.empty() ? "" : suffix_;
+  desc.name += suffix_ + light_;
+  desc.key += desc.key.empty() ? "" : suffix_ + light_;
   buffers_.push_back(std::move(desc));
   return {static_cast<std::uint32_t>(buffers_.size() - 1)};
 }
 
 BufferId Plan::add_shared_buffer(BufferDesc desc) {
+  desc.name += light_;
+  desc.key += desc.key.empty() ? "" : light_;
   const auto found = std::ranges::find(buffers_, desc.name, &BufferDesc::name);
   if (found != buffers_.end()) {
     assert(found->bytes == desc.bytes);
@@ -64,8 +89,8 @@ BufferId Plan::add_buffer_once(BufferDesc desc) {
 
 void Plan::add_pass(PassDesc desc) {
   desc.scene = current_scene_;
-  if (!suffix_.empty()) {
-    desc.name = pass_name(desc) + suffix_;
+  if (const std::string suffix = suffix_ + light_; !suffix.empty()) {
+    desc.name = pass_name(desc) + suffix;
   }
   passes_.push_back(std::move(desc));
 }

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -114,8 +115,16 @@ class Plan {
   // From here on added passes read another scene, of as many bytes, and whatever is added gets the suffix to name and
   // key. `channels`: ImageDesc::channels of what is added.
   void begin_scene(std::vector<std::byte> data, std::string suffix, std::string channels);
-  // Returns to the first scene.
+  // Returns to the light's first scene.
   void end_scene();
+  // Replaces the light's first scene.
+  void put_scene(std::vector<std::byte> data);
+  // From here on added passes belong to another light: they read a first scene of their own, and what is added gets
+  // the light's suffix, to its name and, unless it is `stored` and so the same by any light, to its key.
+  void begin_light(std::vector<std::byte> data, std::string suffix);
+  void end_light();
+  // The table that an earlier light has already had added under this key.
+  std::optional<ImageId> table_of(const std::string& key) const;
   // The scene that the pass reads.
   const std::vector<std::byte>& scene_of(const PassDesc& pass) const;
   std::size_t scene_count() const { return 1 + more_scenes_.size(); }
@@ -123,7 +132,7 @@ class Plan {
 
   ImageId add_image(ImageDesc desc);
   BufferId add_buffer(BufferDesc desc);
-  // Adds one buffer for all scenes of the plan. A second call with this name returns the first buffer, whose contents
+  // Adds one buffer for all scenes of the light. A second call with this name returns the first buffer, whose contents
   // are equal.
   BufferId add_shared_buffer(BufferDesc desc);
   // Likewise one buffer for the current scene.
@@ -144,6 +153,8 @@ class Plan {
  private:
   std::vector<std::vector<std::byte>> more_scenes_;
   std::uint32_t current_scene_ = 0;
+  std::uint32_t first_scene_ = 0;  // of the light
+  std::string light_;
   std::string suffix_;
   std::string channels_;
   std::vector<ImageDesc> images_;

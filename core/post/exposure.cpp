@@ -37,6 +37,25 @@ double adapted_exposure(double luminance) {
   return kDay / kNoon * least_seen(kNoon) / least_seen(luminance);
 }
 
+// The same by the rods, which see where the eye's cones no longer do (Ferwerda, Pattanaik, Shirley and Greenberg,
+// SIGGRAPH 1996): their threshold, in proportion to luminance above 0.04 cd/m2, ends at 1e-4.
+double rods_exposure(double luminance) {
+  const auto by_cones = [](double log_luminance) { return std::pow(10.0, log_luminance - 1.255); };
+  const double x = std::log10(std::max(luminance, 1e-30));
+  double threshold = -2.86;
+  if (x >= -1.44) {
+    threshold = x - 0.395;
+  } else if (x > -3.94) {
+    threshold += std::pow(0.405 * x + 1.6, 2.18);
+  }
+  return kDay / kNoon * by_cones(std::log10(kNoon)) / std::pow(10.0, threshold);
+}
+
+// Whether the scene has a light of the night, which an eye in the dark would see.
+bool has_night(const Scene& scene) {
+  return scene.moon || scene.night_sky || scene.stars;
+}
+
 }  // namespace
 
 double exposure_for(const Scene& scene, const Statistics& statistics) {
@@ -45,7 +64,9 @@ double exposure_for(const Scene& scene, const Statistics& statistics) {
     return gain * *scene.display.exposure;
   }
   const double one = luminance_of_one(scene);
-  return one > 0.0 ? gain * one * adapted_exposure(one * statistics.metered_luminance) : gain;
+  const double luminance = one * statistics.metered_luminance;
+  const double adapted = adapted_exposure(luminance);
+  return one > 0.0 ? gain * one * (has_night(scene) ? std::max(adapted, rods_exposure(luminance)) : adapted) : gain;
 }
 
 double brightest_metered(const Scene& scene) {

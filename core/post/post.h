@@ -66,8 +66,8 @@ double exposure_for(const Scene& scene, const Statistics& statistics);
 // nor the part of it in the picture moves the exposure.
 double brightest_metered(const Scene& scene);
 
-// Whether there is bloom to see: a sun before the camera, or, for a chain, any pixel above the threshold.
-bool bloom_glows(const Part& part, const Statistics& statistics, double exposure);
+// Whether there is bloom to see: a light before the camera (`glares`), or, for a chain, any pixel above the threshold.
+bool bloom_glows(const Scene& scene, bool glares, const Statistics& statistics, double exposure);
 
 // Why there is no bloom, for people.
 std::string no_bloom(const Scene& scene);

@@ -122,12 +122,12 @@ std::vector<std::byte> row_statistics_of(const RadianceImage& rows, double brigh
   return bytes;
 }
 
-bool bloom_glows(const Part& part, const Statistics& statistics, double exposure) {
-  const Bloom& bloom = part.scene.bloom;
+bool bloom_glows(const Scene& scene, bool glares, const Statistics& statistics, double exposure) {
+  const Bloom& bloom = scene.bloom;
   if (!bloom.enabled || bloom.intensity <= 0.0) {
     return false;
   }
-  return bloom.model == BloomModel::glare ? sun_glares(part) : statistics.max_luminance * exposure > bloom.threshold;
+  return bloom.model == BloomModel::glare ? glares : statistics.max_luminance * exposure > bloom.threshold;
 }
 
 std::string no_bloom(const Scene& scene) {

@@ -44,6 +44,7 @@ bool add_sun_disc(Plan& plan, const Part& part, std::optional<ImageId> transmitt
   const ImageId table = transmittance ? *transmittance : add_disc_transmittance(plan, part.air);
   std::vector<Specialization> constants = sunlight_specialization(plan, part.air, table);
   constants.push_back({"kProjection", projection_code(part.scene.camera.projection)});
+  constants.push_back({"kLitDisc", part.scene.sun.disc.lit ? 1U : 0U});
   std::vector<Binding> reads{{"transmittance_lut", table}};
   const char* shader = "sun_disc";
   if (part.things.stand_in_the_air()) {

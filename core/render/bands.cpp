@@ -5,17 +5,44 @@
 #include <optional>
 #include <utility>
 
+#include "core/methods/ready.h"
 #include "core/plan/bytes.h"
 #include "core/post/host_post.h"
+#include "core/post/night_sky.h"
 #include "core/render/after_sky.h"
 #include "core/render/picture_key.h"
 #include "core/render/sky.h"
 #include "core/render/spectrum.h"
 #include "core/render/tile_sizes.h"
 #include "core/render/timings.h"
+#include "core/stage/sums.h"
 
 namespace airlight {
 namespace {
+
+// By each light in turn. Their noise is independent.
+HostPicture picture_on_host(const Stage& stage, const HostOptions& options) {
+  const std::span<const Stage> others = stage.others();
+  GroupRuns runs(options, 1 + others.size(), ".light");
+  Scene sun = stage.scene();
+  HostPicture all = stage.method().render_on_host(stage, View{}, others.empty() ? options : runs.start(sun, 0));
+  if (others.empty()) {
+    return all;
+  }
+  RadianceImage variance;
+  add_error(variance, all.standard_error, kAsTheyAre);
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    Scene scene = others[i].scene();
+    const HostOptions its = runs.start(scene, i + 1);
+    const HostPicture more = stage.method().render_on_host(ready(scene, others[i]), View{}, its);
+    add_part(all.radiance, more.radiance, kAsTheyAre);
+    add_error(variance, more.standard_error, kAsTheyAre);
+    add_new_lines(all.notes, more.notes);
+  }
+  take_roots(variance);
+  all.standard_error = std::move(variance);
+  return all;
+}
 
 // A band on its way.
 struct InWork {
@@ -97,7 +124,7 @@ Tile Bands::band_at(int y) const {
 // The whole picture by a method on the host, but for the disc.
 void Bands::trace() {
   open_for_post(device_, stage_, asked_);
-  HostPicture host = stage_.method().render_on_host(stage_, View{}, asked_.host);
+  HostPicture host = picture_on_host(stage_, asked_.host);
   out_.undone = std::move(host.notes);
   made_.radiance = std::move(host.radiance);
   if (!host.standard_error.rgba.empty()) {
@@ -171,6 +198,9 @@ InWork Bands::begun(const Tile& band) {
   static_cast<Pixels&>(work.rows) = is_whole(band) ? std::move(made_) : rows_of(made_, band);
   if (lacks_disc_) {
     draw_disc_over(work.rows.radiance, stage_, band);
+    if (stage_.night() != nullptr) {
+      draw_night_sky(work.rows.radiance, stage_, band);
+    }
   }
   if (!is_made_ && tile_width() < band.width) {
     render_columns(work);
@@ -295,7 +325,7 @@ void Bands::find_bloom() {
   if (!asked_.bloom || !scene_.bloom.enabled) {
     return;
   }
-  if (bloom_glows(stage_.whole(), out_.picture, out_.exposure)) {
+  if (bloom_glows(scene_, scene_.bloom.model == BloomModel::glare && glares(stage_), out_.picture, out_.exposure)) {
     bloom_ = bloom_of(stage_);
   } else {
     out_.left_out.push_back(no_bloom(scene_));

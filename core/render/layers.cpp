@@ -23,8 +23,8 @@ using physics::vec3;
 // Names of the layers that no medium gives its name to, and of the EXR's other channels.
 const std::set<std::string>& taken_names() {
   static const std::set<std::string> names{
-      "multiple", "sun", "ground", "transmittance", "depth",         "N", "Q", "U", "R",
-      "G",        "B",   "A",      "bloom",         "standard_error"};
+      "multiple", "sun", "moon", "night_sky", "ground", "transmittance", "depth",         "N", "Q",
+      "U",        "R",   "G",    "B",         "A",      "bloom",         "standard_error"};
   return names;
 }
 
@@ -102,9 +102,9 @@ void add_channels(Layer& layer, std::span<const float> channels, std::size_t pla
 }
 
 // Adds the device's planes of a part: those of layers_of() up to transmittance or U, without the media that do not
-// scatter in this part. `media`: those that scatter in any.
+// scatter in this part. `media`: those that scatter in any; `lets_through`: whether the transmittance counts.
 void add_planes(std::vector<Layer>& layers, std::span<const std::byte> bytes, const Part& part, std::uint32_t media,
-                bool stokes, std::size_t pixels) {
+                bool stokes, std::size_t pixels, bool lets_through) {
   std::size_t layer = 0;
   std::size_t plane = 0;
   const auto add = [&](bool is_there, const std::array<Rgb, 3>& colours) {
@@ -119,9 +119,14 @@ void add_planes(std::vector<Layer>& layers, std::span<const std::byte> bytes, co
       add((part.air.scattering_media() >> medium & 1u) != 0, part.colours);
     }
   }
-  add(true, part.colours);    // multiple
-  add(true, part.colours);    // ground
-  add(true, part.shares);     // transmittance
+  add(true, part.colours);  // multiple
+  add(true, part.colours);  // ground
+  if (lets_through) {
+    add(true, part.shares);  // transmittance
+  } else {
+    ++layer;
+    plane += 3 * pixels;
+  }
   add(stokes, part.colours);  // Q
   add(stokes, part.colours);  // U
   assert(plane * sizeof(float) == bytes.size());
@@ -131,6 +136,7 @@ void add_planes(std::vector<Layer>& layers, std::span<const std::byte> bytes, co
 void render_part(std::vector<Layer>& layers, Executor& executor, const Stage& stage, const Part& part, const View& view,
                  const Timings& timings) {
   const std::size_t pixels = pixels_of(*view.tile);
+  const bool is_sun = stage.light().empty();
   Plan plan;
   begin_part(plan, part, *view.tile);
   const LayerPasses passes = stage.method().add_layer_passes(plan, part, view);
@@ -139,9 +145,10 @@ void render_part(std::vector<Layer>& layers, Executor& executor, const Stage& st
   plan.end_scene();
   const RunResult result = executor.run(plan);
   timings.add(result);
-  add_planes(layers, result.contents(passes.planes), part, stage.scattering_media(), view.stokes, pixels);
+  add_planes(layers, result.contents(passes.planes), part, stage.scattering_media(), view.stokes, pixels, is_sun);
   if (shines) {
-    add_channels(find(layers, "sun"), floats(result.contents(disc), 0, 4 * pixels), 1, 4, part.colours);
+    add_channels(find(layers, is_sun ? "sun" : "moon"), floats(result.contents(disc), 0, 4 * pixels), 1, 4,
+                 part.colours);
   }
 }
 
@@ -166,6 +173,12 @@ std::vector<Layer> layers_of(const Stage& stage, LayerSet set) {
     layers.push_back({.name = "U", .channels = "RGB", .is_signed = true});
   }
   layers.push_back({"sun", "RGB", true});
+  if (scene.moon) {
+    layers.push_back({"moon", "RGB", true});
+  }
+  if (scene.night_sky || scene.stars) {
+    layers.push_back({"night_sky", "RGB", true});
+  }
   layers.push_back({"depth", "Z"});
   layers.push_back({.name = "N", .channels = "XYZ", .is_signed = true});
   return layers;
@@ -184,8 +197,22 @@ std::vector<Layer> render_layers(Executor& executor, const Stage& stage, LayerSe
   for (Layer& layer : layers) {
     layer.planes.assign(layer.channels.size() * pixels_of(tile), 0.0F);
   }
-  for (const Part& part : stage.parts()) {
-    render_part(layers, executor, stage, part, view, timings);
+  const auto render_light = [&](const Stage& lit) {
+    const std::string kept = kept_as.empty() ? "" : kept_as + lit.light();
+    for (const Part& part : lit.parts()) {
+      View of_light = view;
+      of_light.kept_as = kept;
+      render_part(layers, executor, lit, part, of_light, timings);
+    }
+  };
+  render_light(stage);
+  std::ranges::for_each(stage.others(), render_light);
+  if (stage.night() != nullptr) {
+    Plan plan;
+    const BufferId night = add_night_picture(plan, stage, tile);
+    const RunResult result = executor.run(plan);
+    timings.add(result);
+    add_channels(find(layers, "night_sky"), floats(result.contents(night), 0, 4 * pixels_of(tile)), 1, 4, kAsTheyAre);
   }
   add_geometry(layers, stage.scene(), stage.whole().things, tile);
   return layers;

@@ -83,7 +83,7 @@ struct DiscPoint {
   double share;
 };
 
-std::vector<DiscPoint> disc_points(const physics::Physics& p, const Sun& sun) {
+std::vector<DiscPoint> disc_points(physics::Physics& p, const Sun& sun) {
   constexpr int kRings = 12;
   constexpr int kAround = 24;
   const vec3 s = p.scene.sun.direction;
@@ -95,11 +95,13 @@ std::vector<DiscPoint> disc_points(const physics::Physics& p, const Sun& sun) {
   double total = 0.0;
   for (int ring = 0; ring < kRings; ++ring) {
     const double r = (ring + 0.5) / kRings;
-    const double profile = r * (1.0 - sun.disc.limb_darkening * (1.0 - std::sqrt(1.0 - r * r)));
+    const double limb = 1.0 - sun.disc.limb_darkening * (1.0 - std::sqrt(1.0 - r * r));
     const double off = r * sun.disc.angular_radius;
     for (int k = 0; k < kAround; ++k) {
       const double t = 2.0 * pi * (k + 0.5) / kAround;
-      points.push_back({angles_of(s * std::cos(off) + (a * std::cos(t) + b * std::sin(t)) * std::sin(off)), profile});
+      const vec3 direction = s * std::cos(off) + (a * std::cos(t) + b * std::sin(t)) * std::sin(off);
+      const double profile = r * (sun.disc.lit ? p.lit_profile(p.scene.sun, direction) : limb);
+      points.push_back({angles_of(direction), profile});
       total += profile;
     }
   }
@@ -214,8 +216,12 @@ Lighting lighting_of(const DeviceOnDemand& device, const Stage& stage, const Hos
   if (const std::string fault = rendering.fault(); !fault.empty()) {
     throw RunError("the sky for the irradiance: " + fault);
   }
-  return {irradiance_map(rendering.radiance, 0.0, kIrradianceWidth, kIrradianceHeight, scene.camera.azimuth),
-          project_to_sh(rendering.radiance, 0.0), sun_light(device, stage)};
+  Lighting lighting{irradiance_map(rendering.radiance, 0.0, kIrradianceWidth, kIrradianceHeight, scene.camera.azimuth),
+                    project_to_sh(rendering.radiance, 0.0), sun_light(device, stage)};
+  for (const Stage& other : stage.others()) {
+    lighting.moon = sun_light(device, other);
+  }
+  return lighting;
 }
 
 }  // namespace airlight

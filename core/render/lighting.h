@@ -28,8 +28,9 @@ ShRadiance project_to_sh(const RadianceImage& latlong, double azimuth);
 RadianceImage irradiance_map(const RadianceImage& latlong, double latlong_azimuth, int width, int height,
                              double azimuth);
 
-// The sun as a directional light: the light that reaches the camera's place from its disc, limb-darkened, dimmed by the
-// air and cut by the planet. It ignores sun.disc.visible and radiance_scale, which concern the picture alone.
+// The stage's light, sun or moon, as a directional light: the light that reaches the camera's place from its disc,
+// darkened toward its limb or lit on one side, dimmed by the air and cut by the planet. It ignores sun.disc.visible and
+// radiance_scale, which concern the picture alone.
 struct SunLight {
   Vector3 direction{};          // to the disc's centre
   double elevation = 0.0;       // radians
@@ -48,6 +49,7 @@ struct Lighting {
   RadianceImage irradiance;  // kIrradianceWidth x kIrradianceHeight, the centre toward the camera's azimuth
   ShRadiance sh{};
   SunLight sun;
+  std::optional<SunLight> moon = {};
 };
 
 // The light of the whole sphere around the camera's place, ground included, in whatever direction the camera looks. The

@@ -6,6 +6,7 @@
 #include "core/methods/ready.h"
 #include "core/methods/sky_pass.h"
 #include "core/plan/bytes.h"
+#include "core/post/night_sky.h"
 #include "core/render/after_sky.h"
 #include "core/render/bands.h"
 #include "core/render/sky.h"
@@ -89,8 +90,8 @@ namespace {
 
 // Radiance and transmittance of each listed direction, alternating, or four values each with Q and U (View::stokes).
 // `undone`: gets the method's notes.
-RadianceImage pairs_of(const DeviceOnDemand& device, const Stage& stage, const View& view,
-                       std::vector<std::string>& undone) {
+RadianceImage pairs_by_light(const DeviceOnDemand& device, const Stage& stage, const View& view,
+                             std::vector<std::string>& undone) {
   const auto count = static_cast<int>(view.directions.size());
   if (!samples(stage)) {
     Plan plan;
@@ -105,6 +106,31 @@ RadianceImage pairs_of(const DeviceOnDemand& device, const Stage& stage, const V
   for (int i = 0; i < count; ++i) {
     for (const RadianceImage* image : {&host.radiance, &host.transmittance}) {
       pairs.rgba.insert(pairs.rgba.end(), image->at(i, 0), image->at(i, 0) + 4);
+    }
+  }
+  return pairs;
+}
+
+// The same in all lights.
+RadianceImage pairs_of(const DeviceOnDemand& device, const Stage& stage, const View& view,
+                       std::vector<std::string>& undone) {
+  RadianceImage pairs = pairs_by_light(device, stage, view, undone);
+  const std::size_t each = view.stokes ? 16 : 8;
+  for (const Stage& other : stage.others()) {
+    const RadianceImage more = pairs_by_light(device, other, view, undone);
+    for (std::size_t i = 0; i < pairs.rgba.size(); ++i) {
+      const bool is_transmittance = i % each >= 4 && i % each < 8;
+      pairs.rgba[i] += is_transmittance || i % 4 == 3 ? 0.0F : more.rgba[i];
+    }
+  }
+  if (stage.scene().night_sky) {
+    physics::Physics p = night_formulas(stage);
+    for (std::size_t i = 0; i < view.directions.size(); ++i) {
+      const Direction& d = view.directions[i];
+      const physics::vec3 light = night_sky_along(p, p.direction_from_angles(d.elevation, d.azimuth));
+      pairs.rgba[each * i] += narrowed(light.x);
+      pairs.rgba[each * i + 1] += narrowed(light.y);
+      pairs.rgba[each * i + 2] += narrowed(light.z);
     }
   }
   return pairs;

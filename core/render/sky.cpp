@@ -1,8 +1,13 @@
 #include "core/render/sky.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "core/methods/sky_pass.h"
 #include "core/methods/spectral_sums.h"
 #include "core/post/host_post.h"
+#include "core/post/night_sky.h"
+#include "core/post/stars.h"
 #include "core/stage/sums.h"
 
 namespace airlight {
@@ -26,23 +31,18 @@ SkyPasses add_parts(Plan& plan, const Stage& stage, const View& view) {
   plan.end_scene();
   all.radiance = plan.add_buffer(radiance_buffer(view, plan.buffers()[pictures.front().index].bytes));
   for (std::size_t g = 0; g < pictures.size(); ++g) {
-    add_colours(plan, pictures[g], all.radiance, stage.parts()[g], g == 0);
+    add_colours(plan, pictures[g], all.radiance, stage.parts()[g].colours, stage.parts()[g].suffix, g == 0);
   }
   return all;
 }
 
-// The disc seen through the parts' tables of transmittance, one each, or through tables added here.
-bool add_disc(Plan& plan, const Stage& stage, std::vector<ImageId> tables, const Picture& picture) {
-  if (!stage.in_colours()) {
-    return add_sun_disc(plan, stage.whole(), tables.empty() ? std::nullopt : std::optional(tables.front()), picture);
-  }
-  if (!sun_disc_shows(stage.scene(), picture)) {
-    return false;
-  }
-  const Tile tile{static_cast<int>(picture.x), static_cast<int>(picture.y), static_cast<int>(picture.width),
-                  static_cast<int>(picture.height)};
-  std::vector<std::array<Rgb, 3>> colours;
+// A table of transmittance in the picture's colours: of the parts' tables, one each, or of tables added here.
+ImageId add_through(Plan& plan, const Stage& stage, std::vector<ImageId> tables, const Tile& tile) {
   const bool has_tables = !tables.empty();
+  if (!stage.in_colours()) {
+    return has_tables ? tables.front() : add_disc_transmittance(plan, stage.whole().air);
+  }
+  std::vector<std::array<Rgb, 3>> colours;
   for (const Part& part : stage.parts()) {
     if (!has_tables) {
       begin_part(plan, part, tile);
@@ -51,8 +51,16 @@ bool add_disc(Plan& plan, const Stage& stage, std::vector<ImageId> tables, const
     colours.push_back(part.shares);
   }
   plan.end_scene();
-  const ImageId through = add_colour_table(plan, "sunlight_colours", {}, tables, colours);
-  return add_sun_disc(plan, stage.whole(), through, picture);
+  return add_colour_table(plan, "sunlight_colours", {}, tables, colours);
+}
+
+void add_night(Plan& plan, const Stage& stage, ImageId through, const Picture& picture) {
+  if (stage.scene().night_sky) {
+    add_night_sky(plan, stage, through, picture);
+  }
+  if (stage.scene().stars) {
+    add_stars(plan, stage, through, picture);
+  }
 }
 
 physics::vec3 in_colours(const physics::vec3& channels, const std::array<Rgb, 3>& colours) {
@@ -60,43 +68,7 @@ physics::vec3 in_colours(const physics::vec3& channels, const std::array<Rgb, 3>
   return {sum(0), sum(1), sum(2)};
 }
 
-}  // namespace
-
-Sky add_sky(Plan& plan, const Stage& stage, const View& view, bool with_disc) {
-  const Tile tile = tile_of(stage.scene(), view);
-  plan.scene_data = device_scene_bytes(stage.whole().air, stage.scene(), tile);
-  std::optional<SkyPasses> sky;
-  if (stage.in_colours() && stage.method().add_coloured_passes != nullptr) {
-    sky = stage.method().add_coloured_passes(plan, stage, view);
-  }
-  if (!sky) {
-    sky = add_parts(plan, stage, view);
-  }
-  Sky made{sky->radiance, sky->tables, false, sky->more_tables};
-  if (with_disc) {
-    std::vector<ImageId> through;
-    const std::size_t each = made.tables.size() / stage.parts().size();
-    for (std::size_t g = 0; each > 0 && g < stage.parts().size(); ++g) {
-      through.push_back(made.tables[g * each]);
-    }
-    made.disc = add_disc(plan, stage, std::move(through), picture_of(made.radiance, tile));
-  }
-  return made;
-}
-
-bool draw_disc_over(RadianceImage& rows, const Stage& stage, const Tile& tile) {
-  bool shines = false;
-  for (const Part& part : stage.parts()) {
-    RadianceImage disc{rows.width, rows.height, std::vector<float>(rows.rgba.size())};
-    shines = draw_sun_disc(disc, part, tile);
-    if (shines) {
-      add_part(rows, disc, part.colours);
-    }
-  }
-  return shines;
-}
-
-std::vector<physics::GlarePoint> glare_points_of(const Stage& stage) {
+std::vector<physics::GlarePoint> glare_points_by_light(const Stage& stage) {
   std::vector<physics::GlarePoint> all;
   for (const Part& part : stage.parts()) {
     std::vector<physics::GlarePoint> points = glare_points(part);
@@ -109,6 +81,98 @@ std::vector<physics::GlarePoint> glare_points_of(const Stage& stage) {
     all = std::move(points);
   }
   return all;
+}
+
+// The sky by the stage's own light.
+Sky add_sky_by_light(Plan& plan, const Stage& stage, const View& view, bool with_disc) {
+  const Tile tile = tile_of(stage.scene(), view);
+  std::optional<SkyPasses> sky;
+  if (stage.in_colours() && stage.method().add_coloured_passes != nullptr) {
+    sky = stage.method().add_coloured_passes(plan, stage, view);
+  }
+  if (!sky) {
+    sky = add_parts(plan, stage, view);
+  }
+  Sky made{sky->radiance, sky->tables, false, sky->more_tables};
+  const Picture picture = picture_of(made.radiance, tile);
+  const bool shines = with_disc && sun_disc_shows(stage.scene(), picture);
+  const bool is_night = stage.night() != nullptr && view.directions.empty();
+  if (shines || is_night) {
+    std::vector<ImageId> tables;
+    const std::size_t each = made.tables.size() / stage.parts().size();
+    for (std::size_t g = 0; each > 0 && g < stage.parts().size(); ++g) {
+      tables.push_back(made.tables[g * each]);
+    }
+    const ImageId through = add_through(plan, stage, std::move(tables), tile);
+    made.disc = shines && add_sun_disc(plan, stage.whole(), through, picture);
+    if (is_night) {
+      add_night(plan, stage, through, picture);
+    }
+  }
+  return made;
+}
+
+}  // namespace
+
+Sky add_sky(Plan& plan, const Stage& stage, const View& view, bool with_disc) {
+  const Tile tile = tile_of(stage.scene(), view);
+  plan.scene_data = device_scene_bytes(stage.whole().air, stage.scene(), tile);
+  Sky all = add_sky_by_light(plan, stage, view, with_disc);
+  if (!view.directions.empty()) {
+    return all;
+  }
+  for (const Stage& other : stage.others()) {
+    View its_view = view;
+    its_view.kept_as += view.kept_as.empty() ? "" : other.light();
+    plan.begin_light(device_scene_bytes(other.whole().air, other.scene(), tile), other.light());
+    const Sky sky = add_sky_by_light(plan, other, its_view, with_disc);
+    plan.end_light();
+    add_colours(plan, sky.radiance, all.radiance, kAsTheyAre, other.light(), false);
+    all.disc = all.disc || sky.disc;
+  }
+  return all;
+}
+
+BufferId add_night_picture(Plan& plan, const Stage& stage, const Tile& tile) {
+  plan.scene_data = device_scene_bytes(stage.whole().air, stage.scene(), tile);
+  const std::size_t pixels = static_cast<std::size_t>(tile.width) * static_cast<std::size_t>(tile.height);
+  const BufferId picture =
+      plan.add_buffer({.name = "night", .bytes = 4 * pixels * sizeof(float), .host_readable = true});
+  add_night(plan, stage, add_through(plan, stage, {}, tile), picture_of(picture, tile));
+  return picture;
+}
+
+bool draw_disc_over(RadianceImage& rows, const Stage& stage, const Tile& tile) {
+  bool shines = false;
+  for (const Stage& other : stage.others()) {
+    shines = draw_disc_over(rows, other, tile);
+  }
+  for (const Part& part : stage.parts()) {
+    RadianceImage disc{rows.width, rows.height, std::vector<float>(rows.rgba.size())};
+    if (draw_sun_disc(disc, part, tile)) {
+      shines = true;
+      add_part(rows, disc, part.colours);
+    }
+  }
+  return shines;
+}
+
+std::vector<physics::GlarePoint> glare_points_of(const Stage& stage) {
+  const auto light = [](const std::vector<physics::GlarePoint>& points) {
+    return physics::dot(points.front().irradiance, physics::vec3(1.0));
+  };
+  std::vector<physics::GlarePoint> brightest = glare_points_by_light(stage);
+  for (const Stage& other : stage.others()) {
+    std::vector<physics::GlarePoint> points = glare_points_by_light(other);
+    if (light(points) > light(brightest)) {
+      brightest = std::move(points);
+    }
+  }
+  return brightest;
+}
+
+bool glares(const Stage& stage) {
+  return sun_glares(stage.whole()) || std::ranges::any_of(stage.others(), glares);
 }
 
 std::vector<std::string> spared_by(const Stage& stage) {

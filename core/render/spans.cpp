@@ -72,9 +72,9 @@ void add_part(std::span<AirTo> sums, std::span<const std::byte> bytes, bool pack
   }
 }
 
-// Adds one part's light and transmittance up to the spans.
-void add_air(Executor& executor, const Stage& stage, const Part& part, const Spans& spans, const SpanWay& way,
-             std::vector<PassTiming>* passes, std::span<AirTo> sums) {
+// Adds one part's light up to the spans, and its transmittance as these shares.
+void add_air(Executor& executor, const Stage& stage, const Part& part, const std::array<Rgb, 3>& shares,
+             const Spans& spans, const SpanWay& way, std::vector<PassTiming>* passes, std::span<AirTo> sums) {
   const ImageSize& image = stage.scene().image;
   Plan plan;
   begin_part(plan, part, {0, 0, image.width, image.height});  // as for the sky, so that its tables are already there
@@ -83,7 +83,7 @@ void add_air(Executor& executor, const Stage& stage, const Part& part, const Spa
   if (passes != nullptr) {
     add_timings(*passes, result.passes);
   }
-  add_part(sums, result.contents(added.air), added.packed, part.colours, part.shares);
+  add_part(sums, result.contents(added.air), added.packed, part.colours, shares);
 }
 
 // Parts of at most kMostSpans, or of one row.
@@ -119,7 +119,13 @@ std::vector<AirTo> air_of_spans(Executor& executor, const Stage& stage, const Sp
     const std::span<AirTo> sums = rest.first(some.size());
     rest = rest.subspan(some.size());
     for (const Part& part : stage.parts()) {
-      add_air(executor, stage, part, some, way, passes, sums);
+      add_air(executor, stage, part, part.shares, some, way, passes, sums);
+    }
+    for (const Stage& other : stage.others()) {
+      const SpanWay its_way{way.volume, way.kept_as.empty() ? "" : way.kept_as + other.light()};
+      for (const Part& part : other.parts()) {
+        add_air(executor, other, part, {}, some, its_way, passes, sums);
+      }
     }
     for (std::size_t i = 0; i < sums.size(); ++i) {
       require_sound(one_of(some, i, width), sums[i], stage.in_colours());

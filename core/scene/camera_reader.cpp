@@ -66,6 +66,7 @@ Camera read_camera(const Section& root) {
   section.refuse_unknown_keys();
   Camera camera;
   camera.altitude = section.number("altitude_km");
+  camera.julian_date = section.number("julian_date");
   camera.latitude = radians_from_degrees(section.number("latitude_deg"));
   camera.longitude = radians_from_degrees(section.number("longitude_deg"));
   camera.azimuth = radians_from_degrees(section.number("azimuth_deg"));

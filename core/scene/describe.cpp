@@ -176,6 +176,16 @@ void describe_sphere(Lines& lines, const Sphere& sphere, const Curve* albedo) {
   }
 }
 
+void describe_moon(Lines& lines, const Moon& moon) {
+  lines.heading("moon")
+      .angle("elevation", moon.elevation)
+      .angle("azimuth", moon.azimuth)
+      .angle("phase", moon.lit.phase)
+      .angle("bright limb", moon.lit.bright_limb)
+      .number("distance", moon.distance, "km")
+      .spectrum("irradiance", moon.irradiance);
+}
+
 void describe_camera(Lines& lines, const Camera& camera, const ImageSize& image) {
   lines.heading("camera")
       .number("altitude", camera.altitude, "km")
@@ -238,6 +248,21 @@ std::string describe(const Scene& scene) {
       .angle("disc angular radius", scene.sun.disc.angular_radius)
       .number("disc limb darkening", scene.sun.disc.limb_darkening)
       .number("disc radiance scale", scene.sun.disc.radiance_scale);
+  if (scene.moon) {
+    describe_moon(lines, *scene.moon);
+  }
+  if (scene.night_sky) {
+    lines.heading("night sky")
+        .number("airglow", scene.night_sky->airglow)
+        .number("zodiacal light", scene.night_sky->zodiacal)
+        .number("starlight", scene.night_sky->starlight);
+  }
+  if (scene.stars) {
+    lines.heading("stars").number("magnitude limit", scene.stars->magnitude_limit);
+  }
+  if (scene.night_sky || scene.stars) {
+    lines.number("Julian date", scene.camera.julian_date);
+  }
   describe_camera(lines, scene.camera, scene.image);
   describe_render(lines, scene.render);
   if (scene.spectra) {

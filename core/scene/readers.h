@@ -24,6 +24,16 @@ std::optional<GroundMap> read_ground_map(const Section& planet);
 // Reads `scene.spheres`. `albedos`: a curve for each.
 std::vector<Sphere> read_spheres(const Section& root, CurveReader& curves, std::vector<Curve>& albedos);
 
+// Reads `moon`; none where the preset has none. `sun`, `camera`, `planet`: of the scene, as read.
+std::optional<Moon> read_moon(const Section& root, const Scene& scene);
+
+// The moon's irradiance in the scene's channels, once the sun's is known there.
+Spectrum moon_irradiance(const Moon& moon, const Sun& sun, const BandColours& colours);
+
+// Read `night_sky` and `stars`; none where the preset has none.
+std::optional<NightSky> read_night_sky(const Section& root);
+std::optional<Stars> read_stars(const Section& root);
+
 // Reads the parts that depend on the projection: `camera`, the picture's size, which a map's layout restricts, and
 // `bloom`, which is none where it would stop at the edges of a map that is cut.
 Camera read_camera(const Section& root);

@@ -153,6 +153,9 @@ Scene read_scene(const Section& root, std::span<const MethodInfo> methods) {
   scene.spheres = read_spheres(root, curves, spectra.spheres);
   scene.media = read_media(root, scene.planet, curves, spectra);
   scene.sun = read_sun(root, curves, spectra);
+  scene.moon = read_moon(root, scene);
+  scene.night_sky = read_night_sky(root);
+  scene.stars = read_stars(root);
   scene.camera = read_camera(root);
   scene.image = read_image(root, scene.camera);
   scene.render = read_render_settings(root, methods);
@@ -161,6 +164,10 @@ Scene read_scene(const Section& root, std::span<const MethodInfo> methods) {
   if (curves.any() && !root.problems().any()) {
     scene.spectra = std::move(spectra);
     fill_channels(scene);
+  }
+  if (scene.moon) {
+    const SceneSpectra& by = scene.spectra ? *scene.spectra : spectra;
+    scene.moon->irradiance = moon_irradiance(*scene.moon, scene.sun, band_colours(by.sun, by.white));
   }
   refuse_misfits(root, scene, methods);
   scene.bloom = read_bloom(root, scene.camera);

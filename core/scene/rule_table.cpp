@@ -25,6 +25,11 @@ constexpr Range kPhaseAngle{.minimum = 0.0, .maximum = 180.0};
 constexpr Range kPhaseValue{.minimum = 0.0, .maximum = 1e9};
 constexpr Range kRightAngle{.minimum = -90.0, .maximum = 90.0};
 constexpr Range kAnyAngle{.minimum = -1e6, .maximum = 1e6};
+constexpr Range kHalfTurns{.minimum = -180.0, .maximum = 180.0};
+constexpr Range kMoonDistance{.minimum = 1e4, .maximum = 1e7};
+constexpr Range kNightFactor{.minimum = 0.0, .maximum = 1e4};
+constexpr Range kMagnitude{.minimum = -2.0, .maximum = 6.5};
+constexpr Range kJulianDate{.minimum = 2305447.5, .maximum = 2597641.5};  // the years 1600 to 2400
 constexpr Range kImageSide{.minimum = 1.0, .maximum = 65536.0};
 // 1e-4 degrees at irradiance 1e9 is a radiance of 1e20, far inside a 32-bit float.
 constexpr Range kDiscRadius{.minimum = 1e-4, .maximum = 10.0};
@@ -186,11 +191,40 @@ constexpr auto kRules = std::to_array<Rule>({
     number("sun.disc.limb_darkening", kUnit, "", "0.6", "u in I(mu) = 1 - u (1 - mu)"),
     number("sun.disc.radiance_scale", kFactor, "", "1", "1: the disc's mean radiance is irradiance / solid angle"),
 
+    number("moon.elevation_deg", kRightAngle, "degrees", "30",
+           "of the moon's centre above the horizontal plane; without `moon` there is none"),
+    number("moon.azimuth_deg", kAnyAngle, "degrees", "0", "clockwise from north"),
+    number("moon.phase_deg", kHalfTurns, "degrees", "",
+           "angle between sun and camera as the moon sees them: 0 full, 90 the first quarter, -90 the last; absent: by "
+           "the place of `sun`"),
+    number("moon.illuminated", kUnit, "", "", "in place of `phase_deg`: lit share of the disc, of a waxing moon"),
+    number("moon.distance_km", kMoonDistance, "km", "384400",
+           "from the camera; the disc is 0.52 degrees wide at 384 400"),
+    number("moon.bright_limb_deg", kAnyAngle, "degrees", "",
+           "where the middle of the bright limb is on the disc, from straight up counter-clockwise; absent: toward "
+           "`sun`"),
+
+    number(
+        "night_sky.airglow", kNightFactor, "", "1",
+        "factor on the glow of the air at 90 km, which is that of Paranal on a dark night; without `night_sky` there "
+        "is no such light, with `{}` all three. It is in cd/m2: a sun of no unit counts as 128 000 lux"),
+    number("night_sky.zodiacal", kNightFactor, "", "1",
+           "factor on sunlight from dust between the planets, which lies along the ecliptic"),
+    number("night_sky.starlight", kNightFactor, "", "1",
+           "factor on the light of stars fainter than magnitude 6.5, the Milky Way's with it"),
+
+    number("stars.magnitude_limit", kMagnitude, "", "6.5",
+           "of the faintest star drawn, in V; without `stars` there are none, with `{}` 8874, placed by the camera's "
+           "latitude, longitude and Julian date"),
+
     hinted("below 0 the camera is inside the planet",
            number("camera.altitude_km", kAltitude, "km", "0.001", "above the ground; above the atmosphere is allowed")),
     number("camera.latitude_deg", kRightAngle, "degrees", "0",
            "of the place that the camera is over, north positive: where it is on `planet.albedo_map`"),
     number("camera.longitude_deg", kAnyAngle, "degrees", "0", "likewise, east positive"),
+    number("camera.julian_date", kJulianDate, "days", "2451545",
+           "the time there, UTC, by which `stars` and `night_sky` are turned; 2451545 is noon on the first of January "
+           "2000"),
     number("camera.azimuth_deg", kAnyAngle, "degrees", "0", "where the picture's centre looks, clockwise from north"),
     number("camera.pitch_deg", kRightAngle, "degrees", "0",
            "elevation of the picture's centre; 0 for `equirectangular`, `cube` and `octahedral`"),

@@ -13,6 +13,7 @@
 #include "core/scene/method_info.h"
 #include "core/spectra/colour.h"
 #include "core/spectra/curve.h"
+#include "core/spectra/moonlight.h"
 #include "core/spectra/phase_table.h"
 
 namespace airlight {
@@ -152,11 +153,20 @@ struct Sphere {
   bool operator==(const Sphere&) const = default;
 };
 
+// A ball that shines by the sun's light.
+struct LitBall {
+  double phase = 0.0;        // rad, angle between sun and observer as the ball sees them
+  double bright_limb = 0.0;  // rad, where the middle of its bright limb is, from straight up to the left
+  double earthshine = 0.0;   // radiance by the earth's light over the disc's mean radiance
+  bool operator==(const LitBall&) const = default;
+};
+
 struct SunDisc {
   bool visible = true;
   double angular_radius = 0.0;  // rad
   double limb_darkening = 0.6;
   double radiance_scale = 1.0;
+  std::optional<LitBall> lit = {};  // absent: it shines by itself
 };
 
 struct Sun {
@@ -165,6 +175,31 @@ struct Sun {
   Spectrum irradiance{1.0, 1.0, 1.0};
   SunUnit unit = SunUnit::relative;  // of irradiance; radiance is in this unit per steradian
   SunDisc disc;
+};
+
+// A second light, far beyond the air.
+struct Moon {
+  double elevation = 0.0;               // rad
+  double azimuth = 0.0;                 // rad, clockwise from north
+  double distance = kMeanMoonDistance;  // km, from the camera
+  LitBall lit;                          // its phase is negative while the moon wanes
+  Curve over_sun;                       // irradiance over the sun's
+  Spectrum irradiance{};                // in the scene's channels and the unit of the sun's
+  bool operator==(const Moon&) const = default;
+};
+
+// The smooth light of a moonless night: factors on what it is on Earth.
+struct NightSky {
+  double airglow = 1.0;
+  double zodiacal = 1.0;
+  double starlight = 1.0;
+  bool operator==(const NightSky&) const = default;
+};
+
+// Stars as points, by the camera's place and time.
+struct Stars {
+  double magnitude_limit = 6.5;  // V
+  bool operator==(const Stars&) const = default;
 };
 
 struct Camera {
@@ -177,8 +212,9 @@ struct Camera {
   CubeLayout cube_layout = CubeLayout::stack;
   // Axis of a polarising filter, rad from the picture's up, clockwise as the photographer sees it; absent: no filter.
   std::optional<double> polariser = {};
-  double latitude = 0.0;   // rad, of the camera's place on the planet; north positive
-  double longitude = 0.0;  // rad, east positive
+  double latitude = 0.0;           // rad, of the camera's place on the planet; north positive
+  double longitude = 0.0;          // rad, east positive
+  double julian_date = 2451545.0;  // UTC, of the night sky over that place
 };
 
 // A map of the whole sphere, upright: pitch and roll are 0 and there is no field of view.
@@ -261,9 +297,10 @@ struct SceneSpectra {
   Curve ground_albedo;
   std::vector<Curve> spheres;  // albedo, in the order of the scene's
   Curve terrain_albedo;
-  Curve sun;                // above the air, up to a factor
-  int wavelengths = 0;      // 0: auto
-  double irradiance = 1.0;  // of the sun, as the preset gives it
+  Curve sun;                        // above the air, up to a factor
+  int wavelengths = 0;              // 0: auto
+  double irradiance = 1.0;          // of the sun, as the preset gives it
+  std::optional<Curve> light = {};  // the scene's light over that of `sun`, which white and irradiance go by; absent: 1
   White white = White::sun;
   bool operator==(const SceneSpectra&) const = default;
 };
@@ -277,6 +314,9 @@ struct Scene {
   std::vector<Sphere> spheres;
   std::vector<Medium> media;
   Sun sun;
+  std::optional<Moon> moon;
+  std::optional<NightSky> night_sky;
+  std::optional<Stars> stars;
   Camera camera;
   ImageSize image;
   RenderSettings render;

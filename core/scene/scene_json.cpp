@@ -219,11 +219,32 @@ std::string sun_json(const Scene& scene) {
       .str();
 }
 
+std::string moon_json(const Moon& moon) {
+  return JsonObject(2)
+      .degrees("elevation_deg", moon.elevation)
+      .degrees("azimuth_deg", moon.azimuth)
+      .degrees("phase_deg", moon.lit.phase)
+      .number("distance_km", moon.distance)
+      .degrees("bright_limb_deg", moon.lit.bright_limb)
+      .str();
+}
+
+std::string night_sky_json(const NightSky& sky) {
+  return JsonObject(2)
+      .number("airglow", sky.airglow)
+      .number("zodiacal", sky.zodiacal)
+      .number("starlight", sky.starlight)
+      .str();
+}
+
 std::string camera_json(const Camera& camera) {
   JsonObject object(2);
   object.number("altitude_km", camera.altitude);
   if (camera.latitude != 0.0 || camera.longitude != 0.0) {
     object.degrees("latitude_deg", camera.latitude).degrees("longitude_deg", camera.longitude);
+  }
+  if (camera.julian_date != Camera{}.julian_date) {
+    object.number("julian_date", camera.julian_date);
   }
   object.degrees("azimuth_deg", camera.azimuth)
       .degrees("pitch_deg", camera.pitch)
@@ -330,9 +351,17 @@ std::string to_json(const Scene& scene) {
   if (!scene.spheres.empty()) {
     object.add("scene", spheres_json(scene));
   }
-  object.add("media", media_json(scene))
-      .add("sun", sun_json(scene))
-      .add("camera", camera_json(scene.camera))
+  object.add("media", media_json(scene)).add("sun", sun_json(scene));
+  if (scene.moon) {
+    object.add("moon", moon_json(*scene.moon));
+  }
+  if (scene.night_sky) {
+    object.add("night_sky", night_sky_json(*scene.night_sky));
+  }
+  if (scene.stars) {
+    object.add("stars", JsonObject(2).number("magnitude_limit", scene.stars->magnitude_limit).str());
+  }
+  object.add("camera", camera_json(scene.camera))
       .add("image", image_json(scene))
       .add("render", render_json(scene))
       .add("bloom", bloom_json(scene.bloom))

@@ -83,12 +83,28 @@ std::vector<double> value_at(const KeyFrames& sequence, const std::string& point
   return a;
 }
 
+void add_moon(Frame& frame, const SunPath& path, Milliseconds utc) {
+  MoonAngles moon = moon_angles(utc, path.place);
+  if (path.refraction) moon.at.elevation_deg += refraction_deg(moon.at.elevation_deg, *path.refraction);
+  frame.keys.insert(frame.keys.end(), {{"/moon/elevation_deg", {std::min(90.0, round_to_micro(moon.at.elevation_deg))}},
+                                       {"/moon/azimuth_deg", {round_to_micro(moon.at.azimuth_deg)}},
+                                       {"/moon/distance_km", {round_to_micro(moon.distance_km)}},
+                                       {"/moon/phase_deg", {round_to_micro(moon.phase_deg)}}});
+}
+
 Frame frame_of(const SunPath& path, std::size_t index) {
   Frame frame;
-  SunAngles sun = sun_angles(path.first + static_cast<Milliseconds>(index) * path.step, path.place);
+  const Milliseconds utc = path.first + static_cast<Milliseconds>(index) * path.step;
+  SunAngles sun = sun_angles(utc, path.place);
   if (path.refraction) sun.elevation_deg += refraction_deg(sun.elevation_deg, *path.refraction);
   frame.keys = {{kElevation, {std::min(90.0, round_to_micro(sun.elevation_deg))}},
                 {kAzimuth, {round_to_micro(sun.azimuth_deg)}}};
+  if (path.moon) add_moon(frame, path, utc);
+  if (path.stars) {
+    frame.keys.insert(frame.keys.end(), {{"/camera/julian_date", {julian_date(utc)}},
+                                         {"/camera/latitude_deg", {path.place.latitude_deg}},
+                                         {"/camera/longitude_deg", {path.place.longitude_deg}}});
+  }
   return frame;
 }
 

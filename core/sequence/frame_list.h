@@ -23,6 +23,8 @@ struct SunPath {
   Milliseconds step = 0;   // above 0
   std::size_t count = 0;
   std::optional<Air> refraction = {};  // absent: the true elevation
+  bool moon = false;                   // whether frames have the moon's place and phase,
+  bool stars = false;                  // and the camera's place and time, by which the stars stand
 };
 
 // The sun's elevation, from `first` in equal steps, up or down.

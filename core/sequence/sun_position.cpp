@@ -58,31 +58,72 @@ void apparent_sun(Earth earth, double out[3]) {
 
 }  // namespace
 
-SunAngles sun_angles(Milliseconds utc, const Place& place) {
+namespace {
+
+struct Seen {
+  SunAngles angles;
+  double distance;  // m
+};
+
+// `at`: from the Earth's centre, m, J2000's axes; seen from the place.
+Seen seen_from(const Place& place, Milliseconds utc, double at[3]) {
   const double ut1 = static_cast<double>(utc) / static_cast<double>(kDay);
   const double tt = ut1 + delta_t(utc) / ERFA_DAYSEC;
-  double sun[3], of_date[3], turned[3][3], observer[3];
-  apparent_sun(earth_at(tt), sun);
+  double of_date[3], turned[3][3], observer[3];
   eraPnm00b(kUnixEpoch, tt, turned);
-  eraRxp(turned, sun, of_date);
+  eraRxp(turned, at, of_date);
   const double sidereal = eraGst06(kUnixEpoch, ut1, kUnixEpoch, tt, turned);
   double spin[3][3];
   eraIr(spin);
   eraRz(sidereal, spin);
-  eraRxp(spin, of_date, sun);  // now along the axes of the turning Earth
+  eraRxp(spin, of_date, at);  // now along the axes of the turning Earth
 
   const double longitude = place.longitude_deg * ERFA_DD2R;
   const double latitude = place.latitude_deg * ERFA_DD2R;
   constexpr int kWgs84 = 1;
   (void)eraGd2gc(kWgs84, longitude, latitude, 1000.0 * place.altitude_km, observer);  // fails for no place on Earth
   double from_here[3];
-  eraPmp(sun, observer, from_here);
+  eraPmp(at, observer, from_here);
   const double* const v = from_here;
   const double east = -std::sin(longitude) * v[0] + std::cos(longitude) * v[1];
   const double outward = std::cos(longitude) * v[0] + std::sin(longitude) * v[1];  // from the Earth's axis
   const double north = -std::sin(latitude) * outward + std::cos(latitude) * v[2];
   const double up = std::cos(latitude) * outward + std::sin(latitude) * v[2];
-  return {std::atan2(up, std::hypot(east, north)) * ERFA_DR2D, eraAnp(std::atan2(east, north)) * ERFA_DR2D};
+  return {{std::atan2(up, std::hypot(east, north)) * ERFA_DR2D, eraAnp(std::atan2(east, north)) * ERFA_DR2D},
+          eraPm(from_here)};
+}
+
+double terrestrial_days(Milliseconds utc) {
+  return static_cast<double>(utc) / static_cast<double>(kDay) + delta_t(utc) / ERFA_DAYSEC;
+}
+
+}  // namespace
+
+SunAngles sun_angles(Milliseconds utc, const Place& place) {
+  double sun[3];
+  apparent_sun(earth_at(terrestrial_days(utc)), sun);
+  return seen_from(place, utc, sun).angles;
+}
+
+MoonAngles moon_angles(Milliseconds utc, const Place& place) {
+  double moon[2][3], sun[3], across[3], at[3];
+  eraMoon98(kUnixEpoch, terrestrial_days(utc), moon);
+  eraSxp(ERFA_DAU, moon[0], at);
+  apparent_sun(earth_at(terrestrial_days(utc)), sun);
+  // The moon waxes while it is east of the sun: the two then turn about the ecliptic's north.
+  eraPxp(sun, at, across);
+  const double obliquity = eraObl06(ERFA_DJ00, 0.0);
+  const bool waxes = std::cos(obliquity) * across[2] - std::sin(obliquity) * across[1] > 0.0;
+  double to_sun[3], to_earth[3];
+  eraPmp(sun, at, to_sun);
+  eraSxp(-1.0, at, to_earth);
+  const double phase = eraSepp(to_sun, to_earth) * ERFA_DR2D;
+  const Seen seen = seen_from(place, utc, at);
+  return {seen.angles, seen.distance / 1000.0, waxes ? phase : -phase};
+}
+
+double julian_date(Milliseconds utc) {
+  return kUnixEpoch + static_cast<double>(utc) / static_cast<double>(kDay);
 }
 
 double refraction_deg(double true_elevation_deg, const Air& air) {

@@ -23,6 +23,17 @@ struct SunAngles {
 // for UTC: up to 0.9 s or 0.004 degrees.
 SunAngles sun_angles(Milliseconds utc, const Place& place);
 
+struct MoonAngles {
+  SunAngles at;
+  double distance_km = 0.0;  // from the place
+  double phase_deg = 0.0;    // as the preset's moon.phase_deg, seen from the Earth's centre
+};
+
+// The moon by ERFA's moon98 (Meeus, good to 0.003 degrees), its parallax with it.
+MoonAngles moon_angles(Milliseconds utc, const Place& place);
+
+double julian_date(Milliseconds utc);
+
 struct Air {
   double pressure_hpa = 1010.0;
   double temperature_c = 10.0;

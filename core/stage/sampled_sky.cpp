@@ -23,6 +23,7 @@ template <typename Value>
 SampledSky::Coefficients SampledSky::coefficients(double nm, Value value) const {
   const SceneSpectra& curves = *scene_.spectra;
   Coefficients c{.nm = nm, .albedo = value(curves.ground_albedo)};
+  c.light = curves.light ? value(*curves.light) : 1.0;
   for (std::size_t i = 0; i < curves.media.size(); ++i) {
     c.scattering[i] = value(curves.media[i].scattering);
     c.extinction[i] = c.scattering[i] + value(curves.media[i].absorption);
@@ -187,13 +188,13 @@ std::vector<SampledSky::Spectrum> SampledSky::spectra(const std::vector<Coeffici
   for (const Walk& walk : walks_) {
     Spectrum& light = all.emplace_back();
     for (const Coefficients& c : wavelengths) {
-      light.push_back(radiance(walk, c));
+      light.push_back(c.light * radiance(walk, c));
     }
   }
   if (sees_sun_) {
     Spectrum& sun = all.emplace_back();
     for (const Coefficients& c : wavelengths) {
-      sun.push_back(std::exp(-depth(c, to_sun_)));
+      sun.push_back(c.light * std::exp(-depth(c, to_sun_)));
     }
   }
   const std::size_t once = all.size();

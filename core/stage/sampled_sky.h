@@ -31,6 +31,7 @@ class SampledSky {
     Columns extinction{};
     Columns depolarization{};
     double albedo = 0.0;
+    double light = 1.0;  // over the sun's
   };
 
   // A lit part of a ray.

@@ -33,6 +33,16 @@ std::array<Rgb, 3> over_the_sun(std::array<Rgb, 3> colours, const Rgb& sun) {
   return colours;
 }
 
+// The same for a light of another spectrum than the sun's: relative to that light above the air.
+std::array<Rgb, 3> over_the_light(std::array<Rgb, 3> colours, const Scene& part, const Scene& whole) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      colours[k][c] *= whole.sun.irradiance[c] > 0.0 ? part.sun.irradiance[k] / whole.sun.irradiance[c] : 0.0;
+    }
+  }
+  return colours;
+}
+
 }  // namespace
 
 struct Stage::Content {
@@ -46,6 +56,11 @@ struct Stage::Content {
   mutable std::once_flag once = {};
   mutable std::atomic<bool> made = false;
   mutable std::vector<Part> parts = {};
+  std::function<std::vector<Stage>(const Stage&)> make_others = {};
+  std::string light = {};
+  mutable std::once_flag once_others = {};
+  mutable std::vector<Stage> others = {};
+  OnDemand<Night> night = {};
 
   void make_parts() const {
     const PartScenes scenes(whole.scene, basis.get());
@@ -60,9 +75,10 @@ struct Stage::Content {
       }
       Things things(scene, like);
       const std::array<Rgb, 3> colours = scenes.colours(g);
-      parts.push_back({std::move(scene), std::move(air), std::move(things), colours,
-                       over_the_sun(colours, basis.get().sun), " of group " + std::to_string(g),
-                       channels_of(basis.get(), scenes.nodes(g))});
+      const std::array<Rgb, 3> shares = whole.scene.spectra->light ? over_the_light(colours, scene, whole.scene)
+                                                                   : over_the_sun(colours, basis.get().sun);
+      parts.push_back({std::move(scene), std::move(air), std::move(things), colours, shares,
+                       " of group " + std::to_string(g), channels_of(basis.get(), scenes.nodes(g))});
     }
     known.clear();
     known_things.clear();
@@ -88,6 +104,24 @@ std::span<const Part> Stage::parts() const {
   }
   std::call_once(content_->once, [this] { content_->make_parts(); });
   return content_->parts;
+}
+
+std::span<const Stage> Stage::others() const {
+  if (content_->make_others) {
+    std::call_once(content_->once_others, [this] {
+      parts();  // for their airs
+      content_->others = content_->make_others(*this);
+    });
+  }
+  return content_->others;
+}
+
+const Night* Stage::night() const {
+  return content_->night ? &content_->night.get() : nullptr;
+}
+
+const std::string& Stage::light() const {
+  return content_->light;
 }
 
 const ColourBasis& Stage::basis() const {
@@ -133,6 +167,10 @@ Stage StageMaker::make() const {
     }
   }
   const Scene& scene = whole.scene;
+  OnDemand<Night> night;
+  if (scene.night_sky || scene.stars) {
+    night = OnDemand<Night>([scene = scene, air = whole.air] { return night_of(scene, air); });
+  }
   FitInputs inputs;
   OnDemand<ColourBasis> basis;
   if (scene.spectra && listed) {
@@ -149,7 +187,10 @@ Stage StageMaker::make() const {
                                                                         .inputs = std::move(inputs),
                                                                         .basis = std::move(basis),
                                                                         .known = std::move(known),
-                                                                        .known_things = std::move(known_things)}));
+                                                                        .known_things = std::move(known_things),
+                                                                        .make_others = others,
+                                                                        .light = light,
+                                                                        .night = night}));
 }
 
 Air air_like(const std::vector<Air>& known, const Scene& scene, const AirOptions& options) {

@@ -13,6 +13,7 @@
 
 #include "core/air/air.h"
 #include "core/air/scene_block.h"
+#include "core/night/night.h"
 #include "core/scene/scene.h"
 #include "core/stage/wavelengths.h"
 #include "core/things/things.h"
@@ -50,6 +51,16 @@ class Stage {
   // The parts whose sum is the picture. With spectra each is three wavelengths.
   std::span<const Part> parts() const;
 
+  // The same scene in each further light: its sun is that light. The picture is the sum over this stage and these.
+  // Their airs, things and wavelengths are this stage's.
+  std::span<const Stage> others() const;
+
+  // Null: the scene has no night sky.
+  const Night* night() const;
+
+  // Of what the light adds to a plan (Plan::begin_light); empty: the sun.
+  const std::string& light() const;
+
   // Whether the parts have spectra's wavelengths: then a sum may be a colour with a negative channel, and basis() says
   // which wavelengths they are.
   bool in_colours() const { return scene().spectra.has_value(); }
@@ -82,6 +93,9 @@ struct StageMaker {
   std::function<PartSettings(const Part& whole)> of_parts;
   std::optional<Nodes> listed;  // wavelengths; absent: the scene's own
   const Stage* like = nullptr;  // taken over is what equals something of it
+  // Makes the stages of the scene's further lights, once they are asked for.
+  std::function<std::vector<Stage>(const Stage&)> others = {};
+  std::string light = {};
 
   Stage make() const;
 

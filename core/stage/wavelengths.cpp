@@ -107,9 +107,14 @@ Scene PartScenes::scene(std::size_t part) const {
     for (std::size_t j = 0; j < 3 && group.ground && !group.ground->albedo_map.empty(); ++j) {
       group.ground->mix[c][j] = at_node(primaries_[j], nodes, at[c]);
     }
-    group.sun.irradiance[c] = spectra.irradiance;
+    group.sun.irradiance[c] = spectra.irradiance * (spectra.light ? at_node(*spectra.light, nodes, at[c]) : 1.0);
+    if (group.moon) {
+      group.moon->irradiance[c] = spectra.irradiance * at_node(group.moon->over_sun, nodes, at[c]);
+    }
   }
   group.spectra.reset();
+  group.night_sky.reset();  // which has colours, no wavelengths
+  group.stars.reset();
   return group;
 }
 

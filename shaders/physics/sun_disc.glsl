@@ -1,9 +1,38 @@
-// The sun's disc in a pixel: limb-darkened, seen through the air, each sample hidden by the planet on its own.
-// The includer defines before it: scene, transmittance_to_top(), bool disc_is_hidden(vec3 direction) (planet apart).
+// The sun's or the moon's disc in a pixel, seen through the air, each sample hidden by the planet on its own.
+// The includer defines before it: scene, transmittance_to_top(), bool disc_is_hidden(vec3 direction) (planet apart),
+// bool disc_is_lit(): the disc is a ball by another's light, else it shines by itself and darkens toward its limb.
+
+// The moon's surface follows the law of Lommel and Seeliger: radiance goes by mu0 / (mu0 + mu), cosines of the light's
+// and the view's angle with the normal. Over the disc its mean is
+//   1/2 (1 - sin(a/2) tan(a/2) log(cot(a/4)))   at the phase a (Lester, McCall and Tatum 1979).
+// This is the inverse, by which the disc sends as much light as its irradiance says.
+real lit_ball_scale(real phase) {
+  real half_phase = 0.5 * phase;
+  real slope = tan(half_phase);
+  real faded = phase > 0.0 ? sin(half_phase) * slope * log(1.0 / tan(0.5 * half_phase)) : 0.0;
+  return 2.0 / (1.0 - faded);
+}
+
+// Radiance of a lit ball over the mean of its disc.
+real lit_profile(SunData ball, vec3 direction) {
+  vec3 chord = direction - ball.direction;
+  // Across the line of sight; the cosine of so small an angle has no digits left.
+  vec3 off = (chord + ball.direction * (0.5 * dot(chord, chord))) / sin(ball.angular_radius);
+  real square = dot(off, off);
+  real mu = sqrt(max(1.0 - square, 0.0));
+  real mu_lit = max(dot(off - ball.direction * mu, ball.lit_from), 0.0);
+  real lit = mu_lit / max(mu_lit + mu, 1e-6);
+  return square < 1.0 ? ball.lit_scale * lit + ball.earthshine : 0.0;
+}
+
+// Radiance of the disc over that at its centre, or, of a lit ball, over the mean.
+real profile_of_disc(SunData sun, vec3 direction) {
+  return disc_is_lit() ? lit_profile(sun, direction) : disc_profile(sun, length(direction - sun.direction));
+}
 
 // Radiance of the disc at the camera, in this direction.
 vec3 disc_radiance(vec3 direction) {
-  real profile = disc_profile(scene.sun, length(direction - scene.sun.direction));
+  real profile = profile_of_disc(scene.sun, direction);
   Ray ray = ray_in_atmosphere(scene.planet, scene.camera.altitude, direction.y, scene.sun.direction.y, 1.0);
   vec3 through = ray.length_ < 0.0 ? vec3(1.0) : transmittance_to_top(scene.planet, ray.h, ray.mu);
   return ray.at_ground || disc_is_hidden(direction) ? vec3(0.0) : scene.sun.disc_radiance * through * profile;

@@ -1,4 +1,7 @@
 // The pass over the pixels of the sun's disc.
+layout(constant_id = 35) const uint kLitDisc = 0u;
+bool disc_is_lit() { return kLitDisc != 0u; }
+
 #include "physics/sun_disc.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;

@@ -38,6 +38,9 @@ struct SunData {
   vec3 disc_radiance;  // at the disc's centre, above the air
   real fade_scale;     // published lesson's fade, used when kSunFade is set
   real fade_bias;
+  vec3 lit_from;    // of a lit ball: to the light that shines on it
+  real lit_scale;   // mean radiance over that of the law of its surface
+  real earthshine;  // evenly over the disc, over the mean radiance
 };
 
 // Axes of the table of radiance moments (physics/moments.glsl). They follow from the planet and the air alone.

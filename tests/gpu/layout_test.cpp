@@ -37,6 +37,9 @@ std::map<std::string, std::size_t> host_offsets() {
   AIRLIGHT_MEMBER(sun.disc_radiance);
   AIRLIGHT_MEMBER(sun.fade_scale);
   AIRLIGHT_MEMBER(sun.fade_bias);
+  AIRLIGHT_MEMBER(sun.lit_from);
+  AIRLIGHT_MEMBER(sun.lit_scale);
+  AIRLIGHT_MEMBER(sun.earthshine);
   AIRLIGHT_MEMBER(camera.altitude);
   AIRLIGHT_MEMBER(camera.right);
   AIRLIGHT_MEMBER(camera.up);

@@ -36,6 +36,30 @@ double metered_exposure_now(const Scene& scene) {
   return metered_exposure([]() -> Executor& { return executor(); }, scene);
 }
 
+// With a light of the night the exposure goes on by the rods, at most 12 for each cd/m2; by day it is the same.
+TEST(Exposure, GoesOnIntoANightWithLights) {
+  const auto with_moon = [](Scene scene) {
+    scene.sun.unit = SunUnit::lux;
+    scene.sun.irradiance.fill(128000.0);
+    scene.moon.emplace().elevation = 0.5;
+    scene.moon->over_sun = moonlight(0.3, kMeanMoonDistance);
+    scene.moon->irradiance.fill(0.2);
+    return scene;
+  };
+  Scene day = earth_at(20.0);
+  day.sun.unit = SunUnit::lux;
+  day.sun.irradiance.fill(128000.0);
+  EXPECT_NEAR(exposure_of(with_moon(day)) / exposure_of(day), 1.0, 1e-4);
+  double before = exposure_of(with_moon(day));
+  for (const double sun : {0.0, -5.0, -8.0, -11.0, -14.0, -30.0}) {
+    const double now = exposure_of(with_moon(earth_at(sun)));
+    EXPECT_GT(now, 0.999 * before) << sun;
+    before = now;
+  }
+  EXPECT_GT(before, 1.0);
+  EXPECT_LT(before, 12.2);
+}
+
 TEST(Exposure, ShowsADayAsACameraDoes) {
   for (const double sun : {90.0, 60.0, 30.0, 10.0}) {
     EXPECT_NEAR(shown(earth_at(sun)) / kDay, 1.0, 0.1) << sun;

@@ -179,7 +179,7 @@ double mean_error_of(const RadianceImage& found, const RadianceImage& truth) {
 // The number that `auto` chooses keeps the error of a sky of all orders below half a percent, and is the smaller one
 // where that suffices. The bounds are a third above the results of scripts/spectral-errors.
 TEST(Spectral, AutomaticWavelengthsKeepTheError) {
-  struct Sky {
+  struct SkyCase {
     const char* air;
     const char* sun;
     double bound;
@@ -191,7 +191,7 @@ TEST(Spectral, AutomaticWavelengthsKeepTheError) {
                    {"name": "aerosol", "scattering_per_km": {"wavelengths_nm": [400, 700], "values": [0.02, 0.025]},
                     "absorption_per_km": {"wavelengths_nm": [400, 700], "values": [0.008, 0.001]}},
                    {"name": "ozone", "absorption_per_km": 0}], )";
-  for (const Sky& sky : {Sky{"", "40", 0.0035, 3}, Sky{"", "-4", 0.003, 6}, Sky{dust, "3", 0.003, 3}}) {
+  for (const SkyCase& sky : {SkyCase{"", "40", 0.0035, 3}, SkyCase{"", "-4", 0.003, 6}, SkyCase{dust, "3", 0.003, 3}}) {
     const Scene chosen = dusk_or_day(sky.air, sky.sun, 0);
     EXPECT_EQ(ready(chosen).basis().nodes.nm.size(), sky.wavelengths) << sky.air << sky.sun;
     const RadianceImage truth = render_now(dusk_or_day(sky.air, sky.sun, 48)).radiance;

@@ -41,6 +41,22 @@ INSTANTIATE_TEST_SUITE_P(
              "/planet/radius_km: an object is not a number; expected a number, 0.001 to 1e7 km"},
         Case{R"("planet": {"atmosphere_height_km": 0})", "/planet/atmosphere_height_km: 0 is outside 0.001 to 1e7 km"},
         Case{R"("sun": {"elevation_deg": 90.5})", "/sun/elevation_deg: 90.5 is outside -90 to 90 degrees"},
+        Case{R"("moon": {"elevation_deg": 91, "azimuth_deg": 0})",
+             "/moon/elevation_deg: 91 is outside -90 to 90 degrees"},
+        Case{R"("stars": {"magnitude_limit": 7})", "/stars/magnitude_limit: 7 is outside -2 to 6.5"},
+        Case{R"("night_sky": {"airglow": -1})", "/night_sky/airglow: -1 is outside 0 to 10000"},
+        Case{R"("camera": {"julian_date": 1e6})",
+             "/camera/julian_date: 1e6 is outside 2.3054475e6 to 2.5976415e6 days"},
+        Case{R"("moon": {"elevation_deg": 9, "azimuth_deg": 0, "phase_deg": 200})",
+             "/moon/phase_deg: 200 is outside -180 to 180 degrees"},
+        Case{R"("moon": {"elevation_deg": 9, "azimuth_deg": 0, "distance_km": 5000})",
+             "/moon/distance_km: 5000 is outside 10000 to 1e7 km"},
+        Case{R"("moon": {"elevation_deg": 9, "azimuth_deg": 0, "phase_deg": 20, "illuminated": 0.9})",
+             "/moon/illuminated: `phase_deg` says the same in another way; give one of the two"},
+        Case{R"("sun": {"elevation_deg": -21}, "moon": {"elevation_deg": 20, "azimuth_deg": 180})",
+             "/moon: the full moon stands in the planet's shadow, and a lunar eclipse is not modelled; move it or the "
+             "sun "
+             "by a degree"},
         Case{R"("sun": {"disc": {"angular_radius_deg": 0}})",
              "/sun/disc/angular_radius_deg: 0 is outside 0.0001 to 10 degrees"},
         Case{R"("sun": {"disc": {"limb_darkening": 1.1}})", "/sun/disc/limb_darkening: 1.1 is outside 0 to 1"},
@@ -149,11 +165,11 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{R"("a/b~c": 3)",
                          "/a~1b~0c: unknown key; expected one of $schema, airlight, bloom, camera, description, "
                          "display, extends, image, "
-                         "media, name, planet, render, scene, sequence, sun"},
+                         "media, moon, name, night_sky, planet, render, scene, sequence, stars, sun"},
                     Case{R"("": 3)",
                          "/: unknown key; expected one of $schema, airlight, bloom, camera, description, display, "
-                         "extends, image, media, "
-                         "name, planet, render, scene, sequence, sun"}));
+                         "extends, image, media, moon, "
+                         "name, night_sky, planet, render, scene, sequence, stars, sun"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Methods, Refusal,
@@ -295,7 +311,7 @@ TEST(Refusals, ComeAllAtOnceInTheOrderOfTheLines) {
       "test:6: /media/1/phase/g: 2 is outside -0.99 to 0.99\n"
       "test:7: /media/1/density/below_km: 0 is outside 1e-6 to 1e7 km\n"
       "test:9: /colour: unknown key; expected one of $schema, airlight, bloom, camera, description, display, extends, "
-      "image, media, name, planet, render, scene, sequence, sun");
+      "image, media, moon, name, night_sky, planet, render, scene, sequence, stars, sun");
 }
 
 TEST(Refusals, CountTheLayersOfAllMediaTogether) {

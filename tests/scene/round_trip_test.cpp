@@ -98,7 +98,10 @@ TEST(RoundTrip, KeepsEveryValue) {
       {"name": "e", "density": {"profile": "height-fog", "base_km": 0.25, "scale_height_km": 0.125}}],
     "sun": {"elevation_deg": -12.34, "azimuth_deg": 1234.5, "irradiance": [1.5, 1.6, 1.7], "unit": "W/m2",
             "disc": {"visible": false, "angular_radius_deg": 0.31, "limb_darkening": 0.1, "radiance_scale": 3}},
-    "camera": {"altitude_km": 12, "azimuth_deg": 33.3, "pitch_deg": -7.7, "roll_deg": 181.1, "projection": "fisheye",
+    "moon": {"elevation_deg": 12.25, "azimuth_deg": -33, "phase_deg": -77.5, "distance_km": 362000,
+             "bright_limb_deg": 42},
+    "stars": {"magnitude_limit": 4.5}, "night_sky": {"airglow": 2, "zodiacal": 0.5, "starlight": 3},
+    "camera": {"altitude_km": 12, "julian_date": 2461120.4375, "azimuth_deg": 33.3, "pitch_deg": -7.7, "roll_deg": 181.1, "projection": "fisheye",
                "vertical_fov_deg": 123.4, "polariser": {"angle_deg": 32.5}},
     "image": {"width": 17, "height": 19},
     "render": {"method": "orders", "steps": 77, "transmittance_lut": [128, 32], "multiple_scattering_scale": 0,
@@ -113,6 +116,17 @@ TEST(RoundTrip, KeepsEveryValue) {
   EXPECT_EQ(scene.render.get<SunFade>("sun_fade"), (SunFade{10, 0.1}));
   EXPECT_EQ(scene.display.tonemap, ToneCurve::none);
   expect_same(scene, scene_from(to_json(scene)));
+}
+
+TEST(Moon, TakesItsPhaseFromTheSunsPlaceOrItsLitShare) {
+  const auto moon = [](const char* keys) { return *scene_from(with_one_medium(keys)).moon; };
+  const Moon opposite = moon(R"("sun": {"elevation_deg": -30}, "moon": {"elevation_deg": 40, "azimuth_deg": 180})");
+  EXPECT_NEAR(opposite.lit.phase, 10.0 * M_PI / 180, 0.03 * M_PI / 180);
+  EXPECT_NEAR(std::abs(opposite.lit.bright_limb), 0.0, 1e-9);  // the sun is nearer over the zenith
+  const Moon beside = moon(R"("sun": {"elevation_deg": 0}, "moon": {"elevation_deg": 0, "azimuth_deg": 90})");
+  EXPECT_NEAR(beside.lit.phase, 89.853 * M_PI / 180, 0.001 * M_PI / 180);  // as of Aristarchus
+  EXPECT_NEAR(beside.lit.bright_limb, M_PI / 2, 1e-9);
+  EXPECT_NEAR(moon(R"("moon": {"elevation_deg": 5, "azimuth_deg": 90, "illuminated": 0.5})").lit.phase, M_PI / 2, 1e-9);
 }
 
 TEST(RoundTrip, KeepsSpheres) {

@@ -118,6 +118,10 @@ void expect_same(const Scene& a, const Scene& b) {
   EXPECT_EQ(a.sun.elevation, b.sun.elevation);
   EXPECT_EQ(a.sun.azimuth, b.sun.azimuth);
   EXPECT_EQ(a.sun.irradiance, b.sun.irradiance);
+  EXPECT_EQ(a.moon, b.moon);
+  EXPECT_EQ(a.night_sky, b.night_sky);
+  EXPECT_EQ(a.stars, b.stars);
+  EXPECT_EQ(a.camera.julian_date, b.camera.julian_date);
   EXPECT_EQ(a.sun.unit, b.sun.unit);
   EXPECT_EQ(a.sun.disc.visible, b.sun.disc.visible);
   EXPECT_EQ(a.sun.disc.angular_radius, b.sun.disc.angular_radius);

@@ -78,6 +78,7 @@ std::vector<Rgb> shares_of(const std::vector<Rgb>& colours) {
 
 Part mean_part(const Stage& stage) {
   Scene mean = mean_scene(stage.parts(), shares_of(stage.basis().matrix));
+  mean.sun.irradiance.fill(stage.scene().spectra->irradiance);
   Air air(mean.media, mean.planet, stage.parts().front().air.options());
   Things things(mean, {&stage.whole().things});
   return {std::move(mean), std::move(air), std::move(things)};
@@ -96,6 +97,11 @@ Wavelengths::Wavelengths(const Stage& stage)
     groups_.back().polarisation = part.scene.render.polarisation;
   }
   for (std::size_t k = 0; k < count_; ++k) {
+    if (const std::optional<Curve>& light = stage.scene().spectra->light) {
+      for (double& channel : colours_[k]) {
+        channel *= at_node(*light, stage.basis().nodes, k);
+      }
+    }
     const physics::Physics& p = groups_[k / 3];
     for (uint i = 0; i < media_; ++i) {
       scattering_[i].at[k] = three_of(p.medium(i).scattering)[k % 3];

@@ -1,0 +1,161 @@
+#include "core/night/night.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/night/background.h"
+#include "core/night/celestial.h"
+#include "core/night/night_air.h"
+#include "core/night/stars.h"
+#include "core/scene/photometry.h"
+#include "core/spectra/data.h"
+
+namespace airlight {
+namespace {
+
+using physics::vec3;
+using std::numbers::pi;
+
+// The colours of lights of known luminance.
+class Colours {
+ public:
+  explicit Colours(const Scene& scene)
+      : sun_(scene.spectra ? scene.spectra->sun : solar_irradiance()),
+        bands_(band_colours(sun_, scene.spectra ? scene.spectra->white : White::sun)),
+        one_(radiance_of_one(scene)) {}
+
+  // Radiance of so many cd/m2 of a light of this spectrum. `value`: of the spectrum, up to a factor, over a band.
+  template <class Value>
+  vec3 of(double luminance, Value value) const {
+    std::array<double, kFineBands> relative{};
+    std::ranges::transform(fine_bands(), relative.begin(), [&](const WaveBand& band) {
+      return value(band) / std::max(mean_over(sun_, band.low, band.high), 1e-30);
+    });
+    const Rgb colour = colour_of(bands_, relative);
+    const double scale = one_ * luminance / bt709_luminance(colour);
+    return {colour[0] * scale, colour[1] * scale, colour[2] * scale};
+  }
+  vec3 as_sunlight(double luminance) const {
+    return of(luminance, [this](const WaveBand& band) { return mean_over(sun_, band.low, band.high); });
+  }
+
+ private:
+  // Radiance of 1 cd/m2. A sun without a unit counts as Earth's.
+  static double radiance_of_one(const Scene& scene) {
+    const std::optional<double> white = white_luminance(scene.sun.unit);
+    return white ? 1.0 / *white : bt709_luminance(scene.sun.irradiance) / kSunlight;
+  }
+
+  Curve sun_;
+  BandColours bands_;
+  double one_;
+};
+
+// The middle of a texel of the map, in the preset's frame.
+vec3 texel_direction(physics::Physics& p, physics::uint column, physics::uint row) {
+  return p.direction_from_angles(pi * (0.5 - (row + 0.5) / physics::kNightRows),
+                                 2.0 * pi * (column + 0.5) / physics::kNightColumns);
+}
+
+// Zodiacal light and faint stars, in stars of 10th magnitude a square degree.
+double beyond_the_air(const NightSky& wish, const CelestialFrame& frame, double sun, const vec3& direction) {
+  constexpr double kObliquity = 23.4392911 * pi / 180.0;
+  const vec3 star = frame.to_j2000(direction);
+  const double x = star.x;
+  const double y = star.y * std::cos(kObliquity) + star.z * std::sin(kObliquity);
+  const double z = star.z * std::cos(kObliquity) - star.y * std::sin(kObliquity);
+  const double latitude = std::atan2(z, std::hypot(x, y));
+  return wish.zodiacal * zodiacal_light(std::atan2(y, x) - sun, latitude) + wish.starlight * faint_stars(star);
+}
+
+double mean_van_rhijn(physics::Physics& p, double altitude) {
+  constexpr int kSlopes = 200;
+  double sum = 0.0;
+  for (int i = 0; i < kSlopes; ++i) {
+    sum += p.van_rhijn(p.scene.planet, altitude, (i + 0.5) / kSlopes) / kSlopes;
+  }
+  return sum;
+}
+
+}  // namespace
+
+void Night::put_into(physics::Physics& p) const {
+  p.night_texels = beyond;
+  p.night_slopes = scattered;
+  p.airglow = airglow;
+  p.night_ground = ground;
+}
+
+namespace {
+
+// Stars in the colours of black bodies, which are interpolated.
+std::vector<NightStar> stars_of(const Scene& scene, const Colours& colours, const CelestialFrame& frame) {
+  constexpr double kBluest = -0.4;
+  constexpr double kStep = 0.1;
+  constexpr int kColours = 30;
+  std::vector<vec3> of_colour;
+  for (int i = 0; i < kColours; ++i) {
+    const double kelvin = star_temperature(kBluest + kStep * i);
+    of_colour.push_back(colours.of(1.0, [kelvin](const WaveBand& band) {
+      const double nm = 0.5 * (band.low + band.high);
+      return std::pow(nm, -5.0) / std::expm1(1.438777e7 / (nm * kelvin));
+    }));
+  }
+  std::vector<NightStar> stars;
+  for (const CatalogueStar& star : bright_stars()) {
+    if (star.magnitude > scene.stars->magnitude_limit) {
+      break;
+    }
+    const double x = std::clamp((star.colour - kBluest) / kStep, 0.0, kColours - 1.001);
+    const auto i = static_cast<std::size_t>(x);
+    const double u = x - static_cast<double>(i);
+    const vec3 colour = of_colour[i] * (1.0 - u) + of_colour[i + 1] * u;
+    stars.push_back({frame.apparent(star.j2000), colour * star_illuminance(star.magnitude)});
+  }
+  return stars;
+}
+
+void add_background(Night& night, const Scene& scene, const Air& air, const Colours& colours,
+                    const CelestialFrame& frame) {
+  const NightSky& wish = *scene.night_sky;
+  physics::Physics p = air.formulas();
+  const double sun = sun_longitude(scene.camera.julian_date);
+  const vec3 one = colours.as_sunlight(kS10);
+  vec3 sum(0.0);
+  double weights = 0.0;
+  for (physics::uint row = 0; row < physics::kNightRows; ++row) {
+    for (physics::uint column = 0; column < physics::kNightColumns; ++column) {
+      const vec3 direction = texel_direction(p, column, row);
+      night.beyond.push_back(one * beyond_the_air(wish, frame, sun, direction));
+      const double weight = direction.y > 0.0 ? std::hypot(direction.x, direction.z) : 0.0;
+      sum = sum + night.beyond.back() * weight;
+      weights += weight;
+    }
+  }
+  const double lumens = wish.airglow * illuminance(airglow());
+  night.airglow = colours.of(lumens, [](const WaveBand& band) { return mean_over(airglow(), band.low, band.high); });
+  const NightAir lit = night_air(air, scene.camera.altitude);
+  const vec3 mean = sum / weights + night.airglow * mean_van_rhijn(p, std::min(scene.camera.altitude, 80.0));
+  for (const vec3& scattered : lit.scattered) {
+    night.scattered.push_back(scattered * mean);
+  }
+  night.ground = lit.ground * mean;
+}
+
+}  // namespace
+
+Night night_of(const Scene& scene, const Air& air) {
+  const Colours colours(scene);
+  const CelestialFrame frame = celestial_frame(scene.camera.julian_date, scene.camera.latitude, scene.camera.longitude);
+  Night night;
+  if (scene.stars) {
+    night.stars = stars_of(scene, colours, frame);
+  }
+  if (scene.night_sky) {
+    add_background(night, scene, air, colours, frame);
+  }
+  return night;
+}
+
+}  // namespace airlight

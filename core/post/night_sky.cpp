@@ -1,0 +1,87 @@
+#include "core/post/night_sky.h"
+
+#include <utility>
+
+#include "core/air/scene_block.h"
+#include "core/luts/luts.h"
+#include "core/plan/bytes.h"
+#include "core/post/stars.h"
+#include "core/things/thing_buffers.h"
+
+namespace airlight {
+namespace {
+
+std::vector<std::byte> night_bytes(const Night& night) {
+  std::vector<float> values;
+  const auto put = [&](const physics::vec3& v) {
+    values.insert(values.end(), {narrowed(v.x), narrowed(v.y), narrowed(v.z), 0.0F});
+  };
+  for (const physics::vec3& texel : night.beyond) {
+    put(texel);
+  }
+  for (const physics::vec3& slope : night.scattered) {
+    put(slope);
+  }
+  put(night.airglow);
+  put(night.ground);
+  return bytes_of(values);
+}
+
+}  // namespace
+
+void add_night_sky(Plan& plan, const Stage& stage, ImageId through, const Picture& picture) {
+  const Part& part = stage.whole();
+  std::vector<Specialization> constants = sunlight_specialization(plan, part.air, through);
+  constants.push_back({"kProjection", projection_code(part.scene.camera.projection)});
+  std::vector<Binding> reads{{"transmittance_lut", through},
+                             {"night_sky", plan.add_buffer(filled_buffer("night_sky", night_bytes(*stage.night())))}};
+  const char* shader = "night_sky";
+  if (part.things.stand_in_the_air()) {
+    shader = "night_sky_things";
+    const ThingInputs things = add_things(plan, part.scene, part.things);
+    reads.insert(reads.end(), things.reads.begin(), things.reads.end());
+    constants.insert(constants.end(), things.constants.begin(), things.constants.end());
+  }
+  plan.add_pass({.name = "night_sky",
+                 .shader = shader,
+                 .reads = std::move(reads),
+                 .writes = {{"radiance_out", picture.buffer}},
+                 .grid = {picture.width, picture.height, 1},
+                 .push_constants = {picture.width, picture.height},
+                 .specialization = std::move(constants),
+                 .cost = 2.0});
+}
+
+physics::Physics night_formulas(const Stage& stage) {
+  physics::Physics p = formulas_of(stage.whole().air, stage.scene());
+  p.sun_steps = physics::kTransmittanceSteps;
+  stage.night()->put_into(p);
+  return p;
+}
+
+void draw_night_sky(RadianceImage& picture, const Stage& stage, const Tile& tile) {
+  physics::Physics p = night_formulas(stage);
+  if (stage.scene().stars) {
+    draw_stars(picture, p, stage, tile);
+  }
+  if (!stage.scene().night_sky) {
+    return;
+  }
+  const physics::uint projection = projection_code(stage.scene().camera.projection);
+  std::size_t i = 0;
+  for (int y = tile.y; y < tile.y + tile.height; ++y) {
+    for (int x = tile.x; x < tile.x + tile.width; ++x, i += 4) {
+      const auto ray = p.view_ray(p.scene.camera, projection, x + 0.5, y + 0.5);
+      const physics::vec3 light = ray.inside ? night_sky_along(p, ray.direction) : physics::vec3(0.0);
+      picture.rgba[i] += narrowed(light.x);
+      picture.rgba[i + 1] += narrowed(light.y);
+      picture.rgba[i + 2] += narrowed(light.z);
+    }
+  }
+}
+
+physics::vec3 night_sky_along(physics::Physics& p, const physics::vec3& direction) {
+  return p.night_along(p.scene.planet, p.scene.camera.altitude, direction);
+}
+
+}  // namespace airlight

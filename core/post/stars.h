@@ -1,0 +1,29 @@
+#pragma once
+// Stars as points of a picture.
+
+#include <cstdint>
+#include <vector>
+
+#include "core/post/post.h"
+#include "core/radiance_image.h"
+
+namespace airlight {
+
+// A pixel of a tile, from its upper left one, and the radiance of its stars above the air.
+struct StarPixel {
+  std::uint32_t x = 0;
+  std::uint32_t y = 0;
+  physics::vec3 radiance{};
+};
+
+// Each star is shared among the four pixels whose middles are around it, by its distance from them: what it adds to
+// radiance times solid angle is its irradiance, at any size, projection and tile. No pixel is listed twice.
+std::vector<StarPixel> star_pixels(physics::Physics& p, const Scene& scene, const Night& night, const Tile& tile);
+
+// Adds the stage's stars, each pixel seen through a table of transmittance in the picture's colours.
+void add_stars(Plan& plan, const Stage& stage, ImageId through, const Picture& picture);
+
+// The same on the host. `p`: the stage's formulas.
+void draw_stars(RadianceImage& picture, physics::Physics& p, const Stage& stage, const Tile& tile);
+
+}  // namespace airlight

@@ -1,0 +1,193 @@
+// The night sky: its parts against what is known of them, and the pictures against the formulas in double.
+
+#include <cmath>
+#include <numbers>
+
+#include "core/night/background.h"
+#include "core/night/night_air.h"
+#include "core/post/night_sky.h"
+#include "core/scene/photometry.h"
+#include "tests/methods/render_fixture.h"
+#include "tests/methods/spectral_scene.h"
+#include "tests/of_scene.h"
+
+namespace airlight::test {
+namespace {
+
+// The built-in air over Paranal, 2.635 km above the sea, on a night with the galaxy's plane low.
+Scene paranal(double sun_elevation_deg) {
+  Scene scene = resolve(load_preset(AIRLIGHT_SOURCE_DIR "/presets/earth.json"), method_infos());
+  scene.sun.elevation = sun_elevation_deg * kDegree;
+  scene.sun.unit = SunUnit::lux;
+  scene.spectra->irradiance = kSunlight;
+  scene.sun.irradiance.fill(kSunlight);
+  scene.camera.altitude = 2.635;
+  scene.camera.latitude = -24.6 * kDegree;
+  scene.camera.longitude = -70.4 * kDegree;
+  scene.camera.julian_date = 2452000.6;
+  scene.night_sky = NightSky{};
+  return scene;
+}
+
+// Magnitudes a square arc second (V) at the zenith.
+double zenith_magnitude(double sun_elevation_deg) {
+  const ProbeResult up = probe_now(paranal(sun_elevation_deg), {{0.5 * std::numbers::pi, 0.0}}).front();
+  return -2.5 * std::log10(bt709_luminance(up.radiance) / 1.08e5);
+}
+
+TEST(NightSky, IsAsDarkAsParanals) {
+  EXPECT_NEAR(zenith_magnitude(-30.0), 21.5, 0.3);
+}
+
+// Patat, Ugolnikov and Postylyakov, Astronomy and Astrophysics 455 (2006) 385: the zenith at Paranal in V as the sun
+// goes down. From 12 degrees down airglow and starlight flatten the curve as they do there; before that twilight is
+// scattered sunlight, which comes out too dark (core/NIGHT.md).
+TEST(NightSky, EndsTheTwilight) {
+  EXPECT_NEAR(zenith_magnitude(-12.844), 20.25, 0.35);  // 0.30 too dark
+  EXPECT_NEAR(zenith_magnitude(-13.746), 20.78, 0.25);
+  EXPECT_NEAR(zenith_magnitude(-14.816), 21.19, 0.25);
+  EXPECT_NEAR(zenith_magnitude(-16.784), 21.44, 0.25);
+  EXPECT_NEAR(zenith_magnitude(-18.413), 21.52, 0.25);
+}
+
+// Under an even sky of radiance 1, air that absorbs nothing over white ground is as bright in every direction.
+TEST(NightAir, LosesNothingOverWhiteGround) {
+  Scene scene = earth();
+  scene.media.resize(1);
+  scene.media[0].absorption = {};
+  scene.planet.ground_albedo = {1.0, 1.0, 1.0};
+  const Air air = air_of(scene);
+  physics::Physics p = air.formulas();
+  p.sun_steps = physics::kTransmittanceSteps;
+  const NightAir lit = night_air(air, 0.5);
+  for (physics::uint i = 0; i < 2 * physics::kNightSlopes; ++i) {
+    const double mu = p.night_slope_cosine(p.scene.planet, 0.5, i);
+    const bool ground = i >= physics::kNightSlopes;
+    const double through = ground ? 0.0 : p.transmittance_to_top(p.scene.planet, 0.5, mu).y;
+    EXPECT_NEAR(through + lit.scattered[i].y, 1.0, 0.03) << mu;
+  }
+  EXPECT_NEAR(lit.ground.y, std::numbers::pi, 0.06);
+}
+
+TEST(Airglow, BrightensTowardTheHorizonAsVanRhijnSays) {
+  physics::Physics p = geometry_of(earth());
+  const auto factor = [&](double zenith_deg) {
+    return p.van_rhijn(p.scene.planet, 0.0, std::cos(zenith_deg * kDegree));
+  };
+  EXPECT_NEAR(factor(0.0), 1.0, 1e-12);
+  EXPECT_NEAR(factor(60.0), 1.92, 0.03);
+  EXPECT_NEAR(factor(90.0), 6.0, 0.1);
+}
+
+TEST(ZodiacalLight, IsLeinertsTable) {
+  EXPECT_NEAR(zodiacal_light(90.0 * kDegree, 0.0), 259.0, 1e-6);
+  EXPECT_NEAR(zodiacal_light(-60.0 * kDegree, 30.0 * kDegree), 183.0, 1e-6);
+  EXPECT_NEAR(zodiacal_light(180.0 * kDegree, 0.0), 230.0, 1e-6);
+  EXPECT_NEAR(zodiacal_light(37.5 * kDegree, 0.0), 0.5 * (1650.0 + 1180.0), 1e-6);
+  EXPECT_NEAR(zodiacal_light(1.0, 0.5 * std::numbers::pi), 60.0, 0.1);
+}
+
+// 460 stars of magnitude 0 over all the sky, less those brighter than 6.5, which are 96.
+TEST(FaintStars, AddUpToTheSkysLight) {
+  double sum = 0.0;
+  constexpr int kRows = 180;
+  for (int i = 0; i < kRows; ++i) {
+    const double latitude = (90.0 - (i + 0.5)) * kDegree;
+    for (int j = 0; j < 360; ++j) {
+      sum += faint_stars(direction_of((j + 0.5) * kDegree, latitude)) * std::cos(latitude) * 180.0 / std::numbers::pi *
+             2.0 * std::sin(0.5 * kDegree);
+    }
+  }
+  EXPECT_NEAR(sum * 1e-4, 364.0, 10.0);
+}
+
+// The Milky Way's bright clouds in Sagittarius against the pole of the galaxy.
+TEST(FaintStars, HaveTheMilkyWay) {
+  const double cloud = faint_stars(direction_of(271.0 * kDegree, -29.0 * kDegree));
+  EXPECT_GT(cloud, 8.0 * faint_stars(direction_of(192.86 * kDegree, 27.13 * kDegree)));
+}
+
+TEST(NightSky, OfThePictureIsThatOfItsFormula) {
+  for (const char* name : {"orders", "nested"}) {
+    Scene scene = with_method(earth(), *find_method(name), true);
+    scene.sun.elevation = -60.0 * kDegree;
+    scene.sun.unit = SunUnit::lux;
+    scene.sun.irradiance.fill(kSunlight);
+    scene.camera.pitch = 0.4;
+    scene.image = {32, 18};
+    const RadianceImage black = render_now(scene).radiance;
+    scene.night_sky = NightSky{};
+    const RadianceImage picture = render_now(scene).radiance;
+    const Stage stage = ready(scene);
+    RadianceImage formula{32, 18, std::vector<float>(picture.rgba.size())};
+    draw_night_sky(formula, stage, {0, 0, 32, 18});
+    for (std::size_t i = 0; i < picture.rgba.size(); ++i) {
+      if (i % 4 != 3) {
+        const double light = double{picture.rgba[i]} - double{black.rgba[i]};
+        EXPECT_NEAR(light, double{formula.rgba[i]}, 0.01 * double{formula.rgba[i]}) << name << " " << i;
+      }
+    }
+  }
+}
+
+// A thing close by sends back what lights it; one far off fades into what the air scatters along the whole ray.
+TEST(NightSky, LightsThingsAndFadesThemIntoTheAir) {
+  Scene scene = earth();
+  scene.night_sky = NightSky{};
+  const Stage stage = ready(scene);
+  physics::Physics p = night_formulas(stage);
+  const physics::PlanetData planet = p.scene.planet;
+  const double h = scene.camera.altitude;
+  const physics::vec3 level = p.direction_from_angles(0.01, 0.0);
+  const auto ray = p.ray_in_atmosphere(planet, h, level.y, 0.0, 0.0);
+  const physics::vec3 all = p.night_through(planet, ray, p.distance_to_top(planet, h, level.y));
+  const physics::vec3 white(1.0);
+  const physics::vec3 near = p.night_on_surface(planet, h, level, p.night_through(planet, ray, 0.0), all, white, 1.0);
+  EXPECT_NEAR(near.y, p.night_on_ground().y / std::numbers::pi, 1e-12 * near.y);
+  const physics::vec3 far = p.night_on_surface(planet, h, level, all, all, physics::vec3(0.0), 1.0);
+  EXPECT_NEAR(far.y, p.night_scattered_at(planet, h, level.y, false).y, 1e-9 * far.y);
+  const physics::vec3 through = p.night_through(planet, ray, 50.0);
+  EXPECT_GT(through.x, through.z);
+  EXPECT_NEAR(through.y,
+              std::exp(-p.optical_depth_to_top(planet, h, level.y, 400).y +
+                       p.optical_depth_to_top(planet, p.point_on_ray(planet, ray, 50.0).h,
+                                              p.point_on_ray(planet, ray, 50.0).mu, 400)
+                           .y),
+              0.01);
+}
+
+TEST(NightSky, IsALayer) {
+  Scene scene = with_method(earth(), *find_method("orders"));
+  scene.sun.elevation = -8.0 * kDegree;
+  scene.night_sky = NightSky{.airglow = 100.0};
+  scene.image = {24, 14};
+  RenderRequest request;
+  request.layers = true;
+  const Rendering made = render_now(scene, request);
+  for (std::size_t i = 0; i < made.radiance.rgba.size() / 4; ++i) {
+    double sum = 0.0;
+    for (const Layer& layer : made.layers) {
+      sum += layer.is_light ? double{layer.planes[i]} : 0.0;
+    }
+    EXPECT_NEAR(sum, double{made.radiance.rgba[4 * i]}, 5e-4 * sum);
+  }
+}
+
+TEST(NightSky, IsTheSameInTiles) {
+  Scene scene = with_method(earth(), *find_method("orders"), true);
+  scene.sun.elevation = -60.0 * kDegree;
+  scene.night_sky = NightSky{};
+  scene.image = {40, 30};
+  const RadianceImage whole = render_now(scene).radiance;
+  RadianceImage joined;
+  BandsRequest request;
+  request.tile = ImageSize{16, 16};
+  request.sink = [&](Band& band) {
+    joined.rgba.insert(joined.rgba.end(), band.rows.radiance.rgba.begin(), band.rows.radiance.rgba.end());
+  };
+  render_bands([]() -> Executor& { return executor(); }, scene, request);
+  EXPECT_EQ(joined.rgba, whole.rgba);
+}
+
+}  // namespace
+}  // namespace airlight::test

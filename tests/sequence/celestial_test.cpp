@@ -1,0 +1,88 @@
+// Where the stars stand, by our formulas, against ERFA's in double.
+
+#include "core/night/celestial.h"
+
+#include <erfa.h>
+#include <erfam.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "core/sequence/sun_position.h"
+
+namespace airlight::sequence {
+namespace {
+
+struct Star {
+  const char* name;
+  double right_ascension;  // J2000, degrees
+  double declination;
+};
+
+// Places of Hipparcos, J2000.
+constexpr std::array<Star, 10> kStars{{{"Sirius", 101.2872, -16.7161},
+                                       {"Canopus", 95.9880, -52.6957},
+                                       {"Arcturus", 213.9153, 19.1824},
+                                       {"Vega", 279.2347, 38.7837},
+                                       {"Capella", 79.1723, 45.9980},
+                                       {"Rigel", 78.6345, -8.2016},
+                                       {"Achernar", 24.4285, -57.2368},
+                                       {"Betelgeuse", 88.7929, 7.4071},
+                                       {"Polaris", 37.9546, 89.2641},
+                                       {"Antares", 247.3519, -26.4320}}};
+
+struct Moment {
+  double julian_date;
+  double latitude;  // degrees
+  double longitude;
+};
+
+TEST(Celestial, AgreesWithErfaForTenStarsAtFiveDates) {
+  for (const Moment& at :
+       {Moment{2451545.0, 0.0, 0.0}, Moment{2460845.42, 48.85, 2.35}, Moment{2461120.9, -24.6, -70.4},
+        Moment{2440000.25, 69.6, 18.9}, Moment{2470172.7, -41.3, 174.8}}) {
+    const CelestialFrame frame = celestial_frame(at.julian_date, at.latitude * ERFA_DD2R, at.longitude * ERFA_DD2R);
+    for (const Star& star : kStars) {
+      double azimuth = 0.0, zenith = 0.0, hour = 0.0, declination = 0.0, right_ascension = 0.0, origins = 0.0;
+      ASSERT_GE(eraAtco13(star.right_ascension * ERFA_DD2R, star.declination * ERFA_DD2R, 0.0, 0.0, 0.0, 0.0,
+                          at.julian_date, 0.0, 0.0, at.longitude * ERFA_DD2R, at.latitude * ERFA_DD2R, 0.0, 0.0, 0.0,
+                          0.0, 0.0, 0.0, 0.55, &azimuth, &zenith, &hour, &declination, &right_ascension, &origins),
+                0);
+      const physics::vec3 ours =
+          frame.apparent(direction_of(star.right_ascension * ERFA_DD2R, star.declination * ERFA_DD2R));
+      const physics::vec3 theirs(std::sin(zenith) * std::sin(azimuth), std::cos(zenith),
+                                 -std::sin(zenith) * std::cos(azimuth));
+      EXPECT_LT(physics::length(ours - theirs) * ERFA_DR2D, 0.01) << star.name << " at " << at.julian_date;
+    }
+  }
+}
+
+// Meeus, Astronomical Algorithms, examples 47.a and 48.a: 12 April 1992, 0 h TT. Right ascension 134.6885 and
+// declination 13.7684 degrees, distance 368 409.7 km, phase angle 69.08 degrees, waxing. Where it stands at the zenith
+// the parallax is 0 and the place nearer to it by the earth's radius.
+TEST(Moon, AgreesWithAPublishedExample) {
+  const Milliseconds utc = 703036741000;  // 59 s before 0 h
+  const double days = static_cast<double>(utc) / static_cast<double>(kDay);
+  const double sidereal = eraGst06a(2440587.5, days, 2440587.5, days + 59.0 / ERFA_DAYSEC) * ERFA_DR2D;
+  const MoonAngles moon = moon_angles(utc, {13.7684, 134.6885 - sidereal, 0.0});
+  EXPECT_GT(moon.at.elevation_deg, 89.98);
+  EXPECT_NEAR(moon.distance_km, 368409.7 - 6376.9, 10.0);
+  EXPECT_NEAR(moon.phase_deg, 69.08, 0.02);
+  EXPECT_NEAR(julian_date(utc), 2448724.5 - 59.0 / ERFA_DAYSEC, 1e-8);
+}
+
+// Five days later it is full.
+TEST(Moon, WanesWhenItWasFull) {
+  const Milliseconds full = 703486992000;  // 17 April 1992, 4:43
+  EXPECT_LT(std::abs(moon_angles(full, {0.0, 0.0, 0.0}).phase_deg), 5.0);
+  EXPECT_GT(moon_angles(full - kDay, {0.0, 0.0, 0.0}).phase_deg, 5.0);
+  EXPECT_LT(moon_angles(full + kDay, {0.0, 0.0, 0.0}).phase_deg, -5.0);
+}
+
+TEST(Celestial, KnowsTheSunsLongitude) {
+  EXPECT_NEAR(std::remainder(sun_longitude(2451623.815), 2.0 * M_PI) * ERFA_DR2D, 0.0, 0.02);  // equinox of March 2000
+}
+
+}  // namespace
+}  // namespace airlight::sequence
