@@ -180,7 +180,8 @@ void add_things_to_march(Plan& plan, const Part& part, std::vector<Binding>& rea
   const ThingInputs things = add_things(plan, part.scene, part.things);
   reads.insert(reads.end(), things.reads.begin(), things.reads.end());
   constants.insert(constants.end(), things.constants.begin(), things.constants.end());
-  constants.push_back({"kShafts", part.scene.render.get<bool>("volumetric_shadows") ? 1U : 0U});
+  const bool shafts = part.scene.render.get<std::string>("volumetric_shadows") != "false";
+  constants.push_back({"kShafts", shafts ? physics::kShaftsExact : physics::kShaftsNone});
 }
 
 std::uint32_t steps_past_things(const Part& part, const Light& light) {

@@ -8,6 +8,8 @@
 //   vec2 terrain_shadow(uint k);       altitude up to which the sun is wholly hidden, and from which on it is whole
 //   vec3 terrain_colour(uint k);       albedo
 
+const real kNoShadow = 1e4;  // km below the ground: the altitude of a shadow that is nowhere
+
 // A ray along the ground. The map is true around the camera, so a ray that starts elsewhere bends on it, by 1e-5 of its
 // length at 50 km on Earth; that is left out.
 struct GroundTrack {
@@ -218,13 +220,12 @@ TerrainHit terrain_hit(PlanetData planet, GroundTrack track) {
   return result;
 }
 
-// Share of the sun's disc that the terrain leaves at a place and altitude. Between the shadows of the disc's upper and
-// lower limb it rises as a limb-darkened disc does behind a moving straight edge.
-real terrain_sunlit(TerrainData t, real east, real north, real h) {
+// The altitudes up to which terrain hides all of the sun's disc at a place, and from which on it hides nothing.
+vec2 shadow_altitudes(TerrainData t, real east, real north) {
   real along = (east * t.sunward_east + north * t.sunward_north - t.shadow_along) / t.shadow_texel;
   real aside = (east * t.sunward_north - north * t.sunward_east - t.shadow_aside) / t.shadow_texel;
   if (along > real(t.shadow_columns - 1u) || aside < 0.0 || aside > real(t.shadow_rows - 1u)) {
-    return 1.0;
+    return vec2(-kNoShadow, -kNoShadow);
   }
   along = max(along, 0.0);
   uint i = min(uint(along), t.shadow_columns - 2u);
@@ -238,7 +239,14 @@ real terrain_sunlit(TerrainData t, real east, real north, real h) {
   vec2 d = terrain_shadow(k + t.shadow_columns + 1u);
   real dark = (a.x * (1.0 - u) + b.x * u) * (1.0 - v) + (c.x * (1.0 - u) + d.x * u) * v;
   real whole = (a.y * (1.0 - u) + b.y * u) * (1.0 - v) + (c.y * (1.0 - u) + d.y * u) * v;
-  real x = clamp((h - dark) / max(whole - dark, 1e-6), 0.0, 1.0);
+  return vec2(dark, whole);
+}
+
+// Share of the sun's disc that the terrain leaves at a place and altitude. Between the shadows of the disc's upper and
+// lower limb it rises as a limb-darkened disc does behind a moving straight edge.
+real terrain_sunlit(TerrainData t, real east, real north, real h) {
+  vec2 shadow = shadow_altitudes(t, east, north);
+  real x = clamp((h - shadow.x) / max(shadow.y - shadow.x, 1e-6), 0.0, 1.0);
   return x * x * (3.0 - 2.0 * x);
 }
 
@@ -261,4 +269,32 @@ real step_sunlit(PlanetData planet, GroundTrack track, real start, Ray ray, real
     sum = sum + terrain_sunlit(shape, track_east(track, s), track_north(track, s), h);
   }
   return sum / real(parts);
+}
+
+// A point of a ray over the edge of the terrain's shadow: its height over the altitude up to which all is dark, and the
+// height of the penumbra, km.
+vec2 over_shadow(PlanetData planet, GroundTrack track, Ray ray, real t) {
+  real s = ground_distance(planet, ray.h, ray.mu, t);
+  vec2 shadow = shadow_altitudes(terrain_shape(), track_east(track, s), track_north(track, s));
+  return vec2(point_on_ray(planet, ray, t).h - shadow.x, shadow.y - shadow.x);
+}
+
+// Integral of x*x*(3-2x) from 0 on, which is 0 below and 1 above 0 to 1.
+real penumbra_integral(real x) {
+  real y = clamp(x, 0.0, 1.0);
+  return y * y * y * (1.0 - 0.5 * y) + max(x - 1.0, 0.0);
+}
+
+// Mean of terrain_sunlit() between two points with these over_shadow(): the height is linear between them, so that the
+// place where the ray crosses the edge is exact however far apart they are. `most`: no height changes by more on the way
+// but where a shadow ends at the terrain that throws it. There half of the way is dark, wherever it ends.
+real mean_sunlit(vec2 near, vec2 far, real most) {
+  real width = max(0.5 * (near.y + far.y), 0.02 * most);
+  real a = clamp(near.x, -most, most + width) / width;
+  real b = clamp(far.x, -most, most + width) / width;
+  if (abs(b - a) < 0.05) {
+    real x = clamp(0.5 * (a + b), 0.0, 1.0);
+    return x * x * (3.0 - 2.0 * x);
+  }
+  return (penumbra_integral(b) - penumbra_integral(a)) / (b - a);
 }

@@ -52,6 +52,11 @@ const uint kHasTerrain = 1u;
 const uint kHasSpheres = 2u;
 const uint kHasGroundMaps = 4u;  // planet.albedo_map, planet.ocean
 
+// Shadows of things in the air. To the march all but none are the same.
+const uint kShaftsNone = 0u;
+const uint kShaftsFroxels = 1u;
+const uint kShaftsExact = 2u;
+
 const uint kToneAces = 0u;
 const uint kToneReinhard = 1u;
 const uint kToneReinhardLuminance = 2u;

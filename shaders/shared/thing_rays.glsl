@@ -9,8 +9,8 @@
 #include "physics/sphere_light.glsl"
 #include "physics/things_light.glsl"
 
-layout(constant_id = 16) const uint kSegments = 1u;  // most parts of a ray from mirror to mirror; light beyond is lost
-layout(constant_id = 18) const uint kDiscShows = 1u;  // 1: the disc shows in mirrors
+layout(constant_id = 36) const uint kSegments = 1u;  // most parts of a ray from mirror to mirror; light beyond is lost
+layout(constant_id = 37) const uint kDiscShows = 1u;  // 1: the disc shows in mirrors
 
 // `spread`: angle between neighbouring rays.
 Gathered gathered_along(vec3 direction, float spread, uint steps) {

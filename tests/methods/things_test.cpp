@@ -104,7 +104,7 @@ TEST(Things, ARayShowsTheNearestSurface) {
   for (const unsigned int things : {kTerrain | kSpheres, kTerrain | kOcean, kSpheres | kOcean, kAll}) {
     Scene scene = shore(things);
     scene.sun.elevation = 85.0 * kDegree;
-    scene.render.parameters.find("volumetric_shadows")->second = false;
+    scene.render.parameters.find("volumetric_shadows")->second = std::string("false");
     Physics p = formulas_with_things(scene);
     const std::vector<Direction> directions = lattice(scene);
     const std::vector<ProbeResult> all = probe_now(scene, directions);

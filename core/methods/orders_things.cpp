@@ -1,0 +1,149 @@
+// Pictures of things by `orders`: surfaces first, then the air up to them by tables, or by a march along each ray.
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/air/scene_block.h"
+#include "core/luts/luts.h"
+#include "core/methods/orders_parts.h"
+#include "core/things/thing_buffers.h"
+
+namespace airlight::orders {
+namespace {
+
+// Whether mirrors stand so near that what they show is what the camera sees in that direction.
+bool mirrors_are_near(const Part& part) {
+  constexpr double kFarthest = 2.0;  // km
+  constexpr double kHighest = 0.02;  // km over the camera or below it
+  return std::ranges::all_of(part.things.spheres(), [](const physics::SphereData& s) {
+    return s.material != physics::kSphereMirror ||
+           (physics::length(s.centre) < kFarthest && std::abs(s.centre.y) + s.radius < kHighest);
+  });
+}
+
+bool by_tables(const Part& part, const View& view) {
+  constexpr long long kEnough = 4096;  // pixels, about twice the volume's rays
+  const std::string& choice = part.scene.render.get<std::string>("tabulate");
+  const bool holds = (view.directions.empty() || view.as_picture) && inside_the_air(part.scene) &&
+                     mirrors_are_near(part) && part.scene.render.get<std::string>("volumetric_shadows") != "march";
+  const bool pays = part.scene.image.width * static_cast<long long>(part.scene.image.height) >= kEnough;
+  return holds && (choice == "always" || (choice == "auto" && pays));
+}
+
+std::uint32_t shafts_of(const Part& part, const View& view) {
+  const std::string& choice = part.scene.render.get<std::string>("volumetric_shadows");
+  const Projection projection = part.scene.camera.projection;
+  const bool cut = projection == Projection::cube || projection == Projection::octahedral || !view.directions.empty();
+  return choice == "false"          ? physics::kShaftsNone
+         : cut || choice == "exact" ? physics::kShaftsExact
+                                    : physics::kShaftsFroxels;
+}
+
+// The picture's table with all media apart: shadows take light scattered once from each.
+FactorTable things_table(const Part& part) {
+  FactorTable table = factor_table(part, part.air.scattering_media(), true);
+  table.folded = 0;
+  table.rayleigh = false;
+  return table;
+}
+
+// Four pixels a froxel, unless those were too many.
+constexpr std::uint32_t kFroxelPixels = 4;
+constexpr std::uint32_t kMostFroxels = 320;  // each way
+constexpr std::uint32_t kFroxelSlices = 32;
+
+std::uint32_t froxels_over(int pixels) {
+  return std::clamp((static_cast<std::uint32_t>(pixels) + kFroxelPixels - 1) / kFroxelPixels + 1, 2U, kMostFroxels);
+}
+
+ImageId add_shafts(Plan& plan, const Part& part, const View& view, const Volume& volume, const ThingInputs& things,
+                   const FactorTable& table) {
+  const Extent grid{froxels_over(part.scene.image.width), froxels_over(part.scene.image.height), kFroxelSlices};
+  const ImageId shafts = plan.add_image(
+      {.name = "thing_shafts", .extent = grid, .key = picture_table_key(view, "thing_shafts"), .half = true});
+  std::vector<Binding> reads = volume.reads();
+  reads.insert(reads.end(), things.reads.begin(), things.reads.end());
+  std::vector<Specialization> constants = medium_specialization(part.air);
+  add_volume_constants(constants, part.scene, table);
+  constants.insert(constants.end(), things.constants.begin(), things.constants.end());
+  constants.push_back({"kProjection", projection_code(part.scene.camera.projection)});
+  plan.add_pass({.shader = "thing_shafts",
+                 .reads = std::move(reads),
+                 .writes = {{"shafts_out", shafts}},
+                 .grid = {grid.width, grid.height, 1},
+                 .specialization = std::move(constants),
+                 .cost = 6.0 * kFroxelSlices});
+  return shafts;
+}
+
+// What a pass over things reads, beside what it writes to.
+struct ThingPass {
+  std::vector<Binding> reads;
+  std::vector<Specialization> constants;
+  std::uint32_t steps = 0;
+  bool tables = false;
+};
+
+ThingPass pass_of(Plan& plan, const Part& part, const View& view, const Light& light) {
+  constexpr std::uint32_t kMirrorSegments = 6;
+  ThingPass pass{light.reads(), light.constants, steps_past_things(part, light), by_tables(part, view)};
+  const bool mirrors = std::ranges::count(part.scene.spheres, SphereMaterial::mirror, &Sphere::material) > 0;
+  pass.constants.push_back({"kEdges", physics::kEdgesFound});
+  pass.constants.push_back({"kSegments", mirrors ? kMirrorSegments : 1U});
+  pass.constants.push_back({"kDiscShows", part.scene.sun.disc.visible ? 1U : 0U});
+  if (!pass.tables) {
+    add_things_to_march(plan, part, pass.reads, pass.constants);
+    return pass;
+  }
+  const FactorTable table = things_table(part);
+  const Volume volume = add_volume(plan, part.scene, light, table, view);
+  const ThingInputs things = add_things(plan, part.scene, part.things);
+  const std::uint32_t shafts = shafts_of(part, view);
+  const bool froxels = part.scene.terrain && shafts == physics::kShaftsFroxels;
+  const ImageId share = froxels ? add_shafts(plan, part, view, volume, things, table) : volume.sources;
+  const std::vector<Binding> more = volume.reads();
+  pass.reads.insert(pass.reads.end(), more.begin(), more.end());
+  pass.reads.push_back({"peaks_lut", volume.peaks});
+  pass.reads.push_back({"shafts_lut", share});
+  pass.reads.insert(pass.reads.end(), things.reads.begin(), things.reads.end());
+  pass.constants.insert(pass.constants.end(), things.constants.begin(), things.constants.end());
+  add_volume_constants(pass.constants, part.scene, table);
+  pass.constants.push_back({"kShafts", shafts});
+  return pass;
+}
+
+}  // namespace
+
+void add_things_sky(Plan& plan, const Part& part, const View& view, const SkyTarget& target, const Light& light) {
+  ThingPass pass = pass_of(plan, part, view, light);
+  pass.reads.push_back({"directions", target.directions});
+  pass.constants.push_back({"kProjection", target.projection});
+  plan.add_pass({.name = "sky",
+                 .shader = pass.tables ? "sky_things_tables" : "sky_things",
+                 .reads = std::move(pass.reads),
+                 .writes = {{"radiance_out", target.radiance}},
+                 .grid = target.grid,
+                 .push_constants = {target.grid.width, target.grid.height, pass.steps},
+                 .specialization = std::move(pass.constants),
+                 .cost = pass.tables ? 60.0 : 3.0 * ray_cost(pass.steps)});
+}
+
+BufferId add_things_layers(Plan& plan, const Part& part, const View& view, const Light& light) {
+  ThingPass pass = pass_of(plan, part, view, light);
+  pass.constants.push_back({"kProjection", projection_code(part.scene.camera.projection)});
+  if (!pass.tables) {
+    pass.constants.push_back({"kScatteringMedia", part.air.scattering_media()});
+  }
+  const Extent grid = picture_grid(part.scene, view);
+  const BufferId planes = add_layer_planes(plan, part, view);
+  plan.add_pass({.name = "layers",
+                 .shader = pass.tables ? "layers_things_tables" : "layers_things",
+                 .reads = std::move(pass.reads),
+                 .writes = {{"layers_out", planes}},
+                 .grid = grid,
+                 .push_constants = {grid.width, grid.height, pass.steps},
+                 .specialization = std::move(pass.constants)});
+  return planes;
+}
+
+}  // namespace airlight::orders
