@@ -27,7 +27,8 @@ void main() {
   Sight sight = sight_of(vec3(0.0), view_ray(scene.camera, kProjection, at.x, at.y).direction);
   VolumeRay of = volume_ray(sight);
   Phases p = phases(sight.ray.nu);
-  float width = max(shaded_length(sight), 0.0) / float(kParts * (size.z - 1u));
+  float shaded = max(shaded_length(sight), 0.0);
+  float from = 0.0;
   vec2 near = over_shadow(scene.planet, sight.track, sight.ray, 0.0);
   vec3 share = vec3(mean_sunlit(near, near, 1.0));
   vec3 all = vec3(0.0);
@@ -35,12 +36,15 @@ void main() {
   for (uint slice = 0u; slice < size.z; slice++) {
     if (slice > 0u) {
       float sunlit = 0.0;
+      float to = shaded * shaft_distance(float(slice) / float(size.z - 1u));
+      float width = (to - from) / float(kParts);
       for (uint i = 1u; i <= kParts; i++) {
-        vec2 far = over_shadow(scene.planet, sight.track, sight.ray, float((slice - 1u) * kParts + i) * width);
+        vec2 far = over_shadow(scene.planet, sight.track, sight.ray, from + float(i) * width);
         sunlit += mean_sunlit(near, far, 0.5 * width) / float(kParts);
         near = far;
       }
-      vec3 next = single_up_to(of, p, float(slice * kParts) * width);
+      vec3 next = single_up_to(of, p, to);
+      from = to;
       lit += max(next - all, vec3(0.0)) * sunlit;
       all = next;
       share = min(lit / max(all, vec3(1e-30)), vec3(1.0));

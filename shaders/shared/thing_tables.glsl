@@ -7,15 +7,14 @@ layout(set = 0, binding = 6) uniform sampler3D shafts_lut;  // thing_shafts.comp
 layout(constant_id = 35) const uint kShafts = kShaftsNone;
 
 // The same by froxels.
-vec3 single_past_froxels(VolumeRay of, Phases p, Sight sight, float distance_) {
-  vec3 all = single_up_to(of, p, distance_);
+vec3 single_past_froxels(VolumeRay of, Phases p, Sight sight, float distance_, vec3 all) {
   float shaded = shaded_length(sight);
   if (shaded <= 0.0) {
     return all;
   }
   vec3 size = vec3(textureSize(shafts_lut, 0));
   vec2 at = pixel_centre(here) / vec2(scene.camera.width, scene.camera.height);
-  vec3 place = vec3(at, min(distance_ / shaded, 1.0));
+  vec3 place = vec3(at, shaft_coordinate(distance_ / shaded));
   vec3 share = textureLod(shafts_lut, (vec3(0.5) + place * (size - 1.0)) / size, 0.0).rgb;
   if (distance_ <= shaded) {
     return all * share;
@@ -23,20 +22,25 @@ vec3 single_past_froxels(VolumeRay of, Phases p, Sight sight, float distance_) {
   return all - (vec3(1.0) - share) * single_up_to(of, p, shaded);
 }
 
-vec3 single_to(VolumeRay of, Phases p, Sight sight, float distance_) {
+vec3 single_to(VolumeRay of, Phases p, Sight sight, float distance_, vec3 all) {
   if (!has_terrain() || distance_ <= 0.0) {
-    return single_up_to(of, p, distance_);
+    return all;
   }
   bool mirrored = dot(sight.from.point, sight.from.point) > 0.0;
   if (kShafts == kShaftsExact || mirrored) {
-    return single_past_terrain(of, p, sight, distance_);
+    return single_past_terrain(of, p, sight, distance_, all);
   }
-  return single_past_froxels(of, p, sight, distance_);
+  return single_past_froxels(of, p, sight, distance_, all);
 }
 
-// What is scattered once on the way in the sun: the ray less its parts in the shadows of spheres, gone through in order.
-vec3 lit_single(VolumeRay of, Phases p, Sight sight, float distance_) {
-  vec3 sum = single_to(of, p, sight, distance_);
+vec3 single_to(VolumeRay of, Phases p, Sight sight, float distance_) {
+  return single_to(of, p, sight, distance_, single_up_to(of, p, distance_));
+}
+
+// What is scattered once on the way in the sun, where `all` would be without things: the ray less its parts in the
+// shadows of spheres, gone through in order.
+vec3 lit_single(VolumeRay of, Phases p, Sight sight, float distance_, vec3 all) {
+  vec3 sum = single_to(of, p, sight, distance_, all);
   float at = 0.0;
   for (uint turn = 0u; turn < sphere_count(); turn++) {
     float from = distance_;
@@ -67,14 +71,18 @@ SkyFactors factors_past_things(Sight sight, Ray ray, uint steps) {
   air.peaks = textureLod(peaks_lut, place.row, 0.0).rgb * place.distance_;
   vec3 gathered = air.depth * segment.mean;
   air.diffuse = fetch_block(diffuse_block(), of.at, place.w) * gathered;
-  vec3 share = vec3(1.0);
-  if (kShafts != kShaftsNone) {
-    Phases p = phases(ray.nu);
-    share = max(lit_single(of, p, sight, ray.length_), vec3(0.0)) / max(single_up_to(of, p, ray.length_), vec3(1e-30));
-  }
+  Phases p = phases(ray.nu);
+  vec3 all = vec3(0.0);
   UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
     if (scatters(i)) {
-      air.single[i] = fetch_block(single_block(i), of.at, place.w) * gathered * share;
+      air.single[i] = fetch_block(single_block(i), of.at, place.w) * gathered;
+      all += air.single[i] * p.of[i];
+    }
+  }
+  if (kShafts != kShaftsNone) {
+    vec3 share = max(lit_single(of, p, sight, ray.length_, all), vec3(0.0)) / max(all, vec3(1e-30));
+    UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
+      air.single[i] *= share;
     }
   }
   return air;

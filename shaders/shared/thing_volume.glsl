@@ -59,24 +59,33 @@ float shaded_length(Sight sight) {
   return min(level, distance_to_top(below, sight.from.h, sight.track.mu));
 }
 
-const uint kShaftSteps = 32u;
+// Where froxels end on the way below shadows, from 0 to 1, and its inverse: they grow with the distance.
+float shaft_distance(float z) { return z * z; }
+float shaft_coordinate(float share) { return sqrt(min(share, 1.0)); }
 
-// Light scattered once up to a distance, in the shadow of terrain: the sum over steps of their share of the sun times
-// what is scattered in them, taken by parts, so that the volume is asked only where the share changes.
-vec3 single_past_terrain(VolumeRay of, Phases p, Sight sight, float distance_) {
+const uint kShaftSteps = 24u;
+
+// Light scattered once up to a distance, in the shadow of terrain; without things it is `all`. The sum over steps of their
+// share of the sun times what is scattered in them is taken by parts, so that the volume is asked only where the share
+// changes.
+vec3 single_past_terrain(VolumeRay of, Phases p, Sight sight, float distance_, vec3 all) {
   float shaded = min(distance_, shaded_length(sight));
   float width = shaded / float(kShaftSteps);
   vec2 near = over_shadow(scene.planet, sight.track, sight.ray, 0.0);
   float share = 1.0;
-  vec3 sum = single_up_to(of, p, distance_);
-  for (uint i = 0u; i < kShaftSteps; i++) {
-    vec2 far = over_shadow(scene.planet, sight.track, sight.ray, float(i + 1u) * width);
-    float next = mean_sunlit(near, far, 0.5 * width);
-    if (i > 0u && abs(next - share) > 1e-3) {
-      sum += single_up_to(of, p, float(i) * width) * (share - next);
+  vec3 sum = all;
+  for (uint i = 1u; i <= kShaftSteps + 1u; i++) {
+    vec2 far = near;
+    float next = 1.0;
+    if (i <= kShaftSteps) {
+      far = over_shadow(scene.planet, sight.track, sight.ray, float(i) * width);
+      next = mean_sunlit(near, far, 0.5 * width);
+    }
+    if (i > 1u && abs(next - share) > 1e-3) {
+      sum += single_up_to(of, p, float(i - 1u) * width) * (share - next);
     }
     share = next;
     near = far;
   }
-  return sum + single_up_to(of, p, shaded) * (share - 1.0);
+  return sum;
 }
