@@ -136,15 +136,13 @@ real clearance(PlanetData planet, TerrainData t, GroundTrack track, real s) {
   return track_altitude(planet, track, s) - map_height(t, map_column(t, east, north), map_row(t, east, north));
 }
 
-// The meeting between a, where the ray is above the terrain, and b, where it is below it.
-real meeting(PlanetData planet, TerrainData t, GroundTrack track, real a, real b) {
-  for (uint i = 0u; i < 14u; i++) {
-    real middle = 0.5 * (a + b);
-    bool above = clearance(planet, t, track, middle) > 0.0;
-    a = above ? middle : a;
-    b = above ? b : middle;
-  }
-  return b;
+// Where a ray first meets the terrain on its way through one cell, as a share of the way, from its height over the
+// terrain at the start, in the middle and at the end. On a bilinear patch that is a parabola. The start is above.
+real meeting(real start, real middle, real end) {
+  real bend = 2.0 * (start - 2.0 * middle + end);
+  real fall = 3.0 * start - 4.0 * middle + end;
+  real root = sqrt(max(fall * fall - 4.0 * bend * start, 0.0));
+  return clamp(2.0 * start / max(fall + root, 1e-30), 0.0, 1.0);
 }
 
 // End of the cell of 2^level heights in which the line is at `ahead`, just behind s.
@@ -202,15 +200,14 @@ TerrainHit terrain_hit(PlanetData planet, GroundTrack track) {
       level = level - 1u;
       continue;
     }
-    real middle = 0.5 * (s + end);
-    bool starts_below = clearance(planet, t, track, s) <= 0.0;
-    bool middle_below = clearance(planet, t, track, middle) <= 0.0;
-    bool end_below = clearance(planet, t, track, end) <= 0.0;
-    if (starts_below || middle_below || end_below) {
+    real over_start = clearance(planet, t, track, s);
+    real over_middle = clearance(planet, t, track, 0.5 * (s + end));
+    real over_end = clearance(planet, t, track, end);
+    if (min(min(over_start, over_middle), over_end) <= 0.0) {
       result.hit = true;
       result.ground = s;
-      if (!starts_below) {
-        result.ground = meeting(planet, t, track, middle_below ? s : middle, middle_below ? middle : end);
+      if (over_start > 0.0) {
+        result.ground = s + (end - s) * meeting(over_start, over_middle, over_end);
       }
       result.distance_ = track_distance(planet, track, result.ground);
       return result;
