@@ -72,6 +72,9 @@ FactorLayout layout_of(const Scene& scene, const FactorTable& table, bool in_col
 ImageId add_factors(Plan& plan, const std::string& shader, const Scene& scene, const FactorTable& table,
                     const View& view, const Light& light);
 
+// kShafts of a march.
+std::uint32_t march_shafts(const Part& part);
+
 // Adds things to what a march reads that sees their shadows in the air.
 void add_things_to_march(Plan& plan, const Part& part, std::vector<Binding>& reads,
                          std::vector<Specialization>& constants);

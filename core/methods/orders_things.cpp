@@ -76,6 +76,28 @@ ImageId add_shafts(Plan& plan, const Part& part, const View& view, const Volume&
   return shafts;
 }
 
+// What the pixels' corners see; nothing where rays are listed.
+BufferId add_corners(Plan& plan, const Part& part, const View& view, const ThingInputs& things) {
+  if (!view.directions.empty()) {
+    return plan.add_buffer({.name = "thing_corners", .bytes = 2 * sizeof(float)});
+  }
+  const Extent tile = picture_grid(part.scene, view);
+  const Extent grid{tile.width + 1, tile.height + 1, 1};
+  const BufferId corners = plan.add_buffer(
+      {.name = "thing_corners", .bytes = std::size_t{2} * sizeof(float) * grid.width * grid.height, .zeroed = false});
+  std::vector<Specialization> constants = medium_specialization(part.air);
+  constants.insert(constants.end(), things.constants.begin(), things.constants.end());
+  constants.push_back({"kProjection", projection_code(part.scene.camera.projection)});
+  plan.add_pass({.shader = "thing_corners",
+                 .reads = things.reads,
+                 .writes = {{"corners_out", corners}},
+                 .grid = grid,
+                 .push_constants = {grid.width, grid.height},
+                 .specialization = std::move(constants),
+                 .cost = 25.0});
+  return corners;
+}
+
 // What a pass over things reads, beside what it writes to.
 struct ThingPass {
   std::vector<Binding> reads;
@@ -91,13 +113,16 @@ ThingPass pass_of(Plan& plan, const Part& part, const View& view, const Light& l
   pass.constants.push_back({"kEdges", physics::kEdgesFound});
   pass.constants.push_back({"kSegments", mirrors ? kMirrorSegments : 1U});
   pass.constants.push_back({"kDiscShows", part.scene.sun.disc.visible ? 1U : 0U});
+  const ThingInputs things = add_things(plan, part.scene, part.things);
+  pass.reads.insert(pass.reads.end(), things.reads.begin(), things.reads.end());
+  pass.constants.insert(pass.constants.end(), things.constants.begin(), things.constants.end());
+  pass.reads.push_back({"corners", add_corners(plan, part, view, things)});
   if (!pass.tables) {
-    add_things_to_march(plan, part, pass.reads, pass.constants);
+    pass.constants.push_back({"kShafts", march_shafts(part)});
     return pass;
   }
   const FactorTable table = things_table(part);
   const Volume volume = add_volume(plan, part.scene, light, table, view);
-  const ThingInputs things = add_things(plan, part.scene, part.things);
   const std::uint32_t shafts = shafts_of(part, view);
   const bool froxels = part.scene.terrain && shafts == physics::kShaftsFroxels;
   const ImageId share = froxels ? add_shafts(plan, part, view, volume, things, table) : volume.sources;
@@ -105,8 +130,6 @@ ThingPass pass_of(Plan& plan, const Part& part, const View& view, const Light& l
   pass.reads.insert(pass.reads.end(), more.begin(), more.end());
   pass.reads.push_back({"peaks_lut", volume.peaks});
   pass.reads.push_back({"shafts_lut", share});
-  pass.reads.insert(pass.reads.end(), things.reads.begin(), things.reads.end());
-  pass.constants.insert(pass.constants.end(), things.constants.begin(), things.constants.end());
   add_volume_constants(pass.constants, part.scene, table);
   pass.constants.push_back({"kShafts", shafts});
   return pass;

@@ -154,9 +154,9 @@ real cell_end(real ahead, real p, real d, real size) {
   return ((d > 0.0 ? cell + 1.0 : cell) * size - p) / d;
 }
 
-// The first meeting with the terrain, found through maxima over cells of 2, 4, 8 ... heights: the ray skips a cell
-// whose highest point lies below it.
-TerrainHit terrain_hit(PlanetData planet, GroundTrack track) {
+// The first meeting with the terrain at `from` or beyond, km along the ground, found through maxima over cells of 2, 4,
+// 8 ... heights: the ray skips a cell whose highest point lies below it.
+TerrainHit terrain_hit_past(PlanetData planet, GroundTrack track, real from) {
   TerrainData t = terrain_shape();
   TerrainHit result;
   result.hit = false;
@@ -167,7 +167,7 @@ TerrainHit terrain_hit(PlanetData planet, GroundTrack track) {
   real columns_a_km = map_column(t, track_east(track, 1.0), track_north(track, 1.0)) - column0;
   real rows_a_km = map_row(t, track_east(track, 1.0), track_north(track, 1.0)) - row0;
   Interval part;
-  part.from = 0.0;
+  part.from = from;
   part.to = 1.5 * planet.ground_radius;
   if (meets_ground(planet, track.h, track.mu)) {
     part.to = ground_distance(planet, track.h, track.mu, distance_to_ground(planet, track.h, track.mu));
@@ -177,7 +177,7 @@ TerrainHit terrain_hit(PlanetData planet, GroundTrack track) {
   real lowest = planet.ground_radius * atan(-track.mu, track.sigma);
   real least = 1e-3 * t.texel;
   real s = part.from;
-  uint level = t.levels - 1u;
+  uint level = from > 0.0 ? 0u : t.levels - 1u;
   for (uint turn = 0u; turn < 2048u; turn++) {
     if (s >= part.to) {
       break;
@@ -238,6 +238,8 @@ vec2 shadow_altitudes(TerrainData t, real east, real north) {
   real whole = (a.y * (1.0 - u) + b.y * u) * (1.0 - v) + (c.y * (1.0 - u) + d.y * u) * v;
   return vec2(dark, whole);
 }
+
+TerrainHit terrain_hit(PlanetData planet, GroundTrack track) { return terrain_hit_past(planet, track, 0.0); }
 
 // Share of the sun's disc that the terrain leaves at a place and altitude. Between the shadows of the disc's upper and
 // lower limb it rises as a limb-darkened disc does behind a moving straight edge.

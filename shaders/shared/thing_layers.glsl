@@ -44,7 +44,7 @@ void main() {
   LightLayers sum = empty_layers();
   for (uint i = 0u; i < rays.count; i++) {
     WeightedRay one = ray_of_thing_pixel(pixel, view, rays, i);
-    sum = with_share(sum, gathered_along(one.direction, rays.spread, steps), one.share);
+    sum = with_share(sum, gathered_along(one.direction, rays.spread, rays.bare, steps), one.share);
   }
   write_layers(pixel, uvec2(width, height), view.inside, sum);
 }

@@ -39,7 +39,7 @@ void main() {
   vec3 transmittance = vec3(0.0);
   for (uint i = 0u; i < rays.count; i++) {
     WeightedRay one = ray_of_thing_pixel(pixel, view, rays, i);
-    Gathered seen = gathered_along(one.direction, rays.spread, steps);
+    Gathered seen = gathered_along(one.direction, rays.spread, rays.bare, steps);
     radiance += one.share * seen.radiance;
     transmittance += one.share * seen.transmittance;
   }
