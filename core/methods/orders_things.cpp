@@ -135,37 +135,58 @@ ThingPass pass_of(Plan& plan, const Part& part, const View& view, const Light& l
   return pass;
 }
 
+// Adds the pass in two: the pixels of one ray, and those of several.
+void add_in_two(Plan& plan, PassDesc pass) {
+  constexpr std::uint32_t kBlock = 32;  // shaders/shared/thing_pixels.glsl
+  constexpr std::uint32_t kThreads = 8;
+  PassDesc edges = pass;
+  pass.specialization.push_back({"kThingPixels", physics::kThingPixelsEven});
+  plan.add_pass(std::move(pass));
+  edges.name += "_edges";
+  edges.specialization.push_back({"kThingPixels", physics::kThingPixelsEdges});
+  edges.grid = {(edges.grid.width + kBlock - 1) / kBlock * kThreads,
+                (edges.grid.height + kBlock - 1) / kBlock * kThreads, 1};
+  edges.cost *= 16.0;
+  plan.add_pass(std::move(edges));
+}
+
 }  // namespace
 
 void add_things_sky(Plan& plan, const Part& part, const View& view, const SkyTarget& target, const Light& light) {
-  ThingPass pass = pass_of(plan, part, view, light);
-  pass.reads.push_back({"directions", target.directions});
-  pass.constants.push_back({"kProjection", target.projection});
-  plan.add_pass({.name = "sky",
-                 .shader = pass.tables ? "sky_things_tables" : "sky_things",
-                 .reads = std::move(pass.reads),
-                 .writes = {{"radiance_out", target.radiance}},
-                 .grid = target.grid,
-                 .push_constants = {target.grid.width, target.grid.height, pass.steps},
-                 .specialization = std::move(pass.constants),
-                 .cost = pass.tables ? 60.0 : 3.0 * ray_cost(pass.steps)});
+  ThingPass found = pass_of(plan, part, view, light);
+  found.reads.push_back({"directions", target.directions});
+  found.constants.push_back({"kProjection", target.projection});
+  PassDesc pass{.name = "sky",
+                .shader = found.tables ? "sky_things_tables" : "sky_things",
+                .reads = std::move(found.reads),
+                .writes = {{"radiance_out", target.radiance}},
+                .grid = target.grid,
+                .push_constants = {target.grid.width, target.grid.height, found.steps},
+                .specialization = std::move(found.constants),
+                .cost = found.tables ? 40.0 : 3.0 * ray_cost(found.steps)};
+  if (target.projection == physics::kProjectionListed) {
+    pass.specialization.push_back({"kThingPixels", physics::kThingPixelsAll});
+    plan.add_pass(std::move(pass));
+    return;
+  }
+  add_in_two(plan, std::move(pass));
 }
 
 BufferId add_things_layers(Plan& plan, const Part& part, const View& view, const Light& light) {
-  ThingPass pass = pass_of(plan, part, view, light);
-  pass.constants.push_back({"kProjection", projection_code(part.scene.camera.projection)});
-  if (!pass.tables) {
-    pass.constants.push_back({"kScatteringMedia", part.air.scattering_media()});
+  ThingPass found = pass_of(plan, part, view, light);
+  found.constants.push_back({"kProjection", projection_code(part.scene.camera.projection)});
+  if (!found.tables) {
+    found.constants.push_back({"kScatteringMedia", part.air.scattering_media()});
   }
   const Extent grid = picture_grid(part.scene, view);
   const BufferId planes = add_layer_planes(plan, part, view);
-  plan.add_pass({.name = "layers",
-                 .shader = pass.tables ? "layers_things_tables" : "layers_things",
-                 .reads = std::move(pass.reads),
-                 .writes = {{"layers_out", planes}},
-                 .grid = grid,
-                 .push_constants = {grid.width, grid.height, pass.steps},
-                 .specialization = std::move(pass.constants)});
+  add_in_two(plan, {.name = "layers",
+                    .shader = found.tables ? "layers_things_tables" : "layers_things",
+                    .reads = std::move(found.reads),
+                    .writes = {{"layers_out", planes}},
+                    .grid = grid,
+                    .push_constants = {grid.width, grid.height, found.steps},
+                    .specialization = std::move(found.constants)});
   return planes;
 }
 

@@ -26,25 +26,22 @@ LightLayers with_light(LightLayers sum, vec3 light) {
 
 #include "shared/thing_rays.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
 layout(push_constant, scalar) uniform Push {
   uint width;
   uint height;
   uint steps;
 };
 
-void main() {
-  uvec2 pixel = gl_GlobalInvocationID.xy;
-  if (pixel.x >= width || pixel.y >= height) {
-    return;
-  }
-  ViewRay view = picture_ray(pixel);
-  here = pixel;
-  ThingPixel rays = thing_pixel(pixel, view);
+ViewRay ray_of_pixel(uvec2 pixel) { return picture_ray(pixel); }
+
+// The pixel at hand.
+void render(ViewRay view, ThingPixel rays) {
   LightLayers sum = empty_layers();
   for (uint i = 0u; i < rays.count; i++) {
-    WeightedRay one = ray_of_thing_pixel(pixel, view, rays, i);
+    WeightedRay one = ray_of_thing_pixel(here, view, rays, i);
     sum = with_share(sum, gathered_along(one.direction, rays.spread, rays.bare, steps), one.share);
   }
-  write_layers(pixel, uvec2(width, height), view.inside, sum);
+  write_layers(here, uvec2(width, height), view.inside, sum);
 }
+
+#include "shared/thing_pixels.glsl"

@@ -20,28 +20,25 @@ Gathered with_light(Gathered sum, vec3 light) {
 
 #include "shared/thing_rays.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
 layout(push_constant, scalar) uniform Push {
   uint width;
   uint height;
   uint steps;
 };
 
-void main() {
-  uvec2 pixel = gl_GlobalInvocationID.xy;
-  if (pixel.x >= width || pixel.y >= height) {
-    return;
-  }
-  ViewRay view = pixel_ray(pixel);
-  here = pixel;
-  ThingPixel rays = thing_pixel(pixel, view);
+ViewRay ray_of_pixel(uvec2 pixel) { return pixel_ray(pixel); }
+
+// The pixel at hand.
+void render(ViewRay view, ThingPixel rays) {
   vec3 radiance = vec3(0.0);
   vec3 transmittance = vec3(0.0);
   for (uint i = 0u; i < rays.count; i++) {
-    WeightedRay one = ray_of_thing_pixel(pixel, view, rays, i);
+    WeightedRay one = ray_of_thing_pixel(here, view, rays, i);
     Gathered seen = gathered_along(one.direction, rays.spread, rays.bare, steps);
     radiance += one.share * seen.radiance;
     transmittance += one.share * seen.transmittance;
   }
-  write_radiance(pixel, view.inside, radiance, transmittance);
+  write_radiance(here, view.inside, radiance, transmittance);
 }
+
+#include "shared/thing_pixels.glsl"
