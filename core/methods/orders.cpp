@@ -70,9 +70,9 @@ const std::array<ParameterInfo, 12> kParameters{
         "abruptly or the vertical optical depth of scattering is above 1.2, in low fog 0.4"),
     parameter::choice(
         "volumetric_shadows", kShadows, "true",
-        "how the air in the shadow of terrain and spheres is left without the sun's light; froxels: on a grid over "
-        "picture and distance; exact: for each ray; march: in each step of a march along each ray, the reference; "
-        "true: froxels, or exact where the picture is a map that is cut; false: not at all"),
+        "how the air in the shadow of terrain and spheres is left without the sun's light; exact, true: where each ray "
+        "crosses the shadows' edges; froxels: on a grid over picture and distance, four pixels a cell, which is faster "
+        "and blurs beams; march: in each step of a march along each ray, the reference; false: not at all"),
     phase_parameter()};
 
 bool tabulates(const Part& part, const View& view) {

@@ -6,6 +6,7 @@
 #include "core/air/scene_block.h"
 #include "core/luts/luts.h"
 #include "core/methods/orders_parts.h"
+#include "core/plan/bytes.h"
 #include "core/things/thing_buffers.h"
 
 namespace airlight::orders {
@@ -30,13 +31,13 @@ bool by_tables(const Part& part, const View& view) {
   return holds && (choice == "always" || (choice == "auto" && pays));
 }
 
+// Froxels hold for rays next to each other alone, hence not on maps that are cut, nor for listed rays.
 std::uint32_t shafts_of(const Part& part, const View& view) {
   const std::string& choice = part.scene.render.get<std::string>("volumetric_shadows");
   const Projection projection = part.scene.camera.projection;
   const bool cut = projection == Projection::cube || projection == Projection::octahedral || !view.directions.empty();
-  return choice == "false"          ? physics::kShaftsNone
-         : cut || choice == "exact" ? physics::kShaftsExact
-                                    : physics::kShaftsFroxels;
+  const std::uint32_t shadows = choice == "froxels" && !cut ? physics::kShaftsFroxels : physics::kShaftsExact;
+  return choice == "false" ? physics::kShaftsNone : shadows;
 }
 
 // The picture's table with all media apart: shadows take light scattered once from each.
@@ -79,7 +80,7 @@ ImageId add_shafts(Plan& plan, const Part& part, const View& view, const Volume&
 // What the pixels' corners see; nothing where rays are listed.
 BufferId add_corners(Plan& plan, const Part& part, const View& view, const ThingInputs& things) {
   if (!view.directions.empty()) {
-    return plan.add_buffer({.name = "thing_corners", .bytes = 2 * sizeof(float)});
+    return plan.add_buffer(filled_buffer("thing_corners", bytes_of(std::vector<float>(2))));
   }
   const Extent tile = picture_grid(part.scene, view);
   const Extent grid{tile.width + 1, tile.height + 1, 1};
@@ -135,10 +136,16 @@ ThingPass pass_of(Plan& plan, const Part& part, const View& view, const Light& l
   return pass;
 }
 
-// Adds the pass in two: the pixels of one ray, and those of several.
-void add_in_two(Plan& plan, PassDesc pass) {
+// Adds the pass; where a ray is little work and the picture worth a second pipeline in two, of the pixels of one ray
+// and of those of several.
+void add_pixels(Plan& plan, PassDesc pass, bool in_two) {
   constexpr std::uint32_t kBlock = 32;  // shaders/shared/thing_pixels.glsl
   constexpr std::uint32_t kThreads = 8;
+  if (!in_two) {
+    pass.specialization.push_back({"kThingPixels", physics::kThingPixelsAll});
+    plan.add_pass(std::move(pass));
+    return;
+  }
   PassDesc edges = pass;
   pass.specialization.push_back({"kThingPixels", physics::kThingPixelsEven});
   plan.add_pass(std::move(pass));
@@ -156,20 +163,16 @@ void add_things_sky(Plan& plan, const Part& part, const View& view, const SkyTar
   ThingPass found = pass_of(plan, part, view, light);
   found.reads.push_back({"directions", target.directions});
   found.constants.push_back({"kProjection", target.projection});
-  PassDesc pass{.name = "sky",
-                .shader = found.tables ? "sky_things_tables" : "sky_things",
-                .reads = std::move(found.reads),
-                .writes = {{"radiance_out", target.radiance}},
-                .grid = target.grid,
-                .push_constants = {target.grid.width, target.grid.height, found.steps},
-                .specialization = std::move(found.constants),
-                .cost = found.tables ? 40.0 : 3.0 * ray_cost(found.steps)};
-  if (target.projection == physics::kProjectionListed) {
-    pass.specialization.push_back({"kThingPixels", physics::kThingPixelsAll});
-    plan.add_pass(std::move(pass));
-    return;
-  }
-  add_in_two(plan, std::move(pass));
+  add_pixels(plan,
+             {.name = "sky",
+              .shader = found.tables ? "sky_things_tables" : "sky_things",
+              .reads = std::move(found.reads),
+              .writes = {{"radiance_out", target.radiance}},
+              .grid = target.grid,
+              .push_constants = {target.grid.width, target.grid.height, found.steps},
+              .specialization = std::move(found.constants),
+              .cost = found.tables ? 40.0 : 3.0 * ray_cost(found.steps)},
+             found.tables && view.directions.empty());
 }
 
 BufferId add_things_layers(Plan& plan, const Part& part, const View& view, const Light& light) {
@@ -180,13 +183,15 @@ BufferId add_things_layers(Plan& plan, const Part& part, const View& view, const
   }
   const Extent grid = picture_grid(part.scene, view);
   const BufferId planes = add_layer_planes(plan, part, view);
-  add_in_two(plan, {.name = "layers",
-                    .shader = found.tables ? "layers_things_tables" : "layers_things",
-                    .reads = std::move(found.reads),
-                    .writes = {{"layers_out", planes}},
-                    .grid = grid,
-                    .push_constants = {grid.width, grid.height, found.steps},
-                    .specialization = std::move(found.constants)});
+  add_pixels(plan,
+             {.name = "layers",
+              .shader = found.tables ? "layers_things_tables" : "layers_things",
+              .reads = std::move(found.reads),
+              .writes = {{"layers_out", planes}},
+              .grid = grid,
+              .push_constants = {grid.width, grid.height, found.steps},
+              .specialization = std::move(found.constants)},
+             found.tables);
   return planes;
 }
 
