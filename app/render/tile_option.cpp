@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/cli/scene_options.h"
 #include "core/error.h"
 
 namespace airlight::cli {
