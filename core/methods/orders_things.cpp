@@ -139,8 +139,6 @@ ThingPass pass_of(Plan& plan, const Part& part, const View& view, const Light& l
 // Adds the pass; where a ray is little work and the picture worth a second pipeline in two, of the pixels of one ray
 // and of those of several.
 void add_pixels(Plan& plan, PassDesc pass, bool in_two) {
-  constexpr std::uint32_t kBlock = 32;  // shaders/shared/thing_pixels.glsl
-  constexpr std::uint32_t kThreads = 8;
   if (!in_two) {
     pass.specialization.push_back({"kThingPixels", physics::kThingPixelsAll});
     plan.add_pass(std::move(pass));
@@ -151,8 +149,6 @@ void add_pixels(Plan& plan, PassDesc pass, bool in_two) {
   plan.add_pass(std::move(pass));
   edges.name += "_edges";
   edges.specialization.push_back({"kThingPixels", physics::kThingPixelsEdges});
-  edges.grid = {(edges.grid.width + kBlock - 1) / kBlock * kThreads,
-                (edges.grid.height + kBlock - 1) / kBlock * kThreads, 1};
   edges.cost *= 16.0;
   plan.add_pass(std::move(edges));
 }

@@ -9,25 +9,22 @@ layout(constant_id = 38) const uint kThingPixels = kThingPixelsAll;
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-const uint kThreads = 64u;
-const uint kBlock = 32u;  // pixels across a block, of one workgroup
+// A block of pixels is one of threads, so that no thread has more than one of them to render: a software device ends the
+// loops of a shader after 65536 turns.
+const uint kBlock = 8u;
 shared uint listed;
 shared uint list[kBlock * kBlock];
 
 bool in_picture(uvec2 pixel) { return pixel.x < width && pixel.y < height; }
-
-uvec2 block_pixel(uint k) { return gl_WorkGroupID.xy * kBlock + uvec2(k % kBlock, k / kBlock); }
 
 void list_edges() {
   if (gl_LocalInvocationIndex == 0u) {
     listed = 0u;
   }
   barrier();
-  for (uint k = gl_LocalInvocationIndex; k < kBlock * kBlock; k += kThreads) {
-    uvec2 pixel = block_pixel(k);
-    if (in_picture(pixel) && thing_pixel(pixel, ray_of_pixel(pixel)).count > 1u) {
-      list[atomicAdd(listed, 1u)] = k;
-    }
+  uvec2 pixel = gl_GlobalInvocationID.xy;
+  if (in_picture(pixel) && thing_pixel(pixel, ray_of_pixel(pixel)).count > 1u) {
+    list[atomicAdd(listed, 1u)] = gl_LocalInvocationIndex;
   }
   barrier();
 }
@@ -35,8 +32,9 @@ void list_edges() {
 void main() {
   if (kThingPixels == kThingPixelsEdges) {
     list_edges();
-    for (uint i = gl_LocalInvocationIndex; i < listed; i += kThreads) {
-      here = block_pixel(list[i]);
+    if (gl_LocalInvocationIndex < listed) {
+      uint k = list[gl_LocalInvocationIndex];
+      here = gl_WorkGroupID.xy * kBlock + uvec2(k % kBlock, k / kBlock);
       ViewRay view = ray_of_pixel(here);
       render(view, thing_pixel(here, view));
     }

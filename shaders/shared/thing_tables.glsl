@@ -33,8 +33,13 @@ vec3 single_to(VolumeRay of, Phases p, Sight sight, float distance_, vec3 all) {
   return single_past_froxels(of, p, sight, distance_, all);
 }
 
-vec3 single_to(VolumeRay of, Phases p, Sight sight, float distance_) {
-  return single_to(of, p, sight, distance_, single_up_to(of, p, distance_));
+// Mean share of the sun past terrain from one distance to another.
+float share_past_terrain(Sight sight, float from, float to) {
+  if (!has_terrain()) {
+    return 1.0;
+  }
+  return mean_sunlit(over_shadow(scene.planet, sight.track, sight.ray, from),
+                     over_shadow(scene.planet, sight.track, sight.ray, to), 0.5 * (to - from));
 }
 
 // What is scattered once on the way in the sun, where `all` would be without things: the ray less its parts in the
@@ -55,7 +60,8 @@ vec3 lit_single(VolumeRay of, Phases p, Sight sight, float distance_, vec3 all) 
       break;
     }
     at = min(to, distance_);
-    sum -= single_to(of, p, sight, at) - single_to(of, p, sight, from);
+    vec3 hidden = single_up_to(of, p, at) - single_up_to(of, p, from);
+    sum -= max(hidden, vec3(0.0)) * share_past_terrain(sight, from, at);
   }
   return sum;
 }
