@@ -23,7 +23,6 @@ namespace {
 using orders::add_factors;
 using orders::add_light;
 using orders::add_table_constants;
-using orders::add_things_to_march;
 using orders::factor_table;
 using orders::FactorTable;
 using orders::inside_the_air;
@@ -33,12 +32,12 @@ using orders::looks_from_space;
 using orders::ray_cost;
 using orders::settings_of;
 using orders::steps_of;
-using orders::steps_past_things;
 using orders::stokes_of;
 
 constexpr std::array<std::string_view, 10> kDegreeChoices{"auto", "0", "1", "2", "3", "4", "5", "6", "7", "8"};
 constexpr std::array<std::string_view, 2> kFolded{"smooth", "all"};
 constexpr std::array<std::string_view, 3> kWhen{"auto", "always", "never"};
+constexpr std::array<std::string_view, 5> kShadows{"true", "froxels", "exact", "march", "false"};
 
 const std::array<ParameterInfo, 12> kParameters{
     parameter::whole_number("steps", 4, 4096, 48, "steps along a view ray, apart at the planet's shadow"),
@@ -70,8 +69,11 @@ const std::array<ParameterInfo, 12> kParameters{
         "shells", kWhen, "auto",
         "whether rays step through shells cut at the edges of the media; auto: where a medium that scatters ends "
         "abruptly or the vertical optical depth of scattering is above 1.2, in low fog 0.4"),
-    parameter::on_or_off("volumetric_shadows", true,
-                         "whether the air in the shadow of terrain and spheres is without the sun's light"),
+    parameter::choice(
+        "volumetric_shadows", kShadows, "true",
+        "how the air in the shadow of terrain and spheres is left without the sun's light; exact, true: where each ray "
+        "crosses the shadows' edges; froxels: on a grid over picture and distance, four pixels a cell, which is faster "
+        "and blurs beams; march: in each step of a march along each ray, the reference; false: not at all"),
     phase_parameter()};
 
 bool tabulates(const Part& part, const View& view) {
@@ -176,35 +178,6 @@ std::optional<SkyPasses> add_coloured(Plan& plan, const Stage& stage, const View
   return passes;
 }
 
-// Constants of a pass over things (shaders/shared/thing_rays.glsl).
-void add_thing_constants(std::vector<Specialization>& constants, const Part& part) {
-  constexpr std::uint32_t kMirrorSegments = 6;
-  const bool mirrors = std::ranges::count(part.scene.spheres, SphereMaterial::mirror, &Sphere::material) > 0;
-  constants.push_back({"kEdges", physics::kEdgesFound});
-  constants.push_back({"kSegments", mirrors ? kMirrorSegments : 1U});
-  constants.push_back({"kDiscShows", part.scene.sun.disc.visible ? 1U : 0U});
-}
-
-// The pass over things, the ground and the air about them.
-void add_things_sky(Plan& plan, const Part& part, const View& view, const SkyTarget& target, const Light& light) {
-  std::vector<Specialization> constants = light.constants;
-  constants.push_back({"kProjection", target.projection});
-  constants.push_back({"kStokes", stokes_of(part, view)});
-  add_thing_constants(constants, part);
-  std::vector<Binding> reads = light.reads();
-  reads.push_back({"directions", target.directions});
-  add_things_to_march(plan, part, reads, constants);
-  const std::uint32_t steps = steps_past_things(part, light);
-  plan.add_pass({.name = "sky",
-                 .shader = "sky_things",
-                 .reads = std::move(reads),
-                 .writes = {{"radiance_out", target.radiance}},
-                 .grid = target.grid,
-                 .push_constants = {target.grid.width, target.grid.height, steps},
-                 .specialization = std::move(constants),
-                 .cost = 3.0 * ray_cost(steps)});
-}
-
 // The ground by its maps, over a picture whose ground is black.
 void add_ground(Plan& plan, const Part& part, const SkyTarget& target, const Light& light) {
   if (!part.scene.ground) {
@@ -244,7 +217,7 @@ SkyPasses add_orders(Plan& plan, const Part& part, const View& view) {
   const Light light = add_light(plan, part);
   SkyPasses passes{target.radiance, {light.transmittance}, light.more()};
   if (part.things.stand_in_the_air()) {
-    add_things_sky(plan, part, view, target, light);
+    orders::add_things_sky(plan, part, view, target, light);
     return passes;
   }
   begin_black_ground(plan, part, view);
@@ -260,37 +233,30 @@ SkyPasses add_orders(Plan& plan, const Part& part, const View& view) {
 
 LayerPasses add_layers(Plan& plan, const Part& part, const View& view) {
   const Light light = add_light(plan, part);
+  if (part.things.stand_in_the_air() || part.scene.ground) {
+    return {orders::add_things_layers(plan, part, view, light), light.transmittance};
+  }
   const bool tabulated = tabulates(part, view);
-  const bool things = part.things.stand_in_the_air() || part.scene.ground;
   std::vector<Binding> reads = light.reads();
   std::vector<Specialization> constants = light.constants;
-  std::uint32_t steps = light.steps;
-  const char* shader = tabulated ? "layers_from_factors" : "layers_orders";
-  if (things) {
-    shader = "layers_things";
-    add_layer_constants(constants, part);
-    add_thing_constants(constants, part);
-    add_things_to_march(plan, part, reads, constants);
-    steps = steps_past_things(part, light);
-  } else if (tabulated) {
+  constants.push_back({"kEdges", physics::kEdgesFound});
+  if (tabulated) {
     const FactorTable table = factor_table(part, part.air.scattering_media(), true, stokes_of(part, view));
     reads.push_back({"factors_lut", add_factors(plan, "layers_factors", part.scene, table, view, light)});
     add_table_constants(constants, table);
     constants.push_back({"kProjection", projection_code(part.scene.camera.projection)});
-    constants.push_back({"kEdges", physics::kEdgesFound});
   } else {
     add_layer_constants(constants, part);
-    constants.push_back({"kEdges", physics::kEdgesFound});
   }
   constants.push_back({"kStokes", stokes_of(part, view)});
   const Extent grid = picture_grid(part.scene, view);
   const BufferId planes = add_layer_planes(plan, part, view);
   plan.add_pass({.name = "layers",
-                 .shader = shader,
+                 .shader = tabulated ? "layers_from_factors" : "layers_orders",
                  .reads = std::move(reads),
                  .writes = {{"layers_out", planes}},
                  .grid = grid,
-                 .push_constants = {grid.width, grid.height, steps},
+                 .push_constants = {grid.width, grid.height, light.steps},
                  .specialization = std::move(constants)});
   return {planes, light.transmittance};
 }

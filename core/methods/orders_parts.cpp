@@ -186,12 +186,17 @@ ImageId add_factors(Plan& plan, const std::string& shader, const Scene& scene, c
   return factors;
 }
 
+std::uint32_t march_shafts(const Part& part) {
+  const bool shafts = part.scene.render.get<std::string>("volumetric_shadows") != "false";
+  return shafts ? physics::kShaftsExact : physics::kShaftsNone;
+}
+
 void add_things_to_march(Plan& plan, const Part& part, std::vector<Binding>& reads,
                          std::vector<Specialization>& constants) {
   const ThingInputs things = add_things(plan, part.scene, part.things);
   reads.insert(reads.end(), things.reads.begin(), things.reads.end());
   constants.insert(constants.end(), things.constants.begin(), things.constants.end());
-  constants.push_back({"kShafts", part.scene.render.get<bool>("volumetric_shadows") ? 1U : 0U});
+  constants.push_back({"kShafts", march_shafts(part)});
 }
 
 std::uint32_t steps_past_things(const Part& part, const Light& light) {

@@ -9,6 +9,7 @@
 #include "core/luts/moments.h"
 #include "core/methods/factor_text.h"
 #include "core/methods/method.h"
+#include "core/methods/sky_pass.h"
 
 namespace airlight::orders {
 
@@ -76,12 +77,35 @@ FactorLayout layout_of(const Scene& scene, const FactorTable& table, bool in_col
 ImageId add_factors(Plan& plan, const std::string& shader, const Scene& scene, const FactorTable& table,
                     const View& view, const Light& light);
 
+// kShafts of a march.
+std::uint32_t march_shafts(const Part& part);
+
 // Adds things to what a march reads that sees their shadows in the air.
 void add_things_to_march(Plan& plan, const Part& part, std::vector<Binding>& reads,
                          std::vector<Specialization>& constants);
 
 // Steps of such a march: half of the picture's are 0.02 % off in the mean where terrain is in the air.
 std::uint32_t steps_past_things(const Part& part, const Light& light);
+
+// The aerial volume and what stands beside it (shaders/physics/aerial_volume.glsl).
+struct Volume {
+  ImageId sources;
+  ImageId extinction;
+  ImageId peaks;
+
+  std::vector<Binding> reads() const { return {{"volume_lut", sources}, {"extinction_lut", extinction}}; }
+};
+
+Volume add_volume(Plan& plan, const Scene& scene, const Light& light, const FactorTable& table, const View& view);
+
+// The constants of passes that read it.
+void add_volume_constants(std::vector<Specialization>& constants, const Scene& scene, const FactorTable& table);
+
+// The pass over things, the ground and the air about them.
+void add_things_sky(Plan& plan, const Part& part, const View& view, const SkyTarget& target, const Light& light);
+
+// The planes of its layers.
+BufferId add_things_layers(Plan& plan, const Part& part, const View& view, const Light& light);
 
 // SkyMethod::add_span_passes of the method.
 SpanPasses add_spans(Plan& plan, const Part& part, const Spans& spans, const SpanWay& way);

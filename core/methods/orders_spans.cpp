@@ -55,12 +55,10 @@ FactorTable volume_table(Part part) {
   return factor_table(part, part.air.scattering_media(), false, physics::kStokesNone);
 }
 
-// The aerial volume and the mean extinction beside it (shaders/physics/aerial_volume.glsl).
-std::vector<Binding> add_volume(Plan& plan, const Scene& scene, const Light& light, const FactorTable& table,
-                                const std::string& kept_as) {
+}  // namespace
+
+Volume add_volume(Plan& plan, const Scene& scene, const Light& light, const FactorTable& table, const View& view) {
   const auto slices = static_cast<std::uint32_t>(scene.render.get<int>("aerial_slices"));
-  View view;
-  view.kept_as = kept_as;
   const ImageId volume = plan.add_image({.name = "aerial_volume",
                                          .extent = {table.columns * table.blocks, table.rows(), slices},
                                          .key = picture_table_key(view, "aerial_volume"),
@@ -68,15 +66,16 @@ std::vector<Binding> add_volume(Plan& plan, const Scene& scene, const Light& lig
   const ImageId extinction = plan.add_image({.name = "mean_extinction",
                                              .extent = {4 * slices, table.rows(), 1},
                                              .key = picture_table_key(view, "mean_extinction")});
+  const ImageId peaks = plan.add_image(
+      {.name = "mean_peaks", .extent = {4 * slices, table.rows(), 1}, .key = picture_table_key(view, "mean_peaks")});
   std::vector<Specialization> constants = light.constants;
-  add_table_constants(constants, table);
-  constants.push_back({"kSlices", slices});
+  add_volume_constants(constants, scene, table);
   // Whole panels of two from slice to slice.
   const std::uint32_t steps = light.by_shells ? 1 : std::max(2u, light.steps / slices / 2 * 2);
   plan.add_pass({.name = "aerial_extinction",
                  .shader = "aerial_extinction",
                  .reads = light.reads(),
-                 .writes = {{"extinction_out", extinction}},
+                 .writes = {{"extinction_out", extinction}, {"peaks_out", peaks}},
                  .grid = {table.rows(), 1, 1},
                  .specialization = constants,
                  .team = 64,
@@ -90,10 +89,13 @@ std::vector<Binding> add_volume(Plan& plan, const Scene& scene, const Light& lig
                  .specialization = std::move(constants),
                  .team = 8,
                  .cost = ray_cost(steps * slices)});
-  return {{"volume_lut", volume}, {"extinction_lut", extinction}};
+  return {volume, extinction, peaks};
 }
 
-}  // namespace
+void add_volume_constants(std::vector<Specialization>& constants, const Scene& scene, const FactorTable& table) {
+  add_table_constants(constants, table);
+  constants.push_back({"kSlices", static_cast<std::uint32_t>(scene.render.get<int>("aerial_slices"))});
+}
 
 SpanPasses add_spans(Plan& plan, const Part& part, const Spans& spans, const SpanWay& way) {
   const Light light = add_light(plan, part);
@@ -103,10 +105,11 @@ SpanPasses add_spans(Plan& plan, const Part& part, const Spans& spans, const Spa
   std::vector<std::uint32_t> push{input.columns, input.count, spans.first_row};
   if (way.volume) {
     const FactorTable table = volume_table(part);
-    reads = add_volume(plan, part.scene, light, table, way.kept_as);
+    View view;
+    view.kept_as = way.kept_as;
+    reads = add_volume(plan, part.scene, light, table, view).reads();
     constants = medium_specialization(part.air);
-    add_table_constants(constants, table);
-    constants.push_back({"kSlices", static_cast<std::uint32_t>(part.scene.render.get<int>("aerial_slices"))});
+    add_volume_constants(constants, part.scene, table);
   } else {
     push.push_back(span_steps(part, light));
   }

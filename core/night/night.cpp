@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/air/scene_block.h"
 #include "core/night/background.h"
 #include "core/night/celestial.h"
 #include "core/night/night_air.h"
@@ -111,7 +112,8 @@ std::vector<NightStar> stars_of(const Scene& scene, const Colours& colours, cons
     const auto i = static_cast<std::size_t>(x);
     const double u = x - static_cast<double>(i);
     const vec3 colour = of_colour[i] * (1.0 - u) + of_colour[i + 1] * u;
-    stars.push_back({frame.apparent(star.j2000), colour * star_illuminance(star.magnitude)});
+    stars.push_back(
+        {frame.apparent(star.j2000), colour * (star_illuminance(star.magnitude) * light_passed(scene.camera))});
   }
   return stars;
 }
@@ -121,7 +123,7 @@ void add_background(Night& night, const Scene& scene, const Air& air, const Colo
   const NightSky& wish = *scene.night_sky;
   physics::Physics p = air.formulas();
   const double sun = sun_longitude(scene.camera.julian_date);
-  const vec3 one = colours.as_sunlight(kS10);
+  const vec3 one = colours.as_sunlight(kS10) * light_passed(scene.camera);
   vec3 sum(0.0);
   double weights = 0.0;
   for (physics::uint row = 0; row < physics::kNightRows; ++row) {
@@ -133,7 +135,7 @@ void add_background(Night& night, const Scene& scene, const Air& air, const Colo
       weights += weight;
     }
   }
-  const double lumens = wish.airglow * illuminance(airglow());
+  const double lumens = wish.airglow * illuminance(airglow()) * light_passed(scene.camera);
   night.airglow = colours.of(lumens, [](const WaveBand& band) { return mean_over(airglow(), band.low, band.high); });
   const NightAir lit = night_air(air, scene.camera.altitude);
   const vec3 mean = sum / weights + night.airglow * mean_van_rhijn(p, std::min(scene.camera.altitude, 80.0));

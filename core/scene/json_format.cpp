@@ -51,6 +51,10 @@ std::string json_string(std::string_view text) {
   return out + '"';
 }
 
+std::string json_choice(std::string_view word) {
+  return word == "true" || word == "false" ? std::string(word) : json_string(word);
+}
+
 std::string json_list(const std::vector<double>& values) {
   return "[" + joined_of(values, format_number) + "]";
 }

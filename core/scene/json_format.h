@@ -13,6 +13,9 @@ std::string format_number(double value);
 // The text in quotes, escaped.
 std::string json_string(std::string_view text);
 
+// One of several words as a preset has it: true and false without quotes.
+std::string json_choice(std::string_view word);
+
 // "[1, 2.5]".
 std::string json_list(const std::vector<double>& values);
 

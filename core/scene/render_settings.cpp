@@ -181,7 +181,7 @@ std::string json_text(const ParameterValue& value) {
     std::string operator()(bool flag) const { return flag ? "true" : "false"; }
     std::string operator()(int number) const { return std::to_string(number); }
     std::string operator()(double number) const { return format_number(number); }
-    std::string operator()(const std::string& text) const { return json_string(text); }
+    std::string operator()(const std::string& choice) const { return json_choice(choice); }
     std::string operator()(const TableSize& size) const {
       return "[" + std::to_string(size[0]) + ", " + std::to_string(size[1]) + "]";
     }

@@ -65,7 +65,7 @@ std::string expectation(const Rule& rule) {
     case RuleType::choice: {
       std::string text = "one of";
       for (std::size_t i = 0; i < rule.choices.size(); ++i) {
-        text += (i == 0 ? " " : ", ") + json_string(rule.choices[i]);
+        text += (i == 0 ? " " : ", ") + json_choice(rule.choices[i]);
       }
       return text;
     }

@@ -91,15 +91,18 @@ void read_spectrum(const Site& site, Spectrum& out) {
 }
 
 bool read_choice(const Site& site, std::size_t& out) {
-  const auto* name = std::get_if<std::string>(&site.value.data);
-  if (name == nullptr) {
+  const auto* text = std::get_if<std::string>(&site.value.data);
+  const auto* flag = std::get_if<bool>(&site.value.data);
+  const std::string name = text != nullptr ? *text : flag != nullptr && *flag ? "true" : "false";
+  const auto found = std::ranges::find(site.rule.choices, name);
+  const bool known = found != site.rule.choices.end();
+  if (text == nullptr && (flag == nullptr || !known)) {
     complain_of_type(site, "a string");
     return false;
   }
-  const auto found = std::ranges::find(site.rule.choices, *name);
-  if (found == site.rule.choices.end()) {
+  if (!known) {
     const std::vector<std::string> names(site.rule.choices.begin(), site.rule.choices.end());
-    site.complain(quoted(site.value) + " is unknown; expected " + expectation(site.rule) + did_you_mean(*name, names));
+    site.complain(quoted(site.value) + " is unknown; expected " + expectation(site.rule) + did_you_mean(name, names));
     return false;
   }
   out = static_cast<std::size_t>(found - site.rule.choices.begin());

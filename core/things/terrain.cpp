@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "core/error.h"
@@ -35,54 +36,104 @@ double fade(double x) {
   return x * x * x * (x * (x * 6.0 - 15.0) + 10.0);
 }
 
-double noise(std::uint32_t seed, double x, double y, int octave) {
-  const int i = static_cast<int>(std::floor(x));
-  const int j = static_cast<int>(std::floor(y));
-  const double u = fade(x - i);
-  const double v = fade(y - j);
-  const double upper = std::lerp(corner(seed, i, j, octave), corner(seed, i + 1, j, octave), u);
-  const double lower = std::lerp(corner(seed, i, j + 1, octave), corner(seed, i + 1, j + 1, octave), u);
-  return std::lerp(upper, lower, v);
-}
-
-// Ridged noise, about 0 to 1: sharp where an octave changes its sign, rough where the previous octaves are high.
-double ridged(std::uint32_t seed, double x, double y) {
-  constexpr int kOctaves = 8;
-  double sum = 0.0;
-  double weight = 1.0;
-  double strength = 0.5;
-  for (int octave = 0; octave < kOctaves; ++octave) {
-    const double crest = 1.0 - std::abs(noise(seed, x, y, octave));
-    sum += crest * crest * weight * strength;
-    weight = std::clamp(1.6 * crest * crest, 0.0, 1.0);
-    strength *= 0.5;
-    x = 2.03 * x + 17.7;
-    y = 1.97 * y - 5.1;
+// Noise along a row of points. Neighbours mostly share the corners of a cell.
+class NoiseRow {
+ public:
+  NoiseRow(std::uint32_t seed, double y, int octave) : seed_(seed), octave_(octave) {
+    row_ = static_cast<int>(std::floor(y));
+    down_ = fade(y - row_);
   }
-  return sum;
-}
+
+  // x: not negative.
+  double at(double x) {
+    const auto column = static_cast<int>(x);
+    if (column != column_) {
+      column_ = column;
+      upper_ = {corner(seed_, column, row_, octave_), corner(seed_, column + 1, row_, octave_)};
+      lower_ = {corner(seed_, column, row_ + 1, octave_), corner(seed_, column + 1, row_ + 1, octave_)};
+    }
+    const double across = fade(x - column);
+    const double upper = upper_[0] + (upper_[1] - upper_[0]) * across;
+    const double lower = lower_[0] + (lower_[1] - lower_[0]) * across;
+    return upper + (lower - upper) * down_;
+  }
+
+ private:
+  std::uint32_t seed_;
+  int octave_;
+  int row_ = 0;
+  int column_ = std::numeric_limits<int>::min();
+  double down_ = 0.0;
+  std::array<double, 2> upper_{};
+  std::array<double, 2> lower_{};
+};
+
+// Ridged noise along a row, about 0 to 1: sharp where an octave changes its sign, rough where the previous octaves are
+// high.
+class RidgedRow {
+ public:
+  RidgedRow(std::uint32_t seed, double y) {
+    for (int octave = 0; octave < kOctaves; ++octave) {
+      octaves_.emplace_back(seed, y, octave);
+      y = 1.97 * y - 5.1;
+    }
+  }
+
+  double at(double x) {
+    double sum = 0.0;
+    double weight = 1.0;
+    double strength = 0.5;
+    for (NoiseRow& octave : octaves_) {
+      const double crest = 1.0 - std::abs(octave.at(x));
+      sum += crest * crest * weight * strength;
+      weight = std::clamp(1.6 * crest * crest, 0.0, 1.0);
+      strength *= 0.5;
+      x = 2.03 * x + 17.7;
+    }
+    return sum;
+  }
+
+ private:
+  static constexpr int kOctaves = 8;
+  std::vector<NoiseRow> octaves_;
+};
 
 double smooth(double x) {
   const double t = std::clamp(x, 0.0, 1.0);
   return t * t * (3.0 - 2.0 * t);
 }
 
+// Of a range's columns: where its crest stands, and how its height falls toward the ends.
+struct RidgeColumn {
+  double x;
+  double crest;
+  double ends;
+};
+
+std::vector<RidgeColumn> ridge_columns(std::uint32_t seed) {
+  NoiseRow bends(seed, 0.5, 31);
+  std::vector<RidgeColumn> columns;
+  for (int column = 0; column < kRidgeColumns; ++column) {
+    const double x = static_cast<double>(column) / (kRidgeColumns - 1);
+    columns.push_back({x, 0.5 + 0.12 * bends.at(3.0 * x), smooth(8.0 * x) * smooth(8.0 * (1.0 - x))});
+  }
+  return columns;
+}
+
 // A seeded mountain range: heights in km, row by row, 0 at the edges; the highest is the ridge's height.
 std::vector<double> ridge_heights(const Ridge& ridge) {
   constexpr double kFeatures = 9.0;  // of the coarsest octave along the range
   const auto seed = static_cast<std::uint32_t>(ridge.seed);
+  const std::vector<RidgeColumn> columns = ridge_columns(seed);
   std::vector<double> heights;
   heights.reserve(static_cast<std::size_t>(kRidgeColumns) * static_cast<std::size_t>(kRidgeRows));
   for (int row = 0; row < kRidgeRows; ++row) {
-    for (int column = 0; column < kRidgeColumns; ++column) {
-      const double x = static_cast<double>(column) / (kRidgeColumns - 1);
-      const double y = static_cast<double>(row) / (kRidgeRows - 1);
-      const double crest = 0.5 + 0.12 * noise(seed, 3.0 * x, 0.5, 31);
-      const double across = std::abs(y - crest) / (y < crest ? crest : 1.0 - crest);
+    const double y = static_cast<double>(row) / (kRidgeRows - 1);
+    RidgedRow peaks(seed, 0.5 * kFeatures * y);
+    for (const RidgeColumn& column : columns) {
+      const double across = std::abs(y - column.crest) / (y < column.crest ? column.crest : 1.0 - column.crest);
       const double flank = std::pow(std::max(1.0 - across, 0.0), 1.3);
-      const double ends = smooth(8.0 * x) * smooth(8.0 * (1.0 - x));
-      const double peaks = 0.25 + ridged(seed, kFeatures * x, 0.5 * kFeatures * y);
-      heights.push_back(flank * ends * peaks);
+      heights.push_back(flank * column.ends * (0.25 + peaks.at(kFeatures * column.x)));
     }
   }
   const double highest = *std::ranges::max_element(heights);

@@ -16,8 +16,9 @@ namespace {
 
 using physics::HostTerrain;
 using physics::TerrainData;
+using physics::TerrainShadow;
 
-constexpr double kMostShadowTexels = 4e6;
+constexpr double kMostShadowTexels = 2e6;
 constexpr double kLongest = 300.0;   // km behind the map; a shadow does not change further on
 constexpr double kNoTerrain = -1e4;  // km: height of terrain that casts no shadow
 
@@ -70,23 +71,32 @@ double slope_of(double elevation) {
   return std::tan(std::clamp(elevation, -0.5, kSteepest));
 }
 
+// How far a ray toward the sun's upper and lower limb rises over one texel, column by column: km.
+std::vector<std::array<double, 2>> rises(const Sun& sun, double radius, const TerrainData& t) {
+  std::vector<std::array<double, 2>> all;
+  const double limb = sun.disc.angular_radius;
+  for (physics::uint k = 0; k < t.shadow_columns; ++k) {
+    const double elevation = sun.elevation + (t.shadow_along + (k + 0.5) * t.shadow_texel) / radius;
+    all.push_back({slope_of(elevation + limb) * t.shadow_texel, slope_of(elevation - limb) * t.shadow_texel});
+  }
+  return all;
+}
+
 // The table, swept row by row along the way from the sun.
-std::vector<physics::vec2> swept(const Sun& sun, double radius, const std::shared_ptr<const HostTerrain>& bare,
+std::vector<TerrainShadow> swept(const Sun& sun, double radius, const std::shared_ptr<const HostTerrain>& bare,
                                  const TerrainData& t) {
   physics::Physics p;
   p.terrain_maps = bare;
-  const double limb = sun.disc.angular_radius;
-  std::vector<physics::vec2> shadows(static_cast<std::size_t>(t.shadow_columns) * t.shadow_rows);
+  const std::vector<std::array<double, 2>> rise = rises(sun, radius, t);
+  std::vector<TerrainShadow> shadows(static_cast<std::size_t>(t.shadow_columns) * t.shadow_rows);
   for (physics::uint j = 0; j < t.shadow_rows; ++j) {
     const double aside = t.shadow_aside + j * t.shadow_texel;
     std::array<double, 2> shadow{kNoTerrain, kNoTerrain};  // of the disc's upper and lower limb
     double terrain = kNoTerrain;
     for (physics::uint k = t.shadow_columns; k-- > 0;) {
       const double along = t.shadow_along + k * t.shadow_texel;
-      const double elevation = sun.elevation + (along + 0.5 * t.shadow_texel) / radius;
       for (std::size_t edge = 0; edge < 2; ++edge) {
-        const double slope = slope_of(elevation + (edge == 0 ? limb : -limb));
-        shadow[edge] = std::max(std::max(shadow[edge], terrain) - slope * t.shadow_texel, kNoTerrain);
+        shadow[edge] = std::max(std::max(shadow[edge], terrain) - rise[k][edge], kNoTerrain);
       }
       const double east = along * t.sunward_east + aside * t.sunward_north;
       const double north = along * t.sunward_north - aside * t.sunward_east;
@@ -94,7 +104,8 @@ std::vector<physics::vec2> swept(const Sun& sun, double radius, const std::share
       const double row = p.map_row(t, east, north);
       const bool on_map = column >= 0.0 && row >= 0.0 && column <= t.columns - 1.0 && row <= t.rows - 1.0;
       terrain = on_map ? p.map_height(t, column, row) : kNoTerrain;
-      shadows[static_cast<std::size_t>(j) * t.shadow_columns + k] = {shadow[0], shadow[1]};
+      shadows[static_cast<std::size_t>(j) * t.shadow_columns + k] = {static_cast<float>(shadow[0]),
+                                                                     static_cast<float>(shadow[1])};
     }
   }
   return shadows;
@@ -117,7 +128,7 @@ HostTerrain with_shadow(const std::shared_ptr<const HostTerrain>& heights, const
   HostTerrain out = *heights;
   place_table(out.shape, sun, planet_radius, static_cast<double>(out.heights->back()));
   out.shape.shadow_reach = shadow_reach(out.shape);
-  out.shadows = std::make_shared<const std::vector<physics::vec2>>(swept(sun, planet_radius, heights, out.shape));
+  out.shadows = std::make_shared<const std::vector<TerrainShadow>>(swept(sun, planet_radius, heights, out.shape));
   return out;
 }
 

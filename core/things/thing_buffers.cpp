@@ -62,20 +62,11 @@ std::vector<std::byte> bytes_with(const Head& head, const Values& values) {
   return bytes;
 }
 
-std::vector<std::byte> shadow_bytes(const std::vector<physics::vec2>& shadows) {
-  std::vector<device::vec2> out;
-  out.reserve(shadows.size());
-  for (const physics::vec2& shadow : shadows) {
-    out.push_back({narrowed(shadow.x), narrowed(shadow.y)});
-  }
-  return bytes_of(out);
-}
-
 // A terrain whose maps are a texel each.
 std::shared_ptr<const physics::HostTerrain> no_terrain() {
-  return std::make_shared<const physics::HostTerrain>(
-      physics::HostTerrain{physics::TerrainData{}, std::make_shared<const std::vector<float>>(1, 0.0F),
-                           std::vector<physics::uint>(1), std::make_shared<const std::vector<physics::vec2>>(1)});
+  return std::make_shared<const physics::HostTerrain>(physics::HostTerrain{
+      physics::TerrainData{}, std::make_shared<const std::vector<float>>(1, 0.0F), std::vector<physics::uint>(1),
+      std::make_shared<const std::vector<physics::TerrainShadow>>(1)});
 }
 
 std::shared_ptr<const physics::HostGround> no_ground_maps() {
@@ -87,15 +78,16 @@ std::shared_ptr<const physics::HostGround> no_ground_maps() {
 std::vector<Binding> add_terrain(Plan& plan, std::shared_ptr<const physics::HostTerrain> terrain) {
   terrain = terrain == nullptr ? no_terrain() : std::move(terrain);
   const auto heights = [terrain] { return bytes_with(narrowed_shape(terrain->shape), *terrain->heights); };
-  const auto shadows = [terrain] { return shadow_bytes(*terrain->shadows); };
-  return {{"terrain",
-           plan.add_shared_buffer({.name = "terrain",
-                                   .bytes = sizeof(device::TerrainData) + terrain->heights->size() * sizeof(float),
-                                   .contents_when_run = heights})},
-          {"terrain_shadows", plan.add_shared_buffer({.name = "terrain_shadows",
-                                                      .bytes = terrain->shadows->size() * sizeof(device::vec2),
-                                                      .contents_when_run = shadows})},
-          {"terrain_colours", plan.add_buffer_once(filled_buffer("terrain_colours", bytes_of(terrain->colours)))}};
+  const auto shadows = [terrain] { return bytes_of(*terrain->shadows); };
+  return {
+      {"terrain",
+       plan.add_shared_buffer({.name = "terrain",
+                               .bytes = sizeof(device::TerrainData) + terrain->heights->size() * sizeof(float),
+                               .contents_when_run = heights})},
+      {"terrain_shadows", plan.add_shared_buffer({.name = "terrain_shadows",
+                                                  .bytes = terrain->shadows->size() * sizeof(physics::TerrainShadow),
+                                                  .contents_when_run = shadows})},
+      {"terrain_colours", plan.add_buffer_once(filled_buffer("terrain_colours", bytes_of(terrain->colours)))}};
 }
 
 std::vector<Binding> add_spheres(Plan& plan, const std::vector<physics::SphereData>& spheres) {

@@ -20,14 +20,7 @@ layout(push_constant, scalar) uniform Push {
 #include "shared/span_list.glsl"
 #include "shared/span_air_packed.glsl"
 
-layout(set = 0, binding = 3) uniform sampler3D volume_lut;
-layout(set = 0, binding = 4) uniform sampler2D extinction_lut;
-
-vec3 fetch_block(uint block, FactorPlace at, float w) {
-  float blocks = float(bitCount(kScatteringMedia) + 1u);
-  float u = (float(block * kSkyColumns) + 0.5 + at.x * float(kSkyColumns - 1u)) / (blocks * float(kSkyColumns));
-  return volume_source(textureLod(volume_lut, vec3(u, at.v, w), 0.0).rgb);
-}
+#include "shared/volume_fetch.glsl"
 
 vec3 single_at(uint i, FactorPlace at, float w) {
   return scatters(i) ? fetch_block(single_block(i), at, w) * medium_phase(i, at.nu) : vec3(0.0);

@@ -12,17 +12,20 @@ vec3 moment_irradiance(MomentTableData table, real h, real mu_sun, real mu, real
   cosine.degree[0] = vec3(kPi);
   cosine.degree[1] = vec3(kPi * 2.0 / 3.0);
   cosine.degree[2] = vec3(kPi / 4.0);
-  cosine.degree[3] = vec3(0.0);
   cosine.degree[4] = vec3(-kPi / 24.0);
-  cosine.degree[5] = vec3(0.0);
   cosine.degree[6] = vec3(kPi / 64.0);
-  cosine.degree[7] = vec3(0.0);
   cosine.degree[8] = vec3(-kPi / 128.0);
   MomentCoordinate c = moment_coordinate(table, h, mu_sun);
   if (shell_rows() > 0u) {
     c.y = shell_coordinate(shell_of(h, true), h);
   }
-  vec3 sum = harmonic_sum(source_degree(), c, cosine, harmonics(mu, cos_azimuth));
+  Harmonics y = harmonics(mu, cos_azimuth);
+  vec3 sum = cosine.degree[0] * y.of[0];
+  sum = with_degree(sum, 1u, source_degree(), c, cosine, y);
+  sum = with_degree(sum, 2u, source_degree(), c, cosine, y);
+  sum = with_degree(sum, 4u, source_degree(), c, cosine, y);
+  sum = with_degree(sum, 6u, source_degree(), c, cosine, y);
+  sum = with_degree(sum, 8u, source_degree(), c, cosine, y);
   return max(sum, vec3(0.0)) * exp(fetch_moment(0u, c.x, c.y));
 }
 

@@ -8,6 +8,8 @@
 //   vec2 terrain_shadow(uint k);       altitude up to which the sun is wholly hidden, and from which on it is whole
 //   vec3 terrain_colour(uint k);       albedo
 
+const real kNoShadow = 1e4;  // km below the ground: the altitude of a shadow that is nowhere
+
 // A ray along the ground. The map is true around the camera, so a ray that starts elsewhere bends on it, by 1e-5 of its
 // length at 50 km on Earth; that is left out.
 struct GroundTrack {
@@ -134,15 +136,13 @@ real clearance(PlanetData planet, TerrainData t, GroundTrack track, real s) {
   return track_altitude(planet, track, s) - map_height(t, map_column(t, east, north), map_row(t, east, north));
 }
 
-// The meeting between a, where the ray is above the terrain, and b, where it is below it.
-real meeting(PlanetData planet, TerrainData t, GroundTrack track, real a, real b) {
-  for (uint i = 0u; i < 14u; i++) {
-    real middle = 0.5 * (a + b);
-    bool above = clearance(planet, t, track, middle) > 0.0;
-    a = above ? middle : a;
-    b = above ? b : middle;
-  }
-  return b;
+// Where a ray first meets the terrain on its way through one cell, as a share of the way, from its height over the
+// terrain at the start, in the middle and at the end. On a bilinear patch that is a parabola. The start is above.
+real meeting(real start, real middle, real end) {
+  real bend = 2.0 * (start - 2.0 * middle + end);
+  real fall = 3.0 * start - 4.0 * middle + end;
+  real root = sqrt(max(fall * fall - 4.0 * bend * start, 0.0));
+  return clamp(2.0 * start / max(fall + root, 1e-30), 0.0, 1.0);
 }
 
 // End of the cell of 2^level heights in which the line is at `ahead`, just behind s.
@@ -154,9 +154,9 @@ real cell_end(real ahead, real p, real d, real size) {
   return ((d > 0.0 ? cell + 1.0 : cell) * size - p) / d;
 }
 
-// The first meeting with the terrain, found through maxima over cells of 2, 4, 8 ... heights: the ray skips a cell
-// whose highest point lies below it.
-TerrainHit terrain_hit(PlanetData planet, GroundTrack track) {
+// The first meeting with the terrain at `from` or beyond, km along the ground, found through maxima over cells of 2, 4,
+// 8 ... heights: the ray skips a cell whose highest point lies below it.
+TerrainHit terrain_hit_past(PlanetData planet, GroundTrack track, real from) {
   TerrainData t = terrain_shape();
   TerrainHit result;
   result.hit = false;
@@ -167,7 +167,7 @@ TerrainHit terrain_hit(PlanetData planet, GroundTrack track) {
   real columns_a_km = map_column(t, track_east(track, 1.0), track_north(track, 1.0)) - column0;
   real rows_a_km = map_row(t, track_east(track, 1.0), track_north(track, 1.0)) - row0;
   Interval part;
-  part.from = 0.0;
+  part.from = from;
   part.to = 1.5 * planet.ground_radius;
   if (meets_ground(planet, track.h, track.mu)) {
     part.to = ground_distance(planet, track.h, track.mu, distance_to_ground(planet, track.h, track.mu));
@@ -177,7 +177,7 @@ TerrainHit terrain_hit(PlanetData planet, GroundTrack track) {
   real lowest = planet.ground_radius * atan(-track.mu, track.sigma);
   real least = 1e-3 * t.texel;
   real s = part.from;
-  uint level = t.levels - 1u;
+  uint level = from > 0.0 ? 0u : t.levels - 1u;
   for (uint turn = 0u; turn < 2048u; turn++) {
     if (s >= part.to) {
       break;
@@ -200,15 +200,14 @@ TerrainHit terrain_hit(PlanetData planet, GroundTrack track) {
       level = level - 1u;
       continue;
     }
-    real middle = 0.5 * (s + end);
-    bool starts_below = clearance(planet, t, track, s) <= 0.0;
-    bool middle_below = clearance(planet, t, track, middle) <= 0.0;
-    bool end_below = clearance(planet, t, track, end) <= 0.0;
-    if (starts_below || middle_below || end_below) {
+    real over_start = clearance(planet, t, track, s);
+    real over_middle = clearance(planet, t, track, 0.5 * (s + end));
+    real over_end = clearance(planet, t, track, end);
+    if (min(min(over_start, over_middle), over_end) <= 0.0) {
       result.hit = true;
       result.ground = s;
-      if (!starts_below) {
-        result.ground = meeting(planet, t, track, middle_below ? s : middle, middle_below ? middle : end);
+      if (over_start > 0.0) {
+        result.ground = s + (end - s) * meeting(over_start, over_middle, over_end);
       }
       result.distance_ = track_distance(planet, track, result.ground);
       return result;
@@ -218,13 +217,12 @@ TerrainHit terrain_hit(PlanetData planet, GroundTrack track) {
   return result;
 }
 
-// Share of the sun's disc that the terrain leaves at a place and altitude. Between the shadows of the disc's upper and
-// lower limb it rises as a limb-darkened disc does behind a moving straight edge.
-real terrain_sunlit(TerrainData t, real east, real north, real h) {
+// The altitudes up to which terrain hides all of the sun's disc at a place, and from which on it hides nothing.
+vec2 shadow_altitudes(TerrainData t, real east, real north) {
   real along = (east * t.sunward_east + north * t.sunward_north - t.shadow_along) / t.shadow_texel;
   real aside = (east * t.sunward_north - north * t.sunward_east - t.shadow_aside) / t.shadow_texel;
   if (along > real(t.shadow_columns - 1u) || aside < 0.0 || aside > real(t.shadow_rows - 1u)) {
-    return 1.0;
+    return vec2(-kNoShadow, -kNoShadow);
   }
   along = max(along, 0.0);
   uint i = min(uint(along), t.shadow_columns - 2u);
@@ -238,7 +236,16 @@ real terrain_sunlit(TerrainData t, real east, real north, real h) {
   vec2 d = terrain_shadow(k + t.shadow_columns + 1u);
   real dark = (a.x * (1.0 - u) + b.x * u) * (1.0 - v) + (c.x * (1.0 - u) + d.x * u) * v;
   real whole = (a.y * (1.0 - u) + b.y * u) * (1.0 - v) + (c.y * (1.0 - u) + d.y * u) * v;
-  real x = clamp((h - dark) / max(whole - dark, 1e-6), 0.0, 1.0);
+  return vec2(dark, whole);
+}
+
+TerrainHit terrain_hit(PlanetData planet, GroundTrack track) { return terrain_hit_past(planet, track, 0.0); }
+
+// Share of the sun's disc that the terrain leaves at a place and altitude. Between the shadows of the disc's upper and
+// lower limb it rises as a limb-darkened disc does behind a moving straight edge.
+real terrain_sunlit(TerrainData t, real east, real north, real h) {
+  vec2 shadow = shadow_altitudes(t, east, north);
+  real x = clamp((h - shadow.x) / max(shadow.y - shadow.x, 1e-6), 0.0, 1.0);
   return x * x * (3.0 - 2.0 * x);
 }
 
@@ -261,4 +268,32 @@ real step_sunlit(PlanetData planet, GroundTrack track, real start, Ray ray, real
     sum = sum + terrain_sunlit(shape, track_east(track, s), track_north(track, s), h);
   }
   return sum / real(parts);
+}
+
+// A point of a ray over the edge of the terrain's shadow: its height over the altitude up to which all is dark, and the
+// height of the penumbra, km.
+vec2 over_shadow(PlanetData planet, GroundTrack track, Ray ray, real t) {
+  real s = ground_distance(planet, ray.h, ray.mu, t);
+  vec2 shadow = shadow_altitudes(terrain_shape(), track_east(track, s), track_north(track, s));
+  return vec2(point_on_ray(planet, ray, t).h - shadow.x, shadow.y - shadow.x);
+}
+
+// Integral of x*x*(3-2x) from 0 on, which is 0 below and 1 above 0 to 1.
+real penumbra_integral(real x) {
+  real y = clamp(x, 0.0, 1.0);
+  return y * y * y * (1.0 - 0.5 * y) + max(x - 1.0, 0.0);
+}
+
+// Mean of terrain_sunlit() between two points with these over_shadow(): the height is linear between them, so that the
+// place where the ray crosses the edge is exact however far apart they are. `most`: no height changes by more on the way
+// but where a shadow ends at the terrain that throws it. There half of the way is dark, wherever it ends.
+real mean_sunlit(vec2 near, vec2 far, real most) {
+  real width = max(0.5 * (near.y + far.y), 0.02 * most);
+  real a = clamp(near.x, -most, most + width) / width;
+  real b = clamp(far.x, -most, most + width) / width;
+  if (abs(b - a) < 0.05) {
+    real x = clamp(0.5 * (a + b), 0.0, 1.0);
+    return x * x * (3.0 - 2.0 * x);
+  }
+  return (penumbra_integral(b) - penumbra_integral(a)) / (b - a);
 }

@@ -37,8 +37,9 @@ struct ThingHit {
 
 bool hits_thing(ThingHit hit) { return hit.what > kMeetsGround; }
 
-// The first thing on the way, or the ground. `skip`: the sphere that the ray leaves.
-ThingHit nearest_thing(PlanetData planet, Sight sight, uint skip) {
+// The first thing on the way, or the ground. `skip`: the sphere that the ray leaves. `bare`: there is no terrain before
+// that distance along the ground, km.
+ThingHit nearest_thing_past(PlanetData planet, Sight sight, uint skip, real bare) {
   bool ground = sight.ray.at_ground && sight.ray.length_ >= 0.0;
   ThingHit hit;
   hit.what = ground ? kMeetsGround : kMeetsSky;
@@ -46,7 +47,7 @@ ThingHit nearest_thing(PlanetData planet, Sight sight, uint skip) {
   hit.distance_ = ground ? sight.before + sight.ray.length_ : 1e30;
   hit.ground = 0.0;
   if (has_terrain()) {
-    TerrainHit terrain = terrain_hit(planet, sight.track);
+    TerrainHit terrain = terrain_hit_past(planet, sight.track, bare);
     hit.what = terrain.hit ? kMeetsTerrain : hit.what;
     hit.distance_ = terrain.hit ? terrain.distance_ : hit.distance_;
     hit.ground = terrain.ground;
@@ -57,6 +58,10 @@ ThingHit nearest_thing(PlanetData planet, Sight sight, uint skip) {
   hit.which = nearer ? ball.which : kNoSphere;
   hit.distance_ = nearer ? ball.distance_ : hit.distance_;
   return hit;
+}
+
+ThingHit nearest_thing(PlanetData planet, Sight sight, uint skip) {
+  return nearest_thing_past(planet, sight, skip, 0.0);
 }
 
 // Share of the sun's disc that things leave at a place. `skip`: the sphere on which it lies.

@@ -57,6 +57,16 @@ const uint kHasTerrain = 1u;
 const uint kHasSpheres = 2u;
 const uint kHasGroundMaps = 4u;  // planet.albedo_map, planet.ocean
 
+// Pixels of a pass over things.
+const uint kThingPixelsAll = 0u;
+const uint kThingPixelsEven = 1u;   // of one ray
+const uint kThingPixelsEdges = 2u;  // of several
+
+// Shadows of things in the air. To the march all but none are the same.
+const uint kShaftsNone = 0u;
+const uint kShaftsFroxels = 1u;
+const uint kShaftsExact = 2u;
+
 const uint kToneAces = 0u;
 const uint kToneReinhard = 1u;
 const uint kToneReinhardLuminance = 2u;

@@ -1,13 +1,13 @@
 // The march through air in the shadow of things.
 #include "shared/things.glsl"
 
-layout(constant_id = 17) const uint kShafts = 1u;  // 0: the air is lit as if there were no things
+layout(constant_id = 35) const uint kShafts = kShaftsExact;
 
 // The part of the ray at hand.
 Course course;
 
 float sun_share(Ray ray, float t, float width) {
-  if (kShafts == 0u && width > 0.0) {
+  if (kShafts == kShaftsNone && width > 0.0) {
     return 1.0;
   }
   return step_past_things(scene.planet, scene.sun, course, ray, t, width);

@@ -9,11 +9,11 @@
 #include "physics/sphere_light.glsl"
 #include "physics/things_light.glsl"
 
-layout(constant_id = 16) const uint kSegments = 1u;  // most parts of a ray from mirror to mirror; light beyond is lost
-layout(constant_id = 18) const uint kDiscShows = 1u;  // 1: the disc shows in mirrors
+layout(constant_id = 36) const uint kSegments = 1u;  // most parts of a ray from mirror to mirror; light beyond is lost
+layout(constant_id = 37) const uint kDiscShows = 1u;  // 1: the disc shows in mirrors
 
-// `spread`: angle between neighbouring rays.
-Gathered gathered_along(vec3 direction, float spread, uint steps) {
+// `spread`: angle between neighbouring rays. `bare`: no terrain before that distance along the ground.
+Gathered gathered_along(vec3 direction, float spread, float bare, uint steps) {
   Gathered sum = nothing_gathered();
   vec3 origin = vec3(0.0);
   vec3 through = vec3(1.0);
@@ -21,7 +21,7 @@ Gathered gathered_along(vec3 direction, float spread, uint steps) {
   uint left = kNoSphere;
   for (uint i = 0u; i < kSegments; i++) {
     Sight sight = sight_of(origin, direction);
-    ThingHit hit = nearest_thing(scene.planet, sight, left);
+    ThingHit hit = nearest_thing_past(scene.planet, sight, left, i == 0u ? bare : 0.0);
     Ray ray = sight.ray;
     if (hits_thing(hit)) {
       ray = ray_up_to(scene.planet, sight.from.h, sight.track.mu, ray, hit.distance_);
@@ -51,6 +51,8 @@ Gathered gathered_along(vec3 direction, float spread, uint steps) {
   return sum;
 }
 
+layout(scalar, set = 0, binding = 18) readonly buffer Corners { vec2 values[]; } corners;  // of the tile, row by row
+
 const uint kEdgeSide = 4u;  // rays across a pixel with an edge, a shadow's edge or a mirror
 
 vec3 direction_at(uvec2 pixel, vec2 place) {
@@ -72,33 +74,37 @@ bool holds_sphere_edge(vec3 direction, float reach) {
   return edge;
 }
 
-// Whether the pixel's corners see terrain at distances too different to lie on one slope, or ground and terrain with
-// different shares of the sun past spheres.
-bool holds_step(uvec2 pixel) {
-  float nearest = 1e9;
-  float farthest = 0.0;
-  float least = 1.0;
-  float most = 0.0;
-  for (uint i = 0u; i < 4u; i++) {
-    vec3 direction = direction_at(pixel, vec2(i % 2u == 0u ? 0.01 : 0.99, i < 2u ? 0.01 : 0.99));
-    Sight sight = sight_of(vec3(0.0), direction);
-    TerrainHit terrain;
-    terrain.hit = false;
-    terrain.distance_ = 1e9;
-    if (has_terrain()) {
-      terrain = terrain_hit(scene.planet, sight.track);
-    }
-    bool ground = sight.ray.at_ground && sight.ray.length_ >= 0.0;
-    float distance_ = terrain.hit ? terrain.distance_ : 1e9;
-    nearest = min(nearest, distance_);
-    farthest = max(farthest, distance_);
-    vec3 point = direction * (terrain.hit ? terrain.distance_ : sight.before + sight.ray.length_);
-    float share = sun_past_spheres(point, scene.sun.direction, scene.sun.angular_radius, kNoSphere);
-    share = terrain.hit || ground ? share : 1.0;
-    least = min(least, share);
-    most = max(most, share);
-  }
-  return farthest > 1.15 * nearest || most - least > 0.1;
+// What the corners of a pixel see (thing_corners.comp).
+struct PixelCorners {
+  float nearest;   // distances of terrain, km
+  float farthest;
+  float least;     // shares of the sun past spheres, of ground and terrain
+  float most;
+};
+
+PixelCorners corners_of(uvec2 pixel) {
+  uint row = scene.tile.width + 1u;
+  uint first = pixel.y * row + pixel.x;
+  vec2 a = corners.values[first];
+  vec2 b = corners.values[first + 1u];
+  vec2 c = corners.values[first + row];
+  vec2 d = corners.values[first + row + 1u];
+  PixelCorners of;
+  of.nearest = min(min(a.x, b.x), min(c.x, d.x));
+  of.farthest = max(max(a.x, b.x), max(c.x, d.x));
+  of.least = min(min(a.y, b.y), min(c.y, d.y));
+  of.most = max(max(a.y, b.y), max(c.y, d.y));
+  return of;
+}
+
+// Whether the corners see terrain at distances too different to lie on one slope, or ground and terrain with different
+// shares of the sun past spheres.
+bool holds_step(PixelCorners of) { return of.farthest > 1.15 * of.nearest || of.most - of.least > 0.1; }
+
+// Distance along the ground before which no ray of the pixel meets terrain.
+float bare_before(PixelCorners of, vec3 direction, bool edge) {
+  float before = edge ? 0.1 * of.nearest : of.farthest - of.nearest + terrain_shape().texel;
+  return ground_distance(scene.planet, scene.camera.altitude, direction.y, max(of.nearest - before, 0.0));
 }
 
 struct ThingPixel {
@@ -106,6 +112,7 @@ struct ThingPixel {
   uint side;     // above 1: so many rays across, for a pixel with an edge
   uint count;
   float spread;  // angle between neighbouring rays
+  float bare;    // no terrain before that distance along the ground, km
 };
 
 ThingPixel thing_pixel(uvec2 pixel, ViewRay view) {
@@ -113,11 +120,14 @@ ThingPixel thing_pixel(uvec2 pixel, ViewRay view) {
   found.rays = rays_at(pixel, view);
   found.side = 1u;
   found.spread = 0.0;
+  found.bare = 0.0;
   if (kProjection != kProjectionListed) {
     // Within the pixel, so as not to cross the cut of a map.
     float across = length(direction_at(pixel, vec2(0.99, 0.5)) - direction_at(pixel, vec2(0.01, 0.5)));
     float corner = length(direction_at(pixel, vec2(0.99, 0.99)) - direction_at(pixel, vec2(0.01, 0.01)));
-    bool edge = holds_sphere_edge(view.direction, max(across, corner)) || holds_step(pixel);
+    PixelCorners seen = corners_of(pixel);
+    bool edge = holds_sphere_edge(view.direction, max(across, corner)) || holds_step(seen);
+    found.bare = has_terrain() ? bare_before(seen, view.direction, edge) : 0.0;
     found.side = view.inside && edge ? kEdgeSide : 1u;
     found.spread = across / (0.98 * float(found.side));
   }

@@ -8,6 +8,8 @@ layout(constant_id = 33) const uint kThings = 0u;  // bits kHasTerrain, ...
 bool has_terrain() { return (kThings & kHasTerrain) != 0u; }
 bool has_ground_maps() { return (kThings & kHasGroundMaps) != 0u; }
 
+uvec2 here;  // the pixel of the tile at hand
+
 #include "shared/terrain_maps.glsl"
 #include "shared/sphere_list.glsl"
 #include "shared/ground_maps.glsl"

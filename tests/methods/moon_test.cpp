@@ -98,7 +98,7 @@ TEST(Moon, ItsLayersAddUpToThePicture) {
   scene.moon = moon_at(12.0, 20.0, 30.0);
   scene.camera.azimuth = 20.0 * kDegree;
   RenderRequest request;
-  request.layers = true;
+  request.layers = LayerSet::light;
   const Rendering made = render_now(scene, request);
   bool has_moon = false;
   for (std::size_t i = 0; i < made.radiance.rgba.size() / 4; ++i) {

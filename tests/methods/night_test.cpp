@@ -162,7 +162,7 @@ TEST(NightSky, IsALayer) {
   scene.night_sky = NightSky{.airglow = 100.0};
   scene.image = {24, 14};
   RenderRequest request;
-  request.layers = true;
+  request.layers = LayerSet::light;
   const Rendering made = render_now(scene, request);
   for (std::size_t i = 0; i < made.radiance.rgba.size() / 4; ++i) {
     double sum = 0.0;

@@ -228,7 +228,7 @@ TEST(SphereSky, ShaftsAreTheSunlightThatIsHidden) {
     directions.push_back({20.0 * kDegree, 150.0 * kDegree});
     const std::vector<ProbeResult> with = probe_now(scene, directions);
     Scene open = scene;
-    open.render.parameters.find("volumetric_shadows")->second = false;
+    open.render.parameters.find("volumetric_shadows")->second = std::string("false");
     const std::vector<ProbeResult> without = probe_now(open, directions);
     Physics p = make_physics(scene);
     p.spheres = spheres_of(scene);

@@ -77,7 +77,7 @@ TEST(TerrainSky, ShaftsAreTheSunlightThatIsHidden) {
     }
     const std::vector<ProbeResult> with = probe_now(scene, directions);
     Scene open = scene;
-    open.render.parameters.find("volumetric_shadows")->second = false;
+    open.render.parameters.find("volumetric_shadows")->second = std::string("false");
     const std::vector<ProbeResult> without = probe_now(open, directions);
     physics::Physics p = make_physics(scene);
     p.terrain_maps = shadowed_terrain(scene);

@@ -118,7 +118,7 @@ TEST(TerrainTruth, ShaftsAreWhatPathTraceTakesOutOfTheSky) {
     }
   }
   Scene open = scene;
-  open.render.parameters.insert_or_assign("volumetric_shadows", false);
+  open.render.parameters.insert_or_assign("volumetric_shadows", std::string("false"));
   const std::vector<ProbeResult> with = probe_now(scene, directions);
   const std::vector<ProbeResult> without = probe_now(open, directions);
   Scene bare = scene;

@@ -104,7 +104,7 @@ TEST(Things, ARayShowsTheNearestSurface) {
   for (const unsigned int things : {kTerrain | kSpheres, kTerrain | kOcean, kSpheres | kOcean, kAll}) {
     Scene scene = shore(things);
     scene.sun.elevation = 85.0 * kDegree;
-    scene.render.parameters.find("volumetric_shadows")->second = false;
+    scene.render.parameters.find("volumetric_shadows")->second = std::string("false");
     Physics p = formulas_with_things(scene);
     const std::vector<Direction> directions = lattice(scene);
     const std::vector<ProbeResult> all = probe_now(scene, directions);
@@ -263,26 +263,88 @@ TEST(Things, MirrorsShowThings) {
   }
 }
 
+// The ways to find the air up to things.
+constexpr std::array<const char*, 3> kShadowWays{"march", "froxels", "exact"};
+
+Scene with_shadows(Scene scene, const std::string& way) {
+  scene.render.parameters.insert_or_assign("volumetric_shadows", way);
+  scene.render.parameters.insert_or_assign("tabulate", std::string("always"));
+  return scene;
+}
+
+void expect_tiles_are_the_picture(const Scene& scene, const std::string& what) {
+  const Rendering whole = render_now(scene);
+  expect_sound(whole, what);
+  std::vector<float> rgba;
+  BandsRequest request{.tile = ImageSize{7, 5}, .picture = {}, .exposure_first = false, .sink = {}};
+  request.sink = [&](const Band& band) {
+    rgba.insert(rgba.end(), band.rows.radiance.rgba.begin(), band.rows.radiance.rgba.end());
+  };
+  render_bands([]() -> Executor& { return executor(); }, scene, request);
+  EXPECT_EQ(rgba, whole.radiance.rgba) << what;
+}
+
 TEST(Things, TilesAreThePicture) {
   for (const unsigned int things : {kTerrain | kSpheres, kTerrain | kOcean, kSpheres | kOcean, kAll}) {
     Scene scene = shore(things);
     scene.sun.disc.visible = true;
     scene.image = {24, 14};
-    const Rendering whole = render_now(scene);
-    expect_sound(whole, std::to_string(things));
-    std::vector<float> rgba;
-    BandsRequest request{.tile = ImageSize{7, 5}, .picture = {}, .exposure_first = false, .sink = {}};
-    request.sink = [&](const Band& band) {
-      rgba.insert(rgba.end(), band.rows.radiance.rgba.begin(), band.rows.radiance.rgba.end());
-    };
-    render_bands([]() -> Executor& { return executor(); }, scene, request);
-    EXPECT_EQ(rgba, whole.radiance.rgba) << things;
+    expect_tiles_are_the_picture(scene, std::to_string(things));
+  }
+  Scene scene = shore(kAll);
+  scene.image = {37, 23};
+  for (const char* way : kShadowWays) {
+    expect_tiles_are_the_picture(with_shadows(scene, way), way);
+  }
+}
+
+// The march's pixels whose neighbours differ by less than a fifth.
+bool is_even(const RadianceImage& picture, int x, int y) {
+  const double here = channel_of(picture, x, y, 1);
+  double most = 0.0;
+  for (int dy = -1; dy <= 1; ++dy) {
+    for (int dx = -1; dx <= 1; ++dx) {
+      const int column = std::clamp(x + dx, 0, picture.width - 1);
+      const int row = std::clamp(y + dy, 0, picture.height - 1);
+      most = std::max(most, std::abs(channel_of(picture, column, row, 1) / here - 1.0));
+    }
+  }
+  return most < 0.2;
+}
+
+// Mountains before a low sun throw shadows into haze; balls stand on the shore, one of them a mirror.
+TEST(Things, TablesAreTheMarch) {
+  for (const char* shells : {"never", "always"}) {
+    Scene scene = shore(kAll, shells);
+    scene.sun.elevation = 6.0 * kDegree;
+    scene.sun.azimuth = 95.0 * kDegree;
+    scene.image = {96, 56};
+    const RadianceImage march = render_now(with_shadows(scene, "march")).radiance;
+    const RadianceImage open = render_now(with_shadows(scene, "false")).radiance;
+    for (const std::string way : {"froxels", "exact"}) {
+      const RadianceImage found = render_now(with_shadows(scene, way)).radiance;
+      double sum = 0.0;
+      double worst = 0.0;
+      double shade = 0.0;
+      for (int k = 0; k < 96 * 56; ++k) {
+        const double truth = channel_of(march, k % 96, k / 96, 1);
+        const double error = std::abs(channel_of(found, k % 96, k / 96, 1) / truth - 1.0);
+        sum += error / (96 * 56);
+        shade += (channel_of(open, k % 96, k / 96, 1) / truth - 1.0) / (96 * 56);
+        worst = is_even(march, k % 96, k / 96) ? std::max(worst, error) : worst;
+      }
+      std::printf("%s, shells %s: mean %.5f, worst %.4f off the march; shadows take %.4f\n", way.c_str(), shells, sum,
+                  worst, shade);
+      EXPECT_LT(sum, way == "exact" ? 0.0025 : 0.01) << way;
+      EXPECT_LT(worst, way == "exact" ? 0.05 : 0.7) << way;  // froxels here are two degrees wide
+      EXPECT_GT(shade, 0.1) << "too little to tell by";
+    }
   }
 }
 
 TEST(Things, LayersSumUpToThePicture) {
-  for (const char* shells : {"never", "always"}) {
-    Scene scene = shore(kAll, shells);
+  for (const char* way : kShadowWays) {
+    Scene scene = with_shadows(shore(kAll, way == kShadowWays[0] ? "never" : "always"), way);
     scene.image = {24, 14};
     RenderRequest request;
     request.layers = LayerSet::light;

@@ -193,6 +193,49 @@ TEST(Terrain, ShadowOfAStepIsTheMeanAlongIt) {
 }
 
 // A field of harmonics up to degree 2, nowhere negative, lights a slope by the integral of its cosine.
+// Between two points whose heights over the shadow's edge are linear; past an edge that ends on the way half is dark.
+TEST(Terrain, MeanShareBetweenTwoPointsIsTheIntegral) {
+  Physics p;
+  std::mt19937_64 engine(5);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  for (int k = 0; k < 400; ++k) {
+    const double width = 0.3 + 0.25 * uniform(engine);
+    const double a = 0.9 * uniform(engine);
+    const double b = k % 7 == 0 ? a + 1e-3 * uniform(engine) : 0.9 * uniform(engine);
+    double sum = 0.0;
+    constexpr int kParts = 2000;
+    for (int i = 0; i < kParts; ++i) {
+      const double x = std::clamp(std::lerp(a, b, (i + 0.5) / kParts) / width, 0.0, 1.0);
+      sum += x * x * (3.0 - 2.0 * x) / kParts;
+    }
+    EXPECT_NEAR(p.mean_sunlit({a, width}, {b, width}, 1.0), sum, 1e-3) << a << ", " << b << ", " << width;
+  }
+  EXPECT_EQ(p.mean_sunlit({-0.5, 0.1}, {-0.2, 0.1}, 0.4), 0.0);
+  EXPECT_EQ(p.mean_sunlit({0.3, 0.1}, {0.2, 0.1}, 0.4), 1.0);
+  EXPECT_NEAR(p.mean_sunlit({-0.9, 1e-3}, {1e4, 1e-3}, 0.2), 0.5, 0.02);
+}
+
+// A search that begins anywhere before the terrain finds the same meeting.
+TEST(Terrain, IsMetWhereverTheSearchBegins) {
+  const Scene scene = hills();
+  Physics p = with_shadow(scene);
+  int hits = 0;
+  for (double azimuth = 20.0; azimuth < 110.0; azimuth += 7.3) {
+    for (double elevation = -12.0; elevation < 3.0; elevation += 0.9) {
+      const vec3 view = p.direction_from_angles(elevation * kDegree, azimuth * kDegree);
+      const auto track = p.ground_track(scene.camera.altitude, view);
+      const auto hit = p.terrain_hit(p.scene.planet, track);
+      for (const double share : {0.5, 0.93, 0.999}) {
+        const auto again = p.terrain_hit_past(p.scene.planet, track, hit.hit ? share * hit.ground : share * 40.0);
+        EXPECT_EQ(again.hit, hit.hit);
+        EXPECT_NEAR(again.ground, hit.ground, hit.hit ? 1e-3 : 0.0) << azimuth << ", " << elevation;
+      }
+      hits += hit.hit ? 1 : 0;
+    }
+  }
+  EXPECT_GT(hits, 100);
+}
+
 TEST(Terrain, SlopesAreLitByTheIntegralOfTheField) {
   Physics p = make_physics(earth());
   p.degree = 2;

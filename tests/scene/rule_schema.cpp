@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/scene/curve_reader.h"
+#include "core/scene/json_format.h"
 #include "core/scene/render_settings.h"
 #include "core/scene/rules.h"
 #include "core/scene/scene.h"
@@ -27,10 +28,10 @@ OrderedJson array_schema(const OrderedJson& items, int minimum, int maximum) {
   return {{"type", "array"}, {"items", items}, {"minItems", minimum}, {"maxItems", maximum}};
 }
 
-OrderedJson strings(std::span<const std::string_view> names) {
+OrderedJson choices(const Rule& rule) {
   OrderedJson list = OrderedJson::array();
-  for (const std::string_view name : names) {
-    list.push_back(name);
+  for (const std::string_view name : rule.choices) {
+    list.push_back(OrderedJson::parse(json_choice(name)));
   }
   return list;
 }
@@ -100,7 +101,7 @@ OrderedJson type_schema(const Rule& rule) {
     case RuleType::wavelengths:
       return {{"anyOf", {number_schema(rule.range, "integer"), OrderedJson{{"const", "auto"}}}}};
     case RuleType::choice:
-      return {{"enum", strings(rule.choices)}};
+      return {{"enum", choices(rule)}};
     case RuleType::exposure:
       return {{"anyOf",
                {number_schema(rule.range), OrderedJson{{"enum", {"auto", "day"}}},

@@ -1,0 +1,196 @@
+// Pictures of things by `orders`: surfaces first, then the air up to them by tables, or by a march along each ray.
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/air/scene_block.h"
+#include "core/luts/luts.h"
+#include "core/methods/orders_parts.h"
+#include "core/plan/bytes.h"
+#include "core/things/thing_buffers.h"
+
+namespace airlight::orders {
+namespace {
+
+// Whether mirrors stand so near that what they show is what the camera sees in that direction.
+bool mirrors_are_near(const Part& part) {
+  constexpr double kFarthest = 2.0;  // km
+  constexpr double kHighest = 0.02;  // km over the camera or below it
+  return std::ranges::all_of(part.things.spheres(), [](const physics::SphereData& s) {
+    return s.material != physics::kSphereMirror ||
+           (physics::length(s.centre) < kFarthest && std::abs(s.centre.y) + s.radius < kHighest);
+  });
+}
+
+bool by_tables(const Part& part, const View& view) {
+  constexpr long long kEnough = 4096;  // pixels, about twice the volume's rays
+  const std::string& choice = part.scene.render.get<std::string>("tabulate");
+  const bool holds = (view.directions.empty() || view.as_picture) && inside_the_air(part.scene) &&
+                     mirrors_are_near(part) && stokes_of(part, view) == physics::kStokesNone &&
+                     part.scene.render.get<std::string>("volumetric_shadows") != "march";
+  const bool pays = part.scene.image.width * static_cast<long long>(part.scene.image.height) >= kEnough;
+  return holds && (choice == "always" || (choice == "auto" && pays));
+}
+
+// Froxels hold for rays next to each other alone, hence not on maps that are cut, nor for listed rays.
+std::uint32_t shafts_of(const Part& part, const View& view) {
+  const std::string& choice = part.scene.render.get<std::string>("volumetric_shadows");
+  const Projection projection = part.scene.camera.projection;
+  const bool cut = projection == Projection::cube || projection == Projection::octahedral || !view.directions.empty();
+  const std::uint32_t shadows = choice == "froxels" && !cut ? physics::kShaftsFroxels : physics::kShaftsExact;
+  return choice == "false" ? physics::kShaftsNone : shadows;
+}
+
+// The picture's table with all media apart: shadows take light scattered once from each.
+FactorTable things_table(const Part& part) {
+  FactorTable table = factor_table(part, part.air.scattering_media(), true, physics::kStokesNone);
+  table.folded = 0;
+  table.rayleigh = false;
+  return table;
+}
+
+// Four pixels a froxel, unless those were too many.
+constexpr std::uint32_t kFroxelPixels = 4;
+constexpr std::uint32_t kMostFroxels = 320;  // each way
+constexpr std::uint32_t kFroxelSlices = 32;
+
+std::uint32_t froxels_over(int pixels) {
+  return std::clamp((static_cast<std::uint32_t>(pixels) + kFroxelPixels - 1) / kFroxelPixels + 1, 2U, kMostFroxels);
+}
+
+ImageId add_shafts(Plan& plan, const Part& part, const View& view, const Volume& volume, const ThingInputs& things,
+                   const FactorTable& table) {
+  const Extent grid{froxels_over(part.scene.image.width), froxels_over(part.scene.image.height), kFroxelSlices};
+  const ImageId shafts = plan.add_image(
+      {.name = "thing_shafts", .extent = grid, .key = picture_table_key(view, "thing_shafts"), .half = true});
+  std::vector<Binding> reads = volume.reads();
+  reads.insert(reads.end(), things.reads.begin(), things.reads.end());
+  std::vector<Specialization> constants = medium_specialization(part.air);
+  add_volume_constants(constants, part.scene, table);
+  constants.insert(constants.end(), things.constants.begin(), things.constants.end());
+  constants.push_back({"kProjection", projection_code(part.scene.camera.projection)});
+  plan.add_pass({.shader = "thing_shafts",
+                 .reads = std::move(reads),
+                 .writes = {{"shafts_out", shafts}},
+                 .grid = {grid.width, grid.height, 1},
+                 .specialization = std::move(constants),
+                 .cost = 6.0 * kFroxelSlices});
+  return shafts;
+}
+
+// What the pixels' corners see; nothing where rays are listed.
+BufferId add_corners(Plan& plan, const Part& part, const View& view, const ThingInputs& things) {
+  if (!view.directions.empty()) {
+    return plan.add_buffer(filled_buffer("thing_corners", bytes_of(std::vector<float>(2))));
+  }
+  const Extent tile = picture_grid(part.scene, view);
+  const Extent grid{tile.width + 1, tile.height + 1, 1};
+  const BufferId corners = plan.add_buffer(
+      {.name = "thing_corners", .bytes = std::size_t{2} * sizeof(float) * grid.width * grid.height, .zeroed = false});
+  std::vector<Specialization> constants = medium_specialization(part.air);
+  constants.insert(constants.end(), things.constants.begin(), things.constants.end());
+  constants.push_back({"kProjection", projection_code(part.scene.camera.projection)});
+  plan.add_pass({.shader = "thing_corners",
+                 .reads = things.reads,
+                 .writes = {{"corners_out", corners}},
+                 .grid = grid,
+                 .push_constants = {grid.width, grid.height},
+                 .specialization = std::move(constants),
+                 .cost = 25.0});
+  return corners;
+}
+
+// What a pass over things reads, beside what it writes to.
+struct ThingPass {
+  std::vector<Binding> reads;
+  std::vector<Specialization> constants;
+  std::uint32_t steps = 0;
+  bool tables = false;
+};
+
+ThingPass pass_of(Plan& plan, const Part& part, const View& view, const Light& light) {
+  constexpr std::uint32_t kMirrorSegments = 6;
+  ThingPass pass{light.reads(), light.constants, steps_past_things(part, light), by_tables(part, view)};
+  const bool mirrors = std::ranges::count(part.scene.spheres, SphereMaterial::mirror, &Sphere::material) > 0;
+  pass.constants.push_back({"kEdges", physics::kEdgesFound});
+  pass.constants.push_back({"kSegments", mirrors ? kMirrorSegments : 1U});
+  pass.constants.push_back({"kDiscShows", part.scene.sun.disc.visible ? 1U : 0U});
+  const ThingInputs things = add_things(plan, part.scene, part.things);
+  pass.reads.insert(pass.reads.end(), things.reads.begin(), things.reads.end());
+  pass.constants.insert(pass.constants.end(), things.constants.begin(), things.constants.end());
+  pass.reads.push_back({"corners", add_corners(plan, part, view, things)});
+  if (!pass.tables) {
+    pass.constants.push_back({"kStokes", stokes_of(part, view)});
+    pass.constants.push_back({"kShafts", march_shafts(part)});
+    return pass;
+  }
+  const FactorTable table = things_table(part);
+  const Volume volume = add_volume(plan, part.scene, light, table, view);
+  const std::uint32_t shafts = shafts_of(part, view);
+  const bool froxels = part.scene.terrain && shafts == physics::kShaftsFroxels;
+  const ImageId share = froxels ? add_shafts(plan, part, view, volume, things, table) : volume.sources;
+  const std::vector<Binding> more = volume.reads();
+  pass.reads.insert(pass.reads.end(), more.begin(), more.end());
+  pass.reads.push_back({"peaks_lut", volume.peaks});
+  pass.reads.push_back({"shafts_lut", share});
+  add_volume_constants(pass.constants, part.scene, table);
+  pass.constants.push_back({"kShafts", shafts});
+  return pass;
+}
+
+// Adds the pass; where a ray is little work and the picture worth a second pipeline in two, of the pixels of one ray
+// and of those of several.
+void add_pixels(Plan& plan, PassDesc pass, bool in_two) {
+  if (!in_two) {
+    pass.specialization.push_back({"kThingPixels", physics::kThingPixelsAll});
+    plan.add_pass(std::move(pass));
+    return;
+  }
+  PassDesc edges = pass;
+  pass.specialization.push_back({"kThingPixels", physics::kThingPixelsEven});
+  plan.add_pass(std::move(pass));
+  edges.name += "_edges";
+  edges.specialization.push_back({"kThingPixels", physics::kThingPixelsEdges});
+  edges.cost *= 16.0;
+  plan.add_pass(std::move(edges));
+}
+
+}  // namespace
+
+void add_things_sky(Plan& plan, const Part& part, const View& view, const SkyTarget& target, const Light& light) {
+  ThingPass found = pass_of(plan, part, view, light);
+  found.reads.push_back({"directions", target.directions});
+  found.constants.push_back({"kProjection", target.projection});
+  add_pixels(plan,
+             {.name = "sky",
+              .shader = found.tables ? "sky_things_tables" : "sky_things",
+              .reads = std::move(found.reads),
+              .writes = {{"radiance_out", target.radiance}},
+              .grid = target.grid,
+              .push_constants = {target.grid.width, target.grid.height, found.steps},
+              .specialization = std::move(found.constants),
+              .cost = found.tables ? 40.0 : 3.0 * ray_cost(found.steps)},
+             found.tables && view.directions.empty());
+}
+
+BufferId add_things_layers(Plan& plan, const Part& part, const View& view, const Light& light) {
+  ThingPass found = pass_of(plan, part, view, light);
+  found.constants.push_back({"kProjection", projection_code(part.scene.camera.projection)});
+  if (!found.tables) {
+    found.constants.push_back({"kScatteringMedia", part.air.scattering_media()});
+  }
+  const Extent grid = picture_grid(part.scene, view);
+  const BufferId planes = add_layer_planes(plan, part, view);
+  add_pixels(plan,
+             {.name = "layers",
+              .shader = found.tables ? "layers_things_tables" : "layers_things",
+              .reads = std::move(found.reads),
+              .writes = {{"layers_out", planes}},
+              .grid = grid,
+              .push_constants = {grid.width, grid.height, found.steps},
+              .specialization = std::move(found.constants)},
+             found.tables);
+  return planes;
+}
+
+}  // namespace airlight::orders

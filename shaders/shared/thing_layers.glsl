@@ -1,0 +1,59 @@
+// The layers of a picture of things, the air up to which the includer finds. What mirrors show counts as light of the
+// surface.
+
+vec3 looking;  // direction of the first part of the ray at hand
+
+#define Gathered LightLayers
+
+LightLayers nothing_gathered() { return no_layers(); }
+
+LightLayers with_air(LightLayers sum, SkyFactors air, float nu, vec3 through, bool first) {
+  Phases p = phases(nu);
+  if (!first) {
+    sum.ground += through * phased(air, p) * scene.sun.irradiance;
+    return sum;
+  }
+  UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
+    sum.single[i] = air.single[i] * p.of[i] * scene.sun.irradiance;
+  }
+  sum.multiple = air.diffuse * scene.sun.irradiance;
+  sum.transmittance = beam_transmittance(air);
+#ifdef AIRLIGHT_STOKES
+  if (stokes()) {
+    sum = with_polarised(sum, times(shown_along(air, nu, looking), scene.sun.irradiance));
+  }
+#endif
+  return sum;
+}
+
+#ifndef AIRLIGHT_STOKES
+vec3 ray_direction(vec3 direction) { return direction; }
+#endif
+
+LightLayers with_light(LightLayers sum, vec3 light) {
+  sum.ground += light;
+  return sum;
+}
+
+#include "shared/thing_rays.glsl"
+
+layout(push_constant, scalar) uniform Push {
+  uint width;
+  uint height;
+  uint steps;
+};
+
+ViewRay ray_of_pixel(uvec2 pixel) { return picture_ray(pixel); }
+
+// The pixel at hand.
+void render(ViewRay view, ThingPixel rays) {
+  LightLayers sum = empty_layers();
+  for (uint i = 0u; i < rays.count; i++) {
+    WeightedRay one = ray_of_thing_pixel(here, view, rays, i);
+    looking = one.direction;
+    sum = with_share(sum, gathered_along(ray_direction(looking), rays.spread, rays.bare, steps), one.share);
+  }
+  write_layers(here, uvec2(width, height), view.inside, sum);
+}
+
+#include "shared/thing_pixels.glsl"

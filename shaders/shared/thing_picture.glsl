@@ -1,0 +1,67 @@
+// The pixels of a picture of things, the air up to which the includer finds (factors_past_things()).
+
+vec3 looking;  // direction of the first part of the ray at hand
+
+struct Gathered {
+  Stokes light;
+  vec3 transmittance;  // up to the first thing
+};
+
+Gathered nothing_gathered() { return Gathered(no_light(), vec3(1.0)); }
+
+Gathered with_air(Gathered sum, SkyFactors air, float nu, vec3 through, bool first) {
+#ifdef AIRLIGHT_STOKES
+  if (stokes() && first) {
+    sum.light = times(shown_along(air, nu, looking), scene.sun.irradiance);
+    sum.transmittance = beam_transmittance(air);
+    return sum;
+  }
+#endif
+  sum.light.i += through * phased(air, phases(nu)) * scene.sun.irradiance;
+  sum.transmittance = first ? beam_transmittance(air) : sum.transmittance;
+  return sum;
+}
+
+Gathered with_light(Gathered sum, vec3 light) {
+  sum.light.i += light;
+  return sum;
+}
+
+#ifndef AIRLIGHT_STOKES
+vec3 ray_direction(vec3 direction) { return direction; }
+
+Stokes with_share(Stokes sum, Stokes one, float share) {
+  sum.i += share * one.i;
+  return sum;
+}
+
+void write_light(uvec2 pixel, bool inside, Stokes light, vec3 transmittance) {
+  write_radiance(pixel, inside, light.i, transmittance);
+}
+#endif
+
+#include "shared/thing_rays.glsl"
+
+layout(push_constant, scalar) uniform Push {
+  uint width;
+  uint height;
+  uint steps;
+};
+
+ViewRay ray_of_pixel(uvec2 pixel) { return pixel_ray(pixel); }
+
+// The pixel at hand.
+void render(ViewRay view, ThingPixel rays) {
+  Stokes light = no_light();
+  vec3 transmittance = vec3(0.0);
+  for (uint i = 0u; i < rays.count; i++) {
+    WeightedRay one = ray_of_thing_pixel(here, view, rays, i);
+    looking = one.direction;
+    Gathered seen = gathered_along(ray_direction(looking), rays.spread, rays.bare, steps);
+    light = with_share(light, seen.light, one.share);
+    transmittance += one.share * seen.transmittance;
+  }
+  write_light(here, view.inside, light, transmittance);
+}
+
+#include "shared/thing_pixels.glsl"
