@@ -45,7 +45,16 @@ PartSettings settled(const Part& whole) {
   return {render, air_options(render)};
 }
 
-Stage made(const Scene& scene, const std::optional<Nodes>& listed, const Stage* like) {
+// The scene with straight rays where its method bends none. Things stand at true distances, to which rays are straight.
+Scene as_rays_go(Scene scene) {
+  if (!method_of(scene).info.bends_light || scene.terrain || !scene.spheres.empty()) {
+    scene.planet.refraction.reset();
+  }
+  return scene;
+}
+
+Stage made(const Scene& given, const std::optional<Nodes>& listed, const Stage* like) {
+  const Scene scene = as_rays_go(given);
   const std::vector<Air> known = like == nullptr ? std::vector<Air>() : StageMaker::airs_of(*like);
   const Things::Others others = like == nullptr ? Things::Others() : StageMaker::things_of(*like);
   Part whole{scene, air_like(known, scene, air_options(scene.render)), Things(scene, others)};

@@ -42,6 +42,7 @@ struct MethodInfo {
   bool knows_spheres = false;
   bool knows_translucent_spheres = false;  // whose light follows a published form, not paths
   bool knows_ground_maps = false;          // planet.albedo_map, planet.ocean
+  bool bends_light = false;                // planet.refraction
 };
 
 }  // namespace airlight

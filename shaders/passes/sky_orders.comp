@@ -31,7 +31,7 @@ void main() {
     WeightedRay one = weighted_ray(pixel, view, rays, i);
     Ray ray = air_ray(one.direction);
     SkyFactors factors = scene_sky_factors(ray, steps);
-    radiance += one.share * phased(factors, phases(ray.nu));
+    radiance += one.share * phased(factors, phases(seen_cosine(scene.sun, ray.mu, ray.nu)));
     transmittance += one.share * beam_transmittance(factors);
   }
   write_radiance(pixel, view.inside, radiance * scene.sun.irradiance, transmittance);

@@ -41,7 +41,7 @@ Stokes polarised_sunlight(Stokes sum, Ray ray) {
 }
 
 OrderSource order_source(PlanetData planet, MomentTableData table, Ray ray, Phases p, real t, bool first) {
-  RayPoint point = point_on_ray(planet, ray, t);
+  RayPoint point = sunlit_point(planet, ray, t);
   DiffuseAir air = diffuse_air(densities_at(point.h), p);
   OrderSource lit;
   lit.source = no_light();
@@ -84,10 +84,10 @@ Stokes order_radiance(PlanetData planet, MomentTableData table, Ray ray, uint pa
     radiance = polarised_sunlight(radiance, ray);
   }
   if (ray.at_ground) {
-    RayPoint end = point_on_ray(planet, ray, ray.length_);
+    RayPoint end = sunlit_point(planet, ray, ray.length_);
     vec3 irradiance;
     if (first) {
-      irradiance = transmittance_to_sun(planet, 0.0, end.mu_sun) * max(end.mu_sun, 0.0);
+      irradiance = transmittance_to_sun(planet, 0.0, end.mu_sun) * ground_facing(planet, end.mu_sun);
     } else {
       irradiance = moment_ground_irradiance(table, end.mu_sun);
     }
