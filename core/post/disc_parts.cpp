@@ -183,7 +183,7 @@ std::vector<Box> disc_boxes(physics::Physics& p, const Scene& scene) {
 }
 
 // Width 0: the box lies outside the picture.
-DiscRectangle pixels_of(const Scene& scene, const Box& box) {
+DiscRectangle box_pixels(const Scene& scene, const Box& box) {
   const double width = scene.image.width;
   const double height = scene.image.height;
   const bool seam = scene.camera.projection == Projection::equirectangular && (box.low_x < 0.0 || box.high_x > width);
@@ -232,7 +232,7 @@ std::vector<DiscPart> disc_parts(physics::Physics& p, const Scene& scene, const 
     return parts;
   }
   for (const Box& box : disc_boxes(p, scene)) {
-    const DiscRectangle pixels = within(pixels_of(scene, box), tile);
+    const DiscRectangle pixels = within(box_pixels(scene, box), tile);
     if (pixels.width > 0) {
       parts.push_back({pixels,
                        {{box.low_x, box.low_y},

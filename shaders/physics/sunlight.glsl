@@ -29,17 +29,19 @@ real ground_facing(PlanetData planet, real mu_sun) {
   return max(seen, 0.0);
 }
 
+// Bending from the start of a ray to one of its points.
+real ray_bending(PlanetData planet, Ray ray, RayPoint point) {
+  if (ray.at_ground) {
+    return bending_along(planet, point.h, -point.mu) - bending_along(planet, ray.h, -ray.mu);
+  }
+  return bending_along(planet, ray.h, ray.mu) - bending_along(planet, point.h, point.mu);
+}
+
 // The point with the sun as it stands there.
 RayPoint sunlit_point(PlanetData planet, Ray ray, real t) {
   RayPoint point = point_on_ray(planet, ray, t);
   if (bends_light()) {
-    real bent;
-    if (ray.at_ground) {
-      bent = bending_along(planet, point.h, -point.mu) - bending_along(planet, ray.h, -ray.mu);
-    } else {
-      bent = bending_along(planet, ray.h, ray.mu) - bending_along(planet, point.h, point.mu);
-    }
-    point = with_turned_sun(point, ray, bent);
+    point = with_turned_sun(point, ray, ray_bending(planet, ray, point));
   }
   return point;
 }
