@@ -15,20 +15,26 @@ template <class Rising>
 double where(const Rising& f, double value, double top) {
   double low = 0.0;
   double high = top;
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < 45; ++i) {
     const double middle = 0.5 * (low + high);
     (f(middle) < value ? low : high) = middle;
   }
   return 0.5 * (low + high);
 }
 
-constexpr physics::uint kSteps = 256;
+// The altitude of an optical one, by Newton's steps from a guess.
+double altitude_of(RefractiveIndex& index, double optical, double guess) {
+  for (int i = 0; i < 6; ++i) {
+    guess = std::max(guess - (index.optical_altitude(guess) - optical) / index.curvature(guess), 0.0);
+  }
+  return guess;
+}
 
 // Needs the nodes' altitudes.
 double sun_lift(physics::Physics& p, double g) {
   const physics::PlanetData& planet = p.scene.planet;
   const double horizon = p.horizon_mu(planet, g);
-  const double bent = p.bending_to_top(planet, g, horizon, kSteps);
+  const double bent = p.bending_to_top(planet, g, horizon, physics::kBendingSteps);
   const double mu = horizon * std::cos(bent) - std::sqrt(1.0 - horizon * horizon) * std::sin(bent);
   return (horizon - mu) / (1.0 - mu * mu);
 }
@@ -46,13 +52,10 @@ void put_planet(physics::Physics& p, const Planet& planet, const std::vector<Med
   p.scene.planet.atmosphere_height = index.optical_altitude(planet.atmosphere_height);
   p.scene.refraction.ground_radius = planet.ground_radius;
   constexpr physics::uint kCells = physics::kRefractionCells;
+  double h = 0.0;
   for (physics::uint i = 0; i <= kCells; ++i) {
     const double u = static_cast<double>(i) / kCells;
-    const double g = p.scene.planet.atmosphere_height * u * u;
-    const double h = i == 0 ? 0.0
-                     : i == kCells
-                         ? planet.atmosphere_height
-                         : where([&](double x) { return index.optical_altitude(x); }, g, planet.atmosphere_height);
+    h = altitude_of(index, p.scene.planet.atmosphere_height * u * u, h);
     p.scene.refraction.nodes[i] = {h, 1.0 / index.curvature(h), 0.0};
   }
   for (physics::uint i = 0; i <= kCells; ++i) {
@@ -75,26 +78,25 @@ double optical_altitude(const physics::Physics& p, double h) {
   return where([&](double g) { return formulas.true_altitude(g).h; }, h, planet.atmosphere_height);
 }
 
-vec3 seen_direction(physics::Physics& p, const vec3& direction) {
+SeenDirection seen_direction(physics::Physics& p, const vec3& direction) {
   const physics::PlanetData& planet = p.scene.planet;
   const double g = p.scene.camera.altitude;
-  if (!p.refraction || g > planet.atmosphere_height) {
-    return direction;
-  }
   const double level = std::sqrt(std::max(1.0 - direction.y * direction.y, 0.0));
-  if (level < 1e-9) {
-    return direction;
+  if (!p.refraction || g > planet.atmosphere_height || level < 1e-9) {
+    return {direction, 1.0};
   }
   const double horizon = p.horizon_mu(planet, g);
-  // Bending falls as the direction rises, so that what is too much grows.
-  const auto excess = [&](double angle) {
-    const double mu = direction.y * std::cos(angle) + level * std::sin(angle);
-    return angle - p.bending_to_top(planet, g, std::max(mu, horizon), kSteps);
+  const auto raised = [&](double angle) { return direction.y * std::cos(angle) + level * std::sin(angle); };
+  const auto bending = [&](double angle) {
+    return p.bending_to_top(planet, g, std::max(raised(angle), horizon), physics::kBendingSteps);
   };
-  const double angle = where(excess, 0.0, 0.1);
-  const double y = direction.y * std::cos(angle) + level * std::sin(angle);
+  // Bending falls as the direction rises, so that what is too much grows.
+  const double angle = where([&](double a) { return a - bending(a); }, 0.0, 0.1);
+  constexpr double kApart = 1e-4;
+  const double slope = (bending(angle) - bending(angle + kApart)) / kApart;
   const double scale = (level * std::cos(angle) - direction.y * std::sin(angle)) / level;
-  return {direction.x * scale, y, direction.z * scale};
+  return {{direction.x * scale, raised(angle), direction.z * scale},
+          p.beam_spread(planet, g, raised(angle), bending(angle), slope)};
 }
 
 }  // namespace airlight

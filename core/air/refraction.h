@@ -14,7 +14,11 @@ void put_planet(physics::Physics& p, const Planet& planet, const std::vector<Med
 // The optical altitude of a true one, km; the same where the air bends no light. Above the air too.
 double optical_altitude(const physics::Physics& p, double h);
 
-// Direction in which light from `direction`, above the air, arrives at the camera; from space the same.
-physics::vec3 seen_direction(physics::Physics& p, const physics::vec3& direction);
+// Where light from a direction above the air arrives at the camera; from space the same direction.
+struct SeenDirection {
+  physics::vec3 direction;
+  double spread;  // solid angle as it is seen over that above the air, times n^2
+};
+SeenDirection seen_direction(physics::Physics& p, const physics::vec3& direction);
 
 }  // namespace airlight

@@ -48,7 +48,7 @@ void put_picture(physics::Physics& p, const Scene& scene) {
   const CameraBasis basis = camera_basis(scene.camera);
   physics::CameraData& camera = p.scene.camera;
   camera.altitude = optical_altitude(p, scene.camera.altitude);
-  sun.seen = seen_direction(p, sun.direction);
+  sun.seen = seen_direction(p, sun.direction).direction;
   camera.right = basis.right;
   camera.up = basis.up;
   camera.forward = basis.forward;

@@ -42,7 +42,7 @@ void read_profile(const Section& planet, const Section& section, const std::vect
 // Refuses air in which a ray could circle the planet.
 void refuse_ducts(const Section& planet, const Planet& on, const std::vector<Medium>& media) {
   constexpr double kLeast = 0.05;
-  constexpr int kPlaces = 2000;
+  constexpr int kPlaces = 200;
   RefractiveIndex index(on, media);
   for (int i = 0; i <= kPlaces; ++i) {
     const double u = static_cast<double>(i) / kPlaces;

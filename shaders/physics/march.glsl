@@ -143,6 +143,7 @@ const real kFixedPlace = 0.3;
 // do not move.
 PathRadiance march_at(PlanetData planet, SunData sun, Ray ray, uint steps, uint distribution, real place,
                       real scattering_scale) {
+  ray = lit_ray(planet, ray);
   PathRadiance path;
   if (distribution == kStepsGaussLegendre) {
     path = march_panels(planet, sun, ray, steps, scattering_scale);

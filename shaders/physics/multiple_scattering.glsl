@@ -17,6 +17,7 @@ Ray gather_ray(PlanetData planet, real h, real mu_sun, uint k) {
 }
 
 ScatteringGather gather_scattering(PlanetData planet, SunData sun, Ray ray, uint steps) {
+  ray = lit_ray(planet, ray);
   ScatteringGather gather;
   gather.second_order = vec3(0.0);
   gather.transfer = vec3(0.0);

@@ -59,6 +59,7 @@ OrderSource order_source(PlanetData planet, MomentTableData table, Ray ray, Phas
 // Light of order n at the ray's start; n = 1 (`first`): sunlight scattered once, or reflected by the ground; above:
 // from the moments of order n - 1. For a sun of irradiance 1. Each panel has two Gauss-Legendre nodes.
 Stokes order_radiance(PlanetData planet, MomentTableData table, Ray ray, uint panels, bool first) {
+  ray = lit_ray(planet, ray);
   Phases p = gathered_phases(ray.nu);
   StepPlan plan = plan_steps(planet, ray, panels);
   Stokes radiance = no_light();

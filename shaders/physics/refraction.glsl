@@ -54,6 +54,7 @@ real bending_upward(PlanetData planet, real g, real mu, real length_, uint steps
   ray.mu = mu;
   ray.mu_sun = mu;
   ray.nu = 1.0;
+  ray.bent = 0.0;
   real impact = (planet.ground_radius + g) * sqrt(max(1.0 - mu * mu, 0.0));
   real sum = 0.0;
   for (uint i = 0u; i < steps; i++) {
@@ -112,8 +113,8 @@ real beam_spread(PlanetData planet, real g, real seen_mu, real bending, real der
   return n * n * along / (1.0 + derivative);
 }
 
-// The point with the sun as it stands there: the sun of a straight ray, turned by the ray's bending. `bent`: see
-// ray_bending().
+// The point with the sun as it stands there: the sun of a straight ray, turned by `bent`, the ray's bending up to
+// there.
 RayPoint with_turned_sun(RayPoint point, Ray ray, real bent) {
   real s = sqrt(max(1.0 - point.mu * point.mu, 1e-12));
   real ahead = (ray.nu - point.mu * point.mu_sun) / s;

@@ -88,6 +88,7 @@ vec3 sun_depth_on_ray(PlanetData planet, Ray ray, uint shell, real t) {
 
 // order_radiance() through shells; `parts`: steps in each shell.
 Stokes shell_order_radiance(PlanetData planet, MomentTableData table, Ray ray, uint parts, bool first) {
+  ray = lit_ray(planet, ray);
   Phases p = gathered_phases(ray.nu);
   ShadowCrossings shadow = shadow_crossings(planet, ray);
   ShellWalk walk = shell_walk(planet, ray);
@@ -149,6 +150,7 @@ Stokes shell_order_radiance(PlanetData planet, MomentTableData table, Ray ray, u
 
 // air_factors() for air cut into shells.
 SkyFactors shell_air_factors(PlanetData planet, MomentTableData table, Ray ray, uint parts) {
+  ray = lit_ray(planet, ray);
   SkyFactors factors = no_air();
   Phases none = equal_phases(0.0);
   ShadowCrossings shadow = shadow_crossings(planet, ray);
@@ -186,7 +188,7 @@ SkyFactors shell_air_factors(PlanetData planet, MomentTableData table, Ray ray, 
 
 // ground_light() under air cut into shells.
 vec3 shell_ground_light(PlanetData planet, MomentTableData table, Ray ray, vec3 transmittance) {
-  RayPoint end = sunlit_point(planet, ray, ray.length_);
+  RayPoint end = sunlit_point(planet, lit_ray(planet, ray), ray.length_);
   vec3 irradiance = shell_sun_irradiance(planet, end.mu_sun) * sun_share(ray, ray.length_, 0.0) +
                     moment_ground_irradiance(table, end.mu_sun);
   return transmittance * planet.ground_albedo * irradiance / kPi;

@@ -75,6 +75,7 @@ SkyFactors with_panel_light(SkyFactors factors, NodeLight near, NodeLight far, r
 // Factors of the air without the ground along panels [first, last) of `panels`, as they reach the near end of panel
 // `first`. It goes node by node, as order_radiance() does.
 SkyFactors air_factors_between(PlanetData planet, MomentTableData table, Ray ray, uint panels, uint first, uint last) {
+  ray = lit_ray(planet, ray);
   SkyFactors factors = no_air();
   StepPlan plan = plan_steps(planet, ray, panels);
   NodeLight near;
@@ -119,7 +120,7 @@ SkyFactors joined(SkyFactors near, SkyFactors far) {
 
 // Light of the ground at the ray's end, seen through air of this transmittance, for a sun of irradiance 1.
 vec3 ground_light(PlanetData planet, MomentTableData table, Ray ray, vec3 transmittance) {
-  RayPoint end = sunlit_point(planet, ray, ray.length_);
+  RayPoint end = sunlit_point(planet, lit_ray(planet, ray), ray.length_);
   real facing = ground_facing(planet, end.mu_sun) * sun_share(ray, ray.length_, 0.0);
   vec3 irradiance = transmittance_to_sun(planet, 0.0, end.mu_sun) * facing +
                     moment_ground_irradiance(table, end.mu_sun);

@@ -29,19 +29,24 @@ real ground_facing(PlanetData planet, real mu_sun) {
   return max(seen, 0.0);
 }
 
-// Bending from the start of a ray to one of its points.
-real ray_bending(PlanetData planet, Ray ray, RayPoint point) {
-  if (ray.at_ground) {
-    return bending_along(planet, point.h, -point.mu) - bending_along(planet, ray.h, -ray.mu);
-  }
-  return bending_along(planet, ray.h, ray.mu) - bending_along(planet, point.h, point.mu);
+// Bending that a ray has before it from altitude h, to the top of the air; of a ray that ends on the ground less that
+// which it would have if it went the other way.
+real bending_ahead(PlanetData planet, bool at_ground, real h, real mu) {
+  return at_ground ? -bending_along(planet, h, -mu) : bending_along(planet, h, mu);
+}
+
+// The ray, ready for sunlit_point().
+Ray lit_ray(PlanetData planet, Ray ray) {
+  ray.bent = bends_light() && ray.length_ > 0.0 ? bending_ahead(planet, ray.at_ground, ray.h, ray.mu) : 0.0;
+  return ray;
 }
 
 // The point with the sun as it stands there.
 RayPoint sunlit_point(PlanetData planet, Ray ray, real t) {
   RayPoint point = point_on_ray(planet, ray, t);
   if (bends_light()) {
-    point = with_turned_sun(point, ray, ray_bending(planet, ray, point));
+    real bent = ray.bent - bending_ahead(planet, ray.at_ground, point.h, point.mu);
+    point = with_turned_sun(point, ray, bent);
   }
   return point;
 }

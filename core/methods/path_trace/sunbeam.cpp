@@ -56,6 +56,13 @@ Sunbeam sunbeam(physics::Physics& physics, double h, double mu_sun) {
   return beam;
 }
 
+double bending_to(physics::Physics& physics, const physics::Physics::Ray& ray,
+                  const physics::Physics::RayPoint& point) {
+  const physics::PlanetData& planet = physics.scene.planet;
+  return physics.bending_ahead(planet, ray.at_ground, ray.h, ray.mu) -
+         physics.bending_ahead(planet, ray.at_ground, point.h, point.mu);
+}
+
 LitPoint lit_point(physics::Physics& physics, const physics::Physics::Ray& ray, double t) {
   const physics::PlanetData& planet = physics.scene.planet;
   if (!physics.refraction) {
@@ -63,7 +70,7 @@ LitPoint lit_point(physics::Physics& physics, const physics::Physics::Ray& ray, 
     return {point, sunbeam(physics, point.h, point.mu_sun), ray.nu};
   }
   const auto straight = physics.point_on_ray(planet, ray, t);
-  const double bent = physics.ray_bending(planet, ray, straight);
+  const double bent = bending_to(physics, ray, straight);
   const double s = across(straight.mu);
   const double ahead = s > 1e-9 ? (ray.nu - straight.mu * straight.mu_sun) / s : 0.0;
   LitPoint lit;

@@ -14,6 +14,9 @@ struct Sunbeam {
 // `mu_sun`: zenith cosine of the true sun.
 Sunbeam sunbeam(physics::Physics& physics, double h, double mu_sun);
 
+// Bending of a ray up to one of its points, rad; 0 where the air bends no light.
+double bending_to(physics::Physics& physics, const physics::Physics::Ray& ray, const physics::Physics::RayPoint& point);
+
 // A point of a ray, with the true sun as it stands there.
 struct LitPoint {
   physics::Physics::RayPoint point;

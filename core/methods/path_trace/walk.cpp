@@ -188,7 +188,7 @@ bool Walk::fly(State& state, const FlightPlan& plan, double u) const {
   const vec3 sun = physics_.scene.sun.direction;
   const double mu = dot(state.up, state.direction);
   const bool falls = physics_.meets_ground(planet, state.h, mu);
-  const physics::Physics::Ray ray{state.h, mu, dot(state.up, sun), dot(state.direction, sun), plan.length, falls};
+  const physics::Physics::Ray ray{state.h, mu, dot(state.up, sun), dot(state.direction, sun), plan.length, falls, 0.0};
   const physics::Physics::RayPoint point = physics_.point_on_ray(planet, ray, collision.distance);
   vec3 passed;
   if (state.wide != nullptr) {
@@ -204,7 +204,7 @@ bool Walk::fly(State& state, const FlightPlan& plan, double u) const {
   state.h = collision.at_ground && state.thing == kNoThing ? 0.0 : point.h;
   state.mu_sun = point.mu_sun;
   if (physics_.refraction) {
-    turn_by(state, physics_.ray_bending(planet, ray, point));
+    turn_by(state, bending_to(physics_, ray, point));
   }
   state.at_ground = collision.at_ground;
   state.mirrors = false;
