@@ -31,6 +31,24 @@ SkyPasses add_parts(Plan& plan, const Stage& stage, const View& view) {
   return all;
 }
 
+// A disc a part: air that bends light bends each wavelength by an angle of its own.
+bool add_parted_disc(Plan& plan, const Stage& stage, const std::vector<ImageId>& tables, const Picture& picture,
+                     const Tile& tile) {
+  const std::size_t bytes = std::size_t{picture.width} * picture.height * 4 * sizeof(float);
+  std::vector<BufferId> discs;
+  for (std::size_t g = 0; g < stage.parts().size(); ++g) {
+    const Part& part = stage.parts()[g];
+    begin_part(plan, part, tile);
+    discs.push_back(plan.add_buffer({.name = "disc", .bytes = bytes}));
+    add_sun_disc(plan, part, tables.empty() ? std::nullopt : std::optional(tables[g]), picture_of(discs[g], tile));
+  }
+  plan.end_scene();
+  for (std::size_t g = 0; g < discs.size(); ++g) {
+    add_colours(plan, discs[g], picture.buffer, stage.parts()[g], false);
+  }
+  return true;
+}
+
 // The disc seen through the parts' tables of transmittance, one each, or through tables added here.
 bool add_disc(Plan& plan, const Stage& stage, std::vector<ImageId> tables, const Picture& picture) {
   if (!stage.in_colours()) {
@@ -41,6 +59,9 @@ bool add_disc(Plan& plan, const Stage& stage, std::vector<ImageId> tables, const
   }
   const Tile tile{static_cast<int>(picture.x), static_cast<int>(picture.y), static_cast<int>(picture.width),
                   static_cast<int>(picture.height)};
+  if (stage.scene().planet.refraction) {
+    return add_parted_disc(plan, stage, tables, picture, tile);
+  }
   std::vector<std::array<Rgb, 3>> colours;
   const bool has_tables = !tables.empty();
   for (const Part& part : stage.parts()) {
