@@ -6,6 +6,7 @@
 #include "core/scene/refractive_index.h"
 #include "core/spectra/colour.h"
 #include "core/spectra/data.h"
+#include "core/text.h"
 
 namespace airlight {
 namespace {
@@ -49,7 +50,7 @@ void refuse_ducts(const Section& planet, const Planet& on, const std::vector<Med
     const double h = on.atmosphere_height * u * u;
     if (const double k = index.curvature(h); !(k > kLeast)) {
       planet.complain("refraction", *planet.find("refraction"),
-                      "a level ray at " + format_number(h) + " km is bent by " + format_number(1.0 - k) +
+                      "a level ray at " + format_number(h) + " km is bent by " + rounded(1.0 - k, 3) +
                           " of the planet's curvature; expected at most 0.95: give a smaller n_minus_1 or a greater "
                           "scale height");
       return;
