@@ -78,6 +78,24 @@ double optical_altitude(const physics::Physics& p, double h) {
   return where([&](double g) { return formulas.true_altitude(g).h; }, h, planet.atmosphere_height);
 }
 
+double true_length(physics::Physics& p, double mu, double optical) {
+  if (!p.refraction) {
+    return optical;
+  }
+  // Beyond the air both are the same.
+  const physics::PlanetData& planet = p.scene.planet;
+  const auto ray = p.ray_in_atmosphere(planet, p.scene.camera.altitude, mu, 0.0, 0.0);
+  const double before = p.air_entry(planet, p.scene.camera.altitude, mu).distance_;
+  const double inside = std::min(optical - before, ray.length_);
+  double length = optical - std::max(inside, 0.0);
+  constexpr int kSteps = 64;
+  for (int i = 0; i < kSteps && inside > 0.0; ++i) {
+    const double t = inside * (i + 0.5) / kSteps;
+    length += p.true_altitude(p.point_on_ray(planet, ray, t).h).stretch * inside / kSteps;
+  }
+  return length;
+}
+
 SeenDirection seen_direction(physics::Physics& p, const vec3& direction) {
   const physics::PlanetData& planet = p.scene.planet;
   const double g = p.scene.camera.altitude;

@@ -14,6 +14,9 @@ void put_planet(physics::Physics& p, const Planet& planet, const std::vector<Med
 // The optical altitude of a true one, km; the same where the air bends no light. Above the air too.
 double optical_altitude(const physics::Physics& p, double h);
 
+// The true length of a camera ray's optical one, both km; the same where the air bends no light.
+double true_length(physics::Physics& p, double mu, double optical);
+
 // Where light from a direction above the air arrives at the camera; from space the same direction.
 struct SeenDirection {
   physics::vec3 direction;
