@@ -8,6 +8,7 @@
 
 #include "core/air/legendre.h"
 #include "core/air/phase_samples.h"
+#include "core/air/refraction.h"
 #include "core/air/scene_block.h"
 #include "core/air/shells.h"
 
@@ -46,6 +47,12 @@ int layer_below_share(const physics::Physics& p, const Column& column, double sh
   return std::clamp(static_cast<int>(std::ceil(kLayers * h / column.edges.back())), 1, kLayers);
 }
 
+// How far below level the sun rises as seen from there.
+double dip_of(physics::Physics& p, double top) {
+  const double horizon = p.horizon_mu(p.scene.planet, top);
+  return -std::asin(p.refraction ? p.sun_before_lift(top, horizon) : horizon);
+}
+
 // How far under the horizon the sun of the table's last column stands, for a horizon that falls by `dip` up to the
 // highest row: light scattered twice no longer matters there.
 double lowest_sun(double dip) {
@@ -58,7 +65,7 @@ physics::MomentTableData moment_axes(physics::Physics& p, const Column& column) 
   constexpr double kLeftAbove = 1.5e-4;
   physics::MomentTableData table;
   table.top = p.scene.planet.atmosphere_height * layer_below_share(p, column, kLeftAbove) / kLayers;
-  const double dip = -std::asin(p.horizon_mu(p.scene.planet, table.top));
+  const double dip = dip_of(p, table.top);
   table.elevation_scale = std::clamp(0.7 * dip, 0.01, 0.35);
   table.v_high = std::asinh(0.5 * std::numbers::pi / table.elevation_scale);
   table.v_low = -std::asinh(lowest_sun(dip) / table.elevation_scale);
@@ -69,7 +76,7 @@ physics::MomentTableData moment_axes(physics::Physics& p, const Column& column) 
 physics::MomentTableData shell_moment_axes(physics::Physics& p) {
   physics::MomentTableData table;
   table.top = p.scene.planet.atmosphere_height;
-  const double dip = -std::asin(p.horizon_mu(p.scene.planet, table.top));
+  const double dip = dip_of(p, table.top);
   table.elevation_scale = std::clamp(0.7 * dip, 0.05, 0.35);
   table.v_high = std::asinh(0.5 * std::numbers::pi / table.elevation_scale);
   table.v_low = -std::asinh(lowest_sun(dip) / table.elevation_scale);
@@ -160,7 +167,8 @@ void put_rows(physics::Physics& p, const Column& column, const std::vector<Mediu
 std::string key_of(const physics::Physics& p) {
   const device::SceneData block = narrowed(p.scene);
   std::string key;
-  for (const std::uint32_t word : {p.media, p.density_profiles, p.phase_functions, p.fade ? 1U : 0U}) {
+  for (const std::uint32_t word :
+       {p.media, p.density_profiles, p.phase_functions, p.fade ? 1U : 0U, p.refraction ? 1U : 0U}) {
     key += std::to_string(word) + ' ';
   }
   key.append(reinterpret_cast<const char*>(&block), sizeof block);
@@ -180,7 +188,7 @@ struct Air::Matter {
   Column column;
 
   Matter(const std::vector<Medium>& m, const Planet& p) : media(m), planet(p) {
-    formulas.scene.planet = {p.ground_radius, p.atmosphere_height, vector_of(p.ground_albedo)};
+    put_planet(formulas, p, media);
     put_media(formulas, media);
     put_phases(formulas, media, false);
     column = column_of(formulas, media);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/air/refraction.h"
+
 namespace airlight {
 namespace {
 
@@ -52,7 +54,10 @@ std::vector<double> breaks_of(const std::vector<Medium>& media, double height) {
 
 Column column_of(physics::Physics& p, const std::vector<Medium>& media) {
   Column column;
-  column.breaks = breaks_of(media, p.scene.planet.atmosphere_height);
+  const double top = p.scene.planet.atmosphere_height;
+  column.breaks = breaks_of(media, p.true_altitude(top).h);
+  std::ranges::transform(column.breaks, column.breaks.begin(), [&](double h) { return optical_altitude(p, h); });
+  column.breaks.back() = top;
   column.cells_between_breaks = kCells;
   column.edges.push_back(0.0);
   column.depth.push_back(0.0);

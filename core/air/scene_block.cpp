@@ -6,6 +6,7 @@
 #include <iterator>
 #include <numbers>
 
+#include "core/air/refraction.h"
 #include "core/plan/bytes.h"
 #include "core/plan/plan.h"
 
@@ -60,9 +61,11 @@ void put_picture(physics::Physics& p, const Scene& scene) {
   if (p.lit_disc) {
     put_lit_ball(p, scene.sun, sun);
   }
+  sun.dispersion = scene.planet.refraction ? vector_of(scene.planet.refraction->dispersion) : vec3(1.0);
   const CameraBasis basis = camera_basis(scene.camera);
   physics::CameraData& camera = p.scene.camera;
-  camera.altitude = scene.camera.altitude;
+  camera.altitude = optical_altitude(p, scene.camera.altitude);
+  sun.seen = seen_direction(p, sun.direction).direction;
   camera.right = basis.right;
   camera.up = basis.up;
   camera.forward = basis.forward;
@@ -107,6 +110,8 @@ device::MediumData narrow(const physics::MediumData& from) {
 
 device::SunData narrow(const physics::SunData& from) {
   return {.direction = narrowed(from.direction),
+          .seen = narrowed(from.seen),
+          .dispersion = narrowed(from.dispersion),
           .irradiance = narrowed(from.irradiance),
           .angular_radius = narrowed(from.angular_radius),
           .limb_darkening = narrowed(from.limb_darkening),
@@ -157,7 +162,7 @@ physics::Physics formulas_of(const Air& air, const Scene& scene) {
 physics::Physics geometry_of(const Scene& scene) {
   physics::Physics p;
   const Planet& planet = scene.planet;
-  p.scene.planet = {planet.ground_radius, planet.atmosphere_height, vector_of(planet.ground_albedo)};
+  put_planet(p, planet, scene.media);
   put_picture(p, scene);
   return p;
 }
@@ -168,6 +173,9 @@ device::SceneData narrowed(const physics::SceneData& data) {
                 narrowed(data.planet.ground_albedo)};
   out.sun = narrow(data.sun);
   out.camera = narrow(data.camera);
+  out.refraction.ground_radius = narrowed(data.refraction.ground_radius);
+  std::ranges::transform(data.refraction.nodes, std::begin(out.refraction.nodes),
+                         [](const vec3& node) { return narrowed(node); });
   out.multiple_scattering_scale = narrowed(data.multiple_scattering_scale);
   out.moments = {narrowed(data.moments.top), narrowed(data.moments.elevation_scale), narrowed(data.moments.v_low),
                  narrowed(data.moments.v_high)};

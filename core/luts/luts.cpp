@@ -17,7 +17,8 @@ Extent extent_in(const Plan& plan, ImageId image) {
 }
 
 // The inverse of transmittance_coordinate(): x stands for the path to the top, y for the distance to the horizon.
-TableText transmittance_text(const Planet& planet) {
+TableText transmittance_text(const Air& air) {
+  const Planet planet = optical_planet(air);
   return {.quantity = "transmittance to the top of the atmosphere",
           .unit = "1",
           .axes = {{"x", "mu", "1",
@@ -52,6 +53,17 @@ altitude_km = top_km * j / (height - 1)
 )"};
 }
 
+// Two tables, one below the other. The decoded angles are those of the table's rows.
+TableText bent_sunlight_text(const Air& air) {
+  TableText text = transmittance_text(air);
+  text.quantity =
+      "sunlight through air that bends it, with the beam's spreading; in the lower half transmittance along "
+      "directions as they are seen; altitudes are optical";
+  text.axes[0].mapping = "zenith cosine, in the upper half that at which a sun that rises stands at the horizon";
+  text.axes[1].mapping = "in each half linear in the distance to the ground's horizon, from the ground to the top";
+  return in_lower_half_too(std::move(text));
+}
+
 TableText ground_irradiance_text() {
   return {.quantity = "irradiance of the sky on level ground for a sun of irradiance 1",
           .unit = "1",
@@ -61,6 +73,18 @@ TableText ground_irradiance_text() {
 }
 
 }  // namespace
+
+Planet optical_planet(const Air& air) {
+  Planet planet = air.planet();
+  planet.ground_radius = air.formulas().scene.planet.ground_radius;
+  planet.atmosphere_height = air.formulas().scene.planet.atmosphere_height;
+  return planet;
+}
+
+TableText in_lower_half_too(TableText text) {
+  text.decode = "height = height / 2\nj = j - height * (j >= height)\n" + text.decode;
+  return text;
+}
 
 std::string planet_constants(const Planet& planet) {
   return table_constant("ground_radius_km", planet.ground_radius) + table_constant("top_km", planet.atmosphere_height);
@@ -86,6 +110,7 @@ std::vector<Specialization> medium_specialization(const Air& air) {
           {"kDensityProfiles", p.density_profiles},
           {"kPhaseFunctions", p.phase_functions},
           {"kSunFade", p.fade ? 1U : 0U},
+          {"kRefraction", p.refraction ? 1U : 0U},
           {"kMostLayers", most == 0 ? 0 : std::bit_ceil(most)}};
 }
 
@@ -93,7 +118,7 @@ std::vector<Specialization> sunlight_specialization(const Plan& plan, const Air&
   std::vector<Specialization> constants = medium_specialization(air);
   const Extent extent = extent_in(plan, transmittance);
   constants.push_back({"kTransmittanceWidth", extent.width});
-  constants.push_back({"kTransmittanceHeight", extent.height});
+  constants.push_back({"kTransmittanceHeight", air.formulas().refraction ? extent.height / 2 : extent.height});
   return constants;
 }
 
@@ -103,16 +128,15 @@ void add_scattering_size(std::vector<Specialization>& constants, const Plan& pla
   constants.push_back({"kScatteringHeight", extent.height});
 }
 
-ImageId add_transmittance(Plan& plan, const Air& air, TableSize size) {
-  if (const auto there = plan.table_of(table_key(air, "transmittance", size))) {
-    return *there;
-  }
-  const ImageId out = plan.add_image({.name = "transmittance",
-                                      .extent = extent_of(size),
-                                      .key = table_key(air, "transmittance", size),
-                                      .stored = true,
-                                      .text = [planet = air.planet()] { return transmittance_text(planet); }});
-  plan.add_pass({.name = "transmittance",
+namespace {
+
+// Transmittance along directions as they are seen, and bending.
+ImageId add_seen_transmittance(Plan& plan, const Air& air, TableSize size, const std::string& name) {
+  const ImageId out = plan.add_image(
+      {.name = name, .extent = extent_of(size), .key = table_key(air, name, size), .stored = true, .text = [air] {
+         return transmittance_text(air);
+       }});
+  plan.add_pass({.name = name,
                  .shader = "transmittance",
                  .writes = {{"transmittance_out", out}},
                  .grid = extent_of(size),
@@ -121,16 +145,47 @@ ImageId add_transmittance(Plan& plan, const Air& air, TableSize size) {
   return out;
 }
 
+}  // namespace
+
+ImageId add_bent_sunlight(Plan& plan, const Air& air, TableSize size, const BentTable& table,
+                          std::vector<Specialization> constants) {
+  const ImageId seen = add_seen_transmittance(plan, air, size, table.name + "_seen");
+  const TableSize both{size[0], 2 * size[1]};
+  const ImageId out = plan.add_image({.name = table.name,
+                                      .extent = extent_of(both),
+                                      .key = table_key(air, table.name, both),
+                                      .stored = true,
+                                      .text = table.text});
+  plan.add_pass({.name = table.name,
+                 .shader = table.shader,
+                 .reads = {{"seen_lut", seen}},
+                 .writes = {{table.out, out}},
+                 .grid = extent_of(size),
+                 .specialization = std::move(constants),
+                 .cost = 16.0});
+  return out;
+}
+
+ImageId add_transmittance(Plan& plan, const Air& air, TableSize size) {
+  if (!air.formulas().refraction) {
+    return add_seen_transmittance(plan, air, size, "transmittance");
+  }
+  return add_bent_sunlight(
+      plan, air, size, {"transmittance", "bent_sunlight", "sunlight_out", [air] { return bent_sunlight_text(air); }},
+      medium_specialization(air));
+}
+
 ImageId add_multiple_scattering(Plan& plan, const Air& air, ImageId transmittance, TableSize size) {
   const Extent sources[] = {extent_in(plan, transmittance)};
   if (const auto there = plan.table_of(table_key(air, "multiple_scattering", size, sources))) {
     return *there;
   }
-  const ImageId out = plan.add_image({.name = "multiple_scattering",
-                                      .extent = extent_of(size),
-                                      .key = table_key(air, "multiple_scattering", size, sources),
-                                      .stored = true,
-                                      .text = [planet = air.planet()] { return multiple_scattering_text(planet); }});
+  const ImageId out =
+      plan.add_image({.name = "multiple_scattering",
+                      .extent = extent_of(size),
+                      .key = table_key(air, "multiple_scattering", size, sources),
+                      .stored = true,
+                      .text = [planet = optical_planet(air)] { return multiple_scattering_text(planet); }});
   plan.add_pass({.name = "multiple_scattering",
                  .shader = "multiple_scattering",
                  .reads = {{"transmittance_lut", transmittance}},

@@ -2,6 +2,7 @@
 // The passes that bake each table. A table depends on the air, the planet and its own size alone, never on the sun's
 // place or the camera, and is kept from plan to plan under a key that says so.
 
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,6 +15,23 @@ namespace airlight {
 
 // Transmittance to the top of the atmosphere, x: mu, y: h [B08], both non-linear; alpha is 1.
 ImageId add_transmittance(Plan& plan, const Air& air, TableSize size);
+
+// A table of sunlight for air that bends light, of twice the height: below it that of seen directions (tables.glsl).
+// `size`: of each. `shader` writes to `out`.
+struct BentTable {
+  std::string name;
+  const char* shader;
+  const char* out;
+  std::function<TableText()> text;
+};
+ImageId add_bent_sunlight(Plan& plan, const Air& air, TableSize size, const BentTable& table,
+                          std::vector<Specialization> constants);
+
+// The text for such a table from that for its upper half.
+TableText in_lower_half_too(TableText text);
+
+// The air's planet, with its optical radius and height where the air bends light.
+Planet optical_planet(const Air& air);
 
 // Isotropic multiple scattering for a sun of irradiance 1, 1/sr, x: mu_sun by its signed square
 // root, y: h, linear [H20].

@@ -126,7 +126,7 @@ TableText sun_table_text(const Air& air) {
           .unit = "1/km",
           .axes = {{"x", "mu", "1", "zenith cosine of the ray, quadratic from the true horizon to the zenith"},
                    {"y", "altitude_km", "km", "listed: the edges of shells"}},
-          .constants = planet_constants(air.planet()) + row_altitudes(air.formulas().scene),
+          .constants = planet_constants(optical_planet(air)) + row_altitudes(air.formulas().scene),
           .decode = R"(altitude_km = take(altitudes_km, j)
 horizon_mu = -sqrt(altitude_km * (2 * ground_radius_km + altitude_km)) / (ground_radius_km + altitude_km)
 x = i / (width - 1)
@@ -310,12 +310,18 @@ ImageId add_sun_table(Plan& plan, const Air& air, const MomentSettings& settings
   if (const auto there = plan.table_of(table_key(air, "sun_table", size))) {
     return *there;
   }
+  std::vector<Specialization> constants = medium_specialization(air);
+  constants.push_back({"kShellRows", extent.height});
+  if (air.formulas().refraction) {
+    return add_bent_sunlight(
+        plan, air, size,
+        {"sun_table", "bent_sun_table", "sun_table_out", [air] { return in_lower_half_too(sun_table_text(air)); }},
+        std::move(constants));
+  }
   const ImageId out = plan.add_image(
       {.name = "sun_table", .extent = extent, .key = table_key(air, "sun_table", size), .stored = true, .text = [air] {
          return sun_table_text(air);
        }});
-  std::vector<Specialization> constants = medium_specialization(air);
-  constants.push_back({"kShellRows", extent.height});
   plan.add_pass({.name = "sun_table",
                  .shader = "sun_table",
                  .writes = {{"sun_table_out", out}},

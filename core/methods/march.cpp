@@ -89,6 +89,7 @@ SkyMethod march_method() {
   SkyMethod method;
   method.info = {"march", "view march on transmittance and isotropic multiple-scattering tables [H20]", kParameters};
   method.info.knows_ground_maps = true;
+  method.info.bends_light = true;
   method.validity.leaves_out = "direction and polarisation of light scattered more than once";
   method.sweep = {with_steps("4", 4),
                   with_tables("8, small tables", 8, {64, 16}, {8, 8}),

@@ -301,6 +301,7 @@ SkyMethod orders_method() {
   method.info.knows_translucent_spheres = true;
   method.info.knows_ground_maps = true;
   method.info.knows_polarisers = true;
+  method.info.bends_light = true;
   method.validity.leaves_out = "harmonics above the degree kept, and polarisation by other media than molecules";
   method.bounds = bounds;
   const std::string never = "never";

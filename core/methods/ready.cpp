@@ -46,6 +46,14 @@ PartSettings settled(const Part& whole) {
   return {render, air_options(render)};
 }
 
+// The scene with straight rays where its method bends none. Things stand at true distances, to which rays are straight.
+Scene as_rays_go(Scene scene) {
+  if (!method_of(scene).info.bends_light || scene.terrain || !scene.spheres.empty()) {
+    scene.planet.refraction.reset();
+  }
+  return scene;
+}
+
 Stage made(const Scene& scene, const std::optional<Nodes>& listed, const Stage* like, const std::string& light = {});
 
 std::vector<Stage> further_lights(const Stage& stage, const std::optional<Nodes>& listed) {
@@ -56,7 +64,8 @@ std::vector<Stage> further_lights(const Stage& stage, const std::optional<Nodes>
   return {made(lit, listed, &stage, " by moonlight")};
 }
 
-Stage made(const Scene& scene, const std::optional<Nodes>& listed, const Stage* like, const std::string& light) {
+Stage made(const Scene& given, const std::optional<Nodes>& listed, const Stage* like, const std::string& light) {
+  const Scene scene = as_rays_go(given);
   const std::vector<Air> known = like == nullptr ? std::vector<Air>() : StageMaker::airs_of(*like);
   const Things::Others others = like == nullptr ? Things::Others() : StageMaker::things_of(*like);
   Part whole{scene, air_like(known, scene, air_options(scene.render)), Things(scene, others)};

@@ -150,6 +150,7 @@ SkyMethod sky_view_method() {
   SkyMethod method;
   method.info = {"sky-view", "a table of what the camera sees, one fetch a pixel [H20]", kParameters};
   method.info.knows_ground_maps = true;
+  method.info.bends_light = true;
   method.validity.leaves_out =
       "direction and polarisation of light scattered more than once, and detail finer than its table (an aureole "
       "sharper than g = 0.9)";

@@ -64,6 +64,7 @@ struct Physics {
   uint phase_functions = 0;   // four bits a medium
   bool fade = false;
   bool lit_disc = false;
+  bool refraction = false;
   std::shared_ptr<const std::vector<vec3>> phase_samples;  // logarithms, tables one behind the other; null: none
   HostTable transmittance_lut;
   HostTable multiple_scattering_lut;
@@ -98,6 +99,10 @@ struct Physics {
   bool disc_is_lit() const { return lit_disc; }
   bool ground_reflects() const { return ground_irradiance_lut.width > 0; }
   vec3 fetch_transmittance(real x, real y) const { return transmittance_lut.fetch_unit(x, y); }
+  bool bends_light() const { return refraction; }
+  real optical_top() const { return scene.planet.atmosphere_height; }
+  vec3 refraction_node(uint i) const { return scene.refraction.nodes[i]; }
+  real true_ground_radius() const { return scene.refraction.ground_radius; }
   vec3 fetch_multiple_scattering(real x, real y) const { return multiple_scattering_lut.fetch_unit(x, y); }
   vec3 fetch_ground_irradiance(real x) const { return ground_irradiance_lut.fetch_unit(x, 0.5); }
   uint moment_degree() const { return degree; }
@@ -130,6 +135,7 @@ struct Physics {
 #include "shaders/physics/phase.glsl"
 #include "shaders/physics/phase_table.glsl"
 #include "shaders/physics/geometry.glsl"
+#include "shaders/physics/refraction.glsl"
 #include "shaders/physics/shadow.glsl"
 #include "shaders/physics/environment.glsl"
 #include "shaders/physics/camera.glsl"
@@ -181,6 +187,14 @@ struct Physics {
   uint sun_steps = 0;  // 0: sunlight from the table; else by a march of so many steps, as in `nested`
   vec3 transmittance_to_top(PlanetData planet, real h, real mu) {
     return sun_steps > 0 ? exp(-optical_depth_to_top(planet, h, mu, sun_steps)) : table_transmittance(planet, h, mu);
+  }
+  // Without a table, where the air bends light.
+  vec3 seen_transmittance(PlanetData planet, real h, real mu) {
+    return refraction ? exp(-optical_depth_to_top(planet, h, mu, kTransmittanceSteps))
+                      : transmittance_to_top(planet, h, mu);
+  }
+  real bending_along(PlanetData planet, real h, real mu) {
+    return refraction ? bending_to_top(planet, h, mu, kBendingSteps) : 0.0;
   }
   Sight sight_of(const vec3& direction) {
     return sight_from(scene.planet, scene.camera.altitude, vec3(0.0), direction, scene.sun.direction);

@@ -39,6 +39,16 @@ Box with_slack(const Box& box) {
   return {box.low_x - slack_x, box.low_y - slack_y, box.high_x + slack_x, box.high_y + slack_y};
 }
 
+// Angle around the sun's seen middle in which the disc is. Air that bends light flattens the disc and parts its colours
+// by a few hundredths of its radius; from space it may move the disc by more than a degree.
+double seen_radius(const physics::Physics& p, const Scene& scene) {
+  constexpr double kColours = 1.06;
+  constexpr double kMostBending = 0.03;
+  const double radius = scene.sun.disc.angular_radius;
+  const bool in_space = p.scene.camera.altitude > p.scene.planet.atmosphere_height;
+  return !p.refraction ? radius : kColours * radius + (in_space ? kMostBending : 0.0);
+}
+
 std::array<vec3, 720> rim_points(const vec3& sun, double radius) {
   const auto [a, b] = across(sun);
   std::array<vec3, 720> rim;
@@ -53,10 +63,10 @@ std::array<vec3, 720> rim_points(const vec3& sun, double radius) {
 std::optional<Box> rim_box(physics::Physics& p, const Scene& scene) {
   const physics::uint projection = projection_code(scene.camera.projection);
   const bool round = scene.camera.projection == Projection::equirectangular;
-  const vec3 sun = p.scene.sun.direction;
+  const vec3 sun = p.scene.sun.seen;
   const double width = scene.image.width;
   const double middle = p.pixel_of(p.scene.camera, projection, sun).x;
-  const auto rim = rim_points(sun, scene.sun.disc.angular_radius);
+  const auto rim = rim_points(sun, seen_radius(p, scene));
   Box box = kNoBox;
   std::size_t behind = 0;
   for (const vec3& point : rim) {
@@ -75,7 +85,7 @@ std::optional<Box> disc_box(physics::Physics& p, const Scene& scene) {
   if (!box) {
     return box;
   }
-  const double radius = scene.sun.disc.angular_radius;
+  const double radius = seen_radius(p, scene);
   if (scene.camera.projection == Projection::equirectangular &&
       std::abs(scene.sun.elevation) + radius > 0.5 * std::numbers::pi) {
     // The disc covers a pole: every column, from the pole to the rim.
@@ -86,7 +96,7 @@ std::optional<Box> disc_box(physics::Physics& p, const Scene& scene) {
     box->high_x *= 2.0;
   }
   if (scene.camera.projection == Projection::fisheye &&
-      physics::dot(p.scene.sun.direction, p.scene.camera.forward) < -std::cos(radius)) {
+      physics::dot(p.scene.sun.seen, p.scene.camera.forward) < -std::cos(radius)) {
     return whole_box(scene);  // around the point straight behind
   }
   return with_slack(*box);
@@ -96,8 +106,8 @@ std::optional<Box> disc_box(physics::Physics& p, const Scene& scene) {
 // axes of in_camera, falls on it; `pixel_of`: the direction's pixel, also beyond the part's edges.
 template <class Holds, class PixelOf>
 std::optional<Box> part_box(physics::Physics& p, const Scene& scene, const Box& part, Holds holds, PixelOf pixel_of) {
-  const vec3 sun = p.scene.sun.direction;
-  const auto rim = rim_points(sun, scene.sun.disc.angular_radius);
+  const vec3 sun = p.scene.sun.seen;
+  const auto rim = rim_points(sun, seen_radius(p, scene));
   const auto is_held = [&](const vec3& direction) { return holds(p.in_camera(p.scene.camera, direction)); };
   if (!is_held(sun) && std::ranges::none_of(rim, is_held)) {
     return std::nullopt;
@@ -204,8 +214,8 @@ std::uint32_t samples_for(double extent) {
 }
 
 bool wholly_set(physics::Physics& p, const Scene& scene) {
-  const double horizon = std::asin(p.horizon_mu(p.scene.planet, scene.camera.altitude));
-  return scene.sun.elevation + scene.sun.disc.angular_radius < horizon;
+  const double horizon = std::asin(p.horizon_mu(p.scene.planet, p.scene.camera.altitude));
+  return std::asin(p.scene.sun.seen.y) + seen_radius(p, scene) < horizon;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <vector>
 
+#include "core/air/refraction.h"
 #include "core/air/scene_block.h"
 #include "core/plan/bytes.h"
 #include "core/post/disc_parts.h"
@@ -39,7 +40,9 @@ std::vector<GlarePoint> disc_sources(const Part& part) {
     for (int k = 0; k < kGlareAround; ++k) {
       const double t = 2.0 * std::numbers::pi * (k + 0.5 * (ring % 2)) / kGlareAround;
       const vec3 direction = sun * std::cos(off) + (a * std::cos(t) + b * std::sin(t)) * std::sin(off);
-      sources.push_back({direction, 0.0, p.disc_radiance(direction) * area, radius / std::sqrt(kPoints)});
+      const SeenDirection seen = seen_direction(p, direction);
+      sources.push_back(
+          {seen.direction, 0.0, p.disc_radiance(seen.direction) * (area * seen.spread), radius / std::sqrt(kPoints)});
     }
   }
   return sources;
@@ -70,7 +73,7 @@ bool sun_glares(const Part& part) {
   }
   const physics::Physics p = geometry_of(part.scene);
   const bool is_behind = part.scene.camera.projection == Projection::perspective &&
-                         physics::dot(p.scene.sun.direction, p.scene.camera.forward) <= 0.0;
+                         physics::dot(p.scene.sun.seen, p.scene.camera.forward) <= 0.0;
   const vec3 light = sum_of(disc_sources(part)).irradiance;
   return !is_behind && light.x + light.y + light.z > 0.0;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/air/refraction.h"
 #include "core/methods/method.h"
 #include "core/methods/spectral_sums.h"
 #include "core/plan/bytes.h"
@@ -66,7 +67,7 @@ void add_geometry(std::vector<Layer>& layers, const Scene& scene, const Things& 
   std::vector<float>& depth = find(layers, "depth").planes;
   std::vector<float>& normal = find(layers, "N").planes;
   const physics::PlanetData planet = p.scene.planet;
-  const double h = scene.camera.altitude;
+  const double h = p.scene.camera.altitude;
   const physics::uint projection = projection_code(scene.camera.projection);
   for (std::size_t i = 0; i < pixels; ++i) {
     const auto width = static_cast<std::size_t>(tile.width);
@@ -78,7 +79,7 @@ void add_geometry(std::vector<Layer>& layers, const Scene& scene, const Things& 
     const auto sight = p.sight_of(ray.direction);
     const auto hit = p.nearest_thing(planet, sight, physics::kNoSphere);
     const double distance = hit.what == p.kMeetsSky ? p.distance_to_end(planet, h, ray.direction.y) : hit.distance_;
-    depth[i] = distance < 0.0 ? kNoDistance : static_cast<float>(distance);
+    depth[i] = distance < 0.0 ? kNoDistance : static_cast<float>(true_length(p, ray.direction.y, distance));
     if (hit.what != p.kMeetsSky) {
       const vec3 n = p.surface_at(planet, h, sight, hit, 0.0).normal;
       normal[i] = static_cast<float>(n.x);

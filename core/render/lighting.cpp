@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/air/refraction.h"
 #include "core/air/scene_block.h"
 #include "core/error.h"
 #include "core/methods/ready.h"
@@ -171,11 +172,19 @@ RadianceImage irradiance_map(const RadianceImage& latlong, double latlong_azimut
   return map;
 }
 
+namespace {
+
+bool is_above_ground(physics::Physics& p, const vec3& direction) {
+  return !p.meets_ground(p.scene.planet, p.scene.camera.altitude, direction.y);
+}
+
+}  // namespace
+
 SunLight sun_light(const DeviceOnDemand& device, const Stage& stage) {
   const Scene& scene = stage.scene();
   physics::Physics p = geometry_of(scene);
-  SunLight light{.direction = numbers_of(p.scene.sun.direction),
-                 .elevation = scene.sun.elevation,
+  SunLight light{.direction = numbers_of(p.scene.sun.seen),
+                 .elevation = std::asin(std::clamp(p.scene.sun.seen.y, -1.0, 1.0)),
                  .azimuth = scene.sun.azimuth,
                  .angular_radius = scene.sun.disc.angular_radius,
                  .irradiance_above_air = scene.sun.irradiance};
@@ -186,10 +195,11 @@ SunLight sun_light(const DeviceOnDemand& device, const Stage& stage) {
     return p.disc_is_hidden(p.direction_from_angles(d.elevation, d.azimuth));
   };
   for (const DiscPoint& point : disc_points(p, scene.sun)) {
-    if (!is_hidden(point.direction) &&
-        !p.meets_ground(p.scene.planet, scene.camera.altitude, std::sin(point.direction.elevation))) {
-      directions.push_back(point.direction);
-      shares.push_back(point.share);
+    const SeenDirection seen =
+        seen_direction(p, p.direction_from_angles(point.direction.elevation, point.direction.azimuth));
+    if (!is_hidden(point.direction) && is_above_ground(p, seen.direction)) {
+      directions.push_back(p.refraction ? angles_of(seen.direction) : point.direction);
+      shares.push_back(point.share * seen.spread);
       light.visible_share += point.share;
     }
   }

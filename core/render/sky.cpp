@@ -36,6 +36,24 @@ SkyPasses add_parts(Plan& plan, const Stage& stage, const View& view) {
   return all;
 }
 
+// A disc a part: air that bends light bends each wavelength by an angle of its own.
+bool add_parted_disc(Plan& plan, const Stage& stage, const std::vector<ImageId>& tables, const Picture& picture,
+                     const Tile& tile) {
+  const std::size_t bytes = std::size_t{picture.width} * picture.height * 4 * sizeof(float);
+  std::vector<BufferId> discs;
+  for (std::size_t g = 0; g < stage.parts().size(); ++g) {
+    const Part& part = stage.parts()[g];
+    begin_part(plan, part, tile);
+    discs.push_back(plan.add_buffer({.name = "disc", .bytes = bytes}));
+    add_sun_disc(plan, part, tables.empty() ? std::nullopt : std::optional(tables[g]), picture_of(discs[g], tile));
+  }
+  plan.end_scene();
+  for (std::size_t g = 0; g < discs.size(); ++g) {
+    add_colours(plan, discs[g], picture.buffer, stage.parts()[g].colours, stage.parts()[g].suffix + ", disc", false);
+  }
+  return true;
+}
+
 // A table of transmittance in the picture's colours: of the parts' tables, one each, or of tables added here.
 ImageId add_through(Plan& plan, const Stage& stage, std::vector<ImageId> tables, const Tile& tile) {
   const bool has_tables = !tables.empty();
@@ -103,10 +121,14 @@ Sky add_sky_by_light(Plan& plan, const Stage& stage, const View& view, bool with
     for (std::size_t g = 0; each > 0 && g < stage.parts().size(); ++g) {
       tables.push_back(made.tables[g * each]);
     }
-    const ImageId through = add_through(plan, stage, std::move(tables), tile);
-    made.disc = shines && add_sun_disc(plan, stage.whole(), through, picture);
-    if (is_night) {
-      add_night(plan, stage, through, picture);
+    const bool parted = shines && stage.in_colours() && stage.scene().planet.refraction;
+    made.disc = parted && add_parted_disc(plan, stage, tables, picture, tile);
+    if (is_night || !parted) {
+      const ImageId through = add_through(plan, stage, std::move(tables), tile);
+      made.disc = made.disc || (shines && add_sun_disc(plan, stage.whole(), through, picture));
+      if (is_night) {
+        add_night(plan, stage, through, picture);
+      }
     }
   }
   return made;

@@ -228,6 +228,12 @@ std::string describe(const Scene& scene) {
   } else {
     lines.spectrum("ground albedo", scene.planet.ground_albedo);
   }
+  if (const auto& refraction = scene.planet.refraction) {
+    lines.line("refraction",
+               "n - 1 = " + format_number(refraction->n_minus_1) + " at the ground, " +
+                   (refraction->medium ? "as the density of " + scene.media[*refraction->medium].name
+                                       : "scale height " + format_number(refraction->scale_height) + " km"));
+  }
   if (scene.ground) {
     describe_ground(lines, *scene.ground, scene.camera);
   }

@@ -96,6 +96,13 @@ constexpr auto kRules = std::to_array<Rule>({
     number("planet.radius_km", kSize, "km", "6360", "radius of the ground sphere"),
     number("planet.atmosphere_height_km", kSize, "km", "100", "top of the atmosphere above the ground"),
     row(RuleType::curve, "planet.ground_albedo", kUnit, "", "0", "Lambertian reflectance of the ground"),
+    needed(
+        number("planet.refraction.n_minus_1", Range{.minimum = 0.0, .maximum = 0.01}, "", "",
+               "refractive index of the air at the ground, minus 1, at 550 nm: Earth's is 2.78e-4. Light is bent by "
+               "`orders`, `march`, `sky-view` and `path-trace`, where neither terrain nor spheres stand in the air")),
+    plain(RuleType::text, "planet.refraction.medium",
+          "name of the medium whose density n - 1 follows; of `medium` and `scale_height_km` exactly one"),
+    number("planet.refraction.scale_height_km", kSize, "km", "", "of n - 1"),
 
     plain(RuleType::text, "planet.albedo_map",
           "a picture of reflectances over the whole planet, by a path relative to this file (section Files), "

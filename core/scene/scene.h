@@ -61,10 +61,20 @@ struct Medium {
   bool operator==(const Medium&) const = default;
 };
 
+// Air that bends light.
+struct Refraction {
+  double n_minus_1 = 0.0;              // at the ground
+  std::optional<std::size_t> medium;   // whose density it follows
+  double scale_height = 0.0;           // km, without a medium
+  Spectrum dispersion{1.0, 1.0, 1.0};  // of each channel over 550 nm
+  bool operator==(const Refraction&) const = default;
+};
+
 struct Planet {
   double ground_radius = 6360.0;     // km
   double atmosphere_height = 100.0;  // km
   Spectrum ground_albedo{};
+  std::optional<Refraction> refraction = {};
   bool operator==(const Planet&) const = default;
 };
 

@@ -184,6 +184,16 @@ std::string planet_json(const Scene& scene) {
   object.number("radius_km", scene.planet.ground_radius)
       .number("atmosphere_height_km", scene.planet.atmosphere_height)
       .spectrum("ground_albedo", scene.planet.ground_albedo, scene.spectra ? &scene.spectra->ground_albedo : nullptr);
+  if (const auto& refraction = scene.planet.refraction) {
+    JsonObject bent(3);
+    bent.number("n_minus_1", refraction->n_minus_1);
+    if (refraction->medium) {
+      bent.text("medium", scene.media[*refraction->medium].name);
+    } else {
+      bent.number("scale_height_km", refraction->scale_height);
+    }
+    object.add("refraction", bent.str());
+  }
   if (scene.ground && !scene.ground->albedo_map.empty()) {
     object.text("albedo_map", scene.ground->albedo_map);
   }

@@ -95,6 +95,14 @@ double rayleigh_scattering(double nm) {
   return 1e3 * kMoleculesPerCubicMetre * cross_section;
 }
 
+double air_dispersion(double nm) {
+  const auto refractivity = [](double wavelength) {
+    const double s2 = 1e6 / (wavelength * wavelength);  // of the wavenumber in 1/um
+    return 8060.51 + 2480990.0 / (132.274 - s2) + 17455.7 / (39.32957 - s2);
+  };
+  return refractivity(nm) / refractivity(550.0);
+}
+
 double black_body(double kelvin, double nm) {
   constexpr double kSecondRadiationConstant = 1.438776877e7;  // nm K
   const double x = kSecondRadiationConstant / (nm * kelvin);

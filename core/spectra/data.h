@@ -25,6 +25,9 @@ inline constexpr double kMoleculesPerDobsonUnit = 2.6868e20;  // per m2
 // 1999, eq. 29, 250 to 850 nm.
 double rayleigh_scattering(double nm);
 
+// Refractivity n - 1 of standard air over that at 550 nm (Peck and Reeder 1972, eq. 2), 230 to 1690 nm.
+double air_dispersion(double nm);
+
 // Planck's law over its value at 560 nm.
 double black_body(double kelvin, double nm);
 

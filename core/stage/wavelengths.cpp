@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "core/spectra/data.h"
 #include "core/spectra/reflectance.h"
 #include "core/stage/sampled_sky.h"
 
@@ -95,6 +96,9 @@ Scene PartScenes::scene(std::size_t part) const {
       group.media[i].phase_wavelengths[c] = nodes.nm[at[c]];
     }
     group.planet.ground_albedo[c] = at_node(spectra.ground_albedo, nodes, at[c]);
+    if (group.planet.refraction) {
+      group.planet.refraction->dispersion[c] = air_dispersion(nodes.nm[at[c]]);
+    }
     for (std::size_t i = 0; i < group.spheres.size(); ++i) {
       group.spheres[i].albedo[c] = at_node(spectra.spheres[i], nodes, at[c]);
     }

@@ -39,10 +39,11 @@ void main() {
   TableRay at = table_ray(texel);
   Ray ray = at.ray;
   ApartFactors factors = scene_apart_factors(ray, steps);
+  float nu = seen_cosine(scene.sun, ray.mu, ray.nu);
   UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
-    store_single(i, factors.air, texel, ray.nu);
+    store_single(i, factors.air, texel, nu);
   }
-  float carrier = shared_carrier(section_of_row(texel.y), ray.nu);
+  float carrier = shared_carrier(section_of_row(texel.y), nu);
   store(diffuse_block(), texel, factors.air.diffuse / carrier);
   store(diffuse_block() + 1u, texel, factors.ground / carrier);
   store_stokes(diffuse_block() + 2u, factors.air, at.cos_azimuth, texel);

@@ -21,7 +21,7 @@ layout(push_constant, scalar) uniform Push {
 LightLayers layers_along(vec3 direction) {
   Ray ray = air_ray(ray_direction(direction));
   ApartFactors factors = scene_apart_factors(ray, steps);
-  Phases p = phases(ray.nu);
+  Phases p = phases(seen_cosine(scene.sun, ray.mu, ray.nu));
   LightLayers layers = no_layers();
   UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
     layers.single[i] = factors.air.single[i] * p.of[i] * scene.sun.irradiance;

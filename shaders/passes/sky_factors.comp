@@ -71,11 +71,12 @@ void main() {
   UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
     store_single(i, factors, texel);
   }
+  float nu = seen_cosine(scene.sun, ray.mu, ray.nu);
   vec3 light = factors.diffuse;
   UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
-    light += folded_light(i, factors, ray.nu);
+    light += folded_light(i, factors, nu);
   }
-  light *= scene.sun.irradiance / shared_carrier(section_of_row(texel.y), ray.nu);
+  light *= scene.sun.irradiance / shared_carrier(section_of_row(texel.y), nu);
   imageStore(factors_out, ivec2(diffuse_block() * kSkyColumns + texel.x, texel.y), vec4(light, 1.0));
   store_stokes(diffuse_block() + 1u, factors, at.cos_azimuth, texel);
 }

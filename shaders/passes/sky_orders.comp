@@ -29,7 +29,7 @@ Seen seen_along(vec3 direction) {
   Ray ray = air_ray(ray_direction(direction));
   SkyFactors factors = scene_sky_factors(ray, steps);
   Seen seen;
-  seen.light = shown_along(factors, ray.nu, direction);
+  seen.light = shown_along(factors, seen_cosine(scene.sun, ray.mu, ray.nu), direction);
   seen.transmittance = beam_transmittance(factors);
   return seen;
 }

@@ -55,6 +55,7 @@ struct Ray {
   real nu;        // cosine between view and sun
   real length_;   // to the ground or to the top; negative: the ray misses the air
   bool at_ground; // ends on the ground
+  real bent;      // bending_ahead() at the start (sunlight.glsl), once lit_ray() has set it
 };
 
 // One point of a ray.
@@ -110,6 +111,7 @@ Ray ray_in_atmosphere(PlanetData planet, real h, real mu, real mu_sun, real nu) 
   ray.nu = nu;
   ray.length_ = -1.0;
   ray.at_ground = meets_ground(planet, h, mu);
+  ray.bent = 0.0;
   if (h > planet.atmosphere_height) {
     AirEntry entry = air_entry(planet, h, mu);
     if (entry.misses) {

@@ -13,14 +13,14 @@ vec3 multiple_scattering_at(PlanetData planet, real h, real mu_sun) {
 
 // Light that a Lambertian ground sends up for a sun of irradiance 1: direct sun and sky.
 vec3 ground_radiance(PlanetData planet, SunData sun, real mu_sun) {
-  vec3 direct = transmittance_to_sun(planet, 0.0, mu_sun) * (max(mu_sun, 0.0) * sun_fade(sun, mu_sun));
+  vec3 direct = transmittance_to_sun(planet, 0.0, mu_sun) * (ground_facing(planet, mu_sun) * sun_fade(sun, mu_sun));
   return planet.ground_albedo * (direct + fetch_ground_irradiance(0.5 + 0.5 * mu_sun)) / kPi;
 }
 
 // Returns the path with one more step, in which source and extinction are constant. `diffuse`: light scattered more
 // than once that arrives there, 1/sr.
 PathRadiance with_step(PathRadiance path, PlanetData planet, SunData sun, Ray ray, Phases p, Step s, vec3 diffuse) {
-  RayPoint point = point_on_ray(planet, ray, s.t);
+  RayPoint point = sunlit_point(planet, ray, s.t);
   Air air = air_over(point.h, s.width * point.mu, p);
   vec3 direct = transmittance_to_sun(planet, point.h, point.mu_sun) * sun_fade(sun, point.mu_sun);
   vec3 source = direct * air.phase_scattering + diffuse * air.scattering;
@@ -32,7 +32,7 @@ PathRadiance with_step(PathRadiance path, PlanetData planet, SunData sun, Ray ra
 }
 
 vec3 diffuse_at(PlanetData planet, Ray ray, real t, real scattering_scale) {
-  RayPoint point = point_on_ray(planet, ray, t);
+  RayPoint point = sunlit_point(planet, ray, t);
   return multiple_scattering_at(planet, point.h, point.mu_sun) * scattering_scale;
 }
 
@@ -43,7 +43,7 @@ struct LitAir {
 };
 
 LitAir lit_air(PlanetData planet, SunData sun, Ray ray, Phases p, real t, real scattering_scale) {
-  RayPoint point = point_on_ray(planet, ray, t);
+  RayPoint point = sunlit_point(planet, ray, t);
   Air air = air_at(point.h, p);
   vec3 direct = transmittance_to_sun(planet, point.h, point.mu_sun) * sun_fade(sun, point.mu_sun);
   LitAir lit;
@@ -71,7 +71,7 @@ PathRadiance march_panels(PlanetData planet, SunData sun, Ray ray, uint steps, r
   PathRadiance path;
   path.radiance = vec3(0.0);
   path.transmittance = vec3(1.0);
-  Phases p = phases(ray.nu);
+  Phases p = phases(seen_cosine(sun, ray.mu, ray.nu));
   uint panels = (steps + 1u) / 2u;
   real falling = -(planet.ground_radius + ray.h) * ray.mu;
   uint before = falling_steps(falling, ray.length_, panels);
@@ -114,7 +114,7 @@ PathRadiance march_steps(PlanetData planet, SunData sun, Ray ray, uint steps, ui
   PathRadiance path;
   path.radiance = vec3(0.0);
   path.transmittance = vec3(1.0);
-  Phases p = phases(ray.nu);
+  Phases p = phases(seen_cosine(sun, ray.mu, ray.nu));
   real falling = -(planet.ground_radius + ray.h) * ray.mu;
   uint before = falling_steps(falling, ray.length_, steps);
   uint count = ray.length_ > 0.0 ? steps : 0u;
@@ -143,6 +143,7 @@ const real kFixedPlace = 0.3;
 // do not move.
 PathRadiance march_at(PlanetData planet, SunData sun, Ray ray, uint steps, uint distribution, real place,
                       real scattering_scale) {
+  ray = lit_ray(planet, ray);
   PathRadiance path;
   if (distribution == kStepsGaussLegendre) {
     path = march_panels(planet, sun, ray, steps, scattering_scale);
@@ -150,7 +151,7 @@ PathRadiance march_at(PlanetData planet, SunData sun, Ray ray, uint steps, uint 
     path = march_steps(planet, sun, ray, steps, distribution, place, scattering_scale);
   }
   if (ground_reflects() && ray.at_ground && ray.length_ >= 0.0) {
-    RayPoint end = point_on_ray(planet, ray, ray.length_);
+    RayPoint end = sunlit_point(planet, ray, ray.length_);
     path.radiance = path.radiance + path.transmittance * ground_radiance(planet, sun, end.mu_sun);
   }
   path.radiance = path.radiance * sun.irradiance;

@@ -42,7 +42,7 @@ real layered_density(MediumData m, real h) {
 }
 
 // Relative density at altitude h, 1 at the profile's reference.
-real density(uint profile, MediumData m, real h) {
+real profile_density(uint profile, MediumData m, real h) {
   if (profile == kDensityExponential) {
     return exp(-h / m.scale_height);
   }
@@ -62,6 +62,12 @@ real density(uint profile, MediumData m, real h) {
   return layered_density(m, h);
 }
 
+// The same over optical lengths (refraction.glsl).
+real density(uint profile, MediumData m, real g) {
+  TrueAltitude a = true_altitude(g);
+  return profile_density(profile, m, a.h) * a.stretch;
+}
+
 // Mean of exp(-x) over x from a to b: (exp(-a) - exp(-b))/(b - a). Where that loses digits it is the mean of the ends
 // times tanh(d/2)/(d/2), d = b - a.
 real mean_exponential(real a, real b) {
@@ -79,11 +85,12 @@ real step_density(uint profile, MediumData m, real h, real rise) {
   if (profile != kDensityHeightFog) {
     return density(profile, m, h);
   }
-  real height = abs(rise);
-  real low = h - 0.5 * height - m.below;
+  TrueAltitude middle = true_altitude(h);
+  real height = abs(rise) * middle.stretch;
+  real low = middle.h - 0.5 * height - m.below;
   real even = clamp(-low / max(height, 1e-12), 0.0, 1.0);  // the share of the step at or below the base
   real above = mean_exponential(max(low, 0.0) / m.scale_height, max(low + height, 0.0) / m.scale_height);
-  return even + (1.0 - even) * above;
+  return (even + (1.0 - even) * above) * middle.stretch;
 }
 
 // A step of a ray that may be as high as a shell.

@@ -17,6 +17,7 @@ Ray gather_ray(PlanetData planet, real h, real mu_sun, uint k) {
 }
 
 ScatteringGather gather_scattering(PlanetData planet, SunData sun, Ray ray, uint steps) {
+  ray = lit_ray(planet, ray);
   ScatteringGather gather;
   gather.second_order = vec3(0.0);
   gather.transfer = vec3(0.0);
@@ -30,7 +31,7 @@ ScatteringGather gather_scattering(PlanetData planet, SunData sun, Ray ray, uint
     real end = step_end(kStepsQuadratic, falling, ray.length_, before, i, steps);
     Step s = step_between(start, end);
     start = end;
-    RayPoint point = point_on_ray(planet, ray, s.t);
+    RayPoint point = sunlit_point(planet, ray, s.t);
     Air air = air_at(point.h, isotropic);
     vec3 step_depth = air.extinction * s.width;
     SegmentTransfer segment = segment_transfer(step_depth);
@@ -41,8 +42,8 @@ ScatteringGather gather_scattering(PlanetData planet, SunData sun, Ray ray, uint
     transmittance = transmittance * segment.through;
   }
   if (ray.at_ground) {
-    RayPoint end = point_on_ray(planet, ray, ray.length_);
-    vec3 direct = transmittance_to_sun(planet, 0.0, end.mu_sun) * (max(end.mu_sun, 0.0) * sun_fade(sun, end.mu_sun));
+    RayPoint end = sunlit_point(planet, ray, ray.length_);
+    vec3 direct = transmittance_to_sun(planet, 0.0, end.mu_sun) * (ground_facing(planet, end.mu_sun) * sun_fade(sun, end.mu_sun));
     gather.second_order = gather.second_order + transmittance * planet.ground_albedo * direct / kPi;
     gather.transfer = gather.transfer + transmittance * planet.ground_albedo;
   }

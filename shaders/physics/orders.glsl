@@ -33,7 +33,7 @@ Stokes polarised_sunlight(Stokes sum, Ray ray) {
 }
 
 OrderSource order_source(PlanetData planet, MomentTableData table, Ray ray, Phases p, real t, bool first) {
-  RayPoint point = point_on_ray(planet, ray, t);
+  RayPoint point = sunlit_point(planet, ray, t);
   DiffuseAir air = diffuse_air(densities_at(point.h), p);
   OrderSource lit;
   lit.source = no_light();
@@ -52,6 +52,7 @@ OrderSource order_source(PlanetData planet, MomentTableData table, Ray ray, Phas
 // Light of order n at the ray's start; n = 1 (`first`): sunlight scattered once, or reflected by the ground; above:
 // from the moments of order n - 1. For a sun of irradiance 1. Each panel has two Gauss-Legendre nodes.
 Stokes order_radiance(PlanetData planet, MomentTableData table, Ray ray, uint panels, bool first) {
+  ray = lit_ray(planet, ray);
   Phases p = gathered_phases(ray.nu);
   StepPlan plan = plan_steps(planet, ray, panels);
   Stokes radiance = no_light();
@@ -77,10 +78,10 @@ Stokes order_radiance(PlanetData planet, MomentTableData table, Ray ray, uint pa
     radiance = polarised_sunlight(radiance, ray);
   }
   if (ray.at_ground) {
-    RayPoint end = point_on_ray(planet, ray, ray.length_);
+    RayPoint end = sunlit_point(planet, ray, ray.length_);
     vec3 irradiance;
     if (first) {
-      irradiance = transmittance_to_sun(planet, 0.0, end.mu_sun) * max(end.mu_sun, 0.0);
+      irradiance = transmittance_to_sun(planet, 0.0, end.mu_sun) * ground_facing(planet, end.mu_sun);
     } else {
       irradiance = moment_ground_irradiance(table, end.mu_sun);
     }

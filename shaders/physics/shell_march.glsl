@@ -6,13 +6,14 @@
 
 // Optical depth toward the sun, as if the ground were not in the way; `row`: shell_coordinate() of h.
 vec3 sun_depth(PlanetData planet, real h, real row, real mu_sun) {
-  real mu = max(mu_sun, horizon_mu(planet, h));
+  real mu = max(lifted_sun(h, mu_sun), horizon_mu(planet, h));
   return fetch_sun_table(sun_table_coordinate(planet, h, mu), row) * distance_to_top(planet, h, mu);
 }
 
 // Irradiance of level ground by the sun itself, for a sun of irradiance 1.
 vec3 shell_sun_irradiance(PlanetData planet, real mu_sun) {
-  return mu_sun > 0.0 ? exp(-sun_depth(planet, 0.0, 0.0, mu_sun)) * mu_sun : vec3(0.0);
+  real facing = ground_facing(planet, mu_sun);
+  return facing > 0.0 ? exp(-sun_depth(planet, 0.0, 0.0, mu_sun)) * facing : vec3(0.0);
 }
 
 // Interpolates between two rows whose logarithms are a and b. Deep in even air a diffuse field is linear, and in air
@@ -80,12 +81,13 @@ Stokes shell_source(MomentTableData table, DiffuseAir air, uint shell, RayPoint 
 }
 
 vec3 sun_depth_on_ray(PlanetData planet, Ray ray, uint shell, real t) {
-  RayPoint point = point_on_ray(planet, ray, t);
+  RayPoint point = sunlit_point(planet, ray, t);
   return sun_depth(planet, point.h, shell_coordinate(shell, point.h), point.mu_sun);
 }
 
 // order_radiance() through shells; `parts`: steps in each shell.
 Stokes shell_order_radiance(PlanetData planet, MomentTableData table, Ray ray, uint parts, bool first) {
+  ray = lit_ray(planet, ray);
   Phases p = gathered_phases(ray.nu);
   ShadowCrossings shadow = shadow_crossings(planet, ray);
   ShellWalk walk = shell_walk(planet, ray);
@@ -102,13 +104,13 @@ Stokes shell_order_radiance(PlanetData planet, MomentTableData table, Ray ray, u
       break;
     }
     real width = walk.to - walk.from;
-    RayPoint point = point_on_ray(planet, ray, walk.from + 0.5 * width);
+    RayPoint point = sunlit_point(planet, ray, walk.from + 0.5 * width);
     DiffuseAir air = diffuse_air(stretch_densities(stretch_of(planet, point, width)), p);
     vec3 step_depth = air.extinction * width;
     SegmentTransfer segment = segment_transfer(step_depth);
     if (first) {
       vec3 far = sun_depth_on_ray(planet, ray, walk.shell, walk.to);
-      if (!meets_ground(planet, point.h, point.mu_sun)) {
+      if (sun_is_up(planet, point.h, point.mu_sun)) {
         vec3 sunlight = transmittance * mean_sunlight3(near, far, step_depth);
         radiance.i = radiance.i + sunlight * air.phase_scattering * width;
         radiance.q = radiance.q + sunlight * air.dipoles * width;
@@ -116,7 +118,7 @@ Stokes shell_order_radiance(PlanetData planet, MomentTableData table, Ray ray, u
       near = far;
     } else {
       real place = walk.from + width * source_place((step_depth.x + step_depth.y + step_depth.z) / 3.0);
-      RayPoint at = point_on_ray(planet, ray, place);
+      RayPoint at = sunlit_point(planet, ray, place);
       real c = cos_azimuth_at(at, ray.nu);
       Stokes source = shell_source(table, air, walk.shell, at, c, sine_of_azimuth(c));
       radiance.i = radiance.i + transmittance * segment.mean * source.i * width;
@@ -135,7 +137,7 @@ Stokes shell_order_radiance(PlanetData planet, MomentTableData table, Ray ray, u
     // Deep air loses light at its ends alone: a ten-thousandth lost by each order would count.
     radiance.i = radiance.i + transmittance * behind;
   } else if (ray.at_ground) {
-    RayPoint end = point_on_ray(planet, ray, ray.length_);
+    RayPoint end = sunlit_point(planet, ray, ray.length_);
     vec3 irradiance;
     if (first) {
       irradiance = shell_sun_irradiance(planet, end.mu_sun);
@@ -149,6 +151,7 @@ Stokes shell_order_radiance(PlanetData planet, MomentTableData table, Ray ray, u
 
 // air_factors() for air cut into shells.
 SkyFactors shell_air_factors(PlanetData planet, MomentTableData table, Ray ray, uint parts) {
+  ray = lit_ray(planet, ray);
   SkyFactors factors = no_air();
   Phases none = equal_phases(0.0);
   ShadowCrossings shadow = shadow_crossings(planet, ray);
@@ -161,13 +164,13 @@ SkyFactors shell_air_factors(PlanetData planet, MomentTableData table, Ray ray, 
       break;
     }
     real width = walk.to - walk.from;
-    RayPoint point = point_on_ray(planet, ray, walk.from + 0.5 * width);
+    RayPoint point = sunlit_point(planet, ray, walk.from + 0.5 * width);
     Densities densities = stretch_densities(stretch_of(planet, point, width));
     DiffuseAir air = diffuse_air(densities, none);
     vec3 step_depth = air.extinction * width;
     SegmentTransfer segment = segment_transfer(step_depth);
     vec3 far = sun_depth_on_ray(planet, ray, walk.shell, walk.to);
-    real lit = meets_ground(planet, point.h, point.mu_sun) ? 0.0 : 1.0;
+    real lit = sun_is_up(planet, point.h, point.mu_sun) ? 1.0 : 0.0;
     vec3 direct = factors.transmittance * mean_sunlight3(near, far, step_depth) *
                   (width * lit * sun_share(ray, walk.from + 0.5 * width, width));
     near = far;
@@ -175,7 +178,7 @@ SkyFactors shell_air_factors(PlanetData planet, MomentTableData table, Ray ray, 
       factors.single[m] = factors.single[m] + direct * scattering_of(m, densities);
     }
     real place = walk.from + width * source_place((step_depth.x + step_depth.y + step_depth.z) / 3.0);
-    RayPoint at = point_on_ray(planet, ray, place);
+    RayPoint at = sunlit_point(planet, ray, place);
     Stokes source = shell_source(table, air, walk.shell, at, cos_azimuth_at(at, ray.nu), sine_over_sun(at));
     factors.diffuse = factors.diffuse + factors.transmittance * segment.mean * source.i * width;
     factors = with_polarised(factors, factors.transmittance * segment.mean * width, source);
@@ -188,7 +191,7 @@ SkyFactors shell_air_factors(PlanetData planet, MomentTableData table, Ray ray, 
 
 // ground_light() under air cut into shells.
 vec3 shell_ground_light(PlanetData planet, MomentTableData table, Ray ray, vec3 transmittance) {
-  RayPoint end = point_on_ray(planet, ray, ray.length_);
+  RayPoint end = sunlit_point(planet, lit_ray(planet, ray), ray.length_);
   vec3 irradiance = shell_sun_irradiance(planet, end.mu_sun) * sun_share(ray, ray.length_, 0.0) +
                     moment_ground_irradiance(table, end.mu_sun);
   return transmittance * planet.ground_albedo * irradiance / kPi;

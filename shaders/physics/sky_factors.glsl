@@ -83,7 +83,7 @@ SkyFactors with_polarised(SkyFactors factors, vec3 share, Stokes light) {
 
 // `share`: the part of the sun that reaches the node.
 NodeLight node_light(PlanetData planet, MomentTableData table, Ray ray, real t, real share) {
-  RayPoint point = point_on_ray(planet, ray, t);
+  RayPoint point = sunlit_point(planet, ray, t);
   DiffuseAir air = diffuse_air(densities_at(point.h), equal_phases(0.0));
   vec3 direct = transmittance_to_sun(planet, point.h, point.mu_sun) * share;
   NodeLight light;
@@ -114,6 +114,7 @@ SkyFactors with_panel_light(SkyFactors factors, NodeLight near, NodeLight far, r
 // Factors of the air without the ground along panels [first, last) of `panels`, as they reach the near end of panel
 // `first`. It goes node by node, as order_radiance() does.
 SkyFactors air_factors_between(PlanetData planet, MomentTableData table, Ray ray, uint panels, uint first, uint last) {
+  ray = lit_ray(planet, ray);
   SkyFactors factors = no_air();
   StepPlan plan = plan_steps(planet, ray, panels);
   NodeLight near;
@@ -160,8 +161,8 @@ SkyFactors joined(SkyFactors near, SkyFactors far) {
 
 // Light of the ground at the ray's end, seen through air of this transmittance, for a sun of irradiance 1.
 vec3 ground_light(PlanetData planet, MomentTableData table, Ray ray, vec3 transmittance) {
-  RayPoint end = point_on_ray(planet, ray, ray.length_);
-  real facing = max(end.mu_sun, 0.0) * sun_share(ray, ray.length_, 0.0);
+  RayPoint end = sunlit_point(planet, lit_ray(planet, ray), ray.length_);
+  real facing = ground_facing(planet, end.mu_sun) * sun_share(ray, ray.length_, 0.0);
   vec3 irradiance = transmittance_to_sun(planet, 0.0, end.mu_sun) * facing +
                     moment_ground_irradiance(table, end.mu_sun);
   return transmittance * planet.ground_albedo * irradiance / kPi;

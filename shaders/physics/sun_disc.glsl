@@ -1,5 +1,5 @@
 // The sun's or the moon's disc in a pixel, seen through the air, each sample hidden by the planet on its own.
-// The includer defines before it: scene, transmittance_to_top(), bool disc_is_hidden(vec3 direction) (planet apart),
+// The includer defines before it: scene, seen_transmittance(), bending_along(), bool disc_is_hidden(vec3 direction) (planet apart),
 // bool disc_is_lit(): the disc is a ball by another's light, else it shines by itself and darkens toward its limb.
 
 // The moon's surface follows the law of Lommel and Seeliger: radiance goes by mu0 / (mu0 + mu), cosines of the light's
@@ -30,11 +30,33 @@ real profile_of_disc(SunData sun, vec3 direction) {
   return disc_is_lit() ? lit_profile(sun, direction) : disc_profile(sun, length(direction - sun.direction));
 }
 
+// The direction turned down by a small angle.
+vec3 lowered(vec3 direction, real angle) {
+  real level = sqrt(max(direction.x * direction.x + direction.z * direction.z, 1e-12));
+  real s = sin(angle);
+  real c = cos(angle);
+  real scale = c + direction.y / level * s;
+  return vec3(direction.x * scale, direction.y * c - level * s, direction.z * scale);
+}
+
+real bent_profile(vec3 direction, real angle) {
+  return profile_of_disc(scene.sun, lowered(direction, angle));
+}
+
+// Of each channel: the air bends colours by different angles.
+vec3 seen_profile(vec3 direction, Ray ray) {
+  if (!bends_light()) {
+    return vec3(profile_of_disc(scene.sun, direction));
+  }
+  vec3 bent = scene.sun.dispersion * (ray.length_ < 0.0 ? 0.0 : bending_along(scene.planet, ray.h, ray.mu));
+  return vec3(bent_profile(direction, bent.x), bent_profile(direction, bent.y), bent_profile(direction, bent.z));
+}
+
 // Radiance of the disc at the camera, in this direction.
 vec3 disc_radiance(vec3 direction) {
-  real profile = profile_of_disc(scene.sun, direction);
   Ray ray = ray_in_atmosphere(scene.planet, scene.camera.altitude, direction.y, scene.sun.direction.y, 1.0);
-  vec3 through = ray.length_ < 0.0 ? vec3(1.0) : transmittance_to_top(scene.planet, ray.h, ray.mu);
+  vec3 profile = seen_profile(direction, ray);
+  vec3 through = ray.length_ < 0.0 ? vec3(1.0) : seen_transmittance(scene.planet, ray.h, ray.mu);
   return ray.at_ground || disc_is_hidden(direction) ? vec3(0.0) : scene.sun.disc_radiance * through * profile;
 }
 

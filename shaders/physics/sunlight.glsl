@@ -1,13 +1,54 @@
 // Sunlight that arrives at a point of the air, and the sun's disc.
 // The includer defines, from its table or by a march (transmittance.glsl):
-//   vec3 transmittance_to_top(PlanetData planet, real h, real mu);  from h along mu, as if there were no ground
+//   vec3 transmittance_to_top(PlanetData planet, real h, real mu);  from h along mu, as if there were no ground; where
+//     the air bends light, toward a sun at lifted_sun(), with the beam's spreading
+//   real bending_along(PlanetData planet, real h, real mu);  bending_to_top(); 0 where the air bends no light
 
 // Transmittance toward the sun: zero in the planet's shadow. It does not fade around the local horizon: air high up is
 // lit while the ground is dark, and that light is the twilight. The test is meets_ground() without its quotient, hence
 // the tangent is lit only to rounding; transmittance_coordinate() takes the same root.
 vec3 transmittance_to_sun(PlanetData planet, real h, real mu_sun) {
-  real lit = (planet.ground_radius + h) * mu_sun < -horizon_distance(planet, h) ? 0.0 : 1.0;
-  return transmittance_to_top(planet, h, mu_sun) * lit;
+  real mu = lifted_sun(h, mu_sun);
+  real lit = (planet.ground_radius + h) * mu < -horizon_distance(planet, h) ? 0.0 : 1.0;
+  return transmittance_to_top(planet, h, mu) * lit;
+}
+
+bool sun_is_up(PlanetData planet, real h, real mu_sun) { return !meets_ground(planet, h, lifted_sun(h, mu_sun)); }
+
+// Cosine between the vertical and the sun that the ground sees, 0 for a sun that is not up.
+real ground_facing(PlanetData planet, real mu_sun) {
+  real seen = mu_sun;
+  if (bends_light()) {
+    real s = sqrt(max(1.0 - mu_sun * mu_sun, 0.0));
+    // A step leaves a sixth of the error, at the horizon, where it is greatest.
+    for (uint i = 0u; i < 4u; i++) {
+      real bent = bending_along(planet, 0.0, max(seen, 0.0));
+      seen = mu_sun * (1.0 - 0.5 * bent * bent) + s * bent;
+    }
+  }
+  return max(seen, 0.0);
+}
+
+// Bending that a ray has before it from altitude h, to the top of the air; of a ray that ends on the ground less that
+// which it would have if it went the other way.
+real bending_ahead(PlanetData planet, bool at_ground, real h, real mu) {
+  return at_ground ? -bending_along(planet, h, -mu) : bending_along(planet, h, mu);
+}
+
+// The ray, ready for sunlit_point().
+Ray lit_ray(PlanetData planet, Ray ray) {
+  ray.bent = bends_light() && ray.length_ > 0.0 ? bending_ahead(planet, ray.at_ground, ray.h, ray.mu) : 0.0;
+  return ray;
+}
+
+// The point with the sun as it stands there.
+RayPoint sunlit_point(PlanetData planet, Ray ray, real t) {
+  RayPoint point = point_on_ray(planet, ray, t);
+  if (bends_light()) {
+    real bent = ray.bent - bending_ahead(planet, ray.at_ground, point.h, point.mu);
+    point = with_turned_sun(point, ray, bent);
+  }
+  return point;
 }
 
 // The published lesson's fade of direct light, 1 where it is off (kSunFade on the device).

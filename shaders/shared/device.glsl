@@ -11,6 +11,7 @@ layout(constant_id = 1) const uint kDensityProfiles = 0u;
 layout(constant_id = 2) const uint kPhaseFunctions = 0u;
 layout(constant_id = 3) const uint kSunFade = 0u;
 
+layout(constant_id = 41) const uint kRefraction = 0u;
 layout(constant_id = 31) const uint kMostLayers = kMaxDensityLayers;
 
 layout(scalar, set = 0, binding = 0) uniform SceneBlock { SceneData scene; };
@@ -29,10 +30,15 @@ uint most_layers() { return kMostLayers; }
 layout(scalar, set = 0, binding = 15) readonly buffer SceneTables { vec4 values[]; } scene_tables;
 vec3 phase_sample(uint k) { return scene_tables.values[k].xyz; }
 bool sun_fade_enabled() { return kSunFade != 0u; }
+bool bends_light() { return kRefraction != 0u; }
+real optical_top() { return scene.planet.atmosphere_height; }
+vec3 refraction_node(uint i) { return scene.refraction.nodes[i]; }
+real true_ground_radius() { return scene.refraction.ground_radius; }
 
 #include "physics/phase.glsl"
 #include "physics/phase_table.glsl"
 #include "physics/geometry.glsl"
+#include "physics/refraction.glsl"
 #include "physics/shadow.glsl"
 #include "physics/environment.glsl"
 #include "physics/camera.glsl"

@@ -23,7 +23,7 @@ FactorPlace factor_place(vec3 d) {
   FactorPlace at;
   at.x = c.x;
   at.v = (float(section_first(c.section)) + 0.5 + c.y * float(section_rows(c.section) - 1u)) / rows;
-  at.nu = dot(d, s);
+  at.nu = bends_light() ? dot(d, scene.sun.seen) : dot(d, s);
   at.section = c.section;
   return at;
 }

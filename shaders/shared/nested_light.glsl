@@ -13,6 +13,7 @@ layout(push_constant, scalar) uniform Push {
 vec3 transmittance_to_top(PlanetData planet, real h, real mu) {
   return exp(-optical_depth_to_top(planet, h, mu, sun_steps));
 }
+real bending_along(PlanetData planet, real h, real mu) { return 0.0; }
 vec3 fetch_multiple_scattering(real x, real y) { return vec3(0.0); }
 bool ground_reflects() { return kGroundReflects != 0u; }
 vec3 fetch_ground_irradiance(real x) { return vec3(0.0); }

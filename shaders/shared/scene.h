@@ -1,11 +1,13 @@
 // The scene as the shaders see it: one uniform block in scalar layout, the same text in C++ (core/physics).
 // Lengths in km, angles in radians, coefficients in 1/km, directions in the preset's frame: x east, y up, -z north.
+// Where the air bends light, altitudes and distances are optical (physics/refraction.glsl).
 // No include guard: C++ includes it once with real = float (the block) and once with real = double (the tests).
 
 const uint kMaxMedia = 8u;
 const uint kMaxDensityLayers = 256u;
 const uint kMaxShellRows = 64u;
-const uint kPhaseSamples = 1024u;   // of a phase function by table
+const uint kPhaseSamples = 1024u;  // of a phase function by table
+const uint kRefractionCells = 64u;
 const uint kLegendreMoments = 10u;  // 0 to 9: the peak above degree 8 follows from the last two
 
 struct PlanetData {
@@ -32,6 +34,8 @@ struct MediumData {
 
 struct SunData {
   vec3 direction;   // to the sun
+  vec3 seen;        // where the camera sees its middle, through air that bends light
+  vec3 dispersion;  // bending of each channel over that of the tables
   vec3 irradiance;  // on a plane that faces the sun, above the air
   real angular_radius;
   real limb_darkening;
@@ -49,6 +53,12 @@ struct MomentTableData {
   real elevation_scale;  // sun elevation = elevation_scale sinh(v)
   real v_low;
   real v_high;
+};
+
+// Air that bends light: altitudes over optical ones.
+struct RefractionData {
+  real ground_radius;                 // true
+  vec3 nodes[kRefractionCells + 1u];  // altitude; its derivative over the optical one; sun_lift()
 };
 
 struct CameraData {
@@ -78,6 +88,7 @@ struct SceneData {
   PlanetData planet;
   SunData sun;
   CameraData camera;
+  RefractionData refraction;
   real multiple_scattering_scale;
   MomentTableData moments;
   MediumData media[kMaxMedia];

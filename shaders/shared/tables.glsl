@@ -5,13 +5,30 @@ layout(constant_id = 7) const uint kTransmittanceWidth = 256u;
 layout(constant_id = 8) const uint kTransmittanceHeight = 64u;
 layout(set = 0, binding = 1) uniform sampler2D transmittance_lut;
 
-vec3 fetch_transmittance(float x, float y) {
+// Where the air bends light the table is two, one below the other: of sunlight, and of seen directions.
+vec4 fetch_half(float x, float y, float half_) {
   vec2 uv = vec2(texel_from_unit(x, float(kTransmittanceWidth)), texel_from_unit(y, float(kTransmittanceHeight)));
-  return textureLod(transmittance_lut, uv, 0.0).rgb;
+  if (bends_light()) {
+    uv.y = 0.5 * (uv.y + half_);
+  }
+  return textureLod(transmittance_lut, uv, 0.0);
 }
+
+vec3 fetch_transmittance(float x, float y) { return fetch_half(x, y, 0.0).rgb; }
 
 #include "physics/transmittance_lut.glsl"
 
 vec3 transmittance_to_top(PlanetData planet, real h, real mu) { return table_transmittance(planet, h, mu); }
+
+real bending_along(PlanetData planet, real h, real mu) {
+  TransmittanceCoordinate c = transmittance_coordinate(planet, h, mu);
+  return fetch_half(c.x, c.y, 1.0).a;
+}
+
+// Along a direction as it is seen.
+vec3 seen_transmittance(PlanetData planet, real h, real mu) {
+  TransmittanceCoordinate c = transmittance_coordinate(planet, h, mu);
+  return fetch_half(c.x, c.y, bends_light() ? 1.0 : 0.0).rgb;
+}
 
 #include "physics/sunlight.glsl"

@@ -81,6 +81,7 @@ const uint kPhaseCodes = 7u;
 const uint kMultipleScatteringDirections = 64u;  // 8 zenith cosines x 8 azimuths
 const uint kMultipleScatteringSteps = 20u;
 const uint kTransmittanceSteps = 40u;
+const uint kBendingSteps = 32u;
 const uint kGroundIrradianceDirections = 64u;  // 8 zenith cosines x 8 azimuths
 const uint kGroundIrradianceSize = 64u;
 const uint kMaxDegree = 8u;      // of moments

@@ -130,6 +130,9 @@ void expect_both(bool good, const std::string& pointer, const Json& value) {
     const Json source = of_map ? Json("heights.png") : Json{{"seed", 1}, {"height_km", 1}};
     preset["planet"] = {{"radius_km", 1e5}, {"terrain", {{"width_km", 10}, {of_map ? "height_map" : "ridge", source}}}};
   }
+  if (pointer.starts_with("/planet/refraction/")) {
+    preset["planet"]["refraction"] = {{"n_minus_1", 0}, {"scale_height_km", 1e7}};  // no duct, whichever changes
+  }
   if (pointer.starts_with("/scene/spheres/")) {
     preset["scene"]["spheres"] = {{{"distance_m", 1e7}, {"radius_m", 1e-4}}};
     preset["render"]["method"] = "orders";

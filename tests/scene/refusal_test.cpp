@@ -39,6 +39,19 @@ INSTANTIATE_TEST_SUITE_P(
              "/planet/radius_km: an array of 1 is not a number; expected a number, 0.001 to 1e7 km"},
         Case{R"("planet": {"radius_km": {}})",
              "/planet/radius_km: an object is not a number; expected a number, 0.001 to 1e7 km"},
+        Case{R"("planet": {"refraction": {"n_minus_1": 0.011, "scale_height_km": 8}})",
+             "/planet/refraction/n_minus_1: 0.011 is outside 0 to 0.01"},
+        Case{R"("planet": {"refraction": {"n_minus_1": -1e-4, "scale_height_km": 8}})",
+             "/planet/refraction/n_minus_1: -0.0001 is outside 0 to 0.01"},
+        Case{R"("planet": {"refraction": {"n_minus_1": 2.78e-4}})",
+             "/planet/refraction: expected exactly one of medium and scale_height_km, by which n - 1 falls with "
+             "altitude"},
+        Case{
+            R"("planet": {"refraction": {"n_minus_1": 2.78e-4, "medium": "argon"}})",
+            "/planet/refraction/medium: no medium has this name; expected one of air, or scale_height_km in its place"},
+        Case{R"("planet": {"refraction": {"n_minus_1": 2e-3, "scale_height_km": 8}})",
+             "/planet/refraction: a level ray at 0 km is bent by 1.59 of the planet's curvature; expected at most "
+             "0.95: give a smaller n_minus_1 or a greater scale height"},
         Case{R"("planet": {"atmosphere_height_km": 0})", "/planet/atmosphere_height_km: 0 is outside 0.001 to 1e7 km"},
         Case{R"("sun": {"elevation_deg": 90.5})", "/sun/elevation_deg: 90.5 is outside -90 to 90 degrees"},
         Case{R"("moon": {"elevation_deg": 91, "azimuth_deg": 0})",

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/air/refraction.h"
+
 namespace airlight {
 
 using physics::MediumData;
@@ -79,7 +81,8 @@ Flight::Flight(physics::Physics& physics, const OpticalDepth& depth) : physics_(
 std::vector<double> Flight::corners() const {
   const double top = physics_.scene.planet.atmosphere_height;
   std::vector<double> list{0.0, top};
-  const auto add = [&](double h) {
+  const auto add = [&](double altitude) {
+    const double h = optical_altitude(physics_, altitude);
     if (h > 0.0 && h < top) {
       list.push_back(h);
     }

@@ -52,7 +52,8 @@ void Guide::fill_column(physics::Physics& physics, const OpticalDepth& depth, co
   const double mu = mu_of(node);
   const physics::PlanetData& planet = physics.scene.planet;
   const auto sunlight = [&](double h) {
-    return physics.meets_ground(planet, h, mu) ? Channels{} : channels(exp(-depth.to_top(h, mu)));
+    const double seen = physics.lifted_sun(h, mu);
+    return physics.meets_ground(planet, h, seen) ? Channels{} : channels(exp(-depth.to_top(h, seen)));
   };
   const auto light = [&](std::size_t row) -> Light& { return rows_[row * kNodes + static_cast<std::size_t>(node)]; };
   const Channels on_ground = sunlight(0.0);

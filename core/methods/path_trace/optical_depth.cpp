@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/air/refraction.h"
+
 namespace airlight {
 
 using physics::MediumData;
@@ -31,17 +33,29 @@ OpticalDepth::OpticalDepth(physics::Physics& physics) : physics_(physics), plain
 
 void OpticalDepth::add_piece(Shape shape, uint i, MediumData medium, double low, double high) {
   const double top = physics_.scene.planet.atmosphere_height;
-  low = std::max(low, 0.0);
-  high = std::min(high, top);
+  low = optical_altitude(physics_, std::max(low, 0.0));
+  high = std::min(optical_altitude(physics_, high), top);
+  const vec3 extinction = physics_.medium(i).scattering + physics_.medium(i).absorption;
+  const auto add = [&](double from, double to) {
+    pieces_.push_back({shape, i, physics_.density_profile(i), medium, extinction, from, to});
+  };
+  if (physics_.refraction && (shape == Shape::constant || shape == Shape::linear)) {
+    // Over optical altitudes nothing is constant or linear.
+    constexpr double kSmooth = 4.0;  // km
+    shape = Shape::smooth;
+    while (high - low > kSmooth) {
+      add(low, low + kSmooth);
+      low += kSmooth;
+    }
+  }
   if (low < high) {
-    const vec3 extinction = physics_.medium(i).scattering + physics_.medium(i).absorption;
-    pieces_.push_back({shape, i, physics_.density_profile(i), medium, extinction, low, high});
+    add(low, high);
   }
 }
 
 void OpticalDepth::add_pieces(uint i) {
   const MediumData m = physics_.medium(i);
-  const double top = physics_.scene.planet.atmosphere_height;
+  const double top = physics_.true_altitude(physics_.scene.planet.atmosphere_height).h;
   switch (physics_.density_profile(i)) {
     case physics::kDensityExponential:
       add_piece(Shape::falling, i, m, 0.0, top);
@@ -71,7 +85,8 @@ void OpticalDepth::add_pieces(uint i) {
 // a depth of 1e-22.
 void OpticalDepth::add_lorentzian(uint i, const MediumData& m) {
   constexpr double kGone = 80.0;
-  const double top = std::min(physics_.scene.planet.atmosphere_height, kGone * m.scale_height);
+  const double top =
+      std::min(physics_.true_altitude(physics_.scene.planet.atmosphere_height).h, kGone * m.scale_height);
   double low = 0.0;
   while (low < top) {
     const double off = std::abs(low - m.center);
@@ -84,7 +99,7 @@ void OpticalDepth::add_lorentzian(uint i, const MediumData& m) {
 
 // Each segment becomes layers of its own, so that a look-up need not pass through all of them.
 void OpticalDepth::add_layers(uint i, const MediumData& m) {
-  const double top = physics_.scene.planet.atmosphere_height;
+  const double top = physics_.true_altitude(physics_.scene.planet.atmosphere_height).h;
   const auto altitude = [&](uint k) { return physics_.density_layer(m.first_layer + k).x; };
   MediumData part = m;
   part.layer_count = 1;
@@ -102,7 +117,7 @@ void OpticalDepth::add_layers(uint i, const MediumData& m) {
 // Visits the ray as one climb, or as two from its lowest point.
 template <class Visit>
 void OpticalDepth::for_each_climb(double h, double mu, double distance, const Visit& visit) const {
-  const physics::Physics::Ray ray{h, mu, 0.0, 0.0, distance, false};
+  const physics::Physics::Ray ray{h, mu, 0.0, 0.0, distance, false, 0.0};
   const physics::PlanetData& planet = physics_.scene.planet;
   const physics::Physics::RayPoint end = physics_.point_on_ray(planet, ray, distance);
   if (mu >= 0.0) {

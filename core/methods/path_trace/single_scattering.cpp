@@ -20,9 +20,10 @@ struct SingleScattering::Integrand {
 
   vec3 operator()(double t) const {
     physics::Physics& physics = single.physics_;
-    const physics::Physics::RayPoint point = physics.point_on_ray(physics.scene.planet, ray, t);
-    const vec3 scattering = single.scattered(point.h, phases, uneven);
-    const vec3 sun = single.sunlight(point.h, point.mu_sun);
+    const LitPoint lit = lit_point(physics, ray, t);
+    const double h = lit.point.h;
+    const vec3 scattering = single.scattered(h, physics.refraction ? physics.phases(lit.nu) : phases, uneven);
+    const vec3 sun = single.sunlight(h, lit.beam);
     if (!(sun.x > 0.0 || sun.y > 0.0 || sun.z > 0.0)) {
       return vec3(0.0);
     }
@@ -40,11 +41,8 @@ vec3 SingleScattering::scattered(double h, const physics::Physics::Phases& phase
   return uneven == 0.0 ? all : all + physics_.dipole_scattering(physics_.densities_at(h)) * uneven;
 }
 
-vec3 SingleScattering::sunlight(double h, double mu_sun) const {
-  if (physics_.meets_ground(physics_.scene.planet, h, mu_sun)) {
-    return vec3(0.0);
-  }
-  return exp(-depth_.to_top(h, mu_sun));
+vec3 SingleScattering::sunlight(double h, const Sunbeam& beam) const {
+  return beam.up ? exp(-depth_.to_top(h, beam.mu)) * beam.spread : vec3(0.0);
 }
 
 // The distances at which the ray begins, ends, turns upward, and crosses an edge of the air or of the planet's shadow.
@@ -125,13 +123,13 @@ vec3 SingleScattering::radiance(const Ray& ray, const Footing& footing) const {
     return sum + exp(-depth_.along(ray.h, ray.mu, ray.length_)) * seen_thing(ray, footing);
   }
   if (ray.at_ground) {
-    const physics::PlanetData& planet = physics_.scene.planet;
-    const double mu_sun = physics_.point_on_ray(planet, ray, ray.length_).mu_sun;
-    const vec3 sun_on_ground = things_ == nullptr
-                                   ? sunlight(0.0, mu_sun)
-                                   : sunlight_at(place_on(planet, ray, footing, ray.length_), 0.0, mu_sun);
-    sum = sum +
-          exp(-depth_.along(ray.h, ray.mu, ray.length_)) * seen_ground(physics_, ray, footing, sun_on_ground, mu_sun);
+    const LitPoint end = lit_point(physics_, ray, ray.length_);
+    const vec3 sun_on_ground =
+        things_ == nullptr
+            ? sunlight(0.0, end.beam)
+            : sunlight_at(place_on(physics_.scene.planet, ray, footing, ray.length_), 0.0, end.point.mu_sun);
+    sum = sum + exp(-depth_.along(ray.h, ray.mu, ray.length_)) *
+                    seen_ground(physics_, ray, footing, sun_on_ground, end.beam.mu);
   }
   return sum;
 }
@@ -140,7 +138,7 @@ vec3 SingleScattering::radiance(const Ray& ray, const Footing& footing) const {
 constexpr double kNoBeam = 1e-12;
 
 vec3 SingleScattering::sunlight_at(vec3 place, double h, double mu_sun, ThingNumber left) const {
-  const vec3 beam = sunlight(h, mu_sun);
+  const vec3 beam = sunlight(h, sunbeam(physics_, h, mu_sun));
   const bool shines = std::max({beam.x, beam.y, beam.z}) > kNoBeam;
   return shines && (things_ == nullptr || !things_->hides_sun(place, left)) ? beam : vec3(0.0);
 }
@@ -226,18 +224,19 @@ struct SingleScattering::WideIntegrand {
 
   Wide operator()(double t) const {
     physics::Physics& physics = single.physics_;
-    const physics::Physics::RayPoint point = physics.point_on_ray(physics.scene.planet, ray, t);
-    if (physics.meets_ground(physics.scene.planet, point.h, point.mu_sun)) {
+    const LitPoint lit = lit_point(physics, ray, t);
+    if (!lit.beam.up) {
       return {};
     }
+    const double h = lit.point.h;
     const Columns columns =
-        single.depth_.columns_along(ray.h, ray.mu, t) + single.depth_.columns_to_top(point.h, point.mu_sun);
-    const Columns densities = densities_at(physics, point.h);
-    Wide scattered = all.scattered(densities, phases);
+        single.depth_.columns_along(ray.h, ray.mu, t) + single.depth_.columns_to_top(h, lit.beam.mu);
+    const Columns densities = densities_at(physics, h);
+    Wide scattered = all.scattered(densities, physics.refraction ? all.phases(lit.nu) : phases);
     if (const std::optional<Wide> dipoles = all.dipoles(densities); dipoles && uneven != 0.0) {
       scattered = scattered + *dipoles * uneven;
     }
-    return all.transmittance(columns) * scattered;
+    return all.transmittance(columns) * scattered * lit.beam.spread;
   }
 };
 
@@ -272,16 +271,16 @@ Wide SingleScattering::radiance(const Ray& ray, const Footing& footing, const Wa
     return sum;
   }
   const physics::PlanetData& planet = physics_.scene.planet;
-  const physics::Physics::RayPoint end = physics_.point_on_ray(planet, ray, ray.length_);
+  const LitPoint end = lit_point(physics_, ray, ray.length_);
   const vec3 place = place_on(planet, ray, footing, ray.length_);
-  const double h = thing != kNoThing ? end.h : 0.0;
+  const double h = thing != kNoThing ? end.point.h : 0.0;
   const double facing =
-      thing != kNoThing ? dot(things_->normal(place, thing), physics_.scene.sun.direction) : end.mu_sun;
-  if (facing > 0.0 && is_lit(off_thing(place, thing), h, end.mu_sun, thing)) {
-    const Columns columns = depth_.columns_along(ray.h, ray.mu, ray.length_) + depth_.columns_to_top(h, end.mu_sun);
+      thing != kNoThing ? dot(things_->normal(place, thing), physics_.scene.sun.direction) : end.beam.mu;
+  if (facing > 0.0 && is_lit(off_thing(place, thing), h, end.point.mu_sun, thing)) {
+    const Columns columns = depth_.columns_along(ray.h, ray.mu, ray.length_) + depth_.columns_to_top(h, end.beam.mu);
     const Wide sent = thing != kNoThing ? all.thing_albedo(*things_, place, thing) * (facing / std::numbers::pi)
                                         : all.of_groups([&](physics::Physics& group) {
-                                            return seen_ground(group, ray, footing, vec3(1.0), end.mu_sun);
+                                            return seen_ground(group, ray, footing, vec3(end.beam.spread), end.beam.mu);
                                           });
     sum = sum + all.transmittance(columns) * sent;
   }

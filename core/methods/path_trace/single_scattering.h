@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/methods/path_trace/optical_depth.h"
+#include "core/methods/path_trace/sunbeam.h"
 #include "core/methods/path_trace/things_trace.h"
 #include "core/methods/path_trace/wavelengths.h"
 #include "core/physics/gauss.h"
@@ -52,7 +53,7 @@ class SingleScattering {
   physics::vec3 sunlight_at(physics::vec3 place, double h, double mu_sun, ThingNumber left = kNoThing) const;
 
   // Direct sunlight at altitude h on a plane that faces the sun; zero in the planet's shadow.
-  physics::vec3 sunlight(double h, double mu_sun) const;
+  physics::vec3 sunlight(double h, const Sunbeam& beam) const;
 
  private:
   struct Integrand;

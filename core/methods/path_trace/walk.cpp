@@ -193,7 +193,8 @@ bool Walk::fly(State& state, const FlightPlan& plan, double u) const {
   const physics::PlanetData& planet = physics_.scene.planet;
   const vec3 sun = physics_.scene.sun.direction;
   const double mu = dot(state.up, state.direction);
-  const physics::Physics::Ray ray{state.h, mu, dot(state.up, sun), dot(state.direction, sun), plan.length, false};
+  const bool falls = physics_.meets_ground(planet, state.h, mu);
+  const physics::Physics::Ray ray{state.h, mu, dot(state.up, sun), dot(state.direction, sun), plan.length, falls, 0.0};
   const physics::Physics::RayPoint point = physics_.point_on_ray(planet, ray, collision.distance);
   vec3 passed;
   if (state.wide != nullptr) {
@@ -208,6 +209,9 @@ bool Walk::fly(State& state, const FlightPlan& plan, double u) const {
   state.thing = collision.at_ground ? plan.thing : kNoThing;
   state.h = collision.at_ground && state.thing == kNoThing ? 0.0 : point.h;
   state.mu_sun = point.mu_sun;
+  if (physics_.refraction) {
+    turn_by(state, bending_to(physics_, ray, point));
+  }
   state.at_ground = collision.at_ground;
   state.mirrors = false;
   if (state.at_ground) {
@@ -222,6 +226,24 @@ bool Walk::fly(State& state, const FlightPlan& plan, double u) const {
   std::ranges::copy(state.densities, std::begin(densities.of));
   state.dipoles = physics_.dipole_scattering(densities);
   return true;
+}
+
+// Turns vertical and path as the air has bent the path's last flight: it went further round the planet.
+void Walk::turn_by(State& state, double bent) const {
+  const vec3 normal = cross(state.up, state.direction);
+  const double size = length(normal);
+  if (size < 1e-9) {
+    return;
+  }
+  const vec3 axis = normal / size;
+  const auto turned = [&](const vec3& v) {
+    return normalize(v * std::cos(bent) + cross(axis, v) * std::sin(bent) +
+                     axis * (dot(axis, v) * (1.0 - std::cos(bent))));
+  };
+  state.up = turned(state.up);
+  state.direction = turned(state.direction);
+  state.axis = turned(state.axis);
+  state.mu_sun = std::clamp(dot(state.up, physics_.scene.sun.direction), -1.0, 1.0);
 }
 
 // What the vertex lies on.
@@ -239,14 +261,21 @@ void Walk::stand_on_surface(State& state) const {
   }
 }
 
+// Direction of the sun as the vertex sees it.
+vec3 Walk::seen_from(const State& state, const Sunbeam& beam) const {
+  const vec3 sun = physics_.scene.sun.direction;
+  return physics_.refraction ? seen_sun(beam, state.up, sun) : sun;
+}
+
 // Sunlight that the vertex scatters or reflects back along the path. That of mirrors is left out: they would have to
 // stand just so.
 vec3 Walk::from_sun(const State& state) const {
   if (state.mirrors) {
     return vec3(0.0);
   }
+  const Sunbeam sun = sunbeam(physics_, state.h, state.mu_sun);
   const vec3 beam = things_ == nullptr
-                        ? single_.sunlight(state.h, state.mu_sun)
+                        ? single_.sunlight(state.h, sun)
                         : single_.sunlight_at(state.place(physics_.scene.planet), state.h, state.mu_sun, state.thing);
   const vec3 arrives = state.carry * beam;
   if (state.thing != kNoThing) {
@@ -254,9 +283,9 @@ vec3 Walk::from_sun(const State& state) const {
     return arrives * state.albedo * (facing / std::numbers::pi);
   }
   if (state.at_ground) {
-    return ground_reflects(physics_, state.up, state.direction, state.mu_sun, arrives);
+    return ground_reflects(physics_, state.up, state.direction, sun.mu, arrives);
   }
-  const Bend bend = bend_of(state.direction, physics_.scene.sun.direction, state.axis);
+  const Bend bend = bend_of(state.direction, seen_from(state, sun), state.axis);
   vec3 scattered = state.analyser.correction(bend, state.dipoles);
   for (uint i = 0; i < physics_.medium_count(); ++i) {
     scattered = scattered + state.scattering[i] * physics_.medium_phase(i, bend.nu);
@@ -266,24 +295,28 @@ vec3 Walk::from_sun(const State& state) const {
 
 // Adds from_sun() at all wavelengths to their sums.
 void Walk::add_from_sun(const State& state) const {
-  if (physics_.meets_ground(physics_.scene.planet, state.h, state.mu_sun)) {
+  const Sunbeam sun = sunbeam(physics_, state.h, state.mu_sun);
+  if (!sun.up) {
     return;
   }
   if (state.mirrors || (things_ != nullptr && things_->hides_sun(state.place(physics_.scene.planet), state.thing))) {
     return;
   }
-  const Columns to_sun = depth_.columns_to_top(state.h, state.mu_sun);
+  const Columns to_sun = depth_.columns_to_top(state.h, sun.mu);
   if (state.at_ground && state.thing == kNoThing && physics_.ground_maps) {
     state.wide->add_reflected(to_sun, state.wide->wavelengths().of_groups([&](physics::Physics& group) {
-      return ground_reflects(group, state.up, state.direction, state.mu_sun, vec3(1.0));
+      return ground_reflects(group, state.up, state.direction, sun.mu, vec3(sun.spread));
     }),
                               1.0);
   } else if (state.at_ground) {
-    const double facing = dot(state.normal, physics_.scene.sun.direction);
-    state.wide->add_reflected(to_sun, state.wide_albedo, std::max(facing, 0.0) / std::numbers::pi);
+    const double facing = dot(state.normal, seen_from(state, sun));
+    state.wide->add_reflected(to_sun, state.wide_albedo, std::max(facing, 0.0) * sun.spread / std::numbers::pi);
   } else {
-    state.wide->add_scattered(to_sun, state.densities,
-                              bend_of(state.direction, physics_.scene.sun.direction, state.axis));
+    Columns densities = state.densities;
+    for (double& density : densities) {
+      density *= sun.spread;
+    }
+    state.wide->add_scattered(to_sun, densities, bend_of(state.direction, seen_from(state, sun), state.axis));
   }
 }
 

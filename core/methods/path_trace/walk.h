@@ -53,6 +53,8 @@ class Walk {
   class Lobes;
   void walk(State& state, const WalkStart& start, WalkNumbers& numbers, FlightPlan& plan) const;
   bool fly(State& state, const FlightPlan& plan, double u) const;
+  void turn_by(State& state, double bent) const;
+  physics::vec3 seen_from(const State& state, const Sunbeam& beam) const;
   physics::vec3 from_sun(const State& state) const;
   void add_from_sun(const State& state) const;
   double seen_length(const physics::Physics::Ray& ray) const;

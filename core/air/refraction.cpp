@@ -1,0 +1,120 @@
+#include "core/air/refraction.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/scene/refractive_index.h"
+
+namespace airlight {
+namespace {
+
+using physics::vec3;
+
+// The altitude below `top` at which a rising function has this value.
+template <class Rising>
+double where(const Rising& f, double value, double top) {
+  double low = 0.0;
+  double high = top;
+  for (int i = 0; i < 45; ++i) {
+    const double middle = 0.5 * (low + high);
+    (f(middle) < value ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+// The altitude of an optical one, by Newton's steps from a guess.
+double altitude_of(RefractiveIndex& index, double optical, double guess) {
+  for (int i = 0; i < 6; ++i) {
+    guess = std::max(guess - (index.optical_altitude(guess) - optical) / index.curvature(guess), 0.0);
+  }
+  return guess;
+}
+
+// Needs the nodes' altitudes.
+double sun_lift(physics::Physics& p, double g) {
+  const physics::PlanetData& planet = p.scene.planet;
+  const double horizon = p.horizon_mu(planet, g);
+  const double bent = p.bending_to_top(planet, g, horizon, physics::kBendingSteps);
+  const double mu = horizon * std::cos(bent) - std::sqrt(1.0 - horizon * horizon) * std::sin(bent);
+  return (horizon - mu) / (1.0 - mu * mu);
+}
+
+}  // namespace
+
+void put_planet(physics::Physics& p, const Planet& planet, const std::vector<Medium>& media) {
+  p.scene.planet = {planet.ground_radius, planet.atmosphere_height, vector_of(planet.ground_albedo)};
+  p.refraction = planet.refraction.has_value();
+  if (!p.refraction) {
+    return;
+  }
+  RefractiveIndex index(planet, media);
+  p.scene.planet.ground_radius = index.at(0.0) * planet.ground_radius;
+  p.scene.planet.atmosphere_height = index.optical_altitude(planet.atmosphere_height);
+  p.scene.refraction.ground_radius = planet.ground_radius;
+  constexpr physics::uint kCells = physics::kRefractionCells;
+  double h = 0.0;
+  for (physics::uint i = 0; i <= kCells; ++i) {
+    const double u = static_cast<double>(i) / kCells;
+    h = altitude_of(index, p.scene.planet.atmosphere_height * u * u, h);
+    p.scene.refraction.nodes[i] = {h, 1.0 / index.curvature(h), 0.0};
+  }
+  for (physics::uint i = 0; i <= kCells; ++i) {
+    const double u = static_cast<double>(i) / kCells;
+    p.scene.refraction.nodes[i].z = sun_lift(p, p.scene.planet.atmosphere_height * u * u);
+  }
+}
+
+double optical_altitude(const physics::Physics& p, double h) {
+  if (!p.refraction) {
+    return h;
+  }
+  physics::Physics::TrueAltitude top{};
+  const physics::PlanetData& planet = p.scene.planet;
+  auto& formulas = const_cast<physics::Physics&>(p);  // GLSL's functions have no const
+  top = formulas.true_altitude(planet.atmosphere_height);
+  if (h >= top.h) {
+    return h - top.h + planet.atmosphere_height;
+  }
+  return where([&](double g) { return formulas.true_altitude(g).h; }, h, planet.atmosphere_height);
+}
+
+double true_length(physics::Physics& p, double mu, double optical) {
+  if (!p.refraction) {
+    return optical;
+  }
+  // Beyond the air both are the same.
+  const physics::PlanetData& planet = p.scene.planet;
+  const auto ray = p.ray_in_atmosphere(planet, p.scene.camera.altitude, mu, 0.0, 0.0);
+  const double before = p.air_entry(planet, p.scene.camera.altitude, mu).distance_;
+  const double inside = std::min(optical - before, ray.length_);
+  double length = optical - std::max(inside, 0.0);
+  constexpr int kSteps = 64;
+  for (int i = 0; i < kSteps && inside > 0.0; ++i) {
+    const double t = inside * (i + 0.5) / kSteps;
+    length += p.true_altitude(p.point_on_ray(planet, ray, t).h).stretch * inside / kSteps;
+  }
+  return length;
+}
+
+SeenDirection seen_direction(physics::Physics& p, const vec3& direction) {
+  const physics::PlanetData& planet = p.scene.planet;
+  const double g = p.scene.camera.altitude;
+  const double level = std::sqrt(std::max(1.0 - direction.y * direction.y, 0.0));
+  if (!p.refraction || g > planet.atmosphere_height || level < 1e-9) {
+    return {direction, 1.0};
+  }
+  const double horizon = p.horizon_mu(planet, g);
+  const auto raised = [&](double angle) { return direction.y * std::cos(angle) + level * std::sin(angle); };
+  const auto bending = [&](double angle) {
+    return p.bending_to_top(planet, g, std::max(raised(angle), horizon), physics::kBendingSteps);
+  };
+  // Bending falls as the direction rises, so that what is too much grows.
+  const double angle = where([&](double a) { return a - bending(a); }, 0.0, 0.1);
+  constexpr double kApart = 1e-4;
+  const double slope = (bending(angle) - bending(angle + kApart)) / kApart;
+  const double scale = (level * std::cos(angle) - direction.y * std::sin(angle)) / level;
+  return {{direction.x * scale, raised(angle), direction.z * scale},
+          p.beam_spread(planet, g, raised(angle), bending(angle), slope)};
+}
+
+}  // namespace airlight

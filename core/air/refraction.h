@@ -1,0 +1,27 @@
+#pragma once
+// Air that bends light (shaders/physics/refraction.glsl): its planet and its altitudes become optical.
+
+#include <vector>
+
+#include "core/physics/physics.h"
+#include "core/scene/scene.h"
+
+namespace airlight {
+
+// Puts the planet into `p`; where it has refraction, its optical form. `media`: of the scene.
+void put_planet(physics::Physics& p, const Planet& planet, const std::vector<Medium>& media);
+
+// The optical altitude of a true one, km; the same where the air bends no light. Above the air too.
+double optical_altitude(const physics::Physics& p, double h);
+
+// The true length of a camera ray's optical one, both km; the same where the air bends no light.
+double true_length(physics::Physics& p, double mu, double optical);
+
+// Where light from a direction above the air arrives at the camera; from space the same direction.
+struct SeenDirection {
+  physics::vec3 direction;
+  double spread;  // solid angle as it is seen over that above the air, times n^2
+};
+SeenDirection seen_direction(physics::Physics& p, const physics::vec3& direction);
+
+}  // namespace airlight

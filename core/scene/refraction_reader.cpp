@@ -1,0 +1,85 @@
+#include <algorithm>
+#include <string>
+
+#include "core/scene/json_format.h"
+#include "core/scene/readers.h"
+#include "core/scene/refractive_index.h"
+#include "core/spectra/colour.h"
+#include "core/spectra/data.h"
+#include "core/text.h"
+
+namespace airlight {
+namespace {
+
+void read_profile(const Section& planet, const Section& section, const std::vector<Medium>& media,
+                  Refraction& refraction) {
+  const PresetValue* const medium = section.find("medium");
+  const PresetValue* const height = section.find("scale_height_km");
+  if ((medium == nullptr) == (height == nullptr)) {
+    planet.complain("refraction", *planet.find("refraction"),
+                    "expected exactly one of medium and scale_height_km, by which n - 1 falls with altitude");
+    return;
+  }
+  if (medium == nullptr) {
+    refraction.scale_height = section.number("scale_height_km");
+    return;
+  }
+  const std::string name = section.text("medium");
+  const auto found = std::ranges::find(media, name, &Medium::name);
+  if (found == media.end()) {
+    std::string names;
+    for (const Medium& m : media) {
+      names += (names.empty() ? "" : ", ") + m.name;
+    }
+    section.complain("medium", *medium,
+                     "no medium has this name; expected one of " + names + ", or scale_height_km in its place");
+  } else if (found->density.profile == DensityProfile::constant) {
+    section.complain("medium", *medium, "its density ends at once; expected a medium that thins out smoothly");
+  } else {
+    refraction.medium = static_cast<std::size_t>(found - media.begin());
+  }
+}
+
+// Refuses air in which a ray could circle the planet.
+void refuse_ducts(const Section& planet, const Planet& on, const std::vector<Medium>& media) {
+  constexpr double kLeast = 0.05;
+  constexpr int kPlaces = 200;
+  RefractiveIndex index(on, media);
+  for (int i = 0; i <= kPlaces; ++i) {
+    const double u = static_cast<double>(i) / kPlaces;
+    const double h = on.atmosphere_height * u * u;
+    if (const double k = index.curvature(h); !(k > kLeast)) {
+      planet.complain("refraction", *planet.find("refraction"),
+                      "a level ray at " + format_number(h) + " km is bent by " + rounded(1.0 - k, 3) +
+                          " of the planet's curvature; expected at most 0.95: give a smaller n_minus_1 or a greater "
+                          "scale height");
+      return;
+    }
+  }
+}
+
+}  // namespace
+
+std::optional<Refraction> read_refraction(const Section& planet, const Planet& on, const std::vector<Medium>& media) {
+  if (planet.find("refraction") == nullptr) {
+    return std::nullopt;
+  }
+  const Section section = planet.child("refraction");
+  section.refuse_unknown_keys();
+  Refraction refraction;
+  refraction.n_minus_1 = section.number("n_minus_1");
+  read_profile(planet, section, media, refraction);
+  // Red, green and blue are taken at the wavelengths that stand for them in a scene of spectra.
+  const Nodes nodes = nodes_for(3);
+  for (std::size_t c = 0; c < 3; ++c) {
+    refraction.dispersion[c] = air_dispersion(nodes.nm[2 - c]);
+  }
+  if (refraction.medium || refraction.scale_height > 0.0) {
+    Planet bending = on;
+    bending.refraction = refraction;
+    refuse_ducts(planet, bending, media);
+  }
+  return refraction;
+}
+
+}  // namespace airlight

@@ -1,0 +1,119 @@
+#pragma once
+// Exact rays through air whose refractive index falls exponentially: the ray's equation by Runge and Kutta, in true
+// altitudes and lengths. It shares nothing with shaders/physics/refraction.glsl.
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace airlight::test {
+
+struct ExactAir {
+  double radius = 6371.0;  // km
+  double top = 100.0;
+  double n_minus_1 = 2.77e-4;
+  double scale_height = 8.0;  // of index and density
+
+  double density(double h) const { return std::exp(-h / scale_height); }
+  double index(double h) const { return 1.0 + n_minus_1 * density(h); }
+};
+
+// A point of a ray: altitude, angle round the planet, zenith angle, and so far bending and column.
+struct ExactPoint {
+  double h = 0.0;
+  double round = 0.0;
+  double zenith = 0.0;
+  double bending = 0.0;
+  double column = 0.0;
+};
+
+inline ExactPoint exact_step(const ExactAir& air, const ExactPoint& p, double length) {
+  using Rates = std::array<double, 5>;
+  const auto rates = [&](const ExactPoint& q) {
+    const double r = air.radius + q.h;
+    const double bend = air.n_minus_1 * air.density(q.h) / (air.scale_height * air.index(q.h)) * std::sin(q.zenith);
+    return Rates{std::cos(q.zenith), std::sin(q.zenith) / r, bend - std::sin(q.zenith) / r, bend, air.density(q.h)};
+  };
+  const auto moved = [&](const Rates& k, double by) {
+    return ExactPoint{p.h + by * k[0], p.round + by * k[1], p.zenith + by * k[2], p.bending + by * k[3],
+                      p.column + by * k[4]};
+  };
+  const Rates a = rates(p);
+  const Rates b = rates(moved(a, 0.5 * length));
+  const Rates c = rates(moved(b, 0.5 * length));
+  const Rates d = rates(moved(c, length));
+  Rates mean{};
+  for (std::size_t i = 0; i < mean.size(); ++i) mean[i] = (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i]) / 6.0;
+  return moved(mean, length);
+}
+
+// Points of the ray from altitude h up to the top of the air.
+inline std::vector<ExactPoint> exact_ray(const ExactAir& air, double h, double zenith, int steps) {
+  const double r = air.radius + h;
+  const double along = r * std::cos(zenith);
+  const double length = std::sqrt(along * along + (air.top - h) * (2.0 * air.radius + air.top + h)) - along;
+  std::vector<ExactPoint> points{{h, 0.0, zenith, 0.0, 0.0}};
+  for (int i = 0; i < 2 * steps && points.back().h < air.top; ++i) {
+    points.push_back(exact_step(air, points.back(), length * (2.0 * i + 1.0) / (steps * static_cast<double>(steps))));
+  }
+  return points;
+}
+
+// The sun that a point sees.
+struct ExactSun {
+  bool up = false;
+  double zenith = 0.0;
+  double column = 0.0;
+  double spread = 1.0;
+};
+
+inline ExactSun exact_sun(const ExactAir& air, double h, double true_zenith) {
+  const auto end = [&](double zenith) { return exact_ray(air, h, zenith, 200).back(); };
+  const double horizon =
+      std::numbers::pi - std::asin(std::min(air.index(0.0) * air.radius / (air.index(h) * (air.radius + h)), 1.0));
+  ExactSun sun;
+  double low = true_zenith - 0.06;
+  double high = std::min(true_zenith, horizon);
+  sun.up = high + end(high).bending >= true_zenith;
+  for (int i = 0; sun.up && i < 20; ++i) {
+    const double middle = 0.5 * (low + high);
+    (middle + end(middle).bending > true_zenith ? high : low) = middle;
+  }
+  sun.zenith = 0.5 * (low + high);
+  constexpr double kApart = 1e-4;
+  const ExactPoint here = end(sun.zenith);
+  const double slope =
+      (3.0 * here.bending - 4.0 * end(sun.zenith - kApart).bending + end(sun.zenith - 2.0 * kApart).bending) /
+      (2.0 * kApart);
+  sun.column = here.column;
+  sun.spread = air.index(h) * air.index(h) * std::sin(sun.zenith) / std::sin(sun.zenith + here.bending) / (1.0 + slope);
+  return sun;
+}
+
+// Radiance scattered once by molecules, of scattering coefficient `beta` at the ground, for a sun of irradiance 1.
+// `azimuth`: of the view from the sun.
+inline double exact_single(const ExactAir& air, double beta, double h, double elevation, double azimuth,
+                           double sun_elevation) {
+  constexpr int kGroup = 8;  // points of the ray for one sun
+  const std::vector<ExactPoint> ray = exact_ray(air, h, 0.5 * std::numbers::pi - elevation, 80 * kGroup);
+  using std::cos;
+  using std::sin;
+  double sum = 0.0;
+  for (std::size_t i = kGroup / 2; i + kGroup / 2 < ray.size(); i += kGroup) {
+    const ExactPoint& p = ray[i];
+    // Vertical and forward at the point, in the plane of the ray; the sun over the camera's vertical, forward, side.
+    const double up = cos(p.round) * sin(sun_elevation) + sin(p.round) * cos(sun_elevation) * cos(azimuth);
+    const double ahead = cos(p.round) * cos(sun_elevation) * cos(azimuth) - sin(p.round) * sin(sun_elevation);
+    const ExactSun sun = exact_sun(air, p.h, std::acos(up));
+    if (!sun.up) continue;
+    const double level = sin(sun.zenith) / std::max(std::sqrt(1.0 - up * up), 1e-9);
+    const double nu = cos(p.zenith) * cos(sun.zenith) + sin(p.zenith) * ahead * level;
+    const double column = ray[i + kGroup / 2].column - ray[i - kGroup / 2].column;
+    sum += 3.0 / (16.0 * std::numbers::pi) * (1.0 + nu * nu) * sun.spread * beta * column *
+           std::exp(-beta * (sun.column + p.column));
+  }
+  return sum;
+}
+
+}  // namespace airlight::test

@@ -1,0 +1,225 @@
+// Bent light against exact rays, and each method against the others through it.
+
+#include "core/air/refraction.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tests/methods/exact_rays.h"
+#include "tests/methods/path_trace_scene.h"
+#include "tests/methods/render_fixture.h"
+#include "tests/this_build.h"
+
+namespace airlight::test {
+namespace {
+
+constexpr double kBlack = 0.0;
+
+Refraction bent(double n_minus_1, double scale_height) {
+  Refraction refraction;
+  refraction.n_minus_1 = n_minus_1;
+  refraction.scale_height = scale_height;
+  return refraction;
+}
+
+// Molecules alone, as ExactAir has them.
+Scene molecules(double sun_deg, double albedo) {
+  const ExactAir air;
+  Scene scene = airlight::earth(sun_deg, 0.001, albedo);
+  scene.media.resize(1);
+  scene.media[0].density.scale_height = air.scale_height;
+  scene.planet.ground_radius = air.radius;
+  scene.planet.refraction = bent(air.n_minus_1, air.scale_height);
+  scene.sun.disc.angular_radius = radians(0.2665);
+  scene.render.polarisation = false;
+  return scene;
+}
+
+std::vector<Direction> toward(const std::vector<double>& elevations) {
+  std::vector<Direction> directions;
+  for (const double elevation : elevations) {
+    for (const double azimuth : {0.0, 90.0, 180.0}) {
+      directions.push_back({radians(elevation), radians(azimuth)});
+    }
+  }
+  return directions;
+}
+
+// By exact rays, n - 1 = 2.77e-4, scale height 8 km; spread: of irradiance.
+struct Seen {
+  double true_deg;
+  double seen_deg;
+  double spread;
+};
+
+TEST(Refraction, TheSunIsSeenWhereExactRaysComeFrom) {
+  for (const Seen& s :
+       {Seen{5.0, 5.158, 0.9754}, Seen{1.0, 1.3696, 0.8954}, Seen{0.0, 0.5022, 0.8352}, Seen{-0.5, 0.0953, 0.7920}}) {
+    physics::Physics p = geometry_of(molecules(s.true_deg, kBlack));
+    p.scene.camera.altitude = 0.0;
+    const SeenDirection seen = seen_direction(p, p.scene.sun.direction);
+    EXPECT_NEAR(std::asin(seen.direction.y) * 180.0 / std::numbers::pi, s.seen_deg, 1e-3) << s.true_deg;
+    EXPECT_NEAR(seen.spread, s.spread, 1e-3) << s.true_deg;
+    const ExactSun exact = exact_sun({}, 0.0, radians(90.0 - s.true_deg));
+    EXPECT_NEAR(std::asin(seen.direction.y), 0.5 * std::numbers::pi - exact.zenith, 1e-5) << s.true_deg;
+    EXPECT_NEAR(seen.spread, exact.spread, 1e-3) << s.true_deg;
+  }
+}
+
+TEST(Refraction, AltitudesAndBendingAreThoseOfExactRays) {
+  physics::Physics p = geometry_of(molecules(10.0, kBlack));
+  const ExactAir air;
+  for (const double h : {0.0, 0.01, 1.0, 9.0, 31.0, 77.0, 100.0}) {
+    const double g = optical_altitude(p, h);
+    EXPECT_NEAR(g, air.index(h) * (air.radius + h) - air.index(0.0) * air.radius, 1e-6) << h;
+    EXPECT_NEAR(p.true_altitude(g).h, h, 1e-6) << h;
+    for (const double elevation : {0.5, 3.0, 40.0}) {
+      const ExactPoint end = exact_ray(air, h, radians(90.0 - elevation), 2000).back();
+      EXPECT_NEAR(p.bending_to_top(p.scene.planet, g, std::sin(radians(elevation)), physics::kBendingSteps),
+                  end.bending, 1e-6 + 1e-4 * end.bending)
+          << h << " km, " << elevation;
+    }
+  }
+  // Between the horizon's straight and bent dip, as published for Earth: 0.93 and 3.01 degrees for 1.02 and 3.21.
+  EXPECT_NEAR(-std::asin(p.horizon_mu(p.scene.planet, optical_altitude(p, 1.0))) * 180.0 / std::numbers::pi, 0.93,
+              0.03);
+  EXPECT_NEAR(-std::asin(p.horizon_mu(p.scene.planet, optical_altitude(p, 10.0))) * 180.0 / std::numbers::pi, 3.01,
+              0.03);
+}
+
+// Air of n = 1 takes the same route, and makes the same picture but for rounding.
+TEST(Refraction, AnIndexOfOneBendsNothing) {
+  for (const char* name : {"orders", "march", "sky-view"}) {
+    for (const double sun : {30.0, 0.0, -4.0}) {
+      Scene scene = with_method(airlight::earth(sun, 0.5, 0.2), *find_method(name));
+      const std::vector<Direction> directions = toward({-20.0, 2.0, 15.0, 89.0});
+      const std::vector<ProbeResult> straight = probe_now(scene, directions);
+      scene.planet.refraction = bent(0.0, 8.0);
+      const std::vector<ProbeResult> same = probe_now(scene, directions);
+      for (std::size_t i = 0; i < directions.size(); ++i) {
+        for (std::size_t c = 0; c < 3; ++c) {
+          EXPECT_NEAR(same[i].radiance[c], straight[i].radiance[c], 2e-4 * straight[i].radiance[c] + 1e-9)
+              << name << ", sun " << sun << ", direction " << i;
+        }
+      }
+    }
+  }
+}
+
+TEST(Refraction, FirstOrderIsThatOfExactRays) {
+  const std::vector<Direction> directions = toward({2.0, 40.0});
+  for (const double sun : {5.0, 0.0, -2.0}) {
+    Scene traced = molecules(sun, kBlack);
+    set(traced, "max_orders", 1);
+    const HostPicture paths = trace(traced, directions);
+    Scene marched = with_method(molecules(sun, kBlack), *find_method("march"));
+    marched.render.parameters["multiple_scattering_scale"] = 0.0;
+    marched.render.parameters["steps"] = 512;
+    const std::vector<ProbeResult> march = probe_now(marched, directions);
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double exact = exact_single({}, traced.media[0].scattering[c], 0.001, directions[i].elevation,
+                                          directions[i].azimuth, radians(sun));
+        if (exact < 1e-3) continue;  // the shadow's edge stands on the ray: the test's own sum is coarse there
+        const auto path = static_cast<double>(paths.radiance.at(static_cast<int>(i), 0)[c]);
+        EXPECT_NEAR(path, exact, 4e-3 * exact) << "path-trace, sun " << sun << ", " << i << ", " << c;
+        EXPECT_NEAR(march[i].radiance[c], exact, 0.01 * exact) << "march, sun " << sun << ", " << i << ", " << c;
+      }
+    }
+  }
+}
+
+// All orders, with aerosol and ground; by shells too.
+TEST(Refraction, OrdersAgreesWithPathTrace) {
+  const std::vector<Direction> directions = toward({2.0, 10.0, 40.0});
+  for (const bool by_shells : {false, true}) {
+    for (const double sun : {5.0, 0.0, -3.0}) {
+      Scene traced = airlight::earth(sun, 0.001, 0.2);
+      traced.planet.refraction = bent(2.78e-4, 8.4);
+      set(traced, "samples", sanitized() ? 32 : 2048);
+      const HostPicture truth = trace(traced, directions);
+      Scene scene = with_method(traced, *find_method("orders"));
+      scene.render.parameters["shells"] = std::string(by_shells ? "always" : "auto");
+      const std::vector<ProbeResult> found = probe_now(scene, directions);
+      double error = 0.0;
+      double noise = 0.0;
+      for (std::size_t i = 0; i < directions.size(); ++i) {
+        for (std::size_t c = 0; c < 3; ++c) {
+          const auto at = [&](const RadianceImage& image) {
+            return static_cast<double>(image.at(static_cast<int>(i), 0)[c]);
+          };
+          const double share = 1.0 / (3.0 * static_cast<double>(directions.size()));
+          error += std::abs(found[i].radiance[c] / at(truth.radiance) - 1.0) * share;
+          noise += 0.8 * at(truth.standard_error) / at(truth.radiance) * share;
+        }
+      }
+      std::printf("sun %g%s: error %.4f, noise %.4f\n", sun, by_shells ? ", by shells" : "", error, noise);
+      EXPECT_LT(error, 0.008 + noise) << sun << by_shells;
+    }
+  }
+}
+
+// Near the horizon the disc is as high as exact rays make it, and stands half a degree above the true sun.
+TEST(Refraction, FlattensTheDisc) {
+  Scene scene = molecules(-0.25, kBlack);
+  scene.sun.disc.limb_darkening = 0.0;
+  scene.camera.pitch = radians(0.3);
+  scene.camera.azimuth = scene.sun.azimuth;
+  scene.camera.projection = Projection::perspective;
+  scene.camera.vertical_fov = radians(1.0);
+  scene.image = {200, 200};
+  const Rendering rendering = render_now(with_method(scene, *find_method("orders")));
+  int left = 200, right = 0, upper = 200, lower = 0;
+  for (int y = 0; y < 200; ++y) {
+    for (int x = 0; x < 200; ++x) {
+      if (channel_of(rendering.radiance, x, y, 0) > 10.0) {
+        left = std::min(left, x);
+        right = std::max(right, x);
+        upper = std::min(upper, y);
+        lower = std::max(lower, y);
+      }
+    }
+  }
+  ASSERT_LT(left, right);
+  const double shape = static_cast<double>(lower - upper + 1) / (right - left + 1);
+  const auto seen = [](double true_deg) {
+    return 90.0 - exact_sun({}, 0.001, radians(90.0 - true_deg)).zenith * 180.0 / std::numbers::pi;
+  };
+  const double top = seen(-0.25 + 0.2665);
+  const double bottom = seen(-0.25 - 0.2665);
+  EXPECT_NEAR(shape, (top - bottom) / (2.0 * 0.2665), 0.015);
+  EXPECT_NEAR(0.3 + (99.5 - 0.5 * (upper + lower)) / 200.0, 0.5 * (top + bottom), 0.01);
+}
+
+// Where azimuths have no meaning, at the shadow's edge to the last digit, from the ground to space, on small and large
+// planets.
+TEST(Refraction, HoldsAtItsEdges) {
+  constexpr double kNext = 1e-15;
+  for (const double radius : {10.0, 6371.0, 1e6}) {
+    for (const double altitude : {0.0, 1.0, 99.999, 100.0, 400.0}) {
+      for (const double sun : {90.0, 45.0, -0.55, -8.0, -90.0}) {
+        Scene scene = molecules(sun, 0.3);
+        scene.planet.ground_radius = radius;
+        scene.planet.refraction = bent(radius > 1e5 ? 2e-6 : 2.78e-4, 8.0);
+        scene.camera.altitude = altitude;
+        scene.image = {8, 8};
+        const Rendering rendering = render_now(with_method(scene, *find_method("orders"), true));
+        expect_sound(rendering,
+                     std::to_string(radius) + " km, at " + std::to_string(altitude) + ", sun " + std::to_string(sun));
+      }
+    }
+  }
+  physics::Physics p = geometry_of(molecules(0.0, kBlack));
+  for (const double g : {0.0, 1.0, 50.0}) {
+    const double edge = p.sun_before_lift(g, p.horizon_mu(p.scene.planet, g));
+    EXPECT_TRUE(p.sun_is_up(p.scene.planet, g, edge + 1e-12)) << g;
+    EXPECT_FALSE(p.sun_is_up(p.scene.planet, g, edge - 1e-9)) << g;
+    EXPECT_NEAR(p.lifted_sun(g, p.sun_before_lift(g, 0.3)), 0.3, kNext) << g;
+  }
+}
+
+}  // namespace
+}  // namespace airlight::test
