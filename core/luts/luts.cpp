@@ -132,6 +132,9 @@ namespace {
 
 // Transmittance along directions as they are seen, and bending.
 ImageId add_seen_transmittance(Plan& plan, const Air& air, TableSize size, const std::string& name) {
+  if (const auto there = plan.table_of(table_key(air, name, size))) {
+    return *there;
+  }
   const ImageId out = plan.add_image(
       {.name = name, .extent = extent_of(size), .key = table_key(air, name, size), .stored = true, .text = [air] {
          return transmittance_text(air);
@@ -149,8 +152,11 @@ ImageId add_seen_transmittance(Plan& plan, const Air& air, TableSize size, const
 
 ImageId add_bent_sunlight(Plan& plan, const Air& air, TableSize size, const BentTable& table,
                           std::vector<Specialization> constants) {
-  const ImageId seen = add_seen_transmittance(plan, air, size, table.name + "_seen");
   const TableSize both{size[0], 2 * size[1]};
+  if (const auto there = plan.table_of(table_key(air, table.name, both))) {
+    return *there;
+  }
+  const ImageId seen = add_seen_transmittance(plan, air, size, table.name + "_seen");
   const ImageId out = plan.add_image({.name = table.name,
                                       .extent = extent_of(both),
                                       .key = table_key(air, table.name, both),

@@ -3,8 +3,9 @@
 // One function of shaders/physics over an array of inputs.
 #include "shared/device.glsl"
 
-// The called functions fetch no sunlight, but the physics that declares them needs this function.
+// The called functions fetch no sunlight, but the physics that declares them needs these functions.
 vec3 transmittance_to_top(PlanetData planet, real h, real mu) { return vec3(1.0); }
+real bending_along(PlanetData planet, real h, real mu) { return 0.0; }
 
 #include "physics/sunlight.glsl"
 #include "../parity_codes.h"
