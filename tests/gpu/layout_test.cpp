@@ -31,6 +31,8 @@ std::map<std::string, std::size_t> host_offsets() {
   AIRLIGHT_MEMBER(planet.atmosphere_height);
   AIRLIGHT_MEMBER(planet.ground_albedo);
   AIRLIGHT_MEMBER(sun.direction);
+  AIRLIGHT_MEMBER(sun.seen);
+  AIRLIGHT_MEMBER(sun.dispersion);
   AIRLIGHT_MEMBER(sun.irradiance);
   AIRLIGHT_MEMBER(sun.angular_radius);
   AIRLIGHT_MEMBER(sun.limb_darkening);
@@ -52,6 +54,8 @@ std::map<std::string, std::size_t> host_offsets() {
   AIRLIGHT_MEMBER(camera.height);
   AIRLIGHT_MEMBER(camera.edge_low);
   AIRLIGHT_MEMBER(camera.edge_high);
+  AIRLIGHT_MEMBER(refraction.ground_radius);
+  AIRLIGHT_MEMBER(refraction.nodes);
   AIRLIGHT_MEMBER(multiple_scattering_scale);
   AIRLIGHT_MEMBER(moments.top);
   AIRLIGHT_MEMBER(moments.elevation_scale);
