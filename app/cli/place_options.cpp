@@ -51,6 +51,13 @@ std::optional<sequence::Air> air_of(const PlaceOptions& options, const std::stri
                        options.temperature.value_or(standard.temperature_c)};
 }
 
+void require_one_refraction(const PlaceOptions& options, const Scene& scene, const std::string& command) {
+  if (options.refraction && scene.planet.refraction) {
+    throw InputError(command +
+                     ": --refraction: the preset's air bends light itself (planet.refraction); leave one out");
+  }
+}
+
 namespace {
 
 // The sections of which the preset must have one for a date to set this key; none: it sets it in any.

@@ -32,6 +32,9 @@ Option time_option(PlaceOptions& options);
 sequence::Place place_of(const PlaceOptions& options);
 std::optional<sequence::Air> air_of(const PlaceOptions& options, const std::string& command);
 
+// Refuses --refraction where the scene's own air bends light: the sun would be lifted twice.
+void require_one_refraction(const PlaceOptions& options, const Scene& scene, const std::string& command);
+
 // The sun of one picture; empty where no option concerns it. Throws InputError.
 std::vector<Override> sun_overrides(const PlaceOptions& options, const SceneOptions& scene, const std::string& command);
 

@@ -76,6 +76,7 @@ sequence::SunPath sun_path_of(const SequenceGiven& given, const Scene& scene) {
   if (given.scene.sun_azimuth) {
     throw InputError("sequence: --sun-azimuth: the sun path tells the azimuth; leave it out, or give --sun-elevation");
   }
+  require_one_refraction(given.place, scene, "sequence");
   sequence::SunPath path =
       sequence::make_sun_path({*given.place.date, *given.from, *given.to, *given.step, given.place.zone.value_or("UTC"),
                                place_of(given.place), air_of(given.place, "sequence")});

@@ -39,6 +39,7 @@ Scene scene_of(const RenderOrder& given) {
     return load_scene(given.scene, all);
   };
   Scene scene = with(false);
+  require_one_refraction(given.place, scene, "render");
   return samples(scene) && given.sampling.time_limit ? with(true) : scene;
 }
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "core/air/refraction.h"
 #include "core/air/scene_block.h"
 #include "core/luts/luts.h"
 #include "core/plan/bytes.h"
@@ -30,7 +31,10 @@ std::vector<StarPixel> star_pixels(physics::Physics& p, const Scene& scene, cons
   const auto& camera = p.scene.camera;
   std::map<std::pair<int, int>, vec3> pixels;
   for (const NightStar& star : night.stars) {
-    const auto at = p.pixel_of(camera, projection, star.direction);
+    auto at = p.pixel_of(camera, projection, star.direction);
+    if (p.refraction && at.in_front) {
+      at = p.pixel_of(camera, projection, seen_direction(p, star.direction).direction);
+    }
     if (!at.in_front || !(std::abs(at.x) < 1e6 && std::abs(at.y) < 1e6)) {
       continue;
     }

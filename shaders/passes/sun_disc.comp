@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Adds the sun's disc to the pixels of a rectangle.
+#define AIRLIGHT_EXACT_BENDING
 #include "shared/device.glsl"
 #include "shared/tables.glsl"
 

@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // sun_disc.comp, each sample hidden by things too.
+#define AIRLIGHT_EXACT_BENDING
 #include "shared/device.glsl"
 #include "shared/tables.glsl"
 #include "shared/things.glsl"

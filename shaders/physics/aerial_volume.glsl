@@ -38,14 +38,3 @@ vec3 gathered_share(vec3 depth) {
   SegmentTransfer segment = segment_transfer(depth);
   return depth * segment.mean;
 }
-
-// The part of a ray from one distance to another as a ray of its own.
-Ray part_of_ray(PlanetData planet, Ray ray, real from, real to) {
-  RayPoint point = point_on_ray(planet, ray, from);
-  Ray part = ray;
-  part.h = point.h;
-  part.mu = point.mu;
-  part.mu_sun = point.mu_sun;
-  part.length_ = to - from;
-  return part;
-}

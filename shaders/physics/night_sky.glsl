@@ -71,7 +71,7 @@ vec3 night_on_surface(PlanetData planet, real h, vec3 direction, vec3 through, v
 // What the camera sees of it in a direction where nothing stands before it but the planet.
 vec3 night_along(PlanetData planet, real h, vec3 direction) {
   Ray ray = ray_in_atmosphere(planet, h, direction.y, 0.0, 0.0);
-  vec3 through = ray.length_ < 0.0 ? vec3(1.0) : transmittance_to_top(planet, ray.h, ray.mu);
+  vec3 through = ray.length_ < 0.0 ? vec3(1.0) : seen_transmittance(planet, ray.h, ray.mu);
   vec3 light = night_beyond(direction) + airglow_zenith() * van_rhijn(planet, h, direction.y);
   vec3 scattered = ray.length_ < 0.0 ? vec3(0.0) : night_scattered_at(planet, h, direction.y, ray.at_ground);
   return (ray.at_ground ? vec3(0.0) : light * through) + scattered;

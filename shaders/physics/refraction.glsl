@@ -122,6 +122,14 @@ RayPoint with_turned_sun(RayPoint point, Ray ray, real bent) {
   return point;
 }
 
+// Cosine between the ray and the sun that with_turned_sun() has turned.
+real turned_cosine(RayPoint point, Ray ray, real bent) {
+  real s = sqrt(max(1.0 - point.mu * point.mu, 0.0));
+  real ahead = (ray.nu - point.mu * point.mu_sun) / max(s, 1e-6);
+  real up = point.mu_sun + ahead * bent;
+  return clamp(ray.nu + point.mu * (up - point.mu_sun) - s * point.mu_sun * bent, -1.0, 1.0);
+}
+
 // Cosine between a camera ray in the air and the sun as the camera sees it, by which phase functions are taken: `mu` and
 // `nu` are the ray's. The sun that a point of the air sees stands between this one and the true one.
 real seen_cosine(SunData sun, real mu, real nu) {

@@ -178,3 +178,19 @@ SkyFactors with_ground(PlanetData planet, MomentTableData table, Ray ray, SkyFac
 SkyFactors sky_factors(PlanetData planet, MomentTableData table, Ray ray, uint steps) {
   return with_ground(planet, table, ray, air_factors(planet, table, ray, steps));
 }
+
+// The part of a ray from one distance to another as a ray of its own.
+Ray part_of_ray(PlanetData planet, Ray ray, real from, real to) {
+  RayPoint point = point_on_ray(planet, ray, from);
+  Ray part = ray;
+  if (bends_light()) {
+    real bent = bending_ahead(planet, ray.at_ground, ray.h, ray.mu) - bending_ahead(planet, ray.at_ground, point.h, point.mu);
+    part.nu = turned_cosine(point, ray, bent);
+    point = with_turned_sun(point, ray, bent);
+  }
+  part.h = point.h;
+  part.mu = point.mu;
+  part.mu_sun = point.mu_sun;
+  part.length_ = to - from;
+  return part;
+}

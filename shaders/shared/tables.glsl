@@ -20,10 +20,26 @@ vec3 fetch_transmittance(float x, float y) { return fetch_half(x, y, 0.0).rgb; }
 
 vec3 transmittance_to_top(PlanetData planet, real h, real mu) { return table_transmittance(planet, h, mu); }
 
+#ifdef AIRLIGHT_EXACT_BENDING
+// In 32 bits: the weights of a sampler may have 8, which shows at the edge of a disc.
+real bending_along(PlanetData planet, real h, real mu) {
+  TransmittanceCoordinate c = transmittance_coordinate(planet, h, mu);
+  ivec2 last = ivec2(kTransmittanceWidth, kTransmittanceHeight) - 1;
+  vec2 at = vec2(c.x, c.y) * vec2(last);
+  ivec2 low = min(ivec2(at), last - 1);
+  vec2 part = at - vec2(low);
+  low.y += int(kTransmittanceHeight);
+  real below = mix(texelFetch(transmittance_lut, low, 0).a, texelFetch(transmittance_lut, low + ivec2(1, 0), 0).a, part.x);
+  real above = mix(texelFetch(transmittance_lut, low + ivec2(0, 1), 0).a,
+                   texelFetch(transmittance_lut, low + ivec2(1, 1), 0).a, part.x);
+  return mix(below, above, part.y);
+}
+#else
 real bending_along(PlanetData planet, real h, real mu) {
   TransmittanceCoordinate c = transmittance_coordinate(planet, h, mu);
   return fetch_half(c.x, c.y, 1.0).a;
 }
+#endif
 
 // Along a direction as it is seen.
 vec3 seen_transmittance(PlanetData planet, real h, real mu) {

@@ -27,7 +27,7 @@ Gathered gathered_along(vec3 direction, float spread, float bare, uint steps) {
       ray = ray_up_to(scene.planet, sight.from.h, sight.track.mu, ray, hit.distance_);
     }
     SkyFactors air = factors_past_things(sight, ray, steps);
-    sum = with_air(sum, air, ray.nu, through, i == 0u);
+    sum = with_air(sum, air, seen_cosine(scene.sun, ray.mu, ray.nu), through, i == 0u);
     through *= air.transmittance;
     if (hit.what == kMeetsSky) {
       bool disc = kDiscShows != 0u && i > 0u;

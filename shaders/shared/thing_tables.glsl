@@ -77,7 +77,7 @@ SkyFactors factors_past_things(Sight sight, Ray ray, uint steps) {
   air.peaks = textureLod(peaks_lut, place.row, 0.0).rgb * place.distance_;
   vec3 gathered = air.depth * segment.mean;
   air.diffuse = fetch_block(diffuse_block(), of.at, place.w) * gathered;
-  Phases p = phases(ray.nu);
+  Phases p = phases(seen_cosine(scene.sun, ray.mu, ray.nu));
   vec3 all = vec3(0.0);
   UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
     if (scatters(i)) {

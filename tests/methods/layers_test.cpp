@@ -59,7 +59,10 @@ double greatest_gap(const Rendering& rendering) {
         if (!measuring) {
           brightest = std::max(brightest, value(sun, picture.width, x, y, c) > 0.0 ? 0.0 : beauty);
         } else {
-          gap = std::max(gap, std::abs(sum - beauty) / (beauty + 1e-4 * brightest));
+          // A red sun has little or negative blue, as accurate as its red.
+          const double whole = std::max({std::abs(channel_of(picture, x, y, 0)), std::abs(channel_of(picture, x, y, 1)),
+                                         std::abs(channel_of(picture, x, y, 2))});
+          gap = std::max(gap, std::abs(sum - beauty) / (std::max(std::abs(beauty), 1e-3 * whole) + 1e-4 * brightest));
         }
       }
     }
