@@ -24,7 +24,7 @@ if(AIRLIGHT_SANITIZE)
       Spectral.Automatic* Spectral.GreyIsGrey Spectrum.PictureIs* Spectrum.Absolute* SpectralTruth.OrdersIsNear*
       TerrainSky.Shafts* TerrainSky.FarFrom* TerrainTruth.OrdersIsNear* Spans.Transmittance* SpectralTruth.OnePath*
       SphereSky.Shafts* TableText.Moments TableText.Factors Analytic.IsMonotone Analytic.OnTheDevice*
-      Analytic.SingleScattering*
+      Analytic.SingleScattering* Stokes.OrdersAgrees* Stokes.PathTraceMeets* Refraction.FirstOrder* Refraction.OrdersAgrees*
       # scenes that differ in numbers and in the device's pipelines
       Stability.Air* Stability.CameraAndSun* Stability.OneMedium* Stability.Rays* Stability.Sharpest*
       Stability.WhatWasRendered*
