@@ -57,8 +57,12 @@ double within(Random& random, Range range, double middle) {
   return std::clamp(value, range.minimum, range.maximum);
 }
 
-// The things on the planet besides its air: at most one kind, since no two go together.
-enum class Things { none, spheres, terrain, ground_maps };
+// The things on the planet besides its air.
+struct Things {
+  bool spheres = false;
+  bool terrain = false;
+  bool ground_maps = false;
+};
 
 class Writer {
  public:
@@ -75,7 +79,8 @@ class Writer {
                : section == "camera" ? camera(own, method)
                                      : own);
     }
-    text += things == Things::spheres ? ", \"scene\": {\"spheres\": [" + spheres() + "]}" : "";
+    text += night();
+    text += things.spheres ? ", \"scene\": {\"spheres\": [" + spheres() + "]}" : "";
     const bool square = projection_ == "octahedral";
     const int any_side = 1 + static_cast<int>(random_.below(9));
     // Small cubes for a method on the host: all pixels cost it the same, and nine a side in thick air is a minute of
@@ -185,11 +190,24 @@ class Writer {
   }
 
   Things any_things() {
-    const double kind = random_.uniform(0.0, 1.0);
-    return kind < 0.12   ? Things::spheres
-           : kind < 0.24 ? Things::terrain
-           : kind < 0.4  ? Things::ground_maps
-                         : Things::none;
+    if (random_.chance(0.6)) {
+      return {};
+    }
+    return {random_.chance(0.4), random_.chance(0.4), random_.chance(0.5)};
+  }
+
+  // Moon, stars and the sky beyond the air, now and then.
+  std::string night() {
+    std::string text;
+    if (random_.chance(0.2)) {
+      const std::string lit = random_.chance(0.5) ? "\"phase_deg\": " + format_number(random_.uniform(-180.0, 180.0))
+                                                  : "\"illuminated\": " + format_number(random_.uniform(0.0, 1.0));
+      text += ", \"moon\": {\"elevation_deg\": " + format_number(random_.uniform(-90.0, 90.0)) +
+              ", \"azimuth_deg\": " + format_number(random_.uniform(-180.0, 180.0)) + ", " + lit + "}";
+    }
+    text += random_.chance(0.1) ? ", \"night_sky\": " + object("night_sky") : "";
+    text += random_.chance(0.1) ? ", \"stars\": " + object("stars") : "";
+    return text;
   }
 
   // A method that supports these things.
@@ -197,9 +215,8 @@ class Writer {
     for (;;) {
       const SkyMethod& method = random_.pick(methods());
       const MethodInfo& info = method.info;
-      if (things == Things::none || (things == Things::spheres && info.knows_translucent_spheres) ||
-          (things == Things::terrain && info.knows_terrain) ||
-          (things == Things::ground_maps && info.knows_ground_maps)) {
+      if ((!things.spheres || info.knows_translucent_spheres) && (!things.terrain || info.knows_terrain) &&
+          (!things.ground_maps || info.knows_ground_maps)) {
         return method;
       }
     }
@@ -215,25 +232,33 @@ class Writer {
            "}";
   }
 
-  // The planet's own keys and those of its ground. Maps are only names: the caller that renders the scene fills them.
+  // The planet's own keys, those of bent light and of its ground. Maps are only names: the caller that renders the
+  // scene fills them.
   std::string planet(const std::string& own, Things things) {
     std::string more;
-    if (things == Things::terrain) {
+    const auto add = [&](const std::string& key) { more += (more.empty() ? "" : ", ") + key; };
+    if (random_.chance(0.2)) {
+      add("\"refraction\": {\"n_minus_1\": " + format_number(random_.log_uniform(1e-8, 1e-3)) +
+          ", \"scale_height_km\": " + format_number(random_.log_uniform(0.5, 100.0)) + "}");
+    }
+    if (things.terrain) {
       const bool map = random_.chance(0.5);
       const std::string keys = object("planet.terrain");
       const bool sized = keys.find("width_km") != std::string::npos;
-      more = "\"terrain\": {" +
-             std::string(map ? "\"height_map\": \"heights\"" : "\"ridge\": " + object("planet.terrain.ridge")) +
-             (sized ? "" : ", \"width_km\": 40") + (map && random_.chance(0.5) ? ", \"albedo_map\": \"colours\"" : "") +
-             (keys == "{}" ? "}" : ", " + keys.substr(1));
-    } else if (things == Things::ground_maps) {
+      add("\"terrain\": {" +
+          std::string(map ? "\"height_map\": \"heights\"" : "\"ridge\": " + object("planet.terrain.ridge")) +
+          (sized ? "" : ", \"width_km\": 40") + (map && random_.chance(0.5) ? ", \"albedo_map\": \"colours\"" : "") +
+          (keys == "{}" ? "}" : ", " + keys.substr(1)));
+    }
+    if (things.ground_maps) {
       const bool ocean = random_.chance(0.6);
-      more = !ocean || random_.chance(0.5) ? "\"albedo_map\": \"colours\"" : "";
+      if (!ocean || random_.chance(0.5)) {
+        add("\"albedo_map\": \"colours\"");
+      }
       if (ocean) {
         const std::string keys = object("planet.ocean");
         const std::string mask = random_.chance(0.5) ? "\"mask_map\": \"water\"" : "";
-        more += std::string(more.empty() ? "" : ", ") + "\"ocean\": {" + mask +
-                (mask.empty() || keys == "{}" ? "" : ", ") + keys.substr(1);
+        add("\"ocean\": {" + mask + (mask.empty() || keys == "{}" ? "" : ", ") + keys.substr(1));
       }
     }
     return more.empty() ? own : own.substr(0, own.size() - 1) + (own == "{}" ? "" : ", ") + more + "}";
