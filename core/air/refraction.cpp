@@ -64,18 +64,16 @@ void put_planet(physics::Physics& p, const Planet& planet, const std::vector<Med
   }
 }
 
-double optical_altitude(const physics::Physics& p, double h) {
+double optical_altitude(physics::Physics& p, double h) {
   if (!p.refraction) {
     return h;
   }
-  physics::Physics::TrueAltitude top{};
-  const physics::PlanetData& planet = p.scene.planet;
-  auto& formulas = const_cast<physics::Physics&>(p);  // GLSL's functions have no const
-  top = formulas.true_altitude(planet.atmosphere_height);
-  if (h >= top.h) {
-    return h - top.h + planet.atmosphere_height;
+  const double optical_top = p.scene.planet.atmosphere_height;
+  const double top = p.true_altitude(optical_top).h;
+  if (h >= top) {
+    return h - top + optical_top;
   }
-  return where([&](double g) { return formulas.true_altitude(g).h; }, h, planet.atmosphere_height);
+  return where([&](double g) { return p.true_altitude(g).h; }, h, optical_top);
 }
 
 double true_length(physics::Physics& p, double mu, double optical) {

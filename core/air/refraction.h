@@ -12,7 +12,7 @@ namespace airlight {
 void put_planet(physics::Physics& p, const Planet& planet, const std::vector<Medium>& media);
 
 // The optical altitude of a true one, km; the same where the air bends no light. Above the air too.
-double optical_altitude(const physics::Physics& p, double h);
+double optical_altitude(physics::Physics& p, double h);
 
 // The true length of a camera ray's optical one, both km; the same where the air bends no light.
 double true_length(physics::Physics& p, double mu, double optical);

@@ -18,8 +18,9 @@ double zodiacal_light(double from_sun, double latitude);
 
 // Light of all stars fainter than 6.5 in that unit, in a J2000 direction; coarse: 36 / (|sin b| + 1/4) at the galactic
 // latitude b, and 69 for each ninth of the brightness by which the Milky Way's five outlines in d3-celestial (O. Frohn,
-// BSD-3-Clause) rise, over cells of two degrees. Its mean, 88, is that of 460 stars of magnitude 0 over the sky (Allen,
-// Astrophysical Quantities, 1973) less the brighter ones.
+// BSD-3-Clause) rise, over cells of two degrees. Its mean, 88, is that of 460 stars of magnitude 0 over the sky less
+// the brighter ones: stars up to magnitude 10.5 are 225, about half of all (Sky & Telescope's answer to "how bright are
+// all stars together").
 double faint_stars(const physics::vec3& j2000);
 
 // Airglow at the zenith, W/(m2 nm sr): means over 10 nm of the dark sky at Paranal, solar flux 130 (Noll et al.,

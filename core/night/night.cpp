@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/air/refraction.h"
 #include "core/air/scene_block.h"
 #include "core/night/background.h"
 #include "core/night/celestial.h"
@@ -137,8 +138,9 @@ void add_background(Night& night, const Scene& scene, const Air& air, const Colo
   }
   const double lumens = wish.airglow * illuminance(airglow()) * light_passed(scene.camera);
   night.airglow = colours.of(lumens, [](const WaveBand& band) { return mean_over(airglow(), band.low, band.high); });
-  const NightAir lit = night_air(air, scene.camera.altitude);
-  const vec3 mean = sum / weights + night.airglow * mean_van_rhijn(p, std::min(scene.camera.altitude, 80.0));
+  const double camera = optical_altitude(p, scene.camera.altitude);
+  const NightAir lit = night_air(air, camera);
+  const vec3 mean = sum / weights + night.airglow * mean_van_rhijn(p, std::min(camera, 80.0));
   for (const vec3& scattered : lit.scattered) {
     night.scattered.push_back(scattered * mean);
   }

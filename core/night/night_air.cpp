@@ -43,7 +43,7 @@ class EvenSky {
  private:
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
   double altitude(int i) const {
-    const double x = (i + 0.0) / (kAltitudes - 1);
+    const double x = static_cast<double>(i) / (kAltitudes - 1);
     return planet_.atmosphere_height * x * x;
   }
   vec3 at(const std::array<vec3, kAltitudes>& values, double h) const {

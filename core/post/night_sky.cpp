@@ -35,21 +35,15 @@ void add_night_sky(Plan& plan, const Stage& stage, ImageId through, const Pictur
   constants.push_back({"kProjection", projection_code(part.scene.camera.projection)});
   std::vector<Binding> reads{{"transmittance_lut", through},
                              {"night_sky", plan.add_buffer(filled_buffer("night_sky", night_bytes(*stage.night())))}};
-  const char* shader = "night_sky";
-  if (part.things.stand_in_the_air()) {
-    shader = "night_sky_things";
-    const ThingInputs things = add_things(plan, part.scene, part.things);
-    reads.insert(reads.end(), things.reads.begin(), things.reads.end());
-    constants.insert(constants.end(), things.constants.begin(), things.constants.end());
-  }
-  plan.add_pass({.name = "night_sky",
-                 .shader = shader,
-                 .reads = std::move(reads),
-                 .writes = {{"radiance_out", picture.buffer}},
-                 .grid = {picture.width, picture.height, 1},
-                 .push_constants = {picture.width, picture.height},
-                 .specialization = std::move(constants),
-                 .cost = 2.0});
+  plan.add_pass(behind_things(plan, part.scene, part.things,
+                              {.name = "night_sky",
+                               .shader = "night_sky",
+                               .reads = std::move(reads),
+                               .writes = {{"radiance_out", picture.buffer}},
+                               .grid = {picture.width, picture.height, 1},
+                               .push_constants = {picture.width, picture.height},
+                               .specialization = std::move(constants),
+                               .cost = 2.0}));
 }
 
 physics::Physics night_formulas(const Stage& stage) {

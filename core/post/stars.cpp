@@ -31,10 +31,8 @@ std::vector<StarPixel> star_pixels(physics::Physics& p, const Scene& scene, cons
   const auto& camera = p.scene.camera;
   std::map<std::pair<int, int>, vec3> pixels;
   for (const NightStar& star : night.stars) {
-    auto at = p.pixel_of(camera, projection, star.direction);
-    if (p.refraction && at.in_front) {
-      at = p.pixel_of(camera, projection, seen_direction(p, star.direction).direction);
-    }
+    const SeenDirection seen = seen_direction(p, star.direction);
+    const auto at = p.pixel_of(camera, projection, seen.direction);
     if (!at.in_front || !(std::abs(at.x) < 1e6 && std::abs(at.y) < 1e6)) {
       continue;
     }
@@ -51,7 +49,7 @@ std::vector<StarPixel> star_pixels(physics::Physics& p, const Scene& scene, cons
         continue;
       }
       vec3& sum = pixels.try_emplace({*row - tile.y, *column - tile.x}, vec3(0.0)).first->second;
-      sum = sum + star.irradiance * (share / p.pixel_solid_angle(projection, *column + 0.5, *row + 0.5));
+      sum = sum + star.irradiance * (seen.spread * share / p.pixel_solid_angle(projection, *column + 0.5, *row + 0.5));
     }
   }
   std::vector<StarPixel> found;
@@ -80,20 +78,14 @@ void add_stars(Plan& plan, const Stage& stage, ImageId through, const Picture& p
   constants.push_back({"kProjection", projection_code(part.scene.camera.projection)});
   std::vector<Binding> reads{{"transmittance_lut", through},
                              {"stars", plan.add_buffer(filled_buffer("stars", bytes_of(values)))}};
-  const char* shader = "stars";
-  if (part.things.stand_in_the_air()) {
-    shader = "stars_things";
-    const ThingInputs things = add_things(plan, part.scene, part.things);
-    reads.insert(reads.end(), things.reads.begin(), things.reads.end());
-    constants.insert(constants.end(), things.constants.begin(), things.constants.end());
-  }
-  plan.add_pass({.name = "stars",
-                 .shader = shader,
-                 .reads = std::move(reads),
-                 .writes = {{"radiance_out", picture.buffer}},
-                 .grid = {static_cast<std::uint32_t>(pixels.size()), 1, 1},
-                 .push_constants = {static_cast<std::uint32_t>(pixels.size()), picture.width},
-                 .specialization = std::move(constants)});
+  plan.add_pass(behind_things(plan, part.scene, part.things,
+                              {.name = "stars",
+                               .shader = "stars",
+                               .reads = std::move(reads),
+                               .writes = {{"radiance_out", picture.buffer}},
+                               .grid = {static_cast<std::uint32_t>(pixels.size()), 1, 1},
+                               .push_constants = {static_cast<std::uint32_t>(pixels.size()), picture.width},
+                               .specialization = std::move(constants)}));
 }
 
 void draw_stars(RadianceImage& picture, physics::Physics& p, const Stage& stage, const Tile& tile) {

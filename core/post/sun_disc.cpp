@@ -45,24 +45,25 @@ bool add_sun_disc(Plan& plan, const Part& part, std::optional<ImageId> transmitt
   std::vector<Specialization> constants = sunlight_specialization(plan, part.air, table);
   constants.push_back({"kProjection", projection_code(part.scene.camera.projection)});
   constants.push_back({"kLitDisc", part.scene.sun.disc.lit ? 1U : 0U});
-  std::vector<Binding> reads{{"transmittance_lut", table}};
-  const char* shader = "sun_disc";
-  if (part.things.stand_in_the_air()) {
-    shader = "sun_disc_things";
-    const ThingInputs things = add_things(plan, part.scene, part.things);
-    reads.insert(reads.end(), things.reads.begin(), things.reads.end());
-    constants.insert(constants.end(), things.constants.begin(), things.constants.end());
-  }
+  PassDesc pass = behind_things(plan, part.scene, part.things,
+                                {.name = "sun_disc",
+                                 .shader = "sun_disc",
+                                 .reads = {{"transmittance_lut", table}},
+                                 .writes = {{"radiance_out", picture.buffer}},
+                                 .specialization = std::move(constants)});
   for (const auto& [pixels, box] : parts) {
-    plan.add_pass({.name = "sun_disc",
-                   .shader = shader,
-                   .reads = reads,
-                   .writes = {{"radiance_out", picture.buffer}},
-                   .grid = {pixels.width, pixels.height, 1},
-                   .push_constants = {pixels.left, pixels.top, pixels.width, pixels.height, box.across, box.down,
-                                      push_constant(box.low.x), push_constant(box.low.y), push_constant(box.high.x),
-                                      push_constant(box.high.y)},
-                   .specialization = constants});
+    pass.grid = {pixels.width, pixels.height, 1};
+    pass.push_constants = {pixels.left,
+                           pixels.top,
+                           pixels.width,
+                           pixels.height,
+                           box.across,
+                           box.down,
+                           push_constant(box.low.x),
+                           push_constant(box.low.y),
+                           push_constant(box.high.x),
+                           push_constant(box.high.y)};
+    plan.add_pass(pass);
   }
   return true;
 }

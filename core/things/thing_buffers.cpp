@@ -129,4 +129,14 @@ ThingInputs add_things(Plan& plan, const Scene& scene, const Things& things) {
   return inputs;
 }
 
+PassDesc behind_things(Plan& plan, const Scene& scene, const Things& things, PassDesc pass) {
+  if (things.stand_in_the_air()) {
+    pass.shader += "_things";
+    const ThingInputs inputs = add_things(plan, scene, things);
+    pass.reads.insert(pass.reads.end(), inputs.reads.begin(), inputs.reads.end());
+    pass.specialization.insert(pass.specialization.end(), inputs.constants.begin(), inputs.constants.end());
+  }
+  return pass;
+}
+
 }  // namespace airlight

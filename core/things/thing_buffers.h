@@ -15,6 +15,10 @@ struct ThingInputs {
 };
 ThingInputs add_things(Plan& plan, const Scene& scene, const Things& things);
 
+// The pass as it is where things hide what it draws: its shader's twin, SHADER_things, which reads them. The pass as it
+// is where none stand in the air.
+PassDesc behind_things(Plan& plan, const Scene& scene, const Things& things, PassDesc pass);
+
 // The part of it that is the ground by maps (shaders/shared/ground_maps.glsl).
 std::vector<Binding> add_ground_maps(Plan& plan, const Scene& scene, const Things& things);
 

@@ -1,7 +1,7 @@
 // The layers of a picture of things, the air up to which the includer finds. What mirrors show counts as light of the
 // surface.
 
-vec3 looking;  // direction of the first part of the ray at hand
+#include "shared/thing_pass.glsl"
 
 #define Gathered LightLayers
 
@@ -26,22 +26,12 @@ LightLayers with_air(LightLayers sum, SkyFactors air, float nu, vec3 through, bo
   return sum;
 }
 
-#ifndef AIRLIGHT_STOKES
-vec3 ray_direction(vec3 direction) { return direction; }
-#endif
-
 LightLayers with_light(LightLayers sum, vec3 light) {
   sum.ground += light;
   return sum;
 }
 
 #include "shared/thing_rays.glsl"
-
-layout(push_constant, scalar) uniform Push {
-  uint width;
-  uint height;
-  uint steps;
-};
 
 ViewRay ray_of_pixel(uvec2 pixel) { return picture_ray(pixel); }
 

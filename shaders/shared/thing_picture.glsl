@@ -1,6 +1,6 @@
 // The pixels of a picture of things, the air up to which the includer finds (factors_past_things()).
 
-vec3 looking;  // direction of the first part of the ray at hand
+#include "shared/thing_pass.glsl"
 
 struct Gathered {
   Stokes light;
@@ -28,8 +28,6 @@ Gathered with_light(Gathered sum, vec3 light) {
 }
 
 #ifndef AIRLIGHT_STOKES
-vec3 ray_direction(vec3 direction) { return direction; }
-
 Stokes with_share(Stokes sum, Stokes one, float share) {
   sum.i += share * one.i;
   return sum;
@@ -41,12 +39,6 @@ void write_light(uvec2 pixel, bool inside, Stokes light, vec3 transmittance) {
 #endif
 
 #include "shared/thing_rays.glsl"
-
-layout(push_constant, scalar) uniform Push {
-  uint width;
-  uint height;
-  uint steps;
-};
 
 ViewRay ray_of_pixel(uvec2 pixel) { return pixel_ray(pixel); }
 

@@ -77,6 +77,15 @@ TEST_F(CompositeTool, WhereNothingIsThePictureIsTheSkyBitForBit) {
   }
 }
 
+// Plates hold distances along straight rays, whatever the preset's air does.
+TEST_F(CompositeTool, LightGoesStraight) {
+  Beauty{.light = 1.0F, .alpha = 1.0F, .z = 30.0F}.write(path("in.exr"));
+  const std::string bent = R"(/planet/refraction={"n_minus_1": 2.78e-4, "scale_height_km": 8})";
+  ASSERT_EQ(composite({"--beauty", "in.exr", "-o", "straight.exr"}).exit_code, 0);
+  ASSERT_EQ(composite({"--beauty", "in.exr", "-o", "bent.exr", "--set", bent}).exit_code, 0);
+  EXPECT_EQ(picture("bent.exr").rgba, picture("straight.exr").rgba);
+}
+
 // A micrometre of air counts as none: the beauty comes through, with alpha and the further channel unchanged.
 TEST_F(CompositeTool, BeforeAThingAtTheLensIsNoAir) {
   Beauty{.light = 0.25F, .alpha = 1.0F, .z = 1e-6F}.write(path("in.exr"));

@@ -19,13 +19,14 @@ struct ExactAir {
   double index(double h) const { return 1.0 + n_minus_1 * density(h); }
 };
 
-// A point of a ray: altitude, angle round the planet, zenith angle, and so far bending and column.
+// A point of a ray: altitude, angle round the planet, zenith angle, and so far bending, column and length.
 struct ExactPoint {
   double h = 0.0;
   double round = 0.0;
   double zenith = 0.0;
   double bending = 0.0;
   double column = 0.0;
+  double length = 0.0;
 };
 
 inline ExactPoint exact_step(const ExactAir& air, const ExactPoint& p, double length) {
@@ -36,8 +37,8 @@ inline ExactPoint exact_step(const ExactAir& air, const ExactPoint& p, double le
     return Rates{std::cos(q.zenith), std::sin(q.zenith) / r, bend - std::sin(q.zenith) / r, bend, air.density(q.h)};
   };
   const auto moved = [&](const Rates& k, double by) {
-    return ExactPoint{p.h + by * k[0], p.round + by * k[1], p.zenith + by * k[2], p.bending + by * k[3],
-                      p.column + by * k[4]};
+    return ExactPoint{p.h + by * k[0],       p.round + by * k[1],  p.zenith + by * k[2],
+                      p.bending + by * k[3], p.column + by * k[4], p.length + by};
   };
   const Rates a = rates(p);
   const Rates b = rates(moved(a, 0.5 * length));
@@ -53,7 +54,7 @@ inline std::vector<ExactPoint> exact_ray(const ExactAir& air, double h, double z
   const double r = air.radius + h;
   const double along = r * std::cos(zenith);
   const double length = std::sqrt(along * along + (air.top - h) * (2.0 * air.radius + air.top + h)) - along;
-  std::vector<ExactPoint> points{{h, 0.0, zenith, 0.0, 0.0}};
+  std::vector<ExactPoint> points{{h, 0.0, zenith, 0.0, 0.0, 0.0}};
   for (int i = 0; i < 2 * steps && points.back().h < air.top; ++i) {
     points.push_back(exact_step(air, points.back(), length * (2.0 * i + 1.0) / (steps * static_cast<double>(steps))));
   }

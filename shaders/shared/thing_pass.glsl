@@ -1,0 +1,13 @@
+// What the passes over things have in common before their rays (thing_rays.glsl).
+
+layout(push_constant, scalar) uniform Push {
+  uint width;
+  uint height;
+  uint steps;
+};
+
+vec3 looking;  // direction of the first part of the ray at hand
+
+#ifndef AIRLIGHT_STOKES
+vec3 ray_direction(vec3 direction) { return direction; }
+#endif
