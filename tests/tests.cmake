@@ -25,6 +25,7 @@ if(AIRLIGHT_SANITIZE)
       TerrainSky.Shafts* TerrainSky.FarFrom* TerrainTruth.OrdersIsNear* Spans.Transmittance* SpectralTruth.OnePath*
       SphereSky.Shafts* TableText.Moments TableText.Factors Analytic.IsMonotone Analytic.OnTheDevice*
       Analytic.SingleScattering* Stokes.OrdersAgrees* Stokes.PathTraceMeets* Refraction.FirstOrder* Refraction.OrdersAgrees*
+      Refraction.PathsTurn*
       # scenes that differ in numbers and in the device's pipelines
       Stability.Air* Stability.CameraAndSun* Stability.OneMedium* Stability.Rays* Stability.Sharpest*
       Stability.WhatWasRendered*
