@@ -17,16 +17,21 @@ int wished_rows(int moment_rows, double depth) {
 
 // How densely rows should stand: F rises from 0 to 1 over the column's samples, rows at equal steps of F. Half of it
 // goes with the optical depth, more next to either end of a thick column, half with the square root of the altitude.
-// The inside of a column deeper than 10 has no more than that of 10: light changes at its ends.
+// The inside of a column deeper than 10 has no more than that of 10: light changes at its ends. Most rows stand at the
+// top, where a grazing sun's light is spent within an optical depth of its zenith cosine, and what a forward peak makes
+// of it first grows and then falls: with rows 0.07 apart there, a layer of g 0.85 and depth 10 loses 3 % of the light
+// of a sun 3 degrees high, with rows 0.01 apart 0.6 %.
 std::vector<double> row_measure(const Column& column) {
+  constexpr double kTop = 0.05;
+  constexpr double kFoot = 0.4;
   const double total = column.depth.back();
   const double height = column.edges.back();
   const double inside = 0.4 * std::min(1.0, 10.0 / std::max(total, 1e-9));
   std::vector<double> f{0.0};
   for (std::size_t i = 1; i < column.edges.size(); ++i) {
     const double depth = 0.5 * (column.depth[i] + column.depth[i - 1]);
-    const double end = std::min(depth, total - depth);
-    f.push_back(f.back() + (column.depth[i] - column.depth[i - 1]) * (1.0 / (end + 0.4) + inside));
+    const double ends = std::max(1.0 / (depth + kFoot), 1.0 / (total - depth + kTop));
+    f.push_back(f.back() + (column.depth[i] - column.depth[i - 1]) * (ends + inside));
   }
   const double scale = f.back() > 0.0 ? 1.0 / f.back() : 0.0;
   const double share = scale > 0.0 ? std::max(0.5, total / (total + 1.0)) : 0.0;

@@ -12,7 +12,7 @@
 namespace airlight {
 
 // Steps of rays that a bake may take: some minutes on two processor cores, of any air at the default size.
-inline constexpr double kMostBakeSteps = 2e9;
+inline constexpr double kMostBakeSteps = 1e9;
 
 struct MomentSettings {
   int degree = 2;                // highest harmonic kept, 0 to 8; orders after the second keep fewer

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "core/output/first_bytes.h"
 #include "core/output/long_text.h"
@@ -191,6 +192,21 @@ ExrHeader read_exr_header(std::istream& in, std::uint64_t file_size) {
   return read_part(in, version & ~0xffU, file_size);
 }
 
+namespace {
+
+// Without one of these OpenEXR takes its own default, and nothing tells how much the pixels may be.
+void require_what_sizes_pixels(const ExrHeader& header) {
+  for (const auto& [name, type] :
+       {std::pair{"channels", "chlist"}, {"compression", "compression"}, {"dataWindow", "box2i"}}) {
+    const auto found = header.attributes.find(name);
+    if (found == header.attributes.end() || found->second.type != type) {
+      throw std::runtime_error(std::string("its header has no attribute ") + name);
+    }
+  }
+}
+
+}  // namespace
+
 void require_room_for_exr(const std::filesystem::path& file) {
   std::error_code error;
   const std::uint64_t size = std::filesystem::file_size(file, error);
@@ -202,6 +218,7 @@ void require_room_for_exr(const std::filesystem::path& file) {
   const bool several = (header.flags & kSeveralParts) != 0;
   std::uint64_t wanted = 0;  // bytes after the headers
   do {
+    require_what_sizes_pixels(header);
     const bool holds_pixels = (header.flags & kDeep) == 0;  // deep pixels may have no samples
     wanted += 8 * static_cast<std::uint64_t>(chunk_count(header)) + (holds_pixels ? fewest_pixel_bytes(header) : 0);
     if (wanted > size - header.end) {

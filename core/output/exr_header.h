@@ -36,8 +36,8 @@ std::int64_t chunk_count(const ExrHeader& header);
 // True in a file of tiles.
 bool is_tiled(const ExrHeader& header);
 
-// To be called before a library opens the file. Throws as above where a header, or what the headers ask for (the
-// table of chunks, and pixels however well compressed), is longer than the file. A file that cannot be opened or is no
+// To be called before a library opens the file. Throws as above where a header does not tell what it asks for, or where
+// it or what it asks for (the table of chunks, and pixels however well compressed) is longer than the file. A file that cannot be opened or is no
 // EXR passes.
 void require_room_for_exr(const std::filesystem::path& file);
 

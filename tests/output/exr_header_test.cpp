@@ -125,6 +125,16 @@ TEST(ExrRoom, LengthsBeyondTheFileAreRefused) {
             "it has fewer bytes than its header asks for");
 }
 
+// A damaged length before it takes an attribute's name away; OpenEXR then reads the pixels as ZIP.
+TEST(ExrRoom, AHeaderThatDoesNotTellIsRefused) {
+  const Folder folder;
+  for (const char* const name : {"channels", "compression", "dataWindow"}) {
+    std::string bytes = scan_lines(folder);
+    bytes[bytes.find(std::string(name) + '\0')] = 'x';
+    EXPECT_EQ(refusal(folder, bytes), std::string("its header has no attribute ") + name);
+  }
+}
+
 TEST(ExrRoom, WideRowsNeedBytesByTheirCompression) {
   const Folder folder;
   const std::string file = (folder / "c.exr").string();
