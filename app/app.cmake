@@ -1,17 +1,9 @@
 file(GLOB app_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/app/*.cpp ${PROJECT_SOURCE_DIR}/app/*/*.cpp)
-set(chart_list ${PROJECT_SOURCE_DIR}/presets/chart.json)
-set(embedded_presets ${PROJECT_BINARY_DIR}/embedded_presets.cpp)
-add_custom_command(
-  OUTPUT ${embedded_presets}
-  COMMAND ${CMAKE_COMMAND} -DOUT=${embedded_presets} "-DPRESETS=${airlight_preset_files}"
-          -DCHART=${chart_list} -P ${PROJECT_SOURCE_DIR}/app/embed_presets.cmake
-  DEPENDS ${airlight_preset_files} ${chart_list} ${PROJECT_SOURCE_DIR}/app/embed_presets.cmake
-  VERBATIM)
 
 # Everything but main, so that tests can call it.
 list(REMOVE_ITEM app_sources ${PROJECT_SOURCE_DIR}/app/main.cpp)
-add_library(airlight_app STATIC ${app_sources} ${embedded_presets})
-target_link_libraries(airlight_app PUBLIC airlight_gpu airlight_composite airlight_scene airlight_output airlight_measure airlight_foreign airlight_sequence
+add_library(airlight_app STATIC ${app_sources})
+target_link_libraries(airlight_app PUBLIC airlight_library airlight_gpu airlight_composite airlight_scene airlight_output airlight_measure airlight_foreign airlight_sequence
                                    airlight_chart airlight_stability
                                    PRIVATE CLI11::CLI11)
 target_compile_definitions(airlight_app PUBLIC AIRLIGHT_VERSION="${PROJECT_VERSION}")

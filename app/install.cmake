@@ -1,5 +1,6 @@
 # Destinations of `cmake --install` and CPack. All files exist once the target `airlight` is built.
 include(GNUInstallDirs)
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME Tool)
 find_program(GZIP gzip REQUIRED)
 
 set(documents ${PROJECT_BINARY_DIR}/documents)
@@ -46,6 +47,25 @@ set(installed_files $<TARGET_FILE:airlight> $<TARGET_FILE:airlight_foreign_modul
                     ${copyright})
 set(installed_folders ${CMAKE_INSTALL_BINDIR} ${AIRLIGHT_MODULE_FOLDER} ${manual_folder} ${shared_folder}/presets
                       ${about_folder} ${bash_folder} ${fish_folder})
+set(library_packages)  # beside the tool's, by component
+if(TARGET airlight_libraries)
+  # What core/library/install.cmake puts in place after the check.
+  add_dependencies(airlight airlight_libraries)
+  list(APPEND installed_files $<TARGET_FILE:airlight_shared> ${PROJECT_BINARY_DIR}/libairlight.a)
+  list(APPEND installed_folders ${CMAKE_INSTALL_LIBDIR}/cmake/airlight ${CMAKE_INSTALL_LIBDIR}/pkgconfig
+                                ${CMAKE_INSTALL_INCLUDEDIR}/airlight)
+  set(shared_package libairlight${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+  list(APPEND library_packages Library:${shared_package} Development:libairlight-dev)
+  if(TARGET airlight_python)
+    list(APPEND installed_files $<TARGET_FILE:airlight_python>)
+    list(APPEND installed_folders lib/python3/dist-packages/airlight)
+    list(APPEND library_packages Python:python3-airlight)
+  endif()
+endif()
+foreach(pair IN LISTS library_packages)
+  string(REGEX REPLACE ".*:" "" package ${pair})
+  list(APPEND installed_folders ${CMAKE_INSTALL_DATADIR}/doc/${package})
+endforeach()
 foreach(page IN LISTS pages)
   get_filename_component(folder ${page} DIRECTORY)
   list(APPEND installed_folders ${about_folder}/${folder})
@@ -76,8 +96,12 @@ foreach(page IN LISTS pages)
   install(FILES ${PROJECT_SOURCE_DIR}/${page} DESTINATION ${about_folder}/${folder})
 endforeach()
 
-# The Debian package; scripts/package makes it.
+# The Debian packages; scripts/package makes them.
 set(CPACK_GENERATOR DEB)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_GROUPING IGNORE)
+set(CPACK_COMPONENTS_ALL Tool)
+set(CPACK_DEBIAN_TOOL_PACKAGE_NAME airlight)
 set(CPACK_PACKAGE_NAME airlight)
 # Names the release whose libraries the package needs, as Debian's backports do: 0.1.0~deb12 is older than 0.1.0~deb13,
 # so that an upgrade of the release brings the other package, and both are older than a package of Debian's own.
@@ -98,6 +122,31 @@ set(CPACK_DEBIAN_PACKAGE_MAINTAINER "${AIRLIGHT_MAINTAINER}")
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # Libraries and files opened at run time by name, unknown to the linker: the Vulkan loader, a driver, the zones' files.
-set(CPACK_DEBIAN_PACKAGE_DEPENDS "libvulkan1, mesa-vulkan-drivers | vulkan-icd, tzdata")
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "ffmpeg, gnuplot-nox | gnuplot")
+set(vulkan "libvulkan1, mesa-vulkan-drivers | vulkan-icd")
+set(CPACK_DEBIAN_TOOL_PACKAGE_DEPENDS "${vulkan}, tzdata")
+set(CPACK_DEBIAN_TOOL_PACKAGE_SUGGESTS "ffmpeg, gnuplot-nox | gnuplot")
+set(CPACK_DEBIAN_TOOL_DESCRIPTION "${CPACK_PACKAGE_DESCRIPTION}")
+
+# libairlight's packages. Each has the licences of the code that it holds.
+foreach(pair IN LISTS library_packages)
+  string(REPLACE ":" ";" pair ${pair})
+  list(GET pair 0 component)
+  list(GET pair 1 package)
+  list(APPEND CPACK_COMPONENTS_ALL ${component})
+  string(TOUPPER ${component} upper)
+  set(CPACK_DEBIAN_${upper}_PACKAGE_NAME ${package})
+  install(FILES ${copyright} ${changelog} DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} COMPONENT ${component})
+endforeach()
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "${vulkan}")
+set(CPACK_DEBIAN_LIBRARY_DESCRIPTION "physically based skies in memory\n Renders skies of presets to arrays of radiance.")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${shared_package} (= ${CPACK_PACKAGE_VERSION})")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "nettle-dev, spirv-tools")  # to link the archive
+set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "physically based skies in memory, to build with\n Header, archive, CMake package and pkg-config file of libairlight.")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+math(EXPR next_python "${Python_VERSION_MINOR} + 1")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+    "${vulkan}, python3 (>= 3.${Python_VERSION_MINOR}~), python3 (<< 3.${next_python}), python3-numpy")
+set(CPACK_DEBIAN_PYTHON_DESCRIPTION "physically based skies as NumPy arrays\n Renders skies of presets from Python.")
 include(CPack)

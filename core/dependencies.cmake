@@ -1,7 +1,6 @@
 # Debian 12's libraries, with two packaging quirks worked around.
 find_package(OpenEXR CONFIG REQUIRED)
 find_package(CLI11 CONFIG REQUIRED)
-find_package(nlohmann_json CONFIG REQUIRED)
 find_package(PNG REQUIRED)
 # The sun's position (liberfa-dev): a small C library without a CMake package.
 find_path(ERFA_INCLUDE_DIR erfa.h REQUIRED)

@@ -302,6 +302,15 @@ if(AIRLIGHT_TOOL)
   target_compile_definitions(test_app PRIVATE AIRLIGHT_BINARY="")  # starts none
   airlight_test_room(cli airlight_app nlohmann_json::nlohmann_json OpenEXR::OpenEXR)
 endif()
+if(TARGET airlight_library)
+  airlight_test_room(library airlight_library)
+endif()
+# The Python package as Python sees it.
+if(TARGET airlight_python AND TARGET airlight)
+  add_test(NAME python COMMAND ${Python_EXECUTABLE} ${PROJECT_SOURCE_DIR}/tests/python/airlight_test.py
+                               $<TARGET_FILE:airlight>)
+  set_tests_properties(python PROPERTIES TIMEOUT 300 LABELS quick ENVIRONMENT PYTHONPATH=${PROJECT_BINARY_DIR}/python)
+endif()
 if(TARGET test_foreign)
   add_dependencies(test_foreign airlight_foreign_module)
 endif()

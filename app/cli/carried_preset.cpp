@@ -4,8 +4,8 @@
 #include <array>
 #include <string_view>
 
-#include "app/cli/embedded_presets.h"
 #include "core/error.h"
+#include "core/library/embedded_presets.h"
 #include "core/scene/curve_reader.h"
 #include "core/scene/json_text.h"
 #include "core/scene/printable.h"

@@ -8,9 +8,9 @@
 #include <sstream>
 
 #include "app/cli/carried_preset.h"
-#include "app/cli/cli.h"
-#include "app/cli/embedded_presets.h"
 #include "core/error.h"
+#include "core/library/built_in.h"
+#include "core/library/embedded_presets.h"
 #include "core/output/provenance.h"
 
 namespace airlight::cli {
@@ -41,14 +41,6 @@ Preset from_stream(std::istream& in, const std::string& name, bool any_file) {
   return parse_preset(text, name, fs::current_path(), embedded_presets());
 }
 
-Preset built_in(const std::string& name) {
-  if (!embedded_presets().contains(name + std::string(kEnding))) {
-    throw InputError("no preset '" + name + "': neither a file nor a built-in preset of that name" +
-                     did_you_mean(name, built_in_names()) + "; 'airlight presets' lists the built-in ones");
-  }
-  return parse_bundled_preset(name + std::string(kEnding), embedded_presets());
-}
-
 bool is_bare_name(const std::string& argument) {
   return argument.find('/') == std::string::npos && !argument.ends_with(kEnding);
 }
@@ -62,9 +54,8 @@ Preset find_preset(const std::string& argument, bool any_file) {
   std::error_code error;
   const fs::file_status status = fs::status(argument, error);
   const bool is_file = fs::exists(status) && !fs::is_directory(status);
-  if (!is_file && is_bare_name(argument) &&
-      (!fs::is_directory(status) || embedded_presets().contains(argument + std::string(kEnding)))) {
-    return built_in(argument);
+  if (!is_file && is_bare_name(argument) && (!fs::is_directory(status) || is_built_in(argument))) {
+    return built_in_preset(argument, "'airlight presets'");
   }
   if (is_file && !fs::is_regular_file(status)) {
     errno = 0;
@@ -88,14 +79,6 @@ Option allow_files_option(bool& any_file) {
       "--allow-files", "",
       "Let the preset inside an EXR or PNG name files anywhere. Otherwise it may name those beside the picture alone",
       &any_file};
-}
-
-std::vector<std::string> built_in_names() {
-  std::vector<std::string> names;
-  for (const auto& [file, text] : embedded_presets()) {
-    names.push_back(file.substr(0, file.size() - kEnding.size()));
-  }
-  return names;
 }
 
 std::string picture_name(const std::string& argument) {

@@ -18,9 +18,6 @@ Preset find_preset(const std::string& argument, bool any_file = false);
 // --allow-files sets it.
 Option allow_files_option(bool& any_file);
 
-// The built-in presets' names, in order, without ".json".
-std::vector<std::string> built_in_names();
-
 // Default name of a picture of this preset: the file's or preset's name without folder and ending.
 std::string picture_name(const std::string& argument);
 

@@ -5,9 +5,7 @@
 
 namespace airlight::cli {
 
-// Throws InputError with all problems of the preset; else for a file that is missing, no picture, too large or not
-// finite; else for a camera inside the terrain. `like`: a scene whose contents are taken over where they are the same,
-// as those of the frame before; null: there is none.
+// core/library/judged.h with pictures of all formats.
 Scene judged(const Preset& preset, const Scene* like = nullptr);
 
 }  // namespace airlight::cli

@@ -8,38 +8,19 @@
 
 #include "app/cli/cli.h"
 #include "core/gpu/executor.h"
+#include "core/library/scene_changes.h"
 #include "core/render/render.h"
 #include "core/scene/preset.h"
 #include "core/scene/scene.h"
 
 namespace airlight::cli {
 
-// A key of the preset, changed by an option.
-struct Override {
-  std::string assignment;                   // "POINTER=JSON"
-  std::string typed;                        // the option as typed, for messages: "--view filmic"
-  std::vector<std::string> only_with = {};  // applied if the preset has one of these sections; empty: always
-};
-
-struct SceneOptions {
+struct SceneOptions : SceneChanges {
   std::string preset;
-  std::vector<std::string> set;
-  std::optional<double> sun_elevation;
-  std::optional<double> sun_azimuth;
-  std::optional<double> altitude;
-  std::optional<double> azimuth;
-  std::optional<double> pitch;
-  std::optional<double> field_of_view;
-  std::optional<std::string> projection;
-  std::optional<std::string> size;
-  std::optional<std::string> method;
   std::string device;
   bool no_cache = false;
   bool allow_files = false;
 };
-
-// "1920x1080"; none where the text is not two whole numbers.
-std::optional<ImageSize> size_from(const std::string& text);
 
 Positional preset_positional(SceneOptions& options);
 // --sun-elevation, --sun-azimuth, --altitude, --method, --set, and those of the device.
@@ -50,9 +31,7 @@ Option size_option(SceneOptions& options);
 // --device, --no-cache.
 std::vector<Option> device_options(SceneOptions& options);
 
-// The preset after the overrides of the options, then `further`, then --set; not yet judged. Another projection drops
-// what only the preset's own could have: its field of view, and for a map its tilt. Unless --size is given the picture
-// gets a suitable size. Throws InputError.
+// The preset with the options' changes (apply_changes), not yet judged. Throws InputError.
 Preset chosen_preset(const SceneOptions& options, const std::vector<Override>& further = {});
 
 // The scene of that preset. Throws InputError.

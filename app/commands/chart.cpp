@@ -2,7 +2,6 @@
 #include <memory>
 #include <set>
 
-#include "app/cli/embedded_presets.h"
 #include "app/cli/preset_source.h"
 #include "app/cli/progress.h"
 #include "app/cli/sampling_options.h"
@@ -13,6 +12,8 @@
 #include "app/render/table_files.h"
 #include "core/error.h"
 #include "core/gpu/kept_files.h"
+#include "core/library/built_in.h"
+#include "core/library/embedded_presets.h"
 #include "core/methods/method.h"
 #include "core/output/last_words.h"
 #include "core/scene/thing_kinds.h"

@@ -9,6 +9,7 @@
 #include "app/cli/terminal.h"
 #include "app/commands/commands.h"
 #include "core/error.h"
+#include "core/library/built_in.h"
 #include "core/methods/method.h"
 #include "core/output/provenance.h"
 #include "core/scene/curve_reader.h"

@@ -11,7 +11,7 @@ std::vector<Option> output_options(RenderOrder& given) {
       "Output",
       {{"-o,--output", "FILE.exr",
         "Write the scene-linear EXR here, - for standard output; then no PNG unless --png asks for it. A name in .png "
-        "is that of --png",
+        "is that of --png; one in .hdr, .npy, .ktx2 or .dds makes a file of that format in place of the EXR",
         &given.exr, Completes::file},
        {"--png", "FILE.png", "Write the picture for people here, - for standard output; then no EXR unless -o asks",
         &given.png, Completes::file},
@@ -22,6 +22,16 @@ std::vector<Option> output_options(RenderOrder& given) {
         "Also write what the sky gives a diffuse surface: a map over normals here, and in FILE.json beside it its 9 "
         "spherical-harmonic coefficients and the sun as a directional light",
         &given.irradiance, Completes::file},
+       {"--usd", "FILE.usda",
+        "Also write a USD stage that lights a scene with the EXR, a latlong, as a dome, and with sun and moon as "
+        "distant "
+        "lights. The EXR then shows no discs",
+        &given.usd, Completes::file},
+       {.names = "--up",
+        .metavar = "y|z",
+        .help = "The axis that points up in that stage (default: y)",
+        .target = &given.up,
+        .choices = {"y", "z"}},
        {"--spectral", "FIRST:LAST:STEP",
         "Also write spectral radiance into the EXR, at these wavelengths in nm, e.g. 380:780:10; of a preset with "
         "spectra",
@@ -97,28 +107,33 @@ Command render_command() {
       "3 % and ten for 1 %, or airlight computes 256 directions with each candidate. The log, --json and the EXR "
       "tell the choice, the bound that its error keeps and what it leaves out. -v and --dry-run tell what was "
       "tried. If nothing reaches a tolerance, airlight refuses it and names the best that you can have.";
-  command.examples = {{"airlight render earth-sunset", "Write out/earth-sunset.exr and out/earth-sunset.png"},
-                      {"airlight render my-sky.json -o sky.exr --png sky.png --sun-elevation 2 --size 1920x1080",
-                       "A preset of one's own, with a lower sun and a larger picture"},
-                      {"airlight render earth-noon --pitch 20 --png up.png --view gpu",
-                       "Look up, and show the picture by the GPU tone curve"},
-                      {"airlight render earth-noon --projection latlong --size 64x32 -o sky.exr", "An environment map"},
-                      {"airlight render earth -o paris.png --date 2026-06-21 --time 21:30 --lat 48.85 --lon 2.35 --tz "
-                       "Europe/Paris --size 64x36",
-                       "The sun where it stands over Paris then"},
-                      {"airlight render my-sky.json --tolerance 1% -o sky.exr", "Model no more than 1 % asks for"},
-                      {"airlight render my-sky.json --colorspace ACEScg -o sky.exr", "An EXR for an ACES pipeline"},
-                      {"airlight render my-sky.json --irradiance light.exr -o sky.exr",
-                       "Also light.exr and light.json, for image-based lighting"},
-                      {"airlight render sky.exr -o again.exr", "Render the picture of an EXR again"},
-                      {"airlight render earth-sunset --layers -o layers.exr --size 160x90",
-                       "Rayleigh, mie, multiple, sun, ground, transmittance, depth and normals apart, for compositing"},
-                      {"airlight render earth-sunset --layers stokes -o stokes.exr --size 160x90",
-                       "Also Q and U, which tell how the light is polarised"},
-                      {"airlight render earth --spectral 400:700:20 --size 32x18 -o spectral.exr",
-                       "Spectral radiance for a spectral renderer, every 20 nm, and the picture beside it"},
-                      {"airlight render earth-noon --size 640x360 --tile 200x100 -o tiles.exr",
-                       "A picture of any size in bounded memory"}};
+  command.examples = {
+      {"airlight render earth-sunset", "Write out/earth-sunset.exr and out/earth-sunset.png"},
+      {"airlight render my-sky.json -o sky.exr --png sky.png --sun-elevation 2 --size 1920x1080",
+       "A preset of one's own, with a lower sun and a larger picture"},
+      {"airlight render earth-noon --pitch 20 --png up.png --view gpu",
+       "Look up, and show the picture by the GPU tone curve"},
+      {"airlight render earth-noon --projection latlong --size 64x32 -o sky.exr", "An environment map"},
+      {"airlight render earth -o paris.png --date 2026-06-21 --time 21:30 --lat 48.85 --lon 2.35 --tz "
+       "Europe/Paris --size 64x36",
+       "The sun where it stands over Paris then"},
+      {"airlight render my-sky.json --tolerance 1% -o sky.exr", "Model no more than 1 % asks for"},
+      {"airlight render my-sky.json --colorspace ACEScg -o sky.exr", "An EXR for an ACES pipeline"},
+      {"airlight render my-sky.json --irradiance light.exr -o sky.exr",
+       "Also light.exr and light.json, for image-based lighting"},
+      {"airlight render my-sky.json --projection latlong --size 64x32 -o dome.exr --usd dome.usda",
+       "A lit stage for programs that read USD"},
+      {"airlight render my-sky.json --projection latlong --size 64x32 -o sky.hdr", "An environment map for an engine"},
+      {"airlight render my-sky.json --projection cube --size 16x96 -o sky.ktx2", "A cube map with its mips"},
+      {"airlight render sky.exr -o again.exr", "Render the picture of an EXR again"},
+      {"airlight render earth-sunset --layers -o layers.exr --size 160x90",
+       "Rayleigh, mie, multiple, sun, ground, transmittance, depth and normals apart, for compositing"},
+      {"airlight render earth-sunset --layers stokes -o stokes.exr --size 160x90",
+       "Also Q and U, which tell how the light is polarised"},
+      {"airlight render earth --spectral 400:700:20 --size 32x18 -o spectral.exr",
+       "Spectral radiance for a spectral renderer, every 20 nm, and the picture beside it"},
+      {"airlight render earth-noon --size 640x360 --tile 200x100 -o tiles.exr",
+       "A picture of any size in bounded memory"}};
   command.positionals = {preset_positional(given->scene)};
   command.options = render_options(*given);
   command.run = [given] { return run_render(*given); };

@@ -54,7 +54,7 @@ std::vector<PicturePart> face_parts(const Scene& scene, const Targets& files) {
   for (const Face& face : kFaces) {
     PicturePart part{scene,
                      static_cast<int>(parts.size()) * scene.image.width,
-                     {file_of(files.exr, face), file_of(files.png, face)}};
+                     {file_of(files.exr, face), file_of(files.png, face), {}, file_of(files.other, face)}};
     Camera& camera = part.scene.camera;
     camera.projection = Projection::perspective;
     camera.azimuth += face.turn;

@@ -18,18 +18,6 @@ constexpr const char* kFormula =
     "E(n) = 3.141593 L00 Y00 + 2.094395 (L1-1 Y1-1 + L10 Y10 + L11 Y11) + 0.785398 (L2-2 Y2-2 + L2-1 Y2-1 + L20 Y20 + "
     "L21 Y21 + L22 Y22), each Y at the unit normal n (Ramamoorthi and Hanrahan 2001)";
 
-Vector3 in_space(const Vector3& rgb, WorkingSpace space) {
-  if (space == WorkingSpace::linear_rec709) {
-    return rgb;
-  }
-  const ColorMatrix m = from_rec709(space);
-  Vector3 out{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    out[i] = m[i][0] * rgb[0] + m[i][1] * rgb[1] + m[i][2] * rgb[2];
-  }
-  return out;
-}
-
 std::string unit_of(const Scene& scene) {
   const std::string_view unit = irradiance_unit(scene.sun.unit);
   return unit.empty() ? "relative" : std::string(unit);

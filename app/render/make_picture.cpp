@@ -11,6 +11,7 @@
 #include "app/render/publish.h"
 #include "app/render/report.h"
 #include "app/render/table_files.h"
+#include "app/render/usd_file.h"
 #include "core/scene/preset.h"
 
 namespace airlight::cli {
@@ -51,18 +52,23 @@ Provenance provenance_of(const Means& means, const Scene& scene) {
   return {to_json(scene), scene.render.method, AIRLIGHT_VERSION, device ? device->name : "the processor"};
 }
 
+bool wants_lighting(const RenderOrder& given) {
+  return given.irradiance || given.usd;
+}
+
 PictureContext context_of(const Means& means, const Scene& scene, const Rendering& rendering) {
   return {.scene = scene,
           .rendering = rendering,
           .provenance = provenance_of(means, scene),
           .choice = note_of(means.choice),
           .left_out = left_out_by(means.choice),
-          .space = working_space_of(means.given.picture)};
+          .space = working_space_of(means.given.picture),
+          .lit = wants_lighting(means.given)};
 }
 
 std::optional<Lighting> wanted_lighting(const Means& means, const DeviceOnDemand& device, const Stage& stage,
                                         const HostOptions& host) {
-  if (!means.given.irradiance) {
+  if (!wants_lighting(means.given)) {
     return std::nullopt;
   }
   Lighting lighting = lighting_of(device, stage, host);
@@ -82,7 +88,10 @@ void add_further_files(const Means& means, const PictureContext& context, const 
     append(write_tables(means.targets.tables, context.rendering.tables, context.provenance),
            "tables, encoding and writing");
   }
-  if (lighting) {
+  if (means.given.usd) {
+    append({write_usd(means.given, *lighting, context)}, "USD, writing");
+  }
+  if (means.given.irradiance) {
     append(write_lighting(*means.given.irradiance, *lighting, context), "irradiance, writing");
   }
 }
@@ -158,9 +167,12 @@ bool make_picture(const Means& means, const Stage& stage, const std::optional<Im
   tell_undone(given, rendering);
   rendering.left_out.insert(rendering.left_out.begin(), left_out.begin(), left_out.end());
   require_valid_vulkan();
-  Published done = writer.publish(rendering, means.watch);
+  Published done = writer.publish(rendering, means.watch, lighting);
   if (request.layers != LayerSet::none) {
     rendering.layers = layers_of(stage, request.layers);
+  }
+  for (const std::string& warning : given.quiet ? std::vector<std::string>() : done.warnings) {
+    complain("warning: " + warning);
   }
   add_further_files(means, context_of(means, scene, rendering), lighting, done.files);
   const Plan plan = plan_for(stage, request);

@@ -12,6 +12,7 @@
 #include "core/scene/angle.h"
 #include "core/scene/json_format.h"
 #include "core/scene/photometry.h"
+#include "core/srgb.h"
 #include "core/text.h"
 
 namespace airlight::cli {
@@ -19,6 +20,10 @@ namespace {
 
 Axis axis(const physics::vec3& v) {
   return {v.x, v.y, v.z};
+}
+
+std::array<float, 3> floats_of(const Vector3& v) {
+  return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
 }
 
 // The GPU tone curve's 16-bit picture as floats, so that 8 bits are dithered as those of any other view.
@@ -112,6 +117,33 @@ std::string latlong_warning(const Scene& scene) {
          std::to_string(scene.image.width / 2 * 2) + "x" + std::to_string(scene.image.width / 2) + " is one";
 }
 
+Vector3 in_space(const Vector3& rgb, WorkingSpace space) {
+  if (space == WorkingSpace::linear_rec709) {
+    return rgb;
+  }
+  const ColorMatrix m = from_rec709(space);
+  Vector3 out{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    out[i] = m[i][0] * rgb[0] + m[i][1] * rgb[1] + m[i][2] * rgb[2];
+  }
+  return out;
+}
+
+ExrLight exr_light(const Lighting& lighting, const PictureContext& context) {
+  ExrLight light;
+  light.vectors[kSunIrradianceKey] = floats_of(in_space(lighting.sun.irradiance, context.space));
+  if (const std::optional<double> white = white_luminance(context.scene.sun.unit)) {
+    Vector3 level = lighting.level;
+    for (const SunLight* one : {&lighting.sun, lighting.moon ? &*lighting.moon : nullptr}) {
+      for (std::size_t c = 0; one != nullptr && c < 3; ++c) {
+        level[c] += one->irradiance[c] * std::max(0.0, one->direction[1]);
+      }
+    }
+    light.numbers[kIlluminanceKey] = static_cast<float>(*white * bt709_luminance(level[0], level[1], level[2]));
+  }
+  return light;
+}
+
 ExrOptions exr_options(const PictureContext& context, bool half) {
   const Scene& scene = context.scene;
   ExrOptions options;
@@ -146,6 +178,13 @@ ExrOptions exr_options(const PictureContext& context, bool half) {
   }
   if (context.rendering.spectrum) {
     options.strings.merge(spectral_attributes(*context.rendering.spectrum));
+  }
+  options.vectors[kSunDirectionKey] = floats_of(axis(geometry_of(scene).scene.sun.seen));
+  options.vectors[kSunAboveAirKey] = floats_of(in_space(scene.sun.irradiance, context.space));
+  if (context.lit) {
+    const ExrLight later = exr_light({}, context);
+    options.numbers.insert(later.numbers.begin(), later.numbers.end());
+    options.vectors.insert(later.vectors.begin(), later.vectors.end());
   }
   options.numbers[kExposureKey] = static_cast<float>(context.rendering.exposure);
   return options;

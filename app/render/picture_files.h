@@ -1,8 +1,10 @@
 #pragma once
 // What the files of a picture hold: the scene-linear EXR, and the PNG for people.
 
+#include <array>
 #include <cstddef>
 #include <deque>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,6 +15,7 @@
 #include "core/output/display.h"
 #include "core/output/exr.h"
 #include "core/output/png.h"
+#include "core/render/lighting.h"
 #include "core/render/render.h"
 
 namespace airlight::cli {
@@ -36,6 +39,7 @@ struct PictureContext {
   std::string png_hash = {};
   WorkingSpace space = WorkingSpace::linear_rec709;  // of the EXR's colours
   std::optional<FrameAttributes> frame = {};         // of a sequence
+  bool lit = false;                                  // a Lighting will be known when the EXR is finished
 };
 
 // The channels of an EXR of this context: the beauty and further channels, read from its rendering, which must outlive
@@ -66,6 +70,16 @@ bool is_latlong(const Scene& scene);
 std::string latlong_warning(const Scene& scene);
 
 ExrOptions exr_options(const PictureContext& context, bool half);
+
+// What an EXR's header says of the light around the camera.
+struct ExrLight {
+  std::map<std::string, float> numbers;
+  std::map<std::string, std::array<float, 3>> vectors;
+};
+ExrLight exr_light(const Lighting& lighting, const PictureContext& context);
+
+// The colour in the space of the pictures.
+Vector3 in_space(const Vector3& rgb, WorkingSpace space);
 
 // A PNG whose rows come in bands.
 class PicturePng {

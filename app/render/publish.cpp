@@ -46,6 +46,9 @@ class PictureWriter::PartFiles {
     if (!part.files.exr.empty()) {
       exr_file_ = std::make_unique<FileInProgress>(part.files.exr, in_tiles ? Order::any : Order::held);
     }
+    if (!part.files.other.empty()) {
+      other_file_ = std::make_unique<FileInProgress>(part.files.other, in_tiles ? Order::onward : Order::held);
+    }
     if (!part.files.png.empty()) {
       png_file_ = std::make_unique<FileInProgress>(part.files.png, in_tiles ? Order::onward : Order::held);
     }
@@ -67,10 +70,20 @@ class PictureWriter::PartFiles {
     }
   }
 
-  ExrCounts finish_exr(double exposure) {
-    const ExrCounts counts = exr_->finish({{kExposureKey, static_cast<float>(exposure)}});
+  ExrCounts finish_exr(double exposure, const std::optional<Lighting>& lighting) {
+    const Rendering no_pixels;
+    const PictureContext context = order_.context(part_.scene, no_pixels);
+    std::map<std::string, float> numbers{{kExposureKey, static_cast<float>(exposure)}};
+    const ExrLight light = lighting ? exr_light(*lighting, context) : ExrLight();
+    numbers.insert(light.numbers.begin(), light.numbers.end());
+    const ExrCounts counts = exr_->finish(numbers, light.vectors);
     exr_file_->commit();
     return counts;
+  }
+  std::vector<std::string> finish_other() {
+    std::vector<std::string> warnings = other_->finish();
+    other_file_->commit();
+    return warnings;
   }
   void finish_png() {
     if (png_) {
@@ -89,6 +102,9 @@ class PictureWriter::PartFiles {
       const Clock::time_point start = Clock::now();
       add_exr(context, half);
       exr_ms_ += milliseconds_since(start);
+    }
+    if (other_file_) {
+      add_other(context);
     }
     if (png_file_) {
       const Clock::time_point start = Clock::now();
@@ -109,6 +125,19 @@ class PictureWriter::PartFiles {
     exr_->add(context.rendering.radiance.height, channels.list());
   }
 
+  void add_other(const PictureContext& context) {
+    const RadianceImage& rows = context.rendering.radiance;
+    if (!other_) {
+      const auto sink = [this](std::span<const std::byte> bytes) {
+        other_file_->write(other_bytes_, bytes);
+        other_bytes_ += bytes.size();
+      };
+      other_ = picture_rows(part_.files.other, sink, rows.width, part_.scene.image.height);
+    }
+    const bool ours = context.space == WorkingSpace::linear_rec709;
+    other_->add(ours ? rows : converted(rows, WorkingSpace::linear_rec709, context.space));
+  }
+
   void add_png(const PictureContext& context) {
     if (!png_) {
       const auto sink = [this](std::span<const std::byte> bytes) {
@@ -122,8 +151,10 @@ class PictureWriter::PartFiles {
 
   const PicturePart& part_;
   const PublishOrder& order_;
-  std::unique_ptr<FileInProgress> exr_file_, png_file_;
+  std::unique_ptr<FileInProgress> exr_file_, png_file_, other_file_;
   std::unique_ptr<ExrRows> exr_;
+  std::unique_ptr<PictureRows> other_;
+  std::uint64_t other_bytes_ = 0;
   std::unique_ptr<PicturePng> png_;
   std::uint64_t png_bytes_ = 0;
   double exr_ms_ = 0.0;
@@ -163,7 +194,7 @@ void PictureWriter::add(const Band& band) {
   }
 }
 
-Published PictureWriter::publish(Rendering& rendering, Stopwatch& watch) {
+Published PictureWriter::publish(Rendering& rendering, Stopwatch& watch, const std::optional<Lighting>& lighting) {
   if (!rendering.fault().empty()) {
     refuse(rendering, order_.source, order_.parts.front(), [&] {
       for (const auto& file : files_) {
@@ -178,8 +209,13 @@ Published PictureWriter::publish(Rendering& rendering, Stopwatch& watch) {
     exr_ms += file->exr_ms();
     png_ms += file->png_ms();
     if (!file->targets().exr.empty()) {
-      add_counts(done.exr ? *done.exr : done.exr.emplace(), file->finish_exr(rendering.exposure));
+      add_counts(done.exr ? *done.exr : done.exr.emplace(), file->finish_exr(rendering.exposure, lighting));
       watch.lap("EXR, writing");
+    }
+    if (!file->targets().other.empty()) {
+      const std::vector<std::string> warnings = file->finish_other();
+      done.warnings.insert(done.warnings.end(), warnings.begin(), warnings.end());
+      watch.lap("picture, writing");
     }
     if (!file->targets().png.empty()) {
       file->finish_png();

@@ -9,7 +9,9 @@
 
 #include "app/cli/stopwatch.h"
 #include "app/render/picture_files.h"
+#include "core/output/picture_rows.h"
 #include "core/render/bands.h"
+#include "core/render/lighting.h"
 
 namespace airlight::cli {
 
@@ -18,11 +20,12 @@ struct Targets {
   std::string exr;
   std::string png;
   std::string tables = {};  // a folder, which is not of a picture
+  std::string other = {};   // a picture in one of row_formats()
 
-  const std::string& first() const { return exr.empty() ? png : exr; }
+  const std::string& first() const { return !exr.empty() ? exr : !other.empty() ? other : png; }
   // The pictures to be written.
   std::vector<std::string> files() const {
-    std::vector<std::string> all{exr, png};
+    std::vector<std::string> all{exr, other, png};
     std::erase(all, "");
     return all;
   }
@@ -54,6 +57,7 @@ struct Published {
   std::vector<std::string> files;
   std::optional<ExrCounts> exr;
   ExrDepth depth;
+  std::vector<std::string> warnings = {};  // what another format could not hold
 };
 
 class PictureWriter {
@@ -71,7 +75,8 @@ class PictureWriter {
 
   // Lets the files appear. Throws RunError, and leaves no file, when the disk is full or the rendering is at fault
   // (then the PNG of the diagnostic view is left). Laps are added to `watch`; encoding to the rendering's host times.
-  Published publish(Rendering& rendering, Stopwatch& watch);
+  // `lighting`: for the EXR's header, where the contexts say that there is one.
+  Published publish(Rendering& rendering, Stopwatch& watch, const std::optional<Lighting>& lighting = {});
 
  private:
   class PartFiles;

@@ -17,8 +17,9 @@
 #include "app/render/report.h"
 #include "app/render/targets.h"
 #include "app/render/tile_option.h"
-#include "app/render/validity.h"
+#include "app/render/usd_file.h"
 #include "core/error.h"
+#include "core/library/validity.h"
 #include "core/methods/ready.h"
 #include "core/output/atomic_file.h"
 #include "core/output/last_words.h"
@@ -32,6 +33,9 @@ Scene scene_of(const RenderOrder& given) {
   std::vector<Override> further = sun_overrides(given.place, given.scene, "render");
   for (Override& change : overrides(given.picture)) {
     further.push_back(std::move(change));
+  }
+  if (given.usd) {  // its lights are the discs
+    further.push_back({"/sun/disc/visible=false", "--usd " + *given.usd});
   }
   const auto with = [&](bool of_sampling) {
     std::vector<Override> all = overrides(given.sampling, of_sampling);
@@ -206,6 +210,10 @@ int run_render(const RenderOrder& given) {
     locked_frame(scene);  // throws if it does not exist
   }
   const Targets targets = choose_targets(given);
+  require_format(given, scene, targets);
+  if (given.usd) {
+    require_dome(given, scene, targets);
+  }
   const std::optional<Nodes> spectral = spectral_wavelengths(given, scene, targets);
   Stage stage = ready(scene);
   std::optional<ImageSize> tile = wish ? std::nullopt : tile_of(given, stage, targets);

@@ -7,6 +7,7 @@
 #include "app/render/table_files.h"
 #include "core/error.h"
 #include "core/output/atomic_file.h"
+#include "core/output/picture_rows.h"
 
 namespace airlight::cli {
 namespace {
@@ -18,12 +19,40 @@ constexpr const char* kDefaultFolder = "out";
 }  // namespace
 
 Targets choose_targets(const RenderOrder& given) {
+  if (given.exr && has_row_format(*given.exr)) {
+    const PictureNames names = picture_names(std::nullopt, given.png, given.json, "render");
+    return {"", names.png.value_or(""), given.tables.value_or(""), *given.exr};
+  }
   if (given.exr || given.png) {
     const PictureNames names = picture_names(given.exr, given.png, given.json, "render");
     return {names.exr.value_or(""), names.png.value_or(""), given.tables.value_or("")};
   }
   const fs::path name = fs::path(kDefaultFolder) / picture_name(given.scene.preset);
   return {name.string() + ".exr", name.string() + ".png", given.tables.value_or("")};
+}
+
+void require_format(const RenderOrder& given, const Scene& scene, const Targets& targets) {
+  if (given.up != "y" && !given.usd) {
+    throw InputError("render: --up is for --usd; give that too, or leave it out");
+  }
+  const std::string place = "render: -o " + targets.other + ": ";
+  if (targets.other.empty()) {
+    return;
+  }
+  if (is_cube_format(targets.other)) {
+    const Camera& camera = scene.camera;
+    if (given.cube_faces || camera.projection != Projection::cube || camera.cube_layout != CubeLayout::stack) {
+      throw InputError(place +
+                       "it holds a cube map in one file; give --projection cube, the layout stack and a size "
+                       "such as --size 256x1536, without --cube-faces");
+    }
+  }
+  if (!targets.other.ends_with(".npy") && working_space_of(given.picture) != WorkingSpace::linear_rec709) {
+    throw InputError(place + "its colours are linear Rec.709; leave out --colorspace, or write an EXR");
+  }
+  if (given.picture.full_float || given.picture.half_float) {
+    throw InputError(place + "--half and --float are for EXRs; leave them out, or write an EXR");
+  }
 }
 
 void check_targets(const RenderOrder& given, const Targets& targets) {
@@ -34,12 +63,19 @@ void check_targets(const RenderOrder& given, const Targets& targets) {
     require_ending(targets.exr, "render: -o", ".exr");
     require_writable(targets.exr);
   }
+  if (!targets.other.empty()) {
+    require_writable(targets.other);
+  }
   if (!targets.png.empty()) {
     require_ending(targets.png, "render: --png", ".png");
     require_writable(targets.png);
   }
   if (!targets.tables.empty()) {
     require_folder(targets.tables);
+  }
+  if (given.usd) {
+    require_ending(*given.usd, "render: --usd", ".usda");
+    require_writable(*given.usd);
   }
   if (given.irradiance) {
     require_ending(*given.irradiance, "render: --irradiance", ".exr");

@@ -6,6 +6,9 @@
 
 namespace airlight::cli {
 
+// Throws InputError where the picture cannot stand in the format that -o names, or an option is not for that format.
+void require_format(const RenderOrder& given, const Scene& scene, const Targets& targets);
+
 // The files that the options name; by default an EXR and a PNG of the preset's name in the folder out.
 Targets choose_targets(const RenderOrder& given);
 

@@ -14,15 +14,6 @@
 
 namespace airlight::foreign {
 
-const Channel* Picture::find(const std::string& name) const {
-  for (const Channel& channel : channels) {
-    if (channel.name == name) {
-      return &channel;
-    }
-  }
-  return nullptr;
-}
-
 std::string Picture::channel_list() const {
   constexpr std::size_t kMost = 40;
   std::string list;

@@ -2,6 +2,7 @@
 // Pictures of other programs, flat or deep, as planes of floats over the display window. EXRs are read by OpenEXR, the
 // other formats of kPictureFormats by the module that links OpenImageIO, which is loaded when it is needed.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -34,7 +35,10 @@ struct Picture {
   bool is_airlight = false;                            // carries a preset of ours
 
   // Null where there is no channel of that name.
-  const Channel* find(const std::string& name) const;
+  const Channel* find(const std::string& name) const {
+    const auto found = std::ranges::find(channels, name, &Channel::name);
+    return found == channels.end() ? nullptr : &*found;
+  }
   // "R, G, B, ViewLayer.Depth.Z", for messages.
   std::string channel_list() const;
 };

@@ -1,6 +1,7 @@
 #include "core/gpu/frame.h"
 
 #include <algorithm>
+#include <exception>
 #include <limits>
 
 namespace airlight {
@@ -87,12 +88,19 @@ void Frame::submit_and_wait(const std::function<void()>& tick) {
   check(vkResetFences(device_.get(), 1, &fence), doing);
   check(vkQueueSubmit(device_.queue(), 1, &info, fence), doing);
   VkResult waited = VK_TIMEOUT;
+  std::exception_ptr thrown;  // by tick(); passed on once the device no longer uses what the caller holds
   while (waited == VK_TIMEOUT) {
+    const bool ticks = tick && !thrown;
     waited =
-        vkWaitForFences(device_.get(), 1, &fence, VK_TRUE, tick ? kTick : std::numeric_limits<std::uint64_t>::max());
-    if (tick) tick();
+        vkWaitForFences(device_.get(), 1, &fence, VK_TRUE, ticks ? kTick : std::numeric_limits<std::uint64_t>::max());
+    try {
+      if (ticks) tick();
+    } catch (...) {
+      thrown = std::current_exception();
+    }
   }
   check(waited, doing);
+  if (thrown) std::rethrow_exception(thrown);
 }
 
 VkDescriptorSet Frame::descriptor_set(VkDescriptorSetLayout layout) {

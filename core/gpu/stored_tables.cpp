@@ -31,8 +31,23 @@ std::string build_id_in(const char* notes, std::size_t bytes) {
   return {};
 }
 
-// The first object is the program itself.
+// Whether the object holds this very function: the program, or the shared library that airlight is part of.
+bool holds_this(const dl_phdr_info* object) {
+  const auto here = reinterpret_cast<ElfW(Addr)>(&holds_this);
+  for (ElfW(Half) i = 0; i < object->dlpi_phnum; ++i) {
+    const ElfW(Phdr)& segment = object->dlpi_phdr[i];
+    const ElfW(Addr) start = object->dlpi_addr + segment.p_vaddr;
+    if (segment.p_type == PT_LOAD && here >= start && here - start < segment.p_memsz) {
+      return true;
+    }
+  }
+  return false;
+}
+
 int find_build_id(dl_phdr_info* object, std::size_t /*size*/, void* found) {
+  if (!holds_this(object)) {
+    return 0;
+  }
   for (ElfW(Half) i = 0; i < object->dlpi_phnum; ++i) {
     const ElfW(Phdr)& segment = object->dlpi_phdr[i];
     auto& id = *static_cast<std::string*>(found);

@@ -165,6 +165,9 @@ imf::Header make_header(int width, int height, const ExrOptions& options) {
   for (const auto& [name, number] : options.numbers) {
     header.insert(name, imf::FloatAttribute(number));
   }
+  for (const auto& [name, v] : options.vectors) {
+    header.insert(name, imf::V3fAttribute(Imath::V3f(v[0], v[1], v[2])));
+  }
   return header;
 }
 
@@ -264,14 +267,13 @@ void encoding(const Work& work) {
   }
 }
 
-// Offset of a float attribute's value in a header.
-std::size_t place_of_number(std::span<const std::byte> head, const std::string& name) {
-  using namespace std::string_literals;
-  const std::string mark = name + "\0float\0\4\0\0\0"s;
+// Offset of an attribute's value in a header; `type` with the value's length in four bytes: "float\0\4\0\0\0".
+std::size_t place_of_value(std::span<const std::byte> head, const std::string& name, const std::string& type) {
+  const std::string mark = name + '\0' + type;
   const auto found = std::search(head.begin(), head.end(), mark.begin(), mark.end(),
                                  [](std::byte b, char c) { return static_cast<char>(b) == c; });
   if (found == head.end()) {
-    throw std::logic_error("EXR: the header has no number " + name + " to be set at the end");
+    throw std::logic_error("EXR: the header has no attribute " + name + " to be set at the end");
   }
   return static_cast<std::size_t>(found - head.begin()) + mark.size();
 }
@@ -303,13 +305,18 @@ void ExrRows::add(int rows, std::span<const ExrChannel> channels) {
   });
 }
 
-ExrCounts ExrRows::finish(const std::map<std::string, float>& numbers) {
+ExrCounts ExrRows::finish(const std::map<std::string, float>& numbers,
+                          const std::map<std::string, std::array<float, 3>>& vectors) {
+  using namespace std::string_literals;
   state_->file.reset();  // writes the places of the rows
-  for (const auto& [name, number] : numbers) {
-    const std::size_t place = place_of_number(state_->head, name);
-    const auto bits = std::bit_cast<std::array<std::byte, sizeof number>>(number);  // little endian, as the file
-    state_->sink(place, bits);
-  }
+  const auto put = [&](const auto& values, const std::string& type) {
+    for (const auto& [name, value] : values) {
+      const auto bits = std::bit_cast<std::array<std::byte, sizeof value>>(value);  // little endian, as the file
+      state_->sink(place_of_value(state_->head, name, type), bits);
+    }
+  };
+  put(numbers, "float\0\4\0\0\0"s);
+  put(vectors, "v3f\0\14\0\0\0"s);
   return state_->counts;
 }
 

@@ -58,6 +58,7 @@ struct ExrOptions {
   std::optional<Provenance> provenance;
   std::map<std::string, std::string> strings;  // further attributes
   std::map<std::string, float> numbers;
+  std::map<std::string, std::array<float, 3>> vectors;
 };
 
 // Number of samples that the file could not hold, or that were faulty; alpha is not counted.
@@ -90,8 +91,9 @@ class ExrRows {
   // Adds the next rows; `channels` in the order given, `first` the sample at the left of the first of these rows.
   void add(int rows, std::span<const ExrChannel> channels);
 
-  // To be called after the last row. `numbers`: those attributes of ExrOptions::numbers that are known only now.
-  ExrCounts finish(const std::map<std::string, float>& numbers = {});
+  // To be called after the last row. `numbers`, `vectors`: those attributes of ExrOptions that are known only now.
+  ExrCounts finish(const std::map<std::string, float>& numbers = {},
+                   const std::map<std::string, std::array<float, 3>>& vectors = {});
 
  private:
   struct State;

@@ -172,6 +172,11 @@ RadianceImage irradiance_map(const RadianceImage& latlong, double latlong_azimut
   return map;
 }
 
+Vector3 level_irradiance(const RadianceImage& latlong) {
+  physics::Physics p;
+  return irradiance_on(patches_of(p, latlong, 0.0), vec3(0.0, 1.0, 0.0));
+}
+
 namespace {
 
 bool is_above_ground(physics::Physics& p, const vec3& direction) {
@@ -227,7 +232,8 @@ Lighting lighting_of(const DeviceOnDemand& device, const Stage& stage, const Hos
     throw RunError("the sky for the irradiance: " + fault);
   }
   Lighting lighting{irradiance_map(rendering.radiance, 0.0, kIrradianceWidth, kIrradianceHeight, scene.camera.azimuth),
-                    project_to_sh(rendering.radiance, 0.0), sun_light(device, stage)};
+                    project_to_sh(rendering.radiance, 0.0), level_irradiance(rendering.radiance),
+                    sun_light(device, stage)};
   for (const Stage& other : stage.others()) {
     lighting.moon = sun_light(device, other);
   }

@@ -28,6 +28,9 @@ ShRadiance project_to_sh(const RadianceImage& latlong, double azimuth);
 RadianceImage irradiance_map(const RadianceImage& latlong, double latlong_azimuth, int width, int height,
                              double azimuth);
 
+// Irradiance of a level surface by an equirectangular picture, likewise.
+Vector3 level_irradiance(const RadianceImage& latlong);
+
 // The stage's light, sun or moon, as a directional light: the light that reaches the camera's place from its disc,
 // darkened toward its limb or lit on one side, dimmed by the air and cut by the planet. It ignores sun.disc.visible and
 // radiance_scale, which concern the picture alone.
@@ -48,6 +51,7 @@ inline constexpr int kIrradianceHeight = 32;
 struct Lighting {
   RadianceImage irradiance;  // kIrradianceWidth x kIrradianceHeight, the centre toward the camera's azimuth
   ShRadiance sh{};
+  Vector3 level{};  // irradiance of a level surface by the sky, without sun and moon
   SunLight sun;
   std::optional<SunLight> moon = {};
 };

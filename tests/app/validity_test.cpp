@@ -1,4 +1,5 @@
-#include "app/render/validity.h"
+
+#include "core/library/validity.h"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +25,7 @@ Scene plain_scene() {
 }
 
 TEST(Validity, NoLimitHoldsForEverything) {
-  EXPECT_TRUE(cli::exceeded_limits({}, ready(plain_scene())).empty());
+  EXPECT_TRUE(exceeded_limits({}, ready(plain_scene())).empty());
 }
 
 TEST(Validity, EachLimitIsNamedWithBothNumbers) {
@@ -32,7 +33,7 @@ TEST(Validity, EachLimitIsNamedWithBothNumbers) {
   validity.sun_elevation_min = radians_from_degrees(-2.0);
   validity.altitude_max = 10.0;
   validity.optical_depth_max = 0.4;
-  const std::vector<std::string> limits = cli::exceeded_limits(validity, ready(plain_scene()));
+  const std::vector<std::string> limits = exceeded_limits(validity, ready(plain_scene()));
   ASSERT_EQ(limits.size(), 3U);
   EXPECT_EQ(limits[0], "a sun below -2 degrees (it is at -3)");
   EXPECT_EQ(limits[1], "a camera above 10 km (it is at 20)");
@@ -44,7 +45,7 @@ TEST(Validity, ALimitThatIsJustMetHolds) {
   validity.sun_elevation_min = plain_scene().sun.elevation;
   validity.altitude_max = 20.0;
   validity.optical_depth_max = 0.51;
-  EXPECT_TRUE(cli::exceeded_limits(validity, ready(plain_scene())).empty());
+  EXPECT_TRUE(exceeded_limits(validity, ready(plain_scene())).empty());
 }
 
 TEST(Validity, TheWarningIsEmptyWhereTheMethodHolds) {
@@ -52,7 +53,7 @@ TEST(Validity, TheWarningIsEmptyWhereTheMethodHolds) {
   scene.sun.elevation = radians_from_degrees(45.0);
   scene.camera.altitude = 0.001;
   scene.render.method = "march";
-  EXPECT_EQ(cli::validity_warning(ready(scene)), "");
+  EXPECT_EQ(validity_warning(ready(scene)), "");
 }
 
 Scene rendered_by(std::string_view method) {
@@ -68,39 +69,37 @@ Scene rendered_by(std::string_view method) {
 TEST(Validity, AKnownFailureIsTold) {
   Scene scene = rendered_by("orders");
   scene.planet.ground_radius = 1e6;
-  EXPECT_EQ(cli::known_failure_warning(ready(scene)), "");
+  EXPECT_EQ(known_failure_warning(ready(scene)), "");
   scene.sun.elevation = radians_from_degrees(-3.0);
-  EXPECT_EQ(
-      cli::known_failure_warning(ready(scene)).rfind("method orders is known to be wrong here: a planet so large", 0),
-      0U)
-      << cli::known_failure_warning(ready(scene));
-  ASSERT_FALSE(cli::scene_warnings(ready(scene)).empty());
-  EXPECT_EQ(cli::scene_warnings(ready(scene)).front(), cli::known_failure_warning(ready(scene)));
-  EXPECT_TRUE(cli::scene_warnings(ready(scene), true).empty());  // with a tolerance, which has measured the error
+  EXPECT_EQ(known_failure_warning(ready(scene)).rfind("method orders is known to be wrong here: a planet so large", 0),
+            0U)
+      << known_failure_warning(ready(scene));
+  ASSERT_FALSE(scene_warnings(ready(scene)).empty());
+  EXPECT_EQ(scene_warnings(ready(scene)).front(), known_failure_warning(ready(scene)));
+  EXPECT_TRUE(scene_warnings(ready(scene), true).empty());  // with a tolerance, which has measured the error
 }
 
 // The failure exists only where nothing absorbs: for molecules over a white ground, not over a grey one.
 TEST(Validity, WhatKeepsAllLightIsAQuantityOfItsOwn) {
   Scene scene = rendered_by("march");
   scene.planet.ground_albedo = {1.0, 1.0, 1.0};
-  EXPECT_NE(cli::known_failure_warning(ready(scene)).find("white ground"), std::string::npos);
-  EXPECT_EQ(cli::known_failure_warning(ready(scene)).find("methods that hold: march"), std::string::npos);
+  EXPECT_NE(known_failure_warning(ready(scene)).find("white ground"), std::string::npos);
+  EXPECT_EQ(known_failure_warning(ready(scene)).find("methods that hold: march"), std::string::npos);
   scene.planet.ground_albedo = {0.5, 0.5, 0.5};
-  EXPECT_EQ(cli::known_failure_warning(ready(scene)), "");
+  EXPECT_EQ(known_failure_warning(ready(scene)), "");
   scene.planet.ground_albedo = {1.0, 1.0, 1.0};
   scene.media.front().absorption = {0.01, 0.01, 0.01};
-  EXPECT_EQ(cli::known_failure_warning(ready(scene)), "");
+  EXPECT_EQ(known_failure_warning(ready(scene)), "");
 }
 
 // The method's own quality is covered by its claim; a coarser one is not.
 TEST(Validity, FewStepsAreTold) {
   Scene scene = rendered_by("march");
   scene.render.parameters["steps"] = 8;
-  EXPECT_EQ(
-      cli::known_failure_warning(ready(scene)).rfind("method march is known to be wrong here: few steps; methods", 0),
-      0U)
-      << cli::known_failure_warning(ready(scene));
-  EXPECT_NE(cli::known_failure_warning(ready(scene)).find("orders"), std::string::npos);
+  EXPECT_EQ(known_failure_warning(ready(scene)).rfind("method march is known to be wrong here: few steps; methods", 0),
+            0U)
+      << known_failure_warning(ready(scene));
+  EXPECT_NE(known_failure_warning(ready(scene)).find("orders"), std::string::npos);
 }
 
 }  // namespace

@@ -14,7 +14,8 @@ namespace {
 namespace fs = std::filesystem;
 
 // Besides what is named here, the presets and the pages with their pictures, whose lists are those of the source.
-std::vector<std::string> expected_files(const std::string& zsh_folder) {
+// `with_library`: with libairlight and the Python package, which have Debian packages of their own.
+std::vector<std::string> expected_files(const std::string& zsh_folder, bool with_library) {
   std::vector<std::string> files = {"bin/airlight",
                                     "lib/airlight/modules/airlight_foreign.so",
                                     "share/airlight/presets/plates/hills.exr",
@@ -28,6 +29,28 @@ std::vector<std::string> expected_files(const std::string& zsh_folder) {
   for (const fs::directory_entry& entry : fs::directory_iterator(AIRLIGHT_SOURCE_DIR "/presets")) {
     const std::string name = entry.path().filename().string();
     if (entry.path().extension() == ".json" && name != "chart.json") files.push_back("share/airlight/presets/" + name);
+  }
+  const fs::path build = AIRLIGHT_BUILD_DIR;
+  if (with_library && fs::exists(build / "libairlight.a")) {
+    for (const char* file :
+         {"include/airlight/airlight.h", "lib/cmake/airlight/airlightConfig.cmake",
+          "lib/cmake/airlight/airlightConfigVersion.cmake", "lib/libairlight.a", "lib/libairlight.so",
+          "lib/libairlight.so.0.1", "lib/libairlight.so.0.1.0", "lib/pkgconfig/airlight.pc"}) {
+      files.emplace_back(file);
+    }
+    for (const char* package : {"libairlight-dev", "libairlight0.1"}) {
+      files.push_back(std::string("share/doc/") + package + "/changelog.gz");
+      files.push_back(std::string("share/doc/") + package + "/copyright");
+    }
+  }
+  if (with_library && fs::exists(build / "python")) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(build / "python/airlight")) {
+      if (entry.is_regular_file()) {
+        files.push_back("lib/python3/dist-packages/airlight/" + entry.path().filename().string());
+      }
+    }
+    files.emplace_back("share/doc/python3-airlight/changelog.gz");
+    files.emplace_back("share/doc/python3-airlight/copyright");
   }
   std::set<fs::path> documents;
   for (const Document& page : pages_below(AIRLIGHT_SOURCE_DIR)) {
@@ -89,7 +112,7 @@ TEST(Install, PutsEverythingInPlaceAndMayBeMoved) {
                                                AIRLIGHT_BUILD_DIR, (scratch.path() / "first").string()});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   expect_rights_for_all(scratch.path() / "first");
-  EXPECT_EQ(files_below(scratch.path() / "first"), expected_files("site-functions"));
+  EXPECT_EQ(files_below(scratch.path() / "first"), expected_files("site-functions", true));
   EXPECT_EQ(dead_links(scratch.path() / "first/share/doc/airlight"), std::vector<std::string>());
   fs::rename(scratch.path() / "first", scratch.path() / "moved to");
   expect_that_it_works(scratch.path() / "moved to", scratch);
@@ -136,8 +159,10 @@ TEST(Package, HoldsEverythingAndNamesWhatItNeeds) {
       GTEST_SKIP() << tool << " is not installed";
     }
   }
-  const Outcome made = run(
-      scratch.path(), {"sh", "-c", "umask 077; exec cpack --config \"$0/CPackConfig.cmake\" -B .", AIRLIGHT_BUILD_DIR});
+  const Outcome made =
+      run(scratch.path(),
+          {"sh", "-c", "umask 077; exec cpack -D CPACK_COMPONENTS_ALL=Tool --config \"$0/CPackConfig.cmake\" -B .",
+           AIRLIGHT_BUILD_DIR});
   ASSERT_EQ(made.exit_code, 0) << made.err << made.out;
   const Outcome unpacked = run(scratch.path(), {"sh", "-c",
                                                 "dpkg-deb -x airlight_*.deb root && dpkg-deb -f airlight_*.deb "
@@ -153,8 +178,41 @@ TEST(Package, HoldsEverythingAndNamesWhatItNeeds) {
     EXPECT_TRUE(contains(unpacked.out, needed)) << needed << " is not in " << unpacked.out;
   }
   expect_rights_for_all(scratch.path() / "root/usr");
-  EXPECT_EQ(files_below(scratch.path() / "root/usr"), expected_files("vendor-completions"));
+  EXPECT_EQ(files_below(scratch.path() / "root/usr"), expected_files("vendor-completions", false));
   expect_that_it_works(scratch.path() / "root/usr", scratch);
+}
+
+// Each package of libairlight with what it needs: none of the tool's libraries for pictures.
+TEST(Package, LibrariesComeApart) {
+  if (!fs::exists(fs::path(AIRLIGHT_BUILD_DIR) / "libairlight.a")) GTEST_SKIP() << "this build has no libairlight";
+  const Scratch scratch;
+  const Outcome made =
+      run(scratch.path(),
+          {"sh", "-c",
+           "exec cpack -D 'CPACK_COMPONENTS_ALL=Library;Development;Python' --config \"$0/CPackConfig.cmake\" -B .",
+           AIRLIGHT_BUILD_DIR});
+  ASSERT_EQ(made.exit_code, 0) << made.err << made.out;
+  const auto of = [&](const std::string& package, const std::string& what) {
+    return run(scratch.path(), {"sh", "-c", "dpkg-deb " + what + " " + package + "_*.deb"}).out;
+  };
+  const std::string library = of("libairlight0.1", "-c");
+  EXPECT_TRUE(contains(library, "/usr/lib/libairlight.so.0.1.0")) << library;
+  EXPECT_FALSE(contains(library, "airlight.h")) << library;
+  const std::string needs = of("libairlight0.1", "-f");
+  EXPECT_TRUE(contains(needs, "mesa-vulkan-drivers | vulkan-icd")) << needs;
+  EXPECT_TRUE(contains(needs, "libc6")) << needs;
+  EXPECT_FALSE(contains(needs, "openexr")) << needs;
+  const std::string development = of("libairlight-dev", "-c") + of("libairlight-dev", "-f");
+  for (const char* part : {"/usr/include/airlight/airlight.h", "/usr/lib/libairlight.a", "/usr/lib/libairlight.so ->",
+                           "/usr/lib/pkgconfig/airlight.pc", "libairlight0.1 (= 0.1.0~"}) {
+    EXPECT_TRUE(contains(development, part)) << part << " is not in " << development;
+  }
+  if (!fs::exists(fs::path(AIRLIGHT_BUILD_DIR) / "python")) return;
+  const std::string python = of("python3-airlight", "-c") + of("python3-airlight", "-f");
+  for (const char* part : {"dist-packages/airlight/__init__.py", "__init__.pyi", "py.typed", "_airlight.cpython-3",
+                           "python3-numpy", "python3 (<< 3."}) {
+    EXPECT_TRUE(contains(python, part)) << part << " is not in " << python;
+  }
 }
 
 }  // namespace

@@ -99,6 +99,7 @@ TEST(Irradiance, OfAUniformSkyIsPi) {
     EXPECT_NEAR(irradiance_from_sh(sh, n)[0], pi, 1e-6);
     EXPECT_NEAR(irradiance_from_sh(sh, n)[1], 2.0 * pi, 2e-6);
   }
+  EXPECT_NEAR(level_irradiance(sky)[0], pi, 1e-3);
   const RadianceImage map = irradiance_map(sky, 0.4, 16, 8, 0.0);
   for (std::size_t i = 0; i < map.rgba.size(); i += 4) {
     EXPECT_NEAR(static_cast<double>(map.rgba[i]) / pi, 1.0, 2e-3);  // pixels that the horizon of the normal cuts
@@ -114,6 +115,7 @@ TEST(Irradiance, OfAPolynomialSkyIsInClosedForm) {
   const RadianceImage sky =
       sky_of(azimuth, 96, 48, [&](const Vector3& d) { return 1.0 + 0.5 * dot(d, u) + dot(d, v) * dot(d, v); });
   const ShRadiance sh = project_to_sh(sky, azimuth);
+  EXPECT_NEAR(level_irradiance(sky)[0], pi + pi / 3 * u[1] + 0.25 * pi * (1.0 + v[1] * v[1]), 3e-3);
   const auto truth = [&](const Vector3& n) {
     return pi + pi / 3.0 * dot(n, u) + pi / 3.0 + 0.25 * pi * (dot(n, v) * dot(n, v) - 1.0 / 3.0);
   };

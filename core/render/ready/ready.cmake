@@ -1,12 +1,12 @@
-# ready_modules(): frozen modules of the shipped presets, made by a program of this build. There are none where the tool
-# or SPIRV-Tools is left out.
+# ready_modules(): frozen modules of the shipped presets, made by a program of this build. There are none where
+# presets or SPIRV-Tools are left out.
 if(AIRLIGHT_SHADERS_FROM)
   airlight_take_shaders(airlight_ready)
   return()
 endif()
 add_library(airlight_ready STATIC)
 target_link_libraries(airlight_ready PUBLIC airlight_flags)
-if(NOT AIRLIGHT_TOOL OR NOT SPIRV-Tools-opt_FOUND)
+if(NOT (AIRLIGHT_TOOL OR AIRLIGHT_LIBRARY) OR NOT SPIRV-Tools-opt_FOUND)
   target_sources(airlight_ready PRIVATE ${PROJECT_SOURCE_DIR}/core/render/ready/none.cpp)
   return()
 endif()

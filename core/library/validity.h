@@ -6,7 +6,7 @@
 
 #include "core/methods/method.h"
 
-namespace airlight::cli {
+namespace airlight {
 
 // "a sun below -2 degrees (it is at -4)": each limit that the scene exceeds; empty where the claim holds.
 std::vector<std::string> exceeded_limits(const Validity& validity, const Stage& stage);
@@ -26,4 +26,4 @@ std::vector<std::string> bound_warnings(const Stage& stage);
 // error is measured.
 std::vector<std::string> scene_warnings(const Stage& stage, bool error_is_measured = false);
 
-}  // namespace airlight::cli
+}  // namespace airlight

@@ -1,4 +1,4 @@
-#include "app/render/validity.h"
+#include "core/library/validity.h"
 
 #include <algorithm>
 
@@ -8,7 +8,7 @@
 #include "core/scene/curve_reader.h"
 #include "core/text.h"
 
-namespace airlight::cli {
+namespace airlight {
 namespace {
 
 // The stage of the light that makes the picture: of a sun more than 18 degrees down nothing shows beside the moon's.
@@ -91,4 +91,4 @@ std::vector<std::string> scene_warnings(const Stage& stage, bool error_is_measur
   return warnings;
 }
 
-}  // namespace airlight::cli
+}  // namespace airlight

@@ -7,9 +7,9 @@ foreach(file IN LISTS PRESETS)
   string(APPEND table "    {\"${name}\", R\"preset(${text})preset\"},\n")
 endforeach()
 file(READ ${CHART} chart)
-file(WRITE ${OUT} "#include \"app/cli/embedded_presets.h\"
+file(WRITE ${OUT} "#include \"core/library/embedded_presets.h\"
 
-namespace airlight::cli {
+namespace airlight {
 
 const BundledPresets& embedded_presets() {
   static const BundledPresets presets = {
@@ -21,5 +21,5 @@ std::string_view embedded_chart_list() {
   return R\"preset(${chart})preset\";
 }
 
-}  // namespace airlight::cli
+}  // namespace airlight
 ")

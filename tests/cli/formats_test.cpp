@@ -1,0 +1,133 @@
+// Pictures for other programs, read back by programs that are not ours.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/small_sky.h"
+
+namespace airlight::test {
+namespace {
+
+class Formats : public SmallSky {
+ protected:
+  void render(Names words) const {
+    words.insert(words.begin(), {"render", "sky.json", "-q"});
+    const Outcome outcome = tool(words);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  }
+
+  // By tests/cli/read_picture.py.
+  Outcome read(Names words) const {
+    words.insert(words.begin(), {"/usr/bin/python3", AIRLIGHT_SOURCE_DIR "/tests/cli/read_picture.py"});
+    return run(scratch_.path(), words);
+  }
+
+  std::string refusal(Names words) const {
+    words.insert(words.begin(), {"render", "sky.json"});
+    const Outcome outcome = tool(words);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+    return outcome.err;
+  }
+};
+
+constexpr const char* kNoPython = "OpenImageIO for Python is not installed; scripts/setup test does it";
+
+// Rows of 8 to 32 767 pixels are stored by runs, others flat.
+TEST_F(Formats, AnHdrIsReadByOpenImageIO) {
+  for (const char* size : {"48x27", "7x5"}) {
+    render({"--size", size, "-o", "sky.hdr"});
+    render({"--size", size, "-o", "sky.npy"});
+    const Outcome outcome = read({"hdr", "sky.hdr", "sky.npy"});
+    if (outcome.exit_code == 77) GTEST_SKIP() << kNoPython;
+    EXPECT_EQ(outcome.exit_code, 0) << size << outcome.out << outcome.err;
+  }
+}
+
+TEST_F(Formats, TheFilesAreThoseOfTiles) {
+  for (const char* file : {"a.hdr", "a.npy"}) {
+    const std::string tiled = std::string("tiled-") + file;
+    render({"--size", "40x30", "-o", file});
+    render({"--size", "40x30", "--tile", "16x8", "-o", tiled});
+    EXPECT_EQ(scratch_.read(tiled), scratch_.read(file));
+  }
+}
+
+TEST_F(Formats, ACubeMapIsLookedUpByDirection) {
+  const Names cube{"--projection", "cube", "--set", "/sun/disc/visible=false", "--azimuth", "0"};
+  for (const char* size : {"8x48", "5x30"}) {
+    for (const char* file : {"sky.ktx2", "sky.dds"}) {
+      Names words = cube;
+      words.insert(words.end(), {"--size", size, "-o", "sky.npy"});
+      render(words);
+      words.back() = file;
+      render(words);
+      const Outcome outcome = read({"texture", file, "sky.npy"});
+      if (outcome.exit_code == 77) GTEST_SKIP() << kNoPython;
+      EXPECT_EQ(outcome.exit_code, 0) << file << outcome.out << outcome.err;
+    }
+  }
+}
+
+TEST_F(Formats, AUsdStageLightsASceneAsTheSkyDoes) {
+  for (const char* up : {"y", "z"}) {
+    render({"--projection", "latlong", "--size", "128x64", "--azimuth", "30", "-o", "dome.exr", "--usd", "dome.usda",
+            "--up", up, "--irradiance", "light.exr"});
+    const Outcome outcome = read({"usd", "dome.usda", "light"});
+    if (outcome.exit_code == 77) GTEST_SKIP() << kNoPython;
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  }
+}
+
+// An EXR says where the sun is and what it gives.
+TEST_F(Formats, AnExrTellsItsLight) {
+  render({"--sun-elevation", "30", "--sun-azimuth", "90", "--set", "/sun/unit=lux", "--set", "/sun/irradiance=128000",
+          "-o", "sky.exr", "--irradiance", "light.exr"});
+  const Outcome info = run(scratch_.path(), {"exrheader", "sky.exr"});
+  const Outcome dump = info.exit_code == 0 ? info : run(scratch_.path(), {"iinfo", "-v", "sky.exr"});
+  ASSERT_EQ(dump.exit_code, 0) << dump.err;
+  for (const char* name : {"airlight:sun_direction", "airlight:sun_irradiance_above_air", "airlight:sun_irradiance",
+                           "airlight:illuminance"}) {
+    EXPECT_TRUE(contains(dump.out, name)) << dump.out;
+  }
+  const std::size_t at = dump.out.find("airlight:illuminance");
+  const double lux = std::stod(dump.out.substr(dump.out.find_first_of("0123456789", at)));
+  const auto light = nlohmann::json::parse(scratch_.read("light.json"));
+  const auto irradiance = light["sun"]["irradiance"].get<std::vector<double>>();
+  const double by_sun = 0.5 * (0.2126 * irradiance[0] + 0.7152 * irradiance[1] + 0.0722 * irradiance[2]);
+  // The level surface by its nine harmonics, which are good to a per cent.
+  const auto sh = light["spherical_harmonics"]["coefficients"].get<std::vector<std::vector<double>>>();
+  double by_sky = 0.0;
+  const double weights[] = {0.2126, 0.7152, 0.0722};
+  for (std::size_t c = 0; c < 3; ++c) {
+    by_sky += weights[c] * (M_PI * 0.282095 * sh[0][c] + 2.094395 * 0.488603 * sh[1][c] -
+                            M_PI / 4 * (0.315392 * sh[6][c] + 0.546274 * sh[8][c]));
+  }
+  EXPECT_NEAR(lux, by_sun + by_sky, 0.01 * lux);
+  EXPECT_GT(lux, 10000.0);
+}
+
+TEST_F(Formats, RefusesWhatAFormatCannotHold) {
+  EXPECT_TRUE(contains(refusal({"-o", "sky.ktx2"}), "it holds a cube map in one file; give --projection cube"));
+  EXPECT_TRUE(contains(
+      refusal({"-o", "sky.dds", "--projection", "cube", "--set", "/camera/cube_layout=strip", "--size", "48x8"}),
+      "the layout stack"));
+  EXPECT_TRUE(contains(refusal({"-o", "sky.hdr", "--colorspace", "ACEScg"}), "its colours are linear Rec.709"));
+  EXPECT_TRUE(contains(refusal({"-o", "sky.npy", "--float"}), "--half and --float are for EXRs"));
+  EXPECT_TRUE(contains(refusal({"-o", "sky.hdr", "--layers", "--method", "orders"}), "layers stand in the EXR"));
+  EXPECT_TRUE(contains(refusal({"-o", "sky.exr", "--usd", "sky.usda"}), "give --projection latlong"));
+  EXPECT_TRUE(contains(refusal({"-o", "sky.hdr", "--usd", "sky.usda", "--projection", "latlong"}), "give -o FILE.exr"));
+  EXPECT_TRUE(contains(refusal({"-o", "sky.exr", "--usd", "sky.usd", "--projection", "latlong"}), "end in .usda"));
+  EXPECT_TRUE(contains(refusal({"-o", "sky.exr", "--up", "z"}), "--up is for --usd"));
+  EXPECT_EQ(scratch_.files(), (Names{"sky.json"}));
+}
+
+TEST_F(Formats, TellsWhatAHalfCannotHold) {
+  const Outcome outcome = tool({"render", "sky.json", "--projection", "cube", "--size", "8x48", "-o", "sky.ktx2",
+                                "--set", "/sun/irradiance=1e9"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "samples above 65504")) << outcome.err;
+}
+
+}  // namespace
+}  // namespace airlight::test

@@ -1,0 +1,162 @@
+"""The Python package: python3 airlight_test.py TOOL, with the package's folder on PYTHONPATH."""
+
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import unittest
+
+import numpy
+
+import airlight
+
+TOOL = sys.argv.pop(1)
+SMALL = {"size": (16, 8), "projection": "latlong"}
+
+
+def by_the_tool(*options):
+    with tempfile.TemporaryDirectory() as folder:
+        file = os.path.join(folder, "sky.npy")
+        subprocess.run([TOOL, "render", "earth-noon", "-q", "-o", file, *options], check=True)
+        return numpy.load(file)
+
+
+class Render(unittest.TestCase):
+    def test_is_the_tools_picture_to_the_bit(self):
+        sky = airlight.render("earth-noon", sun_elevation=4, **SMALL)
+        self.assertEqual((sky.shape, sky.dtype), ((8, 16, 3), numpy.float32))
+        there = by_the_tool("--sun-elevation", "4", "--projection", "latlong", "--size", "16x8")
+        self.assertTrue(numpy.array_equal(sky, there))
+
+    def test_takes_the_long_options(self):
+        given = {"pitch": 20, "azimuth": -30.5, "fov": 40, "altitude": 2, "sun_azimuth": 200, "method": "march"}
+        words = [word for name, value in given.items() for word in (f"--{name.replace('_', '-')}", str(value))]
+        there = by_the_tool(*words, "--size", "16x9", "--set", "/planet/ground_albedo=0.8")
+        here = airlight.render("earth-noon", size="16x9", set={"/planet/ground_albedo": 0.8}, **given)
+        self.assertTrue(numpy.array_equal(here, there))
+
+    def test_takes_a_preset_as_a_dictionary_and_as_a_file(self):
+        preset = {"airlight": 1, "extends": "earth", "sun": {"elevation_deg": 7}}
+        sky = airlight.render(preset, **SMALL)
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "mine.json")
+            with open(file, "w", encoding="utf-8") as out:
+                out.write('{"airlight": 1, "extends": "earth", "sun": {"elevation_deg": 7}}')
+            self.assertTrue(numpy.array_equal(airlight.render(file, **SMALL), sky))
+        self.assertTrue(numpy.array_equal(airlight.render("earth", sun_elevation=7, **SMALL), sky))
+
+    def test_layers_add_up(self):
+        sky, layers = airlight.render("earth-sunset", layers="light", set={"/sun/disc/visible": False}, **SMALL)
+        self.assertEqual(layers["depth"].shape, (8, 16))
+        light = [plane for name, plane in layers.items() if name not in ("transmittance", "depth", "N")]
+        numpy.testing.assert_allclose(sum(light), sky, rtol=5e-4)
+
+    def test_several_threads_get_their_own_skies(self):
+        alone = [airlight.render("earth-noon", sun_elevation=e, **SMALL) for e in (3, 30)]
+        found = [None, None]
+
+        def work(i):
+            found[i] = airlight.render("earth-noon", sun_elevation=(3, 30)[i], **SMALL)
+
+        threads = [threading.Thread(target=work, args=(i,)) for i in (0, 1)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        for i in (0, 1):
+            self.assertTrue(numpy.array_equal(found[i], alone[i]))
+
+    def test_other_threads_run_while_it_renders(self):
+        ticks = []
+        done = threading.Event()
+
+        def tick():
+            while not done.is_set():
+                ticks.append(time.monotonic())
+                time.sleep(0.01)
+
+        thread = threading.Thread(target=tick)
+        thread.start()
+        start = time.monotonic()
+        airlight.render("earth-noon", method="path-trace", samples=64, **SMALL)
+        end = time.monotonic()
+        done.set()
+        thread.join()
+        self.assertGreater(sum(start < t < end for t in ticks), 5)
+
+    def test_control_c_ends_it(self):
+        timer = threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT))
+        timer.start()
+        start = time.monotonic()
+        with self.assertRaises(KeyboardInterrupt):
+            airlight.render("earth-noon", method="path-trace", samples=1000000, size=(64, 36))
+        self.assertLess(time.monotonic() - start, 20)
+        timer.join()
+        self.assertEqual(airlight.render("earth-noon", **SMALL).shape, (8, 16, 3))
+
+    def test_progress_may_end_it_or_raise(self):
+        with self.assertRaisesRegex(airlight.RunError, "stopped"):
+            airlight.render("earth-noon", progress=lambda done: False, **SMALL)
+        with self.assertRaises(ZeroDivisionError):
+            airlight.render("earth-noon", progress=lambda done: 1 / 0, **SMALL)
+        shares = []
+        airlight.render("earth-noon", progress=shares.append, **SMALL)
+        self.assertTrue(shares and all(0 <= share <= 1 for share in shares))
+
+
+class Values(unittest.TestCase):
+    def test_probe_is_the_light_along_a_pixel(self):
+        options = {"projection": "latlong", "size": (32, 16), "set": {"/sun/disc/visible": False}}
+        sky = airlight.render("earth-noon", **options)
+        direction = (90 - 180 * 3.5 / 16, 360 * 20.5 / 32 - 180)
+        found = airlight.probe("earth-noon", [direction, (90, 0)], **options)
+        self.assertEqual(found.radiance.shape, (2, 3))
+        numpy.testing.assert_allclose(sky[3, 20], found.radiance[0], rtol=0.01)
+        self.assertEqual(found.q.shape, (2, 3))
+
+    def test_irradiance(self):
+        found = airlight.irradiance("earth-noon")
+        self.assertEqual(found.map.shape, (32, 64, 3))
+        self.assertEqual(found.harmonics.shape, (9, 3))
+        self.assertIsNone(found.moon)
+        weights = numpy.cos(numpy.pi * ((numpy.arange(32) + 0.5) / 32 - 0.5))
+        mean = numpy.average(found.map.mean(axis=1), axis=0, weights=weights)
+        numpy.testing.assert_allclose(mean, found.harmonics[0] * numpy.sqrt(4 * numpy.pi) / 4, rtol=2e-3)
+
+    def test_presets(self):
+        self.assertIn("earth-noon", airlight.presets())
+        self.assertEqual(airlight.preset("earth-noon")["airlight"], 1)
+        airlight.check(airlight.preset("earth-noon"))
+
+
+class Refusals(unittest.TestCase):
+    def refused(self, error, words, function, *args, **options):
+        with self.assertRaises(error) as caught:
+            function(*args, **options)
+        self.assertIn(words, str(caught.exception))
+
+    def test_keywords(self):
+        self.refused(TypeError, "no keyword sun_elevatoin (did you mean sun_elevation?)", airlight.render, "earth-noon",
+                     sun_elevatoin=4)
+        self.refused(TypeError, "check() has no keyword layers", airlight.check, "earth-noon", layers="light")
+
+    def test_types(self):
+        self.refused(TypeError, "expected a number", airlight.render, "earth-noon", sun_elevation="low")
+        self.refused(TypeError, "expected a number", airlight.render, "earth-noon", sun_elevation=True)
+        self.refused(TypeError, "expected (width, height)", airlight.render, "earth-noon", size=(64.5, 32))
+        self.refused(TypeError, "expected (width, height)", airlight.render, "earth-noon", size=64)
+        self.refused(TypeError, "built-in preset's name", airlight.render, 7)
+        self.refused(TypeError, "expected a dictionary", airlight.render, "earth-noon", set="/sun/elevation_deg=4")
+        self.refused(ValueError, "expected (N, 2)", airlight.probe, "earth-noon", [90, 0])
+
+    def test_values(self):
+        self.refused(ValueError, "did you mean 'earth-noon'?", airlight.render, "earth-non")
+        self.refused(airlight.InputError, "sun_elevation=400", airlight.check, "earth-noon", sun_elevation=400)
+        self.refused(ValueError, "did you mean 'light'?", airlight.render, "earth-noon", layers="lihgt")
+
+
+if __name__ == "__main__":
+    unittest.main()
