@@ -1,5 +1,5 @@
-# What `cmake --install` puts in place of libairlight: the shared library (component Library), and header, archive, CMake
-# package and pkg-config file (component Development), and the Python package (component Python).
+# What `cmake --install` puts in place of libairlight: the shared library (component Library); header, archive, CMake
+# package and pkg-config file (component Development); and the Python package (component Python).
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 

@@ -191,10 +191,11 @@ std::uint32_t march_shafts(const Part& part) {
   return shafts ? physics::kShaftsExact : physics::kShaftsNone;
 }
 
-void add_things_to_march(Plan& plan, const Part& part, std::vector<Binding>& reads,
+void add_things_to_march(Plan& plan, const Part& part, const Light& light, std::vector<Binding>& reads,
                          std::vector<Specialization>& constants) {
   const ThingInputs things = add_things(plan, part.scene, part.things);
   reads.insert(reads.end(), things.reads.begin(), things.reads.end());
+  reads.push_back({"shares_lut", add_thing_light(plan, part, light, things).shares});
   constants.insert(constants.end(), things.constants.begin(), things.constants.end());
   constants.push_back({"kShafts", march_shafts(part)});
 }

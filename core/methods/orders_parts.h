@@ -10,6 +10,7 @@
 #include "core/methods/factor_text.h"
 #include "core/methods/method.h"
 #include "core/methods/sky_pass.h"
+#include "core/things/thing_buffers.h"
 
 namespace airlight::orders {
 
@@ -77,11 +78,20 @@ FactorLayout layout_of(const Scene& scene, const FactorTable& table, bool in_col
 ImageId add_factors(Plan& plan, const std::string& shader, const Scene& scene, const FactorTable& table,
                     const View& view, const Light& light);
 
+// What terrain leaves of light that is not sunlight scattered once, in its own grid (shaders/shared/thing_shares.glsl).
+struct ThingLight {
+  ImageId shares;
+  ImageId slopes;
+
+  std::vector<Binding> reads() const { return {{"shares_lut", shares}, {"slopes_lut", slopes}}; }
+};
+ThingLight add_thing_light(Plan& plan, const Part& part, const Light& light, const ThingInputs& things);
+
 // kShafts of a march.
 std::uint32_t march_shafts(const Part& part);
 
 // Adds things to what a march reads that sees their shadows in the air.
-void add_things_to_march(Plan& plan, const Part& part, std::vector<Binding>& reads,
+void add_things_to_march(Plan& plan, const Part& part, const Light& light, std::vector<Binding>& reads,
                          std::vector<Specialization>& constants);
 
 // Steps of such a march: half of the picture's are 0.02 % off in the mean where terrain is in the air.

@@ -116,7 +116,7 @@ SpanPasses add_spans(Plan& plan, const Part& part, const Spans& spans, const Spa
   const char* shader = way.volume ? "air_from_volume" : "air_spans";
   if (part.things.stand_in_the_air()) {
     shader = "air_spans_things";
-    add_things_to_march(plan, part, reads, constants);
+    add_things_to_march(plan, part, light, reads, constants);
   } else if (!way.volume) {
     reads.push_back({"moment_ratios_lut", add_ratios(plan, light.moments)});
   }

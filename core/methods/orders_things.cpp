@@ -33,10 +33,14 @@ bool by_tables(const Part& part, const View& view) {
 }
 
 // Froxels hold for rays next to each other alone, hence not on maps that are cut, nor for listed rays.
+bool has_cuts(const Part& part, const View& view) {
+  const Projection projection = part.scene.camera.projection;
+  return projection == Projection::cube || projection == Projection::octahedral || !view.directions.empty();
+}
+
 std::uint32_t shafts_of(const Part& part, const View& view) {
   const std::string& choice = part.scene.render.get<std::string>("volumetric_shadows");
-  const Projection projection = part.scene.camera.projection;
-  const bool cut = projection == Projection::cube || projection == Projection::octahedral || !view.directions.empty();
+  const bool cut = has_cuts(part, view);
   const std::uint32_t shadows = choice == "froxels" && !cut ? physics::kShaftsFroxels : physics::kShaftsExact;
   return choice == "false" ? physics::kShaftsNone : shadows;
 }
@@ -76,6 +80,45 @@ ImageId add_shafts(Plan& plan, const Part& part, const View& view, const Volume&
                  .specialization = std::move(constants),
                  .cost = 6.0 * kFroxelSlices});
   return shafts;
+}
+
+// How pixels learn what terrain leaves of the air's other light: froxels hold where those of shafts do.
+std::uint32_t dimmed_of(const Part& part, const View& view) {
+  if (!part.scene.terrain) {
+    return physics::kDimmedNone;
+  }
+  return has_cuts(part, view) ? physics::kDimmedSteps : physics::kDimmedFroxels;
+}
+
+constexpr std::uint32_t kDimmedPixels = 16;
+constexpr std::uint32_t kFewestDimmed = 12;  // each way
+constexpr std::uint32_t kMostDimmed = 96;
+constexpr std::uint32_t kDimmedSlices = 16;
+
+std::uint32_t dimmed_over(int pixels) {
+  return std::clamp((static_cast<std::uint32_t>(pixels) + kDimmedPixels - 1) / kDimmedPixels + 1, kFewestDimmed,
+                    kMostDimmed);
+}
+
+ImageId add_dimmed(Plan& plan, const Part& part, const View& view, const Volume& volume, const ThingInputs& things,
+                   const FactorTable& table, const ThingLight& among) {
+  const Extent grid{dimmed_over(part.scene.image.width), dimmed_over(part.scene.image.height), kDimmedSlices};
+  const ImageId dimmed = plan.add_image(
+      {.name = "thing_dimmed", .extent = grid, .key = picture_table_key(view, "thing_dimmed"), .half = true});
+  std::vector<Binding> reads = volume.reads();
+  reads.insert(reads.end(), things.reads.begin(), things.reads.end());
+  reads.push_back({"shares_lut", among.shares});
+  std::vector<Specialization> constants = medium_specialization(part.air);
+  add_volume_constants(constants, part.scene, table);
+  constants.insert(constants.end(), things.constants.begin(), things.constants.end());
+  constants.push_back({"kProjection", projection_code(part.scene.camera.projection)});
+  plan.add_pass({.shader = "thing_dimmed",
+                 .reads = std::move(reads),
+                 .writes = {{"dimmed_out", dimmed}},
+                 .grid = {grid.width, grid.height, 1},
+                 .specialization = std::move(constants),
+                 .cost = 6.0 * kDimmedSlices});
+  return dimmed;
 }
 
 // What the pixels' corners see; nothing where rays are listed.
@@ -118,6 +161,9 @@ ThingPass pass_of(Plan& plan, const Part& part, const View& view, const Light& l
   const ThingInputs things = add_things(plan, part.scene, part.things);
   pass.reads.insert(pass.reads.end(), things.reads.begin(), things.reads.end());
   pass.constants.insert(pass.constants.end(), things.constants.begin(), things.constants.end());
+  const ThingLight among = add_thing_light(plan, part, light, things);
+  const std::vector<Binding> shares = among.reads();
+  pass.reads.insert(pass.reads.end(), shares.begin(), shares.end());
   pass.reads.push_back({"corners", add_corners(plan, part, view, things)});
   if (!pass.tables) {
     pass.constants.push_back({"kStokes", stokes_of(part, view)});
@@ -133,6 +179,11 @@ ThingPass pass_of(Plan& plan, const Part& part, const View& view, const Light& l
   pass.reads.insert(pass.reads.end(), more.begin(), more.end());
   pass.reads.push_back({"peaks_lut", volume.peaks});
   pass.reads.push_back({"shafts_lut", share});
+  const std::uint32_t dimmed = dimmed_of(part, view);
+  pass.reads.push_back({"dimmed_lut", dimmed == physics::kDimmedFroxels
+                                          ? add_dimmed(plan, part, view, volume, things, table, among)
+                                          : volume.sources});
+  pass.constants.push_back({"kDimmed", dimmed});
   add_volume_constants(pass.constants, part.scene, table);
   pass.constants.push_back({"kShafts", shafts});
   return pass;

@@ -19,6 +19,7 @@ namespace airlight::physics {
 #include "shaders/shared/night.h"
 #include "shaders/shared/spheres.h"
 #include "shaders/shared/terrain.h"
+#include "shaders/shared/thing_light.h"
 #include "shaders/shared/ground.h"
 // clang-format on
 
@@ -85,6 +86,11 @@ struct Physics {
   vec3 night_ground{};
   std::shared_ptr<const HostTerrain> terrain_maps;  // null: no terrain
   std::vector<SphereData> spheres;
+  // Light among terrain (physics/thing_light.glsl): the layers' shares as the device's image has them, the altitudes
+  // that they count from, and the light without terrain, slice by slice.
+  HostTable light_shares;
+  HostTable light_bases;
+  std::vector<HostTable> open_light_slices;
   std::shared_ptr<const HostGround> ground_maps;  // null: one albedo
 
   uint medium_count() const { return media; }
@@ -175,6 +181,7 @@ struct Physics {
   bool has_terrain() const { return terrain_maps != nullptr; }
 #include "shaders/physics/things.glsl"
   real sun_share(const Ray& /*ray*/, real /*t*/, real /*width*/) const { return 1.0; }
+  vec3 diffuse_share(const Ray& /*ray*/, real /*t*/) const { return vec3(1.0); }
 #include "shaders/physics/medium.glsl"
 #include "shaders/physics/polarisation.glsl"
 #include "shaders/physics/stokes.glsl"
@@ -228,10 +235,29 @@ struct Physics {
 #include "shaders/physics/sky_factors.glsl"
 #include "shaders/physics/shells.glsl"
 #include "shaders/physics/shell_march.glsl"
+  vec3 fetch_share(uint block, uint layer, vec2 place) const {
+    const real column = (block + (0.5 + place.x * (0.5 * light_shares.width - 1.0)) / (0.5 * light_shares.width)) / 2.0;
+    const real rows = static_cast<real>(light_shares.height) / (kLightLayers + 1U);
+    return light_shares.fetch(column, (layer + (0.5 + place.y * (rows - 1.0)) / rows) / (kLightLayers + 1.0));
+  }
+  vec3 fetch_slope_share(vec2 place) const { return fetch_share(kShareAlong, kLightLayers, place); }
+  real fetch_base(vec2 place) const { return light_bases.fetch_unit(place.x, place.y).x; }
+  vec3 fetch_open(uint block, uint direction, real row, real slice) const {
+    const auto low = std::min(static_cast<uint>(slice), kOpenSlices);
+    const real part = slice - low;
+    const real column = block * kLightDirections + direction + 0.5;
+    const auto at = [&](uint k) {
+      return open_light_slices[k].fetch(column / (3.0 * kLightDirections), (row + 0.5) / kOpenRows);
+    };
+    return at(low) * (1.0 - part) + at(low + 1U) * part;
+  }
 #include "shaders/physics/surface_light.glsl"
 #include "shaders/physics/terrain_light.glsl"
 #include "shaders/physics/sphere_light.glsl"
+#include "shaders/physics/thing_open.glsl"
+#include "shaders/physics/thing_shares.glsl"
 #include "shaders/physics/things_light.glsl"
+#include "shaders/physics/thing_light.glsl"
 #include "shaders/physics/sky_table.glsl"
 #include "shaders/physics/space_table.glsl"
 #include "shaders/physics/aerial_volume.glsl"

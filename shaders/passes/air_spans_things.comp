@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // air_spans.comp with the shadows of the scene's things in the air.
 #define AIRLIGHT_SUN_SHARE
+#define AIRLIGHT_COARSE_SLOPES
 #include "shared/device.glsl"
 #include "shared/tables.glsl"
 #include "shared/moment_table.glsl"

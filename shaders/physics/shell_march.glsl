@@ -179,7 +179,8 @@ SkyFactors shell_air_factors(PlanetData planet, MomentTableData table, Ray ray, 
     }
     real place = walk.from + width * source_place((step_depth.x + step_depth.y + step_depth.z) / 3.0);
     RayPoint at = sunlit_point(planet, ray, place);
-    Stokes source = shell_source(table, air, walk.shell, at, cos_azimuth_at(at, ray.nu), sine_over_sun(at));
+    Stokes source = dimmed(shell_source(table, air, walk.shell, at, cos_azimuth_at(at, ray.nu), sine_over_sun(at)),
+                           diffuse_share(ray, place));
     factors.diffuse = factors.diffuse + factors.transmittance * segment.mean * source.i * width;
     factors = with_polarised(factors, factors.transmittance * segment.mean * width, source);
     factors.transmittance = factors.transmittance * segment.through;

@@ -3,6 +3,7 @@
 // the pixel multiplies them in.
 // The includer defines, for this file and shell_march.glsl:
 //   real sun_share(Ray ray, real t, real width);  share of the sun past terrain or spheres, mean over a step
+//   vec3 diffuse_share(Ray ray, real t);  share of the other light that the air there scatters among terrain
 //   bool stokes();  whether Q and U are asked for (stokes.glsl)
 
 struct SkyFactors {
@@ -81,6 +82,13 @@ SkyFactors with_polarised(SkyFactors factors, vec3 share, Stokes light) {
   return factors;
 }
 
+Stokes dimmed(Stokes light, vec3 share) {
+  light.i = light.i * share;
+  light.q = light.q * share;
+  light.u = light.u * share;
+  return light;
+}
+
 // `share`: the part of the sun that reaches the node.
 NodeLight node_light(PlanetData planet, MomentTableData table, Ray ray, real t, real share) {
   RayPoint point = sunlit_point(planet, ray, t);
@@ -90,7 +98,8 @@ NodeLight node_light(PlanetData planet, MomentTableData table, Ray ray, real t, 
   UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
     light.single[i] = direct * medium_scattering(i, point.h, 0.0);
   }
-  light.diffuse = moment_source(table, air, point, cos_azimuth_at(point, ray.nu), sine_over_sun(point));
+  light.diffuse = dimmed(moment_source(table, air, point, cos_azimuth_at(point, ray.nu), sine_over_sun(point)),
+                         diffuse_share(ray, t));
   light.extinction = air.extinction;
   light.peaks = air.peaks;
   return light;

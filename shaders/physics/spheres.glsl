@@ -137,3 +137,28 @@ real subsurface_share(real thickness, real strength) {
   real x = clamp(0.5 * pow(s, 0.6), 0.0, 1.0);
   return x * x * (3.0 - 2.0 * x);
 }
+
+// Share that a sphere hides of an even hemisphere's irradiance at a surface outside of it; `to`: from there to its
+// centre (Quilez, "Sphere ambient occlusion", 2006 and 2012, whose arc cosine is taken as an arc tangent).
+real hidden_by_sphere(SphereData s, vec3 to, vec3 normal) {
+  real far = max(length(to), s.radius * 1.0001);
+  real cosine = dot(normal, to) / max(length(to), 1e-12);
+  real h2 = (far / s.radius) * (far / s.radius);
+  real part = 1.0 - h2 * cosine * cosine;
+  if (part <= 0.0) {
+    return max(cosine, 0.0) / h2;  // wholly above the surface's plane, or below
+  }
+  real sine = sqrt(max(1.0 - cosine * cosine, 1e-12));
+  real x = -cosine * sqrt(h2 - 1.0) / sine;
+  real angle = atan(sqrt(max(1.0 - x * x, 0.0)), x);
+  real sum = (cosine * angle - sqrt(part * (h2 - 1.0))) / h2 + atan(sqrt(part), sqrt(h2 - 1.0));
+  return clamp(sum / kPi, 0.0, 1.0);
+}
+
+// Mean radiance of a matte white sphere's visible disc times pi, for a beam of irradiance 1; `cosine`: between the ways
+// to the sun and to who looks. Two thirds where the whole disc is lit.
+real lit_of_sphere(real cosine) {
+  real c = clamp(cosine, -1.0, 1.0);
+  real sine = sqrt(1.0 - c * c);
+  return (sine + atan(sine, -c) * c) / kPi * (2.0 / 3.0);
+}

@@ -46,19 +46,96 @@ Surface surface_at(PlanetData planet, real camera_altitude, Sight sight, ThingHi
   return surface;
 }
 
+// The sky's irradiance among things, where the tables of moments have that of a place alone.
+struct SkyPast {
+  vec3 share;  // of theirs that is left
+  vec3 more;   // W/m2 that things add to it, for a sun of irradiance 1
+};
+
+// Spheres before a surface: each hides a part of its hemisphere, as if the sky were even, and shines there as a sphere
+// in the sun and in even light from all around. Spheres do not hide one another.
+SkyPast with_spheres(SkyPast sky, Surface surface, vec3 sun, vec3 direct, vec3 even) {
+  for (uint i = 0u; i < sphere_count(); i++) {
+    SphereData s = sphere(i);
+    vec3 to = s.centre - surface.place.point;
+    real hidden = i == surface.which ? 0.0 : hidden_by_sphere(s, to, surface.normal);
+    bool mirror = s.material == kSphereMirror;
+    real lit = mirror ? 0.25 : lit_of_sphere(-dot(to, sun) / max(length(to), 1e-12));
+    sky.share = sky.share * (1.0 - hidden);
+    sky.more = sky.more + s.albedo * (direct * lit + even) * hidden;
+  }
+  return sky;
+}
+
+// What a sphere's surface loses of the ground's light: the ground below lies in the sphere's shadow, and the sphere
+// hides its sky as well. The ground is taken as level; its places are those of even shares of the surface's
+// irradiance. Each stands for a piece of ground, over which a sun as wide as that is as good as the shadow's mean.
+vec3 dark_ground_below(PlanetData planet, MomentTableData table, Surface surface, vec3 sun, real height) {
+  const uint kPlaces = 8u;
+  const real kWide = 0.3;
+  // Counted so, the software device goes through the loop for spheres alone.
+  uint places = surface.what == kMeetsSphere ? kPlaces : 0u;
+  SphereData own = sphere(surface.which == kNoSphere ? 0u : surface.which);
+  vec3 up = surface.place.up;
+  real mu_sun = dot(sun, up);
+  vec3 beam = sun_through_air(planet, 0.0, mu_sun) * max(mu_sun, 0.0);
+  vec3 sky = moment_ground_irradiance(table, mu_sun);
+  vec3 n = surface.normal;
+  vec3 aside = abs(n.y) < 0.9 ? normalize(vec3(-n.z, 0.0, n.x)) : vec3(1.0, 0.0, 0.0);
+  aside = normalize(aside - n * dot(aside, n));
+  vec3 across = vec3(n.y * aside.z - n.z * aside.y, n.z * aside.x - n.x * aside.z, n.x * aside.y - n.y * aside.x);
+  vec3 sum = vec3(0.0);
+  for (uint k = 0u; k < places; k++) {
+    real square = (real(k) + 0.5) / real(kPlaces);
+    real turn = 2.3999632297286533 * real(k);  // the golden angle
+    vec3 d = n * sqrt(1.0 - square) + (aside * cos(turn) + across * sin(turn)) * sqrt(square);
+    real fall = -dot(d, up);
+    vec3 point = surface.place.point + d * (height / max(fall, 1e-3));
+    vec3 lost = beam * (1.0 - sun_past_sphere(own, point, sun, kWide)) +
+                sky * hidden_by_sphere(own, own.centre - point, up);
+    sum = sum + lost * (fall > 1e-3 ? 1.0 : 0.0);
+  }
+  return planet.ground_albedo * sum / real(kPlaces);
+}
+
+SkyPast sky_past_things(PlanetData planet, MomentTableData table, real camera_altitude, SunData sun, Surface surface) {
+  SkyPast sky;
+  sky.share = vec3(1.0);
+  sky.more = vec3(0.0);
+  vec2 at = vec2(0.0, 0.0);
+  bool on_sphere = surface.what == kMeetsSphere;
+  if (has_terrain()) {
+    at = map_place(planet, camera_altitude, surface.place.point);
+    sky.share = on_sphere ? air_share(terrain_shape(), kShareEven, at.x, at.y, surface.place.h)
+                          : slope_share(terrain_shape(), at.x, at.y);
+  }
+  if (sphere_count() > 0u) {
+    vec3 direct = sun_through_air(planet, altitude_in_air(planet, surface.place), dot(sun.direction, surface.place.up));
+    vec3 even = mean_sky_irradiance(planet, table, surface.place, sun.direction) * sky.share;
+    sky = with_spheres(sky, surface, sun.direction, direct, even);
+    real ground = has_terrain() ? surface_height(terrain_shape(), at.x, at.y) : 0.0;
+    sky.more = sky.more - dark_ground_below(planet, table, surface, sun.direction,
+                                            max(surface.place.h - ground, 0.0));
+  }
+  return sky;
+}
+
 // Radiance of a surface that is no mirror along `direction`. `share`: of the sun that reaches it.
-vec3 surface_radiance(PlanetData planet, MomentTableData table, Surface surface, vec3 direction, vec3 sun, real share) {
+vec3 surface_radiance(PlanetData planet, MomentTableData table, Surface surface, vec3 direction, vec3 sun, real share,
+                      SkyPast sky) {
   Place place = surface.place;
   real mu_sun = dot(sun, place.up);
   if (surface.what == kMeetsGround) {
     vec3 beam = sun_through_air(planet, 0.0, mu_sun) * share;
     vec3 to_camera = -direction;
-    return ground_sends(surface.ground, place.up, sun, to_camera, beam, moment_ground_irradiance(table, mu_sun));
+    return ground_sends(surface.ground, place.up, sun, to_camera, beam,
+                        moment_ground_irradiance(table, mu_sun) * sky.share + sky.more);
   }
   vec3 direct = sun_through_air(planet, altitude_in_air(planet, place), mu_sun) * share;
-  vec3 irradiance = direct * max(dot(surface.normal, sun), 0.0) + sky_irradiance(planet, table, place, surface.normal, sun);
+  vec3 diffuse = sky_irradiance(planet, table, place, surface.normal, sun) * sky.share + sky.more;
+  vec3 irradiance = direct * max(dot(surface.normal, sun), 0.0) + max(diffuse, vec3(0.0));
   if (surface.what == kMeetsSphere && sphere(surface.which).material == kSphereTranslucent) {
-    vec3 even = direct * 0.25 + mean_sky_irradiance(planet, table, place, sun);
+    vec3 even = direct * 0.25 + mean_sky_irradiance(planet, table, place, sun) * sky.share;
     real facing = -dot(surface.normal, direction);
     irradiance = translucent_irradiance(sphere(surface.which), irradiance, even, facing);
   }

@@ -32,4 +32,5 @@ bool stokes() { return false; }
 
 #ifndef AIRLIGHT_SUN_SHARE
 real sun_share(Ray ray, real t, real width) { return 1.0; }
+vec3 diffuse_share(Ray ray, real t) { return vec3(1.0); }
 #endif

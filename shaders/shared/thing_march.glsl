@@ -13,6 +13,17 @@ float sun_share(Ray ray, float t, float width) {
   return step_past_things(scene.planet, scene.sun, course, ray, t, width);
 }
 
+#include "shared/thing_shares.glsl"
+
+vec3 diffuse_share(Ray ray, float t) {
+  if (!has_terrain()) {
+    return vec3(1.0);
+  }
+  float s = course.start + ground_distance(scene.planet, ray.h, ray.mu, t);
+  return air_share(terrain_shape(), kShareAlong, track_east(course.track, s), track_north(course.track, s),
+                   point_on_ray(scene.planet, ray, t).h);
+}
+
 #include "physics/orders.glsl"
 #include "physics/sky_factors.glsl"
 #include "shared/shell_table.glsl"

@@ -7,6 +7,7 @@
 #include "physics/surface_light.glsl"
 #include "physics/terrain_light.glsl"
 #include "physics/sphere_light.glsl"
+#include "shared/thing_shares.glsl"
 #include "physics/things_light.glsl"
 
 layout(constant_id = 36) const uint kSegments = 1u;  // most parts of a ray from mirror to mirror; light beyond is lost
@@ -38,8 +39,10 @@ Gathered gathered_along(vec3 direction, float spread, float bare, uint steps) {
     Surface surface = surface_at(scene.planet, scene.camera.altitude, sight, hit, beam);
     if (!surface.mirrors) {
       float share = sun_past_things(scene.planet, scene.camera.altitude, scene.sun, surface.place, hit.which);
+      SkyPast sky = sky_past_things(scene.planet, scene.moments, scene.camera.altitude, scene.sun, surface);
       sum = with_light(sum, through * scene.sun.irradiance *
-                                surface_radiance(scene.planet, scene.moments, surface, direction, scene.sun.direction, share));
+                                surface_radiance(scene.planet, scene.moments, surface, direction, scene.sun.direction,
+                                                 share, sky));
       break;
     }
     through *= surface.ground.albedo;

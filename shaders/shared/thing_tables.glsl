@@ -1,9 +1,13 @@
 // The air among things by tables: no ray marches. Light and transmittance up to any distance are the aerial volume's, and
 // what shadows leave of the light scattered once is found apart.
 #include "shared/thing_volume.glsl"
+#include "shared/thing_dimmed.glsl"
 
 layout(set = 0, binding = 5) uniform sampler2D peaks_lut;   // mean extinction by forward peaks, as extinction_lut
 layout(set = 0, binding = 6) uniform sampler3D shafts_lut;  // thing_shafts.comp; any image where kShafts needs none
+layout(set = 0, binding = 21) uniform sampler3D dimmed_lut;  // thing_dimmed.comp; any image where kDimmed needs none
+const uint kDimmedStepCount = 10u;
+layout(constant_id = 60) const uint kDimmed = kDimmedNone;
 layout(constant_id = 35) const uint kShafts = kShaftsNone;
 
 // The same by froxels.
@@ -66,6 +70,34 @@ vec3 lit_single(VolumeRay of, Phases p, Sight sight, float distance_, vec3 all) 
   return sum;
 }
 
+// The air's other light up to a distance, which without terrain is `all`.
+vec3 dimmed_to(VolumeRay of, Sight sight, float distance_, vec3 all) {
+  if (kDimmed == kDimmedNone || distance_ <= 0.0) {
+    return all;
+  }
+  float reach = dimmed_reach();
+  bool mirrored = dot(sight.from.point, sight.from.point) > 0.0;
+  if (kDimmed == kDimmedFroxels && !mirrored) {
+    vec3 size = vec3(textureSize(dimmed_lut, 0));
+    vec2 at = pixel_centre(here) / vec2(scene.camera.width, scene.camera.height);
+    vec3 place = vec3(at, dimmed_coordinate(distance_ / reach));
+    vec3 share = textureLod(dimmed_lut, (vec3(0.5) + place * (size - 1.0)) / size, 0.0).rgb;
+    return distance_ <= reach ? all * share : all - (vec3(1.0) - share) * diffuse_up_to(of, reach);
+  }
+  vec3 sum = vec3(0.0);
+  vec3 before = vec3(0.0);
+  float end = min(distance_, reach);
+  float from = 0.0;
+  for (uint i = 1u; i <= kDimmedStepCount; i++) {
+    float to = end * dimmed_distance(float(i) / float(kDimmedStepCount));
+    vec3 next = diffuse_up_to(of, to);
+    sum += max(next - before, vec3(0.0)) * dimmed_in_step(sight, from, to);
+    before = next;
+    from = to;
+  }
+  return sum + max(all - before, vec3(0.0));
+}
+
 // Factors of the air along `ray`, which is the sight's or ends before it.
 SkyFactors factors_past_things(Sight sight, Ray ray, uint steps) {
   VolumeRay of = volume_ray(sight);
@@ -76,7 +108,7 @@ SkyFactors factors_past_things(Sight sight, Ray ray, uint steps) {
   air.transmittance = segment.through;
   air.peaks = textureLod(peaks_lut, place.row, 0.0).rgb * place.distance_;
   vec3 gathered = air.depth * segment.mean;
-  air.diffuse = fetch_block(diffuse_block(), of.at, place.w) * gathered;
+  air.diffuse = dimmed_to(of, sight, ray.length_, fetch_block(diffuse_block(), of.at, place.w) * gathered);
   Phases p = phases(seen_cosine(scene.sun, ray.mu, ray.nu));
   vec3 all = vec3(0.0);
   UNROLL for (uint i = 0u; i < kMaxMedia; i++) {

@@ -128,8 +128,9 @@ TEST(SphereSky, MirrorsShowSkyAndGround) {
       const ProbeResult truth = probe_now(there, {direction_of(mirrored)}).front();
       for (std::size_t c = 0; c < 3; ++c) {
         const double light = truth.radiance[c] * scene.spheres[0].albedo[c];
-        // The 8 m of air before the ball shine too.
-        EXPECT_NEAR(seen.radiance[c], light, 0.004 * light) << shells << " " << elevation << " " << azimuth << " " << c;
+        // The 8 m of air before the ball shine too. The ball hides sky from the ground next to it and shines on it.
+        const double near = mirrored.y < 0.0 ? 0.05 : 0.004;
+        EXPECT_NEAR(seen.radiance[c], light, near * light) << shells << " " << elevation << " " << azimuth << " " << c;
       }
     }
   }
@@ -188,7 +189,8 @@ TEST(SphereSky, TranslucentOnesAreLitFromBehind) {
   }
 }
 
-// Behind the ball, on the line from the sun through it, only the sky lights the ground.
+// Behind the ball, on the line from the sun through it, the sky alone lights the ground, of which the ball hides little
+// and to which it adds little.
 TEST(SphereSky, ThrowShadowsOnTheGround) {
   Scene scene = ball_scene(SphereMaterial::matte);
   scene.sun.azimuth = 90.0 * kDegree;  // the shadow falls to the left
@@ -204,8 +206,8 @@ TEST(SphereSky, ThrowShadowsOnTheGround) {
   for (std::size_t c = 0; c < 3; ++c) {
     const double direct =
         scene.sun.irradiance[c] * through.transmittance[c] * sun.y * scene.planet.ground_albedo[c] / std::numbers::pi;
-    EXPECT_NEAR(without[0].radiance[c] - with[0].radiance[c], direct, 0.005 * direct) << c;
-    EXPECT_NEAR(without[1].radiance[c], with[1].radiance[c], 1e-5 * with[1].radiance[c]) << c;
+    EXPECT_NEAR(without[0].radiance[c] - with[0].radiance[c], direct, 0.02 * direct) << c;
+    EXPECT_NEAR(without[1].radiance[c], with[1].radiance[c], 1e-3 * with[1].radiance[c]) << c;
   }
 }
 
