@@ -320,6 +320,14 @@ if(TARGET test_cli)
                                               AIRLIGHT_BUILD_DIR="${PROJECT_BINARY_DIR}")
 endif()
 
+# What scripts/cloud-truth runs; it opens no device.
+if(AIRLIGHT_TOOL)
+  add_executable(airlight_cloud_truth ${PROJECT_SOURCE_DIR}/tests/clouds/cloud_truth.cpp
+                                      ${PROJECT_SOURCE_DIR}/tests/methods/column_light.cpp
+                                      ${PROJECT_SOURCE_DIR}/core/render/ready/none.cpp ${AIRLIGHT_PROGRAM_SOURCES})
+  target_link_libraries(airlight_cloud_truth PRIVATE airlight_gpu_core airlight_scene)
+endif()
+
 # Random input by number: presets by the token, EXRs by the byte, valid presets anywhere in their ranges. The counts are
 # those that CI has time for; scripts/fuzz runs as long as one likes.
 if(AIRLIGHT_TOOL)

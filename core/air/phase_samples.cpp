@@ -128,6 +128,18 @@ std::vector<double> interval_shares(const physics::Physics& p, physics::uint tab
   return shares;
 }
 
+std::array<std::vector<double>, 3> channel_interval_shares(const physics::Physics& p, physics::uint table) {
+  std::array<std::vector<double>, 3> shares;
+  shares.fill(std::vector<double>(kSamples - 1));
+  for_each_node([&](std::size_t k, double share, double, double weight) {
+    const vec3 value = between(*p.phase_samples, 2 * table * kSamples + k, share) * weight;
+    shares[0][k] += value.x;
+    shares[1][k] += value.y;
+    shares[2][k] += value.z;
+  });
+  return shares;
+}
+
 double sample_cosine(std::size_t k) {
   return std::cos(angle_of(static_cast<double>(k)));
 }

@@ -1,6 +1,7 @@
 #pragma once
 // Phase functions by table as shaders/physics/phase_table.glsl has them.
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -19,6 +20,9 @@ std::shared_ptr<const std::vector<physics::vec3>> phase_samples(const std::vecto
 
 // Scattering into each of the kPhaseSamples - 1 intervals of a table, mean of the channels: shares of a sum of 1.
 std::vector<double> interval_shares(const physics::Physics& p, physics::uint table);
+
+// The same of each channel.
+std::array<std::vector<double>, 3> channel_interval_shares(const physics::Physics& p, physics::uint table);
 
 // Cosine of the scattering angle of sample k.
 double sample_cosine(std::size_t k);

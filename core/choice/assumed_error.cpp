@@ -139,8 +139,8 @@ std::optional<double> default_error(const Stage& stage) {
   constexpr double kLowestSun = -4.0 * kDegree;  // below it 5.6 % was seen over bright ground
   const std::optional<double> wavelengths = wavelengths_error(stage);
   const std::optional<double> plain = plain_reference_error(stage);
-  if (scene.terrain || scene.ground || !scene.spheres.empty() || scene.sun.elevation < kLowestSun ||
-      !dusk_is_resolved(stage, 14.0) || !wavelengths || !plain) {
+  if (scene.terrain || scene.ground || !scene.spheres.empty() || !scene.clouds.empty() ||
+      scene.sun.elevation < kLowestSun || !dusk_is_resolved(stage, 14.0) || !wavelengths || !plain) {
     return std::nullopt;
   }
   return *plain + (is_day(scene) ? kTable : kTableAtDusk) + *wavelengths;

@@ -39,7 +39,7 @@ constexpr std::array<std::string_view, 2> kFolded{"smooth", "all"};
 constexpr std::array<std::string_view, 3> kWhen{"auto", "always", "never"};
 constexpr std::array<std::string_view, 5> kShadows{"true", "froxels", "exact", "march", "false"};
 
-const std::array<ParameterInfo, 12> kParameters{
+const std::array<ParameterInfo, 13> kParameters{
     parameter::whole_number("steps", 4, 4096, 48, "steps along a view ray, apart at the planet's shadow"),
     parameter::table_size("transmittance_lut", 2, 4096, TableSize{256, 64}, "transmittance table, mu x h"),
     parameter::table_size(
@@ -74,6 +74,9 @@ const std::array<ParameterInfo, 12> kParameters{
         "how the air in the shadow of terrain and spheres is left without the sun's light; exact, true: where each ray "
         "crosses the shadows' edges; froxels: on a grid over picture and distance, four pixels a cell, which is faster "
         "and blurs beams; march: in each step of a march along each ray, the reference; false: not at all"),
+    parameter::table_size(
+        "cloud_lut", 4, 256, TableSize{48, 20},
+        "cells of the light that a cloud scatters more than once, over the field's width and depth x upward"),
     phase_parameter()};
 
 bool tabulates(const Part& part, const View& view) {
@@ -149,7 +152,7 @@ bool phases_are_alike(const Stage& stage, std::uint32_t apart) {
 // pixels know of none.
 std::optional<SkyPasses> add_coloured(Plan& plan, const Stage& stage, const View& view) {
   const Part& whole = stage.whole();
-  if (!tabulates(whole, view) || whole.scene.ground) {
+  if (!tabulates(whole, view) || whole.scene.ground || !whole.scene.clouds.empty()) {
     return std::nullopt;
   }
   const FactorTable table = factor_table(whole, stage.scattering_media(), false, stokes_of(whole, view));
@@ -213,12 +216,19 @@ void add_marched_sky(Plan& plan, const Part& part, const View& view, const SkyTa
 }
 
 SkyPasses add_orders(Plan& plan, const Part& part, const View& view) {
+  orders::refuse_around_clouds(part, false);
   const SkyTarget target = add_sky_target(plan, part.scene, view);
   const Light light = add_light(plan, part);
   SkyPasses passes{target.radiance, {light.transmittance}, light.more()};
+  const auto with_clouds = [&] {
+    if (!part.scene.clouds.empty()) {
+      orders::add_clouds(plan, part, view, target, light);
+    }
+    return passes;
+  };
   if (part.things.stand_in_the_air()) {
     orders::add_things_sky(plan, part, view, target, light);
-    return passes;
+    return with_clouds();
   }
   begin_black_ground(plan, part, view);
   if (tabulates(part, view)) {
@@ -228,10 +238,11 @@ SkyPasses add_orders(Plan& plan, const Part& part, const View& view) {
   }
   end_black_ground(plan, part, view);
   add_ground(plan, part, target, light);
-  return passes;
+  return with_clouds();
 }
 
 LayerPasses add_layers(Plan& plan, const Part& part, const View& view) {
+  orders::refuse_around_clouds(part, true);
   const Light light = add_light(plan, part);
   if (part.things.stand_in_the_air() || part.scene.ground) {
     return {orders::add_things_layers(plan, part, view, light), light.transmittance};
@@ -300,6 +311,7 @@ SkyMethod orders_method() {
   method.info.knows_spheres = true;
   method.info.knows_translucent_spheres = true;
   method.info.knows_ground_maps = true;
+  method.info.knows_clouds = true;
   method.info.knows_polarisers = true;
   method.info.bends_light = true;
   method.validity.leaves_out = "harmonics above the degree kept, and polarisation by other media than molecules";

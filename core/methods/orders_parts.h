@@ -106,6 +106,10 @@ struct Volume {
   std::vector<Binding> reads() const { return {{"volume_lut", sources}, {"extinction_lut", extinction}}; }
 };
 
+// Two thirds of the picture's table each way. What it leaves out shows far less: light before things is gathered over
+// less air, and divided by what the transmittance takes.
+FactorTable volume_table(Part part);
+
 Volume add_volume(Plan& plan, const Scene& scene, const Light& light, const FactorTable& table, const View& view);
 
 // The constants of passes that read it.
@@ -116,6 +120,14 @@ void add_things_sky(Plan& plan, const Part& part, const View& view, const SkyTar
 
 // The planes of its layers.
 BufferId add_things_layers(Plan& plan, const Part& part, const View& view, const Light& light);
+
+// Throws InputError where clouds stand among what add_clouds() does not know. `no_picture`: what is asked for is no
+// picture, but layers or the air before things.
+void refuse_around_clouds(const Part& part, bool no_picture);
+
+// Puts the scene's cloud into the picture of its clear sky. Adds the buffer `cloud_transmittance`: what the cloud
+// leaves of a beam along each pixel's ray.
+void add_clouds(Plan& plan, const Part& part, const View& view, const SkyTarget& target, const Light& light);
 
 // SkyMethod::add_span_passes of the method.
 SpanPasses add_spans(Plan& plan, const Part& part, const Spans& spans, const SpanWay& way);

@@ -47,15 +47,13 @@ std::uint32_t span_steps(const Part& part, const Light& light) {
   return light.by_shells || part.things.stand_in_the_air() ? light.steps : (light.steps + 1) / 2;
 }
 
-// Two thirds of the picture's table each way. What it leaves out shows far less: light before things is gathered over
-// less air, and divided by what the transmittance takes.
+}  // namespace
+
 FactorTable volume_table(Part part) {
   auto& size = std::get<TableSize>(part.scene.render.parameters.find("sky_lut")->second);
   size = {std::max(2 * size[0] / 3, 8), std::max(2 * size[1] / 3, 8)};
   return factor_table(part, part.air.scattering_media(), false, physics::kStokesNone);
 }
-
-}  // namespace
 
 Volume add_volume(Plan& plan, const Scene& scene, const Light& light, const FactorTable& table, const View& view) {
   const auto slices = static_cast<std::uint32_t>(scene.render.get<int>("aerial_slices"));
@@ -98,6 +96,7 @@ void add_volume_constants(std::vector<Specialization>& constants, const Scene& s
 }
 
 SpanPasses add_spans(Plan& plan, const Part& part, const Spans& spans, const SpanWay& way) {
+  refuse_around_clouds(part, true);
   const Light light = add_light(plan, part);
   const SpanInput input = add_span_input(plan, part.scene, spans);
   std::vector<Binding> reads = light.reads();

@@ -48,7 +48,7 @@ PartSettings settled(const Part& whole) {
 
 // The scene with straight rays where its method bends none. Things stand at true distances, to which rays are straight.
 Scene as_rays_go(Scene scene) {
-  if (!method_of(scene).info.bends_light || scene.terrain || !scene.spheres.empty()) {
+  if (!method_of(scene).info.bends_light || scene.terrain || !scene.spheres.empty() || !scene.clouds.empty()) {
     scene.planet.refraction.reset();
   }
   return scene;

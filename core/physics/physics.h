@@ -160,6 +160,7 @@ struct Physics {
     return root * root;
   }
 #include "shaders/physics/terrain.glsl"
+#include "shaders/physics/clouds.glsl"
   bool has_ground_maps() const { return ground_maps != nullptr; }
   const GroundShape& ground_shape() const { return ground_maps->head.shape; }
   uint ground_albedo_first(uint level) const { return ground_maps->head.albedo_first[level]; }

@@ -7,6 +7,7 @@
 
 #include "core/air/refraction.h"
 #include "core/air/scene_block.h"
+#include "core/clouds/cloud_depth.h"
 #include "core/plan/bytes.h"
 #include "core/post/disc_parts.h"
 #include "core/post/host_post.h"
@@ -41,8 +42,10 @@ std::vector<GlarePoint> disc_sources(const Part& part) {
       const double t = 2.0 * std::numbers::pi * (k + 0.5 * (ring % 2)) / kGlareAround;
       const vec3 direction = sun * std::cos(off) + (a * std::cos(t) + b * std::sin(t)) * std::sin(off);
       const SeenDirection seen = seen_direction(p, direction);
-      sources.push_back(
-          {seen.direction, 0.0, p.disc_radiance(seen.direction) * (area * seen.spread), radius / std::sqrt(kPoints)});
+      sources.push_back({seen.direction, 0.0,
+                         p.disc_radiance(seen.direction) *
+                             (area * seen.spread * past_clouds(part.things.clouds(), part.scene, seen.direction)),
+                         radius / std::sqrt(kPoints)});
     }
   }
   return sources;

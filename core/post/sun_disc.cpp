@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/air/scene_block.h"
+#include "core/clouds/cloud_depth.h"
 #include "core/luts/luts.h"
 #include "core/post/disc_parts.h"
 #include "core/post/host_post.h"
@@ -77,7 +78,11 @@ bool draw_sun_disc(RadianceImage& picture, const Part& part, const Tile& tile) {
   for (const auto& [pixels, box] : parts) {
     for (std::uint32_t y = pixels.top; y < pixels.top + pixels.height; ++y) {
       for (std::uint32_t x = pixels.left; x < pixels.left + pixels.width; ++x) {
-        const physics::vec3 mean = p.disc_in_pixel(projection, x + 0.5, y + 0.5, box);
+        physics::vec3 mean = p.disc_in_pixel(projection, x + 0.5, y + 0.5, box);
+        if (!part.scene.clouds.empty()) {
+          const auto ray = p.view_ray(p.scene.camera, projection, x + 0.5, y + 0.5);
+          mean = mean * past_clouds(part.things.clouds(), part.scene, ray.direction);
+        }
         const std::size_t column = x - static_cast<std::uint32_t>(tile.x);
         const std::size_t row = y - static_cast<std::uint32_t>(tile.y);
         float* pixel = &picture.rgba[4 * (row * static_cast<std::size_t>(tile.width) + column)];

@@ -101,9 +101,31 @@ std::vector<physics::GlarePoint> glare_points_by_light(const Stage& stage) {
   return all;
 }
 
+// What the method's clouds leave of a beam along each pixel's ray, of buffers added from the `first` on; none: there
+// are no clouds. Parts have much the same.
+std::optional<BufferId> cloud_transmittance(const Plan& plan, std::size_t first) {
+  for (std::size_t i = first; i < plan.buffers().size(); ++i) {
+    if (plan.buffers()[i].name.starts_with("cloud_transmittance")) {
+      return BufferId{static_cast<std::uint32_t>(i)};
+    }
+  }
+  return std::nullopt;
+}
+
+// Adds what clouds stand before.
+void add_behind_clouds(Plan& plan, BufferId behind, BufferId through, const Picture& picture) {
+  plan.add_pass({.name = "behind_clouds",
+                 .shader = "cloud_cover",
+                 .reads = {{"behind", behind}, {"through", through}},
+                 .writes = {{"radiance_out", picture.buffer}},
+                 .grid = {picture.width, picture.height, 1},
+                 .push_constants = {picture.width, picture.height}});
+}
+
 // The sky by the stage's own light.
 Sky add_sky_by_light(Plan& plan, const Stage& stage, const View& view, bool with_disc) {
   const Tile tile = tile_of(stage.scene(), view);
+  const std::size_t before = plan.buffers().size();
   std::optional<SkyPasses> sky;
   if (stage.in_colours() && stage.method().add_coloured_passes != nullptr) {
     sky = stage.method().add_coloured_passes(plan, stage, view);
@@ -111,11 +133,16 @@ Sky add_sky_by_light(Plan& plan, const Stage& stage, const View& view, bool with
   if (!sky) {
     sky = add_parts(plan, stage, view);
   }
+  const std::optional<BufferId> past_clouds = cloud_transmittance(plan, before);
   Sky made{sky->radiance, sky->tables, false, sky->more_tables};
-  const Picture picture = picture_of(made.radiance, tile);
+  const Picture whole = picture_of(made.radiance, tile);
+  Picture picture = whole;  // that the disc and the night are drawn into
   const bool shines = with_disc && sun_disc_shows(stage.scene(), picture);
   const bool is_night = stage.night() != nullptr && view.directions.empty();
   if (shines || is_night) {
+    if (past_clouds) {
+      picture.buffer = plan.add_buffer({.name = "behind_clouds", .bytes = plan.buffers()[made.radiance.index].bytes});
+    }
     std::vector<ImageId> tables;
     const std::size_t each = made.tables.size() / stage.parts().size();
     for (std::size_t g = 0; each > 0 && g < stage.parts().size(); ++g) {
@@ -129,6 +156,9 @@ Sky add_sky_by_light(Plan& plan, const Stage& stage, const View& view, bool with
       if (is_night) {
         add_night(plan, stage, through, picture);
       }
+    }
+    if (past_clouds) {
+      add_behind_clouds(plan, picture.buffer, *past_clouds, whole);
     }
   }
   return made;

@@ -101,6 +101,9 @@ std::string phase_text(const Medium& medium, const MediumSpectra* curves) {
     case PhaseFunction::isotropic:
       return name;
     case PhaseFunction::table:
+      if (medium.effective_radius > 0.0) {
+        return "drops, effective radius " + format_number(medium.effective_radius) + " um";
+      }
       return name + ", " + std::to_string(table.angles_deg.size()) + " angles" +
              (table.wavelengths_nm.empty() ? ""
                                            : ", " + std::to_string(table.rows.size()) + " wavelengths from " +
@@ -176,6 +179,31 @@ void describe_sphere(Lines& lines, const Sphere& sphere, const Curve* albedo) {
   }
 }
 
+void describe_cloud(Lines& lines, const Cloud& cloud) {
+  constexpr double kMetres = 1e3;  // a km
+  lines.heading("cloud, " + std::string(kCloudNames.at(static_cast<std::size_t>(cloud.kind))));
+  if (cloud.kind == CloudKind::volume) {
+    lines.line("file", cloud.file).line("repeat", cloud.repeats ? "true" : "false");
+  } else {
+    lines.number("cover", cloud.cover)
+        .number("base", cloud.base, "km")
+        .number("top", cloud.top, "km")
+        .number("cell", cloud.cell, "km")
+        .number("period", cloud.period, "km")
+        .number("detail", cloud.detail * kMetres, "m")
+        .number("water", cloud.water, "g/m3")
+        .number("shear", cloud.shear, "km")
+        .angle("wind to", cloud.wind)
+        .number("seed", cloud.seed);
+  }
+  lines.number("effective radius", cloud.effective_radius, "um")
+      .number("east", cloud.east, "km")
+      .number("north", cloud.north, "km")
+      .number("single scattering albedo", cloud.single_scattering_albedo)
+      .line("phase",
+            cloud.phase == CloudPhase::drops ? "drops" : "henyey-greenstein, g " + format_number(cloud.phase_g));
+}
+
 void describe_moon(Lines& lines, const Moon& moon) {
   lines.heading("moon")
       .angle("elevation", moon.elevation)
@@ -245,6 +273,9 @@ std::string describe(const Scene& scene) {
   }
   for (std::size_t i = 0; i < scene.media.size(); ++i) {
     describe_medium(lines, scene.media[i], scene.spectra ? &scene.spectra->media[i] : nullptr);
+  }
+  for (const Cloud& cloud : scene.clouds) {
+    describe_cloud(lines, cloud);
   }
   lines.heading("sun")
       .angle("elevation", scene.sun.elevation)

@@ -43,7 +43,8 @@ struct MethodInfo {
   bool knows_translucent_spheres = false;  // whose light follows a published form, not paths
   bool knows_ground_maps = false;          // planet.albedo_map, planet.ocean
   bool knows_polarisers = false;           // camera.polariser
-  bool bends_light = false;                // planet.refraction
+  bool knows_clouds = false;
+  bool bends_light = false;  // planet.refraction
 };
 
 }  // namespace airlight

@@ -14,7 +14,7 @@ void refuse_misfits(const Section& root, const Scene& scene, std::span<const Met
     if (!kind.stands_in(scene) || names.empty() || std::ranges::any_of(methods, is_known)) {
       continue;
     }
-    const Section section = root.child(kind.section);
+    const Section section = kind.section.empty() ? root : root.child(kind.section);
     const std::string_view key = section.find(kind.keys[0]) != nullptr ? kind.keys[0] : kind.keys[1];
     section.complain(key, *section.find(key),
                      "the method " + json_string(scene.render.method) + " knows no " + std::string(kind.name) +

@@ -6,6 +6,7 @@
 
 #include "core/scene/json_format.h"
 #include "core/scene/phase_file.h"
+#include "core/spectra/drops.h"
 #include "core/text.h"
 
 namespace airlight {
@@ -227,12 +228,19 @@ void read_phase(const Section& section, Medium& medium, MediumSpectra& spectra, 
   Section phase = section;
   phase.refuse_unknown_keys();
   const auto function = phase.choice("function");
-  medium.phase = static_cast<PhaseFunction>(function.value_or(0));
+  const bool drops = function == kDropsPhase;
+  medium.phase = drops ? PhaseFunction::table : static_cast<PhaseFunction>(function.value_or(0));
   medium.phase_g = phase.number("g");
   if (!function) {
     return;
   }
   phase.choose(kPhaseNames.at(*function));
+  if (drops) {
+    medium.effective_radius = phase.number("effective_radius_um");
+    medium.phase_table = drops_phase(medium.effective_radius);
+    medium.phase_wavelengths = kDropChannels;
+    return;
+  }
   if (medium.phase == PhaseFunction::rayleigh) {
     medium.depolarization = curves.read(phase, "depolarization", spectra.depolarization);
   } else if (medium.phase == PhaseFunction::table) {

@@ -20,6 +20,15 @@ constexpr Range kMapHeight{.minimum = -100.0, .maximum = 100.0};
 constexpr Range kWind{.minimum = 0.0, .maximum = 20.0};
 constexpr Range kSphereDistance{.minimum = 1e-3, .maximum = 1e7};
 constexpr Range kSphereRadius{.minimum = 1e-4, .maximum = 1e6};
+constexpr Range kCloudAltitude{.minimum = 0.0, .maximum = 100.0};
+constexpr Range kCloudCell{.minimum = 0.1, .maximum = 50.0};
+constexpr Range kCloudPeriod{.minimum = 1.0, .maximum = 200.0};
+constexpr Range kCloudDetail{.minimum = 5.0, .maximum = 1000.0};
+constexpr Range kCloudPlace{.minimum = -1000.0, .maximum = 1000.0};
+constexpr Range kShear{.minimum = 0.0, .maximum = 50.0};
+constexpr Range kWater{.minimum = 0.0, .maximum = 5.0};
+constexpr Range kDropRadius{.minimum = 1.0, .maximum = 40.0};
+constexpr Range kCrystalRadius{.minimum = 1.0, .maximum = 200.0};
 constexpr Range kUnit{.minimum = 0.0, .maximum = 1.0};
 constexpr Range kPhaseAngle{.minimum = 0.0, .maximum = 180.0};
 constexpr Range kPhaseValue{.minimum = 0.0, .maximum = 1e9};
@@ -41,6 +50,13 @@ constexpr std::array<std::string_view, 1> kLayered = {"layers"};
 constexpr std::array<std::string_view, 1> kFog = {"height-fog"};
 constexpr std::array<std::string_view, 1> kMolecules = {"rayleigh"};
 constexpr std::array<std::string_view, 1> kTabled = {"table"};
+constexpr std::array<std::string_view, 1> kDrops = {"drops"};
+constexpr std::array<std::string_view, 1> kCloudPeak = {"henyey-greenstein"};
+constexpr std::array<std::string_view, 1> kCumulus = {"cumulus"};
+constexpr std::array<std::string_view, 1> kStratocumulus = {"stratocumulus"};
+constexpr std::array<std::string_view, 1> kCirrus = {"cirrus"};
+constexpr std::array<std::string_view, 3> kFields = {"cumulus", "stratocumulus", "cirrus"};
+constexpr std::array<std::string_view, 1> kVolume = {"volume"};
 constexpr std::array<std::string_view, 1> kPerspective = {"perspective"};
 constexpr std::array<std::string_view, 1> kFisheye = {"fisheye"};
 constexpr std::array<std::string_view, 3> kMaps = {"equirectangular", "cube", "octahedral"};
@@ -180,6 +196,67 @@ constexpr auto kRules = std::to_array<Rule>({
     only_for(kTabled,
              plain(RuleType::text, "media[].phase.file",
                    "in place of the three: a table beside the preset, see [Phase functions](#phase-functions)")),
+    only_for(kDrops, needed(number("media[].phase.effective_radius_um", kDropRadius, "um", "",
+                                   "of water drops of many sizes, whose table is made by Mie's theory: fogbow, glory "
+                                   "and corona are in it"))),
+
+    row(RuleType::clouds, "clouds", Range{.minimum = 1, .maximum = kMaxClouds}, "", "",
+        "water and ice that are uneven in all directions; `path-trace` knows them. With them rays are straight. Each "
+        "counts as one of the 8 media. A layer that is even all around is a medium, of `density` `layers` and the "
+        "phase function `drops`"),
+    needed(choice("clouds[].type", kCloudNames, "",
+                  "`cumulus`: heaps with flat bases; `stratocumulus`: a broken sheet; `cirrus`: ice in fibres; all to "
+                  "the horizon, by a seed, the same on every machine; `volume`: a file")),
+    only_for(kVolume, needed(plain(RuleType::text, "clouds[].file",
+                                   "liquid water (g/m3) and effective radius (um) at the points of a grid, as plain "
+                                   "text, see [Clouds](#clouds)"))),
+    only_for(kVolume,
+             row(RuleType::boolean, "clouds[].repeat", {}, "", "false", "whether the grid is repeated to the horizon")),
+    only_for(kCumulus, number("clouds[].cover", kUnit, "", "0.35", "share of the sky straight up that has cloud")),
+    only_for(kStratocumulus, number("clouds[].cover", kUnit, "", "0.85", "likewise")),
+    only_for(kCirrus, number("clouds[].cover", kUnit, "", "0.5", "likewise")),
+    only_for(kCumulus, number("clouds[].base_km", kCloudAltitude, "km", "1", "altitude of the lowest parts")),
+    only_for(kStratocumulus, number("clouds[].base_km", kCloudAltitude, "km", "0.8", "likewise")),
+    only_for(kCirrus, number("clouds[].base_km", kCloudAltitude, "km", "8", "likewise")),
+    only_for(kCumulus, number("clouds[].top_km", kCloudAltitude, "km", "2.4",
+                              "altitude of the highest parts; above the base, inside the air")),
+    only_for(kStratocumulus, number("clouds[].top_km", kCloudAltitude, "km", "1.2", "likewise")),
+    only_for(kCirrus, number("clouds[].top_km", kCloudAltitude, "km", "9.5", "likewise")),
+    only_for(kCumulus, number("clouds[].cell_km", kCloudCell, "km", "2", "from one cloud to the next")),
+    only_for(kStratocumulus, number("clouds[].cell_km", kCloudCell, "km", "1.2", "likewise")),
+    only_for(kCirrus, number("clouds[].cell_km", kCloudCell, "km", "4", "likewise")),
+    only_for(kCumulus, number("clouds[].period_km", kCloudPeriod, "km", "16",
+                              "after which the field repeats itself; at least two cells")),
+    only_for(kStratocumulus, number("clouds[].period_km", kCloudPeriod, "km", "16", "likewise")),
+    only_for(kCirrus, number("clouds[].period_km", kCloudPeriod, "km", "32", "likewise")),
+    only_for(kCumulus, number("clouds[].detail_m", kCloudDetail, "m", "50",
+                              "side of the cells of the grid that is made; at most 33 554 432 of them")),
+    only_for(kStratocumulus, number("clouds[].detail_m", kCloudDetail, "m", "50", "likewise")),
+    only_for(kCirrus, number("clouds[].detail_m", kCloudDetail, "m", "125", "likewise")),
+    only_for(kCumulus, number("clouds[].water_g_per_m3", kWater, "g/m3", "0.6",
+                              "water or ice where the cloud is densest; the extinction is 1.5 water / radius")),
+    only_for(kStratocumulus, number("clouds[].water_g_per_m3", kWater, "g/m3", "0.3", "likewise")),
+    only_for(kCirrus, number("clouds[].water_g_per_m3", kWater, "g/m3", "0.02", "likewise")),
+    only_for(kCumulus, number("clouds[].shear_km", kShear, "km", "0.2", "how far the top leans downwind of the base")),
+    only_for(kStratocumulus, number("clouds[].shear_km", kShear, "km", "0", "likewise")),
+    only_for(kCirrus, number("clouds[].shear_km", kShear, "km", "3", "likewise")),
+    only_for(kFields, number("clouds[].wind_to_deg", kAnyAngle, "degrees", "60",
+                             "where the wind blows to, clockwise from north")),
+    only_for(kFields, row(RuleType::integer, "clouds[].seed", Range{.minimum = 0.0, .maximum = 2147483647.0}, "", "1",
+                          "of the field's shape")),
+    only_for(kCumulus, number("clouds[].effective_radius_um", kDropRadius, "um", "10",
+                              "of drops or crystals: mean of the radius cubed over mean of the radius squared")),
+    only_for(kStratocumulus, number("clouds[].effective_radius_um", kDropRadius, "um", "8", "likewise")),
+    only_for(kCirrus, number("clouds[].effective_radius_um", kCrystalRadius, "um", "30", "likewise")),
+    number("clouds[].east_km", kCloudPlace, "km", "0",
+           "of the grid's middle from the point under the camera; the field repeats itself from there"),
+    number("clouds[].north_km", kCloudPlace, "km", "0", "likewise"),
+    number("clouds[].single_scattering_albedo", kUnit, "", "1", "share of the light met that is scattered"),
+    choice("clouds[].phase.function", kCloudPhaseNames, "drops",
+           "`drops`: of the effective radius, by Mie's theory; a volume's of its mean radius. Of `cirrus` it is "
+           "`henyey-greenstein` with g 0.75 where nothing is said, since ice is no drops"),
+    only_for(kCloudPeak, number("clouds[].phase.g", Range{.minimum = -0.99, .maximum = 0.99}, "", "0.85",
+                                "asymmetry, positive = forward")),
 
     number("sun.elevation_deg", kRightAngle, "degrees", "30", "of the sun's centre above the horizontal plane"),
     number("sun.azimuth_deg", kAnyAngle, "degrees", "0", "clockwise from north, 90 = east"),

@@ -77,6 +77,8 @@ std::string expectation(const Rule& rule) {
       return "an array of " + range + " media";
     case RuleType::spheres:
       return "an array of " + range + " spheres";
+    case RuleType::clouds:
+      return "an array of " + range + " clouds";
     case RuleType::angles:
       return "an array of ascending numbers, " + range;
     case RuleType::phase_values:

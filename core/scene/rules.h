@@ -41,6 +41,7 @@ enum class RuleType {
   exposure,      // a number, or a way of metering
   media,         // an array of media
   spheres,       // an array of spheres
+  clouds,        // an array of clouds
   angles,        // an array of numbers, ascending
   phase_values,  // an array of numbers, or of such arrays
   layers,        // an array of [altitude, density], altitudes ascending; the range is the density's
@@ -76,8 +77,12 @@ inline constexpr Range kWavelength{.minimum = 200.0, .maximum = 4000.0};
 inline constexpr std::array<std::string_view, 1> kInterpolationNames = {"linear"};
 inline constexpr std::array<std::string_view, 6> kProfileNames = {"exponential", "tent",   "lorentzian",
                                                                   "constant",    "layers", "height-fog"};
-inline constexpr std::array<std::string_view, 6> kPhaseNames = {"rayleigh", "henyey-greenstein", "cornette-shanks",
-                                                                "schlick",  "isotropic",         "table"};
+// Behind the enum's: "drops", a table that is made for them.
+inline constexpr std::array<std::string_view, 7> kPhaseNames = {
+    "rayleigh", "henyey-greenstein", "cornette-shanks", "schlick", "isotropic", "table", "drops"};
+inline constexpr std::size_t kDropsPhase = 6;
+inline constexpr std::array<std::string_view, 4> kCloudNames = {"cumulus", "stratocumulus", "cirrus", "volume"};
+inline constexpr std::array<std::string_view, 2> kCloudPhaseNames = {"drops", "henyey-greenstein"};
 inline constexpr std::array<std::string_view, 5> kProjectionNames = {"perspective", "equirectangular", "fisheye",
                                                                      "cube", "octahedral"};
 inline constexpr std::array<std::string_view, 3> kCubeLayoutNames = {"stack", "strip", "cross"};

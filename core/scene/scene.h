@@ -22,6 +22,7 @@ using Spectrum = std::array<double, 3>;
 
 inline constexpr int kMaxMedia = 8;
 inline constexpr int kMaxSpheres = 16;
+inline constexpr int kMaxClouds = 4;
 inline constexpr int kMaxDensityLayers = 256;  // over all media of a scene
 
 enum class DensityProfile { exponential, tent, lorentzian, constant, layers, height_fog };
@@ -29,6 +30,8 @@ enum class PhaseFunction { rayleigh, henyey_greenstein, cornette_shanks, schlick
 enum class Projection { perspective, equirectangular, fisheye, cube, octahedral };
 enum class CubeLayout { stack, strip, cross };
 enum class SphereMaterial { matte, mirror, translucent };
+enum class CloudKind { cumulus, stratocumulus, cirrus, volume };
+enum class CloudPhase { drops, henyey_greenstein };
 enum class SunUnit { relative, watts_per_square_metre, lux };
 enum class ToneCurve { aces, reinhard, reinhard_luminance, exponential, clamp, none };
 
@@ -55,9 +58,10 @@ struct Medium {
   Density density;
   PhaseFunction phase = PhaseFunction::isotropic;
   double phase_g = 0.8;
-  Spectrum depolarization{};     // Chandrasekhar's gamma, for rayleigh
-  PhaseTable phase_table{};      // for table
-  Spectrum phase_wavelengths{};  // nm, at which each channel reads it
+  Spectrum depolarization{};      // Chandrasekhar's gamma, for rayleigh
+  PhaseTable phase_table{};       // for table
+  double effective_radius = 0.0;  // um, of the drops whose table it is; 0: of no drops
+  Spectrum phase_wavelengths{};   // nm, at which each channel reads it
   bool operator==(const Medium&) const = default;
 };
 
@@ -161,6 +165,46 @@ struct Sphere {
   Spectrum albedo{};
   double scatter_strength = 16.0;  // for a translucent sphere
   bool operator==(const Sphere&) const = default;
+};
+
+// Contents of a cloud's file: water at points of a grid, even in each direction.
+struct CloudFile {
+  int nx = 0;                     // points toward the east
+  int ny = 0;                     // toward the north
+  int nz = 0;                     // upward
+  double dx = 0.0;                // km between points
+  double dy = 0.0;                // km
+  double lowest = 0.0;            // km, altitude of the lowest points
+  double dz = 0.0;                // km
+  std::vector<float> extinction;  // 1/km, x fastest, then y, then z
+  double effective_radius = 0.0;  // um, mean over the extinction
+  bool in_cells = false;          // even in cells around the points; false: linear between the points
+  std::string identity;           // of the file at the time it was read
+};
+
+// Water or ice that is uneven in all directions. Its extinction is the same at all wavelengths.
+struct Cloud {
+  CloudKind kind = CloudKind::cumulus;
+  std::string file;      // of a volume: its name, absolute
+  double cover = 0.0;    // share of the sky straight up; of all kinds but a volume, as what follows
+  double base = 0.0;     // km
+  double top = 0.0;      // km
+  double cell = 1.0;     // km, from one cloud to the next
+  double detail = 0.05;  // km, side of the grid's cells
+  double period = 12.8;  // km, after which the field repeats itself
+  double water = 0.0;    // g/m3, where it is densest
+  double shear = 0.0;    // km, by which the top stands downwind of the base
+  double wind = 0.0;     // rad, clockwise from north, toward which it is blown
+  int seed = 1;
+  bool repeats = true;
+  double effective_radius = 0.0;  // um
+  double east = 0.0;              // km, of the field's middle from the camera's ground point
+  double north = 0.0;             // km
+  double single_scattering_albedo = 1.0;
+  CloudPhase phase = CloudPhase::drops;
+  double phase_g = 0.85;                      // for henyey_greenstein
+  std::shared_ptr<const CloudFile> contents;  // of a volume
+  bool operator==(const Cloud&) const = default;
 };
 
 // A ball that shines by the sun's light.
@@ -323,6 +367,7 @@ struct Scene {
   std::optional<GroundMap> ground;  // with a map of albedo, planet.ground_albedo is its mean
   std::vector<Sphere> spheres;
   std::vector<Medium> media;
+  std::vector<Cloud> clouds;
   Sun sun;
   std::optional<Moon> moon;
   std::optional<NightSky> night_sky;

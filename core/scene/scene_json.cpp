@@ -77,6 +77,12 @@ std::string density_json(const Density& density) {
 // Absent parts are not written, so that EXRs from before and after the keys existed have the same preset.
 std::string phase_json(const Medium& medium, const MediumSpectra* curves) {
   JsonObject object(4);
+  if (medium.effective_radius > 0.0) {
+    return object.text("function", kPhaseNames[kDropsPhase])
+        .number("g", medium.phase_g)
+        .number("effective_radius_um", medium.effective_radius)
+        .str();
+  }
   object.text("function", name_of(medium.phase, kPhaseNames)).number("g", medium.phase_g);
   const Curve none;
   const Curve& depolarization = curves != nullptr ? curves->depolarization : none;
@@ -94,6 +100,60 @@ std::string phase_json(const Medium& medium, const MediumSpectra* curves) {
   return object.add("wavelengths_nm", json_list(table.wavelengths_nm))
       .add("values", "[" + joined_of(table.rows, json_list) + "]")
       .str();
+}
+
+// The number of metres that is read back as these km, to the last bit.
+double metres(double km) {
+  constexpr double kMetres = 1e3;
+  const double near = km * kMetres;
+  for (const double m : {near, std::nextafter(near, 0.0), std::nextafter(near, 1e30)}) {
+    if (m / kMetres == km) {
+      return m;
+    }
+  }
+  return near;
+}
+
+std::string cloud_phase_json(const Cloud& cloud) {
+  JsonObject object(4);
+  object.text("function", name_of(cloud.phase, kCloudPhaseNames));
+  if (cloud.phase == CloudPhase::henyey_greenstein) {
+    object.number("g", cloud.phase_g);
+  }
+  return object.str();
+}
+
+std::string cloud_json(const Cloud& cloud) {
+  JsonObject object(3);
+  object.text("type", name_of(cloud.kind, kCloudNames));
+  if (cloud.kind == CloudKind::volume) {
+    object.text("file", cloud.file).boolean("repeat", cloud.repeats);
+  } else {
+    object.number("cover", cloud.cover)
+        .number("base_km", cloud.base)
+        .number("top_km", cloud.top)
+        .number("cell_km", cloud.cell)
+        .number("period_km", cloud.period)
+        .number("detail_m", metres(cloud.detail))
+        .number("water_g_per_m3", cloud.water)
+        .number("shear_km", cloud.shear)
+        .degrees("wind_to_deg", cloud.wind)
+        .number("seed", cloud.seed)
+        .number("effective_radius_um", cloud.effective_radius);
+  }
+  return object.number("east_km", cloud.east)
+      .number("north_km", cloud.north)
+      .number("single_scattering_albedo", cloud.single_scattering_albedo)
+      .add("phase", cloud_phase_json(cloud))
+      .str();
+}
+
+std::string clouds_json(const std::vector<Cloud>& clouds) {
+  std::string text;
+  for (const Cloud& cloud : clouds) {
+    text += (text.empty() ? "" : ",") + JsonObject::indent(2) + cloud_json(cloud);
+  }
+  return "[" + text + JsonObject::indent(1) + "]";
 }
 
 std::string media_json(const Scene& scene) {
@@ -136,18 +196,6 @@ std::string terrain_json(const Terrain& terrain, const Curve* albedo) {
     object.text("albedo_map", terrain.albedo_map);
   }
   return object.str();
-}
-
-// The number of metres that is read back as these km, to the last bit.
-double metres(double km) {
-  constexpr double kMetres = 1e3;
-  const double near = km * kMetres;
-  for (const double m : {near, std::nextafter(near, 0.0), std::nextafter(near, 1e30)}) {
-    if (m / kMetres == km) {
-      return m;
-    }
-  }
-  return near;
 }
 
 // "grey-18" and "chrome" are written as the material and albedo that they stand for.
@@ -361,7 +409,11 @@ std::string to_json(const Scene& scene) {
   if (!scene.spheres.empty()) {
     object.add("scene", spheres_json(scene));
   }
-  object.add("media", media_json(scene)).add("sun", sun_json(scene));
+  object.add("media", media_json(scene));
+  if (!scene.clouds.empty()) {
+    object.add("clouds", clouds_json(scene.clouds));
+  }
+  object.add("sun", sun_json(scene));
   if (scene.moon) {
     object.add("moon", moon_json(*scene.moon));
   }

@@ -120,9 +120,10 @@ void Section::choose(std::string_view choice) {
     if (find_rule(key) != nullptr) {
       continue;
     }
+    const std::string name = prefix_.empty() ? key : prefix_ + "." + key;
     std::string others;
     for (const Rule& rule : rules()) {
-      if (key_in(rule, prefix_) == key) {
+      if (rule.key == name) {
         for (const std::string_view other : rule.only_for) {
           others += (others.empty() ? "" : ", ") + std::string(other);
         }

@@ -13,13 +13,13 @@ namespace airlight {
 
 struct ThingKind {
   std::string_view name;                 // for messages, in the plural
-  std::string_view section;              // of the preset
+  std::string_view section;              // of the preset; empty: the preset itself
   std::array<std::string_view, 2> keys;  // in it, one of which puts the thing there
   MemberOf<MethodInfo, bool> known;
   bool (*stands_in)(const Scene&);
 };
 
-inline constexpr std::array<ThingKind, 5> kThingKinds{
+inline constexpr std::array<ThingKind, 6> kThingKinds{
     {{"terrain", "planet", {"terrain", ""}, &MethodInfo::knows_terrain, [](const Scene& s) { return !!s.terrain; }},
      {"spheres",
       "scene",
@@ -31,6 +31,7 @@ inline constexpr std::array<ThingKind, 5> kThingKinds{
       {"spheres", ""},
       &MethodInfo::knows_translucent_spheres,
       [](const Scene& s) { return std::ranges::count(s.spheres, SphereMaterial::translucent, &Sphere::material) > 0; }},
+     {"clouds", "", {"clouds", ""}, &MethodInfo::knows_clouds, [](const Scene& s) { return !s.clouds.empty(); }},
      {"maps of the ground",
       "planet",
       {"albedo_map", "ocean"},

@@ -1,5 +1,6 @@
 #include "core/things/things.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/text.h"
@@ -38,6 +39,9 @@ Things::Things(const Scene& scene, const Others& like) {
         });
   }
   spheres_ = spheres_of(scene);
+  for (const Cloud& cloud : scene.clouds) {
+    clouds_.push_back(kept_cloud(like, cloud));
+  }
   if (scene.ground) {
     maps_ = kept<GroundMaps>(like, &Things::maps_, ground_key(scene),
                              [map = *scene.ground, albedo = scene.planet.ground_albedo] {
@@ -47,6 +51,25 @@ Things::Things(const Scene& scene, const Others& like) {
       return std::make_shared<const physics::HostGround>(seen_from(*maps.get(), camera));
     });
   }
+}
+
+Things::KeptCloud Things::kept_cloud(const Others& like, const Cloud& cloud) {
+  const std::string key = cloud_key(cloud);
+  for (const Things* other : like) {
+    const auto found = std::ranges::find(other->clouds_, key, &KeptCloud::key);
+    if (found != other->clouds_.end()) {
+      return *found;
+    }
+  }
+  return {key, OnDemand<CloudPointer>([cloud] { return std::make_shared<const CloudGrid>(cloud_grid(cloud)); })};
+}
+
+std::vector<std::shared_ptr<const CloudGrid>> Things::clouds() const {
+  std::vector<CloudPointer> all;
+  for (const KeptCloud& cloud : clouds_) {
+    all.push_back(cloud.value.get());
+  }
+  return all;
 }
 
 std::shared_ptr<const physics::HostTerrain> Things::shadowed_terrain() const {

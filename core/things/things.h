@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/on_demand.h"
+#include "core/clouds/cloud_grid.h"
 #include "core/member.h"
 #include "core/physics/physics.h"
 #include "core/scene/scene.h"
@@ -32,6 +33,9 @@ class Things {
   std::shared_ptr<const physics::HostGround> ground() const { return ground_ ? ground_.get() : nullptr; }
 
   std::vector<physics::SphereData> spheres() const { return spheres_; }
+
+  // The scene's clouds, in its order.
+  std::vector<std::shared_ptr<const CloudGrid>> clouds() const;
 
   // Whether terrain or spheres stand in the air, so that a ray may end before the ground and the sun's light in the air
   // is broken.
@@ -61,6 +65,9 @@ class Things {
     return {std::move(key), OnDemand<T>(std::move(make))};
   }
   using TerrainMaps = std::shared_ptr<const physics::HostTerrain>;
+  using CloudPointer = std::shared_ptr<const CloudGrid>;
+  using KeptCloud = Keyed<CloudPointer>;
+  static KeptCloud kept_cloud(const Others& like, const Cloud& cloud);
   using GroundMaps = std::shared_ptr<const physics::HostGround>;
 
   Keyed<TerrainMaps> heights_;     // placed, without albedo
@@ -68,6 +75,7 @@ class Things {
   Keyed<TerrainMaps> colours_;     // heights with albedo
   OnDemand<TerrainMaps> terrain_;  // the same, the camera being outside
   std::vector<physics::SphereData> spheres_;
+  std::vector<KeptCloud> clouds_;
   Keyed<GroundMaps> maps_;  // of the planet
   OnDemand<GroundMaps> ground_;
   Keyed<std::vector<EdgePixel>> edges_;

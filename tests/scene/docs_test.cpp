@@ -137,6 +137,10 @@ void expect_both(bool good, const std::string& pointer, const Json& value) {
     preset["scene"]["spheres"] = {{{"distance_m", 1e7}, {"radius_m", 1e-4}}};
     preset["render"]["method"] = "orders";
   }
+  if (pointer.starts_with("/clouds/")) {
+    preset["clouds"] = {{{"type", "cumulus"}}};
+    preset["render"]["method"] = "path-trace";
+  }
   preset[Json::json_pointer(pointer)] = value;
   EXPECT_EQ(schema_problem(schema, preset).empty(), good) << "schema, " << pointer << ": " << value;
   bool resolves = true;

@@ -169,20 +169,20 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(
     UnknownKeys, Refusal,
-    testing::Values(Case{R"("planet": {"radius": 6360})", "/planet/radius: unknown key; did you mean \"radius_km\"?"},
-                    Case{R"("sun": {"elevatoin_deg": 3})",
-                         "/sun/elevatoin_deg: unknown key; did you mean \"elevation_deg\"?"},
-                    Case{R"("Camera": {})", "/Camera: unknown key; did you mean \"camera\"?"},
-                    Case{R"("elevation_deg": 3)", "/elevation_deg: unknown key; did you mean sun.elevation_deg?"},
-                    Case{R"("image": {"zzzz": 3})", "/image/zzzz: unknown key; expected one of height, white, width"},
-                    Case{R"("a/b~c": 3)",
-                         "/a~1b~0c: unknown key; expected one of $schema, airlight, bloom, camera, description, "
-                         "display, extends, image, "
-                         "media, moon, name, night_sky, planet, render, scene, sequence, stars, sun"},
-                    Case{R"("": 3)",
-                         "/: unknown key; expected one of $schema, airlight, bloom, camera, description, display, "
-                         "extends, image, media, moon, "
-                         "name, night_sky, planet, render, scene, sequence, stars, sun"}));
+    testing::Values(
+        Case{R"("planet": {"radius": 6360})", "/planet/radius: unknown key; did you mean \"radius_km\"?"},
+        Case{R"("sun": {"elevatoin_deg": 3})", "/sun/elevatoin_deg: unknown key; did you mean \"elevation_deg\"?"},
+        Case{R"("Camera": {})", "/Camera: unknown key; did you mean \"camera\"?"},
+        Case{R"("elevation_deg": 3)", "/elevation_deg: unknown key; did you mean sun.elevation_deg?"},
+        Case{R"("image": {"zzzz": 3})", "/image/zzzz: unknown key; expected one of height, white, width"},
+        Case{R"("a/b~c": 3)",
+             "/a~1b~0c: unknown key; expected one of $schema, airlight, bloom, camera, clouds, description, "
+             "display, extends, image, "
+             "media, moon, name, night_sky, planet, render, scene, sequence, stars, sun"},
+        Case{R"("": 3)",
+             "/: unknown key; expected one of $schema, airlight, bloom, camera, clouds, description, display, "
+             "extends, image, media, moon, "
+             "name, night_sky, planet, render, scene, sequence, stars, sun"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Methods, Refusal,
@@ -288,7 +288,7 @@ INSTANTIATE_TEST_SUITE_P(
                   "/media/0/scattering_per_km: -1 is outside 0 to 100000 per km"},
         MediaCase{R"([{"name": "a", "density": {"profile": "constant", "below_km": 1}, "phase": {"function": "mie"}}])",
                   "/media/0/phase/function: \"mie\" is unknown; expected one of \"rayleigh\", \"henyey-greenstein\", "
-                  "\"cornette-shanks\", \"schlick\", \"isotropic\", \"table\""}));
+                  "\"cornette-shanks\", \"schlick\", \"isotropic\", \"table\", \"drops\""}));
 
 TEST(Refusals, NameTheMissingVersionAndMedia) {
   EXPECT_EQ(problems_of("{}"),
@@ -307,24 +307,24 @@ TEST(Refusals, NameAnUnreadableVersion) {
 }
 
 TEST(Refusals, ComeAllAtOnceInTheOrderOfTheLines) {
-  EXPECT_EQ(
-      problems_of("{\n"
-                  "  \"airlight\": 1,\n"
-                  "  \"sun\": {\"elevation_deg\": 100},\n"
-                  "  \"media\": [\n"
-                  "    {\"name\": \"a\", \"density\": {\"profile\": \"tent\"}},\n"
-                  "    {\"name\": \"b\", \"phase\": {\"g\": 2}, \"density\": {\"profile\": \"constant\",\n"
-                  "      \"below_km\": 0}}\n"
-                  "  ],\n"
-                  "  \"colour\": 1\n"
-                  "}\n"),
-      "test:3: /sun/elevation_deg: 100 is outside -90 to 90 degrees\n"
-      "test:5: /media/0/density/center_km: missing for \"tent\"; expected a number, 0 to 1e7 km\n"
-      "test:5: /media/0/density/half_width_km: missing for \"tent\"; expected a number, 1e-6 to 1e7 km\n"
-      "test:6: /media/1/phase/g: 2 is outside -0.99 to 0.99\n"
-      "test:7: /media/1/density/below_km: 0 is outside 1e-6 to 1e7 km\n"
-      "test:9: /colour: unknown key; expected one of $schema, airlight, bloom, camera, description, display, extends, "
-      "image, media, moon, name, night_sky, planet, render, scene, sequence, stars, sun");
+  EXPECT_EQ(problems_of("{\n"
+                        "  \"airlight\": 1,\n"
+                        "  \"sun\": {\"elevation_deg\": 100},\n"
+                        "  \"media\": [\n"
+                        "    {\"name\": \"a\", \"density\": {\"profile\": \"tent\"}},\n"
+                        "    {\"name\": \"b\", \"phase\": {\"g\": 2}, \"density\": {\"profile\": \"constant\",\n"
+                        "      \"below_km\": 0}}\n"
+                        "  ],\n"
+                        "  \"colour\": 1\n"
+                        "}\n"),
+            "test:3: /sun/elevation_deg: 100 is outside -90 to 90 degrees\n"
+            "test:5: /media/0/density/center_km: missing for \"tent\"; expected a number, 0 to 1e7 km\n"
+            "test:5: /media/0/density/half_width_km: missing for \"tent\"; expected a number, 1e-6 to 1e7 km\n"
+            "test:6: /media/1/phase/g: 2 is outside -0.99 to 0.99\n"
+            "test:7: /media/1/density/below_km: 0 is outside 1e-6 to 1e7 km\n"
+            "test:9: /colour: unknown key; expected one of $schema, airlight, bloom, camera, clouds, description, "
+            "display, extends, "
+            "image, media, moon, name, night_sky, planet, render, scene, sequence, stars, sun");
 }
 
 TEST(Refusals, CountTheLayersOfAllMediaTogether) {

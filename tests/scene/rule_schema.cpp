@@ -108,6 +108,7 @@ OrderedJson type_schema(const Rule& rule) {
                 OrderedJson{{"type", "string"}, {"pattern", "^lock:[0-9]{1,8}$"}}}}};
     case RuleType::media:
     case RuleType::spheres:
+    case RuleType::clouds:
       return {{"type", "array"}, {"minItems", rule.range.minimum}, {"maxItems", rule.range.maximum}};
     case RuleType::angles:
       return array_schema(number_schema(rule.range), 1, kMaxCurveSamples);

@@ -80,6 +80,14 @@ void add_things(Lines& lines, const std::string& at, const Scene& scene) {
   if (scene.ground) {
     lines.add(at + ground_key(scene), 1.0);
   }
+  for (std::size_t i = 0; i < scene.clouds.size(); ++i) {
+    const Cloud& cloud = scene.clouds[i];
+    const std::string here = at + "/clouds/" + std::to_string(i);
+    lines.add(here + " " + cloud_key(cloud), 1.0);
+    lines.add(here + "/single_scattering_albedo", cloud.single_scattering_albedo);
+    lines.add(here + "/phase", static_cast<int>(cloud.phase));
+    lines.add(here + "/phase/g", cloud.phase_g);
+  }
   for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
     const Sphere& sphere = scene.spheres[i];
     const std::string here = at + "/scene/spheres/" + std::to_string(i);

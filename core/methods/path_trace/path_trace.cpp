@@ -156,6 +156,7 @@ SkyMethod path_trace_method() {
   method.info.knows_spheres = true;
   method.info.knows_ground_maps = true;
   method.info.knows_polarisers = true;
+  method.info.knows_clouds = true;
   method.info.bends_light = true;
   method.validity.leaves_out = "polarisation by other media than molecules, the sun's disc in the picture";
   method.sweep = {with_samples("32", 32), with_samples("128", 128), with_samples("512", 512)};

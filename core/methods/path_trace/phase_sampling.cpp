@@ -5,6 +5,7 @@
 #include <iterator>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 #include "core/air/phase_samples.h"
 
@@ -53,11 +54,26 @@ PhaseSampler::PhaseSampler(physics::Physics& physics) : physics_(physics) {
   tables_.resize(physics.medium_count());
   for (physics::uint i = 0; i < physics.medium_count(); ++i) {
     if (physics.phase_of(i) == physics::kPhaseTable) {
-      Table& table = tables_[i];
-      table.shares = interval_shares(physics, physics.medium(i).phase_table);
-      std::partial_sum(table.shares.begin(), table.shares.end(), std::back_inserter(table.ends));
+      const auto fill = [](Table& table, std::vector<double> shares) {
+        table.shares = std::move(shares);
+        std::partial_sum(table.shares.begin(), table.shares.end(), std::back_inserter(table.ends));
+      };
+      const physics::uint samples = physics.medium(i).phase_table;
+      fill(tables_[i].mean, interval_shares(physics, samples));
+      std::array<std::vector<double>, 3> own = channel_interval_shares(physics, samples);
+      for (std::size_t c = 0; c < own.size(); ++c) {
+        fill(tables_[i].of_channel[c], std::move(own[c]));
+      }
     }
   }
+}
+
+double PhaseSampler::Table::draw_cosine(double u) const {
+  const double at = u * ends.back();
+  const auto found = std::upper_bound(ends.begin(), ends.end() - 1, at);
+  const auto k = static_cast<std::size_t>(found - ends.begin());
+  const double share = std::clamp(1.0 - (ends[k] - at) / shares[k], 0.0, 1.0);
+  return sample_cosine(k) * (1.0 - share) + sample_cosine(k + 1) * share;
 }
 
 double PhaseSampler::mean_depolarization(physics::uint medium) const {
@@ -82,12 +98,7 @@ double PhaseSampler::sample(physics::uint medium, double u, Random& random) cons
     const double gamma = mean_depolarization(medium);
     nu = random.uniform() < 3.0 * gamma / (1.0 + 2.0 * gamma) ? nu : sample_rayleigh(u);
   } else if (kind == physics::kPhaseTable) {
-    const Table& table = tables_[medium];
-    const double at = u * table.ends.back();
-    const auto found = std::upper_bound(table.ends.begin(), table.ends.end() - 1, at);
-    const auto k = static_cast<std::size_t>(found - table.ends.begin());
-    const double share = std::clamp(1.0 - (table.ends[k] - at) / table.shares[k], 0.0, 1.0);
-    nu = sample_cosine(k) * (1.0 - share) + sample_cosine(k + 1) * share;
+    nu = tables_[medium].mean.draw_cosine(u);
   }
   return std::clamp(nu, -1.0, 1.0);
 }
@@ -98,12 +109,38 @@ double PhaseSampler::density(physics::uint medium, double nu, vec3 phase) const 
     return physics_.phase_depolarized(vec3(mean_depolarization(medium)), nu).x;
   }
   if (kind == physics::kPhaseTable) {
-    const Table& table = tables_[medium];
+    const Table& table = tables_[medium].mean;
     const std::size_t k = std::min(static_cast<std::size_t>(physics_.phase_table_place(nu)), table.shares.size() - 1);
     const double width = 2.0 * std::numbers::pi * (sample_cosine(k) - sample_cosine(k + 1));
     return table.shares[k] / (table.ends.back() * width);
   }
   return phase.x;
+}
+
+double PhaseSampler::sample_by(const std::array<double, 3>& weights, physics::uint medium, double u,
+                               Random& random) const {
+  if (physics_.phase_of(medium) != physics::kPhaseTable) {
+    return sample(medium, u, random);
+  }
+  double left = u * (weights[0] + weights[1] + weights[2]);
+  const std::size_t channel = draw(
+      3, [&](std::size_t c) { return weights[c]; }, left);
+  return std::clamp(tables_[medium].of_channel[channel].draw_cosine(left), -1.0, 1.0);
+}
+
+double PhaseSampler::density_by(const std::array<double, 3>& weights, physics::uint medium, double nu,
+                                vec3 phase) const {
+  if (physics_.phase_of(medium) != physics::kPhaseTable) {
+    return density(medium, nu, phase);
+  }
+  const std::array<Table, 3>& tables = tables_[medium].of_channel;
+  const std::size_t k = std::min(static_cast<std::size_t>(physics_.phase_table_place(nu)), tables[0].shares.size() - 1);
+  const double width = 2.0 * std::numbers::pi * (sample_cosine(k) - sample_cosine(k + 1));
+  double sum = 0.0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    sum += weights[c] * tables[c].shares[k] / tables[c].ends.back();
+  }
+  return sum / ((weights[0] + weights[1] + weights[2]) * width);
 }
 
 double PhaseSampler::dipole_share(physics::uint medium) const {

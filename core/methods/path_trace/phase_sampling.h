@@ -1,6 +1,7 @@
 #pragma once
 // Directions by the media's phase functions.
 
+#include <array>
 #include <vector>
 
 #include "core/methods/path_trace/random.h"
@@ -20,6 +21,11 @@ class PhaseSampler {
   // 1/sr: `phase`, the medium's at nu, where it is a formula that all channels share; else close to the channels' mean.
   double density(physics::uint medium, double nu, physics::vec3 phase) const;
 
+  // The same by the mean of the channels' own functions with these weights, of which some is above 0: a path whose
+  // weights are these keeps their sum.
+  double sample_by(const std::array<double, 3>& weights, physics::uint medium, double u, Random& random) const;
+  double density_by(const std::array<double, 3>& weights, physics::uint medium, double nu, physics::vec3 phase) const;
+
   // Of molecules, the mean over the channels of Physics::dipole_share().
   double dipole_share(physics::uint medium) const;
 
@@ -31,11 +37,16 @@ class PhaseSampler {
   struct Table {
     std::vector<double> ends;  // of the intervals' shares, summed
     std::vector<double> shares;
+    double draw_cosine(double u) const;
+  };
+  struct Tables {
+    Table mean;  // of the channels
+    std::array<Table, 3> of_channel;
   };
   double mean_depolarization(physics::uint medium) const;
 
   physics::Physics& physics_;
-  std::vector<Table> tables_;  // by medium; empty for those without a table
+  std::vector<Tables> tables_;  // by medium; empty for those without a table
 };
 
 // The unit vector at cosine nu from `axis`, `turn` in [0, 1) of a full turn around it.

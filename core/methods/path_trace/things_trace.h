@@ -13,6 +13,17 @@ namespace airlight {
 using ThingNumber = int;
 inline constexpr ThingNumber kNoThing = -2;  // air or ground
 inline constexpr ThingNumber kOnTerrain = -1;
+// Where a path meets a drop of a cloud, its flight ends as on a thing.
+inline constexpr ThingNumber kFirstCloud = -3;
+constexpr bool is_cloud(ThingNumber thing) {
+  return thing <= kFirstCloud;
+}
+constexpr int cloud_of(ThingNumber thing) {
+  return kFirstCloud - thing;
+}
+constexpr ThingNumber thing_of_cloud(int cloud) {
+  return kFirstCloud - cloud;
+}
 
 class TracedThings {
  public:

@@ -14,8 +14,9 @@ namespace {
 constexpr int kEdgeSide = 4;  // rays across a pixel that holds an edge
 
 // Where only waves reflect light, paths still have to reach the ground: the guide needs an albedo there.
-physics::Physics formulas_with_ground(const Part& part) {
+physics::Physics formulas_with_ground(const Part& bare) {
   constexpr double kGlint = 0.05;
+  const Part part = bare.scene.clouds.empty() ? bare : with_cloud_media(bare);
   physics::Physics p = formulas_of(part.air, part.scene);
   p.ground_maps = part.things.ground();
   p.polarisation = part.scene.render.polarisation;
@@ -34,8 +35,10 @@ PathTracer::PathTracer(const Part& part, const Wavelengths* all, std::uint64_t s
       flight_(physics_, depth_),
       guide_(physics_, flight_),
       things_(part),
+      clouds_(part),
       single_(physics_, depth_, flight_.corners(), things_.none() ? nullptr : &things_),
-      walk_(physics_, depth_, single_, flight_, guide_, max_orders, things_.none() ? nullptr : &things_),
+      walk_(physics_, depth_, single_, flight_, guide_, max_orders, things_.none() ? nullptr : &things_,
+            clouds_.none() ? nullptr : &clouds_),
       all_(all),
       seed_(seed),
       max_orders_(max_orders),
@@ -58,6 +61,9 @@ PathTracer::Chain PathTracer::start(vec3 direction, double pixel) const {
 
 vec3 PathTracer::single(const Chain& chain) const {
   vec3 sum(0.0);
+  if (!clouds_.none()) {
+    return sum;
+  }
   for (const WalkStart& start : chain) {
     const Bend to_sun = bend_of(start.direction, physics_.scene.sun.direction, start.axis);
     const double uneven = Analyser<double>{start.q, 0.0}.correction(to_sun, 1.0);
@@ -93,14 +99,19 @@ vec3 PathTracer::batch(const Chain& chain, std::uint64_t pixel, std::uint64_t ba
 vec3 PathTracer::transmittance(const Chain& chain) const {
   const WalkStart& start = chain.front();
   const bool passes = start.ray.length_ > 0.0;
+  double clear = 1.0;
+  if (passes && !clouds_.none()) {
+    const vec3 place = start.up * (physics_.scene.planet.ground_radius + start.ray.h);
+    clear = std::exp(-clouds_.optical_depth(place, start.direction, start.ray.length_));
+  }
   if (all_ != nullptr) {
     const auto columns = passes ? depth_.columns_along(start.ray.h, start.ray.mu, start.ray.length_) : Columns{};
-    return all_->colour(all_->transmittance(columns));
+    return all_->colour(all_->transmittance(columns)) * clear;
   }
   if (!passes) {
     return vec3(1.0);
   }
-  return exp(-depth_.along(start.ray.h, start.ray.mu, start.ray.length_));
+  return exp(-depth_.along(start.ray.h, start.ray.mu, start.ray.length_)) * clear;
 }
 
 vec3 PathTracer::view(double x, double y) const {

@@ -30,14 +30,27 @@ class PathTracer {
   using Chain = std::vector<WalkStart>;
   Chain start(physics::vec3 direction, double pixel = 0.0) const;
 
-  // The first order, which is exact.
+  // The first order, which is exact; nothing among clouds, where it is sampled as the others.
   physics::vec3 single(const Chain& chain) const;
 
-  // Whether there are further orders to sample.
-  bool has_higher_orders() const { return max_orders_ != 1; }
+  // Whether there are orders to sample.
+  bool has_higher_orders() const { return max_orders_ != 1 || !clouds_.none(); }
 
   // The higher orders: mean of kBatch samples, one independent estimate. `scratch` is overwritten.
   physics::vec3 batch(const Chain& chain, std::uint64_t pixel, std::uint64_t batch, FlightPlan& scratch) const;
+
+  // One estimate of the radiance that arrives at a place (as Walk::start_at() takes it) against `direction`, for a sun
+  // of irradiance 1. Only among clouds, and in three channels.
+  physics::vec3 arriving(physics::vec3 place, physics::vec3 direction, WalkNumbers& numbers,
+                         FlightPlan& scratch) const {
+    return walk_.sample(walk_.start_at(place, direction), numbers, scratch);
+  }
+  // Light that sets out there in that direction, as Walk::follow() has it.
+  Walk::Left follow(physics::vec3 place, physics::vec3 direction, WalkNumbers& numbers, FlightPlan& scratch,
+                    const std::function<void(physics::vec3 place, double share)>& lost) const {
+    return walk_.follow(walk_.start_at(place, direction), numbers, scratch, lost);
+  }
+  const TracedClouds& clouds() const { return clouds_; }
 
   // Number of paths and of rays that were cut short because they would not have ended.
   std::uint64_t cut_paths() const { return walk_.cut_paths(); }
@@ -65,6 +78,7 @@ class PathTracer {
   Flight flight_;
   SkyGuide guide_;
   TracedThings things_;
+  TracedClouds clouds_;
   SingleScattering single_;
   Walk walk_;
   const Wavelengths* all_;

@@ -72,11 +72,13 @@ struct Walk::State {
     const vec3 point = up * (planet.ground_radius + h);
     return off_thing(point, thing);
   }
-  WidePath* wide = nullptr;  // if set, replaces `sum` with all wavelengths; the channels above then only steer
+  double sun_share = 1.0;       // of the sunlight at the vertex, the part that the path itself brings
+  FlightPlan* aside = nullptr;  // scratch memory among clouds
+  WidePath* wide = nullptr;     // if set, replaces `sum` with all wavelengths; the channels above then only steer
 };
 
 Walk::Walk(physics::Physics& physics, const OpticalDepth& depth, const SingleScattering& single, const Flight& flight,
-           const SkyGuide& guide, int max_orders, const TracedThings* things)
+           const SkyGuide& guide, int max_orders, const TracedThings* things, const TracedClouds* clouds)
     : physics_(physics),
       depth_(depth),
       single_(single),
@@ -84,8 +86,10 @@ Walk::Walk(physics::Physics& physics, const OpticalDepth& depth, const SingleSca
       guide_(guide),
       phases_(physics),
       things_(things),
+      clouds_(clouds),
       max_orders_(max_orders),
-      guided_orders_(guided_orders(flight.forward_depth())) {}
+      // The guide knows no clouds.
+      guided_orders_(clouds != nullptr ? 0 : guided_orders(flight.forward_depth())) {}
 
 WalkStart Walk::start(vec3 direction, double wall) const {
   const physics::PlanetData& planet = physics_.scene.planet;
@@ -111,10 +115,23 @@ WalkStart Walk::start(vec3 direction, double wall) const {
   return start;
 }
 
+WalkStart Walk::start_at(vec3 place, vec3 direction) const {
+  const physics::PlanetData& planet = physics_.scene.planet;
+  const vec3 sun = physics_.scene.sun.direction;
+  WalkStart start;
+  start.direction = direction;
+  start.axis = some_axis(direction);
+  start.up = normalize(place);
+  start.ray = physics_.ray_in_atmosphere(planet, std::max(length(place) - planet.ground_radius, 0.0),
+                                         dot(start.up, direction), dot(start.up, sun), dot(direction, sun));
+  plan_flight(start.ray, place, direction, cut_at_things(place, direction, kNoThing, start.ray), 0.0, start.plan);
+  return start;
+}
+
 std::optional<WalkStart> Walk::mirrored(const WalkStart& from, const Wavelengths* all) const {
   const ThingNumber mirror = from.plan.thing;
-  if (things_ == nullptr || !things_->mirrors(mirror)) {
-    return std::nullopt;
+  if (things_ == nullptr || clouds_ != nullptr || !things_->mirrors(mirror)) {
+    return std::nullopt;  // among clouds, walks follow the mirrors
   }
   const physics::PlanetData& planet = physics_.scene.planet;
   const vec3 sun = physics_.scene.sun.direction;
@@ -167,12 +184,27 @@ std::optional<TracedThings::Met> Walk::cut_at_things(vec3 place, vec3 direction,
   return met;
 }
 
+// Ends the ray where it meets a cloud's drop before the thing.
+void Walk::meet_clouds(vec3 place, vec3 direction, physics::Physics::Ray& ray, std::optional<TracedThings::Met>& met,
+                       Random& random) const {
+  if (clouds_ == nullptr || !(ray.length_ > 0.0)) {
+    return;
+  }
+  if (const auto drop = clouds_->collide(place, direction, ray.length_, random)) {
+    met = TracedThings::Met{drop->distance, thing_of_cloud(drop->cloud)};
+    ray.length_ = drop->distance;
+    ray.at_ground = false;
+  }
+}
+
 // Without `sun_weight`: not guided.
 void Walk::plan_flight(const physics::Physics::Ray& ray, vec3 place, vec3 direction,
                        const std::optional<TracedThings::Met>& met, std::optional<double> sun_weight,
                        FlightPlan& plan) const {
   Channels albedo{};
-  if (met) {
+  if (met && is_cloud(met->thing)) {
+    albedo.fill(clouds_->albedo(cloud_of(met->thing)));
+  } else if (met) {
     albedo = channels_of(things_->albedo(place + direction * met->distance, met->thing));
   }
   const Channels* const thing = met ? &albedo : nullptr;
@@ -206,20 +238,24 @@ bool Walk::fly(State& state, const FlightPlan& plan, double u) const {
   }
   state.carry = state.carry * passed / collision.density;
   state.up = normalize(state.up * (planet.ground_radius + state.h) + state.direction * collision.distance);
-  state.thing = collision.at_ground ? plan.thing : kNoThing;
-  state.h = collision.at_ground && state.thing == kNoThing ? 0.0 : point.h;
+  const bool in_cloud = collision.at_ground && is_cloud(plan.thing);
+  state.thing = collision.at_ground && !in_cloud ? plan.thing : kNoThing;
+  state.h = collision.at_ground && plan.thing == kNoThing ? 0.0 : point.h;
   state.mu_sun = point.mu_sun;
   if (physics_.refraction) {
     turn_by(state, bending_to(physics_, ray, point));
   }
-  state.at_ground = collision.at_ground;
+  state.at_ground = collision.at_ground && !in_cloud;
   state.mirrors = false;
   if (state.at_ground) {
     stand_on_surface(state);
   }
   for (uint i = 0; i < physics_.medium_count(); ++i) {
     const physics::MediumData m = physics_.medium(i);
-    state.densities[i] = physics_.density(physics_.density_profile(i), m, state.h);
+    state.densities[i] = in_cloud ? 0.0 : physics_.density(physics_.density_profile(i), m, state.h);
+    if (in_cloud && i == first_cloud() + static_cast<uint>(cloud_of(plan.thing))) {
+      state.densities[i] = 1.0;  // what meets a drop is scattered as by an extinction of 1
+    }
     state.scattering[i] = m.scattering * state.densities[i];
   }
   physics::Physics::Densities densities{};
@@ -269,7 +305,7 @@ vec3 Walk::seen_from(const State& state, const Sunbeam& beam) const {
 
 // Sunlight that the vertex scatters or reflects back along the path. That of mirrors is left out: they would have to
 // stand just so.
-vec3 Walk::from_sun(const State& state) const {
+vec3 Walk::from_sun(const State& state, Random& random) const {
   if (state.mirrors) {
     return vec3(0.0);
   }
@@ -277,7 +313,10 @@ vec3 Walk::from_sun(const State& state) const {
   const vec3 beam = things_ == nullptr
                         ? single_.sunlight(state.h, sun)
                         : single_.sunlight_at(state.place(physics_.scene.planet), state.h, state.mu_sun, state.thing);
-  const vec3 arrives = state.carry * beam;
+  vec3 arrives = state.carry * beam;
+  if (clouds_ != nullptr && std::max({arrives.x, arrives.y, arrives.z}) > 0.0) {
+    arrives = arrives * through_clouds(state, random);
+  }
   if (state.thing != kNoThing) {
     const double facing = std::max(dot(state.normal, physics_.scene.sun.direction), 0.0);
     return arrives * state.albedo * (facing / std::numbers::pi);
@@ -293,8 +332,15 @@ vec3 Walk::from_sun(const State& state) const {
   return arrives * scattered;
 }
 
+// An estimate of the sunlight's share that passes the clouds on its way to the vertex, times `sun_share`.
+double Walk::through_clouds(const State& state, Random& random) const {
+  constexpr double kFar = 1e5;  // km
+  return state.sun_share *
+         clouds_->transmittance(state.place(physics_.scene.planet), physics_.scene.sun.direction, kFar, random);
+}
+
 // Adds from_sun() at all wavelengths to their sums.
-void Walk::add_from_sun(const State& state) const {
+void Walk::add_from_sun(const State& state, Random& random) const {
   const Sunbeam sun = sunbeam(physics_, state.h, state.mu_sun);
   if (!sun.up) {
     return;
@@ -302,34 +348,46 @@ void Walk::add_from_sun(const State& state) const {
   if (state.mirrors || (things_ != nullptr && things_->hides_sun(state.place(physics_.scene.planet), state.thing))) {
     return;
   }
+  const double share = clouds_ == nullptr ? sun.spread : sun.spread * through_clouds(state, random);
   const Columns to_sun = depth_.columns_to_top(state.h, sun.mu);
   if (state.at_ground && state.thing == kNoThing && physics_.ground_maps) {
     state.wide->add_reflected(to_sun, state.wide->wavelengths().of_groups([&](physics::Physics& group) {
-      return ground_reflects(group, state.up, state.direction, sun.mu, vec3(sun.spread));
+      return ground_reflects(group, state.up, state.direction, sun.mu, vec3(share));
     }),
                               1.0);
   } else if (state.at_ground) {
     const double facing = dot(state.normal, seen_from(state, sun));
-    state.wide->add_reflected(to_sun, state.wide_albedo, std::max(facing, 0.0) * sun.spread / std::numbers::pi);
+    state.wide->add_reflected(to_sun, state.wide_albedo, std::max(facing, 0.0) * share / std::numbers::pi);
   } else {
     Columns densities = state.densities;
     for (double& density : densities) {
-      density *= sun.spread;
+      density *= share;
     }
     state.wide->add_scattered(to_sun, densities, bend_of(state.direction, seen_from(state, sun), state.axis));
   }
 }
 
+// A direction in which a vertex may continue a path.
+struct Walk::Choice {
+  vec3 direction;
+  vec3 scattered;     // coefficient times phase function back along the path, or the ground's counterpart
+  double density;     // 1/sr
+  double sun_weight;  // phase function from there to the sun, 1 for isotropic
+};
+
 // The directions in which a vertex may continue a path, and their densities.
 class Walk::Lobes {
  public:
   // Without `guided`: only the phase functions, or the cosine.
-  Lobes(physics::Physics& physics, const PhaseSampler& phases, const SkyGuide& guide, const State& state, bool guided)
+  // `first_cloud`: the first medium of a cloud.
+  Lobes(physics::Physics& physics, const PhaseSampler& phases, const SkyGuide& guide, const State& state, bool guided,
+        uint first_cloud)
       : physics_(physics),
         phases_(phases),
         guide_(guide),
         state_(state),
-        frame_(physics, state.h, state.up, state.at_ground) {
+        frame_(physics, state.h, state.up, state.at_ground),
+        first_cloud_(first_cloud) {
     if (state.at_ground) {
       toward_sky_ = guided ? kTowardSkyGround : 0.0;
       weight_ = channels_of(state.carry * state.albedo);
@@ -381,7 +439,8 @@ class Walk::Lobes {
       return guide_.draw_direction(frame_, weight_, u, turn);
     }
     const uint chosen = static_cast<uint>(lobe - 1) % n;
-    const double nu = phases_.sample(chosen, u, random);
+    const double nu = chosen < first_cloud_ ? phases_.sample(chosen, u, random)
+                                            : phases_.sample_by(carried(chosen), chosen, u, random);
     if (lobe > n) {
       return around(physics_.scene.sun.direction, nu, turn);
     }
@@ -392,26 +451,23 @@ class Walk::Lobes {
     return next;
   }
 
-  struct Choice {
-    vec3 scattered;     // coefficient times phase function back along the path, or the ground's counterpart
-    double density;     // 1/sr
-    double sun_weight;  // phase function from there to the sun, 1 for isotropic
-  };
-
-  Choice judge(vec3 direction) const {
+  Choice judge(const vec3& direction) const {
     const double to_sun = std::clamp(dot(direction, physics_.scene.sun.direction), -1.0, 1.0);
     const double from_sky = toward_sky_ > 0.0 ? guide_.density(frame_, weight_, direction) : 0.0;
     if (state_.at_ground) {
       const double cosine = std::max(dot(direction, state_.normal), 0.0) / std::numbers::pi;
-      return {state_.albedo * cosine, toward_sky_ * from_sky + (1.0 - toward_sky_) * cosine, 1.0};
+      return {direction, state_.albedo * cosine, toward_sky_ * from_sky + (1.0 - toward_sky_) * cosine, 1.0};
     }
     const Bend bend = bend_of(state_.direction, direction, state_.axis);
     const double turned = bend.nu;
-    Choice choice{state_.analyser.correction(bend, state_.dipoles), toward_sky_ * from_sky, 0.0};
+    Choice choice{direction, state_.analyser.correction(bend, state_.dipoles), toward_sky_ * from_sky, 0.0};
     for (uint i = 0; i < count(); ++i) {
       const double toward_sun = phases_.density(i, to_sun, physics_.medium_phase(i, to_sun));
       const vec3 phase = physics_.medium_phase(i, turned);
-      const double along = phases_.density(i, turned, phase) + (polarises(i) ? uneven(i, bend) : 0.0);
+      const double around_path = i < first_cloud_ || along_path_[i] <= 0.0
+                                     ? phases_.density(i, turned, phase)
+                                     : phases_.density_by(carried(i), i, turned, phase);
+      const double along = around_path + (polarises(i) ? uneven(i, bend) : 0.0);
       choice.density += along_path_[i] * along + around_sun_[i] * toward_sun;
       choice.scattered = choice.scattered + state_.scattering[i] * phase;
       choice.sun_weight += mix_[i] * toward_sun * 4.0 * std::numbers::pi;
@@ -421,6 +477,8 @@ class Walk::Lobes {
 
  private:
   uint count() const { return physics_.medium_count(); }
+  // What the medium scatters of each channel's light.
+  Channels carried(uint i) const { return channels_of(state_.carry * state_.scattering[i]); }
 
   // Whether the medium scatters unevenly around the path, whose end tells polarised light.
   bool polarises(uint i) const {
@@ -444,6 +502,7 @@ class Walk::Lobes {
   const SkyGuide& guide_;
   const State& state_;
   SkyFrame frame_;
+  uint first_cloud_;
   Channels weight_;
   double toward_sky_ = 0.0;
   std::array<double, physics::kMaxMedia> along_path_{};
@@ -454,19 +513,31 @@ class Walk::Lobes {
 // Chooses a direction and plans the flight along it; false where the path ends.
 bool Walk::turn(State& state, bool guided, WalkNumbers& numbers, FlightPlan& plan) const {
   if (state.mirrors) {
-    reflect(state, guided, plan);
+    reflect(state, guided, numbers.random(), plan);
     return true;
   }
-  const Lobes lobes(physics_, phases_, guide_, state, guided);
+  const Lobes lobes(physics_, phases_, guide_, state, guided, first_cloud());
   if (lobes.send_nothing()) {
     return false;
   }
   const double u = numbers.next();
   const vec3 next = lobes.draw_direction(u, numbers.next(), numbers.random());
-  const Lobes::Choice choice = lobes.judge(next);
+  const Choice choice = lobes.judge(next);
   if (!(choice.density > 0.0)) {
     return false;
   }
+  if (state.aside != nullptr) {
+    look_toward_sun(state, lobes, numbers.random());
+    state.sun_share = choice.density / (choice.density + toward_sun(next));
+  }
+  set_out(state, choice, choice.density);
+  take_off(state, guided ? std::optional(choice.sun_weight) : std::nullopt, numbers.random(), plan);
+  return true;
+}
+
+// Turns the path into a direction that was chosen with this density.
+void Walk::set_out(State& state, const Choice& choice, double density) const {
+  const vec3& next = choice.direction;
   const Bend bend = bend_of(state.direction, next, state.axis);
   if (state.at_ground) {
     state.analyser.forget();
@@ -475,35 +546,77 @@ bool Walk::turn(State& state, bool guided, WalkNumbers& numbers, FlightPlan& pla
   }
   state.axis = bend.axis;
   if (state.wide != nullptr && state.at_ground) {
-    state.wide->reflect(state.wide_albedo, std::max(dot(next, state.normal), 0.0) / std::numbers::pi, choice.density);
+    state.wide->reflect(state.wide_albedo, std::max(dot(next, state.normal), 0.0) / std::numbers::pi, density);
   } else if (state.wide != nullptr) {
-    state.wide->scatter(state.densities, bend, choice.density);
+    state.wide->scatter(state.densities, bend, density);
   }
   state.direction = next;
-  state.carry = state.carry * choice.scattered / choice.density;
-  take_off(state, guided ? std::optional(choice.sun_weight) : std::nullopt, plan);
-  return true;
+  state.carry = state.carry * choice.scattered / density;
+}
+
+uint Walk::first_cloud() const {
+  return physics_.medium_count() - static_cast<uint>(clouds_ == nullptr ? 0 : clouds_->count());
+}
+
+// Density of directions by the clouds' phase functions around the sun, 1/sr.
+double Walk::toward_sun(const vec3& direction) const {
+  const double nu = std::clamp(dot(direction, physics_.scene.sun.direction), -1.0, 1.0);
+  double sum = 0.0;
+  for (uint i = first_cloud(); i < physics_.medium_count(); ++i) {
+    sum += phases_.density(i, nu, physics_.medium_phase(i, nu));
+  }
+  return sum / clouds_->count();
+}
+
+// The sun's light that the next vertex scatters straight on: directions around the sun find it, those of the path
+// hardly ever. Both share it by the balance heuristic (Veach and Guibas 1995).
+void Walk::look_toward_sun(State& state, const Lobes& lobes, Random& random) const {
+  const uint cloud = first_cloud() + static_cast<uint>(random.uniform() * clouds_->count());
+  const double nu = phases_.sample(cloud, random.uniform(), random);
+  const Choice choice = lobes.judge(around(physics_.scene.sun.direction, nu, random.uniform()));
+  const double density = choice.density + toward_sun(choice.direction);
+  if (!(density > 0.0) || !(std::max({choice.scattered.x, choice.scattered.y, choice.scattered.z}) > 0.0)) {
+    return;
+  }
+  State probe = state;
+  std::optional<WidePath> wide;
+  if (state.wide != nullptr) {
+    probe.wide = &wide.emplace(*state.wide);
+  }
+  probe.sun_share = 1.0;
+  set_out(probe, choice, density);
+  take_off(probe, std::nullopt, random, *state.aside);
+  if (fly(probe, *state.aside, random.uniform())) {
+    add_sunlight(probe, random);
+  }
+  state.sum = probe.sum;
+  if (wide) {
+    state.wide->take_sum(*wide);
+  }
 }
 
 // Turns as a mirror does.
-void Walk::reflect(State& state, bool guided, FlightPlan& plan) const {
+void Walk::reflect(State& state, bool guided, Random& random, FlightPlan& plan) const {
   state.direction = mirrored_at(state.direction, state.normal);
   state.axis = some_axis(state.direction);
   state.analyser.forget();
+  state.sun_share = 1.0;
   state.carry = state.carry * state.albedo;
   if (state.wide != nullptr) {
     state.wide->reflect(state.wide_albedo, 1.0, 1.0);
   }
-  take_off(state, guided ? std::optional(1.0) : std::nullopt, plan);
+  take_off(state, guided ? std::optional(1.0) : std::nullopt, random, plan);
 }
 
 // Plans the flight from the vertex along the path's direction; without `sun_weight`: not guided.
-void Walk::take_off(const State& state, std::optional<double> sun_weight, FlightPlan& plan) const {
+void Walk::take_off(const State& state, std::optional<double> sun_weight, Random& random, FlightPlan& plan) const {
   const vec3 sun = physics_.scene.sun.direction;
   physics::Physics::Ray ray = physics_.ray_in_atmosphere(physics_.scene.planet, state.h, dot(state.up, state.direction),
                                                          dot(state.up, sun), dot(state.direction, sun));
   const vec3 place = state.place(physics_.scene.planet);
-  plan_flight(ray, place, state.direction, cut_at_things(place, state.direction, state.thing, ray), sun_weight, plan);
+  std::optional<TracedThings::Met> met = cut_at_things(place, state.direction, state.thing, ray);
+  meet_clouds(place, state.direction, ray, met, random);
+  plan_flight(ray, place, state.direction, met, sun_weight, plan);
 }
 
 vec3 Walk::sample(const WalkStart& start, WalkNumbers& numbers, FlightPlan& plan) const {
@@ -519,13 +632,72 @@ void Walk::sample(const WalkStart& start, WalkNumbers& numbers, FlightPlan& plan
   walk(state, start, numbers, plan);
 }
 
+void Walk::add_sunlight(State& state, Random& random) const {
+  if (state.wide != nullptr) {
+    add_from_sun(state, random);
+  } else {
+    state.sum = state.sum + from_sun(state, random);
+  }
+}
+
+// Along the first ray, which ends at another drop each time. False where there is no vertex.
+bool Walk::fly_among_clouds(State& state, const WalkStart& start, WalkNumbers& numbers, FlightPlan& plan) const {
+  physics::Physics::Ray ray = start.ray;
+  const vec3 place = start.up * (physics_.scene.planet.ground_radius + ray.h);
+  std::optional<TracedThings::Met> met;
+  if (start.plan.thing != kNoThing) {
+    met = TracedThings::Met{ray.length_, start.plan.thing};
+  }
+  meet_clouds(place, start.direction, ray, met, numbers.random());
+  plan_flight(ray, place, start.direction, met, std::nullopt, plan);
+  return fly(state, plan, numbers.next());
+}
+
+Walk::Left Walk::follow(const WalkStart& start, WalkNumbers& numbers, FlightPlan& plan,
+                        const std::function<void(vec3 place, double share)>& lost) const {
+  constexpr double kFaint = 0.01;  // less is dropped or raised to this, by chance
+  State state;
+  state.h = start.ray.h;
+  state.up = start.up;
+  state.direction = start.direction;
+  state.axis = start.axis;
+  const auto left = [&] { return Left{state.place(physics_.scene.planet), state.direction, state.carry.x}; };
+  bool met = fly_among_clouds(state, start, numbers, plan);
+  for (int order = 1; met && order < kMostScatterings; ++order) {
+    const double before = state.carry.x;
+    double scattered = 0.0;
+    for (uint i = 0; i < physics_.medium_count(); ++i) {
+      scattered += state.scattering[i].x;
+    }
+    lost(state.place(physics_.scene.planet), before * (1.0 - scattered));
+    if (state.carry.x < kFaint) {
+      if (!(numbers.random().uniform() * kFaint < state.carry.x)) {
+        return {left().place, state.direction, 0.0};
+      }
+      state.carry = vec3(kFaint);
+    }
+    if (!turn(state, false, numbers, plan)) {
+      return {left().place, state.direction, 0.0};
+    }
+    met = fly(state, plan, numbers.next());
+  }
+  return left();
+}
+
 void Walk::walk(State& state, const WalkStart& start, WalkNumbers& numbers, FlightPlan& plan) const {
   state.h = start.ray.h;
   state.up = start.up;
   state.direction = start.direction;
   state.axis = start.axis;
   state.analyser.q = vec3(start.q);
-  if (!fly(state, start.plan, numbers.next()) || state.mirrors) {
+  FlightPlan aside;
+  if (clouds_ != nullptr) {
+    state.aside = &aside;
+    if (!fly_among_clouds(state, start, numbers, plan)) {
+      return;
+    }
+    add_sunlight(state, numbers.random());
+  } else if (!fly(state, start.plan, numbers.next()) || state.mirrors) {
     return;  // what a mirror shows is a ray of its own
   }
   vec3 whole(0.0);  // what the path was worth when its standing was 1
@@ -554,11 +726,7 @@ void Walk::walk(State& state, const WalkStart& start, WalkNumbers& numbers, Flig
     if (!fly(state, plan, numbers.next())) {
       break;
     }
-    if (state.wide != nullptr) {
-      add_from_sun(state);
-    } else {
-      state.sum = state.sum + from_sun(state);
-    }
+    add_sunlight(state, numbers.random());
     cut_paths_ += max_orders_ == 0 && order == most ? 1 : 0;
   }
 }

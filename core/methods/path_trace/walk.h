@@ -3,8 +3,10 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <optional>
 
+#include "core/methods/path_trace/cloud_trace.h"
 #include "core/methods/path_trace/flight.h"
 #include "core/methods/path_trace/phase_sampling.h"
 #include "core/methods/path_trace/random.h"
@@ -29,20 +31,34 @@ struct WalkStart {
 
 class Walk {
  public:
-  // `max_orders`: most scatterings and reflections of a path; 0: kMostScatterings.
+  // `max_orders`: most scatterings and reflections of a path; 0: kMostScatterings. With `clouds` the formulas' last
+  // media are theirs.
   Walk(physics::Physics& physics, const OpticalDepth& depth, const SingleScattering& single, const Flight& flight,
-       const SkyGuide& guide, int max_orders, const TracedThings* things = nullptr);
+       const SkyGuide& guide, int max_orders, const TracedThings* things = nullptr,
+       const TracedClouds* clouds = nullptr);
 
   // A ray from the camera; `wall`: distance at which a black wall ends it, km.
   WalkStart start(physics::vec3 direction, double wall) const;
+  // A ray from any place in the air, a vector from the planet's centre in the camera's frame, km.
+  WalkStart start_at(physics::vec3 place, physics::vec3 direction) const;
   // The ray that a mirror makes of one that ends on it; nothing where the ray does not. `all`: null for three channels.
   std::optional<WalkStart> mirrored(const WalkStart& from, const Wavelengths* all) const;
 
-  // One estimate of the radiance after two or more scatterings or reflections, for a sun of irradiance 1. `plan` is
-  // scratch memory.
+  // One estimate of the radiance after two or more scatterings or reflections, for a sun of irradiance 1; with clouds,
+  // after one or more. `plan` is scratch memory.
   physics::vec3 sample(const WalkStart& start, WalkNumbers& numbers, FlightPlan& plan) const;
   // One estimate at all wavelengths, added to the path's sum.
   void sample(const WalkStart& start, WalkNumbers& numbers, FlightPlan& plan, WidePath& wide) const;
+
+  // Light itself, followed from where it starts until nothing is in its way: the last place and direction, and the
+  // share that is left. `lost`: is told what each place absorbs. Only among clouds, and in three channels.
+  struct Left {
+    physics::vec3 place;
+    physics::vec3 direction;
+    double share = 0.0;
+  };
+  Left follow(const WalkStart& start, WalkNumbers& numbers, FlightPlan& plan,
+              const std::function<void(physics::vec3 place, double share)>& lost) const;
 
   // Number of paths that ended after kMostScatterings without a limit from the user.
   std::uint64_t cut_paths() const { return cut_paths_; }
@@ -50,13 +66,23 @@ class Walk {
 
  private:
   struct State;
+  struct Choice;
   class Lobes;
   void walk(State& state, const WalkStart& start, WalkNumbers& numbers, FlightPlan& plan) const;
   bool fly(State& state, const FlightPlan& plan, double u) const;
   void turn_by(State& state, double bent) const;
   physics::vec3 seen_from(const State& state, const Sunbeam& beam) const;
-  physics::vec3 from_sun(const State& state) const;
-  void add_from_sun(const State& state) const;
+  physics::vec3 from_sun(const State& state, Random& random) const;
+  void add_from_sun(const State& state, Random& random) const;
+  void add_sunlight(State& state, Random& random) const;
+  double through_clouds(const State& state, Random& random) const;
+  void meet_clouds(physics::vec3 place, physics::vec3 direction, physics::Physics::Ray& ray,
+                   std::optional<TracedThings::Met>& met, Random& random) const;
+  physics::uint first_cloud() const;
+  double toward_sun(const physics::vec3& direction) const;
+  void set_out(State& state, const Choice& choice, double density) const;
+  void look_toward_sun(State& state, const Lobes& lobes, Random& random) const;
+  bool fly_among_clouds(State& state, const WalkStart& start, WalkNumbers& numbers, FlightPlan& plan) const;
   double seen_length(const physics::Physics::Ray& ray) const;
   std::optional<TracedThings::Met> cut_at_things(physics::vec3 place, physics::vec3 direction, ThingNumber left,
                                                  physics::Physics::Ray& ray) const;
@@ -65,8 +91,8 @@ class Walk {
                    FlightPlan& plan) const;
   void stand_on_surface(State& state) const;
   bool turn(State& state, bool guided, WalkNumbers& numbers, FlightPlan& plan) const;
-  void reflect(State& state, bool guided, FlightPlan& plan) const;
-  void take_off(const State& state, std::optional<double> sun_weight, FlightPlan& plan) const;
+  void reflect(State& state, bool guided, Random& random, FlightPlan& plan) const;
+  void take_off(const State& state, std::optional<double> sun_weight, Random& random, FlightPlan& plan) const;
 
   physics::Physics& physics_;
   const OpticalDepth& depth_;
@@ -75,6 +101,7 @@ class Walk {
   const SkyGuide& guide_;
   PhaseSampler phases_;
   const TracedThings* things_;
+  const TracedClouds* clouds_;
   int max_orders_;
   int guided_orders_;
   mutable std::atomic<std::uint64_t> cut_paths_ = 0;

@@ -4,6 +4,8 @@
 #include <span>
 #include <utility>
 
+#include "core/methods/path_trace/cloud_trace.h"
+
 namespace airlight {
 
 using physics::uint;
@@ -88,10 +90,11 @@ Part mean_part(const Stage& stage) {
 
 Wavelengths::Wavelengths(const Stage& stage)
     : count_(stage.basis().nodes.nm.size()),
-      media_(stage.scene().media.size()),
+      media_(stage.scene().media.size() + stage.scene().clouds.size()),
       steering_(mean_part(stage)),
       colours_(stage.basis().matrix) {
-  for (const Part& part : stage.parts()) {
+  for (const Part& bare : stage.parts()) {
+    const Part part = bare.scene.clouds.empty() ? bare : with_cloud_media(bare);
     groups_.push_back(formulas_of(part.air, part.scene));
     part.things.put_into(groups_.back());
     groups_.back().polarisation = part.scene.render.polarisation;

@@ -132,7 +132,8 @@ class WidePath {
   void add_scattered(const Columns& to_sun, const Columns& densities, const Bend& bend);
   void add_reflected(const Columns& to_sun, const Wide& albedo, double cosine);
 
-  const Wide& sum() const { return sum_; }  // of all paths so far
+  void take_sum(const WidePath& branch) { sum_ = branch.sum_; }  // of a copy that went on by itself
+  const Wide& sum() const { return sum_; }                       // of all paths so far
 
  private:
   void add(const Columns& to_sun, const Wide& sent_back);

@@ -1,0 +1,134 @@
+#include "core/clouds/cloud_grid.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/spectra/drops.h"
+#include "core/text.h"
+
+namespace airlight {
+namespace {
+
+// The two cells between whose middles a place lies, and how far on it is.
+struct Between {
+  int low = 0;
+  int high = 0;
+  double share = 0.0;
+};
+
+// `x`: in cells from the grid's edge; `repeats`: any; else 0 to count.
+Between between(double x, int count, bool repeats) {
+  const double place = x - 0.5;
+  const double low = std::floor(place);
+  if (repeats) {
+    const double first = low - count * std::floor(low / count);
+    const int i = std::min(static_cast<int>(first), count - 1);
+    return {i, i + 1 == count ? 0 : i + 1, place - low};
+  }
+  const int i = static_cast<int>(low);
+  return {std::clamp(i, 0, count - 1), std::clamp(i + 1, 0, count - 1), place - low};
+}
+
+int cell_of(double x, int count, bool repeats) {
+  const double low = std::floor(x);
+  const double first = repeats ? low - count * std::floor(low / count) : low;
+  return std::clamp(static_cast<int>(first), 0, count - 1);
+}
+
+CloudGrid volume_grid(const Cloud& cloud) {
+  const CloudFile& file = *cloud.contents;
+  CloudGrid grid;
+  grid.nx = file.nx;
+  grid.ny = file.ny;
+  grid.nz = file.nz;
+  grid.cell_x = file.dx;
+  grid.cell_y = file.dy;
+  grid.base = cloud.base;
+  grid.top = cloud.top;
+  grid.repeats = cloud.repeats;
+  grid.extinction = file.extinction;
+  grid.smooth = !file.in_cells;
+  return grid;
+}
+
+CloudGrid grid_of_kind(const Cloud& cloud) {
+  switch (cloud.kind) {
+    case CloudKind::cumulus:
+      return cumulus_grid(cloud);
+    case CloudKind::stratocumulus:
+      return stratocumulus_grid(cloud);
+    case CloudKind::cirrus:
+      return cirrus_grid(cloud);
+    case CloudKind::volume:
+      break;
+  }
+  return volume_grid(cloud);
+}
+
+}  // namespace
+
+double CloudGrid::at(double east, double north, double h) const {
+  if (!(h >= base && h <= top)) {
+    return 0.0;
+  }
+  const double x = (east - west) / cell_x;
+  const double y = (north - south) / cell_y;
+  const double z = (h - base) / cell_z();
+  if (!repeats && !(x >= 0.0 && x <= nx && y >= 0.0 && y <= ny)) {
+    return 0.0;
+  }
+  if (!smooth) {
+    return static_cast<double>(
+        extinction[index(cell_of(x, nx, repeats), cell_of(y, ny, repeats), cell_of(z, nz, false))]);
+  }
+  const Between a = between(x, nx, repeats);
+  const Between b = between(y, ny, repeats);
+  const Between c = between(z, nz, false);
+  const auto row = [&](int j, int k) {
+    const auto low = static_cast<double>(extinction[index(a.low, j, k)]);
+    return low + a.share * (static_cast<double>(extinction[index(a.high, j, k)]) - low);
+  };
+  const auto level = [&](int k) {
+    const double low = row(b.low, k);
+    return low + b.share * (row(b.high, k) - low);
+  };
+  const double low = level(c.low);
+  return low + c.share * (level(c.high) - low);
+}
+
+CloudGrid cloud_grid(const Cloud& cloud) {
+  CloudGrid grid = grid_of_kind(cloud);
+  grid.west = cloud.east - 0.5 * grid.nx * grid.cell_x;
+  grid.south = cloud.north - 0.5 * grid.ny * grid.cell_y;
+  return grid;
+}
+
+std::string cloud_key(const Cloud& cloud) {
+  std::string text = std::to_string(static_cast<int>(cloud.kind));
+  for (const double value : {cloud.cover, cloud.base, cloud.top, cloud.cell, cloud.detail, cloud.period, cloud.water,
+                             cloud.shear, cloud.wind, static_cast<double>(cloud.seed), cloud.effective_radius,
+                             cloud.east, cloud.north, cloud.repeats ? 1.0 : 0.0}) {
+    text += " " + shortest(value);
+  }
+  return text + (cloud.contents ? " " + cloud.contents->identity : "");
+}
+
+Medium cloud_medium(const Cloud& cloud, const Spectrum& channels) {
+  Medium medium;
+  medium.name = "cloud";
+  medium.scattering.fill(cloud.single_scattering_albedo);
+  medium.absorption.fill(1.0 - cloud.single_scattering_albedo);
+  medium.density.profile = DensityProfile::tent;
+  medium.density.center = -2.0 * medium.density.half_width;  // under the ground
+  medium.phase_g = cloud.phase_g;
+  medium.phase = PhaseFunction::henyey_greenstein;
+  if (cloud.phase == CloudPhase::drops) {
+    medium.phase = PhaseFunction::table;
+    medium.effective_radius = cloud.effective_radius;
+    medium.phase_table = drops_phase(cloud.effective_radius);
+    medium.phase_wavelengths = channels[1] > 0.0 ? channels : kDropChannels;
+  }
+  return medium;
+}
+
+}  // namespace airlight

@@ -1,0 +1,29 @@
+#pragma once
+// Noise over integer lattices that repeats itself in x and y. It is made by integer arithmetic, floor and square root
+// alone, so that every machine has the same.
+
+#include <cstdint>
+
+namespace airlight {
+
+// Cells of the lattice after which the noise repeats itself in x and y.
+struct NoisePeriod {
+  int x = 1;
+  int y = 1;
+};
+
+// In [0, 1), by whole numbers.
+double hashed(std::uint32_t x, std::uint32_t y, std::uint32_t z, std::uint32_t seed);
+
+// Smooth, of mean 1/2, mostly in 0.2 to 0.8; in cells of the lattice [Perlin 2002, with values in place of gradients].
+double value_noise(double x, double y, double z, NoisePeriod period, std::uint32_t seed);
+
+// Distance to the nearest of the points that are strewn one a cell, in cells, at most 1: bumps around points [Worley
+// 1996].
+double cell_noise(double x, double y, double z, NoisePeriod period, std::uint32_t seed);
+
+// Octaves of these: each has twice the frequency and half the weight of the one before; the weights' sum is 1.
+double value_octaves(double x, double y, double z, NoisePeriod period, int octaves, std::uint32_t seed);
+double cell_octaves(double x, double y, double z, NoisePeriod period, int octaves, std::uint32_t seed);
+
+}  // namespace airlight

@@ -1,0 +1,303 @@
+#include "core/luts/cloud_light.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+
+#include "core/physics/device_scene.h"
+#include "core/physics/gauss.h"
+#include "core/plan/bytes.h"
+
+namespace airlight {
+namespace {
+
+// The share of the scattered light that counts as not scattered.
+double peak_of(const CloudDrops& drops) {
+  return drops.legendre.at(kCloudDegree + 1);
+}
+
+// The degree of harmonic i.
+int degree_of(std::uint32_t i) {
+  return static_cast<int>(std::sqrt(static_cast<double>(i) + 0.5));
+}
+
+float cloud_float(double x) {
+  return static_cast<float>(x);
+}
+
+device::CloudOrdinate narrowed_ordinate(const physics::CloudOrdinate& o) {
+  device::CloudOrdinate out{};
+  out.direction = {cloud_float(o.direction.x), cloud_float(o.direction.y), cloud_float(o.direction.z)};
+  out.weight = cloud_float(o.weight);
+  std::ranges::transform(o.harmonics, std::begin(out.harmonics), cloud_float);
+  return out;
+}
+
+device::CloudScattering narrowed_scattering(const physics::CloudScattering& s) {
+  device::CloudScattering out{};
+  std::ranges::transform(s.kept, std::begin(out.kept), cloud_float);
+  std::ranges::transform(s.sunlight, std::begin(out.sunlight), cloud_float);
+  return out;
+}
+
+// A cell and those around it; the grid repeats itself in x and y, and is cut off in z.
+std::array<std::uint32_t, 27> neighbours(const CloudCells& cells, std::uint32_t at) {
+  const auto nx = static_cast<int>(cells.nx);
+  const auto ny = static_cast<int>(cells.ny);
+  const auto nz = static_cast<int>(cells.nz);
+  const int i = static_cast<int>(at) % nx;
+  const int j = static_cast<int>(at) / nx % ny;
+  const int k = static_cast<int>(at) / (nx * ny);
+  std::array<std::uint32_t, 27> found{};
+  for (int n = 0; n < 27; ++n) {
+    const int x = (i + n % 3 - 1 + nx) % nx;
+    const int y = (j + n / 3 % 3 - 1 + ny) % ny;
+    const int z = std::clamp(k + n / 9 - 1, 0, nz - 1);
+    found.at(static_cast<std::size_t>(n)) = static_cast<std::uint32_t>((z * ny + y) * nx + x);
+  }
+  return found;
+}
+
+// Cells with water and their neighbours: from no other does the picture ask for a source.
+std::vector<std::uint32_t> lit_cells(const CloudCells& cells) {
+  const std::vector<float> gaps = gaps_of(cells);
+  std::vector<std::uint32_t> list;
+  for (std::uint32_t at = 0; at < gaps.size(); ++at) {
+    if (gaps[at] <= 1.0F) {
+      list.push_back(at);
+    }
+  }
+  return list;
+}
+
+// Shares of the fine cells in each coarse one along one axis.
+struct Share {
+  std::uint32_t from;
+  std::uint32_t to;
+  double share;  // of the coarse cell
+};
+
+std::vector<Share> shares_of(std::uint32_t fine, std::uint32_t coarse) {
+  std::vector<Share> shares;
+  const double width = static_cast<double>(fine) / coarse;
+  for (std::uint32_t c = 0; c < coarse; ++c) {
+    for (auto f = static_cast<std::uint32_t>(c * width); f < fine && f < (c + 1) * width - 1e-9; ++f) {
+      const double length = std::min<double>(f + 1, (c + 1) * width) - std::max<double>(f, c * width);
+      shares.push_back({f, c, length / width});
+    }
+  }
+  return shares;
+}
+
+}  // namespace
+
+CloudCells coarsened(const CloudCells& cells, std::uint32_t most_x, std::uint32_t most_y, std::uint32_t most_z) {
+  CloudCells out;
+  out.nx = std::min(cells.nx, most_x);
+  out.ny = std::min(cells.ny, most_y);
+  out.nz = std::min(cells.nz, most_z);
+  out.cell_x = cells.cell_x * cells.nx / out.nx;
+  out.cell_y = cells.cell_y * cells.ny / out.ny;
+  out.cell_z = cells.cell_z * cells.nz / out.nz;
+  std::vector<double> sums(out.count(), 0.0);
+  const std::vector<Share> x = shares_of(cells.nx, out.nx);
+  const std::vector<Share> y = shares_of(cells.ny, out.ny);
+  for (const Share& c : shares_of(cells.nz, out.nz)) {
+    for (const Share& b : y) {
+      const float* row = &cells.extinction[(std::size_t{c.from} * cells.ny + b.from) * cells.nx];
+      double* to = &sums[(std::size_t{c.to} * out.ny + b.to) * out.nx];
+      for (const Share& a : x) {
+        to[a.to] += a.share * b.share * c.share * row[a.from];
+      }
+    }
+  }
+  out.extinction.resize(sums.size());
+  std::ranges::transform(sums, out.extinction.begin(), cloud_float);
+  return out;
+}
+
+// Breadth first from the cells with water.
+std::vector<float> gaps_of(const CloudCells& cells) {
+  constexpr float kMost = 64.0F;
+  std::vector<float> gaps(cells.count(), kMost);
+  std::vector<std::uint32_t> queue;
+  for (std::uint32_t at = 0; at < gaps.size(); ++at) {
+    if (cells.extinction[at] > 0.0F) {
+      gaps[at] = 0.0F;
+      queue.push_back(at);
+    }
+  }
+  for (std::size_t next = 0; next < queue.size(); ++next) {
+    const float gap = gaps[queue[next]] + 1.0F;
+    for (const std::uint32_t at : neighbours(cells, queue[next])) {
+      if (gaps[at] > gap) {
+        gaps[at] = gap;
+        queue.push_back(at);
+      }
+    }
+  }
+  return gaps;
+}
+
+double delta_scale(const CloudDrops& drops) {
+  return 1.0 - drops.single_scattering_albedo * peak_of(drops);
+}
+
+// Diffusion in a slab of transport depth T: of the fundamental mode a sweep leaks a share B^2 / 3 times the transport
+// depth over the depth, with B = pi / (T + 2 x 0.71) [CZ67].
+double light_kept(const CloudCells& cells, const CloudDrops& drops) {
+  const std::size_t plane = std::size_t{cells.nx} * cells.ny;
+  double depth = 0.0;
+  std::size_t cloudy = 0;
+  for (std::size_t at = 0; at < plane; ++at) {
+    double column = 0.0;
+    for (std::uint32_t k = 0; k < cells.nz; ++k) {
+      column += cells.extinction[k * plane + at] * cells.cell_z;
+    }
+    depth += column * column;
+    cloudy += column > 0.0 ? 1 : 0;
+  }
+  depth = std::sqrt(depth / static_cast<double>(std::max<std::size_t>(cloudy, 1)));
+  const double albedo = drops.single_scattering_albedo;
+  const double peak = peak_of(drops);
+  const double scaled = depth * (1.0 - albedo * peak);
+  const double kept_albedo = albedo * (1.0 - peak) / (1.0 - albedo * peak);
+  const double transport = scaled * (1.0 - kept_albedo * (drops.legendre.at(1) - peak) / (1.0 - peak));
+  const double buckling = std::numbers::pi / (transport + 1.42);
+  return kept_albedo / (1.0 + buckling * buckling / 3.0 * transport / std::max(scaled, 1e-9));
+}
+
+std::vector<physics::CloudOrdinate> cloud_ordinates() {
+  constexpr int kZenithAngles = 2;  // of each hemisphere
+  constexpr int kAzimuths = 8;
+  physics::CloudPhysics p;
+  std::vector<physics::CloudOrdinate> ordinates;
+  const GaussRule rule = gauss_legendre(kZenithAngles);
+  for (const double side : {-1.0, 1.0}) {
+    for (std::size_t n = 0; n < rule.nodes.size(); ++n) {
+      const double z = rule.nodes[n];
+      for (int a = 0; a < kAzimuths; ++a) {
+        const double azimuth = 2.0 * std::numbers::pi * (a + 0.5) / kAzimuths;
+        const double across = std::sqrt(1.0 - z * z);
+        physics::CloudOrdinate o{};
+        o.direction = {across * std::cos(azimuth), across * std::sin(azimuth), side * z};
+        o.weight = rule.weights[n] * 2.0 * std::numbers::pi / kAzimuths;
+        for (std::uint32_t i = 0; i < physics::kCloudMoments; ++i) {
+          o.harmonics[i] = p.cloud_harmonic(i, o.direction);
+        }
+        ordinates.push_back(o);
+      }
+    }
+  }
+  return ordinates;
+}
+
+physics::CloudScattering cloud_scattering(const CloudDrops& drops, physics::vec3 sun) {
+  physics::CloudPhysics p;
+  physics::CloudScattering scattering{};
+  const double albedo = drops.single_scattering_albedo;
+  const double peak = peak_of(drops);
+  const double kept = albedo * (1.0 - peak) / (1.0 - albedo * peak);
+  for (std::uint32_t i = 0; i < physics::kCloudMoments; ++i) {
+    const double chi = drops.legendre.at(static_cast<std::size_t>(degree_of(i)));
+    scattering.kept[i] = kept * (chi - peak) / (1.0 - peak);
+    scattering.sunlight[i] = p.cloud_harmonic(i, sun);
+  }
+  return scattering;
+}
+
+int sweeps_for(double kept) {
+  constexpr double kLeft = 2e-3;
+  constexpr int kFewest = 6;
+  constexpr int kMost = 16;
+  const double root = std::sqrt(1.0 - std::min(kept, 0.9999));
+  return std::clamp(static_cast<int>(std::ceil(std::log(kLeft) / std::log((1.0 - root) / (1.0 + root)))), kFewest,
+                    kMost);
+}
+
+std::vector<ChebyshevStep> chebyshev_steps(double kept, int count) {
+  const double middle = 1.0 - 0.5 * kept;
+  const double half = 0.5 * kept;
+  std::vector<ChebyshevStep> steps;
+  double step = 1.0 / middle;
+  for (int n = 0; n < count; ++n) {
+    double momentum = 0.0;
+    if (n > 0) {
+      momentum = (n == 1 ? 0.5 : 0.25) * half * half * step * step;
+      step = 1.0 / (middle - momentum / step);
+    }
+    steps.push_back({step, momentum});
+  }
+  return steps;
+}
+
+CloudTables add_cloud_tables(Plan& plan, const CloudDrops& drops, physics::vec3 sun) {
+  std::vector<device::CloudOrdinate> ordinates;
+  std::ranges::transform(cloud_ordinates(), std::back_inserter(ordinates), narrowed_ordinate);
+  const device::CloudScattering scattering = narrowed_scattering(cloud_scattering(drops, sun));
+  return {plan.add_buffer(filled_buffer("cloud_ordinates", bytes_of(ordinates))),
+          plan.add_buffer(filled_buffer("cloud_scattering", bytes_of_one(scattering)))};
+}
+
+CloudField add_cloud_field(Plan& plan, const CloudCells& cells, const CloudDrops& drops, const CloudIncident& incident,
+                           const SweepSettings& settings, const CloudTables& tables, BufferId beam,
+                           const std::string& key) {
+  const auto count = static_cast<std::uint32_t>(cells.count());
+  const std::size_t floats = cells.count() * sizeof(float);
+  const std::size_t rays = floats * physics::kCloudOrdinates;
+  const std::string name = "cloud_" + incident.name;
+  std::vector<float> scaled = cells.extinction;
+  std::ranges::for_each(scaled, [scale = cloud_float(delta_scale(drops))](float& x) { x *= scale; });
+  const BufferId extinction = plan.add_buffer(filled_buffer(name + "_cells", bytes_of(scaled)));
+  const std::vector<std::uint32_t> lit = lit_cells(cells);
+  const auto lit_count = static_cast<std::uint32_t>(lit.size());
+  const BufferId list =
+      plan.add_buffer(filled_buffer(name + "_list", bytes_of(lit.empty() ? std::vector<std::uint32_t>(1) : lit)));
+  const auto add = [&](const char* of, std::size_t bytes, bool kept) {
+    return plan.add_buffer({.name = name + of,
+                            .bytes = bytes,
+                            .host_readable = kept && settings.host_readable,
+                            .key = kept && !key.empty() ? key + " " + name + of : std::string(),
+                            .scratch = !kept});
+  };
+  const BufferId sources = add("_sources", rays, false);
+  const BufferId means = add("_means", rays, false);
+  const BufferId changes = add("_changes", floats * physics::kCloudMoments, false);
+  const CloudField field{add("_moments", floats * physics::kCloudMoments, true),
+                         add("_planes", rays / cells.nz * 2, true)};
+
+  const auto gather = [&](BufferId from, ChebyshevStep step, std::uint32_t start) {
+    plan.add_pass({.name = name + "_gather",
+                   .shader = "cloud_gather",
+                   .reads = {{"ordinates", tables.ordinates},
+                             {"scattering", tables.scattering},
+                             {"lit_cells", list},
+                             {"beam", incident.sun ? beam : extinction},
+                             {"means", from}},
+                   .writes = {{"moments", field.moments}, {"changes", changes}, {"sources_out", sources}},
+                   .grid = {std::max(lit_count, 1U), 1, 1},
+                   .push_constants = {lit_count, count, push_constant(step.step), push_constant(step.momentum),
+                                      push_constant(incident.sun ? 1.0 : 0.0)},
+                   .specialization = {{"kCloudStart", start}},
+                   .cost = 10.0});
+  };
+  gather(extinction, {0.0, 0.0}, 1);
+  const double kept = light_kept(cells, drops);
+  for (const ChebyshevStep& step : chebyshev_steps(kept, settings.sweeps > 0 ? settings.sweeps : sweeps_for(kept))) {
+    plan.add_pass(
+        {.name = name + "_sweep",
+         .shader = "cloud_sweep",
+         .reads = {{"ordinates", tables.ordinates}, {"cells", extinction}, {"sources", sources}},
+         .writes = {{"means_out", means}, {"planes", field.planes}},
+         .grid = {32 * physics::kCloudOrdinates, 8, 1},
+         .push_constants = {cells.nx, cells.ny, cells.nz, push_constant(cells.cell_x), push_constant(cells.cell_y),
+                            push_constant(cells.cell_z), push_constant(incident.above), push_constant(incident.below)},
+         .cost = 2.0 * static_cast<double>(cells.count()) / 256.0});
+    gather(means, step, 0);
+  }
+  return field;
+}
+
+}  // namespace airlight

@@ -1,0 +1,324 @@
+// Clouds in pictures by `orders`: the light in the cloud by discrete ordinates, once a sun, then a march through it for
+// each pixel over the picture of the clear sky.
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/air/scene_block.h"
+#include "core/clouds/cloud_grid.h"
+#include "core/error.h"
+#include "core/luts/cloud_light.h"
+#include "core/luts/luts.h"
+#include "core/methods/orders_parts.h"
+#include "core/methods/sky_pass.h"
+#include "core/plan/bytes.h"
+#include "core/text.h"
+
+namespace airlight::orders {
+namespace {
+
+constexpr double kLeastSunHeight = 0.03;  // sine of the elevation: below it the sun's rays would cross many periods
+
+// Toward the sun in the cloud's frame (x east, y north, z up).
+physics::vec3 cloud_sun(const Scene& scene) {
+  const double up = std::max(std::sin(scene.sun.elevation), kLeastSunHeight);
+  const double across = std::sqrt(1.0 - up * up);
+  return {across * std::sin(scene.sun.azimuth), across * std::cos(scene.sun.azimuth), up};
+}
+
+// A cloud that stands alone, in empty air all around, so that its shadow does not fall on its own repetition.
+CloudGrid with_room(const CloudGrid& grid, physics::vec3 to_sun) {
+  if (grid.repeats) {
+    return grid;
+  }
+  const double reach = (grid.top - grid.base) * std::sqrt(1.0 - to_sun.z * to_sun.z) / to_sun.z;
+  const double wide = std::min(reach, grid.nx * grid.cell_x);
+  const double deep = std::min(reach, grid.ny * grid.cell_y);
+  const int x = static_cast<int>(std::ceil(0.5 * wide / grid.cell_x)) + 1;
+  const int y = static_cast<int>(std::ceil(0.5 * deep / grid.cell_y)) + 1;
+  CloudGrid out = grid;
+  out.nx = grid.nx + 2 * x;
+  out.ny = grid.ny + 2 * y;
+  out.west = grid.west - x * grid.cell_x;
+  out.south = grid.south - y * grid.cell_y;
+  out.extinction.assign(out.index(0, 0, out.nz), 0.0F);
+  for (int k = 0; k < grid.nz; ++k) {
+    for (int j = 0; j < grid.ny; ++j) {
+      std::copy_n(&grid.extinction[grid.index(0, j, k)], grid.nx, &out.extinction[out.index(x, j + y, k)]);
+    }
+  }
+  return out;
+}
+
+CloudCells cells_of(const CloudGrid& grid) {
+  return {.nx = static_cast<std::uint32_t>(grid.nx),
+          .ny = static_cast<std::uint32_t>(grid.ny),
+          .nz = static_cast<std::uint32_t>(grid.nz),
+          .cell_x = grid.cell_x,
+          .cell_y = grid.cell_y,
+          .cell_z = grid.cell_z(),
+          .extinction = grid.extinction};
+}
+
+// The cloud's matter, as an air of its own that is empty.
+struct Matter {
+  CloudDrops drops;
+  std::vector<device::vec3> phase;  // logarithms at the samples of phase_table_place()
+};
+
+Matter matter_of(const Cloud& cloud, const Part& part) {
+  const Air air(
+      {cloud_medium(cloud, part.scene.media.empty() ? Spectrum{} : part.scene.media.front().phase_wavelengths)},
+      part.scene.planet);
+  physics::Physics p = air.formulas();
+  Matter matter{.drops = {.single_scattering_albedo = cloud.single_scattering_albedo, .legendre = {}}, .phase = {}};
+  for (const physics::vec3& moment : p.scene.media[0].legendre) {
+    matter.drops.legendre.push_back((moment.x + moment.y + moment.z) / 3.0);
+  }
+  for (physics::uint i = 0; i < physics::kPhaseSamples; ++i) {
+    const double x = static_cast<double>(i) / (physics::kPhaseSamples - 1);
+    matter.phase.push_back(narrowed(physics::log(p.medium_phase(0, std::cos(x * x * physics::Physics{}.kPi)))));
+  }
+  return matter;
+}
+
+// What the passes over a cloud read.
+struct CloudInputs {
+  BufferId head;
+  ImageId density;
+  ImageId shadow;
+
+  std::vector<Binding> reads() const {
+    return {{"cloud_data", head}, {"cloud_density_lut", density}, {"cloud_shadow_lut", shadow}};
+  }
+};
+
+CloudCells coarse_cells(const CloudGrid& grid, TableSize most) {
+  const auto across = static_cast<std::uint32_t>(most[0]);
+  return coarsened(cells_of(grid), across, across, static_cast<std::uint32_t>(most[1]));
+}
+
+device::CloudData head_of(const CloudGrid& grid, const CloudCells& coarse, const Cloud& cloud, double scale,
+                          physics::vec3 to_sun) {
+  device::CloudData head{};
+  head.fine_x = static_cast<device::uint>(grid.nx);
+  head.fine_y = static_cast<device::uint>(grid.ny);
+  head.fine_z = static_cast<device::uint>(grid.nz);
+  head.coarse_x = coarse.nx;
+  head.coarse_y = coarse.ny;
+  head.coarse_z = coarse.nz;
+  head.repeats = grid.repeats ? 1 : 0;
+  head.west = narrowed(grid.west);
+  head.south = narrowed(grid.south);
+  head.width = narrowed(grid.nx * grid.cell_x);
+  head.depth = narrowed(grid.ny * grid.cell_y);
+  head.base = narrowed(grid.base);
+  head.top = narrowed(grid.top);
+  head.scale = narrowed(scale);
+  head.albedo = narrowed(cloud.single_scattering_albedo);
+  head.sunward_east = narrowed(to_sun.x / to_sun.z);
+  head.sunward_north = narrowed(to_sun.y / to_sun.z);
+  return head;
+}
+
+ImageId add_density(Plan& plan, const std::shared_ptr<const CloudGrid>& grid, const std::string& key) {
+  const auto nx = static_cast<std::uint32_t>(grid->nx);
+  const auto ny = static_cast<std::uint32_t>(grid->ny);
+  const auto nz = static_cast<std::uint32_t>(grid->nz);
+  const BufferId values = plan.add_buffer({.name = "cloud_extinction",
+                                           .bytes = grid->extinction.size() * sizeof(float),
+                                           .contents_when_run = [grid] { return bytes_of(grid->extinction); }});
+  const ImageId density =
+      plan.add_image({.name = "cloud_density", .extent = {nx + 1, ny + 1, nz}, .key = key + " density", .half = true});
+  plan.add_pass({.shader = "cloud_density",
+                 .reads = {{"extinction", values}},
+                 .writes = {{"density_out", density}},
+                 .grid = {nx + 1, ny + 1, nz},
+                 .push_constants = {nx, ny, nz}});
+  return density;
+}
+
+CloudInputs add_inputs(Plan& plan, const std::shared_ptr<const CloudGrid>& grid, const device::CloudData& head,
+                       const std::string& key, const std::string& sun_key) {
+  CloudInputs inputs{};
+  inputs.head = plan.add_buffer(filled_buffer("cloud", bytes_of_one(head)));
+  inputs.density = add_density(plan, grid, key);
+  inputs.shadow = plan.add_image({.name = "cloud_shadow",
+                                  .extent = {head.fine_x + 1, head.fine_y + 1, head.fine_z + 1},
+                                  .key = sun_key + " shadow",
+                                  .half = true});
+  const double lean = grid->cell_z() *
+                      std::max(std::abs(head.sunward_east) / grid->cell_x, std::abs(head.sunward_north) / grid->cell_y);
+  const auto parts = static_cast<std::uint32_t>(std::clamp(std::ceil(lean), 1.0, 8.0));
+  plan.add_pass({.shader = "cloud_shadow",
+                 .reads = {{"cloud_data", inputs.head}, {"cloud_density_lut", inputs.density}},
+                 .writes = {{"shadow_out", inputs.shadow}},
+                 .grid = {head.fine_x + 1, head.fine_y + 1, 1},
+                 .push_constants = {parts},
+                 .cost = 1.0 * head.fine_z * parts});
+  return inputs;
+}
+
+BufferId add_beam(Plan& plan, const CloudInputs& inputs, const CloudCells& coarse, const std::string& key) {
+  const auto count = static_cast<std::uint32_t>(coarse.count());
+  const BufferId beam =
+      plan.add_buffer({.name = "cloud_beam", .bytes = count * sizeof(float), .key = key + " beam", .zeroed = false});
+  plan.add_pass({.shader = "cloud_beam",
+                 .reads = inputs.reads(),
+                 .writes = {{"beam_out", beam}},
+                 .grid = {count, 1, 1},
+                 .cost = 10.0});
+  return beam;
+}
+
+// The light in the cloud. That of sky and ground is smooth: cells of twice the size do.
+struct Fields {
+  CloudCells cells;
+  CloudCells coarser;
+  CloudTables tables;
+  CloudField sun;
+  CloudField sky;
+  CloudField ground;
+};
+
+ImageId add_sources(Plan& plan, const Fields& fields, const std::string& key) {
+  constexpr std::uint32_t kBlocks = 4;
+  const CloudCells& cells = fields.cells;
+  const BufferId gaps = plan.add_buffer(filled_buffer("cloud_gaps", bytes_of(gaps_of(cells))));
+  const Extent extent{(cells.nx + 1) * kBlocks, cells.ny + 1, cells.nz};
+  const ImageId sources = plan.add_image({.name = "cloud_source", .extent = extent, .key = key + " sources"});
+  plan.add_pass(
+      {.shader = "cloud_source",
+       .reads = {{"scattering", fields.tables.scattering},
+                 {"sun", fields.sun.moments},
+                 {"sky", fields.sky.moments},
+                 {"ground", fields.ground.moments},
+                 {"gaps", gaps}},
+       .writes = {{"source_out", sources}},
+       .grid = extent,
+       .push_constants = {cells.nx, cells.ny, cells.nz, fields.coarser.nx, fields.coarser.ny, fields.coarser.nz}});
+  return sources;
+}
+
+BufferId add_balance(Plan& plan, const Part& part, const Light& light, const CloudInputs& inputs,
+                     const Fields& fields) {
+  const BufferId balance = plan.add_buffer({.name = "cloud_balance", .bytes = sizeof(device::CloudLight)});
+  std::vector<Binding> reads = inputs.reads();
+  reads.insert(reads.end(), {{"transmittance_lut", light.transmittance},
+                             {"moments_lut", light.moments},
+                             {"ordinates", fields.tables.ordinates},
+                             {"sun_planes", fields.sun.planes},
+                             {"sky_planes", fields.sky.planes},
+                             {"ground_planes", fields.ground.planes}});
+  std::vector<Specialization> constants = sunlight_specialization(plan, part.air, light.transmittance);
+  add_moment_constants(constants, settings_of(part));
+  plan.add_pass({.shader = "cloud_balance",
+                 .reads = std::move(reads),
+                 .writes = {{"light_out", balance}},
+                 .grid = {256, 1, 1},
+                 .push_constants = {fields.coarser.nx, fields.coarser.ny, fields.coarser.nz},
+                 .specialization = std::move(constants),
+                 .cost = 400.0});
+  return balance;
+}
+
+Fields add_fields(Plan& plan, const CloudCells& coarse, const CloudDrops& drops, const CloudInputs& inputs,
+                  physics::vec3 to_sun, const std::string& key) {
+  Fields fields{.cells = coarse, .coarser = {}, .tables = {}, .sun = {}, .sky = {}, .ground = {}};
+  const CloudCells& cells = fields.cells;
+  fields.coarser = coarsened(cells, (cells.nx + 1) / 2, (cells.ny + 1) / 2, (cells.nz + 1) / 2);
+  fields.tables = add_cloud_tables(plan, drops, -to_sun);
+  const BufferId beam = add_beam(plan, inputs, cells, key);
+  const auto add = [&](const CloudCells& on, const CloudIncident& incident) {
+    return add_cloud_field(plan, on, drops, incident, {}, fields.tables, beam, key);
+  };
+  fields.sun = add(cells, {.name = "sun", .sun = true});
+  fields.sky = add(fields.coarser, {.name = "sky", .above = 1.0});
+  fields.ground = add(fields.coarser, {.name = "ground", .below = 1.0});
+  return fields;
+}
+
+std::string sun_key_of(const std::string& key, physics::vec3 to_sun, TableSize cells) {
+  return key + " sun " + shortest(to_sun.x) + " " + shortest(to_sun.y) + " cells " + std::to_string(cells[0]) + "x" +
+         std::to_string(cells[1]);
+}
+
+}  // namespace
+
+void refuse_around_clouds(const Part& part, bool no_picture) {
+  const Scene& scene = part.scene;
+  if (scene.clouds.empty()) {
+    return;
+  }
+  const auto refuse = [](bool holds, const std::string& what) {
+    if (holds) {
+      throw InputError("clouds: the method \"orders\" " + what +
+                       ", or choose path-trace with render.method or --method");
+    }
+  };
+  refuse(scene.clouds.size() > 1,
+         "renders one cloud, and there are " + std::to_string(scene.clouds.size()) + "; remove all but one");
+  refuse(!inside_the_air(scene),
+         "renders clouds for a camera in the air, below planet.atmosphere_height_km; lower "
+         "camera.altitude_km");
+  refuse(part.things.stand_in_the_air(), "renders no clouds over terrain or spheres; remove them or the clouds");
+  refuse(scene.ground.has_value(), "renders no clouds over maps of the ground; remove them or the clouds");
+  refuse(scene.camera.polariser.has_value(), "renders no clouds through a polarising filter; remove it or the clouds");
+  if (no_picture) {
+    throw InputError(
+        "clouds: the method \"orders\" renders them in pictures and irradiance, not yet in layers and composites; "
+        "remove them");
+  }
+}
+
+void add_clouds(Plan& plan, const Part& part, const View& view, const SkyTarget& target, const Light& light) {
+  const Cloud& cloud = part.scene.clouds.front();
+  const physics::vec3 to_sun = cloud_sun(part.scene);
+  const auto grid = std::make_shared<const CloudGrid>(with_room(*part.things.clouds().front(), to_sun));
+  const Matter matter = matter_of(cloud, part);
+  const std::string key = "cloud " + cloud_key(cloud);
+  const std::string sun_key = sun_key_of(key, to_sun, part.scene.render.get<TableSize>("cloud_lut"));
+  const CloudCells coarse = coarse_cells(*grid, part.scene.render.get<TableSize>("cloud_lut"));
+  const device::CloudData head = head_of(*grid, coarse, cloud, delta_scale(matter.drops), to_sun);
+  const CloudInputs inputs = add_inputs(plan, grid, head, key, sun_key);
+  const Fields fields = add_fields(plan, coarse, matter.drops, inputs, to_sun, sun_key);
+  const ImageId sources = add_sources(plan, fields, sun_key);
+  const BufferId balance = add_balance(plan, part, light, inputs, fields);
+  const BufferId phase = plan.add_buffer(filled_buffer("cloud_phase", bytes_of(matter.phase)));
+
+  const FactorTable table = volume_table(part);
+  const Volume volume = add_volume(plan, part.scene, light, table, view);
+  std::vector<Binding> reads = inputs.reads();
+  for (const Binding& read : volume.reads()) {
+    reads.push_back(read);
+  }
+  reads.push_back({"transmittance_lut", light.transmittance});
+  reads.push_back({"moments_lut", light.moments});
+  reads.push_back({"cloud_source_lut", sources});
+  reads.push_back({"cloud_light", balance});
+  reads.push_back({"cloud_phase", phase});
+  reads.push_back({"directions", target.directions});
+  std::vector<Specialization> constants = sunlight_specialization(plan, part.air, light.transmittance);
+  add_moment_constants(constants, settings_of(part));
+  add_volume_constants(constants, part.scene, table);
+  constants.push_back({"kProjection", target.projection});
+  const BufferId through =
+      plan.add_buffer({.name = "cloud_transmittance",
+                       .bytes = std::size_t{target.grid.width} * target.grid.height * sizeof(float),
+                       .zeroed = false});
+  constexpr double kStep = 2.0;  // in cells
+  constexpr double kStepRise = 0.012;
+  const double step = kStep * std::min({grid->cell_x, grid->cell_y, 2.0 * grid->cell_z()});
+  plan.add_pass({.name = "clouds",
+                 .shader = "cloud_pixels",
+                 .reads = std::move(reads),
+                 .writes = {{"radiance_out", target.radiance}, {"through_out", through}},
+                 .grid = target.grid,
+                 .push_constants = {target.grid.width, target.grid.height, target.vectors, push_constant(step),
+                                    push_constant(kStepRise)},
+                 .specialization = std::move(constants),
+                 .cost = 60.0});
+}
+
+}  // namespace airlight::orders

@@ -1,0 +1,167 @@
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "core/scene/angle.h"
+#include "core/scene/cloud_file.h"
+#include "core/scene/curve_reader.h"
+#include "core/scene/json_format.h"
+#include "core/scene/readers.h"
+
+namespace airlight {
+namespace {
+
+constexpr double kMetresInKm = 1e3;  // a km
+constexpr double kIcePeak = 0.75;    // asymmetry of cirrus
+
+void read_volume(const Section& section, Cloud& cloud) {
+  cloud.repeats = section.boolean("repeat");
+  const std::string name = section.text("file");
+  const PresetValue* value = section.find("file");
+  if (value == nullptr) {
+    return;
+  }
+  if (name.empty()) {
+    section.complain("file", *value, quoted(*value) + " is no file; expected the name of one");
+    return;
+  }
+  const std::filesystem::path file = file_beside(*value, name);
+  cloud.file = std::filesystem::absolute(file).lexically_normal().string();
+  auto contents = std::make_shared<CloudFile>();
+  if (const std::string problem = read_cloud_file(file, *contents); !problem.empty()) {
+    section.complain("file", *value, problem);
+    return;
+  }
+  cloud.base = contents->lowest - 0.5 * contents->dz;
+  cloud.top = contents->lowest + contents->dz * (contents->nz - 0.5);
+  cloud.effective_radius = contents->effective_radius;
+  cloud.contents = std::move(contents);
+}
+
+void read_field(const Section& section, Cloud& cloud) {
+  cloud.cover = section.number("cover");
+  cloud.base = section.number("base_km");
+  cloud.top = section.number("top_km");
+  cloud.cell = section.number("cell_km");
+  cloud.period = section.number("period_km");
+  cloud.detail = section.number("detail_m") / kMetresInKm;
+  cloud.water = section.number("water_g_per_m3");
+  cloud.shear = section.number("shear_km");
+  cloud.wind = radians_from_degrees(section.number("wind_to_deg"));
+  cloud.seed = section.integer("seed");
+  cloud.effective_radius = section.number("effective_radius_um");
+}
+
+// The key by which a message names the field; its default where the preset says nothing.
+void blame_cloud(const Section& section, std::string_view key, const std::string& message) {
+  const PresetValue* value = section.find(key);
+  section.complain(key, value == nullptr ? section.context() : *value, message);
+}
+
+void check_field(const Section& section, const Cloud& cloud) {
+  if (!(cloud.top > cloud.base)) {
+    blame_cloud(section, "top_km",
+                format_number(cloud.top) + " km is not above base_km, " + format_number(cloud.base) +
+                    " km; lower the base or raise the top");
+    return;
+  }
+  if (cloud.period < 2.0 * cloud.cell) {
+    blame_cloud(section, "period_km",
+                format_number(cloud.period) + " km is less than two cells of " + format_number(cloud.cell) +
+                    " km; make the period longer or cell_km smaller");
+  }
+  const double across = std::ceil(cloud.period / cloud.detail);
+  const double up = std::ceil((cloud.top - cloud.base) / cloud.detail);
+  if (across * across * up > static_cast<double>(kMostCloudCells)) {
+    blame_cloud(section, "detail_m",
+                format_number(cloud.detail * kMetresInKm) + " m makes a grid of " + format_number(across) + " x " +
+                    format_number(across) + " x " + format_number(up) + " cells; expected at most " +
+                    std::to_string(kMostCloudCells) + ": make the cells larger or the period shorter");
+  }
+}
+
+void read_cloud_phase(const Section& cloud_section, Cloud& cloud) {
+  Section section = cloud_section.child("phase");
+  section.refuse_unknown_keys();
+  const auto function = section.choice("function");
+  if (!function) {
+    return;
+  }
+  const bool silent = section.find("function") == nullptr;
+  if (silent && cloud.kind == CloudKind::cirrus) {
+    cloud.phase = CloudPhase::henyey_greenstein;
+    cloud.phase_g = kIcePeak;
+    return;
+  }
+  section.choose(kCloudPhaseNames[*function]);
+  cloud.phase = static_cast<CloudPhase>(*function);
+  if (cloud.phase == CloudPhase::henyey_greenstein) {
+    cloud.phase_g = section.number("g");
+  }
+}
+
+// Mie's theory for larger spheres takes long, and falling rain is no cloud.
+void check_drops(const Section& section, const Cloud& cloud) {
+  constexpr double kMostDropRadius = 40.0;
+  if (cloud.phase == CloudPhase::drops && cloud.effective_radius > kMostDropRadius) {
+    const std::string_view key = cloud.kind == CloudKind::volume ? "file" : "effective_radius_um";
+    blame_cloud(section, key,
+                "an effective radius of " + format_number(cloud.effective_radius) +
+                    " um is above 40 um, the most of the phase function \"drops\"; choose \"henyey-greenstein\"");
+  }
+}
+
+Cloud read_cloud(Section section, const Planet& planet) {
+  section.refuse_unknown_keys();
+  Cloud cloud;
+  const auto kind = section.choice("type");
+  if (!kind) {
+    return cloud;
+  }
+  section.choose(kCloudNames[*kind]);
+  cloud.kind = static_cast<CloudKind>(*kind);
+  cloud.east = section.number("east_km");
+  cloud.north = section.number("north_km");
+  cloud.single_scattering_albedo = section.number("single_scattering_albedo");
+  const bool is_file = cloud.kind == CloudKind::volume;
+  if (is_file) {
+    read_volume(section, cloud);
+  } else {
+    read_field(section, cloud);
+    check_field(section, cloud);
+  }
+  read_cloud_phase(section, cloud);
+  check_drops(section, cloud);
+  if (cloud.base < 0.0 || cloud.top > planet.atmosphere_height) {
+    blame_cloud(section, is_file ? "file" : "top_km",
+                "the cloud reaches from " + format_number(cloud.base) + " to " + format_number(cloud.top) +
+                    " km; expected within the air, 0 to planet.atmosphere_height_km, " +
+                    format_number(planet.atmosphere_height));
+  }
+  return cloud;
+}
+
+}  // namespace
+
+std::vector<Cloud> read_clouds(const Section& root, const Planet& planet, std::size_t media) {
+  const PresetValue* value = root.find("clouds");
+  if (value == nullptr) {
+    return {};
+  }
+  const PresetArray* array = root.list("clouds", *value, "clouds");
+  if (array == nullptr) {
+    return {};
+  }
+  std::vector<Cloud> clouds;
+  for (std::size_t i = 0; i < array->size(); ++i) {
+    clouds.push_back(read_cloud(root.element("clouds", *array, i), planet));
+  }
+  if (clouds.size() + media > static_cast<std::size_t>(kMaxMedia)) {
+    root.complain("clouds", *value,
+                  std::to_string(clouds.size()) + " clouds beside " + std::to_string(media) +
+                      " media; expected at most 8 of both: remove some");
+  }
+  return clouds;
+}
+
+}  // namespace airlight

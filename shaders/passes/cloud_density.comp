@@ -1,0 +1,18 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// A cloud's extinction as an image; the grid repeats itself, and so does its first texel.
+#extension GL_EXT_scalar_block_layout : require
+layout(local_size_x = 64) in;
+layout(scalar, set = 0, binding = 1) readonly buffer Extinction { float values[]; } extinction;
+layout(set = 0, binding = 2) uniform writeonly image3D density_out;
+layout(push_constant, scalar) uniform Push { uvec3 size; };
+
+void main() {
+  uvec3 at = gl_GlobalInvocationID;
+  if (at.x > size.x || at.y > size.y || at.z >= size.z) {
+    return;
+  }
+  // Texel 0 is the cell before the first. A grid that stands alone has empty cells all around.
+  uvec2 cell = uvec2((at.x + size.x - 1u) % size.x, (at.y + size.y - 1u) % size.y);
+  imageStore(density_out, ivec3(at), vec4(extinction.values[(at.z * size.y + cell.y) * size.x + cell.x]));
+}

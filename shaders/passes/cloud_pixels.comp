@@ -1,0 +1,235 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Puts a cloud into the picture of a clear sky: marches through it, with the air before it, and hides what is behind.
+#include "shared/device.glsl"
+#include "shared/tables.glsl"
+#include "shared/moment_table.glsl"
+#include "shared/picture_ray.glsl"
+#include "physics/shells.glsl"
+#include "physics/cloud_air.glsl"
+#include "shared/sky_table.glsl"
+#include "physics/sky_table.glsl"
+#include "physics/space_table.glsl"
+#include "physics/aerial_volume.glsl"
+#include "shared/factor_place.glsl"
+#include "shared/aerial_volume.glsl"
+#include "shared/volume_fetch.glsl"
+#include "shared/cloud_volume.glsl"
+#include "shared/cloud_sunlight.glsl"
+#include "physics/cloud_light.glsl"
+#include "physics/cloud_march.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+#include "shared/cloud_blocks.glsl"
+layout(set = 0, binding = 23) uniform sampler3D cloud_source_lut;
+layout(scalar, set = 0, binding = 18) readonly buffer Light { CloudLight value; } cloud_light;
+layout(scalar, set = 0, binding = 19) readonly buffer Phase { vec3 values[]; } cloud_phase;  // logarithms
+layout(scalar, set = 0, binding = 8) readonly buffer Directions { vec4 values[]; } directions;
+layout(scalar, set = 0, binding = 9) buffer Radiance { vec4 values[]; } radiance_out;
+layout(scalar, set = 0, binding = 10) writeonly buffer Through { float values[]; } through_out;
+layout(push_constant, scalar) uniform Push {
+  uint width;
+  uint height;
+  uint vectors;     // of each listed direction
+  float step;       // km, the shortest
+  float step_rise;  // of the step over the distance
+};
+
+const float kOpaque = 2e-3;     // a transmittance that hides what is behind
+const uint kMostSteps = 4096u;  // along a ray
+const float kSheet = 0.2;       // depth of a stretch that is seen through one length of air, over its distance
+
+vec3 phase_at(float nu) {
+  float place = phase_table_place(nu);
+  uint k = min(uint(place), kPhaseSamples - 2u);
+  return exp(mix(cloud_phase.values[k], cloud_phase.values[k + 1u], place - float(k)));
+}
+
+float seen_harmonics[kCloudMoments];  // of the direction in which light comes to the camera
+
+vec4 source_block(uint block, vec3 place) {
+  CloudData c = cloud();
+  float columns = float(c.coarse_x + 1u);
+  float x = (float(block) * columns + cell_texel(place.x, c.coarse_x)) / (columns * float(kCloudBlocks));
+  float y = cell_texel(place.y, c.coarse_y) / float(c.coarse_y + 1u);
+  return textureLod(cloud_source_lut, vec3(x, y, place.z), 0.0);
+}
+
+// `last`: the last block there.
+CloudSource source_at(vec3 place, vec4 last) {
+  float values[4u * kCloudBlocks];
+  UNROLL for (uint b = 0u; b < kCloudBlocks; b++) {
+    vec4 texel = b + 1u < kCloudBlocks ? source_block(b, place) : last;
+    values[4u * b] = texel.x;
+    values[4u * b + 1u] = texel.y;
+    values[4u * b + 2u] = texel.z;
+    values[4u * b + 3u] = texel.w;
+  }
+  CloudSource source;
+  source.sun = 0.0;
+  UNROLL for (uint q = 0u; q < kCloudMoments; q++) {
+    source.sun += values[q] * seen_harmonics[q];
+  }
+  source.sun = max(source.sun, 0.0);
+  source.sky = max(values[kCloudSky] * seen_harmonics[0] + values[kCloudSky + 1u] * seen_harmonics[2] +
+                       values[kCloudSky + 2u] * seen_harmonics[6],
+                   0.0);
+  source.ground = max(values[kCloudGround] * seen_harmonics[0] + values[kCloudGround + 1u] * seen_harmonics[2] +
+                          values[kCloudGround + 2u] * seen_harmonics[6],
+                      0.0);
+  return source;
+}
+
+// The air before a distance, for a sun of irradiance 1.
+struct Before {
+  vec3 light;
+  vec3 transmittance;
+};
+
+Before air_before(Ray ray, FactorPlace at, float distance_) {
+  float reach = clamp(distance_, 0.0, max(ray.length_, 0.0));
+  float z = slice_coordinate(scene.planet, ray, reach);
+  vec3 depth = textureLod(extinction_lut, vec2(texel_from_unit(z, float(kExtinctionSlices)), at.v), 0.0).rgb * reach;
+  SegmentTransfer segment = segment_transfer(depth);
+  float w = texel_from_unit(z, float(kSlices));
+  vec3 source = fetch_block(diffuse_block(), at, w) * volume_carrier(at.nu);
+  UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
+    source += scatters(i) ? fetch_block(single_block(i), at, w) * medium_phase(i, at.nu) : vec3(0.0);
+  }
+  Before before;
+  before.light = source * depth * segment.mean;
+  before.transmittance = segment.through;
+  return before;
+}
+
+// The light of a stretch as it leaves the cloud, at a point of the ray; for a sun of irradiance 1.
+vec3 coloured(CloudGathered g, RayPoint point, vec3 once) {
+  float h = mix(cloud().base, cloud().top, 0.7);
+  MomentCoordinate at = air_moment_coordinate(scene.moments, h, point.mu_sun);
+  vec3 sun = transmittance_to_sun(scene.planet, h, point.mu_sun);
+  vec3 sky = level_irradiance(at, 1.0) / kPi;
+  vec3 ground = level_irradiance(at, -1.0) / kPi * cloud_light.value.below;
+  return sun * (once * g.once + vec3(g.sun)) + sky * g.sky + ground * g.ground;
+}
+
+// The change of the ground's light by the cloud, at the ground, for a sun of irradiance 1.
+vec3 ground_change(Ray ray, vec3 direction) {
+  RayPoint point = point_on_ray(scene.planet, ray, ray.length_);
+  vec3 place = cloud_place(scene.planet.ground_radius, cloud(), ray.h, direction, ray.length_);
+  vec3 direct = transmittance_to_sun(scene.planet, 0.0, point.mu_sun) * max(point.mu_sun, 0.0);
+  vec3 clear = direct + moment_ground_irradiance(scene.moments, point.mu_sun);
+  float lit = exp(-cloud().scale * sun_depth_at(place));
+  CloudLight light = cloud_light.value;
+  vec3 below = max(clear * light.below - direct * light.direct, vec3(0.0)) + direct * lit;
+  return (below - clear) * scene.planet.ground_albedo / kPi;
+}
+
+struct Walk {
+  vec3 light;     // so far, as the camera sees it
+  vec3 air;       // of the air up to the last stretch
+  CloudGathered stretch;
+  float start;    // of the stretch
+};
+
+Walk closed(Walk walk, Ray ray, FactorPlace at, vec3 once) {
+  float taken = walk.stretch.before - walk.stretch.transmittance;
+  uint turns = taken > 0.0 ? 1u : 0u;
+  for (uint turn = 0u; turn < turns; turn++) {
+    float t = walk.stretch.reach / taken;
+    Before before = air_before(ray, at, t);
+    vec3 light = coloured(walk.stretch, point_on_ray(scene.planet, ray, t), once);
+    walk.light += max(before.light - walk.air, vec3(0.0)) * walk.stretch.before + before.transmittance * light;
+    walk.air = max(before.light, walk.air);
+    walk.stretch = nothing_gathered(walk.stretch.transmittance);
+  }
+  return walk;
+}
+
+Walk crossed(Walk walk, CloudCrossing span, Ray ray, FactorPlace at, vec3 direction, vec3 once) {
+  CloudData c = cloud();
+  float t = span.from;
+  vec3 cells = vec3(float(c.coarse_x) / c.width, float(c.coarse_y) / c.depth, float(c.coarse_z) / (c.top - c.base));
+  for (uint i = 0u; i < kMostSteps && t < span.to && walk.stretch.transmittance > kOpaque; i++) {
+    float size = min(max(step, t * step_rise), span.to - t);
+    vec3 place = cloud_place(scene.planet.ground_radius, c, scene.camera.altitude, direction, t + 0.5 * size);
+    vec4 last = source_block(kCloudBlocks - 1u, place);
+    // Water may stand two cells nearer than the interpolated gap says.
+    float climb = abs(direction.y) + t / scene.planet.ground_radius;
+    float rate = max(max(abs(direction.x) * cells.x, abs(direction.z) * cells.y), climb * cells.z);
+    float leap = (last.w - 2.0) / rate;
+    if (leap > size) {
+      t += leap;
+      continue;
+    }
+    float depth = inside_cloud_grid(c, place) ? density_at(place) * c.scale * size : 0.0;
+    // As loops: a processor runs the code of a branch that none takes, but no turn of a loop.
+    uint meets = depth > 0.0 ? 1u : 0u;
+    for (uint turn = 0u; turn < meets; turn++) {
+      CloudSource source = source_at(place, last);
+      walk.start = walk.stretch.before == walk.stretch.transmittance ? t : walk.start;
+      walk.stretch = with_cloud_step(walk.stretch, source, sun_depth_at(place), c.scale, depth, t + 0.5 * size);
+    }
+    t += size;
+    bool begun = walk.stretch.before > walk.stretch.transmittance;
+    uint closes = begun && t - walk.start > kSheet * t + step ? 1u : 0u;
+    for (uint turn = 0u; turn < closes; turn++) {
+      walk = closed(walk, ray, at, once);
+      walk.start = t;
+    }
+  }
+  return closed(walk, ray, at, once);
+}
+
+vec3 direction_of(uvec2 pixel, out bool inside) {
+  if (kProjection == kProjectionListed) {
+    inside = true;
+    return directions.values[pixel.x].xyz;
+  }
+  ViewRay view = picture_ray(pixel);
+  inside = view.inside;
+  return view.direction;
+}
+
+void main() {
+  uvec2 pixel = gl_GlobalInvocationID.xy;
+  if (pixel.x >= width || pixel.y >= height) {
+    return;
+  }
+  bool listed = kProjection == kProjectionListed;
+  uint index = listed ? vectors * pixel.x : pixel.y * scene.tile.width + pixel.x;
+  bool inside;
+  vec3 direction = direction_of(pixel, inside);
+  CloudData c = cloud();
+  Ray ray = air_ray(direction);
+  FactorPlace at = factor_place(direction);
+  UNROLL for (uint q = 0u; q < kCloudMoments; q++) {
+    seen_harmonics[q] = cloud_harmonic(q, vec3(-direction.x, direction.z, -direction.y));
+  }
+  vec3 once = phase_at(at.nu) * (c.albedo / c.scale);
+  Walk walk;
+  walk.light = vec3(0.0);
+  walk.air = vec3(0.0);
+  walk.start = 0.0;
+  walk.stretch = nothing_gathered(1.0);
+  CloudSpans spans = cloud_spans(scene.planet.ground_radius, c, ray.h, ray.mu, ray.length_);
+  walk = crossed(walk, spans.first, ray, at, direction, once);
+  walk = crossed(walk, spans.second, ray, at, direction, once);
+  float through = walk.stretch.transmittance > kOpaque ? walk.stretch.transmittance : 0.0;
+  vec4 behind = radiance_out.values[index];
+  vec3 sky = behind.rgb - walk.air * scene.sun.irradiance;
+  uint grounds = ray.at_ground ? 1u : 0u;
+  for (uint turn = 0u; turn < grounds; turn++) {
+    sky += air_before(ray, at, ray.length_).transmittance * ground_change(ray, direction) * scene.sun.irradiance;
+  }
+  vec3 light = walk.light * scene.sun.irradiance + max(sky, vec3(0.0)) * through;
+  if (inside) {
+    radiance_out.values[index] = vec4(light, behind.a);
+    if (listed) {
+      radiance_out.values[index + 1u].rgb *= pow(through, 1.0 / c.scale);
+    }
+  }
+  if (!listed) {
+    // Of a beam, which loses what the peak of the phase function scatters.
+    through_out.values[index] = pow(through, 1.0 / c.scale);
+  }
+}

@@ -1,0 +1,55 @@
+// Light scattered in a cloud of drops, by discrete ordinates on a grid of cells that repeats itself in x and y.
+//
+// [CF55] Chandrasekhar's ordinates, here the product of two Gauss-Legendre nodes a hemisphere and even azimuths; [W77]
+// delta scaling: the share f of the scattered light counts as not scattered,
+//
+//     extinction' = (1 - a f) extinction,   a' = a (1 - f) / (1 - a f),   chi'_l = (chi_l - f) / (1 - f)
+//
+// with f = chi_(N+1), N the degree kept, a the single scattering albedo. A cell sends into the direction d
+//
+//     S(d) = a' sum over l, m of chi'_l M_lm Y_lm(d),   M_lm = integral of L Y_lm + sunlight's
+//
+// per unit of scaled optical depth. The picture adds light scattered once with the whole phase function [NT88].
+//
+// [W77] Wiscombe, J. Atmos. Sci. 34, 1408; [NT88] Nakajima and Tanaka, JQSRT 40, 51.
+
+// Real spherical harmonics up to degree 2, orthonormal, by i = l (l + 1) + m; d: of length 1.
+real cloud_harmonic(uint i, vec3 d) {
+  real x = d.x;
+  real y = d.y;
+  real z = d.z;
+  if (i == 0u) {
+    return 0.28209479177387814;
+  }
+  if (i < 4u) {
+    return 0.48860251190291992 * (i == 1u ? y : (i == 2u ? z : x));
+  }
+  if (i == 4u) {
+    return 1.0925484305920792 * x * y;
+  }
+  if (i == 5u) {
+    return 1.0925484305920792 * y * z;
+  }
+  if (i == 6u) {
+    return 0.31539156525252005 * (3.0 * z * z - 1.0);
+  }
+  if (i == 7u) {
+    return 1.0925484305920792 * x * z;
+  }
+  return 0.54627421529603959 * (x * x - y * y);
+}
+
+struct CellLight {
+  real mean;     // radiance, the mean along the way through the cell
+  real leaving;  // at its far side
+};
+
+// Light that enters a cell with `entering` and crosses the optical depth `depth`. What it loses or gains on the way is
+// depth times (mean - source), so no light is made or lost whatever the depth.
+CellLight through_cell(real entering, real source, real depth) {
+  real share = mean_transmittance(depth);
+  CellLight light;
+  light.mean = source + (entering - source) * share;
+  light.leaving = entering + (source - entering) * (depth * share);
+  return light;
+}

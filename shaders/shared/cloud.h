@@ -1,0 +1,47 @@
+// Light scattered in a cloud, as the passes that find it read it (physics/cloud_light.glsl). The cloud's frame has x to
+// the east, y to the north and z up; lengths in km.
+// No include guard: C++ includes it once with real = float and once with real = double.
+
+const uint kCloudMoments = 9u;     // of degree 0 to 2
+const uint kCloudOrdinates = 32u;  // four zenith cosines of eight azimuths
+
+// A direction in which light travels.
+struct CloudOrdinate {
+  vec3 direction;
+  real weight;                    // solid angle, sr
+  real harmonics[kCloudMoments];  // cloud_harmonic() of the direction
+};
+
+// What a meeting with a drop makes of the harmonics.
+struct CloudScattering {
+  real kept[kCloudMoments];      // by harmonic: albedo times the Legendre moment, both delta-scaled
+  real sunlight[kCloudMoments];  // the harmonics of the sun's light, of irradiance 1
+};
+
+// A cloud as the picture reads it. Fine cells hold the extinction, coarse ones the light.
+struct CloudData {
+  uint fine_x;
+  uint fine_y;
+  uint fine_z;
+  uint coarse_x;
+  uint coarse_y;
+  uint coarse_z;
+  uint repeats;
+  uint medium;  // that its matter is: index among the scene's media
+  real west;    // of the grid's corner from the point under the camera
+  real south;
+  real width;  // of the whole grid
+  real depth;
+  real base;  // altitudes
+  real top;
+  real scale;         // of the extinction, by delta scaling
+  real albedo;        // share of the light met that is scattered
+  real sunward_east;  // km that the sun's rays move per km of height
+  real sunward_north;
+};
+
+// The light on a cloud over that of a clear sky.
+struct CloudLight {
+  vec3 below;   // all light that ground and base get from above
+  real direct;  // of the sun's light, the share that passes through unscattered
+};

@@ -1,0 +1,19 @@
+// A cloud's grid as passes read it. Places are 0 to 1 over the grid's width, depth and height.
+#include "shared/cloud.h"
+layout(scalar, set = 0, binding = 20) readonly buffer Cloud { CloudData value; } cloud_data;
+layout(set = 0, binding = 21) uniform sampler3D cloud_density_lut;
+
+CloudData loaded_cloud = cloud_data.value;
+CloudData cloud() { return loaded_cloud; }
+
+// The texel of a place among cells whose first texel is the last cell's, once more.
+float cell_texel(float place, uint cells) {
+  float at = (place - floor(place)) * float(cells) + 0.5;
+  return (at < float(cells) ? at : at - float(cells)) + 0.5;
+}
+
+float density_at(vec3 place) {
+  CloudData c = cloud();
+  vec2 texel = vec2(cell_texel(place.x, c.fine_x), cell_texel(place.y, c.fine_y));
+  return textureLod(cloud_density_lut, vec3(texel / vec2(c.fine_x + 1u, c.fine_y + 1u), place.z), 0.0).r;
+}

@@ -1,0 +1,402 @@
+// Light scattered in a cloud by discrete ordinates, on the device: against published results of the intercomparison of
+// radiation codes in three dimensions (I3RC), against the same sweeps on the host in double, and where nothing absorbs
+// against what goes in.
+#include "core/luts/cloud_light.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <numeric>
+#include <random>
+
+#include "core/plan/bytes.h"
+#include "tests/shared_executor.h"
+
+namespace airlight {
+namespace {
+
+using std::numbers::pi;
+
+Executor& cloud_executor() {
+  static auto* shared = new test::SharedExecutor();
+  static const bool added = testing::AddGlobalTestEnvironment(shared) != nullptr;
+  (void)added;
+  return shared->get();
+}
+
+CloudDrops henyey_greenstein(double g, double albedo = 1.0) {
+  CloudDrops drops{.single_scattering_albedo = albedo, .legendre = {}};
+  for (int l = 0; l < 8; ++l) {
+    drops.legendre.push_back(std::pow(g, l));
+  }
+  return drops;
+}
+
+// The step cloud of I3RC's first case: 0.25 km thick, optical depth 2 over one half and 18 over the other.
+CloudCells step_cloud(std::uint32_t layers) {
+  CloudCells cells{.nx = 32, .ny = 1, .nz = layers, .cell_x = 0.5 / 32, .cell_y = 1.0, .cell_z = 0.25 / layers};
+  for (std::size_t at = 0; at < cells.count(); ++at) {
+    cells.extinction.push_back(at % 32 < 16 ? 2.0F / 0.25F : 18.0F / 0.25F);
+  }
+  return cells;
+}
+
+// Mean of the sun's light over each cell and over each column of the base, by rays through points of it. The extinction
+// is even in each cell.
+struct HostBeam {
+  std::vector<float> cells;
+  std::vector<double> base;
+};
+
+double sunlight_at(const CloudCells& c, double scale, physics::vec3 to_sun, double x, double y, double z) {
+  constexpr int kParts = 8;  // of a layer
+  const double width = c.cell_z / kParts / to_sun.z;
+  double depth = 0.0;
+  for (double way = 0.5 * width; z + way * to_sun.z < c.cell_z * c.nz; way += width) {
+    const auto wrapped = [](double at, double cell, std::uint32_t count) {
+      const double period = cell * count;
+      return static_cast<std::size_t>((at - period * std::floor(at / period)) / cell) % count;
+    };
+    const std::size_t i = wrapped(x + way * to_sun.x, c.cell_x, c.nx);
+    const std::size_t j = wrapped(y + way * to_sun.y, c.cell_y, c.ny);
+    const auto k = static_cast<std::size_t>((z + way * to_sun.z) / c.cell_z);
+    depth += width * scale * c.extinction[(k * c.ny + j) * c.nx + i];
+  }
+  return std::exp(-depth);
+}
+
+HostBeam host_beam(const CloudCells& c, double scale, physics::vec3 to_sun) {
+  constexpr int kPoints = 4;
+  HostBeam beam;
+  const int across = c.ny > 1 ? kPoints : 1;
+  const auto mean = [&](std::uint32_t i, std::uint32_t j, double low, double high, int levels) {
+    double sum = 0.0;
+    for (int n = 0; n < kPoints * across * levels; ++n) {
+      const double x = (i + (n % kPoints + 0.5) / kPoints) * c.cell_x;
+      const double y = (j + (n / kPoints % across + 0.5) / across) * c.cell_y;
+      const double z = low + (high - low) * (n / (kPoints * across) + 0.5) / levels;
+      sum += sunlight_at(c, scale, to_sun, x, y, z);
+    }
+    return sum / (kPoints * across * levels);
+  };
+  for (std::uint32_t k = 0; k < c.nz; ++k) {
+    for (std::uint32_t at = 0; at < c.nx * c.ny; ++at) {
+      const double value = mean(at % c.nx, at / c.nx, k * c.cell_z, (k + 1) * c.cell_z, kPoints);
+      beam.cells.push_back(static_cast<float>(value));
+    }
+  }
+  for (std::uint32_t at = 0; at < c.nx * c.ny; ++at) {
+    beam.base.push_back(mean(at % c.nx, at / c.nx, 0.0, 0.0, 1));
+  }
+  return beam;
+}
+
+constexpr int kSun = 0;
+constexpr int kSky = 1;
+constexpr int kGround = 2;
+
+struct Solved {
+  CloudCells cells;
+  CloudDrops drops;
+  physics::vec3 sun = {};  // the direction in which its light travels
+  HostBeam beam = {};
+  std::array<std::vector<float>, 3> moments = {};  // of sun, sky and ground: harmonic, cell
+  std::array<std::vector<float>, 3> planes = {};
+};
+
+Solved solve(const CloudCells& cells, const CloudDrops& drops, double elevation, int sweeps = 0) {
+  Solved s{.cells = cells, .drops = drops};
+  s.sun = {std::cos(elevation), 0.0, -std::sin(elevation)};
+  s.beam = host_beam(cells, delta_scale(drops), -s.sun);
+  Plan plan;
+  const BufferId lit = plan.add_buffer(filled_buffer("beam", bytes_of(s.beam.cells)));
+  const CloudTables tables = add_cloud_tables(plan, drops, s.sun);
+  std::vector<CloudField> fields;
+  for (const CloudIncident& incident :
+       {CloudIncident{.name = "sun", .sun = true}, CloudIncident{.name = "sky", .above = 1.0},
+        CloudIncident{.name = "ground", .below = 1.0}}) {
+    const SweepSettings settings{.sweeps = sweeps, .host_readable = true};
+    fields.push_back(add_cloud_field(plan, cells, drops, incident, settings, tables, lit, {}));
+  }
+  const RunResult result = cloud_executor().run(plan);
+  for (std::size_t i = 0; i < 3; ++i) {
+    s.moments.at(i) = values_of<float>(result.contents(fields[i].moments));
+    s.planes.at(i) = values_of<float>(result.contents(fields[i].planes));
+  }
+  return s;
+}
+
+// Flux out of each column, the rays carried on to the plane itself; of the sun over that on level ground.
+std::vector<double> fluxes(const Solved& s, bool up, int of) {
+  const CloudCells& c = s.cells;
+  const std::vector<physics::CloudOrdinate> ordinates = cloud_ordinates();
+  const std::vector<float>& planes = s.planes.at(static_cast<std::size_t>(of));
+  const std::size_t plane = std::size_t{c.nx} * c.ny;
+  std::vector<double> flux(plane, 0.0);
+  for (std::size_t o = 0; o < ordinates.size(); ++o) {
+    const physics::vec3 d = ordinates[o].direction;
+    if ((d.z > 0.0) != up) {
+      continue;
+    }
+    const double shift = -0.5 * d.x * c.cell_z / std::abs(d.z) / c.cell_x;
+    const std::size_t last = (2 * o + (c.nz & 1U)) * plane;
+    for (std::size_t at = 0; at < plane; ++at) {
+      const double from = static_cast<double>(at % c.nx) + shift;
+      const double part = from - std::floor(from);
+      const auto i = static_cast<std::size_t>(static_cast<int>(std::floor(from)) + 64 * static_cast<int>(c.nx)) % c.nx;
+      const auto value = [&](std::size_t x) { return static_cast<double>(planes[last + at / c.nx * c.nx + x % c.nx]); };
+      flux[at] += ordinates[o].weight * std::abs(d.z) * ((1.0 - part) * value(i) + part * value(i + 1));
+    }
+  }
+  for (std::size_t at = 0; at < plane && of == kSun; ++at) {
+    flux[at] = (flux[at] + (up ? 0.0 : -s.sun.z * s.beam.base[at])) / -s.sun.z;
+  }
+  return flux;
+}
+
+// pi I / (F mu0) that leaves the top in a direction, in columns of the grid: light scattered once with the whole phase
+// function, and the rest from the moments, by the same steps through cells.
+std::vector<double> radiances(const Solved& s, double g, physics::vec3 d) {
+  physics::CloudPhysics p;
+  const CloudCells& c = s.cells;
+  const std::size_t plane = std::size_t{c.nx} * c.ny;
+  const double scale = delta_scale(s.drops);
+  const physics::CloudScattering scattering = cloud_scattering(s.drops, s.sun);
+  const double once = s.drops.single_scattering_albedo / scale * p.phase_henyey_greenstein(g, dot(d, s.sun));
+  const double way = c.cell_z / d.z;
+  std::vector<double> light(plane, 0.0);
+  const auto at_place = [&](const std::vector<double>& values, std::size_t j, double x) {
+    const double part = x - std::floor(x);
+    const auto i = static_cast<std::size_t>(static_cast<int>(std::floor(x)) + 64 * static_cast<int>(c.nx)) % c.nx;
+    return (1.0 - part) * values[j * c.nx + i] + part * values[j * c.nx + (i + 1) % c.nx];
+  };
+  for (std::uint32_t k = 0; k < c.nz; ++k) {
+    std::vector<double> next(plane);
+    for (std::size_t at = 0; at < plane; ++at) {
+      const std::size_t cell = k * plane + at;
+      double source = once * static_cast<double>(s.beam.cells[cell]);
+      for (std::uint32_t q = 0; q < physics::kCloudMoments; ++q) {
+        const auto moment = static_cast<double>(s.moments[kSun][q * c.count() + cell]);
+        source += scattering.kept[q] * moment * p.cloud_harmonic(q, d);
+      }
+      const double depth = scale * static_cast<double>(c.extinction[cell]) * way;
+      const double entering = at_place(light, at / c.nx, static_cast<double>(at % c.nx) - d.x * way / c.cell_x);
+      next[at] = entering * std::exp(-depth) + source * (1.0 - std::exp(-depth));
+    }
+    light = next;
+  }
+  std::vector<double> out(plane);
+  for (std::size_t at = 0; at < plane; ++at) {
+    out[at] = pi / -s.sun.z * at_place(light, at / c.nx, static_cast<double>(at % c.nx) - 0.5 * d.x * way / c.cell_x);
+  }
+  return out;
+}
+
+double mean_of(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+// Published values; empty where the folder is absent.
+std::vector<double> published(const std::string& name) {
+  std::ifstream in(std::filesystem::path(AIRLIGHT_SOURCE_DIR) / "../shared/clouds" / name);
+  std::vector<double> values;
+  for (double x = 0.0; in >> x;) {
+    values.push_back(x);
+  }
+  return values;
+}
+
+struct Compared {
+  double bias;
+  double error;  // mean relative
+};
+
+Compared compared(const std::string& what, const std::vector<double>& found, const std::vector<double>& truth) {
+  Compared c{mean_of(found) / mean_of(truth) - 1.0, 0.0};
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    c.error += std::abs(found[i] / truth[i] - 1.0) / static_cast<double>(truth.size());
+  }
+  std::printf("%-22s mean %.4f truth %.4f bias %+.2f %% mean relative error %.2f %%\n", what.c_str(), mean_of(found),
+              mean_of(truth), 100.0 * c.bias, 100.0 * c.error);
+  return c;
+}
+
+// The step cloud's columns as published by I3RC: means are facts of its tables.
+TEST(CloudLight, MeetsTheStepCloud) {
+  struct Bound {
+    const char* name;
+    double bias;
+    double error;
+  };
+  const CloudCells cells = step_cloud(32);
+  const CloudDrops drops = henyey_greenstein(0.85);
+  for (const bool zenith : {true, false}) {
+    const Solved s = solve(cells, drops, zenith ? pi / 2 : pi / 6);
+    const std::string name = zenith ? "i3rc-case1-exp1-" : "i3rc-case1-exp2-";
+    const double mean = mean_of(fluxes(s, true, 0));
+    EXPECT_NEAR(mean / (zenith ? 0.3276 : 0.5804), 1.0, 0.01) << "mean reflectance";
+    const std::vector<double> reflected = published(name + "R.txt");
+    if (reflected.empty()) {
+      GTEST_SKIP() << "no published columns at hand";
+    }
+    const Compared r = compared(name + "R", fluxes(s, true, 0), reflected);
+    EXPECT_LT(r.error, 0.02);
+    if (zenith) {
+      const Compared t = compared(name + "T", fluxes(s, false, 0), published(name + "T.txt"));
+      EXPECT_LT(std::abs(t.bias), 0.01);
+      EXPECT_LT(t.error, 0.035);
+    }
+    const Compared up = compared(name + "Iu", radiances(s, 0.85, {0.0, 0.0, 1.0}), published(name + "Iu.txt"));
+    EXPECT_LT(std::abs(up.bias), 0.04);
+    EXPECT_LT(up.error, 0.06);
+    const Compared back =
+        compared(name + "I602", radiances(s, 0.85, {-std::sqrt(0.75), 0.0, 0.5}), published(name + "I602.txt"));
+    EXPECT_LT(std::abs(back.bias), 0.035);
+    EXPECT_LT(back.error, 0.035);
+  }
+}
+
+CloudCells broken_cloud(std::uint32_t nx, std::uint32_t ny, std::uint32_t nz) {
+  CloudCells cells{.nx = nx, .ny = ny, .nz = nz, .cell_x = 0.12, .cell_y = 0.1, .cell_z = 0.05};
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> share(0.0F, 1.0F);
+  for (std::size_t at = 0; at < cells.count(); ++at) {
+    const float x = share(random);
+    cells.extinction.push_back(x < 0.5F ? 0.0F : 40.0F * x);
+  }
+  return cells;
+}
+
+// All light of sky and ground that comes in goes out, where nothing absorbs.
+TEST(CloudLight, LosesNoLight) {
+  constexpr int kMany = 24;
+  const CloudCells cells = broken_cloud(12, 10, 8);
+  const Solved s = solve(cells, henyey_greenstein(0.85), 1.0, kMany);
+  for (const int of : {kSky, kGround}) {
+    EXPECT_NEAR((mean_of(fluxes(s, true, of)) + mean_of(fluxes(s, false, of))) / pi, 1.0, 1e-3);
+  }
+  EXPECT_NEAR(mean_of(fluxes(s, true, kSun)) + mean_of(fluxes(s, false, kSun)), 1.0, 0.02)
+      << "rays of the sun, sampled";
+  const Solved absorbing = solve(cells, henyey_greenstein(0.85, 0.9), 1.0, kMany);
+  EXPECT_LT(mean_of(fluxes(absorbing, true, kSky)) + mean_of(fluxes(absorbing, false, kSky)), 0.95 * pi);
+}
+
+// A cloud that stands on its head lets as much light through from above as it did from below.
+TEST(CloudLight, TurnsUpsideDown) {
+  const CloudCells cells = broken_cloud(8, 6, 5);
+  CloudCells turned = cells;
+  const std::size_t plane = std::size_t{cells.nx} * cells.ny;
+  for (std::uint32_t k = 0; k < cells.nz; ++k) {
+    std::copy_n(&cells.extinction[k * plane], plane, &turned.extinction[(cells.nz - 1 - k) * plane]);
+  }
+  const Solved upright = solve(cells, henyey_greenstein(0.85), 1.0);
+  const Solved over = solve(turned, henyey_greenstein(0.85), 1.0);
+  EXPECT_NEAR(mean_of(fluxes(upright, true, kGround)) / mean_of(fluxes(over, false, kSky)), 1.0, 1e-5);
+  EXPECT_GT(mean_of(fluxes(upright, true, kGround)), 0.2);
+}
+
+// One sweep of the host in double, cell by cell along each ordinate: moments of the means.
+std::vector<double> host_sweep(const Solved& s, const CloudIncident& incident,
+                               const std::vector<std::vector<double>>& sources) {
+  physics::CloudPhysics p;
+  const CloudCells& c = s.cells;
+  const std::vector<physics::CloudOrdinate> ordinates = cloud_ordinates();
+  const std::size_t plane = std::size_t{c.nx} * c.ny;
+  std::vector<double> moments(9 * c.count());
+  for (std::size_t o = 0; o < ordinates.size(); ++o) {
+    const physics::vec3 d = ordinates[o].direction;
+    const double way = c.cell_z / std::abs(d.z);
+    std::vector<double> before(plane, d.z > 0.0 ? incident.below : incident.above);
+    for (std::uint32_t n = 0; n < c.nz; ++n) {
+      const std::uint32_t k = d.z > 0.0 ? n : c.nz - 1 - n;
+      std::vector<double> after(plane);
+      for (std::size_t at = 0; at < plane; ++at) {
+        const double x = static_cast<double>(at % c.nx) - d.x * way / c.cell_x;
+        const double y = static_cast<double>(at / c.nx) - d.y * way / c.cell_y;
+        const auto value = [&](double i, double j) {
+          const auto column = static_cast<std::size_t>(i - c.nx * std::floor(i / c.nx));
+          const auto row = static_cast<std::size_t>(j - c.ny * std::floor(j / c.ny));
+          return before[row * c.nx + column];
+        };
+        const double i = std::floor(x);
+        const double j = std::floor(y);
+        const double near = value(i, j) * (1.0 - x + i) + value(i + 1.0, j) * (x - i);
+        const double far = value(i, j + 1.0) * (1.0 - x + i) + value(i + 1.0, j + 1.0) * (x - i);
+        const std::size_t cell = k * plane + at;
+        const double depth = delta_scale(s.drops) * static_cast<double>(c.extinction[cell]) * way;
+        const auto light = p.through_cell(near * (1.0 - y + j) + far * (y - j), sources[o][cell], depth);
+        after[at] = light.leaving;
+        for (std::size_t q = 0; q < 9; ++q) {
+          moments[q * c.count() + cell] += light.mean * ordinates[o].weight * ordinates[o].harmonics[q];
+        }
+      }
+      before = after;
+    }
+  }
+  return moments;
+}
+
+TEST(CloudLight, DeviceSweepsAsTheHostDoes) {
+  constexpr int kSweeps = 3;
+  const CloudCells cells = broken_cloud(9, 7, 6);
+  const Solved s = solve(cells, henyey_greenstein(0.85), 0.6, kSweeps);
+  const physics::CloudScattering scattering = cloud_scattering(s.drops, s.sun);
+  const std::vector<physics::CloudOrdinate> ordinates = cloud_ordinates();
+  for (const int of : {kSun, kSky, kGround}) {
+    const CloudIncident incident{
+        .name = {}, .sun = of == kSun, .above = of == kSky ? 1.0 : 0.0, .below = of == kGround ? 1.0 : 0.0};
+    std::vector<double> moments(9 * cells.count());
+    std::vector<double> changes(9 * cells.count());
+    for (const ChebyshevStep& step : chebyshev_steps(light_kept(cells, s.drops), kSweeps)) {
+      std::vector<std::vector<double>> sources(ordinates.size(), std::vector<double>(cells.count()));
+      for (std::size_t o = 0; o < sources.size(); ++o) {
+        for (std::size_t n = 0; n < 9 * cells.count(); ++n) {
+          const std::size_t q = n / cells.count();
+          const double lit = of == kSun ? static_cast<double>(s.beam.cells[n % cells.count()]) : 0.0;
+          sources[o][n % cells.count()] +=
+              (moments[n] + scattering.sunlight[q] * lit) * scattering.kept[q] * ordinates[o].harmonics[q];
+        }
+      }
+      const std::vector<double> next = host_sweep(s, incident, sources);
+      for (std::size_t n = 0; n < next.size(); ++n) {
+        changes[n] = next[n] - moments[n] + changes[n] * step.momentum;
+        moments[n] += changes[n] * step.step;
+      }
+    }
+    double worst = 0.0;
+    for (std::size_t n = 0; n < moments.size(); ++n) {
+      worst =
+          std::max(worst, std::abs(moments[n] - static_cast<double>(s.moments.at(static_cast<std::size_t>(of))[n])));
+    }
+    EXPECT_LT(worst, 1e-4) << "of moments up to 12, light " << of;
+  }
+}
+
+TEST(CloudLight, CoarseCellsHoldAsMuch) {
+  const CloudCells cells = broken_cloud(10, 7, 5);
+  const CloudCells coarse = coarsened(cells, 4, 3, 2);
+  const auto mean = [](const CloudCells& c) {
+    return std::accumulate(c.extinction.begin(), c.extinction.end(), 0.0) / static_cast<double>(c.count());
+  };
+  EXPECT_EQ(coarse.nx, 4U);
+  EXPECT_NEAR(mean(coarse), mean(cells), 1e-5);
+  EXPECT_NEAR(coarse.cell_x * coarse.nx, cells.cell_x * cells.nx, 1e-12);
+}
+
+TEST(CloudLight, GapsAreDistancesToWater) {
+  CloudCells cells{.nx = 9, .ny = 8, .nz = 6};
+  cells.extinction.assign(cells.count(), 0.0F);
+  cells.extinction[(2 * 8 + 7) * 9 + 1] = 1.0F;  // at 1, 7, 2
+  const std::vector<float> gaps = gaps_of(cells);
+  EXPECT_EQ(gaps[(2 * 8 + 7) * 9 + 1], 0.0F);
+  EXPECT_EQ(gaps[(2 * 8 + 0) * 9 + 8], 2.0F) << "round both edges";
+  EXPECT_EQ(gaps[(5 * 8 + 6) * 9 + 2], 3.0F);
+}
+
+}  // namespace
+}  // namespace airlight

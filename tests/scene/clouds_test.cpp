@@ -1,0 +1,164 @@
+// Clouds in a preset: defaults, files, refusals, and the way back to JSON.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "core/scene/cloud_file.h"
+#include "tests/scene/scene_fixture.h"
+
+namespace airlight::test {
+namespace {
+
+class Clouds : public FolderTest {};
+
+// Two points of water: of 0.2 and 0.1 g/m3 in drops of 10 and 12 um.
+constexpr const char* kGrid =
+    "# a small cloud\n3,2,2  # nx,ny,nz\n0.02,0.03  # km\n0.44,0.48\ni,j,k,lwc,reff\n1,1,1,0.2,10\n3,2,2,0.1,12\n";
+
+std::string volume(const std::string& file, const std::string& extra = "") {
+  return R"("clouds": [{"type": "volume", "file": ")" + file + "\"" + extra + "}]";
+}
+
+TEST_F(Clouds, HaveTheDefaultsOfTheirKind) {
+  const Scene scene =
+      scene_from(with_one_medium(R"("clouds": [{"type": "cumulus"}, {"type": "stratocumulus"}, {"type": "cirrus"}])"));
+  ASSERT_EQ(scene.clouds.size(), 3u);
+  EXPECT_EQ(scene.clouds[0].cover, 0.35);
+  EXPECT_EQ(scene.clouds[1].cover, 0.85);
+  EXPECT_EQ(scene.clouds[0].phase, CloudPhase::drops);
+  EXPECT_EQ(scene.clouds[2].phase, CloudPhase::henyey_greenstein);
+  EXPECT_EQ(scene.clouds[2].phase_g, 0.75);
+  EXPECT_TRUE(scene.clouds[2].repeats);
+}
+
+// Extinction is 1.5 water / radius: 30 and 12.5 per km; the radius is the mean over it.
+TEST_F(Clouds, AreReadFromPlainText) {
+  const std::filesystem::path file = write("grid.txt", kGrid);
+  CloudFile cloud;
+  ASSERT_EQ(read_cloud_file(file, cloud), "");
+  EXPECT_EQ(cloud.nx, 3);
+  EXPECT_EQ(cloud.ny, 2);
+  EXPECT_EQ(cloud.nz, 2);
+  EXPECT_DOUBLE_EQ(cloud.dz, 0.04);
+  ASSERT_EQ(cloud.extinction.size(), 12u);
+  EXPECT_FLOAT_EQ(cloud.extinction[0], 30.0F);
+  EXPECT_FLOAT_EQ(cloud.extinction[11], 12.5F);
+  EXPECT_NEAR(cloud.effective_radius, (30.0 * 10.0 + 12.5 * 12.0) / 42.5, 1e-12);
+}
+
+TEST_F(Clouds, AreReadFromShdomsText) {
+  CloudFile same;
+  ASSERT_EQ(read_cloud_file(write("a.txt", kGrid), same), "");
+  CloudFile cloud;
+  ASSERT_EQ(read_cloud_file(write("b.txt",
+                                  "2 parameter LWC file\n3 2 2\n 0.02 0.03\n 0.44\t0.48\n 292.0\t292.0\n"
+                                  "1 1 1  0.2 10\n3 2 2  0.1 12\n"),
+                            cloud),
+            "");
+  EXPECT_EQ(cloud.extinction, same.extinction);
+  EXPECT_EQ(cloud.dx, same.dx);
+  EXPECT_EQ(cloud.lowest, same.lowest);
+}
+
+TEST_F(Clouds, ComeBackFromJson) {
+  const std::filesystem::path file = write("grid.txt", kGrid);
+  const std::string text = with_one_medium(
+      R"("clouds": [{"type": "cumulus", "cover": 0.3, "seed": 9, "detail_m": 70, "phase": {"function": "henyey-greenstein", "g": 0.8}},
+         {"type": "cirrus", "wind_to_deg": 33, "east_km": 2}, {"type": "volume", "file": ")" +
+      file.string() + R"(", "repeat": true, "single_scattering_albedo": 0.99}])");
+  const Scene scene = scene_from(text);
+  const Scene again = scene_from(to_json(scene));
+  EXPECT_EQ(to_json(again), to_json(scene));
+  ASSERT_EQ(again.clouds.size(), 3u);
+  EXPECT_EQ(again.clouds[0], scene.clouds[0]);
+  EXPECT_EQ(again.clouds[1], scene.clouds[1]);
+  EXPECT_EQ(again.clouds[2].contents->extinction, scene.clouds[2].contents->extinction);
+  EXPECT_EQ(again.clouds[2].single_scattering_albedo, 0.99);
+}
+
+TEST_F(Clouds, DropsAreAMediumsPhaseToo) {
+  const std::string text =
+      R"({"airlight": 1, "media": [{"name": "a", "scattering_per_km": 0.01, "phase": {"function": "drops",
+          "effective_radius_um": 8}, "density": {"profile": "constant", "below_km": 1}}]})";
+  const Scene scene = scene_from(text);
+  EXPECT_EQ(scene.media[0].phase, PhaseFunction::table);
+  EXPECT_FALSE(scene.spectra.has_value());
+  const Scene again = scene_from(to_json(scene));
+  EXPECT_EQ(again.media[0], scene.media[0]);
+  EXPECT_EQ(to_json(again), to_json(scene));
+}
+
+struct Broken {
+  const char* text;
+  const char* message;
+};
+
+TEST_F(Clouds, BrokenFilesAreRefusedWithTheirLine) {
+  for (const Broken& broken : {
+           Broken{"", "grid.txt:0: nothing in it; expected the numbers of points toward east, north and up"},
+           Broken{"3 2\n",
+                  "grid.txt:1: expected three whole numbers of points, toward east, north and up, 1 to 4096, "
+                  "of product at most 33554432"},
+           Broken{"4096 4096 4096\n",
+                  "grid.txt:1: expected three whole numbers of points, toward east, north and up, 1 "
+                  "to 4096, of product at most 33554432"},
+           Broken{"3 2 2\n0 0.02\n", "grid.txt:2: expected distances of 0.0001 to 100 km"},
+           Broken{"3 2 2\n0.02 0.02\n0.4 0.5 0.6\n", "grid.txt:3: expected the altitudes of 2 levels, km"},
+           Broken{"3 2 2\n0.02 0.02\n", "grid.txt:2: the file ends here; expected the altitudes of 2 levels, km"},
+           Broken{
+               "3 2 3\n0.02 0.02\n0.4 0.5 0.7\ni j k lwc reff\n",
+               "grid.txt:3: level 2 is at 0.5 km; expected ascending levels, evenly spaced to 1 % of their distance"},
+           Broken{"3 2 2\n0.02 0.02\n0.4 0.5\ni j k lwc reff\n1 1 1 0.2\n",
+                  "grid.txt:5: expected i j k, water in g/m3 and effective radius in um: five numbers; is the file cut "
+                  "short?"},
+           Broken{"3 2 2\n0.02 0.02\n0.4 0.5\ni j k lwc reff\n4 1 1 0.2 10\n",
+                  "grid.txt:5: the point 4 is outside 1 to 3"},
+           Broken{"3 2 2\n0.02 0.02\n0.4 0.5\ni j k lwc reff\n1 1 1 -0.2 10\n",
+                  "grid.txt:5: water of -0.2 g/m3 is outside 0 to 100"},
+           Broken{"3 2 2\n0.02 0.02\n0.4 0.5\ni j k lwc reff\n1 1 1 nan 10\n",
+                  "grid.txt:5: expected i j k, water in g/m3 and effective radius in um: five numbers; is the file cut "
+                  "short?"},
+           Broken{"3 2 2\n0.02 0.02\n0.4 0.5\ni j k lwc reff\n1 1 1 0.2 0\n",
+                  "grid.txt:5: an effective radius of 0 um is not above 0 and at most 10000"},
+           Broken{"3 2 2\n0.02 0.02\n0.4 0.5\ni j k lwc reff\n",
+                  "grid.txt:4: no water in it; expected lines of i j k, water and effective radius"},
+       }) {
+    CloudFile cloud;
+    EXPECT_EQ(read_cloud_file(write("grid.txt", broken.text), cloud), broken.message) << broken.text;
+  }
+}
+
+TEST_F(Clouds, NonsenseIsRefused) {
+  const std::string missing = (folder_ / "none.txt").string();
+  const auto problems = [](const std::string& clouds) { return problems_of(with_one_medium(clouds)); };
+  EXPECT_EQ(problems(volume(missing)), "test:1: /clouds/0/file: none.txt cannot be read: No such file or directory");
+  EXPECT_EQ(problems(R"("clouds": [{"type": "volume"}])"),
+            "test:1: /clouds/0/file: missing for \"volume\"; expected a string");
+  EXPECT_EQ(problems(R"("clouds": [{"type": "cumulus", "cover": 1.2}])"),
+            "test:1: /clouds/0/cover: 1.2 is outside 0 to 1");
+  EXPECT_EQ(problems(R"("clouds": [{"type": "cumulus", "base_km": 3}])"),
+            "test:1: /clouds/0/top_km: 2.4 km is not above base_km, 3 km; lower the base or raise the top");
+  EXPECT_EQ(problems(R"("planet": {"atmosphere_height_km": 2}, "clouds": [{"type": "cumulus"}])"),
+            "test:1: /clouds/0/top_km: the cloud reaches from 1 to 2.4 km; expected within the air, 0 to "
+            "planet.atmosphere_height_km, 2");
+  EXPECT_EQ(problems(R"("clouds": [{"type": "cumulus", "period_km": 3}])"),
+            "test:1: /clouds/0/period_km: 3 km is less than two cells of 2 km; make the period longer or cell_km "
+            "smaller");
+  EXPECT_EQ(
+      problems(R"("clouds": [{"type": "cumulus", "period_km": 200, "detail_m": 5}])"),
+      "test:1: /clouds/0/detail_m: 5 m makes a grid of 40000 x 40000 x 280 cells; expected at most 33554432: make "
+      "the cells larger or the period shorter");
+  EXPECT_EQ(problems(R"("clouds": [{"type": "cumulus", "file": "x"}])"),
+            "test:1: /clouds/0/file: not a key of \"cumulus\"; it belongs to volume: remove it");
+  EXPECT_EQ(problems(R"("clouds": [{"type": "cirrus", "effective_radius_um": 60, "phase": {"function": "drops"}}])"),
+            "test:1: /clouds/0/effective_radius_um: an effective radius of 60 um is above 40 um, the most of the phase "
+            "function \"drops\"; choose \"henyey-greenstein\"");
+  EXPECT_EQ(problems(R"("clouds": [{"type": "fog"}])"),
+            "test:1: /clouds/0/type: \"fog\" is unknown; expected one of \"cumulus\", \"stratocumulus\", "
+            "\"cirrus\", \"volume\"");
+}
+
+}  // namespace
+}  // namespace airlight::test
