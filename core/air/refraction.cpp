@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/air/air.h"
 #include "core/scene/refractive_index.h"
 
 namespace airlight {

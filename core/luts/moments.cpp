@@ -209,7 +209,7 @@ namespace {
 // Azimuths of half a turn that gather sunlight scattered once by these media. n of them mistake what a peak holds in
 // harmonics of 2n periods a turn for an even field, of the other sign. So many that the Legendre moments, which fall by
 // about the same factor a degree, have fallen to kLeft. Under a sun 3 to 8 degrees high, around which all of a peak's
-// harmonics stand, level layers of g 0.85 and depth 3 and 10 are 4 to 8 % too dark with 12, and 1 to 4 % with these 20.
+// harmonics stand, level layers of g 0.85 and depth 3 and 10 are 4 % darker with 12 than with these 20.
 // Peaks by table are gathered without such harmonics.
 int peak_azimuths(const Air& air) {
   constexpr double kLeft = 2e-3;

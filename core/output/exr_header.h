@@ -37,8 +37,8 @@ std::int64_t chunk_count(const ExrHeader& header);
 bool is_tiled(const ExrHeader& header);
 
 // To be called before a library opens the file. Throws as above where a header does not tell what it asks for, or where
-// it or what it asks for (the table of chunks, and pixels however well compressed) is longer than the file. A file that cannot be opened or is no
-// EXR passes.
+// it or what it asks for (the table of chunks, and pixels however well compressed) is longer than the file. A file that
+// cannot be opened or is no EXR passes.
 void require_room_for_exr(const std::filesystem::path& file);
 
 // Reads a number of `bytes` bytes, low byte first. Throws as above at the end of the stream.

@@ -36,7 +36,7 @@ void main() {
       float to = reach * dimmed_distance(float(slice) / float(size.z - 1u));
       vec3 next = max(diffuse_up_to(of, to), all);
       left += (next - all) * dimmed_in_step(sight, from, to);
-      share = left / max(next, vec3(1e-30));
+      share = left / max(next, vec3(1e-20));  // of the sun's irradiance: less is no light
       all = next;
       from = to;
     }

@@ -18,10 +18,24 @@
 
 layout(set = 0, binding = 5) uniform sampler3D open_lut;  // thing_open.comp
 
+// In 32 bits: a sampler's weights may have 8, and differences are taken.
 vec3 fetch_open(uint block, uint direction, float row, float slice) {
-  vec3 size = vec3(textureSize(open_lut, 0));
-  vec3 at = vec3(float(block * kLightDirections + direction), row, slice) + 0.5;
-  return textureLod(open_lut, at / size, 0.0).rgb;
+  ivec2 last = textureSize(open_lut, 0).yz - 1;
+  vec2 at = clamp(vec2(row, slice), vec2(0.0), vec2(last));
+  ivec2 low = min(ivec2(at), last - 1);
+  vec2 part = at - vec2(low);
+  ivec3 texel = ivec3(block * kLightDirections + direction, low);
+  vec3 near = mix(texelFetch(open_lut, texel, 0).rgb, texelFetch(open_lut, texel + ivec3(0, 1, 0), 0).rgb, part.x);
+  vec3 far = mix(texelFetch(open_lut, texel + ivec3(0, 0, 1), 0).rgb,
+                 texelFetch(open_lut, texel + ivec3(0, 1, 1), 0).rgb, part.x);
+  return mix(near, far, part.y);
+}
+
+// A quotient of the light among terrain by that without; 1 where a sun far below the horizon sends none.
+vec3 share_of(vec3 among, vec3 open) {
+  const float kNone = 1e-20;  // of the sun's irradiance
+  const float kMost = 1e3;
+  return mix(vec3(1.0), min(among / max(open, vec3(kNone)), vec3(kMost)), greaterThan(open, vec3(kNone)));
 }
 
 #include "physics/thing_light.glsl"
@@ -81,11 +95,8 @@ void main() {
         d += open_even[k];
       }
     }
-    bvec3 lit = greaterThan(b, vec3(1e-30));
-    bvec3 all_lit = greaterThan(d, vec3(1e-30));
     float base = surface_height(t, at.x, at.y);
-    imageStore(shares_out, ivec2(texel), vec4(mix(vec3(1.0), a / max(b, vec3(1e-30)), lit), base));
-    imageStore(shares_out, ivec2(texel) + ivec2(columns, 0),
-               vec4(mix(vec3(1.0), c / max(d, vec3(1e-30)), all_lit), base));
+    imageStore(shares_out, ivec2(texel), vec4(share_of(a, b), base));
+    imageStore(shares_out, ivec2(texel) + ivec2(columns, 0), vec4(share_of(c, d), base));
   }
 }

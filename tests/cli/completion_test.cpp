@@ -11,7 +11,7 @@ namespace {
 class TypedKeys : public testing::Test {
  protected:
   void SetUp() override {
-    for (const char* name : {"my sky.json", "it's $5.json", "a folder/inside.json"}) {
+    for (const char* name : {"my sky.json", "it's $5.json", "below a folder/inside.json"}) {
       std::filesystem::create_directories((scratch_.path() / name).parent_path());
       scratch_.write(name, "{}");
     }
@@ -64,8 +64,8 @@ TEST_F(BashKeys, NamesWithSpacesAndQuotesAreOneWord) {
   EXPECT_EQ(typed("airlight render my\\ s\t"), "[airlight][render][my sky.json]");
   EXPECT_EQ(typed("airlight render 'my s\t"), "[airlight][render][my sky.json]");
   EXPECT_EQ(typed("airlight render it\t"), "[airlight][render][it's $5.json]");
-  EXPECT_EQ(typed("airlight render a\tins\t"), "[airlight][render][a folder/inside.json]");
-  EXPECT_EQ(typed("airlight render x --luts a\t"), "[airlight][render][x][--luts][a folder/]");
+  EXPECT_EQ(typed("airlight render bel\tins\t"), "[airlight][render][below a folder/inside.json]");
+  EXPECT_EQ(typed("airlight render x --luts bel\t"), "[airlight][render][x][--luts][below a folder/]");
 }
 
 TEST_F(BashKeys, NothingIsOfferedWhereNothingFits) {

@@ -68,7 +68,9 @@ TEST(Specialize, LeavesNothingOpenInAnyShader) {
     EXPECT_TRUE(after.constants.empty());
     EXPECT_EQ(after.workgroup_size, before.workgroup_size);
     EXPECT_LE(after.push_constant_bytes, before.push_constant_bytes);
-    EXPECT_LE(frozen.size(), source.spirv.size());
+    // Loops that are written out may make a small shader longer.
+    const std::vector<std::uint32_t> words(source.spirv.begin(), source.spirv.end());
+    EXPECT_LE(frozen.size(), marked_loops(words) > 0 ? 2 * words.size() : words.size());
     for (const ShaderBinding& binding : after.bindings) {  // names are gone, unused ones may be
       const bool is_known = std::any_of(before.bindings.begin(), before.bindings.end(), [&](const ShaderBinding& b) {
         return b.binding == binding.binding && b.kind == binding.kind && b.is_3d == binding.is_3d;

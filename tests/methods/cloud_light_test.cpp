@@ -96,9 +96,9 @@ HostBeam host_beam(const CloudCells& c, double scale, physics::vec3 to_sun) {
   return beam;
 }
 
-constexpr int kSun = 0;
-constexpr int kSky = 1;
-constexpr int kGround = 2;
+constexpr int kOfSun = 0;
+constexpr int kOfSky = 1;
+constexpr int kOfGround = 2;
 
 struct Solved {
   CloudCells cells;
@@ -153,7 +153,7 @@ std::vector<double> fluxes(const Solved& s, bool up, int of) {
       flux[at] += ordinates[o].weight * std::abs(d.z) * ((1.0 - part) * value(i) + part * value(i + 1));
     }
   }
-  for (std::size_t at = 0; at < plane && of == kSun; ++at) {
+  for (std::size_t at = 0; at < plane && of == kOfSun; ++at) {
     flux[at] = (flux[at] + (up ? 0.0 : -s.sun.z * s.beam.base[at])) / -s.sun.z;
   }
   return flux;
@@ -181,7 +181,7 @@ std::vector<double> radiances(const Solved& s, double g, physics::vec3 d) {
       const std::size_t cell = k * plane + at;
       double source = once * static_cast<double>(s.beam.cells[cell]);
       for (std::uint32_t q = 0; q < physics::kCloudMoments; ++q) {
-        const auto moment = static_cast<double>(s.moments[kSun][q * c.count() + cell]);
+        const auto moment = static_cast<double>(s.moments[kOfSun][q * c.count() + cell]);
         source += scattering.kept[q] * moment * p.cloud_harmonic(q, d);
       }
       const double depth = scale * static_cast<double>(c.extinction[cell]) * way;
@@ -277,13 +277,13 @@ TEST(CloudLight, LosesNoLight) {
   constexpr int kMany = 24;
   const CloudCells cells = broken_cloud(12, 10, 8);
   const Solved s = solve(cells, henyey_greenstein(0.85), 1.0, kMany);
-  for (const int of : {kSky, kGround}) {
+  for (const int of : {kOfSky, kOfGround}) {
     EXPECT_NEAR((mean_of(fluxes(s, true, of)) + mean_of(fluxes(s, false, of))) / pi, 1.0, 1e-3);
   }
-  EXPECT_NEAR(mean_of(fluxes(s, true, kSun)) + mean_of(fluxes(s, false, kSun)), 1.0, 0.02)
+  EXPECT_NEAR(mean_of(fluxes(s, true, kOfSun)) + mean_of(fluxes(s, false, kOfSun)), 1.0, 0.02)
       << "rays of the sun, sampled";
   const Solved absorbing = solve(cells, henyey_greenstein(0.85, 0.9), 1.0, kMany);
-  EXPECT_LT(mean_of(fluxes(absorbing, true, kSky)) + mean_of(fluxes(absorbing, false, kSky)), 0.95 * pi);
+  EXPECT_LT(mean_of(fluxes(absorbing, true, kOfSky)) + mean_of(fluxes(absorbing, false, kOfSky)), 0.95 * pi);
 }
 
 // A cloud that stands on its head lets as much light through from above as it did from below.
@@ -296,8 +296,8 @@ TEST(CloudLight, TurnsUpsideDown) {
   }
   const Solved upright = solve(cells, henyey_greenstein(0.85), 1.0);
   const Solved over = solve(turned, henyey_greenstein(0.85), 1.0);
-  EXPECT_NEAR(mean_of(fluxes(upright, true, kGround)) / mean_of(fluxes(over, false, kSky)), 1.0, 1e-5);
-  EXPECT_GT(mean_of(fluxes(upright, true, kGround)), 0.2);
+  EXPECT_NEAR(mean_of(fluxes(upright, true, kOfGround)) / mean_of(fluxes(over, false, kOfSky)), 1.0, 1e-5);
+  EXPECT_GT(mean_of(fluxes(upright, true, kOfGround)), 0.2);
 }
 
 // One sweep of the host in double, cell by cell along each ordinate: moments of the means.
@@ -347,9 +347,9 @@ TEST(CloudLight, DeviceSweepsAsTheHostDoes) {
   const Solved s = solve(cells, henyey_greenstein(0.85), 0.6, kSweeps);
   const physics::CloudScattering scattering = cloud_scattering(s.drops, s.sun);
   const std::vector<physics::CloudOrdinate> ordinates = cloud_ordinates();
-  for (const int of : {kSun, kSky, kGround}) {
+  for (const int of : {kOfSun, kOfSky, kOfGround}) {
     const CloudIncident incident{
-        .name = {}, .sun = of == kSun, .above = of == kSky ? 1.0 : 0.0, .below = of == kGround ? 1.0 : 0.0};
+        .name = {}, .sun = of == kOfSun, .above = of == kOfSky ? 1.0 : 0.0, .below = of == kOfGround ? 1.0 : 0.0};
     std::vector<double> moments(9 * cells.count());
     std::vector<double> changes(9 * cells.count());
     for (const ChebyshevStep& step : chebyshev_steps(light_kept(cells, s.drops), kSweeps)) {
@@ -357,7 +357,7 @@ TEST(CloudLight, DeviceSweepsAsTheHostDoes) {
       for (std::size_t o = 0; o < sources.size(); ++o) {
         for (std::size_t n = 0; n < 9 * cells.count(); ++n) {
           const std::size_t q = n / cells.count();
-          const double lit = of == kSun ? static_cast<double>(s.beam.cells[n % cells.count()]) : 0.0;
+          const double lit = of == kOfSun ? static_cast<double>(s.beam.cells[n % cells.count()]) : 0.0;
           sources[o][n % cells.count()] +=
               (moments[n] + scattering.sunlight[q] * lit) * scattering.kept[q] * ordinates[o].harmonics[q];
         }

@@ -95,6 +95,9 @@ TEST(Layers, SumUpToThePicture_Presets) {
       continue;
     }
     Scene scene = resolve(load_preset(entry.path()), method_infos());
+    if (!scene.clouds.empty()) {
+      continue;  // layers are refused
+    }
     scene.image = {32, 18};
     scene.camera.polariser.reset();  // layers hold light before the lens
     scene = named("orders", std::move(scene));

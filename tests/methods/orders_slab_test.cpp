@@ -107,7 +107,7 @@ std::vector<LevelCase> level_cases() {
 INSTANTIATE_TEST_SUITE_P(Published, OrdersSlab, testing::ValuesIn(level_cases()));
 
 // The light of many directions together, as single ones may be off by what degree 8 leaves of a strong peak. With 12
-// azimuths in the first order it is 4.4 to 5.4 % too dark at depth 3 and 5.9 to 7.6 % at depth 10.
+// azimuths in the first order it is 4 % darker, with rows 0.07 apart at the top 1 to 3 %.
 TEST(OrdersSlabPeak, KeepsTheLightOfALowSun) {
   constexpr double kPeak = 0.85;
   for (const double depth : sanitized() ? std::vector<double>{3.0} : std::vector<double>{3.0, 10.0}) {
@@ -132,7 +132,7 @@ TEST(OrdersSlabPeak, KeepsTheLightOfALowSun) {
         }
         std::printf("depth %g, sun %.3f, %s: %+.2f %%\n", depth, judge.nodes()[static_cast<std::size_t>(sun)],
                     top ? "top" : "bottom", 100.0 * (sum / expected - 1.0));
-        EXPECT_NEAR(sum, expected, (depth > 5.0 ? 0.045 : 0.02) * expected);
+        EXPECT_NEAR(sum, expected, 0.015 * expected);
       }
     }
   }

@@ -258,7 +258,7 @@ FieldMoments gathered(const RayFormula& radiance, physics::Physics& p, double h,
   return sums;
 }
 
-// The sky is that of the same table. The directions of a bake leave out 4.3 % at most.
+// The sky is that of the same table. The directions of a bake leave out 5.7 % at most.
 TEST(TableText, Moments) {
   for (const bool shells : {false, true}) {
     Scene scene = table_scene("orders", 0.2, 10.0);
@@ -290,9 +290,9 @@ TEST(TableText, Moments) {
         const double found = channel(moments.texel(i, j), c);
         const double m00 = channel(truth.m00, c);
         if (last) {
-          EXPECT_NEAR(std::exp(found) / channel(truth.ground, c), 1.0, 0.05) << where;
+          EXPECT_NEAR(std::exp(found) / channel(truth.ground, c), 1.0, 0.065) << where;
         } else if (q.at("l") == 0.0) {
-          EXPECT_NEAR(std::exp(found) / m00, 1.0, 0.05) << where;
+          EXPECT_NEAR(std::exp(found) / m00, 1.0, 0.065) << where;
         } else {
           EXPECT_NEAR(found, channel(q.at("m") == 0.0 ? truth.m10 : truth.m11, c) / m00, 0.03) << where;
         }
