@@ -353,6 +353,23 @@ TEST(Refraction, IsLeftOutWhereRaysAreStraight) {
 
 // Where azimuths have no meaning, at the shadow's edge to the last digit, from the ground to space, on small and large
 // planets.
+// At the top of the air nothing is left of the way along which a table by shells spreads the beam's logarithm.
+TEST(Refraction, HoldsWhereAirEndsAbruptly) {
+  for (const double sun : {60.0, 2.4}) {
+    Scene scene = molecules(sun, 0.3);
+    scene.planet.atmosphere_height = 10.4;
+    scene.planet.refraction = bent(3.9e-4, 14.7);
+    scene.media[0].density.scale_height = 0.9;
+    scene.image = {8, 8};
+    scene = with_method(scene, *find_method("orders"), true);
+    scene.render.parameters.insert_or_assign("shells", std::string("always"));
+    expect_sound(render_now(scene), "sun " + std::to_string(sun));
+    const double up = probe_now(scene, toward({45.0})).front().radiance[1];
+    scene.planet.refraction.reset();
+    EXPECT_NEAR(probe_now(scene, toward({45.0})).front().radiance[1] / up, 1.0, 0.05) << sun;
+  }
+}
+
 TEST(Refraction, HoldsAtItsEdges) {
   constexpr double kNext = 1e-15;
   for (const double radius : {10.0, 6371.0, 1e6}) {
