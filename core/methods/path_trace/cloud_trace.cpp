@@ -31,7 +31,10 @@ double edge_of(int block, int blocks, int cells) {
   return periods * cells + std::min(within * kBlock, cells);
 }
 
+// Cells beyond what an int counts, near the horizon of a planet as good as flat, count as the last.
 int block_at(double cell, int blocks, int cells) {
+  constexpr double kFarthest = 1e9;
+  cell = std::clamp(cell, -kFarthest, kFarthest);
   const double period = std::floor(cell / cells);
   const int within = std::min(static_cast<int>((cell - period * cells) / kBlock), blocks - 1);
   return static_cast<int>(period) * blocks + within;
