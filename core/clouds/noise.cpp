@@ -73,10 +73,18 @@ double cell_noise(double x, double y, double z, NoisePeriod period, std::uint32_
   const int i = static_cast<int>(std::floor(x));
   const int j = static_cast<int>(std::floor(y));
   const int k = static_cast<int>(std::floor(z));
+  // The square of the distance to a neighbouring cell along one axis: no point of it is nearer.
+  const auto gap = [](int d, double part) {
+    const double away = d == 0 ? 0.0 : d < 0 ? part : 1.0 - part;
+    return away * away;
+  };
   double nearest = 1.0;
-  for (int dk = -1; dk <= 1; ++dk) {
-    for (int dj = -1; dj <= 1; ++dj) {
-      for (int di = -1; di <= 1; ++di) {
+  for (const int dk : {0, -1, 1}) {
+    for (const int dj : {0, -1, 1}) {
+      for (const int di : {0, -1, 1}) {
+        if (gap(di, x - i) + gap(dj, y - j) + gap(dk, z - k) >= nearest) {
+          continue;
+        }
         const std::uint32_t a = wrapped(i + di, period.x);
         const std::uint32_t b = wrapped(j + dj, period.y);
         const auto c = static_cast<std::uint32_t>(k + dk);

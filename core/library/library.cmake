@@ -39,20 +39,21 @@ set_target_properties(airlight_shared PROPERTIES OUTPUT_NAME airlight VERSION ${
 target_include_directories(airlight_shared PUBLIC ${CMAKE_CURRENT_LIST_DIR}/include)
 target_compile_features(airlight_shared PUBLIC cxx_std_20)
 
-# One archive of all parts.
+# One archive of all parts. The archiver's script takes no path with a space, so it names files of its own folder.
 set(archive ${PROJECT_BINARY_DIR}/libairlight.a)
 set(script ${PROJECT_BINARY_DIR}/libairlight.mri)
 set(archives)
 foreach(part IN LISTS library_parts)
-  list(APPEND archives "addlib $<TARGET_FILE:${part}>")
+  list(APPEND archives "addlib $<TARGET_FILE_NAME:${part}>")
 endforeach()
-file(GENERATE OUTPUT ${script} CONTENT "create ${archive}\n$<JOIN:${archives},\n>\nsave\nend\n")
+file(GENERATE OUTPUT ${script} CONTENT "create libairlight.a\n$<JOIN:${archives},\n>\nsave\nend\n")
 add_custom_command(
   OUTPUT ${archive}
   COMMAND ${CMAKE_COMMAND} -E rm -f ${archive}
-  COMMAND ${CMAKE_AR} -M <${script}
+  COMMAND ${CMAKE_AR} -M <libairlight.mri
   COMMAND ${CMAKE_RANLIB} ${archive}
-  DEPENDS ${library_parts} ${script})
+  DEPENDS ${library_parts} ${script}
+  WORKING_DIRECTORY ${PROJECT_BINARY_DIR})
 add_custom_target(airlight_archive DEPENDS ${archive})
 
 # What add_subdirectory() gives; find_package() gives the same names (airlightConfig.cmake.in).
