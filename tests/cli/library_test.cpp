@@ -102,8 +102,8 @@ TEST_F(InstalledLibrary, InsideAProjectItDisturbsNothing) {
   scratch_->write("project/CMakeLists.txt",
                   "cmake_minimum_required(VERSION 3.22)\nproject(sky LANGUAGES CXX)\n"
                   "set(CMAKE_EXPORT_COMPILE_COMMANDS ON)\n"
-                  "add_subdirectory(" AIRLIGHT_SOURCE_DIR
-                  " airlight)\n"
+                  "add_subdirectory(\"" AIRLIGHT_SOURCE_DIR
+                  "\" airlight)\n"
                   "add_executable(sky main.cpp)\ntarget_link_libraries(sky airlight::airlight)\n");
   scratch_->write("project/main.cpp",
                   "#include <airlight/airlight.h>\nint main() { return airlight::presets().empty(); }\n");
