@@ -92,27 +92,63 @@ inline ExactSun exact_sun(const ExactAir& air, double h, double true_zenith) {
   return sun;
 }
 
-// Radiance scattered once by molecules, of scattering coefficient `beta` at the ground, for a sun of irradiance 1.
+// Radiance scattered once by molecules, of these scattering coefficients at the ground, for a sun of irradiance 1.
 // `azimuth`: of the view from the sun.
-inline double exact_single(const ExactAir& air, double beta, double h, double elevation, double azimuth,
-                           double sun_elevation) {
-  constexpr int kGroup = 8;  // points of the ray for one sun
-  const std::vector<ExactPoint> ray = exact_ray(air, h, 0.5 * std::numbers::pi - elevation, 80 * kGroup);
+struct ExactView {
+  double h = 0.0;
+  double elevation = 0.0;
+  double azimuth = 0.0;
+  double sun_elevation = 0.0;
+};
+
+// What the points from..to of the ray send, as if all saw the sun of the middle one.
+inline std::array<double, 3> exact_share(const ExactAir& air, const std::array<double, 3>& beta, const ExactView& view,
+                                         const std::vector<ExactPoint>& ray, std::size_t from, std::size_t to,
+                                         const ExactSun& sun) {
   using std::cos;
   using std::sin;
-  double sum = 0.0;
-  for (std::size_t i = kGroup / 2; i + kGroup / 2 < ray.size(); i += kGroup) {
-    const ExactPoint& p = ray[i];
-    // Vertical and forward at the point, in the plane of the ray; the sun over the camera's vertical, forward, side.
-    const double up = cos(p.round) * sin(sun_elevation) + sin(p.round) * cos(sun_elevation) * cos(azimuth);
-    const double ahead = cos(p.round) * cos(sun_elevation) * cos(azimuth) - sin(p.round) * sin(sun_elevation);
-    const ExactSun sun = exact_sun(air, p.h, std::acos(up));
-    if (!sun.up) continue;
-    const double level = sin(sun.zenith) / std::max(std::sqrt(1.0 - up * up), 1e-9);
-    const double nu = cos(p.zenith) * cos(sun.zenith) + sin(p.zenith) * ahead * level;
-    const double column = ray[i + kGroup / 2].column - ray[i - kGroup / 2].column;
-    sum += 3.0 / (16.0 * std::numbers::pi) * (1.0 + nu * nu) * sun.spread * beta * column *
-           std::exp(-beta * (sun.column + p.column));
+  const ExactPoint& p = ray[(from + to) / 2];
+  // Vertical and forward at the point, in the plane of the ray; the sun over the camera's vertical, forward, side.
+  const double level = cos(view.sun_elevation) * cos(view.azimuth);
+  const double up = cos(p.round) * sin(view.sun_elevation) + sin(p.round) * level;
+  const double ahead = cos(p.round) * level - sin(p.round) * sin(view.sun_elevation);
+  const double wider = sin(sun.zenith) / std::max(std::sqrt(1.0 - up * up), 1e-9);
+  const double nu = cos(p.zenith) * cos(sun.zenith) + sin(p.zenith) * ahead * wider;
+  const double column = ray[to].column - ray[from].column;
+  std::array<double, 3> out{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    out[c] = 3.0 / (16.0 * std::numbers::pi) * (1.0 + nu * nu) * sun.spread * beta[c] * column *
+             std::exp(-beta[c] * (sun.column + p.column));
+  }
+  return out;
+}
+
+inline std::array<double, 3> exact_single(const ExactAir& air, const std::array<double, 3>& beta,
+                                          const ExactView& view) {
+  constexpr std::size_t kGroup = 8;  // points of the ray for one sun, but where the planet's shadow begins
+  const std::vector<ExactPoint> ray = exact_ray(air, view.h, 0.5 * std::numbers::pi - view.elevation, 120 * kGroup);
+  const auto sun_at = [&](std::size_t i) {
+    const double round = ray[i].round;
+    return exact_sun(air, ray[i].h,
+                     std::acos(std::cos(round) * std::sin(view.sun_elevation) +
+                               std::sin(round) * std::cos(view.sun_elevation) * std::cos(view.azimuth)));
+  };
+  std::array<double, 3> sum{};
+  const auto add = [&](std::size_t from, std::size_t to, const ExactSun& sun) {
+    const std::array<double, 3> share = exact_share(air, beta, view, ray, from, to, sun);
+    for (std::size_t c = 0; c < 3 && sun.up; ++c) sum[c] += share[c];
+  };
+  bool was_up = sun_at(0).up;
+  for (std::size_t i = 0; i + 1 < ray.size(); i += kGroup) {
+    const std::size_t end = std::min(i + kGroup, ray.size() - 1);
+    const ExactSun middle = sun_at((i + end) / 2);
+    const bool is_up = sun_at(end).up;
+    if (was_up == is_up && middle.up == is_up) {
+      add(i, end, middle);
+    } else {
+      for (std::size_t k = i; k < end; ++k) add(k, k + 1, sun_at(k));
+    }
+    was_up = is_up;
   }
   return sum;
 }
