@@ -14,8 +14,11 @@ namespace {
 // Whether there is one.
 bool read_profile(const Section& planet, const Section& section, const std::vector<Medium>& media,
                   Refraction& refraction) {
-  const PresetValue* const medium = section.find("medium");
-  const PresetValue* const height = section.find("scale_height_km");
+  const PresetValue* medium = section.find("medium");
+  const PresetValue* height = section.find("scale_height_km");
+  if (medium != nullptr && height != nullptr && medium->inherited != height->inherited) {
+    (medium->inherited ? medium : height) = nullptr;  // a preset's own says more than what it extends
+  }
   if ((medium == nullptr) == (height == nullptr)) {
     planet.complain("refraction", *planet.find("refraction"),
                     "expected exactly one of medium and scale_height_km, by which n - 1 falls with altitude");
@@ -24,6 +27,9 @@ bool read_profile(const Section& planet, const Section& section, const std::vect
   if (medium == nullptr) {
     refraction.density.scale_height = section.number("scale_height_km");
     return refraction.density.scale_height > 0.0;
+  }
+  if (media.empty()) {  // of which the reader of the media tells
+    return false;
   }
   const std::string name = section.text("medium");
   const auto found = std::ranges::find(media, name, &Medium::name);

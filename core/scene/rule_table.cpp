@@ -118,7 +118,8 @@ constexpr auto kRules = std::to_array<Rule>({
                "Light is bent by `orders`, `march`, `sky-view` and `path-trace`, where no terrain, spheres or clouds "
                "stand in the air")),
     plain(RuleType::text, "planet.refraction.medium",
-          "name of the medium whose density n - 1 follows; of `medium` and `scale_height_km` exactly one"),
+          "name of the medium whose density n - 1 follows; of `medium` and `scale_height_km` exactly one; "
+          "one of the preset's own takes the place of an inherited one"),
     number("planet.refraction.scale_height_km", kSize, "km", "", "of n - 1"),
 
     plain(RuleType::text, "planet.albedo_map",

@@ -128,18 +128,22 @@ TEST(Refraction, FirstOrderIsThatOfExactRays) {
     Scene marched = with_method(molecules(sun, kBlack), *find_method("march"));
     marched.render.parameters["multiple_scattering_scale"] = 0.0;
     marched.render.parameters["steps"] = 512;
-    marched.render.parameters["transmittance_lut"] = TableSize{512, 128};
+    marched.render.parameters["transmittance_lut"] = TableSize{1024, 256};
     const std::vector<ProbeResult> march = probe_now(marched, directions);
     for (std::size_t i = 0; i < directions.size(); ++i) {
       const std::array<double, 3> exact = exact_single(
           {}, traced.media[0].scattering, {0.001, directions[i].elevation, directions[i].azimuth, radians(sun)});
+      if (exact[0] == 0.0) {  // all of the ray is in the planet's shadow
+        EXPECT_EQ(paths.radiance.at(static_cast<int>(i), 0)[0], 0.0F) << sun << ", " << i;
+        continue;
+      }
       for (std::size_t c = 0; c < 3; ++c) {
         const double path = static_cast<double>(paths.radiance.at(static_cast<int>(i), 0)[c]) / exact[c] - 1.0;
         const double step = march[i].radiance[c] / exact[c] - 1.0;
         worst_path = std::max(worst_path, std::abs(path));
         worst_march = std::max(worst_march, std::abs(step));
-        EXPECT_NEAR(path, 0.0, 0.01) << "path-trace, sun " << sun << ", direction " << i << ", channel " << c;
-        EXPECT_NEAR(step, 0.0, 0.01) << "march, sun " << sun << ", direction " << i << ", channel " << c;
+        EXPECT_NEAR(path, 0.0, 0.005) << "path-trace, sun " << sun << ", direction " << i << ", channel " << c;
+        EXPECT_NEAR(step, 0.0, 0.015) << "march, sun " << sun << ", direction " << i << ", channel " << c;
       }
     }
   }
@@ -346,9 +350,14 @@ TEST(Refraction, FollowsAMediumInEveryScene) {
   by_height.image = {160, 120};  // by a table, with the horizon's pixels apart
   by_height.camera.altitude = 2.0;
   Scene by_medium = by_height;
-  by_medium.planet.refraction->medium = by_medium.media[0].name;
-  by_medium.planet.refraction->density.scale_height = 1.0;  // not looked at
-  by_medium = resolve(parse_preset(to_json(by_medium), "by medium", {}), method_infos());
+  by_medium.planet.refraction->medium = "molecules";
+  by_medium.media[0].name = "molecules";
+  const auto read = [](const Scene& scene) {
+    return resolve(parse_preset(to_json(scene), "as read", {}), method_infos());
+  };
+  by_height.media[0].name = "molecules";
+  by_height = read(by_height);
+  by_medium = read(by_medium);
   const std::vector<float> bent_pixels = render_now(by_height).radiance.rgba;
   EXPECT_EQ(render_now(by_medium).radiance.rgba, bent_pixels);
   Scene straight = by_height;

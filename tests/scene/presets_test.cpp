@@ -128,6 +128,21 @@ TEST(Presets, EarthIsTheUsStandardAtmosphere) {
   EXPECT_NEAR(value_at(earth.spectra->ground_albedo, 550), 0.12, 1e-9);
 }
 
+// A preset that extends `earth` bends light by an index of its own, or not at all.
+TEST(Presets, MayBendLightTheirOwnWay) {
+  const auto bent = [](const std::string& refraction) {
+    const std::string text =
+        R"({"airlight": 1, "extends": "earth.json", "planet": {"refraction": )" + refraction + "}}";
+    const fs::path presets = fs::path(AIRLIGHT_SOURCE_DIR) / "presets";
+    return resolve(parse_preset(text, "own.json", presets), method_infos()).planet.refraction;
+  };
+  EXPECT_EQ(bent(R"({"n_minus_1": 2e-4})").value().medium, "rayleigh");
+  const Refraction own = bent(R"({"n_minus_1": 2e-4, "scale_height_km": 9})").value();
+  EXPECT_EQ(own.medium, "");
+  EXPECT_EQ(own.density.scale_height, 9.0);
+  EXPECT_FALSE(bent(R"({"n_minus_1": 0})"));
+}
+
 // All other presets have spectra too, and no curve causes a warning.
 TEST(Presets, HaveSpectraButThoseThatSayOtherwise) {
   for (const fs::path& file : shipped()) {
