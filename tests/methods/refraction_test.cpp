@@ -349,6 +349,9 @@ TEST(Refraction, FollowsAMediumInEveryScene) {
   Scene by_height = with_method(molecules(3.0, 0.2), *find_method("orders"));
   by_height.image = {160, 120};  // by a table, with the horizon's pixels apart
   by_height.camera.altitude = 2.0;
+  by_height.camera.projection = Projection::perspective;
+  by_height.camera.pitch = radians(-1.4);  // straight rays have the horizon two pixels lower
+  by_height.camera.vertical_fov = radians(6.0);
   Scene by_medium = by_height;
   by_medium.planet.refraction->medium = "molecules";
   by_medium.media[0].name = "molecules";
