@@ -1,6 +1,7 @@
 #include "app/cli/place_options.h"
 
 #include "core/error.h"
+#include "core/methods/ready.h"
 #include "core/scene/json_format.h"
 #include "core/sequence/frame_list.h"
 
@@ -52,7 +53,7 @@ std::optional<sequence::Air> air_of(const PlaceOptions& options, const std::stri
 }
 
 void require_one_refraction(const PlaceOptions& options, const Scene& scene, const std::string& command) {
-  if (options.refraction && scene.planet.refraction) {
+  if (options.refraction && bends_light(scene)) {
     throw InputError(command +
                      ": --refraction: the preset's air bends light itself (planet.refraction); leave one out");
   }

@@ -405,8 +405,9 @@ Command sequence_command() {
   command.description =
       "One of three things changes from frame to frame: the sun's path over a place (--date, --from, --to, --step, "
       "--lat, --lon), a sweep of the sun's elevation (--sun-elevation), or the preset's own key frames (its key "
-      "sequence). The path is that of the sun's centre. It is good to 0.01 degrees, and has no refraction unless "
-      "--refraction is given.\n\n"
+      "sequence). The path is that of the sun's centre. It is good to 0.01 degrees and has no refraction, "
+      "since the preset's air bends light itself (planet.refraction). Where it does not, --refraction lifts the "
+      "sun.\n\n"
       "The exposure is automatic by default. It comes from each frame's own light, so a frame has the same exposure in "
       "every shard. It is steady by day, follows the dusk as an eye does, and leaves the night dark. --exposure "
       "lock:FRAME gives all frames the exposure of one frame. --exposure day gives them that of a midday. The EXRs "

@@ -188,7 +188,7 @@ struct Air::Matter {
   Column column;
 
   Matter(const std::vector<Medium>& m, const Planet& p) : media(m), planet(p) {
-    put_planet(formulas, p, media);
+    put_planet(formulas, p);
     put_media(formulas, media);
     put_phases(formulas, media, false);
     column = column_of(formulas, media);

@@ -42,13 +42,13 @@ double sun_lift(physics::Physics& p, double g) {
 
 }  // namespace
 
-void put_planet(physics::Physics& p, const Planet& planet, const std::vector<Medium>& media) {
+void put_planet(physics::Physics& p, const Planet& planet) {
   p.scene.planet = {planet.ground_radius, planet.atmosphere_height, vector_of(planet.ground_albedo)};
   p.refraction = planet.refraction.has_value();
   if (!p.refraction) {
     return;
   }
-  RefractiveIndex index(planet, media);
+  RefractiveIndex index(planet);
   p.scene.planet.ground_radius = index.at(0.0) * planet.ground_radius;
   p.scene.planet.atmosphere_height = index.optical_altitude(planet.atmosphere_height);
   p.scene.refraction.ground_radius = planet.ground_radius;

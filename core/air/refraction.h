@@ -1,15 +1,13 @@
 #pragma once
 // Air that bends light (shaders/physics/refraction.glsl): its planet and its altitudes become optical.
 
-#include <vector>
-
 #include "core/physics/physics.h"
 #include "core/scene/scene.h"
 
 namespace airlight {
 
-// Puts the planet into `p`; where it has refraction, its optical form. `media`: of the scene.
-void put_planet(physics::Physics& p, const Planet& planet, const std::vector<Medium>& media);
+// Puts the planet into `p`; where it has refraction, its optical form.
+void put_planet(physics::Physics& p, const Planet& planet);
 
 // The optical altitude of a true one, km; the same where the air bends no light. Above the air too.
 double optical_altitude(physics::Physics& p, double h);

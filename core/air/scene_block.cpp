@@ -162,7 +162,7 @@ physics::Physics formulas_of(const Air& air, const Scene& scene) {
 physics::Physics geometry_of(const Scene& scene) {
   physics::Physics p;
   const Planet& planet = scene.planet;
-  put_planet(p, planet, scene.media);
+  put_planet(p, planet);
   put_picture(p, scene);
   return p;
 }

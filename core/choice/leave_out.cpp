@@ -80,6 +80,9 @@ Lighter leave_out_media(const Stage& stage, double allowed) {
   const std::uint32_t scattering = air.scattering_media();
   std::vector<std::pair<double, std::size_t>> effects;
   for (std::size_t i = 0; i < scene.media.size(); ++i) {
+    if (scene.planet.refraction && scene.planet.refraction->medium == scene.media[i].name) {
+      continue;  // light is bent by it
+    }
     const auto medium = static_cast<unsigned int>(i);
     double effect = 2.0 * longest_depth(air, medium);
     if ((scattering >> medium & 1U) != 0) {

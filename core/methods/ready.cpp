@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/methods/method.h"
+#include "core/scene/thing_kinds.h"
 #include "core/stage/lights.h"
 
 namespace airlight {
@@ -46,9 +47,8 @@ PartSettings settled(const Part& whole) {
   return {render, air_options(render)};
 }
 
-// The scene with straight rays where its method bends none. Things stand at true distances, to which rays are straight.
 Scene as_rays_go(Scene scene) {
-  if (!method_of(scene).info.bends_light || scene.terrain || !scene.spheres.empty() || !scene.clouds.empty()) {
+  if (!bends_light(scene)) {
     scene.planet.refraction.reset();
   }
   return scene;
@@ -78,6 +78,10 @@ Stage made(const Scene& given, const std::optional<Nodes>& listed, const Stage* 
 }
 
 }  // namespace
+
+bool bends_light(const Scene& scene) {
+  return scene.planet.refraction && method_of(scene).info.bends_light && among_straight_rays(scene).empty();
+}
 
 Stage ready(const Scene& scene) {
   return made(scene, std::nullopt, nullptr);

@@ -13,4 +13,8 @@ Stage ready(const Scene& scene, const Stage& like);
 // The same with these wavelengths as its parts; the scene must have spectra.
 Stage ready_at(const Scene& scene, const Nodes& nodes, const Stage& like);
 
+// Whether rays are bent in the scene as it is rendered: its air does, its method does, and no things stand in it, to
+// whose true distances rays are straight.
+bool bends_light(const Scene& scene);
+
 }  // namespace airlight

@@ -9,6 +9,7 @@
 #include "core/scene/render_settings.h"
 #include "core/scene/resolve.h"
 #include "core/scene/rules.h"
+#include "core/scene/thing_kinds.h"
 
 namespace airlight {
 namespace {
@@ -257,10 +258,12 @@ std::string describe(const Scene& scene) {
     lines.spectrum("ground albedo", scene.planet.ground_albedo);
   }
   if (const auto& refraction = scene.planet.refraction) {
-    lines.line("refraction",
-               "n - 1 = " + format_number(refraction->n_minus_1) + " at the ground, " +
-                   (refraction->medium ? "as the density of " + scene.media[*refraction->medium].name
-                                       : "scale height " + format_number(refraction->scale_height) + " km"));
+    const std::string_view among = among_straight_rays(scene);
+    lines.line("refraction", "n - 1 = " + format_number(refraction->n_minus_1) + " at the ground, " +
+                                 (refraction->medium.empty()
+                                      ? "scale height " + format_number(refraction->density.scale_height) + " km"
+                                      : "as the density of " + refraction->medium) +
+                                 (among.empty() ? "" : "; light goes straight among " + std::string(among)));
   }
   if (scene.ground) {
     describe_ground(lines, *scene.ground, scene.camera);

@@ -16,7 +16,7 @@ namespace airlight {
 // Reads `media`; `spectra` gets the curves of each medium.
 std::vector<Medium> read_media(const Section& root, const Planet& planet, CurveReader& curves, SceneSpectra& spectra);
 
-// Reads `planet.refraction`; none where the preset has none. `on` has the planet's size.
+// Reads `planet.refraction`; none where the preset has none or n - 1 is 0. `on` has the planet's size.
 std::optional<Refraction> read_refraction(const Section& planet, const Planet& on, const std::vector<Medium>& media);
 
 // Reads `planet.terrain`, and the planet's maps; none where the preset has none. File names become absolute. `albedo`:

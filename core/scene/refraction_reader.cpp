@@ -11,18 +11,25 @@
 namespace airlight {
 namespace {
 
-void read_profile(const Section& planet, const Section& section, const std::vector<Medium>& media,
+// Whether there is one.
+bool read_profile(const Section& planet, const Section& section, const std::vector<Medium>& media,
                   Refraction& refraction) {
-  const PresetValue* const medium = section.find("medium");
-  const PresetValue* const height = section.find("scale_height_km");
+  const PresetValue* medium = section.find("medium");
+  const PresetValue* height = section.find("scale_height_km");
+  if (medium != nullptr && height != nullptr && medium->inherited != height->inherited) {
+    (medium->inherited ? medium : height) = nullptr;  // a preset's own says more than what it extends
+  }
   if ((medium == nullptr) == (height == nullptr)) {
     planet.complain("refraction", *planet.find("refraction"),
                     "expected exactly one of medium and scale_height_km, by which n - 1 falls with altitude");
-    return;
+    return false;
   }
   if (medium == nullptr) {
-    refraction.scale_height = section.number("scale_height_km");
-    return;
+    refraction.density.scale_height = section.number("scale_height_km");
+    return refraction.density.scale_height > 0.0;
+  }
+  if (media.empty()) {  // of which the reader of the media tells
+    return false;
   }
   const std::string name = section.text("medium");
   const auto found = std::ranges::find(media, name, &Medium::name);
@@ -36,15 +43,18 @@ void read_profile(const Section& planet, const Section& section, const std::vect
   } else if (found->density.profile == DensityProfile::constant) {
     section.complain("medium", *medium, "its density ends at once; expected a medium that thins out smoothly");
   } else {
-    refraction.medium = static_cast<std::size_t>(found - media.begin());
+    refraction.medium = name;
+    refraction.density = found->density;
+    return true;
   }
+  return false;
 }
 
 // Refuses air in which a ray could circle the planet.
-void refuse_ducts(const Section& planet, const Planet& on, const std::vector<Medium>& media) {
+void refuse_ducts(const Section& planet, const Planet& on) {
   constexpr double kLeast = 0.05;
   constexpr int kPlaces = 200;
-  RefractiveIndex index(on, media);
+  RefractiveIndex index(on);
   for (int i = 0; i <= kPlaces; ++i) {
     const double u = static_cast<double>(i) / kPlaces;
     const double h = on.atmosphere_height * u * u;
@@ -68,18 +78,18 @@ std::optional<Refraction> read_refraction(const Section& planet, const Planet& o
   section.refuse_unknown_keys();
   Refraction refraction;
   refraction.n_minus_1 = section.number("n_minus_1");
-  read_profile(planet, section, media, refraction);
+  const bool falls = read_profile(planet, section, media, refraction);
   // Red, green and blue are taken at the wavelengths that stand for them in a scene of spectra.
   const Nodes nodes = nodes_for(3);
   for (std::size_t c = 0; c < 3; ++c) {
     refraction.dispersion[c] = air_dispersion(nodes.nm[2 - c]);
   }
-  if (refraction.medium || refraction.scale_height > 0.0) {
+  if (falls) {
     Planet bending = on;
     bending.refraction = refraction;
-    refuse_ducts(planet, bending, media);
+    refuse_ducts(planet, bending);
   }
-  return refraction;
+  return refraction.n_minus_1 > 0.0 ? std::optional(refraction) : std::nullopt;
 }
 
 }  // namespace airlight

@@ -3,7 +3,6 @@
 // it too.
 
 #include <algorithm>
-#include <vector>
 
 #include "core/physics/physics.h"
 #include "core/scene/scene.h"
@@ -12,14 +11,10 @@ namespace airlight {
 
 class RefractiveIndex {
  public:
-  // The planet has refraction; `media` are the scene's.
-  RefractiveIndex(const Planet& planet, const std::vector<Medium>& media)
-      : refraction_(*planet.refraction), radius_(planet.ground_radius) {
-    Density density;
-    density.scale_height = refraction_.scale_height;
-    if (refraction_.medium) {
-      density = media[*refraction_.medium].density;
-    }
+  // The planet has refraction.
+  explicit RefractiveIndex(const Planet& planet)
+      : n_minus_1_(planet.refraction->n_minus_1), radius_(planet.ground_radius) {
+    const Density& density = planet.refraction->density;
     physics::MediumData& m = formulas_.scene.media[0];
     m.scale_height = density.scale_height;
     m.center = density.center;
@@ -34,7 +29,7 @@ class RefractiveIndex {
     at_ground_ = density_at(0.0);
   }
 
-  double at(double h) { return 1.0 + refraction_.n_minus_1 * density_at(h) / at_ground_; }
+  double at(double h) { return 1.0 + n_minus_1_ * density_at(h) / at_ground_; }
 
   // n (R + h) - n(0) R, km: the optical altitude (shaders/physics/refraction.glsl).
   double optical_altitude(double h) { return at(h) * (radius_ + h) - at(0.0) * radius_; }
@@ -54,7 +49,7 @@ class RefractiveIndex {
   }
 
   physics::Physics formulas_;  // one medium
-  Refraction refraction_;
+  double n_minus_1_;
   double radius_;
   double at_ground_ = 1.0;  // density
 };

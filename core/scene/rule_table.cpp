@@ -114,10 +114,12 @@ constexpr auto kRules = std::to_array<Rule>({
     row(RuleType::curve, "planet.ground_albedo", kUnit, "", "0", "Lambertian reflectance of the ground"),
     needed(
         number("planet.refraction.n_minus_1", Range{.minimum = 0.0, .maximum = 0.01}, "", "",
-               "refractive index of the air at the ground, minus 1, at 550 nm: Earth's is 2.78e-4. Light is bent by "
-               "`orders`, `march`, `sky-view` and `path-trace`, where neither terrain nor spheres stand in the air")),
+               "refractive index of the air at the ground, minus 1, at 550 nm: Earth's is 2.78e-4, 0 bends none. "
+               "Light is bent by `orders`, `march`, `sky-view` and `path-trace`, where no terrain, spheres or clouds "
+               "stand in the air")),
     plain(RuleType::text, "planet.refraction.medium",
-          "name of the medium whose density n - 1 follows; of `medium` and `scale_height_km` exactly one"),
+          "name of the medium whose density n - 1 follows; of `medium` and `scale_height_km` exactly one; "
+          "one of the preset's own takes the place of an inherited one"),
     number("planet.refraction.scale_height_km", kSize, "km", "", "of n - 1"),
 
     plain(RuleType::text, "planet.albedo_map",

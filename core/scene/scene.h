@@ -68,8 +68,8 @@ struct Medium {
 // Air that bends light.
 struct Refraction {
   double n_minus_1 = 0.0;              // at the ground
-  std::optional<std::size_t> medium;   // whose density it follows
-  double scale_height = 0.0;           // km, without a medium
+  Density density;                     // that it follows
+  std::string medium;                  // whose density that is; empty: the scale height's own
   Spectrum dispersion{1.0, 1.0, 1.0};  // of each channel over 550 nm
   bool operator==(const Refraction&) const = default;
 };

@@ -235,10 +235,10 @@ std::string planet_json(const Scene& scene) {
   if (const auto& refraction = scene.planet.refraction) {
     JsonObject bent(3);
     bent.number("n_minus_1", refraction->n_minus_1);
-    if (refraction->medium) {
-      bent.text("medium", scene.media[*refraction->medium].name);
+    if (refraction->medium.empty()) {
+      bent.number("scale_height_km", refraction->density.scale_height);
     } else {
-      bent.number("scale_height_km", refraction->scale_height);
+      bent.text("medium", refraction->medium);
     }
     object.add("refraction", bent.str());
   }

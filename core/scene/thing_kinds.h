@@ -17,21 +17,28 @@ struct ThingKind {
   std::array<std::string_view, 2> keys;  // in it, one of which puts the thing there
   MemberOf<MethodInfo, bool> known;
   bool (*stands_in)(const Scene&);
+  bool at_true_distance = false;  // rays among them are straight, whatever the air (planet.refraction)
 };
 
 inline constexpr std::array<ThingKind, 6> kThingKinds{
-    {{"terrain", "planet", {"terrain", ""}, &MethodInfo::knows_terrain, [](const Scene& s) { return !!s.terrain; }},
+    {{"terrain",
+      "planet",
+      {"terrain", ""},
+      &MethodInfo::knows_terrain,
+      [](const Scene& s) { return !!s.terrain; },
+      true},
      {"spheres",
       "scene",
       {"spheres", ""},
       &MethodInfo::knows_spheres,
-      [](const Scene& s) { return !s.spheres.empty(); }},
+      [](const Scene& s) { return !s.spheres.empty(); },
+      true},
      {"translucent spheres",
       "scene",
       {"spheres", ""},
       &MethodInfo::knows_translucent_spheres,
       [](const Scene& s) { return std::ranges::count(s.spheres, SphereMaterial::translucent, &Sphere::material) > 0; }},
-     {"clouds", "", {"clouds", ""}, &MethodInfo::knows_clouds, [](const Scene& s) { return !s.clouds.empty(); }},
+     {"clouds", "", {"clouds", ""}, &MethodInfo::knows_clouds, [](const Scene& s) { return !s.clouds.empty(); }, true},
      {"maps of the ground",
       "planet",
       {"albedo_map", "ocean"},
@@ -45,6 +52,13 @@ inline constexpr std::array<ThingKind, 6> kThingKinds{
 inline bool knows_things_of(const MethodInfo& method, const Scene& scene) {
   return std::ranges::all_of(kThingKinds,
                              [&](const ThingKind& kind) { return !kind.stands_in(scene) || method.*kind.known; });
+}
+
+// The things among which the scene's rays are straight; none: empty.
+inline std::string_view among_straight_rays(const Scene& scene) {
+  const auto kind =
+      std::ranges::find_if(kThingKinds, [&](const ThingKind& k) { return k.at_true_distance && k.stands_in(scene); });
+  return kind == kThingKinds.end() ? std::string_view() : kind->name;
 }
 
 }  // namespace airlight

@@ -90,6 +90,16 @@ std::string edge_key(const Scene& scene) {
         static_cast<double>(scene.image.width), static_cast<double>(scene.image.height)}) {
     key += " " + shortest(number);
   }
+  if (const auto& bent = scene.planet.refraction) {
+    const Density& d = bent->density;
+    for (const double number :
+         {bent->n_minus_1, static_cast<double>(d.profile), d.scale_height, d.center, d.half_width}) {
+      key += " " + shortest(number);
+    }
+    for (const DensityLayer& layer : d.layers) {
+      key += " " + shortest(layer.altitude) + " " + shortest(layer.density);
+    }
+  }
   return key;
 }
 

@@ -247,6 +247,8 @@ TEST(Media, ThatChangeNothingAreLeftOut) {
   EXPECT_EQ(lighter.stage.scene().media.size(), 3U);
   EXPECT_GT(lighter.error, 0.0);
   EXPECT_LT(lighter.error, 0.0025);
+  scene.planet.refraction.emplace().medium = "trace";
+  EXPECT_TRUE(leave_out_media(scene, 0.0025).reasons.empty()) << "light is bent by its density";
 }
 
 TEST(Media, ThatScatterWhereNothingElseDoesStay) {

@@ -22,7 +22,7 @@ constexpr int kColumns = 96;  // by 32 x 24 a row of pixels at the horizon could
 constexpr int kRows = 72;
 
 Scene random_scene(std::uint64_t seed) {
-  const RandomPresetOptions options{.largest_side = 200, .method_keys = false};
+  const RandomPresetOptions options{.largest_side = 200, .method_keys = false, .bends_light = true};
   return resolve(parse_preset(random_preset(seed, options), "random " + std::to_string(seed), {}), method_infos());
 }
 

@@ -69,19 +69,39 @@ struct ExactSun {
   double spread = 1.0;
 };
 
+// Where a ray from altitude h leaves the air.
+inline ExactPoint exact_end(const ExactAir& air, double h, double zenith) {
+  return exact_ray(air, h, zenith, 200).back();
+}
+
+inline double exact_horizon(const ExactAir& air, double h) {
+  return std::numbers::pi - std::asin(std::min(air.index(0.0) * air.radius / (air.index(h) * (air.radius + h)), 1.0));
+}
+
+inline bool exact_sun_is_up(const ExactAir& air, double h, double true_zenith) {
+  const double highest = std::min(true_zenith, exact_horizon(air, h));
+  return highest + exact_end(air, h, highest).bending >= true_zenith;
+}
+
 inline ExactSun exact_sun(const ExactAir& air, double h, double true_zenith) {
-  const auto end = [&](double zenith) { return exact_ray(air, h, zenith, 200).back(); };
-  const double horizon =
-      std::numbers::pi - std::asin(std::min(air.index(0.0) * air.radius / (air.index(h) * (air.radius + h)), 1.0));
+  const auto end = [&](double zenith) { return exact_end(air, h, zenith); };
+  const auto beyond = [&](double zenith) { return zenith + end(zenith).bending - true_zenith; };
   ExactSun sun;
+  // By false position, whose end that stays counts half: a few rays for ten digits.
   double low = true_zenith - 0.06;
-  double high = std::min(true_zenith, horizon);
-  sun.up = high + end(high).bending >= true_zenith;
-  for (int i = 0; sun.up && i < 20; ++i) {
-    const double middle = 0.5 * (low + high);
-    (middle + end(middle).bending > true_zenith ? high : low) = middle;
+  double high = std::min(true_zenith, exact_horizon(air, h));
+  double above = beyond(high);
+  sun.up = above >= 0.0;
+  double below = sun.up ? beyond(low) : 0.0;
+  sun.zenith = high;
+  for (int i = 0; sun.up && i < 30 && above > 1e-9; ++i) {
+    sun.zenith = high - above * (high - low) / (above - below);
+    const double found = beyond(sun.zenith);
+    if (std::abs(found) < 1e-9) break;
+    (found > 0.0 ? below : above) *= 0.5;
+    (found > 0.0 ? high : low) = sun.zenith;
+    (found > 0.0 ? above : below) = found;
   }
-  sun.zenith = 0.5 * (low + high);
   constexpr double kApart = 1e-4;
   const ExactPoint here = end(sun.zenith);
   const double slope =
@@ -92,27 +112,63 @@ inline ExactSun exact_sun(const ExactAir& air, double h, double true_zenith) {
   return sun;
 }
 
-// Radiance scattered once by molecules, of scattering coefficient `beta` at the ground, for a sun of irradiance 1.
+// Radiance scattered once by molecules, of these scattering coefficients at the ground, for a sun of irradiance 1.
 // `azimuth`: of the view from the sun.
-inline double exact_single(const ExactAir& air, double beta, double h, double elevation, double azimuth,
-                           double sun_elevation) {
-  constexpr int kGroup = 8;  // points of the ray for one sun
-  const std::vector<ExactPoint> ray = exact_ray(air, h, 0.5 * std::numbers::pi - elevation, 80 * kGroup);
+struct ExactView {
+  double h = 0.0;
+  double elevation = 0.0;
+  double azimuth = 0.0;
+  double sun_elevation = 0.0;
+};
+
+// What the points from..to of the ray send, as if all saw the sun of the middle one.
+inline std::array<double, 3> exact_share(const std::array<double, 3>& beta, const ExactView& view,
+                                         const std::vector<ExactPoint>& ray, std::size_t from, std::size_t to,
+                                         const ExactSun& sun) {
   using std::cos;
   using std::sin;
-  double sum = 0.0;
-  for (std::size_t i = kGroup / 2; i + kGroup / 2 < ray.size(); i += kGroup) {
-    const ExactPoint& p = ray[i];
-    // Vertical and forward at the point, in the plane of the ray; the sun over the camera's vertical, forward, side.
-    const double up = cos(p.round) * sin(sun_elevation) + sin(p.round) * cos(sun_elevation) * cos(azimuth);
-    const double ahead = cos(p.round) * cos(sun_elevation) * cos(azimuth) - sin(p.round) * sin(sun_elevation);
-    const ExactSun sun = exact_sun(air, p.h, std::acos(up));
-    if (!sun.up) continue;
-    const double level = sin(sun.zenith) / std::max(std::sqrt(1.0 - up * up), 1e-9);
-    const double nu = cos(p.zenith) * cos(sun.zenith) + sin(p.zenith) * ahead * level;
-    const double column = ray[i + kGroup / 2].column - ray[i - kGroup / 2].column;
-    sum += 3.0 / (16.0 * std::numbers::pi) * (1.0 + nu * nu) * sun.spread * beta * column *
-           std::exp(-beta * (sun.column + p.column));
+  const ExactPoint& p = ray[(from + to) / 2];
+  // Vertical and forward at the point, in the plane of the ray; the sun over the camera's vertical, forward, side.
+  const double level = cos(view.sun_elevation) * cos(view.azimuth);
+  const double up = cos(p.round) * sin(view.sun_elevation) + sin(p.round) * level;
+  const double ahead = cos(p.round) * level - sin(p.round) * sin(view.sun_elevation);
+  const double wider = sin(sun.zenith) / std::max(std::sqrt(1.0 - up * up), 1e-9);
+  const double nu = cos(p.zenith) * cos(sun.zenith) + sin(p.zenith) * ahead * wider;
+  const double column = ray[to].column - ray[from].column;
+  std::array<double, 3> out{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    out[c] = 3.0 / (16.0 * std::numbers::pi) * (1.0 + nu * nu) * sun.spread * beta[c] * column *
+             std::exp(-beta[c] * (sun.column + p.column));
+  }
+  return out;
+}
+
+inline std::array<double, 3> exact_single(const ExactAir& air, const std::array<double, 3>& beta,
+                                          const ExactView& view) {
+  constexpr std::size_t kGroup = 8;  // points of the ray for one sun, but where the planet's shadow begins
+  const std::vector<ExactPoint> ray = exact_ray(air, view.h, 0.5 * std::numbers::pi - view.elevation, 120 * kGroup);
+  const auto zenith_at = [&](std::size_t i) {
+    return std::acos(std::cos(ray[i].round) * std::sin(view.sun_elevation) +
+                     std::sin(ray[i].round) * std::cos(view.sun_elevation) * std::cos(view.azimuth));
+  };
+  const auto sun_at = [&](std::size_t i) { return exact_sun(air, ray[i].h, zenith_at(i)); };
+  const auto is_up_at = [&](std::size_t i) { return exact_sun_is_up(air, ray[i].h, zenith_at(i)); };
+  std::array<double, 3> sum{};
+  const auto add = [&](std::size_t from, std::size_t to, const ExactSun& sun) {
+    const std::array<double, 3> share = exact_share(beta, view, ray, from, to, sun);
+    for (std::size_t c = 0; c < 3 && sun.up; ++c) sum[c] += share[c];
+  };
+  bool was_up = is_up_at(0);
+  for (std::size_t i = 0; i + 1 < ray.size(); i += kGroup) {
+    const std::size_t end = std::min(i + kGroup, ray.size() - 1);
+    const bool is_up = is_up_at(end);
+    const ExactSun middle = was_up || is_up ? sun_at((i + end) / 2) : ExactSun{};
+    if (was_up == is_up && middle.up == is_up) {
+      add(i, end, middle);
+    } else {
+      for (std::size_t k = i; k < end; ++k) add(k, k + 1, sun_at(k));
+    }
+    was_up = is_up;
   }
   return sum;
 }

@@ -204,14 +204,20 @@ TEST(Spectral, AutomaticWavelengthsKeepTheError) {
 TEST(Spectral, PixelsKnowOfNoWavelengths) {
   Scene scene = dusk_or_day("", "4", 7, R"(, "method": "orders", "tabulate": "always", "steps": 16)");
   scene.sun.disc.visible = true;
-  const Plan plan = plan_for(scene, {});
+  const auto bent = scene.planet.refraction;
   const auto passes = [&](const std::string& shader) {
+    const Plan plan = plan_for(scene, {});
     return std::ranges::count_if(plan.passes(), [&](const PassDesc& pass) { return pass.shader == shader; });
   };
+  ASSERT_TRUE(bent);
+  EXPECT_EQ(passes("sky_from_factors"), 1);
+  EXPECT_EQ(passes("sun_disc"), 3) << "each wavelength is bent its own way";
+  scene.planet.refraction.reset();
   EXPECT_EQ(passes("sky_factors"), 3);
   EXPECT_EQ(passes("sky_from_factors"), 1);
   EXPECT_EQ(passes("sun_disc"), 1);
   EXPECT_EQ(passes("spectral_sum"), 0);
+  scene.planet.refraction = bent;
   const RadianceImage found = render_now(scene).radiance;
   std::vector<double> expected(found.rgba.size());
   const Stage stage = ready(scene);
@@ -247,6 +253,7 @@ TEST(Spectral, ThingsFindTheSkysTables) {
 // Layers, the air before things and the light that glares have the same colours as picture and probe.
 TEST(Spectral, AllIsInTheSameColours) {
   Scene scene = dusk_or_day("", "4", 5, R"(, "method": "orders", "steps": 16)");
+  scene.planet.refraction.reset();  // rays to things are straight
   RenderRequest request;
   request.layers = LayerSet::light;
   const Rendering rendering = render_now(scene, request);

@@ -205,7 +205,10 @@ TEST(Stokes, NoMoreLightIsPolarisedThanThereIs) {
   molecules.media.resize(1);
   Scene thick = airlight::earth(20.0, 0.0, 0.3);
   for (double& x : thick.media[0].scattering) x *= 8.0;
-  for (const Scene& air : {airlight::earth(20.0, 0.0, 0.3), molecules, thin(molecules), thick}) {
+  Scene bent = molecules;
+  bent.planet.refraction.emplace().n_minus_1 = 2.78e-4;
+  bent.planet.refraction->density.scale_height = 8.0;
+  for (const Scene& air : {airlight::earth(20.0, 0.0, 0.3), molecules, thin(molecules), thick, bent}) {
     for (const double altitude : {0.0, 0.001, 60.0, air.planet.atmosphere_height, 500.0}) {
       Scene scene = with_method(air, *find_method("orders"));
       scene.camera.altitude = altitude;

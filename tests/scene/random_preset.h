@@ -1,6 +1,7 @@
 #pragma once
 // Valid presets by a seed, as JSON text, the same on every machine: for tests of scenes that nobody thought of.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -15,12 +16,13 @@ struct RandomPresetOptions {
   int largest_side = 48;    // pixels
   bool method_keys = true;  // some `render.*` keys of `method`; false: the defaults alone
   std::string_view method = "march";
+  bool bends_light = false;  // half of the presets have refraction; all else is as without
 };
 
 class RandomPreset {
  public:
   explicit RandomPreset(std::uint64_t seed, const RandomPresetOptions& options = {})
-      : random_(seed), options_(options) {}
+      : random_(seed), bending_(seed + 1'000'000), options_(options) {}
 
   std::string text() {
     std::ostringstream out;
@@ -83,7 +85,19 @@ class RandomPreset {
     const double radius = chance(0.5) ? 6360 : log_uniform(100, 1e6);
     atmosphere_ = chance(0.5) ? 100 : radius * log_uniform(0.002, 0.1);
     return R"({"radius_km": )" + text_of(radius) + R"(, "atmosphere_height_km": )" + text_of(atmosphere_) +
-           R"(, "ground_albedo": )" + (chance(0.2) ? "1" : spectrum(0.01, 1)) + "}";
+           R"(, "ground_albedo": )" + (chance(0.2) ? "1" : spectrum(0.01, 1)) + refraction(radius) + "}";
+  }
+
+  // By numbers of its own. A level ray at the ground is bent by 2 to 50 % of the planet's curvature; Earth's by 21.
+  std::string refraction(double radius) {
+    const auto unit = [this] { return static_cast<double>(bending_() >> 11U) * 0x1p-53; };
+    if (!options_.bends_light || unit() < 0.5) {
+      return "";
+    }
+    const double height = atmosphere_ * (0.04 + 0.11 * unit());
+    const double n_minus_1 = std::min(0.01, (0.02 + 0.48 * unit()) * height / radius);
+    return R"(, "refraction": {"n_minus_1": )" + text_of(n_minus_1) + R"(, "scale_height_km": )" + text_of(height) +
+           "}";
   }
 
   std::string density() {
@@ -180,6 +194,7 @@ class RandomPreset {
   }
 
   std::mt19937_64 random_;
+  std::mt19937_64 bending_;
   RandomPresetOptions options_;
   double atmosphere_ = 100.0;
 };
