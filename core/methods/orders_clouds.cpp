@@ -317,8 +317,8 @@ void add_clouds(Plan& plan, const Part& part, const View& view, const SkyTarget&
       plan.add_buffer({.name = "cloud_transmittance",
                        .bytes = std::size_t{target.grid.width} * target.grid.height * sizeof(float),
                        .zeroed = false});
-  constexpr double kStep = 1.0;  // in cells
-  constexpr double kStepRise = 0.006;
+  constexpr double kStep = 1.5;  // in cells
+  constexpr double kStepRise = 0.01;
   const double step = kStep * std::min({grid->cell_x, grid->cell_y, 2.0 * grid->cell_z()});
   plan.add_pass({.name = "clouds",
                  .shader = "cloud_pixels",

@@ -37,8 +37,8 @@ layout(push_constant, scalar) uniform Push {
 
 const float kOpaque = 2e-3;     // a transmittance that hides what is behind
 const uint kMostSteps = 4096u;  // along a ray
-const float kStepDepth = 0.7;   // scaled, the most of a step
-const float kLeastStep = 0.1;   // of `step`
+const float kStepDepth = 1.0;   // scaled, the most of a step
+const float kLeastStep = 0.15;  // of `step`
 const float kSheet = 0.2;       // depth of a stretch that is seen through one length of air, over its distance
 
 // What scatters sunlight once after this scaled depth of cloud on its whole way, in direction and wide of the sun by
