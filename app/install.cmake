@@ -47,7 +47,7 @@ set(installed_files $<TARGET_FILE:airlight> $<TARGET_FILE:airlight_foreign_modul
                     ${copyright})
 set(installed_folders ${CMAKE_INSTALL_BINDIR} ${AIRLIGHT_MODULE_FOLDER} ${manual_folder} ${shared_folder}/presets
                       ${about_folder} ${bash_folder} ${fish_folder})
-set(library_packages)  # beside the tool's, by component
+set(more_packages Formats:airlight-formats)  # beside the tool's, by component
 if(TARGET airlight_libraries)
   # What core/library/install.cmake puts in place after the check.
   add_dependencies(airlight airlight_libraries)
@@ -55,14 +55,14 @@ if(TARGET airlight_libraries)
   list(APPEND installed_folders ${CMAKE_INSTALL_LIBDIR}/cmake/airlight ${CMAKE_INSTALL_LIBDIR}/pkgconfig
                                 ${CMAKE_INSTALL_INCLUDEDIR}/airlight)
   set(shared_package libairlight${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
-  list(APPEND library_packages Library:${shared_package} Development:libairlight-dev)
+  list(APPEND more_packages Library:${shared_package} Development:libairlight-dev)
   if(TARGET airlight_python)
     list(APPEND installed_files $<TARGET_FILE:airlight_python>)
     list(APPEND installed_folders lib/python3/dist-packages/airlight)
-    list(APPEND library_packages Python:python3-airlight)
+    list(APPEND more_packages Python:python3-airlight)
   endif()
 endif()
-foreach(pair IN LISTS library_packages)
+foreach(pair IN LISTS more_packages)
   string(REGEX REPLACE ".*:" "" package ${pair})
   list(APPEND installed_folders ${CMAKE_INSTALL_DATADIR}/doc/${package})
 endforeach()
@@ -82,7 +82,7 @@ install(CODE "set(airlight_files \"${installed_files}\")
 install(SCRIPT ${PROJECT_SOURCE_DIR}/app/check_install.cmake)
 
 install(TARGETS airlight RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(TARGETS airlight_foreign_module LIBRARY DESTINATION ${AIRLIGHT_MODULE_FOLDER})
+install(TARGETS airlight_foreign_module LIBRARY DESTINATION ${AIRLIGHT_MODULE_FOLDER} COMPONENT Formats)
 install(FILES ${documents}/airlight.1.gz DESTINATION ${manual_folder})
 install(FILES ${documents}/airlight.bash DESTINATION ${bash_folder} RENAME airlight)
 install(FILES ${documents}/airlight.fish DESTINATION ${fish_folder})
@@ -127,8 +127,14 @@ set(CPACK_DEBIAN_TOOL_PACKAGE_DEPENDS "${vulkan}, tzdata")
 set(CPACK_DEBIAN_TOOL_PACKAGE_SUGGESTS "ffmpeg, gnuplot-nox | gnuplot")
 set(CPACK_DEBIAN_TOOL_DESCRIPTION "${CPACK_PACKAGE_DESCRIPTION}")
 
-# libairlight's packages. Each has the licences of the code that it holds.
-foreach(pair IN LISTS library_packages)
+# The module for pictures that are no EXRs: OpenImageIO brings four fifths of the packages that all of this needs.
+set(CPACK_DEBIAN_TOOL_PACKAGE_RECOMMENDS "airlight-formats (= ${CPACK_PACKAGE_VERSION})")
+set(CPACK_DEBIAN_FORMATS_PACKAGE_DEPENDS "airlight (= ${CPACK_PACKAGE_VERSION})")
+set(CPACK_DEBIAN_FORMATS_DESCRIPTION
+    "headless sky renderer, formats of pictures\n Lets airlight read plates and maps in PNG, TIFF, JPEG, Radiance HDR and others.")
+
+# Further packages. Each has the licences of the code that it holds.
+foreach(pair IN LISTS more_packages)
   string(REPLACE ":" ";" pair ${pair})
   list(GET pair 0 component)
   list(GET pair 1 package)

@@ -27,6 +27,10 @@ std::vector<Option> output_options(RenderOrder& given) {
         "distant "
         "lights. The EXR then shows no discs",
         &given.usd, Completes::file},
+       {"--radiance", "FILE.rad",
+        "Also write sky, ground, sun and moon for the lighting programs of Radiance: FILE.rad and FILE.hdr, "
+        "or with --spectral FILE.hsr",
+        &given.radiance, Completes::file},
        {.names = "--up",
         .metavar = "y|z",
         .help = "The axis that points up in that stage (default: y)",
@@ -123,6 +127,8 @@ Command render_command() {
        "Also light.exr and light.json, for image-based lighting"},
       {"airlight render my-sky.json --projection latlong --size 64x32 -o dome.exr --usd dome.usda",
        "A lit stage for programs that read USD"},
+      {"airlight render my-sky.json --radiance daylight.rad -o sky.exr",
+       "Also daylight.rad and daylight.hdr, for Radiance"},
       {"airlight render my-sky.json --projection latlong --size 64x32 -o sky.hdr", "An environment map for an engine"},
       {"airlight render my-sky.json --projection cube --size 16x96 -o sky.ktx2", "A cube map with its mips"},
       {"airlight render sky.exr -o again.exr", "Render the picture of an EXR again"},

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <memory>
 
@@ -11,6 +12,7 @@
 #include "app/commands/commands.h"
 #include "app/render/tile_option.h"
 #include "app/sequence/pictures.h"
+#include "app/sequence/radiance_matrix.h"
 #include "app/sequence/run.h"
 #include "core/error.h"
 #include "core/methods/method.h"
@@ -35,7 +37,9 @@ struct SequenceGiven {
   SequencePictures pictures;
   std::optional<std::string> exr, png;
   PlaceOptions place;
-  std::optional<std::string> from, to, step, sweep;
+  std::optional<std::string> from, to, step, until, sweep;
+  std::optional<std::string> matrix;
+  std::optional<int> patches;
   std::string shard = "1/1";
   std::optional<std::string> tile;
   std::optional<std::string> manifest;
@@ -58,10 +62,15 @@ struct PathOption {
 
 std::vector<PathOption> path_options(const SequenceGiven& given) {
   const PlaceOptions& place = given.place;
-  return {{"--date", place.date.has_value(), true},    {"--from", given.from.has_value(), true},
-          {"--to", given.to.has_value(), true},        {"--step", given.step.has_value(), true},
-          {"--lat", place.latitude.has_value(), true}, {"--lon", place.longitude.has_value(), true},
-          {"--tz", place.zone.has_value(), false},     {"--place-altitude", place.altitude.has_value(), false},
+  return {{"--date", place.date.has_value(), true},
+          {"--from", given.from.has_value(), true},
+          {"--to", given.to.has_value(), true},
+          {"--step", given.step.has_value(), true},
+          {"--lat", place.latitude.has_value(), true},
+          {"--lon", place.longitude.has_value(), true},
+          {"--until", given.until.has_value(), false},
+          {"--tz", place.zone.has_value(), false},
+          {"--place-altitude", place.altitude.has_value(), false},
           {"--refraction", place.refraction, false}};
 }
 
@@ -79,7 +88,7 @@ sequence::SunPath sun_path_of(const SequenceGiven& given, const Scene& scene) {
   require_one_refraction(given.place, scene, "sequence");
   sequence::SunPath path =
       sequence::make_sun_path({*given.place.date, *given.from, *given.to, *given.step, given.place.zone.value_or("UTC"),
-                               place_of(given.place), air_of(given.place, "sequence")});
+                               place_of(given.place), air_of(given.place, "sequence"), given.until});
   path.moon = scene.moon.has_value();
   path.stars = scene.night_sky.has_value() || scene.stars.has_value();
   return path;
@@ -159,7 +168,7 @@ SequenceJob job_of(const SequenceGiven& given) {
   job.clean = given.clean;
   job.quiet = given.quiet;
   job.json = given.json;
-  if (!given.exr && !given.png) {
+  if (!given.exr && !given.png && !given.matrix) {
     throw InputError("sequence: no files to write; give a pattern such as -o 'sky.####.exr' or --png 'sky.####.png'");
   }
   const bool stream = given.exr == "-" || given.png == "-";
@@ -184,6 +193,9 @@ SequenceJob job_of(const SequenceGiven& given) {
   job.scene.sequence.reset();
   if (locks_frame(job.scene)) {
     locked_frame(job);  // throws if it does not exist
+  }
+  if (!job.exr && !job.png) {
+    return job;
   }
   job.manifest = given.manifest ? sequence::manifest_file(*given.manifest, job.shard)
                                 : sequence::manifest_file(job.exr ? *job.exr : *job.png, job.shard);
@@ -254,7 +266,44 @@ int dry_run(const SequenceJob& job) {
   return 0;
 }
 
+// A matrix is one file, whole or not there: what belongs to frames has no meaning for it.
+int run_matrix(const SequenceGiven& given) {
+  const SequencePictures& pictures = given.pictures;
+  const std::array<std::pair<const char*, bool>, 11> idle{{{"-o", given.exr.has_value()},
+                                                           {"--png", given.png.has_value()},
+                                                           {"--shard", given.shard != "1/1"},
+                                                           {"--manifest", given.manifest.has_value()},
+                                                           {"--preview", pictures.preview.has_value()},
+                                                           {"--contact-sheet", pictures.contact_sheet.has_value()},
+                                                           {"--layers", !given.picture.layers.empty()},
+                                                           {"--tile", given.tile.has_value()},
+                                                           {"--clean", given.clean},
+                                                           {"--overwrite", given.overwrite},
+                                                           {"--json", given.json}}};
+  for (const auto& [name, is_given] : idle) {
+    if (is_given) {
+      throw InputError(std::string("sequence: --radiance-matrix: ") + name +
+                       " is for frames, and a matrix has none; leave it out");
+    }
+  }
+  const SequenceJob job = job_of(given);
+  const MatrixOrder order{*given.matrix, given.patches.value_or(1)};
+  check_matrix(order, job);
+  if (given.dry_run) {
+    print(std::to_string(sequence::frame_count(job.source)) + " columns\n");
+    return 0;
+  }
+  const int signal = write_matrix(order, job);
+  return signal == 0 ? 0 : 128 + signal;
+}
+
 int run(const SequenceGiven& given) {
+  if (given.matrix) {
+    return run_matrix(given);
+  }
+  if (given.patches) {
+    throw InputError("sequence: --patches is for --radiance-matrix; give that too, or leave it out");
+  }
   const SequenceJob job = job_of(given);
   if (given.dry_run) {
     return dry_run(job);
@@ -276,6 +325,7 @@ std::vector<Option> frame_options(SequenceGiven& given) {
       {{"--from", "HH:MM", "Time of day of the first frame, in the time zone of --tz", &given.from},
        {"--to", "HH:MM", "Time of day of the last frame, if the step meets it. A time before --from is on the next day",
         &given.to},
+       {"--until", "YYYY-MM-DD", "Date of --to, for several days in one run (default: that of --date)", &given.until},
        {"--step", "TIME", "Time from frame to frame: a number with h, m or s, e.g. 5m or 1h30m", &given.step}});
 }
 
@@ -311,7 +361,16 @@ std::vector<Option> sequence_options(SequenceGiven& given) {
       {{"-o,--output", "PATTERN.exr",
         "Write the EXR frames here, with # for their numbers: sky.####.exr. A name that ends in .png is that of --png",
         &given.exr, Completes::file},
-       {"--png", "PATTERN.png", "Write the pictures for people here, e.g. sky.####.png", &given.png, Completes::file}});
+       {"--png", "PATTERN.png", "Write the pictures for people here, e.g. sky.####.png", &given.png, Completes::file},
+       {"--radiance-matrix", "FILE.mtx",
+        "Write no frames but one sky matrix for the daylight programs of Radiance: a row a patch of the sky, a column "
+        "a "
+        "moment, with sun and moon in their nearest patches",
+        &given.matrix, Completes::file},
+       {"--patches", "N",
+        "Divide each of Tregenza's 145 patches in N by N as Reinhart does: 145, 577, 1297 or 2305, and the ground "
+        "(default: 1)",
+        &given.patches, Completes::nothing, Range{1.0, 4.0}}});
   const auto without = [](std::vector<Option> all, const std::vector<std::string>& left_out) {
     std::erase_if(all,
                   [&](const Option& option) { return std::ranges::find(left_out, option.names) != left_out.end(); });
@@ -366,7 +425,11 @@ Command sequence_command() {
        "The sun from 6 degrees below the horizon to 6 above"},
       {"airlight sequence earth-noon -o 'day.####.exr' --date 2026-06-21 --from 00:00 --to 24:00 --step 1m --lat 69.65 "
        "--lon 18.96 --tz Europe/Oslo --dry-run",
-       "List the frames of a day without a night"}};
+       "List the frames of a day without a night"},
+      {"airlight sequence earth-noon --radiance-matrix day.mtx --date 2026-06-21 --from 06:30 --to 17:30 --step 1h "
+       "--lat "
+       "48.85 --lon 2.35",
+       "A day's sky for daylight programs; with --until 2026-12-31 a year's"}};
   command.positionals = {preset_positional(given->scene)};
   command.options = sequence_options(*given);
   command.run = [given] { return run(*given); };

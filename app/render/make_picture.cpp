@@ -9,6 +9,7 @@
 #include "app/render/lighting_files.h"
 #include "app/render/picture_files.h"
 #include "app/render/publish.h"
+#include "app/render/radiance_files.h"
 #include "app/render/report.h"
 #include "app/render/table_files.h"
 #include "app/render/usd_file.h"
@@ -53,7 +54,7 @@ Provenance provenance_of(const Means& means, const Scene& scene) {
 }
 
 bool wants_lighting(const RenderOrder& given) {
-  return given.irradiance || given.usd;
+  return given.irradiance || given.usd || given.radiance;
 }
 
 PictureContext context_of(const Means& means, const Scene& scene, const Rendering& rendering) {
@@ -77,9 +78,9 @@ std::optional<Lighting> wanted_lighting(const Means& means, const DeviceOnDemand
   return lighting;
 }
 
-// Adds further files: tables, and those for lighting.
+// Adds further files: tables, and those for lighting. `sky`: of --radiance.
 void add_further_files(const Means& means, const PictureContext& context, const std::optional<Lighting>& lighting,
-                       std::vector<std::string>& files) {
+                       const std::optional<RadianceSky>& sky, std::vector<std::string>& files) {
   const auto append = [&](const std::vector<std::string>& more, const char* lap) {
     files.insert(files.end(), more.begin(), more.end());
     means.watch.lap(lap);
@@ -90,6 +91,9 @@ void add_further_files(const Means& means, const PictureContext& context, const 
   }
   if (means.given.usd) {
     append({write_usd(means.given, *lighting, context)}, "USD, writing");
+  }
+  if (sky) {
+    append(write_radiance(*means.given.radiance, *sky, *lighting, context), "Radiance, writing");
   }
   if (means.given.irradiance) {
     append(write_lighting(*means.given.irradiance, *lighting, context), "irradiance, writing");
@@ -161,6 +165,14 @@ bool make_picture(const Means& means, const Stage& stage, const std::optional<Im
   means.watch.lap("render");
   const bool goes_on = rendering.fault().empty() && Interruption::signal() == 0;
   const std::optional<Lighting> lighting = goes_on ? wanted_lighting(means, device, stage, request.host) : std::nullopt;
+  std::optional<RadianceSky> sky;
+  if (lighting && given.radiance) {
+    sky = RadianceSky{whole_sky(device, stage, request.host, kRadianceSky, means.spectral), {}};
+    if (means.spectral) {
+      sky->sun_spectrum = sun_spectrum(device, stage, *means.spectral);
+    }
+    means.watch.lap("sky for Radiance");
+  }
   if (Interruption::signal() != 0) {
     return false;
   }
@@ -174,7 +186,7 @@ bool make_picture(const Means& means, const Stage& stage, const std::optional<Im
   for (const std::string& warning : given.quiet ? std::vector<std::string>() : done.warnings) {
     complain("warning: " + warning);
   }
-  add_further_files(means, context_of(means, scene, rendering), lighting, done.files);
+  add_further_files(means, context_of(means, scene, rendering), lighting, sky, done.files);
   const Plan plan = plan_for(stage, request);
   RenderReport report{scene, rendering, plan,         device_of(means), done.files, done.exr,
                       {},    {},        means.choice, means.watch,      tile};

@@ -14,6 +14,7 @@
 #include "app/cli/wavelengths.h"
 #include "app/render/cube_faces.h"
 #include "app/render/make_picture.h"
+#include "app/render/radiance_files.h"
 #include "app/render/report.h"
 #include "app/render/targets.h"
 #include "app/render/tile_option.h"
@@ -23,6 +24,7 @@
 #include "core/methods/ready.h"
 #include "core/output/atomic_file.h"
 #include "core/output/last_words.h"
+#include "core/render/spectrum.h"
 #include "core/scene/preset.h"
 #include "core/scene/resolve.h"
 
@@ -190,6 +192,14 @@ std::optional<Nodes> spectral_wavelengths(const RenderOrder& given, const Scene&
     if (other.given) {
       throw InputError(std::string(kSpectral) + " does not go with " + other.option +
                        ", whose files hold colours; render twice, with one of them each");
+    }
+  }
+  if (given.radiance) {
+    require_components(nodes);
+    if (spectral_unit(scene).name != kAbsoluteSpectralUnit) {
+      throw InputError(std::string(kSpectral) +
+                       " with --radiance: Radiance takes W/(m2 sr), and this sun has a spectrum "
+                       "of its own without a unit; set sun.unit to W/m2 or lux, or leave one of the two out");
     }
   }
   require_fit(scene, nodes.nm.size());

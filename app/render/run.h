@@ -23,7 +23,8 @@ struct RenderOrder {
   std::optional<std::string> tile;
   std::optional<std::string> irradiance;
   std::optional<std::string> usd;
-  std::string up = "y";  // of the USD stage
+  std::optional<std::string> radiance;  // scene of Radiance, the program
+  std::string up = "y";                 // of the USD stage
   std::optional<std::string> spectral;
   bool cube_faces = false;
   PictureOptions picture;

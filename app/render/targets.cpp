@@ -4,6 +4,7 @@
 
 #include "app/cli/preset_source.h"
 #include "app/render/lighting_files.h"
+#include "app/render/radiance_files.h"
 #include "app/render/table_files.h"
 #include "core/error.h"
 #include "core/output/atomic_file.h"
@@ -76,6 +77,15 @@ void check_targets(const RenderOrder& given, const Targets& targets) {
   if (given.usd) {
     require_ending(*given.usd, "render: --usd", ".usda");
     require_writable(*given.usd);
+  }
+  if (given.radiance) {
+    require_ending(*given.radiance, "render: --radiance", ".rad");
+    require_writable(*given.radiance);
+    const std::string picture = radiance_picture_file(*given.radiance, given.spectral.has_value());
+    require_writable(picture);
+    if (picture == targets.other) {
+      throw InputError("render: --radiance: '" + targets.other + "' is where -o writes; give a name of its own");
+    }
   }
   if (given.irradiance) {
     require_ending(*given.irradiance, "render: --irradiance", ".exr");

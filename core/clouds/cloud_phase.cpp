@@ -17,8 +17,8 @@ constexpr double kNoMoment = 1e-3;  // the last moment that matters
 constexpr int kAngles = 4096;       // of the moments' integrals
 // The peak's spreading is taken in whole up to the first angle, and not at all beyond the second: light that has turned
 // by more has not gone along the sun's ray, which the formula takes for granted.
-constexpr double kSpreadWhole = 10.0 / 180.0 * std::numbers::pi;
-constexpr double kSpreadNot = 30.0 / 180.0 * std::numbers::pi;
+constexpr double kSpreadWhole = 6.0 / 180.0 * std::numbers::pi;
+constexpr double kSpreadNot = 16.0 / 180.0 * std::numbers::pi;
 
 // The angle at x of 0 to 1, dense in the peak.
 double peak_angle(double x) {

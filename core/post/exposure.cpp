@@ -18,13 +18,6 @@ constexpr double kDay = 0.30;
 // Luminance of a clear sky at noon, cd/m2, which is shown so.
 constexpr double kNoon = 3000.0;
 
-// Luminance of the radiance (1, 1, 1), cd/m2; 0: there is no light to determine it. A sun without a unit counts as
-// Earth's, whatever its number: the exposure follows the picture's look, not its unit.
-double luminance_of_one(const Scene& scene) {
-  const double sun = bt709_luminance(scene.sun.irradiance);
-  return white_luminance(scene.sun.unit).value_or(sun > 0.0 ? kSunlight / sun : 0.0);
-}
-
 // The least difference in luminance that an eye adapted to so many cd/m2 sees [W94], after Blackwell's data, up to a
 // constant factor.
 double least_seen(double luminance) {

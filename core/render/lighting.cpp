@@ -7,6 +7,7 @@
 #include "core/air/scene_block.h"
 #include "core/error.h"
 #include "core/methods/ready.h"
+#include "core/render/spectrum.h"
 
 namespace airlight {
 namespace {
@@ -185,16 +186,18 @@ bool is_above_ground(physics::Physics& p, const vec3& direction) {
 
 }  // namespace
 
-SunLight sun_light(const DeviceOnDemand& device, const Stage& stage) {
-  const Scene& scene = stage.scene();
-  physics::Physics p = geometry_of(scene);
-  SunLight light{.direction = numbers_of(p.scene.sun.seen),
-                 .elevation = std::asin(std::clamp(p.scene.sun.seen.y, -1.0, 1.0)),
-                 .azimuth = scene.sun.azimuth,
-                 .angular_radius = scene.sun.disc.angular_radius,
-                 .irradiance_above_air = scene.sun.irradiance};
+namespace {
+
+// The points of the disc that the planet and things leave to be seen.
+struct SeenDisc {
   std::vector<Direction> directions;
-  std::vector<double> shares;
+  std::vector<double> shares;  // of the disc's irradiance above the air, with the beam's spreading
+  double visible_share = 0.0;
+};
+
+SeenDisc seen_disc(physics::Physics& p, const Stage& stage) {
+  const Scene& scene = stage.scene();
+  SeenDisc seen_disc;
   stage.whole().things.put_into(p);
   const auto is_hidden = [&](const Direction& d) {
     return p.disc_is_hidden(p.direction_from_angles(d.elevation, d.azimuth));
@@ -203,37 +206,76 @@ SunLight sun_light(const DeviceOnDemand& device, const Stage& stage) {
     const SeenDirection seen =
         seen_direction(p, p.direction_from_angles(point.direction.elevation, point.direction.azimuth));
     if (!is_hidden(point.direction) && is_above_ground(p, seen.direction)) {
-      directions.push_back(p.refraction ? angles_of(seen.direction) : point.direction);
-      shares.push_back(point.share * seen.spread);
-      light.visible_share += point.share;
+      seen_disc.directions.push_back(p.refraction ? angles_of(seen.direction) : point.direction);
+      seen_disc.shares.push_back(point.share * seen.spread);
+      seen_disc.visible_share += point.share;
     }
   }
-  const std::vector<ProbeResult> probes = probe(device, stage, directions).directions;
+  return seen_disc;
+}
+
+}  // namespace
+
+SunLight sun_light(const DeviceOnDemand& device, const Stage& stage) {
+  const Scene& scene = stage.scene();
+  physics::Physics p = geometry_of(scene);
+  const SeenDisc disc = seen_disc(p, stage);
+  SunLight light{.direction = numbers_of(p.scene.sun.seen),
+                 .elevation = std::asin(std::clamp(p.scene.sun.seen.y, -1.0, 1.0)),
+                 .azimuth = scene.sun.azimuth,
+                 .angular_radius = scene.sun.disc.angular_radius,
+                 .irradiance_above_air = scene.sun.irradiance,
+                 .visible_share = disc.visible_share};
+  const std::vector<ProbeResult> probes = probe(device, stage, disc.directions).directions;
   for (std::size_t i = 0; i < probes.size(); ++i) {
     for (std::size_t c = 0; c < 3; ++c) {
-      light.irradiance[c] += scene.sun.irradiance[c] * probes[i].transmittance[c] * shares[i];
+      light.irradiance[c] += scene.sun.irradiance[c] * probes[i].transmittance[c] * disc.shares[i];
     }
   }
   return light;
 }
 
-Lighting lighting_of(const DeviceOnDemand& device, const Stage& stage, const HostOptions& host) {
+std::vector<double> sun_spectrum(const DeviceOnDemand& device, const Stage& stage, const Nodes& nodes) {
+  physics::Physics p = geometry_of(stage.scene());
+  const SeenDisc disc = seen_disc(p, stage);
+  const SpectralProbes probes = probe_spectrum(device, stage, disc.directions, nodes);
+  std::vector<double> irradiance(nodes.nm.size(), 0.0);
+  for (std::size_t i = 0; i < probes.directions.size(); ++i) {
+    for (std::size_t k = 0; k < irradiance.size(); ++k) {
+      irradiance[k] += probes.wavelengths.sunlight[k] * probes.directions[i].transmittance[k] * disc.shares[i];
+    }
+  }
+  return irradiance;
+}
+
+Rendering whole_sky(const DeviceOnDemand& device, const Stage& stage, const HostOptions& host, ImageSize size,
+                    const std::optional<Nodes>& spectrum) {
   const Scene& scene = stage.scene();
   Scene sky = scene;
-  sky.camera = {.altitude = scene.camera.altitude, .projection = Projection::equirectangular};
-  sky.image = kSkySize;
+  const Camera& camera = scene.camera;
+  sky.camera = {.altitude = camera.altitude,
+                .projection = Projection::equirectangular,
+                .latitude = camera.latitude,
+                .longitude = camera.longitude,
+                .julian_date = camera.julian_date};
+  sky.image = size;
   sky.sun.disc.visible = false;
   sky.bloom.enabled = false;
   RenderRequest request;
   request.host = host;
   request.host.checkpoint.clear();  // which is the picture's
-  const Rendering rendering = render(device, ready(sky, stage), request);
+  request.spectrum = spectrum;
+  Rendering rendering = render(device, ready(sky, stage), request);
   if (const std::string fault = rendering.fault(); !fault.empty()) {
-    throw RunError("the sky for the irradiance: " + fault);
+    throw RunError("the whole sky: " + fault);
   }
-  Lighting lighting{irradiance_map(rendering.radiance, 0.0, kIrradianceWidth, kIrradianceHeight, scene.camera.azimuth),
-                    project_to_sh(rendering.radiance, 0.0), level_irradiance(rendering.radiance),
-                    sun_light(device, stage)};
+  return rendering;
+}
+
+Lighting lighting_of(const DeviceOnDemand& device, const Stage& stage, const HostOptions& host) {
+  const RadianceImage sky = whole_sky(device, stage, host, kSkySize).radiance;
+  Lighting lighting{irradiance_map(sky, 0.0, kIrradianceWidth, kIrradianceHeight, stage.scene().camera.azimuth),
+                    project_to_sh(sky, 0.0), level_irradiance(sky), sun_light(device, stage)};
   for (const Stage& other : stage.others()) {
     lighting.moon = sun_light(device, other);
   }

@@ -45,6 +45,15 @@ struct SunLight {
 };
 SunLight sun_light(const DeviceOnDemand& device, const Stage& stage);
 
+// Its irradiance at listed wavelengths, of a scene with spectra: SpectralImage's unit times sr.
+std::vector<double> sun_spectrum(const DeviceOnDemand& device, const Stage& stage, const Nodes& nodes);
+
+// The whole sphere around the camera's place, ground included, without discs: an equirectangular picture whose centre
+// looks north, whatever the camera looks at. Throws RunError where it holds a NaN, infinity or negative value.
+// `spectrum`: wavelengths of a spectrum beside the picture.
+Rendering whole_sky(const DeviceOnDemand& device, const Stage& stage, const HostOptions& host, ImageSize size,
+                    const std::optional<Nodes>& spectrum = {});
+
 inline constexpr int kIrradianceWidth = 64;
 inline constexpr int kIrradianceHeight = 32;
 
@@ -56,9 +65,7 @@ struct Lighting {
   std::optional<SunLight> moon = {};
 };
 
-// The light of the whole sphere around the camera's place, ground included, in whatever direction the camera looks. The
-// scene's method renders the sky into a picture of its own. Throws RunError where that holds a NaN, infinity or
-// negative value.
+// By whole_sky(), and throws as that does.
 Lighting lighting_of(const DeviceOnDemand& device, const Stage& stage, const HostOptions& host);
 
 }  // namespace airlight

@@ -14,8 +14,6 @@
 namespace airlight {
 namespace {
 
-constexpr const char* kAbsolute = "W.m^-2.sr^-1.nm^-1";
-
 // Unit of numbers that the preset gives without one, per steradian.
 constexpr const char* kPresetsOwn = "sun.spectrum.sr^-1";
 
@@ -80,9 +78,9 @@ SpectralUnit spectral_unit(const Scene& scene) {
   assert(scene.spectra);
   const Curve& sun = scene.spectra->sun;
   if (const std::optional<double> white = white_luminance(scene.sun.unit)) {
-    return {*white / illuminance(sun), kAbsolute};
+    return {*white / illuminance(sun), kAbsoluteSpectralUnit};
   }
-  return {1.0, is_solar(sun) ? kAbsolute : kPresetsOwn};
+  return {1.0, is_solar(sun) ? kAbsoluteSpectralUnit : kPresetsOwn};
 }
 
 Rendering render_spectrum(const DeviceOnDemand& device, const Stage& stage, BandsRequest request) {

@@ -17,6 +17,7 @@ inline constexpr double kTellsColours = 2e-3;
 // Factor from radiance over the sun's to spectral radiance, and the unit. For relative suns: sun.irradiance times
 // sun.spectrum, in W/(m2 nm) where that is ASTM G-173. With an absolute unit: scaled so that sunlight above the air has
 // the illuminance of the unit.
+inline constexpr const char* kAbsoluteSpectralUnit = "W.m^-2.sr^-1.nm^-1";
 struct SpectralUnit {
   double scale = 1.0;  // times sun.spectrum
   std::string name;

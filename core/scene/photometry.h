@@ -39,6 +39,13 @@ constexpr std::optional<double> white_luminance(SunUnit unit) {
   return std::nullopt;
 }
 
+// The same for a scene. A sun without a unit counts as Earth's, whatever its number; 0: there is no light to tell it
+// by.
+constexpr double luminance_of_one(const Scene& scene) {
+  const double sun = bt709_luminance(scene.sun.irradiance);
+  return white_luminance(scene.sun.unit).value_or(sun > 0.0 ? kSunlight / sun : 0.0);
+}
+
 std::string_view irradiance_unit(SunUnit unit);  // "W/m2", "lux"; empty: relative
 std::string_view radiance_unit(SunUnit unit);    // "W/(m2 sr)", "cd/m2"; "sun irradiance unit / sr": relative
 

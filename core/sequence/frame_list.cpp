@@ -138,7 +138,12 @@ SunPath make_sun_path(const SunPathOrder& order) {
   const Milliseconds from = parse_time_of_day(order.from, "sequence: --from");
   const Milliseconds to = parse_time_of_day(order.to, "sequence: --to");
   path.step = parse_step(order.step, "sequence: --step");
-  const Milliseconds last = utc_on_clock(path.zone, date + to + (to < from ? kDay : 0), "sequence: --to");
+  const Milliseconds end = order.until ? parse_date(*order.until, "sequence: --until") : date + (to < from ? kDay : 0);
+  const Milliseconds last = utc_on_clock(path.zone, end + to, "sequence: --to");
+  if (order.until && end + to < date + from) {
+    throw InputError("sequence: --until " + *order.until + ": it ends before it begins, on " + order.date + " at " +
+                     order.from + "; give a later date");
+  }
   path.count = last < path.first ? 1 : static_cast<std::size_t>((last - path.first) / path.step) + 1;
   return path;
 }

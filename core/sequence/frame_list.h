@@ -56,10 +56,12 @@ struct SunPathOrder {
   std::string date, from, to, step, zone;
   Place place;
   std::optional<Air> refraction = {};
+  std::optional<std::string> until = {};  // the date of `to`
 };
 
-// Both ends count if the step meets them; a `to` before `from` is on the next day. Throws InputError: malformed, a step
-// of 0, an unknown zone, a time that the clocks skip on that day, an invalid place.
+// Both ends count if the step meets them; without `until` a `to` before `from` is on the next day. Throws InputError:
+// malformed, a step of 0, an unknown zone, a time that the clocks skip on that day, an invalid place, an end before the
+// start.
 SunPath make_sun_path(const SunPathOrder& order);
 
 // One moment, the order's `from`, as a path of one frame. `command`: the command whose options messages name, "render".

@@ -326,6 +326,7 @@ TEST_F(CompositeTool, AMissingModuleIsSaidPlainly) {
                                              "--beauty", "plate.png", "-o", "o.exr"});
   EXPECT_EQ(done.exit_code, 1);
   EXPECT_TRUE(contains(done.err, "airlight_foreign.so: is neither at")) << done.err;
+  EXPECT_TRUE(contains(done.err, "install the package airlight-formats")) << done.err;
   EXPECT_EQ(lines_of(done.err).size(), 1U) << done.err;
   EXPECT_FALSE(std::filesystem::exists(path("o.exr")));
 }

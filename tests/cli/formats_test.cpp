@@ -79,6 +79,77 @@ TEST_F(Formats, AUsdStageLightsASceneAsTheSkyDoes) {
   }
 }
 
+const Names kInLux{"--set", "/sun/unit=lux", "--set", "/sun/irradiance=128000"};
+
+TEST_F(Formats, RadianceFindsTheSkysIlluminance) {
+  Names words{"--size", "8x4",          "--sun-elevation", "35",         "--sun-azimuth", "130", "--azimuth",
+              "20",     "--irradiance", "light.exr",       "--radiance", "sky.rad",       "-o",  "sky.exr"};
+  words.insert(words.end(), kInLux.begin(), kInLux.end());
+  render(words);
+  const Outcome outcome = read({"rad", "sky.rad", "light"});
+  if (outcome.exit_code == 77) GTEST_SKIP() << kNoPython;
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  // A spectrum of 20 bands, as Radiance's own spectral skies have. The preset's sun is that of G-173 in lux.
+  Names spectral{"render",          "earth-noon", "-q",           "--spectral", "390:770:20", "--size",       "8x4",
+                 "--sun-elevation", "35",         "--irradiance", "light.exr",  "--radiance", "spectral.rad", "-o",
+                 "sky.exr"};
+  spectral.insert(spectral.end(), kInLux.begin(), kInLux.end());
+  const Outcome made = tool(spectral);
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const Outcome read_back = read({"rad", "spectral.rad", "light"});
+  EXPECT_EQ(read_back.exit_code, 0) << read_back.out << read_back.err;
+  spectral[4] = "550:570:10";
+  EXPECT_TRUE(contains(tool(spectral).err, "3 wavelengths; Radiance takes 4 to 24"));
+  EXPECT_TRUE(contains(refusal({"-o", "sky.exr", "--radiance", "sky.hdr"}), "end in .rad"));
+  EXPECT_TRUE(contains(refusal({"-o", "sky.hdr", "--radiance", "sky.rad"}), "is where -o writes"));
+}
+
+TEST_F(Formats, ASkyMatrixHasTheDaysLight) {
+  const Names place{"--date", "2026-03-21", "--lat", "48.85", "--lon", "2.35"};
+  const auto with = [&](Names words, const Names& more) {
+    for (const Names* part : {&place, &kInLux, &more}) words.insert(words.end(), part->begin(), part->end());
+    return words;
+  };
+  for (const char* hour : {"09:00", "16:00"}) {
+    render(with({"--size", "8x4", "-o", "sky.exr"},
+                {"--time", hour, "--irradiance", std::string("light") + std::string(hour).substr(0, 2) + ".exr"}));
+  }
+  for (const char* factor : {"1", "2"}) {
+    const Outcome made =
+        tool(with({"sequence", "sky.json", "-q"}, {"--from", "02:00", "--to", "16:00", "--step", "7h",
+                                                   "--radiance-matrix", "day.mtx", "--patches", factor}));
+    ASSERT_EQ(made.exit_code, 0) << made.err;
+    const Outcome outcome = read({"matrix", "day.mtx", factor, "dark", "light09", "light16"});
+    if (outcome.exit_code == 77) GTEST_SKIP() << kNoPython;
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  }
+  const auto refused = [&](const Names& more) {
+    Names words{"sequence", "sky.json"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome outcome = tool(words);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+    return outcome.err;
+  };
+  EXPECT_TRUE(contains(refused({"--sun-elevation", "0:9:3", "--radiance-matrix", "a.mtx"}), "give --date, --from"));
+  EXPECT_TRUE(contains(refused({"--sun-elevation", "0:9:3", "--png", "a.#.png", "--patches", "2"}),
+                       "--patches is for --radiance-matrix"));
+  EXPECT_TRUE(contains(refused({"--radiance-matrix", "a.mtx", "--png", "a.#.png"}), "--png is for frames"));
+  EXPECT_TRUE(contains(refused(with({"--radiance-matrix", "a.mtx"},
+                                    {"--from", "00:00", "--to", "23:00", "--step", "1s", "--until", "2026-04-21"})),
+                       "expected at most 100000000"));
+  EXPECT_TRUE(contains(refused(with({"--radiance-matrix", "a.mtx"},
+                                    {"--from", "00:00", "--to", "23:00", "--step", "1h", "--until", "2026-02-21"})),
+                       "it ends before it begins"));
+}
+
+TEST_F(Formats, TheCompassMarksTheDirections) {
+  const Outcome made = tool({"render", "compass", "--size", "180x90", "-q", "-o", "compass.npy"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const Outcome outcome = read({"compass", "compass.npy"});
+  if (outcome.exit_code == 77) GTEST_SKIP() << kNoPython;
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+}
+
 // An EXR says where the sun is and what it gives.
 TEST_F(Formats, AnExrTellsItsLight) {
   render({"--sun-elevation", "30", "--sun-azimuth", "90", "--set", "/sun/unit=lux", "--set", "/sun/irradiance=128000",

@@ -14,10 +14,9 @@ namespace {
 namespace fs = std::filesystem;
 
 // Besides what is named here, the presets and the pages with their pictures, whose lists are those of the source.
-// `with_library`: with libairlight and the Python package, which have Debian packages of their own.
-std::vector<std::string> expected_files(const std::string& zsh_folder, bool with_library) {
+// `whole`: with the formats of pictures, libairlight and the Python package, which have Debian packages of their own.
+std::vector<std::string> expected_files(const std::string& zsh_folder, bool whole) {
   std::vector<std::string> files = {"bin/airlight",
-                                    "lib/airlight/modules/airlight_foreign.so",
                                     "share/airlight/presets/plates/hills.exr",
                                     "share/airlight/presets/schema/preset-1.schema.json",
                                     "share/bash-completion/completions/airlight",
@@ -31,7 +30,13 @@ std::vector<std::string> expected_files(const std::string& zsh_folder, bool with
     if (entry.path().extension() == ".json" && name != "chart.json") files.push_back("share/airlight/presets/" + name);
   }
   const fs::path build = AIRLIGHT_BUILD_DIR;
-  if (with_library && fs::exists(build / "libairlight.a")) {
+  if (whole) {
+    for (const char* file : {"lib/airlight/modules/airlight_foreign.so", "share/doc/airlight-formats/changelog.gz",
+                             "share/doc/airlight-formats/copyright"}) {
+      files.emplace_back(file);
+    }
+  }
+  if (whole && fs::exists(build / "libairlight.a")) {
     for (const char* file :
          {"include/airlight/airlight.h", "lib/cmake/airlight/airlightConfig.cmake",
           "lib/cmake/airlight/airlightConfigVersion.cmake", "lib/libairlight.a", "lib/libairlight.so",
@@ -43,7 +48,7 @@ std::vector<std::string> expected_files(const std::string& zsh_folder, bool with
       files.push_back(std::string("share/doc/") + package + "/copyright");
     }
   }
-  if (with_library && fs::exists(build / "python")) {
+  if (whole && fs::exists(build / "python")) {
     for (const fs::directory_entry& entry : fs::directory_iterator(build / "python/airlight")) {
       if (entry.is_regular_file()) {
         files.push_back("lib/python3/dist-packages/airlight/" + entry.path().filename().string());
@@ -161,12 +166,13 @@ TEST(Package, HoldsEverythingAndNamesWhatItNeeds) {
   }
   const Outcome made =
       run(scratch.path(),
-          {"sh", "-c", "umask 077; exec cpack -D CPACK_COMPONENTS_ALL=Tool --config \"$0/CPackConfig.cmake\" -B .",
+          {"sh", "-c",
+           "umask 077; exec cpack -D 'CPACK_COMPONENTS_ALL=Tool;Formats' --config \"$0/CPackConfig.cmake\" -B .",
            AIRLIGHT_BUILD_DIR});
   ASSERT_EQ(made.exit_code, 0) << made.err << made.out;
   const Outcome unpacked = run(scratch.path(), {"sh", "-c",
                                                 "dpkg-deb -x airlight_*.deb root && dpkg-deb -f airlight_*.deb "
-                                                "Package Depends"});
+                                                "Package Depends Recommends"});
   ASSERT_EQ(unpacked.exit_code, 0) << unpacked.err;
   // A package needs the libraries of one release, which its file's name tells.
   const Outcome named = run(scratch.path(), {"sh", "-c",
@@ -174,8 +180,16 @@ TEST(Package, HoldsEverythingAndNamesWhatItNeeds) {
                                              "ls airlight_*\"~$ID${VERSION_ID}_\"*.deb"});
   EXPECT_EQ(named.exit_code, 0) << named.err;
   for (const char* needed : {"libvulkan1", "mesa-vulkan-drivers | vulkan-icd", "tzdata", "libopenexr-",
-                             "libopenimageio2", "libopencolorio2", "libpng16", "liberfa1", "libc6"}) {
+                             "libopencolorio2", "libpng16", "liberfa1", "libc6", "Recommends: airlight-formats (= "}) {
     EXPECT_TRUE(contains(unpacked.out, needed)) << needed << " is not in " << unpacked.out;
+  }
+  // Four fifths of what all of airlight needs come with OpenImageIO, for pictures that are no EXRs.
+  EXPECT_FALSE(contains(unpacked.out, "libopenimageio")) << unpacked.out;
+  const Outcome formats = run(scratch.path(), {"sh", "-c",
+                                               "dpkg-deb -f airlight-formats_*.deb Depends; "
+                                               "dpkg-deb -c airlight-formats_*.deb"});
+  for (const char* part : {"libopenimageio2", "airlight (= ", "/usr/lib/airlight/modules/airlight_foreign.so"}) {
+    EXPECT_TRUE(contains(formats.out, part)) << part << " is not in " << formats.out << formats.err;
   }
   expect_rights_for_all(scratch.path() / "root/usr");
   EXPECT_EQ(files_below(scratch.path() / "root/usr"), expected_files("vendor-completions", false));

@@ -7,6 +7,11 @@ read_picture.py texture FILE SKY.npy      KTX 2.0 and DDS by this reader, which 
 read_picture.py usd FILE.usda LIGHT       the stage's dome and lights against what --irradiance tells of the sky
                                           (LIGHT.json, LIGHT.exr), of a camera that looks 30 degrees east
                                           of north
+read_picture.py rad FILE.rad LIGHT        Radiance's scene: what its sources give a level surface against what
+                                          --irradiance tells, and where its picture is brightest
+read_picture.py matrix FILE.mtx FACTOR LIGHT...   a sky matrix column by column, likewise
+read_picture.py compass FILE.npy          the preset `compass` with its middle in the north: the colour that is strongest
+                                          in each ball
 Exit code 1: they differ; 77: a library is missing.
 """
 
@@ -173,4 +178,157 @@ def usd(file, light):
         numpy.testing.assert_allclose(seen, told[row, column, :3], rtol=0.01)
 
 
-{"hdr": hdr, "texture": texture, "usd": usd}[sys.argv[1]](*sys.argv[2:])
+RADIANCE_LUMINANCE = 179 * numpy.array([0.265, 0.670, 0.065])
+
+
+def told_by(light):
+    """Lux on a level surface by sky and by sun, and the sun's direction with z up, as --irradiance tells them."""
+    with open(light + ".json") as stream:
+        told = json.load(stream)
+    weights = numpy.array([0.2126, 0.7152, 0.0722])
+    sun = told["sun"]
+    x, y, z = sun["direction"]
+    sky = read(light + ".exr")[1][0, :, :3].mean(axis=0)  # normals 2.8 degrees from straight up
+    return sky @ weights, numpy.array(sun["irradiance"]) @ weights, numpy.array([x, -z, y])
+
+
+# CIE 1924 photopic luminous efficiency every 20 nm.
+VISION = numpy.array([[380, 0.0000390], [400, 0.000396], [420, 0.00400], [440, 0.0230], [460, 0.0600], [480, 0.13902],
+                      [500, 0.3230], [520, 0.7100], [540, 0.9540], [560, 0.9950], [580, 0.8700], [600, 0.6310],
+                      [620, 0.3810], [640, 0.1750], [660, 0.0610], [680, 0.0170], [700, 0.004102], [720, 0.001047],
+                      [740, 0.000249], [760, 0.0000600], [780, 0.0000150]])
+
+
+def hyperspectral(file):
+    """Wavelengths and values, the picture from the top, by the description of Radiance's format."""
+    with open(file, "rb") as stream:
+        data = stream.read()
+    head, rest = data.split(b"\n\n", 1)
+    size, pixels = rest.split(b"\n", 1)
+    lines = head.decode().split("\n")
+    assert lines[0] == "#?RADIANCE" and lines[-1] == "FORMAT=Radiance_spectra"
+    count = int(dict(line.split("=") for line in lines[1:])["NCOMP"])
+    splits = [float(word) for word in dict(line.split("=") for line in lines[1:])["WAVELENGTH_SPLITS"].split()]
+    assert splits == sorted(splits) and splits[1:3] == [480, 588]
+    y, height, x, width = size.decode().split()
+    assert (y, x) == ("-Y", "+X")
+    bytes_ = numpy.frombuffer(pixels, numpy.uint8).reshape(int(height), int(width), count + 1).astype(float)
+    values = (bytes_[..., :-1] + 0.5) * 2.0 ** (bytes_[..., -1:] - 128 - 8)
+    step = (splits[3] - splits[0]) / count
+    return splits[0] + step * (numpy.arange(count) + 0.5), values
+
+
+def rad(file, light):
+    with open(file) as stream:
+        lines = [line for line in stream.read().split("\n") if not line.startswith("#")]
+    words = re.findall(r'"[^"]*"|\S+', " ".join(lines))
+    things = {}
+    while words:  # modifier type name, then three lists that begin with their lengths
+        modifier, kind, name = words[:3]
+        words = words[3:]
+        lists = []
+        for _ in range(3):
+            count = int(words[0])
+            lists.append([word.strip('"') for word in words[1:1 + count]])
+            words = words[1 + count:]
+        things[name] = (modifier, kind, lists)
+    modifier, kind, (_, _, place) = things["sky"]
+    assert (kind, [float(v) for v in place]) == ("source", [0, 0, 1, 360])
+    glow = things[modifier]
+    assert glow[1] == "glow" and glow[2][2] == ["1", "1", "1", "0"]
+    _, kind, (picture, _, _) = things[glow[0]]
+    spectral = kind == "specpict"
+    if spectral:
+        assert picture[0] == "noop" and picture[2] == "."
+        nm, values = hyperspectral(os.path.join(os.path.dirname(file), picture[1]))
+        # Lux: 683 lm/W times V, which a lookup by 5 nm steps gives; values are W/(m2 sr nm) times the whole width.
+        weights = 683 * numpy.interp(nm, VISION[:, 0], VISION[:, 1]) / len(nm)
+        sky = values @ weights
+    else:
+        assert kind == "colorpict" and picture[:3] == ["red", "green", "blue"] and picture[4] == "."
+        sky = read(os.path.join(os.path.dirname(file), picture[3]))[1] @ RADIANCE_LUMINANCE
+    height, width = sky.shape
+    # Where Radiance looks into the picture: from its lower left corner, its height as unit.
+    names = {"atan2": numpy.arctan2, "Acos": numpy.arccos, "PI": numpy.pi}
+    elevation = numpy.radians(numpy.arange(-89.75, 90, 0.5))[:, None]
+    azimuth = numpy.radians(numpy.arange(0.25, 360, 0.5))[None, :]
+    names["Dx"], names["Dy"] = numpy.cos(elevation) * numpy.sin(azimuth), numpy.cos(elevation) * numpy.cos(azimuth)
+    names["Dz"] = numpy.sin(elevation) + 0 * azimuth
+    u, v = (eval(word, names) for word in picture[-2:])
+    seen = sky[(height - 1 - (v * height).astype(int)).clip(0, height - 1), (u * height).astype(int).clip(0, width - 1)]
+    by_sky = (seen * numpy.maximum(0, names["Dz"]) * numpy.cos(elevation)).sum() * numpy.radians(0.5) ** 2
+    modifier, kind, (_, _, place) = things["sun"]
+    x, y, z, angle = (float(word) for word in place)
+    above, kind, (_, _, colour) = things[modifier]
+    assert kind == "light"
+    if spectral:
+        assert colour == ["1", "1", "1"] and things[above][1] == "spectrum"
+        span, colour = things[above][2][2][:2], things[above][2][2][2:]
+        numpy.testing.assert_allclose([float(word) for word in span], [nm[0] - 10, nm[-1] + 10])
+    colour = numpy.array([float(word) for word in colour]) @ (weights if spectral else RADIANCE_LUMINANCE)
+    by_sun = colour * 2 * numpy.pi * (1 - numpy.cos(numpy.radians(angle / 2)))
+    wanted_sky, wanted_sun, toward = told_by(light)
+    print("sky", by_sky / wanted_sky, "sun", by_sun / wanted_sun)
+    # Bands of 20 nm sample V coarsely.
+    assert abs(by_sky / wanted_sky - 1) < (0.015 if spectral else 0.01)
+    assert abs(by_sun / wanted_sun - 1) < (0.01 if spectral else 0.005)
+    numpy.testing.assert_allclose([x, y, z], toward, atol=1e-6)
+    row, column = numpy.unravel_index(seen.argmax(), seen.shape)
+    brightest = numpy.array([names[name][row, column] for name in ("Dx", "Dy")])
+    level = numpy.array(toward[:2]) / numpy.hypot(*toward[:2])
+    assert brightest @ level > numpy.cos(numpy.radians(8)) * numpy.hypot(*brightest), (brightest, toward)
+
+
+def matrix(file, factor, *lights):
+    factor = int(factor)
+    with open(file) as stream:
+        head, body = stream.read().split("\n\n", 1)
+    head = dict(line.split("=") for line in head.split("\n") if "=" in line)
+    rows, columns = int(head["NROWS"]), int(head["NCOLS"])
+    assert (head["NCOMP"], head["FORMAT"], columns) == ("3", "ascii", len(lights))
+    blocks = body.rstrip("\n").split("\n\n")
+    values = numpy.array([[line.split() for line in block.split("\n")] for block in blocks], float)
+    assert values.shape == (rows, columns, 3)
+    # Reinhart's patches: elevation and azimuth of the middle, and the solid angle.
+    step = numpy.pi / 2 / (7 * factor + 0.5)
+    patches = [(numpy.nan, 0, 0)]
+    for i in range(7 * factor):
+        around = [30, 30, 24, 24, 18, 12, 6][i // factor] * factor
+        solid = 2 * numpy.pi * (numpy.sin(step * (i + 1)) - numpy.sin(step * i)) / around
+        patches += [(step * (i + 0.5), 2 * numpy.pi * j / around, solid) for j in range(around)]
+    patches.append((numpy.pi / 2, 0, 2 * numpy.pi * (1 - numpy.cos(step / 2))))
+    elevation, azimuth, solid = numpy.array(patches).T
+    assert len(patches) == rows and abs(solid.sum() - 2 * numpy.pi) < 1e-9
+    luminance = values @ RADIANCE_LUMINANCE
+    for column, light in enumerate(lights):
+        if light == "dark":
+            assert (values[:, column] == 0).all()
+            continue
+        sky, sun, toward = told_by(light)
+        level = (luminance[1:, column] * solid[1:] * numpy.sin(elevation[1:])).sum()
+        wanted = sky + sun * toward[2]
+        print(light, level / wanted)
+        assert abs(level / wanted - 1) < 0.03
+        at = luminance[1:, column].argmax() + 1
+        middle = [numpy.cos(elevation[at]) * numpy.sin(azimuth[at]), numpy.cos(elevation[at]) * numpy.cos(azimuth[at]),
+                  numpy.sin(elevation[at])]
+        assert middle @ toward > numpy.cos(step), (middle, toward)
+        assert luminance[0, column] > 0
+
+
+def compass(file):
+    picture = numpy.load(file)
+    height, width, _ = picture.shape
+    strongest = {"north": (0, 0), "east": (1, 0.25), "south": (2, 0.5)}
+    for name, (channel, turn) in strongest.items():
+        ball = picture[int(height * (0.5 - 8 / 180)), int(width * (0.5 + turn)) % width]
+        print(name, ball)
+        assert ball.argmax() == channel and ball[channel] > 2 * numpy.median(ball)
+    west = picture[int(height * (0.5 - 8 / 180)), width // 4]
+    assert west[:2].min() > 4 * west[2]
+    up = picture[0].mean(axis=0)  # white, where the sky around it is blue
+    print("up", up, picture[height // 6].mean(axis=0))
+    assert up[2] / up[0] < 0.7 * picture[height // 6].mean(axis=0)[2] / picture[height // 6].mean(axis=0)[0]
+
+
+{"hdr": hdr, "compass": compass, "texture": texture, "usd": usd, "rad": rad, "matrix": matrix}[sys.argv[1]](*sys.argv[2:])

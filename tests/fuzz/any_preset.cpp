@@ -62,6 +62,7 @@ struct Things {
   bool spheres = false;
   bool terrain = false;
   bool ground_maps = false;
+  bool clouds = false;
 };
 
 class Writer {
@@ -81,6 +82,7 @@ class Writer {
     }
     text += night();
     text += things.spheres ? ", \"scene\": {\"spheres\": [" + spheres() + "]}" : "";
+    text += things.clouds ? ", \"clouds\": [" + clouds() + "]" : "";
     const bool square = projection_ == "octahedral";
     const int any_side = 1 + static_cast<int>(random_.below(9));
     // Small cubes for a method on the host: all pixels cost it the same, and nine a side in thick air is a minute of
@@ -140,12 +142,11 @@ class Writer {
     }
   }
 
-  // The keys of one object and of the objects in it; `choice`: its profile or projection.
-  std::string object(std::string_view section) {
-    std::string choice;
+  // The keys of one object and of the objects in it; `choice`: its type, profile, projection or function.
+  std::string object(std::string_view section, std::string choice = {}) {
     for (const Rule& rule : rules()) {
-      if (rule.key.starts_with(std::string(section) + ".") && rule.type == RuleType::choice && rule.only_for.empty() &&
-          (rule.key.ends_with(".projection") || rule.key.ends_with(".profile"))) {
+      if (choice.empty() && rule.key.starts_with(std::string(section) + ".") && rule.type == RuleType::choice &&
+          rule.only_for.empty() && (rule.key.ends_with(".projection") || rule.key.ends_with(".profile"))) {
         choice = random_.pick(rule.choices);
       }
     }
@@ -169,9 +170,8 @@ class Writer {
         continue;
       }
       const bool wanted = rule.required || random_.chance(0.8);
-      std::string what = key == "projection" || key == "profile" ? quoted(choice)
-                         : wanted                                ? value(rule)
-                                                                 : std::string();
+      const bool is_choice = key == "projection" || key == "profile" || key == "type" || key == "function";
+      std::string what = is_choice ? quoted(choice) : wanted ? value(rule) : std::string();
       if (what.empty()) {
         continue;
       }
@@ -193,7 +193,10 @@ class Writer {
     if (random_.chance(0.6)) {
       return {};
     }
-    return {random_.chance(0.4), random_.chance(0.4), random_.chance(0.5)};
+    const bool any_clouds = random_.chance(0.25);
+    // Mostly clouds alone: few methods take them among other things.
+    const bool alone = any_clouds && random_.chance(0.7);
+    return {!alone && random_.chance(0.4), !alone && random_.chance(0.4), !alone && random_.chance(0.5), any_clouds};
   }
 
   // Moon, stars and the sky beyond the air, now and then.
@@ -216,7 +219,7 @@ class Writer {
       const SkyMethod& method = random_.pick(methods());
       const MethodInfo& info = method.info;
       if ((!things.spheres || info.knows_translucent_spheres) && (!things.terrain || info.knows_terrain) &&
-          (!things.ground_maps || info.knows_ground_maps)) {
+          (!things.ground_maps || info.knows_ground_maps) && (!things.clouds || info.knows_clouds)) {
         return method;
       }
     }
@@ -277,6 +280,24 @@ class Writer {
               ", \"radius_m\": " + format_number(std::clamp(radius, 1e-4, 1e6)) + ", \"material\": " + quoted(material);
       const bool own = material == "matte" || material == "mirror" || material == "translucent";
       text += own ? ", \"albedo\": " + format_number(random_.uniform(0.0, 1.0)) + "}" : "}";
+    }
+    return text;
+  }
+
+  std::string clouds() {
+    constexpr std::array<std::string_view, 3> kFields{"cumulus", "stratocumulus", "cirrus"};
+    std::string text;
+    for (std::uint64_t count = random_.chance(0.8) ? 1 : 1 + random_.below(3); count > 0; --count) {
+      const std::string_view kind = random_.pick(kFields);
+      // Any number of any key mostly gives clouds above the air or of too many cells.
+      const std::string keys = random_.chance(0.3)
+                                   ? object("clouds[]", std::string(kind))
+                                   : "{\"type\": " + quoted(kind) +
+                                         ", \"cover\": " + format_number(random_.uniform(0.0, 1.0)) +
+                                         ", \"detail_m\": " + format_number(random_.log_uniform(80.0, 1000.0)) +
+                                         ", \"seed\": " + std::to_string(random_.below(1000)) + "}";
+      const std::string phase = random_.chance(0.3) ? ", \"phase\": " + object("clouds[].phase") : "";
+      text += (text.empty() ? "" : ", ") + keys.substr(0, keys.size() - 1) + phase + "}";
     }
     return text;
   }

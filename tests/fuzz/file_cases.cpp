@@ -9,6 +9,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 
@@ -159,6 +160,9 @@ void write_deep_plate(const fs::path& file) {
 
 constexpr std::array<const char*, 5> kWholePlates{"whole.png", "whole.tif", "whole.hdr", "whole.exr", "deep.exr"};
 
+constexpr const char* kCloud =
+    "3, 2, 2 # points\n0.02, 0.02\n0.44, 0.48\ni, j, k, lwc, reff\n1, 1, 1, 0.2, 10\n3, 2, 2, 0.1, 12\n";
+
 // All names that a preset may give; made once a folder.
 const std::vector<std::string>& names_of(const fs::path& folder) {
   static const std::vector<std::string> names = [&] {
@@ -182,6 +186,9 @@ const std::vector<std::string>& names_of(const fs::path& folder) {
     put(folder / "phase.csv", "angle,value\n0,1\n90,1\n180,1\n");
     put(folder / "phase.pfn", "Date,0[442nm],180[442nm]\nx,1,1\n");
     put(folder / "map.null", "x");
+    put(folder / "cloud.txt", kCloud);
+    put(folder / "thick.txt", "1, 1, 2\n1e-4, 100\n0, 50\ni, j, k, lwc, reff\n1, 1, 1, 100, 1e-9\n");
+    put(folder / "many.txt", "4096, 4096, 2\n0.02, 0.02\n0.4, 0.5\ni, j, k, lwc, reff\n1, 1, 1, 1, 10\n");
     put(folder / "empty", "");
     fs::create_directory(folder / "folder");
     fs::create_symlink("circle", folder / "circle");
@@ -204,7 +211,7 @@ struct FileKey {
   const char* after;
   const char* good;  // a file that suits
 };
-constexpr std::array<FileKey, 8> kFileKeys{
+constexpr std::array<FileKey, 9> kFileKeys{
     {{"/planet/ground_albedo={\"file\": ", "}", "curve.csv"},
      {"/media/0/scattering_per_km={\"file\": ", "}", "mark.csv"},
      {"/sun/spectrum={\"file\": ", "}", "curve.csv"},
@@ -212,7 +219,8 @@ constexpr std::array<FileKey, 8> kFileKeys{
      {"/planet/albedo_map=", "", "whole.png"},
      {"/planet/ocean={\"mask_map\": ", "}", "whole.tif"},
      {"/planet/terrain={\"width_km\": 10, \"height_map\": ", "}", "whole.hdr"},
-     {"/planet/terrain={\"width_km\": 10, \"ridge\": {}, \"albedo_map\": ", "}", "whole.exr"}}};
+     {"/planet/terrain={\"width_km\": 10, \"ridge\": {}, \"albedo_map\": ", "}", "whole.exr"},
+     {"/clouds=[{\"type\": \"volume\", \"file\": ", "}]", "broken.txt"}}};
 
 std::string absolute(const fs::path& folder, const std::string& name) {
   return name.empty() || name.front() == '/' ? name : (folder / name).string();
@@ -259,6 +267,11 @@ Outcome file_case(std::uint64_t seed, const fs::path& folder) {
   const std::vector<std::string>& names = names_of(folder);
   const bool simple = random.chance(0.5);
   const std::string text = any_preset(random);
+  std::vector<char> cloud(kCloud, kCloud + std::strlen(kCloud));
+  if (random.chance(0.8)) {
+    change_bytes(random, cloud);
+  }
+  put(folder / "broken.txt", std::string(cloud.begin(), cloud.end()));
   std::vector<std::string> assignments;
   for (std::uint64_t count = 1 + random.below(2); count > 0; --count) {
     const FileKey& key = random.pick(kFileKeys);

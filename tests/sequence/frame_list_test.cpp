@@ -53,6 +53,21 @@ TEST(SunPaths, CountBothEnds) {
   EXPECT_NEAR(value_of(last, "/sun/azimuth_deg"), sun.azimuth_deg, 1e-6);
 }
 
+// A year by the hour, over both changes of the clocks.
+TEST(SunPaths, GoOnForDays) {
+  SunPathOrder order{"2026-01-01", "00:30", "23:30", "1h", "Europe/Paris", {48.85, 2.35}};
+  order.until = "2026-12-31";
+  const FrameSource source = make_sun_path(order);
+  ASSERT_EQ(frame_count(source), 8760U);
+  const std::optional<FrameTime> summer = frame_time(source, 4700);
+  EXPECT_EQ(iso_text(summer->utc, summer->offset_seconds), "2026-07-15T21:30:00+02:00");
+  order.until = "2025-12-31";
+  EXPECT_EQ(refusal(order),
+            "sequence: --until 2025-12-31: it ends before it begins, on 2026-01-01 at 00:30; give a later date");
+  order.until = "2026-02-30";
+  EXPECT_NE(refusal(order).find("sequence: --until"), std::string::npos);
+}
+
 TEST(SunPaths, RefractionIsOffUnlessAsked) {
   SunPathOrder order = paris_day();
   order.from = "06:00";

@@ -1,8 +1,10 @@
 // freeze_presets OUT.cpp PRESET.json...: the frozen modules that these presets ask for, as C++ that defines
-// ready_modules(). Plans are data, so no device is opened.
+// ready_modules(). Plans are data, so no device is opened. The folder OUT.cpp.kept keeps the modules for the next
+// build: most of them are the same when a source changes.
 
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <memory>
@@ -15,7 +17,6 @@
 #include "core/gpu/frozen_modules.h"
 #include "core/gpu/in_parallel.h"
 #include "core/gpu/shader.h"
-#include "core/gpu/specialize.h"
 #include "core/methods/ready.h"
 #include "core/render/render.h"
 #include "core/scene/resolve.h"
@@ -100,13 +101,16 @@ void want_all_of(const std::string& preset, const Shaders& shaders, Wanted& want
   }
 }
 
-void freeze(const Shaders& shaders, Wanted& wanted) {
+void freeze(const Shaders& shaders, Wanted& wanted, const FrozenModules& kept) {
   std::vector<std::pair<const Module, std::vector<std::uint32_t>>*> modules;
   for (auto& module : wanted.modules) modules.push_back(&module);
   in_parallel(modules.size(), [&](std::size_t i) {
     const auto& [shader, values] = modules[i]->first;
-    modules[i]->second = specialize(shader, shaders.sources.at(shader).spirv, values);
+    bool made = false;
+    const FrozenModules::Words words = kept.get(shaders.sources.at(shader), values, made);
+    modules[i]->second.assign(words.get().begin(), words.get().end());
   });
+  kept.trim();
 }
 
 std::string source_text(const Shaders& shaders, const Wanted& wanted) {
@@ -139,7 +143,7 @@ int run(std::span<const char* const> arguments) {
   Wanted wanted;
   const std::span<const char* const> presets = arguments.subspan(1);
   in_parallel(presets.size(), [&](std::size_t i) { want_all_of(presets[i], shaders, wanted); });
-  freeze(shaders, wanted);
+  freeze(shaders, wanted, FrozenModules(std::filesystem::absolute(std::string(arguments[0]) + ".kept")));
   std::ofstream out(arguments[0]);
   out << source_text(shaders, wanted);
   out.close();
