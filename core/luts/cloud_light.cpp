@@ -93,6 +93,26 @@ std::vector<Share> shares_of(std::uint32_t fine, std::uint32_t coarse) {
 
 }  // namespace
 
+CloudCells means_between(const CloudCells& cells) {
+  constexpr float kNear = 0.125F;  // a neighbour's share
+  CloudCells out = cells;
+  const auto along = [&](std::size_t stride, std::uint32_t count, bool repeats) {
+    const std::vector<float> before = out.extinction;
+    for (std::size_t at = 0; at < before.size(); ++at) {
+      const auto i = static_cast<std::uint32_t>(at / stride % count);
+      const std::size_t first = at - i * stride;
+      const std::uint32_t low = i > 0 ? i - 1 : (repeats ? count - 1 : 0);
+      const std::uint32_t high = i + 1 < count ? i + 1 : (repeats ? 0 : i);
+      const float sides = before[first + low * stride] + before[first + high * stride];
+      out.extinction[at] = (1.0F - 2.0F * kNear) * before[at] + kNear * sides;
+    }
+  };
+  along(1, cells.nx, true);
+  along(cells.nx, cells.ny, true);
+  along(std::size_t{cells.nx} * cells.ny, cells.nz, false);
+  return out;
+}
+
 CloudCells coarsened(const CloudCells& cells, std::uint32_t most_x, std::uint32_t most_y, std::uint32_t most_z) {
   CloudCells out;
   out.nx = std::min(cells.nx, most_x);

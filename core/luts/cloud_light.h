@@ -26,6 +26,10 @@ struct CloudCells {
   std::size_t count() const { return std::size_t{nx} * ny * nz; }
 };
 
+// The means over the cells of what is linear between their middles, and constant beyond the outermost upward and
+// downward.
+CloudCells means_between(const CloudCells& cells);
+
 // The mean over boxes of cells, at most so many a side; what is left over at the far edge is shared out by length.
 CloudCells coarsened(const CloudCells& cells, std::uint32_t most_x, std::uint32_t most_y, std::uint32_t most_z);
 

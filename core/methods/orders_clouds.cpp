@@ -7,6 +7,7 @@
 
 #include "core/air/scene_block.h"
 #include "core/clouds/cloud_grid.h"
+#include "core/clouds/cloud_phase.h"
 #include "core/error.h"
 #include "core/luts/cloud_light.h"
 #include "core/luts/luts.h"
@@ -64,7 +65,7 @@ CloudCells cells_of(const CloudGrid& grid) {
 // The cloud's matter, as an air of its own that is empty.
 struct Matter {
   CloudDrops drops;
-  std::vector<device::vec3> phase;  // logarithms at the samples of phase_table_place()
+  std::vector<device::vec3> phase;  // cloud_phase_rows()
 };
 
 Matter matter_of(const Cloud& cloud, const Part& part) {
@@ -76,11 +77,20 @@ Matter matter_of(const Cloud& cloud, const Part& part) {
   for (const physics::vec3& moment : p.scene.media[0].legendre) {
     matter.drops.legendre.push_back((moment.x + moment.y + moment.z) / 3.0);
   }
-  for (physics::uint i = 0; i < physics::kPhaseSamples; ++i) {
-    const double x = static_cast<double>(i) / (physics::kPhaseSamples - 1);
-    matter.phase.push_back(narrowed(physics::log(p.medium_phase(0, std::cos(x * x * physics::Physics{}.kPi)))));
-  }
+  matter.phase = cloud_phase_rows(p, cloud.single_scattering_albedo, kCloudDegree);
   return matter;
+}
+
+ImageId add_phase(Plan& plan, const Matter& matter) {
+  constexpr Extent kExtent{physics::kPhaseSamples, physics::kCloudPeakRows, 1};
+  const BufferId values = plan.add_buffer(filled_buffer("cloud_phase_values", bytes_of(matter.phase)));
+  const ImageId image = plan.add_image({.name = "cloud_phase", .extent = kExtent});
+  plan.add_pass({.shader = "cloud_phase",
+                 .reads = {{"phase", values}},
+                 .writes = {{"phase_out", image}},
+                 .grid = kExtent,
+                 .push_constants = {kExtent.width, kExtent.height}});
+  return image;
 }
 
 // What the passes over a cloud read.
@@ -96,7 +106,7 @@ struct CloudInputs {
 
 CloudCells coarse_cells(const CloudGrid& grid, TableSize most) {
   const auto across = static_cast<std::uint32_t>(most[0]);
-  return coarsened(cells_of(grid), across, across, static_cast<std::uint32_t>(most[1]));
+  return coarsened(means_between(cells_of(grid)), across, across, static_cast<std::uint32_t>(most[1]));
 }
 
 device::CloudData head_of(const CloudGrid& grid, const CloudCells& coarse, const Cloud& cloud, double scale,
@@ -285,7 +295,7 @@ void add_clouds(Plan& plan, const Part& part, const View& view, const SkyTarget&
   const Fields fields = add_fields(plan, coarse, matter.drops, inputs, to_sun, sun_key);
   const ImageId sources = add_sources(plan, fields, sun_key);
   const BufferId balance = add_balance(plan, part, light, inputs, fields);
-  const BufferId phase = plan.add_buffer(filled_buffer("cloud_phase", bytes_of(matter.phase)));
+  const ImageId phase = add_phase(plan, matter);
 
   const FactorTable table = volume_table(part);
   const Volume volume = add_volume(plan, part.scene, light, table, view);
@@ -297,7 +307,7 @@ void add_clouds(Plan& plan, const Part& part, const View& view, const SkyTarget&
   reads.push_back({"moments_lut", light.moments});
   reads.push_back({"cloud_source_lut", sources});
   reads.push_back({"cloud_light", balance});
-  reads.push_back({"cloud_phase", phase});
+  reads.push_back({"cloud_phase_lut", phase});
   reads.push_back({"directions", target.directions});
   std::vector<Specialization> constants = sunlight_specialization(plan, part.air, light.transmittance);
   add_moment_constants(constants, settings_of(part));
@@ -307,8 +317,8 @@ void add_clouds(Plan& plan, const Part& part, const View& view, const SkyTarget&
       plan.add_buffer({.name = "cloud_transmittance",
                        .bytes = std::size_t{target.grid.width} * target.grid.height * sizeof(float),
                        .zeroed = false});
-  constexpr double kStep = 2.0;  // in cells
-  constexpr double kStepRise = 0.012;
+  constexpr double kStep = 1.5;  // in cells
+  constexpr double kStepRise = 0.01;
   const double step = kStep * std::min({grid->cell_x, grid->cell_y, 2.0 * grid->cell_z()});
   plan.add_pass({.name = "clouds",
                  .shader = "cloud_pixels",

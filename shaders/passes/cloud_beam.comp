@@ -1,11 +1,14 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// The sun's light in a cloud's coarse cells over that above the cloud, delta-scaled: the mean over their fine cells by
-// what these take out. One thread a cell.
+// The sun's light in a cloud's coarse cells over that above the cloud, delta-scaled: what their fine cells take out of
+// it over the depth in which they do, so that no light is made or lost however thick a fine cell is. One thread a cell.
 #extension GL_EXT_scalar_block_layout : require
 #define real float
+#include "physics/segment.glsl"
 #include "shared/cloud_volume.glsl"
 #include "shared/cloud_sunlight.glsl"
+
+const float kThinnest = 1e-6;  // depth of a part without water, so that its light counts where none has any
 
 layout(local_size_x = 64) in;
 layout(scalar, set = 0, binding = 2) writeonly buffer Beam { float values[]; } beam_out;
@@ -19,14 +22,19 @@ void main() {
   }
   uvec3 cell = uvec3(at % cells.x, at / cells.x % cells.y, at / (cells.x * cells.y));
   uvec3 parts = (uvec3(c.fine_x, c.fine_y, c.fine_z) + cells - 1u) / cells;
-  float all = 0.0;
-  float lit = 0.0;
+  // From a part's middle to its upper end, along the sun's ray.
+  float height = (c.top - c.base) / float(cells.z * parts.z);
+  vec3 rise = vec3(vec2(c.sunward_east, c.sunward_north) / vec2(c.width, c.depth), 1.0 / (c.top - c.base));
+  vec3 half_way = 0.5 * height * rise;
+  float depth = 0.0;
+  float taken = 0.0;
   for (uint i = 0u; i < parts.x * parts.y * parts.z; i++) {
     vec3 part = vec3(i % parts.x, i / parts.x % parts.y, i / (parts.x * parts.y)) + 0.5;
     vec3 place = (vec3(cell) + part / vec3(parts)) / vec3(cells);
-    float weight = density_at(place) + 1e-6;
-    all += weight;
-    lit += weight * exp(-c.scale * sun_depth_at(place));
+    float above = c.scale * near_sun_depth(place + half_way);
+    float across = max(c.scale * near_sun_depth(place - half_way) - above, kThinnest);
+    depth += across;
+    taken += exp(-above) * across * mean_transmittance(across);
   }
-  beam_out.values[at] = lit / all;
+  beam_out.values[at] = taken / depth;
 }

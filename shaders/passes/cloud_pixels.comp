@@ -23,7 +23,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "shared/cloud_blocks.glsl"
 layout(set = 0, binding = 23) uniform sampler3D cloud_source_lut;
 layout(scalar, set = 0, binding = 18) readonly buffer Light { CloudLight value; } cloud_light;
-layout(scalar, set = 0, binding = 19) readonly buffer Phase { vec3 values[]; } cloud_phase;  // logarithms
+layout(set = 0, binding = 19) uniform sampler2D cloud_phase_lut;
 layout(scalar, set = 0, binding = 8) readonly buffer Directions { vec4 values[]; } directions;
 layout(scalar, set = 0, binding = 9) buffer Radiance { vec4 values[]; } radiance_out;
 layout(scalar, set = 0, binding = 10) writeonly buffer Through { float values[]; } through_out;
@@ -37,12 +37,15 @@ layout(push_constant, scalar) uniform Push {
 
 const float kOpaque = 2e-3;     // a transmittance that hides what is behind
 const uint kMostSteps = 4096u;  // along a ray
+const float kStepDepth = 1.0;   // scaled, the most of a step
+const float kLeastStep = 0.15;  // of `step`
 const float kSheet = 0.2;       // depth of a stretch that is seen through one length of air, over its distance
 
-vec3 phase_at(float nu) {
-  float place = phase_table_place(nu);
-  uint k = min(uint(place), kPhaseSamples - 2u);
-  return exp(mix(cloud_phase.values[k], cloud_phase.values[k + 1u], place - float(k)));
+// What scatters sunlight once after this scaled depth of cloud on its whole way, in direction and wide of the sun by
+// `nu`, per unit of scaled depth.
+vec3 phase_behind(float nu, float depth) {
+  vec2 texel = vec2(phase_table_place(nu), peak_table_row(depth)) + 0.5;
+  return textureLod(cloud_phase_lut, texel / vec2(float(kPhaseSamples), float(kCloudPeakRows)), 0.0).rgb;
 }
 
 float seen_harmonics[kCloudMoments];  // of the direction in which light comes to the camera
@@ -103,13 +106,13 @@ Before air_before(Ray ray, FactorPlace at, float distance_) {
 }
 
 // The light of a stretch as it leaves the cloud, at a point of the ray; for a sun of irradiance 1.
-vec3 coloured(CloudGathered g, RayPoint point, vec3 once) {
+vec3 coloured(CloudGathered g, RayPoint point) {
   float h = mix(cloud().base, cloud().top, 0.7);
   MomentCoordinate at = air_moment_coordinate(scene.moments, h, point.mu_sun);
   vec3 sun = transmittance_to_sun(scene.planet, h, point.mu_sun);
   vec3 sky = level_irradiance(at, 1.0) / kPi;
   vec3 ground = level_irradiance(at, -1.0) / kPi * cloud_light.value.below;
-  return sun * (once * g.once + vec3(g.sun)) + sky * g.sky + ground * g.ground;
+  return sun * (g.once + vec3(g.sun)) + sky * g.sky + ground * g.ground;
 }
 
 // The change of the ground's light by the cloud, at the ground, for a sun of irradiance 1.
@@ -131,13 +134,13 @@ struct Walk {
   float start;    // of the stretch
 };
 
-Walk closed(Walk walk, Ray ray, FactorPlace at, vec3 once) {
+Walk closed(Walk walk, Ray ray, FactorPlace at) {
   float taken = walk.stretch.before - walk.stretch.transmittance;
   uint turns = taken > 0.0 ? 1u : 0u;
   for (uint turn = 0u; turn < turns; turn++) {
     float t = walk.stretch.reach / taken;
     Before before = air_before(ray, at, t);
-    vec3 light = coloured(walk.stretch, point_on_ray(scene.planet, ray, t), once);
+    vec3 light = coloured(walk.stretch, point_on_ray(scene.planet, ray, t));
     walk.light += max(before.light - walk.air, vec3(0.0)) * walk.stretch.before + before.transmittance * light;
     walk.air = max(before.light, walk.air);
     walk.stretch = nothing_gathered(walk.stretch.transmittance);
@@ -145,39 +148,70 @@ Walk closed(Walk walk, Ray ray, FactorPlace at, vec3 once) {
   return walk;
 }
 
-Walk crossed(Walk walk, CloudCrossing span, Ray ray, FactorPlace at, vec3 direction, vec3 once) {
+float density_on_ray(vec3 place) { return inside_cloud_grid(cloud(), place) ? density_at(place) : 0.0; }
+
+// Steps are as long as `step` says, or shorter where the cloud is thick. Density and the depth toward the sun are
+// linear between a step's ends.
+Walk crossed(Walk walk, CloudCrossing span, Ray ray, FactorPlace at, vec3 direction) {
   CloudData c = cloud();
+  float radius = scene.planet.ground_radius;
   float t = span.from;
+  float size = max(step, t * step_rise);
+  float near = 0.0;       // density at t
+  float near_sun = -1.0;  // scaled depth toward the sun there; below 0: not known
+  if (span.from < span.to) {
+    near = density_on_ray(cloud_place(radius, c, scene.camera.altitude, direction, t));
+  }
   vec3 cells = vec3(float(c.coarse_x) / c.width, float(c.coarse_y) / c.depth, float(c.coarse_z) / (c.top - c.base));
   for (uint i = 0u; i < kMostSteps && t < span.to && walk.stretch.transmittance > kOpaque; i++) {
-    float size = min(max(step, t * step_rise), span.to - t);
-    vec3 place = cloud_place(scene.planet.ground_radius, c, scene.camera.altitude, direction, t + 0.5 * size);
-    vec4 last = source_block(kCloudBlocks - 1u, place);
+    size = min(size, span.to - t);
+    vec3 middle = cloud_place(radius, c, scene.camera.altitude, direction, t + 0.5 * size);
+    vec4 last = source_block(kCloudBlocks - 1u, middle);
     // Water may stand two cells nearer than the interpolated gap says.
-    float climb = abs(direction.y) + t / scene.planet.ground_radius;
+    float climb = abs(direction.y) + t / radius;
     float rate = max(max(abs(direction.x) * cells.x, abs(direction.z) * cells.y), climb * cells.z);
     float leap = (last.w - 2.0) / rate;
     if (leap > size) {
       t += leap;
+      near = 0.0;
+      near_sun = -1.0;
+      size = max(step, t * step_rise);
       continue;
     }
-    float depth = inside_cloud_grid(c, place) ? density_at(place) * c.scale * size : 0.0;
+    vec3 end = cloud_place(radius, c, scene.camera.altitude, direction, t + size);
+    float far = density_on_ray(end);
+    float depth = 0.5 * (near + far) * c.scale * size;
+    float least = min(size, max(step * kLeastStep, t * step_rise * kLeastStep));
+    if (depth > kStepDepth && size > least) {
+      size = max(least, size * max(kStepDepth / depth, 0.25));
+      continue;
+    }
     // As loops: a processor runs the code of a branch that none takes, but no turn of a loop.
     uint meets = depth > 0.0 ? 1u : 0u;
     for (uint turn = 0u; turn < meets; turn++) {
-      CloudSource source = source_at(place, last);
+      CloudSource source = source_at(middle, last);
+      if (near_sun < 0.0) {
+        near_sun = c.scale * near_sun_depth(cloud_place(radius, c, scene.camera.altitude, direction, t));
+      }
+      float far_sun = c.scale * near_sun_depth(end);
+      float passed = -log(walk.stretch.transmittance) + 0.5 * (depth + near_sun + far_sun);
       walk.start = walk.stretch.before == walk.stretch.transmittance ? t : walk.start;
-      walk.stretch = with_cloud_step(walk.stretch, source, sun_depth_at(place), c.scale, depth, t + 0.5 * size);
+      walk.stretch = with_cloud_step(walk.stretch, source, phase_behind(at.nu, passed), near_sun, far_sun, depth,
+                                     t + 0.5 * size);
+      near_sun = far_sun;
     }
+    near_sun = depth > 0.0 ? near_sun : -1.0;
+    near = far;
     t += size;
+    size = min(max(step, t * step_rise), size * clamp(kStepDepth / max(depth, 1e-6), 1.0, 2.0));
     bool begun = walk.stretch.before > walk.stretch.transmittance;
     uint closes = begun && t - walk.start > kSheet * t + step ? 1u : 0u;
     for (uint turn = 0u; turn < closes; turn++) {
-      walk = closed(walk, ray, at, once);
+      walk = closed(walk, ray, at);
       walk.start = t;
     }
   }
-  return closed(walk, ray, at, once);
+  return closed(walk, ray, at);
 }
 
 vec3 direction_of(uvec2 pixel, out bool inside) {
@@ -205,15 +239,14 @@ void main() {
   UNROLL for (uint q = 0u; q < kCloudMoments; q++) {
     seen_harmonics[q] = cloud_harmonic(q, vec3(-direction.x, direction.z, -direction.y));
   }
-  vec3 once = phase_at(at.nu) * (c.albedo / c.scale);
   Walk walk;
   walk.light = vec3(0.0);
   walk.air = vec3(0.0);
   walk.start = 0.0;
   walk.stretch = nothing_gathered(1.0);
   CloudSpans spans = cloud_spans(scene.planet.ground_radius, c, ray.h, ray.mu, ray.length_);
-  walk = crossed(walk, spans.first, ray, at, direction, once);
-  walk = crossed(walk, spans.second, ray, at, direction, once);
+  walk = crossed(walk, spans.first, ray, at, direction);
+  walk = crossed(walk, spans.second, ray, at, direction);
   float through = walk.stretch.transmittance > kOpaque ? walk.stretch.transmittance : 0.0;
   vec4 behind = radiance_out.values[index];
   vec3 sky = behind.rgb - walk.air * scene.sun.irradiance;

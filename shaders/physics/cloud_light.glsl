@@ -9,9 +9,16 @@
 //
 //     S(d) = a' sum over l, m of chi'_l M_lm Y_lm(d),   M_lm = integral of L Y_lm + sunlight's
 //
-// per unit of scaled optical depth. The picture adds light scattered once with the whole phase function [NT88].
+// per unit of scaled optical depth. The picture adds sunlight scattered once. On its way to the eye the peak has scattered
+// light any number of times by small angles, which the scaled depth passes over. That light keeps the moments l up to N
+// by exp(-(1 - a f) depth), the others by exp(-(1 - a chi_l) depth), the depth that of the whole way, unscaled [GS40]:
 //
-// [W77] Wiscombe, J. Atmos. Sci. 34, 1408; [NT88] Nakajima and Tanaka, JQSRT 40, 51.
+//     P(nu, depth) = sum over l of (2 l + 1) / (4 pi) chi_l P_l(nu) exp(-a (f - chi_l) depth),  the exponential 1 to N
+//
+// and extinction' takes the rest. At no depth it is the whole phase function, which [NT88] take at all depths (TMS).
+//
+// [W77] Wiscombe, J. Atmos. Sci. 34, 1408; [NT88] Nakajima and Tanaka, JQSRT 40, 51;
+// [GS40] Goudsmit and Saunderson, Phys. Rev. 57, 24.
 
 // Real spherical harmonics up to degree 2, orthonormal, by i = l (l + 1) + m; d: of length 1.
 real cloud_harmonic(uint i, vec3 d) {
@@ -52,4 +59,16 @@ CellLight through_cell(real entering, real source, real depth) {
   light.mean = source + (entering - source) * share;
   light.leaving = entering + (source - entering) * (depth * share);
   return light;
+}
+
+// Rows of the table of P by scaled depth: evenly spaced in its root.
+const real kMostPeakDepth = 9.0;
+
+real peak_table_row(real depth) {
+  return sqrt(min(max(depth, 0.0), kMostPeakDepth) / kMostPeakDepth) * real(kCloudPeakRows - 1u);
+}
+
+real peak_table_depth(real row) {
+  real share = row / real(kCloudPeakRows - 1u);
+  return kMostPeakDepth * share * share;
 }

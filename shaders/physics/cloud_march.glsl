@@ -72,7 +72,7 @@ struct CloudSource {
 
 // Light that a stretch of a ray gathers.
 struct CloudGathered {
-  real once;  // of the sun's light scattered once, before the phase function
+  vec3 once;  // of the sun's light scattered once
   real sun;
   real sky;
   real ground;
@@ -83,8 +83,8 @@ struct CloudGathered {
 
 CloudGathered nothing_gathered(real transmittance) {
   CloudGathered g;
+  g.once = vec3(0.0);
   g.sun = 0.0;
-  g.once = 0.0;
   g.sky = 0.0;
   g.ground = 0.0;
   g.before = transmittance;
@@ -93,10 +93,20 @@ CloudGathered nothing_gathered(real transmittance) {
   return g;
 }
 
-// Adds a step of scaled optical depth `depth` at distance t.
-CloudGathered with_cloud_step(CloudGathered g, CloudSource source, real sun_depth, real scale, real depth, real t) {
+// What is left of the sun's light, the mean over a step by what the camera sees of each part: the depth toward the sun
+// is taken as linear between the step's ends, all depths scaled.
+real seen_sunlight(real depth, real near_sun, real far_sun) {
+  real both = depth + far_sun - near_sun;
+  real nearest = both < 0.0 ? far_sun + depth : near_sun;
+  return exp(-nearest) * mean_transmittance(abs(both));
+}
+
+// Adds a step of scaled optical depth `depth` at distance t, whose ends have these scaled depths toward the sun; `phase`
+// is what scatters sunlight once there, per unit of scaled depth.
+CloudGathered with_cloud_step(CloudGathered g, CloudSource source, vec3 phase, real near_sun, real far_sun, real depth,
+                              real t) {
   real taken = g.transmittance * depth * mean_transmittance(depth);
-  g.once = g.once + taken * exp(-scale * sun_depth);
+  g.once = g.once + phase * (g.transmittance * depth * seen_sunlight(depth, near_sun, far_sun));
   g.sun = g.sun + taken * source.sun;
   g.sky = g.sky + taken * source.sky;
   g.ground = g.ground + taken * source.ground;

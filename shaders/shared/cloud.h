@@ -5,6 +5,8 @@
 const uint kCloudMoments = 9u;     // of degree 0 to 2
 const uint kCloudOrdinates = 32u;  // four zenith cosines of eight azimuths
 
+const uint kCloudPeakRows = 24u;  // depths at which the table of the forward peak stands
+
 // A direction in which light travels.
 struct CloudOrdinate {
   vec3 direction;
