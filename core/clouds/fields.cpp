@@ -64,7 +64,8 @@ class Field {
  public:
   explicit Field(const Cloud& cloud) : cloud_(cloud) {
     grid_.nx = grid_.ny = static_cast<int>(std::ceil(cloud.period / cloud.detail - 1e-9));
-    grid_.nz = static_cast<int>(std::ceil((cloud.top - cloud.base) / cloud.detail - 1e-9));
+    // Two levels at least: a device's image of one is flat.
+    grid_.nz = std::max(2, static_cast<int>(std::ceil((cloud.top - cloud.base) / cloud.detail - 1e-9)));
     grid_.cell_x = grid_.cell_y = cloud.period / grid_.nx;
     grid_.base = cloud.base;
     grid_.top = cloud.top;

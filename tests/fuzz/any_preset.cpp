@@ -146,8 +146,11 @@ class Writer {
   std::string object(std::string_view section, std::string choice = {}) {
     for (const Rule& rule : rules()) {
       if (choice.empty() && rule.key.starts_with(std::string(section) + ".") && rule.type == RuleType::choice &&
-          rule.only_for.empty() && (rule.key.ends_with(".projection") || rule.key.ends_with(".profile"))) {
-        choice = random_.pick(rule.choices);
+          rule.only_for.empty() &&
+          (rule.key.ends_with(".projection") || rule.key.ends_with(".profile") || rule.key.ends_with(".function"))) {
+        do {
+          choice = random_.pick(rule.choices);
+        } while (choice == "table");  // those are written by table()
       }
     }
     if (section == "camera") {

@@ -112,6 +112,28 @@ TEST(CloudPicture, HidesWhatStandsBehind) {
   EXPECT_NEAR(seen / greatest(render_now(clear).radiance), 1.0, 1e-5);
 }
 
+// A field may be thinner than its cells are wide, and of one cell.
+TEST(CloudPicture, TakesTheThinnestField) {
+  Scene scene = under_level_cloud(1.0, 0.7);
+  Cloud cloud;
+  cloud.kind = CloudKind::stratocumulus;
+  cloud.cover = 1.0;
+  cloud.base = 1.0;
+  cloud.top = 1.1;
+  cloud.cell = 0.5;
+  cloud.period = 1.0;
+  cloud.detail = 1.0;
+  cloud.water = 0.3;
+  cloud.effective_radius = 8.0;
+  cloud.phase = CloudPhase::henyey_greenstein;
+  cloud.phase_g = kAsymmetryOfDrops;
+  scene.clouds = {cloud};
+  scene.image = {4, 4};
+  scene.camera.pitch = 1.0;
+  scene.camera.vertical_fov = 1.0;
+  EXPECT_GT(greatest(render_now(scene).radiance), 0.0);
+}
+
 void expect_refused(const Scene& scene, const std::string& words) {
   try {
     render_now(scene);
