@@ -282,10 +282,11 @@ MomentSettings moment_settings(const Air& air, const MomentRequest& request) {
   }
   settings.orders = std::max(request.orders.value_or(settings.orders), 2);
   settings.wished_orders = settings.orders;
-  if (bake_steps(settings, 4) > kMostBakeSteps) {
+  const double most = kMostBakeSteps * kUsualMedia / static_cast<double>(std::max(kUsualMedia, air.media().size()));
+  if (bake_steps(settings, 4) > most) {
     settings.corrections = 0;  // these take about as many steps
   }
-  while (settings.corrections == 0 && settings.orders > 2 && bake_steps(settings, settings.orders) > kMostBakeSteps) {
+  while (settings.corrections == 0 && settings.orders > 2 && bake_steps(settings, settings.orders) > most) {
     --settings.orders;
   }
   return settings;
