@@ -338,7 +338,7 @@ if(AIRLIGHT_TOOL)
   target_compile_options(airlight_fuzz PRIVATE ${airlight_test_options})
   # Texts and EXRs begin only sanitized, which also finds what the plain build would. Scenes run plain first, so that
   # the software device's pipelines are in Mesa's cache.
-  set(fuzz_cases texts:1000:3000 exrs:1000:4000 scenes:0:14 files:0:300 plates:0:300 methods:0:3)
+  set(fuzz_cases texts:1000:3000 exrs:1000:4000 scenes:0:14 files:0:300 plates:0:300 methods:0:2)
   if(AIRLIGHT_SANITIZE)
     set(fuzz_cases texts:0:1000 exrs:0:1000 scenes:0:6 files:300:100 plates:300:100 methods:0:1)
   endif()

@@ -2,6 +2,7 @@
 // ready_modules(). Plans are data, so no device is opened. The folder OUT.cpp.kept keeps the modules for the next
 // build: most of them are the same when a source changes.
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -75,11 +76,15 @@ void level_terrain(Scene& scene) {
   scene.terrain->files = std::make_shared<const TerrainFiles>(std::move(files));
 }
 
+// Stars are contents of a buffer too; in bent light each takes a tenth of a millisecond for every plan.
+constexpr double kBrightStars = 3.0;
+
 // Collects the modules that `render`, `sequence`, `luts` and `probe` need: pictures small and large, the sun on either
 // side of the horizon, an EXR alone, a picture by OpenColorIO and one by the tone curve on the device.
 void want_all_of(const std::string& preset, const Shaders& shaders, Wanted& wanted) {
   Scene own = resolve(load_preset(preset), method_infos());
   level_terrain(own);
+  if (own.stars) own.stars->magnitude_limit = std::min(own.stars->magnitude_limit, kBrightStars);
   if (find_method(own.render.method)->add_passes == nullptr) return;
   const Stage stage = ready(own);
   constexpr double kLowSun = -0.1;  // radians
