@@ -174,7 +174,8 @@ std::string radiance_text(const std::string& picture, const RadianceSky& sky, co
                      "\"" + picture + "\" . \"atan2(Dx,Dy)/PI+1\" \"1-Acos(Dz)/PI\"\n0\n0\n\n" +
                      "skylight glow skyglow\n0\n0\n4 1 1 1 0\n\nskyglow source sky\n0\n0\n4 0 0 1 360\n\n";
   if (spectral) {
-    return text + spectral_light("sun", lighting.sun, *sky.whole.spectrum, sky.sun_spectrum);
+    return text + spectral_light("sun", lighting.sun, *sky.whole.spectrum, sky.sun_spectrum) +
+           (lighting.moon ? "# The moon's disc is left out of spectra.\n" : "");
   }
   text += coloured_light("sun", lighting.sun, luminance);
   return text + (lighting.moon ? coloured_light("moon", *lighting.moon, luminance) : "");

@@ -76,7 +76,7 @@ void level_terrain(Scene& scene) {
   scene.terrain->files = std::make_shared<const TerrainFiles>(std::move(files));
 }
 
-// Stars are contents of a buffer too; in bent light each takes a tenth of a millisecond for every plan.
+// Stars are contents of a buffer too, and in bent light each is placed anew for every plan: the brightest do.
 constexpr double kBrightStars = 3.0;
 
 // Collects the modules that `render`, `sequence`, `luts` and `probe` need: pictures small and large, the sun on either
