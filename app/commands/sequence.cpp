@@ -269,13 +269,21 @@ int dry_run(const SequenceJob& job) {
 // A matrix is one file, whole or not there: what belongs to frames has no meaning for it.
 int run_matrix(const SequenceGiven& given) {
   const SequencePictures& pictures = given.pictures;
-  const std::array<std::pair<const char*, bool>, 11> idle{{{"-o", given.exr.has_value()},
+  const PictureOptions& picture = given.picture;
+  const std::array<std::pair<const char*, bool>, 18> idle{{{"-o", given.exr.has_value()},
                                                            {"--png", given.png.has_value()},
                                                            {"--shard", given.shard != "1/1"},
                                                            {"--manifest", given.manifest.has_value()},
                                                            {"--preview", pictures.preview.has_value()},
                                                            {"--contact-sheet", pictures.contact_sheet.has_value()},
-                                                           {"--layers", !given.picture.layers.empty()},
+                                                           {"--layers", !picture.layers.empty()},
+                                                           {"--float", picture.full_float},
+                                                           {"--half", picture.half_float},
+                                                           {"--exposure", picture.exposure.has_value()},
+                                                           {"--ev", picture.compensation.has_value()},
+                                                           {"--display", picture.display.has_value()},
+                                                           {"--view", picture.view.has_value()},
+                                                           {"--colorspace", !picture.colorspace.empty()},
                                                            {"--tile", given.tile.has_value()},
                                                            {"--clean", given.clean},
                                                            {"--overwrite", given.overwrite},

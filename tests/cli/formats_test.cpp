@@ -134,6 +134,7 @@ TEST_F(Formats, ASkyMatrixHasTheDaysLight) {
   EXPECT_TRUE(contains(refused({"--sun-elevation", "0:9:3", "--png", "a.#.png", "--patches", "2"}),
                        "--patches is for --radiance-matrix"));
   EXPECT_TRUE(contains(refused({"--radiance-matrix", "a.mtx", "--png", "a.#.png"}), "--png is for frames"));
+  EXPECT_TRUE(contains(refused({"--radiance-matrix", "a.mtx", "--ev", "1"}), "--ev is for frames"));
   EXPECT_TRUE(contains(refused(with({"--radiance-matrix", "a.mtx"},
                                     {"--from", "00:00", "--to", "23:00", "--step", "1s", "--until", "2026-04-21"})),
                        "expected at most 100000000"));
