@@ -13,7 +13,7 @@ namespace airlight {
 
 // Steps of rays that a bake may take in air of up to kUsualMedia; 1e9 in air of eight media take 90 CPU-s. Each step
 // asks every medium, so air of more media gets fewer.
-inline constexpr double kMostBakeSteps = 1e9;
+inline constexpr double kMostBakeSteps = 2e8;
 inline constexpr std::size_t kUsualMedia = 3;
 
 struct MomentSettings {

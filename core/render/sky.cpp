@@ -112,6 +112,12 @@ std::optional<BufferId> cloud_transmittance(const Plan& plan, std::size_t first)
   return std::nullopt;
 }
 
+bool is_written(const Plan& plan, BufferId buffer) {
+  return std::ranges::any_of(plan.passes(), [&](const PassDesc& pass) {
+    return std::ranges::any_of(pass.writes, [&](const Binding& made) { return made.resource == ResourceId(buffer); });
+  });
+}
+
 // Adds what clouds stand before.
 void add_behind_clouds(Plan& plan, BufferId behind, BufferId through, const Picture& picture) {
   plan.add_pass({.name = "behind_clouds",
@@ -157,7 +163,7 @@ Sky add_sky_by_light(Plan& plan, const Stage& stage, const View& view, bool with
         add_night(plan, stage, through, picture);
       }
     }
-    if (past_clouds) {
+    if (past_clouds && is_written(plan, picture.buffer)) {
       add_behind_clouds(plan, picture.buffer, *past_clouds, whole);
     }
   }
