@@ -40,7 +40,9 @@ const float kOpaque = 2e-3;     // a transmittance that hides what is behind
 const uint kMostSteps = 4096u;  // along a ray
 const float kStepDepth = 1.0;   // scaled, the most of a step
 const float kEdgeDepth = 0.1;   // likewise where the cloud begins or ends
-const float kLeastStep = 0.15;  // of `step`
+const float kSunStep = 0.5;     // scaled, the most by which the depth toward the sun may change along a step
+const float kShaded = 5.0;      // where it is more than this, no sunlight is left that counts
+const float kLeastStep = 0.1;  // of `step`
 const float kSheet = 0.2;       // depth of a stretch that is seen through one length of air, over its distance
 
 // What scatters sunlight once after this scaled depth of cloud on its whole way, in direction and wide of the sun by
@@ -204,12 +206,20 @@ Walk crossed(Walk walk, CloudCrossing span, Ray ray, FactorPlace at, vec3 direct
     }
     // As loops: a processor runs the code of a branch that none takes, but no turn of a loop.
     uint meets = depth > 0.0 ? 1u : 0u;
+    float far_sun = near_sun;
     for (uint turn = 0u; turn < meets; turn++) {
-      CloudSource source = source_at(middle);
       if (near_sun < 0.0) {
         near_sun = c.scale * sun_depth_at(cloud_place(radius, c, scene.camera.altitude, direction, t));
       }
-      float far_sun = c.scale * sun_depth_at(end);
+      far_sun = c.scale * sun_depth_at(end);
+    }
+    float shade = abs(far_sun - near_sun);
+    if (meets > 0u && shade > kSunStep && min(near_sun, far_sun) < kShaded && size > least) {
+      size = max(least, size * max(kSunStep / shade, 0.25));
+      continue;
+    }
+    for (uint turn = 0u; turn < meets; turn++) {
+      CloudSource source = source_at(middle);
       float passed = -log(walk.stretch.transmittance) + 0.5 * (depth + near_sun + far_sun);
       walk.start = walk.stretch.before == walk.stretch.transmittance ? t : walk.start;
       walk.stretch = with_cloud_step(walk.stretch, source, phase_behind(at.nu, passed), near_sun, far_sun, depth,
