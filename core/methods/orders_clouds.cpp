@@ -135,9 +135,10 @@ device::CloudData head_of(const CloudGrid& grid, const CloudCells& coarse, const
 // Values of cells as an image that repeats itself; `key` names it.
 template <class Values>
 ImageId add_cells(Plan& plan, const std::string& name, Extent cells, Values values, const std::string& key) {
-  const BufferId buffer = plan.add_buffer({.name = name + "_values",
-                                           .bytes = std::size_t{cells.width} * cells.height * cells.depth * sizeof(float),
-                                           .contents_when_run = std::move(values)});
+  const BufferId buffer =
+      plan.add_buffer({.name = name + "_values",
+                       .bytes = std::size_t{cells.width} * cells.height * cells.depth * sizeof(float),
+                       .contents_when_run = std::move(values)});
   const Extent extent{cells.width + 1, cells.height + 1, cells.depth};
   const ImageId image = plan.add_image({.name = name, .extent = extent, .key = key + " " + name, .half = true});
   plan.add_pass({.name = name,
@@ -152,7 +153,8 @@ ImageId add_cells(Plan& plan, const std::string& name, Extent cells, Values valu
 ImageId add_density(Plan& plan, const std::shared_ptr<const CloudGrid>& grid, const std::string& key) {
   const Extent cells{static_cast<std::uint32_t>(grid->nx), static_cast<std::uint32_t>(grid->ny),
                      static_cast<std::uint32_t>(grid->nz)};
-  return add_cells(plan, "cloud_density", cells, [grid] { return bytes_of(grid->extinction); }, key);
+  return add_cells(
+      plan, "cloud_density", cells, [grid] { return bytes_of(grid->extinction); }, key);
 }
 
 // Where a ray need not look for water, on cells of twice the grid's.
@@ -215,7 +217,8 @@ ImageId add_sources(Plan& plan, const Fields& fields, const std::string& key) {
   constexpr std::uint32_t kBlocks = 4;
   const CloudCells& cells = fields.cells;
   const Extent extent{(cells.nx + 1) * kBlocks, cells.ny + 1, cells.nz};
-  const ImageId sources = plan.add_image({.name = "cloud_source", .extent = extent, .key = key + " sources"});
+  const ImageId sources =
+      plan.add_image({.name = "cloud_source", .extent = extent, .key = key + " sources", .stored = true});
   plan.add_pass(
       {.shader = "cloud_source",
        .reads = {{"scattering", fields.tables.scattering},
@@ -228,25 +231,35 @@ ImageId add_sources(Plan& plan, const Fields& fields, const std::string& key) {
   return sources;
 }
 
-BufferId add_balance(Plan& plan, const Part& part, const Light& light, const CloudInputs& inputs,
-                     const Fields& fields) {
-  const BufferId balance = plan.add_buffer({.name = "cloud_balance", .bytes = sizeof(device::CloudLight)});
+ImageId add_sums(Plan& plan, const CloudInputs& inputs, const Fields& fields, const std::string& key) {
+  const ImageId sums =
+      plan.add_image({.name = "cloud_sums", .extent = {1, 1, 1}, .key = key + " sums", .stored = true});
   std::vector<Binding> reads = inputs.reads();
-  reads.insert(reads.end(), {{"transmittance_lut", light.transmittance},
-                             {"moments_lut", light.moments},
-                             {"ordinates", fields.tables.ordinates},
+  reads.insert(reads.end(), {{"ordinates", fields.tables.ordinates},
                              {"sun_planes", fields.sun.planes},
                              {"sky_planes", fields.sky.planes},
                              {"ground_planes", fields.ground.planes}});
+  plan.add_pass({.shader = "cloud_sums",
+                 .reads = std::move(reads),
+                 .writes = {{"sums_out", sums}},
+                 .grid = {256, 1, 1},
+                 .push_constants = {fields.coarser.nx, fields.coarser.ny, fields.coarser.nz},
+                 .cost = 400.0});
+  return sums;
+}
+
+BufferId add_balance(Plan& plan, const Part& part, const Light& light, const CloudInputs& inputs, ImageId sums) {
+  const BufferId balance = plan.add_buffer({.name = "cloud_balance", .bytes = sizeof(device::CloudLight)});
   std::vector<Specialization> constants = sunlight_specialization(plan, part.air, light.transmittance);
   add_moment_constants(constants, settings_of(part));
   plan.add_pass({.shader = "cloud_balance",
-                 .reads = std::move(reads),
+                 .reads = {{"cloud_data", inputs.head},
+                           {"cloud_sums_lut", sums},
+                           {"transmittance_lut", light.transmittance},
+                           {"moments_lut", light.moments}},
                  .writes = {{"light_out", balance}},
-                 .grid = {256, 1, 1},
-                 .push_constants = {fields.coarser.nx, fields.coarser.ny, fields.coarser.nz},
-                 .specialization = std::move(constants),
-                 .cost = 400.0});
+                 .grid = {1, 1, 1},
+                 .specialization = std::move(constants)});
   return balance;
 }
 
@@ -316,7 +329,7 @@ void add_clouds(Plan& plan, const Part& part, const View& view, const SkyTarget&
   const CloudInputs inputs = add_inputs(plan, grid, head, key, sun_key);
   const Fields fields = add_fields(plan, coarse, matter.drops, inputs, to_sun, sun_key);
   const ImageId sources = add_sources(plan, fields, sun_key);
-  const BufferId balance = add_balance(plan, part, light, inputs, fields);
+  const BufferId balance = add_balance(plan, part, light, inputs, add_sums(plan, inputs, fields, sun_key));
   const ImageId phase = add_phase(plan, matter);
 
   const FactorTable table = volume_table(part);

@@ -40,9 +40,9 @@ const float kOpaque = 2e-3;     // a transmittance that hides what is behind
 const uint kMostSteps = 4096u;  // along a ray
 const float kStepDepth = 1.0;   // scaled, the most of a step
 const float kEdgeDepth = 0.1;   // likewise where the cloud begins or ends
-const float kSunStep = 0.5;     // scaled, the most by which the depth toward the sun may change along a step
+const float kSunStep = 1.0;     // scaled, the most by which the depth toward the sun may change along a step
 const float kShaded = 5.0;      // where it is more than this, no sunlight is left that counts
-const float kLeastStep = 0.1;  // of `step`
+const float kLeastStep = 0.15;  // of `step`
 const float kSheet = 0.2;       // depth of a stretch that is seen through one length of air, over its distance
 
 // What scatters sunlight once after this scaled depth of cloud on its whole way, in direction and wide of the sun by
