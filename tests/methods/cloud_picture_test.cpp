@@ -177,6 +177,43 @@ TEST(CloudPicture, SunlightScatteredOnceIsItsIntegral) {
   EXPECT_LT(error / seen, 0.09);
 }
 
+// The cloud's shadow on white ground, which shows the table of the sun's depth alone, against the integral through the
+// grid from each place on the ground.
+TEST(CloudPicture, ItsShadowIsTheSunsDepth) {
+  Scene scene = under_level_cloud(1.0, std::sin(radians(35.0)));
+  Cloud& cloud = scene.clouds.front();
+  cloud.contents = ball();
+  cloud.phase_g = 0.0;
+  cloud.single_scattering_albedo = 1e-3;
+  scene.camera.altitude = 0.2;
+  scene.planet.ground_albedo = {1.0, 1.0, 1.0};
+  const CloudGrid grid = cloud_grid(cloud);
+  const physics::vec3 to_sun(0.0, std::cos(radians(35.0)), std::sin(radians(35.0)));
+  std::vector<Direction> directions;
+  std::vector<double> truth;
+  for (int i = 0; i < 60; ++i) {
+    const double elevation = -9.0 - i % 12 * 6.0;
+    const double azimuth = 10.0 + i * 67.0;
+    const double reach = 0.2 / std::tan(radians(-elevation));
+    const physics::vec3 place(reach * std::sin(radians(azimuth)), reach * std::cos(radians(azimuth)), 0.0);
+    directions.push_back({radians(elevation), radians(azimuth)});
+    truth.push_back(std::exp(-depth_from(grid, place, to_sun, 2.0 / to_sun.z)));
+  }
+  const std::vector<ProbeResult> results = probe_now(scene, directions);
+  double error = 0.0;
+  double seen = 0.0;
+  int shaded = 0;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    const double lit = results[i].radiance[1] / scene.sun.irradiance[1] * std::numbers::pi / to_sun.z;
+    error += std::abs(lit - truth[i]);
+    seen += truth[i];
+    shaded += truth[i] > 0.02 && truth[i] < 0.98 ? 1 : 0;
+  }
+  std::printf("shadow: %d of 60 between light and shade, error %.2f %%\n", shaded, 100.0 * error / seen);
+  EXPECT_GE(shaded, 5);
+  EXPECT_LT(error / seen, 0.012);  // linear steps through the table: 0.021
+}
+
 // A cloud without water is no cloud; one that is thick hides the sun's disc.
 TEST(CloudPicture, HidesWhatStandsBehind) {
   Scene scene = under_level_cloud(30.0, 0.7);
