@@ -1,6 +1,6 @@
-// Moments of the light in a cell from eight ordinates of one zenith cosine, at azimuths of 45 a degrees or turned by 22.5
-// from there, and the light that moments send into them: Fourier sums with the symmetry of the azimuths, then harmonics
-// up to degree 2.
+// Moments of the light in a cell from eight ordinates of one zenith cosine, at azimuths of 45 a degrees or turned by
+// 22.5 from there, and the light that moments send into them: Fourier sums with the symmetry of the azimuths, then
+// harmonics up to degree 2.
 //
 // The rings of steep and of flat ordinates are turned against one another. Eight even azimuths send 2.6 % more light
 // than there is through a wall toward 22.5 degrees, or 5.2 % less through one toward 0; both together are right to 1 %.

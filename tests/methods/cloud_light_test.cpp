@@ -403,7 +403,7 @@ TEST(CloudLight, DeviceSweepsAsTheHostDoes) {
 }
 
 // Even light on a thick slab that scatters evenly and absorbs nothing: the share that diffuses through is
-// 4/3 / (depth + 2 x 0.7104) [CZ67]. Sources that are even in each cell let 4 times as much through 12 cells.
+// 4/3 / (depth + 2 x 0.7104) [CZ67]. Sources that are even in each cell let more through 12 cells.
 TEST(CloudLight, ThickCellsCarryNoLightTooFar) {
   for (const std::uint32_t layers : {12U, 48U}) {
     CloudCells cells{.nx = 2, .ny = 2, .nz = layers, .cell_x = 1.0, .cell_y = 1.0, .cell_z = 1.0 / layers};
