@@ -314,14 +314,13 @@ CloudField add_cloud_field(Plan& plan, const CloudCells& cells, const CloudDrops
          .push_constants = {cells.nx, cells.ny, cells.nz, push_constant(cells.cell_x), push_constant(cells.cell_y),
                             push_constant(cells.cell_z), push_constant(incident.above), push_constant(incident.below)},
          .cost = 2.0 * static_cast<double>(cells.count()) / 256.0});
-    plan.add_pass(
-        {.name = name + "_gather",
-         .shader = "cloud_gather",
-         .reads = {{"ordinates", tables.ordinates}, {"lit_cells", list}, {"means", means}},
-         .writes = {{"moments", field.moments}, {"changes", changes}},
-         .grid = {std::max(lit_count, 1U), 1, 1},
-         .push_constants = {lit_count, count, push_constant(step.step), push_constant(step.momentum)},
-         .cost = 10.0});
+    plan.add_pass({.name = name + "_gather",
+                   .shader = "cloud_gather",
+                   .reads = {{"ordinates", tables.ordinates}, {"lit_cells", list}, {"means", means}},
+                   .writes = {{"moments", field.moments}, {"changes", changes}},
+                   .grid = {std::max(lit_count, 1U), 1, 1},
+                   .push_constants = {lit_count, count, push_constant(step.step), push_constant(step.momentum)},
+                   .cost = 10.0});
     moments = field.moments;
   }
   return field;

@@ -62,8 +62,8 @@ real slope_share(real depth, real m) {
 
 // Light that enters a cell with `entering` and crosses the optical depth `depth`. The source rises by `slope` along the
 // way, `source` in its middle: where a cell is many free paths thick, light that leaves is the source near its far
-// side, and a source that is even in the cell would carry light half a cell too far [LMM87]. What the light loses or gains on
-// the way is depth times (mean - source), so no light is made or lost whatever the depth.
+// side, and a source that is even in the cell would carry light half a cell too far [LMM87]. What the light loses or
+// gains on the way is depth times (mean - source), so no light is made or lost whatever the depth.
 CellLight through_cell(real entering, real source, real slope, real depth) {
   real m = mean_transmittance(depth);
   real lag = slope * slope_share(depth, m);
