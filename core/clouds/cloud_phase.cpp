@@ -13,7 +13,7 @@ namespace {
 using physics::vec3;
 
 constexpr int kMostDegree = 1500;   // a peak of a fifth of a degree
-constexpr double kNoMoment = 1e-3;  // the last moment that matters
+constexpr double kNoMoment = 1e-5;  // the last moment that matters: thousands of them add up straight on
 constexpr int kAngles = 4096;       // of the moments' integrals
 // The peak's spreading is taken in whole up to the first angle, and not at all beyond the second: light that has turned
 // by more has not gone along the sun's ray, which the formula takes for granted.

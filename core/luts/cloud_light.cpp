@@ -199,7 +199,8 @@ std::vector<physics::CloudOrdinate> cloud_ordinates() {
     for (std::size_t n = 0; n < rule.nodes.size(); ++n) {
       const double z = rule.nodes[n];
       for (int a = 0; a < kAzimuths; ++a) {
-        const double azimuth = 2.0 * std::numbers::pi * (a + 0.5) / kAzimuths;
+        const double turn = p.ring_is_turned(z) ? 0.5 : 0.0;
+        const double azimuth = 2.0 * std::numbers::pi * (a + turn) / kAzimuths;
         const double across = std::sqrt(1.0 - z * z);
         physics::CloudOrdinate o{};
         o.direction = {across * std::cos(azimuth), across * std::sin(azimuth), side * z};
@@ -282,40 +283,45 @@ CloudField add_cloud_field(Plan& plan, const CloudCells& cells, const CloudDrops
                             .key = kept && !key.empty() ? key + " " + name + of : std::string(),
                             .scratch = !kept});
   };
-  const BufferId sources = add("_sources", rays, false);
+  const BufferId sources = add("_sources", 2 * rays, false);
   const BufferId means = add("_means", rays, false);
   const BufferId changes = add("_changes", floats * physics::kCloudMoments, false);
   const CloudField field{add("_moments", floats * physics::kCloudMoments, true),
                          add("_planes", rays / cells.nz * 2, true)};
-
-  const auto gather = [&](BufferId from, ChebyshevStep step, std::uint32_t start) {
-    plan.add_pass({.name = name + "_gather",
-                   .shader = "cloud_gather",
+  const double kept = light_kept(cells, drops);
+  BufferId moments = plan.add_buffer(filled_buffer(name + "_nothing", bytes_of(std::vector<float>(9 * cells.count()))));
+  for (const ChebyshevStep& step : chebyshev_steps(kept, settings.sweeps > 0 ? settings.sweeps : sweeps_for(kept))) {
+    plan.add_pass({.name = name + "_emission",
+                   .shader = "cloud_emission",
                    .reads = {{"ordinates", tables.ordinates},
                              {"scattering", tables.scattering},
                              {"lit_cells", list},
                              {"beam", incident.sun ? beam : extinction},
-                             {"means", from}},
-                   .writes = {{"moments", field.moments}, {"changes", changes}, {"sources_out", sources}},
+                             {"extinctions", extinction},
+                             {"moments", moments}},
+                   .writes = {{"sources_out", sources}},
                    .grid = {std::max(lit_count, 1U), 1, 1},
-                   .push_constants = {lit_count, count, push_constant(step.step), push_constant(step.momentum),
+                   .push_constants = {lit_count, cells.nx, cells.ny, cells.nz, push_constant(cells.cell_x),
+                                      push_constant(cells.cell_y), push_constant(cells.cell_z),
                                       push_constant(incident.sun ? 1.0 : 0.0)},
-                   .specialization = {{"kCloudStart", start}},
-                   .cost = 10.0});
-  };
-  gather(extinction, {0.0, 0.0}, 1);
-  const double kept = light_kept(cells, drops);
-  for (const ChebyshevStep& step : chebyshev_steps(kept, settings.sweeps > 0 ? settings.sweeps : sweeps_for(kept))) {
+                   .cost = 20.0});
     plan.add_pass(
         {.name = name + "_sweep",
          .shader = "cloud_sweep",
          .reads = {{"ordinates", tables.ordinates}, {"cells", extinction}, {"sources", sources}},
          .writes = {{"means_out", means}, {"planes", field.planes}},
-         .grid = {32 * physics::kCloudOrdinates, 8, 1},
+         .grid = {16 * physics::kCloudOrdinates, 16, 1},
          .push_constants = {cells.nx, cells.ny, cells.nz, push_constant(cells.cell_x), push_constant(cells.cell_y),
                             push_constant(cells.cell_z), push_constant(incident.above), push_constant(incident.below)},
          .cost = 2.0 * static_cast<double>(cells.count()) / 256.0});
-    gather(means, step, 0);
+    plan.add_pass({.name = name + "_gather",
+                   .shader = "cloud_gather",
+                   .reads = {{"ordinates", tables.ordinates}, {"lit_cells", list}, {"means", means}},
+                   .writes = {{"moments", field.moments}, {"changes", changes}},
+                   .grid = {std::max(lit_count, 1U), 1, 1},
+                   .push_constants = {lit_count, count, push_constant(step.step), push_constant(step.momentum)},
+                   .cost = 10.0});
+    moments = field.moments;
   }
   return field;
 }

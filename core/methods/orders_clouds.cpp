@@ -132,21 +132,39 @@ device::CloudData head_of(const CloudGrid& grid, const CloudCells& coarse, const
   return head;
 }
 
+// Values of cells as an image that repeats itself; `key` names it.
+template <class Values>
+ImageId add_cells(Plan& plan, const std::string& name, Extent cells, Values values, const std::string& key) {
+  const BufferId buffer =
+      plan.add_buffer({.name = name + "_values",
+                       .bytes = std::size_t{cells.width} * cells.height * cells.depth * sizeof(float),
+                       .contents_when_run = std::move(values)});
+  const Extent extent{cells.width + 1, cells.height + 1, cells.depth};
+  const ImageId image = plan.add_image({.name = name, .extent = extent, .key = key + " " + name, .half = true});
+  plan.add_pass({.name = name,
+                 .shader = "cloud_density",
+                 .reads = {{"extinction", buffer}},
+                 .writes = {{"density_out", image}},
+                 .grid = extent,
+                 .push_constants = {cells.width, cells.height, cells.depth}});
+  return image;
+}
+
 ImageId add_density(Plan& plan, const std::shared_ptr<const CloudGrid>& grid, const std::string& key) {
-  const auto nx = static_cast<std::uint32_t>(grid->nx);
-  const auto ny = static_cast<std::uint32_t>(grid->ny);
-  const auto nz = static_cast<std::uint32_t>(grid->nz);
-  const BufferId values = plan.add_buffer({.name = "cloud_extinction",
-                                           .bytes = grid->extinction.size() * sizeof(float),
-                                           .contents_when_run = [grid] { return bytes_of(grid->extinction); }});
-  const ImageId density =
-      plan.add_image({.name = "cloud_density", .extent = {nx + 1, ny + 1, nz}, .key = key + " density", .half = true});
-  plan.add_pass({.shader = "cloud_density",
-                 .reads = {{"extinction", values}},
-                 .writes = {{"density_out", density}},
-                 .grid = {nx + 1, ny + 1, nz},
-                 .push_constants = {nx, ny, nz}});
-  return density;
+  const Extent cells{static_cast<std::uint32_t>(grid->nx), static_cast<std::uint32_t>(grid->ny),
+                     static_cast<std::uint32_t>(grid->nz)};
+  return add_cells(
+      plan, "cloud_density", cells, [grid] { return bytes_of(grid->extinction); }, key);
+}
+
+// Where a ray need not look for water, on cells of twice the grid's.
+ImageId add_gaps(Plan& plan, const std::shared_ptr<const CloudGrid>& grid, const std::string& key) {
+  const auto half = [](int count) { return static_cast<std::uint32_t>(count + 1) / 2; };
+  const Extent cells{half(grid->nx), half(grid->ny), std::max(half(grid->nz), 2U)};
+  const auto gaps = [grid, cells] {
+    return bytes_of(gaps_of(coarsened(cells_of(*grid), cells.width, cells.height, cells.depth)));
+  };
+  return add_cells(plan, "cloud_gap", cells, gaps, key);
 }
 
 CloudInputs add_inputs(Plan& plan, const std::shared_ptr<const CloudGrid>& grid, const device::CloudData& head,
@@ -154,19 +172,22 @@ CloudInputs add_inputs(Plan& plan, const std::shared_ptr<const CloudGrid>& grid,
   CloudInputs inputs{};
   inputs.head = plan.add_buffer(filled_buffer("cloud", bytes_of_one(head)));
   inputs.density = add_density(plan, grid, key);
-  inputs.shadow = plan.add_image({.name = "cloud_shadow",
-                                  .extent = {head.fine_x + 1, head.fine_y + 1, head.fine_z + 1},
-                                  .key = sun_key + " shadow",
-                                  .half = true});
+  const Extent size{head.fine_x + 1, head.fine_y + 1, head.fine_z + 1};
+  const ImageId depths = plan.add_image({.name = "cloud_sun_depth", .extent = size});
   const double lean = grid->cell_z() *
                       std::max(std::abs(head.sunward_east) / grid->cell_x, std::abs(head.sunward_north) / grid->cell_y);
   const auto parts = static_cast<std::uint32_t>(std::clamp(std::ceil(lean), 1.0, 8.0));
   plan.add_pass({.shader = "cloud_shadow",
                  .reads = {{"cloud_data", inputs.head}, {"cloud_density_lut", inputs.density}},
-                 .writes = {{"shadow_out", inputs.shadow}},
-                 .grid = {head.fine_x + 1, head.fine_y + 1, 1},
+                 .writes = {{"shadow_out", depths}},
+                 .grid = {size.width, size.height, 1},
                  .push_constants = {parts},
                  .cost = 1.0 * head.fine_z * parts});
+  inputs.shadow = plan.add_image({.name = "cloud_shadow", .extent = size, .key = sun_key + " shadow", .half = true});
+  plan.add_pass({.shader = "cloud_bends",
+                 .reads = {{"depths_lut", depths}},
+                 .writes = {{"bends_out", inputs.shadow}},
+                 .grid = size});
   return inputs;
 }
 
@@ -195,41 +216,50 @@ struct Fields {
 ImageId add_sources(Plan& plan, const Fields& fields, const std::string& key) {
   constexpr std::uint32_t kBlocks = 4;
   const CloudCells& cells = fields.cells;
-  const BufferId gaps = plan.add_buffer(filled_buffer("cloud_gaps", bytes_of(gaps_of(cells))));
   const Extent extent{(cells.nx + 1) * kBlocks, cells.ny + 1, cells.nz};
-  const ImageId sources = plan.add_image({.name = "cloud_source", .extent = extent, .key = key + " sources"});
+  const ImageId sources =
+      plan.add_image({.name = "cloud_source", .extent = extent, .key = key + " sources", .stored = true});
   plan.add_pass(
       {.shader = "cloud_source",
        .reads = {{"scattering", fields.tables.scattering},
                  {"sun", fields.sun.moments},
                  {"sky", fields.sky.moments},
-                 {"ground", fields.ground.moments},
-                 {"gaps", gaps}},
+                 {"ground", fields.ground.moments}},
        .writes = {{"source_out", sources}},
        .grid = extent,
        .push_constants = {cells.nx, cells.ny, cells.nz, fields.coarser.nx, fields.coarser.ny, fields.coarser.nz}});
   return sources;
 }
 
-BufferId add_balance(Plan& plan, const Part& part, const Light& light, const CloudInputs& inputs,
-                     const Fields& fields) {
-  const BufferId balance = plan.add_buffer({.name = "cloud_balance", .bytes = sizeof(device::CloudLight)});
+ImageId add_sums(Plan& plan, const CloudInputs& inputs, const Fields& fields, const std::string& key) {
+  const ImageId sums =
+      plan.add_image({.name = "cloud_sums", .extent = {1, 1, 1}, .key = key + " sums", .stored = true});
   std::vector<Binding> reads = inputs.reads();
-  reads.insert(reads.end(), {{"transmittance_lut", light.transmittance},
-                             {"moments_lut", light.moments},
-                             {"ordinates", fields.tables.ordinates},
+  reads.insert(reads.end(), {{"ordinates", fields.tables.ordinates},
                              {"sun_planes", fields.sun.planes},
                              {"sky_planes", fields.sky.planes},
                              {"ground_planes", fields.ground.planes}});
+  plan.add_pass({.shader = "cloud_sums",
+                 .reads = std::move(reads),
+                 .writes = {{"sums_out", sums}},
+                 .grid = {256, 1, 1},
+                 .push_constants = {fields.coarser.nx, fields.coarser.ny, fields.coarser.nz},
+                 .cost = 400.0});
+  return sums;
+}
+
+BufferId add_balance(Plan& plan, const Part& part, const Light& light, const CloudInputs& inputs, ImageId sums) {
+  const BufferId balance = plan.add_buffer({.name = "cloud_balance", .bytes = sizeof(device::CloudLight)});
   std::vector<Specialization> constants = sunlight_specialization(plan, part.air, light.transmittance);
   add_moment_constants(constants, settings_of(part));
   plan.add_pass({.shader = "cloud_balance",
-                 .reads = std::move(reads),
+                 .reads = {{"cloud_data", inputs.head},
+                           {"cloud_sums_lut", sums},
+                           {"transmittance_lut", light.transmittance},
+                           {"moments_lut", light.moments}},
                  .writes = {{"light_out", balance}},
-                 .grid = {256, 1, 1},
-                 .push_constants = {fields.coarser.nx, fields.coarser.ny, fields.coarser.nz},
-                 .specialization = std::move(constants),
-                 .cost = 400.0});
+                 .grid = {1, 1, 1},
+                 .specialization = std::move(constants)});
   return balance;
 }
 
@@ -249,7 +279,12 @@ Fields add_fields(Plan& plan, const CloudCells& coarse, const CloudDrops& drops,
   return fields;
 }
 
-std::string sun_key_of(const std::string& key, physics::vec3 to_sun, TableSize cells) {
+// Of the light in a cloud: what its matter makes of it, the sun, the cells.
+std::string sun_key_of(const std::string& cloud, const CloudDrops& drops, physics::vec3 to_sun, TableSize cells) {
+  std::string key = cloud + " albedo " + shortest(drops.single_scattering_albedo) + " moments";
+  for (std::size_t l = 1; l <= kCloudDegree + 1; ++l) {
+    key += " " + shortest(drops.legendre.at(l));
+  }
   return key + " sun " + shortest(to_sun.x) + " " + shortest(to_sun.y) + " cells " + std::to_string(cells[0]) + "x" +
          std::to_string(cells[1]);
 }
@@ -288,13 +323,13 @@ void add_clouds(Plan& plan, const Part& part, const View& view, const SkyTarget&
   const auto grid = std::make_shared<const CloudGrid>(with_room(*part.things.clouds().front(), to_sun));
   const Matter matter = matter_of(cloud, part);
   const std::string key = "cloud " + cloud_key(cloud);
-  const std::string sun_key = sun_key_of(key, to_sun, part.scene.render.get<TableSize>("cloud_lut"));
+  const std::string sun_key = sun_key_of(key, matter.drops, to_sun, part.scene.render.get<TableSize>("cloud_lut"));
   const CloudCells coarse = coarse_cells(*grid, part.scene.render.get<TableSize>("cloud_lut"));
   const device::CloudData head = head_of(*grid, coarse, cloud, delta_scale(matter.drops), to_sun);
   const CloudInputs inputs = add_inputs(plan, grid, head, key, sun_key);
   const Fields fields = add_fields(plan, coarse, matter.drops, inputs, to_sun, sun_key);
   const ImageId sources = add_sources(plan, fields, sun_key);
-  const BufferId balance = add_balance(plan, part, light, inputs, fields);
+  const BufferId balance = add_balance(plan, part, light, inputs, add_sums(plan, inputs, fields, sun_key));
   const ImageId phase = add_phase(plan, matter);
 
   const FactorTable table = volume_table(part);
@@ -306,6 +341,7 @@ void add_clouds(Plan& plan, const Part& part, const View& view, const SkyTarget&
   reads.push_back({"transmittance_lut", light.transmittance});
   reads.push_back({"moments_lut", light.moments});
   reads.push_back({"cloud_source_lut", sources});
+  reads.push_back({"cloud_gap_lut", add_gaps(plan, grid, key)});
   reads.push_back({"cloud_light", balance});
   reads.push_back({"cloud_phase_lut", phase});
   reads.push_back({"directions", target.directions});

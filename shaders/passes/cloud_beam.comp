@@ -31,8 +31,8 @@ void main() {
   for (uint i = 0u; i < parts.x * parts.y * parts.z; i++) {
     vec3 part = vec3(i % parts.x, i / parts.x % parts.y, i / (parts.x * parts.y)) + 0.5;
     vec3 place = (vec3(cell) + part / vec3(parts)) / vec3(cells);
-    float above = c.scale * near_sun_depth(place + half_way);
-    float across = max(c.scale * near_sun_depth(place - half_way) - above, kThinnest);
+    float above = c.scale * sun_depth_at(place + half_way);
+    float across = max(c.scale * sun_depth_at(place - half_way) - above, kThinnest);
     depth += across;
     taken += exp(-above) * across * mean_transmittance(across);
   }

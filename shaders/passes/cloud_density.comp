@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// A cloud's extinction as an image; the grid repeats itself, and so does its first texel.
+// What a cloud's cells hold as an image, extinction or gap; the grid repeats itself, and so does its first texel.
 #extension GL_EXT_scalar_block_layout : require
 layout(local_size_x = 64) in;
 layout(scalar, set = 0, binding = 1) readonly buffer Extinction { float values[]; } extinction;

@@ -22,6 +22,7 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "shared/cloud_blocks.glsl"
 layout(set = 0, binding = 23) uniform sampler3D cloud_source_lut;
+layout(set = 0, binding = 24) uniform sampler3D cloud_gap_lut;  // cells to the nearest one that holds water
 layout(scalar, set = 0, binding = 18) readonly buffer Light { CloudLight value; } cloud_light;
 layout(set = 0, binding = 19) uniform sampler2D cloud_phase_lut;
 layout(scalar, set = 0, binding = 8) readonly buffer Directions { vec4 values[]; } directions;
@@ -38,6 +39,9 @@ layout(push_constant, scalar) uniform Push {
 const float kOpaque = 2e-3;     // a transmittance that hides what is behind
 const uint kMostSteps = 4096u;  // along a ray
 const float kStepDepth = 1.0;   // scaled, the most of a step
+const float kEdgeDepth = 0.1;   // likewise where the cloud begins or ends
+const float kSunStep = 1.0;     // scaled, the most by which the depth toward the sun may change along a step
+const float kShaded = 5.0;      // where it is more than this, no sunlight is left that counts
 const float kLeastStep = 0.15;  // of `step`
 const float kSheet = 0.2;       // depth of a stretch that is seen through one length of air, over its distance
 
@@ -58,11 +62,10 @@ vec4 source_block(uint block, vec3 place) {
   return textureLod(cloud_source_lut, vec3(x, y, place.z), 0.0);
 }
 
-// `last`: the last block there.
-CloudSource source_at(vec3 place, vec4 last) {
+CloudSource source_at(vec3 place) {
   float values[4u * kCloudBlocks];
   UNROLL for (uint b = 0u; b < kCloudBlocks; b++) {
-    vec4 texel = b + 1u < kCloudBlocks ? source_block(b, place) : last;
+    vec4 texel = source_block(b, place);
     values[4u * b] = texel.x;
     values[4u * b + 1u] = texel.y;
     values[4u * b + 2u] = texel.z;
@@ -81,6 +84,12 @@ CloudSource source_at(vec3 place, vec4 last) {
                           values[kCloudGround + 2u] * seen_harmonics[6],
                       0.0);
   return source;
+}
+
+// Cells of the gaps' grid to the nearest water at least: it may stand two cells nearer than the interpolated gap says.
+float empty_cells(vec3 place, uvec3 cells) {
+  vec2 texel = vec2(cell_texel(place.x, cells.x), cell_texel(place.y, cells.y));
+  return textureLod(cloud_gap_lut, vec3(texel / vec2(cells.xy + 1u), place.z), 0.0).r - 2.0;
 }
 
 // The air before a distance, for a sun of irradiance 1.
@@ -162,38 +171,55 @@ Walk crossed(Walk walk, CloudCrossing span, Ray ray, FactorPlace at, vec3 direct
   if (span.from < span.to) {
     near = density_on_ray(cloud_place(radius, c, scene.camera.altitude, direction, t));
   }
-  vec3 cells = vec3(float(c.coarse_x) / c.width, float(c.coarse_y) / c.depth, float(c.coarse_z) / (c.top - c.base));
+  uvec3 cells = uvec3(textureSize(cloud_gap_lut, 0)) - uvec3(1u, 1u, 0u);
+  vec3 per_km = vec3(cells) / vec3(c.width, c.depth, c.top - c.base);
   for (uint i = 0u; i < kMostSteps && t < span.to && walk.stretch.transmittance > kOpaque; i++) {
-    size = min(size, span.to - t);
-    vec3 middle = cloud_place(radius, c, scene.camera.altitude, direction, t + 0.5 * size);
-    vec4 last = source_block(kCloudBlocks - 1u, middle);
-    // Water may stand two cells nearer than the interpolated gap says.
-    float climb = abs(direction.y) + t / radius;
-    float rate = max(max(abs(direction.x) * cells.x, abs(direction.z) * cells.y), climb * cells.z);
-    float leap = (last.w - 2.0) / rate;
-    if (leap > size) {
-      t += leap;
-      near = 0.0;
-      near_sun = -1.0;
-      size = max(step, t * step_rise);
-      continue;
+    // A loop of its own: lanes that leap do not wait for lanes that gather light.
+    vec3 middle = vec3(0.0);
+    bool leaps = true;
+    while (leaps && t < span.to) {
+      size = min(size, span.to - t);
+      middle = cloud_place(radius, c, scene.camera.altitude, direction, t + 0.5 * size);
+      float climb = abs(direction.y) + t / radius;
+      float leap = empty_cells(middle, cells) / max(max(abs(direction.x) * per_km.x, abs(direction.z) * per_km.y),
+                                                    climb * per_km.z);
+      leaps = leap > size;
+      if (leaps) {
+        t += leap;
+        near = 0.0;
+        near_sun = -1.0;
+        size = max(step, t * step_rise);
+      }
+    }
+    if (leaps) {
+      break;
     }
     vec3 end = cloud_place(radius, c, scene.camera.altitude, direction, t + size);
     float far = density_on_ray(end);
     float depth = 0.5 * (near + far) * c.scale * size;
     float least = min(size, max(step * kLeastStep, t * step_rise * kLeastStep));
-    if (depth > kStepDepth && size > least) {
-      size = max(least, size * max(kStepDepth / depth, 0.25));
+    // Where the cloud begins or ends, a line between the step's ends is far from its density.
+    float most = min(near, far) > 0.0 ? kStepDepth : kEdgeDepth;
+    if (depth > most && size > least) {
+      size = max(least, size * max(most / depth, 0.25));
       continue;
     }
     // As loops: a processor runs the code of a branch that none takes, but no turn of a loop.
     uint meets = depth > 0.0 ? 1u : 0u;
+    float far_sun = near_sun;
     for (uint turn = 0u; turn < meets; turn++) {
-      CloudSource source = source_at(middle, last);
       if (near_sun < 0.0) {
-        near_sun = c.scale * near_sun_depth(cloud_place(radius, c, scene.camera.altitude, direction, t));
+        near_sun = c.scale * sun_depth_at(cloud_place(radius, c, scene.camera.altitude, direction, t));
       }
-      float far_sun = c.scale * near_sun_depth(end);
+      far_sun = c.scale * sun_depth_at(end);
+    }
+    float shade = abs(far_sun - near_sun);
+    if (meets > 0u && shade > kSunStep && min(near_sun, far_sun) < kShaded && size > least) {
+      size = max(least, size * max(kSunStep / shade, 0.25));
+      continue;
+    }
+    for (uint turn = 0u; turn < meets; turn++) {
+      CloudSource source = source_at(middle);
       float passed = -log(walk.stretch.transmittance) + 0.5 * (depth + near_sun + far_sun);
       walk.start = walk.stretch.before == walk.stretch.transmittance ? t : walk.start;
       walk.stretch = with_cloud_step(walk.stretch, source, phase_behind(at.nu, passed), near_sun, far_sun, depth,

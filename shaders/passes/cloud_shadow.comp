@@ -7,7 +7,7 @@
 #include "shared/cloud_volume.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(set = 0, binding = 2) uniform writeonly image3D shadow_out;
+layout(set = 0, binding = 2, rgba32f) uniform writeonly image3D shadow_out;
 layout(push_constant, scalar) uniform Push { uint parts; };  // of a layer
 
 void main() {

@@ -1,8 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // What a cloud's coarse cells send, as an image of blocks side by side (shared/cloud_blocks.glsl): the sun's light by
-// harmonic, that of sky and ground in harmonics 0, 2 and 6, found on coarser cells, and the distance to the nearest
-// cell that holds water, in cells.
+// harmonic, that of sky and ground in harmonics 0, 2 and 6, found on coarser cells.
 #include "shared/cloud_cells.glsl"
 #include "shared/cloud_blocks.glsl"
 
@@ -11,7 +10,6 @@ layout(scalar, set = 0, binding = 2) readonly buffer Scattering { CloudScatterin
 layout(scalar, set = 0, binding = 3) readonly buffer Sun { float values[]; } sun;
 layout(scalar, set = 0, binding = 4) readonly buffer Sky { float values[]; } sky;
 layout(scalar, set = 0, binding = 5) readonly buffer Ground { float values[]; } ground;
-layout(scalar, set = 0, binding = 6) readonly buffer Gaps { float values[]; } gaps;
 layout(set = 0, binding = 7, rgba32f) uniform writeonly image3D source_out;
 layout(push_constant, scalar) uniform Push {
   uvec3 size;
@@ -50,8 +48,8 @@ float value_of(uint i, uvec3 cell) {
   if (i < kCloudSky) {
     return scattering.value.kept[i] * sun.values[i * (size.x * size.y * size.z) + index];
   }
-  if (i == kCloudGap) {
-    return gaps.values[index];
+  if (i >= kCloudGround + 3u) {
+    return 0.0;
   }
   uint rest = (i - kCloudSky) % 3u;
   uint q = rest == 0u ? 0u : (rest == 1u ? 2u : 6u);

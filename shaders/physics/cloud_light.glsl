@@ -18,7 +18,7 @@
 // and extinction' takes the rest. At no depth it is the whole phase function, which [NT88] take at all depths (TMS).
 //
 // [W77] Wiscombe, J. Atmos. Sci. 34, 1408; [NT88] Nakajima and Tanaka, JQSRT 40, 51;
-// [GS40] Goudsmit and Saunderson, Phys. Rev. 57, 24.
+// [GS40] Goudsmit and Saunderson, Phys. Rev. 57, 24; [LMM87] Larsen, Morel and Miller, J. Comput. Phys. 69, 283.
 
 // Real spherical harmonics up to degree 2, orthonormal, by i = l (l + 1) + m; d: of length 1.
 real cloud_harmonic(uint i, vec3 d) {
@@ -51,13 +51,25 @@ struct CellLight {
   real leaving;  // at its far side
 };
 
-// Light that enters a cell with `entering` and crosses the optical depth `depth`. What it loses or gains on the way is
-// depth times (mean - source), so no light is made or lost whatever the depth.
-CellLight through_cell(real entering, real source, real depth) {
-  real share = mean_transmittance(depth);
+// What a source's slope adds to the light that leaves a cell, over the slope: 1 - m (1 + depth / 2), m the mean
+// transmittance. Divided by the depth, so that it keeps its digits in thin cells.
+real slope_share(real depth, real m) {
+  if (depth < 0.1) {
+    return depth * (1.0 / 12.0 - depth * (1.0 / 24.0 - depth / 80.0));
+  }
+  return (1.0 - m * (1.0 + 0.5 * depth)) / depth;
+}
+
+// Light that enters a cell with `entering` and crosses the optical depth `depth`. The source rises by `slope` along the
+// way, `source` in its middle: where a cell is many free paths thick, light that leaves is the source near its far
+// side, and a source that is even in the cell would carry light half a cell too far [LMM87]. What the light loses or
+// gains on the way is depth times (mean - source), so no light is made or lost whatever the depth.
+CellLight through_cell(real entering, real source, real slope, real depth) {
+  real m = mean_transmittance(depth);
+  real lag = slope * slope_share(depth, m);
   CellLight light;
-  light.mean = source + (entering - source) * share;
-  light.leaving = entering + (source - entering) * (depth * share);
+  light.mean = source + (entering - source) * m - lag;
+  light.leaving = entering + ((source - entering) * m + lag) * depth;
   return light;
 }
 

@@ -2,4 +2,3 @@
 const uint kCloudBlocks = 4u;
 const uint kCloudSky = 9u;      // first of three values of the sky's light, after nine of the sun's
 const uint kCloudGround = 12u;  // likewise of the ground's
-const uint kCloudGap = 15u;

@@ -14,6 +14,9 @@
 #include <numeric>
 #include <random>
 
+#include "core/air/air.h"
+#include "core/clouds/cloud_grid.h"
+#include "core/clouds/cloud_phase.h"
 #include "core/plan/bytes.h"
 #include "tests/shared_executor.h"
 
@@ -300,6 +303,27 @@ TEST(CloudLight, TurnsUpsideDown) {
   EXPECT_GT(mean_of(fluxes(upright, true, kOfGround)), 0.2);
 }
 
+// How the source of an ordinate rises along its way through a cell: toward each face that the way goes to, half a cell
+// off, where diffusion through both cells carries the same flux.
+double host_slope(const CloudCells& c, const std::vector<double>& source, const physics::vec3& d, std::size_t at) {
+  const std::size_t plane = std::size_t{c.nx} * c.ny;
+  const std::size_t i = at % c.nx;
+  const std::size_t j = at / c.nx % c.ny;
+  const std::size_t k = at / plane;
+  const std::size_t x = k * plane + j * c.nx + (d.x > 0.0 ? i + 1 : i + c.nx - 1) % c.nx;
+  const std::size_t y = k * plane + (d.y > 0.0 ? j + 1 : j + c.ny - 1) % c.ny * c.nx + i;
+  const bool ends = d.z > 0.0 ? k + 1 == c.nz : k == 0;
+  const std::size_t z = ends ? at : d.z > 0.0 ? at + plane : at - plane;
+  const auto toward = [&](std::size_t other, double part, double cell) {
+    const auto here = static_cast<double>(c.extinction[at]);
+    const auto there = static_cast<double>(c.extinction[other]);
+    return here > 0.0 ? std::abs(part) * (source[other] - source[at]) * here / (here + there) * 2.0 / cell : 0.0;
+  };
+  const double slope = toward(x, d.x, c.cell_x) + toward(y, d.y, c.cell_y) + toward(z, d.z, c.cell_z);
+  const double most = 2.0 * std::max(source[at], 0.0);
+  return std::clamp(slope * c.cell_z / std::abs(d.z), -most, most);
+}
+
 // One sweep of the host in double, cell by cell along each ordinate: moments of the means.
 std::vector<double> host_sweep(const Solved& s, const CloudIncident& incident,
                                const std::vector<std::vector<double>>& sources) {
@@ -329,7 +353,8 @@ std::vector<double> host_sweep(const Solved& s, const CloudIncident& incident,
         const double far = value(i, j + 1.0) * (1.0 - x + i) + value(i + 1.0, j + 1.0) * (x - i);
         const std::size_t cell = k * plane + at;
         const double depth = delta_scale(s.drops) * static_cast<double>(c.extinction[cell]) * way;
-        const auto light = p.through_cell(near * (1.0 - y + j) + far * (y - j), sources[o][cell], depth);
+        const double slope = host_slope(c, sources[o], d, cell);
+        const auto light = p.through_cell(near * (1.0 - y + j) + far * (y - j), sources[o][cell], slope, depth);
         after[at] = light.leaving;
         for (std::size_t q = 0; q < 9; ++q) {
           moments[q * c.count() + cell] += light.mean * ordinates[o].weight * ordinates[o].harmonics[q];
@@ -374,6 +399,88 @@ TEST(CloudLight, DeviceSweepsAsTheHostDoes) {
           std::max(worst, std::abs(moments[n] - static_cast<double>(s.moments.at(static_cast<std::size_t>(of))[n])));
     }
     EXPECT_LT(worst, 1e-4) << "of moments up to 12, light " << of;
+  }
+}
+
+// Even light on a thick slab that scatters evenly and absorbs nothing: the share that diffuses through is
+// 4/3 / (depth + 2 x 0.7104) [CZ67]. Sources that are even in each cell let more through 12 cells.
+TEST(CloudLight, ThickCellsCarryNoLightTooFar) {
+  for (const std::uint32_t layers : {12U, 48U}) {
+    CloudCells cells{.nx = 2, .ny = 2, .nz = layers, .cell_x = 1.0, .cell_y = 1.0, .cell_z = 1.0 / layers};
+    constexpr float kDepth = 96.0F;
+    cells.extinction.assign(cells.count(), kDepth);
+    const Solved s = solve(cells, henyey_greenstein(0.0), 1.0, 400);
+    const double expected = 4.0 / 3.0 / (static_cast<double>(kDepth) + 1.4208);
+    EXPECT_NEAR(mean_of(fluxes(s, false, kOfSky)) / pi / expected, 1.0, layers < 48 ? 0.15 : 0.03) << layers;
+  }
+}
+
+// The mean over each cell of what is linear between the cells' middles, by points.
+TEST(CloudLight, MeansBetweenAreMeans) {
+  const CloudCells cells = broken_cloud(7, 6, 5);
+  CloudGrid grid;
+  grid.nx = static_cast<int>(cells.nx);
+  grid.ny = static_cast<int>(cells.ny);
+  grid.nz = static_cast<int>(cells.nz);
+  grid.cell_x = cells.cell_x;
+  grid.cell_y = cells.cell_y;
+  grid.top = cells.cell_z * cells.nz;
+  grid.repeats = true;
+  grid.extinction = cells.extinction;
+  const CloudCells means = means_between(cells);
+  constexpr int kPoints = 8;
+  for (std::size_t at = 0; at < cells.count(); ++at) {
+    double sum = 0.0;
+    for (int n = 0; n < kPoints * kPoints * kPoints; ++n) {
+      const auto place = [&](std::size_t cell, int part) {
+        return static_cast<double>(cell) + (part % kPoints + 0.5) / kPoints;
+      };
+      sum +=
+          grid.at(place(at % cells.nx, n) * cells.cell_x, place(at / cells.nx % cells.ny, n / kPoints) * cells.cell_y,
+                  place(at / cells.nx / cells.ny, n / kPoints / kPoints) * cells.cell_z);
+    }
+    EXPECT_NEAR(static_cast<double>(means.extinction[at]), sum / (kPoints * kPoints * kPoints), 1e-4) << at;
+  }
+}
+
+// Light scattered once behind a forward peak that has spread, against the series by the closed moments g^l.
+TEST(CloudPhase, SpreadsThePeakAsTheSeriesSays) {
+  constexpr double kG = 0.85;
+  constexpr double kAlbedo = 0.95;
+  Cloud cloud;
+  cloud.phase = CloudPhase::henyey_greenstein;
+  cloud.phase_g = kG;
+  cloud.single_scattering_albedo = kAlbedo;
+  const Air air({cloud_medium(cloud, Spectrum{})}, Planet{});
+  physics::Physics p = air.formulas();
+  const std::vector<device::vec3> rows = cloud_phase_rows(p, kAlbedo, kCloudDegree);
+  const physics::CloudPhysics formulas;
+  const double peak = kG * kG * kG;
+  const double scale = 1.0 - kAlbedo * peak;
+  for (const std::uint32_t row : {0U, 5U, 12U, 23U}) {
+    const double share = row / 23.0;
+    const double depth = 9.0 * share * share / scale;
+    for (const std::size_t i : {0U, 40U, 90U, 140U, 400U, 900U}) {
+      const double x = static_cast<double>(i) / (physics::kPhaseSamples - 1);
+      const double angle = pi * x * x;
+      if (i >= physics::kPhaseSamples || (angle > 0.10 && angle < 0.29)) {
+        continue;  // between both, where one fades into the other
+      }
+      double sum = 0.0;
+      double before = 0.0;
+      double now = 1.0;
+      for (int l = 0; l < 400; ++l) {
+        const double chi = std::pow(kG, l);
+        const double lost = l > kCloudDegree && angle < 0.2 ? std::exp(-kAlbedo * (peak - chi) * depth) : 1.0;
+        sum += (2 * l + 1) / (4.0 * pi) * chi * now * lost;
+        const double after = ((2 * l + 1) * std::cos(angle) * now - l * before) / (l + 1);
+        before = now;
+        now = after;
+      }
+      const double expected = sum * kAlbedo / scale;
+      EXPECT_NEAR(static_cast<double>(rows[row * physics::kPhaseSamples + i].y), expected, 0.015 * expected + 1e-5)
+          << "row " << row << ", " << angle * 180.0 / pi << " degrees";
+    }
   }
 }
 

@@ -1,8 +1,11 @@
 // Clouds in pictures by `orders`: level clouds against adding and doubling, what stands behind them, and what is
 // refused.
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "core/clouds/cloud_grid.h"
 #include "core/error.h"
 #include "tests/methods/path_trace_scene.h"
 #include "tests/methods/render_fixture.h"
@@ -90,6 +93,125 @@ TEST(CloudPicture, LevelCloudsMeetAddingAndDoubling) {
       EXPECT_NEAR(found / expected, 1.0, depth < 1.0 ? 0.18 : 0.045) << depth << " " << sun;
     }
   }
+}
+
+// A ball that fades outward, in a field that repeats itself.
+std::shared_ptr<CloudFile> ball() {
+  constexpr int kSide = 20;
+  auto contents = std::make_shared<CloudFile>();
+  contents->nx = contents->ny = kSide;
+  contents->nz = 10;
+  contents->dx = contents->dy = contents->dz = 0.1;
+  contents->lowest = 1.05;
+  for (int k = 0; k < contents->nz; ++k) {
+    for (int j = 0; j < kSide; ++j) {
+      for (int i = 0; i < kSide; ++i) {
+        const double r = std::hypot(i + 0.5 - 10.0, j + 0.5 - 10.0, 1.4 * (k + 0.5 - 5.0)) / 6.0;
+        contents->extinction.push_back(static_cast<float>(15.0 * std::clamp(3.0 * (1.0 - r), 0.0, 1.0)));
+      }
+    }
+  }
+  contents->identity = "ball";
+  return contents;
+}
+
+// The optical depth from a place above level ground, km east, north and up, by short steps.
+double depth_from(const CloudGrid& grid, const physics::vec3& from, const physics::vec3& d, double limit) {
+  constexpr double kStep = 0.008;
+  double depth = 0.0;
+  for (double t = 0.5 * kStep; t < limit; t += kStep) {
+    depth += kStep * grid.at(from.x + t * d.x, from.y + t * d.y, from.z + t * d.z);
+  }
+  return depth;
+}
+
+// Sunlight scattered once, by a matter that scatters little: against the integral of the grid's own extinction along
+// the ray and toward the sun.
+TEST(CloudPicture, SunlightScatteredOnceIsItsIntegral) {
+  constexpr double kAlbedo = 1e-3;
+  constexpr double kStep = 0.016;
+  Scene scene = under_level_cloud(1.0, std::sin(radians(35.0)));
+  Cloud& cloud = scene.clouds.front();
+  cloud.contents = ball();
+  cloud.phase_g = 0.0;
+  cloud.single_scattering_albedo = kAlbedo;
+  scene.camera.altitude = 0.2;
+  const CloudGrid grid = cloud_grid(cloud);
+  const physics::vec3 to_sun(0.0, std::cos(radians(35.0)), std::sin(radians(35.0)));  // azimuth 0: north
+  std::vector<Direction> directions;
+  std::vector<double> truth;
+  double seen = 0.0;
+  for (const double elevation : {25.0, 40.0, 55.0, 70.0, 85.0}) {
+    for (const double azimuth : {10.0, 100.0, 170.0, 250.0}) {
+      const double across = std::cos(radians(elevation));
+      const physics::vec3 d(across * std::sin(radians(azimuth)), across * std::cos(radians(azimuth)),
+                            std::sin(radians(elevation)));
+      double depth = 0.0;
+      double light = 0.0;
+      for (double t = 0.5 / d.z; t < 2.0 / d.z && depth < 9.0; t += kStep) {
+        const physics::vec3 at = d * t + physics::vec3(0.0, 0.0, 0.2);
+        const double here = kStep * grid.at(at.x, at.y, at.z);
+        if (here > 0.0) {
+          light += here * std::exp(-depth - 0.5 * here - depth_from(grid, at, to_sun, (2.0 - at.z) / to_sun.z));
+          depth += here;
+        }
+      }
+      directions.push_back({radians(elevation), radians(azimuth)});
+      truth.push_back(light * kAlbedo / (4.0 * std::numbers::pi));
+      seen += truth.back();
+    }
+  }
+  const std::vector<ProbeResult> results = probe_now(scene, directions);
+  double error = 0.0;
+  double found = 0.0;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    const double value = results[i].radiance[1] / scene.sun.irradiance[1];
+    found += value;
+    error += std::abs(value - truth[i]);
+    if (truth[i] > seen / static_cast<double>(truth.size())) {
+      EXPECT_NEAR(value, truth[i], 0.3 * truth[i]) << i;
+    }
+  }
+  std::printf("scattered once: bias %+.2f %%, error %.2f %%\n", 100.0 * (found / seen - 1.0), 100.0 * error / seen);
+  EXPECT_NEAR(found / seen, 1.0, 0.08);
+  EXPECT_LT(error / seen, 0.09);
+}
+
+// The cloud's shadow on white ground, which shows the table of the sun's depth alone, against the integral through the
+// grid from each place on the ground.
+TEST(CloudPicture, ItsShadowIsTheSunsDepth) {
+  Scene scene = under_level_cloud(1.0, std::sin(radians(35.0)));
+  Cloud& cloud = scene.clouds.front();
+  cloud.contents = ball();
+  cloud.phase_g = 0.0;
+  cloud.single_scattering_albedo = 1e-3;
+  scene.camera.altitude = 0.2;
+  scene.planet.ground_albedo = {1.0, 1.0, 1.0};
+  const CloudGrid grid = cloud_grid(cloud);
+  const physics::vec3 to_sun(0.0, std::cos(radians(35.0)), std::sin(radians(35.0)));
+  std::vector<Direction> directions;
+  std::vector<double> truth;
+  for (int i = 0; i < 60; ++i) {
+    const double elevation = -9.0 - i % 12 * 6.0;
+    const double azimuth = 10.0 + i * 67.0;
+    const double reach = 0.2 / std::tan(radians(-elevation));
+    const physics::vec3 place(reach * std::sin(radians(azimuth)), reach * std::cos(radians(azimuth)), 0.0);
+    directions.push_back({radians(elevation), radians(azimuth)});
+    truth.push_back(std::exp(-depth_from(grid, place, to_sun, 2.0 / to_sun.z)));
+  }
+  const std::vector<ProbeResult> results = probe_now(scene, directions);
+  double error = 0.0;
+  double seen = 0.0;
+  int shaded = 0;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    const double lit = results[i].radiance[1] / scene.sun.irradiance[1] * std::numbers::pi / to_sun.z;
+    error += std::abs(lit - truth[i]);
+    seen += truth[i];
+    shaded += truth[i] > 0.02 && truth[i] < 0.98 ? 1 : 0;
+  }
+  std::printf("shadow: %d of 60 between light and shade, error %.2f %%\n", shaded, 100.0 * error / seen);
+  EXPECT_GE(shaded, 5);
+  EXPECT_LT(error / seen, 0.012);  // linear steps through the table: 0.021
 }
 
 // A cloud without water is no cloud; one that is thick hides the sun's disc.

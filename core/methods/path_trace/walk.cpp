@@ -5,8 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/methods/path_trace/analyser.h"
-#include "core/methods/path_trace/phase_sampling.h"
+#include "core/methods/path_trace/walk_vertex.h"
 
 namespace airlight {
 
@@ -14,14 +13,6 @@ using physics::uint;
 using physics::vec3;
 
 namespace {
-
-// Shares of the directions at a vertex: around the sun where a peaked medium scatters (its light was scattered forward
-// before), by the sky guide, and the rest by the phase functions around the path. The values give the least variance in
-// trials.
-constexpr double kTowardSun = 0.3;  // times the share of peaked media
-constexpr double kTowardSky = 0.8;
-constexpr double kTowardSkyPeaked = 0.2;
-constexpr double kTowardSkyGround = 0.8;
 
 // Vertices up to this order are guided. Later ones go by physics alone, where collisions and phase functions leave
 // weights nearly equal: over the dozens of orders of thick air the errors even of a good guide would multiply. Where
@@ -47,35 +38,6 @@ double largest_ratio(vec3 a, vec3 b) {
 }
 
 }  // namespace
-
-struct Walk::State {
-  double h;
-  vec3 up;
-  vec3 direction;
-  double mu_sun;
-  bool at_ground = false;
-  ThingNumber thing = kNoThing;  // at_ground: on this
-  bool mirrors = false;
-  vec3 normal = vec3(0.0);  // of ground or thing
-  vec3 albedo = vec3(0.0);
-  Wide wide_albedo;  // at all wavelengths, if there are any
-  Analyser<vec3> analyser = {};
-  vec3 axis = vec3(0.0);     // of the analyser
-  vec3 dipoles = vec3(0.0);  // coefficient of the molecules here that polarise
-  vec3 carry = vec3(1.0);    // transmittances and coefficients so far, over the density of their choices
-  std::array<vec3, physics::kMaxMedia> scattering;  // of each medium here, 1/km
-  Columns densities{};                              // of each medium here
-  vec3 sum = vec3(0.0);                             // sunlight sent back along the path
-  // The vertex from the planet's centre. A vertex on terrain is moved so far up that the terrain does not hide what is
-  // before it.
-  vec3 place(const physics::PlanetData& planet) const {
-    const vec3 point = up * (planet.ground_radius + h);
-    return off_thing(point, thing);
-  }
-  double sun_share = 1.0;       // of the sunlight at the vertex, the part that the path itself brings
-  FlightPlan* aside = nullptr;  // scratch memory among clouds
-  WidePath* wide = nullptr;     // if set, replaces `sum` with all wavelengths; the channels above then only steer
-};
 
 Walk::Walk(physics::Physics& physics, const OpticalDepth& depth, const SingleScattering& single, const Flight& flight,
            const SkyGuide& guide, int max_orders, const TracedThings* things, const TracedClouds* clouds)
@@ -182,19 +144,6 @@ std::optional<TracedThings::Met> Walk::cut_at_things(vec3 place, vec3 direction,
     ray.at_ground = false;
   }
   return met;
-}
-
-// Ends the ray where it meets a cloud's drop before the thing.
-void Walk::meet_clouds(vec3 place, vec3 direction, physics::Physics::Ray& ray, std::optional<TracedThings::Met>& met,
-                       Random& random) const {
-  if (clouds_ == nullptr || !(ray.length_ > 0.0)) {
-    return;
-  }
-  if (const auto drop = clouds_->collide(place, direction, ray.length_, random)) {
-    met = TracedThings::Met{drop->distance, thing_of_cloud(drop->cloud)};
-    ray.length_ = drop->distance;
-    ray.at_ground = false;
-  }
 }
 
 // Without `sun_weight`: not guided.
@@ -332,13 +281,6 @@ vec3 Walk::from_sun(const State& state, Random& random) const {
   return arrives * scattered;
 }
 
-// An estimate of the sunlight's share that passes the clouds on its way to the vertex, times `sun_share`.
-double Walk::through_clouds(const State& state, Random& random) const {
-  constexpr double kFar = 1e5;  // km
-  return state.sun_share *
-         clouds_->transmittance(state.place(physics_.scene.planet), physics_.scene.sun.direction, kFar, random);
-}
-
 // Adds from_sun() at all wavelengths to their sums.
 void Walk::add_from_sun(const State& state, Random& random) const {
   const Sunbeam sun = sunbeam(physics_, state.h, state.mu_sun);
@@ -366,149 +308,6 @@ void Walk::add_from_sun(const State& state, Random& random) const {
     state.wide->add_scattered(to_sun, densities, bend_of(state.direction, seen_from(state, sun), state.axis));
   }
 }
-
-// A direction in which a vertex may continue a path.
-struct Walk::Choice {
-  vec3 direction;
-  vec3 scattered;     // coefficient times phase function back along the path, or the ground's counterpart
-  double density;     // 1/sr
-  double sun_weight;  // phase function from there to the sun, 1 for isotropic
-};
-
-// The directions in which a vertex may continue a path, and their densities.
-class Walk::Lobes {
- public:
-  // Without `guided`: only the phase functions, or the cosine.
-  // `first_cloud`: the first medium of a cloud.
-  Lobes(physics::Physics& physics, const PhaseSampler& phases, const SkyGuide& guide, const State& state, bool guided,
-        uint first_cloud)
-      : physics_(physics),
-        phases_(phases),
-        guide_(guide),
-        state_(state),
-        frame_(physics, state.h, state.up, state.at_ground),
-        first_cloud_(first_cloud) {
-    if (state.at_ground) {
-      toward_sky_ = guided ? kTowardSkyGround : 0.0;
-      weight_ = channels_of(state.carry * state.albedo);
-      return;
-    }
-    vec3 scattering(0.0);
-    double peaked = 0.0;
-    double all = 0.0;
-    for (uint i = 0; i < count(); ++i) {
-      along_path_[i] = dot(state.carry, state.scattering[i]);
-      scattering = scattering + state.scattering[i];
-      all += along_path_[i];
-      peaked += phases.is_peaked(i) ? along_path_[i] : 0.0;
-    }
-    weight_ = channels_of(state.carry * scattering);
-    const double whole = weight_[0] + weight_[1] + weight_[2];
-    if (whole > 0.0) {
-      const vec3 shares(weight_[0] / whole, weight_[1] / whole, weight_[2] / whole);
-      analyser_ = {dot(state.analyser.q, shares), dot(state.analyser.u, shares)};
-    }
-    peaked /= all;
-    const double toward_sun = guided ? kTowardSun * peaked : 0.0;
-    toward_sky_ = guided ? kTowardSky * (1.0 - peaked) + kTowardSkyPeaked * peaked : 0.0;
-    for (uint i = 0; i < count(); ++i) {
-      mix_[i] = along_path_[i] / all;
-      // Peaked media may be absent where the vertex lies.
-      const bool guides = peaked > 0.0 && phases.is_peaked(i);
-      around_sun_[i] = guides ? mix_[i] / peaked * toward_sun : 0.0;
-      along_path_[i] *= (1.0 - toward_sun - toward_sky_) / all;
-    }
-  }
-
-  // True for a black place of a map.
-  bool send_nothing() const { return weight_[0] + weight_[1] + weight_[2] <= 0.0; }
-
-  vec3 draw_direction(double u, double turn, Random& random) const {
-    if (state_.at_ground) {
-      if (u < toward_sky_) {
-        return guide_.draw_direction(frame_, weight_, u / toward_sky_, turn);
-      }
-      return around(state_.normal, std::sqrt((1.0 - u) / (1.0 - toward_sky_)), turn);
-    }
-    const uint n = count();
-    const auto weight = [&](std::size_t k) {
-      return k == 0 ? toward_sky_ : k <= n ? along_path_[k - 1] : around_sun_[k - 1 - n];
-    };
-    const std::size_t lobe = draw(2 * n + 1, weight, u);
-    if (lobe == 0) {
-      return guide_.draw_direction(frame_, weight_, u, turn);
-    }
-    const uint chosen = static_cast<uint>(lobe - 1) % n;
-    const double nu = chosen < first_cloud_ ? phases_.sample(chosen, u, random)
-                                            : phases_.sample_by(carried(chosen), chosen, u, random);
-    if (lobe > n) {
-      return around(physics_.scene.sun.direction, nu, turn);
-    }
-    vec3 next = around(state_.direction, nu, turn);
-    while (polarises(chosen) && !(2.0 * random.uniform() < evenness(chosen, next))) {
-      next = around(state_.direction, nu, random.uniform());
-    }
-    return next;
-  }
-
-  Choice judge(const vec3& direction) const {
-    const double to_sun = std::clamp(dot(direction, physics_.scene.sun.direction), -1.0, 1.0);
-    const double from_sky = toward_sky_ > 0.0 ? guide_.density(frame_, weight_, direction) : 0.0;
-    if (state_.at_ground) {
-      const double cosine = std::max(dot(direction, state_.normal), 0.0) / std::numbers::pi;
-      return {direction, state_.albedo * cosine, toward_sky_ * from_sky + (1.0 - toward_sky_) * cosine, 1.0};
-    }
-    const Bend bend = bend_of(state_.direction, direction, state_.axis);
-    const double turned = bend.nu;
-    Choice choice{direction, state_.analyser.correction(bend, state_.dipoles), toward_sky_ * from_sky, 0.0};
-    for (uint i = 0; i < count(); ++i) {
-      const double toward_sun = phases_.density(i, to_sun, physics_.medium_phase(i, to_sun));
-      const vec3 phase = physics_.medium_phase(i, turned);
-      const double around_path = i < first_cloud_ || along_path_[i] <= 0.0
-                                     ? phases_.density(i, turned, phase)
-                                     : phases_.density_by(carried(i), i, turned, phase);
-      const double along = around_path + (polarises(i) ? uneven(i, bend) : 0.0);
-      choice.density += along_path_[i] * along + around_sun_[i] * toward_sun;
-      choice.scattered = choice.scattered + state_.scattering[i] * phase;
-      choice.sun_weight += mix_[i] * toward_sun * 4.0 * std::numbers::pi;
-    }
-    return choice;
-  }
-
- private:
-  uint count() const { return physics_.medium_count(); }
-  // What the medium scatters of each channel's light.
-  Channels carried(uint i) const { return channels_of(state_.carry * state_.scattering[i]); }
-
-  // Whether the medium scatters unevenly around the path, whose end tells polarised light.
-  bool polarises(uint i) const {
-    return (analyser_.q != 0.0 || analyser_.u != 0.0) && physics_.polarised() && physics_.is_molecular(i);
-  }
-
-  // What a molecule's density has beyond the mean around the path, 1/sr.
-  double uneven(uint i, const Bend& bend) const {
-    return analyser_.correction(bend, physics_.kDipole * phases_.dipole_share(i));
-  }
-
-  // How likely a molecule's lobe takes a direction over the mean around the path: 0 to 2.
-  double evenness(uint i, const vec3& direction) const {
-    const Bend bend = bend_of(state_.direction, direction, state_.axis);
-    return 1.0 + uneven(i, bend) / phases_.density(i, bend.nu, physics_.medium_phase(i, bend.nu));
-  }
-
-  physics::Physics& physics_;
-  Analyser<double> analyser_;  // mean of the channels, by the light that they carry
-  const PhaseSampler& phases_;
-  const SkyGuide& guide_;
-  const State& state_;
-  SkyFrame frame_;
-  uint first_cloud_;
-  Channels weight_;
-  double toward_sky_ = 0.0;
-  std::array<double, physics::kMaxMedia> along_path_{};
-  std::array<double, physics::kMaxMedia> around_sun_{};
-  std::array<double, physics::kMaxMedia> mix_{};
-};
 
 // Chooses a direction and plans the flight along it; false where the path ends.
 bool Walk::turn(State& state, bool guided, WalkNumbers& numbers, FlightPlan& plan) const {
@@ -554,47 +353,6 @@ void Walk::set_out(State& state, const Choice& choice, double density) const {
   state.carry = state.carry * choice.scattered / density;
 }
 
-uint Walk::first_cloud() const {
-  return physics_.medium_count() - static_cast<uint>(clouds_ == nullptr ? 0 : clouds_->count());
-}
-
-// Density of directions by the clouds' phase functions around the sun, 1/sr.
-double Walk::toward_sun(const vec3& direction) const {
-  const double nu = std::clamp(dot(direction, physics_.scene.sun.direction), -1.0, 1.0);
-  double sum = 0.0;
-  for (uint i = first_cloud(); i < physics_.medium_count(); ++i) {
-    sum += phases_.density(i, nu, physics_.medium_phase(i, nu));
-  }
-  return sum / clouds_->count();
-}
-
-// The sun's light that the next vertex scatters straight on: directions around the sun find it, those of the path
-// hardly ever. Both share it by the balance heuristic (Veach and Guibas 1995).
-void Walk::look_toward_sun(State& state, const Lobes& lobes, Random& random) const {
-  const uint cloud = first_cloud() + static_cast<uint>(random.uniform() * clouds_->count());
-  const double nu = phases_.sample(cloud, random.uniform(), random);
-  const Choice choice = lobes.judge(around(physics_.scene.sun.direction, nu, random.uniform()));
-  const double density = choice.density + toward_sun(choice.direction);
-  if (!(density > 0.0) || !(std::max({choice.scattered.x, choice.scattered.y, choice.scattered.z}) > 0.0)) {
-    return;
-  }
-  State probe = state;
-  std::optional<WidePath> wide;
-  if (state.wide != nullptr) {
-    probe.wide = &wide.emplace(*state.wide);
-  }
-  probe.sun_share = 1.0;
-  set_out(probe, choice, density);
-  take_off(probe, std::nullopt, random, *state.aside);
-  if (fly(probe, *state.aside, random.uniform())) {
-    add_sunlight(probe, random);
-  }
-  state.sum = probe.sum;
-  if (wide) {
-    state.wide->take_sum(*wide);
-  }
-}
-
 // Turns as a mirror does.
 void Walk::reflect(State& state, bool guided, Random& random, FlightPlan& plan) const {
   state.direction = mirrored_at(state.direction, state.normal);
@@ -638,50 +396,6 @@ void Walk::add_sunlight(State& state, Random& random) const {
   } else {
     state.sum = state.sum + from_sun(state, random);
   }
-}
-
-// Along the first ray, which ends at another drop each time. False where there is no vertex.
-bool Walk::fly_among_clouds(State& state, const WalkStart& start, WalkNumbers& numbers, FlightPlan& plan) const {
-  physics::Physics::Ray ray = start.ray;
-  const vec3 place = start.up * (physics_.scene.planet.ground_radius + ray.h);
-  std::optional<TracedThings::Met> met;
-  if (start.plan.thing != kNoThing) {
-    met = TracedThings::Met{ray.length_, start.plan.thing};
-  }
-  meet_clouds(place, start.direction, ray, met, numbers.random());
-  plan_flight(ray, place, start.direction, met, std::nullopt, plan);
-  return fly(state, plan, numbers.next());
-}
-
-Walk::Left Walk::follow(const WalkStart& start, WalkNumbers& numbers, FlightPlan& plan,
-                        const std::function<void(vec3 place, double share)>& lost) const {
-  constexpr double kFaint = 0.01;  // less is dropped or raised to this, by chance
-  State state;
-  state.h = start.ray.h;
-  state.up = start.up;
-  state.direction = start.direction;
-  state.axis = start.axis;
-  const auto left = [&] { return Left{state.place(physics_.scene.planet), state.direction, state.carry.x}; };
-  bool met = fly_among_clouds(state, start, numbers, plan);
-  for (int order = 1; met && order < kMostScatterings; ++order) {
-    const double before = state.carry.x;
-    double scattered = 0.0;
-    for (uint i = 0; i < physics_.medium_count(); ++i) {
-      scattered += state.scattering[i].x;
-    }
-    lost(state.place(physics_.scene.planet), before * (1.0 - scattered));
-    if (state.carry.x < kFaint) {
-      if (!(numbers.random().uniform() * kFaint < state.carry.x)) {
-        return {left().place, state.direction, 0.0};
-      }
-      state.carry = vec3(kFaint);
-    }
-    if (!turn(state, false, numbers, plan)) {
-      return {left().place, state.direction, 0.0};
-    }
-    met = fly(state, plan, numbers.next());
-  }
-  return left();
 }
 
 void Walk::walk(State& state, const WalkStart& start, WalkNumbers& numbers, FlightPlan& plan) const {
