@@ -1,11 +1,15 @@
 // The night sky: its parts against what is known of them, and the pictures against the formulas in double.
 
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "core/night/background.h"
 #include "core/night/night_air.h"
 #include "core/post/night_sky.h"
+#include "core/render/spectrum.h"
 #include "core/scene/photometry.h"
 #include "tests/methods/render_fixture.h"
 #include "tests/methods/spectral_scene.h"
@@ -39,11 +43,50 @@ TEST(NightSky, IsAsDarkAsParanals) {
   EXPECT_NEAR(zenith_magnitude(-30.0), 21.5, 0.3);
 }
 
+// Response of the V band (Bessell, Publications of the Astronomical Society of the Pacific 102 (1990) 1181), every 20 nm
+// from 480.
+constexpr std::array<double, 11> kVBand{0.030, 0.458, 0.967, 0.973, 0.792, 0.574, 0.359, 0.197, 0.081, 0.025, 0.013};
+
+// Magnitudes a square arc second (V) of sunlight at the zenith of the preset `paranal`: the sun's is -26.76.
+double twilight_magnitude(double sun_elevation_deg) {
+  Scene scene = resolve(load_preset(AIRLIGHT_SOURCE_DIR "/presets/paranal.json"), method_infos());
+  scene.sun.elevation = sun_elevation_deg * kDegree;
+  scene.night_sky.reset();
+  scene.stars.reset();
+  std::vector<double> nm;
+  for (std::size_t i = 0; i < kVBand.size(); ++i) {
+    nm.push_back(480.0 + 20.0 * static_cast<double>(i));
+  }
+  const SpectralProbes found = probe_spectrum([]() -> Executor& { return executor(); }, scene,
+                                              {{0.5 * std::numbers::pi, 0.0}}, listed_nodes(nm, 10.0));
+  double sky = 0.0;
+  double sun = 0.0;
+  for (std::size_t i = 0; i < kVBand.size(); ++i) {
+    sky += kVBand[i] * nm[i] * found.directions.front().radiance[i];
+    sun += kVBand[i] * nm[i] * found.wavelengths.sunlight[i];
+  }
+  const double square_second = std::pow(std::numbers::pi / 180.0 / 3600.0, 2);
+  return -26.76 - 2.5 * std::log10(sky / sun * square_second);
+}
+
 // Patat, Ugolnikov and Postylyakov, Astronomy and Astrophysics 455 (2006) 385: the zenith at Paranal in V as the sun
-// goes down. From 12 degrees down airglow and starlight flatten the curve as they do there; before that twilight is
-// scattered sunlight, which comes out too dark (core/NIGHT.md).
+// goes down, twilight and the dark sky's 21.52 together. core/NIGHT.md says what each part of that air does.
+TEST(NightSky, HasParanalsTwilight) {
+  const std::vector<std::pair<double, double>> measured{{-9.062, 17.04},  {-10.022, 17.86}, {-10.926, 18.72},
+                                                        {-11.885, 19.51}, {-12.844, 20.25}, {-13.746, 20.78},
+                                                        {-14.816, 21.19}};
+  double sum = 0.0;
+  for (const auto& [sun, magnitude] : measured) {
+    const double light = std::pow(10.0, -0.4 * twilight_magnitude(sun)) + std::pow(10.0, -0.4 * 21.52);
+    const double off = -2.5 * std::log10(light) - magnitude;
+    EXPECT_LT(std::abs(off), 0.25) << sun << " " << off;
+    sum += std::abs(off) / static_cast<double>(measured.size());
+  }
+  EXPECT_LT(sum, 0.15);
+}
+
+// From 13 degrees down airglow and starlight flatten the curve as they do there.
 TEST(NightSky, EndsTheTwilight) {
-  EXPECT_NEAR(zenith_magnitude(-12.844), 20.25, 0.35);  // 0.30 too dark
   EXPECT_NEAR(zenith_magnitude(-13.746), 20.78, 0.25);
   EXPECT_NEAR(zenith_magnitude(-14.816), 21.19, 0.25);
   EXPECT_NEAR(zenith_magnitude(-16.784), 21.44, 0.25);
