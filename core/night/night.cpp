@@ -54,10 +54,16 @@ class Colours {
   double one_;
 };
 
-// The middle of a texel of the map, in the preset's frame.
-vec3 texel_direction(physics::Physics& p, physics::uint column, physics::uint row) {
-  return p.direction_from_angles(pi * (0.5 - (row + 0.5) / physics::kNightRows),
-                                 2.0 * pi * (column + 0.5) / physics::kNightColumns);
+// The middle of a texel of the map, in the preset's frame, and the solid angle that it stands for, up to a factor.
+struct MapTexel {
+  vec3 direction;
+  double weight;
+};
+MapTexel map_texel(physics::Physics& p, physics::uint column, physics::uint row) {
+  const auto across = [](physics::uint i) { return 2.0 * i / (physics::kNightSide - 1.0) - 1.0; };
+  const vec3 point = p.octahedral_direction(across(column), across(row));
+  const double length = physics::length(point);
+  return {point / length, std::pow(length, -3.0)};
 }
 
 // Zodiacal light and faint stars, in stars of 10th magnitude a square degree.
@@ -127,11 +133,11 @@ void add_background(Night& night, const Scene& scene, const Air& air, const Colo
   const vec3 one = colours.as_sunlight(kS10) * light_passed(scene.camera);
   vec3 sum(0.0);
   double weights = 0.0;
-  for (physics::uint row = 0; row < physics::kNightRows; ++row) {
-    for (physics::uint column = 0; column < physics::kNightColumns; ++column) {
-      const vec3 direction = texel_direction(p, column, row);
-      night.beyond.push_back(one * beyond_the_air(wish, frame, sun, direction));
-      const double weight = direction.y > 0.0 ? std::hypot(direction.x, direction.z) : 0.0;
+  for (physics::uint row = 0; row < physics::kNightSide; ++row) {
+    for (physics::uint column = 0; column < physics::kNightSide; ++column) {
+      const MapTexel texel = map_texel(p, column, row);
+      night.beyond.push_back(one * beyond_the_air(wish, frame, sun, texel.direction));
+      const double weight = texel.direction.y > 0.0 ? texel.weight : 0.0;
       sum = sum + night.beyond.back() * weight;
       weights += weight;
     }

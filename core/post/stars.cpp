@@ -30,8 +30,9 @@ std::vector<StarPixel> star_pixels(physics::Physics& p, const Scene& scene, cons
   const bool round = scene.camera.projection == Projection::equirectangular;
   const auto& camera = p.scene.camera;
   std::map<std::pair<int, int>, vec3> pixels;
+  const BentSky sky(p);
   for (const NightStar& star : night.stars) {
-    const SeenDirection seen = seen_direction(p, star.direction);
+    const SeenDirection seen = sky.seen(star.direction);
     const auto at = p.pixel_of(camera, projection, seen.direction);
     if (!at.in_front || !(std::abs(at.x) < 1e6 && std::abs(at.y) < 1e6)) {
       continue;
