@@ -9,6 +9,7 @@
 #include "core/night/background.h"
 #include "core/night/celestial.h"
 #include "core/night/night_air.h"
+#include "core/night/planets.h"
 #include "core/night/stars.h"
 #include "core/scene/photometry.h"
 #include "core/spectra/data.h"
@@ -111,16 +112,24 @@ std::vector<NightStar> stars_of(const Scene& scene, const Colours& colours, cons
     }));
   }
   std::vector<NightStar> stars;
-  for (const CatalogueStar& star : bright_stars()) {
-    if (star.magnitude > scene.stars->magnitude_limit) {
-      break;
-    }
+  const auto add = [&](const CatalogueStar& star, std::string_view name) {
     const double x = std::clamp((star.colour - kBluest) / kStep, 0.0, kColours - 1.001);
     const auto i = static_cast<std::size_t>(x);
     const double u = x - static_cast<double>(i);
     const vec3 colour = of_colour[i] * (1.0 - u) + of_colour[i + 1] * u;
-    stars.push_back(
-        {frame.apparent(star.j2000), colour * (star_illuminance(star.magnitude) * light_passed(scene.camera))});
+    stars.push_back({frame.apparent(star.j2000),
+                     colour * (star_illuminance(star.magnitude) * light_passed(scene.camera)), name, star.magnitude});
+  };
+  for (const CatalogueStar& star : bright_stars()) {
+    if (star.magnitude > scene.stars->magnitude_limit) {
+      break;
+    }
+    add(star, star_name(star));
+  }
+  for (const PlanetInSky& planet : planets_at(scene.camera.julian_date)) {
+    if (planet.star.magnitude <= scene.stars->magnitude_limit) {
+      add(planet.star, planet.name);
+    }
   }
   return stars;
 }
@@ -151,6 +160,16 @@ void add_background(Night& night, const Scene& scene, const Air& air, const Colo
     night.scattered.push_back(scattered * mean);
   }
   night.ground = lit.ground * mean;
+  if (wish.light_pollution > 0.0) {
+    const NightAir towns = night_air(air, camera, NightSource::ground);
+    const vec3 lamps = colours.of(wish.light_pollution * light_passed(scene.camera), [&](const WaveBand& band) {
+      return lamp_light(wish.lamps, 0.5 * (band.low + band.high));
+    });
+    for (std::size_t i = 0; i < night.scattered.size(); ++i) {
+      night.scattered[i] = night.scattered[i] + towns.scattered[i] * lamps;
+    }
+    night.ground = night.ground + towns.ground * lamps;
+  }
 }
 
 }  // namespace
