@@ -28,11 +28,10 @@ real lit_profile(SunData ball, vec3 direction) {
 
 // Radiance of the disc over that at its centre, or, of a lit ball, over the mean.
 real profile_of_disc(SunData sun, vec3 direction) {
-  if (disc_is_lit()) {
-    return lit_profile(sun, direction);
+  if (disc_is_covered() && length(direction - sun.lit_from) < sun.lit_scale) {
+    return 0.0;
   }
-  real whole = disc_profile(sun, length(direction - sun.direction));
-  return disc_is_covered() && length(direction - sun.lit_from) < sun.lit_scale ? 0.0 : whole;
+  return disc_is_lit() ? lit_profile(sun, direction) : disc_profile(sun, length(direction - sun.direction));
 }
 
 // The direction turned down by a small angle.

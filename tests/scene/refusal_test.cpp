@@ -60,7 +60,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{R"("night_sky": {"airglow": -1})", "/night_sky/airglow: -1 is outside 0 to 10000"},
         Case{R"("night_sky": {"light_pollution_cd_per_m2": 2000})",
              "/night_sky/light_pollution_cd_per_m2: 2000 is outside 0 to 1000 cd/m2"},
-        Case{R"("night_sky": {"lamps": "neon"})", "/night_sky/lamps: \"neon\" is not one of \"led\", \"sodium\""},
+        Case{R"("night_sky": {"lamps": "neon"})", "/night_sky/lamps: \"neon\" is unknown; expected one of \"led\", \"sodium\""},
         Case{R"("display": {"rods": true, "view": "gpu"})",
              "/display/rods: the view \"gpu\" does not know the eye's rods; take another view, or false"},
         Case{R"("camera": {"julian_date": 1e6})",
