@@ -292,10 +292,8 @@ MomentSettings moment_settings(const Air& air, const MomentRequest& request) {
   return settings;
 }
 
-void add_moment_constants(std::vector<Specialization>& constants, const MomentSettings& settings,
-                          std::optional<int> source_degree) {
+void add_moment_constants(std::vector<Specialization>& constants, const MomentSettings& settings) {
   constants.push_back({"kMomentDegree", static_cast<std::uint32_t>(settings.degree)});
-  constants.push_back({"kSourceDegree", static_cast<std::uint32_t>(source_degree.value_or(settings.degree))});
   constants.push_back({"kDeltaScaled", settings.delta ? 1u : 0u});
   constants.push_back({"kMomentPolarised", settings.polarised ? 1u : 0u});
   constants.push_back(
@@ -360,7 +358,7 @@ ImageId add_order(Bake& bake, const std::string& name, ImageId before, const Ord
   }
   const ImageId out = bake.plan.add_image({.name = name, .extent = atlas_extent(bake.settings), .key = {}});
   std::vector<Specialization> constants = sunlight_specialization(bake.plan, bake.air, bake.sunlight);
-  add_moment_constants(constants, bake.settings, way.degree);
+  add_moment_constants(constants, bake.settings);
   constants.push_back({"kFirstOrder", before == bake.sunlight ? 1u : 0u});
   bake.plan.add_pass({.name = name,
                       .shader = "orders_bake",
@@ -370,7 +368,8 @@ ImageId add_order(Bake& bake, const std::string& name, ImageId before, const Ord
                       .writes = {{"order_out", out}, {"sums", bake.sums}},
                       .grid = {kThreads, columns, static_cast<std::uint32_t>(bake.settings.size[1])},
                       .push_constants = {static_cast<std::uint32_t>((q.up + q.down) * q.half_azimuths),
-                                         static_cast<std::uint32_t>((q.steps + 1) / 2), columns},
+                                         static_cast<std::uint32_t>((q.steps + 1) / 2), columns,
+                                         static_cast<std::uint32_t>(way.degree)},
                       .specialization = std::move(constants),
                       .cost = 2.0 * (q.up + q.down) * q.half_azimuths * q.steps / kThreads});
   return out;

@@ -59,9 +59,7 @@ ImageId add_sun_table(Plan& plan, const Air& air, const MomentSettings& settings
 // sun table.
 ImageId add_moments(Plan& plan, const Air& air, ImageId sunlight, const MomentSettings& settings);
 
-// kMomentDegree, kSourceDegree, kMomentScattered, kMomentPolarised, kDeltaScaled, kMomentColumns, kMomentRows,
-// kShellRows. `source_degree`: absent, that of the moments.
-void add_moment_constants(std::vector<Specialization>& constants, const MomentSettings& settings,
-                          std::optional<int> source_degree = {});
+// kMomentDegree, kMomentScattered, kMomentPolarised, kDeltaScaled, kMomentColumns, kMomentRows, kShellRows.
+void add_moment_constants(std::vector<Specialization>& constants, const MomentSettings& settings);
 
 }  // namespace airlight

@@ -54,9 +54,10 @@ struct Maker {
   std::vector<Specialization> constants;
   ImageId open;
 
-  // `key`: empty for a table that only others are made from.
+  // `before`: the shares of the round before; in the first round they are not read. `key`: empty for a table that only
+  // others are made from.
   ImageId add(const std::string& name, const LightGrid& grid, ImageId before, std::uint32_t first_layer,
-              std::uint32_t fills, const std::string& key = {}) {
+              bool first_round, const std::string& key = {}) {
     const std::uint32_t rows = grid.rows * (physics::kLightLayers + 1 - first_layer);
     const ImageId out =
         plan.add_image({.name = name, .extent = {2 * grid.columns, rows, 1}, .key = key, .stored = !key.empty()});
@@ -68,7 +69,7 @@ struct Maker {
                    .reads = std::move(all),
                    .writes = {{"shares_out", out}},
                    .grid = {physics::kLightDirections, grid.columns, rows},
-                   .push_constants = {grid.columns, grid.rows, first_layer, fills},
+                   .push_constants = {grid.columns, grid.rows, first_layer, first_round ? 1U : 0U},
                    .specialization = constants,
                    .cost = 60.0});
     return out;
@@ -105,13 +106,13 @@ ThingLight add_thing_light(Plan& plan, const Part& part, const Light& light, con
   Maker maker{plan, part, light.reads(), light.constants, add_open_light(plan, light, things)};
   maker.reads.insert(maker.reads.end(), things.reads.begin(), things.reads.end());
   maker.constants.insert(maker.constants.end(), things.constants.begin(), things.constants.end());
-  ImageId shares = maker.add("thing_light_0", air, light.moments, 0, 1);
+  ImageId shares = light.moments;
   for (std::uint32_t round = 1; round <= kRounds; ++round) {
     const bool last = round == kRounds;
-    shares = maker.add("thing_light_" + std::to_string(round), air, shares, 0, 0,
+    shares = maker.add("thing_light_" + std::to_string(round), air, shares, 0, round == 1,
                        last ? light_key(plan, part, "thing_light", air, light) : std::string());
   }
-  return {shares, maker.add("thing_light_slopes", slopes, shares, physics::kLightLayers, 0,
+  return {shares, maker.add("thing_light_slopes", slopes, shares, physics::kLightLayers, false,
                             light_key(plan, part, "thing_light_slopes", slopes, light))};
 }
 

@@ -189,39 +189,20 @@ ThingPass pass_of(Plan& plan, const Part& part, const View& view, const Light& l
   return pass;
 }
 
-// Adds the pass; where a ray is little work and the picture worth a second pipeline in two, of the pixels of one ray
-// and of those of several.
-void add_pixels(Plan& plan, PassDesc pass, bool in_two) {
-  if (!in_two) {
-    pass.specialization.push_back({"kThingPixels", physics::kThingPixelsAll});
-    plan.add_pass(std::move(pass));
-    return;
-  }
-  PassDesc edges = pass;
-  pass.specialization.push_back({"kThingPixels", physics::kThingPixelsEven});
-  plan.add_pass(std::move(pass));
-  edges.name += "_edges";
-  edges.specialization.push_back({"kThingPixels", physics::kThingPixelsEdges});
-  edges.cost *= 16.0;
-  plan.add_pass(std::move(edges));
-}
-
 }  // namespace
 
 void add_things_sky(Plan& plan, const Part& part, const View& view, const SkyTarget& target, const Light& light) {
   ThingPass found = pass_of(plan, part, view, light);
   found.reads.push_back({"directions", target.directions});
   found.constants.push_back({"kProjection", target.projection});
-  add_pixels(plan,
-             {.name = "sky",
-              .shader = found.tables ? "sky_things_tables" : "sky_things",
-              .reads = std::move(found.reads),
-              .writes = {{"radiance_out", target.radiance}},
-              .grid = target.grid,
-              .push_constants = {target.grid.width, target.grid.height, found.steps},
-              .specialization = std::move(found.constants),
-              .cost = found.tables ? 40.0 : 3.0 * ray_cost(found.steps)},
-             found.tables && view.directions.empty());
+  plan.add_pass({.name = "sky",
+                 .shader = found.tables ? "sky_things_tables" : "sky_things",
+                 .reads = std::move(found.reads),
+                 .writes = {{"radiance_out", target.radiance}},
+                 .grid = target.grid,
+                 .push_constants = {target.grid.width, target.grid.height, found.steps},
+                 .specialization = std::move(found.constants),
+                 .cost = found.tables ? 40.0 : 3.0 * ray_cost(found.steps)});
 }
 
 BufferId add_things_layers(Plan& plan, const Part& part, const View& view, const Light& light) {
@@ -232,15 +213,13 @@ BufferId add_things_layers(Plan& plan, const Part& part, const View& view, const
   }
   const Extent grid = picture_grid(part.scene, view);
   const BufferId planes = add_layer_planes(plan, part, view);
-  add_pixels(plan,
-             {.name = "layers",
-              .shader = found.tables ? "layers_things_tables" : "layers_things",
-              .reads = std::move(found.reads),
-              .writes = {{"layers_out", planes}},
-              .grid = grid,
-              .push_constants = {grid.width, grid.height, found.steps},
-              .specialization = std::move(found.constants)},
-             found.tables);
+  plan.add_pass({.name = "layers",
+                 .shader = found.tables ? "layers_things_tables" : "layers_things",
+                 .reads = std::move(found.reads),
+                 .writes = {{"layers_out", planes}},
+                 .grid = grid,
+                 .push_constants = {grid.width, grid.height, found.steps},
+                 .specialization = std::move(found.constants)});
   return planes;
 }
 

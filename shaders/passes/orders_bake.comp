@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // Moments of one order of scattering at each node of the table: one workgroup a node, threads share the directions.
 // Writes the order's own table (log form, the next order reads it) and adds the order to the sums.
+#define AIRLIGHT_DEGREE_PUSHED
 #include "shared/device.glsl"
 #include "shared/tables.glsl"
 #include "shared/moment_table.glsl"
@@ -20,7 +21,11 @@ layout(push_constant, scalar) uniform Push {
   uint directions;
   uint panels;  // of two nodes; by shells unused
   uint suns;    // columns of the table that are gathered
+  uint degree;  // of what the order takes from the one before, and keeps; at most the table's
 };
+
+// Pushed, so that all orders after the first are one pipeline.
+uint source_degree() { return degree; }
 
 const uint kThreads = 64u;
 const uint kAtOnce = 16u;  // moments, each summed over the threads by one of them
@@ -73,7 +78,7 @@ void main() {
   MomentState state = moment_state(scene.moments, float(node.x) / float(kMomentColumns - 1u),
                                    float(node.y) / float(kMomentRows - 1u));
   vec3 moments[kMaxMoments + 1u];
-  for (uint k = 0u; k <= moment_count(); k++) {
+  UNROLL for (uint k = 0u; k <= kMaxMoments; k++) {
     moments[k] = vec3(0.0);
   }
   float sin_sun = sqrt(max(1.0 - state.mu_sun * state.mu_sun, 0.0));
@@ -92,8 +97,11 @@ void main() {
     }
     vec3 radiance = light.i * weight;
     Harmonics y = harmonics(mu, q.z);
-    for (uint k = 0u; k < moment_place(source_degree() + 1u, 0u); k++) {
-      moments[k] += radiance * y.of[k];
+    // Written out, or a software device keeps the sums in memory and steps through its lanes for each.
+    UNROLL for (uint k = 0u; k < kMaxHarmonics; k++) {
+      if (k < harmonic_count()) {
+        moments[k] += radiance * y.of[k];
+      }
     }
     if (polarised()) {
       Quadrupole a = quadrupole(mu, q.z);

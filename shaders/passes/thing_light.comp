@@ -3,6 +3,7 @@
 // The shares of light among terrain (physics/thing_light.glsl) in a grid: one workgroup a texel, one thread a
 // direction.
 #define AIRLIGHT_COARSE_SLOPES
+#define AIRLIGHT_IN_ROUNDS
 #include "shared/device.glsl"
 #include "shared/tables.glsl"
 #include "shared/moment_table.glsl"
@@ -46,8 +47,10 @@ layout(push_constant, scalar) uniform Push {
   uint columns;
   uint rows;
   uint first_layer;  // kLightLayers: the surface alone
-  uint fills;        // 1: the grid before the first round, in which terrain changes nothing
+  uint first_round;  // 1: there are no shares yet
 };
+
+bool is_first_round() { return first_round != 0u; }
 
 shared vec3 among_along[kLightDirections];
 shared vec3 open_along[kLightDirections];
@@ -64,7 +67,7 @@ void main() {
   vec2 at = map_from_grid(t, grid);
   Place place = place_in_grid(scene.planet, scene.camera.altitude, grid, layer);
   bool edge = cell.x == 0u || cell.y == 0u || cell.x + 1u == columns || cell.y + 1u == rows;
-  if (fills == 0u && !edge) {
+  if (!edge) {
     LightFrom light = light_from(scene.planet, scene.moments, scene.camera.altitude, scene.sun, place, i);
     vec3 direction = light_direction(i, scene.sun.direction);
     vec3 along = vec3(light_weight(i));
@@ -87,7 +90,7 @@ void main() {
     vec3 b = vec3(0.0);
     vec3 c = vec3(0.0);
     vec3 d = vec3(0.0);
-    if (fills == 0u && !edge) {
+    if (!edge) {
       for (uint k = 0u; k < kLightDirections; k++) {
         a += among_along[k];
         b += open_along[k];

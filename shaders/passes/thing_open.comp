@@ -47,13 +47,23 @@ void main() {
   Phases p = phases(ray.nu);
   SkyFactors factors = no_air();
   float from = 0.0;
-  for (uint slice = 0u; slice <= kOpenSlices; slice++) {
+  // The whole ray is one more turn of the loop, so that the code of a march stands once.
+  for (uint slice = 0u; slice <= kOpenSlices + 1u; slice++) {
+    bool whole = slice > kOpenSlices;
     float to = clamp(open_distance(reach, float(slice)), from, max(ray.length_, 0.0));
-    if (to > from) {
-      factors = joined(factors, scene_air_factors(part_of_ray(scene.planet, ray, from, to), 2u));
+    Ray part = ray;
+    if (!whole) {
+      part = part_of_ray(scene.planet, ray, from, to);
+    }
+    if (whole || to > from) {
+      SkyFactors air = scene_air_factors(part, whole ? steps : 2u);
+      if (whole) {
+        factors = no_air();
+      }
+      factors = joined(factors, air);
+      factors.diffuse += whole ? scene_ground_light(ray, air.transmittance) : vec3(0.0);
     }
     from = to;
     store_slice(factors, p, i, row, slice);
   }
-  store_slice(scene_sky_factors(ray, steps), p, i, row, kOpenSlices + 1u);
 }

@@ -215,7 +215,7 @@ DiffuseAir diffuse_air(Densities d, Phases p) {
 // The sum with what the moments of degree l scatter into the harmonics' direction, over the isotropic moment. Degrees
 // here and media above are gone through by calls: one run of spirv-opt writes out no loop in a loop.
 vec3 with_degree(vec3 sum, uint l, uint most, MomentCoordinate c, DiffuseAir air, Harmonics y) {
-  if (l <= most) {
+  if (l <= moment_degree() && l <= most) {
     uint k = moment_place(l, 0u);
     vec3 part = fetch_moment(k, c.x, c.y) * y.of[k];
     UNROLL for (uint m = 1u; m <= l; m++) {

@@ -21,6 +21,17 @@ SkyFactors scene_air_factors(Ray ray, uint steps) {
   return air_factors(scene.planet, scene.moments, ray, steps);
 }
 
+// Light of the ground at the end of a ray that meets it, through air of this transmittance; else none.
+vec3 scene_ground_light(Ray ray, vec3 transmittance) {
+  if (!ray.at_ground || ray.length_ < 0.0) {
+    return vec3(0.0);
+  }
+  if (shell_rows() > 0u) {
+    return shell_ground_light(scene.planet, scene.moments, ray, transmittance);
+  }
+  return ground_light(scene.planet, scene.moments, ray, transmittance);
+}
+
 // Factors of the air, and the ground's light apart.
 struct ApartFactors {
   SkyFactors air;
@@ -30,13 +41,6 @@ struct ApartFactors {
 ApartFactors scene_apart_factors(Ray ray, uint steps) {
   ApartFactors apart;
   apart.air = scene_air_factors(ray, steps);
-  apart.ground = vec3(0.0);
-  if (ray.at_ground && ray.length_ >= 0.0) {
-    if (shell_rows() > 0u) {
-      apart.ground = shell_ground_light(scene.planet, scene.moments, ray, apart.air.transmittance);
-    } else {
-      apart.ground = ground_light(scene.planet, scene.moments, ray, apart.air.transmittance);
-    }
-  }
+  apart.ground = scene_ground_light(ray, apart.air.transmittance);
   return apart;
 }

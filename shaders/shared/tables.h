@@ -57,11 +57,6 @@ const uint kHasTerrain = 1u;
 const uint kHasSpheres = 2u;
 const uint kHasGroundMaps = 4u;  // planet.albedo_map, planet.ocean
 
-// Pixels of a pass over things.
-const uint kThingPixelsAll = 0u;
-const uint kThingPixelsEven = 1u;   // of one ray
-const uint kThingPixelsEdges = 2u;  // of several
-
 // Shadows of things in the air. To the march all but none are the same.
 const uint kShaftsNone = 0u;
 const uint kShaftsFroxels = 1u;

@@ -14,11 +14,21 @@ vec4 share_texel(uint block, uint layer, vec2 place) {
   return textureLod(shares_lut, at / size, 0.0);
 }
 
+#ifdef AIRLIGHT_IN_ROUNDS
+// The shares are those of the round before; before the first, terrain changes nothing. The includer defines:
+bool is_first_round();
+
+vec3 fetch_share(uint block, uint layer, vec2 place) {
+  return is_first_round() ? vec3(1.0) : share_texel(block, layer, place).rgb;
+}
+#else
 vec3 fetch_share(uint block, uint layer, vec2 place) { return share_texel(block, layer, place).rgb; }
+#endif
+
 float fetch_base(vec2 place) { return share_texel(0u, kLightLayers, place).a; }
 
 #ifdef AIRLIGHT_COARSE_SLOPES
-vec3 fetch_slope_share(vec2 place) { return share_texel(0u, kLightLayers, place).rgb; }
+vec3 fetch_slope_share(vec2 place) { return fetch_share(0u, kLightLayers, place); }
 #else
 layout(set = 0, binding = 20) uniform sampler2D slopes_lut;
 

@@ -433,6 +433,7 @@ Outcome method_case(std::uint64_t seed, const fs::path& folder) {
   for (const SkyMethod& method : methods()) {
     const std::string name(method.info.name);
     const auto part = [&](const std::string& what, const std::function<std::string(const Scene&)>& work) {
+      const double before = processor_seconds();
       const Outcome done = guarded([&]() -> std::string {
         Preset preset = parse_preset(text, "fuzz", {});
         apply_override(preset, "/render={\"method\": " + json_string(name) +
@@ -441,6 +442,7 @@ Outcome method_case(std::uint64_t seed, const fs::path& folder) {
         fill_maps(scene, seed);
         return work(scene);
       });
+      outcome.seconds = std::max(outcome.seconds, processor_seconds() - before);
       outcome.refused = outcome.refused && done.refused;
       outcome.fault = outcome.fault.empty() && !done.fault.empty() ? name + ", " + what + done.fault : outcome.fault;
       outcome.message += done.message.empty() ? "" : name + ": " + done.message + " | ";

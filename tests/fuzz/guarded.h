@@ -1,6 +1,8 @@
 #pragma once
 // What a case may throw, as its outcome.
 
+#include <sys/resource.h>
+
 #include <exception>
 #include <filesystem>
 #include <string>
@@ -13,6 +15,16 @@
 #include "tests/fuzz/random.h"
 
 namespace airlight::fuzz {
+
+// Of this process so far.
+inline double processor_seconds() {
+  struct rusage used = {};
+  ::getrusage(RUSAGE_SELF, &used);
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return seconds(used.ru_utime) + seconds(used.ru_stime);
+}
 
 // Why a message is none for people; empty: it is.
 std::string fault_of_message(const std::string& message);

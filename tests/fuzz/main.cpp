@@ -19,6 +19,7 @@
 
 #include "tests/fuzz/cases.h"
 #include "tests/fuzz/file_cases.h"
+#include "tests/fuzz/guarded.h"
 
 namespace airlight::fuzz {
 namespace {
@@ -31,20 +32,8 @@ long most_kilobytes(const std::string& kind) {
   return kind == "exrs" ? 512L << 10 : 1L << 20;
 }
 
-// Time of the processor that a case may take; not by the clock, since other programs run too. A case of `methods` is
-// some twenty pictures, tables and composites.
-double most_seconds(const std::string& kind) {
-  return kind == "methods" ? 180.0 : 60.0;
-}
-
-double processor_seconds() {
-  struct rusage used = {};
-  ::getrusage(RUSAGE_SELF, &used);
-  const auto seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  };
-  return seconds(used.ru_utime) + seconds(used.ru_stime);
-}
+// Time of the processor that a picture may take; not by the clock, since other programs run too.
+constexpr double kMostSeconds = 60.0;
 
 constexpr std::array<std::string_view, 6> kKinds{"texts", "exrs", "scenes", "files", "plates", "methods"};
 
@@ -103,8 +92,9 @@ void work(const Order& order, Shared& shared, Clock::time_point start, const fs:
     if (outcome.fault.empty() && used.ru_maxrss > most_kilobytes(order.kind)) {
       outcome.fault = "took " + std::to_string(used.ru_maxrss >> 10) + " MiB";
     }
-    if (outcome.fault.empty() && processor_seconds() - before > most_seconds(order.kind)) {
-      outcome.fault = "took " + std::to_string(processor_seconds() - before) + " s of the processor";
+    const double seconds = outcome.seconds > 0.0 ? outcome.seconds : processor_seconds() - before;
+    if (outcome.fault.empty() && seconds > kMostSeconds) {
+      outcome.fault = "took " + std::to_string(seconds) + " s of the processor";
     }
     if (since(began) > shared.slowest) {
       shared.slowest = since(began);
