@@ -142,7 +142,8 @@ int check_presets(const CheckGiven& given) {
       complain(checked.problems);
     }
     if (good && !given.quiet && !given.json) {
-      print(checked.source + ": good\n" + (given.verbose ? describe(checked.scene) + stars_text(checked.scene) : std::string()));
+      print(checked.source + ": good\n" +
+            (given.verbose ? describe(checked.scene) + stars_text(checked.scene) : std::string()));
     }
   }
   json.end_array().end_object();
@@ -180,7 +181,9 @@ Command check_command() {
       allow_files_option(given->allow_files),
       {"--json", "", "Print one JSON object: each preset, whether it is good, and its problems", &given->json},
       {"-q,--quiet", "", "Print nothing about good presets but warnings", &given->quiet},
-      {"-v,--verbose", "", "Also print the resolved scene with its units, and the planets and bright stars that its picture shows", &given->verbose}};
+      {"-v,--verbose", "",
+       "Also print the resolved scene with its units, and the planets and bright stars that its picture shows",
+       &given->verbose}};
   command.run = [given] { return check_presets(*given); };
   return command;
 }

@@ -248,7 +248,7 @@ struct PicturePng::State {
   QuantizeOptions pixels;
   float bloom_intensity = 0.0F;
   double seen_by_rods = 0.0;  // cd/m2 of (1, 1, 1); 0: not
-  int y = 0;  // of the next row
+  int y = 0;                  // of the next row
 };
 
 PicturePng::PicturePng(PngRows::Sink sink, const PictureContext& context,

@@ -126,9 +126,7 @@ BentSky::BentSky(physics::Physics& p) {
   // Seen elevations, dense above the horizon, where light just passes the ground.
   constexpr int kRows = 160;
   const double horizon = std::asin(p.horizon_mu(planet, g)) + 1e-7;
-  const auto bending = [&](double seen) {
-    return p.bending_to_top(planet, g, std::sin(seen), physics::kBendingSteps);
-  };
+  const auto bending = [&](double seen) { return p.bending_to_top(planet, g, std::sin(seen), physics::kBendingSteps); };
   for (int i = 0; i < kRows; ++i) {
     const double x = static_cast<double>(i) / (kRows - 1);
     const double seen = horizon + (0.5 * std::numbers::pi - horizon) * x * x;
@@ -145,8 +143,8 @@ SeenDirection BentSky::seen(const vec3& direction) const {
     return {direction, 1.0};
   }
   const double elevation = std::atan2(direction.y, level);
-  const auto above = std::clamp(std::ranges::upper_bound(rows_, elevation, {}, &Row::elevation), rows_.begin() + 1,
-                                rows_.end() - 1);
+  const auto above =
+      std::clamp(std::ranges::upper_bound(rows_, elevation, {}, &Row::elevation), rows_.begin() + 1, rows_.end() - 1);
   const Row& low = *(above - 1);
   const double u = std::clamp((elevation - low.elevation) / (above->elevation - low.elevation), 0.0, 1.0);
   const double up = elevation + low.lift + u * (above->lift - low.lift);

@@ -57,7 +57,8 @@ class EvenSky {
     return values[index(i)] * (1.0 - u) + values[index(i + 1)] * u;
   }
 
-  // Radiance of an order along a ray, out of the mean radiance of the order before; of the first, `direct`, the source's.
+  // Radiance of an order along a ray, out of the mean radiance of the order before; of the first, `direct`, the
+  // source's.
   vec3 along(double h, double mu, const std::array<vec3, kAltitudes>& sources, const vec3& ground, bool direct) {
     const auto ray = p_.ray_in_atmosphere(planet_, h, mu, 0.0, 0.0);
     vec3 depth(0.0);

@@ -78,8 +78,7 @@ std::vector<NamedPoint> named_points(const Stage& stage) {
     }
     const auto pixel = p.pixel_of(p.scene.camera, projection, at);
     if (!pixel.in_front || pixel.x < 0.0 || pixel.x >= stage.scene().image.width || pixel.y < 0.0 ||
-        pixel.y >= stage.scene().image.height ||
-        !p.view_ray(p.scene.camera, projection, pixel.x, pixel.y).inside) {
+        pixel.y >= stage.scene().image.height || !p.view_ray(p.scene.camera, projection, pixel.x, pixel.y).inside) {
       continue;
     }
     const double azimuth = std::atan2(at.x, -at.z);

@@ -305,7 +305,8 @@ constexpr auto kRules = std::to_array<Rule>({
            "their spectrum: `led`, white of about 4000 K; `sodium`, high-pressure lamps of about 2000 K"),
 
     number("stars.magnitude_limit", kMagnitude, "", "6.5",
-           "of the faintest star drawn, in V; without `stars` there are none, with `{}` 8874 and five planets, placed by the camera's "
+           "of the faintest star drawn, in V; without `stars` there are none, with `{}` 8874 and five planets, placed "
+           "by the camera's "
            "latitude, longitude and Julian date"),
 
     hinted("below 0 the camera is inside the planet",

@@ -232,11 +232,11 @@ struct SunDisc {
 };
 
 struct Sun {
-  double elevation = 0.0;  // rad
-  double azimuth = 0.0;    // rad, clockwise from north
+  double elevation = 0.0;              // rad
+  double azimuth = 0.0;                // rad, clockwise from north
   Spectrum irradiance{1.0, 1.0, 1.0};  // of the whole disc
   double uncovered = 1.0;              // share of it that the moon leaves
-  SunUnit unit = SunUnit::relative;  // of irradiance; radiance is in this unit per steradian
+  SunUnit unit = SunUnit::relative;    // of irradiance; radiance is in this unit per steradian
   SunDisc disc;
 };
 
