@@ -1,3 +1,5 @@
+#include <array>
+#include <charconv>
 #include <memory>
 #include <sstream>
 #include <utility>
@@ -11,7 +13,10 @@
 #include "core/error.h"
 #include "core/library/built_in.h"
 #include "core/methods/method.h"
+#include "core/methods/ready.h"
 #include "core/output/provenance.h"
+#include "core/post/stars.h"
+#include "core/scene/angle.h"
 #include "core/scene/curve_reader.h"
 #include "core/scene/phase_reader.h"
 #include "core/scene/printable.h"
@@ -47,6 +52,24 @@ void check_names(const Preset& preset, Scene scene, const PictureOptions& option
       throw InputError(place(key) + error.what());
     }
   }
+}
+
+std::string with_places(double value, int places) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, places);
+  return {text.data(), end.ptr};
+}
+
+// Planets and bright stars that the scene's picture shows, a line each.
+std::string stars_text(const Scene& scene) {
+  std::string text;
+  for (const NamedPoint& point : named_points(ready(scene))) {
+    text += "  " + std::string(point.name) + ": V " + with_places(point.magnitude, 2) + ", elevation " +
+            with_places(degrees_from_radians(point.elevation), 2) + " degrees, azimuth " +
+            with_places(degrees_from_radians(point.azimuth), 2) + ", at pixel " + with_places(point.x, 0) + ", " +
+            with_places(point.y, 0) + "\n";
+  }
+  return text.empty() ? text : "in the picture\n" + text;
 }
 
 struct Checked {
@@ -119,7 +142,8 @@ int check_presets(const CheckGiven& given) {
       complain(checked.problems);
     }
     if (good && !given.quiet && !given.json) {
-      print(checked.source + ": good\n" + (given.verbose ? describe(checked.scene) : std::string()));
+      print(checked.source + ": good\n" +
+            (given.verbose ? describe(checked.scene) + stars_text(checked.scene) : std::string()));
     }
   }
   json.end_array().end_object();
@@ -157,7 +181,9 @@ Command check_command() {
       allow_files_option(given->allow_files),
       {"--json", "", "Print one JSON object: each preset, whether it is good, and its problems", &given->json},
       {"-q,--quiet", "", "Print nothing about good presets but warnings", &given->quiet},
-      {"-v,--verbose", "", "Also print the resolved scene with its units", &given->verbose}};
+      {"-v,--verbose", "",
+       "Also print the resolved scene with its units, and the planets and bright stars that its picture shows",
+       &given->verbose}};
   command.run = [given] { return check_presets(*given); };
   return command;
 }

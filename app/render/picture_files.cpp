@@ -8,6 +8,7 @@
 #include "core/output/png.h"
 #include "core/output/provenance_keys.h"
 #include "core/output/quantize.h"
+#include "core/output/rods.h"
 #include "core/output/spectral_layout.h"
 #include "core/scene/angle.h"
 #include "core/scene/json_format.h"
@@ -246,7 +247,8 @@ struct PicturePng::State {
   bool diagnostic = false;
   QuantizeOptions pixels;
   float bloom_intensity = 0.0F;
-  int y = 0;  // of the next row
+  double seen_by_rods = 0.0;  // cd/m2 of (1, 1, 1); 0: not
+  int y = 0;                  // of the next row
 };
 
 PicturePng::PicturePng(PngRows::Sink sink, const PictureContext& context,
@@ -259,7 +261,8 @@ PicturePng::PicturePng(PngRows::Sink sink, const PictureContext& context,
       .png = {std::move(sink), make_pixels(size.width, 0, pixels), size.height, png_options(context, colours)},
       .diagnostic = diagnostic,
       .pixels = pixels,
-      .bloom_intensity = static_cast<float>(context.scene.bloom.intensity)});
+      .bloom_intensity = static_cast<float>(context.scene.bloom.intensity),
+      .seen_by_rods = context.scene.display.rods ? luminance_of_one(context.scene) : 0.0});
   if (transform) {
     state_->display.emplace(*transform, size.width, size.height,
                             [png = &state_->png](const PixelImage& rows) { png->add(rows); });
@@ -274,6 +277,12 @@ void PicturePng::add(const Rendering& rows) {
     AddedLight glow;
     if (rows.bloom) {
       glow = {rows.bloom->rgba.data(), state.bloom_intensity};
+    }
+    if (state.seen_by_rods > 0.0) {
+      RadianceImage seen = rows.radiance;
+      see_by_rods(seen, state.seen_by_rods);
+      state.display->add(seen, glow, static_cast<float>(rows.exposure));
+      return;
     }
     state.display->add(rows.radiance, glow, static_cast<float>(rows.exposure));
     return;

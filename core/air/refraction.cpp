@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/air/air.h"
 #include "core/scene/refractive_index.h"
@@ -114,6 +115,41 @@ SeenDirection seen_direction(physics::Physics& p, const vec3& direction) {
   const double scale = (level * std::cos(angle) - direction.y * std::sin(angle)) / level;
   return {{direction.x * scale, raised(angle), direction.z * scale},
           p.beam_spread(planet, g, raised(angle), bending(angle), slope)};
+}
+
+BentSky::BentSky(physics::Physics& p) {
+  const physics::PlanetData& planet = p.scene.planet;
+  const double g = p.scene.camera.altitude;
+  if (!p.refraction || g > planet.atmosphere_height) {
+    return;
+  }
+  // Seen elevations, dense above the horizon, where light just passes the ground.
+  constexpr int kRows = 160;
+  const double horizon = std::asin(p.horizon_mu(planet, g)) + 1e-7;
+  const auto bending = [&](double seen) { return p.bending_to_top(planet, g, std::sin(seen), physics::kBendingSteps); };
+  for (int i = 0; i < kRows; ++i) {
+    const double x = static_cast<double>(i) / (kRows - 1);
+    const double seen = horizon + (0.5 * std::numbers::pi - horizon) * x * x;
+    const double lift = bending(seen);
+    constexpr double kApart = 1e-4;
+    const double slope = (lift - bending(seen + kApart)) / kApart;
+    rows_.push_back({seen - lift, lift, p.beam_spread(planet, g, std::sin(seen), lift, slope)});
+  }
+}
+
+SeenDirection BentSky::seen(const vec3& direction) const {
+  const double level = std::hypot(direction.x, direction.z);
+  if (rows_.empty() || level < 1e-9) {
+    return {direction, 1.0};
+  }
+  const double elevation = std::atan2(direction.y, level);
+  const auto above =
+      std::clamp(std::ranges::upper_bound(rows_, elevation, {}, &Row::elevation), rows_.begin() + 1, rows_.end() - 1);
+  const Row& low = *(above - 1);
+  const double u = std::clamp((elevation - low.elevation) / (above->elevation - low.elevation), 0.0, 1.0);
+  const double up = elevation + low.lift + u * (above->lift - low.lift);
+  const double scale = std::cos(up) / level;
+  return {{direction.x * scale, std::sin(up), direction.z * scale}, low.spread + u * (above->spread - low.spread)};
 }
 
 }  // namespace airlight

@@ -1,6 +1,8 @@
 #pragma once
 // Air that bends light (shaders/physics/refraction.glsl): its planet and its altitudes become optical.
 
+#include <vector>
+
 #include "core/physics/physics.h"
 #include "core/scene/scene.h"
 
@@ -21,5 +23,20 @@ struct SeenDirection {
   double spread;  // solid angle as it is seen over that above the air, times n^2
 };
 SeenDirection seen_direction(physics::Physics& p, const physics::vec3& direction);
+
+// The same for many directions, by a table over the elevation: within 0.2 arc seconds of it above the horizon.
+class BentSky {
+ public:
+  explicit BentSky(physics::Physics& p);
+  SeenDirection seen(const physics::vec3& direction) const;
+
+ private:
+  struct Row {
+    double elevation;  // above the air, rad
+    double lift;       // rad
+    double spread;
+  };
+  std::vector<Row> rows_;  // empty: nothing is bent
+};
 
 }  // namespace airlight

@@ -53,13 +53,19 @@ void put_picture(physics::Physics& p, const Scene& scene) {
   physics::SunData& sun = p.scene.sun;
   sun.direction = p.direction_from_angles(scene.sun.elevation, scene.sun.azimuth);
   const double passed = light_passed(scene.camera);
-  sun.irradiance = vector_of(scene.sun.irradiance) * passed;
+  sun.irradiance = vector_of(scene.sun.irradiance) * (scene.sun.uncovered * passed);
   sun.angular_radius = scene.sun.disc.angular_radius;
   sun.limb_darkening = scene.sun.disc.limb_darkening;
   sun.disc_radiance = disc_radiance(scene.sun) * passed;
   p.lit_disc = scene.sun.disc.lit.has_value();
   if (p.lit_disc) {
     put_lit_ball(p, scene.sun, sun);
+  }
+  p.covered_disc = scene.sun.disc.cover.has_value();
+  if (p.covered_disc) {
+    const DiscCover& cover = *scene.sun.disc.cover;
+    sun.lit_from = p.direction_from_angles(cover.elevation, cover.azimuth);
+    sun.lit_scale = 2.0 * std::sin(0.5 * cover.angular_radius);
   }
   sun.dispersion = scene.planet.refraction ? vector_of(scene.planet.refraction->dispersion) : vec3(1.0);
   const CameraBasis basis = camera_basis(scene.camera);

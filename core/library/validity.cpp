@@ -19,6 +19,9 @@ const Stage& leading(const Stage& stage) {
   return stage.scene().sun.elevation < kNight && up != stage.others().end() ? *up : stage;
 }
 
+// Of the sun's light. From there on the light that comes from beyond the shadow counts.
+constexpr double kDeepEclipse = 0.05;
+
 std::string methods_that_hold(const Stage& stage) {
   const Scene& scene = stage.scene();
   return joined_of(methods(), [&](const SkyMethod& method) {
@@ -85,6 +88,11 @@ std::vector<std::string> scene_warnings(const Stage& stage, bool error_is_measur
     warnings.insert(warnings.begin(), std::move(claim));
   } else if (std::string failure = error_is_measured ? std::string() : known_failure_warning(stage); !failure.empty()) {
     warnings.insert(warnings.begin(), std::move(failure));
+  }
+  if (const Sun& sun = stage.scene().sun; sun.disc.cover && sun.uncovered < kDeepEclipse) {
+    warnings.push_back("the moon leaves " + rounded(100.0 * sun.uncovered, 2) +
+                       " % of the sun's light here, and everywhere else as much: the air beyond the moon's shadow, "
+                       "which then lights the sky, and the corona are left out");
   }
   const std::vector<std::string> curves = curve_warnings(stage.scene());
   warnings.insert(warnings.end(), curves.begin(), curves.end());

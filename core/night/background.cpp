@@ -191,4 +191,15 @@ const Curve& airglow() {
   return curve;
 }
 
+double lamp_light(Lamps lamps, double nm) {
+  const auto peak = [nm](double height, double middle, double width) {
+    return height * std::exp(-0.5 * (nm - middle) * (nm - middle) / (width * width));
+  };
+  if (lamps == Lamps::led) {
+    return peak(0.85, 450.0, 10.0) + peak(1.0, 578.0, 58.0);
+  }
+  return peak(0.3, 498.0, 3.0) + peak(0.35, 569.0, 3.0) + peak(1.0, 594.0, 18.0) + peak(0.4, 616.0, 4.0) +
+         peak(0.06, 470.0, 50.0);
+}
+
 }  // namespace airlight

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/night/celestial.h"
+#include "core/scene/scene.h"
 #include "core/spectra/curve.h"
 
 namespace airlight {
@@ -26,5 +27,10 @@ double faint_stars(const physics::vec3& j2000);
 // Airglow at the zenith, W/(m2 nm sr): means over 10 nm of the dark sky at Paranal, solar flux 130 (Noll et al.,
 // Astronomy and Astrophysics 543 (2012) A92, by ESO's sky model).
 const Curve& airglow();
+
+// Spectra of lamps, up to a factor, from main features: a white diode's blue peak at 450 nm and its phosphor's wide one
+// at 578; of high-pressure sodium, broad about 594 nm with lines at 498, 569 and 616. Heights and widths are set by the
+// colours of such lamps, of 4000 and 2000 K.
+double lamp_light(Lamps lamps, double nm);
 
 }  // namespace airlight

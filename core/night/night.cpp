@@ -9,6 +9,7 @@
 #include "core/night/background.h"
 #include "core/night/celestial.h"
 #include "core/night/night_air.h"
+#include "core/night/planets.h"
 #include "core/night/stars.h"
 #include "core/scene/photometry.h"
 #include "core/spectra/data.h"
@@ -54,10 +55,16 @@ class Colours {
   double one_;
 };
 
-// The middle of a texel of the map, in the preset's frame.
-vec3 texel_direction(physics::Physics& p, physics::uint column, physics::uint row) {
-  return p.direction_from_angles(pi * (0.5 - (row + 0.5) / physics::kNightRows),
-                                 2.0 * pi * (column + 0.5) / physics::kNightColumns);
+// The middle of a texel of the map, in the preset's frame, and the solid angle that it stands for, up to a factor.
+struct MapTexel {
+  vec3 direction;
+  double weight;
+};
+MapTexel map_texel(physics::Physics& p, physics::uint column, physics::uint row) {
+  const auto across = [](physics::uint i) { return 2.0 * i / (physics::kNightSide - 1.0) - 1.0; };
+  const vec3 point = p.octahedral_direction(across(column), across(row));
+  const double length = physics::length(point);
+  return {point / length, std::pow(length, -3.0)};
 }
 
 // Zodiacal light and faint stars, in stars of 10th magnitude a square degree.
@@ -105,16 +112,24 @@ std::vector<NightStar> stars_of(const Scene& scene, const Colours& colours, cons
     }));
   }
   std::vector<NightStar> stars;
-  for (const CatalogueStar& star : bright_stars()) {
-    if (star.magnitude > scene.stars->magnitude_limit) {
-      break;
-    }
+  const auto add = [&](const CatalogueStar& star, std::string_view name) {
     const double x = std::clamp((star.colour - kBluest) / kStep, 0.0, kColours - 1.001);
     const auto i = static_cast<std::size_t>(x);
     const double u = x - static_cast<double>(i);
     const vec3 colour = of_colour[i] * (1.0 - u) + of_colour[i + 1] * u;
-    stars.push_back(
-        {frame.apparent(star.j2000), colour * (star_illuminance(star.magnitude) * light_passed(scene.camera))});
+    stars.push_back({frame.apparent(star.j2000),
+                     colour * (star_illuminance(star.magnitude) * light_passed(scene.camera)), name, star.magnitude});
+  };
+  for (const CatalogueStar& star : bright_stars()) {
+    if (star.magnitude > scene.stars->magnitude_limit) {
+      break;
+    }
+    add(star, star_name(star));
+  }
+  for (const PlanetInSky& planet : planets_at(scene.camera.julian_date)) {
+    if (planet.star.magnitude <= scene.stars->magnitude_limit) {
+      add(planet.star, planet.name);
+    }
   }
   return stars;
 }
@@ -127,11 +142,11 @@ void add_background(Night& night, const Scene& scene, const Air& air, const Colo
   const vec3 one = colours.as_sunlight(kS10) * light_passed(scene.camera);
   vec3 sum(0.0);
   double weights = 0.0;
-  for (physics::uint row = 0; row < physics::kNightRows; ++row) {
-    for (physics::uint column = 0; column < physics::kNightColumns; ++column) {
-      const vec3 direction = texel_direction(p, column, row);
-      night.beyond.push_back(one * beyond_the_air(wish, frame, sun, direction));
-      const double weight = direction.y > 0.0 ? std::hypot(direction.x, direction.z) : 0.0;
+  for (physics::uint row = 0; row < physics::kNightSide; ++row) {
+    for (physics::uint column = 0; column < physics::kNightSide; ++column) {
+      const MapTexel texel = map_texel(p, column, row);
+      night.beyond.push_back(one * beyond_the_air(wish, frame, sun, texel.direction));
+      const double weight = texel.direction.y > 0.0 ? texel.weight : 0.0;
       sum = sum + night.beyond.back() * weight;
       weights += weight;
     }
@@ -145,6 +160,16 @@ void add_background(Night& night, const Scene& scene, const Air& air, const Colo
     night.scattered.push_back(scattered * mean);
   }
   night.ground = lit.ground * mean;
+  if (wish.light_pollution > 0.0) {
+    const NightAir towns = night_air(air, camera, NightSource::ground);
+    const vec3 lamps = colours.of(wish.light_pollution * light_passed(scene.camera), [&](const WaveBand& band) {
+      return lamp_light(wish.lamps, 0.5 * (band.low + band.high));
+    });
+    for (std::size_t i = 0; i < night.scattered.size(); ++i) {
+      night.scattered[i] = night.scattered[i] + towns.scattered[i] * lamps;
+    }
+    night.ground = night.ground + towns.ground * lamps;
+  }
 }
 
 }  // namespace

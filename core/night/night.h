@@ -1,6 +1,7 @@
 #pragma once
 // The night sky of a scene, as pictures draw it: in the picture's colours and in the unit of the sun's irradiance.
 
+#include <string_view>
 #include <vector>
 
 #include "core/air/air.h"
@@ -12,6 +13,8 @@ namespace airlight {
 struct NightStar {
   physics::vec3 direction;   // in the preset's frame
   physics::vec3 irradiance;  // above the air
+  std::string_view name;     // of a planet or a bright star; empty: of another
+  double magnitude = 0.0;    // V, above the air
 };
 
 struct Night {

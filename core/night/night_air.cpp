@@ -16,13 +16,17 @@ constexpr int kOrders = 5;
 
 class EvenSky {
  public:
-  explicit EvenSky(const Air& air) : p_(air.formulas()), planet_(p_.scene.planet) {}
+  EvenSky(const Air& air, NightSource source)
+      : p_(air.formulas()),
+        planet_(p_.scene.planet),
+        sky_(source == NightSource::sky ? 1.0 : 0.0),
+        lamps_(source == NightSource::ground ? 1.0 : 0.0) {}
 
   // Of each altitude the mean radiance over all directions, by all orders.
   void find_field() {
     std::array<vec3, kAltitudes> sources{};  // of the order before: mean radiance at the altitudes
     for (int order = 0; order <= kOrders; ++order) {
-      const vec3 ground = order == 0 ? vec3(0.0) : planet_.ground_albedo * irradiance_ / std::numbers::pi;
+      const vec3 ground = order == 0 ? vec3(lamps_) : planet_.ground_albedo * irradiance_ / std::numbers::pi;
       irradiance_ = irradiance(sources, ground, order == 0);
       ground_ = ground_ + irradiance_;
       std::array<vec3, kAltitudes> next{};
@@ -36,7 +40,7 @@ class EvenSky {
 
   // What the air and the ground send into a ray from an altitude.
   vec3 scattered(double h, double mu) {
-    return along(h, mu, field_, planet_.ground_albedo * ground_ / std::numbers::pi, false);
+    return along(h, mu, field_, planet_.ground_albedo * ground_ / std::numbers::pi + vec3(lamps_), false);
   }
   vec3 on_ground() const { return ground_; }
 
@@ -53,7 +57,8 @@ class EvenSky {
     return values[index(i)] * (1.0 - u) + values[index(i + 1)] * u;
   }
 
-  // Radiance of an order along a ray, out of the mean radiance of the order before; of the first, `direct`, the sky's.
+  // Radiance of an order along a ray, out of the mean radiance of the order before; of the first, `direct`, the
+  // source's.
   vec3 along(double h, double mu, const std::array<vec3, kAltitudes>& sources, const vec3& ground, bool direct) {
     const auto ray = p_.ray_in_atmosphere(planet_, h, mu, 0.0, 0.0);
     vec3 depth(0.0);
@@ -78,7 +83,7 @@ class EvenSky {
       }
       depth = depth + step;
     }
-    const vec3 behind = ray.at_ground ? ground : vec3(direct ? 1.0 : 0.0);
+    const vec3 behind = ray.at_ground ? ground : vec3(direct ? sky_ : 0.0);
     return light + exp(-depth) * behind;
   }
 
@@ -111,6 +116,8 @@ class EvenSky {
 
   physics::Physics p_;
   physics::PlanetData planet_;
+  double sky_;    // radiance
+  double lamps_;  // radiance of the ground
   std::array<vec3, kAltitudes> field_{};
   vec3 irradiance_{0.0, 0.0, 0.0};  // of the last order
   vec3 ground_{0.0, 0.0, 0.0};      // of all orders
@@ -118,8 +125,8 @@ class EvenSky {
 
 }  // namespace
 
-NightAir night_air(const Air& air, double camera) {
-  EvenSky sky(air);
+NightAir night_air(const Air& air, double camera, NightSource source) {
+  EvenSky sky(air, source);
   sky.find_field();
   physics::Physics p = air.formulas();
   NightAir found;

@@ -15,8 +15,11 @@ struct NightAir {
   physics::vec3 ground;  // irradiance on level ground
 };
 
+enum class NightSource { sky, ground };
+
 // Orders of scattering one after the other over level altitudes, each scattered evenly into all directions; the ground
-// reflects. `camera`: altitude, km.
-NightAir night_air(const Air& air, double camera);
+// reflects. `camera`: altitude, km. Of the source `ground`: the ground shines with the radiance 1, under a black sky;
+// what a ray sees of it is in `scattered`.
+NightAir night_air(const Air& air, double camera, NightSource source = NightSource::sky);
 
 }  // namespace airlight

@@ -1,5 +1,7 @@
 #include "core/night/stars.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <numbers>
@@ -30,6 +32,46 @@ const std::vector<CatalogueStar>& bright_stars() {
     return all;
   }();
   return stars;
+}
+
+namespace {
+
+struct NamedStar {
+  std::string_view name;
+  double right_ascension;  // J2000, degrees
+  double declination;
+};
+
+// Places of Hipparcos, J2000.
+constexpr std::array<NamedStar, 36> kNames{
+    {{"Sirius", 101.287, -16.716},  {"Canopus", 95.988, -52.696},  {"Rigil Kentaurus", 219.90, -60.834},
+     {"Arcturus", 213.915, 19.182}, {"Vega", 279.235, 38.784},     {"Capella", 79.172, 45.998},
+     {"Rigel", 78.634, -8.202},     {"Procyon", 114.825, 5.225},   {"Achernar", 24.429, -57.237},
+     {"Betelgeuse", 88.793, 7.407}, {"Hadar", 210.956, -60.373},   {"Altair", 297.696, 8.868},
+     {"Acrux", 186.650, -63.099},   {"Aldebaran", 68.980, 16.509}, {"Spica", 201.298, -11.161},
+     {"Antares", 247.352, -26.432}, {"Pollux", 116.329, 28.026},   {"Fomalhaut", 344.413, -29.622},
+     {"Deneb", 310.358, 45.280},    {"Mimosa", 191.930, -59.689},  {"Regulus", 152.093, 11.967},
+     {"Adhara", 104.656, -28.972},  {"Castor", 113.650, 31.888},   {"Gacrux", 187.791, -57.113},
+     {"Shaula", 263.402, -37.104},  {"Bellatrix", 81.283, 6.350},  {"Elnath", 81.573, 28.608},
+     {"Alnilam", 84.053, -1.202},   {"Alnitak", 85.190, -1.943},   {"Alioth", 193.507, 55.960},
+     {"Mirfak", 51.081, 49.861},    {"Dubhe", 165.932, 61.751},    {"Alkaid", 206.885, 49.313},
+     {"Polaris", 37.955, 89.264},   {"Mizar", 200.981, 54.925},    {"Kochab", 222.676, 74.156}}};
+
+}  // namespace
+
+std::string_view star_name(const CatalogueStar& star) {
+  constexpr double kFaintestNamed = 2.4;
+  constexpr double kNear = 0.05 * std::numbers::pi / 180.0;
+  if (star.magnitude > kFaintestNamed) {
+    return {};
+  }
+  const auto is_it = [&](const NamedStar& named) {
+    constexpr double kDegree = std::numbers::pi / 180.0;
+    const physics::vec3 there = direction_of(named.right_ascension * kDegree, named.declination * kDegree);
+    return physics::length(there - star.j2000) < kNear;
+  };
+  const auto found = std::ranges::find_if(kNames, is_it);
+  return found == kNames.end() ? std::string_view() : found->name;
 }
 
 double star_temperature(double colour) {

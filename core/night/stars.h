@@ -20,6 +20,9 @@ struct CatalogueStar {
 // d3-celestial (O. Frohn, BSD-3-Clause) has them; a missing B - V is 0.6.
 const std::vector<CatalogueStar>& bright_stars();
 
+// The star's own name by the International Astronomical Union, of the brightest; else empty.
+std::string_view star_name(const CatalogueStar& star);
+
 // Its lines: right ascension and declination in 1e-4 degrees, V and B - V in hundredths of a magnitude.
 std::string_view star_table();
 

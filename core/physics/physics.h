@@ -65,6 +65,7 @@ struct Physics {
   uint phase_functions = 0;   // four bits a medium
   bool fade = false;
   bool lit_disc = false;
+  bool covered_disc = false;
   bool refraction = false;
   std::shared_ptr<const std::vector<vec3>> phase_samples;  // logarithms, tables one behind the other; null: none
   HostTable transmittance_lut;
@@ -103,6 +104,7 @@ struct Physics {
   vec3 phase_sample(uint k) const { return (*phase_samples)[k]; }
   bool sun_fade_enabled() const { return fade; }
   bool disc_is_lit() const { return lit_disc; }
+  bool disc_is_covered() const { return covered_disc; }
   bool ground_reflects() const { return ground_irradiance_lut.width > 0; }
   vec3 fetch_transmittance(real x, real y) const { return transmittance_lut.fetch_unit(x, y); }
   bool bends_light() const { return refraction; }

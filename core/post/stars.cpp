@@ -1,7 +1,9 @@
 #include "core/post/stars.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <utility>
 
 #include "core/air/refraction.h"
@@ -30,8 +32,9 @@ std::vector<StarPixel> star_pixels(physics::Physics& p, const Scene& scene, cons
   const bool round = scene.camera.projection == Projection::equirectangular;
   const auto& camera = p.scene.camera;
   std::map<std::pair<int, int>, vec3> pixels;
+  const BentSky sky(p);
   for (const NightStar& star : night.stars) {
-    const SeenDirection seen = seen_direction(p, star.direction);
+    const SeenDirection seen = sky.seen(star.direction);
     const auto at = p.pixel_of(camera, projection, seen.direction);
     if (!at.in_front || !(std::abs(at.x) < 1e6 && std::abs(at.y) < 1e6)) {
       continue;
@@ -57,6 +60,37 @@ std::vector<StarPixel> star_pixels(physics::Physics& p, const Scene& scene, cons
     found.push_back({static_cast<std::uint32_t>(place.second), static_cast<std::uint32_t>(place.first), radiance});
   }
   return found;
+}
+
+std::vector<NamedPoint> named_points(const Stage& stage) {
+  std::vector<NamedPoint> points;
+  if (!stage.scene().stars) {
+    return points;
+  }
+  physics::Physics p = geometry_of(stage.scene());
+  const physics::uint projection = projection_code(stage.scene().camera.projection);
+  const BentSky sky(p);
+  const double horizon = p.horizon_mu(p.scene.planet, p.scene.camera.altitude);
+  for (const NightStar& star : stage.night()->stars) {
+    const vec3 at = star.name.empty() ? vec3(0.0) : sky.seen(star.direction).direction;
+    if (star.name.empty() || at.y <= horizon) {
+      continue;
+    }
+    const auto pixel = p.pixel_of(p.scene.camera, projection, at);
+    if (!pixel.in_front || pixel.x < 0.0 || pixel.x >= stage.scene().image.width || pixel.y < 0.0 ||
+        pixel.y >= stage.scene().image.height || !p.view_ray(p.scene.camera, projection, pixel.x, pixel.y).inside) {
+      continue;
+    }
+    const double azimuth = std::atan2(at.x, -at.z);
+    points.push_back({star.name, star.magnitude, std::asin(std::clamp(at.y, -1.0, 1.0)),
+                      azimuth < 0.0 ? azimuth + 2.0 * std::numbers::pi : azimuth, pixel.x, pixel.y});
+  }
+  // Of a double star's two the brighter counts.
+  std::ranges::sort(points, {}, [](const NamedPoint& point) { return std::pair(point.name, point.magnitude); });
+  const auto doubles = std::ranges::unique(points, {}, &NamedPoint::name);
+  points.erase(doubles.begin(), doubles.end());
+  std::ranges::sort(points, {}, &NamedPoint::magnitude);
+  return points;
 }
 
 void add_stars(Plan& plan, const Stage& stage, ImageId through, const Picture& picture) {

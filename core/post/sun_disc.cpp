@@ -45,7 +45,7 @@ bool add_sun_disc(Plan& plan, const Part& part, std::optional<ImageId> transmitt
   const ImageId table = transmittance ? *transmittance : add_disc_transmittance(plan, part.air);
   std::vector<Specialization> constants = sunlight_specialization(plan, part.air, table);
   constants.push_back({"kProjection", projection_code(part.scene.camera.projection)});
-  constants.push_back({"kLitDisc", part.scene.sun.disc.lit ? 1U : 0U});
+  constants.push_back({"kLitDisc", part.scene.sun.disc.lit ? 1U : part.scene.sun.disc.cover ? 2U : 0U});
   PassDesc pass = behind_things(plan, part.scene, part.things,
                                 {.name = "sun_disc",
                                  .shader = "sun_disc",

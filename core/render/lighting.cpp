@@ -229,7 +229,8 @@ SunLight sun_light(const DeviceOnDemand& device, const Stage& stage) {
   const std::vector<ProbeResult> probes = probe(device, stage, disc.directions).directions;
   for (std::size_t i = 0; i < probes.size(); ++i) {
     for (std::size_t c = 0; c < 3; ++c) {
-      light.irradiance[c] += scene.sun.irradiance[c] * probes[i].transmittance[c] * disc.shares[i];
+      light.irradiance[c] +=
+          scene.sun.irradiance[c] * scene.sun.uncovered * probes[i].transmittance[c] * disc.shares[i];
     }
   }
   return light;

@@ -288,6 +288,9 @@ std::string describe(const Scene& scene) {
       .angle("disc angular radius", scene.sun.disc.angular_radius)
       .number("disc limb darkening", scene.sun.disc.limb_darkening)
       .number("disc radiance scale", scene.sun.disc.radiance_scale);
+  if (scene.sun.disc.cover) {
+    lines.number("share not covered by the moon", scene.sun.uncovered);
+  }
   if (scene.moon) {
     describe_moon(lines, *scene.moon);
   }
@@ -295,7 +298,8 @@ std::string describe(const Scene& scene) {
     lines.heading("night sky")
         .number("airglow", scene.night_sky->airglow)
         .number("zodiacal light", scene.night_sky->zodiacal)
-        .number("starlight", scene.night_sky->starlight);
+        .number("starlight", scene.night_sky->starlight)
+        .number("light of lamps", scene.night_sky->light_pollution, "cd/m2");
   }
   if (scene.stars) {
     lines.heading("stars").number("magnitude limit", scene.stars->magnitude_limit);
@@ -325,7 +329,8 @@ std::string describe(const Scene& scene) {
       .number("compensation", scene.display.compensation, "stops")
       .line("display", scene.display.display.empty() ? "the config's default" : scene.display.display)
       .line("view", scene.display.view.empty() ? "the config's default" : scene.display.view)
-      .line("tone curve", kToneCurveNames.at(static_cast<std::size_t>(scene.display.tonemap)));
+      .line("tone curve", kToneCurveNames.at(static_cast<std::size_t>(scene.display.tonemap)))
+      .line("colours of the night", scene.display.rods ? "by the eye's rods" : "as they are");
   if (scene.sequence) {
     lines.heading("sequence");
     for (const KeyFrame& frame : scene.sequence->frames) {

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "core/scene/angle.h"
@@ -98,7 +99,9 @@ std::optional<NightSky> read_night_sky(const Section& root) {
   section.refuse_unknown_keys();
   return NightSky{.airglow = section.number("airglow"),
                   .zodiacal = section.number("zodiacal"),
-                  .starlight = section.number("starlight")};
+                  .starlight = section.number("starlight"),
+                  .light_pollution = section.number("light_pollution_cd_per_m2"),
+                  .lamps = static_cast<Lamps>(section.choice("lamps").value_or(0))};
 }
 
 std::optional<Stars> read_stars(const Section& root) {
@@ -108,6 +111,40 @@ std::optional<Stars> read_stars(const Section& root) {
   const Section section = root.child("stars");
   section.refuse_unknown_keys();
   return Stars{.magnitude_limit = section.number("magnitude_limit")};
+}
+
+void cover_the_sun(Sun& sun, const Moon& moon) {
+  const double angular_radius = std::asin(kMoonRadius / moon.distance);
+  const Vector to_sun = toward(sun.elevation, sun.azimuth);
+  const Vector to_moon = toward(moon.elevation, moon.azimuth);
+  Vector chord{};
+  std::ranges::transform(to_sun, to_moon, chord.begin(), std::minus());
+  // So small an angle's cosine has few digits left.
+  const double apart = 2.0 * std::asin(std::min(0.5 * std::sqrt(dot(chord, chord)), 1.0));
+  if (apart < sun.disc.angular_radius + angular_radius) {
+    sun.disc.cover = DiscCover{moon.elevation, moon.azimuth, angular_radius};
+    sun.uncovered = uncovered_share(sun.disc.angular_radius, sun.disc.limb_darkening, angular_radius, apart);
+  }
+}
+
+double uncovered_share(double radius, double limb_darkening, double cover_radius, double apart) {
+  if (cover_radius >= radius + apart) {
+    return 0.0;
+  }
+  constexpr int kRings = 2000;
+  double all = 0.0;
+  double seen = 0.0;
+  for (int i = 0; i < kRings; ++i) {
+    const double x = (i + 0.5) / kRings;
+    const double ring = x * radius;
+    const double light = x * (1.0 - limb_darkening * (1.0 - std::sqrt(1.0 - x * x)));
+    // Half the angle under which the ring's covered part is seen from the disc's centre.
+    const double inside = ring * ring + apart * apart - cover_radius * cover_radius;
+    const double cosine = apart > 0.0 ? inside / (2.0 * ring * apart) : std::copysign(2.0, inside);
+    all += light;
+    seen += light * (1.0 - std::acos(std::clamp(cosine, -1.0, 1.0)) / pi);
+  }
+  return seen / all;
 }
 
 Spectrum moon_irradiance(const Moon& moon, const Sun& sun, const BandColours& colours) {

@@ -33,6 +33,13 @@ std::vector<Cloud> read_clouds(const Section& root, const Planet& planet, std::s
 // Reads `moon`; none where the preset has none. `sun`, `camera`, `planet`: of the scene, as read.
 std::optional<Moon> read_moon(const Section& root, const Scene& scene);
 
+// Lets a moon before the sun cover it. Its light loses the covered share, by the law of the limb's darkening.
+void cover_the_sun(Sun& sun, const Moon& moon);
+
+// Share of a disc's light that another, whose centre is `apart` from its own, leaves. All in one unit; discs so small
+// that they are flat.
+double uncovered_share(double radius, double limb_darkening, double cover_radius, double apart);
+
 // The moon's irradiance in the scene's channels, once the sun's is known there.
 Spectrum moon_irradiance(const Moon& moon, const Sun& sun, const BandColours& colours);
 

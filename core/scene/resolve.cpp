@@ -63,6 +63,10 @@ Display read_display(const Section& root) {
   display.display = section.text("display");
   display.view = section.text("view");
   display.tonemap = static_cast<ToneCurve>(section.choice("tonemap").value_or(0));
+  display.rods = section.boolean("rods");
+  if (const PresetValue* rods = section.find("rods"); rods != nullptr && display.rods && display.view == "gpu") {
+    section.complain("rods", *rods, "the view \"gpu\" does not know the eye's rods; take another view, or false");
+  }
   return display;
 }
 
@@ -156,6 +160,9 @@ Scene read_scene(const Section& root, std::span<const MethodInfo> methods) {
   scene.planet.refraction = read_refraction(planet, scene.planet, scene.media);
   scene.sun = read_sun(root, curves, spectra);
   scene.moon = read_moon(root, scene);
+  if (scene.moon) {
+    cover_the_sun(scene.sun, *scene.moon);
+  }
   scene.night_sky = read_night_sky(root);
   scene.stars = read_stars(root);
   scene.camera = read_camera(root);

@@ -298,9 +298,15 @@ constexpr auto kRules = std::to_array<Rule>({
            "factor on sunlight from dust between the planets, which lies along the ecliptic"),
     number("night_sky.starlight", kNightFactor, "", "1",
            "factor on the light of stars fainter than magnitude 6.5, the Milky Way's with it"),
+    number("night_sky.light_pollution_cd_per_m2", Range{.minimum = 0.0, .maximum = 1e3}, "cd/m2", "0",
+           "luminance of the ground by lamps, the same everywhere and in all directions upward; the air scatters it. A "
+           "town's mean is some 0.01 to 0.3"),
+    choice("night_sky.lamps", kLampNames, "led",
+           "their spectrum: `led`, white of about 4000 K; `sodium`, high-pressure lamps of about 2000 K"),
 
     number("stars.magnitude_limit", kMagnitude, "", "6.5",
-           "of the faintest star drawn, in V; without `stars` there are none, with `{}` 8874, placed by the camera's "
+           "of the faintest star drawn, in V; without `stars` there are none, with `{}` 8874 and five planets, placed "
+           "by the camera's "
            "latitude, longitude and Julian date"),
 
     hinted("below 0 the camera is inside the planet",
@@ -393,6 +399,9 @@ constexpr auto kRules = std::to_array<Rule>({
     plain(RuleType::text, "display.view",
           "a view of that display; \"\" is the config's default, \"gpu\" the tone curve below"),
     choice("display.tonemap", kToneCurveNames, "aces", "the tone curve of the view \"gpu\""),
+    row(RuleType::boolean, "display.rods", {}, "", "false",
+        "whether the PNG's colours fade and turn blue below 3 cd/m2, as an eye's rods see the night (Kirk and O'Brien "
+        "2011); grey stays as bright. Not with the view \"gpu\""),
 
     needed(plain(RuleType::key_frames, "sequence.frames",
                  "key frames for `airlight sequence`: each has `at` and, by JSON pointer, what keys are then, e.g. "

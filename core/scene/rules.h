@@ -88,6 +88,7 @@ inline constexpr std::array<std::string_view, 5> kProjectionNames = {"perspectiv
 inline constexpr std::array<std::string_view, 3> kCubeLayoutNames = {"stack", "strip", "cross"};
 inline constexpr std::array<std::string_view, 5> kMaterialNames = {"matte", "mirror", "translucent", "grey-18",
                                                                    "chrome"};
+inline constexpr std::array<std::string_view, 2> kLampNames = {"led", "sodium"};
 inline constexpr std::array<std::string_view, 2> kBloomModelNames = {"glare", "chain"};
 inline constexpr std::array<std::string_view, 3> kSunUnitNames = {"relative", "W/m2", "lux"};
 inline constexpr std::array<std::string_view, 3> kWhiteNames = {"sun", "D65", "E"};

@@ -215,19 +215,28 @@ struct LitBall {
   bool operator==(const LitBall&) const = default;
 };
 
+// What stands before a disc: another.
+struct DiscCover {
+  double elevation = 0.0;       // rad
+  double azimuth = 0.0;         // rad
+  double angular_radius = 0.0;  // rad
+};
+
 struct SunDisc {
   bool visible = true;
   double angular_radius = 0.0;  // rad
   double limb_darkening = 0.6;
   double radiance_scale = 1.0;
-  std::optional<LitBall> lit = {};  // absent: it shines by itself
+  std::optional<LitBall> lit = {};      // absent: it shines by itself
+  std::optional<DiscCover> cover = {};  // absent: it is seen whole
 };
 
 struct Sun {
-  double elevation = 0.0;  // rad
-  double azimuth = 0.0;    // rad, clockwise from north
-  Spectrum irradiance{1.0, 1.0, 1.0};
-  SunUnit unit = SunUnit::relative;  // of irradiance; radiance is in this unit per steradian
+  double elevation = 0.0;              // rad
+  double azimuth = 0.0;                // rad, clockwise from north
+  Spectrum irradiance{1.0, 1.0, 1.0};  // of the whole disc
+  double uncovered = 1.0;              // share of it that the moon leaves
+  SunUnit unit = SunUnit::relative;    // of irradiance; radiance is in this unit per steradian
   SunDisc disc;
 };
 
@@ -242,11 +251,15 @@ struct Moon {
   bool operator==(const Moon&) const = default;
 };
 
-// The smooth light of a moonless night: factors on what it is on Earth.
+enum class Lamps { led, sodium };
+
+// The smooth light of a moonless night: factors on what it is on Earth, and the light of towns.
 struct NightSky {
   double airglow = 1.0;
   double zodiacal = 1.0;
   double starlight = 1.0;
+  double light_pollution = 0.0;  // cd/m2 that the ground sends up
+  Lamps lamps = Lamps::led;
   bool operator==(const NightSky&) const = default;
 };
 
@@ -336,6 +349,7 @@ struct Display {
   std::string display;        // empty: the OCIO config's default
   std::string view;           // empty: the OCIO config's default; "gpu": the GPU tone curve
   ToneCurve tonemap = ToneCurve::aces;
+  bool rods = false;  // whether a dark picture has the colours that an eye in the dark sees
 };
 
 struct MediumSpectra {

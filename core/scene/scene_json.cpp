@@ -292,6 +292,8 @@ std::string night_sky_json(const NightSky& sky) {
       .number("airglow", sky.airglow)
       .number("zodiacal", sky.zodiacal)
       .number("starlight", sky.starlight)
+      .number("light_pollution_cd_per_m2", sky.light_pollution)
+      .text("lamps", name_of(sky.lamps, kLampNames))
       .str();
 }
 
@@ -349,13 +351,16 @@ std::string bloom_json(const Bloom& bloom) {
 }
 
 std::string display_json(const Display& display) {
-  return JsonObject(2)
-      .add("exposure", display.exposure ? format_number(*display.exposure) : json_string(metering_text(display)))
+  JsonObject object(2);
+  object.add("exposure", display.exposure ? format_number(*display.exposure) : json_string(metering_text(display)))
       .number("compensation_ev", display.compensation)
       .text("display", display.display)
       .text("view", display.view)
-      .text("tonemap", name_of(display.tonemap, kToneCurveNames))
-      .str();
+      .text("tonemap", name_of(display.tonemap, kToneCurveNames));
+  if (display.rods) {
+    object.boolean("rods", true);
+  }
+  return object.str();
 }
 
 std::string image_json(const Scene& scene) {

@@ -1,6 +1,6 @@
 // Light of the night sky: from beyond the air by a map, from a shell of glowing air, and scattered by the air.
 // The includer defines before it:
-//   vec3 night_map(uint i);    radiance from beyond the air, kNightColumns x kNightRows texels
+//   vec3 night_map(uint i);    radiance from beyond the air, kNightSide x kNightSide texels
 //   vec3 night_scattered(uint i);  radiance that the air scatters, 2 kNightSlopes of them, first above the horizon
 //   vec3 airglow_zenith();     radiance of the shell seen straight up
 //   vec3 night_on_ground();    irradiance on level ground
@@ -25,26 +25,24 @@ vec3 night_scattered_at(PlanetData planet, real h, real mu, bool ground) {
   real horizon = horizon_mu(planet, h);
   real share = ground ? (horizon - mu) / (1.0 + horizon) : (mu - horizon) / (1.0 - horizon);
   real x = sqrt(clamp(share, 0.0, 1.0)) * real(kNightSlopes - 1u);
-  uint i = min(uint(x), kNightSlopes - 2u);
-  real u = x - real(i);
-  uint first = i + (ground ? kNightSlopes : 0u);
+  real i = min(floor(x), real(kNightSlopes - 2u));
+  real u = x - i;
+  uint first = uint(i + (ground ? real(kNightSlopes) : 0.0));
   return night_scattered(first) * (1.0 - u) + night_scattered(first + 1u) * u;
 }
 
+// North is up in the map, whatever way the camera looks.
 vec3 night_beyond(vec3 direction) {
-  real around = atan(direction.x, -direction.z) / (2.0 * kPi);
-  real x = (around - floor(around)) * real(kNightColumns) + real(kNightColumns) - 0.5;
-  real up = atan(direction.y, sqrt(direction.x * direction.x + direction.z * direction.z));
-  real y = clamp((0.5 - up / kPi) * real(kNightRows) - 0.5, 0.0, real(kNightRows - 1u));
-  uint column = uint(x);
-  uint row = min(uint(y), kNightRows - 2u);
-  real u = x - real(column);
-  real v = y - real(row);
-  uint left = column % kNightColumns;
-  uint right = (column + 1u) % kNightColumns;
-  uint below = (row + 1u) * kNightColumns;
-  vec3 upper = night_map(row * kNightColumns + left) * (1.0 - u) + night_map(row * kNightColumns + right) * u;
-  vec3 lower = night_map(below + left) * (1.0 - u) + night_map(below + right) * u;
+  vec2 point = octahedral_point(direction, octant_of(direction));
+  real x = (0.5 + 0.5 * point.x) * real(kNightSide - 1u);
+  real y = (0.5 + 0.5 * point.y) * real(kNightSide - 1u);
+  real column = clamp(floor(x), 0.0, real(kNightSide - 2u));
+  real row = clamp(floor(y), 0.0, real(kNightSide - 2u));
+  real u = x - column;
+  real v = y - row;
+  uint at = uint(row * real(kNightSide) + column);
+  vec3 upper = night_map(at) * (1.0 - u) + night_map(at + 1u) * u;
+  vec3 lower = night_map(at + kNightSide) * (1.0 - u) + night_map(at + kNightSide + 1u) * u;
   return upper * (1.0 - v) + lower * v;
 }
 

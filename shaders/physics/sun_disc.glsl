@@ -1,6 +1,7 @@
 // The sun's or the moon's disc in a pixel, seen through the air, each sample hidden by the planet on its own.
 // The includer defines before it: scene, seen_transmittance(), bending_along(), bool disc_is_hidden(vec3 direction) (planet apart),
-// bool disc_is_lit(): the disc is a ball by another's light, else it shines by itself and darkens toward its limb.
+// bool disc_is_lit(): the disc is a ball by another's light, else it shines by itself and darkens toward its limb;
+// bool disc_is_covered(): another disc stands before it.
 
 // The moon's surface follows the law of Lommel and Seeliger: radiance goes by mu0 / (mu0 + mu), cosines of the light's
 // and the view's angle with the normal. Over the disc its mean is
@@ -27,6 +28,9 @@ real lit_profile(SunData ball, vec3 direction) {
 
 // Radiance of the disc over that at its centre, or, of a lit ball, over the mean.
 real profile_of_disc(SunData sun, vec3 direction) {
+  if (disc_is_covered() && length(direction - sun.lit_from) < sun.lit_scale) {
+    return 0.0;
+  }
   return disc_is_lit() ? lit_profile(sun, direction) : disc_profile(sun, length(direction - sun.direction));
 }
 

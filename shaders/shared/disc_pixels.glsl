@@ -1,6 +1,7 @@
 // The pass over the pixels of the sun's disc.
-layout(constant_id = 35) const uint kLitDisc = 0u;
-bool disc_is_lit() { return kLitDisc != 0u; }
+layout(constant_id = 35) const uint kLitDisc = 0u;  // 1: a ball by another's light, 2: covered by another
+bool disc_is_lit() { return kLitDisc == 1u; }
+bool disc_is_covered() { return kLitDisc == 2u; }
 
 #include "physics/sun_disc.glsl"
 

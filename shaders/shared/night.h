@@ -1,4 +1,3 @@
 // Sizes of the night sky's buffers, for the host as well.
-const uint kNightColumns = 180u;  // of the map of the light above the air: azimuths clockwise from north
-const uint kNightRows = 90u;      // elevations from the zenith down
-const uint kNightSlopes = 32u;    // of the light that the air scatters: zenith cosines on either side of the horizon
+const uint kNightSide = 129u;   // of the octahedral map of the light above the air, whose outer texels lie on its edge
+const uint kNightSlopes = 32u;  // of the light that the air scatters: zenith cosines on either side of the horizon

@@ -4,7 +4,7 @@
 
 layout(scalar, set = 0, binding = 4) readonly buffer NightSky { vec4 values[]; } night_sky;
 
-const uint kNightTexels = kNightColumns * kNightRows;
+const uint kNightTexels = kNightSide * kNightSide;
 
 vec3 night_map(uint i) { return night_sky.values[i].rgb; }
 vec3 night_scattered(uint i) { return night_sky.values[kNightTexels + i].rgb; }

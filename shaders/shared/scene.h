@@ -42,8 +42,9 @@ struct SunData {
   vec3 disc_radiance;  // at the disc's centre, above the air
   real fade_scale;     // published lesson's fade, used when kSunFade is set
   real fade_bias;
-  vec3 lit_from;    // of a lit ball: to the light that shines on it
-  real lit_scale;   // mean radiance over that of the law of its surface
+  vec3 lit_from;    // of a lit ball: to the light that shines on it; of a covered disc: to the middle of its cover
+  real lit_scale;   // mean radiance over that of the law of its surface; of a covered disc: 2 sin(half the cover's
+                    // radius)
   real earthshine;  // evenly over the disc, over the mean radiance
 };
 

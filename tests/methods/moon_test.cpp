@@ -6,6 +6,7 @@
 
 #include "core/methods/ready.h"
 #include "core/scene/photometry.h"
+#include "core/scene/readers.h"
 #include "core/stage/lights.h"
 #include "tests/methods/render_fixture.h"
 #include "tests/methods/spectral_scene.h"
@@ -186,6 +187,33 @@ TEST(MoonsDisc, IsLitOnItsBrightLimb) {
   scene.image = {40, 40};
   const RadianceImage picture = render_now(scene).radiance;
   EXPECT_GT(channel_of(picture, 26, 20, 1), 1e3 * channel_of(picture, 14, 20, 1) + 1e-12);
+}
+
+// The disc with its bite sends what the sky gets: the uncovered share.
+TEST(Eclipse, TakesAsMuchFromTheDiscAsFromTheSky) {
+  Scene scene = with_method(vacuum(), *find_method("march"), true);
+  scene.sun.elevation = 30.0 * kDegree;
+  scene.camera.pitch = 30.0 * kDegree;
+  scene.camera.azimuth = scene.sun.azimuth;
+  scene.camera.projection = Projection::perspective;
+  scene.camera.vertical_fov = 1.0 * kDegree;
+  scene.image = {120, 120};
+  const double whole = flux(scene, render_now(scene).radiance, 1);
+  const double radius = scene.sun.disc.angular_radius;
+  for (const double apart : {0.3, 1.0, 1.6}) {
+    Scene covered = scene;
+    covered.sun.disc.cover = DiscCover{scene.sun.elevation + apart * radius, scene.sun.azimuth, 1.03 * radius};
+    covered.sun.uncovered = uncovered_share(1.0, scene.sun.disc.limb_darkening, 1.03, apart);
+    EXPECT_NEAR(flux(covered, render_now(covered).radiance, 1) / whole, covered.sun.uncovered, 0.01) << apart;
+  }
+  Scene sky = with_method(small(earth()), *find_method("orders"), true);
+  sky.sun.disc.visible = false;
+  const RadianceImage bright = render_now(sky).radiance;
+  sky.sun.uncovered = 0.25;
+  const RadianceImage dim = render_now(sky).radiance;
+  for (std::size_t i = 0; i < bright.rgba.size(); i += 4) {
+    EXPECT_NEAR(dim.rgba[i], 0.25F * bright.rgba[i], 1e-5F * bright.rgba[i]);
+  }
 }
 
 // A full moon at 60 degrees lights the ground with 0.2 to 0.3 lux.

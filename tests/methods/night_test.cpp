@@ -1,11 +1,17 @@
 // The night sky: its parts against what is known of them, and the pictures against the formulas in double.
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 #include "core/night/background.h"
 #include "core/night/night_air.h"
 #include "core/post/night_sky.h"
+#include "core/render/spectrum.h"
 #include "core/scene/photometry.h"
 #include "tests/methods/render_fixture.h"
 #include "tests/methods/spectral_scene.h"
@@ -39,11 +45,50 @@ TEST(NightSky, IsAsDarkAsParanals) {
   EXPECT_NEAR(zenith_magnitude(-30.0), 21.5, 0.3);
 }
 
+// Response of the V band (Bessell, Publications of the Astronomical Society of the Pacific 102 (1990) 1181), every 20
+// nm from 480.
+constexpr std::array<double, 11> kVBand{0.030, 0.458, 0.967, 0.973, 0.792, 0.574, 0.359, 0.197, 0.081, 0.025, 0.013};
+
+// Magnitudes a square arc second (V) of sunlight at the zenith of the preset `paranal`: the sun's is -26.76.
+double twilight_magnitude(double sun_elevation_deg) {
+  Scene scene = resolve(load_preset(AIRLIGHT_SOURCE_DIR "/presets/paranal.json"), method_infos());
+  scene.sun.elevation = sun_elevation_deg * kDegree;
+  scene.night_sky.reset();
+  scene.stars.reset();
+  std::vector<double> nm;
+  for (std::size_t i = 0; i < kVBand.size(); ++i) {
+    nm.push_back(480.0 + 20.0 * static_cast<double>(i));
+  }
+  const SpectralProbes found = probe_spectrum([]() -> Executor& { return executor(); }, scene,
+                                              {{0.5 * std::numbers::pi, 0.0}}, listed_nodes(nm, 10.0));
+  double sky = 0.0;
+  double sun = 0.0;
+  for (std::size_t i = 0; i < kVBand.size(); ++i) {
+    sky += kVBand[i] * nm[i] * found.directions.front().radiance[i];
+    sun += kVBand[i] * nm[i] * found.wavelengths.sunlight[i];
+  }
+  const double square_second = std::pow(std::numbers::pi / 180.0 / 3600.0, 2);
+  return -26.76 - 2.5 * std::log10(sky / sun * square_second);
+}
+
 // Patat, Ugolnikov and Postylyakov, Astronomy and Astrophysics 455 (2006) 385: the zenith at Paranal in V as the sun
-// goes down. From 12 degrees down airglow and starlight flatten the curve as they do there; before that twilight is
-// scattered sunlight, which comes out too dark (core/NIGHT.md).
+// goes down, twilight and the dark sky's 21.52 together. core/NIGHT.md says what each part of that air does.
+TEST(NightSky, HasParanalsTwilight) {
+  const std::vector<std::pair<double, double>> measured{{-9.062, 17.04},  {-10.022, 17.86}, {-10.926, 18.72},
+                                                        {-11.885, 19.51}, {-12.844, 20.25}, {-13.746, 20.78},
+                                                        {-14.816, 21.19}};
+  double sum = 0.0;
+  for (const auto& [sun, magnitude] : measured) {
+    const double light = std::pow(10.0, -0.4 * twilight_magnitude(sun)) + std::pow(10.0, -0.4 * 21.52);
+    const double off = -2.5 * std::log10(light) - magnitude;
+    EXPECT_LT(std::abs(off), 0.25) << sun << " " << off;
+    sum += std::abs(off) / static_cast<double>(measured.size());
+  }
+  EXPECT_LT(sum, 0.15);
+}
+
+// From 13 degrees down airglow and starlight flatten the curve as they do there.
 TEST(NightSky, EndsTheTwilight) {
-  EXPECT_NEAR(zenith_magnitude(-12.844), 20.25, 0.35);  // 0.30 too dark
   EXPECT_NEAR(zenith_magnitude(-13.746), 20.78, 0.25);
   EXPECT_NEAR(zenith_magnitude(-14.816), 21.19, 0.25);
   EXPECT_NEAR(zenith_magnitude(-16.784), 21.44, 0.25);
@@ -67,6 +112,68 @@ TEST(NightAir, LosesNothingOverWhiteGround) {
     EXPECT_NEAR(through + lit.scattered[i].y, 1.0, 0.03) << mu;
   }
   EXPECT_NEAR(lit.ground.y, std::numbers::pi, 0.06);
+}
+
+// Black-body radiation: a sky of radiance 1 and a ground that reflects A and shines with 1 - A are 1 in every
+// direction, through whatever air.
+TEST(NightAir, OfSkyAndShiningGroundIsOneEverywhere) {
+  Scene scene = earth();
+  scene.media.resize(1);
+  scene.media[0].absorption = {};
+  scene.planet.ground_albedo = {0.3, 0.3, 0.3};
+  const Air air = air_of(scene);
+  physics::Physics p = air.formulas();
+  p.sun_steps = physics::kTransmittanceSteps;
+  const NightAir sky = night_air(air, 0.5);
+  const NightAir ground = night_air(air, 0.5, NightSource::ground);
+  for (physics::uint i = 0; i < 2 * physics::kNightSlopes; ++i) {
+    const double mu = p.night_slope_cosine(p.scene.planet, 0.5, i);
+    const double through = i >= physics::kNightSlopes ? 0.0 : p.transmittance_to_top(p.scene.planet, 0.5, mu).y;
+    EXPECT_NEAR(through + sky.scattered[i].y + 0.7 * ground.scattered[i].y, 1.0, 0.03) << mu;
+  }
+  EXPECT_NEAR(sky.ground.y + 0.7 * ground.ground.y, std::numbers::pi, 0.06);
+}
+
+// Thin air over a shining ground scatters half its depth straight down: half of all directions shine.
+TEST(NightAir, OfThinAirOverLampsIsHalfItsDepth) {
+  Scene scene = earth();
+  scene.media.resize(1);
+  scene.media[0].absorption = {};
+  scene.media[0].scattering = {1e-5, 1e-5, 1e-5};
+  scene.planet.ground_albedo = {};
+  const Air air = air_of(scene);
+  const NightAir lit = night_air(air, 0.0, NightSource::ground);
+  const double depth = air.depths().extinction;
+  EXPECT_NEAR(lit.scattered[physics::kNightSlopes - 1].y / (0.5 * depth), 1.0, 0.05);
+}
+
+// Colours of lamps: CIE 1931 places of high-pressure sodium (0.53, 0.41) and of white of 4000 K (0.38, 0.38).
+TEST(Lamps, HaveTheirColours) {
+  for (const auto& [lamps, x, y] : {std::tuple(Lamps::sodium, 0.53, 0.41), std::tuple(Lamps::led, 0.38, 0.38)}) {
+    std::array<double, kFineBands> light{};
+    std::ranges::transform(fine_bands(), light.begin(), [lamps = lamps](const WaveBand& band) {
+      return lamp_light(lamps, 0.5 * (band.low + band.high));
+    });
+    const Rgb colour = colour_of(band_colours(constant_curve(1.0), White::d65), light);
+    const double cx = 0.4124564 * colour[0] + 0.3575761 * colour[1] + 0.1804375 * colour[2];
+    const double cy = bt709_luminance(colour);
+    const double cz = 0.0193339 * colour[0] + 0.1191920 * colour[1] + 0.9503041 * colour[2];
+    EXPECT_NEAR(cx / (cx + cy + cz), x, 0.02);
+    EXPECT_NEAR(cy / (cx + cy + cz), y, 0.02);
+  }
+}
+
+TEST(NightSky, IsBrighterOverTowns) {
+  Scene scene = paranal(-30.0);
+  const auto zenith = [&] {
+    return bt709_luminance(probe_now(scene, {{0.5 * std::numbers::pi, 0.0}}).front().radiance);
+  };
+  const double dark = zenith();
+  scene.night_sky->light_pollution = 0.1;
+  const double town = zenith();
+  // Between half the depth above 2.6 km and half the whole, of 0.1 cd/m2, at 550 nm.
+  EXPECT_GT(town - dark, 0.1 * 0.5 * 0.05);
+  EXPECT_LT(town - dark, 0.1 * 0.5 * 0.3);
 }
 
 TEST(Airglow, BrightensTowardTheHorizonAsVanRhijnSays) {

@@ -2,11 +2,15 @@
 
 #include "core/night/stars.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "core/air/refraction.h"
+#include "core/air/scene_block.h"
 #include "core/night/night.h"
 #include "core/post/night_sky.h"
+#include "core/post/stars.h"
 #include "core/scene/photometry.h"
 #include "tests/methods/render_fixture.h"
 #include "tests/of_scene.h"
@@ -102,6 +106,46 @@ TEST(Stars, AreDimmedByTheAir) {
     }
   }
   EXPECT_GT(stars, 30);
+}
+
+// The table of bending against the search for each direction.
+TEST(Stars, AreBentAsTheSunIs) {
+  const Scene scene = resolve(load_preset(AIRLIGHT_SOURCE_DIR "/presets/earth.json"), method_infos());
+  physics::Physics p = geometry_of(scene);
+  ASSERT_TRUE(p.refraction);
+  const BentSky sky(p);
+  for (const double elevation : {-0.5, -0.3, 0.0, 0.2, 1.0, 3.7, 12.0, 45.0, 89.0}) {
+    const physics::vec3 direction = p.direction_from_angles(elevation * kDegree, 1.0);
+    const SeenDirection fast = sky.seen(direction);
+    const SeenDirection exact = seen_direction(p, direction);
+    EXPECT_LT(physics::length(fast.direction - exact.direction) / kDegree * 3600.0, 1.0) << elevation;
+    EXPECT_NEAR(fast.spread / exact.spread, 1.0, 2e-3) << elevation;
+  }
+}
+
+// Orion's stars over the south in January; Jupiter stood in Taurus in 2025.
+TEST(Stars, AreNamedWhereThePictureShowsThem) {
+  Scene scene = starlit(Projection::fisheye, 400, 400);
+  scene.camera = {.altitude = 0.01,
+                  .azimuth = std::numbers::pi,
+                  .pitch = 30.0 * kDegree,
+                  .projection = Projection::perspective,
+                  .vertical_fov = 70.0 * kDegree,
+                  .latitude = 48.85 * kDegree,
+                  .longitude = 2.35 * kDegree,
+                  .julian_date = 2460690.42};  // 14 January 2025, 22:05
+  const std::vector<NamedPoint> points = named_points(ready(scene));
+  const auto has = [&](std::string_view name) {
+    return std::ranges::any_of(points, [&](const NamedPoint& point) { return point.name == name; });
+  };
+  EXPECT_TRUE(has("Sirius"));
+  EXPECT_TRUE(has("Rigel"));
+  EXPECT_TRUE(has("Betelgeuse"));
+  EXPECT_FALSE(has("Vega"));
+  const auto sirius = std::ranges::find(points, "Sirius", &NamedPoint::name);
+  ASSERT_NE(sirius, points.end());
+  EXPECT_NEAR(sirius->elevation / kDegree, 22.0, 4.0);  // it culminates at 24.4, half past eleven
+  EXPECT_TRUE(std::ranges::is_sorted(points, {}, &NamedPoint::magnitude));
 }
 
 TEST(Stars, HaveTheirColours) {

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/scene/readers.h"
 #include "core/sequence/sun_position.h"
 
 namespace airlight::sequence {
@@ -78,6 +79,29 @@ TEST(Moon, WanesWhenItWasFull) {
   EXPECT_LT(std::abs(moon_angles(full, {0.0, 0.0, 0.0}).phase_deg), 5.0);
   EXPECT_GT(moon_angles(full - kDay, {0.0, 0.0, 0.0}).phase_deg, 5.0);
   EXPECT_LT(moon_angles(full + kDay, {0.0, 0.0, 0.0}).phase_deg, -5.0);
+}
+
+// 8 April 2024 over Dallas (32.78 N, 96.80 W): total from 18:40:43 to 18:44:35 UTC; before and after, a crescent. 14
+// October 2023 over Albuquerque (35.08 N, 106.65 W): a ring from 16:34:30 to 16:39:20.
+TEST(Eclipse, IsTotalOrAnnularWhereItWas) {
+  const auto discs = [](Milliseconds utc, const Place& place) {
+    const SunAngles sun = sun_angles(utc, place);
+    const MoonAngles moon = moon_angles(utc, place);
+    double apart = eraSeps(sun.azimuth_deg * ERFA_DD2R, sun.elevation_deg * ERFA_DD2R, moon.at.azimuth_deg * ERFA_DD2R,
+                           moon.at.elevation_deg * ERFA_DD2R);
+    const double moon_radius = std::asin(1737.4 / moon.distance_km);
+    return uncovered_share(0.2666 * ERFA_DD2R, 0.6, moon_radius, apart);
+  };
+  const Place dallas{32.7767, -96.797, 0.13};
+  const Milliseconds total = 1712601643000;  // 18:40:43
+  EXPECT_GT(discs(total - 40000, dallas), 0.0);
+  EXPECT_EQ(discs(total + 40000, dallas), 0.0);
+  EXPECT_EQ(discs(total + 192000, dallas), 0.0);
+  EXPECT_GT(discs(total + 272000, dallas), 0.0);
+  EXPECT_LT(discs(total + 272000, dallas), 0.05);
+  const double ring = discs(1697301420000, {35.0844, -106.6504, 1.6});  // 16:37:00
+  EXPECT_GT(ring, 0.05);
+  EXPECT_LT(ring, 0.12);
 }
 
 TEST(Celestial, KnowsTheSunsLongitude) {

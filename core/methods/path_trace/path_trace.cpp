@@ -113,7 +113,7 @@ HostPicture trace(const Part& part, const Wavelengths* all, const View& view, co
   }
   Sampling sampling(tracer, rules_of(settings), options, std::move(targets.pixels), targets.ids, identity);
   sampling.run();
-  const vec3 irradiance = vector_of(scene.sun.irradiance) * light_passed(scene.camera);
+  const vec3 irradiance = vector_of(scene.sun.irradiance) * (scene.sun.uncovered * light_passed(scene.camera));
   for (std::size_t k = 0; k < targets.ids.size(); ++k) {
     set_pixel(picture.radiance, targets.ids[k], sampling.radiance(k) * irradiance);
     set_pixel(picture.standard_error, targets.ids[k], sampling.standard_error(k) * irradiance);
