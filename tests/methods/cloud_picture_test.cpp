@@ -256,6 +256,17 @@ TEST(CloudPicture, TakesTheThinnestField) {
   EXPECT_GT(greatest(render_now(scene).radiance), 0.0);
 }
 
+// So narrow a picture holds no star.
+TEST(CloudPicture, StandsBeforeANightWithoutALightInView) {
+  Scene scene = under_level_cloud(1.0, 0.7);
+  scene.stars = Stars{6.5};
+  scene.camera.julian_date = 2451545.0;
+  scene.image = {4, 4};
+  scene.camera.pitch = 1.0;
+  scene.camera.vertical_fov = 1e-6;
+  EXPECT_GT(greatest(render_now(scene).radiance), 0.0);
+}
+
 void expect_refused(const Scene& scene, const std::string& words) {
   try {
     render_now(scene);
