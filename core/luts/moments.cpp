@@ -104,15 +104,17 @@ Extent atlas_extent(const MomentSettings& s) {
   return {static_cast<std::uint32_t>(s.size[0] * block_count(s)), static_cast<std::uint32_t>(s.size[1]), 1};
 }
 
-// Steps that a bake of so many orders takes, over all rays.
-double bake_steps(const MomentSettings& settings, int orders) {
+// Moments that a bake of so many orders fetches, at all steps of all rays. A device runs all of a loop's code: later
+// orders of a lower degree take no less.
+double bake_fetches(const MomentSettings& settings, int orders) {
+  constexpr int kOfStep = 15;  // that the rest of a step takes as long as
   double steps = 0.0;
   for (int order = 1; order <= orders; ++order) {
     const OrderQuadrature q = order_way(order, settings).quadrature;
     const double along = settings.shells ? settings.size[1] - 1.0 : q.steps;
     steps += static_cast<double>(q.up + q.down) * q.half_azimuths * along;
   }
-  return steps * settings.size[0] * settings.size[1];
+  return steps * settings.size[0] * settings.size[1] * (harmonic_count(settings) + kOfStep);
 }
 
 std::string row_altitudes(const physics::SceneData& scene) {
@@ -282,11 +284,11 @@ MomentSettings moment_settings(const Air& air, const MomentRequest& request) {
   }
   settings.orders = std::max(request.orders.value_or(settings.orders), 2);
   settings.wished_orders = settings.orders;
-  const double most = kMostBakeSteps * kUsualMedia / static_cast<double>(std::max(kUsualMedia, air.media().size()));
-  if (bake_steps(settings, 4) > most) {
+  const double most = kMostBakeFetches * kUsualMedia / static_cast<double>(std::max(kUsualMedia, air.media().size()));
+  if (bake_fetches(settings, 4) > most) {
     settings.corrections = 0;  // these take about as many steps
   }
-  while (settings.corrections == 0 && settings.orders > 2 && bake_steps(settings, settings.orders) > most) {
+  while (settings.corrections == 0 && settings.orders > 2 && bake_fetches(settings, settings.orders) > most) {
     --settings.orders;
   }
   return settings;

@@ -11,9 +11,9 @@
 
 namespace airlight {
 
-// Steps of rays that a bake may take in air of up to kUsualMedia; 1e9 in air of eight media take 90 CPU-s. Each step
-// asks every medium, so air of more media gets fewer.
-inline constexpr double kMostBakeSteps = 2e8;
+// Moments that a bake may fetch in air of up to kUsualMedia, what else a step does counting as some more of them: 6e10
+// took 200 CPU-s on the software device. Each step asks every medium, so air of more media gets fewer.
+inline constexpr double kMostBakeFetches = 1.5e10;
 inline constexpr std::size_t kUsualMedia = 3;
 
 struct MomentSettings {
@@ -21,7 +21,7 @@ struct MomentSettings {
   bool delta = false;            // forward peaks as unscattered light (forward_peak() of shaders/physics/moments.glsl)
   bool peaked = false;           // forward-peaked media are thick: by shells the first order takes more directions
   int orders = 3;                // computed one by one; the rest is a geometric series
-  int wished_orders = 3;         // more than `orders` where those would take kMostBakeSteps
+  int wished_orders = 3;         // more than `orders` where those would take kMostBakeFetches
   TableSize size{48, 12};        // sun elevations x altitudes
   int corrections = 0;           // above 0: all orders are found at once, as a field corrected so often
   int level_degree = 0;          // harmonics up to it are corrected as if the air were level (core/luts/level_orders.h)
