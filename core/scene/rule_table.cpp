@@ -306,8 +306,7 @@ constexpr auto kRules = std::to_array<Rule>({
 
     number("stars.magnitude_limit", kMagnitude, "", "6.5",
            "of the faintest star drawn, in V; without `stars` there are none, with `{}` 8874 and five planets, placed "
-           "by the camera's "
-           "latitude, longitude and Julian date"),
+           "by the camera's latitude, longitude and Julian date"),
 
     hinted("below 0 the camera is inside the planet",
            number("camera.altitude_km", kAltitude, "km", "0.001", "above the ground; above the atmosphere is allowed")),

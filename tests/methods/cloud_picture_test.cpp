@@ -256,6 +256,23 @@ TEST(CloudPicture, TakesTheThinnestField) {
   EXPECT_GT(greatest(render_now(scene).radiance), 0.0);
 }
 
+// Light in a cloud is kept for the next picture, of the same drops alone: the same matter under another name.
+TEST(CloudPicture, OfOtherDropsIsAnother) {
+  const auto light = [](double g, const std::string& name) {
+    Scene scene = under_level_cloud(4.0, 0.7);
+    auto contents = std::make_shared<CloudFile>(*scene.clouds.front().contents);
+    contents->identity = name;
+    scene.clouds.front().contents = contents;
+    scene.clouds.front().phase_g = g;
+    return probe_now(scene, {{1.2, 0.5}}).front().radiance[1];
+  };
+  const double first = light(0.85, "kept");
+  const double other = light(0.4, "kept");
+  EXPECT_NEAR(other, light(0.4, "anew"), 1e-6 * other);
+  EXPECT_GT(std::abs(other / first - 1.0), 0.05);
+  EXPECT_EQ(light(0.85, "kept"), first);
+}
+
 // So narrow a picture holds no star.
 TEST(CloudPicture, StandsBeforeANightWithoutALightInView) {
   Scene scene = under_level_cloud(1.0, 0.7);

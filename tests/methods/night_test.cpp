@@ -95,21 +95,29 @@ TEST(NightSky, EndsTheTwilight) {
   EXPECT_NEAR(zenith_magnitude(-18.413), 21.52, 0.25);
 }
 
-// Under an even sky of radiance 1, air that absorbs nothing over white ground is as bright in every direction.
-TEST(NightAir, LosesNothingOverWhiteGround) {
+// Air of molecules alone, which absorb nothing.
+Scene molecules(double ground_albedo) {
   Scene scene = earth();
   scene.media.resize(1);
   scene.media[0].absorption = {};
-  scene.planet.ground_albedo = {1.0, 1.0, 1.0};
-  const Air air = air_of(scene);
+  scene.planet.ground_albedo = {ground_albedo, ground_albedo, ground_albedo};
+  return scene;
+}
+
+// Of a direction of the table: what the air lets through of the sky behind it.
+double sky_through(physics::Physics& p, physics::uint i) {
+  const double mu = p.night_slope_cosine(p.scene.planet, 0.5, i);
+  return i >= physics::kNightSlopes ? 0.0 : p.transmittance_to_top(p.scene.planet, 0.5, mu).y;
+}
+
+// Under an even sky of radiance 1, air that absorbs nothing over white ground is as bright in every direction.
+TEST(NightAir, LosesNothingOverWhiteGround) {
+  const Air air = air_of(molecules(1.0));
   physics::Physics p = air.formulas();
   p.sun_steps = physics::kTransmittanceSteps;
   const NightAir lit = night_air(air, 0.5);
   for (physics::uint i = 0; i < 2 * physics::kNightSlopes; ++i) {
-    const double mu = p.night_slope_cosine(p.scene.planet, 0.5, i);
-    const bool ground = i >= physics::kNightSlopes;
-    const double through = ground ? 0.0 : p.transmittance_to_top(p.scene.planet, 0.5, mu).y;
-    EXPECT_NEAR(through + lit.scattered[i].y, 1.0, 0.03) << mu;
+    EXPECT_NEAR(sky_through(p, i) + lit.scattered[i].y, 1.0, 0.03) << i;
   }
   EXPECT_NEAR(lit.ground.y, std::numbers::pi, 0.06);
 }
@@ -117,30 +125,21 @@ TEST(NightAir, LosesNothingOverWhiteGround) {
 // Black-body radiation: a sky of radiance 1 and a ground that reflects A and shines with 1 - A are 1 in every
 // direction, through whatever air.
 TEST(NightAir, OfSkyAndShiningGroundIsOneEverywhere) {
-  Scene scene = earth();
-  scene.media.resize(1);
-  scene.media[0].absorption = {};
-  scene.planet.ground_albedo = {0.3, 0.3, 0.3};
-  const Air air = air_of(scene);
+  const Air air = air_of(molecules(0.3));
   physics::Physics p = air.formulas();
   p.sun_steps = physics::kTransmittanceSteps;
   const NightAir sky = night_air(air, 0.5);
   const NightAir ground = night_air(air, 0.5, NightSource::ground);
   for (physics::uint i = 0; i < 2 * physics::kNightSlopes; ++i) {
-    const double mu = p.night_slope_cosine(p.scene.planet, 0.5, i);
-    const double through = i >= physics::kNightSlopes ? 0.0 : p.transmittance_to_top(p.scene.planet, 0.5, mu).y;
-    EXPECT_NEAR(through + sky.scattered[i].y + 0.7 * ground.scattered[i].y, 1.0, 0.03) << mu;
+    EXPECT_NEAR(sky_through(p, i) + sky.scattered[i].y + 0.7 * ground.scattered[i].y, 1.0, 0.03) << i;
   }
   EXPECT_NEAR(sky.ground.y + 0.7 * ground.ground.y, std::numbers::pi, 0.06);
 }
 
 // Thin air over a shining ground scatters half its depth straight down: half of all directions shine.
 TEST(NightAir, OfThinAirOverLampsIsHalfItsDepth) {
-  Scene scene = earth();
-  scene.media.resize(1);
-  scene.media[0].absorption = {};
+  Scene scene = molecules(0.0);
   scene.media[0].scattering = {1e-5, 1e-5, 1e-5};
-  scene.planet.ground_albedo = {};
   const Air air = air_of(scene);
   const NightAir lit = night_air(air, 0.0, NightSource::ground);
   const double depth = air.depths().extinction;
