@@ -4,6 +4,7 @@
 
 #include "core/clock.h"
 #include "core/error.h"
+#include "core/gpu/driver_code.h"
 #include "core/gpu/frame.h"
 #include "core/gpu/kept_files.h"
 #include "core/gpu/physical_device.h"
@@ -28,9 +29,16 @@ std::string wanted_device(const DeviceOptions& options) {
   return options.name_substring.empty() ? environment("AIRLIGHT_DEVICE") : options.name_substring;
 }
 
+// A folder of its own for each kind, so that no other file in the user's folder is ever taken for code, or removed.
+std::filesystem::path cache_folder(const DeviceOptions& options, const char* kind) {
+  const std::filesystem::path folder = options.cache_folder ? *options.cache_folder : user_cache_folder();
+  return folder.empty() ? folder : folder / kind;
+}
+
 // Where no device is named, opens the software device's driver alone, if it exists and can be used. Not with the
 // validation layer, which would count the loader's messages about a missing driver.
 std::unique_ptr<Instance> open_instance(const DeviceOptions& options) {
+  take_driver_code(cache_folder(options, ""));
   const bool validation = wants_validation(options);
   if (!validation && wanted_device(options).empty()) {
     try {
@@ -41,12 +49,6 @@ std::unique_ptr<Instance> open_instance(const DeviceOptions& options) {
     }
   }
   return std::make_unique<Instance>(validation);
-}
-
-// A folder of its own for each kind, so that no other file in the user's folder is ever taken for code, or removed.
-std::filesystem::path cache_folder(const DeviceOptions& options, const char* kind) {
-  const std::filesystem::path folder = options.cache_folder ? *options.cache_folder : user_cache_folder();
-  return folder.empty() ? folder : folder / kind;
 }
 
 SamplerHandle make_sampler(const Device& device) {

@@ -68,15 +68,16 @@ class Profile {
   double share_above(unsigned int i, unsigned int j, double low, double high) const {
     double all_i = 0.0;
     double all_j = 0.0;
-    double sum = 0.0;
+    double mean = 0.0;  // of j's column above. Columns are not multiplied: of two small ones nothing would be left
     for (std::size_t k = columns_.size(); k-- > 0;) {
       if (altitudes_[k] > low && altitudes_[k] < high) {
-        sum += columns_[k][i] * (all_j + 0.5 * columns_[k][j]);
         all_i += columns_[k][i];
+        const double part = all_i > 0.0 ? columns_[k][i] / all_i : 0.0;
+        mean += part * (all_j + 0.5 * columns_[k][j] - mean);
         all_j += columns_[k][j];
       }
     }
-    return all_i > 0.0 && all_j > 0.0 ? sum / (all_i * all_j) : 0.5;
+    return all_i > 0.0 && all_j > 0.0 ? mean / all_j : 0.5;
   }
 
   // The altitude above which this share of the scattering above h stands; h where there is no scattering.

@@ -106,6 +106,8 @@ double value_of(Quantity quantity, const SkyMethod& method, const Part& part) {
       return table_size_of(method, part.scene);
     case Quantity::light_kept:
       return light_kept(part);
+    case Quantity::refractivity:
+      return part.scene.planet.refraction ? part.scene.planet.refraction->n_minus_1 : 0.0;
     case Quantity::view:
       break;  // a range of the picture, not a number
   }

@@ -29,8 +29,9 @@ enum class Quantity {
   steps,          // render.steps
   table_size,     // greater side of the tables, texels
   light_kept,     // 1: neither air nor ground absorbs; else the lesser of ground albedo and the air's own albedo
+  refractivity,   // refractive index less 1, at the ground
 };
-inline constexpr std::size_t kQuantities = 9;
+inline constexpr std::size_t kQuantities = 10;
 
 struct Limit {
   Quantity quantity = Quantity::steps;

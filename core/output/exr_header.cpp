@@ -6,10 +6,12 @@
 #include <fstream>
 #include <limits>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 #include "core/output/first_bytes.h"
 #include "core/output/long_text.h"
+#include "core/text.h"
 
 namespace airlight {
 namespace {
@@ -59,6 +61,43 @@ std::int64_t little_endian_int(const std::string& bytes, std::size_t at) {
   return value;
 }
 
+// Bytes of the types of one length, which OpenEXR reads whatever size the file says: from there on it would take the
+// header for another than we do.
+constexpr std::array<std::pair<std::string_view, std::uint32_t>, 24> kBytesOfType = {{
+    {"box2f", 16},
+    {"box2i", 16},
+    {"chromaticities", 32},
+    {"compression", 1},
+    {"deepImageState", 1},
+    {"double", 8},
+    {"envmap", 1},
+    {"float", 4},
+    {"int", 4},
+    {"keycode", 28},
+    {"m33d", 72},
+    {"m33f", 36},
+    {"m44d", 128},
+    {"m44f", 64},
+    {"lineOrder", 1},
+    {"rational", 8},
+    {"tiledesc", 9},
+    {"timecode", 8},
+    {"v2d", 16},
+    {"v2f", 8},
+    {"v2i", 8},
+    {"v3d", 24},
+    {"v3f", 12},
+    {"v3i", 12},
+}};
+
+void require_size_of_type(const std::string& name, const std::string& type, std::uint32_t size) {
+  const auto* const known = std::ranges::find(kBytesOfType, type, &std::pair<std::string_view, std::uint32_t>::first);
+  if (known != kBytesOfType.end() && known->second != size) {
+    throw std::runtime_error("its attribute " + one_line(name) + " has " + std::to_string(size) + " bytes, where a " +
+                             type + " has " + std::to_string(known->second));
+  }
+}
+
 // Into how many pieces of a length, the last perhaps shorter, something falls.
 std::int64_t pieces(std::int64_t whole, std::int64_t length) {
   return (whole + length - 1) / length;
@@ -98,6 +137,7 @@ ExrHeader read_part(std::istream& in, std::uint32_t flags, std::uint64_t file_si
     if (size > file_size - static_cast<std::uint64_t>(in.tellg())) {
       throw std::runtime_error("its header is longer than the file");
     }
+    require_size_of_type(name, attribute.type, size);
     require_room_inside(in, attribute.type, size);
     const bool kept = attribute.type == "string" || attribute.type == "chlist" || size <= kLongestPlainValue;
     attribute.value.resize(kept ? size : 0);

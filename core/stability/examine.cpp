@@ -19,7 +19,7 @@ constexpr double kAureole = 0.26;  // rad: near the sun a peaked phase function 
 std::string key_of(const Scene& scene, const Place& place, const Sweep& sweep) {
   std::string key = scene.render.method + (sweep.narrow ? " narrow" : " round");
   for (const Quantity q : {Quantity::sun_elevation, Quantity::altitude, Quantity::optical_depth, Quantity::asymmetry,
-                           Quantity::planet_radius}) {
+                           Quantity::planet_radius, Quantity::refractivity}) {
     key += ' ' + std::to_string(place[q]);
   }
   return key;

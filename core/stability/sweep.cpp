@@ -165,7 +165,8 @@ std::string_view quantity_name(Quantity q) {
   constexpr std::array<std::string_view, kQuantities> kNames{
       "sun elevation, degrees",   "camera altitude, km", "view above the true horizon, degrees",
       "vertical optical depth",   "asymmetry g",         "planet radius, km",
-      "steps along the view ray", "table size, texels",  "share of light that is kept"};
+      "steps along the view ray", "table size, texels",  "share of light that is kept",
+      "n - 1 at the ground"};
   return kNames[static_cast<std::size_t>(q)];
 }
 
@@ -218,6 +219,17 @@ std::vector<Sweep> sweeps(Form form) {
                   .ys = few,
                   .base = at(0.0, 0.001),
                   .energy = true});
+  if (!quick) {  // air that bends light needs shaders of its own
+    list.push_back({.name = "refraction",
+                    .title =
+                        "Earth's air, bending light as its molecules are dense, from 1 m; from 1.258e-3 on rays would "
+                        "circle the planet",
+                    .x = refractivity,
+                    .y = sun_elevation,
+                    .xs = of_form({1e-6, 1e-5, 1e-4, 2.8e-4, 6e-4, 1e-3, 1.2e-3}, form, 1, 1),
+                    .ys = of_form({-10, -4, -1, -0.5, 0, 0.5, 3, 30, 90}, form, 1, 1),
+                    .base = at(0.0, 0.001)});
+  }
   list.push_back({.name = "steps",
                   .title = "Earth's air from 1 m, the method's own tables",
                   .x = Quantity::steps,
@@ -249,6 +261,10 @@ Scene scene_at(const Place& place) {
   scene.media = earth_air();
   if (place.given(planet_radius)) {
     scene.planet.ground_radius = place[planet_radius];
+  }
+  if (place.given(refractivity)) {
+    scene.planet.refraction = Refraction{
+        .n_minus_1 = place[refractivity], .density = scene.media.front().density, .medium = scene.media.front().name};
   }
   if (place.given(optical_depth)) {
     set_depth(scene, place);

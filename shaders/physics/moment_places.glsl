@@ -15,8 +15,10 @@ uint moment_count() { return harmonic_count() + (polarised() ? kPolarisedMoments
 
 bool is_logarithm(uint k) { return k == 0u || k == moment_count(); }
 
+// Light that is nowhere negative has |M_lm| <= sqrt(2 (2l + 1)) M_00, and P_m below 5. A correction of a field that all but
+// vanishes, as far above the air, may break that.
 vec3 moment_code(uint k, vec3 value, vec3 isotropic) {
-  return is_logarithm(k) ? log(max(value, vec3(1e-30))) : value / isotropic;
+  return is_logarithm(k) ? log(max(value, vec3(1e-30))) : max(min(value / isotropic, vec3(8.0)), vec3(-8.0));
 }
 
 vec3 moment_of_code(uint k, vec3 code, vec3 isotropic) { return is_logarithm(k) ? exp(code) : code * isotropic; }

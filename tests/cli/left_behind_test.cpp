@@ -6,6 +6,7 @@
 #include <csignal>
 #include <filesystem>
 #include <map>
+#include <set>
 
 #include "tests/cli/small_sky.h"
 
@@ -208,6 +209,37 @@ TEST_F(LeftBehind, PreparedShadersUnlessTheCacheIsOff) {
   EXPECT_EQ(cached(render, {{"AIRLIGHT_CACHE", "off"}, {"XDG_CACHE_HOME", cache}}), 0);
   EXPECT_EQ(cached(render, {{"AIRLIGHT_CACHE", "/proc/nowhere"}}), 0);
   EXPECT_EQ(scratch_.read("a.exr"), picture);
+}
+
+// The build rendered every preset on the software device, so Mesa finds all code that a first start needs.
+TEST_F(LeftBehind, NothingCompiledForPresetsThatShip) {
+  const std::filesystem::path code = tool_program().parent_path() / "driver_code";
+  if (!std::filesystem::exists(code / "stamp")) GTEST_SKIP() << "the build compiled nothing ahead";
+  if (!std::filesystem::exists(code / "mesa_shader_cache")) GTEST_SKIP() << "this Mesa keeps its code in one file";
+  const std::filesystem::path mesa = scratch_.path() / "mesa";
+  Start start;
+  start.environment = {{"AIRLIGHT_CACHE", (scratch_.path() / "cache").string()},
+                       {"MESA_SHADER_CACHE_DIR", mesa.string()},
+                       {"AIRLIGHT_DEVICE", "llvmpipe"},
+                       {"AIRLIGHT_VALIDATION", "0"}};
+  const auto names_in = [](const std::filesystem::path& folder) {
+    std::set<std::string> names;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder / "mesa_shader_cache")) {
+      if (entry.is_regular_file() && entry.path().filename() != "index") names.insert(entry.path().filename());
+    }
+    return names;
+  };
+  const Names render = {"render", "earth-noon", "-o", "a.exr", "--png", "a.png", "--size", "160x90"};
+  ASSERT_EQ(tool(render, start).exit_code, 0);
+  EXPECT_EQ(names_in(mesa), names_in(code));
+  // What is there is not taken again, and nothing is taken where nothing may be kept.
+  std::filesystem::remove_all(mesa);
+  ASSERT_EQ(tool({"render", "earth-noon", "-o", "b.exr", "--size", "160x90"}, start).exit_code, 0);
+  EXPECT_LT(names_in(mesa).size(), names_in(code).size());
+  std::filesystem::remove_all(mesa);
+  start.environment["AIRLIGHT_CACHE"] = "off";
+  ASSERT_EQ(tool({"render", "earth-noon", "-o", "c.exr", "--size", "160x90"}, start).exit_code, 0);
+  EXPECT_LT(names_in(mesa).size(), names_in(code).size());
 }
 
 // A second start bakes no tables and makes the same picture.

@@ -1,5 +1,6 @@
 // Valid presets with impossible skies: each is rendered in finite numbers, with bounded work and memory, or refused.
 #include <algorithm>
+#include <cmath>
 
 #include "core/luts/moments.h"
 #include "core/scene/preset.h"
@@ -52,12 +53,35 @@ TEST(AbsurdAir, IsDrawnInFiniteNumbers) {
            Case{"a film on the ground of the largest planet", thin_layers(2, 1e-3),
                 R"("render": {"method": "analytic", "variant": "exponential"},
                    "planet": {"radius_km": 1e7, "atmosphere_height_km": 17000, "ground_albedo": 1})"},
+           Case{"a skin of 2 mm, of which hardly anything stands above the camera",
+                R"({"name": "skin", "scattering_per_km": 0.05,
+                    "density": {"profile": "exponential", "scale_height_km": 2e-6}})",
+                R"("render": {"method": "analytic", "variant": "exponential"}, "camera": {"altitude_km": 0.001},
+                   "planet": {"atmosphere_height_km": 78.57}, "sun": {"elevation_deg": 60})"},
            // Without a limit, 1e9 pieces of two scale heights filled 13.9 GB.
            Case{"a lorentzian that is over far below the top", kSharpLorentzian,
                 std::string(kPathTrace) + R"(, "planet": {"radius_km": 110, "atmosphere_height_km": 1e7})"},
        }) {
     expect_sound(render_now(absurd_scene(c.media, c.rest)), c.what);
   }
+}
+
+// Far above the air hardly any light is left, and what level air would hand on to there is more than there is.
+TEST(AbsurdAir, HasFiniteMomentsFarAboveIt) {
+  RenderRequest request;
+  request.tables = true;
+  const Rendering rendering =
+      render_now(absurd_scene(R"({"name": "molecules", "scattering_per_km": [0.048, 0.005, 0.002],
+                       "density": {"profile": "exponential", "scale_height_km": 14.2}, "phase": {"function": "rayleigh"}},
+                      {"name": "shell", "absorption_per_km": 0.032,
+                       "density": {"profile": "tent", "center_km": 257556.27, "half_width_km": 7.6}})",
+                              R"("render": {"method": "orders"}, "sun": {"elevation_deg": 90},
+                      "planet": {"radius_km": 28.12, "atmosphere_height_km": 9.978e6, "ground_albedo": 0.1})"),
+                 request);
+  expect_sound(rendering, "air of 1e7 km");
+  const auto moments = std::ranges::find(rendering.tables, "moments", &TableDump::name);
+  ASSERT_NE(moments, rendering.tables.end());
+  EXPECT_TRUE(std::ranges::all_of(moments->rgba, [](float x) { return std::isfinite(x); }));
 }
 
 // An endless walk through air without absorption is ended, and reported.

@@ -125,6 +125,15 @@ TEST(ExrRoom, LengthsBeyondTheFileAreRefused) {
             "it has fewer bytes than its header asks for");
 }
 
+// OpenEXR reads 16 bytes of a window whatever the file says, and takes what follows for other attributes: one of 2 kB
+// took 825 MiB.
+TEST(ExrRoom, AnAttributeOfAnotherSizeThanItsTypeIsRefused) {
+  const Folder folder;
+  const std::string window_type = std::string("dataWindow\0box2i\0", 17);
+  EXPECT_EQ(refusal(folder, with_number(scan_lines(folder), window_type, 0, 198)),
+            "its attribute dataWindow has 198 bytes, where a box2i has 16");
+}
+
 // A damaged length before it takes an attribute's name away; OpenEXR then reads the pixels as ZIP.
 TEST(ExrRoom, AHeaderThatDoesNotTellIsRefused) {
   const Folder folder;

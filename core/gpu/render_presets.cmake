@@ -1,0 +1,31 @@
+# cmake -DAIRLIGHT=PROGRAM -DPRESETS=LIST -DPART=0|1 -DOUT=FOLDER -DSHADERS=FILE -DMADE=FILE -P render_presets.cmake
+# Renders every second preset of the list, from PART on, so that the driver keeps the compiled shaders in OUT. The tables
+# lie beside it for the next build. OUT gets a stamp by the SHADERS' hash; MADE tells the build that all is done.
+set(index ${PART})
+list(LENGTH PRESETS count)
+file(MAKE_DIRECTORY ${OUT})
+set(ENV{MESA_SHADER_CACHE_DIR} ${OUT})
+set(ENV{AIRLIGHT_CACHE} ${OUT}_tables)
+set(ENV{AIRLIGHT_DEVICE} llvmpipe)
+set(ENV{AIRLIGHT_VALIDATION} 0)
+while(index LESS count)
+  list(GET PRESETS ${index} preset)
+  set(picture ${MADE}.exr)
+  foreach(size 192x108 160x90)  # large enough for tables of view directions, and not
+    file(REMOVE ${picture} ${picture}.png)
+    execute_process(COMMAND ${AIRLIGHT} render ${preset} --size ${size} -o ${picture} --png ${picture}.png --quiet
+                    RESULT_VARIABLE code OUTPUT_QUIET ERROR_VARIABLE words)
+  endforeach()
+  file(REMOVE ${picture} ${picture}.png)
+  if(NOT code EQUAL 0)
+    message(STATUS "No code is compiled ahead: ${words}")
+    break()
+  endif()
+  math(EXPR index "${index} + 2")
+endwhile()
+file(GLOB kept ${OUT}/*)
+if(kept)
+  file(SHA256 ${SHADERS} shaders)
+  file(WRITE ${OUT}/stamp "${shaders}")
+endif()
+file(TOUCH ${MADE})
