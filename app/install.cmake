@@ -145,15 +145,15 @@ foreach(pair IN LISTS more_packages)
   install(FILES ${copyright} ${changelog} DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} COMPONENT ${component})
 endforeach()
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "${vulkan}")
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "${vulkan}, tzdata")
 set(CPACK_DEBIAN_LIBRARY_DESCRIPTION "physically based skies in memory\n Renders skies of presets to arrays of radiance.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${shared_package} (= ${CPACK_PACKAGE_VERSION})")
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "nettle-dev, liberfa-dev, spirv-tools")  # to link the archive
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "nettle-dev, liberfa-dev, libcctz-dev, spirv-tools")  # to link the archive
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "physically based skies in memory, to build with\n Header, archive, CMake package and pkg-config file of libairlight.")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 math(EXPR next_python "${Python_VERSION_MINOR} + 1")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
-    "${vulkan}, python3 (>= 3.${Python_VERSION_MINOR}~), python3 (<< 3.${next_python}), python3-numpy")
+    "${vulkan}, tzdata, python3 (>= 3.${Python_VERSION_MINOR}~), python3 (<< 3.${next_python}), python3-numpy")
 set(CPACK_DEBIAN_PYTHON_DESCRIPTION "physically based skies as NumPy arrays\n Renders skies of presets from Python.")
 include(CPack)

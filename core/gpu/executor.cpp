@@ -116,7 +116,9 @@ const DeviceInfo& Executor::device() const {
 }
 
 MemoryUse Executor::memory_use() const {
-  return impl_->cache.memory_use();
+  MemoryUse use = impl_->cache.memory_use();
+  use.pipelines = impl_->pipelines.count();
+  return use;
 }
 
 int Executor::validation_message_count() {

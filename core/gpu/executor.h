@@ -55,10 +55,15 @@ struct RunResult {
   std::vector<std::span<const std::byte>> buffers;  // by BufferId, empty where not host-readable
 };
 
+// Most pipelines that an executor keeps beyond those of the current run. A scene has some ten to thirty, so a program
+// may go to and fro between several kinds of scenes without compiling one anew.
+inline constexpr std::size_t kMostPipelines = 160;
+
 struct MemoryUse {  // images and buffers that an executor holds on the device
   std::size_t resources = 0;
   std::size_t bytes = 0;
   std::size_t kept_bytes = 0;  // of these, those kept by key
+  std::size_t pipelines = 0;   // beside the bytes: compiled code
 };
 
 class Executor {

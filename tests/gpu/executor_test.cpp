@@ -226,6 +226,19 @@ TEST(Executor, PassesConstantsSceneAndPushConstants) {
   EXPECT_EQ(report_of(executor, with_count(3)).count, 3U);
 }
 
+// A program that renders ever new scenes keeps a bounded number of pipelines, and those in use among them.
+TEST(Executor, KeepsABoundedNumberOfPipelines) {
+  Executor executor({}, test_shaders());
+  const std::uint32_t many = kMostPipelines + 20;
+  for (std::uint32_t count = 1; count <= many; ++count) {
+    EXPECT_EQ(report_of(executor, with_count(count)).count, count);
+    EXPECT_EQ(executor.memory_use().pipelines, std::min<std::size_t>(count, kMostPipelines));
+  }
+  // One that is gone is made anew.
+  EXPECT_EQ(report_of(executor, with_count(1)).count, 1U);
+  EXPECT_EQ(executor.memory_use().pipelines, kMostPipelines);
+}
+
 // A module is stored under another's name: a result computed with it shows that it was read from the folder.
 TEST(Executor, KeepsPreparedShadersInItsFolderAlone) {
   if (!can_specialize()) GTEST_SKIP() << "built without SPIRV-Tools";
