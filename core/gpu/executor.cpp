@@ -67,7 +67,7 @@ struct Executor::Impl {
   Impl(const DeviceOptions& options, std::span<const EmbeddedShader> extra_shaders)
       : instance(open_instance(options)),
         device(*instance, wanted_device(options)),
-        pipelines(device, extra_shaders, cache_folder(options, "modules")),
+        pipelines(device, extra_shaders, cache_folder(options, "modules"), options.pipelines_max),
         cache(device, options.kept_bytes_max),
         frame(device),
         sampler(make_sampler(device)),

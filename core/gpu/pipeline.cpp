@@ -86,8 +86,9 @@ VkDescriptorType descriptor_type(BindingKind kind) {
   return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
 }
 
-PipelineCache::PipelineCache(const Device& device, std::span<const EmbeddedShader> extra, std::filesystem::path folder)
-    : device_(device), frozen_(std::move(folder)) {
+PipelineCache::PipelineCache(const Device& device, std::span<const EmbeddedShader> extra, std::filesystem::path folder,
+                             std::size_t most)
+    : device_(device), frozen_(std::move(folder)), most_(most) {
   for (const EmbeddedShader& shader : embedded_shaders()) shaders_[std::string(shader.name)] = shader;
   for (const EmbeddedShader& shader : extra) shaders_[std::string(shader.name)] = shader;
 }
@@ -128,9 +129,9 @@ PipelineHandle PipelineCache::compile(const Request& request, bool& made) const 
   return make_pipeline(device_, program, program.source.spirv, &specialization);
 }
 
-// Beyond kMostPipelines, those go that were asked for longest ago, but none of this call.
+// Beyond the most, those go that were asked for longest ago, but none of this call.
 void PipelineCache::drop_unused() {
-  while (pipelines_.size() > kMostPipelines) {
+  while (pipelines_.size() > most_) {
     const auto oldest =
         std::ranges::min_element(pipelines_, {}, [](const auto& entry) { return entry.second.last_call; });
     if (oldest->second.last_call == calls_) return;

@@ -12,7 +12,6 @@
 
 #include "core/gpu/device.h"
 #include "core/gpu/embedded_shaders.h"
-#include "core/gpu/executor.h"
 #include "core/gpu/frozen_modules.h"
 #include "core/gpu/match.h"
 #include "core/gpu/shader.h"
@@ -32,8 +31,9 @@ VkDescriptorType descriptor_type(BindingKind kind);
 class PipelineCache {
  public:
   // Shaders by name: airlight's and `extra`, which replace airlight's of the same name. `folder`: for frozen modules;
-  // empty: none.
-  PipelineCache(const Device& device, std::span<const EmbeddedShader> extra, std::filesystem::path folder);
+  // empty: none. `most`: DeviceOptions::pipelines_max.
+  PipelineCache(const Device& device, std::span<const EmbeddedShader> extra, std::filesystem::path folder,
+                std::size_t most);
 
   // Throws std::logic_error listing the names that exist.
   const ShaderProgram& program(const std::string& shader);
@@ -63,6 +63,7 @@ class PipelineCache {
     std::uint64_t last_call = 0;
   };
   std::map<Key, Kept> pipelines_;
+  std::size_t most_;
   std::uint64_t calls_ = 0;
 };
 

@@ -98,7 +98,7 @@ TEST_F(SessionTest, LayersAddUpToThePicture) {
 }
 
 // Spectral radiance times the standard observer is the picture, where the wavelengths tell colours: Y by the published
-// luminous efficiency (CIE 1924, every 20 nm) against the luminance of red, green and blue.
+// luminous efficiency (CIE 1924) against the luminance of red, green and blue.
 TEST_F(SessionTest, ASpectrumIsThePicturesLight) {
   const Scene scene = map("earth-noon");
   const Image sky = session_->render(scene, {.spectral = "380:780:10"});
@@ -108,13 +108,15 @@ TEST_F(SessionTest, ASpectrumIsThePicturesLight) {
   ASSERT_EQ(spectrum.sunlight.size(), 41U);
   ASSERT_EQ(spectrum.planes.size(), 41U * 32U * 16U);
   EXPECT_EQ(spectrum.unit, "W.m^-2.sr^-1.nm^-1");
-  const double efficiency[] = {0.0000390, 0.000396, 0.00400, 0.0230,   0.0600,   0.13902, 0.3230,
-                               0.7100,    0.9540,   0.9950,  0.8700,   0.6310,   0.3810,  0.1750,
-                               0.0610,    0.0170,   0.004102, 0.001047, 0.000249, 0.0000600, 0.0000150};
+  const double efficiency[] = {0.000039, 0.00012, 0.000396, 0.00121, 0.004,   0.0116,   0.023,    0.038,    0.06,
+                               0.09098,  0.13902, 0.20802,  0.323,   0.503,   0.71,     0.862,    0.954,    0.99495,
+                               0.995,    0.952,   0.87,     0.757,   0.631,   0.503,    0.381,    0.265,    0.175,
+                               0.107,    0.061,   0.032,    0.017,   0.00821, 0.004102, 0.002091, 0.001047, 0.00052,
+                               0.000249, 0.00012, 0.00006,  0.00003, 0.000015};
   const auto luminance = [&](std::size_t pixel) {
     double sum = 0.0;
-    for (std::size_t k = 0; k < 41; k += 2) {
-      sum += efficiency[k / 2] * static_cast<double>(spectrum.planes[k * 32 * 16 + pixel]);
+    for (std::size_t k = 0; k < 41; ++k) {
+      sum += efficiency[k] * static_cast<double>(spectrum.planes[k * 32 * 16 + pixel]);
     }
     return sum;
   };
@@ -216,12 +218,11 @@ TEST_F(SessionTest, RefusesInWords) {
       [] { map("earth").option("sun_elevation", "400").set("/planet/ground_albedo", "7").check(); });
   EXPECT_TRUE(has(problems, "sun_elevation=400")) << problems;
   EXPECT_TRUE(has(problems, "/planet/ground_albedo")) << problems;
-  EXPECT_TRUE(has(message<InputError>([] { session_->render(map("earth"), {.layers = "lihgt"}); }),
-                  "did you mean 'light'?"));
-  EXPECT_TRUE(has(message<InputError>([] {
-                    session_->render(map("earth").option("method", "march"), {.layers = "light"});
-                  }),
-                  "march does not tell its light apart"));
+  EXPECT_TRUE(
+      has(message<InputError>([] { session_->render(map("earth"), {.layers = "lihgt"}); }), "did you mean 'light'?"));
+  EXPECT_TRUE(
+      has(message<InputError>([] { session_->render(map("earth").option("method", "march"), {.layers = "light"}); }),
+          "march does not tell its light apart"));
   EXPECT_TRUE(has(message<InputError>([] {
                     session_->probe(map("earth"), std::array{airlight::Direction{91, 0}});
                   }),
@@ -256,8 +257,7 @@ TEST_F(SessionTest, ProgressEndsARenderAndTheSessionGoesOn) {
       ++calls;
       return false;
     };
-    const std::string refused =
-        message<airlight::RunError>([&] { session_->render(scene, {.progress = stop}); });
+    const std::string refused = message<airlight::RunError>([&] { session_->render(scene, {.progress = stop}); });
     EXPECT_EQ(refused, "the render was stopped") << method;
     EXPECT_GT(calls, 0) << method;
     const std::vector<float> whole = session_->render(map("earth-noon")).rgb;
