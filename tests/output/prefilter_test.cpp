@@ -52,8 +52,8 @@ double mean_toward(Sky sky, const CubeDirection& n, double alpha) {
   const CubeDirection a =
       unit({n[1] * other[2] - n[2] * other[1], n[2] * other[0] - n[0] * other[2], n[0] * other[1] - n[1] * other[0]});
   const CubeDirection b{n[1] * a[2] - n[2] * a[1], n[2] * a[0] - n[0] * a[2], n[0] * a[1] - n[1] * a[0]};
-  constexpr int kRings = 1500;
-  constexpr int kAround = 96;
+  constexpr int kRings = 400;
+  constexpr int kAround = 48;
   double light = 0.0;
   double weights = 0.0;
   for (int i = 0; i < kRings; ++i) {
@@ -135,7 +135,6 @@ TEST(Prefilter, AMipIsTheMeanOverGgxsLobe) {
       }
     }
     RecordProperty("worst", std::to_string(worst));
-    std::printf("worst %.5f\n", worst);
   }
 }
 

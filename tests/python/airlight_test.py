@@ -2,6 +2,7 @@
 
 import ast
 import datetime
+import importlib.util
 import os
 import signal
 import subprocess
@@ -162,6 +163,22 @@ class Values(unittest.TestCase):
         self.assertIn("earth-noon", airlight.presets())
         self.assertEqual(airlight.preset("earth-noon")["airlight"], 1)
         airlight.check(airlight.preset("earth-noon"))
+
+
+class Example(unittest.TestCase):
+    def test_light_over_a_day(self):
+        script = os.path.join(os.path.dirname(__file__), "../../core/library/examples/day_of_light.py")
+        with tempfile.TemporaryDirectory() as folder:
+            # A short day. Where matplotlib is installed a picture too.
+            picture = [os.path.join(folder, "day.png")] if importlib.util.find_spec("matplotlib") else []
+            done = subprocess.run([sys.executable, script, "2026-12-21", "66", "0", "4", *picture], check=True,
+                                  capture_output=True, text=True)
+            self.assertTrue(all(os.path.getsize(file) > 1000 for file in picture))
+        rows = [line.split() for line in done.stdout.splitlines()]
+        level = {row[0]: float(row[-2]) for row in rows}
+        self.assertEqual(max(level, key=level.get), "12:00")  # on this meridian, with the equation of time 2 minutes
+        # CIE's and measured sums for a sun half a degree high: 500 to 1500 lux on level ground.
+        self.assertTrue(300 < level["12:00"] < 2000, level)
 
 
 class Refusals(unittest.TestCase):
