@@ -33,6 +33,7 @@ endforeach()
 
 add_library(airlight_shared SHARED $<TARGET_OBJECTS:airlight_library>)
 target_link_libraries(airlight_shared PRIVATE airlight_flags airlight_clock airlight_scene airlight_gpu)
+airlight_harden(airlight_shared)
 target_link_options(airlight_shared PRIVATE LINKER:--exclude-libs,ALL LINKER:--as-needed LINKER:-z,defs)
 set_target_properties(airlight_shared PROPERTIES OUTPUT_NAME airlight VERSION ${PROJECT_VERSION}
                                                  SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
