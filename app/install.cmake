@@ -157,6 +157,12 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${shared_package} (= ${CPACK_PACKA
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "nettle-dev, liberfa-dev, libcctz-dev, spirv-tools")  # to link the archive
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "physically based skies in memory, to build with\n Header, archive, CMake package and pkg-config file of libairlight.")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+# What Python compiles there when root imports it is of no package.
+file(WRITE ${PROJECT_BINARY_DIR}/debian/prerm
+     "#!/bin/sh\nset -e\nrm -rf /usr/lib/python3/dist-packages/airlight/__pycache__\n")
+file(CHMOD ${PROJECT_BINARY_DIR}/debian/prerm PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE
+                                                          WORLD_READ WORLD_EXECUTE)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${PROJECT_BINARY_DIR}/debian/prerm)
 math(EXPR next_python "${Python_VERSION_MINOR} + 1")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
     "${vulkan}, tzdata, python3 (>= 3.${Python_VERSION_MINOR}~), python3 (<< 3.${next_python}), python3-numpy")

@@ -82,8 +82,8 @@ TEST_F(Formats, AUsdStageLightsASceneAsTheSkyDoes) {
 
 // Three moments around midnight, in which sun and moon go past the north.
 TEST_F(Formats, AStageOfASequenceHasASampleAFrame) {
-  const Names place{"full-day", "-q", "--date", "2026-04-01", "--lat", "69.65", "--lon", "18.96", "--projection", "latlong",
-                    "--size", "16x8"};
+  const Names place{"full-day", "-q",    "--date",       "2026-04-01", "--lat",  "69.65",
+                    "--lon",    "18.96", "--projection", "latlong",    "--size", "16x8"};
   const auto with = [&](Names words, const Names& more) {
     for (const Names* part : {&place, &more}) words.insert(words.end(), part->begin(), part->end());
     return words;
@@ -133,8 +133,9 @@ TEST_F(Formats, JsonHoldsTheArray) {
 // The cube map's harmonics and sun are in its own axes: of a camera that looks east they are those of the sky around
 // it, turned.
 TEST_F(Formats, APrefilteredCubeHasItsLightBesideIt) {
-  const Names cube{"--projection", "cube",          "--size",          "16x96", "--prefilter", "ggx", "--set",
-                   "/sun/disc/visible=false", "--sun-elevation", "20",    "--sun-azimuth", "100"};
+  const Names cube{"--projection",    "cube", "--size",        "16x96",
+                   "--prefilter",     "ggx",  "--set",         "/sun/disc/visible=false",
+                   "--sun-elevation", "20",   "--sun-azimuth", "100"};
   const auto light_at = [&](const char* azimuth) {
     Names words = cube;
     words.insert(words.end(), {"--azimuth", azimuth, "-o", "glossy.ktx2"});
@@ -227,8 +228,8 @@ TEST_F(Formats, ASkyMatrixHasTheDaysLight) {
   EXPECT_TRUE(contains(refused({"--sun-elevation", "0:9:3", "--png", "a.#.png", "--patches", "2"}),
                        "--patches is for --radiance-matrix"));
   EXPECT_TRUE(contains(refused({"--radiance-matrix", "a.mtx", "--png", "a.#.png"}), "--png is for frames"));
-  for (const Names& idle : {Names{"--ev", "1"}, Names{"--bits", "16"}, Names{"--fps", "30"}, Names{"--preview-rate", "9"},
-                            Names{"--ocio-config", "x.ocio"}, Names{"--usd", "x.usda"}}) {
+  for (const Names& idle : {Names{"--ev", "1"}, Names{"--bits", "16"}, Names{"--fps", "30"},
+                            Names{"--preview-rate", "9"}, Names{"--ocio-config", "x.ocio"}, Names{"--usd", "x.usda"}}) {
     Names words{"--radiance-matrix", "a.mtx"};
     words.insert(words.end(), idle.begin(), idle.end());
     EXPECT_TRUE(contains(refused(words), idle.front() + " is for frames"));
