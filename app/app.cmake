@@ -9,6 +9,7 @@ target_link_libraries(airlight_app PUBLIC airlight_library airlight_gpu airlight
 target_compile_definitions(airlight_app PUBLIC AIRLIGHT_VERSION="${PROJECT_VERSION}")
 add_executable(airlight ${PROJECT_SOURCE_DIR}/app/main.cpp ${AIRLIGHT_PROGRAM_SOURCES})
 target_link_libraries(airlight PRIVATE airlight_app)
+airlight_harden(airlight)
 
 set(libraries)
 foreach(library IN ITEMS OpenEXR OpenColorIO OpenImageIO nlohmann_json CLI11 PNG Vulkan)

@@ -145,15 +145,26 @@ foreach(pair IN LISTS more_packages)
   install(FILES ${copyright} ${changelog} DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} COMPONENT ${component})
 endforeach()
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "${vulkan}")
+# What other packages that link it depend on, and that the linker's cache is made anew.
+set(abi ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+file(WRITE ${PROJECT_BINARY_DIR}/debian/shlibs "libairlight ${abi} libairlight${abi} (>= ${PROJECT_VERSION}~)\n")
+file(WRITE ${PROJECT_BINARY_DIR}/debian/triggers "activate-noawait ldconfig\n")
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${PROJECT_BINARY_DIR}/debian/shlibs ${PROJECT_BINARY_DIR}/debian/triggers)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "${vulkan}, tzdata")
 set(CPACK_DEBIAN_LIBRARY_DESCRIPTION "physically based skies in memory\n Renders skies of presets to arrays of radiance.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${shared_package} (= ${CPACK_PACKAGE_VERSION})")
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "nettle-dev, liberfa-dev, spirv-tools")  # to link the archive
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "nettle-dev, liberfa-dev, libcctz-dev, spirv-tools")  # to link the archive
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "physically based skies in memory, to build with\n Header, archive, CMake package and pkg-config file of libairlight.")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+# What Python compiles there when root imports it is of no package.
+file(WRITE ${PROJECT_BINARY_DIR}/debian/prerm
+     "#!/bin/sh\nset -e\nrm -rf /usr/lib/python3/dist-packages/airlight/__pycache__\n")
+file(CHMOD ${PROJECT_BINARY_DIR}/debian/prerm PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE
+                                                          WORLD_READ WORLD_EXECUTE)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${PROJECT_BINARY_DIR}/debian/prerm)
 math(EXPR next_python "${Python_VERSION_MINOR} + 1")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
-    "${vulkan}, python3 (>= 3.${Python_VERSION_MINOR}~), python3 (<< 3.${next_python}), python3-numpy")
+    "${vulkan}, tzdata, python3 (>= 3.${Python_VERSION_MINOR}~), python3 (<< 3.${next_python}), python3-numpy")
 set(CPACK_DEBIAN_PYTHON_DESCRIPTION "physically based skies as NumPy arrays\n Renders skies of presets from Python.")
 include(CPack)

@@ -2,12 +2,6 @@
 find_package(OpenEXR CONFIG REQUIRED)
 find_package(CLI11 CONFIG REQUIRED)
 find_package(PNG REQUIRED)
-# The sun's position (liberfa-dev): a small C library without a CMake package.
-find_path(ERFA_INCLUDE_DIR erfa.h REQUIRED)
-find_library(ERFA_LIBRARY erfa REQUIRED)
-# Time zones (libcctz-dev), also without a CMake package.
-find_path(CCTZ_INCLUDE_DIR cctz/time_zone.h REQUIRED)
-find_library(CCTZ_LIBRARY cctz REQUIRED)
 find_package(OpenImageIO CONFIG REQUIRED)
 # libopenimageio-dev's target names an OpenCV include directory that only libopencv-dev ships.
 get_target_property(oiio_includes OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)

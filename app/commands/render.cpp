@@ -11,7 +11,7 @@ std::vector<Option> output_options(RenderOrder& given) {
       "Output",
       {{"-o,--output", "FILE.exr",
         "Write the scene-linear EXR here, - for standard output; then no PNG unless --png asks for it. A name in .png "
-        "is that of --png; one in .hdr, .npy, .ktx2 or .dds makes a file of that format in place of the EXR",
+        "is that of --png; one in .hdr, .npy, .json, .ktx2 or .dds makes a file of that format in place of the EXR",
         &given.exr, Completes::file},
        {"--png", "FILE.png", "Write the picture for people here, - for standard output; then no EXR unless -o asks",
         &given.png, Completes::file},
@@ -40,6 +40,14 @@ std::vector<Option> output_options(RenderOrder& given) {
         "Also write spectral radiance into the EXR, at these wavelengths in nm, e.g. 380:780:10; of a preset with "
         "spectra",
         &given.spectral},
+       {.names = "--prefilter",
+        .metavar = "ggx",
+        .help =
+            "Make the mips of a .ktx2 or .dds the sky seen by ever rougher surfaces, as engines look light up (the "
+            "mip i of n has roughness i/(n - 1), GGX's alpha its square), and write the sky's 9 spherical harmonics "
+            "and the sun beside it, into FILE.light.json",
+        .target = &given.prefilter,
+        .choices = {"ggx"}},
        {"--cube-faces", "",
         "Write a cube map as six pictures instead of one: FILE.posx.exr, .negx, .posy, .negy, .posz, .negz",
         &given.cube_faces}});
@@ -131,6 +139,9 @@ Command render_command() {
        "Also daylight.rad and daylight.hdr, for Radiance"},
       {"airlight render my-sky.json --projection latlong --size 64x32 -o sky.hdr", "An environment map for an engine"},
       {"airlight render my-sky.json --projection cube --size 16x96 -o sky.ktx2", "A cube map with its mips"},
+      {"airlight render my-sky.json --projection cube --size 16x96 -o light.ktx2 --prefilter ggx --set "
+       "/sun/disc/visible=false",
+       "A cube map for image-based light, and its harmonics in light.light.json"},
       {"airlight render sky.exr -o again.exr", "Render the picture of an EXR again"},
       {"airlight render earth-sunset --layers -o layers.exr --size 160x90",
        "Rayleigh, mie, multiple, sun, ground, transmittance, depth and normals apart, for compositing"},

@@ -14,6 +14,7 @@
 #include "app/sequence/pictures.h"
 #include "app/sequence/radiance_matrix.h"
 #include "app/sequence/run.h"
+#include "app/sequence/usd_stage.h"
 #include "core/error.h"
 #include "core/methods/method.h"
 #include "core/methods/ready.h"
@@ -29,6 +30,7 @@ namespace {
 using sequence::FrameSource;
 
 constexpr std::size_t kManyFrames = 1'000'000;
+constexpr int kFramesASecond = 24;
 
 struct SequenceGiven {
   SceneOptions scene;
@@ -39,11 +41,13 @@ struct SequenceGiven {
   PlaceOptions place;
   std::optional<std::string> from, to, step, until, sweep;
   std::optional<std::string> matrix;
+  std::optional<std::string> usd;
+  std::string up = "y";
   std::optional<int> patches;
   std::string shard = "1/1";
   std::optional<std::string> tile;
   std::optional<std::string> manifest;
-  int frames_a_second = 24;
+  int frames_a_second = kFramesASecond;
   std::optional<int> preview_rate;
   bool overwrite = false;
   bool clean = false;
@@ -139,6 +143,9 @@ Preset preset_of(const SequenceGiven& given) {
   std::vector<Override> further = overrides(given.sampling, false);
   for (Override& override : overrides(given.picture)) {
     further.push_back(std::move(override));
+  }
+  if (given.usd) {  // its lights are the discs
+    further.push_back({"/sun/disc/visible=false", "--usd " + *given.usd});
   }
   Preset preset = chosen_preset(given.scene, further);
   if (!given.sampling.time_limit) {
@@ -270,8 +277,9 @@ int dry_run(const SequenceJob& job) {
 int run_matrix(const SequenceGiven& given) {
   const SequencePictures& pictures = given.pictures;
   const PictureOptions& picture = given.picture;
-  const std::array<std::pair<const char*, bool>, 18> idle{{{"-o", given.exr.has_value()},
+  const std::array<std::pair<const char*, bool>, 23> idle{{{"-o", given.exr.has_value()},
                                                            {"--png", given.png.has_value()},
+                                                           {"--usd", given.usd.has_value()},
                                                            {"--shard", given.shard != "1/1"},
                                                            {"--manifest", given.manifest.has_value()},
                                                            {"--preview", pictures.preview.has_value()},
@@ -285,6 +293,10 @@ int run_matrix(const SequenceGiven& given) {
                                                            {"--view", picture.view.has_value()},
                                                            {"--colorspace", !picture.colorspace.empty()},
                                                            {"--tile", given.tile.has_value()},
+                                                           {"--bits", picture.bits != PictureOptions().bits},
+                                                           {"--ocio-config", !picture.ocio_config.empty()},
+                                                           {"--fps", given.frames_a_second != kFramesASecond},
+                                                           {"--preview-rate", given.preview_rate.has_value()},
                                                            {"--clean", given.clean},
                                                            {"--overwrite", given.overwrite},
                                                            {"--json", given.json}}};
@@ -312,7 +324,15 @@ int run(const SequenceGiven& given) {
   if (given.patches) {
     throw InputError("sequence: --patches is for --radiance-matrix; give that too, or leave it out");
   }
+  if (given.up != "y" && !given.usd) {
+    throw InputError("sequence: --up is for --usd; give that too, or leave it out");
+  }
   const SequenceJob job = job_of(given);
+  const std::optional<UsdStageOrder> stage =
+      given.usd ? std::optional(UsdStageOrder{*given.usd, given.up}) : std::nullopt;
+  if (stage) {
+    check_usd_stage(*stage, job);
+  }
   if (given.dry_run) {
     return dry_run(job);
   }
@@ -324,6 +344,9 @@ int run(const SequenceGiven& given) {
     return 128 + outcome.signal;  // as in a shell
   }
   make_pictures(pictures, job);
+  if (stage) {
+    write_usd_stage(*stage, job);
+  }
   return 0;
 }
 
@@ -370,6 +393,15 @@ std::vector<Option> sequence_options(SequenceGiven& given) {
         "Write the EXR frames here, with # for their numbers: sky.####.exr. A name that ends in .png is that of --png",
         &given.exr, Completes::file},
        {"--png", "PATTERN.png", "Write the pictures for people here, e.g. sky.####.png", &given.png, Completes::file},
+       {"--usd", "FILE.usda",
+        "Also write a USD stage for all frames: the EXRs, latlongs, as a dome, sun and moon as distant lights, with a "
+        "time sample a frame. The EXRs then show no discs",
+        &given.usd, Completes::file},
+       {.names = "--up",
+        .metavar = "y|z",
+        .help = "The axis that points up in that stage (default: y)",
+        .target = &given.up,
+        .choices = {"y", "z"}},
        {"--radiance-matrix", "FILE.mtx",
         "Write no frames but one sky matrix for the daylight programs of Radiance: a row a patch of the sky, a column "
         "a "
@@ -435,6 +467,10 @@ Command sequence_command() {
       {"airlight sequence earth-noon -o 'day.####.exr' --date 2026-06-21 --from 00:00 --to 24:00 --step 1m --lat 69.65 "
        "--lon 18.96 --tz Europe/Oslo --dry-run",
        "List the frames of a day without a night"},
+      {"airlight sequence earth-noon -o 'dome.##.exr' --usd day.usda --sun-elevation 0:20:10 --projection latlong "
+       "--size "
+       "64x32",
+       "A stage for programs that read USD, with a sky a frame"},
       {"airlight sequence earth-noon --radiance-matrix day.mtx --date 2026-06-21 --from 06:30 --to 17:30 --step 1h "
        "--lat "
        "48.85 --lon 2.35",

@@ -1,5 +1,6 @@
 #include "app/render/lighting_files.h"
 
+#include <cmath>
 #include <filesystem>
 
 #include "app/cli/json_writer.h"
@@ -14,6 +15,10 @@ constexpr const char* kBasis =
     "real, orthonormal, no Condon-Shortley sign, up to degree 2, in the order Y00 Y1-1 Y10 Y11 Y2-2 Y2-1 Y20 Y21 Y22: "
     "0.282095; 0.488603 y, z, x; 1.092548 xy, yz; 0.315392 (3zz - 1); 1.092548 xz; 0.546274 (xx - yy)";
 constexpr const char* kFrame = "x east, y up, z south, whatever the camera's azimuth";
+constexpr const char* kCubeFrame =
+    "the cube map's: x to the right of the camera's azimuth, y up, z back; x is east and z south where the camera "
+    "looks "
+    "north";
 constexpr const char* kFormula =
     "E(n) = 3.141593 L00 Y00 + 2.094395 (L1-1 Y1-1 + L10 Y10 + L11 Y11) + 0.785398 (L2-2 Y2-2 + L2-1 Y2-1 + L20 Y20 + "
     "L21 Y21 + L22 Y22), each Y at the unit normal n (Ramamoorthi and Hanrahan 2001)";
@@ -58,13 +63,16 @@ std::string lighting_json_file(const std::string& exr) {
   return std::filesystem::path(exr).replace_extension(".json").string();
 }
 
-std::string lighting_json(const Lighting& lighting, const PictureContext& context) {
+namespace {
+
+// `frame`: the axes that the lighting's directions and harmonics are in. They are already.
+std::string json_in(const Lighting& lighting, const PictureContext& context, const char* frame) {
   JsonWriter json;
   json.begin_object();
   json.key("name").value(context.scene.name);
   json.key("irradiance_unit").value(unit_of(context.scene));
   json.key("colorspace").value(working_space_names()[static_cast<std::size_t>(context.space)]);
-  json.key("frame").value(kFrame);
+  json.key("frame").value(frame);
   json.key("spherical_harmonics").begin_object();
   json.key("of").value("radiance of sky and ground around the camera's place, without the sun's disc");
   json.key("basis").value(kBasis);
@@ -79,6 +87,36 @@ std::string lighting_json(const Lighting& lighting, const PictureContext& contex
     write_light(json, "moon", *lighting.moon, context.space);
   }
   return json.end_object().take();
+}
+
+// A light in the axes of a cube map whose picture's middle is at `azimuth`.
+SunLight light_in_cube(SunLight light, double azimuth) {
+  const auto [x, y, z] = light.direction;
+  light.direction = {std::cos(azimuth) * x + std::sin(azimuth) * z, y, std::cos(azimuth) * z - std::sin(azimuth) * x};
+  return light;
+}
+
+}  // namespace
+
+std::string lighting_json(const Lighting& lighting, const PictureContext& context) {
+  return json_in(lighting, context, kFrame);
+}
+
+std::string cube_light_file(const std::string& cube) {
+  return std::filesystem::path(cube).replace_extension(".light.json").string();
+}
+
+std::string write_cube_light(const std::string& cube, const Lighting& lighting, const PictureContext& context) {
+  const double azimuth = context.scene.camera.azimuth;
+  Lighting seen = lighting;
+  seen.sh = turned(lighting.sh, azimuth);
+  seen.sun = light_in_cube(lighting.sun, azimuth);
+  if (lighting.moon) {
+    seen.moon = light_in_cube(*lighting.moon, azimuth);
+  }
+  const std::string file = cube_light_file(cube);
+  write_file(file, json_in(seen, context, kCubeFrame));
+  return file;
 }
 
 std::vector<std::string> write_lighting(const std::string& exr, const Lighting& lighting,

@@ -19,4 +19,11 @@ std::string lighting_json(const Lighting& lighting, const PictureContext& contex
 std::vector<std::string> write_lighting(const std::string& exr, const Lighting& lighting,
                                         const PictureContext& context);
 
+// "sky.light.json" beside a cube map "sky.ktx2".
+std::string cube_light_file(const std::string& cube);
+
+// Writes harmonics, sun and moon in the cube map's axes: x to the right of the camera's azimuth, y up, z back. Returns
+// the file's name. Throws RunError.
+std::string write_cube_light(const std::string& cube, const Lighting& lighting, const PictureContext& context);
+
 }  // namespace airlight::cli

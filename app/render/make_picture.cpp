@@ -54,7 +54,7 @@ Provenance provenance_of(const Means& means, const Scene& scene) {
 }
 
 bool wants_lighting(const RenderOrder& given) {
-  return given.irradiance || given.usd || given.radiance;
+  return given.irradiance || given.usd || given.radiance || !given.prefilter.empty();
 }
 
 PictureContext context_of(const Means& means, const Scene& scene, const Rendering& rendering) {
@@ -94,6 +94,9 @@ void add_further_files(const Means& means, const PictureContext& context, const 
   }
   if (sky) {
     append(write_radiance(*means.given.radiance, *sky, *lighting, context), "Radiance, writing");
+  }
+  if (!means.given.prefilter.empty()) {
+    append({write_cube_light(means.targets.other, *lighting, context)}, "harmonics, writing");
   }
   if (means.given.irradiance) {
     append(write_lighting(*means.given.irradiance, *lighting, context), "irradiance, writing");
@@ -159,6 +162,7 @@ bool make_picture(const Means& means, const Stage& stage, const std::optional<Im
                         .options = given.picture,
                         .depth = tile ? depth_in_tiles(given.picture, means.targets, device, stage) : std::nullopt,
                         .source = given.scene.preset,
+                        .prefilter = !given.prefilter.empty(),
                         .context = context});
   Rendering rendering = render_bands(device, stage, writer.bands(tile, request));
   clear_progress();

@@ -132,7 +132,7 @@ class PictureWriter::PartFiles {
         other_file_->write(other_bytes_, bytes);
         other_bytes_ += bytes.size();
       };
-      other_ = picture_rows(part_.files.other, sink, rows.width, part_.scene.image.height);
+      other_ = picture_rows(part_.files.other, sink, rows.width, part_.scene.image.height, order_.prefilter);
     }
     const bool ours = context.space == WorkingSpace::linear_rec709;
     other_->add(ours ? rows : converted(rows, WorkingSpace::linear_rec709, context.space));

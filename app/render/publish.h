@@ -44,6 +44,7 @@ struct PublishOrder {
   PictureOptions options;
   std::optional<ExrDepth> depth;  // of the EXR; none: as the first band needs it, which is the picture
   std::string source;             // the preset as the user named it, for messages
+  bool prefilter = false;         // a cube map's mips are for rough surfaces
   // The context for the headers of a part's files.
   std::function<PictureContext(const Scene& scene, const Rendering& rows)> context;
 };

@@ -11,7 +11,6 @@
 #include "app/cli/progress.h"
 #include "app/cli/stopwatch.h"
 #include "app/cli/terminal.h"
-#include "app/cli/wavelengths.h"
 #include "app/render/cube_faces.h"
 #include "app/render/make_picture.h"
 #include "app/render/radiance_files.h"
@@ -21,6 +20,7 @@
 #include "app/render/usd_file.h"
 #include "core/error.h"
 #include "core/library/validity.h"
+#include "core/library/wavelengths.h"
 #include "core/methods/ready.h"
 #include "core/output/atomic_file.h"
 #include "core/output/last_words.h"
@@ -160,20 +160,6 @@ int interruptible(const RenderOrder& given, const std::function<bool()>& publish
 
 constexpr const char* kSpectral = "render: --spectral";
 
-// Most wavelengths times pixels: they are kept in memory, 512 MiB of them, until the EXR is encoded.
-constexpr std::size_t kMostSpectralSamples = std::size_t{1} << 27;
-
-void require_fit(const Scene& scene, std::size_t wavelengths) {
-  const auto pixels = static_cast<std::size_t>(scene.image.width) * static_cast<std::size_t>(scene.image.height);
-  const std::size_t most = std::min(kMostSpectralSamples / wavelengths, kTileBytes / (4 * sizeof(float)));
-  if (pixels > most) {
-    throw InputError(std::string(kSpectral) + ": " + std::to_string(scene.image.width) + "x" +
-                     std::to_string(scene.image.height) + " are " + std::to_string(pixels) + " pixels; a spectrum of " +
-                     std::to_string(wavelengths) + " wavelengths is kept in memory for at most " +
-                     std::to_string(most) + " of them; give a smaller --size or a larger step");
-  }
-}
-
 // The wavelengths of --spectral; none where it is not given. Throws InputError where they are impossible.
 std::optional<Nodes> spectral_wavelengths(const RenderOrder& given, const Scene& scene, const Targets& targets) {
   if (!given.spectral) {
@@ -202,7 +188,7 @@ std::optional<Nodes> spectral_wavelengths(const RenderOrder& given, const Scene&
                        "of its own without a unit; set sun.unit to W/m2 or lux, or leave one of the two out");
     }
   }
-  require_fit(scene, nodes.nm.size());
+  require_spectrum_fits(scene, nodes.nm.size(), kSpectral);
   return nodes;
 }
 

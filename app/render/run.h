@@ -26,6 +26,7 @@ struct RenderOrder {
   std::optional<std::string> radiance;  // scene of Radiance, the program
   std::string up = "y";                 // of the USD stage
   std::optional<std::string> spectral;
+  std::string prefilter;  // "ggx", of a cube map; empty: none
   bool cube_faces = false;
   PictureOptions picture;
   bool timings = false;

@@ -17,6 +17,13 @@ namespace fs = std::filesystem;
 
 constexpr const char* kDefaultFolder = "out";
 
+void require_no_preset(const std::string& file, const RenderOrder& given, const std::string& option) {
+  std::error_code ignored;
+  if (fs::equivalent(file, given.scene.preset, ignored)) {
+    throw InputError("render: " + option + ": '" + given.scene.preset + "' would be written over; give another name");
+  }
+}
+
 }  // namespace
 
 Targets choose_targets(const RenderOrder& given) {
@@ -37,6 +44,9 @@ void require_format(const RenderOrder& given, const Scene& scene, const Targets&
     throw InputError("render: --up is for --usd; give that too, or leave it out");
   }
   const std::string place = "render: -o " + targets.other + ": ";
+  if (!given.prefilter.empty() && !is_cube_format(targets.other)) {
+    throw InputError("render: --prefilter is for the mips of a cube map; give -o FILE.ktx2 or FILE.dds too");
+  }
   if (targets.other.empty()) {
     return;
   }
@@ -66,6 +76,10 @@ void check_targets(const RenderOrder& given, const Targets& targets) {
   }
   if (!targets.other.empty()) {
     require_writable(targets.other);
+    require_no_preset(targets.other, given, "-o");
+  }
+  if (!given.prefilter.empty()) {
+    require_writable(cube_light_file(targets.other));
   }
   if (!targets.png.empty()) {
     require_ending(targets.png, "render: --png", ".png");
@@ -91,9 +105,9 @@ void check_targets(const RenderOrder& given, const Targets& targets) {
     require_ending(*given.irradiance, "render: --irradiance", ".exr");
     require_writable(*given.irradiance);
     require_writable(lighting_json_file(*given.irradiance));
-    std::error_code ignored;
-    if (fs::equivalent(lighting_json_file(*given.irradiance), given.scene.preset, ignored)) {
-      throw InputError("render: --irradiance: '" + given.scene.preset + "' would be written over; give another name");
+    require_no_preset(lighting_json_file(*given.irradiance), given, "--irradiance");
+    if (lighting_json_file(*given.irradiance) == targets.other) {
+      throw InputError("render: --irradiance: '" + targets.other + "' is where -o writes; give a name of its own");
     }
     if (*given.irradiance == targets.exr) {
       throw InputError("render: --irradiance: '" + targets.exr + "' is where -o writes; give a name of its own");

@@ -11,6 +11,10 @@ set_target_properties(airlight_foreign_module PROPERTIES
                       CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
 target_link_libraries(airlight_foreign_module PRIVATE airlight_flags OpenImageIO::OpenImageIO)
 target_link_options(airlight_foreign_module PRIVATE LINKER:--as-needed)
+airlight_harden(airlight_foreign_module)
+if(CMAKE_BUILD_TYPE STREQUAL "Release" AND NOT AIRLIGHT_SANITIZE)
+  target_compile_options(airlight_foreign_module PRIVATE -U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2)
+endif()
 
 # Building the tool also builds the module beside it.
 cmake_language(DEFER CALL add_dependencies airlight airlight_foreign_module)

@@ -69,7 +69,7 @@ struct Executor::Impl {
   Impl(const DeviceOptions& options, std::span<const EmbeddedShader> extra_shaders)
       : instance(open_instance(options)),
         device(*instance, wanted_device(options)),
-        pipelines(device, extra_shaders, cache_folder(options, "modules")),
+        pipelines(device, extra_shaders, cache_folder(options, "modules"), options.pipelines_max),
         cache(device, options.kept_bytes_max),
         frame(device),
         sampler(make_sampler(device)),
@@ -118,7 +118,9 @@ const DeviceInfo& Executor::device() const {
 }
 
 MemoryUse Executor::memory_use() const {
-  return impl_->cache.memory_use();
+  MemoryUse use = impl_->cache.memory_use();
+  use.pipelines = impl_->pipelines.count();
+  return use;
 }
 
 int Executor::validation_message_count() {

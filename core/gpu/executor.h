@@ -33,6 +33,9 @@ struct DeviceOptions {
   std::optional<std::filesystem::path> cache_folder = {};
   bool stores_tables = false;                         // also tables, in that folder; false: each executor bakes its own
   std::size_t kept_bytes_max = std::size_t{1} << 30;  // beyond it the least recently used kept resources go
+  // Likewise pipelines beyond those of the current run. A scene has some ten to thirty, so a program may go to and fro
+  // between several kinds of scenes without compiling one anew.
+  std::size_t pipelines_max = 160;
 };
 
 struct PassTiming {
@@ -59,6 +62,7 @@ struct MemoryUse {  // images and buffers that an executor holds on the device
   std::size_t resources = 0;
   std::size_t bytes = 0;
   std::size_t kept_bytes = 0;  // of these, those kept by key
+  std::size_t pipelines = 0;   // beside the bytes: compiled code
 };
 
 class Executor {

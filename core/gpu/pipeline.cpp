@@ -86,8 +86,9 @@ VkDescriptorType descriptor_type(BindingKind kind) {
   return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
 }
 
-PipelineCache::PipelineCache(const Device& device, std::span<const EmbeddedShader> extra, std::filesystem::path folder)
-    : device_(device), frozen_(std::move(folder)) {
+PipelineCache::PipelineCache(const Device& device, std::span<const EmbeddedShader> extra, std::filesystem::path folder,
+                             std::size_t most)
+    : device_(device), frozen_(std::move(folder)), most_(most) {
   for (const EmbeddedShader& shader : embedded_shaders()) shaders_[std::string(shader.name)] = shader;
   for (const EmbeddedShader& shader : extra) shaders_[std::string(shader.name)] = shader;
 }
@@ -128,28 +129,41 @@ PipelineHandle PipelineCache::compile(const Request& request, bool& made) const 
   return make_pipeline(device_, program, program.source.spirv, &specialization);
 }
 
+// Beyond the most, those go that were asked for longest ago, but none of this call.
+void PipelineCache::drop_unused() {
+  while (pipelines_.size() > most_) {
+    const auto oldest =
+        std::ranges::min_element(pipelines_, {}, [](const auto& entry) { return entry.second.last_call; });
+    if (oldest->second.last_call == calls_) return;
+    pipelines_.erase(oldest);
+  }
+}
+
 std::vector<VkPipeline> PipelineCache::pipelines(const std::vector<Request>& requests) {
+  ++calls_;
   std::vector<const Request*> missing;
-  std::vector<PipelineHandle*> places;
+  std::vector<Kept*> places;
   const auto key = [](const Request& request) { return Key(request.program->info.name, request.constants); };
   for (const Request& request : requests) {
     const auto [place, is_new] = pipelines_.try_emplace(key(request));
-    if (!is_new && place->second) continue;
+    place->second.last_call = calls_;
+    if (!is_new && place->second.pipeline) continue;
     if (std::ranges::find(places, &place->second) != places.end()) continue;
     missing.push_back(&request);
     places.push_back(&place->second);
   }
+  drop_unused();
   std::atomic<bool> any_made = false;
   in_parallel(missing.size(), [&](std::size_t i) {
     bool made = false;
-    *places[i] = compile(*missing[i], made);
+    places[i]->pipeline = compile(*missing[i], made);
     if (made) any_made = true;
   });
   if (any_made) frozen_.trim();
 
   std::vector<VkPipeline> found;
   found.reserve(requests.size());
-  for (const Request& request : requests) found.push_back(pipelines_.at(key(request)).get());
+  for (const Request& request : requests) found.push_back(pipelines_.at(key(request)).pipeline.get());
   return found;
 }
 

@@ -11,7 +11,7 @@ add_custom_command(
 
 file(GLOB library_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/*.cpp)
 add_library(airlight_library STATIC ${library_sources} ${embedded_presets})
-target_link_libraries(airlight_library PRIVATE airlight_flags airlight_scene airlight_gpu)
+target_link_libraries(airlight_library PRIVATE airlight_flags airlight_clock airlight_scene airlight_gpu)
 target_include_directories(airlight_library PUBLIC ${CMAKE_CURRENT_LIST_DIR}/include)
 target_compile_features(airlight_library PUBLIC cxx_std_20)
 set_property(SOURCE ${CMAKE_CURRENT_LIST_DIR}/scene.cpp APPEND PROPERTY COMPILE_DEFINITIONS
@@ -23,7 +23,7 @@ if(NOT AIRLIGHT_LIBRARY OR AIRLIGHT_SANITIZE OR AIRLIGHT_SHADERS_FROM)
   return()
 endif()
 
-set(library_parts airlight_library airlight_scene airlight_gpu_core airlight_ready airlight_shaders airlight_spectra)
+set(library_parts airlight_library airlight_clock airlight_scene airlight_gpu_core airlight_ready airlight_shaders airlight_spectra)
 foreach(part IN LISTS library_parts)
   set_target_properties(${part} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden
                                            VISIBILITY_INLINES_HIDDEN ON)
@@ -32,7 +32,8 @@ foreach(part IN LISTS library_parts)
 endforeach()
 
 add_library(airlight_shared SHARED $<TARGET_OBJECTS:airlight_library>)
-target_link_libraries(airlight_shared PRIVATE airlight_flags airlight_scene airlight_gpu)
+target_link_libraries(airlight_shared PRIVATE airlight_flags airlight_clock airlight_scene airlight_gpu)
+airlight_harden(airlight_shared)
 target_link_options(airlight_shared PRIVATE LINKER:--exclude-libs,ALL LINKER:--as-needed LINKER:-z,defs)
 set_target_properties(airlight_shared PROPERTIES OUTPUT_NAME airlight VERSION ${PROJECT_VERSION}
                                                  SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})

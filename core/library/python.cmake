@@ -13,6 +13,7 @@ endif()
 set(python_folder ${PROJECT_BINARY_DIR}/python/airlight)
 pybind11_add_module(airlight_python MODULE NO_EXTRAS ${CMAKE_CURRENT_LIST_DIR}/python/module.cpp)
 target_link_libraries(airlight_python PRIVATE airlight_library airlight_flags)
+airlight_harden(airlight_python)
 target_link_options(airlight_python PRIVATE LINKER:--exclude-libs,ALL LINKER:--as-needed)
 set_target_properties(airlight_python PROPERTIES OUTPUT_NAME _airlight CXX_VISIBILITY_PRESET hidden
                                                  LIBRARY_OUTPUT_DIRECTORY ${python_folder})

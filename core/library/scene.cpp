@@ -1,3 +1,7 @@
+#include <cctype>
+#include <string>
+#include <string_view>
+
 #include "core/error.h"
 #include "core/library/built_in.h"
 #include "core/library/errors.h"
@@ -15,16 +19,45 @@ foreign::Picture refused_picture(const std::string& file, const foreign::Accept&
                    "key");
 }
 
-}  // namespace
-
-Scene judged_scene(const Preset& preset, const SceneChanges& changes, const std::vector<Override>& further,
-                   const Scene* like) {
-  Preset changed = preset;
-  apply_changes(changed, changes, further);
-  return judged(changed, refused_picture, like);
+// A message about the command line's options as one about keywords: "render: --place-altitude" is "place_altitude".
+std::string about_keywords(const std::string& message) {
+  constexpr std::string_view kCommand = "render: ";
+  std::string out;
+  bool in_option = false;
+  for (std::size_t i = message.starts_with(kCommand) ? kCommand.size() : 0; i < message.size(); ++i) {
+    if (message.compare(i, 2, "--") == 0) {
+      in_option = true;
+      ++i;
+    } else {
+      in_option = in_option && (message[i] == '-' || std::isalpha(static_cast<unsigned char>(message[i])) != 0);
+      out += in_option && message[i] == '-' ? '_' : message[i];
+    }
+  }
+  return out;
 }
 
+template <class Work>
+auto in_keywords(const Work& work) {
+  try {
+    return work();
+  } catch (const InputError& error) {
+    throw InputError(about_keywords(error.what()));
+  }
+}
+
+}  // namespace
+
 namespace v0 {
+
+airlight::Scene Scene::State::judged(const airlight::Scene* like) const {
+  std::vector<Override> all = in_keywords([&] { return sun_overrides(place, changes, "render"); });
+  all.insert(all.end(), further.begin(), further.end());
+  Preset changed = preset;
+  apply_changes(changed, changes, all);
+  const airlight::Scene scene = airlight::judged(changed, refused_picture, like);
+  in_keywords([&] { require_one_refraction(place, scene, "render"); });
+  return scene;
+}
 
 static_assert(AIRLIGHT_VERSION_MAJOR == AIRLIGHT_MAJOR && AIRLIGHT_VERSION_MINOR == AIRLIGHT_MINOR &&
                   AIRLIGHT_VERSION_PATCH == AIRLIGHT_PATCH,
@@ -73,16 +106,16 @@ Scene& Scene::set(const std::string& pointer, const std::string& value) {
 }
 
 Scene& Scene::option(const std::string& name, const std::string& value) {
-  translated([&] { set_option(state_->changes, state_->further, name, value); });
+  translated([&] { set_option(state_->changes, state_->further, state_->place, name, value); });
   return *this;
 }
 
 void Scene::check() const {
-  translated([&] { judged_scene(state_->preset, state_->changes, state_->further, nullptr); });
+  translated([&] { state_->judged(nullptr); });
 }
 
 std::string Scene::json() const {
-  return translated([&] { return to_json(judged_scene(state_->preset, state_->changes, state_->further, nullptr)); });
+  return translated([&] { return to_json(state_->judged(nullptr)); });
 }
 
 }  // namespace v0

@@ -124,6 +124,59 @@ struct KeyOption {
 constexpr std::array<KeyOption, 3> kKeys{
     {{"samples", "/render/samples"}, {"target-error", "/render/target_error"}, {"ev", "/display/compensation_ev"}}};
 
+struct PlaceText {
+  const char* name;
+  MemberOf<PlaceOptions, std::optional<std::string>> value;
+};
+
+struct PlaceNumber {
+  const char* name;
+  MemberOf<PlaceOptions, std::optional<double>> value;
+};
+
+constexpr std::array<PlaceText, 3> kPlaceTexts{
+    {{"date", &PlaceOptions::date}, {"time", &PlaceOptions::time}, {"tz", &PlaceOptions::zone}}};
+
+constexpr std::array<PlaceNumber, 5> kPlaceNumbers{{{"lat", &PlaceOptions::latitude},
+                                                    {"lon", &PlaceOptions::longitude},
+                                                    {"place-altitude", &PlaceOptions::altitude},
+                                                    {"pressure", &PlaceOptions::pressure},
+                                                    {"temperature", &PlaceOptions::temperature}}};
+
+constexpr const char* kRefraction = "refraction";
+
+// Null: there is none of that name.
+template <class Table>
+auto find_option(const Table& table, const std::string& name) -> decltype(table.data()) {
+  const auto found = std::ranges::find_if(table, [&](const auto& option) { return name == option.name; });
+  return found == table.end() ? nullptr : &*found;
+}
+
+double read_number(const std::string& name, const std::string& value) {
+  const std::optional<double> read = number_from<double>(value);
+  return read ? *read : throw InputError(name + ": '" + value + "' is no number");
+}
+
+// Whether it is an option of the place.
+bool set_place(PlaceOptions& place, const std::string& name, const std::string& value) {
+  if (const PlaceText* const text = find_option(kPlaceTexts, name)) {
+    place.*text->value = value;
+    return true;
+  }
+  if (const PlaceNumber* const number = find_option(kPlaceNumbers, name)) {
+    place.*number->value = read_number(name, value);
+    return true;
+  }
+  if (name != kRefraction) {
+    return false;
+  }
+  if (value != "true" && value != "false") {
+    throw InputError(name + ": '" + value + "' is neither true nor false");
+  }
+  place.refraction = value == "true";
+  return true;
+}
+
 }  // namespace
 
 std::optional<ImageSize> size_from(const std::string& text) {
@@ -174,35 +227,29 @@ std::vector<std::string> change_names() {
   add(kNumbers);
   add(kTexts);
   add(kKeys);
+  add(kPlaceTexts);
+  add(kPlaceNumbers);
+  names.emplace_back(kRefraction);
   std::ranges::sort(names);
   return names;
 }
 
-void set_option(SceneChanges& changes, std::vector<Override>& further, const std::string& name,
+void set_option(SceneChanges& changes, std::vector<Override>& further, PlaceOptions& place, const std::string& name,
                 const std::string& value) {
   std::string wanted = name;
   std::ranges::replace(wanted, '_', '-');
-  const auto is_it = [&](const auto& option) { return wanted == option.name; };
-  if (const auto text = std::ranges::find_if(kTexts, is_it); text != kTexts.end()) {
+  if (const TextOption* const text = find_option(kTexts, wanted)) {
     changes.*text->value = value;
-    return;
-  }
-  const auto number = std::ranges::find_if(kNumbers, is_it);
-  const auto key = std::ranges::find_if(kKeys, is_it);
-  if (number == kNumbers.end() && key == kKeys.end()) {
-    throw InputError("unknown option '" + name + "'" + suggested(wanted, change_names()) + "; expected one of " +
-                     joined(change_names()));
-  }
-  const std::optional<double> read = number_from<double>(value);
-  if (!read) {
-    throw InputError(name + ": '" + value + "' is no number");
-  }
-  if (number != kNumbers.end()) {
-    changes.*number->value = *read;
-  } else {
+  } else if (const NumberOption* const number = find_option(kNumbers, wanted)) {
+    changes.*number->value = read_number(name, value);
+  } else if (const KeyOption* const key = find_option(kKeys, wanted)) {
+    read_number(name, value);
     const std::string pointer = std::string(key->pointer) + "=";
     std::erase_if(further, [&](const Override& earlier) { return earlier.assignment.starts_with(pointer); });
     further.push_back({pointer + value, typed(changes, key->name, value)});
+  } else if (!set_place(place, wanted, value)) {
+    throw InputError("unknown option '" + name + "'" + suggested(wanted, change_names()) + "; expected one of " +
+                     joined(change_names()));
   }
 }
 

@@ -18,6 +18,19 @@ struct Override {
   std::vector<std::string> only_with = {};  // applied if the preset has one of these sections; empty: always
 };
 
+// By its date, time and place the sun's angles (core/library/place.h).
+struct PlaceOptions {
+  std::optional<std::string> date;
+  std::optional<std::string> time;  // for one picture
+  std::optional<std::string> zone;
+  std::optional<double> latitude;
+  std::optional<double> longitude;
+  std::optional<double> altitude;
+  bool refraction = false;
+  std::optional<double> pressure;
+  std::optional<double> temperature;
+};
+
 struct SceneChanges {
   std::vector<std::string> set;  // "POINTER=JSON"
   std::optional<double> sun_elevation;
@@ -44,7 +57,7 @@ void apply_changes(Preset& preset, const SceneChanges& changes, const std::vecto
 std::vector<std::string> change_names();
 
 // Sets an option by its name, '-' or '_' between words. Throws InputError: unknown name, with the nearest; no number.
-void set_option(SceneChanges& changes, std::vector<Override>& further, const std::string& name,
+void set_option(SceneChanges& changes, std::vector<Override>& further, PlaceOptions& place, const std::string& name,
                 const std::string& value);
 
 }  // namespace airlight

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/library/api.h"
+#include "core/library/place.h"
 #include "core/library/scene_changes.h"
 #include "core/scene/preset.h"
 
@@ -13,12 +14,12 @@ struct v0::Scene::State {
   Preset preset;
   SceneChanges changes = {};
   std::vector<Override> further = {};
+  PlaceOptions place = {};
 
   explicit State(Preset given) : preset(std::move(given)) { changes.as_keywords = true; }
-};
 
-// The preset with its changes, as a scene. Its pictures are not read. `like`: as in judged(). Throws InputError.
-Scene judged_scene(const Preset& preset, const SceneChanges& changes, const std::vector<Override>& further,
-                   const Scene* like);
+  // The preset with its changes, as a scene. Its pictures are not read. `like`: as in judged(). Throws InputError.
+  airlight::Scene judged(const airlight::Scene* like) const;
+};
 
 }  // namespace airlight

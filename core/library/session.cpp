@@ -8,6 +8,7 @@
 #include "core/library/errors.h"
 #include "core/library/scene_state.h"
 #include "core/library/validity.h"
+#include "core/library/wavelengths.h"
 #include "core/methods/method.h"
 #include "core/methods/ready.h"
 #include "core/render/lighting.h"
@@ -40,6 +41,24 @@ v0::DirectionalLight light_of(const SunLight& light) {
   out.irradiance_above_air = light.irradiance_above_air;
   out.visible_share = light.visible_share;
   return out;
+}
+
+v0::Spectrum spectrum_of(const SpectralImage& spectrum) {
+  v0::Spectrum out{spectrum.nm, spectrum.sunlight, spectrum.unit, {}};
+  for (const std::vector<float>& plane : spectrum.planes) {
+    out.planes.insert(out.planes.end(), plane.begin(), plane.end());
+  }
+  return out;
+}
+
+std::optional<Nodes> wavelengths_called(const std::string& text, const Scene& scene) {
+  if (text.empty()) {
+    return std::nullopt;
+  }
+  const Nodes nodes = wavelengths_from(text, "spectral");
+  require_spectra(scene, "spectral");
+  require_spectrum_fits(scene, nodes.nm.size(), "spectral");
+  return nodes;
 }
 
 LayerSet layers_called(const std::string& name, const Stage& stage) {
@@ -109,7 +128,7 @@ struct Session::State {
 
   const Stage& stage_of(const Scene::State& scene) {
     const auto like = last ? &last->scene() : nullptr;
-    const airlight::Scene judged = judged_scene(scene.preset, scene.changes, scene.further, like);
+    const airlight::Scene judged = scene.judged(like);
     last = last ? ready(judged, *last) : ready(judged);
     return *last;
   }
@@ -119,6 +138,7 @@ struct Session::State {
   RenderRequest request_of(const RenderOptions& asked, const Stage& stage, bool& stopped) const {
     RenderRequest request;
     request.layers = layers_called(asked.layers, stage);
+    request.spectrum = wavelengths_called(asked.spectral, stage.scene());
     request.host.threads = options.threads;
     if (asked.progress) {
       request.host.report = [&asked, &stopped, throws = !samples(stage)](double done) {
@@ -181,6 +201,9 @@ Image Session::render(const Scene& scene, const RenderOptions& options) {
     image.left_out = rendering.left_out;
     image.undone = rendering.undone;
     image.warnings = scene_warnings(stage);
+    if (rendering.spectrum) {
+      image.spectrum = spectrum_of(*rendering.spectrum);
+    }
     for (const airlight::Layer& layer : rendering.layers) {
       image.layers.push_back({layer.name, layer.channels, layer.planes});
     }

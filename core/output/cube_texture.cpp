@@ -11,18 +11,17 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/output/cube_faces.h"
 #include "core/output/half_block.h"
 #include "core/output/picture_rows.h"
+#include "core/output/prefilter.h"
 
 namespace airlight {
 namespace {
 
-constexpr std::size_t kFaces = 6;
-using Vector = std::array<double, 3>;
-
 // The direction of a point of OpenEXR's face, in x to the right of the camera's azimuth, y up, z back. u from the left,
 // v from the top, -1 to 1.
-Vector direction_in_stack(std::size_t face, double u, double v) {
+CubeDirection direction_in_stack(std::size_t face, double u, double v) {
   switch (face) {
     case 0:
       return {-1.0, -v, -u};
@@ -39,74 +38,19 @@ Vector direction_in_stack(std::size_t face, double u, double v) {
   }
 }
 
-struct TexturePoint {
-  std::size_t face = 0;
-  double u = 0.0;
-  double v = 0.0;
-};
-
-// OpenGL 4.6, table 8.19.
-TexturePoint texture_point(const Vector& d) {
-  const auto [x, y, z] = d;
-  const double most = std::max({std::abs(x), std::abs(y), std::abs(z)});
-  if (std::abs(x) == most) {
-    return x > 0.0 ? TexturePoint{0, -z / most, -y / most} : TexturePoint{1, z / most, -y / most};
-  }
-  if (std::abs(y) == most) {
-    return y > 0.0 ? TexturePoint{2, x / most, z / most} : TexturePoint{3, x / most, -z / most};
-  }
-  return z > 0.0 ? TexturePoint{4, x / most, -y / most} : TexturePoint{5, -x / most, -y / most};
-}
-
-using Face = std::vector<float>;  // RGBA
-using Faces = std::array<Face, kFaces>;
-
-std::size_t index_of(double u, std::size_t side) {
-  return static_cast<std::size_t>(0.5 * (u + 1.0) * static_cast<double>(side));
-}
-
-Faces texture_faces(const std::vector<float>& stack, std::size_t side) {
-  Faces faces;
-  faces.fill(Face(4 * side * side, 1.0F));
+CubeFaces texture_faces(const std::vector<float>& stack, std::size_t side) {
+  CubeFaces faces;
+  faces.fill(std::vector<float>(4 * side * side, 1.0F));
   const auto centre = [&](std::size_t i) {
     return 2.0 * (static_cast<double>(i) + 0.5) / static_cast<double>(side) - 1.0;
   };
-  for (std::size_t i = 0; i < kFaces * side * side; ++i) {
+  for (std::size_t i = 0; i < kCubeFaces * side * side; ++i) {
     const std::size_t row = i / side;
-    const TexturePoint at = texture_point(direction_in_stack(row / side, centre(i % side), centre(row % side)));
-    float* const to = &faces[at.face][4 * (index_of(at.v, side) * side + index_of(at.u, side))];
+    const CubePoint at = cube_point(direction_in_stack(row / side, centre(i % side), centre(row % side)));
+    float* const to = &faces[at.face][4 * (cube_index(at.v, side) * side + cube_index(at.u, side))];
     std::copy_n(&stack[4 * i], 3, to);
   }
   return faces;
-}
-
-// The mean over the pixels that each new one covers, parts of pixels by their share: the face's mean stays.
-Face halved(const Face& face, std::size_t side, std::size_t smaller) {
-  const double step = static_cast<double>(side) / static_cast<double>(smaller);
-  const auto share = [&](std::size_t to, std::size_t from) {
-    const double start = static_cast<double>(to) * step;
-    const auto at = static_cast<double>(from);
-    return std::max(0.0, std::min(at + 1.0, start + step) - std::max(at, start)) / step;
-  };
-  Face out;
-  for (std::size_t y = 0; y < smaller; ++y) {
-    for (std::size_t x = 0; x < smaller; ++x) {
-      std::array<double, 4> sum{};
-      const auto first_row = static_cast<std::size_t>(static_cast<double>(y) * step);
-      const auto first_column = static_cast<std::size_t>(static_cast<double>(x) * step);
-      for (std::size_t j = first_row; j < side && share(y, j) > 0.0; ++j) {
-        for (std::size_t i = first_column; i < side && share(x, i) > 0.0; ++i) {
-          for (std::size_t c = 0; c < 4; ++c) {
-            sum[c] += share(y, j) * share(x, i) * static_cast<double>(face[4 * (j * side + i) + c]);
-          }
-        }
-      }
-      for (const double value : sum) {
-        out.push_back(static_cast<float>(value));
-      }
-    }
-  }
-  return out;
 }
 
 struct Bytes {
@@ -124,28 +68,23 @@ struct Bytes {
   }
 };
 
-using Level = std::array<std::vector<std::uint16_t>, kFaces>;
+using Level = std::array<std::vector<std::uint16_t>, kCubeFaces>;
 
-std::vector<Level> levels_of(Faces faces, std::size_t side, ExrCounts& counts) {
+// In half floats. Counted are the samples of the first one that those do not hold.
+std::vector<Level> levels_of(const CubeChain& chain, ExrCounts& counts) {
   std::vector<Level> levels;
-  for (bool first = true;; first = false) {
+  for (const CubeFaces& faces : chain) {
     Level& level = levels.emplace_back();
-    for (std::size_t f = 0; f < kFaces; ++f) {
+    for (std::size_t f = 0; f < kCubeFaces; ++f) {
       level[f].resize(faces[f].size());
       ExrCounts found;
       convert_to_half(faces[f].data(), 1, faces[f].size(), level[f].data(), found);
-      if (first) {
+      if (levels.size() == 1) {
         add_counts(counts, found);
       }
     }
-    if (side == 1) {
-      return levels;
-    }
-    for (Face& face : faces) {
-      face = halved(face, side, side / 2);
-    }
-    side /= 2;
   }
+  return levels;
 }
 
 // Khronos's basic data format descriptor of R, G, B and A as signed 16-bit floats, linear, BT.709.
@@ -181,7 +120,7 @@ std::vector<std::byte> ktx2_of(const std::vector<Level>& levels, std::size_t sid
   // The smallest level stands first in the file, and last in the index.
   std::vector<std::array<std::uint64_t, 2>> places(levels.size());
   for (std::size_t i = levels.size(); i-- > 0;) {
-    places[i] = {place, kFaces * 2 * levels[i][0].size()};
+    places[i] = {place, kCubeFaces * 2 * levels[i][0].size()};
     place += places[i][1];
   }
   for (const auto& [offset, length] : places) {
@@ -214,7 +153,7 @@ std::vector<std::byte> dds_of(const std::vector<Level>& levels, std::size_t side
   out.add_words({32, 0x4, 0x30315844, 0, 0, 0, 0, 0});                // the pixel format is in the header "DX10"
   out.add_words({0x8 | 0x1000 | 0x400000, 0x200 | 0xFC00, 0, 0, 0});  // texture, complex, mips; a cube, all faces
   out.add_words({10, 3, 0x4, 1, 0});  // R16G16B16A16_FLOAT, two dimensions, a cube, one of it
-  for (std::size_t face = 0; face < kFaces; ++face) {
+  for (std::size_t face = 0; face < kCubeFaces; ++face) {
     for (const Level& level : levels) {
       const auto raw = std::as_bytes(std::span(level[face]));
       out.bytes.insert(out.bytes.end(), raw.begin(), raw.end());
@@ -225,14 +164,15 @@ std::vector<std::byte> dds_of(const std::vector<Level>& levels, std::size_t side
 
 class CubeTextureRows : public PictureRows {
  public:
-  CubeTextureRows(bool is_dds, Sink sink, int side)
-      : is_dds_(is_dds), sink_(std::move(sink)), side_(static_cast<std::size_t>(side)) {}
+  CubeTextureRows(bool is_dds, bool prefilter, Sink sink, int side)
+      : is_dds_(is_dds), prefilter_(prefilter), sink_(std::move(sink)), side_(static_cast<std::size_t>(side)) {}
 
   void add(const RadianceImage& rows) override { stack_.insert(stack_.end(), rows.rgba.begin(), rows.rgba.end()); }
 
   std::vector<std::string> finish() override {
     ExrCounts counts;
-    const std::vector<Level> levels = levels_of(texture_faces(stack_, side_), side_, counts);
+    const CubeFaces sharp = texture_faces(stack_, side_);
+    const std::vector<Level> levels = levels_of(prefilter_ ? prefiltered(sharp, side_) : mips_of(sharp, side_), counts);
     sink_(is_dds_ ? dds_of(levels, side_) : ktx2_of(levels, side_));
     if (counts.clamped == 0) {
       return {};
@@ -244,6 +184,7 @@ class CubeTextureRows : public PictureRows {
 
  private:
   bool is_dds_;
+  bool prefilter_;
   Sink sink_;
   std::size_t side_;
   std::vector<float> stack_;
@@ -251,8 +192,8 @@ class CubeTextureRows : public PictureRows {
 
 }  // namespace
 
-std::unique_ptr<PictureRows> cube_texture_rows(bool is_dds, PictureRows::Sink sink, int side) {
-  return std::make_unique<CubeTextureRows>(is_dds, std::move(sink), side);
+std::unique_ptr<PictureRows> cube_texture_rows(bool is_dds, bool prefilter, PictureRows::Sink sink, int side) {
+  return std::make_unique<CubeTextureRows>(is_dds, prefilter, std::move(sink), side);
 }
 
 }  // namespace airlight

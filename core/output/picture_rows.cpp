@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -11,7 +12,7 @@
 namespace airlight {
 namespace {
 
-constexpr std::array<std::string_view, 4> kRowFormats{".hdr", ".npy", ".ktx2", ".dds"};
+constexpr std::array<std::string_view, 5> kRowFormats{".hdr", ".npy", ".json", ".ktx2", ".dds"};
 
 std::string ending_of(const std::string& file) {
   return std::filesystem::path(file).extension().string();
@@ -154,6 +155,43 @@ class NpyRows : public PictureRows {
   Sink sink_;
 };
 
+class JsonRows : public PictureRows {
+ public:
+  JsonRows(Sink sink, int width, int height) : sink_(std::move(sink)) {
+    sink_(bytes_of_text("{\"width\": " + std::to_string(width) + ", \"height\": " + std::to_string(height) +
+                        ", \"channels\": [\"R\", \"G\", \"B\"],\n \"pixels\": ["));
+  }
+
+  void add(const RadianceImage& rows) override {
+    std::string text;
+    for (int y = 0; y < rows.height; ++y) {
+      text += begun_ ? ",\n  [" : "\n  [";
+      begun_ = true;
+      for (int x = 0; x < rows.width; ++x) {
+        const float* const rgb = rows.at(x, y);
+        text += (x == 0 ? "[" : ", [") + digits(rgb[0]) + ", " + digits(rgb[1]) + ", " + digits(rgb[2]) + "]";
+      }
+      text += "]";
+    }
+    sink_(bytes_of_text(text));
+  }
+
+  std::vector<std::string> finish() override {
+    sink_(bytes_of_text("\n ]}\n"));
+    return {};
+  }
+
+ private:
+  // The fewest that are read as the same float.
+  static std::string digits(float value) {
+    std::array<char, 32> text{};
+    return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+  }
+
+  Sink sink_;
+  bool begun_ = false;
+};
+
 }  // namespace
 
 std::span<const std::string_view> row_formats() {
@@ -168,12 +206,16 @@ bool is_cube_format(const std::string& file) {
   return ending_of(file) == ".ktx2" || ending_of(file) == ".dds";
 }
 
-std::unique_ptr<PictureRows> picture_rows(const std::string& file, PictureRows::Sink sink, int width, int height) {
+std::unique_ptr<PictureRows> picture_rows(const std::string& file, PictureRows::Sink sink, int width, int height,
+                                          bool prefilter) {
   if (is_cube_format(file)) {
-    return cube_texture_rows(ending_of(file) == ".dds", std::move(sink), width);
+    return cube_texture_rows(ending_of(file) == ".dds", prefilter, std::move(sink), width);
   }
   if (ending_of(file) == ".hdr") {
     return std::make_unique<HdrRows>(std::move(sink), width, height);
+  }
+  if (ending_of(file) == ".json") {
+    return std::make_unique<JsonRows>(std::move(sink), width, height);
   }
   return std::make_unique<NpyRows>(std::move(sink), width, height);
 }

@@ -3,6 +3,9 @@
 //   .hdr   Radiance's RGBE: three mantissas of 8 bits under one exponent; the smallest header, since many readers
 //          accept no more.
 //   .npy   a NumPy array (height, width, 3) of 32-bit floats.
+//   .json  {"width", "height", "channels": ["R", "G", "B"], "pixels": rows of pixels of three numbers}, each number
+//   with
+//          the fewest digits that are read as the same 32-bit float.
 //   .ktx2, .dds   a cube map of half floats with all mips, for a picture that stacks OpenEXR's six faces.
 // Equal pictures give equal bytes.
 
@@ -38,10 +41,12 @@ bool has_row_format(const std::string& file);
 // Whether the format holds a cube, and nothing else.
 bool is_cube_format(const std::string& file);
 
-// For a file of that name. Cubes need a picture six times as high as wide.
-std::unique_ptr<PictureRows> picture_rows(const std::string& file, PictureRows::Sink sink, int width, int height);
+// For a file of that name. Cubes need a picture six times as high as wide. `prefilter`: a cube's mips are for rough
+// surfaces (core/output/prefilter.h), else means.
+std::unique_ptr<PictureRows> picture_rows(const std::string& file, PictureRows::Sink sink, int width, int height,
+                                          bool prefilter = false);
 
 // Those of cubes, by core/output/cube_texture.cpp.
-std::unique_ptr<PictureRows> cube_texture_rows(bool is_dds, PictureRows::Sink sink, int side);
+std::unique_ptr<PictureRows> cube_texture_rows(bool is_dds, bool prefilter, PictureRows::Sink sink, int side);
 
 }  // namespace airlight

@@ -154,6 +154,32 @@ ShRadiance project_to_sh(const RadianceImage& latlong, double azimuth) {
   return sum;
 }
 
+ShRadiance turned(const ShRadiance& light, double azimuth) {
+  const double c = std::cos(azimuth);
+  const double s = std::sin(azimuth);
+  // A right-handed turn of x and z takes the two harmonics of an order, -m and m, into one another.
+  ShRadiance out = light;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto at = [&](std::size_t k) { return light[k][i]; };
+    out[2][i] = c * at(2) - s * at(3);  // z
+    out[3][i] = s * at(2) + c * at(3);  // x
+    out[4][i] = c * at(4) + s * at(5);  // xy
+    out[5][i] = c * at(5) - s * at(4);  // yz
+    // Among 3zz - 1, xz and xx - yy: of second degree in x and z.
+    const double root3 = std::sqrt(3.0);
+    const double zz = at(6) * 2.0;  // as a quadratic form: xx, yy, zz, xz
+    const double xx = root3 * at(8) - at(6);
+    const double xz = root3 * at(7);
+    const double yy = -xx - zz;
+    const double new_xx = c * c * xx + s * s * zz + 2.0 * c * s * xz;
+    const double new_zz = s * s * xx + c * c * zz - 2.0 * c * s * xz;
+    out[6][i] = new_zz / 2.0;
+    out[7][i] = ((c * c - s * s) * xz + c * s * (zz - xx)) / root3;
+    out[8][i] = (new_xx - yy) / (2.0 * root3);
+  }
+  return out;
+}
+
 RadianceImage irradiance_map(const RadianceImage& latlong, double latlong_azimuth, int width, int height,
                              double azimuth) {
   physics::Physics p;

@@ -23,6 +23,9 @@ using ShRadiance = std::array<Vector3, 9>;
 // the integral of the basis over the pixel's solid angle.
 ShRadiance project_to_sh(const RadianceImage& latlong, double azimuth);
 
+// The harmonics of the same light in axes turned about the vertical, for someone whose -z looks toward `azimuth`.
+ShRadiance turned(const ShRadiance& light, double azimuth);
+
 // Irradiance over normals, an equirectangular map whose centre is the normal toward `azimuth`: the sum of radiance x
 // cosine over the sphere, by the exact integral of the direction over each pixel of the sky.
 RadianceImage irradiance_map(const RadianceImage& latlong, double latlong_azimuth, int width, int height,

@@ -1,6 +1,7 @@
 // Pictures for other programs, read back by programs that are not ours.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -79,6 +80,99 @@ TEST_F(Formats, AUsdStageLightsASceneAsTheSkyDoes) {
   }
 }
 
+// Three moments around midnight, in which sun and moon go past the north.
+TEST_F(Formats, AStageOfASequenceHasASampleAFrame) {
+  const Names place{"full-day", "-q",    "--date",       "2026-04-01", "--lat",  "69.65",
+                    "--lon",    "18.96", "--projection", "latlong",    "--size", "16x8"};
+  const auto with = [&](Names words, const Names& more) {
+    for (const Names* part : {&place, &more}) words.insert(words.end(), part->begin(), part->end());
+    return words;
+  };
+  const Names path{"--from", "20:00", "--to", "02:00", "--step", "3h", "--fps", "30", "-o", "dome.#.exr"};
+  Names words = path;
+  words.insert(words.end(), {"--usd", "day.usda"});
+  const Outcome made = tool(with({"sequence"}, words));
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  Names read_words{"usd-samples", "day.usda"};
+  for (const char* moment : {"2026-04-01 20:00", "2026-04-01 23:00", "2026-04-02 02:00"}) {
+    const std::string text = moment;
+    const std::string light = "light" + text.substr(11, 2);
+    Names one = with({"render"}, {"--time", text.substr(11), "--irradiance", light + ".exr", "-o", "one.exr"});
+    *std::ranges::find(one, "2026-04-01") = text.substr(0, 10);
+    const Outcome rendered = tool(one);
+    ASSERT_EQ(rendered.exit_code, 0) << rendered.err;
+    read_words.push_back(light);
+  }
+  const Outcome outcome = read(read_words);
+  if (outcome.exit_code == 77) GTEST_SKIP() << kNoPython;
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  const auto refused = [&](const Names& more) {
+    const Outcome refusal = tool(with({"sequence"}, more));
+    EXPECT_EQ(refusal.exit_code, 2) << refusal.err;
+    return refusal.err;
+  };
+  Names shard = words;
+  shard.insert(shard.end(), {"--shard", "1/2"});
+  EXPECT_TRUE(contains(refused(shard), "run once more without --shard"));
+  Names plain{"--from", "20:00", "--to", "21:00", "--step", "1h", "--png", "a.#.png", "--usd", "day.usda"};
+  EXPECT_TRUE(contains(refused(plain), "give -o 'sky.####.exr' too"));
+  Names perspective = words;
+  perspective.insert(perspective.end(), {"--set", "/camera/projection=perspective"});
+  EXPECT_TRUE(contains(refused(perspective), "give --projection latlong"));
+}
+
+TEST_F(Formats, JsonHoldsTheArray) {
+  render({"--size", "9x5", "-o", "array.json"});
+  render({"--size", "9x5", "-o", "sky.npy"});
+  const Outcome outcome = read({"json", "array.json", "sky.npy"});
+  if (outcome.exit_code == 77) GTEST_SKIP() << kNoPython;
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  EXPECT_TRUE(contains(refusal({"-o", "sky.json"}), "would be written over"));
+}
+
+// The cube map's harmonics and sun are in its own axes: of a camera that looks east they are those of the sky around
+// it, turned.
+TEST_F(Formats, APrefilteredCubeHasItsLightBesideIt) {
+  const Names cube{"--projection",    "cube", "--size",        "16x96",
+                   "--prefilter",     "ggx",  "--set",         "/sun/disc/visible=false",
+                   "--sun-elevation", "20",   "--sun-azimuth", "100"};
+  const auto light_at = [&](const char* azimuth) {
+    Names words = cube;
+    words.insert(words.end(), {"--azimuth", azimuth, "-o", "glossy.ktx2"});
+    render(words);
+    return nlohmann::json::parse(scratch_.read("glossy.light.json"));
+  };
+  const auto north = light_at("0");
+  const auto east = light_at("90");
+  const auto harmonics = [](const nlohmann::json& light) {
+    return light["spherical_harmonics"]["coefficients"].get<std::vector<std::vector<double>>>();
+  };
+  // Looking east, what was along x is along -z.
+  const auto n = harmonics(north);
+  const auto e = harmonics(east);
+  EXPECT_NEAR(e[0][1], n[0][1], 1e-6 * n[0][1]);
+  EXPECT_NEAR(e[1][1], n[1][1], 1e-6 * n[0][1]);
+  EXPECT_NEAR(e[2][1], -n[3][1], 1e-6 * n[0][1]);
+  EXPECT_NEAR(e[3][1], n[2][1], 1e-6 * n[0][1]);
+  const auto toward = east["sun"]["direction"].get<std::vector<double>>();
+  EXPECT_NEAR(std::atan2(toward[0], -toward[2]) * 180.0 / M_PI, 10.0, 0.01);  // 10 degrees to the right
+  // The roughest mip is one texel, the mean of half the sphere weighted by the cosine twice: not far from what a
+  // diffuse card gets from there, and its files are those of any cube.
+  const std::string bytes = scratch_.read("glossy.ktx2");
+  EXPECT_EQ(bytes.substr(1, 6), "KTX 20");
+  Names plain = cube;
+  plain.erase(plain.begin() + 4, plain.begin() + 6);
+  plain.insert(plain.end(), {"--azimuth", "90", "-o", "plain.ktx2"});
+  render(plain);
+  const std::string other = scratch_.read("plain.ktx2");
+  ASSERT_EQ(other.size(), bytes.size());
+  EXPECT_NE(other, bytes);
+  constexpr std::size_t kSky = 6 * 16 * 16 * 8;  // the sharpest mip, last in the file
+  EXPECT_EQ(other.substr(other.size() - kSky), bytes.substr(bytes.size() - kSky));
+  EXPECT_TRUE(contains(refusal({"-o", "sky.exr", "--prefilter", "ggx"}), "give -o FILE.ktx2 or FILE.dds too"));
+  EXPECT_TRUE(contains(refusal({"-o", "sky.ktx2", "--prefilter", "box"}), "ggx"));
+}
+
 const Names kInLux{"--set", "/sun/unit=lux", "--set", "/sun/irradiance=128000"};
 
 TEST_F(Formats, RadianceFindsTheSkysIlluminance) {
@@ -134,7 +228,12 @@ TEST_F(Formats, ASkyMatrixHasTheDaysLight) {
   EXPECT_TRUE(contains(refused({"--sun-elevation", "0:9:3", "--png", "a.#.png", "--patches", "2"}),
                        "--patches is for --radiance-matrix"));
   EXPECT_TRUE(contains(refused({"--radiance-matrix", "a.mtx", "--png", "a.#.png"}), "--png is for frames"));
-  EXPECT_TRUE(contains(refused({"--radiance-matrix", "a.mtx", "--ev", "1"}), "--ev is for frames"));
+  for (const Names& idle : {Names{"--ev", "1"}, Names{"--bits", "16"}, Names{"--fps", "30"},
+                            Names{"--preview-rate", "9"}, Names{"--ocio-config", "x.ocio"}, Names{"--usd", "x.usda"}}) {
+    Names words{"--radiance-matrix", "a.mtx"};
+    words.insert(words.end(), idle.begin(), idle.end());
+    EXPECT_TRUE(contains(refused(words), idle.front() + " is for frames"));
+  }
   EXPECT_TRUE(contains(refused(with({"--radiance-matrix", "a.mtx"},
                                     {"--from", "00:00", "--to", "23:00", "--step", "1s", "--until", "2026-04-21"})),
                        "expected at most 100000000"));

@@ -7,6 +7,8 @@ read_picture.py texture FILE SKY.npy      KTX 2.0 and DDS by this reader, which 
 read_picture.py usd FILE.usda LIGHT       the stage's dome and lights against what --irradiance tells of the sky
                                           (LIGHT.json, LIGHT.exr), of a camera that looks 30 degrees east
                                           of north
+read_picture.py usd-samples FILE.usda LIGHT...   a sequence's stage, a LIGHT.json for each time sample: sun and moon
+read_picture.py json FILE.json SKY.npy    the array of a JSON text
 read_picture.py rad FILE.rad LIGHT        Radiance's scene: what its sources give a level surface against what
                                           --irradiance tells, and where its picture is brightest
 read_picture.py matrix FILE.mtx FACTOR LIGHT...   a sky matrix column by column, likewise
@@ -178,6 +180,48 @@ def usd(file, light):
         numpy.testing.assert_allclose(seen, told[row, column, :3], rtol=0.01)
 
 
+def usd_samples(file, *lights):
+    """Each sample is where and what --irradiance tells; angles go on without a jump; the pictures are there."""
+    text = open(file, encoding="utf-8").read()
+    prims = dict(re.findall(r'def \w+ "(\w+)"\s*\{((?:[^{}]|\{[^{}]*\})*)\}', text.split('"sky"\n{', 1)[1]))
+
+    def samples(prim, name):
+        body = re.search(rf"{re.escape(name)}\.timeSamples = \{{([^}}]*)\}}", prims[prim]).group(1)
+        return [(int(at), value.rstrip(",")) for at, value in re.findall(r"(\d+): (.*)", body)]
+
+    def vector(value):
+        return numpy.array([float(n) for n in value.strip("()").split(",")])
+
+    codes = list(range(1, len(lights) + 1))
+    assert f"startTimeCode = 1\n" in text and f"endTimeCode = {len(lights)}\n" in text
+    assert "timeCodesPerSecond = 30\n" in text and "framesPerSecond = 30\n" in text
+    pictures = samples("dome", "inputs:texture:file")
+    assert [code for code, _ in pictures] == codes
+    for _, picture in pictures:
+        assert os.path.exists(os.path.join(os.path.dirname(file), picture.strip("@"))), picture
+    assert len({picture for _, picture in pictures}) == len(lights)
+    for body in ("sun", "moon"):
+        turns = samples(body, "xformOp:rotateXYZ")
+        assert [code for code, _ in turns] == codes
+        angles = numpy.array([vector(value)[1] for _, value in turns])
+        print(body, angles)
+        assert abs(numpy.diff(angles)).max() < 180
+        for i, light in enumerate(lights):
+            told = json.load(open(light + ".json", encoding="utf-8"))[body]
+            numpy.testing.assert_allclose(turned(vector(turns[i][1]), numpy.array([0, 0, 1.0])), told["direction"],
+                                          atol=1e-5)
+            found = vector(samples(body, "inputs:intensity")[i][1]) * vector(samples(body, "inputs:color")[i][1])
+            numpy.testing.assert_allclose(found, numpy.maximum(told["irradiance"], 0), rtol=1e-5, atol=1e-12)
+
+
+def json_array(file, array):
+    told = json.load(open(file, encoding="utf-8"))
+    wanted = numpy.load(array)
+    found = numpy.array(told["pixels"], numpy.float32)
+    assert (told["height"], told["width"], len(told["channels"])) == wanted.shape == found.shape
+    assert (found == wanted).all()
+
+
 RADIANCE_LUMINANCE = 179 * numpy.array([0.265, 0.670, 0.065])
 
 
@@ -331,4 +375,4 @@ def compass(file):
     assert up[2] / up[0] < 0.7 * picture[height // 6].mean(axis=0)[2] / picture[height // 6].mean(axis=0)[0]
 
 
-{"hdr": hdr, "compass": compass, "texture": texture, "usd": usd, "rad": rad, "matrix": matrix}[sys.argv[1]](*sys.argv[2:])
+{"hdr": hdr, "compass": compass, "texture": texture, "usd": usd, "usd-samples": usd_samples, "json": json_array, "rad": rad, "matrix": matrix}[sys.argv[1]](*sys.argv[2:])

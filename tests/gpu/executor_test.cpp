@@ -10,6 +10,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "core/clock.h"
 #include "core/gpu/frozen_modules.h"
 #include "core/gpu/shader.h"
 #include "core/gpu/specialize.h"
@@ -224,6 +225,26 @@ TEST(Executor, PassesConstantsSceneAndPushConstants) {
   // Another value gives another pipeline, and the first one still exists.
   EXPECT_EQ(report_of(executor, with_count(12)).count, 12U);
   EXPECT_EQ(report_of(executor, with_count(3)).count, 3U);
+}
+
+// A program that renders ever new scenes keeps a bounded number of pipelines, and those in use among them.
+TEST(Executor, KeepsABoundedNumberOfPipelines) {
+  constexpr std::size_t kMost = 3;
+  Executor executor({.pipelines_max = kMost}, test_shaders());
+  EXPECT_EQ(DeviceOptions().pipelines_max, 160U);
+  for (std::uint32_t count = 1; count <= 6; ++count) {
+    EXPECT_EQ(report_of(executor, with_count(count)).count, count);
+    EXPECT_EQ(executor.memory_use().pipelines, std::min<std::size_t>(count, kMost));
+  }
+  const auto milliseconds_to_make = [&](std::uint32_t count) {
+    const Clock::time_point start = Clock::now();
+    EXPECT_EQ(report_of(executor, with_count(count)).count, count);
+    return milliseconds_since(start);
+  };
+  // 5 is there still; 1 is made anew.
+  const double kept = milliseconds_to_make(5);
+  EXPECT_LT(2.0 * kept, milliseconds_to_make(1));
+  EXPECT_EQ(executor.memory_use().pipelines, kMost);
 }
 
 // A module is stored under another's name: a result computed with it shows that it was read from the folder.

@@ -84,7 +84,7 @@ TEST_F(SessionTest, TheLastChangeCounts) {
 }
 
 TEST_F(SessionTest, LayersAddUpToThePicture) {
-  const Image sky = session_->render(map("earth-sunset"), {.layers = "light", .progress = {}});
+  const Image sky = session_->render(map("earth-sunset"), {.layers = "light"});
   std::vector<double> sum(sky.rgb.size());
   for (const airlight::Layer& layer : sky.layers) {
     const bool is_light = layer.channels == "RGB" && layer.name != "transmittance";
@@ -95,6 +95,93 @@ TEST_F(SessionTest, LayersAddUpToThePicture) {
   for (std::size_t i = 0; i < sum.size(); ++i) {
     EXPECT_NEAR(sum[i], static_cast<double>(sky.rgb[i]), 5e-4 * static_cast<double>(sky.rgb[i])) << i;
   }
+}
+
+// Spectral radiance times the standard observer is the picture, where the wavelengths tell colours: Y by the published
+// luminous efficiency (CIE 1924) against the luminance of red, green and blue. Measured: 1.6 % between blue sky
+// and brown ground, since colours are adapted to a white sun, which keeps the luminance of grey alone.
+TEST_F(SessionTest, ASpectrumIsThePicturesLight) {
+  Scene scene = map("earth-noon");
+  scene.option("size", "16x8");
+  const Image sky = session_->render(scene, {.spectral = "380:780:10"});
+  ASSERT_TRUE(sky.spectrum);
+  const airlight::Spectrum& spectrum = *sky.spectrum;
+  ASSERT_EQ(spectrum.nm.size(), 41U);
+  ASSERT_EQ(spectrum.sunlight.size(), 41U);
+  ASSERT_EQ(spectrum.planes.size(), 41U * 16U * 8U);
+  EXPECT_EQ(spectrum.unit, "W.m^-2.sr^-1.nm^-1");
+  const double efficiency[] = {0.000039, 0.00012, 0.000396, 0.00121, 0.004,   0.0116,   0.023,    0.038,    0.06,
+                               0.09098,  0.13902, 0.20802,  0.323,   0.503,   0.71,     0.862,    0.954,    0.99495,
+                               0.995,    0.952,   0.87,     0.757,   0.631,   0.503,    0.381,    0.265,    0.175,
+                               0.107,    0.061,   0.032,    0.017,   0.00821, 0.004102, 0.002091, 0.001047, 0.00052,
+                               0.000249, 0.00012, 0.00006,  0.00003, 0.000015};
+  const auto luminance = [&](std::size_t pixel) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < 41; ++k) {
+      sum += efficiency[k] * static_cast<double>(spectrum.planes[k * 16 * 8 + pixel]);
+    }
+    return sum;
+  };
+  const auto of_colours = [&](std::size_t pixel) {
+    return 0.2126 * static_cast<double>(sky.rgb[3 * pixel]) + 0.7152 * static_cast<double>(sky.rgb[3 * pixel + 1]) +
+           0.0722 * static_cast<double>(sky.rgb[3 * pixel + 2]);
+  };
+  const double scale = luminance(25) / of_colours(25);
+  for (const std::size_t pixel : {0U, 10U, 50U, 75U, 100U, 120U}) {
+    EXPECT_NEAR(luminance(pixel) / of_colours(pixel), scale, 0.03 * scale) << pixel;
+  }
+  EXPECT_FALSE(session_->render(scene).spectrum);
+  // Wavelengths too few for colours leave the picture as it is.
+  EXPECT_EQ(session_->render(scene, {.spectral = "500:600:50"}).rgb, session_->render(scene).rgb);
+}
+
+// NREL's example of the solar position algorithm (Reda and Andreas 2003, table A5.1): 17 October 2003, 12:30:30 at
+// 39.742476 N, 105.1786 W, 1830 m, 7 h behind UTC: topocentric zenith angle without refraction 50.12794 (its eq. 41),
+// azimuth 194.34024.
+TEST_F(SessionTest, TheSunStandsWhereItDoes) {
+  Scene scene = map("earth");
+  scene.option("date", "2003-10-17").option("time", "12:30:30").option("tz", "-07:00").option("lat", "39.742476");
+  scene.option("lon", "-105.1786").option("place-altitude", "1.83014");
+  const airlight::DirectionalLight sun = session_->irradiance(scene).sun;
+  EXPECT_NEAR(sun.azimuth_deg, 194.34024, 0.01);
+  // Seen through the air that bends light, a little higher than the true elevation of 39.8720.
+  EXPECT_NEAR(sun.elevation_deg, 39.872, 0.03);
+  scene.option("tz", "America/Denver").option("time", "13:30:30");  // summer time
+  EXPECT_NEAR(session_->irradiance(scene).sun.azimuth_deg, 194.34024, 0.01);
+}
+
+TEST_F(SessionTest, RefusesPlacesAndSpectraInItsOwnWords) {
+  using airlight::InputError;
+  const auto refused = [](const std::vector<std::pair<std::string, std::string>>& options) {
+    return message<InputError>([&] {
+      Scene scene = map("earth");
+      for (const auto& [name, value] : options) {
+        scene.option(name, value);
+      }
+      scene.check();
+    });
+  };
+  const std::string missing = refused({{"date", "2026-06-21"}, {"lat", "48"}});
+  EXPECT_TRUE(has(missing, "the sun of a place needs time, lon as well")) << missing;
+  EXPECT_FALSE(has(missing, "--")) << missing;
+  const std::vector<std::pair<std::string, std::string>> moment = {
+      {"date", "2026-06-21"}, {"time", "12:00"}, {"lat", "48"}, {"lon", "2"}};
+  auto both = moment;
+  both.emplace_back("sun_elevation", "4");
+  EXPECT_TRUE(has(refused(both), "sun_elevation and date both say where the sun stands")) << refused(both);
+  auto zone = moment;
+  zone.emplace_back("tz", "Europe/Pari");
+  EXPECT_TRUE(has(refused(zone), "tz: no time zone 'Europe/Pari'; did you mean 'Europe/Paris'?")) << refused(zone);
+  auto lifted = moment;
+  lifted.emplace_back("refraction", "true");
+  EXPECT_TRUE(has(refused(lifted), "refraction: the preset's air bends light itself")) << refused(lifted);
+  EXPECT_TRUE(has(refused({{"refraction", "yes"}}), "neither true nor false"));
+  EXPECT_TRUE(has(refused({{"latt", "4"}}), "did you mean 'lat'?"));
+  const auto of_spectrum = [](const std::string& preset, const std::string& spectral) {
+    return message<InputError>([&] { session_->render(map(preset), {.spectral = spectral}); });
+  };
+  EXPECT_TRUE(has(of_spectrum("earth", "380:780"), "spectral: '380:780' is not FIRST:LAST:STEP"));
+  EXPECT_TRUE(has(of_spectrum("earth-hillaire2020", "380:780:10"), "three channels and no spectra"));
 }
 
 // The mean of the irradiance over all normals is a quarter of the integral of radiance, which the first harmonic holds.
@@ -133,12 +220,11 @@ TEST_F(SessionTest, RefusesInWords) {
       [] { map("earth").option("sun_elevation", "400").set("/planet/ground_albedo", "7").check(); });
   EXPECT_TRUE(has(problems, "sun_elevation=400")) << problems;
   EXPECT_TRUE(has(problems, "/planet/ground_albedo")) << problems;
-  EXPECT_TRUE(has(message<InputError>([] { session_->render(map("earth"), {.layers = "lihgt", .progress = {}}); }),
-                  "did you mean 'light'?"));
-  EXPECT_TRUE(has(message<InputError>([] {
-                    session_->render(map("earth").option("method", "march"), {.layers = "light", .progress = {}});
-                  }),
-                  "march does not tell its light apart"));
+  EXPECT_TRUE(
+      has(message<InputError>([] { session_->render(map("earth"), {.layers = "lihgt"}); }), "did you mean 'light'?"));
+  EXPECT_TRUE(
+      has(message<InputError>([] { session_->render(map("earth").option("method", "march"), {.layers = "light"}); }),
+          "march does not tell its light apart"));
   EXPECT_TRUE(has(message<InputError>([] {
                     session_->probe(map("earth"), std::array{airlight::Direction{91, 0}});
                   }),
@@ -173,8 +259,7 @@ TEST_F(SessionTest, ProgressEndsARenderAndTheSessionGoesOn) {
       ++calls;
       return false;
     };
-    const std::string refused =
-        message<airlight::RunError>([&] { session_->render(scene, {.layers = "", .progress = stop}); });
+    const std::string refused = message<airlight::RunError>([&] { session_->render(scene, {.progress = stop}); });
     EXPECT_EQ(refused, "the render was stopped") << method;
     EXPECT_GT(calls, 0) << method;
     const std::vector<float> whole = session_->render(map("earth-noon")).rgb;

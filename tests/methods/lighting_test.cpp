@@ -133,6 +133,29 @@ TEST(Irradiance, OfAPolynomialSkyIsInClosedForm) {
   }
 }
 
+// The harmonics of a clamped cosine around s are pi, 2 pi/3 and pi/4 times the basis at s, by degree: in turned axes
+// around s in those axes.
+TEST(Harmonics, TurnWithTheirAxes) {
+  const double degrees[] = {pi, 2.0 * pi / 3.0, 0.25 * pi};
+  const auto lobe = [&](const Vector3& s) {
+    const std::array<double, 9> basis = sh_basis(s);
+    ShRadiance sh{};
+    for (std::size_t k = 0; k < 9; ++k) {
+      sh[k] = {degrees[k == 0 ? 0 : k < 4 ? 1 : 2] * basis[k], -basis[k], 0.0};
+    }
+    return sh;
+  };
+  for (const double azimuth : {0.0, 0.5 * pi, 0.7, -2.1}) {
+    const Vector3 s = direction_of(0.4, 1.3);
+    const ShRadiance found = turned(lobe(s), azimuth);
+    const ShRadiance wanted = lobe(direction_of(0.4, 1.3 - azimuth));
+    for (std::size_t k = 0; k < 9; ++k) {
+      EXPECT_NEAR(found[k][0], wanted[k][0], 1e-12) << k << " at " << azimuth;
+      EXPECT_NEAR(found[k][1], wanted[k][1], 1e-12) << k;
+    }
+  }
+}
+
 // A sky over black ground: pi (1 + sin e)/2 on a normal of elevation e.
 TEST(Irradiance, OfHalfASphere) {
   const RadianceImage sky = sky_of(0.0, 64, 32, [](const Vector3& d) { return d[1] > 0.0 ? 1.0 : 0.0; });

@@ -1,5 +1,8 @@
 """The Python package: python3 airlight_test.py TOOL, with the package's folder on PYTHONPATH."""
 
+import ast
+import datetime
+import importlib.util
 import os
 import signal
 import subprocess
@@ -37,6 +40,36 @@ class Render(unittest.TestCase):
         there = by_the_tool(*words, "--size", "16x9", "--set", "/planet/ground_albedo=0.8")
         here = airlight.render("earth-noon", size="16x9", set={"/planet/ground_albedo": 0.8}, **given)
         self.assertTrue(numpy.array_equal(here, there))
+
+    def test_takes_a_date_and_a_place(self):
+        there = by_the_tool("--projection", "latlong", "--size", "16x8", "--date", "2026-06-21", "--time", "21:30:00",
+                            "--lat", "48.85", "--lon", "2.35", "--tz", "Europe/Paris")
+        when = {"date": datetime.date(2026, 6, 21), "time": datetime.time(21, 30), "tz": "Europe/Paris"}
+        here = airlight.render("earth-noon", lat=48.85, lon=2.35, **when, **SMALL)
+        self.assertTrue(numpy.array_equal(here, there))
+        words = airlight.render("earth-noon", lat=48.85, lon=2.35, date="2026-06-21", time="19:30", **SMALL)
+        self.assertTrue(numpy.array_equal(words, there))
+
+    def test_a_spectrum_is_that_of_the_tool(self):
+        sky, spectrum = airlight.render("earth-noon", spectral=(400, 700, 50), size=(8, 4))
+        self.assertEqual((spectrum.radiance.shape, spectrum.radiance.dtype), ((4, 8, 7), numpy.float32))
+        self.assertEqual(list(spectrum.wavelengths), list(range(400, 701, 50)))
+        self.assertEqual((spectrum.sunlight.shape, spectrum.unit), ((7,), "W.m^-2.sr^-1.nm^-1"))
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "sky.exr")
+            subprocess.run([TOOL, "render", "earth-noon", "-q", "-o", file, "--size", "8x4", "--spectral", "400:700:50"],
+                           check=True)
+            try:
+                import OpenImageIO
+            except ImportError:
+                self.skipTest("OpenImageIO for Python is not installed")
+            picture = OpenImageIO.ImageInput.open(file)
+            planes = dict(zip(picture.spec().channelnames, numpy.moveaxis(picture.read_image("float"), 2, 0)))
+        for i, nm in enumerate(range(400, 701, 50)):
+            self.assertTrue(numpy.array_equal(spectrum.radiance[..., i], planes[f"S0.{nm},000000nm"]), nm)
+        both = airlight.render("earth-noon", spectral="400:700:100", layers="light", size=(8, 4))
+        self.assertEqual(len(both), 3)
+        self.assertTrue(numpy.array_equal(both[0], sky))
 
     def test_takes_a_preset_as_a_dictionary_and_as_a_file(self):
         preset = {"airlight": 1, "extends": "earth", "sun": {"elevation_deg": 7}}
@@ -132,6 +165,22 @@ class Values(unittest.TestCase):
         airlight.check(airlight.preset("earth-noon"))
 
 
+class Example(unittest.TestCase):
+    def test_light_over_a_day(self):
+        script = os.path.join(os.path.dirname(__file__), "../../core/library/examples/day_of_light.py")
+        with tempfile.TemporaryDirectory() as folder:
+            # A short day. Where matplotlib is installed a picture too.
+            picture = [os.path.join(folder, "day.png")] if importlib.util.find_spec("matplotlib") else []
+            done = subprocess.run([sys.executable, script, "2026-12-21", "66", "0", "4", *picture], check=True,
+                                  capture_output=True, text=True)
+            self.assertTrue(all(os.path.getsize(file) > 1000 for file in picture))
+        rows = [line.split() for line in done.stdout.splitlines()]
+        level = {row[0]: float(row[-2]) for row in rows}
+        self.assertEqual(max(level, key=level.get), "12:00")  # on this meridian, with the equation of time 2 minutes
+        # CIE's and measured sums for a sun half a degree high: 500 to 1500 lux on level ground.
+        self.assertTrue(300 < level["12:00"] < 2000, level)
+
+
 class Refusals(unittest.TestCase):
     def refused(self, error, words, function, *args, **options):
         with self.assertRaises(error) as caught:
@@ -151,6 +200,28 @@ class Refusals(unittest.TestCase):
         self.refused(TypeError, "built-in preset's name", airlight.render, 7)
         self.refused(TypeError, "expected a dictionary", airlight.render, "earth-noon", set="/sun/elevation_deg=4")
         self.refused(ValueError, "expected (N, 2)", airlight.probe, "earth-noon", [90, 0])
+
+    def test_places_and_spectra(self):
+        self.refused(ValueError, "needs time, lon as well", airlight.check, "earth", date="2026-06-21", lat=48)
+        self.refused(TypeError, "expected True or False", airlight.check, "earth", refraction=1)
+        self.refused(TypeError, "expected a text", airlight.check, "earth", tz=2)
+        self.refused(TypeError, "expected (first, last, step)", airlight.render, "earth", spectral=(400, 700))
+        self.refused(TypeError, "expected (first, last, step)", airlight.render, "earth", spectral=500)
+        self.refused(ValueError, "must be below the last", airlight.render, "earth", spectral=(700, 400, 10))
+
+    def test_stubs_name_every_keyword(self):
+        stub = os.path.join(os.path.dirname(airlight.__file__), "__init__.pyi")
+        with open(stub, encoding="utf-8") as text:
+            tree = ast.parse(text.read())
+        wanted = {name.replace("-", "_") for name in airlight._airlight.option_names()} | {"set"}
+        own = {"layers", "progress", "spectral"}
+        functions = [node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)
+                     and node.name in ("render", "probe", "irradiance", "check")]
+        self.assertEqual(len(functions), 14)
+        for function in functions:
+            names = {argument.arg for argument in function.args.kwonlyargs}
+            self.assertEqual(names - own, wanted, function.name)
+            self.assertEqual(names & own, own if function.name == "render" else set())
 
     def test_values(self):
         self.refused(ValueError, "did you mean 'earth-noon'?", airlight.render, "earth-non")

@@ -7,6 +7,7 @@ Colours are linear Rec.709. Angles are degrees, azimuths clockwise from north.
 """
 
 import atexit
+import datetime
 import difflib
 import json
 import numbers
@@ -18,12 +19,12 @@ import numpy
 from . import _airlight
 from ._airlight import InputError, RunError
 
-__all__ = ["InputError", "Irradiance", "Light", "Probes", "RunError", "Session", "check", "irradiance", "preset",
-           "presets", "probe", "render"]
+__all__ = ["InputError", "Irradiance", "Light", "Probes", "RunError", "Session", "Spectrum", "check", "irradiance",
+           "preset", "presets", "probe", "render"]
 __version__ = _airlight.version()
 
 _OPTIONS = tuple(name.replace("-", "_") for name in _airlight.option_names())
-_TEXTS = ("method", "projection")
+_TEXTS = ("date", "method", "projection", "time", "tz")
 
 
 class Probes(typing.NamedTuple):
@@ -33,6 +34,15 @@ class Probes(typing.NamedTuple):
     transmittance: numpy.ndarray
     q: typing.Optional[numpy.ndarray]
     u: typing.Optional[numpy.ndarray]
+
+
+class Spectrum(typing.NamedTuple):
+    """Spectral radiance (H, W, N), float32, at N wavelengths in nm; sunlight above the air; the radiance's unit."""
+
+    wavelengths: numpy.ndarray
+    radiance: numpy.ndarray
+    sunlight: numpy.ndarray
+    unit: str
 
 
 class Light(typing.NamedTuple):
@@ -73,6 +83,14 @@ def _text(name, value):
         if len(sides) != 2 or not all(isinstance(side, numbers.Integral) for side in sides):
             raise TypeError(f"size is {value!r}; expected (width, height) in pixels, or a text such as '64x32'")
         return f"{int(sides[0])}x{int(sides[1])}"
+    if name == "date" and isinstance(value, datetime.date):
+        return value.strftime("%Y-%m-%d")
+    if name == "time" and isinstance(value, datetime.time):
+        return value.strftime("%H:%M:%S")
+    if name == "refraction":
+        if not isinstance(value, bool):
+            raise TypeError(f"refraction is {value!r}; expected True or False")
+        return "true" if value else "false"
     if name in _TEXTS:
         if not isinstance(value, str):
             raise TypeError(f"{name} is {value!r}; expected a text")
@@ -80,6 +98,17 @@ def _text(name, value):
     if isinstance(value, bool) or not isinstance(value, numbers.Real):
         raise TypeError(f"{name} is {value!r}; expected a number")
     return repr(float(value)) if not isinstance(value, numbers.Integral) else str(int(value))
+
+
+def _wavelengths(spectral):
+    """"FIRST:LAST:STEP" of a text or of three numbers."""
+    if spectral is None or isinstance(spectral, str):
+        return spectral or ""
+    try:
+        first, last, step = (repr(float(number)) for number in spectral)
+    except (TypeError, ValueError):
+        raise TypeError(f"spectral is {spectral!r}; expected (first, last, step) in nm, or '380:780:10'") from None
+    return f"{first}:{last}:{step}"
 
 
 def _scene(function, preset, options, further=()):
@@ -106,11 +135,12 @@ class Session:
     def __init__(self, device="", cache_folder="", threads=0):
         self._session = _airlight.Session(device, os.fspath(cache_folder), threads)
 
-    def render(self, preset, *, layers=None, progress=None, **options):
+    def render(self, preset, *, layers=None, spectral=None, progress=None, **options):
         """The camera's picture: (height, width, 3), float32. See airlight.render."""
-        scene = _scene("render", preset, options, ("layers", "progress"))
-        sky, planes, *_ = self._session.render(*scene, layers or "", progress)
-        return (sky, planes) if layers else sky
+        scene = _scene("render", preset, options, ("layers", "progress", "spectral"))
+        sky, planes, spectrum, *_ = self._session.render(*scene, layers or "", _wavelengths(spectral), progress)
+        more = ((planes,) if layers else ()) + ((Spectrum(*spectrum),) if spectrum else ())
+        return (sky, *more) if more else sky
 
     def probe(self, preset, directions, **options):
         """The light along directions. See airlight.probe."""
@@ -151,16 +181,19 @@ def _forget():
     _default = None
 
 
-def render(preset, *, layers=None, progress=None, **options):
+def render(preset, *, layers=None, spectral=None, progress=None, **options):
     """The camera's picture: scene-linear radiance, (height, width, 3), float32, the first row at the top.
 
     preset: a built-in preset's name, a file, or a preset as a dictionary. options: the long options of `airlight
     render` that change a scene, with _ for -: sun_elevation, sun_azimuth, altitude, azimuth, pitch, fov, projection,
-    size, method, samples, target_error, ev; and set, a dictionary from JSON pointers to values.
+    size, method, samples, target_error, ev; date, time, lat, lon, tz and place_altitude, which say where sun, moon and
+    stars stand, with refraction, pressure and temperature; and set, a dictionary from JSON pointers to values.
     layers: "light" or "stokes"; then (picture, {name: array}) is returned.
+    spectral: (first, last, step) in nm, of a preset that has spectra; then (picture, Spectrum) is returned, and with
+    layers (picture, {name: array}, Spectrum).
     progress: called with the share done; False ends the render with RunError.
     """
-    return _session().render(preset, layers=layers, progress=progress, **options)
+    return _session().render(preset, layers=layers, spectral=spectral, progress=progress, **options)
 
 
 def probe(preset, directions, **options):

@@ -35,21 +35,34 @@ py::array_t<float> array_of(const airlight::Image& image) {
   return array_of(image.rgb, {image.height, image.width, 3});
 }
 
-// The planes of a layer as the last axis; a single plane without it.
-py::array_t<float> array_of(const airlight::Layer& layer, py::ssize_t height, py::ssize_t width) {
-  const auto count = static_cast<py::ssize_t>(layer.channels.size());
-  if (count == 1) {
-    return array_of(layer.planes, {height, width});
-  }
-  py::array_t<float> array({height, width, count});
+// `count` planes as the last axis.
+py::array_t<float> interleaved(const std::vector<float>& planes, std::size_t count, py::ssize_t height,
+                               py::ssize_t width) {
+  py::array_t<float> array({height, width, static_cast<py::ssize_t>(count)});
   float* out = array.mutable_data();
   const auto plane = static_cast<std::size_t>(height * width);
   for (std::size_t i = 0; i < plane; ++i) {
-    for (std::size_t c = 0; c < layer.channels.size(); ++c) {
-      *out++ = layer.planes[c * plane + i];
+    for (std::size_t c = 0; c < count; ++c) {
+      *out++ = planes[c * plane + i];
     }
   }
   return array;
+}
+
+// The planes of a layer as the last axis; a single plane without it.
+py::array_t<float> array_of(const airlight::Layer& layer, py::ssize_t height, py::ssize_t width) {
+  return layer.channels.size() == 1 ? array_of(layer.planes, {height, width})
+                                    : interleaved(layer.planes, layer.channels.size(), height, width);
+}
+
+py::object array_of(const std::optional<airlight::Spectrum>& spectrum, py::ssize_t height, py::ssize_t width) {
+  if (!spectrum) {
+    return py::none();
+  }
+  const auto count = static_cast<py::ssize_t>(spectrum->nm.size());
+  return py::make_tuple(py::array_t<double>(count, spectrum->nm.data()),
+                        interleaved(spectrum->planes, spectrum->nm.size(), height, width),
+                        py::array_t<double>(count, spectrum->sunlight.data()), spectrum->unit);
 }
 
 // Runs `work` without the interpreter's lock. `work` gets a function for RenderOptions::progress, which takes the lock
@@ -81,15 +94,17 @@ auto unlocked(const py::object& progress, Work work) {
 }
 
 py::tuple rendered(airlight::Session& session, const std::string& preset, bool is_text, const Pairs& options,
-                   const Pairs& sets, const std::string& layers, const py::object& progress) {
+                   const Pairs& sets, const std::string& layers, const std::string& spectral,
+                   const py::object& progress) {
   const airlight::Image image = unlocked(progress, [&](const std::function<bool(double)>& goes_on) {
-    return session.render(scene_of(session, preset, is_text, options, sets), {layers, goes_on});
+    return session.render(scene_of(session, preset, is_text, options, sets), {layers, spectral, goes_on});
   });
   py::dict planes;
   for (const airlight::Layer& layer : image.layers) {
     planes[py::str(layer.name)] = array_of(layer, image.height, image.width);
   }
-  return py::make_tuple(array_of(image), planes, image.exposure, image.warnings, image.undone);
+  return py::make_tuple(array_of(image), planes, array_of(image.spectrum, image.height, image.width), image.exposure,
+                        image.warnings, image.undone);
 }
 
 using Triples = py::array_t<double, py::array::c_style | py::array::forcecast>;

@@ -84,8 +84,9 @@ AIRLIGHT_INLINE_NAMESPACE namespace v0 {
     Scene& set(const std::string& pointer, const std::string& value);
 
     // Sets an option of `airlight render` by its long name, '-' or '_' between words: option("sun-elevation", "4"),
-    // option("size", "1280x720"). Throws InputError for an unknown name, naming the nearest, and for a value that
-    // cannot be read.
+    // option("size", "1280x720"). "date", "time", "lat", "lon" and, if wanted, "tz" put sun, moon and stars where they
+    // stand: option("date", "2026-06-21").option("time", "21:30"). Throws InputError for an unknown name, naming the
+    // nearest, and for a value that cannot be read.
     Scene& option(const std::string& name, const std::string& value);
 
     // Throws InputError with every problem of the preset and its changes, a line each.
@@ -108,11 +109,20 @@ AIRLIGHT_INLINE_NAMESPACE namespace v0 {
     std::vector<float> planes;
   };
 
+  // A picture's spectral radiance, wavelength by wavelength.
+  struct Spectrum {
+    std::vector<double> nm;        // each stands for a band around it as wide as the step, at most 10 nm
+    std::vector<double> sunlight;  // irradiance above the air, the unit times sr
+    std::string unit;              // of the radiance: "W.m^-2.sr^-1.nm^-1", or "sun.spectrum.sr^-1" of a relative sun
+    std::vector<float> planes;     // one after the other, each row by row from the top
+  };
+
   struct Image {
     int width = 0;
     int height = 0;
     std::vector<float> rgb;             // radiance, three floats a pixel, row by row from the top
     std::vector<Layer> layers;          // those asked for
+    std::optional<Spectrum> spectrum;   // if asked for
     double exposure = 1.0;              // a factor that makes the picture fit for a tone curve
     std::vector<std::string> left_out;  // parts that this picture did not need, with the reason
     std::vector<std::string> undone;    // parts that it needs but that would not have ended
@@ -127,10 +137,13 @@ AIRLIGHT_INLINE_NAMESPACE namespace v0 {
   struct RenderOptions {
     // "": none; "light": each medium's single scattering, multiple scattering, sun and ground, whose sum is the
     // picture, then transmittance, depth in km and normals; "stokes": Q and U too. By the method "orders".
-    std::string layers;
+    std::string layers = {};
+    // "FIRST:LAST:STEP" in nm, 360 to 830, 2 to 96 wavelengths: spectral radiance beside the picture, of a preset that
+    // has spectra; "380:780:10". Where the wavelengths tell colours to 0.2 % the picture is their integral.
+    std::string spectral = {};
     // Called some times a second with the share done, 0 to 1, on the thread that renders. When it returns false the
     // render ends with RunError. It makes a small render on the processor about a tenth slower.
-    std::function<bool(double done)> progress;
+    std::function<bool(double done)> progress = {};
   };
 
   struct Direction {

@@ -6,7 +6,7 @@
 #include "core/scene/scene.h"
 #include "core/spectra/colour.h"
 
-namespace airlight::cli {
+namespace airlight {
 
 inline constexpr const char* kUsualWavelengths = "380:780:10";
 
@@ -15,7 +15,10 @@ inline constexpr const char* kUsualWavelengths = "380:780:10";
 // leads nowhere, fewer than 2 or more than 96 wavelengths. `option`: "render: --spectral".
 Nodes wavelengths_from(const std::string& text, const std::string& option);
 
+// Throws InputError for a picture whose spectrum would take more than half a GiB, or a buffer more than a device has.
+void require_spectrum_fits(const Scene& scene, std::size_t wavelengths, const std::string& option);
+
 // Throws InputError for a scene of three channels.
 void require_spectra(const Scene& scene, const std::string& option);
 
-}  // namespace airlight::cli
+}  // namespace airlight

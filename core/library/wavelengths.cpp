@@ -1,4 +1,4 @@
-#include "app/cli/wavelengths.h"
+#include "core/library/wavelengths.h"
 
 #include <algorithm>
 #include <array>
@@ -7,10 +7,11 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/render/tile_sizes.h"
 #include "core/scene/json_format.h"
 #include "core/text.h"
 
-namespace airlight::cli {
+namespace airlight {
 namespace {
 
 // The ends of the standard observer's table, nm.
@@ -20,6 +21,9 @@ constexpr double kLeastStep = 0.1;
 constexpr double kWidestBand = 10.0;
 constexpr std::size_t kFewest = 2;
 constexpr std::size_t kMost = 96;
+
+// Most wavelengths times pixels: they are kept in memory, 512 MiB of them.
+constexpr std::size_t kMostSpectralSamples = std::size_t{1} << 27;
 
 }  // namespace
 
@@ -55,6 +59,17 @@ Nodes wavelengths_from(const std::string& text, const std::string& option) {
   return listed_nodes(nm, std::min(step, kWidestBand));
 }
 
+void require_spectrum_fits(const Scene& scene, std::size_t wavelengths, const std::string& option) {
+  const auto pixels = static_cast<std::size_t>(scene.image.width) * static_cast<std::size_t>(scene.image.height);
+  const std::size_t most = std::min(kMostSpectralSamples / wavelengths, kTileBytes / (4 * sizeof(float)));
+  if (pixels > most) {
+    throw InputError(option + ": " + std::to_string(scene.image.width) + "x" + std::to_string(scene.image.height) +
+                     " are " + std::to_string(pixels) + " pixels; a spectrum of " + std::to_string(wavelengths) +
+                     " wavelengths is kept in memory for at most " + std::to_string(most) +
+                     " of them; give a smaller --size or a larger step");
+  }
+}
+
 void require_spectra(const Scene& scene, const std::string& option) {
   if (!scene.spectra) {
     throw InputError(option +
@@ -68,4 +83,4 @@ void require_spectra(const Scene& scene, const std::string& option) {
   }
 }
 
-}  // namespace airlight::cli
+}  // namespace airlight

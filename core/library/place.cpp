@@ -1,0 +1,82 @@
+#include "core/library/place.h"
+
+#include "core/error.h"
+#include "core/methods/ready.h"
+#include "core/scene/json_format.h"
+#include "core/sequence/frame_list.h"
+
+namespace airlight {
+
+sequence::Place place_of(const PlaceOptions& options) {
+  return {options.latitude.value_or(0.0), options.longitude.value_or(0.0), options.altitude.value_or(0.0)};
+}
+
+std::optional<sequence::Air> air_of(const PlaceOptions& options, const std::string& command) {
+  if (!options.refraction) {
+    if (options.pressure || options.temperature) {
+      throw InputError(command +
+                       ": --pressure and --temperature belong to --refraction; give it too, or leave them out");
+    }
+    return std::nullopt;
+  }
+  const sequence::Air standard;
+  return sequence::Air{options.pressure.value_or(standard.pressure_hpa),
+                       options.temperature.value_or(standard.temperature_c)};
+}
+
+void require_one_refraction(const PlaceOptions& options, const Scene& scene, const std::string& command) {
+  if (options.refraction && bends_light(scene)) {
+    throw InputError(command +
+                     ": --refraction: the preset's air bends light itself (planet.refraction); leave one out");
+  }
+}
+
+namespace {
+
+// The sections of which the preset must have one for a date to set this key; none: it sets it in any.
+std::vector<std::string> sections_with(const std::string& pointer) {
+  if (pointer.starts_with("/moon/")) {
+    return {"moon"};
+  }
+  return pointer.starts_with("/camera/") ? std::vector<std::string>{"night_sky", "stars"} : std::vector<std::string>();
+}
+
+}  // namespace
+
+std::vector<Override> sun_overrides(const PlaceOptions& options, const SceneChanges& changes,
+                                    const std::string& command) {
+  const std::optional<sequence::Air> air = air_of(options, command);
+  if (!options.date && !options.time && !options.zone && !options.latitude && !options.longitude && !options.altitude &&
+      !air) {
+    return {};
+  }
+  std::string missing;
+  const auto need = [&](bool given, const char* name) {
+    missing += given ? "" : (missing.empty() ? "" : ", ") + std::string(name);
+  };
+  need(options.date.has_value(), "--date");
+  need(options.time.has_value(), "--time");
+  need(options.latitude.has_value(), "--lat");
+  need(options.longitude.has_value(), "--lon");
+  if (!missing.empty()) {
+    throw InputError(command + ": the sun of a place needs " + missing +
+                     " as well; write for example --date 2026-06-21 --time 12:00 --lat 48.85 --lon 2.35 --tz "
+                     "Europe/Paris");
+  }
+  if (changes.sun_elevation || changes.sun_azimuth) {
+    throw InputError(command + ": " + (changes.sun_elevation ? "--sun-elevation" : "--sun-azimuth") +
+                     " and --date both say where the sun stands; give one");
+  }
+  sequence::SunPath moment = sequence::make_moment(
+      {*options.date, *options.time, {}, {}, options.zone.value_or("UTC"), place_of(options), air}, command);
+  moment.moon = true;
+  moment.stars = true;
+  std::vector<Override> all;
+  for (const auto& [pointer, values] : sequence::frame_at(moment, 0).keys) {
+    all.push_back({pointer + "=" + format_number(values.front()),
+                   "--date " + *options.date + " --time " + *options.time, sections_with(pointer)});
+  }
+  return all;
+}
+
+}  // namespace airlight

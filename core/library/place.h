@@ -1,0 +1,24 @@
+#pragma once
+// Place on Earth and date, which say where sun, moon and stars stand.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/library/scene_changes.h"
+#include "core/sequence/sun_position.h"
+
+namespace airlight {
+
+// Both throw InputError; `command`: "render".
+sequence::Place place_of(const PlaceOptions& options);
+std::optional<sequence::Air> air_of(const PlaceOptions& options, const std::string& command);
+
+// Refuses --refraction where the scene's own air bends light: the sun would be lifted twice.
+void require_one_refraction(const PlaceOptions& options, const Scene& scene, const std::string& command);
+
+// The sun of one picture; empty where no option concerns it. Throws InputError.
+std::vector<Override> sun_overrides(const PlaceOptions& options, const SceneChanges& changes,
+                                    const std::string& command);
+
+}  // namespace airlight
