@@ -23,7 +23,7 @@ file(GLOB pages CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURC
      ${PROJECT_SOURCE_DIR}/presets/gallery/day.png ${PROJECT_SOURCE_DIR}/presets/gallery/polarisation.png
      ${PROJECT_SOURCE_DIR}/presets/gallery/setting-sun.png ${PROJECT_SOURCE_DIR}/tests/truth/*.md)
 # Packages whose code is part of the program: headers and static libraries.
-set(included libcli11-dev nlohmann-json3-dev libeigen3-dev nettle-dev liberfa-dev libvulkan-volk-dev libvulkan-dev
+set(included libcli11-dev nlohmann-json3-dev libeigen3-dev nettle-dev liberfa-dev libnova-dev libvulkan-volk-dev libvulkan-dev
     spirv-headers spirv-tools)
 set(sources ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${PROJECT_SOURCE_DIR}/LICENSE
             ${PROJECT_SOURCE_DIR}/app/project_documents.cmake)
@@ -149,7 +149,7 @@ set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "${vulkan}")
 set(CPACK_DEBIAN_LIBRARY_DESCRIPTION "physically based skies in memory\n Renders skies of presets to arrays of radiance.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${shared_package} (= ${CPACK_PACKAGE_VERSION})")
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "nettle-dev, liberfa-dev, spirv-tools")  # to link the archive
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "nettle-dev, liberfa-dev, libnova-dev, spirv-tools")  # to link the archive
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "physically based skies in memory, to build with\n Header, archive, CMake package and pkg-config file of libairlight.")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 math(EXPR next_python "${Python_VERSION_MINOR} + 1")

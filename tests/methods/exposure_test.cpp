@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "core/render/metering.h"
+#include "core/scene/photometry.h"
 #include "tests/methods/render_fixture.h"
 #include "tests/of_scene.h"
 
