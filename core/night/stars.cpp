@@ -54,28 +54,30 @@ physics::vec3 motion_of(int right_ascension, int declination, const physics::vec
 
 }  // namespace
 
+std::vector<CatalogueStar> read_stars(std::string_view table) {
+  std::vector<CatalogueStar> all;
+  all.reserve(table.size() / 16);
+  const char* at = table.data();
+  const char* const end = at + table.size();
+  const auto next = [&] {
+    int value = 0;
+    at = std::from_chars(at, end, value).ptr + 1;
+    return value;
+  };
+  constexpr double kTenThousandths = 1e-4 * std::numbers::pi / 180.0;
+  while (at < end) {
+    const int right_ascension = next();
+    const int declination = next();
+    const double magnitude = 0.01 * next();
+    const double colour = 0.01 * next();
+    const physics::vec3 there = direction_of(right_ascension * kTenThousandths, declination * kTenThousandths);
+    all.push_back({there, magnitude, colour, motion_of(right_ascension, declination, there)});
+  }
+  return all;
+}
+
 const std::vector<CatalogueStar>& bright_stars() {
-  static const std::vector<CatalogueStar> stars = [] {
-    std::vector<CatalogueStar> all;
-    const std::string_view table = star_table();
-    const char* at = table.data();
-    const char* const end = at + table.size();
-    const auto next = [&] {
-      int value = 0;
-      at = std::from_chars(at, end, value).ptr + 1;
-      return value;
-    };
-    constexpr double kTenThousandths = 1e-4 * std::numbers::pi / 180.0;
-    while (at < end) {
-      const int right_ascension = next();
-      const int declination = next();
-      const double magnitude = 0.01 * next();
-      const double colour = 0.01 * next();
-      const physics::vec3 there = direction_of(right_ascension * kTenThousandths, declination * kTenThousandths);
-      all.push_back({there, magnitude, colour, motion_of(right_ascension, declination, there)});
-    }
-    return all;
-  }();
+  static const std::vector<CatalogueStar> stars = read_stars(star_table());
   return stars;
 }
 

@@ -28,7 +28,9 @@ physics::vec3 place_at(const CatalogueStar& star, double julian_date);
 // The star's own name by the International Astronomical Union, of the brightest; else empty.
 std::string_view star_name(const CatalogueStar& star);
 
-// Its lines: right ascension and declination in 1e-4 degrees, V and B - V in hundredths of a magnitude.
+std::vector<CatalogueStar> read_stars(std::string_view table);
+
+// The table's lines: right ascension and declination in 1e-4 degrees, V and B - V in hundredths of a magnitude.
 std::string_view star_table();
 
 // Temperature of the black body of that colour, K (Ballesteros, Europhysics Letters 97 (2012) 34008).

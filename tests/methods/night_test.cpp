@@ -128,6 +128,7 @@ TEST(NightSky, IsAsDarkAsParanalsInBlue) {
   const NightAir lit = night_air(ready(scene).whole().air, scene.camera.altitude);
   const double light = (dust + stars + glow) * (through + lit.scattered[physics::kNightSlopes - 1].z);
   const double magnitude = kBandB.sun - kBandV.sun - 2.5 * std::log10(light / 1.08e5);
+  RecordProperty("magnitude", std::to_string(magnitude));
   EXPECT_NEAR(magnitude, 22.6, 0.3);
 }
 
