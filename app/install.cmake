@@ -20,7 +20,8 @@ set(copyright ${documents}/copyright)
 # The pages and the pictures in them, in the folders of the source, so that their links lead to one another.
 file(GLOB pages CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/app/*.md
      ${PROJECT_SOURCE_DIR}/core/*.md ${PROJECT_SOURCE_DIR}/presets/*.md ${PROJECT_SOURCE_DIR}/presets/gallery/chart-*.png
-     ${PROJECT_SOURCE_DIR}/presets/gallery/day.png ${PROJECT_SOURCE_DIR}/presets/gallery/polarisation.png
+     ${PROJECT_SOURCE_DIR}/presets/gallery/day.png ${PROJECT_SOURCE_DIR}/presets/gallery/night.png
+     ${PROJECT_SOURCE_DIR}/presets/gallery/polarisation.png
      ${PROJECT_SOURCE_DIR}/presets/gallery/setting-sun.png ${PROJECT_SOURCE_DIR}/tests/truth/*.md)
 # Packages whose code is part of the program: headers and static libraries.
 set(included libcli11-dev nlohmann-json3-dev libeigen3-dev nettle-dev liberfa-dev libnova-dev libvulkan-volk-dev libvulkan-dev
