@@ -24,8 +24,8 @@ file(GLOB pages CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURC
      ${PROJECT_SOURCE_DIR}/presets/gallery/polarisation.png
      ${PROJECT_SOURCE_DIR}/presets/gallery/setting-sun.png ${PROJECT_SOURCE_DIR}/tests/truth/*.md)
 # Packages whose code is part of the program: headers and static libraries.
-set(included libcli11-dev nlohmann-json3-dev libeigen3-dev nettle-dev liberfa-dev libnova-dev libvulkan-volk-dev libvulkan-dev
-    spirv-headers spirv-tools)
+set(included libcli11-dev nlohmann-json3-dev libeigen3-dev nettle-dev liberfa-dev libnova-dev libvulkan-volk-dev
+    libvulkan-dev spirv-headers spirv-tools)
 set(sources ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${PROJECT_SOURCE_DIR}/LICENSE
             ${PROJECT_SOURCE_DIR}/app/project_documents.cmake)
 add_custom_command(
