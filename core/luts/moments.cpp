@@ -60,8 +60,10 @@ OrderWay stepped_way(int order, const MomentSettings& settings) {
   const int degree = order <= 2 ? settings.degree : after;
   const int azimuths = std::max((degree + 3) / 2, 3);
   if (order == 1) {
-    return {degree, settings.sharp ? OrderQuadrature{16, 16, 12, 24}
-                                   : OrderQuadrature{settings.aloft ? 20 : 10, 5, settings.hazy ? 12 : 8, 24}};
+    if (settings.sharp) {
+      return {degree, {16, 16, 12, 24}};
+    }
+    return {degree, {settings.aloft ? 20 : 10, 5, settings.hazy ? 12 : 8, 24}};
   }
   if (settings.hazy) {
     return {degree, {6, 4, std::max(azimuths, 4), 12}};

@@ -52,7 +52,8 @@ TEST(StarCatalogue, IsReadInAMillisecond) {
     GTEST_SKIP() << "sanitized code takes its own time";
   }
   EXPECT_EQ(read_stars(star_table()).size(), bright_stars().size());
-  EXPECT_LT(least_milliseconds([] { read_stars(star_table()); }), 1.0);
+  const auto read = [] { read_stars(star_table()); };
+  EXPECT_LT(least_milliseconds(read), 1.0);
 }
 
 TEST(StarCatalogue, HasTheSunsTemperatureAtTheSunsColour) {
@@ -116,13 +117,13 @@ TEST(Stars, TakeTwentyMilliseconds) {
   scene.image = {1280, 720};
   const Air air = air_of(scene);
   std::size_t stars = 0;
-  EXPECT_LT(least_milliseconds([&] {
-              const Night night = night_of(scene, air);
-              physics::Physics p = geometry_of(scene);
-              EXPECT_FALSE(star_pixels(p, scene, night, {0, 0, 1280, 720}).empty());
-              stars = night.stars.size();
-            }),
-            20.0);
+  const auto draw = [&] {
+    const Night night = night_of(scene, air);
+    physics::Physics p = geometry_of(scene);
+    EXPECT_FALSE(star_pixels(p, scene, night, {0, 0, 1280, 720}).empty());
+    stars = night.stars.size();
+  };
+  EXPECT_LT(least_milliseconds(draw), 20.0);
   EXPECT_GT(stars, 5000U);
 }
 
