@@ -20,11 +20,12 @@ set(copyright ${documents}/copyright)
 # The pages and the pictures in them, in the folders of the source, so that their links lead to one another.
 file(GLOB pages CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/app/*.md
      ${PROJECT_SOURCE_DIR}/core/*.md ${PROJECT_SOURCE_DIR}/presets/*.md ${PROJECT_SOURCE_DIR}/presets/gallery/chart-*.png
-     ${PROJECT_SOURCE_DIR}/presets/gallery/day.png ${PROJECT_SOURCE_DIR}/presets/gallery/polarisation.png
+     ${PROJECT_SOURCE_DIR}/presets/gallery/day.png ${PROJECT_SOURCE_DIR}/presets/gallery/night.png
+     ${PROJECT_SOURCE_DIR}/presets/gallery/polarisation.png
      ${PROJECT_SOURCE_DIR}/presets/gallery/setting-sun.png ${PROJECT_SOURCE_DIR}/tests/truth/*.md)
 # Packages whose code is part of the program: headers and static libraries.
-set(included libcli11-dev nlohmann-json3-dev libeigen3-dev nettle-dev liberfa-dev libvulkan-volk-dev libvulkan-dev
-    spirv-headers spirv-tools)
+set(included libcli11-dev nlohmann-json3-dev libeigen3-dev nettle-dev liberfa-dev libnova-dev libvulkan-volk-dev
+    libvulkan-dev spirv-headers spirv-tools)
 set(sources ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${PROJECT_SOURCE_DIR}/LICENSE
             ${PROJECT_SOURCE_DIR}/app/project_documents.cmake)
 add_custom_command(
@@ -154,7 +155,7 @@ set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "${vulkan}, tzdata")
 set(CPACK_DEBIAN_LIBRARY_DESCRIPTION "physically based skies in memory\n Renders skies of presets to arrays of radiance.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${shared_package} (= ${CPACK_PACKAGE_VERSION})")
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "nettle-dev, liberfa-dev, libcctz-dev, spirv-tools")  # to link the archive
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "nettle-dev, liberfa-dev, libnova-dev, libcctz-dev, spirv-tools")  # to link the archive
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "physically based skies in memory, to build with\n Header, archive, CMake package and pkg-config file of libairlight.")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 # What Python compiles there when root imports it is of no package.

@@ -53,14 +53,17 @@ struct OrderWay {
 
 // Sunlight scattered once is the least smooth, by the forward peaks and by the planet's shadow; what follows needs
 // fewer directions, and after the second order most of the harmonics are spent. `hazy`: the table has more rows, a ray
-// more steps, and a peak more azimuths.
+// more steps, and a peak more azimuths. `aloft`: by 10 zenith angles in place of 20 the zenith of `paranal`, whose
+// second order is light of such a layer seen from the side, is 9 % too bright with the sun at -9 degrees.
 OrderWay stepped_way(int order, const MomentSettings& settings) {
   const int after = std::min(settings.degree, std::max(settings.hazy ? 4 : 3, settings.degree - 3));
   const int degree = order <= 2 ? settings.degree : after;
   const int azimuths = std::max((degree + 3) / 2, 3);
   if (order == 1) {
-    return {degree,
-            settings.sharp ? OrderQuadrature{16, 16, 12, 24} : OrderQuadrature{10, 5, settings.hazy ? 12 : 8, 24}};
+    if (settings.sharp) {
+      return {degree, {16, 16, 12, 24}};
+    }
+    return {degree, {settings.aloft ? 20 : 10, 5, settings.hazy ? 12 : 8, 24}};
   }
   if (settings.hazy) {
     return {degree, {6, 4, std::max(azimuths, 4), 12}};
@@ -204,6 +207,20 @@ bool scatters_as(const Air& air, Such such) {
   return false;
 }
 
+// Whether a medium that scatters neither as molecules do nor evenly is less than half as dense at the ground as above.
+bool has_layer_aloft(const Air& air) {
+  const Column& column = air.column();
+  for (std::size_t i = 0; i < air.media().size(); ++i) {
+    const Medium& medium = air.media()[i];
+    const auto density = [i](const Column::PerMedium& cell) { return cell[i]; };
+    if ((air.scattering_media() >> i & 1U) != 0 && !is_molecular(medium) && medium.phase != PhaseFunction::isotropic &&
+        density(column.density.front()) < 0.5 * density(*std::ranges::max_element(column.density, {}, density))) {
+      return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 namespace {
@@ -246,6 +263,7 @@ MomentSettings moment_settings(const Air& air, const MomentRequest& request) {
   const auto counted = [&](double depth) { return static_cast<int>(std::min(depth, kMostOrders - 4.0)); };
   settings.shells = shell_rows > 0;
   settings.sharp = std::ranges::any_of(air.media(), is_sharp);
+  settings.aloft = has_layer_aloft(air);
   settings.azimuths = peak_azimuths(air);
   settings.hazy = !settings.shells && (request.hazy || air.depths().scattering > kHazy);
   settings.polarised = request.polarised && scatters_as(air, [](const Medium& m) { return is_molecular(m); });

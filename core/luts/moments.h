@@ -27,6 +27,7 @@ struct MomentSettings {
   int level_degree = 0;          // harmonics up to it are corrected as if the air were level (core/luts/level_orders.h)
   bool shells = false;           // rows at the edges of shells (core/air/shells.h)
   bool sharp = false;            // a medium's peak is gathered by a table, which many directions resolve
+  bool aloft = false;            // a forward-scattering medium is densest above the ground: from above, a bright line
   int azimuths = 12;             // of half a turn, by which shells gather a peaked first order
   bool polarised = false;        // molecules polarise: P_m beside the harmonics
   bool molecules_alone = false;  // beside them no medium scatters with a direction

@@ -88,7 +88,7 @@ vec3 CelestialFrame::to_j2000(const vec3& v) const {
 }
 
 vec3 CelestialFrame::apparent(const vec3& star) const {
-  return from_j2000(physics::normalize(star + aberration));
+  return from_j2000(physics::normalize(physics::normalize(star) + aberration));
 }
 
 }  // namespace airlight

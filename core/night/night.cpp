@@ -117,7 +117,7 @@ std::vector<NightStar> stars_of(const Scene& scene, const Colours& colours, cons
     const auto i = static_cast<std::size_t>(x);
     const double u = x - static_cast<double>(i);
     const vec3 colour = of_colour[i] * (1.0 - u) + of_colour[i + 1] * u;
-    stars.push_back({frame.apparent(star.j2000),
+    stars.push_back({frame.apparent(place_at(star, scene.camera.julian_date)),
                      colour * (star_illuminance(star.magnitude) * light_passed(scene.camera)), name, star.magnitude});
   };
   for (const CatalogueStar& star : bright_stars()) {

@@ -2,9 +2,13 @@
 
 #include <erfa.h>
 #include <erfam.h>
+#include <libnova/jupiter.h>
+#include <libnova/mars.h>
+#include <libnova/saturn.h>
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <numbers>
 
 #include "core/night/celestial.h"
@@ -16,20 +20,39 @@ using physics::vec3;
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
+using Theory = void (*)(double, ln_helio_posn*);  // VSOP87: along J2000's ecliptic, degrees and au
+
 struct Body {
   std::string_view name;
-  int number;  // of plan94
+  int number;  // of plan94, from the sun
   double colour;
+  Theory theory;  // null: plan94 will do
 };
-constexpr std::array<Body, 5> kBodies{
-    {{"Mercury", 1, 0.97}, {"Venus", 2, 0.81}, {"Mars", 4, 1.36}, {"Jupiter", 5, 0.83}, {"Saturn", 6, 1.04}}};
+constexpr std::array<Body, 5> kBodies{{{"Mercury", 1, 0.97, nullptr},
+                                       {"Venus", 2, 0.81, nullptr},
+                                       {"Mars", 4, 1.36, ln_get_mars_helio_coords},
+                                       {"Jupiter", 5, 0.83, ln_get_jupiter_helio_coords},
+                                       {"Saturn", 6, 1.04, ln_get_saturn_helio_coords}}};
 
 // From the sun, in au along J2000's equator and equinox.
-vec3 heliocentric(int number, double julian_date) {
-  double place[2][3];
-  (void)eraPlan94(julian_date, 0.0, number, place);  // a year outside 1000 to 3000 is only a warning
-  return {place[0][0], place[0][1], place[0][2]};
+vec3 heliocentric(const Body& body, double julian_date) {
+  if (body.theory == nullptr) {
+    double place[2][3];
+    (void)eraPlan94(julian_date, 0.0, body.number, place);  // a year outside 1000 to 3000 is only a warning
+    return {place[0][0], place[0][1], place[0][2]};
+  }
+  ln_helio_posn place{};
+  {
+    static std::mutex one_at_a_time;  // libnova keeps its last result in a variable
+    const std::lock_guard lock(one_at_a_time);
+    body.theory(julian_date, &place);
+  }
+  const vec3 v = direction_of(place.L / kDegrees, place.B / kDegrees) * place.R;
+  constexpr double kObliquity = 84381.406 * ERFA_DAS2R;
+  return {v.x, v.y * std::cos(kObliquity) - v.z * std::sin(kObliquity),
+          v.y * std::sin(kObliquity) + v.z * std::cos(kObliquity)};
 }
+
 vec3 earth_at(double julian_date) {
   double from_sun[2][3], from_barycentre[2][3];
   (void)eraEpv00(julian_date, 0.0, from_sun, from_barycentre);  // outside 1900 to 2100 only a warning too
@@ -68,9 +91,9 @@ double magnitude_at_one(int number, double phase, double tilt) {
 PlanetInSky seen(const Body& body, double julian_date) {
   constexpr double kLightDays = ERFA_AULT / ERFA_DAYSEC;  // an au of light time
   const vec3 earth = earth_at(julian_date);
-  vec3 planet = heliocentric(body.number, julian_date);
+  vec3 planet = heliocentric(body, julian_date);
   for (int i = 0; i < 3; ++i) {
-    planet = heliocentric(body.number, julian_date - kLightDays * physics::length(planet - earth));
+    planet = heliocentric(body, julian_date - kLightDays * physics::length(planet - earth));
   }
   const vec3 toward = planet - earth;
   const double distance = physics::length(toward);

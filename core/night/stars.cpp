@@ -11,27 +11,80 @@
 
 namespace airlight {
 
+namespace {
+
+struct Motion {
+  int right_ascension;  // as in the table
+  int declination;
+  double east;  // seconds of arc a year
+  double north;
+};
+
+// Hipparcos, ESA SP-1200 (1997).
+constexpr std::array<Motion, 17> kMotions{{{1012872, -167161, -0.546, -1.223},  // Sirius
+                                           {2199021, -608340, -3.678, 0.482},   // Rigil Kentaurus
+                                           {2198962, -608372, -3.600, 0.952},   // its companion
+                                           {2139153, 191824, -1.093, -1.999},   // Arcturus
+                                           {2792347, 387837, 0.201, 0.286},     // Vega
+                                           {791723, 459980, 0.076, -0.427},     // Capella
+                                           {1148255, 52250, -0.717, -1.035},    // Procyon
+                                           {2976958, 88683, 0.537, 0.385},      // Altair
+                                           {689802, 165093, 0.063, -0.189},     // Aldebaran
+                                           {1163290, 280262, -0.626, -0.046},   // Pollux
+                                           {3444127, -296222, 0.329, -0.164},   // Fomalhaut
+                                           {260170, -159375, -1.721, 0.854},    // tau Ceti
+                                           {532327, -94583, -0.975, 0.019},     // epsilon Eridani
+                                           {638180, -76529, -2.239, -3.420},    // 40 Eridani
+                                           {3308402, -567860, 3.961, -2.538},   // epsilon Indi
+                                           {3167248, 387494, 4.155, 3.259},     // 61 Cygni
+                                           {3167303, 387421, 4.107, 3.144}}};   // its companion
+
+physics::vec3 motion_of(int right_ascension, int declination, const physics::vec3& there) {
+  const auto found = std::ranges::find_if(kMotions, [&](const Motion& motion) {
+    return motion.right_ascension == right_ascension && motion.declination == declination;
+  });
+  if (found == kMotions.end()) {
+    return physics::vec3(0.0);
+  }
+  constexpr double kSecondOfArc = std::numbers::pi / (180.0 * 3600.0);
+  const double level = std::hypot(there.x, there.y);
+  const physics::vec3 east(-there.y / level, there.x / level, 0.0);
+  return (east * found->east + physics::cross(there, east) * found->north) * kSecondOfArc;
+}
+
+}  // namespace
+
+std::vector<CatalogueStar> read_stars(std::string_view table) {
+  std::vector<CatalogueStar> all;
+  all.reserve(table.size() / 16);
+  const char* at = table.data();
+  const char* const end = at + table.size();
+  const auto next = [&] {
+    int value = 0;
+    at = std::from_chars(at, end, value).ptr + 1;
+    return value;
+  };
+  constexpr double kTenThousandths = 1e-4 * std::numbers::pi / 180.0;
+  while (at < end) {
+    const int right_ascension = next();
+    const int declination = next();
+    const double magnitude = 0.01 * next();
+    const double colour = 0.01 * next();
+    const physics::vec3 there = direction_of(right_ascension * kTenThousandths, declination * kTenThousandths);
+    all.push_back({there, magnitude, colour, motion_of(right_ascension, declination, there)});
+  }
+  return all;
+}
+
 const std::vector<CatalogueStar>& bright_stars() {
-  static const std::vector<CatalogueStar> stars = [] {
-    std::vector<CatalogueStar> all;
-    const std::string_view table = star_table();
-    const char* at = table.data();
-    const char* const end = at + table.size();
-    const auto next = [&] {
-      int value = 0;
-      at = std::from_chars(at, end, value).ptr + 1;
-      return static_cast<double>(value);
-    };
-    constexpr double kTenThousandths = 1e-4 * std::numbers::pi / 180.0;
-    while (at < end) {
-      const double right_ascension = next() * kTenThousandths;
-      const double declination = next() * kTenThousandths;
-      const double magnitude = 0.01 * next();
-      all.push_back({direction_of(right_ascension, declination), magnitude, 0.01 * next()});
-    }
-    return all;
-  }();
+  static const std::vector<CatalogueStar> stars = read_stars(star_table());
   return stars;
+}
+
+physics::vec3 place_at(const CatalogueStar& star, double julian_date) {
+  constexpr double kJ2000 = 2451545.0;
+  constexpr double kYear = 365.25;
+  return star.j2000 + star.motion * ((julian_date - kJ2000) / kYear);
 }
 
 namespace {

@@ -327,6 +327,7 @@ std::string describe(const Scene& scene) {
   lines.heading("display")
       .line("exposure", scene.display.exposure ? format_number(*scene.display.exposure) : metering_text(scene.display))
       .number("compensation", scene.display.compensation, "stops")
+      .number("by night", scene.display.night, "stops")
       .line("display", scene.display.display.empty() ? "the config's default" : scene.display.display)
       .line("view", scene.display.view.empty() ? "the config's default" : scene.display.view)
       .line("tone curve", kToneCurveNames.at(static_cast<std::size_t>(scene.display.tonemap)))

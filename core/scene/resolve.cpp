@@ -60,6 +60,7 @@ Display read_display(const Section& root) {
     read_number(section.site("exposure", *exposure), display.exposure.emplace());
   }
   display.compensation = section.number("compensation_ev");
+  display.night = section.number("night_ev");
   display.display = section.text("display");
   display.view = section.text("view");
   display.tonemap = static_cast<ToneCurve>(section.choice("tonemap").value_or(0));

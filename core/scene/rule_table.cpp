@@ -394,6 +394,10 @@ constexpr auto kRules = std::to_array<Rule>({
         "\"auto\", \"day\", \"lock:FRAME\"; never touches the EXR's radiance"),
     number("display.compensation_ev", Range{.minimum = -30.0, .maximum = 30.0}, "stops", "0",
            "added to the exposure, whether stated or metered: +1 doubles it"),
+    number("display.night_ev", Range{.minimum = -10.0, .maximum = 10.0}, "stops", "0",
+           "added to a metered exposure by night, as a photographer opens up: in full where the metered luminance "
+           "is below 2e-4 cd/m2, a moonless night's, not at all from 0.02 on, between them by the square of its "
+           "logarithm"),
     plain(RuleType::text, "display.display", "a display of the OCIO config in force; \"\" is the config's default"),
     plain(RuleType::text, "display.view",
           "a view of that display; \"\" is the config's default, \"gpu\" the tone curve below"),

@@ -346,6 +346,7 @@ struct Display {
   Metering metering = Metering::picture;
   int metered_frame = 0;      // for Metering::frame
   double compensation = 0.0;  // stops, added in either case
+  double night = 0.0;         // stops, added to a metered exposure where it is dark
   std::string display;        // empty: the OCIO config's default
   std::string view;           // empty: the OCIO config's default; "gpu": the GPU tone curve
   ToneCurve tonemap = ToneCurve::aces;

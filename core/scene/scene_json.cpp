@@ -357,6 +357,9 @@ std::string display_json(const Display& display) {
       .text("display", display.display)
       .text("view", display.view)
       .text("tonemap", name_of(display.tonemap, kToneCurveNames));
+  if (display.night != 0.0) {
+    object.number("night_ev", display.night);
+  }
   if (display.rods) {
     object.boolean("rods", true);
   }

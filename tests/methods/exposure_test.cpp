@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "core/render/metering.h"
+#include "core/scene/photometry.h"
 #include "tests/methods/render_fixture.h"
 #include "tests/of_scene.h"
 
@@ -58,6 +59,32 @@ TEST(Exposure, GoesOnIntoANightWithLights) {
   }
   EXPECT_GT(before, 1.0);
   EXPECT_LT(before, 12.2);
+}
+
+// Stops by night are added in full on a dark night and not at all by day. As dusk deepens no picture is shown brighter
+// than the one before it.
+TEST(Exposure, OpensUpByNightAlone) {
+  Statistics seen{};
+  Scene scene = earth_at(-30.0);
+  scene.sun.unit = SunUnit::lux;
+  scene.sun.irradiance.fill(128000.0);
+  scene.night_sky = NightSky{};
+  const auto gain = [&](double luminance) {
+    seen.metered_luminance = luminance / luminance_of_one(scene);
+    scene.display.night = 0.0;
+    const double without = exposure_for(scene, seen);
+    scene.display.night = 3.0;
+    return exposure_for(scene, seen) / without;
+  };
+  EXPECT_NEAR(gain(1.9e-4), 8.0, 1e-9);
+  EXPECT_NEAR(gain(0.021), 1.0, 1e-12);
+  double before = 1e9;
+  for (double luminance = 10.0; luminance > 1e-4; luminance *= 0.8) {
+    seen.metered_luminance = luminance / luminance_of_one(scene);
+    const double shown_at = luminance * exposure_for(scene, seen);
+    EXPECT_LT(shown_at, before * (1.0 + 1e-9)) << luminance;
+    before = shown_at;
+  }
 }
 
 TEST(Exposure, ShowsADayAsACameraDoes) {

@@ -189,6 +189,62 @@ TEST(MoonsDisc, IsLitOnItsBrightLimb) {
   EXPECT_GT(channel_of(picture, 26, 20, 1), 1e3 * channel_of(picture, 14, 20, 1) + 1e-12);
 }
 
+// Meeus, Astronomical Algorithms, example 48.a, 12 April 1992, 0 h TT: lit share 0.6786, position angle of the bright
+// limb 285.0 degrees. Its places of moon and sun, seen 45 degrees west of the meridian from 20 degrees north, give
+// elevations and azimuths, the parallactic angle what is up. The rest is read off the picture's pixels.
+TEST(MoonsDisc, IsLitAndTiltedAsAPublishedExampleSays) {
+  constexpr double kLatitude = 20.0 * kDegree;
+  constexpr double kHour = 45.0 * kDegree;
+  constexpr double kMoonAscension = 134.6885 * kDegree;
+  constexpr double kMoonDeclination = 13.7684 * kDegree;
+  const auto seen = [&](double right_ascension, double declination) {
+    const double hour = kHour + kMoonAscension - right_ascension;
+    const double up =
+        std::sin(kLatitude) * std::sin(declination) + std::cos(kLatitude) * std::cos(declination) * std::cos(hour);
+    const double north =
+        std::cos(kLatitude) * std::sin(declination) - std::sin(kLatitude) * std::cos(declination) * std::cos(hour);
+    const double east = -std::cos(declination) * std::sin(hour);
+    return std::pair(std::asin(up) / kDegree, std::atan2(east, north) / kDegree);
+  };
+  const auto [moon_up, moon_azimuth] = seen(kMoonAscension, kMoonDeclination);
+  const auto [sun_up, sun_azimuth] = seen(20.6579 * kDegree, 8.6964 * kDegree);
+  Preset preset = load_preset(AIRLIGHT_SOURCE_DIR "/presets/earth-hillaire2020.json");
+  apply_override(preset, "/sun/elevation_deg=" + std::to_string(sun_up));
+  apply_override(preset, "/sun/azimuth_deg=" + std::to_string(sun_azimuth));
+  apply_override(preset, "/moon={\"elevation_deg\":" + std::to_string(moon_up) +
+                             ",\"azimuth_deg\":" + std::to_string(moon_azimuth) + ",\"distance_km\":368410}");
+  Scene scene = with_method(resolve(preset, method_infos()), *find_method("march"), true);
+  scene.camera.pitch = moon_up * kDegree;
+  scene.camera.azimuth = moon_azimuth * kDegree;
+  scene.camera.projection = Projection::perspective;
+  scene.camera.vertical_fov = 1.0 * kDegree;
+  scene.image = {200, 200};
+  const RadianceImage picture = render_now(scene).radiance;
+  float brightest = 0.0F;
+  for (std::size_t i = 1; i < picture.rgba.size(); i += 4) {
+    brightest = std::max(brightest, picture.rgba[i]);
+  }
+  double lit = 0.0;
+  double x_sum = 0.0;
+  double y_sum = 0.0;
+  for (int y = 0; y < 200; ++y) {
+    for (int x = 0; x < 200; ++x) {
+      if (channel_of(picture, x, y, 1) > 0.03 * static_cast<double>(brightest)) {
+        lit += 1.0;
+        x_sum += x + 0.5 - 100.0;
+        y_sum += 100.0 - (y + 0.5);
+      }
+    }
+  }
+  const double radius = 200.0 * std::asin(1737.4 / 368410.0) / kDegree;
+  EXPECT_NEAR(lit / (std::numbers::pi * radius * radius), 0.6786, 0.02);
+  const double parallactic = std::atan2(
+      std::sin(kHour), std::tan(kLatitude) * std::cos(kMoonDeclination) - std::sin(kMoonDeclination) * std::cos(kHour));
+  // From straight up counter-clockwise, as position angles on the sky.
+  const double tilt = std::atan2(-x_sum, y_sum) + parallactic;
+  EXPECT_NEAR(std::remainder(tilt - 285.0 * kDegree, 2.0 * std::numbers::pi) / kDegree, 0.0, 1.0);
+}
+
 // The disc with its bite sends what the sky gets: the uncovered share.
 TEST(Eclipse, TakesAsMuchFromTheDiscAsFromTheSky) {
   Scene scene = with_method(vacuum(), *find_method("march"), true);

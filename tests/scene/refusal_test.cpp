@@ -118,6 +118,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{R"("display": {"exposure": "lock:x"})",
              "/display/exposure: \"lock:x\" is not a number; expected a number, 1e-9 to 1e9, \"auto\", \"day\" or "
              "\"lock:FRAME\""},
+        Case{R"("display": {"night_ev": 11})", "/display/night_ev: 11 is outside -10 to 10 stops"},
         Case{R"("display": {"compensation_ev": 31})", "/display/compensation_ev: 31 is outside -30 to 30 stops"}));
 
 INSTANTIATE_TEST_SUITE_P(

@@ -108,7 +108,7 @@ TEST(RoundTrip, KeepsEveryValue) {
     "render": {"method": "orders", "steps": 77, "transmittance_lut": [128, 32], "multiple_scattering_scale": 0,
                "sun_fade": {"scale": 10, "bias": 0.1}, "color": "warm"},
     "bloom": {"enabled": true, "model": "chain", "threshold": 2, "intensity": 0.5, "levels": 3},
-    "display": {"exposure": 12.5, "compensation_ev": -1.5, "display": "sRGB", "view": "gpu", "tonemap": "none"}
+    "display": {"exposure": 12.5, "compensation_ev": -1.5, "night_ev": 2.5, "display": "sRGB", "view": "gpu", "tonemap": "none"}
   })");
   EXPECT_EQ(scene.name, "a \"name\"\n");
   EXPECT_EQ(scene.description, "é \\ \x01");

@@ -4,8 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <fstream>
 #include <numbers>
+#include <sstream>
+#include <string>
 
 namespace airlight {
 namespace {
@@ -21,6 +26,50 @@ TEST(Moonlight, IsWithinFivePercentOfEachBand) {
       EXPECT_NEAR(value_at(light, lunar_band(band)) / truth, 1.0, 0.05) << lunar_band(band) << " nm at " << phase;
     }
   }
+}
+
+// Smoothing moves no light: the mean over the bands is that of the formula to 2 %.
+TEST(Moonlight, IsInTheMeanThatOfItsFormula) {
+  for (const double phase : {-90.0, -45.0, 5.0, 20.0, 45.0, 70.0, 90.0}) {
+    const Curve light = moonlight(phase * kDegree, kMeanMoonDistance);
+    double sum = 0.0;
+    for (std::size_t band = 0; band < kLunarBands; ++band) {
+      sum += value_at(light, lunar_band(band)) / (lunar_reflectance(band, phase * kDegree) * kFullDisc) / kLunarBands;
+    }
+    EXPECT_NEAR(sum, 1.0, 0.02) << phase;
+  }
+}
+
+// The published table by the formula as it is written there, where a copy of the table is.
+TEST(Moonlight, IsThatOfThePublishedTable) {
+  std::ifstream file("../shared/night/moon-rolo.csv");
+  if (!file) {
+    file.open(AIRLIGHT_SOURCE_DIR "/../shared/night/moon-rolo.csv");
+  }
+  if (!file) {
+    GTEST_SKIP() << "../shared/night/moon-rolo.csv is not there";
+  }
+  std::string line;
+  std::size_t band = 0;
+  while (std::getline(file, line) && band < kLunarBands) {
+    std::ranges::replace(line, ',', ' ');
+    std::istringstream values(line);
+    std::array<double, 11> v{};
+    std::ranges::for_each(v, [&](double& value) { values >> value; });
+    if (!values) {
+      continue;
+    }
+    EXPECT_NEAR(lunar_band(band), v[0], 1e-6);
+    for (const double phase : {5.0, 20.0, 45.0, 90.0}) {
+      const double g = phase * kDegree;
+      const double log_a = v[1] + g * (v[2] + g * (v[3] + g * v[4])) + v[5] * g + v[6] * std::pow(g, 3) +
+                           v[7] * std::pow(g, 5) + v[8] * std::exp(-phase / 4.06054) +
+                           v[9] * std::exp(-phase / 12.8802) + v[10] * std::cos((phase + 30.5858) / 16.7498);
+      EXPECT_NEAR(lunar_reflectance(band, g) / std::exp(log_a), 1.0, 1e-4) << v[0] << " nm at " << phase;
+    }
+    ++band;
+  }
+  EXPECT_EQ(band, kLunarBands);
 }
 
 // Logarithms of the reflectance at 549.1 nm, worked out by hand from table 4 for phases of 10 and 60 degrees: the first
