@@ -17,7 +17,8 @@ vec3 as_floats(const vec3& v) {
 
 std::vector<vec3> in_double(const Scene& scene, const Shot& shot, const std::vector<Direction>& directions) {
   const SkyMethod& method = *find_method(scene.render.method);
-  if (method.formula == nullptr) {
+  // In air that bends light the sun's light comes from a table that these formulas do not take.
+  if (method.formula == nullptr || scene.planet.refraction) {
     return {};
   }
   const Part part = ready(scene).whole();

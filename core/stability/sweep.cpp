@@ -226,7 +226,7 @@ std::vector<Sweep> sweeps(Form form) {
                         "circle the planet",
                     .x = refractivity,
                     .y = sun_elevation,
-                    .xs = of_form({1e-6, 1e-5, 1e-4, 2.8e-4, 6e-4, 1e-3, 1.2e-3}, form, 1, 1),
+                    .xs = of_form({1e-6, 1e-5, 1e-4, 2.8e-4, 6e-4, 1e-3}, form, 1, 1),
                     .ys = of_form({-10, -4, -1, -0.5, 0, 0.5, 3, 30, 90}, form, 1, 1),
                     .base = at(0.0, 0.001)});
   }

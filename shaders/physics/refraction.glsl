@@ -104,13 +104,15 @@ struct SeenSun {
   real spread;  // irradiance over that of the same beam unbent: n^2 times the solid angles' ratio
 };
 
-// n^2 sin(seen) d(seen) / (sin(true) d(true)); `bending`, and its derivative over the seen zenith angle.
+// n^2 sin(seen) d(seen) / (sin(true) d(true)); `bending`, and its derivative over the seen zenith angle. Far from a
+// planet whose air bends light a beam may have met in a focus, where rays cross: its irradiance is bounded there.
 real beam_spread(PlanetData planet, real g, real seen_mu, real bending, real derivative) {
   real n = (planet.ground_radius + g) / (true_ground_radius() + true_altitude(g).h);
   real s = sqrt(max(1.0 - seen_mu * seen_mu, 0.0));
+  real widening = max(1.0 + derivative, 1e-3);
   // sin(seen)/sin(true) as one quotient: both are 0 at the zenith, where bending is s times a number.
-  real along = s > 1e-4 ? s / max(s * cos(bending) + seen_mu * sin(bending), 1e-6) : 1.0 / (1.0 + derivative);
-  return n * n * along / (1.0 + derivative);
+  real along = s > 1e-4 ? s / max(s * cos(bending) + seen_mu * sin(bending), 1e-6) : 1.0 / widening;
+  return n * n * along / widening;
 }
 
 // The point with the sun as it stands there: the sun of a straight ray, turned by `bent`, the ray's bending up to

@@ -18,6 +18,9 @@
 
 #include "core/air/scene_block.h"
 #include "core/luts/luts.h"
+#include "core/night/night.h"
+#include "core/night/stars.h"
+#include "core/post/stars.h"
 #include "core/render/render.h"
 #include "core/render/spans.h"
 #include "tests/bench/scenes.h"
@@ -294,7 +297,32 @@ Executor& Session::tables() {
   return *tables_;
 }
 
+// On the host: reading the catalogue, and placing, bending and sharing the light of all stars to magnitude 6 among the
+// pixels of the whole sky.
+void register_stars() {
+  benchmark::RegisterBenchmark("stars/read", [](benchmark::State& state) {
+    for (const auto& once : state) {
+      (void)once;
+      benchmark::DoNotOptimize(read_stars(star_table()));
+    }
+  })->Unit(benchmark::kMillisecond);
+  benchmark::RegisterBenchmark("stars/1280x720", [](benchmark::State& state) {
+    Scene scene = scenes().front().scene;
+    scene.stars = Stars{6.0};
+    scene.camera.projection = Projection::equirectangular;
+    scene.image = kSizes.front();
+    const Air air = air_of(scene);
+    physics::Physics p = geometry_of(scene);
+    for (const auto& once : state) {
+      (void)once;
+      benchmark::DoNotOptimize(
+          star_pixels(p, scene, night_of(scene, air), {0, 0, scene.image.width, scene.image.height}));
+    }
+  })->Unit(benchmark::kMillisecond);
+}
+
 void register_benchmarks(Session& session) {
+  register_stars();
   for (const SkyMethod& method : methods()) {
     if (method.add_passes == nullptr) continue;
     for (const NamedScene& named : scenes()) register_picture(session, method, named, false);

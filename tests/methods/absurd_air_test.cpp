@@ -58,6 +58,11 @@ TEST(AbsurdAir, IsDrawnInFiniteNumbers) {
                     "density": {"profile": "exponential", "scale_height_km": 2e-6}})",
                 R"("render": {"method": "analytic", "variant": "exponential"}, "camera": {"altitude_km": 0.001},
                    "planet": {"atmosphere_height_km": 78.57}, "sun": {"elevation_deg": 60})"},
+           Case{"a planet that is a lens: 10 radii behind it the beams that its air bent have met",
+                R"({"name": "air", "scattering_per_km": [0.006, 0.013, 0.03],
+                    "density": {"profile": "exponential", "scale_height_km": 2.8}})",
+                R"("render": {"method": "orders"}, "sun": {"elevation_deg": 2.4}, "planet": {
+                   "atmosphere_height_km": 74197, "refraction": {"n_minus_1": 1.888e-4, "scale_height_km": 1.885}})"},
            // Without a limit, 1e9 pieces of two scale heights filled 13.9 GB.
            Case{"a lorentzian that is over far below the top", kSharpLorentzian,
                 std::string(kPathTrace) + R"(, "planet": {"radius_km": 110, "atmosphere_height_km": 1e7})"},

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <numbers>
 
 #include "core/air/refraction.h"
@@ -13,6 +12,8 @@
 #include "core/post/night_sky.h"
 #include "core/post/stars.h"
 #include "core/scene/photometry.h"
+#include "core/scene/preset.h"
+#include "core/scene/resolve.h"
 #include "tests/methods/render_fixture.h"
 #include "tests/of_scene.h"
 #include "tests/this_build.h"
@@ -33,27 +34,6 @@ TEST(StarCatalogue, AddsUp) {
   EXPECT_NEAR(sum_magnitude(6.0), -4.81, 0.05);
   EXPECT_EQ(bright_stars().size(), 8874U);
   EXPECT_NEAR(bright_stars().front().magnitude, -1.44, 0.01);  // Sirius
-}
-
-// The least processor time of some runs, ms.
-template <class Work>
-double least_milliseconds(Work work) {
-  double least = 1e9;
-  for (int i = 0; i < 7; ++i) {
-    const std::clock_t before = std::clock();
-    work();
-    least = std::min(least, 1e3 * static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC);
-  }
-  return least;
-}
-
-TEST(StarCatalogue, IsReadInAMillisecond) {
-  if (sanitized()) {
-    GTEST_SKIP() << "sanitized code takes its own time";
-  }
-  EXPECT_EQ(read_stars(star_table()).size(), bright_stars().size());
-  const auto read = [] { read_stars(star_table()); };
-  EXPECT_LT(least_milliseconds(read), 1.0);
 }
 
 TEST(StarCatalogue, HasTheSunsTemperatureAtTheSunsColour) {
@@ -104,27 +84,6 @@ TEST(Stars, AreTheSameInTiles) {
   };
   render_bands([]() -> Executor& { return executor(); }, scene, request);
   EXPECT_EQ(joined.rgba, render_now(scene).radiance.rgba);
-}
-
-// Placing 5000 stars, bending their light, and sharing it among the pixels of the whole sky.
-TEST(Stars, TakeTwentyMilliseconds) {
-  if (sanitized()) {
-    GTEST_SKIP() << "sanitized code takes its own time";
-  }
-  Scene scene = with_method(earth(), *find_method("orders"));
-  scene.stars = Stars{6.0};
-  scene.camera.projection = Projection::equirectangular;
-  scene.image = {1280, 720};
-  const Air air = air_of(scene);
-  std::size_t stars = 0;
-  const auto draw = [&] {
-    const Night night = night_of(scene, air);
-    physics::Physics p = geometry_of(scene);
-    EXPECT_FALSE(star_pixels(p, scene, night, {0, 0, 1280, 720}).empty());
-    stars = night.stars.size();
-  };
-  EXPECT_LT(least_milliseconds(draw), 20.0);
-  EXPECT_GT(stars, 5000U);
 }
 
 // A few stars in a narrow picture: the air dims each as the formulas say. The table of transmittance is up to 3 % off
