@@ -13,7 +13,7 @@ namespace airlight {
 
 // Moments that a bake may fetch in air of up to kUsualMedia, what else a step does counting as some more of them: 6e10
 // took 200 CPU-s on the software device. Each step asks every medium, so air of more media gets fewer.
-inline constexpr double kMostBakeFetches = 1e10;
+inline constexpr double kMostBakeFetches = 1.5e10;
 inline constexpr std::size_t kUsualMedia = 3;
 
 struct MomentSettings {
