@@ -468,8 +468,7 @@ Command sequence_command() {
        "--lon 18.96 --tz Europe/Oslo --dry-run",
        "List the frames of a day without a night"},
       {"airlight sequence earth-noon -o 'dome.##.exr' --usd day.usda --sun-elevation 0:20:10 --projection latlong "
-       "--size "
-       "64x32",
+       "--size 64x32",
        "A stage for programs that read USD, with a sky a frame"},
       {"airlight sequence earth-noon --radiance-matrix day.mtx --date 2026-06-21 --from 06:30 --to 17:30 --step 1h "
        "--lat "

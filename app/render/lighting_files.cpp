@@ -17,8 +17,7 @@ constexpr const char* kBasis =
 constexpr const char* kFrame = "x east, y up, z south, whatever the camera's azimuth";
 constexpr const char* kCubeFrame =
     "the cube map's: x to the right of the camera's azimuth, y up, z back; x is east and z south where the camera "
-    "looks "
-    "north";
+    "looks north";
 constexpr const char* kFormula =
     "E(n) = 3.141593 L00 Y00 + 2.094395 (L1-1 Y1-1 + L10 Y10 + L11 Y11) + 0.785398 (L2-2 Y2-2 + L2-1 Y2-1 + L20 Y20 + "
     "L21 Y21 + L22 Y22), each Y at the unit normal n (Ramamoorthi and Hanrahan 2001)";

@@ -4,8 +4,7 @@
 //          accept no more.
 //   .npy   a NumPy array (height, width, 3) of 32-bit floats.
 //   .json  {"width", "height", "channels": ["R", "G", "B"], "pixels": rows of pixels of three numbers}, each number
-//   with
-//          the fewest digits that are read as the same 32-bit float.
+//          with the fewest digits that are read as the same 32-bit float.
 //   .ktx2, .dds   a cube map of half floats with all mips, for a picture that stacks OpenEXR's six faces.
 // Equal pictures give equal bytes.
 

@@ -15,8 +15,9 @@ uint moment_count() { return harmonic_count() + (polarised() ? kPolarisedMoments
 
 bool is_logarithm(uint k) { return k == 0u || k == moment_count(); }
 
-// Light that is nowhere negative has |M_lm| <= sqrt(2 (2l + 1)) M_00, and P_m below 5. A correction of a field that all but
-// vanishes, as far above the air, may break that.
+// Light that is nowhere negative has |M_lm| <= sqrt(2l + 1) M_00 (the squares of all Y_lm of a degree add up to
+// (2l + 1) / 4 pi) and |P_m| < 4.5 M_00 (most for m = 0: level light that is polarised wholly). Both are below 8. A
+// correction of a field that all but vanishes, as far above the air, may break that.
 vec3 moment_code(uint k, vec3 value, vec3 isotropic) {
   return is_logarithm(k) ? log(max(value, vec3(1e-30))) : max(min(value / isotropic, vec3(8.0)), vec3(-8.0));
 }
