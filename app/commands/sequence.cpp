@@ -147,6 +147,9 @@ Preset preset_of(const SequenceGiven& given) {
   if (given.usd) {  // its lights are the discs
     further.push_back({"/sun/disc/visible=false", "--usd " + *given.usd});
   }
+  if (given.place.date && !given.matrix) {  // the matrix is of daylight
+    std::ranges::move(sky_of_date("--date " + *given.place.date), std::back_inserter(further));
+  }
   Preset preset = chosen_preset(given.scene, further);
   if (!given.sampling.time_limit) {
     return preset;

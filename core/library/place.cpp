@@ -1,5 +1,7 @@
 #include "core/library/place.h"
 
+#include <map>
+
 #include "core/error.h"
 #include "core/methods/ready.h"
 #include "core/scene/json_format.h"
@@ -43,6 +45,28 @@ std::vector<std::string> sections_with(const std::string& pointer) {
 
 }  // namespace
 
+std::vector<Override> sky_of_date(const std::string& typed) {
+  std::vector<Override> all;
+  for (const std::string section : {"moon", "night_sky", "stars"}) {
+    all.push_back({.assignment = "/" + section + "={}", .typed = typed, .adds = section});
+  }
+  return all;
+}
+
+namespace {
+
+// Whether a light that a date adds can be seen in one picture: by day the smooth light of the night is less than 1e-5
+// of the sky's, and a moon below dusk lights nothing.
+bool is_seen(const std::string& section, const std::map<std::string, double>& angles) {
+  constexpr double kMoonDown = -10.0;  // degrees
+  if (section == "night_sky") {
+    return angles.at("/sun/elevation_deg") <= 0.0;
+  }
+  return section != "moon" || angles.at("/moon/elevation_deg") > kMoonDown;
+}
+
+}  // namespace
+
 std::vector<Override> sun_overrides(const PlaceOptions& options, const SceneChanges& changes,
                                     const std::string& command) {
   const std::optional<sequence::Air> air = air_of(options, command);
@@ -71,10 +95,16 @@ std::vector<Override> sun_overrides(const PlaceOptions& options, const SceneChan
       {*options.date, *options.time, {}, {}, options.zone.value_or("UTC"), place_of(options), air}, command);
   moment.moon = true;
   moment.stars = true;
-  std::vector<Override> all;
-  for (const auto& [pointer, values] : sequence::frame_at(moment, 0).keys) {
-    all.push_back({pointer + "=" + format_number(values.front()),
-                   "--date " + *options.date + " --time " + *options.time, sections_with(pointer)});
+  const std::string typed = "--date " + *options.date + " --time " + *options.time;
+  const sequence::Frame frame = sequence::frame_at(moment, 0);
+  std::map<std::string, double> angles;
+  for (const auto& [pointer, values] : frame.keys) {
+    angles.emplace(pointer, values.front());
+  }
+  std::vector<Override> all = sky_of_date(typed);
+  std::erase_if(all, [&](const Override& added) { return !is_seen(added.adds, angles); });
+  for (const auto& [pointer, values] : frame.keys) {
+    all.push_back({pointer + "=" + format_number(values.front()), typed, sections_with(pointer)});
   }
   return all;
 }

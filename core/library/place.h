@@ -17,7 +17,11 @@ std::optional<sequence::Air> air_of(const PlaceOptions& options, const std::stri
 // Refuses --refraction where the scene's own air bends light: the sun would be lifted twice.
 void require_one_refraction(const PlaceOptions& options, const Scene& scene, const std::string& command);
 
-// The sun of one picture; empty where no option concerns it. Throws InputError.
+// What a date adds to a preset whose `sky_of_date` is true: the moon, the stars and the smooth light of the night,
+// where it has none. `typed`: the option, for messages.
+std::vector<Override> sky_of_date(const std::string& typed);
+
+// The sun of one picture, and of that sky what can be seen; empty where no option concerns it. Throws InputError.
 std::vector<Override> sun_overrides(const PlaceOptions& options, const SceneChanges& changes,
                                     const std::string& command);
 

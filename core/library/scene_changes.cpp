@@ -177,6 +177,19 @@ bool set_place(PlaceOptions& place, const std::string& name, const std::string& 
   return true;
 }
 
+// What --set says counts, though it is applied last.
+bool adds_sky_of_date(const Preset& preset, const SceneChanges& changes) {
+  constexpr std::string_view kSet = "/sky_of_date=";
+  const auto* told = member_as<bool>(&preset.root, "sky_of_date");
+  bool adds = told != nullptr && *told;
+  for (const std::string& assignment : changes.set) {
+    if (assignment.starts_with(kSet)) {
+      adds = assignment.substr(kSet.size()) == "true";
+    }
+  }
+  return adds;
+}
+
 }  // namespace
 
 std::optional<ImageSize> size_from(const std::string& text) {
@@ -209,8 +222,11 @@ void apply_changes(Preset& preset, const SceneChanges& changes, const std::vecto
     }
     apply_size(preset, *size, said);
   }
+  const bool adds_sky = adds_sky_of_date(preset, changes);
   for (const Override& override : further) {
-    apply(preset, override);
+    if (override.adds.empty() || (adds_sky && member(&preset.root, override.adds) == nullptr)) {
+      apply(preset, override);
+    }
   }
   for (const std::string& assignment : changes.set) {
     apply(preset, {assignment, changes.as_keywords ? "set " + assignment : "--set " + assignment});

@@ -16,6 +16,7 @@ struct Override {
   std::string assignment;                   // "POINTER=JSON"
   std::string typed;                        // the option as typed, for messages: "--view filmic"
   std::vector<std::string> only_with = {};  // applied if the preset has one of these sections; empty: always
+  std::string adds = {};                    // a section: applied if `sky_of_date` is true and the preset has none
 };
 
 // By its date, time and place the sun's angles (core/library/place.h).

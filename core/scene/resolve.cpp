@@ -81,6 +81,7 @@ void check_root(const Section& root) {
     }
   }
   root.text("$schema");
+  root.boolean("sky_of_date");  // read where a date is given
   // Loading a file removes the key once it has been followed.
   if (const PresetValue* extends = root.find("extends")) {
     const bool is_text = std::holds_alternative<std::string>(extends->data);

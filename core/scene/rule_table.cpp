@@ -109,6 +109,9 @@ constexpr auto kRules = std::to_array<Rule>({
           "by key, `media` by `name`; a `density` with a `profile` of its own replaces the inherited one whole, a "
           "`phase` with a `function` all but its `g`"),
 
+    row(RuleType::boolean, "sky_of_date", {}, "", "false",
+        "whether a date, by --date and a place, adds `moon`, `night_sky` and `stars` where the preset has none"),
+
     number("planet.radius_km", kSize, "km", "6360", "radius of the ground sphere"),
     number("planet.atmosphere_height_km", kSize, "km", "100", "top of the atmosphere above the ground"),
     row(RuleType::curve, "planet.ground_albedo", kUnit, "", "0", "Lambertian reflectance of the ground"),

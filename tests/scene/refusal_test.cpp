@@ -185,11 +185,11 @@ INSTANTIATE_TEST_SUITE_P(
         Case{R"("a/b~c": 3)",
              "/a~1b~0c: unknown key; expected one of $schema, airlight, bloom, camera, clouds, description, "
              "display, extends, image, "
-             "media, moon, name, night_sky, planet, render, scene, sequence, stars, sun"},
+             "media, moon, name, night_sky, planet, render, scene, sequence, sky_of_date, stars, sun"},
         Case{R"("": 3)",
              "/: unknown key; expected one of $schema, airlight, bloom, camera, clouds, description, display, "
              "extends, image, media, moon, "
-             "name, night_sky, planet, render, scene, sequence, stars, sun"}));
+             "name, night_sky, planet, render, scene, sequence, sky_of_date, stars, sun"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Methods, Refusal,
@@ -331,7 +331,7 @@ TEST(Refusals, ComeAllAtOnceInTheOrderOfTheLines) {
             "test:7: /media/1/density/below_km: 0 is outside 1e-6 to 1e7 km\n"
             "test:9: /colour: unknown key; expected one of $schema, airlight, bloom, camera, clouds, description, "
             "display, extends, "
-            "image, media, moon, name, night_sky, planet, render, scene, sequence, stars, sun");
+            "image, media, moon, name, night_sky, planet, render, scene, sequence, sky_of_date, stars, sun");
 }
 
 TEST(Refusals, CountTheLayersOfAllMediaTogether) {

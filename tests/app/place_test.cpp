@@ -1,0 +1,70 @@
+// What a date adds to a preset.
+#include "core/library/place.h"
+
+#include <gtest/gtest.h>
+
+#include "core/library/built_in.h"
+#include "core/methods/method.h"
+#include "core/scene/angle.h"
+#include "core/scene/resolve.h"
+
+namespace airlight::test {
+namespace {
+
+// UTC, in Paris: the sun high, and some degrees below the horizon with the moon up.
+constexpr const char* kNoon = "12:00";
+constexpr const char* kDawn = "04:30";
+
+Scene dated(const std::string& name, const std::string& time, const std::vector<std::string>& set = {}) {
+  SceneChanges changes;
+  changes.set = set;
+  PlaceOptions place;
+  place.date = "2026-09-02";
+  place.time = time;
+  place.latitude = 48.85;
+  place.longitude = 2.35;
+  Preset preset = built_in_preset(name, "test");
+  apply_changes(preset, changes, sun_overrides(place, changes, "test"));
+  return resolve(preset, method_infos());
+}
+
+TEST(SkyOfDate, AddsMoonAndStarsToEarth) {
+  const Scene scene = dated("earth", kDawn);
+  ASSERT_TRUE(scene.moon);
+  EXPECT_TRUE(scene.night_sky);
+  EXPECT_TRUE(scene.stars);
+  EXPECT_NEAR(scene.camera.julian_date, 2461285.6875, 1e-4);
+  EXPECT_NEAR(scene.camera.latitude, radians_from_degrees(48.85), 1e-12);
+  // As a preset that has a moon of its own.
+  const Scene own = dated("full-day", kDawn);
+  EXPECT_EQ(scene.moon->elevation, own.moon->elevation);
+  EXPECT_EQ(scene.moon->lit.phase, own.moon->lit.phase);
+}
+
+TEST(SkyOfDate, LeavesOutByDayWhatCannotBeSeen) {
+  const Scene noon = dated("earth", kNoon);
+  EXPECT_FALSE(noon.night_sky);
+  EXPECT_TRUE(noon.stars);
+}
+
+TEST(SkyOfDate, IsForPresetsThatAskForIt) {
+  EXPECT_FALSE(dated("mars-like", kDawn).moon);
+  EXPECT_FALSE(dated("earth-hillaire2020", kDawn).stars);
+  const Scene off = dated("earth", kDawn, {"/sky_of_date=false"});
+  EXPECT_FALSE(off.moon || off.night_sky || off.stars);
+  const Scene on = dated("earth-hillaire2020", kDawn, {"/sky_of_date=true"});
+  EXPECT_TRUE(on.moon && on.night_sky && on.stars);
+}
+
+TEST(SkyOfDate, KeepsWhatThePresetHas) {
+  SceneChanges changes;
+  Preset preset = built_in_preset("earth", "test");
+  apply_override(preset, "/stars/magnitude_limit=4");
+  apply_changes(preset, changes, sky_of_date("--date"));
+  const Scene scene = resolve(preset, method_infos());
+  EXPECT_EQ(scene.stars->magnitude_limit, 4.0);
+  EXPECT_TRUE(scene.moon);
+}
+
+}  // namespace
+}  // namespace airlight::test
