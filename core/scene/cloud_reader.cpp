@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 
@@ -6,13 +7,41 @@
 #include "core/scene/cloud_file.h"
 #include "core/scene/curve_reader.h"
 #include "core/scene/json_format.h"
+#include "core/scene/printable.h"
 #include "core/scene/readers.h"
+#include "core/text.h"
 
 namespace airlight {
 namespace {
 
 constexpr double kMetresInKm = 1e3;  // a km
 constexpr double kIcePeak = 0.75;    // asymmetry of cirrus
+
+// Keys that only a file of OpenVDB takes.
+constexpr std::array<std::string_view, 6> kVoxelKeys = {
+    "grid", "up", "metres_per_unit", "extinction_per_km", "base_km", "effective_radius_um"};
+
+CloudVoxels read_voxel_keys(const Section& section) {
+  CloudVoxels voxels;
+  voxels.grid = section.text("grid");
+  voxels.up = static_cast<UpAxis>(section.choice("up").value_or(0));
+  voxels.unit = section.number("metres_per_unit") / kMetresInKm;
+  voxels.extinction = section.number("extinction_per_km");
+  if (section.find("base_km") != nullptr) {
+    voxels.base = section.number("base_km");
+  }
+  return voxels;
+}
+
+void refuse_voxel_keys(const Section& section, const std::string& name) {
+  for (const std::string_view key : kVoxelKeys) {
+    if (const PresetValue* value = section.find(key); value != nullptr) {
+      section.complain(
+          key, *value,
+          "a key of files of OpenVDB, and the name " + quoted_text(name) + " does not end in .vdb; remove it");
+    }
+  }
+}
 
 void read_volume(const Section& section, Cloud& cloud) {
   cloud.repeats = section.boolean("repeat");
@@ -27,6 +56,14 @@ void read_volume(const Section& section, Cloud& cloud) {
   }
   const std::filesystem::path file = file_beside(*value, name);
   cloud.file = std::filesystem::absolute(file).lexically_normal().string();
+  if (lower(file.extension().string()) == ".vdb") {
+    // Its contents, base and top are filled in by judged() (core/library), with the other files that no text reader
+    // knows.
+    cloud.voxels = read_voxel_keys(section);
+    cloud.effective_radius = section.number("effective_radius_um");
+    return;
+  }
+  refuse_voxel_keys(section, name);
   auto contents = std::make_shared<CloudFile>();
   if (const std::string problem = read_cloud_file(file, *contents); !problem.empty()) {
     section.complain("file", *value, problem);
@@ -104,7 +141,7 @@ void read_cloud_phase(const Section& cloud_section, Cloud& cloud) {
 void check_drops(const Section& section, const Cloud& cloud) {
   constexpr double kMostDropRadius = 40.0;
   if (cloud.phase == CloudPhase::drops && cloud.effective_radius > kMostDropRadius) {
-    const std::string_view key = cloud.kind == CloudKind::volume ? "file" : "effective_radius_um";
+    const std::string_view key = cloud.kind == CloudKind::volume && !cloud.voxels ? "file" : "effective_radius_um";
     blame_cloud(section, key,
                 "an effective radius of " + format_number(cloud.effective_radius) +
                     " um is above 40 um, the most of the phase function \"drops\"; choose \"henyey-greenstein\"");
@@ -132,7 +169,7 @@ Cloud read_cloud(Section section, const Planet& planet) {
   }
   read_cloud_phase(section, cloud);
   check_drops(section, cloud);
-  if (cloud.base < 0.0 || cloud.top > planet.atmosphere_height) {
+  if (!cloud.voxels && (cloud.base < 0.0 || cloud.top > planet.atmosphere_height)) {
     blame_cloud(section, is_file ? "file" : "top_km",
                 "the cloud reaches from " + format_number(cloud.base) + " to " + format_number(cloud.top) +
                     " km; expected within the air, 0 to planet.atmosphere_height_km, " +

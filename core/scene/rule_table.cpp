@@ -21,6 +21,7 @@ constexpr Range kWind{.minimum = 0.0, .maximum = 20.0};
 constexpr Range kSphereDistance{.minimum = 1e-3, .maximum = 1e7};
 constexpr Range kSphereRadius{.minimum = 1e-4, .maximum = 1e6};
 constexpr Range kCloudAltitude{.minimum = 0.0, .maximum = 100.0};
+constexpr Range kMetresPerUnit{.minimum = 1e-6, .maximum = 1e6};
 constexpr Range kCloudCell{.minimum = 0.1, .maximum = 50.0};
 constexpr Range kCloudPeriod{.minimum = 1.0, .maximum = 200.0};
 constexpr Range kCloudDetail{.minimum = 5.0, .maximum = 1000.0};
@@ -210,16 +211,27 @@ constexpr auto kRules = std::to_array<Rule>({
                   "`cumulus`: heaps with flat bases; `stratocumulus`: a broken sheet; `cirrus`: ice in fibres; all to "
                   "the horizon, by a seed, the same on every machine; `volume`: a file")),
     only_for(kVolume, needed(plain(RuleType::text, "clouds[].file",
-                                   "liquid water (g/m3) and effective radius (um) at the points of a grid, as plain "
-                                   "text, see [Clouds](#clouds)"))),
+                                   "a grid of OpenVDB, of a name that ends in .vdb, or liquid water (g/m3) and "
+                                   "effective radius (um) at points as plain text, see [Clouds](#clouds)"))),
     only_for(kVolume,
              row(RuleType::boolean, "clouds[].repeat", {}, "", "false", "whether the grid is repeated to the horizon")),
+    only_for(kVolume, row(RuleType::text, "clouds[].grid", {}, "", "density", "of a .vdb: which of its grids")),
+    only_for(kVolume, choice("clouds[].up", kUpNames, "y",
+                             "of a .vdb: its axis that points up. x points east; with y up, z points south, with z up, "
+                             "y points north")),
+    only_for(kVolume, number("clouds[].metres_per_unit", kMetresPerUnit, "m", "1",
+                             "of a .vdb: what the unit of its transform is")),
+    only_for(kVolume, number("clouds[].extinction_per_km", kCoefficient, "per km", "50",
+                             "of a .vdb: extinction where its value is 1; a cumulus has 20 to 100")),
     only_for(kCumulus, number("clouds[].cover", kUnit, "", "0.35", "share of the sky straight up that has cloud")),
     only_for(kStratocumulus, number("clouds[].cover", kUnit, "", "0.85", "likewise")),
     only_for(kCirrus, number("clouds[].cover", kUnit, "", "0.5", "likewise")),
     only_for(kCumulus, number("clouds[].base_km", kCloudAltitude, "km", "1", "altitude of the lowest parts")),
     only_for(kStratocumulus, number("clouds[].base_km", kCloudAltitude, "km", "0.8", "likewise")),
     only_for(kCirrus, number("clouds[].base_km", kCloudAltitude, "km", "8", "likewise")),
+    only_for(kVolume, number("clouds[].base_km", kCloudAltitude, "km", "",
+                             "of a .vdb: altitude of its lowest voxels' lower side; absent: by its transform, whose 0 "
+                             "is the ground")),
     only_for(kCumulus, number("clouds[].top_km", kCloudAltitude, "km", "2.4",
                               "altitude of the highest parts; above the base, inside the air")),
     only_for(kStratocumulus, number("clouds[].top_km", kCloudAltitude, "km", "1.2", "likewise")),
@@ -250,6 +262,7 @@ constexpr auto kRules = std::to_array<Rule>({
                               "of drops or crystals: mean of the radius cubed over mean of the radius squared")),
     only_for(kStratocumulus, number("clouds[].effective_radius_um", kDropRadius, "um", "8", "likewise")),
     only_for(kCirrus, number("clouds[].effective_radius_um", kCrystalRadius, "um", "30", "likewise")),
+    only_for(kVolume, number("clouds[].effective_radius_um", kDropRadius, "um", "10", "of a .vdb: of its drops")),
     number("clouds[].east_km", kCloudPlace, "km", "0",
            "of the grid's middle from the point under the camera; the field repeats itself from there"),
     number("clouds[].north_km", kCloudPlace, "km", "0", "likewise"),

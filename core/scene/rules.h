@@ -81,6 +81,7 @@ inline constexpr std::array<std::string_view, 6> kProfileNames = {"exponential",
 inline constexpr std::array<std::string_view, 7> kPhaseNames = {
     "rayleigh", "henyey-greenstein", "cornette-shanks", "schlick", "isotropic", "table", "drops"};
 inline constexpr std::size_t kDropsPhase = 6;
+inline constexpr std::array<std::string_view, 2> kUpNames = {"y", "z"};
 inline constexpr std::array<std::string_view, 4> kCloudNames = {"cumulus", "stratocumulus", "cirrus", "volume"};
 inline constexpr std::array<std::string_view, 2> kCloudPhaseNames = {"drops", "henyey-greenstein"};
 inline constexpr std::array<std::string_view, 5> kProjectionNames = {"perspective", "equirectangular", "fisheye",
