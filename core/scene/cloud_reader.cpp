@@ -5,6 +5,7 @@
 
 #include "core/scene/angle.h"
 #include "core/scene/cloud_file.h"
+#include "core/scene/cloud_layer.h"
 #include "core/scene/curve_reader.h"
 #include "core/scene/json_format.h"
 #include "core/scene/printable.h"
@@ -178,9 +179,62 @@ Cloud read_cloud(Section section, const Planet& planet) {
   return cloud;
 }
 
+// A name that no medium has: "cloud layer", "cloud layer 2", ...
+std::string free_name(const std::vector<Medium>& media) {
+  std::string name = "cloud layer";
+  const auto is_taken = [&] { return std::ranges::find(media, name, &Medium::name) != media.end(); };
+  for (int number = 2; is_taken(); ++number) {
+    name = "cloud layer " + std::to_string(number);
+  }
+  return name;
+}
+
+bool is_layer(const PresetValue& cloud) {
+  const auto* type = member_as<std::string>(&cloud, "type");
+  return type != nullptr && *type == kCloudNames[kCloudLayer];
+}
+
+void add_layer(Section section, const Planet& planet, std::vector<Medium>& media, SceneSpectra& spectra) {
+  section.refuse_unknown_keys();
+  section.choose(kCloudNames[kCloudLayer]);
+  Cloud matter;
+  matter.single_scattering_albedo = section.number("single_scattering_albedo");
+  matter.effective_radius = section.number("effective_radius_um");
+  read_cloud_phase(section, matter);
+  check_drops(section, matter);
+  if (section.problems().any()) {
+    matter.phase = CloudPhase::henyey_greenstein;  // no table of drops that are refused
+  }
+  Medium medium = read_cloud_layer(section, planet, matter);
+  medium.name = free_name(media);
+  spectra.media.push_back(
+      {constant_curve(medium.scattering[0]), constant_curve(medium.absorption[0]), constant_curve(0.0)});
+  media.push_back(std::move(medium));
+}
+
+// Of both, media and clouds, there are at most 8, and of layers of density 256.
+void check_counts(const Section& root, const PresetValue& value, std::size_t clouds, std::size_t before,
+                  const std::vector<Medium>& media) {
+  if (clouds + before > static_cast<std::size_t>(kMaxMedia)) {
+    root.complain("clouds", value,
+                  std::to_string(clouds) + " clouds beside " + std::to_string(before) +
+                      " media; expected at most 8 of both: remove some");
+  }
+  std::size_t layers = 0;
+  for (const Medium& medium : media) {
+    layers += medium.density.layers.size();
+  }
+  if (layers > static_cast<std::size_t>(kMaxDensityLayers)) {
+    root.complain("clouds", value,
+                  std::to_string(layers) + " density layers of media and clouds in all; expected at most " +
+                      std::to_string(kMaxDensityLayers) + ": remove some");
+  }
+}
+
 }  // namespace
 
-std::vector<Cloud> read_clouds(const Section& root, const Planet& planet, std::size_t media) {
+std::vector<Cloud> read_clouds(const Section& root, const Planet& planet, std::vector<Medium>& media,
+                               SceneSpectra& spectra) {
   const PresetValue* value = root.find("clouds");
   if (value == nullptr) {
     return {};
@@ -189,15 +243,17 @@ std::vector<Cloud> read_clouds(const Section& root, const Planet& planet, std::s
   if (array == nullptr) {
     return {};
   }
+  const std::size_t before = media.size();
   std::vector<Cloud> clouds;
   for (std::size_t i = 0; i < array->size(); ++i) {
-    clouds.push_back(read_cloud(root.element("clouds", *array, i), planet));
+    const Section section = root.element("clouds", *array, i);
+    if (is_layer((*array)[i])) {
+      add_layer(section, planet, media, spectra);
+    } else {
+      clouds.push_back(read_cloud(section, planet));
+    }
   }
-  if (clouds.size() + media > static_cast<std::size_t>(kMaxMedia)) {
-    root.complain("clouds", *value,
-                  std::to_string(clouds.size()) + " clouds beside " + std::to_string(media) +
-                      " media; expected at most 8 of both: remove some");
-  }
+  check_counts(root, *value, array->size(), before, media);
   return clouds;
 }
 
