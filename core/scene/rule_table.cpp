@@ -259,7 +259,7 @@ constexpr auto kRules = std::to_array<Rule>({
     only_for(kCumulus, number("clouds[].detail_m", kCloudDetail, "m", "50",
                               "side of the cells of the grid that is made; at most 33 554 432 of them")),
     only_for(kStratocumulus, number("clouds[].detail_m", kCloudDetail, "m", "50", "likewise")),
-    only_for(kCirrus, number("clouds[].detail_m", kCloudDetail, "m", "125", "likewise")),
+    only_for(kCirrus, number("clouds[].detail_m", kCloudDetail, "m", "62.5", "likewise")),
     only_for(kCumulus, number("clouds[].water_g_per_m3", kWater, "g/m3", "0.6",
                               "water or ice where the cloud is densest; the extinction is 1.5 water / radius")),
     only_for(kStratocumulus, number("clouds[].water_g_per_m3", kWater, "g/m3", "0.3", "likewise")),
