@@ -108,16 +108,23 @@ Extent atlas_extent(const MomentSettings& s) {
 }
 
 // Moments that a bake of so many orders fetches, at all steps of all rays. A device runs all of a loop's code: later
-// orders of a lower degree take no less.
+// orders of a lower degree take no less. The first order fetches none.
 double bake_fetches(const MomentSettings& settings, int orders) {
   constexpr int kOfStep = 15;  // that the rest of a step takes as long as
-  double steps = 0.0;
+  double fetches = 0.0;
   for (int order = 1; order <= orders; ++order) {
     const OrderQuadrature q = order_way(order, settings).quadrature;
     const double along = settings.shells ? settings.size[1] - 1.0 : q.steps;
-    steps += static_cast<double>(q.up + q.down) * q.half_azimuths * along;
+    const int of_step = kOfStep + (order > 1 ? block_count(settings) - 1 : 0);
+    fetches += static_cast<double>(q.up + q.down) * q.half_azimuths * along * of_step;
   }
-  return steps * settings.size[0] * settings.size[1] * (harmonic_count(settings) + kOfStep);
+  return fetches * settings.size[0] * settings.size[1];
+}
+
+// The same for all orders at once: each correction is one order at half of the suns.
+double fetches_at_once(const MomentSettings& settings) {
+  const double first = bake_fetches(settings, 1);
+  return first + 0.5 * settings.corrections * (bake_fetches(settings, 2) - first);
 }
 
 std::string row_altitudes(const physics::SceneData& scene) {
@@ -256,6 +263,7 @@ MomentSettings moment_settings(const Air& air, const MomentRequest& request) {
   constexpr double kLevel = 0.1;  // air higher than this, in radii, is too round to be taken as level
   constexpr double kDeep = 1.0;
   constexpr double kPeaked = 0.4;
+  constexpr int kFewerHarmonics = 5;  // three times as many orders in the same time as with degree 8
   MomentSettings settings;
   const DiffusionDepths depths = air.diffusion_depths(4);
   const physics::uint shell_rows = air.formulas().scene.shell_rows;
@@ -303,10 +311,15 @@ MomentSettings moment_settings(const Air& air, const MomentRequest& request) {
   settings.orders = std::max(request.orders.value_or(settings.orders), 2);
   settings.wished_orders = settings.orders;
   const double most = kMostBakeFetches * kUsualMedia / static_cast<double>(std::max(kUsualMedia, air.media().size()));
-  if (bake_fetches(settings, 4) > most) {
-    settings.corrections = 0;  // these take about as many steps
+  if (fetches_at_once(settings) > most) {
+    settings.corrections = 0;
   }
-  while (settings.corrections == 0 && settings.orders > 2 && bake_fetches(settings, settings.orders) > most) {
+  const auto too_many = [&] { return settings.corrections == 0 && bake_fetches(settings, settings.orders) > most; };
+  if (too_many() && settings.degree > kFewerHarmonics && !request.degree) {
+    settings.degree = kFewerHarmonics;
+    settings.delta = leaves_a_peak(air, settings.degree);
+  }
+  while (too_many() && settings.orders > 2) {
     --settings.orders;
   }
   return settings;

@@ -11,9 +11,10 @@
 
 namespace airlight {
 
-// Moments that a bake may fetch in air of up to kUsualMedia, what else a step does counting as some more of them: 6e10
-// took 200 CPU-s on the software device. Each step asks every medium, so air of more media gets fewer.
-inline constexpr double kMostBakeFetches = 1.5e10;
+// Moments that a bake may fetch in air of up to kUsualMedia, what else a step does counting as some more of them. On
+// the software device each takes 8 or 9 ns of a processor, these 40 s. Each step asks every medium, so air of more
+// media gets fewer.
+inline constexpr double kMostBakeFetches = 5e9;
 inline constexpr std::size_t kUsualMedia = 3;
 
 struct MomentSettings {

@@ -173,6 +173,11 @@ SkyMethod sky_view_method() {
       {"EJ",
        {{Quantity::sun_elevation, -90, 0}, {Quantity::planet_radius, 0, 20}},
        "a planet smaller than its air: the shadow's edge stands within the picture, sharper than the table's texels"});
+  method.validity.known_failures.push_back(
+      {"J",
+       {{Quantity::sun_elevation, -0.1, 0.1}, {Quantity::altitude, 0, 0.5}, {Quantity::refractivity, 0, 5e-6}},
+       "a sun at the horizon of air that hardly bends light: the edge of the planet's shadow lies in the level ray "
+       "opposite, between two rows"});
   method.validity.known_failures.push_back({"EJ",
                                             {{Quantity::sun_elevation, -90, 0}, {Quantity::table_size, 0, 80}},
                                             "dusk: the shadow's edge is sharper than the texels of so coarse a table"});

@@ -115,13 +115,13 @@ TEST_F(Sequence, WhatBoundsTheWorkIsToldOnceAndCounted) {
   };
   const Outcome ended = tool({"sequence", "milk.json", "--float", "-o", "m.#.exr", "--sun-elevation", "60:62:1"});
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
-  EXPECT_EQ(lines_with(ended, "paths were ended after 10000 scatterings"), 1) << ended.err;
+  EXPECT_EQ(lines_with(ended, "paths were ended after 5000 scatterings"), 1) << ended.err;
   EXPECT_EQ(lines_with(ended, "warning: frame 1: "), 1) << ended.err;
   EXPECT_EQ(lines_with(ended, "warning: 3 frames lack light that would have taken for ever to find"), 1) << ended.err;
   const Outcome tiled = tool({"render", "milk.json", "--tile", "1x1", "-o", "m.exr"});
-  EXPECT_EQ(lines_with(tiled, "paths were ended after 10000 scatterings"), 1) << tiled.err;
+  EXPECT_EQ(lines_with(tiled, "paths were ended after 5000 scatterings"), 1) << tiled.err;
   const Outcome probed = tool({"probe", "milk.json", "--elevation", "60", "--azimuth", "0"});
-  EXPECT_EQ(lines_with(probed, "paths were ended after 10000 scatterings"), 1) << probed.err;
+  EXPECT_EQ(lines_with(probed, "paths were ended after 5000 scatterings"), 1) << probed.err;
   EXPECT_EQ(tool({"probe", "milk.json", "-q", "--elevation", "60", "--azimuth", "0"}).err, "");
 }
 

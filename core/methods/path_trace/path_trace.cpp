@@ -32,7 +32,7 @@ const std::array<ParameterInfo, 5> kParameters{
                             "of the random numbers: one seed gives one picture, whatever the number of threads"),
     parameter::whole_number(
         "max_orders", 0, kMostInt, 0,
-        "scatterings and ground reflections on a path, at most; 1: single scattering, without noise; 0: 10000")};
+        "scatterings and ground reflections on a path, at most; 1: single scattering, without noise; 0: 5000")};
 
 StopRules rules_of(const RenderSettings& settings) {
   StopRules rules;

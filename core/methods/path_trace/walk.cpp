@@ -390,6 +390,17 @@ void Walk::sample(const WalkStart& start, WalkNumbers& numbers, FlightPlan& plan
   walk(state, start, numbers, plan);
 }
 
+// No way to the sun is shorter than the one straight up. A path that wanders in the depth of thick air takes most of a
+// picture's time, and asking for the sun's bent rays most of the path's.
+bool Walk::far_from_sunlight(const State& state) const {
+  constexpr double kLeast = 1e-30;
+  if (state.wide != nullptr) {
+    return false;
+  }
+  const vec3 arrives = state.carry * exp(-1.0 * depth_.to_top(state.h, 1.0));
+  return std::max({arrives.x, arrives.y, arrives.z}) < kLeast;
+}
+
 void Walk::add_sunlight(State& state, Random& random) const {
   if (state.wide != nullptr) {
     add_from_sun(state, random);
@@ -416,6 +427,7 @@ void Walk::walk(State& state, const WalkStart& start, WalkNumbers& numbers, Flig
   }
   vec3 whole(0.0);  // what the path was worth when its standing was 1
   double standing = 1.0;
+  constexpr int kCountsAllSunlight = 100;  // orders within which asking costs more than it saves
   const int most = max_orders_ == 0 ? kMostScatterings : max_orders_;
   for (int order = 2; order <= most; ++order) {
     const bool guided = order <= guided_orders_;
@@ -440,7 +452,9 @@ void Walk::walk(State& state, const WalkStart& start, WalkNumbers& numbers, Flig
     if (!fly(state, plan, numbers.next())) {
       break;
     }
-    add_sunlight(state, numbers.random());
+    if (order <= kCountsAllSunlight || !far_from_sunlight(state)) {
+      add_sunlight(state, numbers.random());
+    }
     cut_paths_ += max_orders_ == 0 && order == most ? 1 : 0;
   }
 }

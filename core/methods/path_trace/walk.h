@@ -62,7 +62,7 @@ class Walk {
 
   // Number of paths that ended after kMostScatterings without a limit from the user.
   std::uint64_t cut_paths() const { return cut_paths_; }
-  static constexpr int kMostScatterings = 10000;
+  static constexpr int kMostScatterings = 5000;
 
  private:
   struct State;
@@ -74,6 +74,7 @@ class Walk {
   physics::vec3 seen_from(const State& state, const Sunbeam& beam) const;
   physics::vec3 from_sun(const State& state, Random& random) const;
   void add_from_sun(const State& state, Random& random) const;
+  bool far_from_sunlight(const State& state) const;
   void add_sunlight(State& state, Random& random) const;
   double through_clouds(const State& state, Random& random) const;
   void meet_clouds(physics::vec3 place, physics::vec3 direction, physics::Physics::Ray& ray,
