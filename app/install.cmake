@@ -133,7 +133,7 @@ set(CPACK_DEBIAN_TOOL_DESCRIPTION "${CPACK_PACKAGE_DESCRIPTION}")
 set(CPACK_DEBIAN_TOOL_PACKAGE_RECOMMENDS "airlight-formats (= ${CPACK_PACKAGE_VERSION})")
 set(CPACK_DEBIAN_FORMATS_PACKAGE_DEPENDS "airlight (= ${CPACK_PACKAGE_VERSION})")
 set(CPACK_DEBIAN_FORMATS_DESCRIPTION
-    "headless sky renderer, formats of pictures\n Lets airlight read plates and maps in PNG, TIFF, JPEG, Radiance HDR and others.")
+    "headless sky renderer, formats of pictures\n Lets airlight read plates and maps in PNG, TIFF, JPEG, Radiance HDR and others,\n and clouds of OpenVDB.")
 
 # Further packages. Each has the licences of the code that it holds.
 foreach(pair IN LISTS more_packages)

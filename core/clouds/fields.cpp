@@ -242,23 +242,54 @@ CloudGrid stratocumulus_grid(const Cloud& cloud) {
       kSoft, [](double z) { return 0.3 + 0.7 * z; });
 }
 
+// Fibres that lie along a direction with whole coordinates near the wind's, by which the field repeats itself all the
+// same. Each octave is twice as fine across, but hardly shorter: fibres stay fibres. None is finer than the grid shows.
+class Fibres {
+ public:
+  Fibres(const Cloud& cloud, NoisePeriod cells, std::uint32_t seed)
+      : a_(static_cast<int>(std::lround(2.0 * std::sin(cloud.wind)))),
+        b_(static_cast<int>(std::lround(2.0 * std::cos(cloud.wind)))),
+        cells_(cells),
+        seed_(seed) {
+    constexpr double kCellsAcross = 5.0;  // of the grid, by a fibre and the gap beside it
+    const double most = cloud.period / (kCellsAcross * cloud.detail * std::hypot(a_, b_));
+    for (int across = std::max(1, 5 * cells.x / 4); across <= most && octaves_.size() < 5; across *= 2) {
+      const int along = std::max(1, cells.x / 4) + static_cast<int>(octaves_.size());
+      octaves_.push_back({along, across});
+    }
+  }
+
+  // 1 on the middle line of a fibre, less beside it.
+  double at(double x, double y, double z) const {
+    const double bend = 0.03 * (value_octaves(x * cells_.x, y * cells_.y, 0.5, cells_, 2, seed_) - 0.5);
+    const double u = a_ * x + b_ * y;
+    const double v = a_ * y - b_ * x + bend;
+    double sum = 0.0;
+    double weights = 0.0;
+    double weight = 1.0;
+    for (const NoisePeriod& octave : octaves_) {
+      const double noise =
+          value_noise(u * octave.x, v * octave.y, 1.5 * z, octave, seed_ + static_cast<std::uint32_t>(octave.y));
+      sum += weight * (1.0 - 2.0 * std::abs(noise - 0.5));
+      weights += weight;
+      weight *= 0.7;
+    }
+    return weights > 0.0 ? sum / weights : 1.0;
+  }
+
+ private:
+  int a_;
+  int b_;
+  NoisePeriod cells_;
+  std::uint32_t seed_;
+  std::vector<NoisePeriod> octaves_;
+};
+
 CloudGrid cirrus_grid(const Cloud& cloud) {
   Field field(cloud);
   const NoisePeriod cells = field.cells(cloud.cell);
   const NoisePeriod broad = field.cells(2.0 * cloud.cell);
-  // Fibres lie along a direction with whole coordinates near the wind's, by which the field repeats itself all the
-  // same.
-  const int a = static_cast<int>(std::lround(2.0 * std::sin(cloud.wind)));
-  const int b = static_cast<int>(std::lround(2.0 * std::cos(cloud.wind)));
-  const int along = std::max(1, cells.x / 4);
-  const int across = 3 * cells.x;
-  const auto fibres = [&, a, b](double x, double y, double z) {
-    const double bend = 0.02 * (value_octaves(x * cells.x, y * cells.y, 0.5, cells, 2, field.seed(4)) - 0.5);
-    const double u = a * x + b * y;
-    const double v = a * y - b * x + bend;
-    const double noise = value_octaves(u * along, v * across, 1.5 * z, {along, across}, 4, field.seed(5));
-    return 1.0 - 2.0 * std::abs(noise - 0.5);
-  };
+  const Fibres fibres(cloud, cells, field.seed(4));
   ColumnMap map = field.map(
       [&](double x, double y) { return value_octaves(x * broad.x, y * broad.y, 0.5, broad, 4, field.seed(1)); });
   map.rank();
@@ -270,7 +301,7 @@ CloudGrid cirrus_grid(const Cloud& cloud) {
           return 0.0;
         }
         const double level = 1.0 - (2.0 * z - 1.0) * (2.0 * z - 1.0);
-        const double fibre = fibres(x, y, z);
+        const double fibre = fibres.at(x, y, z);
         return std::sqrt(strength) * level * (fibre * fibre * fibre - 0.25);
       },
       0.5, [](double) { return 1.0; });

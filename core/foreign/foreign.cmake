@@ -2,10 +2,12 @@
 # Linking OpenImageIO would cost every start of the tool 0.2 CPU-s and 130 MB.
 add_library(airlight_foreign STATIC ${CMAKE_CURRENT_LIST_DIR}/exr_picture.cpp
             ${CMAKE_CURRENT_LIST_DIR}/foreign_picture.cpp ${CMAKE_CURRENT_LIST_DIR}/module.cpp
-            ${CMAKE_CURRENT_LIST_DIR}/jpeg_extent.cpp ${CMAKE_CURRENT_LIST_DIR}/tiff_extent.cpp)
+            ${CMAKE_CURRENT_LIST_DIR}/jpeg_extent.cpp ${CMAKE_CURRENT_LIST_DIR}/tiff_extent.cpp
+            ${CMAKE_CURRENT_LIST_DIR}/vdb_head.cpp ${CMAKE_CURRENT_LIST_DIR}/voxels.cpp)
 target_link_libraries(airlight_foreign PUBLIC airlight_flags PRIVATE airlight_output OpenEXR::OpenEXR ${CMAKE_DL_LIBS})
 
-add_library(airlight_foreign_module MODULE ${CMAKE_CURRENT_LIST_DIR}/module_foreign.cpp)
+add_library(airlight_foreign_module MODULE ${CMAKE_CURRENT_LIST_DIR}/module_foreign.cpp
+            ${CMAKE_CURRENT_LIST_DIR}/module_voxels.cpp)
 set_target_properties(airlight_foreign_module PROPERTIES
                       OUTPUT_NAME airlight_foreign PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}
                       CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)

@@ -24,7 +24,8 @@ std::filesystem::path find_module() {
     if (std::filesystem::exists(candidate, problem)) return candidate;
   }
   throw RunError(std::string(kModuleFile) + ": is neither at " + beside.string() + " nor at " + installed.string() +
-                 "; pictures other than EXRs need it: install the package airlight-formats, or build the target "
+                 "; pictures other than EXRs and files of OpenVDB need it: install the package airlight-formats, or "
+                 "build the target "
                  "airlight_foreign_module");
 }
 

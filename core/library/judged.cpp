@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/library/cloud_voxels.h"
+#include "core/library/file_identity.h"
 #include "core/methods/method.h"
 #include "core/scene/json_format.h"
 #include "core/scene/resolve.h"
@@ -23,14 +25,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kMostPixels = 4096;  // on a side: with its maxima 90 MB of heights, near what one buffer may hold
-
-// Identifies a file as it is on the disk. If it changes, its identity changes and it is read again.
-std::string identity_of(const std::string& file) {
-  std::error_code ignored;
-  const auto size = fs::file_size(file, ignored);
-  const auto time = fs::last_write_time(file, ignored).time_since_epoch().count();
-  return file + " " + std::to_string(size) + " " + std::to_string(time);
-}
 
 constexpr int kMostMapPixels = 16384;  // across a whole planet
 
@@ -206,15 +200,15 @@ void fill_terrain(const PictureReader& read, Scene& scene, const Terrain* like) 
 
 }  // namespace
 
-Scene judged(const Preset& preset, const PictureReader& read, const Scene* like) {
+Scene judged(const Preset& preset, const FileReaders& read, const Scene* like) {
   Scene scene = resolve(preset, method_infos());
   try {
     if (scene.terrain) {
-      fill_terrain(read, scene, like != nullptr && like->terrain ? &*like->terrain : nullptr);
+      fill_terrain(read.picture, scene, like != nullptr && like->terrain ? &*like->terrain : nullptr);
     }
     if (scene.ground) {
       scene.ground->files =
-          files_of(read, *scene.ground, like != nullptr && like->ground ? like->ground->files : nullptr);
+          files_of(read.picture, *scene.ground, like != nullptr && like->ground ? like->ground->files : nullptr);
       if (scene.ground->files && !scene.ground->files->colours.empty()) {
         scene.planet.ground_albedo = mean_albedo(*scene.ground->files);
         if (scene.spectra) {
@@ -223,6 +217,7 @@ Scene judged(const Preset& preset, const PictureReader& read, const Scene* like)
         }
       }
     }
+    fill_voxels(read.voxels, scene, like);
   } catch (const InputError& error) {
     throw InputError(preset.source + ": " + error.what());
   }

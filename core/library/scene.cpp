@@ -19,6 +19,12 @@ foreign::Picture refused_picture(const std::string& file, const foreign::Accept&
                    "key");
 }
 
+foreign::Voxels refused_voxels(const std::string& file, const std::string&, std::size_t) {
+  throw InputError(file +
+                   ": libairlight reads no files of OpenVDB; render this preset by the command-line tool, or "
+                   "remove the cloud");
+}
+
 // A message about the command line's options as one about keywords: "render: --place-altitude" is "place_altitude".
 std::string about_keywords(const std::string& message) {
   constexpr std::string_view kCommand = "render: ";
@@ -54,7 +60,7 @@ airlight::Scene Scene::State::judged(const airlight::Scene* like) const {
   all.insert(all.end(), further.begin(), further.end());
   Preset changed = preset;
   apply_changes(changed, changes, all);
-  const airlight::Scene scene = airlight::judged(changed, refused_picture, like);
+  const airlight::Scene scene = airlight::judged(changed, {refused_picture, refused_voxels}, like);
   in_keywords([&] { require_one_refraction(place, scene, "render"); });
   return scene;
 }

@@ -354,7 +354,12 @@ void add_clouds(Plan& plan, const Part& part, const View& view, const SkyTarget&
                        .bytes = std::size_t{target.grid.width} * target.grid.height * sizeof(float),
                        .zeroed = false});
   constexpr double kStep = 1.5;  // in cells
-  constexpr double kStepRise = 0.01;
+  // Far away steps grow, and shorten again where the cloud is thick; one that is thin all over would never shorten
+  // them, and steps of several cells make moire of its texture.
+  constexpr double kThickest = 3.0;  // 1/km, scaled
+  const double densest =
+      static_cast<double>(*std::ranges::max_element(grid->extinction)) * static_cast<double>(head.scale);
+  const double rise = densest > kThickest ? 0.01 : 0.002;
   const double step = kStep * std::min({grid->cell_x, grid->cell_y, 2.0 * grid->cell_z()});
   plan.add_pass({.name = "clouds",
                  .shader = "cloud_pixels",
@@ -362,7 +367,7 @@ void add_clouds(Plan& plan, const Part& part, const View& view, const SkyTarget&
                  .writes = {{"radiance_out", target.radiance}, {"through_out", through}},
                  .grid = target.grid,
                  .push_constants = {target.grid.width, target.grid.height, target.vectors, push_constant(step),
-                                    push_constant(kStepRise)},
+                                    push_constant(rise)},
                  .specialization = std::move(constants),
                  .cost = 60.0});
 }

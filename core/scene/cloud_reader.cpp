@@ -1,18 +1,48 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 
 #include "core/scene/angle.h"
 #include "core/scene/cloud_file.h"
+#include "core/scene/cloud_layer.h"
 #include "core/scene/curve_reader.h"
 #include "core/scene/json_format.h"
+#include "core/scene/printable.h"
 #include "core/scene/readers.h"
+#include "core/text.h"
 
 namespace airlight {
 namespace {
 
 constexpr double kMetresInKm = 1e3;  // a km
 constexpr double kIcePeak = 0.75;    // asymmetry of cirrus
+
+// Keys that only a file of OpenVDB takes.
+constexpr std::array<std::string_view, 6> kVoxelKeys = {
+    "grid", "up", "metres_per_unit", "extinction_per_km", "base_km", "effective_radius_um"};
+
+CloudVoxels read_voxel_keys(const Section& section) {
+  CloudVoxels voxels;
+  voxels.grid = section.text("grid");
+  voxels.up = static_cast<UpAxis>(section.choice("up").value_or(0));
+  voxels.unit = section.number("metres_per_unit") / kMetresInKm;
+  voxels.extinction = section.number("extinction_per_km");
+  if (section.find("base_km") != nullptr) {
+    voxels.base = section.number("base_km");
+  }
+  return voxels;
+}
+
+void refuse_voxel_keys(const Section& section, const std::string& name) {
+  for (const std::string_view key : kVoxelKeys) {
+    if (const PresetValue* value = section.find(key); value != nullptr) {
+      section.complain(
+          key, *value,
+          "a key of files of OpenVDB, and the name " + quoted_text(name) + " does not end in .vdb; remove it");
+    }
+  }
+}
 
 void read_volume(const Section& section, Cloud& cloud) {
   cloud.repeats = section.boolean("repeat");
@@ -27,6 +57,14 @@ void read_volume(const Section& section, Cloud& cloud) {
   }
   const std::filesystem::path file = file_beside(*value, name);
   cloud.file = std::filesystem::absolute(file).lexically_normal().string();
+  if (lower(file.extension().string()) == ".vdb") {
+    // Its contents, base and top are filled in by judged() (core/library), with the other files that no text reader
+    // knows.
+    cloud.voxels = read_voxel_keys(section);
+    cloud.effective_radius = section.number("effective_radius_um");
+    return;
+  }
+  refuse_voxel_keys(section, name);
   auto contents = std::make_shared<CloudFile>();
   if (const std::string problem = read_cloud_file(file, *contents); !problem.empty()) {
     section.complain("file", *value, problem);
@@ -104,7 +142,7 @@ void read_cloud_phase(const Section& cloud_section, Cloud& cloud) {
 void check_drops(const Section& section, const Cloud& cloud) {
   constexpr double kMostDropRadius = 40.0;
   if (cloud.phase == CloudPhase::drops && cloud.effective_radius > kMostDropRadius) {
-    const std::string_view key = cloud.kind == CloudKind::volume ? "file" : "effective_radius_um";
+    const std::string_view key = cloud.kind == CloudKind::volume && !cloud.voxels ? "file" : "effective_radius_um";
     blame_cloud(section, key,
                 "an effective radius of " + format_number(cloud.effective_radius) +
                     " um is above 40 um, the most of the phase function \"drops\"; choose \"henyey-greenstein\"");
@@ -132,7 +170,7 @@ Cloud read_cloud(Section section, const Planet& planet) {
   }
   read_cloud_phase(section, cloud);
   check_drops(section, cloud);
-  if (cloud.base < 0.0 || cloud.top > planet.atmosphere_height) {
+  if (!cloud.voxels && (cloud.base < 0.0 || cloud.top > planet.atmosphere_height)) {
     blame_cloud(section, is_file ? "file" : "top_km",
                 "the cloud reaches from " + format_number(cloud.base) + " to " + format_number(cloud.top) +
                     " km; expected within the air, 0 to planet.atmosphere_height_km, " +
@@ -141,9 +179,62 @@ Cloud read_cloud(Section section, const Planet& planet) {
   return cloud;
 }
 
+// A name that no medium has: "cloud layer", "cloud layer 2", ...
+std::string free_name(const std::vector<Medium>& media) {
+  std::string name = "cloud layer";
+  const auto is_taken = [&] { return std::ranges::find(media, name, &Medium::name) != media.end(); };
+  for (int number = 2; is_taken(); ++number) {
+    name = "cloud layer " + std::to_string(number);
+  }
+  return name;
+}
+
+bool is_layer(const PresetValue& cloud) {
+  const auto* type = member_as<std::string>(&cloud, "type");
+  return type != nullptr && *type == kCloudNames[kCloudLayer];
+}
+
+void add_layer(Section section, const Planet& planet, std::vector<Medium>& media, SceneSpectra& spectra) {
+  section.refuse_unknown_keys();
+  section.choose(kCloudNames[kCloudLayer]);
+  Cloud matter;
+  matter.single_scattering_albedo = section.number("single_scattering_albedo");
+  matter.effective_radius = section.number("effective_radius_um");
+  read_cloud_phase(section, matter);
+  check_drops(section, matter);
+  if (section.problems().any()) {
+    matter.phase = CloudPhase::henyey_greenstein;  // no table of drops that are refused
+  }
+  Medium medium = read_cloud_layer(section, planet, matter);
+  medium.name = free_name(media);
+  spectra.media.push_back(
+      {constant_curve(medium.scattering[0]), constant_curve(medium.absorption[0]), constant_curve(0.0)});
+  media.push_back(std::move(medium));
+}
+
+// Of both, media and clouds, there are at most 8, and of layers of density 256.
+void check_counts(const Section& root, const PresetValue& value, std::size_t clouds, std::size_t before,
+                  const std::vector<Medium>& media) {
+  if (clouds + before > static_cast<std::size_t>(kMaxMedia)) {
+    root.complain("clouds", value,
+                  std::to_string(clouds) + " clouds beside " + std::to_string(before) +
+                      " media; expected at most 8 of both: remove some");
+  }
+  std::size_t layers = 0;
+  for (const Medium& medium : media) {
+    layers += medium.density.layers.size();
+  }
+  if (layers > static_cast<std::size_t>(kMaxDensityLayers)) {
+    root.complain("clouds", value,
+                  std::to_string(layers) + " density layers of media and clouds in all; expected at most " +
+                      std::to_string(kMaxDensityLayers) + ": remove some");
+  }
+}
+
 }  // namespace
 
-std::vector<Cloud> read_clouds(const Section& root, const Planet& planet, std::size_t media) {
+std::vector<Cloud> read_clouds(const Section& root, const Planet& planet, std::vector<Medium>& media,
+                               SceneSpectra& spectra) {
   const PresetValue* value = root.find("clouds");
   if (value == nullptr) {
     return {};
@@ -152,15 +243,17 @@ std::vector<Cloud> read_clouds(const Section& root, const Planet& planet, std::s
   if (array == nullptr) {
     return {};
   }
+  const std::size_t before = media.size();
   std::vector<Cloud> clouds;
   for (std::size_t i = 0; i < array->size(); ++i) {
-    clouds.push_back(read_cloud(root.element("clouds", *array, i), planet));
+    const Section section = root.element("clouds", *array, i);
+    if (is_layer((*array)[i])) {
+      add_layer(section, planet, media, spectra);
+    } else {
+      clouds.push_back(read_cloud(section, planet));
+    }
   }
-  if (clouds.size() + media > static_cast<std::size_t>(kMaxMedia)) {
-    root.complain("clouds", *value,
-                  std::to_string(clouds.size()) + " clouds beside " + std::to_string(media) +
-                      " media; expected at most 8 of both: remove some");
-  }
+  check_counts(root, *value, array->size(), before, media);
   return clouds;
 }
 

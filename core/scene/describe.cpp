@@ -185,6 +185,13 @@ void describe_cloud(Lines& lines, const Cloud& cloud) {
   lines.heading("cloud, " + std::string(kCloudNames.at(static_cast<std::size_t>(cloud.kind))));
   if (cloud.kind == CloudKind::volume) {
     lines.line("file", cloud.file).line("repeat", cloud.repeats ? "true" : "false");
+    if (cloud.voxels) {
+      lines.line("grid", cloud.voxels->grid)
+          .number("metres per unit", cloud.voxels->unit * kMetres, "m")
+          .number("extinction of value 1", cloud.voxels->extinction, "per km")
+          .number("base", cloud.base, "km")
+          .number("top", cloud.top, "km");
+    }
   } else {
     lines.number("cover", cloud.cover)
         .number("base", cloud.base, "km")

@@ -27,8 +27,9 @@ std::optional<GroundMap> read_ground_map(const Section& planet);
 // Reads `scene.spheres`. `albedos`: a curve for each.
 std::vector<Sphere> read_spheres(const Section& root, CurveReader& curves, std::vector<Curve>& albedos);
 
-// Reads `clouds` and the files that they name. `media`: number of the scene's.
-std::vector<Cloud> read_clouds(const Section& root, const Planet& planet, std::size_t media);
+// Reads `clouds` and the files that they name. A layer is added to `media` and to the curves in `spectra`.
+std::vector<Cloud> read_clouds(const Section& root, const Planet& planet, std::vector<Medium>& media,
+                               SceneSpectra& spectra);
 
 // Reads `moon`; none where the preset has none. `sun`, `camera`, `planet`: of the scene, as read.
 std::optional<Moon> read_moon(const Section& root, const Scene& scene);

@@ -158,7 +158,7 @@ Scene read_scene(const Section& root, std::span<const MethodInfo> methods) {
   scene.ground = read_ground_map(planet);
   scene.spheres = read_spheres(root, curves, spectra.spheres);
   scene.media = read_media(root, scene.planet, curves, spectra);
-  scene.clouds = read_clouds(root, scene.planet, scene.media.size());
+  scene.clouds = read_clouds(root, scene.planet, scene.media, spectra);
   scene.planet.refraction = read_refraction(planet, scene.planet, scene.media);
   scene.sun = read_sun(root, curves, spectra);
   scene.moon = read_moon(root, scene);

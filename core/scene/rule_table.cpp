@@ -21,6 +21,9 @@ constexpr Range kWind{.minimum = 0.0, .maximum = 20.0};
 constexpr Range kSphereDistance{.minimum = 1e-3, .maximum = 1e7};
 constexpr Range kSphereRadius{.minimum = 1e-4, .maximum = 1e6};
 constexpr Range kCloudAltitude{.minimum = 0.0, .maximum = 100.0};
+constexpr Range kLayerDepth{.minimum = 0.0, .maximum = 1000.0};
+constexpr Range kLayerWater{.minimum = 0.0, .maximum = 10000.0};
+constexpr Range kMetresPerUnit{.minimum = 1e-6, .maximum = 1e6};
 constexpr Range kCloudCell{.minimum = 0.1, .maximum = 50.0};
 constexpr Range kCloudPeriod{.minimum = 1.0, .maximum = 200.0};
 constexpr Range kCloudDetail{.minimum = 5.0, .maximum = 1000.0};
@@ -57,6 +60,8 @@ constexpr std::array<std::string_view, 1> kStratocumulus = {"stratocumulus"};
 constexpr std::array<std::string_view, 1> kCirrus = {"cirrus"};
 constexpr std::array<std::string_view, 3> kFields = {"cumulus", "stratocumulus", "cirrus"};
 constexpr std::array<std::string_view, 1> kVolume = {"volume"};
+constexpr std::array<std::string_view, 1> kCloudLayers = {"layer"};
+constexpr std::array<std::string_view, 4> kPlacedClouds = {"cumulus", "stratocumulus", "cirrus", "volume"};
 constexpr std::array<std::string_view, 1> kPerspective = {"perspective"};
 constexpr std::array<std::string_view, 1> kFisheye = {"fisheye"};
 constexpr std::array<std::string_view, 3> kMaps = {"equirectangular", "cube", "octahedral"};
@@ -207,26 +212,46 @@ constexpr auto kRules = std::to_array<Rule>({
 
     row(RuleType::clouds, "clouds", Range{.minimum = 1, .maximum = kMaxClouds}, "", "",
         "water and ice that are uneven in all directions; `path-trace` knows them. With them rays are straight. Each "
-        "counts as one of the 8 media. A layer that is even all around is a medium, of `density` `layers` and the "
-        "phase function `drops`"),
+        "counts as one of the 8 media. A `layer` becomes a medium, and rays bend in it as in others"),
     needed(choice("clouds[].type", kCloudNames, "",
                   "`cumulus`: heaps with flat bases; `stratocumulus`: a broken sheet; `cirrus`: ice in fibres; all to "
-                  "the horizon, by a seed, the same on every machine; `volume`: a file")),
+                  "the horizon, by a seed, the same on every machine; `volume`: a file; `layer`: even all around the "
+                  "planet, for every method")),
     only_for(kVolume, needed(plain(RuleType::text, "clouds[].file",
-                                   "liquid water (g/m3) and effective radius (um) at the points of a grid, as plain "
-                                   "text, see [Clouds](#clouds)"))),
+                                   "a grid of OpenVDB, of a name that ends in .vdb, or liquid water (g/m3) and "
+                                   "effective radius (um) at points as plain text, see [Clouds](#clouds)"))),
     only_for(kVolume,
              row(RuleType::boolean, "clouds[].repeat", {}, "", "false", "whether the grid is repeated to the horizon")),
+    only_for(kVolume, row(RuleType::text, "clouds[].grid", {}, "", "density", "of a .vdb: which of its grids")),
+    only_for(kVolume, choice("clouds[].up", kUpNames, "y",
+                             "of a .vdb: its axis that points up. x points east; with y up, z points south, with z up, "
+                             "y points north")),
+    only_for(kVolume, number("clouds[].metres_per_unit", kMetresPerUnit, "m", "1",
+                             "of a .vdb: what the unit of its transform is")),
+    only_for(kVolume, number("clouds[].extinction_per_km", kCoefficient, "per km", "50",
+                             "of a .vdb: extinction where its value is 1; a cumulus has 20 to 100")),
     only_for(kCumulus, number("clouds[].cover", kUnit, "", "0.35", "share of the sky straight up that has cloud")),
     only_for(kStratocumulus, number("clouds[].cover", kUnit, "", "0.85", "likewise")),
     only_for(kCirrus, number("clouds[].cover", kUnit, "", "0.5", "likewise")),
     only_for(kCumulus, number("clouds[].base_km", kCloudAltitude, "km", "1", "altitude of the lowest parts")),
     only_for(kStratocumulus, number("clouds[].base_km", kCloudAltitude, "km", "0.8", "likewise")),
     only_for(kCirrus, number("clouds[].base_km", kCloudAltitude, "km", "8", "likewise")),
+    only_for(kCloudLayers, number("clouds[].base_km", kCloudAltitude, "km", "0.5", "likewise")),
+    only_for(kVolume, number("clouds[].base_km", kCloudAltitude, "km", "",
+                             "of a .vdb: altitude of its lowest voxels' lower side; absent: by its transform, whose 0 "
+                             "is the ground")),
     only_for(kCumulus, number("clouds[].top_km", kCloudAltitude, "km", "2.4",
                               "altitude of the highest parts; above the base, inside the air")),
     only_for(kStratocumulus, number("clouds[].top_km", kCloudAltitude, "km", "1.2", "likewise")),
     only_for(kCirrus, number("clouds[].top_km", kCloudAltitude, "km", "9.5", "likewise")),
+    only_for(kCloudLayers, number("clouds[].top_km", kCloudAltitude, "km", "1", "likewise")),
+    only_for(kCloudLayers, number("clouds[].optical_depth", kLayerDepth, "", "", "from base to top, straight up")),
+    only_for(kCloudLayers, number("clouds[].water_g_per_m2", kLayerWater, "g/m2", "",
+                                  "in place of it: the water over a square metre; the optical depth is 1.5 water / "
+                                  "radius")),
+    only_for(kCloudLayers, number("clouds[].scale_height_km", kLength, "km", "",
+                                  "the density falls from base to top by exp(-height / this), in 12 straight pieces; "
+                                  "absent: it is even but for a fiftieth at base and top")),
     only_for(kCumulus, number("clouds[].cell_km", kCloudCell, "km", "2", "from one cloud to the next")),
     only_for(kStratocumulus, number("clouds[].cell_km", kCloudCell, "km", "1.2", "likewise")),
     only_for(kCirrus, number("clouds[].cell_km", kCloudCell, "km", "4", "likewise")),
@@ -237,7 +262,7 @@ constexpr auto kRules = std::to_array<Rule>({
     only_for(kCumulus, number("clouds[].detail_m", kCloudDetail, "m", "50",
                               "side of the cells of the grid that is made; at most 33 554 432 of them")),
     only_for(kStratocumulus, number("clouds[].detail_m", kCloudDetail, "m", "50", "likewise")),
-    only_for(kCirrus, number("clouds[].detail_m", kCloudDetail, "m", "125", "likewise")),
+    only_for(kCirrus, number("clouds[].detail_m", kCloudDetail, "m", "62.5", "likewise")),
     only_for(kCumulus, number("clouds[].water_g_per_m3", kWater, "g/m3", "0.6",
                               "water or ice where the cloud is densest; the extinction is 1.5 water / radius")),
     only_for(kStratocumulus, number("clouds[].water_g_per_m3", kWater, "g/m3", "0.3", "likewise")),
@@ -253,9 +278,12 @@ constexpr auto kRules = std::to_array<Rule>({
                               "of drops or crystals: mean of the radius cubed over mean of the radius squared")),
     only_for(kStratocumulus, number("clouds[].effective_radius_um", kDropRadius, "um", "8", "likewise")),
     only_for(kCirrus, number("clouds[].effective_radius_um", kCrystalRadius, "um", "30", "likewise")),
-    number("clouds[].east_km", kCloudPlace, "km", "0",
-           "of the grid's middle from the point under the camera; the field repeats itself from there"),
-    number("clouds[].north_km", kCloudPlace, "km", "0", "likewise"),
+    only_for(kCloudLayers, number("clouds[].effective_radius_um", kCrystalRadius, "um", "8", "likewise")),
+    only_for(kVolume, number("clouds[].effective_radius_um", kDropRadius, "um", "10", "of a .vdb: of its drops")),
+    only_for(kPlacedClouds,
+             number("clouds[].east_km", kCloudPlace, "km", "0",
+                    "of the grid's middle from the point under the camera; the field repeats itself from there")),
+    only_for(kPlacedClouds, number("clouds[].north_km", kCloudPlace, "km", "0", "likewise")),
     number("clouds[].single_scattering_albedo", kUnit, "", "1", "share of the light met that is scattered"),
     choice("clouds[].phase.function", kCloudPhaseNames, "drops",
            "`drops`: of the effective radius, by Mie's theory; a volume's of its mean radius. Of `cirrus` it is "

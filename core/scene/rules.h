@@ -81,7 +81,11 @@ inline constexpr std::array<std::string_view, 6> kProfileNames = {"exponential",
 inline constexpr std::array<std::string_view, 7> kPhaseNames = {
     "rayleigh", "henyey-greenstein", "cornette-shanks", "schlick", "isotropic", "table", "drops"};
 inline constexpr std::size_t kDropsPhase = 6;
-inline constexpr std::array<std::string_view, 4> kCloudNames = {"cumulus", "stratocumulus", "cirrus", "volume"};
+inline constexpr std::array<std::string_view, 2> kUpNames = {"y", "z"};
+// Behind the enum's: "layer", which becomes a medium.
+inline constexpr std::array<std::string_view, 5> kCloudNames = {"cumulus", "stratocumulus", "cirrus", "volume",
+                                                                "layer"};
+inline constexpr std::size_t kCloudLayer = 4;
 inline constexpr std::array<std::string_view, 2> kCloudPhaseNames = {"drops", "henyey-greenstein"};
 inline constexpr std::array<std::string_view, 5> kProjectionNames = {"perspective", "equirectangular", "fisheye",
                                                                      "cube", "octahedral"};

@@ -179,22 +179,36 @@ struct CloudFile {
   std::vector<float> extinction;  // 1/km, x fastest, then y, then z
   double effective_radius = 0.0;  // um, mean over the extinction
   bool in_cells = false;          // even in cells around the points; false: linear between the points
-  std::string identity;           // of the file at the time it was read
+  std::string identity;           // of what was read
+  std::string origin;             // of an OpenVDB file as it was on the disk
+};
+
+enum class UpAxis { y, z };
+
+// How a grid of an OpenVDB file becomes a cloud. core/foreign reads it, since the scene knows no such library.
+struct CloudVoxels {
+  std::string grid;
+  UpAxis up = UpAxis::y;       // x is east; with y up, z is south, else y is north
+  double unit = 1e-3;          // km, of the file's transform
+  double extinction = 50.0;    // 1/km, where the file's value is 1
+  std::optional<double> base;  // km, of the lowest cells; absent: by the file's transform
+  bool operator==(const CloudVoxels&) const = default;
 };
 
 // Water or ice that is uneven in all directions. Its extinction is the same at all wavelengths.
 struct Cloud {
   CloudKind kind = CloudKind::cumulus;
-  std::string file;      // of a volume: its name, absolute
-  double cover = 0.0;    // share of the sky straight up; of all kinds but a volume, as what follows
-  double base = 0.0;     // km
-  double top = 0.0;      // km
-  double cell = 1.0;     // km, from one cloud to the next
-  double detail = 0.05;  // km, side of the grid's cells
-  double period = 12.8;  // km, after which the field repeats itself
-  double water = 0.0;    // g/m3, where it is densest
-  double shear = 0.0;    // km, by which the top stands downwind of the base
-  double wind = 0.0;     // rad, clockwise from north, toward which it is blown
+  std::string file;                        // of a volume: its name, absolute
+  std::optional<CloudVoxels> voxels = {};  // of a volume whose file is one of OpenVDB
+  double cover = 0.0;                      // share of the sky straight up; of all kinds but a volume, as what follows
+  double base = 0.0;                       // km
+  double top = 0.0;                        // km
+  double cell = 1.0;                       // km, from one cloud to the next
+  double detail = 0.05;                    // km, side of the grid's cells
+  double period = 12.8;                    // km, after which the field repeats itself
+  double water = 0.0;                      // g/m3, where it is densest
+  double shear = 0.0;                      // km, by which the top stands downwind of the base
+  double wind = 0.0;                       // rad, clockwise from north, toward which it is blown
   int seed = 1;
   bool repeats = true;
   double effective_radius = 0.0;  // um

@@ -123,11 +123,25 @@ std::string cloud_phase_json(const Cloud& cloud) {
   return object.str();
 }
 
+void add_voxels(JsonObject& object, const CloudVoxels& voxels) {
+  object.text("grid", voxels.grid)
+      .text("up", name_of(voxels.up, kUpNames))
+      .number("metres_per_unit", metres(voxels.unit))
+      .number("extinction_per_km", voxels.extinction);
+  if (voxels.base) {
+    object.number("base_km", *voxels.base);
+  }
+}
+
 std::string cloud_json(const Cloud& cloud) {
   JsonObject object(3);
   object.text("type", name_of(cloud.kind, kCloudNames));
   if (cloud.kind == CloudKind::volume) {
     object.text("file", cloud.file).boolean("repeat", cloud.repeats);
+    if (cloud.voxels) {
+      add_voxels(object, *cloud.voxels);
+      object.number("effective_radius_um", cloud.effective_radius);
+    }
   } else {
     object.number("cover", cloud.cover)
         .number("base_km", cloud.base)

@@ -24,6 +24,7 @@
 #include "core/scene/resolve.h"
 #include "tests/fuzz/any_preset.h"
 #include "tests/fuzz/guarded.h"
+#include "tests/vdb_file.h"
 
 namespace airlight::fuzz {
 namespace {
@@ -187,6 +188,8 @@ const std::vector<std::string>& names_of(const fs::path& folder) {
     put(folder / "phase.pfn", "Date,0[442nm],180[442nm]\nx,1,1\n");
     put(folder / "map.null", "x");
     put(folder / "cloud.txt", kCloud);
+    put(folder / "cloud.vdb", test::vdb_file(test::vdb_leaf()));
+    put(folder / "words.vdb", "a cloud, they said\n");
     put(folder / "thick.txt", "1, 1, 2\n1e-4, 100\n0, 50\ni, j, k, lwc, reff\n1, 1, 1, 100, 1e-9\n");
     put(folder / "many.txt", "4096, 4096, 2\n0.02, 0.02\n0.4, 0.5\ni, j, k, lwc, reff\n1, 1, 1, 1, 10\n");
     put(folder / "empty", "");
@@ -211,7 +214,7 @@ struct FileKey {
   const char* after;
   const char* good;  // a file that suits
 };
-constexpr std::array<FileKey, 9> kFileKeys{
+constexpr std::array<FileKey, 10> kFileKeys{
     {{"/planet/ground_albedo={\"file\": ", "}", "curve.csv"},
      {"/media/0/scattering_per_km={\"file\": ", "}", "mark.csv"},
      {"/sun/spectrum={\"file\": ", "}", "curve.csv"},
@@ -220,7 +223,8 @@ constexpr std::array<FileKey, 9> kFileKeys{
      {"/planet/ocean={\"mask_map\": ", "}", "whole.tif"},
      {"/planet/terrain={\"width_km\": 10, \"height_map\": ", "}", "whole.hdr"},
      {"/planet/terrain={\"width_km\": 10, \"ridge\": {}, \"albedo_map\": ", "}", "whole.exr"},
-     {"/clouds=[{\"type\": \"volume\", \"file\": ", "}]", "broken.txt"}}};
+     {"/clouds=[{\"type\": \"volume\", \"file\": ", "}]", "broken.txt"},
+     {"/clouds=[{\"type\": \"volume\", \"base_km\": 1, \"file\": ", "}]", "broken.vdb"}}};
 
 std::string absolute(const fs::path& folder, const std::string& name) {
   return name.empty() || name.front() == '/' ? name : (folder / name).string();
@@ -272,6 +276,11 @@ Outcome file_case(std::uint64_t seed, const fs::path& folder) {
     change_bytes(random, cloud);
   }
   put(folder / "broken.txt", std::string(cloud.begin(), cloud.end()));
+  std::vector<char> voxels = bytes_of_file(folder / "cloud.vdb");
+  if (random.chance(0.9)) {
+    change_bytes(random, voxels);
+  }
+  put(folder / "broken.vdb", std::string(voxels.begin(), voxels.end()));
   std::vector<std::string> assignments;
   for (std::uint64_t count = 1 + random.below(2); count > 0; --count) {
     const FileKey& key = random.pick(kFileKeys);

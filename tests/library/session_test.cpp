@@ -238,6 +238,9 @@ TEST_F(SessionTest, ReadsNoPicturesOfAPreset) {
   const std::string refused = message<airlight::InputError>([&] { scene.check(); });
   EXPECT_TRUE(has(refused, "/planet/albedo_map")) << refused;
   EXPECT_TRUE(has(refused, "libairlight reads no pictures")) << refused;
+  scene = map("earth");
+  scene.set("/clouds", R"([{"type": "volume", "file": "heap.vdb"}])");
+  EXPECT_TRUE(has(message<airlight::InputError>([&] { scene.check(); }), "libairlight reads no files of OpenVDB"));
 }
 
 TEST_F(SessionTest, ADeviceThatIsNotThereIsARunError) {

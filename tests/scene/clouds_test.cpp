@@ -78,6 +78,67 @@ TEST_F(Clouds, ComeBackFromJson) {
   EXPECT_EQ(again.clouds[2].single_scattering_albedo, 0.99);
 }
 
+// The file itself is read later, by whoever knows OpenVDB.
+TEST_F(Clouds, VoxelsComeBackFromJson) {
+  const Scene scene = scene_from(with_one_medium(
+      volume("/none/Heap.VDB", R"(, "grid": "smoke", "up": "z", "metres_per_unit": 0.3, "extinction_per_km": 7,
+                                    "base_km": 2, "effective_radius_um": 9)")));
+  const Scene again = scene_from(to_json(scene));
+  EXPECT_EQ(to_json(again), to_json(scene));
+  ASSERT_TRUE(again.clouds.at(0).voxels.has_value());
+  EXPECT_EQ(again.clouds[0], scene.clouds[0]);
+  EXPECT_EQ(again.clouds[0].voxels->up, UpAxis::z);
+  EXPECT_EQ(again.clouds[0].voxels->base, 2.0);
+  EXPECT_EQ(again.clouds[0].effective_radius, 9.0);
+  EXPECT_FALSE(scene_from(with_one_medium(volume("/none/heap.vdb"))).clouds[0].voxels->base.has_value());
+}
+
+double column_of(const Medium& medium) {
+  double sum = 0.0;
+  for (std::size_t k = 1; k < medium.density.layers.size(); ++k) {
+    const DensityLayer& a = medium.density.layers[k - 1];
+    const DensityLayer& b = medium.density.layers[k];
+    sum += 0.5 * (a.density + b.density) * (b.altitude - a.altitude);
+  }
+  return sum;
+}
+
+TEST_F(Clouds, LayersAreMediaOfTheirDepth) {
+  const auto layer = [](const std::string& keys) {
+    const Scene scene = scene_from(with_one_medium(R"("clouds": [{"type": "layer", )" + keys + "}]"));
+    EXPECT_TRUE(scene.clouds.empty());
+    EXPECT_EQ(to_json(scene_from(to_json(scene))), to_json(scene));
+    return scene.media.at(1);
+  };
+  const Medium even = layer(R"("base_km": 0.5, "top_km": 1.5, "optical_depth": 12, "single_scattering_albedo": 0.75)");
+  EXPECT_EQ(even.name, "cloud layer");
+  EXPECT_EQ(even.effective_radius, 8.0);
+  EXPECT_EQ(even.phase, PhaseFunction::table);
+  EXPECT_NEAR((even.scattering[1] + even.absorption[1]) * column_of(even), 12.0, 1e-12);
+  EXPECT_NEAR(even.scattering[1] / even.absorption[1], 3.0, 1e-12);
+  EXPECT_EQ(even.density.layers.front().altitude, 0.5);
+  EXPECT_EQ(even.density.layers.back().altitude, 1.5);
+  // 1.5 x 80 / 10.
+  const Medium water = layer(R"("water_g_per_m2": 80, "effective_radius_um": 10, "scale_height_km": 0.25)");
+  EXPECT_NEAR(water.scattering[0] * column_of(water), 12.0, 1e-12);
+  EXPECT_EQ(water.absorption[0], 0.0);
+  const std::vector<DensityLayer>& layers = water.density.layers;
+  EXPECT_NEAR(layers.at(7).density, std::exp(-(layers.at(7).altitude - layers.at(1).altitude) / 0.25), 1e-12);
+  const Medium fog = layer(R"("base_km": 0, "top_km": 0.2, "optical_depth": 3, "phase": {"function":
+                              "henyey-greenstein", "g": 0.8})");
+  EXPECT_EQ(fog.density.layers.front(), (DensityLayer{0.0, 1.0}));
+  EXPECT_EQ(fog.phase, PhaseFunction::henyey_greenstein);
+  EXPECT_EQ(fog.phase_g, 0.8);
+}
+
+TEST_F(Clouds, LayersStandBesideOtherClouds) {
+  const Scene scene = scene_from(with_one_medium(
+      R"("clouds": [{"type": "layer", "optical_depth": 1}, {"type": "cumulus"}, {"type": "layer", "optical_depth": 2}])"));
+  EXPECT_EQ(scene.clouds.size(), 1u);
+  ASSERT_EQ(scene.media.size(), 3u);
+  EXPECT_EQ(scene.media[2].name, "cloud layer 2");
+}
+
 TEST_F(Clouds, DropsAreAMediumsPhaseToo) {
   const std::string text =
       R"({"airlight": 1, "media": [{"name": "a", "scattering_per_km": 0.01, "phase": {"function": "drops",
@@ -155,9 +216,32 @@ TEST_F(Clouds, NonsenseIsRefused) {
   EXPECT_EQ(problems(R"("clouds": [{"type": "cirrus", "effective_radius_um": 60, "phase": {"function": "drops"}}])"),
             "test:1: /clouds/0/effective_radius_um: an effective radius of 60 um is above 40 um, the most of the phase "
             "function \"drops\"; choose \"henyey-greenstein\"");
+  const std::string text = write("grid.txt", kGrid).string();
+  EXPECT_EQ(problems(volume(text, R"(, "grid": "density")")),
+            "test:1: /clouds/0/grid: a key of files of OpenVDB, and the name \"" + text +
+                "\" does not end in .vdb; remove it");
+  EXPECT_EQ(problems(volume("a.vdb", R"(, "up": "x")")),
+            "test:1: /clouds/0/up: \"x\" is unknown; expected one of \"y\", \"z\"; did you mean \"y\"?");
+  EXPECT_EQ(problems(volume("a.vdb", R"(, "extinction_per_km": -1)")),
+            "test:1: /clouds/0/extinction_per_km: -1 is outside 0 to 100000 per km");
+  const auto layer = [&](const std::string& keys) {
+    return problems(R"("clouds": [{"type": "layer", )" + keys + "}]");
+  };
+  EXPECT_EQ(layer(R"("base_km": 0.6)"),
+            "test:1: /clouds/0/optical_depth: missing for \"layer\"; give it or water_g_per_m2");
+  EXPECT_EQ(layer(R"("optical_depth": 1, "water_g_per_m2": 9)"),
+            "test:1: /clouds/0/water_g_per_m2: `optical_depth` says the same in another way; give one of the two");
+  EXPECT_EQ(layer(R"("optical_depth": 1, "base_km": 2)"),
+            "test:1: /clouds/0/top_km: 1 km is not above base_km, 2 km; lower the base or raise the top");
+  EXPECT_EQ(
+      layer(R"("optical_depth": 1, "cover": 0.5)"),
+      "test:1: /clouds/0/cover: not a key of \"layer\"; it belongs to cumulus, stratocumulus, cirrus: remove it");
+  EXPECT_EQ(layer(R"("optical_depth": 1, "effective_radius_um": 60)"),
+            "test:1: /clouds/0/effective_radius_um: an effective radius of 60 um is above 40 um, the most of the phase "
+            "function \"drops\"; choose \"henyey-greenstein\"");
   EXPECT_EQ(problems(R"("clouds": [{"type": "fog"}])"),
             "test:1: /clouds/0/type: \"fog\" is unknown; expected one of \"cumulus\", \"stratocumulus\", "
-            "\"cirrus\", \"volume\"");
+            "\"cirrus\", \"volume\", \"layer\"");
 }
 
 }  // namespace
