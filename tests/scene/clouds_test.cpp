@@ -233,9 +233,8 @@ TEST_F(Clouds, NonsenseIsRefused) {
             "test:1: /clouds/0/water_g_per_m2: `optical_depth` says the same in another way; give one of the two");
   EXPECT_EQ(layer(R"("optical_depth": 1, "base_km": 2)"),
             "test:1: /clouds/0/top_km: 1 km is not above base_km, 2 km; lower the base or raise the top");
-  EXPECT_EQ(
-      layer(R"("optical_depth": 1, "cover": 0.5)"),
-      "test:1: /clouds/0/cover: not a key of \"layer\"; it belongs to cumulus, stratocumulus, cirrus: remove it");
+  EXPECT_EQ(layer(R"("optical_depth": 1, "cover": 0.5)"),
+            "test:1: /clouds/0/cover: not a key of \"layer\"; it belongs to cumulus, stratocumulus, cirrus: remove it");
   EXPECT_EQ(layer(R"("optical_depth": 1, "effective_radius_um": 60)"),
             "test:1: /clouds/0/effective_radius_um: an effective radius of 60 um is above 40 um, the most of the phase "
             "function \"drops\"; choose \"henyey-greenstein\"");
