@@ -63,6 +63,10 @@ TEST(AbsurdAir, IsDrawnInFiniteNumbers) {
                     "density": {"profile": "exponential", "scale_height_km": 2.8}})",
                 R"("render": {"method": "orders"}, "sun": {"elevation_deg": 2.4}, "planet": {
                    "atmosphere_height_km": 74197, "refraction": {"n_minus_1": 1.888e-4, "scale_height_km": 1.885}})"},
+           // In pieces of 4 km these took 3.3 GB and minutes.
+           Case{"layers under 1e7 km of air that bends light", thin_layers(2, 1e-8),
+                std::string(kPathTrace) + R"(, "planet": {"radius_km": 54109, "atmosphere_height_km": 1e7,
+                    "refraction": {"n_minus_1": 2.6e-8, "scale_height_km": 3.2}})"},
            // Without a limit, 1e9 pieces of two scale heights filled 13.9 GB.
            Case{"a lorentzian that is over far below the top", kSharpLorentzian,
                 std::string(kPathTrace) + R"(, "planet": {"radius_km": 110, "atmosphere_height_km": 1e7})"},

@@ -1,5 +1,6 @@
 #include "core/methods/path_trace/optical_depth.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/air/refraction.h"
@@ -40,12 +41,13 @@ void OpticalDepth::add_piece(Shape shape, uint i, MediumData medium, double low,
     pieces_.push_back({shape, i, physics_.density_profile(i), medium, extinction, from, to});
   };
   if (physics_.refraction && (shape == Shape::constant || shape == Shape::linear)) {
-    // Over optical altitudes nothing is constant or linear.
+    // Over optical altitudes nothing is constant or linear, least near the ground.
     constexpr double kSmooth = 4.0;  // km
+    constexpr double kShare = 0.1;   // of the altitude
     shape = Shape::smooth;
-    while (high - low > kSmooth) {
-      add(low, low + kSmooth);
-      low += kSmooth;
+    for (double step = kSmooth; high - low > step; step = std::max(kSmooth, kShare * low)) {
+      add(low, low + step);
+      low += step;
     }
   }
   if (low < high) {
