@@ -55,8 +55,8 @@ std::vector<Override> sky_of_date(const std::string& typed) {
 
 namespace {
 
-// Whether a light that a date adds can be seen in one picture: by day the smooth light of the night is less than 1e-5
-// of the sky's, and a moon below dusk lights nothing.
+// Whether a light that a date adds can be seen in one picture: with the sun up the smooth light of the night adds at
+// most 5e-6 to the sky of `earth`, and a moon so far below the horizon lights nothing.
 bool is_seen(const std::string& section, const std::map<std::string, double>& angles) {
   constexpr double kMoonDown = -10.0;  // degrees
   if (section == "night_sky") {

@@ -77,7 +77,7 @@ void require_spectra(const Scene& scene, const std::string& option) {
                      ": the preset has three channels and no spectra; give it curves over the wavelength in place of " +
                      "[r, g, b] (presets/README.md, Curves), or take one that has, such as earth");
   }
-  // With the sun at -4 degrees the smooth light of the night is 1e-4 of the sky's.
+  // With the sun at -4 degrees the smooth light of the night adds at most 4e-4 to the sky of `earth`.
   constexpr double kBrightDusk = -4.0;
   if ((scene.night_sky || scene.stars) && degrees_from_radians(scene.sun.elevation) < kBrightDusk) {
     throw InputError(
