@@ -53,15 +53,17 @@ const std::array<ParameterInfo, 13> kParameters{
                             "as the air needs, by shells all at once"),
     parameter::table_size(
         "sky_lut", 8, 2048, TableSize{24, 48},
-        "table of the picture's light, azimuths x rows above level; limb and ground get 3/4 and 1/2 as many; from "
-        "space there are 4 times as many columns, 2 times as many rows for the limb, 6 for the ground"),
+        "table of the picture's light, azimuths x rows above level; limb and ground get 3/4 and 1/2 as many, the limb "
+        "of a camera below 50 m fewer; from space there are 4 times as many columns, 2 times as many rows for the "
+        "limb, 6 for the ground"),
     parameter::choice("fold", kFolded, "smooth",
                       "media that share a block of sky_lut with the diffuse light: those of a smooth phase function, "
                       "or all whose peak has a fifth of its height one column away, which saves a fetch a pixel and "
                       "blurs the aureole to the table"),
     parameter::choice(
         "tabulate", kWhen, "auto",
-        "whether the picture's light is tabulated over view directions; auto: from 16384 pixels on, from space 131072"),
+        "whether the picture's light is tabulated over view directions; always: over all of them; auto: over those of "
+        "the picture, where it has no fewer pixels than the table has rays"),
     parameter::whole_number(
         "aerial_slices", 4, 512, 16,
         "distances in the aerial volume of `airlight composite`, along directions two thirds as dense as sky_lut's"),
@@ -82,8 +84,9 @@ const std::array<ParameterInfo, 13> kParameters{
 bool tabulates(const Part& part, const View& view) {
   const std::string& choice = part.scene.render.get<std::string>("tabulate");
   const bool holds = view.directions.empty() || view.as_picture;
-  const long long enough = looks_from_space(part) ? 131072 : 16384;  // about four times the table's rays
-  const bool pays = part.scene.image.width * static_cast<long long>(part.scene.image.height) >= enough;
+  // A ray of the table costs what a pixel does without it.
+  const FactorTable table = factor_table(part, part.air.scattering_media(), false, stokes_of(part, view));
+  const bool pays = part.scene.image.width * static_cast<long long>(part.scene.image.height) >= table.rays();
   return holds && !part.things.stand_in_the_air() && (choice == "always" || (choice == "auto" && pays));
 }
 

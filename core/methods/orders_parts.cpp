@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 #include "core/luts/luts.h"
 #include "core/methods/sky_pass.h"
@@ -105,6 +106,42 @@ std::uint32_t stokes_of(const Part& part, const View& view) {
   return part.scene.camera.polariser ? physics::kStokesFiltered : physics::kStokesNone;
 }
 
+namespace {
+
+// Of a cone around the camera that holds the picture, radians; pi where the whole table is wanted.
+float half_angle_of(const Scene& scene, const View& view) {
+  const Camera& camera = scene.camera;
+  if (!view.directions.empty() || scene.render.get<std::string>("tabulate") == "always") {
+    return std::numbers::pi_v<float>;
+  }
+  switch (camera.projection) {
+    case Projection::perspective: {
+      const double corner = std::hypot(scene.image.width, scene.image.height) / scene.image.height;
+      return static_cast<float>(std::atan(corner * std::tan(0.5 * camera.vertical_fov)));
+    }
+    case Projection::fisheye: {
+      const double corner =
+          std::hypot(scene.image.width, scene.image.height) / std::min(scene.image.width, scene.image.height);
+      return static_cast<float>(0.5 * corner * camera.vertical_fov);
+    }
+    case Projection::equirectangular:
+    case Projection::cube:
+    case Projection::octahedral:
+      break;
+  }
+  return std::numbers::pi_v<float>;
+}
+
+// Rays between the true horizon and level see the air from the camera's altitude down: a low camera's are nearly alike.
+// Eight rows hold what the thinnest fog of 20 m does to a camera at 2 m.
+std::uint32_t limb_rows_of(double altitude, std::uint32_t most) {
+  constexpr double kAll = 0.05;  // km, from where on all rows are taken
+  const double share = std::sqrt(std::min(std::max(altitude, 0.0) / kAll, 1.0));
+  return std::clamp(static_cast<std::uint32_t>(std::ceil(share * most)), std::min(8u, most), most);
+}
+
+}  // namespace
+
 FactorTable factor_table(const Part& part, std::uint32_t media, bool layers, std::uint32_t stokes) {
   const TableSize size = part.scene.render.get<TableSize>("sky_lut");
   const auto columns = static_cast<std::uint32_t>(size[0]);
@@ -118,7 +155,7 @@ FactorTable factor_table(const Part& part, std::uint32_t media, bool layers, std
   const std::uint32_t apart = layers ? media : media & ~folded;
   return {.columns = from_space ? 4 * columns : columns,
           .ground_rows = from_space ? 6 * sky : sky / 2,
-          .limb_rows = from_space ? 2 * sky : 3 * sky / 4,
+          .limb_rows = from_space ? 2 * sky : limb_rows_of(part.scene.camera.altitude, 3 * sky / 4),
           .sky_rows = inside_the_air(part.scene) ? sky : 0,
           .apart = apart,
           .folded = folded,
@@ -172,6 +209,10 @@ ImageId add_factors(Plan& plan, const std::string& shader, const Scene& scene, c
   std::vector<Specialization> constants = light.constants;
   add_table_constants(constants, table);
   constants.push_back({"kStokes", table.stokes});
+  std::vector<std::uint32_t> push{light.steps};
+  if (!layers) {
+    push.push_back(std::bit_cast<std::uint32_t>(half_angle_of(scene, view)));
+  }
   // A table of some thousand rays does not fill a GPU, whose threads would take the steps one after the other.
   const std::uint32_t team = shader == "sky_factors" && !light.by_shells ? 4 : 1;
   plan.add_pass({.name = shader,
@@ -179,7 +220,7 @@ ImageId add_factors(Plan& plan, const std::string& shader, const Scene& scene, c
                  .reads = light.reads(),
                  .writes = {{"factors_out", factors}},
                  .grid = {table.columns, table.rows(), 1},
-                 .push_constants = {light.steps},
+                 .push_constants = std::move(push),
                  .specialization = std::move(constants),
                  .team = team,
                  .cost = ray_cost(light.steps)});

@@ -62,6 +62,7 @@ struct FactorTable {
   std::uint32_t blocks;
 
   std::uint32_t rows() const { return ground_rows + limb_rows + sky_rows; }
+  long long rays() const { return static_cast<long long>(columns) * rows(); }
 };
 
 // From space the rows resolve the halo of the limb, and the terminator at the middle of the disc. `media`: those that

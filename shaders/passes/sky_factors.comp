@@ -17,7 +17,10 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = 27) const uint kTeam = 1u;  // threads a ray: 1, 2, 4 or 8; 1 where the air is cut into shells
 layout(set = 0, binding = 4, rgba32f) uniform writeonly image2D factors_out;
-layout(push_constant, scalar) uniform Push { uint steps; };
+layout(push_constant, scalar) uniform Push {
+  uint steps;
+  float half_angle;  // of a cone around the picture's directions: other texels are not read
+};
 
 shared SkyFactors parts[64];
 
@@ -52,13 +55,14 @@ void main() {
   uvec2 texel = uvec2(gl_GlobalInvocationID.x / kTeam, gl_GlobalInvocationID.y);
   uint part = gl_GlobalInvocationID.x % kTeam;
   uint rows = kGroundRows + kLimbRows + kSkyRows;
-  bool outside = texel.x >= kSkyColumns || texel.y >= rows;
+  bool outside = texel.x >= kSkyColumns || texel.y >= rows || !texel_is_read(texel, half_angle);
   if (kTeam == 1u && outside) {
     return;
   }
   // Assigned by component: SPIRV-Tools may put a folded vector of constants before its parts (core/gpu/specialize.cpp).
   TableRay at = table_ray(uvec2(min(texel.x, kSkyColumns - 1u), min(texel.y, rows - 1u)));
   Ray ray = at.ray;
+  ray.length_ = outside ? 0.0 : ray.length_;  // the team takes no steps
   SkyFactors factors;
   if (kTeam == 1u) {
     factors = scene_sky_factors(ray, steps);

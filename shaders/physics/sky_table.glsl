@@ -75,3 +75,47 @@ SkyTableState sky_table_state(PlanetData planet, real h, real x, uint section, r
   }
   return s;
 }
+
+// Angle of a row from straight up.
+real table_row_angle(PlanetData planet, real h, uint section, real y) {
+  real mu = sky_table_state(planet, h, 0.0, section, y).mu;
+  return atan(sqrt(max(1.0 - mu * mu, 0.0)), mu);
+}
+
+real table_column_angle(real x) { return 2.0 * atan(x, sqrt(max(1.0 - x * x, 0.0))); }
+
+// Angle between two directions by their zenith angles and the azimuth between them.
+real angle_between(real a, real b, real azimuth) {
+  real cosine = clamp(cos(a) * cos(b) + sin(a) * sin(b) * cos(azimuth), -1.0, 1.0);
+  return atan(sqrt(1.0 - cosine * cosine), cosine);
+}
+
+// Directions of a picture, within an angle of an axis.
+struct ViewCone {
+  vec3 axis;
+  real half_angle;  // pi and more: all directions
+};
+
+// Whether a table of texels `dx` and `dy` apart is read at (x, y) for a direction of the cone. It may say so of texels
+// some hundredths of a radian beyond. Both sides of the sun's heading share a texel.
+bool table_texel_is_read(PlanetData planet, real h, SkyTableCoordinate at, real dx, real dy, vec3 sun, ViewCone cone) {
+  real level = sun.x * sun.x + sun.z * sun.z;
+  // On the ground itself, all ways to it are of no length and look up one row.
+  bool touching = at.section == kSectionGround && h <= 0.0;
+  if (cone.half_angle >= kPi || level <= 0.0 || touching) {
+    return true;
+  }
+  real across = cone.axis.x * sun.z - cone.axis.z * sun.x;
+  real along = cone.axis.x * sun.x + cone.axis.z * sun.z;
+  real axis_azimuth = atan(abs(across), along);
+  real axis_angle = atan(sqrt(cone.axis.x * cone.axis.x + cone.axis.z * cone.axis.z), cone.axis.y);
+  real low = table_row_angle(planet, h, at.section, max(at.y - dy, 0.0));
+  real high = table_row_angle(planet, h, at.section, min(at.y + dy, 1.0));
+  real angle = table_row_angle(planet, h, at.section, at.y);
+  real azimuth = table_column_angle(at.x);
+  real near = table_column_angle(max(at.x - dx, 0.0));
+  real far = table_column_angle(min(at.x + dx, 1.0));
+  real widest = max(max(sin(low), sin(high)), sin(angle));
+  real cell = max(abs(low - angle), abs(high - angle)) + max(azimuth - near, far - azimuth) * widest;
+  return angle_between(angle, axis_angle, azimuth - axis_azimuth) <= cone.half_angle + cell + 0.02;
+}

@@ -33,3 +33,17 @@ TableRay table_ray(uvec2 texel) {
   found.cos_azimuth = state.cos_azimuth;
   return found;
 }
+
+// A ray above the air has its own table, which is made as a whole.
+bool texel_is_read(uvec2 texel, float half_angle) {
+  SkyTableCoordinate at;
+  at.section = section_of_row(texel.y);
+  float rows = float(section_rows(at.section) - 1u);
+  at.x = float(texel.x) / float(kSkyColumns - 1u);
+  at.y = float(texel.y - section_first(at.section)) / rows;
+  ViewCone cone;
+  cone.axis = scene.camera.forward;
+  cone.half_angle = half_angle;
+  return table_from_space() || table_texel_is_read(scene.planet, scene.camera.altitude, at, 1.0 / float(kSkyColumns - 1u),
+                                                   1.0 / rows, scene.sun.direction, cone);
+}

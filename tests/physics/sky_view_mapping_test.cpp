@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <random>
 
 #include "tests/physics/scenes.h"
 
@@ -153,6 +156,47 @@ TEST(SkyTable, SectionsMeetAtTheTrueHorizonAndAtLevel) {
     EXPECT_EQ(p.sky_table_state(planet, h, 0.0, 2, 1.0).mu, 1.0);
     EXPECT_NEAR(p.sky_table_state(planet, h, 0.0, 0, 0.0).mu, -1.0, 1e-12);
   }
+}
+
+// Whatever direction of a picture is looked up, the four texels around it are said to be read; most others are not.
+TEST(SkyTable, TexelsAroundTheDirectionsOfAPictureAreRead) {
+  Physics p = make_physics(earth());
+  const physics::PlanetData& planet = p.scene.planet;
+  constexpr int kColumns = 24;
+  constexpr int kTableRows = 20;
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  int read = 0;
+  int all = 0;
+  for (int camera = 0; camera < 40; ++camera) {
+    const double h = std::array{0.0, 0.002, 1.0, 12.0}[static_cast<std::size_t>(camera % 4)];
+    const vec3 sun = direction(std::asin(2.0 * unit(random) - 1.0), 6.283 * unit(random));
+    const vec3 axis = direction(std::asin(2.0 * unit(random) - 1.0), 6.283 * unit(random));
+    const Physics::ViewCone cone{axis, 0.05 + unit(random)};
+    const auto is_read = [&](physics::uint section, int column, int row) {
+      const Physics::SkyTableCoordinate at{static_cast<double>(column) / (kColumns - 1), section,
+                                           static_cast<double>(row) / (kTableRows - 1)};
+      return p.table_texel_is_read(planet, h, at, 1.0 / (kColumns - 1), 1.0 / (kTableRows - 1), sun, cone);
+    };
+    for (int i = 0; i < 2000; ++i) {
+      const vec3 view = direction(std::asin(2.0 * unit(random) - 1.0), 6.283 * unit(random));
+      if (physics::dot(view, axis) < std::cos(cone.half_angle)) {
+        continue;
+      }
+      const double across = std::hypot(view.x, view.z) * std::hypot(sun.x, sun.z);
+      const auto at = p.sky_table_coordinate(planet, h, view.y, (view.x * sun.x + view.z * sun.z) / across);
+      for (int corner = 0; corner < 4; ++corner) {
+        const int column = std::min(static_cast<int>(at.x * (kColumns - 1)) + corner % 2, kColumns - 1);
+        const int row = std::min(static_cast<int>(at.y * (kTableRows - 1)) + corner / 2, kTableRows - 1);
+        ASSERT_TRUE(is_read(at.section, column, row)) << "camera " << camera << ", " << column << ", " << row;
+      }
+    }
+    for (int texel = 0; texel < 3 * kColumns * kTableRows; ++texel) {
+      read += is_read(static_cast<physics::uint>(texel % 3), texel / 3 % kColumns, texel / 3 / kColumns) ? 1 : 0;
+      ++all;
+    }
+  }
+  EXPECT_LT(read, all / 2);
 }
 
 }  // namespace
