@@ -28,10 +28,20 @@ void main() {
   vec3 up = level_irradiance(at, -1.0);
   vec3 clear = max(direct + sky, vec3(1e-30));
   // The ordinates' sun has irradiance 1 across its rays.
-  float through = sum.w + sum.x * length(vec3(c.sunward_east, c.sunward_north, 1.0));
+  float across = length(vec3(c.sunward_east, c.sunward_north, 1.0));
+  float through = sum.w + sum.x * across;
   vec3 first = (direct * through + sky * sum.y / kPi) / clear;
   CloudLight light;
   light.below = first / max(vec3(1.0) - up / clear * (sum.z / kPi), vec3(0.05));
   light.direct = sum.w;
+  vec3 sent = up * light.below;  // by ground and air below the cloud
+  vec3 clear_around = max(sky + up, vec3(1e-30));
+  light.air_below = (max(clear * light.below - direct * sum.w, vec3(0.0)) + sent) / clear_around;
+  vec4 up_sum = texelFetch(cloud_sums_lut, ivec2(1, 0), 0);
+  MomentCoordinate over = air_moment_coordinate(scene.moments, c.top, mu_sun);
+  vec3 above = level_irradiance(over, 1.0);
+  vec3 sun_above = transmittance_to_sun(scene.planet, c.top, mu_sun) * facing;
+  vec3 returned = sun_above * (up_sum.x * across) + (above * up_sum.y + sent * up_sum.z) / kPi;
+  light.air_above = (above + returned) / max(above + level_irradiance(over, -1.0), vec3(1e-30));
   light_out.value = light;
 }
