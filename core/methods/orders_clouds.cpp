@@ -241,7 +241,7 @@ ImageId add_sources(Plan& plan, const Fields& fields, const std::string& key) {
 
 ImageId add_sums(Plan& plan, const CloudInputs& inputs, const Fields& fields, const std::string& key) {
   const ImageId sums =
-      plan.add_image({.name = "cloud_sums", .extent = {2, 1, 1}, .key = key + " sums", .stored = true});
+      plan.add_image({.name = "cloud_sums", .extent = {4, 1, 1}, .key = key + " sums", .stored = true});
   std::vector<Binding> reads = inputs.reads();
   reads.insert(reads.end(), {{"ordinates", fields.tables.ordinates},
                              {"sun_planes", fields.sun.planes},
@@ -260,11 +260,13 @@ BufferId add_balance(Plan& plan, const Part& part, const Light& light, const Clo
   const BufferId balance = plan.add_buffer({.name = "cloud_balance", .bytes = sizeof(device::CloudLight)});
   std::vector<Specialization> constants = sunlight_specialization(plan, part.air, light.transmittance);
   add_moment_constants(constants, settings_of(part));
+  std::vector<Binding> reads = inputs.reads();
+  reads.insert(reads.end(), {{"cloud_mean_lut", inputs.mean},
+                             {"cloud_sums_lut", sums},
+                             {"transmittance_lut", light.transmittance},
+                             {"moments_lut", light.moments}});
   plan.add_pass({.shader = "cloud_balance",
-                 .reads = {{"cloud_data", inputs.head},
-                           {"cloud_sums_lut", sums},
-                           {"transmittance_lut", light.transmittance},
-                           {"moments_lut", light.moments}},
+                 .reads = std::move(reads),
                  .writes = {{"light_out", balance}},
                  .grid = {1, 1, 1},
                  .specialization = std::move(constants)});
@@ -372,7 +374,7 @@ void add_clouds(Plan& plan, const Part& part, const View& view, const SkyTarget&
   const BufferId balance = add_balance(plan, part, light, inputs, add_sums(plan, inputs, fields, sun_key));
   const ImageId phase = add_phase(plan, matter);
 
-  const FactorTable table = volume_table(part);
+  const FactorTable table = volume_table(part, true);
   const Volume volume = add_volume(plan, part.scene, light, table, view);
   std::vector<Binding> reads = inputs.reads();
   for (const Binding& read : volume.reads()) {
