@@ -50,14 +50,18 @@ vec3 more_light_at(float height) {
 ShadedAir shaded_up_to(ShadedAir air, Ray ray, FactorPlace at, vec3 direction, float to, uint parts) {
   float width = (to - air.distance_) / float(parts);
   float lit = 0.0;
+  float sunny = 0.0;  // parts that the planet does not hide from the sun: light scattered once comes from these alone
   vec3 more = vec3(0.0);
   for (uint i = 0u; i < parts; i++) {
     float t = air.distance_ + (float(i) + 0.5) * width;
     RayPoint point = point_on_ray(scene.planet, ray, t);
     vec3 place = cloud_place(scene.planet.ground_radius, cloud(), ray.h, direction, t);
-    lit += exp(-cloud_shade(place, point.h, point.mu_sun)) / float(parts);
+    float counts = meets_ground(scene.planet, point.h, point.mu_sun) ? 0.0 : 1.0;
+    lit += counts * exp(-cloud_shade(place, point.h, point.mu_sun));
+    sunny += counts;
     more += more_light_at(place.z) / float(parts);
   }
+  lit /= max(sunny, 1.0);
   ClearAir next = clear_air_up_to(ray, at, to);
   air.left += max(next.once - air.clear.once, vec3(0.0)) * lit + max(next.more - air.clear.more, vec3(0.0)) * more;
   air.clear = next;
