@@ -299,10 +299,11 @@ std::string sun_key_of(const std::string& cloud, const CloudDrops& drops, physic
          std::to_string(cells[1]);
 }
 
-// Whether rays next to each other in the picture's grid look in directions next to each other, and there is a grid.
-bool by_froxels(const Part& part, const View& view) {
+// Whether rays next to each other in the picture's grid see much the same air. Seen from above the cloud, one that just
+// misses it passes through air in the sun, and its neighbour through the shade in the cloud.
+bool by_froxels(const Part& part, const View& view, double top) {
   const Projection projection = part.scene.camera.projection;
-  return view.directions.empty() && projection != Projection::cube && projection != Projection::octahedral;
+  return part.scene.camera.altitude < top && view.directions.empty() && projection != Projection::cube && projection != Projection::octahedral;
 }
 
 // The share of the air's light that the cloud leaves, over the picture and distances.
@@ -382,7 +383,7 @@ void add_clouds(Plan& plan, const Part& part, const View& view, const SkyTarget&
   }
   reads.push_back({"cloud_mean_lut", inputs.mean});
   reads.push_back({"cloud_light", balance});
-  const bool froxels = by_froxels(part, view);
+  const bool froxels = by_froxels(part, view, grid->top);
   const ImageId shafts = froxels ? add_air_shade(plan, part, view, reads, table) : volume.sources;
   std::vector<Specialization> constants = sunlight_specialization(plan, part.air, light.transmittance);
   add_moment_constants(constants, settings_of(part));
