@@ -303,13 +303,14 @@ std::string sun_key_of(const std::string& cloud, const CloudDrops& drops, physic
 // misses it passes through air in the sun, and its neighbour through the shade in the cloud.
 bool by_froxels(const Part& part, const View& view, double top) {
   const Projection projection = part.scene.camera.projection;
-  return part.scene.camera.altitude < top && view.directions.empty() && projection != Projection::cube && projection != Projection::octahedral;
+  return part.scene.camera.altitude < top && view.directions.empty() && projection != Projection::cube &&
+         projection != Projection::octahedral;
 }
 
 // The share of the air's light that the cloud leaves, over the picture and distances.
 ImageId add_air_shade(Plan& plan, const Part& part, const View& view, std::vector<Binding> reads,
                       const FactorTable& table) {
-  constexpr std::uint32_t kPixels = 4;  // a froxel, unless those were too many
+  constexpr std::uint32_t kPixels = 4;   // a froxel, unless those were too many
   constexpr std::uint32_t kMost = 320U;  // each way
   constexpr std::uint32_t kSlices = 40;
   constexpr std::uint32_t kParts = 3;  // of a slice

@@ -45,8 +45,8 @@ struct CloudData {
 
 // The light on a cloud over that of a clear sky.
 struct CloudLight {
-  vec3 below;   // all light that ground and base get from above
+  vec3 below;      // all light that ground and base get from above
   vec3 air_below;  // light from all around that is not the sun's, below the cloud
   vec3 air_above;  // likewise above it
-  real direct;  // of the sun's light, the share that passes through unscattered
+  real direct;     // of the sun's light, the share that passes through unscattered
 };
