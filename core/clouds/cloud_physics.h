@@ -16,6 +16,7 @@ struct CloudPhysics : Physics {
 #include "shaders/physics/cloud_harmonics.glsl"
 #include "shaders/physics/cloud_light.glsl"
 #include "shaders/physics/cloud_march.glsl"
+#include "shaders/physics/cloud_sun.glsl"
 };
 
 }  // namespace physics

@@ -98,6 +98,7 @@ struct CloudInputs {
   BufferId head;
   ImageId density;
   ImageId shadow;
+  ImageId mean = {};
 
   std::vector<Binding> reads() const {
     return {{"cloud_data", head}, {"cloud_density_lut", density}, {"cloud_shadow_lut", shadow}};
@@ -188,6 +189,13 @@ CloudInputs add_inputs(Plan& plan, const std::shared_ptr<const CloudGrid>& grid,
                  .reads = {{"depths_lut", depths}},
                  .writes = {{"bends_out", inputs.shadow}},
                  .grid = size});
+  constexpr Extent kSlopes{physics::kCloudMeanRows, 1, 1};
+  inputs.mean = plan.add_image({.name = "cloud_mean", .extent = kSlopes, .key = sun_key + " mean", .stored = true});
+  plan.add_pass({.shader = "cloud_mean",
+                 .reads = {{"cloud_data", inputs.head}, {"cloud_density_lut", inputs.density}},
+                 .writes = {{"mean_out", inputs.mean}},
+                 .grid = {64 * kSlopes.width, 1, 1},
+                 .cost = 1000.0});
   return inputs;
 }
 
@@ -233,7 +241,7 @@ ImageId add_sources(Plan& plan, const Fields& fields, const std::string& key) {
 
 ImageId add_sums(Plan& plan, const CloudInputs& inputs, const Fields& fields, const std::string& key) {
   const ImageId sums =
-      plan.add_image({.name = "cloud_sums", .extent = {1, 1, 1}, .key = key + " sums", .stored = true});
+      plan.add_image({.name = "cloud_sums", .extent = {4, 1, 1}, .key = key + " sums", .stored = true});
   std::vector<Binding> reads = inputs.reads();
   reads.insert(reads.end(), {{"ordinates", fields.tables.ordinates},
                              {"sun_planes", fields.sun.planes},
@@ -252,11 +260,13 @@ BufferId add_balance(Plan& plan, const Part& part, const Light& light, const Clo
   const BufferId balance = plan.add_buffer({.name = "cloud_balance", .bytes = sizeof(device::CloudLight)});
   std::vector<Specialization> constants = sunlight_specialization(plan, part.air, light.transmittance);
   add_moment_constants(constants, settings_of(part));
+  std::vector<Binding> reads = inputs.reads();
+  reads.insert(reads.end(), {{"cloud_mean_lut", inputs.mean},
+                             {"cloud_sums_lut", sums},
+                             {"transmittance_lut", light.transmittance},
+                             {"moments_lut", light.moments}});
   plan.add_pass({.shader = "cloud_balance",
-                 .reads = {{"cloud_data", inputs.head},
-                           {"cloud_sums_lut", sums},
-                           {"transmittance_lut", light.transmittance},
-                           {"moments_lut", light.moments}},
+                 .reads = std::move(reads),
                  .writes = {{"light_out", balance}},
                  .grid = {1, 1, 1},
                  .specialization = std::move(constants)});
@@ -287,6 +297,40 @@ std::string sun_key_of(const std::string& cloud, const CloudDrops& drops, physic
   }
   return key + " sun " + shortest(to_sun.x) + " " + shortest(to_sun.y) + " cells " + std::to_string(cells[0]) + "x" +
          std::to_string(cells[1]);
+}
+
+// Whether rays next to each other in the picture's grid see much the same air. Seen from above the cloud, one that just
+// misses it passes through air in the sun, and its neighbour through the shade in the cloud.
+bool by_froxels(const Part& part, const View& view, double top) {
+  const Projection projection = part.scene.camera.projection;
+  return part.scene.camera.altitude < top && view.directions.empty() && projection != Projection::cube &&
+         projection != Projection::octahedral;
+}
+
+// The share of the air's light that the cloud leaves, over the picture and distances.
+ImageId add_air_shade(Plan& plan, const Part& part, const View& view, std::vector<Binding> reads,
+                      const FactorTable& table) {
+  constexpr std::uint32_t kPixels = 4;   // a froxel, unless those were too many
+  constexpr std::uint32_t kMost = 320U;  // each way
+  constexpr std::uint32_t kSlices = 40;
+  constexpr std::uint32_t kParts = 3;  // of a slice
+  const auto over = [most = kMost](int pixels) {
+    return std::clamp((static_cast<std::uint32_t>(pixels) + kPixels - 1) / kPixels + 1, 2U, most);
+  };
+  const Extent grid{over(part.scene.image.width), over(part.scene.image.height), kSlices};
+  const ImageId shafts = plan.add_image(
+      {.name = "cloud_shafts", .extent = grid, .key = picture_table_key(view, "cloud_shafts"), .half = true});
+  std::vector<Specialization> constants = medium_specialization(part.air);
+  add_volume_constants(constants, part.scene, table);
+  constants.push_back({"kProjection", projection_code(part.scene.camera.projection)});
+  plan.add_pass({.shader = "cloud_shafts",
+                 .reads = std::move(reads),
+                 .writes = {{"shafts_out", shafts}},
+                 .grid = {grid.width, grid.height, 1},
+                 .push_constants = {kParts},
+                 .specialization = std::move(constants),
+                 .cost = 4.0 * kSlices * kParts});
+  return shafts;
 }
 
 }  // namespace
@@ -332,23 +376,28 @@ void add_clouds(Plan& plan, const Part& part, const View& view, const SkyTarget&
   const BufferId balance = add_balance(plan, part, light, inputs, add_sums(plan, inputs, fields, sun_key));
   const ImageId phase = add_phase(plan, matter);
 
-  const FactorTable table = volume_table(part);
+  const FactorTable table = volume_table(part, true);
   const Volume volume = add_volume(plan, part.scene, light, table, view);
   std::vector<Binding> reads = inputs.reads();
   for (const Binding& read : volume.reads()) {
     reads.push_back(read);
   }
+  reads.push_back({"cloud_mean_lut", inputs.mean});
+  reads.push_back({"cloud_light", balance});
+  const bool froxels = by_froxels(part, view, grid->top);
+  const ImageId shafts = froxels ? add_air_shade(plan, part, view, reads, table) : volume.sources;
+  std::vector<Specialization> constants = sunlight_specialization(plan, part.air, light.transmittance);
+  add_moment_constants(constants, settings_of(part));
+  add_volume_constants(constants, part.scene, table);
+  reads.push_back({"cloud_shafts_lut", shafts});
   reads.push_back({"transmittance_lut", light.transmittance});
   reads.push_back({"moments_lut", light.moments});
   reads.push_back({"cloud_source_lut", sources});
   reads.push_back({"cloud_gap_lut", add_gaps(plan, grid, key)});
-  reads.push_back({"cloud_light", balance});
   reads.push_back({"cloud_phase_lut", phase});
   reads.push_back({"directions", target.directions});
-  std::vector<Specialization> constants = sunlight_specialization(plan, part.air, light.transmittance);
-  add_moment_constants(constants, settings_of(part));
-  add_volume_constants(constants, part.scene, table);
   constants.push_back({"kProjection", target.projection});
+  constants.push_back({"kAirByRay", froxels ? 0U : 1U});
   const BufferId through =
       plan.add_buffer({.name = "cloud_transmittance",
                        .bytes = std::size_t{target.grid.width} * target.grid.height * sizeof(float),

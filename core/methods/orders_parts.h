@@ -109,7 +109,8 @@ struct Volume {
 
 // Two thirds of the picture's table each way. What it leaves out shows far less: light before things is gathered over
 // less air, and divided by what the transmittance takes.
-FactorTable volume_table(Part part);
+// `apart`: light scattered once by each medium, and all other light, in blocks of their own.
+FactorTable volume_table(Part part, bool apart);
 
 Volume add_volume(Plan& plan, const Scene& scene, const Light& light, const FactorTable& table, const View& view);
 

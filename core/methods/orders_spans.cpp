@@ -49,10 +49,15 @@ std::uint32_t span_steps(const Part& part, const Light& light) {
 
 }  // namespace
 
-FactorTable volume_table(Part part) {
+FactorTable volume_table(Part part, bool apart) {
   auto& size = std::get<TableSize>(part.scene.render.parameters.find("sky_lut")->second);
   size = {std::max(2 * size[0] / 3, 8), std::max(2 * size[1] / 3, 8)};
-  return factor_table(part, part.air.scattering_media(), false, physics::kStokesNone);
+  FactorTable table = factor_table(part, part.air.scattering_media(), apart, physics::kStokesNone);
+  if (apart) {
+    table.folded = 0;
+    table.rayleigh = false;
+  }
+  return table;
 }
 
 Volume add_volume(Plan& plan, const Scene& scene, const Light& light, const FactorTable& table, const View& view) {
@@ -103,7 +108,7 @@ SpanPasses add_spans(Plan& plan, const Part& part, const Spans& spans, const Spa
   std::vector<Specialization> constants = light.constants;
   std::vector<std::uint32_t> push{input.columns, input.count, spans.first_row};
   if (way.volume) {
-    const FactorTable table = volume_table(part);
+    const FactorTable table = volume_table(part, false);
     View view;
     view.kept_as = way.kept_as;
     reads = add_volume(plan, part.scene, light, table, view).reads();

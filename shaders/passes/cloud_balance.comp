@@ -7,10 +7,12 @@
 #include "shared/moment_table.glsl"
 #include "physics/shells.glsl"
 #include "physics/cloud_air.glsl"
-#include "shared/cloud.h"
+#include "shared/cloud_volume.glsl"
+#include "shared/cloud_sunlight.glsl"
+#include "physics/cloud_march.glsl"
+#include "shared/cloud_shade.glsl"
 
 layout(local_size_x = 64) in;
-layout(scalar, set = 0, binding = 20) readonly buffer Cloud { CloudData value; } cloud_data;
 layout(set = 0, binding = 17) uniform sampler2D cloud_sums_lut;  // passes/cloud_sums.comp
 layout(scalar, set = 0, binding = 18) writeonly buffer Light { CloudLight value; } light_out;
 
@@ -18,7 +20,7 @@ void main() {
   if (gl_GlobalInvocationID.x > 0u) {
     return;
   }
-  CloudData c = cloud_data.value;
+  CloudData c = cloud();
   vec4 sum = texelFetch(cloud_sums_lut, ivec2(0), 0);
   float mu_sun = scene.sun.direction.y;
   float facing = max(mu_sun, 0.0);
@@ -28,10 +30,34 @@ void main() {
   vec3 up = level_irradiance(at, -1.0);
   vec3 clear = max(direct + sky, vec3(1e-30));
   // The ordinates' sun has irradiance 1 across its rays.
-  float through = sum.w + sum.x * length(vec3(c.sunward_east, c.sunward_north, 1.0));
+  float across = length(vec3(c.sunward_east, c.sunward_north, 1.0));
+  float through = sum.w + sum.x * across;
   vec3 first = (direct * through + sky * sum.y / kPi) / clear;
   CloudLight light;
   light.below = first / max(vec3(1.0) - up / clear * (sum.z / kPi), vec3(0.05));
   light.direct = sum.w;
+  // Light from all around in the middle of the air below, by where it comes from: the cloud, the ground, or that air,
+  // which sends on sunlight past the field and its own light.
+  float middle = 0.5 * c.base;
+  vec3 around = light_from_all_around(air_moment_coordinate(scene.moments, middle, mu_sun));
+  vec3 lit_ground = 2.0 * scene.planet.ground_albedo * clear;
+  vec3 from_sky = light_from_side(at, 1.0);
+  vec3 of_air = max(around - from_sky - lit_ground, vec3(0.0));
+  float past = exp(-mean_shade(c, way_through_shell(scene.planet.ground_radius, c, middle, mu_sun)));
+  vec3 beam = transmittance_to_sun(scene.planet, middle, mu_sun);
+  vec3 sources = max(beam + around, vec3(1e-30));
+  vec4 falling = texelFetch(cloud_sums_lut, ivec2(1, 0), 0);
+  vec3 of_cloud = direct * (falling.x * across) + from_sky * (falling.y / (2.0 * kPi)) +
+                  up * light.below * (falling.z / kPi);
+  light.air_below = (of_air * beam * past / sources + of_cloud + lit_ground * light.below) /
+                    max(around - of_air * around / sources, vec3(1e-30));
+  vec3 air_share = (beam * past + around * light.air_below) / sources;
+  vec3 sent = mix(air_share, light.below, min(0.5 * lit_ground / max(up, vec3(1e-30)), vec3(1.0)));  // over `up`
+  vec4 rising = texelFetch(cloud_sums_lut, ivec2(3, 0), 0);
+  MomentCoordinate over = air_moment_coordinate(scene.moments, c.top, mu_sun);
+  vec3 sun_above = transmittance_to_sun(scene.planet, c.top, mu_sun) * facing;
+  of_cloud = sun_above * (rising.x * across) + level_irradiance(over, 1.0) * (rising.y / kPi) +
+             light_from_side(over, -1.0) * sent * (rising.z / (2.0 * kPi));
+  light.air_above = (light_from_side(over, 1.0) + of_cloud) / light_from_all_around(over);
   light_out.value = light;
 }

@@ -18,13 +18,16 @@
 #include "shared/cloud_sunlight.glsl"
 #include "physics/cloud_light.glsl"
 #include "physics/cloud_march.glsl"
+#include "shared/cloud_shade.glsl"
+#include "shared/cloud_shafts.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "shared/cloud_blocks.glsl"
 layout(set = 0, binding = 23) uniform sampler3D cloud_source_lut;
 layout(set = 0, binding = 24) uniform sampler3D cloud_gap_lut;  // cells to the nearest one that holds water
-layout(scalar, set = 0, binding = 18) readonly buffer Light { CloudLight value; } cloud_light;
 layout(set = 0, binding = 19) uniform sampler2D cloud_phase_lut;
+layout(set = 0, binding = 26) uniform sampler3D cloud_shafts_lut;  // cloud_shafts.comp; any image where kAirByRay is 1
+layout(constant_id = 50) const uint kAirByRay = 0u;  // 1: the air's shade is found along each ray, 0: on froxels
 layout(scalar, set = 0, binding = 8) readonly buffer Directions { vec4 values[]; } directions;
 layout(scalar, set = 0, binding = 9) buffer Radiance { vec4 values[]; } radiance_out;
 layout(scalar, set = 0, binding = 10) writeonly buffer Through { float values[]; } through_out;
@@ -52,6 +55,7 @@ vec3 phase_behind(float nu, float depth) {
   return textureLod(cloud_phase_lut, texel / vec2(float(kPhaseSamples), float(kCloudPeakRows)), 0.0).rgb;
 }
 
+uvec2 here;  // the pixel of the tile at hand
 float seen_harmonics[kCloudMoments];  // of the direction in which light comes to the camera
 
 vec4 source_block(uint block, vec3 place) {
@@ -98,20 +102,33 @@ struct Before {
   vec3 transmittance;
 };
 
-Before air_before(Ray ray, FactorPlace at, float distance_) {
-  float reach = clamp(distance_, 0.0, max(ray.length_, 0.0));
-  float z = slice_coordinate(scene.planet, ray, reach);
-  vec3 depth = textureLod(extinction_lut, vec2(texel_from_unit(z, float(kExtinctionSlices)), at.v), 0.0).rgb * reach;
-  SegmentTransfer segment = segment_transfer(depth);
-  float w = texel_from_unit(z, float(kSlices));
-  vec3 source = fetch_block(diffuse_block(), at, w) * volume_carrier(at.nu);
-  UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
-    source += scatters(i) ? fetch_block(single_block(i), at, w) * medium_phase(i, at.nu) : vec3(0.0);
+const float kRaySlices = 32.0;  // of a ray whose shade is found along it
+
+// What walks through the air along a pixel's ray read.
+struct AirRay {
+  Ray ray;
+  FactorPlace at;
+  vec3 direction;
+  float reach;
+};
+
+ShadedAir further(ShadedAir air, AirRay of, float distance_) {
+  float from = shaded_coordinate(of.reach, of.ray.length_, air.distance_);
+  float to = shaded_coordinate(of.reach, of.ray.length_, distance_);
+  uint steps = uint(clamp(ceil((to - from) * kRaySlices), 0.0, kRaySlices));
+  for (uint i = 1u; i <= steps; i++) {
+    float z = mix(from, to, float(i) / float(steps));
+    air = shaded_up_to(air, of.ray, of.at, of.direction,
+                       i < steps ? shaded_distance(of.reach, of.ray.length_, z) : distance_, 2u);
   }
-  Before before;
-  before.light = source * depth * segment.mean;
-  before.transmittance = segment.through;
-  return before;
+  return air;
+}
+
+vec3 share_by_froxels(AirRay of, float distance_) {
+  vec3 size = vec3(textureSize(cloud_shafts_lut, 0));
+  vec2 at = (vec2(here) + vec2(scene.tile.x, scene.tile.y) + 0.5) / vec2(scene.camera.width, scene.camera.height);
+  vec3 place = vec3(at, shaded_coordinate(of.reach, of.ray.length_, distance_));
+  return textureLod(cloud_shafts_lut, (vec3(0.5) + place * (size - 1.0)) / size, 0.0).rgb;
 }
 
 // The light of a stretch as it leaves the cloud, at a point of the ray; for a sun of irradiance 1.
@@ -121,7 +138,7 @@ vec3 coloured(CloudGathered g, RayPoint point) {
   vec3 sun = transmittance_to_sun(scene.planet, h, point.mu_sun);
   vec3 sky = level_irradiance(at, 1.0) / kPi;
   vec3 ground = level_irradiance(at, -1.0) / kPi * cloud_light.value.below;
-  return sun * (g.once + vec3(g.sun)) + sky * g.sky + ground * g.ground;
+  return sun * (g.once + vec3(g.sun * sun_past_field(h, point.mu_sun))) + sky * g.sky + ground * g.ground;
 }
 
 // The change of the ground's light by the cloud, at the ground, for a sun of irradiance 1.
@@ -130,7 +147,7 @@ vec3 ground_change(Ray ray, vec3 direction) {
   vec3 place = cloud_place(scene.planet.ground_radius, cloud(), ray.h, direction, ray.length_);
   vec3 direct = transmittance_to_sun(scene.planet, 0.0, point.mu_sun) * max(point.mu_sun, 0.0);
   vec3 clear = direct + moment_ground_irradiance(scene.moments, point.mu_sun);
-  float lit = exp(-cloud().scale * sun_depth_at(place));
+  float lit = exp(-cloud_shade(place, 0.0, point.mu_sun));
   CloudLight light = cloud_light.value;
   vec3 below = max(clear * light.below - direct * light.direct, vec3(0.0)) + direct * lit;
   return (below - clear) * scene.planet.ground_albedo / kPi;
@@ -138,20 +155,46 @@ vec3 ground_change(Ray ray, vec3 direction) {
 
 struct Walk {
   vec3 light;     // so far, as the camera sees it
+  ShadedAir shaded;  // where kAirByRay is 1
   vec3 air;       // of the air up to the last stretch
   CloudGathered stretch;
   float start;    // of the stretch
 };
 
-Walk closed(Walk walk, Ray ray, FactorPlace at) {
+// The walk up to a distance, and the air before it.
+struct Stop {
+  Walk walk;
+  Before before;
+  vec3 clear;  // light of the air before it if there were no cloud
+};
+
+Stop stop_at(Walk walk, AirRay of, float distance_) {
+  Stop stop;
+  if (kAirByRay == 1u) {
+    walk.shaded = further(walk.shaded, of, distance_);
+    stop.clear = walk.shaded.clear.once + walk.shaded.clear.more;
+    stop.before.light = walk.shaded.left;
+    stop.before.transmittance = segment_transfer(walk.shaded.clear.depth).through;
+  } else {
+    ClearAir air = clear_air_up_to(of.ray, of.at, distance_);
+    stop.clear = air.once + air.more;
+    stop.before.light = stop.clear * share_by_froxels(of, distance_);
+    stop.before.transmittance = segment_transfer(air.depth).through;
+  }
+  stop.walk = walk;
+  return stop;
+}
+
+Walk closed(Walk walk, AirRay of) {
   float taken = walk.stretch.before - walk.stretch.transmittance;
   uint turns = taken > 0.0 ? 1u : 0u;
   for (uint turn = 0u; turn < turns; turn++) {
     float t = walk.stretch.reach / taken;
-    Before before = air_before(ray, at, t);
-    vec3 light = coloured(walk.stretch, point_on_ray(scene.planet, ray, t));
-    walk.light += max(before.light - walk.air, vec3(0.0)) * walk.stretch.before + before.transmittance * light;
-    walk.air = max(before.light, walk.air);
+    Stop stop = stop_at(walk, of, t);
+    walk = stop.walk;
+    vec3 light = coloured(walk.stretch, point_on_ray(scene.planet, of.ray, t));
+    walk.light += max(stop.before.light - walk.air, vec3(0.0)) * walk.stretch.before + stop.before.transmittance * light;
+    walk.air = max(stop.before.light, walk.air);
     walk.stretch = nothing_gathered(walk.stretch.transmittance);
   }
   return walk;
@@ -159,9 +202,16 @@ Walk closed(Walk walk, Ray ray, FactorPlace at) {
 
 float density_on_ray(vec3 place) { return inside_cloud_grid(cloud(), place) ? density_at(place) : 0.0; }
 
+float shade_on_ray(Ray ray, vec3 place, float t) {
+  RayPoint point = point_on_ray(scene.planet, ray, t);
+  return cloud_shade(place, point.h, point.mu_sun);
+}
+
 // Steps are as long as `step` says, or shorter where the cloud is thick. Density and the depth toward the sun are
 // linear between a step's ends.
-Walk crossed(Walk walk, CloudCrossing span, Ray ray, FactorPlace at, vec3 direction) {
+Walk crossed(Walk walk, CloudCrossing span, AirRay of) {
+  Ray ray = of.ray;
+  vec3 direction = of.direction;
   CloudData c = cloud();
   float radius = scene.planet.ground_radius;
   float t = span.from;
@@ -209,9 +259,9 @@ Walk crossed(Walk walk, CloudCrossing span, Ray ray, FactorPlace at, vec3 direct
     float far_sun = near_sun;
     for (uint turn = 0u; turn < meets; turn++) {
       if (near_sun < 0.0) {
-        near_sun = c.scale * sun_depth_at(cloud_place(radius, c, scene.camera.altitude, direction, t));
+        near_sun = shade_on_ray(ray, cloud_place(radius, c, scene.camera.altitude, direction, t), t);
       }
-      far_sun = c.scale * sun_depth_at(end);
+      far_sun = shade_on_ray(ray, end, t + size);
     }
     float shade = abs(far_sun - near_sun);
     if (meets > 0u && shade > kSunStep && min(near_sun, far_sun) < kShaded && size > least) {
@@ -222,7 +272,7 @@ Walk crossed(Walk walk, CloudCrossing span, Ray ray, FactorPlace at, vec3 direct
       CloudSource source = source_at(middle);
       float passed = -log(walk.stretch.transmittance) + 0.5 * (depth + near_sun + far_sun);
       walk.start = walk.stretch.before == walk.stretch.transmittance ? t : walk.start;
-      walk.stretch = with_cloud_step(walk.stretch, source, phase_behind(at.nu, passed), near_sun, far_sun, depth,
+      walk.stretch = with_cloud_step(walk.stretch, source, phase_behind(of.at.nu, passed), near_sun, far_sun, depth,
                                      t + 0.5 * size);
       near_sun = far_sun;
     }
@@ -233,11 +283,11 @@ Walk crossed(Walk walk, CloudCrossing span, Ray ray, FactorPlace at, vec3 direct
     bool begun = walk.stretch.before > walk.stretch.transmittance;
     uint closes = begun && t - walk.start > kSheet * t + step ? 1u : 0u;
     for (uint turn = 0u; turn < closes; turn++) {
-      walk = closed(walk, ray, at);
+      walk = closed(walk, of);
       walk.start = t;
     }
   }
-  return closed(walk, ray, at);
+  return closed(walk, of);
 }
 
 vec3 direction_of(uvec2 pixel, out bool inside) {
@@ -260,25 +310,31 @@ void main() {
   bool inside;
   vec3 direction = direction_of(pixel, inside);
   CloudData c = cloud();
-  Ray ray = air_ray(direction);
-  FactorPlace at = factor_place(direction);
+  here = pixel;
+  AirRay of;
+  of.ray = air_ray(direction);
+  of.at = factor_place(direction);
+  of.direction = direction;
+  of.reach = shaded_reach(scene.planet.ground_radius, c, of.ray.h, of.ray.mu, max(of.ray.length_, 0.0));
   UNROLL for (uint q = 0u; q < kCloudMoments; q++) {
     seen_harmonics[q] = cloud_harmonic(q, vec3(-direction.x, direction.z, -direction.y));
   }
   Walk walk;
   walk.light = vec3(0.0);
+  walk.shaded = no_shaded_air();
   walk.air = vec3(0.0);
   walk.start = 0.0;
   walk.stretch = nothing_gathered(1.0);
-  CloudSpans spans = cloud_spans(scene.planet.ground_radius, c, ray.h, ray.mu, ray.length_);
-  walk = crossed(walk, spans.first, ray, at, direction);
-  walk = crossed(walk, spans.second, ray, at, direction);
+  CloudSpans spans = cloud_spans(scene.planet.ground_radius, c, of.ray.h, of.ray.mu, of.ray.length_);
+  walk = crossed(walk, spans.first, of);
+  walk = crossed(walk, spans.second, of);
   float through = walk.stretch.transmittance > kOpaque ? walk.stretch.transmittance : 0.0;
   vec4 behind = radiance_out.values[index];
-  vec3 sky = behind.rgb - walk.air * scene.sun.irradiance;
-  uint grounds = ray.at_ground ? 1u : 0u;
+  Stop stop = stop_at(walk, of, of.ray.length_);
+  vec3 sky = behind.rgb - (stop.clear - stop.before.light + walk.air) * scene.sun.irradiance;
+  uint grounds = of.ray.at_ground ? 1u : 0u;
   for (uint turn = 0u; turn < grounds; turn++) {
-    sky += air_before(ray, at, ray.length_).transmittance * ground_change(ray, direction) * scene.sun.irradiance;
+    sky += stop.before.transmittance * ground_change(of.ray, direction) * scene.sun.irradiance;
   }
   vec3 light = walk.light * scene.sun.irradiance + max(sky, vec3(0.0)) * through;
   if (inside) {

@@ -1,8 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// What a cloud lets through, as one texel: of the sun's light by scattering, over that across its rays; radiance summed
+// What a cloud lets through, as a texel: of the sun's light by scattering, over that across its rays; radiance summed
 // over the lower hemisphere times the cosine, for a sky and for a ground of radiance 1; of the sun's light unscattered.
-// It does not depend on the air. One workgroup.
+// Three more texels hold the first three without the cosine, and then over the upper hemisphere with it and without. It does not depend on the air. One workgroup.
 #extension GL_EXT_scalar_block_layout : require
 #define real float
 #include "shared/cloud_volume.glsl"
@@ -18,40 +18,45 @@ layout(push_constant, scalar) uniform Push {
   uvec3 coarser;  // cells of sky and ground
 };
 
-shared vec4 sums[256];
+shared vec4 sums[256][4];
 
 void main() {
   CloudData c = cloud();
   uint thread = gl_LocalInvocationIndex;
   uint plane = c.coarse_x * c.coarse_y;
   uint coarser_plane = coarser.x * coarser.y;
-  vec4 sum = vec4(0.0);
+  vec4 sum[4];
+  for (uint n = 0u; n < 4u; n++) {
+    sum[n] = vec4(0.0);
+  }
   for (uint o = 0u; o < kCloudOrdinates; o++) {
     CloudOrdinate ordinate = ordinates.values[o];
-    if (ordinate.direction.z < 0.0) {
-      float share = -ordinate.weight * ordinate.direction.z;
-      uint first = (2u * o + (c.coarse_z & 1u)) * plane;
-      for (uint at = thread; at < plane; at += 256u) {
-        sum.x += sun_planes.values[first + at] * share / float(plane);
-      }
-      first = (2u * o + (coarser.z & 1u)) * coarser_plane;
-      for (uint at = thread; at < coarser_plane; at += 256u) {
-        sum.y += sky_planes.values[first + at] * share / float(coarser_plane);
-        sum.z += ground_planes.values[first + at] * share / float(coarser_plane);
-      }
+    vec3 leaving = vec3(0.0);
+    uint first = (2u * o + (c.coarse_z & 1u)) * plane;
+    for (uint at = thread; at < plane; at += 256u) {
+      leaving.x += sun_planes.values[first + at] * ordinate.weight / float(plane);
     }
+    first = (2u * o + (coarser.z & 1u)) * coarser_plane;
+    for (uint at = thread; at < coarser_plane; at += 256u) {
+      leaving.y += sky_planes.values[first + at] * ordinate.weight / float(coarser_plane);
+      leaving.z += ground_planes.values[first + at] * ordinate.weight / float(coarser_plane);
+    }
+    uint side = ordinate.direction.z < 0.0 ? 0u : 2u;
+    sum[side].xyz += leaving * abs(ordinate.direction.z);
+    sum[side + 1u].xyz += leaving;
   }
   for (uint at = thread; at < plane; at += 256u) {
     vec2 place = (vec2(at % c.coarse_x, at / c.coarse_x) + 0.5) / vec2(c.coarse_x, c.coarse_y);
-    sum.w += exp(-c.scale * sun_depth_at(vec3(place, 0.0))) / float(plane);
+    sum[0].w += exp(-c.scale * sun_depth_at(vec3(place, 0.0))) / float(plane);
   }
   sums[thread] = sum;
   barrier();
-  if (thread > 0u) {
+  if (thread > 3u) {
     return;
   }
-  for (uint i = 1u; i < 256u; i++) {
-    sum += sums[i];
+  vec4 total = vec4(0.0);
+  for (uint i = 0u; i < 256u; i++) {
+    total += sums[i][thread];
   }
-  imageStore(sums_out, ivec2(0), sum);
+  imageStore(sums_out, ivec2(thread, 0), total);
 }

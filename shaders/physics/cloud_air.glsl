@@ -21,3 +21,17 @@ vec3 level_irradiance(MomentCoordinate c, real side) {
   }
   return exp(fetch_moment(0u, c.x, c.y)) * max(sum, vec3(0.0)) * (2.0 * kPi);
 }
+
+// The light scattered at least once from all directions together, for a sun of irradiance 1.
+vec3 light_from_all_around(MomentCoordinate c) {
+  return max(exp(fetch_moment(0u, c.x, c.y)) * (2.0 * sqrt(kPi)), vec3(1e-30));
+}
+
+// Likewise from above (side 1) or from below (-1).
+vec3 light_from_side(MomentCoordinate c, real side) {
+  vec3 sum = vec3(sqrt(kPi));
+  if (moment_degree() >= 1u) {
+    sum = sum + fetch_moment(moment_place(1u, 0u), c.x, c.y) * (side * 0.48860251190291992 * kPi);
+  }
+  return exp(fetch_moment(0u, c.x, c.y)) * max(sum, vec3(0.0));
+}

@@ -6,6 +6,7 @@ const uint kCloudMoments = 9u;     // of degree 0 to 2
 const uint kCloudOrdinates = 32u;  // four zenith cosines of eight azimuths
 
 const uint kCloudPeakRows = 24u;  // depths at which the table of the forward peak stands
+const uint kCloudMeanRows = 32u;  // slopes at which the table of a field's mean depth stands
 
 // A direction in which light travels.
 struct CloudOrdinate {
@@ -44,6 +45,8 @@ struct CloudData {
 
 // The light on a cloud over that of a clear sky.
 struct CloudLight {
-  vec3 below;   // all light that ground and base get from above
-  real direct;  // of the sun's light, the share that passes through unscattered
+  vec3 below;      // all light that ground and base get from above
+  vec3 air_below;  // light from all around that is not the sun's, below the cloud
+  vec3 air_above;  // likewise above it
+  real direct;     // of the sun's light, the share that passes through unscattered
 };

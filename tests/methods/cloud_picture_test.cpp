@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
+#include "core/air/scene_block.h"
 #include "core/clouds/cloud_grid.h"
 #include "core/error.h"
 #include "tests/methods/path_trace_scene.h"
@@ -212,6 +214,127 @@ TEST(CloudPicture, ItsShadowIsTheSunsDepth) {
   std::printf("shadow: %d of 60 between light and shade, error %.2f %%\n", shaded, 100.0 * error / seen);
   EXPECT_GE(shaded, 5);
   EXPECT_LT(error / seen, 0.012);  // linear steps through the table: 0.021
+}
+
+// Air that scatters sunlight once among black clouds: L over the irradiance, by short steps along the ray and toward
+// the sun. `shade`: what a cloud leaves of light from a place of the ray, at its distance.
+template <class Shade>
+double scattered_by_air(const Scene& scene, double mu, double nu, Shade shade) {
+  const double radius = scene.planet.ground_radius;
+  const double from = radius + scene.camera.altitude;
+  const Medium& air = scene.media.front();
+  const double phase = 3.0 / (16.0 * std::numbers::pi) * (1.0 + nu * nu);
+  double light = 0.0;
+  double t = 0.0;
+  double altitude = scene.camera.altitude;
+  while (altitude < scene.planet.atmosphere_height) {
+    const double step = 0.01 + 0.002 * t;
+    t += 0.5 * step;
+    const double r = std::sqrt(from * from + t * (2.0 * from * mu + t));
+    altitude = scene.camera.altitude + t * (2.0 * from * mu + t) / (from + r);
+    light += step * air.scattering[1] * std::exp(-altitude / air.density.scale_height) * phase * shade(t, altitude);
+    t += 0.5 * step;
+  }
+  return light;
+}
+
+Scene among_black_clouds(double sun_elevation_deg) {
+  Scene scene = under_level_cloud(1.0, std::sin(radians(sun_elevation_deg)));
+  scene.sun.elevation = radians(sun_elevation_deg);
+  scene.media.front().density = exponential(1.2);
+  scene.clouds.front().single_scattering_albedo = 0.0;
+  scene.camera.altitude = 0.05;
+  return scene;
+}
+
+// By listed rays and by froxels of a picture.
+TEST(CloudPicture, ShadesTheAir) {
+  Scene scene = among_black_clouds(35.0);
+  scene.clouds.front().contents = ball();
+  const CloudGrid grid = cloud_grid(scene.clouds.front());
+  const physics::vec3 to_sun(0.0, std::cos(radians(35.0)), std::sin(radians(35.0)));  // azimuth 0: north
+  scene.image = {24, 16};
+  scene.camera.azimuth = radians(110.0);
+  scene.camera.pitch = radians(35.0);
+  scene.camera.vertical_fov = radians(50.0);
+  physics::Physics p = geometry_of(scene);
+  std::vector<Direction> directions;
+  std::vector<std::size_t> pixels;
+  std::vector<double> truth;
+  double clear = 0.0;
+  for (int i = 0; i < 40; ++i) {
+    const int x = i * 7 % 24;
+    const int y = i * 5 % 16;
+    const physics::vec3 d = p.view_ray(p.scene.camera, 0, x + 0.5, y + 0.5).direction;
+    const physics::vec3 way(d.x, -d.z, d.y);
+    const double nu = dot(way, to_sun);
+    truth.push_back(scattered_by_air(scene, d.y, nu, [&](double t, double h) {
+      const physics::vec3 at = way * t + physics::vec3(0.0, 0.0, scene.camera.altitude);
+      const double above = std::max(2.0 - h, 0.0) / to_sun.z;
+      const double before = depth_from(grid, {0.0, 0.0, scene.camera.altitude}, way, std::min(t, 2.0 / d.y));
+      return std::exp(-before - depth_from(grid, at, to_sun, above));
+    }));
+    clear += scattered_by_air(scene, d.y, nu, [](double, double) { return 1.0; });
+    directions.push_back({std::asin(d.y), std::atan2(d.x, -d.z)});
+    pixels.push_back(static_cast<std::size_t>(y) * 24 + static_cast<std::size_t>(x));
+  }
+  const double all = std::accumulate(truth.begin(), truth.end(), 0.0);
+  const std::vector<ProbeResult> rays = probe_now(scene, directions);
+  const Rendering picture = render_now(scene);
+  double by_rays = 0.0;
+  double by_froxels = 0.0;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    const double unit = scene.sun.irradiance[1];
+    by_rays += std::abs(rays[i].radiance[1] / unit - truth[i]) / all;
+    by_froxels += std::abs(picture.radiance.rgba[4 * pixels[i] + 1] / unit - truth[i]) / all;
+  }
+  std::printf("air among clouds: %.2f of the clear air's, error by rays %.2f %%, by froxels %.2f %%\n", all / clear,
+              100.0 * by_rays, 100.0 * by_froxels);
+  EXPECT_LT(all / clear, 0.8);
+  EXPECT_LT(by_rays, 0.03);
+  EXPECT_LT(by_froxels, 0.05);
+}
+
+// The sun's rays fall through a thin veil and rise through it once more: its shade is the way through the shell times
+// the extinction.
+TEST(CloudPicture, ShadesTheAirOfALowSun) {
+  constexpr double kDepth = 0.02;  // of a veil of 1 km
+  for (const double elevation : {-1.5, -0.5, 0.5, 3.0}) {
+    Scene scene = among_black_clouds(elevation);
+    scene.planet.ground_radius = 6371.0;
+    scene.media.front().density = exponential(4.0);
+    auto contents = std::make_shared<CloudFile>(*scene.clouds.front().contents);
+    contents->extinction.assign(contents->extinction.size(), static_cast<float>(kDepth));
+    contents->identity = "veil";
+    scene.clouds.front().contents = contents;
+    const double radius = scene.planet.ground_radius;
+    for (const double up : {90.0, 30.0}) {
+      const double azimuth = 70.0;
+      const double mu = std::sin(radians(up));
+      const double nu = mu * std::sin(scene.sun.elevation) +
+                        std::cos(radians(up)) * std::cos(scene.sun.elevation) * std::cos(radians(azimuth));
+      const double expected = scattered_by_air(scene, mu, nu, [&](double t, double h) {
+        const double r = radius + h;
+        const double mu_sun = ((radius + scene.camera.altitude) * std::sin(scene.sun.elevation) + t * nu) / r;
+        double inside = 0.0;
+        constexpr double kStep = 0.1;
+        for (double s = 0.5 * kStep; s < 700.0; s += kStep) {
+          const double altitude = std::sqrt(r * r + s * (2.0 * r * mu_sun + s)) - radius;
+          if (altitude < 0.0) {
+            return 0.0;
+          }
+          inside += altitude > 1.0 && altitude < 2.0 ? kStep : 0.0;
+        }
+        const double before = std::clamp((h - 1.0) / mu, 0.0, 1.0 / mu);
+        return std::exp(-kDepth * (before + inside));
+      });
+      const double found =
+          probe_now(scene, {{radians(up), radians(azimuth)}}).front().radiance[1] / scene.sun.irradiance[1];
+      std::printf("sun %4.1f, view %2.0f: %.3e for %.3e\n", elevation, up, found, expected);
+      // At -1.5 degrees few slices of the ray cross the veil's shade.
+      EXPECT_NEAR(found, expected, (elevation < -1.0 ? 0.15 : 0.03) * expected) << elevation << " " << up;
+    }
+  }
 }
 
 // A cloud without water is no cloud; one that is thick hides the sun's disc.

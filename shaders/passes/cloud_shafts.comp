@@ -1,0 +1,46 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// The share of the air's light that clouds leave, over the picture and the distances of shaded_distance(): one thread a
+// column of froxels, slice by slice away from the camera.
+#include "shared/device.glsl"
+#include "shared/sky_table.glsl"
+#include "physics/sky_table.glsl"
+#include "physics/space_table.glsl"
+#include "physics/aerial_volume.glsl"
+#include "shared/picture_ray.glsl"
+#include "shared/factor_place.glsl"
+#include "shared/aerial_volume.glsl"
+#include "shared/volume_fetch.glsl"
+#include "shared/cloud_volume.glsl"
+#include "shared/cloud_sunlight.glsl"
+#include "physics/cloud_march.glsl"
+#include "shared/cloud_shade.glsl"
+#include "shared/cloud_shafts.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(set = 0, binding = 26) uniform writeonly image3D shafts_out;
+layout(push_constant, scalar) uniform Push { uint parts; };  // of a slice
+
+void main() {
+  uvec3 size = uvec3(imageSize(shafts_out));
+  uvec2 cell = gl_GlobalInvocationID.xy;
+  if (cell.x >= size.x || cell.y >= size.y) {
+    return;
+  }
+  vec2 at = vec2(cell) / vec2(size.xy - 1u) * vec2(scene.camera.width, scene.camera.height);
+  vec3 direction = view_ray(scene.camera, kProjection, at.x, at.y).direction;
+  Ray ray = air_ray(direction);
+  FactorPlace of = factor_place(direction);
+  float length_ = max(ray.length_, 0.0);
+  float reach = shaded_reach(scene.planet.ground_radius, cloud(), ray.h, ray.mu, length_);
+  ShadedAir air = no_shaded_air();
+  for (uint slice = 1u; slice < size.z; slice++) {
+    float to = shaded_distance(reach, length_, float(slice) / float(size.z - 1u));
+    air = shaded_up_to(air, ray, of, direction, to, parts);
+    vec3 share = share_left(air);
+    if (slice == 1u) {
+      imageStore(shafts_out, ivec3(cell, 0), vec4(share, 1.0));
+    }
+    imageStore(shafts_out, ivec3(cell, slice), vec4(share, 1.0));
+  }
+}

@@ -1,0 +1,32 @@
+// What a cloud leaves of the sun's light at any place of the air: by its own rays where the sun is high, by the mean of
+// the field where the sun's ray falls below the level on its way.
+#include "physics/cloud_sun.glsl"
+layout(set = 0, binding = 25) uniform sampler2D cloud_mean_lut;  // passes/cloud_mean.comp
+
+const float kRaysHold = 0.03;  // zenith cosine of the sun from which on the cloud's own rays are taken
+
+float mean_shade(CloudData c, float way) {
+  float slope = (c.top - c.base) / max(way, 1e-6);
+  float texel = (cloud_mean_row(slope) + 0.5) / float(kCloudMeanRows);
+  return textureLod(cloud_mean_lut, vec2(texel, 0.5), 0.0).r * way;
+}
+
+// Scaled optical depth toward the sun from a place at altitude h. The rays of the table lean alike everywhere, where
+// the sun's are the steeper the farther away they cross the shell.
+float cloud_shade(vec3 place, float h, float mu_sun) {
+  CloudData c = cloud();
+  float way = way_through_shell(scene.planet.ground_radius, c, h, mu_sun);
+  float straight = (c.top - c.base) * (1.0 - clamp(place.z, 0.0, 1.0)) *
+                   length(vec3(c.sunward_east, c.sunward_north, 1.0));
+  float along = c.scale * sun_depth_at(place) * way / max(straight, 1e-6);
+  return c.repeats == 0u ? along : mix(mean_shade(c, way), along, smoothstep(0.0, kRaysHold, mu_sun));
+}
+
+// What is left of the sun's light in the middle of the cloud, over what is left there along the table's rays: the light
+// scattered more than once goes by these.
+float sun_past_field(float h, float mu_sun) {
+  CloudData c = cloud();
+  float way = way_through_shell(scene.planet.ground_radius, c, h, mu_sun);
+  float straight = max(c.top - h, 0.0) * length(vec3(c.sunward_east, c.sunward_north, 1.0));
+  return c.repeats == 0u ? 1.0 : exp(min(mean_shade(c, straight) - mean_shade(c, way), 0.0));
+}

@@ -1,0 +1,72 @@
+// The air's light among clouds: its sunlight scattered once where the cloud's shadow leaves the sun, the rest by the
+// light below and above the cloud.
+layout(scalar, set = 0, binding = 18) readonly buffer Light { CloudLight value; } cloud_light;
+
+// Light of the clear air up to a distance, for a sun of irradiance 1.
+struct ClearAir {
+  vec3 once;
+  vec3 more;  // scattered more than once
+  vec3 depth;
+};
+
+ClearAir clear_air_up_to(Ray ray, FactorPlace at, float distance_) {
+  float reach = clamp(distance_, 0.0, max(ray.length_, 0.0));
+  float z = slice_coordinate(scene.planet, ray, reach);
+  ClearAir air;
+  air.depth = textureLod(extinction_lut, vec2(texel_from_unit(z, float(kExtinctionSlices)), at.v), 0.0).rgb * reach;
+  float w = texel_from_unit(z, float(kSlices));
+  vec3 gathered = air.depth * segment_transfer(air.depth).mean;
+  air.more = fetch_block(diffuse_block(), at, w) * volume_carrier(at.nu) * gathered;
+  air.once = vec3(0.0);
+  UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
+    air.once += scatters(i) ? fetch_block(single_block(i), at, w) * (medium_phase(i, at.nu) * gathered) : vec3(0.0);
+  }
+  return air;
+}
+
+// Light of the air up to a distance.
+struct ShadedAir {
+  float distance_;
+  ClearAir clear;
+  vec3 left;  // of it, among clouds
+};
+
+ShadedAir no_shaded_air() {
+  ShadedAir air;
+  air.distance_ = 0.0;
+  air.clear.once = vec3(0.0);
+  air.clear.more = vec3(0.0);
+  air.clear.depth = vec3(0.0);
+  air.left = vec3(0.0);
+  return air;
+}
+
+// Share of the air's light scattered more than once at an altitude over the cloud's base.
+vec3 more_light_at(float height) {
+  return mix(cloud_light.value.air_below, cloud_light.value.air_above, clamp(height, 0.0, 1.0));
+}
+
+// Goes on to a distance; the sun is asked for in the middles of so many parts.
+ShadedAir shaded_up_to(ShadedAir air, Ray ray, FactorPlace at, vec3 direction, float to, uint parts) {
+  float width = (to - air.distance_) / float(parts);
+  float lit = 0.0;
+  float sunny = 0.0;  // parts that the planet does not hide from the sun: light scattered once comes from these alone
+  vec3 more = vec3(0.0);
+  for (uint i = 0u; i < parts; i++) {
+    float t = air.distance_ + (float(i) + 0.5) * width;
+    RayPoint point = point_on_ray(scene.planet, ray, t);
+    vec3 place = cloud_place(scene.planet.ground_radius, cloud(), ray.h, direction, t);
+    float counts = meets_ground(scene.planet, point.h, point.mu_sun) ? 0.0 : 1.0;
+    lit += counts * exp(-cloud_shade(place, point.h, point.mu_sun));
+    sunny += counts;
+    more += more_light_at(place.z) / float(parts);
+  }
+  lit /= max(sunny, 1.0);
+  ClearAir next = clear_air_up_to(ray, at, to);
+  air.left += max(next.once - air.clear.once, vec3(0.0)) * lit + max(next.more - air.clear.more, vec3(0.0)) * more;
+  air.clear = next;
+  air.distance_ = to;
+  return air;
+}
+
+vec3 share_left(ShadedAir air) { return air.left / max(air.clear.once + air.clear.more, vec3(1e-20)); }
