@@ -21,9 +21,10 @@ void main() {
   CloudData c = cloud_data.value;
   vec4 sum = texelFetch(cloud_sums_lut, ivec2(0), 0);
   float mu_sun = scene.sun.direction.y;
-  float facing = max(mu_sun, 0.0);
-  MomentCoordinate at = air_moment_coordinate(scene.moments, c.base, mu_sun);
-  vec3 direct = transmittance_to_sun(scene.planet, c.base, mu_sun) * facing;
+  float h = optical_altitude_at(c.base);
+  float facing = max(seen_sun_mu(scene.planet, h, mu_sun), 0.0);
+  MomentCoordinate at = air_moment_coordinate(scene.moments, h, mu_sun);
+  vec3 direct = transmittance_to_sun(scene.planet, h, mu_sun) * facing;
   vec3 sky = level_irradiance(at, 1.0);
   vec3 up = level_irradiance(at, -1.0);
   vec3 clear = max(direct + sky, vec3(1e-30));

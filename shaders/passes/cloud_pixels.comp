@@ -116,7 +116,7 @@ Before air_before(Ray ray, FactorPlace at, float distance_) {
 
 // The light of a stretch as it leaves the cloud, at a point of the ray; for a sun of irradiance 1.
 vec3 coloured(CloudGathered g, RayPoint point) {
-  float h = mix(cloud().base, cloud().top, 0.7);
+  float h = optical_altitude_at(mix(cloud().base, cloud().top, 0.7));
   MomentCoordinate at = air_moment_coordinate(scene.moments, h, point.mu_sun);
   vec3 sun = transmittance_to_sun(scene.planet, h, point.mu_sun);
   vec3 sky = level_irradiance(at, 1.0) / kPi;
@@ -126,9 +126,9 @@ vec3 coloured(CloudGathered g, RayPoint point) {
 
 // The change of the ground's light by the cloud, at the ground, for a sun of irradiance 1.
 vec3 ground_change(Ray ray, vec3 direction) {
-  RayPoint point = point_on_ray(scene.planet, ray, ray.length_);
+  RayPoint point = sunlit_among_things(scene.planet, ray, ray.length_);
   vec3 place = cloud_place(scene.planet.ground_radius, cloud(), ray.h, direction, ray.length_);
-  vec3 direct = transmittance_to_sun(scene.planet, 0.0, point.mu_sun) * max(point.mu_sun, 0.0);
+  vec3 direct = transmittance_to_sun(scene.planet, 0.0, point.mu_sun) * ground_facing(scene.planet, point.mu_sun);
   vec3 clear = direct + moment_ground_irradiance(scene.moments, point.mu_sun);
   float lit = exp(-cloud().scale * sun_depth_at(place));
   CloudLight light = cloud_light.value;
@@ -148,8 +148,8 @@ Walk closed(Walk walk, Ray ray, FactorPlace at) {
   uint turns = taken > 0.0 ? 1u : 0u;
   for (uint turn = 0u; turn < turns; turn++) {
     float t = walk.stretch.reach / taken;
-    Before before = air_before(ray, at, t);
-    vec3 light = coloured(walk.stretch, point_on_ray(scene.planet, ray, t));
+    Before before = air_before(ray, at, optical_length(scene.planet, ray.h, ray.mu, t));
+    vec3 light = coloured(walk.stretch, sunlit_among_things(scene.planet, ray, t));
     walk.light += max(before.light - walk.air, vec3(0.0)) * walk.stretch.before + before.transmittance * light;
     walk.air = max(before.light, walk.air);
     walk.stretch = nothing_gathered(walk.stretch.transmittance);
