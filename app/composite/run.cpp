@@ -358,9 +358,7 @@ void require_other_file(const Frame& frame) {
 int run_composite(const CompositeOrder& order) {
   check(order);
   const std::vector<Frame> frames = frames_of(order);
-  Scene scene = load_scene(order.scene);
-  scene.planet.refraction.reset();  // plates hold distances along straight rays
-  const Stage preset = ready(scene);
+  const Stage preset = ready(load_scene(order.scene));
   require_spans(preset.scene(), order.fog.empty());
   for (const Frame& frame : frames) {
     require_ending(frame.output, "composite: -o", ".exr");

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <utility>
 
 #include "core/air/air.h"
 #include "core/scene/refractive_index.h"
+#include "core/text.h"
 
 namespace airlight {
 namespace {
@@ -71,20 +73,49 @@ void put_planet(physics::Physics& p, const Planet& planet) {
     return;
   }
   RefractiveIndex index(planet);
-  p.scene.planet.ground_radius = index.at(0.0) * planet.ground_radius;
-  p.scene.planet.atmosphere_height = index.optical_altitude(planet.atmosphere_height);
+  const double scale = planet.refraction->scale;
+  p.scene.planet.ground_radius = radius_for_things(planet);
+  p.scene.planet.atmosphere_height = scale * index.optical_altitude(planet.atmosphere_height);
   p.scene.refraction.ground_radius = planet.ground_radius;
+  p.scene.refraction.scale = scale;
   constexpr physics::uint kCells = physics::kRefractionCells;
   double h = 0.0;
   for (physics::uint i = 0; i <= kCells; ++i) {
     const double u = static_cast<double>(i) / kCells;
-    h = altitude_of(index, p.scene.planet.atmosphere_height * u * u, h);
-    p.scene.refraction.nodes[i] = {h, 1.0 / index.curvature(h), 0.0};
+    h = altitude_of(index, p.scene.planet.atmosphere_height / scale * u * u, h);
+    p.scene.refraction.nodes[i] = {h, 1.0 / (scale * index.curvature(h)), 0.0};
   }
   for (physics::uint i = 0; i <= kCells; ++i) {
     const double u = static_cast<double>(i) / kCells;
     p.scene.refraction.nodes[i].z = sun_lift(p, p.scene.planet.atmosphere_height * u * u);
   }
+}
+
+double scale_for_things(const Planet& planet, double camera_altitude) {
+  constexpr double kNear = 0.01;  // km, over which the air's gradient is that at the ground
+  RefractiveIndex index(planet);
+  const double h = std::max(camera_altitude, kNear);
+  return h / index.optical_altitude(h);
+}
+
+double radius_for_things(const Planet& planet) {
+  return !planet.refraction ? planet.ground_radius
+                            : RefractiveIndex(planet).at(0.0) * planet.ground_radius * planet.refraction->scale;
+}
+
+std::string refraction_key(const Planet& planet) {
+  std::string key;
+  if (const auto& bent = planet.refraction) {
+    const Density& d = bent->density;
+    for (const double number :
+         {bent->n_minus_1, bent->scale, static_cast<double>(d.profile), d.scale_height, d.center, d.half_width}) {
+      key += " " + shortest(number);
+    }
+    for (const DensityLayer& layer : d.layers) {
+      key += " " + shortest(layer.altitude) + " " + shortest(layer.density);
+    }
+  }
+  return key;
 }
 
 double optical_altitude(physics::Physics& p, double h) {
@@ -94,7 +125,7 @@ double optical_altitude(physics::Physics& p, double h) {
   const double optical_top = p.scene.planet.atmosphere_height;
   const double top = p.true_altitude(optical_top).h;
   if (h >= top) {
-    return h - top + optical_top;
+    return p.optical_scale() * (h - top) + optical_top;
   }
   return where([&](double g) { return p.true_altitude(g).h; }, h, optical_top);
 }
@@ -108,7 +139,7 @@ double true_length(physics::Physics& p, double mu, double optical) {
   const auto ray = p.ray_in_atmosphere(planet, p.scene.camera.altitude, mu, 0.0, 0.0);
   const double before = p.air_entry(planet, p.scene.camera.altitude, mu).distance_;
   const double inside = std::min(optical - before, ray.length_);
-  double length = optical - std::max(inside, 0.0);
+  double length = (optical - std::max(inside, 0.0)) / p.optical_scale();
   constexpr int kSteps = 64;
   for (int i = 0; i < kSteps && inside > 0.0; ++i) {
     const double t = inside * (i + 0.5) / kSteps;
@@ -136,6 +167,17 @@ SeenDirection seen_direction(physics::Physics& p, const vec3& direction) {
   const double scale = (level * std::cos(angle) - direction.y * std::sin(angle)) / level;
   return {{direction.x * scale, raised(angle), direction.z * scale},
           p.beam_spread(planet, g, raised(angle), bending(angle), slope)};
+}
+
+double seen_elevation(const Planet& planet, double altitude, double elevation) {
+  if (!planet.refraction) {
+    return elevation;
+  }
+  physics::Physics p;
+  put_planet(p, planet);
+  p.scene.camera.altitude = optical_altitude(p, altitude);
+  const SeenDirection seen = seen_direction(p, {std::cos(elevation), std::sin(elevation), 0.0});
+  return std::asin(std::clamp(seen.direction.y, -1.0, 1.0));
 }
 
 BentSky::BentSky(physics::Physics& p) {

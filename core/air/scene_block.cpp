@@ -180,6 +180,7 @@ device::SceneData narrowed(const physics::SceneData& data) {
   out.sun = narrow(data.sun);
   out.camera = narrow(data.camera);
   out.refraction.ground_radius = narrowed(data.refraction.ground_radius);
+  out.refraction.scale = narrowed(data.refraction.scale);
   std::ranges::transform(data.refraction.nodes, std::begin(out.refraction.nodes),
                          [](const vec3& node) { return narrowed(node); });
   out.multiple_scattering_scale = narrowed(data.multiple_scattering_scale);

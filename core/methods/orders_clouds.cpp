@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/air/refraction.h"
 #include "core/air/scene_block.h"
 #include "core/clouds/cloud_grid.h"
 #include "core/clouds/cloud_phase.h"
@@ -21,9 +22,10 @@ namespace {
 
 constexpr double kLeastSunHeight = 0.03;  // sine of the elevation: below it the sun's rays would cross many periods
 
-// Toward the sun in the cloud's frame (x east, y north, z up).
-physics::vec3 cloud_sun(const Scene& scene) {
-  const double up = std::max(std::sin(scene.sun.elevation), kLeastSunHeight);
+// Toward the sun that is seen from the cloud, in its frame (x east, y north, z up).
+physics::vec3 cloud_sun(const Scene& scene, const CloudGrid& cloud) {
+  const double elevation = seen_elevation(scene.planet, 0.5 * (cloud.base + cloud.top), scene.sun.elevation);
+  const double up = std::max(std::sin(elevation), kLeastSunHeight);
   const double across = std::sqrt(1.0 - up * up);
   return {across * std::sin(scene.sun.azimuth), across * std::cos(scene.sun.azimuth), up};
 }
@@ -363,7 +365,7 @@ void refuse_around_clouds(const Part& part, bool no_picture) {
 
 void add_clouds(Plan& plan, const Part& part, const View& view, const SkyTarget& target, const Light& light) {
   const Cloud& cloud = part.scene.clouds.front();
-  const physics::vec3 to_sun = cloud_sun(part.scene);
+  const physics::vec3 to_sun = cloud_sun(part.scene, *part.things.clouds().front());
   const auto grid = std::make_shared<const CloudGrid>(with_room(*part.things.clouds().front(), to_sun));
   const Matter matter = matter_of(cloud, part);
   const std::string key = "cloud " + cloud_key(cloud);

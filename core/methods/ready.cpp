@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/air/refraction.h"
 #include "core/methods/method.h"
 #include "core/scene/thing_kinds.h"
 #include "core/stage/lights.h"
@@ -50,6 +51,8 @@ PartSettings settled(const Part& whole) {
 Scene as_rays_go(Scene scene) {
   if (!bends_light(scene)) {
     scene.planet.refraction.reset();
+  } else if (stand_at_true_distance(scene)) {
+    scene.planet.refraction->scale = scale_for_things(scene.planet, scene.camera.altitude);
   }
   return scene;
 }
@@ -80,7 +83,7 @@ Stage made(const Scene& given, const std::optional<Nodes>& listed, const Stage* 
 }  // namespace
 
 bool bends_light(const Scene& scene) {
-  return scene.planet.refraction && method_of(scene).info.bends_light && among_straight_rays(scene).empty();
+  return scene.planet.refraction && method_of(scene).info.bends_light;
 }
 
 Stage ready(const Scene& scene) {

@@ -111,6 +111,7 @@ struct Physics {
   real optical_top() const { return scene.planet.atmosphere_height; }
   vec3 refraction_node(uint i) const { return scene.refraction.nodes[i]; }
   real true_ground_radius() const { return scene.refraction.ground_radius; }
+  real optical_scale() const { return refraction ? scene.refraction.scale : 1.0; }
   vec3 fetch_multiple_scattering(real x, real y) const { return multiple_scattering_lut.fetch_unit(x, y); }
   vec3 fetch_ground_irradiance(real x) const { return ground_irradiance_lut.fetch_unit(x, 0.5); }
   uint moment_degree() const { return degree; }

@@ -79,7 +79,8 @@ void add_geometry(std::vector<Layer>& layers, const Scene& scene, const Things& 
     const auto sight = p.sight_of(ray.direction);
     const auto hit = p.nearest_thing(planet, sight, physics::kNoSphere);
     const double distance = hit.what == p.kMeetsSky ? p.distance_to_end(planet, h, ray.direction.y) : hit.distance_;
-    depth[i] = distance < 0.0 ? kNoDistance : static_cast<float>(true_length(p, ray.direction.y, distance));
+    const double length = p.hits_thing(hit) ? distance : true_length(p, ray.direction.y, distance);
+    depth[i] = distance < 0.0 ? kNoDistance : static_cast<float>(length);
     if (hit.what != p.kMeetsSky) {
       const vec3 n = p.surface_at(planet, h, sight, hit, 0.0).normal;
       normal[i] = static_cast<float>(n.x);

@@ -265,12 +265,10 @@ std::string describe(const Scene& scene) {
     lines.spectrum("ground albedo", scene.planet.ground_albedo);
   }
   if (const auto& refraction = scene.planet.refraction) {
-    const std::string_view among = among_straight_rays(scene);
     lines.line("refraction", "n - 1 = " + format_number(refraction->n_minus_1) + " at the ground, " +
                                  (refraction->medium.empty()
                                       ? "scale height " + format_number(refraction->density.scale_height) + " km"
-                                      : "as the density of " + refraction->medium) +
-                                 (among.empty() ? "" : "; light goes straight among " + std::string(among)));
+                                      : "as the density of " + refraction->medium));
   }
   if (scene.ground) {
     describe_ground(lines, *scene.ground, scene.camera);

@@ -120,11 +120,9 @@ constexpr auto kRules = std::to_array<Rule>({
     number("planet.radius_km", kSize, "km", "6360", "radius of the ground sphere"),
     number("planet.atmosphere_height_km", kSize, "km", "100", "top of the atmosphere above the ground"),
     row(RuleType::curve, "planet.ground_albedo", kUnit, "", "0", "Lambertian reflectance of the ground"),
-    needed(
-        number("planet.refraction.n_minus_1", Range{.minimum = 0.0, .maximum = 0.01}, "", "",
-               "refractive index of the air at the ground, minus 1, at 550 nm: Earth's is 2.78e-4, 0 bends none. "
-               "Light is bent by `orders`, `march`, `sky-view` and `path-trace`, where no terrain, spheres or clouds "
-               "stand in the air")),
+    needed(number("planet.refraction.n_minus_1", Range{.minimum = 0.0, .maximum = 0.01}, "", "",
+                  "refractive index of the air at the ground, minus 1, at 550 nm: Earth's is 2.78e-4, 0 bends none. "
+                  "Light is bent by `orders`, `march`, `sky-view` and `path-trace`, among things too")),
     plain(RuleType::text, "planet.refraction.medium",
           "name of the medium whose density n - 1 follows; of `medium` and `scale_height_km` exactly one; "
           "one of the preset's own takes the place of an inherited one"),
@@ -211,8 +209,8 @@ constexpr auto kRules = std::to_array<Rule>({
                                    "and corona are in it"))),
 
     row(RuleType::clouds, "clouds", Range{.minimum = 1, .maximum = kMaxClouds}, "", "",
-        "water and ice that are uneven in all directions; `path-trace` knows them. With them rays are straight. Each "
-        "counts as one of the 8 media. A `layer` becomes a medium, and rays bend in it as in others"),
+        "water and ice that are uneven in all directions; `path-trace` knows them. Each counts as one of the 8 media. "
+        "A `layer` becomes a medium"),
     needed(choice("clouds[].type", kCloudNames, "",
                   "`cumulus`: heaps with flat bases; `stratocumulus`: a broken sheet; `cirrus`: ice in fibres; all to "
                   "the horizon, by a seed, the same on every machine; `volume`: a file; `layer`: even all around the "

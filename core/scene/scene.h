@@ -71,6 +71,7 @@ struct Refraction {
   Density density;                     // that it follows
   std::string medium;                  // whose density that is; empty: the scale height's own
   Spectrum dispersion{1.0, 1.0, 1.0};  // of each channel over 550 nm
+  double scale = 1.0;  // of optical lengths, which ready() sets where things stand (core/air/refraction)
   bool operator==(const Refraction&) const = default;
 };
 

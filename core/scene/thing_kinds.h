@@ -17,7 +17,7 @@ struct ThingKind {
   std::array<std::string_view, 2> keys;  // in it, one of which puts the thing there
   MemberOf<MethodInfo, bool> known;
   bool (*stands_in)(const Scene&);
-  bool at_true_distance = false;  // rays among them are straight, whatever the air (planet.refraction)
+  bool at_true_distance = false;  // where the air bends light, its lengths are true ones near the camera
 };
 
 inline constexpr std::array<ThingKind, 6> kThingKinds{
@@ -54,11 +54,8 @@ inline bool knows_things_of(const MethodInfo& method, const Scene& scene) {
                              [&](const ThingKind& kind) { return !kind.stands_in(scene) || method.*kind.known; });
 }
 
-// The things among which the scene's rays are straight; none: empty.
-inline std::string_view among_straight_rays(const Scene& scene) {
-  const auto kind =
-      std::ranges::find_if(kThingKinds, [&](const ThingKind& k) { return k.at_true_distance && k.stands_in(scene); });
-  return kind == kThingKinds.end() ? std::string_view() : kind->name;
+inline bool stand_at_true_distance(const Scene& scene) {
+  return std::ranges::any_of(kThingKinds, [&](const ThingKind& k) { return k.at_true_distance && k.stands_in(scene); });
 }
 
 }  // namespace airlight

@@ -71,7 +71,7 @@ SampledSky::Columns SampledSky::densities(double h) {
 }
 
 SampledSky::Columns SampledSky::to_top(double h, double mu) {
-  const physics::Physics::Ray ray{h, mu, mu, 1.0, p_.distance_to_top(planet(), h, mu), false, 0.0};
+  const physics::Physics::Ray ray{h, mu, mu, 1.0, p_.distance_to_top(planet(), h, mu), false, 0.0, false};
   const double falling = -(scene_.planet.ground_radius + h) * mu;
   const physics::uint before = p_.falling_steps(falling, ray.length_, kSunSteps);
   Columns columns{};

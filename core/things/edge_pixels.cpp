@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/air/refraction.h"
 #include "core/air/scene_block.h"
 #include "core/text.h"
 
@@ -90,17 +91,7 @@ std::string edge_key(const Scene& scene) {
         static_cast<double>(scene.image.width), static_cast<double>(scene.image.height)}) {
     key += " " + shortest(number);
   }
-  if (const auto& bent = scene.planet.refraction) {
-    const Density& d = bent->density;
-    for (const double number :
-         {bent->n_minus_1, static_cast<double>(d.profile), d.scale_height, d.center, d.half_width}) {
-      key += " " + shortest(number);
-    }
-    for (const DensityLayer& layer : d.layers) {
-      key += " " + shortest(layer.altitude) + " " + shortest(layer.density);
-    }
-  }
-  return key;
+  return key + refraction_key(scene.planet);
 }
 
 }  // namespace airlight

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/air/refraction.h"
 #include "core/text.h"
 #include "core/things/terrain.h"
 
@@ -138,7 +139,7 @@ std::string shadow_key(const Scene& scene) {
        {scene.sun.elevation, scene.sun.azimuth, scene.sun.disc.angular_radius, scene.planet.ground_radius}) {
     key += " " + shortest(number);
   }
-  return key;
+  return key + refraction_key(scene.planet);
 }
 
 }  // namespace airlight

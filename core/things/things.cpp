@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/air/refraction.h"
 #include "core/text.h"
 #include "core/things/ground.h"
 #include "core/things/spheres.h"
@@ -33,9 +34,13 @@ Things::Things(const Scene& scene, const Others& like) {
       refuse_buried_camera(altitude, colours.get());
       return colours.get();
     });
-    shadow_ = kept<TerrainMaps>(
-        like, &Things::shadow_, shadow_key(scene), [sun = scene.sun, radius = scene.planet.ground_radius, heights] {
-          return std::make_shared<const physics::HostTerrain>(with_shadow(heights.get(), sun, radius));
+    shadow_ =
+        kept<TerrainMaps>(like, &Things::shadow_, shadow_key(scene), [sun = scene.sun, planet = scene.planet, heights] {
+          Sun seen = sun;
+          const double altitude = 0.5 * static_cast<double>(heights.get()->heights->back());
+          seen.elevation = seen_elevation(planet, altitude, sun.elevation);
+          return std::make_shared<const physics::HostTerrain>(
+              with_shadow(heights.get(), seen, radius_for_things(planet)));
         });
   }
   spheres_ = spheres_of(scene);

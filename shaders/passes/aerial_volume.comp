@@ -44,11 +44,12 @@ void store_slice(SkyFactors factors, Ray ray, uvec2 texel, uint slice) {
       store(single_block(i), texel, slice, factors.single[i] * scale);
     }
   }
+  float nu = seen_cosine(scene.sun, ray.mu, ray.nu);
   vec3 light = factors.diffuse;
   UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
-    light += folded(i) ? factors.single[i] * medium_phase(i, ray.nu) : vec3(0.0);
+    light += folded(i) ? factors.single[i] * medium_phase(i, nu) : vec3(0.0);
   }
-  store(diffuse_block(), texel, slice, light * scale / volume_carrier(ray.nu));
+  store(diffuse_block(), texel, slice, light * scale / volume_carrier(nu));
 }
 
 // The first slice stands at the camera and holds the limit there, taken from a short way.

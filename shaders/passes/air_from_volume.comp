@@ -37,7 +37,8 @@ void main() {
   }
   ViewRay view = view_ray(scene.camera, kProjection, span.place.x, span.place.y);
   Ray ray = air_ray(view.direction);
-  float distance_ = clamp(span.distance_, 0.0, max(ray.length_, 0.0));
+  float up_to = optical_length(scene.planet, scene.camera.altitude, view.direction.y, span.distance_);
+  float distance_ = clamp(up_to, 0.0, max(ray.length_, 0.0));
   FactorPlace at = factor_place(view.direction);
   float z = slice_coordinate(scene.planet, ray, distance_);
   vec2 row = vec2(texel_from_unit(z, float(kExtinctionSlices)), at.v);

@@ -33,9 +33,10 @@ void main() {
   }
   ViewRay view = view_ray(scene.camera, kProjection, span.place.x, span.place.y);
   Ray whole = air_ray(view.direction);
-  Ray ray = ray_up_to(scene.planet, scene.camera.altitude, view.direction.y, whole, span.distance_);
+  float up_to = optical_length(scene.planet, scene.camera.altitude, view.direction.y, span.distance_);
+  Ray ray = ray_up_to(scene.planet, scene.camera.altitude, view.direction.y, whole, up_to);
   // Where air is cut into shells, steps follow from the edges that a ray crosses.
   uint count = shell_rows() > 0u ? steps : steps_up_to(scene.planet, whole, ray.length_, 2u, steps);
   SkyFactors air = scene_air_factors(ray, count);
-  write_air(span.index, phased(air, phases(ray.nu)) * scene.sun.irradiance, air.transmittance);
+  write_air(span.index, phased(air, phases(seen_cosine(scene.sun, ray.mu, ray.nu))) * scene.sun.irradiance, air.transmittance);
 }

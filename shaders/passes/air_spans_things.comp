@@ -29,7 +29,8 @@ void main() {
     return;
   }
   Sight sight = sight_of(vec3(0.0), view_ray(scene.camera, kProjection, span.place.x, span.place.y).direction);
-  Ray ray = ray_up_to(scene.planet, sight.from.h, sight.track.mu, sight.ray, span.distance_);
+  float up_to = optical_length(scene.planet, sight.from.h, sight.track.mu, span.distance_);
+  Ray ray = ray_up_to(scene.planet, sight.from.h, sight.track.mu, sight.ray, up_to);
   SkyFactors air = factors_past_things(sight, ray, steps);
-  write_air(span.index, phased(air, phases(ray.nu)) * scene.sun.irradiance, air.transmittance);
+  write_air(span.index, phased(air, phases(seen_cosine(scene.sun, ray.mu, ray.nu))) * scene.sun.irradiance, air.transmittance);
 }

@@ -23,9 +23,10 @@ void main() {
   CloudData c = cloud();
   vec4 sum = texelFetch(cloud_sums_lut, ivec2(0), 0);
   float mu_sun = scene.sun.direction.y;
-  float facing = max(mu_sun, 0.0);
-  MomentCoordinate at = air_moment_coordinate(scene.moments, c.base, mu_sun);
-  vec3 direct = transmittance_to_sun(scene.planet, c.base, mu_sun) * facing;
+  float h = optical_altitude_at(c.base);
+  float facing = max(seen_sun_mu(scene.planet, h, mu_sun), 0.0);
+  MomentCoordinate at = air_moment_coordinate(scene.moments, h, mu_sun);
+  vec3 direct = transmittance_to_sun(scene.planet, h, mu_sun) * facing;
   vec3 sky = level_irradiance(at, 1.0);
   vec3 up = level_irradiance(at, -1.0);
   vec3 clear = max(direct + sky, vec3(1e-30));
@@ -38,12 +39,13 @@ void main() {
   light.direct = sum.w;
   // Light from all around in the middle of the air below, by where it comes from: the cloud, the ground, or that air,
   // which sends on sunlight past the field and its own light.
-  float middle = 0.5 * c.base;
+  float middle = optical_altitude_at(0.5 * c.base);
   vec3 around = light_from_all_around(air_moment_coordinate(scene.moments, middle, mu_sun));
   vec3 lit_ground = 2.0 * scene.planet.ground_albedo * clear;
   vec3 from_sky = light_from_side(at, 1.0);
   vec3 of_air = max(around - from_sky - lit_ground, vec3(0.0));
-  float past = exp(-mean_shade(c, way_through_shell(scene.planet.ground_radius, c, middle, mu_sun)));
+  float past = exp(-mean_shade(c, way_through_shell(scene.planet.ground_radius, c, 0.5 * c.base,
+                                                      seen_sun_mu(scene.planet, middle, mu_sun))));
   vec3 beam = transmittance_to_sun(scene.planet, middle, mu_sun);
   vec3 sources = max(beam + around, vec3(1e-30));
   vec4 falling = texelFetch(cloud_sums_lut, ivec2(1, 0), 0);
@@ -54,8 +56,9 @@ void main() {
   vec3 air_share = (beam * past + around * light.air_below) / sources;
   vec3 sent = mix(air_share, light.below, min(0.5 * lit_ground / max(up, vec3(1e-30)), vec3(1.0)));  // over `up`
   vec4 rising = texelFetch(cloud_sums_lut, ivec2(3, 0), 0);
-  MomentCoordinate over = air_moment_coordinate(scene.moments, c.top, mu_sun);
-  vec3 sun_above = transmittance_to_sun(scene.planet, c.top, mu_sun) * facing;
+  float top = optical_altitude_at(c.top);
+  MomentCoordinate over = air_moment_coordinate(scene.moments, top, mu_sun);
+  vec3 sun_above = transmittance_to_sun(scene.planet, top, mu_sun) * facing;
   of_cloud = sun_above * (rising.x * across) + level_irradiance(over, 1.0) * (rising.y / kPi) +
              light_from_side(over, -1.0) * sent * (rising.z / (2.0 * kPi));
   light.air_above = (light_from_side(over, 1.0) + of_cloud) / light_from_all_around(over);

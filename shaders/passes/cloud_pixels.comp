@@ -133,7 +133,7 @@ vec3 share_by_froxels(AirRay of, float distance_) {
 
 // The light of a stretch as it leaves the cloud, at a point of the ray; for a sun of irradiance 1.
 vec3 coloured(CloudGathered g, RayPoint point) {
-  float h = mix(cloud().base, cloud().top, 0.7);
+  float h = optical_altitude_at(mix(cloud().base, cloud().top, 0.7));
   MomentCoordinate at = air_moment_coordinate(scene.moments, h, point.mu_sun);
   vec3 sun = transmittance_to_sun(scene.planet, h, point.mu_sun);
   vec3 sky = level_irradiance(at, 1.0) / kPi;
@@ -143,9 +143,9 @@ vec3 coloured(CloudGathered g, RayPoint point) {
 
 // The change of the ground's light by the cloud, at the ground, for a sun of irradiance 1.
 vec3 ground_change(Ray ray, vec3 direction) {
-  RayPoint point = point_on_ray(scene.planet, ray, ray.length_);
+  RayPoint point = sunlit_among_things(scene.planet, ray, ray.length_);
   vec3 place = cloud_place(scene.planet.ground_radius, cloud(), ray.h, direction, ray.length_);
-  vec3 direct = transmittance_to_sun(scene.planet, 0.0, point.mu_sun) * max(point.mu_sun, 0.0);
+  vec3 direct = transmittance_to_sun(scene.planet, 0.0, point.mu_sun) * ground_facing(scene.planet, point.mu_sun);
   vec3 clear = direct + moment_ground_irradiance(scene.moments, point.mu_sun);
   float lit = exp(-cloud_shade(place, 0.0, point.mu_sun));
   CloudLight light = cloud_light.value;
@@ -176,7 +176,7 @@ Stop stop_at(Walk walk, AirRay of, float distance_) {
     stop.before.light = walk.shaded.left;
     stop.before.transmittance = segment_transfer(walk.shaded.clear.depth).through;
   } else {
-    ClearAir air = clear_air_up_to(of.ray, of.at, distance_);
+    ClearAir air = clear_air_up_to(of.ray, of.at, optical_up_to(of.ray, distance_));
     stop.clear = air.once + air.more;
     stop.before.light = stop.clear * share_by_froxels(of, distance_);
     stop.before.transmittance = segment_transfer(air.depth).through;
@@ -192,7 +192,7 @@ Walk closed(Walk walk, AirRay of) {
     float t = walk.stretch.reach / taken;
     Stop stop = stop_at(walk, of, t);
     walk = stop.walk;
-    vec3 light = coloured(walk.stretch, point_on_ray(scene.planet, of.ray, t));
+    vec3 light = coloured(walk.stretch, sunlit_among_things(scene.planet, of.ray, t));
     walk.light += max(stop.before.light - walk.air, vec3(0.0)) * walk.stretch.before + stop.before.transmittance * light;
     walk.air = max(stop.before.light, walk.air);
     walk.stretch = nothing_gathered(walk.stretch.transmittance);
@@ -203,7 +203,7 @@ Walk closed(Walk walk, AirRay of) {
 float density_on_ray(vec3 place) { return inside_cloud_grid(cloud(), place) ? density_at(place) : 0.0; }
 
 float shade_on_ray(Ray ray, vec3 place, float t) {
-  RayPoint point = point_on_ray(scene.planet, ray, t);
+  RayPoint point = sunlit_among_things(scene.planet, ray, t);
   return cloud_shade(place, point.h, point.mu_sun);
 }
 

@@ -25,7 +25,8 @@ vec3 night_light(vec3 direction) {
     normal = slope.normal;
     albedo = slope.albedo;
   }
-  vec3 through = night_through(scene.planet, sight.ray, max(hit.distance_ - sight.before, 0.0));
+  float up_to = optical_length(scene.planet, h, sight.track.mu, hit.distance_);
+  vec3 through = night_through(scene.planet, sight.ray, max(up_to - sight.before, 0.0));
   vec3 all = night_through(scene.planet, sight.ray, distance_to_top(scene.planet, sight.ray.h, sight.ray.mu));
   return night_on_surface(scene.planet, h, direction, through, all, albedo, dot(normal, place.up));
 }

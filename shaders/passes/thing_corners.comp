@@ -30,6 +30,6 @@ void main() {
   }
   bool ground = sight.ray.at_ground && sight.ray.length_ >= 0.0;
   vec3 point = direction * (terrain < kNoTerrain ? terrain : sight.before + sight.ray.length_);
-  float share = sun_past_spheres(point, scene.sun.direction, scene.sun.angular_radius, kNoSphere);
+  float share = sun_past_spheres(point, scene.sun.seen, scene.sun.angular_radius, kNoSphere);
   corners_out.values[corner.y * width + corner.x] = vec2(terrain, terrain < kNoTerrain || ground ? share : 1.0);
 }

@@ -26,7 +26,7 @@ void main() {
   vec2 at = vec2(cell) / vec2(size.xy - 1u) * vec2(scene.camera.width, scene.camera.height);
   Sight sight = sight_of(vec3(0.0), view_ray(scene.camera, kProjection, at.x, at.y).direction);
   VolumeRay of = volume_ray(sight);
-  Phases p = phases(sight.ray.nu);
+  Phases p = phases(seen_cosine(scene.sun, sight.ray.mu, sight.ray.nu));
   float shaded = max(shaded_length(sight), 0.0);
   float from = 0.0;
   vec2 near = over_shadow(scene.planet, sight.track, sight.ray, 0.0);

@@ -56,6 +56,7 @@ struct Ray {
   real length_;   // to the ground or to the top; negative: the ray misses the air
   bool at_ground; // ends on the ground
   real bent;      // bending_ahead() at the start (sunlight.glsl), once lit_ray() has set it
+  bool falls;     // its line meets the ground, which a thing may hide
 };
 
 // One point of a ray.
@@ -111,6 +112,7 @@ Ray ray_in_atmosphere(PlanetData planet, real h, real mu, real mu_sun, real nu) 
   ray.nu = nu;
   ray.length_ = -1.0;
   ray.at_ground = meets_ground(planet, h, mu);
+  ray.falls = ray.at_ground;
   ray.bent = 0.0;
   if (h > planet.atmosphere_height) {
     AirEntry entry = air_entry(planet, h, mu);
@@ -122,6 +124,7 @@ Ray ray_in_atmosphere(PlanetData planet, real h, real mu, real mu_sun, real nu) 
     ray.mu = clamp(-entry.root / r_top, -1.0, 0.0);
     ray.mu_sun = clamp(((planet.ground_radius + h) * mu_sun + entry.distance_ * nu) / r_top, -1.0, 1.0);
     ray.at_ground = meets_ground(planet, ray.h, ray.mu);
+    ray.falls = ray.at_ground;
   }
   if (ray.at_ground) {
     ray.length_ = distance_to_ground(planet, ray.h, ray.mu);

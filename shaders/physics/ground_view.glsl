@@ -30,5 +30,6 @@ Ray ray_of_unit(PlanetData planet, ViewRange range, real x) {
   ray.nu = 0.0;
   ray.length_ = way;
   ray.at_ground = false;
+  ray.falls = false;
   return ray;
 }

@@ -9,9 +9,10 @@ const real kAirglowAltitude = 90.0;
 
 // The shell's length along a ray over that at the zenith, from an altitude below it (van Rhijn 1921).
 real van_rhijn(PlanetData planet, real h, real mu) {
-  real shell = (planet.ground_radius + h) / (planet.ground_radius + kAirglowAltitude);
+  real altitude = kAirglowAltitude * optical_scale();
+  real shell = (planet.ground_radius + h) / (planet.ground_radius + altitude);
   real square = shell * shell * (1.0 - mu * mu);
-  return h < kAirglowAltitude ? inversesqrt(max(1.0 - square, 1e-6)) : 0.0;
+  return h < altitude ? inversesqrt(max(1.0 - square, 1e-6)) : 0.0;
 }
 
 // The zenith cosine of row i. Rows stand by the root of the cosine's distance from the horizon.

@@ -5,9 +5,14 @@
 // ray goes further round the planet than the straight one, by the angle that it has been bent:
 //   d bending = sin z / (R' + g) (n/k - 1) dt  along the optical ray.
 // The sun's direction is the true one, above the air. A beam is spread by bending, and its irradiance falls.
+//
+// All optical lengths, R' among them, may be told in another unit: `scale` times as long. Near an altitude at which
+// scale is dh/dg, a length in this unit is the true one, a true ray is straight there, and things stand where they are
+// on a planet of radius R' = scale n(0) R. That is the surveyors' effective radius, R / (1 - R |dn/dh|).
 // The includer defines:
 //   bool bends_light();  real optical_top();  optical altitude of the top of the air
 //   vec3 refraction_node(uint i);  real true_ground_radius();  of RefractionData
+//   real optical_scale();  likewise, 1 where nothing is bent
 
 // An altitude from its optical one.
 struct TrueAltitude {
@@ -55,6 +60,7 @@ real bending_upward(PlanetData planet, real g, real mu, real length_, uint steps
   ray.mu_sun = mu;
   ray.nu = 1.0;
   ray.bent = 0.0;
+  ray.falls = false;
   real impact = (planet.ground_radius + g) * sqrt(max(1.0 - mu * mu, 0.0));
   real sum = 0.0;
   for (uint i = 0u; i < steps; i++) {
@@ -107,12 +113,53 @@ struct SeenSun {
 // n^2 sin(seen) d(seen) / (sin(true) d(true)); `bending`, and its derivative over the seen zenith angle. Far from a
 // planet whose air bends light a beam may have met in a focus, where rays cross: its irradiance is bounded there.
 real beam_spread(PlanetData planet, real g, real seen_mu, real bending, real derivative) {
-  real n = (planet.ground_radius + g) / (true_ground_radius() + true_altitude(g).h);
+  real n = (planet.ground_radius + g) / (true_ground_radius() + true_altitude(g).h) / optical_scale();
   real s = sqrt(max(1.0 - seen_mu * seen_mu, 0.0));
   real widening = max(1.0 + derivative, 1e-3);
   // sin(seen)/sin(true) as one quotient: both are 0 at the zenith, where bending is s times a number.
   real along = s > 1e-4 ? s / max(s * cos(bending) + seen_mu * sin(bending), 1e-6) : 1.0 / widening;
   return n * n * along / widening;
+}
+
+// Optical length of the first `length_` km of a ray from altitude h, which may be in space, along mu.
+real optical_length(PlanetData planet, real h, real mu, real length_) {
+  real before = air_entry(planet, h, mu).distance_;
+  real inside = length_ - before / optical_scale();
+  if (!bends_light() || inside <= 0.0) {
+    return length_ * optical_scale();
+  }
+  Ray ray = ray_in_atmosphere(planet, h, mu, mu, 1.0);
+  real first = true_altitude(ray.h).stretch;
+  real t = inside / first;
+  // Simpson's rule; each turn leaves a few hundredths of the error.
+  for (uint i = 0u; i < 3u; i++) {
+    real middle = true_altitude(point_on_ray(planet, ray, 0.5 * t).h).stretch;
+    real last = true_altitude(point_on_ray(planet, ray, t).h).stretch;
+    t = inside * 6.0 / (first + 4.0 * middle + last);
+  }
+  return before + t;
+}
+
+// The inverse of true_altitude(), by Newton's steps.
+real optical_altitude_at(real h) {
+  real g = h;
+  if (bends_light()) {
+    for (uint i = 0u; i < 3u; i++) {
+      TrueAltitude a = true_altitude(g);
+      g += (h - a.h) / a.stretch;
+    }
+  }
+  return g;
+}
+
+// The true vertical of a place with the vertical `up` on the planet of things: it stands as far from the camera, on a
+// planet of another radius.
+vec3 true_vertical(PlanetData planet, vec3 up) {
+  if (!bends_light()) {
+    return up;
+  }
+  real turn = planet.ground_radius / true_ground_radius();
+  return normalize(vec3(up.x * turn, up.y, up.z * turn));
 }
 
 // The point with the sun as it stands there: the sun of a straight ray, turned by `bent`, the ray's bending up to
@@ -121,6 +168,17 @@ RayPoint with_turned_sun(RayPoint point, Ray ray, real bent) {
   real s = sqrt(max(1.0 - point.mu * point.mu, 1e-12));
   real ahead = (ray.nu - point.mu * point.mu_sun) / s;
   point.mu_sun = clamp(point.mu_sun * (1.0 - 0.5 * bent * bent) + ahead * bent, -1.0, 1.0);
+  return point;
+}
+
+// A point at true distance t of a ray among things, with the sun as it stands there.
+RayPoint sunlit_among_things(PlanetData planet, Ray ray, real t) {
+  RayPoint point = point_on_ray(planet, ray, t);
+  if (bends_light()) {
+    real s = sqrt(max(1.0 - ray.mu * ray.mu, 0.0));
+    real round = atan(t * s, planet.ground_radius + ray.h + t * ray.mu);
+    point = with_turned_sun(point, ray, round * (planet.ground_radius / true_ground_radius() - 1.0));
+  }
   return point;
 }
 

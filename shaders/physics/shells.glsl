@@ -138,6 +138,7 @@ vec3 mean_extinction_to_top(PlanetData planet, real h, real mu) {
   ray.nu = 1.0;
   ray.length_ = distance_to_top(planet, h, mu);
   ray.at_ground = false;
+  ray.falls = false;
   ShadowCrossings none;
   none.first = ray.length_;
   none.second = ray.length_;

@@ -193,7 +193,7 @@ Ray part_of_ray(PlanetData planet, Ray ray, real from, real to) {
   RayPoint point = point_on_ray(planet, ray, from);
   Ray part = ray;
   if (bends_light()) {
-    real bent = bending_ahead(planet, ray.at_ground, ray.h, ray.mu) - bending_ahead(planet, ray.at_ground, point.h, point.mu);
+    real bent = bending_ahead(planet, ray.falls, ray.h, ray.mu) - bending_ahead(planet, ray.falls, point.h, point.mu);
     part.nu = turned_cosine(point, ray, bent);
     point = with_turned_sun(point, ray, bent);
   }

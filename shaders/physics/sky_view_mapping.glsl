@@ -55,6 +55,7 @@ Ray sky_view_ray(PlanetData planet, real h, SkyViewCoordinate c, real mu_sun) {
   real across = cos(elevation) * sqrt(max(1.0 - mu_sun * mu_sun, 0.0));
   ray.nu = clamp(sin(elevation) * mu_sun + across * cos_azimuth, -1.0, 1.0);
   ray.at_ground = c.ground;
+  ray.falls = c.ground;
   ray.length_ = c.ground ? distance_to_ground(planet, h, ray.mu) : distance_to_top(planet, h, ray.mu);
   return ray;
 }

@@ -80,6 +80,7 @@ TableRay space_table_ray(PlanetData planet, real h, real mu_sun, real x, uint se
   ray.h = top;
   ray.mu = clamp(state.mu, -steepest, 0.0);
   ray.at_ground = section == kSectionGround;
+  ray.falls = ray.at_ground;
   ray.length_ = ray.at_ground ? state.length_ : distance_to_top(planet, top, ray.mu);
   real across = min(r_top * sqrt(max(1.0 - ray.mu * ray.mu, 0.0)) / r, 1.0);
   real mu = -sqrt(1.0 - across * across);

@@ -12,7 +12,7 @@ vec3 translucent_irradiance(SphereData s, vec3 irradiance, vec3 even, real facin
 vec3 mirrored_disc(SunData sun, vec3 direction, real spread) {
   real square = sun.angular_radius * sun.angular_radius;
   real wide = square + 2.25 * spread * spread;
-  vec3 off = direction - sun.direction;
+  vec3 off = direction - sun.seen;
   real x = dot(off, off) / wide;
   real mean = 1.0 - sun.limb_darkening / 3.0;
   return sun.disc_radiance * (x < 1.0 ? 2.0 * mean * square / wide * (1.0 - x) : 0.0);

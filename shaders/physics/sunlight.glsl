@@ -15,29 +15,42 @@ vec3 transmittance_to_sun(PlanetData planet, real h, real mu_sun) {
 
 bool sun_is_up(PlanetData planet, real h, real mu_sun) { return !meets_ground(planet, h, lifted_sun(h, mu_sun)); }
 
-// Cosine between the vertical and the sun that the ground sees, 0 for a sun that is not up.
-real ground_facing(PlanetData planet, real mu_sun) {
+// Zenith cosine of the sun that is seen from altitude h.
+real seen_sun_mu(PlanetData planet, real h, real mu_sun) {
   real seen = mu_sun;
   if (bends_light()) {
+    real horizon = h > 0.0 ? horizon_mu(planet, h) : 0.0;
     real s = sqrt(max(1.0 - mu_sun * mu_sun, 0.0));
     // A step leaves a sixth of the error, at the horizon, where it is greatest.
     for (uint i = 0u; i < 4u; i++) {
-      real bent = bending_along(planet, 0.0, max(seen, 0.0));
+      real bent = bending_along(planet, h, max(seen, horizon));
       seen = mu_sun * (1.0 - 0.5 * bent * bent) + s * bent;
     }
   }
-  return max(seen, 0.0);
+  return seen;
 }
 
-// Bending that a ray has before it from altitude h, to the top of the air; of a ray that ends on the ground less that
+// The direction of the sun that is seen with zenith cosine `seen` where the vertical is `up`; `sun`: the true one.
+vec3 raised_to(vec3 up, vec3 sun, real seen) {
+  if (!bends_light()) {
+    return sun;
+  }
+  vec3 level = sun - up * dot(sun, up);
+  return up * seen + level * (sqrt(max(1.0 - seen * seen, 0.0)) / max(length(level), 1e-6));
+}
+
+// Cosine between the vertical and the sun that the ground sees, 0 for a sun that is not up.
+real ground_facing(PlanetData planet, real mu_sun) { return max(seen_sun_mu(planet, 0.0, mu_sun), 0.0); }
+
+// Bending that a ray has before it from altitude h, to the top of the air; of a ray that falls to the ground less that
 // which it would have if it went the other way.
-real bending_ahead(PlanetData planet, bool at_ground, real h, real mu) {
-  return at_ground ? -bending_along(planet, h, -mu) : bending_along(planet, h, mu);
+real bending_ahead(PlanetData planet, bool falls, real h, real mu) {
+  return falls ? -bending_along(planet, h, -mu) : bending_along(planet, h, mu);
 }
 
 // The ray, ready for sunlit_point().
 Ray lit_ray(PlanetData planet, Ray ray) {
-  ray.bent = bends_light() && ray.length_ > 0.0 ? bending_ahead(planet, ray.at_ground, ray.h, ray.mu) : 0.0;
+  ray.bent = bends_light() && ray.length_ > 0.0 ? bending_ahead(planet, ray.falls, ray.h, ray.mu) : 0.0;
   return ray;
 }
 
@@ -45,7 +58,7 @@ Ray lit_ray(PlanetData planet, Ray ray) {
 RayPoint sunlit_point(PlanetData planet, Ray ray, real t) {
   RayPoint point = point_on_ray(planet, ray, t);
   if (bends_light()) {
-    real bent = ray.bent - bending_ahead(planet, ray.at_ground, point.h, point.mu);
+    real bent = ray.bent - bending_ahead(planet, ray.falls, point.h, point.mu);
     point = with_turned_sun(point, ray, bent);
   }
   return point;

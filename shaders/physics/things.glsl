@@ -66,7 +66,7 @@ ThingHit nearest_thing(PlanetData planet, Sight sight, uint skip) {
 
 // Share of the sun's disc that things leave at a place. `skip`: the sphere on which it lies.
 real sun_past_things(PlanetData planet, real camera_altitude, SunData sun, Place place, uint skip) {
-  real share = sun_past_spheres(place.point, sun.direction, sun.angular_radius, skip);
+  real share = sun_past_spheres(place.point, sun.seen, sun.angular_radius, skip);
   if (has_terrain()) {
     vec2 at = map_place(planet, camera_altitude, place.point);
     share = share * terrain_sunlit(terrain_shape(), at.x, at.y, place.h);
@@ -84,7 +84,7 @@ struct Course {
 
 // Mean share of the sun's disc over a step of the march with its middle at t.
 real step_past_things(PlanetData planet, SunData sun, Course course, Ray ray, real t, real width) {
-  real share = spheres_sunlit(course.from, course.direction, sun.direction, sun.angular_radius, t, width);
+  real share = spheres_sunlit(course.from, course.direction, sun.seen, sun.angular_radius, t, width);
   if (has_terrain()) {
     share = share * step_sunlit(planet, course.track, course.start, ray, t, width);
   }

@@ -38,7 +38,7 @@ Surface surface_at(PlanetData planet, real camera_altitude, Sight sight, ThingHi
   } else if (has_ground_maps()) {
     GroundPlace place;
     place.hit = true;
-    place.up = up;
+    place.up = true_vertical(planet, up);
     place.cosine = max(-dot(sight.direction, up), 0.0);
     place.distance_ = hit.distance_;
     surface.ground = ground_in_pixel(planet, place, sight.direction, footprint / max(hit.distance_, 1e-9));
@@ -70,16 +70,15 @@ SkyPast with_spheres(SkyPast sky, Surface surface, vec3 sun, vec3 direct, vec3 e
 // What a sphere's surface loses of the ground's light: the ground below lies in the sphere's shadow, and the sphere
 // hides its sky as well. The ground is taken as level; its places are those of even shares of the surface's
 // irradiance. Each stands for a piece of ground, over which a sun as wide as that is as good as the shadow's mean.
-vec3 dark_ground_below(PlanetData planet, MomentTableData table, Surface surface, vec3 sun, real height) {
+vec3 dark_ground_below(PlanetData planet, MomentTableData table, Surface surface, PlaceSun sun, real height) {
   const uint kPlaces = 8u;
   const real kWide = 0.3;
   // Counted so, the software device goes through the loop for spheres alone.
   uint places = surface.what == kMeetsSphere ? kPlaces : 0u;
   SphereData own = sphere(surface.which == kNoSphere ? 0u : surface.which);
   vec3 up = surface.place.up;
-  real mu_sun = dot(sun, up);
-  vec3 beam = sun_through_air(planet, 0.0, mu_sun) * max(mu_sun, 0.0);
-  vec3 sky = moment_ground_irradiance(table, mu_sun);
+  vec3 beam = sun_through_air(planet, 0.0, sun.mu) * max(dot(sun.seen, up), 0.0);
+  vec3 sky = moment_ground_irradiance(table, sun.mu);
   vec3 n = surface.normal;
   vec3 aside = abs(n.y) < 0.9 ? normalize(vec3(-n.z, 0.0, n.x)) : vec3(1.0, 0.0, 0.0);
   aside = normalize(aside - n * dot(aside, n));
@@ -91,14 +90,14 @@ vec3 dark_ground_below(PlanetData planet, MomentTableData table, Surface surface
     vec3 d = n * sqrt(1.0 - square) + (aside * cos(turn) + across * sin(turn)) * sqrt(square);
     real fall = -dot(d, up);
     vec3 point = surface.place.point + d * (height / max(fall, 1e-3));
-    vec3 lost = beam * (1.0 - sun_past_sphere(own, point, sun, kWide)) +
+    vec3 lost = beam * (1.0 - sun_past_sphere(own, point, sun.seen, kWide)) +
                 sky * hidden_by_sphere(own, own.centre - point, up);
     sum = sum + lost * (fall > 1e-3 ? 1.0 : 0.0);
   }
   return planet.ground_albedo * sum / real(kPlaces);
 }
 
-SkyPast sky_past_things(PlanetData planet, MomentTableData table, real camera_altitude, SunData sun, Surface surface) {
+SkyPast sky_past_things(PlanetData planet, MomentTableData table, real camera_altitude, PlaceSun sun, Surface surface) {
   SkyPast sky;
   sky.share = vec3(1.0);
   sky.more = vec3(0.0);
@@ -110,30 +109,29 @@ SkyPast sky_past_things(PlanetData planet, MomentTableData table, real camera_al
                           : slope_share(terrain_shape(), at.x, at.y);
   }
   if (sphere_count() > 0u) {
-    vec3 direct = sun_through_air(planet, altitude_in_air(planet, surface.place), dot(sun.direction, surface.place.up));
-    vec3 even = mean_sky_irradiance(planet, table, surface.place, sun.direction) * sky.share;
-    sky = with_spheres(sky, surface, sun.direction, direct, even);
+    vec3 direct = sun_through_air(planet, altitude_in_air(planet, surface.place), sun.mu);
+    vec3 even = mean_sky_irradiance(planet, table, surface.place, sun) * sky.share;
+    sky = with_spheres(sky, surface, sun.seen, direct, even);
     real ground = has_terrain() ? surface_height(terrain_shape(), at.x, at.y) : 0.0;
-    sky.more = sky.more - dark_ground_below(planet, table, surface, sun.direction,
+    sky.more = sky.more - dark_ground_below(planet, table, surface, sun,
                                             max(surface.place.h - ground, 0.0));
   }
   return sky;
 }
 
 // Radiance of a surface that is no mirror along `direction`. `share`: of the sun that reaches it.
-vec3 surface_radiance(PlanetData planet, MomentTableData table, Surface surface, vec3 direction, vec3 sun, real share,
+vec3 surface_radiance(PlanetData planet, MomentTableData table, Surface surface, vec3 direction, PlaceSun sun, real share,
                       SkyPast sky) {
   Place place = surface.place;
-  real mu_sun = dot(sun, place.up);
   if (surface.what == kMeetsGround) {
-    vec3 beam = sun_through_air(planet, 0.0, mu_sun) * share;
+    vec3 beam = sun_through_air(planet, 0.0, sun.mu) * share;
     vec3 to_camera = -direction;
-    return ground_sends(surface.ground, place.up, sun, to_camera, beam,
-                        moment_ground_irradiance(table, mu_sun) * sky.share + sky.more);
+    return ground_sends(surface.ground, place.up, sun.seen, to_camera, beam,
+                        moment_ground_irradiance(table, sun.mu) * sky.share + sky.more);
   }
-  vec3 direct = sun_through_air(planet, altitude_in_air(planet, place), mu_sun) * share;
+  vec3 direct = sun_through_air(planet, altitude_in_air(planet, place), sun.mu) * share;
   vec3 diffuse = sky_irradiance(planet, table, place, surface.normal, sun) * sky.share + sky.more;
-  vec3 irradiance = direct * max(dot(surface.normal, sun), 0.0) + max(diffuse, vec3(0.0));
+  vec3 irradiance = direct * max(dot(surface.normal, sun.seen), 0.0) + max(diffuse, vec3(0.0));
   if (surface.what == kMeetsSphere && sphere(surface.which).material == kSphereTranslucent) {
     vec3 even = direct * 0.25 + mean_sky_irradiance(planet, table, place, sun) * sky.share;
     real facing = -dot(surface.normal, direction);

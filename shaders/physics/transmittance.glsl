@@ -10,6 +10,7 @@ vec3 optical_depth_to_top(PlanetData planet, real h, real mu, uint steps) {
   ray.nu = 1.0;
   ray.length_ = distance_to_top(planet, h, mu);
   ray.at_ground = false;
+  ray.falls = false;
   real falling = -(planet.ground_radius + h) * mu;
   uint before = falling_steps(falling, ray.length_, steps);
   vec3 depth = vec3(0.0);

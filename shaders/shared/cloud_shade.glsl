@@ -15,18 +15,19 @@ float mean_shade(CloudData c, float way) {
 // the sun's are the steeper the farther away they cross the shell.
 float cloud_shade(vec3 place, float h, float mu_sun) {
   CloudData c = cloud();
-  float way = way_through_shell(scene.planet.ground_radius, c, h, mu_sun);
+  float seen = seen_sun_mu(scene.planet, h, mu_sun);
+  float way = way_through_shell(scene.planet.ground_radius, c, h, seen);
   float straight = (c.top - c.base) * (1.0 - clamp(place.z, 0.0, 1.0)) *
                    length(vec3(c.sunward_east, c.sunward_north, 1.0));
   float along = c.scale * sun_depth_at(place) * way / max(straight, 1e-6);
-  return c.repeats == 0u ? along : mix(mean_shade(c, way), along, smoothstep(0.0, kRaysHold, mu_sun));
+  return c.repeats == 0u ? along : mix(mean_shade(c, way), along, smoothstep(0.0, kRaysHold, seen));
 }
 
 // What is left of the sun's light in the middle of the cloud, over what is left there along the table's rays: the light
 // scattered more than once goes by these.
 float sun_past_field(float h, float mu_sun) {
   CloudData c = cloud();
-  float way = way_through_shell(scene.planet.ground_radius, c, h, mu_sun);
+  float way = way_through_shell(scene.planet.ground_radius, c, h, seen_sun_mu(scene.planet, h, mu_sun));
   float straight = max(c.top - h, 0.0) * length(vec3(c.sunward_east, c.sunward_north, 1.0));
   return c.repeats == 0u ? 1.0 : exp(min(mean_shade(c, straight) - mean_shade(c, way), 0.0));
 }

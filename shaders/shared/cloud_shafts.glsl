@@ -24,6 +24,11 @@ ClearAir clear_air_up_to(Ray ray, FactorPlace at, float distance_) {
   return air;
 }
 
+// Optical length of a ray up to a true distance; its whole length at its end, which is told in optical length.
+float optical_up_to(Ray ray, float distance_) {
+  return distance_ < ray.length_ ? optical_length(scene.planet, ray.h, ray.mu, distance_) : ray.length_;
+}
+
 // Light of the air up to a distance.
 struct ShadedAir {
   float distance_;
@@ -54,15 +59,15 @@ ShadedAir shaded_up_to(ShadedAir air, Ray ray, FactorPlace at, vec3 direction, f
   vec3 more = vec3(0.0);
   for (uint i = 0u; i < parts; i++) {
     float t = air.distance_ + (float(i) + 0.5) * width;
-    RayPoint point = point_on_ray(scene.planet, ray, t);
+    RayPoint point = sunlit_among_things(scene.planet, ray, t);
     vec3 place = cloud_place(scene.planet.ground_radius, cloud(), ray.h, direction, t);
-    float counts = meets_ground(scene.planet, point.h, point.mu_sun) ? 0.0 : 1.0;
+    float counts = meets_ground(scene.planet, point.h, seen_sun_mu(scene.planet, point.h, point.mu_sun)) ? 0.0 : 1.0;
     lit += counts * exp(-cloud_shade(place, point.h, point.mu_sun));
     sunny += counts;
     more += more_light_at(place.z) / float(parts);
   }
   lit /= max(sunny, 1.0);
-  ClearAir next = clear_air_up_to(ray, at, to);
+  ClearAir next = clear_air_up_to(ray, at, optical_up_to(ray, to));
   air.left += max(next.once - air.clear.once, vec3(0.0)) * lit + max(next.more - air.clear.more, vec3(0.0)) * more;
   air.clear = next;
   air.distance_ = to;

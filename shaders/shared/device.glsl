@@ -34,6 +34,7 @@ bool bends_light() { return kRefraction != 0u; }
 real optical_top() { return scene.planet.atmosphere_height; }
 vec3 refraction_node(uint i) { return scene.refraction.nodes[i]; }
 real true_ground_radius() { return scene.refraction.ground_radius; }
+real optical_scale() { return bends_light() ? scene.refraction.scale : 1.0; }
 
 #include "physics/phase.glsl"
 #include "physics/phase_table.glsl"

@@ -58,7 +58,8 @@ struct MomentTableData {
 
 // Air that bends light: altitudes over optical ones.
 struct RefractionData {
-  real ground_radius;                 // true
+  real ground_radius;  // true
+  real scale;          // of optical altitudes and lengths, so that they are true near a camera among things
   vec3 nodes[kRefractionCells + 1u];  // altitude; its derivative over the optical one; sun_lift()
 };
 

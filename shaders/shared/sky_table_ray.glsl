@@ -8,9 +8,11 @@ Ray section_ray(SkyTableState state, uint section) {
   Ray ray = ray_in_atmosphere(scene.planet, h, state.mu, mu_sun, state.mu * mu_sun + s * state.cos_azimuth);
   if (section == kSectionGround) {
     ray.at_ground = true;
+    ray.falls = true;
     ray.length_ = state.length_;
   } else {
     ray.at_ground = false;
+    ray.falls = false;
     ray.length_ = distance_to_top(scene.planet, h, state.mu);
   }
   return ray;

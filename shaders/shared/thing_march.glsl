@@ -61,7 +61,7 @@ SkyFactors factors_past_things(Sight sight, Ray ray, uint steps) {
   uint near = steps_in_shadows(sight, shadowed, joint, steps);
   vec3 entry = sight.from.point + sight.direction * sight.before;
   float start = ground_distance(scene.planet, sight.from.h, sight.track.mu, sight.before);
-  RayPoint point = point_on_ray(scene.planet, ray, joint);
+  Ray far = part_of_ray(scene.planet, ray, joint, ray.length_);
   float joint_start = start + ground_distance(scene.planet, ray.h, ray.mu, joint);
   uint parts = ray.length_ > joint ? 2u : 1u;
   course.direction = sight.direction;
@@ -70,9 +70,10 @@ SkyFactors factors_past_things(Sight sight, Ray ray, uint steps) {
   for (uint i = 0u; i < parts; i++) {
     bool first = i == 0u;
     Ray part = ray;
-    part.h = first ? ray.h : point.h;
-    part.mu = first ? ray.mu : point.mu;
-    part.mu_sun = first ? ray.mu_sun : point.mu_sun;
+    part.h = first ? ray.h : far.h;
+    part.mu = first ? ray.mu : far.mu;
+    part.mu_sun = first ? ray.mu_sun : far.mu_sun;
+    part.nu = first ? ray.nu : far.nu;
     part.length_ = first ? joint : ray.length_ - joint;
     part.at_ground = ray.at_ground && i + 1u == parts;
     course.from = entry + sight.direction * (first ? 0.0 : joint);

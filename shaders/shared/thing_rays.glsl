@@ -25,7 +25,8 @@ Gathered gathered_along(vec3 direction, float spread, float bare, uint steps) {
     ThingHit hit = nearest_thing_past(scene.planet, sight, left, i == 0u ? bare : 0.0);
     Ray ray = sight.ray;
     if (hits_thing(hit)) {
-      ray = ray_up_to(scene.planet, sight.from.h, sight.track.mu, ray, hit.distance_);
+      real up_to = optical_length(scene.planet, sight.from.h, sight.track.mu, hit.distance_);
+      ray = ray_up_to(scene.planet, sight.from.h, sight.track.mu, ray, up_to);
     }
     SkyFactors air = factors_past_things(sight, ray, steps);
     sum = with_air(sum, air, seen_cosine(scene.sun, ray.mu, ray.nu), through, i == 0u);
@@ -39,10 +40,10 @@ Gathered gathered_along(vec3 direction, float spread, float bare, uint steps) {
     Surface surface = surface_at(scene.planet, scene.camera.altitude, sight, hit, beam);
     if (!surface.mirrors) {
       float share = sun_past_things(scene.planet, scene.camera.altitude, scene.sun, surface.place, hit.which);
-      SkyPast sky = sky_past_things(scene.planet, scene.moments, scene.camera.altitude, scene.sun, surface);
+      PlaceSun sun = sun_at(scene.planet, surface.place, scene.sun.direction);
+      SkyPast sky = sky_past_things(scene.planet, scene.moments, scene.camera.altitude, sun, surface);
       sum = with_light(sum, through * scene.sun.irradiance *
-                                surface_radiance(scene.planet, scene.moments, surface, direction, scene.sun.direction,
-                                                 share, sky));
+                                surface_radiance(scene.planet, scene.moments, surface, direction, sun, share, sky));
       break;
     }
     through *= surface.ground.albedo;

@@ -55,7 +55,7 @@ vec3 lit_single(VolumeRay of, Phases p, Sight sight, float distance_, vec3 all) 
     float from = distance_;
     float to = distance_;
     for (uint i = 0u; i < sphere_count(); i++) {
-      ShadowSpan span = shadow_of_sphere(sphere(i), sight.from.point, sight.direction, scene.sun.direction);
+      ShadowSpan span = shadow_of_sphere(sphere(i), sight.from.point, sight.direction, scene.sun.seen);
       bool next = span.to > at && span.from < from;
       from = next ? max(span.from, at) : from;
       to = next ? span.to : to;

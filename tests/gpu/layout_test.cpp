@@ -55,6 +55,7 @@ std::map<std::string, std::size_t> host_offsets() {
   AIRLIGHT_MEMBER(camera.edge_low);
   AIRLIGHT_MEMBER(camera.edge_high);
   AIRLIGHT_MEMBER(refraction.ground_radius);
+  AIRLIGHT_MEMBER(refraction.scale);
   AIRLIGHT_MEMBER(refraction.nodes);
   AIRLIGHT_MEMBER(multiple_scattering_scale);
   AIRLIGHT_MEMBER(moments.top);

@@ -52,6 +52,7 @@ Results call_geometry(uint function, Arguments x) {
   ray.nu = x.d;
   ray.length_ = x.e;
   ray.at_ground = false;
+  ray.falls = false;
   RayPoint point = point_on_ray(planet, ray, x.e);
   return results_of(point.h, point.mu, point.mu_sun, 0.0, 0.0, 0.0);
 }

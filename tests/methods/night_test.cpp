@@ -347,8 +347,8 @@ TEST(FaintStars, AddUpToTheSkysLight) {
   for (int i = 0; i < kRows; ++i) {
     const double latitude = (90.0 - (i + 0.5)) * kDegree;
     for (int j = 0; j < 360; ++j) {
-      sum += faint_stars(direction_of((j + 0.5) * kDegree, latitude)) * std::cos(latitude) * 180.0 / std::numbers::pi *
-             2.0 * std::sin(0.5 * kDegree);
+      sum += faint_stars(airlight::direction_of((j + 0.5) * kDegree, latitude)) * std::cos(latitude) * 180.0 /
+             std::numbers::pi * 2.0 * std::sin(0.5 * kDegree);
     }
   }
   EXPECT_NEAR(sum * 1e-4, 364.0, 10.0);
@@ -356,8 +356,8 @@ TEST(FaintStars, AddUpToTheSkysLight) {
 
 // The Milky Way's bright clouds in Sagittarius against the pole of the galaxy.
 TEST(FaintStars, HaveTheMilkyWay) {
-  const double cloud = faint_stars(direction_of(271.0 * kDegree, -29.0 * kDegree));
-  EXPECT_GT(cloud, 8.0 * faint_stars(direction_of(192.86 * kDegree, 27.13 * kDegree)));
+  const double cloud = faint_stars(airlight::direction_of(271.0 * kDegree, -29.0 * kDegree));
+  EXPECT_GT(cloud, 8.0 * faint_stars(airlight::direction_of(192.86 * kDegree, 27.13 * kDegree)));
 }
 
 TEST(NightSky, OfThePictureIsThatOfItsFormula) {

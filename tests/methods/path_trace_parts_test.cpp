@@ -78,7 +78,7 @@ TEST_P(PathTraceOpticalDepth, MeetsAdaptiveQuadrature) {
       mu = -mu;
     }
     const double distance = physics.distance_to_top(physics.scene.planet, h, mu) * (trial % 3 == 0 ? random() : 1.0);
-    const Ray ray{h, mu, 0.0, 0.0, distance, false, 0.0};
+    const Ray ray{h, mu, 0.0, 0.0, distance, false, 0.0, false};
     const auto at = [&](double t) {
       return physics.density(physics.density_profile(0), physics.medium(0),
                              physics.point_on_ray(physics.scene.planet, ray, t).h);

@@ -67,7 +67,7 @@ TEST(TracedTerrain, HidesTheSunWhereTheTableOfShadowsSaysSo) {
       continue;
     }
     const double share = p.terrain_sunlit(shape, east, north, h);
-    const bool dark = traced.hides_sun(place, kNoThing);
+    const bool dark = traced.hides_sun(p, place, h, Sunbeam{}, kNoThing);
     hidden += dark ? 1 : 0;
     wrong += std::abs(share - (dark ? 0.0 : 1.0)) > 0.75 ? 1 : 0;
   }

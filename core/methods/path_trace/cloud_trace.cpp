@@ -325,6 +325,7 @@ double TracedCloud::optical_depth(vec3 from, vec3 direction, double limit) const
 
 TracedClouds::TracedClouds(const Part& part) {
   for (std::shared_ptr<const CloudGrid>& grid : part.things.clouds()) {
+    highest_ = std::max(highest_, grid->top);
     clouds_.emplace_back(std::move(grid), part.scene.planet.ground_radius);
   }
   for (const Cloud& cloud : part.scene.clouds) {

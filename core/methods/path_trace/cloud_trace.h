@@ -71,6 +71,7 @@ class TracedClouds {
   // Share of the light met that is scattered.
   double albedo(int cloud) const { return albedos_[static_cast<std::size_t>(cloud)]; }
   int count() const { return static_cast<int>(clouds_.size()); }
+  double highest() const { return highest_; }  // altitude, km
   double extinction_at(int cloud, physics::vec3 place) const {
     return clouds_[static_cast<std::size_t>(cloud)].extinction_at(place);
   }
@@ -78,6 +79,7 @@ class TracedClouds {
  private:
   std::vector<TracedCloud> clouds_;
   std::vector<double> albedos_;
+  double highest_ = 0.0;
 };
 
 }  // namespace airlight

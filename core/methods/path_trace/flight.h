@@ -27,6 +27,7 @@ struct FlightPlan {
   Channels total{};              // over all panels and the ground
   double length = 0.0;           // km
   ThingNumber thing = kNoThing;  // to which the ground's share belongs, above the ground
+  physics::vec3 place{};         // where the ray meets it
 };
 
 struct Collision {

@@ -119,7 +119,7 @@ void OpticalDepth::add_layers(uint i, const MediumData& m) {
 // Visits the ray as one climb, or as two from its lowest point.
 template <class Visit>
 void OpticalDepth::for_each_climb(double h, double mu, double distance, const Visit& visit) const {
-  const physics::Physics::Ray ray{h, mu, 0.0, 0.0, distance, false, 0.0};
+  const physics::Physics::Ray ray{h, mu, 0.0, 0.0, distance, false, 0.0, false};
   const physics::PlanetData& planet = physics_.scene.planet;
   const physics::Physics::RayPoint end = physics_.point_on_ray(planet, ray, distance);
   if (mu >= 0.0) {

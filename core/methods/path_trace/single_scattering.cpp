@@ -81,10 +81,6 @@ Value SingleScattering::along(const Ray& ray, const F& f) const {
 
 namespace {
 
-vec3 place_on(const physics::PlanetData& planet, const Ray& ray, const Footing& footing, double t) {
-  return footing.up * (planet.ground_radius + ray.h) + footing.direction * t;
-}
-
 double distance_from_camera(const physics::Physics& physics, vec3 up) {
   const double r = physics.scene.planet.ground_radius;
   return length(up * r - vec3(0.0, r + physics.scene.camera.altitude, 0.0));
@@ -103,10 +99,14 @@ vec3 ground_albedo_at(physics::Physics& physics, vec3 up) {
 
 vec3 ground_reflects(physics::Physics& physics, vec3 up, vec3 direction, double mu_sun, vec3 beam) {
   if (physics.ground_maps) {
-    return physics.ground_sends(physics.ground_mean(up, 0.0), up, physics.scene.sun.direction, -direction, beam,
-                                vec3(0.0));
+    const vec3 to_sun = physics.raised_to(up, physics.scene.sun.direction, mu_sun);
+    return physics.ground_sends(physics.ground_mean(up, 0.0), up, to_sun, -direction, beam, vec3(0.0));
   }
   return beam * physics.scene.planet.ground_albedo * (std::max(mu_sun, 0.0) / std::numbers::pi);
+}
+
+BentWay SingleScattering::way_of(const Ray& ray, const Footing& footing) const {
+  return {physics_, true_place(physics_, footing.up, ray.h), footing.up, footing.direction, ray};
 }
 
 vec3 SingleScattering::radiance(const Ray& ray, const Footing& footing) const {
@@ -124,10 +124,9 @@ vec3 SingleScattering::radiance(const Ray& ray, const Footing& footing) const {
   }
   if (ray.at_ground) {
     const LitPoint end = lit_point(physics_, ray, ray.length_);
-    const vec3 sun_on_ground =
-        things_ == nullptr
-            ? sunlight(0.0, end.beam)
-            : sunlight_at(place_on(physics_.scene.planet, ray, footing, ray.length_), 0.0, end.point.mu_sun);
+    const vec3 sun_on_ground = things_ == nullptr
+                                   ? sunlight(0.0, end.beam)
+                                   : sunlight_at(way_of(ray, footing).at(ray.length_).place, 0.0, end.beam);
     sum = sum + exp(-depth_.along(ray.h, ray.mu, ray.length_)) *
                     seen_ground(physics_, ray, footing, sun_on_ground, end.beam.mu);
   }
@@ -137,10 +136,10 @@ vec3 SingleScattering::radiance(const Ray& ray, const Footing& footing) const {
 // A beam weaker than this share of the sun above the air counts as none; no ray then looks for things before the sun.
 constexpr double kNoBeam = 1e-12;
 
-vec3 SingleScattering::sunlight_at(vec3 place, double h, double mu_sun, ThingNumber left) const {
-  const vec3 beam = sunlight(h, sunbeam(physics_, h, mu_sun));
-  const bool shines = std::max({beam.x, beam.y, beam.z}) > kNoBeam;
-  return shines && (things_ == nullptr || !things_->hides_sun(place, left)) ? beam : vec3(0.0);
+vec3 SingleScattering::sunlight_at(vec3 place, double h, const Sunbeam& beam, ThingNumber left) const {
+  const vec3 light = sunlight(h, beam);
+  const bool shines = std::max({light.x, light.y, light.z}) > kNoBeam;
+  return shines && (things_ == nullptr || !things_->hides_sun(physics_, place, h, beam, left)) ? light : vec3(0.0);
 }
 
 namespace {
@@ -166,7 +165,7 @@ void for_short_steps(const Ray& ray, F step) {
 }  // namespace
 
 vec3 SingleScattering::through_shadows(const Ray& ray, const Footing& footing) const {
-  const physics::PlanetData& planet = physics_.scene.planet;
+  const BentWay way = way_of(ray, footing);
   const physics::Physics::Phases phases = physics_.phases(ray.nu);
   vec3 sum(0.0);
   for_short_steps(ray, [&](double t, double width) {
@@ -174,10 +173,11 @@ vec3 SingleScattering::through_shadows(const Ray& ray, const Footing& footing) c
     if (std::max({through.x, through.y, through.z}) < kDark) {
       return false;
     }
-    const physics::Physics::RayPoint point = physics_.point_on_ray(planet, ray, t);
-    const vec3 sun = sunlight_at(place_on(planet, ray, footing, t), point.h, point.mu_sun);
+    const LitPoint lit = lit_point(physics_, ray, t);
+    const vec3 sun = sunlight_at(way.at(t).place, lit.point.h, lit.beam);
     if (sun.x + sun.y + sun.z > 0.0) {
-      sum = sum + through * scattered(point.h, phases, footing.uneven) * sun * width;
+      const physics::Physics::Phases here = physics_.refraction ? physics_.phases(lit.nu) : phases;
+      sum = sum + through * scattered(lit.point.h, here, footing.uneven) * sun * width;
     }
     return true;
   });
@@ -186,15 +186,15 @@ vec3 SingleScattering::through_shadows(const Ray& ray, const Footing& footing) c
 
 // A mirror's light comes along a ray of its own.
 vec3 SingleScattering::seen_thing(const Ray& ray, const Footing& footing) const {
-  const physics::PlanetData& planet = physics_.scene.planet;
-  const physics::Physics::RayPoint end = physics_.point_on_ray(planet, ray, ray.length_);
-  const vec3 place = place_on(planet, ray, footing, ray.length_);
+  const LitPoint end = lit_point(physics_, ray, ray.length_);
+  const vec3 place = footing.place;
   if (things_->mirrors(footing.thing)) {
     return vec3(0.0);
   }
-  const double facing = std::max(dot(things_->normal(place, footing.thing), physics_.scene.sun.direction), 0.0);
+  const vec3 to_sun = sun_seen_from(physics_, place, end.beam);
+  const double facing = std::max(dot(things_->normal(place, footing.thing), to_sun), 0.0);
   const vec3 beam =
-      facing > 0.0 ? sunlight_at(off_thing(place, footing.thing), end.h, end.mu_sun, footing.thing) : vec3(0.0);
+      facing > 0.0 ? sunlight_at(off_thing(place, footing.thing), end.point.h, end.beam, footing.thing) : vec3(0.0);
   return beam * things_->albedo(place, footing.thing) * (facing / std::numbers::pi);
 }
 
@@ -207,11 +207,14 @@ vec3 SingleScattering::seen_ground(physics::Physics& physics, const Ray& ray, co
   const physics::PlanetData& planet = physics.scene.planet;
   physics::Physics::GroundPlace place;
   place.hit = true;
-  place.up = normalize(footing.up * (planet.ground_radius + ray.h) + footing.direction * ray.length_);
+  place.up = things_ != nullptr
+                 ? normalize(way_of(ray, footing).at(ray.length_).place)
+                 : normalize(footing.up * (planet.ground_radius + ray.h) + footing.direction * ray.length_);
   place.cosine = std::max(-dot(place.up, footing.direction), 0.0);
   place.distance_ = footing.pixel > 0.0 ? distance_from_camera(physics, place.up) : 0.0;
   const auto ground = physics.ground_in_pixel(planet, place, footing.direction, footing.pixel);
-  return physics.ground_sends(ground, place.up, physics.scene.sun.direction, -footing.direction, beam, vec3(0.0));
+  const vec3 to_sun = physics.raised_to(place.up, physics.scene.sun.direction, mu_sun);
+  return physics.ground_sends(ground, place.up, to_sun, -footing.direction, beam, vec3(0.0));
 }
 
 // Radiance scattered once, per km of the ray, at all wavelengths.
@@ -240,18 +243,19 @@ struct SingleScattering::WideIntegrand {
   }
 };
 
-bool SingleScattering::is_lit(vec3 place, double h, double mu_sun, ThingNumber left) const {
-  const vec3 sun = sunlight_at(place, h, mu_sun, left);
+bool SingleScattering::is_lit(vec3 place, double h, const Sunbeam& beam, ThingNumber left) const {
+  const vec3 sun = sunlight_at(place, h, beam, left);
   return sun.x + sun.y + sun.z > 0.0;
 }
 
 // As for three channels, which decide what counts as dark.
 Wide SingleScattering::through_shadows(const Ray& ray, const Footing& footing, const Wavelengths& all) const {
   const WideIntegrand integrand{*this, all, ray, all.phases(ray.nu), footing.uneven};
+  const BentWay way = way_of(ray, footing);
   Wide sum;
   for_short_steps(ray, [&](double t, double width) {
-    const physics::Physics::RayPoint point = physics_.point_on_ray(physics_.scene.planet, ray, t);
-    if (is_lit(place_on(physics_.scene.planet, ray, footing, t), point.h, point.mu_sun)) {
+    const LitPoint lit = lit_point(physics_, ray, t);
+    if (is_lit(way.at(t).place, lit.point.h, lit.beam)) {
       sum = sum + integrand(t) * width;
     }
     const vec3 through = exp(-depth_.along(ray.h, ray.mu, t));
@@ -270,13 +274,12 @@ Wide SingleScattering::radiance(const Ray& ray, const Footing& footing, const Wa
   if ((!ray.at_ground && thing == kNoThing) || (things_ != nullptr && things_->mirrors(thing))) {
     return sum;
   }
-  const physics::PlanetData& planet = physics_.scene.planet;
   const LitPoint end = lit_point(physics_, ray, ray.length_);
-  const vec3 place = place_on(planet, ray, footing, ray.length_);
+  const vec3 place = thing != kNoThing ? footing.place : way_of(ray, footing).at(ray.length_).place;
   const double h = thing != kNoThing ? end.point.h : 0.0;
   const double facing =
-      thing != kNoThing ? dot(things_->normal(place, thing), physics_.scene.sun.direction) : end.beam.mu;
-  if (facing > 0.0 && is_lit(off_thing(place, thing), h, end.point.mu_sun, thing)) {
+      thing != kNoThing ? dot(things_->normal(place, thing), sun_seen_from(physics_, place, end.beam)) : end.beam.mu;
+  if (facing > 0.0 && is_lit(off_thing(place, thing), h, end.beam, thing)) {
     const Columns columns = depth_.columns_along(ray.h, ray.mu, ray.length_) + depth_.columns_to_top(h, end.beam.mu);
     const Wide sent = thing != kNoThing ? all.thing_albedo(*things_, place, thing) * (facing / std::numbers::pi)
                                         : all.of_groups([&](physics::Physics& group) {

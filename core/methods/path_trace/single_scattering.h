@@ -23,6 +23,7 @@ struct Footing {
   double pixel = 0.0;            // angle that the ray represents
   ThingNumber thing = kNoThing;  // on which the ray ends
   double uneven = 0.0;           // what a filter adds to the phase function of dipoles, over kDipole
+  physics::vec3 place{};         // where it meets the thing
 };
 
 // Radiance of the ground at `up`, sent back along `direction`, for a sun beam of this irradiance on a plane that faces
@@ -49,8 +50,8 @@ class SingleScattering {
   std::uint64_t cut_rays() const { return cut_rays_; }
 
   // Direct sunlight at `place`, a vector from the planet's centre; zero also where a thing hides the sun.
-  // `left`: the thing on which the place lies.
-  physics::vec3 sunlight_at(physics::vec3 place, double h, double mu_sun, ThingNumber left = kNoThing) const;
+  // `h`: its altitude as the formulas have it, `beam`: the sun there, `left`: the thing on which the place lies.
+  physics::vec3 sunlight_at(physics::vec3 place, double h, const Sunbeam& beam, ThingNumber left = kNoThing) const;
 
   // Direct sunlight at altitude h on a plane that faces the sun; zero in the planet's shadow.
   physics::vec3 sunlight(double h, const Sunbeam& beam) const;
@@ -63,7 +64,8 @@ class SingleScattering {
   Value along(const physics::Physics::Ray& ray, const F& f) const;
   physics::vec3 through_shadows(const physics::Physics::Ray& ray, const Footing& footing) const;
   Wide through_shadows(const physics::Physics::Ray& ray, const Footing& footing, const Wavelengths& all) const;
-  bool is_lit(physics::vec3 place, double h, double mu_sun, ThingNumber left = kNoThing) const;
+  bool is_lit(physics::vec3 place, double h, const Sunbeam& beam, ThingNumber left = kNoThing) const;
+  BentWay way_of(const physics::Physics::Ray& ray, const Footing& footing) const;
   physics::vec3 seen_thing(const physics::Physics::Ray& ray, const Footing& footing) const;
   physics::vec3 seen_ground(physics::Physics& physics, const physics::Physics::Ray& ray, const Footing& footing,
                             physics::vec3 beam, double mu_sun) const;

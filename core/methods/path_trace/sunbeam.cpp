@@ -59,8 +59,8 @@ Sunbeam sunbeam(physics::Physics& physics, double h, double mu_sun) {
 double bending_to(physics::Physics& physics, const physics::Physics::Ray& ray,
                   const physics::Physics::RayPoint& point) {
   const physics::PlanetData& planet = physics.scene.planet;
-  return physics.bending_ahead(planet, ray.at_ground, ray.h, ray.mu) -
-         physics.bending_ahead(planet, ray.at_ground, point.h, point.mu);
+  return physics.bending_ahead(planet, ray.falls, ray.h, ray.mu) -
+         physics.bending_ahead(planet, ray.falls, point.h, point.mu);
 }
 
 LitPoint lit_point(physics::Physics& physics, const physics::Physics::Ray& ray, double t) {

@@ -18,6 +18,8 @@ class TracedTerrain {
   // camera's frame, km. Meetings nearer than `limit` do not count.
   std::optional<double> hit(physics::vec3 from, physics::vec3 direction, double limit) const;
 
+  double highest() const { return highest_; }  // km
+
   // The normal and the albedo of the terrain under a place.
   physics::vec3 normal(physics::vec3 place) const;
   physics::vec3 albedo(physics::vec3 place) const;

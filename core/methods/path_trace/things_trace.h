@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/methods/path_trace/bent_way.h"
 #include "core/methods/path_trace/terrain_trace.h"
 #include "core/stage/stage.h"
 
@@ -34,13 +35,18 @@ class TracedThings {
   struct Met {
     double distance = 0.0;
     ThingNumber thing = kNoThing;
+    physics::vec3 place{};
   };
   // The first meeting along `direction` (unit) from `from`, a vector from the planet's centre in the camera's frame,
   // km, nearer than `limit`. `left`: the sphere that the ray leaves.
   std::optional<Met> hit(physics::vec3 from, physics::vec3 direction, double limit, ThingNumber left) const;
 
-  // Whether a thing stands between the place and the middle of the sun's disc.
-  bool hides_sun(physics::vec3 from, ThingNumber left) const { return hit(from, sun_, kFar, left).has_value(); }
+  // The same along a ray that the air may bend; its distance is the ray's.
+  std::optional<Met> hit(const BentWay& way, double limit, ThingNumber left) const;
+
+  // Whether a thing stands between the place and the middle of the sun's disc. `h`: the place's altitude as `physics`
+  // has it, `beam`: the sun there.
+  bool hides_sun(physics::Physics& physics, physics::vec3 place, double h, const Sunbeam& beam, ThingNumber left) const;
 
   physics::vec3 normal(physics::vec3 place, ThingNumber thing) const;
   physics::vec3 albedo(physics::vec3 place, ThingNumber thing) const;
@@ -55,6 +61,7 @@ class TracedThings {
   mutable physics::Physics physics_;
   physics::vec3 camera_;  // from the planet's centre
   physics::vec3 sun_;
+  double highest_ = 0.0;  // altitude of all things, km
   std::vector<physics::SphereData> spheres_;
   std::optional<TracedTerrain> terrain_;
 };

@@ -67,7 +67,7 @@ vec3 PathTracer::single(const Chain& chain) const {
   for (const WalkStart& start : chain) {
     const Bend to_sun = bend_of(start.direction, physics_.scene.sun.direction, start.axis);
     const double uneven = Analyser<double>{start.q, 0.0}.correction(to_sun, 1.0);
-    const Footing footing{start.up, start.direction, start.pixel, start.plan.thing, uneven};
+    const Footing footing{start.up, start.direction, start.pixel, start.plan.thing, uneven, start.plan.place};
     sum = sum + (all_ != nullptr ? all_->colour(single_.radiance(start.ray, footing, *all_) * start.wide_weight)
                                  : single_.radiance(start.ray, footing) * start.weight);
   }
@@ -101,8 +101,12 @@ vec3 PathTracer::transmittance(const Chain& chain) const {
   const bool passes = start.ray.length_ > 0.0;
   double clear = 1.0;
   if (passes && !clouds_.none()) {
-    const vec3 place = start.up * (physics_.scene.planet.ground_radius + start.ray.h);
-    clear = std::exp(-clouds_.optical_depth(place, start.direction, start.ray.length_));
+    double depth = 0.0;
+    way_of(start).chords(start.ray.length_, clouds_.highest(), [&](const BentWay::Chord& chord) {
+      depth += clouds_.optical_depth(chord.from, chord.direction, chord.length);
+      return false;
+    });
+    clear = std::exp(-depth);
   }
   if (all_ != nullptr) {
     const auto columns = passes ? depth_.columns_along(start.ray.h, start.ray.mu, start.ray.length_) : Columns{};
@@ -118,28 +122,61 @@ vec3 PathTracer::view(double x, double y) const {
   return physics_.view_ray(physics_.scene.camera, projection_, x, y).direction;
 }
 
-// Whether the pixel's corners see things at distances a seventh apart, a mirror, or sunlit and shaded ones.
-bool PathTracer::holds_edge(int x, int y) const {
-  constexpr double kNothing = 1e9;
+BentWay PathTracer::way_of(const WalkStart& start) const {
+  return {physics_, true_place(physics_, start.up, start.ray.h), start.up, start.direction, start.ray};
+}
+
+namespace {
+
+constexpr double kNothing = 1e9;  // km
+
+}  // namespace
+
+PathTracer::Corner PathTracer::corner(vec3 direction) const {
+  if (physics_.refraction) {
+    return bent_corner(direction);
+  }
   const physics::PlanetData& planet = physics_.scene.planet;
   const double h = physics_.scene.camera.altitude;
   const vec3 camera(0.0, planet.ground_radius + h, 0.0);
+  const auto hit = things_.hit(camera, direction, kNothing, kNoThing);
+  const bool ground = physics_.meets_ground(planet, h, direction.y);
+  Corner found;
+  found.met = hit.value_or(TracedThings::Met{kNothing, kNoThing, camera});
+  const double end = hit ? hit->distance : ground ? physics_.distance_to_ground(planet, h, direction.y) : 0.0;
+  const ThingNumber thing = found.met.thing;
+  found.lit = end <= 0.0 || !things_.hides_sun(physics_, off_thing(camera + direction * end, thing), 0.0, {}, thing);
+  return found;
+}
+
+PathTracer::Corner PathTracer::bent_corner(vec3 direction) const {
+  const WalkStart start = walk_.start(direction, wall_);
+  Corner found;
+  found.met = {kNothing, start.plan.thing, {}};
+  if (start.ray.length_ > 0.0 && (start.plan.thing != kNoThing || start.ray.at_ground)) {
+    const LitPoint end = lit_point(physics_, start.ray, start.ray.length_);
+    const bool on_thing = start.plan.thing != kNoThing;
+    found.met.place = on_thing ? start.plan.place : way_of(start).at(start.ray.length_).place;
+    found.met.distance = start.plan.thing != kNoThing ? start.ray.length_ : kNothing;
+    const vec3 place = off_thing(found.met.place, start.plan.thing);
+    found.lit = end.beam.up && !things_.hides_sun(physics_, place, end.point.h, end.beam, start.plan.thing);
+  }
+  return found;
+}
+
+// Whether the pixel's corners see things at distances a seventh apart, a mirror, or sunlit and shaded ones.
+bool PathTracer::holds_edge(int x, int y) const {
   double nearest = kNothing;
   double farthest = 0.0;
   int lit = 0;
   for (int i = 0; i < 4; ++i) {
-    const vec3 direction = view(x + (i % 2 == 0 ? 0.05 : 0.95), y + (i < 2 ? 0.05 : 0.95));
-    const auto hit = things_.hit(camera, direction, kNothing, kNoThing);
-    const double distance = hit ? hit->distance : kNothing;
-    const ThingNumber thing = hit ? hit->thing : kNoThing;
-    if (things_.mirrors(thing)) {
+    const Corner seen = corner(view(x + (i % 2 == 0 ? 0.05 : 0.95), y + (i < 2 ? 0.05 : 0.95)));
+    if (things_.mirrors(seen.met.thing)) {
       return true;
     }
-    nearest = std::min(nearest, distance);
-    farthest = std::max(farthest, distance);
-    const bool ground = physics_.meets_ground(planet, h, direction.y);
-    const double end = hit ? distance : ground ? physics_.distance_to_ground(planet, h, direction.y) : 0.0;
-    lit += things_.hides_sun(off_thing(camera + direction * end, thing), thing) && end > 0.0 ? 0 : 1;
+    nearest = std::min(nearest, seen.met.distance);
+    farthest = std::max(farthest, seen.met.distance);
+    lit += seen.lit ? 1 : 0;
   }
   return farthest > 1.15 * nearest || (lit > 0 && lit < 4);
 }

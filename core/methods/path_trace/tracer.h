@@ -71,6 +71,15 @@ class PathTracer {
  private:
   double pixel_angle(int x, int y) const;
   bool holds_edge(int x, int y) const;
+  BentWay way_of(const WalkStart& start) const;
+  // What a corner of a pixel sees: the nearest thing, infinitely far where there is none, and whether the sun shines
+  // where the ray ends.
+  struct Corner {
+    TracedThings::Met met;
+    bool lit = true;
+  };
+  Corner corner(physics::vec3 direction) const;
+  Corner bent_corner(physics::vec3 direction) const;
   physics::vec3 view(double x, double y) const;
 
   mutable physics::Physics physics_;  // never written; GLSL's functions have no const

@@ -71,9 +71,10 @@ WalkStart Walk::start(vec3 direction, double wall) const {
     const double entry = (planet.ground_radius + planet.atmosphere_height) * start.ray.mu - r * direction.y;
     start.up = normalize(start.up * r + direction * entry);
   }
-  start.ray = physics_.ray_up_to(planet, h, direction.y, start.ray, wall);
-  const vec3 place = start.up * (planet.ground_radius + start.ray.h);
-  plan_flight(start.ray, place, direction, cut_at_things(place, direction, kNoThing, start.ray), 0.0, start.plan);
+  const double far = std::isfinite(wall) ? physics_.optical_length(planet, h, direction.y, wall) : wall;
+  start.ray = physics_.ray_up_to(planet, h, direction.y, start.ray, far);
+  const BentWay way(physics_, true_place(physics_, start.up, start.ray.h), start.up, direction, start.ray);
+  plan_flight(start.ray, cut_at_things(way, kNoThing, start.ray), 0.0, start.plan);
   return start;
 }
 
@@ -84,9 +85,10 @@ WalkStart Walk::start_at(vec3 place, vec3 direction) const {
   start.direction = direction;
   start.axis = some_axis(direction);
   start.up = normalize(place);
-  start.ray = physics_.ray_in_atmosphere(planet, std::max(length(place) - planet.ground_radius, 0.0),
-                                         dot(start.up, direction), dot(start.up, sun), dot(direction, sun));
-  plan_flight(start.ray, place, direction, cut_at_things(place, direction, kNoThing, start.ray), 0.0, start.plan);
+  start.ray = physics_.ray_in_atmosphere(planet, altitude_of_place(physics_, place), dot(start.up, direction),
+                                         dot(start.up, sun), dot(direction, sun));
+  const BentWay way(physics_, place, start.up, direction, start.ray);
+  plan_flight(start.ray, cut_at_things(way, kNoThing, start.ray), 0.0, start.plan);
   return start;
 }
 
@@ -97,22 +99,23 @@ std::optional<WalkStart> Walk::mirrored(const WalkStart& from, const Wavelengths
   }
   const physics::PlanetData& planet = physics_.scene.planet;
   const vec3 sun = physics_.scene.sun.direction;
-  const vec3 place = from.up * (planet.ground_radius + from.ray.h) + from.direction * from.ray.length_;
+  const BentWay way(physics_, true_place(physics_, from.up, from.ray.h), from.up, from.direction, from.ray);
+  const vec3 place = from.plan.place;
   WalkStart start;
   start.pixel = from.pixel;
-  start.direction = mirrored_at(from.direction, things_->normal(place, mirror));
+  start.direction = mirrored_at(way.at(from.ray.length_).direction, things_->normal(place, mirror));
   start.axis = some_axis(start.direction);
   start.up = normalize(place);
-  start.ray = physics_.ray_in_atmosphere(planet, std::max(length(place) - planet.ground_radius, 0.0),
-                                         dot(start.up, start.direction), dot(start.up, sun), dot(start.direction, sun));
+  start.ray = physics_.ray_in_atmosphere(planet, altitude_of_place(physics_, place), dot(start.up, start.direction),
+                                         dot(start.up, sun), dot(start.direction, sun));
   start.weight =
       from.weight * things_->albedo(place, mirror) * exp(-depth_.along(from.ray.h, from.ray.mu, from.ray.length_));
   if (all != nullptr) {
     start.wide_weight = from.wide_weight * all->thing_albedo(*things_, place, mirror) *
                         all->transmittance(depth_.columns_along(from.ray.h, from.ray.mu, from.ray.length_));
   }
-  plan_flight(start.ray, place, start.direction, cut_at_things(place, start.direction, mirror, start.ray), 0.0,
-              start.plan);
+  const BentWay next(physics_, place, start.up, start.direction, start.ray);
+  plan_flight(start.ray, cut_at_things(next, mirror, start.ray), 0.0, start.plan);
   return start;
 }
 
@@ -133,12 +136,12 @@ double Walk::seen_length(const physics::Physics::Ray& ray) const {
 }
 
 // Ends the ray on the first thing.
-std::optional<TracedThings::Met> Walk::cut_at_things(vec3 place, vec3 direction, ThingNumber left,
+std::optional<TracedThings::Met> Walk::cut_at_things(const BentWay& way, ThingNumber left,
                                                      physics::Physics::Ray& ray) const {
   if (things_ == nullptr || !(ray.length_ > 0.0)) {
     return std::nullopt;
   }
-  const std::optional<TracedThings::Met> met = things_->hit(place, direction, seen_length(ray), left);
+  const std::optional<TracedThings::Met> met = things_->hit(way, seen_length(ray), left);
   if (met) {
     ray.length_ = met->distance;
     ray.at_ground = false;
@@ -147,14 +150,13 @@ std::optional<TracedThings::Met> Walk::cut_at_things(vec3 place, vec3 direction,
 }
 
 // Without `sun_weight`: not guided.
-void Walk::plan_flight(const physics::Physics::Ray& ray, vec3 place, vec3 direction,
-                       const std::optional<TracedThings::Met>& met, std::optional<double> sun_weight,
-                       FlightPlan& plan) const {
+void Walk::plan_flight(const physics::Physics::Ray& ray, const std::optional<TracedThings::Met>& met,
+                       std::optional<double> sun_weight, FlightPlan& plan) const {
   Channels albedo{};
   if (met && is_cloud(met->thing)) {
     albedo.fill(clouds_->albedo(cloud_of(met->thing)));
   } else if (met) {
-    albedo = channels_of(things_->albedo(place + direction * met->distance, met->thing));
+    albedo = channels_of(things_->albedo(met->place, met->thing));
   }
   const Channels* const thing = met ? &albedo : nullptr;
   if (sun_weight) {
@@ -163,6 +165,7 @@ void Walk::plan_flight(const physics::Physics::Ray& ray, vec3 place, vec3 direct
     flight_.plan_plain(ray, plan, thing);
   }
   plan.thing = met ? met->thing : kNoThing;
+  plan.place = met ? met->place : vec3(0.0);
 }
 
 // Moves to the next vertex; false where there is none.
@@ -175,7 +178,8 @@ bool Walk::fly(State& state, const FlightPlan& plan, double u) const {
   const vec3 sun = physics_.scene.sun.direction;
   const double mu = dot(state.up, state.direction);
   const bool falls = physics_.meets_ground(planet, state.h, mu);
-  const physics::Physics::Ray ray{state.h, mu, dot(state.up, sun), dot(state.direction, sun), plan.length, falls, 0.0};
+  const physics::Physics::Ray ray{state.h, mu,   dot(state.up, sun), dot(state.direction, sun), plan.length, falls,
+                                  0.0,     falls};
   const physics::Physics::RayPoint point = physics_.point_on_ray(planet, ray, collision.distance);
   vec3 passed;
   if (state.wide != nullptr) {
@@ -193,6 +197,12 @@ bool Walk::fly(State& state, const FlightPlan& plan, double u) const {
   state.mu_sun = point.mu_sun;
   if (physics_.refraction) {
     turn_by(state, bending_to(physics_, ray, point));
+  }
+  if (physics_.refraction && state.thing != kNoThing) {
+    // On the thing itself, of which the ray's chord may be off by a metre.
+    state.up = normalize(plan.place);
+    state.h = altitude_of_place(physics_, plan.place);
+    state.mu_sun = dot(state.up, sun);
   }
   state.at_ground = collision.at_ground && !in_cloud;
   state.mirrors = false;
@@ -233,7 +243,7 @@ void Walk::turn_by(State& state, double bent) const {
 
 // What the vertex lies on.
 void Walk::stand_on_surface(State& state) const {
-  const vec3 place = state.place(physics_.scene.planet);
+  const vec3 place = state.place(physics_);
   const bool on_thing = state.thing != kNoThing;
   state.normal = on_thing ? things_->normal(place, state.thing) : state.up;
   state.albedo = on_thing ? things_->albedo(place, state.thing) : ground_albedo_at(physics_, state.up);
@@ -259,15 +269,14 @@ vec3 Walk::from_sun(const State& state, Random& random) const {
     return vec3(0.0);
   }
   const Sunbeam sun = sunbeam(physics_, state.h, state.mu_sun);
-  const vec3 beam = things_ == nullptr
-                        ? single_.sunlight(state.h, sun)
-                        : single_.sunlight_at(state.place(physics_.scene.planet), state.h, state.mu_sun, state.thing);
+  const vec3 beam = things_ == nullptr ? single_.sunlight(state.h, sun)
+                                       : single_.sunlight_at(state.place(physics_), state.h, sun, state.thing);
   vec3 arrives = state.carry * beam;
   if (clouds_ != nullptr && std::max({arrives.x, arrives.y, arrives.z}) > 0.0) {
-    arrives = arrives * through_clouds(state, random);
+    arrives = arrives * through_clouds(state, sun, random);
   }
   if (state.thing != kNoThing) {
-    const double facing = std::max(dot(state.normal, physics_.scene.sun.direction), 0.0);
+    const double facing = std::max(dot(state.normal, seen_from(state, sun)), 0.0);
     return arrives * state.albedo * (facing / std::numbers::pi);
   }
   if (state.at_ground) {
@@ -287,10 +296,11 @@ void Walk::add_from_sun(const State& state, Random& random) const {
   if (!sun.up) {
     return;
   }
-  if (state.mirrors || (things_ != nullptr && things_->hides_sun(state.place(physics_.scene.planet), state.thing))) {
+  if (state.mirrors ||
+      (things_ != nullptr && things_->hides_sun(physics_, state.place(physics_), state.h, sun, state.thing))) {
     return;
   }
-  const double share = clouds_ == nullptr ? sun.spread : sun.spread * through_clouds(state, random);
+  const double share = clouds_ == nullptr ? sun.spread : sun.spread * through_clouds(state, sun, random);
   const Columns to_sun = depth_.columns_to_top(state.h, sun.mu);
   if (state.at_ground && state.thing == kNoThing && physics_.ground_maps) {
     state.wide->add_reflected(to_sun, state.wide->wavelengths().of_groups([&](physics::Physics& group) {
@@ -371,10 +381,10 @@ void Walk::take_off(const State& state, std::optional<double> sun_weight, Random
   const vec3 sun = physics_.scene.sun.direction;
   physics::Physics::Ray ray = physics_.ray_in_atmosphere(physics_.scene.planet, state.h, dot(state.up, state.direction),
                                                          dot(state.up, sun), dot(state.direction, sun));
-  const vec3 place = state.place(physics_.scene.planet);
-  std::optional<TracedThings::Met> met = cut_at_things(place, state.direction, state.thing, ray);
-  meet_clouds(place, state.direction, ray, met, random);
-  plan_flight(ray, place, state.direction, met, sun_weight, plan);
+  const BentWay way(physics_, state.place(physics_), state.up, state.direction, ray);
+  std::optional<TracedThings::Met> met = cut_at_things(way, state.thing, ray);
+  meet_clouds(way, ray, met, random);
+  plan_flight(ray, met, sun_weight, plan);
 }
 
 vec3 Walk::sample(const WalkStart& start, WalkNumbers& numbers, FlightPlan& plan) const {

@@ -76,20 +76,19 @@ class Walk {
   void add_from_sun(const State& state, Random& random) const;
   bool far_from_sunlight(const State& state) const;
   void add_sunlight(State& state, Random& random) const;
-  double through_clouds(const State& state, Random& random) const;
-  void meet_clouds(physics::vec3 place, physics::vec3 direction, physics::Physics::Ray& ray,
-                   std::optional<TracedThings::Met>& met, Random& random) const;
+  double through_clouds(const State& state, const Sunbeam& sun, Random& random) const;
+  void meet_clouds(const BentWay& way, physics::Physics::Ray& ray, std::optional<TracedThings::Met>& met,
+                   Random& random) const;
   physics::uint first_cloud() const;
   double toward_sun(const physics::vec3& direction) const;
   void set_out(State& state, const Choice& choice, double density) const;
   void look_toward_sun(State& state, const Lobes& lobes, Random& random) const;
   bool fly_among_clouds(State& state, const WalkStart& start, WalkNumbers& numbers, FlightPlan& plan) const;
   double seen_length(const physics::Physics::Ray& ray) const;
-  std::optional<TracedThings::Met> cut_at_things(physics::vec3 place, physics::vec3 direction, ThingNumber left,
+  std::optional<TracedThings::Met> cut_at_things(const BentWay& way, ThingNumber left,
                                                  physics::Physics::Ray& ray) const;
-  void plan_flight(const physics::Physics::Ray& ray, physics::vec3 place, physics::vec3 direction,
-                   const std::optional<TracedThings::Met>& met, std::optional<double> sun_weight,
-                   FlightPlan& plan) const;
+  void plan_flight(const physics::Physics::Ray& ray, const std::optional<TracedThings::Met>& met,
+                   std::optional<double> sun_weight, FlightPlan& plan) const;
   void stand_on_surface(State& state) const;
   bool turn(State& state, bool guided, WalkNumbers& numbers, FlightPlan& plan) const;
   void reflect(State& state, bool guided, Random& random, FlightPlan& plan) const;

@@ -10,23 +10,36 @@ using physics::uint;
 using physics::vec3;
 
 // Ends the ray where it meets a cloud's drop before the thing.
-void Walk::meet_clouds(vec3 place, vec3 direction, physics::Physics::Ray& ray, std::optional<TracedThings::Met>& met,
+void Walk::meet_clouds(const BentWay& way, physics::Physics::Ray& ray, std::optional<TracedThings::Met>& met,
                        Random& random) const {
   if (clouds_ == nullptr || !(ray.length_ > 0.0)) {
     return;
   }
-  if (const auto drop = clouds_->collide(place, direction, ray.length_, random)) {
-    met = TracedThings::Met{drop->distance, thing_of_cloud(drop->cloud)};
-    ray.length_ = drop->distance;
-    ray.at_ground = false;
-  }
+  way.chords(ray.length_, clouds_->highest(), [&](const BentWay::Chord& chord) {
+    const auto drop = clouds_->collide(chord.from, chord.direction, chord.length, random);
+    if (drop) {
+      const double distance = chord.on_ray(drop->distance);
+      met = TracedThings::Met{distance, thing_of_cloud(drop->cloud), chord.from + chord.direction * drop->distance};
+      ray.length_ = distance;
+      ray.at_ground = false;
+    }
+    return drop.has_value();
+  });
 }
 
 // An estimate of the sunlight's share that passes the clouds on its way to the vertex, times `sun_share`.
-double Walk::through_clouds(const State& state, Random& random) const {
+double Walk::through_clouds(const State& state, const Sunbeam& sun, Random& random) const {
   constexpr double kFar = 1e5;  // km
-  return state.sun_share *
-         clouds_->transmittance(state.place(physics_.scene.planet), physics_.scene.sun.direction, kFar, random);
+  const vec3 to_sun = seen_from(state, sun);
+  const double mu = dot(state.up, to_sun);
+  const physics::Physics::Ray ray = physics_.ray_in_atmosphere(physics_.scene.planet, state.h, mu, mu, 1.0);
+  const BentWay way(physics_, state.place(physics_), state.up, to_sun, ray);
+  double share = state.sun_share;
+  way.chords(physics_.refraction ? ray.length_ : kFar, clouds_->highest(), [&](const BentWay::Chord& chord) {
+    share *= clouds_->transmittance(chord.from, chord.direction, chord.length, random);
+    return share <= 0.0;
+  });
+  return share;
 }
 
 uint Walk::first_cloud() const {
@@ -73,13 +86,13 @@ void Walk::look_toward_sun(State& state, const Lobes& lobes, Random& random) con
 // Along the first ray, which ends at another drop each time. False where there is no vertex.
 bool Walk::fly_among_clouds(State& state, const WalkStart& start, WalkNumbers& numbers, FlightPlan& plan) const {
   physics::Physics::Ray ray = start.ray;
-  const vec3 place = start.up * (physics_.scene.planet.ground_radius + ray.h);
+  const BentWay way(physics_, true_place(physics_, start.up, ray.h), start.up, start.direction, ray);
   std::optional<TracedThings::Met> met;
   if (start.plan.thing != kNoThing) {
-    met = TracedThings::Met{ray.length_, start.plan.thing};
+    met = TracedThings::Met{ray.length_, start.plan.thing, way.at(ray.length_).place};
   }
-  meet_clouds(place, start.direction, ray, met, numbers.random());
-  plan_flight(ray, place, start.direction, met, std::nullopt, plan);
+  meet_clouds(way, ray, met, numbers.random());
+  plan_flight(ray, met, std::nullopt, plan);
   return fly(state, plan, numbers.next());
 }
 
@@ -91,7 +104,7 @@ Walk::Left Walk::follow(const WalkStart& start, WalkNumbers& numbers, FlightPlan
   state.up = start.up;
   state.direction = start.direction;
   state.axis = start.axis;
-  const auto left = [&] { return Left{state.place(physics_.scene.planet), state.direction, state.carry.x}; };
+  const auto left = [&] { return Left{state.place(physics_), state.direction, state.carry.x}; };
   bool met = fly_among_clouds(state, start, numbers, plan);
   for (int order = 1; met && order < kMostScatterings; ++order) {
     const double before = state.carry.x;
@@ -99,7 +112,7 @@ Walk::Left Walk::follow(const WalkStart& start, WalkNumbers& numbers, FlightPlan
     for (uint i = 0; i < physics_.medium_count(); ++i) {
       scattered += state.scattering[i].x;
     }
-    lost(state.place(physics_.scene.planet), before * (1.0 - scattered));
+    lost(state.place(physics_), before * (1.0 - scattered));
     if (state.carry.x < kFaint) {
       if (!(numbers.random().uniform() * kFaint < state.carry.x)) {
         return {left().place, state.direction, 0.0};

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "core/methods/path_trace/analyser.h"
+#include "core/methods/path_trace/bent_way.h"
 #include "core/methods/path_trace/walk.h"
 
 namespace airlight {
@@ -41,10 +42,7 @@ struct Walk::State {
   physics::vec3 sum = physics::vec3(0.0);                    // sunlight sent back along the path
   // The vertex from the planet's centre. A vertex on terrain is moved so far up that the terrain does not hide what is
   // before it.
-  physics::vec3 place(const physics::PlanetData& planet) const {
-    const physics::vec3 point = up * (planet.ground_radius + h);
-    return off_thing(point, thing);
-  }
+  physics::vec3 place(physics::Physics& physics) const { return off_thing(true_place(physics, up, h), thing); }
   double sun_share = 1.0;       // of the sunlight at the vertex, the part that the path itself brings
   FlightPlan* aside = nullptr;  // scratch memory among clouds
   WidePath* wide = nullptr;     // if set, replaces `sum` with all wavelengths; the channels above then only steer

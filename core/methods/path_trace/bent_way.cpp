@@ -1,0 +1,70 @@
+#include "core/methods/path_trace/bent_way.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/air/refraction.h"
+
+namespace airlight {
+
+using physics::vec3;
+
+vec3 true_place(physics::Physics& physics, vec3 up, double h) {
+  return physics.refraction ? up * (physics.true_ground_radius() + physics.true_altitude(h).h)
+                            : up * (physics.scene.planet.ground_radius + h);
+}
+
+double altitude_of_place(physics::Physics& physics, vec3 place) {
+  return physics.refraction ? optical_altitude(physics, std::max(length(place) - physics.true_ground_radius(), 0.0))
+                            : std::max(length(place) - physics.scene.planet.ground_radius, 0.0);
+}
+
+vec3 sun_seen_from(physics::Physics& physics, vec3 place, const Sunbeam& beam) {
+  const vec3 sun = physics.scene.sun.direction;
+  return physics.refraction ? seen_sun(beam, normalize(place), sun) : sun;
+}
+
+BentWay::BentWay(physics::Physics& physics, vec3 place, vec3 up, vec3 direction, const physics::Physics::Ray& ray)
+    : physics_(physics), place_(place), up_(up), direction_(direction), level_(0.0), slope_(0.0), ray_(ray) {
+  const vec3 level = direction - up * dot(direction, up);
+  slope_ = length(level);
+  level_ = slope_ > 1e-12 ? level / slope_ : vec3(0.0);
+}
+
+// By Gauss's rule of two nodes.
+double BentWay::bending_between(double from, double to) const {
+  const physics::PlanetData& planet = physics_.scene.planet;
+  const double impact = (planet.ground_radius + ray_.h) * slope_;
+  const auto rate = [&](double t) {
+    const double h = physics_.point_on_ray(planet, ray_, t).h;
+    const double q = planet.ground_radius + h;
+    return physics_.bending_rate(planet, h) * impact / (q * q);
+  };
+  const double middle = 0.5 * (from + to);
+  const double apart = 0.5 * (to - from) / std::sqrt(3.0);
+  return 0.5 * (to - from) * (rate(middle - apart) + rate(middle + apart));
+}
+
+BentWay::Point BentWay::turned(double t, double bent) const {
+  const physics::PlanetData& planet = physics_.scene.planet;
+  const double r = planet.ground_radius + ray_.h;
+  const auto point = physics_.point_on_ray(planet, ray_, t);
+  const double round = std::atan2(t * slope_, r + t * ray_.mu) + bent;
+  Point at;
+  at.up = up_ * std::cos(round) + level_ * std::sin(round);
+  const vec3 ahead = level_ * std::cos(round) - up_ * std::sin(round);
+  at.place = true_place(physics_, at.up, point.h);
+  at.direction = at.up * point.mu + ahead * std::sqrt(std::max(1.0 - point.mu * point.mu, 0.0));
+  return at;
+}
+
+BentWay::Point BentWay::at(double t) const {
+  if (!physics_.refraction) {
+    const vec3 place = place_ + direction_ * t;
+    return {place, direction_, normalize(place)};
+  }
+  const auto point = physics_.point_on_ray(physics_.scene.planet, ray_, t);
+  return turned(t, bending_to(physics_, ray_, point));
+}
+
+}  // namespace airlight
