@@ -3,6 +3,7 @@
 // The share of the air's light that clouds leave, over the picture and the distances of shaded_distance(): one thread a
 // column of froxels, slice by slice away from the camera.
 #include "shared/device.glsl"
+#include "shared/tables.glsl"
 #include "shared/sky_table.glsl"
 #include "physics/sky_table.glsl"
 #include "physics/space_table.glsl"
