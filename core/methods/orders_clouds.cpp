@@ -310,7 +310,7 @@ bool by_froxels(const Part& part, const View& view, double top) {
 }
 
 // The share of the air's light that the cloud leaves, over the picture and distances.
-ImageId add_air_shade(Plan& plan, const Part& part, const View& view, std::vector<Binding> reads,
+ImageId add_air_shade(Plan& plan, const Part& part, const View& view, const Light& light, std::vector<Binding> reads,
                       const FactorTable& table) {
   constexpr std::uint32_t kPixels = 4;   // a froxel, unless those were too many
   constexpr std::uint32_t kMost = 320U;  // each way
@@ -322,7 +322,7 @@ ImageId add_air_shade(Plan& plan, const Part& part, const View& view, std::vecto
   const Extent grid{over(part.scene.image.width), over(part.scene.image.height), kSlices};
   const ImageId shafts = plan.add_image(
       {.name = "cloud_shafts", .extent = grid, .key = picture_table_key(view, "cloud_shafts"), .half = true});
-  std::vector<Specialization> constants = medium_specialization(part.air);
+  std::vector<Specialization> constants = sunlight_specialization(plan, part.air, light.transmittance);
   add_volume_constants(constants, part.scene, table);
   constants.push_back({"kProjection", projection_code(part.scene.camera.projection)});
   plan.add_pass({.shader = "cloud_shafts",
@@ -386,13 +386,13 @@ void add_clouds(Plan& plan, const Part& part, const View& view, const SkyTarget&
   }
   reads.push_back({"cloud_mean_lut", inputs.mean});
   reads.push_back({"cloud_light", balance});
+  reads.push_back({"transmittance_lut", light.transmittance});
   const bool froxels = by_froxels(part, view, grid->top);
-  const ImageId shafts = froxels ? add_air_shade(plan, part, view, reads, table) : volume.sources;
+  const ImageId shafts = froxels ? add_air_shade(plan, part, view, light, reads, table) : volume.sources;
   std::vector<Specialization> constants = sunlight_specialization(plan, part.air, light.transmittance);
   add_moment_constants(constants, settings_of(part));
   add_volume_constants(constants, part.scene, table);
   reads.push_back({"cloud_shafts_lut", shafts});
-  reads.push_back({"transmittance_lut", light.transmittance});
   reads.push_back({"moments_lut", light.moments});
   reads.push_back({"cloud_source_lut", sources});
   reads.push_back({"cloud_gap_lut", add_gaps(plan, grid, key)});
