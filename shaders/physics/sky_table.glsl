@@ -100,8 +100,8 @@ struct ViewCone {
 // some hundredths of a radian beyond. Both sides of the sun's heading share a texel.
 bool table_texel_is_read(PlanetData planet, real h, SkyTableCoordinate at, real dx, real dy, vec3 sun, ViewCone cone) {
   real level = sun.x * sun.x + sun.z * sun.z;
-  // On the ground itself, all ways to it are of no length and look up one row.
-  bool touching = at.section == kSectionGround && h <= 0.0;
+  // Up to a millimetre over the ground, ways to it are too short for rows apart: all may look up one.
+  bool touching = at.section == kSectionGround && h < 1e-6;
   if (cone.half_angle >= kPi || level <= 0.0 || touching) {
     return true;
   }

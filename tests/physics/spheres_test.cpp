@@ -171,6 +171,7 @@ TEST(Spheres, MirrorsKeepTheDiscsLight) {
   Physics p = make_physics(earth());
   physics::SunData sun = p.scene.sun;
   sun.direction = {0.0, 1.0, 0.0};
+  sun.seen = sun.direction;
   double disc = 0.0;
   constexpr int kRings = 4000;
   const auto over_rings = [&](double widest, auto radiance) {
