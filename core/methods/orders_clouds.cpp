@@ -312,14 +312,9 @@ bool by_froxels(const Part& part, const View& view, double top) {
 // The share of the air's light that the cloud leaves, over the picture and distances.
 ImageId add_air_shade(Plan& plan, const Part& part, const View& view, const Light& light, std::vector<Binding> reads,
                       const FactorTable& table) {
-  constexpr std::uint32_t kPixels = 4;   // a froxel, unless those were too many
-  constexpr std::uint32_t kMost = 320U;  // each way
   constexpr std::uint32_t kSlices = 40;
   constexpr std::uint32_t kParts = 3;  // of a slice
-  const auto over = [most = kMost](int pixels) {
-    return std::clamp((static_cast<std::uint32_t>(pixels) + kPixels - 1) / kPixels + 1, 2U, most);
-  };
-  const Extent grid{over(part.scene.image.width), over(part.scene.image.height), kSlices};
+  const Extent grid{froxels_over(part.scene.image.width), froxels_over(part.scene.image.height), kSlices};
   const ImageId shafts = plan.add_image(
       {.name = "cloud_shafts", .extent = grid, .key = picture_table_key(view, "cloud_shafts"), .half = true});
   std::vector<Specialization> constants = sunlight_specialization(plan, part.air, light.transmittance);

@@ -133,7 +133,7 @@ float half_angle_of(const Scene& scene, const View& view) {
 }
 
 // Rays between the true horizon and level see the air from the camera's altitude down: a low camera's are nearly alike.
-// Eight rows hold what the thinnest fog of 20 m does to a camera at 2 m.
+// In fog of 20 m so few rows move the error there by 0.013 % of the light at most, with the camera at 2, 10 and 30 m.
 std::uint32_t limb_rows_of(double altitude, std::uint32_t most) {
   constexpr double kAll = 0.05;  // km, from where on all rows are taken
   const double share = std::sqrt(std::min(std::max(altitude, 0.0) / kAll, 1.0));
@@ -162,6 +162,19 @@ FactorTable factor_table(const Part& part, std::uint32_t media, bool layers, std
           .rayleigh = (folded & rayleigh) != 0,
           .stokes = stokes,
           .blocks = static_cast<std::uint32_t>(std::popcount(apart)) + (stokes != physics::kStokesNone ? 3 : 1)};
+}
+
+FactorTable unfolded_table(const Part& part) {
+  FactorTable table = factor_table(part, part.air.scattering_media(), true, physics::kStokesNone);
+  table.folded = 0;
+  table.rayleigh = false;
+  return table;
+}
+
+std::uint32_t froxels_over(int pixels) {
+  constexpr std::uint32_t kPixels = 4;
+  constexpr std::uint32_t kMost = 320;
+  return std::clamp((static_cast<std::uint32_t>(pixels) + kPixels - 1) / kPixels + 1, 2U, kMost);
 }
 
 void add_table_constants(std::vector<Specialization>& constants, const FactorTable& table) {

@@ -70,7 +70,13 @@ struct FactorTable {
 // no molecules are folded.
 FactorTable factor_table(const Part& part, std::uint32_t media, bool layers, std::uint32_t stokes);
 
+// The table with nothing folded: shadows take light scattered once from each medium.
+FactorTable unfolded_table(const Part& part);
+
 void add_table_constants(std::vector<Specialization>& constants, const FactorTable& table);
+
+// Froxels over a side of the picture: one for four pixels, unless those were too many.
+std::uint32_t froxels_over(int pixels);
 
 // What the table's EXR says of itself.
 FactorLayout layout_of(const Scene& scene, const FactorTable& table, bool in_colours);

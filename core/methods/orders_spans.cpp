@@ -52,12 +52,7 @@ std::uint32_t span_steps(const Part& part, const Light& light) {
 FactorTable volume_table(Part part, bool apart) {
   auto& size = std::get<TableSize>(part.scene.render.parameters.find("sky_lut")->second);
   size = {std::max(2 * size[0] / 3, 8), std::max(2 * size[1] / 3, 8)};
-  FactorTable table = factor_table(part, part.air.scattering_media(), apart, physics::kStokesNone);
-  if (apart) {
-    table.folded = 0;
-    table.rayleigh = false;
-  }
-  return table;
+  return apart ? unfolded_table(part) : factor_table(part, part.air.scattering_media(), false, physics::kStokesNone);
 }
 
 Volume add_volume(Plan& plan, const Scene& scene, const Light& light, const FactorTable& table, const View& view) {

@@ -45,22 +45,7 @@ std::uint32_t shafts_of(const Part& part, const View& view) {
   return choice == "false" ? physics::kShaftsNone : shadows;
 }
 
-// The picture's table with all media apart: shadows take light scattered once from each.
-FactorTable things_table(const Part& part) {
-  FactorTable table = factor_table(part, part.air.scattering_media(), true, physics::kStokesNone);
-  table.folded = 0;
-  table.rayleigh = false;
-  return table;
-}
-
-// Four pixels a froxel, unless those were too many.
-constexpr std::uint32_t kFroxelPixels = 4;
-constexpr std::uint32_t kMostFroxels = 320;  // each way
 constexpr std::uint32_t kFroxelSlices = 32;
-
-std::uint32_t froxels_over(int pixels) {
-  return std::clamp((static_cast<std::uint32_t>(pixels) + kFroxelPixels - 1) / kFroxelPixels + 1, 2U, kMostFroxels);
-}
 
 ImageId add_shafts(Plan& plan, const Part& part, const View& view, const Volume& volume, const ThingInputs& things,
                    const FactorTable& table) {
@@ -170,7 +155,7 @@ ThingPass pass_of(Plan& plan, const Part& part, const View& view, const Light& l
     pass.constants.push_back({"kShafts", march_shafts(part)});
     return pass;
   }
-  const FactorTable table = things_table(part);
+  const FactorTable table = unfolded_table(part);
   const Volume volume = add_volume(plan, part.scene, light, table, view);
   const std::uint32_t shafts = shafts_of(part, view);
   const bool froxels = part.scene.terrain && shafts == physics::kShaftsFroxels;

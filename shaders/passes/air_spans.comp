@@ -38,5 +38,6 @@ void main() {
   // Where air is cut into shells, steps follow from the edges that a ray crosses.
   uint count = shell_rows() > 0u ? steps : steps_up_to(scene.planet, whole, ray.length_, 2u, steps);
   SkyFactors air = scene_air_factors(ray, count);
-  write_air(span.index, phased(air, phases(seen_cosine(scene.sun, ray.mu, ray.nu))) * scene.sun.irradiance, air.transmittance);
+  Phases seen = phases(seen_cosine(scene.sun, ray.mu, ray.nu));
+  write_air(span.index, phased(air, seen) * scene.sun.irradiance, air.transmittance);
 }

@@ -32,5 +32,6 @@ void main() {
   float up_to = optical_length(scene.planet, sight.from.h, sight.track.mu, span.distance_);
   Ray ray = ray_up_to(scene.planet, sight.from.h, sight.track.mu, sight.ray, up_to);
   SkyFactors air = factors_past_things(sight, ray, steps);
-  write_air(span.index, phased(air, phases(seen_cosine(scene.sun, ray.mu, ray.nu))) * scene.sun.irradiance, air.transmittance);
+  Phases seen = phases(seen_cosine(scene.sun, ray.mu, ray.nu));
+  write_air(span.index, phased(air, seen) * scene.sun.irradiance, air.transmittance);
 }

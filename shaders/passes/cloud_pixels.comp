@@ -193,7 +193,8 @@ Walk closed(Walk walk, AirRay of) {
     Stop stop = stop_at(walk, of, t);
     walk = stop.walk;
     vec3 light = coloured(walk.stretch, sunlit_among_things(scene.planet, of.ray, t));
-    walk.light += max(stop.before.light - walk.air, vec3(0.0)) * walk.stretch.before + stop.before.transmittance * light;
+    vec3 air = max(stop.before.light - walk.air, vec3(0.0));
+    walk.light += air * walk.stretch.before + stop.before.transmittance * light;
     walk.air = max(stop.before.light, walk.air);
     walk.stretch = nothing_gathered(walk.stretch.transmittance);
   }

@@ -2,7 +2,8 @@
 #extension GL_GOOGLE_include_directive : require
 // What a cloud lets through, as a texel: of the sun's light by scattering, over that across its rays; radiance summed
 // over the lower hemisphere times the cosine, for a sky and for a ground of radiance 1; of the sun's light unscattered.
-// Three more texels hold the first three without the cosine, and then over the upper hemisphere with it and without. It does not depend on the air. One workgroup.
+// Three more texels hold the first three without the cosine, and then over the upper hemisphere with it and without.
+// It does not depend on the air. One workgroup.
 #extension GL_EXT_scalar_block_layout : require
 #define real float
 #include "shared/cloud_volume.glsl"

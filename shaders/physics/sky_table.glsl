@@ -115,6 +115,7 @@ bool table_texel_is_read(PlanetData planet, real h, SkyTableCoordinate at, real 
   real azimuth = table_column_angle(at.x);
   real near = table_column_angle(max(at.x - dx, 0.0));
   real far = table_column_angle(min(at.x + dx, 1.0));
+  // A direction in a cell is no farther from its corner than a row and a column are apart.
   real widest = max(max(sin(low), sin(high)), sin(angle));
   real cell = max(abs(low - angle), abs(high - angle)) + max(azimuth - near, far - azimuth) * widest;
   return angle_between(angle, axis_angle, azimuth - axis_azimuth) <= cone.half_angle + cell + 0.02;

@@ -24,7 +24,7 @@ ClearAir clear_air_up_to(Ray ray, FactorPlace at, float distance_) {
   return air;
 }
 
-// Optical length of a ray up to a true distance; its whole length at its end, which is told in optical length.
+// Optical length of a ray up to a true distance. A ray's own length is optical: there the ray ends.
 float optical_up_to(Ray ray, float distance_) {
   return distance_ < ray.length_ ? optical_length(scene.planet, ray.h, ray.mu, distance_) : ray.length_;
 }

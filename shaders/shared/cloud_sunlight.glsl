@@ -2,9 +2,8 @@
 layout(set = 0, binding = 22) uniform sampler3D cloud_shadow_lut;
 
 // Optical depth toward the sun. Places below the grid count too; a cloud that stands alone shades no place whose ray
-// misses it. The texels hold the depth and how it bends along
-// column, row and ray: linear steps alone would round off the cloud's edges by an eighth of a cell's depth, where its
-// light comes from.
+// misses it. The texels hold the depth and how it bends along column, row and ray: linear steps alone would round off
+// the cloud's edges by an eighth of a cell's depth, where its light comes from.
 float sun_depth_at(vec3 place) {
   CloudData c = cloud();
   vec3 steps = vec3(c.fine_x, c.fine_y, c.fine_z);

@@ -234,23 +234,19 @@ TEST(BentThings, TheSunIsHiddenWhereTheJudgeSaysSo) {
     int wrong_unbent = 0;
     constexpr int kPoints = 1500;
     for (int k = 0; k < kPoints; ++k) {
-      const double s = 50.0 * uniform(engine);
-      const double azimuth = (60.0 + 60.0 * uniform(engine)) * kDegree;
-      const double angle = s / scene.planet.ground_radius;
-      const vec3 up(std::sin(azimuth) * std::sin(angle), std::cos(angle), -std::cos(azimuth) * std::sin(angle));
-      const double h = 2.7 * uniform(engine);
-      const auto shape = p.terrain_shape();
-      const double east = s * std::sin(azimuth);
-      const double north = s * std::cos(azimuth);
-      const double ground = p.map_height(shape, p.map_column(shape, east, north), p.map_row(shape, east, north));
-      if (h < ground + 0.02) {
+      const double a = uniform(engine);
+      const double b = uniform(engine);
+      const auto at = place_in_range(p, scene.planet.ground_radius, a, b, uniform(engine));
+      if (!at) {
         continue;
       }
-      const double inside = optical_altitude(p, h);
-      const Sunbeam beam = sunbeam(p, inside, dot(up, p.scene.sun.direction));
-      const bool dark = !beam.up || traced.hides_sun(p, up * (scene.planet.ground_radius + h), inside, beam, kNoThing);
+      const double inside = optical_altitude(p, at->h);
+      const Sunbeam beam = sunbeam(p, inside, dot(at->up, p.scene.sun.direction));
+      const vec3 place = at->up * (scene.planet.ground_radius + at->h);
+      const bool dark = !beam.up || traced.hides_sun(p, place, inside, beam, kNoThing);
       const auto differs = [&](physics::Physics& by) {
-        return std::abs(by.terrain_sunlit(by.terrain_shape(), east, north, h) - (dark ? 0.0 : 1.0)) > 0.75 ? 1 : 0;
+        const double share = by.terrain_sunlit(by.terrain_shape(), at->east, at->north, at->h);
+        return std::abs(share - (dark ? 0.0 : 1.0)) > 0.75 ? 1 : 0;
       };
       hidden += dark ? 1 : 0;
       wrong += differs(p);

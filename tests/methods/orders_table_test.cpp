@@ -92,6 +92,27 @@ TEST(OrdersTable, IsThePictureByPixelFromSpace) {
   }
 }
 
+// The table is made where the picture looks: no pixel reads a texel that is not. Each case has a sun of its own, so
+// that what an earlier table left in memory is wrong.
+TEST(OrdersTable, MadeForAPictureIsTheWholeOneThere) {
+  double sun = 25.0;
+  for (const Projection projection : {Projection::perspective, Projection::fisheye}) {
+    for (const double pitch : {-60.0, 0.0, 35.0, 90.0}) {
+      for (const double azimuth : {0.0, 100.0, 180.0}) {
+        Scene scene = all_of_it(0.002, 0.3, sun += 1.0);
+        scene.image = {72, 48};
+        scene.camera.projection = projection;
+        scene.camera.vertical_fov = 50.0 * kDegree;
+        scene.camera.pitch = pitch * kDegree;
+        scene.camera.azimuth = azimuth * kDegree;
+        scene.camera.roll = 30.0 * kDegree;
+        const RadianceImage part = by_table(scene, "auto", "smooth");
+        EXPECT_EQ(part.rgba, by_table(scene, "always", "smooth").rgba) << pitch << " " << azimuth;
+      }
+    }
+  }
+}
+
 // Includes sizes that are powers of two, whose constants coincide with others of the shaders.
 TEST(OrdersTable, MayHaveAnySize) {
   for (const TableSize size : {TableSize{8, 16}, TableSize{16, 32}, TableSize{32, 64}, TableSize{17, 31}}) {

@@ -53,21 +53,14 @@ TEST(TracedTerrain, HidesTheSunWhereTheTableOfShadowsSaysSo) {
   int wrong = 0;
   constexpr int kPoints = 1000;
   for (int k = 0; k < kPoints; ++k) {
-    const double s = 50.0 * uniform(engine);
-    const double azimuth = (60.0 + 60.0 * uniform(engine)) * kDegree;
-    const double angle = s / scene.planet.ground_radius;
-    const physics::vec3 up(std::sin(azimuth) * std::sin(angle), std::cos(angle), -std::cos(azimuth) * std::sin(angle));
-    const double h = 2.7 * uniform(engine);
-    const physics::vec3 place = up * (scene.planet.ground_radius + h);
-    const auto shape = p.terrain_shape();
-    const double east = s * std::sin(azimuth);
-    const double north = s * std::cos(azimuth);
-    const double ground = p.map_height(shape, p.map_column(shape, east, north), p.map_row(shape, east, north));
-    if (h < ground + 0.02) {
+    const double a = uniform(engine);
+    const double b = uniform(engine);
+    const auto at = place_in_range(p, scene.planet.ground_radius, a, b, uniform(engine));
+    if (!at) {
       continue;
     }
-    const double share = p.terrain_sunlit(shape, east, north, h);
-    const bool dark = traced.hides_sun(p, place, h, Sunbeam{}, kNoThing);
+    const double share = p.terrain_sunlit(p.terrain_shape(), at->east, at->north, at->h);
+    const bool dark = traced.hides_sun(p, at->up * (scene.planet.ground_radius + at->h), at->h, Sunbeam{}, kNoThing);
     hidden += dark ? 1 : 0;
     wrong += std::abs(share - (dark ? 0.0 : 1.0)) > 0.75 ? 1 : 0;
   }
