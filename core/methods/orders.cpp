@@ -63,7 +63,8 @@ const std::array<ParameterInfo, 13> kParameters{
     parameter::choice(
         "tabulate", kWhen, "auto",
         "whether the picture's light is tabulated over view directions; always: over all of them; auto: over those of "
-        "the picture, where it has no fewer pixels than the table has rays, at dusk four times as many"),
+        "the picture, where it has no fewer pixels than the table has rays, from space 1.5 and at dusk four times as "
+        "many"),
     parameter::whole_number(
         "aerial_slices", 4, 512, 16,
         "distances in the aerial volume of `airlight composite`, along directions two thirds as dense as sky_lut's"),
@@ -81,12 +82,14 @@ const std::array<ParameterInfo, 13> kParameters{
         "cells of the light that a cloud scatters more than once, over the field's width and depth x upward"),
     phase_parameter()};
 
-// A ray of the table costs what a pixel does without it. At dusk the table is 0.4 % off in the mean near the horizon
-// (`earth-twilight`), which small pictures do without.
+// A ray of the table costs what a pixel does without it; from space many pixels miss the planet and cost nothing. At
+// dusk the table is 0.4 % off in the mean near the horizon (`earth-twilight`), which small pictures do without.
 long long pixels_worth_a_table(const Part& part, const View& view) {
-  constexpr long long kAtDusk = 4;
-  const FactorTable table = factor_table(part, part.air.scattering_media(), false, stokes_of(part, view));
-  return part.scene.sun.elevation < 0.0 ? kAtDusk * table.rays() : table.rays();
+  const long long rays = factor_table(part, part.air.scattering_media(), false, stokes_of(part, view)).rays();
+  if (part.scene.sun.elevation < 0.0) {
+    return 4 * rays;
+  }
+  return looks_from_space(part) ? 3 * rays / 2 : rays;
 }
 
 bool tabulates(const Part& part, const View& view) {
