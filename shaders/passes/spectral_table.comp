@@ -25,8 +25,6 @@ void main() {
   vec3 b = texelFetch(part_b, texel, 0).rgb;
   vec3 sum = a.r * colours[0] + a.g * colours[1] + a.b * colours[2] + b.r * colours[3] + b.g * colours[4] +
              b.b * colours[5];
-  if (first == 0u) {
-    sum += texelFetch(before, texel, 0).rgb;
-  }
-  imageStore(sum_out, texel, vec4(sum, 1.0));
+  vec3 so_far = texelFetch(before, texel, 0).rgb;
+  imageStore(sum_out, texel, vec4(sum + mix(so_far, vec3(0.0), bvec3(first != 0u)), 1.0));
 }

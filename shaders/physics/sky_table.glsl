@@ -70,8 +70,9 @@ SkyTableState sky_table_state(PlanetData planet, real h, real x, uint section, r
   } else {
     s.length_ = ground_path(h, horizon_distance(planet, h), y);
     real d = max(s.length_, 1e-9);
-    s.mu = h > 0.0 ? max(-(h * (2.0 * planet.ground_radius + h) + d * d) / (2.0 * (planet.ground_radius + h) * d), -1.0)
-                   : -y;
+    real above = max(-(h * (2.0 * planet.ground_radius + h) + d * d) / (2.0 * (planet.ground_radius + h) * d), -1.0);
+    real touching = -y;
+    s.mu = h > 0.0 ? above : touching;  // no branch, as in table_texel_is_read()
   }
   return s;
 }
@@ -102,9 +103,9 @@ bool table_texel_is_read(PlanetData planet, real h, SkyTableCoordinate at, real 
   real level = sun.x * sun.x + sun.z * sun.z;
   // Up to a millimetre over the ground, ways to it are too short for rows apart: all may look up one.
   bool touching = at.section == kSectionGround && h < 1e-6;
-  if (cone.half_angle >= kPi || level <= 0.0 || touching) {
-    return true;
-  }
+  // No branch hangs on uniforms alone: Mesa's software device works the whole shader over again at each dispatch, for
+  // their values, and keeps 1 MB of it each time.
+  real all = max(cone.half_angle >= kPi ? 10.0 : 0.0, max(level <= 0.0 ? 10.0 : 0.0, touching ? 10.0 : 0.0));
   real across = cone.axis.x * sun.z - cone.axis.z * sun.x;
   real along = cone.axis.x * sun.x + cone.axis.z * sun.z;
   real axis_azimuth = atan(abs(across), along);
@@ -118,5 +119,5 @@ bool table_texel_is_read(PlanetData planet, real h, SkyTableCoordinate at, real 
   // A direction in a cell is no farther from its corner than a row and a column are apart.
   real widest = max(max(sin(low), sin(high)), sin(angle));
   real cell = max(abs(low - angle), abs(high - angle)) + max(azimuth - near, far - azimuth) * widest;
-  return angle_between(angle, axis_angle, azimuth - axis_azimuth) <= cone.half_angle + cell + 0.02;
+  return !(angle_between(angle, axis_angle, azimuth - axis_azimuth) > cone.half_angle + cell + 0.02 + all);
 }

@@ -5,16 +5,17 @@ Ray section_ray(SkyTableState state, uint section) {
   float mu_sun = scene.sun.direction.y;
   state.mu = clamp(state.mu, -most_steep(), most_steep());
   float s = sqrt(max((1.0 - state.mu * state.mu) * (1.0 - mu_sun * mu_sun), 0.0));
-  Ray ray = ray_in_atmosphere(scene.planet, h, state.mu, mu_sun, state.mu * mu_sun + s * state.cos_azimuth);
-  if (section == kSectionGround) {
-    ray.at_ground = true;
-    ray.falls = true;
-    ray.length_ = state.length_;
-  } else {
-    ray.at_ground = false;
-    ray.falls = false;
-    ray.length_ = distance_to_top(scene.planet, h, state.mu);
-  }
+  // The camera is inside the air: ray_in_atmosphere() would ask, by a branch that hangs on uniforms alone (see
+  // table_texel_is_read()).
+  Ray ray;
+  ray.h = h;
+  ray.mu = state.mu;
+  ray.mu_sun = mu_sun;
+  ray.nu = state.mu * mu_sun + s * state.cos_azimuth;
+  ray.bent = 0.0;
+  ray.at_ground = section == kSectionGround;
+  ray.falls = ray.at_ground;
+  ray.length_ = ray.at_ground ? state.length_ : distance_to_top(scene.planet, h, state.mu);
   return ray;
 }
 
