@@ -38,24 +38,6 @@ vec3 sun_through_air(PlanetData planet, real h, real mu_sun) {
   return transmittance_to_sun(planet, h, mu_sun);
 }
 
-// A place's altitude where the tables hold it.
-real altitude_in_air(PlanetData planet, Place place) {
-  return clamp(optical_altitude_at(place.h), 0.0, planet.atmosphere_height);
-}
-
-// The sun as a place among things has it.
-struct PlaceSun {
-  real mu;    // true zenith cosine, by which tables are asked
-  vec3 seen;  // where it is seen: what is lit and what lies in shadow
-};
-
-PlaceSun sun_at(PlanetData planet, Place place, vec3 sun) {
-  PlaceSun at;
-  at.mu = dot(sun, true_vertical(planet, place.up));
-  at.seen = raised_to(place.up, sun, seen_sun_mu(planet, altitude_in_air(planet, place), at.mu));
-  return at;
-}
-
 // The sky's irradiance on a surface with this normal.
 vec3 sky_irradiance(PlanetData planet, MomentTableData table, Place place, vec3 normal, PlaceSun sun) {
   real mu = clamp(dot(normal, place.up), -1.0, 1.0);

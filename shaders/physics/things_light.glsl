@@ -38,10 +38,10 @@ Surface surface_at(PlanetData planet, real camera_altitude, Sight sight, ThingHi
   } else if (has_ground_maps()) {
     GroundPlace place;
     place.hit = true;
-    place.up = true_vertical(planet, up);
+    place.up = up;
     place.cosine = max(-dot(sight.direction, up), 0.0);
     place.distance_ = hit.distance_;
-    surface.ground = ground_in_pixel(planet, place, sight.direction, footprint / max(hit.distance_, 1e-9));
+    surface.ground = ground_seen(planet, place, sight.direction, footprint / max(hit.distance_, 1e-9));
   }
   return surface;
 }
