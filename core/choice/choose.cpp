@@ -8,6 +8,7 @@
 #include "core/choice/assumed_error.h"
 #include "core/choice/leave_out.h"
 #include "core/methods/ready.h"
+#include "core/scene/thing_kinds.h"
 
 namespace airlight::choice {
 namespace {
@@ -60,7 +61,9 @@ struct Ground {
         probes(std::move(at)),
         judge(judged_by) {
     known_error = lighter.error;
-    if (lighter.stage.in_colours() && !probes.directions.empty()) {
+    // Tables among things are dear. There paths judge, at all wavelengths, and the scene's own will do.
+    const bool paths_judge = stand_at_true_distance(scene) && can_be_traced(scene);
+    if (lighter.stage.in_colours() && !probes.directions.empty() && !paths_judge) {
       settle_wavelengths(tolerance);
     }
     made = {reference(lighter.stage, false)};

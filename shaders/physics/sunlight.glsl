@@ -46,14 +46,16 @@ real altitude_in_air(PlanetData planet, Place place) {
 
 // The sun as a place among things has it.
 struct PlaceSun {
+  real h;     // altitude_in_air() of the place
   real mu;    // true zenith cosine, by which tables are asked
   vec3 seen;  // where it is seen: what is lit and what lies in shadow
 };
 
 PlaceSun sun_at(PlanetData planet, Place place, vec3 sun) {
   PlaceSun at;
+  at.h = altitude_in_air(planet, place);
   at.mu = dot(sun, true_vertical(planet, place.up));
-  at.seen = raised_to(place.up, sun, seen_sun_mu(planet, altitude_in_air(planet, place), at.mu));
+  at.seen = raised_to(place.up, sun, seen_sun_mu(planet, at.h, at.mu));
   return at;
 }
 

@@ -39,6 +39,18 @@ inline double mean_error(const Scene& scene, const HostPicture& truth, const std
   return sum;
 }
 
+// Mean over the directions of what the judge's noise adds to the difference, were there no other.
+inline double noise_of(const HostPicture& truth) {
+  constexpr double kMeanOfNormal = 0.798;
+  double sum = 0.0;
+  for (int i = 0; i < truth.radiance.width; ++i) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      sum += static_cast<double>(truth.standard_error.at(i, 0)[c]) / static_cast<double>(truth.radiance.at(i, 0)[c]);
+    }
+  }
+  return kMeanOfNormal * sum / (3.0 * truth.radiance.width);
+}
+
 inline HostPicture truth_of(Scene scene, const std::vector<Direction>& directions, int samples) {
   scene = with_method(scene, *find_method("path-trace"));
   scene.render.polarisation = false;
