@@ -64,6 +64,7 @@ TEST(BentClouds, AreSeenAsByPathTrace) {
     std::printf("sun %g: %.4f, in straight air %.4f, by straight rays %.4f, noise %.4f\n", sun, in_bent, in_straight,
                 by_straight, noise_of(truth));
     EXPECT_LT(in_bent, in_straight + 0.01) << sun;
+    EXPECT_LT(in_bent, 0.06) << sun;
     EXPECT_GT(by_straight, 2.0 * in_bent) << sun;
   }
 }

@@ -223,9 +223,11 @@ struct SingleScattering::WideIntegrand {
   Wavelengths::Phases phases;
   double uneven;  // as of the footing
 
-  Wide operator()(double t) const {
+  Wide operator()(double t) const { return at(lit_point(single.physics_, ray, t), t); }
+
+  // The same, of a point of the ray that is known.
+  Wide at(const LitPoint& lit, double t) const {
     physics::Physics& physics = single.physics_;
-    const LitPoint lit = lit_point(physics, ray, t);
     if (!lit.beam.up) {
       return {};
     }
@@ -254,7 +256,7 @@ Wide SingleScattering::through_shadows(const Ray& ray, const Footing& footing, c
   for_short_steps(ray, [&](double t, double width) {
     const LitPoint lit = lit_point(physics_, ray, t);
     if (is_lit(way.at(t).place, lit.point.h, lit.beam)) {
-      sum = sum + integrand(t) * width;
+      sum = sum + integrand.at(lit, t) * width;
     }
     const vec3 through = exp(-depth_.along(ray.h, ray.mu, t));
     return std::max({through.x, through.y, through.z}) >= kDark;
