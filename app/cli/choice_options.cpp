@@ -10,6 +10,7 @@
 #include "core/chart/timing.h"
 #include "core/clock.h"
 #include "core/error.h"
+#include "core/measure/sample_error.h"
 #include "core/text.h"
 
 namespace airlight::cli {
@@ -44,6 +45,11 @@ void refuse_departures(const Scene& scene) {
     throw InputError("render: --time-limit " + rounded(report.wish.limit_ms, 4) + "ms: " + methods +
                      " is that fast here; the fastest is " + best + ", with " + rounded(choice.best->ms, 4) +
                      " ms; give it that, or a smaller picture with --size");
+  }
+  if (choice.best->error >= measure::kWorstError) {
+    throw InputError("render: --tolerance " + percent(report.wish.tolerance, 3) +
+                     ": path-trace was stopped before it could tell how accurate " + best +
+                     " is here; render without --tolerance, or use --method path-trace with --target-error");
   }
   throw InputError("render: --tolerance " + percent(report.wish.tolerance, 3) + ": " + methods +
                    " is sure to be that accurate here; the best is " + best + ", with an error of at most " +

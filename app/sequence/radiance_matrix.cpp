@@ -96,8 +96,8 @@ void write_text(const std::string& file, const std::string& head, const std::vec
   });
 }
 
-// The matrix's columns, found by a few threads, each with a device of its own, so that the host's work for one moment is
-// done beside the passes of another.
+// The matrix's columns, found by a few threads, each with a device of its own, so that the host's work for one moment
+// is done beside the passes of another.
 class Moments {
  public:
   Moments(const SequenceJob& job, int factor)

@@ -5,6 +5,7 @@
 
 #include "core/methods/ready.h"
 #include "core/scene/angle.h"
+#include "core/scene/thing_kinds.h"
 
 namespace airlight::choice {
 namespace {
@@ -116,7 +117,7 @@ std::optional<double> plain_reference_error(const Stage& stage) {
   const Air& air = stage.whole().air;
   const OpticalDepths depths = air.depths();
   const double scattering = depths.scattering;
-  if (!peaks_are_familiar(air) || is_beside_the_top(scene)) {
+  if (stand_at_true_distance(scene) || !peaks_are_familiar(air) || is_beside_the_top(scene)) {
     return std::nullopt;
   }
   if (is_day(scene) && scattering <= (depths.abrupt > 0.0 ? 0.6 : 1.0)) {
@@ -139,8 +140,7 @@ std::optional<double> default_error(const Stage& stage) {
   constexpr double kLowestSun = -4.0 * kDegree;  // below it 5.6 % was seen over bright ground
   const std::optional<double> wavelengths = wavelengths_error(stage);
   const std::optional<double> plain = plain_reference_error(stage);
-  if (scene.terrain || scene.ground || !scene.spheres.empty() || !scene.clouds.empty() ||
-      scene.sun.elevation < kLowestSun || !dusk_is_resolved(stage, 14.0) || !wavelengths || !plain) {
+  if (scene.sun.elevation < kLowestSun || !dusk_is_resolved(stage, 14.0) || !wavelengths || !plain) {
     return std::nullopt;
   }
   return *plain + (is_day(scene) ? kTable : kTableAtDusk) + *wavelengths;

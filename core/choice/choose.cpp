@@ -8,6 +8,7 @@
 #include "core/choice/assumed_error.h"
 #include "core/choice/leave_out.h"
 #include "core/methods/ready.h"
+#include "core/scene/thing_kinds.h"
 
 namespace airlight::choice {
 namespace {
@@ -60,7 +61,9 @@ struct Ground {
         probes(std::move(at)),
         judge(judged_by) {
     known_error = lighter.error;
-    if (lighter.stage.in_colours() && !probes.directions.empty()) {
+    // Tables among things are dear. There paths judge, at all wavelengths, and the scene's own will do.
+    const bool paths_judge = stand_at_true_distance(scene) && can_be_traced(scene);
+    if (lighter.stage.in_colours() && !probes.directions.empty() && !paths_judge) {
       settle_wavelengths(tolerance);
     }
     made = {reference(lighter.stage, false)};
@@ -188,8 +191,13 @@ Choice only_choice(const Candidate& candidate, double error) {
   return choice;
 }
 
+// Tables among terrain cost as much as the picture: there the defaults are judged, and nothing else is tried.
+bool only_defaults(const Stage& stage, const std::string& only) {
+  return (only.empty() || only == "orders") && stage.scene().terrain && can_be_traced(stage.scene());
+}
+
 bool default_will_do(const Stage& stage, const std::string& only) {
-  return (only.empty() || only == "orders") && !search_may_pay(stage);
+  return only_defaults(stage, only) || ((only.empty() || only == "orders") && !search_may_pay(stage));
 }
 
 // `orders` at its defaults, where that is sure to do and no search may pay: where nothing shines, that is black.
@@ -204,7 +212,7 @@ std::optional<Choice> sure_choice(const Stage& stage, double tolerance, const st
   return only_choice(default_candidate(stage), *error);
 }
 
-// The same, where path-trace says that it does.
+// The same, where path-trace says that it does; a refusal where nothing else is tried.
 std::optional<Choice> judged_choice(const Stage& stage, double tolerance, const std::string& only,
                                     const ProbeFunction& probe, Judge& judge) {
   if (!default_will_do(stage, only) || !can_be_traced(stage.scene()) || judge.probes().directions.empty()) {
@@ -214,10 +222,14 @@ std::optional<Choice> judged_choice(const Stage& stage, double tolerance, const 
   const std::vector<float> radiance = probe(candidate.stage, judge.probes());
   const double dark = judge.darkness(radiance);
   const Judgement verdict = dark > 0.0 ? Judgement{} : judge.tell(radiance, 1.0);
-  if (verdict.at_most > tolerance) {
+  const bool refused = verdict.at_most > tolerance;
+  if (refused && !only_defaults(stage, only)) {
     return std::nullopt;
   }
   Choice choice = only_choice(candidate, verdict.at_most);
+  if (refused) {
+    choice.chosen.reset();
+  }
   choice.probes = judge.probes().directions.size();
   choice.traced = choice.probes;
   choice.dark = dark;

@@ -43,7 +43,8 @@ inline constexpr std::array<ThingKind, 6> kThingKinds{
       "planet",
       {"albedo_map", "ocean"},
       &MethodInfo::knows_ground_maps,
-      [](const Scene& s) { return !!s.ground; }},
+      [](const Scene& s) { return !!s.ground; },
+      true},
      {"polarising filters", "camera", {"polariser", ""}, &MethodInfo::knows_polarisers, [](const Scene& s) {
         return !!s.camera.polariser;
       }}}};

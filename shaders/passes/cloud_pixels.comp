@@ -133,12 +133,13 @@ vec3 share_by_froxels(AirRay of, float distance_) {
 
 // The light of a stretch as it leaves the cloud, at a point of the ray; for a sun of irradiance 1.
 vec3 coloured(CloudGathered g, RayPoint point) {
-  float h = optical_altitude_at(mix(cloud().base, cloud().top, 0.7));
+  float height = mix(cloud().base, cloud().top, 0.7);
+  float h = optical_altitude_at(height);
   MomentCoordinate at = air_moment_coordinate(scene.moments, h, point.mu_sun);
   vec3 sun = transmittance_to_sun(scene.planet, h, point.mu_sun);
   vec3 sky = level_irradiance(at, 1.0) / kPi;
   vec3 ground = level_irradiance(at, -1.0) / kPi * cloud_light.value.below;
-  return sun * (g.once + vec3(g.sun * sun_past_field(h, point.mu_sun))) + sky * g.sky + ground * g.ground;
+  return sun * (g.once + vec3(g.sun * sun_past_field(height, h, point.mu_sun))) + sky * g.sky + ground * g.ground;
 }
 
 // The change of the ground's light by the cloud, at the ground, for a sun of irradiance 1.

@@ -76,12 +76,10 @@ void main() {
   if (!view.inside || !place.hit || share <= 0.0) {
     return;
   }
-  vec3 sun = scene.sun.direction;
-  float mu_sun = dot(place.up, sun);
-  vec3 beam = transmittance_to_sun(scene.planet, 0.0, mu_sun) * sun_fade(scene.sun, mu_sun);
-  Ground ground = ground_in_pixel(scene.planet, place, direction, pixel_angle(pixel));
-  vec3 seen = raised_to(place.up, sun, seen_sun_mu(scene.planet, 0.0, mu_sun));
-  vec3 light = ground_sends(ground, place.up, seen, -direction, beam, sky_on_ground(mu_sun));
+  PlaceSun sun = sun_at(scene.planet, Place(direction * place.distance_, 0.0, place.up), scene.sun.direction);
+  vec3 beam = transmittance_to_sun(scene.planet, 0.0, sun.mu) * sun_fade(scene.sun, sun.mu);
+  Ground ground = ground_seen(scene.planet, place, direction, pixel_angle(pixel));
+  vec3 light = ground_sends(ground, place.up, sun.seen, -direction, beam, sky_on_ground(sun.mu));
   light *= share * through_air(place) * scene.sun.irradiance;
   uint at = kProjection == kProjectionListed ? vectors * pixel.x : pixel.y * scene.tile.width + pixel.x;
   radiance_out.values[at] += vec4(light, 0.0);

@@ -135,7 +135,7 @@ Ground ground_mean(vec3 up, real angle) {
 // the camera's heading. At the limb, where the footprint is longer still, the means are wider.
 Ground ground_in_pixel(PlanetData planet, GroundPlace place, vec3 direction, real pixel) {
   const real kMost = 8.0;
-  real across = pixel * place.distance_ / planet.ground_radius;
+  real across = pixel * place.distance_ / (bends_light() ? true_ground_radius() : planet.ground_radius);
   // Toward the limb the footprint is as long as the part of the planet that the pixel's far side still sees.
   real slant = max(place.cosine, sqrt(2.0 * across));
   real long_ = across / max(slant, 1e-6);
@@ -154,6 +154,12 @@ Ground ground_in_pixel(PlanetData planet, GroundPlace place, vec3 direction, rea
     sum.water = sum.water + part.water / parts;
   }
   return sum;
+}
+
+// The same for a place on the planet of things (refraction.glsl).
+Ground ground_seen(PlanetData planet, GroundPlace place, vec3 direction, real pixel) {
+  place.up = true_vertical(planet, place.up);
+  return ground_in_pixel(planet, place, direction, pixel);
 }
 
 // Share of the sun's light that an ocean mirrors, by the sun's zenith cosine.

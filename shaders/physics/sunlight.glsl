@@ -39,6 +39,26 @@ vec3 raised_to(vec3 up, vec3 sun, real seen) {
   return up * seen + level * (sqrt(max(1.0 - seen * seen, 0.0)) / max(length(level), 1e-6));
 }
 
+// A place's altitude where the tables hold it.
+real altitude_in_air(PlanetData planet, Place place) {
+  return clamp(optical_altitude_at(place.h), 0.0, planet.atmosphere_height);
+}
+
+// The sun as a place among things has it.
+struct PlaceSun {
+  real h;     // altitude_in_air() of the place
+  real mu;    // true zenith cosine, by which tables are asked
+  vec3 seen;  // where it is seen: what is lit and what lies in shadow
+};
+
+PlaceSun sun_at(PlanetData planet, Place place, vec3 sun) {
+  PlaceSun at;
+  at.h = altitude_in_air(planet, place);
+  at.mu = dot(sun, true_vertical(planet, place.up));
+  at.seen = raised_to(place.up, sun, seen_sun_mu(planet, at.h, at.mu));
+  return at;
+}
+
 // Cosine between the vertical and the sun that the ground sees, 0 for a sun that is not up.
 real ground_facing(PlanetData planet, real mu_sun) { return max(seen_sun_mu(planet, 0.0, mu_sun), 0.0); }
 

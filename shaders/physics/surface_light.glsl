@@ -38,41 +38,22 @@ vec3 sun_through_air(PlanetData planet, real h, real mu_sun) {
   return transmittance_to_sun(planet, h, mu_sun);
 }
 
-// A place's altitude where the tables hold it.
-real altitude_in_air(PlanetData planet, Place place) {
-  return clamp(optical_altitude_at(place.h), 0.0, planet.atmosphere_height);
-}
-
-// The sun as a place among things has it.
-struct PlaceSun {
-  real mu;    // true zenith cosine, by which tables are asked
-  vec3 seen;  // where it is seen: what is lit and what lies in shadow
-};
-
-PlaceSun sun_at(PlanetData planet, Place place, vec3 sun) {
-  PlaceSun at;
-  at.mu = dot(sun, true_vertical(planet, place.up));
-  at.seen = raised_to(place.up, sun, seen_sun_mu(planet, altitude_in_air(planet, place), at.mu));
-  return at;
-}
-
 // The sky's irradiance on a surface with this normal.
-vec3 sky_irradiance(PlanetData planet, MomentTableData table, Place place, vec3 normal, PlaceSun sun) {
+vec3 sky_irradiance(MomentTableData table, Place place, vec3 normal, PlaceSun sun) {
   real mu = clamp(dot(normal, place.up), -1.0, 1.0);
   vec3 level_normal = normal - place.up * mu;
   vec3 level_sun = sun.seen - place.up * dot(sun.seen, place.up);
   real lengths = length(level_normal) * length(level_sun);
   real cos_azimuth = lengths > 1e-7 ? clamp(dot(level_normal, level_sun) / lengths, -1.0, 1.0) : 1.0;
-  return moment_irradiance(table, altitude_in_air(planet, place), sun.mu, mu, cos_azimuth);
+  return moment_irradiance(table, sun.h, sun.mu, mu, cos_azimuth);
 }
 
 // Mean of the irradiance over all normals: a quarter of the light from all around, half of a hemisphere's if that is
 // even.
-vec3 mean_sky_irradiance(PlanetData planet, MomentTableData table, Place place, PlaceSun sun) {
-  real h = altitude_in_air(planet, place);
-  MomentCoordinate c = moment_coordinate(table, h, sun.mu);
+vec3 mean_sky_irradiance(MomentTableData table, PlaceSun sun) {
+  MomentCoordinate c = moment_coordinate(table, sun.h, sun.mu);
   if (shell_rows() > 0u) {
-    c.y = shell_coordinate(shell_of(h, true), h);
+    c.y = shell_coordinate(shell_of(sun.h, true), sun.h);
   }
   return exp(fetch_moment(0u, c.x, c.y)) * (kPi * 0.28209479177387814);
 }

@@ -18,10 +18,10 @@ vec3 matte_radiance(PlanetData planet, MomentTableData table, real camera_altitu
   vec2 at = map_place(planet, camera_altitude, place.point);
   real share = terrain_sunlit(t, at.x, at.y, place.h);
   PlaceSun at_place = sun_at(planet, place, sun.direction);
-  vec3 irradiance = sun_through_air(planet, altitude_in_air(planet, place), at_place.mu) *
+  vec3 irradiance = sun_through_air(planet, at_place.h, at_place.mu) *
                     (share * max(dot(surface.normal, at_place.seen), 0.0));
   irradiance = irradiance +
-               sky_irradiance(planet, table, place, surface.normal, at_place) * slope_share(t, at.x, at.y);
+               sky_irradiance(table, place, surface.normal, at_place) * slope_share(t, at.x, at.y);
   return surface.ground.albedo * irradiance / kPi;
 }
 

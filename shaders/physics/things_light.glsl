@@ -38,10 +38,10 @@ Surface surface_at(PlanetData planet, real camera_altitude, Sight sight, ThingHi
   } else if (has_ground_maps()) {
     GroundPlace place;
     place.hit = true;
-    place.up = true_vertical(planet, up);
+    place.up = up;
     place.cosine = max(-dot(sight.direction, up), 0.0);
     place.distance_ = hit.distance_;
-    surface.ground = ground_in_pixel(planet, place, sight.direction, footprint / max(hit.distance_, 1e-9));
+    surface.ground = ground_seen(planet, place, sight.direction, footprint / max(hit.distance_, 1e-9));
   }
   return surface;
 }
@@ -109,8 +109,8 @@ SkyPast sky_past_things(PlanetData planet, MomentTableData table, real camera_al
                           : slope_share(terrain_shape(), at.x, at.y);
   }
   if (sphere_count() > 0u) {
-    vec3 direct = sun_through_air(planet, altitude_in_air(planet, surface.place), sun.mu);
-    vec3 even = mean_sky_irradiance(planet, table, surface.place, sun) * sky.share;
+    vec3 direct = sun_through_air(planet, sun.h, sun.mu);
+    vec3 even = mean_sky_irradiance(table, sun) * sky.share;
     sky = with_spheres(sky, surface, sun.seen, direct, even);
     real ground = has_terrain() ? surface_height(terrain_shape(), at.x, at.y) : 0.0;
     sky.more = sky.more - dark_ground_below(planet, table, surface, sun,
@@ -129,11 +129,11 @@ vec3 surface_radiance(PlanetData planet, MomentTableData table, Surface surface,
     return ground_sends(surface.ground, place.up, sun.seen, to_camera, beam,
                         moment_ground_irradiance(table, sun.mu) * sky.share + sky.more);
   }
-  vec3 direct = sun_through_air(planet, altitude_in_air(planet, place), sun.mu) * share;
-  vec3 diffuse = sky_irradiance(planet, table, place, surface.normal, sun) * sky.share + sky.more;
+  vec3 direct = sun_through_air(planet, sun.h, sun.mu) * share;
+  vec3 diffuse = sky_irradiance(table, place, surface.normal, sun) * sky.share + sky.more;
   vec3 irradiance = direct * max(dot(surface.normal, sun.seen), 0.0) + max(diffuse, vec3(0.0));
   if (surface.what == kMeetsSphere && sphere(surface.which).material == kSphereTranslucent) {
-    vec3 even = direct * 0.25 + mean_sky_irradiance(planet, table, place, sun) * sky.share;
+    vec3 even = direct * 0.25 + mean_sky_irradiance(table, sun) * sky.share;
     real facing = -dot(surface.normal, direction);
     irradiance = translucent_irradiance(sphere(surface.which), irradiance, even, facing);
   }

@@ -24,10 +24,10 @@ float cloud_shade(vec3 place, float h, float mu_sun) {
 }
 
 // What is left of the sun's light in the middle of the cloud, over what is left there along the table's rays: the light
-// scattered more than once goes by these.
-float sun_past_field(float h, float mu_sun) {
+// scattered more than once goes by these. `h`: the altitude as the tables have it.
+float sun_past_field(float height, float h, float mu_sun) {
   CloudData c = cloud();
-  float way = way_through_shell(scene.planet.ground_radius, c, h, seen_sun_mu(scene.planet, h, mu_sun));
-  float straight = max(c.top - h, 0.0) * length(vec3(c.sunward_east, c.sunward_north, 1.0));
+  float way = way_through_shell(scene.planet.ground_radius, c, height, seen_sun_mu(scene.planet, h, mu_sun));
+  float straight = max(c.top - height, 0.0) * length(vec3(c.sunward_east, c.sunward_north, 1.0));
   return c.repeats == 0u ? 1.0 : exp(min(mean_shade(c, straight) - mean_shade(c, way), 0.0));
 }

@@ -6,28 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/methods/render_fixture.h"
+#include "tests/methods/ground_scene.h"
 #include "tests/of_scene.h"
 
 namespace airlight::test {
 namespace {
-
-template <class F>
-void put_map(Scene& scene, const char* name, int rows, const F& albedo) {
-  auto files = std::make_shared<GroundFiles>();
-  files->identity = name;
-  files->colour_rows = rows;
-  for (int j = 0; j < rows; ++j) {
-    for (int i = 0; i < 2 * rows; ++i) {
-      const Spectrum at = albedo(i, j);
-      for (const double channel : at) {
-        files->colours.push_back(static_cast<float>(channel));
-      }
-    }
-  }
-  scene.ground = GroundMap{.albedo_map = name, .ocean = std::nullopt, .files = files};
-  scene.planet.ground_albedo = mean_albedo(*files);
-}
 
 // Bright land and dark water, tens of degrees wide.
 Scene patched(const char* method) {

@@ -103,10 +103,7 @@ TEST(Layers, SumUpToThePicture_Presets) {
     scene = named("orders", std::move(scene));
     ++presets;
     const Rendering rendering = layered(scene);
-    // Layers and picture find the places of a sea that mirrors a sun on the horizon by two passes, which differ by
-    // 0.32 %. Why is not known; the altitude of the place is not it.
-    const bool glint = scene.ground && scene.ground->ocean && scene.sun.elevation < 0.0;
-    EXPECT_LT(greatest_gap(rendering), glint ? 4e-3 : kHalf) << entry.path();
+    EXPECT_LT(greatest_gap(rendering), kHalf) << entry.path();
     EXPECT_EQ(render_now(scene).radiance.rgba, rendering.radiance.rgba) << "layers change the picture";
   }
   EXPECT_GE(presets, 8);

@@ -81,9 +81,8 @@ Value SingleScattering::along(const Ray& ray, const F& f) const {
 
 namespace {
 
-double distance_from_camera(const physics::Physics& physics, vec3 up) {
-  const double r = physics.scene.planet.ground_radius;
-  return length(up * r - vec3(0.0, r + physics.scene.camera.altitude, 0.0));
+double distance_from_camera(physics::Physics& physics, vec3 place) {
+  return length(place - true_place(physics, vec3(0.0, 1.0, 0.0), physics.scene.camera.altitude));
 }
 
 }  // namespace
@@ -205,16 +204,15 @@ vec3 SingleScattering::seen_ground(physics::Physics& physics, const Ray& ray, co
     return ground_reflects(physics, footing.up, footing.direction, mu_sun, beam);
   }
   const physics::PlanetData& planet = physics.scene.planet;
+  const BentWay::Point end = way_of(ray, footing).at(ray.length_);
   physics::Physics::GroundPlace place;
   place.hit = true;
-  place.up = things_ != nullptr
-                 ? normalize(way_of(ray, footing).at(ray.length_).place)
-                 : normalize(footing.up * (planet.ground_radius + ray.h) + footing.direction * ray.length_);
-  place.cosine = std::max(-dot(place.up, footing.direction), 0.0);
-  place.distance_ = footing.pixel > 0.0 ? distance_from_camera(physics, place.up) : 0.0;
-  const auto ground = physics.ground_in_pixel(planet, place, footing.direction, footing.pixel);
+  place.up = normalize(end.place);
+  place.cosine = std::max(-dot(place.up, end.direction), 0.0);
+  place.distance_ = footing.pixel > 0.0 ? distance_from_camera(physics, end.place) : 0.0;
+  const auto ground = physics.ground_in_pixel(planet, place, end.direction, footing.pixel);
   const vec3 to_sun = physics.raised_to(place.up, physics.scene.sun.direction, mu_sun);
-  return physics.ground_sends(ground, place.up, to_sun, -footing.direction, beam, vec3(0.0));
+  return physics.ground_sends(ground, place.up, to_sun, -end.direction, beam, vec3(0.0));
 }
 
 // Radiance scattered once, per km of the ray, at all wavelengths.
@@ -225,9 +223,11 @@ struct SingleScattering::WideIntegrand {
   Wavelengths::Phases phases;
   double uneven;  // as of the footing
 
-  Wide operator()(double t) const {
+  Wide operator()(double t) const { return at(lit_point(single.physics_, ray, t), t); }
+
+  // The same, of a point of the ray that is known.
+  Wide at(const LitPoint& lit, double t) const {
     physics::Physics& physics = single.physics_;
-    const LitPoint lit = lit_point(physics, ray, t);
     if (!lit.beam.up) {
       return {};
     }
@@ -256,7 +256,7 @@ Wide SingleScattering::through_shadows(const Ray& ray, const Footing& footing, c
   for_short_steps(ray, [&](double t, double width) {
     const LitPoint lit = lit_point(physics_, ray, t);
     if (is_lit(way.at(t).place, lit.point.h, lit.beam)) {
-      sum = sum + integrand(t) * width;
+      sum = sum + integrand.at(lit, t) * width;
     }
     const vec3 through = exp(-depth_.along(ray.h, ray.mu, t));
     return std::max({through.x, through.y, through.z}) >= kDark;
