@@ -233,15 +233,15 @@ SkyPasses add_orders(Plan& plan, const Part& part, const View& view) {
   const SkyTarget target = add_sky_target(plan, part.scene, view);
   const Light light = add_light(plan, part);
   SkyPasses passes{target.radiance, {light.transmittance}, light.more()};
-  const auto with_clouds = [&] {
-    if (!part.scene.clouds.empty()) {
-      orders::add_clouds(plan, part, view, target, light);
+  if (part.things.stand_in_the_air() || (part.scene.ground && !part.scene.clouds.empty())) {
+    if (part.scene.clouds.empty()) {
+      orders::add_things_sky(plan, part, view, target, light);
+      return passes;
     }
+    const orders::LitCloud cloud = orders::add_cloud_light(plan, part, light);
+    const auto things = orders::add_things_under_cloud(plan, part, view, target, light, cloud);
+    orders::add_cloud(plan, part, view, target, light, cloud, &things);
     return passes;
-  };
-  if (part.things.stand_in_the_air()) {
-    orders::add_things_sky(plan, part, view, target, light);
-    return with_clouds();
   }
   begin_black_ground(plan, part, view);
   if (tabulates(part, view)) {
@@ -251,7 +251,10 @@ SkyPasses add_orders(Plan& plan, const Part& part, const View& view) {
   }
   end_black_ground(plan, part, view);
   add_ground(plan, part, target, light);
-  return with_clouds();
+  if (!part.scene.clouds.empty()) {
+    orders::add_cloud(plan, part, view, target, light, orders::add_cloud_light(plan, part, light), nullptr);
+  }
+  return passes;
 }
 
 LayerPasses add_layers(Plan& plan, const Part& part, const View& view) {
