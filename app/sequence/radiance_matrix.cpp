@@ -1,14 +1,18 @@
 #include "app/sequence/radiance_matrix.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <memory>
+#include <mutex>
+#include <thread>
 
 #include "app/cli/interruption.h"
 #include "app/cli/progress.h"
 #include "app/cli/terminal.h"
 #include "app/render/radiance_files.h"
 #include "core/error.h"
+#include "core/gpu/in_parallel.h"
 #include "core/methods/ready.h"
 #include "core/output/atomic_file.h"
 #include "core/output/ending.h"
@@ -45,12 +49,12 @@ void add_disc(const SkyPatches& patches, const SunLight& light, Column& column) 
   }
 }
 
-Column column_of(const SkyPatches& patches, const MatrixOrder& order, const DeviceOnDemand& device,
+Column column_of(const SkyPatches& patches, const PatchMeans& means, ImageSize size, const DeviceOnDemand& device,
                  const Stage& stage) {
   HostOptions host;
   host.report = [](double) { return Interruption::signal() == 0; };
-  const RadianceImage sky = whole_sky(device, stage, host, sky_size(order.factor)).radiance;
-  Column column = patches.means(sky);
+  const RadianceImage sky = whole_sky(device, stage, host, size).radiance;
+  Column column = means.of(sky);
   add_disc(patches, sun_light(device, stage), column);
   for (const Stage& other : stage.others()) {
     add_disc(patches, sun_light(device, other), column);
@@ -92,6 +96,97 @@ void write_text(const std::string& file, const std::string& head, const std::vec
   });
 }
 
+// The matrix's columns, found by a few threads, each with a device of its own, so that the host's work for one moment is
+// done beside the passes of another.
+class Moments {
+ public:
+  Moments(const SequenceJob& job, int factor)
+      : job_(job),
+        patches_(factor),
+        size_(sky_size(factor)),
+        means_(patches_, size_.width, size_.height),
+        columns_(sequence::frame_count(job.source)) {
+    if (!job.quiet) {
+      progress_ = terminal_progress();
+    }
+  }
+
+  // Leaves columns empty once a signal has come. Throws what a moment threw.
+  void find() {
+    Thread first(job_, *job_.stage);
+    add_next(first);  // alone: it stores tables and the device's code, which the others find
+    const Stage begun = first.stage;
+    const std::size_t threads = std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, kMostThreads);
+    in_parallel(std::min(threads, columns_.size()), [&](std::size_t i) {
+      if (i == 0) {
+        add_rest(first);
+      } else {
+        Thread other(job_, begun);
+        add_rest(other);
+      }
+    });
+    clear_progress();
+  }
+
+  const SkyPatches& patches() const { return patches_; }
+  const std::vector<Column>& columns() const { return columns_; }
+  std::size_t dark() const { return dark_; }
+
+ private:
+  static constexpr std::size_t kMostThreads = 4;  // each takes some 100 MB
+
+  struct Thread {
+    Thread(const SequenceJob& job, Stage like)
+        : device(device_on_demand(job.scene_options, executor)), stage(std::move(like)) {}
+    std::unique_ptr<Executor> executor;
+    DeviceOnDemand device;
+    Stage stage;  // of its last moment, from which the next one takes over what is equal
+  };
+
+  void add_rest(Thread& thread) {
+    try {
+      while (add_next(thread)) {
+      }
+    } catch (...) {
+      next_ = columns_.size();  // the other threads end too
+      throw;
+    }
+  }
+
+  // False: none is left, or a signal came.
+  bool add_next(Thread& thread) {
+    const std::size_t moment = next_++;
+    if (moment >= columns_.size() || Interruption::signal() != 0) {
+      return false;
+    }
+    const Scene scene = scene_of(job_, sequence::frame_at(job_.source, moment));
+    if (is_dark(scene)) {
+      ++dark_;
+      columns_[moment].resize(patches_.count());
+    } else {
+      thread.stage = ready(scene, thread.stage);
+      columns_[moment] = column_of(patches_, means_, size_, thread.device, thread.stage);
+    }
+    const std::scoped_lock lock(mutex_);
+    ++done_;
+    if (progress_) {
+      progress_(static_cast<double>(done_) / static_cast<double>(columns_.size()));
+    }
+    return true;
+  }
+
+  const SequenceJob& job_;
+  const SkyPatches patches_;
+  const ImageSize size_;
+  const PatchMeans means_;
+  std::vector<Column> columns_;
+  std::atomic<std::size_t> next_ = 0;
+  std::atomic<std::size_t> dark_ = 0;
+  std::mutex mutex_;
+  std::size_t done_ = 0;
+  std::function<bool(double)> progress_;
+};
+
 }  // namespace
 
 void check_matrix(const MatrixOrder& order, const SequenceJob& job) {
@@ -111,37 +206,18 @@ void check_matrix(const MatrixOrder& order, const SequenceJob& job) {
 
 int write_matrix(const MatrixOrder& order, const SequenceJob& job) {
   const Interruption interruption;
-  const SkyPatches patches(order.factor);
-  const std::size_t count = sequence::frame_count(job.source);
-  const std::function<bool(double)> progress = job.quiet ? nullptr : terminal_progress();
-  std::unique_ptr<Executor> executor;
-  const DeviceOnDemand device = device_on_demand(job.scene_options, executor);
-  std::vector<Column> columns;
-  std::size_t dark = 0;
-  Stage stage = *job.stage;
-  while (columns.size() < count && Interruption::signal() == 0) {
-    const Scene scene = scene_of(job, sequence::frame_at(job.source, columns.size()));
-    if (is_dark(scene)) {
-      ++dark;
-      columns.emplace_back(patches.count());
-    } else {
-      stage = ready(scene, stage);
-      columns.push_back(column_of(patches, order, device, stage));
-    }
-    if (progress) {
-      progress(static_cast<double>(columns.size()) / static_cast<double>(count));
-    }
-  }
-  clear_progress();
+  Moments moments(job, order.factor);
+  moments.find();
   if (const int signal = Interruption::signal(); signal != 0) {
     complain(std::string("stopped by ") + signal_name(signal) + ": no matrix was written");
     return signal;
   }
   require_valid_vulkan();
-  write_text(order.file, head_of(job, patches.count(), count), columns);
+  const std::vector<Column>& columns = moments.columns();
+  write_text(order.file, head_of(job, moments.patches().count(), columns.size()), columns);
   if (!job.quiet) {
-    tell(order.file + ": " + std::to_string(patches.count()) + " patches by " + std::to_string(count) + " moments, " +
-         std::to_string(dark) + " of them dark\n");
+    tell(order.file + ": " + std::to_string(moments.patches().count()) + " patches by " +
+         std::to_string(columns.size()) + " moments, " + std::to_string(moments.dark()) + " of them dark\n");
   }
   return 0;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 namespace airlight {
@@ -68,28 +69,39 @@ std::array<SkyPatches::Share, 4> SkyPatches::around(double elevation, double azi
   return shares;
 }
 
-std::vector<std::array<double, 3>> SkyPatches::means(const RadianceImage& latlong) const {
+PatchMeans::PatchMeans(const SkyPatches& patches, int width, int height) : count_(patches.count()) {
   constexpr int kPoints = 4;  // in each direction of a pixel
-  std::vector<std::array<double, 3>> sums(count());
-  std::vector<double> weights(count(), 0.0);
-  for (int y = 0; y < kPoints * latlong.height; ++y) {
-    const double elevation = 0.5 * pi - pi * (y + 0.5) / (kPoints * latlong.height);
-    const double weight = std::cos(elevation);
-    for (int x = 0; x < kPoints * latlong.width; ++x) {
-      const std::size_t patch = at(elevation, 2.0 * pi * (x + 0.5) / (kPoints * latlong.width) - pi);
-      const float* const pixel = latlong.at(x / kPoints, y / kPoints);
-      weights[patch] += weight;
-      for (std::size_t c = 0; c < 3; ++c) {
-        sums[patch][c] += weight * static_cast<double>(pixel[c]);
+  std::vector<double> weights(count_, 0.0);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      std::map<std::size_t, double> shares;  // of a pixel among patches
+      for (int i = 0; i < kPoints * kPoints; ++i) {
+        const double elevation = 0.5 * pi - pi * (y + (i / kPoints + 0.5) / kPoints) / height;
+        const double azimuth = 2.0 * pi * (x + (i % kPoints + 0.5) / kPoints) / width - pi;
+        shares[patches.at(elevation, azimuth)] += std::cos(elevation);
+      }
+      const std::size_t pixel =
+          static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+      for (const auto& [patch, weight] : shares) {
+        pieces_.push_back({pixel, patch, weight});
+        weights[patch] += weight;
       }
     }
   }
-  for (std::size_t patch = 0; patch < sums.size(); ++patch) {
-    for (double& sum : sums[patch]) {
-      sum /= weights[patch];
+  for (Piece& piece : pieces_) {
+    piece.weight /= weights[piece.patch];
+  }
+}
+
+std::vector<std::array<double, 3>> PatchMeans::of(const RadianceImage& latlong) const {
+  std::vector<std::array<double, 3>> means(count_);
+  for (const Piece& piece : pieces_) {
+    const float* const pixel = latlong.rgba.data() + 4 * piece.pixel;
+    for (std::size_t c = 0; c < 3; ++c) {
+      means[piece.patch][c] += piece.weight * static_cast<double>(pixel[c]);
     }
   }
-  return sums;
+  return means;
 }
 
 }  // namespace airlight

@@ -39,11 +39,6 @@ class SkyPatches {
   };
   std::array<Share, 4> around(double elevation, double azimuth) const;
 
-  // Mean radiance of each patch in an equirectangular picture whose centre looks north, three channels a patch. Pixels
-  // are shared out by a grid of points in each, so that a patch's light is that of its solid angle to 0.5 %, and the
-  // sum over the patches is the picture's.
-  std::vector<std::array<double, 3>> means(const RadianceImage& latlong) const;
-
  private:
   struct Row {
     std::size_t first = 0;
@@ -52,6 +47,26 @@ class SkyPatches {
   double height_;  // of a row, radians
   std::vector<Row> rows_;
   std::vector<double> solid_angles_;
+};
+
+// Mean radiance of each patch in equirectangular pictures of one size whose centre looks north. Pixels are shared out
+// by a grid of points in each, so that a patch's light is that of its solid angle to 0.5 %, and the sum over the
+// patches is the picture's.
+class PatchMeans {
+ public:
+  PatchMeans(const SkyPatches& patches, int width, int height);
+
+  // Three channels a patch. The picture is of that size.
+  std::vector<std::array<double, 3>> of(const RadianceImage& latlong) const;
+
+ private:
+  struct Piece {  // of a pixel
+    std::size_t pixel;
+    std::size_t patch;
+    double weight;
+  };
+  std::vector<Piece> pieces_;  // those of a patch have weights that add up to 1
+  std::size_t count_;
 };
 
 }  // namespace airlight

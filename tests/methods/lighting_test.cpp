@@ -208,6 +208,41 @@ TEST(Lighting, ThePlanetCutsTheSun) {
   EXPECT_LT(cap, 0.1955);
 }
 
+// The disc's light by a dense grid of directions, as low as the disc is still round. Below that it is cut.
+TEST(Lighting, TheDiscsLightIsTheSumOverIt) {
+  for (const double elevation : {0.27, 0.54, 2.0, 30.0}) {
+    const Scene scene = scene_at(elevation);
+    const Sun& given = scene.sun;
+    std::vector<Direction> directions;
+    std::vector<double> weights;
+    double total = 0.0;
+    constexpr int kAcross = 60;
+    for (int i = 0; i < kAcross * kAcross; ++i) {
+      const double up = 2.0 * (i / kAcross + 0.5) / kAcross - 1.0;
+      const double right = 2.0 * (i % kAcross + 0.5) / kAcross - 1.0;
+      const double r2 = up * up + right * right;
+      if (r2 < 1.0) {
+        const double radius = given.disc.angular_radius;
+        directions.push_back(
+            {given.elevation + radius * up, given.azimuth + radius * right / std::cos(given.elevation)});
+        weights.push_back(1.0 - given.disc.limb_darkening * (1.0 - std::sqrt(1.0 - r2)));
+        total += weights.back();
+      }
+    }
+    const std::vector<ProbeResult> probes = probe_now(scene, directions);
+    Vector3 sum{};
+    for (std::size_t i = 0; i < probes.size(); ++i) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        sum[c] += given.irradiance[c] * weights[i] / total * probes[i].transmittance[c];
+      }
+    }
+    const SunLight sun = sun_light([]() -> Executor& { return executor(); }, scene);
+    for (std::size_t c = 0; c < 3; ++c) {
+      EXPECT_NEAR(sun.irradiance[c] / sum[c], 1.0, 2e-4) << elevation << ", " << c;
+    }
+  }
+}
+
 // Against a sky of seven times as many pixels, in the hardest case: an aureole on the horizon.
 TEST(Lighting, TheSkyItIsTakenFromIsFineEnough) {
   for (const double elevation : {1.0, 60.0}) {
