@@ -76,7 +76,8 @@ const std::array<ParameterInfo, 13> kParameters{
         "volumetric_shadows", kShadows, "true",
         "how the air in the shadow of terrain and spheres is left without the sun's light; exact, true: where each ray "
         "crosses the shadows' edges; froxels: on a grid over picture and distance, four pixels a cell, which is faster "
-        "and blurs beams; march: in each step of a march along each ray, the reference; false: not at all"),
+        "and blurs beams; march: in each step of a march along each ray, the reference, among clouds as exact; false: "
+        "not at all"),
     parameter::table_size(
         "cloud_lut", 4, 256, TableSize{48, 20},
         "cells of the light that a cloud scatters more than once, over the field's width and depth x upward"),

@@ -137,7 +137,7 @@ struct ThingPass {
   ThingsUnderCloud air;  // by tables
 };
 
-// The air among things by tables; `things`: with their shares of light.
+// The air among things by tables.
 ThingsUnderCloud air_among(Plan& plan, const Part& part, const View& view, const Light& light,
                            const ThingInputs& things, const ThingLight& among) {
   ThingsUnderCloud air{.air = {}, .constants = {}, .table = unfolded_table(part)};
