@@ -76,7 +76,8 @@ const std::array<ParameterInfo, 13> kParameters{
         "volumetric_shadows", kShadows, "true",
         "how the air in the shadow of terrain and spheres is left without the sun's light; exact, true: where each ray "
         "crosses the shadows' edges; froxels: on a grid over picture and distance, four pixels a cell, which is faster "
-        "and blurs beams; march: in each step of a march along each ray, the reference; false: not at all"),
+        "and blurs beams; march: in each step of a march along each ray, the reference, among clouds as exact; false: "
+        "not at all"),
     parameter::table_size(
         "cloud_lut", 4, 256, TableSize{48, 20},
         "cells of the light that a cloud scatters more than once, over the field's width and depth x upward"),
@@ -233,15 +234,15 @@ SkyPasses add_orders(Plan& plan, const Part& part, const View& view) {
   const SkyTarget target = add_sky_target(plan, part.scene, view);
   const Light light = add_light(plan, part);
   SkyPasses passes{target.radiance, {light.transmittance}, light.more()};
-  const auto with_clouds = [&] {
-    if (!part.scene.clouds.empty()) {
-      orders::add_clouds(plan, part, view, target, light);
+  if (part.things.stand_in_the_air() || (part.scene.ground && !part.scene.clouds.empty())) {
+    if (part.scene.clouds.empty()) {
+      orders::add_things_sky(plan, part, view, target, light);
+      return passes;
     }
+    const orders::LitCloud cloud = orders::add_cloud_light(plan, part, light);
+    const auto things = orders::add_things_under_cloud(plan, part, view, target, light, cloud);
+    orders::add_cloud(plan, part, view, target, light, cloud, &things);
     return passes;
-  };
-  if (part.things.stand_in_the_air()) {
-    orders::add_things_sky(plan, part, view, target, light);
-    return with_clouds();
   }
   begin_black_ground(plan, part, view);
   if (tabulates(part, view)) {
@@ -251,7 +252,10 @@ SkyPasses add_orders(Plan& plan, const Part& part, const View& view) {
   }
   end_black_ground(plan, part, view);
   add_ground(plan, part, target, light);
-  return with_clouds();
+  if (!part.scene.clouds.empty()) {
+    orders::add_cloud(plan, part, view, target, light, orders::add_cloud_light(plan, part, light), nullptr);
+  }
+  return passes;
 }
 
 LayerPasses add_layers(Plan& plan, const Part& part, const View& view) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include "core/air/refraction.h"
@@ -348,8 +349,8 @@ void refuse_around_clouds(const Part& part, bool no_picture) {
   refuse(!inside_the_air(scene),
          "renders clouds for a camera in the air, below planet.atmosphere_height_km; lower "
          "camera.altitude_km");
-  refuse(part.things.stand_in_the_air(), "renders no clouds over terrain or spheres; remove them or the clouds");
-  refuse(scene.ground.has_value(), "renders no clouds over maps of the ground; remove them or the clouds");
+  refuse(std::ranges::count(scene.spheres, SphereMaterial::mirror, &Sphere::material) > 0,
+         "renders no clouds in mirrors; remove the spheres of the material mirror or the clouds");
   refuse(scene.camera.polariser.has_value(), "renders no clouds through a polarising filter; remove it or the clouds");
   if (no_picture) {
     throw InputError(
@@ -358,7 +359,7 @@ void refuse_around_clouds(const Part& part, bool no_picture) {
   }
 }
 
-void add_clouds(Plan& plan, const Part& part, const View& view, const SkyTarget& target, const Light& light) {
+LitCloud add_cloud_light(Plan& plan, const Part& part, const Light& light) {
   const Cloud& cloud = part.scene.clouds.front();
   const physics::vec3 to_sun = cloud_sun(part.scene, *part.things.clouds().front());
   const auto grid = std::make_shared<const CloudGrid>(with_room(*part.things.clouds().front(), to_sun));
@@ -366,32 +367,48 @@ void add_clouds(Plan& plan, const Part& part, const View& view, const SkyTarget&
   const std::string key = "cloud " + cloud_key(cloud);
   const std::string sun_key = sun_key_of(key, matter.drops, to_sun, part.scene.render.get<TableSize>("cloud_lut"));
   const CloudCells coarse = coarse_cells(*grid, part.scene.render.get<TableSize>("cloud_lut"));
-  const device::CloudData head = head_of(*grid, coarse, cloud, delta_scale(matter.drops), to_sun);
-  const CloudInputs inputs = add_inputs(plan, grid, head, key, sun_key);
+  LitCloud lit{.grid = grid,
+               .key = key,
+               .head = head_of(*grid, coarse, cloud, delta_scale(matter.drops), to_sun),
+               .shade = {},
+               .sources = {},
+               .phase = {}};
+  const CloudInputs inputs = add_inputs(plan, grid, lit.head, key, sun_key);
   const Fields fields = add_fields(plan, coarse, matter.drops, inputs, to_sun, sun_key);
-  const ImageId sources = add_sources(plan, fields, sun_key);
+  lit.sources = add_sources(plan, fields, sun_key);
   const BufferId balance = add_balance(plan, part, light, inputs, add_sums(plan, inputs, fields, sun_key));
-  const ImageId phase = add_phase(plan, matter);
+  lit.phase = add_phase(plan, matter);
+  lit.shade = inputs.reads();
+  lit.shade.push_back({"cloud_mean_lut", inputs.mean});
+  lit.shade.push_back({"cloud_light", balance});
+  return lit;
+}
 
-  const FactorTable table = volume_table(part, true);
-  const Volume volume = add_volume(plan, part.scene, light, table, view);
-  std::vector<Binding> reads = inputs.reads();
-  for (const Binding& read : volume.reads()) {
-    reads.push_back(read);
-  }
-  reads.push_back({"cloud_mean_lut", inputs.mean});
-  reads.push_back({"cloud_light", balance});
+void add_cloud(Plan& plan, const Part& part, const View& view, const SkyTarget& target, const Light& light,
+               const LitCloud& cloud, const ThingsUnderCloud* things) {
+  const FactorTable table = things != nullptr ? things->table : volume_table(part, true);
+  std::vector<Binding> reads = cloud.shade;
   reads.push_back({"transmittance_lut", light.transmittance});
-  const bool froxels = by_froxels(part, view, grid->top);
-  const ImageId shafts = froxels ? add_air_shade(plan, part, view, light, reads, table) : volume.sources;
   std::vector<Specialization> constants = sunlight_specialization(plan, part.air, light.transmittance);
   add_moment_constants(constants, settings_of(part));
-  add_volume_constants(constants, part.scene, table);
-  reads.push_back({"cloud_shafts_lut", shafts});
+  std::vector<Binding> air;
+  if (things != nullptr) {
+    air = things->air;
+    constants.insert(constants.end(), things->constants.begin(), things->constants.end());
+  } else {
+    air = add_volume(plan, part.scene, light, table, view).reads();
+    add_volume_constants(constants, part.scene, table);
+  }
+  std::vector<Binding> clear = reads;
+  std::ranges::copy_if(air, std::back_inserter(clear),
+                       [](const Binding& read) { return read.name == "volume_lut" || read.name == "extinction_lut"; });
+  const bool froxels = by_froxels(part, view, cloud.grid->top);
+  reads.insert(reads.end(), air.begin(), air.end());
+  reads.push_back({"cloud_shafts_lut", froxels ? add_air_shade(plan, part, view, light, clear, table) : cloud.sources});
   reads.push_back({"moments_lut", light.moments});
-  reads.push_back({"cloud_source_lut", sources});
-  reads.push_back({"cloud_gap_lut", add_gaps(plan, grid, key)});
-  reads.push_back({"cloud_phase_lut", phase});
+  reads.push_back({"cloud_source_lut", cloud.sources});
+  reads.push_back({"cloud_gap_lut", add_gaps(plan, cloud.grid, cloud.key)});
+  reads.push_back({"cloud_phase_lut", cloud.phase});
   reads.push_back({"directions", target.directions});
   constants.push_back({"kProjection", target.projection});
   constants.push_back({"kAirByRay", froxels ? 0U : 1U});
@@ -403,12 +420,13 @@ void add_clouds(Plan& plan, const Part& part, const View& view, const SkyTarget&
   // Far away steps grow, and shorten again where the cloud is thick; one that is thin all over would never shorten
   // them, and steps of several cells make moire of its texture.
   constexpr double kThickest = 3.0;  // 1/km, scaled
+  const CloudGrid& grid = *cloud.grid;
   const double densest =
-      static_cast<double>(*std::ranges::max_element(grid->extinction)) * static_cast<double>(head.scale);
+      static_cast<double>(*std::ranges::max_element(grid.extinction)) * static_cast<double>(cloud.head.scale);
   const double rise = densest > kThickest ? 0.01 : 0.002;
-  const double step = kStep * std::min({grid->cell_x, grid->cell_y, 2.0 * grid->cell_z()});
+  const double step = kStep * std::min({grid.cell_x, grid.cell_y, 2.0 * grid.cell_z()});
   plan.add_pass({.name = "clouds",
-                 .shader = "cloud_pixels",
+                 .shader = things != nullptr ? "cloud_pixels_things" : "cloud_pixels",
                  .reads = std::move(reads),
                  .writes = {{"radiance_out", target.radiance}, {"through_out", through}},
                  .grid = target.grid,

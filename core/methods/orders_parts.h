@@ -3,9 +3,12 @@
 // table of factors.
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "core/clouds/cloud_grid.h"
+#include "core/clouds/cloud_physics.h"
 #include "core/luts/moments.h"
 #include "core/methods/factor_text.h"
 #include "core/methods/method.h"
@@ -123,8 +126,31 @@ Volume add_volume(Plan& plan, const Scene& scene, const Light& light, const Fact
 // The constants of passes that read it.
 void add_volume_constants(std::vector<Specialization>& constants, const Scene& scene, const FactorTable& table);
 
+// A cloud and its light as passes read them.
+struct LitCloud {
+  std::shared_ptr<const CloudGrid> grid;
+  std::string key;
+  device::CloudData head;
+  std::vector<Binding> shade;  // its cells, and what they leave of the sun's and the sky's light
+  ImageId sources;
+  ImageId phase;
+};
+
+LitCloud add_cloud_light(Plan& plan, const Part& part, const Light& light);
+
+// A picture of things in which a cloud is yet to come.
+struct ThingsUnderCloud {
+  std::vector<Binding> air;  // the air among them (shaders/shared/thing_tables.glsl), and what pixels show of them
+  std::vector<Specialization> constants;
+  FactorTable table;
+};
+
 // The pass over things, the ground and the air about them.
 void add_things_sky(Plan& plan, const Part& part, const View& view, const SkyTarget& target, const Light& light);
+
+// The same with surfaces under a cloud.
+ThingsUnderCloud add_things_under_cloud(Plan& plan, const Part& part, const View& view, const SkyTarget& target,
+                                        const Light& light, const LitCloud& cloud);
 
 // The planes of its layers.
 BufferId add_things_layers(Plan& plan, const Part& part, const View& view, const Light& light);
@@ -133,9 +159,10 @@ BufferId add_things_layers(Plan& plan, const Part& part, const View& view, const
 // picture, but layers or the air before things.
 void refuse_around_clouds(const Part& part, bool no_picture);
 
-// Puts the scene's cloud into the picture of its clear sky. Adds the buffer `cloud_transmittance`: what the cloud
-// leaves of a beam along each pixel's ray.
-void add_clouds(Plan& plan, const Part& part, const View& view, const SkyTarget& target, const Light& light);
+// Puts the cloud into the picture of its clear sky, or of things under it (null: there are none). Adds the buffer
+// `cloud_transmittance`: what the cloud leaves of a beam along each pixel's ray.
+void add_cloud(Plan& plan, const Part& part, const View& view, const SkyTarget& target, const Light& light,
+               const LitCloud& cloud, const ThingsUnderCloud* things);
 
 // SkyMethod::add_span_passes of the method.
 SpanPasses add_spans(Plan& plan, const Part& part, const Spans& spans, const SpanWay& way);

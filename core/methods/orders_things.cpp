@@ -134,11 +134,33 @@ struct ThingPass {
   std::vector<Specialization> constants;
   std::uint32_t steps = 0;
   bool tables = false;
+  ThingsUnderCloud air;  // by tables
 };
 
-ThingPass pass_of(Plan& plan, const Part& part, const View& view, const Light& light) {
+// The air among things by tables.
+ThingsUnderCloud air_among(Plan& plan, const Part& part, const View& view, const Light& light,
+                           const ThingInputs& things, const ThingLight& among) {
+  ThingsUnderCloud air{.air = {}, .constants = {}, .table = unfolded_table(part)};
+  const Volume volume = add_volume(plan, part.scene, light, air.table, view);
+  const std::uint32_t shafts = shafts_of(part, view);
+  const bool froxels = part.scene.terrain && shafts == physics::kShaftsFroxels;
+  const ImageId share = froxels ? add_shafts(plan, part, view, volume, things, air.table) : volume.sources;
+  const std::uint32_t dimmed = dimmed_of(part, view);
+  air.air = volume.reads();
+  air.air.push_back({"peaks_lut", volume.peaks});
+  air.air.push_back({"shafts_lut", share});
+  air.air.push_back({"dimmed_lut", dimmed == physics::kDimmedFroxels
+                                       ? add_dimmed(plan, part, view, volume, things, air.table, among)
+                                       : volume.sources});
+  air.constants.push_back({"kDimmed", dimmed});
+  add_volume_constants(air.constants, part.scene, air.table);
+  air.constants.push_back({"kShafts", shafts});
+  return air;
+}
+
+ThingPass pass_of(Plan& plan, const Part& part, const View& view, const Light& light, bool tables, bool clouds) {
   constexpr std::uint32_t kMirrorSegments = 6;
-  ThingPass pass{light.reads(), light.constants, steps_past_things(part, light), by_tables(part, view)};
+  ThingPass pass{light.reads(), light.constants, steps_past_things(part, light), tables, {}};
   const bool mirrors = std::ranges::count(part.scene.spheres, SphereMaterial::mirror, &Sphere::material) > 0;
   pass.constants.push_back({"kEdges", physics::kEdgesFound});
   pass.constants.push_back({"kSegments", mirrors ? kMirrorSegments : 1U});
@@ -150,34 +172,26 @@ ThingPass pass_of(Plan& plan, const Part& part, const View& view, const Light& l
   const std::vector<Binding> shares = among.reads();
   pass.reads.insert(pass.reads.end(), shares.begin(), shares.end());
   pass.reads.push_back({"corners", add_corners(plan, part, view, things)});
-  if (!pass.tables) {
+  if (tables || clouds) {
+    pass.air = air_among(plan, part, view, light, things, among);
+  }
+  if (tables) {
+    pass.reads.insert(pass.reads.end(), pass.air.air.begin(), pass.air.air.end());
+    pass.constants.insert(pass.constants.end(), pass.air.constants.begin(), pass.air.constants.end());
+  } else {
     pass.constants.push_back({"kStokes", stokes_of(part, view)});
     pass.constants.push_back({"kShafts", march_shafts(part)});
-    return pass;
   }
-  const FactorTable table = unfolded_table(part);
-  const Volume volume = add_volume(plan, part.scene, light, table, view);
-  const std::uint32_t shafts = shafts_of(part, view);
-  const bool froxels = part.scene.terrain && shafts == physics::kShaftsFroxels;
-  const ImageId share = froxels ? add_shafts(plan, part, view, volume, things, table) : volume.sources;
-  const std::vector<Binding> more = volume.reads();
-  pass.reads.insert(pass.reads.end(), more.begin(), more.end());
-  pass.reads.push_back({"peaks_lut", volume.peaks});
-  pass.reads.push_back({"shafts_lut", share});
-  const std::uint32_t dimmed = dimmed_of(part, view);
-  pass.reads.push_back({"dimmed_lut", dimmed == physics::kDimmedFroxels
-                                          ? add_dimmed(plan, part, view, volume, things, table, among)
-                                          : volume.sources});
-  pass.constants.push_back({"kDimmed", dimmed});
-  add_volume_constants(pass.constants, part.scene, table);
-  pass.constants.push_back({"kShafts", shafts});
+  pass.air.air.insert(pass.air.air.end(), things.reads.begin(), things.reads.end());
+  pass.air.air.insert(pass.air.air.end(), shares.begin(), shares.end());
+  pass.air.constants.insert(pass.air.constants.end(), things.constants.begin(), things.constants.end());
   return pass;
 }
 
 }  // namespace
 
 void add_things_sky(Plan& plan, const Part& part, const View& view, const SkyTarget& target, const Light& light) {
-  ThingPass found = pass_of(plan, part, view, light);
+  ThingPass found = pass_of(plan, part, view, light, by_tables(part, view), false);
   found.reads.push_back({"directions", target.directions});
   found.constants.push_back({"kProjection", target.projection});
   plan.add_pass({.name = "sky",
@@ -190,8 +204,31 @@ void add_things_sky(Plan& plan, const Part& part, const View& view, const SkyTar
                  .cost = found.tables ? 40.0 : 3.0 * ray_cost(found.steps)});
 }
 
+ThingsUnderCloud add_things_under_cloud(Plan& plan, const Part& part, const View& view, const SkyTarget& target,
+                                        const Light& light, const LitCloud& cloud) {
+  constexpr std::size_t kSeen = 5;  // floats of ThingsSeen
+  const bool tables = stokes_of(part, view) == physics::kStokesNone;
+  ThingPass found = pass_of(plan, part, view, light, tables, true);
+  found.reads.insert(found.reads.end(), cloud.shade.begin(), cloud.shade.end());
+  found.reads.push_back({"directions", target.directions});
+  found.constants.push_back({"kProjection", target.projection});
+  const BufferId seen = plan.add_buffer({.name = "things_seen",
+                                         .bytes = kSeen * sizeof(float) * target.grid.width * target.grid.height,
+                                         .zeroed = false});
+  plan.add_pass({.name = "sky",
+                 .shader = tables ? "sky_things_tables_clouds" : "sky_things_march_clouds",
+                 .reads = std::move(found.reads),
+                 .writes = {{"radiance_out", target.radiance}, {"seen_out", seen}},
+                 .grid = target.grid,
+                 .push_constants = {target.grid.width, target.grid.height, found.steps},
+                 .specialization = std::move(found.constants),
+                 .cost = tables ? 50.0 : 3.0 * ray_cost(found.steps)});
+  found.air.air.push_back({"seen", seen});
+  return found.air;
+}
+
 BufferId add_things_layers(Plan& plan, const Part& part, const View& view, const Light& light) {
-  ThingPass found = pass_of(plan, part, view, light);
+  ThingPass found = pass_of(plan, part, view, light, by_tables(part, view), false);
   found.constants.push_back({"kProjection", projection_code(part.scene.camera.projection)});
   if (!found.tables) {
     found.constants.push_back({"kScatteringMedia", part.air.scattering_media()});

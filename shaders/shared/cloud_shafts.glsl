@@ -1,8 +1,8 @@
 // The air's light among clouds: its sunlight scattered once where the cloud's shadow leaves the sun, the rest by the
 // light below and above the cloud.
-layout(scalar, set = 0, binding = 18) readonly buffer Light { CloudLight value; } cloud_light;
+#include "shared/cloud_balance.glsl"
 
-// Light of the clear air up to a distance, for a sun of irradiance 1.
+// Light of the air without clouds up to a distance, for a sun of irradiance 1.
 struct ClearAir {
   vec3 once;
   vec3 more;  // scattered more than once
@@ -21,6 +21,13 @@ ClearAir clear_air_up_to(Ray ray, FactorPlace at, float distance_) {
   UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
     air.once += scatters(i) ? fetch_block(single_block(i), at, w) * (medium_phase(i, at.nu) * gathered) : vec3(0.0);
   }
+#ifdef AIRLIGHT_THINGS
+  VolumeRay of;
+  of.at = at;
+  of.ray = ray;
+  air.once = past_shadows(of, reach, air.once);
+  air.more = dimmed_to(of, seen_sight, reach, air.more);
+#endif
   return air;
 }
 
@@ -44,11 +51,6 @@ ShadedAir no_shaded_air() {
   air.clear.depth = vec3(0.0);
   air.left = vec3(0.0);
   return air;
-}
-
-// Share of the air's light scattered more than once at an altitude over the cloud's base.
-vec3 more_light_at(float height) {
-  return mix(cloud_light.value.air_below, cloud_light.value.air_above, clamp(height, 0.0, 1.0));
 }
 
 // Goes on to a distance; the sun is asked for in the middles of so many parts.

@@ -1,7 +1,7 @@
 // A cloud's grid as passes read it. Places are 0 to 1 over the grid's width, depth and height.
 #include "shared/cloud.h"
-layout(scalar, set = 0, binding = 20) readonly buffer Cloud { CloudData value; } cloud_data;
-layout(set = 0, binding = 21) uniform sampler3D cloud_density_lut;
+layout(scalar, set = 0, binding = 29) readonly buffer Cloud { CloudData value; } cloud_data;
+layout(set = 0, binding = 30) uniform sampler3D cloud_density_lut;
 
 CloudData loaded_cloud = cloud_data.value;
 CloudData cloud() { return loaded_cloud; }

@@ -4,11 +4,16 @@
 //   Gathered nothing_gathered();
 //   Gathered with_air(Gathered sum, SkyFactors air, float nu, vec3 through, bool first);  first: up to the first thing
 //   Gathered with_light(Gathered sum, vec3 light);                                        of what the air ends at
+// With AIRLIGHT_CLOUDS surfaces lie under a cloud, and it has a member
+//   float distance_;  to the first thing; 0: none is met
 #include "physics/surface_light.glsl"
 #include "physics/terrain_light.glsl"
 #include "physics/sphere_light.glsl"
 #include "shared/thing_shares.glsl"
 #include "physics/things_light.glsl"
+#ifdef AIRLIGHT_CLOUDS
+#include "shared/cloud_surface.glsl"
+#endif
 
 layout(constant_id = 36) const uint kSegments = 1u;  // most parts of a ray from mirror to mirror; light beyond is lost
 layout(constant_id = 37) const uint kDiscShows = 1u;  // 1: the disc shows in mirrors
@@ -31,6 +36,9 @@ Gathered gathered_along(vec3 direction, float spread, float bare, uint steps) {
     SkyFactors air = factors_past_things(sight, ray, steps);
     sum = with_air(sum, air, seen_cosine(scene.sun, ray.mu, ray.nu), through, i == 0u);
     through *= air.transmittance;
+#ifdef AIRLIGHT_CLOUDS
+    sum.distance_ = i == 0u && hits_thing(hit) ? hit.distance_ : sum.distance_;
+#endif
     if (hit.what == kMeetsSky) {
       bool disc = kDiscShows != 0u && i > 0u;
       sum = with_light(sum, disc ? through * mirrored_disc(scene.sun, direction, spread) : vec3(0.0));
@@ -42,6 +50,11 @@ Gathered gathered_along(vec3 direction, float spread, float bare, uint steps) {
       float share = sun_past_things(scene.planet, scene.camera.altitude, scene.sun, surface.place, hit.which);
       PlaceSun sun = sun_at(scene.planet, surface.place, scene.sun.direction);
       SkyPast sky = sky_past_things(scene.planet, scene.moments, scene.camera.altitude, sun, surface);
+#ifdef AIRLIGHT_CLOUDS
+      float lit = sun_past_cloud(surface.place, sun);
+      sky = sky_past_cloud(sky, surface, sun, lit);
+      share *= lit;
+#endif
       sum = with_light(sum, through * scene.sun.irradiance *
                                 surface_radiance(scene.planet, scene.moments, surface, direction, sun, share, sky));
       break;

@@ -7,48 +7,13 @@
 #include <numeric>
 
 #include "core/air/scene_block.h"
-#include "core/clouds/cloud_grid.h"
 #include "core/error.h"
-#include "tests/methods/path_trace_scene.h"
+#include "tests/methods/cloud_scene.h"
 #include "tests/methods/render_fixture.h"
 #include "tests/methods/slab.h"
 
 namespace airlight::test {
 namespace {
-
-constexpr double kAsymmetryOfDrops = 0.85;
-
-// An even cloud round a planet so large that it is level, in air that hardly scatters.
-Scene under_level_cloud(double optical_depth, double sun_mu) {
-  Scene scene = vacuum();
-  scene.planet.ground_radius = 1e6;
-  scene.planet.atmosphere_height = 20.0;
-  scene.planet.ground_albedo = {0.0, 0.0, 0.0};
-  scene.media = {medium(PhaseFunction::rayleigh, 0.0, {1e-9, 1e-9, 1e-9}, {0.0, 0.0, 0.0}, exponential(8.0))};
-  scene.sun.elevation = std::asin(sun_mu);
-  scene.sun.azimuth = 0.0;
-  scene.sun.disc.visible = false;
-  Cloud cloud;
-  cloud.kind = CloudKind::volume;
-  cloud.base = 1.0;
-  cloud.top = 2.0;
-  cloud.repeats = true;
-  cloud.phase = CloudPhase::henyey_greenstein;
-  cloud.phase_g = kAsymmetryOfDrops;
-  auto contents = std::make_shared<CloudFile>();
-  contents->nx = 4;
-  contents->ny = 4;
-  contents->nz = 20;
-  contents->dx = 1.0;
-  contents->dy = 1.0;
-  contents->dz = 0.05;
-  contents->lowest = 1.0;
-  contents->extinction.assign(4 * 4 * 20, static_cast<float>(optical_depth));
-  contents->identity = "level " + std::to_string(optical_depth);
-  cloud.contents = contents;
-  scene.clouds = {cloud};
-  return with_method(scene, *find_method("orders"));
-}
 
 // Above and below, in directions all around but within 25 degrees of the sun, where light that the peak scatters is
 // taken for sunlight and scattered once more; thick clouds and thin ones, by a high sun and a low one.
@@ -97,36 +62,6 @@ TEST(CloudPicture, LevelCloudsMeetAddingAndDoubling) {
   }
 }
 
-// A ball that fades outward, in a field that repeats itself.
-std::shared_ptr<CloudFile> ball() {
-  constexpr int kSide = 20;
-  auto contents = std::make_shared<CloudFile>();
-  contents->nx = contents->ny = kSide;
-  contents->nz = 10;
-  contents->dx = contents->dy = contents->dz = 0.1;
-  contents->lowest = 1.05;
-  for (int k = 0; k < contents->nz; ++k) {
-    for (int j = 0; j < kSide; ++j) {
-      for (int i = 0; i < kSide; ++i) {
-        const double r = std::hypot(i + 0.5 - 10.0, j + 0.5 - 10.0, 1.4 * (k + 0.5 - 5.0)) / 6.0;
-        contents->extinction.push_back(static_cast<float>(15.0 * std::clamp(3.0 * (1.0 - r), 0.0, 1.0)));
-      }
-    }
-  }
-  contents->identity = "ball";
-  return contents;
-}
-
-// The optical depth from a place above level ground, km east, north and up, by short steps.
-double depth_from(const CloudGrid& grid, const physics::vec3& from, const physics::vec3& d, double limit) {
-  constexpr double kStep = 0.008;
-  double depth = 0.0;
-  for (double t = 0.5 * kStep; t < limit; t += kStep) {
-    depth += kStep * grid.at(from.x + t * d.x, from.y + t * d.y, from.z + t * d.z);
-  }
-  return depth;
-}
-
 // Sunlight scattered once, by a matter that scatters little: against the integral of the grid's own extinction along
 // the ray and toward the sun.
 TEST(CloudPicture, SunlightScatteredOnceIsItsIntegral) {
@@ -134,7 +69,7 @@ TEST(CloudPicture, SunlightScatteredOnceIsItsIntegral) {
   constexpr double kStep = 0.016;
   Scene scene = under_level_cloud(1.0, std::sin(radians(35.0)));
   Cloud& cloud = scene.clouds.front();
-  cloud.contents = ball();
+  cloud.contents = field_of_balls();
   cloud.phase_g = 0.0;
   cloud.single_scattering_albedo = kAlbedo;
   scene.camera.altitude = 0.2;
@@ -154,7 +89,7 @@ TEST(CloudPicture, SunlightScatteredOnceIsItsIntegral) {
         const physics::vec3 at = d * t + physics::vec3(0.0, 0.0, 0.2);
         const double here = kStep * grid.at(at.x, at.y, at.z);
         if (here > 0.0) {
-          light += here * std::exp(-depth - 0.5 * here - depth_from(grid, at, to_sun, (2.0 - at.z) / to_sun.z));
+          light += here * std::exp(-depth - 0.5 * here - water_depth_from(grid, at, to_sun, (2.0 - at.z) / to_sun.z));
           depth += here;
         }
       }
@@ -184,7 +119,7 @@ TEST(CloudPicture, SunlightScatteredOnceIsItsIntegral) {
 TEST(CloudPicture, ItsShadowIsTheSunsDepth) {
   Scene scene = under_level_cloud(1.0, std::sin(radians(35.0)));
   Cloud& cloud = scene.clouds.front();
-  cloud.contents = ball();
+  cloud.contents = field_of_balls();
   cloud.phase_g = 0.0;
   cloud.single_scattering_albedo = 1e-3;
   scene.camera.altitude = 0.2;
@@ -199,7 +134,7 @@ TEST(CloudPicture, ItsShadowIsTheSunsDepth) {
     const double reach = 0.2 / std::tan(radians(-elevation));
     const physics::vec3 place(reach * std::sin(radians(azimuth)), reach * std::cos(radians(azimuth)), 0.0);
     directions.push_back({radians(elevation), radians(azimuth)});
-    truth.push_back(std::exp(-depth_from(grid, place, to_sun, 2.0 / to_sun.z)));
+    truth.push_back(std::exp(-water_depth_from(grid, place, to_sun, 2.0 / to_sun.z)));
   }
   const std::vector<ProbeResult> results = probe_now(scene, directions);
   double error = 0.0;
@@ -250,7 +185,7 @@ Scene among_black_clouds(double sun_elevation_deg) {
 // By listed rays and by froxels of a picture.
 TEST(CloudPicture, ShadesTheAir) {
   Scene scene = among_black_clouds(35.0);
-  scene.clouds.front().contents = ball();
+  scene.clouds.front().contents = field_of_balls();
   const CloudGrid grid = cloud_grid(scene.clouds.front());
   const physics::vec3 to_sun(0.0, std::cos(radians(35.0)), std::sin(radians(35.0)));  // azimuth 0: north
   scene.image = {24, 16};
@@ -271,8 +206,8 @@ TEST(CloudPicture, ShadesTheAir) {
     truth.push_back(scattered_by_air(scene, d.y, nu, [&](double t, double h) {
       const physics::vec3 at = way * t + physics::vec3(0.0, 0.0, scene.camera.altitude);
       const double above = std::max(2.0 - h, 0.0) / to_sun.z;
-      const double before = depth_from(grid, {0.0, 0.0, scene.camera.altitude}, way, std::min(t, 2.0 / d.y));
-      return std::exp(-before - depth_from(grid, at, to_sun, above));
+      const double before = water_depth_from(grid, {0.0, 0.0, scene.camera.altitude}, way, std::min(t, 2.0 / d.y));
+      return std::exp(-before - water_depth_from(grid, at, to_sun, above));
     }));
     clear += scattered_by_air(scene, d.y, nu, [](double, double) { return 1.0; });
     directions.push_back({std::asin(d.y), std::atan2(d.x, -d.z)});
@@ -427,8 +362,8 @@ TEST(CloudPicture, RefusesWhatItDoesNotKnow) {
   far.camera.altitude = 30.0;
   expect_refused(far, "lower camera.altitude_km");
   Scene ball = scene;
-  ball.spheres.push_back({});
-  expect_refused(ball, "terrain or spheres");
+  ball.spheres.push_back({.distance = 1.0, .radius = 0.1, .material = SphereMaterial::mirror});
+  expect_refused(ball, "in mirrors");
 }
 
 }  // namespace

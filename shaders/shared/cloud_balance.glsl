@@ -1,0 +1,7 @@
+// The light on a cloud as passes/cloud_balance.comp found it.
+layout(scalar, set = 0, binding = 27) readonly buffer Light { CloudLight value; } cloud_light;
+
+// Share of the air's light scattered more than once at an altitude over the cloud's base.
+vec3 more_light_at(float height) {
+  return mix(cloud_light.value.air_below, cloud_light.value.air_above, clamp(height, 0.0, 1.0));
+}

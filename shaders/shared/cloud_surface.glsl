@@ -1,0 +1,31 @@
+// What a cloud leaves of the light on the ground and on things.
+#include "shared/cloud_balance.glsl"
+
+// A place, from the camera, in the grid's units.
+vec3 place_in_cloud(vec3 point) {
+  float distance_ = max(length(point), 1e-6);
+  return cloud_place(scene.planet.ground_radius, cloud(), scene.camera.altitude, point / distance_, distance_);
+}
+
+float sun_past_cloud(Place place, PlaceSun sun) {
+  return exp(-cloud_shade(place_in_cloud(place.point), place.h, sun.mu));
+}
+
+// The sky's light below the cloud is what the cloud lets through of all light, less its sunlight that passes unscattered.
+// As far as this is less than the clear sky's, the sky is dimmed; what is more comes evenly from above. Above the cloud
+// the light that it sends up counts. `lit`: share of the sun past the cloud.
+SkyPast sky_past_cloud(SkyPast sky, Surface surface, PlaceSun sun, float lit) {
+  vec3 direct = sun_through_air(scene.planet, 0.0, sun.mu) * max(dot(sun.seen, surface.place.up), 0.0);
+  vec3 clear = moment_ground_irradiance(scene.moments, sun.mu);
+  CloudLight light = cloud_light.value;
+  vec3 below = max((direct + clear) * light.below - direct * light.direct, vec3(0.0));
+  vec3 more = max(below - clear, vec3(0.0));
+  vec3 from_ground = scene.planet.ground_albedo * (more - direct * (1.0 - light.direct));
+  float height = clamp(place_in_cloud(surface.place.point).z, 0.0, 1.0);
+  float upward = 0.5 + 0.5 * dot(surface.normal, surface.place.up);
+  vec3 even = (more * upward + from_ground * (1.0 - upward)) * sky.share;
+  sky.share *= mix(min(below / max(clear, vec3(1e-20)), vec3(1.0)), light.air_above, height);
+  vec3 of_things = (direct * lit + below) / max(direct + clear, vec3(1e-20));  // the light on what sends `more`
+  sky.more = sky.more * mix(of_things, vec3(1.0), height) + even * (1.0 - height);
+  return sky;
+}

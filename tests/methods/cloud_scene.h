@@ -1,0 +1,79 @@
+#pragma once
+// Clouds of simple shape over level ground, for tests.
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include "core/clouds/cloud_grid.h"
+#include "tests/methods/path_trace_scene.h"
+#include "tests/methods/render_fixture.h"
+
+namespace airlight::test {
+
+inline constexpr double kAsymmetryOfDrops = 0.85;
+
+// An even cloud round a planet so large that it is level, in air that hardly scatters.
+inline Scene under_level_cloud(double optical_depth, double sun_mu) {
+  Scene scene = vacuum();
+  scene.planet.ground_radius = 1e6;
+  scene.planet.atmosphere_height = 20.0;
+  scene.planet.ground_albedo = {0.0, 0.0, 0.0};
+  scene.media = {medium(PhaseFunction::rayleigh, 0.0, {1e-9, 1e-9, 1e-9}, {0.0, 0.0, 0.0}, exponential(8.0))};
+  scene.sun.elevation = std::asin(sun_mu);
+  scene.sun.azimuth = 0.0;
+  scene.sun.disc.visible = false;
+  Cloud cloud;
+  cloud.kind = CloudKind::volume;
+  cloud.base = 1.0;
+  cloud.top = 2.0;
+  cloud.repeats = true;
+  cloud.phase = CloudPhase::henyey_greenstein;
+  cloud.phase_g = kAsymmetryOfDrops;
+  auto contents = std::make_shared<CloudFile>();
+  contents->nx = 4;
+  contents->ny = 4;
+  contents->nz = 20;
+  contents->dx = 1.0;
+  contents->dy = 1.0;
+  contents->dz = 0.05;
+  contents->lowest = 1.0;
+  contents->extinction.assign(4 * 4 * 20, static_cast<float>(optical_depth));
+  contents->identity = "level " + std::to_string(optical_depth);
+  cloud.contents = contents;
+  scene.clouds = {cloud};
+  return with_method(scene, *find_method("orders"));
+}
+
+// A ball that fades outward, in a field that repeats itself.
+inline std::shared_ptr<CloudFile> field_of_balls() {
+  constexpr int kSide = 20;
+  auto contents = std::make_shared<CloudFile>();
+  contents->nx = contents->ny = kSide;
+  contents->nz = 10;
+  contents->dx = contents->dy = contents->dz = 0.1;
+  contents->lowest = 1.05;
+  for (int k = 0; k < contents->nz; ++k) {
+    for (int j = 0; j < kSide; ++j) {
+      for (int i = 0; i < kSide; ++i) {
+        const double r = std::hypot(i + 0.5 - 10.0, j + 0.5 - 10.0, 1.4 * (k + 0.5 - 5.0)) / 6.0;
+        contents->extinction.push_back(static_cast<float>(15.0 * std::clamp(3.0 * (1.0 - r), 0.0, 1.0)));
+      }
+    }
+  }
+  contents->identity = "ball";
+  return contents;
+}
+
+// The optical depth from a place above level ground, km east, north and up, by short steps.
+inline double water_depth_from(const CloudGrid& grid, const physics::vec3& from, const physics::vec3& d, double limit) {
+  constexpr double kStep = 0.008;
+  double depth = 0.0;
+  for (double t = 0.5 * kStep; t < limit; t += kStep) {
+    depth += kStep * grid.at(from.x + t * d.x, from.y + t * d.y, from.z + t * d.z);
+  }
+  return depth;
+}
+
+}  // namespace airlight::test
