@@ -4,6 +4,7 @@
 
 #include "app/cli/scene_files.h"
 #include "core/error.h"
+#include "core/library/place.h"
 #include "core/methods/ready.h"
 #include "core/render/metering.h"
 
@@ -34,6 +35,7 @@ Scene frame_scene(const Preset& preset, const sequence::Frame& frame, const Scen
     value.source = place;
     put_value(with, pointer, std::move(value), place);
   }
+  leave_out_unseen(with);
   return judged(with, &like);
 }
 

@@ -57,15 +57,29 @@ namespace {
 
 // Whether a light that a date adds can be seen in one picture: with the sun up the smooth light of the night adds at
 // most 5e-6 to the sky of `earth`, and a moon so far below the horizon lights nothing.
-bool is_seen(const std::string& section, const std::map<std::string, double>& angles) {
-  constexpr double kMoonDown = -10.0;  // degrees
+bool is_seen(const std::string& section, double sun_degrees, double moon_degrees) {
+  constexpr double kMoonDown = -10.0;
   if (section == "night_sky") {
-    return angles.at("/sun/elevation_deg") <= 0.0;
+    return sun_degrees <= 0.0;
   }
-  return section != "moon" || angles.at("/moon/elevation_deg") > kMoonDown;
+  return section != "moon" || moon_degrees > kMoonDown;
+}
+
+double elevation_in(Preset& preset, const char* light) {
+  const auto* degrees = member_as<double>(member(&preset.root, light), "elevation_deg");
+  return degrees == nullptr ? 0.0 : *degrees;
 }
 
 }  // namespace
+
+void leave_out_unseen(Preset& preset) {
+  const double sun = elevation_in(preset, "sun");
+  const double moon = elevation_in(preset, "moon");
+  std::erase_if(std::get<PresetObject>(preset.root.data), [&](const auto& section) {
+    return (section.first == "night_sky" || section.first == "moon") && section.second.source.starts_with("--date ") &&
+           !is_seen(section.first, sun, moon);
+  });
+}
 
 std::vector<Override> sun_overrides(const PlaceOptions& options, const SceneChanges& changes,
                                     const std::string& command) {
@@ -102,7 +116,9 @@ std::vector<Override> sun_overrides(const PlaceOptions& options, const SceneChan
     angles.emplace(pointer, values.front());
   }
   std::vector<Override> all = sky_of_date(typed);
-  std::erase_if(all, [&](const Override& added) { return !is_seen(added.adds, angles); });
+  std::erase_if(all, [&](const Override& added) {
+    return !is_seen(added.adds, angles.at("/sun/elevation_deg"), angles.at("/moon/elevation_deg"));
+  });
   for (const auto& [pointer, values] : frame.keys) {
     all.push_back({pointer + "=" + format_number(values.front()), typed, sections_with(pointer)});
   }

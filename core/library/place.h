@@ -21,6 +21,10 @@ void require_one_refraction(const PlaceOptions& options, const Scene& scene, con
 // where it has none. `typed`: the option, for messages.
 std::vector<Override> sky_of_date(const std::string& typed);
 
+// Takes out of a moment's preset what its date has added and the moment cannot show: the smooth light of the night with
+// the sun up, a moon far below the horizon. `typed` of sky_of_date() begins with "--date " for these.
+void leave_out_unseen(Preset& preset);
+
 // The sun of one picture, and of that sky what can be seen; empty where no option concerns it. Throws InputError.
 std::vector<Override> sun_overrides(const PlaceOptions& options, const SceneChanges& changes,
                                     const std::string& command);

@@ -47,6 +47,34 @@ TEST(SkyOfDate, LeavesOutByDayWhatCannotBeSeen) {
   EXPECT_TRUE(noon.stars);
 }
 
+// In a sequence each frame leaves out what it cannot show, but nothing that the preset or --set asks for.
+TEST(SkyOfDate, LeavesOutOfAFrameWhatItCannotShow) {
+  const auto frame = [](const char* name, double sun, double moon, const char* set) {
+    SceneChanges changes;
+    Preset preset = built_in_preset(name, "test");
+    if (*set != '\0') {
+      changes.set = {set};
+    }
+    apply_changes(preset, changes, sky_of_date("--date 2026-09-02"));
+    for (const auto& [key, degrees] : {std::pair("/sun/elevation_deg", sun), std::pair("/moon/elevation_deg", moon)}) {
+      PresetValue value;
+      value.data = degrees;
+      put_value(preset, key, std::move(value), "frame 1");
+    }
+    leave_out_unseen(preset);
+    return resolve(preset, method_infos());
+  };
+  const Scene day = frame("earth", 20.0, 5.0, "");
+  EXPECT_FALSE(day.night_sky);
+  EXPECT_TRUE(day.moon && day.stars);
+  const Scene night = frame("earth", -20.0, -30.0, "");
+  EXPECT_TRUE(night.night_sky && night.stars);
+  EXPECT_FALSE(night.moon);
+  const Scene own = frame("full-day", 20.0, -30.0, "");
+  EXPECT_TRUE(own.night_sky && own.moon);
+  EXPECT_TRUE(frame("earth", 20.0, 5.0, "/night_sky={}").night_sky);
+}
+
 TEST(SkyOfDate, IsForPresetsThatAskForIt) {
   EXPECT_FALSE(dated("mars-like", kDawn).moon);
   EXPECT_FALSE(dated("earth-hillaire2020", kDawn).stars);
