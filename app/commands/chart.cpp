@@ -95,8 +95,17 @@ chart::Settings settings_of(const ChartGiven& given) {
   return settings;
 }
 
+void require_knows(const SkyMethod& method, const Scene& scene, const std::string& place) {
+  for (const ThingKind& kind : kThingKinds) {
+    if (kind.stands_in(scene) && !(method.info.*kind.known)) {
+      throw InputError(place + " knows no " + std::string(kind.name) + "; choose a preset without, or other methods");
+    }
+  }
+}
+
 chart::RunOrder order_of(const ChartGiven& given, chart::Settings& settings) {
   chart::RunOrder order;
+  order.methods = chosen_methods(given);
   for (const std::string& preset : settings.scenes) {
     SceneOptions options = given.scene;
     options.preset = preset;
@@ -104,17 +113,13 @@ chart::RunOrder order_of(const ChartGiven& given, chart::Settings& settings) {
       options.size = std::to_string(settings.image.width) + "x" + std::to_string(settings.image.height);
     }
     Scene scene = load_scene(options);
-    for (const ThingKind& kind : kThingKinds) {
-      if (kind.stands_in(scene)) {
-        throw InputError("chart: " + preset + ": " + std::string(kind.section) + "." + std::string(kind.keys[0]) +
-                         ": not all of the methods that a chart compares know " + std::string(kind.name) +
-                         "; choose a preset without");
-      }
+    for (const std::string& name : given.methods) {
+      require_knows(*find_method(name), scene, "chart: " + preset + ": --method " + name);
     }
+    require_knows(*find_method("path-trace"), scene, "chart: " + preset + ": path-trace, the truth,");
     settings.image = scene.image;
     order.scenes.push_back({preset, std::move(scene)});
   }
-  order.methods = chosen_methods(given);
   order.settings = settings;
   order.budget_s = given.budget.value_or(0.0);
   order.truth_folder = truth_folder(given);
@@ -178,8 +183,9 @@ Command chart_command() {
   command.description =
       "airlight times every method on each preset, at every quality of the method's list. It compares the pictures "
       "with those of path-trace, which are the truth. The error is the mean relative error and its 95th percentile "
-      "over the sky, without the sun's disc. From above the air, or without sky in the picture, it is that over "
-      "everything that is not black. If a preset has spectra, the truth has 48 wavelengths. Methods that render any "
+      "over the sky, without the sun's disc. From above the air, without sky in the picture, or with things in the "
+      "scene, it is that over everything that is not black. Methods that do not know such things are left out. If a "
+      "preset has spectra, the truth has 48 wavelengths. Methods that render any "
       "number of wavelengths in one pass are then charted at 3 to 24 wavelengths and in three channels.\n\n"
       "airlight writes chart.csv, chart.json and the gnuplot script chart.gp into the folder. gnuplot draws chart.svg "
       "and chart.png: one panel for each preset and, with several presets, one for all of them. A line joins the "

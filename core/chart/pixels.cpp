@@ -1,6 +1,8 @@
 #include "core/chart/pixels.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "core/air/scene_block.h"
 #include "core/measure/view_geometry.h"
@@ -14,6 +16,38 @@ int at(int i, int count, int size) {
 
 bool in_sky(measure::RegionBits region) {
   return (region & measure::kSky) != 0;
+}
+
+template <class Wanted>
+PixelSet chosen(const PixelSet& pixels, const Wanted& wanted) {
+  PixelSet some;
+  for (std::size_t i = 0; i < pixels.places.size(); ++i) {
+    if (wanted(i)) {
+      some.places.push_back(pixels.places[i]);
+      some.directions.push_back(pixels.directions[i]);
+      some.regions.push_back(pixels.regions[i]);
+    }
+  }
+  return some;
+}
+
+// Whether the rays through a pixel's centre and corners meet the same thing, at distances within a fifth of one
+// another.
+bool meets_one_surface(physics::Physics& p, physics::uint projection, double x, double y) {
+  const auto met = [&](double dx, double dy) {
+    const physics::vec3 d = p.view_ray(p.scene.camera, projection, x + dx, y + dy).direction;
+    return p.nearest_thing(p.scene.planet, p.sight_of(d), physics::kNoSphere);
+  };
+  const auto centre = met(0.0, 0.0);
+  for (const auto& [dx, dy] :
+       {std::pair(-0.5, -0.5), std::pair(0.5, -0.5), std::pair(-0.5, 0.5), std::pair(0.5, 0.5)}) {
+    const auto corner = met(dx, dy);
+    if (corner.what != centre.what || corner.which != centre.which ||
+        std::abs(corner.distance_ - centre.distance_) > 0.2 * centre.distance_) {
+      return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace
@@ -48,23 +82,28 @@ PixelSet lattice(const Scene& scene, int columns, int rows) {
   return set;
 }
 
+PixelSet without_edges_of_things(const Stage& stage, const PixelSet& pixels) {
+  const Scene& scene = stage.scene();
+  physics::Physics p = geometry_of(scene);
+  stage.whole().things.put_into(p);
+  const auto width = static_cast<std::size_t>(scene.image.width);
+  return chosen(pixels, [&](std::size_t i) {
+    const std::size_t place = pixels.places[i];
+    return meets_one_surface(p, projection_code(scene.camera.projection), static_cast<double>(place % width) + 0.5,
+                             static_cast<double>(place / width) + 0.5);
+  });
+}
+
 bool judges_whole_picture(const Scene& scene, const PixelSet& pixels) {
-  return scene.camera.altitude > scene.planet.atmosphere_height || std::ranges::none_of(pixels.regions, in_sky);
+  return scene.terrain || !scene.spheres.empty() || scene.ground ||
+         scene.camera.altitude > scene.planet.atmosphere_height || std::ranges::none_of(pixels.regions, in_sky);
 }
 
 PixelSet judged(const Scene& scene, const PixelSet& pixels) {
   if (judges_whole_picture(scene, pixels)) {
     return pixels;
   }
-  PixelSet sky;
-  for (std::size_t i = 0; i < pixels.places.size(); ++i) {
-    if (in_sky(pixels.regions[i])) {
-      sky.places.push_back(pixels.places[i]);
-      sky.directions.push_back(pixels.directions[i]);
-      sky.regions.push_back(pixels.regions[i]);
-    }
-  }
-  return sky;
+  return chosen(pixels, [&](std::size_t i) { return in_sky(pixels.regions[i]); });
 }
 
 std::vector<float> values_at(std::span<const float> rgba, const PixelSet& pixels) {

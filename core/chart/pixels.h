@@ -8,6 +8,7 @@
 #include "core/measure/metrics.h"
 #include "core/methods/method.h"
 #include "core/scene/scene.h"
+#include "core/stage/stage.h"
 
 namespace airlight::chart {
 
@@ -20,7 +21,11 @@ struct PixelSet {
 // At most `columns` x `rows` pixels of the scene's picture; those outside a fisheye's circle are left out.
 PixelSet lattice(const Scene& scene, int columns, int rows);
 
-// The judged pixels: those of the sky, or every pixel where the camera stands above the air or the picture has no sky.
+// Without the pixels that the edge of a thing crosses: the truth is traced at points, and such a pixel is a mean.
+PixelSet without_edges_of_things(const Stage& stage, const PixelSet& pixels);
+
+// The judged pixels: those of the sky, or every pixel where the camera stands above the air, the picture has no sky or
+// things stand in the scene.
 bool judges_whole_picture(const Scene& scene, const PixelSet& pixels);
 PixelSet judged(const Scene& scene, const PixelSet& pixels);
 

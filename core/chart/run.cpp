@@ -15,6 +15,7 @@
 #include "core/methods/ready.h"
 #include "core/render/sky.h"
 #include "core/scene/preset.h"
+#include "core/scene/thing_kinds.h"
 
 namespace airlight::chart {
 namespace {
@@ -103,7 +104,8 @@ class ChartRun {
     for (std::size_t i = 0; i < count; ++i) {
       const Scene& scene = order_.scenes[i].scene;
       SceneTruth found{.stage = ready(scene), .pixels = {}, .truth = {}};
-      found.pixels = judged(scene, lattice(scene, order_.settings.compared_columns, order_.settings.compared_rows));
+      const PixelSet all = lattice(scene, order_.settings.compared_columns, order_.settings.compared_rows);
+      found.pixels = judged(scene, without_edges_of_things(found.stage, all));
       TruthRules rules;
       rules.target_error = order_.settings.truth_error;
       if (limited()) {
@@ -123,6 +125,9 @@ class ChartRun {
     std::vector<Task> tasks;
     for (const std::string& name : order_.methods) {
       const SkyMethod& method = *find_method(name);
+      if (!knows_things_of(method.info, order_.scenes[i].scene)) {
+        continue;
+      }
       for (ChartedQuality& quality : charted_qualities(order_.scenes[i].scene, method)) {
         Task task{&method, std::move(quality.label), ready(quality.scene, truths_[i].stage)};
         task.cost = cost_of(task.stage, truths_[i].pixels);

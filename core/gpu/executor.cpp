@@ -120,6 +120,7 @@ const DeviceInfo& Executor::device() const {
 MemoryUse Executor::memory_use() const {
   MemoryUse use = impl_->cache.memory_use();
   use.pipelines = impl_->pipelines.count();
+  use.pipelines_made = impl_->pipelines.made();
   return use;
 }
 

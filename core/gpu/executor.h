@@ -61,8 +61,9 @@ struct RunResult {
 struct MemoryUse {  // images and buffers that an executor holds on the device
   std::size_t resources = 0;
   std::size_t bytes = 0;
-  std::size_t kept_bytes = 0;  // of these, those kept by key
-  std::size_t pipelines = 0;   // beside the bytes: compiled code
+  std::size_t kept_bytes = 0;      // of these, those kept by key
+  std::size_t pipelines = 0;       // beside the bytes: compiled code
+  std::size_t pipelines_made = 0;  // so far, dropped ones included
 };
 
 class Executor {

@@ -153,6 +153,7 @@ std::vector<VkPipeline> PipelineCache::pipelines(const std::vector<Request>& req
     places.push_back(&place->second);
   }
   drop_unused();
+  made_ += missing.size();
   std::atomic<bool> any_made = false;
   in_parallel(missing.size(), [&](std::size_t i) {
     bool made = false;

@@ -47,6 +47,7 @@ class PipelineCache {
   std::vector<VkPipeline> pipelines(const std::vector<Request>& requests);
 
   std::size_t count() const { return pipelines_.size(); }
+  std::size_t made() const { return made_; }  // so far
 
  private:
   using Key = std::pair<std::string, std::vector<ConstantValue>>;
@@ -65,6 +66,7 @@ class PipelineCache {
   std::map<Key, Kept> pipelines_;
   std::size_t most_;
   std::uint64_t calls_ = 0;
+  std::size_t made_ = 0;
 };
 
 }  // namespace airlight

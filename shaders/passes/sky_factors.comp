@@ -51,11 +51,23 @@ vec3 folded_light(uint i, SkyFactors factors, float nu) {
   return folded(i) ? factors.single[i] * medium_phase(i, nu) : vec3(0.0);
 }
 
+// No texel is left undefined: a lookup multiplies what it does not want by 0, which keeps a NaN.
+void store_nothing(uvec2 texel) {
+  int blocks = imageSize(factors_out).x / int(kSkyColumns);
+  for (int block = 0; block < blocks; block++) {
+    imageStore(factors_out, ivec2(block * int(kSkyColumns) + int(texel.x), texel.y), vec4(0.0));
+  }
+}
+
 void main() {
   uvec2 texel = uvec2(gl_GlobalInvocationID.x / kTeam, gl_GlobalInvocationID.y);
   uint part = gl_GlobalInvocationID.x % kTeam;
   uint rows = kGroundRows + kLimbRows + kSkyRows;
-  bool outside = texel.x >= kSkyColumns || texel.y >= rows || !texel_is_read(texel, half_angle);
+  bool in_table = texel.x < kSkyColumns && texel.y < rows;
+  bool outside = !in_table || !texel_is_read(texel, half_angle);
+  if (outside && in_table && part == 0u) {
+    store_nothing(texel);
+  }
   if (kTeam == 1u && outside) {
     return;
   }

@@ -236,14 +236,11 @@ TEST(Executor, KeepsABoundedNumberOfPipelines) {
     EXPECT_EQ(report_of(executor, with_count(count)).count, count);
     EXPECT_EQ(executor.memory_use().pipelines, std::min<std::size_t>(count, kMost));
   }
-  const auto milliseconds_to_make = [&](std::uint32_t count) {
-    const Clock::time_point start = Clock::now();
-    EXPECT_EQ(report_of(executor, with_count(count)).count, count);
-    return milliseconds_since(start);
-  };
-  // 5 is there still; 1 is made anew.
-  const double kept = milliseconds_to_make(5);
-  EXPECT_LT(2.0 * kept, milliseconds_to_make(1));
+  EXPECT_EQ(executor.memory_use().pipelines_made, 6U);
+  EXPECT_EQ(report_of(executor, with_count(5)).count, 5U);
+  EXPECT_EQ(executor.memory_use().pipelines_made, 6U) << "5 is there still";
+  EXPECT_EQ(report_of(executor, with_count(1)).count, 1U);
+  EXPECT_EQ(executor.memory_use().pipelines_made, 7U) << "1 is made anew";
   EXPECT_EQ(executor.memory_use().pipelines, kMost);
 }
 
