@@ -98,7 +98,7 @@ chart::Settings settings_of(const ChartGiven& given) {
 void require_knows(const SkyMethod& method, const Scene& scene, const std::string& place) {
   for (const ThingKind& kind : kThingKinds) {
     if (kind.stands_in(scene) && !(method.info.*kind.known)) {
-      throw InputError(place + " knows no " + std::string(kind.name) + "; choose a preset without, or other methods");
+      throw InputError(place + " knows no " + std::string(kind.name) + "; choose a preset without");
     }
   }
 }
