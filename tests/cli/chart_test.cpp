@@ -85,8 +85,6 @@ TEST_F(Chart, GnuplotThatFailsLeavesNoPicture) {
   EXPECT_FALSE(has("c/chart.svg") || has("c/chart.png"));
 }
 
-using Tolerance = Chart;
-
 // Methods that do not know a scene's things are left out, unless they are asked for.
 TEST_F(Chart, OfThingsHasTheMethodsThatKnowThem) {
   scratch_.write("balls.json", R"({"airlight": 1, "extends": "sky.json", "scene": {"spheres": [
@@ -111,6 +109,8 @@ TEST_F(Chart, OfThingsHasTheMethodsThatKnowThem) {
   EXPECT_EQ(unjudged.exit_code, 2);
   EXPECT_TRUE(contains(unjudged.err, "path-trace, the truth, knows no translucent spheres")) << unjudged.err;
 }
+
+using Tolerance = Chart;
 
 TEST_F(Tolerance, IsMetAndToldEverywhere) {
   const Outcome outcome = tool({"render", "sky.json", "--tolerance", "10%", "-o", "a.exr", "--json"});
