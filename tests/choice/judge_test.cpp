@@ -88,6 +88,38 @@ TEST(Tolerance, TheJudgesTimeIsUpOnce) {
   EXPECT_FALSE(without.chosen) << "no paths, no verdict";
 }
 
+// Tables among terrain cost what the picture does: the defaults alone are looked at, taken or refused.
+TEST(Tolerance, AmongTerrainTheDefaultsAreTakenOrRefused) {
+  Scene scene = preset("noon");
+  Terrain terrain;
+  terrain.ridge = Ridge{.seed = 7, .height = 1.0};
+  terrain.width = 20.0;
+  terrain.distance = 15.0;
+  scene.terrain = terrain;
+  constexpr double kTolerance = 0.03;
+  int calls = 0;
+  const auto chosen = [&](double error, const std::string& only) {
+    calls = 0;
+    return choose_for_tolerance(scene, kTolerance, only, wrong_by([=](const Scene&) { return error; }, &calls));
+  };
+  for (const std::string only : {"", "orders"}) {
+    const Choice good = chosen(0.2 * kTolerance, only);
+    ASSERT_TRUE(good.chosen) << only;
+    EXPECT_EQ(good.chosen->method + " " + good.chosen->quality, "orders default");
+    EXPECT_EQ(good.chosen->stage.scene().render.parameters, scene.render.parameters);
+    EXPECT_TRUE(good.left_out.empty());
+    EXPECT_GT(good.error, 0.2 * kTolerance);
+    EXPECT_LE(good.error, kTolerance);
+    EXPECT_EQ(calls, 1) << "more pictures than the one that is taken";
+    const Choice bad = chosen(2.0 * kTolerance, only);
+    EXPECT_FALSE(bad.chosen) << only;
+    ASSERT_TRUE(bad.best);
+    EXPECT_GE(bad.best->error, 2.0 * kTolerance);
+    EXPECT_EQ(bad.tried.size(), 1U);
+    EXPECT_EQ(calls, 1) << only;
+  }
+}
+
 // Two runs equal one run with all their samples.
 TEST(Tolerance, RunsOfPathsAreOne) {
   Probes probes;
