@@ -11,7 +11,8 @@ namespace {
 constexpr std::uint64_t kIdleRuns = 4;
 
 constexpr VkBufferUsageFlags kUsage = VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
-                                      VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+                                      VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
+                                      VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT;
 
 // Rounds up to whole words, since vkCmdFillBuffer leaves an incomplete word at the end untouched.
 std::size_t whole_words(std::size_t bytes) {

@@ -231,7 +231,11 @@ void Run::record_stored_tables(VkCommandBuffer commands) {
 }
 
 void Run::record_step(VkCommandBuffer commands, const Step& step, std::uint32_t query) const {
-  if (step.barrier) memory_barrier(commands, {kCompute, VK_ACCESS_SHADER_WRITE_BIT}, {kCompute, kShaderAccess});
+  if (step.barrier) {
+    memory_barrier(
+        commands, {kCompute, VK_ACCESS_SHADER_WRITE_BIT},
+        {kCompute | VK_PIPELINE_STAGE_DRAW_INDIRECT_BIT, kShaderAccess | VK_ACCESS_INDIRECT_COMMAND_READ_BIT});
+  }
   const VkPipelineLayout layout = step.program->layout.get();
   vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, step.pipeline);
   vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout, 0, 1, &step.set, 0, nullptr);
@@ -242,7 +246,12 @@ void Run::record_step(VkCommandBuffer commands, const Step& step, std::uint32_t 
   const std::array<std::uint32_t, 3>& groups = step.matched.workgroups;
   const VkQueryPool timestamps = machinery_.frame.timestamps();
   vkCmdWriteTimestamp(commands, VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, timestamps, query);
-  vkCmdDispatch(commands, groups[0], groups[1], groups[2]);
+  if (step.pass->groups) {
+    const Resource& counts = *resources_.buffer(step.pass->groups->buffer.index);
+    vkCmdDispatchIndirect(commands, counts.buffer->get(), step.pass->groups->offset);
+  } else {
+    vkCmdDispatch(commands, groups[0], groups[1], groups[2]);
+  }
   vkCmdWriteTimestamp(commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, timestamps, query + 1);
 }
 

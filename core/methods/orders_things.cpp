@@ -128,10 +128,29 @@ BufferId add_corners(Plan& plan, const Part& part, const View& view, const Thing
   return corners;
 }
 
+// The list of a picture's blocks of pixels by what they show (shaders/shared/thing_tiles.glsl). `pass`: what the passes
+// over them have.
+BufferId add_tiles(Plan& plan, const Extent& grid, std::vector<Binding> reads, std::vector<Specialization> constants) {
+  constexpr std::size_t kWords = 8;  // before the blocks
+  const auto blocks = [](std::uint32_t pixels) { return (pixels + physics::kThingBlock - 1) / physics::kThingBlock; };
+  const std::size_t words = kWords + std::size_t{blocks(grid.width)} * blocks(grid.height);
+  const BufferId tiles = plan.add_buffer({.name = "thing_tiles", .bytes = sizeof(std::uint32_t) * words});
+  plan.add_pass({.shader = "thing_tiles",
+                 .reads = std::move(reads),
+                 .writes = {{"tiles_out", tiles}},
+                 .grid = grid,
+                 .push_constants = {grid.width, grid.height},
+                 .specialization = std::move(constants),
+                 .cost = 3.0});
+  return tiles;
+}
+
 // What a pass over things reads, beside what it writes to.
 struct ThingPass {
   std::vector<Binding> reads;
   std::vector<Specialization> constants;
+  std::vector<Binding> corner_reads;  // of thing_tiles
+  std::vector<Specialization> corner_constants;
   std::uint32_t steps = 0;
   bool tables = false;
   ThingsUnderCloud air;  // by tables
@@ -160,9 +179,16 @@ ThingsUnderCloud air_among(Plan& plan, const Part& part, const View& view, const
 
 ThingPass pass_of(Plan& plan, const Part& part, const View& view, const Light& light, bool tables, bool clouds) {
   constexpr std::uint32_t kMirrorSegments = 6;
-  ThingPass pass{light.reads(), light.constants, steps_past_things(part, light), tables, {}};
+  ThingPass pass{.reads = light.reads(),
+                 .constants = light.constants,
+                 .corner_reads = {},
+                 .corner_constants = {},
+                 .steps = steps_past_things(part, light),
+                 .tables = tables,
+                 .air = {}};
   const bool mirrors = std::ranges::count(part.scene.spheres, SphereMaterial::mirror, &Sphere::material) > 0;
   pass.constants.push_back({"kEdges", physics::kEdgesFound});
+  pass.constants.push_back({"kTiles", physics::kTilesAll});
   pass.constants.push_back({"kSegments", mirrors ? kMirrorSegments : 1U});
   pass.constants.push_back({"kDiscShows", part.scene.sun.disc.visible ? 1U : 0U});
   const ThingInputs things = add_things(plan, part.scene, part.things);
@@ -171,7 +197,13 @@ ThingPass pass_of(Plan& plan, const Part& part, const View& view, const Light& l
   const ThingLight among = add_thing_light(plan, part, light, things);
   const std::vector<Binding> shares = among.reads();
   pass.reads.insert(pass.reads.end(), shares.begin(), shares.end());
-  pass.reads.push_back({"corners", add_corners(plan, part, view, things)});
+  pass.corner_reads = things.reads;
+  pass.corner_reads.push_back({"corners", add_corners(plan, part, view, things)});
+  pass.reads.push_back(pass.corner_reads.back());
+  pass.corner_constants = medium_specialization(part.air);
+  pass.corner_constants.insert(pass.corner_constants.end(), things.constants.begin(), things.constants.end());
+  pass.corner_constants.push_back({"kEdges", physics::kEdgesFound});
+  pass.corner_constants.push_back({"kTiles", physics::kTilesAll});
   if (tables || clouds) {
     pass.air = air_among(plan, part, view, light, things, among);
   }
@@ -188,20 +220,48 @@ ThingPass pass_of(Plan& plan, const Part& part, const View& view, const Light& l
   return pass;
 }
 
+// The pass over the blocks of the sky alone, and over those of things.
+void add_by_tiles(Plan& plan, const PassDesc& pass, BufferId tiles) {
+  for (const std::uint32_t kind : {physics::kTilesOfSky, physics::kTilesOfThings}) {
+    PassDesc one = pass;
+    const bool sky = kind == physics::kTilesOfSky;
+    one.name = sky ? "sky" : "things";
+    one.reads.push_back({"tiles", tiles});
+    one.groups = {tiles, sky ? 0U : 16U};
+    for (Specialization& constant : one.specialization) {
+      const bool alone = sky && constant.name == "kSegments";
+      const bool bare = sky && constant.name == "kEdges";
+      constant.value = constant.name == "kTiles" ? kind : alone ? 1U : bare ? physics::kEdgesLeftOut : constant.value;
+    }
+    // Either holds some of the pixels; most scenes have as many of both.
+    one.cost = sky ? 0.25 * pass.cost : 0.75 * pass.cost;
+    plan.add_pass(std::move(one));
+  }
+}
+
 }  // namespace
 
 void add_things_sky(Plan& plan, const Part& part, const View& view, const SkyTarget& target, const Light& light) {
   ThingPass found = pass_of(plan, part, view, light, by_tables(part, view), false);
   found.reads.push_back({"directions", target.directions});
   found.constants.push_back({"kProjection", target.projection});
-  plan.add_pass({.name = "sky",
-                 .shader = found.tables ? "sky_things_tables" : "sky_things",
-                 .reads = std::move(found.reads),
-                 .writes = {{"radiance_out", target.radiance}},
-                 .grid = target.grid,
-                 .push_constants = {target.grid.width, target.grid.height, found.steps},
-                 .specialization = std::move(found.constants),
-                 .cost = found.tables ? 40.0 : 3.0 * ray_cost(found.steps)});
+  PassDesc pass{.name = "sky",
+                .shader = found.tables ? "sky_things_tables" : "sky_things",
+                .reads = std::move(found.reads),
+                .writes = {{"radiance_out", target.radiance}},
+                .grid = target.grid,
+                .push_constants = {target.grid.width, target.grid.height, found.steps},
+                .specialization = std::move(found.constants),
+                .cost = found.tables ? 40.0 : 3.0 * ray_cost(found.steps)};
+  if (!found.tables) {
+    plan.add_pass(std::move(pass));
+  } else if (!view.directions.empty()) {
+    pass.reads.push_back({"tiles", plan.add_buffer(filled_buffer("no_tiles", bytes_of(std::vector<float>(1))))});
+    plan.add_pass(std::move(pass));
+  } else {
+    found.corner_constants.push_back({"kProjection", target.projection});
+    add_by_tiles(plan, pass, add_tiles(plan, target.grid, found.corner_reads, found.corner_constants));
+  }
 }
 
 ThingsUnderCloud add_things_under_cloud(Plan& plan, const Part& part, const View& view, const SkyTarget& target,

@@ -97,6 +97,18 @@ void check_bindings(const Plan& plan, const PassDesc& pass, const std::string& w
   }
 }
 
+void check_groups(const Plan& plan, const PassDesc& pass, const std::string& where) {
+  constexpr std::size_t kBytes = 3 * sizeof(std::uint32_t);
+  if (!pass.groups) return;
+  const bool read = std::ranges::any_of(
+      pass.reads, [&](const Binding& binding) { return binding.resource == ResourceId(pass.groups->buffer); });
+  if (!read) refuse(where + "the buffer that counts its workgroups is none of those that it reads");
+  if (pass.groups->offset % 4 != 0 || pass.groups->offset + kBytes > plan.buffers()[pass.groups->buffer.index].bytes) {
+    refuse(where + "byte " + std::to_string(pass.groups->offset) + " of " + describe(plan, pass.groups->buffer) +
+           " cannot hold its three counts of workgroups");
+  }
+}
+
 }  // namespace
 
 std::string describe(const Plan& plan, ResourceId id) {
@@ -112,6 +124,7 @@ void check(const Plan& plan) {
     const std::string where = "pass " + pass_name(pass) + ": ";
     check_bindings(plan, pass, where);
     if (pass.grid.width == 0 || pass.grid.height == 0 || pass.grid.depth == 0) refuse(where + "its grid is empty");
+    check_groups(plan, pass, where);
     if (pass.writes.empty()) refuse(where + "it writes nothing");
     for (const Binding& read : pass.reads) {
       if (!contents.there(read.resource)) {

@@ -80,6 +80,11 @@ constexpr std::uint32_t push_constant(double value) {
   return std::bit_cast<std::uint32_t>(static_cast<float>(value));
 }
 
+struct GroupCount {
+  BufferId buffer;
+  std::uint32_t offset = 0;  // bytes, a multiple of 4
+};
+
 struct PassDesc {
   std::string name = {};    // for timings and errors; the shader's name when empty
   std::string shader = {};  // file name in shaders/passes without .comp
@@ -96,6 +101,9 @@ struct PassDesc {
   // On hardware the ratios are much the same, since both spend their time on fetches and steps. Measured by `airlight
   // chart`.
   double cost = 1.0;
+  // Where an earlier pass finds how many workgroups there are to run: at this byte of a buffer that the pass reads
+  // stand three uint. The grid then counts for limits and costs alone.
+  std::optional<GroupCount> groups = {};
   std::uint32_t scene = 0;  // which of the plan's scenes its uniform block holds; set by Plan::add_pass
 };
 

@@ -5,6 +5,7 @@
 #include "shared/device.glsl"
 #include "shared/things.glsl"
 #include "shared/picture_ray.glsl"
+#include "shared/thing_light.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(scalar, set = 0, binding = 9) writeonly buffer Corners { vec2 values[]; } corners_out;
@@ -12,8 +13,6 @@ layout(push_constant, scalar) uniform Push {
   uint width;  // of the tile and 1
   uint height;
 };
-
-const float kNoTerrain = 1e9;
 
 void main() {
   uvec2 corner = gl_GlobalInvocationID.xy;

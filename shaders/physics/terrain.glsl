@@ -154,6 +154,8 @@ real cell_end(real ahead, real p, real d, real size) {
   return ((d > 0.0 ? cell + 1.0 : cell) * size - p) / d;
 }
 
+const uint kMostCells = 2048u;  // that a ray goes through
+
 // The first meeting with the terrain at `from` or beyond, km along the ground, found through maxima over cells of 2, 4,
 // 8 ... heights: the ray skips a cell whose highest point lies below it.
 TerrainHit terrain_hit_past(PlanetData planet, GroundTrack track, real from) {
@@ -177,43 +179,38 @@ TerrainHit terrain_hit_past(PlanetData planet, GroundTrack track, real from) {
   real lowest = planet.ground_radius * atan(-track.mu, track.sigma);
   real least = 1e-3 * t.texel;
   real s = part.from;
+  real end = s;
   uint level = from > 0.0 ? 0u : t.levels - 1u;
-  for (uint turn = 0u; turn < 2048u; turn++) {
-    if (s >= part.to) {
-      break;
+  uint turn = 0u;
+  // Cells are skipped in a loop of their own: a software device runs the code behind a branch for all, taken or not.
+  while (!result.hit && turn < kMostCells && s < part.to) {
+    bool near = false;
+    for (; !near && turn < kMostCells && s < part.to; turn++) {
+      real ahead = s + least;
+      real size = real(1u << level);
+      uint across = ((t.columns - 2u) >> level) + 1u;
+      uint down = ((t.rows - 2u) >> level) + 1u;
+      real i = clamp(floor((column0 + ahead * columns_a_km) / size), 0.0, real(across - 1u));
+      real j = clamp(floor((row0 + ahead * rows_a_km) / size), 0.0, real(down - 1u));
+      end = min(cell_end(ahead, column0, columns_a_km, size), cell_end(ahead, row0, rows_a_km, size));
+      end = min(max(end, ahead), part.to);
+      real bottom = track_altitude(planet, track, clamp(lowest, s, end));
+      bool over = bottom > terrain_height(terrain_level(level) + uint(j) * across + uint(i));
+      near = !over && level == 0u;
+      s = over ? end : s;
+      level = over ? min(level + 1u, t.levels - 1u) : level > 0u ? level - 1u : 0u;
     }
-    real ahead = s + least;
-    real size = real(1u << level);
-    uint across = ((t.columns - 2u) >> level) + 1u;
-    uint down = ((t.rows - 2u) >> level) + 1u;
-    real i = clamp(floor((column0 + ahead * columns_a_km) / size), 0.0, real(across - 1u));
-    real j = clamp(floor((row0 + ahead * rows_a_km) / size), 0.0, real(down - 1u));
-    real end = min(cell_end(ahead, column0, columns_a_km, size), cell_end(ahead, row0, rows_a_km, size));
-    end = min(max(end, ahead), part.to);
-    real bottom = track_altitude(planet, track, clamp(lowest, s, end));
-    if (bottom > terrain_height(terrain_level(level) + uint(j) * across + uint(i))) {
+    if (near) {
+      real over_start = clearance(planet, t, track, s);
+      real over_middle = clearance(planet, t, track, 0.5 * (s + end));
+      real over_end = clearance(planet, t, track, end);
+      result.hit = min(min(over_start, over_middle), over_end) <= 0.0;
+      real share = over_start > 0.0 ? meeting(over_start, over_middle, over_end) : 0.0;
+      result.ground = result.hit ? s + (end - s) * share : 0.0;
       s = end;
-      level = min(level + 1u, t.levels - 1u);
-      continue;
     }
-    if (level > 0u) {
-      level = level - 1u;
-      continue;
-    }
-    real over_start = clearance(planet, t, track, s);
-    real over_middle = clearance(planet, t, track, 0.5 * (s + end));
-    real over_end = clearance(planet, t, track, end);
-    if (min(min(over_start, over_middle), over_end) <= 0.0) {
-      result.hit = true;
-      result.ground = s;
-      if (over_start > 0.0) {
-        result.ground = s + (end - s) * meeting(over_start, over_middle, over_end);
-      }
-      result.distance_ = track_distance(planet, track, result.ground);
-      return result;
-    }
-    s = end;
   }
+  result.distance_ = result.hit ? track_distance(planet, track, result.ground) : 0.0;
   return result;
 }
 

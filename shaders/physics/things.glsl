@@ -37,15 +37,22 @@ struct ThingHit {
 
 bool hits_thing(ThingHit hit) { return hit.what > kMeetsGround; }
 
+ThingHit sky_alone() {
+  ThingHit hit;
+  hit.what = kMeetsSky;
+  hit.which = kNoSphere;
+  hit.distance_ = 1e30;
+  hit.ground = 0.0;
+  return hit;
+}
+
 // The first thing on the way, or the ground. `skip`: the sphere that the ray leaves. `bare`: there is no terrain before
 // that distance along the ground, km.
 ThingHit nearest_thing_past(PlanetData planet, Sight sight, uint skip, real bare) {
   bool ground = sight.ray.at_ground && sight.ray.length_ >= 0.0;
-  ThingHit hit;
+  ThingHit hit = sky_alone();
   hit.what = ground ? kMeetsGround : kMeetsSky;
-  hit.which = kNoSphere;
   hit.distance_ = ground ? sight.before + sight.ray.length_ : 1e30;
-  hit.ground = 0.0;
   if (has_terrain()) {
     TerrainHit terrain = terrain_hit_past(planet, sight.track, bare);
     hit.what = terrain.hit ? kMeetsTerrain : hit.what;

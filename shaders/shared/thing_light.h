@@ -1,4 +1,6 @@
 // Sizes of the grid of light among terrain (shaders/physics/thing_shares.glsl).
+#ifndef AIRLIGHT_THING_LIGHT_H
+#define AIRLIGHT_THING_LIGHT_H
 
 const uint kLightLayers = 6u;  // of air
 const uint kLightDirections = 64u;
@@ -10,3 +12,15 @@ const uint kOpenSlices = 8u;  // distances up to which it is kept, beside the wh
 const uint kDimmedNone = 0u;
 const uint kDimmedFroxels = 1u;
 const uint kDimmedSteps = 2u;
+
+const float kNoTerrain = 1e9f;  // km: a corner of a pixel that sees no terrain
+
+// Which blocks of kThingBlock x kThingBlock pixels a pass over things renders. Those of the sky alone, where no pixel
+// shows a thing or the ground or needs several rays, are a pass of their own: a software device runs the code of
+// surfaces for all pixels of a pass.
+const uint kTilesAll = 0u;
+const uint kTilesOfSky = 1u;
+const uint kTilesOfThings = 2u;
+const uint kThingBlock = 8u;
+
+#endif

@@ -74,18 +74,22 @@ vec3 single_past_terrain(VolumeRay of, Phases p, Sight sight, float distance_, v
   vec2 near = over_shadow(scene.planet, sight.track, sight.ray, 0.0);
   float share = 1.0;
   vec3 sum = all;
-  for (uint i = 1u; i <= kShaftSteps + 1u; i++) {
-    vec2 far = near;
-    float next = 1.0;
-    if (i <= kShaftSteps) {
-      far = over_shadow(scene.planet, sight.track, sight.ray, float(i) * width);
-      next = mean_sunlit(near, far, 0.5 * width);
+  uint i = 1u;
+  while (i <= kShaftSteps + 1u) {
+    // Steps are walked in a loop of their own: a software device asks the volume in each turn of the outer one, asked or
+    // not.
+    float before = share;
+    bool changed = false;
+    for (; !changed && i <= kShaftSteps + 1u; i++) {
+      vec2 far = over_shadow(scene.planet, sight.track, sight.ray, float(i) * width);
+      float next = i <= kShaftSteps ? mean_sunlit(near, far, 0.5 * width) : 1.0;
+      changed = i > 1u && abs(next - share) > 1e-3;
+      before = share;
+      share = next;
+      near = far;
     }
-    if (i > 1u && abs(next - share) > 1e-3) {
-      sum += single_up_to(of, p, float(i - 1u) * width) * (share - next);
-    }
-    share = next;
-    near = far;
+    vec3 up_to = single_up_to(of, p, float(i - 2u) * width);
+    sum += changed ? up_to * (before - share) : vec3(0.0);
   }
   return sum;
 }
