@@ -128,6 +128,32 @@ TEST(Executor, RunsPassesInOrder) {
   }
 }
 
+// An earlier pass counts the workgroups: 2 of 32 threads, so a third of the numbers is left alone.
+TEST(Executor, RunsAsManyWorkgroupsAsAPassCounts) {
+  Executor executor({}, test_shaders());
+  std::vector<std::uint32_t> start(96, 7);
+  start[3] = 1;
+  start[4] = 0;
+  start[5] = 0;
+  Plan plan;
+  const BufferId numbers = plan.add_buffer({.name = "numbers", .bytes = 384, .contents = bytes_of(start)});
+  const BufferId copy = plan.add_buffer({.name = "copy", .bytes = 384, .host_readable = true});
+  plan.add_pass({.shader = "accumulate", .writes = {{"numbers", numbers}}, .grid = {96, 1}, .push_constants = {1}});
+  plan.add_pass({.shader = "copy_numbers",
+                 .reads = {{"source", numbers}},
+                 .writes = {{"target", copy}},
+                 .grid = {96, 1},
+                 .groups = GroupCount{numbers, 12}});
+  std::vector<std::uint32_t> wanted(96, 0);
+  std::fill_n(wanted.begin(), 64, 8);
+  wanted[3] = 2;
+  wanted[4] = 1;
+  wanted[5] = 1;
+  for (int run = 0; run < 2; ++run) {
+    EXPECT_EQ(values_of<std::uint32_t>(executor.run(plan).contents(copy)), wanted);
+  }
+}
+
 // Neighbouring texels differ by one: linear filtering is exact between centres, and clamps beyond the outer ones.
 TEST(Executor, SamplesImagesLinearlyAndClamps) {
   Executor executor({}, test_shaders());

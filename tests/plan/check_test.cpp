@@ -140,6 +140,27 @@ TEST(Check, RefusesWhatIsEmpty) {
   EXPECT_EQ(refusal(shader.plan), "plan: pass blank has no shader");
 }
 
+TEST(Check, RefusesCountsOfWorkgroupsThatAPassDoesNotRead) {
+  const auto counted_at = [](std::uint32_t offset, bool read) {
+    Sample s;
+    s.plan.add_pass({.shader = "count", .writes = {{"numbers", s.numbers}}, .grid = {16, 1}});
+    PassDesc pass = s.march();
+    if (read) {
+      pass.reads.push_back({"counts", s.numbers});
+    }
+    pass.groups = {s.numbers, offset};
+    s.plan.add_pass(pass);
+    return refusal(s.plan);
+  };
+  EXPECT_EQ(counted_at(52, true), "");
+  EXPECT_EQ(counted_at(0, false),
+            "plan: pass march: the buffer that counts its workgroups is none of those that it reads");
+  EXPECT_EQ(counted_at(56, true),
+            "plan: pass march: byte 56 of buffer numbers cannot hold its three counts of workgroups");
+  EXPECT_EQ(counted_at(2, true),
+            "plan: pass march: byte 2 of buffer numbers cannot hold its three counts of workgroups");
+}
+
 TEST(Check, RefusesContentsOfAnotherLength) {
   Plan plan;
   plan.add_buffer({.name = "directions", .bytes = 16, .contents = std::vector<std::byte>(12)});
