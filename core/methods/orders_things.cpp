@@ -128,12 +128,10 @@ BufferId add_corners(Plan& plan, const Part& part, const View& view, const Thing
   return corners;
 }
 
-// The list of a picture's blocks of pixels by what they show (shaders/shared/thing_tiles.glsl). `pass`: what the passes
-// over them have.
+// The list of a picture's blocks of pixels by what they show (shaders/shared/thing_tiles.glsl).
 BufferId add_tiles(Plan& plan, const Extent& grid, std::vector<Binding> reads, std::vector<Specialization> constants) {
-  constexpr std::size_t kWords = 8;  // before the blocks
   const auto blocks = [](std::uint32_t pixels) { return (pixels + physics::kThingBlock - 1) / physics::kThingBlock; };
-  const std::size_t words = kWords + std::size_t{blocks(grid.width)} * blocks(grid.height);
+  const std::size_t words = physics::kTileWords + std::size_t{blocks(grid.width)} * blocks(grid.height);
   const BufferId tiles = plan.add_buffer({.name = "thing_tiles", .bytes = sizeof(std::uint32_t) * words});
   plan.add_pass({.shader = "thing_tiles",
                  .reads = std::move(reads),
@@ -228,10 +226,13 @@ void add_by_tiles(Plan& plan, const PassDesc& pass, BufferId tiles) {
     one.name = sky ? "sky" : "things";
     one.reads.push_back({"tiles", tiles});
     one.groups = {tiles, sky ? 0U : 16U};
-    for (Specialization& constant : one.specialization) {
-      const bool alone = sky && constant.name == "kSegments";
-      const bool bare = sky && constant.name == "kEdges";
-      constant.value = constant.name == "kTiles" ? kind : alone ? 1U : bare ? physics::kEdgesLeftOut : constant.value;
+    const auto put = [&](const char* name, std::uint32_t value) {
+      std::ranges::find(one.specialization, name, &Specialization::name)->value = value;
+    };
+    put("kTiles", kind);
+    if (sky) {
+      put("kSegments", 1);
+      put("kEdges", physics::kEdgesLeftOut);
     }
     // Either holds some of the pixels; most scenes have as many of both.
     one.cost = sky ? 0.25 * pass.cost : 0.75 * pass.cost;

@@ -22,5 +22,6 @@ const uint kTilesAll = 0u;
 const uint kTilesOfSky = 1u;
 const uint kTilesOfThings = 2u;
 const uint kThingBlock = 8u;
+const uint kTileWords = 8u;  // of their list, before the blocks
 
 #endif

@@ -3,7 +3,6 @@
 // the front, those of things from the back.
 
 const uint kTileGroups = 64u;  // workgroups along x: no device takes more than 65535 along each axis for granted
-const uint kTileWords = 8u;    // before the blocks
 
 uint tile_count_place(uint kind) { return kind == kTilesOfSky ? 3u : 7u; }
 uint tile_group_place(uint kind) { return kind == kTilesOfSky ? 0u : 4u; }
