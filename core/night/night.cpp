@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "core/air/refraction.h"
 #include "core/air/scene_block.h"
@@ -20,30 +21,50 @@ namespace {
 using physics::vec3;
 using std::numbers::pi;
 
-// The colours of lights of known luminance.
-class Colours {
+double middle(const WaveBand& band) {
+  return 0.5 * (band.low + band.high);
+}
+
+// The channels of lights of known luminance: colours, or values over the sun's at wavelengths.
+class LightChannels {
  public:
-  explicit Colours(const Scene& scene)
+  LightChannels(const Scene& scene, std::span<const WaveBand> listed)
       : sun_(scene.spectra ? scene.spectra->sun : solar_irradiance()),
         bands_(band_colours(sun_, scene.spectra ? scene.spectra->white : White::sun)),
+        listed_(listed.begin(), listed.end()),
         one_(radiance_of_one(scene)) {}
 
   // Radiance of so many cd/m2 of a light of this spectrum. `value`: of the spectrum, up to a factor, over a band.
   template <class Value>
   vec3 of(double luminance, Value value) const {
-    std::array<double, kFineBands> relative{};
-    std::ranges::transform(fine_bands(), relative.begin(), [&](const WaveBand& band) {
+    const auto relative = [&](const WaveBand& band) {
       return value(band) / std::max(mean_over(sun_, band.low, band.high), 1e-30);
-    });
-    const Rgb colour = colour_of(bands_, relative);
-    const double scale = one_ * luminance / bt709_luminance(colour);
-    return {colour[0] * scale, colour[1] * scale, colour[2] * scale};
+    };
+    return channels(relative) * (one_ * luminance / bt709_luminance(colour(relative)));
   }
-  vec3 as_sunlight(double luminance) const {
-    return of(luminance, [this](const WaveBand& band) { return mean_over(sun_, band.low, band.high); });
+  // Radiance of so many cd/m2 of sunlight, its spectrum times a factor that the wavelength decides.
+  template <class Factor>
+  vec3 as_sunlight(double luminance, Factor factor) const {
+    const double one = bt709_luminance(colour([](const WaveBand&) { return 1.0; }));
+    return channels([&](const WaveBand& band) { return factor(middle(band)); }) * (one_ * luminance / one);
   }
 
  private:
+  template <class Relative>
+  Rgb colour(Relative relative) const {
+    std::array<double, kFineBands> over_sun{};
+    std::ranges::transform(fine_bands(), over_sun.begin(), relative);
+    return colour_of(bands_, over_sun);
+  }
+  template <class Relative>
+  vec3 channels(Relative relative) const {
+    if (listed_.empty()) {
+      const Rgb made = colour(relative);
+      return {made[0], made[1], made[2]};
+    }
+    return {relative(listed_[0]), relative(listed_[1]), relative(listed_[2])};
+  }
+
   // Radiance of 1 cd/m2. A sun without a unit counts as Earth's.
   static double radiance_of_one(const Scene& scene) {
     const std::optional<double> white = white_luminance(scene.sun.unit);
@@ -52,6 +73,7 @@ class Colours {
 
   Curve sun_;
   BandColours bands_;
+  std::vector<WaveBand> listed_;  // of the three channels; empty: these are colours
   double one_;
 };
 
@@ -68,14 +90,18 @@ MapTexel map_texel(physics::Physics& p, physics::uint column, physics::uint row)
 }
 
 // Zodiacal light and faint stars, in stars of 10th magnitude a square degree.
-double beyond_the_air(const NightSky& wish, const CelestialFrame& frame, double sun, const vec3& direction) {
+struct BeyondAir {
+  double dust;
+  double stars;
+};
+BeyondAir beyond_the_air(const NightSky& wish, const CelestialFrame& frame, double sun, const vec3& direction) {
   constexpr double kObliquity = 23.4392911 * pi / 180.0;
   const vec3 star = frame.to_j2000(direction);
   const double x = star.x;
   const double y = star.y * std::cos(kObliquity) + star.z * std::sin(kObliquity);
   const double z = star.z * std::cos(kObliquity) - star.y * std::sin(kObliquity);
   const double latitude = std::atan2(z, std::hypot(x, y));
-  return wish.zodiacal * zodiacal_light(std::atan2(y, x) - sun, latitude) + wish.starlight * faint_stars(star);
+  return {wish.zodiacal * zodiacal_light(std::atan2(y, x) - sun, latitude), wish.starlight * faint_stars(star)};
 }
 
 double mean_van_rhijn(physics::Physics& p, double altitude) {
@@ -99,15 +125,15 @@ void Night::put_into(physics::Physics& p) const {
 namespace {
 
 // Stars in the colours of black bodies, which are interpolated.
-std::vector<NightStar> stars_of(const Scene& scene, const Colours& colours, const CelestialFrame& frame) {
+std::vector<NightStar> stars_of(const Scene& scene, const LightChannels& channels, const CelestialFrame& frame) {
   constexpr double kBluest = -0.4;
   constexpr double kStep = 0.1;
   constexpr int kColours = 30;
   std::vector<vec3> of_colour;
   for (int i = 0; i < kColours; ++i) {
     const double kelvin = star_temperature(kBluest + kStep * i);
-    of_colour.push_back(colours.of(1.0, [kelvin](const WaveBand& band) {
-      const double nm = 0.5 * (band.low + band.high);
+    of_colour.push_back(channels.of(1.0, [kelvin](const WaveBand& band) {
+      const double nm = middle(band);
       return std::pow(nm, -5.0) / std::expm1(1.438777e7 / (nm * kelvin));
     }));
   }
@@ -134,25 +160,31 @@ std::vector<NightStar> stars_of(const Scene& scene, const Colours& colours, cons
   return stars;
 }
 
-void add_background(Night& night, const Scene& scene, const Air& air, const Colours& colours,
+double airglow_over(const WaveBand& band) {
+  return mean_over(airglow(), band.low, band.high);
+}
+
+void add_background(Night& night, const Scene& scene, const Air& air, const LightChannels& channels,
                     const CelestialFrame& frame) {
   const NightSky& wish = *scene.night_sky;
   physics::Physics p = air.formulas();
   const double sun = sun_longitude(scene.camera.julian_date);
-  const vec3 one = colours.as_sunlight(kS10) * light_passed(scene.camera);
+  const double passed = light_passed(scene.camera);
+  const vec3 dust = channels.as_sunlight(kS10 * passed, zodiacal_redness);
+  const vec3 stars = channels.as_sunlight(kS10 * passed, [](double) { return 1.0; });
   vec3 sum(0.0);
   double weights = 0.0;
   for (physics::uint row = 0; row < physics::kNightSide; ++row) {
     for (physics::uint column = 0; column < physics::kNightSide; ++column) {
       const MapTexel texel = map_texel(p, column, row);
-      night.beyond.push_back(one * beyond_the_air(wish, frame, sun, texel.direction));
+      const BeyondAir many = beyond_the_air(wish, frame, sun, texel.direction);
+      night.beyond.push_back(dust * many.dust + stars * many.stars);
       const double weight = texel.direction.y > 0.0 ? texel.weight : 0.0;
       sum = sum + night.beyond.back() * weight;
       weights += weight;
     }
   }
-  const double lumens = wish.airglow * illuminance(airglow()) * light_passed(scene.camera);
-  night.airglow = colours.of(lumens, [](const WaveBand& band) { return mean_over(airglow(), band.low, band.high); });
+  night.airglow = channels.of(wish.airglow * illuminance(airglow()) * passed, airglow_over);
   const double camera = optical_altitude(p, scene.camera.altitude);
   const NightAir lit = night_air(air, camera);
   const vec3 mean = sum / weights + night.airglow * mean_van_rhijn(p, std::min(camera, 80.0));
@@ -162,8 +194,8 @@ void add_background(Night& night, const Scene& scene, const Air& air, const Colo
   night.ground = lit.ground * mean;
   if (wish.light_pollution > 0.0) {
     const NightAir towns = night_air(air, camera, NightSource::ground);
-    const vec3 lamps = colours.of(wish.light_pollution * light_passed(scene.camera), [&](const WaveBand& band) {
-      return lamp_light(wish.lamps, 0.5 * (band.low + band.high));
+    const vec3 lamps = channels.of(wish.light_pollution * passed, [&](const WaveBand& band) {
+      return lamp_light(wish.lamps, middle(band));
     });
     for (std::size_t i = 0; i < night.scattered.size(); ++i) {
       night.scattered[i] = night.scattered[i] + towns.scattered[i] * lamps;
@@ -174,17 +206,36 @@ void add_background(Night& night, const Scene& scene, const Air& air, const Colo
 
 }  // namespace
 
-Night night_of(const Scene& scene, const Air& air) {
-  const Colours colours(scene);
+Night night_of(const Scene& scene, const Air& air, std::span<const WaveBand> bands) {
+  const LightChannels channels(scene, bands);
   const CelestialFrame frame = celestial_frame(scene.camera.julian_date, scene.camera.latitude, scene.camera.longitude);
   Night night;
   if (scene.stars) {
-    night.stars = stars_of(scene, colours, frame);
+    night.stars = stars_of(scene, channels, frame);
   }
   if (scene.night_sky) {
-    add_background(night, scene, air, colours, frame);
+    add_background(night, scene, air, channels, frame);
   }
   return night;
+}
+
+double night_colour_error(const Scene& scene, const ColourMatrix& matrix, const Nodes& nodes) {
+  const Curve& sun = scene.spectra->sun;
+  const BandColours colours = band_colours(sun, scene.spectra->white);
+  const auto error = [&](const auto& value) {
+    const auto relative = [&](const WaveBand& band) {
+      return value(band) / std::max(mean_over(sun, band.low, band.high), 1e-30);
+    };
+    std::array<double, kFineBands> exact{};
+    std::ranges::transform(fine_bands(), exact.begin(), relative);
+    std::vector<double> at_nodes(nodes.bands.size());
+    std::ranges::transform(nodes.bands, at_nodes.begin(), relative);
+    return mean_error(matrix, {{std::move(at_nodes), colour_of(colours, exact)}});
+  };
+  const bool has_lamps = scene.night_sky && scene.night_sky->light_pollution > 0.0;
+  const auto lamps = [&](const WaveBand& band) { return lamp_light(scene.night_sky->lamps, middle(band)); };
+  return std::max(scene.night_sky && scene.night_sky->airglow > 0.0 ? error(airglow_over) : 0.0,
+                  has_lamps ? error(lamps) : 0.0);
 }
 
 }  // namespace airlight

@@ -167,9 +167,11 @@ Stage StageMaker::make() const {
     }
   }
   const Scene& scene = whole.scene;
-  OnDemand<Night> night;
+  OnDemand<Night> its_night;
   if (scene.night_sky || scene.stars) {
-    night = OnDemand<Night>([scene = scene, air = whole.air] { return night_of(scene, air); });
+    its_night = OnDemand<Night>([scene = scene, air = whole.air, at_wavelengths = night] {
+      return at_wavelengths ? at_wavelengths(air) : night_of(scene, air);
+    });
   }
   FitInputs inputs;
   OnDemand<ColourBasis> basis;
@@ -190,7 +192,7 @@ Stage StageMaker::make() const {
                                                                         .known_things = std::move(known_things),
                                                                         .make_others = others,
                                                                         .light = light,
-                                                                        .night = night}));
+                                                                        .night = its_night}));
 }
 
 Air air_like(const std::vector<Air>& known, const Scene& scene, const AirOptions& options) {
