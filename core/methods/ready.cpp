@@ -115,8 +115,9 @@ Stage ready_part(Scene group, const Stage& listed, std::size_t g) {
   for (std::size_t c = 0; c < 3; ++c) {
     bands[c] = all[std::min(3 * g + c, all.size() - 1)];
   }
-  return made(group, std::nullopt, &listed, {},
-              [whole, bands](const Air& air) { return night_of(whole, air, bands); });
+  return made(group, std::nullopt, &listed, {}, [whole, bands](const Air& air) {
+    return night_of(whole, {{air}, {}}, bands);
+  });
 }
 
 }  // namespace airlight
