@@ -152,7 +152,7 @@ TEST(NightSpectra, OfTheZenithAreAsDarkAsParanals) {
   for (const char* method : {"orders", "path-trace"}) {
     Scene scene = with_method(paranal(-40.0), *find_method(method), true);
     scene.night_sky->starlight = 0.0;
-    const Nodes nodes = gapless(360.0, 700.0);
+    const Nodes nodes = gapless(370.0, 660.0);
     const SpectralProbes found = zenith_of(scene, nodes);
     const auto magnitude = [&](const PhotometricBand& band) {
       return magnitude_in(band, nodes.nm, found.directions.front().radiance, found.wavelengths.sunlight) -
@@ -199,7 +199,7 @@ TEST(NightSpectra, AddUpToThePicture) {
   Scene scene = all_round(with_method(paranal(-40.0), *find_method("orders"), true), 0.5, 24, 12);
   scene.stars = Stars{};
   for (const NightSky& sky :
-       {NightSky{}, NightSky{.light_pollution = 0.01, .lamps = Lamps::led},
+       {NightSky{.light_pollution = 0.001, .lamps = Lamps::led},
         NightSky{.airglow = 0.0, .zodiacal = 0.0, .starlight = 0.0, .light_pollution = 0.01, .lamps = Lamps::sodium}}) {
     scene.night_sky = sky;
     const RadianceImage picture = render_now(scene).radiance;
