@@ -36,7 +36,9 @@ Scene frame_scene(const Preset& preset, const sequence::Frame& frame, const Scen
     put_value(with, pointer, std::move(value), place);
   }
   leave_out_unseen(with);
-  return judged(with, &like);
+  Scene scene = judged(with, &like);
+  leave_out_outshone(scene);
+  return scene;
 }
 
 sequence::Frame frame_numbered(const sequence::FrameSource& source, int number, const std::string& place) {

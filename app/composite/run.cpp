@@ -21,6 +21,7 @@
 #include "core/output/atomic_file.h"
 #include "core/output/finite.h"
 #include "core/output/parallel.h"
+#include "core/scene/angle.h"
 #include "core/sequence/frame_files.h"
 #include "core/text.h"
 
@@ -247,6 +248,16 @@ std::string as_json(const Foreground& fore, const Frame& frame, const FrontAir& 
   return json.end_object().take();
 }
 
+// Empty where the air before things lacks nothing that counts: with the sun at -4 degrees the smooth light of the night
+// adds at most 4e-4 to the sky of `earth`.
+std::string night_warning(const Scene& scene) {
+  constexpr double kBrightDusk = -4.0;
+  const bool counts = scene.night_sky && degrees_from_radians(scene.sun.elevation) < kBrightDusk;
+  return counts ? "the air before things has the light of sun and moon alone; that of night_sky is left out there, so "
+                  "far things are darker than the sky behind them"
+                : "";
+}
+
 // `preset`: the preset's own scene. A frame has its camera.
 void composite_frame(const CompositeOrder& order, const Frame& frame, const Stage& preset,
                      const DeviceOnDemand& device) {
@@ -254,7 +265,11 @@ void composite_frame(const CompositeOrder& order, const Frame& frame, const Stag
   const Foreground fore = read_foreground(order, frame.beauty, frame.depth, scene);
   const Stage stage = ready(scene, preset);
   if (!order.quiet) {
-    for (const std::string& warning : scene_warnings(stage)) {
+    std::vector<std::string> warnings = scene_warnings(stage);
+    if (std::string night = night_warning(scene); !night.empty()) {
+      warnings.push_back(std::move(night));
+    }
+    for (const std::string& warning : warnings) {
       complain("warning: " + warning);
     }
   }

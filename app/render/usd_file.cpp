@@ -144,9 +144,16 @@ std::string usd_text(std::span<const UsdSample> skies, const std::string& up, co
     text += "    float xformOp:rotateX = 90\n    uniform token[] xformOpOrder = [\"xformOp:rotateX\"]\n\n";
   }
   const auto sun_of = [](const UsdSample& sky) -> const SunLight& { return sky.sun; };
-  const auto moon_of = [](const UsdSample& sky) -> const SunLight& { return *sky.moon; };
   text += dome_light(skies) + distant_light("sun", skies, sun_of);
-  return text + (skies.front().moon ? "\n" + distant_light("moon", skies, moon_of) : "") + "}\n";
+  const auto lit = std::ranges::find_if(skies, [](const UsdSample& sky) { return sky.moon.has_value(); });
+  if (lit == skies.end()) {
+    return text + "}\n";
+  }
+  // A frame may leave out a moon far below the horizon.
+  SunLight dark = *lit->moon;
+  dark.irradiance = {};
+  const auto moon_of = [&](const UsdSample& sky) -> const SunLight& { return sky.moon ? *sky.moon : dark; };
+  return text + "\n" + distant_light("moon", skies, moon_of) + "}\n";
 }
 
 std::string write_usd(const RenderOrder& given, const Lighting& lighting, const PictureContext& context) {

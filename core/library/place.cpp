@@ -1,10 +1,15 @@
 #include "core/library/place.h"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "core/error.h"
 #include "core/methods/ready.h"
+#include "core/scene/angle.h"
+#include "core/scene/density_column.h"
 #include "core/scene/json_format.h"
+#include "core/scene/photometry.h"
 #include "core/sequence/frame_list.h"
 
 namespace airlight {
@@ -56,29 +61,59 @@ std::vector<Override> sky_of_date(const std::string& typed) {
 namespace {
 
 // Whether a light that a date adds can be seen in one picture: with the sun up the smooth light of the night adds at
-// most 5e-6 to the sky of `earth`, and a moon so far below the horizon lights nothing.
-bool is_seen(const std::string& section, double sun_degrees, double moon_degrees) {
+// most 5e-6 to the sky of `earth`, and a moon so far below the horizon, `dip` degrees below the level, lights nothing.
+bool is_seen(const std::string& section, double sun_degrees, double moon_degrees, double dip) {
   constexpr double kMoonDown = -10.0;
   if (section == "night_sky") {
     return sun_degrees <= 0.0;
   }
-  return section != "moon" || moon_degrees > kMoonDown;
+  return section != "moon" || moon_degrees > kMoonDown - dip;
 }
 
-double elevation_in(Preset& preset, const char* light) {
-  const auto* degrees = member_as<double>(member(&preset.root, light), "elevation_deg");
-  return degrees == nullptr ? 0.0 : *degrees;
+double horizon_dip(double altitude, double radius) {
+  return degrees_from_radians(std::acos(radius / (radius + std::max(altitude, 0.0))));
 }
+
+double number_in(Preset& preset, const char* section, const char* key, double otherwise) {
+  const auto* number = member_as<double>(member(&preset.root, section), key);
+  return number == nullptr ? otherwise : *number;
+}
+
+constexpr double kEarthRadius = 6360.0;  // km
 
 }  // namespace
 
 void leave_out_unseen(Preset& preset) {
-  const double sun = elevation_in(preset, "sun");
-  const double moon = elevation_in(preset, "moon");
+  const double sun = number_in(preset, "sun", "elevation_deg", 0.0);
+  const double moon = number_in(preset, "moon", "elevation_deg", 0.0);
+  const double dip = horizon_dip(number_in(preset, "camera", "altitude_km", 0.0),
+                                 number_in(preset, "planet", "ground_radius_km", kEarthRadius));
   std::erase_if(std::get<PresetObject>(preset.root.data), [&](const auto& section) {
-    return (section.first == "night_sky" || section.first == "moon") && section.second.source.starts_with("--date ") &&
-           !is_seen(section.first, sun, moon);
+    const bool may_go =
+        section.first == "moon" || (section.first == "night_sky" && section.second.source.starts_with("--date "));
+    return may_go && !is_seen(section.first, sun, moon, dip);
   });
+}
+
+void leave_out_outshone(Scene& scene) {
+  if (!scene.night_sky || scene.sun.elevation <= 0.0) {
+    return;
+  }
+  constexpr double kLow = 5.0;              // km: above it the sky darkens
+  constexpr double kBrightestNight = 2e-3;  // cd/m2, airglow at the horizon or the Milky Way
+  constexpr double kDarkestDay = 3e-3;      // of irradiance times the depth that scatters, the sun at the horizon
+  constexpr double kLost = 1e-4;
+  double depth = 0.0;
+  for (const Medium& medium : scene.media) {
+    depth += std::ranges::min(medium.scattering) * density_column(medium.density, scene.planet.atmosphere_height);
+  }
+  const NightSky& sky = *scene.night_sky;
+  const double night = kBrightestNight * std::max({sky.airglow, sky.zodiacal, sky.starlight}) + sky.light_pollution;
+  const double day = kDarkestDay * std::min(depth, 1.0) * scene.sun.uncovered * luminance_of_one(scene) *
+                     bt709_luminance(scene.sun.irradiance);
+  if (scene.camera.altitude <= kLow && scene.clouds.empty() && night < kLost * day) {
+    scene.night_sky.reset();
+  }
 }
 
 std::vector<Override> sun_overrides(const PlaceOptions& options, const SceneChanges& changes,
@@ -117,7 +152,8 @@ std::vector<Override> sun_overrides(const PlaceOptions& options, const SceneChan
   }
   std::vector<Override> all = sky_of_date(typed);
   std::erase_if(all, [&](const Override& added) {
-    return !is_seen(added.adds, angles.at("/sun/elevation_deg"), angles.at("/moon/elevation_deg"));
+    return !is_seen(added.adds, angles.at("/sun/elevation_deg"), angles.at("/moon/elevation_deg"),
+                    horizon_dip(changes.altitude.value_or(0.0), kEarthRadius));
   });
   for (const auto& [pointer, values] : frame.keys) {
     all.push_back({pointer + "=" + format_number(values.front()), typed, sections_with(pointer)});

@@ -21,9 +21,14 @@ void require_one_refraction(const PlaceOptions& options, const Scene& scene, con
 // where it has none. `typed`: the option, for messages.
 std::vector<Override> sky_of_date(const std::string& typed);
 
-// Takes out of a moment's preset what its date has added and the moment cannot show: the smooth light of the night with
-// the sun up, a moon far below the horizon. `typed` of sky_of_date() begins with "--date " for these.
+// Takes out of a moment's preset what the moment cannot show: a moon far below the horizon that the camera sees, and
+// with the sun up the smooth light of the night, where its date has added it. `typed` of sky_of_date() begins with
+// "--date " for that.
 void leave_out_unseen(Preset& preset);
+
+// Takes a night sky of the preset's own out of a scene by day, where it is less than 1e-4 of the darkest sky: not where
+// the air is thin, the camera high, lamps are bright or clouds hide the day. Stars stay.
+void leave_out_outshone(Scene& scene);
 
 // The sun of one picture, and of that sky what can be seen; empty where no option concerns it. Throws InputError.
 std::vector<Override> sun_overrides(const PlaceOptions& options, const SceneChanges& changes,

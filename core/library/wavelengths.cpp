@@ -8,7 +8,6 @@
 
 #include "core/error.h"
 #include "core/render/tile_sizes.h"
-#include "core/scene/angle.h"
 #include "core/scene/json_format.h"
 #include "core/text.h"
 
@@ -76,13 +75,6 @@ void require_spectra(const Scene& scene, const std::string& option) {
     throw InputError(option +
                      ": the preset has three channels and no spectra; give it curves over the wavelength in place of " +
                      "[r, g, b] (presets/README.md, Curves), or take one that has, such as earth");
-  }
-  // With the sun at -4 degrees the smooth light of the night adds at most 4e-4 to the sky of `earth`.
-  constexpr double kBrightDusk = -4.0;
-  if ((scene.night_sky || scene.stars) && degrees_from_radians(scene.sun.elevation) < kBrightDusk) {
-    throw InputError(
-        option + ": night_sky and stars are known in red, green and blue alone, not by wavelength, and with the sun " +
-        "below -4 degrees they count; remove them from the preset, or say /sky_of_date=false by --set");
   }
 }
 

@@ -18,8 +18,7 @@ Nodes wavelengths_from(const std::string& text, const std::string& option);
 // Throws InputError for a picture whose spectrum would take more than half a GiB, or a buffer more than a device has.
 void require_spectrum_fits(const Scene& scene, std::size_t wavelengths, const std::string& option);
 
-// Throws InputError for a scene of three channels, and for one whose night sky and stars count: these have no
-// wavelengths, and spectra leave them out.
+// Throws InputError for a scene of three channels.
 void require_spectra(const Scene& scene, const std::string& option);
 
 }  // namespace airlight

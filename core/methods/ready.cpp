@@ -1,5 +1,8 @@
 #include "core/methods/ready.h"
 
+#include <algorithm>
+#include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -57,7 +60,10 @@ Scene as_rays_go(Scene scene) {
   return scene;
 }
 
-Stage made(const Scene& scene, const std::optional<Nodes>& listed, const Stage* like, const std::string& light = {});
+using NightMaker = std::function<Night(const Air&)>;
+
+Stage made(const Scene& scene, const std::optional<Nodes>& listed, const Stage* like, const std::string& light = {},
+           const NightMaker& night = {});
 
 std::vector<Stage> further_lights(const Stage& stage, const std::optional<Nodes>& listed) {
   Scene lit = by_moonlight(stage.scene());
@@ -67,13 +73,15 @@ std::vector<Stage> further_lights(const Stage& stage, const std::optional<Nodes>
   return {made(lit, listed, &stage, " by moonlight")};
 }
 
-Stage made(const Scene& given, const std::optional<Nodes>& listed, const Stage* like, const std::string& light) {
+Stage made(const Scene& given, const std::optional<Nodes>& listed, const Stage* like, const std::string& light,
+           const NightMaker& night) {
   const Scene scene = as_rays_go(given);
   const std::vector<Air> known = like == nullptr ? std::vector<Air>() : StageMaker::airs_of(*like);
   const Things::Others others = like == nullptr ? Things::Others() : StageMaker::things_of(*like);
   Part whole{scene, air_like(known, scene, air_options(scene.render)), Things(scene, others)};
   StageMaker maker{method_of(scene), std::move(whole), settled, listed, like};
   maker.light = light;
+  maker.night = night;
   if (scene.moon) {
     maker.others = [listed](const Stage& stage) { return further_lights(stage, listed); };
   }
@@ -96,6 +104,20 @@ Stage ready(const Scene& scene, const Stage& like) {
 
 Stage ready_at(const Scene& scene, const Nodes& nodes, const Stage& like) {
   return made(scene, nodes, &like);
+}
+
+Stage ready_part(Scene group, const Stage& listed, std::size_t g) {
+  const Scene& whole = listed.scene();
+  group.night_sky = whole.night_sky;
+  group.stars = whole.stars;
+  std::array<WaveBand, 3> bands{};
+  const std::vector<WaveBand>& all = listed.basis().nodes.bands;
+  for (std::size_t c = 0; c < 3; ++c) {
+    bands[c] = all[std::min(3 * g + c, all.size() - 1)];
+  }
+  return made(group, std::nullopt, &listed, {}, [whole, bands](const Air& air) {
+    return night_of(whole, {{air}, {}}, bands);
+  });
 }
 
 }  // namespace airlight

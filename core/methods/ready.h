@@ -13,6 +13,10 @@ Stage ready(const Scene& scene, const Stage& like);
 // The same with these wavelengths as its parts; the scene must have spectra.
 Stage ready_at(const Scene& scene, const Nodes& nodes, const Stage& like);
 
+// Part `g` of such a stage as a scene of its own, whose three channels are wavelengths, with the stage's night sky in
+// them. `group`: the part's scene, whose seed may be another.
+Stage ready_part(Scene group, const Stage& listed, std::size_t g);
+
 // Whether rays are bent in the scene as it is rendered: its air does, its method does, and no things stand in it, to
 // whose true distances rays are straight.
 bool bends_light(const Scene& scene);

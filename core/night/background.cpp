@@ -174,6 +174,11 @@ double faint_stars(const physics::vec3& j2000) {
   return even + 69.0 * (upper * (1.0 - v) + lower * v);
 }
 
+double zodiacal_redness(double nm) {
+  const double decades = std::log10(nm / 500.0);
+  return 1.0 + (decades < 0.0 ? 0.9 : 0.6) * decades;
+}
+
 const Curve& airglow() {
   static const Curve curve = [] {
     // 1e-9 W/(m2 nm sr), every 10 nm from 350.

@@ -14,8 +14,12 @@ inline constexpr double kS10 = 8.35e-7;
 
 // Zodiacal light in that unit, by angles from the sun along the ecliptic and from the ecliptic, rad: Leinert et al.,
 // Astronomy and Astrophysics Supplement 127 (1998) 1, table 16. Nearer than 15 degrees to the sun, where they have
-// nothing, it stays as it is at the table's edge.
+// nothing, it stays as it is at the table's edge. The table holds at 500 nm.
 double zodiacal_light(double from_sun, double latitude);
+
+// Spectral radiance of zodiacal light over that of so many stars like the sun, at 360 to 830 nm: it is redder than the
+// sun (Leinert et al. 1998, eq. 22, at 90 degrees from the sun and beyond).
+double zodiacal_redness(double nm);
 
 // Light of all stars fainter than 6.5 in that unit, in a J2000 direction; coarse: 36 / (|sin b| + 1/4) at the galactic
 // latitude b, and 69 for each ninth of the brightness by which the Milky Way's five outlines in d3-celestial (O. Frohn,

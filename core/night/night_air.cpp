@@ -1,5 +1,6 @@
 #include "core/night/night_air.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -14,24 +15,47 @@ constexpr int kSlopes = 24;  // zenith cosines, half of them above the horizon
 constexpr int kSteps = 32;
 constexpr int kOrders = 5;
 
+// A step of a ray: what it sends on of the mean radiance at its altitude, between two of the table's.
+struct Step {
+  int below = 0;
+  double up = 0.0;
+  vec3 weight{};
+};
+
+// A ray through the air, of all that its light takes on the way.
+struct RayLight {
+  double mu = 0.0;
+  double weight = 0.0;  // of the direction
+  std::vector<Step> steps;
+  vec3 through{};
+  bool at_ground = false;
+};
+
 class EvenSky {
  public:
   EvenSky(const Air& air, NightSource source)
       : p_(air.formulas()),
         planet_(p_.scene.planet),
         sky_(source == NightSource::sky ? 1.0 : 0.0),
-        lamps_(source == NightSource::ground ? 1.0 : 0.0) {}
+        lamps_(source == NightSource::ground ? 1.0 : 0.0) {
+    for (int i = 0; i < kAltitudes; ++i) {
+      rays_[index(i)] = rays_from(altitude(i));
+    }
+  }
 
   // Of each altitude the mean radiance over all directions, by all orders.
   void find_field() {
     std::array<vec3, kAltitudes> sources{};  // of the order before: mean radiance at the altitudes
+    vec3 irradiance(0.0);
     for (int order = 0; order <= kOrders; ++order) {
-      const vec3 ground = order == 0 ? vec3(lamps_) : planet_.ground_albedo * irradiance_ / std::numbers::pi;
-      irradiance_ = irradiance(sources, ground, order == 0);
-      ground_ = ground_ + irradiance_;
+      const vec3 ground = order == 0 ? vec3(lamps_) : planet_.ground_albedo * irradiance / std::numbers::pi;
+      irradiance = irradiance_of(sources, ground, order == 0);
+      ground_ = ground_ + irradiance;
       std::array<vec3, kAltitudes> next{};
       for (int i = 0; i < kAltitudes; ++i) {
-        next[index(i)] = mean(altitude(i), sources, ground, order == 0);
+        for (const RayLight& ray : rays_[index(i)]) {
+          next[index(i)] = next[index(i)] + along(ray, sources, ground, order == 0) * (0.5 * ray.weight);
+        }
         field_[index(i)] = field_[index(i)] + next[index(i)];
       }
       sources = next;
@@ -40,7 +64,7 @@ class EvenSky {
 
   // What the air and the ground send into a ray from an altitude.
   vec3 scattered(double h, double mu) {
-    return along(h, mu, field_, planet_.ground_albedo * ground_ / std::numbers::pi + vec3(lamps_), false);
+    return along(ray_from(h, mu), field_, planet_.ground_albedo * ground_ / std::numbers::pi + vec3(lamps_), false);
   }
   vec3 on_ground() const { return ground_; }
 
@@ -50,19 +74,13 @@ class EvenSky {
     const double x = static_cast<double>(i) / (kAltitudes - 1);
     return planet_.atmosphere_height * x * x;
   }
-  vec3 at(const std::array<vec3, kAltitudes>& values, double h) const {
-    const double x = std::sqrt(std::min(h / planet_.atmosphere_height, 1.0)) * (kAltitudes - 1);
-    const int i = std::min(static_cast<int>(x), kAltitudes - 2);
-    const double u = x - i;
-    return values[index(i)] * (1.0 - u) + values[index(i + 1)] * u;
-  }
 
-  // Radiance of an order along a ray, out of the mean radiance of the order before; of the first, `direct`, the
-  // source's.
-  vec3 along(double h, double mu, const std::array<vec3, kAltitudes>& sources, const vec3& ground, bool direct) {
+  RayLight ray_from(double h, double mu) {
     const auto ray = p_.ray_in_atmosphere(planet_, h, mu, 0.0, 0.0);
+    RayLight light;
+    light.mu = mu;
+    light.at_ground = ray.at_ground;
     vec3 depth(0.0);
-    vec3 light(0.0);
     for (int i = 0; i < kSteps && ray.length_ > 0.0; ++i) {
       const double from = ray.length_ * i * i / (kSteps * kSteps);
       const double width = ray.length_ * (2 * i + 1) / (kSteps * kSteps);
@@ -78,39 +96,49 @@ class EvenSky {
       const vec3 step = extinction * width;
       const vec3 mean_through(p_.mean_transmittance(step.x), p_.mean_transmittance(step.y),
                               p_.mean_transmittance(step.z));
-      if (!direct) {
-        light = light + exp(-depth) * scattering * at(sources, point.h) * mean_through * width;
-      }
+      const double x = std::sqrt(std::clamp(point.h / planet_.atmosphere_height, 0.0, 1.0)) * (kAltitudes - 1);
+      const int below = std::min(static_cast<int>(x), kAltitudes - 2);
+      light.steps.push_back({below, x - below, exp(-depth) * scattering * mean_through * width});
       depth = depth + step;
     }
-    const vec3 behind = ray.at_ground ? ground : vec3(direct ? sky_ : 0.0);
-    return light + exp(-depth) * behind;
+    light.through = exp(-depth);
+    return light;
   }
 
-  // Calls use(mu, weight) for zenith cosines on either side of the horizon, dense beside it; weights add up to 2.
-  template <class Use>
-  void for_slopes(double h, Use use) {
+  // Rays on either side of the horizon, dense beside it; weights add up to 2.
+  std::vector<RayLight> rays_from(double h) {
+    std::vector<RayLight> rays;
     const double horizon = p_.horizon_mu(planet_, h);
     for (int i = 0; i < kSlopes; ++i) {
       const bool up = i % 2 == 0;
       const double x = (i / 2 + 0.5) / (kSlopes / 2);
       const double span = up ? 1.0 - horizon : -1.0 - horizon;
-      use(horizon + span * x * x, std::abs(span) * 2.0 * x / (kSlopes / 2));
+      rays.push_back(ray_from(h, horizon + span * x * x));
+      rays.back().weight = std::abs(span) * 2.0 * x / (kSlopes / 2);
     }
+    return rays;
   }
 
-  vec3 mean(double h, const std::array<vec3, kAltitudes>& sources, const vec3& ground, bool direct) {
-    vec3 sum(0.0);
-    for_slopes(h,
-               [&](double mu, double weight) { sum = sum + along(h, mu, sources, ground, direct) * (0.5 * weight); });
-    return sum;
+  // Radiance of an order along a ray, out of the mean radiance of the order before; of the first, `direct`, the
+  // source's.
+  vec3 along(const RayLight& ray, const std::array<vec3, kAltitudes>& sources, const vec3& ground, bool direct) const {
+    vec3 light = ray.through * (ray.at_ground ? ground : vec3(direct ? sky_ : 0.0));
+    if (direct) {
+      return light;
+    }
+    for (const Step& step : ray.steps) {
+      light = light +
+              step.weight * (sources[index(step.below)] * (1.0 - step.up) + sources[index(step.below + 1)] * step.up);
+    }
+    return light;
   }
 
-  vec3 irradiance(const std::array<vec3, kAltitudes>& sources, const vec3& ground, bool direct) {
+  vec3 irradiance_of(const std::array<vec3, kAltitudes>& sources, const vec3& ground, bool direct) const {
     vec3 sum(0.0);
-    for_slopes(0.0, [&](double mu, double weight) {
-      sum = sum + along(0.0, mu, sources, ground, direct) * (2.0 * std::numbers::pi * weight * std::max(mu, 0.0));
-    });
+    for (const RayLight& ray : rays_.front()) {
+      const double level = 2.0 * std::numbers::pi * ray.weight * std::max(ray.mu, 0.0);
+      sum = sum + along(ray, sources, ground, direct) * level;
+    }
     return sum;
   }
 
@@ -118,9 +146,9 @@ class EvenSky {
   physics::PlanetData planet_;
   double sky_;    // radiance
   double lamps_;  // radiance of the ground
+  std::array<std::vector<RayLight>, kAltitudes> rays_{};
   std::array<vec3, kAltitudes> field_{};
-  vec3 irradiance_{0.0, 0.0, 0.0};  // of the last order
-  vec3 ground_{0.0, 0.0, 0.0};      // of all orders
+  vec3 ground_{0.0, 0.0, 0.0};  // of all orders
 };
 
 }  // namespace

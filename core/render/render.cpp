@@ -61,7 +61,7 @@ Rendering render(const DeviceOnDemand& device, const Stage& stage, const RenderR
 Plan plan_for(const Stage& stage, const RenderRequest& request) {
   if (request.spectrum) {
     const Stage listed = ready_at(stage.scene(), *request.spectrum, stage);
-    return plan_for(ready(listed.parts().front().scene, listed), {});
+    return plan_for(ready_part(listed.parts().front().scene, listed, 0), {});
   }
   const Scene& scene = stage.scene();
   const Tile whole{0, 0, scene.image.width, scene.image.height};

@@ -42,8 +42,10 @@ std::vector<double> channel_scales(const Scene& scene, const Nodes& nodes) {
 bool tells_colours(const Stage& listed) {
   const SceneSpectra& spectra = *listed.scene().spectra;
   const BandColours colours = band_colours(spectra.sun, spectra.white);
+  const ColourBasis& basis = listed.basis();
   SampledSky sky(listed.scene(), listed.whole().air, colours);
-  return mean_error(listed.basis().matrix, sky.at(listed.basis().nodes)) <= kTellsColours;
+  return mean_error(basis.matrix, sky.at(basis.nodes)) <= kTellsColours &&
+         night_colour_error(listed.scene(), basis.matrix, basis.nodes) <= kTellsColours;
 }
 
 void add_planes(SpectralImage& spectrum, const RadianceImage& part, std::size_t first,
@@ -99,7 +101,7 @@ Rendering render_spectrum(const DeviceOnDemand& device, const Stage& stage, Band
     Scene group = listed.parts()[g].scene;
     RenderRequest plain;
     plain.host = runs.start(group, g);
-    Rendering part = render(device, ready(group, listed), plain);
+    Rendering part = render(device, ready_part(group, listed, g), plain);
     if (!part.fault().empty()) {
       Band faulty{0, part};
       if (request.past_faults) {
@@ -135,7 +137,7 @@ SpectralProbes probe_spectrum(const DeviceOnDemand& device, const Stage& stage,
   for (std::size_t g = 0; g < listed.parts().size(); ++g) {
     Scene group = listed.parts()[g].scene;
     runs.start(group, g);
-    const ProbeResults found = probe(device, ready(group, listed), directions);
+    const ProbeResults found = probe(device, ready_part(group, listed, g), directions);
     for (std::size_t i = 0; i < directions.size(); ++i) {
       for (std::size_t c = 0; c < 3 && 3 * g + c < nodes.nm.size(); ++c) {
         const ProbeResult& one = found.directions[i];

@@ -60,7 +60,9 @@ struct Stage::Content {
   std::string light = {};
   mutable std::once_flag once_others = {};
   mutable std::vector<Stage> others = {};
-  OnDemand<Night> night = {};
+  std::function<Night(const Air&)> night_at_wavelengths = {};
+  mutable std::once_flag once_night = {};
+  mutable std::optional<Night> night = {};
 
   void make_parts() const {
     const PartScenes scenes(whole.scene, basis.get());
@@ -117,7 +119,24 @@ std::span<const Stage> Stage::others() const {
 }
 
 const Night* Stage::night() const {
-  return content_->night ? &content_->night.get() : nullptr;
+  if (!scene().night_sky && !scene().stars) {
+    return nullptr;
+  }
+  std::call_once(content_->once_night, [this] {
+    if (content_->night_at_wavelengths) {
+      content_->night = content_->night_at_wavelengths(whole().air);
+      return;
+    }
+    NightAirs through;
+    for (const Part& part : parts()) {
+      through.airs.push_back(part.air);
+    }
+    if (in_colours()) {
+      through.nm = basis().nodes.nm;
+    }
+    content_->night = night_of(scene(), through);
+  });
+  return &*content_->night;
 }
 
 const std::string& Stage::light() const {
@@ -167,10 +186,6 @@ Stage StageMaker::make() const {
     }
   }
   const Scene& scene = whole.scene;
-  OnDemand<Night> night;
-  if (scene.night_sky || scene.stars) {
-    night = OnDemand<Night>([scene = scene, air = whole.air] { return night_of(scene, air); });
-  }
   FitInputs inputs;
   OnDemand<ColourBasis> basis;
   if (scene.spectra && listed) {
@@ -190,7 +205,7 @@ Stage StageMaker::make() const {
                                                                         .known_things = std::move(known_things),
                                                                         .make_others = others,
                                                                         .light = light,
-                                                                        .night = night}));
+                                                                        .night_at_wavelengths = night}));
 }
 
 Air air_like(const std::vector<Air>& known, const Scene& scene, const AirOptions& options) {

@@ -96,6 +96,8 @@ struct StageMaker {
   // Makes the stages of the scene's further lights, once they are asked for.
   std::function<std::vector<Stage>(const Stage&)> others = {};
   std::string light = {};
+  // Makes the night sky of an air's channels where these are wavelengths.
+  std::function<Night(const Air&)> night = {};
 
   Stage make() const;
 

@@ -117,7 +117,7 @@ Scene PartScenes::scene(std::size_t part) const {
     }
   }
   group.spectra.reset();
-  group.night_sky.reset();  // which has colours, no wavelengths
+  group.night_sky.reset();  // ready_part() puts it in
   group.stars.reset();
   return group;
 }

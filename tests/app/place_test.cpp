@@ -47,14 +47,12 @@ TEST(SkyOfDate, LeavesOutByDayWhatCannotBeSeen) {
   EXPECT_TRUE(noon.stars);
 }
 
-// In a sequence each frame leaves out what it cannot show, but nothing that the preset or --set asks for.
+// In a sequence each frame leaves out what it cannot show.
 TEST(SkyOfDate, LeavesOutOfAFrameWhatItCannotShow) {
-  const auto frame = [](const char* name, double sun, double moon, const char* set) {
+  const auto frame = [](const char* name, double sun, double moon, const std::vector<std::string>& set) {
     SceneChanges changes;
     Preset preset = built_in_preset(name, "test");
-    if (*set != '\0') {
-      changes.set = {set};
-    }
+    changes.set = set;
     apply_changes(preset, changes, sky_of_date("--date 2026-09-02"));
     for (const auto& [key, degrees] : {std::pair("/sun/elevation_deg", sun), std::pair("/moon/elevation_deg", moon)}) {
       PresetValue value;
@@ -62,17 +60,27 @@ TEST(SkyOfDate, LeavesOutOfAFrameWhatItCannotShow) {
       put_value(preset, key, std::move(value), "frame 1");
     }
     leave_out_unseen(preset);
-    return resolve(preset, method_infos());
+    Scene scene = resolve(preset, method_infos());
+    leave_out_outshone(scene);
+    return scene;
   };
-  const Scene day = frame("earth", 20.0, 5.0, "");
+  const Scene day = frame("earth", 20.0, 5.0, {});
   EXPECT_FALSE(day.night_sky);
   EXPECT_TRUE(day.moon && day.stars);
-  const Scene night = frame("earth", -20.0, -30.0, "");
+  const Scene night = frame("earth", -20.0, -30.0, {});
   EXPECT_TRUE(night.night_sky && night.stars);
   EXPECT_FALSE(night.moon);
-  const Scene own = frame("full-day", 20.0, -30.0, "");
-  EXPECT_TRUE(own.night_sky && own.moon);
-  EXPECT_TRUE(frame("earth", 20.0, 5.0, "/night_sky={}").night_sky);
+  // What the preset has itself goes as well, but for what can be seen.
+  const Scene own = frame("full-day", 20.0, -30.0, {});
+  EXPECT_FALSE(own.night_sky || own.moon);
+  EXPECT_TRUE(own.stars);
+  EXPECT_TRUE(frame("full-day", -1.0, 5.0, {}).night_sky);
+  EXPECT_TRUE(frame("full-day", -1.0, -9.0, {}).moon);
+  EXPECT_TRUE(frame("full-day", 20.0, 5.0, {"/night_sky/light_pollution_cd_per_m2=100"}).night_sky);
+  EXPECT_TRUE(frame("full-day", 20.0, 5.0, {"/night_sky/airglow=1000"}).night_sky);
+  EXPECT_TRUE(frame("full-day", 20.0, 5.0, {"/sun/irradiance=0.1"}).night_sky);
+  EXPECT_TRUE(frame("full-day", 20.0, 5.0, {"/camera/altitude_km=400"}).night_sky);
+  EXPECT_TRUE(frame("full-day", 20.0, -15.0, {"/camera/altitude_km=400"}).moon);
 }
 
 TEST(SkyOfDate, IsForPresetsThatAskForIt) {

@@ -316,7 +316,7 @@ void register_stars() {
     for (const auto& once : state) {
       (void)once;
       benchmark::DoNotOptimize(
-          star_pixels(p, scene, night_of(scene, air), {0, 0, scene.image.width, scene.image.height}));
+          star_pixels(p, scene, night_of(scene, {{air}, {}}), {0, 0, scene.image.width, scene.image.height}));
     }
   })->Unit(benchmark::kMillisecond);
 }

@@ -120,6 +120,19 @@ TEST_F(CompositeTool, FarThingsJoinTheSky) {
 }
 
 // A planar depth of 1 km, and the distance of that depth at the picture's corner.
+TEST_F(CompositeTool, TellsThatTheNightSkyIsNotInTheAirBeforeThings) {
+  Beauty{.light = 0.0F, .alpha = 1.0F, .z = 1e4F}.write(path("in.exr"));
+  const auto told = [&](const char* elevation, const char* night) {
+    const Outcome done =
+        composite({"--beauty", "in.exr", "-o", "out.exr", "--sun-elevation", elevation, "--set", night});
+    EXPECT_EQ(done.exit_code, 0) << done.err;
+    return contains(done.err, "that of night_sky is left out there");
+  };
+  EXPECT_TRUE(told("-20", "/night_sky={}"));
+  EXPECT_FALSE(told("20", "/night_sky={}"));
+  EXPECT_FALSE(told("-20", "/stars={}"));
+}
+
 TEST_F(CompositeTool, PlanarDepthIsLongerTowardTheCorners) {
   Beauty{.alpha = 1.0F, .z = 10000.0F}.write(path("in.exr"));
   const Names layers{"--layers", "inscatter,transmittance", "-q", "--beauty", "in.exr", "-o"};

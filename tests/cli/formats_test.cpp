@@ -81,6 +81,22 @@ TEST_F(Formats, AUsdStageLightsASceneAsTheSkyDoes) {
 }
 
 // Three moments around midnight, in which sun and moon go past the north.
+// By day at full-day's place the moon of that date is far below the horizon; it rises at night.
+TEST_F(Formats, AStageHasAMoonThatRisesLater) {
+  const Outcome made =
+      tool({"sequence", "full-day",     "-q",     "--projection", "latlong", "--set",   "/camera/pitch_deg=0",
+            "--size",   "16x8",         "--date", "2026-09-02",   "--from",  "16:00",   "--to",
+            "00:00",    "--step",       "4h",     "--lat",        "48.85",   "--lon",   "2.35",
+            "--tz",     "Europe/Paris", "-o",     "a.#.exr",      "--usd",   "day.usda"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const std::string text = scratch_.read("day.usda");
+  const std::size_t moon = text.find("DistantLight \"moon\"");
+  ASSERT_NE(moon, std::string::npos) << text;
+  const std::string its = text.substr(text.find("inputs:intensity", moon));
+  EXPECT_TRUE(contains(its, "1: 0,")) << its;
+  EXPECT_FALSE(contains(its, "3: 0,")) << its;
+}
+
 TEST_F(Formats, AStageOfASequenceHasASampleAFrame) {
   const Names place{"full-day", "-q",    "--date",       "2026-04-01", "--lat",  "69.65",
                     "--lon",    "18.96", "--projection", "latlong",    "--size", "16x8"};

@@ -167,8 +167,6 @@ TEST_F(SpectralExr, BadInputIsOneLine) {
       {range("380:780:500"), {"is one wavelength", "2 to 96"}},
       {{"render", "three.json", "-o", "a.exr", "--spectral", "380:780:10"},
        {"the preset has three channels and no spectra", "such as earth"}},
-      {{"render", "sky.json", "-o", "a.exr", "--spectral", "380:780:10", "--sun-elevation", "-5", "--set", "/stars={}"},
-       {"night_sky and stars are known in red, green and blue alone"}},
       {{"render", "sky.json", "--png", "a.png", "--spectral", "380:780:10"}, {"none is written", "-o FILE.exr"}},
       {{"render", "sky.json", "-o", "a.exr", "--luts", ".", "--spectral", "380:780:10"}, {"does not go with --luts"}},
       {{"render", "sky.json", "-o", "a.exr", "--tile", "8x8", "--spectral", "380:780:10"}, {"does not go with --tile"}},

@@ -15,27 +15,13 @@
 #include "core/render/spectrum.h"
 #include "core/scene/photometry.h"
 #include "core/spectra/data.h"
+#include "tests/methods/paranal.h"
 #include "tests/methods/render_fixture.h"
 #include "tests/methods/spectral_scene.h"
 #include "tests/of_scene.h"
 
 namespace airlight::test {
 namespace {
-
-// The built-in air over Paranal, 2.635 km above the sea, on a night with the galaxy's plane low.
-Scene paranal(double sun_elevation_deg) {
-  Scene scene = resolve(load_preset(AIRLIGHT_SOURCE_DIR "/presets/earth.json"), method_infos());
-  scene.sun.elevation = sun_elevation_deg * kDegree;
-  scene.sun.unit = SunUnit::lux;
-  scene.spectra->irradiance = kSunlight;
-  scene.sun.irradiance.fill(kSunlight);
-  scene.camera.altitude = 2.635;
-  scene.camera.latitude = -24.6 * kDegree;
-  scene.camera.longitude = -70.4 * kDegree;
-  scene.camera.julian_date = 2452000.6;
-  scene.night_sky = NightSky{};
-  return scene;
-}
 
 // Magnitudes a square arc second (V) at the zenith.
 double zenith_magnitude(double sun_elevation_deg) {
@@ -45,137 +31,6 @@ double zenith_magnitude(double sun_elevation_deg) {
 
 TEST(NightSky, IsAsDarkAsParanals) {
   EXPECT_NEAR(zenith_magnitude(-30.0), 21.5, 0.3);
-}
-
-// A band of Bessell's, Publications of the Astronomical Society of the Pacific 102 (1990) 1181, every 20 nm, and the
-// sun's magnitude in it: V -26.76, B - V 0.65.
-struct PhotometricBand {
-  double first_nm;
-  std::vector<double> response;
-  double sun;
-};
-const PhotometricBand kBandV{
-    480.0, {0.030, 0.458, 0.967, 0.973, 0.792, 0.574, 0.359, 0.197, 0.081, 0.025, 0.013}, -26.76};
-const PhotometricBand kBandB{360.0, {0.0, 0.134, 0.920, 0.978, 0.853, 0.640, 0.423, 0.235, 0.079, 0.008}, -26.11};
-
-std::vector<double> band_wavelengths(const PhotometricBand& band) {
-  std::vector<double> nm;
-  for (std::size_t i = 0; i < band.response.size(); ++i) {
-    nm.push_back(band.first_nm + 20.0 * static_cast<double>(i));
-  }
-  return nm;
-}
-
-Scene twilight_at_paranal(double sun_elevation_deg) {
-  Scene scene = resolve(load_preset(AIRLIGHT_SOURCE_DIR "/presets/paranal.json"), method_infos());
-  scene.sun.elevation = sun_elevation_deg * kDegree;
-  scene.night_sky.reset();
-  scene.stars.reset();
-  return scene;
-}
-
-constexpr double kSquareSecond = std::numbers::pi / 180.0 / 3600.0 * (std::numbers::pi / 180.0 / 3600.0);
-
-// Magnitudes a square arc second of sunlight at the zenith of the preset `paranal`.
-double twilight_magnitude(double sun_elevation_deg, const PhotometricBand& band) {
-  const std::vector<double> nm = band_wavelengths(band);
-  const SpectralProbes found =
-      probe_spectrum([]() -> Executor& { return executor(); }, twilight_at_paranal(sun_elevation_deg),
-                     {{0.5 * std::numbers::pi, 0.0}}, listed_nodes(nm, 10.0));
-  double sky = 0.0;
-  double sun = 0.0;
-  for (std::size_t i = 0; i < nm.size(); ++i) {
-    sky += band.response[i] * nm[i] * found.directions.front().radiance[i];
-    sun += band.response[i] * nm[i] * found.wavelengths.sunlight[i];
-  }
-  return band.sun - 2.5 * std::log10(sky / sun * kSquareSecond);
-}
-
-double with_dark_sky(double magnitude, double dark) {
-  return -2.5 * std::log10(std::pow(10.0, -0.4 * magnitude) + std::pow(10.0, -0.4 * dark));
-}
-
-// A light's photons in a band over its luminous light, up to a factor.
-double photons_a_lumen(const Curve& light, const PhotometricBand& band) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < band.response.size(); ++i) {
-    const double nm = band.first_nm + 20.0 * static_cast<double>(i);
-    sum += band.response[i] * nm * value_at(light, nm);
-  }
-  return sum / illuminance(light);
-}
-
-// The dark zenith in B, 22.6 measured. Starlight has the sun's B - V; zodiacal light is redder by 0.6 a decade of the
-// wavelength (Leinert 1998, section 8.4.2), airglow has its spectrum. The air takes its share in B and gives back what
-// it scatters of an even sky, in the blue channel.
-TEST(NightSky, IsAsDarkAsParanalsInBlue) {
-  Scene scene = paranal(-30.0);
-  const auto zenith = [&](const NightSky& wish) {
-    scene.night_sky = wish;
-    const Stage stage = ready(scene);
-    physics::Physics p = night_formulas(stage);
-    const physics::vec3 light = p.night_beyond({0.0, 1.0, 0.0}) + p.airglow_zenith();
-    return bt709_luminance({light.x, light.y, light.z});
-  };
-  const double redness = (1.0 + 0.6 * std::log10(440.0 / 500.0)) / (1.0 + 0.6 * std::log10(550.0 / 500.0));
-  const double dust = zenith({.airglow = 0.0, .zodiacal = 1.0, .starlight = 0.0}) * redness;
-  const double stars = zenith({.airglow = 0.0, .zodiacal = 0.0, .starlight = 1.0});
-  const double glow = zenith({.airglow = 1.0, .zodiacal = 0.0, .starlight = 0.0}) * photons_a_lumen(airglow(), kBandB) /
-                      photons_a_lumen(solar_irradiance(), kBandB);
-  const SpectralProbes found = probe_spectrum([]() -> Executor& { return executor(); }, scene,
-                                              {{0.5 * std::numbers::pi, 0.0}}, listed_nodes({440.0}, 10.0));
-  const double through = found.directions.front().transmittance.front();
-  const NightAir lit = night_air(ready(scene).whole().air, scene.camera.altitude);
-  const double light = (dust + stars + glow) * (through + lit.scattered[physics::kNightSlopes - 1].z);
-  const double magnitude = kBandB.sun - kBandV.sun - 2.5 * std::log10(light / 1.08e5);
-  RecordProperty("magnitude", std::to_string(magnitude));
-  EXPECT_NEAR(magnitude, 22.6, 0.3);
-}
-
-// Patat, Ugolnikov and Postylyakov, Astronomy and Astrophysics 455 (2006) 385: the zenith at Paranal in V as the sun
-// goes down, twilight and the dark sky's 21.52 together. core/NIGHT.md says what each part of that air does.
-TEST(NightSky, HasParanalsTwilight) {
-  const std::vector<std::pair<double, double>> measured{{-9.062, 17.04},  {-10.022, 17.86}, {-10.926, 18.72},
-                                                        {-11.885, 19.51}, {-12.844, 20.25}, {-13.746, 20.78},
-                                                        {-14.816, 21.19}};
-  double sum = 0.0;
-  for (const auto& [sun, magnitude] : measured) {
-    const double off = with_dark_sky(twilight_magnitude(sun, kBandV), 21.52) - magnitude;
-    EXPECT_LT(std::abs(off), 0.25) << sun << " " << off;
-    sum += std::abs(off) / static_cast<double>(measured.size());
-  }
-  EXPECT_LT(sum, 0.15);
-}
-
-// The same in B, of which nothing was fitted: their parabola through what was measured between 95 and 105 degrees from
-// the zenith (table 4), and the dark sky's 22.6.
-TEST(NightSky, HasParanalsTwilightInBlue) {
-  double sum = 0.0;
-  for (const double sun : {-9.0, -11.0, -13.0}) {
-    const double beyond = -sun - 5.0;
-    const double measured = 11.84 + 1.411 * beyond - 0.041 * beyond * beyond;
-    const double off = with_dark_sky(twilight_magnitude(sun, kBandB), 22.6) - measured;
-    EXPECT_LT(std::abs(off), 0.25) << sun << " " << off;
-    sum += std::abs(off) / 3.0;
-  }
-  EXPECT_LT(sum, 0.15);
-}
-
-// At 9 degrees nearly all light of the zenith was scattered twice: first by the stratosphere's aerosol, seen from the
-// side. The 2.3 % of path-trace's noise are in the bound.
-TEST(NightSky, OfPathTraceHasTheSameTwilight) {
-  const std::vector<double> nm{530.0};
-  const auto zenith = [&](const char* method) {
-    Scene scene = with_method(twilight_at_paranal(-9.062), *find_method(method));
-    if (scene.render.method == "path-trace") {
-      scene.render.parameters["samples"] = 20000;
-    }
-    return probe_spectrum([]() -> Executor& { return executor(); }, scene, {{0.5 * std::numbers::pi, 0.0}},
-                          listed_nodes(nm, 10.0))
-        .directions.front()
-        .radiance.front();
-  };
-  EXPECT_NEAR(zenith("orders") / zenith("path-trace"), 1.0, 0.06);
 }
 
 // Colour temperature by the nearest black body in CIE 1960's diagram, 1000 K / temperature on a fine scale.
