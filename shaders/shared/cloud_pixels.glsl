@@ -2,6 +2,7 @@
 // the picture is one of things, which the pass over them has lit under the cloud; its pixels are marched up to them.
 #include "shared/cloud_volume.glsl"
 #include "shared/cloud_sunlight.glsl"
+#include "physics/cloud_edge.glsl"
 #include "physics/cloud_light.glsl"
 #include "physics/cloud_march.glsl"
 #include "shared/cloud_shade.glsl"
@@ -13,6 +14,8 @@ layout(set = 0, binding = 23) uniform sampler3D cloud_source_lut;
 layout(set = 0, binding = 24) uniform sampler3D cloud_gap_lut;  // cells to the nearest one that holds water
 layout(set = 0, binding = 28) uniform sampler2D cloud_phase_lut;
 layout(set = 0, binding = 26) uniform sampler3D cloud_shafts_lut;  // cloud_shafts.comp; any image where kAirByRay is 1
+layout(set = 0, binding = 27) uniform sampler3D cloud_noise_lut;  // that carves the edge; any image where kCarved is 0
+layout(constant_id = 51) const uint kCarved = 0u;    // 1: the cloud's edge is finer than its grid
 layout(constant_id = 50) const uint kAirByRay = 0u;  // 1: the air's shade is found along each ray, 0: on froxels
 layout(scalar, set = 0, binding = 8) readonly buffer Directions { vec4 values[]; } directions;
 layout(scalar, set = 0, binding = 9) buffer Radiance { vec4 values[]; } radiance_out;
@@ -32,6 +35,13 @@ const float kEdgeDepth = 0.1;   // likewise where the cloud begins or ends
 const float kSunStep = 1.0;     // scaled, the most by which the depth toward the sun may change along a step
 const float kShaded = 5.0;      // where it is more than this, no sunlight is left that counts
 const float kLeastStep = 0.15;  // of `step`
+const float kEdgeStep = 0.25;    // of `step`, the most of a step in a carved edge
+const float kEdgeRise = 0.004;  // of that over the distance
+// km: from the first to the second the edge passes into means, its finer lobes into theirs.
+const vec2 kCarvedRange = vec2(25.0, 50.0);
+const vec2 kFinerRange = vec2(6.0, 12.0);
+const float kMeanNoise = 0.45;
+const uint kNoiseSide = 64u;  // texels
 const float kSheet = 0.2;       // depth of a stretch that is seen through one length of air, over its distance
 
 // What scatters sunlight once after this scaled depth of cloud on its whole way, in direction and wide of the sun by
@@ -210,7 +220,51 @@ Walk closed(Walk walk, AirRay of) {
   return walk;
 }
 
-float density_on_ray(vec3 place) { return inside_cloud_grid(cloud(), place) ? density_at(place) : 0.0; }
+// Water at a place of a ray: extinction, 1/km, and how far inside the cloud the place is, km.
+struct Water {
+  float extinction;
+  float inside;
+};
+
+float noise_at(vec3 place) {
+  vec3 texel = vec3(cell_texel(place.x, kNoiseSide), cell_texel(place.y, kNoiseSide), cell_texel(place.z, kNoiseSide));
+  return textureLod(cloud_noise_lut, texel / float(kNoiseSide + 1u), 0.0).r;
+}
+
+Water water_on_ray(vec3 place, float t) {
+  CloudEdge edge = cloud().edge;
+  Water water;
+  water.extinction = 0.0;
+  water.inside = 0.0;
+  if (!inside_cloud_grid(cloud(), place)) {
+    return water;
+  }
+  vec2 mean = water_at(place);
+  water.extinction = mean.x;
+  water.inside = mean.y;
+  // As a loop: see below.
+  uint turns = kCarved == 1u && t < kCarvedRange.y ? 1u : 0u;
+  for (uint turn = 0u; turn < turns; turn++) {
+    vec3 tile = place * vec3(edge.tiles, edge.tiles, edge.tile_levels);
+    float near = 1.0 - smoothstep(kFinerRange.x, kFinerRange.y, t);
+    float carved = 0.0;
+    uint edges = mean.y > 0.0 && mean.y < edge.carving + edge.soft ? 1u : 0u;
+    for (uint one = 0u; one < edges; one++) {
+      float finer = mix(kMeanNoise, noise_at(tile * kCloudFiner), near);
+      carved = edge_carved(place.z, noise_at(tile), finer);
+    }
+    float fine = mean.y > 0.0 ? edge_extinction(edge, place.z, mean.y, carved) : 0.0;
+    water.extinction = mix(fine, mean.x, smoothstep(kCarvedRange.x, kCarvedRange.y, t));
+  }
+  return water;
+}
+
+// The longest step from a place that misses no lobe of a carved edge.
+float step_in_water(float inside, float t) {
+  CloudEdge edge = cloud().edge;
+  float away = max(-inside, inside - edge.carving - edge.soft);
+  return kCarved == 1u && t < kCarvedRange.y ? max(max(step * kEdgeStep, t * kEdgeRise), away) : 1e9;
+}
 
 float shade_on_ray(Ray ray, vec3 place, float t) {
   RayPoint point = sunlit_among_things(scene.planet, ray, t);
@@ -227,9 +281,12 @@ Walk crossed(Walk walk, CloudCrossing span, AirRay of) {
   float t = span.from;
   float size = max(step, t * step_rise);
   float near = 0.0;       // density at t
+  float near_inside = 0.0;
   float near_sun = -1.0;  // scaled depth toward the sun there; below 0: not known
   if (span.from < span.to) {
-    near = density_on_ray(cloud_place(radius, c, scene.camera.altitude, direction, t));
+    Water water = water_on_ray(cloud_place(radius, c, scene.camera.altitude, direction, t), t);
+    near = water.extinction;
+    near_inside = water.inside;
   }
   uvec3 cells = uvec3(textureSize(cloud_gap_lut, 0)) - uvec3(1u, 1u, 0u);
   vec3 per_km = vec3(cells) / vec3(c.width, c.depth, c.top - c.base);
@@ -238,7 +295,7 @@ Walk crossed(Walk walk, CloudCrossing span, AirRay of) {
     vec3 middle = vec3(0.0);
     bool leaps = true;
     while (leaps && t < span.to) {
-      size = min(size, span.to - t);
+      size = min(min(size, step_in_water(near_inside, t)), span.to - t);
       middle = cloud_place(radius, c, scene.camera.altitude, direction, t + 0.5 * size);
       float climb = abs(direction.y) + t / radius;
       float leap = empty_cells(middle, cells) / max(max(abs(direction.x) * per_km.x, abs(direction.z) * per_km.y),
@@ -247,6 +304,7 @@ Walk crossed(Walk walk, CloudCrossing span, AirRay of) {
       if (leaps) {
         t += leap;
         near = 0.0;
+        near_inside = 0.0;
         near_sun = -1.0;
         size = max(step, t * step_rise);
       }
@@ -255,7 +313,8 @@ Walk crossed(Walk walk, CloudCrossing span, AirRay of) {
       break;
     }
     vec3 end = cloud_place(radius, c, scene.camera.altitude, direction, t + size);
-    float far = density_on_ray(end);
+    Water water = water_on_ray(end, t + size);
+    float far = water.extinction;
     float depth = 0.5 * (near + far) * c.scale * size;
     float least = min(size, max(step * kLeastStep, t * step_rise * kLeastStep));
     // Where the cloud begins or ends, a line between the step's ends is far from its density.
@@ -288,6 +347,7 @@ Walk crossed(Walk walk, CloudCrossing span, AirRay of) {
     }
     near_sun = depth > 0.0 ? near_sun : -1.0;
     near = far;
+    near_inside = water.inside;
     t += size;
     size = min(max(step, t * step_rise), size * clamp(kStepDepth / max(depth, 1e-6), 1.0, 2.0));
     bool begun = walk.stretch.before > walk.stretch.transmittance;
