@@ -121,8 +121,8 @@ class Field {
       }
     }
     const double top = most > 0.0 ? densest() / most : 0.0;
-    const Carving carving{.tile = 0.4 * cloud_.cell,
-                          .most = std::min(0.055 * cloud_.cell, 0.15 * height()),
+    const Carving carving{.tile = 0.6 * cloud_.cell,
+                          .most = std::min(0.09 * cloud_.cell, 0.15 * height()),
                           .soft = 0.006 * cloud_.cell,
                           .gentlest = 0.8 / cloud_.cell};
     carve_field(grid_, cloud_.cover, low * top, top, carving);
@@ -236,8 +236,7 @@ CloudGrid cumulus_grid(const Cloud& cloud) {
         const double depth = strength - z * std::sqrt(z);
         const double billow = 0.12 + 0.33 * std::sqrt(z);
         // Fades out where it is far from the edge.
-        const double share =
-            smooth_step(-0.3, -0.1, depth) * (1.0 - smooth_step(billow + 0.1, billow + 0.35, depth));
+        const double share = smooth_step(-0.3, -0.1, depth) * (1.0 - smooth_step(billow + 0.1, billow + 0.35, depth));
         if (share <= 0.0) {
           return depth;
         }

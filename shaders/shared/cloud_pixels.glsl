@@ -14,7 +14,7 @@ layout(set = 0, binding = 23) uniform sampler3D cloud_source_lut;
 layout(set = 0, binding = 24) uniform sampler3D cloud_gap_lut;  // cells to the nearest one that holds water
 layout(set = 0, binding = 28) uniform sampler2D cloud_phase_lut;
 layout(set = 0, binding = 26) uniform sampler3D cloud_shafts_lut;  // cloud_shafts.comp; any image where kAirByRay is 1
-layout(set = 0, binding = 27) uniform sampler3D cloud_noise_lut;  // that carves the edge; any image where kCarved is 0
+layout(set = 0, binding = 33) uniform sampler3D cloud_noise_lut;  // that carves the edge; any image where kCarved is 0
 layout(constant_id = 51) const uint kCarved = 0u;    // 1: the cloud's edge is finer than its grid
 layout(constant_id = 50) const uint kAirByRay = 0u;  // 1: the air's shade is found along each ray, 0: on froxels
 layout(scalar, set = 0, binding = 8) readonly buffer Directions { vec4 values[]; } directions;
@@ -35,8 +35,8 @@ const float kEdgeDepth = 0.1;   // likewise where the cloud begins or ends
 const float kSunStep = 1.0;     // scaled, the most by which the depth toward the sun may change along a step
 const float kShaded = 5.0;      // where it is more than this, no sunlight is left that counts
 const float kLeastStep = 0.15;  // of `step`
-const float kEdgeStep = 0.25;    // of `step`, the most of a step in a carved edge
-const float kEdgeRise = 0.004;  // of that over the distance
+const float kEdgeStep = 0.3;    // of `step`, the most of a step in a carved edge
+const float kEdgeRise = 0.006;  // of that over the distance
 // km: from the first to the second the edge passes into means, its finer lobes into theirs.
 const vec2 kCarvedRange = vec2(25.0, 50.0);
 const vec2 kFinerRange = vec2(6.0, 12.0);
