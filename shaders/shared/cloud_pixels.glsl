@@ -2,7 +2,6 @@
 // the picture is one of things, which the pass over them has lit under the cloud; its pixels are marched up to them.
 #include "shared/cloud_volume.glsl"
 #include "shared/cloud_sunlight.glsl"
-#include "physics/cloud_edge.glsl"
 #include "physics/cloud_light.glsl"
 #include "physics/cloud_march.glsl"
 #include "shared/cloud_shade.glsl"
@@ -14,8 +13,6 @@ layout(set = 0, binding = 23) uniform sampler3D cloud_source_lut;
 layout(set = 0, binding = 24) uniform sampler3D cloud_gap_lut;  // cells to the nearest one that holds water
 layout(set = 0, binding = 28) uniform sampler2D cloud_phase_lut;
 layout(set = 0, binding = 26) uniform sampler3D cloud_shafts_lut;  // cloud_shafts.comp; any image where kAirByRay is 1
-layout(set = 0, binding = 33) uniform sampler3D cloud_noise_lut;  // that carves the edge; any image where kCarved is 0
-layout(constant_id = 51) const uint kCarved = 0u;    // 1: the cloud's edge is finer than its grid
 layout(constant_id = 50) const uint kAirByRay = 0u;  // 1: the air's shade is found along each ray, 0: on froxels
 layout(scalar, set = 0, binding = 8) readonly buffer Directions { vec4 values[]; } directions;
 layout(scalar, set = 0, binding = 9) buffer Radiance { vec4 values[]; } radiance_out;
@@ -35,13 +32,6 @@ const float kEdgeDepth = 0.1;   // likewise where the cloud begins or ends
 const float kSunStep = 1.0;     // scaled, the most by which the depth toward the sun may change along a step
 const float kShaded = 5.0;      // where it is more than this, no sunlight is left that counts
 const float kLeastStep = 0.15;  // of `step`
-const float kEdgeStep = 0.3;    // of `step`, the most of a step in a carved edge
-const float kEdgeRise = 0.006;  // of that over the distance
-// km: from the first to the second the edge passes into means, its finer lobes into theirs.
-const vec2 kCarvedRange = vec2(25.0, 50.0);
-const vec2 kFinerRange = vec2(6.0, 12.0);
-const float kMeanNoise = 0.45;
-const uint kNoiseSide = 64u;  // texels
 const float kSheet = 0.2;       // depth of a stretch that is seen through one length of air, over its distance
 
 // What scatters sunlight once after this scaled depth of cloud on its whole way, in direction and wide of the sun by
@@ -220,56 +210,7 @@ Walk closed(Walk walk, AirRay of) {
   return walk;
 }
 
-// Water at a place of a ray: extinction, 1/km, and how far inside the cloud the place is, km.
-struct Water {
-  float extinction;
-  float inside;
-};
-
-float noise_at(vec3 place) {
-  vec3 texel = vec3(cell_texel(place.x, kNoiseSide), cell_texel(place.y, kNoiseSide), cell_texel(place.z, kNoiseSide));
-  return textureLod(cloud_noise_lut, texel / float(kNoiseSide + 1u), 0.0).r;
-}
-
-Water water_on_ray(vec3 place, float t) {
-  CloudEdge edge = cloud().edge;
-  Water water;
-  water.extinction = 0.0;
-  water.inside = 0.0;
-  if (!inside_cloud_grid(cloud(), place)) {
-    return water;
-  }
-  vec2 mean = water_at(place);
-  water.extinction = mean.x;
-  water.inside = mean.y;
-  // As a loop: see below.
-  uint turns = kCarved == 1u && t < kCarvedRange.y ? 1u : 0u;
-  for (uint turn = 0u; turn < turns; turn++) {
-    vec3 tile = place * vec3(edge.tiles, edge.tiles, edge.tile_levels);
-    float near = 1.0 - smoothstep(kFinerRange.x, kFinerRange.y, t);
-    float carved = 0.0;
-    uint edges = mean.y > 0.0 && mean.y < edge.carving + edge.soft ? 1u : 0u;
-    for (uint one = 0u; one < edges; one++) {
-      float finer = mix(kMeanNoise, noise_at(tile * kCloudFiner), near);
-      carved = edge_carved(place.z, noise_at(tile), finer);
-    }
-    float fine = mean.y > 0.0 ? edge_extinction(edge, place.z, mean.y, carved) : 0.0;
-    water.extinction = mix(fine, mean.x, smoothstep(kCarvedRange.x, kCarvedRange.y, t));
-  }
-  return water;
-}
-
-// The longest step from a place that misses no lobe of a carved edge.
-float step_in_water(float inside, float t) {
-  CloudEdge edge = cloud().edge;
-  float away = max(-inside, inside - edge.carving - edge.soft);
-  return kCarved == 1u && t < kCarvedRange.y ? max(max(step * kEdgeStep, t * kEdgeRise), away) : 1e9;
-}
-
-float shade_on_ray(Ray ray, vec3 place, float t) {
-  RayPoint point = sunlit_among_things(scene.planet, ray, t);
-  return cloud_shade(place, point.h, point.mu_sun);
-}
+#include "shared/cloud_water.glsl"
 
 // Steps are as long as `step` says, or shorter where the cloud is thick. Density and the depth toward the sun are
 // linear between a step's ends.
@@ -328,9 +269,9 @@ Walk crossed(Walk walk, CloudCrossing span, AirRay of) {
     float far_sun = near_sun;
     for (uint turn = 0u; turn < meets; turn++) {
       if (near_sun < 0.0) {
-        near_sun = shade_on_ray(ray, cloud_place(radius, c, scene.camera.altitude, direction, t), t);
+        near_sun = shade_on_ray(ray, cloud_place(radius, c, scene.camera.altitude, direction, t), t, near_inside);
       }
-      far_sun = shade_on_ray(ray, end, t + size);
+      far_sun = shade_on_ray(ray, end, t + size, water.inside);
     }
     float shade = abs(far_sun - near_sun);
     if (meets > 0u && shade > kSunStep && min(near_sun, far_sun) < kShaded && size > least) {
