@@ -269,9 +269,9 @@ Walk crossed(Walk walk, CloudCrossing span, AirRay of) {
     float far_sun = near_sun;
     for (uint turn = 0u; turn < meets; turn++) {
       if (near_sun < 0.0) {
-        near_sun = shade_on_ray(ray, cloud_place(radius, c, scene.camera.altitude, direction, t), t, near_inside);
+        near_sun = shade_on_ray(ray, cloud_place(radius, c, scene.camera.altitude, direction, t), t);
       }
-      far_sun = shade_on_ray(ray, end, t + size, water.inside);
+      far_sun = shade_on_ray(ray, end, t + size);
     }
     float shade = abs(far_sun - near_sun);
     if (meets > 0u && shade > kSunStep && min(near_sun, far_sun) < kShaded && size > least) {

@@ -1,8 +1,8 @@
-// A cloud's water along a pixel's ray, and toward the sun from there: the edge of a field is carved finer than its grid
-// (physics/cloud_edge.glsl).
+// A cloud's water along a pixel's ray, and what it leaves of the sun there: the edge of a field is carved finer than its
+// grid (physics/cloud_edge.glsl).
 #include "physics/cloud_edge.glsl"
 layout(set = 0, binding = 33) uniform sampler3D cloud_noise_lut;  // that carves the edge; any image where kCarved is 0
-layout(constant_id = 51) const uint kCarved = 0u;    // 1: the cloud's edge is finer than its grid
+layout(constant_id = 51) const uint kCarved = 0u;  // 1: the cloud's edge is finer than its grid
 
 const float kEdgeStep = 0.3;    // of `step`, the most of a step in a carved edge
 const float kEdgeRise = 0.006;  // of that over the distance
@@ -10,12 +10,6 @@ const float kEdgeRise = 0.006;  // of that over the distance
 const vec2 kCarvedRange = vec2(25.0, 50.0);
 const vec2 kFinerRange = vec2(6.0, 12.0);
 const float kMeanNoise = 0.547;  // carving_noise()
-const vec2 kShadeRange = vec2(8.0, 12.0);  // km, likewise where lobes shade one another
-// Along the sun's ray from a place lobes shade it, by stretches that end at these shares of the carving and kLobes
-// more; beyond, the table of depths holds, which knows means alone.
-const float kLobes = 0.06;  // km
-const uint kShadeParts = 3u;
-const float kShadeEnds[kShadeParts + 1u] = float[](0.0, 0.15, 0.45, 1.0);
 const uint kNoiseSide = 64u;  // texels
 
 // Water at a place of a ray: extinction, 1/km, and how far inside the cloud the place is, km.
@@ -64,35 +58,7 @@ float step_in_water(float inside, float t) {
   return kCarved == 1u && t < kCarvedRange.y ? max(max(step * kEdgeStep, t * kEdgeRise), away) : 1e9;
 }
 
-// Extinction without the finer lobes, 1/km.
-float lobes_at(vec3 place) {
-  CloudEdge edge = cloud().edge;
-  float inside = water_at(place).y;
-  float carved = edge_carved(place.z, noise_at(place * vec3(edge.tiles, edge.tiles, edge.tile_levels)), kMeanNoise);
-  return inside > 0.0 && place.z < 1.0 ? edge_extinction(edge, place.z, inside, carved) : 0.0;
-}
-
-float shade_on_ray(Ray ray, vec3 place, float t, float inside) {
-  CloudData c = cloud();
+float shade_on_ray(Ray ray, vec3 place, float t) {
   RayPoint point = sunlit_among_things(scene.planet, ray, t);
-  bool near = kCarved == 1u && t < kShadeRange.y && inside < c.edge.carving + c.edge.soft;
-  float reach = c.edge.carving + kLobes;
-  vec3 sunward = vec3(c.sunward_east, c.sunward_north, 1.0);
-  sunward = sunward / length(sunward);
-  float share = near ? 1.0 - smoothstep(kShadeRange.x, kShadeRange.y, t) : 0.0;
-  // Far places go by the table alone.
-  float along = reach * share;
-  vec3 per_km = sunward / vec3(c.width, c.depth, c.top - c.base);
-  float shade = cloud_shade(place + per_km * along, point.h + sunward.z * along, point.mu_sun);
-  uint turns = share > 0.0 ? 1u : 0u;
-  for (uint turn = 0u; turn < turns; turn++) {
-    float depth = 0.0;
-    UNROLL for (uint i = 0u; i < kShadeParts; i++) {
-      float from = along * kShadeEnds[i];
-      float to = along * kShadeEnds[i + 1u];
-      depth += (to - from) * lobes_at(place + per_km * (0.5 * (from + to)));
-    }
-    shade += c.scale * depth;
-  }
-  return shade;
+  return cloud_shade(place, point.h, point.mu_sun);
 }
