@@ -166,11 +166,9 @@ ImageId add_cells(Plan& plan, const std::string& name, Extent cells, BufferId va
 ImageId add_density(Plan& plan, const std::shared_ptr<const CloudGrid>& grid, const std::string& key) {
   const Extent cells{static_cast<std::uint32_t>(grid->nx), static_cast<std::uint32_t>(grid->ny),
                      static_cast<std::uint32_t>(grid->nz)};
-  const BufferId means =
-      add_values(plan, "cloud_density_values", cells, [grid] { return bytes_of(grid->extinction); });
-  const BufferId inside = grid->inside.empty()
-                              ? means
-                              : add_values(plan, "cloud_inside", cells, [grid] { return bytes_of(grid->inside); });
+  const BufferId means = add_values(plan, "cloud_density_values", cells, [grid] { return bytes_of(grid->extinction); });
+  const BufferId inside =
+      grid->inside.empty() ? means : add_values(plan, "cloud_inside", cells, [grid] { return bytes_of(grid->inside); });
   return add_cells(plan, "cloud_density", cells, means, inside, key);
 }
 

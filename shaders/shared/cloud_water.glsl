@@ -1,5 +1,5 @@
-// A cloud's water along a pixel's ray, and what it leaves of the sun there: the edge of a field is carved finer than its
-// grid (physics/cloud_edge.glsl).
+// A cloud's water along a pixel's ray, and what it leaves of the sun there: the edge of a field is carved finer than
+// its grid (physics/cloud_edge.glsl).
 #include "physics/cloud_edge.glsl"
 layout(set = 0, binding = 33) uniform sampler3D cloud_noise_lut;  // that carves the edge; any image where kCarved is 0
 layout(constant_id = 51) const uint kCarved = 0u;  // 1: the cloud's edge is finer than its grid
