@@ -259,11 +259,12 @@ CloudGrid stratocumulus_grid(const Cloud& cloud) {
   map.rank();
   const double wide = std::min(1.0, 1.1 * cloud.cover + 0.05);
   const double lump_height = field.height() * lumps.x / cloud.period;
-  return std::move(field).carve(
+  constexpr double kSoft = 0.15;
+  return std::move(field).fill(
       [&, lumps](double x, double y, double z) {
         const double strength = (map.between(x * field.side(), y * field.side()) - 1.0 + wide) / wide;
         if (strength <= 0.0) {
-          return 2.0 * strength;
+          return 0.0;
         }
         const double thick = std::sqrt(strength);
         // The base is nearly level; the top bulges over each cell.
@@ -271,7 +272,7 @@ CloudGrid stratocumulus_grid(const Cloud& cloud) {
         const double carved = cell_octaves(x * lumps.x, y * lumps.y, z * lump_height, lumps, 3, field.seed(10));
         return std::min(depth, 2.0 * strength) - 0.25 * carved;
       },
-      0.3);
+      kSoft, [](double z) { return 0.3 + 0.7 * z; });
 }
 
 // Fibres that lie along a direction with whole coordinates near the wind's, by which the field repeats itself all the

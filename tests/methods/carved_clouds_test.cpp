@@ -37,20 +37,18 @@ double even(std::uint32_t n, std::uint32_t axis) {
 
 // The grid's means are those of its places: the light by means is that of as much water.
 TEST(CarvedClouds, MeansHoldAsMuchWaterAsPlaces) {
-  for (const CloudKind kind : {CloudKind::cumulus, CloudKind::stratocumulus}) {
-    const CloudGrid grid = cloud_grid(carved_cloud(kind, 0.5));
-    double cells = 0.0;
-    for (const float value : grid.extinction) {
-      cells += static_cast<double>(value) / static_cast<double>(grid.extinction.size());
-    }
-    constexpr std::uint32_t kPlaces = 400000;
-    double places = 0.0;
-    for (std::uint32_t n = 0; n < kPlaces; ++n) {
-      places += grid.at(6.0 * even(n, 0), 6.0 * even(n, 1), 1.0 + even(n, 2)) / kPlaces;
-    }
-    std::printf("water by places over that by means: %+.2f %%\n", 100.0 * (places / cells - 1.0));
-    EXPECT_NEAR(places / cells, 1.0, 0.02);
+  const CloudGrid grid = cloud_grid(carved_cloud(CloudKind::cumulus, 0.5));
+  double cells = 0.0;
+  for (const float value : grid.extinction) {
+    cells += static_cast<double>(value) / static_cast<double>(grid.extinction.size());
   }
+  constexpr std::uint32_t kPlaces = 400000;
+  double places = 0.0;
+  for (std::uint32_t n = 0; n < kPlaces; ++n) {
+    places += grid.at(6.0 * even(n, 0), 6.0 * even(n, 1), 1.0 + even(n, 2)) / kPlaces;
+  }
+  std::printf("water by places over that by means: %+.2f %%\n", 100.0 * (places / cells - 1.0));
+  EXPECT_NEAR(places / cells, 1.0, 0.02);
 }
 
 // Null collisions are unbiased as long as no place has more extinction than its block may have.
