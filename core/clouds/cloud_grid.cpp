@@ -84,16 +84,40 @@ double CloudGrid::at(double east, double north, double h) const {
   const Between a = between(x, nx, repeats);
   const Between b = between(y, ny, repeats);
   const Between c = between(z, nz, false);
+  const std::vector<float>& values = edge.tiles > 0.0 ? inside : extinction;
   const auto row = [&](int j, int k) {
-    const auto low = static_cast<double>(extinction[index(a.low, j, k)]);
-    return low + a.share * (static_cast<double>(extinction[index(a.high, j, k)]) - low);
+    const auto low = static_cast<double>(values[index(a.low, j, k)]);
+    return low + a.share * (static_cast<double>(values[index(a.high, j, k)]) - low);
   };
   const auto level = [&](int k) {
     const double low = row(b.low, k);
     return low + b.share * (row(b.high, k) - low);
   };
   const double low = level(c.low);
-  return low + c.share * (level(c.high) - low);
+  const double value = low + c.share * (level(c.high) - low);
+  if (!(edge.tiles > 0.0) || value <= 0.0) {
+    return std::max(value, 0.0);
+  }
+  const bool deep = value >= edge.carving + edge.soft;
+  return physics::CloudEdgePhysics{}.edge_extinction(edge, z / nz, value, deep ? 0.0 : carved(x / nx, y / ny, z / nz));
+}
+
+double CloudGrid::carved(double x, double y, double z) const {
+  physics::CloudEdgePhysics p;
+  const auto noise_at = [&](double tiles, double levels) { return noise->at(x * tiles, y * tiles, z * levels); };
+  return p.edge_carved(z, noise_at(edge.tiles, edge.tile_levels),
+                       noise_at(edge.tiles * p.kCloudFiner, edge.tile_levels * p.kCloudFiner));
+}
+
+double CloudGrid::most_around(int i, int j, int k) const {
+  const std::size_t at = index(i, j, k);
+  if (!(edge.tiles > 0.0)) {
+    return static_cast<double>(extinction[at]);
+  }
+  constexpr double kAboveRounding = 1.0 + 1e-6;
+  const double height = edge.high > edge.low ? 1.0 : 0.0;
+  return kAboveRounding *
+         physics::CloudEdgePhysics{}.edge_extinction(edge, height, static_cast<double>(inside[at]), 0.0);
 }
 
 CloudGrid cloud_grid(const Cloud& cloud) {

@@ -2,9 +2,12 @@
 // A cloud as a grid of extinction, ready for use. Where it stands: shaders/physics/clouds.glsl.
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "core/clouds/cloud_edge.h"
+#include "core/clouds/cloud_physics.h"
 #include "core/scene/scene.h"
 
 namespace airlight {
@@ -24,6 +27,11 @@ struct CloudGrid {
   // ones to the grid's edges where it does not repeat.
   std::vector<float> extinction;
   bool smooth = true;  // false: even in each cell
+  // Where edge.tiles is above 0, `extinction` holds means around the cells' middles, and this how far inside the cloud
+  // these lie, km, from which noise takes a part (shaders/physics/cloud_edge.glsl).
+  std::vector<float> inside;
+  physics::CloudEdge edge{};
+  std::shared_ptr<const CarvingNoise> noise;
 
   double cell_z() const { return (top - base) / nz; }
   std::size_t index(int i, int j, int k) const {
@@ -33,6 +41,10 @@ struct CloudGrid {
   }
   // Extinction at a place of the plane and an altitude, km; 0 outside.
   double at(double east, double north, double h) const;
+  // What the noise takes off, as a share of edge.carving. `x`, `y`, `z`: places, 0 to 1 over the grid.
+  double carved(double x, double y, double z) const;
+  // No place of which the cell's middle is the nearest, or one of the eight around it, has more extinction.
+  double most_around(int i, int j, int k) const;
 };
 
 // The grid of a cloud: a volume's file, or a field made from its seed.

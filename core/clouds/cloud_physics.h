@@ -11,6 +11,11 @@ namespace physics {
 
 #include "shaders/shared/cloud.h"
 
+// Apart, as a field's grid needs no more.
+struct CloudEdgePhysics {
+#include "shaders/physics/cloud_edge.glsl"
+};
+
 struct CloudPhysics : Physics {
 #include "shaders/physics/cloud_air.glsl"
 #include "shaders/physics/cloud_harmonics.glsl"

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "core/clouds/carved_field.h"
 #include "core/clouds/cloud_grid.h"
 #include "core/clouds/noise.h"
 #include "core/spectra/drops.h"
@@ -98,10 +99,40 @@ class Field {
   }
 
   // Fills the grid. `inside(x, y, z)`: how far inside the cloud the place is, x and y as shares of the period (moved
-  // upwind by the shear), z of the height; below 0: outside for certain. `soft`: the distance over which the edge
-  // fades. `water(z)`: how dense the cloud is at that height.
+  // upwind by the shear), z of the height; below 0: outside for certain. `soft`: the depth over which the edge fades.
+  // `water(z)`: how dense the cloud is at that height.
   template <class Inside, class Water>
   CloudGrid fill(Inside inside, double soft, Water water) && {
+    finish(edge_of(fill_depths(inside)), soft, water);
+    return std::move(grid_);
+  }
+
+  // Likewise with lobes finer than the grid (carved_field.h); depths go on below 0. The density rises evenly from
+  // `low` at the base to 1 at the top.
+  template <class Inside>
+  CloudGrid carve(Inside inside, double low) && {
+    const double edge = edge_of(fill_depths(inside));
+    double most = 0.0;
+    for (int k = 0; k < levels(); ++k) {
+      const double z = (k + 0.5) / levels();
+      for (std::size_t at = grid_.index(0, 0, k); at < grid_.index(0, 0, k + 1); ++at) {
+        grid_.extinction[at] -= static_cast<float>(std::min(edge, 1e9));
+        most = grid_.extinction[at] > 0.0F ? low + (1.0 - low) * z : most;
+      }
+    }
+    const double top = most > 0.0 ? densest() / most : 0.0;
+    const Carving carving{.tile = 0.6 * cloud_.cell,
+                          .most = std::min(0.09 * cloud_.cell, 0.15 * height()),
+                          .soft = 0.006 * cloud_.cell,
+                          .gentlest = 0.8 / cloud_.cell};
+    carve_field(grid_, cloud_.cover, low * top, top, carving);
+    return std::move(grid_);
+  }
+
+ private:
+  // Returns each column's greatest depth, 0 at least.
+  template <class Inside>
+  std::vector<float> fill_depths(Inside inside) {
     const double east = cloud_.shear * std::sin(cloud_.wind) / cloud_.period;
     const double north = cloud_.shear * std::cos(cloud_.wind) / cloud_.period;
     std::vector<float> deepest(static_cast<std::size_t>(side()) * static_cast<std::size_t>(side()));
@@ -110,18 +141,20 @@ class Field {
       for (int j = 0; j < side(); ++j) {
         for (int i = 0; i < side(); ++i) {
           const double depth = inside((i + 0.5) / side() - z * east, (j + 0.5) / side() - z * north, z);
-          const auto stored = static_cast<float>(std::max(depth, 0.0));
-          grid_.extinction[grid_.index(i, j, k)] = stored;
+          grid_.extinction[grid_.index(i, j, k)] = static_cast<float>(depth);
           float& most = deepest[grid_.index(i, j, 0)];
-          most = std::max(most, stored);
+          most = std::max(most, static_cast<float>(depth));
         }
       }
     }
-    finish(edge_of(std::move(deepest)), soft, water);
-    return std::move(grid_);
+    return deepest;
   }
 
- private:
+  double densest() const {
+    return cloud_.kind == CloudKind::cirrus ? crystal_extinction(cloud_.water, cloud_.effective_radius)
+                                            : drop_extinction(cloud_.water, cloud_.effective_radius);
+  }
+
   // The depth that just the share `cover` of columns exceeds.
   double edge_of(std::vector<float> deepest) const {
     const double count = static_cast<double>(deepest.size());
@@ -149,10 +182,9 @@ class Field {
         most = std::max(most, value);
       }
     }
-    const double densest = cloud_.kind == CloudKind::cirrus ? crystal_extinction(cloud_.water, cloud_.effective_radius)
-                                                            : drop_extinction(cloud_.water, cloud_.effective_radius);
+    const double scale = most > 0.0 ? densest() / most : 0.0;
     for (float& value : grid_.extinction) {
-      value = most > 0.0 ? static_cast<float>(static_cast<double>(value) * densest / most) : 0.0F;
+      value = static_cast<float>(static_cast<double>(value) * scale);
     }
   }
 
@@ -198,19 +230,20 @@ CloudGrid cumulus_grid(const Cloud& cloud) {
   map.rank();
   const double wide = std::min(1.0, 1.25 * cloud.cover + 0.02);  // before the billows take their part
   const double lump_height = field.height() * lumps.x / cloud.period;
-  constexpr double kSoft = 0.12;
-  return std::move(field).fill(
+  return std::move(field).carve(
       [&, lumps](double x, double y, double z) {
         const double strength = (map.between(x * field.side(), y * field.side()) - 1.0 + wide) / wide;
         const double depth = strength - z * std::sqrt(z);
         const double billow = 0.12 + 0.33 * std::sqrt(z);
-        if (depth <= 0.0 || depth > billow + 2.0 * kSoft) {
+        // Fades out where it is far from the edge.
+        const double share = smooth_step(-0.3, -0.1, depth) * (1.0 - smooth_step(billow + 0.1, billow + 0.35, depth));
+        if (share <= 0.0) {
           return depth;
         }
         const double carved = cell_octaves(x * lumps.x, y * lumps.y, z * lump_height, lumps, 3, field.seed(10));
-        return depth - billow * carved;
+        return depth - share * billow * carved;
       },
-      kSoft, [](double z) { return 0.35 + 0.65 * z; });
+      0.35);
 }
 
 CloudGrid stratocumulus_grid(const Cloud& cloud) {

@@ -40,7 +40,7 @@ double octaves_of(Noise noise, double x, double y, double z, NoisePeriod period,
     x *= 2.0;
     y *= 2.0;
     z *= 2.0;
-    period = {2 * period.x, 2 * period.y};
+    period = {2 * period.x, 2 * period.y, 2 * period.z};
   }
   return sum / all;
 }
@@ -87,7 +87,7 @@ double cell_noise(double x, double y, double z, NoisePeriod period, std::uint32_
         }
         const std::uint32_t a = wrapped(i + di, period.x);
         const std::uint32_t b = wrapped(j + dj, period.y);
-        const auto c = static_cast<std::uint32_t>(k + dk);
+        const std::uint32_t c = period.z > 0 ? wrapped(k + dk, period.z) : static_cast<std::uint32_t>(k + dk);
         const double px = i + di + hashed(a, b, c, seed) - x;
         const double py = j + dj + hashed(a, b, c, seed + 0x51ed270bU) - y;
         const double pz = k + dk + hashed(a, b, c, seed + 0xa2f1c3d9U) - z;

@@ -1,15 +1,16 @@
 #pragma once
-// Noise over integer lattices that repeats itself in x and y. It is made by integer arithmetic, floor and square root
-// alone, so that every machine has the same.
+// Noise over integer lattices that repeats itself in x and y, and in z where a period is given. It is made by integer
+// arithmetic, floor and square root alone, so that every machine has the same.
 
 #include <cstdint>
 
 namespace airlight {
 
-// Cells of the lattice after which the noise repeats itself in x and y.
+// Cells of the lattice after which the noise repeats itself; z 0: never. Value noise takes none for z.
 struct NoisePeriod {
   int x = 1;
   int y = 1;
+  int z = 0;
 };
 
 // In [0, 1), by whole numbers.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <numeric>
 
@@ -133,21 +134,29 @@ device::CloudData head_of(const CloudGrid& grid, const CloudCells& coarse, const
   head.albedo = narrowed(cloud.single_scattering_albedo);
   head.sunward_east = narrowed(to_sun.x / to_sun.z);
   head.sunward_north = narrowed(to_sun.y / to_sun.z);
+  head.edge = {.tiles = narrowed(grid.edge.tiles),
+               .tile_levels = narrowed(grid.edge.tile_levels),
+               .carving = narrowed(grid.edge.carving),
+               .soft = narrowed(grid.edge.soft),
+               .low = narrowed(grid.edge.low),
+               .high = narrowed(grid.edge.high)};
   return head;
 }
 
-// Values of cells as an image that repeats itself; `key` names it.
-template <class Values>
-ImageId add_cells(Plan& plan, const std::string& name, Extent cells, Values values, const std::string& key) {
-  const BufferId buffer =
-      plan.add_buffer({.name = name + "_values",
-                       .bytes = std::size_t{cells.width} * cells.height * cells.depth * sizeof(float),
-                       .contents_when_run = std::move(values)});
+BufferId add_values(Plan& plan, const std::string& name, Extent cells, std::function<std::vector<std::byte>()> values) {
+  return plan.add_buffer({.name = name,
+                          .bytes = std::size_t{cells.width} * cells.height * cells.depth * sizeof(float),
+                          .contents_when_run = std::move(values)});
+}
+
+// Values of cells as an image that repeats itself in x and y, its second channel of other values; `key` names it.
+ImageId add_cells(Plan& plan, const std::string& name, Extent cells, BufferId values, BufferId second,
+                  const std::string& key) {
   const Extent extent{cells.width + 1, cells.height + 1, cells.depth};
   const ImageId image = plan.add_image({.name = name, .extent = extent, .key = key + " " + name, .half = true});
   plan.add_pass({.name = name,
                  .shader = "cloud_density",
-                 .reads = {{"extinction", buffer}},
+                 .reads = {{"extinction", values}, {"inside", second}},
                  .writes = {{"density_out", image}},
                  .grid = extent,
                  .push_constants = {cells.width, cells.height, cells.depth}});
@@ -157,18 +166,36 @@ ImageId add_cells(Plan& plan, const std::string& name, Extent cells, Values valu
 ImageId add_density(Plan& plan, const std::shared_ptr<const CloudGrid>& grid, const std::string& key) {
   const Extent cells{static_cast<std::uint32_t>(grid->nx), static_cast<std::uint32_t>(grid->ny),
                      static_cast<std::uint32_t>(grid->nz)};
-  return add_cells(
-      plan, "cloud_density", cells, [grid] { return bytes_of(grid->extinction); }, key);
+  const BufferId means = add_values(plan, "cloud_density_values", cells, [grid] { return bytes_of(grid->extinction); });
+  const BufferId inside =
+      grid->inside.empty() ? means : add_values(plan, "cloud_inside", cells, [grid] { return bytes_of(grid->inside); });
+  return add_cells(plan, "cloud_density", cells, means, inside, key);
+}
+
+// The noise that carves the edge; its first level is the last once more, as columns and rows are.
+ImageId add_noise(Plan& plan, const std::shared_ptr<const CarvingNoise>& noise) {
+  constexpr std::uint32_t kSide = CarvingNoise::kSide;
+  constexpr Extent kCells{kSide, kSide, kSide + 1};
+  const BufferId values = add_values(plan, "cloud_noise_values", kCells, [noise] {
+    std::vector<float> texels(noise->values.end() - kSide * kSide, noise->values.end());
+    texels.insert(texels.end(), noise->values.begin(), noise->values.end());
+    return bytes_of(texels);
+  });
+  return add_cells(plan, "cloud_noise", kCells, values, values, "cloud");
 }
 
 // Where a ray need not look for water, on cells of twice the grid's.
 ImageId add_gaps(Plan& plan, const std::shared_ptr<const CloudGrid>& grid, const std::string& key) {
   const auto half = [](int count) { return static_cast<std::uint32_t>(count + 1) / 2; };
   const Extent cells{half(grid->nx), half(grid->ny), std::max(half(grid->nz), 2U)};
-  const auto gaps = [grid, cells] {
-    return bytes_of(gaps_of(coarsened(cells_of(*grid), cells.width, cells.height, cells.depth)));
-  };
-  return add_cells(plan, "cloud_gap", cells, gaps, key);
+  const BufferId gaps = add_values(plan, "cloud_gap_values", cells, [grid, cells] {
+    CloudCells fine = cells_of(*grid);
+    for (std::size_t at = 0; at < grid->inside.size(); ++at) {
+      fine.extinction[at] += std::max(grid->inside[at], 0.0F);
+    }
+    return bytes_of(gaps_of(coarsened(fine, cells.width, cells.height, cells.depth)));
+  });
+  return add_cells(plan, "cloud_gap", cells, gaps, gaps, key);
 }
 
 CloudInputs add_inputs(Plan& plan, const std::shared_ptr<const CloudGrid>& grid, const device::CloudData& head,
@@ -409,6 +436,9 @@ void add_cloud(Plan& plan, const Part& part, const View& view, const SkyTarget& 
   reads.push_back({"cloud_source_lut", cloud.sources});
   reads.push_back({"cloud_gap_lut", add_gaps(plan, cloud.grid, cloud.key)});
   reads.push_back({"cloud_phase_lut", cloud.phase});
+  const bool carved = cloud.grid->edge.tiles > 0.0;
+  reads.push_back({"cloud_noise_lut", carved ? add_noise(plan, cloud.grid->noise) : cloud.sources});
+  constants.push_back({"kCarved", carved ? 1U : 0U});
   reads.push_back({"directions", target.directions});
   constants.push_back({"kProjection", target.projection});
   constants.push_back({"kAirByRay", froxels ? 0U : 1U});

@@ -1,9 +1,11 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// What a cloud's cells hold as an image, extinction or gap; the grid repeats itself, and so does its first texel.
+// What a cloud's cells hold as an image, extinction, gap or noise, and how far inside the cloud they lie; the grid
+// repeats itself, and so does its first texel.
 #extension GL_EXT_scalar_block_layout : require
 layout(local_size_x = 64) in;
 layout(scalar, set = 0, binding = 1) readonly buffer Extinction { float values[]; } extinction;
+layout(scalar, set = 0, binding = 3) readonly buffer Inside { float values[]; } inside;
 layout(set = 0, binding = 2) uniform writeonly image3D density_out;
 layout(push_constant, scalar) uniform Push { uvec3 size; };
 
@@ -14,5 +16,6 @@ void main() {
   }
   // Texel 0 is the cell before the first. A grid that stands alone has empty cells all around.
   uvec2 cell = uvec2((at.x + size.x - 1u) % size.x, (at.y + size.y - 1u) % size.y);
-  imageStore(density_out, ivec3(at), vec4(extinction.values[(at.z * size.y + cell.y) * size.x + cell.x]));
+  uint i = (at.z * size.y + cell.y) * size.x + cell.x;
+  imageStore(density_out, ivec3(at), vec4(extinction.values[i], inside.values[i], 0.0, 0.0));
 }

@@ -21,6 +21,16 @@ struct CloudScattering {
   real sunlight[kCloudMoments];  // the harmonics of the sun's light, of irradiance 1
 };
 
+// The edge of a cloud's water, which noise carves finer than the grid's cells (physics/cloud_edge.glsl).
+struct CloudEdge {
+  real tiles;        // of the noise across the grid, a whole number; 0: nothing is finer than the grid
+  real tile_levels;  // tiles from base to top
+  real carving;      // km at most that the noise takes off
+  real soft;         // km over which the extinction falls to 0
+  real low;          // 1/km, extinction inside the cloud at the base, and at the top
+  real high;
+};
+
 // A cloud as the picture reads it. Fine cells hold the extinction, coarse ones the light.
 struct CloudData {
   uint fine_x;
@@ -41,6 +51,7 @@ struct CloudData {
   real albedo;        // share of the light met that is scattered
   real sunward_east;  // km that the sun's rays move per km of height
   real sunward_north;
+  CloudEdge edge;
 };
 
 // The light on a cloud over that of a clear sky.

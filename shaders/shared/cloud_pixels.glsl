@@ -210,12 +210,7 @@ Walk closed(Walk walk, AirRay of) {
   return walk;
 }
 
-float density_on_ray(vec3 place) { return inside_cloud_grid(cloud(), place) ? density_at(place) : 0.0; }
-
-float shade_on_ray(Ray ray, vec3 place, float t) {
-  RayPoint point = sunlit_among_things(scene.planet, ray, t);
-  return cloud_shade(place, point.h, point.mu_sun);
-}
+#include "shared/cloud_water.glsl"
 
 // Steps are as long as `step` says, or shorter where the cloud is thick. Density and the depth toward the sun are
 // linear between a step's ends.
@@ -227,9 +222,12 @@ Walk crossed(Walk walk, CloudCrossing span, AirRay of) {
   float t = span.from;
   float size = max(step, t * step_rise);
   float near = 0.0;       // density at t
+  float near_inside = 0.0;
   float near_sun = -1.0;  // scaled depth toward the sun there; below 0: not known
   if (span.from < span.to) {
-    near = density_on_ray(cloud_place(radius, c, scene.camera.altitude, direction, t));
+    Water water = water_on_ray(cloud_place(radius, c, scene.camera.altitude, direction, t), t);
+    near = water.extinction;
+    near_inside = water.inside;
   }
   uvec3 cells = uvec3(textureSize(cloud_gap_lut, 0)) - uvec3(1u, 1u, 0u);
   vec3 per_km = vec3(cells) / vec3(c.width, c.depth, c.top - c.base);
@@ -238,7 +236,7 @@ Walk crossed(Walk walk, CloudCrossing span, AirRay of) {
     vec3 middle = vec3(0.0);
     bool leaps = true;
     while (leaps && t < span.to) {
-      size = min(size, span.to - t);
+      size = min(min(size, step_in_water(near_inside, t)), span.to - t);
       middle = cloud_place(radius, c, scene.camera.altitude, direction, t + 0.5 * size);
       float climb = abs(direction.y) + t / radius;
       float leap = empty_cells(middle, cells) / max(max(abs(direction.x) * per_km.x, abs(direction.z) * per_km.y),
@@ -247,6 +245,7 @@ Walk crossed(Walk walk, CloudCrossing span, AirRay of) {
       if (leaps) {
         t += leap;
         near = 0.0;
+        near_inside = 0.0;
         near_sun = -1.0;
         size = max(step, t * step_rise);
       }
@@ -255,7 +254,8 @@ Walk crossed(Walk walk, CloudCrossing span, AirRay of) {
       break;
     }
     vec3 end = cloud_place(radius, c, scene.camera.altitude, direction, t + size);
-    float far = density_on_ray(end);
+    Water water = water_on_ray(end, t + size);
+    float far = water.extinction;
     float depth = 0.5 * (near + far) * c.scale * size;
     float least = min(size, max(step * kLeastStep, t * step_rise * kLeastStep));
     // Where the cloud begins or ends, a line between the step's ends is far from its density.
@@ -288,6 +288,7 @@ Walk crossed(Walk walk, CloudCrossing span, AirRay of) {
     }
     near_sun = depth > 0.0 ? near_sun : -1.0;
     near = far;
+    near_inside = water.inside;
     t += size;
     size = min(max(step, t * step_rise), size * clamp(kStepDepth / max(depth, 1e-6), 1.0, 2.0));
     bool begun = walk.stretch.before > walk.stretch.transmittance;

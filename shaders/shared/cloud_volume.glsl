@@ -12,8 +12,11 @@ float cell_texel(float place, uint cells) {
   return (at < float(cells) ? at : at - float(cells)) + 0.5;
 }
 
-float density_at(vec3 place) {
+// The mean extinction around a place, 1/km, and how far inside the cloud it lies, km (physics/cloud_edge.glsl).
+vec2 water_at(vec3 place) {
   CloudData c = cloud();
   vec2 texel = vec2(cell_texel(place.x, c.fine_x), cell_texel(place.y, c.fine_y));
-  return textureLod(cloud_density_lut, vec3(texel / vec2(c.fine_x + 1u, c.fine_y + 1u), place.z), 0.0).r;
+  return textureLod(cloud_density_lut, vec3(texel / vec2(c.fine_x + 1u, c.fine_y + 1u), place.z), 0.0).rg;
 }
+
+float density_at(vec3 place) { return water_at(place).r; }

@@ -134,7 +134,7 @@ TracedCloud::TracedCloud(std::shared_ptr<const CloudGrid> grid, double ground_ra
   for (int k = 0; k < grid_->nz; ++k) {
     for (int j = 0; j < grid_->ny; ++j) {
       for (int i = 0; i < grid_->nx; ++i) {
-        const float value = grid_->extinction[grid_->index(i, j, k)];
+        const auto value = static_cast<float>(grid_->most_around(i, j, k));
         if (!(value > 0.0F)) {
           continue;
         }

@@ -1,0 +1,155 @@
+// Fields of clouds whose edges noise carves finer than their grid.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <vector>
+
+#include "core/clouds/noise.h"
+#include "tests/methods/cloud_scene.h"
+
+namespace airlight::test {
+namespace {
+
+Cloud carved_cloud(CloudKind kind, double cover) {
+  Cloud cloud;
+  cloud.kind = kind;
+  cloud.cover = cover;
+  cloud.base = 1.0;
+  cloud.top = 2.0;
+  cloud.cell = 1.5;
+  cloud.period = 6.0;
+  cloud.detail = 0.1;
+  cloud.water = 0.1;
+  cloud.effective_radius = 10.0;
+  cloud.phase = CloudPhase::henyey_greenstein;
+  cloud.phase_g = 0.0;
+  cloud.single_scattering_albedo = 1e-3;
+  return cloud;
+}
+
+// A number of a sequence that is even over 0 to 1.
+double even(std::uint32_t n, std::uint32_t axis) {
+  return hashed(n, axis, 0, 77);
+}
+
+// The grid's means are those of its places: the light by means is that of as much water.
+TEST(CarvedClouds, MeansHoldAsMuchWaterAsPlaces) {
+  const CloudGrid grid = cloud_grid(carved_cloud(CloudKind::cumulus, 0.5));
+  double cells = 0.0;
+  for (const float value : grid.extinction) {
+    cells += static_cast<double>(value) / static_cast<double>(grid.extinction.size());
+  }
+  constexpr std::uint32_t kPlaces = 400000;
+  double places = 0.0;
+  for (std::uint32_t n = 0; n < kPlaces; ++n) {
+    places += grid.at(6.0 * even(n, 0), 6.0 * even(n, 1), 1.0 + even(n, 2)) / kPlaces;
+  }
+  std::printf("water by places over that by means: %+.2f %%\n", 100.0 * (places / cells - 1.0));
+  EXPECT_NEAR(places / cells, 1.0, 0.02);
+}
+
+// Null collisions are unbiased as long as no place has more extinction than its block may have.
+TEST(CarvedClouds, NoPlaceHasMoreThanItsBound) {
+  Cloud cloud = carved_cloud(CloudKind::cumulus, 0.5);
+  cloud.period = 3.0;
+  cloud.detail = 0.025;  // a bound is the closer, the less the distance to the edge changes from cell to cell
+  const CloudGrid grid = cloud_grid(cloud);
+  int full = 0;
+  for (std::uint32_t n = 0; n < 200000; ++n) {
+    const double x = 3.0 * even(n, 0);
+    const double y = 3.0 * even(n, 1);
+    const double h = 1.0 + even(n, 2);
+    const auto cell = [](double place, int count) {
+      return (static_cast<int>(std::floor(place)) % count + count) % count;
+    };
+    const int i = cell((x - grid.west) / grid.cell_x, grid.nx);
+    const int j = cell((y - grid.south) / grid.cell_y, grid.ny);
+    const int k = std::min(static_cast<int>((h - grid.base) / grid.cell_z()), grid.nz - 1);
+    double bound = 0.0;
+    for (int part = 0; part < 27; ++part) {
+      bound = std::max(
+          bound, grid.most_around((i + part % 3 + grid.nx - 1) % grid.nx, (j + part / 3 % 3 + grid.ny - 1) % grid.ny,
+                                  std::clamp(k + part / 9 - 1, 0, grid.nz - 1)));
+    }
+    const double value = grid.at(x, y, h);
+    ASSERT_LE(value, bound) << x << " " << y << " " << h;
+    full += value > 0.5 * bound && value > 0.0 ? 1 : 0;
+  }
+  EXPECT_GT(full, 2000);
+}
+
+// The march takes the noise's mean where the noise is too fine to be seen (shaders/shared/cloud_water.glsl).
+TEST(CarvedClouds, TheNoiseHasItsMean) {
+  const CarvingNoise noise = carving_noise();
+  double mean = 0.0;
+  for (const float value : noise.values) {
+    ASSERT_GE(value, 0.0F);
+    ASSERT_LE(value, 1.0F);
+    mean += static_cast<double>(value) / static_cast<double>(noise.values.size());
+  }
+  EXPECT_NEAR(mean, 0.547, 0.001);
+  EXPECT_NEAR(noise.at(0.3, 0.999, -0.2), noise.at(1.3, -0.001, 3.8), 1e-6);
+}
+
+// Light that a thin cloud scatters once along a ray, by short steps through the grid.
+double scattered_once(const CloudGrid& grid, const physics::vec3& d, const physics::vec3& to_sun) {
+  constexpr double kStep = 0.008;
+  constexpr double kCamera = 0.2;
+  double depth = 0.0;
+  double light = 0.0;
+  for (double t = (1.0 - kCamera) / d.z; t < (2.0 - kCamera) / d.z && depth < 9.0; t += kStep) {
+    const physics::vec3 at = d * t + physics::vec3(0.0, 0.0, kCamera);
+    const double here = kStep * grid.at(at.x, at.y, at.z);
+    if (here > 0.0) {
+      light += here * std::exp(-depth - 0.5 * here - water_depth_from(grid, at, to_sun, (2.0 - at.z) / to_sun.z));
+      depth += here;
+    }
+  }
+  return light * 1e-3 / (4.0 * std::numbers::pi);
+}
+
+// The device sees the edge that the grid tells the host and path-trace, and not its cells' means.
+TEST(CarvedClouds, ThePictureShowsTheGridsEdge) {
+  Scene scene = under_level_cloud(1.0, std::sin(radians(35.0)));
+  scene.clouds = {carved_cloud(CloudKind::cumulus, 0.6)};
+  scene.camera.altitude = 0.2;
+  const CloudGrid grid = cloud_grid(scene.clouds.front());
+  CloudGrid means = grid;
+  means.edge.tiles = 0.0;
+  const physics::vec3 to_sun(0.0, std::cos(radians(35.0)), std::sin(radians(35.0)));
+  std::vector<Direction> directions;
+  std::vector<double> carved;
+  std::vector<double> coarse;
+  for (int n = 0; n < 60; ++n) {
+    const double elevation = radians(25.0 + 60.0 * even(static_cast<std::uint32_t>(n), 3));
+    const double azimuth = radians(6.0 * n);
+    const double across = std::cos(elevation);
+    const physics::vec3 d(across * std::sin(azimuth), across * std::cos(azimuth), std::sin(elevation));
+    directions.push_back({elevation, azimuth});
+    carved.push_back(scattered_once(grid, d, to_sun));
+    coarse.push_back(scattered_once(means, d, to_sun));
+  }
+  const std::vector<ProbeResult> results = probe_now(scene, directions);
+  double seen = 0.0;
+  double found = 0.0;
+  double off_carved = 0.0;
+  double off_coarse = 0.0;
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    const double value = results[i].radiance[1] / scene.sun.irradiance[1];
+    seen += carved[i];
+    found += value;
+    off_carved += std::abs(value - carved[i]);
+    off_coarse += std::abs(value - coarse[i]);
+  }
+  std::printf("scattered once: bias %+.2f %%, %.2f %% off the edge, %.2f %% off the means\n",
+              100.0 * (found / seen - 1.0), 100.0 * off_carved / seen, 100.0 * off_coarse / seen);
+  EXPECT_NEAR(found / seen, 1.0, 0.14);
+  EXPECT_LT(off_carved / seen, 0.21);
+  EXPECT_GT(off_coarse, 1.3 * off_carved);
+}
+
+}  // namespace
+}  // namespace airlight::test
