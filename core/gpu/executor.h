@@ -28,7 +28,7 @@ struct DeviceOptions {
   // Load the validation layer; every message is counted and printed to stderr. AIRLIGHT_VALIDATION=1 does the same.
   bool validation = false;
   std::optional<bool> halves = {};  // whether 16-bit images are stored so; absent: except on processors
-  std::optional<bool> teams = {};   // whether passes get teams (PassDesc::team); absent: except on processors
+  std::optional<bool> teams = {};   // as no processor: passes get teams (PassDesc::team); absent: by the device
   // Folder for data that saves time at later starts; empty: none. Absent: user_cache_folder().
   std::optional<std::filesystem::path> cache_folder = {};
   bool stores_tables = false;                         // also tables, in that folder; false: each executor bakes its own

@@ -139,7 +139,8 @@ BufferId add_tiles(Plan& plan, const Extent& grid, std::vector<Binding> reads, s
                  .grid = grid,
                  .push_constants = {grid.width, grid.height},
                  .specialization = std::move(constants),
-                 .cost = 3.0});
+                 .cost = 3.0,
+                 .devices = Devices::processors});
   return tiles;
 }
 
@@ -218,13 +219,14 @@ ThingPass pass_of(Plan& plan, const Part& part, const View& view, const Light& l
   return pass;
 }
 
-// The pass over the blocks of the sky alone, and over those of things.
-void add_by_tiles(Plan& plan, const PassDesc& pass, BufferId tiles) {
+// Passes over the blocks of the sky alone and over those of things, and where these do not pay the pass over all.
+void add_by_tiles(Plan& plan, PassDesc pass, BufferId tiles) {
+  pass.reads.push_back({"tiles", tiles});
   for (const std::uint32_t kind : {physics::kTilesOfSky, physics::kTilesOfThings}) {
     PassDesc one = pass;
     const bool sky = kind == physics::kTilesOfSky;
     one.name = sky ? "sky" : "things";
-    one.reads.push_back({"tiles", tiles});
+    one.devices = Devices::processors;
     one.groups = {tiles, sky ? 0U : 16U};
     const auto put = [&](const char* name, std::uint32_t value) {
       std::ranges::find(one.specialization, name, &Specialization::name)->value = value;
@@ -238,6 +240,8 @@ void add_by_tiles(Plan& plan, const PassDesc& pass, BufferId tiles) {
     one.cost = sky ? 0.25 * pass.cost : 0.75 * pass.cost;
     plan.add_pass(std::move(one));
   }
+  pass.devices = Devices::others;
+  plan.add_pass(std::move(pass));
 }
 
 }  // namespace
@@ -261,7 +265,7 @@ void add_things_sky(Plan& plan, const Part& part, const View& view, const SkyTar
     plan.add_pass(std::move(pass));
   } else {
     found.corner_constants.push_back({"kProjection", target.projection});
-    add_by_tiles(plan, pass, add_tiles(plan, target.grid, found.corner_reads, found.corner_constants));
+    add_by_tiles(plan, std::move(pass), add_tiles(plan, target.grid, found.corner_reads, found.corner_constants));
   }
 }
 
