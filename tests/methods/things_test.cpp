@@ -297,6 +297,8 @@ TEST(Things, BlocksOfTheSkyAloneAreOfThePicture) {
     Scene scene = shore(things);
     scene.render.parameters.insert_or_assign("tabulate", std::string("always"));
     scene.image = {101, 43};
+    scene.camera.azimuth = 80.0 * kDegree;  // the ball of 600 m is larger than a block
+    scene.camera.vertical_fov = 14.0 * kDegree;
     const RadianceImage blocks = render_now(scene).radiance;
     const RadianceImage alike = render([&]() -> Executor& { return other; }, scene, {}).radiance;
     double most = 0.0;
