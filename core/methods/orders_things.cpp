@@ -236,7 +236,7 @@ void add_by_tiles(Plan& plan, PassDesc pass, BufferId tiles) {
       put("kSegments", 1);
       put("kEdges", physics::kEdgesLeftOut);
     }
-    // Either holds some of the pixels; most scenes have as many of both.
+    // Together they are predicted to cost what one pass over all blocks does.
     one.cost = sky ? 0.25 * pass.cost : 0.75 * pass.cost;
     plan.add_pass(std::move(one));
   }

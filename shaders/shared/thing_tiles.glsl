@@ -1,8 +1,8 @@
-// The list of a picture's blocks of pixels (passes/thing_tiles.comp): for each of two kinds three counts of workgroups, of
-// which one takes a block, and the number of blocks; then the blocks as x and y of 16 bits, those of the sky alone from
-// the front, those of things from the back.
+// The list of a picture's blocks of pixels (passes/thing_tiles.comp). For each of two kinds it holds three counts of
+// workgroups, one for a block, and the number of blocks. Then come the blocks as x and y of 16 bits, those of the sky
+// alone from the front, those of things from the back.
 
-const uint kTileGroups = 64u;  // workgroups along x: no device takes more than 65535 along each axis for granted
+const uint kTileGroups = 64u;  // workgroups along x: a device need not take more than 65535 along an axis
 
 uint tile_count_place(uint kind) { return kind == kTilesOfSky ? 3u : 7u; }
 uint tile_group_place(uint kind) { return kind == kTilesOfSky ? 0u : 4u; }
