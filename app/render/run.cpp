@@ -9,6 +9,7 @@
 #include "app/cli/frame_scene.h"
 #include "app/cli/interruption.h"
 #include "app/cli/progress.h"
+#include "app/cli/scene_files.h"
 #include "app/cli/stopwatch.h"
 #include "app/cli/terminal.h"
 #include "app/render/cube_faces.h"
@@ -19,6 +20,7 @@
 #include "app/render/tile_option.h"
 #include "app/render/usd_file.h"
 #include "core/error.h"
+#include "core/library/place.h"
 #include "core/library/validity.h"
 #include "core/library/wavelengths.h"
 #include "core/methods/ready.h"
@@ -42,7 +44,11 @@ Scene scene_of(const RenderOrder& given) {
   const auto with = [&](bool of_sampling) {
     std::vector<Override> all = overrides(given.sampling, of_sampling);
     all.insert(all.end(), further.begin(), further.end());
-    return load_scene(given.scene, all);
+    Preset preset = chosen_preset(given.scene, all);
+    if (given.place.date) {
+      leave_out_unseen(preset);
+    }
+    return judged(preset);
   };
   Scene scene = with(false);
   require_one_refraction(given.place, scene, "render");

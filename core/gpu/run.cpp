@@ -53,7 +53,7 @@ class Run {
   void submit();
   void record_start(VkCommandBuffer commands) const;
   void record_contents(VkCommandBuffer commands);
-  void record_stored_tables(VkCommandBuffer commands);
+  void record_image_contents(VkCommandBuffer commands);
   bool keeps_contents(std::uint32_t buffer) const;
   void record_step(VkCommandBuffer commands, const Step& step, std::uint32_t query) const;
   void record_downloads(VkCommandBuffer commands) const;
@@ -131,7 +131,7 @@ void Run::record() {
   VkCommandBuffer commands = machinery_.frame.begin(count_descriptors(steps_), query_count());
   record_start(commands);
   record_contents(commands);
-  record_stored_tables(commands);
+  record_image_contents(commands);
   double all = 0.0;
   for (const Step& step : steps_) all += threads_of(step);
   std::uint32_t query = 0;
@@ -216,10 +216,10 @@ VkBufferImageCopy whole(const Extent& extent) {
           .imageExtent = {extent.width, extent.height, extent.depth}};
 }
 
-void Run::record_stored_tables(VkCommandBuffer commands) {
+void Run::record_image_contents(VkCommandBuffer commands) {
   bool any = false;
   for (std::uint32_t i = 0; i < plan_.images().size(); ++i) {
-    const std::span<const std::uint32_t> words = resources_.stored(i);
+    const std::span<const std::uint32_t> words = resources_.contents(i);
     if (resources_.image(i) == nullptr || words.empty()) continue;
     const ImageDesc& image = plan_.images()[i];
     const BufferDesc upload{.name = image.name, .bytes = image.bytes()};

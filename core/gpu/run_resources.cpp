@@ -21,7 +21,7 @@ RunResources::RunResources(const Device& device, ResourceCache& cache, const Sto
       held_.insert(ImageId{i});
     } else if (std::vector<std::uint32_t> words = tables.find(image); !words.empty()) {
       held_.insert(ImageId{i});
-      stored_.emplace(i, std::move(words));
+      contents_.emplace(i, std::move(words));
     }
   }
   for (std::uint32_t i = 0; i < buffers_.size(); ++i) {
@@ -57,6 +57,7 @@ void RunResources::acquire(std::span<const Step> steps) {
     for (const MatchedBinding& bound : step.matched.bindings) acquire(bound.resource);
   }
   acquire_for_host();
+  fill_images();
   acquire_for_storing(steps);
   check_kept_are_made(steps);
   write_scenes();
@@ -68,6 +69,21 @@ void RunResources::acquire_for_host() {
     const BufferDesc& desc = plan_.buffers()[i];
     if (!desc.host_readable || !acquire(BufferId{i}).buffer->mapped().empty()) continue;
     downloads_[i] = &cache_.buffer({.name = desc.name + " for the host", .bytes = desc.bytes}, MemoryPlace::readback);
+  }
+}
+
+void RunResources::fill_images() {
+  for (std::uint32_t i = 0; i < images_.size(); ++i) {
+    const ImageDesc& image = plan_.images()[i];
+    if (images_[i] == nullptr || !image.contents_when_run || held_.contains(ImageId{i})) continue;
+    const std::vector<std::byte> contents = image.contents_when_run();
+    if (contents.size() != image.bytes()) {
+      throw std::logic_error("image " + image.name + " has " + std::to_string(contents.size()) +
+                             " bytes of contents and is " + std::to_string(image.bytes()) + " long");
+    }
+    std::vector<std::uint32_t>& words = contents_[i];
+    words.resize(contents.size() / sizeof(words[0]));
+    std::memcpy(words.data(), contents.data(), contents.size());
   }
 }
 
@@ -83,9 +99,9 @@ void RunResources::acquire_for_storing(std::span<const Step> steps) {
   }
 }
 
-std::span<const std::uint32_t> RunResources::stored(std::uint32_t image) const {
-  const auto found = stored_.find(image);
-  return found == stored_.end() ? std::span<const std::uint32_t>() : found->second;
+std::span<const std::uint32_t> RunResources::contents(std::uint32_t image) const {
+  const auto found = contents_.find(image);
+  return found == contents_.end() ? std::span<const std::uint32_t>() : found->second;
 }
 
 void RunResources::write_scenes() {
@@ -111,8 +127,8 @@ const std::string& RunResources::key(ResourceId id) const {
 }
 
 bool RunResources::has_contents(ResourceId id) const {
-  const auto* buffer = std::get_if<BufferId>(&id);
-  return buffer != nullptr && plan_.buffers()[buffer->index].has_contents();
+  if (const auto* image = std::get_if<ImageId>(&id)) return bool{plan_.images()[image->index].contents_when_run};
+  return plan_.buffers()[std::get<BufferId>(id).index].has_contents();
 }
 
 void RunResources::check_kept_are_made(std::span<const Step> steps) const {
@@ -133,8 +149,8 @@ void RunResources::remember(std::span<const Step> steps) {
   for (Resource* image : images_) {
     if (image != nullptr) image->has_layout = true;
   }
-  for (const auto& [image, words] : stored_) {
-    if (images_[image] != nullptr) images_[image]->has_contents = true;
+  for (const auto& [image, words] : contents_) {
+    if (images_[image] != nullptr) images_[image]->has_contents = !key(ImageId{image}).empty();
   }
   const auto keep = [&](ResourceId id) { at(id).has_contents = !key(id).empty(); };
   for (const Step& step : steps) {

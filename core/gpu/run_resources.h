@@ -32,8 +32,9 @@ class RunResources {
   Resource* buffer(std::size_t index) const { return buffers_[index]; }
   // The host-readable copy of a buffer that the host cannot read directly; null where it can, or need not.
   Resource* download(std::size_t index) const { return downloads_[index]; }
-  // An image's contents from an earlier start of the program; empty where there are none or the image is here already.
-  std::span<const std::uint32_t> stored(std::uint32_t image) const;
+  // What an image starts with, from the plan or an earlier start of the program; empty where there is nothing or the
+  // image is here already.
+  std::span<const std::uint32_t> contents(std::uint32_t image) const;
   // The host-readable copy of an image that the steps make and later starts may ask for; null for other images.
   Resource* store(std::size_t image) const { return stores_[image]; }
   // The buffer of one of the plan's scenes; null when the scene is empty.
@@ -47,6 +48,7 @@ class RunResources {
  private:
   Resource& acquire(ResourceId id);
   void acquire_for_host();
+  void fill_images();
   void acquire_for_storing(std::span<const Step> steps);
   void write_scenes();
   const std::string& key(ResourceId id) const;
@@ -59,7 +61,7 @@ class RunResources {
   // One kind of memory for all buffers that shaders see, so that a kept one is found whatever else a plan says of it.
   MemoryPlace buffer_place_;
   std::set<ResourceId> held_;
-  std::map<std::uint32_t, std::vector<std::uint32_t>> stored_;  // by image
+  std::map<std::uint32_t, std::vector<std::uint32_t>> contents_;  // by image
   std::vector<Resource*> images_;
   std::vector<Resource*> buffers_;
   std::vector<Resource*> downloads_;

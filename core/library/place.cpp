@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "core/error.h"
 #include "core/methods/ready.h"
@@ -146,15 +145,7 @@ std::vector<Override> sun_overrides(const PlaceOptions& options, const SceneChan
   moment.stars = true;
   const std::string typed = "--date " + *options.date + " --time " + *options.time;
   const sequence::Frame frame = sequence::frame_at(moment, 0);
-  std::map<std::string, double> angles;
-  for (const auto& [pointer, values] : frame.keys) {
-    angles.emplace(pointer, values.front());
-  }
   std::vector<Override> all = sky_of_date(typed);
-  std::erase_if(all, [&](const Override& added) {
-    return !is_seen(added.adds, angles.at("/sun/elevation_deg"), angles.at("/moon/elevation_deg"),
-                    horizon_dip(changes.altitude.value_or(0.0), kEarthRadius));
-  });
   for (const auto& [pointer, values] : frame.keys) {
     all.push_back({pointer + "=" + format_number(values.front()), typed, sections_with(pointer)});
   }

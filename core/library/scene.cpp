@@ -60,6 +60,9 @@ airlight::Scene Scene::State::judged(const airlight::Scene* like) const {
   all.insert(all.end(), further.begin(), further.end());
   Preset changed = preset;
   apply_changes(changed, changes, all);
+  if (place.date) {
+    leave_out_unseen(changed);
+  }
   const airlight::Scene scene = airlight::judged(changed, {refused_picture, refused_voxels}, like);
   in_keywords([&] { require_one_refraction(place, scene, "render"); });
   return scene;

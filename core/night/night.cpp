@@ -192,11 +192,13 @@ double mean_van_rhijn(physics::Physics& p, double altitude) {
 
 }  // namespace
 
-void Night::put_into(physics::Physics& p) const {
-  p.night_texels = beyond;
-  p.night_slopes = scattered;
-  p.airglow = airglow;
-  p.night_ground = ground;
+physics::HostTable Night::table() const {
+  constexpr std::size_t kSide = physics::kNightSide;
+  physics::HostTable table{physics::kNightSide, physics::kNightSide + 1, beyond};
+  table.texels.insert(table.texels.end(), scattered.begin(), scattered.end());
+  table.texels.insert(table.texels.end(), {airglow, ground});
+  table.texels.resize(kSide * (kSide + 1), vec3(0.0));
+  return table;
 }
 
 namespace {

@@ -28,7 +28,8 @@ struct Night {
   physics::vec3 ground{};  // irradiance on level ground
   std::vector<NightStar> stars;
 
-  void put_into(physics::Physics& p) const;
+  // The table of shaders/physics/night_sky.glsl.
+  physics::HostTable table() const;
 };
 
 // The air as the night's light goes through it.

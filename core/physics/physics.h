@@ -80,11 +80,8 @@ struct Physics {
   bool molecules_alone = false;  // molecules apart, no medium scatters with a direction
   HostTable sun_table;           // mean extinction to the top over the rows of shells (physics/shells.glsl)
   AnalyticData analytic{};
-  std::vector<GlarePoint> glare_points;  // the sum of the points first
-  std::vector<vec3> night_texels;        // of what is beyond the air
-  std::vector<vec3> night_slopes;        // of what the air scatters
-  vec3 airglow{};
-  vec3 night_ground{};
+  std::vector<GlarePoint> glare_points;             // the sum of the points first
+  HostTable night_sky;                              // physics/night_sky.glsl
   std::shared_ptr<const HostTerrain> terrain_maps;  // null: no terrain
   std::vector<SphereData> spheres;
   // Light among terrain (physics/thing_light.glsl): the layers' shares as the device's image has them, the altitudes
@@ -215,10 +212,9 @@ struct Physics {
   }
 #include "shaders/physics/sun_disc.glsl"
 #include "shaders/physics/sunlight.glsl"
-  vec3 night_map(uint i) const { return night_texels[i]; }
-  vec3 night_scattered(uint i) const { return night_slopes[i]; }
-  vec3 airglow_zenith() const { return airglow; }
-  vec3 night_on_ground() const { return night_ground; }
+  vec3 night_table(real x, real y) const {
+    return night_sky.fetch((x + 0.5) / night_sky.width, (y + 0.5) / night_sky.height);
+  }
 #include "shaders/physics/night_sky.glsl"
 #include "shaders/physics/from_space.glsl"
 #include "shaders/physics/march.glsl"

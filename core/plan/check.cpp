@@ -30,6 +30,8 @@ void check_names(const Plan& plan) {
     if (image.extent.width == 0 || image.extent.height == 0 || image.extent.depth == 0) {
       refuse("image " + image.name + " is empty");
     }
+    if (image.half && image.contents_when_run)
+      refuse("image " + image.name + " of 16 bits starts with 32-bit contents");
   }
   for (const BufferDesc& buffer : plan.buffers()) {
     add(buffer.name, buffer.key);
@@ -45,7 +47,9 @@ void check_names(const Plan& plan) {
 class Contents {
  public:
   explicit Contents(const Plan& plan) {
-    for (const ImageDesc& image : plan.images()) images_.push_back(!image.key.empty());
+    for (const ImageDesc& image : plan.images()) {
+      images_.push_back(!image.key.empty() || image.contents_when_run);
+    }
     for (const BufferDesc& buffer : plan.buffers()) buffers_.push_back(!buffer.key.empty() || buffer.has_contents());
   }
   bool there(ResourceId id) const {

@@ -31,6 +31,8 @@ struct ImageDesc {
   // keeps 32. The host cannot read such an image.
   bool half = false;
   bool stored = false;  // in a file of the user's, with a key that later starts of the program may ask for again
+  // What an image of 32 bits starts with, tightly packed; empty: undefined. It is called when a pass that reads it runs.
+  std::function<std::vector<std::byte>()> contents_when_run = {};
   // For a table that may be written to a file; empty: of no use outside the plan. It is a function, since most plans do
   // not ask for the text.
   std::function<TableText()> text = {};

@@ -11,20 +11,16 @@
 namespace airlight {
 namespace {
 
-std::vector<std::byte> night_bytes(const Night& night) {
-  std::vector<float> values;
-  const auto put = [&](const physics::vec3& v) {
-    values.insert(values.end(), {narrowed(v.x), narrowed(v.y), narrowed(v.z), 0.0F});
+ImageId add_table(Plan& plan, const Stage& stage) {
+  const auto bytes = [stage] {
+    std::vector<float> values;
+    for (const physics::vec3& v : stage.night()->table().texels) {
+      values.insert(values.end(), {narrowed(v.x), narrowed(v.y), narrowed(v.z), 0.0F});
+    }
+    return bytes_of(values);
   };
-  for (const physics::vec3& texel : night.beyond) {
-    put(texel);
-  }
-  for (const physics::vec3& slope : night.scattered) {
-    put(slope);
-  }
-  put(night.airglow);
-  put(night.ground);
-  return bytes_of(values);
+  return plan.add_image(
+      {.name = "night_sky", .extent = {physics::kNightSide, physics::kNightSide + 1, 1}, .contents_when_run = bytes});
 }
 
 }  // namespace
@@ -33,8 +29,7 @@ void add_night_sky(Plan& plan, const Stage& stage, ImageId through, const Pictur
   const Part& part = stage.whole();
   std::vector<Specialization> constants = sunlight_specialization(plan, part.air, through);
   constants.push_back({"kProjection", projection_code(part.scene.camera.projection)});
-  std::vector<Binding> reads{{"transmittance_lut", through},
-                             {"night_sky", plan.add_buffer(filled_buffer("night_sky", night_bytes(*stage.night())))}};
+  std::vector<Binding> reads{{"transmittance_lut", through}, {"night_sky", add_table(plan, stage)}};
   plan.add_pass(behind_things(plan, part.scene, part.things,
                               {.name = "night_sky",
                                .shader = "night_sky",
@@ -49,7 +44,7 @@ void add_night_sky(Plan& plan, const Stage& stage, ImageId through, const Pictur
 physics::Physics night_formulas(const Stage& stage) {
   physics::Physics p = formulas_of(stage.whole().air, stage.scene());
   p.sun_steps = physics::kTransmittanceSteps;
-  stage.night()->put_into(p);
+  p.night_sky = stage.night()->table();
   return p;
 }
 

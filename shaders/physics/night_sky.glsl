@@ -1,11 +1,15 @@
 // Light of the night sky: from beyond the air by a map, from a shell of glowing air, and scattered by the air.
+// All of it stands in one table, a picture of kNightSide x (kNightSide + 1) texels. From its top come
+//   kNightSide rows of the radiance from beyond the air;
+//   one row of the radiance that the air scatters, kNightSlopes texels above the horizon and as many below it, then
+//   the radiance of the shell seen straight up and the irradiance on level ground.
 // The includer defines before it:
-//   vec3 night_map(uint i);    radiance from beyond the air, kNightSide x kNightSide texels
-//   vec3 night_scattered(uint i);  radiance that the air scatters, 2 kNightSlopes of them, first above the horizon
-//   vec3 airglow_zenith();     radiance of the shell seen straight up
-//   vec3 night_on_ground();    irradiance on level ground
+//   vec3 night_table(real x, real y);   linear between texels, whose middles are whole numbers from 0 on
 
 const real kAirglowAltitude = 90.0;
+
+vec3 airglow_zenith() { return night_table(real(2u * kNightSlopes), real(kNightSide)); }
+vec3 night_on_ground() { return night_table(real(2u * kNightSlopes + 1u), real(kNightSide)); }
 
 // The shell's length along a ray over that at the zenith, from an altitude below it (van Rhijn 1921).
 real van_rhijn(PlanetData planet, real h, real mu) {
@@ -26,25 +30,13 @@ vec3 night_scattered_at(PlanetData planet, real h, real mu, bool ground) {
   real horizon = horizon_mu(planet, h);
   real share = ground ? (horizon - mu) / (1.0 + horizon) : (mu - horizon) / (1.0 - horizon);
   real x = sqrt(clamp(share, 0.0, 1.0)) * real(kNightSlopes - 1u);
-  real i = min(floor(x), real(kNightSlopes - 2u));
-  real u = x - i;
-  uint first = uint(i + (ground ? real(kNightSlopes) : 0.0));
-  return night_scattered(first) * (1.0 - u) + night_scattered(first + 1u) * u;
+  return night_table(x + (ground ? real(kNightSlopes) : 0.0), real(kNightSide));
 }
 
 // North is up in the map, whatever way the camera looks.
 vec3 night_beyond(vec3 direction) {
   vec2 point = octahedral_point(direction, octant_of(direction));
-  real x = (0.5 + 0.5 * point.x) * real(kNightSide - 1u);
-  real y = (0.5 + 0.5 * point.y) * real(kNightSide - 1u);
-  real column = clamp(floor(x), 0.0, real(kNightSide - 2u));
-  real row = clamp(floor(y), 0.0, real(kNightSide - 2u));
-  real u = x - column;
-  real v = y - row;
-  uint at = uint(row * real(kNightSide) + column);
-  vec3 upper = night_map(at) * (1.0 - u) + night_map(at + 1u) * u;
-  vec3 lower = night_map(at + kNightSide) * (1.0 - u) + night_map(at + kNightSide + 1u) * u;
-  return upper * (1.0 - v) + lower * v;
+  return night_table((0.5 + 0.5 * point.x) * real(kNightSide - 1u), (0.5 + 0.5 * point.y) * real(kNightSide - 1u));
 }
 
 // Transmittance of the first `distance_` km of a ray, by midpoints.

@@ -5,7 +5,13 @@ layout(constant_id = 38) const uint kTiles = kTilesAll;
 
 layout(scalar, set = 0, binding = 18) readonly buffer Corners { vec2 values[]; } corners;  // of the tile, row by row
 
-const uint kEdgeSide = 4u;  // rays across a pixel with an edge, a shadow's edge or a mirror
+// Rays of a pixel with an edge, a shadow's edge or a mirror. No two share a row or a column of 8, so that an edge along
+// either covers it in eight steps; as graphics hardware places its eight samples.
+const uint kEdgeRays = 8u;
+vec2 edge_place(uint i) {
+  uvec2 at = (uvec2(0x75012634u, 0x07361452u) >> (4u * i)) & 7u;
+  return (vec2(at) + 0.5) / float(kEdgeRays);
+}
 
 vec3 direction_at(uvec2 pixel, vec2 place) {
   vec2 at = vec2(pixel + uvec2(scene.tile.x, scene.tile.y)) + place;
@@ -61,7 +67,7 @@ float bare_before(PixelCorners of, vec3 direction, bool edge) {
 
 struct ThingPixel {
   PixelRays rays;
-  uint side;     // above 1: so many rays across, for a pixel with an edge
+  bool edge;     // of kEdgeRays rays
   uint count;
   float spread;  // angle between neighbouring rays
   float bare;    // no terrain before that distance along the ground, km
@@ -70,7 +76,7 @@ struct ThingPixel {
 ThingPixel thing_pixel(uvec2 pixel, ViewRay view) {
   ThingPixel found;
   found.rays = rays_at(pixel, view);
-  found.side = 1u;
+  found.edge = false;
   found.spread = 0.0;
   found.bare = 0.0;
   if (kProjection != kProjectionListed && kTiles != kTilesOfSky) {
@@ -80,19 +86,19 @@ ThingPixel thing_pixel(uvec2 pixel, ViewRay view) {
     PixelCorners seen = corners_of(pixel);
     bool edge = holds_sphere_edge(view.direction, max(across, corner)) || holds_step(seen);
     found.bare = has_terrain() ? bare_before(seen, view.direction, edge) : 0.0;
-    found.side = view.inside && edge ? kEdgeSide : 1u;
-    found.spread = across / (0.98 * float(found.side));
+    found.edge = view.inside && edge;
+    found.spread = across / (0.98 * (found.edge ? sqrt(float(kEdgeRays)) : 1.0));
   }
-  found.count = found.side > 1u ? found.side * found.side : found.rays.count;
+  found.count = found.edge ? kEdgeRays : found.rays.count;
   return found;
 }
 
 WeightedRay ray_of_thing_pixel(uvec2 pixel, ViewRay view, ThingPixel of, uint i) {
-  if (of.side == 1u) {
+  if (!of.edge) {
     return weighted_ray(pixel, view, of.rays, i);
   }
   WeightedRay ray;
-  ray.direction = direction_at(pixel, (vec2(float(i % of.side), float(i / of.side)) + 0.5) / float(of.side));
-  ray.share = 1.0 / float(of.count);
+  ray.direction = direction_at(pixel, edge_place(i));
+  ray.share = 1.0 / float(kEdgeRays);
   return ray;
 }

@@ -25,6 +25,7 @@ Scene dated(const std::string& name, const std::string& time, const std::vector<
   place.longitude = 2.35;
   Preset preset = built_in_preset(name, "test");
   apply_changes(preset, changes, sun_overrides(place, changes, "test"));
+  leave_out_unseen(preset);
   return resolve(preset, method_infos());
 }
 
@@ -45,6 +46,15 @@ TEST(SkyOfDate, LeavesOutByDayWhatCannotBeSeen) {
   const Scene noon = dated("earth", kNoon);
   EXPECT_FALSE(noon.night_sky);
   EXPECT_TRUE(noon.stars);
+}
+
+// The moon is 15 degrees below the level: under the horizon of the ground, over that of 500 km.
+TEST(SkyOfDate, KeepsAMoonThatTheCameraSeesFromItsHeight) {
+  constexpr const char* kDusk = "18:00";
+  const std::vector<std::string> dated_sky{"/sky_of_date=true"};
+  EXPECT_FALSE(dated("earth", kDusk, dated_sky).moon);
+  EXPECT_TRUE(dated("orbit", kDusk, dated_sky).moon);
+  EXPECT_TRUE(dated("earth", kDusk, {"/sky_of_date=true", "/camera/altitude_km=500"}).moon);
 }
 
 // In a sequence each frame leaves out what it cannot show.

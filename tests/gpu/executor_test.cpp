@@ -170,6 +170,43 @@ TEST(Executor, SamplesImagesLinearlyAndClamps) {
   for (std::size_t i = 0; i < 5; ++i) EXPECT_FLOAT_EQ(found[4 * i], expected[i]) << i;
 }
 
+// An image that no pass makes: with a key it is filled once, without one at each run.
+TEST(Executor, SamplesImagesThatTheHostFills) {
+  Executor executor({}, test_shaders());
+  int filled = 0;
+  const auto middle_of = [&](const std::string& key, std::size_t texels) {
+    Plan plan;
+    const auto contents = [&filled, texels] {
+      ++filled;
+      std::vector<float> values;
+      for (std::size_t i = 0; i < texels; ++i) {
+        values.insert(values.end(), {static_cast<float>(i), 1.0F, 2.0F, 3.0F});
+      }
+      return bytes_of(values);
+    };
+    const ImageId map = plan.add_image({.name = "map", .extent = {4, 2, 1}, .key = key, .contents_when_run = contents});
+    const std::vector<float> point = {2.0F / 4, 0.5F};
+    const BufferId at = plan.add_buffer({.name = "points", .bytes = 8, .contents = bytes_of(point)});
+    const BufferId samples = plan.add_buffer({.name = "samples", .bytes = 16, .host_readable = true});
+    plan.add_pass({.shader = "sample_picture",
+                   .reads = {{"picture_lut", map}, {"points", at}},
+                   .writes = {{"samples", samples}},
+                   .grid = {1, 1}});
+    return values_of<float>(executor.run(plan).contents(samples));
+  };
+  const std::vector<float> expected{3.5F, 1.0F, 2.0F, 3.0F};
+  for (int runs = 1; runs <= 2; ++runs) {
+    EXPECT_EQ(middle_of("", 8), expected);
+    EXPECT_EQ(filled, runs);
+  }
+  filled = 0;
+  for (int runs = 1; runs <= 2; ++runs) {
+    EXPECT_EQ(middle_of("a map", 8), expected);
+    EXPECT_EQ(filled, 1);
+  }
+  EXPECT_THROW(middle_of("", 7), std::logic_error);
+}
+
 TEST(Executor, FillsAndSamplesVolumes) {
   Executor executor({}, test_shaders());
   Plan plan;

@@ -167,6 +167,14 @@ TEST(Check, RefusesContentsOfAnotherLength) {
   EXPECT_EQ(refusal(plan), "plan: buffer directions has 12 bytes of contents and is 16 long");
 }
 
+TEST(Check, RefusesContentsOfAnImageOf16Bits) {
+  Plan plan;
+  plan.add_image({.name = "map", .extent = {1, 1, 1}, .half = true, .contents_when_run = [] {
+                    return std::vector<std::byte>(16);
+                  }});
+  EXPECT_EQ(refusal(plan), "plan: image map of 16 bits starts with 32-bit contents");
+}
+
 TEST(Check, RefusesUnknownResources) {
   Sample s;
   PassDesc pass = s.march();
