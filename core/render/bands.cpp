@@ -171,6 +171,7 @@ RunResult Bands::run_plan(const Plan& plan, const std::function<void(double)>& r
 // Sky and disc of a tile, by a method on the device. `carried`: the tile is the picture, and stays on the device.
 Picture Bands::add_sky_of(Plan& plan, const Tile& tile, bool carried) {
   View view{.directions = {}, .kept_as = request_.tile ? key_ : ""};
+  view.all_lights = asked_.tables;
   if (!carried) {
     view.tile = tile;
   }

@@ -68,7 +68,7 @@ Plan plan_for(const Stage& stage, const RenderRequest& request) {
   Plan plan;
   Picture picture;
   if (!samples(stage)) {
-    const Sky sky = add_sky(plan, stage, View{}, true);
+    const Sky sky = add_sky(plan, stage, View{.directions = {}, .all_lights = request.tables}, true);
     const TableReads reads(plan, sky, request.tables);
     picture = picture_of(sky.radiance, whole);
     add_picture_statistics(plan, picture, brightest_metered(scene), stage.in_colours());

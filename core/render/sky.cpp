@@ -8,6 +8,8 @@
 #include "core/post/host_post.h"
 #include "core/post/night_sky.h"
 #include "core/post/stars.h"
+#include "core/render/pixels.h"
+#include "core/stage/lights.h"
 #include "core/stage/sums.h"
 
 namespace airlight {
@@ -128,6 +130,34 @@ void add_behind_clouds(Plan& plan, BufferId behind, BufferId through, const Pict
                  .push_constants = {picture.width, picture.height}});
 }
 
+// The tables of transmittance, one a part; none where the method has no tables.
+std::vector<ImageId> transmittances(const Stage& stage, const Sky& sky) {
+  std::vector<ImageId> tables;
+  const std::size_t each = sky.tables.size() / stage.parts().size();
+  for (std::size_t g = 0; each > 0 && g < stage.parts().size(); ++g) {
+    tables.push_back(sky.tables[g * each]);
+  }
+  return tables;
+}
+
+// Draws into a picture what stands beyond the air: the disc of the stage's light and the night sky. `tables`: one of
+// transmittance a part; none: they are made. Returns whether the disc is in the picture.
+bool add_beyond(Plan& plan, const Stage& stage, const std::vector<ImageId>& tables, const Picture& picture,
+                const Tile& tile, bool with_disc) {
+  const bool shines = with_disc && sun_disc_shows(stage.scene(), picture);
+  const bool is_night = stage.night() != nullptr;
+  const bool parted = shines && stage.in_colours() && stage.scene().planet.refraction;
+  bool disc = parted && add_parted_disc(plan, stage, tables, picture, tile);
+  if (is_night || (shines && !parted)) {
+    const ImageId through = add_through(plan, stage, tables, tile);
+    disc = disc || (shines && add_sun_disc(plan, stage.whole(), through, picture));
+    if (is_night) {
+      add_night(plan, stage, through, picture);
+    }
+  }
+  return disc;
+}
+
 // The sky by the stage's own light.
 Sky add_sky_by_light(Plan& plan, const Stage& stage, const View& view, bool with_disc) {
   const Tile tile = tile_of(stage.scene(), view);
@@ -143,29 +173,17 @@ Sky add_sky_by_light(Plan& plan, const Stage& stage, const View& view, bool with
   Sky made{sky->radiance, sky->tables, false, sky->more_tables};
   const Picture whole = picture_of(made.radiance, tile);
   Picture picture = whole;  // that the disc and the night are drawn into
-  const bool shines = with_disc && sun_disc_shows(stage.scene(), picture);
-  const bool is_night = stage.night() != nullptr && view.directions.empty();
-  if (shines || is_night) {
-    if (past_clouds) {
-      picture.buffer = plan.add_buffer({.name = "behind_clouds", .bytes = plan.buffers()[made.radiance.index].bytes});
-    }
-    std::vector<ImageId> tables;
-    const std::size_t each = made.tables.size() / stage.parts().size();
-    for (std::size_t g = 0; each > 0 && g < stage.parts().size(); ++g) {
-      tables.push_back(made.tables[g * each]);
-    }
-    const bool parted = shines && stage.in_colours() && stage.scene().planet.refraction;
-    made.disc = parted && add_parted_disc(plan, stage, tables, picture, tile);
-    if (is_night || !parted) {
-      const ImageId through = add_through(plan, stage, std::move(tables), tile);
-      made.disc = made.disc || (shines && add_sun_disc(plan, stage.whole(), through, picture));
-      if (is_night) {
-        add_night(plan, stage, through, picture);
-      }
-    }
-    if (past_clouds && is_written(plan, picture.buffer)) {
-      add_behind_clouds(plan, picture.buffer, *past_clouds, whole);
-    }
+  if (!view.directions.empty()) {
+    return made;
+  }
+  const bool is_behind =
+      past_clouds && (stage.night() != nullptr || (with_disc && sun_disc_shows(stage.scene(), picture)));
+  if (is_behind) {
+    picture.buffer = plan.add_buffer({.name = "behind_clouds", .bytes = plan.buffers()[made.radiance.index].bytes});
+  }
+  made.disc = add_beyond(plan, stage, transmittances(stage, made), picture, tile, with_disc);
+  if (is_behind && is_written(plan, picture.buffer)) {
+    add_behind_clouds(plan, picture.buffer, *past_clouds, whole);
   }
   return made;
 }
@@ -175,18 +193,35 @@ Sky add_sky_by_light(Plan& plan, const Stage& stage, const View& view, bool with
 Sky add_sky(Plan& plan, const Stage& stage, const View& view, bool with_disc) {
   const Tile tile = tile_of(stage.scene(), view);
   plan.scene_data = device_scene_bytes(stage.whole().air, stage.scene(), tile);
-  Sky all = add_sky_by_light(plan, stage, view, with_disc);
   if (!view.directions.empty()) {
-    return all;
+    return add_sky_by_light(plan, stage, view, with_disc);
   }
+  const LightsSeen seen = view.all_lights ? LightsSeen{} : lights_seen(stage);
+  Sky all;
+  std::vector<ImageId> tables;  // of transmittance, which all lights share
+  if (seen.sun) {
+    all = add_sky_by_light(plan, stage, view, with_disc);
+  } else {
+    all.radiance = plan.add_buffer(radiance_buffer(view, pixels_of(tile.width, tile.height) * 4 * sizeof(float)));
+  }
+  bool is_empty = !seen.sun;
   for (const Stage& other : stage.others()) {
+    plan.begin_light(device_scene_bytes(other.whole().air, other.scene(), tile), other.light());
+    if (!seen.others) {
+      all.disc = add_beyond(plan, other, {}, picture_of(all.radiance, tile), tile, with_disc) || all.disc;
+      plan.end_light();
+      continue;
+    }
     View its_view = view;
     its_view.kept_as += view.kept_as.empty() ? "" : other.light();
-    plan.begin_light(device_scene_bytes(other.whole().air, other.scene(), tile), other.light());
     const Sky sky = add_sky_by_light(plan, other, its_view, with_disc);
+    tables = transmittances(other, sky);
     plan.end_light();
-    add_colours(plan, sky.radiance, all.radiance, kAsTheyAre, other.light(), false);
+    add_colours(plan, sky.radiance, all.radiance, kAsTheyAre, other.light(), std::exchange(is_empty, false));
     all.disc = all.disc || sky.disc;
+  }
+  if (!seen.sun) {
+    add_beyond(plan, stage, tables, picture_of(all.radiance, tile), tile, false);
   }
   return all;
 }
