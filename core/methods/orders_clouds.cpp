@@ -101,6 +101,7 @@ ImageId add_phase(Plan& plan, const Matter& matter) {
 struct CloudInputs {
   BufferId head;
   ImageId density;
+  ImageId gaps;
   ImageId shadow;
   ImageId mean = {};
 
@@ -246,7 +247,10 @@ ImageId add_shadow(Plan& plan, const CloudGrid& grid, const CloudInputs& inputs,
   const Extent size{head.fine_x + 1, head.fine_y + 1, finer * head.fine_z + 1};
   const ImageId depths = plan.add_image({.name = "cloud_sun_depth", .extent = size});
   plan.add_pass({.shader = "cloud_shadow",
-                 .reads = {{"cloud_data", inputs.head}, {"cloud_density_lut", inputs.density}, edge.noise},
+                 .reads = {{"cloud_data", inputs.head},
+                           {"cloud_density_lut", inputs.density},
+                           {"cloud_gap_lut", inputs.gaps},
+                           edge.noise},
                  .writes = {{"shadow_out", depths}},
                  .grid = {size.width, size.height, 1},
                  .push_constants = {parts, push_constant(scale)},
@@ -264,6 +268,7 @@ CloudInputs add_inputs(Plan& plan, const std::shared_ptr<const CloudGrid>& grid,
   CloudInputs inputs{};
   inputs.head = plan.add_buffer(filled_buffer("cloud", bytes_of_one(head)));
   inputs.density = add_density(plan, grid, key);
+  inputs.gaps = add_gaps(plan, grid, key);
   inputs.shadow = add_shadow(plan, *grid, inputs, head, key);
   constexpr Extent kSlopes{physics::kCloudMeanRows, 1, 1};
   inputs.mean = plan.add_image({.name = "cloud_mean", .extent = kSlopes, .key = sun_key + " mean", .stored = true});
@@ -306,6 +311,7 @@ ImageId add_sources(Plan& plan, const Fields& fields, const std::string& key) {
   plan.add_pass(
       {.shader = "cloud_source",
        .reads = {{"scattering", fields.tables.scattering},
+                 {"cells", fields.sun.cells},
                  {"sun", fields.sun.moments},
                  {"sky", fields.sky.moments},
                  {"ground", fields.ground.moments}},

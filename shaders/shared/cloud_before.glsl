@@ -1,4 +1,5 @@
-// The air before a cloud on a pixel's ray, and the light of the cloud's stretches as the camera sees it through that air.
+// The air before a cloud on a pixel's ray, and the light of the cloud's stretches as it comes through that air to the
+// camera.
 
 const uint kMostSheets = 4u;    // stretches that the march puts aside
 const float kSameColour = 1.0;  // km: so far apart stretches have light of the same colour

@@ -10,7 +10,6 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "shared/cloud_blocks.glsl"
 layout(set = 0, binding = 23) uniform sampler3D cloud_source_lut;
-layout(set = 0, binding = 24) uniform sampler3D cloud_gap_lut;  // cells to the nearest one that holds water
 layout(set = 0, binding = 28) uniform sampler2D cloud_phase_lut;
 layout(set = 0, binding = 26) uniform sampler3D cloud_shafts_lut;  // cloud_shafts.comp; any image where kAirByRay is 1
 layout(constant_id = 50) const uint kAirByRay = 0u;  // 1: the air's shade is found along each ray, 0: on froxels
@@ -86,13 +85,8 @@ CloudSource source_at(vec3 place) {
   return source;
 }
 
-// Cells of the gaps' grid to the nearest water at least: it may stand two cells nearer than the interpolated gap says.
-float empty_cells(vec3 place, uvec3 cells) {
-  vec2 texel = vec2(cell_texel(place.x, cells.x), cell_texel(place.y, cells.y));
-  return textureLod(cloud_gap_lut, vec3(texel / vec2(cells.xy + 1u), place.z), 0.0).r - 2.0;
-}
-
 #include "shared/cloud_water.glsl"
+#include "shared/cloud_gaps.glsl"
 #include "shared/cloud_before.glsl"
 
 // What the march through the cloud keeps from step to step.
@@ -110,7 +104,7 @@ struct March {
 bool next_step(inout March m, out vec3 middle, AirRay of, float end) {
   CloudData c = cloud();
   float radius = scene.planet.ground_radius;
-  uvec3 cells = uvec3(textureSize(cloud_gap_lut, 0)) - uvec3(1u, 1u, 0u);
+  uvec3 cells = gap_cells();
   vec3 per_km = vec3(cells) / vec3(c.width, c.depth, c.top - c.base);
   bool leaps = true;
   middle = vec3(0.0);
@@ -119,7 +113,7 @@ bool next_step(inout March m, out vec3 middle, AirRay of, float end) {
     m.size = min(min(m.size, step_in_water(m.near_inside, m.t)), end - m.t);
     middle = cloud_place(radius, c, scene.camera.altitude, of.direction, m.t + 0.5 * m.size);
     float climb = abs(of.direction.y) + m.t / radius;
-    float leap = empty_cells(middle, cells) /
+    float leap = empty_cells(middle) /
                  max(max(abs(of.direction.x) * per_km.x, abs(of.direction.z) * per_km.y), climb * per_km.z);
     leaps = leap > m.size;
     m.t += leaps ? leap : 0.0;
@@ -188,7 +182,8 @@ Walk crossed(Walk walk, CloudCrossing span, AirRay of, SunOnSpan sun) {
   m.stretch = nothing_gathered(walk.transmittance);
   uint begins = m.t < span.to ? 1u : 0u;
   for (uint turn = 0u; turn < begins; turn++) {
-    Water water = water_on_ray(cloud_place(scene.planet.ground_radius, cloud(), scene.camera.altitude, of.direction, m.t), m.t);
+    vec3 place = cloud_place(scene.planet.ground_radius, cloud(), scene.camera.altitude, of.direction, m.t);
+    Water water = water_on_ray(place, m.t);
     m.near = water.extinction;
     m.near_inside = water.inside;
   }

@@ -11,8 +11,8 @@ float mean_shade(CloudData c, float way) {
   return textureLod(cloud_mean_lut, vec2(texel, 0.5), 0.0).r * way;
 }
 
-// Scaled optical depth toward the sun, seen at this zenith cosine, from a place at altitude h. The rays of the table lean alike everywhere, where
-// the sun's are the steeper the farther away they cross the shell.
+// Scaled optical depth toward the sun, seen at this zenith cosine, from a place at altitude h. The rays of the table
+// lean alike everywhere, where the sun's are the steeper the farther away they cross the shell.
 float cloud_shade_of(vec3 place, float h, float seen) {
   CloudData c = cloud();
   float way = way_through_shell(scene.planet.ground_radius, c, h, seen);
