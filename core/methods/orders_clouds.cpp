@@ -231,14 +231,16 @@ EdgeInputs add_edge(Plan& plan, const CloudGrid& grid, ImageId any) {
 // The table of the depth toward the sun. Low suns need more slices: the rays cross more cells from one to the next.
 ImageId add_shadow(Plan& plan, const CloudGrid& grid, const CloudInputs& inputs, const device::CloudData& head,
                    const std::string& cloud) {
+  constexpr double kMostCells = 1.2;  // across, that a ray crosses from slice to slice
   constexpr double kScales = 20.0;  // the scale is rounded, so that wavelengths whose drops differ little share a table
   const double scale = std::max(std::round(static_cast<double>(head.scale) * kScales), 1.0) / kScales;
   const double across =
       grid.cell_z() * std::max(std::abs(head.sunward_east) / grid.cell_x, std::abs(head.sunward_north) / grid.cell_y);
   const EdgeInputs edge = add_edge(plan, grid, inputs.density);
   const bool carved = edge.carved.value == 1;
-  const auto finer = carved ? static_cast<std::uint32_t>(std::clamp(std::floor(across / 1.5), 1.0, 3.0)) : 1U;
-  const auto parts = static_cast<std::uint32_t>(std::clamp(std::ceil((carved ? 2.0 : 1.0) * across / finer), 1.0, 8.0));
+  const auto finer = carved ? static_cast<std::uint32_t>(std::clamp(std::ceil(across / kMostCells), 1.0, 3.0)) : 1U;
+  const auto parts = static_cast<std::uint32_t>(
+      std::clamp(std::ceil((carved ? 2.0 * std::max(across, 1.0) : across) / finer), 1.0, 8.0));
   const std::string key = cloud + " shadow " + shortest(static_cast<double>(head.sunward_east)) + " " +
                           shortest(static_cast<double>(head.sunward_north)) + " " + shortest(carved ? scale : 1.0);
   if (const auto made = plan.shared_image(key)) {

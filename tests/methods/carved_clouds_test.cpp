@@ -146,9 +146,9 @@ TEST(CarvedClouds, ThePictureShowsTheGridsEdge) {
   }
   std::printf("scattered once: bias %+.2f %%, %.2f %% off the edge, %.2f %% off the means\n",
               100.0 * (found / seen - 1.0), 100.0 * off_carved / seen, 100.0 * off_coarse / seen);
-  EXPECT_NEAR(found / seen, 1.0, 0.14);
-  EXPECT_LT(off_carved / seen, 0.21);
-  EXPECT_GT(off_coarse, 1.3 * off_carved);
+  EXPECT_NEAR(found / seen, 1.0, 0.05);
+  EXPECT_LT(off_carved / seen, 0.15);
+  EXPECT_GT(off_coarse, 2.0 * off_carved);
 }
 
 // The edges of coarse cells are those of the cloud, or lie amid it: the light that it sends back is the same.
