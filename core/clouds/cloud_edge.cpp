@@ -49,6 +49,11 @@ CarvingNoise carving_noise() {
   constexpr int kOctaves = 3;
   constexpr double kMost = 0.55;  // of the sum, which is less at 97 % of all places
   constexpr std::uint32_t kSeed = 2027;
+  std::vector<StrewnPoints> octaves;
+  for (int octave = 0; octave < kOctaves; ++octave) {
+    const int cells = kCells << octave;
+    octaves.emplace_back(NoisePeriod{cells, cells, cells}, cells, kSeed + static_cast<std::uint32_t>(octave));
+  }
   CarvingNoise noise;
   for (int k = 0; k < CarvingNoise::kSide; ++k) {
     for (int j = 0; j < CarvingNoise::kSide; ++j) {
@@ -56,10 +61,9 @@ CarvingNoise carving_noise() {
         double sum = 0.0;
         double weight = 4.0 / 7.0;
         for (int octave = 0; octave < kOctaves; ++octave) {
-          const int cells = kCells << octave;
-          const double scale = static_cast<double>(cells) / CarvingNoise::kSide;
-          const double distance = cell_noise((i + 0.5) * scale, (j + 0.5) * scale, (k + 0.5) * scale,
-                                             {cells, cells, cells}, kSeed + static_cast<std::uint32_t>(octave));
+          const double scale = static_cast<double>(kCells << octave) / CarvingNoise::kSide;
+          const double distance =
+              octaves[static_cast<std::size_t>(octave)].noise((i + 0.5) * scale, (j + 0.5) * scale, (k + 0.5) * scale);
           sum += weight * distance * distance;
           weight *= 0.5;
         }

@@ -230,6 +230,7 @@ CloudGrid cumulus_grid(const Cloud& cloud) {
   map.rank();
   const double wide = std::min(1.0, 1.25 * cloud.cover + 0.02);  // before the billows take their part
   const double lump_height = field.height() * lumps.x / cloud.period;
+  const CellOctaves billows(lumps, lump_height, 3, field.seed(10));
   return std::move(field).carve(
       [&, lumps](double x, double y, double z) {
         const double strength = (map.between(x * field.side(), y * field.side()) - 1.0 + wide) / wide;
@@ -240,7 +241,7 @@ CloudGrid cumulus_grid(const Cloud& cloud) {
         if (share <= 0.0) {
           return depth;
         }
-        const double carved = cell_octaves(x * lumps.x, y * lumps.y, z * lump_height, lumps, 3, field.seed(10));
+        const double carved = billows.at(x * lumps.x, y * lumps.y, z * lump_height);
         return depth - share * billow * carved;
       },
       0.35);
@@ -259,6 +260,7 @@ CloudGrid stratocumulus_grid(const Cloud& cloud) {
   map.rank();
   const double wide = std::min(1.0, 1.1 * cloud.cover + 0.05);
   const double lump_height = field.height() * lumps.x / cloud.period;
+  const CellOctaves billows(lumps, lump_height, 3, field.seed(10));
   constexpr double kSoft = 0.15;
   return std::move(field).fill(
       [&, lumps](double x, double y, double z) {
@@ -269,7 +271,7 @@ CloudGrid stratocumulus_grid(const Cloud& cloud) {
         const double thick = std::sqrt(strength);
         // The base is nearly level; the top bulges over each cell.
         const double depth = std::min((0.35 + 0.65 * thick - z) * 1.5, (z - 0.3 * (1.0 - thick)) * 3.0 + 0.1);
-        const double carved = cell_octaves(x * lumps.x, y * lumps.y, z * lump_height, lumps, 3, field.seed(10));
+        const double carved = billows.at(x * lumps.x, y * lumps.y, z * lump_height);
         return std::min(depth, 2.0 * strength) - 0.25 * carved;
       },
       kSoft, [](double z) { return 0.3 + 0.7 * z; });

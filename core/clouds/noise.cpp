@@ -54,6 +54,49 @@ double hashed(std::uint32_t x, std::uint32_t y, std::uint32_t z, std::uint32_t s
   return static_cast<double>(mixed_bits(h ^ (z * 0x2545f491U + 0x1b873593U))) * 0x1p-32;
 }
 
+namespace {
+
+struct PlaceInCell {
+  double x;
+  double y;
+  double z;
+};
+
+PlaceInCell point_in(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t seed) {
+  return {hashed(a, b, c, seed), hashed(a, b, c, seed + 0x51ed270bU), hashed(a, b, c, seed + 0xa2f1c3d9U)};
+}
+
+// Distance to the nearest point, at most 1. `point_of(i, j, k)`: where the point of a cell is in it.
+template <class PointOf>
+double nearest_of(double x, double y, double z, const PointOf& point_of) {
+  const int i = static_cast<int>(std::floor(x));
+  const int j = static_cast<int>(std::floor(y));
+  const int k = static_cast<int>(std::floor(z));
+  // The square of the distance to a neighbouring cell along one axis: no point of it is nearer.
+  const auto gap = [](int d, double part) {
+    const double away = d == 0 ? 0.0 : d < 0 ? part : 1.0 - part;
+    return away * away;
+  };
+  double nearest = 1.0;
+  for (const int dk : {0, -1, 1}) {
+    for (const int dj : {0, -1, 1}) {
+      for (const int di : {0, -1, 1}) {
+        if (gap(di, x - i) + gap(dj, y - j) + gap(dk, z - k) >= nearest) {
+          continue;
+        }
+        const auto point = point_of(i + di, j + dj, k + dk);
+        const double px = i + di + point.x - x;
+        const double py = j + dj + point.y - y;
+        const double pz = k + dk + point.z - z;
+        nearest = std::min(nearest, px * px + py * py + pz * pz);
+      }
+    }
+  }
+  return std::sqrt(nearest);
+}
+
+}  // namespace
+
 double value_noise(double x, double y, double z, NoisePeriod period, std::uint32_t seed) {
   const int i = static_cast<int>(std::floor(x));
   const int j = static_cast<int>(std::floor(y));
@@ -70,32 +113,12 @@ double value_noise(double x, double y, double z, NoisePeriod period, std::uint32
 }
 
 double cell_noise(double x, double y, double z, NoisePeriod period, std::uint32_t seed) {
-  const int i = static_cast<int>(std::floor(x));
-  const int j = static_cast<int>(std::floor(y));
-  const int k = static_cast<int>(std::floor(z));
-  // The square of the distance to a neighbouring cell along one axis: no point of it is nearer.
-  const auto gap = [](int d, double part) {
-    const double away = d == 0 ? 0.0 : d < 0 ? part : 1.0 - part;
-    return away * away;
-  };
-  double nearest = 1.0;
-  for (const int dk : {0, -1, 1}) {
-    for (const int dj : {0, -1, 1}) {
-      for (const int di : {0, -1, 1}) {
-        if (gap(di, x - i) + gap(dj, y - j) + gap(dk, z - k) >= nearest) {
-          continue;
-        }
-        const std::uint32_t a = wrapped(i + di, period.x);
-        const std::uint32_t b = wrapped(j + dj, period.y);
-        const std::uint32_t c = period.z > 0 ? wrapped(k + dk, period.z) : static_cast<std::uint32_t>(k + dk);
-        const double px = i + di + hashed(a, b, c, seed) - x;
-        const double py = j + dj + hashed(a, b, c, seed + 0x51ed270bU) - y;
-        const double pz = k + dk + hashed(a, b, c, seed + 0xa2f1c3d9U) - z;
-        nearest = std::min(nearest, px * px + py * py + pz * pz);
-      }
-    }
-  }
-  return std::sqrt(nearest);
+  return nearest_of(x, y, z, [&](int i, int j, int k) {
+    const std::uint32_t a = wrapped(i, period.x);
+    const std::uint32_t b = wrapped(j, period.y);
+    const std::uint32_t c = period.z > 0 ? wrapped(k, period.z) : static_cast<std::uint32_t>(k);
+    return point_in(a, b, c, seed);
+  });
 }
 
 double value_octaves(double x, double y, double z, NoisePeriod period, int octaves, std::uint32_t seed) {
@@ -104,6 +127,62 @@ double value_octaves(double x, double y, double z, NoisePeriod period, int octav
 
 double cell_octaves(double x, double y, double z, NoisePeriod period, int octaves, std::uint32_t seed) {
   return octaves_of(cell_noise, x, y, z, period, octaves, seed);
+}
+
+StrewnPoints::StrewnPoints(NoisePeriod period, double most_z, std::uint32_t seed) : period_(period), seed_(seed) {
+  constexpr double kMost = 2e6;  // points
+  const double layers = period.z > 0 ? period.z : std::floor(most_z) + 3.0;
+  if (layers * period.x * period.y > kMost) {
+    return;
+  }
+  layers_ = static_cast<int>(layers);
+  points_.reserve(static_cast<std::size_t>(layers_) * static_cast<std::size_t>(period.x) *
+                  static_cast<std::size_t>(period.y));
+  for (int k = 0; k < layers_; ++k) {
+    const auto c = static_cast<std::uint32_t>(period.z > 0 ? k : k - 1);
+    for (int j = 0; j < period.y; ++j) {
+      for (int i = 0; i < period.x; ++i) {
+        const PlaceInCell place = point_in(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), c, seed);
+        points_.push_back({place.x, place.y, place.z});
+      }
+    }
+  }
+}
+
+double StrewnPoints::noise(double x, double y, double z) const {
+  if (layers_ == 0) {
+    return cell_noise(x, y, z, period_, seed_);
+  }
+  return nearest_of(x, y, z, [this](int i, int j, int k) {
+    const std::size_t a = wrapped(i, period_.x);
+    const std::size_t b = wrapped(j, period_.y);
+    const std::size_t c =
+        period_.z > 0 ? wrapped(k, period_.z) : static_cast<std::size_t>(std::min(k + 1, layers_ - 1));
+    return points_[a + static_cast<std::size_t>(period_.x) * (b + static_cast<std::size_t>(period_.y) * c)];
+  });
+}
+
+CellOctaves::CellOctaves(NoisePeriod period, double most_z, int octaves, std::uint32_t seed) {
+  for (int k = 0; k < octaves; ++k) {
+    octaves_.emplace_back(period, most_z, seed + static_cast<std::uint32_t>(k));
+    most_z *= 2.0;
+    period = {2 * period.x, 2 * period.y, 2 * period.z};
+  }
+}
+
+double CellOctaves::at(double x, double y, double z) const {
+  double sum = 0.0;
+  double weight = 1.0;
+  double all = 0.0;
+  for (const StrewnPoints& octave : octaves_) {
+    sum += weight * octave.noise(x, y, z);
+    all += weight;
+    weight *= 0.5;
+    x *= 2.0;
+    y *= 2.0;
+    z *= 2.0;
+  }
+  return sum / all;
 }
 
 }  // namespace airlight

@@ -17,6 +17,14 @@
 namespace airlight {
 namespace {
 
+bool stores_and_filters(VkPhysicalDevice device, VkFormat format) {
+  constexpr VkFormatFeatureFlags kNeeds =
+      VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT | VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT;
+  VkFormatProperties properties{};
+  vkGetPhysicalDeviceFormatProperties(device, format, &properties);
+  return (properties.optimalTilingFeatures & kNeeds) == kNeeds;
+}
+
 constexpr VkMemoryPropertyFlags kHost = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
 constexpr VkMemoryPropertyFlags kHostCached = kHost | VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
 constexpr VkMemoryPropertyFlags kDevice = VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
@@ -105,6 +113,10 @@ void Device::read_limits(VkPhysicalDevice physical) {
   std::copy_n(limits.maxComputeWorkGroupCount, 3, limits_.workgroups);
   limits_.workgroup_invocations = limits.maxComputeWorkGroupInvocations;
   limits_.timestamp_nanoseconds = static_cast<double>(limits.timestampPeriod);
+  few_halves_ =
+      stores_and_filters(physical, VK_FORMAT_R16_SFLOAT) && stores_and_filters(physical, VK_FORMAT_R16G16_SFLOAT);
+  few_floats_ =
+      stores_and_filters(physical, VK_FORMAT_R32_SFLOAT) && stores_and_filters(physical, VK_FORMAT_R32G32_SFLOAT);
 
   std::uint32_t count = queue_family_ + 1;
   std::vector<VkQueueFamilyProperties> families(count);

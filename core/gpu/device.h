@@ -39,6 +39,8 @@ class Device {
   // Whether images of 16 bits a channel are stored in 16 bits.
   bool keeps_halves() const { return halves_; }
   void keep_halves(bool keeps) { halves_ = keeps; }
+  // Whether shaders write and samplers filter images of one and of two components, in 16 bits or in 32.
+  bool keeps_few_components(bool half) const { return half ? few_halves_ : few_floats_; }
   const DeviceInfo& info() const { return info_; }
   const DeviceLimits& limits() const { return limits_; }
   bool is_unified() const { return is_unified_; }
@@ -56,6 +58,8 @@ class Device {
   VkQueue queue_ = nullptr;
   std::uint32_t queue_family_ = 0;
   bool halves_ = true;
+  bool few_halves_ = false;
+  bool few_floats_ = false;
   DeviceInfo info_;
   DeviceLimits limits_;
   VkPhysicalDeviceMemoryProperties memory_{};

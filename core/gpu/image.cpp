@@ -16,24 +16,32 @@ void check_sides(const Device& device, const ImageDesc& desc, const std::string&
   }
 }
 
+VkFormat format_of(const Device& device, const ImageDesc& desc) {
+  const bool half = desc.half && device.keeps_halves();
+  if (desc.components < 4 && device.keeps_few_components(half)) {
+    return desc.components == 1 ? (half ? VK_FORMAT_R16_SFLOAT : VK_FORMAT_R32_SFLOAT)
+                                : (half ? VK_FORMAT_R16G16_SFLOAT : VK_FORMAT_R32G32_SFLOAT);
+  }
+  return half ? VK_FORMAT_R16G16B16A16_SFLOAT : VK_FORMAT_R32G32B32A32_SFLOAT;
+}
+
 }  // namespace
 
 std::string describe_shape(const ImageDesc& desc) {
   std::string text = std::to_string(desc.extent.width) + "x" + std::to_string(desc.extent.height);
   if (desc.extent.depth > 1) text += "x" + std::to_string(desc.extent.depth);
-  return text + (desc.half ? " rgba16f" : " rgba32f");
+  const std::string components = desc.components == 1 ? " r" : desc.components == 2 ? " rg" : " rgba";
+  return text + components + (desc.half ? "16f" : "32f");
 }
 
 Image::Image(const Device& device, const ImageDesc& desc) : extent_(desc.extent) {
-  const bool half = desc.half && device.keeps_halves();
-  const VkFormat format = half ? VK_FORMAT_R16G16B16A16_SFLOAT : VK_FORMAT_R32G32B32A32_SFLOAT;
   const std::string what = "image " + desc.name + ", " + describe_shape(desc);
   check_sides(device, desc, what);
   device.check_size(desc.bytes(), what);
   const bool is_3d = desc.extent.depth > 1;
   const VkImageCreateInfo image_info{.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
                                      .imageType = is_3d ? VK_IMAGE_TYPE_3D : VK_IMAGE_TYPE_2D,
-                                     .format = format,
+                                     .format = format_of(device, desc),
                                      .extent = {desc.extent.width, desc.extent.height, desc.extent.depth},
                                      .mipLevels = 1,
                                      .arrayLayers = 1,

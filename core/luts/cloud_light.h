@@ -79,6 +79,7 @@ std::vector<ChebyshevStep> chebyshev_steps(double kept, int count);
 struct CloudField {
   BufferId moments;  // of the mean radiance in each cell: harmonic, cell
   BufferId planes;   // what leaves the last layer along each ordinate: ordinate, two planes each
+  BufferId cells;    // their scaled extinction, 1/km
 };
 
 // What all fields of one cloud and sun read. `sun`: the direction in which its light travels, in the cloud's frame.

@@ -101,6 +101,7 @@ ImageId add_phase(Plan& plan, const Matter& matter) {
 struct CloudInputs {
   BufferId head;
   ImageId density;
+  ImageId gaps;
   ImageId shadow;
   ImageId mean = {};
 
@@ -149,11 +150,16 @@ BufferId add_values(Plan& plan, const std::string& name, Extent cells, std::func
                           .contents_when_run = std::move(values)});
 }
 
-// Values of cells as an image that repeats itself in x and y, its second channel of other values; `key` names it.
+// Values of cells as an image that repeats itself in x and y, its second component of other values; `key` names it.
 ImageId add_cells(Plan& plan, const std::string& name, Extent cells, BufferId values, BufferId second,
                   const std::string& key) {
   const Extent extent{cells.width + 1, cells.height + 1, cells.depth};
-  const ImageId image = plan.add_image({.name = name, .extent = extent, .key = key + " " + name, .half = true});
+  const ImageId image = plan.add_image({.name = name,
+                                        .extent = extent,
+                                        .key = key,
+                                        .half = true,
+                                        .components = values == second ? 1U : 2U,
+                                        .shared = true});
   plan.add_pass({.name = name,
                  .shader = "cloud_density",
                  .reads = {{"extinction", values}, {"inside", second}},
@@ -163,7 +169,11 @@ ImageId add_cells(Plan& plan, const std::string& name, Extent cells, BufferId va
   return image;
 }
 
-ImageId add_density(Plan& plan, const std::shared_ptr<const CloudGrid>& grid, const std::string& key) {
+ImageId add_density(Plan& plan, const std::shared_ptr<const CloudGrid>& grid, const std::string& cloud) {
+  const std::string key = cloud + " density";
+  if (const auto made = plan.shared_image(key)) {
+    return *made;
+  }
   const Extent cells{static_cast<std::uint32_t>(grid->nx), static_cast<std::uint32_t>(grid->ny),
                      static_cast<std::uint32_t>(grid->nz)};
   const BufferId means = add_values(plan, "cloud_density_values", cells, [grid] { return bytes_of(grid->extinction); });
@@ -174,6 +184,10 @@ ImageId add_density(Plan& plan, const std::shared_ptr<const CloudGrid>& grid, co
 
 // The noise that carves the edge; its first level is the last once more, as columns and rows are.
 ImageId add_noise(Plan& plan, const std::shared_ptr<const CarvingNoise>& noise) {
+  const std::string key = "cloud noise";
+  if (const auto made = plan.shared_image(key)) {
+    return *made;
+  }
   constexpr std::uint32_t kSide = CarvingNoise::kSide;
   constexpr Extent kCells{kSide, kSide, kSide + 1};
   const BufferId values = add_values(plan, "cloud_noise_values", kCells, [noise] {
@@ -181,11 +195,15 @@ ImageId add_noise(Plan& plan, const std::shared_ptr<const CarvingNoise>& noise) 
     texels.insert(texels.end(), noise->values.begin(), noise->values.end());
     return bytes_of(texels);
   });
-  return add_cells(plan, "cloud_noise", kCells, values, values, "cloud");
+  return add_cells(plan, "cloud_noise", kCells, values, values, key);
 }
 
 // Where a ray need not look for water, on cells of twice the grid's.
-ImageId add_gaps(Plan& plan, const std::shared_ptr<const CloudGrid>& grid, const std::string& key) {
+ImageId add_gaps(Plan& plan, const std::shared_ptr<const CloudGrid>& grid, const std::string& cloud) {
+  const std::string key = cloud + " gaps";
+  if (const auto made = plan.shared_image(key)) {
+    return *made;
+  }
   const auto half = [](int count) { return static_cast<std::uint32_t>(count + 1) / 2; };
   const Extent cells{half(grid->nx), half(grid->ny), std::max(half(grid->nz), 2U)};
   const BufferId gaps = add_values(plan, "cloud_gap_values", cells, [grid, cells] {
@@ -198,27 +216,62 @@ ImageId add_gaps(Plan& plan, const std::shared_ptr<const CloudGrid>& grid, const
   return add_cells(plan, "cloud_gap", cells, gaps, gaps, key);
 }
 
+// What reads the edge of a cloud's water (shaders/shared/cloud_carved.glsl).
+struct EdgeInputs {
+  Binding noise;
+  Specialization carved;
+};
+
+// `any`: an image to bind where the edge is not carved.
+EdgeInputs add_edge(Plan& plan, const CloudGrid& grid, ImageId any) {
+  const bool carved = grid.edge.tiles > 0.0;
+  return {{"cloud_noise_lut", carved ? add_noise(plan, grid.noise) : any}, {"kCarved", carved ? 1U : 0U}};
+}
+
+// The table of the depth toward the sun. Low suns need more slices: the rays cross more cells from one to the next.
+ImageId add_shadow(Plan& plan, const CloudGrid& grid, const CloudInputs& inputs, const device::CloudData& head,
+                   const std::string& cloud) {
+  constexpr double kMostCells = 1.2;  // across, that a ray crosses from slice to slice
+  constexpr double kScales = 20.0;  // the scale is rounded, so that wavelengths whose drops differ little share a table
+  const double scale = std::max(std::round(static_cast<double>(head.scale) * kScales), 1.0) / kScales;
+  const double across =
+      grid.cell_z() * std::max(std::abs(head.sunward_east) / grid.cell_x, std::abs(head.sunward_north) / grid.cell_y);
+  const EdgeInputs edge = add_edge(plan, grid, inputs.density);
+  const bool carved = edge.carved.value == 1;
+  const auto finer = carved ? static_cast<std::uint32_t>(std::clamp(std::ceil(across / kMostCells), 1.0, 3.0)) : 1U;
+  const auto parts = static_cast<std::uint32_t>(
+      std::clamp(std::ceil((carved ? 2.0 * std::max(across, 1.0) : across) / finer), 1.0, 8.0));
+  const std::string key = cloud + " shadow " + shortest(static_cast<double>(head.sunward_east)) + " " +
+                          shortest(static_cast<double>(head.sunward_north)) + " " + shortest(carved ? scale : 1.0);
+  if (const auto made = plan.shared_image(key)) {
+    return *made;
+  }
+  const Extent size{head.fine_x + 1, head.fine_y + 1, finer * head.fine_z + 1};
+  const ImageId depths = plan.add_image({.name = "cloud_sun_depth", .extent = size});
+  plan.add_pass({.shader = "cloud_shadow",
+                 .reads = {{"cloud_data", inputs.head},
+                           {"cloud_density_lut", inputs.density},
+                           {"cloud_gap_lut", inputs.gaps},
+                           edge.noise},
+                 .writes = {{"shadow_out", depths}},
+                 .grid = {size.width, size.height, 1},
+                 .push_constants = {parts, push_constant(scale)},
+                 .specialization = {edge.carved},
+                 .cost = (carved ? 8.0 : 1.0) * size.depth * parts});
+  const ImageId shadow =
+      plan.add_image({.name = "cloud_shadow", .extent = size, .key = key, .half = true, .shared = true});
+  plan.add_pass(
+      {.shader = "cloud_bends", .reads = {{"depths_lut", depths}}, .writes = {{"bends_out", shadow}}, .grid = size});
+  return shadow;
+}
+
 CloudInputs add_inputs(Plan& plan, const std::shared_ptr<const CloudGrid>& grid, const device::CloudData& head,
                        const std::string& key, const std::string& sun_key) {
   CloudInputs inputs{};
   inputs.head = plan.add_buffer(filled_buffer("cloud", bytes_of_one(head)));
   inputs.density = add_density(plan, grid, key);
-  const Extent size{head.fine_x + 1, head.fine_y + 1, head.fine_z + 1};
-  const ImageId depths = plan.add_image({.name = "cloud_sun_depth", .extent = size});
-  const double lean = grid->cell_z() *
-                      std::max(std::abs(head.sunward_east) / grid->cell_x, std::abs(head.sunward_north) / grid->cell_y);
-  const auto parts = static_cast<std::uint32_t>(std::clamp(std::ceil(lean), 1.0, 8.0));
-  plan.add_pass({.shader = "cloud_shadow",
-                 .reads = {{"cloud_data", inputs.head}, {"cloud_density_lut", inputs.density}},
-                 .writes = {{"shadow_out", depths}},
-                 .grid = {size.width, size.height, 1},
-                 .push_constants = {parts},
-                 .cost = 1.0 * head.fine_z * parts});
-  inputs.shadow = plan.add_image({.name = "cloud_shadow", .extent = size, .key = sun_key + " shadow", .half = true});
-  plan.add_pass({.shader = "cloud_bends",
-                 .reads = {{"depths_lut", depths}},
-                 .writes = {{"bends_out", inputs.shadow}},
-                 .grid = size});
+  inputs.gaps = add_gaps(plan, grid, key);
+  inputs.shadow = add_shadow(plan, *grid, inputs, head, key);
   constexpr Extent kSlopes{physics::kCloudMeanRows, 1, 1};
   inputs.mean = plan.add_image({.name = "cloud_mean", .extent = kSlopes, .key = sun_key + " mean", .stored = true});
   plan.add_pass({.shader = "cloud_mean",
@@ -260,6 +313,7 @@ ImageId add_sources(Plan& plan, const Fields& fields, const std::string& key) {
   plan.add_pass(
       {.shader = "cloud_source",
        .reads = {{"scattering", fields.tables.scattering},
+                 {"cells", fields.sun.cells},
                  {"sun", fields.sun.moments},
                  {"sky", fields.sky.moments},
                  {"ground", fields.ground.moments}},
@@ -436,9 +490,9 @@ void add_cloud(Plan& plan, const Part& part, const View& view, const SkyTarget& 
   reads.push_back({"cloud_source_lut", cloud.sources});
   reads.push_back({"cloud_gap_lut", add_gaps(plan, cloud.grid, cloud.key)});
   reads.push_back({"cloud_phase_lut", cloud.phase});
-  const bool carved = cloud.grid->edge.tiles > 0.0;
-  reads.push_back({"cloud_noise_lut", carved ? add_noise(plan, cloud.grid->noise) : cloud.sources});
-  constants.push_back({"kCarved", carved ? 1U : 0U});
+  const EdgeInputs edge = add_edge(plan, *cloud.grid, cloud.sources);
+  reads.push_back(edge.noise);
+  constants.push_back(edge.carved);
   reads.push_back({"directions", target.directions});
   constants.push_back({"kProjection", target.projection});
   constants.push_back({"kAirByRay", froxels ? 0U : 1U});

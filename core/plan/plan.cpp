@@ -7,7 +7,8 @@
 namespace airlight {
 
 std::size_t ImageDesc::bytes() const {
-  return std::size_t{extent.width} * extent.height * extent.depth * 4 * (half ? sizeof(float) / 2 : sizeof(float));
+  const std::size_t texel = std::size_t{components} * (half ? sizeof(float) / 2 : sizeof(float));
+  return std::size_t{extent.width} * extent.height * extent.depth * texel;
 }
 
 void Plan::begin_scene(std::vector<std::byte> data, std::string suffix, std::string channels) {
@@ -46,6 +47,13 @@ std::optional<ImageId> Plan::table_of(const std::string& key) const {
                                 : std::optional(ImageId{static_cast<std::uint32_t>(found - images_.begin())});
 }
 
+std::optional<ImageId> Plan::shared_image(const std::string& key) const {
+  const auto is_it = [&](const ImageDesc& image) { return image.shared && image.key == key; };
+  const auto found = std::ranges::find_if(images_, is_it);
+  return found == images_.end() ? std::nullopt
+                                : std::optional(ImageId{static_cast<std::uint32_t>(found - images_.begin())});
+}
+
 const std::vector<std::byte>& Plan::scene(std::size_t index) const {
   return index == 0 ? scene_data : more_scenes_.at(index - 1);
 }
@@ -55,9 +63,12 @@ const std::vector<std::byte>& Plan::scene_of(const PassDesc& pass) const {
 }
 
 ImageId Plan::add_image(ImageDesc desc) {
-  desc.name += suffix_ + light_;
-  desc.key += desc.key.empty() ? "" : desc.stored ? suffix_ : suffix_ + light_;
-  desc.channels = channels_;
+  assert(desc.components == 4 || desc.half);
+  if (!desc.shared) {
+    desc.name += suffix_ + light_;
+    desc.key += desc.key.empty() ? "" : desc.stored ? suffix_ : suffix_ + light_;
+    desc.channels = channels_;
+  }
   images_.push_back(std::move(desc));
   return {static_cast<std::uint32_t>(images_.size() - 1)};
 }

@@ -30,6 +30,9 @@ struct ImageDesc {
   // Stored in 16 bits, which a GPU's samplers filter several times as fast; a processor would have to widen them and
   // keeps 32. The host cannot read such an image.
   bool half = false;
+  // Of each texel's four floats the device keeps the first 1, 2 or all; fewer than 4 of an image in halves alone.
+  std::uint32_t components = 4;
+  bool shared = false;  // by all scenes and lights, so that neither name nor key gets a suffix; see Plan::shared_image
   bool stored = false;  // in a file of the user's, with a key that later starts of the program may ask for again
   // What an image of 32 bits starts with, tightly packed; empty: undefined. It is called when a pass that reads it runs.
   std::function<std::vector<std::byte>()> contents_when_run = {};
@@ -144,6 +147,8 @@ class Plan {
   void end_light();
   // The table that an earlier light has already had added under this key.
   std::optional<ImageId> table_of(const std::string& key) const;
+  // The shared image that has already been added under this key, by whatever scene.
+  std::optional<ImageId> shared_image(const std::string& key) const;
   // The scene that the pass reads.
   const std::vector<std::byte>& scene_of(const PassDesc& pass) const;
   std::size_t scene_count() const { return 1 + more_scenes_.size(); }

@@ -1,14 +1,43 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Optical depth of a cloud toward the sun: one thread a ray of the sun, which it follows down from the cloud's top.
-// Column and row are where the ray enters the top: the grid leans as the sun's rays do. Slices are the layers' edges.
+// Column and row are where the ray enters the top: the grid leans as the sun's rays do. Slices are heights, evenly from
+// base to top.
+//
+// Of a cloud whose edge is carved finer than the grid a thread follows four rays, in the middles of the quarters of its
+// texel, through the carved water. The depth is that which leaves as much light as the four do: through gaps between
+// lobes falls light where the grid's means would shade. `scale` is that of delta scaling: the mean is of scaled light.
 #extension GL_EXT_scalar_block_layout : require
+#extension GL_EXT_control_flow_attributes : require
+#define UNROLL [[unroll]]
 #define real float
 #include "shared/cloud_volume.glsl"
+#include "shared/cloud_carved.glsl"
+#include "shared/cloud_gaps.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = 2, rgba32f) uniform writeonly image3D shadow_out;
-layout(push_constant, scalar) uniform Push { uint parts; };  // of a layer
+layout(push_constant, scalar) uniform Push {
+  uint parts;  // of a slice
+  float scale;
+};
+
+const uint kRays = 4u;
+
+float water_of_ray(vec3 place) {
+  vec2 mean = water_at(place);
+  return kCarved == 1u ? carved_extinction(place, mean.y, 1.0) : mean.x;
+}
+
+// The depth that leaves the mean of what these leave.
+float mean_depth(float depths[kRays]) {
+  float least = min(min(depths[0], depths[1]), min(depths[2], depths[3]));
+  float left = 0.0;
+  UNROLL for (uint r = 0u; r < kRays; r++) {
+    left += exp(scale * (least - depths[r])) / float(kRays);
+  }
+  return least - log(left) / scale;
+}
 
 void main() {
   CloudData c = cloud();
@@ -16,18 +45,29 @@ void main() {
   if (at.x > c.fine_x || at.y > c.fine_y) {
     return;
   }
+  uint slices = uint(imageSize(shadow_out).z) - 1u;
   float height = c.top - c.base;
   vec2 lean = vec2(c.sunward_east * height / c.width, c.sunward_north * height / c.depth);
   float way = length(vec3(c.sunward_east, c.sunward_north, 1.0)) * height;
-  uint steps = parts * c.fine_z;
-  float depth = 0.0;
-  imageStore(shadow_out, ivec3(at, c.fine_z), vec4(0.0));
+  uint steps = parts * slices;
+  uint rays = kCarved == 1u ? kRays : 1u;
+  float depths[kRays];
+  UNROLL for (uint r = 0u; r < kRays; r++) {
+    depths[r] = 0.0;
+  }
+  imageStore(shadow_out, ivec3(at, slices), vec4(0.0));
   for (uint i = 0u; i < steps; i++) {
     float down = (float(i) + 0.5) / float(steps);
     vec2 place = vec2(at) / vec2(c.fine_x, c.fine_y) - lean * down;
-    depth += density_at(vec3(place, 1.0 - down)) * way / float(steps);
+    // As a loop: a processor runs the code of a branch that none takes, but no turn of a loop.
+    uint waters = empty_cells(vec3(place, 1.0 - down)) < 0.5 ? rays : 0u;
+    for (uint r = 0u; r < waters; r++) {
+      vec2 beside = rays == 1u ? vec2(0.0) : (vec2(r & 1u, r >> 1u) - 0.5) * 0.5 / vec2(c.fine_x, c.fine_y);
+      depths[r] += water_of_ray(vec3(place + beside, 1.0 - down)) * way / float(steps);
+    }
     if ((i + 1u) % parts == 0u) {
-      imageStore(shadow_out, ivec3(at, c.fine_z - 1u - i / parts), vec4(depth));
+      float depth = rays == 1u ? depths[0] : mean_depth(depths);
+      imageStore(shadow_out, ivec3(at, slices - 1u - i / parts), vec4(depth));
     }
   }
 }

@@ -10,7 +10,6 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "shared/cloud_blocks.glsl"
 layout(set = 0, binding = 23) uniform sampler3D cloud_source_lut;
-layout(set = 0, binding = 24) uniform sampler3D cloud_gap_lut;  // cells to the nearest one that holds water
 layout(set = 0, binding = 28) uniform sampler2D cloud_phase_lut;
 layout(set = 0, binding = 26) uniform sampler3D cloud_shafts_lut;  // cloud_shafts.comp; any image where kAirByRay is 1
 layout(constant_id = 50) const uint kAirByRay = 0u;  // 1: the air's shade is found along each ray, 0: on froxels
@@ -32,6 +31,11 @@ const float kEdgeDepth = 0.1;   // likewise where the cloud begins or ends
 const float kSunStep = 1.0;     // scaled, the most by which the depth toward the sun may change along a step
 const float kShaded = 5.0;      // where it is more than this, no sunlight is left that counts
 const float kLeastStep = 0.15;  // of `step`
+#ifdef AIRLIGHT_THINGS
+const bool kShowsAirAlone = false;  // pixels that do not show the ground
+#else
+const bool kShowsAirAlone = true;
+#endif
 const float kSheet = 0.2;       // depth of a stretch that is seen through one length of air, over its distance
 
 // What scatters sunlight once after this scaled depth of cloud on its whole way, in direction and wide of the sun by
@@ -81,224 +85,135 @@ CloudSource source_at(vec3 place) {
   return source;
 }
 
-// Cells of the gaps' grid to the nearest water at least: it may stand two cells nearer than the interpolated gap says.
-float empty_cells(vec3 place, uvec3 cells) {
-  vec2 texel = vec2(cell_texel(place.x, cells.x), cell_texel(place.y, cells.y));
-  return textureLod(cloud_gap_lut, vec3(texel / vec2(cells.xy + 1u), place.z), 0.0).r - 2.0;
-}
-
-// The air before a distance, for a sun of irradiance 1.
-struct Before {
-  vec3 light;
-  vec3 transmittance;
-};
-
-const float kRaySlices = 32.0;  // of a ray whose shade is found along it
-
-// What walks through the air along a pixel's ray read.
-struct AirRay {
-  Ray ray;
-  FactorPlace at;
-  vec3 direction;
-  float reach;
-};
-
-ShadedAir further(ShadedAir air, AirRay of, float distance_) {
-  float from = shaded_coordinate(of.reach, of.ray.length_, air.distance_);
-  float to = shaded_coordinate(of.reach, of.ray.length_, distance_);
-  uint steps = uint(clamp(ceil((to - from) * kRaySlices), 0.0, kRaySlices));
-  for (uint i = 1u; i <= steps; i++) {
-    float z = mix(from, to, float(i) / float(steps));
-    air = shaded_up_to(air, of.ray, of.at, of.direction,
-                       i < steps ? shaded_distance(of.reach, of.ray.length_, z) : distance_, 2u);
-  }
-  return air;
-}
-
-vec3 share_by_froxels(AirRay of, float distance_) {
-  vec3 size = vec3(textureSize(cloud_shafts_lut, 0));
-  vec2 at = (vec2(here) + vec2(scene.tile.x, scene.tile.y) + 0.5) / vec2(scene.camera.width, scene.camera.height);
-  vec3 place = vec3(at, shaded_coordinate(of.reach, of.ray.length_, distance_));
-  return textureLod(cloud_shafts_lut, (vec3(0.5) + place * (size - 1.0)) / size, 0.0).rgb;
-}
-
-// The light of a stretch as it leaves the cloud, at a point of the ray; for a sun of irradiance 1, of which this share
-// is left by things.
-vec3 coloured(CloudGathered g, RayPoint point, float lit) {
-  float height = mix(cloud().base, cloud().top, 0.7);
-  float h = optical_altitude_at(height);
-  MomentCoordinate at = air_moment_coordinate(scene.moments, h, point.mu_sun);
-  vec3 sun = transmittance_to_sun(scene.planet, h, point.mu_sun);
-  vec3 sky = level_irradiance(at, 1.0) / kPi;
-  vec3 ground = level_irradiance(at, -1.0) / kPi * cloud_light.value.below;
-  vec3 sunlight = sun * (g.once + vec3(g.sun * sun_past_field(height, h, point.mu_sun)));
-#ifdef AIRLIGHT_THINGS
-  sunlight *= lit;
-#endif
-  return sunlight + sky * g.sky + ground * g.ground;
-}
-
-// The change of the ground's light by the cloud, at the ground, for a sun of irradiance 1.
-vec3 ground_change(Ray ray, vec3 direction) {
-  RayPoint point = sunlit_among_things(scene.planet, ray, ray.length_);
-  vec3 place = cloud_place(scene.planet.ground_radius, cloud(), ray.h, direction, ray.length_);
-  vec3 direct = transmittance_to_sun(scene.planet, 0.0, point.mu_sun) * ground_facing(scene.planet, point.mu_sun);
-  vec3 clear = direct + moment_ground_irradiance(scene.moments, point.mu_sun);
-  float lit = exp(-cloud_shade(place, 0.0, point.mu_sun));
-  CloudLight light = cloud_light.value;
-  vec3 below = max(clear * light.below - direct * light.direct, vec3(0.0)) + direct * lit;
-  return (below - clear) * scene.planet.ground_albedo / kPi;
-}
-
-struct Walk {
-  vec3 light;     // so far, as the camera sees it
-  ShadedAir shaded;  // where kAirByRay is 1
-  vec3 air;       // of the air up to the last stretch
-  vec3 seen;      // of it, what the cloud lets through
-  CloudGathered stretch;
-  float start;    // of the stretch
-};
-
-// The walk up to a distance, and the air before it.
-struct Stop {
-  Walk walk;
-  Before before;
-  vec3 clear;  // light of the air before it if there were no cloud
-};
-
-Stop stop_at(Walk walk, AirRay of, float distance_) {
-  Stop stop;
-  if (kAirByRay == 1u) {
-    walk.shaded = further(walk.shaded, of, distance_);
-    stop.clear = walk.shaded.clear.once + walk.shaded.clear.more;
-    stop.before.light = walk.shaded.left;
-    stop.before.transmittance = segment_transfer(walk.shaded.clear.depth).through;
-  } else {
-    ClearAir air = clear_air_up_to(of.ray, of.at, optical_up_to(of.ray, distance_));
-    stop.clear = air.once + air.more;
-    stop.before.light = stop.clear * share_by_froxels(of, distance_);
-    stop.before.transmittance = segment_transfer(air.depth).through;
-  }
-  stop.walk = walk;
-  return stop;
-}
-
-// Share of the sun that things leave at a point of the ray.
-float sun_past_things_at(AirRay of, float t) {
-#ifdef AIRLIGHT_THINGS
-  Place place = place_at(scene.planet, scene.camera.altitude, of.direction * t);
-  return sun_past_things(scene.planet, scene.camera.altitude, scene.sun, place, kNoSphere);
-#else
-  return 1.0;
-#endif
-}
-
-Walk closed(Walk walk, AirRay of) {
-  float taken = walk.stretch.before - walk.stretch.transmittance;
-  uint turns = taken > 0.0 ? 1u : 0u;
-  for (uint turn = 0u; turn < turns; turn++) {
-    float t = walk.stretch.reach / taken;
-    Stop stop = stop_at(walk, of, t);
-    walk = stop.walk;
-    vec3 light = coloured(walk.stretch, sunlit_among_things(scene.planet, of.ray, t), sun_past_things_at(of, t));
-    vec3 air = max(stop.before.light - walk.air, vec3(0.0));
-    walk.seen += air * walk.stretch.before;
-    walk.light += air * walk.stretch.before + stop.before.transmittance * light;
-    walk.air = max(stop.before.light, walk.air);
-    walk.stretch = nothing_gathered(walk.stretch.transmittance);
-  }
-  return walk;
-}
-
 #include "shared/cloud_water.glsl"
+#include "shared/cloud_gaps.glsl"
+#include "shared/cloud_before.glsl"
 
-// Steps are as long as `step` says, or shorter where the cloud is thick. Density and the depth toward the sun are
-// linear between a step's ends.
-Walk crossed(Walk walk, CloudCrossing span, AirRay of) {
-  Ray ray = of.ray;
-  vec3 direction = of.direction;
+// What the march through the cloud keeps from step to step.
+struct March {
+  float t;            // km
+  float size;         // of the next step, km
+  float near;         // extinction at t
+  float near_inside;  // km inside the cloud there
+  float near_sun;     // scaled depth toward the sun there; below 0: not known
+  float start;        // of the stretch
+  CloudGathered stretch;
+};
+
+// Leaps over empty cells, and finds the middle of the next step; false: no step is left before `end`.
+bool next_step(inout March m, out vec3 middle, AirRay of, float end) {
   CloudData c = cloud();
   float radius = scene.planet.ground_radius;
-  float t = span.from;
-  float size = max(step, t * step_rise);
-  float near = 0.0;       // density at t
-  float near_inside = 0.0;
-  float near_sun = -1.0;  // scaled depth toward the sun there; below 0: not known
-  if (span.from < span.to) {
-    Water water = water_on_ray(cloud_place(radius, c, scene.camera.altitude, direction, t), t);
-    near = water.extinction;
-    near_inside = water.inside;
-  }
-  uvec3 cells = uvec3(textureSize(cloud_gap_lut, 0)) - uvec3(1u, 1u, 0u);
+  uvec3 cells = gap_cells();
   vec3 per_km = vec3(cells) / vec3(c.width, c.depth, c.top - c.base);
-  for (uint i = 0u; i < kMostSteps && t < span.to && walk.stretch.transmittance > kOpaque; i++) {
-    // A loop of its own: lanes that leap do not wait for lanes that gather light.
-    vec3 middle = vec3(0.0);
-    bool leaps = true;
-    while (leaps && t < span.to) {
-      size = min(min(size, step_in_water(near_inside, t)), span.to - t);
-      middle = cloud_place(radius, c, scene.camera.altitude, direction, t + 0.5 * size);
-      float climb = abs(direction.y) + t / radius;
-      float leap = empty_cells(middle, cells) / max(max(abs(direction.x) * per_km.x, abs(direction.z) * per_km.y),
-                                                    climb * per_km.z);
-      leaps = leap > size;
-      if (leaps) {
-        t += leap;
-        near = 0.0;
-        near_inside = 0.0;
-        near_sun = -1.0;
-        size = max(step, t * step_rise);
-      }
-    }
-    if (leaps) {
-      break;
-    }
-    vec3 end = cloud_place(radius, c, scene.camera.altitude, direction, t + size);
-    Water water = water_on_ray(end, t + size);
-    float far = water.extinction;
-    float depth = 0.5 * (near + far) * c.scale * size;
-    float least = min(size, max(step * kLeastStep, t * step_rise * kLeastStep));
-    // Where the cloud begins or ends, a line between the step's ends is far from its density.
-    float most = min(near, far) > 0.0 ? kStepDepth : kEdgeDepth;
-    if (depth > most && size > least) {
-      size = max(least, size * max(most / depth, 0.25));
-      continue;
-    }
-    // As loops: a processor runs the code of a branch that none takes, but no turn of a loop.
-    uint meets = depth > 0.0 ? 1u : 0u;
-    float far_sun = near_sun;
-    for (uint turn = 0u; turn < meets; turn++) {
-      if (near_sun < 0.0) {
-        near_sun = shade_on_ray(ray, cloud_place(radius, c, scene.camera.altitude, direction, t), t);
-      }
-      far_sun = shade_on_ray(ray, end, t + size);
-    }
-    float shade = abs(far_sun - near_sun);
-    if (meets > 0u && shade > kSunStep && min(near_sun, far_sun) < kShaded && size > least) {
-      size = max(least, size * max(kSunStep / shade, 0.25));
-      continue;
-    }
-    for (uint turn = 0u; turn < meets; turn++) {
-      CloudSource source = source_at(middle);
-      float passed = -log(walk.stretch.transmittance) + 0.5 * (depth + near_sun + far_sun);
-      walk.start = walk.stretch.before == walk.stretch.transmittance ? t : walk.start;
-      walk.stretch = with_cloud_step(walk.stretch, source, phase_behind(of.at.nu, passed), near_sun, far_sun, depth,
-                                     t + 0.5 * size);
-      near_sun = far_sun;
-    }
-    near_sun = depth > 0.0 ? near_sun : -1.0;
-    near = far;
-    near_inside = water.inside;
-    t += size;
-    size = min(max(step, t * step_rise), size * clamp(kStepDepth / max(depth, 1e-6), 1.0, 2.0));
-    bool begun = walk.stretch.before > walk.stretch.transmittance;
-    uint closes = begun && t - walk.start > kSheet * t + step ? 1u : 0u;
-    for (uint turn = 0u; turn < closes; turn++) {
-      walk = closed(walk, of);
-      walk.start = t;
+  bool leaps = true;
+  middle = vec3(0.0);
+  // A loop of its own: lanes that leap do not wait for lanes that gather light.
+  while (leaps && m.t < end) {
+    m.size = min(min(m.size, step_in_water(m.near_inside, m.t)), end - m.t);
+    middle = cloud_place(radius, c, scene.camera.altitude, of.direction, m.t + 0.5 * m.size);
+    float climb = abs(of.direction.y) + m.t / radius;
+    float leap = empty_cells(middle) /
+                 max(max(abs(of.direction.x) * per_km.x, abs(of.direction.z) * per_km.y), climb * per_km.z);
+    leaps = leap > m.size;
+    m.t += leaps ? leap : 0.0;
+    m.near = leaps ? 0.0 : m.near;
+    m.near_inside = leaps ? 0.0 : m.near_inside;
+    m.near_sun = leaps ? -1.0 : m.near_sun;
+    m.size = leaps ? max(step, m.t * step_rise) : m.size;
+  }
+  return !leaps;
+}
+
+// One step: the cloud's light along it, or a shorter size to try again with.
+void take_step(inout March m, vec3 middle, AirRay of, SunOnSpan sun) {
+  CloudData c = cloud();
+  float radius = scene.planet.ground_radius;
+  vec3 end = cloud_place(radius, c, scene.camera.altitude, of.direction, m.t + m.size);
+  Water water = water_on_ray(end, m.t + m.size);
+  float depth = 0.5 * (m.near + water.extinction) * c.scale * m.size;
+  float least = min(m.size, max(step * kLeastStep, m.t * step_rise * kLeastStep));
+  // Where the cloud begins or ends, a line between the step's ends is far from its density.
+  float most = min(m.near, water.extinction) > 0.0 ? kStepDepth : kEdgeDepth;
+  if (depth > most && m.size > least) {
+    m.size = max(least, m.size * max(most / depth, 0.25));
+    return;
+  }
+  // As loops: a processor runs the code of a branch that none takes, but no turn of a loop.
+  uint meets = depth > 0.0 ? 1u : 0u;
+  float far_sun = m.near_sun;
+  for (uint turn = 0u; turn < meets; turn++) {
+    far_sun = shade_at(end, seen_at(sun, m.t + m.size));
+    uint unknown = m.near_sun < 0.0 ? 1u : 0u;
+    for (uint first = 0u; first < unknown; first++) {
+      m.near_sun = shade_at(cloud_place(radius, c, scene.camera.altitude, of.direction, m.t), seen_at(sun, m.t));
     }
   }
-  return closed(walk, of);
+  float shade = abs(far_sun - m.near_sun);
+  if (meets > 0u && shade > kSunStep && min(m.near_sun, far_sun) < kShaded && m.size > least) {
+    m.size = max(least, m.size * max(kSunStep / shade, 0.25));
+    return;
+  }
+  for (uint turn = 0u; turn < meets; turn++) {
+    CloudSource source = source_at(middle);
+    float passed = -log(m.stretch.transmittance) + 0.5 * (depth + m.near_sun + far_sun);
+    m.start = m.stretch.before == m.stretch.transmittance ? m.t : m.start;
+    m.stretch = with_cloud_step(m.stretch, source, phase_behind(of.at.nu, passed), m.near_sun, far_sun, depth,
+                                m.t + 0.5 * m.size);
+  }
+  m.near_sun = depth > 0.0 ? far_sun : -1.0;
+  m.near = water.extinction;
+  m.near_inside = water.inside;
+  m.t += m.size;
+  m.size = min(max(step, m.t * step_rise), m.size * clamp(kStepDepth / max(depth, 1e-6), 1.0, 2.0));
+}
+
+// Steps are as long as `step` says, or shorter where the cloud is thick. Density and the depth toward the sun are
+// linear between a step's ends. The march puts stretches aside, and the air before them is found for all together:
+// else lanes that end a stretch at different steps would wait for one another at each.
+Walk crossed(Walk walk, CloudCrossing span, AirRay of, SunOnSpan sun) {
+  March m;
+  m.t = span.from;
+  m.size = max(step, m.t * step_rise);
+  m.near = 0.0;
+  m.near_inside = 0.0;
+  m.near_sun = -1.0;
+  m.start = 0.0;
+  m.stretch = nothing_gathered(walk.transmittance);
+  uint begins = m.t < span.to ? 1u : 0u;
+  for (uint turn = 0u; turn < begins; turn++) {
+    vec3 place = cloud_place(scene.planet.ground_radius, cloud(), scene.camera.altitude, of.direction, m.t);
+    Water water = water_on_ray(place, m.t);
+    m.near = water.extinction;
+    m.near_inside = water.inside;
+  }
+  uint steps = 0u;
+  bool goes_on = true;
+  while (goes_on && m.t < span.to) {
+    Sheets sheets;
+    sheets.count = 0u;
+    while (goes_on && sheets.count < kMostSheets && m.t < span.to) {
+      vec3 middle;
+      uint found = next_step(m, middle, of, span.to) ? 1u : 0u;
+      for (uint turn = 0u; turn < found; turn++) {
+        take_step(m, middle, of, sun);
+      }
+      steps++;
+      goes_on = found > 0u && steps < kMostSteps && m.stretch.transmittance > kOpaque;
+      bool begun = m.stretch.before > m.stretch.transmittance;
+      bool ends = !goes_on || m.t >= span.to || m.t - m.start > kSheet * m.t + step;
+      uint closes = begun && ends ? 1u : 0u;
+      for (uint turn = 0u; turn < closes; turn++) {
+        sheets.of[sheets.count] = m.stretch;
+        sheets.count++;
+        m.stretch = nothing_gathered(m.stretch.transmittance);
+        m.start = m.t;
+      }
+    }
+    walk = with_sheets(walk, sheets, of);
+  }
+  walk.transmittance = m.stretch.transmittance;
+  return walk;
 }
 
 vec3 direction_of(uvec2 pixel, out bool inside) {
@@ -315,32 +230,40 @@ vec3 direction_of(uvec2 pixel, out bool inside) {
 struct PastCloud {
   vec3 light;
   float through;  // transmittance of the cloud
-  vec3 air;       // share of the clear air's light that is seen
+  vec3 air;       // of listed directions: share of the clear air's light that is seen
 };
 
 PastCloud past_cloud(AirRay of, float end, vec3 behind) {
-  CloudData c = cloud();
-  Walk walk;
-  walk.light = vec3(0.0);
-  walk.shaded = no_shaded_air();
-  walk.air = vec3(0.0);
-  walk.seen = vec3(0.0);
-  walk.start = 0.0;
-  walk.stretch = nothing_gathered(1.0);
-  CloudSpans spans = cloud_spans(scene.planet.ground_radius, c, of.ray.h, of.ray.mu, end);
-  walk = crossed(walk, spans.first, of);
-  walk = crossed(walk, spans.second, of);
-  PastCloud past;
-  past.through = walk.stretch.transmittance > kOpaque ? walk.stretch.transmittance : 0.0;
-  Stop stop = stop_at(walk, of, end);
-  past.air = (walk.seen + max(stop.before.light - walk.air, vec3(0.0)) * past.through) / max(stop.clear, vec3(1e-20));
-  vec3 sky = behind - (stop.clear - stop.before.light + walk.air) * scene.sun.irradiance;
-#ifndef AIRLIGHT_THINGS
-  uint grounds = of.ray.at_ground ? 1u : 0u;
-  for (uint turn = 0u; turn < grounds; turn++) {
-    sky += stop.before.transmittance * ground_change(of.ray, of.direction) * scene.sun.irradiance;
+  Walk walk = begun_walk();
+  CloudSpans spans = cloud_spans(scene.planet.ground_radius, cloud(), of.ray.h, of.ray.mu, end);
+  for (uint part = 0u; part < 2u; part++) {
+    CloudCrossing span = part == 0u ? spans.first : spans.second;
+    uint crosses = span.from < span.to ? 1u : 0u;
+    for (uint turn = 0u; turn < crosses; turn++) {
+      walk = crossed(walk, span, of, sun_on_span(of.ray, span));
+    }
   }
+  PastCloud past;
+  past.through = walk.transmittance > kOpaque ? walk.transmittance : 0.0;
+  vec3 sky = vec3(0.0);
+  past.air = walk.seen;
+  bool known = kAirByRay == 0u && kShowsAirAlone && !of.ray.at_ground;
+  uint seen = past.through > 0.0 && !known ? 1u : 0u;
+  for (uint turn = 0u; turn < seen; turn++) {
+    Stop stop = stop_at(walk, of, end);
+    past.air = (walk.seen + max(stop.before.light - walk.air, vec3(0.0)) * past.through) / max(stop.clear, vec3(1e-20));
+    sky = behind - (stop.clear - stop.before.light + walk.air) * scene.sun.irradiance;
+#ifndef AIRLIGHT_THINGS
+    uint grounds = of.ray.at_ground ? 1u : 0u;
+    for (uint ground = 0u; ground < grounds; ground++) {
+      sky += stop.before.transmittance * ground_change(of.ray, of.direction) * scene.sun.irradiance;
+    }
 #endif
+  }
+  uint airs = past.through > 0.0 && known ? 1u : 0u;
+  for (uint turn = 0u; turn < airs; turn++) {
+    sky = behind * share_by_froxels(of, end) - walk.air * scene.sun.irradiance;
+  }
   past.light = walk.light * scene.sun.irradiance + max(sky, vec3(0.0)) * past.through;
   return past;
 }

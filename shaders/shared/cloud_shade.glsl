@@ -11,16 +11,19 @@ float mean_shade(CloudData c, float way) {
   return textureLod(cloud_mean_lut, vec2(texel, 0.5), 0.0).r * way;
 }
 
-// Scaled optical depth toward the sun from a place at altitude h. The rays of the table lean alike everywhere, where
-// the sun's are the steeper the farther away they cross the shell.
-float cloud_shade(vec3 place, float h, float mu_sun) {
+// Scaled optical depth toward the sun, seen at this zenith cosine, from a place at altitude h. The rays of the table
+// lean alike everywhere, where the sun's are the steeper the farther away they cross the shell.
+float cloud_shade_of(vec3 place, float h, float seen) {
   CloudData c = cloud();
-  float seen = seen_sun_mu(scene.planet, h, mu_sun);
   float way = way_through_shell(scene.planet.ground_radius, c, h, seen);
   float straight = (c.top - c.base) * (1.0 - clamp(place.z, 0.0, 1.0)) *
                    length(vec3(c.sunward_east, c.sunward_north, 1.0));
   float along = c.scale * sun_depth_at(place) * way / max(straight, 1e-6);
   return c.repeats == 0u ? along : mix(mean_shade(c, way), along, smoothstep(0.0, kRaysHold, seen));
+}
+
+float cloud_shade(vec3 place, float h, float mu_sun) {
+  return cloud_shade_of(place, h, seen_sun_mu(scene.planet, h, mu_sun));
 }
 
 // What is left of the sun's light in the middle of the cloud, over what is left there along the table's rays: the light

@@ -6,7 +6,7 @@ layout(set = 0, binding = 22) uniform sampler3D cloud_shadow_lut;
 // the cloud's edges by an eighth of a cell's depth, where its light comes from.
 float sun_depth_at(vec3 place) {
   CloudData c = cloud();
-  vec3 steps = vec3(c.fine_x, c.fine_y, c.fine_z);
+  vec3 steps = vec3(textureSize(cloud_shadow_lut, 0) - 1);
   float height = (c.top - c.base) * (1.0 - place.z);
   vec2 entry = place.xy + vec2(c.sunward_east, c.sunward_north) * height / vec2(c.width, c.depth);
   bool misses = c.repeats == 0u && (entry.x < 0.0 || entry.x > 1.0 || entry.y < 0.0 || entry.y > 1.0);

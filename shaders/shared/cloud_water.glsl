@@ -1,16 +1,11 @@
-// A cloud's water along a pixel's ray, and what it leaves of the sun there: the edge of a field is carved finer than
-// its grid (physics/cloud_edge.glsl).
-#include "physics/cloud_edge.glsl"
-layout(set = 0, binding = 33) uniform sampler3D cloud_noise_lut;  // that carves the edge; any image where kCarved is 0
-layout(constant_id = 51) const uint kCarved = 0u;  // 1: the cloud's edge is finer than its grid
+// A cloud's water along a pixel's ray, and what it leaves of the sun there.
+#include "shared/cloud_carved.glsl"
 
 const float kEdgeStep = 0.3;    // of `step`, the most of a step in a carved edge
 const float kEdgeRise = 0.006;  // of that over the distance
 // km: from the first to the second the edge passes into means, its finer lobes into theirs.
 const vec2 kCarvedRange = vec2(25.0, 50.0);
 const vec2 kFinerRange = vec2(6.0, 12.0);
-const float kMeanNoise = 0.547;  // carving_noise()
-const uint kNoiseSide = 64u;  // texels
 
 // Water at a place of a ray: extinction, 1/km, and how far inside the cloud the place is, km.
 struct Water {
@@ -18,13 +13,7 @@ struct Water {
   float inside;
 };
 
-float noise_at(vec3 place) {
-  vec3 texel = vec3(cell_texel(place.x, kNoiseSide), cell_texel(place.y, kNoiseSide), cell_texel(place.z, kNoiseSide));
-  return textureLod(cloud_noise_lut, texel / float(kNoiseSide + 1u), 0.0).r;
-}
-
 Water water_on_ray(vec3 place, float t) {
-  CloudEdge edge = cloud().edge;
   Water water;
   water.extinction = 0.0;
   water.inside = 0.0;
@@ -37,15 +26,7 @@ Water water_on_ray(vec3 place, float t) {
   // As a loop: a processor runs the code of a branch that none takes, but no turn of a loop.
   uint turns = kCarved == 1u && t < kCarvedRange.y ? 1u : 0u;
   for (uint turn = 0u; turn < turns; turn++) {
-    vec3 tile = place * vec3(edge.tiles, edge.tiles, edge.tile_levels);
-    float near = 1.0 - smoothstep(kFinerRange.x, kFinerRange.y, t);
-    float carved = 0.0;
-    uint edges = mean.y > 0.0 && mean.y < edge.carving + edge.soft ? 1u : 0u;
-    for (uint one = 0u; one < edges; one++) {
-      float finer = mix(kMeanNoise, noise_at(tile * kCloudFiner), near);
-      carved = edge_carved(place.z, noise_at(tile), finer);
-    }
-    float fine = mean.y > 0.0 ? edge_extinction(edge, place.z, mean.y, carved) : 0.0;
+    float fine = carved_extinction(place, mean.y, 1.0 - smoothstep(kFinerRange.x, kFinerRange.y, t));
     water.extinction = mix(fine, mean.x, smoothstep(kCarvedRange.x, kCarvedRange.y, t));
   }
   return water;
@@ -58,7 +39,32 @@ float step_in_water(float inside, float t) {
   return kCarved == 1u && t < kCarvedRange.y ? max(max(step * kEdgeStep, t * kEdgeRise), away) : 1e9;
 }
 
-float shade_on_ray(Ray ray, vec3 place, float t) {
+// The cosine of the sun's zenith distance as it is seen along a ray, which is as good as even between two distances.
+struct SunOnSpan {
+  float from;  // km
+  float to;
+  float at_from;
+  float at_to;
+};
+
+float seen_on_ray(Ray ray, float t) {
   RayPoint point = sunlit_among_things(scene.planet, ray, t);
-  return cloud_shade(place, point.h, point.mu_sun);
+  return seen_sun_mu(scene.planet, point.h, point.mu_sun);
+}
+
+SunOnSpan sun_on_span(Ray ray, CloudCrossing span) {
+  SunOnSpan sun;
+  sun.from = span.from;
+  sun.to = span.to;
+  sun.at_from = seen_on_ray(ray, span.from);
+  sun.at_to = seen_on_ray(ray, span.to);
+  return sun;
+}
+
+float seen_at(SunOnSpan sun, float t) {
+  return mix(sun.at_from, sun.at_to, (t - sun.from) / max(sun.to - sun.from, 1e-6));
+}
+
+float shade_at(vec3 place, float seen) {
+  return cloud_shade_of(place, mix(cloud().base, cloud().top, place.z), seen);
 }

@@ -234,6 +234,30 @@ TEST(Executor, FillsAndSamplesVolumes) {
   EXPECT_EQ(texel[2], 4.0F);
 }
 
+// Whole numbers up to 7 are the same in 16 bits.
+TEST(Executor, FiltersImagesOfFewComponents) {
+  Executor executor({}, test_shaders());
+  for (const std::uint32_t components : {1U, 2U}) {
+    Plan plan;
+    const ImageId volume =
+        plan.add_image({.name = "volume", .extent = {5, 3, 7}, .half = true, .components = components});
+    plan.add_pass({.shader = "volume_of_any_format", .writes = {{"volume_out", volume}}, .grid = {5, 3, 7}});
+    const std::vector<float> points = {2.5F / 5, 1.5F / 3, 3.5F / 7, 3.0F / 5, 1.0F / 3, 6.0F / 7};
+    const BufferId at = plan.add_buffer({.name = "points", .bytes = points.size() * 4, .contents = bytes_of(points)});
+    const BufferId samples = plan.add_buffer({.name = "samples", .bytes = 2 * 16, .host_readable = true});
+    plan.add_pass({.shader = "sample_volume",
+                   .reads = {{"volume_lut", volume}, {"points", at}},
+                   .writes = {{"samples", samples}},
+                   .grid = {2, 1}});
+    const RunResult result = executor.run(plan);
+    const std::vector<float> found = values_of<float>(result.contents(samples));
+    const float expected[2][2] = {{2.0F, 1.0F}, {2.5F, 0.5F}};
+    for (std::size_t i = 0; i < 2; ++i) {
+      for (std::size_t c = 0; c < components; ++c) EXPECT_NEAR(found[4 * i + c], expected[i][c], 1e-5F) << i << c;
+    }
+  }
+}
+
 // Output of tests/gpu/shaders/constants.comp.
 struct Report {
   std::uint32_t count;

@@ -57,6 +57,23 @@ const std::vector<Sight> kSights{
     {"along north", {0.1, kRadius + 1.1, 3.0}, {0.0, 0.02, -1.0}, 9.0},
     {"cut short", {0.0, kRadius + 0.9, 0.0}, {0.2, 1.0, 0.1}, 0.7}};
 
+// Points that are kept are those that are made when asked for, in grids that repeat themselves upward and in others.
+TEST(Clouds, NoiseOfKeptPointsIsTheSame) {
+  for (const int levels : {0, 5}) {
+    const NoisePeriod period{7, 4, levels};
+    const double most = levels > 0 ? 5.0 : 2.6;
+    const StrewnPoints points(period, most, 11);
+    const CellOctaves octaves(period, most, 3, 11);
+    for (std::uint32_t n = 0; n < 3000; ++n) {
+      const double x = 20.0 * hashed(n, 0, 0, 3) - 10.0;
+      const double y = 20.0 * hashed(n, 1, 0, 3) - 10.0;
+      const double z = most * hashed(n, 2, 0, 3);
+      ASSERT_EQ(points.noise(x, y, z), cell_noise(x, y, z, period, 11)) << x << " " << y << " " << z;
+      ASSERT_EQ(octaves.at(x, y, z), cell_octaves(x, y, z, period, 3, 11)) << x << " " << y << " " << z;
+    }
+  }
+}
+
 // The integral of the grid's extinction along the ray by short steps, each place found anew.
 double brute_force_depth(const CloudGrid& grid, const Sight& sight) {
   constexpr int kSteps = 200000;
