@@ -140,6 +140,9 @@ class Plan {
   // the light's suffix, to its name and, unless it is `stored` and so the same by any light, to its key.
   void begin_light(std::vector<std::byte> data, std::string suffix);
   void end_light();
+  // From here on whatever is added gets this behind its name, but not its key: a thing of which the plan has several.
+  // Empty: nothing.
+  void tell_apart(std::string name);
   // The table that an earlier light has already had added under this key.
   std::optional<ImageId> table_of(const std::string& key) const;
   // The scene that the pass reads.
@@ -173,6 +176,7 @@ class Plan {
   std::uint32_t first_scene_ = 0;  // of the light
   std::string light_;
   std::string suffix_;
+  std::string apart_;
   std::string channels_;
   std::vector<ImageDesc> images_;
   std::vector<BufferDesc> buffers_;

@@ -14,7 +14,7 @@
 
 layout(local_size_x = 64) in;
 layout(set = 0, binding = 17) uniform sampler2D cloud_sums_lut;  // passes/cloud_sums.comp
-layout(scalar, set = 0, binding = 18) writeonly buffer Light { CloudLight value; } light_out;
+layout(scalar, set = 0, binding = 18) buffer Light { CloudLight values[]; } light_out;  // of fields, the lowest first
 
 void main() {
   if (gl_GlobalInvocationID.x > 0u) {
@@ -28,7 +28,11 @@ void main() {
   MomentCoordinate at = air_moment_coordinate(scene.moments, h, mu_sun);
   vec3 direct = transmittance_to_sun(scene.planet, h, mu_sun) * facing;
   vec3 sky = level_irradiance(at, 1.0);
-  vec3 up = level_irradiance(at, -1.0);
+  vec3 raised = vec3(1.0);  // light from below, by the fields below
+  for (uint below = 0u; below < kField; below++) {
+    raised *= light_out.values[below].above;
+  }
+  vec3 up = level_irradiance(at, -1.0) * raised;
   vec3 clear = max(direct + sky, vec3(1e-30));
   // The ordinates' sun has irradiance 1 across its rays.
   float across = length(vec3(c.sunward_east, c.sunward_north, 1.0));
@@ -62,5 +66,11 @@ void main() {
   of_cloud = sun_above * (rising.x * across) + level_irradiance(over, 1.0) * (rising.y / kPi) +
              light_from_side(over, -1.0) * sent * (rising.z / (2.0 * kPi));
   light.air_above = (light_from_side(over, 1.0) + of_cloud) / light_from_all_around(over);
-  light_out.value = light;
+  // On a level plane above the cloud, where without it light from below is `clear_up`.
+  vec3 clear_up = max(level_irradiance(over, -1.0) * raised, vec3(1e-30));
+  vec4 risen = texelFetch(cloud_sums_lut, ivec2(2, 0), 0);
+  vec3 sent_up = sun_above * (risen.x * across) + level_irradiance(over, 1.0) * (risen.y / kPi);
+  light.above = max(vec3(1.0) + (sent_up + up * (light.below * (risen.z / kPi) - 1.0)) / clear_up, vec3(0.0));
+  light.above = min(light.above, vec3(1e9));  // a product of three is finite
+  light_out.values[kField] = light;
 }

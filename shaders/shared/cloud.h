@@ -54,10 +54,11 @@ struct CloudData {
   CloudEdge edge;
 };
 
-// The light on a cloud over that of a clear sky.
+// The light below and above a cloud, over that of a clear sky.
 struct CloudLight {
   vec3 below;      // all light that ground and base get from above
   vec3 air_below;  // light from all around that is not the sun's, below the cloud
   vec3 air_above;  // likewise above it
   real direct;     // of the sun's light, the share that passes through unscattered
+  vec3 above;      // light from below that comes to a level plane above the cloud
 };

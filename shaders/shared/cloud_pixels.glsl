@@ -13,10 +13,15 @@ layout(set = 0, binding = 23) uniform sampler3D cloud_source_lut;
 layout(set = 0, binding = 24) uniform sampler3D cloud_gap_lut;  // cells to the nearest one that holds water
 layout(set = 0, binding = 28) uniform sampler2D cloud_phase_lut;
 layout(set = 0, binding = 26) uniform sampler3D cloud_shafts_lut;  // cloud_shafts.comp; any image where kAirByRay is 1
+// 1: this is a further field over the picture of another, whose air is shaded and whose ground is lit by all of them.
+layout(constant_id = 54) const uint kFurther = 0u;
+// Of the field's two stretches along a ray that dips below it. A field through which the camera looks down stands on
+// both sides of those below it.
+layout(constant_id = 55) const uint kStretches = 0u;  // 0: both, 1: the nearer one, 2: the farther one
 layout(constant_id = 50) const uint kAirByRay = 0u;  // 1: the air's shade is found along each ray, 0: on froxels
 layout(scalar, set = 0, binding = 8) readonly buffer Directions { vec4 values[]; } directions;
 layout(scalar, set = 0, binding = 9) buffer Radiance { vec4 values[]; } radiance_out;
-layout(scalar, set = 0, binding = 31) writeonly buffer Through { float values[]; } through_out;
+layout(scalar, set = 0, binding = 31) buffer Through { float values[]; } through_out;
 layout(push_constant, scalar) uniform Push {
   uint width;
   uint height;
@@ -43,7 +48,7 @@ vec3 phase_behind(float nu, float depth) {
 
 #ifdef AIRLIGHT_THINGS
 #include "shared/things_seen.glsl"
-layout(scalar, set = 0, binding = 32) readonly buffer Seen { ThingsSeen values[]; } seen;
+layout(scalar, set = 0, binding = 32) buffer Seen { ThingsSeen values[]; } seen;
 #else
 uvec2 here;  // the pixel of the tile at hand
 #endif
@@ -87,68 +92,7 @@ float empty_cells(vec3 place, uvec3 cells) {
   return textureLod(cloud_gap_lut, vec3(texel / vec2(cells.xy + 1u), place.z), 0.0).r - 2.0;
 }
 
-// The air before a distance, for a sun of irradiance 1.
-struct Before {
-  vec3 light;
-  vec3 transmittance;
-};
-
-const float kRaySlices = 32.0;  // of a ray whose shade is found along it
-
-// What walks through the air along a pixel's ray read.
-struct AirRay {
-  Ray ray;
-  FactorPlace at;
-  vec3 direction;
-  float reach;
-};
-
-ShadedAir further(ShadedAir air, AirRay of, float distance_) {
-  float from = shaded_coordinate(of.reach, of.ray.length_, air.distance_);
-  float to = shaded_coordinate(of.reach, of.ray.length_, distance_);
-  uint steps = uint(clamp(ceil((to - from) * kRaySlices), 0.0, kRaySlices));
-  for (uint i = 1u; i <= steps; i++) {
-    float z = mix(from, to, float(i) / float(steps));
-    air = shaded_up_to(air, of.ray, of.at, of.direction,
-                       i < steps ? shaded_distance(of.reach, of.ray.length_, z) : distance_, 2u);
-  }
-  return air;
-}
-
-vec3 share_by_froxels(AirRay of, float distance_) {
-  vec3 size = vec3(textureSize(cloud_shafts_lut, 0));
-  vec2 at = (vec2(here) + vec2(scene.tile.x, scene.tile.y) + 0.5) / vec2(scene.camera.width, scene.camera.height);
-  vec3 place = vec3(at, shaded_coordinate(of.reach, of.ray.length_, distance_));
-  return textureLod(cloud_shafts_lut, (vec3(0.5) + place * (size - 1.0)) / size, 0.0).rgb;
-}
-
-// The light of a stretch as it leaves the cloud, at a point of the ray; for a sun of irradiance 1, of which this share
-// is left by things.
-vec3 coloured(CloudGathered g, RayPoint point, float lit) {
-  float height = mix(cloud().base, cloud().top, 0.7);
-  float h = optical_altitude_at(height);
-  MomentCoordinate at = air_moment_coordinate(scene.moments, h, point.mu_sun);
-  vec3 sun = transmittance_to_sun(scene.planet, h, point.mu_sun);
-  vec3 sky = level_irradiance(at, 1.0) / kPi;
-  vec3 ground = level_irradiance(at, -1.0) / kPi * cloud_light.value.below;
-  vec3 sunlight = sun * (g.once + vec3(g.sun * sun_past_field(height, h, point.mu_sun)));
-#ifdef AIRLIGHT_THINGS
-  sunlight *= lit;
-#endif
-  return sunlight + sky * g.sky + ground * g.ground;
-}
-
-// The change of the ground's light by the cloud, at the ground, for a sun of irradiance 1.
-vec3 ground_change(Ray ray, vec3 direction) {
-  RayPoint point = sunlit_among_things(scene.planet, ray, ray.length_);
-  vec3 place = cloud_place(scene.planet.ground_radius, cloud(), ray.h, direction, ray.length_);
-  vec3 direct = transmittance_to_sun(scene.planet, 0.0, point.mu_sun) * ground_facing(scene.planet, point.mu_sun);
-  vec3 clear = direct + moment_ground_irradiance(scene.moments, point.mu_sun);
-  float lit = exp(-cloud_shade(place, 0.0, point.mu_sun));
-  CloudLight light = cloud_light.value;
-  vec3 below = max(clear * light.below - direct * light.direct, vec3(0.0)) + direct * lit;
-  return (below - clear) * scene.planet.ground_albedo / kPi;
-}
+#include "shared/cloud_ray_light.glsl"
 
 struct Walk {
   vec3 light;     // so far, as the camera sees it
@@ -183,16 +127,6 @@ Stop stop_at(Walk walk, AirRay of, float distance_) {
   return stop;
 }
 
-// Share of the sun that things leave at a point of the ray.
-float sun_past_things_at(AirRay of, float t) {
-#ifdef AIRLIGHT_THINGS
-  Place place = place_at(scene.planet, scene.camera.altitude, of.direction * t);
-  return sun_past_things(scene.planet, scene.camera.altitude, scene.sun, place, kNoSphere);
-#else
-  return 1.0;
-#endif
-}
-
 Walk closed(Walk walk, AirRay of) {
   float taken = walk.stretch.before - walk.stretch.transmittance;
   uint turns = taken > 0.0 ? 1u : 0u;
@@ -200,7 +134,7 @@ Walk closed(Walk walk, AirRay of) {
     float t = walk.stretch.reach / taken;
     Stop stop = stop_at(walk, of, t);
     walk = stop.walk;
-    vec3 light = coloured(walk.stretch, sunlit_among_things(scene.planet, of.ray, t), sun_past_things_at(of, t));
+    vec3 light = coloured(walk.stretch, of, t);
     vec3 air = max(stop.before.light - walk.air, vec3(0.0));
     walk.seen += air * walk.stretch.before;
     walk.light += air * walk.stretch.before + stop.before.transmittance * light;
@@ -315,7 +249,10 @@ vec3 direction_of(uvec2 pixel, out bool inside) {
 struct PastCloud {
   vec3 light;
   float through;  // transmittance of the cloud
-  vec3 air;       // share of the clear air's light that is seen
+  vec3 air;       // share of the air's light that is seen, of what the picture had of it
+#ifdef AIRLIGHT_THINGS
+  vec3 things;    // the part of the light that comes from directions of things
+#endif
 };
 
 PastCloud past_cloud(AirRay of, float end, vec3 behind) {
@@ -328,12 +265,23 @@ PastCloud past_cloud(AirRay of, float end, vec3 behind) {
   walk.start = 0.0;
   walk.stretch = nothing_gathered(1.0);
   CloudSpans spans = cloud_spans(scene.planet.ground_radius, c, of.ray.h, of.ray.mu, end);
-  walk = crossed(walk, spans.first, of);
-  walk = crossed(walk, spans.second, of);
+  if (kStretches != 2u) {
+    walk = crossed(walk, spans.first, of);
+  }
+  if (kStretches != 1u) {
+    walk = crossed(walk, spans.second, of);
+  }
   PastCloud past;
   past.through = walk.stretch.transmittance > kOpaque ? walk.stretch.transmittance : 0.0;
   Stop stop = stop_at(walk, of, end);
-  past.air = (walk.seen + max(stop.before.light - walk.air, vec3(0.0)) * past.through) / max(stop.clear, vec3(1e-20));
+  vec3 seen_air = walk.seen + max(stop.before.light - walk.air, vec3(0.0)) * past.through;
+  if (kFurther == 1u) {
+    past.air = seen_air / max(stop.before.light, vec3(1e-20));
+    past.light = walk.light * scene.sun.irradiance +
+                 max(behind - walk.air * scene.sun.irradiance, vec3(0.0)) * past.through;
+    return past;
+  }
+  past.air = seen_air / max(stop.clear, vec3(1e-20));
   vec3 sky = behind - (stop.clear - stop.before.light + walk.air) * scene.sun.irradiance;
 #ifndef AIRLIGHT_THINGS
   uint grounds = of.ray.at_ground ? 1u : 0u;
@@ -353,6 +301,7 @@ PastCloud past_cloud_and_things(AirRay of, vec3 behind, ThingsSeen things) {
   sum.light = vec3(0.0);
   sum.through = 0.0;
   sum.air = vec3(1.0);
+  sum.things = vec3(0.0);
   uint first = things.share > kFewest ? 0u : 1u;
   uint last = things.share < 1.0 - kFewest ? 2u : 1u;
   for (uint part = first; part < last; part++) {
@@ -361,6 +310,7 @@ PastCloud past_cloud_and_things(AirRay of, vec3 behind, ThingsSeen things) {
     float end = part == 0u ? min(things.distance_, of.ray.length_) : of.ray.length_;
     PastCloud past = past_cloud(of, end, light / share);
     sum.light += past.light * share;
+    sum.things += part == 0u ? past.light * share : vec3(0.0);
     sum.through = past.through;
     sum.air = past.air;
   }
@@ -383,7 +333,7 @@ void main() {
   of.ray = air_ray(direction);
   of.at = factor_place(direction);
   of.direction = direction;
-  of.reach = shaded_reach(scene.planet.ground_radius, c, of.ray.h, of.ray.mu, max(of.ray.length_, 0.0));
+  of.reach = shaded_reach(scene.planet.ground_radius, highest_cloud(), of.ray.h, of.ray.mu, max(of.ray.length_, 0.0));
   UNROLL for (uint q = 0u; q < kCloudMoments; q++) {
     seen_harmonics[q] = cloud_harmonic(q, vec3(-direction.x, direction.z, -direction.y));
   }
@@ -391,7 +341,11 @@ void main() {
 #ifdef AIRLIGHT_THINGS
   seen_sight = sight_of(vec3(0.0), direction);
   seen_phases = phases(of.at.nu);
-  PastCloud past = past_cloud_and_things(of, behind.rgb, seen.values[listed ? pixel.x : index]);
+  uint of_things = listed ? pixel.x : index;
+  PastCloud past = past_cloud_and_things(of, behind.rgb, seen.values[of_things]);
+  if (kFields > 1u) {
+    seen.values[of_things].light = past.things;
+  }
 #else
   PastCloud past = past_cloud(of, of.ray.length_, behind.rgb);
 #endif
@@ -408,6 +362,7 @@ void main() {
   }
   if (!listed) {
     // Of a beam, which loses what the peak of the phase function scatters.
-    through_out.values[index] = pow(through, 1.0 / c.scale);
+    float beam = pow(through, 1.0 / c.scale);
+    through_out.values[index] = kFurther == 1u ? through_out.values[index] * beam : beam;
   }
 }
