@@ -77,7 +77,7 @@ CloudCells coarse_cells(const CloudGrid& grid, TableSize most) {
   return coarsened(means_between(cells_of(grid)), across, across, static_cast<std::uint32_t>(most[1]));
 }
 
-device::CloudData head_of(const CloudGrid& grid, const CloudCells& coarse, const Cloud& cloud, double scale,
+device::CloudData head_of(const CloudGrid& grid, const CloudCells& coarse, const CloudDrops& drops,
                           physics::vec3 to_sun) {
   device::CloudData head{};
   head.fine_x = static_cast<device::uint>(grid.nx);
@@ -93,8 +93,9 @@ device::CloudData head_of(const CloudGrid& grid, const CloudCells& coarse, const
   head.depth = narrowed(grid.ny * grid.cell_y);
   head.base = narrowed(grid.base);
   head.top = narrowed(grid.top);
-  head.scale = narrowed(scale);
-  head.albedo = narrowed(cloud.single_scattering_albedo);
+  head.scale = narrowed(delta_scale(drops));
+  head.turning = narrowed((1.0 - drops.single_scattering_albedo * drops.legendre.at(1)) / delta_scale(drops));
+  head.albedo = narrowed(drops.single_scattering_albedo);
   head.sunward_east = narrowed(to_sun.x / to_sun.z);
   head.sunward_north = narrowed(to_sun.y / to_sun.z);
   head.edge = {.tiles = narrowed(grid.edge.tiles),
@@ -252,7 +253,7 @@ FieldStart start_of(const Part& part, const StandingCloud& cloud) {
   start.lit.grid = std::make_shared<const CloudGrid>(with_room(*cloud.grid, start.to_sun));
   start.lit.key = "cloud " + cloud_key(*cloud.cloud);
   start.coarse = coarse_cells(*start.lit.grid, cells);
-  start.lit.head = head_of(*start.lit.grid, start.coarse, *cloud.cloud, delta_scale(start.matter.drops), start.to_sun);
+  start.lit.head = head_of(*start.lit.grid, start.coarse, start.matter.drops, start.to_sun);
   return start;
 }
 
@@ -294,7 +295,7 @@ std::vector<LitCloud> add_cloud_light(Plan& plan, const Part& part, const Light&
     lit.shade = inputs[i].reads();
     lit.shade.insert(lit.shade.end(),
                      {{"cloud_mean_lut", inputs[i].mean}, {"cloud_light", balance}, {"cloud_fields", stack}});
-    for (std::uint32_t j = 0; j < kMostFields; ++j) {
+    for (std::uint32_t j = 0; j < kMaxClouds; ++j) {  // as shaders/shared/cloud_stack.glsl has them
       const CloudInputs& of = inputs[std::min(j, count - 1)];
       const std::string name = "field_" + std::to_string(j);
       lit.shade.push_back({name + "_shadow_lut", of.shadow});

@@ -194,9 +194,6 @@ void refuse_around_clouds(const Part& part, bool no_picture) {
     }
   };
   const std::vector<StandingCloud> clouds = standing_clouds(part);
-  refuse(clouds.size() > kMostFields, "renders at most " + std::to_string(kMostFields) +
-                                          " fields of cloud, and there are " + std::to_string(clouds.size()) +
-                                          "; remove some");
   const auto reach = [](const CloudGrid& grid) {
     return "from " + format_number(grid.base) + " to " + format_number(grid.top) + " km";
   };

@@ -126,9 +126,6 @@ Volume add_volume(Plan& plan, const Scene& scene, const Light& light, const Fact
 // The constants of passes that read it.
 void add_volume_constants(std::vector<Specialization>& constants, const Scene& scene, const FactorTable& table);
 
-// Of clouds in one picture, one above the other.
-inline constexpr std::size_t kMostFields = 4;
-
 struct StandingCloud {
   const Cloud* cloud;
   std::shared_ptr<const CloudGrid> grid;
@@ -149,7 +146,7 @@ struct LitCloud {
   ImageId phase;
 };
 
-// The light of standing_clouds(), 1 to kMostFields of them, none of which begins below the top of the one before.
+// The light of standing_clouds(), none of which begins below the top of the one before.
 std::vector<LitCloud> add_cloud_light(Plan& plan, const Part& part, const Light& light);
 
 // A picture of things in which clouds are yet to come.

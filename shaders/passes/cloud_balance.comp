@@ -41,6 +41,7 @@ void main() {
   CloudLight light;
   light.below = first / max(vec3(1.0) - up / clear * (sum.z / kPi), vec3(0.05));
   light.direct = sum.w;
+  light.forward = texelFetch(cloud_sums_lut, ivec2(1, 0), 0).w;
   // Light from all around in the middle of the air below, by where it comes from: the cloud, the ground, or that air,
   // which sends on sunlight past the field and its own light.
   float middle = optical_altitude_at(0.5 * c.base);

@@ -40,8 +40,10 @@ struct CloudData {
   uint coarse_y;
   uint coarse_z;
   uint repeats;
-  uint medium;  // that its matter is: index among the scene's media
-  real west;    // of the grid's corner from the point under the camera
+  // Of the scaled extinction, what turns light aside: (1 - a g) / (1 - a f), a the single scattering albedo, g the mean
+  // cosine of scattering, f the share of it that counts as unscattered.
+  real turning;
+  real west;  // of the grid's corner from the point under the camera
   real south;
   real width;  // of the whole grid
   real depth;
@@ -60,5 +62,6 @@ struct CloudLight {
   vec3 air_below;  // light from all around that is not the sun's, below the cloud
   vec3 air_above;  // likewise above it
   real direct;     // of the sun's light, the share that passes through unscattered
+  real forward;    // likewise unscattered or scattered forward alone (CloudData::turning)
   vec3 above;      // light from below that comes to a level plane above the cloud
 };

@@ -53,12 +53,13 @@ vec3 coloured(CloudGathered g, AirRay of, float t) {
   vec3 sky = level_irradiance(at, 1.0) / kPi;
   vec3 ground = level_irradiance(at, -1.0) / kPi * light_of_cloud().below;
   if (kFields > 1u) {
-    // Of the light from above the other fields leave of the sun's what they leave of it here; all else is the mean.
+    // What the other fields scatter forward lights the cloud as the sun does. Of the sun's light counts what they leave
+    // of it here; all else is even over the sky, and its mean is taken.
     OtherFields past = past_other_fields(of.direction, t, point.h, point.mu_sun);
     vec3 level = sun * max(seen_sun_mu(scene.planet, h, point.mu_sun), 0.0);
-    sky = max((level + sky * kPi) * past.below - level * past.direct, vec3(0.0)) / kPi;
+    sky = max((level + sky * kPi) * past.below - level * past.forward, vec3(0.0)) / kPi;
     ground *= past.below * past.up;
-    sun *= exp(-past.shade);
+    sun *= exp(-past.turning);
   }
   vec3 sunlight = sun * (g.once + vec3(g.sun * sun_past_field(height, h, point.mu_sun)));
 #ifdef AIRLIGHT_THINGS

@@ -11,14 +11,16 @@ layout(set = 0, binding = 40) uniform sampler2D field_1_mean_lut;
 layout(set = 0, binding = 41) uniform sampler2D field_2_mean_lut;
 layout(set = 0, binding = 42) uniform sampler2D field_3_mean_lut;
 
-// Shares of a clear sky's light, but for `shade`.
+// Shares of a clear sky's light, but for `shade` and `turning`.
 struct OtherFields {
-  float shade;   // scaled optical depth toward the sun
-  float direct;  // of the sun's light, the mean below the fields above
-  vec3 below;    // of all light from above, below the fields above
-  vec3 up;       // of all light from below, above the fields below
-  vec3 over;     // of light from all around that is not the sun's, above the fields below
-  vec3 air;      // likewise by the fields above and below
+  float shade;    // scaled optical depth toward the sun
+  float direct;   // of the sun's light, the mean below the fields above
+  float turning;  // as `shade`, of what turns light aside
+  float forward;  // as `direct`, with what is scattered forward
+  vec3 below;     // of all light from above, below the fields above
+  vec3 up;        // of all light from below, above the fields below
+  vec3 over;      // of light from all around that is not the sun's, above the fields below
+  vec3 air;       // likewise by the fields above and below
 };
 
 CloudData highest_cloud() {
@@ -37,8 +39,11 @@ OtherFields past_field(OtherFields sum, uint field, sampler3D rays, sampler2D me
   CloudLight light = cloud_light.values[field];
   vec3 place = cloud_place(scene.planet.ground_radius, c, scene.camera.altitude, direction, distance_);
   float height = clamp(place.z, 0.0, 1.0);
-  sum.shade += shade_in(rays, means, c, place, h, mu_sun);
+  float shade = shade_in(rays, means, c, place, h, mu_sun);
+  sum.shade += shade;
   sum.direct *= mix(light.direct, 1.0, height);
+  sum.turning += shade * c.turning;
+  sum.forward *= mix(light.forward, 1.0, height);
   sum.below *= mix(light.below, vec3(1.0), height);
   sum.up *= mix(vec3(1.0), light.above, height);
   sum.over *= mix(vec3(1.0), light.air_above, height);
@@ -48,7 +53,7 @@ OtherFields past_field(OtherFields sum, uint field, sampler3D rays, sampler2D me
 
 // At a place that the camera sees in this direction, at altitude h, where the sun's zenith cosine is mu_sun.
 OtherFields past_other_fields(vec3 direction, float distance_, float h, float mu_sun) {
-  OtherFields sum = OtherFields(0.0, 1.0, vec3(1.0), vec3(1.0), vec3(1.0), vec3(1.0));
+  OtherFields sum = OtherFields(0.0, 1.0, 0.0, 1.0, vec3(1.0), vec3(1.0), vec3(1.0), vec3(1.0));
   sum = past_field(sum, 0u, field_0_shadow_lut, field_0_mean_lut, direction, distance_, h, mu_sun);
   sum = past_field(sum, 1u, field_1_shadow_lut, field_1_mean_lut, direction, distance_, h, mu_sun);
   sum = past_field(sum, 2u, field_2_shadow_lut, field_2_mean_lut, direction, distance_, h, mu_sun);

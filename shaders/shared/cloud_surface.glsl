@@ -28,11 +28,12 @@ SkyPast sky_past_cloud(SkyPast sky, Surface surface, PlaceSun sun, float lit) {
   vec3 direct = sun_through_air(scene.planet, 0.0, sun.mu) * max(dot(sun.seen, surface.place.up), 0.0);
   vec3 clear = moment_ground_irradiance(scene.moments, sun.mu);
   CloudLight light = light_of_cloud();
+  vec3 over = vec3(1.0);  // by the fields below the surface
   if (kFields > 1u) {
     OtherFields past = past_other_fields_at(surface.place, sun);
     light.below *= past.below;
     light.direct *= past.direct;
-    sky.share *= past.over;
+    over = past.over;
   }
   vec3 below = max((direct + clear) * light.below - direct * light.direct, vec3(0.0));
   vec3 more = max(below - clear, vec3(0.0));
@@ -40,7 +41,7 @@ SkyPast sky_past_cloud(SkyPast sky, Surface surface, PlaceSun sun, float lit) {
   float height = clamp(place_in_cloud(surface.place.point).z, 0.0, 1.0);
   float upward = 0.5 + 0.5 * dot(surface.normal, surface.place.up);
   vec3 even = (more * upward + from_ground * (1.0 - upward)) * sky.share;
-  sky.share *= mix(min(below / max(clear, vec3(1e-20)), vec3(1.0)), light.air_above, height);
+  sky.share *= mix(min(below / max(clear, vec3(1e-20)), vec3(1.0)), light.air_above, height) * over;
   vec3 of_things = (direct * lit + below) / max(direct + clear, vec3(1e-20));  // the light on what sends `more`
   sky.more = sky.more * mix(of_things, vec3(1.0), height) + even * (1.0 - height);
   return sky;
