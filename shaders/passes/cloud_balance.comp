@@ -28,12 +28,11 @@ void main() {
   MomentCoordinate at = air_moment_coordinate(scene.moments, h, mu_sun);
   vec3 direct = transmittance_to_sun(scene.planet, h, mu_sun) * facing;
   vec3 sky = level_irradiance(at, 1.0);
-  vec3 raised = vec3(1.0);  // light from below, by the fields below
-  for (uint below = 0u; below < kField; below++) {
-    raised *= light_out.values[below].above;
-  }
-  vec3 up = level_irradiance(at, -1.0) * raised;
   vec3 clear = max(direct + sky, vec3(1e-30));
+  vec3 up = level_irradiance(at, -1.0);
+  for (uint below = 0u; below < kField; below++) {
+    up = max(up + light_out.values[below].above * clear, vec3(0.0));
+  }
   // The ordinates' sun has irradiance 1 across its rays.
   float across = length(vec3(c.sunward_east, c.sunward_north, 1.0));
   float through = sum.w + sum.x * across;
@@ -67,11 +66,9 @@ void main() {
   of_cloud = sun_above * (rising.x * across) + level_irradiance(over, 1.0) * (rising.y / kPi) +
              light_from_side(over, -1.0) * sent * (rising.z / (2.0 * kPi));
   light.air_above = (light_from_side(over, 1.0) + of_cloud) / light_from_all_around(over);
-  // On a level plane above the cloud, where without it light from below is `clear_up`.
-  vec3 clear_up = max(level_irradiance(over, -1.0) * raised, vec3(1e-30));
   vec4 risen = texelFetch(cloud_sums_lut, ivec2(2, 0), 0);
-  vec3 sent_up = sun_above * (risen.x * across) + level_irradiance(over, 1.0) * (risen.y / kPi);
-  light.above = max(vec3(1.0) + (sent_up + up * (light.below * (risen.z / kPi) - 1.0)) / clear_up, vec3(0.0));
-  light.above = min(light.above, vec3(1e9));  // a product of three is finite
+  vec3 from_above = sun_above * (risen.x * across) + level_irradiance(over, 1.0) * (risen.y / kPi);
+  vec3 clear_above = max(sun_above + level_irradiance(over, 1.0), vec3(1e-30));
+  light.above = (from_above + up * (light.below * (risen.z / kPi) - 1.0)) / clear_above;
   light_out.values[kField] = light;
 }

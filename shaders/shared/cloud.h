@@ -63,5 +63,5 @@ struct CloudLight {
   vec3 air_above;  // likewise above it
   real direct;     // of the sun's light, the share that passes through unscattered
   real forward;    // likewise unscattered or scattered forward alone (CloudData::turning)
-  vec3 above;      // light from below that comes to a level plane above the cloud
+  vec3 above;      // what it adds to light from below on planes above it, over all light from above there
 };

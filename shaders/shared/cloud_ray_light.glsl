@@ -57,8 +57,9 @@ vec3 coloured(CloudGathered g, AirRay of, float t) {
     // of it here; all else is even over the sky, and its mean is taken.
     OtherFields past = past_other_fields(of.direction, t, point.h, point.mu_sun);
     vec3 level = sun * max(seen_sun_mu(scene.planet, h, point.mu_sun), 0.0);
-    sky = max((level + sky * kPi) * past.below - level * past.forward, vec3(0.0)) / kPi;
-    ground *= past.below * past.up;
+    vec3 clear = level + sky * kPi;
+    ground = max(ground + clear * past.up * light_of_cloud().below / kPi, vec3(0.0)) * past.below;
+    sky = max(clear * past.below - level * past.forward, vec3(0.0)) / kPi;
     sun *= exp(-past.turning);
   }
   vec3 sunlight = sun * (g.once + vec3(g.sun * sun_past_field(height, h, point.mu_sun)));

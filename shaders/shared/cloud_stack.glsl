@@ -11,14 +11,14 @@ layout(set = 0, binding = 40) uniform sampler2D field_1_mean_lut;
 layout(set = 0, binding = 41) uniform sampler2D field_2_mean_lut;
 layout(set = 0, binding = 42) uniform sampler2D field_3_mean_lut;
 
-// Shares of a clear sky's light, but for `shade` and `turning`.
+// Shares of a clear sky's light, but for `shade`, `turning` and `up`.
 struct OtherFields {
   float shade;    // scaled optical depth toward the sun
   float direct;   // of the sun's light, the mean below the fields above
   float turning;  // as `shade`, of what turns light aside
   float forward;  // as `direct`, with what is scattered forward
   vec3 below;     // of all light from above, below the fields above
-  vec3 up;        // of all light from below, above the fields below
+  vec3 up;        // that the fields below add to light from below, over all light from above
   vec3 over;      // of light from all around that is not the sun's, above the fields below
   vec3 air;       // likewise by the fields above and below
 };
@@ -45,7 +45,7 @@ OtherFields past_field(OtherFields sum, uint field, sampler3D rays, sampler2D me
   sum.turning += shade * c.turning;
   sum.forward *= mix(light.forward, 1.0, height);
   sum.below *= mix(light.below, vec3(1.0), height);
-  sum.up *= mix(vec3(1.0), light.above, height);
+  sum.up += light.above * height;
   sum.over *= mix(vec3(1.0), light.air_above, height);
   sum.air *= mix(light.air_below, light.air_above, height);
   return sum;
@@ -53,7 +53,7 @@ OtherFields past_field(OtherFields sum, uint field, sampler3D rays, sampler2D me
 
 // At a place that the camera sees in this direction, at altitude h, where the sun's zenith cosine is mu_sun.
 OtherFields past_other_fields(vec3 direction, float distance_, float h, float mu_sun) {
-  OtherFields sum = OtherFields(0.0, 1.0, 0.0, 1.0, vec3(1.0), vec3(1.0), vec3(1.0), vec3(1.0));
+  OtherFields sum = OtherFields(0.0, 1.0, 0.0, 1.0, vec3(1.0), vec3(0.0), vec3(1.0), vec3(1.0));
   sum = past_field(sum, 0u, field_0_shadow_lut, field_0_mean_lut, direction, distance_, h, mu_sun);
   sum = past_field(sum, 1u, field_1_shadow_lut, field_1_mean_lut, direction, distance_, h, mu_sun);
   sum = past_field(sum, 2u, field_2_shadow_lut, field_2_mean_lut, direction, distance_, h, mu_sun);
