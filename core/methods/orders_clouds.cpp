@@ -14,7 +14,7 @@
 #include "core/methods/orders_cloud_tables.h"
 #include "core/methods/orders_parts.h"
 #include "core/methods/sky_pass.h"
-#include "core/scene/json_format.h"
+#include "core/text.h"
 
 namespace airlight::orders {
 namespace {
@@ -195,7 +195,7 @@ void refuse_around_clouds(const Part& part, bool no_picture) {
   };
   const std::vector<StandingCloud> clouds = standing_clouds(part);
   const auto reach = [](const CloudGrid& grid) {
-    return "from " + format_number(grid.base) + " to " + format_number(grid.top) + " km";
+    return "from " + rounded(grid.base, 6) + " to " + rounded(grid.top, 6) + " km";
   };
   for (std::size_t i = 1; i < clouds.size(); ++i) {
     const CloudGrid& below = *clouds[i - 1].grid;
