@@ -239,9 +239,9 @@ SkyPasses add_orders(Plan& plan, const Part& part, const View& view) {
       orders::add_things_sky(plan, part, view, target, light);
       return passes;
     }
-    const orders::LitCloud cloud = orders::add_cloud_light(plan, part, light);
-    const auto things = orders::add_things_under_cloud(plan, part, view, target, light, cloud);
-    orders::add_cloud(plan, part, view, target, light, cloud, &things);
+    const std::vector<orders::LitCloud> clouds = orders::add_cloud_light(plan, part, light);
+    const auto things = orders::add_things_under_clouds(plan, part, view, target, light, clouds.back());
+    orders::add_clouds(plan, part, view, target, light, clouds, &things);
     return passes;
   }
   begin_black_ground(plan, part, view);
@@ -253,7 +253,7 @@ SkyPasses add_orders(Plan& plan, const Part& part, const View& view) {
   end_black_ground(plan, part, view);
   add_ground(plan, part, target, light);
   if (!part.scene.clouds.empty()) {
-    orders::add_cloud(plan, part, view, target, light, orders::add_cloud_light(plan, part, light), nullptr);
+    orders::add_clouds(plan, part, view, target, light, orders::add_cloud_light(plan, part, light), nullptr);
   }
   return passes;
 }

@@ -126,43 +126,55 @@ Volume add_volume(Plan& plan, const Scene& scene, const Light& light, const Fact
 // The constants of passes that read it.
 void add_volume_constants(std::vector<Specialization>& constants, const Scene& scene, const FactorTable& table);
 
+struct StandingCloud {
+  const Cloud* cloud;
+  std::shared_ptr<const CloudGrid> grid;
+};
+
+// The scene's clouds, the lowest first, without those that hold no water, unless none does: then one.
+std::vector<StandingCloud> standing_clouds(const Part& part);
+
 // A cloud and its light as passes read them.
 struct LitCloud {
+  std::string name;  // Plan::tell_apart
   std::shared_ptr<const CloudGrid> grid;
   std::string key;
   device::CloudData head;
-  std::vector<Binding> shade;  // its cells, and what they leave of the sun's and the sky's light
+  std::vector<Binding> shade;             // its cells, and what all clouds leave of the sun's and the sky's light
+  std::vector<Specialization> constants;  // of passes that read `shade`
   ImageId sources;
   ImageId phase;
 };
 
-LitCloud add_cloud_light(Plan& plan, const Part& part, const Light& light);
+// The light of standing_clouds(), none of which begins below the top of the one before.
+std::vector<LitCloud> add_cloud_light(Plan& plan, const Part& part, const Light& light);
 
-// A picture of things in which a cloud is yet to come.
+// A picture of things in which clouds are yet to come.
 struct ThingsUnderCloud {
-  std::vector<Binding> air;  // the air among them (shaders/shared/thing_tables.glsl), and what pixels show of them
+  std::vector<Binding> air;  // the air among them (shaders/shared/thing_tables.glsl)
   std::vector<Specialization> constants;
   FactorTable table;
+  BufferId seen = {};  // what pixels show of things (shaders/shared/things_seen.glsl)
 };
 
 // The pass over things, the ground and the air about them.
 void add_things_sky(Plan& plan, const Part& part, const View& view, const SkyTarget& target, const Light& light);
 
-// The same with surfaces under a cloud.
-ThingsUnderCloud add_things_under_cloud(Plan& plan, const Part& part, const View& view, const SkyTarget& target,
-                                        const Light& light, const LitCloud& cloud);
+// The same with surfaces under clouds, of which `cloud` is the highest.
+ThingsUnderCloud add_things_under_clouds(Plan& plan, const Part& part, const View& view, const SkyTarget& target,
+                                         const Light& light, const LitCloud& cloud);
 
 // The planes of its layers.
 BufferId add_things_layers(Plan& plan, const Part& part, const View& view, const Light& light);
 
-// Throws InputError where clouds stand among what add_clouds() does not know. `no_picture`: what is asked for is no
-// picture, but layers or the air before things.
+// Throws InputError where clouds stand so, or among such things, as add_clouds() does not know. `no_picture`: what is
+// asked for is no picture, but layers or the air before things.
 void refuse_around_clouds(const Part& part, bool no_picture);
 
-// Puts the cloud into the picture of its clear sky, or of things under it (null: there are none). Adds the buffer
-// `cloud_transmittance`: what the cloud leaves of a beam along each pixel's ray.
-void add_cloud(Plan& plan, const Part& part, const View& view, const SkyTarget& target, const Light& light,
-               const LitCloud& cloud, const ThingsUnderCloud* things);
+// Puts the clouds into the picture of their clear sky, or of things under them (null: there are none). Adds the buffer
+// `cloud_transmittance`: what all clouds leave of a beam along each pixel's ray.
+void add_clouds(Plan& plan, const Part& part, const View& view, const SkyTarget& target, const Light& light,
+                const std::vector<LitCloud>& clouds, const ThingsUnderCloud* things);
 
 // SkyMethod::add_span_passes of the method.
 SpanPasses add_spans(Plan& plan, const Part& part, const Spans& spans, const SpanWay& way);

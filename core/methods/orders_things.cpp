@@ -269,12 +269,13 @@ void add_things_sky(Plan& plan, const Part& part, const View& view, const SkyTar
   }
 }
 
-ThingsUnderCloud add_things_under_cloud(Plan& plan, const Part& part, const View& view, const SkyTarget& target,
-                                        const Light& light, const LitCloud& cloud) {
+ThingsUnderCloud add_things_under_clouds(Plan& plan, const Part& part, const View& view, const SkyTarget& target,
+                                         const Light& light, const LitCloud& cloud) {
   constexpr std::size_t kSeen = 5;  // floats of ThingsSeen
   const bool tables = stokes_of(part, view) == physics::kStokesNone;
   ThingPass found = pass_of(plan, part, view, light, tables, true);
   found.reads.insert(found.reads.end(), cloud.shade.begin(), cloud.shade.end());
+  found.constants.insert(found.constants.end(), cloud.constants.begin(), cloud.constants.end());
   found.reads.push_back({"directions", target.directions});
   found.constants.push_back({"kProjection", target.projection});
   const BufferId seen = plan.add_buffer({.name = "things_seen",
@@ -288,7 +289,7 @@ ThingsUnderCloud add_things_under_cloud(Plan& plan, const Part& part, const View
                  .push_constants = {target.grid.width, target.grid.height, found.steps},
                  .specialization = std::move(found.constants),
                  .cost = tables ? 50.0 : 3.0 * ray_cost(found.steps)});
-  found.air.air.push_back({"seen", seen});
+  found.air.seen = seen;
   return found.air;
 }
 

@@ -41,6 +41,10 @@ void Plan::end_light() {
   end_scene();
 }
 
+void Plan::tell_apart(std::string name) {
+  apart_ = std::move(name);
+}
+
 std::optional<ImageId> Plan::table_of(const std::string& key) const {
   const auto found = light_.empty() ? images_.end() : std::ranges::find(images_, key + suffix_, &ImageDesc::key);
   return found == images_.end() ? std::nullopt
@@ -64,8 +68,8 @@ const std::vector<std::byte>& Plan::scene_of(const PassDesc& pass) const {
 
 ImageId Plan::add_image(ImageDesc desc) {
   assert(desc.components == 4 || desc.half);
+  desc.name += apart_ + suffix_ + light_;
   if (!desc.shared) {
-    desc.name += suffix_ + light_;
     desc.key += desc.key.empty() ? "" : desc.stored ? suffix_ : suffix_ + light_;
     desc.channels = channels_;
   }
@@ -74,7 +78,7 @@ ImageId Plan::add_image(ImageDesc desc) {
 }
 
 BufferId Plan::add_buffer(BufferDesc desc) {
-  desc.name += suffix_ + light_;
+  desc.name += apart_ + suffix_ + light_;
   desc.key += desc.key.empty() ? "" : suffix_ + light_;
   buffers_.push_back(std::move(desc));
   return {static_cast<std::uint32_t>(buffers_.size() - 1)};
@@ -100,7 +104,7 @@ BufferId Plan::add_buffer_once(BufferDesc desc) {
 
 void Plan::add_pass(PassDesc desc) {
   desc.scene = current_scene_;
-  if (const std::string suffix = suffix_ + light_; !suffix.empty()) {
+  if (const std::string suffix = apart_ + suffix_ + light_; !suffix.empty()) {
     desc.name = pass_name(desc) + suffix;
   }
   passes_.push_back(std::move(desc));

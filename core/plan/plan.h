@@ -32,9 +32,10 @@ struct ImageDesc {
   bool half = false;
   // Of each texel's four floats the device keeps the first 1, 2 or all; fewer than 4 of an image in halves alone.
   std::uint32_t components = 4;
-  bool shared = false;  // by all scenes and lights, so that neither name nor key gets a suffix; see Plan::shared_image
+  bool shared = false;  // by all scenes and lights, so that its key gets no suffix; see Plan::shared_image
   bool stored = false;  // in a file of the user's, with a key that later starts of the program may ask for again
-  // What an image of 32 bits starts with, tightly packed; empty: undefined. It is called when a pass that reads it runs.
+  // What an image of 32 bits starts with, tightly packed; empty: undefined. It is called when a pass that reads it
+  // runs.
   std::function<std::vector<std::byte>()> contents_when_run = {};
   // For a table that may be written to a file; empty: of no use outside the plan. It is a function, since most plans do
   // not ask for the text.
@@ -145,6 +146,9 @@ class Plan {
   // the light's suffix, to its name and, unless it is `stored` and so the same by any light, to its key.
   void begin_light(std::vector<std::byte> data, std::string suffix);
   void end_light();
+  // From here on whatever is added gets this behind its name, but not its key: a thing of which the plan has several.
+  // Empty: nothing.
+  void tell_apart(std::string name);
   // The table that an earlier light has already had added under this key.
   std::optional<ImageId> table_of(const std::string& key) const;
   // The shared image that has already been added under this key, by whatever scene.
@@ -180,6 +184,7 @@ class Plan {
   std::uint32_t first_scene_ = 0;  // of the light
   std::string light_;
   std::string suffix_;
+  std::string apart_;
   std::string channels_;
   std::vector<ImageDesc> images_;
   std::vector<BufferDesc> buffers_;

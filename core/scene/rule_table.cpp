@@ -209,10 +209,9 @@ constexpr auto kRules = std::to_array<Rule>({
                                    "and corona are in it"))),
 
     row(RuleType::clouds, "clouds", Range{.minimum = 1, .maximum = kMaxClouds}, "", "",
-        "water and ice that are uneven in all directions; `orders` knows one, `path-trace` all. Each counts as one of "
-        "the 8 "
-        "media. "
-        "A `layer` becomes a medium"),
+        "water and ice that are uneven in all directions; `path-trace` knows all, `orders` those that stand one above "
+        "the other: none begins below the top of a lower one. Each counts as one of the 8 media. A `layer` becomes a "
+        "medium"),
     needed(choice("clouds[].type", kCloudNames, "",
                   "`cumulus`: heaps with flat bases; `stratocumulus`: a broken sheet; `cirrus`: ice in fibres; all to "
                   "the horizon, by a seed, the same on every machine; `volume`: a file; `layer`: even all around the "

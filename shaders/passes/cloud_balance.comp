@@ -14,7 +14,7 @@
 
 layout(local_size_x = 64) in;
 layout(set = 0, binding = 17) uniform sampler2D cloud_sums_lut;  // passes/cloud_sums.comp
-layout(scalar, set = 0, binding = 18) writeonly buffer Light { CloudLight value; } light_out;
+layout(scalar, set = 0, binding = 18) buffer Light { CloudLight values[]; } light_out;  // of fields, the lowest first
 
 void main() {
   if (gl_GlobalInvocationID.x > 0u) {
@@ -28,8 +28,11 @@ void main() {
   MomentCoordinate at = air_moment_coordinate(scene.moments, h, mu_sun);
   vec3 direct = transmittance_to_sun(scene.planet, h, mu_sun) * facing;
   vec3 sky = level_irradiance(at, 1.0);
-  vec3 up = level_irradiance(at, -1.0);
   vec3 clear = max(direct + sky, vec3(1e-30));
+  vec3 up = level_irradiance(at, -1.0);
+  for (uint below = 0u; below < kField; below++) {
+    up = max(up + light_out.values[below].above * clear, vec3(0.0));
+  }
   // The ordinates' sun has irradiance 1 across its rays.
   float across = length(vec3(c.sunward_east, c.sunward_north, 1.0));
   float through = sum.w + sum.x * across;
@@ -37,6 +40,7 @@ void main() {
   CloudLight light;
   light.below = first / max(vec3(1.0) - up / clear * (sum.z / kPi), vec3(0.05));
   light.direct = sum.w;
+  light.forward = texelFetch(cloud_sums_lut, ivec2(1, 0), 0).w;
   // Light from all around in the middle of the air below, by where it comes from: the cloud, the ground, or that air,
   // which sends on sunlight past the field and its own light.
   float middle = optical_altitude_at(0.5 * c.base);
@@ -62,5 +66,9 @@ void main() {
   of_cloud = sun_above * (rising.x * across) + level_irradiance(over, 1.0) * (rising.y / kPi) +
              light_from_side(over, -1.0) * sent * (rising.z / (2.0 * kPi));
   light.air_above = (light_from_side(over, 1.0) + of_cloud) / light_from_all_around(over);
-  light_out.value = light;
+  vec4 risen = texelFetch(cloud_sums_lut, ivec2(2, 0), 0);
+  vec3 from_above = sun_above * (risen.x * across) + level_irradiance(over, 1.0) * (risen.y / kPi);
+  vec3 clear_above = max(sun_above + level_irradiance(over, 1.0), vec3(1e-30));
+  light.above = (from_above + up * (light.below * (risen.z / kPi) - 1.0)) / clear_above;
+  light_out.values[kField] = light;
 }

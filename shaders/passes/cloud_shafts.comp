@@ -33,7 +33,7 @@ void main() {
   Ray ray = air_ray(direction);
   FactorPlace of = factor_place(direction);
   float length_ = max(ray.length_, 0.0);
-  float reach = shaded_reach(scene.planet.ground_radius, cloud(), ray.h, ray.mu, length_);
+  float reach = shaded_reach(scene.planet.ground_radius, highest_cloud(), ray.h, ray.mu, length_);
   ShadedAir air = no_shaded_air();
   for (uint slice = 1u; slice < size.z; slice++) {
     float to = shaded_distance(reach, length_, float(slice) / float(size.z - 1u));

@@ -2,7 +2,8 @@
 #extension GL_GOOGLE_include_directive : require
 // What a cloud lets through, as a texel: of the sun's light by scattering, over that across its rays; radiance summed
 // over the lower hemisphere times the cosine, for a sky and for a ground of radiance 1; of the sun's light unscattered.
-// Three more texels hold the first three without the cosine, and then over the upper hemisphere with it and without.
+// Three more texels hold the first three without the cosine, and then over the upper hemisphere with it and without. The
+// fourth value of the second is of the sun's light unscattered or scattered forward alone.
 // It does not depend on the air. One workgroup.
 #extension GL_EXT_scalar_block_layout : require
 #define real float
@@ -48,7 +49,9 @@ void main() {
   }
   for (uint at = thread; at < plane; at += 256u) {
     vec2 place = (vec2(at % c.coarse_x, at / c.coarse_x) + 0.5) / vec2(c.coarse_x, c.coarse_y);
-    sum[0].w += exp(-c.scale * sun_depth_at(vec3(place, 0.0))) / float(plane);
+    float depth = c.scale * sun_depth_at(vec3(place, 0.0));
+    sum[0].w += exp(-depth) / float(plane);
+    sum[1].w += exp(-depth * c.turning) / float(plane);
   }
   sums[thread] = sum;
   barrier();

@@ -40,8 +40,10 @@ struct CloudData {
   uint coarse_y;
   uint coarse_z;
   uint repeats;
-  uint medium;  // that its matter is: index among the scene's media
-  real west;    // of the grid's corner from the point under the camera
+  // Of the scaled extinction, what turns light aside: (1 - a g) / (1 - a f), a the single scattering albedo, g the mean
+  // cosine of scattering, f the share of it that counts as unscattered.
+  real turning;
+  real west;  // of the grid's corner from the point under the camera
   real south;
   real width;  // of the whole grid
   real depth;
@@ -54,10 +56,12 @@ struct CloudData {
   CloudEdge edge;
 };
 
-// The light on a cloud over that of a clear sky.
+// The light below and above a cloud, over that of a clear sky.
 struct CloudLight {
   vec3 below;      // all light that ground and base get from above
   vec3 air_below;  // light from all around that is not the sun's, below the cloud
   vec3 air_above;  // likewise above it
   real direct;     // of the sun's light, the share that passes through unscattered
+  real forward;    // likewise unscattered or scattered forward alone (CloudData::turning)
+  vec3 above;      // what it adds to light from below on planes above it, over all light from above there
 };

@@ -12,10 +12,15 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = 23) uniform sampler3D cloud_source_lut;
 layout(set = 0, binding = 28) uniform sampler2D cloud_phase_lut;
 layout(set = 0, binding = 26) uniform sampler3D cloud_shafts_lut;  // cloud_shafts.comp; any image where kAirByRay is 1
+// 1: this is a further field over the picture of another, whose air is shaded and whose ground is lit by all of them.
+layout(constant_id = 54) const uint kFurther = 0u;
+// Of the field's two stretches along a ray that dips below it. A field through which the camera looks down stands on
+// both sides of those below it.
+layout(constant_id = 55) const uint kStretches = 0u;  // 0: both, 1: the nearer one, 2: the farther one
 layout(constant_id = 50) const uint kAirByRay = 0u;  // 1: the air's shade is found along each ray, 0: on froxels
 layout(scalar, set = 0, binding = 8) readonly buffer Directions { vec4 values[]; } directions;
 layout(scalar, set = 0, binding = 9) buffer Radiance { vec4 values[]; } radiance_out;
-layout(scalar, set = 0, binding = 31) writeonly buffer Through { float values[]; } through_out;
+layout(scalar, set = 0, binding = 31) buffer Through { float values[]; } through_out;
 layout(push_constant, scalar) uniform Push {
   uint width;
   uint height;
@@ -47,7 +52,7 @@ vec3 phase_behind(float nu, float depth) {
 
 #ifdef AIRLIGHT_THINGS
 #include "shared/things_seen.glsl"
-layout(scalar, set = 0, binding = 32) readonly buffer Seen { ThingsSeen values[]; } seen;
+layout(scalar, set = 0, binding = 32) buffer Seen { ThingsSeen values[]; } seen;
 #else
 uvec2 here;  // the pixel of the tile at hand
 #endif
@@ -230,13 +235,16 @@ vec3 direction_of(uvec2 pixel, out bool inside) {
 struct PastCloud {
   vec3 light;
   float through;  // transmittance of the cloud
-  vec3 air;       // of listed directions: share of the clear air's light that is seen
+  vec3 air;       // share of the air's light that is seen, of what the picture had of it
+#ifdef AIRLIGHT_THINGS
+  vec3 things;    // the part of the light that comes from directions of things
+#endif
 };
 
 PastCloud past_cloud(AirRay of, float end, vec3 behind) {
   Walk walk = begun_walk();
   CloudSpans spans = cloud_spans(scene.planet.ground_radius, cloud(), of.ray.h, of.ray.mu, end);
-  for (uint part = 0u; part < 2u; part++) {
+  for (uint part = kStretches == 2u ? 1u : 0u; part < (kStretches == 1u ? 1u : 2u); part++) {
     CloudCrossing span = part == 0u ? spans.first : spans.second;
     uint crosses = span.from < span.to ? 1u : 0u;
     for (uint turn = 0u; turn < crosses; turn++) {
@@ -248,19 +256,22 @@ PastCloud past_cloud(AirRay of, float end, vec3 behind) {
   vec3 sky = vec3(0.0);
   past.air = walk.seen;
   bool known = kAirByRay == 0u && kShowsAirAlone && !of.ray.at_ground;
-  uint seen = past.through > 0.0 && !known ? 1u : 0u;
+  uint seen = past.through > 0.0 && (!known || kFurther == 1u) ? 1u : 0u;
   for (uint turn = 0u; turn < seen; turn++) {
     Stop stop = stop_at(walk, of, end);
-    past.air = (walk.seen + max(stop.before.light - walk.air, vec3(0.0)) * past.through) / max(stop.clear, vec3(1e-20));
-    sky = behind - (stop.clear - stop.before.light + walk.air) * scene.sun.irradiance;
+    vec3 air = walk.seen + max(stop.before.light - walk.air, vec3(0.0)) * past.through;
+    // The picture of a further field has the air shaded, and the ground lit, by all of them.
+    vec3 had = kFurther == 1u ? stop.before.light : stop.clear;
+    past.air = air / max(had, vec3(1e-20));
+    sky = behind - (had - stop.before.light + walk.air) * scene.sun.irradiance;
 #ifndef AIRLIGHT_THINGS
-    uint grounds = of.ray.at_ground ? 1u : 0u;
+    uint grounds = kFurther == 0u && of.ray.at_ground ? 1u : 0u;
     for (uint ground = 0u; ground < grounds; ground++) {
       sky += stop.before.transmittance * ground_change(of.ray, of.direction) * scene.sun.irradiance;
     }
 #endif
   }
-  uint airs = past.through > 0.0 && known ? 1u : 0u;
+  uint airs = past.through > 0.0 && known && kFurther == 0u ? 1u : 0u;
   for (uint turn = 0u; turn < airs; turn++) {
     sky = behind * share_by_froxels(of, end) - walk.air * scene.sun.irradiance;
   }
@@ -276,6 +287,7 @@ PastCloud past_cloud_and_things(AirRay of, vec3 behind, ThingsSeen things) {
   sum.light = vec3(0.0);
   sum.through = 0.0;
   sum.air = vec3(1.0);
+  sum.things = vec3(0.0);
   uint first = things.share > kFewest ? 0u : 1u;
   uint last = things.share < 1.0 - kFewest ? 2u : 1u;
   for (uint part = first; part < last; part++) {
@@ -284,6 +296,7 @@ PastCloud past_cloud_and_things(AirRay of, vec3 behind, ThingsSeen things) {
     float end = part == 0u ? min(things.distance_, of.ray.length_) : of.ray.length_;
     PastCloud past = past_cloud(of, end, light / share);
     sum.light += past.light * share;
+    sum.things += part == 0u ? past.light * share : vec3(0.0);
     sum.through = past.through;
     sum.air = past.air;
   }
@@ -306,7 +319,7 @@ void main() {
   of.ray = air_ray(direction);
   of.at = factor_place(direction);
   of.direction = direction;
-  of.reach = shaded_reach(scene.planet.ground_radius, c, of.ray.h, of.ray.mu, max(of.ray.length_, 0.0));
+  of.reach = shaded_reach(scene.planet.ground_radius, highest_cloud(), of.ray.h, of.ray.mu, max(of.ray.length_, 0.0));
   UNROLL for (uint q = 0u; q < kCloudMoments; q++) {
     seen_harmonics[q] = cloud_harmonic(q, vec3(-direction.x, direction.z, -direction.y));
   }
@@ -314,7 +327,11 @@ void main() {
 #ifdef AIRLIGHT_THINGS
   seen_sight = sight_of(vec3(0.0), direction);
   seen_phases = phases(of.at.nu);
-  PastCloud past = past_cloud_and_things(of, behind.rgb, seen.values[listed ? pixel.x : index]);
+  uint of_things = listed ? pixel.x : index;
+  PastCloud past = past_cloud_and_things(of, behind.rgb, seen.values[of_things]);
+  if (kFields > 1u) {
+    seen.values[of_things].light = past.things;
+  }
 #else
   PastCloud past = past_cloud(of, of.ray.length_, behind.rgb);
 #endif
@@ -331,6 +348,7 @@ void main() {
   }
   if (!listed) {
     // Of a beam, which loses what the peak of the phase function scatters.
-    through_out.values[index] = pow(through, 1.0 / c.scale);
+    float beam = pow(through, 1.0 / c.scale);
+    through_out.values[index] = kFurther == 1u ? through_out.values[index] * beam : beam;
   }
 }

@@ -3,23 +3,31 @@
 #include "physics/cloud_sun.glsl"
 layout(set = 0, binding = 25) uniform sampler2D cloud_mean_lut;  // passes/cloud_mean.comp
 
+layout(constant_id = 52) const uint kFields = 1u;  // that stand one above the other
+layout(constant_id = 53) const uint kField = 0u;   // the one at hand, counted from the lowest
+
 const float kRaysHold = 0.03;  // zenith cosine of the sun from which on the cloud's own rays are taken
 
-float mean_shade(CloudData c, float way) {
+float mean_shade_in(sampler2D means, CloudData c, float way) {
   float slope = (c.top - c.base) / max(way, 1e-6);
   float texel = (cloud_mean_row(slope) + 0.5) / float(kCloudMeanRows);
-  return textureLod(cloud_mean_lut, vec2(texel, 0.5), 0.0).r * way;
+  return textureLod(means, vec2(texel, 0.5), 0.0).r * way;
 }
 
-// Scaled optical depth toward the sun, seen at this zenith cosine, from a place at altitude h. The rays of the table
-// lean alike everywhere, where the sun's are the steeper the farther away they cross the shell.
-float cloud_shade_of(vec3 place, float h, float seen) {
-  CloudData c = cloud();
+float mean_shade(CloudData c, float way) { return mean_shade_in(cloud_mean_lut, c, way); }
+
+// Scaled optical depth toward the sun, seen at this zenith cosine, from a place at altitude h, by a cloud's tables. Their
+// rays lean alike everywhere, where the sun's are the steeper the farther away they cross the shell.
+float shade_in(sampler3D rays, sampler2D means, CloudData c, vec3 place, float h, float seen) {
   float way = way_through_shell(scene.planet.ground_radius, c, h, seen);
   float straight = (c.top - c.base) * (1.0 - clamp(place.z, 0.0, 1.0)) *
                    length(vec3(c.sunward_east, c.sunward_north, 1.0));
-  float along = c.scale * sun_depth_at(place) * way / max(straight, 1e-6);
-  return c.repeats == 0u ? along : mix(mean_shade(c, way), along, smoothstep(0.0, kRaysHold, seen));
+  float along = c.scale * sun_depth_in(rays, c, place) * way / max(straight, 1e-6);
+  return c.repeats == 0u ? along : mix(mean_shade_in(means, c, way), along, smoothstep(0.0, kRaysHold, seen));
+}
+
+float cloud_shade_of(vec3 place, float h, float seen) {
+  return shade_in(cloud_shadow_lut, cloud_mean_lut, cloud(), place, h, seen);
 }
 
 float cloud_shade(vec3 place, float h, float mu_sun) {

@@ -1,6 +1,7 @@
 // The air's light among clouds: its sunlight scattered once where the cloud's shadow leaves the sun, the rest by the
 // light below and above the cloud.
 #include "shared/cloud_balance.glsl"
+#include "shared/cloud_stack.glsl"
 
 // Light of the air without clouds up to a distance, for a sun of irradiance 1.
 struct ClearAir {
@@ -64,9 +65,16 @@ ShadedAir shaded_up_to(ShadedAir air, Ray ray, FactorPlace at, vec3 direction, f
     RayPoint point = sunlit_among_things(scene.planet, ray, t);
     vec3 place = cloud_place(scene.planet.ground_radius, cloud(), ray.h, direction, t);
     float counts = meets_ground(scene.planet, point.h, seen_sun_mu(scene.planet, point.h, point.mu_sun)) ? 0.0 : 1.0;
-    lit += counts * exp(-cloud_shade(place, point.h, point.mu_sun));
+    float shade = cloud_shade(place, point.h, point.mu_sun);
+    vec3 all_around = more_light_at(place.z);
+    if (kFields > 1u) {
+      OtherFields past = past_other_fields(direction, t, point.h, point.mu_sun);
+      shade += past.shade;
+      all_around *= past.air;
+    }
+    lit += counts * exp(-shade);
     sunny += counts;
-    more += more_light_at(place.z) / float(parts);
+    more += all_around / float(parts);
   }
   lit /= max(sunny, 1.0);
   ClearAir next = clear_air_up_to(ray, at, optical_up_to(ray, to));

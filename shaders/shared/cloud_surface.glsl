@@ -1,5 +1,6 @@
 // What a cloud leaves of the light on the ground and on things.
 #include "shared/cloud_balance.glsl"
+#include "shared/cloud_stack.glsl"
 
 // A place, from the camera, in the grid's units.
 vec3 place_in_cloud(vec3 point) {
@@ -7,24 +8,40 @@ vec3 place_in_cloud(vec3 point) {
   return cloud_place(scene.planet.ground_radius, cloud(), scene.camera.altitude, point / distance_, distance_);
 }
 
+OtherFields past_other_fields_at(Place place, PlaceSun sun) {
+  float distance_ = max(length(place.point), 1e-6);
+  return past_other_fields(place.point / distance_, distance_, place.h, sun.mu);
+}
+
 float sun_past_cloud(Place place, PlaceSun sun) {
-  return exp(-cloud_shade(place_in_cloud(place.point), place.h, sun.mu));
+  float shade = cloud_shade(place_in_cloud(place.point), place.h, sun.mu);
+  if (kFields > 1u) {
+    shade += past_other_fields_at(place, sun).shade;
+  }
+  return exp(-shade);
 }
 
 // The sky's light below the cloud is what the cloud lets through of all light, less its sunlight that passes unscattered.
 // As far as this is less than the clear sky's, the sky is dimmed; what is more comes evenly from above. Above the cloud
-// the light that it sends up counts. `lit`: share of the sun past the cloud.
+// the light that it sends up counts. `lit`: share of the sun past the cloud. Among several fields it is the highest.
 SkyPast sky_past_cloud(SkyPast sky, Surface surface, PlaceSun sun, float lit) {
   vec3 direct = sun_through_air(scene.planet, 0.0, sun.mu) * max(dot(sun.seen, surface.place.up), 0.0);
   vec3 clear = moment_ground_irradiance(scene.moments, sun.mu);
-  CloudLight light = cloud_light.value;
+  CloudLight light = light_of_cloud();
+  vec3 over = vec3(1.0);  // by the fields below the surface
+  if (kFields > 1u) {
+    OtherFields past = past_other_fields_at(surface.place, sun);
+    light.below *= past.below;
+    light.direct *= past.direct;
+    over = past.over;
+  }
   vec3 below = max((direct + clear) * light.below - direct * light.direct, vec3(0.0));
   vec3 more = max(below - clear, vec3(0.0));
   vec3 from_ground = scene.planet.ground_albedo * (more - direct * (1.0 - light.direct));
   float height = clamp(place_in_cloud(surface.place.point).z, 0.0, 1.0);
   float upward = 0.5 + 0.5 * dot(surface.normal, surface.place.up);
   vec3 even = (more * upward + from_ground * (1.0 - upward)) * sky.share;
-  sky.share *= mix(min(below / max(clear, vec3(1e-20)), vec3(1.0)), light.air_above, height);
+  sky.share *= mix(min(below / max(clear, vec3(1e-20)), vec3(1.0)), light.air_above, height) * over;
   vec3 of_things = (direct * lit + below) / max(direct + clear, vec3(1e-20));  // the light on what sends `more`
   sky.more = sky.more * mix(of_things, vec3(1.0), height) + even * (1.0 - height);
   return sky;

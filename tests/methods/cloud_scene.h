@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <string>
 
 #include "core/clouds/cloud_grid.h"
+#include "core/error.h"
 #include "tests/methods/path_trace_scene.h"
 #include "tests/methods/render_fixture.h"
 
@@ -74,6 +76,48 @@ inline double water_depth_from(const CloudGrid& grid, const physics::vec3& from,
     depth += kStep * grid.at(from.x + t * d.x, from.y + t * d.y, from.z + t * d.z);
   }
   return depth;
+}
+
+// Air that scatters sunlight once among black clouds: L over the irradiance, by short steps along the ray and toward
+// the sun. `shade`: what a cloud leaves of light from a place of the ray, at its distance.
+template <class Shade>
+double scattered_by_air(const Scene& scene, double mu, double nu, Shade shade) {
+  const double radius = scene.planet.ground_radius;
+  const double from = radius + scene.camera.altitude;
+  const Medium& air = scene.media.front();
+  const double phase = 3.0 / (16.0 * std::numbers::pi) * (1.0 + nu * nu);
+  double light = 0.0;
+  double t = 0.0;
+  double altitude = scene.camera.altitude;
+  while (altitude < scene.planet.atmosphere_height) {
+    const double step = 0.01 + 0.002 * t;
+    t += 0.5 * step;
+    const double r = std::sqrt(from * from + t * (2.0 * from * mu + t));
+    altitude = scene.camera.altitude + t * (2.0 * from * mu + t) / (from + r);
+    light += step * air.scattering[1] * std::exp(-altitude / air.density.scale_height) * phase * shade(t, altitude);
+    t += 0.5 * step;
+  }
+  return light;
+}
+
+inline Scene among_black_clouds(double sun_elevation_deg) {
+  Scene scene = under_level_cloud(1.0, std::sin(radians(sun_elevation_deg)));
+  scene.sun.elevation = radians(sun_elevation_deg);
+  scene.media.front().density = exponential(1.2);
+  scene.clouds.front().single_scattering_albedo = 0.0;
+  scene.camera.altitude = 0.05;
+  return scene;
+}
+
+// The method `orders` refuses it in these words and names path-trace.
+inline void expect_cloud_refused(const Scene& scene, const std::string& words) {
+  try {
+    render_now(scene);
+    FAIL() << "not refused: " << words;
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("path-trace"), std::string::npos) << error.what();
+  }
 }
 
 }  // namespace airlight::test

@@ -201,6 +201,25 @@ TEST(Check, RefusesReadbacksOutOfOrder) {
             "plan: pass use: out is bound to buffer table readback, which is filled after the last pass");
 }
 
+// Two of a kind, whose keys tell them apart already.
+TEST(Plan, NamesCanBeToldApart) {
+  Plan plan;
+  const ImageId first = plan.add_image({.name = "field", .key = "first"});
+  plan.tell_apart(" 2");
+  const ImageId second = plan.add_image({.name = "field", .key = "second"});
+  const BufferId buffer = plan.add_buffer({.name = "cells", .bytes = 4});
+  plan.add_pass({.shader = "fill", .writes = {{"out", second}, {"cells", buffer}}});
+  plan.tell_apart("");
+  plan.add_pass({.shader = "fill", .writes = {{"out", first}}});
+  EXPECT_EQ(plan.images()[first.index].name, "field");
+  EXPECT_EQ(plan.images()[second.index].name, "field 2");
+  EXPECT_EQ(plan.images()[second.index].key, "second");
+  EXPECT_EQ(plan.buffers()[buffer.index].name, "cells 2");
+  EXPECT_EQ(pass_name(plan.passes()[0]), "fill 2");
+  EXPECT_EQ(pass_name(plan.passes()[1]), "fill");
+  EXPECT_NO_THROW(check(plan));
+}
+
 TEST(Plan, ReadbackIsTightlyPacked) {
   Plan plan;
   const ImageId odd = plan.add_image({.name = "odd", .extent = {13, 7, 3}});

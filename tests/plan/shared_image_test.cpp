@@ -23,7 +23,7 @@ TEST(SharedImage, IsFoundByEveryScene) {
   EXPECT_FALSE(plan.shared_image("colours of group 0").has_value());
   plan.begin_light({}, " of the moon");
   EXPECT_EQ(plan.shared_image("grid"), first);
-  EXPECT_EQ(plan.images()[first.index].name, "grid");
+  EXPECT_EQ(plan.images()[first.index].name, "grid of group 0");
   EXPECT_EQ(plan.images()[first.index].key, "grid");
 }
 

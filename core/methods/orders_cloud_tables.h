@@ -1,0 +1,34 @@
+#pragma once
+// A cloud's grid as tables that the passes of `orders` read.
+
+#include <memory>
+#include <string>
+
+#include "core/clouds/cloud_grid.h"
+#include "core/luts/cloud_light.h"
+#include "core/plan/plan.h"
+
+namespace airlight::orders {
+
+// The grid, a cloud that stands alone in empty air all around, so that its shadow does not fall on its own repetition.
+// `to_sun`: x east, y north, z up, in which the sun is seen from it; z > 0.
+CloudGrid with_room(const CloudGrid& grid, physics::vec3 to_sun);
+
+CloudCells cells_of(const CloudGrid& grid);
+
+// Extinction, 1/km, and how far inside the cloud the place is, km. `key`: of the cloud.
+ImageId add_density(Plan& plan, const std::shared_ptr<const CloudGrid>& grid, const std::string& key);
+
+// Where a ray need not look for water, on cells of twice the grid's. `key`: of the cloud.
+ImageId add_gaps(Plan& plan, const std::shared_ptr<const CloudGrid>& grid, const std::string& key);
+
+// What reads the edge of a cloud's water (shaders/shared/cloud_carved.glsl).
+struct EdgeInputs {
+  Binding noise;
+  Specialization carved;
+};
+
+// `any`: an image to bind where the edge is not carved.
+EdgeInputs add_edge(Plan& plan, const CloudGrid& grid, ImageId any);
+
+}  // namespace airlight::orders

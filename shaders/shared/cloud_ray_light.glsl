@@ -1,0 +1,106 @@
+// The air along a pixel's ray among clouds, and the light that clouds and ground send along it.
+
+// The air before a distance, for a sun of irradiance 1.
+struct Before {
+  vec3 light;
+  vec3 transmittance;
+};
+
+const float kRaySlices = 32.0;  // of a ray whose shade is found along it
+
+// What walks through the air along a pixel's ray read.
+struct AirRay {
+  Ray ray;
+  FactorPlace at;
+  vec3 direction;
+  float reach;
+};
+
+ShadedAir further(ShadedAir air, AirRay of, float distance_) {
+  float from = shaded_coordinate(of.reach, of.ray.length_, air.distance_);
+  float to = shaded_coordinate(of.reach, of.ray.length_, distance_);
+  uint steps = uint(clamp(ceil((to - from) * kRaySlices), 0.0, kRaySlices));
+  for (uint i = 1u; i <= steps; i++) {
+    float z = mix(from, to, float(i) / float(steps));
+    air = shaded_up_to(air, of.ray, of.at, of.direction,
+                       i < steps ? shaded_distance(of.reach, of.ray.length_, z) : distance_, 2u);
+  }
+  return air;
+}
+
+vec3 share_by_froxels(AirRay of, float distance_) {
+  vec3 size = vec3(textureSize(cloud_shafts_lut, 0));
+  vec2 at = (vec2(here) + vec2(scene.tile.x, scene.tile.y) + 0.5) / vec2(scene.camera.width, scene.camera.height);
+  vec3 place = vec3(at, shaded_coordinate(of.reach, of.ray.length_, distance_));
+  return textureLod(cloud_shafts_lut, (vec3(0.5) + place * (size - 1.0)) / size, 0.0).rgb;
+}
+
+// Share of the sun that things leave at a point of the ray.
+float sun_past_things_at(AirRay of, float t) {
+#ifdef AIRLIGHT_THINGS
+  Place place = place_at(scene.planet, scene.camera.altitude, of.direction * t);
+  return sun_past_things(scene.planet, scene.camera.altitude, scene.sun, place, kNoSphere);
+#else
+  return 1.0;
+#endif
+}
+
+// The light on the cloud near a distance, for a sun of irradiance 1.
+struct CloudColour {
+  float t;    // km; below 0: none is known
+  vec3 sun;   // unscattered
+  vec3 more;  // that lights what is scattered more than once
+  vec3 sky;
+  vec3 ground;
+};
+
+CloudColour colour_at(AirRay of, float t) {
+  RayPoint point = sunlit_among_things(scene.planet, of.ray, t);
+  float height = mix(cloud().base, cloud().top, 0.7);
+  float h = optical_altitude_at(height);
+  MomentCoordinate at = air_moment_coordinate(scene.moments, h, point.mu_sun);
+  CloudColour colour;
+  colour.t = t;
+  colour.sun = transmittance_to_sun(scene.planet, h, point.mu_sun);
+  colour.sky = level_irradiance(at, 1.0) / kPi;
+  colour.ground = level_irradiance(at, -1.0) / kPi * light_of_cloud().below;
+  if (kFields > 1u) {
+    // What the other fields scatter forward lights the cloud as the sun does. Of the sun's light counts what they leave
+    // of it here; all else is even over the sky, and its mean is taken.
+    OtherFields past = past_other_fields(of.direction, t, point.h, point.mu_sun);
+    vec3 level = colour.sun * max(seen_sun_mu(scene.planet, h, point.mu_sun), 0.0);
+    vec3 clear = level + colour.sky * kPi;
+    colour.ground = max(colour.ground + clear * past.up * light_of_cloud().below / kPi, vec3(0.0)) * past.below;
+    colour.sky = max(clear * past.below - level * past.forward, vec3(0.0)) / kPi;
+    colour.sun *= exp(-past.turning);
+  }
+  colour.more = colour.sun * sun_past_field(height, h, point.mu_sun);
+  return colour;
+}
+
+// The light of a stretch as it leaves the cloud, for a sun of irradiance 1, of which this share is left by things.
+vec3 coloured(CloudGathered g, CloudColour colour, float lit) {
+  vec3 sunlight = colour.sun * g.once + colour.more * g.sun;
+#ifdef AIRLIGHT_THINGS
+  sunlight *= lit;
+#endif
+  return sunlight + colour.sky * g.sky + colour.ground * g.ground;
+}
+
+// The change of the ground's light by the cloud, at the ground, for a sun of irradiance 1.
+vec3 ground_change(Ray ray, vec3 direction) {
+  RayPoint point = sunlit_among_things(scene.planet, ray, ray.length_);
+  vec3 place = cloud_place(scene.planet.ground_radius, cloud(), ray.h, direction, ray.length_);
+  vec3 direct = transmittance_to_sun(scene.planet, 0.0, point.mu_sun) * ground_facing(scene.planet, point.mu_sun);
+  vec3 clear = direct + moment_ground_irradiance(scene.moments, point.mu_sun);
+  float lit = exp(-cloud_shade(place, 0.0, point.mu_sun));
+  CloudLight light = light_of_cloud();
+  if (kFields > 1u) {
+    OtherFields past = past_other_fields(direction, ray.length_, 0.0, point.mu_sun);
+    lit *= exp(-past.shade);
+    light.below *= past.below;
+    light.direct *= past.direct;
+  }
+  vec3 below = max(clear * light.below - direct * light.direct, vec3(0.0)) + direct * lit;
+  return (below - clear) * scene.planet.ground_albedo / kPi;
+}
