@@ -6,9 +6,9 @@
 
 #include "app/cli/terminal.h"
 #include "app/commands/commands.h"
-#include "core/error.h"
-#include "core/huge_pages.h"
-#include "core/memory_limit.h"
+#include "core/base/error.h"
+#include "core/base/huge_pages.h"
+#include "core/base/memory_limit.h"
 #include "core/output/ending.h"
 
 namespace airlight::cli {

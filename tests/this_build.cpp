@@ -5,7 +5,7 @@
 
 #include <cstdlib>
 
-#include "core/huge_pages.h"
+#include "core/base/huge_pages.h"
 
 namespace {
 

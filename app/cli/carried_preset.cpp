@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/library/embedded_presets.h"
 #include "core/scene/curve_reader.h"
 #include "core/scene/json_text.h"

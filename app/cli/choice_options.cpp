@@ -7,11 +7,11 @@
 #include <string_view>
 
 #include "app/cli/progress.h"
+#include "core/base/clock.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/chart/timing.h"
-#include "core/clock.h"
-#include "core/error.h"
 #include "core/measure/sample_error.h"
-#include "core/text.h"
 
 namespace airlight::cli {
 namespace {

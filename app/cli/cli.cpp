@@ -5,7 +5,7 @@
 
 #include "app/cli/cli11.h"
 #include "app/cli/terminal.h"
-#include "core/error.h"
+#include "core/base/error.h"
 
 namespace airlight::cli {
 namespace {

@@ -1,8 +1,8 @@
 // Completion scripts for bash, zsh and fish. A value is offered from the definition's choices and offers, and from the
 // file system where the definition says so.
 #include "app/cli/cli.h"
-#include "core/error.h"
-#include "core/text.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
 
 namespace airlight::cli {
 namespace {

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "app/cli/scene_files.h"
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/library/place.h"
 #include "core/methods/ready.h"
 #include "core/render/metering.h"

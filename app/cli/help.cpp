@@ -5,7 +5,7 @@
 
 #include "app/cli/cli11.h"
 #include "app/cli/terminal.h"
-#include "core/text.h"
+#include "core/base/text.h"
 
 namespace airlight::cli {
 namespace {

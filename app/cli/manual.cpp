@@ -1,6 +1,6 @@
 // The manual page: the same definitions in roff's man macros.
 #include "app/cli/cli.h"
-#include "core/text.h"
+#include "core/base/text.h"
 
 namespace airlight::cli {
 namespace {

@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "app/cli/terminal.h"
-#include "core/error.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/output/half_block.h"
 #include "core/scene/json_format.h"
-#include "core/text.h"
 
 namespace airlight::cli {
 namespace {

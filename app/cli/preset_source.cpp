@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "app/cli/carried_preset.h"
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/library/built_in.h"
 #include "core/library/embedded_presets.h"
 #include "core/output/provenance.h"

@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "app/cli/terminal.h"
-#include "core/clock.h"
+#include "core/base/clock.h"
 
 namespace airlight::cli {
 namespace {

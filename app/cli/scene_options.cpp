@@ -4,7 +4,7 @@
 
 #include "app/cli/preset_source.h"
 #include "app/cli/scene_files.h"
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/library/built_in.h"
 #include "core/methods/method.h"
 #include "core/scene/preset.h"

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "core/error.h"
+#include "core/base/error.h"
 
 namespace airlight::cli {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/file_descriptor.h"
+#include "core/base/file_descriptor.h"
 
 namespace airlight::cli {
 

@@ -1,6 +1,6 @@
 #include "app/cli/stopwatch.h"
 
-#include "core/clock.h"
+#include "core/base/clock.h"
 
 namespace airlight::cli {
 Stopwatch::Stopwatch() : wall_(Clock::now()), cpu_ms_(process_cpu_ms()) {

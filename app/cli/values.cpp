@@ -5,8 +5,8 @@
 #include <type_traits>
 
 #include "app/cli/cli11.h"
+#include "core/base/text.h"
 #include "core/scene/suggestion.h"
-#include "core/text.h"
 
 namespace airlight::cli {
 namespace {

@@ -10,7 +10,7 @@
 #include "app/commands/chart_files.h"
 #include "app/commands/commands.h"
 #include "app/render/table_files.h"
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/gpu/kept_files.h"
 #include "core/library/built_in.h"
 #include "core/library/embedded_presets.h"

@@ -6,8 +6,8 @@
 
 #include "app/cli/json_writer.h"
 #include "app/commands/gnuplot.h"
+#include "core/base/member.h"
 #include "core/chart/gnuplot.h"
-#include "core/member.h"
 #include "core/output/atomic_file.h"
 
 namespace airlight::cli {

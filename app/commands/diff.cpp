@@ -10,7 +10,8 @@
 #include "app/commands/commands.h"
 #include "app/commands/diff_json.h"
 #include "app/commands/diff_update.h"
-#include "core/error.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/measure/compare.h"
 #include "core/measure/frames.h"
 #include "core/measure/judge.h"
@@ -22,7 +23,6 @@
 #include "core/output/last_words.h"
 #include "core/scene/printable.h"
 #include "core/scene/resolve.h"
-#include "core/text.h"
 
 namespace airlight::cli {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/output/atomic_file.h"
 #include "core/output/replace_files.h"
 

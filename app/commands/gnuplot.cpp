@@ -9,8 +9,8 @@
 #include <functional>
 
 #include "app/cli/process.h"
-#include "core/error.h"
-#include "core/file_descriptor.h"
+#include "core/base/error.h"
+#include "core/base/file_descriptor.h"
 #include "core/output/ending.h"
 
 namespace airlight::cli {

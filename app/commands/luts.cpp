@@ -5,7 +5,7 @@
 #include "app/cli/terminal.h"
 #include "app/commands/commands.h"
 #include "app/render/table_files.h"
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/methods/ready.h"
 #include "core/output/finite.h"
 #include "core/scene/preset.h"

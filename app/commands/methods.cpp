@@ -4,11 +4,11 @@
 #include "app/cli/json_writer.h"
 #include "app/cli/terminal.h"
 #include "app/commands/commands.h"
+#include "core/base/text.h"
 #include "core/methods/method.h"
 #include "core/scene/angle.h"
 #include "core/scene/json_format.h"
 #include "core/scene/render_settings.h"
-#include "core/text.h"
 
 namespace airlight::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include "app/cli/preset_source.h"
 #include "app/cli/terminal.h"
 #include "app/commands/commands.h"
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/library/built_in.h"
 #include "core/methods/method.h"
 #include "core/scene/resolve.h"

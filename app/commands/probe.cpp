@@ -8,16 +8,16 @@
 #include "app/cli/scene_options.h"
 #include "app/cli/terminal.h"
 #include "app/commands/commands.h"
-#include "core/error.h"
+#include "core/base/error.h"
+#include "core/base/polarisation.h"
+#include "core/base/text.h"
 #include "core/library/validity.h"
 #include "core/library/wavelengths.h"
 #include "core/methods/ready.h"
-#include "core/polarisation.h"
 #include "core/render/spectrum.h"
 #include "core/scene/angle.h"
 #include "core/scene/named_file.h"
 #include "core/scene/photometry.h"
-#include "core/text.h"
 
 namespace airlight::cli {
 namespace {

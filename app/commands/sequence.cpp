@@ -15,14 +15,14 @@
 #include "app/sequence/radiance_matrix.h"
 #include "app/sequence/run.h"
 #include "app/sequence/usd_stage.h"
-#include "core/error.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/methods/method.h"
 #include "core/methods/ready.h"
 #include "core/output/atomic_file.h"
 #include "core/scene/json_format.h"
 #include "core/scene/named_file.h"
 #include "core/scene/resolve.h"
-#include "core/text.h"
 
 namespace airlight::cli {
 namespace {

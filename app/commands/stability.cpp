@@ -10,7 +10,7 @@
 #include "app/commands/commands.h"
 #include "app/commands/gnuplot.h"
 #include "app/render/table_files.h"
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/output/atomic_file.h"
 #include "core/output/last_words.h"
 #include "core/output/png.h"

@@ -4,7 +4,7 @@
 
 #include "app/cli/terminal.h"
 #include "app/commands/commands.h"
-#include "core/error.h"
+#include "core/base/error.h"
 
 namespace airlight::cli {
 

@@ -1,10 +1,10 @@
 #include "app/composite/air.h"
 
 #include "core/air/scene_block.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/choice/aerial.h"
-#include "core/error.h"
 #include "core/render/picture_key.h"
-#include "core/text.h"
 
 namespace airlight::cli {
 namespace {

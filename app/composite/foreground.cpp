@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "core/error.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/scene/angle.h"
-#include "core/text.h"
 
 namespace airlight::cli {
 namespace {

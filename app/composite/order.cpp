@@ -3,9 +3,9 @@
 #include <array>
 #include <cmath>
 
-#include "core/error.h"
-#include "core/member.h"
-#include "core/text.h"
+#include "core/base/error.h"
+#include "core/base/member.h"
+#include "core/base/text.h"
 
 namespace airlight::cli {
 namespace {

@@ -14,7 +14,8 @@
 #include "app/render/picture_files.h"
 #include "app/render/report.h"
 #include "core/air/scene_block.h"
-#include "core/error.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/library/validity.h"
 #include "core/measure/frames.h"
 #include "core/methods/ready.h"
@@ -23,7 +24,6 @@
 #include "core/output/parallel.h"
 #include "core/scene/angle.h"
 #include "core/sequence/frame_files.h"
-#include "core/text.h"
 
 namespace airlight::cli {
 namespace {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <numbers>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/scene/rules.h"
 
 namespace airlight::cli {

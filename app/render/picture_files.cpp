@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "core/air/scene_block.h"
+#include "core/base/srgb.h"
+#include "core/base/text.h"
 #include "core/output/png.h"
 #include "core/output/provenance_keys.h"
 #include "core/output/quantize.h"
@@ -13,8 +15,6 @@
 #include "core/scene/angle.h"
 #include "core/scene/json_format.h"
 #include "core/scene/photometry.h"
-#include "core/srgb.h"
-#include "core/text.h"
 
 namespace airlight::cli {
 namespace {

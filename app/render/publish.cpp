@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/clock.h"
-#include "core/error.h"
+#include "core/base/clock.h"
+#include "core/base/error.h"
 #include "core/output/atomic_file.h"
 #include "core/output/half_block.h"
 #include "core/render/metering.h"

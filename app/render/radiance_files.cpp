@@ -5,13 +5,13 @@
 #include <filesystem>
 #include <numbers>
 
-#include "core/error.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/output/atomic_file.h"
 #include "core/output/picture_rows.h"
 #include "core/scene/angle.h"
 #include "core/scene/photometry.h"
 #include "core/scene/printable.h"
-#include "core/text.h"
 
 namespace airlight::cli {
 namespace {

@@ -5,10 +5,10 @@
 #include <variant>
 
 #include "app/cli/json_writer.h"
+#include "core/base/text.h"
 #include "core/output/spectral_layout.h"
 #include "core/scene/json_format.h"
 #include "core/scene/preset.h"
-#include "core/text.h"
 
 namespace airlight::cli {
 namespace {

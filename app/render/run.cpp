@@ -19,7 +19,7 @@
 #include "app/render/targets.h"
 #include "app/render/tile_option.h"
 #include "app/render/usd_file.h"
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/library/place.h"
 #include "core/library/validity.h"
 #include "core/library/wavelengths.h"

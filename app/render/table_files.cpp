@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.h"
+#include "core/base/error.h"
+#include "core/base/srgb.h"
 #include "core/output/png.h"
 #include "core/output/quantize.h"
 #include "core/output/table_exr.h"
-#include "core/srgb.h"
 
 namespace airlight::cli {
 namespace {

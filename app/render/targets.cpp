@@ -6,7 +6,7 @@
 #include "app/render/lighting_files.h"
 #include "app/render/radiance_files.h"
 #include "app/render/table_files.h"
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/output/atomic_file.h"
 #include "core/output/picture_rows.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/cli/scene_options.h"
-#include "core/error.h"
+#include "core/base/error.h"
 
 namespace airlight::cli {
 namespace {

@@ -7,11 +7,11 @@
 #include <numbers>
 #include <vector>
 
-#include "core/error.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/output/atomic_file.h"
 #include "core/scene/angle.h"
 #include "core/scene/json_format.h"
-#include "core/text.h"
 
 namespace airlight::cli {
 namespace {

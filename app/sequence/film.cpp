@@ -18,10 +18,10 @@
 #include <vector>
 
 #include "app/cli/process.h"
-#include "core/error.h"
-#include "core/file_descriptor.h"
+#include "core/base/error.h"
+#include "core/base/file_descriptor.h"
+#include "core/base/radiance_image.h"
 #include "core/output/atomic_file.h"
-#include "core/radiance_image.h"
 
 namespace airlight::cli {
 namespace {

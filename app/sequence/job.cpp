@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "app/cli/frame_scene.h"
-#include "core/hash.h"
+#include "core/base/hash.h"
 #include "core/output/frame_state.h"
 #include "core/scene/json_format.h"
 

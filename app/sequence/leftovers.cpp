@@ -8,7 +8,7 @@
 #include <filesystem>
 
 #include "app/cli/terminal.h"
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/output/atomic_file.h"
 #include "core/output/frame_state.h"
 

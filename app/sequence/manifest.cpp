@@ -9,7 +9,7 @@
 #include <span>
 
 #include "app/cli/json_writer.h"
-#include "core/clock.h"
+#include "core/base/clock.h"
 #include "core/output/atomic_file.h"
 #include "core/scene/angle.h"
 #include "core/scene/json_text.h"

@@ -4,7 +4,7 @@
 #include "app/cli/terminal.h"
 #include "app/render/picture_files.h"
 #include "app/sequence/film.h"
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/output/atomic_file.h"
 #include "core/output/last_words.h"
 #include "core/output/picture_reader.h"

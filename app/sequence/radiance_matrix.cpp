@@ -11,7 +11,8 @@
 #include "app/cli/progress.h"
 #include "app/cli/terminal.h"
 #include "app/render/radiance_files.h"
-#include "core/error.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/gpu/in_parallel.h"
 #include "core/methods/ready.h"
 #include "core/output/atomic_file.h"
@@ -21,7 +22,6 @@
 #include "core/render/sky_patches.h"
 #include "core/scene/angle.h"
 #include "core/scene/photometry.h"
-#include "core/text.h"
 
 namespace airlight::cli {
 namespace {

@@ -10,7 +10,7 @@
 #include "app/cli/json_writer.h"
 #include "app/cli/stopwatch.h"
 #include "app/cli/terminal.h"
-#include "core/clock.h"
+#include "core/base/clock.h"
 
 namespace airlight::cli {
 namespace {

@@ -6,7 +6,7 @@
 #include "app/cli/interruption.h"
 #include "app/cli/terminal.h"
 #include "app/render/usd_file.h"
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/methods/ready.h"
 #include "core/output/atomic_file.h"
 

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "core/air/air.h"
+#include "core/base/text.h"
 #include "core/scene/refractive_index.h"
-#include "core/text.h"
 
 namespace airlight {
 namespace {

@@ -10,10 +10,10 @@
 #include <string_view>
 #include <utility>
 
+#include "core/base/gnuplot_text.h"
+#include "core/base/text.h"
 #include "core/chart/labels.h"
 #include "core/chart/qualities.h"
-#include "core/gnuplot_text.h"
-#include "core/text.h"
 
 namespace airlight::chart {
 namespace {

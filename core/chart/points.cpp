@@ -9,8 +9,8 @@
 #include <sstream>
 #include <utility>
 
-#include "core/error.h"
-#include "core/member.h"
+#include "core/base/error.h"
+#include "core/base/member.h"
 #include "core/scene/json_format.h"
 
 namespace airlight::chart {

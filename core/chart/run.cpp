@@ -4,12 +4,12 @@
 #include <chrono>
 #include <optional>
 
+#include "core/base/clock.h"
+#include "core/base/hash.h"
 #include "core/chart/qualities.h"
 #include "core/chart/truth.h"
 #include "core/choice/cost.h"
-#include "core/clock.h"
 #include "core/gpu/embedded_shaders.h"
-#include "core/hash.h"
 #include "core/measure/sample_error.h"
 #include "core/methods/method.h"
 #include "core/methods/ready.h"

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/scene/json_text.h"
 
 namespace airlight::chart {

@@ -7,8 +7,8 @@
 #include <set>
 #include <span>
 
+#include "core/base/clock.h"
 #include "core/choice/cost.h"
-#include "core/clock.h"
 #include "core/methods/ready.h"
 #include "core/render/picture_key.h"
 #include "core/render/sky.h"

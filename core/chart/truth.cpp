@@ -6,8 +6,8 @@
 #include <optional>
 #include <sstream>
 
-#include "core/error.h"
-#include "core/hash.h"
+#include "core/base/error.h"
+#include "core/base/hash.h"
 #include "core/measure/sample_error.h"
 #include "core/methods/method.h"
 #include "core/methods/path_trace/checkpoint.h"

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/clock.h"
-#include "core/error.h"
+#include "core/base/clock.h"
+#include "core/base/error.h"
 #include "core/methods/method.h"
 #include "core/methods/ready.h"
 #include "core/scene/thing_kinds.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/text.h"
 #include "core/spectra/drops.h"
-#include "core/text.h"
 
 namespace airlight {
 namespace {

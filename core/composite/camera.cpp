@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/physics/vector.h"
 
 namespace airlight::composite {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/air/scene_block.h"
-#include "core/text.h"
+#include "core/base/text.h"
 
 namespace airlight::composite {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/text.h"
+#include "core/base/text.h"
 
 namespace airlight::composite {
 namespace {

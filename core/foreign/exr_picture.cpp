@@ -19,15 +19,15 @@
 #include <stdexcept>
 #include <vector>
 
-#include "core/error.h"
+#include "core/base/error.h"
+#include "core/base/huge_pages.h"
+#include "core/base/srgb.h"
+#include "core/base/text.h"
 #include "core/foreign/header_check.h"
-#include "core/huge_pages.h"
 #include "core/output/exr.h"
 #include "core/output/exr_header.h"
 #include "core/output/exr_parts.h"
 #include "core/output/provenance_keys.h"
-#include "core/srgb.h"
-#include "core/text.h"
 
 namespace airlight::foreign {
 namespace {

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/foreign/exr_picture.h"
 #include "core/foreign/jpeg_extent.h"
 #include "core/foreign/module.h"

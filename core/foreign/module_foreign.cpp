@@ -6,13 +6,13 @@
 #include <memory>
 #include <new>
 
-#include "core/error.h"
+#include "core/base/error.h"
+#include "core/base/srgb.h"
+#include "core/base/text.h"
 #include "core/foreign/foreign_picture.h"
 #include "core/foreign/header_check.h"
 #include "core/foreign/module_text.h"
 #include "core/output/provenance_keys.h"
-#include "core/srgb.h"
-#include "core/text.h"
 
 namespace airlight::foreign {
 namespace {

@@ -9,8 +9,8 @@
 #include <new>
 #include <stdexcept>
 
+#include "core/base/text.h"
 #include "core/foreign/voxels.h"
-#include "core/text.h"
 
 namespace airlight::foreign {
 namespace {

@@ -15,12 +15,12 @@
 #include <span>
 #include <utility>
 
-#include "core/error.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/foreign/module.h"
 #include "core/foreign/vdb_head.h"
 #include "core/scene/named_file.h"
 #include "core/scene/printable.h"
-#include "core/text.h"
 
 namespace airlight::foreign {
 namespace {

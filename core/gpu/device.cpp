@@ -11,7 +11,7 @@
 #include <cstdio>
 #include <initializer_list>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/gpu/physical_device.h"
 
 namespace airlight {

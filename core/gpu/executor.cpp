@@ -2,8 +2,8 @@
 
 #include <cstdlib>
 
-#include "core/clock.h"
-#include "core/error.h"
+#include "core/base/clock.h"
+#include "core/base/error.h"
 #include "core/gpu/driver_code.h"
 #include "core/gpu/frame.h"
 #include "core/gpu/kept_files.h"

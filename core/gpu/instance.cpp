@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
-#include "core/error.h"
+#include "core/base/error.h"
+#include "core/base/memory_limit.h"
 #include "core/gpu/physical_device.h"
-#include "core/memory_limit.h"
 
 namespace airlight {
 namespace {

@@ -4,10 +4,10 @@
 #include <atomic>
 #include <stdexcept>
 
-#include "core/error.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/gpu/in_parallel.h"
 #include "core/gpu/specialize.h"
-#include "core/text.h"
 
 namespace airlight {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "core/huge_pages.h"
+#include "core/base/huge_pages.h"
 
 namespace airlight {
 namespace {

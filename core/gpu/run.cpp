@@ -6,7 +6,7 @@
 #include <array>
 #include <cstring>
 
-#include "core/clock.h"
+#include "core/base/clock.h"
 #include "core/gpu/descriptors.h"
 #include "core/gpu/run_resources.h"
 #include "core/gpu/step.h"

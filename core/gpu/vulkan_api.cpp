@@ -3,7 +3,7 @@
 
 #include <mutex>
 
-#include "core/error.h"
+#include "core/base/error.h"
 
 namespace airlight {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/library/embedded_presets.h"
 #include "core/scene/suggestion.h"
 

@@ -7,11 +7,11 @@
 #include <memory>
 #include <string>
 
-#include "core/error.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/library/file_identity.h"
 #include "core/scene/cloud_file.h"
 #include "core/scene/json_format.h"
-#include "core/text.h"
 
 namespace airlight {
 namespace {

@@ -5,7 +5,7 @@
 #include <new>
 #include <utility>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/library/api.h"
 
 namespace airlight {

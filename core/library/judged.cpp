@@ -8,14 +8,14 @@
 #include <string>
 #include <vector>
 
-#include "core/error.h"
+#include "core/base/error.h"
+#include "core/base/srgb.h"
 #include "core/library/cloud_voxels.h"
 #include "core/library/file_identity.h"
 #include "core/methods/method.h"
 #include "core/scene/json_format.h"
 #include "core/scene/resolve.h"
 #include "core/spectra/reflectance.h"
-#include "core/srgb.h"
 #include "core/things/ground.h"
 #include "core/things/terrain.h"
 

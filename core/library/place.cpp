@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/methods/ready.h"
 #include "core/scene/angle.h"
 #include "core/scene/density_column.h"

@@ -2,7 +2,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/library/built_in.h"
 #include "core/library/errors.h"
 #include "core/library/judged.h"

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 
-#include "core/error.h"
+#include "core/base/error.h"
+#include "core/base/member.h"
+#include "core/base/text.h"
 #include "core/library/built_in.h"
-#include "core/member.h"
 #include "core/scene/json_format.h"
 #include "core/scene/rules.h"
-#include "core/text.h"
 
 namespace airlight {
 namespace {

@@ -2,7 +2,8 @@
 #include <filesystem>
 #include <mutex>
 
-#include "core/error.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/library/built_in.h"
 #include "core/library/embedded_presets.h"
 #include "core/library/errors.h"
@@ -13,7 +14,6 @@
 #include "core/methods/ready.h"
 #include "core/render/lighting.h"
 #include "core/scene/angle.h"
-#include "core/text.h"
 
 namespace airlight {
 namespace {

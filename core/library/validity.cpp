@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
+#include "core/base/text.h"
 #include "core/methods/known_failures.h"
 #include "core/methods/ready.h"
 #include "core/scene/angle.h"
 #include "core/scene/curve_reader.h"
-#include "core/text.h"
 
 namespace airlight {
 namespace {

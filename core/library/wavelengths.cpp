@@ -6,10 +6,10 @@
 #include <optional>
 #include <vector>
 
-#include "core/error.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/render/tile_sizes.h"
 #include "core/scene/json_format.h"
-#include "core/text.h"
 
 namespace airlight {
 namespace {

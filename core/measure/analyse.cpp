@@ -6,8 +6,8 @@
 #include <functional>
 #include <span>
 
+#include "core/base/member.h"
 #include "core/gpu/in_parallel.h"
-#include "core/member.h"
 
 namespace airlight::measure {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/srgb.h"
+#include "core/base/srgb.h"
 
 namespace airlight::measure {
 namespace {

@@ -5,17 +5,17 @@
 #include <limits>
 #include <new>
 
-#include "core/error.h"
+#include "core/base/error.h"
+#include "core/base/member.h"
+#include "core/base/text.h"
 #include "core/measure/analyse.h"
 #include "core/measure/error_picture.h"
 #include "core/measure/exr_layers.h"
 #include "core/measure/judge.h"
 #include "core/measure/reduce_pictures.h"
 #include "core/measure/words.h"
-#include "core/member.h"
 #include "core/output/png.h"
 #include "core/output/provenance.h"
-#include "core/text.h"
 
 namespace airlight::measure {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/srgb.h"
 #include "core/measure/words.h"
-#include "core/srgb.h"
 
 namespace airlight::measure {
 namespace {

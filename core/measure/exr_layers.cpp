@@ -15,15 +15,15 @@
 #include <new>
 #include <stdexcept>
 
-#include "core/error.h"
-#include "core/huge_pages.h"
+#include "core/base/error.h"
+#include "core/base/huge_pages.h"
+#include "core/base/text.h"
 #include "core/output/exr.h"
 #include "core/output/exr_header.h"
 #include "core/output/exr_parts.h"
 #include "core/output/first_bytes.h"
 #include "core/output/provenance_keys.h"
 #include "core/scene/named_file.h"
-#include "core/text.h"
 
 namespace airlight::measure {
 namespace {

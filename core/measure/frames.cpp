@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <map>
 
-#include "core/error.h"
-#include "core/text.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
 
 namespace airlight::measure {
 namespace {

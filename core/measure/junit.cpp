@@ -1,8 +1,8 @@
 #include <algorithm>
 
+#include "core/base/text.h"
 #include "core/measure/report.h"
 #include "core/scene/printable.h"
-#include "core/text.h"
 
 namespace airlight::measure {
 namespace {

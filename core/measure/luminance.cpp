@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "core/huge_pages.h"
+#include "core/base/huge_pages.h"
 
 namespace airlight::measure {
 

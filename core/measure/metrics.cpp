@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "core/huge_pages.h"
+#include "core/base/huge_pages.h"
 
 namespace airlight::measure {
 namespace {

@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <span>
 
+#include "core/base/text.h"
 #include "core/measure/colour_map.h"
 #include "core/measure/words.h"
-#include "core/text.h"
 
 namespace airlight::measure {
 namespace {

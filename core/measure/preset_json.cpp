@@ -1,12 +1,12 @@
 // The two readers of the preset that an EXR carries.
 #include <nlohmann/json.hpp>
 
-#include "core/error.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/measure/preset_difference.h"
 #include "core/measure/view_geometry.h"
 #include "core/scene/printable.h"
 #include "core/scene/rules.h"
-#include "core/text.h"
 
 namespace airlight::measure {
 namespace {

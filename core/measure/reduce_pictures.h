@@ -1,9 +1,9 @@
 #pragma once
 
+#include "core/base/member.h"
 #include "core/measure/analyse.h"
 #include "core/measure/error_picture.h"
 #include "core/measure/shown_pictures.h"
-#include "core/member.h"
 
 namespace airlight::measure {
 

@@ -1,6 +1,6 @@
 #include "core/measure/words.h"
 
-#include "core/text.h"
+#include "core/base/text.h"
 
 namespace airlight::measure {
 

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <string>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/methods/march_steps.h"
 #include "core/physics/physics.h"
 #include "core/scene/angle.h"

@@ -3,7 +3,7 @@
 #include <array>
 #include <string>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/luts/luts.h"
 #include "core/methods/march_passes.h"
 #include "core/methods/marched_picture.h"

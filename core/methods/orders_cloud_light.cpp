@@ -7,6 +7,7 @@
 
 #include "core/air/refraction.h"
 #include "core/air/scene_block.h"
+#include "core/base/text.h"
 #include "core/clouds/cloud_grid.h"
 #include "core/clouds/cloud_phase.h"
 #include "core/luts/cloud_light.h"
@@ -14,7 +15,6 @@
 #include "core/methods/orders_cloud_tables.h"
 #include "core/methods/orders_parts.h"
 #include "core/plan/bytes.h"
-#include "core/text.h"
 
 namespace airlight::orders {
 namespace {

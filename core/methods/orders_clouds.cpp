@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "core/air/scene_block.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/clouds/cloud_grid.h"
-#include "core/error.h"
 #include "core/luts/luts.h"
 #include "core/methods/orders_cloud_tables.h"
 #include "core/methods/orders_parts.h"
 #include "core/methods/sky_pass.h"
-#include "core/text.h"
 
 namespace airlight::orders {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 #include <utility>
 
+#include "core/base/text.h"
 #include "core/luts/luts.h"
 #include "core/methods/orders_parts.h"
-#include "core/text.h"
 #include "core/things/ground.h"
 #include "core/things/terrain.h"
 #include "core/things/thing_buffers.h"

@@ -16,11 +16,11 @@
 #include <system_error>
 #include <utility>
 
-#include "core/error.h"
-#include "core/file_descriptor.h"
+#include "core/base/error.h"
+#include "core/base/file_descriptor.h"
+#include "core/base/text.h"
 #include "core/output/last_words.h"
 #include "core/output/temporary.h"
-#include "core/text.h"
 
 namespace airlight {
 namespace {

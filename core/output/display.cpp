@@ -12,13 +12,13 @@
 #include <utility>
 #include <vector>
 
-#include "core/error.h"
-#include "core/huge_pages.h"
+#include "core/base/error.h"
+#include "core/base/huge_pages.h"
+#include "core/base/text.h"
 #include "core/output/color_cube.h"
 #include "core/output/embedded_config.h"
 #include "core/output/parallel.h"
 #include "core/scene/suggestion.h"
-#include "core/text.h"
 
 namespace airlight {
 namespace {

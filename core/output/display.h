@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "core/base/radiance_image.h"
 #include "core/output/quantize.h"
-#include "core/radiance_image.h"
 
 namespace airlight {
 

@@ -24,7 +24,7 @@
 #include <thread>
 #include <utility>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/output/atomic_file.h"
 #include "core/output/half_block.h"
 #include "core/output/long_text.h"

@@ -14,9 +14,9 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/radiance_image.h"
 #include "core/output/provenance.h"
 #include "core/output/working_space.h"
-#include "core/radiance_image.h"
 
 namespace airlight {
 

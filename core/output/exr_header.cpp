@@ -9,9 +9,9 @@
 #include <string_view>
 #include <utility>
 
+#include "core/base/text.h"
 #include "core/output/first_bytes.h"
 #include "core/output/long_text.h"
-#include "core/text.h"
 
 namespace airlight {
 namespace {

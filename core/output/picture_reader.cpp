@@ -9,7 +9,7 @@
 
 #include <string>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/output/exr_header.h"
 
 namespace airlight {

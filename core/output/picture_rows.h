@@ -16,7 +16,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/radiance_image.h"
+#include "core/base/radiance_image.h"
 
 namespace airlight {
 

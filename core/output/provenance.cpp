@@ -7,7 +7,7 @@
 #include <optional>
 #include <system_error>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/output/exr_header.h"
 #include "core/output/first_bytes.h"
 #include "core/output/png_texts.h"

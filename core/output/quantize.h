@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <span>
 
+#include "core/base/radiance_image.h"
 #include "core/output/png.h"
-#include "core/radiance_image.h"
 
 namespace airlight {
 

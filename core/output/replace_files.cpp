@@ -10,8 +10,8 @@
 #include <map>
 #include <string>
 
-#include "core/error.h"
-#include "core/file_descriptor.h"
+#include "core/base/error.h"
+#include "core/base/file_descriptor.h"
 
 namespace airlight {
 namespace {

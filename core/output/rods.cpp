@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/srgb.h"
+#include "core/base/srgb.h"
 
 namespace airlight {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 // Colours as an eye in the dark sees them: below 3 cd/m2 the rods take part, which know one colour only.
 
-#include "core/radiance_image.h"
+#include "core/base/radiance_image.h"
 
 namespace airlight {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "core/text.h"
+#include "core/base/text.h"
 
 namespace airlight {
 std::string spectral_channel_name(double nm) {

@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "core/spectral_image.h"
+#include "core/base/spectral_image.h"
 
 namespace airlight {
 

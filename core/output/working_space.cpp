@@ -2,9 +2,9 @@
 
 #include <OpenColorIO/OpenColorIO.h>
 
-#include "core/error.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/output/parallel.h"
-#include "core/text.h"
 
 namespace airlight {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/radiance_image.h"
+#include "core/base/radiance_image.h"
 
 namespace airlight {
 

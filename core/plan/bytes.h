@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/huge_pages.h"
+#include "core/base/huge_pages.h"
 #include "core/plan/plan.h"
 
 namespace airlight {

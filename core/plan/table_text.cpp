@@ -1,6 +1,6 @@
 #include "core/plan/table_text.h"
 
-#include "core/text.h"
+#include "core/base/text.h"
 
 namespace airlight {
 

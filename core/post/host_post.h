@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/base/radiance_image.h"
 #include "core/physics/physics.h"
 #include "core/post/post.h"
-#include "core/radiance_image.h"
 #include "core/scene/scene.h"
 #include "core/stage/stage.h"
 

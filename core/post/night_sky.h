@@ -1,8 +1,8 @@
 #pragma once
 // The night sky in a picture.
 
+#include "core/base/radiance_image.h"
 #include "core/post/post.h"
-#include "core/radiance_image.h"
 
 namespace airlight {
 

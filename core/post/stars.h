@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/radiance_image.h"
 #include "core/post/post.h"
-#include "core/radiance_image.h"
 
 namespace airlight {
 

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/air/refraction.h"
+#include "core/base/text.h"
 #include "core/methods/method.h"
 #include "core/methods/spectral_sums.h"
 #include "core/plan/bytes.h"
@@ -14,7 +15,6 @@
 #include "core/render/timings.h"
 #include "core/scene/photometry.h"
 #include "core/stage/sums.h"
-#include "core/text.h"
 
 namespace airlight {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "core/air/refraction.h"
 #include "core/air/scene_block.h"
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/methods/ready.h"
 #include "core/render/spectrum.h"
 

@@ -7,10 +7,10 @@
 #include <span>
 #include <vector>
 
-#include "core/radiance_image.h"
+#include "core/base/radiance_image.h"
+#include "core/base/spectral_image.h"
 #include "core/render/layers.h"
 #include "core/scene/scene.h"
-#include "core/spectral_image.h"
 
 namespace airlight {
 

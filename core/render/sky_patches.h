@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/radiance_image.h"
+#include "core/base/radiance_image.h"
 
 namespace airlight {
 

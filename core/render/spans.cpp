@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/methods/method.h"
 #include "core/methods/spectral_sums.h"
 #include "core/render/timings.h"

@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/text.h"
 #include "core/scene/json_format.h"
 #include "core/scene/named_file.h"
 #include "core/spectra/drops.h"
-#include "core/text.h"
 
 namespace airlight {
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "core/base/text.h"
 #include "core/scene/angle.h"
 #include "core/scene/cloud_file.h"
 #include "core/scene/cloud_layer.h"
@@ -10,7 +11,6 @@
 #include "core/scene/json_format.h"
 #include "core/scene/printable.h"
 #include "core/scene/readers.h"
-#include "core/text.h"
 
 namespace airlight {
 namespace {

@@ -6,11 +6,11 @@
 #include <filesystem>
 #include <sstream>
 
+#include "core/base/text.h"
 #include "core/scene/json_format.h"
 #include "core/scene/json_text.h"
 #include "core/scene/named_file.h"
 #include "core/spectra/data.h"
-#include "core/text.h"
 
 namespace airlight {
 namespace {

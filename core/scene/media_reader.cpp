@@ -1,13 +1,13 @@
 #include <algorithm>
 #include <map>
 
+#include "core/base/text.h"
 #include "core/scene/density_column.h"
 #include "core/scene/json_format.h"
 #include "core/scene/json_text.h"
 #include "core/scene/phase_reader.h"
 #include "core/scene/printable.h"
 #include "core/scene/readers.h"
-#include "core/text.h"
 
 namespace airlight {
 namespace {

@@ -1,7 +1,7 @@
+#include "core/base/text.h"
 #include "core/scene/json_format.h"
 #include "core/scene/readers.h"
 #include "core/scene/thing_kinds.h"
-#include "core/text.h"
 
 namespace airlight {
 

@@ -2,13 +2,13 @@
 
 #include <span>
 
-#include "core/error.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/scene/json_format.h"
 #include "core/scene/json_text.h"
 #include "core/scene/preset.h"
 #include "core/scene/printable.h"
 #include "core/scene/problems.h"
-#include "core/text.h"
 
 namespace airlight {
 namespace {

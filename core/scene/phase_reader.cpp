@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/text.h"
 #include "core/scene/json_format.h"
 #include "core/scene/phase_file.h"
 #include "core/spectra/drops.h"
-#include "core/text.h"
 
 namespace airlight {
 namespace {

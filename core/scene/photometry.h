@@ -9,8 +9,8 @@
 #include <optional>
 #include <string_view>
 
+#include "core/base/srgb.h"
 #include "core/scene/scene.h"
-#include "core/srgb.h"
 
 namespace airlight {
 

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "core/error.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/scene/json_text.h"
 #include "core/scene/named_file.h"
 #include "core/scene/printable.h"
 #include "core/scene/suggestion.h"
-#include "core/text.h"
 
 namespace airlight {
 namespace {

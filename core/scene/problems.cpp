@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "core/error.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/scene/json_format.h"
 #include "core/scene/printable.h"
-#include "core/text.h"
 
 namespace airlight {
 

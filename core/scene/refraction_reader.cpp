@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <string>
 
+#include "core/base/text.h"
 #include "core/scene/json_format.h"
 #include "core/scene/readers.h"
 #include "core/scene/refractive_index.h"
 #include "core/spectra/colour.h"
 #include "core/spectra/data.h"
-#include "core/text.h"
 
 namespace airlight {
 namespace {

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "core/base/text.h"
 #include "core/scene/json_format.h"
 #include "core/scene/json_text.h"
 #include "core/scene/printable.h"
 #include "core/scene/value_reader.h"
-#include "core/text.h"
 
 namespace airlight {
 namespace {

@@ -1,9 +1,9 @@
 #include "core/scene/resolve.h"
 
+#include "core/base/text.h"
 #include "core/scene/angle.h"
 #include "core/scene/readers.h"
 #include "core/scene/render_settings.h"
-#include "core/text.h"
 
 namespace airlight {
 namespace {

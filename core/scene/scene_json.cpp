@@ -2,12 +2,12 @@
 
 #include <cmath>
 
+#include "core/base/text.h"
 #include "core/scene/angle.h"
 #include "core/scene/json_format.h"
 #include "core/scene/preset.h"
 #include "core/scene/render_settings.h"
 #include "core/scene/rules.h"
-#include "core/text.h"
 
 namespace airlight {
 namespace {

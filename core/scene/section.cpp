@@ -5,9 +5,9 @@
 #include <stdexcept>
 #include <vector>
 
+#include "core/base/text.h"
 #include "core/scene/json_format.h"
 #include "core/scene/json_text.h"
-#include "core/text.h"
 
 namespace airlight {
 namespace {

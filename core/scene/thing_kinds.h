@@ -5,7 +5,7 @@
 #include <array>
 #include <string_view>
 
-#include "core/member.h"
+#include "core/base/member.h"
 #include "core/scene/method_info.h"
 #include "core/scene/scene.h"
 

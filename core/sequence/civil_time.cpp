@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/error.h"
-#include "core/text.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
 
 namespace airlight::sequence {
 namespace {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <set>
 
-#include "core/error.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/scene/json_format.h"
-#include "core/text.h"
 
 namespace airlight::sequence {
 namespace {

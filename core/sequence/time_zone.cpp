@@ -11,7 +11,7 @@
 #include <fstream>
 #include <vector>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/scene/suggestion.h"
 
 namespace airlight::sequence {

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <span>
 
+#include "core/base/srgb.h"
 #include "core/spectra/cholesky.h"
 #include "core/spectra/colour.h"
 #include "core/spectra/data.h"
-#include "core/srgb.h"
 
 namespace airlight {
 namespace {

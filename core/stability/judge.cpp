@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/text.h"
 #include "core/scene/angle.h"
-#include "core/text.h"
 
 namespace airlight::stability {
 namespace {

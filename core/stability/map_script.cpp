@@ -2,10 +2,10 @@
 #include <cmath>
 #include <sstream>
 
-#include "core/gnuplot_text.h"
+#include "core/base/gnuplot_text.h"
+#include "core/base/text.h"
 #include "core/measure/colour_map.h"
 #include "core/stability/report.h"
-#include "core/text.h"
 
 namespace airlight::stability {
 namespace {

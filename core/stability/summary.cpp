@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/text.h"
 #include "core/stability/report.h"
-#include "core/text.h"
 
 namespace airlight::stability {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/base/on_demand.h"
-#include "core/text.h"
+#include "core/base/text.h"
 
 namespace airlight {
 namespace {

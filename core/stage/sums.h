@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/radiance_image.h"
+#include "core/base/radiance_image.h"
 #include "core/spectra/colour.h"
 #include "core/stage/view.h"
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/radiance_image.h"
 #include "core/physics/physics.h"
-#include "core/radiance_image.h"
 #include "core/scene/scene.h"
 
 namespace airlight {

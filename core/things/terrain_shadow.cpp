@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/air/refraction.h"
-#include "core/text.h"
+#include "core/base/text.h"
 #include "core/things/terrain.h"
 
 namespace airlight {

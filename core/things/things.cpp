@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/air/refraction.h"
-#include "core/text.h"
+#include "core/base/text.h"
 #include "core/things/ground.h"
 #include "core/things/spheres.h"
 #include "core/things/terrain.h"

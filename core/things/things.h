@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "core/base/member.h"
 #include "core/base/on_demand.h"
 #include "core/clouds/cloud_grid.h"
-#include "core/member.h"
 #include "core/physics/physics.h"
 #include "core/scene/scene.h"
 #include "core/things/edge_pixels.h"

@@ -5,12 +5,13 @@ layout(constant_id = 38) const uint kTiles = kTilesAll;
 
 layout(scalar, set = 0, binding = 18) readonly buffer Corners { vec2 values[]; } corners;  // of the tile, row by row
 
-// Rays of a pixel with an edge, a shadow's edge or a mirror. No two share a row or a column of 8, so that an edge along
-// either covers it in eight steps; as graphics hardware places its eight samples.
-const uint kEdgeRays = 8u;
-vec2 edge_place(uint i) {
+const uint kEdgeSide = 4u;  // rays across a pixel with an edge or a shadow's edge
+// Rays of a pixel wholly in a mirror. No two share a row or a column of 8, so that an edge along either is resolved in
+// eight steps; as graphics hardware places its eight samples.
+const uint kMirrorRays = 8u;
+vec2 mirror_place(uint i) {
   uvec2 at = (uvec2(0x75012634u, 0x07361452u) >> (4u * i)) & 7u;
-  return (vec2(at) + 0.5) / float(kEdgeRays);
+  return (vec2(at) + 0.5) / float(kMirrorRays);
 }
 
 vec3 direction_at(uvec2 pixel, vec2 place) {
@@ -18,18 +19,24 @@ vec3 direction_at(uvec2 pixel, vec2 place) {
   return view_ray(scene.camera, kProjection, at.x, at.y).direction;
 }
 
-// Whether the pixel, which extends by `reach` from its middle, holds a sphere's edge or a mirror.
-bool holds_sphere_edge(vec3 direction, float reach) {
-  bool edge = false;
+// What a pixel, which extends by `reach` from its middle, holds of spheres.
+struct SpheresHeld {
+  bool edge;
+  bool mirror;
+};
+
+SpheresHeld spheres_held(vec3 direction, float reach) {
+  SpheresHeld held = SpheresHeld(false, false);
   for (uint i = 0u; i < sphere_count(); i++) {
     SphereData s = sphere(i);
     float far = length(s.centre);
     float size = atan(s.radius, sqrt(max(far * far - s.radius * s.radius, 0.0)));
     float along = dot(direction, s.centre);
     float apart = atan(length(s.centre - direction * along), along);
-    edge = edge || abs(apart - size) < reach || (s.material == kSphereMirror && apart < size);
+    held.edge = held.edge || abs(apart - size) < reach;
+    held.mirror = held.mirror || (s.material == kSphereMirror && apart < size);
   }
-  return edge;
+  return held;
 }
 
 // What the corners of a pixel see (thing_corners.comp).
@@ -67,7 +74,8 @@ float bare_before(PixelCorners of, vec3 direction, bool edge) {
 
 struct ThingPixel {
   PixelRays rays;
-  bool edge;     // of kEdgeRays rays
+  bool edge;     // rays stand on a grid
+  bool mirror;   // they stand by mirror_place()
   uint count;
   float spread;  // angle between neighbouring rays
   float bare;    // no terrain before that distance along the ground, km
@@ -77,6 +85,7 @@ ThingPixel thing_pixel(uvec2 pixel, ViewRay view) {
   ThingPixel found;
   found.rays = rays_at(pixel, view);
   found.edge = false;
+  found.mirror = false;
   found.spread = 0.0;
   found.bare = 0.0;
   if (kProjection != kProjectionListed && kTiles != kTilesOfSky) {
@@ -84,21 +93,24 @@ ThingPixel thing_pixel(uvec2 pixel, ViewRay view) {
     float across = length(direction_at(pixel, vec2(0.99, 0.5)) - direction_at(pixel, vec2(0.01, 0.5)));
     float corner = length(direction_at(pixel, vec2(0.99, 0.99)) - direction_at(pixel, vec2(0.01, 0.01)));
     PixelCorners seen = corners_of(pixel);
-    bool edge = holds_sphere_edge(view.direction, max(across, corner)) || holds_step(seen);
-    found.bare = has_terrain() ? bare_before(seen, view.direction, edge) : 0.0;
-    found.edge = view.inside && edge;
-    found.spread = across / (0.98 * (found.edge ? sqrt(float(kEdgeRays)) : 1.0));
+    SpheresHeld spheres = spheres_held(view.direction, max(across, corner));
+    found.edge = view.inside && (spheres.edge || holds_step(seen));
+    found.mirror = view.inside && spheres.mirror && !found.edge;
+    found.bare = has_terrain() ? bare_before(seen, view.direction, found.edge || found.mirror) : 0.0;
+    float rays_across = found.edge ? float(kEdgeSide) : found.mirror ? sqrt(float(kMirrorRays)) : 1.0;
+    found.spread = across / (0.98 * rays_across);
   }
-  found.count = found.edge ? kEdgeRays : found.rays.count;
+  found.count = found.edge ? kEdgeSide * kEdgeSide : found.mirror ? kMirrorRays : found.rays.count;
   return found;
 }
 
 WeightedRay ray_of_thing_pixel(uvec2 pixel, ViewRay view, ThingPixel of, uint i) {
-  if (!of.edge) {
+  if (!of.edge && !of.mirror) {
     return weighted_ray(pixel, view, of.rays, i);
   }
   WeightedRay ray;
-  ray.direction = direction_at(pixel, edge_place(i));
-  ray.share = 1.0 / float(kEdgeRays);
+  vec2 on_grid = (vec2(float(i % kEdgeSide), float(i / kEdgeSide)) + 0.5) / float(kEdgeSide);
+  ray.direction = direction_at(pixel, of.edge ? on_grid : mirror_place(i));
+  ray.share = 1.0 / float(of.count);
   return ray;
 }

@@ -7,7 +7,7 @@
 
 #include "app/sequence/film.h"
 #include "app/sequence/report.h"
-#include "core/file_descriptor.h"
+#include "core/base/file_descriptor.h"
 #include "tests/cli/process.h"
 
 namespace airlight::test {

@@ -4,7 +4,7 @@
 
 #include "app/cli/scene_options.h"
 #include "app/render/publish.h"
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/methods/ready.h"
 #include "tests/cli/process.h"
 

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "tests/bench/benchmarks.h"
 #include "tests/bench/checksums.h"
 #include "tests/bench/pictures.h"

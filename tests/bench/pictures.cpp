@@ -1,6 +1,6 @@
 #include "tests/bench/pictures.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/render/render.h"
 #include "tests/bench/scenes.h"
 #include "tests/of_scene.h"

@@ -6,11 +6,11 @@
 #include <fstream>
 #include <iterator>
 
+#include "core/base/error.h"
 #include "core/chart/gnuplot.h"
 #include "core/chart/pixels.h"
 #include "core/chart/timing.h"
 #include "core/chart/truth.h"
-#include "core/error.h"
 #include "core/measure/view_geometry.h"
 #include "core/methods/ready.h"
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <random>
 
+#include "core/base/clock.h"
 #include "core/choice/assumed_error.h"
-#include "core/clock.h"
 #include "tests/choice/looks.h"
 #include "tests/choice/of_scene.h"
 

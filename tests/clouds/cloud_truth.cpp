@@ -10,9 +10,9 @@
 #include <thread>
 #include <vector>
 
-#include "core/error.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/scene/cloud_file.h"
-#include "core/text.h"
 #include "tests/methods/column_light.h"
 
 namespace {

@@ -5,11 +5,11 @@
 #include <limits>
 #include <numbers>
 
+#include "core/base/error.h"
 #include "core/composite/blend.h"
 #include "core/composite/camera.h"
 #include "core/composite/depth.h"
 #include "core/composite/fog.h"
-#include "core/error.h"
 #include "tests/of_scene.h"
 
 namespace airlight::composite {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/composite/order.h"
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/scene/printable.h"
 #include "tests/fuzz/cases.h"
 #include "tests/fuzz/random.h"

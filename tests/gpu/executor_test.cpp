@@ -10,7 +10,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "core/clock.h"
+#include "core/base/clock.h"
 #include "core/gpu/frozen_modules.h"
 #include "core/gpu/shader.h"
 #include "core/gpu/specialize.h"

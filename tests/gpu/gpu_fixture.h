@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/gpu/executor.h"
 #include "tests/gpu/test_shaders.h"
 

@@ -4,8 +4,8 @@
 
 #include <limits>
 
+#include "core/base/member.h"
 #include "core/measure/analyse.h"
-#include "core/member.h"
 
 namespace airlight::measure {
 namespace {

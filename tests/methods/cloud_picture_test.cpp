@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "core/air/scene_block.h"
-#include "core/error.h"
+#include "core/base/error.h"
 #include "tests/methods/cloud_scene.h"
 #include "tests/methods/render_fixture.h"
 #include "tests/methods/slab.h"

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <string>
 
+#include "core/base/error.h"
 #include "core/clouds/cloud_grid.h"
-#include "core/error.h"
 #include "tests/methods/path_trace_scene.h"
 #include "tests/methods/render_fixture.h"
 

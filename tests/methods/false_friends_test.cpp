@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "tests/methods/render_fixture.h"
 #include "tests/of_scene.h"
 #include "tests/physics/brute_force.h"

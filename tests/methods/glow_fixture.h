@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/srgb.h"
+#include "core/base/srgb.h"
 #include "tests/methods/render_fixture.h"
 
 namespace airlight::test {

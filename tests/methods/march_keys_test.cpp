@@ -1,7 +1,7 @@
 // The keys of the march: jitter against bands, half resolution, Schlick's phase for all, and every distribution of
 // steps at the edges of what a preset may ask for.
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "tests/methods/render_fixture.h"
 #include "tests/of_scene.h"
 

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <limits>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/methods/path_trace/checkpoint.h"
 #include "path_trace_scene.h"
 

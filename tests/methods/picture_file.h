@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/radiance_image.h"
 #include "core/measure/view_geometry.h"
-#include "core/radiance_image.h"
 #include "core/scene/scene.h"
 
 namespace airlight::test {

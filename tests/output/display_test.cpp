@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/output/embedded_config.h"
 #include "tests/output/files.h"
 

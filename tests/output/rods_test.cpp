@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "core/srgb.h"
+#include "core/base/srgb.h"
 
 namespace airlight {
 namespace {

@@ -10,7 +10,7 @@
 #include <random>
 
 #include "core/air/scene_block.h"
-#include "core/error.h"
+#include "core/base/error.h"
 #include "tests/physics/integral.h"
 #include "tests/physics/scenes.h"
 

@@ -1,6 +1,6 @@
 // The heap of a program that asked for large pages.
 
-#include "core/huge_pages.h"
+#include "core/base/huge_pages.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // A message quotes little of an input, and nothing that controls a terminal.
 #include <algorithm>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/methods/method.h"
 #include "core/scene/preset.h"
 #include "core/scene/printable.h"

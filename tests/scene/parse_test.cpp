@@ -9,7 +9,7 @@
 #include <random>
 #include <string>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "tests/scene/random_preset.h"
 #include "tests/scene/scene_fixture.h"
 #include "tests/without_root.h"

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <set>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/methods/method.h"
 #include "core/scene/curve_reader.h"
 #include "core/scene/density_column.h"

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <limits>
 
-#include "core/error.h"
+#include "core/base/error.h"
 
 namespace airlight::test {
 namespace {

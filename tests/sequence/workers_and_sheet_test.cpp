@@ -6,8 +6,8 @@
 #include <memory>
 #include <stdexcept>
 
-#include "core/error.h"
-#include "core/hash.h"
+#include "core/base/error.h"
+#include "core/base/hash.h"
 #include "core/sequence/bounded_workers.h"
 #include "core/sequence/contact_sheet.h"
 #include "core/sequence/frame_files.h"

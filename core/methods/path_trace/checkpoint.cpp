@@ -9,8 +9,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "core/error.h"
-#include "core/file_descriptor.h"
+#include "core/base/error.h"
+#include "core/base/file_descriptor.h"
 #include "core/methods/path_trace/random.h"
 
 namespace airlight {

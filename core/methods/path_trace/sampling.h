@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/clock.h"
+#include "core/base/clock.h"
 #include "core/methods/method.h"
 #include "core/methods/path_trace/checkpoint.h"
 #include "core/methods/path_trace/tracer.h"
