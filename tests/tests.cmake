@@ -25,7 +25,8 @@ if(AIRLIGHT_SANITIZE)
       TerrainSky.Shafts* TerrainSky.FarFrom* TerrainTruth.OrdersIsNear* Spans.Transmittance* SpectralTruth.OnePath*
       SphereSky.Shafts* TableText.Moments TableText.Factors Analytic.IsMonotone Analytic.OnTheDevice*
       Analytic.SingleScattering* Stokes.OrdersAgrees* Stokes.PathTraceMeets* Refraction.FirstOrder* Refraction.OrdersAgrees*
-      Refraction.PathsTurn*
+      Refraction.PathsTurn* CloudStack.TwoLevel* CloudStack.FieldsStand* CloudStack.ShadowsOf* CloudStack.Refuses*
+      CloudStack.IsPath*
       # scenes that differ in numbers and in the device's pipelines
       Stability.Air* Stability.CameraAndSun* Stability.OneMedium* Stability.Rays* Stability.Sharpest*
       Stability.WhatWasRendered*
@@ -80,7 +81,7 @@ if(AIRLIGHT_SANITIZE)
   # In this build a start takes up to half of a test that opens the device. Only the commands' tests, which start
   # programs of their own, run one by one. An error ends a part, and its output names the test.
   list(APPEND rooms_together physics gpu choice stability methods)
-  set(shards_methods 2)
+  set(shards_methods 3)
 endif()
 
 if(AIRLIGHT_QUICK_COMPILE)

@@ -30,8 +30,8 @@ void leave_out_unseen(Preset& preset);
 // the air is thin, the camera high, lamps are bright or clouds hide the day. Stars stay.
 void leave_out_outshone(Scene& scene);
 
-// Sun, moon and stars of one picture, of which leave_out_unseen() takes out what its camera does not see; empty where no
-// option concerns them. Throws InputError.
+// Sun, moon and stars of one picture, of which leave_out_unseen() takes out what its camera does not see; empty where
+// no option concerns them. Throws InputError.
 std::vector<Override> sun_overrides(const PlaceOptions& options, const SceneChanges& changes,
                                     const std::string& command);
 
