@@ -30,8 +30,9 @@ void check_names(const Plan& plan) {
     if (image.extent.width == 0 || image.extent.height == 0 || image.extent.depth == 0) {
       refuse("image " + image.name + " is empty");
     }
-    if (image.half && image.contents_when_run)
+    if (image.half && image.contents_when_run) {
       refuse("image " + image.name + " of 16 bits starts with 32-bit contents");
+    }
   }
   for (const BufferDesc& buffer : plan.buffers()) {
     add(buffer.name, buffer.key);

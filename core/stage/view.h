@@ -42,7 +42,8 @@ struct View {
   // Not empty: several plans render the picture, and its own tables are kept from one to the next under keys that begin
   // with this.
   std::string kept_as = {};
-  bool all_lights = false;  // renders lights too that others outshine (core/stage/lights.h): for their tables
+  // Renders lights too that others outshine (core/stage/lights.h), so that their tables are there to be written.
+  bool all_lights = false;
 };
 
 // A ray of the camera's picture through the centre of a pixel, up to a distance in km.

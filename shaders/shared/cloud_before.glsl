@@ -2,7 +2,9 @@
 // camera.
 
 const uint kMostSheets = 4u;    // stretches that the march puts aside
-const float kSameColour = 1.0;  // km: so far apart stretches have light of the same colour, but under other fields
+// km: a stretch so near to the one whose light's colour was found last has that colour. Among several fields each is
+// found: their shadows are narrower.
+const float kSameColour = 1.0;
 
 #include "shared/cloud_ray_light.glsl"
 
