@@ -78,6 +78,12 @@ struct SkyPasses {
   std::vector<ImageId> more_tables = {};  // of logarithms or signed numbers: for the dump alone
 };
 
+// A picture of a plan that passes draw into: they add to what it holds, or write all of it where it is blank.
+struct Canvas {
+  BufferId radiance;
+  bool is_blank = true;
+};
+
 // The light of a picture kept apart by its origin. `planes`: floats, three planes a layer over the view's tile: single
 // scattering of each medium that scatters, multiple scattering, the ground, then the transmittance along the ray, and Q
 // and U where the view asks for them.
@@ -122,8 +128,9 @@ struct SkyMethod {
   SkyPasses (*add_passes)(Plan&, const Part&, const View&) = nullptr;
   // Of a stage of several parts: one picture pass in colours for all, from tables of each part, if the method's tables
   // permit it for this view. `tables`: the parts' transmittance, one each. Null, or no result: the picture is the sum
-  // of a picture for each part.
-  std::optional<SkyPasses> (*add_coloured_passes)(Plan&, const Stage&, const View&) = nullptr;
+  // of a picture for each part. The passes draw into the canvas, or, where there is none, into a picture that they add.
+  std::optional<SkyPasses> (*add_coloured_passes)(Plan&, const Stage&, const View&,
+                                                  const std::optional<Canvas>&) = nullptr;
   // Replaces `auto` in the settings, where its meaning depends on the air, so that all wavelengths of a scene are
   // rendered alike. Null: there is no such key.
   void (*settle)(RenderSettings&, const Part&) = nullptr;

@@ -124,6 +124,7 @@ void add_factor_pixels(Plan& plan, const Part& part, const View& view, const Fac
   constants.push_back({"kProjection", target.projection});
   add_table_constants(constants, table);
   constants.push_back({"kStokes", table.stokes});
+  constants.push_back({"kAdds", target.adds ? 1u : 0u});
   add_pass_with_edges(plan, part, view, target,
                       {.name = "sky",
                        .shader = "sky_from_factors",
@@ -164,7 +165,8 @@ bool phases_are_alike(const Stage& stage, std::uint32_t apart) {
 
 // The phase functions stand outside of the factors, so factors of all wavelengths are summed into colours, and the
 // pixels know of none.
-std::optional<SkyPasses> add_coloured(Plan& plan, const Stage& stage, const View& view) {
+std::optional<SkyPasses> add_coloured(Plan& plan, const Stage& stage, const View& view,
+                                      const std::optional<Canvas>& canvas) {
   const Part& whole = stage.whole();
   if (!tabulates(whole, view) || whole.scene.ground || !whole.scene.clouds.empty()) {
     return std::nullopt;
@@ -173,7 +175,7 @@ std::optional<SkyPasses> add_coloured(Plan& plan, const Stage& stage, const View
   if (!phases_are_alike(stage, table.apart)) {
     return std::nullopt;
   }
-  const SkyTarget target = add_sky_target(plan, whole.scene, view);
+  const SkyTarget target = add_sky_target(plan, whole.scene, view, canvas);
   SkyPasses passes{target.radiance, {}};
   std::vector<ImageId> factors;
   std::vector<std::array<Rgb, 3>> colours;

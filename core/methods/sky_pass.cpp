@@ -68,7 +68,7 @@ void add_layer_constants(std::vector<Specialization>& constants, const Part& par
   constants.push_back({"kScatteringMedia", part.air.scattering_media()});
 }
 
-SkyTarget add_sky_target(Plan& plan, const Scene& scene, const View& view) {
+SkyTarget add_sky_target(Plan& plan, const Scene& scene, const View& view, const std::optional<Canvas>& canvas) {
   const bool listed = !view.directions.empty();
   const auto count = static_cast<std::uint32_t>(view.directions.size());
   SkyTarget target;
@@ -76,7 +76,8 @@ SkyTarget add_sky_target(Plan& plan, const Scene& scene, const View& view) {
   target.projection = listed ? physics::kProjectionListed : projection_code(scene.camera.projection);
   target.vectors = listed ? static_cast<std::uint32_t>(vectors_of(view)) : 1;
   const std::size_t vectors = static_cast<std::size_t>(target.grid.width) * target.grid.height * target.vectors;
-  target.radiance = plan.add_buffer(radiance_buffer(view, vectors * 4 * sizeof(float)));
+  target.radiance = canvas ? canvas->radiance : plan.add_buffer(radiance_buffer(view, vectors * 4 * sizeof(float)));
+  target.adds = canvas && !canvas->is_blank;
   target.directions = plan.add_buffer(filled_buffer("directions", direction_bytes(view)));
   return target;
 }
@@ -98,14 +99,15 @@ std::vector<EdgePixel> edges_in(const Part& part, const Tile& tile) {
   return pixels;
 }
 
-// A list in rows of kEdgeColumns. The last row is filled up with a pixel that is already in the list.
+// A list in rows of kEdgeColumns. The last row is filled up with a pixel that is already in the list, marked by its z.
 BufferId add_edge_list(Plan& plan, const std::vector<EdgePixel>& pixels) {
   const std::size_t count = (pixels.size() + kEdgeColumns - 1) / kEdgeColumns * kEdgeColumns;
   std::vector<float> values;
   values.reserve(4 * count);
   for (std::size_t i = 0; i < count; ++i) {
     const EdgePixel& pixel = pixels[std::min(i, pixels.size() - 1)];
-    values.insert(values.end(), {static_cast<float>(pixel.x), static_cast<float>(pixel.y), 0.0F, 0.0F});
+    const float repeats = i < pixels.size() ? 0.0F : 1.0F;
+    values.insert(values.end(), {static_cast<float>(pixel.x), static_cast<float>(pixel.y), repeats, 0.0F});
   }
   return plan.add_buffer(filled_buffer("edge_pixels", bytes_of(values)));
 }

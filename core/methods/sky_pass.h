@@ -2,6 +2,7 @@
 // Parts that all sky passes on the device share: output, view rays, size.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,7 @@ inline constexpr std::string_view kRadianceKey = "frame radiance";
 
 struct SkyTarget {
   BufferId radiance;    // shaders/shared/sky_output.glsl: radiance_out
+  bool adds = false;    // to what the buffer holds
   BufferId directions;  // the listed directions, or one unused
   Extent grid;
   std::uint32_t projection = 0;  // kProjection
@@ -41,8 +43,8 @@ std::size_t vectors_of(const View& view);
 BufferId add_layer_planes(Plan& plan, const Part& part, const View& view);
 void add_layer_constants(std::vector<Specialization>& constants, const Part& part);
 
-// Adds the buffers that a sky pass of this view writes and reads.
-SkyTarget add_sky_target(Plan& plan, const Scene& scene, const View& view);
+// Adds the buffers that a sky pass of this view writes and reads, but for a canvas that is given.
+SkyTarget add_sky_target(Plan& plan, const Scene& scene, const View& view, const std::optional<Canvas>& canvas = {});
 
 // Adds a sky pass with little work per pixel, and a second one over the pixels that the planet's edge crosses, if any.
 // The pass uses shaders/shared/horizon_pixels.glsl and reads `directions`; its push constants begin with the grid's

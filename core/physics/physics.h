@@ -215,6 +215,7 @@ struct Physics {
   vec3 night_table(real x, real y) const {
     return night_sky.fetch((x + 0.5) / night_sky.width, (y + 0.5) / night_sky.height);
   }
+  vec3 night_texel(uint x, uint y) const { return night_table(real(x), real(y)); }
 #include "shaders/physics/night_sky.glsl"
 #include "shaders/physics/from_space.glsl"
 #include "shaders/physics/march.glsl"

@@ -158,13 +158,14 @@ bool add_beyond(Plan& plan, const Stage& stage, const std::vector<ImageId>& tabl
   return disc;
 }
 
-// The sky by the stage's own light.
-Sky add_sky_by_light(Plan& plan, const Stage& stage, const View& view, bool with_disc) {
+// The sky by the stage's own light, in the canvas if the method can draw into it.
+Sky add_sky_by_light(Plan& plan, const Stage& stage, const View& view, bool with_disc,
+                     const std::optional<Canvas>& canvas = {}) {
   const Tile tile = tile_of(stage.scene(), view);
   const std::size_t before = plan.buffers().size();
   std::optional<SkyPasses> sky;
   if (stage.in_colours() && stage.method().add_coloured_passes != nullptr) {
-    sky = stage.method().add_coloured_passes(plan, stage, view);
+    sky = stage.method().add_coloured_passes(plan, stage, view, canvas);
   }
   if (!sky) {
     sky = add_parts(plan, stage, view);
@@ -214,10 +215,13 @@ Sky add_sky(Plan& plan, const Stage& stage, const View& view, bool with_disc) {
     }
     View its_view = view;
     its_view.kept_as += view.kept_as.empty() ? "" : other.light();
-    const Sky sky = add_sky_by_light(plan, other, its_view, with_disc);
+    const Canvas canvas{all.radiance, std::exchange(is_empty, false)};
+    const Sky sky = add_sky_by_light(plan, other, its_view, with_disc, canvas);
     tables = transmittances(other, sky);
     plan.end_light();
-    add_colours(plan, sky.radiance, all.radiance, kAsTheyAre, other.light(), std::exchange(is_empty, false));
+    if (sky.radiance != canvas.radiance) {
+      add_colours(plan, sky.radiance, all.radiance, kAsTheyAre, other.light(), canvas.is_blank);
+    }
     all.disc = all.disc || sky.disc;
   }
   if (!seen.sun) {

@@ -20,6 +20,7 @@ const uint kRestBlocks = kStokes != kStokesNone ? 3u : 1u;
 #include "shared/factor_fetch.glsl"
 
 layout(local_size_x = 16, local_size_y = 16) in;
+layout(constant_id = 39) const uint kAdds = 0u;  // not 0: to the picture, at its edges in place of the middle ray
 layout(push_constant, scalar) uniform Push {
   uint width;
   uint height;
@@ -37,7 +38,7 @@ Stokes light_at(vec3 direction) {
 
 void main() {
   uvec2 thread = gl_GlobalInvocationID.xy;
-  if (thread.x >= width || thread.y >= height) {
+  if (thread.x >= width || thread.y >= height || (kAdds != 0u && repeats_pixel(thread, width))) {
     return;
   }
   uvec2 pixel = pixel_of_thread(thread, width);
@@ -48,5 +49,12 @@ void main() {
     WeightedRay one = weighted_ray(pixel, view, rays, i);
     sum = with_share(sum, light_at(one.direction), one.share);
   }
-  write_light(pixel, view.inside, sum, vec3(1.0));
+  if (kAdds == 0u) {
+    write_light(pixel, view.inside, sum, vec3(1.0));
+    return;
+  }
+  if (kEdges == kEdgesListed) {
+    sum = with_share(sum, light_at(view.direction), -1.0);
+  }
+  add_radiance(pixel, view.inside, sum.i);
 }

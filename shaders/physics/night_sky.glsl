@@ -5,11 +5,12 @@
 //   the radiance of the shell seen straight up and the irradiance on level ground.
 // The includer defines before it:
 //   vec3 night_table(real x, real y);   linear between texels, whose middles are whole numbers from 0 on
+//   vec3 night_texel(uint x, uint y);   one of them
 
 const real kAirglowAltitude = 90.0;
 
-vec3 airglow_zenith() { return night_table(real(2u * kNightSlopes), real(kNightSide)); }
-vec3 night_on_ground() { return night_table(real(2u * kNightSlopes + 1u), real(kNightSide)); }
+vec3 airglow_zenith() { return night_texel(2u * kNightSlopes, kNightSide); }
+vec3 night_on_ground() { return night_texel(2u * kNightSlopes + 1u, kNightSide); }
 
 // The shell's length along a ray over that at the zenith, from an altitude below it (van Rhijn 1921).
 real van_rhijn(PlanetData planet, real h, real mu) {
@@ -30,7 +31,10 @@ vec3 night_scattered_at(PlanetData planet, real h, real mu, bool ground) {
   real horizon = horizon_mu(planet, h);
   real share = ground ? (horizon - mu) / (1.0 + horizon) : (mu - horizon) / (1.0 - horizon);
   real x = sqrt(clamp(share, 0.0, 1.0)) * real(kNightSlopes - 1u);
-  return night_table(x + (ground ? real(kNightSlopes) : 0.0), real(kNightSide));
+  uint i = min(uint(x), kNightSlopes - 2u);
+  uint first = i + (ground ? kNightSlopes : 0u);
+  vec3 from = night_texel(first, kNightSide);
+  return from + (night_texel(first + 1u, kNightSide) - from) * (x - real(i));
 }
 
 // North is up in the map, whatever way the camera looks.

@@ -7,4 +7,6 @@ vec3 night_table(float x, float y) {
   return texture(night_sky, vec2((x + 0.5) / float(kNightSide), (y + 0.5) / float(kNightSide + 1u))).rgb;
 }
 
+vec3 night_texel(uint x, uint y) { return texelFetch(night_sky, ivec2(x, y), 0).rgb; }
+
 #include "physics/night_sky.glsl"

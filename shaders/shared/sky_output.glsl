@@ -4,7 +4,7 @@
 
 layout(scalar, set = 0, binding = 8) readonly buffer Directions { vec4 values[]; } directions;
 // Rows from the top. For listed directions radiance and transmittance alternate.
-layout(scalar, set = 0, binding = 9) writeonly buffer Radiance { vec4 values[]; } radiance_out;
+layout(scalar, set = 0, binding = 9) buffer Radiance { vec4 values[]; } radiance_out;
 
 ViewRay pixel_ray(uvec2 pixel) {
   if (kProjection == kProjectionListed) {
@@ -23,6 +23,11 @@ void write_radiance(uvec2 pixel, bool inside, vec3 radiance, vec3 transmittance)
     return;
   }
   radiance_out.values[pixel.y * scene.tile.width + pixel.x] = inside ? vec4(radiance, 1.0) : vec4(0.0);
+}
+
+// Adds to a picture of the camera.
+void add_radiance(uvec2 pixel, bool inside, vec3 radiance) {
+  radiance_out.values[pixel.y * scene.tile.width + pixel.x].rgb += inside ? radiance : vec3(0.0);
 }
 
 #ifdef AIRLIGHT_STOKES
