@@ -102,15 +102,19 @@ real seen_sunlight(real depth, real near_sun, real far_sun) {
 }
 
 // Adds a step of scaled optical depth `depth` at distance t, whose ends have these scaled depths toward the sun; `phase`
-// is what scatters sunlight once there, per unit of scaled depth.
-CloudGathered with_cloud_step(CloudGathered g, CloudSource source, vec3 phase, real near_sun, real far_sun, real depth,
-                              real t) {
+// is what scatters sunlight once there, per unit of scaled depth. Light scattered more than once is left out.
+CloudGathered with_cloud_step(CloudGathered g, vec3 phase, real near_sun, real far_sun, real depth, real t) {
   real taken = g.transmittance * depth * mean_transmittance(depth);
   g.once = g.once + phase * (g.transmittance * depth * seen_sunlight(depth, near_sun, far_sun));
+  g.reach = g.reach + taken * t;
+  g.transmittance = g.transmittance - taken;
+  return g;
+}
+
+// Adds the light scattered more than once of a part that takes this share of all light from behind it.
+CloudGathered with_cloud_source(CloudGathered g, CloudSource source, real taken) {
   g.sun = g.sun + taken * source.sun;
   g.sky = g.sky + taken * source.sky;
   g.ground = g.ground + taken * source.ground;
-  g.reach = g.reach + taken * t;
-  g.transmittance = g.transmittance - taken;
   return g;
 }

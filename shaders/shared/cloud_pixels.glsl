@@ -9,7 +9,6 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "shared/cloud_blocks.glsl"
-layout(set = 0, binding = 23) uniform sampler3D cloud_source_lut;
 layout(set = 0, binding = 28) uniform sampler2D cloud_phase_lut;
 layout(set = 0, binding = 26) uniform sampler3D cloud_shafts_lut;  // cloud_shafts.comp; any image where kAirByRay is 1
 // 1: this is a further field over the picture of another, whose air is shaded and whose ground is lit by all of them.
@@ -56,40 +55,7 @@ layout(scalar, set = 0, binding = 32) buffer Seen { ThingsSeen values[]; } seen;
 #else
 uvec2 here;  // the pixel of the tile at hand
 #endif
-float seen_harmonics[kCloudMoments];  // of the direction in which light comes to the camera
-
-vec4 source_block(uint block, vec3 place) {
-  CloudData c = cloud();
-  float columns = float(c.coarse_x + 1u);
-  float x = (float(block) * columns + cell_texel(place.x, c.coarse_x)) / (columns * float(kCloudBlocks));
-  float y = cell_texel(place.y, c.coarse_y) / float(c.coarse_y + 1u);
-  return textureLod(cloud_source_lut, vec3(x, y, place.z), 0.0);
-}
-
-CloudSource source_at(vec3 place) {
-  float values[4u * kCloudBlocks];
-  UNROLL for (uint b = 0u; b < kCloudBlocks; b++) {
-    vec4 texel = source_block(b, place);
-    values[4u * b] = texel.x;
-    values[4u * b + 1u] = texel.y;
-    values[4u * b + 2u] = texel.z;
-    values[4u * b + 3u] = texel.w;
-  }
-  CloudSource source;
-  source.sun = 0.0;
-  UNROLL for (uint q = 0u; q < kCloudMoments; q++) {
-    source.sun += values[q] * seen_harmonics[q];
-  }
-  source.sun = max(source.sun, 0.0);
-  source.sky = max(values[kCloudSky] * seen_harmonics[0] + values[kCloudSky + 1u] * seen_harmonics[2] +
-                       values[kCloudSky + 2u] * seen_harmonics[6],
-                   0.0);
-  source.ground = max(values[kCloudGround] * seen_harmonics[0] + values[kCloudGround + 1u] * seen_harmonics[2] +
-                          values[kCloudGround + 2u] * seen_harmonics[6],
-                      0.0);
-  return source;
-}
-
+#include "shared/cloud_parts.glsl"
 #include "shared/cloud_water.glsl"
 #include "shared/cloud_gaps.glsl"
 #include "shared/cloud_before.glsl"
@@ -103,20 +69,20 @@ struct March {
   float near_sun;     // scaled depth toward the sun there; below 0: not known
   float start;        // of the stretch
   CloudGathered stretch;
+  CloudPart part;
 };
 
-// Leaps over empty cells, and finds the middle of the next step; false: no step is left before `end`.
-bool next_step(inout March m, out vec3 middle, AirRay of, float end) {
+// Leaps over empty cells to the next step; false: no step is left before `end`.
+bool next_step(inout March m, AirRay of, float end) {
   CloudData c = cloud();
   float radius = scene.planet.ground_radius;
   uvec3 cells = gap_cells();
   vec3 per_km = vec3(cells) / vec3(c.width, c.depth, c.top - c.base);
   bool leaps = true;
-  middle = vec3(0.0);
   // A loop of its own: lanes that leap do not wait for lanes that gather light.
   while (leaps && m.t < end) {
     m.size = min(min(m.size, step_in_water(m.near_inside, m.t)), end - m.t);
-    middle = cloud_place(radius, c, scene.camera.altitude, of.direction, m.t + 0.5 * m.size);
+    vec3 middle = cloud_place(radius, c, scene.camera.altitude, of.direction, m.t + 0.5 * m.size);
     float climb = abs(of.direction.y) + m.t / radius;
     float leap = empty_cells(middle) /
                  max(max(abs(of.direction.x) * per_km.x, abs(of.direction.z) * per_km.y), climb * per_km.z);
@@ -131,7 +97,7 @@ bool next_step(inout March m, out vec3 middle, AirRay of, float end) {
 }
 
 // One step: the cloud's light along it, or a shorter size to try again with.
-void take_step(inout March m, vec3 middle, AirRay of, SunOnSpan sun) {
+void take_step(inout March m, AirRay of, SunOnSpan sun) {
   CloudData c = cloud();
   float radius = scene.planet.ground_radius;
   vec3 end = cloud_place(radius, c, scene.camera.altitude, of.direction, m.t + m.size);
@@ -160,11 +126,12 @@ void take_step(inout March m, vec3 middle, AirRay of, SunOnSpan sun) {
     return;
   }
   for (uint turn = 0u; turn < meets; turn++) {
-    CloudSource source = source_at(middle);
     float passed = -log(m.stretch.transmittance) + 0.5 * (depth + m.near_sun + far_sun);
     m.start = m.stretch.before == m.stretch.transmittance ? m.t : m.start;
-    m.stretch = with_cloud_step(m.stretch, source, phase_behind(of.at.nu, passed), m.near_sun, far_sun, depth,
-                                m.t + 0.5 * m.size);
+    float before = m.stretch.transmittance;
+    float t = m.t + 0.5 * m.size;
+    m.stretch = with_cloud_step(m.stretch, phase_behind(of.at.nu, passed), m.near_sun, far_sun, depth, t);
+    m.part = with_step_of_part(m.part, m.t, before - m.stretch.transmittance, t);
   }
   m.near_sun = depth > 0.0 ? far_sun : -1.0;
   m.near = water.extinction;
@@ -174,8 +141,8 @@ void take_step(inout March m, vec3 middle, AirRay of, SunOnSpan sun) {
 }
 
 // Steps are as long as `step` says, or shorter where the cloud is thick. Density and the depth toward the sun are
-// linear between a step's ends. The march puts stretches aside, and the air before them is found for all together:
-// else lanes that end a stretch at different steps would wait for one another at each.
+// linear between a step's ends. The march puts stretches aside, and the air before them is found for all together, as
+// the sources of their parts are: else lanes that end a stretch at different steps would wait for one another at each.
 Walk crossed(Walk walk, CloudCrossing span, AirRay of, SunOnSpan sun) {
   March m;
   m.t = span.from;
@@ -185,6 +152,8 @@ Walk crossed(Walk walk, CloudCrossing span, AirRay of, SunOnSpan sun) {
   m.near_sun = -1.0;
   m.start = 0.0;
   m.stretch = nothing_gathered(walk.transmittance);
+  m.part = empty_part();
+  float part_length = length_of_parts(of.direction, span.from);
   uint begins = m.t < span.to ? 1u : 0u;
   for (uint turn = 0u; turn < begins; turn++) {
     vec3 place = cloud_place(scene.planet.ground_radius, cloud(), scene.camera.altitude, of.direction, m.t);
@@ -197,22 +166,40 @@ Walk crossed(Walk walk, CloudCrossing span, AirRay of, SunOnSpan sun) {
   while (goes_on && m.t < span.to) {
     Sheets sheets;
     sheets.count = 0u;
-    while (goes_on && sheets.count < kMostSheets && m.t < span.to) {
-      vec3 middle;
-      uint found = next_step(m, middle, of, span.to) ? 1u : 0u;
+    CloudParts parts;
+    parts.count = 0u;
+    while (goes_on && sheets.count < kMostSheets && parts.count < kMostParts && m.t < span.to) {
+      uint found = next_step(m, of, span.to) ? 1u : 0u;
       for (uint turn = 0u; turn < found; turn++) {
-        take_step(m, middle, of, sun);
+        take_step(m, of, sun);
       }
       steps++;
       goes_on = found > 0u && steps < kMostSteps && m.stretch.transmittance > kOpaque;
       bool begun = m.stretch.before > m.stretch.transmittance;
       bool ends = !goes_on || m.t >= span.to || m.t - m.start > kSheet * m.t + step;
       uint closes = begun && ends ? 1u : 0u;
+      uint parted = m.part.taken > 0.0 && (closes > 0u || m.t - m.part.from > part_length) ? 1u : 0u;
+      for (uint turn = 0u; turn < parted; turn++) {
+        parts.of[parts.count] = m.part;
+        parts.of[parts.count].sheet = sheets.count;
+        parts.count++;
+        m.part = empty_part();
+      }
       for (uint turn = 0u; turn < closes; turn++) {
         sheets.of[sheets.count] = m.stretch;
         sheets.count++;
         m.stretch = nothing_gathered(m.stretch.transmittance);
         m.start = m.t;
+      }
+    }
+    for (uint i = 0u; i < parts.count; i++) {
+      CloudPart part = parts.of[i];
+      CloudSource source = source_at(
+          cloud_place(scene.planet.ground_radius, cloud(), scene.camera.altitude, of.direction, part.reach / part.taken));
+      if (part.sheet < sheets.count) {
+        sheets.of[part.sheet] = with_cloud_source(sheets.of[part.sheet], source, part.taken);
+      } else {
+        m.stretch = with_cloud_source(m.stretch, source, part.taken);
       }
     }
     walk = with_sheets(walk, sheets, of);
