@@ -115,6 +115,7 @@ TEST(CloudWind, TheGridIsTakenOver) {
   Scene scene = under_discs();
   const Stage first = ready(scene);
   scene.clouds.front().north = -0.7;
+  scene.clouds.front().east = 0.4;
   const Stage next = ready(scene, first);
   const auto before = first.whole().things.clouds();
   const auto after = next.whole().things.clouds();
@@ -124,6 +125,7 @@ TEST(CloudWind, TheGridIsTakenOver) {
   EXPECT_EQ(after.front()->south, own.south);
   EXPECT_EQ(after.front()->west, own.west);
   scene.clouds.front().north = 0.0;
+  scene.clouds.front().east = 0.0;
   EXPECT_EQ(ready(scene, next).whole().things.clouds().front(), before.front());
 }
 
