@@ -110,7 +110,7 @@ TEST_F(CompositeTool, CloudsStandBeforeAndBehindThings) {
   std::size_t hidden = 0;
   for (std::size_t i = 0; i < kPixels; ++i) {
     EXPECT_NEAR(before.rgba[4 * i], 100.0F, 5.0F) << i;
-    hidden += behind.rgba[4 * i] < 10.0F ? 1 : 0;
+    hidden += behind.rgba[4 * i] < 10.0F ? 1U : 0U;
   }
   EXPECT_GT(hidden, kPixels / 2);
   const Outcome volume = with({"-o", "out.exr", "--aerial", "volume"});
