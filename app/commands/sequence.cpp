@@ -15,6 +15,7 @@
 #include "app/sequence/radiance_matrix.h"
 #include "app/sequence/run.h"
 #include "app/sequence/usd_stage.h"
+#include "app/sequence/wind.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/methods/method.h"
@@ -199,6 +200,7 @@ SequenceJob job_of(const SequenceGiven& given) {
   tile_for(job.tile, *job.stage, layer_set(given.picture), "sequence");  // throws if it is no tile
   job.source = source_of(given, job.scene);
   refuse_idle_overrides(given, job.source);
+  add_winds(job);
   std::get<PresetObject>(job.preset.root.data).erase("sequence");
   job.scene.sequence.reset();
   if (locks_frame(job.scene)) {

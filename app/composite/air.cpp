@@ -45,8 +45,9 @@ bool takes_volume(const CompositeOrder& order, const std::vector<Span>& spans, c
     throw InputError(order.beauty +
                      (stage.whole().things.stand_in_the_air()
                           ? ": the scene's things shade the air, and --aerial volume holds no shadows; "
-                          : ": the camera stands above the air, where --aerial volume does not "
-                            "hold; ") +
+                      : !scene.clouds.empty() ? ": --aerial volume holds no clouds; "
+                                              : ": the camera stands above the air, where --aerial volume does not "
+                                                "hold; ") +
                      "use --aerial march");
   }
   if (!order.tolerance || !holds) {

@@ -205,7 +205,7 @@ void PictureChannels::add_layer(const Layer& layer) {
   const std::vector<float>& planes = ours ? layer.planes : planes_.emplace_back(converted_planes(layer.planes));
   for (std::size_t c = 0; c < layer.channels.size(); ++c) {
     // Depths are floats: beyond 2048 a half is not exact to a kilometre.
-    const bool is_depth = layer.name == "depth";
+    const bool is_depth = layer.channels == "Z";
     channels_.push_back({layer.name + "." + layer.channels[c], planes.data() + c * plane, 1, is_depth});
   }
 }

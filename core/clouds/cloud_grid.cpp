@@ -65,6 +65,15 @@ CloudGrid grid_of_kind(const Cloud& cloud) {
   return volume_grid(cloud);
 }
 
+struct Corner {
+  double west;
+  double south;
+};
+
+Corner corner_of(const CloudGrid& grid, const Cloud& cloud) {
+  return {cloud.east - 0.5 * grid.nx * grid.cell_x, cloud.north - 0.5 * grid.ny * grid.cell_y};
+}
+
 }  // namespace
 
 double CloudGrid::at(double east, double north, double h) const {
@@ -122,9 +131,21 @@ double CloudGrid::most_around(int i, int j, int k) const {
 
 CloudGrid cloud_grid(const Cloud& cloud) {
   CloudGrid grid = grid_of_kind(cloud);
-  grid.west = cloud.east - 0.5 * grid.nx * grid.cell_x;
-  grid.south = cloud.north - 0.5 * grid.ny * grid.cell_y;
+  const auto [west, south] = corner_of(grid, cloud);
+  grid.west = west;
+  grid.south = south;
   return grid;
+}
+
+std::shared_ptr<const CloudGrid> placed_at(const std::shared_ptr<const CloudGrid>& grid, const Cloud& cloud) {
+  const auto [west, south] = corner_of(*grid, cloud);
+  if (grid->west == west && grid->south == south) {
+    return grid;
+  }
+  auto moved = std::make_shared<CloudGrid>(*grid);
+  moved->west = west;
+  moved->south = south;
+  return moved;
 }
 
 std::string cloud_key(const Cloud& cloud) {
@@ -135,6 +156,12 @@ std::string cloud_key(const Cloud& cloud) {
     text += " " + shortest(value);
   }
   return text + (cloud.contents ? " " + cloud.contents->identity : "");
+}
+
+std::string cloud_shape_key(Cloud cloud) {
+  cloud.east = 0.0;
+  cloud.north = 0.0;
+  return cloud_key(cloud);
 }
 
 Medium cloud_medium(const Cloud& cloud, const Spectrum& channels) {

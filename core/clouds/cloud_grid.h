@@ -50,8 +50,12 @@ struct CloudGrid {
 // The grid of a cloud: a volume's file, or a field made from its seed.
 CloudGrid cloud_grid(const Cloud& cloud);
 
-// A text of all that the grid depends on.
+// A text of all that the grid depends on, and one of all but its place.
 std::string cloud_key(const Cloud& cloud);
+std::string cloud_shape_key(Cloud cloud);
+
+// The grid at the cloud's place: itself where it stands there, else a copy.
+std::shared_ptr<const CloudGrid> placed_at(const std::shared_ptr<const CloudGrid>& grid, const Cloud& cloud);
 
 // The medium that the cloud's matter is: coefficients for an extinction of 1/km, of density 0 in the air. `channels`:
 // the wavelengths (nm) that the scene's channels stand for; 0: of a scene without spectra.

@@ -67,6 +67,10 @@ struct Quality {
   bool may_be_chosen = true;
 };
 
+// Name of the buffer of a plan that holds what all clouds leave of a beam along each pixel's ray, a float each.
+// The host reads that of layers.
+inline constexpr std::string_view kCloudTransmittance = "cloud_transmittance";
+
 // The passes of a GPU method, added to a plan. `radiance` holds a vec4 for each pixel, rows from the top (alpha 0
 // outside a fisheye's circle); for listed directions two vec4s each: radiance, then transmittance along the ray;
 // where the view asks for them, Q and U follow.
@@ -86,7 +90,10 @@ struct Canvas {
 
 // The light of a picture kept apart by its origin. `planes`: floats, three planes a layer over the view's tile: single
 // scattering of each medium that scatters, multiple scattering, the ground, then the transmittance along the ray, and Q
-// and U where the view asks for them.
+// and U where the view asks for them. Where the scene has clouds all these are seen through them, and kCloudPlanes
+// follow: three of the clouds' light, the share of what stands behind that they hide, and that share times the mean
+// distance (km) of what hides it; and the plan has a buffer whose name begins with kCloudTransmittance.
+inline constexpr std::size_t kCloudPlanes = 5;
 struct LayerPasses {
   BufferId planes;
   std::optional<ImageId> transmittance;  // the method's table, if it has one, for the sun's disc

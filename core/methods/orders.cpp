@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <iterator>
 
 #include "core/air/scene_block.h"
+#include "core/base/error.h"
 #include "core/luts/luts.h"
 #include "core/luts/moments.h"
 #include "core/methods/factor_text.h"
@@ -231,35 +233,6 @@ void add_marched_sky(Plan& plan, const Part& part, const View& view, const SkyTa
                  .cost = ray_cost(light.steps)});
 }
 
-SkyPasses add_orders(Plan& plan, const Part& part, const View& view) {
-  orders::refuse_around_clouds(part, false);
-  const SkyTarget target = add_sky_target(plan, part.scene, view);
-  const Light light = add_light(plan, part);
-  SkyPasses passes{target.radiance, {light.transmittance}, light.more()};
-  if (part.things.stand_in_the_air() || (part.scene.ground && !part.scene.clouds.empty())) {
-    if (part.scene.clouds.empty()) {
-      orders::add_things_sky(plan, part, view, target, light);
-      return passes;
-    }
-    const std::vector<orders::LitCloud> clouds = orders::add_cloud_light(plan, part, light);
-    const auto things = orders::add_things_under_clouds(plan, part, view, target, light, clouds.back());
-    orders::add_clouds(plan, part, view, target, light, clouds, &things);
-    return passes;
-  }
-  begin_black_ground(plan, part, view);
-  if (tabulates(part, view)) {
-    passes.more_tables.push_back(add_tabulated_sky(plan, part, view, target, light));
-  } else {
-    add_marched_sky(plan, part, view, target, light);
-  }
-  end_black_ground(plan, part, view);
-  add_ground(plan, part, target, light);
-  if (!part.scene.clouds.empty()) {
-    orders::add_clouds(plan, part, view, target, light, orders::add_cloud_light(plan, part, light), nullptr);
-  }
-  return passes;
-}
-
 LayerPasses add_layers(Plan& plan, const Part& part, const View& view) {
   orders::refuse_around_clouds(part, true);
   const Light light = add_light(plan, part);
@@ -288,7 +261,68 @@ LayerPasses add_layers(Plan& plan, const Part& part, const View& view) {
                  .grid = grid,
                  .push_constants = {grid.width, grid.height, light.steps},
                  .specialization = std::move(constants)});
+  if (!part.scene.clouds.empty()) {
+    orders::add_clouds_to_layers(plan, part, view, light, planes);
+  }
   return {planes, light.transmittance};
+}
+
+// Clouds through a polarising filter: of their layers, which have Q and U apart.
+SkyPasses add_filtered_clouds(Plan& plan, const Part& part, const View& view) {
+  if (!view.directions.empty()) {
+    throw InputError(
+        "clouds: the method \"orders\" probes no directions through a polarising filter among clouds; remove the "
+        "filter "
+        "or the clouds, or give the picture's quality in place of a tolerance");
+  }
+  View with_stokes = view;
+  with_stokes.stokes = true;
+  const LayerPasses layers = add_layers(plan, part, with_stokes);
+  const SkyTarget target = add_sky_target(plan, part.scene, view);
+  std::vector<Specialization> constants = medium_specialization(part.air);
+  constants.push_back({"kAirLayers", static_cast<std::uint32_t>(std::popcount(part.air.scattering_media())) + 1});
+  constants.push_back({"kProjection", target.projection});
+  constants.push_back({"kStokes", physics::kStokesFiltered});
+  plan.add_pass({.name = "filter",
+                 .shader = "layers_filtered",
+                 .reads = {{"layers", layers.planes}},
+                 .writes = {{"radiance_out", target.radiance}},
+                 .grid = target.grid,
+                 .push_constants = {target.grid.width, target.grid.height},
+                 .specialization = std::move(constants)});
+  return {target.radiance, {*layers.transmittance}, {}};
+}
+
+SkyPasses add_orders(Plan& plan, const Part& part, const View& view) {
+  orders::refuse_around_clouds(part, false);
+  if (!part.scene.clouds.empty() && stokes_of(part, view) == physics::kStokesFiltered) {
+    return add_filtered_clouds(plan, part, view);
+  }
+  const SkyTarget target = add_sky_target(plan, part.scene, view);
+  const Light light = add_light(plan, part);
+  SkyPasses passes{target.radiance, {light.transmittance}, light.more()};
+  if (part.things.stand_in_the_air() || (part.scene.ground && !part.scene.clouds.empty())) {
+    if (part.scene.clouds.empty()) {
+      orders::add_things_sky(plan, part, view, target, light);
+      return passes;
+    }
+    const std::vector<orders::LitCloud> clouds = orders::add_cloud_light(plan, part, light);
+    const auto things = orders::add_things_under_clouds(plan, part, view, target, light, clouds.back());
+    orders::add_clouds(plan, part, view, target, light, clouds, &things);
+    return passes;
+  }
+  begin_black_ground(plan, part, view);
+  if (tabulates(part, view)) {
+    passes.more_tables.push_back(add_tabulated_sky(plan, part, view, target, light));
+  } else {
+    add_marched_sky(plan, part, view, target, light);
+  }
+  end_black_ground(plan, part, view);
+  add_ground(plan, part, target, light);
+  if (!part.scene.clouds.empty()) {
+    orders::add_clouds(plan, part, view, target, light, orders::add_cloud_light(plan, part, light), nullptr);
+  }
+  return passes;
 }
 
 // A table of the picture's light that would hold, but does not pay.
@@ -393,7 +427,7 @@ SkyMethod orders_method() {
   method.add_span_passes = orders::add_spans;
   // The volume holds no shadows.
   method.has_volume = [](const Scene& scene) {
-    return inside_the_air(scene) && !scene.terrain && scene.spheres.empty();
+    return inside_the_air(scene) && !scene.terrain && scene.spheres.empty() && scene.clouds.empty();
   };
   method.all_tables.emplace_back("tabulate", std::string("always"));
   method.left_out = left_out;

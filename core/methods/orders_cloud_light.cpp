@@ -276,7 +276,7 @@ FieldStart start_of(const Part& part, const StandingCloud& cloud) {
   FieldStart start{
       .matter = matter_of(*cloud.cloud, part), .to_sun = cloud_sun(part.scene, *cloud.grid), .coarse = {}, .lit = {}};
   start.lit.grid = std::make_shared<const CloudGrid>(with_room(*cloud.grid, start.to_sun));
-  start.lit.key = "cloud " + cloud_key(*cloud.cloud);
+  start.lit.key = "cloud " + cloud_shape_key(*cloud.cloud);  // light stays with a cloud that moves
   start.coarse = coarse_cells(*start.lit.grid, cells);
   start.lit.head = head_of(*start.lit.grid, start.coarse, start.matter.drops, start.to_sun);
   return start;

@@ -2,6 +2,7 @@
 // that of the clouds behind it.
 
 #include <algorithm>
+#include <bit>
 #include <iterator>
 #include <string>
 #include <vector>
@@ -49,29 +50,29 @@ ImageId add_air_shade(Plan& plan, const Part& part, const View& view, const Ligh
   return shafts;
 }
 
-// What the passes over a picture's clouds have in common.
+// What the passes over a picture's clouds, its layers or the air before things have in common.
 struct CloudPicture {
+  std::string shader = {};
   std::vector<Binding> reads;
-  std::vector<Binding> writes;
+  std::vector<Binding> writes = {};
   std::vector<Specialization> constants;
-  bool things;
+  Extent grid = {};
+  std::vector<std::uint32_t> push = {};  // before what all push
 };
 
-CloudPicture picture_of_clouds(Plan& plan, const Part& part, const View& view, const SkyTarget& target,
+// Without the output, which the caller adds. `projection`: kProjection.
+CloudPicture picture_of_clouds(Plan& plan, const Part& part, const View& view, std::uint32_t projection,
                                const Light& light, const std::vector<LitCloud>& clouds,
                                const ThingsUnderCloud* things) {
   const LitCloud& highest = clouds.back();
   const FactorTable table = things != nullptr ? things->table : volume_table(part, true);
   CloudPicture picture{.reads = {{"transmittance_lut", light.transmittance}},
-                       .writes = {{"radiance_out", target.radiance}},
-                       .constants = sunlight_specialization(plan, part.air, light.transmittance),
-                       .things = things != nullptr};
+                       .constants = sunlight_specialization(plan, part.air, light.transmittance)};
   add_moment_constants(picture.constants, settings_of(part));
   std::vector<Binding> air;
   if (things != nullptr) {
     air = things->air;
     picture.constants.insert(picture.constants.end(), things->constants.begin(), things->constants.end());
-    picture.writes.push_back({"seen", things->seen});
   } else {
     air = add_volume(plan, part.scene, light, table, view).reads();
     add_volume_constants(picture.constants, part.scene, table);
@@ -85,15 +86,17 @@ CloudPicture picture_of_clouds(Plan& plan, const Part& part, const View& view, c
   picture.reads.push_back(
       {"cloud_shafts_lut", froxels ? add_air_shade(plan, part, view, light, clear, table, highest) : highest.sources});
   picture.reads.push_back({"moments_lut", light.moments});
-  picture.reads.push_back({"directions", target.directions});
-  picture.constants.push_back({"kProjection", target.projection});
+  picture.constants.push_back({"kProjection", projection});
   picture.constants.push_back({"kAirByRay", froxels ? 0U : 1U});
-  const BufferId through =
-      plan.add_buffer({.name = "cloud_transmittance",
-                       .bytes = std::size_t{target.grid.width} * target.grid.height * sizeof(float),
-                       .zeroed = false});
-  picture.writes.push_back({"through_out", through});
   return picture;
+}
+
+// What all clouds leave of a beam, over the picture's grid; `read`: whether the host reads it.
+Binding add_through(Plan& plan, Extent grid, bool read) {
+  return {"through_out", plan.add_buffer({.name = std::string(kCloudTransmittance),
+                                          .bytes = std::size_t{grid.width} * grid.height * sizeof(float),
+                                          .host_readable = read,
+                                          .zeroed = false})};
 }
 
 // A pass over the picture: a cloud, and which of its two stretches along a ray (kStretches).
@@ -126,8 +129,8 @@ struct CloudSearch {
   EdgeInputs edge;
 };
 
-void add_cloud_pass(Plan& plan, const SkyTarget& target, CloudPicture picture, const LitCloud& cloud,
-                    const CloudSearch& search, std::uint32_t stretches, bool further) {
+void add_cloud_pass(Plan& plan, CloudPicture picture, const LitCloud& cloud, const CloudSearch& search,
+                    std::uint32_t stretches, bool further) {
   std::vector<Binding>& reads = picture.reads;
   reads.insert(reads.end(), cloud.shade.begin(), cloud.shade.end());
   reads.insert(reads.end(), {{"cloud_source_lut", cloud.sources},
@@ -148,15 +151,33 @@ void add_cloud_pass(Plan& plan, const SkyTarget& target, CloudPicture picture, c
       static_cast<double>(*std::ranges::max_element(grid.extinction)) * static_cast<double>(cloud.head.scale);
   const double rise = densest > kThickest ? 0.01 : 0.002;
   const double step = kStep * std::min({grid.cell_x, grid.cell_y, 2.0 * grid.cell_z()});
+  picture.push.push_back(push_constant(step));
+  picture.push.push_back(push_constant(rise));
   plan.add_pass({.name = "clouds",
-                 .shader = picture.things ? "cloud_pixels_things" : "cloud_pixels",
+                 .shader = std::move(picture.shader),
                  .reads = std::move(reads),
                  .writes = std::move(picture.writes),
-                 .grid = target.grid,
-                 .push_constants = {target.grid.width, target.grid.height, target.vectors, push_constant(step),
-                                    push_constant(rise)},
+                 .grid = picture.grid,
+                 .push_constants = std::move(picture.push),
                  .specialization = std::move(constants),
                  .cost = 60.0});
+}
+
+void add_cloud_passes(Plan& plan, const Part& part, const CloudPicture& picture, const std::vector<LitCloud>& clouds) {
+  std::vector<CloudSearch> searches;
+  for (const LitCloud& cloud : clouds) {
+    plan.tell_apart(cloud.name);
+    searches.push_back({add_gaps(plan, cloud.grid, cloud.key), add_edge(plan, *cloud.grid, cloud.sources)});
+    plan.tell_apart("");
+  }
+  bool further = false;
+  for (const CloudTurn& turn : turns_of(clouds, part.scene.camera.altitude)) {
+    const LitCloud& cloud = clouds[turn.cloud];
+    plan.tell_apart(cloud.name);
+    add_cloud_pass(plan, picture, cloud, searches[turn.cloud], turn.stretches, further);
+    plan.tell_apart("");
+    further = true;
+  }
 }
 
 }  // namespace
@@ -208,31 +229,56 @@ void refuse_around_clouds(const Part& part, bool no_picture) {
          "camera.altitude_km");
   refuse(std::ranges::count(scene.spheres, SphereMaterial::mirror, &Sphere::material) > 0,
          "renders no clouds in mirrors; remove the spheres of the material mirror or the clouds");
-  refuse(scene.camera.polariser.has_value(), "renders no clouds through a polarising filter; remove it or the clouds");
-  if (no_picture) {
+  refuse(scene.camera.polariser.has_value() && (part.things.stand_in_the_air() || scene.ground),
+         "renders no clouds through a polarising filter where terrain, spheres or ground maps stand; remove one of "
+         "the three");
+  if (no_picture && (part.things.stand_in_the_air() || scene.ground)) {
     throw InputError(
-        "clouds: the method \"orders\" renders them in pictures and irradiance, not yet in layers and composites; "
-        "remove them");
+        "clouds: the method \"orders\" renders layers and composites with clouds where no terrain, spheres or ground "
+        "maps stand, and pictures and irradiance among them; remove these or the clouds");
   }
 }
 
 void add_clouds(Plan& plan, const Part& part, const View& view, const SkyTarget& target, const Light& light,
                 const std::vector<LitCloud>& clouds, const ThingsUnderCloud* things) {
-  const CloudPicture picture = picture_of_clouds(plan, part, view, target, light, clouds, things);
-  std::vector<CloudSearch> searches;
-  for (const LitCloud& cloud : clouds) {
-    plan.tell_apart(cloud.name);
-    searches.push_back({add_gaps(plan, cloud.grid, cloud.key), add_edge(plan, *cloud.grid, cloud.sources)});
-    plan.tell_apart("");
+  CloudPicture picture = picture_of_clouds(plan, part, view, target.projection, light, clouds, things);
+  picture.shader = things != nullptr ? "cloud_pixels_things" : "cloud_pixels";
+  picture.reads.push_back({"directions", target.directions});
+  picture.writes = {{"radiance_out", target.radiance}, add_through(plan, target.grid, false)};
+  if (things != nullptr) {
+    picture.writes.push_back({"seen", things->seen});
   }
-  bool further = false;
-  for (const CloudTurn& turn : turns_of(clouds, part.scene.camera.altitude)) {
-    const LitCloud& cloud = clouds[turn.cloud];
-    plan.tell_apart(cloud.name);
-    add_cloud_pass(plan, target, picture, cloud, searches[turn.cloud], turn.stretches, further);
-    plan.tell_apart("");
-    further = true;
-  }
+  picture.grid = target.grid;
+  picture.push = {target.grid.width, target.grid.height, target.vectors};
+  add_cloud_passes(plan, part, picture, clouds);
+}
+
+void add_clouds_to_layers(Plan& plan, const Part& part, const View& view, const Light& light, BufferId planes) {
+  const std::vector<LitCloud> clouds = add_cloud_light(plan, part, light);
+  const std::uint32_t projection = projection_code(part.scene.camera.projection);
+  CloudPicture picture = picture_of_clouds(plan, part, view, projection, light, clouds, nullptr);
+  const auto media = static_cast<std::uint32_t>(std::popcount(part.air.scattering_media()));
+  picture.shader = "cloud_layers";
+  picture.grid = picture_grid(part.scene, view);
+  picture.writes = {{"layers_out", planes}, add_through(plan, picture.grid, true)};
+  picture.constants.push_back({"kAirLayers", media + 1});
+  picture.constants.push_back({"kStokesLayers", view.stokes ? 2U : 0U});
+  picture.push = {picture.grid.width, picture.grid.height};
+  add_cloud_passes(plan, part, picture, clouds);
+}
+
+void add_clouds_to_spans(Plan& plan, const Part& part, const View& view, const Light& light, const SpanInput& spans,
+                         BufferId air) {
+  const std::vector<LitCloud> clouds = add_cloud_light(plan, part, light);
+  const std::uint32_t projection = projection_code(part.scene.camera.projection);
+  CloudPicture picture = picture_of_clouds(plan, part, view, projection, light, clouds, nullptr);
+  picture.shader = "cloud_spans";
+  picture.grid = spans.grid();
+  picture.reads.push_back({"spans", spans.list});
+  picture.writes = {{"air_out", air}};
+  picture.constants.push_back({"kWholeRows", spans.whole_rows ? 1U : 0U});
+  picture.push = {spans.columns, spans.count, spans.first_row};
+  add_cloud_passes(plan, part, picture, clouds);
 }
 
 }  // namespace airlight::orders

@@ -2,6 +2,7 @@
 // What the pictures, layers and spans of `orders` have in common: the light that their rays read, and the picture's own
 // table of factors.
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -175,6 +176,25 @@ void refuse_around_clouds(const Part& part, bool no_picture);
 // `cloud_transmittance`: what all clouds leave of a beam along each pixel's ray.
 void add_clouds(Plan& plan, const Part& part, const View& view, const SkyTarget& target, const Light& light,
                 const std::vector<LitCloud>& clouds, const ThingsUnderCloud* things);
+
+// Likewise into the planes of layers (add_layer_planes()), those of the clear sky being made: what stands in them is
+// then seen through the clouds, and the clouds' planes are filled in.
+void add_clouds_to_layers(Plan& plan, const Part& part, const View& view, const Light& light, BufferId planes);
+
+// Rays to things, what shaders/shared/span_list.glsl reads.
+struct SpanInput {
+  BufferId list;
+  std::uint32_t columns;
+  std::uint32_t count;
+  std::uint32_t first_row;
+  bool whole_rows;
+
+  Extent grid() const { return {std::min(columns, count), (count + columns - 1) / columns, 1}; }
+};
+
+// Likewise into the clear air before things, six floats a span.
+void add_clouds_to_spans(Plan& plan, const Part& part, const View& view, const Light& light, const SpanInput& spans,
+                         BufferId air);
 
 // SkyMethod::add_span_passes of the method.
 SpanPasses add_spans(Plan& plan, const Part& part, const Spans& spans, const SpanWay& way);

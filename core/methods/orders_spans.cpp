@@ -1,6 +1,7 @@
 // The air before things by `orders`: a march to each, or an aerial volume (shaders/physics/aerial_volume.glsl).
 
 #include <algorithm>
+#include <cassert>
 
 #include "core/air/scene_block.h"
 #include "core/luts/luts.h"
@@ -12,20 +13,13 @@ namespace {
 
 constexpr std::uint32_t kListColumns = 4096;  // a device takes 65535 workgroups a row at least
 
-// What shaders/shared/span_list.glsl reads.
-struct SpanInput {
-  BufferId list;
-  std::uint32_t columns;
-  std::uint32_t count;
-};
-
 SpanInput add_span_input(Plan& plan, const Scene& scene, const Spans& spans) {
   const bool listed = spans.rows.empty();
   const auto bytes = listed ? std::as_bytes(spans.list) : std::as_bytes(spans.rows);
   const BufferId list =
       plan.add_buffer({.name = "spans", .bytes = bytes.size(), .contents = {bytes.begin(), bytes.end()}});
   return {list, listed ? kListColumns : static_cast<std::uint32_t>(scene.image.width),
-          static_cast<std::uint32_t>(spans.size())};
+          static_cast<std::uint32_t>(spans.size()), spans.first_row, !listed};
 }
 
 // The moments' copy in halves (moment_ratios.comp).
@@ -98,10 +92,11 @@ void add_volume_constants(std::vector<Specialization>& constants, const Scene& s
 SpanPasses add_spans(Plan& plan, const Part& part, const Spans& spans, const SpanWay& way) {
   refuse_around_clouds(part, true);
   const Light light = add_light(plan, part);
+  assert(!way.volume || part.scene.clouds.empty());
   const SpanInput input = add_span_input(plan, part.scene, spans);
   std::vector<Binding> reads = light.reads();
   std::vector<Specialization> constants = light.constants;
-  std::vector<std::uint32_t> push{input.columns, input.count, spans.first_row};
+  std::vector<std::uint32_t> push{input.columns, input.count, input.first_row};
   if (way.volume) {
     const FactorTable table = volume_table(part, false);
     View view;
@@ -120,7 +115,7 @@ SpanPasses add_spans(Plan& plan, const Part& part, const Spans& spans, const Spa
     reads.push_back({"moment_ratios_lut", add_ratios(plan, light.moments)});
   }
   reads.push_back({"spans", input.list});
-  constants.push_back({"kWholeRows", spans.rows.empty() ? 0U : 1U});
+  constants.push_back({"kWholeRows", input.whole_rows ? 1U : 0U});
   constants.push_back({"kProjection", projection_code(part.scene.camera.projection)});
   const BufferId found = plan.add_buffer({.name = "air",
                                           .bytes = input.count * std::size_t{way.volume ? 16U : 24U},
@@ -130,10 +125,15 @@ SpanPasses add_spans(Plan& plan, const Part& part, const Spans& spans, const Spa
                  .shader = shader,
                  .reads = std::move(reads),
                  .writes = {{"air_out", found}},
-                 .grid = {std::min(input.columns, input.count), (input.count + input.columns - 1) / input.columns, 1},
+                 .grid = input.grid(),
                  .push_constants = std::move(push),
                  .specialization = std::move(constants),
                  .cost = way.volume ? 3.0 : ray_cost(span_steps(part, light))});
+  if (!part.scene.clouds.empty()) {
+    View view;
+    view.kept_as = way.kept_as;
+    add_clouds_to_spans(plan, part, view, light, input, found);
+  }
   return {found, way.volume};
 }
 

@@ -57,8 +57,9 @@ std::size_t vectors_of(const View& view) {
 BufferId add_layer_planes(Plan& plan, const Part& part, const View& view) {
   const Extent grid = picture_grid(part.scene, view);
   const auto layers = static_cast<std::size_t>(std::popcount(part.air.scattering_media())) + (view.stokes ? 5 : 3);
+  const std::size_t planes = 3 * layers + (part.scene.clouds.empty() ? 0 : kCloudPlanes);
   return plan.add_buffer({.name = "layers",
-                          .bytes = 3 * layers * grid.width * grid.height * sizeof(float),
+                          .bytes = planes * grid.width * grid.height * sizeof(float),
                           .host_readable = true,
                           .zeroed = false});
 }

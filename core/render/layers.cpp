@@ -24,8 +24,8 @@ using physics::vec3;
 // Names of the layers that no medium gives its name to, and of the EXR's other channels.
 const std::set<std::string>& taken_names() {
   static const std::set<std::string> names{
-      "multiple", "sun", "moon", "night_sky", "ground", "transmittance", "depth",         "N", "Q",
-      "U",        "R",   "G",    "B",         "A",      "bloom",         "standard_error"};
+      "multiple", "sun", "moon", "night_sky", "ground", "transmittance",  "depth", "N",           "Q",          "U",
+      "R",        "G",   "B",    "A",         "bloom",  "standard_error", "cloud", "cloud_alpha", "cloud_depth"};
   return names;
 }
 
@@ -131,19 +131,41 @@ void add_planes(std::vector<Layer>& layers, std::span<const std::byte> bytes, co
   }
   add(stokes, part.colours);  // Q
   add(stokes, part.colours);  // U
+  if (!part.scene.clouds.empty()) {
+    add_channels(find(layers, "cloud"), floats(bytes, plane, 3 * pixels), pixels, 1, part.colours);
+    plane += kCloudPlanes * pixels;
+  }
   assert(plane * sizeof(float) == bytes.size());
 }
 
-// One part's share of all layers.
-void render_part(std::vector<Layer>& layers, Executor& executor, const Stage& stage, const Part& part, const View& view,
-                 const Timings& timings) {
+// Alpha and depth of the clouds, which drops make alike at all wavelengths: of the first part.
+void put_cloud_shape(std::vector<Layer>& layers, std::span<const std::byte> bytes, std::size_t pixels) {
+  const std::size_t planes = bytes.size() / sizeof(float) / pixels;
+  std::vector<float>& alpha = find(layers, "cloud_alpha").planes;
+  std::vector<float>& depth = find(layers, "cloud_depth").planes;
+  alpha = floats(bytes, (planes - 2) * pixels, pixels);
+  depth = floats(bytes, (planes - 1) * pixels, pixels);
+  for (std::size_t i = 0; i < pixels; ++i) {
+    depth[i] = alpha[i] > 0.0F ? depth[i] / alpha[i] : kNoDistance;
+  }
+}
+
+// One part's share of all layers. Returns what clouds leave of a beam along each pixel's ray; empty: there are none.
+std::vector<float> render_part(std::vector<Layer>& layers, Executor& executor, const Stage& stage, const Part& part,
+                               const View& view, const Timings& timings) {
   const std::size_t pixels = pixels_of(*view.tile);
   const bool is_sun = stage.light().empty();
   Plan plan;
   begin_part(plan, part, *view.tile);
   const LayerPasses passes = stage.method().add_layer_passes(plan, part, view);
   const BufferId disc = plan.add_buffer({.name = "disc", .bytes = 4 * pixels * sizeof(float), .host_readable = true});
-  const bool shines = add_sun_disc(plan, part, passes.transmittance, picture_of(disc, *view.tile));
+  const std::optional<BufferId> past_clouds = cloud_transmittance(plan, 0);
+  const BufferId bare =
+      past_clouds ? plan.add_buffer({.name = "bare_disc", .bytes = 4 * pixels * sizeof(float)}) : disc;
+  const bool shines = add_sun_disc(plan, part, passes.transmittance, picture_of(bare, *view.tile));
+  if (shines && past_clouds) {
+    add_behind_clouds(plan, bare, *past_clouds, picture_of(disc, *view.tile));
+  }
   plan.end_scene();
   const RunResult result = executor.run(plan);
   timings.add(result);
@@ -151,6 +173,27 @@ void render_part(std::vector<Layer>& layers, Executor& executor, const Stage& st
   if (shines) {
     add_channels(find(layers, is_sun ? "sun" : "moon"), floats(result.contents(disc), 0, 4 * pixels), 1, 4,
                  part.colours);
+  }
+  if (!past_clouds) {
+    return {};
+  }
+  if (is_sun && &part == &stage.parts().front()) {
+    put_cloud_shape(layers, result.contents(passes.planes), pixels);
+  }
+  return floats(result.contents(*past_clouds), 0, pixels);
+}
+
+// The night sky's layer, behind clouds (render_part()).
+void render_night(Layer& layer, Executor& executor, const Stage& stage, const Tile& tile,
+                  const std::vector<float>& past_clouds, const Timings& timings) {
+  Plan plan;
+  const BufferId night = add_night_picture(plan, stage, tile);
+  const RunResult result = executor.run(plan);
+  timings.add(result);
+  const std::size_t pixels = pixels_of(tile);
+  add_channels(layer, floats(result.contents(night), 0, 4 * pixels), 1, 4, kAsTheyAre);
+  for (std::size_t i = 0; i < layer.planes.size() && !past_clouds.empty(); ++i) {
+    layer.planes[i] *= past_clouds[i % pixels];
   }
 }
 
@@ -173,6 +216,11 @@ std::vector<Layer> layers_of(const Stage& stage, LayerSet set) {
   if (set == LayerSet::stokes) {
     layers.push_back({.name = "Q", .channels = "RGB", .is_signed = true});
     layers.push_back({.name = "U", .channels = "RGB", .is_signed = true});
+  }
+  if (!scene.clouds.empty()) {
+    layers.push_back({"cloud", "RGB", true});
+    layers.push_back({"cloud_alpha", "A"});
+    layers.push_back({"cloud_depth", "Z"});
   }
   layers.push_back({"sun", "RGB", true});
   if (scene.moon) {
@@ -199,22 +247,19 @@ std::vector<Layer> render_layers(Executor& executor, const Stage& stage, LayerSe
   for (Layer& layer : layers) {
     layer.planes.assign(layer.channels.size() * pixels_of(tile), 0.0F);
   }
+  std::vector<float> past_clouds;
   const auto render_light = [&](const Stage& lit) {
     const std::string kept = kept_as.empty() ? "" : kept_as + lit.light();
     for (const Part& part : lit.parts()) {
       View of_light = view;
       of_light.kept_as = kept;
-      render_part(layers, executor, lit, part, of_light, timings);
+      past_clouds = render_part(layers, executor, lit, part, of_light, timings);
     }
   };
   render_light(stage);
   std::ranges::for_each(stage.others(), render_light);
   if (stage.night() != nullptr) {
-    Plan plan;
-    const BufferId night = add_night_picture(plan, stage, tile);
-    const RunResult result = executor.run(plan);
-    timings.add(result);
-    add_channels(find(layers, "night_sky"), floats(result.contents(night), 0, 4 * pixels_of(tile)), 1, 4, kAsTheyAre);
+    render_night(find(layers, "night_sky"), executor, stage, tile, past_clouds, timings);
   }
   add_geometry(layers, stage.scene(), stage.whole().things, tile);
   return layers;

@@ -37,7 +37,9 @@ inline constexpr float kNoDistance = 1e10F;
 // scatters, named after the medium as far as a channel's name permits; multiple (scattered more than once), sun (the
 // disc), ground (sent back by the ground and things, seen through the air). Others: transmittance to the ray's end;
 // depth, the distance to the ground, to a thing or to where the ray leaves the air, km; N, the normal there in the
-// preset's frame, 0 where there is none; Q and U of all light, as ProbeResult has them.
+// preset's frame, 0 where there is none; Q and U of all light, as ProbeResult has them. Among clouds all light and the
+// transmittance are seen through them, and three layers follow U: cloud, the light that clouds send; cloud_alpha, the
+// share of what stands behind them that they hide; cloud_depth, the mean distance of what hides it, km.
 std::vector<Layer> layers_of(const Stage& stage, LayerSet set);
 
 // The methods that have layers, for messages.

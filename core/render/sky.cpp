@@ -13,6 +13,25 @@
 #include "core/stage/sums.h"
 
 namespace airlight {
+
+std::optional<BufferId> cloud_transmittance(const Plan& plan, std::size_t first) {
+  for (std::size_t i = first; i < plan.buffers().size(); ++i) {
+    if (plan.buffers()[i].name.starts_with(kCloudTransmittance)) {
+      return BufferId{static_cast<std::uint32_t>(i)};
+    }
+  }
+  return std::nullopt;
+}
+
+void add_behind_clouds(Plan& plan, BufferId behind, BufferId through, const Picture& picture) {
+  plan.add_pass({.name = "behind_clouds",
+                 .shader = "cloud_cover",
+                 .reads = {{"behind", behind}, {"through", through}},
+                 .writes = {{"radiance_out", picture.buffer}},
+                 .grid = {picture.width, picture.height, 1},
+                 .push_constants = {picture.width, picture.height}});
+}
+
 namespace {
 
 // A picture of each part, and their sum.
@@ -103,31 +122,10 @@ std::vector<physics::GlarePoint> glare_points_by_light(const Stage& stage) {
   return all;
 }
 
-// What the method's clouds leave of a beam along each pixel's ray, of buffers added from the `first` on; none: there
-// are no clouds. Parts have much the same.
-std::optional<BufferId> cloud_transmittance(const Plan& plan, std::size_t first) {
-  for (std::size_t i = first; i < plan.buffers().size(); ++i) {
-    if (plan.buffers()[i].name.starts_with("cloud_transmittance")) {
-      return BufferId{static_cast<std::uint32_t>(i)};
-    }
-  }
-  return std::nullopt;
-}
-
 bool is_written(const Plan& plan, BufferId buffer) {
   return std::ranges::any_of(plan.passes(), [&](const PassDesc& pass) {
     return std::ranges::any_of(pass.writes, [&](const Binding& made) { return made.resource == ResourceId(buffer); });
   });
-}
-
-// Adds what clouds stand before.
-void add_behind_clouds(Plan& plan, BufferId behind, BufferId through, const Picture& picture) {
-  plan.add_pass({.name = "behind_clouds",
-                 .shader = "cloud_cover",
-                 .reads = {{"behind", behind}, {"through", through}},
-                 .writes = {{"radiance_out", picture.buffer}},
-                 .grid = {picture.width, picture.height, 1},
-                 .push_constants = {picture.width, picture.height}});
 }
 
 // The tables of transmittance, one a part; none where the method has no tables.

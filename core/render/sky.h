@@ -26,6 +26,13 @@ bool draw_disc_over(RadianceImage& rows, const Stage& stage, const Tile& tile);
 // Adds the night sky alone, over nothing, in this tile of the picture. Fills the plan's scene data.
 BufferId add_night_picture(Plan& plan, const Stage& stage, const Tile& tile);
 
+// What the method's clouds leave of a beam along each pixel's ray, of buffers added from the `first` on; none: there
+// are no clouds. Parts have much the same.
+std::optional<BufferId> cloud_transmittance(const Plan& plan, std::size_t first);
+
+// Adds what clouds stand before to a picture.
+void add_behind_clouds(Plan& plan, BufferId behind, BufferId through, const Picture& picture);
+
 // The sources of the glare of the brightest light that the camera sees, in the picture's colours. Beside the sun's the
 // moon's does not show.
 std::vector<physics::GlarePoint> glare_points_of(const Stage& stage);

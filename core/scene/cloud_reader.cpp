@@ -160,6 +160,7 @@ Cloud read_cloud(Section section, const Planet& planet) {
   cloud.kind = static_cast<CloudKind>(*kind);
   cloud.east = section.number("east_km");
   cloud.north = section.number("north_km");
+  cloud.drift = section.pair("wind_m_s");
   cloud.single_scattering_albedo = section.number("single_scattering_albedo");
   const bool is_file = cloud.kind == CloudKind::volume;
   if (is_file) {

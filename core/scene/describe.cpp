@@ -204,6 +204,9 @@ void describe_cloud(Lines& lines, const Cloud& cloud) {
         .angle("wind to", cloud.wind)
         .number("seed", cloud.seed);
   }
+  if (is_moved(cloud)) {
+    lines.number("wind to the east", cloud.drift[0], "m/s").number("wind to the north", cloud.drift[1], "m/s");
+  }
   lines.number("effective radius", cloud.effective_radius, "um")
       .number("east", cloud.east, "km")
       .number("north", cloud.north, "km")

@@ -28,6 +28,7 @@ constexpr Range kCloudCell{.minimum = 0.1, .maximum = 50.0};
 constexpr Range kCloudPeriod{.minimum = 1.0, .maximum = 200.0};
 constexpr Range kCloudDetail{.minimum = 5.0, .maximum = 1000.0};
 constexpr Range kCloudPlace{.minimum = -1000.0, .maximum = 1000.0};
+constexpr Range kCloudWind{.minimum = -200.0, .maximum = 200.0};
 constexpr Range kShear{.minimum = 0.0, .maximum = 50.0};
 constexpr Range kWater{.minimum = 0.0, .maximum = 5.0};
 constexpr Range kDropRadius{.minimum = 1.0, .maximum = 40.0};
@@ -283,6 +284,10 @@ constexpr auto kRules = std::to_array<Rule>({
              number("clouds[].east_km", kCloudPlace, "km", "0",
                     "of the grid's middle from the point under the camera; the field repeats itself from there")),
     only_for(kPlacedClouds, number("clouds[].north_km", kCloudPlace, "km", "0", "likewise")),
+    only_for(kPlacedClouds, row(RuleType::pair, "clouds[].wind_m_s", kCloudWind, "m/s", "0",
+                                "[east, north]: moves the cloud from frame to frame of a sequence by time (`sequence "
+                                "--date`), whose first frame has it at `east_km` and `north_km`; one picture has no "
+                                "use for it")),
     number("clouds[].single_scattering_albedo", kUnit, "", "1", "share of the light met that is scattered"),
     choice("clouds[].phase.function", kCloudPhaseNames, "drops",
            "`drops`: of the effective radius, by Mie's theory; a volume's of its mean radius. Of `cirrus` it is "

@@ -56,6 +56,8 @@ std::string expectation(const Rule& rule) {
       return "a number, " + range;
     case RuleType::spectrum:
       return "a number or an array of three, " + range;
+    case RuleType::pair:
+      return "an array of two numbers, each " + range;
     case RuleType::curve:
       return "a number or an array of three, " + range + ", or a curve {...}";
     case RuleType::shape:

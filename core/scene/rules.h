@@ -33,6 +33,7 @@ enum class RuleType {
   integer,       // a number without fraction
   number,        // a finite number
   spectrum,      // a number or three
+  pair,          // an array of two numbers; default_text is that of each
   curve,         // as spectrum, or a curve over the wavelength
   shape,         // a curve over the wavelength
   wavelengths,   // a whole number or "auto"

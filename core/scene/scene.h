@@ -215,12 +215,18 @@ struct Cloud {
   double effective_radius = 0.0;  // um
   double east = 0.0;              // km, of the field's middle from the camera's ground point
   double north = 0.0;             // km
+  std::array<double, 2> drift{};  // m/s toward east and north, with the time of a sequence
   double single_scattering_albedo = 1.0;
   CloudPhase phase = CloudPhase::drops;
   double phase_g = 0.85;                      // for henyey_greenstein
   std::shared_ptr<const CloudFile> contents;  // of a volume
   bool operator==(const Cloud&) const = default;
 };
+
+// Whether wind moves it in a sequence by time.
+inline bool is_moved(const Cloud& cloud) {
+  return cloud.drift != std::array<double, 2>{};
+}
 
 // A ball that shines by the sun's light.
 struct LitBall {

@@ -155,9 +155,11 @@ std::string cloud_json(const Cloud& cloud) {
         .number("seed", cloud.seed)
         .number("effective_radius_um", cloud.effective_radius);
   }
-  return object.number("east_km", cloud.east)
-      .number("north_km", cloud.north)
-      .number("single_scattering_albedo", cloud.single_scattering_albedo)
+  object.number("east_km", cloud.east).number("north_km", cloud.north);
+  if (is_moved(cloud)) {
+    object.add("wind_m_s", json_list({cloud.drift[0], cloud.drift[1]}));
+  }
+  return object.number("single_scattering_albedo", cloud.single_scattering_albedo)
       .add("phase", cloud_phase_json(cloud))
       .str();
 }

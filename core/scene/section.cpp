@@ -209,6 +209,11 @@ Spectrum Section::spectrum(std::string_view key) const {
   return read(key, Spectrum{fallback, fallback, fallback}, read_spectrum);
 }
 
+std::array<double, 2> Section::pair(std::string_view key) const {
+  const double fallback = default_number(rule(key));
+  return read(key, std::array<double, 2>{fallback, fallback}, read_pair);
+}
+
 const PresetArray* Section::list(std::string_view key, const PresetValue& value, std::string_view things) const {
   const auto* array = std::get_if<PresetArray>(&value.data);
   if (array != nullptr && rule(key).range.contains(static_cast<double>(array->size()))) {

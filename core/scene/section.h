@@ -2,6 +2,7 @@
 // Reads one object of a preset by the table of rules. An absent value gets its default. A wrong value is reported and
 // gets the default too, so that reading continues and finds the next problem.
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -36,6 +37,7 @@ class Section {
   bool boolean(std::string_view key) const;
   std::string text(std::string_view key) const;
   Spectrum spectrum(std::string_view key) const;
+  std::array<double, 2> pair(std::string_view key) const;
   // The array `key`; null, with a report, where it is no array or its length is outside its rule. `things`: its
   // elements.
   const PresetArray* list(std::string_view key, const PresetValue& value, std::string_view things) const;

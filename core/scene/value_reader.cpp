@@ -33,9 +33,10 @@ std::string did_you_mean(std::string_view typed, std::span<const std::string> na
 void read_number(const Site& site, double& out) {
   const auto* number = std::get_if<double>(&site.value.data);
   if (number == nullptr) {
-    site.complain(
-        quoted(site.value) + " is not a number; expected " +
-        (site.rule.type == RuleType::layers ? range_text(site.rule.range, site.rule.unit) : expectation(site.rule)));
+    site.complain(quoted(site.value) + " is not a number; expected " +
+                  (site.rule.type == RuleType::layers || site.rule.type == RuleType::pair
+                       ? range_text(site.rule.range, site.rule.unit)
+                       : expectation(site.rule)));
   } else if (!site.rule.range.contains(*number)) {
     site.complain(out_of_range(*number, site.rule));
   } else {
@@ -83,6 +84,17 @@ void read_spectrum(const Site& site, Spectrum& out) {
   }
   if (array->size() != out.size()) {
     complain_of_type(site, "a spectrum");
+    return;
+  }
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    read_number({site.problems, (*array)[i], pointer_below(site.pointer, std::to_string(i)), site.rule}, out[i]);
+  }
+}
+
+void read_pair(const Site& site, std::array<double, 2>& out) {
+  const auto* array = std::get_if<PresetArray>(&site.value.data);
+  if (array == nullptr || array->size() != out.size()) {
+    complain_of_type(site, "a pair");
     return;
   }
   for (std::size_t i = 0; i < out.size(); ++i) {

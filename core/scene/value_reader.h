@@ -1,6 +1,7 @@
 #pragma once
 // Reads one value by one rule. A wrong value is reported, and `out` keeps its value.
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -27,6 +28,7 @@ void read_integer(const Site& site, int& out);
 void read_boolean(const Site& site, bool& out);
 void read_text(const Site& site, std::string& out);
 void read_spectrum(const Site& site, Spectrum& out);
+void read_pair(const Site& site, std::array<double, 2>& out);
 // The index in the rule's choices; false when the value is none of them.
 bool read_choice(const Site& site, std::size_t& out);
 

@@ -92,6 +92,19 @@ void add_moon(Frame& frame, const SunPath& path, Milliseconds utc) {
                                        {"/moon/phase_deg", {round_to_micro(moon.phase_deg)}}});
 }
 
+void add_wind(Frame& frame, const Wind& wind, Milliseconds since) {
+  constexpr double kMillisecondsInSecond = 1e3;
+  constexpr double kMetresInKm = 1e3;
+  constexpr std::array<const char*, 2> kKeys = {"/east_km", "/north_km"};
+  for (std::size_t i = 0; i < kKeys.size(); ++i) {
+    double way = wind.speed.at(i) * (static_cast<double>(since) / kMillisecondsInSecond) / kMetresInKm;
+    if (wind.period.at(i) > 0.0) {
+      way = std::remainder(way, wind.period.at(i));
+    }
+    frame.keys.push_back({wind.pointer + kKeys.at(i), {wind.from.at(i) + round_to_micro(way)}});
+  }
+}
+
 Frame frame_of(const SunPath& path, std::size_t index) {
   Frame frame;
   const Milliseconds utc = path.first + static_cast<Milliseconds>(index) * path.step;
@@ -104,6 +117,9 @@ Frame frame_of(const SunPath& path, std::size_t index) {
     frame.keys.insert(frame.keys.end(), {{"/camera/julian_date", {julian_date(utc)}},
                                          {"/camera/latitude_deg", {path.place.latitude_deg}},
                                          {"/camera/longitude_deg", {path.place.longitude_deg}}});
+  }
+  for (const Wind& wind : path.winds) {
+    add_wind(frame, wind, utc - path.first);
   }
   return frame;
 }

@@ -1,6 +1,7 @@
 #pragma once
 // The frames of a sequence, made one by one on demand: a million of them take no memory.
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -15,6 +16,14 @@
 
 namespace airlight::sequence {
 
+// Wind that moves a cloud of the preset with the time since the first frame.
+struct Wind {
+  std::string pointer;             // of the cloud, "/clouds/0"
+  std::array<double, 2> from{};    // km to the east and to the north, in the first frame
+  std::array<double, 2> speed{};   // m/s
+  std::array<double, 2> period{};  // km after which the cloud repeats itself, so that it never goes far; 0: it does not
+};
+
 // The sun over a place, from `first` in equal steps.
 struct SunPath {
   Place place;
@@ -25,6 +34,7 @@ struct SunPath {
   std::optional<Air> refraction = {};  // absent: the true elevation
   bool moon = false;                   // whether frames have the moon's place and phase,
   bool stars = false;                  // and the camera's place and time, by which the stars stand
+  std::vector<Wind> winds = {};
 };
 
 // The sun's elevation, from `first` in equal steps, up or down.

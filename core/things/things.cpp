@@ -45,7 +45,11 @@ Things::Things(const Scene& scene, const Others& like) {
   }
   spheres_ = spheres_of(scene);
   for (const Cloud& cloud : scene.clouds) {
-    clouds_.push_back(kept_cloud(like, cloud));
+    const KeptCloud shape = kept_cloud(like, &Things::shapes_, cloud_shape_key(cloud),
+                                       [cloud] { return std::make_shared<const CloudGrid>(cloud_grid(cloud)); });
+    shapes_.push_back(shape);
+    clouds_.push_back(kept_cloud(like, &Things::clouds_, cloud_key(cloud),
+                                 [shape = shape.value, cloud] { return placed_at(shape.get(), cloud); }));
   }
   if (scene.ground) {
     maps_ = kept<GroundMaps>(like, &Things::maps_, ground_key(scene),
@@ -58,15 +62,16 @@ Things::Things(const Scene& scene, const Others& like) {
   }
 }
 
-Things::KeptCloud Things::kept_cloud(const Others& like, const Cloud& cloud) {
-  const std::string key = cloud_key(cloud);
+Things::KeptCloud Things::kept_cloud(const Others& like, MemberOf<Things, std::vector<KeptCloud>> member,
+                                     std::string key, std::function<CloudPointer()> make) {
   for (const Things* other : like) {
-    const auto found = std::ranges::find(other->clouds_, key, &KeptCloud::key);
-    if (found != other->clouds_.end()) {
+    const std::vector<KeptCloud>& clouds = other->*member;
+    const auto found = std::ranges::find(clouds, key, &KeptCloud::key);
+    if (found != clouds.end()) {
       return *found;
     }
   }
-  return {key, OnDemand<CloudPointer>([cloud] { return std::make_shared<const CloudGrid>(cloud_grid(cloud)); })};
+  return {std::move(key), OnDemand<CloudPointer>(std::move(make))};
 }
 
 std::vector<std::shared_ptr<const CloudGrid>> Things::clouds() const {

@@ -67,7 +67,8 @@ class Things {
   using TerrainMaps = std::shared_ptr<const physics::HostTerrain>;
   using CloudPointer = std::shared_ptr<const CloudGrid>;
   using KeptCloud = Keyed<CloudPointer>;
-  static KeptCloud kept_cloud(const Others& like, const Cloud& cloud);
+  static KeptCloud kept_cloud(const Others& like, MemberOf<Things, std::vector<KeptCloud>> member, std::string key,
+                              std::function<CloudPointer()> make);
   using GroundMaps = std::shared_ptr<const physics::HostGround>;
 
   Keyed<TerrainMaps> heights_;     // placed, without albedo
@@ -75,8 +76,9 @@ class Things {
   Keyed<TerrainMaps> colours_;     // heights with albedo
   OnDemand<TerrainMaps> terrain_;  // the same, the camera being outside
   std::vector<physics::SphereData> spheres_;
-  std::vector<KeptCloud> clouds_;
-  Keyed<GroundMaps> maps_;  // of the planet
+  std::vector<KeptCloud> shapes_;  // of the clouds, wherever they stand
+  std::vector<KeptCloud> clouds_;  // at their places
+  Keyed<GroundMaps> maps_;         // of the planet
   OnDemand<GroundMaps> ground_;
   Keyed<std::vector<EdgePixel>> edges_;
 };

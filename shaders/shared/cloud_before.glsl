@@ -13,6 +13,7 @@ struct Walk {
   ShadedAir shaded;  // where kAirByRay is 1
   vec3 air;       // of the air up to the last stretch
   vec3 seen;      // of it, what the cloud lets through
+  float reach;    // sum of distances times the cloud's light taken out
   float transmittance;
   CloudColour colour;
 };
@@ -23,6 +24,7 @@ Walk begun_walk() {
   walk.shaded = no_shaded_air();
   walk.air = vec3(0.0);
   walk.seen = vec3(0.0);
+  walk.reach = 0.0;
   walk.transmittance = 1.0;
   walk.colour.t = -1.0;
   walk.colour.sun = vec3(0.0);
@@ -77,6 +79,7 @@ Walk with_sheets(Walk walk, Sheets sheets, AirRay of) {
     walk.seen += air * g.before;
     walk.light += air * g.before + stop.before.transmittance * light;
     walk.air = max(stop.before.light, walk.air);
+    walk.reach += g.reach;
   }
   return walk;
 }

@@ -1,5 +1,7 @@
 // Puts a cloud into a picture: marches through it, with the air before it, and hides what is behind. With AIRLIGHT_THINGS
 // the picture is one of things, which the pass over them has lit under the cloud; its pixels are marched up to them.
+// With AIRLIGHT_CLOUD_APART the includer has the outputs, its own main() and the push constants `step` and `step_rise`;
+// with AIRLIGHT_CLOUD_SPANS as well, rays end in the air, and the light behind is that of the air alone.
 #include "shared/cloud_volume.glsl"
 #include "shared/cloud_sunlight.glsl"
 #include "physics/cloud_light.glsl"
@@ -17,6 +19,7 @@ layout(constant_id = 54) const uint kFurther = 0u;
 // both sides of those below it.
 layout(constant_id = 55) const uint kStretches = 0u;  // 0: both, 1: the nearer one, 2: the farther one
 layout(constant_id = 50) const uint kAirByRay = 0u;  // 1: the air's shade is found along each ray, 0: on froxels
+#ifndef AIRLIGHT_CLOUD_APART
 layout(scalar, set = 0, binding = 8) readonly buffer Directions { vec4 values[]; } directions;
 layout(scalar, set = 0, binding = 9) buffer Radiance { vec4 values[]; } radiance_out;
 layout(scalar, set = 0, binding = 31) buffer Through { float values[]; } through_out;
@@ -27,6 +30,7 @@ layout(push_constant, scalar) uniform Push {
   float step;       // km, the shortest
   float step_rise;  // of the step over the distance
 };
+#endif
 
 const float kOpaque = 2e-3;     // a transmittance that hides what is behind
 const uint kMostSteps = 4096u;  // along a ray
@@ -208,6 +212,7 @@ Walk crossed(Walk walk, CloudCrossing span, AirRay of, SunOnSpan sun) {
   return walk;
 }
 
+#ifndef AIRLIGHT_CLOUD_APART
 vec3 direction_of(uvec2 pixel, out bool inside) {
   if (kProjection == kProjectionListed) {
     inside = true;
@@ -217,6 +222,7 @@ vec3 direction_of(uvec2 pixel, out bool inside) {
   inside = view.inside;
   return view.direction;
 }
+#endif
 
 // The light of a ray that ends at a distance in front of this light, as the cloud leaves it.
 struct PastCloud {
@@ -225,6 +231,11 @@ struct PastCloud {
   vec3 air;       // share of the air's light that is seen, of what the picture had of it
 #ifdef AIRLIGHT_THINGS
   vec3 things;    // the part of the light that comes from directions of things
+#endif
+#ifdef AIRLIGHT_CLOUD_APART
+  vec3 cloud;     // the part of the light that the cloud sends
+  vec3 ground;    // the part that the ground sends beyond what it sent without clouds
+  float reach;    // km, the mean distance of what hides the rest
 #endif
 };
 
@@ -242,6 +253,11 @@ PastCloud past_cloud(AirRay of, float end, vec3 behind) {
   past.through = walk.transmittance > kOpaque ? walk.transmittance : 0.0;
   vec3 sky = vec3(0.0);
   past.air = walk.seen;
+#ifdef AIRLIGHT_CLOUD_APART
+  past.cloud = (walk.light - walk.seen) * scene.sun.irradiance;
+  past.ground = vec3(0.0);
+  past.reach = walk.reach / max(1.0 - walk.transmittance, 1e-6);
+#endif
   bool known = kAirByRay == 0u && kShowsAirAlone && !of.ray.at_ground;
   uint seen = past.through > 0.0 && (!known || kFurther == 1u) ? 1u : 0u;
   for (uint turn = 0u; turn < seen; turn++) {
@@ -251,10 +267,14 @@ PastCloud past_cloud(AirRay of, float end, vec3 behind) {
     vec3 had = kFurther == 1u ? stop.before.light : stop.clear;
     past.air = air / max(had, vec3(1e-20));
     sky = behind - (had - stop.before.light + walk.air) * scene.sun.irradiance;
-#ifndef AIRLIGHT_THINGS
+#if !defined(AIRLIGHT_THINGS) && !defined(AIRLIGHT_CLOUD_SPANS)
     uint grounds = kFurther == 0u && of.ray.at_ground ? 1u : 0u;
     for (uint ground = 0u; ground < grounds; ground++) {
       sky += stop.before.transmittance * ground_change(of.ray, of.direction) * scene.sun.irradiance;
+#ifdef AIRLIGHT_CLOUD_APART
+      past.ground = stop.before.transmittance * ground_change(of.ray, of.direction) * scene.sun.irradiance *
+                    past.through;
+#endif
     }
 #endif
   }
@@ -291,6 +311,21 @@ PastCloud past_cloud_and_things(AirRay of, vec3 behind, ThingsSeen things) {
 }
 #endif
 
+// Begins with the ray of a pixel.
+AirRay ray_through_clouds(uvec2 pixel, vec3 direction) {
+  here = pixel;
+  AirRay of;
+  of.ray = air_ray(direction);
+  of.at = factor_place(direction);
+  of.direction = direction;
+  of.reach = shaded_reach(scene.planet.ground_radius, highest_cloud(), of.ray.h, of.ray.mu, max(of.ray.length_, 0.0));
+  UNROLL for (uint q = 0u; q < kCloudMoments; q++) {
+    seen_harmonics[q] = cloud_harmonic(q, vec3(-direction.x, direction.z, -direction.y));
+  }
+  return of;
+}
+
+#ifndef AIRLIGHT_CLOUD_APART
 void main() {
   uvec2 pixel = gl_GlobalInvocationID.xy;
   if (pixel.x >= width || pixel.y >= height) {
@@ -301,15 +336,7 @@ void main() {
   bool inside;
   vec3 direction = direction_of(pixel, inside);
   CloudData c = cloud();
-  here = pixel;
-  AirRay of;
-  of.ray = air_ray(direction);
-  of.at = factor_place(direction);
-  of.direction = direction;
-  of.reach = shaded_reach(scene.planet.ground_radius, highest_cloud(), of.ray.h, of.ray.mu, max(of.ray.length_, 0.0));
-  UNROLL for (uint q = 0u; q < kCloudMoments; q++) {
-    seen_harmonics[q] = cloud_harmonic(q, vec3(-direction.x, direction.z, -direction.y));
-  }
+  AirRay of = ray_through_clouds(pixel, direction);
   vec4 behind = radiance_out.values[index];
 #ifdef AIRLIGHT_THINGS
   seen_sight = sight_of(vec3(0.0), direction);
@@ -339,3 +366,4 @@ void main() {
     through_out.values[index] = kFurther == 1u ? through_out.values[index] * beam : beam;
   }
 }
+#endif

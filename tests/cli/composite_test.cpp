@@ -92,6 +92,32 @@ TEST_F(CompositeTool, DistancesAreTrueWhereLightIsBent) {
   }
 }
 
+// A closed sheet of cloud hides what stands behind it, and nothing that stands before it.
+TEST_F(CompositeTool, CloudsStandBeforeAndBehindThings) {
+  const std::string sheet =
+      R"(/clouds=[{"type": "stratocumulus", "cover": 1, "water_g_per_m3": 1, "period_km": 4, "detail_m": 200}])";
+  const Names words{"--beauty", "in.exr", "--set", sheet, "--set", "/camera/pitch_deg=50", "-q"};
+  const auto with = [&](Names more) {
+    more.insert(more.begin(), words.begin(), words.end());
+    return composite(more);
+  };
+  Beauty{.light = 100.0F, .alpha = 1.0F, .z = 500.0F}.write(path("in.exr"));
+  ASSERT_EQ(with({"-o", "before.exr"}).exit_code, 0);
+  Beauty{.light = 100.0F, .alpha = 1.0F, .z = 1e5F}.write(path("in.exr"));
+  ASSERT_EQ(with({"-o", "behind.exr"}).exit_code, 0);
+  const RadianceImage before = picture("before.exr");
+  const RadianceImage behind = picture("behind.exr");
+  std::size_t hidden = 0;
+  for (std::size_t i = 0; i < kPixels; ++i) {
+    EXPECT_NEAR(before.rgba[4 * i], 100.0F, 5.0F) << i;
+    hidden += behind.rgba[4 * i] < 10.0F ? 1U : 0U;
+  }
+  EXPECT_GT(hidden, kPixels / 2);
+  const Outcome volume = with({"-o", "out.exr", "--aerial", "volume"});
+  EXPECT_EQ(volume.exit_code, 2);
+  EXPECT_EQ(volume.err, "airlight: in.exr: --aerial volume holds no clouds; use --aerial march\n");
+}
+
 // A micrometre of air counts as none: the beauty comes through, with alpha and the further channel unchanged.
 TEST_F(CompositeTool, BeforeAThingAtTheLensIsNoAir) {
   Beauty{.light = 0.25F, .alpha = 1.0F, .z = 1e-6F}.write(path("in.exr"));

@@ -129,6 +129,8 @@ class Writer {
       case RuleType::spectrum:
       case RuleType::curve:
         return spectrum(rule);
+      case RuleType::pair:
+        return "[" + number(rule.range, 10.0) + ", " + number(rule.range, -10.0) + "]";
       case RuleType::choice: {
         const std::string_view picked = random_.pick(rule.choices);
         return picked == "table" ? std::string() : quoted(picked);  // tables are written by table()

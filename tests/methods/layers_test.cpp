@@ -96,7 +96,7 @@ TEST(Layers, SumUpToThePicture_Presets) {
     }
     Scene scene = resolve(load_preset(entry.path()), method_infos());
     if (!scene.clouds.empty()) {
-      continue;  // layers are refused
+      continue;  // LayersOfClouds has smaller ones
     }
     scene.image = {32, 18};
     scene.camera.polariser.reset();  // layers hold light before the lens

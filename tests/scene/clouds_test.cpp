@@ -66,7 +66,7 @@ TEST_F(Clouds, ComeBackFromJson) {
   const std::filesystem::path file = write("grid.txt", kGrid);
   const std::string text = with_one_medium(
       R"("clouds": [{"type": "cumulus", "cover": 0.3, "seed": 9, "detail_m": 70, "phase": {"function": "henyey-greenstein", "g": 0.8}},
-         {"type": "cirrus", "wind_to_deg": 33, "east_km": 2}, {"type": "volume", "file": ")" +
+         {"type": "cirrus", "wind_to_deg": 33, "east_km": 2, "wind_m_s": [-30, 4.5]}, {"type": "volume", "file": ")" +
       file.string() + R"(", "repeat": true, "single_scattering_albedo": 0.99}])");
   const Scene scene = scene_from(text);
   const Scene again = scene_from(to_json(scene));
@@ -74,6 +74,8 @@ TEST_F(Clouds, ComeBackFromJson) {
   ASSERT_EQ(again.clouds.size(), 3u);
   EXPECT_EQ(again.clouds[0], scene.clouds[0]);
   EXPECT_EQ(again.clouds[1], scene.clouds[1]);
+  EXPECT_EQ(again.clouds[1].drift, (std::array{-30.0, 4.5}));
+  EXPECT_EQ(to_json(scene).find("wind_m_s"), to_json(scene).rfind("wind_m_s"));  // not where there is none
   EXPECT_EQ(again.clouds[2].contents->extinction, scene.clouds[2].contents->extinction);
   EXPECT_EQ(again.clouds[2].single_scattering_albedo, 0.99);
 }
@@ -238,6 +240,19 @@ TEST_F(Clouds, NonsenseIsRefused) {
   EXPECT_EQ(layer(R"("optical_depth": 1, "effective_radius_um": 60)"),
             "test:1: /clouds/0/effective_radius_um: an effective radius of 60 um is above 40 um, the most of the phase "
             "function \"drops\"; choose \"henyey-greenstein\"");
+  EXPECT_EQ(problems(R"("clouds": [{"type": "cumulus", "wind_m_s": 5}])"),
+            "test:1: /clouds/0/wind_m_s: 5 is not a pair; expected an array of two numbers, each -200 to 200 m/s");
+  EXPECT_EQ(
+      problems(R"("clouds": [{"type": "cumulus", "wind_m_s": [1, 2, 3]}])"),
+      "test:1: /clouds/0/wind_m_s: an array of 3 is not a pair; expected an array of two numbers, each -200 to 200 "
+      "m/s");
+  EXPECT_EQ(problems(R"("clouds": [{"type": "cumulus", "wind_m_s": [0, 201]}])"),
+            "test:1: /clouds/0/wind_m_s/1: 201 is outside -200 to 200 m/s");
+  EXPECT_EQ(problems(R"("clouds": [{"type": "cumulus", "wind_m_s": ["east", 1]}])"),
+            "test:1: /clouds/0/wind_m_s/0: \"east\" is not a number; expected -200 to 200 m/s");
+  EXPECT_EQ(problems(R"("clouds": [{"type": "layer", "optical_depth": 1, "wind_m_s": [1, 1]}])"),
+            "test:1: /clouds/0/wind_m_s: not a key of \"layer\"; it belongs to cumulus, stratocumulus, cirrus, volume: "
+            "remove it");
   EXPECT_EQ(problems(R"("clouds": [{"type": "fog"}])"),
             "test:1: /clouds/0/type: \"fog\" is unknown; expected one of \"cumulus\", \"stratocumulus\", "
             "\"cirrus\", \"volume\", \"layer\"");

@@ -90,6 +90,8 @@ OrderedJson type_schema(const Rule& rule) {
       return number_schema(rule.range);
     case RuleType::spectrum:
       return {{"anyOf", {number_schema(rule.range), array_schema(number_schema(rule.range), 3, 3)}}};
+    case RuleType::pair:
+      return array_schema(number_schema(rule.range), 2, 2);
     case RuleType::curve: {
       OrderedJson schema = curve_schema(rule.range);
       schema["anyOf"].insert(schema["anyOf"].begin(),

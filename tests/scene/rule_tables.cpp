@@ -35,6 +35,9 @@ std::string default_text(const Rule& rule) {
   if (rule.default_text.empty()) {
     return rule.type == RuleType::text ? "`\"\"`" : "none";
   }
+  if (rule.type == RuleType::pair) {
+    return "`[" + std::string(rule.default_text) + ", " + std::string(rule.default_text) + "]`";
+  }
   const bool is_word = rule.type == RuleType::choice || rule.type == RuleType::method ||
                        rule.type == RuleType::exposure || rule.type == RuleType::wavelengths;
   return is_word ? "`\"" + std::string(rule.default_text) + "\"`" : "`" + std::string(rule.default_text) + "`";

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/error.h"
 
@@ -66,6 +67,26 @@ TEST(SunPaths, GoOnForDays) {
             "sequence: --until 2025-12-31: it ends before it begins, on 2026-01-01 at 00:30; give a later date");
   order.until = "2026-02-30";
   EXPECT_NE(refusal(order).find("sequence: --until"), std::string::npos);
+}
+
+// By the time since the first frame, whichever frames are asked for; a field that repeats itself stays near.
+TEST(SunPaths, HaveWind) {
+  SunPath path = make_sun_path(paris_day());  // every five minutes
+  path.winds = {{.pointer = "/clouds/0", .from = {2.0, -3.0}, .speed = {10.0, -20.0}},
+                {.pointer = "/clouds/2", .from = {0.5, 0.0}, .speed = {10.0, 0.0}, .period = {16.0, 16.0}}};
+  const FrameSource source = path;
+  EXPECT_EQ(value_of(frame_at(source, 0), "/clouds/0/east_km"), 2.0);
+  EXPECT_EQ(value_of(frame_at(source, 0), "/clouds/2/east_km"), 0.5);
+  for (const std::size_t index : {192U, 1U, 7U}) {
+    const double seconds = 300.0 * static_cast<double>(index);
+    const Frame frame = frame_at(source, index);
+    EXPECT_NEAR(value_of(frame, "/clouds/0/east_km"), 2.0 + 0.01 * seconds, 1e-9);
+    EXPECT_NEAR(value_of(frame, "/clouds/0/north_km"), -3.0 - 0.02 * seconds, 1e-9);
+    const double east = value_of(frame, "/clouds/2/east_km");
+    EXPECT_LE(std::abs(east - 0.5), 8.0);
+    EXPECT_NEAR(std::remainder(east - 0.5 - 0.01 * seconds, 16.0), 0.0, 1e-9);
+    EXPECT_EQ(value_of(frame, "/clouds/2/north_km"), 0.0);
+  }
 }
 
 TEST(SunPaths, RefractionIsOffUnlessAsked) {
