@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -88,6 +89,17 @@ FactorLayout layout_of(const Scene& scene, const FactorTable& table, bool in_col
 // `shader`: sky_factors, or layers_factors with one block more.
 ImageId add_factors(Plan& plan, const std::string& shader, const Scene& scene, const FactorTable& table,
                     const View& view, const Light& light);
+
+// Whether the picture's light is tabulated over view directions: `render.tabulate`, where nothing stands in the air.
+bool tabulates(const Part& part, const View& view);
+
+// The picture by its table of factors. Returns the table.
+ImageId add_tabulated_sky(Plan& plan, const Part& part, const View& view, const SkyTarget& target, const Light& light);
+
+// SkyMethod::add_coloured_passes. The phase functions stand outside of the factors, so factors of all wavelengths are
+// summed into colours, and the pixels know of none.
+std::optional<SkyPasses> add_coloured(Plan& plan, const Stage& stage, const View& view,
+                                      const std::optional<Canvas>& canvas);
 
 // What terrain leaves of light that is not sunlight scattered once, in its own grid (shaders/shared/thing_shares.glsl).
 struct ThingLight {

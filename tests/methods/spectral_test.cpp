@@ -5,6 +5,8 @@
 #include "core/render/layers.h"
 #include "core/render/sky.h"
 #include "core/render/spans.h"
+#include "core/scene/preset.h"
+#include "core/scene/resolve.h"
 #include "core/stage/wavelengths.h"
 #include "tests/methods/render_fixture.h"
 #include "tests/methods/spectral_scene.h"
@@ -197,6 +199,21 @@ TEST(Spectral, AutomaticWavelengthsKeepTheError) {
     const RadianceImage truth = render_now(dusk_or_day(sky.air, sky.sun, 48)).radiance;
     EXPECT_LT(mean_error_of(render_now(chosen).radiance, truth), sky.bound) << sky.air << sky.sun;
   }
+}
+
+// By `orders`, whose clouds are some percent off by any wavelengths; not by the judge, and not without clouds.
+TEST(Spectral, AFieldOfCloudsTakesFewerWavelengths) {
+  Scene scene = resolve(load_preset(AIRLIGHT_SOURCE_DIR "/presets/fair-weather-cumulus.json"), method_infos());
+  scene.image = {48, 27};
+  const auto wavelengths = [](const Scene& some) { return ready(some).basis().nodes.nm.size(); };
+  EXPECT_EQ(wavelengths(scene), 3U);
+  EXPECT_EQ(wavelengths(with_method(scene, *find_method("path-trace"))), 6U);
+  Scene clear = scene;
+  clear.clouds.clear();
+  EXPECT_EQ(wavelengths(clear), 6U);
+  const RadianceImage few = render_now(scene).radiance;
+  scene.spectra->wavelengths = 24;
+  EXPECT_LT(mean_error_of(few, render_now(scene).radiance), 0.015);
 }
 
 // With tables there is one pass over the pixels, whatever the number of wavelengths. The result equals the pictures of
