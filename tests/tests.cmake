@@ -26,6 +26,8 @@ if(AIRLIGHT_SANITIZE)
       SphereSky.Shafts* TableText.Moments TableText.Factors Analytic.IsMonotone Analytic.OnTheDevice*
       Analytic.SingleScattering* Stokes.OrdersAgrees* Stokes.PathTraceMeets* Refraction.FirstOrder* Refraction.OrdersAgrees*
       Refraction.PathsTurn* CloudStack.TwoLevel* CloudStack.FieldsStand* CloudStack.ShadowsOf* CloudStack.IsPath*
+      LayersOfClouds.SumUp* LayersOfClouds.ABlack* LayersOfClouds.QAndU* LayersOfClouds.AFilter* CloudSpans.UpTo*
+      CloudWind.Moves* CloudWind.APeriod* Spectral.AField*
       # scenes that differ in numbers and in the device's pipelines
       CloudStack.Refuses*
       Stability.Air* Stability.CameraAndSun* Stability.OneMedium* Stability.Rays* Stability.Sharpest*
@@ -61,8 +63,8 @@ if(AIRLIGHT_SANITIZE)
       Exposed.StopsAnd* Ffmpeg.* GroundTool.AMapOfOne* GroundTool.Nonsense* GroundTool.TheCamera*
       LeftBehind.NoTemporary* LeftBehind.Prepared* LeftBehind.Tables* Manual.* Maps.AColour* Maps.Layouts*
       Maps.ProbePrints* Maps.TheExr* Sampling.NeedsNo* Sampling.ThatIs* Sequence.AFrameIs* Sequence.Frames*
-      Sequence.Preview* Sequence.QuietIs* Sequence.WhatBounds* SequenceResume.ASecond* SequenceResume.Killed*
-      SequenceResume.Shards* SequenceResume.Stopped* SequenceResume.TwoRuns* SpectralExr.Carries*
+      Sequence.Preview* Sequence.QuietIs* Sequence.WhatBounds* SequenceWind.AFrame* SequenceResume.ASecond*
+      SequenceResume.Killed* SequenceResume.Shards* SequenceResume.Stopped* SequenceResume.TwoRuns* SpectralExr.Carries*
       SphereTool.TilesAre* TerrainTool.Nonsense* TerrainTool.ThingsOf* TerrainTool.TilesAre* Tiles.APngIn*
       Tiles.ASequence* Tiles.AnEndIn* Tiles.EveryOutput* Tiles.LayersAre* Tiles.TheFile* Tolerance.IsMetAnd*
       Usage.Colour* Usage.EveryCommand* Usage.HelpIsAs* Usage.HelpLists* Usage.Negative* Words.ADashIs*
