@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/in_parallel.h"
+
 namespace airlight {
 namespace {
 
@@ -11,7 +13,8 @@ namespace {
 std::vector<float> distances(const CloudGrid& grid, double gentlest, double most) {
   std::vector<float> out(grid.extinction.size());
   const auto depth = [&](int i, int j, int k) { return static_cast<double>(grid.extinction[grid.index(i, j, k)]); };
-  for (int k = 0; k < grid.nz; ++k) {
+  in_parallel(static_cast<std::size_t>(grid.nz), [&](std::size_t level) {
+    const int k = static_cast<int>(level);
     const int low = std::max(k - 1, 0);
     const int high = std::min(k + 1, grid.nz - 1);
     for (int j = 0; j < grid.ny; ++j) {
@@ -27,15 +30,16 @@ std::vector<float> distances(const CloudGrid& grid, double gentlest, double most
         out[grid.index(i, j, k)] = static_cast<float>(std::clamp(depth(i, j, k) / slope, -most, most));
       }
     }
-  }
+  });
   return out;
 }
 
 // Moves the edge to where the share `cover` of the columns' middle lines meets water.
 void cover_share(CloudGrid& grid, double cover, double most) {
   std::vector<double> deepest(grid.index(0, 0, 1), -2.0 * most);
-  for (int k = 0; k < grid.nz; ++k) {
-    for (int j = 0; j < grid.ny; ++j) {
+  in_parallel(static_cast<std::size_t>(grid.ny), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
+    for (int k = 0; k < grid.nz; ++k) {
       for (int i = 0; i < grid.nx; ++i) {
         const auto inside = static_cast<double>(grid.inside[grid.index(i, j, k)]);
         double& column = deepest[grid.index(i, j, 0)];
@@ -45,7 +49,7 @@ void cover_share(CloudGrid& grid, double cover, double most) {
         }
       }
     }
-  }
+  });
   const auto clear = static_cast<std::size_t>(std::lround((1.0 - cover) * static_cast<double>(deepest.size())));
   if (clear >= deepest.size()) {
     std::ranges::fill(grid.inside, static_cast<float>(-most));
@@ -73,8 +77,9 @@ void level_base(CloudGrid& grid) {
 void take_means(CloudGrid& grid) {
   const double full = grid.edge.carving + grid.edge.soft;
   const double spread = 2.0 * std::max({grid.cell_x, grid.cell_y, grid.cell_z()});
-  for (int k = 0; k < grid.nz; ++k) {
-    for (int j = 0; j < grid.ny; ++j) {
+  in_parallel(static_cast<std::size_t>(grid.ny), [&](std::size_t row) {
+    const int j = static_cast<int>(row);
+    for (int k = 0; k < grid.nz; ++k) {
       for (int i = 0; i < grid.nx; ++i) {
         const std::size_t at = grid.index(i, j, k);
         const auto inside = static_cast<double>(grid.inside[at]);
@@ -91,7 +96,7 @@ void take_means(CloudGrid& grid) {
         grid.extinction[at] = static_cast<float>(mean);
       }
     }
-  }
+  });
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/in_parallel.h"
 #include "core/clouds/noise.h"
 
 namespace airlight {
@@ -55,7 +56,11 @@ CarvingNoise carving_noise() {
     octaves.emplace_back(NoisePeriod{cells, cells, cells}, cells, kSeed + static_cast<std::uint32_t>(octave));
   }
   CarvingNoise noise;
-  for (int k = 0; k < CarvingNoise::kSide; ++k) {
+  constexpr std::size_t kLayer = std::size_t{CarvingNoise::kSide} * CarvingNoise::kSide;
+  noise.values.resize(kLayer * CarvingNoise::kSide);
+  in_parallel(CarvingNoise::kSide, [&](std::size_t level) {
+    const int k = static_cast<int>(level);
+    std::size_t at = level * kLayer;
     for (int j = 0; j < CarvingNoise::kSide; ++j) {
       for (int i = 0; i < CarvingNoise::kSide; ++i) {
         double sum = 0.0;
@@ -67,10 +72,10 @@ CarvingNoise carving_noise() {
           sum += weight * distance * distance;
           weight *= 0.5;
         }
-        noise.values.push_back(static_cast<float>(std::min(sum / kMost, 1.0)));
+        noise.values[at++] = static_cast<float>(std::min(sum / kMost, 1.0));
       }
     }
-  }
+  });
   return noise;
 }
 

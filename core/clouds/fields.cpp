@@ -6,6 +6,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "core/base/in_parallel.h"
 #include "core/clouds/carved_field.h"
 #include "core/clouds/cloud_grid.h"
 #include "core/clouds/noise.h"
@@ -90,11 +91,12 @@ class Field {
   template <class Value>
   ColumnMap map(Value value) const {
     ColumnMap map(side());
-    for (int j = 0; j < side(); ++j) {
+    in_parallel(static_cast<std::size_t>(side()), [&](std::size_t row) {
+      const int j = static_cast<int>(row);
       for (int i = 0; i < side(); ++i) {
         map.at(i, j) = value((i + 0.5) / side(), (j + 0.5) / side());
       }
-    }
+    });
     return map;
   }
 
@@ -136,9 +138,10 @@ class Field {
     const double east = cloud_.shear * std::sin(cloud_.wind) / cloud_.period;
     const double north = cloud_.shear * std::cos(cloud_.wind) / cloud_.period;
     std::vector<float> deepest(static_cast<std::size_t>(side()) * static_cast<std::size_t>(side()));
-    for (int k = 0; k < levels(); ++k) {
-      const double z = (k + 0.5) / levels();
-      for (int j = 0; j < side(); ++j) {
+    in_parallel(static_cast<std::size_t>(side()), [&](std::size_t row) {
+      const int j = static_cast<int>(row);
+      for (int k = 0; k < levels(); ++k) {
+        const double z = (k + 0.5) / levels();
         for (int i = 0; i < side(); ++i) {
           const double depth = inside((i + 0.5) / side() - z * east, (j + 0.5) / side() - z * north, z);
           grid_.extinction[grid_.index(i, j, k)] = static_cast<float>(depth);
@@ -146,7 +149,7 @@ class Field {
           most = std::max(most, static_cast<float>(depth));
         }
       }
-    }
+    });
     return deepest;
   }
 

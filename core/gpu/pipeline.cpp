@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include "core/base/error.h"
+#include "core/base/in_parallel.h"
 #include "core/base/text.h"
-#include "core/gpu/in_parallel.h"
 #include "core/gpu/specialize.h"
 
 namespace airlight {

@@ -6,8 +6,8 @@
 #include <functional>
 #include <span>
 
+#include "core/base/in_parallel.h"
 #include "core/base/member.h"
-#include "core/gpu/in_parallel.h"
 
 namespace airlight::measure {
 namespace {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,7 +33,7 @@ bool by_froxels(const Part& part, const View& view, double top) {
 ImageId add_air_shade(Plan& plan, const Part& part, const View& view, const Light& light, std::vector<Binding> reads,
                       const FactorTable& table, const LitCloud& highest) {
   constexpr std::uint32_t kSlices = 40;
-  constexpr std::uint32_t kParts = 3;  // of a slice
+  constexpr std::uint32_t kParts = 2;  // of a slice
   const Extent grid{froxels_over(part.scene.image.width), froxels_over(part.scene.image.height), kSlices};
   const ImageId shafts = plan.add_image(
       {.name = "cloud_shafts", .extent = grid, .key = picture_table_key(view, "cloud_shafts"), .half = true});
@@ -50,15 +51,36 @@ ImageId add_air_shade(Plan& plan, const Part& part, const View& view, const Ligh
   return shafts;
 }
 
+// Of a picture of pixels, where not all rays through the clouds are marched.
+struct Lattice {
+  std::string shader;                     // cloud_lattice, or cloud_lattice_things
+  Binding things;                         // things_seen, or any buffer
+  std::vector<Specialization> constants;  // of cloud_fill
+  BufferId rays = {};                     // LatticeRay of each
+  BufferId list = {};                     // of pixels to march (shaders/shared/cloud_list.glsl)
+};
+
 // What the passes over a picture's clouds, its layers or the air before things have in common.
 struct CloudPicture {
   std::string shader = {};
+  std::optional<Lattice> lattice = {};
   std::vector<Binding> reads;
-  std::vector<Binding> writes = {};
+  std::vector<Binding> output = {};
   std::vector<Specialization> constants;
   Extent grid = {};
   std::vector<std::uint32_t> push = {};  // before what all push
+  // Of the pass over pixels beside that of the lattice:
+  std::vector<Binding> inputs = {};
+  std::vector<Binding> more_output = {};
+  std::vector<Specialization> more_constants = {};
 };
+
+// Whether pixels may stand between rays of a lattice: pixels next to each other are so in the sky.
+bool has_lattice(const Scene& scene, const SkyTarget& target) {
+  return scene.render.get<std::string>("cloud_resolution") == "half" &&
+         target.projection != physics::kProjectionListed && target.projection != physics::kProjectionCube &&
+         target.projection != physics::kProjectionOctahedral;
+}
 
 // Without the output, which the caller adds. `projection`: kProjection.
 CloudPicture picture_of_clouds(Plan& plan, const Part& part, const View& view, std::uint32_t projection,
@@ -129,6 +151,67 @@ struct CloudSearch {
   EdgeInputs edge;
 };
 
+constexpr double kRayCost = 60.0;  // of a march
+
+double step_rise(const LitCloud& cloud) {
+  // Far away steps grow, and shorten again where the cloud is thick; one that is thin all over would never shorten
+  // them, and steps of several cells make moire of its texture.
+  constexpr double kThickest = 3.0;  // 1/km, scaled
+  const double densest =
+      static_cast<double>(*std::ranges::max_element(cloud.grid->extinction)) * static_cast<double>(cloud.head.scale);
+  return densest > kThickest ? 0.01 : 0.002;
+}
+
+template <typename T>
+std::vector<T> joined(std::vector<T> some, const std::vector<T>& more) {
+  some.insert(some.end(), more.begin(), more.end());
+  return some;
+}
+
+Extent lattice_of(Extent picture) {
+  return {picture.width / 2 + 2, picture.height / 2 + 2, 1};
+}
+
+// `projection`: kProjection. One cloud of a picture after the other is put in by the same buffers.
+Lattice add_lattice(Plan& plan, const Part& part, std::uint32_t projection, Extent picture, Binding any,
+                    const ThingsUnderCloud* things) {
+  const bool among_things = things != nullptr;
+  Lattice lattice{.shader = among_things ? "cloud_lattice_things" : "cloud_lattice",
+                  .things = {"seen", among_things ? ResourceId(things->seen) : any.resource},
+                  .constants = joined(medium_specialization(part.air),
+                                      {{"kProjection", projection}, {"kAmongThings", among_things ? 1U : 0U}})};
+  constexpr std::size_t kRayBytes = 11 * sizeof(float);
+  const Extent grid = lattice_of(picture);
+  lattice.rays =
+      plan.add_buffer({.name = "cloud_lattice", .bytes = kRayBytes * grid.width * grid.height, .zeroed = false});
+  lattice.list = plan.add_buffer({.name = "cloud_list",
+                                  .bytes = sizeof(std::uint32_t) * (4 + std::size_t{picture.width} * picture.height),
+                                  .zeroed = false});
+  return lattice;
+}
+
+// Rays of the lattice, and the pixels between them; the others are listed.
+void add_lattice_passes(Plan& plan, const CloudPicture& picture, const LitCloud& cloud, bool further) {
+  constexpr double kContrast = 0.1;
+  const Lattice& lattice = *picture.lattice;
+  plan.add_pass({.name = "cloud_lattice",
+                 .shader = lattice.shader,
+                 .reads = picture.reads,
+                 .writes = {{"cloud_lattice", lattice.rays}, {"cloud_list", lattice.list}},
+                 .grid = lattice_of(picture.grid),
+                 .push_constants = picture.push,
+                 .specialization = picture.constants,
+                 .cost = kRayCost});
+  plan.add_pass({.name = "cloud_fill",
+                 .shader = "cloud_fill",
+                 .reads = {{"cloud_lattice", lattice.rays}, lattice.things},
+                 .writes = joined(picture.output, {{"cloud_list", lattice.list}}),
+                 .grid = picture.grid,
+                 .push_constants = {picture.grid.width, picture.grid.height, push_constant(kContrast),
+                                    push_constant(static_cast<double>(cloud.head.scale))},
+                 .specialization = joined(lattice.constants, {{"kFurther", further ? 1U : 0U}})});
+}
+
 void add_cloud_pass(Plan& plan, CloudPicture picture, const LitCloud& cloud, const CloudSearch& search,
                     std::uint32_t stretches, bool further) {
   std::vector<Binding>& reads = picture.reads;
@@ -143,24 +226,24 @@ void add_cloud_pass(Plan& plan, CloudPicture picture, const LitCloud& cloud, con
   constants.push_back({"kStretches", stretches});
   constants.push_back({"kFurther", further ? 1U : 0U});
   constexpr double kStep = 1.5;  // in cells
-  // Far away steps grow, and shorten again where the cloud is thick; one that is thin all over would never shorten
-  // them, and steps of several cells make moire of its texture.
-  constexpr double kThickest = 3.0;  // 1/km, scaled
   const CloudGrid& grid = *cloud.grid;
-  const double densest =
-      static_cast<double>(*std::ranges::max_element(grid.extinction)) * static_cast<double>(cloud.head.scale);
-  const double rise = densest > kThickest ? 0.01 : 0.002;
-  const double step = kStep * std::min({grid.cell_x, grid.cell_y, 2.0 * grid.cell_z()});
-  picture.push.push_back(push_constant(step));
-  picture.push.push_back(push_constant(rise));
+  picture.push.push_back(push_constant(kStep * std::min({grid.cell_x, grid.cell_y, 2.0 * grid.cell_z()})));
+  picture.push.push_back(push_constant(step_rise(cloud)));
+  std::optional<GroupCount> groups;
+  if (picture.lattice) {
+    add_lattice_passes(plan, picture, cloud, further);
+    reads.push_back({"cloud_list", picture.lattice->list});
+    groups = {picture.lattice->list, 0};
+  }
   plan.add_pass({.name = "clouds",
                  .shader = std::move(picture.shader),
-                 .reads = std::move(reads),
-                 .writes = std::move(picture.writes),
+                 .reads = joined(std::move(reads), picture.inputs),
+                 .writes = joined(std::move(picture.output), picture.more_output),
                  .grid = picture.grid,
                  .push_constants = std::move(picture.push),
-                 .specialization = std::move(constants),
-                 .cost = 60.0});
+                 .specialization = joined(std::move(constants), picture.more_constants),
+                 .cost = kRayCost,
+                 .groups = groups});
 }
 
 void add_cloud_passes(Plan& plan, const Part& part, const CloudPicture& picture, const std::vector<LitCloud>& clouds) {
@@ -243,11 +326,18 @@ void add_clouds(Plan& plan, const Part& part, const View& view, const SkyTarget&
                 const std::vector<LitCloud>& clouds, const ThingsUnderCloud* things) {
   CloudPicture picture = picture_of_clouds(plan, part, view, target.projection, light, clouds, things);
   picture.shader = things != nullptr ? "cloud_pixels_things" : "cloud_pixels";
-  picture.reads.push_back({"directions", target.directions});
-  picture.writes = {{"radiance_out", target.radiance}, add_through(plan, target.grid, false)};
+  picture.output = {{"radiance_out", target.radiance}, add_through(plan, target.grid, false)};
+  picture.inputs = {{"directions", target.directions}};
   if (things != nullptr) {
-    picture.writes.push_back({"seen", things->seen});
+    picture.more_output = {{"seen", things->seen}};
   }
+  if (has_lattice(part.scene, target)) {
+    picture.lattice =
+        add_lattice(plan, part, target.projection, target.grid, {"directions", target.directions}, things);
+  } else {
+    picture.inputs.push_back({"cloud_list", target.directions});
+  }
+  picture.more_constants = {{"kFromList", picture.lattice ? 1U : 0U}};
   picture.grid = target.grid;
   picture.push = {target.grid.width, target.grid.height, target.vectors};
   add_cloud_passes(plan, part, picture, clouds);
@@ -260,7 +350,7 @@ void add_clouds_to_layers(Plan& plan, const Part& part, const View& view, const 
   const auto media = static_cast<std::uint32_t>(std::popcount(part.air.scattering_media()));
   picture.shader = "cloud_layers";
   picture.grid = picture_grid(part.scene, view);
-  picture.writes = {{"layers_out", planes}, add_through(plan, picture.grid, true)};
+  picture.output = {{"layers_out", planes}, add_through(plan, picture.grid, true)};
   picture.constants.push_back({"kAirLayers", media + 1});
   picture.constants.push_back({"kStokesLayers", view.stokes ? 2U : 0U});
   picture.push = {picture.grid.width, picture.grid.height};
@@ -275,7 +365,7 @@ void add_clouds_to_spans(Plan& plan, const Part& part, const View& view, const L
   picture.shader = "cloud_spans";
   picture.grid = spans.grid();
   picture.reads.push_back({"spans", spans.list});
-  picture.writes = {{"air_out", air}};
+  picture.output = {{"air_out", air}};
   picture.constants.push_back({"kWholeRows", spans.whole_rows ? 1U : 0U});
   picture.push = {spans.columns, spans.count, spans.first_row};
   add_cloud_passes(plan, part, picture, clouds);

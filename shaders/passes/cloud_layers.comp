@@ -62,13 +62,13 @@ void main() {
   vec3 ground = layer(kAirLayers);
   bool first = kFurther == 0u;
   vec3 farther = first ? vec3(0.0) : layer(cloud_layer());
-  PastCloud past = past_cloud(ray_through_clouds(pixel, view.direction), air_ray(view.direction).length_,
-                              air + ground + farther);
+  PastCloud past = past_cloud(ray_through_clouds(pixel, view.direction), air_ray(view.direction).length_);
+  vec3 light = light_past(past, air + ground + farther);
   float through = view.inside ? past.through : 1.0;
   float beam = pow(through, 1.0 / cloud().scale);
   through_out.values[place_of(0u)] = first ? beam : through_out.values[place_of(0u)] * beam;
   vec3 lit = max(ground * through + past.ground, vec3(0.0));
-  vec3 left = max(past.light - past.cloud - lit - farther * through, vec3(0.0)) / max(air, vec3(1e-20));
+  vec3 left = max(light - past.cloud - lit - farther * through, vec3(0.0)) / max(air, vec3(1e-20));
   float hidden = first ? 0.0 : layers_out.values[place_of(alpha_plane())];
   float reach = first ? 0.0 : layers_out.values[place_of(alpha_plane() + 1u)];
   layers_out.values[place_of(alpha_plane())] = 1.0 - (1.0 - hidden) * through;

@@ -1,7 +1,8 @@
-// Puts a cloud into a picture: marches through it, with the air before it, and hides what is behind. With AIRLIGHT_THINGS
-// the picture is one of things, which the pass over them has lit under the cloud; its pixels are marched up to them.
-// With AIRLIGHT_CLOUD_APART the includer has the outputs, its own main() and the push constants `step` and `step_rise`;
-// with AIRLIGHT_CLOUD_SPANS as well, rays end in the air, and the light behind is that of the air alone.
+// What a cloud makes of the light behind it on a ray: a march through it, with the air before it. The includer has the
+// outputs, main() and the push constants `step` (km, the shortest) and `step_rise` (of the step over the distance).
+// With AIRLIGHT_THINGS the picture is one of things, which the pass over them has lit under the cloud; rays are marched
+// up to them. With AIRLIGHT_CLOUD_APART the cloud's own light is told apart; with AIRLIGHT_CLOUD_SPANS as well, rays end
+// in the air, and the light behind is that of the air alone.
 #include "shared/cloud_volume.glsl"
 #include "shared/cloud_sunlight.glsl"
 #include "physics/cloud_light.glsl"
@@ -19,21 +20,14 @@ layout(constant_id = 54) const uint kFurther = 0u;
 // both sides of those below it.
 layout(constant_id = 55) const uint kStretches = 0u;  // 0: both, 1: the nearer one, 2: the farther one
 layout(constant_id = 50) const uint kAirByRay = 0u;  // 1: the air's shade is found along each ray, 0: on froxels
-#ifndef AIRLIGHT_CLOUD_APART
-layout(scalar, set = 0, binding = 8) readonly buffer Directions { vec4 values[]; } directions;
-layout(scalar, set = 0, binding = 9) buffer Radiance { vec4 values[]; } radiance_out;
-layout(scalar, set = 0, binding = 31) buffer Through { float values[]; } through_out;
-layout(push_constant, scalar) uniform Push {
-  uint width;
-  uint height;
-  uint vectors;     // of each listed direction
-  float step;       // km, the shortest
-  float step_rise;  // of the step over the distance
-};
-#endif
+
+// Turns of the march along a ray. After so many fine ones its steps grow, twice as long after so many again: one ray in
+// a hundred takes more, and a device waits for its longest rays.
+const float kFineTurns = 112.0;
+const float kTurnsToDouble = 24.0;
+const float kMostTurns = 1024.0;
 
 const float kOpaque = 2e-3;     // a transmittance that hides what is behind
-const uint kMostSteps = 4096u;  // along a ray
 const float kStepDepth = 1.0;   // scaled, the most of a step
 const float kEdgeDepth = 0.1;   // likewise where the cloud begins or ends
 const float kSunStep = 1.0;     // scaled, the most by which the depth toward the sun may change along a step
@@ -55,7 +49,6 @@ vec3 phase_behind(float nu, float depth) {
 
 #ifdef AIRLIGHT_THINGS
 #include "shared/things_seen.glsl"
-layout(scalar, set = 0, binding = 32) buffer Seen { ThingsSeen values[]; } seen;
 #else
 uvec2 here;  // the pixel of the tile at hand
 #endif
@@ -72,9 +65,13 @@ struct March {
   float near_inside;  // km inside the cloud there
   float near_sun;     // scaled depth toward the sun there; below 0: not known
   float start;        // of the stretch
+  float turns;        // so far
   CloudGathered stretch;
   CloudPart part;
 };
+
+// How much longer steps are than they should be.
+float growth_after(float turns) { return max(1.0, exp2((turns - kFineTurns) / kTurnsToDouble)); }
 
 // Leaps over empty cells to the next step; false: no step is left before `end`.
 bool next_step(inout March m, AirRay of, float end) {
@@ -85,7 +82,9 @@ bool next_step(inout March m, AirRay of, float end) {
   bool leaps = true;
   // A loop of its own: lanes that leap do not wait for lanes that gather light.
   while (leaps && m.t < end) {
-    m.size = min(min(m.size, step_in_water(m.near_inside, m.t)), end - m.t);
+    float growth = growth_after(m.turns);
+    m.turns += 1.0;
+    m.size = min(min(m.size, step_in_water(m.near_inside, m.t) * growth), end - m.t);
     vec3 middle = cloud_place(radius, c, scene.camera.altitude, of.direction, m.t + 0.5 * m.size);
     float climb = abs(of.direction.y) + m.t / radius;
     float leap = empty_cells(middle) /
@@ -95,7 +94,7 @@ bool next_step(inout March m, AirRay of, float end) {
     m.near = leaps ? 0.0 : m.near;
     m.near_inside = leaps ? 0.0 : m.near_inside;
     m.near_sun = leaps ? -1.0 : m.near_sun;
-    m.size = leaps ? max(step, m.t * step_rise) : m.size;
+    m.size = leaps ? max(step, m.t * step_rise) * growth : m.size;
   }
   return !leaps;
 }
@@ -107,7 +106,8 @@ void take_step(inout March m, AirRay of, SunOnSpan sun) {
   vec3 end = cloud_place(radius, c, scene.camera.altitude, of.direction, m.t + m.size);
   Water water = water_on_ray(end, m.t + m.size);
   float depth = 0.5 * (m.near + water.extinction) * c.scale * m.size;
-  float least = min(m.size, max(step * kLeastStep, m.t * step_rise * kLeastStep));
+  float growth = growth_after(m.turns);
+  float least = min(m.size, max(step, m.t * step_rise) * kLeastStep * growth);
   // Where the cloud begins or ends, a line between the step's ends is far from its density.
   float most = min(m.near, water.extinction) > 0.0 ? kStepDepth : kEdgeDepth;
   if (depth > most && m.size > least) {
@@ -141,7 +141,7 @@ void take_step(inout March m, AirRay of, SunOnSpan sun) {
   m.near = water.extinction;
   m.near_inside = water.inside;
   m.t += m.size;
-  m.size = min(max(step, m.t * step_rise), m.size * clamp(kStepDepth / max(depth, 1e-6), 1.0, 2.0));
+  m.size = min(max(step, m.t * step_rise) * growth, m.size * clamp(kStepDepth / max(depth, 1e-6), 1.0, 2.0));
 }
 
 // Steps are as long as `step` says, or shorter where the cloud is thick. Density and the depth toward the sun are
@@ -155,6 +155,7 @@ Walk crossed(Walk walk, CloudCrossing span, AirRay of, SunOnSpan sun) {
   m.near_inside = 0.0;
   m.near_sun = -1.0;
   m.start = 0.0;
+  m.turns = 0.0;
   m.stretch = nothing_gathered(walk.transmittance);
   m.part = empty_part();
   float part_length = length_of_parts(of.direction, span.from);
@@ -165,7 +166,6 @@ Walk crossed(Walk walk, CloudCrossing span, AirRay of, SunOnSpan sun) {
     m.near = water.extinction;
     m.near_inside = water.inside;
   }
-  uint steps = 0u;
   bool goes_on = true;
   while (goes_on && m.t < span.to) {
     Sheets sheets;
@@ -177,8 +177,7 @@ Walk crossed(Walk walk, CloudCrossing span, AirRay of, SunOnSpan sun) {
       for (uint turn = 0u; turn < found; turn++) {
         take_step(m, of, sun);
       }
-      steps++;
-      goes_on = found > 0u && steps < kMostSteps && m.stretch.transmittance > kOpaque;
+      goes_on = found > 0u && m.turns < kMostTurns && m.stretch.transmittance > kOpaque;
       bool begun = m.stretch.before > m.stretch.transmittance;
       bool ends = !goes_on || m.t >= span.to || m.t - m.start > kSheet * m.t + step;
       uint closes = begun && ends ? 1u : 0u;
@@ -212,26 +211,13 @@ Walk crossed(Walk walk, CloudCrossing span, AirRay of, SunOnSpan sun) {
   return walk;
 }
 
-#ifndef AIRLIGHT_CLOUD_APART
-vec3 direction_of(uvec2 pixel, out bool inside) {
-  if (kProjection == kProjectionListed) {
-    inside = true;
-    return directions.values[pixel.x].xyz;
-  }
-  ViewRay view = picture_ray(pixel);
-  inside = view.inside;
-  return view.direction;
-}
-#endif
-
-// The light of a ray that ends at a distance in front of this light, as the cloud leaves it.
+// What the cloud makes of the light behind it on a ray up to a distance.
 struct PastCloud {
-  vec3 light;
+  vec3 sent;      // light of the cloud and of the air before it
+  vec3 share;     // of the light behind
+  vec3 taken;     // from that share: the air's light that stands in `sent`, less what more the ground sends
   float through;  // transmittance of the cloud
   vec3 air;       // share of the air's light that is seen, of what the picture had of it
-#ifdef AIRLIGHT_THINGS
-  vec3 things;    // the part of the light that comes from directions of things
-#endif
 #ifdef AIRLIGHT_CLOUD_APART
   vec3 cloud;     // the part of the light that the cloud sends
   vec3 ground;    // the part that the ground sends beyond what it sent without clouds
@@ -239,7 +225,11 @@ struct PastCloud {
 #endif
 };
 
-PastCloud past_cloud(AirRay of, float end, vec3 behind) {
+vec3 light_past(PastCloud past, vec3 behind) {
+  return past.sent + max(behind * past.share - past.taken, vec3(0.0)) * past.through;
+}
+
+PastCloud past_cloud(AirRay of, float end) {
   Walk walk = begun_walk();
   CloudSpans spans = cloud_spans(scene.planet.ground_radius, cloud(), of.ray.h, of.ray.mu, end);
   for (uint part = kStretches == 2u ? 1u : 0u; part < (kStretches == 1u ? 1u : 2u); part++) {
@@ -250,8 +240,10 @@ PastCloud past_cloud(AirRay of, float end, vec3 behind) {
     }
   }
   PastCloud past;
+  past.sent = walk.light * scene.sun.irradiance;
+  past.share = vec3(1.0);
+  past.taken = walk.air * scene.sun.irradiance;
   past.through = walk.transmittance > kOpaque ? walk.transmittance : 0.0;
-  vec3 sky = vec3(0.0);
   past.air = walk.seen;
 #ifdef AIRLIGHT_CLOUD_APART
   past.cloud = (walk.light - walk.seen) * scene.sun.irradiance;
@@ -266,50 +258,24 @@ PastCloud past_cloud(AirRay of, float end, vec3 behind) {
     // The picture of a further field has the air shaded, and the ground lit, by all of them.
     vec3 had = kFurther == 1u ? stop.before.light : stop.clear;
     past.air = air / max(had, vec3(1e-20));
-    sky = behind - (had - stop.before.light + walk.air) * scene.sun.irradiance;
+    past.taken = (had - stop.before.light + walk.air) * scene.sun.irradiance;
 #if !defined(AIRLIGHT_THINGS) && !defined(AIRLIGHT_CLOUD_SPANS)
     uint grounds = kFurther == 0u && of.ray.at_ground ? 1u : 0u;
     for (uint ground = 0u; ground < grounds; ground++) {
-      sky += stop.before.transmittance * ground_change(of.ray, of.direction) * scene.sun.irradiance;
+      vec3 more = stop.before.transmittance * ground_change(of.ray, of.direction) * scene.sun.irradiance;
+      past.taken -= more;
 #ifdef AIRLIGHT_CLOUD_APART
-      past.ground = stop.before.transmittance * ground_change(of.ray, of.direction) * scene.sun.irradiance *
-                    past.through;
+      past.ground = more * past.through;
 #endif
     }
 #endif
   }
   uint airs = past.through > 0.0 && known && kFurther == 0u ? 1u : 0u;
   for (uint turn = 0u; turn < airs; turn++) {
-    sky = behind * share_by_froxels(of, end) - walk.air * scene.sun.irradiance;
+    past.share = share_by_froxels(of, end);
   }
-  past.light = walk.light * scene.sun.irradiance + max(sky, vec3(0.0)) * past.through;
   return past;
 }
-
-#ifdef AIRLIGHT_THINGS
-// Where things fill a part of the pixel, that part ends at them and the rest behind them.
-PastCloud past_cloud_and_things(AirRay of, vec3 behind, ThingsSeen things) {
-  const float kFewest = 1e-4;
-  PastCloud sum;
-  sum.light = vec3(0.0);
-  sum.through = 0.0;
-  sum.air = vec3(1.0);
-  sum.things = vec3(0.0);
-  uint first = things.share > kFewest ? 0u : 1u;
-  uint last = things.share < 1.0 - kFewest ? 2u : 1u;
-  for (uint part = first; part < last; part++) {
-    float share = part == 0u ? things.share : 1.0 - things.share;
-    vec3 light = part == 0u ? things.light : max(behind - things.light, vec3(0.0));
-    float end = part == 0u ? min(things.distance_, of.ray.length_) : of.ray.length_;
-    PastCloud past = past_cloud(of, end, light / share);
-    sum.light += past.light * share;
-    sum.things += part == 0u ? past.light * share : vec3(0.0);
-    sum.through = past.through;
-    sum.air = past.air;
-  }
-  return sum;
-}
-#endif
 
 // Begins with the ray of a pixel.
 AirRay ray_through_clouds(uvec2 pixel, vec3 direction) {
@@ -322,48 +288,9 @@ AirRay ray_through_clouds(uvec2 pixel, vec3 direction) {
   UNROLL for (uint q = 0u; q < kCloudMoments; q++) {
     seen_harmonics[q] = cloud_harmonic(q, vec3(-direction.x, direction.z, -direction.y));
   }
-  return of;
-}
-
-#ifndef AIRLIGHT_CLOUD_APART
-void main() {
-  uvec2 pixel = gl_GlobalInvocationID.xy;
-  if (pixel.x >= width || pixel.y >= height) {
-    return;
-  }
-  bool listed = kProjection == kProjectionListed;
-  uint index = listed ? vectors * pixel.x : pixel.y * scene.tile.width + pixel.x;
-  bool inside;
-  vec3 direction = direction_of(pixel, inside);
-  CloudData c = cloud();
-  AirRay of = ray_through_clouds(pixel, direction);
-  vec4 behind = radiance_out.values[index];
 #ifdef AIRLIGHT_THINGS
   seen_sight = sight_of(vec3(0.0), direction);
   seen_phases = phases(of.at.nu);
-  uint of_things = listed ? pixel.x : index;
-  PastCloud past = past_cloud_and_things(of, behind.rgb, seen.values[of_things]);
-  if (kFields > 1u) {
-    seen.values[of_things].light = past.things;
-  }
-#else
-  PastCloud past = past_cloud(of, of.ray.length_, behind.rgb);
 #endif
-  float through = past.through;
-  if (inside) {
-    radiance_out.values[index] = vec4(past.light, behind.a);
-    if (listed) {
-      radiance_out.values[index + 1u].rgb *= pow(through, 1.0 / c.scale);
-      // Light of clouds is not polarised: Q and U are the air's.
-      for (uint k = 2u; k < vectors; k++) {
-        radiance_out.values[index + k].rgb *= past.air;
-      }
-    }
-  }
-  if (!listed) {
-    // Of a beam, which loses what the peak of the phase function scatters.
-    float beam = pow(through, 1.0 / c.scale);
-    through_out.values[index] = kFurther == 1u ? through_out.values[index] * beam : beam;
-  }
+  return of;
 }
-#endif

@@ -30,7 +30,7 @@ ShadedAir further(ShadedAir air, AirRay of, float distance_) {
 
 vec3 share_by_froxels(AirRay of, float distance_) {
   vec3 size = vec3(textureSize(cloud_shafts_lut, 0));
-  vec2 at = (vec2(here) + vec2(scene.tile.x, scene.tile.y) + 0.5) / vec2(scene.camera.width, scene.camera.height);
+  vec2 at = (vec2(here + uvec2(scene.tile.x, scene.tile.y)) + 0.5) / vec2(scene.camera.width, scene.camera.height);
   vec3 place = vec3(at, shaded_coordinate(of.reach, of.ray.length_, distance_));
   return textureLod(cloud_shafts_lut, (vec3(0.5) + place * (size - 1.0)) / size, 0.0).rgb;
 }

@@ -2,6 +2,7 @@
 // pixel. At half resolution it takes the corners of pixels two apart, then every pixel from the four corners around it.
 #include "shared/sky_output.glsl"
 #include "shared/horizon_pixels.glsl"
+#include "shared/peaks.glsl"
 #include "physics/spread.glsl"
 
 layout(constant_id = 23) const uint kJitter = kJitterNone;
@@ -9,9 +10,6 @@ layout(constant_id = 24) const uint kPart = 0u;  // kPartWhole, ...
 
 // rgb: radiance; a: 1 where the ray ends on the ground.
 layout(scalar, set = 0, binding = 11) readonly buffer HalfRadiance { vec4 values[]; } half_radiance;
-
-// A pixel of the tile at hand as a pixel of the whole picture.
-uvec2 whole_pixel(uvec2 pixel) { return pixel + uvec2(scene.tile.x, scene.tile.y); }
 
 // Pairs of pixels are those of the whole picture in every tile: a tile's corners start at those of a pair.
 ViewRay marched_ray(uvec2 pixel) {
@@ -43,15 +41,6 @@ struct Upsampled {
   vec3 radiance;
   bool holds;  // false: the pixel is to be marched
 };
-
-// Distance from the sun, or from the point opposite to it, in distances between corners. A peak of a phase function may
-// stand between four corners that do not see it.
-float corners_from_peak(uvec2 pixel, vec3 direction) {
-  uvec2 at = whole_pixel(pixel);
-  vec3 next = view_ray(scene.camera, kProjection, float(at.x) + 0.5, float(at.y) + 2.5).direction;
-  float off = min(length(direction - scene.sun.direction), length(direction + scene.sun.direction));
-  return off / max(length(next - direction), 1e-12);
-}
 
 // Bilinear between the corners; a pixel's centre is a quarter and three quarters of their distance away from them.
 // `holds` requires that the corners and the pixel agree on whether their rays end on the ground, that no channel

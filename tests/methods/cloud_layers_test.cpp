@@ -204,6 +204,7 @@ TEST(LayersOfClouds, AFilterTurnsTheSkyAlone) {
   Scene scene = polarised_sky();
   scene.clouds = under_level_cloud(1.0, 0.5).clouds;
   scene.clouds.front().contents = field_of_balls();
+  scene.render.parameters.insert_or_assign("cloud_resolution", std::string("full"));  // as through filters
   const auto through = [](Scene of, double degrees) {
     of.camera.polariser = radians(degrees);
     return render_now(of).radiance;

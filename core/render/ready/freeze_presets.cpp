@@ -15,8 +15,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/in_parallel.h"
 #include "core/gpu/frozen_modules.h"
-#include "core/gpu/in_parallel.h"
 #include "core/gpu/shader.h"
 #include "core/methods/ready.h"
 #include "core/render/render.h"
