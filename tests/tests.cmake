@@ -25,9 +25,9 @@ if(AIRLIGHT_SANITIZE)
       TerrainSky.Shafts* TerrainSky.FarFrom* TerrainTruth.OrdersIsNear* Spans.Transmittance* SpectralTruth.OnePath*
       SphereSky.Shafts* TableText.Moments TableText.Factors Analytic.IsMonotone Analytic.OnTheDevice*
       Analytic.SingleScattering* Stokes.OrdersAgrees* Stokes.PathTraceMeets* Refraction.FirstOrder* Refraction.OrdersAgrees*
-      Refraction.PathsTurn* CloudLattice.*:CloudStack.TwoLevel* CloudStack.FieldsStand* CloudStack.ShadowsOf* CloudStack.IsPath*
+      Refraction.PathsTurn* CloudStack.TwoLevel* CloudStack.FieldsStand* CloudStack.ShadowsOf* CloudStack.IsPath*
       LayersOfClouds.SumUp* LayersOfClouds.ABlack* LayersOfClouds.QAndU* LayersOfClouds.AFilter* CloudSpans.UpTo*
-      CloudWind.Moves* CloudWind.APeriod* Spectral.AField*
+      CloudWind.Moves* CloudWind.APeriod* Spectral.AField* CloudLattice.GoesEvenly* CloudLattice.IsThe* CloudLattice.Leaves*
       # scenes that differ in numbers and in the device's pipelines
       CloudStack.Refuses*
       Stability.Air* Stability.CameraAndSun* Stability.OneMedium* Stability.Rays* Stability.Sharpest*
