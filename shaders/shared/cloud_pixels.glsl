@@ -21,8 +21,8 @@ layout(constant_id = 54) const uint kFurther = 0u;
 layout(constant_id = 55) const uint kStretches = 0u;  // 0: both, 1: the nearer one, 2: the farther one
 layout(constant_id = 50) const uint kAirByRay = 0u;  // 1: the air's shade is found along each ray, 0: on froxels
 
-// Turns of the march along a ray. After so many fine ones its steps grow, twice as long after so many again: one ray in
-// a hundred takes more, and a device waits for its longest rays.
+// Turns of the march along a ray. After so many fine ones its steps grow, twice as long after so many again: one to
+// three rays in a thousand take more, and a device waits for its longest rays.
 const float kFineTurns = 112.0;
 const float kTurnsToDouble = 24.0;
 const float kMostTurns = 1024.0;
