@@ -31,7 +31,7 @@ LatticeRay mean_of(LatticeRay a, LatticeRay b) {
   mean.sent = 0.5 * (a.sent + b.sent);
   mean.through = 0.5 * (a.through + b.through);
   mean.share = 0.5 * (a.share + b.share);
-  mean.end = 0.5 * (a.end + b.end);
+  mean.end = a.end;
   mean.taken = 0.5 * (a.taken + b.taken);
   return mean;
 }

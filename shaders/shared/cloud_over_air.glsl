@@ -12,11 +12,5 @@
 #include "shared/factor_place.glsl"
 #include "shared/aerial_volume.glsl"
 #include "shared/volume_fetch.glsl"
-layout(push_constant, scalar) uniform Push {
-  uint width;
-  uint height;
-  uint vectors;     // of each listed direction
-  float step;       // km, the shortest
-  float step_rise;  // of the step over the distance
-};
+#include "shared/cloud_push.glsl"
 #include "shared/cloud_pixels.glsl"

@@ -27,11 +27,5 @@ vec3 past_shadows(VolumeRay of, float distance_, vec3 all) {
   return kShafts == kShaftsNone ? all : max(lit_single(of, seen_phases, seen_sight, distance_, all), vec3(0.0));
 }
 
-layout(push_constant, scalar) uniform Push {
-  uint width;
-  uint height;
-  uint vectors;     // of each listed direction
-  float step;       // km, the shortest
-  float step_rise;  // of the step over the distance
-};
+#include "shared/cloud_push.glsl"
 #include "shared/cloud_pixels.glsl"
