@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/luts/luts.h"
 #include "core/methods/orders_parts.h"
 #include "core/methods/sky_pass.h"
 #include "core/methods/spectral_sums.h"
