@@ -1,5 +1,6 @@
 // Checks a plan for errors that can be found without a device.
 
+#include <algorithm>
 #include <set>
 #include <stdexcept>
 

@@ -4,6 +4,7 @@
 #include "core/methods/method.h"
 #include "core/physics/physics.h"
 #include "core/plan/plan.h"
+#include "core/post/post.h"
 #include "core/scene/scene.h"
 
 namespace airlight {
