@@ -29,7 +29,8 @@ void main() {
   Phases p = phases(seen_cosine(scene.sun, sight.ray.mu, sight.ray.nu));
   float shaded = max(shaded_length(sight), 0.0);
   float from = 0.0;
-  vec2 near = over_shadow(scene.planet, sight.track, sight.ray, 0.0);
+  ShadowWalk walk = shadow_walk(scene.planet, sight.track, sight.ray, shaded);
+  vec2 near = over_shadow(walk, 0.0);
   vec3 share = vec3(mean_sunlit(near, near, 1.0));
   vec3 all = vec3(0.0);
   vec3 lit = vec3(0.0);
@@ -39,7 +40,7 @@ void main() {
       float to = shaded * shaft_distance(float(slice) / float(size.z - 1u));
       float width = (to - from) / float(kParts);
       for (uint i = 1u; i <= kParts; i++) {
-        vec2 far = over_shadow(scene.planet, sight.track, sight.ray, from + float(i) * width);
+        vec2 far = over_shadow(walk, (from + float(i) * width) / max(shaded, 1e-9));
         sunlit += mean_sunlit(near, far, 0.5 * width) / float(kParts);
         near = far;
       }

@@ -50,12 +50,13 @@ LightFrom light_from(PlanetData planet, MomentTableData table, real camera_altit
   light.among = vec3(0.0);
   vec3 single = vec3(0.0);
   vec3 diffuse = vec3(0.0);
-  vec2 near = over_shadow(planet, sight.track, sight.ray, 0.0);
+  ShadowWalk walk = shadow_walk(planet, sight.track, sight.ray, end);
+  vec2 near = over_shadow(walk, 0.0);
   real from = 0.0;
   for (uint k = 1u; k <= kLightSteps; k++) {
     real z = real(k) / real(kLightSteps);
     real to = end * z * z;
-    vec2 far = over_shadow(planet, sight.track, sight.ray, to);
+    vec2 far = over_shadow(walk, z * z);
     real sunlit = mean_sunlit(near, far, 0.5 * (to - from));
     vec3 next_single = open_light(kOpenSingle, i, row, reach, to);
     vec3 next_diffuse = open_light(kOpenDiffuse, i, row, reach, to);

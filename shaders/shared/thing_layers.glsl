@@ -35,15 +35,18 @@ LightLayers with_light(LightLayers sum, vec3 light) {
 
 ViewRay ray_of_pixel(uvec2 pixel) { return picture_ray(pixel); }
 
-// The pixel at hand.
-void render(ViewRay view, ThingPixel rays) {
-  LightLayers sum = empty_layers();
-  for (uint i = 0u; i < rays.count; i++) {
-    WeightedRay one = ray_of_thing_pixel(here, view, rays, i);
-    looking = one.direction;
-    sum = with_share(sum, gathered_along(ray_direction(looking), rays.spread, rays.bare, steps), one.share);
-  }
-  write_layers(here, uvec2(width, height), view.inside, sum);
+#define PixelSeen LightLayers
+
+PixelSeen nothing_seen() { return empty_layers(); }
+
+PixelSeen ray_seen(ViewRay view, ThingPixel rays, uint ray) {
+  WeightedRay one = ray_of_thing_pixel(here, view, rays, ray);
+  looking = one.direction;
+  return with_share(empty_layers(), gathered_along(ray_direction(looking), rays.spread, rays.bare, steps), one.share);
 }
+
+PixelSeen with_seen(PixelSeen sum, PixelSeen one) { return with_share(sum, one, 1.0); }
+
+void write_seen(bool inside, PixelSeen seen) { write_layers(here, uvec2(width, height), inside, seen); }
 
 #include "shared/thing_pixels.glsl"

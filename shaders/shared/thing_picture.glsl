@@ -52,31 +52,53 @@ void write_light(uvec2 pixel, bool inside, Stokes light, vec3 transmittance) {
 
 ViewRay ray_of_pixel(uvec2 pixel) { return pixel_ray(pixel); }
 
-// The pixel at hand.
-void render(ViewRay view, ThingPixel rays) {
-  Stokes light = no_light();
-  vec3 transmittance = vec3(0.0);
+struct PixelSeen {
+  Stokes light;
+  vec3 transmittance;
 #ifdef AIRLIGHT_CLOUDS
-  ThingsSeen things = ThingsSeen(vec3(0.0), 0.0, 0.0);
+  ThingsSeen things;  // their distance times their share
 #endif
-  for (uint i = 0u; i < rays.count; i++) {
-    WeightedRay one = ray_of_thing_pixel(here, view, rays, i);
-    looking = one.direction;
-    Gathered seen = gathered_along(ray_direction(looking), rays.spread, rays.bare, steps);
-    light = with_share(light, seen.light, one.share);
-    transmittance += one.share * seen.transmittance;
+};
+
+PixelSeen nothing_seen() {
 #ifdef AIRLIGHT_CLOUDS
-    float of_thing = seen.distance_ > 0.0 ? one.share : 0.0;
-    things.light += of_thing * seen.light.i;
-    things.share += of_thing;
-    things.distance_ += of_thing * seen.distance_;
+  return PixelSeen(no_light(), vec3(0.0), ThingsSeen(vec3(0.0), 0.0, 0.0));
+#else
+  return PixelSeen(no_light(), vec3(0.0));
 #endif
-  }
+}
+
+PixelSeen ray_seen(ViewRay view, ThingPixel rays, uint ray) {
+  WeightedRay one = ray_of_thing_pixel(here, view, rays, ray);
+  looking = one.direction;
+  Gathered found = gathered_along(ray_direction(looking), rays.spread, rays.bare, steps);
+  PixelSeen part = nothing_seen();
+  part.light = with_share(part.light, found.light, one.share);
+  part.transmittance = one.share * found.transmittance;
 #ifdef AIRLIGHT_CLOUDS
-  things.distance_ /= max(things.share, 1e-20);
-  seen_out.values[kProjection == kProjectionListed ? here.x : here.y * scene.tile.width + here.x] = things;
+  float of_thing = found.distance_ > 0.0 ? one.share : 0.0;
+  part.things = ThingsSeen(of_thing * found.light.i, of_thing, of_thing * found.distance_);
 #endif
-  write_light(here, view.inside, light, transmittance);
+  return part;
+}
+
+PixelSeen with_seen(PixelSeen sum, PixelSeen one) {
+  sum.light = with_share(sum.light, one.light, 1.0);
+  sum.transmittance += one.transmittance;
+#ifdef AIRLIGHT_CLOUDS
+  sum.things.light += one.things.light;
+  sum.things.share += one.things.share;
+  sum.things.distance_ += one.things.distance_;
+#endif
+  return sum;
+}
+
+void write_seen(bool inside, PixelSeen seen) {
+#ifdef AIRLIGHT_CLOUDS
+  seen.things.distance_ /= max(seen.things.share, 1e-20);
+  seen_out.values[kProjection == kProjectionListed ? here.x : here.y * scene.tile.width + here.x] = seen.things;
+#endif
+  write_light(here, inside, seen.light, seen.transmittance);
 }
 
 #include "shared/thing_pixels.glsl"

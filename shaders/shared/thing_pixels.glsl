@@ -1,9 +1,13 @@
-// The pixels of a pass over things. Those of several rays are listed block by block and rendered by themselves: beside
-// the others every lane would wait for the rays of an edge.
+// The pixels of a pass over things. The rays of those that have several are listed block by block, and each thread
+// takes one ray of the list: threads that go through the rays of one pixel each would leave all others waiting.
 // The includer defines:
 //   uint width, height;
 //   ViewRay ray_of_pixel(uvec2 pixel);
-//   void render(ViewRay view, ThingPixel rays);  the pixel `here`
+//   struct PixelSeen;                                              what a pixel shows
+//   PixelSeen nothing_seen();
+//   PixelSeen ray_seen(ViewRay view, ThingPixel rays, uint ray);   a ray's part of the pixel `here`
+//   PixelSeen with_seen(PixelSeen sum, PixelSeen one);
+//   void write_seen(bool inside, PixelSeen seen);                  the pixel `here`
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -13,10 +17,11 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(scalar, set = 0, binding = 33) readonly buffer Tiles { uint values[]; } tiles;
 #endif
 
-// A block of pixels is one of threads, so that no thread has more than one of the list to render: a software device ends
-// the loops of a shader after 65536 turns.
+const uint kThreads = kThingBlock * kThingBlock;
+const uint kMostRays = kEdgeSide * kEdgeSide;  // of a pixel
 shared uint listed;
-shared uint list[kThingBlock * kThingBlock];
+shared uint list[kThreads * kMostRays];  // thread of the pixel, and in the bits above which of its rays
+shared PixelSeen seen[kThreads];       // by the rays of one turn
 
 bool in_picture(uvec2 pixel) { return pixel.x < width && pixel.y < height; }
 
@@ -35,32 +40,57 @@ uvec2 first_pixel() {
   return kThingBlock * gl_WorkGroupID.xy;
 }
 
-// Two turns of one loop, so that the code of a pixel stands once: pipelines are made in half the time.
+// The first turn takes the pixels of one ray and lists the rays of the others. One loop goes through all rays, so that
+// the code of a ray stands once: pipelines are made in half the time.
 void main() {
   uint lane = gl_LocalInvocationIndex;
   uvec2 first = first_pixel();
-  here = first + gl_LocalInvocationID.xy;
+  uvec2 own = first + gl_LocalInvocationID.xy;
   if (lane == 0u) {
-    listed = 0u;
+    listed = kThreads;
   }
   barrier();
-  bool mine = in_picture(here);
-  for (uint turn = 0u; turn < 2u; turn++) {
-    if (mine) {
+  bool mine = in_picture(own);
+  bool inside = false;
+  uint begin = lane;  // of the pixel's rays among all of the block
+  uint end = mine ? lane + 1u : lane;
+  bool taken = mine;
+  uint ray = 0u;
+  here = own;
+  PixelSeen sum = nothing_seen();
+  for (uint turn = 0u; turn <= kMostRays; turn++) {
+    if (taken) {
       ViewRay view = ray_of_pixel(here);
       ThingPixel rays = thing_pixel(here, view);
+      inside = turn == 0u ? view.inside : inside;
       if (turn == 0u && rays.count > 1u) {
-        list[atomicAdd(listed, 1u)] = lane;
+        begin = atomicAdd(listed, rays.count);
+        end = begin + rays.count;
+        for (uint i = 0u; i < rays.count; i++) {
+          list[begin - kThreads + i] = lane + kThreads * i;
+        }
       } else {
-        render(view, rays);
+        seen[lane] = ray_seen(view, rays, ray);
       }
     }
     barrier();
-    if (listed == 0u) {
+    uint from = turn * kThreads;
+    uint to = from + kThreads;
+    for (uint i = max(begin, from); i < min(end, to); i++) {
+      sum = with_seen(sum, seen[i - from]);
+    }
+    uint all = listed;
+    barrier();
+    if (to >= all) {
       break;
     }
-    mine = lane < listed;
-    uint k = list[min(lane, listed - 1u)];
-    here = first + uvec2(k % kThingBlock, k / kThingBlock);
+    taken = to + lane < all;
+    uint next = list[min(to + lane, all - 1u) - kThreads];
+    ray = next / kThreads;
+    here = first + uvec2(next % kThingBlock, next % kThreads / kThingBlock);
+  }
+  if (mine) {
+    here = own;
+    write_seen(inside, sum);
   }
 }

@@ -42,8 +42,8 @@ float share_past_terrain(Sight sight, float from, float to) {
   if (!has_terrain()) {
     return 1.0;
   }
-  return mean_sunlit(over_shadow(scene.planet, sight.track, sight.ray, from),
-                     over_shadow(scene.planet, sight.track, sight.ray, to), 0.5 * (to - from));
+  ShadowWalk walk = shadow_walk(scene.planet, sight.track, sight.ray, to);
+  return mean_sunlit(over_shadow(walk, from / max(to, 1e-9)), over_shadow(walk, 1.0), 0.5 * (to - from));
 }
 
 // What is scattered once on the way in the sun, where `all` would be without things: the ray less its parts in the

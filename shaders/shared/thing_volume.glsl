@@ -65,31 +65,38 @@ float shaft_coordinate(float share) { return sqrt(min(share, 1.0)); }
 
 const uint kShaftSteps = 24u;
 
-// Light scattered once up to a distance, in the shadow of terrain; without things it is `all`. The sum over steps of their
-// share of the sun times what is scattered in them is taken by parts, so that the volume is asked only where the share
-// changes.
+// Light scattered once up to a distance, in the shadow of terrain; without things it is `all`. The sum over steps of
+// their share of the sun V times what is scattered in them is taken by parts: sum of G(t) (V_k - V_k+1), where G is the
+// light scattered up to t. Along the ray G is taken as the polynomial in the root of the distance through its values at
+// the quarters of the root, so the steps gather four sums of powers alone, and the volume is asked for these values
+// where any share changes.
 vec3 single_past_terrain(VolumeRay of, Phases p, Sight sight, float distance_, vec3 all) {
   float shaded = min(distance_, shaded_length(sight));
   float width = shaded / float(kShaftSteps);
-  vec2 near = over_shadow(scene.planet, sight.track, sight.ray, 0.0);
-  float share = 1.0;
+  ShadowWalk walk = shadow_walk(scene.planet, sight.track, sight.ray, shaded);
+  vec2 near = over_shadow(walk, 0.0);
+  float before = 1.0;
+  vec4 powers = vec4(0.0);
+  for (uint i = 1u; i <= kShaftSteps; i++) {
+    vec2 far = over_shadow(walk, float(i) / float(kShaftSteps));
+    float share = mean_sunlit(near, far, 0.5 * width);
+    float z = sqrt(float(i - 1u) / float(kShaftSteps));
+    powers += (before - share) * z * vec4(1.0, z, z * z, z * z * z);
+    before = share;
+    near = far;
+  }
+  powers += vec4(before - 1.0);
+  bool changed = dot(abs(powers), vec4(1.0)) > 1e-4;
+  // Of the value at each quarter, by Lagrange's polynomials.
+  vec4 weights = vec4(16.0 * powers.x - 208.0 / 3.0 * powers.y + 96.0 * powers.z - 128.0 / 3.0 * powers.w,
+                      -12.0 * powers.x + 76.0 * powers.y - 128.0 * powers.z + 64.0 * powers.w,
+                      16.0 / 3.0 * powers.x - 112.0 / 3.0 * powers.y + 224.0 / 3.0 * powers.z - 128.0 / 3.0 * powers.w,
+                      -powers.x + 22.0 / 3.0 * powers.y - 16.0 * powers.z + 32.0 / 3.0 * powers.w);
   vec3 sum = all;
-  uint i = 1u;
-  while (i <= kShaftSteps + 1u) {
-    // Steps are walked in a loop of their own: a software device asks the volume in each turn of the outer one, asked or
-    // not.
-    float before = share;
-    bool changed = false;
-    for (; !changed && i <= kShaftSteps + 1u; i++) {
-      vec2 far = over_shadow(scene.planet, sight.track, sight.ray, float(i) * width);
-      float next = i <= kShaftSteps ? mean_sunlit(near, far, 0.5 * width) : 1.0;
-      changed = i > 1u && abs(next - share) > 1e-3;
-      before = share;
-      share = next;
-      near = far;
-    }
-    vec3 up_to = single_up_to(of, p, float(i - 2u) * width);
-    sum += changed ? up_to * (before - share) : vec3(0.0);
+  uint nodes = changed ? 4u : 0u;
+  for (uint i = 0u; i < nodes; i++) {
+    float z = 0.25 * float(i + 1u);
+    sum += single_up_to(of, p, z * z * shaded) * weights[i];
   }
   return sum;
 }

@@ -192,7 +192,36 @@ TEST(Terrain, ShadowOfAStepIsTheMeanAlongIt) {
   }
 }
 
-// A field of harmonics up to degree 2, nowhere negative, lights a slope by the integral of its cosine.
+// The parabolas of a ray's way over the table of shadows, against its altitudes and places.
+TEST(Terrain, WayOverTheShadowIsThatOfTheRay) {
+  constexpr double kMetre = 1e-3;
+  Scene scene = hills();
+  scene.sun.elevation = 5.0 * kDegree;
+  scene.sun.azimuth = 100.0 * kDegree;
+  Physics p = with_shadow(scene);
+  const auto shape = p.terrain_shape();
+  double bend = 0.0;
+  for (const double elevation : {-0.5, 0.0, 2.0, 8.0}) {
+    const vec3 view = p.direction_from_angles(elevation * kDegree, 80.0 * kDegree);
+    const auto track = p.ground_track(scene.camera.altitude, view);
+    const auto ray = p.ray_in_atmosphere(p.scene.planet, scene.camera.altitude, view.y, p.scene.sun.direction.y,
+                                         physics::dot(view, p.scene.sun.direction));
+    const double end = elevation < 2.0 ? 200.0 : 100.0;
+    const auto walk = p.shadow_walk(p.scene.planet, track, ray, end);
+    for (double x = 0.0; x <= 1.0; x += 0.05) {
+      const double h = p.point_on_ray(p.scene.planet, ray, x * end).h;
+      const double s = p.ground_distance(p.scene.planet, ray.h, ray.mu, x * end);
+      const double along = p.shadow_along(shape, track.east * s, track.north * s);
+      const double aside = p.shadow_aside(shape, track.east * s, track.north * s);
+      EXPECT_NEAR(p.on_parabola(walk.altitude, x), h, kMetre) << elevation << ", " << x;
+      EXPECT_NEAR(p.on_parabola(walk.along, x), along, 4.0 * kMetre / shape.shadow_texel) << elevation << ", " << x;
+      EXPECT_NEAR(p.on_parabola(walk.aside, x), aside, 4.0 * kMetre / shape.shadow_texel) << elevation << ", " << x;
+      bend = std::max(bend, std::abs(std::lerp(ray.h, p.point_on_ray(p.scene.planet, ray, end).h, x) - h));
+    }
+  }
+  EXPECT_GT(bend, 0.5);  // a straight line would not do
+}
+
 // Between two points whose heights over the shadow's edge are linear; past an edge that ends on the way half is dark.
 TEST(Terrain, MeanShareBetweenTwoPointsIsTheIntegral) {
   Physics p;
@@ -236,6 +265,7 @@ TEST(Terrain, IsMetWhereverTheSearchBegins) {
   EXPECT_GT(hits, 100);
 }
 
+// A field of harmonics up to degree 2, nowhere negative, lights a slope by the integral of its cosine.
 TEST(Terrain, SlopesAreLitByTheIntegralOfTheField) {
   Physics p = make_physics(earth());
   p.degree = 2;
