@@ -29,7 +29,9 @@ void main() {
   Phases p = phases(seen_cosine(scene.sun, sight.ray.mu, sight.ray.nu));
   float shaded = max(shaded_length(sight), 0.0);
   float from = 0.0;
-  ShadowWalk walk = shadow_walk(scene.planet, sight.track, sight.ray, shaded);
+  // The walk ends at the ground, where altitudes end; froxels beyond it take it on.
+  float way = max(min(shaded, sight.ray.length_), 1e-9);
+  ShadowWalk walk = shadow_walk(scene.planet, sight.track, sight.ray, way);
   vec2 near = over_shadow(walk, 0.0);
   vec3 share = vec3(mean_sunlit(near, near, 1.0));
   vec3 all = vec3(0.0);
@@ -40,7 +42,7 @@ void main() {
       float to = shaded * shaft_distance(float(slice) / float(size.z - 1u));
       float width = (to - from) / float(kParts);
       for (uint i = 1u; i <= kParts; i++) {
-        vec2 far = over_shadow(walk, (from + float(i) * width) / max(shaded, 1e-9));
+        vec2 far = over_shadow(walk, (from + float(i) * width) / way);
         sunlit += mean_sunlit(near, far, 0.5 * width) / float(kParts);
         near = far;
       }

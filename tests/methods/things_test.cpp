@@ -371,6 +371,29 @@ TEST(Things, TablesAreTheMarch) {
   }
 }
 
+// From above rays end at the ground before shadows do.
+TEST(Things, FroxelsFromAPeakAreTheMarch) {
+  Scene scene = shore(kTerrain);
+  scene.camera.altitude = 1.5;
+  scene.camera.pitch = -5.0 * kDegree;
+  scene.sun.elevation = 6.0 * kDegree;
+  scene.sun.azimuth = 95.0 * kDegree;
+  scene.image = {96, 56};
+  const RadianceImage march = render_now(with_shadows(scene, "march")).radiance;
+  const RadianceImage open = render_now(with_shadows(scene, "false")).radiance;
+  const RadianceImage found = render_now(with_shadows(scene, "froxels")).radiance;
+  double sum = 0.0;
+  double shade = 0.0;
+  for (int k = 0; k < 96 * 56; ++k) {
+    const double truth = channel_of(march, k % 96, k / 96, 1);
+    sum += std::abs(channel_of(found, k % 96, k / 96, 1) / truth - 1.0) / (96 * 56);
+    shade += (channel_of(open, k % 96, k / 96, 1) / truth - 1.0) / (96 * 56);
+  }
+  std::printf("froxels from above: mean %.5f off the march; shadows take %.4f\n", sum, shade);
+  EXPECT_LT(sum, 0.01);
+  EXPECT_GT(shade, 0.02) << "too little to tell by";
+}
+
 TEST(Things, LayersSumUpToThePicture) {
   for (const char* way : kShadowWays) {
     Scene scene = with_shadows(shore(kAll, way == kShadowWays[0] ? "never" : "always"), way);
