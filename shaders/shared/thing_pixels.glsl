@@ -18,12 +18,12 @@ layout(scalar, set = 0, binding = 33) readonly buffer Tiles { uint values[]; } t
 #endif
 
 const uint kThreads = kThingBlock * kThingBlock;
-// Of a pixel. A thread takes no more than one more than that: a software device ends the loops of a shader after 65536
-// turns.
+// The most rays of a pixel. A thread goes through one ray more at most: a software device ends the loops of a shader
+// after 65536 turns.
 const uint kMostRays = kEdgeSide * kEdgeSide;
 shared uint listed;
 shared uint list[kThreads * kMostRays];  // thread of the pixel, and in the bits above which of its rays
-shared PixelSeen seen[kThreads];       // by the rays of one turn
+shared PixelSeen seen[kThreads];         // by the rays of one turn
 
 bool in_picture(uvec2 pixel) { return pixel.x < width && pixel.y < height; }
 
