@@ -75,19 +75,23 @@ std::uint32_t dimmed_of(const Part& part, const View& view) {
   return has_cuts(part, view) ? physics::kDimmedSteps : physics::kDimmedFroxels;
 }
 
-constexpr std::uint32_t kDimmedPixels = 16;
-constexpr std::uint32_t kFewestDimmed = 12;  // each way
-constexpr std::uint32_t kMostDimmed = 96;
-constexpr std::uint32_t kDimmedSlices = 16;
+// Of a picture: in fog the share changes most from row to row, and with the distance.
+constexpr std::uint32_t kDimmedColumnPixels = 16;
+constexpr std::uint32_t kDimmedRowPixels = 8;
+constexpr std::uint32_t kFewestDimmedColumns = 12;
+constexpr std::uint32_t kFewestDimmedRows = 36;
+constexpr std::uint32_t kMostDimmed = 96;  // each way
+constexpr std::uint32_t kDimmedSlices = 48;
 
-std::uint32_t dimmed_over(int pixels) {
-  return std::clamp((static_cast<std::uint32_t>(pixels) + kDimmedPixels - 1) / kDimmedPixels + 1, kFewestDimmed,
-                    kMostDimmed);
+std::uint32_t dimmed_over(int pixels, std::uint32_t cell, std::uint32_t fewest) {
+  return std::clamp((static_cast<std::uint32_t>(pixels) + cell - 1) / cell + 1, fewest, kMostDimmed);
 }
 
 ImageId add_dimmed(Plan& plan, const Part& part, const View& view, const Volume& volume, const ThingInputs& things,
                    const FactorTable& table, const ThingLight& among) {
-  const Extent grid{dimmed_over(part.scene.image.width), dimmed_over(part.scene.image.height), kDimmedSlices};
+  const ImageSize& image = part.scene.image;
+  const Extent grid{dimmed_over(image.width, kDimmedColumnPixels, kFewestDimmedColumns),
+                    dimmed_over(image.height, kDimmedRowPixels, kFewestDimmedRows), kDimmedSlices};
   const ImageId dimmed = plan.add_image(
       {.name = "thing_dimmed", .extent = grid, .key = picture_table_key(view, "thing_dimmed"), .half = true});
   std::vector<Binding> reads = volume.reads();
@@ -176,6 +180,17 @@ ThingsUnderCloud air_among(Plan& plan, const Part& part, const View& view, const
   return air;
 }
 
+// The software device ends a shader's loops after 65535 turns of all of them together (nested.cpp): then rays of edges
+// and mirrors that one thread takes lose their light.
+void refuse_too_many_steps(const Scene& scene, bool mirrors) {
+  const int most = mirrors ? 256 : 1024;
+  const int steps = scene.render.get<int>("steps");
+  if (steps > most) {
+    throw InputError("render.steps: a march past " + std::string(mirrors ? "mirrors" : "terrain or spheres") +
+                     " takes up to " + std::to_string(most) + ", not " + std::to_string(steps) + "; lower it");
+  }
+}
+
 ThingPass pass_of(Plan& plan, const Part& part, const View& view, const Light& light, bool tables, bool clouds) {
   constexpr std::uint32_t kMirrorSegments = 6;
   ThingPass pass{.reads = light.reads(),
@@ -210,6 +225,7 @@ ThingPass pass_of(Plan& plan, const Part& part, const View& view, const Light& l
     pass.reads.insert(pass.reads.end(), pass.air.air.begin(), pass.air.air.end());
     pass.constants.insert(pass.constants.end(), pass.air.constants.begin(), pass.air.constants.end());
   } else {
+    refuse_too_many_steps(part.scene, mirrors);
     pass.constants.push_back({"kStokes", stokes_of(part, view)});
     pass.constants.push_back({"kShafts", march_shafts(part)});
   }

@@ -7,6 +7,9 @@
 #include <string>
 
 #include "core/air/scene_block.h"
+#include "core/base/error.h"
+#include "core/methods/method.h"
+#include "core/scene/preset.h"
 #include "core/things/ground.h"
 #include "tests/methods/render_fixture.h"
 #include "tests/methods/spectral_scene.h"
@@ -342,31 +345,45 @@ bool is_even(const RadianceImage& picture, int x, int y) {
 }
 
 // Mountains before a low sun throw shadows into haze; balls stand on the shore, one of them a mirror.
+// How far a way of finding shadows is off the march: the mean over all pixels, the worst pixel away from edges, and
+// what shadows take from the march in the mean.
+struct OffTheMarch {
+  double mean = 0.0;
+  double worst = 0.0;
+  double shade = 0.0;
+};
+
+OffTheMarch off_the_march(const Scene& scene, const std::string& way) {
+  const RadianceImage march = render_now(with_shadows(scene, "march")).radiance;
+  const RadianceImage open = render_now(with_shadows(scene, "false")).radiance;
+  const RadianceImage found = render_now(with_shadows(scene, way)).radiance;
+  const int pixels = scene.image.width * scene.image.height;
+  OffTheMarch off;
+  for (int k = 0; k < pixels; ++k) {
+    const int x = k % scene.image.width;
+    const int y = k / scene.image.width;
+    const double truth = channel_of(march, x, y, 1);
+    const double error = std::abs(channel_of(found, x, y, 1) / truth - 1.0);
+    off.mean += error / pixels;
+    off.shade += (channel_of(open, x, y, 1) / truth - 1.0) / pixels;
+    off.worst = is_even(march, x, y) ? std::max(off.worst, error) : off.worst;
+  }
+  std::printf("%s: mean %.5f, worst %.4f off the march; shadows take %.4f\n", way.c_str(), off.mean, off.worst,
+              off.shade);
+  return off;
+}
+
 TEST(Things, TablesAreTheMarch) {
   for (const char* shells : {"never", "always"}) {
     Scene scene = shore(kAll, shells);
     scene.sun.elevation = 6.0 * kDegree;
     scene.sun.azimuth = 95.0 * kDegree;
     scene.image = {96, 56};
-    const RadianceImage march = render_now(with_shadows(scene, "march")).radiance;
-    const RadianceImage open = render_now(with_shadows(scene, "false")).radiance;
     for (const std::string way : {"froxels", "exact"}) {
-      const RadianceImage found = render_now(with_shadows(scene, way)).radiance;
-      double sum = 0.0;
-      double worst = 0.0;
-      double shade = 0.0;
-      for (int k = 0; k < 96 * 56; ++k) {
-        const double truth = channel_of(march, k % 96, k / 96, 1);
-        const double error = std::abs(channel_of(found, k % 96, k / 96, 1) / truth - 1.0);
-        sum += error / (96 * 56);
-        shade += (channel_of(open, k % 96, k / 96, 1) / truth - 1.0) / (96 * 56);
-        worst = is_even(march, k % 96, k / 96) ? std::max(worst, error) : worst;
-      }
-      std::printf("%s, shells %s: mean %.5f, worst %.4f off the march; shadows take %.4f\n", way.c_str(), shells, sum,
-                  worst, shade);
-      EXPECT_LT(sum, way == "exact" ? 0.0025 : 0.01) << way;
-      EXPECT_LT(worst, way == "exact" ? 0.05 : 0.7) << way;  // froxels here are two degrees wide
-      EXPECT_GT(shade, 0.1) << "too little to tell by";
+      const OffTheMarch off = off_the_march(scene, way);
+      EXPECT_LT(off.mean, way == "exact" ? 0.0025 : 0.01) << way;
+      EXPECT_LT(off.worst, way == "exact" ? 0.05 : 0.7) << way;  // froxels here are two degrees wide
+      EXPECT_GT(off.shade, 0.1) << "too little to tell by";
     }
   }
 }
@@ -379,19 +396,25 @@ TEST(Things, FroxelsFromAPeakAreTheMarch) {
   scene.sun.elevation = 6.0 * kDegree;
   scene.sun.azimuth = 95.0 * kDegree;
   scene.image = {96, 56};
-  const RadianceImage march = render_now(with_shadows(scene, "march")).radiance;
-  const RadianceImage open = render_now(with_shadows(scene, "false")).radiance;
-  const RadianceImage found = render_now(with_shadows(scene, "froxels")).radiance;
-  double sum = 0.0;
-  double shade = 0.0;
-  for (int k = 0; k < 96 * 56; ++k) {
-    const double truth = channel_of(march, k % 96, k / 96, 1);
-    sum += std::abs(channel_of(found, k % 96, k / 96, 1) / truth - 1.0) / (96 * 56);
-    shade += (channel_of(open, k % 96, k / 96, 1) / truth - 1.0) / (96 * 56);
-  }
-  std::printf("froxels from above: mean %.5f off the march; shadows take %.4f\n", sum, shade);
-  EXPECT_LT(sum, 0.01);
-  EXPECT_GT(shade, 0.02) << "too little to tell by";
+  const OffTheMarch off = off_the_march(scene, "froxels");
+  EXPECT_LT(off.mean, 0.01);
+  EXPECT_GT(off.shade, 0.02) << "too little to tell by";
+}
+
+// The light of fog comes from a short part of each ray, where terrain's share of it changes fast.
+TEST(Things, FogInAValleyIsTheMarch) {
+  Scene scene = resolve(load_preset(AIRLIGHT_SOURCE_DIR "/presets/valley-fog.json"), method_infos());
+  scene.image = {96, 56};
+  const OffTheMarch off = off_the_march(scene, "exact");
+  EXPECT_LT(off.mean, 0.005);
+}
+
+// More would lose light silently on the software device.
+TEST(Things, MarchesOfTooManyStepsAreRefused) {
+  Scene scene = with_shadows(shore(kTerrain), "march");
+  scene.image = {8, 4};
+  scene.render.parameters.find("steps")->second = 1025;
+  EXPECT_THROW(render_now(scene), InputError);
 }
 
 TEST(Things, LayersSumUpToThePicture) {
