@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::uint32_t kRounds = 2;  // of light sent to and fro
 constexpr double kCells = 1000.0;     // of the grid of air, each with all layers
-constexpr double kSlopeCells = 8000.0;
+constexpr double kSlopeCells = 4000.0;
 
 struct LightGrid {
   std::uint32_t columns;
