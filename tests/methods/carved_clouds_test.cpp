@@ -190,5 +190,42 @@ TEST(CarvedClouds, CoarseCellsHoldTheLightOfTheirWater) {
   EXPECT_NEAR(coarse / fine, 1.0, 0.05);
 }
 
+// All light of a field of cumulus without air, above black ground, under a low sun, by the cells that presets leave
+// alone. Scattering is isotropic, with as much extinction as delta scaling leaves drops: less noise for the judge.
+TEST(CarvedClouds, AFieldIsAsBrightAsByPathTrace) {
+  Scene scene = under_level_cloud(1.0, std::sin(radians(20.0)));
+  scene.planet.ground_radius = 6371.0;
+  scene.sun.azimuth = radians(130.0);
+  scene.image = {48, 27};
+  scene.camera.altitude = 0.1;
+  scene.camera.azimuth = radians(304.0);
+  scene.camera.pitch = radians(12.0);
+  scene.camera.vertical_fov = radians(38.0);
+  Cloud cloud = carved_cloud(CloudKind::cumulus, 0.35);
+  cloud.top = 2.4;
+  cloud.cell = 2.0;
+  cloud.period = 16.0;
+  cloud.detail = 0.05;
+  cloud.water = 0.2316;
+  cloud.shear = 0.2;
+  cloud.wind = radians(60.0);
+  cloud.single_scattering_albedo = 1.0;
+  scene.clouds = {cloud};
+  const auto mean_of = [](const Scene& of) {
+    double sum = 0.0;
+    for (const float value : rgb_of(render_now(of).radiance.rgba)) {
+      sum += static_cast<double>(value);
+    }
+    return sum;
+  };
+  Scene fast = scene;
+  fast.render.parameters.find("cloud_resolution")->second = std::string("full");
+  Scene judge = with_method(scene, *find_method("path-trace"));
+  judge.render.parameters.find("samples")->second = 32;
+  const double ratio = mean_of(fast) / mean_of(judge);
+  std::printf("a field of cumulus: %+.2f %%\n", 100.0 * (ratio - 1.0));
+  EXPECT_NEAR(ratio, 1.0, 0.05);
+}
+
 }  // namespace
 }  // namespace airlight::test

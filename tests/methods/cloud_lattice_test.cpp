@@ -59,11 +59,14 @@ Difference halved(const Scene& half, const Scene& full) {
   return found;
 }
 
-// Light that is smooth over the picture is that of the rays around a pixel, to the second order.
+// Light that is smooth over the picture is that of the rays around a pixel, to the second order. The cells are as high as
+// the cloud's own: by 15 layers in place of its 20 pixels are up to 0.6 % off, 0.004 % in the mean.
 TEST(CloudLattice, GoesEvenlyBetweenRaysOfALevelCloud) {
   for (const double depth : {0.5, 16.0}) {
     const auto scene = [depth](const char* resolution) {
-      return framed(under_level_cloud(depth, std::sin(radians(35.0))), resolution);
+      Scene level = framed(under_level_cloud(depth, std::sin(radians(35.0))), resolution);
+      level.render.parameters.find("cloud_lut")->second = TableSize{4, 20};
+      return level;
     };
     const Difference found = halved(scene("half"), scene("full"));
     EXPECT_LT(found.most, 3e-3) << depth;
