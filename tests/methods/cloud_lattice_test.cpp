@@ -59,8 +59,8 @@ Difference halved(const Scene& half, const Scene& full) {
   return found;
 }
 
-// Light that is smooth over the picture is that of the rays around a pixel, to the second order. The cells are as high as
-// the cloud's own: by 15 layers in place of its 20 pixels are up to 0.6 % off, 0.004 % in the mean.
+// Light that is smooth over the picture is that of the rays around a pixel, to the second order. The cells are as high
+// as the cloud's own: by 15 layers in place of its 20 pixels are up to 0.6 % off, 0.004 % in the mean.
 TEST(CloudLattice, GoesEvenlyBetweenRaysOfALevelCloud) {
   for (const double depth : {0.5, 16.0}) {
     const auto scene = [depth](const char* resolution) {
