@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <bit>
+
+#include "core/output/parallel.h"
 
 namespace airlight {
 namespace {
@@ -86,18 +89,27 @@ std::string half_loss(const RadianceImage& image, double typical) {
   constexpr float kFewBits = 0x1p-16F;
   constexpr float kLargest = 65504.0F;
   const float dark = static_cast<float>(typical / 256.0);
-  std::size_t matter = 0;
-  std::size_t faint = 0;
-  std::size_t bright = 0;
-  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      const float sample = image.rgba[i + c];
-      const bool is_seen = sample > 0.0F && sample >= dark;
-      matter += is_seen ? 1 : 0;
-      faint += is_seen && sample < kFewBits ? 1 : 0;
-      bright += sample > kLargest ? 1 : 0;
+  std::atomic<std::size_t> matter = 0;
+  std::atomic<std::size_t> faint = 0;
+  std::atomic<std::size_t> bright = 0;
+  const std::size_t row = 4 * static_cast<std::size_t>(image.width);
+  for_row_strips(image.height, [&](int begin, int end) {
+    std::size_t matters = 0;
+    std::size_t faints = 0;
+    std::size_t brights = 0;
+    for (std::size_t i = row * static_cast<std::size_t>(begin); i < row * static_cast<std::size_t>(end); i += 4) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        const float sample = image.rgba[i + c];
+        const bool is_seen = sample > 0.0F && sample >= dark;
+        matters += is_seen ? 1 : 0;
+        faints += is_seen && sample < kFewBits ? 1 : 0;
+        brights += sample > kLargest ? 1 : 0;
+      }
     }
-  }
+    matter += matters;
+    faint += faints;
+    bright += brights;
+  });
   if (bright > 0) {
     return std::to_string(bright) + " samples are above 65504, the largest half";
   }

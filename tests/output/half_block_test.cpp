@@ -88,6 +88,15 @@ TEST(HalfBlock, SaysWhatHalvesWouldLose) {
   EXPECT_EQ(loss(27, 1e6F), "");
 }
 
+// Rows are counted on all cores.
+TEST(HalfBlock, SaysWhatHalvesWouldLoseInAnyRow) {
+  RadianceImage image{3, 100, std::vector<float>(1200, 1.0F)};
+  for (std::size_t y = 0; y < 100; ++y) {
+    image.rgba[12 * y + 4] = 1e6F;
+    EXPECT_EQ(half_loss(image, 1.0), std::to_string(y + 1) + " samples are above 65504, the largest half");
+  }
+}
+
 TEST(HalfBlock, CountsWithoutConversion) {
   const std::vector<float> samples = {1e9F, 1e-9F, -1.0F, test::kNan};
   ExrCounts counts;
