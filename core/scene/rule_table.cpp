@@ -406,7 +406,7 @@ constexpr auto kRules = std::to_array<Rule>({
         "", "auto",
         "wavelengths that a scene with spectra is rendered at, in groups of three; \"auto\": the fewest of 3, 6, 12 "
         "and 24 that are wrong by at most 0.4 % for sunlight scattered once, by `orders` 1 % among terrain and "
-        "spheres, 2 % among fields of clouds"),
+        "spheres without maps of colour, 2 % among fields of clouds"),
     row(RuleType::boolean, "render.polarisation", {}, "", "true",
         "whether molecules polarise the light that they scatter, and scatter polarised light accordingly: of every "
         "method that follows light scattered more than once by its direction; the others, by whose mean it is lit, "

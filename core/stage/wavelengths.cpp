@@ -19,14 +19,17 @@ constexpr std::array<int, 4> kAutomaticWavelengths{3, 6, 12, 24};
 constexpr double kEnough = 0.004;
 // Light of clouds is 2 to 9 % off in the mean by any wavelengths, and each group of these marches through them.
 constexpr double kEnoughAmongClouds = 0.02;
-// Light of terrain and spheres is 2 to 4 % off, and each group of wavelengths looks for them anew.
+// Light of terrain and spheres is 2 to 4 % off, and each group of wavelengths looks for them anew. Maps of colour are
+// no part of the samples, and ask for more wavelengths.
 constexpr double kEnoughAmongThings = 0.01;
 
 double enough_for(const Scene& scene) {
   if (scene.render.method != "orders") {
     return kEnough;
   }
-  const bool things = scene.terrain || !scene.spheres.empty();
+  const bool maps =
+      (scene.terrain && !scene.terrain->albedo_map.empty()) || (scene.ground && !scene.ground->albedo_map.empty());
+  const bool things = !maps && (scene.terrain || !scene.spheres.empty());
   return !scene.clouds.empty() ? kEnoughAmongClouds : things ? kEnoughAmongThings : kEnough;
 }
 
