@@ -33,7 +33,8 @@ struct FitInputs {
 
 // The scene's wavelengths, with a matrix fitted to its sampled sky. Automatic ones are the fewest, in whole groups,
 // whose matrix renders that sky to 0.4 %, by `orders` to 1 % among terrain and spheres without maps of
-// colour and to 2 % among fields of clouds, of which it is further off. The scene must have spectra; `air`: of its three channels.
+// colour and to 2 % among fields of clouds, of which it is further off. The scene must have spectra; `air`: of its
+// three channels.
 ColourBasis fitted_basis(const Scene& scene, const Air& air);
 
 // The same at given wavelengths. The matrix is that of their cells (cell_matrix), close to the truth where they are
