@@ -1,5 +1,6 @@
 # What the software device's driver compiles for the presets, made by rendering each of them once (driver_code.h). Where
-# the build runs on a machine without that device there is none, and a first start compiles.
+# the build runs on a machine without that device there is none, and a first start compiles. The presets' tables lie
+# beside it: another program has others, so each link is followed by these renders.
 option(AIRLIGHT_DRIVER_CODE "Build what the software device compiles at its first starts" ON)
 if(NOT AIRLIGHT_DRIVER_CODE OR NOT TARGET freeze_presets)
   return()
@@ -12,7 +13,7 @@ foreach(part 0 1)  # at once: a driver compiles on one processor
     COMMAND ${CMAKE_COMMAND} -DAIRLIGHT=$<TARGET_FILE:airlight> -DPART=${part} -DMADE=${made} -DSHADERS=${ready_source}
             -DOUT=${PROJECT_BINARY_DIR}/driver_code "-DPRESETS=${airlight_preset_files}"
             -P ${CMAKE_CURRENT_LIST_DIR}/render_presets.cmake
-    DEPENDS ${ready_source} ${CMAKE_CURRENT_LIST_DIR}/render_presets.cmake
+    DEPENDS airlight ${ready_source} ${CMAKE_CURRENT_LIST_DIR}/render_presets.cmake
     COMMENT "Compiling the presets' shaders for the software device, part ${part}"
     VERBATIM)
   list(APPEND driver_code_made ${made})

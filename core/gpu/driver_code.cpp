@@ -14,6 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kFolder = "driver_code";
+constexpr const char* kCache = "driver_code_tables";  // the cache folder of the build's renders
 // Made last by the build: another text for each set of shaders. In the user's cache: which set was taken, and where to.
 constexpr const char* kStamp = "stamp";
 
@@ -85,6 +86,11 @@ void take_driver_code(const fs::path& cache) {
   std::error_code problem;
   if (fs::create_directories(cache, problem)) fs::permissions(cache, fs::perms::owner_all, problem);
   std::ofstream(note) << taken;
+}
+
+fs::path built_tables() {
+  const fs::path code = built_folder();
+  return code.empty() ? code : code.parent_path() / kCache / "tables";
 }
 
 }  // namespace airlight

@@ -15,4 +15,7 @@ namespace airlight {
 // ($MESA_SHADER_CACHE_DISABLE) or the build left no code. A fault is no error, since only time is lost.
 void take_driver_code(const std::filesystem::path& cache);
 
+// Where these renders left the presets' tables (stored_tables.h); empty: nowhere.
+std::filesystem::path built_tables();
+
 }  // namespace airlight

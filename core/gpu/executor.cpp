@@ -74,8 +74,8 @@ struct Executor::Impl {
         frame(device),
         sampler(make_sampler(device)),
         teams(options.teams.value_or(!device.info().is_cpu)),
-        tables(options.stores_tables ? cache_folder(options, "tables") : std::filesystem::path(), device.info(),
-               teams) {
+        tables(options.stores_tables ? cache_folder(options, "tables") : std::filesystem::path(), built_tables(),
+               device.info(), teams) {
     device.keep_halves(options.halves.value_or(!device.info().is_cpu));
   }
 

@@ -23,7 +23,7 @@ std::filesystem::path user_cache_folder();
 
 class KeptFiles {
  public:
-  static constexpr std::uint64_t kBytesMax = std::uint64_t{64} << 20U;
+  static constexpr std::uint64_t kBytesMax = std::uint64_t{128} << 20U;
   static constexpr std::size_t kWordsMax = std::size_t{4} << 20U;  // of one file; longer files are not kept
 
   // `folder` empty: nothing is kept. The folder, with up to two above it, is made when the first file is kept.

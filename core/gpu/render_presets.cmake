@@ -1,6 +1,6 @@
 # cmake -DAIRLIGHT=PROGRAM -DPRESETS=LIST -DPART=0|1 -DOUT=FOLDER -DSHADERS=FILE -DMADE=FILE -P render_presets.cmake
-# Renders every second preset of the list, from PART on, so that the driver keeps the compiled shaders in OUT. The tables
-# lie beside it for the next build. OUT gets a stamp by the SHADERS' hash; MADE tells the build that all is done.
+# Renders every second preset of the list, from PART on, so that the driver keeps the compiled shaders in OUT, and the
+# program its tables in OUT_tables. OUT gets a stamp by the SHADERS' hash; MADE tells the build that all is done.
 set(index ${PART})
 list(LENGTH PRESETS count)
 file(MAKE_DIRECTORY ${OUT})

@@ -73,8 +73,10 @@ std::string program_build() {
   return id;
 }
 
-StoredTables::StoredTables(fs::path folder, const DeviceInfo& device, bool teams)
-    : maker_(maker_of(folder, device, teams)), files_(std::move(folder), ".table") {}
+StoredTables::StoredTables(fs::path folder, fs::path built, const DeviceInfo& device, bool teams)
+    : maker_(maker_of(folder, device, teams)),
+      files_(std::move(folder), ".table"),
+      built_(std::move(built), ".table") {}
 
 bool StoredTables::takes(const ImageDesc& table) const {
   return table.stored && !table.key.empty() && !maker_.empty();
@@ -87,7 +89,9 @@ Digest StoredTables::key_of(const ImageDesc& table) const {
 
 std::vector<std::uint32_t> StoredTables::find(const ImageDesc& table) const {
   if (!takes(table)) return {};
-  std::vector<std::uint32_t> words = files_.find(key_of(table));
+  const Digest key = key_of(table);
+  std::vector<std::uint32_t> words = files_.find(key);
+  if (words.empty()) words = built_.find(key);
   return words.size() * sizeof(words[0]) == table.bytes() ? words : std::vector<std::uint32_t>();
 }
 

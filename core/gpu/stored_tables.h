@@ -16,8 +16,9 @@ namespace airlight {
 
 class StoredTables {
  public:
-  // `folder` empty: nothing is stored. `teams`: whether passes get teams, whose sums round differently.
-  StoredTables(std::filesystem::path folder, const DeviceInfo& device, bool teams);
+  // `folder` empty: nothing is stored. `built`: of tables that the build left, which are only read; may be empty.
+  // `teams`: whether passes get teams, whose sums round differently.
+  StoredTables(std::filesystem::path folder, std::filesystem::path built, const DeviceInfo& device, bool teams);
 
   // Whether the table is to be stored and a folder exists.
   bool takes(const ImageDesc& table) const;
@@ -32,6 +33,7 @@ class StoredTables {
 
   std::string maker_;  // program, device and driver, which decide the rounding; empty: nothing is stored
   KeptFiles files_;
+  KeptFiles built_;
 };
 
 // An id from the linker's note that no other build of the program has; empty where the linker wrote none.

@@ -242,6 +242,29 @@ TEST_F(LeftBehind, NothingCompiledForPresetsThatShip) {
   EXPECT_LT(names_in(mesa).size(), names_in(code).size());
 }
 
+// The build left their tables too: a first start bakes none, and makes the picture that it makes without them.
+TEST_F(LeftBehind, NoTablesBakedForPresetsThatShip) {
+  if (!std::filesystem::exists(tool_program().parent_path() / "driver_code_tables" / "tables")) {
+    GTEST_SKIP() << "the build left no tables";
+  }
+  const std::filesystem::path cache = scratch_.path() / "cache";
+  Start start;
+  start.environment = {{"AIRLIGHT_CACHE", cache.string()}, {"AIRLIGHT_DEVICE", "llvmpipe"}};
+  const auto bakes = [&](const Names& more) {
+    Names arguments = {"render", "mountain-sunrise", "--size", "32x18", "--timings", "-o", "a.exr"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = tool(arguments, start);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return std::pair(outcome.err.find("pass order1") != std::string::npos,
+                     outcome.err.find("pass thing_light") != std::string::npos);
+  };
+  EXPECT_EQ(bakes({"--no-cache"}), std::pair(true, true));
+  const std::string picture = scratch_.read("a.exr");
+  EXPECT_EQ(bakes({}), std::pair(false, false));
+  EXPECT_TRUE(scratch_.read("a.exr") == picture);
+  EXPECT_FALSE(std::filesystem::exists(cache / "tables"));
+}
+
 // A second start bakes no tables and makes the same picture.
 TEST_F(LeftBehind, TablesThatMakeTheSamePicture) {
   Start start;
