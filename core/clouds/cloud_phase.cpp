@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/air/scene_block.h"
+#include "core/base/in_parallel.h"
 #include "core/clouds/cloud_physics.h"
 
 namespace airlight {
@@ -51,17 +52,28 @@ double spread_share(double angle) {
 
 // Moments of the phase function from 0 on, up to the last that matters; the integral is made 1.
 std::vector<vec3> peak_moments(physics::Physics& p) {
-  std::vector<vec3> moments(kMostDegree + 1, vec3(0.0));
+  constexpr std::size_t kBlocks = 32;  // of angles, each summed by itself
+  std::vector<vec3> weights(kAngles);
   for (int i = 0; i < kAngles; ++i) {
     const double x = (i + 0.5) / kAngles;
     const double angle = peak_angle(x);
     const double width = 2.0 * std::numbers::pi * x / kAngles;
-    const vec3 weight = p.medium_phase(0, std::cos(angle)) * (2.0 * std::numbers::pi * std::sin(angle) * width);
-    Polynomials legendre(std::cos(angle));
-    for (vec3& moment : moments) {
-      moment = moment + weight * legendre.value();
-      legendre.next();
+    weights[static_cast<std::size_t>(i)] =
+        p.medium_phase(0, std::cos(angle)) * (2.0 * std::numbers::pi * std::sin(angle) * width);
+  }
+  std::vector<std::vector<vec3>> sums(kBlocks, std::vector<vec3>(kMostDegree + 1, vec3(0.0)));
+  in_parallel(kBlocks, [&](std::size_t block) {
+    for (std::size_t i = block * kAngles / kBlocks; i < (block + 1) * kAngles / kBlocks; ++i) {
+      Polynomials legendre(std::cos(peak_angle((static_cast<double>(i) + 0.5) / kAngles)));
+      for (vec3& moment : sums[block]) {
+        moment = moment + weights[i] * legendre.value();
+        legendre.next();
+      }
     }
+  });
+  std::vector<vec3> moments(kMostDegree + 1, vec3(0.0));
+  for (const std::vector<vec3>& part : sums) {
+    for (std::size_t l = 0; l < moments.size(); ++l) moments[l] = moments[l] + part[l];
   }
   const vec3 whole = moments.front();
   std::ranges::for_each(moments, [&](vec3& moment) { moment = moment / whole; });
@@ -92,11 +104,14 @@ std::vector<device::vec3> cloud_phase_rows(physics::Physics& p, double single_sc
       lost[row * moments.size() + l] = moments[l] * share * (physics::exp(rate * -depth) - vec3(1.0));
     }
   }
-  for (std::size_t i = 0; i < physics::kPhaseSamples; ++i) {
+  std::vector<vec3> wholes(physics::kPhaseSamples);
+  for (std::size_t i = 0; i < wholes.size(); ++i) {
+    wholes[i] = p.medium_phase(0, std::cos(peak_angle(static_cast<double>(i) / (physics::kPhaseSamples - 1))));
+  }
+  in_parallel(wholes.size(), [&](std::size_t i) {
     const double angle = peak_angle(static_cast<double>(i) / (physics::kPhaseSamples - 1));
     const double spread = spread_share(angle);
-    const vec3 whole = p.medium_phase(0, std::cos(angle));
-    std::vector<vec3> sums(kRows, whole);
+    std::vector<vec3> sums(kRows, wholes[i]);
     Polynomials legendre(std::cos(angle));
     for (std::size_t l = 0; l < moments.size() && spread > 0.0; ++l) {
       for (std::size_t row = 0; row < kRows; ++row) {
@@ -108,7 +123,7 @@ std::vector<device::vec3> cloud_phase_rows(physics::Physics& p, double single_sc
       const vec3 value = physics::max(sums[row], vec3(0.0)) * (single_scattering_albedo / scale);
       values[row * physics::kPhaseSamples + i] = narrowed(value);
     }
-  }
+  });
   return values;
 }
 

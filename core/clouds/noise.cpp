@@ -1,7 +1,9 @@
 #include "core/clouds/noise.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace airlight {
 namespace {
@@ -66,28 +68,36 @@ PlaceInCell point_in(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uin
   return {hashed(a, b, c, seed), hashed(a, b, c, seed + 0x51ed270bU), hashed(a, b, c, seed + 0xa2f1c3d9U)};
 }
 
-// Distance to the nearest point, at most 1. `point_of(i, j, k)`: where the point of a cell is in it.
+// Along one axis: a place's cell and those before and after it.
+struct CellsAround {
+  // `cell_of(i)`: what point_of() below is told of cell i.
+  template <class CellOf>
+  CellsAround(double x, const CellOf& cell_of) {
+    const int i = static_cast<int>(std::floor(x));
+    const double part = x - i;
+    cells = {cell_of(i), cell_of(i - 1), cell_of(i + 1)};
+    starts = {i - x, i - 1 - x, i + 1 - x};
+    gaps = {0.0, part * part, (1.0 - part) * (1.0 - part)};
+  }
+  std::array<std::size_t, 3> cells;
+  std::array<double, 3> starts;  // from the place
+  std::array<double, 3> gaps;    // the square of the distance: no point of the cell is nearer
+};
+
+// Distance to the nearest point, at most 1. `point_of(a, b, c)`: where the point of a cell is in it.
 template <class PointOf>
-double nearest_of(double x, double y, double z, const PointOf& point_of) {
-  const int i = static_cast<int>(std::floor(x));
-  const int j = static_cast<int>(std::floor(y));
-  const int k = static_cast<int>(std::floor(z));
-  // The square of the distance to a neighbouring cell along one axis: no point of it is nearer.
-  const auto gap = [](int d, double part) {
-    const double away = d == 0 ? 0.0 : d < 0 ? part : 1.0 - part;
-    return away * away;
-  };
+double nearest_of(const CellsAround& x, const CellsAround& y, const CellsAround& z, const PointOf& point_of) {
   double nearest = 1.0;
-  for (const int dk : {0, -1, 1}) {
-    for (const int dj : {0, -1, 1}) {
-      for (const int di : {0, -1, 1}) {
-        if (gap(di, x - i) + gap(dj, y - j) + gap(dk, z - k) >= nearest) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (x.gaps[i] + y.gaps[j] + z.gaps[k] >= nearest) {
           continue;
         }
-        const auto point = point_of(i + di, j + dj, k + dk);
-        const double px = i + di + point.x - x;
-        const double py = j + dj + point.y - y;
-        const double pz = k + dk + point.z - z;
+        const auto point = point_of(x.cells[i], y.cells[j], z.cells[k]);
+        const double px = x.starts[i] + point.x;
+        const double py = y.starts[j] + point.y;
+        const double pz = z.starts[k] + point.z;
         nearest = std::min(nearest, px * px + py * py + pz * pz);
       }
     }
@@ -113,12 +123,15 @@ double value_noise(double x, double y, double z, NoisePeriod period, std::uint32
 }
 
 double cell_noise(double x, double y, double z, NoisePeriod period, std::uint32_t seed) {
-  return nearest_of(x, y, z, [&](int i, int j, int k) {
-    const std::uint32_t a = wrapped(i, period.x);
-    const std::uint32_t b = wrapped(j, period.y);
-    const std::uint32_t c = period.z > 0 ? wrapped(k, period.z) : static_cast<std::uint32_t>(k);
-    return point_in(a, b, c, seed);
-  });
+  const auto across = [](int count) { return [count](int i) { return std::size_t{wrapped(i, count)}; }; };
+  const auto up = [&](int k) {
+    return std::size_t{period.z > 0 ? wrapped(k, period.z) : static_cast<std::uint32_t>(k)};
+  };
+  return nearest_of(CellsAround(x, across(period.x)), CellsAround(y, across(period.y)), CellsAround(z, up),
+                    [seed](std::size_t a, std::size_t b, std::size_t c) {
+                      return point_in(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b),
+                                      static_cast<std::uint32_t>(c), seed);
+                    });
 }
 
 double value_octaves(double x, double y, double z, NoisePeriod period, int octaves, std::uint32_t seed) {
@@ -153,13 +166,17 @@ double StrewnPoints::noise(double x, double y, double z) const {
   if (layers_ == 0) {
     return cell_noise(x, y, z, period_, seed_);
   }
-  return nearest_of(x, y, z, [this](int i, int j, int k) {
-    const std::size_t a = wrapped(i, period_.x);
-    const std::size_t b = wrapped(j, period_.y);
-    const std::size_t c =
-        period_.z > 0 ? wrapped(k, period_.z) : static_cast<std::size_t>(std::min(k + 1, layers_ - 1));
-    return points_[a + static_cast<std::size_t>(period_.x) * (b + static_cast<std::size_t>(period_.y) * c)];
-  });
+  const auto row = static_cast<std::size_t>(period_.x);
+  const auto layer = row * static_cast<std::size_t>(period_.y);
+  return nearest_of(CellsAround(x, [&](int i) { return std::size_t{wrapped(i, period_.x)}; }),
+                    CellsAround(y, [&](int j) { return row * wrapped(j, period_.y); }),
+                    CellsAround(z,
+                                [&](int k) {
+                                  return layer * (period_.z > 0
+                                                      ? wrapped(k, period_.z)
+                                                      : static_cast<std::size_t>(std::min(k + 1, layers_ - 1)));
+                                }),
+                    [this](std::size_t a, std::size_t b, std::size_t c) { return points_[a + b + c]; });
 }
 
 CellOctaves::CellOctaves(NoisePeriod period, double most_z, int octaves, std::uint32_t seed) {

@@ -42,24 +42,6 @@ device::CloudScattering narrowed_scattering(const physics::CloudScattering& s) {
   return out;
 }
 
-// A cell and those around it; the grid repeats itself in x and y, and is cut off in z.
-std::array<std::uint32_t, 27> neighbours(const CloudCells& cells, std::uint32_t at) {
-  const auto nx = static_cast<int>(cells.nx);
-  const auto ny = static_cast<int>(cells.ny);
-  const auto nz = static_cast<int>(cells.nz);
-  const int i = static_cast<int>(at) % nx;
-  const int j = static_cast<int>(at) / nx % ny;
-  const int k = static_cast<int>(at) / (nx * ny);
-  std::array<std::uint32_t, 27> found{};
-  for (int n = 0; n < 27; ++n) {
-    const int x = (i + n % 3 - 1 + nx) % nx;
-    const int y = (j + n / 3 % 3 - 1 + ny) % ny;
-    const int z = std::clamp(k + n / 9 - 1, 0, nz - 1);
-    found.at(static_cast<std::size_t>(n)) = static_cast<std::uint32_t>((z * ny + y) * nx + x);
-  }
-  return found;
-}
-
 // Cells with water and their neighbours: from no other does the picture ask for a source.
 std::vector<std::uint32_t> lit_cells(const CloudCells& cells) {
   const std::vector<float> gaps = gaps_of(cells);
@@ -72,94 +54,7 @@ std::vector<std::uint32_t> lit_cells(const CloudCells& cells) {
   return list;
 }
 
-// Shares of the fine cells in each coarse one along one axis.
-struct Share {
-  std::uint32_t from;
-  std::uint32_t to;
-  double share;  // of the coarse cell
-};
-
-std::vector<Share> shares_of(std::uint32_t fine, std::uint32_t coarse) {
-  std::vector<Share> shares;
-  const double width = static_cast<double>(fine) / coarse;
-  for (std::uint32_t c = 0; c < coarse; ++c) {
-    for (auto f = static_cast<std::uint32_t>(c * width); f < fine && f < (c + 1) * width - 1e-9; ++f) {
-      const double length = std::min<double>(f + 1, (c + 1) * width) - std::max<double>(f, c * width);
-      shares.push_back({f, c, length / width});
-    }
-  }
-  return shares;
-}
-
 }  // namespace
-
-CloudCells means_between(const CloudCells& cells) {
-  constexpr float kNear = 0.125F;  // a neighbour's share
-  CloudCells out = cells;
-  const auto along = [&](std::size_t stride, std::uint32_t count, bool repeats) {
-    const std::vector<float> before = out.extinction;
-    for (std::size_t at = 0; at < before.size(); ++at) {
-      const auto i = static_cast<std::uint32_t>(at / stride % count);
-      const std::size_t first = at - i * stride;
-      const std::uint32_t low = i > 0 ? i - 1 : (repeats ? count - 1 : 0);
-      const std::uint32_t high = i + 1 < count ? i + 1 : (repeats ? 0 : i);
-      const float sides = before[first + low * stride] + before[first + high * stride];
-      out.extinction[at] = (1.0F - 2.0F * kNear) * before[at] + kNear * sides;
-    }
-  };
-  along(1, cells.nx, true);
-  along(cells.nx, cells.ny, true);
-  along(std::size_t{cells.nx} * cells.ny, cells.nz, false);
-  return out;
-}
-
-CloudCells coarsened(const CloudCells& cells, std::uint32_t most_x, std::uint32_t most_y, std::uint32_t most_z) {
-  CloudCells out;
-  out.nx = std::min(cells.nx, most_x);
-  out.ny = std::min(cells.ny, most_y);
-  out.nz = std::min(cells.nz, most_z);
-  out.cell_x = cells.cell_x * cells.nx / out.nx;
-  out.cell_y = cells.cell_y * cells.ny / out.ny;
-  out.cell_z = cells.cell_z * cells.nz / out.nz;
-  std::vector<double> sums(out.count(), 0.0);
-  const std::vector<Share> x = shares_of(cells.nx, out.nx);
-  const std::vector<Share> y = shares_of(cells.ny, out.ny);
-  for (const Share& c : shares_of(cells.nz, out.nz)) {
-    for (const Share& b : y) {
-      const float* row = &cells.extinction[(std::size_t{c.from} * cells.ny + b.from) * cells.nx];
-      double* to = &sums[(std::size_t{c.to} * out.ny + b.to) * out.nx];
-      for (const Share& a : x) {
-        to[a.to] += a.share * b.share * c.share * row[a.from];
-      }
-    }
-  }
-  out.extinction.resize(sums.size());
-  std::ranges::transform(sums, out.extinction.begin(), cloud_float);
-  return out;
-}
-
-// Breadth first from the cells with water.
-std::vector<float> gaps_of(const CloudCells& cells) {
-  constexpr float kMost = 64.0F;
-  std::vector<float> gaps(cells.count(), kMost);
-  std::vector<std::uint32_t> queue;
-  for (std::uint32_t at = 0; at < gaps.size(); ++at) {
-    if (cells.extinction[at] > 0.0F) {
-      gaps[at] = 0.0F;
-      queue.push_back(at);
-    }
-  }
-  for (std::size_t next = 0; next < queue.size(); ++next) {
-    const float gap = gaps[queue[next]] + 1.0F;
-    for (const std::uint32_t at : neighbours(cells, queue[next])) {
-      if (gaps[at] > gap) {
-        gaps[at] = gap;
-        queue.push_back(at);
-      }
-    }
-  }
-  return gaps;
-}
 
 double delta_scale(const CloudDrops& drops) {
   return 1.0 - drops.single_scattering_albedo * peak_of(drops);

@@ -8,33 +8,10 @@
 #include <vector>
 
 #include "core/clouds/cloud_physics.h"
+#include "core/luts/cloud_cells.h"
 #include "core/plan/plan.h"
 
 namespace airlight {
-
-// Cells of a cloud between two altitudes, x to the east fastest, then y to the north, then up. The grid repeats itself
-// in x and y.
-struct CloudCells {
-  std::uint32_t nx = 1;
-  std::uint32_t ny = 1;
-  std::uint32_t nz = 1;
-  double cell_x = 1.0;  // km
-  double cell_y = 1.0;
-  double cell_z = 1.0;
-  std::vector<float> extinction = {};  // 1/km
-
-  std::size_t count() const { return std::size_t{nx} * ny * nz; }
-};
-
-// The means over the cells of what is linear between their middles, and constant beyond the outermost upward and
-// downward.
-CloudCells means_between(const CloudCells& cells);
-
-// The mean over boxes of cells, at most so many a side; what is left over at the far edge is shared out by length.
-CloudCells coarsened(const CloudCells& cells, std::uint32_t most_x, std::uint32_t most_y, std::uint32_t most_z);
-
-// For each cell, the number of steps to the nearest cell with water, at most 64; a step goes to any of 26 neighbours.
-std::vector<float> gaps_of(const CloudCells& cells);
 
 struct CloudDrops {
   double single_scattering_albedo = 1.0;

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <complex>
 #include <deque>
+#include <functional>
 #include <mutex>
 #include <numbers>
 #include <utility>
 
+#include "core/base/in_parallel.h"
 #include "core/scene/angle.h"
 
 namespace airlight {
@@ -58,88 +60,116 @@ double half_angle(std::size_t k) {
   return 90.0 * share * std::sqrt(share);
 }
 
-// |S1|^2 + |S2|^2 summed over spheres, at the angles of half_angle() and at their supplements.
-class Amplitudes {
- public:
-  explicit Amplitudes(std::size_t orders) : pi_(orders * kAngles), tau_(orders * kAngles) {
-    std::array<double, kAngles> before{};
-    std::array<double, kAngles> here;
-    here.fill(1.0);
-    for (std::size_t n = 1; n <= orders; ++n) {
-      const double order = static_cast<double>(n);
-      for (std::size_t k = 0; k < kAngles; ++k) {
-        const double mu = std::cos(half_angle(k) * kDegree);
-        pi_[(n - 1) * kAngles + k] = here[k];
-        tau_[(n - 1) * kAngles + k] = order * mu * here[k] - (order + 1.0) * before[k];
-        const double next = ((2.0 * order + 1.0) * mu * here[k] - (order + 1.0) * before[k]) / order;
-        before[k] = std::exchange(here[k], next);
+constexpr std::size_t kAngles = kHalf + 1;
+
+// pi_n and tau_n at the angles of half_angle(), angle by angle for each n from 1.
+struct AngularFunctions {
+  explicit AngularFunctions(std::size_t orders) : pi(orders * kAngles), tau(orders * kAngles) {
+    for (std::size_t k = 0; k < kAngles; ++k) {
+      const double mu = std::cos(half_angle(k) * kDegree);
+      double before = 0.0;
+      double here = 1.0;
+      for (std::size_t n = 1; n <= orders; ++n) {
+        const double order = static_cast<double>(n);
+        pi[(n - 1) * kAngles + k] = here;
+        tau[(n - 1) * kAngles + k] = order * mu * here - (order + 1.0) * before;
+        const double next = ((2.0 * order + 1.0) * mu * here - (order + 1.0) * before) / order;
+        before = std::exchange(here, next);
       }
     }
   }
+  std::vector<double> pi;
+  std::vector<double> tau;
+};
 
-  void add(const MieSeries& series, double weight) {
-    for (auto& list : sums_) {
-      list.fill(0.0);
+// |S1|^2 + |S2|^2 summed over spheres, at the angles of half_angle() and at their supplements, where pi_n has the sign
+// (-1)^(n - 1) and tau_n (-1)^n.
+class Amplitudes {
+ public:
+  void add(const AngularFunctions& functions, const MieSeries& series, double weight) {
+    for (auto& lists : sums_) {
+      for (auto& list : lists) list.fill(0.0);
     }
     for (std::size_t n = 1; n <= series.a.size(); ++n) {
       const double order = static_cast<double>(n);
       const double factor = (2.0 * order + 1.0) / (order * (order + 1.0));
-      add_order(n, series.a[n - 1] * factor, series.b[n - 1] * factor);
+      const std::size_t row = (n - 1) * kAngles;
+      add_order(sums_[n % 2], &functions.pi[row], &functions.tau[row], series.a[n - 1] * factor,
+                series.b[n - 1] * factor);
     }
     for (std::size_t k = 0; k < kAngles; ++k) {
-      const auto square = [&](std::size_t i) { return sums_[i][k] * sums_[i][k]; };
-      forward[k] += weight * (square(0) + square(1) + square(2) + square(3));
-      backward[k] += weight * (square(4) + square(5) + square(6) + square(7));
+      // a pi + b tau and a tau + b pi, real and imaginary parts; `sign` of the sums over even n.
+      const auto square = [&](std::size_t first, std::size_t second, double sign) {
+        const auto sum = [&](std::size_t i) { return sums_[1][i][k] + sign * sums_[0][i][k]; };
+        const auto turned = [&](std::size_t i) { return sign * sums_[1][i][k] + sums_[0][i][k]; };
+        const double value = sum(first) + turned(second);
+        return value * value;
+      };
+      const auto all = [&](double sign) {
+        return square(0, 2, sign) + square(1, 3, sign) + square(6, 4, sign) + square(7, 5, sign);
+      };
+      forward[k] += weight * all(1.0);
+      backward[k] += weight * all(-1.0);
     }
   }
 
-  static constexpr std::size_t kAngles = kHalf + 1;
+  void add(const Amplitudes& other) {
+    std::ranges::transform(forward, other.forward, forward.begin(), std::plus());
+    std::ranges::transform(backward, other.backward, backward.begin(), std::plus());
+  }
+
   std::array<double, kAngles> forward{};
   std::array<double, kAngles> backward{};
 
  private:
-  // At the supplement pi_n has the sign (-1)^(n - 1) and tau_n (-1)^n.
-  void add_order(std::size_t n, Complex a, Complex b) {
-    const double sign = n % 2 == 1 ? 1.0 : -1.0;
-    const double* pi = &pi_[(n - 1) * kAngles];
-    const double* tau = &tau_[(n - 1) * kAngles];
+  // a pi, b tau, a tau, b pi: real and imaginary parts.
+  using Sums = std::array<std::array<double, kAngles>, 8>;
+
+  static void add_order(Sums& sums, const double* pi, const double* tau, Complex a, Complex b) {
     const double ar = a.real();
     const double ai = a.imag();
     const double br = b.real();
     const double bi = b.imag();
     for (std::size_t k = 0; k < kAngles; ++k) {
-      sums_[0][k] += ar * pi[k] + br * tau[k];
-      sums_[1][k] += ai * pi[k] + bi * tau[k];
-      sums_[2][k] += ar * tau[k] + br * pi[k];
-      sums_[3][k] += ai * tau[k] + bi * pi[k];
-      sums_[4][k] += sign * (ar * pi[k] - br * tau[k]);
-      sums_[5][k] += sign * (ai * pi[k] - bi * tau[k]);
-      sums_[6][k] += sign * (br * pi[k] - ar * tau[k]);
-      sums_[7][k] += sign * (bi * pi[k] - ai * tau[k]);
+      sums[0][k] += ar * pi[k];
+      sums[1][k] += ai * pi[k];
+      sums[2][k] += br * tau[k];
+      sums[3][k] += bi * tau[k];
+      sums[4][k] += ar * tau[k];
+      sums[5][k] += ai * tau[k];
+      sums[6][k] += br * pi[k];
+      sums[7][k] += bi * pi[k];
     }
   }
 
-  std::vector<double> pi_;
-  std::vector<double> tau_;
-  std::array<std::array<double, kAngles>, 8> sums_{};
+  std::array<Sums, 2> sums_{};  // of even and of odd n
 };
 
 constexpr double kLargest = 3.2;  // radius over the effective radius; beyond it is 1e-4 of the scattering
 constexpr int kRadii = 320;
 
-std::vector<double> row_of(double effective_radius, double nm, double m) {
-  constexpr double kNanometres = 1e3;  // a um
-  const double wave_number = 2.0 * std::numbers::pi * kNanometres / nm;
-  const double largest = kLargest * effective_radius * wave_number;
-  Amplitudes sum(static_cast<std::size_t>(largest + 4.0 * std::cbrt(largest) + 3.0));
-  for (int i = 0; i < kRadii; ++i) {
-    const double share = kLargest * (i + 0.5) / kRadii;  // of the effective radius
-    const double spread = std::pow(share, 1.0 / kDropVariance - 3.0) * std::exp(-share / kDropVariance);
-    sum.add(mie_series(share * effective_radius * wave_number, m), spread);
+// One row for each size: circumference of the effective radius over wavelength, and refractive index.
+std::vector<std::vector<double>> rows_of(const std::vector<std::pair<double, double>>& sizes) {
+  constexpr std::size_t kBlocks = 8;  // of radii
+  const double largest = kLargest * std::ranges::max(sizes).first;
+  const AngularFunctions functions(static_cast<std::size_t>(largest + 4.0 * std::cbrt(largest) + 3.0));
+  std::vector<Amplitudes> sums(sizes.size() * kBlocks);
+  in_parallel(sums.size(), [&](std::size_t task) {
+    const auto& [size, m] = sizes[task / kBlocks];
+    for (std::size_t i = task % kBlocks; i < kRadii; i += kBlocks) {
+      const double share = kLargest * (static_cast<double>(i) + 0.5) / kRadii;  // of the effective radius
+      const double spread = std::pow(share, 1.0 / kDropVariance - 3.0) * std::exp(-share / kDropVariance);
+      sums[task].add(functions, mie_series(share * size, m), spread);
+    }
+  });
+  std::vector<std::vector<double>> rows;
+  for (std::size_t first = 0; first < sums.size(); first += kBlocks) {
+    for (std::size_t block = 1; block < kBlocks; ++block) sums[first].add(sums[first + block]);
+    const Amplitudes& sum = sums[first];
+    rows.emplace_back(sum.forward.begin(), sum.forward.end());
+    rows.back().insert(rows.back().end(), sum.backward.rbegin() + 1, sum.backward.rend());
   }
-  std::vector<double> row(sum.forward.begin(), sum.forward.end());
-  row.insert(row.end(), sum.backward.rbegin() + 1, sum.backward.rend());
-  return row;
+  return rows;
 }
 
 }  // namespace
@@ -194,13 +224,15 @@ PhaseTable drops_table(double effective_radius, const std::vector<double>& wavel
     table.angles_deg.push_back(180.0 - half_angle(k));
   }
   table.wavelengths_nm = wavelengths_nm;
+  constexpr double kNanometres = 1e3;  // a um
+  std::vector<std::pair<double, double>> sizes;
   for (const double nm : wavelengths_nm) {
-    table.rows.push_back(row_of(effective_radius, nm, m > 0.0 ? m : water_index(nm)));
-    std::vector<double>& row = table.rows.back();
-    const double integral = sphere_integral(table, table.rows.size() - 1);
-    for (double& value : row) {
-      value /= integral;
-    }
+    sizes.emplace_back(2.0 * std::numbers::pi * kNanometres / nm * effective_radius, m > 0.0 ? m : water_index(nm));
+  }
+  table.rows = rows_of(sizes);
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const double integral = sphere_integral(table, i);
+    for (double& value : table.rows[i]) value /= integral;
   }
   if (wavelengths_nm.size() == 1) {
     table.wavelengths_nm.clear();
