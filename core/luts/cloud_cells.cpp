@@ -8,25 +8,6 @@
 namespace airlight {
 namespace {
 
-// Shares of the fine cells in each coarse one along one axis.
-struct Share {
-  std::uint32_t from;
-  std::uint32_t to;
-  double share;  // of the coarse cell
-};
-
-std::vector<Share> shares_of(std::uint32_t fine, std::uint32_t coarse) {
-  std::vector<Share> shares;
-  const double width = static_cast<double>(fine) / coarse;
-  for (std::uint32_t c = 0; c < coarse; ++c) {
-    for (auto f = static_cast<std::uint32_t>(c * width); f < fine && f < (c + 1) * width - 1e-9; ++f) {
-      const double length = std::min<double>(f + 1, (c + 1) * width) - std::max<double>(f, c * width);
-      shares.push_back({f, c, length / width});
-    }
-  }
-  return shares;
-}
-
 // What lies along one axis: `count` values, `stride` apart; `repeats`: the last is next to the first.
 struct Axis {
   std::size_t stride;
@@ -36,6 +17,33 @@ struct Axis {
 
 std::array<Axis, 3> axes_of(const CloudCells& cells) {
   return {{{1, cells.nx, true}, {cells.nx, cells.ny, true}, {std::size_t{cells.nx} * cells.ny, cells.nz, false}}};
+}
+
+// Shares of the fine cells' values in each coarse one along one axis.
+struct Share {
+  std::uint32_t from;
+  std::uint32_t to;
+  double share;  // of the coarse cell
+};
+
+std::vector<Share> shares_of(const Axis& axis, std::uint32_t coarse, CellValues values) {
+  constexpr double kNear = 0.125;  // a neighbour's share in the mean over a cell
+  const double width = static_cast<double>(axis.count) / coarse;
+  std::vector<Share> shares;
+  for (std::uint32_t c = 0; c < coarse; ++c) {
+    std::vector<double> weights(axis.count, 0.0);
+    for (auto f = static_cast<std::uint32_t>(c * width); f < axis.count && f < (c + 1) * width - 1e-9; ++f) {
+      const double length = std::min<double>(f + 1, (c + 1) * width) - std::max<double>(f, c * width);
+      const double near = values == CellValues::middles ? kNear * length / width : 0.0;
+      weights[f] += length / width - 2.0 * near;
+      weights[f > 0 ? f - 1 : (axis.repeats ? axis.count - 1 : 0)] += near;
+      weights[f + 1 < axis.count ? f + 1 : (axis.repeats ? 0 : f)] += near;
+    }
+    for (std::uint32_t f = 0; f < axis.count; ++f) {
+      if (weights[f] > 0.0) shares.push_back({f, c, weights[f]});
+    }
+  }
+  return shares;
 }
 
 // Calls line(at) for the first value of every line along the axis.
@@ -52,25 +60,8 @@ void for_each_line(const CloudCells& cells, const Axis& axis, const Line& line) 
 
 }  // namespace
 
-CloudCells means_between(const CloudCells& cells) {
-  constexpr float kNear = 0.125F;  // a neighbour's share
-  CloudCells out = cells;
-  for (const Axis& axis : axes_of(cells)) {
-    const std::vector<float> before = out.extinction;
-    for_each_line(cells, axis, [&](std::size_t first) {
-      for (std::uint32_t i = 0; i < axis.count; ++i) {
-        const std::uint32_t low = i > 0 ? i - 1 : (axis.repeats ? axis.count - 1 : 0);
-        const std::uint32_t high = i + 1 < axis.count ? i + 1 : (axis.repeats ? 0 : i);
-        const float sides = before[first + low * axis.stride] + before[first + high * axis.stride];
-        const std::size_t at = first + i * axis.stride;
-        out.extinction[at] = (1.0F - 2.0F * kNear) * before[at] + kNear * sides;
-      }
-    });
-  }
-  return out;
-}
-
-CloudCells coarsened(const CloudCells& cells, std::uint32_t most_x, std::uint32_t most_y, std::uint32_t most_z) {
+CloudCells coarsened(const CloudCells& cells, std::uint32_t most_x, std::uint32_t most_y, std::uint32_t most_z,
+                     CellValues values) {
   CloudCells out;
   out.nx = std::min(cells.nx, most_x);
   out.ny = std::min(cells.ny, most_y);
@@ -79,9 +70,10 @@ CloudCells coarsened(const CloudCells& cells, std::uint32_t most_x, std::uint32_
   out.cell_y = cells.cell_y * cells.ny / out.ny;
   out.cell_z = cells.cell_z * cells.nz / out.nz;
   out.extinction.resize(out.count());
-  const std::vector<Share> x = shares_of(cells.nx, out.nx);
-  const std::vector<Share> y = shares_of(cells.ny, out.ny);
-  const std::vector<Share> z = shares_of(cells.nz, out.nz);
+  const auto axes = axes_of(cells);
+  const std::vector<Share> x = shares_of(axes[0], out.nx, values);
+  const std::vector<Share> y = shares_of(axes[1], out.ny, values);
+  const std::vector<Share> z = shares_of(axes[2], out.nz, values);
   in_parallel(std::size_t{out.ny} * out.nz, [&](std::size_t line) {
     std::vector<double> sums(out.nx, 0.0);
     for (const Share& c : z) {
@@ -89,7 +81,7 @@ CloudCells coarsened(const CloudCells& cells, std::uint32_t most_x, std::uint32_
       for (const Share& b : y) {
         if (b.to != line % out.ny) continue;
         const float* row = &cells.extinction[(std::size_t{c.from} * cells.ny + b.from) * cells.nx];
-        for (const Share& a : x) sums[a.to] += a.share * b.share * c.share * row[a.from];
+        for (const Share& a : x) sums[a.to] += a.share * b.share * c.share * static_cast<double>(row[a.from]);
       }
     }
     std::ranges::transform(sums, &out.extinction[line * out.nx], [](double sum) { return static_cast<float>(sum); });

@@ -21,12 +21,13 @@ struct CloudCells {
   std::size_t count() const { return std::size_t{nx} * ny * nz; }
 };
 
-// The means over the cells of what is linear between their middles, and constant beyond the outermost upward and
-// downward.
-CloudCells means_between(const CloudCells& cells);
+// What a cell's value is: the mean over it, or that of its middle, linear between the middles and constant beyond the
+// outermost upward and downward.
+enum class CellValues { means, middles };
 
 // The mean over boxes of cells, at most so many a side; what is left over at the far edge is shared out by length.
-CloudCells coarsened(const CloudCells& cells, std::uint32_t most_x, std::uint32_t most_y, std::uint32_t most_z);
+CloudCells coarsened(const CloudCells& cells, std::uint32_t most_x, std::uint32_t most_y, std::uint32_t most_z,
+                     CellValues values = CellValues::means);
 
 // For each cell, the number of steps to the nearest cell with water, at most 64; a step goes to any of 26 neighbours.
 std::vector<float> gaps_of(const CloudCells& cells);

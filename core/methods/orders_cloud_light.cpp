@@ -75,7 +75,7 @@ struct CloudInputs {
 
 CloudCells coarse_cells(const CloudGrid& grid, TableSize most) {
   const auto across = static_cast<std::uint32_t>(most[0]);
-  return coarsened(means_between(cells_of(grid)), across, across, static_cast<std::uint32_t>(most[1]));
+  return coarsened(cells_of(grid), across, across, static_cast<std::uint32_t>(most[1]), CellValues::middles);
 }
 
 device::CloudData head_of(const CloudGrid& grid, const CloudCells& coarse, const CloudDrops& drops,
@@ -275,7 +275,7 @@ FieldStart start_of(const Part& part, const StandingCloud& cloud) {
   const TableSize cells = part.scene.render.get<TableSize>("cloud_lut");
   FieldStart start{
       .matter = matter_of(*cloud.cloud, part), .to_sun = cloud_sun(part.scene, *cloud.grid), .coarse = {}, .lit = {}};
-  start.lit.grid = std::make_shared<const CloudGrid>(with_room(*cloud.grid, start.to_sun));
+  start.lit.grid = with_room(cloud.grid, start.to_sun);
   start.lit.key = "cloud " + cloud_shape_key(*cloud.cloud);  // light stays with a cloud that moves
   start.coarse = coarse_cells(*start.lit.grid, cells);
   start.lit.head = head_of(*start.lit.grid, start.coarse, start.matter.drops, start.to_sun);

@@ -55,24 +55,25 @@ ImageId add_noise(Plan& plan, const std::shared_ptr<const CarvingNoise>& noise) 
 
 }  // namespace
 
-CloudGrid with_room(const CloudGrid& grid, physics::vec3 to_sun) {
+std::shared_ptr<const CloudGrid> with_room(const std::shared_ptr<const CloudGrid>& cloud, physics::vec3 to_sun) {
+  const CloudGrid& grid = *cloud;
   if (grid.repeats) {
-    return grid;
+    return cloud;
   }
   const double reach = (grid.top - grid.base) * std::sqrt(1.0 - to_sun.z * to_sun.z) / to_sun.z;
   const double wide = std::min(reach, grid.nx * grid.cell_x);
   const double deep = std::min(reach, grid.ny * grid.cell_y);
   const int x = static_cast<int>(std::ceil(0.5 * wide / grid.cell_x)) + 1;
   const int y = static_cast<int>(std::ceil(0.5 * deep / grid.cell_y)) + 1;
-  CloudGrid out = grid;
-  out.nx = grid.nx + 2 * x;
-  out.ny = grid.ny + 2 * y;
-  out.west = grid.west - x * grid.cell_x;
-  out.south = grid.south - y * grid.cell_y;
-  out.extinction.assign(out.index(0, 0, out.nz), 0.0F);
+  auto out = std::make_shared<CloudGrid>(grid);
+  out->nx = grid.nx + 2 * x;
+  out->ny = grid.ny + 2 * y;
+  out->west = grid.west - x * grid.cell_x;
+  out->south = grid.south - y * grid.cell_y;
+  out->extinction.assign(out->index(0, 0, out->nz), 0.0F);
   for (int k = 0; k < grid.nz; ++k) {
     for (int j = 0; j < grid.ny; ++j) {
-      std::copy_n(&grid.extinction[grid.index(0, j, k)], grid.nx, &out.extinction[out.index(x, j + y, k)]);
+      std::copy_n(&grid.extinction[grid.index(0, j, k)], grid.nx, &out->extinction[out->index(x, j + y, k)]);
     }
   }
   return out;

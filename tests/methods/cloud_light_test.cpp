@@ -427,7 +427,7 @@ TEST(CloudLight, MeansBetweenAreMeans) {
   grid.top = cells.cell_z * cells.nz;
   grid.repeats = true;
   grid.extinction = cells.extinction;
-  const CloudCells means = means_between(cells);
+  const CloudCells means = coarsened(cells, cells.nx, cells.ny, cells.nz, CellValues::middles);
   constexpr int kPoints = 8;
   for (std::size_t at = 0; at < cells.count(); ++at) {
     double sum = 0.0;
