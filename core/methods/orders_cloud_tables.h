@@ -10,8 +10,8 @@
 
 namespace airlight::orders {
 
-// The grid; a cloud that stands alone gets empty air all around, so that its shadow does not fall on its own repetition.
-// `to_sun`: x east, y north, z up, in which the sun is seen from it; z > 0.
+// The grid; a cloud that stands alone gets empty air all around, so that its shadow does not fall on its own
+// repetition. `to_sun`: x east, y north, z up, in which the sun is seen from it; z > 0.
 std::shared_ptr<const CloudGrid> with_room(const std::shared_ptr<const CloudGrid>& grid, physics::vec3 to_sun);
 
 CloudCells cells_of(const CloudGrid& grid);
