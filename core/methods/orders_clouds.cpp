@@ -29,12 +29,24 @@ bool by_froxels(const Part& part, const View& view, double top) {
          projection != Projection::octahedral;
 }
 
+// Columns of froxels over the picture. The share changes less from column to column than from row to row, of which each
+// sees other heights and distances; a picture all around has few columns a degree.
+std::uint32_t shaft_columns(const Scene& scene) {
+  constexpr int kWider = 3;  // times the width of other froxels, unless so few columns are left
+  constexpr std::uint32_t kFewest = 64;
+  const int width = scene.image.width;
+  if (scene.camera.projection != Projection::perspective) {
+    return froxels_over(width);
+  }
+  return std::max(froxels_over(width / kWider), std::min(froxels_over(width), kFewest));
+}
+
 // The share of the air's light that the cloud leaves, over the picture and distances.
 ImageId add_air_shade(Plan& plan, const Part& part, const View& view, const Light& light, std::vector<Binding> reads,
                       const FactorTable& table, const LitCloud& highest) {
   constexpr std::uint32_t kSlices = 40;
   constexpr std::uint32_t kParts = 2;  // of a slice
-  const Extent grid{froxels_over(part.scene.image.width), froxels_over(part.scene.image.height), kSlices};
+  const Extent grid{shaft_columns(part.scene), froxels_over(part.scene.image.height), kSlices};
   const ImageId shafts = plan.add_image(
       {.name = "cloud_shafts", .extent = grid, .key = picture_table_key(view, "cloud_shafts"), .half = true});
   std::vector<Specialization> constants = sunlight_specialization(plan, part.air, light.transmittance);
