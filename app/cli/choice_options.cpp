@@ -61,6 +61,7 @@ chart::TimingRules quick() {
   rules.most_runs = 5;
   rules.enough_s = 0.05;
   rules.long_s = 0.2;
+  rules.warm_s = 0.0;
   return rules;
 }
 
