@@ -1,7 +1,7 @@
 #include "core/luts/cloud_cells.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 
 #include "core/base/in_parallel.h"
 

@@ -495,15 +495,5 @@ TEST(CloudLight, CoarseCellsHoldAsMuch) {
   EXPECT_NEAR(coarse.cell_x * coarse.nx, cells.cell_x * cells.nx, 1e-12);
 }
 
-TEST(CloudLight, GapsAreDistancesToWater) {
-  CloudCells cells{.nx = 9, .ny = 8, .nz = 6};
-  cells.extinction.assign(cells.count(), 0.0F);
-  cells.extinction[(2 * 8 + 7) * 9 + 1] = 1.0F;  // at 1, 7, 2
-  const std::vector<float> gaps = gaps_of(cells);
-  EXPECT_EQ(gaps[(2 * 8 + 7) * 9 + 1], 0.0F);
-  EXPECT_EQ(gaps[(2 * 8 + 0) * 9 + 8], 2.0F) << "round both edges";
-  EXPECT_EQ(gaps[(5 * 8 + 6) * 9 + 2], 3.0F);
-}
-
 }  // namespace
 }  // namespace airlight
