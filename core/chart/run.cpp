@@ -57,14 +57,14 @@ double cost_of(const Stage& stage, const PixelSet& pixels) {
   return choice::predicted_cost(plan).total();
 }
 
-// Time to measure a point, given the time of one picture.
-double measuring_s(double picture_s, const Task& task) {
+// Time to measure a point, given the time of one picture. `is_cpu`: the device is a processor.
+double measuring_s(double picture_s, const Task& task, bool is_cpu) {
   const TimingRules rules;
   if (task.method->render_on_host != nullptr) {
     return picture_s;
   }
   const double timed = picture_s > rules.long_s ? picture_s : std::max(rules.enough_s, rules.fewest_runs * picture_s);
-  return picture_s + timed;
+  return picture_s + timed + (is_cpu ? 0.0 : rules.warm_s);
 }
 
 class ChartRun {
@@ -184,7 +184,8 @@ class ChartRun {
         if (const Point* point = known(name, *task)) {
           out_.points.push_back(*point);
           ++out_.resumed;
-        } else if (limited() && picture_s && seconds() - began + measuring_s(*picture_s * task->cost, *task) > limit) {
+        } else if (limited() && picture_s &&
+                   seconds() - began + measuring_s(*picture_s * task->cost, *task, out_.cpu_time) > limit) {
           out_.left_out.push_back(name + " " + method + " " + task->quality);
         } else {
           if (!fresh && task->method->render_on_host == nullptr) {

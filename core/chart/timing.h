@@ -17,7 +17,8 @@ struct TimingRules {
   int fewest_runs = 3;    // least number of them; 1 where a picture takes longer than `long_s`
   double enough_s = 0.4;  // time of all timed runs after which no further one starts
   double long_s = 1.0;
-  double warm_s = 0.3;                  // of runs that are not timed before, on a GPU: its clock rises while it is busy
+  // A GPU renders the picture for so long before it is timed: its clock rises while it is busy.
+  double warm_s = 0.3;
   std::size_t tile_bytes = kTileBytes;  // a picture with more is rendered in tiles of whole rows
 };
 
