@@ -57,6 +57,7 @@ struct CloudField {
   BufferId moments;  // of the mean radiance in each cell: harmonic, cell
   BufferId planes;   // what leaves the last layer along each ordinate: ordinate, two planes each
   BufferId cells;    // their scaled extinction, 1/km
+  BufferId means;    // radiance along each ordinate, the mean over a cell, after the last sweep: ordinate, cell
 };
 
 // What all fields of one cloud and sun read. `sun`: the direction in which its light travels, in the cloud's frame.

@@ -67,6 +67,7 @@ struct CloudInputs {
   ImageId gaps;
   ImageId shadow;
   ImageId mean = {};
+  ImageId around = {};
 
   std::vector<Binding> reads() const {
     return {{"cloud_data", head}, {"cloud_density_lut", density}, {"cloud_shadow_lut", shadow}};
@@ -203,14 +204,38 @@ ImageId add_sources(Plan& plan, const Fields& fields, const std::string& key) {
   return sources;
 }
 
-ImageId add_sums(Plan& plan, const CloudInputs& inputs, const Fields& fields, const std::string& key) {
-  const ImageId sums =
-      plan.add_image({.name = "cloud_sums", .extent = {4, 1, 1}, .key = key + " sums", .stored = true});
+constexpr std::uint32_t kLevelsBelow = 3;  // as shaders/shared/cloud_around.glsl has them
+
+ImageId add_around(Plan& plan, const CloudInputs& inputs, const Fields& fields, const std::string& key) {
+  const CloudCells& cells = fields.coarser;
+  const Extent extent{cells.nx + 1, cells.ny + 1, kLevelsBelow + cells.nz + 1};
+  const ImageId around =
+      plan.add_image({.name = "cloud_around", .extent = extent, .key = key + " around", .stored = true});
+  plan.add_pass({.shader = "cloud_around",
+                 .reads = {{"cloud_data", inputs.head},
+                           {"ordinates", fields.tables.ordinates},
+                           {"sun_means", fields.sun.means},
+                           {"sky_means", fields.sky.means},
+                           {"ground_means", fields.ground.means},
+                           {"sun_planes", fields.sun.planes},
+                           {"sky_planes", fields.sky.planes},
+                           {"ground_planes", fields.ground.planes}},
+                 .writes = {{"around_out", around}},
+                 .grid = extent,
+                 .push_constants = {cells.nx, cells.ny, cells.nz},
+                 .cost = 300.0});
+  return around;
+}
+
+ImageId add_sums(Plan& plan, const CloudInputs& inputs, const Fields& fields, ImageId around, const std::string& key) {
+  const Extent extent{4 + kLevelsBelow + fields.coarser.nz + 1, 2, 1};
+  const ImageId sums = plan.add_image({.name = "cloud_sums", .extent = extent, .key = key + " sums", .stored = true});
   std::vector<Binding> reads = inputs.reads();
   reads.insert(reads.end(), {{"ordinates", fields.tables.ordinates},
                              {"sun_planes", fields.sun.planes},
                              {"sky_planes", fields.sky.planes},
-                             {"ground_planes", fields.ground.planes}});
+                             {"ground_planes", fields.ground.planes},
+                             {"cloud_around_lut", around}});
   plan.add_pass({.shader = "cloud_sums",
                  .reads = std::move(reads),
                  .writes = {{"sums_out", sums}},
@@ -287,10 +312,12 @@ CloudInputs add_field(Plan& plan, const Part& part, const Light& light, FieldSta
   LitCloud& lit = start.lit;
   const std::string sun_key =
       sun_key_of(lit.key, start.matter.drops, start.to_sun, part.scene.render.get<TableSize>("cloud_lut"));
-  const CloudInputs inputs = add_inputs(plan, lit.grid, lit.head, lit.key, sun_key);
+  CloudInputs inputs = add_inputs(plan, lit.grid, lit.head, lit.key, sun_key);
   const Fields fields = add_fields(plan, start.coarse, start.matter.drops, inputs, start.to_sun, sun_key);
   lit.sources = add_sources(plan, fields, sun_key);
-  add_balance(plan, part, light, inputs, add_sums(plan, inputs, fields, sun_key), lit.constants, balance);
+  inputs.around = add_around(plan, inputs, fields, sun_key);
+  add_balance(plan, part, light, inputs, add_sums(plan, inputs, fields, inputs.around, sun_key), lit.constants,
+              balance);
   lit.phase = add_phase(plan, start.matter);
   return inputs;
 }
@@ -318,8 +345,10 @@ std::vector<LitCloud> add_cloud_light(Plan& plan, const Part& part, const Light&
   for (std::uint32_t i = 0; i < count; ++i) {
     LitCloud& lit = starts[i].lit;
     lit.shade = inputs[i].reads();
-    lit.shade.insert(lit.shade.end(),
-                     {{"cloud_mean_lut", inputs[i].mean}, {"cloud_light", balance}, {"cloud_fields", stack}});
+    lit.shade.insert(lit.shade.end(), {{"cloud_mean_lut", inputs[i].mean},
+                                       {"cloud_around_lut", inputs[i].around},
+                                       {"cloud_light", balance},
+                                       {"cloud_fields", stack}});
     for (std::uint32_t j = 0; j < kMaxClouds; ++j) {  // as shaders/shared/cloud_stack.glsl has them
       const CloudInputs& of = inputs[std::min(j, count - 1)];
       const std::string name = "field_" + std::to_string(j);

@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// How much light there is below a cloud, over that of a clear sky: light from below that the cloud sends down again
-// included. One thread.
+// How much light there is below a cloud, among and above it, over that of a clear sky: light from below that the cloud
+// sends down again included. One thread.
 #include "shared/device.glsl"
 #include "shared/tables.glsl"
 #include "shared/moment_table.glsl"
@@ -11,10 +11,41 @@
 #include "shared/cloud_sunlight.glsl"
 #include "physics/cloud_march.glsl"
 #include "shared/cloud_shade.glsl"
+#include "shared/cloud_around.glsl"
 
 layout(local_size_x = 64) in;
 layout(set = 0, binding = 17) uniform sampler2D cloud_sums_lut;  // passes/cloud_sums.comp
 layout(scalar, set = 0, binding = 18) buffer Light { CloudLight values[]; } light_out;  // of fields, the lowest first
+
+// Light from all around in clear air, and its parts from above and from below.
+struct Sides {
+  vec3 around;
+  vec3 above;
+  vec3 below;
+};
+
+// Optical depth of the air above an altitude.
+vec3 depth_above(float h) { return -log(max(transmittance_to_sun(scene.planet, h, 1.0), vec3(1e-30))); }
+
+// Irradiance of the ground.
+vec3 light_on_ground(float mu_sun) {
+  return transmittance_to_sun(scene.planet, 0.0, mu_sun) * ground_facing(scene.planet, mu_sun) +
+         moment_ground_irradiance(scene.moments, mu_sun);
+}
+
+// By moments of degree 1 the ground sends too much, since they do not know that light changes abruptly at its horizon:
+// what it sends is known. The excess fades upward about as the fourth power of the air above (core/CLOUDS.md).
+Sides sides_at(float h, float mu_sun) {
+  MomentCoordinate at = air_moment_coordinate(scene.moments, h, mu_sun);
+  vec3 sent = 2.0 * scene.planet.ground_albedo * light_on_ground(mu_sun);
+  vec3 excess = light_from_side(air_moment_coordinate(scene.moments, 0.0, mu_sun), -1.0) - sent;
+  vec3 left = min(depth_above(h) / max(depth_above(0.0), vec3(1e-30)), vec3(1.0));
+  Sides sides;
+  sides.around = light_from_all_around(at);
+  sides.below = clamp(light_from_side(at, -1.0) - excess * left * left * left * left, vec3(0.0), sides.around);
+  sides.above = sides.around - sides.below;
+  return sides;
+}
 
 void main() {
   if (gl_GlobalInvocationID.x > 0u) {
@@ -41,31 +72,89 @@ void main() {
   light.below = first / max(vec3(1.0) - up / clear * (sum.z / kPi), vec3(0.05));
   light.direct = sum.w;
   light.forward = texelFetch(cloud_sums_lut, ivec2(1, 0), 0).w;
-  // Light from all around in the middle of the air below, by where it comes from: the cloud, the ground, or that air,
-  // which sends on sunlight past the field and its own light.
+  float top = optical_altitude_at(c.top);
+  Sides base = sides_at(h, mu_sun);
+  Sides summit = sides_at(top, mu_sun);
+  vec3 sun_above = transmittance_to_sun(scene.planet, top, mu_sun) * facing;
+  // Of the light from above at the base, and from below at the top, the rest comes from the air in between.
+  vec3 between = max(depth_above(h) - depth_above(top), vec3(0.0));
+  vec3 through_air = even_transmittance(between);
+  vec3 from_sky = min(summit.above * through_air, base.above);
+  vec3 falling_air = base.above - from_sky;
+  vec3 rising_air = max(summit.below - base.below * through_air, vec3(0.0));
+
+  // In the middle of the air below the field: light of the field, of the ground, or of that air, which sends on sunlight
+  // past the field and its own light.
   float middle = optical_altitude_at(0.5 * c.base);
-  vec3 around = light_from_all_around(air_moment_coordinate(scene.moments, middle, mu_sun));
-  vec3 lit_ground = 2.0 * scene.planet.ground_albedo * clear;
-  vec3 from_sky = light_from_side(at, 1.0);
-  vec3 of_air = max(around - from_sky - lit_ground, vec3(0.0));
+  vec3 of_field = even_transmittance(max(depth_above(middle) - depth_above(h), vec3(0.0)));
+  vec3 of_ground = even_transmittance(max(depth_above(0.0) - depth_above(middle), vec3(0.0)));
+  vec3 on_ground = 2.0 * scene.planet.ground_albedo * light_on_ground(mu_sun);
+  vec3 lit_ground = on_ground * of_ground;
+  vec3 of_air = light_from_all_around(air_moment_coordinate(scene.moments, middle, mu_sun));
+  of_air = max(of_air - base.above * of_field - lit_ground, vec3(0.0));
+  vec3 around = of_air + base.above * of_field + lit_ground;
   float past = exp(-mean_shade(c, way_through_shell(scene.planet.ground_radius, c, 0.5 * c.base,
                                                       seen_sun_mu(scene.planet, middle, mu_sun))));
   vec3 beam = transmittance_to_sun(scene.planet, middle, mu_sun);
   vec3 sources = max(beam + around, vec3(1e-30));
+  vec3 scale = vec3(1.0) / max(around - of_air * around / sources, vec3(1e-30));
+  vec3 sun_leaving = direct * across;
+  light.under.sun = sun_leaving * of_field * scale;
+  light.under.sky = from_sky / (2.0 * kPi) * of_field * scale;
+  light.under.ground = up * light.below / kPi * of_field * scale;
+  light.under.rest = (of_air * beam * past / sources + lit_ground * light.below) * scale;
   vec4 falling = texelFetch(cloud_sums_lut, ivec2(1, 0), 0);
-  vec3 of_cloud = direct * (falling.x * across) + from_sky * (falling.y / (2.0 * kPi)) +
-                  up * light.below * (falling.z / kPi);
-  light.air_below = (of_air * beam * past / sources + of_cloud + lit_ground * light.below) /
-                    max(around - of_air * around / sources, vec3(1e-30));
-  vec3 air_share = (beam * past + around * light.air_below) / sources;
-  vec3 sent = mix(air_share, light.below, min(0.5 * lit_ground / max(up, vec3(1e-30)), vec3(1.0)));  // over `up`
-  vec4 rising = texelFetch(cloud_sums_lut, ivec2(3, 0), 0);
-  float top = optical_altitude_at(c.top);
+  light.air_below = share_around(light.under, falling.xyz);
+  vec3 fallen = falling_air * of_field * scale;  // as if nothing shaded what the air in the field sends
+
+  // At the base: what comes up is sent by the ground and by the air below.
+  vec3 air_share = (beam * past + around * (light.air_below + fallen)) / sources;
+  vec3 ground_share = on_ground * even_transmittance(max(depth_above(0.0) - depth_above(h), vec3(0.0)));
+  ground_share = min(ground_share / max(base.below, vec3(1e-30)), vec3(1.0));
+  vec3 sent = base.below * mix(air_share, light.below, ground_share);
+  light.at_base.sun = sun_leaving / base.around;
+  light.at_base.sky = from_sky / (2.0 * kPi) / base.around;
+  light.at_base.ground = sent / (2.0 * kPi) / base.around;
+  light.at_base.rest = falling_air / base.around;  // likewise
+
+  // At the top. The sky that is reflected counts by what falls on a level plane.
   MomentCoordinate over = air_moment_coordinate(scene.moments, top, mu_sun);
-  vec3 sun_above = transmittance_to_sun(scene.planet, top, mu_sun) * facing;
-  of_cloud = sun_above * (rising.x * across) + level_irradiance(over, 1.0) * (rising.y / kPi) +
-             light_from_side(over, -1.0) * sent * (rising.z / (2.0 * kPi));
-  light.air_above = (light_from_side(over, 1.0) + of_cloud) / light_from_all_around(over);
+  vec3 falling_sky = level_irradiance(over, 1.0);
+  light.at_top.sun = sun_above * across / summit.around;
+  light.at_top.sky = falling_sky / kPi / summit.around;
+  light.at_top.ground = sent * through_air / (2.0 * kPi) / summit.around;
+  light.at_top.rest = (summit.above - 2.0 * falling_sky) / summit.around;
+
+  // What the air in between sends, of sunlight and of light from all around, and what of it leaves the field: by
+  // reciprocity as light from there would reach it.
+  uint levels = uint(textureSize(cloud_sums_lut, 0).x) - 4u - kLevelsBelow - 1u;
+  vec3 beam_between = transmittance_to_sun(scene.planet, 0.5 * (h + top), mu_sun);
+  vec3 around_between = 0.5 * (base.around + summit.around);
+  vec3 falls = vec3(0.0);
+  vec3 rises = vec3(0.0);
+  for (uint k = 0u; k < levels; k++) {
+    int texel = int(4u + kLevelsBelow + k);
+    vec4 level = texelFetch(cloud_sums_lut, ivec2(texel, 0), 0);
+    vec2 lit = texelFetch(cloud_sums_lut, ivec2(texel, 1), 0).xy;
+    float low = float(k) / float(levels);
+    float high = float(k + 1u) / float(levels);
+    vec3 share = mix(share_around(light.at_base, level.xyz), share_around(light.at_top, level.xyz), 0.5 * (low + high));
+    vec3 both = (beam_between + around_between) * (2.0 * kPi) * max(vec3(1.0) - through_air, vec3(1e-6));
+    vec3 nearer = even_transmittance(between * low) - even_transmittance(between * high);
+    vec3 farther = even_transmittance(between * (1.0 - high)) - even_transmittance(between * (1.0 - low));
+    falls += nearer * (beam_between * lit.y + around_between * share * level.z) / both;
+    rises += farther * (beam_between * lit.x + around_between * share * level.y) / both;
+  }
+  light.under.rest += fallen * falls;
+  light.air_below += fallen * falls;
+  light.at_base.rest = falling_air * falls / base.around;
+  light.at_top.rest += rising_air * rises / summit.around;
+  vec4 rising = texelFetch(cloud_sums_lut, ivec2(3, 0), 0);
+  light.air_above = share_around(light.at_top, vec3(rising.x, 2.0 * kPi + rising.y, rising.z));
+  const float kHigher = 4.0;  // km
+  light.depth_above = depth_above(top);
+  vec3 higher = depth_above(optical_altitude_at(c.top + kHigher));
+  light.scale_height = kHigher / max(log(max(light.depth_above.z, 1e-9) / max(higher.z, 1e-12)), 1e-2);
   vec4 risen = texelFetch(cloud_sums_lut, ivec2(2, 0), 0);
   vec3 from_above = sun_above * (risen.x * across) + level_irradiance(over, 1.0) * (risen.y / kPi);
   vec3 clear_above = max(sun_above + level_irradiance(over, 1.0), vec3(1e-30));

@@ -4,11 +4,14 @@
 // over the lower hemisphere times the cosine, for a sky and for a ground of radiance 1; of the sun's light unscattered.
 // Three more texels hold the first three without the cosine, and then over the upper hemisphere with it and without. The
 // fourth value of the second is of the sun's light unscattered or scattered forward alone.
-// It does not depend on the air. One workgroup.
+// Then come the levels of the light from all around (shared/cloud_around.glsl): its means over the field, and that of the
+// sun's light unscattered; in the second row the means of this times the sky's, and times the ground's. None depends on
+// the air. One workgroup.
 #extension GL_EXT_scalar_block_layout : require
 #define real float
 #include "shared/cloud_volume.glsl"
 #include "shared/cloud_sunlight.glsl"
+#include "shared/cloud_around.glsl"
 
 layout(local_size_x = 256) in;
 layout(scalar, set = 0, binding = 16) readonly buffer Ordinates { CloudOrdinate values[]; } ordinates;
@@ -16,11 +19,46 @@ layout(scalar, set = 0, binding = 17) readonly buffer Sun { float values[]; } su
 layout(scalar, set = 0, binding = 19) readonly buffer Sky { float values[]; } sky_planes;
 layout(scalar, set = 0, binding = 23) readonly buffer Ground { float values[]; } ground_planes;
 layout(set = 0, binding = 18, rgba32f) uniform writeonly image2D sums_out;
+layout(set = 0, binding = 24) uniform sampler3D cloud_around_lut;
 layout(push_constant, scalar) uniform Push {
   uvec3 coarser;  // cells of sky and ground
 };
 
 shared vec4 sums[256][4];
+
+// The sum over the workgroup of what each thread has put aside in this column.
+vec4 total(uint of) {
+  vec4 sum = vec4(0.0);
+  for (uint i = 0u; i < 256u; i++) {
+    sum += sums[i][of];
+  }
+  return sum;
+}
+
+void sum_levels(CloudData c, uint thread) {
+  uvec3 size = uvec3(textureSize(cloud_around_lut, 0)) - uvec3(1u, 1u, 0u);
+  uint count = size.x * size.y;
+  for (uint level = 0u; level < size.z; level++) {
+    float inside = (float(level) - float(kLevelsBelow) + 0.5) / float(size.z - kLevelsBelow - 1u);
+    vec4 light = vec4(0.0);
+    vec4 lit = vec4(0.0);
+    for (uint at = thread; at < count; at += 256u) {
+      uvec2 cell = uvec2(at % size.x, at / size.x);
+      vec3 here = texelFetch(cloud_around_lut, ivec3(cell + 1u, level), 0).rgb;
+      vec2 place = (vec2(cell) + 0.5) / vec2(size.xy);
+      float sun = exp(-c.scale * sun_depth_at(vec3(place, clamp(inside, 0.0, 1.0))));
+      light += vec4(here, sun) / float(count);
+      lit.xy += here.yz * (sun / float(count));
+    }
+    barrier();
+    sums[thread][0] = light;
+    sums[thread][1] = lit;
+    barrier();
+    if (thread < 2u) {
+      imageStore(sums_out, ivec2(4u + level, thread), total(thread));
+    }
+  }
+}
 
 void main() {
   CloudData c = cloud();
@@ -55,12 +93,8 @@ void main() {
   }
   sums[thread] = sum;
   barrier();
-  if (thread > 3u) {
-    return;
+  if (thread < 4u) {
+    imageStore(sums_out, ivec2(thread, 0), total(thread));
   }
-  vec4 total = vec4(0.0);
-  for (uint i = 0u; i < 256u; i++) {
-    total += sums[i][thread];
-  }
-  imageStore(sums_out, ivec2(thread, 0), total);
+  sum_levels(c, thread);
 }

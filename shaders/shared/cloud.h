@@ -56,12 +56,26 @@ struct CloudData {
   CloudEdge edge;
 };
 
+// Light from all around that is not the sun's, over that of a clear sky: a rest, and what the light at a place that
+// passes/cloud_around.comp has found counts: of the sun, of sky and ground.
+struct CloudAround {
+  vec3 rest;
+  vec3 sun;
+  vec3 sky;
+  vec3 ground;
+};
+
 // The light below and above a cloud, over that of a clear sky.
 struct CloudLight {
   vec3 below;      // all light that ground and base get from above
-  vec3 air_below;  // light from all around that is not the sun's, below the cloud
+  vec3 air_below;  // light from all around that is not the sun's, below the cloud, the mean of the field
   vec3 air_above;  // likewise above it
   real direct;     // of the sun's light, the share that passes through unscattered
   real forward;    // likewise unscattered or scattered forward alone (CloudData::turning)
   vec3 above;      // what it adds to light from below on planes above it, over all light from above there
+  CloudAround under;  // below the cloud, at its base, and at its top
+  CloudAround at_base;
+  CloudAround at_top;
+  vec3 depth_above;   // vertical optical depth of the air above the top
+  real scale_height;  // km, over which that depth falls to a share of 1/e
 };

@@ -1,9 +1,29 @@
 // The light on a cloud as passes/cloud_balance.comp found it.
+#include "shared/cloud_around.glsl"
 layout(scalar, set = 0, binding = 27) readonly buffer Light { CloudLight values[]; } cloud_light;  // of each field
+layout(set = 0, binding = 45) uniform sampler3D cloud_around_lut;  // passes/cloud_around.comp
+
+const float kRim = 0.1;  // of the grid of a cloud that stands alone, over which its light ends
 
 CloudLight light_of_cloud() { return cloud_light.values[kField]; }
 
-// Share of the air's light scattered more than once at an altitude over the cloud's base.
-vec3 more_light_at(float height) {
-  return mix(cloud_light.values[kField].air_below, cloud_light.values[kField].air_above, clamp(height, 0.0, 1.0));
+// Share of the air's light scattered more than once at a place of the grid. Above the cloud it passes over to the mean
+// of the field within the field's height, and what the cloud changes fades in the air between. Around a cloud that
+// stands alone the sky is clear.
+vec3 more_light_at(vec3 place) {
+  CloudData c = cloud();
+  vec3 size = vec3(textureSize(cloud_around_lut, 0));
+  float level = around_level(c, place.z, uint(size.z));
+  vec2 texel = vec2(cell_texel(place.x, uint(size.x) - 1u), cell_texel(place.y, uint(size.y) - 1u));
+  vec3 light = textureLod(cloud_around_lut, vec3(texel, level + 0.5) / size, 0.0).rgb;
+  CloudLight of = light_of_cloud();
+  float height = clamp(place.z, 0.0, 1.0);
+  vec3 within = mix(share_around(of.at_base, light), share_around(of.at_top, light), height);
+  vec3 local = mix(share_around(of.under, light), within, clamp(level - float(kLevelsBelow) + 1.0, 0.0, 1.0));
+  vec3 share = mix(local, of.air_above, clamp(place.z - 1.0, 0.0, 1.0));
+  float above = max(place.z - 1.0, 0.0) * (c.top - c.base);
+  vec3 between = of.depth_above * (1.0 - exp(-above / of.scale_height));
+  vec2 inside = min(place.xy, 1.0 - place.xy) / kRim;
+  float counts = c.repeats != 0u ? 1.0 : smoothstep(0.0, 1.0, min(inside.x, inside.y));
+  return vec3(1.0) + (share - 1.0) * (counts * even_transmittance(between));
 }

@@ -66,7 +66,7 @@ ShadedAir shaded_up_to(ShadedAir air, Ray ray, FactorPlace at, vec3 direction, f
     vec3 place = cloud_place(scene.planet.ground_radius, cloud(), ray.h, direction, t);
     float counts = meets_ground(scene.planet, point.h, seen_sun_mu(scene.planet, point.h, point.mu_sun)) ? 0.0 : 1.0;
     float shade = cloud_shade(place, point.h, point.mu_sun);
-    vec3 all_around = more_light_at(place.z);
+    vec3 all_around = more_light_at(place);
     if (kFields > 1u) {
       OtherFields past = past_other_fields(direction, t, point.h, point.mu_sun);
       shade += past.shade;
