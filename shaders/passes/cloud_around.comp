@@ -1,9 +1,9 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Light from all around among clouds (shared/cloud_around.glsl), by where it comes from: of a sun of irradiance 1 across
-// its rays, scattered; of a sky and of a ground of radiance 1. Below the field it is what leaves the base and falls:
-// each ordinate stands for a share of the hemisphere, and its light is taken along nine directions of that share. One
-// thread a texel on the coarser cells; the first column and row are the last once more.
+// Light from all around among clouds (shared/cloud_around.glsl), by where it comes from: of a sun of irradiance 1
+// across its rays, scattered; of a sky and of a ground of radiance 1. Below the field it is what leaves the base and
+// falls: each ordinate stands for a share of the hemisphere, and its light is taken along nine directions of that share.
+// One thread a texel on the coarser cells; the first column and row are the last once more.
 #extension GL_EXT_scalar_block_layout : require
 #define real float
 #include "shared/cloud.h"

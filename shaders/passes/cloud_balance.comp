@@ -83,8 +83,8 @@ void main() {
   vec3 falling_air = base.above - from_sky;
   vec3 rising_air = max(summit.below - base.below * through_air, vec3(0.0));
 
-  // In the middle of the air below the field: light of the field, of the ground, or of that air, which sends on sunlight
-  // past the field and its own light.
+  // In the middle of the air below the field: light of the field, of the ground, or of that air, which sends on
+  // sunlight past the field and its own light.
   float middle = optical_altitude_at(0.5 * c.base);
   vec3 of_field = even_transmittance(max(depth_above(middle) - depth_above(h), vec3(0.0)));
   vec3 of_ground = even_transmittance(max(depth_above(0.0) - depth_above(middle), vec3(0.0)));

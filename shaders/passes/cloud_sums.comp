@@ -4,9 +4,9 @@
 // over the lower hemisphere times the cosine, for a sky and for a ground of radiance 1; of the sun's light unscattered.
 // Three more texels hold the first three without the cosine, and then over the upper hemisphere with it and without. The
 // fourth value of the second is of the sun's light unscattered or scattered forward alone.
-// Then come the levels of the light from all around (shared/cloud_around.glsl): its means over the field, and that of the
-// sun's light unscattered; in the second row the means of this times the sky's, and times the ground's. None depends on
-// the air. One workgroup.
+// Then come the levels of the light from all around (shared/cloud_around.glsl): its means over the field, and that of
+// the sun's light unscattered; in the second row the means of this times the sky's, and times the ground's. None depends
+// on the air. One workgroup.
 #extension GL_EXT_scalar_block_layout : require
 #define real float
 #include "shared/cloud_volume.glsl"
