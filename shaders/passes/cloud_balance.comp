@@ -152,9 +152,10 @@ void main() {
   vec4 rising = texelFetch(cloud_sums_lut, ivec2(3, 0), 0);
   light.air_above = share_around(light.at_top, vec3(rising.x, 2.0 * kPi + rising.y, rising.z));
   const float kHigher = 4.0;  // km
-  light.depth_above = depth_above(top);
+  vec3 upward = depth_above(top);
   vec3 higher = depth_above(optical_altitude_at(c.top + kHigher));
-  light.scale_height = kHigher / max(log(max(light.depth_above.z, 1e-9) / max(higher.z, 1e-12)), 1e-2);
+  light.fading = vec3(1.0) - even_transmittance(upward);
+  light.scale_height = kHigher / max(log(max(upward.z, 1e-9) / max(higher.z, 1e-12)), 1e-2);
   vec4 risen = texelFetch(cloud_sums_lut, ivec2(2, 0), 0);
   vec3 from_above = sun_above * (risen.x * across) + level_irradiance(over, 1.0) * (risen.y / kPi);
   vec3 clear_above = max(sun_above + level_irradiance(over, 1.0), vec3(1e-30));

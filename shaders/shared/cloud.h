@@ -76,6 +76,6 @@ struct CloudLight {
   CloudAround under;  // below the cloud, at its base, and at its top
   CloudAround at_base;
   CloudAround at_top;
-  vec3 depth_above;   // vertical optical depth of the air above the top
-  real scale_height;  // km, over which that depth falls to a share of 1/e
+  vec3 fading;        // share of what the cloud changes above it that the air up to space takes
+  real scale_height;  // km, of the air above the top
 };

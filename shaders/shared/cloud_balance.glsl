@@ -8,8 +8,8 @@ const float kRim = 0.1;  // of the grid of a cloud that stands alone, over which
 CloudLight light_of_cloud() { return cloud_light.values[kField]; }
 
 // Share of the air's light scattered more than once at a place of the grid. Above the cloud it passes over to the mean
-// of the field within the field's height, and what the cloud changes fades in the air between. Around a cloud that
-// stands alone the sky is clear.
+// of the field within the field's height, and what the cloud changes fades in the air between, by E_2 as a curve of what
+// the air up there takes to space. Around a cloud that stands alone the sky is clear.
 vec3 more_light_at(vec3 place) {
   CloudData c = cloud();
   vec3 size = vec3(textureSize(cloud_around_lut, 0));
@@ -21,9 +21,9 @@ vec3 more_light_at(vec3 place) {
   vec3 within = mix(share_around(of.at_base, light), share_around(of.at_top, light), height);
   vec3 local = mix(share_around(of.under, light), within, clamp(level - float(kLevelsBelow) + 1.0, 0.0, 1.0));
   vec3 share = mix(local, of.air_above, clamp(place.z - 1.0, 0.0, 1.0));
-  float above = max(place.z - 1.0, 0.0) * (c.top - c.base);
-  vec3 between = of.depth_above * (1.0 - exp(-above / of.scale_height));
+  float risen = 1.0 - exp(-max(place.z - 1.0, 0.0) * (c.top - c.base) / of.scale_height);
+  vec3 left = vec3(1.0) - of.fading * (risen * (1.6 - 0.6 * risen));
   vec2 inside = min(place.xy, 1.0 - place.xy) / kRim;
   float counts = c.repeats != 0u ? 1.0 : smoothstep(0.0, 1.0, min(inside.x, inside.y));
-  return vec3(1.0) + (share - 1.0) * (counts * even_transmittance(between));
+  return vec3(1.0) + (share - 1.0) * (counts * left);
 }

@@ -54,28 +54,28 @@ ShadedAir no_shaded_air() {
   return air;
 }
 
-// Goes on to a distance; the sun is asked for in the middles of so many parts.
+// Goes on to a distance; the sun is asked for in the middles of so many parts, all other light in the middle of all.
 ShadedAir shaded_up_to(ShadedAir air, Ray ray, FactorPlace at, vec3 direction, float to, uint parts) {
   float width = (to - air.distance_) / float(parts);
   float lit = 0.0;
   float sunny = 0.0;  // parts that the planet does not hide from the sun: light scattered once comes from these alone
-  vec3 more = vec3(0.0);
+  vec3 others = vec3(1.0);
   for (uint i = 0u; i < parts; i++) {
     float t = air.distance_ + (float(i) + 0.5) * width;
     RayPoint point = sunlit_among_things(scene.planet, ray, t);
     vec3 place = cloud_place(scene.planet.ground_radius, cloud(), ray.h, direction, t);
     float counts = meets_ground(scene.planet, point.h, seen_sun_mu(scene.planet, point.h, point.mu_sun)) ? 0.0 : 1.0;
     float shade = cloud_shade(place, point.h, point.mu_sun);
-    vec3 all_around = more_light_at(place);
     if (kFields > 1u) {
       OtherFields past = past_other_fields(direction, t, point.h, point.mu_sun);
       shade += past.shade;
-      all_around *= past.air;
+      others += (past.air - 1.0) / float(parts);
     }
     lit += counts * exp(-shade);
     sunny += counts;
-    more += all_around / float(parts);
   }
+  vec3 middle = cloud_place(scene.planet.ground_radius, cloud(), ray.h, direction, 0.5 * (air.distance_ + to));
+  vec3 more = more_light_at(middle) * others;
   lit /= max(sunny, 1.0);
   ClearAir next = clear_air_up_to(ray, at, optical_up_to(ray, to));
   air.left += max(next.once - air.clear.once, vec3(0.0)) * lit + max(next.more - air.clear.more, vec3(0.0)) * more;
