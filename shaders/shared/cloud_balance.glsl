@@ -8,8 +8,8 @@ const float kRim = 0.1;  // of the grid of a cloud that stands alone, over which
 CloudLight light_of_cloud() { return cloud_light.values[kField]; }
 
 // Share of the air's light scattered more than once at a place of the grid. Above the cloud it passes over to the mean
-// of the field within the field's height, and what the cloud changes fades in the air between, by E_2 as a curve of what
-// the air up there takes to space. Around a cloud that stands alone the sky is clear.
+// of the field within the field's height, and what the cloud changes fades in the air between: a curve near E_2 of the
+// depth up to there. Around a cloud that stands alone the sky is clear.
 vec3 more_light_at(vec3 place) {
   CloudData c = cloud();
   vec3 size = vec3(textureSize(cloud_around_lut, 0));
