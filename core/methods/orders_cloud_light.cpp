@@ -228,7 +228,7 @@ ImageId add_around(Plan& plan, const CloudInputs& inputs, const Fields& fields, 
 }
 
 ImageId add_sums(Plan& plan, const CloudInputs& inputs, const Fields& fields, ImageId around, const std::string& key) {
-  const Extent extent{4 + kLevelsBelow + fields.coarser.nz + 1, 2, 1};
+  const Extent extent{4 + fields.coarser.nz, 2, 1};
   const ImageId sums = plan.add_image({.name = "cloud_sums", .extent = extent, .key = key + " sums", .stored = true});
   std::vector<Binding> reads = inputs.reads();
   reads.insert(reads.end(), {{"ordinates", fields.tables.ordinates},

@@ -2,8 +2,8 @@
 #extension GL_GOOGLE_include_directive : require
 // Light from all around among clouds (shared/cloud_around.glsl), by where it comes from: of a sun of irradiance 1
 // across its rays, scattered; of a sky and of a ground of radiance 1. Below the field it is what leaves the base and
-// falls: each ordinate stands for a share of the hemisphere, and its light is taken along nine directions of that share.
-// One thread a texel on the coarser cells; the first column and row are the last once more.
+// falls: each ordinate stands for a share of the hemisphere, and its light is taken along nine directions of that
+// share. One thread a texel on the coarser cells; the first column and row are the last once more.
 #extension GL_EXT_scalar_block_layout : require
 #define real float
 #include "shared/cloud.h"
@@ -28,17 +28,17 @@ const uint kSpread = 3u;  // directions of a share of the hemisphere, in zenith 
 const float kTurn = 6.283185307179586;
 
 // The eight cells around a place, the nearer one and the farther one on each axis.
-struct Around {
+struct Corners {
   uvec3 near;
   uvec3 far;
   vec3 part;
 };
 
-Around around(vec3 place, uvec3 cells) {
+Corners corners_of(vec3 place, uvec3 cells) {
   vec3 at = place * vec3(cells) - 0.5;
   at.xy -= floor(at.xy / vec2(cells.xy)) * vec2(cells.xy);
   at.z = clamp(at.z, 0.0, float(cells.z - 1u));
-  Around a;
+  Corners a;
   a.near = min(uvec3(at), cells - 1u);
   a.part = at - vec3(a.near);
   a.far = uvec3((a.near.xy + 1u) % cells.xy, min(a.near.z + 1u, cells.z - 1u));
@@ -46,19 +46,19 @@ Around around(vec3 place, uvec3 cells) {
 }
 
 // Cell and share of corner n.
-uint corner(Around a, uvec3 cells, uint n) {
+uint corner(Corners a, uvec3 cells, uint n) {
   uvec3 at = mix(a.near, a.far, bvec3((n & 1u) != 0u, (n & 2u) != 0u, (n & 4u) != 0u));
   return (at.z * cells.y + at.y) * cells.x + at.x;
 }
 
-float share_of(Around a, uint n) {
+float share_of(Corners a, uint n) {
   vec3 share = mix(1.0 - a.part, a.part, bvec3((n & 1u) != 0u, (n & 2u) != 0u, (n & 4u) != 0u));
   return share.x * share.y * share.z;
 }
 
-// In a coarser cell, the mean over its middle along the ordinates.
+// In a coarser cell: of sky and ground its own light, of the sun that of the finer cells around its middle.
 vec3 inside(uvec3 cell, uvec3 sunlit) {
-  Around a = around((vec3(cell) + 0.5) / vec3(coarser), sunlit);
+  Corners a = corners_of((vec3(cell) + 0.5) / vec3(coarser), sunlit);
   uint at = (cell.z * coarser.y + cell.y) * coarser.x + cell.x;
   uint count = coarser.x * coarser.y * coarser.z;
   uint sunlit_count = sunlit.x * sunlit.y * sunlit.z;
@@ -77,8 +77,8 @@ vec3 inside(uvec3 cell, uvec3 sunlit) {
 vec3 leaving(uint o, vec2 place, uvec3 sunlit) {
   uvec3 level = uvec3(coarser.xy, 1u);
   uvec3 sunlit_level = uvec3(sunlit.xy, 1u);
-  Around a = around(vec3(place, 0.5), level);
-  Around b = around(vec3(place, 0.5), sunlit_level);
+  Corners a = corners_of(vec3(place, 0.5), level);
+  Corners b = corners_of(vec3(place, 0.5), sunlit_level);
   uint first = (2u * o + (coarser.z & 1u)) * level.x * level.y;
   uint sunlit_first = (2u * o + (sunlit.z & 1u)) * sunlit_level.x * sunlit_level.y;
   vec3 light = vec3(0.0);

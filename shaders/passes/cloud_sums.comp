@@ -4,9 +4,9 @@
 // over the lower hemisphere times the cosine, for a sky and for a ground of radiance 1; of the sun's light unscattered.
 // Three more texels hold the first three without the cosine, and then over the upper hemisphere with it and without. The
 // fourth value of the second is of the sun's light unscattered or scattered forward alone.
-// Then come the levels of the light from all around (shared/cloud_around.glsl): its means over the field, and that of
-// the sun's light unscattered; in the second row the means of this times the sky's, and times the ground's. None depends
-// on the air. One workgroup.
+// Then come the cells' levels of the light from all around (shared/cloud_around.glsl): its means over the field, and
+// that of the sun's light unscattered; in the second row the means of this times the sky's, and times the ground's. None
+// depends on the air. One workgroup.
 #extension GL_EXT_scalar_block_layout : require
 #define real float
 #include "shared/cloud_volume.glsl"
@@ -38,15 +38,16 @@ vec4 total(uint of) {
 void sum_levels(CloudData c, uint thread) {
   uvec3 size = uvec3(textureSize(cloud_around_lut, 0)) - uvec3(1u, 1u, 0u);
   uint count = size.x * size.y;
-  for (uint level = 0u; level < size.z; level++) {
-    float inside = (float(level) - float(kLevelsBelow) + 0.5) / float(size.z - kLevelsBelow - 1u);
+  uint levels = size.z - kLevelsBelow - 1u;
+  for (uint level = 0u; level < levels; level++) {
+    float height = (float(level) + 0.5) / float(levels);
     vec4 light = vec4(0.0);
     vec4 lit = vec4(0.0);
     for (uint at = thread; at < count; at += 256u) {
       uvec2 cell = uvec2(at % size.x, at / size.x);
-      vec3 here = texelFetch(cloud_around_lut, ivec3(cell + 1u, level), 0).rgb;
+      vec3 here = texelFetch(cloud_around_lut, ivec3(cell + 1u, kLevelsBelow + level), 0).rgb;
       vec2 place = (vec2(cell) + 0.5) / vec2(size.xy);
-      float sun = exp(-c.scale * sun_depth_at(vec3(place, clamp(inside, 0.0, 1.0))));
+      float sun = exp(-c.scale * sun_depth_at(vec3(place, height)));
       light += vec4(here, sun) / float(count);
       lit.xy += here.yz * (sun / float(count));
     }

@@ -14,10 +14,3 @@ float around_level(CloudData c, float height, uint levels) {
 
 // The share of a clear sky's light at a place with so much light of sun, sky and ground.
 vec3 share_around(CloudAround a, vec3 light) { return a.rest + a.sun * light.x + a.sky * light.y + a.ground * light.z; }
-
-// What air of this vertical optical depth leaves of light that is even over a hemisphere: E_2, with E_1 taken as
-// exp(-x) ln(1 + exp(-0.577) / x). It is 0.012 too large at a depth of 0.1, 0.06 at most.
-vec3 even_transmittance(vec3 depth) {
-  vec3 x = max(depth, vec3(1e-6));
-  return exp(-x) * (vec3(1.0) - x * log(vec3(1.0) + 0.5614595 / x));
-}

@@ -227,8 +227,8 @@ TEST(CarvedClouds, AFieldIsAsBrightAsByPathTrace) {
   EXPECT_NEAR(ratio, 1.0, 0.05);
 }
 
-// All light of the air among black heaps, most of it light scattered more than once, against path-trace. A share that
-// passes over the air between the heaps, or over the way from them, leaves blue 5 % too dark.
+// All light of the air over black heaps against path-trace. Blue is 6 % too dark where the share of light scattered
+// more than once passes over the air between the heaps and over the way from them.
 TEST(CarvedClouds, ShadeLightScatteredMoreThanOnce) {
   Scene scene = with_method(earth(), *find_method("orders"));
   scene.media.resize(1);  // molecules
