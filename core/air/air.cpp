@@ -6,11 +6,12 @@
 #include <iterator>
 #include <numbers>
 
-#include "core/air/legendre.h"
+#include "core/air/phase_functions.h"
 #include "core/air/phase_samples.h"
 #include "core/air/refraction.h"
 #include "core/air/scene_block.h"
 #include "core/air/shells.h"
+#include "core/scene/density_profiles.h"
 
 namespace airlight {
 namespace {
@@ -84,21 +85,12 @@ physics::MomentTableData shell_moment_axes(physics::Physics& p) {
 }
 
 std::uint32_t code_of(const Medium& medium, bool schlick) {
-  switch (medium.phase) {
-    case PhaseFunction::rayleigh:
-      return largest(medium.depolarization) > 0.0 ? physics::kPhaseDepolarized : physics::kPhaseRayleigh;
-    case PhaseFunction::henyey_greenstein:
-      return schlick ? physics::kPhaseSchlick : physics::kPhaseHenyeyGreenstein;
-    case PhaseFunction::cornette_shanks:
-      return schlick ? physics::kPhaseSchlick : physics::kPhaseCornetteShanks;
-    case PhaseFunction::schlick:
-      return physics::kPhaseSchlick;
-    case PhaseFunction::isotropic:
-      return physics::kPhaseIsotropic;
-    case PhaseFunction::table:
-      return physics::kPhaseTable;
+  const PhaseRow& row = phase_row(medium.phase);
+  if (schlick && row.is_peaked_by_g()) {
+    return physics::Physics::kPhaseSchlick;
   }
-  return physics::kPhaseIsotropic;
+  const bool mixes = medium.phase == PhaseFunction::rayleigh && largest(medium.depolarization) > 0.0;
+  return mixes ? physics::Physics::kPhaseDepolarized : row.code;
 }
 
 void put_media(physics::Physics& p, const std::vector<Medium>& media) {
@@ -108,31 +100,14 @@ void put_media(physics::Physics& p, const std::vector<Medium>& media) {
   physics::uint layer = 0;
   physics::uint table = 0;
   for (std::size_t i = 0; i < media.size(); ++i) {
-    const Density& density = media[i].density;
     physics::MediumData& m = p.scene.media[i];
     m.scattering = vector_of(media[i].scattering);
     m.absorption = vector_of(media[i].absorption);
-    m.scale_height = density.scale_height;
-    m.center = density.center;
-    m.half_width = density.half_width;
-    m.below = density.below;
     m.g = media[i].phase_g;
     m.depolarization = vector_of(media[i].depolarization);
-    m.phase_table = media[i].phase == PhaseFunction::table || is_sharp(media[i]) ? table++ : 0;
-    m.first_layer = layer;
-    m.layer_count = static_cast<physics::uint>(density.layers.size());
-    for (const DensityLayer& l : density.layers) {
-      assert(layer < static_cast<physics::uint>(kMaxDensityLayers));
-      p.scene.layers[layer++] = {l.altitude, l.density};
-    }
-    // Codes stand in the order of the names.
-    static_assert(static_cast<physics::uint>(DensityProfile::exponential) == physics::kDensityExponential &&
-                  static_cast<physics::uint>(DensityProfile::tent) == physics::kDensityTent &&
-                  static_cast<physics::uint>(DensityProfile::lorentzian) == physics::kDensityLorentzian &&
-                  static_cast<physics::uint>(DensityProfile::constant) == physics::kDensityConstant &&
-                  static_cast<physics::uint>(DensityProfile::layers) == physics::kDensityLayers &&
-                  static_cast<physics::uint>(DensityProfile::height_fog) == physics::kDensityHeightFog);
-    p.density_profiles |= static_cast<std::uint32_t>(density.profile) << (physics::kBitsPerMedium * i);
+    m.phase_table = has_samples(media[i]) ? table++ : 0;
+    put_density(p, static_cast<physics::uint>(i), media[i].density, layer);
+    layer += m.layer_count;
   }
 }
 
@@ -191,7 +166,7 @@ struct Air::Matter {
     put_planet(formulas, p);
     put_media(formulas, media);
     put_phases(formulas, media, false);
-    column = column_of(formulas, media);
+    column = column_of(formulas);
   }
 };
 
@@ -278,7 +253,7 @@ OpticalDepths Air::depths() const {
       here.scattering += scattering;
       here.extinction += scattering + media()[i].absorption[c] * column().amount[i];
       here.peaked += std::abs(channel(formulas().scene.media[i].legendre[1], c)) >= kPeaked ? scattering : 0.0;
-      here.abrupt += media()[i].density.profile == DensityProfile::constant ? scattering : 0.0;
+      here.abrupt += profile_row(media()[i].density.profile).ends_abruptly ? scattering : 0.0;
     }
     most.extinction = std::max(most.extinction, here.extinction);
     most.scattering = std::max(most.scattering, here.scattering);

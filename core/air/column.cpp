@@ -1,8 +1,10 @@
 #include "core/air/column.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "core/air/refraction.h"
+#include "core/scene/density_profiles.h"
 
 namespace airlight {
 namespace {
@@ -10,32 +12,13 @@ namespace {
 constexpr std::size_t kCells = 400;
 constexpr std::size_t kMostBreaks = 14;  // between the ground and the top
 
-std::vector<double> breaks_of(const std::vector<Medium>& media, double height) {
+std::vector<double> breaks_of(const physics::Physics& p, double height) {
   std::vector<double> breaks;
-  const auto add = [&](double h) {
-    if (h > 1e-6 * height && h < (1.0 - 1e-6) * height) {
-      breaks.push_back(h);
-    }
-  };
-  for (const Medium& m : media) {
-    switch (m.density.profile) {
-      case DensityProfile::constant:
-      case DensityProfile::height_fog:
-        add(m.density.below);
-        break;
-      case DensityProfile::tent:
-        add(m.density.center - m.density.half_width);
-        add(m.density.center);
-        add(m.density.center + m.density.half_width);
-        break;
-      case DensityProfile::layers:
-        for (const DensityLayer& layer : m.density.layers) {
-          add(layer.altitude);
-        }
-        break;
-      case DensityProfile::exponential:
-      case DensityProfile::lorentzian:
-        break;
+  const auto is_inside = [height](double h) { return h > 1e-6 * height && h < (1.0 - 1e-6) * height; };
+  for (physics::uint i = 0; i < p.medium_count(); ++i) {
+    const ProfileRow& row = profile_row(p.density_profile(i));
+    if (!row.is_smooth()) {
+      std::ranges::copy_if(row.marks(p, p.medium(i)), std::back_inserter(breaks), is_inside);
     }
   }
   std::ranges::sort(breaks);
@@ -52,10 +35,10 @@ std::vector<double> breaks_of(const std::vector<Medium>& media, double height) {
 
 }  // namespace
 
-Column column_of(physics::Physics& p, const std::vector<Medium>& media) {
+Column column_of(physics::Physics& p) {
   Column column;
   const double top = p.scene.planet.atmosphere_height;
-  column.breaks = breaks_of(media, p.true_altitude(top).h);
+  column.breaks = breaks_of(p, p.true_altitude(top).h);
   std::ranges::transform(column.breaks, column.breaks.begin(), [&](double h) { return optical_altitude(p, h); });
   column.breaks.back() = top;
   column.cells_between_breaks = kCells;
@@ -78,7 +61,7 @@ Column column_of(physics::Physics& p, const std::vector<Medium>& media) {
         column.amount[i] += density[i] * dh;
         extinction = extinction + m.scattering * density[i] + m.absorption * density[i];
       }
-      column.depth.push_back(column.depth.back() + (extinction.x + extinction.y + extinction.z) / 3.0 * dh);
+      column.depth.push_back(column.depth.back() + channel_mean(extinction) * dh);
     }
   }
   return column;

@@ -27,6 +27,6 @@ struct Column {
 };
 
 // `p`: formulas and media of the air.
-Column column_of(physics::Physics& p, const std::vector<Medium>& media);
+Column column_of(physics::Physics& p);
 
 }  // namespace airlight

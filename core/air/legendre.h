@@ -9,9 +9,6 @@ namespace airlight {
 
 using LegendreMoments = std::array<physics::vec3, physics::kLegendreMoments>;  // by channel
 
-// Integral of p(nu) P_l(nu) over the sphere, l from 0; to 1e-6. Of the medium's phase function.
-LegendreMoments legendre_moments(physics::Physics& p, physics::uint medium);
-
 // Calls visit(l, P_l(nu)) for l below `count`.
 template <class Visit>
 void for_each_polynomial(std::size_t count, double nu, Visit visit) {
@@ -28,6 +25,8 @@ void for_each_polynomial(std::size_t count, double nu, Visit visit) {
 }
 
 // Adds `light` at the cosine nu.
-void add_moments(LegendreMoments& moments, physics::vec3 light, double nu);
+inline void add_moments(LegendreMoments& moments, physics::vec3 light, double nu) {
+  for_each_polynomial(moments.size(), nu, [&](std::size_t l, double p) { moments[l] = moments[l] + light * p; });
+}
 
 }  // namespace airlight

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/air/legendre.h"
+#include "core/air/phase_functions.h"
 #include "core/scene/angle.h"
 
 namespace airlight {
@@ -81,26 +81,22 @@ void add_gathered(std::vector<vec3>& samples, std::size_t first) {
   normalise(samples, first + kSamples);
 }
 
-physics::uint formula_of(PhaseFunction phase) {
-  return phase == PhaseFunction::henyey_greenstein ? physics::kPhaseHenyeyGreenstein
-         : phase == PhaseFunction::cornette_shanks ? physics::kPhaseCornetteShanks
-                                                   : physics::kPhaseSchlick;
-}
-
 }  // namespace
 
 bool is_sharp(const Medium& medium) {
   constexpr double kSharp = 0.85;
-  const bool has_peak = medium.phase == PhaseFunction::henyey_greenstein ||
-                        medium.phase == PhaseFunction::cornette_shanks || medium.phase == PhaseFunction::schlick;
-  return has_peak && std::abs(medium.phase_g) > kSharp;
+  return phase_row(medium.phase).is_peaked_by_g() && std::abs(medium.phase_g) > kSharp;
+}
+
+bool has_samples(const Medium& medium) {
+  return medium.phase == PhaseFunction::table || is_sharp(medium);
 }
 
 std::shared_ptr<const std::vector<vec3>> phase_samples(const std::vector<Medium>& media) {
   auto all = std::make_shared<std::vector<vec3>>();
   physics::Physics p;
   for (const Medium& medium : media) {
-    if (medium.phase != PhaseFunction::table && !is_sharp(medium)) {
+    if (!has_samples(medium)) {
       continue;
     }
     const std::size_t first = all->size();
@@ -109,7 +105,7 @@ std::shared_ptr<const std::vector<vec3>> phase_samples(const std::vector<Medium>
         const double degrees = angle_of(static_cast<double>(k)) / kDegree;
         return std::log(medium.phase == PhaseFunction::table
                             ? phase_at(medium.phase_table, medium.phase_wavelengths[c], degrees)
-                            : p.phase_value(formula_of(medium.phase), medium.phase_g, sample_cosine(k)));
+                            : p.phase_value(phase_row(medium.phase).code, medium.phase_g, sample_cosine(k)));
       };
       all->emplace_back(value(0), value(1), value(2));
     }
@@ -123,7 +119,7 @@ std::vector<double> interval_shares(const physics::Physics& p, physics::uint tab
   std::vector<double> shares(kSamples - 1);
   for_each_node([&](std::size_t k, double share, double, double weight) {
     const vec3 value = between(*p.phase_samples, 2 * table * kSamples + k, share) * weight;
-    shares[k] += (value.x + value.y + value.z) / 3.0;
+    shares[k] += channel_mean(value);
   });
   return shares;
 }

@@ -15,7 +15,10 @@ namespace airlight {
 // the harmonics above the 16th are then worth more than a twelfth of the first.
 bool is_sharp(const Medium& medium);
 
-// The tables of the media that have one, or are sharp, in their order, as logarithms; null where none does.
+// Whether the medium has a phase function by table, or is sharp: it then has samples.
+bool has_samples(const Medium& medium);
+
+// The samples of the media that have some, in their order, as logarithms; null where none has.
 std::shared_ptr<const std::vector<physics::vec3>> phase_samples(const std::vector<Medium>& media);
 
 // Scattering into each of the kPhaseSamples - 1 intervals of a table, mean of the channels: shares of a sum of 1.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/scene/density_profiles.h"
+
 namespace airlight {
 namespace {
 
@@ -94,10 +96,6 @@ ScatteringDepths scattering_between_rows(const Column& column, const std::vector
 
 }  // namespace
 
-bool is_smooth(DensityProfile profile) {
-  return profile == DensityProfile::exponential || profile == DensityProfile::lorentzian;
-}
-
 int hazy_rows(int moment_rows) {
   return std::clamp((5 * moment_rows + 1) / 3, moment_rows, kMostRows);
 }
@@ -109,7 +107,7 @@ bool needs_shells(const Column& column, const std::vector<Medium>& media, double
   constexpr double kBetweenRows = 0.4;
   for (std::size_t i = 0; i < media.size(); ++i) {
     const double depth = column.amount[i] * *std::ranges::max_element(media[i].scattering);
-    if (!is_smooth(media[i].density.profile) && depth > kEdge) {
+    if (!profile_row(media[i].density.profile).is_smooth() && depth > kEdge) {
       return true;
     }
   }

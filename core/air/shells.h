@@ -8,9 +8,6 @@
 
 namespace airlight {
 
-// Whether the density has neither an edge nor a kink.
-bool is_smooth(DensityProfile profile);
-
 // Rows of the table of moments in hazy air, for `moment_rows` in clear air.
 int hazy_rows(int moment_rows);
 

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <string>
 
+#include "core/air/phase_functions.h"
 #include "core/air/phase_samples.h"
 #include "core/air/shells.h"
 #include "core/luts/level_orders.h"
@@ -214,13 +215,13 @@ bool scatters_as(const Air& air, Such such) {
   return false;
 }
 
-// Whether a medium that scatters neither as molecules do nor evenly is less than half as dense at the ground as above.
+// Whether a medium that scatters, not smoothly, is less than half as dense at the ground as above.
 bool has_layer_aloft(const Air& air) {
   const Column& column = air.column();
   for (std::size_t i = 0; i < air.media().size(); ++i) {
     const Medium& medium = air.media()[i];
     const auto density = [i](const Column::PerMedium& cell) { return cell[i]; };
-    if ((air.scattering_media() >> i & 1U) != 0 && !is_molecular(medium) && medium.phase != PhaseFunction::isotropic &&
+    if ((air.scattering_media() >> i & 1U) != 0 && !phase_row(medium.phase).is_smooth &&
         density(column.density.front()) < 0.5 * density(*std::ranges::max_element(column.density, {}, density))) {
       return true;
     }
@@ -243,11 +244,10 @@ int peak_azimuths(const Air& air) {
   constexpr double kMost = 24.0;
   double most = kFewest;
   for (std::size_t i = 0; i < air.media().size(); ++i) {
-    const bool by_table = air.media()[i].phase == PhaseFunction::table || is_sharp(air.media()[i]);
     const auto& moments = air.formulas().scene.media[i].legendre;
     const double before = std::abs(moments[physics::kLegendreMoments - 2].x);
     const double last = std::abs(moments[physics::kLegendreMoments - 1].x);
-    if (!by_table && (air.scattering_media() >> i & 1U) != 0 && last > 1e-4 && last < before) {
+    if (!has_samples(air.media()[i]) && (air.scattering_media() >> i & 1U) != 0 && last > 1e-4 && last < before) {
       most = std::max(most, std::ceil(std::log(kLeft) / (2.0 * std::log(last / before))));
     }
   }
@@ -275,9 +275,8 @@ MomentSettings moment_settings(const Air& air, const MomentRequest& request) {
   settings.azimuths = peak_azimuths(air);
   settings.hazy = !settings.shells && (request.hazy || air.depths().scattering > kHazy);
   settings.polarised = request.polarised && scatters_as(air, [](const Medium& m) { return is_molecular(m); });
-  settings.molecules_alone = settings.polarised && !scatters_as(air, [](const Medium& m) {
-                               return !is_molecular(m) && m.phase != PhaseFunction::isotropic;
-                             });
+  settings.molecules_alone =
+      settings.polarised && !scatters_as(air, [](const Medium& m) { return !phase_row(m.phase).is_smooth; });
   settings.degree = request.degree.value_or(!thick ? 2 : settings.shells || settings.hazy ? 8 : 5);
   settings.peaked = thick;
   settings.delta = leaves_a_peak(air, settings.degree);

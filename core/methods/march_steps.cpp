@@ -6,8 +6,8 @@
 #include <numeric>
 #include <string>
 
-#include "core/air/shells.h"
 #include "core/physics/physics.h"
+#include "core/scene/density_profiles.h"
 #include "core/scene/parameters.h"
 
 namespace airlight {
@@ -37,9 +37,10 @@ bool is_smooth(const Air& air) {
   constexpr double kAbsorption = 0.1;
   for (std::size_t i = 0; i < air.media().size(); ++i) {
     const Medium& medium = air.media()[i];
+    const bool smooth = profile_row(medium.density.profile).is_smooth();
     const double amount = air.column().amount[i];
-    if (!is_smooth(medium.density.profile) && (amount * *std::ranges::max_element(medium.scattering) > kScattering ||
-                                               amount * *std::ranges::max_element(medium.absorption) > kAbsorption)) {
+    if (!smooth && (amount * *std::ranges::max_element(medium.scattering) > kScattering ||
+                    amount * *std::ranges::max_element(medium.absorption) > kAbsorption)) {
       return false;
     }
   }

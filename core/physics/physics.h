@@ -8,7 +8,8 @@
 
 namespace airlight::physics {
 
-#define UNROLL  // a mark for the shaders' compiler
+#define UNROLL                 // a mark for the shaders' compiler
+#define CODE static constexpr  // of a constant in the struct below
 
 // The order follows the dependencies of these files.
 // clang-format off
@@ -265,6 +266,7 @@ struct Physics {
   // clang-format on
 };
 
+#undef CODE
 #undef UNROLL
 
 }  // namespace airlight::physics

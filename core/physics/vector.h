@@ -26,6 +26,10 @@ inline real channel(const vec3& v, std::size_t c) {
   return c == 0 ? v.x : c == 1 ? v.y : v.z;
 }
 
+inline real channel_mean(const vec3& v) {
+  return (v.x + v.y + v.z) / 3.0;
+}
+
 inline vec3 operator+(vec3 a, vec3 b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};
 }

@@ -1,54 +1,26 @@
 #include "core/scene/density_column.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <vector>
 
-#include "core/physics/physics.h"
+#include "core/scene/density_profiles.h"
 
 namespace airlight {
 namespace {
 
-// The column of a density that is linear from (h0, d0) to (h1, d1), cut off at the top.
-double straight_column(double h0, double d0, double h1, double d1, double top) {
-  const double end = std::min(h1, top);
-  if (end <= h0) {
-    return 0.0;
-  }
-  const double d_end = d0 + (d1 - d0) * (end - h0) / (h1 - h0);
-  return 0.5 * (d0 + d_end) * (end - h0);
-}
-
-double layers_column(const std::vector<DensityLayer>& layers, double top) {
-  if (layers.empty()) {
-    return 0.0;
-  }
-  double column = layers.front().density * std::min(layers.front().altitude, top);
-  for (std::size_t i = 0; i + 1 < layers.size(); ++i) {
-    const DensityLayer& a = layers[i];
-    const DensityLayer& b = layers[i + 1];
-    column += straight_column(a.altitude, a.density, b.altitude, b.density, top);
-  }
-  return column + layers.back().density * std::max(top - layers.back().altitude, 0.0);
-}
-
-// The column up to altitude h of a tent that rises from center - half_width.
-double tent_below(const Density& d, double h) {
-  const double x = std::clamp((h - d.center) / d.half_width, -1.0, 1.0);
-  const double part = x < 0.0 ? 0.5 * (1.0 + x) * (1.0 + x) : 1.0 - 0.5 * (1.0 - x) * (1.0 - x);
-  return part * d.half_width;
+// One medium of this density.
+physics::Physics formulas_of(const Density& density) {
+  physics::Physics p;
+  put_density(p, 0, density);
+  return p;
 }
 
 // By Gauss and Legendre's two points, in pieces of at most a quarter of a scale.
-double lorentzian_column(const Density& d, double top) {
-  physics::Physics formulas;
-  physics::MediumData medium{};
-  medium.scale_height = d.scale_height;
-  medium.center = d.center;
-  medium.half_width = d.half_width;
-  const double scale = std::min({top / 8.0, 0.25 * d.scale_height, 0.25 * d.half_width});
-  std::array<double, 5> edges{0.0, top, d.center - d.half_width, d.center, d.center + d.half_width};
+double column_by_quadrature(physics::Physics& p, const ProfileRow& row, double top) {
+  const physics::MediumData m = p.medium(0);
+  const double scale = std::min({top / 8.0, 0.25 * m.scale_height, 0.25 * m.half_width});
+  std::vector<double> edges = row.marks(p, m);
+  edges.insert(edges.end(), {0.0, top});
   std::ranges::sort(edges);
   double sum = 0.0;
   for (std::size_t k = 1; k < edges.size(); ++k) {
@@ -59,9 +31,7 @@ double lorentzian_column(const Density& d, double top) {
     for (int i = 0; i < pieces && width > 0.0; ++i) {
       const double middle = low + (i + 0.5) * width;
       const double away = 0.28867513459481287 * width;
-      sum += 0.5 * width *
-             (formulas.density(physics::kDensityLorentzian, medium, middle - away) +
-              formulas.density(physics::kDensityLorentzian, medium, middle + away));
+      sum += 0.5 * width * (p.density(row.code, m, middle - away) + p.density(row.code, m, middle + away));
     }
   }
   return sum;
@@ -70,28 +40,14 @@ double lorentzian_column(const Density& d, double top) {
 }  // namespace
 
 double density_column(const Density& density, double top) {
-  return density.profile == DensityProfile::lorentzian ? lorentzian_column(density, top) : column_km(density, top);
+  physics::Physics p = formulas_of(density);
+  const ProfileRow& row = profile_row(density.profile);
+  return row.column_is_bound ? column_by_quadrature(p, row, top) : row.column(p, p.medium(0), top);
 }
 
-double column_km(const Density& d, double top) {
-  switch (d.profile) {
-    case DensityProfile::exponential:
-      return -d.scale_height * std::expm1(-top / d.scale_height);
-    case DensityProfile::tent:
-      return tent_below(d, top) - tent_below(d, 0.0);
-    case DensityProfile::lorentzian: {
-      const double peak =
-          d.half_width * (std::atan((top - d.center) / d.half_width) + std::atan(d.center / d.half_width));
-      return std::min(peak, -d.scale_height * std::expm1(-top / d.scale_height));
-    }
-    case DensityProfile::constant:
-      return std::min(d.below, top);
-    case DensityProfile::layers:
-      return layers_column(d.layers, top);
-    case DensityProfile::height_fog:
-      return std::min(d.below, top) - d.scale_height * std::expm1(-std::max(top - d.below, 0.0) / d.scale_height);
-  }
-  return 0.0;
+double column_km(const Density& density, double top) {
+  const physics::Physics p = formulas_of(density);
+  return profile_row(density.profile).column(p, p.medium(0), top);
 }
 
 double optical_depth_of(const Medium& medium, double top) {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/physics/physics.h"
+#include "core/scene/density_profiles.h"
 #include "core/scene/scene.h"
 
 namespace airlight {
@@ -14,18 +14,7 @@ class RefractiveIndex {
   // The planet has refraction.
   explicit RefractiveIndex(const Planet& planet)
       : n_minus_1_(planet.refraction->n_minus_1), radius_(planet.ground_radius) {
-    const Density& density = planet.refraction->density;
-    physics::MediumData& m = formulas_.scene.media[0];
-    m.scale_height = density.scale_height;
-    m.center = density.center;
-    m.half_width = density.half_width;
-    m.below = density.below;
-    m.layer_count = static_cast<physics::uint>(density.layers.size());
-    for (std::size_t i = 0; i < density.layers.size(); ++i) {
-      formulas_.scene.layers[i] = {density.layers[i].altitude, density.layers[i].density};
-    }
-    formulas_.media = 1;
-    formulas_.density_profiles = static_cast<physics::uint>(density.profile);
+    put_density(formulas_, 0, planet.refraction->density);
     at_ground_ = density_at(0.0);
   }
 

@@ -6,6 +6,16 @@
 //   vec2 density_layer(uint k);  vec3 phase_sample(uint k);
 //   uint most_layers();  layers of the medium with the most, 0 where none has any
 
+// Codes: the places of C++'s DensityProfile.
+CODE uint kDensityExponential = 0u;
+CODE uint kDensityTent = 1u;
+CODE uint kDensityLorentzian = 2u;
+CODE uint kDensityConstant = 3u;
+CODE uint kDensityLayers = 4u;
+CODE uint kDensityHeightFog = 5u;
+
+CODE uint kSmoothProfiles = (1u << kDensityExponential) | (1u << kDensityLorentzian);  // a bit for each
+
 // The later of two layers, `step` apart, that lies at or below h.
 uint layer_below(MediumData m, real h, uint low, uint step) {
   uint next = low + step;
@@ -59,7 +69,10 @@ real profile_density(uint profile, MediumData m, real h) {
   if (profile == kDensityHeightFog) {
     return exp(-max(h - m.below, 0.0) / m.scale_height);
   }
-  return layered_density(m, h);
+  if (profile == kDensityLayers) {
+    return layered_density(m, h);
+  }
+  return 0.0;
 }
 
 // The same over optical lengths (refraction.glsl).
@@ -112,7 +125,7 @@ Stretch stretch_of(PlanetData planet, RayPoint middle, real width) {
 // Mean density over a stretch. A smooth profile takes Gauss's rule of three nodes: in a shell of four scale heights the
 // density in the middle is half of the mean. Other profiles are straight lines within a shell, or have a closed form.
 real stretch_density(uint profile, MediumData m, Stretch s) {
-  if (profile != kDensityExponential && profile != kDensityLorentzian) {
+  if ((kSmoothProfiles >> profile & 1u) == 0u) {
     return step_density(profile, m, s.h, s.rise);
   }
   real offset = 0.3872983346207417 * s.rise;

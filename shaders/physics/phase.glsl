@@ -1,6 +1,15 @@
 // Phase functions, 1/sr, each with integral 1 over the sphere. nu = cosine between the view direction (away from the
 // camera) and the direction to the sun: +1 looks into the sun; g > 0 scatters forward.
 
+// Codes: the places of C++'s PhaseFunction, then those that no preset names (core/air/phase_functions.cpp).
+CODE uint kPhaseRayleigh = 0u;
+CODE uint kPhaseHenyeyGreenstein = 1u;
+CODE uint kPhaseCornetteShanks = 2u;
+CODE uint kPhaseSchlick = 3u;
+CODE uint kPhaseIsotropic = 4u;
+CODE uint kPhaseTable = 5u;        // physics/phase_table.glsl
+CODE uint kPhaseDepolarized = 6u;  // Rayleigh's with depolarisation, for molecules that are not round
+
 const real kPi = 3.14159265358979323846;
 
 real phase_isotropic() { return 1.0 / (4.0 * kPi); }
@@ -43,6 +52,7 @@ real phase_schlick(real g, real nu) {
   return (1.0 - k * k) / (4.0 * kPi * denominator * denominator);
 }
 
+// Of a function that all channels share; 0, which has no norm, for any other code.
 real phase_value(uint kind, real g, real nu) {
   if (kind == kPhaseRayleigh) {
     return phase_rayleigh(nu);
@@ -56,5 +66,8 @@ real phase_value(uint kind, real g, real nu) {
   if (kind == kPhaseSchlick) {
     return phase_schlick(g, nu);
   }
-  return phase_isotropic();
+  if (kind == kPhaseIsotropic) {
+    return phase_isotropic();
+  }
+  return 0.0;
 }

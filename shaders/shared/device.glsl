@@ -3,6 +3,7 @@
 #extension GL_EXT_control_flow_attributes : require
 #define UNROLL [[unroll]]  // before a loop: its turns are written out (core/gpu/specialize.cpp)
 #define real float
+#define CODE const  // of a constant that C++ wants at compile time
 #include "shared/scene.h"
 #include "shared/tables.h"
 

@@ -1,6 +1,7 @@
 // The glare of the sun at a pixel.
 #extension GL_EXT_scalar_block_layout : require
 #define real float
+#define CODE const
 #include "shared/scene.h"
 #include "shared/tables.h"
 #include "shared/glare.h"

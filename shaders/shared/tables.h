@@ -1,21 +1,5 @@
 // Codes and sizes that host and shaders share: specialisation-constant values and workgroup shapes.
 
-const uint kDensityExponential = 0u;
-const uint kDensityTent = 1u;
-const uint kDensityLorentzian = 2u;
-const uint kDensityConstant = 3u;
-const uint kDensityLayers = 4u;
-const uint kDensityHeightFog = 5u;
-
-const uint kPhaseRayleigh = 0u;
-const uint kPhaseHenyeyGreenstein = 1u;
-const uint kPhaseCornetteShanks = 2u;
-const uint kPhaseSchlick = 3u;
-const uint kPhaseIsotropic = 4u;
-const uint kPhaseTable = 5u;
-const uint kPhaseDepolarized = 6u;  // Rayleigh's with depolarisation, for molecules that are not round
-const uint kPhaseSharp = 8u;        // flag beside a code above: a table replaces the function where light is gathered
-
 const uint kProjectionPerspective = 0u;
 const uint kProjectionEquirectangular = 1u;
 const uint kProjectionFisheye = 2u;
@@ -69,9 +53,11 @@ const uint kToneExponential = 3u;
 const uint kToneClamp = 4u;
 const uint kToneNone = 5u;
 
-// Four bits per medium hold its density profile; four more its phase function (three of code, then kPhaseSharp).
+// Four bits per medium hold its density profile (physics/medium.glsl); four more its phase function
+// (physics/phase.glsl): three of code, then kPhaseSharp.
 const uint kBitsPerMedium = 4u;
 const uint kPhaseCodes = 7u;
+const uint kPhaseSharp = 8u;  // a table replaces the function where light is gathered
 
 const uint kMultipleScatteringDirections = 64u;  // 8 zenith cosines x 8 azimuths
 const uint kMultipleScatteringSteps = 20u;

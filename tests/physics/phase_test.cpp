@@ -14,8 +14,8 @@ using physics::Physics;
 
 Physics phase_formulas{};
 constexpr double kAsymmetries[] = {-0.99, -0.95, -0.8, -0.5, -0.1, 0.0, 1e-6, 0.1, 0.5, 0.76, 0.8, 0.93, 0.95, 0.99};
-constexpr unsigned int kKinds[] = {physics::kPhaseRayleigh, physics::kPhaseHenyeyGreenstein,
-                                   physics::kPhaseCornetteShanks, physics::kPhaseSchlick, physics::kPhaseIsotropic};
+constexpr unsigned int kKinds[] = {Physics::kPhaseRayleigh, Physics::kPhaseHenyeyGreenstein,
+                                   Physics::kPhaseCornetteShanks, Physics::kPhaseSchlick, Physics::kPhaseIsotropic};
 
 // Mean cosine of (1-k^2) / (4 pi (1-k nu)^2).
 double schlick_moment(double k) {
@@ -27,11 +27,11 @@ double schlick_moment(double k) {
 
 double first_moment(unsigned int kind, double g) {
   switch (kind) {
-    case physics::kPhaseHenyeyGreenstein:
+    case Physics::kPhaseHenyeyGreenstein:
       return g;
-    case physics::kPhaseCornetteShanks:
+    case Physics::kPhaseCornetteShanks:
       return 3.0 * g * (4.0 + g * g) / (5.0 * (2.0 + g * g));  // [C92]
-    case physics::kPhaseSchlick:
+    case Physics::kPhaseSchlick:
       return schlick_moment(phase_formulas.schlick_k(g));
     default:
       return 0.0;
@@ -59,7 +59,7 @@ TEST(Phase, HasTheFirstMomentOfItsClosedForm) {
 
 TEST(Phase, ScattersForwardForPositiveG) {
   for (const unsigned int kind :
-       {physics::kPhaseHenyeyGreenstein, physics::kPhaseCornetteShanks, physics::kPhaseSchlick}) {
+       {Physics::kPhaseHenyeyGreenstein, Physics::kPhaseCornetteShanks, Physics::kPhaseSchlick}) {
     EXPECT_GT(phase_formulas.phase_value(kind, 0.8, 1.0), 10.0 * phase_formulas.phase_value(kind, 0.8, -1.0)) << kind;
     for (const double g : kAsymmetries) {
       for (const double nu : {-1.0, -0.999, -0.3, 0.0, 0.7, 0.99999, 1.0}) {
@@ -102,7 +102,7 @@ TEST(Phase, ATableOfAFormulaIsTheFormula) {
   Scene scene = earth();
   take_table(scene.media[1], peaked_table(g));
   physics::Physics p = make_physics(scene);
-  ASSERT_EQ(p.phase_of(1), physics::kPhaseTable);
+  ASSERT_EQ(p.phase_of(1), Physics::kPhaseTable);
   for (std::size_t c = 0; c < 3; ++c) {
     const double asymmetry = g[2 - c];
     const auto phase = [&](double nu) { return channel(p.medium_phase(1, nu), c); };
@@ -122,12 +122,12 @@ TEST(Phase, MomentsOfDepolarizedMolecules) {
   Scene scene = earth();
   scene.media[0].depolarization = {0.0, 0.0148, 1.0};
   const physics::Physics p = make_physics(scene);
-  EXPECT_EQ(p.phase_of(0), physics::kPhaseDepolarized);
+  EXPECT_EQ(p.phase_of(0), Physics::kPhaseDepolarized);
   EXPECT_NEAR(p.medium(0).legendre[2].x, 0.1, 1e-6);
   EXPECT_NEAR(p.medium(0).legendre[2].y, 0.1 * (1.0 - 0.0148) / (1.0 + 2.0 * 0.0148), 1e-6);
   EXPECT_NEAR(p.medium(0).legendre[2].z, 0.0, 1e-9);
   EXPECT_NEAR(p.medium(0).legendre[1].y, 0.0, 1e-9);
-  EXPECT_EQ(make_physics(earth()).phase_of(0), physics::kPhaseRayleigh);
+  EXPECT_EQ(make_physics(earth()).phase_of(0), Physics::kPhaseRayleigh);
 }
 
 // An edge that no formula has stays in place: between the table's angles the values are within 1 % of exponentials.

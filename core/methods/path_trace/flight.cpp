@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/air/phase_functions.h"
 #include "core/air/refraction.h"
+#include "core/scene/density_profiles.h"
 
 namespace airlight {
 
@@ -81,32 +83,12 @@ Flight::Flight(physics::Physics& physics, const OpticalDepth& depth) : physics_(
 std::vector<double> Flight::corners() const {
   const double top = physics_.scene.planet.atmosphere_height;
   std::vector<double> list{0.0, top};
-  const auto add = [&](double altitude) {
-    const double h = optical_altitude(physics_, altitude);
-    if (h > 0.0 && h < top) {
-      list.push_back(h);
-    }
-  };
   for (uint i = 0; i < physics_.medium_count(); ++i) {
-    const MediumData m = physics_.medium(i);
-    switch (physics_.density_profile(i)) {
-      case physics::kDensityConstant:
-      case physics::kDensityHeightFog:
-        add(m.below);
-        break;
-      case physics::kDensityTent:
-      case physics::kDensityLorentzian:
-        add(m.center - m.half_width);
-        add(m.center);
-        add(m.center + m.half_width);
-        break;
-      case physics::kDensityLayers:
-        for (uint k = 0; k < m.layer_count; ++k) {
-          add(physics_.density_layer(m.first_layer + k).x);
-        }
-        break;
-      default:
-        break;
+    for (const double altitude : profile_row(physics_.density_profile(i)).marks(physics_, physics_.medium(i))) {
+      const double h = optical_altitude(physics_, altitude);
+      if (h > 0.0 && h < top) {
+        list.push_back(h);
+      }
     }
   }
   std::ranges::sort(list);
@@ -132,15 +114,9 @@ Channels Flight::asymmetry_at(double h) const {
   vec3 all(0.0);
   for (uint i = 0; i < physics_.medium_count(); ++i) {
     const MediumData m = physics_.medium(i);
-    const uint kind = physics_.phase_of(i);
     const vec3 scattering = m.scattering * physics_.density(physics_.density_profile(i), m, h);
     all = all + scattering;
-    if (kind == physics::kPhaseTable) {
-      forward = forward + scattering * m.legendre[1];
-    } else if (kind != physics::kPhaseRayleigh && kind != physics::kPhaseDepolarized &&
-               kind != physics::kPhaseIsotropic) {
-      forward = forward + scattering * m.g;
-    }
+    forward = forward + scattering * mean_cosine(physics_, i);
   }
   Channels mean{};
   for (std::size_t c = 0; c < 3; ++c) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/air/refraction.h"
 
@@ -57,63 +58,25 @@ void OpticalDepth::add_piece(Shape shape, uint i, MediumData medium, double low,
 
 void OpticalDepth::add_pieces(uint i) {
   const MediumData m = physics_.medium(i);
+  const ProfileRow& row = profile_row(physics_.density_profile(i));
   const double top = physics_.true_altitude(physics_.scene.planet.atmosphere_height).h;
-  switch (physics_.density_profile(i)) {
-    case physics::kDensityExponential:
-      add_piece(Shape::falling, i, m, 0.0, top);
-      break;
-    case physics::kDensityConstant:
-      add_piece(Shape::constant, i, m, 0.0, m.below);
-      break;
-    case physics::kDensityTent:
-      add_piece(Shape::linear, i, m, m.center - m.half_width, m.center);
-      add_piece(Shape::linear, i, m, m.center, m.center + m.half_width);
-      break;
-    case physics::kDensityHeightFog:
-      add_piece(Shape::constant, i, m, 0.0, m.below);
-      add_piece(Shape::falling, i, m, m.below, top);
-      break;
-    case physics::kDensityLorentzian:
-      add_lorentzian(i, m);
-      break;
-    default:
-      add_layers(i, m);
-      break;
+  std::vector<double> edges{0.0};
+  if (row.panels != nullptr) {
+    edges = row.panels(m, top);
+  } else {
+    std::ranges::copy(row.marks(physics_, m), std::back_inserter(edges));
+    edges.push_back(top);
   }
-}
-
-// Pieces are narrow around the peak, whose poles lie at half_width above and below the real axis, and nowhere longer
-// than two scale heights. They end where nothing is left: exp(-80) of the largest coefficient over the longest path is
-// a depth of 1e-22.
-void OpticalDepth::add_lorentzian(uint i, const MediumData& m) {
-  constexpr double kGone = 80.0;
-  const double top =
-      std::min(physics_.true_altitude(physics_.scene.planet.atmosphere_height).h, kGone * m.scale_height);
-  double low = 0.0;
-  while (low < top) {
-    const double off = std::abs(low - m.center);
-    const double nearest = low < m.center ? std::max(0.5 * off, m.half_width) : m.half_width + 0.5 * off;
-    const double high = low + std::min({nearest, 2.0 * m.scale_height, top});
-    add_piece(Shape::smooth, i, m, low, high);
-    low = high;
+  for (uint k = 0; k + 1 < edges.size(); ++k) {
+    const Shape shape = k == 0 ? row.under : k + 2 == edges.size() ? row.above : row.between;
+    if (shape != Shape::none) {
+      // Each segment of layers becomes layers of its own, so that a look-up need not pass through all of them.
+      MediumData part = m;
+      part.first_layer += k == 0 ? 0 : k - 1;
+      part.layer_count = shape == Shape::linear ? 2 : 1;
+      add_piece(shape, i, part, edges[k], edges[k + 1]);
+    }
   }
-}
-
-// Each segment becomes layers of its own, so that a look-up need not pass through all of them.
-void OpticalDepth::add_layers(uint i, const MediumData& m) {
-  const double top = physics_.true_altitude(physics_.scene.planet.atmosphere_height).h;
-  const auto altitude = [&](uint k) { return physics_.density_layer(m.first_layer + k).x; };
-  MediumData part = m;
-  part.layer_count = 1;
-  add_piece(Shape::constant, i, part, 0.0, altitude(0));
-  for (uint k = 0; k + 1 < m.layer_count; ++k) {
-    part.first_layer = m.first_layer + k;
-    part.layer_count = 2;
-    add_piece(Shape::linear, i, part, altitude(k), altitude(k + 1));
-  }
-  part.first_layer = m.first_layer + m.layer_count - 1;
-  part.layer_count = 1;
-  add_piece(Shape::constant, i, part, altitude(m.layer_count - 1), top);
 }
 
 // Visits the ray as one climb, or as two from its lowest point.

@@ -7,6 +7,7 @@
 
 #include "core/physics/gauss.h"
 #include "core/physics/physics.h"
+#include "core/scene/density_profiles.h"
 
 namespace airlight {
 
@@ -40,7 +41,7 @@ class OpticalDepth {
   Columns columns_to_top(double h, double mu) const;
 
  private:
-  enum class Shape { constant, linear, falling, smooth };
+  using Shape = DensityShape;
 
   // An altitude range in which one medium's density is analytic.
   struct Piece {
@@ -64,8 +65,6 @@ class OpticalDepth {
 
   void add_pieces(physics::uint i);
   void add_piece(Shape shape, physics::uint i, physics::MediumData medium, double low, double high);
-  void add_lorentzian(physics::uint i, const physics::MediumData& medium);
-  void add_layers(physics::uint i, const physics::MediumData& medium);
   template <class Visit>
   void for_each_climb(double h, double mu, double distance, const Visit& visit) const;
   template <class Visit>

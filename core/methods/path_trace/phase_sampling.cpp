@@ -7,44 +7,15 @@
 #include <numeric>
 #include <utility>
 
+#include "core/air/phase_functions.h"
 #include "core/air/phase_samples.h"
 
 namespace airlight {
 
+using physics::Physics;
 using physics::vec3;
 
 namespace {
-
-// Root of (4 + 3 nu + nu^3) / 8 = u by Cardano's formula.
-double sample_rayleigh(double u) {
-  const double a = 4.0 * u - 2.0;
-  const double root = std::cbrt(std::abs(a) + std::sqrt(a * a + 1.0));
-  const double nu = root - 1.0 / root;
-  return a < 0.0 ? -nu : nu;
-}
-
-// [HG41], its usual inverse multiplied out so that nothing is divided by g.
-double sample_henyey_greenstein(double g, double u) {
-  const double a = 2.0 * u - 1.0;
-  const double d = 1.0 + g * a;
-  return (a + g * (0.5 * (a * a + 3.0) + g * (a + 0.5 * g * (a * a - 1.0)))) / (d * d);
-}
-
-// [C92] is, up to a constant, Henyey-Greenstein times 1 + nu^2: the draw is accepted with a chance in proportion to it.
-double sample_cornette_shanks(double g, double u, Random& random) {
-  while (true) {
-    const double nu = sample_henyey_greenstein(g, u);
-    if (2.0 * random.uniform() < 1.0 + nu * nu) {
-      return nu;
-    }
-    u = random.uniform();
-  }
-}
-
-// [S93], for its k.
-double sample_schlick(double k, double u) {
-  return (2.0 * u - 1.0 + k) / (1.0 - k + 2.0 * u * k);
-}
 
 constexpr double kPeaked = 0.3;  // mean cosine, forward or back
 
@@ -53,7 +24,7 @@ constexpr double kPeaked = 0.3;  // mean cosine, forward or back
 PhaseSampler::PhaseSampler(physics::Physics& physics) : physics_(physics) {
   tables_.resize(physics.medium_count());
   for (physics::uint i = 0; i < physics.medium_count(); ++i) {
-    if (physics.phase_of(i) == physics::kPhaseTable) {
+    if (physics.phase_of(i) == Physics::kPhaseTable) {
       const auto fill = [](Table& table, std::vector<double> shares) {
         table.shares = std::move(shares);
         std::partial_sum(table.shares.begin(), table.shares.end(), std::back_inserter(table.ends));
@@ -76,39 +47,20 @@ double PhaseSampler::Table::draw_cosine(double u) const {
   return sample_cosine(k) * (1.0 - share) + sample_cosine(k + 1) * share;
 }
 
-double PhaseSampler::mean_depolarization(physics::uint medium) const {
-  const vec3 gamma = physics_.medium(medium).depolarization;
-  return (gamma.x + gamma.y + gamma.z) / 3.0;
-}
-
 double PhaseSampler::sample(physics::uint medium, double u, Random& random) const {
-  const physics::uint kind = physics_.phase_of(medium);
-  const double g = physics_.medium(medium).g;
-  double nu = 2.0 * u - 1.0;
-  if (kind == physics::kPhaseRayleigh) {
-    nu = sample_rayleigh(u);
-  } else if (kind == physics::kPhaseHenyeyGreenstein) {
-    nu = sample_henyey_greenstein(g, u);
-  } else if (kind == physics::kPhaseCornetteShanks) {
-    nu = sample_cornette_shanks(g, u, random);
-  } else if (kind == physics::kPhaseSchlick) {
-    nu = sample_schlick(physics_.schlick_k(g), u);
-  } else if (kind == physics::kPhaseDepolarized) {
-    // A mixture: isotropic with this probability, else Rayleigh's.
-    const double gamma = mean_depolarization(medium);
-    nu = random.uniform() < 3.0 * gamma / (1.0 + 2.0 * gamma) ? nu : sample_rayleigh(u);
-  } else if (kind == physics::kPhaseTable) {
-    nu = tables_[medium].mean.draw_cosine(u);
-  }
+  const auto& draw_by = phase_row(physics_.phase_of(medium)).draw;
+  const double nu = draw_by == nullptr
+                        ? tables_[medium].mean.draw_cosine(u)
+                        : draw_by(physics_, physics_.medium(medium), u, [&random] { return random.uniform(); });
   return std::clamp(nu, -1.0, 1.0);
 }
 
 double PhaseSampler::density(physics::uint medium, double nu, vec3 phase) const {
   const physics::uint kind = physics_.phase_of(medium);
-  if (kind == physics::kPhaseDepolarized) {
-    return physics_.phase_depolarized(vec3(mean_depolarization(medium)), nu).x;
+  if (kind == Physics::kPhaseDepolarized) {
+    return physics_.phase_depolarized(vec3(channel_mean(physics_.medium(medium).depolarization)), nu).x;
   }
-  if (kind == physics::kPhaseTable) {
+  if (kind == Physics::kPhaseTable) {
     const Table& table = tables_[medium].mean;
     const std::size_t k = std::min(static_cast<std::size_t>(physics_.phase_table_place(nu)), table.shares.size() - 1);
     const double width = 2.0 * std::numbers::pi * (sample_cosine(k) - sample_cosine(k + 1));
@@ -119,7 +71,7 @@ double PhaseSampler::density(physics::uint medium, double nu, vec3 phase) const 
 
 double PhaseSampler::sample_by(const std::array<double, 3>& weights, physics::uint medium, double u,
                                Random& random) const {
-  if (physics_.phase_of(medium) != physics::kPhaseTable) {
+  if (physics_.phase_of(medium) != Physics::kPhaseTable) {
     return sample(medium, u, random);
   }
   double left = u * (weights[0] + weights[1] + weights[2]);
@@ -130,7 +82,7 @@ double PhaseSampler::sample_by(const std::array<double, 3>& weights, physics::ui
 
 double PhaseSampler::density_by(const std::array<double, 3>& weights, physics::uint medium, double nu,
                                 vec3 phase) const {
-  if (physics_.phase_of(medium) != physics::kPhaseTable) {
+  if (physics_.phase_of(medium) != Physics::kPhaseTable) {
     return density(medium, nu, phase);
   }
   const std::array<Table, 3>& tables = tables_[medium].of_channel;
@@ -144,18 +96,12 @@ double PhaseSampler::density_by(const std::array<double, 3>& weights, physics::u
 }
 
 double PhaseSampler::dipole_share(physics::uint medium) const {
-  const double gamma = mean_depolarization(medium);
+  const double gamma = channel_mean(physics_.medium(medium).depolarization);
   return (1.0 - gamma) / (1.0 + 2.0 * gamma);
 }
 
 bool PhaseSampler::is_peaked(physics::uint medium) const {
-  const physics::uint kind = physics_.phase_of(medium);
-  const physics::MediumData m = physics_.medium(medium);
-  if (kind == physics::kPhaseTable) {
-    return std::abs(m.legendre[1].x + m.legendre[1].y + m.legendre[1].z) > 3.0 * kPeaked;
-  }
-  return kind != physics::kPhaseRayleigh && kind != physics::kPhaseDepolarized && kind != physics::kPhaseIsotropic &&
-         std::abs(m.g) > kPeaked;
+  return std::abs(channel_mean(mean_cosine(physics_, medium))) > kPeaked;
 }
 
 vec3 around(vec3 axis, double nu, double turn) {

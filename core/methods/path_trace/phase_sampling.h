@@ -43,7 +43,6 @@ class PhaseSampler {
     Table mean;  // of the channels
     std::array<Table, 3> of_channel;
   };
-  double mean_depolarization(physics::uint medium) const;
 
   physics::Physics& physics_;
   std::vector<Tables> tables_;  // by medium; empty for those without a table

@@ -4,6 +4,7 @@
 #include <span>
 #include <utility>
 
+#include "core/air/phase_functions.h"
 #include "core/methods/path_trace/cloud_trace.h"
 
 namespace airlight {
@@ -119,9 +120,8 @@ Wavelengths::Wavelengths(const Stage& stage)
         dipoles_[i]->at[k] *= p.kDipole * three_of(p.dipole_share(i))[k % 3];
       }
     }
-    same_phase_[i] = std::ranges::none_of(groups_, [i](const physics::Physics& p) {
-      return p.phase_of(i) == physics::kPhaseTable || p.phase_of(i) == physics::kPhaseDepolarized;
-    });
+    same_phase_[i] =
+        std::ranges::none_of(groups_, [i](const physics::Physics& p) { return phase_row(p.phase_of(i)).by_channel; });
   }
 }
 
