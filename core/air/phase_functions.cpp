@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <ranges>
 
 #include "core/air/phase_samples.h"
 
@@ -33,63 +34,51 @@ LegendreMoments formula_moments(Physics& p, uint kind, double g) {
   return moments;
 }
 
-LegendreMoments by_formula(Physics& p, uint medium) {
-  return formula_moments(p, p.phase_of(medium), p.medium(medium).g);
-}
-
-LegendreMoments by_table(Physics& p, uint medium) {
-  return table_moments(p, p.medium(medium).phase_table);
-}
+constexpr auto by_formula = [](Physics& p, uint i) { return formula_moments(p, p.phase_of(i), p.medium(i).g); };
+constexpr auto by_table = [](Physics& p, uint i) { return table_moments(p, p.medium(i).phase_table); };
 
 // A mixture of Rayleigh's function and the isotropic one, which has no moments above the first of all.
 LegendreMoments by_mixture(Physics& p, uint medium) {
   LegendreMoments moments = formula_moments(p, Physics::kPhaseRayleigh, 0.0);
-  const vec3 gamma = p.medium(medium).depolarization;
   for (std::size_t l = 1; l < moments.size(); ++l) {
-    moments[l] = moments[l] * (vec3(1.0) - gamma) / (vec3(1.0) + gamma * 2.0);
+    moments[l] = moments[l] * p.dipole_share(medium);
   }
   return moments;
 }
 
-double draw_isotropic(Physics& /*p*/, const MediumData& /*m*/, double u, const UniformNumbers& /*further*/) {
-  return 2.0 * u - 1.0;
-}
+// Draws: formulas, medium, u, further numbers.
+constexpr auto draw_isotropic = [](auto&, auto&, double u, auto&) { return 2.0 * u - 1.0; };
+constexpr auto draw_henyey_greenstein = [](auto&, auto& m, double u, auto&) { return peaked_cosine(m.g, u); };
 
 // Root of (4 + 3 nu + nu^3) / 8 = u by Cardano's formula.
-double draw_rayleigh(Physics& /*p*/, const MediumData& /*m*/, double u, const UniformNumbers& /*further*/) {
+constexpr auto draw_rayleigh = [](auto&, auto&, double u, auto&) {
   const double a = 4.0 * u - 2.0;
   const double root = std::cbrt(std::abs(a) + std::sqrt(a * a + 1.0));
   const double nu = root - 1.0 / root;
   return a < 0.0 ? -nu : nu;
-}
+};
 
 // Isotropic with the mixture's share, else Rayleigh's.
-double draw_mixture(Physics& p, const MediumData& m, double u, const UniformNumbers& further) {
+constexpr auto draw_mixture = [](auto& p, auto& m, double u, auto& further) {
   const double gamma = channel_mean(m.depolarization);
   const bool even = further() < 3.0 * gamma / (1.0 + 2.0 * gamma);
   return even ? draw_isotropic(p, m, u, further) : draw_rayleigh(p, m, u, further);
-}
-
-double draw_henyey_greenstein(Physics& /*p*/, const MediumData& m, double u, const UniformNumbers& /*further*/) {
-  return peaked_cosine(m.g, u);
-}
+};
 
 // [C92] is, up to a constant, Henyey-Greenstein times 1 + nu^2: the draw is accepted with a chance in proportion to it.
-double draw_cornette_shanks(Physics& /*p*/, const MediumData& m, double u, const UniformNumbers& further) {
-  while (true) {
-    const double nu = peaked_cosine(m.g, u);
-    if (2.0 * further() < 1.0 + nu * nu) {
-      return nu;
-    }
-    u = further();
+constexpr auto draw_cornette_shanks = [](auto&, auto& m, double u, auto& further) {
+  double nu = peaked_cosine(m.g, u);
+  while (2.0 * further() >= 1.0 + nu * nu) {
+    nu = peaked_cosine(m.g, further());
   }
-}
+  return nu;
+};
 
 // [S93], for its k.
-double draw_schlick(Physics& p, const MediumData& m, double u, const UniformNumbers& /*further*/) {
+constexpr auto draw_schlick = [](auto& p, auto& m, double u, auto&) {
   const double k = p.schlick_k(m.g);
   return (2.0 * u - 1.0 + k) / (1.0 - k + 2.0 * u * k);
-}
+};
 
 // What the preset names, code, mean cosine, is smooth, by channel, moments, draw.
 constexpr PhaseRow kPhaseRows[] = {
@@ -105,25 +94,15 @@ constexpr PhaseRow kPhaseRows[] = {
 };
 static_assert(std::size(kPhaseRows) <= physics::kPhaseCodes + 1, "a code has three bits");
 
-constexpr bool stand_in_order() {
-  for (uint k = 0; k < std::size(kPhaseRows); ++k) {
-    if (kPhaseRows[k].code != k ||
-        (k + 1 < std::size(kPhaseRows) && kPhaseRows[k].function != static_cast<PhaseFunction>(k))) {
-      return false;
-    }
-  }
-  return true;
-}
-static_assert(stand_in_order(), "a row's place is its code and its function's place in the enum");
+static_assert(std::ranges::equal(kPhaseRows, std::views::iota(0U, std::size(kPhaseRows)), {}, &PhaseRow::code));
+static_assert(std::ranges::all_of(kPhaseRows, [](const PhaseRow& row) {
+  return row.function == static_cast<PhaseFunction>(row.code) || &row + 1 == std::end(kPhaseRows);
+}));
 
 }  // namespace
 
 const PhaseRow& phase_row(uint code) {
   return kPhaseRows[code];
-}
-
-const PhaseRow& phase_row(PhaseFunction function) {
-  return kPhaseRows[static_cast<std::size_t>(function)];
 }
 
 LegendreMoments legendre_moments(Physics& p, uint medium) {
@@ -137,15 +116,9 @@ LegendreMoments legendre_moments(Physics& p, uint medium) {
 }
 
 vec3 mean_cosine(const Physics& p, uint medium) {
-  switch (phase_row(p.phase_of(medium)).mean_cosine) {
-    case MeanCosine::zero:
-      return vec3(0.0);
-    case MeanCosine::g:
-      return vec3(p.medium(medium).g);
-    case MeanCosine::first_moment:
-      return p.medium(medium).legendre[1];
-  }
-  return vec3(0.0);
+  const MeanCosine is = phase_row(p.phase_of(medium)).mean_cosine;
+  const MediumData m = p.medium(medium);
+  return is == MeanCosine::first_moment ? m.legendre[1] : vec3(is == MeanCosine::g ? m.g : 0.0);
 }
 
 }  // namespace airlight

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/air/phase_functions.h"
 #include "core/scene/angle.h"
 
 namespace airlight {
@@ -115,23 +114,15 @@ std::shared_ptr<const std::vector<vec3>> phase_samples(const std::vector<Medium>
   return all->empty() ? nullptr : all;
 }
 
-std::vector<double> interval_shares(const physics::Physics& p, physics::uint table) {
-  std::vector<double> shares(kSamples - 1);
-  for_each_node([&](std::size_t k, double share, double, double weight) {
-    const vec3 value = between(*p.phase_samples, 2 * table * kSamples + k, share) * weight;
-    shares[k] += channel_mean(value);
-  });
-  return shares;
-}
-
-std::array<std::vector<double>, 3> channel_interval_shares(const physics::Physics& p, physics::uint table) {
-  std::array<std::vector<double>, 3> shares;
+std::array<std::vector<double>, 4> interval_shares(const physics::Physics& p, physics::uint table) {
+  std::array<std::vector<double>, 4> shares;
   shares.fill(std::vector<double>(kSamples - 1));
   for_each_node([&](std::size_t k, double share, double, double weight) {
     const vec3 value = between(*p.phase_samples, 2 * table * kSamples + k, share) * weight;
-    shares[0][k] += value.x;
-    shares[1][k] += value.y;
-    shares[2][k] += value.z;
+    for (std::size_t c = 0; c < 3; ++c) {
+      shares[c][k] += channel(value, c);
+    }
+    shares[3][k] += channel_mean(value);
   });
   return shares;
 }

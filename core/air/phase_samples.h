@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/air/legendre.h"
+#include "core/air/phase_functions.h"
 #include "core/physics/physics.h"
 #include "core/scene/scene.h"
 
@@ -21,11 +21,9 @@ bool has_samples(const Medium& medium);
 // The samples of the media that have some, in their order, as logarithms; null where none has.
 std::shared_ptr<const std::vector<physics::vec3>> phase_samples(const std::vector<Medium>& media);
 
-// Scattering into each of the kPhaseSamples - 1 intervals of a table, mean of the channels: shares of a sum of 1.
-std::vector<double> interval_shares(const physics::Physics& p, physics::uint table);
-
-// The same of each channel.
-std::array<std::vector<double>, 3> channel_interval_shares(const physics::Physics& p, physics::uint table);
+// Scattering into each of the kPhaseSamples - 1 intervals of a table, shares of a sum of 1: of each channel, then of
+// their mean.
+std::array<std::vector<double>, 4> interval_shares(const physics::Physics& p, physics::uint table);
 
 // Cosine of the scattering angle of sample k.
 double sample_cosine(std::size_t k);

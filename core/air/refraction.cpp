@@ -107,9 +107,11 @@ std::string refraction_key(const Planet& planet) {
   std::string key;
   if (const auto& bent = planet.refraction) {
     const Density& d = bent->density;
-    for (const double number :
-         {bent->n_minus_1, bent->scale, static_cast<double>(d.profile), d.scale_height, d.center, d.half_width}) {
+    for (const double number : {bent->n_minus_1, bent->scale, static_cast<double>(d.profile)}) {
       key += " " + shortest(number);
+    }
+    for (const DensityNumber& number : kDensityNumbers) {
+      key += " " + shortest(d.*number.value);
     }
     for (const DensityLayer& layer : d.layers) {
       key += " " + shortest(layer.altitude) + " " + shortest(layer.density);

@@ -9,11 +9,21 @@
 #include "core/air/refraction.h"
 #include "core/plan/bytes.h"
 #include "core/plan/plan.h"
+#include "core/scene/density_profiles.h"
 
 namespace airlight {
 namespace {
 
 using physics::vec3;
+
+static_assert(static_cast<physics::uint>(Projection::perspective) == physics::kProjectionPerspective &&
+              static_cast<physics::uint>(Projection::equirectangular) == physics::kProjectionEquirectangular &&
+              static_cast<physics::uint>(Projection::fisheye) == physics::kProjectionFisheye &&
+              static_cast<physics::uint>(Projection::cube) == physics::kProjectionCube &&
+              static_cast<physics::uint>(Projection::octahedral) == physics::kProjectionOctahedral);
+static_assert(static_cast<physics::uint>(CubeLayout::stack) == physics::kCubeStack &&
+              static_cast<physics::uint>(CubeLayout::strip) == physics::kCubeStrip &&
+              static_cast<physics::uint>(CubeLayout::cross) == physics::kCubeCross);
 
 // Radiance at the disc's centre: the limb-darkened profile 1 - u(1 - mu) has mean 1 - u/3 over the disc, and
 // radiance_scale 1 makes the mean radiance irradiance / solid angle.
@@ -22,18 +32,6 @@ vec3 disc_radiance(const Sun& sun) {
   const double solid_angle = 4.0 * std::numbers::pi * half * half;
   const double mean_over_centre = 1.0 - sun.disc.limb_darkening / 3.0;
   return vector_of(sun.irradiance) * (sun.disc.radiance_scale / (solid_angle * mean_over_centre));
-}
-
-std::uint32_t cube_layout_code(CubeLayout layout) {
-  switch (layout) {
-    case CubeLayout::stack:
-      return physics::kCubeStack;
-    case CubeLayout::strip:
-      return physics::kCubeStrip;
-    case CubeLayout::cross:
-      return physics::kCubeCross;
-  }
-  return physics::kCubeStack;
 }
 
 // A ball's light: across the disc, from straight up to the left, by the bright limb; toward the camera by the phase.
@@ -81,7 +79,7 @@ void put_picture(physics::Physics& p, const Scene& scene) {
   camera.half_fov = 0.5 * scene.camera.vertical_fov;
   camera.width = static_cast<physics::uint>(scene.image.width);
   camera.height = static_cast<physics::uint>(scene.image.height);
-  camera.cube_layout = cube_layout_code(scene.camera.cube_layout);
+  camera.cube_layout = static_cast<physics::uint>(scene.camera.cube_layout);
   const physics::PlanetData& planet = p.scene.planet;
   // A cosine changes by less than its angle.
   const double reach = p.pixel_reach(camera, projection_code(scene.camera.projection));
@@ -99,10 +97,9 @@ device::MediumData narrow(const physics::MediumData& from) {
   device::MediumData m{};
   m.scattering = narrowed(from.scattering);
   m.absorption = narrowed(from.absorption);
-  m.scale_height = narrowed(from.scale_height);
-  m.center = narrowed(from.center);
-  m.half_width = narrowed(from.half_width);
-  m.below = narrowed(from.below);
+  for (const DensityNumber& number : kDensityNumbers) {
+    m.*number.device = narrowed(from.*number.formula);
+  }
   m.g = narrowed(from.g);
   m.depolarization = narrowed(from.depolarization);
   m.phase_table = from.phase_table;
@@ -222,22 +219,6 @@ std::vector<std::byte> device_scene_bytes(const physics::Physics& p, const Tile&
   std::memcpy(bytes.data(), &data, sizeof data);
   std::ranges::copy(tables, bytes.begin() + static_cast<std::ptrdiff_t>(bytes.size() - tables.size()));
   return bytes;
-}
-
-std::uint32_t projection_code(Projection projection) {
-  switch (projection) {
-    case Projection::perspective:
-      return physics::kProjectionPerspective;
-    case Projection::equirectangular:
-      return physics::kProjectionEquirectangular;
-    case Projection::fisheye:
-      return physics::kProjectionFisheye;
-    case Projection::cube:
-      return physics::kProjectionCube;
-    case Projection::octahedral:
-      return physics::kProjectionOctahedral;
-  }
-  return physics::kProjectionPerspective;
 }
 
 }  // namespace airlight

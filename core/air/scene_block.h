@@ -36,7 +36,9 @@ device::SceneData narrowed(const physics::SceneData& data);
 // What shaders know as `scene_tables`.
 std::vector<std::byte> narrowed_tables(const physics::Physics& p);
 
-std::uint32_t projection_code(Projection projection);
+inline std::uint32_t projection_code(Projection projection) {
+  return static_cast<std::uint32_t>(projection);
+}
 
 // The camera's axes in the preset's frame. Positive roll turns the camera clockwise as its operator sees it, so the
 // horizon's right end rises in the picture.

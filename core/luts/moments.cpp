@@ -200,10 +200,6 @@ bool leaves_a_peak(const Air& air, int degree) {
   return false;
 }
 
-bool is_molecular(const Medium& medium) {
-  return medium.phase == PhaseFunction::rayleigh;
-}
-
 // Whether a medium that scatters is such a one.
 template <class Such>
 bool scatters_as(const Air& air, Such such) {
@@ -228,10 +224,6 @@ bool has_layer_aloft(const Air& air) {
   }
   return false;
 }
-
-}  // namespace
-
-namespace {
 
 // Azimuths of half a turn that gather sunlight scattered once by these media. n of them mistake what a peak holds in
 // harmonics of 2n periods a turn for an even field, of the other sign. So many that the Legendre moments, which fall by
@@ -274,7 +266,8 @@ MomentSettings moment_settings(const Air& air, const MomentRequest& request) {
   settings.aloft = has_layer_aloft(air);
   settings.azimuths = peak_azimuths(air);
   settings.hazy = !settings.shells && (request.hazy || air.depths().scattering > kHazy);
-  settings.polarised = request.polarised && scatters_as(air, [](const Medium& m) { return is_molecular(m); });
+  const auto is_molecular = [](const Medium& m) { return m.phase == PhaseFunction::rayleigh; };
+  settings.polarised = request.polarised && scatters_as(air, is_molecular);
   settings.molecules_alone =
       settings.polarised && !scatters_as(air, [](const Medium& m) { return !phase_row(m.phase).is_smooth; });
   settings.degree = request.degree.value_or(!thick ? 2 : settings.shells || settings.hazy ? 8 : 5);

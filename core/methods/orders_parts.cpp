@@ -15,7 +15,7 @@ namespace airlight::orders {
 namespace {
 
 template <class Such>
-std::uint32_t media_with(const Air& air, Such such, std::uint32_t scattering) {
+std::uint32_t media_with(const Air& air, std::uint32_t scattering, Such such) {
   std::uint32_t bits = 0;
   for (std::size_t i = 0; i < air.media().size(); ++i) {
     bits |= such(air.media()[i].phase) ? 1u << i : 0u;
@@ -149,12 +149,10 @@ FactorTable factor_table(const Part& part, std::uint32_t media, bool layers, std
   const auto columns = static_cast<std::uint32_t>(size[0]);
   const auto sky = static_cast<std::uint32_t>(size[1]);
   const bool from_space = looks_from_space(part);
-  const auto is_rayleigh = [](PhaseFunction phase) { return phase == PhaseFunction::rayleigh; };
-  const auto is_smooth_phase = [](PhaseFunction phase) { return phase_row(phase).is_smooth; };
-  const std::uint32_t rayleigh = media_with(part.air, is_rayleigh, media);
+  const std::uint32_t rayleigh = media_with(part.air, media, [](auto of) { return of == PhaseFunction::rayleigh; });
+  const std::uint32_t smooth = media_with(part.air, media, [](auto of) { return phase_row(of).is_smooth; });
   const bool all = part.scene.render.get<std::string>("fold") == "all";
-  std::uint32_t folded =
-      all ? media_wider_than_a_column(part.air, size[0], media) : media_with(part.air, is_smooth_phase, media);
+  std::uint32_t folded = all ? media_wider_than_a_column(part.air, size[0], media) : smooth;
   folded &= stokes != physics::kStokesNone && !layers ? ~rayleigh : ~0u;
   const std::uint32_t apart = layers ? media : media & ~folded;
   return {.columns = from_space ? 4 * columns : columns,

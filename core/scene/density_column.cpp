@@ -42,7 +42,7 @@ double column_by_quadrature(physics::Physics& p, const ProfileRow& row, double t
 double density_column(const Density& density, double top) {
   physics::Physics p = formulas_of(density);
   const ProfileRow& row = profile_row(density.profile);
-  return row.column_is_bound ? column_by_quadrature(p, row, top) : row.column(p, p.medium(0), top);
+  return row.panels != nullptr ? column_by_quadrature(p, row, top) : row.column(p, p.medium(0), top);
 }
 
 double column_km(const Density& density, double top) {

@@ -5,21 +5,40 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <ranges>
 #include <vector>
 
+#include "core/base/member.h"
+#include "core/physics/device_scene.h"
 #include "core/physics/physics.h"
 #include "core/scene/scene.h"
 
 namespace airlight {
 
+// A number of a density: its key in files, and where formulas and device have it.
+struct DensityNumber {
+  const char* key;
+  MemberOf<Density, double> value;
+  MemberOf<physics::MediumData, double> formula;
+  MemberOf<device::MediumData, float> device;
+};
+
+inline constexpr DensityNumber kDensityNumbers[] = {
+    {"scale_height_km", &Density::scale_height, &physics::MediumData::scale_height, &device::MediumData::scale_height},
+    {"center_km", &Density::center, &physics::MediumData::center, &device::MediumData::center},
+    {"half_width_km", &Density::half_width, &physics::MediumData::half_width, &device::MediumData::half_width},
+    {"below_km", &Density::below, &physics::MediumData::below, &device::MediumData::below},
+};
+static_assert(sizeof(Density) == sizeof(double) * (1 + std::size(kDensityNumbers)) + sizeof(std::vector<DensityLayer>),
+              "each number of a density has a row");
+
 // Gives medium i this density. Its layers stand from `first_layer` on; those for which a scene has no room, which its
 // reader refuses, are left out.
 inline void put_density(physics::Physics& p, physics::uint i, const Density& density, physics::uint first_layer = 0) {
   physics::MediumData& m = p.scene.media[i];
-  m.scale_height = density.scale_height;
-  m.center = density.center;
-  m.half_width = density.half_width;
-  m.below = density.below;
+  for (const DensityNumber& number : kDensityNumbers) {
+    m.*number.formula = density.*number.value;
+  }
   m.first_layer = first_layer;
   m.layer_count = std::min(static_cast<physics::uint>(density.layers.size()), physics::kMaxDensityLayers - first_layer);
   for (physics::uint k = 0; k < m.layer_count; ++k) {
@@ -35,8 +54,7 @@ struct ProfileRow {
   DensityProfile profile;
   physics::uint code;  // of medium.glsl
   bool ends_abruptly;
-  bool column_is_bound;  // from above
-  // The density's integral along the vertical from the ground to `top`, km, in closed form.
+  // Integral of the density from the ground up to `top`, km, in closed form; with panels an upper bound.
   double (*column)(const physics::Physics& p, const physics::MediumData& m, double top);
   // Rising altitudes where the density jumps or bends; of a smooth profile, between which it bends most.
   std::vector<double> (*marks)(const physics::Physics& p, const physics::MediumData& m);
@@ -46,7 +64,7 @@ struct ProfileRow {
   std::vector<double> (*panels)(const physics::MediumData& m, double top) = nullptr;
 
   // Whether the density has neither an edge nor a kink.
-  constexpr bool is_smooth() const { return under == between && between == above; }
+  bool is_smooth() const { return (physics::Physics::kSmoothProfiles >> code & 1U) != 0; }
 };
 
 namespace profiles {
@@ -54,11 +72,18 @@ namespace profiles {
 using physics::MediumData;
 using physics::Physics;
 
-inline double exponential_column(const Physics& /*p*/, const MediumData& m, double top) {
-  return -m.scale_height * std::expm1(-top / m.scale_height);
-}
+// Columns: formulas, medium, top.
+inline constexpr auto constant_column = [](auto&, auto& m, double top) { return std::min(m.below, top); };
 
-inline double tent_column(const Physics& /*p*/, const MediumData& m, double top) {
+inline constexpr auto exponential_column = [](auto&, auto& m, double top) {
+  return -m.scale_height * std::expm1(-top / m.scale_height);
+};
+
+inline constexpr auto fog_column = [](auto& p, auto& m, double top) {
+  return std::min(m.below, top) + exponential_column(p, m, std::max(top - m.below, 0.0));
+};
+
+inline constexpr auto tent_column = [](auto&, auto& m, double top) {
   // Up to altitude h, of a tent that rises from center - half_width.
   const auto up_to = [&m](double h) {
     const double x = std::clamp((h - m.center) / m.half_width, -1.0, 1.0);
@@ -66,21 +91,14 @@ inline double tent_column(const Physics& /*p*/, const MediumData& m, double top)
     return part * m.half_width;
   };
   return up_to(top) - up_to(0.0);
-}
+};
 
-inline double lorentzian_column(const Physics& p, const MediumData& m, double top) {
+inline constexpr auto lorentzian_column = [](auto& p, auto& m, double top) {
   const double peak = m.half_width * (std::atan((top - m.center) / m.half_width) + std::atan(m.center / m.half_width));
   return std::min(peak, exponential_column(p, m, top));
-}
-
-inline double constant_column(const Physics& /*p*/, const MediumData& m, double top) {
-  return std::min(m.below, top);
-}
+};
 
 inline double layers_column(const Physics& p, const MediumData& m, double top) {
-  if (m.layer_count == 0) {
-    return 0.0;
-  }
   physics::vec2 low = p.density_layer(m.first_layer);
   double column = low.y * std::min(low.x, top);
   for (physics::uint k = 1; k < m.layer_count; ++k) {
@@ -95,29 +113,20 @@ inline double layers_column(const Physics& p, const MediumData& m, double top) {
   return column + low.y * std::max(top - low.x, 0.0);
 }
 
-inline double fog_column(const Physics& p, const MediumData& m, double top) {
-  return std::min(m.below, top) + exponential_column(p, m, std::max(top - m.below, 0.0));
-}
-
-inline std::vector<double> no_marks(const Physics& /*p*/, const MediumData& /*m*/) {
-  return {};
-}
-
-inline std::vector<double> below(const Physics& /*p*/, const MediumData& m) {
-  return {m.below};
-}
-
-inline std::vector<double> center_and_sides(const Physics& /*p*/, const MediumData& m) {
-  return {m.center - m.half_width, m.center, m.center + m.half_width};
-}
-
-inline std::vector<double> altitudes(const Physics& p, const MediumData& m) {
-  std::vector<double> list(m.layer_count);
+// Marks: formulas, medium.
+using Marks = std::vector<double>;
+inline constexpr auto no_marks = [](auto&, auto&) { return Marks{}; };
+inline constexpr auto base = [](auto&, auto& m) { return Marks{m.below}; };
+inline constexpr auto center_and_sides = [](auto&, auto& m) {
+  return Marks{m.center - m.half_width, m.center, m.center + m.half_width};
+};
+inline constexpr auto altitudes = [](auto& p, auto& m) {
+  Marks marks(m.layer_count);
   for (physics::uint k = 0; k < m.layer_count; ++k) {
-    list[k] = p.density_layer(m.first_layer + k).x;
+    marks[k] = p.density_layer(m.first_layer + k).x;
   }
-  return list;
-}
+  return marks;
+};
 
 // Narrow around the peak, whose poles lie at half_width above and below the real axis, and nowhere longer than two
 // scale heights. They end where nothing is left: exp(-80) of the largest coefficient over the longest path is a depth
@@ -136,38 +145,26 @@ inline std::vector<double> lorentzian_panels(const MediumData& m, double top) {
 
 using enum DensityShape;
 
-// Profile, code, ends abruptly, column is a bound, column, marks, shape under, between and above these, panels.
+// Profile, code, ends abruptly, column, marks, shapes under, between and above these, panels.
 inline constexpr ProfileRow kProfileRows[] = {
-    {DensityProfile::exponential, Physics::kDensityExponential, false, false, exponential_column, no_marks, falling,
-     falling, falling},
-    {DensityProfile::tent, Physics::kDensityTent, false, false, tent_column, center_and_sides, none, linear, none},
-    {DensityProfile::lorentzian, Physics::kDensityLorentzian, false, true, lorentzian_column, center_and_sides, smooth,
+    {DensityProfile::exponential, Physics::kDensityExponential, false, exponential_column, no_marks, falling, falling,
+     falling},
+    {DensityProfile::tent, Physics::kDensityTent, false, tent_column, center_and_sides, none, linear, none},
+    {DensityProfile::lorentzian, Physics::kDensityLorentzian, false, lorentzian_column, center_and_sides, smooth,
      smooth, smooth, lorentzian_panels},
-    {DensityProfile::constant, Physics::kDensityConstant, true, false, constant_column, below, constant, none, none},
-    {DensityProfile::layers, Physics::kDensityLayers, false, false, layers_column, altitudes, constant, linear,
-     constant},
-    {DensityProfile::height_fog, Physics::kDensityHeightFog, false, false, fog_column, below, constant, none, falling},
+    {DensityProfile::constant, Physics::kDensityConstant, true, constant_column, base, constant, none, none},
+    {DensityProfile::layers, Physics::kDensityLayers, false, layers_column, altitudes, constant, linear, constant},
+    {DensityProfile::height_fog, Physics::kDensityHeightFog, false, fog_column, base, constant, none, falling},
 };
-
-constexpr bool stand_in_order() {
-  for (physics::uint k = 0; k < std::size(kProfileRows); ++k) {
-    const bool smooth_on_device = (Physics::kSmoothProfiles >> k & 1U) != 0;
-    if (kProfileRows[k].code != k || kProfileRows[k].profile != static_cast<DensityProfile>(k) ||
-        kProfileRows[k].is_smooth() != smooth_on_device) {
-      return false;
-    }
-  }
-  return true;
-}
-static_assert(stand_in_order(), "a row's place is its code; medium.glsl knows the smooth profiles");
+static_assert(std::ranges::equal(kProfileRows, std::views::iota(0U, std::size(kProfileRows)), {}, &ProfileRow::code));
+static_assert(std::ranges::all_of(kProfileRows, [](const ProfileRow& row) {
+  return row.profile == static_cast<DensityProfile>(row.code);
+}));
 
 }  // namespace profiles
 
-inline const ProfileRow& profile_row(physics::uint code) {
-  return profiles::kProfileRows[code];
-}
-
-inline const ProfileRow& profile_row(DensityProfile profile) {
+// Of a DensityProfile or a code.
+inline const ProfileRow& profile_row(auto profile) {
   return profiles::kProfileRows[static_cast<std::size_t>(profile)];
 }
 

@@ -3,21 +3,10 @@
 #include "core/air/scene_block.h"
 
 namespace airlight {
-namespace {
 
-physics::uint code_of(SphereMaterial material) {
-  switch (material) {
-    case SphereMaterial::mirror:
-      return physics::kSphereMirror;
-    case SphereMaterial::translucent:
-      return physics::kSphereTranslucent;
-    case SphereMaterial::matte:
-      break;
-  }
-  return physics::kSphereMatte;
-}
-
-}  // namespace
+static_assert(static_cast<physics::uint>(SphereMaterial::matte) == physics::kSphereMatte &&
+              static_cast<physics::uint>(SphereMaterial::mirror) == physics::kSphereMirror &&
+              static_cast<physics::uint>(SphereMaterial::translucent) == physics::kSphereTranslucent);
 
 std::vector<physics::SphereData> spheres_of(const Scene& scene) {
   physics::Physics p;
@@ -27,7 +16,7 @@ std::vector<physics::SphereData> spheres_of(const Scene& scene) {
     data.centre = p.direction_from_angles(sphere.elevation, sphere.azimuth) * sphere.distance;
     data.radius = sphere.radius;
     data.albedo = vector_of(sphere.albedo);
-    data.material = code_of(sphere.material);
+    data.material = static_cast<physics::uint>(sphere.material);
     data.scatter_strength = sphere.scatter_strength;
     all.push_back(data);
   }

@@ -3,10 +3,9 @@
 const uint kProjectionPerspective = 0u;
 const uint kProjectionEquirectangular = 1u;
 const uint kProjectionFisheye = 2u;
-const uint kProjectionListed = 3u;  // directions from a buffer
-
-const uint kProjectionCube = 4u;
-const uint kProjectionOctahedral = 5u;
+const uint kProjectionCube = 3u;
+const uint kProjectionOctahedral = 4u;
+const uint kProjectionListed = 5u;  // directions from a buffer
 
 const uint kCubeStack = 0u;  // OpenEXR's: six faces down
 const uint kCubeStrip = 1u;

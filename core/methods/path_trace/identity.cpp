@@ -2,6 +2,7 @@
 
 #include "core/methods/path_trace/checkpoint.h"
 #include "core/methods/path_trace/walk.h"
+#include "core/scene/density_profiles.h"
 #include "core/things/ground.h"
 #include "core/things/terrain.h"
 
@@ -51,10 +52,9 @@ void add_medium(Lines& lines, const std::string& at, const Medium& medium) {
   lines.add(at + "/absorption_per_km", medium.absorption);
   const Density& density = medium.density;
   lines.add(at + "/density/profile", static_cast<int>(density.profile));
-  lines.add(at + "/density/scale_height_km", density.scale_height);
-  lines.add(at + "/density/center_km", density.center);
-  lines.add(at + "/density/half_width_km", density.half_width);
-  lines.add(at + "/density/below_km", density.below);
+  for (const DensityNumber& number : kDensityNumbers) {
+    lines.add(at + "/density/" + number.key, density.*number.value);
+  }
   for (std::size_t k = 0; k < density.layers.size(); ++k) {
     lines.add(at + "/density/layers/" + std::to_string(k) + "/0", density.layers[k].altitude);
     lines.add(at + "/density/layers/" + std::to_string(k) + "/1", density.layers[k].density);

@@ -15,25 +15,14 @@ namespace airlight {
 using physics::Physics;
 using physics::vec3;
 
-namespace {
-
-constexpr double kPeaked = 0.3;  // mean cosine, forward or back
-
-}  // namespace
-
 PhaseSampler::PhaseSampler(physics::Physics& physics) : physics_(physics) {
   tables_.resize(physics.medium_count());
   for (physics::uint i = 0; i < physics.medium_count(); ++i) {
     if (physics.phase_of(i) == Physics::kPhaseTable) {
-      const auto fill = [](Table& table, std::vector<double> shares) {
-        table.shares = std::move(shares);
-        std::partial_sum(table.shares.begin(), table.shares.end(), std::back_inserter(table.ends));
-      };
-      const physics::uint samples = physics.medium(i).phase_table;
-      fill(tables_[i].mean, interval_shares(physics, samples));
-      std::array<std::vector<double>, 3> own = channel_interval_shares(physics, samples);
-      for (std::size_t c = 0; c < own.size(); ++c) {
-        fill(tables_[i].of_channel[c], std::move(own[c]));
+      std::array<std::vector<double>, 4> shares = interval_shares(physics, physics.medium(i).phase_table);
+      for (std::size_t k = 0; k < shares.size(); ++k) {
+        std::partial_sum(shares[k].begin(), shares[k].end(), std::back_inserter(tables_[i][k].ends));
+        tables_[i][k].shares = std::move(shares[k]);
       }
     }
   }
@@ -47,10 +36,16 @@ double PhaseSampler::Table::draw_cosine(double u) const {
   return sample_cosine(k) * (1.0 - share) + sample_cosine(k + 1) * share;
 }
 
+PhaseSampler::Interval PhaseSampler::interval_at(double nu) const {
+  const std::size_t k =
+      std::min<std::size_t>(static_cast<std::size_t>(physics_.phase_table_place(nu)), physics::kPhaseSamples - 2);
+  return {k, 2.0 * std::numbers::pi * (sample_cosine(k) - sample_cosine(k + 1))};
+}
+
 double PhaseSampler::sample(physics::uint medium, double u, Random& random) const {
   const auto& draw_by = phase_row(physics_.phase_of(medium)).draw;
   const double nu = draw_by == nullptr
-                        ? tables_[medium].mean.draw_cosine(u)
+                        ? tables_[medium][3].draw_cosine(u)
                         : draw_by(physics_, physics_.medium(medium), u, [&random] { return random.uniform(); });
   return std::clamp(nu, -1.0, 1.0);
 }
@@ -61,10 +56,9 @@ double PhaseSampler::density(physics::uint medium, double nu, vec3 phase) const 
     return physics_.phase_depolarized(vec3(channel_mean(physics_.medium(medium).depolarization)), nu).x;
   }
   if (kind == Physics::kPhaseTable) {
-    const Table& table = tables_[medium].mean;
-    const std::size_t k = std::min(static_cast<std::size_t>(physics_.phase_table_place(nu)), table.shares.size() - 1);
-    const double width = 2.0 * std::numbers::pi * (sample_cosine(k) - sample_cosine(k + 1));
-    return table.shares[k] / (table.ends.back() * width);
+    const Table& table = tables_[medium][3];
+    const Interval in = interval_at(nu);
+    return table.shares[in.index] / (table.ends.back() * in.width);
   }
   return phase.x;
 }
@@ -77,7 +71,7 @@ double PhaseSampler::sample_by(const std::array<double, 3>& weights, physics::ui
   double left = u * (weights[0] + weights[1] + weights[2]);
   const std::size_t channel = draw(
       3, [&](std::size_t c) { return weights[c]; }, left);
-  return std::clamp(tables_[medium].of_channel[channel].draw_cosine(left), -1.0, 1.0);
+  return std::clamp(tables_[medium][channel].draw_cosine(left), -1.0, 1.0);
 }
 
 double PhaseSampler::density_by(const std::array<double, 3>& weights, physics::uint medium, double nu,
@@ -85,14 +79,12 @@ double PhaseSampler::density_by(const std::array<double, 3>& weights, physics::u
   if (physics_.phase_of(medium) != Physics::kPhaseTable) {
     return density(medium, nu, phase);
   }
-  const std::array<Table, 3>& tables = tables_[medium].of_channel;
-  const std::size_t k = std::min(static_cast<std::size_t>(physics_.phase_table_place(nu)), tables[0].shares.size() - 1);
-  const double width = 2.0 * std::numbers::pi * (sample_cosine(k) - sample_cosine(k + 1));
+  const Interval in = interval_at(nu);
   double sum = 0.0;
-  for (std::size_t c = 0; c < 3; ++c) {
-    sum += weights[c] * tables[c].shares[k] / tables[c].ends.back();
+  for (std::size_t c = 0; c < weights.size(); ++c) {
+    sum += weights[c] * tables_[medium][c].shares[in.index] / tables_[medium][c].ends.back();
   }
-  return sum / ((weights[0] + weights[1] + weights[2]) * width);
+  return sum / ((weights[0] + weights[1] + weights[2]) * in.width);
 }
 
 double PhaseSampler::dipole_share(physics::uint medium) const {
@@ -101,7 +93,7 @@ double PhaseSampler::dipole_share(physics::uint medium) const {
 }
 
 bool PhaseSampler::is_peaked(physics::uint medium) const {
-  return std::abs(channel_mean(mean_cosine(physics_, medium))) > kPeaked;
+  return std::abs(channel_mean(mean_cosine(physics_, medium))) > 0.3;
 }
 
 vec3 around(vec3 axis, double nu, double turn) {

@@ -39,13 +39,15 @@ class PhaseSampler {
     std::vector<double> shares;
     double draw_cosine(double u) const;
   };
-  struct Tables {
-    Table mean;  // of the channels
-    std::array<Table, 3> of_channel;
+  // The interval at a cosine, and the integral of 2 pi over its cosines.
+  struct Interval {
+    std::size_t index;
+    double width;
   };
+  Interval interval_at(double nu) const;
 
   physics::Physics& physics_;
-  std::vector<Tables> tables_;  // by medium; empty for those without a table
+  std::vector<std::array<Table, 4>> tables_;  // by medium: of the channels, of their mean; empty without a table
 };
 
 // The unit vector at cosine nu from `axis`, `turn` in [0, 1) of a full turn around it.
