@@ -86,11 +86,9 @@ physics::MomentTableData shell_moment_axes(physics::Physics& p) {
 
 std::uint32_t code_of(const Medium& medium, bool schlick) {
   const PhaseRow& row = phase_row(medium.phase);
-  if (schlick && row.is_peaked_by_g()) {
-    return physics::Physics::kPhaseSchlick;
-  }
   const bool mixes = medium.phase == PhaseFunction::rayleigh && largest(medium.depolarization) > 0.0;
-  return mixes ? physics::Physics::kPhaseDepolarized : row.code;
+  const std::uint32_t code = schlick && row.is_peaked_by_g() ? physics::Physics::kPhaseSchlick : row.code;
+  return mixes ? physics::Physics::kPhaseDepolarized : code;
 }
 
 void put_media(physics::Physics& p, const std::vector<Medium>& media) {

@@ -8,13 +8,6 @@
 namespace airlight {
 namespace {
 
-// One medium of this density.
-physics::Physics formulas_of(const Density& density) {
-  physics::Physics p;
-  put_density(p, 0, density);
-  return p;
-}
-
 // By Gauss and Legendre's two points, in pieces of at most a quarter of a scale.
 double column_by_quadrature(physics::Physics& p, const ProfileRow& row, double top) {
   const physics::MediumData m = p.medium(0);
@@ -40,13 +33,15 @@ double column_by_quadrature(physics::Physics& p, const ProfileRow& row, double t
 }  // namespace
 
 double density_column(const Density& density, double top) {
-  physics::Physics p = formulas_of(density);
+  physics::Physics p;
+  put_density(p, 0, density);
   const ProfileRow& row = profile_row(density.profile);
   return row.panels != nullptr ? column_by_quadrature(p, row, top) : row.column(p, p.medium(0), top);
 }
 
 double column_km(const Density& density, double top) {
-  const physics::Physics p = formulas_of(density);
+  physics::Physics p;
+  put_density(p, 0, density);
   return profile_row(density.profile).column(p, p.medium(0), top);
 }
 

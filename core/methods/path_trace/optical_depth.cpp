@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "core/air/refraction.h"
 
@@ -60,11 +59,9 @@ void OpticalDepth::add_pieces(uint i) {
   const MediumData m = physics_.medium(i);
   const ProfileRow& row = profile_row(physics_.density_profile(i));
   const double top = physics_.true_altitude(physics_.scene.planet.atmosphere_height).h;
-  std::vector<double> edges{0.0};
-  if (row.panels != nullptr) {
-    edges = row.panels(m, top);
-  } else {
-    std::ranges::copy(row.marks(physics_, m), std::back_inserter(edges));
+  std::vector<double> edges = row.panels != nullptr ? row.panels(m, top) : row.marks(physics_, m);
+  if (row.panels == nullptr) {
+    edges.insert(edges.begin(), 0.0);
     edges.push_back(top);
   }
   for (uint k = 0; k + 1 < edges.size(); ++k) {
