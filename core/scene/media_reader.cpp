@@ -60,31 +60,10 @@ Density read_density(const Section& medium) {
   if (!profile) {
     return density;
   }
-  density.profile = static_cast<DensityProfile>(*profile);
   section.choose(kProfileNames[*profile]);
-  switch (density.profile) {
-    case DensityProfile::exponential:
-      density.scale_height = section.number("scale_height_km");
-      break;
-    case DensityProfile::tent:
-      density.center = section.number("center_km");
-      density.half_width = section.number("half_width_km");
-      break;
-    case DensityProfile::lorentzian:
-      density.scale_height = section.number("scale_height_km");
-      density.center = section.number("center_km");
-      density.half_width = section.number("half_width_km");
-      break;
-    case DensityProfile::constant:
-      density.below = section.number("below_km");
-      break;
-    case DensityProfile::layers:
-      density.layers = read_layers(section);
-      break;
-    case DensityProfile::height_fog:
-      density.scale_height = section.number("scale_height_km");
-      density.below = section.number("base_km");
-      break;
+  section.fill(density);
+  if (density.profile == DensityProfile::layers) {
+    density.layers = read_layers(section);
   }
   return density;
 }
@@ -92,7 +71,7 @@ Density read_density(const Section& medium) {
 Medium read_medium(const Section& section, double top, CurveReader& curves, SceneSpectra& spectra) {
   section.refuse_unknown_keys();
   Medium medium;
-  medium.name = section.text("name");
+  section.fill(medium);
   medium.density = read_density(section);
   MediumSpectra& own = spectra.media.emplace_back();
   medium.scattering = curves.read(section, "scattering_per_km", own.scattering);

@@ -230,13 +230,14 @@ void read_phase(const Section& section, Medium& medium, MediumSpectra& spectra, 
   const auto function = phase.choice("function");
   const bool drops = function == kDropsPhase;
   medium.phase = drops ? PhaseFunction::table : static_cast<PhaseFunction>(function.value_or(0));
-  medium.phase_g = phase.number("g");
+  if (function) {
+    phase.choose(kPhaseNames.at(*function));
+  }
+  phase.fill(medium);
   if (!function) {
     return;
   }
-  phase.choose(kPhaseNames.at(*function));
   if (drops) {
-    medium.effective_radius = phase.number("effective_radius_um");
     medium.phase_table = drops_phase(medium.effective_radius);
     medium.phase_wavelengths = kDropChannels;
     return;

@@ -10,9 +10,10 @@ namespace {
 
 Planet read_planet(const Section& planet, CurveReader& curves, SceneSpectra& spectra) {
   planet.refuse_unknown_keys();
-  return {.ground_radius = planet.number("radius_km"),
-          .atmosphere_height = planet.number("atmosphere_height_km"),
-          .ground_albedo = curves.read(planet, "ground_albedo", spectra.ground_albedo)};
+  Planet read;
+  planet.fill(read);
+  read.ground_albedo = curves.read(planet, "ground_albedo", spectra.ground_albedo);
+  return read;
 }
 
 Sun read_sun(const Section& root, CurveReader& curves, SceneSpectra& spectra) {
@@ -21,17 +22,12 @@ Sun read_sun(const Section& root, CurveReader& curves, SceneSpectra& spectra) {
   const Section disc = section.child("disc");
   disc.refuse_unknown_keys();
   Sun sun;
-  sun.elevation = radians_from_degrees(section.number("elevation_deg"));
-  sun.azimuth = radians_from_degrees(section.number("azimuth_deg"));
+  section.fill(sun);
+  disc.fill(sun.disc);
   Curve irradiance;
   sun.irradiance = curves.read(section, "irradiance", irradiance);
   spectra.irradiance = sun.irradiance[0];
   spectra.sun = curves.read_shape(section, "spectrum");
-  sun.unit = static_cast<SunUnit>(section.choice("unit").value_or(0));
-  sun.disc = {.visible = disc.boolean("visible"),
-              .angular_radius = radians_from_degrees(disc.number("angular_radius_deg")),
-              .limb_darkening = disc.number("limb_darkening"),
-              .radiance_scale = disc.number("radiance_scale")};
   return sun;
 }
 
@@ -59,12 +55,7 @@ Display read_display(const Section& root) {
       exposure != nullptr && !read_metering(*exposure, display)) {
     read_number(section.site("exposure", *exposure), display.exposure.emplace());
   }
-  display.compensation = section.number("compensation_ev");
-  display.night = section.number("night_ev");
-  display.display = section.text("display");
-  display.view = section.text("view");
-  display.tonemap = static_cast<ToneCurve>(section.choice("tonemap").value_or(0));
-  display.rods = section.boolean("rods");
+  section.fill(display);
   if (const PresetValue* rods = section.find("rods"); rods != nullptr && display.rods && display.view == "gpu") {
     section.complain("rods", *rods, "the view \"gpu\" does not know the eye's rods; take another view, or false");
   }
@@ -101,7 +92,7 @@ void read_colours(const Section& root, bool has_curves, SceneSpectra& spectra) {
   }
   const Section image = root.child("image");
   const Section render = root.child("render");
-  spectra.white = static_cast<White>(image.choice("white").value_or(0));
+  image.fill(spectra);
   const PresetValue* count = render.find("wavelengths");
   const auto* word = count == nullptr ? nullptr : std::get_if<std::string>(&count->data);
   if (count != nullptr && (word == nullptr || *word != "auto")) {
@@ -148,8 +139,7 @@ void fill_channels(Scene& scene) {
 Scene read_scene(const Section& root, std::span<const MethodInfo> methods) {
   check_root(root);
   Scene scene;
-  scene.name = root.text("name");
-  scene.description = root.text("description");
+  root.fill(scene);
   CurveReader curves;
   SceneSpectra spectra;
   const Section planet = root.child("planet");

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/scene/key_frames.h"
@@ -26,7 +27,13 @@ inline constexpr int kMaxClouds = 4;
 inline constexpr int kMaxDensityLayers = 256;  // over all media of a scene
 
 enum class DensityProfile { exponential, tent, lorentzian, constant, layers, height_fog };
+inline constexpr std::array<std::string_view, 6> kProfileNames = {"exponential", "tent",   "lorentzian",
+                                                                  "constant",    "layers", "height-fog"};
 enum class PhaseFunction { rayleigh, henyey_greenstein, cornette_shanks, schlick, isotropic, table };
+// Behind the enum's: "drops", a table that is made for them.
+inline constexpr std::array<std::string_view, 7> kPhaseNames = {
+    "rayleigh", "henyey-greenstein", "cornette-shanks", "schlick", "isotropic", "table", "drops"};
+inline constexpr std::size_t kDropsPhase = 6;
 enum class Projection { perspective, equirectangular, fisheye, cube, octahedral };
 enum class CubeLayout { stack, strip, cross };
 enum class SphereMaterial { matte, mirror, translucent };

@@ -32,6 +32,13 @@ class Section {
   // From here on, of the rules for particular choices only those of `choice` apply; reports keys of the other choices.
   void choose(std::string_view choice);
 
+  // Reads all keys here that rules keep in members of an Owner; of the rules for particular choices those of
+  // choose()'s.
+  template <class Owner>
+  void fill(Owner& owner) const {
+    fill(&owner, owner_id<Owner>());
+  }
+
   double number(std::string_view key) const;
   int integer(std::string_view key) const;
   bool boolean(std::string_view key) const;
@@ -56,6 +63,7 @@ class Section {
   void complain(std::string_view key, const PresetValue& value, std::string_view message) const;
 
  private:
+  void fill(void* owner, const void* id) const;
   const Rule* find_rule(std::string_view key) const;
   template <class T>
   T read(std::string_view key, T fallback, void (*reader)(const Site&, T&)) const;

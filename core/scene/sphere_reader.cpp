@@ -1,4 +1,3 @@
-#include "core/scene/angle.h"
 #include "core/scene/json_format.h"
 #include "core/scene/readers.h"
 
@@ -20,24 +19,19 @@ void take_material(const Section& section, std::size_t choice, CurveReader& curv
     albedo = constant_curve(share);
     return;
   }
-  sphere.material = static_cast<SphereMaterial>(choice);
   sphere.albedo = curves.read(section, "albedo", albedo);
-  if (sphere.material == SphereMaterial::translucent) {
-    sphere.scatter_strength = section.number("scatter_strength");
-  }
 }
 
 Sphere read_sphere(Section section, CurveReader& curves, Curve& albedo) {
   section.refuse_unknown_keys();
   Sphere sphere;
-  sphere.azimuth = radians_from_degrees(section.number("azimuth_deg"));
-  sphere.elevation = radians_from_degrees(section.number("elevation_deg"));
-  sphere.distance = section.number("distance_m") / kMetres;
-  sphere.radius = section.number("radius_m") / kMetres;
-  if (const auto choice = section.choice("material")) {
-    section.choose(kMaterialNames[*choice]);
-    take_material(section, *choice, curves, sphere, albedo);
+  const auto choice = section.choice("material");
+  if (!choice) {
+    return sphere;
   }
+  section.choose(kMaterialNames[*choice]);
+  section.fill(sphere);
+  take_material(section, *choice, curves, sphere, albedo);
   const PresetValue* radius = section.find("radius_m");
   if (radius != nullptr && sphere.distance > 0.0 && sphere.radius >= sphere.distance) {
     section.complain("radius_m", *radius,
