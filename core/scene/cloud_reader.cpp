@@ -162,7 +162,7 @@ bool is_layer(const PresetValue& cloud) {
   return type != nullptr && *type == kCloudNames[kCloudLayer];
 }
 
-void add_layer(Section section, const Planet& planet, std::vector<Medium>& media, SceneSpectra& spectra) {
+void add_layer(Section section, const Planet& planet, std::vector<Medium>& media) {
   section.refuse_unknown_keys();
   section.choose(kCloudNames[kCloudLayer]);
   Cloud matter;
@@ -175,8 +175,8 @@ void add_layer(Section section, const Planet& planet, std::vector<Medium>& media
   }
   Medium medium = read_cloud_layer(section, planet, matter);
   medium.name = free_name(media);
-  spectra.media.push_back(
-      {constant_curve(medium.scattering[0]), constant_curve(medium.absorption[0]), constant_curve(0.0)});
+  medium.scattering.curve = constant_curve(medium.scattering[0]);
+  medium.absorption.curve = constant_curve(medium.absorption[0]);
   media.push_back(std::move(medium));
 }
 
@@ -201,8 +201,7 @@ void check_counts(const Section& root, const PresetValue& value, std::size_t clo
 
 }  // namespace
 
-std::vector<Cloud> read_clouds(const Section& root, const Planet& planet, std::vector<Medium>& media,
-                               SceneSpectra& spectra) {
+std::vector<Cloud> read_clouds(const Section& root, const Planet& planet, std::vector<Medium>& media) {
   const PresetValue* value = root.find("clouds");
   if (value == nullptr) {
     return {};
@@ -216,7 +215,7 @@ std::vector<Cloud> read_clouds(const Section& root, const Planet& planet, std::v
   for (std::size_t i = 0; i < array->size(); ++i) {
     const Section section = root.element("clouds", *array, i);
     if (is_layer((*array)[i])) {
-      add_layer(section, planet, media, spectra);
+      add_layer(section, planet, media);
     } else {
       clouds.push_back(read_cloud(section, planet));
     }

@@ -44,7 +44,7 @@ void require_near(const Section& section, const Terrain& terrain, const Planet& 
 
 }  // namespace
 
-std::optional<Terrain> read_terrain(const Section& planet, const Planet& on, CurveReader& curves, Curve& albedo) {
+std::optional<Terrain> read_terrain(const Section& planet, const Planet& on) {
   if (planet.find("terrain") == nullptr) {
     return std::nullopt;
   }
@@ -59,7 +59,6 @@ std::optional<Terrain> read_terrain(const Section& planet, const Planet& on, Cur
     ridge.refuse_unknown_keys();
     ridge.fill(terrain.ridge.emplace());
   }
-  terrain.albedo = curves.read(section, "albedo", albedo);
   if (section.object() != nullptr) {
     require_one_source(planet, section, terrain);
     if (section.find("width_km") != nullptr) {

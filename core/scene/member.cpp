@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/scene/angle.h"
+#include "core/scene/curve_reader.h"
 #include "core/scene/json_format.h"
 #include "core/scene/section.h"
 
@@ -52,6 +53,10 @@ void take(const Section& section, std::string_view key, std::array<double, 2>& o
   out = section.pair(key);
 }
 
+void take(const Section& section, std::string_view key, SpectralValue& out) {
+  out = section.curves().read(section, key);
+}
+
 void take(const Section& section, std::string_view key, std::optional<double>& out) {
   out.reset();
   if (section.find(key) != nullptr || !section.rule(key).default_text.empty()) {
@@ -83,6 +88,16 @@ std::string json_of(const Rule& /*rule*/, const std::string& value) {
 
 std::string json_of(const Rule& /*rule*/, const std::array<double, 2>& value) {
   return json_list({value[0], value[1]});
+}
+
+// A curve in a scene that has spectra, in which three channels are refused; else the channels.
+std::string json_of(const SpectralValue& value) {
+  const Curve& curve = value.curve;
+  if (!curve.json.empty()) {
+    return curve.json;
+  }
+  const bool is_number = curve.value != 0.0 || static_cast<const Spectrum&>(value) == Spectrum{};
+  return is_number ? format_number(curve.value) : json_list({value.begin(), value.end()});
 }
 
 std::string json_of(const Rule& rule, const std::optional<double>& value) {

@@ -16,6 +16,7 @@ namespace airlight {
 
 class Section;
 struct Rule;
+struct SpectralValue;
 
 struct Member {
   const void* owner = nullptr;  // its type, see owner_id(); null: no loop reads or writes the value
@@ -29,6 +30,7 @@ void take(const Section& section, std::string_view key, int& out);
 void take(const Section& section, std::string_view key, bool& out);
 void take(const Section& section, std::string_view key, std::string& out);
 void take(const Section& section, std::string_view key, std::array<double, 2>& out);
+void take(const Section& section, std::string_view key, SpectralValue& out);
 // None where the value is absent and the rule has no default.
 void take(const Section& section, std::string_view key, std::optional<double>& out);
 void take_choice(const Section& section, std::string_view key, std::size_t& out);
@@ -47,6 +49,10 @@ std::string json_of(const Rule& rule, int value);
 std::string json_of(const Rule& rule, bool value);
 std::string json_of(const Rule& rule, const std::string& value);
 std::string json_of(const Rule& rule, const std::array<double, 2>& value);
+std::string json_of(const SpectralValue& value);
+inline std::string json_of(const Rule& /*rule*/, const SpectralValue& value) {
+  return json_of(value);
+}
 std::string json_of(const Rule& rule, const std::optional<double>& value);
 std::string json_of_choice(const Rule& rule, std::size_t index);
 

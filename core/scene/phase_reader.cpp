@@ -224,7 +224,7 @@ class TableReader {
 
 }  // namespace
 
-void read_phase(const Section& section, Medium& medium, MediumSpectra& spectra, CurveReader& curves) {
+void read_phase(const Section& section, Medium& medium) {
   Section phase = section;
   phase.refuse_unknown_keys();
   const auto function = phase.choice("function");
@@ -242,12 +242,10 @@ void read_phase(const Section& section, Medium& medium, MediumSpectra& spectra, 
     medium.phase_wavelengths = kDropChannels;
     return;
   }
-  if (medium.phase == PhaseFunction::rayleigh) {
-    medium.depolarization = curves.read(phase, "depolarization", spectra.depolarization);
-  } else if (medium.phase == PhaseFunction::table) {
+  if (medium.phase == PhaseFunction::table) {
     medium.phase_table = TableReader(phase).read();
     if (!medium.phase_table.wavelengths_nm.empty()) {
-      curves.add(phase.pointer_to(phase.find("file") != nullptr ? "file" : "wavelengths_nm"));
+      phase.curves().add(phase.pointer_to(phase.find("file") != nullptr ? "file" : "wavelengths_nm"));
     }
   }
 }

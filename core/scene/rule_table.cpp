@@ -141,7 +141,8 @@ constexpr auto kRules = std::to_array<Rule>({
     number<&Planet::ground_radius>("planet.radius_km", kSize, "km", "6360", "radius of the ground sphere"),
     number<&Planet::atmosphere_height>("planet.atmosphere_height_km", kSize, "km", "100",
                                        "top of the atmosphere above the ground"),
-    row(RuleType::curve, "planet.ground_albedo", kUnit, "", "0", "Lambertian reflectance of the ground"),
+    row<&Planet::ground_albedo>(RuleType::curve, "planet.ground_albedo", kUnit, "", "0",
+                                "Lambertian reflectance of the ground"),
     needed(number<&Refraction::n_minus_1>(
         "planet.refraction.n_minus_1", Range{.minimum = 0.0, .maximum = 0.01}, "", "",
         "refractive index of the air at the ground, minus 1, at 550 nm: Earth's is 2.78e-4, 0 bends none. "
@@ -189,8 +190,8 @@ constexpr auto kRules = std::to_array<Rule>({
                                "how far, along the ground"),
     number<&Terrain::turn>("planet.terrain.turn_deg", kAnyAngle, "degrees", "0",
                            "where the map's upper edge faces, clockwise from north"),
-    row(RuleType::curve, "planet.terrain.albedo", kUnit, "", "0.2",
-        "Lambertian reflectance; with an `albedo_map` what its colours are multiplied by"),
+    row<&Terrain::albedo>(RuleType::curve, "planet.terrain.albedo", kUnit, "", "0.2",
+                          "Lambertian reflectance; with an `albedo_map` what its colours are multiplied by"),
     quiet(plain<&Terrain::albedo_map>(
         RuleType::text, "planet.terrain.albedo_map",
         "a picture of reflectances over the whole map, of any size; linear, or sRGB where the file says so. In a scene "
@@ -199,7 +200,8 @@ constexpr auto kRules = std::to_array<Rule>({
     needed(row(RuleType::media, "media", Range{.minimum = 1, .maximum = kMaxMedia}, "", "",
                "what the air is made of; written here or inherited")),
     needed(plain<&Medium::name>(RuleType::name, "media[].name", "unique among the media")),
-    row(RuleType::curve, "media[].scattering_per_km", kCoefficient, "per km", "0",
+    row<&Medium::scattering>(
+        RuleType::curve, "media[].scattering_per_km", kCoefficient, "per km", "0",
         "scattering coefficient where the density is 1; no medium may have a vertical optical depth above 1e6"),
     row(RuleType::curve, "media[].absorption_per_km", kCoefficient, "per km", "0",
         "absorption coefficient where the density is 1"),
@@ -225,9 +227,10 @@ constexpr auto kRules = std::to_array<Rule>({
     choice("media[].phase.function", kPhaseNames, "isotropic", "how the medium spreads what it scatters"),
     number<&Medium::phase_g>("media[].phase.g", Range{.minimum = -0.99, .maximum = 0.99}, "", "0.8",
                              "asymmetry, positive = forward; not used by `rayleigh`, `isotropic` and `table`"),
-    only_for(kMolecules, row(RuleType::curve, "media[].phase.depolarization", kUnit, "", "0",
+    only_for(kMolecules, quiet(row<&Medium::depolarization>(
+                             RuleType::curve, "media[].phase.depolarization", kUnit, "", "0",
                              "Chandrasekhar's gamma, rho / (2 - rho) of the depolarisation rho of light scattered at a "
-                             "right angle; 0: molecules that are round")),
+                             "right angle; 0: molecules that are round"))),
     only_for(kTabled, row(RuleType::angles, "media[].phase.angles_deg", kPhaseAngle, "degrees", "",
                           "scattering angles of `values`, from 0 to 180")),
     only_for(kTabled, row(RuleType::angles, "media[].phase.wavelengths_nm", kWavelength, "nm", "",
@@ -458,8 +461,8 @@ constexpr auto kRules = std::to_array<Rule>({
         "`matte`: Lambertian; `mirror`; `translucent`: 0.3 of a matte one and 0.7 of a term by thickness, which "
         "glows as the mean of the light around it; `grey-18` and `chrome`: the two balls of a set, matte of 0.18 "
         "and a mirror of 0.55"),
-    only_for(kOwnAlbedo,
-             row(RuleType::curve, "scene.spheres[].albedo", kUnit, "", "0.8", "share of the light that is sent back")),
+    only_for(kOwnAlbedo, row<&Sphere::albedo>(RuleType::curve, "scene.spheres[].albedo", kUnit, "", "0.8",
+                                              "share of the light that is sent back")),
     only_for(kTranslucent,
              number<&Sphere::scatter_strength>(
                  "scene.spheres[].scatter_strength", Range{.minimum = 0.0, .maximum = 1e3}, "", "16",

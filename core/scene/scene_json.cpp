@@ -38,13 +38,6 @@ class JsonObject {
   JsonObject& spectrum(std::string_view key, const Spectrum& value) {
     return add(key, json_list({value.begin(), value.end()}));
   }
-  // Writes the curve where the scene has one.
-  JsonObject& spectrum(std::string_view key, const Spectrum& value, const Curve* curve) {
-    return curve == nullptr ? spectrum(key, value) : add(key, curve_json(*curve));
-  }
-  static std::string curve_json(const Curve& curve) {
-    return curve.json.empty() ? format_number(curve.value) : curve.json;
-  }
   std::string str() const { return "{" + text_ + indent(depth_ - 1) + "}"; }
 
   static std::string indent(int depth) { return "\n" + std::string(2 * static_cast<std::size_t>(depth), ' '); }
@@ -71,18 +64,13 @@ std::string density_json(const Density& density) {
 }
 
 // Absent parts are not written, so that EXRs from before and after the keys existed have the same preset.
-std::string phase_json(const Medium& medium, const MediumSpectra* curves) {
+std::string phase_json(const Medium& medium) {
   JsonObject object(4);
   const bool drops = medium.effective_radius > 0.0;
   const std::string_view function = drops ? kPhaseNames[kDropsPhase] : name_of(medium.phase, kPhaseNames);
   object.text("function", function).members("media[].phase", medium, function);
   if (drops) {
     return object.str();
-  }
-  const Curve none;
-  const Curve& depolarization = curves != nullptr ? curves->depolarization : none;
-  if (medium.depolarization != Spectrum{} || !(depolarization.json.empty() && depolarization.value == 0.0)) {
-    object.spectrum("depolarization", medium.depolarization, curves != nullptr ? &depolarization : nullptr);
   }
   const PhaseTable& table = medium.phase_table;
   if (medium.phase != PhaseFunction::table) {
@@ -126,15 +114,12 @@ std::string clouds_json(const std::vector<Cloud>& clouds) {
 
 std::string media_json(const Scene& scene) {
   std::string text;
-  for (std::size_t i = 0; i < scene.media.size(); ++i) {
-    const Medium& medium = scene.media[i];
-    const MediumSpectra* curves = scene.spectra ? &scene.spectra->media[i] : nullptr;
+  for (const Medium& medium : scene.media) {
     JsonObject object(3);
     object.members("media[]", medium)
-        .spectrum("scattering_per_km", medium.scattering, curves != nullptr ? &curves->scattering : nullptr)
-        .spectrum("absorption_per_km", medium.absorption, curves != nullptr ? &curves->absorption : nullptr)
+        .add("absorption_per_km", json_of(medium.absorption))
         .add("density", density_json(medium.density))
-        .add("phase", phase_json(medium, curves));
+        .add("phase", phase_json(medium));
     text += (text.empty() ? "" : ",") + JsonObject::indent(2) + object.str();
   }
   return "[" + text + JsonObject::indent(1) + "]";
@@ -145,23 +130,21 @@ std::string sun_curve_json(const Curve& curve) {
   return curve.json.empty() ? "{\"named\": \"solar\"}" : curve.json;
 }
 
-std::string terrain_json(const Terrain& terrain, const Curve* albedo) {
+std::string terrain_json(const Terrain& terrain) {
   JsonObject object(3);
   if (terrain.ridge) {
     object.add("ridge", JsonObject(4).members("planet.terrain.ridge", *terrain.ridge).str());
   }
-  object.members("planet.terrain", terrain).spectrum("albedo", terrain.albedo, albedo);
+  object.members("planet.terrain", terrain);
   return object.str();
 }
 
 // "grey-18" and "chrome" are written as the material and albedo that they stand for.
 std::string spheres_json(const Scene& scene) {
   std::string text;
-  for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
-    const Sphere& sphere = scene.spheres[i];
+  for (const Sphere& sphere : scene.spheres) {
     JsonObject object(4);
-    object.members("scene.spheres[]", sphere, name_of(sphere.material, kMaterialNames))
-        .spectrum("albedo", sphere.albedo, scene.spectra ? &scene.spectra->spheres[i] : nullptr);
+    object.members("scene.spheres[]", sphere, name_of(sphere.material, kMaterialNames));
     text += (text.empty() ? "" : ",") + JsonObject::indent(3) + object.str();
   }
   return JsonObject(2).add("spheres", "[" + text + JsonObject::indent(2) + "]").str();
@@ -169,8 +152,7 @@ std::string spheres_json(const Scene& scene) {
 
 std::string planet_json(const Scene& scene) {
   JsonObject object(2);
-  object.members("planet", scene.planet)
-      .spectrum("ground_albedo", scene.planet.ground_albedo, scene.spectra ? &scene.spectra->ground_albedo : nullptr);
+  object.members("planet", scene.planet);
   if (const auto& refraction = scene.planet.refraction) {
     JsonObject bent(3);
     bent.members("planet.refraction", *refraction);
@@ -188,7 +170,7 @@ std::string planet_json(const Scene& scene) {
     object.add("ocean", JsonObject(3).members("planet.ocean", *scene.ground->ocean).str());
   }
   if (scene.terrain) {
-    object.add("terrain", terrain_json(*scene.terrain, scene.spectra ? &scene.spectra->terrain_albedo : nullptr));
+    object.add("terrain", terrain_json(*scene.terrain));
   }
   return object.str();
 }

@@ -44,9 +44,10 @@ std::string place_elsewhere(std::string_view key) {
 
 }  // namespace
 
-Section::Section(Problems& problems, const PresetValue* value, const PresetValue& context, std::string pointer,
-                 std::string prefix)
+Section::Section(Problems& problems, CurveReader& curves, const PresetValue* value, const PresetValue& context,
+                 std::string pointer, std::string prefix)
     : problems_(problems),
+      curves_(curves),
       context_(value != nullptr ? value : &context),
       pointer_(std::move(pointer)),
       prefix_(std::move(prefix)) {
@@ -62,13 +63,17 @@ Section::Section(Problems& problems, const PresetValue* value, const PresetValue
 
 Section Section::child(std::string_view key) const {
   const std::string prefix = prefix_.empty() ? std::string(key) : prefix_ + "." + std::string(key);
-  Section section(problems_, find(key), *context_, pointer_to(key), prefix);
+  Section section(problems_, curves_, find(key), *context_, pointer_to(key), prefix);
   section.broken_ = section.broken_ || broken_;
   return section;
 }
 
 Section Section::element(std::string_view key, const PresetArray& array, std::size_t index) const {
-  return {problems_, &array[index], *context_, pointer_below(pointer_to(key), std::to_string(index)),
+  return {problems_,
+          curves_,
+          &array[index],
+          *context_,
+          pointer_below(pointer_to(key), std::to_string(index)),
           (prefix_.empty() ? std::string(key) : prefix_ + "." + std::string(key)) + "[]"};
 }
 

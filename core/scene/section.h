@@ -16,12 +16,15 @@
 
 namespace airlight {
 
+class CurveReader;
+
 class Section {
  public:
-  // `value`: the object, or null where the preset has none. `context`: the nearest existing value, for messages.
-  // `prefix`: the rules' name of the object, e.g. "media[]"; "" is the preset itself.
-  Section(Problems& problems, const PresetValue* value, const PresetValue& context, std::string pointer,
-          std::string prefix);
+  // `curves`: collects those of the preset. `value`: the object, or null where the preset has none. `context`: the
+  // nearest existing value, for messages. `prefix`: the rules' name of the object, e.g. "media[]"; "" is the preset
+  // itself.
+  Section(Problems& problems, CurveReader& curves, const PresetValue* value, const PresetValue& context,
+          std::string pointer, std::string prefix);
 
   Section child(std::string_view key) const;
   // An element of the array `key`, an object.
@@ -56,6 +59,7 @@ class Section {
   const PresetValue& context() const { return *context_; }
   std::string pointer_to(std::string_view key) const;
   Problems& problems() const { return problems_; }
+  CurveReader& curves() const { return curves_; }
   const Rule& rule(std::string_view key) const;
   // The value of `key`; reports a required key that is missing.
   const PresetValue* value_of(std::string_view key) const;
@@ -69,6 +73,7 @@ class Section {
   T read(std::string_view key, T fallback, void (*reader)(const Site&, T&)) const;
 
   Problems& problems_;
+  CurveReader& curves_;
   const PresetValue* context_;
   const PresetObject* object_ = nullptr;
   std::string pointer_;
