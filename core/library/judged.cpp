@@ -212,7 +212,7 @@ Scene judged(const Preset& preset, const FileReaders& read, const Scene* like) {
       if (scene.ground->files && !scene.ground->files->colours.empty()) {
         scene.planet.ground_albedo = mean_albedo(*scene.ground->files);
         if (scene.spectra) {
-          scene.spectra->ground_albedo =
+          scene.planet.ground_albedo.curve =
               reflectance_of(scene.planet.ground_albedo, scene.spectra->sun, scene.spectra->white);
         }
       }

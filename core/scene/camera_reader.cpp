@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 
-#include "core/scene/angle.h"
 #include "core/scene/json_format.h"
 #include "core/scene/readers.h"
 
@@ -65,34 +64,22 @@ Camera read_camera(const Section& root) {
   Section section = root.child("camera");
   section.refuse_unknown_keys();
   Camera camera;
-  camera.altitude = section.number("altitude_km");
-  camera.julian_date = section.number("julian_date");
-  camera.latitude = radians_from_degrees(section.number("latitude_deg"));
-  camera.longitude = radians_from_degrees(section.number("longitude_deg"));
-  camera.azimuth = radians_from_degrees(section.number("azimuth_deg"));
-  camera.pitch = radians_from_degrees(section.number("pitch_deg"));
-  camera.roll = radians_from_degrees(section.number("roll_deg"));
   const auto projection = section.choice("projection");
   if (!projection) {
     return camera;
   }
-  camera.projection = static_cast<Projection>(*projection);
   section.choose(kProjectionNames[*projection]);
-  const double field_of_view = radians_from_degrees(section.number("vertical_fov_deg"));
-  if (camera.projection == Projection::cube) {
-    camera.cube_layout = static_cast<CubeLayout>(section.choice("cube_layout").value_or(0));
-  }
+  section.fill(camera);
   if (section.find("polariser") != nullptr) {
     const Section filter = section.child("polariser");
     filter.refuse_unknown_keys();
-    camera.polariser = radians_from_degrees(filter.number("angle_deg"));
+    filter.fill(camera);
     refuse_filter_of_map(section, camera.projection);
   }
   if (is_map(camera.projection)) {
     refuse_tilt(section, "pitch_deg", camera.projection);
     refuse_tilt(section, "roll_deg", camera.projection);
-  } else {
-    camera.vertical_fov = field_of_view;
+    camera.vertical_fov = 0.0;
   }
   return camera;
 }
@@ -100,7 +87,8 @@ Camera read_camera(const Section& root) {
 ImageSize read_image(const Section& root, const Camera& camera) {
   const Section section = root.child("image");
   section.refuse_unknown_keys();
-  const ImageSize image{.width = section.integer("width"), .height = section.integer("height")};
+  ImageSize image;
+  section.fill(image);
   if (const std::string wanted = wanted_size(camera, image); !wanted.empty()) {
     const PresetValue* place = section.find("width") != nullptr ? section.find("width") : section.find("height");
     root.problems().add(place != nullptr ? *place : root.context(), "/image",
@@ -113,7 +101,7 @@ Bloom read_bloom(const Section& root, const Camera& camera) {
   const Section section = root.child("bloom");
   section.refuse_unknown_keys();
   Bloom bloom;
-  bloom.enabled = section.boolean("enabled");
+  section.fill(bloom);
   bloom.in_exr = bloom.enabled && section.find("enabled") != nullptr;
   if (is_cut(camera.projection)) {
     if (bloom.in_exr) {
@@ -124,10 +112,6 @@ Bloom read_bloom(const Section& root, const Camera& camera) {
     bloom.enabled = false;
     bloom.in_exr = false;
   }
-  bloom.model = static_cast<BloomModel>(section.choice("model").value_or(0));
-  bloom.threshold = section.number("threshold");
-  bloom.intensity = section.number("intensity");
-  bloom.levels = section.integer("levels");
   return bloom;
 }
 

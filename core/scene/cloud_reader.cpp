@@ -4,7 +4,6 @@
 #include <filesystem>
 
 #include "core/base/text.h"
-#include "core/scene/angle.h"
 #include "core/scene/cloud_file.h"
 #include "core/scene/cloud_layer.h"
 #include "core/scene/curve_reader.h"
@@ -22,18 +21,6 @@ constexpr double kIcePeak = 0.75;    // asymmetry of cirrus
 constexpr std::array<std::string_view, 6> kVoxelKeys = {
     "grid", "up", "metres_per_unit", "extinction_per_km", "base_km", "effective_radius_um"};
 
-CloudVoxels read_voxel_keys(const Section& section) {
-  CloudVoxels voxels;
-  voxels.grid = section.text("grid");
-  voxels.up = static_cast<UpAxis>(section.choice("up").value_or(0));
-  voxels.unit = section.number("metres_per_unit") / kMetresInKm;
-  voxels.extinction = section.number("extinction_per_km");
-  if (section.find("base_km") != nullptr) {
-    voxels.base = section.number("base_km");
-  }
-  return voxels;
-}
-
 void refuse_voxel_keys(const Section& section, const std::string& name) {
   for (const std::string_view key : kVoxelKeys) {
     if (const PresetValue* value = section.find(key); value != nullptr) {
@@ -45,8 +32,7 @@ void refuse_voxel_keys(const Section& section, const std::string& name) {
 }
 
 void read_volume(const Section& section, Cloud& cloud) {
-  cloud.repeats = section.boolean("repeat");
-  const std::string name = section.text("file");
+  const std::string name = cloud.file;
   const PresetValue* value = section.find("file");
   if (value == nullptr) {
     return;
@@ -60,7 +46,7 @@ void read_volume(const Section& section, Cloud& cloud) {
   if (lower(file.extension().string()) == ".vdb") {
     // Its contents, base and top are filled in by judged() (core/library), with the other files that no text reader
     // knows.
-    cloud.voxels = read_voxel_keys(section);
+    section.fill(cloud.voxels.emplace());
     cloud.effective_radius = section.number("effective_radius_um");
     return;
   }
@@ -74,20 +60,6 @@ void read_volume(const Section& section, Cloud& cloud) {
   cloud.top = contents->lowest + contents->dz * (contents->nz - 0.5);
   cloud.effective_radius = contents->effective_radius;
   cloud.contents = std::move(contents);
-}
-
-void read_field(const Section& section, Cloud& cloud) {
-  cloud.cover = section.number("cover");
-  cloud.base = section.number("base_km");
-  cloud.top = section.number("top_km");
-  cloud.cell = section.number("cell_km");
-  cloud.period = section.number("period_km");
-  cloud.detail = section.number("detail_m") / kMetresInKm;
-  cloud.water = section.number("water_g_per_m3");
-  cloud.shear = section.number("shear_km");
-  cloud.wind = radians_from_degrees(section.number("wind_to_deg"));
-  cloud.seed = section.integer("seed");
-  cloud.effective_radius = section.number("effective_radius_um");
 }
 
 // The key by which a message names the field; its default where the preset says nothing.
@@ -157,16 +129,11 @@ Cloud read_cloud(Section section, const Planet& planet) {
     return cloud;
   }
   section.choose(kCloudNames[*kind]);
-  cloud.kind = static_cast<CloudKind>(*kind);
-  cloud.east = section.number("east_km");
-  cloud.north = section.number("north_km");
-  cloud.drift = section.pair("wind_m_s");
-  cloud.single_scattering_albedo = section.number("single_scattering_albedo");
+  section.fill(cloud);
   const bool is_file = cloud.kind == CloudKind::volume;
   if (is_file) {
     read_volume(section, cloud);
   } else {
-    read_field(section, cloud);
     check_field(section, cloud);
   }
   read_cloud_phase(section, cloud);
@@ -195,7 +162,7 @@ bool is_layer(const PresetValue& cloud) {
   return type != nullptr && *type == kCloudNames[kCloudLayer];
 }
 
-void add_layer(Section section, const Planet& planet, std::vector<Medium>& media, SceneSpectra& spectra) {
+void add_layer(Section section, const Planet& planet, std::vector<Medium>& media) {
   section.refuse_unknown_keys();
   section.choose(kCloudNames[kCloudLayer]);
   Cloud matter;
@@ -208,8 +175,8 @@ void add_layer(Section section, const Planet& planet, std::vector<Medium>& media
   }
   Medium medium = read_cloud_layer(section, planet, matter);
   medium.name = free_name(media);
-  spectra.media.push_back(
-      {constant_curve(medium.scattering[0]), constant_curve(medium.absorption[0]), constant_curve(0.0)});
+  medium.scattering.curve = constant_curve(medium.scattering[0]);
+  medium.absorption.curve = constant_curve(medium.absorption[0]);
   media.push_back(std::move(medium));
 }
 
@@ -234,8 +201,7 @@ void check_counts(const Section& root, const PresetValue& value, std::size_t clo
 
 }  // namespace
 
-std::vector<Cloud> read_clouds(const Section& root, const Planet& planet, std::vector<Medium>& media,
-                               SceneSpectra& spectra) {
+std::vector<Cloud> read_clouds(const Section& root, const Planet& planet, std::vector<Medium>& media) {
   const PresetValue* value = root.find("clouds");
   if (value == nullptr) {
     return {};
@@ -249,7 +215,7 @@ std::vector<Cloud> read_clouds(const Section& root, const Planet& planet, std::v
   for (std::size_t i = 0; i < array->size(); ++i) {
     const Section section = root.element("clouds", *array, i);
     if (is_layer((*array)[i])) {
-      add_layer(section, planet, media, spectra);
+      add_layer(section, planet, media);
     } else {
       clouds.push_back(read_cloud(section, planet));
     }

@@ -313,30 +313,27 @@ std::filesystem::path file_beside(const PresetValue& value, const std::string& n
   return file.is_absolute() || !in_preset ? file : std::filesystem::path(value.source).parent_path() / file;
 }
 
-Spectrum CurveReader::read(const Section& section, std::string_view key, Curve& curve) {
-  return read(section, key, 0.0, curve);
-}
-
-Spectrum CurveReader::read(const Section& section, std::string_view key, double column, Curve& curve) {
+SpectralValue CurveReader::read(const Section& section, std::string_view key, double column) {
   const PresetValue* value = section.value_of(key);
   const bool takes_curves = section.rule(key).type == RuleType::curve;
   if (value != nullptr && !takes_curves && std::holds_alternative<PresetObject>(value->data)) {
     section.complain(key, *value, "a curve is no amount; give its shape as sun.spectrum, and a number here");
     return {};
   }
+  SpectralValue read;
   if (value != nullptr && std::holds_alternative<PresetObject>(value->data)) {
     const Site site = section.site(key, *value);
-    curve = Form(site, column).read();
+    read.curve = Form(site, column).read();
     add(site.pointer);
-    return {};
+    return read;
   }
-  const Spectrum channels = section.spectrum(key);
+  read = section.spectrum(key);
   const auto* array = value == nullptr ? nullptr : std::get_if<PresetArray>(&value->data);
   if (array != nullptr && array->size() == 3) {  // another number of them is told of by itself
     channels_.push_back({&section.problems(), value, section.pointer_to(key)});
   }
-  curve = constant_curve(channels[0]);
-  return channels;
+  read.curve = constant_curve(read[0]);
+  return read;
 }
 
 Curve CurveReader::read_shape(const Section& section, std::string_view key) {
@@ -373,12 +370,12 @@ void CurveReader::refuse_channels() const {
 std::vector<std::string> curve_warnings(const Scene& scene) {
   std::vector<std::string> lines;
   if (scene.spectra) {
-    for (std::size_t i = 0; i < scene.spectra->media.size(); ++i) {
+    for (std::size_t i = 0; i < scene.media.size(); ++i) {
       const std::string pointer = "/media/" + std::to_string(i);
-      warn_of(lines, pointer + "/scattering_per_km", scene.spectra->media[i].scattering);
-      warn_of(lines, pointer + "/absorption_per_km", scene.spectra->media[i].absorption);
+      warn_of(lines, pointer + "/scattering_per_km", scene.media[i].scattering.curve);
+      warn_of(lines, pointer + "/absorption_per_km", scene.media[i].absorption.curve);
     }
-    warn_of(lines, "/planet/ground_albedo", scene.spectra->ground_albedo);
+    warn_of(lines, "/planet/ground_albedo", scene.planet.ground_albedo.curve);
     warn_of(lines, "/sun/spectrum", scene.spectra->sun);
   }
   return lines;

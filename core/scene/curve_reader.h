@@ -31,10 +31,9 @@ std::filesystem::path file_beside(const PresetValue& value, const std::string& n
 // Collects the curves of a preset. A scene without any keeps its three channels.
 class CurveReader {
  public:
-  // The value of `key`: its channels where it is one number or three, and the curve in either case.
-  Spectrum read(const Section& section, std::string_view key, Curve& curve);
-  // The same for a medium's absorption. Ozone may be given by its column: `column` is the medium's at density 1, km.
-  Spectrum read(const Section& section, std::string_view key, double column, Curve& curve);
+  // The value of `key`: its channels where it is one number or three, and the curve in either case. Ozone may be given
+  // by its column: `column` is the medium's at density 1, km.
+  SpectralValue read(const Section& section, std::string_view key, double column = 0.0);
   // Reads sun.spectrum; where it is absent, the curve is the sun's.
   Curve read_shape(const Section& section, std::string_view key);
 

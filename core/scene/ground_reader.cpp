@@ -1,7 +1,6 @@
 #include <filesystem>
 #include <string>
 
-#include "core/scene/angle.h"
 #include "core/scene/json_format.h"
 #include "core/scene/readers.h"
 
@@ -45,27 +44,21 @@ void require_near(const Section& section, const Terrain& terrain, const Planet& 
 
 }  // namespace
 
-std::optional<Terrain> read_terrain(const Section& planet, const Planet& on, CurveReader& curves, Curve& albedo) {
+std::optional<Terrain> read_terrain(const Section& planet, const Planet& on) {
   if (planet.find("terrain") == nullptr) {
     return std::nullopt;
   }
   const Section section = planet.child("terrain");
   section.refuse_unknown_keys();
   Terrain terrain;
-  terrain.height_map = absolute(section.text("height_map"));
-  terrain.albedo_map = absolute(section.text("albedo_map"));
+  section.fill(terrain);
+  terrain.height_map = absolute(terrain.height_map);
+  terrain.albedo_map = absolute(terrain.albedo_map);
   if (section.find("ridge") != nullptr) {
     const Section ridge = section.child("ridge");
     ridge.refuse_unknown_keys();
-    terrain.ridge = Ridge{ridge.integer("seed"), ridge.number("height_km")};
+    ridge.fill(terrain.ridge.emplace());
   }
-  terrain.width = section.number("width_km");
-  terrain.lowest = section.number("lowest_km");
-  terrain.highest = section.number("highest_km");
-  terrain.bearing = radians_from_degrees(section.number("bearing_deg"));
-  terrain.distance = section.number("distance_km");
-  terrain.turn = radians_from_degrees(section.number("turn_deg"));
-  terrain.albedo = curves.read(section, "albedo", albedo);
   if (section.object() != nullptr) {
     require_one_source(planet, section, terrain);
     if (section.find("width_km") != nullptr) {
@@ -77,11 +70,13 @@ std::optional<Terrain> read_terrain(const Section& planet, const Planet& on, Cur
 
 std::optional<GroundMap> read_ground_map(const Section& planet) {
   GroundMap map;
-  map.albedo_map = absolute(planet.text("albedo_map"));
+  planet.fill(map);
+  map.albedo_map = absolute(map.albedo_map);
   if (planet.find("ocean") != nullptr) {
     const Section section = planet.child("ocean");
     section.refuse_unknown_keys();
-    map.ocean = Ocean{section.number("wind_m_per_s"), absolute(section.text("mask_map"))};
+    section.fill(map.ocean.emplace());
+    map.ocean->mask_map = absolute(map.ocean->mask_map);
   }
   return map.albedo_map.empty() && !map.ocean ? std::nullopt : std::optional(map);
 }

@@ -60,56 +60,32 @@ Density read_density(const Section& medium) {
   if (!profile) {
     return density;
   }
-  density.profile = static_cast<DensityProfile>(*profile);
   section.choose(kProfileNames[*profile]);
-  switch (density.profile) {
-    case DensityProfile::exponential:
-      density.scale_height = section.number("scale_height_km");
-      break;
-    case DensityProfile::tent:
-      density.center = section.number("center_km");
-      density.half_width = section.number("half_width_km");
-      break;
-    case DensityProfile::lorentzian:
-      density.scale_height = section.number("scale_height_km");
-      density.center = section.number("center_km");
-      density.half_width = section.number("half_width_km");
-      break;
-    case DensityProfile::constant:
-      density.below = section.number("below_km");
-      break;
-    case DensityProfile::layers:
-      density.layers = read_layers(section);
-      break;
-    case DensityProfile::height_fog:
-      density.scale_height = section.number("scale_height_km");
-      density.below = section.number("base_km");
-      break;
+  section.fill(density);
+  if (density.profile == DensityProfile::layers) {
+    density.layers = read_layers(section);
   }
   return density;
 }
 
-Medium read_medium(const Section& section, double top, CurveReader& curves, SceneSpectra& spectra) {
+Medium read_medium(const Section& section, double top) {
   section.refuse_unknown_keys();
   Medium medium;
-  medium.name = section.text("name");
+  section.fill(medium);
   medium.density = read_density(section);
-  MediumSpectra& own = spectra.media.emplace_back();
-  medium.scattering = curves.read(section, "scattering_per_km", own.scattering);
-  medium.absorption = curves.read(section, "absorption_per_km", density_column(medium.density, top), own.absorption);
-  read_phase(section.child("phase"), medium, own, curves);
+  medium.absorption = section.curves().read(section, "absorption_per_km", density_column(medium.density, top));
+  read_phase(section.child("phase"), medium);
   return medium;
 }
 
 // Refuses opaque media by their optical depth; called only where all their numbers are within their ranges.
-void refuse_opaque(const PresetArray& array, const std::vector<Medium>& media, const std::vector<MediumSpectra>& curves,
-                   double top, Problems& problems) {
+void refuse_opaque(const PresetArray& array, const std::vector<Medium>& media, double top, Problems& problems) {
   for (std::size_t i = 0; i < media.size(); ++i) {
     const double column = column_km(media[i].density, top);
     double depth = optical_depth_of(media[i], top);
     for (const WaveBand& band : fine_bands()) {
-      const double here =
-          mean_over(curves[i].scattering, band.low, band.high) + mean_over(curves[i].absorption, band.low, band.high);
+      const double here = mean_over(media[i].scattering.curve, band.low, band.high) +
+                          mean_over(media[i].absorption.curve, band.low, band.high);
       depth = std::max(depth, here * column);
     }
     if (depth > kMostOpticalDepth) {
@@ -122,7 +98,7 @@ void refuse_opaque(const PresetArray& array, const std::vector<Medium>& media, c
 
 }  // namespace
 
-std::vector<Medium> read_media(const Section& root, const Planet& planet, CurveReader& curves, SceneSpectra& spectra) {
+std::vector<Medium> read_media(const Section& root, const Planet& planet) {
   const PresetValue* value = root.find("media");
   if (value == nullptr) {
     root.problems().add(root.context(), "/media",
@@ -139,7 +115,7 @@ std::vector<Medium> read_media(const Section& root, const Planet& planet, CurveR
   std::size_t layer_count = 0;
   for (std::size_t i = 0; i < array->size(); ++i) {
     const Section section = root.element("media", *array, i);
-    media.push_back(read_medium(section, planet.atmosphere_height, curves, spectra));
+    media.push_back(read_medium(section, planet.atmosphere_height));
     const std::string& name = media.back().name;
     const auto [first, is_new] = seen.emplace(name, i);
     if (!name.empty() && !is_new) {
@@ -155,7 +131,7 @@ std::vector<Medium> read_media(const Section& root, const Planet& planet, CurveR
                       std::to_string(kMaxDensityLayers) + " over all media");
   }
   if (!root.problems().any()) {
-    refuse_opaque(*array, media, spectra.media, planet.atmosphere_height, root.problems());
+    refuse_opaque(*array, media, planet.atmosphere_height, root.problems());
   }
   return media;
 }

@@ -71,9 +71,7 @@ std::optional<Moon> read_moon(const Section& root, const Scene& scene) {
   const Section section = root.child("moon");
   section.refuse_unknown_keys();
   Moon moon;
-  moon.elevation = radians_from_degrees(section.number("elevation_deg"));
-  moon.azimuth = radians_from_degrees(section.number("azimuth_deg"));
-  moon.distance = section.number("distance_km");
+  section.fill(moon);
   const Vector sun = toward(scene.sun.elevation, scene.sun.azimuth);
   moon.lit.phase = read_phase(section, phase_by(toward(moon.elevation, moon.azimuth), sun, moon.distance));
   moon.lit.bright_limb = section.find("bright_limb_deg") != nullptr
@@ -97,11 +95,9 @@ std::optional<NightSky> read_night_sky(const Section& root) {
   }
   const Section section = root.child("night_sky");
   section.refuse_unknown_keys();
-  return NightSky{.airglow = section.number("airglow"),
-                  .zodiacal = section.number("zodiacal"),
-                  .starlight = section.number("starlight"),
-                  .light_pollution = section.number("light_pollution_cd_per_m2"),
-                  .lamps = static_cast<Lamps>(section.choice("lamps").value_or(0))};
+  NightSky sky;
+  section.fill(sky);
+  return sky;
 }
 
 std::optional<Stars> read_stars(const Section& root) {
@@ -110,7 +106,9 @@ std::optional<Stars> read_stars(const Section& root) {
   }
   const Section section = root.child("stars");
   section.refuse_unknown_keys();
-  return Stars{.magnitude_limit = section.number("magnitude_limit")};
+  Stars stars;
+  section.fill(stars);
+  return stars;
 }
 
 void cover_the_sun(Sun& sun, const Moon& moon) {

@@ -224,29 +224,28 @@ class TableReader {
 
 }  // namespace
 
-void read_phase(const Section& section, Medium& medium, MediumSpectra& spectra, CurveReader& curves) {
+void read_phase(const Section& section, Medium& medium) {
   Section phase = section;
   phase.refuse_unknown_keys();
   const auto function = phase.choice("function");
   const bool drops = function == kDropsPhase;
   medium.phase = drops ? PhaseFunction::table : static_cast<PhaseFunction>(function.value_or(0));
-  medium.phase_g = phase.number("g");
+  if (function) {
+    phase.choose(kPhaseNames.at(*function));
+  }
+  phase.fill(medium);
   if (!function) {
     return;
   }
-  phase.choose(kPhaseNames.at(*function));
   if (drops) {
-    medium.effective_radius = phase.number("effective_radius_um");
     medium.phase_table = drops_phase(medium.effective_radius);
     medium.phase_wavelengths = kDropChannels;
     return;
   }
-  if (medium.phase == PhaseFunction::rayleigh) {
-    medium.depolarization = curves.read(phase, "depolarization", spectra.depolarization);
-  } else if (medium.phase == PhaseFunction::table) {
+  if (medium.phase == PhaseFunction::table) {
     medium.phase_table = TableReader(phase).read();
     if (!medium.phase_table.wavelengths_nm.empty()) {
-      curves.add(phase.pointer_to(phase.find("file") != nullptr ? "file" : "wavelengths_nm"));
+      phase.curves().add(phase.pointer_to(phase.find("file") != nullptr ? "file" : "wavelengths_nm"));
     }
   }
 }

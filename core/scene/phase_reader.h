@@ -11,7 +11,7 @@ namespace airlight {
 inline constexpr std::size_t kMostPhaseAngles = 4096;
 
 // Fills in the medium's phase function. A table over the wavelength counts as a curve of the preset.
-void read_phase(const Section& phase, Medium& medium, MediumSpectra& spectra, CurveReader& curves);
+void read_phase(const Section& phase, Medium& medium);
 
 // Lines for people: the integrals of tables as read, where they were not 1.
 std::vector<std::string> phase_notes(const Scene& scene);

@@ -13,23 +13,19 @@
 
 namespace airlight {
 
-// Reads `media`; `spectra` gets the curves of each medium.
-std::vector<Medium> read_media(const Section& root, const Planet& planet, CurveReader& curves, SceneSpectra& spectra);
+std::vector<Medium> read_media(const Section& root, const Planet& planet);
 
 // Reads `planet.refraction`; none where the preset has none or n - 1 is 0. `on` has the planet's size.
 std::optional<Refraction> read_refraction(const Section& planet, const Planet& on, const std::vector<Medium>& media);
 
-// Reads `planet.terrain`, and the planet's maps; none where the preset has none. File names become absolute. `albedo`:
-// over the wavelength.
-std::optional<Terrain> read_terrain(const Section& planet, const Planet& on, CurveReader& curves, Curve& albedo);
+// Reads `planet.terrain`, and the planet's maps; none where the preset has none. File names become absolute.
+std::optional<Terrain> read_terrain(const Section& planet, const Planet& on);
 std::optional<GroundMap> read_ground_map(const Section& planet);
 
-// Reads `scene.spheres`. `albedos`: a curve for each.
-std::vector<Sphere> read_spheres(const Section& root, CurveReader& curves, std::vector<Curve>& albedos);
+std::vector<Sphere> read_spheres(const Section& root);
 
-// Reads `clouds` and the files that they name. A layer is added to `media` and to the curves in `spectra`.
-std::vector<Cloud> read_clouds(const Section& root, const Planet& planet, std::vector<Medium>& media,
-                               SceneSpectra& spectra);
+// Reads `clouds` and the files that they name. A layer is added to `media`.
+std::vector<Cloud> read_clouds(const Section& root, const Planet& planet, std::vector<Medium>& media);
 
 // Reads `moon`; none where the preset has none. `sun`, `camera`, `planet`: of the scene, as read.
 std::optional<Moon> read_moon(const Section& root, const Scene& scene);

@@ -77,7 +77,7 @@ std::optional<Refraction> read_refraction(const Section& planet, const Planet& o
   const Section section = planet.child("refraction");
   section.refuse_unknown_keys();
   Refraction refraction;
-  refraction.n_minus_1 = section.number("n_minus_1");
+  section.fill(refraction);
   const bool falls = read_profile(planet, section, media, refraction);
   // Red, green and blue are taken at the wavelengths that stand for them in a scene of spectra.
   const Nodes nodes = nodes_for(3);

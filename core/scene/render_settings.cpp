@@ -204,7 +204,7 @@ RenderSettings read_render_settings(const Section& root, std::span<const MethodI
   if (render.object() == nullptr) {
     return settings;
   }
-  settings.polarisation = render.boolean("polarisation");
+  render.fill(settings);
   for (const auto& [key, value] : *render.object()) {
     if (std::ranges::find(kOfEveryMethod, key) != kOfEveryMethod.end()) {
       continue;

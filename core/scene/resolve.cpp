@@ -8,30 +8,24 @@
 namespace airlight {
 namespace {
 
-Planet read_planet(const Section& planet, CurveReader& curves, SceneSpectra& spectra) {
+Planet read_planet(const Section& planet) {
   planet.refuse_unknown_keys();
-  return {.ground_radius = planet.number("radius_km"),
-          .atmosphere_height = planet.number("atmosphere_height_km"),
-          .ground_albedo = curves.read(planet, "ground_albedo", spectra.ground_albedo)};
+  Planet read;
+  planet.fill(read);
+  return read;
 }
 
-Sun read_sun(const Section& root, CurveReader& curves, SceneSpectra& spectra) {
+Sun read_sun(const Section& root, SceneSpectra& spectra) {
   const Section section = root.child("sun");
   section.refuse_unknown_keys();
   const Section disc = section.child("disc");
   disc.refuse_unknown_keys();
   Sun sun;
-  sun.elevation = radians_from_degrees(section.number("elevation_deg"));
-  sun.azimuth = radians_from_degrees(section.number("azimuth_deg"));
-  Curve irradiance;
-  sun.irradiance = curves.read(section, "irradiance", irradiance);
+  section.fill(sun);
+  disc.fill(sun.disc);
+  sun.irradiance = root.curves().read(section, "irradiance");
   spectra.irradiance = sun.irradiance[0];
-  spectra.sun = curves.read_shape(section, "spectrum");
-  sun.unit = static_cast<SunUnit>(section.choice("unit").value_or(0));
-  sun.disc = {.visible = disc.boolean("visible"),
-              .angular_radius = radians_from_degrees(disc.number("angular_radius_deg")),
-              .limb_darkening = disc.number("limb_darkening"),
-              .radiance_scale = disc.number("radiance_scale")};
+  spectra.sun = root.curves().read_shape(section, "spectrum");
   return sun;
 }
 
@@ -59,12 +53,7 @@ Display read_display(const Section& root) {
       exposure != nullptr && !read_metering(*exposure, display)) {
     read_number(section.site("exposure", *exposure), display.exposure.emplace());
   }
-  display.compensation = section.number("compensation_ev");
-  display.night = section.number("night_ev");
-  display.display = section.text("display");
-  display.view = section.text("view");
-  display.tonemap = static_cast<ToneCurve>(section.choice("tonemap").value_or(0));
-  display.rods = section.boolean("rods");
+  section.fill(display);
   if (const PresetValue* rods = section.find("rods"); rods != nullptr && display.rods && display.view == "gpu") {
     section.complain("rods", *rods, "the view \"gpu\" does not know the eye's rods; take another view, or false");
   }
@@ -101,7 +90,7 @@ void read_colours(const Section& root, bool has_curves, SceneSpectra& spectra) {
   }
   const Section image = root.child("image");
   const Section render = root.child("render");
-  spectra.white = static_cast<White>(image.choice("white").value_or(0));
+  image.fill(spectra);
   const PresetValue* count = render.find("wavelengths");
   const auto* word = count == nullptr ? nullptr : std::get_if<std::string>(&count->data);
   if (count != nullptr && (word == nullptr || *word != "auto")) {
@@ -125,20 +114,14 @@ void fill_channels(Scene& scene) {
   const SceneSpectra& spectra = *scene.spectra;
   const Nodes nodes = nodes_for(3);
   const Rgb sun = sun_colour(band_colours(spectra.sun, spectra.white));
+  for_each_spectral_value(scene, [&](SpectralValue& value) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      value[c] = at_node(value.curve, nodes, 2 - c);
+    }
+  });
   for (std::size_t c = 0; c < 3; ++c) {
-    const std::size_t k = 2 - c;
-    for (std::size_t i = 0; i < scene.media.size(); ++i) {
-      scene.media[i].scattering[c] = at_node(spectra.media[i].scattering, nodes, k);
-      scene.media[i].absorption[c] = at_node(spectra.media[i].absorption, nodes, k);
-      scene.media[i].depolarization[c] = at_node(spectra.media[i].depolarization, nodes, k);
-      scene.media[i].phase_wavelengths[c] = nodes.nm[k];
-    }
-    scene.planet.ground_albedo[c] = at_node(spectra.ground_albedo, nodes, k);
-    for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
-      scene.spheres[i].albedo[c] = at_node(spectra.spheres[i], nodes, k);
-    }
-    if (scene.terrain) {
-      scene.terrain->albedo[c] = at_node(spectra.terrain_albedo, nodes, k);
+    for (Medium& medium : scene.media) {
+      medium.phase_wavelengths[c] = nodes.nm[2 - c];
     }
     scene.sun.irradiance[c] *= sun[c];
   }
@@ -148,19 +131,18 @@ void fill_channels(Scene& scene) {
 Scene read_scene(const Section& root, std::span<const MethodInfo> methods) {
   check_root(root);
   Scene scene;
-  scene.name = root.text("name");
-  scene.description = root.text("description");
-  CurveReader curves;
+  root.fill(scene);
+  const CurveReader& curves = root.curves();
   SceneSpectra spectra;
   const Section planet = root.child("planet");
-  scene.planet = read_planet(planet, curves, spectra);
-  scene.terrain = read_terrain(planet, scene.planet, curves, spectra.terrain_albedo);
+  scene.planet = read_planet(planet);
+  scene.terrain = read_terrain(planet, scene.planet);
   scene.ground = read_ground_map(planet);
-  scene.spheres = read_spheres(root, curves, spectra.spheres);
-  scene.media = read_media(root, scene.planet, curves, spectra);
-  scene.clouds = read_clouds(root, scene.planet, scene.media, spectra);
+  scene.spheres = read_spheres(root);
+  scene.media = read_media(root, scene.planet);
+  scene.clouds = read_clouds(root, scene.planet, scene.media);
   scene.planet.refraction = read_refraction(planet, scene.planet, scene.media);
-  scene.sun = read_sun(root, curves, spectra);
+  scene.sun = read_sun(root, spectra);
   scene.moon = read_moon(root, scene);
   if (scene.moon) {
     cover_the_sun(scene.sun, *scene.moon);
@@ -175,6 +157,8 @@ Scene read_scene(const Section& root, std::span<const MethodInfo> methods) {
   if (curves.any() && !root.problems().any()) {
     scene.spectra = std::move(spectra);
     fill_channels(scene);
+  } else {
+    for_each_spectral_value(scene, [](SpectralValue& value) { value.curve = {}; });
   }
   if (scene.moon) {
     const SceneSpectra& by = scene.spectra ? *scene.spectra : spectra;
@@ -188,15 +172,18 @@ Scene read_scene(const Section& root, std::span<const MethodInfo> methods) {
 
 // Checks each key frame's values in the preset; an error found then is an error in them.
 void check_key_frames(const Preset& preset, std::span<const MethodInfo> methods, Problems& problems) {
-  for_each_key_frame(
-      preset, [&](const Preset& frame) { read_scene(Section(problems, &frame.root, frame.root, "", ""), methods); });
+  for_each_key_frame(preset, [&](const Preset& frame) {
+    CurveReader curves;
+    read_scene(Section(problems, curves, &frame.root, frame.root, "", ""), methods);
+  });
 }
 
 }  // namespace
 
 Scene resolve(const Preset& preset, std::span<const MethodInfo> methods) {
   Problems problems;
-  const Section root(problems, &preset.root, preset.root, "", "");
+  CurveReader curves;
+  const Section root(problems, curves, &preset.root, preset.root, "", "");
   Scene scene = read_scene(root, methods);
   scene.sequence = read_key_frames(root, methods);
   if (scene.sequence && !problems.any()) {

@@ -1,5 +1,7 @@
 #include "core/scene/rules.h"
 
+#include <algorithm>
+
 #include "core/scene/json_format.h"
 
 namespace airlight {
@@ -10,6 +12,29 @@ std::string with_unit(std::string text, std::string_view unit) {
 }
 
 }  // namespace
+
+bool holds_for(const Rule& rule, std::string_view choice) {
+  return rule.only_for.empty() || std::ranges::find(rule.only_for, choice) != rule.only_for.end();
+}
+
+std::string_view path_within(const Rule& rule, std::string_view prefix) {
+  std::string_view rest = rule.key;
+  if (!prefix.empty()) {
+    if (!rest.starts_with(prefix) || rest.size() <= prefix.size() || rest[prefix.size()] != '.') {
+      return {};
+    }
+    rest.remove_prefix(prefix.size() + 1);
+  }
+  return rest;
+}
+
+std::string_view held_key(const Rule& rule, std::string_view prefix, const void* id, std::string_view choice) {
+  if (rule.member.owner != id || !holds_for(rule, choice)) {
+    return {};
+  }
+  const std::string_view path = path_within(rule, prefix);
+  return path.find_first_of(".[") == std::string_view::npos ? path : std::string_view();
+}
 
 bool Range::contains(double value) const {
   const bool above = minimum_excluded ? value > minimum : value >= minimum;

@@ -8,6 +8,9 @@
 #include <string>
 #include <string_view>
 
+#include "core/scene/member.h"
+#include "core/scene/scene.h"
+
 namespace airlight {
 
 struct Range {
@@ -61,9 +64,21 @@ struct Rule {
   std::span<const std::string_view> only_for = {};
   std::string_view meaning = {};
   std::string_view hint = {};  // ends the message about a number out of range
+  Member member = {};
+  bool quiet = false;  // the value is not written where it is what a new owner has
 };
 
 std::span<const Rule> rules();
+
+// Whether the rule is for this choice of the object that it belongs to; "": for none in particular.
+bool holds_for(const Rule& rule, std::string_view choice);
+
+// What the rule's key is within the object `prefix` ("" is the preset): "phase.g" for "media[].phase.g" within
+// "media[]"; empty where it belongs to another.
+std::string_view path_within(const Rule& rule, std::string_view prefix);
+
+// The same where the value of a key of `prefix`, for `choice`, is kept in a member of the owner `id`; else empty.
+std::string_view held_key(const Rule& rule, std::string_view prefix, const void* id, std::string_view choice);
 
 // "-90 to 90 degrees", "at least 0 per km", "above 0 and below 180 degrees".
 std::string range_text(const Range& range, std::string_view unit);
@@ -76,12 +91,6 @@ inline constexpr Range kWavelength{.minimum = 200.0, .maximum = 4000.0};
 
 // The names of the enums in scene.h, in their order.
 inline constexpr std::array<std::string_view, 1> kInterpolationNames = {"linear"};
-inline constexpr std::array<std::string_view, 6> kProfileNames = {"exponential", "tent",   "lorentzian",
-                                                                  "constant",    "layers", "height-fog"};
-// Behind the enum's: "drops", a table that is made for them.
-inline constexpr std::array<std::string_view, 7> kPhaseNames = {
-    "rayleigh", "henyey-greenstein", "cornette-shanks", "schlick", "isotropic", "table", "drops"};
-inline constexpr std::size_t kDropsPhase = 6;
 inline constexpr std::array<std::string_view, 2> kUpNames = {"y", "z"};
 // Behind the enum's: "layer", which becomes a medium.
 inline constexpr std::array<std::string_view, 5> kCloudNames = {"cumulus", "stratocumulus", "cirrus", "volume",

@@ -3,10 +3,12 @@
 // only read it. presets/README.md has the rules of the preset format.
 
 #include <array>
+#include <concepts>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/scene/key_frames.h"
@@ -20,13 +22,31 @@ namespace airlight {
 
 using Spectrum = std::array<double, 3>;
 
+// A coefficient or a reflectance: a value for each channel and, in a scene with spectra, the curve that they stand for.
+struct SpectralValue : Spectrum {
+  Curve curve = {};
+  // Another colour of the same curve.
+  template <std::same_as<Spectrum> T>
+  SpectralValue& operator=(const T& channels) {
+    static_cast<Spectrum&>(*this) = channels;
+    return *this;
+  }
+  bool operator==(const SpectralValue&) const = default;
+};
+
 inline constexpr int kMaxMedia = 8;
 inline constexpr int kMaxSpheres = 16;
 inline constexpr int kMaxClouds = 4;
 inline constexpr int kMaxDensityLayers = 256;  // over all media of a scene
 
 enum class DensityProfile { exponential, tent, lorentzian, constant, layers, height_fog };
+inline constexpr std::array<std::string_view, 6> kProfileNames = {"exponential", "tent",   "lorentzian",
+                                                                  "constant",    "layers", "height-fog"};
 enum class PhaseFunction { rayleigh, henyey_greenstein, cornette_shanks, schlick, isotropic, table };
+// Behind the enum's: "drops", a table that is made for them.
+inline constexpr std::array<std::string_view, 7> kPhaseNames = {
+    "rayleigh", "henyey-greenstein", "cornette-shanks", "schlick", "isotropic", "table", "drops"};
+inline constexpr std::size_t kDropsPhase = 6;
 enum class Projection { perspective, equirectangular, fisheye, cube, octahedral };
 enum class CubeLayout { stack, strip, cross };
 enum class SphereMaterial { matte, mirror, translucent };
@@ -53,15 +73,15 @@ struct Density {
 
 struct Medium {
   std::string name;
-  Spectrum scattering{};  // 1/km at density 1
-  Spectrum absorption{};  // 1/km at density 1
+  SpectralValue scattering{};  // 1/km at density 1
+  SpectralValue absorption{};  // 1/km at density 1
   Density density;
   PhaseFunction phase = PhaseFunction::isotropic;
   double phase_g = 0.8;
-  Spectrum depolarization{};      // Chandrasekhar's gamma, for rayleigh
-  PhaseTable phase_table{};       // for table
-  double effective_radius = 0.0;  // um, of the drops whose table it is; 0: of no drops
-  Spectrum phase_wavelengths{};   // nm, at which each channel reads it
+  SpectralValue depolarization{};  // Chandrasekhar's gamma, for rayleigh
+  PhaseTable phase_table{};        // for table
+  double effective_radius = 0.0;   // um, of the drops whose table it is; 0: of no drops
+  Spectrum phase_wavelengths{};    // nm, at which each channel reads it
   bool operator==(const Medium&) const = default;
 };
 
@@ -78,7 +98,7 @@ struct Refraction {
 struct Planet {
   double ground_radius = 6360.0;     // km
   double atmosphere_height = 100.0;  // km
-  Spectrum ground_albedo{};
+  SpectralValue ground_albedo{};
   std::optional<Refraction> refraction = {};
   bool operator==(const Planet&) const = default;
 };
@@ -119,13 +139,13 @@ struct Terrain {
   std::optional<Ridge> ridge;  // absent: a height map
   std::string height_map;      // file names, absolute; empty: none
   std::string albedo_map;
-  double width = 0.0;     // km, of the map from left to right
-  double lowest = 0.0;    // km, of the value 0
-  double highest = 1.0;   // km, of the value 1
-  double bearing = 0.0;   // rad, of the map's centre from the camera's ground point, clockwise from north
-  double distance = 0.0;  // km, likewise
-  double turn = 0.0;      // rad, of the map's upper edge, clockwise from north
-  Spectrum albedo{};      // of the whole terrain, or the factor of the map's colours
+  double width = 0.0;      // km, of the map from left to right
+  double lowest = 0.0;     // km, of the value 0
+  double highest = 1.0;    // km, of the value 1
+  double bearing = 0.0;    // rad, of the map's centre from the camera's ground point, clockwise from north
+  double distance = 0.0;   // km, likewise
+  double turn = 0.0;       // rad, of the map's upper edge, clockwise from north
+  SpectralValue albedo{};  // of the whole terrain, or the factor of the map's colours
   ColourMix mix = kColoursThemselves;
   std::shared_ptr<const TerrainFiles> files;
   std::shared_ptr<const std::vector<double>> ridge_heights;  // km; null: made when they are asked for
@@ -163,7 +183,7 @@ struct Sphere {
   double distance = 0.0;   // km, of its centre
   double radius = 0.0;     // km
   SphereMaterial material = SphereMaterial::matte;
-  Spectrum albedo{};
+  SpectralValue albedo{};
   double scatter_strength = 16.0;  // for a translucent sphere
   bool operator==(const Sphere&) const = default;
 };
@@ -374,19 +394,8 @@ struct Display {
   bool rods = false;  // whether a dark picture has the colours that an eye in the dark sees
 };
 
-struct MediumSpectra {
-  Curve scattering;  // 1/km at density 1
-  Curve absorption;  // 1/km at density 1
-  Curve depolarization;
-  bool operator==(const MediumSpectra&) const = default;
-};
-
-// The curves over the wavelength that three channels stand for elsewhere.
+// Light over the wavelength, where the scene's values have curves.
 struct SceneSpectra {
-  std::vector<MediumSpectra> media;  // in the order of the scene's
-  Curve ground_albedo;
-  std::vector<Curve> spheres;  // albedo, in the order of the scene's
-  Curve terrain_albedo;
   Curve sun;                        // above the air, up to a factor
   int wavelengths = 0;              // 0: auto
   double irradiance = 1.0;          // of the sun, as the preset gives it
@@ -418,5 +427,22 @@ struct Scene {
   // nm, and the sun's irradiance is its colour.
   std::optional<SceneSpectra> spectra;
 };
+
+// Calls use(value) for all of the scene's values that may have a curve.
+template <class AnyScene, class Use>
+void for_each_spectral_value(AnyScene& scene, Use use) {
+  use(scene.planet.ground_albedo);
+  for (auto& medium : scene.media) {
+    use(medium.scattering);
+    use(medium.absorption);
+    use(medium.depolarization);
+  }
+  for (auto& sphere : scene.spheres) {
+    use(sphere.albedo);
+  }
+  if (scene.terrain) {
+    use(scene.terrain->albedo);
+  }
+}
 
 }  // namespace airlight

@@ -16,20 +16,10 @@ double default_number(const Rule& rule) {
   return number_from<double>(rule.default_text).value_or(0.0);
 }
 
-bool holds_for(const Rule& rule, std::string_view choice) {
-  return rule.only_for.empty() || std::ranges::find(rule.only_for, choice) != rule.only_for.end();
-}
-
 // The key of the object `prefix` that a rule belongs to: "phase" for "media[].phase.g" in "media[]"; empty: none.
 std::string_view key_in(const Rule& rule, std::string_view prefix) {
-  std::string_view rest = rule.key;
-  if (!prefix.empty()) {
-    if (!rest.starts_with(prefix) || rest.size() <= prefix.size() || rest[prefix.size()] != '.') {
-      return {};
-    }
-    rest.remove_prefix(prefix.size() + 1);
-  }
-  return rest.substr(0, rest.find_first_of(".["));
+  const std::string_view path = path_within(rule, prefix);
+  return path.substr(0, path.find_first_of(".["));
 }
 
 std::vector<std::string> known_keys(std::string_view prefix) {
@@ -54,9 +44,10 @@ std::string place_elsewhere(std::string_view key) {
 
 }  // namespace
 
-Section::Section(Problems& problems, const PresetValue* value, const PresetValue& context, std::string pointer,
-                 std::string prefix)
+Section::Section(Problems& problems, CurveReader& curves, const PresetValue* value, const PresetValue& context,
+                 std::string pointer, std::string prefix)
     : problems_(problems),
+      curves_(curves),
       context_(value != nullptr ? value : &context),
       pointer_(std::move(pointer)),
       prefix_(std::move(prefix)) {
@@ -72,14 +63,31 @@ Section::Section(Problems& problems, const PresetValue* value, const PresetValue
 
 Section Section::child(std::string_view key) const {
   const std::string prefix = prefix_.empty() ? std::string(key) : prefix_ + "." + std::string(key);
-  Section section(problems_, find(key), *context_, pointer_to(key), prefix);
+  Section section(problems_, curves_, find(key), *context_, pointer_to(key), prefix);
   section.broken_ = section.broken_ || broken_;
   return section;
 }
 
 Section Section::element(std::string_view key, const PresetArray& array, std::size_t index) const {
-  return {problems_, &array[index], *context_, pointer_below(pointer_to(key), std::to_string(index)),
+  return {problems_,
+          curves_,
+          &array[index],
+          *context_,
+          pointer_below(pointer_to(key), std::to_string(index)),
           (prefix_.empty() ? std::string(key) : prefix_ + "." + std::string(key)) + "[]"};
+}
+
+void Section::fill(void* owner, const void* id) const {
+  bool any = false;
+  for (const Rule& rule : rules()) {
+    if (const std::string_view key = held_key(rule, prefix_, id, choice_); !key.empty()) {
+      rule.member.take(*this, key, owner);
+      any = true;
+    }
+  }
+  if (!any) {
+    throw std::logic_error("no rule of " + prefix_ + " has a member of this type");
+  }
 }
 
 void Section::refuse_unknown_keys() const {

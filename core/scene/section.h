@@ -16,12 +16,15 @@
 
 namespace airlight {
 
+class CurveReader;
+
 class Section {
  public:
-  // `value`: the object, or null where the preset has none. `context`: the nearest existing value, for messages.
-  // `prefix`: the rules' name of the object, e.g. "media[]"; "" is the preset itself.
-  Section(Problems& problems, const PresetValue* value, const PresetValue& context, std::string pointer,
-          std::string prefix);
+  // `curves`: collects those of the preset. `value`: the object, or null where the preset has none. `context`: the
+  // nearest existing value, for messages. `prefix`: the rules' name of the object, e.g. "media[]"; "" is the preset
+  // itself.
+  Section(Problems& problems, CurveReader& curves, const PresetValue* value, const PresetValue& context,
+          std::string pointer, std::string prefix);
 
   Section child(std::string_view key) const;
   // An element of the array `key`, an object.
@@ -31,6 +34,13 @@ class Section {
   void refuse_unknown_keys() const;
   // From here on, of the rules for particular choices only those of `choice` apply; reports keys of the other choices.
   void choose(std::string_view choice);
+
+  // Reads all keys here that rules keep in members of an Owner; of the rules for particular choices those of
+  // choose()'s.
+  template <class Owner>
+  void fill(Owner& owner) const {
+    fill(&owner, owner_id<Owner>());
+  }
 
   double number(std::string_view key) const;
   int integer(std::string_view key) const;
@@ -49,6 +59,7 @@ class Section {
   const PresetValue& context() const { return *context_; }
   std::string pointer_to(std::string_view key) const;
   Problems& problems() const { return problems_; }
+  CurveReader& curves() const { return curves_; }
   const Rule& rule(std::string_view key) const;
   // The value of `key`; reports a required key that is missing.
   const PresetValue* value_of(std::string_view key) const;
@@ -56,11 +67,13 @@ class Section {
   void complain(std::string_view key, const PresetValue& value, std::string_view message) const;
 
  private:
+  void fill(void* owner, const void* id) const;
   const Rule* find_rule(std::string_view key) const;
   template <class T>
   T read(std::string_view key, T fallback, void (*reader)(const Site&, T&)) const;
 
   Problems& problems_;
+  CurveReader& curves_;
   const PresetValue* context_;
   const PresetObject* object_ = nullptr;
   std::string pointer_;

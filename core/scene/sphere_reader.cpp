@@ -1,4 +1,3 @@
-#include "core/scene/angle.h"
 #include "core/scene/json_format.h"
 #include "core/scene/readers.h"
 
@@ -10,34 +9,26 @@ constexpr double kGrey = 0.18;    // of a grey card
 constexpr double kChrome = 0.55;  // of chromium at normal incidence, much the same over all that the eye sees
 
 // "grey-18" and "chrome" stand for a material and its albedo.
-void take_material(const Section& section, std::size_t choice, CurveReader& curves, Sphere& sphere, Curve& albedo) {
+void take_material(std::size_t choice, Sphere& sphere) {
   const std::string_view name = kMaterialNames.at(choice);
   const bool grey = name == "grey-18";
   if (grey || name == "chrome") {
     sphere.material = grey ? SphereMaterial::matte : SphereMaterial::mirror;
     const double share = grey ? kGrey : kChrome;
-    sphere.albedo = {share, share, share};
-    albedo = constant_curve(share);
-    return;
-  }
-  sphere.material = static_cast<SphereMaterial>(choice);
-  sphere.albedo = curves.read(section, "albedo", albedo);
-  if (sphere.material == SphereMaterial::translucent) {
-    sphere.scatter_strength = section.number("scatter_strength");
+    sphere.albedo = {share, share, share, constant_curve(share)};
   }
 }
 
-Sphere read_sphere(Section section, CurveReader& curves, Curve& albedo) {
+Sphere read_sphere(Section section) {
   section.refuse_unknown_keys();
   Sphere sphere;
-  sphere.azimuth = radians_from_degrees(section.number("azimuth_deg"));
-  sphere.elevation = radians_from_degrees(section.number("elevation_deg"));
-  sphere.distance = section.number("distance_m") / kMetres;
-  sphere.radius = section.number("radius_m") / kMetres;
-  if (const auto choice = section.choice("material")) {
-    section.choose(kMaterialNames[*choice]);
-    take_material(section, *choice, curves, sphere, albedo);
+  const auto choice = section.choice("material");
+  if (!choice) {
+    return sphere;
   }
+  section.choose(kMaterialNames[*choice]);
+  section.fill(sphere);
+  take_material(*choice, sphere);
   const PresetValue* radius = section.find("radius_m");
   if (radius != nullptr && sphere.distance > 0.0 && sphere.radius >= sphere.distance) {
     section.complain("radius_m", *radius,
@@ -50,7 +41,7 @@ Sphere read_sphere(Section section, CurveReader& curves, Curve& albedo) {
 
 }  // namespace
 
-std::vector<Sphere> read_spheres(const Section& root, CurveReader& curves, std::vector<Curve>& albedos) {
+std::vector<Sphere> read_spheres(const Section& root) {
   const Section section = root.child("scene");
   section.refuse_unknown_keys();
   const PresetValue* value = section.find("spheres");
@@ -63,7 +54,7 @@ std::vector<Sphere> read_spheres(const Section& root, CurveReader& curves, std::
   }
   std::vector<Sphere> spheres;
   for (std::size_t i = 0; i < array->size(); ++i) {
-    spheres.push_back(read_sphere(section.element("spheres", *array, i), curves, albedos.emplace_back()));
+    spheres.push_back(read_sphere(section.element("spheres", *array, i)));
   }
   return spheres;
 }

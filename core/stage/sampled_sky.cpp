@@ -22,12 +22,12 @@ constexpr physics::uint kSunSteps = 16;
 template <typename Value>
 SampledSky::Coefficients SampledSky::coefficients(double nm, Value value) const {
   const SceneSpectra& curves = *scene_.spectra;
-  Coefficients c{.nm = nm, .albedo = value(curves.ground_albedo)};
+  Coefficients c{.nm = nm, .albedo = value(scene_.planet.ground_albedo.curve)};
   c.light = curves.light ? value(*curves.light) : 1.0;
-  for (std::size_t i = 0; i < curves.media.size(); ++i) {
-    c.scattering[i] = value(curves.media[i].scattering);
-    c.extinction[i] = c.scattering[i] + value(curves.media[i].absorption);
-    c.depolarization[i] = value(curves.media[i].depolarization);
+  for (std::size_t i = 0; i < scene_.media.size(); ++i) {
+    c.scattering[i] = value(scene_.media[i].scattering.curve);
+    c.extinction[i] = c.scattering[i] + value(scene_.media[i].absorption.curve);
+    c.depolarization[i] = value(scene_.media[i].depolarization.curve);
   }
   return c;
 }

@@ -105,25 +105,20 @@ Scene PartScenes::scene(std::size_t part) const {
   const std::array<std::size_t, 3> at = this->nodes(part);
   Scene group = scene_;
   const SceneSpectra& spectra = *scene_.spectra;
-  for (std::size_t c = 0; c < 3; ++c) {
-    for (std::size_t i = 0; i < group.media.size(); ++i) {
-      group.media[i].scattering[c] = at_node(spectra.media[i].scattering, nodes, at[c]);
-      group.media[i].absorption[c] = at_node(spectra.media[i].absorption, nodes, at[c]);
-      group.media[i].depolarization[c] = at_node(spectra.media[i].depolarization, nodes, at[c]);
-      group.media[i].phase_wavelengths[c] = nodes.nm[at[c]];
+  for_each_spectral_value(group, [&](SpectralValue& value) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      value[c] = at_node(value.curve, nodes, at[c]);
     }
-    group.planet.ground_albedo[c] = at_node(spectra.ground_albedo, nodes, at[c]);
+  });
+  for (std::size_t c = 0; c < 3; ++c) {
+    for (Medium& medium : group.media) {
+      medium.phase_wavelengths[c] = nodes.nm[at[c]];
+    }
     if (group.planet.refraction) {
       group.planet.refraction->dispersion[c] = air_dispersion(nodes.nm[at[c]]);
     }
-    for (std::size_t i = 0; i < group.spheres.size(); ++i) {
-      group.spheres[i].albedo[c] = at_node(spectra.spheres[i], nodes, at[c]);
-    }
-    if (group.terrain) {
-      group.terrain->albedo[c] = at_node(spectra.terrain_albedo, nodes, at[c]);
-      for (std::size_t j = 0; j < 3 && !group.terrain->albedo_map.empty(); ++j) {
-        group.terrain->mix[c][j] = at_node(primaries_[j], nodes, at[c]);
-      }
+    for (std::size_t j = 0; j < 3 && group.terrain && !group.terrain->albedo_map.empty(); ++j) {
+      group.terrain->mix[c][j] = at_node(primaries_[j], nodes, at[c]);
     }
     for (std::size_t j = 0; j < 3 && group.ground && !group.ground->albedo_map.empty(); ++j) {
       group.ground->mix[c][j] = at_node(primaries_[j], nodes, at[c]);

@@ -113,8 +113,8 @@ TEST(Truth, OfSpectraIsAtAllWavelengths) {
   Scene scene = wide_scene();
   scene.media.resize(1);
   scene.spectra.emplace();
-  scene.spectra->media.push_back({constant_curve(1e-2), constant_curve(0.0), constant_curve(0.0)});
-  scene.spectra->ground_albedo = constant_curve(0.3);
+  scene.media[0].scattering.curve = constant_curve(1e-2);
+  scene.planet.ground_albedo.curve = constant_curve(0.3);
   scene.spectra->sun = constant_curve(1.0);
   const PixelSet set = lattice(scene, 4, 3);
   const std::string name = truth_name(ready(scene), set);
@@ -122,7 +122,7 @@ TEST(Truth, OfSpectraIsAtAllWavelengths) {
   fewer.spectra->wavelengths = 4;
   EXPECT_EQ(name, truth_name(ready(fewer), set)) << "however many the picture has";
   Scene bluer = scene;
-  bluer.spectra->media[0].scattering = constant_curve(2e-2);
+  bluer.media[0].scattering.curve = constant_curve(2e-2);
   EXPECT_NE(name, truth_name(ready(bluer), set));
   scene.spectra.reset();
   EXPECT_NE(name, truth_name(ready(scene), set)) << "three channels have a truth of their own";

@@ -226,13 +226,9 @@ TEST(NightSpectra, AddUpToThePicture) {
 }
 
 Scene without_air(Scene scene) {
-  for (MediumSpectra& medium : scene.spectra->media) {
-    medium.scattering = constant_curve(0.0);
-    medium.absorption = constant_curve(0.0);
-  }
   for (Medium& medium : scene.media) {
-    medium.scattering.fill(0.0);
-    medium.absorption.fill(0.0);
+    medium.scattering = {};
+    medium.absorption = {};
   }
   return scene;
 }

@@ -77,7 +77,7 @@ TEST(Spectral, TransmittanceIsTheSunsColour) {
   std::array<double, kFineBands> through{};
   for (std::size_t b = 0; b < through.size(); ++b) {
     const double nm = 0.5 * (fine_bands()[b].low + fine_bands()[b].high);
-    through[b] = std::exp(-column * value_at(scene.spectra->media[0].scattering, nm));
+    through[b] = std::exp(-column * value_at(scene.media[0].scattering.curve, nm));
   }
   const Rgb expected = colour_of(colours, through);
   const ProbeResult found = probe_now(scene, {{1.5707963, 0.0}}).front();

@@ -76,7 +76,7 @@ TEST(Spectrum, ProbeTellsTransmittanceByWavelength) {
   const SpectralProbes found = spectra_now(scene, {{1.5707963, 0.0}}, nodes);
   const double column = 8.0 * (1.0 - std::exp(-12.5));
   for (std::size_t k = 0; k < nodes.nm.size(); ++k) {
-    const double depth = column * mean_over(scene.spectra->media[0].scattering, nodes.nm[k] - 5.0, nodes.nm[k] + 5.0);
+    const double depth = column * mean_over(scene.media[0].scattering.curve, nodes.nm[k] - 5.0, nodes.nm[k] + 5.0);
     EXPECT_NEAR(found.directions[0].transmittance[k] / std::exp(-depth), 1.0, 2e-4) << nodes.nm[k];
   }
   EXPECT_GT(found.directions[0].radiance.front() / found.wavelengths.sunlight.front(),

@@ -232,7 +232,7 @@ TEST(TerrainTruth, SpectraAndTheirMapsArePathTraces) {
   files.colour_rows = 1;
   files.colours = {0.5F, 0.2F, 0.1F, 0.15F, 0.4F, 0.1F};
   scene.terrain->files = std::make_shared<const TerrainFiles>(files);
-  scene.spectra->terrain_albedo = constant_curve(0.8);
+  scene.terrain->albedo.curve = constant_curve(0.8);
   std::vector<Direction> directions;
   for (const double elevation : {0.8, 1.5, 2.5, 3.5}) {
     for (double azimuth = 60.0; azimuth < 121.0; azimuth += 12.0) {

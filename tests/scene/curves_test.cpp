@@ -27,13 +27,13 @@ TEST(Curves, AreReadInEveryForm) {
   EXPECT_FALSE(scene_from(with_scattering("[0.01, 0.02, 0.03]")).spectra.has_value());
   const Scene sampled = scene_from(with_scattering(kSamples));
   ASSERT_TRUE(sampled.spectra);
-  EXPECT_NEAR(value_at(sampled.spectra->media[0].scattering, 550.0), 0.02, 1e-15);
-  EXPECT_EQ(value_at(sampled.spectra->media[0].absorption, 550.0), 0.0);
+  EXPECT_NEAR(value_at(sampled.media[0].scattering.curve, 550.0), 0.02, 1e-15);
+  EXPECT_EQ(value_at(sampled.media[0].absorption.curve, 550.0), 0.0);
   EXPECT_EQ(value_at(sampled.spectra->sun, 555.0), value_at(solar_irradiance(), 555.0));
   const Scene power = scene_from(with_scattering(R"({"at_nm": 550, "value": 0.0114, "exponent": -1.3})"));
-  EXPECT_NEAR(value_at(power.spectra->media[0].scattering, 440.0), 0.0114 * std::pow(0.8, -1.3), 1e-12);
+  EXPECT_NEAR(value_at(power.media[0].scattering.curve, 440.0), 0.0114 * std::pow(0.8, -1.3), 1e-12);
   const Scene air = scene_from(with_scattering(R"({"named": "air", "scale": 2})"));
-  EXPECT_NEAR(value_at(air.spectra->media[0].scattering, 500.0), 2.0 * rayleigh_scattering(500.0), 1e-12);
+  EXPECT_NEAR(value_at(air.media[0].scattering.curve, 500.0), 2.0 * rayleigh_scattering(500.0), 1e-12);
   const Scene lamp = scene_from(with_scattering("0.01", R"("sun": {"spectrum": {"black_body_k": 3000}})"));
   EXPECT_NEAR(value_at(lamp.spectra->sun, 560.0), 1.0, 1e-12);
   EXPECT_GT(value_at(lamp.spectra->sun, 700.0), 1.5);
@@ -92,8 +92,8 @@ TEST(Curves, ComeBackFromJson) {
                        "render": {"wavelengths": 6}, "planet": {"ground_albedo": 0.3})"));
     const Scene again = scene_from(to_json(scene));
     ASSERT_TRUE(again.spectra);
-    EXPECT_EQ(again.spectra->media[0].scattering, scene.spectra->media[0].scattering);
-    EXPECT_EQ(again.spectra->ground_albedo, scene.spectra->ground_albedo);
+    EXPECT_EQ(again.media[0].scattering.curve, scene.media[0].scattering.curve);
+    EXPECT_EQ(again.planet.ground_albedo.curve, scene.planet.ground_albedo.curve);
     EXPECT_EQ(again.spectra->sun, scene.spectra->sun);
     EXPECT_EQ(again.spectra->irradiance, 2.0);
     EXPECT_EQ(again.spectra->wavelengths, 6);
@@ -113,10 +113,10 @@ class CurveFile : public FolderTest {
 TEST_F(CurveFile, IsReadBesideThePreset) {
   const std::string preset = preset_with("# a comment\nnm,value\n400,0.06\n\n700 , 0.02\r\n");
   const Scene scene = resolve(load_preset(preset), local_methods());
-  EXPECT_EQ(value_at(scene.spectra->media[0].scattering, 700.0), 0.01);
-  EXPECT_NEAR(value_at(scene.spectra->media[0].scattering, 550.0), 0.02, 1e-15);
+  EXPECT_EQ(value_at(scene.media[0].scattering.curve, 700.0), 0.01);
+  EXPECT_NEAR(value_at(scene.media[0].scattering.curve, 550.0), 0.02, 1e-15);
   // The file's samples are written out, so that an EXR carries the whole preset.
-  EXPECT_EQ(scene_from(to_json(scene)).spectra->media[0].scattering.values, scene.spectra->media[0].scattering.values);
+  EXPECT_EQ(scene_from(to_json(scene)).media[0].scattering.curve.values, scene.media[0].scattering.curve.values);
 }
 
 TEST_F(CurveFile, IsRefusedByLine) {
@@ -142,7 +142,7 @@ TEST_F(CurveFile, MayBeginWithAByteOrderMark) {
   const Scene scene = resolve(load_preset(preset_with("\xef\xbb\xbf"
                                                       "400,0.06\n500,0.02\n700,0.02\n")),
                               local_methods());
-  EXPECT_EQ(scene.spectra->media[0].scattering.wavelengths, (std::vector<double>{400.0, 500.0, 700.0}));
+  EXPECT_EQ(scene.media[0].scattering.curve.wavelengths, (std::vector<double>{400.0, 500.0, 700.0}));
 }
 
 TEST_F(CurveFile, IsMissing) {
@@ -226,7 +226,7 @@ TEST_F(CurveMerge, ReplacesACurveWhole) {
   const auto over = write(
       "over.json",
       R"({"airlight": 1, "extends": "base.json", "media": [{"name": "a", "scattering_per_km": {"named": "air"}}]})");
-  EXPECT_EQ(resolve(load_preset(over), local_methods()).spectra->media[0].scattering.json, "{\"named\": \"air\"}");
+  EXPECT_EQ(resolve(load_preset(over), local_methods()).media[0].scattering.curve.json, "{\"named\": \"air\"}");
 }
 
 }  // namespace

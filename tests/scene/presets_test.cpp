@@ -101,7 +101,7 @@ TEST(Presets, EarthIsTheUsStandardAtmosphere) {
   ASSERT_TRUE(earth.spectra);
   const Density& air = earth.media[0].density;
   ASSERT_EQ(air.profile, DensityProfile::lorentzian);
-  const double scale = value_at(earth.spectra->media[0].scattering, 550) / rayleigh_scattering(550);
+  const double scale = value_at(earth.media[0].scattering.curve, 550) / rayleigh_scattering(550);
   const std::array<std::array<double, 2>, 10> standard = {{{0, 1.2250},
                                                            {5, 0.73643},
                                                            {10, 0.41351},
@@ -120,12 +120,12 @@ TEST(Presets, EarthIsTheUsStandardAtmosphere) {
   const auto depth = [&](std::size_t i, const Curve& curve, double nm) {
     return value_at(curve, nm) * density_column(earth.media[i].density, top);
   };
-  EXPECT_NEAR(depth(0, earth.spectra->media[0].scattering, 500), 0.1434, 0.001);
-  EXPECT_NEAR(depth(1, earth.spectra->media[1].scattering, 550) + depth(1, earth.spectra->media[1].absorption, 550),
-              0.1, 0.005);
+  EXPECT_NEAR(depth(0, earth.media[0].scattering.curve, 500), 0.1434, 0.001);
+  EXPECT_NEAR(depth(1, earth.media[1].scattering.curve, 550) + depth(1, earth.media[1].absorption.curve, 550), 0.1,
+              0.005);
   // 300 DU are 3 mm of ozone; Serdyuchenko 2014 has 3.4e-21 cm2 at 550 nm and 2.687e19 molecules a cm3.
-  EXPECT_NEAR(depth(2, earth.spectra->media[2].absorption, 550) / (0.3 * 2.687e19 * 3.4e-21), 1.0, 0.05);
-  EXPECT_NEAR(value_at(earth.spectra->ground_albedo, 550), 0.12, 1e-9);
+  EXPECT_NEAR(depth(2, earth.media[2].absorption.curve, 550) / (0.3 * 2.687e19 * 3.4e-21), 1.0, 0.05);
+  EXPECT_NEAR(value_at(earth.planet.ground_albedo.curve, 550), 0.12, 1e-9);
 }
 
 // A preset that extends `earth` bends light by an index of its own, or not at all.

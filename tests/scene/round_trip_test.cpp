@@ -215,8 +215,9 @@ TEST(Description, HasEveryValueWithItsUnit) {
   EXPECT_NE(text.find("altitude                  2 km\n"), std::string::npos);
   EXPECT_NE(text.find("elevation                 30 degrees\n"), std::string::npos);
   EXPECT_NE(text.find("density                   exponential, scale height 8 km\n"), std::string::npos);
+  EXPECT_NE(text.find("disc                      visible yes, angular radius 0.2666 degrees, "), std::string::npos);
   EXPECT_NE(text.find("sun_fade                  absent\n"), std::string::npos);
-  EXPECT_NE(text.find("image                     1280 x 720 pixels\n"), std::string::npos);
+  EXPECT_NE(text.find("width                     1280 pixels\n"), std::string::npos);
 }
 
 // Who reads what a preset is learns where its air bends no light; an index of 1 bends none.
@@ -225,7 +226,8 @@ TEST(Description, SaysHowTheAirBendsLight) {
     return describe(scene_from(with_one_medium(R"("planet": {"refraction": {"n_minus_1": )" + std::string(n_minus_1) +
                                                R"(, "scale_height_km": 8}})")));
   };
-  EXPECT_NE(text("2.78e-4").find("n - 1 = 0.000278 at the ground, scale height 8 km\n"), std::string::npos);
+  EXPECT_NE(text("2.78e-4").find("refraction                n minus 1 0.000278, scale height 8 km\n"),
+            std::string::npos);
   EXPECT_EQ(text("0").find("refraction"), std::string::npos);
 }
 
