@@ -92,6 +92,7 @@ constexpr PhaseRow kPhaseRows[] = {
     {PhaseFunction::table, Physics::kPhaseTable, MeanCosine::first_moment, false, true, by_table, nullptr},
     {PhaseFunction::rayleigh, Physics::kPhaseDepolarized, MeanCosine::zero, true, true, by_mixture, draw_mixture},
 };
+static_assert(std::size(kPhaseRows) == kPhaseNames.size(), "a row for each name, the last for \"drops\": depolarized");
 static_assert(std::size(kPhaseRows) <= physics::kPhaseCodes + 1, "a code has three bits");
 
 static_assert(std::ranges::equal(kPhaseRows, std::views::iota(0U, std::size(kPhaseRows)), {}, &PhaseRow::code));

@@ -156,6 +156,7 @@ inline constexpr ProfileRow kProfileRows[] = {
     {DensityProfile::layers, Physics::kDensityLayers, false, layers_column, altitudes, constant, linear, constant},
     {DensityProfile::height_fog, Physics::kDensityHeightFog, false, fog_column, base, constant, none, falling},
 };
+static_assert(std::size(kProfileRows) == kProfileNames.size(), "a row for each name");
 static_assert(std::ranges::equal(kProfileRows, std::views::iota(0U, std::size(kProfileRows)), {}, &ProfileRow::code));
 static_assert(std::ranges::all_of(kProfileRows, [](const ProfileRow& row) {
   return row.profile == static_cast<DensityProfile>(row.code);
