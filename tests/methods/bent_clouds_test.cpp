@@ -69,5 +69,37 @@ TEST(BentClouds, AreSeenAsByPathTrace) {
   }
 }
 
+// The sun's light scattered once by a thick cloud falls off from its top down, so that a few metres count where its
+// drops are met. Air bends steep rays by little.
+TEST(BentClouds, AreLitWhereTheirDropsAreMet) {
+  constexpr int kSamples = 32768;
+  Scene scene = under_bands(50.0);
+  scene.media[0].scattering = {1e-9, 1e-9, 1e-9};
+  scene.planet.ground_albedo = {};
+  Cloud& cloud = scene.clouds.front();
+  cloud.base = 1.0;
+  cloud.top = 2.0;
+  cloud.single_scattering_albedo = 1e-3;
+  auto even = std::make_shared<CloudFile>(*cloud.contents);
+  even->dz = 0.2;
+  even->lowest = 1.0;
+  even->extinction.assign(even->extinction.size(), 2.0F);
+  even->identity = "even";
+  cloud.contents = even;
+  std::vector<Direction> directions;
+  for (const double elevation : {15.0, 25.0, 45.0}) {
+    directions.push_back({elevation * kDegree, 20.0 * kDegree});
+  }
+  const HostPicture bent = truth_of(scene, directions, kSamples);
+  scene.planet.refraction.reset();
+  const HostPicture straight = truth_of(scene, directions, kSamples);
+  for (int i = 0; i < bent.radiance.width; ++i) {
+    const double ratio = static_cast<double>(bent.radiance.at(i, 0)[1] / straight.radiance.at(i, 0)[1]);
+    const double noise = static_cast<double>(bent.standard_error.at(i, 0)[1] / bent.radiance.at(i, 0)[1]);
+    std::printf("direction %d: %.3f of straight air's, noise %.3f\n", i, ratio, noise);
+    EXPECT_NEAR(ratio, 1.0, 0.01 + 4.0 * noise) << i;
+  }
+}
+
 }  // namespace
 }  // namespace airlight::test

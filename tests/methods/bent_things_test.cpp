@@ -131,7 +131,7 @@ TEST(BentThings, TheJudgeGoesAlongExactRays) {
     scene.camera.altitude = camera;
     physics::Physics p = make_physics(scene);
     const vec3 up(0.0, 1.0, 0.0);
-    for (const double elevation_deg : {-0.2, 0.0, 1.0, 10.0}) {
+    for (const double elevation_deg : {-0.2, 0.0, 1.0, 10.0, 40.0}) {
       const double zenith = 0.5 * std::numbers::pi - elevation_deg * kDegree;
       const vec3 direction(std::sin(zenith), std::cos(zenith), 0.0);
       const auto ray = p.ray_in_atmosphere(p.scene.planet, p.scene.camera.altitude, direction.y, 0.0, 0.0);
@@ -143,8 +143,11 @@ TEST(BentThings, TheJudgeGoesAlongExactRays) {
         along += chord.length;
         EXPECT_NEAR(length(end) - scene.planet.ground_radius, exact_height(camera, zenith, ground), 2e-3)
             << camera << ", " << elevation_deg << ", " << ground;
-        const BentWay::Point point = way.at(chord.end);
-        EXPECT_LT(length(point.place - end), 6e-3);
+        for (const double share : {0.1, 0.25, 0.6, 1.0}) {
+          const BentWay::Point point = way.at(way.on_ray(chord, share * chord.length));
+          EXPECT_LT(length(point.place - chord.from - chord.direction * (share * chord.length)), 6e-3)
+              << camera << ", " << elevation_deg << ", " << share << " of the chord to " << ground;
+        }
         return false;
       });
       EXPECT_NEAR(along, true_length(p, direction.y, std::min(ray.length_, 200.0)), 1e-3 * along);

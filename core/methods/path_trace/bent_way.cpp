@@ -58,6 +58,37 @@ BentWay::Point BentWay::turned(double t, double bent) const {
   return at;
 }
 
+// By the Illinois rule of false position: the length from the chord's begin grows with the distance.
+double BentWay::on_ray(const Chord& chord, double along) const {
+  if (!physics_.refraction || !(chord.length > 0.0)) {
+    return along;
+  }
+  constexpr double kClose = 1e-6;  // km
+  constexpr int kMostTurns = 20;
+  double low = chord.start;
+  double high = chord.end;
+  double below = -along;
+  double above = chord.length - along;
+  double t = low;
+  double off = below;
+  for (int turn = 0, side = 0; turn < kMostTurns && std::abs(off) > kClose && above > below; ++turn) {
+    t = std::clamp((low * above - high * below) / (above - below), chord.start, chord.end);
+    off = length(turned(t, chord.bent + bending_between(chord.start, t)).place - chord.from) - along;
+    if (off < 0.0) {
+      low = t;
+      below = off;
+      above = side < 0 ? 0.5 * above : above;
+      side = -1;
+    } else {
+      high = t;
+      above = off;
+      below = side > 0 ? 0.5 * below : below;
+      side = 1;
+    }
+  }
+  return t;
+}
+
 BentWay::Point BentWay::at(double t) const {
   if (!physics_.refraction) {
     const vec3 place = place_ + direction_ * t;

@@ -35,21 +35,23 @@ class BentWay {
     double length = 0.0;
     double start = 0.0;  // of the ray
     double end = 0.0;
-    // The ray's distance at a chord's; the same to the bit where nothing is bent.
-    double on_ray(double along) const { return length == end ? along : start + (end - start) * along / length; }
+    double bent = 0.0;  // rad, from the ray's begin to `start`
   };
+  // The ray's distance where it is `along` from the begin of one of its chords; the same to the bit where nothing is
+  // bent. Optical lengths are not even along a chord: 2.5 km from the ground on one of 10 km a share of its length
+  // would be 120 m off.
+  double on_ray(const Chord& chord, double along) const;
 
   // Visits the chords up to `limit`, in order, until `visit` returns true or the ray has risen above `highest`, an
   // altitude over the true ground, km.
   template <class Visit>
   void chords(double limit, double highest, const Visit& visit) const {
     if (!physics_.refraction) {
-      visit(Chord{place_, direction_, limit, 0.0, limit});
+      visit(Chord{place_, direction_, limit, 0.0, limit, 0.0});
       return;
     }
     // Bent by a fifth of the planet's curvature, a chord of 10 km leaves the ray by 0.4 m.
     constexpr double kLongest = 10.0;
-    double bent = 0.0;
     Chord chord;
     chord.from = place_;
     while (chord.start < limit) {
@@ -58,7 +60,7 @@ class BentWay {
         return;
       }
       chord.end = std::min(chord.start + kLongest, limit);
-      bent += bending_between(chord.start, chord.end);
+      const double bent = chord.bent + bending_between(chord.start, chord.end);
       const physics::vec3 to = turned(chord.end, bent).place;
       chord.length = length(to - chord.from);
       chord.direction = chord.length > 0.0 ? (to - chord.from) / chord.length : direction_;
@@ -67,6 +69,7 @@ class BentWay {
       }
       chord.from = to;
       chord.start = chord.end;
+      chord.bent = bent;
     }
   }
 

@@ -44,7 +44,7 @@ std::optional<TracedThings::Met> TracedThings::hit(const BentWay& way, double li
   way.chords(limit, highest_, [&](const BentWay::Chord& chord) {
     first = hit(chord.from, chord.direction, chord.length, left);
     if (first) {
-      first->distance = chord.on_ray(first->distance);
+      first->distance = way.on_ray(chord, first->distance);
     }
     return first.has_value();
   });

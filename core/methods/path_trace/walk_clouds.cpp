@@ -18,7 +18,7 @@ void Walk::meet_clouds(const BentWay& way, physics::Physics::Ray& ray, std::opti
   way.chords(ray.length_, clouds_->highest(), [&](const BentWay::Chord& chord) {
     const auto drop = clouds_->collide(chord.from, chord.direction, chord.length, random);
     if (drop) {
-      const double distance = chord.on_ray(drop->distance);
+      const double distance = way.on_ray(chord, drop->distance);
       met = TracedThings::Met{distance, thing_of_cloud(drop->cloud), chord.from + chord.direction * drop->distance};
       ray.length_ = distance;
       ray.at_ground = false;
