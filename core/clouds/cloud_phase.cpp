@@ -16,10 +16,10 @@ using physics::vec3;
 constexpr int kMostDegree = 1500;   // a peak of a fifth of a degree
 constexpr double kNoMoment = 1e-5;  // the last moment that matters: thousands of them add up straight on
 constexpr int kAngles = 4096;       // of the moments' integrals
-// The peak's spreading is taken in whole up to the first angle, and not at all beyond the second: light that has turned
-// by more has not gone along the sun's ray, which the formula takes for granted.
-constexpr double kSpreadWhole = 6.0 / 180.0 * std::numbers::pi;
-constexpr double kSpreadNot = 16.0 / 180.0 * std::numbers::pi;
+// All orders of small turns are taken for one in whole up to the first angle, and not at all beyond the second: light
+// that has turned by more has not gone along the sun's ray, which the formula takes for granted.
+constexpr double kTurnedWhole = 60.0 / 180.0 * std::numbers::pi;
+constexpr double kTurnedNot = 90.0 / 180.0 * std::numbers::pi;
 
 // The angle at x of 0 to 1, dense in the peak.
 double peak_angle(double x) {
@@ -45,8 +45,8 @@ class Polynomials {
   double now_ = 1.0;
 };
 
-double spread_share(double angle) {
-  const double t = std::clamp((kSpreadNot - angle) / (kSpreadNot - kSpreadWhole), 0.0, 1.0);
+double turned_share(double angle) {
+  const double t = std::clamp((kTurnedNot - angle) / (kTurnedNot - kTurnedWhole), 0.0, 1.0);
   return t * t * (3.0 - 2.0 * t);
 }
 
@@ -94,14 +94,22 @@ std::vector<device::vec3> cloud_phase_rows(physics::Physics& p, double single_sc
   const double scale = 1.0 - single_scattering_albedo * peak;
   constexpr std::size_t kRows = physics::kCloudPeakRows;
   std::vector<device::vec3> values(kRows * physics::kPhaseSamples);
-  // What each moment has lost at each depth, times (2 l + 1) / 4 pi.
-  std::vector<vec3> lost(kRows * moments.size(), vec3(0.0));
+  // By how much moments at each depth differ from the phase function's, times (2 l + 1) / 4 pi. Where the sun's light
+  // has been met by m (albedo times depth), all orders of small turns together leave exp(-(1 - chi_l) m) of its moment
+  // l [GS40], over what counts as unscattered, exp(-(1 - f) m) with f the peak: exp(-(f - chi_l) m). Light that has
+  // turned at all is this less the same for all l, here exp(-f m); over m it is chi_l where m is small. The field
+  // scatters moments up to `degree` further, so of them one order stands here, chi_l - f, and the same constant.
+  std::vector<vec3> gains(kRows * moments.size());
   for (std::size_t row = 0; row < kRows; ++row) {
-    const double depth = cloud.peak_table_depth(static_cast<double>(row)) / scale;
-    for (std::size_t l = static_cast<std::size_t>(degree) + 1; l < moments.size(); ++l) {
-      const vec3 rate = (vec3(peak) - moments[l]) * single_scattering_albedo;
+    const double met = single_scattering_albedo * cloud.peak_table_depth(static_cast<double>(row)) / scale;
+    const double unscattered = std::exp(-peak * met);
+    const auto of_all_orders = [&](double chi) { return met > 0.0 ? unscattered * std::expm1(chi * met) / met : chi; };
+    for (std::size_t l = 0; l < moments.size(); ++l) {
       const double share = (2.0 * static_cast<double>(l) + 1.0) / (4.0 * std::numbers::pi);
-      lost[row * moments.size() + l] = moments[l] * share * (physics::exp(rate * -depth) - vec3(1.0));
+      const vec3& chi = moments[l];
+      const vec3 all(of_all_orders(chi.x), of_all_orders(chi.y), of_all_orders(chi.z));
+      const bool goes_on = l <= static_cast<std::size_t>(degree);
+      gains[row * moments.size() + l] = (goes_on ? vec3(of_all_orders(peak) - peak) : all - chi) * share;
     }
   }
   std::vector<vec3> wholes(physics::kPhaseSamples);
@@ -110,12 +118,12 @@ std::vector<device::vec3> cloud_phase_rows(physics::Physics& p, double single_sc
   }
   in_parallel(wholes.size(), [&](std::size_t i) {
     const double angle = peak_angle(static_cast<double>(i) / (physics::kPhaseSamples - 1));
-    const double spread = spread_share(angle);
+    const double turned = turned_share(angle);
     std::vector<vec3> sums(kRows, wholes[i]);
     Polynomials legendre(std::cos(angle));
-    for (std::size_t l = 0; l < moments.size() && spread > 0.0; ++l) {
+    for (std::size_t l = 0; l < moments.size() && turned > 0.0; ++l) {
       for (std::size_t row = 0; row < kRows; ++row) {
-        sums[row] = sums[row] + lost[row * moments.size() + l] * (legendre.value() * spread);
+        sums[row] = sums[row] + gains[row * moments.size() + l] * (legendre.value() * turned);
       }
       legendre.next();
     }

@@ -1,5 +1,5 @@
 #pragma once
-// What scatters sunlight once in a cloud whose forward peak has spread it (shaders/physics/cloud_light.glsl).
+// What scatters sunlight once in a cloud, all orders of small turns taken for one (shaders/physics/cloud_light.glsl).
 
 #include <vector>
 

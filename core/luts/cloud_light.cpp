@@ -182,7 +182,7 @@ CloudField add_cloud_field(Plan& plan, const CloudCells& cells, const CloudDrops
   const BufferId means = add("_means", rays, false);
   const BufferId changes = add("_changes", floats * physics::kCloudMoments, false);
   const CloudField field{add("_moments", floats * physics::kCloudMoments, true),
-                         add("_planes", rays / cells.nz * 2, true), extinction, means};
+                         add("_planes", rays / cells.nz * 2, true), means};
   const double kept = light_kept(cells, drops);
   BufferId moments = plan.add_buffer(filled_buffer(name + "_nothing", bytes_of(std::vector<float>(9 * cells.count()))));
   for (const ChebyshevStep& step : chebyshev_steps(kept, settings.sweeps > 0 ? settings.sweeps : sweeps_for(kept))) {

@@ -56,7 +56,6 @@ std::vector<ChebyshevStep> chebyshev_steps(double kept, int count);
 struct CloudField {
   BufferId moments;  // of the mean radiance in each cell: harmonic, cell
   BufferId planes;   // what leaves the last layer along each ordinate: ordinate, two planes each
-  BufferId cells;    // their scaled extinction, 1/km
   BufferId means;    // radiance along each ordinate, the mean over a cell, after the last sweep: ordinate, cell
 };
 

@@ -194,7 +194,6 @@ ImageId add_sources(Plan& plan, const Fields& fields, const std::string& key) {
   plan.add_pass(
       {.shader = "cloud_source",
        .reads = {{"scattering", fields.tables.scattering},
-                 {"cells", fields.sun.cells},
                  {"sun", fields.sun.moments},
                  {"sky", fields.sky.moments},
                  {"ground", fields.ground.moments}},

@@ -10,8 +10,7 @@ layout(scalar, set = 0, binding = 2) readonly buffer Scattering { CloudScatterin
 layout(scalar, set = 0, binding = 3) readonly buffer Sun { float values[]; } sun;
 layout(scalar, set = 0, binding = 4) readonly buffer Sky { float values[]; } sky;
 layout(scalar, set = 0, binding = 5) readonly buffer Ground { float values[]; } ground;
-layout(scalar, set = 0, binding = 6) readonly buffer Cells { float values[]; } cells;  // scaled extinction, 1/km
-layout(set = 0, binding = 7, rgba32f) uniform writeonly image3D source_out;
+layout(set = 0, binding = 6, rgba32f) uniform writeonly image3D source_out;
 layout(push_constant, scalar) uniform Push {
   uvec3 size;
   uvec3 coarser;  // cells of sky and ground
@@ -44,37 +43,11 @@ float interpolated(bool of_sky, uint q, uvec3 cell) {
   return sum;
 }
 
-uint place_of(uvec3 cell) { return (cell.z * size.y + cell.y) * size.x + cell.x; }
-
-// The light in a cell's water. A cell with less water than its neighbours has it beside them, and there the light is
-// much as theirs is: the mean over the whole cell is that of the clear air in it.
-float sunlight_in(uint q, uvec3 cell) {
-  uint all = size.x * size.y * size.z;
-  float here = cells.values[place_of(cell)];
-  float weights = 0.0;
-  float sum = 0.0;
-  float densest = 0.0;
-  for (uint n = 0u; n < 6u; n++) {
-    uvec3 other = cell;
-    uint axis = n >> 1u;
-    bool up = (n & 1u) == 0u;
-    uint last = size[axis] - 1u;
-    uint low = cell[axis] > 0u ? cell[axis] - 1u : (axis < 2u ? last : 0u);
-    uint high = cell[axis] < last ? cell[axis] + 1u : (axis < 2u ? 0u : last);
-    other[axis] = up ? high : low;
-    float there = cells.values[place_of(other)];
-    weights += there;
-    sum += there * sun.values[q * all + place_of(other)];
-    densest = max(densest, there);
-  }
-  float own = clamp(here / max(densest, 1e-6), 0.0, 1.0);
-  float value = sun.values[q * all + place_of(cell)];
-  return weights > 0.0 ? mix(sum / weights, value, own) : value;
-}
+float sun_value(uint q, uvec3 cell) { return sun.values[((q * size.z + cell.z) * size.y + cell.y) * size.x + cell.x]; }
 
 float value_of(uint i, uvec3 cell) {
   if (i < kCloudSky) {
-    return scattering.value.kept[i] * sunlight_in(i, cell);
+    return scattering.value.kept[i] * sun_value(i, cell);
   }
   if (i >= kCloudGround + 3u) {
     return 0.0;

@@ -443,8 +443,8 @@ TEST(CloudLight, MeansBetweenAreMeans) {
   }
 }
 
-// Light scattered once behind a forward peak that has spread, against the series by the closed moments g^l.
-TEST(CloudPhase, SpreadsThePeakAsTheSeriesSays) {
+// All orders of small turns taken for one, against the series by the closed moments g^l.
+TEST(CloudPhase, TakesAllOrdersOfTurnsAsTheSeriesSays) {
   constexpr double kG = 0.85;
   constexpr double kAlbedo = 0.95;
   Cloud cloud;
@@ -454,30 +454,35 @@ TEST(CloudPhase, SpreadsThePeakAsTheSeriesSays) {
   const Air air({cloud_medium(cloud, Spectrum{})}, Planet{});
   physics::Physics p = air.formulas();
   const std::vector<device::vec3> rows = cloud_phase_rows(p, kAlbedo, kCloudDegree);
-  const physics::CloudPhysics formulas;
   const double peak = kG * kG * kG;
   const double scale = 1.0 - kAlbedo * peak;
   for (const std::uint32_t row : {0U, 5U, 12U, 23U}) {
     const double share = row / 23.0;
-    const double depth = 9.0 * share * share / scale;
-    for (const std::size_t i : {0U, 40U, 90U, 140U, 400U, 900U}) {
+    const double met = 9.0 * share * share / scale * kAlbedo;
+    for (const std::size_t i : {0U, 40U, 90U, 140U, 300U, 500U, 900U}) {
       const double x = static_cast<double>(i) / (physics::kPhaseSamples - 1);
       const double angle = pi * x * x;
-      if (i >= physics::kPhaseSamples || (angle > 0.10 && angle < 0.29)) {
-        continue;  // between both, where one fades into the other
-      }
       double sum = 0.0;
       double before = 0.0;
       double now = 1.0;
       for (int l = 0; l < 400; ++l) {
-        const double chi = std::pow(kG, l);
-        const double lost = l > kCloudDegree && angle < 0.2 ? std::exp(-kAlbedo * (peak - chi) * depth) : 1.0;
-        sum += (2 * l + 1) / (4.0 * pi) * chi * now * lost;
+        double chi = std::pow(kG, l);
+        if (met > 0.0 && angle < 0.5 * pi) {
+          // An order at a time: chi_l m, (chi_l m)^2 / 2, ...
+          double order = 1.0;
+          double orders = 0.0;
+          for (int n = 1; n < 200; ++n) {
+            order *= (l > kCloudDegree ? chi : peak) * met / n;
+            orders += order;
+          }
+          chi = std::exp(-peak * met) * orders / met + (l > kCloudDegree ? 0.0 : chi - peak);
+        }
+        sum += (2 * l + 1) / (4.0 * pi) * chi * now;
         const double after = ((2 * l + 1) * std::cos(angle) * now - l * before) / (l + 1);
         before = now;
         now = after;
       }
-      const double expected = sum * kAlbedo / scale;
+      const double expected = std::max(sum, 0.0) * kAlbedo / scale;
       EXPECT_NEAR(static_cast<double>(rows[row * physics::kPhaseSamples + i].y), expected, 0.015 * expected + 1e-5)
           << "row " << row << ", " << angle * 180.0 / pi << " degrees";
     }
