@@ -2,6 +2,7 @@
 #include <string>
 
 #include "core/base/text.h"
+#include "core/scene/density_profiles.h"
 #include "core/scene/json_format.h"
 #include "core/scene/readers.h"
 #include "core/scene/refractive_index.h"
@@ -40,7 +41,7 @@ bool read_profile(const Section& planet, const Section& section, const std::vect
     }
     section.complain("medium", *medium,
                      "no medium has this name; expected one of " + names + ", or scale_height_km in its place");
-  } else if (found->density.profile == DensityProfile::constant) {
+  } else if (profile_row(found->density.profile).ends_abruptly) {
     section.complain("medium", *medium, "its density ends at once; expected a medium that thins out smoothly");
   } else {
     refraction.medium = name;

@@ -151,8 +151,8 @@ TEST(CarvedClouds, ThePictureShowsTheGridsEdge) {
   EXPECT_GT(off_coarse, 2.0 * off_carved);
 }
 
-// The edges of coarse cells are those of the cloud, or lie amid it: the light that it sends back is much the same. Water
-// that is spread over the whole of a cell 300 m high makes it 8 % brighter.
+// The edges of coarse cells are those of the cloud, or lie amid it: the light that it sends back is much the same.
+// Water that is spread over the whole of a cell 300 m high makes it 8 % brighter.
 TEST(CarvedClouds, CoarseCellsHoldTheLightOfTheirWater) {
   Scene scene = under_level_cloud(1.0, std::sin(radians(50.0)));
   Cloud& cloud = scene.clouds.front();

@@ -112,6 +112,17 @@ TEST(Refraction, AnIndexOfOneBendsNothing) {
   }
 }
 
+// What is kept by the key is not taken for air of another.
+TEST(Refraction, IsTheSameForEqualNumbersAlone) {
+  Planet planet;
+  planet.refraction = bent(2.78e-4, 8.0);
+  planet.refraction->density.profile = DensityProfile::height_fog;
+  Planet other = planet;
+  EXPECT_EQ(refraction_key(other), refraction_key(planet));
+  other.refraction->density.below = 2.0;
+  EXPECT_NE(refraction_key(other), refraction_key(planet));
+}
+
 // From the day to where the shadow's edge crosses rays, down to a degree above the horizon.
 TEST(Refraction, FirstOrderIsThatOfExactRays) {
   std::vector<Direction> directions = toward({1.0, 10.0});
