@@ -3,6 +3,7 @@
 #include "core/methods/path_trace/checkpoint.h"
 #include "core/methods/path_trace/walk.h"
 #include "core/scene/density_profiles.h"
+#include "core/scene/thing_kinds.h"
 #include "core/things/ground.h"
 #include "core/things/terrain.h"
 
@@ -11,6 +12,7 @@ namespace {
 
 // To be raised whenever the same seed gives other samples.
 constexpr int kSampler = 1;
+constexpr int kSamplerOnBentRays = 2;  // among things and clouds
 
 // Collects `POINTER value` lines. 17 digits restore a double exactly.
 class Lines {
@@ -135,7 +137,7 @@ void add_camera(Lines& lines, const Scene& scene) {
 std::string checkpoint_identity(const Stage& stage, const View& view) {
   const Scene& scene = stage.scene();
   Lines lines;
-  lines.add("sampler", kSampler);
+  lines.add("sampler", scene.planet.refraction && stand_at_true_distance(scene) ? kSamplerOnBentRays : kSampler);
   lines.add("batch", kBatch);
   lines.add("/render/seed", scene.render.get<int>("seed"));
   lines.add("/render/max_orders", scene.render.get<int>("max_orders"));
