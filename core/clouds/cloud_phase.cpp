@@ -89,8 +89,7 @@ std::vector<vec3> peak_moments(physics::Physics& p) {
 std::vector<device::vec3> cloud_phase_rows(physics::Physics& p, double single_scattering_albedo, int degree) {
   physics::CloudPhysics cloud;
   const std::vector<vec3> moments = peak_moments(p);
-  const vec3& first = p.scene.media[0].legendre[degree + 1];
-  const double peak = (first.x + first.y + first.z) / 3.0;
+  const double peak = physics::channel_mean(p.scene.media[0].legendre[degree + 1]);
   const double scale = 1.0 - single_scattering_albedo * peak;
   constexpr std::size_t kRows = physics::kCloudPeakRows;
   std::vector<device::vec3> values(kRows * physics::kPhaseSamples);

@@ -119,10 +119,8 @@ class Description {
     }
   }
 
-  void render(const RenderSettings& render) {
-    heading("render");
-    line("method", render.method);
-    line("polarisation", render.polarisation ? "yes" : "no");
+  // The keys of the method, below those of all methods.
+  void parameters(const RenderSettings& render) {
     for (const auto& [key, value] : render.parameters) {
       const std::string text = json_text(value);
       line(key, text.empty() ? "absent" : text);
@@ -209,11 +207,13 @@ std::string describe(const Scene& scene) {
   if (!scene.name.empty()) {
     lines.heading(scene.name + (scene.description.empty() ? "" : ": " + scene.description));
   }
+  const PresetObject render = std::get<PresetObject>(root.at("render").data);
   for (const char* key : {"airlight", "name", "description", "render"}) {
     root.erase(key);
   }
   lines.object("", root, "");
-  lines.render(scene.render);
+  lines.object("render", render, "render");
+  lines.parameters(scene.render);
   add_derived(lines, scene);
   return lines.str();
 }

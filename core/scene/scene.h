@@ -25,7 +25,7 @@ using Spectrum = std::array<double, 3>;
 // A coefficient or a reflectance: a value for each channel and, in a scene with spectra, the curve that they stand for.
 struct SpectralValue : Spectrum {
   Curve curve = {};
-  // Another colour of the same curve.
+  // Takes the channels and keeps the curve.
   template <std::same_as<Spectrum> T>
   SpectralValue& operator=(const T& channels) {
     static_cast<Spectrum&>(*this) = channels;

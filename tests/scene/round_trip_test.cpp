@@ -216,6 +216,9 @@ TEST(Description, HasEveryValueWithItsUnit) {
   EXPECT_NE(text.find("elevation                 30 degrees\n"), std::string::npos);
   EXPECT_NE(text.find("density                   exponential, scale height 8 km\n"), std::string::npos);
   EXPECT_NE(text.find("disc                      visible yes, angular radius 0.2666 degrees, "), std::string::npos);
+  EXPECT_NE(text.find("render\n  polarisation              yes\n  method                    orders\n"),
+            std::string::npos)
+      << text;
   EXPECT_NE(text.find("sun_fade                  absent\n"), std::string::npos);
   EXPECT_NE(text.find("width                     1280 pixels\n"), std::string::npos);
 }
