@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <ostream>
 #include <string>
 
@@ -200,6 +201,18 @@ TEST(CloudLayers, MeetAddingAndDoublingByOrders) {
         EXPECT_NEAR(sum, looks.expected, 0.02 * looks.expected) << layer.keys << " sun " << sun << (top ? " top" : "");
       }
     }
+  }
+}
+
+// Of drops, and in Earth's air, which is cut into many shells.
+TEST(CloudLayers, HaveAllOrdersHoweverThick) {
+  for (const std::string depth : {"0.3", "4", "16", "60"}) {
+    const std::string text = R"({"airlight": 1, "extends": "earth.json", "render": {"method": "orders"},
+        "clouds": [{"type": "layer", "optical_depth": )" +
+                             depth + "}]}";
+    const Scene scene =
+        resolve(parse_preset(text, "layer", std::filesystem::path(AIRLIGHT_SOURCE_DIR) / "presets"), method_infos());
+    EXPECT_TRUE(find_method("orders")->bounds(ready(scene).whole()).empty()) << depth;
   }
 }
 
