@@ -88,7 +88,7 @@ void hide_behind_things(std::vector<Sample>& samples, const Stage& stage) {
         continue;
       }
       const auto view = p.view_ray(p.scene.camera, projection, sample.pixel % width + 0.5, sample.pixel / width + 0.5);
-      const auto hit = p.nearest_thing(p.scene.planet, p.sight_of(view.direction), physics::kNoSphere);
+      const auto hit = p.nearest_thing(p.scene.planet, p.sight_of(view.direction), physics::kNoBody);
       if (p.hits_thing(hit) && static_cast<double>(sample.distance) > hit.distance_) {
         sample.thing = {{}, 0.0F};
         sample.distance = composite::kSky;

@@ -6,6 +6,7 @@
 
 #include "core/air/scene_block.h"
 #include "core/measure/view_geometry.h"
+#include "core/scene/thing_kinds.h"
 
 namespace airlight::chart {
 namespace {
@@ -36,7 +37,7 @@ PixelSet chosen(const PixelSet& pixels, const Wanted& wanted) {
 bool meets_one_surface(physics::Physics& p, physics::uint projection, double x, double y) {
   const auto met = [&](double dx, double dy) {
     const physics::vec3 d = p.view_ray(p.scene.camera, projection, x + dx, y + dy).direction;
-    return p.nearest_thing(p.scene.planet, p.sight_of(d), physics::kNoSphere);
+    return p.nearest_thing(p.scene.planet, p.sight_of(d), physics::kNoBody);
   };
   const auto centre = met(0.0, 0.0);
   for (const auto& [dx, dy] :
@@ -95,8 +96,8 @@ PixelSet without_edges_of_things(const Stage& stage, const PixelSet& pixels) {
 }
 
 bool judges_whole_picture(const Scene& scene, const PixelSet& pixels) {
-  return scene.terrain || !scene.spheres.empty() || scene.ground ||
-         scene.camera.altitude > scene.planet.atmosphere_height || std::ranges::none_of(pixels.regions, in_sky);
+  return scene.terrain || has_bodies(scene) || scene.ground || scene.camera.altitude > scene.planet.atmosphere_height ||
+         std::ranges::none_of(pixels.regions, in_sky);
 }
 
 PixelSet judged(const Scene& scene, const PixelSet& pixels) {

@@ -16,6 +16,7 @@
 #include "core/methods/sky_pass.h"
 #include "core/methods/spectral_sums.h"
 #include "core/scene/parameters.h"
+#include "core/scene/thing_kinds.h"
 
 namespace airlight {
 namespace {
@@ -232,7 +233,7 @@ SkyPasses add_orders(Plan& plan, const Part& part, const View& view) {
 std::vector<std::string> left_out(const Scene& scene, const Plan& plan) {
   const bool tabulated =
       std::ranges::any_of(plan.images(), [](const ImageDesc& image) { return image.name.starts_with("sky_factors"); });
-  if (tabulated || scene.terrain || !scene.spheres.empty() || scene.render.get<std::string>("tabulate") != "auto") {
+  if (tabulated || scene.terrain || has_bodies(scene) || scene.render.get<std::string>("tabulate") != "auto") {
     return {};
   }
   return {"table of the picture's light: the picture's " + std::to_string(scene.image.width * scene.image.height) +
@@ -264,7 +265,7 @@ SkyMethod orders_method() {
   SkyMethod method;
   method.info = {"orders", "successive orders of scattering as spherical-harmonic moments; near truth", kParameters};
   method.info.knows_terrain = true;
-  method.info.knows_spheres = true;
+  method.info.knows_bodies = true;
   method.info.knows_translucent_spheres = true;
   method.info.knows_ground_maps = true;
   method.info.knows_clouds = true;
@@ -333,7 +334,7 @@ SkyMethod orders_method() {
   method.add_span_passes = orders::add_spans;
   // The volume holds no shadows.
   method.has_volume = [](const Scene& scene) {
-    return inside_the_air(scene) && !scene.terrain && scene.spheres.empty() && scene.clouds.empty();
+    return inside_the_air(scene) && !scene.terrain && !has_bodies(scene) && scene.clouds.empty();
   };
   method.all_tables.emplace_back("tabulate", std::string("always"));
   method.left_out = left_out;

@@ -16,7 +16,7 @@ namespace {
 bool mirrors_are_near(const Part& part) {
   constexpr double kFarthest = 2.0;  // km
   constexpr double kHighest = 0.02;  // km over the camera or below it
-  return std::ranges::all_of(part.things.spheres(), [](const physics::SphereData& s) {
+  return std::ranges::all_of(part.things.bodies().spheres, [](const physics::SphereData& s) {
     return s.material != physics::kSphereMirror ||
            (physics::length(s.centre) < kFarthest && std::abs(s.centre.y) + s.radius < kHighest);
   });

@@ -13,9 +13,9 @@ struct vec3 {
   float x = 0.0f, y = 0.0f, z = 0.0f;
 };
 
+#include "shaders/shared/bodies.h"
 #include "shaders/shared/ground.h"
 #include "shaders/shared/scene.h"
-#include "shaders/shared/spheres.h"
 #include "shaders/shared/terrain.h"
 
 }  // namespace airlight::device

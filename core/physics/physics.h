@@ -18,7 +18,7 @@ namespace airlight::physics {
 #include "shaders/shared/analytic.h"
 #include "shaders/shared/glare.h"
 #include "shaders/shared/night.h"
-#include "shaders/shared/spheres.h"
+#include "shaders/shared/bodies.h"
 #include "shaders/shared/terrain.h"
 #include "shaders/shared/thing_light.h"
 #include "shaders/shared/ground.h"
@@ -59,7 +59,21 @@ struct HostGround {
   std::shared_ptr<const std::vector<uint>> water;   // shares, 8 bits each, likewise
 };
 
-struct Physics {
+// The bodies of a scene as their buffers have them (core/things), kind by kind.
+struct HostBodies {
+#define BODY_LIST(Data, one, all, bit, place) \
+  std::vector<Data> all;                      \
+  uint one##_count() const {                  \
+    return static_cast<uint>((all).size());   \
+  }                                           \
+  const Data& one(uint i) const {             \
+    return (all)[i];                          \
+  }
+  BODY_KINDS(BODY_LIST)
+#undef BODY_LIST
+};
+
+struct Physics : HostBodies {
   SceneData scene{};
   uint media = 0;
   uint density_profiles = 0;  // four bits a medium
@@ -84,7 +98,6 @@ struct Physics {
   std::vector<GlarePoint> glare_points;             // the sum of the points first
   HostTable night_sky;                              // physics/night_sky.glsl
   std::shared_ptr<const HostTerrain> terrain_maps;  // null: no terrain
-  std::vector<SphereData> spheres;
   // Light among terrain (physics/thing_light.glsl): the layers' shares as the device's image has them, the altitudes
   // that they count from, and the light without terrain, slice by slice.
   HostTable light_shares;
@@ -177,9 +190,7 @@ struct Physics {
   }
 #include "shaders/physics/ocean_glint.glsl"
 #include "shaders/physics/ground_map.glsl"
-  uint sphere_count() const { return static_cast<uint>(spheres.size()); }
-  const SphereData& sphere(uint i) const { return spheres[i]; }
-#include "shaders/physics/spheres.glsl"
+#include "shaders/physics/bodies.glsl"
   bool has_terrain() const { return terrain_maps != nullptr; }
 #include "shaders/physics/things.glsl"
   real sun_share(const Ray& /*ray*/, real /*t*/, real /*width*/) const { return 1.0; }
@@ -209,7 +220,7 @@ struct Physics {
     return sight_from(scene.planet, scene.camera.altitude, vec3(0.0), direction, scene.sun.direction);
   }
   bool disc_is_hidden(const vec3& direction) {
-    return hits_thing(nearest_thing(scene.planet, sight_of(direction), kNoSphere));
+    return hits_thing(nearest_thing(scene.planet, sight_of(direction), kNoBody));
   }
 #include "shaders/physics/sun_disc.glsl"
 #include "shaders/physics/sunlight.glsl"

@@ -77,7 +77,7 @@ void add_geometry(std::vector<Layer>& layers, const Scene& scene, const Things& 
       continue;
     }
     const auto sight = p.sight_of(ray.direction);
-    const auto hit = p.nearest_thing(planet, sight, physics::kNoSphere);
+    const auto hit = p.nearest_thing(planet, sight, physics::kNoBody);
     const double distance = hit.what == p.kMeetsSky ? p.distance_to_end(planet, h, ray.direction.y) : hit.distance_;
     const double length = p.hits_thing(hit) ? distance : true_length(p, ray.direction.y, distance);
     depth[i] = distance < 0.0 ? kNoDistance : static_cast<float>(length);

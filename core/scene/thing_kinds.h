@@ -30,7 +30,7 @@ inline constexpr std::array<ThingKind, 6> kThingKinds{
      {"spheres",
       "scene",
       {"spheres", ""},
-      &MethodInfo::knows_spheres,
+      &MethodInfo::knows_bodies,
       [](const Scene& s) { return !s.spheres.empty(); },
       true},
      {"translucent spheres",
@@ -53,6 +53,13 @@ inline constexpr std::array<ThingKind, 6> kThingKinds{
 inline bool knows_things_of(const MethodInfo& method, const Scene& scene) {
   return std::ranges::all_of(kThingKinds,
                              [&](const ThingKind& kind) { return !kind.stands_in(scene) || method.*kind.known; });
+}
+
+// Whether bodies stand in the air (shaders/physics/bodies.glsl).
+inline bool has_bodies(const Scene& scene) {
+  return std::ranges::any_of(kThingKinds, [&](const ThingKind& kind) {
+    return kind.known == &MethodInfo::knows_bodies && kind.stands_in(scene);
+  });
 }
 
 inline bool stand_at_true_distance(const Scene& scene) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "core/scene/thing_kinds.h"
 #include "core/spectra/data.h"
 #include "core/spectra/reflectance.h"
 #include "core/stage/sampled_sky.h"
@@ -29,7 +30,7 @@ double enough_for(const Scene& scene) {
   }
   const bool maps =
       (scene.terrain && !scene.terrain->albedo_map.empty()) || (scene.ground && !scene.ground->albedo_map.empty());
-  const bool things = !maps && (scene.terrain || !scene.spheres.empty());
+  const bool things = !maps && (scene.terrain || has_bodies(scene));
   return !scene.clouds.empty() ? kEnoughAmongClouds : things ? kEnoughAmongThings : kEnough;
 }
 

@@ -1,6 +1,5 @@
-#include "core/things/spheres.h"
-
 #include "core/air/scene_block.h"
+#include "core/things/bodies.h"
 
 namespace airlight {
 
@@ -21,6 +20,25 @@ std::vector<physics::SphereData> spheres_of(const Scene& scene) {
     all.push_back(data);
   }
   return all;
+}
+
+device::SphereData narrowed(const physics::SphereData& s) {
+  return {narrowed(s.centre), narrowed(s.radius), narrowed(s.albedo), s.material, narrowed(s.scatter_strength)};
+}
+
+void tell_spheres(const Scene& scene, const TellNumber& tell) {
+  for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
+    const Sphere& sphere = scene.spheres[i];
+    const std::string here = "/scene/spheres/" + std::to_string(i);
+    tell(here + "/azimuth (rad)", sphere.azimuth);
+    tell(here + "/elevation (rad)", sphere.elevation);
+    tell(here + "/distance (km)", sphere.distance);
+    tell(here + "/radius (km)", sphere.radius);
+    tell(here + "/material", static_cast<int>(sphere.material));
+    for (std::size_t c = 0; c < 3; ++c) {
+      tell(here + "/albedo/" + std::to_string(c), sphere.albedo[c]);
+    }
+  }
 }
 
 }  // namespace airlight

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "core/air/scene_block.h"
-#include "core/physics/device_scene.h"
 #include "core/plan/bytes.h"
+#include "core/things/bodies.h"
 #include "core/things/ground.h"
 
 namespace airlight {
@@ -90,14 +90,14 @@ std::vector<Binding> add_terrain(Plan& plan, std::shared_ptr<const physics::Host
       {"terrain_colours", plan.add_buffer_once(filled_buffer("terrain_colours", bytes_of(terrain->colours)))}};
 }
 
-std::vector<Binding> add_spheres(Plan& plan, const std::vector<physics::SphereData>& spheres) {
-  std::vector<device::SphereData> all;
-  for (const physics::SphereData& s : spheres) {
-    all.push_back(
-        {narrowed(s.centre), narrowed(s.radius), narrowed(s.albedo), s.material, narrowed(s.scatter_strength)});
+template <class Data>
+Binding add_bodies(Plan& plan, const char* name, const std::vector<Data>& bodies) {
+  std::vector<decltype(narrowed(bodies.front()))> all;
+  for (const Data& body : bodies) {
+    all.push_back(narrowed(body));
   }
   const auto count = static_cast<device::uint>(all.size());
-  return {{"spheres", plan.add_buffer_once(filled_buffer("spheres", bytes_with(count, all)))}};
+  return {name, plan.add_buffer_once(filled_buffer(name, bytes_with(count, all)))};
 }
 
 void append(std::vector<Binding>& all, std::vector<Binding> more) {
@@ -121,11 +121,14 @@ std::vector<Binding> add_ground_maps(Plan& plan, const Scene& scene, const Thing
 ThingInputs add_things(Plan& plan, const Scene& scene, const Things& things) {
   ThingInputs inputs;
   inputs.reads = add_terrain(plan, things.shadowed_terrain());
-  append(inputs.reads, add_spheres(plan, things.spheres()));
   append(inputs.reads, add_ground_maps(plan, scene, things));
-  inputs.constants.push_back({"kThings", (scene.terrain ? physics::kHasTerrain : 0U) |
-                                             (scene.spheres.empty() ? 0U : physics::kHasSpheres) |
-                                             (scene.ground ? physics::kHasGroundMaps : 0U)});
+  physics::uint bits = (scene.terrain ? physics::kHasTerrain : 0U) | (scene.ground ? physics::kHasGroundMaps : 0U);
+#define BODY_KIND(Data, one, all, bit, place)                          \
+  inputs.reads.push_back(add_bodies(plan, #all, things.bodies().all)); \
+  bits |= things.bodies().all.empty() ? 0U : physics::bit;
+  BODY_KINDS(BODY_KIND)
+#undef BODY_KIND
+  inputs.constants.push_back({"kThings", bits});
   return inputs;
 }
 

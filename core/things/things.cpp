@@ -5,13 +5,14 @@
 
 #include "core/air/refraction.h"
 #include "core/base/text.h"
+#include "core/scene/thing_kinds.h"
+#include "core/things/bodies.h"
 #include "core/things/ground.h"
-#include "core/things/spheres.h"
 #include "core/things/terrain.h"
 
 namespace airlight {
 
-Things::Things(const Scene& scene, const Others& like) {
+Things::Things(const Scene& scene, const Others& like) : bodies_(bodies_of(scene)), has_bodies_(has_bodies(scene)) {
   edges_ = kept<std::vector<EdgePixel>>(like, &Things::edges_, edge_key(scene),
                                         [camera = scene.camera, planet = scene.planet, image = scene.image] {
                                           Scene view;
@@ -43,7 +44,6 @@ Things::Things(const Scene& scene, const Others& like) {
               with_shadow(heights.get(), seen, radius_for_things(planet)));
         });
   }
-  spheres_ = spheres_of(scene);
   for (const Cloud& cloud : scene.clouds) {
     const KeptCloud shape = kept_cloud(like, &Things::shapes_, cloud_shape_key(cloud),
                                        [cloud] { return std::make_shared<const CloudGrid>(cloud_grid(cloud)); });
@@ -96,7 +96,7 @@ std::shared_ptr<const physics::HostTerrain> Things::shadowed_terrain() const {
 
 void Things::put_into(physics::Physics& p) const {
   p.terrain_maps = terrain();
-  p.spheres = spheres_;
+  static_cast<physics::HostBodies&>(p) = bodies_;
   p.ground_maps = ground();
 }
 

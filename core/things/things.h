@@ -32,14 +32,14 @@ class Things {
   // albedo.
   std::shared_ptr<const physics::HostGround> ground() const { return ground_ ? ground_.get() : nullptr; }
 
-  std::vector<physics::SphereData> spheres() const { return spheres_; }
+  const physics::HostBodies& bodies() const { return bodies_; }
 
   // The scene's clouds, in its order.
   std::vector<std::shared_ptr<const CloudGrid>> clouds() const;
 
-  // Whether terrain or spheres stand in the air, so that a ray may end before the ground and the sun's light in the air
+  // Whether terrain or bodies stand in the air, so that a ray may end before the ground and the sun's light in the air
   // is broken.
-  bool stand_in_the_air() const { return terrain_ || !spheres_.empty(); }
+  bool stand_in_the_air() const { return terrain_ || has_bodies_; }
 
   // Gives formulas all of these, terrain without shadow.
   void put_into(physics::Physics& p) const;
@@ -75,7 +75,8 @@ class Things {
   Keyed<TerrainMaps> shadow_;      // heights with a shadow
   Keyed<TerrainMaps> colours_;     // heights with albedo
   OnDemand<TerrainMaps> terrain_;  // the same, the camera being outside
-  std::vector<physics::SphereData> spheres_;
+  physics::HostBodies bodies_;
+  bool has_bodies_;
   std::vector<KeptCloud> shapes_;  // of the clouds, wherever they stand
   std::vector<KeptCloud> clouds_;  // at their places
   Keyed<GroundMaps> maps_;         // of the planet

@@ -10,16 +10,16 @@
 vec3 night_light(vec3 direction) {
   real h = scene.camera.altitude;
   Sight sight = sight_of(vec3(0.0), direction);
-  ThingHit hit = nearest_thing(scene.planet, sight, kNoSphere);
+  ThingHit hit = nearest_thing(scene.planet, sight, kNoBody);
   if (!hits_thing(hit)) {
     return night_along(scene.planet, h, direction);
   }
   Place place = place_at(scene.planet, h, direction * hit.distance_);
   vec3 normal = place.up;
   vec3 albedo = scene.planet.ground_albedo;
-  if (hit.what == kMeetsSphere) {
-    normal = normalize(place.point - sphere(hit.which).centre);
-    albedo = sphere(hit.which).albedo;
+  if (hit.what == kMeetsBody) {
+    normal = body_normal(hit.which, place.point);
+    albedo = ball_of_body(hit.which).albedo;
   } else if (has_terrain()) {
     Slope slope = terrain_slope(track_east(sight.track, hit.ground), track_north(sight.track, hit.ground), place.up, 0.0);
     normal = slope.normal;

@@ -7,7 +7,7 @@
 #include "physics/from_space.glsl"
 
 bool disc_is_hidden(vec3 direction) {
-  return hits_thing(nearest_thing(scene.planet, sight_of(vec3(0.0), direction), kNoSphere));
+  return hits_thing(nearest_thing(scene.planet, sight_of(vec3(0.0), direction), kNoBody));
 }
 
 #include "shared/star_pixels.glsl"

@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // What the corners of pixels see, by which pixels tell edges and begin their search for terrain: the distance of terrain,
-// and the share of the sun that spheres leave to ground or terrain there.
+// and the share of the sun that bodies leave to ground or terrain there.
 #include "shared/device.glsl"
 #include "shared/things.glsl"
 #include "shared/picture_ray.glsl"
@@ -29,6 +29,6 @@ void main() {
   }
   bool ground = sight.ray.at_ground && sight.ray.length_ >= 0.0;
   vec3 point = direction * (terrain < kNoTerrain ? terrain : sight.before + sight.ray.length_);
-  float share = sun_past_spheres(point, scene.sun.seen, scene.sun.angular_radius, kNoSphere);
+  float share = sun_past_bodies(point, scene.sun.seen, scene.sun.angular_radius, kNoBody);
   corners_out.values[corner.y * width + corner.x] = vec2(terrain, terrain < kNoTerrain || ground ? share : 1.0);
 }

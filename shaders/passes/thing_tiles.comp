@@ -24,8 +24,8 @@ bool shows_sky_alone(uvec2 pixel) {
   ThingPixel rays = thing_pixel(pixel, view);
   Sight sight = sight_of(vec3(0.0), view.direction);
   bool ground = sight.ray.at_ground && sight.ray.length_ >= 0.0;
-  bool ball = nearest_sphere(vec3(0.0), view.direction, kNoSphere).hit;
-  return rays.count == 1u && !ground && !ball && corners_of(pixel).nearest >= kNoTerrain;
+  bool body = nearest_body(vec3(0.0), view.direction, kNoBody).hit;
+  return rays.count == 1u && !ground && !body && corners_of(pixel).nearest >= kNoTerrain;
 }
 
 void main() {

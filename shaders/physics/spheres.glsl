@@ -1,13 +1,5 @@
-// Spheres before the sky: where rays meet them, and their shadow. Positions are from the camera, km, in its frame.
-// The includer defines:
-//   uint sphere_count();
-//   SphereData sphere(uint i);
-
-struct SphereHit {
-  bool hit;
-  uint which;
-  real distance_;  // km
-};
+// Spheres before the sky: where rays meet them, their shadow and their light. Positions are from the camera, km, in its
+// frame.
 
 // Distance along a ray to where it enters the sphere; negative where it misses it.
 real distance_to_sphere(SphereData s, vec3 origin, vec3 direction) {
@@ -18,20 +10,12 @@ real distance_to_sphere(SphereData s, vec3 origin, vec3 direction) {
   return inside > 0.0 ? along - sqrt(max(inside, 0.0)) : -1.0;
 }
 
-// The nearest sphere but `skip`, which the ray leaves.
-SphereHit nearest_sphere(vec3 origin, vec3 direction, uint skip) {
-  SphereHit nearest;
-  nearest.hit = false;
-  nearest.which = kNoSphere;
-  nearest.distance_ = 0.0;
-  for (uint i = 0u; i < sphere_count(); i++) {
-    real t = distance_to_sphere(sphere(i), origin, direction);
-    bool nearer = i != skip && t > 0.0 && (!nearest.hit || t < nearest.distance_);
-    nearest.hit = nearest.hit || nearer;
-    nearest.which = nearer ? i : nearest.which;
-    nearest.distance_ = nearer ? t : nearest.distance_;
-  }
-  return nearest;
+// Angle from the sphere's edge, as the camera sees it, to a direction; below 0 within.
+real angle_from_sphere(SphereData s, vec3 direction) {
+  real far = length(s.centre);
+  real size = atan(s.radius, sqrt(max(far * far - s.radius * s.radius, 0.0)));
+  real along = dot(direction, s.centre);
+  return atan(length(s.centre - direction * along), along) - size;
 }
 
 // Share of the sun's disc that the sphere leaves at a point: 1 where the two do not overlap; where one lies within the
@@ -51,22 +35,8 @@ real sun_past_sphere(SphereData s, vec3 point, vec3 sun, real sun_radius) {
   return 1.0 - whole * (1.0 - x * x * (3.0 - 2.0 * x));
 }
 
-// Share that all spheres leave but `skip`, on which the point lies.
-real sun_past_spheres(vec3 point, vec3 sun, real sun_radius, uint skip) {
-  real share = 1.0;
-  for (uint i = 0u; i < sphere_count(); i++) {
-    share = share * (i == skip ? 1.0 : sun_past_sphere(sphere(i), point, sun, sun_radius));
-  }
-  return share;
-}
-
 // The part of a ray in the sphere's shadow, taken as a cylinder of the sphere's width. At its rim the share of the sun
-// is about a half: what the penumbra takes away inside it adds outside. Empty where from > to.
-struct ShadowSpan {
-  real from;
-  real to;
-};
-
+// is about a half: what the penumbra takes away inside it adds outside.
 ShadowSpan shadow_of_sphere(SphereData s, vec3 origin, vec3 direction, vec3 sun) {
   vec3 start = origin - s.centre;
   real start_along = dot(start, sun);
@@ -90,20 +60,6 @@ ShadowSpan shadow_of_sphere(SphereData s, vec3 origin, vec3 direction, vec3 sun)
     span.to = nu < -1e-9 ? span.to : min(span.to, behind);
   }
   return span;
-}
-
-// Share of the sun over a step of a ray with its middle at t; at that point where the step has no width.
-real spheres_sunlit(vec3 origin, vec3 direction, vec3 sun, real sun_radius, real t, real width) {
-  if (width <= 0.0) {
-    return sun_past_spheres(origin + direction * t, sun, sun_radius, kNoSphere);
-  }
-  real share = 1.0;
-  for (uint i = 0u; i < sphere_count(); i++) {
-    ShadowSpan span = shadow_of_sphere(sphere(i), origin, direction, sun);
-    real dark = min(span.to, t + 0.5 * width) - max(span.from, t - 0.5 * width);
-    share = share * (1.0 - clamp(dark / width, 0.0, 1.0));
-  }
-  return share;
 }
 
 // The part inside the air of a ray from any place, relative to that place's own vertical.

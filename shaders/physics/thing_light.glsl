@@ -38,7 +38,7 @@ LightFrom light_from(PlanetData planet, MomentTableData table, real camera_altit
   TerrainHit met = terrain_hit_past(planet, sight.track, 0.0);
   ThingHit hit;
   hit.what = met.hit ? kMeetsTerrain : (sight.ray.at_ground ? kMeetsGround : kMeetsSky);
-  hit.which = kNoSphere;
+  hit.which = kNoBody;
   hit.distance_ = met.hit ? met.distance_ : max(sight.ray.length_, 0.0);
   hit.ground = met.ground;
   real reach = open_reach(t, direction.y);

@@ -6,7 +6,7 @@
 const uint kMeetsSky = 0u;
 const uint kMeetsGround = 1u;
 const uint kMeetsTerrain = 2u;
-const uint kMeetsSphere = 3u;
+const uint kMeetsBody = 3u;
 
 // A ray from any place.
 struct Sight {
@@ -30,7 +30,7 @@ Sight sight_from(PlanetData planet, real camera_altitude, vec3 origin, vec3 dire
 
 struct ThingHit {
   uint what;       // kMeetsSky, ...
-  uint which;      // of the spheres
+  uint which;      // of the bodies
   real distance_;  // from the sight's start, km
   real ground;     // along the ground to terrain, km
 };
@@ -40,13 +40,13 @@ bool hits_thing(ThingHit hit) { return hit.what > kMeetsGround; }
 ThingHit sky_alone() {
   ThingHit hit;
   hit.what = kMeetsSky;
-  hit.which = kNoSphere;
+  hit.which = kNoBody;
   hit.distance_ = 1e30;
   hit.ground = 0.0;
   return hit;
 }
 
-// The first thing on the way, or the ground. `skip`: the sphere that the ray leaves. `bare`: there is no terrain before
+// The first thing on the way, or the ground. `skip`: the body that the ray leaves. `bare`: there is no terrain before
 // that distance along the ground, km.
 ThingHit nearest_thing_past(PlanetData planet, Sight sight, uint skip, real bare) {
   bool ground = sight.ray.at_ground && sight.ray.length_ >= 0.0;
@@ -59,11 +59,11 @@ ThingHit nearest_thing_past(PlanetData planet, Sight sight, uint skip, real bare
     hit.distance_ = terrain.hit ? terrain.distance_ : hit.distance_;
     hit.ground = terrain.ground;
   }
-  SphereHit ball = nearest_sphere(sight.from.point, sight.direction, skip);
-  bool nearer = ball.hit && ball.distance_ <= hit.distance_;
-  hit.what = nearer ? kMeetsSphere : hit.what;
-  hit.which = nearer ? ball.which : kNoSphere;
-  hit.distance_ = nearer ? ball.distance_ : hit.distance_;
+  BodyHit body = nearest_body(sight.from.point, sight.direction, skip);
+  bool nearer = body.hit && body.distance_ <= hit.distance_;
+  hit.what = nearer ? kMeetsBody : hit.what;
+  hit.which = nearer ? body.which : kNoBody;
+  hit.distance_ = nearer ? body.distance_ : hit.distance_;
   return hit;
 }
 
@@ -71,9 +71,9 @@ ThingHit nearest_thing(PlanetData planet, Sight sight, uint skip) {
   return nearest_thing_past(planet, sight, skip, 0.0);
 }
 
-// Share of the sun's disc that things leave at a place. `skip`: the sphere on which it lies.
+// Share of the sun's disc that things leave at a place. `skip`: the body on which it lies.
 real sun_past_things(PlanetData planet, real camera_altitude, SunData sun, Place place, uint skip) {
-  real share = sun_past_spheres(place.point, sun.seen, sun.angular_radius, skip);
+  real share = sun_past_bodies(place.point, sun.seen, sun.angular_radius, skip);
   if (has_terrain()) {
     vec2 at = map_place(planet, camera_altitude, place.point);
     share = share * terrain_sunlit(terrain_shape(), at.x, at.y, place.h);
@@ -91,7 +91,7 @@ struct Course {
 
 // Mean share of the sun's disc over a step of the march with its middle at t.
 real step_past_things(PlanetData planet, SunData sun, Course course, Ray ray, real t, real width) {
-  real share = spheres_sunlit(course.from, course.direction, sun.seen, sun.angular_radius, t, width);
+  real share = bodies_sunlit(course.from, course.direction, sun.seen, sun.angular_radius, t, width);
   if (has_terrain()) {
     share = share * step_sunlit(planet, course.track, course.start, ray, t, width);
   }

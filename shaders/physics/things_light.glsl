@@ -5,7 +5,7 @@
 // What a ray meets.
 struct Surface {
   uint what;   // kMeetsGround, ...
-  uint which;  // of the spheres
+  uint which;  // of the bodies
   Place place;
   vec3 normal;
   Ground ground;  // its albedo, and the ground's share of water
@@ -23,9 +23,9 @@ Surface surface_at(PlanetData planet, real camera_altitude, Sight sight, ThingHi
   surface.ground.albedo = planet.ground_albedo;
   surface.ground.water = 0.0;
   surface.mirrors = false;
-  if (hit.what == kMeetsSphere) {
-    SphereData s = sphere(hit.which);
-    surface.normal = normalize(surface.place.point - s.centre);
+  if (hit.what == kMeetsBody) {
+    SphereData s = ball_of_body(hit.which);
+    surface.normal = body_normal(hit.which, surface.place.point);
     surface.ground.albedo = s.albedo;
     surface.mirrors = s.material == kSphereMirror;
   } else if (has_terrain() && hit.what == kMeetsTerrain) {
@@ -52,11 +52,11 @@ struct SkyPast {
   vec3 more;   // W/m2 that things add to it, for a sun of irradiance 1
 };
 
-// Spheres before a surface: each hides a part of its hemisphere, as if the sky were even, and shines there as a sphere
-// in the sun and in even light from all around. Spheres do not hide one another.
-SkyPast with_spheres(SkyPast sky, Surface surface, vec3 sun, vec3 direct, vec3 even) {
-  for (uint i = 0u; i < sphere_count(); i++) {
-    SphereData s = sphere(i);
+// Bodies before a surface: the ball of each hides a part of its hemisphere, as if the sky were even, and shines there
+// as a sphere in the sun and in even light from all around. Bodies do not hide one another.
+SkyPast with_bodies(SkyPast sky, Surface surface, vec3 sun, vec3 direct, vec3 even) {
+  for (uint i = 0u; i < body_count(); i++) {
+    SphereData s = ball_of_body(i);
     vec3 to = s.centre - surface.place.point;
     real hidden = i == surface.which ? 0.0 : hidden_by_sphere(s, to, surface.normal);
     bool mirror = s.material == kSphereMirror;
@@ -67,15 +67,15 @@ SkyPast with_spheres(SkyPast sky, Surface surface, vec3 sun, vec3 direct, vec3 e
   return sky;
 }
 
-// What a sphere's surface loses of the ground's light: the ground below lies in the sphere's shadow, and the sphere
-// hides its sky as well. The ground is taken as level; its places are those of even shares of the surface's
+// What a body's surface loses of the ground's light: the ground below lies in the shadow of its ball, which hides the
+// ground's sky as well. The ground is taken as level; its places are those of even shares of the surface's
 // irradiance. Each stands for a piece of ground, over which a sun as wide as that is as good as the shadow's mean.
 vec3 dark_ground_below(PlanetData planet, MomentTableData table, Surface surface, PlaceSun sun, real height) {
   const uint kPlaces = 8u;
   const real kWide = 0.3;
-  // Counted so, the software device goes through the loop for spheres alone.
-  uint places = surface.what == kMeetsSphere ? kPlaces : 0u;
-  SphereData own = sphere(surface.which == kNoSphere ? 0u : surface.which);
+  // Counted so, the software device goes through the loop for bodies alone.
+  uint places = surface.what == kMeetsBody ? kPlaces : 0u;
+  SphereData own = ball_of_body(surface.which == kNoBody ? 0u : surface.which);
   vec3 up = surface.place.up;
   vec3 beam = sun_through_air(planet, 0.0, sun.mu) * max(dot(sun.seen, up), 0.0);
   vec3 sky = moment_ground_irradiance(table, sun.mu);
@@ -102,16 +102,16 @@ SkyPast sky_past_things(PlanetData planet, MomentTableData table, real camera_al
   sky.share = vec3(1.0);
   sky.more = vec3(0.0);
   vec2 at = vec2(0.0, 0.0);
-  bool on_sphere = surface.what == kMeetsSphere;
+  bool on_body = surface.what == kMeetsBody;
   if (has_terrain()) {
     at = map_place(planet, camera_altitude, surface.place.point);
-    sky.share = on_sphere ? air_share(terrain_shape(), kShareEven, at.x, at.y, surface.place.h)
+    sky.share = on_body ? air_share(terrain_shape(), kShareEven, at.x, at.y, surface.place.h)
                           : slope_share(terrain_shape(), at.x, at.y);
   }
-  if (sphere_count() > 0u) {
+  if (body_count() > 0u) {
     vec3 direct = sun_through_air(planet, sun.h, sun.mu);
     vec3 even = mean_sky_irradiance(table, sun) * sky.share;
-    sky = with_spheres(sky, surface, sun.seen, direct, even);
+    sky = with_bodies(sky, surface, sun.seen, direct, even);
     real ground = has_terrain() ? surface_height(terrain_shape(), at.x, at.y) : 0.0;
     sky.more = sky.more - dark_ground_below(planet, table, surface, sun,
                                             max(surface.place.h - ground, 0.0));
@@ -132,10 +132,10 @@ vec3 surface_radiance(PlanetData planet, MomentTableData table, Surface surface,
   vec3 direct = sun_through_air(planet, sun.h, sun.mu) * share;
   vec3 diffuse = sky_irradiance(table, place, surface.normal, sun) * sky.share + sky.more;
   vec3 irradiance = direct * max(dot(surface.normal, sun.seen), 0.0) + max(diffuse, vec3(0.0));
-  if (surface.what == kMeetsSphere && sphere(surface.which).material == kSphereTranslucent) {
+  if (surface.what == kMeetsBody && ball_of_body(surface.which).material == kSphereTranslucent) {
     vec3 even = direct * 0.25 + mean_sky_irradiance(table, sun) * sky.share;
     real facing = -dot(surface.normal, direction);
-    irradiance = translucent_irradiance(sphere(surface.which), irradiance, even, facing);
+    irradiance = translucent_irradiance(ball_of_body(surface.which), irradiance, even, facing);
   }
   return surface.ground.albedo * irradiance / kPi;
 }

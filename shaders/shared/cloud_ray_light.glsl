@@ -39,7 +39,7 @@ vec3 share_by_froxels(AirRay of, float distance_) {
 float sun_past_things_at(AirRay of, float t) {
 #ifdef AIRLIGHT_THINGS
   Place place = place_at(scene.planet, scene.camera.altitude, of.direction * t);
-  return sun_past_things(scene.planet, scene.camera.altitude, scene.sun, place, kNoSphere);
+  return sun_past_things(scene.planet, scene.camera.altitude, scene.sun, place, kNoBody);
 #else
   return 1.0;
 #endif

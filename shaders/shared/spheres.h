@@ -1,7 +1,6 @@
 // Spheres before the sky as the shaders see them, the same text in C++ (core/physics).
 
 const uint kMostSpheres = 16u;
-const uint kNoSphere = 0xffffffffu;
 
 const uint kSphereMatte = 0u;
 const uint kSphereMirror = 1u;

@@ -19,22 +19,18 @@ vec3 direction_at(uvec2 pixel, vec2 place) {
   return view_ray(scene.camera, kProjection, at.x, at.y).direction;
 }
 
-// What a pixel, which extends by `reach` from its middle, holds of spheres.
-struct SpheresHeld {
+// What a pixel, which extends by `reach` from its middle, holds of bodies.
+struct BodiesHeld {
   bool edge;
   bool mirror;
 };
 
-SpheresHeld spheres_held(vec3 direction, float reach) {
-  SpheresHeld held = SpheresHeld(false, false);
-  for (uint i = 0u; i < sphere_count(); i++) {
-    SphereData s = sphere(i);
-    float far = length(s.centre);
-    float size = atan(s.radius, sqrt(max(far * far - s.radius * s.radius, 0.0)));
-    float along = dot(direction, s.centre);
-    float apart = atan(length(s.centre - direction * along), along);
-    held.edge = held.edge || abs(apart - size) < reach;
-    held.mirror = held.mirror || (s.material == kSphereMirror && apart < size);
+BodiesHeld bodies_held(vec3 direction, float reach) {
+  BodiesHeld held = BodiesHeld(false, false);
+  for (uint i = 0u; i < body_count(); i++) {
+    float off = angle_from_body(i, direction);
+    held.edge = held.edge || abs(off) < reach;
+    held.mirror = held.mirror || (ball_of_body(i).material == kSphereMirror && off < 0.0);
   }
   return held;
 }
@@ -43,7 +39,7 @@ SpheresHeld spheres_held(vec3 direction, float reach) {
 struct PixelCorners {
   float nearest;   // distances of terrain, km
   float farthest;
-  float least;     // shares of the sun past spheres, of ground and terrain
+  float least;     // shares of the sun past bodies, of ground and terrain
   float most;
 };
 
@@ -63,7 +59,7 @@ PixelCorners corners_of(uvec2 pixel) {
 }
 
 // Whether the corners see terrain at distances too different to lie on one slope, or ground and terrain with different
-// shares of the sun past spheres.
+// shares of the sun past bodies.
 bool holds_step(PixelCorners of) { return of.farthest > 1.15 * of.nearest || of.most - of.least > 0.1; }
 
 // Distance along the ground before which no ray of the pixel meets terrain.
@@ -93,9 +89,9 @@ ThingPixel thing_pixel(uvec2 pixel, ViewRay view) {
     float across = length(direction_at(pixel, vec2(0.99, 0.5)) - direction_at(pixel, vec2(0.01, 0.5)));
     float corner = length(direction_at(pixel, vec2(0.99, 0.99)) - direction_at(pixel, vec2(0.01, 0.01)));
     PixelCorners seen = corners_of(pixel);
-    SpheresHeld spheres = spheres_held(view.direction, max(across, corner));
-    found.edge = view.inside && (spheres.edge || holds_step(seen));
-    found.mirror = view.inside && spheres.mirror && !found.edge;
+    BodiesHeld bodies = bodies_held(view.direction, max(across, corner));
+    found.edge = view.inside && (bodies.edge || holds_step(seen));
+    found.mirror = view.inside && bodies.mirror && !found.edge;
     found.bare = has_terrain() ? bare_before(seen, view.direction, found.edge || found.mirror) : 0.0;
     float rays_across = found.edge ? float(kEdgeSide) : found.mirror ? sqrt(float(kMirrorRays)) : 1.0;
     found.spread = across / (0.98 * rays_across);

@@ -25,7 +25,7 @@ Gathered gathered_along(vec3 direction, float spread, float bare, uint steps) {
   vec3 origin = vec3(0.0);
   vec3 through = vec3(1.0);
   float beam = 0.0;  // width, km
-  uint left = kNoSphere;
+  uint left = kNoBody;
   for (uint i = 0u; i < kSegments; i++) {
     Sight sight = sight_of(origin, direction);
     ThingHit hit = sky_alone();
@@ -67,7 +67,7 @@ Gathered gathered_along(vec3 direction, float spread, float bare, uint steps) {
       break;
     }
     through *= surface.ground.albedo;
-    spread += 2.0 * beam / sphere(hit.which).radius;
+    spread += 2.0 * beam / ball_of_body(hit.which).radius;
     origin = surface.place.point;
     direction = normalize(direction - surface.normal * (2.0 * dot(direction, surface.normal)));
     left = hit.which;

@@ -47,15 +47,15 @@ float share_past_terrain(Sight sight, float from, float to) {
 }
 
 // What is scattered once on the way in the sun, where `all` would be without things: the ray less its parts in the
-// shadows of spheres, gone through in order.
+// shadows of bodies, gone through in order.
 vec3 lit_single(VolumeRay of, Phases p, Sight sight, float distance_, vec3 all) {
   vec3 sum = single_to(of, p, sight, distance_, all);
   float at = 0.0;
-  for (uint turn = 0u; turn < sphere_count(); turn++) {
+  for (uint turn = 0u; turn < body_count(); turn++) {
     float from = distance_;
     float to = distance_;
-    for (uint i = 0u; i < sphere_count(); i++) {
-      ShadowSpan span = shadow_of_sphere(sphere(i), sight.from.point, sight.direction, scene.sun.seen);
+    for (uint i = 0u; i < body_count(); i++) {
+      ShadowSpan span = shadow_of_body(i, sight.from.point, sight.direction, scene.sun.seen);
       bool next = span.to > at && span.from < from;
       from = next ? max(span.from, at) : from;
       to = next ? span.to : to;

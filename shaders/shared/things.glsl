@@ -1,6 +1,6 @@
 // The things of a scene as buffers, and what of them there is (core/things/thing_buffers.cpp).
 #include "shared/terrain.h"
-#include "shared/spheres.h"
+#include "shared/bodies.h"
 #include "shared/ground.h"
 
 layout(constant_id = 33) const uint kThings = 0u;  // bits kHasTerrain, ...
@@ -11,7 +11,17 @@ bool has_ground_maps() { return (kThings & kHasGroundMaps) != 0u; }
 uvec2 here;  // the pixel of the tile at hand
 
 #include "shared/terrain_maps.glsl"
-#include "shared/sphere_list.glsl"
+
+#define BODY_BUFFER(Data, one, all, bit, place)                        \
+  layout(scalar, set = 0, binding = place) readonly buffer Data##List { \
+    uint count;                                                         \
+    Data of[];                                                          \
+  } all;                                                                \
+  uint one##_count() { return (kThings & bit) != 0u ? all.count : 0u; } \
+  Data one(uint i) { return all.of[i]; }
+BODY_KINDS(BODY_BUFFER)
+#include "physics/bodies.glsl"
+
 #include "shared/ground_maps.glsl"
 
 #include "physics/things.glsl"

@@ -67,7 +67,7 @@ vec3 east_north_up(const vec3& d) {
 // through its grid; 0: the ray meets none, or in too dark a shade.
 double left_to_camera(physics::Physics& p, const Scene& scene, const CloudGrid& grid, const vec3& view) {
   const auto sight = p.sight_of(view);
-  const auto hit = p.nearest_thing(p.scene.planet, sight, physics::kNoSphere);
+  const auto hit = p.nearest_thing(p.scene.planet, sight, physics::kNoBody);
   if (hit.what == p.kMeetsSky || hit.distance_ > 40.0) {
     return 0.0;
   }

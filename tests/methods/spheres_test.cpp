@@ -1,7 +1,5 @@
 // Spheres in the picture of `orders`: their light against the light of the sky without them, their shadows against the
 // hidden sunlight, their edges against finer pictures.
-#include "core/things/spheres.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,6 +7,7 @@
 
 #include "core/methods/path_trace/optical_depth.h"
 #include "core/post/post.h"
+#include "core/things/bodies.h"
 #include "tests/methods/render_fixture.h"
 #include "tests/of_scene.h"
 
@@ -67,7 +66,7 @@ Touch touch(const Scene& scene, double elevation, double azimuth) {
   p.spheres = spheres_of(scene);
   Touch t{{elevation * kDegree, azimuth * kDegree}, {}, {}, {}};
   t.view = p.direction_from_angles(t.direction.elevation, t.direction.azimuth);
-  const auto hit = p.nearest_sphere(vec3(0.0), t.view, physics::kNoSphere);
+  const auto hit = p.nearest_body(vec3(0.0), t.view, physics::kNoBody);
   EXPECT_TRUE(hit.hit);
   t.point = t.view * hit.distance_;
   t.normal = (t.point - p.spheres[0].centre) / p.spheres[0].radius;
@@ -239,7 +238,7 @@ TEST(SphereSky, ShaftsAreTheSunlightThatIsHidden) {
     for (std::size_t k = 0; k < directions.size(); ++k) {
       const vec3 view = p.direction_from_angles(directions[k].elevation, directions[k].azimuth);
       const auto ray = p.ray_from(p.scene.planet, scene.camera.altitude, vec3(0.0), view, p.scene.sun.direction);
-      const auto hit = p.nearest_sphere(vec3(0.0), view, physics::kNoSphere);
+      const auto hit = p.nearest_body(vec3(0.0), view, physics::kNoBody);
       const double end = hit.hit ? hit.distance_ : 60.0;
       vec3 hidden(0.0);
       constexpr int kSteps = 3000;
@@ -247,7 +246,7 @@ TEST(SphereSky, ShaftsAreTheSunlightThatIsHidden) {
         const double t = end * (i + 0.5) / kSteps;
         const auto point = p.point_on_ray(p.scene.planet, ray, t);
         const double lit =
-            p.sun_past_spheres(view * t, p.scene.sun.direction, p.scene.sun.angular_radius, physics::kNoSphere);
+            p.sun_past_bodies(view * t, p.scene.sun.direction, p.scene.sun.angular_radius, physics::kNoBody);
         const vec3 through = exp(-(depth.along(ray.h, ray.mu, t) + depth.to_top(point.h, point.mu_sun)));
         hidden = hidden + through * p.air_at(point.h, p.phases(ray.nu)).phase_scattering * ((1.0 - lit) * end / kSteps);
       }

@@ -115,7 +115,7 @@ TEST(Things, ARayShowsTheNearestSurface) {
     const std::vector<Direction> directions = lattice(scene);
     const std::vector<ProbeResult> all = probe_now(scene, directions);
     std::array<std::vector<ProbeResult>, 4> alone;
-    for (const unsigned int what : {p.kMeetsGround, p.kMeetsTerrain, p.kMeetsSphere}) {
+    for (const unsigned int what : {p.kMeetsGround, p.kMeetsTerrain, p.kMeetsBody}) {
       Scene one = shore(what == p.kMeetsGround ? things & kOcean : what == p.kMeetsTerrain ? kTerrain : kSpheres);
       one.sun.elevation = scene.sun.elevation;
       one.render = scene.render;
@@ -127,13 +127,13 @@ TEST(Things, ARayShowsTheNearestSurface) {
     for (std::size_t k = 0; k < directions.size(); ++k) {
       const vec3 view = p.direction_from_angles(directions[k].elevation, directions[k].azimuth);
       const auto sight = p.sight_of(view);
-      const auto hit = p.nearest_thing(p.scene.planet, sight, physics::kNoSphere);
-      if (hit.what == p.kMeetsSphere && p.spheres[hit.which].material == physics::kSphereMirror) {
+      const auto hit = p.nearest_thing(p.scene.planet, sight, physics::kNoBody);
+      if (hit.what == p.kMeetsBody && p.spheres[hit.which].material == physics::kSphereMirror) {
         continue;
       }
       const vec3 point = view * hit.distance_;
       const bool under_a_ball =
-          p.sun_past_spheres(point, p.scene.sun.direction, p.scene.sun.angular_radius, hit.which) < 1.0;
+          p.sun_past_bodies(point, p.scene.sun.direction, p.scene.sun.angular_radius, hit.which) < 1.0;
       if (hit.what != p.kMeetsSky && under_a_ball) {
         continue;
       }
@@ -148,7 +148,7 @@ TEST(Things, ARayShowsTheNearestSurface) {
     EXPECT_GT(seen[p.kMeetsSky], 20) << things;
     EXPECT_GT(seen[p.kMeetsGround], 20) << things;
     EXPECT_EQ(seen[p.kMeetsTerrain] > 20, (things & kTerrain) != 0) << things;
-    EXPECT_EQ(seen[p.kMeetsSphere] > 5, (things & kSpheres) != 0) << things;
+    EXPECT_EQ(seen[p.kMeetsBody] > 5, (things & kSpheres) != 0) << things;
   }
 }
 
@@ -178,7 +178,7 @@ void look_for_leaks(double sun_azimuth, Shades& shades) {
   for (std::size_t k = 0; k < directions.size(); ++k) {
     const vec3 view = p.direction_from_angles(directions[k].elevation, directions[k].azimuth);
     const auto sight = p.sight_of(view);
-    const auto hit = p.nearest_thing(p.scene.planet, sight, physics::kNoSphere);
+    const auto hit = p.nearest_thing(p.scene.planet, sight, physics::kNoBody);
     if (hit.what == p.kMeetsSky) {
       EXPECT_EQ(found[k].radiance[1], 0.0);
       continue;
@@ -201,7 +201,7 @@ void look_for_leaks(double sun_azimuth, Shades& shades) {
     if (facing < 0.0 || hidden == 5) {
       ++shades.dark[hit.what];
       // Balls in the sun shine into shadows.
-      const auto sky = p.with_spheres({vec3(1.0), vec3(0.0)}, surface, sun, vec3(1.0), vec3(0.0));
+      const auto sky = p.with_bodies({vec3(1.0), vec3(0.0)}, surface, sun, vec3(1.0), vec3(0.0));
       EXPECT_LT(found[k].radiance[1], 1e-4 + surface.ground.albedo.y / std::numbers::pi * sky.more.y)
           << hit.what << " at " << directions[k].elevation / kDegree << ", " << directions[k].azimuth / kDegree;
     } else if (hidden == 0 && facing > 0.1) {
@@ -217,7 +217,7 @@ TEST(Things, NoLightLeaksIntoShadows) {
   look_for_leaks(25.0 * kDegree, shades);
   look_for_leaks(150.0 * kDegree, shades);
   const Physics p{};
-  for (const unsigned int what : {p.kMeetsGround, p.kMeetsTerrain, p.kMeetsSphere}) {
+  for (const unsigned int what : {p.kMeetsGround, p.kMeetsTerrain, p.kMeetsBody}) {
     EXPECT_GE(shades.dark[what], 3) << what;
     EXPECT_GT(shades.lit[what], 3) << what;
   }
@@ -239,8 +239,8 @@ TEST(Things, MirrorsShowThings) {
         const Direction direction{elevation * kDegree, azimuth * kDegree};
         const vec3 view = p.direction_from_angles(direction.elevation, direction.azimuth);
         const auto sight = p.sight_of(view);
-        const auto hit = p.nearest_thing(p.scene.planet, sight, physics::kNoSphere);
-        if (hit.what != p.kMeetsSphere) {
+        const auto hit = p.nearest_thing(p.scene.planet, sight, physics::kNoBody);
+        if (hit.what != p.kMeetsBody) {
           continue;
         }
         const auto surface = p.surface_at(p.scene.planet, scene.camera.altitude, sight, hit, 0.0);
@@ -443,7 +443,7 @@ TEST(Things, LayersSumUpToThePicture) {
       const double beauty = channel_of(rendering.radiance, x, y, 1);
       EXPECT_NEAR(sum, beauty, 5e-4 * beauty) << x << ", " << y;
       const auto ray = p.view_ray(p.scene.camera, physics::kProjectionPerspective, x + 0.5, y + 0.5);
-      const auto hit = p.nearest_thing(p.scene.planet, p.sight_of(ray.direction), physics::kNoSphere);
+      const auto hit = p.nearest_thing(p.scene.planet, p.sight_of(ray.direction), physics::kNoBody);
       ASSERT_NE(depth, nullptr);
       if (hit.what != p.kMeetsSky) {
         EXPECT_NEAR(static_cast<double>(depth->planes[i]), hit.distance_, 1e-5 * hit.distance_) << x << ", " << y;
@@ -496,7 +496,7 @@ TEST(Things, AgreeWithPathTrace) {
   std::array<int, 4> met{};
   for (const Direction& direction : lattice(scene)) {
     const vec3 view = p.direction_from_angles(direction.elevation, direction.azimuth);
-    const auto hit = p.nearest_thing(p.scene.planet, p.sight_of(view), physics::kNoSphere);
+    const auto hit = p.nearest_thing(p.scene.planet, p.sight_of(view), physics::kNoBody);
     if (++met[hit.what] <= 8) {
       directions.push_back(direction);
     }

@@ -69,7 +69,7 @@ TEST(Spheres, AreMetWhereTheSurfaceIs) {
     p.spheres = {sphere_at({3.0 * any(random), 3.0 * any(random), -4.0}, 1.0),
                  sphere_at({any(random), any(random), -7.0}, 1.5)};
     const vec3 view = physics::normalize({any(random), any(random), -2.0});
-    const Physics::SphereHit hit = p.nearest_sphere(vec3(0.0), view, physics::kNoSphere);
+    const Physics::BodyHit hit = p.nearest_body(vec3(0.0), view, physics::kNoBody);
     double first = -1.0;
     for (double t = 0.0; t < 12.0 && first < 0.0; t += 4e-3) {
       const bool in =
@@ -84,7 +84,7 @@ TEST(Spheres, AreMetWhereTheSurfaceIs) {
       ASSERT_TRUE(hit.hit);
       EXPECT_NEAR(hit.distance_, first, 5e-3);
     }
-    EXPECT_FALSE(p.nearest_sphere(vec3(0.0), -view, physics::kNoSphere).hit);
+    EXPECT_FALSE(p.nearest_body(vec3(0.0), -view, physics::kNoBody).hit);
   }
   EXPECT_GT(hits, 30);
 }
@@ -144,7 +144,7 @@ TEST(Spheres, ShadeTheRayBehindThem) {
       const double along = dot(off, sun);
       lit += along < 0.0 && length(off - sun * along) < s.radius ? 0.0 : 1.0 / kPoints;
     }
-    EXPECT_NEAR(p.spheres_sunlit(origin, view, sun, 0.0, 3.0, 6.0), lit, 2e-3) << k;
+    EXPECT_NEAR(p.bodies_sunlit(origin, view, sun, 0.0, 3.0, 6.0), lit, 2e-3) << k;
     dark += lit < 0.99 ? 1 : 0;
   }
   EXPECT_GT(dark, 30);

@@ -4,6 +4,7 @@
 #include "core/methods/path_trace/walk.h"
 #include "core/scene/density_profiles.h"
 #include "core/scene/thing_kinds.h"
+#include "core/things/bodies.h"
 #include "core/things/ground.h"
 #include "core/things/terrain.h"
 
@@ -90,18 +91,7 @@ void add_things(Lines& lines, const std::string& at, const Scene& scene) {
     lines.add(here + "/phase", static_cast<int>(cloud.phase));
     lines.add(here + "/phase/g", cloud.phase_g);
   }
-  for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
-    const Sphere& sphere = scene.spheres[i];
-    const std::string here = at + "/scene/spheres/" + std::to_string(i);
-    lines.add(here + "/azimuth (rad)", sphere.azimuth);
-    lines.add(here + "/elevation (rad)", sphere.elevation);
-    lines.add(here + "/distance (km)", sphere.distance);
-    lines.add(here + "/radius (km)", sphere.radius);
-    lines.add(here + "/material", static_cast<int>(sphere.material));
-    for (std::size_t c = 0; c < 3; ++c) {
-      lines.add(here + "/albedo/" + std::to_string(c), sphere.albedo[c]);
-    }
-  }
+  tell_bodies(scene, [&](const std::string& key, double value) { lines.add(at + key, value); });
 }
 
 // The groups of three wavelengths, with their colours, whose sum is the picture.

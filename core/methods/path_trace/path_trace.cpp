@@ -153,7 +153,7 @@ SkyMethod path_trace_method() {
   SkyMethod method;
   method.info = {"path-trace", "unbiased Monte Carlo of all orders on the processor, with standard error", kParameters};
   method.info.knows_terrain = true;
-  method.info.knows_spheres = true;
+  method.info.knows_bodies = true;
   method.info.knows_ground_maps = true;
   method.info.knows_polarisers = true;
   method.info.knows_clouds = true;

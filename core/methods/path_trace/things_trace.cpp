@@ -11,25 +11,24 @@ using physics::vec3;
 TracedThings::TracedThings(const Part& part)
     : physics_(geometry_of(part.scene)),
       camera_(0.0, part.scene.planet.ground_radius + part.scene.camera.altitude, 0.0),
-      sun_(physics_.scene.sun.direction),
-      spheres_(part.things.spheres()) {
+      sun_(physics_.scene.sun.direction) {
+  static_cast<physics::HostBodies&>(physics_) = part.things.bodies();
   if (part.scene.terrain) {
     terrain_.emplace(part.scene, part.things.terrain());
     highest_ = terrain_->highest();
   }
-  for (const physics::SphereData& sphere : spheres_) {
-    highest_ = std::max(highest_, part.scene.camera.altitude + length(sphere.centre) + sphere.radius);
+  for (physics::uint i = 0; i < physics_.body_count(); ++i) {
+    const physics::SphereData ball = physics_.ball_of_body(i);
+    highest_ = std::max(highest_, part.scene.camera.altitude + length(ball.centre) + ball.radius);
   }
 }
 
 std::optional<TracedThings::Met> TracedThings::hit(vec3 from, vec3 direction, double limit, ThingNumber left) const {
   std::optional<Met> first;
-  for (std::size_t i = 0; i < spheres_.size(); ++i) {
-    const double t = physics_.distance_to_sphere(spheres_[i], from - camera_, direction);
-    if (t > 0.0 && t < limit && static_cast<ThingNumber>(i) != left) {
-      first = Met{t, static_cast<ThingNumber>(i), from + direction * t};
-      limit = t;
-    }
+  const physics::Physics::BodyHit body = physics_.nearest_body(from - camera_, direction, number_of(left));
+  if (body.hit && body.distance_ < limit) {
+    first = Met{body.distance_, static_cast<ThingNumber>(body.which), from + direction * body.distance_};
+    limit = body.distance_;
   }
   if (terrain_) {
     if (const std::optional<double> t = terrain_->hit(from, direction, limit)) {
@@ -63,16 +62,15 @@ bool TracedThings::hides_sun(physics::Physics& physics, vec3 place, double h, co
 }
 
 vec3 TracedThings::normal(vec3 place, ThingNumber thing) const {
-  return thing == kOnTerrain ? terrain_->normal(place)
-                             : normalize(place - camera_ - spheres_[static_cast<std::size_t>(thing)].centre);
+  return thing == kOnTerrain ? terrain_->normal(place) : physics_.body_normal(number_of(thing), place - camera_);
 }
 
 vec3 TracedThings::albedo(vec3 place, ThingNumber thing) const {
-  return thing == kOnTerrain ? terrain_->albedo(place) : spheres_[static_cast<std::size_t>(thing)].albedo;
+  return thing == kOnTerrain ? terrain_->albedo(place) : physics_.ball_of_body(number_of(thing)).albedo;
 }
 
 bool TracedThings::mirrors(ThingNumber thing) const {
-  return thing >= 0 && spheres_[static_cast<std::size_t>(thing)].material == physics::kSphereMirror;
+  return thing >= 0 && physics_.ball_of_body(number_of(thing)).material == physics::kSphereMirror;
 }
 
 }  // namespace airlight

@@ -1,8 +1,7 @@
 #pragma once
-// The things of a scene for paths: terrain and spheres. It shares neither the shaders' march nor their tables.
+// The things of a scene for paths: terrain and bodies. It shares neither the shaders' march nor their tables.
 
 #include <optional>
-#include <vector>
 
 #include "core/methods/path_trace/bent_way.h"
 #include "core/methods/path_trace/terrain_trace.h"
@@ -10,10 +9,13 @@
 
 namespace airlight {
 
-// What a ray ends on or a vertex lies on; from 0 on it is a sphere's number.
+// What a ray ends on or a vertex lies on; from 0 on it is a body's number.
 using ThingNumber = int;
 inline constexpr ThingNumber kNoThing = -2;  // air or ground
 inline constexpr ThingNumber kOnTerrain = -1;
+constexpr physics::uint number_of(ThingNumber thing) {
+  return thing >= 0 ? static_cast<physics::uint>(thing) : physics::kNoBody;
+}
 // Where a path meets a drop of a cloud, its flight ends as on a thing.
 inline constexpr ThingNumber kFirstCloud = -3;
 constexpr bool is_cloud(ThingNumber thing) {
@@ -30,7 +32,7 @@ class TracedThings {
  public:
   explicit TracedThings(const Part& part);
 
-  bool none() const { return !terrain_ && spheres_.empty(); }
+  bool none() const { return !terrain_ && physics_.body_count() == 0; }
 
   struct Met {
     double distance = 0.0;
@@ -38,7 +40,7 @@ class TracedThings {
     physics::vec3 place{};
   };
   // The first meeting along `direction` (unit) from `from`, a vector from the planet's centre in the camera's frame,
-  // km, nearer than `limit`. `left`: the sphere that the ray leaves.
+  // km, nearer than `limit`. `left`: the body that the ray leaves.
   std::optional<Met> hit(physics::vec3 from, physics::vec3 direction, double limit, ThingNumber left) const;
 
   // The same along a ray that the air may bend; its distance is the ray's.
@@ -62,7 +64,6 @@ class TracedThings {
   physics::vec3 camera_;  // from the planet's centre
   physics::vec3 sun_;
   double highest_ = 0.0;  // altitude of all things, km
-  std::vector<physics::SphereData> spheres_;
   std::optional<TracedTerrain> terrain_;
 };
 

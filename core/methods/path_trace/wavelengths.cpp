@@ -22,6 +22,14 @@ std::array<double, 3> three_of(vec3 v) {
   return {v.x, v.y, v.z};
 }
 
+// The value of that number among those that may have a curve.
+Spectrum spectral_value(const Scene& scene, std::size_t number) {
+  Spectrum found{};
+  std::size_t i = 0;
+  for_each_spectral_value(scene, [&](const Spectrum& value) { found = i++ == number ? value : found; });
+  return found;
+}
+
 // Means of the parts' channels; each channel's weights add up to 1.
 Scene mean_scene(std::span<const Part> parts, const std::vector<Rgb>& weights) {
   Scene mean = parts.front().scene;
@@ -33,16 +41,15 @@ Scene mean_scene(std::span<const Part> parts, const std::vector<Rgb>& weights) {
       }
       return total;
     };
+    std::size_t value = 0;
+    for_each_spectral_value(mean, [&](SpectralValue& into) {
+      into[c] = sum([value](const Scene& s) { return spectral_value(s, value); });
+      ++value;
+    });
     for (std::size_t i = 0; i < mean.media.size(); ++i) {
-      Medium& medium = mean.media[i];
-      medium.scattering[c] = sum([i](const Scene& s) { return s.media[i].scattering; });
-      medium.absorption[c] = sum([i](const Scene& s) { return s.media[i].absorption; });
-      medium.depolarization[c] = sum([i](const Scene& s) { return s.media[i].depolarization; });
-      medium.phase_wavelengths[c] = sum([i](const Scene& s) { return s.media[i].phase_wavelengths; });
+      mean.media[i].phase_wavelengths[c] = sum([i](const Scene& s) { return s.media[i].phase_wavelengths; });
     }
-    mean.planet.ground_albedo[c] = sum([](const Scene& s) { return s.planet.ground_albedo; });
     if (mean.terrain) {
-      mean.terrain->albedo[c] = sum([](const Scene& s) { return s.terrain->albedo; });
       for (std::size_t j = 0; j < 3; ++j) {
         const auto mix = [j](const Scene& s) {
           return Spectrum{s.terrain->mix[0][j], s.terrain->mix[1][j], s.terrain->mix[2][j]};
@@ -55,9 +62,6 @@ Scene mean_scene(std::span<const Part> parts, const std::vector<Rgb>& weights) {
         return Spectrum{s.ground->mix[0][j], s.ground->mix[1][j], s.ground->mix[2][j]};
       };
       mean.ground->mix[c][j] = sum(mix);
-    }
-    for (std::size_t i = 0; i < mean.spheres.size(); ++i) {
-      mean.spheres[i].albedo[c] = sum([i](const Scene& s) { return s.spheres[i].albedo; });
     }
   }
   return mean;
@@ -139,7 +143,7 @@ Wavelengths::Phases Wavelengths::phases(double nu) const {
 
 Wide Wavelengths::thing_albedo(const TracedThings& things, vec3 place, ThingNumber thing) const {
   if (thing != kOnTerrain) {
-    return of_groups([thing](physics::Physics& p) { return p.spheres[static_cast<std::size_t>(thing)].albedo; });
+    return of_groups([thing](physics::Physics& p) { return p.ball_of_body(number_of(thing)).albedo; });
   }
   const physics::vec2 at = things.on_map(place);
   return of_groups([at](physics::Physics& p) { return p.map_albedo(p.terrain_shape(), at.x, at.y); });
