@@ -285,6 +285,9 @@ AirRay ray_through_clouds(uvec2 pixel, vec3 direction) {
   of.at = factor_place(direction);
   of.direction = direction;
   of.reach = shaded_reach(scene.planet.ground_radius, highest_cloud(), of.ray.h, of.ray.mu, max(of.ray.length_, 0.0));
+  if (kAirByRay == 0u) {
+    of = among_froxels(of);
+  }
   UNROLL for (uint q = 0u; q < kCloudMoments; q++) {
     seen_harmonics[q] = cloud_harmonic(q, vec3(-direction.x, direction.z, -direction.y));
   }

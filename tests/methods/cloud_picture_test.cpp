@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <memory>
 #include <numbers>
 #include <numeric>
 
@@ -197,6 +199,55 @@ TEST(CloudPicture, ShadesTheAir) {
   EXPECT_LT(all / clear, 0.8);
   EXPECT_LT(by_rays, 0.03);
   EXPECT_LT(by_froxels, 0.05);
+}
+
+// Rays that pass the planet's edge have froxels of other distances than those that end on the ground. A black ball
+// stands before both.
+TEST(CloudPicture, ShadesTheAirAlikeOnBothSidesOfTheHorizon) {
+  constexpr int kWidth = 48;
+  Scene scene = among_black_clouds(35.0);
+  scene.planet.ground_radius = 6371.0;
+  auto bands = std::make_shared<CloudFile>(*scene.clouds.front().contents);
+  bands->nx = bands->ny = 8;
+  bands->nz = 10;
+  bands->dx = bands->dy = 4.0;
+  bands->dz = 0.1;
+  bands->extinction.clear();
+  for (int at = 0; at < 8 * 8 * 10; ++at) {
+    bands->extinction.push_back(0.4F * static_cast<float>(std::abs(at % 8 - 4)));
+  }
+  bands->identity = "bands";
+  scene.clouds.front().contents = bands;
+  scene.image = {kWidth, 32};
+  scene.camera.altitude = 0.5;
+  scene.camera.azimuth = radians(90.0);
+  scene.camera.vertical_fov = radians(12.0);
+  Sphere ball;
+  ball.azimuth = scene.camera.azimuth;
+  ball.elevation = radians(-0.7);
+  ball.distance = 10.0;
+  ball.radius = 0.9;
+  ball.albedo = {0.0, 0.0, 0.0};
+  scene.spheres = {ball};
+  physics::Physics p = geometry_of(scene);
+  std::vector<Direction> directions;
+  std::vector<std::size_t> pixels;
+  for (int y = 13; y < 22; ++y) {
+    for (int x = 16; x < 32; ++x) {
+      const physics::vec3 d = p.view_ray(p.scene.camera, 0, x + 0.5, y + 0.5).direction;
+      directions.push_back({std::asin(d.y), std::atan2(d.x, -d.z)});
+      pixels.push_back(static_cast<std::size_t>(y * kWidth + x));
+    }
+  }
+  const std::vector<ProbeResult> rays = probe_now(scene, directions);
+  const Rendering picture = render_now(scene);
+  double worst = 0.0;
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const double shown = static_cast<double>(picture.radiance.rgba[4 * pixels[i] + 1]);
+    worst = std::max(worst, std::abs(shown / rays[i].radiance[1] - 1.0));
+  }
+  std::printf("air before a ball at the horizon: froxels and rays differ by %.2f %% at most\n", 100.0 * worst);
+  EXPECT_LT(worst, 0.02);
 }
 
 // The sun's rays fall through a thin veil and rise through it once more: its shade is the way through the shell times
