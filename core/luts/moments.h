@@ -12,7 +12,7 @@
 namespace airlight {
 
 // Moments that a bake may fetch in air of up to kUsualMedia, what else a step does counting as some more of them. On
-// the software device each takes 2 to 9 ns of a processor, these 20 to 90 s. Each step asks every medium, so air of
+// the software device each takes 2.5 to 9 ns of a processor, these 25 to 90 s. Each step asks every medium, so air of
 // more media gets fewer. A level cloud of drops in Earth's air takes half of them, all orders at once.
 inline constexpr double kMostBakeFetches = 1e10;
 inline constexpr std::size_t kUsualMedia = 3;

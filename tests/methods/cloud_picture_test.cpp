@@ -202,22 +202,22 @@ TEST(CloudPicture, ShadesTheAir) {
 }
 
 // Rays that pass the planet's edge have froxels of other distances than those that end on the ground. A black ball
-// stands before both.
+// stands before both; the cloud that shades the air grows thinner toward it.
 TEST(CloudPicture, ShadesTheAirAlikeOnBothSidesOfTheHorizon) {
   constexpr int kWidth = 48;
   Scene scene = among_black_clouds(35.0);
   scene.planet.ground_radius = 6371.0;
-  auto bands = std::make_shared<CloudFile>(*scene.clouds.front().contents);
-  bands->nx = bands->ny = 8;
-  bands->nz = 10;
-  bands->dx = bands->dy = 4.0;
-  bands->dz = 0.1;
-  bands->extinction.clear();
+  auto thinning = std::make_shared<CloudFile>(*scene.clouds.front().contents);
+  thinning->nx = thinning->ny = 8;
+  thinning->nz = 10;
+  thinning->dx = thinning->dy = 4.0;
+  thinning->dz = 0.1;
+  thinning->extinction.clear();
   for (int at = 0; at < 8 * 8 * 10; ++at) {
-    bands->extinction.push_back(0.4F * static_cast<float>(std::abs(at % 8 - 4)));
+    thinning->extinction.push_back(0.4F * static_cast<float>(std::abs(at % 8 - 4)));
   }
-  bands->identity = "bands";
-  scene.clouds.front().contents = bands;
+  thinning->identity = "thinning";
+  scene.clouds.front().contents = thinning;
   scene.image = {kWidth, 32};
   scene.camera.altitude = 0.5;
   scene.camera.azimuth = radians(90.0);
